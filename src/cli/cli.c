@@ -1,0 +1,308 @@
+/* Options, numbers with units, output and progress of the `asperity` command; see cli.h. */
+#include "cli/cli.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { OPTIONS_MAX = 48 };
+
+double cli_degrees(double radians) {
+  return radians * (180 / ASP_PI);
+}
+
+double cli_radians(double degrees) {
+  return degrees * (ASP_PI / 180);
+}
+
+static void say(const char *format, va_list args) {
+  fputs("asperity: ", stderr);
+  vfprintf(stderr, format, args);
+  fputc('\n', stderr);
+}
+
+void cli_bad_usage(const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  say(format, args);
+  va_end(args);
+  exit(2);
+}
+
+void cli_bad_input(const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  say(format, args);
+  va_end(args);
+  exit(2);
+}
+
+void cli_fail(const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  say(format, args);
+  va_end(args);
+  exit(1);
+}
+
+static void print_help(const cli_command *command, const cli_option *options) {
+  printf("asperity %s: %s\n\n%s\nOptions:\n", command->name, command->summary, command->detail);
+  for (const cli_option *o = options; o->name; o++) {
+    char left[64];
+    snprintf(left, sizeof left, "--%s%s%s", o->name, o->argument ? " " : "",
+             o->argument ? o->argument : "");
+    printf("  %-26s %s", left, o->help);
+    if (o->argument && o->value)
+      printf(" [%s]", o->value);
+    putchar('\n');
+  }
+  printf("  %-26s %s\n", "--help", "this text");
+}
+
+static int count_options(const cli_option *options) {
+  int count = 0;
+  while (options[count].name)
+    count++;
+  return count;
+}
+
+int cli_parse(const cli_command *command, int argc, char **argv, cli_option *options,
+              bool arguments) {
+  struct option table[OPTIONS_MAX + 2] = {{0}};
+  int count = count_options(options);
+  for (int i = 0; i < count; i++)
+    table[i] = (struct option){options[i].name,
+                               options[i].argument ? required_argument : no_argument, NULL, i};
+  table[count] = (struct option){"help", no_argument, NULL, OPTIONS_MAX};
+  opterr = 0;
+  optind = 1;
+  for (int found; (found = getopt_long(argc, argv, ":o:h", table, NULL)) != -1;) {
+    if (found == OPTIONS_MAX || found == 'h') {
+      print_help(command, options);
+      exit(0);
+    }
+    if (found == ':')
+      cli_bad_usage("%s: option '%s' needs a value", command->name, argv[optind - 1]);
+    if (found == '?')
+      cli_bad_usage("%s: option '%s' is unknown; see 'asperity %s --help'", command->name,
+                    argv[optind - 1], command->name);
+    if (found == 'o') {
+      found = 0;
+      while (found < count && strcmp(options[found].name, "output") != 0)
+        found++;
+      if (found == count)
+        cli_bad_usage("%s: option '-o' is unknown; see 'asperity %s --help'", command->name,
+                      command->name);
+    }
+    options[found].value = options[found].argument ? optarg : "";
+  }
+  if (!arguments && optind < argc)
+    cli_bad_usage("%s: argument '%s' is not expected; options begin with --", command->name,
+                  argv[optind]);
+  return optind;
+}
+
+static const char *given(const cli_option *option) {
+  if (!option->value)
+    cli_bad_usage("--%s %s is missing (%s)", option->name, option->argument, option->help);
+  return option->value;
+}
+
+static double number_of(const cli_option *option, const char *text, double least, double most) {
+  char *end;
+  double value = strtod(text, &end);
+  if (end == text || *end)
+    cli_bad_usage("--%s is '%s'; a number is expected", option->name, text);
+  if (!(value >= least && value <= most) || !isfinite(value))
+    cli_bad_usage("--%s is %s; allowed is %g to %g", option->name, text, least, most);
+  return value;
+}
+
+double cli_number(const cli_option *option, double least, double most) {
+  return number_of(option, given(option), least, most);
+}
+
+unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most) {
+  const char *text = given(option);
+  char *end;
+  errno = 0;
+  unsigned long value = strtoul(text, &end, 10);
+  if (end == text || *end || *text == '-' || errno == ERANGE || value < least || value > most)
+    cli_bad_usage("--%s is '%s'; allowed is a whole number, %lu to %lu", option->name, text, least,
+                  most);
+  return value;
+}
+
+double cli_length_of(const cli_option *option, const char *text) {
+  static const struct {
+    const char *name;
+    double metres;
+  } units[] = {{"", 1},      {"m", 1},     {"cm", 1e-2}, {"mm", 1e-3},
+               {"um", 1e-6}, {"µm", 1e-6}, {"μm", 1e-6}, {"nm", 1e-9}};
+  char *end;
+  double value = strtod(text, &end);
+  if (end == text)
+    cli_bad_usage("--%s is '%s'; a length such as 5um is expected", option->name, text);
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (strcmp(end, units[i].name) == 0) {
+      if (!(value > 0) || !isfinite(value))
+        cli_bad_usage("--%s is '%s'; allowed is a length > 0", option->name, text);
+      return value * units[i].metres;
+    }
+  cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, and no unit means m",
+                option->name, text);
+}
+
+static void append(cli_list *list, double value) {
+  double *grown = realloc(list->values, (list->count + 1) * sizeof *grown);
+  if (!grown)
+    cli_fail("out of memory");
+  list->values = grown;
+  list->values[list->count++] = value;
+}
+
+typedef double (*reader)(const cli_option *option, const char *text, double least, double most);
+
+static double read_length(const cli_option *option, const char *text, double least, double most) {
+  (void)least;
+  (void)most;
+  return cli_length_of(option, text);
+}
+
+/* from:to:step, both ends included. */
+static cli_list range_of(const cli_option *option, char *text, reader read, double least,
+                         double most) {
+  char *second = strchr(text, ':'), *third = strchr(second + 1, ':');
+  if (!third || strchr(third + 1, ':'))
+    cli_bad_usage("--%s is '%s'; a range is from:to:step", option->name, given(option));
+  *second = *third = '\0';
+  double from = read(option, text, least, most), to = read(option, second + 1, least, most);
+  double step = read(option, third + 1, 0, INFINITY), steps = floor((to - from) / step + 1e-9);
+  if (!(step > 0) || to < from || steps > 1e6)
+    cli_bad_usage(
+        "--%s is '%s'; a range from:to:step has to >= from, step > 0 and at most 1e6 steps",
+        option->name, given(option));
+  cli_list list = {NULL, 0};
+  for (double i = 0; i <= steps; i++)
+    append(&list, from + i * step);
+  return list;
+}
+
+static cli_list list_of(const cli_option *option, reader read, double least, double most) {
+  char *text = strdup(given(option));
+  if (!text)
+    cli_fail("out of memory");
+  cli_list list = {NULL, 0};
+  if (strchr(text, ':')) {
+    list = range_of(option, text, read, least, most);
+  } else {
+    for (char *rest = text, *item; rest;) {
+      item = rest;
+      rest = strchr(rest, ',');
+      if (rest)
+        *rest++ = '\0';
+      append(&list, read(option, item, least, most));
+    }
+  }
+  free(text);
+  return list;
+}
+
+double cli_length(const cli_option *option) {
+  return cli_length_of(option, given(option));
+}
+
+cli_list cli_numbers(const cli_option *option, double least, double most) {
+  return list_of(option, number_of, least, most);
+}
+
+cli_list cli_lengths(const cli_option *option) {
+  return list_of(option, read_length, 0, INFINITY);
+}
+
+cli_list cli_angles(const cli_option *option) {
+  return list_of(option, number_of, 0, 90);
+}
+
+struct cli_output {
+  FILE *stream;
+  char *path, *partial; /* NULL for stdout */
+};
+
+cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed) {
+  cli_output *output = calloc(1, sizeof *output);
+  if (!output)
+    cli_fail("out of memory");
+  output->stream = stdout;
+  if (path) {
+    size_t size = strlen(path) + 16;
+    output->path = strdup(path);
+    output->partial = malloc(size);
+    if (!output->path || !output->partial)
+      cli_fail("out of memory");
+    snprintf(output->partial, size, "%s.partial", path);
+    output->stream = fopen(output->partial, "w");
+    if (!output->stream)
+      cli_fail("cannot write '%s': %s", path, strerror(errno));
+  }
+  fprintf(output->stream, "# asperity %s;", ASP_VERSION);
+  for (int i = 0; i < argc; i++)
+    fprintf(output->stream, " %s", argv[i]);
+  if (seed)
+    fprintf(output->stream, "; seed %s", seed->value);
+  fputc('\n', output->stream);
+  return output;
+}
+
+FILE *cli_output_stream(cli_output *output) {
+  return output->stream;
+}
+
+void cli_output_close(cli_output *output) {
+  bool bad = fflush(output->stream) != 0 || ferror(output->stream);
+  if (output->path) {
+    bad = fclose(output->stream) != 0 || bad;
+    bad = bad || rename(output->partial, output->path) != 0;
+    if (bad)
+      unlink(output->partial);
+  }
+  if (bad)
+    cli_fail("cannot write '%s': %s", output->path ? output->path : "standard output",
+             strerror(errno));
+  free(output->path);
+  free(output->partial);
+  free(output);
+}
+
+static double seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+cli_progress cli_progress_begin(const char *what, double total) {
+  double now = seconds();
+  return (cli_progress){what, total, now, isatty(STDERR_FILENO) ? now : INFINITY};
+}
+
+void cli_progress_show(cli_progress *progress, double done) {
+  double now = seconds();
+  if (now - progress->begun < 1 || now - progress->shown < 0.1)
+    return;
+  enum { WIDTH = 40 };
+  int filled = (int)(WIDTH * fmin(1, done / progress->total));
+  fprintf(stderr, "\r%s [%.*s%*s] %3.0f %%", progress->what, filled,
+          "########################################", WIDTH - filled, "",
+          100 * fmin(1, done / progress->total));
+  progress->shown = now;
+}
+
+void cli_progress_end(cli_progress *progress) {
+  if (isfinite(progress->shown) && progress->shown > progress->begun)
+    fprintf(stderr, "\r%*s\r", (int)strlen(progress->what) + 50, "");
+}

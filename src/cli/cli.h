@@ -1,0 +1,94 @@
+/* What the subcommands of `asperity` share: options with help from one table, numbers with units,
+ * CSV output that is written whole or not at all, a progress bar, and pictures by gnuplot.
+ *
+ * Everything here exits on bad input: status 2 for bad usage, 1 for a failure, with one line on
+ * stderr that names the option, its value and what is allowed. */
+#ifndef ASP_CLI_H
+#define ASP_CLI_H
+
+#include "asperity.h"
+
+#include <stdio.h>
+
+typedef struct cli_command {
+  const char *name;
+  const char *summary; /* one line, for the list of commands */
+  const char *detail;  /* more, for --help */
+  int (*run)(int argc, char **argv);
+} cli_command;
+
+extern const cli_command cli_cor, cli_materials, cli_spread, cli_surface;
+
+/* One option of a command. A table of them ends with a NULL name. */
+typedef struct cli_option {
+  const char *name;     /* without the dashes */
+  const char *argument; /* what its value is, for the help; NULL for a flag */
+  const char *help;
+  const char *value; /* the default, then what the user gave; NULL: not given. A flag: "" */
+} cli_option;
+
+/* Reads the options of a command into the table; prints help and exits on --help. Returns the index
+ * of the first argument that is not an option; with `arguments` false there must be none. */
+int cli_parse(const cli_command *command, int argc, char **argv, cli_option *options,
+              bool arguments);
+
+#if defined(__GNUC__)
+#define CLI_PRINTF __attribute__((format(printf, 1, 2), noreturn))
+#else
+#define CLI_PRINTF
+#endif
+CLI_PRINTF void cli_bad_usage(const char *format, ...); /* exit 2 */
+CLI_PRINTF void cli_fail(const char *format, ...);      /* exit 1 */
+
+/* A whole list of numbers; values is allocated and lives as long as the command. */
+typedef struct cli_list {
+  double *values;
+  size_t count;
+} cli_list;
+
+/* The option's value, which must have been given. Lengths take a unit (m cm mm um nm) or are
+ * metres, and must be > 0. A list is `a,b,c`, or `from:to:step` with both ends included. */
+double cli_number(const cli_option *option, double least, double most);
+unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most);
+double cli_length(const cli_option *option);
+cli_list cli_numbers(const cli_option *option, double least, double most);
+cli_list cli_lengths(const cli_option *option);
+
+/* One length out of a text, for options with a format of their own. */
+double cli_length_of(const cli_option *option, const char *text);
+
+/* Impact angles in degrees: a list or a range within 0 ... 90. */
+cli_list cli_angles(const cli_option *option);
+
+/* Exits with status 2 and the library's message. */
+CLI_PRINTF void cli_bad_input(const char *format, ...);
+
+/* The stream to write CSV to: stdout, or for a path a file that appears when it is closed. Writes
+ * the comment line: version, the command as given, the seed where `seed` is not NULL. */
+typedef struct cli_output cli_output;
+cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed);
+FILE *cli_output_stream(cli_output *output);
+void cli_output_close(cli_output *output);
+
+/* A bar on stderr when that is a terminal and the work takes over a second; done counts up to
+ * total. */
+typedef struct cli_progress {
+  const char *what;
+  double total;
+  double begun, shown;
+} cli_progress;
+cli_progress cli_progress_begin(const char *what, double total);
+void cli_progress_show(cli_progress *progress, double done);
+void cli_progress_end(cli_progress *progress);
+
+/* A gnuplot that draws into a .png, .svg or .pdf of width x height pixels; commands and data go to
+ * the stream. close waits for it, reports failure, and says on stderr where the picture is. */
+typedef struct cli_plot cli_plot;
+cli_plot *cli_plot_open(const cli_option *option, int width, int height);
+FILE *cli_plot_stream(cli_plot *plot);
+void cli_plot_close(cli_plot *plot);
+
+double cli_degrees(double radians);
+double cli_radians(double degrees);
+
+#endif

@@ -1,0 +1,48 @@
+/* Error messages of the core; see error.h. */
+#include "error.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+asp_code asp_fail(asp_error *error, asp_code code, const char *format, ...) {
+  if (error) {
+    error->code = code;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(error->text, sizeof error->text, format, args);
+    va_end(args);
+  }
+  return code;
+}
+
+asp_code asp_check_range(asp_error *error, const char *name, const char *unit, double value,
+                         double least, double most) {
+  if (isfinite(value) && value >= least && value <= most)
+    return ASP_OK;
+  const char *space = *unit ? " " : "";
+  if (isinf(most))
+    return asp_fail(error, ASP_EARG, "%s is %g%s%s; allowed is a finite number >= %g%s%s", name,
+                    value, space, unit, least, space, unit);
+  return asp_fail(error, ASP_EARG, "%s is %g%s%s; allowed is %g to %g%s%s", name, value, space,
+                  unit, least, most, space, unit);
+}
+
+asp_code asp_check_positive(asp_error *error, const char *name, const char *unit, double value) {
+  if (isfinite(value) && value > 0)
+    return ASP_OK;
+  return asp_fail(error, ASP_EARG, "%s is %g%s%s; allowed is a finite number > 0", name, value,
+                  *unit ? " " : "", unit);
+}
+
+asp_code asp_fail_name(asp_error *error, const char *what, const char *name, int count,
+                       const char *(*name_at)(int)) {
+  char list[320] = "";
+  for (int i = 0; i < count; i++) {
+    size_t used = strlen(list);
+    snprintf(list + used, sizeof list - used, " %s", name_at(i));
+  }
+  return asp_fail(error, ASP_ENAME, "%s '%s' is unknown; there are:%s", what, name ? name : "",
+                  list);
+}

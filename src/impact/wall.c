@@ -1,0 +1,75 @@
+/* A wall: surface, spread model and rebound law looked up once and checked, so that a contact reads
+ * numbers and follows pointers only. */
+#include "error.h"
+#include "impact/wall.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+asp_wall_spec asp_wall_spec_default(void) {
+  asp_wall_spec spec = {.spread = "none", .deposit = true};
+  asp_wall_spec_rebound(&spec, "bons", NULL);
+  return spec;
+}
+
+asp_code asp_wall_spec_rebound(asp_wall_spec *spec, const char *name, asp_error *error) {
+  const asp_rebound_law *law = asp_rebound_find(name, error);
+  if (!law)
+    return ASP_ENAME;
+  spec->rebound = law->name;
+  for (int i = 0; i < law->n_parameters; i++)
+    spec->parameters[i] = law->parameters[i].fallback;
+  return ASP_OK;
+}
+
+static asp_code check_parameter(const asp_parameter *parameter, double value, asp_error *error) {
+  return asp_check_range(error, parameter->name, parameter->unit, value, parameter->least,
+                         parameter->most);
+}
+
+asp_code asp_wall_spec_set(asp_wall_spec *spec, const char *parameter, double value,
+                           asp_error *error) {
+  const asp_rebound_law *law = asp_rebound_find(spec->rebound, error);
+  if (!law)
+    return ASP_ENAME;
+  int index = asp_rebound_parameter(law, parameter, error);
+  if (index < 0)
+    return ASP_ENAME;
+  asp_code code = check_parameter(&law->parameters[index], value, error);
+  if (code == ASP_OK)
+    spec->parameters[index] = value;
+  return code;
+}
+
+static asp_code check(const asp_wall_spec *spec, const asp_rebound_law *law, asp_error *error) {
+  asp_code code = ASP_OK;
+  for (int i = 0; i < law->n_parameters && code == ASP_OK; i++)
+    code = check_parameter(&law->parameters[i], spec->parameters[i], error);
+  return code;
+}
+
+asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error) {
+  const asp_spread_model *spread = asp_spread_find(spec->spread, error);
+  const asp_rebound_law *law = spread ? asp_rebound_find(spec->rebound, error) : NULL;
+  if (!law || check(spec, law, error))
+    return NULL;
+  asp_wall *wall = malloc(sizeof *wall);
+  if (!wall) {
+    asp_fail(error, ASP_ENOMEM, "out of memory for a wall");
+    return NULL;
+  }
+  *wall = (asp_wall){.surface = spec->surface,
+                     .spread = spread,
+                     .law = law,
+                     .rough = spec->surface && spread != asp_spread_find("none", NULL),
+                     .isotropic = spec->tilt == ASP_TILT_ISOTROPIC,
+                     .multiple = spec->collisions == ASP_COLLISIONS_MULTIPLE,
+                     .deposit = spec->deposit};
+  for (int i = 0; i < ASP_PARAMETERS_MAX; i++)
+    wall->parameters[i] = spec->parameters[i];
+  return wall;
+}
+
+void asp_wall_free(asp_wall *wall) {
+  free(wall);
+}

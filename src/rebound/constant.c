@@ -1,0 +1,23 @@
+/* Two constant coefficients of restitution, about the face that is hit. For comparison, for walls
+ * whose coefficients are known, and for tests: (1, 1) is the specular rebound. */
+#include "rebound/laws.h"
+
+enum { COR_N, COR_T, N_PARAMETERS };
+
+static const asp_parameter parameters[N_PARAMETERS] = {
+    [COR_N] = {"cor_n", "", 1, 0, 1, "normal coefficient of restitution of the face"},
+    [COR_T] = {"cor_t", "", 1, 0, 1, "tangential coefficient of restitution of the face"},
+};
+
+static asp_bounce rebound(const double *p, const asp_hit *hit) {
+  return (asp_bounce){p[COR_N] * hit->v_n1, p[COR_T] * hit->v_t1};
+}
+
+const asp_rebound_law asp_rebound_constant = {
+    .name = "constant",
+    .summary = "constant coefficients of restitution",
+    .source = "definition",
+    .n_parameters = N_PARAMETERS,
+    .parameters = parameters,
+    .rebound = rebound,
+};

@@ -1,0 +1,42 @@
+/* The list of rebound laws, and how their parameters are found by name. */
+#include "error.h"
+#include "rebound/laws.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define ASP_REBOUND_ADDRESS(name) &asp_rebound_##name,
+static const asp_rebound_law *const laws[] = {ASP_REBOUND_LAWS(ASP_REBOUND_ADDRESS)};
+#undef ASP_REBOUND_ADDRESS
+
+int asp_rebound_count(void) {
+  return (int)(sizeof laws / sizeof *laws);
+}
+
+const asp_rebound_law *asp_rebound_at(int index) {
+  return laws[index];
+}
+
+static const char *name_at(int index) {
+  return laws[index]->name;
+}
+
+const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error) {
+  for (int i = 0; name && i < asp_rebound_count(); i++)
+    if (strcmp(laws[i]->name, name) == 0)
+      return laws[i];
+  asp_fail_name(error, "rebound law", name, asp_rebound_count(), name_at);
+  return NULL;
+}
+
+int asp_rebound_parameter(const asp_rebound_law *law, const char *name, asp_error *error) {
+  char list[200] = "";
+  for (int i = 0; i < law->n_parameters; i++) {
+    if (strcmp(law->parameters[i].name, name) == 0)
+      return i;
+    size_t used = strlen(list);
+    snprintf(list + used, sizeof list - used, " %s", law->parameters[i].name);
+  }
+  return asp_fail(error, ASP_ENAME, "parameter '%s' is unknown to rebound law '%s'; there are:%s",
+                  name, law->name, *list ? list : " none");
+}

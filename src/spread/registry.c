@@ -1,0 +1,42 @@
+/* The list of spread models, and what every model has in common. */
+#include "error.h"
+#include "spread/models.h"
+
+#include <math.h>
+#include <string.h>
+
+#define ASP_SPREAD_ADDRESS(name) &asp_spread_##name,
+static const asp_spread_model *const models[] = {ASP_SPREAD_MODELS(ASP_SPREAD_ADDRESS)};
+#undef ASP_SPREAD_ADDRESS
+
+int asp_spread_count(void) {
+  return (int)(sizeof models / sizeof *models);
+}
+
+const asp_spread_model *asp_spread_at(int index) {
+  return models[index];
+}
+
+static const char *name_at(int index) {
+  return models[index]->name;
+}
+
+const asp_spread_model *asp_spread_find(const char *name, asp_error *error) {
+  for (int i = 0; name && i < asp_spread_count(); i++)
+    if (strcmp(models[i]->name, name) == 0)
+      return models[i];
+  asp_fail_name(error, "spread model", name, asp_spread_count(), name_at);
+  return NULL;
+}
+
+asp_view asp_view_create(double sigma, double alpha1) {
+  return (asp_view){tan(sigma), sigma, alpha1, 0, NULL};
+}
+
+bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_stream *stream,
+                     double *delta) {
+  if (model->loop)
+    return model->loop(view, stream, delta);
+  *delta = model->quantile(view, asp_stream_uniform(stream));
+  return true;
+}

@@ -1,0 +1,28 @@
+/* The paper's baseline, routines 1 to 3: draw from the normal distribution until the face neither
+ * is in the shadow (delta > -alpha1) nor sends a specular rebound into the wall (delta > -alpha1/2,
+ * the stricter of the two). At least every second draw is taken, so the bound is never met in
+ * practice. */
+#include "spread/models.h"
+
+static bool loop(const asp_view *view, asp_stream *stream, double *delta) {
+  *delta = 0;
+  if (view->sigma < ASP_SIGMA_ZERO)
+    return true;
+  for (int i = 0; i < ASP_HITS_MAX; i++) {
+    double drawn = view->sigma * asp_stream_normal(stream);
+    if (drawn > -view->alpha1 / 2 && drawn < ASP_DELTA_MOST) {
+      *delta = drawn;
+      return true;
+    }
+  }
+  return false;
+}
+
+const asp_spread_model asp_spread_rejection = {
+    .name = "rejection",
+    .summary = "the baseline: draw from the normal distribution until the rebound leaves the wall",
+    .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, routines 1 to 3",
+    .density = asp_truncated_density,
+    .distribution = asp_truncated_distribution,
+    .loop = loop,
+};
