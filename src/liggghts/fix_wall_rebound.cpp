@@ -1,0 +1,877 @@
+/* fix wall/rebound; see fix_wall_rebound.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fix_wall_rebound.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <algorithm>
+#include <cstdarg>
+#include <limits>
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_mesh_surface.h"
+#include "fix_neighlist_mesh.h"
+#include "fix_property_atom.h"
+#include "fix_property_global.h"
+#include "force.h"
+#include "group.h"
+#include "memory.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "primitive_wall.h"
+#include "tri_mesh.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+/* How closely the instant of contact is found, in radii of the particle, and how many steps of Newton's
+ * method that may take; a plane takes one. */
+static const double GAP_TOLERANCE = 1e-10;
+static const int NEWTON_MAX = 50;
+
+/* How many times one particle may hit the wall within one step. */
+static const int CONTACTS_MAX = 16;
+
+static const char KEYWORDS[] = "surface spread rebound deposit seed timing ledger";
+
+static double dot(const double a[3], const double b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static std::string text(const char *format, ...)
+{
+  char line[600];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(line, sizeof line, format, args);
+  va_end(args);
+  return line;
+}
+
+namespace LAMMPS_NS {
+
+/* Reads the arguments behind the geometry one by one; says what is missing or wrong. */
+class ArgReader {
+ public:
+  ArgReader(int narg, char **arg, int first) : narg_(narg), arg_(arg), next_(first) {}
+
+  bool done() const { return next_ >= narg_; }
+  bool is(const char *word) const { return !done() && strcmp(arg_[next_], word) == 0; }
+  bool take(const char *word)
+  {
+    if (!is(word)) return false;
+    next_++;
+    return true;
+  }
+  std::string word(const char *what)
+  {
+    if (done()) throw text("%s is missing at the end of the command", what);
+    return arg_[next_++];
+  }
+  double number(const char *what)
+  {
+    std::string value = word(what);
+    char *end;
+    double number = strtod(value.c_str(), &end);
+    if (value.empty() || *end) throw text("%s is '%s'; a number is expected", what, value.c_str());
+    return number;
+  }
+  double whole(const char *what, double least, double most)
+  {
+    double value = number(what);
+    if (!(value >= least && value <= most) || value != floor(value))
+      throw text("%s is %.15g; allowed is a whole number, %.0f to %.0f", what, value, least, most);
+    return value;
+  }
+
+ private:
+  int narg_;
+  char **arg_;
+  int next_;
+};
+
+}  // namespace LAMMPS_NS
+
+/* The base class reads the geometry before anything of ours runs, and trusts that every argument is
+ * there. So the words are counted here first. */
+static char **check_geometry(LAMMPS *lmp, int narg, char **arg)
+{
+  std::string wrong;
+  if (narg < 4)
+    wrong = "the wall is missing; allowed is 'mesh n_meshes N meshes id1 ...' or "
+            "'primitive type T style args'";
+  else if (strcmp(arg[3], "primitive") == 0) {
+    if (narg < 7 || strcmp(arg[4], "type") != 0)
+      wrong = "behind 'primitive', 'type T style args' is expected";
+    else if (PRIMITIVE_WALL_DEFINITIONS::numArgsPrimitiveWall(arg[6]) == 0)
+      wrong = text("primitive wall '%s' is unknown; there are: xplane yplane zplane xcylinder "
+                   "ycylinder zcylinder", arg[6]);
+  } else if (strcmp(arg[3], "mesh") == 0) {
+    int count = narg > 5 ? atoi(arg[5]) : 0;
+    if (narg < 7 || strcmp(arg[4], "n_meshes") != 0 || strcmp(arg[6], "meshes") != 0)
+      wrong = "behind 'mesh', 'n_meshes N meshes id1 ...' is expected";
+    else if (count < 1 || narg < 7 + count)
+      wrong = text("n_meshes is '%s', with %d words behind 'meshes'; allowed is a number >= 1, and "
+                   "as many mesh ids", arg[5], narg - 7);
+    for (int i = 7; wrong.empty() && i < 7 + count; i++) {
+      int found = lmp->modify->find_fix(arg[i]);
+      if (found < 0 || strncmp(lmp->modify->fix[found]->style, "mesh/surface", 12) != 0)
+        wrong = text("mesh '%s' does not exist; define it before the wall, by 'fix %s all "
+                     "mesh/surface file FILE.stl type T'", arg[i], arg[i]);
+    }
+  } else
+    wrong = text("the wall is '%s'; allowed is 'mesh' or 'primitive'", arg[3]);
+  if (!wrong.empty())
+    lmp->error->all(FLERR, ("Fix wall/rebound (id " + std::string(arg[0]) + "): " + wrong).c_str());
+  return arg;
+}
+
+/* ---- making ---------------------------------------------------------------------------------- */
+
+FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
+    : FixWallGran(engine, narg, check_geometry(engine, narg, arg)), smooth_(true), r_q_(0), lambda_c_(0),
+      spec_(asp_wall_spec_default()), deposit_(FREEZE), timing_(EXACT), seed_(1),
+      fix_key_(asp_key_fix(id)), surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free),
+      fix_state_(NULL), state_(NULL), counters_(), moving_(false), warned_(false), announced_(false),
+      restarted_(false), speed_checked_(-1)
+{
+  if (!atom->radius_flag || !atom->rmass_flag)
+    fail("the atom style has no radius and density; allowed is 'atom_style granular' or 'sphere'");
+  try {
+    parse(narg, arg);
+    make_wall();
+  } catch (const std::string &wrong) {
+    fail(wrong);
+  }
+  scalar_flag = vector_flag = 1;
+  size_vector = N_COUNTERS;
+  global_freq = 1;
+  extscalar = extvector = 1;
+  restart_global = 1;
+  nevery = 1;
+  time_depend = 1;
+  force_reneighbor = deposit_ == DELETE;
+  next_reneighbor = -1;
+  if (ledger_) {
+    local_flag = 1;
+    local_freq = static_cast<int>(ledger_->every());
+    size_local_cols = ReboundLedger::N_COLUMNS;
+  }
+}
+
+FixWallRebound::~FixWallRebound() {}
+
+void FixWallRebound::fail(const std::string &what)
+{
+  error->fix_error(FLERR, this, what.c_str());
+}
+
+void FixWallRebound::parse(int narg, char **arg)
+{
+  ArgReader args(narg, arg, iarg_);
+  spec_.spread = NULL;
+  while (!args.done()) {
+    if (args.take("surface"))
+      parse_surface(args);
+    else if (args.take("spread"))
+      parse_spread(args);
+    else if (args.take("rebound"))
+      parse_rebound(args);
+    else if (args.take("deposit")) {
+      std::string value = args.word("the value of 'deposit'");
+      if (value != "freeze" && value != "delete" && value != "off")
+        throw "deposit is '" + value + "'; allowed is freeze, delete or off";
+      deposit_ = value == "freeze" ? FREEZE : value == "delete" ? DELETE : OFF;
+    } else if (args.take("timing")) {
+      std::string value = args.word("the value of 'timing'");
+      if (value != "exact" && value != "overlap")
+        throw "timing is '" + value + "'; allowed is exact or overlap";
+      timing_ = value == "exact" ? EXACT : OVERLAP;
+    } else if (args.take("seed"))
+      seed_ = static_cast<uint32_t>(args.whole("seed", 0, 4294967295.0));
+    else if (args.take("ledger"))
+      parse_ledger(args);
+    else
+      throw "keyword '" + args.word("keyword") + "' is unknown; there are: " + KEYWORDS;
+  }
+  if (!spec_.spread) spec_.spread = smooth_ ? "none" : "weibull";
+  spec_.deposit = deposit_ != OFF;
+}
+
+void FixWallRebound::parse_surface(ArgReader &args)
+{
+  smooth_ = args.take("smooth");
+  if (smooth_) return;
+  if (!args.take("rq"))
+    throw "surface is '" + args.word("the value of 'surface'") +
+        "'; allowed is 'smooth' or 'rq R lambda_c L'";
+  r_q_ = args.number("rq");
+  if (!args.take("lambda_c")) throw std::string("behind 'surface rq R', 'lambda_c L' is expected");
+  lambda_c_ = args.number("lambda_c");
+}
+
+void FixWallRebound::parse_spread(ArgReader &args)
+{
+  asp_error wrong;
+  const asp_spread_model *model = asp_spread_find(args.word("the spread model").c_str(), &wrong);
+  if (!model) throw std::string(wrong.text);
+  spec_.spread = model->name;
+  for (bool more = true; more;) {
+    if (args.take("plane"))
+      spec_.tilt = ASP_TILT_PLANE;
+    else if (args.take("isotropic"))
+      spec_.tilt = ASP_TILT_ISOTROPIC;
+    else if (args.take("collisions")) {
+      std::string value = args.word("the value of 'collisions'");
+      if (value != "single" && value != "multiple")
+        throw "collisions is '" + value + "'; allowed is single or multiple";
+      spec_.collisions = value == "single" ? ASP_COLLISIONS_SINGLE : ASP_COLLISIONS_MULTIPLE;
+    } else
+      more = false;
+  }
+}
+
+void FixWallRebound::parse_rebound(ArgReader &args)
+{
+  asp_error wrong;
+  std::string law = args.word("the rebound law");
+  if (asp_wall_spec_rebound(&spec_, law.c_str(), &wrong)) throw std::string(wrong.text);
+  if (law == "constant") {
+    for (const char *name : {"cor_n", "cor_t"})
+      if (asp_wall_spec_set(&spec_, name, args.number(name), &wrong)) throw std::string(wrong.text);
+    return;
+  }
+  for (bool more = law == "bons"; more;) {
+    if (args.take("yield_rate")) {
+      if (asp_wall_spec_set(&spec_, "yield_rate", args.number("yield_rate"), &wrong))
+        throw std::string(wrong.text);
+    } else if (args.take("contact_area")) {
+      for (const char *name : {"a", "b", "c"})
+        if (asp_wall_spec_set(&spec_, name, args.number("contact_area"), &wrong))
+          throw "contact_area " + std::string(wrong.text);
+    } else
+      more = false;
+  }
+}
+
+void FixWallRebound::parse_ledger(ArgReader &args)
+{
+  bigint every = static_cast<bigint>(args.whole("ledger", 1, 2147483647.0));
+  std::string path = args.take("file") ? args.word("the file of 'ledger'") : "";
+  std::string heading = text("# asperity %s; fix %s wall/rebound; units %s; angles in degrees",
+                             ASP_VERSION, id, update->unit_style);
+  ledger_.reset(new ReboundLedger(world, every, path, heading));
+}
+
+void FixWallRebound::make_wall()
+{
+  asp_error wrong;
+  if (!smooth_) {
+    surface_.reset(asp_surface_create(r_q_, lambda_c_, &wrong));
+    if (!surface_) throw "surface " + std::string(wrong.text);
+    spec_.surface = surface_.get();
+  }
+  wall_.reset(asp_wall_create(&spec_, &wrong));
+  if (!wall_) throw std::string(wrong.text);
+}
+
+int FixWallRebound::setmask()
+{
+  return FixWallGran::setmask() | PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP | POST_RUN;
+}
+
+void FixWallRebound::post_create()
+{
+  FixWallGran::post_create();
+  std::string name = std::string("rebound_") + id;
+  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes", "no", "no"};
+  words.resize(words.size() + N_STATE, "0.");
+  std::vector<char *> arg;
+  for (std::string &word : words) arg.push_back(&word[0]);
+  fix_state_ = modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
+}
+
+void FixWallRebound::pre_delete(bool unfixflag)
+{
+  if (unfixflag && fix_state_) modify->delete_fix(fix_state_->id);
+  FixWallGran::pre_delete(unfixflag);
+}
+
+/* ---- before a run ---------------------------------------------------------------------------- */
+
+void FixWallRebound::init()
+{
+  FixWallGran::init();
+  if (strstr(update->integrate_style, "respa"))
+    fail("run_style respa is not supported; allowed is run_style verlet");
+  find_materials();
+  check_group();
+  if (ledger_) {
+    std::string why = ledger_->open(restarted_);
+    if (!why.empty()) fail(why);
+  }
+  if (!announced_) announce();
+  announced_ = true;
+}
+
+/* The values of a fix property/global, row by row; empty where there is none and none is needed. */
+void FixWallRebound::property(const char *name, const char *kind, int rows, int columns,
+                                  bool needed, const char *example, std::vector<double> &values)
+{
+  Fix *found = modify->find_fix_property(name, "property/global", kind, rows, columns, style, false);
+  if (!found && needed)
+    fail(text("the script has no %s for each atom type; add a line such as 'fix %s all "
+              "property/global %s %s %s'", name, name, name, kind, example));
+  values.clear();
+  for (int i = 0; found && i < rows; i++)
+    for (int j = 0; j < std::max(columns, 1); j++)
+      values.push_back(columns ? static_cast<FixPropertyGlobal *>(found)->compute_array(i, j)
+                               : static_cast<FixPropertyGlobal *>(found)->compute_vector(i));
+}
+
+void FixWallRebound::find_materials()
+{
+  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
+  pairs_.clear();
+  if (!law->needs_material) return;
+  const int n = atom->ntypes;
+  int rate = asp_rebound_parameter(law, "yield_rate", NULL);
+  bool constant_yield = rate < 0 || !(spec_.parameters[rate] > 0);
+  std::vector<double> modulus, poisson, yield, friction, energy;
+  property("youngsModulus", "peratomtype", n, 0, true, "7e10 2.05e11", modulus);
+  property("poissonsRatio", "peratomtype", n, 0, true, "0.17 0.32", poisson);
+  property("yieldStress", "peratomtype", n, 0, constant_yield, "2e8 2e8", yield);
+  property("surfaceEnergy", "peratomtypepair", n, n, deposit_ != OFF, "2 0.8 0.8 0.8 0.8", energy);
+  property("coefficientFriction", "peratomtypepair", n, n, false, "2 0.3 0.3 0.3 0.3", friction);
+  pairs_.resize((n + 1) * (n + 1));
+  for (int p = 0; p < n; p++)
+    for (int w = 0; w < n; w++) {
+      asp_error wrong;
+      if (asp_pair_create(modulus[p], poisson[p], modulus[w], poisson[w],
+                          yield.empty() ? 0 : yield[p], energy.empty() ? 0 : energy[p * n + w],
+                          friction.empty() ? ASP_FRICTION : friction[p * n + w],
+                          &pairs_[(p + 1) * (n + 1) + w + 1], &wrong))
+        fail(text("types %d (particle) and %d (wall): %s", p + 1, w + 1, wrong.text));
+    }
+}
+
+/* A wall for nobody is a mistake in the script, unless particles are still to come. */
+void FixWallRebound::check_group()
+{
+  if (group->count(igroup) > 0 || modify->n_fixes_style("insert") > 0) return;
+  fail(text("group '%s' holds no particle, and there is no fix insert to bring any",
+            group->names[igroup]));
+}
+
+void FixWallRebound::announce()
+{
+  std::string line = text("fix %s wall/rebound: ", id);
+  if (smooth_ || strcmp(spec_.spread, "none") == 0)
+    line += "smooth wall";
+  else
+    line += text("R_q %g, lambda_c %g, Phi_R %.4g, sigma %.4g deg before the size filter, spread %s %s, "
+                 "collisions %s", r_q_, lambda_c_, asp_surface_phi_r(surface_.get()),
+                 atan(asp_surface_slope_rms(surface_.get())) * 180 / ASP_PI, spec_.spread,
+                 spec_.tilt == ASP_TILT_PLANE ? "plane" : "isotropic",
+                 spec_.collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple");
+  line += text("; rebound %s, deposit %s, timing %s, seed %u\n", spec_.rebound,
+               deposit_ == FREEZE ? "freeze" : deposit_ == DELETE ? "delete" : "off",
+               timing_ == EXACT ? "exact" : "overlap", seed_);
+  if (comm->me != 0) return;
+  if (screen) fputs(line.c_str(), screen);
+  if (logfile) fputs(line.c_str(), logfile);
+}
+
+void FixWallRebound::setup_pre_exchange()
+{
+  pre_exchange();
+}
+
+/* The base class would run a step of contacts here, with velocities of the full step. A contact is an
+ * event within a step, so there is none to do. */
+void FixWallRebound::setup(int vflag)
+{
+  FixWallGran::pre_neighbor();
+  pre_force(vflag);
+  state_ = fix_state_->array_atom;
+  collect_stuck();
+  check_speeds();
+}
+
+void FixWallRebound::pre_neighbor()
+{
+  FixWallGran::pre_neighbor();
+  state_ = fix_state_->array_atom;
+  collect_stuck();
+  if (update->ntimestep != speed_checked_) check_speeds();
+}
+
+/* A particle that moves more than its radius in a step may pass the wall between two looks at it. */
+void FixWallRebound::check_speeds()
+{
+  speed_checked_ = update->ntimestep;
+  if (warned_) return;
+  double worst = 0, fastest[3] = {0, 0, 0};
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit) || state_[i][STATE] != FREE) continue;
+    double speed = sqrt(dot(atom->v[i], atom->v[i])), ratio = speed / atom->radius[i];
+    if (ratio <= worst) continue;
+    worst = ratio;
+    fastest[1] = speed;
+    fastest[2] = 2 * atom->radius[i];
+  }
+  double mine = worst;
+  MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (worst * update->dt <= 1) return;
+  fastest[0] = mine == worst ? 1 : 0;
+  double all[3];
+  MPI_Allreduce(fastest, all, 3, MPI_DOUBLE, MPI_MAX, world);
+  warned_ = true;
+  if (comm->me == 0)
+    error->warning(FLERR, text("Fix wall/rebound (id %s): particles can cross the wall within a step: "
+                               "one of diameter %g moves at %g, which is %.3g diameters in a step of "
+                               "%g; the largest safe step is %g", id, all[2], all[1],
+                               0.5 * worst * update->dt, update->dt, 1 / worst).c_str());
+}
+
+/* ---- contacts -------------------------------------------------------------------------------- */
+
+void FixWallRebound::post_force(int)
+{
+  if (update->setupflag) return;
+  x_ = atom->x;
+  radius_ = atom->radius;
+  rmass_ = atom->rmass;
+  nlocal_ = atom->nlocal;
+  cutneighmax_ = neighbor->cutneighmax;
+  state_ = fix_state_->array_atom;
+  for (int i : stuck_) carry(i);
+  candidates_.clear();
+  moving_ = is_moving();
+  if (is_mesh_wall())
+    find_candidates_mesh();
+  else
+    find_candidates_primitive();
+  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate &a, const Candidate &b) {
+    if (a.particle != b.particle) return a.particle < b.particle;
+    return a.mesh != b.mesh ? a.mesh < b.mesh : a.id < b.id;
+  });
+  const Candidate *end = candidates_.data() + candidates_.size();
+  for (const Candidate *first = candidates_.data(), *last; first < end; first = last) {
+    for (last = first; last < end && last->particle == first->particle;) last++;
+    collide(first, last);
+  }
+}
+
+void FixWallRebound::find_candidates_mesh()
+{
+  double delta[3], bary[3];
+  int sign;
+  for (int m = 0; m < n_meshes(); m++) {
+    TriMesh *mesh = mesh_list()[m]->triMesh();
+    FixNeighlistMesh *neighbours = mesh_list()[m]->meshNeighlist();
+    const int n = mesh->sizeLocal() + mesh->sizeGhost();
+    for (int t = 0; t < n; t++)
+      for (int i : neighbours->get_contact_list(t)) {
+        if (i >= nlocal_ || !(atom->mask[i] & groupbit) || state_[i][STATE] != FREE) continue;
+        double gap = mesh->resolveTriSphereContactBary(i, t, radius_[i], x_[i], delta, bary, sign, false);
+        offer(i, m, t, mesh->id(t), gap);
+      }
+  }
+}
+
+void FixWallRebound::find_candidates_primitive()
+{
+  int *list;
+  double delta[3];
+  const int n = primitiveWall()->getNeighbors(list);
+  for (int k = 0; k < n; k++) {
+    const int i = list[k];
+    if (i >= nlocal_ || !(atom->mask[i] & groupbit) || state_[i][STATE] != FREE) continue;
+    offer(i, -1, 0, 0, primitiveWall()->resolveContact(x_[i], radius_[i], delta));
+  }
+}
+
+/* A wall at rest counts when the particle, at the end of its step, is no farther from it than it has
+ * come in this step, or goes in it after a rebound. */
+void FixWallRebound::offer(int particle, int mesh, int triangle, int id_triangle, double gap)
+{
+  const double *v = atom->v[particle], reach = 2 * update->dt;
+  if (!moving_ && gap > 0 && gap * gap > reach * reach * dot(v, v)) return;
+  candidates_.push_back(Candidate{particle, mesh, triangle, id_triangle});
+}
+
+/* The distance from the sphere's surface to the wall when its centre is at x, in the state of the wall
+ * at the end of the step; delta points from the centre to the nearest point of the wall. */
+double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3])
+{
+  for (int d = 0; d < 3; d++) v_wall[d] = 0;
+  const double radius = radius_[on.particle];
+  if (on.mesh < 0) {
+    if (shear_ && shearAxis_ >= 0) {
+      double arm[3];
+      primitiveWall()->calcRadialDistance(x, arm);
+      vectorCross3D(shearAxisVec_, arm, v_wall);
+    } else if (shear_)
+      v_wall[shearDim_] = vshear_;
+    return primitiveWall()->resolveContact(x, radius, delta);
+  }
+  TriMesh *mesh = mesh_list()[on.mesh]->triMesh();
+  double bary[3];
+  int sign;
+  double gap = mesh->resolveTriSphereContactBary(on.particle, on.triangle, radius, x, delta, bary, sign, false);
+  MultiVectorContainer<double, 3, 3> *moving =
+      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3> >("v");
+  if (moving)
+    for (int d = 0; d < 3; d++)
+      for (int k = 0; k < 3; k++) v_wall[d] += bary[k] * moving->begin()[on.triangle][k][d];
+  return gap;
+}
+
+/* The outward normal, from the wall to the centre. A centre exactly on the wall has none: then the side
+ * that it came from is taken, and the contact counts as guarded. */
+bool FixWallRebound::normal_of(const Candidate &on, const Path &path, const double delta[3],
+                               double n[3], bool &guarded)
+{
+  double length = sqrt(dot(delta, delta));
+  if (length > 1e-12 * radius_[on.particle]) {
+    for (int d = 0; d < 3; d++) n[d] = -delta[d] / length;
+    return true;
+  }
+  double before[3], back[3], v_wall[3];
+  for (int d = 0; d < 3; d++) before[d] = path.x[d] - path.v[d] * update->dt;
+  gap_at(on, before, back, v_wall);
+  length = sqrt(dot(back, back));
+  if (!(length > 0)) return false;
+  for (int d = 0; d < 3; d++) n[d] = -back[d] / length;
+  guarded = true;
+  return true;
+}
+
+/* The first instant at which the path touches the candidate, by Newton's method on the gap, from the
+ * beginning of the path; or from its end, where a curved wall is left at first and met again. In the
+ * frame of the wall: it is at rest there as it is at the end of the step. */
+bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact &contact)
+{
+  double delta[3], end[3], n[3], v[3], x[3];
+  for (int d = 0; d < 3; d++) end[d] = path.x[d] + path.v[d] * path.left;
+  gap_at(on, end, delta, contact.v_wall);
+  for (int d = 0; d < 3; d++) v[d] = path.v[d] - contact.v_wall[d];
+  contact.guarded = false;
+  double time = 0;
+  for (int i = 0; i < NEWTON_MAX; i++) {
+    for (int d = 0; d < 3; d++) x[d] = end[d] - v[d] * (path.left - time);
+    double still[3], gap = gap_at(on, x, delta, still);
+    if (!normal_of(on, path, delta, n, contact.guarded)) return false;
+    double approach = -dot(v, n);
+    if (approach <= 0 && i == 0) {
+      time = path.left;
+      continue;
+    }
+    if (!(approach > 0)) return false;
+    if (gap < 0 && time <= 0) break; /* overlaps already: now */
+    if (fabs(gap) <= GAP_TOLERANCE * radius_[on.particle]) break;
+    time = std::max(0.0, time + gap / approach);
+    if (time > 2 * path.left) return false;
+  }
+  if (!(time <= path.left)) return false;
+  contact.on = &on;
+  contact.time = time;
+  contact.guarded = contact.guarded || -dot(v, n) * update->dt >= radius_[on.particle];
+  for (int d = 0; d < 3; d++) contact.n[d] = n[d];
+  return true;
+}
+
+/* `timing overlap`: the contact is where the particle is found at the end of the step. A centre that
+ * has crossed the wall within the step is sent back to the side it came from. */
+bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact &contact)
+{
+  double delta[3], end[3], v[3];
+  for (int d = 0; d < 3; d++) end[d] = path.x[d] + path.v[d] * path.left;
+  if (gap_at(on, end, delta, contact.v_wall) > 0) return false;
+  for (int d = 0; d < 3; d++) v[d] = path.v[d] - contact.v_wall[d];
+  contact.guarded = false;
+  if (!normal_of(on, path, delta, contact.n, contact.guarded)) return false;
+  double began = sqrt(dot(delta, delta)) - dot(v, contact.n) * path.left;
+  if (began < 0)
+    for (int d = 0; d < 3; d++) contact.n[d] = -contact.n[d];
+  double approach = -dot(v, contact.n);
+  contact.guarded = contact.guarded || began < 0 || approach * update->dt >= radius_[on.particle];
+  contact.on = &on;
+  contact.time = path.left;
+  return approach > 0;
+}
+
+/* All contacts of one particle in this step, the earliest first, each on the path that the one before
+ * it has left. */
+void FixWallRebound::collide(const Candidate *first, const Candidate *last)
+{
+  const int i = first->particle;
+  Path path;
+  path.left = update->dt;
+  for (int d = 0; d < 3; d++) {
+    path.v[d] = atom->v[i][d];
+    path.x[d] = x_[i][d] - path.v[d] * path.left;
+  }
+  bool hit = false;
+  for (int k = 0; k < CONTACTS_MAX; k++) {
+    Contact earliest, contact;
+    earliest.on = NULL;
+    for (const Candidate *on = first; on < last; on++) {
+      bool found = timing_ == EXACT ? find_contact(*on, path, contact) : find_overlap(*on, path, contact);
+      if (found && (!earliest.on || contact.time < earliest.time)) earliest = contact;
+    }
+    if (!earliest.on) break;
+    hit = true;
+    if (!rebound(earliest, path)) return;
+    if (timing_ == OVERLAP) break;
+    if (k == CONTACTS_MAX - 1) {
+      path.left = 0;
+      counters_[N_GUARDED]++;
+    }
+  }
+  if (!hit) return;
+  for (int d = 0; d < 3; d++) {
+    atom->v[i][d] = path.v[d];
+    if (timing_ == EXACT) x_[i][d] = path.x[d] + path.v[d] * path.left;
+  }
+}
+
+/* One contact. Moves the path on to it and gives it the velocity after it; false where the particle
+ * has stuck. */
+bool FixWallRebound::rebound(const Contact &contact, Path &path)
+{
+  const int i = contact.on->particle, type = atom->type[i];
+  const int wall_type = contact.on->mesh < 0 ? atom_type_wall_
+                                             : mesh_list()[contact.on->mesh]->atomTypeWall();
+  double v1[3];
+  for (int d = 0; d < 3; d++) {
+    path.x[d] += path.v[d] * contact.time;
+    v1[d] = path.v[d] - contact.v_wall[d];
+  }
+  path.left -= contact.time;
+  const double d_p = 2 * radius_[i];
+  asp_particle particle = {d_p, rmass_[i] / (ASP_PI / 6 * d_p * d_p * d_p),
+                           pairs_.empty() ? NULL : &pairs_[type * (atom->ntypes + 1) + wall_type]};
+  asp_key key = {seed_, fix_key_, static_cast<uint64_t>(atom->tag[i]),
+                 static_cast<uint32_t>(state_[i][IMPACTS] += 1)};
+  asp_impact impact;
+  asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
+  counters_[N_IMPACTS]++;
+  counters_[N_LATER_HITS] += impact.hits - 1;
+  counters_[N_CAPPED] += impact.capped;
+  counters_[N_GUARDED] += contact.guarded;
+  if (ledger_) record(contact, path, v1, key, impact);
+  if (impact.outcome == ASP_DEPOSIT) {
+    stick(contact, path);
+    return false;
+  }
+  for (int d = 0; d < 3; d++) path.v[d] = impact.v2[d] + contact.v_wall[d];
+  return true;
+}
+
+void FixWallRebound::record(const Contact &contact, const Path &path, const double v1[3],
+                            const asp_key &key, const asp_impact &impact)
+{
+  typedef ReboundLedger L;
+  const double degrees = 180 / ASP_PI;
+  asp_coefficients c = asp_impact_coefficients(v1, contact.n, &impact);
+  L::Row row;
+  row[L::TAG] = static_cast<double>(key.tag);
+  row[L::IMPACT] = key.impact;
+  row[L::TIME] = update->get_cur_time() - path.left;
+  row[L::MESH] = contact.on->mesh + 1;
+  row[L::TRIANGLE] = contact.on->id;
+  for (int d = 0; d < 3; d++) row[L::X + d] = path.x[d];
+  row[L::D_P] = 2 * radius_[contact.on->particle];
+  row[L::V1] = c.v1;
+  row[L::ALPHA1] = c.alpha1 * degrees;
+  row[L::DELTA_ALPHA] = impact.delta_alpha * degrees;
+  row[L::TILT_OUT] = impact.tilt_out * degrees;
+  row[L::HITS] = impact.hits;
+  row[L::V2] = c.v2;
+  row[L::ALPHA2] = c.alpha2 * degrees;
+  row[L::COR_N] = c.cor_n;
+  row[L::COR_T] = c.cor_t;
+  row[L::OUTCOME] = impact.outcome == ASP_REBOUND ? 0 : deposit_ == DELETE ? 2 : 1;
+  row[L::STEP] = static_cast<double>(update->ntimestep);
+  row[L::COR_T_DEFINED] = c.cor_t_defined;
+  ledger_->add(row);
+}
+
+/* ---- deposits -------------------------------------------------------------------------------- */
+
+/* Puts the particle to rest on the wall where it touched it, and notes the place in the frame of the
+ * triangle, so that it can move with it. */
+void FixWallRebound::stick(const Contact &contact, const Path &path)
+{
+  const int i = contact.on->particle;
+  double *s = state_[i];
+  counters_[N_DEPOSITS]++;
+  counters_[DEPOSITED_MASS] += rmass_[i];
+  s[STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
+  s[STUCK_MESH] = contact.on->mesh + 1;
+  s[STUCK_TRIANGLE] = contact.on->id;
+  for (int d = 0; d < 3; d++) {
+    s[STUCK_V + d] = contact.v_wall[d];
+    x_[i][d] = path.x[d] + contact.v_wall[d] * path.left;
+  }
+  if (contact.on->mesh >= 0) {
+    double frame[3][3], origin[3];
+    triangle_frame(contact.on->mesh, contact.on->triangle, origin, frame);
+    double arm[3] = {x_[i][0] - origin[0], x_[i][1] - origin[1], x_[i][2] - origin[2]};
+    for (int k = 0; k < 3; k++) s[STUCK_AT + k] = dot(arm, frame[k]);
+  }
+  stuck_.push_back(i);
+  hold(i);
+  if (deposit_ == DELETE) next_reneighbor = update->ntimestep + 1;
+}
+
+/* An orthonormal frame that moves with a triangle: its first node, first edge, and normal. */
+void FixWallRebound::triangle_frame(int m, int t, double origin[3], double frame[3][3])
+{
+  TriMesh *mesh = mesh_list()[m]->triMesh();
+  double a[3], b[3], c[3], e[3];
+  mesh->node(t, 0, a);
+  mesh->node(t, 1, b);
+  mesh->node(t, 2, c);
+  for (int d = 0; d < 3; d++) {
+    origin[d] = a[d];
+    frame[0][d] = b[d] - a[d];
+    e[d] = c[d] - a[d];
+  }
+  vectorNormalize3D(frame[0]);
+  vectorCross3D(frame[0], e, frame[2]);
+  vectorNormalize3D(frame[2]);
+  vectorCross3D(frame[2], frame[0], frame[1]);
+}
+
+void FixWallRebound::collect_stuck()
+{
+  stuck_.clear();
+  if (deposit_ == OFF) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (state_[i][STATE] != FREE) stuck_.push_back(i);
+}
+
+/* A stuck particle has the wall's velocity, and no force on it moves it. */
+void FixWallRebound::hold(int i)
+{
+  for (int d = 0; d < 3; d++) {
+    atom->v[i][d] = state_[i][STUCK_V + d];
+    atom->f[i][d] = 0;
+    if (atom->omega_flag) atom->omega[i][d] = 0;
+    if (atom->torque_flag) atom->torque[i][d] = 0;
+  }
+}
+
+/* Takes a stuck particle along with the triangle that it sits on. */
+void FixWallRebound::carry(int i)
+{
+  double *s = state_[i];
+  const int m = static_cast<int>(s[STUCK_MESH]) - 1;
+  if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving()) return;
+  const int t = mesh_list()[m]->triMesh()->map(static_cast<int>(s[STUCK_TRIANGLE]), 0);
+  if (t < 0) return;
+  double frame[3][3], x[3];
+  triangle_frame(m, t, x, frame);
+  for (int d = 0; d < 3; d++) {
+    for (int k = 0; k < 3; k++) x[d] += s[STUCK_AT + k] * frame[k][d];
+    s[STUCK_V + d] += (x[d] - x_[i][d]) / update->dt;
+    x_[i][d] = x[d];
+  }
+}
+
+void FixWallRebound::pre_initial_integrate()
+{
+  if (ledger_) ledger_->begin_step(update->ntimestep);
+  for (int i : stuck_) hold(i);
+}
+
+void FixWallRebound::pre_exchange()
+{
+  if (deposit_ != DELETE) return;
+  double **state = fix_state_->array_atom;
+  bigint mine = 0, all;
+  for (int i = 0; i < atom->nlocal;) {
+    if (state[i][STATE] == DOOMED) {
+      atom->avec->copy(atom->nlocal - 1, i, 1);
+      atom->nlocal--;
+      mine++;
+    } else
+      i++;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all == 0) return;
+  atom->natoms -= all;
+  stuck_.clear();
+  if (atom->tag_enable && atom->map_style) {
+    atom->nghost = 0;
+    atom->map_init();
+    atom->map_set();
+  }
+}
+
+void FixWallRebound::end_of_step()
+{
+  for (int i : stuck_) hold(i);
+  if (!ledger_) return;
+  ledger_->end_step(update->ntimestep);
+  if (update->ntimestep % ledger_->every() == 0) {
+    array_local = ledger_->rows();
+    size_local_rows = ledger_->size();
+  }
+}
+
+void FixWallRebound::post_run()
+{
+  if (!ledger_) return;
+  std::string why = ledger_->flush();
+  if (!why.empty()) fail(why);
+}
+
+/* ---- output and restart ---------------------------------------------------------------------- */
+
+double FixWallRebound::compute_scalar()
+{
+  return compute_vector(N_IMPACTS);
+}
+
+double FixWallRebound::compute_vector(int n)
+{
+  double all;
+  MPI_Allreduce(&counters_[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixWallRebound::memory_usage()
+{
+  return static_cast<double>(candidates_.capacity() * sizeof(Candidate) +
+                             stuck_.capacity() * sizeof(int)) +
+         (ledger_ ? ledger_->memory_usage() : 0);
+}
+
+void FixWallRebound::write_restart(FILE *file)
+{
+  double all[N_COUNTERS];
+  MPI_Allreduce(counters_, all, N_COUNTERS, MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me != 0) return;
+  int size = sizeof all;
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(all, 1, sizeof all, file);
+}
+
+void FixWallRebound::restart(char *buffer)
+{
+  restarted_ = true;
+  if (comm->me == 0) memcpy(counters_, buffer, sizeof counters_);
+}

@@ -1,0 +1,138 @@
+/* fix wall/rebound: rough walls for LIGGGHTS. A contact is an event: a particle that reaches the wall
+ * within a step rebounds, or sticks, once, by asp_wall_impact() of the core. No physics in here: this is
+ * the adapter that finds contacts, converts, moves the particle, and keeps the books.
+ *
+ * The base class gives the geometry (primitive and mesh walls, neighbour lists, moving meshes, MPI).
+ * Instead of its loop over overlaps at the end of a step, contacts are searched along the path of the
+ * step: that gives the instant of contact, the side a particle came from, and the one contact that
+ * comes first where several triangles are near, independent of their order and so of the ranks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifdef FIX_CLASS
+FixStyle(wall/rebound,FixWallRebound)
+#else
+
+#ifndef LMP_FIX_WALL_REBOUND_H
+#define LMP_FIX_WALL_REBOUND_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fix_wall_gran.h"
+#include "asperity.h"
+#include "rebound_ledger.h"
+
+namespace LAMMPS_NS {
+
+class FixWallRebound : public FixWallGran {
+ public:
+  FixWallRebound(class LAMMPS *, int, char **);
+  ~FixWallRebound();
+
+  int setmask();
+  void post_create();
+  void pre_delete(bool unfixflag);
+  void init();
+  void setup_pre_exchange();
+  void setup(int vflag);
+  void pre_initial_integrate();
+  void pre_exchange();
+  void pre_neighbor();
+  void post_force(int vflag);
+  void end_of_step();
+  void post_run();
+  double compute_scalar();
+  double compute_vector(int n);
+  double memory_usage();
+  void write_restart(FILE *file);
+  void restart(char *buffer);
+
+ private:
+  /* Columns of the per-atom property: how often the particle has hit this wall, and how it stuck. */
+  enum { IMPACTS, STATE, STUCK_MESH, STUCK_TRIANGLE, STUCK_AT, STUCK_V = STUCK_AT + 3,
+         N_STATE = STUCK_V + 3 };
+  enum State { FREE, FROZEN, DOOMED };
+  enum Deposit { FREEZE, DELETE, OFF };
+  enum Timing { EXACT, OVERLAP };
+  enum Counter { N_IMPACTS, N_DEPOSITS, DEPOSITED_MASS, N_LATER_HITS, N_CAPPED, N_GUARDED, N_COUNTERS };
+
+  /* A piece of wall that a particle may reach within the step. */
+  struct Candidate {
+    int particle, mesh, triangle; /* local indices; mesh -1 for a primitive wall */
+    int id;                       /* of the triangle, 0 for a primitive wall */
+  };
+
+  /* Where a path meets a candidate. */
+  struct Contact {
+    const Candidate *on;
+    double time;      /* since the beginning of the path */
+    double n[3];      /* outward unit normal, from the wall to the centre */
+    double v_wall[3];
+    bool guarded;
+  };
+
+  /* What is left of a particle's step: from x, with v, for a time. */
+  struct Path {
+    double x[3], v[3], left;
+  };
+
+  void parse(int narg, char **arg);
+  void parse_surface(class ArgReader &args);
+  void parse_spread(ArgReader &args);
+  void parse_rebound(ArgReader &args);
+  void parse_ledger(ArgReader &args);
+  void make_wall();
+  void announce();
+
+  void fail(const std::string &what);
+  void property(const char *name, const char *style, int rows, int columns, bool needed,
+                    const char *example, std::vector<double> &values);
+  void find_materials();
+  void check_group();
+  void check_speeds();
+
+  void find_candidates_mesh();
+  void find_candidates_primitive();
+  void offer(int particle, int mesh, int triangle, int id, double gap);
+  double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
+  bool find_contact(const Candidate &on, const Path &path, Contact &contact);
+  bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
+  bool normal_of(const Candidate &on, const Path &path, const double delta[3], double n[3],
+                 bool &guarded);
+  void collide(const Candidate *first, const Candidate *last);
+  bool rebound(const Contact &contact, Path &path);
+  void stick(const Contact &contact, const Path &path);
+  void record(const Contact &contact, const Path &path, const double v1[3], const asp_key &key,
+              const asp_impact &impact);
+
+  void triangle_frame(int mesh, int triangle, double origin[3], double frame[3][3]);
+  void collect_stuck();
+  void hold(int i);
+  void carry(int i);
+
+  std::string surface_text_;
+  bool smooth_;
+  double r_q_, lambda_c_;
+  asp_wall_spec spec_;
+  Deposit deposit_;
+  Timing timing_;
+  uint32_t seed_, fix_key_;
+  std::unique_ptr<asp_surface, void (*)(asp_surface *)> surface_;
+  std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
+  std::unique_ptr<ReboundLedger> ledger_;
+
+  std::vector<asp_pair> pairs_; /* particle type x wall type, from 1 */
+  class FixPropertyAtom *fix_state_;
+  double **state_;
+  std::vector<Candidate> candidates_;
+  std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
+  double counters_[N_COUNTERS];
+  bool moving_, warned_, announced_, restarted_;
+  bigint speed_checked_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif
