@@ -1,5 +1,5 @@
-/* What the unit tests share: cmocka's headers in the order it wants, and a comparison of doubles (its
- * own is of floats). */
+/* What the unit tests share: cmocka's headers in the order it wants, and a comparison of doubles
+ * (its own is of floats). */
 #ifndef ASP_TEST_CHECK_H
 #define ASP_TEST_CHECK_H
 

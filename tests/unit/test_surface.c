@@ -21,7 +21,7 @@ static void size_law_agrees_with_traced_profiles(void **state) {
   for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
     double d_p = table[i][0] / asp_surface_kappa(s, 1);
     assert_near(asp_surface_slope(s, d_p) / asp_surface_slope_rms(s), table[i][1],
-                       0.03 * table[i][1]);
+                0.03 * table[i][1]);
   }
   asp_surface_free(s);
 }

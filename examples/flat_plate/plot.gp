@@ -1,0 +1,30 @@
+# CoR_N and CoR_T over the impact angle (Altmeppen et al. 2020, figures 13 and 14), from the ledgers.
+set term pngcairo size 1500,860 font 'sans,11'
+set output 'output/flat_plate.png'
+set datafile separator comma
+set grid lc rgb '#dddddd' lw 0.5
+set border lc rgb '#444444'
+set tics nomirror
+set xrange [0:90]
+set xtics 15
+set key opaque font ',10'
+names = 'smooth phi_0.04 phi_0.13'
+titles = "'smooth' '{/Symbol F}_R = 0.04' '{/Symbol F}_R = 0.13'"
+title_of(i) = i == 1 ? 'smooth wall' : i == 2 ? 'rough wall, {/Symbol F}_R = 0.04' : 'rough wall, {/Symbol F}_R = 0.13'
+set multiplot layout 2,3 title 'Quartz dust, 1–100 µm, at 100 m/s on Hastelloy X: every impact of three LIGGGHTS runs'
+do for [t=0:1] {
+  do for [i=1:3] {
+    name = 'output/'.word(names, i)
+    set title (t == 0 ? title_of(i) : '')
+    set ylabel (t == 0 ? 'CoR_N' : 'CoR_T')
+    set xlabel (t == 1 ? 'impact angle {/Symbol a}_1 / degrees' : '')
+    if (t == 0) { set yrange [0:3]; set key top right } else { set yrange [-1:2]; set key bottom left }
+    plot name.'.csv' using (strcol(1)[1:1] eq '#' || column(19) != 0 ? NaN : $11):(column(17 + t)) \
+           every ::2 with points pt 7 ps 0.15 lc rgb '#9fbfdf' title 'impacts', \
+         name.'.mean' using (real(word(strcol(1), 1))):(real(word(strcol(1), 2 + 2*t))):(real(word(strcol(1), 3 + 2*t))) \
+           with yerrorbars pt 7 ps 0.5 lc rgb '#1f5fa8' title 'mean ± sd', \
+         'output/bons.csv' using (strcol(10) eq 'rebound' ? $3 : NaN):(column(8 + t)) \
+           with lines lw 2.5 lc rgb '#c8501e' title 'Bons, smooth, d_p = 10 µm'
+  }
+}
+unset multiplot

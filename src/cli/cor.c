@@ -1,0 +1,288 @@
+/* asperity cor: the scatter of the coefficients of restitution that a wall gives (the paper's
+ * figures 13 and 14), without an engine: impacts one by one on the mean wall z = 0. */
+#include "cli/walls.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  RQ,
+  LAMBDA_C,
+  DP,
+  SPEED,
+  ANGLES,
+  PARTICLE,
+  WALL,
+  MODEL,
+  SAMPLES,
+  SEED,
+  REBOUND,
+  MU,
+  GAMMA,
+  YIELD,
+  YIELD_RATE,
+  ADHESION,
+  TILT,
+  COLLISIONS,
+  OUTPUT,
+  PLOT,
+  N
+};
+
+typedef struct scene {
+  asp_surface *surface; /* NULL: smooth */
+  asp_wall *wall;
+  asp_pair pair;
+  double density;
+  double speed;
+  cli_list sizes; /* a list, or empty for a log-normal */
+  double least, most, median;
+} scene;
+
+static const asp_material *material_of(const cli_option *option) {
+  asp_error error;
+  const asp_material *material = asp_material_find(option->value, &error);
+  if (!material)
+    cli_bad_usage("--%s: %s", option->name, error.text);
+  return material;
+}
+
+/* One diameter, a list, or min:max:median of a log-normal whose ln has the sd ln(max/min)/5, cut at
+ * both ends. */
+static void read_sizes(const cli_option *option, scene *s) {
+  const char *value = option->value;
+  if (!value || !strchr(value, ':')) {
+    s->sizes = cli_lengths(option);
+    return;
+  }
+  char *text = strdup(value);
+  if (!text)
+    cli_fail("out of memory");
+  char *second = strchr(text, ':'), *third = strchr(second + 1, ':');
+  if (!third || strchr(third + 1, ':'))
+    cli_bad_usage("--dp is '%s'; a log-normal is min:max:median", value);
+  *second = *third = '\0';
+  s->least = cli_length_of(option, text);
+  s->most = cli_length_of(option, second + 1);
+  s->median = cli_length_of(option, third + 1);
+  if (!(s->least < s->median && s->median < s->most))
+    cli_bad_usage("--dp is '%s'; a log-normal min:max:median has min < median < max", value);
+  free(text);
+}
+
+static double size_of(const scene *s, size_t sample, asp_stream *stream) {
+  if (s->sizes.count)
+    return s->sizes.values[sample % s->sizes.count];
+  for (;;) {
+    double d = s->median * exp(log(s->most / s->least) / 5 * asp_stream_normal(stream));
+    if (d >= s->least && d <= s->most)
+      return d;
+  }
+}
+
+static void read_pair(const cli_option *options, scene *s) {
+  const asp_material *p = material_of(&options[PARTICLE]), *w = material_of(&options[WALL]);
+  double yield = options[YIELD].value ? cli_number(&options[YIELD], 0, 1e15) : p->yield_stress;
+  asp_error error;
+  if (asp_pair_create(p->youngs_modulus, p->poissons_ratio, w->youngs_modulus, w->poissons_ratio,
+                      yield, cli_number(&options[GAMMA], 0, 1e9), cli_number(&options[MU], 0, 1e3),
+                      &s->pair, &error))
+    cli_bad_input("%s", error.text);
+  if (!(p->yield_stress > 0) && !options[YIELD].value && !options[YIELD_RATE].value)
+    cli_bad_usage("--particle is '%s', which has no yield stress; give --yield or --yield-rate",
+                  p->name);
+  s->density = p->density;
+}
+
+static void read_wall(const cli_option *options, scene *s) {
+  asp_error error;
+  asp_wall_spec spec = asp_wall_spec_default();
+  if (asp_wall_spec_rebound(&spec, options[REBOUND].value, &error))
+    cli_bad_usage("--rebound: %s", error.text);
+  spec.spread = options[MODEL].value;
+  spec.tilt = cli_tilt(&options[TILT]);
+  spec.collisions = cli_collisions(&options[COLLISIONS]);
+  spec.deposit = cli_switch(&options[ADHESION]);
+  if (strcmp(spec.spread, "none") != 0)
+    spec.surface = s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+  if (options[YIELD_RATE].value &&
+      asp_wall_spec_set(&spec, "yield_rate", cli_number(&options[YIELD_RATE], 0, 1e15), &error))
+    cli_bad_input("--yield-rate: %s", error.text);
+  s->wall = asp_wall_create(&spec, &error);
+  if (!s->wall)
+    cli_bad_input("%s", error.text);
+}
+
+typedef struct row {
+  double d_p, alpha1;
+  asp_impact impact;
+  asp_coefficients cor;
+} row;
+
+static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag, uint32_t seed) {
+  static const double n[3] = {0, 0, 1};
+  asp_key key = {seed, asp_key_fix("cor"), tag, 0};
+  asp_stream stream = asp_stream_create(key);
+  row r = {.d_p = size_of(s, sample, &stream), .alpha1 = angle};
+  double alpha1 = cli_radians(angle);
+  double v1[3] = {s->speed * cos(alpha1), 0, -s->speed * sin(alpha1)};
+  if (angle >= 90)
+    v1[0] = 0;
+  asp_particle particle = {r.d_p, s->density, &s->pair};
+  key.impact = 1;
+  asp_wall_impact(s->wall, &particle, v1, n, key, &r.impact);
+  r.cor = asp_impact_coefficients(v1, n, &r.impact);
+  return r;
+}
+
+static void print_row(FILE *out, const row *r) {
+  fprintf(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,", r->d_p * 1e6, r->cor.v1, r->alpha1,
+          cli_degrees(r->impact.delta_alpha), r->impact.hits, r->cor.cor_v, r->cor.cor_alpha,
+          r->cor.cor_n);
+  if (r->cor.cor_t_defined)
+    fprintf(out, "%.6g", r->cor.cor_t);
+  fprintf(out, ",%s\n", r->impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound");
+}
+
+typedef struct moments {
+  double n, mean, square;
+} moments;
+
+static void add(moments *m, double x) {
+  double step = x - m->mean;
+  m->n++;
+  m->mean += step / m->n;
+  m->square += step * (x - m->mean);
+}
+
+enum { CELLS = 45 };
+
+/* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
+ */
+static void plot(const cli_option *options, const scene *s, const row *rows, size_t n) {
+  static const char *const names[] = {"CoR_N", "CoR_T"};
+  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
+  FILE *gp = cli_plot_stream(picture);
+  double d_p = s->sizes.count ? s->sizes.values[0] : s->median;
+  scene smooth = {.pair = s->pair, .density = s->density, .speed = s->speed};
+  smooth.sizes = (cli_list){&d_p, 1};
+  cli_option none[N + 1];
+  memcpy(none, options, sizeof none);
+  none[MODEL].value = "none";
+  read_wall(none, &smooth);
+  size_t every = n / 20000 + 1;
+  fputs("set multiplot layout 1,2\nset xrange [0:90]\nset xtics 15\n"
+        "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+        gp);
+  for (int t = 0; t < 2; t++) {
+    moments cells[CELLS] = {{0, 0, 0}};
+    fprintf(gp, "$scatter%d << EOD\n", t);
+    for (size_t i = 0; i < n; i++) {
+      if (rows[i].impact.outcome == ASP_DEPOSIT || (t && !rows[i].cor.cor_t_defined))
+        continue;
+      double y = t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
+      int cell = (int)(rows[i].alpha1 / 90 * CELLS);
+      add(&cells[cell < CELLS ? cell : CELLS - 1], y);
+      if (i % every == 0)
+        fprintf(gp, "%g %g\n", rows[i].alpha1, y);
+    }
+    fprintf(gp, "EOD\n$mean%d << EOD\n", t);
+    for (int i = 0; i < CELLS; i++)
+      if (cells[i].n > 1)
+        fprintf(gp, "%g %g %g\n", (i + 0.5) * 90 / CELLS, cells[i].mean,
+                sqrt(cells[i].square / (cells[i].n - 1)));
+    fprintf(gp, "EOD\n$smooth%d << EOD\n", t);
+    for (int i = 1; i < 180; i++) {
+      row r = impact_at(&smooth, 0.5 * i, 0, 1, 1);
+      if (r.impact.outcome == ASP_REBOUND)
+        fprintf(gp, "%g %g\n", 0.5 * i, t ? r.cor.cor_t : r.cor.cor_n);
+    }
+    fprintf(gp,
+            "EOD\nset ylabel '%s'\nset yrange [%s]\nset key %s opaque\n"
+            "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fbfdf' title 'impacts', "
+            "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#1f5fa8' title 'mean ± sd', "
+            "$smooth%d with lines ls 2 title 'smooth wall, d_p = %.3g µm'\n",
+            names[t], t ? "-1:2" : "0:3", t ? "bottom left" : "top right", t, t, t, d_p * 1e6);
+  }
+  fputs("unset multiplot\n", gp);
+  asp_wall_free(smooth.wall);
+  cli_plot_close(picture);
+}
+
+static void make_rows(const scene *s, const cli_list *angles, size_t samples, uint32_t seed,
+                      row *rows) {
+  cli_progress progress = cli_progress_begin("impacts", (double)(angles->count * samples));
+  for (size_t a = 0; a < angles->count; a++)
+    for (size_t i = 0; i < samples; i++) {
+      size_t tag = a * samples + i;
+      rows[tag] = impact_at(s, angles->values[a], i, tag, seed);
+      if (tag % 65536 == 0)
+        cli_progress_show(&progress, (double)tag);
+    }
+  cli_progress_end(&progress);
+}
+
+static int run(int argc, char **argv) {
+  cli_option options[N + 1] = {
+      [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
+      [LAMBDA_C] = {"lambda-c", "LENGTH", "correlation length of the wall", NULL},
+      [DP] = {"dp", "SIZES", "diameter, list, or min:max:median of a log-normal", "10um"},
+      [SPEED] = {"speed", "M_PER_S", "impact speed", "100"},
+      [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
+      [PARTICLE] = {"particle", "MATERIAL", "see 'asperity materials'", "ard"},
+      [WALL] = {"wall", "MATERIAL", "see 'asperity materials'", "hastelloy-x"},
+      [MODEL] = {"model", "NAME", "spread model; none is the smooth wall", "weibull"},
+      [SAMPLES] = {"samples", "N", "impacts per angle", "100"},
+      [SEED] = {"seed", "N", "seed of the draws", "1"},
+      [REBOUND] = {"rebound", "LAW", "rebound law", "bons"},
+      [MU] = {"mu", "NUMBER", "friction coefficient", "0.3"},
+      [GAMMA] = {"gamma", "J_PER_M2", "surface energy", "0.8"},
+      [YIELD] = {"yield", "PA", "yield stress; the material's where not given", NULL},
+      [YIELD_RATE] = {"yield-rate", "PA_PER_M_S", "yield stress per impact speed instead", NULL},
+      [ADHESION] = {"adhesion", "on|off", "whether particles can stick", "on"},
+      [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
+                "plane"},
+      [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes", "single"},
+      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
+      [PLOT] = {"plot", "FILE", "draw the scatter; .png, .svg or .pdf", NULL},
+  };
+  cli_parse(&cli_cor, argc, argv, options, false);
+  scene s = {0};
+  read_sizes(&options[DP], &s);
+  read_pair(options, &s);
+  read_wall(options, &s);
+  s.speed = cli_number(&options[SPEED], 1e-9, 1e6);
+  cli_list angles = cli_angles(&options[ANGLES]);
+  for (size_t i = 0; i < angles.count; i++)
+    if (!(angles.values[i] > 0))
+      cli_bad_usage("--angles is '%s'; allowed is more than 0 and at most 90",
+                    options[ANGLES].value);
+  size_t samples = cli_whole(&options[SAMPLES], 1, 100000000), n = angles.count * samples;
+  uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
+  row *rows = malloc(n * sizeof *rows);
+  if (!rows)
+    cli_fail("out of memory for %zu impacts", n);
+  make_rows(&s, &angles, samples, seed, rows);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  FILE *out = cli_output_stream(output);
+  fputs("dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v,cor_alpha,cor_n,cor_t,outcome\n", out);
+  for (size_t i = 0; i < n; i++)
+    print_row(out, &rows[i]);
+  cli_output_close(output);
+  if (options[PLOT].value)
+    plot(options, &s, rows, n);
+  free(rows);
+  asp_wall_free(s.wall);
+  asp_surface_free(s.surface);
+  return 0;
+}
+
+const cli_command cli_cor = {
+    .name = "cor",
+    .summary = "the scatter of the coefficients of restitution on a rough wall",
+    .detail =
+        "One row an impact. Sizes as min:max:median are a log-normal whose ln has the standard\n"
+        "deviation ln(max/min)/5, cut at both ends. An empty cor_t is undefined (normal impact).\n",
+    .run = run,
+};

@@ -1,0 +1,202 @@
+/* asperity spread: the law of the tilt delta_alpha, as samples, as a density, or in numbers. */
+#include "cli/walls.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { MODEL, SIGMA, RQ, LAMBDA_C, DP, ANGLE, SAMPLES, SEED, PDF, SUMMARY, LIST, OUTPUT, PLOT, N };
+
+static asp_stream stream_of(const cli_option *options, uint64_t sample) {
+  uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
+  return asp_stream_create((asp_key){seed, asp_key_fix("spread"), sample, 1});
+}
+
+static double draw(const asp_spread_model *model, const asp_view *view, const cli_option *options,
+                   uint64_t sample) {
+  asp_stream stream = stream_of(options, sample);
+  double delta;
+  if (!asp_spread_draw(model, view, &stream, &delta))
+    cli_fail("model '%s' found no face for alpha1 = %g degrees", model->name,
+             cli_degrees(view->alpha1));
+  return delta;
+}
+
+static asp_view view_of(const cli_option *options, double alpha1) {
+  double sigma;
+  if (options[SIGMA].value) {
+    sigma = cli_radians(cli_number(&options[SIGMA], 0, 89));
+  } else {
+    if (!options[RQ].value || !options[LAMBDA_C].value || !options[DP].value)
+      cli_bad_usage("spread: give --sigma, or --rq, --lambda-c and --dp");
+    asp_surface *surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+    sigma = atan(asp_surface_slope(surface, cli_length(&options[DP])));
+    asp_surface_free(surface);
+  }
+  return asp_view_create(sigma, cli_radians(alpha1));
+}
+
+static void print_list(FILE *out) {
+  fputs("model,summary,source\n", out);
+  for (int i = 0; i < asp_spread_count(); i++) {
+    const asp_spread_model *model = asp_spread_at(i);
+    fprintf(out, "%s,\"%s\",\"%s\"\n", model->name, model->summary, model->source);
+  }
+}
+
+static void print_density(FILE *out, const asp_spread_model *model, const asp_view *view) {
+  if (!model->density)
+    cli_bad_usage("--pdf: model '%s' has no density", model->name);
+  fputs("delta_alpha_deg,density_per_deg\n", out);
+  for (int i = -900; i <= 900; i++) {
+    double density = model->density(view, cli_radians(0.1 * i)) * ASP_PI / 180;
+    if (density > 0)
+      fprintf(out, "%.1f,%.8g\n", 0.1 * i, density);
+  }
+}
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static double quantile_of(const double *sorted, size_t n, double p) {
+  double at = p * (double)(n - 1);
+  size_t below = (size_t)at;
+  double share = at - (double)below;
+  return below + 1 < n ? (1 - share) * sorted[below] + share * sorted[below + 1] : sorted[below];
+}
+
+static void print_summary(FILE *out, const asp_spread_model *model, const asp_view *view,
+                          double *sample, size_t n) {
+  double mean = 0, square = 0;
+  for (size_t i = 0; i < n; i++) {
+    double step = sample[i] - mean;
+    mean += step / (double)(i + 1);
+    square += step * (sample[i] - mean);
+  }
+  qsort(sample, n, sizeof *sample, ascending);
+  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, cli_degrees(view->alpha1), mean,
+          n > 1 ? sqrt(square / (double)(n - 1)) : 0, quantile_of(sample, n, 0.05),
+          quantile_of(sample, n, 0.5), quantile_of(sample, n, 0.95));
+}
+
+static void fill(double *sample, size_t n, const asp_spread_model *model, const asp_view *view,
+                 const cli_option *options) {
+  cli_progress progress = cli_progress_begin("sampling", (double)n);
+  for (size_t i = 0; i < n; i++) {
+    sample[i] = cli_degrees(draw(model, view, options, i));
+    if (i % 65536 == 0)
+      cli_progress_show(&progress, (double)i);
+  }
+  cli_progress_end(&progress);
+}
+
+/* A histogram of the samples, one bar a degree, and the density over it. */
+static void plot(const cli_option *options, const asp_spread_model *model, const asp_view *view,
+                 const double *sample, size_t n) {
+  double share[181] = {0}, most = -90;
+  for (size_t i = 0; i < n; i++) {
+    share[(int)lround(sample[i]) + 90] += 1 / (double)n;
+    most = fmax(most, sample[i]);
+  }
+  cli_plot *picture = cli_plot_open(&options[PLOT], 800, 500);
+  FILE *gp = cli_plot_stream(picture);
+  fprintf(gp,
+          "set xlabel 'tilt {/Symbol Da} / degrees'\n"
+          "set ylabel 'density / (1/degree)'\n"
+          "set title '%s: {/Symbol a}_1 = %g°, {/Symbol s} = %.3g°'\n"
+          "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n$bars << EOD\n",
+          model->name, cli_degrees(view->alpha1), cli_degrees(view->sigma));
+  for (int i = 0; i <= 180; i++)
+    if (share[i] > 0)
+      fprintf(gp, "%d %g\n", i - 90, share[i]);
+  fputs("EOD\n", gp);
+  if (model->density) {
+    fputs("$density << EOD\n", gp);
+    for (int i = -900; 0.1 * i <= most; i++) {
+      double density = model->density(view, cli_radians(0.1 * i)) * ASP_PI / 180;
+      if (density > 0)
+        fprintf(gp, "%g %g\n", 0.1 * i, density);
+    }
+    fputs("EOD\n", gp);
+  }
+  fprintf(gp, "plot $bars with boxes lc rgb '#1f5fa8' title '%zu samples'", n);
+  if (model->density)
+    fputs(", $density with lines ls 2 title 'density'", gp);
+  fputc('\n', gp);
+  cli_plot_close(picture);
+}
+
+static void one_angle(FILE *out, const cli_option *options, const asp_spread_model *model,
+                      double angle) {
+  asp_view view = view_of(options, angle);
+  size_t n = cli_whole(&options[SAMPLES], 1, 100000000);
+  if (options[PDF].value) {
+    print_density(out, model, &view);
+    if (!options[PLOT].value)
+      return;
+  }
+  double *sample = malloc(n * sizeof *sample);
+  if (!sample)
+    cli_fail("out of memory for %zu samples", n);
+  fill(sample, n, model, &view, options);
+  if (options[PLOT].value)
+    plot(options, model, &view, sample, n);
+  if (options[SUMMARY].value)
+    print_summary(out, model, &view, sample, n);
+  else if (!options[PDF].value)
+    for (size_t i = 0; i < n; i++)
+      fprintf(out, "%.8g\n", sample[i]);
+  free(sample);
+}
+
+static int run(int argc, char **argv) {
+  cli_option options[N + 1] = {
+      [MODEL] = {"model", "NAME", "spread model; --list shows them", "weibull"},
+      [SIGMA] = {"sigma", "DEGREES", "the wall as sigma = atan(s_eff) ...", NULL},
+      [RQ] = {"rq", "LENGTH", "... or by its rms height,", NULL},
+      [LAMBDA_C] = {"lambda-c", "LENGTH", "its correlation length,", NULL},
+      [DP] = {"dp", "LENGTH", "and the particle's diameter", NULL},
+      [ANGLE] = {"angle", "DEGREES", "impact angle, 0 to 90; with --summary a list or a range",
+                 "30"},
+      [SAMPLES] = {"samples", "N", "how many draws", "10000"},
+      [SEED] = {"seed", "N", "seed of the draws", "1"},
+      [PDF] = {"pdf", NULL, "print the density instead of samples", NULL},
+      [SUMMARY] = {"summary", NULL, "print mean, sd and percentiles of the samples", NULL},
+      [LIST] = {"list", NULL, "list the models", NULL},
+      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
+      [PLOT] = {"plot", "FILE", "draw histogram and density; .png, .svg or .pdf", NULL},
+  };
+  cli_parse(&cli_spread, argc, argv, options, false);
+  asp_error error;
+  const asp_spread_model *model = asp_spread_find(options[MODEL].value, &error);
+  if (!model)
+    cli_bad_usage("--model: %s", error.text);
+  cli_list angles = cli_angles(&options[ANGLE]);
+  if (angles.count > 1 && (!options[SUMMARY].value || options[PLOT].value))
+    cli_bad_usage("--angle is '%s'; more than one angle goes with --summary, without --plot",
+                  options[ANGLE].value);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  FILE *out = cli_output_stream(output);
+  if (options[LIST].value) {
+    print_list(out);
+  } else {
+    if (options[SUMMARY].value)
+      fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
+    else if (!options[PDF].value)
+      fputs("delta_alpha_deg\n", out);
+    for (size_t i = 0; i < angles.count; i++)
+      one_angle(out, options, model, angles.values[i]);
+  }
+  cli_output_close(output);
+  return 0;
+}
+
+const cli_command cli_spread = {
+    .name = "spread",
+    .summary = "how the tilt of the face that a particle hits is distributed",
+    .detail =
+        "Draws delta_alpha for a wall and an impact angle, or prints its density. The wall is\n"
+        "--sigma, or --rq, --lambda-c and --dp.\n",
+    .run = run,
+};

@@ -1,0 +1,32 @@
+/* Options that describe a wall; see walls.h. */
+#include "cli/walls.h"
+
+#include <string.h>
+
+static int choice(const cli_option *option, const char *first, const char *second) {
+  if (strcmp(option->value, first) == 0)
+    return 0;
+  if (strcmp(option->value, second) == 0)
+    return 1;
+  cli_bad_usage("--%s is '%s'; allowed is %s or %s", option->name, option->value, first, second);
+}
+
+asp_tilt cli_tilt(const cli_option *option) {
+  return choice(option, "plane", "isotropic") ? ASP_TILT_ISOTROPIC : ASP_TILT_PLANE;
+}
+
+asp_collisions cli_collisions(const cli_option *option) {
+  return choice(option, "single", "multiple") ? ASP_COLLISIONS_MULTIPLE : ASP_COLLISIONS_SINGLE;
+}
+
+bool cli_switch(const cli_option *option) {
+  return choice(option, "off", "on");
+}
+
+asp_surface *cli_surface_of(const cli_option *rq, const cli_option *lambda_c) {
+  asp_error error;
+  asp_surface *surface = asp_surface_create(cli_length(rq), cli_length(lambda_c), &error);
+  if (!surface)
+    cli_bad_input("%s", error.text);
+  return surface;
+}

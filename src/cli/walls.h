@@ -1,0 +1,15 @@
+/* The options that describe a wall and its particles, shared by the commands that make impacts. */
+#ifndef ASP_CLI_WALLS_H
+#define ASP_CLI_WALLS_H
+
+#include "cli/cli.h"
+
+/* Reads `plane` or `isotropic`, `single` or `multiple`, `on` or `off`. */
+asp_tilt cli_tilt(const cli_option *option);
+asp_collisions cli_collisions(const cli_option *option);
+bool cli_switch(const cli_option *option);
+
+/* The surface of --rq and --lambda-c. */
+asp_surface *cli_surface_of(const cli_option *rq, const cli_option *lambda_c);
+
+#endif

@@ -1,0 +1,256 @@
+/* One contact: exact cases, invariance, and properties over random walls and impacts. */
+#include "check.h"
+
+#include <gsl/gsl_rng.h>
+
+typedef struct setup {
+  asp_surface *surface;
+  asp_wall *wall;
+  asp_wall_spec spec;
+} setup;
+
+static setup setup_create(const char *spread, const char *law, double slope) {
+  setup s = {0};
+  s.spec = asp_wall_spec_default();
+  s.spec.spread = spread;
+  assert_int_equal(asp_wall_spec_rebound(&s.spec, law, NULL), ASP_OK);
+  if (slope > 0)
+    s.spec.surface = s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
+  s.wall = asp_wall_create(&s.spec, NULL);
+  assert_non_null(s.wall);
+  return s;
+}
+
+static void setup_rebuild(setup *s) {
+  asp_wall_free(s->wall);
+  s->wall = asp_wall_create(&s->spec, NULL);
+  assert_non_null(s->wall);
+}
+
+static void setup_free(setup *s) {
+  asp_wall_free(s->wall);
+  asp_surface_free(s->surface);
+}
+
+static double dot(const double *a, const double *b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3};
+static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel};
+static const double up[3] = {0, 0, 1};
+
+static void smooth_wall_is_the_law(void **state) {
+  (void)state;
+  setup s = setup_create("none", "bons", 0);
+  const asp_rebound_law *law = asp_rebound_find("bons", NULL);
+  for (double alpha = 0.1; alpha < 1.57; alpha += 0.1) {
+    double v1[3] = {100 * cos(alpha), 0, -100 * sin(alpha)};
+    asp_hit hit = {100 * sin(alpha), 100 * cos(alpha), grain.d_p, grain.density, grain.pair, true};
+    asp_bounce b = law->rebound(s.spec.parameters, &hit);
+    asp_impact impact;
+    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+    assert_near(impact.v2[0], b.v_t2, 1e-12);
+    assert_near(impact.v2[1], 0, 1e-15);
+    assert_near(impact.v2[2], b.v_n2, 1e-12);
+    assert_int_equal(impact.hits, 1);
+  }
+  setup_free(&s);
+}
+
+/* A specular face tilted by delta turns the rebound by twice that: alpha2 = alpha1 + 2 delta. */
+static void specular_rebound_turns_by_twice_the_tilt(void **state) {
+  (void)state;
+  setup s = setup_create("truncated", "constant", 0.2);
+  for (uint64_t tag = 0; tag < 10000; tag++) {
+    double alpha = (0.5 + (double)(tag % 179)) * M_PI / 360;
+    double v1[3] = {cos(alpha), 0, -sin(alpha)};
+    asp_impact impact;
+    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, tag, 1}, &impact);
+    asp_coefficients c = asp_impact_coefficients(v1, up, &impact);
+    assert_near(c.alpha1, alpha, 1e-14);
+    assert_near(c.alpha2, alpha + 2 * impact.delta_alpha, 1e-13);
+    assert_near(c.cor_v, 1, 1e-14);
+    assert_near(c.cor_n, sin(c.alpha2) / sin(alpha), 1e-12 / sin(alpha));
+    assert_near(c.cor_t, cos(c.alpha2) / cos(alpha), 1e-12 / cos(alpha));
+  }
+  setup_free(&s);
+}
+
+/* Turning wall and velocity together turns the result. */
+static void frame_does_not_matter(void **state) {
+  (void)state;
+  setup s = setup_create("weibull", "bons", 0.2);
+  s.spec.tilt = ASP_TILT_ISOTROPIC;
+  setup_rebuild(&s);
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  for (uint64_t tag = 0; tag < 2000; tag++) {
+    double a = 6 * gsl_rng_uniform(rng), b = 3 * gsl_rng_uniform(rng), c = 6 * gsl_rng_uniform(rng);
+    double ex[3] = {cos(a) * cos(b) * cos(c) - sin(a) * sin(c),
+                    sin(a) * cos(b) * cos(c) + cos(a) * sin(c), -sin(b) * cos(c)};
+    double ez[3] = {cos(a) * sin(b), sin(a) * sin(b), cos(b)};
+    double ey[3] = {ez[1] * ex[2] - ez[2] * ex[1], ez[2] * ex[0] - ez[0] * ex[2],
+                    ez[0] * ex[1] - ez[1] * ex[0]};
+    double v1[3] = {80, 0, -60}, turned[3];
+    for (int i = 0; i < 3; i++)
+      turned[i] = 80 * ex[i] - 60 * ez[i];
+    asp_impact here, there;
+    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){3, 1, tag, 1}, &here);
+    asp_wall_impact(s.wall, &grain, turned, ez, (asp_key){3, 1, tag, 1}, &there);
+    assert_near(dot(there.v2, ex), here.v2[0], 1e-9);
+    assert_near(dot(there.v2, ey), here.v2[1], 1e-9);
+    assert_near(dot(there.v2, ez), here.v2[2], 1e-9);
+    assert_int_equal(here.outcome, there.outcome);
+  }
+  gsl_rng_free(rng);
+  setup_free(&s);
+}
+
+/* The out-of-plane tilt is positive along b = n x t, and its slope is normal with sd s_eff. */
+static void out_of_plane_tilt(void **state) {
+  (void)state;
+  enum { N = 100000 };
+  setup s = setup_create("none", "constant", 0.2);
+  s.spec.spread = "weibull";
+  s.spec.tilt = ASP_TILT_ISOTROPIC;
+  setup_rebuild(&s);
+  double square = 0, v1[3] = {0.6, 0, -0.8};
+  for (uint64_t tag = 0; tag < N; tag++) {
+    asp_impact impact;
+    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, tag, 1}, &impact);
+    double q = tan(impact.tilt_out);
+    square += q * q / N;
+    if (fabs(q) > 1e-3) /* a face that looks to -b throws the particle to -b */
+      assert_true(impact.v2[1] * q < 0);
+  }
+  assert_near(sqrt(square), 0.2, 0.2 * 5 / sqrt(2. * N));
+  setup_free(&s);
+}
+
+/* At normal impact the rebound has no preferred direction. */
+static void normal_impact_is_isotropic(void **state) {
+  (void)state;
+  enum { N = 100000 };
+  setup s = setup_create("truncated", "constant", 0.3);
+  double x = 0, y = 0, xx = 0, yy = 0, v1[3] = {0, 0, -1};
+  for (uint64_t tag = 0; tag < N; tag++) {
+    asp_impact impact;
+    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, tag, 1}, &impact);
+    x += impact.v2[0] / N;
+    y += impact.v2[1] / N;
+    xx += impact.v2[0] * impact.v2[0] / N;
+    yy += impact.v2[1] * impact.v2[1] / N;
+    asp_coefficients c = asp_impact_coefficients(v1, up, &impact);
+    assert_false(c.cor_t_defined);
+    assert_near(c.cor_t, 0, 0);
+  }
+  assert_near(x, 0, 5 * sqrt(xx / N));
+  assert_near(y, 0, 5 * sqrt(yy / N));
+  assert_near(xx / yy, 1, 0.05);
+  setup_free(&s);
+}
+
+static void no_deposits_where_none_are_taken(void **state) {
+  (void)state;
+  setup s = setup_create("none", "bons", 0);
+  asp_particle small = {1e-7, 2650, &quartz_on_nickel};
+  double v1[3] = {1, 0, -1};
+  asp_impact impact;
+  asp_wall_impact(s.wall, &small, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+  assert_int_equal(impact.outcome, ASP_DEPOSIT);
+  assert_near(dot(impact.v2, impact.v2), 0, 0);
+  s.spec.deposit = false;
+  setup_rebuild(&s);
+  asp_wall_impact(s.wall, &small, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+  assert_int_equal(impact.outcome, ASP_REBOUND);
+  assert_near(impact.v2[2], 1, 1e-15);
+  setup_free(&s);
+}
+
+/* A law that returns nothing, on a wall without deposits: the particle slides and does not sink. */
+static void sliding(void **state) {
+  (void)state;
+  setup s = setup_create("none", "constant", 0);
+  assert_int_equal(asp_wall_spec_set(&s.spec, "cor_n", 0, NULL), ASP_OK);
+  s.spec.deposit = false;
+  setup_rebuild(&s);
+  double v1[3] = {1, 0, -1};
+  asp_impact impact;
+  asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+  assert_near(impact.v2[0], 1, 1e-15);
+  assert_near(impact.v2[2], 0, 0);
+  setup_free(&s);
+}
+
+static void parameters_are_checked(void **state) {
+  (void)state;
+  asp_error error;
+  asp_wall_spec spec = asp_wall_spec_default();
+  assert_int_equal(asp_wall_spec_rebound(&spec, "constant", &error), ASP_OK);
+  static const double bad[] = {-0.1, 1.1, NAN, INFINITY};
+  for (int i = 0; i < 4; i++) {
+    assert_int_equal(asp_wall_spec_set(&spec, "cor_n", bad[i], &error), ASP_EARG);
+    assert_non_null(strstr(error.text, "cor_n"));
+    assert_non_null(strstr(error.text, "0 to 1"));
+  }
+  assert_int_equal(asp_wall_spec_set(&spec, "gloss", 1, &error), ASP_ENAME);
+  spec.spread = "wiebull";
+  assert_null(asp_wall_create(&spec, &error));
+  assert_non_null(strstr(error.text, "wiebull"));
+  assert_non_null(strstr(error.text, "weibull"));
+}
+
+/* Random walls, models, laws, particles and impacts: the outcome is finite, leaves the wall or
+ * stays on it, and has no more energy than before. */
+static void properties(void **state) {
+  (void)state;
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  for (int i = 0; i < 400; i++) {
+    const asp_spread_model *model = asp_spread_at(i % asp_spread_count());
+    double slope = pow(10, -6 + 7 * gsl_rng_uniform(rng));
+    setup s = setup_create(model->name, asp_rebound_at(i % 2)->name, slope);
+    s.spec.tilt = gsl_rng_uniform_int(rng, 2);
+    s.spec.collisions = gsl_rng_uniform_int(rng, 2);
+    s.spec.deposit = gsl_rng_uniform_int(rng, 2);
+    setup_rebuild(&s);
+    for (uint64_t tag = 0; tag < 250; tag++) {
+      double alpha = M_PI_2 * pow(10, -15 * gsl_rng_uniform(rng));
+      double v = pow(10, -9 + 14 * gsl_rng_uniform(rng)), turn = 6.3 * gsl_rng_uniform(rng);
+      double n[3] = {sin(turn), 0, cos(turn)}, v1[3];
+      double t[3] = {cos(turn), 0, -sin(turn)};
+      for (int k = 0; k < 3; k++)
+        v1[k] = v * (cos(alpha) * t[k] - sin(alpha) * n[k]);
+      if (!(dot(v1, n) < 0))
+        continue;
+      asp_particle p = {pow(10, -9 + 8 * gsl_rng_uniform(rng)), 2650, &quartz_on_nickel};
+      asp_impact impact;
+      asp_wall_impact(s.wall, &p, v1, n, (asp_key){9, (uint32_t)i, tag, 1}, &impact);
+      double before = dot(v1, v1), after = dot(impact.v2, impact.v2);
+      assert_true(isfinite(after) && isfinite(impact.delta_alpha) && isfinite(impact.tilt_out));
+      assert_true(after <= before * (1 + 1e-14));
+      assert_true(impact.hits >= 1 && impact.hits <= ASP_HITS_MAX + 1);
+      assert_true(fabs(impact.delta_alpha) <= M_PI_2);
+      if (impact.outcome == ASP_DEPOSIT)
+        assert_near(after, 0, 0);
+      else
+        assert_true(dot(impact.v2, n) > 0);
+    }
+    setup_free(&s);
+  }
+  gsl_rng_free(rng);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(smooth_wall_is_the_law),
+      cmocka_unit_test(specular_rebound_turns_by_twice_the_tilt),
+      cmocka_unit_test(frame_does_not_matter),
+      cmocka_unit_test(out_of_plane_tilt),
+      cmocka_unit_test(normal_impact_is_isotropic),
+      cmocka_unit_test(no_deposits_where_none_are_taken),
+      cmocka_unit_test(sliding),
+      cmocka_unit_test(parameters_are_checked),
+      cmocka_unit_test(properties),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,195 @@
+/* The rebound laws against closed forms, an integrated spring, and the numbers of PHYSICS worked
+ * out by hand; materials and pairs. */
+#include "check.h"
+
+static asp_pair pair_of(const char *particle, const char *wall, double gamma, double mu) {
+  const asp_material *p = asp_material_find(particle, NULL), *w = asp_material_find(wall, NULL);
+  asp_pair pair;
+  assert_non_null(p);
+  assert_non_null(w);
+  assert_int_equal(asp_pair_create(p->youngs_modulus, p->poissons_ratio, w->youngs_modulus,
+                                   w->poissons_ratio, p->yield_stress, gamma, mu, &pair, NULL),
+                   ASP_OK);
+  return pair;
+}
+
+static asp_bounce bons(const asp_pair *pair, double v_n1, double v_t1, double d_p, double rate) {
+  const asp_rebound_law *law = asp_rebound_find("bons", NULL);
+  double parameters[ASP_PARAMETERS_MAX];
+  for (int i = 0; i < law->n_parameters; i++)
+    parameters[i] = law->parameters[i].fallback;
+  parameters[asp_rebound_parameter(law, "yield_rate", NULL)] = rate;
+  asp_hit hit = {v_n1, v_t1, d_p, 2650, pair, true};
+  return law->rebound(parameters, &hit);
+}
+
+static double yield_speed(const asp_pair *pair) {
+  return pair->yield_stress / sqrt(2650 * pair->modulus);
+}
+
+static void composite_modulus_and_yield_speed(void **state) {
+  (void)state;
+  asp_pair ti = pair_of("quartz", "ti-6al-4v", 0, 0), ni = pair_of("ard", "hastelloy-x", 0, 0);
+  assert_near(ti.modulus, 46.2e9, 0.05e9);
+  assert_near(ni.modulus, 54.8e9, 0.05e9);
+  assert_near(yield_speed(&ti), 18.1, 0.05);
+  assert_near(yield_speed(&ni), 16.6, 0.05);
+}
+
+/* Without adhesion: elastic up to the yield speed, and no faster than it above. */
+static void elastic_then_plastic(void **state) {
+  (void)state;
+  asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0);
+  double v_y = yield_speed(&pair);
+  for (double v = 1e-6; v < 1e4; v *= 1.7)
+    assert_near(bons(&pair, v, 0, 1e-5, 0).v_n2, fmin(v, v_y), 1e-14 * v_y);
+}
+
+/* The same from the mechanics: a cylinder (A = pi d^2/4, l = 2d/3) on a spring k = E_c A/l,
+ * yielding at the compression w_crit = sigma_y l/E_c at constant force; unloading along the spring.
+ * Integrated by small steps, compared with min(v, v_y). */
+static double integrated_spring(const asp_pair *pair, double v, double d_p) {
+  double area = M_PI * d_p * d_p / 4, length = 2 * d_p / 3, mass = 2650 * area * length;
+  double k = pair->modulus * area / length, w_crit = pair->yield_stress * length / pair->modulus;
+  double w = 0, plastic = 0, dt = 1e-4 * sqrt(mass / k);
+  do {
+    double stretch = w - plastic;
+    if (stretch > w_crit) {
+      plastic = w - w_crit;
+      stretch = w_crit;
+    }
+    v -= k * stretch / mass * dt;
+    w += v * dt;
+  } while (w > plastic);
+  return -v;
+}
+
+static void agrees_with_an_integrated_spring(void **state) {
+  (void)state;
+  asp_pair pair = pair_of("quartz", "ti-6al-4v", 0, 0);
+  static const double speeds[] = {1, 10, 18, 25, 60};
+  for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
+    assert_near(bons(&pair, speeds[i], 0, 2e-5, 0).v_n2, integrated_spring(&pair, speeds[i], 2e-5),
+                2e-3 * speeds[i]);
+}
+
+/* Where the particle just sticks: the elastic capture speed of 10 um on Hastelloy X is 5.8 m/s. */
+static void capture_speed(void **state) {
+  (void)state;
+  asp_pair pair = pair_of("quartz", "hastelloy-x", 0.8, 0);
+  double lo = 0.1, hi = 16;
+  for (int i = 0; i < 60; i++) {
+    double mid = (lo + hi) / 2;
+    if (bons(&pair, mid, 0, 1e-5, 0).v_n2 > 0)
+      hi = mid;
+    else
+      lo = mid;
+  }
+  double v = hi, share = 0.1 + sqrt(v / yield_speed(&pair)) / 7;
+  assert_near(v, 5.8, 0.05);
+  assert_near(v * v, 6 * 0.8 * share / (2650 * 1e-5), 1e-9 * v * v);
+}
+
+/* With a constant yield stress, everything under d* = 6 gamma (a + b)/(rho v_y^2) sticks at any
+ * speed. */
+static void smallest_that_rebounds(void **state) {
+  (void)state;
+  static const struct {
+    const char *wall;
+    double d_star;
+  } table[] = {{"hastelloy-x", 1.60e-6}, {"ti-6al-4v", 1.35e-6}, {"al-2024", 1.12e-6}};
+  for (size_t i = 0; i < 3; i++) {
+    asp_pair pair = pair_of("quartz", table[i].wall, 0.8, 0.3);
+    double v_y = yield_speed(&pair), d_star = 6 * 0.8 * (0.1 + 1 / 7.) / (2650 * v_y * v_y);
+    assert_near(d_star, table[i].d_star, 0.006e-6);
+    for (double v = 1; v < 1e4; v *= 3)
+      assert_true(!(bons(&pair, v, 0, 0.999 * d_star, 0).v_n2 > 0));
+    assert_true(bons(&pair, 1000, 0, 1.001 * d_star, 0).v_n2 > 0);
+  }
+}
+
+/* CoR_T = 1 - (mu/2)(1 + CoR_N) sin 2 alpha', the law's other form. */
+static void tangential_form(void **state) {
+  (void)state;
+  asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0.3);
+  for (double alpha = 0.01; alpha < M_PI_2; alpha += 0.03) {
+    asp_bounce b = bons(&pair, 100 * sin(alpha), 100 * cos(alpha), 1e-5, 0);
+    double cor_n = b.v_n2 / (100 * sin(alpha));
+    assert_near(b.v_t2 / (100 * cos(alpha)), 1 - 0.15 * (1 + cor_n) * sin(2 * alpha), 1e-13);
+  }
+  pair.friction = 10;
+  assert_near(bons(&pair, 100, 100, 1e-5, 0).v_t2, 0, 0);
+}
+
+static void rate_dependent_yield(void **state) {
+  (void)state;
+  asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0.3);
+  for (double v = 1; v < 1000; v *= 10) {
+    assert_near(bons(&pair, v, 0, 1e-5, 3.0e6).v_n2 / v, 0.25, 0.005);
+    assert_near(bons(&pair, v, 0, 1e-5, 3.6e6).v_n2 / v, 0.30, 0.005);
+  }
+}
+
+/* Where nothing is elastic (v_y = 0), the ratio v_n1/v_y is taken as 1 and nothing returns. */
+static void no_yield_stress(void **state) {
+  (void)state;
+  asp_pair pair = pair_of("quartz", "hastelloy-x", 0.8, 0.3);
+  pair.yield_stress = 0;
+  asp_bounce b = bons(&pair, 10, 10, 1e-5, 0);
+  assert_near(b.v_n2, 0, 0);
+  assert_true(b.v_t2 > 0 && b.v_t2 < 10);
+}
+
+static void bad_pairs_are_named(void **state) {
+  (void)state;
+  static const struct {
+    double e, nu, yield, gamma, mu;
+    const char *word;
+  } bad[] = {
+      {-1, 0.2, 1, 0, 0, "Young's modulus"},    {0, 0.2, 1, 0, 0, "Young's modulus"},
+      {NAN, 0.2, 1, 0, 0, "Young's modulus"},   {1, 0.5, 1, 0, 0, "Poisson's ratio"},
+      {1, -1, 1, 0, 0, "Poisson's ratio"},      {1, 0.2, -1, 0, 0, "yield stress"},
+      {1, 0.2, INFINITY, 0, 0, "yield stress"}, {1, 0.2, 1, -1, 0, "surface energy"},
+      {1, 0.2, 1, 0, -0.1, "friction"},
+  };
+  asp_pair pair;
+  asp_error error;
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    assert_int_equal(asp_pair_create(bad[i].e, bad[i].nu, 1, 0.3, bad[i].yield, bad[i].gamma,
+                                     bad[i].mu, &pair, &error),
+                     ASP_EARG);
+    assert_non_null(strstr(error.text, bad[i].word));
+    assert_non_null(strstr(error.text, "allowed"));
+  }
+}
+
+static void names_are_listed(void **state) {
+  (void)state;
+  asp_error error;
+  assert_null(asp_rebound_find("bonds", &error));
+  for (int i = 0; i < asp_rebound_count(); i++) {
+    assert_non_null(strstr(error.text, asp_rebound_at(i)->name));
+    assert_ptr_equal(asp_rebound_find(asp_rebound_at(i)->name, NULL), asp_rebound_at(i));
+  }
+  assert_null(asp_material_find("unobtainium", &error));
+  assert_non_null(strstr(error.text, "unobtainium"));
+  assert_non_null(strstr(error.text, "hastelloy-x"));
+  assert_true(asp_rebound_parameter(asp_rebound_find("constant", NULL), "cor_x", &error) < 0);
+  assert_non_null(strstr(error.text, "cor_n"));
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(composite_modulus_and_yield_speed),
+      cmocka_unit_test(elastic_then_plastic),
+      cmocka_unit_test(agrees_with_an_integrated_spring),
+      cmocka_unit_test(capture_speed),
+      cmocka_unit_test(smallest_that_rebounds),
+      cmocka_unit_test(tangential_form),
+      cmocka_unit_test(rate_dependent_yield),
+      cmocka_unit_test(no_yield_stress),
+      cmocka_unit_test(bad_pairs_are_named),
+      cmocka_unit_test(names_are_listed),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
