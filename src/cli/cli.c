@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -231,8 +232,14 @@ cli_list cli_angles(const cli_option *option) {
 
 struct cli_output {
   FILE *stream;
-  char *path, *partial; /* NULL for stdout */
+  char *path;    /* NULL for stdout */
+  char *partial; /* NULL where the path is a device or a pipe, which must not be replaced */
 };
+
+static bool is_special(const char *path) {
+  struct stat found;
+  return stat(path, &found) == 0 && !S_ISREG(found.st_mode);
+}
 
 cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed) {
   cli_output *output = calloc(1, sizeof *output);
@@ -242,11 +249,12 @@ cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_o
   if (path) {
     size_t size = strlen(path) + 16;
     output->path = strdup(path);
-    output->partial = malloc(size);
-    if (!output->path || !output->partial)
+    output->partial = is_special(path) ? NULL : malloc(size);
+    if (!output->path || (!output->partial && !is_special(path)))
       cli_fail("out of memory");
-    snprintf(output->partial, size, "%s.partial", path);
-    output->stream = fopen(output->partial, "w");
+    if (output->partial)
+      snprintf(output->partial, size, "%s.partial", path);
+    output->stream = fopen(output->partial ? output->partial : path, "w");
     if (!output->stream)
       cli_fail("cannot write '%s': %s", path, strerror(errno));
   }
@@ -267,8 +275,8 @@ void cli_output_close(cli_output *output) {
   bool bad = fflush(output->stream) != 0 || ferror(output->stream);
   if (output->path) {
     bad = fclose(output->stream) != 0 || bad;
-    bad = bad || rename(output->partial, output->path) != 0;
-    if (bad)
+    bad = bad || (output->partial && rename(output->partial, output->path) != 0);
+    if (bad && output->partial)
       unlink(output->partial);
   }
   if (bad)

@@ -164,6 +164,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
   if (ledger_) {
     local_flag = 1;
     local_freq = static_cast<int>(ledger_->every());
+    size_local_rows = 0;
     size_local_cols = ReboundLedger::N_COLUMNS;
   }
 }
@@ -311,6 +312,7 @@ void FixWallRebound::pre_delete(bool unfixflag)
 void FixWallRebound::init()
 {
   FixWallGran::init();
+  find_siblings();
   if (strstr(update->integrate_style, "respa"))
     fail("run_style respa is not supported; allowed is run_style verlet");
   find_materials();
@@ -445,34 +447,46 @@ void FixWallRebound::check_speeds()
 
 /* ---- contacts -------------------------------------------------------------------------------- */
 
+void FixWallRebound::find_siblings()
+{
+  siblings_.clear();
+  for (int i = 0; i < modify->nfix; i++)
+    if (FixWallRebound *wall = dynamic_cast<FixWallRebound *>(modify->fix[i])) siblings_.push_back(wall);
+}
+
 void FixWallRebound::post_force(int)
 {
-  if (update->setupflag) return;
-  x_ = atom->x;
-  radius_ = atom->radius;
-  rmass_ = atom->rmass;
-  nlocal_ = atom->nlocal;
-  cutneighmax_ = neighbor->cutneighmax;
-  state_ = fix_state_->array_atom;
-  for (int i : stuck_) carry(i);
+  if (update->setupflag || siblings_.front() != this) return;
   candidates_.clear();
-  moving_ = is_moving();
-  if (is_mesh_wall())
-    find_candidates_mesh();
-  else
-    find_candidates_primitive();
-  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate &a, const Candidate &b) {
+  for (FixWallRebound *wall : siblings_) wall->find_candidates(candidates_);
+  std::stable_sort(candidates_.begin(), candidates_.end(), [](const Candidate &a, const Candidate &b) {
     if (a.particle != b.particle) return a.particle < b.particle;
+    if (a.wall != b.wall) return false; /* they come in the order of the script */
     return a.mesh != b.mesh ? a.mesh < b.mesh : a.id < b.id;
   });
   const Candidate *end = candidates_.data() + candidates_.size();
   for (const Candidate *first = candidates_.data(), *last; first < end; first = last) {
     for (last = first; last < end && last->particle == first->particle;) last++;
-    collide(first, last);
+    if (!is_stuck(first->particle)) collide(first, last);
   }
 }
 
-void FixWallRebound::find_candidates_mesh()
+void FixWallRebound::find_candidates(std::vector<Candidate> &candidates)
+{
+  x_ = atom->x;
+  radius_ = atom->radius;
+  rmass_ = atom->rmass;
+  nlocal_ = atom->nlocal;
+  state_ = fix_state_->array_atom;
+  moving_ = is_moving();
+  for (int i : stuck_) carry(i);
+  if (is_mesh_wall())
+    find_candidates_mesh(candidates);
+  else
+    find_candidates_primitive(candidates);
+}
+
+void FixWallRebound::find_candidates_mesh(std::vector<Candidate> &candidates)
 {
   double delta[3], bary[3];
   int sign;
@@ -482,32 +496,39 @@ void FixWallRebound::find_candidates_mesh()
     const int n = mesh->sizeLocal() + mesh->sizeGhost();
     for (int t = 0; t < n; t++)
       for (int i : neighbours->get_contact_list(t)) {
-        if (i >= nlocal_ || !(atom->mask[i] & groupbit) || state_[i][STATE] != FREE) continue;
+        if (i >= nlocal_ || !(atom->mask[i] & groupbit)) continue;
         double gap = mesh->resolveTriSphereContactBary(i, t, radius_[i], x_[i], delta, bary, sign, false);
-        offer(i, m, t, mesh->id(t), gap);
+        if (in_reach(i, gap)) candidates.push_back(Candidate{this, i, m, t, mesh->id(t)});
       }
   }
 }
 
-void FixWallRebound::find_candidates_primitive()
+void FixWallRebound::find_candidates_primitive(std::vector<Candidate> &candidates)
 {
   int *list;
   double delta[3];
   const int n = primitiveWall()->getNeighbors(list);
   for (int k = 0; k < n; k++) {
     const int i = list[k];
-    if (i >= nlocal_ || !(atom->mask[i] & groupbit) || state_[i][STATE] != FREE) continue;
-    offer(i, -1, 0, 0, primitiveWall()->resolveContact(x_[i], radius_[i], delta));
+    if (i >= nlocal_ || !(atom->mask[i] & groupbit)) continue;
+    if (in_reach(i, primitiveWall()->resolveContact(x_[i], radius_[i], delta)))
+      candidates.push_back(Candidate{this, i, -1, 0, 0});
   }
 }
 
 /* A wall at rest counts when the particle, at the end of its step, is no farther from it than it has
  * come in this step, or goes in it after a rebound. */
-void FixWallRebound::offer(int particle, int mesh, int triangle, int id_triangle, double gap)
+bool FixWallRebound::in_reach(int particle, double gap) const
 {
   const double *v = atom->v[particle], reach = 2 * update->dt;
-  if (!moving_ && gap > 0 && gap * gap > reach * reach * dot(v, v)) return;
-  candidates_.push_back(Candidate{particle, mesh, triangle, id_triangle});
+  return moving_ || gap <= 0 || gap * gap <= reach * reach * dot(v, v);
+}
+
+bool FixWallRebound::is_stuck(int i) const
+{
+  for (const FixWallRebound *wall : siblings_)
+    if (wall->state_[i][STATE] != FREE) return true;
+  return false;
 }
 
 /* The distance from the sphere's surface to the wall when its centre is at x, in the state of the wall
@@ -567,6 +588,7 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact
   gap_at(on, end, delta, contact.v_wall);
   for (int d = 0; d < 3; d++) v[d] = path.v[d] - contact.v_wall[d];
   contact.guarded = false;
+  contact.lift = 0;
   double time = 0;
   for (int i = 0; i < NEWTON_MAX; i++) {
     for (int d = 0; d < 3; d++) x[d] = end[d] - v[d] * (path.left - time);
@@ -578,8 +600,12 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact
       continue;
     }
     if (!(approach > 0)) return false;
-    if (gap < 0 && time <= 0) break; /* overlaps already: now */
     if (fabs(gap) <= GAP_TOLERANCE * radius_[on.particle]) break;
+    if (gap < 0 && time <= 0) { /* overlaps already: now */
+      contact.guarded = true;
+      contact.lift = -gap;
+      break;
+    }
     time = std::max(0.0, time + gap / approach);
     if (time > 2 * path.left) return false;
   }
@@ -591,24 +617,27 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact
   return true;
 }
 
-/* `timing overlap`: the contact is where the particle is found at the end of the step. A centre that
- * has crossed the wall within the step is sent back to the side it came from. */
+/* `timing overlap`: the contact is where the particle is found at the end of the step. Where the centre
+ * has crossed the wall within the step, or all of the particle, only its path knows the contact. */
 bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact &contact)
 {
   double delta[3], end[3], v[3];
   for (int d = 0; d < 3; d++) end[d] = path.x[d] + path.v[d] * path.left;
-  if (gap_at(on, end, delta, contact.v_wall) > 0) return false;
+  double gap = gap_at(on, end, delta, contact.v_wall);
   for (int d = 0; d < 3; d++) v[d] = path.v[d] - contact.v_wall[d];
   contact.guarded = false;
   if (!normal_of(on, path, delta, contact.n, contact.guarded)) return false;
-  double began = sqrt(dot(delta, delta)) - dot(v, contact.n) * path.left;
-  if (began < 0)
-    for (int d = 0; d < 3; d++) contact.n[d] = -contact.n[d];
   double approach = -dot(v, contact.n);
-  contact.guarded = contact.guarded || began < 0 || approach * update->dt >= radius_[on.particle];
+  if (contact.guarded || sqrt(dot(delta, delta)) + approach * path.left < 0) {
+    if (!find_contact(on, path, contact)) return false;
+    contact.guarded = true;
+    return true;
+  }
+  contact.guarded = approach * update->dt >= radius_[on.particle];
+  contact.lift = 0;
   contact.on = &on;
   contact.time = path.left;
-  return approach > 0;
+  return gap <= 0 && approach > 0;
 }
 
 /* All contacts of one particle in this step, the earliest first, each on the path that the one before
@@ -627,22 +656,23 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last)
     Contact earliest, contact;
     earliest.on = NULL;
     for (const Candidate *on = first; on < last; on++) {
-      bool found = timing_ == EXACT ? find_contact(*on, path, contact) : find_overlap(*on, path, contact);
+      FixWallRebound *wall = on->wall;
+      bool found = wall->timing_ == EXACT ? wall->find_contact(*on, path, contact)
+                                          : wall->find_overlap(*on, path, contact);
       if (found && (!earliest.on || contact.time < earliest.time)) earliest = contact;
     }
     if (!earliest.on) break;
     hit = true;
-    if (!rebound(earliest, path)) return;
-    if (timing_ == OVERLAP) break;
+    if (!earliest.on->wall->rebound(earliest, path)) return;
     if (k == CONTACTS_MAX - 1) {
       path.left = 0;
-      counters_[N_GUARDED]++;
+      earliest.on->wall->counters_[N_GUARDED]++;
     }
   }
   if (!hit) return;
   for (int d = 0; d < 3; d++) {
     atom->v[i][d] = path.v[d];
-    if (timing_ == EXACT) x_[i][d] = path.x[d] + path.v[d] * path.left;
+    x_[i][d] = path.x[d] + path.v[d] * path.left;
   }
 }
 
@@ -655,7 +685,7 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path)
                                              : mesh_list()[contact.on->mesh]->atomTypeWall();
   double v1[3];
   for (int d = 0; d < 3; d++) {
-    path.x[d] += path.v[d] * contact.time;
+    path.x[d] += path.v[d] * contact.time + contact.n[d] * contact.lift;
     v1[d] = path.v[d] - contact.v_wall[d];
   }
   path.left -= contact.time;
@@ -733,7 +763,6 @@ void FixWallRebound::stick(const Contact &contact, const Path &path)
   }
   stuck_.push_back(i);
   hold(i);
-  if (deposit_ == DELETE) next_reneighbor = update->ntimestep + 1;
 }
 
 /* An orthonormal frame that moves with a triangle: its first node, first edge, and normal. */
@@ -797,6 +826,7 @@ void FixWallRebound::pre_initial_integrate()
   for (int i : stuck_) hold(i);
 }
 
+/* Comm::exchange, which follows, counts the atoms anew. */
 void FixWallRebound::pre_exchange()
 {
   if (deposit_ != DELETE) return;
@@ -812,7 +842,6 @@ void FixWallRebound::pre_exchange()
   }
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all == 0) return;
-  atom->natoms -= all;
   stuck_.clear();
   if (atom->tag_enable && atom->map_style) {
     atom->nghost = 0;
@@ -824,6 +853,11 @@ void FixWallRebound::pre_exchange()
 void FixWallRebound::end_of_step()
 {
   for (int i : stuck_) hold(i);
+  if (deposit_ == DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
+    int mine = !stuck_.empty(), any;
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+    if (any) next_reneighbor = update->ntimestep + 1;
+  }
   if (!ledger_) return;
   ledger_->end_step(update->ntimestep);
   if (update->ntimestep % ledger_->every() == 0) {

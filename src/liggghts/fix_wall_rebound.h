@@ -5,7 +5,8 @@
  * The base class gives the geometry (primitive and mesh walls, neighbour lists, moving meshes, MPI).
  * Instead of its loop over overlaps at the end of a step, contacts are searched along the path of the
  * step: that gives the instant of contact, the side a particle came from, and the one contact that
- * comes first where several triangles are near, independent of their order and so of the ranks.
+ * comes first where several triangles are near, independent of their order and so of the ranks. The
+ * first fix of the style searches for all of them, for a particle may meet two walls in one step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef FIX_CLASS
@@ -59,6 +60,7 @@ class FixWallRebound : public FixWallGran {
 
   /* A piece of wall that a particle may reach within the step. */
   struct Candidate {
+    FixWallRebound *wall;
     int particle, mesh, triangle; /* local indices; mesh -1 for a primitive wall */
     int id;                       /* of the triangle, 0 for a primitive wall */
   };
@@ -69,6 +71,7 @@ class FixWallRebound : public FixWallGran {
     double time;      /* since the beginning of the path */
     double n[3];      /* outward unit normal, from the wall to the centre */
     double v_wall[3];
+    double lift;      /* how far out along n the particle has to go to touch: it overlapped before */
     bool guarded;
   };
 
@@ -92,9 +95,12 @@ class FixWallRebound : public FixWallGran {
   void check_group();
   void check_speeds();
 
-  void find_candidates_mesh();
-  void find_candidates_primitive();
-  void offer(int particle, int mesh, int triangle, int id, double gap);
+  void find_siblings();
+  void find_candidates(std::vector<Candidate> &candidates);
+  void find_candidates_mesh(std::vector<Candidate> &candidates);
+  void find_candidates_primitive(std::vector<Candidate> &candidates);
+  bool in_reach(int particle, double gap) const;
+  bool is_stuck(int i) const;
   double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
   bool find_contact(const Candidate &on, const Path &path, Contact &contact);
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
@@ -125,6 +131,7 @@ class FixWallRebound : public FixWallGran {
   std::vector<asp_pair> pairs_; /* particle type x wall type, from 1 */
   class FixPropertyAtom *fix_state_;
   double **state_;
+  std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
   std::vector<Candidate> candidates_;
   std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
   double counters_[N_COUNTERS];

@@ -1,0 +1,24 @@
+# What `cmake --install` puts in place: library, header, command, launcher, and the files by which CMake
+# and pkg-config find the library.
+install(TARGETS asperity EXPORT asperityTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  PUBLIC_HEADER DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS asperity_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(ASPERITY_LIGGGHTS)
+  install(TARGETS liggghts-asperity RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/asperity)
+install(EXPORT asperityTargets NAMESPACE asperity:: DESTINATION ${_package})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/asperityConfig.cmake.in
+  ${CMAKE_CURRENT_BINARY_DIR}/asperityConfig.cmake INSTALL_DESTINATION ${_package})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/asperityConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/asperityConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/asperityConfigVersion.cmake DESTINATION ${_package})
+unset(_package)
+
+# The .pc file finds the prefix from where it lies, so that `cmake --install --prefix` may move it.
+file(RELATIVE_PATH ASPERITY_PC_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/asperity.pc.in ${CMAKE_CURRENT_BINARY_DIR}/asperity.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/asperity.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

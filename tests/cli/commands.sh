@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# The commands spread, cor and materials: columns, exit codes, messages, files, pictures.
+set -euo pipefail
+asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
+asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+header() { grep -v '^#' "$1" | head -n 1; }
+
+# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, writes nothing.
+refuses() {
+  local status=$1 words=() got=0; shift
+  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
+  "$asperity" "$@" > out 2> err || got=$?
+  [ $got = "$status" ] || die "exit $got, not $status: asperity $*"
+  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
+  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
+}
+
+"$asperity" --help > help
+for command in surface spread cor materials; do
+  grep -q "^  $command " help || die "$command is not in --help"
+  "$asperity" $command --help | grep -q -- '--output FILE' || die "$command --help"
+done
+"$asperity" --version | grep -qx 'asperity [0-9.]*' || die "--version"
+
+# spread
+"$asperity" spread --sigma 10 --angle 20 --samples 1000 --seed 3 > a
+"$asperity" spread --sigma 10 --angle 20 --samples 1000 --seed 3 -o b
+cmp <(tail -n +2 a) <(tail -n +2 b) || die "spread: the same seed, other samples"
+"$asperity" spread --sigma 10 --angle 20 --samples 1000 --seed 4 > b
+cmp -s <(tail -n +2 a) <(tail -n +2 b) && die "spread: another seed, the same samples"
+[ "$(header a)" = delta_alpha_deg ] && [ "$(wc -l < a)" = 1002 ] || die "spread: samples"
+head -n 1 a | grep -q '^# asperity [0-9.]*; spread --sigma 10 .*; seed 3$' || die "spread: comment line"
+"$asperity" spread --list > list
+for model in none normal rejection truncated weibull; do
+  grep -q "^$model," list || die "spread --list: $model"
+  "$asperity" spread --model $model --rq 5um --lambda-c 40um --dp 10um --angle 5:85:20 --summary --samples 2000 > s
+  [ "$(header s)" = model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg ] && [ "$(wc -l < s)" = 7 ] || die "spread --summary: $model"
+  awk -F, -v m=$model 'NR > 2 { if (m == "none" ? $4 != 0 : !($4 > 5 && $4 < 12 && $5 < $6 && $6 < $7)) bad = 1 } END { exit bad }' s || die "spread --summary: $model: $(cat s)"
+done
+"$asperity" spread --pdf --sigma 10 --angle 20 | awk -F, 'NR > 2 { sum += $2 * 0.1 } END { exit !(sum > 0.999 && sum < 1.001) }' || die "spread --pdf does not sum to 1"
+
+# cor
+"$asperity" cor --rq 15.6um --lambda-c 120um --dp 1um:100um:10um --speed 100 --angles 2,45,88,90 --samples 500 --particle ard --wall hastelloy-x --model truncated > c
+[ "$(header c)" = dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v,cor_alpha,cor_n,cor_t,outcome ] && [ "$(wc -l < c)" = 2002 ] || die "cor: columns or rows"
+awk -F, 'NR > 2 {
+    if ($1 < 1 || $1 > 100 || $6 > 1 || ($10 == "deposit" && $8 != 0)) bad = 1
+    if ($3 == 90 && $9 != "") bad = 1
+    over += $3 == 2 && $8 > 1; negative += $3 == 88 && $9 < 0; deposits += $10 == "deposit" }
+  END { exit bad || over < 100 || negative < 50 || deposits < 10 }' c || die "cor: the scatter is not as it should be"
+"$asperity" cor --model none --dp 10um --angles 90 --samples 1 --gamma 0 | awk -F, 'NR == 3 { d = $8 - 0.166; exit !(d < 1e-3 && d > -1e-3) }' || die "cor: CoR_N(90) is not v_y/v1"
+"$asperity" cor --model none --dp 10um --angles 90 --samples 1 --gamma 0 --yield-rate 3.3e6 | awk -F, 'NR == 3 { exit !($8 > 0.25 && $8 < 0.3) }' || die "cor --yield-rate"
+"$asperity" cor --model none --dp 0.5um --angles 30 --samples 1 | grep -q ',deposit$' || die "cor: small ones deposit"
+"$asperity" cor --model none --dp 0.5um --angles 30 --samples 1 --adhesion off | grep -q ',rebound$' || die "cor --adhesion off"
+"$asperity" cor --rq 5um --lambda-c 40um --model weibull --tilt isotropic --collisions multiple --samples 3 > /dev/null
+"$asperity" materials | grep -q '^hastelloy-x,.*original not seen' || die "materials"
+
+# pictures
+"$asperity" cor --rq 5um --lambda-c 40um --samples 20 --plot cor.png -o /dev/null 2> err
+head -c 4 cor.png | grep -q PNG || die "cor --plot"
+"$asperity" spread --sigma 10 --plot spread.svg -o s 2> err
+grep -q '<svg' spread.svg || die "spread --plot"
+
+# bad usage
+refuses 2 "--help" --
+refuses 2 "'sprad'" -- sprad
+refuses 2 "--sgima" "unknown" -- spread --sgima 10
+refuses 2 "needs a value" -- spread --sigma
+refuses 2 "'extra'" -- spread --sigma 10 extra
+refuses 2 "--sigma" "--rq" -- spread
+refuses 2 "'wiebull'" weibull truncated -- spread --sigma 10 --model wiebull
+refuses 2 "--sigma is 95" "0 to 89" -- spread --sigma 95
+refuses 2 "--sigma is nan" -- spread --sigma nan
+refuses 2 "--angle is 91" "0 to 90" -- spread --sigma 10 --angle 91
+refuses 2 "--samples" "whole number" -- spread --sigma 10 --samples -5
+refuses 2 "--rq" "'5ft'" "um" -- spread --rq 5ft --lambda-c 40um --dp 1um
+refuses 2 "--rq" "> 0" -- cor --rq -5um --lambda-c 40um
+refuses 2 "--rq LENGTH is missing" -- cor --lambda-c 40um
+refuses 2 "'unobtainium'" "hastelloy-x" -- cor --model none --wall unobtainium
+refuses 2 "min < median < max" -- cor --model none --dp 1um:10um:100um
+refuses 2 "--rebound" "bons" -- cor --model none --rebound bouncy
+refuses 2 "--tilt is 'round'" "plane or isotropic" -- cor --model none --tilt round
+refuses 2 "--angles" "more than 0" -- cor --model none --angles 0
+refuses 2 "no density" -- spread --model none --sigma 1 --pdf
+refuses 2 ".png, .svg or .pdf" -- spread --sigma 10 --plot picture.bmp
+refuses 1 "/nowhere/x.csv" "No such file" -- spread --sigma 10 -o /nowhere/x.csv
+[ ! -e picture.bmp ] || die "half a picture was left"
+"$asperity" cor --model none --samples 100000 -o /dev/full 2> err && die "a full disk went unnoticed"
+grep -q "cannot write" err || die "full disk: $(cat err)"
+ls ./*.partial > /dev/null 2>&1 && die "a partial file was left"
+exit 0

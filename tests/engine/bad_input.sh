@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# Bad scripts: one clear message that names the thing, its value and what is allowed, on one rank and on
+# two, and a non-zero exit; for a step that is too large a warning with the largest safe one.
+source "$(dirname "$0")/engine.sh"
+plate 2 1 1.9e-3 > plate.stl
+materials > materials.in
+deck() { # fix command behind "fix wall", lines before it
+  head_of si
+  echo "region box block -0.002 0.002 -0.002 0.002 -0.001 0.002 units box
+create_box 2 box
+neighbor 1e-4 bin
+create_atoms 1 single 0 0 1e-3 units box
+set group all diameter 1e-5 density 2650
+velocity all set 10 0 ${speed:--10} units box
+group nobody id 77
+fix plate all mesh/surface file plate.stl type 2
+fix move all nve/sphere
+timestep ${step:-1e-7}
+include materials.in
+${2:-}
+fix wall ${1}
+run 1
+run 1"
+}
+plane='all wall/rebound primitive type 2 zplane 0.0'
+mesh='all wall/rebound mesh n_meshes 1 meshes plate'
+
+# refuses COMMAND LINES WORD...: it ends with an error whose one line has every word. Several at a time.
+refuses() {
+  local command=$1 lines=$2; shift 2
+  number=$((number + 1))
+  while [ "$(jobs -rp | wc -l)" -ge 4 ]; do wait -n || true; done
+  (mkdir bad.$number; cd bad.$number; ln -s ../plate.stl ../materials.in .
+   deck "$command" "$lines" > bad.in
+   for ranks in 1 2; do refused "$command $lines" $ranks "$@"; done) > bad.$number.log 2>&1 || touch bad.$number.failed &
+}
+refused() {
+  local what=$1 ranks=$2 launch=(); shift 2
+  [ $ranks = 1 ] || launch=(mpirun -np $ranks)
+  if "${launch[@]}" "$bin/liggghts-asperity" -in bad.in -log none > bad.screen 2>&1; then die "accepted: $what"; fi
+  grep -a '^ERROR' bad.screen > bad.error || { tail bad.screen; die "no error message for: $what"; }
+  [ "$(wc -l < bad.error)" = 1 ] || { cat bad.error; die "more than one message on $ranks ranks: $what"; }
+  for word in "$@"; do grep -aqF -- "$word" bad.error || { cat bad.error; die "'$word' is not in the message for: $what"; }; done
+  ! grep -aqi -e 'segmentation' -e 'signal 11' bad.screen || die "crash: $what"
+}
+all_refused() {
+  wait
+  ! ls bad.*.failed > /dev/null 2>&1 || { for f in bad.*.failed; do cat "${f%failed}log"; done; die "some bad scripts were not refused as they should be"; }
+}
+number=0
+
+refuses "$plane surfaces smooth" "" "'surfaces'" "surface" "ledger"
+refuses "$plane surface" "" "surface" "missing"
+refuses "$plane surface bumpy" "" "'bumpy'" "smooth" "rq R lambda_c L"
+refuses "$plane surface rq 1e-5" "" "lambda_c L"
+refuses "$plane surface rq fine lambda_c 1e-4" "" "rq is 'fine'" "number"
+for value in 0 -1e-05 nan inf; do
+  refuses "$plane surface rq $value lambda_c 1e-4" "" "r_q is $value" "> 0"
+  refuses "$plane surface rq 1e-5 lambda_c $value" "" "lambda_c is $value" "> 0"
+done
+refuses "$plane surface rq 1e-5 lambda_c 1e-4 spread wiebull" "" "'wiebull'" "weibull" "truncated"
+refuses "$plane surface rq 1e-5 lambda_c 1e-4 spread weibull collisions many" "" "'many'" "single or multiple"
+refuses "$plane rebound bouncy" "" "'bouncy'" "bons" "constant"
+refuses "$plane rebound constant 1.5 1" "" "cor_n is 1.5" "0 to 1"
+refuses "$plane rebound constant 1" "" "cor_t" "missing"
+refuses "$plane rebound bons yield_rate -3" "" "yield_rate is -3" ">= 0"
+refuses "$plane rebound bons contact_area 0.1 0.1" "" "contact_area" "missing"
+refuses "$plane deposit stick" "" "'stick'" "freeze, delete or off"
+refuses "$plane timing late" "" "'late'" "exact or overlap"
+refuses "$plane seed -1" "" "seed is -1" "0 to 4294967295"
+refuses "$plane seed 1.5" "" "seed is 1.5" "whole number"
+refuses "$plane ledger 0" "" "ledger is 0" "1 to"
+refuses "$plane ledger 10 file /nowhere/at/all.csv" "" "/nowhere/at/all.csv" "No such file"
+refuses "all wall/rebound" "" "mesh n_meshes N" "primitive type T"
+refuses "all wall/rebound box" "" "'box'" "'mesh' or 'primitive'"
+refuses "all wall/rebound primitive type 2" "" "type T style args"
+refuses "all wall/rebound primitive type 2 wplane 0.0" "" "'wplane'" "zplane"
+refuses "all wall/rebound mesh n_meshes 2 meshes plate" "" "n_meshes is '2'"
+refuses "all wall/rebound mesh n_meshes 1 meshes moon" "" "'moon' does not exist" "mesh/surface"
+refuses "nobody wall/rebound primitive type 2 zplane 0.0" "" "'nobody' holds no particle"
+for name in youngsModulus:m1 poissonsRatio:m2 yieldStress:m3 surfaceEnergy:m4; do
+  # the pair style has its own word on the two that it needs too
+  refuses "$plane" "unfix ${name#*:}" "${name%:*}"
+done
+refuses "$plane" "unfix m3" "yieldStress" "fix yieldStress all property/global yieldStress peratomtype"
+refuses "$plane" "unfix m4" "surfaceEnergy" "property/global surfaceEnergy peratomtypepair"
+refuses "$plane" "unfix m3
+fix m3 all property/global yieldStress peratomtype -5 2e8" "yield stress is -5" ">= 0"
+refuses "$plane" "unfix m1
+fix m1 all property/global youngsModulus peratomtype -7e10 2e11" "youngsModulus"
+refuses "$plane" "unfix m2
+fix m2 all property/global poissonsRatio peratomtype 0.17 0.7" "poissonsRatio"
+refuses "$mesh" "run_style respa 2 2" "respa"
+all_refused
+
+# Not needed, not asked for: a law without materials, a wall without deposits, a rate instead of a stress.
+accepts() {
+  deck "$1" "$2" > good.in
+  engine 2 good.in
+}
+accepts "$plane rebound constant 1 1" "unfix m3
+unfix m4"
+accepts "$plane deposit off" "unfix m4"
+accepts "$plane rebound bons yield_rate 3e6" "unfix m3"
+accepts "$mesh ledger 10 file rows.csv" ""
+
+# Steps in which the grain moves more than its radius, 5 um: a warning, once, with the largest safe step.
+speed=-100 step=1e-7
+for wall in "$plane" "$mesh"; do
+  accepts "$wall" ""
+  [ "$(grep -ac 'the largest safe step is' good.in.screen)" = 1 ] || die "no warning, or more than one"
+  awk '/largest safe step/ { sub(/.*largest safe step is /, ""); d = $1 / (5e-6 / sqrt(10100)) - 1; exit d > 1e-4 || d < -1e-4 }' good.in.screen ||
+    die "the largest safe step is wrong: $(grep -a 'largest safe' good.in.screen)"
+done
+step=1e-8
+accepts "$plane" ""
+grep -aq 'largest safe' good.in.screen && die "a warning for a safe step"
+exit 0

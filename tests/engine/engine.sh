@@ -1,0 +1,101 @@
+# What the engine tests share; each sources it. They run the real liggghts-asperity in a folder of their
+# own and compare numbers, not log text. ASPERITY_BIN is the folder of the binaries (build/bin where it is not set).
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+bin=$(cd "${ASPERITY_BIN:-$here/../../build/bin}" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+
+die() { echo "FAILED: $*" >&2; exit 1; }
+
+# engine RANKS SCRIPT [options]: runs a script; the screen goes to SCRIPT.screen.
+engine() {
+  local ranks=$1 script=$2; shift 2
+  mpirun -np "$ranks" "$bin/liggghts-asperity" -in "$script" -log none "$@" > "$script.screen" 2>&1 ||
+    { tail -n 15 "$script.screen" >&2; die "$script on $ranks ranks"; }
+}
+
+same() { cmp "$1" "$2" || die "$1 and $2 differ: $3"; }
+
+# near A B COLUMNS TOLERANCE: the named columns of two ledgers agree, row by row, to a relative tolerance.
+near() {
+  paste -d, <(rows "$1") <(rows "$2") | awk -F, -v columns="$3" -v tolerance="$4" '
+    { half = NF / 2; n = split(columns, c, " ")
+      for (i = 1; i <= n; i++) { a = $(c[i]); b = $(c[i] + half); d = a - b; if (d < 0) d = -d
+        m = a < 0 ? -a : a; if (m < 1e-6) m = 1e-6
+        if (!(d <= tolerance * m)) { print "row " NR ", column " c[i] ": " a " and " b; bad = 1 } } }
+    END { if (!NR) { print "no rows"; bad = 1 } exit bad }' > near.log || { head -n 5 near.log; die "$1 and $2 differ"; }
+}
+
+rows() { grep -v -e '^#' -e '^tag' "$1"; }
+count_rows() { rows "$1" | wc -l; }
+
+# check_rows FILE CONDITION TEXT: an awk condition holds in every row of a ledger (and there are rows).
+check_rows() {
+  rows "$1" | awk -F, -v pi=3.14159265358979 "!($2) { print; bad = 1 } END { exit bad || !NR }" || die "$3"
+}
+
+# materials [YOUNG YIELD GAMMA]: quartz (type 1) on Hastelloy X (type 2), with what unit factors say.
+materials() {
+  local pa=${1:-1} jm2=${2:-1}
+  cat << END
+fix m1 all property/global youngsModulus peratomtype $(mul 70e9 "$pa") $(mul 205e9 "$pa")
+fix m2 all property/global poissonsRatio peratomtype 0.17 0.32
+fix m3 all property/global yieldStress peratomtype $(mul 200e6 "$pa") $(mul 200e6 "$pa")
+fix m4 all property/global surfaceEnergy peratomtypepair 2 $(mul 0.8 "$jm2") $(mul 0.8 "$jm2") $(mul 0.8 "$jm2") $(mul 0.8 "$jm2")
+fix m5 all property/global coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3
+fix m6 all property/global coefficientRestitution peratomtypepair 2 0.9 0.9 0.9 0.9
+pair_style gran model hertz tangential history
+pair_coeff * *
+END
+}
+
+mul() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.15g", a * b }'; }
+
+# head_of UNITS LENGTH: the beginning of a script; LENGTH is the unit's factor to metres.
+head_of() {
+  cat << END
+units ${1:-si}
+atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+hard_particles yes
+END
+}
+
+# grains N [LENGTH VELOCITY DENSITY SEED]: a data file of grains over the plane z = 0, each of its own size
+# (3 to 60 um), speed (20 to 120 m/s), angle (1 to 89 degrees) and azimuth, that reach it within 3 us at
+# places of their own. LENGTH, VELOCITY and DENSITY turn SI into the script's units.
+grains() {
+  awk -v n="$1" -v length_="${2:-1}" -v velocity="${3:-1}" -v density="${4:-1}" -v state="${5:-12345}" '
+    function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
+    BEGIN {
+      pi = atan2(0, -1); row = int(sqrt(n) + 0.999)
+      side = row * 1e-4
+      printf "grains\n\n%d atoms\n2 atom types\n\n", n
+      split("x y z", axis, " ")
+      for (k = 1; k <= 3; k++)
+        printf "%.15g %.15g %slo %shi\n", (k < 3 ? -2e-3 : -5e-4) * length_, (k < 3 ? side + 2e-3 : 1.5e-3) * length_, axis[k], axis[k]
+      print "\nAtoms\n"
+      for (i = 1; i <= n; i++) {
+        d = 3e-6 * exp(3 * uniform()); v = 20 + 100 * uniform(); a = (1 + 88 * uniform()) * pi / 180
+        w = 2 * pi * uniform(); t = (0.1 + 2.9 * uniform()) * 1e-6
+        vx[i] = v * cos(a) * cos(w); vy[i] = v * cos(a) * sin(w); vz[i] = -v * sin(a)
+        printf "%d 1 %.15g %.15g %.15g %.15g %.15g\n", i, d * length_, 2650 * density,
+          (1e-4 * (i % row) - vx[i] * t) * length_, (1e-4 * int(i / row) - vy[i] * t) * length_, (d / 2 - vz[i] * t) * length_
+      }
+      print "\nVelocities\n"
+      for (i = 1; i <= n; i++) printf "%d %.15g %.15g %.15g 0 0 0\n", i, vx[i] * velocity, vy[i] * velocity, vz[i] * velocity
+    }'
+}
+
+# plate CELLS LENGTH: an STL plate under all of them, in the plane z = 0.
+plate() {
+  awk -v cells="$1" -v lo="$(mul -1.9e-3 "${2:-1}")" -v hi="$(mul "${3:-5e-3}" "${2:-1}")" '
+    function vertex(i, j) { printf "vertex %.12g %.12g 0\n", lo + i * (hi - lo) / cells, lo + j * (hi - lo) / cells }
+    function facet(a, b, c, d, e, f) { print "facet normal 0 0 1\nouter loop"; vertex(a, b); vertex(c, d); vertex(e, f); print "endloop\nendfacet" }
+    BEGIN { print "solid p"; for (i = 0; i < cells; i++) for (j = 0; j < cells; j++) { facet(i, j, i + 1, j, i + 1, j + 1); facet(i, j, i + 1, j + 1, i, j + 1) } print "endsolid p" }'
+}

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# Flights with known answers: where a particle is after a rebound, with `timing exact`, whatever the step;
+# between two planes with several contacts in one step; inside a cylinder; off an edge of a mesh.
+source "$(dirname "$0")/engine.sh"
+flight() { # walls, particle (x y z, vx vy vz), step, steps
+  head_of si
+  echo "region box block -0.01 0.01 -0.01 0.01 -0.01 0.01 units box
+create_box 2 box
+neighbor 1e-3 bin
+neigh_modify delay 0"
+  materials
+  echo "create_atoms 1 single $2 units box
+set group all diameter 1e-4 density 2650
+velocity all set $3 units box
+fix move all nve/sphere
+timestep $4
+$1
+dump d all custom $5 at.txt x y z vx vz
+dump_modify d format \"%.15g %.15g %.15g %.15g %.15g\"
+run $5"
+}
+at() { tail -n 1 at.txt; }
+ends() { # name, x y z vx vz: to 1e-12 m and 1e-9 m/s
+  engine 1 "$1.in"
+  at | awk -v want="$2" '
+    { split(want, w, " ")
+      for (i = 1; i <= 5; i++) { d = $i - w[i]; if (d < 0) d = -d; if (!(d <= (i > 3 ? 1e-9 : 1e-12))) bad = 1 } }
+    bad { print "is   " $0; print "want " want } END { exit bad || !NR }' || die "$1"
+}
+mirror='surface smooth rebound constant 1 1 deposit off'
+
+# Specular plane: 0.3 mm down, then up; contact falls inside a step.
+for step in "1e-7 100" "1e-6 10" "3e-6 3"; do
+  set -- $step
+  n=$(awk -v dt="$1" 'BEGIN { printf "%d", 1e-5 / dt + 0.5 }')
+  t=$(awk -v dt="$1" -v n="$n" 'BEGIN { printf "%.15g", n * dt }')
+  flight "fix w all wall/rebound primitive type 2 zplane 0.0 $mirror" "0 0 3.5e-4" "10 0 -50" "$1" "$n" > plane.in
+  ends plane "$(awk -v t="$t" 'BEGIN { printf "%.15g 0 %.15g 10 50", 10 * t, 5e-5 + 50 * t - 3e-4 }')"
+done
+
+# Half the normal speed, nine tenths of the tangential.
+flight 'fix w all wall/rebound primitive type 2 zplane 0.0 surface smooth rebound constant 0.5 0.9 deposit off' \
+  "0 0 2.5e-4" "10 0 -50" 1e-6 10 > half.in
+ends half "$(awk 'BEGIN { printf "%.15g 0 %.15g 9 25", 4e-6 * 10 + 6e-6 * 9, 5e-5 + 6e-6 * 25 }')"
+
+# Two planes 0.15 mm apart, gap 0.05 mm: several contacts in one step of 6 us (0.3 mm of flight).
+flight "fix a all wall/rebound primitive type 2 zplane 0.0 $mirror
+fix b all wall/rebound primitive type 2 zplane 1.5e-4 $mirror" "0 0 7e-5" "1 0 -50" 6e-6 2 > slot.in
+ends slot "$(awk 'BEGIN { z = 2e-5 - 50 * 12e-6; z -= 1e-4 * int(z / 1e-4); if (z < 0) z += 1e-4; up = 0; s = (50 * 12e-6 - 2e-5) / 5e-5; k = int(s); r = (s - k) * 5e-5; printf "%.15g 0 %.15g 1 %d", 12e-6, 5e-5 + (k % 2 ? 5e-5 - r : r), k % 2 ? -50 : 50 }')"
+
+# Inside a cylinder of radius 2 mm along x: a chord at 45 degrees to the wall, four contacts a turn. The
+# centre moves on a square of half diagonal 1.95 mm.
+flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 $mirror" "0 0 -1.94e-3" "0 50 50" 1e-6 100 > tube.in
+engine 1 tube.in
+at | awk '{ r = sqrt($2 * $2 + $3 * $3); exit !(r <= 1.95e-3 * (1 + 1e-9) && r >= 1.95e-3 / sqrt(2) * 0.98) }' ||
+  die "tube: left its square"
+
+# The edge x = 0 of a plate at z = 0, x > 0, met by a centre 30 um outside it.
+cat > edge.stl << 'END'
+solid e
+facet normal 0 0 1
+outer loop
+vertex 0 -0.005 0
+vertex 0.005 -0.005 0
+vertex 0 0.005 0
+endloop
+endfacet
+endsolid e
+END
+flight "fix plate all mesh/surface file edge.stl type 2
+fix w all wall/rebound mesh n_meshes 1 meshes plate $mirror" "-3e-5 -1e-3 2.4e-4" "0 0 -50" 1e-6 8 > edge.in
+# contact at height h = sqrt(r^2 - 30um^2) = 40 um after 4 us; normal (-0.6, 0, 0.8); v2 = v - 2 (v.n) n
+ends edge "$(awk 'BEGIN { vn = -40; vx = -2 * vn * -0.6; vz = -50 - 2 * vn * 0.8; printf "%.15g -0.001 %.15g %.15g %.15g", -3e-5 + vx * 4e-6, 4e-5 + vz * 4e-6, vx, vz }')"

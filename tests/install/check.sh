@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Installs the build into a folder and uses the library from there as a stranger would: by CMake's
+# find_package, and by pkg-config. Usage: check.sh BUILD
+set -euo pipefail
+build=$1
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+cmake --install "$build" --prefix "$work/prefix" > /dev/null
+"$work/prefix/bin/asperity" --version
+cmake -S "$here" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+"$work/cmake/stranger"
+pc=$(find "$work/prefix" -name asperity.pc -printf %h)
+# shellcheck disable=SC2046
+gcc "$here/stranger.c" -o "$work/stranger" $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs asperity) -lm
+"$work/stranger"
+# The header is C++11 too.
+g++ -std=c++11 -pedantic -Wall -Werror -fsyntax-only -x c++ "$work"/prefix/include/asperity.h
