@@ -141,7 +141,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : FixWallGran(engine, narg, check_geometry(engine, narg, arg)), smooth_(true), r_q_(0), lambda_c_(0),
       spec_(asp_wall_spec_default()), deposit_(FREEZE), timing_(EXACT), seed_(1),
       fix_key_(asp_key_fix(id)), surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free),
-      fix_state_(NULL), state_(NULL), counters_(), moving_(false), warned_(false), announced_(false),
+      fix_state_(NULL), state_(NULL), counters_(), lists_are_new_(true), warned_(false), announced_(false),
       restarted_(false), speed_checked_(-1)
 {
   if (!atom->radius_flag || !atom->rmass_flag)
@@ -404,6 +404,7 @@ void FixWallRebound::setup(int vflag)
 {
   FixWallGran::pre_neighbor();
   pre_force(vflag);
+  lists_are_new_ = true;
   state_ = fix_state_->array_atom;
   collect_stuck();
   check_speeds();
@@ -412,6 +413,7 @@ void FixWallRebound::setup(int vflag)
 void FixWallRebound::pre_neighbor()
 {
   FixWallGran::pre_neighbor();
+  lists_are_new_ = true;
   state_ = fix_state_->array_atom;
   collect_stuck();
   if (update->ntimestep != speed_checked_) check_speeds();
@@ -458,51 +460,116 @@ void FixWallRebound::post_force(int)
 {
   if (update->setupflag || siblings_.front() != this) return;
   candidates_.clear();
-  for (FixWallRebound *wall : siblings_) wall->find_candidates(candidates_);
-  std::stable_sort(candidates_.begin(), candidates_.end(), [](const Candidate &a, const Candidate &b) {
-    if (a.particle != b.particle) return a.particle < b.particle;
-    if (a.wall != b.wall) return false; /* they come in the order of the script */
-    return a.mesh != b.mesh ? a.mesh < b.mesh : a.id < b.id;
-  });
+  for (FixWallRebound *wall : siblings_) wall->refresh();
+  for (FixWallRebound *wall : siblings_) {
+    if (wall->is_mesh_wall())
+      wall->find_candidates_mesh(candidates_);
+    else
+      wall->find_candidates_primitive(candidates_);
+  }
+  if (siblings_.size() > 1) /* each brings its own by particle; stable: within one, by the script's order */
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate &a, const Candidate &b) { return a.particle < b.particle; });
   const Candidate *end = candidates_.data() + candidates_.size();
   for (const Candidate *first = candidates_.data(), *last; first < end; first = last) {
     for (last = first; last < end && last->particle == first->particle;) last++;
-    if (!is_stuck(first->particle)) collide(first, last);
+    collide(first, last);
   }
 }
 
-void FixWallRebound::find_candidates(std::vector<Candidate> &candidates)
+/* Arrays of the atoms may have moved since the last step, and walls have: stuck particles with them. */
+void FixWallRebound::refresh()
 {
   x_ = atom->x;
   radius_ = atom->radius;
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
   state_ = fix_state_->array_atom;
-  moving_ = is_moving();
   for (int i : stuck_) carry(i);
-  if (is_mesh_wall())
-    find_candidates_mesh(candidates);
-  else
-    find_candidates_primitive(candidates);
 }
 
-void FixWallRebound::find_candidates_mesh(std::vector<Candidate> &candidates)
+/* A wall counts when the particle, at the end of its step, is no farther from it than the two have come
+ * in this step, or may go in it after a rebound: gap <= 2 dt (|v| + 2 wall_speed). */
+static inline bool in_reach(double gap, const double v[3], double dt, double wall_speed)
 {
-  double delta[3], bary[3];
-  int sign;
+  if (gap <= 0) return true;
+  double left = gap - 4 * dt * wall_speed;
+  return left <= 0 || left * left <= 4 * dt * dt * dot(v, v);
+}
+
+/* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle: so that a step
+ * reads the particles one after the other, and the candidates of one come together. */
+void FixWallRebound::collect_pairs()
+{
+  near_.clear();
   for (int m = 0; m < n_meshes(); m++) {
     TriMesh *mesh = mesh_list()[m]->triMesh();
-    FixNeighlistMesh *neighbours = mesh_list()[m]->meshNeighlist();
     const int n = mesh->sizeLocal() + mesh->sizeGhost();
     for (int t = 0; t < n; t++)
-      for (int i : neighbours->get_contact_list(t)) {
-        if (i >= nlocal_ || !(atom->mask[i] & groupbit)) continue;
-        double gap = mesh->resolveTriSphereContactBary(i, t, radius_[i], x_[i], delta, bary, sign, false);
-        if (in_reach(i, gap)) candidates.push_back(Candidate{this, i, m, t, mesh->id(t)});
-      }
+      for (int i : mesh_list()[m]->meshNeighlist()->get_contact_list(t))
+        if (i < atom->nlocal && (atom->mask[i] & groupbit))
+          near_.push_back(Candidate{this, i, m, t, mesh->id(t)});
+  }
+  std::sort(near_.begin(), near_.end(), [](const Candidate &a, const Candidate &b) {
+    if (a.particle != b.particle) return a.particle < b.particle;
+    return a.mesh != b.mesh ? a.mesh < b.mesh : a.id < b.id;
+  });
+  lists_are_new_ = false;
+}
+
+/* The planes of the triangles of all pairs, beside them in memory; anew when the lists are, and in every
+ * step where a mesh moves. */
+void FixWallRebound::collect_planes()
+{
+  double node[3];
+  planes_.resize(near_.size());
+  for (size_t k = 0; k < near_.size(); k++) {
+    TriMesh *mesh = mesh_list()[near_[k].mesh]->triMesh();
+    Plane &plane = planes_[k];
+    mesh->surfaceNorm(near_[k].triangle, plane.normal);
+    mesh->node(near_[k].triangle, 0, node);
+    plane.offset = dot(plane.normal, node);
+    plane.speed = speed_of_triangle(mesh, near_[k].triangle);
   }
 }
 
+/* The distance from the plane of a triangle is a lower bound of that from the triangle, and cheap; it
+ * spares the exact one for nearly all pairs. */
+void FixWallRebound::find_candidates_mesh(std::vector<Candidate> &candidates)
+{
+  double delta[3], bary[3];
+  double **x = atom->x, **v = atom->v, *radius = atom->radius;
+  const double dt = update->dt;
+  int sign;
+  const bool lists_were_new = lists_are_new_;
+  if (lists_are_new_) collect_pairs();
+  if (lists_were_new || is_moving()) collect_planes();
+  for (size_t k = 0; k < near_.size(); k++) {
+    const Candidate &near = near_[k];
+    const Plane &plane = planes_[k];
+    const int i = near.particle;
+    double height = fabs(dot(plane.normal, x[i]) - plane.offset);
+    if (!in_reach(height - radius[i], v[i], dt, plane.speed) || is_stuck(i)) continue;
+    double gap = mesh_list()[near.mesh]->triMesh()->resolveTriSphereContactBary(
+        i, near.triangle, radius[i], x[i], delta, bary, sign, false);
+    if (in_reach(gap, v[i], dt, plane.speed)) candidates.push_back(near);
+  }
+}
+
+/* The speed of the fastest node; 0 for a wall at rest. */
+double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t)
+{
+  MultiVectorContainer<double, 3, 3> *moving =
+      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3> >("v");
+  double most = 0;
+  for (int k = 0; moving && k < 3; k++) {
+    const double *v = moving->begin()[t][k];
+    most = std::max(most, dot(v, v));
+  }
+  return sqrt(most);
+}
+
+/* A primitive wall moves along itself only, if at all. */
 void FixWallRebound::find_candidates_primitive(std::vector<Candidate> &candidates)
 {
   int *list;
@@ -511,17 +578,10 @@ void FixWallRebound::find_candidates_primitive(std::vector<Candidate> &candidate
   for (int k = 0; k < n; k++) {
     const int i = list[k];
     if (i >= nlocal_ || !(atom->mask[i] & groupbit)) continue;
-    if (in_reach(i, primitiveWall()->resolveContact(x_[i], radius_[i], delta)))
+    double gap = primitiveWall()->resolveContact(x_[i], radius_[i], delta);
+    if (!is_stuck(i) && in_reach(gap, atom->v[i], update->dt, 0))
       candidates.push_back(Candidate{this, i, -1, 0, 0});
   }
-}
-
-/* A wall at rest counts when the particle, at the end of its step, is no farther from it than it has
- * come in this step, or goes in it after a rebound. */
-bool FixWallRebound::in_reach(int particle, double gap) const
-{
-  const double *v = atom->v[particle], reach = 2 * update->dt;
-  return moving_ || gap <= 0 || gap * gap <= reach * reach * dot(v, v);
 }
 
 bool FixWallRebound::is_stuck(int i) const
@@ -889,7 +949,8 @@ double FixWallRebound::compute_vector(int n)
 
 double FixWallRebound::memory_usage()
 {
-  return static_cast<double>(candidates_.capacity() * sizeof(Candidate) +
+  return static_cast<double>((near_.capacity() + candidates_.capacity()) * sizeof(Candidate) +
+                             planes_.capacity() * sizeof(Plane) +
                              stuck_.capacity() * sizeof(int)) +
          (ledger_ ? ledger_->memory_usage() : 0);
 }

@@ -65,6 +65,11 @@ class FixWallRebound : public FixWallGran {
     int id;                       /* of the triangle, 0 for a primitive wall */
   };
 
+  struct Plane {
+    double normal[3], offset;
+    double speed; /* of the fastest node */
+  };
+
   /* Where a path meets a candidate. */
   struct Contact {
     const Candidate *on;
@@ -96,10 +101,12 @@ class FixWallRebound : public FixWallGran {
   void check_speeds();
 
   void find_siblings();
-  void find_candidates(std::vector<Candidate> &candidates);
+  void refresh();
+  void collect_pairs();
+  void collect_planes();
   void find_candidates_mesh(std::vector<Candidate> &candidates);
   void find_candidates_primitive(std::vector<Candidate> &candidates);
-  bool in_reach(int particle, double gap) const;
+  double speed_of_triangle(class TriMesh *mesh, int triangle);
   bool is_stuck(int i) const;
   double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
   bool find_contact(const Candidate &on, const Path &path, Contact &contact);
@@ -132,10 +139,12 @@ class FixWallRebound : public FixWallGran {
   class FixPropertyAtom *fix_state_;
   double **state_;
   std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
-  std::vector<Candidate> candidates_;
+  std::vector<Candidate> near_;       /* the neighbour lists of the meshes, by particle */
+  std::vector<Plane> planes_;         /* and the planes of their triangles */
+  std::vector<Candidate> candidates_; /* what may be hit in this step */
   std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
   double counters_[N_COUNTERS];
-  bool moving_, warned_, announced_, restarted_;
+  bool lists_are_new_, warned_, announced_, restarted_;
   bigint speed_checked_;
 };
 
