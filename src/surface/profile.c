@@ -16,6 +16,8 @@
 
 #define LENGTH_LEAST 20.0 /* correlation lengths */
 #define SPACING_MOST 0.25 /* correlation lengths */
+#define PHI_R_MOST 100.0
+#define HEIGHT_MOST 1e100 /* spacings; squares of it do not overflow */
 
 struct asp_profile {
   size_t points;
@@ -90,6 +92,8 @@ static asp_code check_generated(double r_q, double lambda_c, double spacing, siz
       asp_check_positive(error, "lambda_c", "", lambda_c) ||
       asp_check_positive(error, "spacing", "", spacing))
     return ASP_EARG;
+  if (r_q > PHI_R_MOST * lambda_c)
+    return asp_fail(error, ASP_EARG, "r_q is %g; allowed is at most %g lambda_c", r_q, PHI_R_MOST);
   if (spacing > SPACING_MOST * lambda_c)
     return asp_fail(error, ASP_EARG, "spacing is %g; allowed is at most lambda_c/4 = %g", spacing,
                     SPACING_MOST * lambda_c);
@@ -136,8 +140,9 @@ asp_profile *asp_profile_from_heights(const double *heights, size_t points, doub
     return NULL;
   }
   for (size_t i = 0; i < points; i++)
-    if (!isfinite(heights[i])) {
-      asp_fail(error, ASP_EARG, "height %zu is %g; allowed is a finite number", i, heights[i]);
+    if (!(fabs(heights[i]) <= HEIGHT_MOST * spacing)) {
+      asp_fail(error, ASP_EARG, "height %zu is %g; allowed is a number up to %g spacings", i,
+               heights[i], HEIGHT_MOST);
       return NULL;
     }
   double *copy = asp_allocate(points);
