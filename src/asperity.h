@@ -277,11 +277,15 @@ double asp_surface_slope_rms(const asp_surface *surface);
  * profile. Under about 0.4 the particle follows the profile and its size does not matter. */
 double asp_surface_kappa(const asp_surface *surface, double d_p);
 
+/* s_eff/s of a Gaussian profile of small slope closed by a disc, kappa >= 0: 1 when nothing is
+ * filtered,
+ *   s_eff = s (1 + 0.92 kappa^3)^(-1/6). */
+double asp_closed_form(double kappa);
+
 /* The rms slope s_eff that a sphere of diameter d_p (>= 0, the surface's unit) meets: that of the
- * profile closed by a disc of that diameter; in closed form
- *   s_eff = s (1 + 0.92 kappa^3)^(-1/6),
- * within 2-3 % for phi_r <= 0.25. No allocation, no failure, and no cost that grows with tables or
- * bins: beyond asp_surface_d_p_most a tabled law keeps its last value. */
+ * profile closed by a disc of that diameter; by asp_closed_form for phi_r <= 0.25. No allocation,
+ * no failure, and no cost that grows with tables or bins: beyond asp_surface_d_p_most a tabled law
+ * keeps its last value. */
 double asp_surface_slope(const asp_surface *surface, double d_p);
 
 /* ---- spread ------------------------------------------------------------------------------------
