@@ -1,0 +1,164 @@
+/* The picture of `asperity surface`: the paper's figures 3 to 5 for one wall and one particle. */
+#include "cli/surface.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { GRID = 400 };
+
+typedef struct angles {
+  double *values; /* degrees */
+  size_t count;
+  asp_moments moments;
+} angles;
+
+static double *allocate(size_t count) {
+  double *values = malloc(count * sizeof *values);
+  if (!values)
+    cli_fail("out of memory");
+  return values;
+}
+
+static angles angles_of(const asp_profile *profile, double d_p) {
+  angles a = {.values = allocate(asp_profile_points(profile))};
+  asp_error error;
+  if (asp_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, a.values, &a.count, &error))
+    cli_fail("%s", error.text);
+  for (size_t i = 0; i < a.count; i++)
+    a.values[i] = cli_degrees(atan(a.values[i]));
+  a.moments = asp_moments_of(a.values, a.count);
+  return a;
+}
+
+/* Densities over one range: five sd about zero, but no less than what is measured. */
+static asp_density *density_of(const angles *a, const angles *range) {
+  double most = 5 * range->moments.sd;
+  for (size_t i = 0; i < range->count; i++)
+    most = fmax(most, fabs(range->values[i]));
+  asp_error error;
+  asp_density *density = asp_density_create(a->values, a->count, -most, most, GRID, &error);
+  if (!density)
+    cli_fail("%s", error.text);
+  return density;
+}
+
+double cli_twin_kl(const cli_wall *wall, double d_p) {
+  angles measured = angles_of(wall->profile, d_p), twin = angles_of(wall->twin, d_p);
+  asp_density *p = density_of(&measured, &measured), *q = density_of(&twin, &measured);
+  double kl = asp_density_kl(p, q);
+  asp_density_free(p);
+  asp_density_free(q);
+  free(measured.values);
+  free(twin.values);
+  return kl;
+}
+
+/* The part of the profile that is shown: some correlation lengths about its middle, and room for
+ * the particle. */
+typedef struct window {
+  size_t first, count, middle;
+  double left, width;
+} window;
+
+static window window_of(const cli_wall *wall, double d_p) {
+  size_t points = asp_profile_points(wall->profile);
+  double spacing = asp_profile_spacing(wall->profile);
+  window w = {.width = fmax(8 * wall->lambda_c, 3 * d_p)};
+  w.count = (size_t)fmin((double)points, w.width / spacing + 1);
+  w.first = (points - w.count) / 2;
+  w.middle = w.first + w.count / 2;
+  w.left = (double)w.first * spacing;
+  w.width = (double)w.count * spacing;
+  return w;
+}
+
+/* Profile, closing, the path of the centre, and the particle, all to one scale. */
+static void figure_3(FILE *out, const cli_wall *wall, double d_p) {
+  size_t points = asp_profile_points(wall->profile);
+  double *centre = allocate(points), *closed = allocate(points);
+  double spacing = asp_profile_spacing(wall->profile);
+  const double *z = asp_profile_heights(wall->profile);
+  asp_error error;
+  if (asp_profile_dilate(wall->profile, d_p, centre, &error) ||
+      asp_profile_close(wall->profile, d_p, closed, &error))
+    cli_fail("%s", error.text);
+  window w = window_of(wall, d_p);
+  size_t step = 1 + w.count / 4000;
+  fputs("$profile << EOD\n", out);
+  for (size_t i = w.first; i < w.first + w.count; i += step)
+    fprintf(out, "%.8g %.8g %.8g %.8g\n", ((double)i * spacing - w.left) * 1e6, z[i] * 1e6,
+            closed[i] * 1e6, centre[i] * 1e6);
+  fprintf(out,
+          "EOD\nset title 'Profile, closing and particle, d_p = %g µm, to scale (fig. 3)'\n"
+          "set xlabel 'x / µm'\nset ylabel 'z / µm'\nset size ratio -1\n"
+          "set object 1 circle at %g,%g size %g front fs empty border lc rgb '#2a8c4a' lw 2\n"
+          "set key outside right center\n"
+          "plot [0:%g] $profile using 1:2 with lines ls 6 lw 1.2 title 'profile', "
+          "$profile using 1:3 with lines ls 1 title 'closing', "
+          "$profile using 1:4 with lines ls 2 lw 1 dt 2 title 'centre', "
+          "NaN with lines ls 3 title 'particle'\n"
+          "unset object 1\nset size noratio\nset key default\nset key font ',10'\n",
+          d_p * 1e6, ((double)w.middle * spacing - w.left) * 1e6, centre[w.middle] * 1e6,
+          d_p / 2 * 1e6, w.width * 1e6);
+  free(centre);
+  free(closed);
+}
+
+static void put_density(FILE *out, const char *name, const asp_density *density) {
+  fprintf(out, "$%s << EOD\n", name);
+  for (size_t i = 0; i < asp_density_points(density); i++) {
+    double x, y = asp_density_at(density, i, &x);
+    fprintf(out, "%g %g\n", x, y);
+  }
+  fputs("EOD\n", out);
+}
+
+static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
+  angles a = angles_of(wall->profile, row->d_p);
+  asp_density *density = density_of(&a, &a);
+  put_density(out, "density", density);
+  fprintf(out,
+          "set title 'Angles: mean %.2f°, sd %.2f°, D_{KL} of the normal fit %.4f (fig. 4)'\n"
+          "set xlabel 'Δα / °'\nset ylabel 'density / (1/°)'\nset yrange [0:*]\n"
+          "plot $density with lines ls 1 title 'kernel density, bandwidth %.2g°', "
+          "exp(-(x - %g)**2/(2*%g**2))/(%g*sqrt(2*pi)) with lines ls 2 dt 2 title 'normal fit'\n",
+          a.moments.mean, a.moments.sd, row->slopes.kl_normal, asp_density_bandwidth(density),
+          a.moments.mean, a.moments.sd, a.moments.sd);
+  asp_density_free(density);
+  free(a.values);
+}
+
+static void figure_5(FILE *out, const cli_wall *wall, double d_p) {
+  angles measured = angles_of(wall->profile, d_p), twin = angles_of(wall->twin, d_p);
+  asp_density *p = density_of(&measured, &measured), *q = density_of(&twin, &measured);
+  put_density(out, "measured", p);
+  put_density(out, "twin", q);
+  fprintf(out,
+          "set title 'Measured against generated, D_{KL} %.4f (fig. 5)'\n"
+          "plot $measured with lines ls 1 title 'measured, sd %.2f°', "
+          "$twin with lines ls 2 dt 2 title 'twin of the same R_q and λ_c, sd %.2f°'\n",
+          asp_density_kl(p, q), measured.moments.sd, twin.moments.sd);
+  asp_density_free(p);
+  asp_density_free(q);
+  free(measured.values);
+  free(twin.values);
+}
+
+void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row) {
+  cli_plot *plot = cli_plot_open(option, 1200, 900);
+  FILE *out = cli_plot_stream(plot);
+  fprintf(out, "set multiplot title '%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g'\n",
+          wall->name ? "Measured wall" : "Generated wall", wall->r_q * 1e6, wall->lambda_c * 1e6,
+          wall->r_q / wall->lambda_c, cli_kappa(row));
+  fputs("set size 1, 0.45\nset origin 0, 0.5\n", out);
+  figure_3(out, wall, row->d_p);
+  fprintf(out, "set size %g, 0.48\nset origin 0, 0\n", wall->twin ? 0.5 : 1);
+  figure_4(out, wall, row);
+  if (wall->twin) {
+    fputs("set origin 0.5, 0\n", out);
+    figure_5(out, wall, row->d_p);
+  }
+  fputs("unset multiplot\n", out);
+  cli_plot_close(plot);
+}
