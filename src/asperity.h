@@ -188,8 +188,8 @@ asp_moments asp_moments_of(const double *values, size_t count);
 typedef struct asp_density asp_density;
 
 /* Kernel density estimate of at least two values, not all equal, at `points` (2 to 65536) points
- * from lo to hi. Bandwidth sd (4/(3 count))^(1/5). Normalised over lo to hi; values outside are
- * left out. NULL on error. */
+ * from lo to hi. Bandwidth min(sd, quartile distance/1.349) (4/(3 count))^(1/5). Normalised over lo
+ * to hi; values outside are left out. NULL on error. */
 asp_density *asp_density_create(const double *values, size_t count, double lo, double hi,
                                 size_t points, asp_error *error);
 void asp_density_free(asp_density *density);

@@ -143,13 +143,14 @@ static void figure_12(FILE *out, const cli_grid *g) {
             variance_of(row->slopes.angle.sd));
     fprintf(out, isfinite(law) ? "%g\n" : "NaN\n", law);
   }
-  fputs("EOD\nset title 'Over Φ_R and d_p (fig. 12)'\nset xlabel 'Φ_R'\n"
-        "set ylabel 'd_p / µm'\nset zlabel 'variance / deg²' rotate\nset view 60, 40\n"
-        "set logscale z\nset format z '10^{%T}'\nset xyplane 0\nset key top right\nunset colorbox\n"
-        "splot $all using 1:2:4 with lines ls 6 lw 0.8 title 'size law', "
-        "$all using 1:2:3:3 with points pt 7 ps 0.3 palette title 'measured'\n"
-        "unset logscale z\nset format z\nset colorbox\n",
-        out);
+  fputs(
+      "EOD\nset title 'Over Φ_R and d_p (fig. 12)'\nset xlabel 'Φ_R'\n"
+      "set ylabel 'd_p / µm'\nset zlabel 'variance of Δα / deg²' rotate\nset view 62, 30\n"
+      "set logscale xz\nset format z '10^{%T}'\nset xyplane 0\nset key top right\nunset colorbox\n"
+      "splot $all using 1:2:4 with lines ls 6 lw 0.8 title 'size law', "
+      "$all every 4 using 1:2:3:3 with points pt 7 ps 0.5 palette title 'measured'\n"
+      "unset logscale xz\nset format z\nset colorbox\n",
+      out);
 }
 
 /* The wall of the grid with the largest phi_r that the size law reaches. */

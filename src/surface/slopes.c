@@ -12,6 +12,9 @@ enum { GRID_MOST = 65536, GRID = 1024 };
 
 #define KERNEL_REACH 5.0 /* bandwidths */
 
+/* Interquartile range of a normal law of unit sd. */
+#define QUARTILES_TO_SD 1.3489795003921634
+
 asp_moments asp_moments_of(const double *values, size_t count) {
   double mean = 0, m2 = 0, m3 = 0, m4 = 0;
   for (size_t i = 0; i < count; i++)
@@ -72,8 +75,29 @@ static void smooth(const double *share, asp_density *d) {
     d->value[i] /= sum * d->step;
 }
 
-static asp_density *density_of(const double *values, size_t count, const asp_moments *moments,
-                               double lo, double hi, size_t points, asp_error *error) {
+/* The value under which `part` of the shares lie, in points of the grid. */
+static double quantile(const double *share, size_t points, double part) {
+  double sum = 0, below = 0;
+  for (size_t i = 0; i < points; i++)
+    sum += share[i];
+  for (size_t i = 0; i < points; i++) {
+    if (below + share[i] >= part * sum)
+      return (double)i - 0.5 + (part * sum - below) / share[i];
+    below += share[i];
+  }
+  return (double)points;
+}
+
+/* The normal reference rule on the smaller of sd and interquartile range (Silverman 1986), which
+ * keeps the peak of a law with long tails. */
+static double bandwidth_of(const double *share, const asp_density *d, size_t count, double sd) {
+  double width = quantile(share, d->points, 0.75) - quantile(share, d->points, 0.25);
+  double robust = width * d->step / QUARTILES_TO_SD;
+  return (width > 1 ? fmin(sd, robust) : sd) * pow(4 / (3 * (double)count), 0.2);
+}
+
+static asp_density *density_of(const double *values, size_t count, double sd, double lo, double hi,
+                               size_t points, asp_error *error) {
   asp_density *d = malloc(sizeof *d + points * sizeof *d->value);
   double *buffer = asp_allocate(points);
   if (!d || !buffer) {
@@ -82,11 +106,9 @@ static asp_density *density_of(const double *values, size_t count, const asp_mom
     asp_fail(error, ASP_ENOMEM, "out of memory for a density");
     return NULL;
   }
-  *d = (asp_density){.lo = lo,
-                     .step = (hi - lo) / (double)(points - 1),
-                     .bandwidth = moments->sd * pow(4 / (3 * (double)count), 0.2),
-                     .points = points};
+  *d = (asp_density){.lo = lo, .step = (hi - lo) / (double)(points - 1), .points = points};
   double within = share(values, count, d, buffer);
+  d->bandwidth = bandwidth_of(buffer, d, count, sd);
   d->least = 1 / (within * (hi - lo));
   smooth(buffer, d);
   free(buffer);
@@ -110,7 +132,7 @@ asp_density *asp_density_create(const double *values, size_t count, double lo, d
     asp_fail(error, ASP_EARG, "a density needs at least two finite values that are not equal");
     return NULL;
   }
-  return density_of(values, count, &moments, lo, hi, points, error);
+  return density_of(values, count, moments.sd, lo, hi, points, error);
 }
 
 void asp_density_free(asp_density *density) {
