@@ -131,25 +131,58 @@ static void figure_11(FILE *out, const cli_grid *g) {
   }
 }
 
-/* Variance over phi_r and d_p: all points, and the law as a line over d_p for each wall. */
+/* The least and most phi_r and d_p/lambda_c of a grid. */
+typedef struct range {
+  double phi[2], size[2];
+} range;
+
+static range range_of(const cli_grid *g) {
+  range r = {{INFINITY, 0}, {INFINITY, 0}};
+  for (size_t i = 0; i < g->count; i++) {
+    double phi = g->rows[i].r_q / g->rows[i].lambda_c, size = g->rows[i].d_p / g->rows[i].lambda_c;
+    r.phi[0] = fmin(r.phi[0], phi);
+    r.phi[1] = fmax(r.phi[1], phi);
+    r.size[0] = fmin(r.size[0], size);
+    r.size[1] = fmax(r.size[1], size);
+  }
+  return r;
+}
+
+/* Lines of equal variance by the law, over the range of the grid. */
+static void put_contours(FILE *out, const range *r) {
+  fputs("$map << EOD\n", out);
+  for (int i = 0; i <= CURVE; i++) {
+    double phi = r->phi[0] * pow(r->phi[1] / r->phi[0], (double)i / CURVE);
+    for (int k = 0; k <= CURVE; k++) {
+      double size = r->size[0] * pow(r->size[1] / r->size[0], (double)k / CURVE);
+      double variance = law_variance(phi, 1, size);
+      fprintf(out, isfinite(variance) ? "%g %g %g\n" : "%g %g NaN\n", phi, size, variance);
+    }
+    fputc('\n', out);
+  }
+  fputs("EOD\nset contour base\nunset surface\nset cntrparam levels discrete "
+        "0.1, 0.3, 1, 3, 10, 30, 100, 200, 400, 700, 1000\nset table $contours\n"
+        "splot $map using 1:2:3\nunset table\nunset contour\nset surface\n",
+        out);
+}
+
+/* Variance over the two numbers that decide it, phi_r and d_p/lambda_c: the law as contours. */
 static void figure_12(FILE *out, const cli_grid *g) {
   fputs("$all << EOD\n", out);
   for (size_t i = 0; i < g->count; i++) {
     const cli_slopes *row = &g->rows[i];
-    double law = law_variance(row->r_q, row->lambda_c, row->d_p);
-    if (i > 0 && i % g->d_p.count == 0)
-      fputs("\n\n", out);
-    fprintf(out, "%g %g %g ", row->r_q / row->lambda_c, row->d_p * 1e6,
+    fprintf(out, "%g %g %g\n", row->r_q / row->lambda_c, row->d_p / row->lambda_c,
             variance_of(row->slopes.angle.sd));
-    fprintf(out, isfinite(law) ? "%g\n" : "NaN\n", law);
   }
   fputs(
-      "EOD\nset title 'Over Φ_R and d_p (fig. 12)'\nset xlabel 'Φ_R'\n"
-      "set ylabel 'd_p / µm'\nset zlabel 'variance of Δα / deg²' rotate\nset view 62, 30\n"
-      "set logscale xz\nset format z '10^{%T}'\nset xyplane 0\nset key top right\nunset colorbox\n"
-      "splot $all using 1:2:4 with lines ls 6 lw 0.8 title 'size law', "
-      "$all every 4 using 1:2:3:3 with points pt 7 ps 0.5 palette title 'measured'\n"
-      "unset logscale xz\nset format z\nset colorbox\n",
+      "EOD\nset style textbox opaque noborder margins 1,1\nset title 'Over Φ_R and d_p/λ_c (fig. "
+      "12)'\nset xlabel 'Φ_R'\n"
+      "set ylabel 'd_p / λ_c'\nset logscale xycb\nset cblabel 'variance of Δα / deg²'\n"
+      "set key outside top center horizontal\n"
+      "plot $all using 1:2:3 with points pt 7 ps 0.6 palette title 'generated profiles', "
+      "$contours using 1:2 with lines lc rgb 'black' lw 1 title 'size law', "
+      "$contours using 1:2:(sprintf('%g', $3)) every 1000::25 with labels boxed font ',9' notitle\n"
+      "unset logscale xycb\nset key default\nset key font ',10'\n",
       out);
 }
 
@@ -190,7 +223,7 @@ static void over_kappa(FILE *out, const cli_grid *g) {
   fputs("set title 'Every combination over κ (scatter at small κ: the profiles are samples)'\n"
         "set xlabel 'κ = √3 d_p R_q / λ_c²'\nset ylabel 's_{eff} / s'\nset logscale x\n"
         "set xrange [0.001:20]\nset yrange [0:1.1]\nset key bottom left\nset cblabel 'Φ_R'\n"
-        "plot $ratio using 1:2:3 with points pt 7 ps 0.3 palette title 'measured', "
+        "plot $ratio using 1:2:3 with points pt 7 ps 0.3 palette title 'generated profiles', "
         "(1 + 0.92*x**3)**(-1./6) with lines ls 6 title 'closed form, Φ_R ≤ 0.25'",
         out);
   if (wall)
@@ -203,8 +236,11 @@ void cli_doe_plot(const cli_option *option, const cli_grid *grid) {
   cli_plot *plot = cli_plot_open(option, 1400, 1050);
   FILE *out = cli_plot_stream(plot);
   fputs("colours = '#1f5fa8 #c8501e #2a8c4a #7a3fa0 #8a6d1b #444444'\n"
-        "set palette defined (0 '#1f5fa8', 0.5 '#8a6d1b', 1 '#c8501e')\n"
-        "set multiplot layout 2,2 title 'Slope angles of generated profiles: points; by the size "
+        "set palette defined (0 '#1f5fa8', 0.5 '#8a6d1b', 1 '#c8501e')\n",
+        out);
+  range r = range_of(grid);
+  put_contours(out, &r);
+  fputs("set multiplot layout 2,2 title 'Slope angles of generated profiles: points; by the size "
         "law of R_q and λ_c: lines'\n",
         out);
   figure_10(out, grid);

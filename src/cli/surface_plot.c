@@ -144,6 +144,7 @@ static void put_density(FILE *out, const char *name, const asp_density *density)
 static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
   angles a = angles_of(wall->profile, row->d_p);
   asp_density *density = density_of(&a, &a);
+  double reach = fmin(4.5 * a.moments.sd, 90);
   put_density(out, "density", density);
   fprintf(out,
           "set title 'Angles: mean %.2f°, sd %.2f°, D_{KL} of the normal fit %.4f (fig. 4)'\n"
@@ -151,9 +152,9 @@ static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
           "set yrange [0:%g]\nset samples 500\n"
           "plot $density with lines ls 1 title 'kernel density, bandwidth %.2g°', "
           "exp(-(x - %g)**2/(2*%g**2))/(%g*sqrt(2*pi)) with lines ls 2 dt 2 title 'normal fit'\n",
-          a.moments.mean, a.moments.sd, row->slopes.kl_normal, -4.5 * a.moments.sd,
-          4.5 * a.moments.sd, 1.3 * peak_of(density), asp_density_bandwidth(density),
-          a.moments.mean, a.moments.sd, a.moments.sd);
+          a.moments.mean, a.moments.sd, row->slopes.kl_normal, -reach, reach,
+          1.3 * peak_of(density), asp_density_bandwidth(density), a.moments.mean, a.moments.sd,
+          a.moments.sd);
   asp_density_free(density);
   free(a.values);
 }

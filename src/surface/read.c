@@ -11,6 +11,7 @@
 #include <gsl/gsl_rstat.h>
 #include <gsl/gsl_sf_legendre.h>
 #include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -108,15 +109,20 @@ static asp_code take_out_form(asp_raw *raw, const char *path, int degree, asp_er
   return code;
 }
 
-/* A point's distance from the median of the good ones around it; NAN where it is bad. */
+/* A good point's distance from the median of the good ones on both sides of it, so that a slope does
+ * not count; near the ends there are fewer, at the very ends none. */
 static double off_neighbours(const asp_raw *raw, size_t i) {
-  double window[2 * NEIGHBOURS + 1];
-  size_t count = 0, from = i > NEIGHBOURS ? i - NEIGHBOURS : 0;
-  for (size_t j = from; j <= i + NEIGHBOURS && j < raw->points; j++)
-    if (!isnan(raw->heights[j]))
+  double window[2 * NEIGHBOURS];
+  size_t count = 0, to_end = raw->points - 1 - i;
+  size_t side = i < to_end ? i : to_end;
+  side = side < NEIGHBOURS ? side : NEIGHBOURS;
+  for (size_t j = i - side; j <= i + side; j++)
+    if (j != i && !isnan(raw->heights[j]))
       window[count++] = raw->heights[j];
+  if (count == 0)
+    return 0;
   gsl_sort(window, 1, count);
-  return fabs(raw->heights[i] - window[count / 2]);
+  return fabs(raw->heights[i] - gsl_stats_median_from_sorted_data(window, 1, count));
 }
 
 /* Makes spikes bad, in two passes: the usual distance, then what is far beyond it. */

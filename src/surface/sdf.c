@@ -159,9 +159,10 @@ static asp_code read_map(asp_text *text, const header *h, section kept, asp_raw 
 
 asp_code asp_read_sdf(asp_text *text, const asp_profile_options *options, asp_raw *raw,
                       asp_error *error) {
-  if (tolower((unsigned char)*text->text) != 'a')
+  const char *version = trim(text->text);
+  if (tolower((unsigned char)*version) != 'a')
     return asp_text_fail(text, text->line, error,
-                         "'%.20s' is SDF in binary; only ASCII (aISO-1.0) can be read", text->text);
+                         "'%.20s' is SDF in binary; only ASCII (aISO-1.0) can be read", version);
   header h;
   asp_code code = read_header(text, &h, error);
   if (code)
