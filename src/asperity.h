@@ -199,8 +199,8 @@ double asp_density_bandwidth(const asp_density *density);
 
 /* D_KL (eq. 2, natural logarithm) of the density against a normal law, and against another density
  * on the same points. Where the other density is less than one of its values spread over the range,
- * that least is taken instead. An estimate from N independent values in a kernel that is worth B =
- * (range)/(2 sqrt(pi) bandwidth) bins is about B/(2N) too high. */
+ * that least is taken instead. An estimate from N independent values is about B/(2N) too high, B
+ * the number of bins that the kernel is worth over 8 sd: 8 sd/(2 sqrt(pi) bandwidth). */
 double asp_density_kl_normal(const asp_density *density, double mean, double sd);
 double asp_density_kl(const asp_density *reference, const asp_density *other);
 
@@ -243,7 +243,8 @@ typedef enum asp_filter {
  * beyond it a table over (phi_r, d_p/lambda_c), up to phi_r = 1. NULL on error. */
 asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error);
 
-/* The same with the filter as chosen; a sphere up to phi_r = 0.25. */
+/* The same with the filter as chosen; a sphere up to phi_r = 0.25, by a table of small slopes: its
+ * s_eff is within 3 % up to phi_r = 0.1, and up to 6 % low at 0.25. */
 asp_surface *asp_surface_create_filter(double r_q, double lambda_c, asp_filter filter,
                                        asp_error *error);
 
@@ -277,9 +278,10 @@ double asp_surface_slope_rms(const asp_surface *surface);
  * profile. Under about 0.4 the particle follows the profile and its size does not matter. */
 double asp_surface_kappa(const asp_surface *surface, double d_p);
 
-/* s_eff/s of a Gaussian profile of small slope closed by a disc, kappa >= 0: 1 when nothing is
- * filtered,
- *   s_eff = s (1 + 0.92 kappa^3)^(-1/6). */
+/* s_eff/s of a Gaussian profile closed by a disc, kappa >= 0: 1 when nothing is filtered,
+ *   s_eff = s (1 + 0.92 kappa^3)^(-1/6).
+ * Against generated profiles, kappa up to 16: within 3 % at phi_r 0.05, up to 5 % low at 0.25; 5 %
+ * high at kappa 64. */
 double asp_closed_form(double kappa);
 
 /* The rms slope s_eff that a sphere of diameter d_p (>= 0, the surface's unit) meets: that of the

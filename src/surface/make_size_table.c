@@ -10,7 +10,7 @@
 
 enum {
   ROWS = 15,
-  COLUMNS = 19,
+  COLUMNS = 21,
   PROFILES = 16,
   PER_LAMBDA = 128,   /* points */
   POINTS = 128 * 4096 /* a profile */
@@ -18,7 +18,7 @@ enum {
 
 #define PHI_FIRST 0.30
 #define PHI_STEP 0.05
-#define SIZE_FIRST 0.0625 /* d_p/lambda_c; columns are half octaves */
+#define SIZE_FIRST 0.03125 /* d_p/lambda_c; columns are half octaves */
 
 static void fail(const char *text) {
   fprintf(stderr, "make_size_table: %s\n", text);

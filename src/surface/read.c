@@ -109,8 +109,8 @@ static asp_code take_out_form(asp_raw *raw, const char *path, int degree, asp_er
   return code;
 }
 
-/* A good point's distance from the median of the good ones on both sides of it, so that a slope does
- * not count; near the ends there are fewer, at the very ends none. */
+/* A good point's distance from the median of the good ones on both sides of it, so that a slope
+ * does not count; near the ends there are fewer, at the very ends none. */
 static double off_neighbours(const asp_raw *raw, size_t i) {
   double window[2 * NEIGHBOURS];
   size_t count = 0, to_end = raw->points - 1 - i;
