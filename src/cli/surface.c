@@ -99,9 +99,15 @@ static asp_profile *twin_of(const asp_description *d, uint32_t seed) {
   return twin;
 }
 
-static void tell(FILE *out, const char *file, const asp_profile_report *report,
-                 const asp_description *d, const char *level) {
-  fprintf(out, "# profile %s: %s\n", file, report->text);
+/* What is known of a measured profile. */
+typedef struct source {
+  asp_profile_report report;
+  asp_description description;
+} source;
+
+static void tell(FILE *out, const cli_wall *wall, const source *from, const char *level) {
+  const asp_description *d = &from->description;
+  fprintf(out, "# profile %s: %s\n", wall->name, from->report.text);
   fprintf(out,
           "# length %.6g um, spacing %.6g um, %zu points; R_q %.6g um, R_a %.6g um, lambda_c (%s "
           "lag) %.6g um, phi_r %.4g, rms slope %.4g\n",
@@ -115,7 +121,7 @@ static void tell(FILE *out, const char *file, const asp_profile_report *report,
         stderr,
         "asperity: '%s' is only %.3g lambda_c long; under %g its numbers carry a large sampling "
         "error\n",
-        file, d->length / d->lambda_c, LENGTH_LEAST);
+        wall->name, d->length / d->lambda_c, LENGTH_LEAST);
   }
 }
 
@@ -126,29 +132,24 @@ static void check_sizes(const asp_description *d, const cli_list *sizes) {
                sizes->values[i] * 1e6, d->spacing * 1e6);
 }
 
-static asp_profile *read_wall(const cli_option *o, FILE *out, cli_wall *wall,
-                              const cli_list *sizes) {
+static cli_wall read_wall(const cli_option *o, source *from) {
   if (o[RQ].value || o[LAMBDA_C].value)
     cli_bad_usage("--%s is given with --profile; a measured wall has its own",
                   o[RQ].value ? "rq" : "lambda-c");
   asp_profile_options read = read_options(o);
   double level = choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
-  asp_profile_report report;
-  asp_description d;
+  uint32_t seed = (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX);
   asp_error error;
-  asp_profile *profile = asp_profile_read(o[PROFILE].value, &read, &report, &error);
+  asp_profile *profile = asp_profile_read(o[PROFILE].value, &read, &from->report, &error);
   if (!profile)
     cli_fail("%s", error.text);
-  if (asp_profile_describe(profile, level, &d, &error))
+  if (asp_profile_describe(profile, level, &from->description, &error))
     cli_fail("%s: %s", o[PROFILE].value, error.text);
-  tell(out, o[PROFILE].value, &report, &d, o[LEVEL].value);
-  check_sizes(&d, sizes);
-  *wall = (cli_wall){profile, twin_of(&d, (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX)), d.r_q,
-                     d.lambda_c, o[PROFILE].value};
-  return profile;
+  const asp_description *d = &from->description;
+  return (cli_wall){profile, twin_of(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};
 }
 
-static asp_profile *generate_wall(const cli_option *o, FILE *out, cli_wall *wall) {
+static cli_wall generate_wall(const cli_option *o) {
   double r_q = cli_length(&o[RQ]), lambda_c = cli_length(&o[LAMBDA_C]);
   size_t points = cli_whole(&o[POINTS], POINTS_LEAST, POINTS_MOST);
   asp_error error;
@@ -156,10 +157,7 @@ static asp_profile *generate_wall(const cli_option *o, FILE *out, cli_wall *wall
                                             (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX), &error);
   if (!profile)
     cli_bad_input("%s", error.text);
-  fprintf(out, "# generated: %zu points, %.6g um apart\n", points,
-          asp_profile_spacing(profile) * 1e6);
-  *wall = (cli_wall){profile, NULL, r_q, lambda_c, NULL};
-  return profile;
+  return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
 }
 
 static void save(const cli_option *option, int argc, char **argv, const cli_option *seed,
@@ -173,15 +171,25 @@ static void save(const cli_option *option, int argc, char **argv, const cli_opti
   cli_output_close(output);
 }
 
-static void print_rows(FILE *out, const cli_wall *wall, const cli_list *sizes, cli_slopes *rows) {
+static cli_slopes *measure(const cli_wall *wall, const cli_list *sizes) {
+  cli_slopes *rows = malloc(sizes->count * sizeof *rows);
+  if (!rows)
+    cli_fail("out of memory");
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
   cli_slopes_measure(wall->profile, wall->r_q, wall->lambda_c, sizes, &progress, 0, rows);
   cli_progress_end(&progress);
-  for (size_t i = 0; wall->twin && i < sizes->count; i++)
+  return rows;
+}
+
+static void print_all(FILE *out, const cli_wall *wall, const cli_slopes *rows, size_t count) {
+  if (!wall->name)
+    fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall->profile),
+            asp_profile_spacing(wall->profile) * 1e6);
+  for (size_t i = 0; wall->twin && i < count; i++)
     fprintf(out, "# d_p %.6g um: D_KL(measured||generated twin) %.4f\n", rows[i].d_p * 1e6,
             cli_twin_kl(wall, rows[i].d_p));
   fputs(CLI_SLOPES_HEADER "\n", out);
-  for (size_t i = 0; i < sizes->count; i++) {
+  for (size_t i = 0; i < count; i++) {
     cli_slopes_print(out, &rows[i]);
     fputc('\n', out);
   }
@@ -192,22 +200,23 @@ static int run(int argc, char **argv) {
   memcpy(options, table, sizeof options);
   cli_parse(&cli_surface, argc, argv, options, false);
   cli_list sizes = cli_lengths(&options[DP]);
-  cli_slopes *rows = malloc(sizes.count * sizeof *rows);
-  if (!rows)
-    cli_fail("out of memory");
+  bool measured = options[PROFILE].value != NULL;
+  source from;
+  cli_wall wall = measured ? read_wall(options, &from) : generate_wall(options);
+  if (measured)
+    check_sizes(&from.description, &sizes);
+  cli_slopes *rows = measure(&wall, &sizes);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-  FILE *out = cli_output_stream(output);
-  cli_wall wall;
-  asp_profile *profile = options[PROFILE].value ? read_wall(options, out, &wall, &sizes)
-                                                : generate_wall(options, out, &wall);
-  print_rows(out, &wall, &sizes, rows);
+  if (measured)
+    tell(cli_output_stream(output), &wall, &from, options[LEVEL].value);
+  print_all(cli_output_stream(output), &wall, rows, sizes.count);
   cli_output_close(output);
   if (options[SAVE].value)
-    save(&options[SAVE], argc, argv, &options[SEED], profile);
+    save(&options[SAVE], argc, argv, &options[SEED], wall.profile);
   if (options[PLOT].value)
     cli_surface_plot(&options[PLOT], &wall, &rows[0]);
-  asp_profile_free((asp_profile *)wall.twin);
-  asp_profile_free(profile);
+  asp_profile_free(wall.twin);
+  asp_profile_free(wall.profile);
   free(rows);
   return 0;
 }

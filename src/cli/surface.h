@@ -6,8 +6,8 @@
 
 /* One wall as the picture shows it. */
 typedef struct cli_wall {
-  const asp_profile *profile;
-  const asp_profile *twin; /* generated, for a measured profile; or NULL */
+  asp_profile *profile;
+  asp_profile *twin; /* generated, for a measured profile; or NULL */
   double r_q, lambda_c;
   const char *name; /* of the measured file, or NULL */
 } cli_wall;
