@@ -140,23 +140,17 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
 }
 
 double cli_length_of(const cli_option *option, const char *text) {
-  static const struct {
-    const char *name;
-    double metres;
-  } units[] = {{"", 1},      {"m", 1},     {"cm", 1e-2}, {"mm", 1e-3},
-               {"um", 1e-6}, {"µm", 1e-6}, {"μm", 1e-6}, {"nm", 1e-9}};
   char *end;
   double value = strtod(text, &end);
   if (end == text)
     cli_bad_usage("--%s is '%s'; a length such as 5um is expected", option->name, text);
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (strcmp(end, units[i].name) == 0) {
-      if (!(value > 0) || !isfinite(value))
-        cli_bad_usage("--%s is '%s'; allowed is a length > 0", option->name, text);
-      return value * units[i].metres;
-    }
-  cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, and no unit means m",
-                option->name, text);
+  double unit = *end ? asp_unit_metres(end, strlen(end)) : 1;
+  if (!(unit > 0))
+    cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, and no unit means m",
+                  option->name, text);
+  if (!(value > 0) || !isfinite(value))
+    cli_bad_usage("--%s is '%s'; allowed is a length > 0", option->name, text);
+  return value * unit;
 }
 
 static void append(cli_list *list, double value) {

@@ -1,46 +1,239 @@
-/* asperity surface: what a particle of a given size finds on a wall. */
-#include "cli/cli.h"
+/* asperity surface: what a particle of a given size finds on a wall, generated or measured. */
+#include "cli/surface.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
-static void print_row(FILE *out, const asp_surface *surface, double d_p) {
-  double slope = asp_surface_slope(surface, d_p);
-  fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,0,%.6g,,\n", d_p * 1e6,
-          asp_surface_r_q(surface) * 1e6, asp_surface_lambda_c(surface) * 1e6,
-          asp_surface_phi_r(surface), asp_surface_kappa(surface, d_p), slope,
-          cli_degrees(atan(slope)));
+enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28, TWIN_POINTS = 1 << 19 };
+
+/* A measured profile shorter than this says little about its wall. */
+#define LENGTH_LEAST 20.0 /* correlation lengths */
+
+enum {
+  RQ,
+  LAMBDA_C,
+  DP,
+  SEED,
+  POINTS,
+  PROFILE,
+  UNIT,
+  FORM,
+  GAPS,
+  SPACING,
+  SPIKES,
+  ROW,
+  COLUMN,
+  LEVEL,
+  SAVE,
+  OUTPUT,
+  PLOT,
+  N_OPTIONS
+};
+
+static const cli_option table[N_OPTIONS + 1] = {
+    [RQ] = {"rq", "LENGTH", "rms height of a generated wall", NULL},
+    [LAMBDA_C] = {"lambda-c", "LENGTH", "its correlation length: autocorrelation 1/e", NULL},
+    [DP] = {"dp", "LENGTHS", "particle diameters: a list or from:to:step", "10um"},
+    [SEED] = {"seed", "N", "of the generated profile, or of a measured one's twin", "1"},
+    [POINTS] = {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
+    [PROFILE] = {"profile", "FILE", "a measured profile instead: text in columns, or SDF", NULL},
+    [UNIT] = {"unit", "U[,U]", "unit of its columns, where the file states none", NULL},
+    [FORM] = {"form", "DEGREE", "polynomial taken out as form: none, or 0 to 9", "1"},
+    [GAPS] = {"gaps", "refuse|fill", "what to do about bad and missing points", "refuse"},
+    [SPACING] = {"spacing", "resample|refuse", "what to do about unequal spacing", "resample"},
+    [SPIKES] = {"spikes", "K", "fill points over K robust sd off their neighbours", NULL},
+    [ROW] = {"row", "N", "row of an SDF map", "1"},
+    [COLUMN] = {"column", "N", "column of an SDF map; column of heights in a text", NULL},
+    [LEVEL] = {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
+    [SAVE] = {"save", "FILE", "write the profile's positions and heights there", NULL},
+    [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
+    [PLOT] = {"plot", "FILE", "draw the first --dp into a .png, .svg or .pdf", NULL},
+};
+
+/* Which of two words an option says: 0 or 1. */
+static int choice(const cli_option *option, const char *first, const char *second) {
+  if (strcmp(option->value, first) == 0)
+    return 0;
+  if (strcmp(option->value, second) == 0)
+    return 1;
+  cli_bad_usage("--%s is '%s'; allowed is %s or %s", option->name, option->value, first, second);
+}
+
+static void read_unit(const cli_option *option, asp_profile_options *read) {
+  const char *second = strchr(option->value, ',');
+  size_t length = second ? (size_t)(second - option->value) : strlen(option->value);
+  second = second ? second + 1 : option->value;
+  read->unit_x = asp_unit_metres(option->value, length);
+  read->unit_z = asp_unit_metres(second, second == option->value ? length : strlen(second));
+  if (!(read->unit_x > 0 && read->unit_z > 0))
+    cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, one, or two for positions and "
+                  "heights",
+                  option->name, option->value);
+}
+
+static asp_profile_options read_options(const cli_option *o) {
+  asp_profile_options read = asp_profile_options_default();
+  if (o[UNIT].value)
+    read_unit(&o[UNIT], &read);
+  read.form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
+  read.fill = choice(&o[GAPS], "refuse", "fill");
+  read.resample = !choice(&o[SPACING], "resample", "refuse");
+  if (o[SPIKES].value)
+    read.spikes = cli_number(&o[SPIKES], 1, 1e6);
+  read.row = (int)cli_whole(&o[ROW], 1, 1000000);
+  if (o[COLUMN].value)
+    read.column = (int)cli_whole(&o[COLUMN], 1, 1000000);
+  return read;
+}
+
+/* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
+ * seed is made another, so that a generated profile that was saved is not compared with itself. */
+static asp_profile *twin_of(const asp_description *d, uint32_t seed) {
+  size_t points = d->points > TWIN_POINTS ? d->points : TWIN_POINTS;
+  asp_error error;
+  asp_profile *twin = asp_profile_create(d->r_q, d->lambda_1_e, d->spacing, points,
+                                         seed ^ asp_key_fix("twin"), &error);
+  if (!twin)
+    fprintf(stderr, "asperity: no twin is generated: %s\n", error.text);
+  return twin;
+}
+
+/* What is known of a measured profile. */
+typedef struct source {
+  asp_profile_report report;
+  asp_description description;
+} source;
+
+static void tell(FILE *out, const cli_wall *wall, const source *from, const char *level) {
+  const asp_description *d = &from->description;
+  fprintf(out, "# profile %s: %s\n", wall->name, from->report.text);
+  fprintf(out,
+          "# length %.6g um, spacing %.6g um, %zu points; R_q %.6g um, R_a %.6g um, lambda_c (%s "
+          "lag) %.6g um, phi_r %.4g, rms slope %.4g\n",
+          d->length * 1e6, d->spacing * 1e6, d->points, d->r_q * 1e6, d->r_a * 1e6, level,
+          d->lambda_c * 1e6, d->phi_r, d->slope_rms);
+  if (d->length < LENGTH_LEAST * d->lambda_c) {
+    fprintf(out,
+            "# only %.3g lambda_c long: R_q, lambda_c and slopes carry a large sampling error\n",
+            d->length / d->lambda_c);
+    fprintf(
+        stderr,
+        "asperity: '%s' is only %.3g lambda_c long; under %g its numbers carry a large sampling "
+        "error\n",
+        wall->name, d->length / d->lambda_c, LENGTH_LEAST);
+  }
+}
+
+static void check_sizes(const asp_description *d, const cli_list *sizes) {
+  for (size_t i = 0; i < sizes->count; i++)
+    if (sizes->values[i] < d->spacing)
+      cli_fail("--dp is %gum; the profile's points are %gum apart and do not resolve it",
+               sizes->values[i] * 1e6, d->spacing * 1e6);
+}
+
+static cli_wall read_wall(const cli_option *o, source *from) {
+  if (o[RQ].value || o[LAMBDA_C].value)
+    cli_bad_usage("--%s is given with --profile; a measured wall has its own",
+                  o[RQ].value ? "rq" : "lambda-c");
+  asp_profile_options read = read_options(o);
+  double level = choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
+  uint32_t seed = (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX);
+  asp_error error;
+  asp_profile *profile = asp_profile_read(o[PROFILE].value, &read, &from->report, &error);
+  if (!profile)
+    cli_fail("%s", error.text);
+  if (asp_profile_describe(profile, level, &from->description, &error))
+    cli_fail("%s: %s", o[PROFILE].value, error.text);
+  const asp_description *d = &from->description;
+  return (cli_wall){profile, twin_of(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};
+}
+
+static cli_wall generate_wall(const cli_option *o) {
+  double r_q = cli_length(&o[RQ]), lambda_c = cli_length(&o[LAMBDA_C]);
+  size_t points = cli_whole(&o[POINTS], POINTS_LEAST, POINTS_MOST);
+  asp_error error;
+  asp_profile *profile = asp_profile_create(r_q, lambda_c, lambda_c / CLI_POINTS_PER_LAMBDA, points,
+                                            (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX), &error);
+  if (!profile)
+    cli_bad_input("%s", error.text);
+  return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
+}
+
+static void save(const cli_option *option, int argc, char **argv, const cli_option *seed,
+                 const asp_profile *profile) {
+  cli_output *output = cli_output_open(option->value, argc, argv, seed);
+  FILE *out = cli_output_stream(output);
+  fputs("x_um,z_um\n", out);
+  for (size_t i = 0; i < asp_profile_points(profile); i++)
+    fprintf(out, "%.12g,%.9g\n", (double)i * asp_profile_spacing(profile) * 1e6,
+            asp_profile_heights(profile)[i] * 1e6);
+  cli_output_close(output);
+}
+
+static cli_slopes *measure(const cli_wall *wall, const cli_list *sizes) {
+  cli_slopes *rows = malloc(sizes->count * sizeof *rows);
+  if (!rows)
+    cli_fail("out of memory");
+  cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
+  cli_slopes_measure(wall->profile, wall->r_q, wall->lambda_c, sizes, &progress, 0, rows);
+  cli_progress_end(&progress);
+  return rows;
+}
+
+static void print_all(FILE *out, const cli_wall *wall, const cli_slopes *rows, size_t count) {
+  if (!wall->name)
+    fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall->profile),
+            asp_profile_spacing(wall->profile) * 1e6);
+  for (size_t i = 0; wall->twin && i < count; i++)
+    fprintf(out, "# d_p %.6g um: D_KL(measured||generated twin) %.4f\n", rows[i].d_p * 1e6,
+            cli_twin_kl(wall, rows[i].d_p));
+  fputs(CLI_SLOPES_HEADER "\n", out);
+  for (size_t i = 0; i < count; i++) {
+    cli_slopes_print(out, &rows[i]);
+    fputc('\n', out);
+  }
 }
 
 static int run(int argc, char **argv) {
-  enum { RQ, LAMBDA_C, DP, OUTPUT, N };
-  cli_option options[N + 1] = {
-      [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTH", "correlation length: autocorrelation 1/e", NULL},
-      [DP] = {"dp", "LENGTHS", "particle diameters: a list or from:to:step", "10um"},
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-  };
+  cli_option options[N_OPTIONS + 1];
+  memcpy(options, table, sizeof options);
   cli_parse(&cli_surface, argc, argv, options, false);
-  asp_error error;
-  asp_surface *surface =
-      asp_surface_create(cli_length(&options[RQ]), cli_length(&options[LAMBDA_C]), &error);
-  if (!surface)
-    cli_bad_input("%s", error.text);
   cli_list sizes = cli_lengths(&options[DP]);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-  FILE *out = cli_output_stream(output);
-  fputs("dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,angle_mean_deg,angle_sd_deg,angle_kurtosis,"
-        "kl_normal\n",
-        out);
-  for (size_t i = 0; i < sizes.count; i++)
-    print_row(out, surface, sizes.values[i]);
+  bool measured = options[PROFILE].value != NULL;
+  source from;
+  cli_wall wall = measured ? read_wall(options, &from) : generate_wall(options);
+  if (measured)
+    check_sizes(&from.description, &sizes);
+  cli_slopes *rows = measure(&wall, &sizes);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  if (measured)
+    tell(cli_output_stream(output), &wall, &from, options[LEVEL].value);
+  print_all(cli_output_stream(output), &wall, rows, sizes.count);
   cli_output_close(output);
-  asp_surface_free(surface);
+  if (options[SAVE].value)
+    save(&options[SAVE], argc, argv, &options[SEED], wall.profile);
+  if (options[PLOT].value)
+    cli_surface_plot(&options[PLOT], &wall, &rows[0]);
+  asp_profile_free(wall.twin);
+  asp_profile_free(wall.profile);
+  free(rows);
   return 0;
 }
 
 const cli_command cli_surface = {
     .name = "surface",
     .summary = "which slopes a particle of a given size finds on a wall",
-    .detail = "A row per diameter, by the closed form for a Gaussian profile closed by a disc.\n",
+    .detail =
+        "A row per diameter, measured on a generated or a measured profile: the slopes of the "
+        "path\n"
+        "of the particle's centre (dilation) under a uniform centre. kappa = sqrt(3) dp rq /\n"
+        "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural "
+        "logarithm)\n"
+        "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 "
+        "points))^(1/5).\n"
+        "A generated profile is periodic, a measured one is mirrored at its ends. A measured one "
+        "is\n"
+        "compared with its generated twin of the same R_q and lambda_c.\n",
     .run = run,
 };

@@ -1,38 +1,252 @@
-/* The size law of a rough wall: from (r_q, lambda_c) and the particle's diameter to the rms slope
- * that the particle meets, by the closed form in kappa. It was derived and checked on generated
- * profiles for this project; a Gaussian profile closed by a disc has it within 2-3 % for phi_r <=
- * 0.25. */
+/* The size law of a rough wall: from the particle's diameter to the rms slope that it meets. Three
+ * kinds of wall share one form, a closed form times a correction over log2(d_p) that is worked out
+ * once, when the wall is made:
+ * - a Gaussian wall up to phi_r = 0.25: the closed form in kappa, which was derived for this
+ *   project; no correction for a disc on a profile, a tabled one for a sphere on an isotropic
+ *   surface;
+ * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
+ * - a measured profile: no closed form, its own slopes at the diameters of its bins. */
 #include "error.h"
+#include "surface/profile.h"
+#include "surface/size_table.inc"
 
+#include <gsl/gsl_spline.h>
 #include <math.h>
 #include <stdlib.h>
 
 /* Under this kappa the filter takes less than 1e-4 off the slope, and is left out. */
 #define KAPPA_NO_FILTER 0.08
 
+/* The closed form has been compared with generated profiles up to here; see tests. */
+#define KAPPA_MOST 64.0
+
+/* Beyond this phi_r the closed form gives way to the table. */
+#define PHI_R_CLOSED 0.25
+
+enum { BINS_MOST = 10000 };
+
+typedef struct node {
+  double value, tangent;
+} node;
+
 struct asp_surface {
   double r_q;
   double lambda_c;
   double slope;     /* unfiltered rms slope */
   double curvature; /* kappa per diameter */
+  double d_p_most;
+  bool closed_form;
+  int bins;
+  /* The correction: cubic pieces between nodes at equal steps of log2(d_p). */
+  int nodes;
+  double log_first, per_step;
+  node node[];
 };
 
-asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
+/* ---- tables ---- */
+
+/* s_eff/s over kappa of a sphere on an isotropic Gaussian surface of small slope: dilation of 2048
+ * x 2048 points, done for this project. */
+static const double sphere_kappa[] = {0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6, 8, 12, 16};
+static const double sphere_ratio[] = {0.997, 0.976, 0.919, 0.853, 0.738, 0.652,
+                                      0.539, 0.466, 0.376, 0.321, 0.256, 0.218};
+enum {
+  SPHERE_KAPPAS = sizeof sphere_kappa / sizeof *sphere_kappa,
+  SPHERE_NODES = 15 /* half octaves of kappa from 0.125, where nothing is filtered, to 16 */
+};
+
+/* ---- making ---- */
+
+double asp_closed_form(double kappa) {
+  return kappa < KAPPA_NO_FILTER ? 1 : 1 / sqrt(cbrt(1 + 0.92 * kappa * kappa * kappa));
+}
+
+static asp_surface *allocate(int nodes, asp_error *error) {
+  asp_surface *surface = calloc(1, sizeof *surface + (size_t)nodes * sizeof *surface->node);
+  if (!surface)
+    asp_fail(error, ASP_ENOMEM, "out of memory for a surface");
+  else
+    surface->nodes = nodes;
+  return surface;
+}
+
+/* The tangents of a monotone interpolation (Fritsch & Butland 1984; equal steps). */
+static void set_tangents(asp_surface *surface) {
+  node *n = surface->node;
+  for (int i = 1; i + 1 < surface->nodes; i++) {
+    double before = n[i].value - n[i - 1].value, after = n[i + 1].value - n[i].value;
+    n[i].tangent = before * after > 0 ? 2 * before * after / (before + after) : 0;
+  }
+}
+
+static void set_range(asp_surface *surface, double d_least, double d_most) {
+  surface->log_first = log2(d_least);
+  surface->per_step =
+      surface->nodes > 1 ? (surface->nodes - 1) / (log2(d_most) - surface->log_first) : 0;
+  surface->d_p_most = d_most;
+}
+
+/* Corrections for a phi_r between two rows of the table, linear between them. The row before the
+ * first one is the closed form itself, so that the law has no step where the table takes over. */
+static void set_by_table(asp_surface *surface, double phi_r) {
+  double at = (phi_r - PHI_R_CLOSED) / SIZE_TABLE_PHI_STEP;
+  int below = (int)fmin(at, SIZE_TABLE_ROWS - 1);
+  double part = at - below;
+  for (int i = 0; i < SIZE_TABLE_COLUMNS; i++) {
+    double size = SIZE_TABLE_SIZE_FIRST * pow(2, 0.5 * i), correction[2];
+    for (int k = 0; k < 2; k++) {
+      double phi = PHI_R_CLOSED + (below + k) * SIZE_TABLE_PHI_STEP;
+      correction[k] =
+          below + k == 0 ? 1 : size_table[below + k - 1][i] / asp_closed_form(sqrt(3) * size * phi);
+    }
+    surface->node[i].value = correction[0] + part * (correction[1] - correction[0]);
+  }
+  set_range(surface, SIZE_TABLE_SIZE_FIRST * surface->lambda_c,
+            SIZE_TABLE_SIZE_FIRST * pow(2, 0.5 * (SIZE_TABLE_COLUMNS - 1)) * surface->lambda_c);
+  set_tangents(surface);
+}
+
+static asp_code set_by_sphere(asp_surface *surface, asp_error *error) {
+  double x[SPHERE_KAPPAS + 1] = {-3}, y[SPHERE_KAPPAS + 1] = {1};
+  for (int i = 0; i < SPHERE_KAPPAS; i++) {
+    x[i + 1] = log2(sphere_kappa[i]);
+    y[i + 1] = sphere_ratio[i] / asp_closed_form(sphere_kappa[i]);
+  }
+  gsl_interp *spline = gsl_interp_alloc(gsl_interp_steffen, SPHERE_KAPPAS + 1);
+  if (!spline)
+    return asp_fail(error, ASP_ENOMEM, "out of memory for a surface");
+  gsl_interp_init(spline, x, y, SPHERE_KAPPAS + 1);
+  for (int i = 0; i < SPHERE_NODES; i++)
+    surface->node[i].value = gsl_interp_eval(spline, x, y, -3 + 0.5 * i, NULL);
+  gsl_interp_free(spline);
+  set_range(surface, 0.125 / surface->curvature, 16 / surface->curvature);
+  set_tangents(surface);
+  return ASP_OK;
+}
+
+static asp_code check_numbers(double r_q, double lambda_c, asp_filter filter, asp_error *error) {
   if (asp_check_positive(error, "r_q", "", r_q) ||
       asp_check_positive(error, "lambda_c", "", lambda_c))
+    return ASP_EARG;
+  double phi_r = r_q / lambda_c;
+  double most = filter == ASP_FILTER_SPHERE ? PHI_R_CLOSED : SIZE_TABLE_PHI_MOST;
+  if (phi_r <= most * (1 + 1e-12))
+    return ASP_OK;
+  return asp_fail(
+      error, ASP_ERANGE, "phi_r = r_q/lambda_c is %g; the size law of a %s reaches to %g", phi_r,
+      filter == ASP_FILTER_SPHERE ? "sphere on an isotropic surface" : "disc on a profile", most);
+}
+
+asp_surface *asp_surface_create_filter(double r_q, double lambda_c, asp_filter filter,
+                                       asp_error *error) {
+  if (check_numbers(r_q, lambda_c, filter, error))
     return NULL;
-  asp_surface *surface = malloc(sizeof *surface);
-  if (!surface) {
-    asp_fail(error, ASP_ENOMEM, "out of memory for a surface");
+  double phi_r = r_q / lambda_c;
+  bool sphere = filter == ASP_FILTER_SPHERE, table = !sphere && phi_r > PHI_R_CLOSED;
+  asp_surface *surface = allocate(sphere ? SPHERE_NODES : table ? SIZE_TABLE_COLUMNS : 0, error);
+  if (!surface)
+    return NULL;
+  surface->r_q = r_q;
+  surface->lambda_c = lambda_c;
+  surface->slope = sqrt(2) * phi_r;
+  surface->curvature = sqrt(3) * phi_r / lambda_c;
+  surface->closed_form = true;
+  surface->d_p_most = KAPPA_MOST / surface->curvature;
+  if (table)
+    set_by_table(surface, phi_r);
+  if (sphere && set_by_sphere(surface, error)) {
+    free(surface);
     return NULL;
   }
-  double phi_r = r_q / lambda_c;
-  *surface = (asp_surface){r_q, lambda_c, sqrt(2) * phi_r, sqrt(3) * phi_r / lambda_c};
+  return surface;
+}
+
+asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
+  return asp_surface_create_filter(r_q, lambda_c, ASP_FILTER_DISC, error);
+}
+
+static asp_code check_bins(const asp_profile *profile, double d_min, double d_max, int bins,
+                           asp_error *error) {
+  double spacing = asp_profile_spacing(profile);
+  double length = (double)asp_profile_points(profile) * spacing;
+  if (!(d_min >= spacing && d_min <= d_max && d_max <= length))
+    return asp_fail(error, ASP_EARG,
+                    "particles of %g to %g on a profile of spacing %g and length %g; allowed are "
+                    "diameters from its spacing to its length",
+                    d_min, d_max, spacing, length);
+  if (bins < 1 || bins > BINS_MOST)
+    return asp_fail(error, ASP_EARG, "bins are %d; allowed is 1 to %d", bins, BINS_MOST);
+  return ASP_OK;
+}
+
+static asp_code set_by_profile(asp_surface *surface, const asp_profile *profile, double d_min,
+                               double d_max, asp_error *error) {
+  bool one = surface->nodes == 1;
+  set_range(surface, one ? sqrt(d_min * d_max) : d_min, d_max);
+  for (int i = 0; i < surface->nodes; i++) {
+    asp_slopes slopes;
+    double d_p = fmin(fmax(asp_surface_bin_d_p(surface, i), d_min), d_max);
+    asp_code code = asp_profile_describe_slopes(profile, d_p, ASP_CONTACT_DILATION, &slopes, error);
+    if (code)
+      return code;
+    surface->node[i].value = slopes.slope_rms;
+  }
+  set_tangents(surface);
+  return ASP_OK;
+}
+
+asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
+                                        int bins, asp_error *error) {
+  asp_description d;
+  if (check_bins(profile, d_min, d_max, bins, error) ||
+      asp_profile_describe(profile, ASP_LEVEL_1_E, &d, error))
+    return NULL;
+  if (d_min >= d_max)
+    bins = 1;
+  asp_surface *surface = allocate(bins, error);
+  if (!surface)
+    return NULL;
+  surface->r_q = d.r_q;
+  surface->lambda_c = d.lambda_c;
+  surface->slope = d.slope_rms;
+  surface->curvature = sqrt(3) * d.phi_r / d.lambda_c;
+  surface->bins = bins;
+  if (set_by_profile(surface, profile, d_min, d_max, error)) {
+    free(surface);
+    return NULL;
+  }
   return surface;
 }
 
 void asp_surface_free(asp_surface *surface) {
   free(surface);
+}
+
+/* ---- reading ---- */
+
+int asp_surface_bins(const asp_surface *surface) {
+  return surface->bins;
+}
+
+double asp_surface_bin_d_p(const asp_surface *surface, int bin) {
+  double step = surface->nodes > 1 ? 1 / surface->per_step : 0;
+  return exp2(surface->log_first + bin * step);
+}
+
+double asp_surface_bin_slope(const asp_surface *surface, int bin) {
+  return surface->node[bin].value;
+}
+
+double asp_surface_d_p_most(const asp_surface *surface) {
+  return surface->d_p_most;
+}
+
+asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error) {
+  if (d_p >= 0 && d_p <= surface->d_p_most * (1 + 1e-12))
+    return ASP_OK;
+  return asp_fail(error, ASP_ERANGE,
+                  "d_p is %g; the size law of this wall (r_q %g, lambda_c %g) reaches to %g", d_p,
+                  surface->r_q, surface->lambda_c, surface->d_p_most);
 }
 
 double asp_surface_r_q(const asp_surface *surface) {
@@ -55,9 +269,26 @@ double asp_surface_kappa(const asp_surface *surface, double d_p) {
   return surface->curvature * d_p;
 }
 
+/* The cubic piece that d_p is in; the first and last value beyond the nodes. */
+static double correction(const asp_surface *surface, double d_p) {
+  const node *n = surface->node;
+  double at = (log2(d_p) - surface->log_first) * surface->per_step;
+  if (!(at > 0))
+    return n[0].value;
+  if (at >= surface->nodes - 1)
+    return n[surface->nodes - 1].value;
+  int i = (int)at;
+  double t = at - i, rise = n[i + 1].value - n[i].value;
+  double c2 = 3 * rise - 2 * n[i].tangent - n[i + 1].tangent;
+  double c3 = n[i].tangent + n[i + 1].tangent - 2 * rise;
+  return n[i].value + t * (n[i].tangent + t * (c2 + t * c3));
+}
+
 double asp_surface_slope(const asp_surface *surface, double d_p) {
-  double kappa = surface->curvature * d_p;
-  if (kappa < KAPPA_NO_FILTER)
-    return surface->slope;
-  return surface->slope / sqrt(cbrt(1 + 0.92 * kappa * kappa * kappa));
+  double slope = surface->slope;
+  if (surface->closed_form)
+    slope *= asp_closed_form(surface->curvature * d_p);
+  else
+    slope = 1;
+  return surface->nodes ? slope * correction(surface, d_p) : slope;
 }

@@ -53,12 +53,136 @@ static void bad_numbers_are_named(void **state) {
   }
 }
 
+/* Where the table takes over from the closed form, and between its rows and columns. */
+static void no_step_where_the_table_begins(void **state) {
+  (void)state;
+  for (double d_p = 0.05; d_p < 40; d_p *= 1.3) {
+    asp_surface *below = asp_surface_create(0.25, 1, NULL);
+    asp_surface *above = asp_surface_create(0.25 * (1 + 1e-6), 1, NULL);
+    assert_near(asp_surface_slope(below, d_p), asp_surface_slope(above, d_p), 1e-5);
+    asp_surface_free(below);
+    asp_surface_free(above);
+  }
+  for (double phi_r = 0.26; phi_r < 1; phi_r += 0.07) {
+    asp_surface *s = asp_surface_create(phi_r, 1, NULL);
+    double previous = asp_surface_slope(s, 0);
+    assert_near(previous, sqrt(2) * phi_r, 1e-12);
+    for (double d_p = 0.03; d_p < 40; d_p *= 1.003) {
+      double slope = asp_surface_slope(s, d_p);
+      assert_true(slope <= previous * (1 + 2e-4) && previous - slope < 0.01 * previous);
+      previous = slope;
+    }
+    asp_surface_free(s);
+  }
+}
+
+/* The table of the sphere that the law interpolates. */
+static void sphere_finds_less_slope(void **state) {
+  (void)state;
+  static const double table[][2] = {{0.25, 0.997}, {0.5, 0.976}, {0.75, 0.919}, {1, 0.853},
+                                    {1.5, 0.738},  {2, 0.652},   {3, 0.539},    {4, 0.466},
+                                    {6, 0.376},    {8, 0.321},   {12, 0.256},   {16, 0.218}};
+  asp_surface *disc = asp_surface_create_filter(0.04, 1, ASP_FILTER_DISC, NULL);
+  asp_surface *sphere = asp_surface_create_filter(0.04, 1, ASP_FILTER_SPHERE, NULL);
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    double d_p = table[i][0] / asp_surface_kappa(sphere, 1);
+    assert_near(asp_surface_slope(sphere, d_p) / asp_surface_slope_rms(sphere), table[i][1],
+                0.005 * table[i][1]);
+    assert_true(asp_surface_slope(sphere, d_p) < asp_surface_slope(disc, d_p));
+  }
+  assert_near(asp_surface_slope(sphere, 0), asp_surface_slope_rms(sphere), 1e-12);
+  asp_surface_free(disc);
+  asp_surface_free(sphere);
+}
+
+/* Outside the tables there is an error, never a silent number. */
+static void ends_of_the_tables_are_errors(void **state) {
+  (void)state;
+  asp_error error;
+  assert_null(asp_surface_create(1.01, 1, &error));
+  assert_int_equal(error.code, ASP_ERANGE);
+  assert_non_null(strstr(error.text, "phi_r"));
+  assert_null(asp_surface_create_filter(0.26, 1, ASP_FILTER_SPHERE, &error));
+  assert_int_equal(error.code, ASP_ERANGE);
+  asp_surface *walls[] = {asp_surface_create(0.1, 1, NULL), asp_surface_create(0.5, 1, NULL),
+                          asp_surface_create_filter(0.1, 1, ASP_FILTER_SPHERE, NULL)};
+  static const double kappa_most[] = {64, 32 * 0.5 * 1.7320508075688772, 16};
+  for (int i = 0; i < 3; i++) {
+    double most = asp_surface_d_p_most(walls[i]);
+    assert_near(asp_surface_kappa(walls[i], most), kappa_most[i], 1e-9);
+    assert_int_equal(asp_surface_check(walls[i], most, &error), ASP_OK);
+    assert_int_equal(asp_surface_check(walls[i], 1.001 * most, &error), ASP_ERANGE);
+    assert_non_null(strstr(error.text, "d_p is"));
+    assert_int_equal(asp_surface_check(walls[i], NAN, &error), ASP_ERANGE);
+    asp_surface_free(walls[i]);
+  }
+}
+
+/* A wall by its profile has the profile's own slopes at its bins, and goes from one to the next
+ * without a turn. */
+static void profile_wall_has_the_profiles_slopes(void **state) {
+  (void)state;
+  enum { BINS = 12 };
+  asp_profile *p = asp_profile_create(0.3, 1, 0.01, 20000, 3, NULL);
+  asp_surface *s = asp_surface_create_profile(p, 0.02, 20, BINS, NULL);
+  assert_non_null(s);
+  assert_int_equal(asp_surface_bins(s), BINS);
+  assert_near(asp_surface_bin_d_p(s, 0), 0.02, 1e-12);
+  assert_near(asp_surface_bin_d_p(s, BINS - 1), 20, 1e-9);
+  for (int i = 0; i < BINS; i++) {
+    asp_slopes slopes;
+    double d_p = asp_surface_bin_d_p(s, i);
+    asp_profile_describe_slopes(p, fmin(d_p, 20), ASP_CONTACT_DILATION, &slopes, NULL);
+    assert_near(asp_surface_slope(s, d_p), slopes.slope_rms, 1e-9);
+    assert_near(asp_surface_bin_slope(s, i), slopes.slope_rms, 1e-9);
+  }
+  double previous = asp_surface_slope(s, 0);
+  for (double d_p = 0.01; d_p < 30; d_p *= 1.01) {
+    double slope = asp_surface_slope(s, d_p);
+    assert_true(slope <= previous + 1e-12);
+    previous = slope;
+  }
+  assert_near(asp_surface_slope(s, 1e-3), asp_surface_bin_slope(s, 0), 1e-12);
+  assert_near(asp_surface_slope(s, 1e3), asp_surface_bin_slope(s, BINS - 1), 1e-12);
+  asp_description d;
+  asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL);
+  assert_near(asp_surface_r_q(s), d.r_q, 0);
+  assert_near(asp_surface_phi_r(s), d.phi_r, 1e-15);
+  asp_surface_free(s);
+  s = asp_surface_create_profile(p, 1, 4, 1, NULL);
+  assert_near(asp_surface_bin_d_p(s, 0), 2, 1e-12);
+  assert_near(asp_surface_slope(s, 9), asp_surface_slope(s, 0.1), 0);
+  asp_surface_free(s);
+  asp_profile_free(p);
+}
+
+static void bad_bins_are_named(void **state) {
+  (void)state;
+  asp_error error;
+  asp_profile *p = asp_profile_create(0.3, 1, 0.1, 2000, 3, NULL);
+  assert_null(asp_surface_create_profile(p, 0.05, 1, 10, &error));
+  assert_non_null(strstr(error.text, "spacing 0.1"));
+  assert_null(asp_surface_create_profile(p, 0.5, 300, 10, &error));
+  assert_non_null(strstr(error.text, "length 200"));
+  assert_null(asp_surface_create_profile(p, -1, 1, 10, &error));
+  assert_null(asp_surface_create_profile(p, 1, 0.5, 10, &error));
+  assert_null(asp_surface_create_profile(p, 0.5, 1, 0, &error));
+  assert_non_null(strstr(error.text, "bins are 0"));
+  assert_int_equal(error.code, ASP_EARG);
+  asp_profile_free(p);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(numbers_of_the_wall),
       cmocka_unit_test(size_law_agrees_with_traced_profiles),
       cmocka_unit_test(no_step_where_the_filter_begins),
       cmocka_unit_test(bad_numbers_are_named),
+      cmocka_unit_test(no_step_where_the_table_begins),
+      cmocka_unit_test(sphere_finds_less_slope),
+      cmocka_unit_test(ends_of_the_tables_are_errors),
+      cmocka_unit_test(profile_wall_has_the_profiles_slopes),
+      cmocka_unit_test(bad_bins_are_named),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,105 @@
+/* What a profile is: heights, correlation length, slope. The autocorrelation is GSL's FFT of the
+ * heights about their mean, circular where the profile is periodic, and padded with zeros where it
+ * is not (the sum of the n - k products over n, which damps the lags that few products back). */
+#include "error.h"
+#include "surface/profile.h"
+
+#include <gsl/gsl_fft_halfcomplex.h>
+#include <gsl/gsl_fft_real.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Heights smaller than this part of the largest coordinate are rounding. */
+#define ROUNDING 1e-13
+
+static void describe_heights(const asp_profile *profile, asp_description *d) {
+  const double *z = asp_profile_heights(profile);
+  double mean = 0, square = 0, absolute = 0, step = 0;
+  for (size_t i = 0; i < d->points; i++)
+    mean += (z[i] - mean) / (double)(i + 1);
+  for (size_t i = 0; i < d->points; i++) {
+    square += (z[i] - mean) * (z[i] - mean);
+    absolute += fabs(z[i] - mean);
+  }
+  size_t steps = asp_profile_periodic(profile) ? d->points : d->points - 1;
+  for (size_t i = 0; i < steps; i++) {
+    double rise = (z[(i + 1) % d->points] - z[i]) / d->spacing;
+    step += rise * rise;
+  }
+  d->r_q = sqrt(square / (double)d->points);
+  d->r_a = absolute / (double)d->points;
+  d->slope_rms = sqrt(step / (double)steps);
+}
+
+/* The power spectrum in place, in half-complex order, then its transform: the autocovariance. */
+static void correlate(double *data, size_t n) {
+  gsl_fft_real_radix2_transform(data, 1, n);
+  data[0] *= data[0];
+  data[n / 2] *= data[n / 2];
+  for (size_t i = 1; i < n / 2; i++) {
+    data[i] = data[i] * data[i] + data[n - i] * data[n - i];
+    data[n - i] = 0;
+  }
+  gsl_fft_halfcomplex_radix2_inverse(data, 1, n);
+}
+
+/* Autocovariances at lags 0 to n/2, in a buffer that the caller frees. The circular one of a
+ * periodic profile at lag k is the linear one at k and at n - k together. */
+static double *autocovariance(const asp_profile *profile, double scale) {
+  size_t points = asp_profile_points(profile), n = asp_power_of_two(2 * points);
+  const double *z = asp_profile_heights(profile);
+  double *data = asp_allocate(n), mean = 0;
+  if (!data)
+    return NULL;
+  for (size_t i = 0; i < points; i++)
+    mean += (z[i] - mean) / (double)(i + 1);
+  for (size_t i = 0; i < points; i++)
+    data[i] = (z[i] - mean) / scale;
+  memset(data + points, 0, (n - points) * sizeof *data);
+  correlate(data, n);
+  if (asp_profile_periodic(profile))
+    for (size_t lag = 1; lag <= points / 2; lag++)
+      data[lag] += data[points - lag];
+  return data;
+}
+
+/* The lag, in points, at which the autocorrelation first falls to the level; 0 when it does not
+ * within half the profile. */
+static double crossing(const double *covariance, size_t lags, double level) {
+  for (size_t lag = 1; lag <= lags; lag++) {
+    double before = covariance[lag - 1] / covariance[0], here = covariance[lag] / covariance[0];
+    if (here <= level)
+      return (double)lag - (level - here) / (before - here);
+  }
+  return 0;
+}
+
+asp_code asp_profile_describe(const asp_profile *profile, double level,
+                              asp_description *description, asp_error *error) {
+  if (!(level > 0 && level < 1))
+    return asp_fail(error, ASP_EARG, "level of the autocorrelation is %g; allowed is 0 to 1",
+                    level);
+  asp_description d = {.points = asp_profile_points(profile),
+                       .spacing = asp_profile_spacing(profile)};
+  d.length = (double)d.points * d.spacing;
+  describe_heights(profile, &d);
+  if (!isfinite(d.r_q) || !isfinite(d.slope_rms))
+    return asp_fail(error, ASP_EDATA, "the profile's heights are too large to work with");
+  if (!(d.r_q > ROUNDING * fabs(asp_profile_heights(profile)[0])))
+    return asp_fail(error, ASP_EDATA, "the profile is constant");
+  double *covariance = autocovariance(profile, d.r_q);
+  if (!covariance)
+    return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", d.points);
+  d.lambda_c = crossing(covariance, d.points / 2, level) * d.spacing;
+  free(covariance);
+  if (!(d.lambda_c > 0))
+    return asp_fail(error, ASP_EDATA,
+                    "the autocorrelation does not fall to %.3g within half the profile's length of "
+                    "%g: the profile is too short, or form is left in it",
+                    level, d.length);
+  d.lambda_1_e = d.lambda_c / sqrt(-log(level));
+  d.phi_r = d.r_q / d.lambda_c;
+  *description = d;
+  return ASP_OK;
+}

@@ -1,0 +1,332 @@
+/* Measured profiles: which reader a file needs, and what is done to its heights before they are a
+ * profile: a polynomial taken out as form (least squares on Legendre polynomials), spikes marked
+ * (far off the median of their neighbours), gaps filled by straight lines or refused. */
+#include "surface/read.h"
+#include "error.h"
+#include "surface/profile.h"
+
+#include <errno.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_rstat.h>
+#include <gsl/gsl_sf_legendre.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { NEIGHBOURS = 3 }; /* on each side, for spikes */
+
+/* From the median absolute deviation to the sd of a normal law. */
+#define MAD_TO_SD 1.4826
+
+/* Heights and spacings beyond these (m) are no surface, and could overflow. */
+#define LENGTH_MOST 1e9
+#define SPACING_LEAST 1e-15
+
+/* Less than this part of the heights in the file is rounding. */
+#define ROUNDING 1e-12
+
+asp_profile_options asp_profile_options_default(void) {
+  return (asp_profile_options){.metre = 1, .form = 1, .resample = true, .row = 1};
+}
+
+asp_code asp_raw_add(asp_raw *raw, double height, asp_error *error) {
+  if (raw->points == raw->room) {
+    size_t room = raw->room ? raw->room + raw->room / 2 : 4096;
+    double *grown =
+        room <= SIZE_MAX / sizeof *grown ? realloc(raw->heights, room * sizeof *grown) : NULL;
+    if (!grown)
+      return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of over %zu points",
+                      raw->points);
+    raw->heights = grown;
+    raw->room = room;
+  }
+  raw->heights[raw->points++] = height;
+  return ASP_OK;
+}
+
+/* The position of a point between -1 and 1, where Legendre polynomials are at home. */
+static double place(const asp_raw *raw, size_t i) {
+  return 2 * (double)i / (double)(raw->points - 1) - 1;
+}
+
+/* Normal equations of the fit to the points that are not bad; the polynomials are nearly orthogonal
+ * on the grid, so that nothing is lost by them. */
+static void sum_normal_equations(const asp_raw *raw, int degree, gsl_matrix *a, gsl_vector *b) {
+  double p[ASP_FORM_MAX + 1];
+  for (size_t i = 0; i < raw->points; i++) {
+    if (isnan(raw->heights[i]))
+      continue;
+    gsl_sf_legendre_Pl_array(degree, place(raw, i), p);
+    for (int j = 0; j <= degree; j++) {
+      b->data[j] += p[j] * raw->heights[i];
+      for (int k = 0; k <= degree; k++)
+        a->data[j * (degree + 1) + k] += p[j] * p[k];
+    }
+  }
+}
+
+static void subtract(asp_raw *raw, int degree, const gsl_vector *c) {
+  double p[ASP_FORM_MAX + 1];
+  for (size_t i = 0; i < raw->points; i++) {
+    gsl_sf_legendre_Pl_array(degree, place(raw, i), p);
+    for (int j = 0; j <= degree; j++)
+      raw->heights[i] -= c->data[j] * p[j];
+  }
+}
+
+static size_t count_good(const asp_raw *raw) {
+  size_t count = 0;
+  for (size_t i = 0; i < raw->points; i++)
+    count += !isnan(raw->heights[i]);
+  return count;
+}
+
+static asp_code take_out_form(asp_raw *raw, const char *path, int degree, asp_error *error) {
+  if (degree < 0)
+    return ASP_OK;
+  if (count_good(raw) < (size_t)degree + 2)
+    return asp_fail(error, ASP_EDATA,
+                    "%.200s: %zu points are too few for a polynomial of degree %d as form", path,
+                    count_good(raw), degree);
+  size_t n = (size_t)degree + 1;
+  gsl_matrix *a = gsl_matrix_calloc(n, n);
+  gsl_vector *b = gsl_vector_calloc(n);
+  asp_code code = a && b ? ASP_OK : asp_fail(error, ASP_ENOMEM, "out of memory for '%s'", path);
+  if (!code) {
+    sum_normal_equations(raw, degree, a, b);
+    if (gsl_linalg_cholesky_decomp1(a) || gsl_linalg_cholesky_svx(a, b))
+      code = asp_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the profile", path,
+                      degree);
+    else
+      subtract(raw, degree, b);
+  }
+  gsl_matrix_free(a);
+  gsl_vector_free(b);
+  return code;
+}
+
+/* A good point's distance from the median of the good ones on both sides of it, so that a slope
+ * does not count; near the ends there are fewer, at the very ends none. */
+static double off_neighbours(const asp_raw *raw, size_t i) {
+  double window[2 * NEIGHBOURS];
+  size_t count = 0, to_end = raw->points - 1 - i;
+  size_t side = i < to_end ? i : to_end;
+  side = side < NEIGHBOURS ? side : NEIGHBOURS;
+  for (size_t j = i - side; j <= i + side; j++)
+    if (j != i && !isnan(raw->heights[j]))
+      window[count++] = raw->heights[j];
+  if (count == 0)
+    return 0;
+  gsl_sort(window, 1, count);
+  return fabs(raw->heights[i] - gsl_stats_median_from_sorted_data(window, 1, count));
+}
+
+/* Makes spikes bad, in two passes: the usual distance, then what is far beyond it. */
+static asp_code mark_spikes(asp_raw *raw, double times, size_t *spikes, asp_error *error) {
+  gsl_rstat_quantile_workspace *median = gsl_rstat_quantile_alloc(0.5);
+  bool *is_spike = calloc(raw->points, sizeof *is_spike);
+  if (median && is_spike) {
+    for (size_t i = 0; i < raw->points; i++)
+      if (!isnan(raw->heights[i]))
+        gsl_rstat_quantile_add(off_neighbours(raw, i), median);
+    double most = times * MAD_TO_SD * gsl_rstat_quantile_get(median);
+    for (size_t i = 0; i < raw->points; i++)
+      is_spike[i] = !isnan(raw->heights[i]) && off_neighbours(raw, i) > most;
+    for (size_t i = 0; i < raw->points; i++)
+      if (is_spike[i]) {
+        raw->heights[i] = NAN;
+        ++*spikes;
+      }
+  }
+  asp_code code =
+      median && is_spike ? ASP_OK : asp_fail(error, ASP_ENOMEM, "out of memory for a profile");
+  if (median)
+    gsl_rstat_quantile_free(median);
+  free(is_spike);
+  return code;
+}
+
+/* Cuts bad ends off, and puts straight lines across the gaps that are left. */
+static void fill_gaps(asp_raw *raw, asp_profile_report *report) {
+  double *z = raw->heights;
+  while (raw->points > 0 && isnan(z[raw->points - 1]))
+    raw->points--;
+  size_t first = 0;
+  while (first < raw->points && isnan(z[first]))
+    first++;
+  raw->points -= first;
+  memmove(z, z + first, raw->points * sizeof *z);
+  for (size_t i = 1; i < raw->points; i++) {
+    if (!isnan(z[i]))
+      continue;
+    size_t end = i;
+    while (isnan(z[end]))
+      end++;
+    double before = z[i - 1], rise = (z[end] - before) / (double)(end - i + 1);
+    for (size_t k = i; k < end; k++)
+      z[k] = before + rise * (double)(k - i + 1);
+    report->filled += end - i;
+    report->longest_gap = end - i > report->longest_gap ? end - i : report->longest_gap;
+    i = end;
+  }
+}
+
+static double largest(const asp_raw *raw) {
+  double most = 0;
+  for (size_t i = 0; i < raw->points; i++)
+    most = fmax(most, fabs(raw->heights[i]));
+  return most;
+}
+
+static bool is_constant(const asp_raw *raw, double rounding) {
+  double lo = INFINITY, hi = -INFINITY;
+  for (size_t i = 0; i < raw->points; i++) {
+    lo = fmin(lo, raw->heights[i]);
+    hi = fmax(hi, raw->heights[i]);
+  }
+  return !(hi - lo > rounding);
+}
+
+static asp_code check_lengths(const asp_raw *raw, const char *path, asp_error *error) {
+  if (largest(raw) <= LENGTH_MOST && raw->spacing <= LENGTH_MOST && raw->spacing >= SPACING_LEAST)
+    return ASP_OK;
+  return asp_fail(error, ASP_EDATA,
+                  "%.200s: heights up to %g m at a spacing of %g m are no surface; is the unit "
+                  "right?",
+                  path, largest(raw), raw->spacing);
+}
+
+static asp_code check_gaps(const asp_raw *raw, const asp_text *text, bool fill, asp_error *error) {
+  size_t bad = raw->points - count_good(raw);
+  if (bad > 0 && !fill)
+    return asp_text_fail(text, raw->bad_line, error,
+                         "the first of %zu bad or missing points; fill the gaps, or mend the file",
+                         bad);
+  if (2 * bad > raw->points)
+    return asp_text_fail(text, raw->bad_line, error,
+                         "the first of %zu bad or missing points of %zu; more than half cannot be "
+                         "filled",
+                         bad, raw->points);
+  return ASP_OK;
+}
+
+static asp_code level(asp_raw *raw, const char *path, const asp_profile_options *options,
+                      size_t *spikes, asp_error *error) {
+  asp_code code = take_out_form(raw, path, options->form, error);
+  if (!code && options->spikes > 0)
+    code = mark_spikes(raw, options->spikes, spikes, error);
+  if (!code && *spikes > 0)
+    code = take_out_form(raw, path, options->form, error);
+  return code;
+}
+
+static asp_code prepare(asp_raw *raw, const asp_text *text, const asp_profile_options *options,
+                        asp_profile_report *report, asp_error *error) {
+  asp_code code = check_gaps(raw, text, options->fill, error);
+  if (!code)
+    code = check_lengths(raw, text->path, error);
+  double before = largest(raw);
+  if (!code)
+    code = level(raw, text->path, options, &report->spikes, error);
+  if (code)
+    return code;
+  fill_gaps(raw, report);
+  if (raw->points < ASP_POINTS_LEAST || is_constant(raw, ROUNDING * before))
+    return asp_fail(error, ASP_EDATA, "%.200s: the profile is constant%s", text->path,
+                    options->form > 0 ? " but for its form" : "");
+  return ASP_OK;
+}
+
+/* The report's sentence. */
+static void tell(asp_profile_report *r, const asp_raw *raw, const asp_profile_options *options) {
+  char form[64] = "form left in", gaps[96] = "", spacing[96] = "", spikes[48] = "";
+  if (options->form >= 0)
+    snprintf(form, sizeof form, "polynomial of degree %d taken out", options->form);
+  if (r->filled)
+    snprintf(gaps, sizeof gaps, ", %zu points filled in (longest gap %zu)", r->filled,
+             r->longest_gap);
+  if (r->spikes)
+    snprintf(spikes, sizeof spikes, ", %zu spikes", r->spikes);
+  if (r->resampled)
+    snprintf(spacing, sizeof spacing, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
+             raw->step_least, raw->step_most, raw->spacing);
+  snprintf(r->text, sizeof r->text, "%zu points read, %zu bad%s%s%s, %s", r->points, r->bad, spikes,
+           gaps, spacing, form);
+}
+
+static asp_code read_raw(asp_text *text, const asp_profile_options *options, asp_raw *raw,
+                         asp_error *error) {
+  bool found = true;
+  asp_code code;
+  do {
+    code = asp_text_line(text, &found, error);
+    if (text->line == 1 && strncmp(text->text, "\xEF\xBB\xBF", 3) == 0)
+      memmove(text->text, text->text + 3, strlen(text->text + 3) + 1);
+  } while (!code && found && text->text[strspn(text->text, " \t\v\f")] == '\0');
+  if (code)
+    return code;
+  if (!found)
+    return asp_text_fail(text, text->line, error, "the file is empty");
+  const char *name = text->text + strspn(text->text, " \t");
+  bool sdf = strncasecmp(name + (*name != '\0'), "ISO-1", 5) == 0 ||
+             strncasecmp(name + (*name != '\0'), "BCR-", 4) == 0;
+  return sdf ? asp_read_sdf(text, options, raw, error)
+             : asp_read_columns(text, options, raw, error);
+}
+
+static asp_code check_options(const asp_profile_options *options, asp_error *error) {
+  if (options->form < -1 || options->form > ASP_FORM_MAX)
+    return asp_fail(error, ASP_EARG, "form is %d; allowed is a degree of 0 to %d, or -1 for none",
+                    options->form, ASP_FORM_MAX);
+  if (options->row < 1 || options->column < 0 || options->column > 64)
+    return asp_fail(error, ASP_EARG, "row is %d and column %d; rows and columns count from 1",
+                    options->row, options->column);
+  if (asp_check_range(error, "spikes", "", options->spikes, 0, INFINITY) ||
+      asp_check_range(error, "unit_x", "m", options->unit_x, 0, INFINITY) ||
+      asp_check_range(error, "unit_z", "m", options->unit_z, 0, INFINITY))
+    return ASP_EARG;
+  return asp_check_range(error, "metre", "", options->metre, 1e-12, 1e12);
+}
+
+asp_profile *asp_profile_read_stream(FILE *stream, const char *path,
+                                     const asp_profile_options *options, asp_profile_report *report,
+                                     asp_error *error) {
+  asp_profile_options defaults = asp_profile_options_default();
+  asp_profile_report own;
+  options = options ? options : &defaults;
+  report = report ? report : &own;
+  *report = (asp_profile_report){0};
+  if (check_options(options, error))
+    return NULL;
+  asp_text text = asp_text_create(stream, path);
+  asp_raw raw = {0};
+  if (read_raw(&text, options, &raw, error) || prepare(&raw, &text, options, report, error)) {
+    free(raw.heights);
+    return NULL;
+  }
+  report->points = raw.read;
+  report->bad = raw.bad;
+  report->resampled = raw.resampled;
+  tell(report, &raw, options);
+  report->step_least = raw.step_least * options->metre;
+  report->step_most = raw.step_most * options->metre;
+  for (size_t i = 0; i < raw.points; i++)
+    raw.heights[i] *= options->metre;
+  return asp_profile_adopt(raw.heights, raw.points, raw.spacing * options->metre, false, error);
+}
+
+asp_profile *asp_profile_read(const char *path, const asp_profile_options *options,
+                              asp_profile_report *report, asp_error *error) {
+  FILE *stream = fopen(path, "rb");
+  if (!stream) {
+    asp_fail(error, ASP_EFILE, "cannot read '%.200s': %s", path, strerror(errno));
+    return NULL;
+  }
+  asp_profile *profile = asp_profile_read_stream(stream, path, options, report, error);
+  fclose(stream);
+  return profile;
+}

@@ -1,0 +1,227 @@
+/* Contact slopes in numbers: differences of the dilated or closed profile, their moments, a kernel
+ * density of the angles, and how far a normal law is from it (D_KL, eq. 2, with the sign carried
+ * inside the logarithm). */
+#include "error.h"
+#include "surface/profile.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { GRID_MOST = 65536, GRID = 1024 };
+
+#define KERNEL_REACH 5.0 /* bandwidths */
+
+/* Interquartile range of a normal law of unit sd. */
+#define QUARTILES_TO_SD 1.3489795003921634
+
+asp_moments asp_moments_of(const double *values, size_t count) {
+  double mean = 0, m2 = 0, m3 = 0, m4 = 0;
+  for (size_t i = 0; i < count; i++)
+    mean += values[i];
+  mean /= (double)count;
+  for (size_t i = 0; i < count; i++) {
+    double d = values[i] - mean, square = d * d;
+    m2 += square;
+    m3 += square * d;
+    m4 += square * square;
+  }
+  m2 /= (double)count;
+  asp_moments m = {.mean = mean, .sd = sqrt(m2)};
+  if (m2 > 0) {
+    m.skewness = m3 / (double)count / (m2 * m.sd);
+    m.kurtosis = m4 / (double)count / (m2 * m2) - 3;
+  }
+  return m;
+}
+
+struct asp_density {
+  double lo, step, bandwidth;
+  double least; /* one value, spread over the range */
+  size_t points;
+  double value[];
+};
+
+/* Each value shared between the two points next to it. Returns how many lie within. */
+static double share(const double *values, size_t count, const asp_density *d, double *share) {
+  double within = 0, last = (double)(d->points - 1);
+  memset(share, 0, d->points * sizeof *share);
+  for (size_t i = 0; i < count; i++) {
+    double at = (values[i] - d->lo) / d->step;
+    if (!(at >= 0 && at <= last))
+      continue;
+    size_t left = at < last ? (size_t)at : d->points - 2;
+    share[left] += (double)(left + 1) - at;
+    share[left + 1] += at - (double)left;
+    within++;
+  }
+  return within;
+}
+
+/* value := share convolved with the kernel, then scaled to an integral of 1. */
+static void smooth(const double *share, asp_density *d) {
+  ptrdiff_t n = (ptrdiff_t)d->points;
+  double reach = KERNEL_REACH * d->bandwidth / d->step, sum = 0;
+  ptrdiff_t far = reach < (double)n ? (ptrdiff_t)reach : n - 1;
+  memset(d->value, 0, d->points * sizeof *d->value);
+  for (ptrdiff_t k = -far; k <= far; k++) {
+    double x = (double)k * d->step / d->bandwidth, weight = exp(-0.5 * x * x);
+    for (ptrdiff_t i = k < 0 ? -k : 0; i < (k < 0 ? n : n - k); i++)
+      d->value[i + k] += weight * share[i];
+  }
+  for (ptrdiff_t i = 0; i < n; i++)
+    sum += d->value[i];
+  for (ptrdiff_t i = 0; i < n; i++)
+    d->value[i] /= sum * d->step;
+}
+
+/* The value under which `part` of the shares lie, in points of the grid. */
+static double quantile(const double *share, size_t points, double part) {
+  double sum = 0, below = 0;
+  for (size_t i = 0; i < points; i++)
+    sum += share[i];
+  for (size_t i = 0; i < points; i++) {
+    if (below + share[i] >= part * sum)
+      return (double)i - 0.5 + (part * sum - below) / share[i];
+    below += share[i];
+  }
+  return (double)points;
+}
+
+/* The normal reference rule on the smaller of sd and interquartile range (Silverman 1986), which
+ * keeps the peak of a law with long tails. */
+static double bandwidth_of(const double *share, const asp_density *d, size_t count, double sd) {
+  double width = quantile(share, d->points, 0.75) - quantile(share, d->points, 0.25);
+  double robust = width * d->step / QUARTILES_TO_SD;
+  return (width > 1 ? fmin(sd, robust) : sd) * pow(4 / (3 * (double)count), 0.2);
+}
+
+static asp_density *density_of(const double *values, size_t count, double sd, double lo, double hi,
+                               size_t points, asp_error *error) {
+  asp_density *d = malloc(sizeof *d + points * sizeof *d->value);
+  double *buffer = asp_allocate(points);
+  if (!d || !buffer) {
+    free(d);
+    free(buffer);
+    asp_fail(error, ASP_ENOMEM, "out of memory for a density");
+    return NULL;
+  }
+  *d = (asp_density){.lo = lo, .step = (hi - lo) / (double)(points - 1), .points = points};
+  double within = share(values, count, d, buffer);
+  d->bandwidth = bandwidth_of(buffer, d, count, sd);
+  d->least = 1 / (within * (hi - lo));
+  smooth(buffer, d);
+  free(buffer);
+  if (within > 0)
+    return d;
+  free(d);
+  asp_fail(error, ASP_EARG, "no value lies between %g and %g", lo, hi);
+  return NULL;
+}
+
+asp_density *asp_density_create(const double *values, size_t count, double lo, double hi,
+                                size_t points, asp_error *error) {
+  if (points < 2 || points > GRID_MOST || !(lo < hi) || !isfinite(hi - lo)) {
+    asp_fail(error, ASP_EARG,
+             "a density of %zu points from %g to %g; allowed are 2 to %d points and lo < hi",
+             points, lo, hi, GRID_MOST);
+    return NULL;
+  }
+  asp_moments moments = asp_moments_of(values, count);
+  if (count < 2 || !(moments.sd > 0) || !isfinite(moments.sd)) {
+    asp_fail(error, ASP_EARG, "a density needs at least two finite values that are not equal");
+    return NULL;
+  }
+  return density_of(values, count, moments.sd, lo, hi, points, error);
+}
+
+void asp_density_free(asp_density *density) {
+  free(density);
+}
+
+size_t asp_density_points(const asp_density *density) {
+  return density->points;
+}
+
+double asp_density_at(const asp_density *density, size_t index, double *x) {
+  if (x)
+    *x = density->lo + (double)index * density->step;
+  return density->value[index];
+}
+
+double asp_density_bandwidth(const asp_density *density) {
+  return density->bandwidth;
+}
+
+double asp_density_kl_normal(const asp_density *density, double mean, double sd) {
+  double sum = 0;
+  for (size_t i = 0; i < density->points; i++) {
+    double p = density->value[i];
+    double x = (density->lo + (double)i * density->step - mean) / sd;
+    if (p > 0)
+      sum += p * (log(p * sd * sqrt(2 * ASP_PI)) + 0.5 * x * x);
+  }
+  return sum * density->step;
+}
+
+double asp_density_kl(const asp_density *reference, const asp_density *other) {
+  double sum = 0;
+  for (size_t i = 0; i < reference->points && i < other->points; i++) {
+    double p = reference->value[i];
+    if (p > 0)
+      sum += p * log(p / fmax(other->value[i], other->least));
+  }
+  return sum * reference->step;
+}
+
+asp_code asp_profile_slopes(const asp_profile *profile, double d_p, asp_contact contact,
+                            double *out, size_t *count, asp_error *error) {
+  asp_code code = contact == ASP_CONTACT_DILATION ? asp_profile_dilate(profile, d_p, out, error)
+                                                  : asp_profile_close(profile, d_p, out, error);
+  if (code)
+    return code;
+  size_t points = asp_profile_points(profile);
+  double first = out[0], spacing = asp_profile_spacing(profile);
+  for (size_t i = 0; i + 1 < points; i++)
+    out[i] = (out[i + 1] - out[i]) / spacing;
+  out[points - 1] = (first - out[points - 1]) / spacing;
+  *count = asp_profile_periodic(profile) ? points : points - 1;
+  return ASP_OK;
+}
+
+/* The density of the angles, over all of them and the kernel's reach. */
+static asp_code fit_normal(const double *angles, size_t count, asp_slopes *slopes,
+                           asp_error *error) {
+  double lo = angles[0], hi = angles[0];
+  for (size_t i = 1; i < count; i++) {
+    lo = fmin(lo, angles[i]);
+    hi = fmax(hi, angles[i]);
+  }
+  double reach = KERNEL_REACH * slopes->angle.sd * pow(4 / (3 * (double)count), 0.2);
+  asp_density *density = asp_density_create(angles, count, lo - reach, hi + reach, GRID, error);
+  if (!density)
+    return ASP_EDATA;
+  slopes->bandwidth = density->bandwidth;
+  slopes->kl_normal = asp_density_kl_normal(density, slopes->angle.mean, slopes->angle.sd);
+  asp_density_free(density);
+  return ASP_OK;
+}
+
+asp_code asp_profile_describe_slopes(const asp_profile *profile, double d_p, asp_contact contact,
+                                     asp_slopes *slopes, asp_error *error) {
+  size_t count = asp_profile_points(profile);
+  double *values = asp_allocate(count);
+  if (!values)
+    return asp_fail(error, ASP_ENOMEM, "out of memory for %zu slopes", count);
+  asp_code code = asp_profile_slopes(profile, d_p, contact, values, &count, error);
+  if (code == ASP_OK) {
+    *slopes = (asp_slopes){.slope = asp_moments_of(values, count)};
+    slopes->slope_rms = hypot(slopes->slope.mean, slopes->slope.sd);
+    for (size_t i = 0; i < count; i++)
+      values[i] = atan(values[i]);
+    slopes->angle = asp_moments_of(values, count);
+    code = fit_normal(values, count, slopes, error);
+  }
+  free(values);
+  return code;
+}

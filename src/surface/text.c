@@ -1,0 +1,132 @@
+/* Lines, words and numbers of a text file; see text.h. */
+#include "surface/text.h"
+#include "error.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { WORD_MOST = 64 };
+
+asp_text asp_text_create(FILE *stream, const char *path) {
+  return (asp_text){.stream = stream, .path = path, .line = 0, .next = 1};
+}
+
+asp_code asp_text_rewind(asp_text *text, asp_error *error) {
+  if (fseek(text->stream, 0, SEEK_SET) != 0)
+    return asp_fail(error, ASP_EFILE, "%s: cannot be read twice, as its unequal spacing needs: %s",
+                    text->path, strerror(errno));
+  text->line = 0;
+  text->next = 1;
+  return ASP_OK;
+}
+
+asp_code asp_text_fail(const asp_text *text, size_t line, asp_error *error, const char *format,
+                       ...) {
+  char message[320];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(message, sizeof message, format, args);
+  va_end(args);
+  return asp_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
+}
+
+/* The next character, or EOF. CR LF and CR come out as LF. */
+static int next_character(asp_text *text) {
+  int c = getc_unlocked(text->stream);
+  if (c == '\r') {
+    int after = getc_unlocked(text->stream);
+    if (after != '\n' && after != EOF)
+      ungetc(after, text->stream);
+    c = '\n';
+  }
+  if (c == '\n')
+    text->next++;
+  return c;
+}
+
+static asp_code append(asp_text *text, size_t *length, size_t most, int c, asp_error *error) {
+  if (c == '\0')
+    return asp_text_fail(text, text->line, error,
+                         "a NUL byte: not a text file, or one in UTF-16 (save it as plain text)");
+  if (*length + 1 >= most)
+    return asp_text_fail(text, text->line, error, "a %s of %zu characters or more",
+                         most == WORD_MOST ? "word" : "line", most);
+  text->text[(*length)++] = (char)c;
+  return ASP_OK;
+}
+
+static asp_code finish(asp_text *text, size_t length, bool found_any, bool *found,
+                       asp_error *error) {
+  text->text[length] = '\0';
+  *found = found_any;
+  if (ferror(text->stream))
+    return asp_fail(error, ASP_EFILE, "%s: cannot be read: %s", text->path, strerror(errno));
+  return ASP_OK;
+}
+
+asp_code asp_text_line(asp_text *text, bool *found, asp_error *error) {
+  size_t length = 0;
+  text->line = text->next;
+  int c = next_character(text);
+  bool any = c != EOF;
+  for (; c != EOF && c != '\n'; c = next_character(text)) {
+    asp_code code = append(text, &length, ASP_TEXT_MOST, c, error);
+    if (code)
+      return code;
+  }
+  return finish(text, length, any, found, error);
+}
+
+asp_code asp_text_word(asp_text *text, bool *found, asp_error *error) {
+  size_t length = 0;
+  int c;
+  do {
+    text->line = text->next;
+    c = next_character(text);
+  } while (c != EOF && isspace(c));
+  for (; c != EOF && !isspace(c); c = next_character(text)) {
+    asp_code code = append(text, &length, WORD_MOST, c, error);
+    if (code)
+      return code;
+  }
+  return finish(text, length, length > 0, found, error);
+}
+
+static bool is_missing(const char *text, size_t length) {
+  static const char *const marks[] = {"bad", "na",  "n/a", "null", "#n/a", "void", "missing", "-",
+                                      "--",  "---", "*",   "***",  "?",    "none", "invalid"};
+  for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
+    if (strlen(marks[i]) == length && strncasecmp(text, marks[i], length) == 0)
+      return true;
+  return length == 0;
+}
+
+asp_word asp_text_number(const char *text, bool comma, double *value) {
+  while (isspace((unsigned char)*text))
+    text++;
+  size_t length = strlen(text);
+  while (length > 0 && isspace((unsigned char)text[length - 1]))
+    length--;
+  char copy[WORD_MOST], *end;
+  *value = NAN;
+  if (is_missing(text, length))
+    return ASP_WORD_MISSING;
+  if (length >= sizeof copy)
+    return ASP_WORD_OTHER;
+  memcpy(copy, text, length);
+  copy[length] = '\0';
+  for (char *c = copy; comma && (c = strchr(c, ',')) != NULL;)
+    *c = '.';
+  double read = strtod(copy, &end);
+  if (end != copy + length)
+    return ASP_WORD_OTHER;
+  if (!isfinite(read))
+    return ASP_WORD_MISSING;
+  *value = read;
+  return ASP_WORD_NUMBER;
+}

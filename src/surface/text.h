@@ -1,0 +1,44 @@
+/* A text file read as a stream: one line or one word at a time, never more of it in memory. */
+#ifndef ASP_SURFACE_TEXT_H
+#define ASP_SURFACE_TEXT_H
+
+#include "asperity.h"
+
+#include <stdio.h>
+
+enum { ASP_TEXT_MOST = 4096 };
+
+typedef struct asp_text {
+  FILE *stream;
+  const char *path;         /* for messages */
+  size_t line;              /* of the line or word in `text`, from 1 */
+  size_t next;              /* of the next character */
+  char text[ASP_TEXT_MOST]; /* without its end */
+} asp_text;
+
+asp_text asp_text_create(FILE *stream, const char *path);
+
+/* Back to the beginning; ASP_EFILE where the stream cannot. */
+asp_code asp_text_rewind(asp_text *text, asp_error *error);
+
+/* Reads the next line (its end is LF, CR LF or CR) or word (between white space). *found is false
+ * at the end of the file. ASP_EDATA for a NUL byte, a line of 4096 characters or more, or a word of
+ * 64 or more. */
+asp_code asp_text_line(asp_text *text, bool *found, asp_error *error);
+asp_code asp_text_word(asp_text *text, bool *found, asp_error *error);
+
+/* ASP_EDATA and "<path>:<line>: <message>". */
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+asp_code
+asp_text_fail(const asp_text *text, size_t line, asp_error *error, const char *format, ...);
+
+/* What a text says: a number, a mark for a missing one (empty, nan, inf, bad, ---, ...), or else.
+ */
+typedef enum asp_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } asp_word;
+
+/* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. */
+asp_word asp_text_number(const char *text, bool comma, double *value);
+
+#endif

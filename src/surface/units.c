@@ -1,0 +1,103 @@
+/* Units of length by the names that people and instruments give them, and where the header of a
+ * text file states them. */
+#include "surface/read.h"
+
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+static const struct {
+  const char *name;
+  double metres;
+} units[] = {
+    {"m", 1},
+    {"meter", 1},
+    {"meters", 1},
+    {"metre", 1},
+    {"metres", 1},
+    {"cm", 1e-2},
+    {"mm", 1e-3},
+    {"millimeter", 1e-3},
+    {"millimeters", 1e-3},
+    {"millimetre", 1e-3},
+    {"millimetres", 1e-3},
+    {"um", 1e-6},
+    {"micrometer", 1e-6},
+    {"micrometers", 1e-6},
+    {"micrometre", 1e-6},
+    {"micrometres", 1e-6},
+    {"micron", 1e-6},
+    {"microns", 1e-6},
+    {"\xB5m", 1e-6},     /* micro sign, Latin-1 */
+    {"\xC2\xB5m", 1e-6}, /* micro sign, UTF-8 */
+    {"\xCE\xBCm", 1e-6}, /* Greek mu, UTF-8 */
+    {"nm", 1e-9},
+    {"nanometer", 1e-9},
+    {"nanometers", 1e-9},
+    {"nanometre", 1e-9},
+    {"nanometres", 1e-9},
+    {"A", 1e-10},
+    {"Angstrom", 1e-10},
+    {"Angstroms", 1e-10},
+    {"\xC5", 1e-10},         /* Latin-1 */
+    {"\xC3\x85", 1e-10},     /* UTF-8 */
+    {"\xE2\x84\xAB", 1e-10}, /* the sign of its own, UTF-8 */
+};
+
+double asp_unit_metres(const char *name, size_t length) {
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+    const char *known = units[i].name;
+    if (strlen(known) != length)
+      continue;
+    if (length == 1 ? *known == *name : strncasecmp(known, name, length) == 0)
+      return units[i].metres;
+  }
+  return 0;
+}
+
+static bool is_letter(char c) {
+  return isalpha((unsigned char)c) || (unsigned char)c >= 0x80;
+}
+
+/* A unit in brackets, behind an underscore or a slash is one for certain; a word of its own is one
+ * unless a number comes before it, or it is a single letter. */
+static bool states_unit(const char *line, const char *word, size_t length, bool named) {
+  const char *before = word;
+  while (before > line && before[-1] == ' ')
+    before--;
+  char c = before > line ? before[-1] : '\0';
+  if (c && strchr("([{_/", c))
+    return true;
+  if (isdigit((unsigned char)c) || c == '.')
+    return false;
+  return length > 1 || named;
+}
+
+static bool has_word_unit(const char *line) {
+  for (; *line; line++)
+    if (strncasecmp(line, "unit", 4) == 0)
+      return true;
+  return false;
+}
+
+int asp_header_units(const char *line, double found[2]) {
+  bool named = has_word_unit(line);
+  int count = 0;
+  for (const char *c = line; *c;) {
+    size_t length = 0;
+    while (is_letter(c[length]))
+      length++;
+    double metres = length ? asp_unit_metres(c, length) : 0;
+    if (metres > 0 && states_unit(line, c, length, named)) {
+      if (count < 2)
+        found[count] = metres;
+      count++;
+    }
+    c += length ? length : 1;
+  }
+  if (count == 1 && named) {
+    found[1] = found[0];
+    count = 2;
+  }
+  return count;
+}

@@ -1,0 +1,416 @@
+/* Profiles that are made, described, and read, with the traps of files that users have. */
+#include "check.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+/* ---- made and described ---- */
+
+/* Sample R_q, lambda_c and rms slope come back within some sd of their sampling errors, for any
+ * number of points, and the mean over seeds closer. */
+static void generated_profile_has_its_numbers(void **state) {
+  (void)state;
+  static const size_t points[] = {65536, 99991, 65537};
+  double r_q = 0, lambda_c = 0, slope = 0;
+  for (uint32_t seed = 0; seed < 12; seed++) {
+    asp_profile *p = asp_profile_create(3, 20, 0.5, points[seed % 3], seed, NULL);
+    asp_description d;
+    assert_int_equal(asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
+    assert_int_equal(d.points, points[seed % 3]);
+    assert_near(d.r_q, 3, 0.15);
+    assert_near(d.lambda_c, 20, 1.5);
+    assert_near(d.slope_rms, sqrt(2) * 3 / 20, 0.006);
+    assert_near(d.lambda_1_e, d.lambda_c, 1e-12 * d.lambda_c);
+    r_q += d.r_q / 12;
+    lambda_c += d.lambda_c / 12;
+    slope += d.slope_rms / 12;
+    asp_profile_free(p);
+  }
+  assert_near(r_q, 3, 0.03);
+  assert_near(lambda_c, 20, 0.3);
+  assert_near(slope, sqrt(2) * 3 / 20, 0.0015);
+}
+
+static void the_seed_decides(void **state) {
+  (void)state;
+  asp_profile *a = asp_profile_create(1, 1, 0.1, 1000, 7, NULL);
+  asp_profile *b = asp_profile_create(1, 1, 0.1, 1000, 7, NULL);
+  asp_profile *c = asp_profile_create(1, 1, 0.1, 1000, 8, NULL);
+  assert_memory_equal(asp_profile_heights(a), asp_profile_heights(b), 1000 * sizeof(double));
+  assert_memory_not_equal(asp_profile_heights(a), asp_profile_heights(c), 1000 * sizeof(double));
+  asp_profile_free(a);
+  asp_profile_free(b);
+  asp_profile_free(c);
+}
+
+/* No step where the end meets the beginning: it is as steep there as elsewhere. */
+static void generated_profile_is_periodic(void **state) {
+  (void)state;
+  double square = 0;
+  for (uint32_t seed = 0; seed < 200; seed++) {
+    asp_profile *p = asp_profile_create(1, 1, 0.05, 401, seed, NULL);
+    const double *z = asp_profile_heights(p);
+    square += pow((z[0] - z[400]) / 0.05, 2) / 200;
+    asp_profile_free(p);
+  }
+  assert_near(sqrt(square), sqrt(2), 0.25);
+}
+
+/* The autocorrelation at the level of S_al: lambda_c sqrt(ln 5) for a Gaussian one. */
+static void levels_of_the_autocorrelation(void **state) {
+  (void)state;
+  asp_profile *p = asp_profile_create(1, 1, 0.05, 1 << 18, 1, NULL);
+  asp_description a, b;
+  asp_profile_describe(p, ASP_LEVEL_1_E, &a, NULL);
+  asp_profile_describe(p, ASP_LEVEL_S_AL, &b, NULL);
+  assert_near(b.lambda_c / a.lambda_c, sqrt(log(5)), 0.03);
+  assert_near(b.lambda_1_e, a.lambda_c, 0.03);
+  assert_near(b.phi_r, b.r_q / b.lambda_c, 1e-12);
+  asp_error error;
+  assert_int_equal(asp_profile_describe(p, 1, &a, &error), ASP_EARG);
+  asp_profile_free(p);
+}
+
+/* A wave of known R_q, R_a, slope and correlation, whole and cut out of a longer one. */
+static void description_of_a_wave(void **state) {
+  (void)state;
+  enum { N = 2400 };
+  static double z[N];
+  for (int i = 0; i < N; i++)
+    z[i] = 5 + sqrt(2) * sin(2 * ASP_PI * i / 100);
+  for (int periodic = 0; periodic < 2; periodic++) {
+    asp_profile *p = asp_profile_from_heights(z, N, 0.1, periodic, NULL);
+    asp_description d;
+    assert_int_equal(asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
+    assert_near(d.r_q, 1, 1e-9);
+    assert_near(d.r_a, sqrt(2) * 2 / ASP_PI, 1e-3);
+    assert_near(d.lambda_c, 10 * acos(exp(-1)) / (2 * ASP_PI), periodic ? 2e-3 : 2e-2);
+    assert_near(d.slope_rms, 2 * ASP_PI / 10, 1e-3);
+    asp_profile_free(p);
+  }
+}
+
+static void bad_profiles_are_refused(void **state) {
+  (void)state;
+  asp_error e;
+  assert_null(asp_profile_create(0, 1, 0.1, 1000, 1, &e));
+  assert_non_null(strstr(e.text, "r_q"));
+  assert_null(asp_profile_create(1, NAN, 0.1, 1000, 1, &e));
+  assert_non_null(strstr(e.text, "lambda_c"));
+  assert_null(asp_profile_create(1, 1, 0.3, 1000, 1, &e));
+  assert_non_null(strstr(e.text, "lambda_c/4"));
+  assert_null(asp_profile_create(1, 1, 0.1, 199, 1, &e));
+  assert_non_null(strstr(e.text, "20 lambda_c"));
+  double z[4] = {1, 2, INFINITY, 1};
+  assert_null(asp_profile_from_heights(z, 4, 1, false, &e));
+  assert_non_null(strstr(e.text, "height 2"));
+  assert_null(asp_profile_from_heights(z, 2, 1, false, &e));
+  assert_null(asp_profile_from_heights(z, 4, -1, false, &e));
+  z[2] = z[1] = z[0] = z[3];
+  asp_profile *flat = asp_profile_from_heights(z, 4, 1, false, &e);
+  asp_description d;
+  assert_int_equal(asp_profile_describe(flat, 0.5, &d, &e), ASP_EDATA);
+  assert_non_null(strstr(e.text, "constant"));
+  asp_profile_free(flat);
+}
+
+/* ---- read ---- */
+
+static asp_error error;
+static asp_profile_report report;
+
+/* Writes a file, reads it, removes it. */
+static asp_profile *read_bytes(const char *bytes, size_t length,
+                               const asp_profile_options *options) {
+  char path[] = "/tmp/asperity_test_XXXXXX";
+  int file = mkstemp(path);
+  assert_true(file >= 0);
+  assert_int_equal(write(file, bytes, length), length);
+  close(file);
+  error = (asp_error){ASP_OK, ""};
+  asp_profile *p = asp_profile_read(path, options, &report, &error);
+  unlink(path);
+  return p;
+}
+
+static asp_profile *read_text(const char *text, const asp_profile_options *options) {
+  return read_bytes(text, strlen(text), options);
+}
+
+static void expect(const char *text, const asp_profile_options *options, size_t points,
+                   double spacing, double third) {
+  asp_profile_options plain = options ? *options : asp_profile_options_default();
+  if (!options)
+    plain.form = -1;
+  asp_profile *p = read_text(text, &plain);
+  if (!p)
+    print_error("%s\n", error.text);
+  assert_non_null(p);
+  assert_int_equal(asp_profile_points(p), points);
+  assert_near(asp_profile_spacing(p), spacing, 1e-9 * spacing);
+  assert_near(asp_profile_heights(p)[2], third, 1e-9 * fabs(third));
+  assert_false(asp_profile_periodic(p));
+  asp_profile_free(p);
+}
+
+static void expect_error(const char *text, const asp_profile_options *options, asp_code code,
+                         const char *message) {
+  assert_null(read_text(text, options));
+  if (!strstr(error.text, message))
+    print_error("'%s' is not in '%s'\n", message, error.text);
+  assert_int_equal(error.code, code);
+  assert_non_null(strstr(error.text, message));
+  assert_non_null(strstr(error.text, "/tmp/asperity_test_"));
+}
+
+static void separators_and_decimal_commas(void **state) {
+  (void)state;
+  expect("x_um,z_um\n0,1\n0.5,2\n1,4\n", NULL, 3, 0.5e-6, 4e-6);
+  expect("x [mm]; z [nm]\r\n0,0;1,5\r\n0,1;2,5\r\n0,2;4,25\r\n", NULL, 3, 0.1e-3, 4.25e-9);
+  expect("# unit: um\n0\t1\n2\t3\n4\t4\n", NULL, 3, 2e-6, 4e-6);
+  expect("# unit: um\n0,0\t1,5\n2,5\t3\n5,0\t4\n", NULL, 3, 2.5e-6, 4e-6);
+  expect("Length (um)  Height (um)\n  0   1\n  2   3\n\n  4   4e0\n", NULL, 3, 2e-6, 4e-6);
+  expect("unit um\r0 1\r2 3\r4 4\r", NULL, 3, 2e-6, 4e-6);
+  expect("\xEF\xBB\xBFx_um,z_um\n0,1\n0.5,2\n1,4", NULL, 3, 0.5e-6, 4e-6);
+}
+
+static void units_as_instruments_write_them(void **state) {
+  (void)state;
+  expect("Lateral um,Raw Micrometer,\n0,1,,\n1,2,,\n2,4,,\n", NULL, 3, 1e-6, 4e-6);
+  expect("x/\xB5m;z/nm\n0;1\n1;2\n2;4\n", NULL, 3, 1e-6, 4e-9);
+  expect("x (\xC2\xB5m)\tz (\xCE\xBCm)\n0\t1\n1\t2\n2\t4\n", NULL, 3, 1e-6, 4e-6);
+  expect("x [mm],z [\xC3\x85]\n0,1\n1,2\n2,4\n", NULL, 3, 1e-3, 4e-10);
+  expect("X(MM) Z(UM)\n0 1\n1 2\n2 4\n", NULL, 3, 1e-3, 4e-6);
+  assert_near(asp_unit_metres("mm", 2), 1e-3, 0);
+  assert_near(asp_unit_metres("parsec", 6), 0, 0);
+}
+
+static void units_that_must_be_asked_for(void **state) {
+  (void)state;
+  asp_profile_options o = asp_profile_options_default();
+  o.form = -1;
+  expect_error("0,1\n1,2\n2,4\n", NULL, ASP_EDATA, ":1: no unit of length is stated");
+  expect_error("Stylus 2.5 um\nLength 3 mm\nx,z\n0,1\n1,2\n2,4\n", NULL, ASP_EDATA, ":4: no unit");
+  expect_error("x (um),z\n0,1\n1,2\n2,4\n", NULL, ASP_EDATA, "one unit is stated for two columns");
+  o.unit_x = 1e-3;
+  expect_error("0,1\n1,2\n2,4\n", &o, ASP_EDATA, "no unit");
+  o.unit_z = 1e-6;
+  expect("0,1\n1,2\n2,4\n", &o, 3, 1e-3, 4e-6);
+  expect("x_nm,z_nm\n0,1\n1,2\n2,4\n", &o, 3, 1e-3, 4e-6);
+  o.metre = 1e6;
+  expect("0,1\n1,2\n2,4\n", &o, 3, 1e3, 4);
+  o.column = 3;
+  expect("x,a,z\n0,1,7\n1,2,8\n2,4,9\n", &o, 3, 1e3, 9);
+}
+
+/* A header of parameters, positions rounded to less than the spacing, empty columns at the end. */
+static void an_instruments_own_file(void **state) {
+  (void)state;
+  enum { N = 4000 };
+  char *text = malloc(N * 32 + 400), *end = text;
+  assert_non_null(text);
+  end += sprintf(end, "Scan Parameters\r\nStylus,Radius: 2.5 \xB5m\r\nLength,625.0 um\r\nID,0\r\n"
+                      "Location,0.0 um, 0.0 um\r\n\r\nScan Data\r\nLateral um,Raw Micrometer,\r\n");
+  for (int i = 0; i < N; i++)
+    end += sprintf(end, "%.1f,%.5f,,\r\n", i * 0.15625, 4 + 0.01 * i + sin(i / 50.));
+  asp_profile *p = read_text(text, NULL);
+  assert_non_null(p);
+  assert_int_equal(asp_profile_points(p), N);
+  assert_near(asp_profile_spacing(p), 0.15625e-6, 2e-12);
+  assert_false(report.resampled);
+  assert_near(report.step_least, 0.1e-6, 1e-12);
+  assert_near(report.step_most, 0.2e-6, 1e-12);
+  asp_description d;
+  assert_int_equal(asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
+  assert_near(d.r_q, sqrt(0.5) * 1e-6, 0.02e-6);
+  asp_profile_free(p);
+  free(text);
+}
+
+/* A parabola with a ripple: degree 2 leaves the ripple. */
+static void form_is_taken_out(void **state) {
+  (void)state;
+  enum { N = 1000 };
+  char *text = malloc(N * 40 + 40), *end = text;
+  assert_non_null(text);
+  end += sprintf(end, "x_um,z_um\n");
+  for (int i = 0; i < N; i++)
+    end += sprintf(end, "%d,%.9f\n", i, 3 + 0.1 * i + 1e-4 * i * i + sqrt(2) * cos(i * 0.5));
+  asp_profile_options o = asp_profile_options_default();
+  static const double r_q[] = {58.19, 7.52, 1, 1};
+  for (o.form = 0; o.form < 4; o.form++) {
+    asp_profile *p = read_text(text, &o);
+    asp_description d;
+    assert_int_equal(asp_profile_describe(p, 0.1, &d, NULL), ASP_OK);
+    assert_near(d.r_q * 1e6, r_q[o.form], 0.01 * r_q[o.form]);
+    asp_profile_free(p);
+  }
+  o.form = ASP_FORM_MAX + 1;
+  assert_null(read_text(text, &o));
+  assert_int_equal(error.code, ASP_EARG);
+  free(text);
+}
+
+static void gaps_are_refused_or_filled(void **state) {
+  (void)state;
+  static const char *const files[] = {
+      "x_m,z_m\n0,1\n1,nan\n2,3\n3,7\n4,5\n", "x_m,z_m\n0,1\n1,\n2,3\n3,7\n4,5\n",
+      "x_m,z_m\n0,1\n1,inf\n2,3\n3,7\n4,5\n", "x_m,z_m\n0,1\n1,BAD\n2,3\n3,7\n4,5\n",
+      "x_m,z_m\n0,1\n1,---\n2,3\n3,7\n4,5\n"};
+  asp_profile_options o = asp_profile_options_default();
+  o.form = -1;
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+    o.fill = false;
+    expect_error(files[i], &o, ASP_EDATA, ":3: the first of 1 bad or missing points");
+    o.fill = true;
+    expect(files[i], &o, 5, 1, 3);
+    assert_int_equal(report.bad, 1);
+    assert_int_equal(report.filled, 1);
+    assert_non_null(strstr(report.text, "1 points filled in"));
+  }
+  expect("x_m,z_m\n0,nan\n1,1\n2,2\n3,4\n4,nan\n", &o, 3, 1, 4);
+  expect_error("x_m,z_m\n0,1\n1,nan\n2,nan\n3,nan\n4,5\n", &o, ASP_EDATA, "more than half");
+}
+
+/* Rows that are not there are a gap, too. */
+static void missing_rows_are_a_gap(void **state) {
+  (void)state;
+  asp_profile_options o = asp_profile_options_default();
+  o.form = -1;
+  const char *text = "x_m,z_m\n0,1\n1,2\n2,4\n3,1\n8,6\n9,2\n10,1\n11,5\n";
+  expect_error(text, &o, ASP_EDATA, ":6: the first of 4 bad or missing points");
+  o.fill = true;
+  expect(text, &o, 12, 1, 4);
+  assert_int_equal(report.longest_gap, 4);
+  assert_true(report.resampled);
+}
+
+static void unequal_spacing_is_resampled_or_refused(void **state) {
+  (void)state;
+  asp_profile_options o = asp_profile_options_default();
+  o.form = -1;
+  const char *text = "x_m,z_m\n0.00,0\n1.00,2\n1.50,3\n3.00,6\n4.00,8\n5.00,5\n";
+  expect(text, &o, 6, 1, 4);
+  assert_true(report.resampled);
+  assert_non_null(strstr(report.text, "resampled to 1 m"));
+  o.resample = false;
+  expect_error(text, &o, ASP_EDATA, "the spacing is not equal");
+}
+
+static void spikes_are_marked_where_asked(void **state) {
+  (void)state;
+  char text[4000] = "x_um,z_um\n", *end = text + strlen(text);
+  for (int i = 0; i < 200; i++)
+    end += sprintf(end, "%d,%.6f\n", i, i == 77 ? 50 : sin(i * 0.2) + 0.01 * (i % 3));
+  asp_profile_options o = asp_profile_options_default();
+  asp_profile *p = read_text(text, &o);
+  assert_true(asp_profile_heights(p)[77] > 40e-6);
+  asp_profile_free(p);
+  o.spikes = 10;
+  p = read_text(text, &o);
+  assert_near(asp_profile_heights(p)[77], sin(77 * 0.2) * 1e-6, 0.2e-6);
+  assert_int_equal(report.spikes, 1);
+  assert_int_equal(report.filled, 1);
+  asp_profile_free(p);
+}
+
+static void bad_files_are_named_with_their_line(void **state) {
+  (void)state;
+  expect_error("", NULL, ASP_EDATA, ":1: the file is empty");
+  expect_error("\n\n  \n", NULL, ASP_EDATA, "the file is empty");
+  expect_error("x_um,z_um\n", NULL, ASP_EDATA, "without a line of two numbers");
+  expect_error("hello\nworld\n", NULL, ASP_EDATA, "without a line of two numbers");
+  expect_error("x_um,z_um\n0,1\n", NULL, ASP_EDATA, "after 1 point,");
+  expect_error("x_um,z_um\n0,1\n1,2\n", NULL, ASP_EDATA, "after 2 points");
+  expect_error("x_um,z_um\n0,1\n1,2\ntwo,3\n", NULL, ASP_EDATA, ":4: 'two,3' where position");
+  expect_error("x_um,z_um\n0,1\n1,2\nnan,3\n", NULL, ASP_EDATA, ":4: ");
+  expect_error("x_um,z_um\n0,1\n2,2\n1,3\n", NULL, ASP_EDATA,
+               ":4: position 1 comes after 2; positions must increase");
+  expect_error("x_um,z_um\n0.0,1\n1.0,2\n1.0,3\n4.0,5\n", NULL, ASP_EDATA,
+               ":4: a position repeats");
+  expect_error("x_um,z_um\n0,1\n1,1\n2,1\n", NULL, ASP_EDATA, "the profile is constant");
+  expect_error("x_um,z_um\n0,1\n1,2\n2,3\n3,4\n", NULL, ASP_EDATA, "constant but for its form");
+  expect_error("x_m,z_m\n0,1e300\n1,2\n2,1\n", NULL, ASP_EDATA, "is the unit right");
+  expect_error("x_m,z_m\n0,1\n1e-300,2\n2e-300,1\n", NULL, ASP_EDATA, "is the unit right");
+  assert_null(read_bytes("x_um,z_um\n0,\0001\n", 15, NULL));
+  assert_non_null(strstr(error.text, ":2: a NUL byte"));
+  char longest[5000];
+  memset(longest, 'x', sizeof longest);
+  assert_null(read_bytes(longest, sizeof longest, NULL));
+  assert_non_null(strstr(error.text, ":1: a line of 4096 characters or more"));
+  assert_null(asp_profile_read("/nowhere/profile.csv", NULL, NULL, &error));
+  assert_int_equal(error.code, ASP_EFILE);
+  assert_non_null(strstr(error.text, "/nowhere/profile.csv"));
+}
+
+/* ---- SDF ---- */
+
+#define SDF_HEAD                                                                                   \
+  "\n aISO-1.0\r\nManufacID = X\r\nNumPoints = 4\r\nNumProfiles=3\r\nXscale = 2.0E-6\r\n"          \
+  "Yscale=3.0E-6\r\nZscale = 1.0E-6\r\nCompression = 0\r\n"
+
+static void sections_of_a_map(void **state) {
+  (void)state;
+  const char *map =
+      SDF_HEAD "*\r\n1 2\r\n 4 3 10 20 40 30\r\n100 200 400 300\r\n*\r\n<Name> T\r\n*";
+  asp_profile_options o = asp_profile_options_default();
+  o.form = -1;
+  expect(map, &o, 4, 2e-6, 4e-6);
+  o.row = 3;
+  expect(map, &o, 4, 2e-6, 400e-6);
+  o.column = 4;
+  expect(map, &o, 3, 3e-6, 300e-6);
+  o.column = 5;
+  expect_error(map, &o, ASP_EDATA, "column 5 is asked for; the map has 4");
+  o.column = 0;
+  o.row = 4;
+  expect_error(map, &o, ASP_EDATA, "row 4 is asked for; the map has 3");
+  o.row = 1;
+  const char *bad = SDF_HEAD "*\n1 BAD 4 3 10 20 40 30 1 2 4 3 *\n";
+  expect_error(bad, &o, ASP_EDATA, ":11: the first of 1 bad");
+  o.fill = true;
+  expect(bad, &o, 4, 2e-6, 4e-6);
+}
+
+static void bad_maps_are_named_with_their_line(void **state) {
+  (void)state;
+  expect_error("aISO-1.0\nNumPoints = 4\n", NULL, ASP_EDATA, ":3: the file ends within the SDF");
+  expect_error("aISO-1.0\nNumPoints = 4\nNumProfi", NULL, ASP_EDATA, ":3: 'NumProfi' where");
+  expect_error("aISO-1.0\n*\n1 2 3\n", NULL, ASP_EDATA, ":2: the header ends without NumPoints");
+  expect_error("aISO-1.0\nNumPoints=3\nNumProfiles=1\nXscale=1\n*\n1 2 1\n", NULL, ASP_EDATA,
+               "without Zscale");
+  expect_error("aISO-1.0\nNumPoints=many\n", NULL, ASP_EDATA, ":2: NumPoints is 'many'");
+  expect_error("aISO-1.0\nNumPoints=2.5\nNumProfiles=1\n*\n", NULL, ASP_EDATA, "NumPoints is 2.5");
+  expect_error("aISO-1.0\nNumPoints=3\nNumProfiles=1\nXscale=0\nZscale=1\n*\n1 2 1\n", NULL,
+               ASP_EDATA, "Xscale is 0");
+  expect_error("bISO-1.0\nNumPoints=3\n", NULL, ASP_EDATA, "SDF in binary");
+  expect_error(SDF_HEAD "*\n1 2 3\n", NULL, ASP_EDATA, "the heights end after 3");
+  expect_error(SDF_HEAD "*\n1 2 3 4 1 2 3 4 1 2 3 4 5\n*\n", NULL, ASP_EDATA, "'5' after the last");
+  expect_error(SDF_HEAD "*\n1 2 x\n", NULL, ASP_EDATA, "'x' where a height is expected");
+  expect_error("aISO-1.0\nNumPoints=3\nNumProfiles=1\nXscale=1\nZscale=1\nCompression=1\n*\n1\n",
+               NULL, ASP_EDATA, "Compression is 1");
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(generated_profile_has_its_numbers),
+      cmocka_unit_test(the_seed_decides),
+      cmocka_unit_test(generated_profile_is_periodic),
+      cmocka_unit_test(levels_of_the_autocorrelation),
+      cmocka_unit_test(description_of_a_wave),
+      cmocka_unit_test(bad_profiles_are_refused),
+      cmocka_unit_test(separators_and_decimal_commas),
+      cmocka_unit_test(units_as_instruments_write_them),
+      cmocka_unit_test(units_that_must_be_asked_for),
+      cmocka_unit_test(an_instruments_own_file),
+      cmocka_unit_test(form_is_taken_out),
+      cmocka_unit_test(gaps_are_refused_or_filled),
+      cmocka_unit_test(missing_rows_are_a_gap),
+      cmocka_unit_test(unequal_spacing_is_resampled_or_refused),
+      cmocka_unit_test(spikes_are_marked_where_asked),
+      cmocka_unit_test(bad_files_are_named_with_their_line),
+      cmocka_unit_test(sections_of_a_map),
+      cmocka_unit_test(bad_maps_are_named_with_their_line),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

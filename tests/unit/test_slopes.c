@@ -1,0 +1,217 @@
+/* Moments, densities and D_KL against closed forms; the size law against generated geometry. */
+#include "check.h"
+
+#include <gsl/gsl_cdf.h>
+#include <stdlib.h>
+
+enum { N = 200000 };
+static double values[N];
+
+/* Quantiles of a normal law at equal steps: a sample without sampling error. */
+static void fill_normal(double mean, double sd, size_t count) {
+  for (size_t i = 0; i < count; i++)
+    values[i] = mean + sd * gsl_cdf_ugaussian_Pinv(((double)i + 0.5) / (double)count);
+}
+
+static void moments_of_known_laws(void **state) {
+  (void)state;
+  fill_normal(3, 2, N);
+  asp_moments m = asp_moments_of(values, N);
+  assert_near(m.mean, 3, 1e-9);
+  assert_near(m.sd, 2, 1e-3);
+  assert_near(m.skewness, 0, 1e-9);
+  assert_near(m.kurtosis, 0, 5e-3);
+  for (size_t i = 0; i < N; i++)
+    values[i] = -log(((double)i + 0.5) / N); /* exponential: 1, 1, 2, 6 */
+  m = asp_moments_of(values, N);
+  assert_near(m.mean, 1, 1e-4);
+  assert_near(m.sd, 1, 1e-3);
+  assert_near(m.skewness, 2, 2e-2);
+  assert_near(m.kurtosis, 6, 0.2);
+}
+
+static void density_is_that_of_the_law(void **state) {
+  (void)state;
+  fill_normal(0, 1, N);
+  asp_density *d = asp_density_create(values, N, -6, 6, 1201, NULL);
+  double sum = 0, h = asp_density_bandwidth(d), sd = sqrt(1 + h * h);
+  assert_near(h, pow(4 / (3. * N), 0.2), 1e-3 * h);
+  for (size_t i = 0; i < 1201; i++) {
+    double x, y = asp_density_at(d, i, &x);
+    assert_near(y, exp(-x * x / (2 * sd * sd)) / (sd * sqrt(2 * ASP_PI)), 2e-4);
+    sum += y * 0.01;
+  }
+  assert_near(sum, 1, 1e-9);
+  asp_density_free(d);
+}
+
+/* D_KL between normal laws: log(s2/s1) + (s1^2 + m^2)/(2 s2^2) - 1/2. */
+static void divergence_of_normal_laws(void **state) {
+  (void)state;
+  fill_normal(0, 1, N);
+  asp_density *one = asp_density_create(values, N, -8, 8, 2001, NULL);
+  assert_near(asp_density_kl_normal(one, 0, 1), 0, 1e-4);
+  assert_near(asp_density_kl_normal(one, 0.5, 2), log(2) + 1.25 / 8 - 0.5, 5e-3);
+  fill_normal(0.5, 2, N);
+  asp_density *two = asp_density_create(values, N, -8, 8, 2001, NULL);
+  assert_near(asp_density_kl(one, two), log(2) + 1.25 / 8 - 0.5, 5e-3);
+  assert_near(asp_density_kl(one, one), 0, 1e-6);
+  asp_density_free(one);
+  asp_density_free(two);
+}
+
+/* The bias of D_KL that the header states, for independent values. */
+static void divergence_of_a_small_sample_is_as_stated(void **state) {
+  (void)state;
+  enum { COUNT = 200, TRIALS = 200 };
+  asp_stream stream = asp_stream_create((asp_key){.seed = 4});
+  double kl = 0, bins = 0;
+  for (int trial = 0; trial < TRIALS; trial++) {
+    for (int i = 0; i < COUNT; i++)
+      values[i] = asp_stream_normal(&stream);
+    asp_density *d = asp_density_create(values, COUNT, -6, 6, 1201, NULL);
+    kl += asp_density_kl_normal(d, 0, 1) / TRIALS;
+    bins += 8 / (2 * sqrt(ASP_PI) * asp_density_bandwidth(d)) / TRIALS;
+    asp_density_free(d);
+  }
+  assert_near(kl / (bins / (2. * COUNT)), 1, 0.3);
+}
+
+static void bad_densities_are_refused(void **state) {
+  (void)state;
+  asp_error error;
+  static const double same[3] = {1, 1, 1}, far[3] = {10, 11, 12};
+  assert_null(asp_density_create(same, 3, 0, 2, 100, &error));
+  assert_null(asp_density_create(far, 1, 0, 20, 100, &error));
+  assert_null(asp_density_create(far, 3, 0, 2, 100, &error));
+  assert_null(asp_density_create(far, 3, 2, 0, 100, &error));
+  assert_null(asp_density_create(far, 3, 0, 20, 1, &error));
+  assert_int_equal(error.code, ASP_EARG);
+}
+
+/* A sine has slopes of known law: rms, no skewness, excess kurtosis -3/2. */
+static void slopes_of_a_wave(void **state) {
+  (void)state;
+  enum { POINTS = 5000 };
+  for (int i = 0; i < POINTS; i++)
+    values[i] = 0.02 * sin(2 * ASP_PI * i / 1000.);
+  asp_profile *p = asp_profile_from_heights(values, POINTS, 0.001, true, NULL);
+  asp_slopes s;
+  assert_int_equal(asp_profile_describe_slopes(p, 0.01, ASP_CONTACT_DILATION, &s, NULL), ASP_OK);
+  assert_near(s.slope_rms, 0.02 * 2 * ASP_PI / sqrt(2), 2e-5);
+  assert_near(s.slope.mean, 0, 1e-12);
+  assert_near(s.slope.kurtosis, -1.5, 0.01);
+  size_t count;
+  assert_int_equal(asp_profile_slopes(p, 0.01, ASP_CONTACT_CLOSING, values, &count, NULL), ASP_OK);
+  assert_int_equal(count, POINTS);
+  asp_profile_free(p);
+}
+
+/* Both forms of the size law, and the table between its nodes, against generated profiles. */
+static void size_law_is_that_of_the_geometry(void **state) {
+  (void)state;
+  static const struct {
+    double phi_r, size, tolerance;
+  } cases[] = {{0.05, 1, 0.005}, {0.05, 20, 0.03},   {0.25, 1, 0.02},  {0.25, 6, 0.055},
+               {0.32, 3, 0.035}, {0.43, 1.2, 0.015}, {0.43, 5, 0.015}, {0.97, 1.2, 0.015}};
+  enum { POINTS = 128 * 1024 };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    asp_profile *p = asp_profile_create(cases[i].phi_r, 1, 1. / 128, POINTS, 11, NULL);
+    asp_surface *s = asp_surface_create(cases[i].phi_r, 1, NULL);
+    asp_slopes all, some;
+    asp_profile_describe_slopes(p, 0.004, ASP_CONTACT_DILATION, &all, NULL);
+    asp_profile_describe_slopes(p, cases[i].size, ASP_CONTACT_DILATION, &some, NULL);
+    double should = some.slope_rms / all.slope_rms;
+    assert_near(asp_surface_slope(s, cases[i].size) / asp_surface_slope_rms(s), should,
+                cases[i].tolerance * should);
+    asp_surface_free(s);
+    asp_profile_free(p);
+  }
+}
+
+/* A sphere on an isotropic surface, by definition: rms slope along x of its dilation. The law is
+ * that of small slopes. */
+enum { SIDE = 384, LAMBDA = 12, KERNEL = 36 };
+
+static double *blur(const double *in, size_t along, size_t across) {
+  double *out = calloc(SIDE * SIDE, sizeof *out);
+  assert_non_null(out);
+  for (size_t y = 0; y < SIDE; y++)
+    for (int k = -KERNEL; k <= KERNEL; k++) {
+      double weight = exp(-2. * k * k / (LAMBDA * LAMBDA));
+      for (size_t x = 0; x < SIDE; x++)
+        out[y * across + x * along] +=
+            weight * in[y * across + (x + (size_t)(SIDE + k)) % SIDE * along];
+    }
+  return out;
+}
+
+static double slope_along_x(const double *z) {
+  double sum = 0;
+  for (size_t y = 0; y < SIDE; y++)
+    for (size_t x = 0; x < SIDE; x++) {
+      double rise = z[y * SIDE + (x + 1) % SIDE] - z[y * SIDE + x];
+      sum += rise * rise;
+    }
+  return sqrt(sum / (SIDE * SIDE));
+}
+
+static void raise(double *top, const double *z, int dy, int dx, double rise) {
+  for (size_t y = 0; y < SIDE; y++) {
+    const double *row = &z[(y + (size_t)(SIDE + dy)) % SIDE * SIDE];
+    for (size_t x = 0; x < SIDE; x++)
+      top[y * SIDE + x] = fmax(top[y * SIDE + x], row[(x + (size_t)(SIDE + dx)) % SIDE] + rise);
+  }
+}
+
+static double dilated_slope(const double *z, double r) {
+  double *top = malloc(SIDE * SIDE * sizeof *top);
+  assert_non_null(top);
+  memcpy(top, z, SIDE * SIDE * sizeof *top);
+  for (size_t i = 0; i < SIDE * SIDE; i++)
+    top[i] += r;
+  for (int dy = -(int)r; dy <= (int)r; dy++)
+    for (int dx = -(int)r; dx <= (int)r; dx++)
+      if (dx * dx + dy * dy < r * r)
+        raise(top, z, dy, dx, sqrt(r * r - dx * dx - dy * dy));
+  double slope = slope_along_x(top);
+  free(top);
+  return slope;
+}
+
+static void sphere_law_is_that_of_the_geometry(void **state) {
+  (void)state;
+  static double noise[SIDE * SIDE];
+  asp_stream stream = asp_stream_create((asp_key){.seed = 2});
+  for (size_t i = 0; i < SIDE * SIDE; i++)
+    noise[i] = asp_stream_normal(&stream);
+  double *half = blur(noise, 1, SIDE), *z = blur(half, SIDE, 1), square = 0;
+  for (size_t i = 0; i < SIDE * SIDE; i++)
+    square += z[i] * z[i];
+  double phi_r = 0.1, scale = phi_r * LAMBDA / sqrt(square / (SIDE * SIDE));
+  for (size_t i = 0; i < SIDE * SIDE; i++)
+    z[i] *= scale;
+  asp_surface *sphere = asp_surface_create_filter(phi_r, 1, ASP_FILTER_SPHERE, NULL);
+  static const double sizes[] = {4, 6};
+  for (int i = 0; i < 2; i++) {
+    double law = asp_surface_slope(sphere, sizes[i]) / asp_surface_slope_rms(sphere);
+    assert_near(dilated_slope(z, sizes[i] * LAMBDA / 2) / slope_along_x(z), law, 0.04 * law);
+  }
+  asp_surface_free(sphere);
+  free(half);
+  free(z);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(moments_of_known_laws),
+      cmocka_unit_test(density_is_that_of_the_law),
+      cmocka_unit_test(divergence_of_normal_laws),
+      cmocka_unit_test(divergence_of_a_small_sample_is_as_stated),
+      cmocka_unit_test(bad_densities_are_refused),
+      cmocka_unit_test(slopes_of_a_wave),
+      cmocka_unit_test(size_law_is_that_of_the_geometry),
+      cmocka_unit_test(sphere_law_is_that_of_the_geometry),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
