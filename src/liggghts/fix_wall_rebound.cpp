@@ -135,20 +135,34 @@ static char **check_geometry(LAMMPS *lmp, int narg, char **arg)
   return arg;
 }
 
+static double units_per_metre(const char *style)
+{
+  if (strcmp(style, "si") == 0) return 1;
+  if (strcmp(style, "cgs") == 0) return 1e2;
+  if (strcmp(style, "micro") == 0) return 1e6;
+  throw text("a profile has lengths in metres, and 'units %s' do not say what a metre is; allowed is "
+             "units si, cgs or micro", style);
+}
+
 /* ---- making ---------------------------------------------------------------------------------- */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : FixWallGran(engine, narg, check_geometry(engine, narg, arg)), smooth_(true), r_q_(0), lambda_c_(0),
-      spec_(asp_wall_spec_default()), deposit_(FREEZE), timing_(EXACT), seed_(1),
-      fix_key_(asp_key_fix(id)), surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free),
-      fix_state_(NULL), state_(NULL), counters_(), lists_are_new_(true), warned_(false), announced_(false),
+      dp_bins_(32), d_range_(), spec_(asp_wall_spec_default()), deposit_(FREEZE), timing_(EXACT), seed_(1),
+      fix_key_(asp_key_fix(id)), profile_(NULL, asp_profile_free),
+      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free),
+      fix_state_(NULL), state_(NULL), clock_(), counters_(), lists_are_new_(true), warned_(false), announced_(false),
       restarted_(false), speed_checked_(-1)
 {
   if (!atom->radius_flag || !atom->rmass_flag)
     fail("the atom style has no radius and density; allowed is 'atom_style granular' or 'sphere'");
   try {
     parse(narg, arg);
-    make_wall();
+    if (!profile_path_.empty())
+      profile_ = read_rebound_profile(world, profile_path_, units_per_metre(update->unit_style),
+                                      profile_report_);
+    else
+      make_wall();
   } catch (const std::string &wrong) {
     fail(wrong);
   }
@@ -212,9 +226,14 @@ void FixWallRebound::parse_surface(ArgReader &args)
 {
   smooth_ = args.take("smooth");
   if (smooth_) return;
+  if (args.take("profile")) {
+    profile_path_ = args.word("the file of 'surface profile'");
+    if (args.take("dp_bins")) dp_bins_ = static_cast<int>(args.whole("dp_bins", 1, 10000));
+    return;
+  }
   if (!args.take("rq"))
     throw "surface is '" + args.word("the value of 'surface'") +
-        "'; allowed is 'smooth' or 'rq R lambda_c L'";
+        "'; allowed is 'smooth', 'rq R lambda_c L' or 'profile FILE'";
   r_q_ = args.number("rq");
   if (!args.take("lambda_c")) throw std::string("behind 'surface rq R', 'lambda_c L' is expected");
   lambda_c_ = args.number("lambda_c");
@@ -273,14 +292,39 @@ void FixWallRebound::parse_ledger(ArgReader &args)
   ledger_.reset(new ReboundLedger(world, every, path, heading));
 }
 
+/* A profile's bins span the diameters that there are or, by the templates, will be; the span never
+ * shrinks, and goes into restarts, so that a run and its continuation have the same bins. */
+void FixWallRebound::make_surface()
+{
+  asp_error wrong;
+  double most, least;
+  modify->max_min_rad(most, least);
+  if (profile_) {
+    bool wider = !surface_ || 2 * least < d_range_[0] || 2 * most > d_range_[1];
+    if (!wider) return;
+    d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], 2 * least) : 2 * least;
+    d_range_[1] = std::max(d_range_[1], 2 * most);
+    wall_.reset();
+    surface_.reset(asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
+    if (!surface_) fail("surface profile " + profile_path_ + ": " + wrong.text);
+    announced_ = false;
+    try {
+      make_wall();
+    } catch (const std::string &why) {
+      fail(why);
+    }
+  } else if (surface_ && asp_surface_check(surface_.get(), 2 * most, &wrong))
+    fail(wrong.text);
+}
+
 void FixWallRebound::make_wall()
 {
   asp_error wrong;
-  if (!smooth_) {
+  if (!smooth_ && !profile_) {
     surface_.reset(asp_surface_create(r_q_, lambda_c_, &wrong));
     if (!surface_) throw "surface " + std::string(wrong.text);
-    spec_.surface = surface_.get();
   }
+  spec_.surface = surface_.get();
   wall_.reset(asp_wall_create(&spec_, &wrong));
   if (!wall_) throw std::string(wrong.text);
 }
@@ -317,6 +361,8 @@ void FixWallRebound::init()
     fail("run_style respa is not supported; allowed is run_style verlet");
   find_materials();
   check_group();
+  make_surface();
+  set_clock();
   if (ledger_) {
     std::string why = ledger_->open(restarted_);
     if (!why.empty()) fail(why);
@@ -374,20 +420,49 @@ void FixWallRebound::check_group()
             group->names[igroup]));
 }
 
+std::string FixWallRebound::describe_surface() const
+{
+  const double degrees = 180 / ASP_PI;
+  if (smooth_ || strcmp(spec_.spread, "none") == 0) return "smooth wall";
+  const asp_surface *s = surface_.get();
+  std::string line = profile_ ? "profile " + profile_path_ + " (" + profile_report_ + "), " : "";
+  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter", asp_surface_r_q(s),
+               asp_surface_lambda_c(s), asp_surface_phi_r(s), atan(asp_surface_slope_rms(s)) * degrees);
+  line += text(", spread %s %s, collisions %s", spec_.spread,
+               spec_.tilt == ASP_TILT_PLANE ? "plane" : "isotropic",
+               spec_.collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple");
+  for (int i = 0; i < asp_surface_bins(s); i++)
+    line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
+                 atan(asp_surface_bin_slope(s, i)) * degrees);
+  return line;
+}
+
+/* One formula for the time of a step, whether or not the run was interrupted before it. */
+void FixWallRebound::set_clock()
+{
+  const double step = static_cast<double>(update->ntimestep);
+  if (!(clock_.dt > 0))
+    clock_ = Clock{update->get_cur_time(), step, update->dt};
+  else if (clock_.dt < update->dt || clock_.dt > update->dt)
+    clock_ = Clock{time(), step, update->dt};
+}
+
+void FixWallRebound::reset_dt()
+{
+  set_clock();
+}
+
+double FixWallRebound::time() const
+{
+  return clock_.time + (static_cast<double>(update->ntimestep) - clock_.step) * clock_.dt;
+}
+
 void FixWallRebound::announce()
 {
-  std::string line = text("fix %s wall/rebound: ", id);
-  if (smooth_ || strcmp(spec_.spread, "none") == 0)
-    line += "smooth wall";
-  else
-    line += text("R_q %g, lambda_c %g, Phi_R %.4g, sigma %.4g deg before the size filter, spread %s %s, "
-                 "collisions %s", r_q_, lambda_c_, asp_surface_phi_r(surface_.get()),
-                 atan(asp_surface_slope_rms(surface_.get())) * 180 / ASP_PI, spec_.spread,
-                 spec_.tilt == ASP_TILT_PLANE ? "plane" : "isotropic",
-                 spec_.collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple");
-  line += text("; rebound %s, deposit %s, timing %s, seed %u\n", spec_.rebound,
-               deposit_ == FREEZE ? "freeze" : deposit_ == DELETE ? "delete" : "off",
-               timing_ == EXACT ? "exact" : "overlap", seed_);
+  std::string line = text("fix %s wall/rebound: rebound %s, deposit %s, timing %s, seed %u; ", id, spec_.rebound,
+                          deposit_ == FREEZE ? "freeze" : deposit_ == DELETE ? "delete" : "off",
+                          timing_ == EXACT ? "exact" : "overlap", seed_);
+  line += describe_surface() + "\n";
   if (comm->me != 0) return;
   if (screen) fputs(line.c_str(), screen);
   if (logfile) fputs(line.c_str(), logfile);
@@ -778,7 +853,7 @@ void FixWallRebound::record(const Contact &contact, const Path &path, const doub
   L::Row row;
   row[L::TAG] = static_cast<double>(key.tag);
   row[L::IMPACT] = key.impact;
-  row[L::TIME] = update->get_cur_time() - path.left;
+  row[L::TIME] = time() - path.left;
   row[L::MESH] = contact.on->mesh + 1;
   row[L::TRIANGLE] = contact.on->id;
   for (int d = 0; d < 3; d++) row[L::X + d] = path.x[d];
@@ -957,16 +1032,22 @@ double FixWallRebound::memory_usage()
 
 void FixWallRebound::write_restart(FILE *file)
 {
-  double all[N_COUNTERS];
-  MPI_Allreduce(counters_, all, N_COUNTERS, MPI_DOUBLE, MPI_SUM, world);
+  Saved saved;
+  MPI_Allreduce(counters_, saved.counters, N_COUNTERS, MPI_DOUBLE, MPI_SUM, world);
+  memcpy(saved.d_range, d_range_, sizeof d_range_);
+  saved.clock = clock_;
   if (comm->me != 0) return;
-  int size = sizeof all;
+  int size = sizeof saved;
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(all, 1, sizeof all, file);
+  fwrite(&saved, 1, sizeof saved, file);
 }
 
 void FixWallRebound::restart(char *buffer)
 {
+  Saved saved;
+  memcpy(&saved, buffer, sizeof saved);
+  if (comm->me == 0) memcpy(counters_, saved.counters, sizeof counters_);
+  memcpy(d_range_, saved.d_range, sizeof d_range_);
+  clock_ = saved.clock;
   restarted_ = true;
-  if (comm->me == 0) memcpy(counters_, buffer, sizeof counters_);
 }

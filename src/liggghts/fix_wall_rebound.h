@@ -23,6 +23,7 @@ FixStyle(wall/rebound,FixWallRebound)
 #include "fix_wall_gran.h"
 #include "asperity.h"
 #include "rebound_ledger.h"
+#include "rebound_profile.h"
 
 namespace LAMMPS_NS {
 
@@ -43,6 +44,7 @@ class FixWallRebound : public FixWallGran {
   void post_force(int vflag);
   void end_of_step();
   void post_run();
+  void reset_dt();
   double compute_scalar();
   double compute_vector(int n);
   double memory_usage();
@@ -56,7 +58,19 @@ class FixWallRebound : public FixWallGran {
   enum State { FREE, FROZEN, DOOMED };
   enum Deposit { FREEZE, DELETE, OFF };
   enum Timing { EXACT, OVERLAP };
+  /* The time of the ledger: LIGGGHTS's own begins anew after a restart. `dt` 0: not set yet. */
+  struct Clock {
+    double time, step, dt;
+  };
+
   enum Counter { N_IMPACTS, N_DEPOSITS, DEPOSITED_MASS, N_LATER_HITS, N_CAPPED, N_GUARDED, N_COUNTERS };
+
+  /* What goes into a restart file. */
+  struct Saved {
+    double counters[N_COUNTERS];
+    double d_range[2];
+    Clock clock;
+  };
 
   /* A piece of wall that a particle may reach within the step. */
   struct Candidate {
@@ -90,8 +104,12 @@ class FixWallRebound : public FixWallGran {
   void parse_spread(ArgReader &args);
   void parse_rebound(ArgReader &args);
   void parse_ledger(ArgReader &args);
+  void set_clock();
+  double time() const;
+  void make_surface();
   void make_wall();
   void announce();
+  std::string describe_surface() const;
 
   void fail(const std::string &what);
   void property(const char *name, const char *style, int rows, int columns, bool needed,
@@ -124,13 +142,16 @@ class FixWallRebound : public FixWallGran {
   void hold(int i);
   void carry(int i);
 
-  std::string surface_text_;
   bool smooth_;
   double r_q_, lambda_c_;
+  std::string profile_path_, profile_report_; /* empty: no profile */
+  int dp_bins_;
+  double d_range_[2]; /* the diameters that the bins span; 0: not known yet */
   asp_wall_spec spec_;
   Deposit deposit_;
   Timing timing_;
   uint32_t seed_, fix_key_;
+  ReboundProfile profile_;
   std::unique_ptr<asp_surface, void (*)(asp_surface *)> surface_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   std::unique_ptr<ReboundLedger> ledger_;
@@ -143,6 +164,7 @@ class FixWallRebound : public FixWallGran {
   std::vector<Plane> planes_;         /* and the planes of their triangles */
   std::vector<Candidate> candidates_; /* what may be hit in this step */
   std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
+  Clock clock_;
   double counters_[N_COUNTERS];
   bool lists_are_new_, warned_, announced_, restarted_;
   bigint speed_checked_;

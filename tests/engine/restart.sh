@@ -28,12 +28,14 @@ neighbor 3e-5 bin
 neigh_modify delay 0 exclude group all all'; materials; echo "$wall
 dump end all custom 1000 end.txt id x y z vx vy vz
 dump_modify end format \"%d %.17g %.17g %.17g %.17g %.17g %.17g\" sort id
-run 500"; } > rest.in
+run 900"; } > rest.in
 
-engine 2 whole.in -var out whole.csv -var first 500 -var second 500
+engine 2 whole.in -var out whole.csv -var first 100 -var second 900
 cp end.txt whole.end; cp whole.in.screen whole.screen
 set -- $(grep -E '^ +1000 ' whole.screen | tail -n 1)
 [ "$6" -gt 20 ] || die "too few impacts on the second wall for this test: $6"
+
+[ "$(rows whole.csv | awk -F, '$3 > 200e-8' | wc -l)" -gt 50 ] || die "too few impacts after the restart for this test"
 
 # dump local, each row once; a second dump does not disturb it.
 cat rows.*.txt | awk 'NF == 6 && !/ITEM/ { print $1 "," $2 "," $3 "," $4 "," $5 "," $6 }' | sort > dumped
@@ -42,7 +44,7 @@ same dumped written "dump local and file"
 
 for ranks in 1 2; do
   rm -f part.csv
-  engine 2 whole.in -var out part.csv -var first 500 -var second 0
+  engine 2 whole.in -var out part.csv -var first 100 -var second 0
   engine $ranks rest.in -var out part.csv
   same whole.csv part.csv "one run and a restart on $ranks ranks"
   tail -n 400 whole.end > a; tail -n 400 end.txt > b

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# A measured profile as the wall: the log states it and sigma per diameter, as `asperity surface` has them;
+# the impacts are the same on 1 and 2 ranks, in all units, and after a restart; bad files are refused.
+source "$(dirname "$0")/engine.sh"
+"$bin/asperity" surface --rq 8um --lambda-c 25um --seed 3 --points 20000 --save wall.csv > made.csv
+deck() { # units, length, time, pressure, energy per area, surface, runs
+  head_of "$1"
+  echo "read_data $1.data
+neighbor $(mul 3e-5 "$2") bin
+neigh_modify delay 0 exclude group all all"
+  materials "$4" "$5"
+  tail_of "$2" "$3" "$6" "$7"
+}
+tail_of() { # length, time, surface, runs
+  echo "fix move all nve/sphere
+timestep $(mul 1e-8 "$2")
+fix wall all wall/rebound primitive type 2 zplane 0.0 surface $3 spread truncated ledger 400 file \${out}"
+  printf '%b\n' "$4"
+}
+grains 300 > si.data
+grains 300 1e6 1 1e-3 > micro.data
+profile='profile wall.csv dp_bins 7'
+deck si 1 1 1 1 "$profile" 'run 400' > si.in
+deck micro 1e6 1e6 1e-3 1e3 "$profile" 'run 400' > micro.in
+engine 1 si.in -var out si.csv
+engine 2 si.in -var out two.csv
+same si.csv two.csv "1 and 2 ranks"
+[ "$(count_rows si.csv)" -ge 300 ] || die "too few impacts"
+
+# The log: file, numbers, and sigma of each bin as the command has it.
+grep -q 'profile wall.csv (20000 points read' si.in.screen || die "the log does not state the profile"
+grep -E '^  bin [0-9]+: d_p' si.in.screen | tr -d , | awk '{ print $4, $6 }' > bins
+[ "$(wc -l < bins)" = 7 ] || die "not 7 bins in the log"
+while read -r d_p sigma; do
+  "$bin/asperity" surface --profile wall.csv --dp "$d_p" | tail -n 1 |
+    awk -F, -v sigma="$sigma" '{ s = atan2($6, 1) * 180 / 3.14159265358979; d = s / sigma - 1; exit !(d < 2e-3 && d > -2e-3) }' ||
+    die "sigma of d_p $d_p is $sigma in the log"
+done < bins
+awk 'NR > 1 && $2 > before { bad = 1 } { before = $2 } END { exit bad }' bins || die "sigma grows with the size"
+
+# The same in micrometres: the profile's unit is its own.
+engine 1 micro.in -var out micro.csv
+awk -F, -v OFS=, -v OFMT=%.12g -v CONVFMT=%.12g '/^#/ || /^tag/ { print; next } { $3 /= 1e6; for (i = 6; i <= 9; i++) $i /= 1e6; print }' micro.csv > micro.si.csv
+near si.csv micro.si.csv "1 2 3 9 10 11 12 14 15 16 17 18 19" 1e-6
+
+# A restart, after the small grains have been taken out: the bins are those of the whole run.
+deck si 1 1 1 1 "$profile" 'run 200\nwrite_restart half.restart\nrun 200' > whole.in
+{ head_of si; echo 'read_restart half.restart
+neighbor 3e-5 bin
+neigh_modify delay 0 exclude group all all'; materials; tail_of 1 1 "$profile" 'run 200'; } > rest.in
+sed -i 's/deposit freeze//; s/spread truncated/spread truncated deposit delete/; s/^run 200$/thermo_modify lost ignore\nrun 200/' whole.in rest.in
+engine 1 whole.in -var out whole.csv
+cp whole.csv all.csv
+sed -i '$d' whole.in; rm whole.csv; engine 1 whole.in -var out whole.csv; engine 2 rest.in -var out whole.csv
+same all.csv whole.csv "one run and a restart"
+
+# Bad files.
+refused() { # surface, words
+  local surface=$1; shift
+  deck si 1 1 1 1 "$surface" 'run 1' > bad.in
+  for ranks in 1 2; do
+    ! mpirun -np $ranks "$bin/liggghts-asperity" -in bad.in -log none -var out bad.csv > bad.screen 2>&1 || die "accepted: $surface"
+    [ "$(grep -ac '^ERROR' bad.screen)" = 1 ] || { tail bad.screen; die "not one message: $surface"; }
+    for word in "$@"; do grep -a '^ERROR' bad.screen | grep -qF -- "$word" || { grep -a ERROR bad.screen; die "'$word' is not in the message: $surface"; }; done
+  done
+}
+refused 'profile nowhere.csv' nowhere.csv "No such file"
+printf '0 0\n1 1\n2 0\n3 1\n' > nounit.txt
+refused 'profile nounit.txt' nounit.txt unit
+awk 'BEGIN { print "x_um,z_um"; for (i = 0; i < 2000; i++) print 10 * i "," sin(i / 7) + sin(i / 3.1) }' > coarse.csv
+refused "profile coarse.csv" coarse.csv "spacing 1e-05"
+refused 'profile wall.csv dp_bins 0' "dp_bins is 0" "1 to 10000"
+refused 'rq 1e-4 lambda_c 4e-5' "phi_r"
