@@ -166,10 +166,13 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
   } catch (const std::string &wrong) {
     fail(wrong);
   }
-  scalar_flag = vector_flag = 1;
+  scalar_flag = vector_flag = array_flag = 1;
   size_vector = N_COUNTERS;
+  size_array_rows = std::max(1, n_meshes());
+  size_array_cols = N_TOTALS;
+  totals_.resize(size_array_rows * N_TOTALS, 0.);
   global_freq = 1;
-  extscalar = extvector = 1;
+  extscalar = extvector = extarray = 1;
   restart_global = 1;
   nevery = 1;
   time_depend = 1;
@@ -343,11 +346,14 @@ void FixWallRebound::post_create()
   std::vector<char *> arg;
   for (std::string &word : words) arg.push_back(&word[0]);
   fix_state_ = modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
+  for (int m = 0; m < n_meshes(); m++)
+    maps_.push_back(std::unique_ptr<ReboundMap>(new ReboundMap(mesh_list()[m]->triMesh())));
 }
 
 void FixWallRebound::pre_delete(bool unfixflag)
 {
   if (unfixflag && fix_state_) modify->delete_fix(fix_state_->id);
+  for (size_t m = 0; unfixflag && m < maps_.size(); m++) maps_[m]->remove();
   FixWallGran::pre_delete(unfixflag);
 }
 
@@ -483,6 +489,8 @@ void FixWallRebound::setup(int vflag)
   state_ = fix_state_->array_atom;
   collect_stuck();
   check_speeds();
+  for (size_t m = 0; m < saved_maps_.size() && m < maps_.size(); m++) maps_[m]->scatter(saved_maps_[m]);
+  saved_maps_.clear();
 }
 
 void FixWallRebound::pre_neighbor()
@@ -831,10 +839,7 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path)
                  static_cast<uint32_t>(state_[i][IMPACTS] += 1)};
   asp_impact impact;
   asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
-  counters_[N_IMPACTS]++;
-  counters_[N_LATER_HITS] += impact.hits - 1;
-  counters_[N_CAPPED] += impact.capped;
-  counters_[N_GUARDED] += contact.guarded;
+  count(contact, v1, impact);
   if (ledger_) record(contact, path, v1, key, impact);
   if (impact.outcome == ASP_DEPOSIT) {
     stick(contact, path);
@@ -842,6 +847,25 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path)
   }
   for (int d = 0; d < 3; d++) path.v[d] = impact.v2[d] + contact.v_wall[d];
   return true;
+}
+
+void FixWallRebound::count(const Contact &contact, const double v1[3], const asp_impact &impact)
+{
+  const int m = contact.on->mesh;
+  const bool stuck = impact.outcome == ASP_DEPOSIT;
+  const double mass = rmass_[contact.on->particle], energy = 0.5 * mass * dot(v1, v1);
+  counters_[N_IMPACTS]++;
+  counters_[N_DEPOSITS] += stuck;
+  counters_[DEPOSITED_MASS] += stuck ? mass : 0;
+  counters_[N_LATER_HITS] += impact.hits - 1;
+  counters_[N_CAPPED] += impact.capped;
+  counters_[N_GUARDED] += contact.guarded;
+  double *total = &totals_[std::max(m, 0) * N_TOTALS];
+  total[MESH_IMPACTS]++;
+  total[MESH_DEPOSITS] += stuck;
+  total[MESH_MASS] += stuck ? mass : 0;
+  total[MESH_ENERGY] += energy;
+  if (m >= 0) maps_[m]->add(contact.on->triangle, stuck ? mass : 0, energy);
 }
 
 void FixWallRebound::record(const Contact &contact, const Path &path, const double v1[3],
@@ -881,8 +905,6 @@ void FixWallRebound::stick(const Contact &contact, const Path &path)
 {
   const int i = contact.on->particle;
   double *s = state_[i];
-  counters_[N_DEPOSITS]++;
-  counters_[DEPOSITED_MASS] += rmass_[i];
   s[STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
   s[STUCK_MESH] = contact.on->mesh + 1;
   s[STUCK_TRIANGLE] = contact.on->id;
@@ -988,6 +1010,7 @@ void FixWallRebound::pre_exchange()
 void FixWallRebound::end_of_step()
 {
   for (int i : stuck_) hold(i);
+  for (std::unique_ptr<ReboundMap> &map : maps_) map->end_step();
   if (deposit_ == DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
     int mine = !stuck_.empty(), any;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
@@ -1022,6 +1045,13 @@ double FixWallRebound::compute_vector(int n)
   return all;
 }
 
+double FixWallRebound::compute_array(int row, int column)
+{
+  double all;
+  MPI_Allreduce(&totals_[row * N_TOTALS + column], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
 double FixWallRebound::memory_usage()
 {
   return static_cast<double>((near_.capacity() + candidates_.capacity()) * sizeof(Candidate) +
@@ -1030,24 +1060,48 @@ double FixWallRebound::memory_usage()
          (ledger_ ? ledger_->memory_usage() : 0);
 }
 
+/* The fixed part, the totals, and for each mesh the number of its values and the values. */
 void FixWallRebound::write_restart(FILE *file)
 {
   Saved saved;
   MPI_Allreduce(counters_, saved.counters, N_COUNTERS, MPI_DOUBLE, MPI_SUM, world);
   memcpy(saved.d_range, d_range_, sizeof d_range_);
   saved.clock = clock_;
+  std::vector<double> tail(totals_.size());
+  MPI_Allreduce(totals_.data(), tail.data(), static_cast<int>(tail.size()), MPI_DOUBLE, MPI_SUM, world);
+  for (std::unique_ptr<ReboundMap> &map : maps_) {
+    std::vector<double> values = map->gather(world);
+    tail.push_back(static_cast<double>(values.size()));
+    tail.insert(tail.end(), values.begin(), values.end());
+  }
   if (comm->me != 0) return;
-  int size = sizeof saved;
+  int size = static_cast<int>(sizeof saved + tail.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, file);
   fwrite(&saved, 1, sizeof saved, file);
+  fwrite(tail.data(), sizeof(double), tail.size(), file);
 }
 
 void FixWallRebound::restart(char *buffer)
 {
   Saved saved;
   memcpy(&saved, buffer, sizeof saved);
-  if (comm->me == 0) memcpy(counters_, saved.counters, sizeof counters_);
   memcpy(d_range_, saved.d_range, sizeof d_range_);
   clock_ = saved.clock;
+  buffer += sizeof saved;
+  auto take = [&buffer](std::vector<double> &values) {
+    memcpy(values.data(), buffer, values.size() * sizeof(double));
+    buffer += values.size() * sizeof(double);
+  };
+  std::vector<double> totals(totals_.size()), count(1);
+  take(totals);
+  if (comm->me == 0) {
+    memcpy(counters_, saved.counters, sizeof counters_);
+    totals_ = totals;
+  }
+  for (int m = 0; m < n_meshes(); m++) {
+    take(count);
+    saved_maps_.push_back(std::vector<double>(static_cast<size_t>(count[0])));
+    take(saved_maps_.back());
+  }
   restarted_ = true;
 }

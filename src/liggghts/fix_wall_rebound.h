@@ -23,6 +23,7 @@ FixStyle(wall/rebound,FixWallRebound)
 #include "fix_wall_gran.h"
 #include "asperity.h"
 #include "rebound_ledger.h"
+#include "rebound_map.h"
 #include "rebound_profile.h"
 
 namespace LAMMPS_NS {
@@ -47,6 +48,7 @@ class FixWallRebound : public FixWallGran {
   void reset_dt();
   double compute_scalar();
   double compute_vector(int n);
+  double compute_array(int row, int column);
   double memory_usage();
   void write_restart(FILE *file);
   void restart(char *buffer);
@@ -66,6 +68,8 @@ class FixWallRebound : public FixWallGran {
   enum Counter { N_IMPACTS, N_DEPOSITS, DEPOSITED_MASS, N_LATER_HITS, N_CAPPED, N_GUARDED, N_COUNTERS };
 
   /* What goes into a restart file. */
+  enum Total { MESH_IMPACTS, MESH_DEPOSITS, MESH_MASS, MESH_ENERGY, N_TOTALS };
+
   struct Saved {
     double counters[N_COUNTERS];
     double d_range[2];
@@ -134,6 +138,7 @@ class FixWallRebound : public FixWallGran {
   void collide(const Candidate *first, const Candidate *last);
   bool rebound(const Contact &contact, Path &path);
   void stick(const Contact &contact, const Path &path);
+  void count(const Contact &contact, const double v1[3], const asp_impact &impact);
   void record(const Contact &contact, const Path &path, const double v1[3], const asp_key &key,
               const asp_impact &impact);
 
@@ -164,6 +169,9 @@ class FixWallRebound : public FixWallGran {
   std::vector<Plane> planes_;         /* and the planes of their triangles */
   std::vector<Candidate> candidates_; /* what may be hit in this step */
   std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
+  std::vector<std::unique_ptr<ReboundMap>> maps_;  /* one a mesh */
+  std::vector<std::vector<double>> saved_maps_;     /* of a restart, until the meshes are set up */
+  std::vector<double> totals_;                      /* N_TOTALS a mesh; one row for a primitive wall */
   Clock clock_;
   double counters_[N_COUNTERS];
   bool lists_are_new_, warned_, announced_, restarted_;
