@@ -83,14 +83,15 @@ static void workspace_free(workspace *b) {
   free(b->pieces);
 }
 
-static asp_code workspace_create(workspace *b, size_t points, double radius, asp_error *error) {
-  ptrdiff_t reach = (ptrdiff_t)floor(radius);
-  size_t all = points + 2 * (size_t)reach;
+static asp_code workspace_create(workspace *b, size_t points, double radius, bool periodic,
+                                 asp_error *error) {
+  ptrdiff_t reach = (ptrdiff_t)floor(radius), pad = periodic ? reach : 0;
+  size_t all = points + 2 * (size_t)pad;
   *b = (workspace){.rise = asp_allocate((size_t)reach + 1),
                    .padded = asp_allocate(all),
                    .pieces = malloc(all * sizeof *b->pieces),
                    .points = (ptrdiff_t)points,
-                   .pad = reach};
+                   .pad = pad};
   if (!b->rise || !b->padded || !b->pieces) {
     workspace_free(b);
     return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
@@ -101,20 +102,13 @@ static asp_code workspace_create(workspace *b, size_t points, double radius, asp
   return ASP_OK;
 }
 
-/* The point of the profile that continues it at index i, one length beyond its ends at most. */
-static ptrdiff_t continued(ptrdiff_t i, ptrdiff_t n, bool periodic) {
-  if (i < 0)
-    return periodic ? i + n : -i;
-  if (i >= n)
-    return periodic ? i - n : 2 * n - 2 - i;
-  return i;
-}
-
-/* out(i) := the envelope of scale * z, whose ends are continued, over scale. */
-static void roll(workspace *b, const double *z, double scale, bool periodic, double *out) {
+/* out(i) := the envelope of scale * z, over scale. A periodic profile is continued at both ends by
+ * what an arc can reach over. The mirror image of the others changes nothing: its points are never
+ * nearer than those that they are images of. */
+static void roll(workspace *b, const double *z, double scale, double *out) {
   ptrdiff_t all = b->points + 2 * b->pad;
   for (ptrdiff_t i = 0; i < all; i++)
-    b->padded[i] = scale * z[continued(i - b->pad, b->points, periodic)];
+    b->padded[i] = scale * z[(i - b->pad + b->points) % b->points];
   ptrdiff_t count = envelope(&b->disc, b->padded, all, b->pieces);
   for (ptrdiff_t k = 0; k < count; k++) {
     ptrdiff_t first = b->pieces[k].from, end = k + 1 < count ? b->pieces[k + 1].from : all;
@@ -138,13 +132,13 @@ static asp_code filter(const asp_profile *profile, double d_p, bool close, doubl
     return asp_fail(error, ASP_EARG, "a profile has %zu points; allowed is at most %zu", points,
                     POINTS_MOST);
   workspace b;
-  asp_code code = workspace_create(&b, points, 0.5 * d_p / spacing, error);
+  asp_code code =
+      workspace_create(&b, points, 0.5 * d_p / spacing, asp_profile_periodic(profile), error);
   if (code)
     return code;
-  bool periodic = asp_profile_periodic(profile);
-  roll(&b, asp_profile_heights(profile), 1 / spacing, periodic, out);
+  roll(&b, asp_profile_heights(profile), 1 / spacing, out);
   if (close)
-    roll(&b, out, -1 / spacing, periodic, out);
+    roll(&b, out, -1 / spacing, out);
   workspace_free(&b);
   return ASP_OK;
 }

@@ -74,7 +74,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 }
 
 #ifdef FUZZ_MAIN
-enum { FILE_MOST = 1500 };
+enum { FILE_MOST = 8000 };
 
 static const char *const files[] = {
     "x_um,z_um\n0,1\n0.5,2\n1,4\n1.5,2\n2,1\n2.5,0\n3,2\n3.5,1\n",
@@ -93,32 +93,36 @@ static size_t below(asp_stream *stream, size_t most) {
   return (size_t)(asp_stream_uniform(stream) * (double)most);
 }
 
-/* Puts a token, a byte, or a piece of the file itself somewhere, over what is there or before it.
- */
-static size_t mutate(asp_stream *stream, uint8_t *file, size_t size) {
-  size_t at = below(stream, size), length = 1 + below(stream, 8), from = below(stream, size);
-  uint8_t piece[16] = {(uint8_t)below(stream, 256)};
-  size_t kind = below(stream, 4);
-  if (kind == 0)
-    length = 1;
-  if (kind == 1) {
-    const char *token = tokens[below(stream, sizeof tokens / sizeof *tokens)];
-    length = strlen(token);
-    memcpy(piece, token, length);
-  }
-  if (kind >= 2) {
-    length = length < size - from ? length : size - from;
-    memcpy(piece, file + from, length);
-  }
-  if (kind == 3 && size > at + length) { /* taken out */
-    memmove(file + at, file + at + length, size - at - length);
-    return size - length;
-  }
+/* Makes room for a piece in the file, and puts it there. */
+static size_t insert(uint8_t *file, size_t size, size_t at, const uint8_t *piece, size_t length) {
   if (size + length > FILE_MOST)
     return size;
   memmove(file + at + length, file + at, size - at);
   memcpy(file + at, piece, length);
   return size + length;
+}
+
+/* Puts a byte, a token or a piece of the file itself somewhere, once or, rarely, hundreds of times,
+ * or takes a piece out. */
+static size_t mutate(asp_stream *stream, uint8_t *file, size_t size) {
+  size_t at = below(stream, size), from = below(stream, size), kind = below(stream, 4);
+  size_t length = 1 + below(stream, 8), times = below(stream, 50) ? 1 : 1 + below(stream, 1000);
+  uint8_t piece[16] = {(uint8_t)below(stream, 256)};
+  length = kind == 0 ? 1 : length < size - from ? length : size - from;
+  if (kind == 3 && size > at + length) {
+    memmove(file + at, file + at + length, size - at - length);
+    return size - length;
+  }
+  if (kind == 1) {
+    const char *token = tokens[below(stream, sizeof tokens / sizeof *tokens)];
+    length = strlen(token);
+    memcpy(piece, token, length);
+  } else if (kind >= 2) {
+    memcpy(piece, file + from, length);
+  }
+  for (size_t i = 0; i < times; i++)
+    size = insert(file, size, at, piece, length);
+  return size;
 }
 
 int main(int argc, char **argv) {
