@@ -132,7 +132,7 @@ typedef struct asp_profile_report {
   size_t longest_gap; /* most of them in a row */
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
-  char text[320];               /* all of that as a sentence */
+  char text[480];               /* all of that as a sentence */
 } asp_profile_report;
 
 /* Reads a measured profile: text in columns (position, height; separated by commas, semicolons,

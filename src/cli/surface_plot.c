@@ -67,7 +67,8 @@ static window window_of(const asp_profile *profile, const double *centre, const 
   const double *z = asp_profile_heights(profile);
   double spacing = asp_profile_spacing(profile), width = 4 * d_p;
   window w = {.middle = points / 2};
-  for (size_t i = 0; i < points; i++)
+  size_t margin = (size_t)fmin((double)points / 4, width / 2 / spacing);
+  for (size_t i = margin; i + margin < points; i++)
     if (closed[i] - z[i] > closed[w.middle] - z[w.middle])
       w.middle = i;
   for (int round = 0; round < 4; round++) {

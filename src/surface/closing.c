@@ -9,6 +9,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* So that points are 32-bit numbers, with those that continue the profile at both ends. */
+#define POINTS_MOST ((size_t)1 << 30)
+
 /* The arcs of one radius over points one unit apart; heights are in that unit, too. */
 typedef struct disc {
   double radius;
@@ -32,58 +35,65 @@ static ptrdiff_t crossing(const disc *arc, const double *z, ptrdiff_t a, ptrdiff
   return x < (double)last ? (ptrdiff_t)floor(x) + 1 : last;
 }
 
-/* top(i) = max over j of z(j) + rise(|i - j|), for all n points. The stack holds arcs and the point
- * from which each of them is the highest so far. */
-static void envelope(const disc *shape, const double *z, ptrdiff_t n, ptrdiff_t *arc,
-                     ptrdiff_t *from, double *top) {
-  ptrdiff_t depth = 1;
-  arc[0] = from[0] = 0;
-  for (ptrdiff_t b = 1; b < n; b++) {
-    ptrdiff_t start = crossing(shape, z, arc[depth - 1], b);
-    while (depth > 1 && start <= from[depth - 1])
-      start = crossing(shape, z, arc[--depth - 1], b);
-    if (start <= 0)
-      depth = 0;
-    if (start >= n)
-      continue;
-    arc[depth] = b;
-    from[depth++] = start > 0 ? start : 0;
+/* The arc about j, at a point that it reaches. */
+static double height(const disc *arc, const double *z, ptrdiff_t j, ptrdiff_t i) {
+  return z[j] + arc->rise[i < j ? j - i : i - j];
+}
+
+/* Whether the arc about b is above the arc about a at the point where that one becomes the highest:
+ * then it is nowhere. */
+static bool hides(const disc *arc, const double *z, ptrdiff_t b, ptrdiff_t a, ptrdiff_t from) {
+  return from >= b - arc->reach && height(arc, z, b, from) > height(arc, z, a, from);
+}
+
+/* An arc of the envelope, and the point from which it is the highest. */
+typedef struct piece {
+  uint32_t arc, from;
+} piece;
+
+/* The envelope of z(j) + rise(|i - j|) over all j, from left to right; returns the number of its
+ * pieces. */
+static ptrdiff_t envelope(const disc *shape, const double *z, ptrdiff_t n, piece *pieces) {
+  ptrdiff_t depth = 0;
+  for (ptrdiff_t b = 0; b < n; b++) {
+    while (depth > 0 && hides(shape, z, b, pieces[depth - 1].arc, pieces[depth - 1].from))
+      depth--;
+    ptrdiff_t start = 0;
+    if (depth > 0) {
+      start = crossing(shape, z, pieces[depth - 1].arc, b);
+      start = start > pieces[depth - 1].from ? start : pieces[depth - 1].from; /* rounding */
+    }
+    if (start < n)
+      pieces[depth++] = (piece){(uint32_t)b, (uint32_t)start};
   }
-  for (ptrdiff_t k = 0; k < depth; k++) {
-    ptrdiff_t end = k + 1 < depth ? from[k + 1] : n;
-    for (ptrdiff_t i = from[k]; i < end; i++)
-      top[i] = z[arc[k]] + shape->rise[i < arc[k] ? arc[k] - i : i - arc[k]];
-  }
+  return depth;
 }
 
 /* Room for one profile and what continues it at both ends. */
-typedef struct bench {
+typedef struct workspace {
   disc disc;
-  double *rise, *padded, *top;
-  ptrdiff_t *arc, *from;
+  double *rise, *padded;
+  piece *pieces;
   ptrdiff_t points, pad;
-} bench;
+} workspace;
 
-static void bench_free(bench *b) {
+static void workspace_free(workspace *b) {
   free(b->rise);
   free(b->padded);
-  free(b->top);
-  free(b->arc);
-  free(b->from);
+  free(b->pieces);
 }
 
-static asp_code bench_create(bench *b, size_t points, double radius, asp_error *error) {
-  ptrdiff_t reach = (ptrdiff_t)floor(radius);
-  size_t all = points + 2 * (size_t)reach;
-  *b = (bench){.rise = asp_allocate((size_t)reach + 1),
-               .padded = asp_allocate(all),
-               .top = asp_allocate(all),
-               .arc = malloc(all * sizeof *b->arc),
-               .from = malloc(all * sizeof *b->from),
-               .points = (ptrdiff_t)points,
-               .pad = reach};
-  if (!b->rise || !b->padded || !b->top || !b->arc || !b->from) {
-    bench_free(b);
+static asp_code workspace_create(workspace *b, size_t points, double radius, bool periodic,
+                                 asp_error *error) {
+  ptrdiff_t reach = (ptrdiff_t)floor(radius), pad = periodic ? reach : 0;
+  size_t all = points + 2 * (size_t)pad;
+  *b = (workspace){.rise = asp_allocate((size_t)reach + 1),
+                   .padded = asp_allocate(all),
+                   .pieces = malloc(all * sizeof *b->pieces),
+                   .points = (ptrdiff_t)points,
+                   .pad = pad};
+  if (!b->rise || !b->padded || !b->pieces) {
+    workspace_free(b);
     return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
   }
   b->disc = (disc){radius, reach, b->rise};
@@ -92,22 +102,21 @@ static asp_code bench_create(bench *b, size_t points, double radius, asp_error *
   return ASP_OK;
 }
 
-/* The point of the profile that continues it at index i, one length beyond its ends at most. */
-static ptrdiff_t continued(ptrdiff_t i, ptrdiff_t n, bool periodic) {
-  if (i < 0)
-    return periodic ? i + n : -i;
-  if (i >= n)
-    return periodic ? i - n : 2 * n - 2 - i;
-  return i;
-}
-
-/* out(i) := sign * envelope of scale * z, whose ends are continued. */
-static void roll(bench *b, const double *z, double scale, bool periodic, double *out) {
-  for (ptrdiff_t i = -b->pad; i < b->points + b->pad; i++)
-    b->padded[i + b->pad] = scale * z[continued(i, b->points, periodic)];
-  envelope(&b->disc, b->padded, b->points + 2 * b->pad, b->arc, b->from, b->top);
-  for (ptrdiff_t i = 0; i < b->points; i++)
-    out[i] = b->top[i + b->pad] / scale;
+/* out(i) := the envelope of scale * z, over scale. A periodic profile is continued at both ends by
+ * what an arc can reach over. The mirror image of the others changes nothing: its points are never
+ * nearer than those that they are images of. */
+static void roll(workspace *b, const double *z, double scale, double *out) {
+  ptrdiff_t all = b->points + 2 * b->pad;
+  for (ptrdiff_t i = 0; i < all; i++)
+    b->padded[i] = scale * z[(i - b->pad + b->points) % b->points];
+  ptrdiff_t count = envelope(&b->disc, b->padded, all, b->pieces);
+  for (ptrdiff_t k = 0; k < count; k++) {
+    ptrdiff_t first = b->pieces[k].from, end = k + 1 < count ? b->pieces[k + 1].from : all;
+    first = first > b->pad ? first : b->pad;
+    end = end < b->points + b->pad ? end : b->points + b->pad;
+    for (ptrdiff_t i = first; i < end; i++)
+      out[i - b->pad] = height(&b->disc, b->padded, b->pieces[k].arc, i) / scale;
+  }
 }
 
 static asp_code filter(const asp_profile *profile, double d_p, bool close, double *out,
@@ -119,15 +128,18 @@ static asp_code filter(const asp_profile *profile, double d_p, bool close, doubl
   if (d_p > length)
     return asp_fail(error, ASP_EARG, "d_p is %g; allowed is at most the profile's length of %g",
                     d_p, length);
-  bench b;
-  asp_code code = bench_create(&b, points, 0.5 * d_p / spacing, error);
+  if (points > POINTS_MOST)
+    return asp_fail(error, ASP_EARG, "a profile has %zu points; allowed is at most %zu", points,
+                    POINTS_MOST);
+  workspace b;
+  asp_code code =
+      workspace_create(&b, points, 0.5 * d_p / spacing, asp_profile_periodic(profile), error);
   if (code)
     return code;
-  bool periodic = asp_profile_periodic(profile);
-  roll(&b, asp_profile_heights(profile), 1 / spacing, periodic, out);
+  roll(&b, asp_profile_heights(profile), 1 / spacing, out);
   if (close)
-    roll(&b, out, -1 / spacing, periodic, out);
-  bench_free(&b);
+    roll(&b, out, -1 / spacing, out);
+  workspace_free(&b);
   return ASP_OK;
 }
 

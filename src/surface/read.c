@@ -109,16 +109,16 @@ static asp_code take_out_form(asp_raw *raw, const char *path, int degree, asp_er
   return code;
 }
 
-/* A good point's distance from the median of the good ones on both sides of it, so that a slope
- * does not count; near the ends there are fewer, at the very ends none. */
+/* A good point's distance from the median of its neighbours, taken in pairs that are good on both
+ * sides, so that a slope does not count, nor does the edge of a gap; 0 where there is no pair. */
 static double off_neighbours(const asp_raw *raw, size_t i) {
   double window[2 * NEIGHBOURS];
-  size_t count = 0, to_end = raw->points - 1 - i;
-  size_t side = i < to_end ? i : to_end;
-  side = side < NEIGHBOURS ? side : NEIGHBOURS;
-  for (size_t j = i - side; j <= i + side; j++)
-    if (j != i && !isnan(raw->heights[j]))
-      window[count++] = raw->heights[j];
+  size_t count = 0;
+  for (size_t k = 1; k <= NEIGHBOURS && k <= i && i + k < raw->points; k++)
+    if (!isnan(raw->heights[i - k]) && !isnan(raw->heights[i + k])) {
+      window[count++] = raw->heights[i - k];
+      window[count++] = raw->heights[i + k];
+    }
   if (count == 0)
     return 0;
   gsl_sort(window, 1, count);

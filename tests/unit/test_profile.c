@@ -282,6 +282,10 @@ static void missing_rows_are_a_gap(void **state) {
   o.fill = true;
   expect(text, &o, 12, 1, 4);
   assert_int_equal(report.longest_gap, 4);
+  asp_profile *p = read_text(text, &o);
+  for (int i = 3; i <= 8; i++)
+    assert_near(asp_profile_heights(p)[i], 1 + (i - 3), 1e-12);
+  asp_profile_free(p);
   assert_true(report.resampled);
 }
 
