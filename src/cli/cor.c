@@ -36,8 +36,8 @@ typedef struct scene {
   asp_pair pair;
   double density;
   double speed;
-  cli_list sizes; /* a list, or empty for a log-normal */
-  double least, most, median;
+  cli_list sizes;             /* a list, or empty for a log-normal */
+  double least, most, median; /* of the log-normal; most also of a list */
 } scene;
 
 static const asp_material *material_of(const cli_option *option) {
@@ -54,6 +54,8 @@ static void read_sizes(const cli_option *option, scene *s) {
   const char *value = option->value;
   if (!value || !strchr(value, ':')) {
     s->sizes = cli_lengths(option);
+    for (size_t i = 0; i < s->sizes.count; i++)
+      s->most = fmax(s->most, s->sizes.values[i]);
     return;
   }
   char *text = strdup(value);
@@ -104,8 +106,10 @@ static void read_wall(const cli_option *options, scene *s) {
   spec.tilt = cli_tilt(&options[TILT]);
   spec.collisions = cli_collisions(&options[COLLISIONS]);
   spec.deposit = cli_switch(&options[ADHESION]);
-  if (strcmp(spec.spread, "none") != 0)
+  if (strcmp(spec.spread, "none") != 0) {
     spec.surface = s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+    cli_check_size(s->surface, s->most);
+  }
   if (options[YIELD_RATE].value &&
       asp_wall_spec_set(&spec, "yield_rate", cli_number(&options[YIELD_RATE], 0, 1e15), &error))
     cli_bad_input("--yield-rate: %s", error.text);

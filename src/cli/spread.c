@@ -29,7 +29,9 @@ static asp_view view_of(const cli_option *options, double alpha1) {
     if (!options[RQ].value || !options[LAMBDA_C].value || !options[DP].value)
       cli_bad_usage("spread: give --sigma, or --rq, --lambda-c and --dp");
     asp_surface *surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
-    sigma = atan(asp_surface_slope(surface, cli_length(&options[DP])));
+    double d_p = cli_length(&options[DP]);
+    cli_check_size(surface, d_p);
+    sigma = atan(asp_surface_slope(surface, d_p));
     asp_surface_free(surface);
   }
   return asp_view_create(sigma, cli_radians(alpha1));

@@ -30,3 +30,9 @@ asp_surface *cli_surface_of(const cli_option *rq, const cli_option *lambda_c) {
     cli_bad_input("%s", error.text);
   return surface;
 }
+
+void cli_check_size(const asp_surface *surface, double d_p) {
+  asp_error error;
+  if (asp_surface_check(surface, d_p, &error))
+    cli_bad_input("--dp: %s", error.text);
+}

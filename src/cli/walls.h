@@ -12,4 +12,7 @@ bool cli_switch(const cli_option *option);
 /* The surface of --rq and --lambda-c. */
 asp_surface *cli_surface_of(const cli_option *rq, const cli_option *lambda_c);
 
+/* Exits when the surface's size law does not reach to the diameter. */
+void cli_check_size(const asp_surface *surface, double d_p);
+
 #endif
