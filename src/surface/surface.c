@@ -17,7 +17,7 @@
 /* Under this kappa the filter takes less than 1e-4 off the slope, and is left out. */
 #define KAPPA_NO_FILTER 0.08
 
-/* The closed form has been compared with generated profiles up to here; see tests. */
+/* The closed form has been compared with generated profiles up to here, where it is 5 % high. */
 #define KAPPA_MOST 64.0
 
 /* Beyond this phi_r the closed form gives way to the table. */
