@@ -32,8 +32,8 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-/* How closely the instant of contact is found, in radii of the particle, and how many steps of Newton's
- * method that may take; a plane takes one. */
+/* How closely the instant of contact is found, in radii of the particle, and how many steps of
+ * Newton's method that may take; a plane takes one. */
 static const double GAP_TOLERANCE = 1e-10;
 static const int NEWTON_MAX = 50;
 
@@ -42,13 +42,11 @@ static const int CONTACTS_MAX = 16;
 
 static const char KEYWORDS[] = "surface spread rebound deposit seed timing ledger";
 
-static double dot(const double a[3], const double b[3])
-{
+static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static std::string text(const char *format, ...)
-{
+static std::string text(const char *format, ...) {
   char line[600];
   va_list args;
   va_start(args, format);
@@ -61,50 +59,52 @@ namespace LAMMPS_NS {
 
 /* Reads the arguments behind the geometry one by one; says what is missing or wrong. */
 class ArgReader {
- public:
+public:
   ArgReader(int narg, char **arg, int first) : narg_(narg), arg_(arg), next_(first) {}
 
-  bool done() const { return next_ >= narg_; }
-  bool is(const char *word) const { return !done() && strcmp(arg_[next_], word) == 0; }
-  bool take(const char *word)
-  {
-    if (!is(word)) return false;
+  bool done() const {
+    return next_ >= narg_;
+  }
+  bool is(const char *word) const {
+    return !done() && strcmp(arg_[next_], word) == 0;
+  }
+  bool take(const char *word) {
+    if (!is(word))
+      return false;
     next_++;
     return true;
   }
-  std::string word(const char *what)
-  {
-    if (done()) throw text("%s is missing at the end of the command", what);
+  std::string word(const char *what) {
+    if (done())
+      throw text("%s is missing at the end of the command", what);
     return arg_[next_++];
   }
-  double number(const char *what)
-  {
+  double number(const char *what) {
     std::string value = word(what);
     char *end;
     double number = strtod(value.c_str(), &end);
-    if (value.empty() || *end) throw text("%s is '%s'; a number is expected", what, value.c_str());
+    if (value.empty() || *end)
+      throw text("%s is '%s'; a number is expected", what, value.c_str());
     return number;
   }
-  double whole(const char *what, double least, double most)
-  {
+  double whole(const char *what, double least, double most) {
     double value = number(what);
     if (!(value >= least && value <= most) || value != floor(value))
       throw text("%s is %.15g; allowed is a whole number, %.0f to %.0f", what, value, least, most);
     return value;
   }
 
- private:
+private:
   int narg_;
   char **arg_;
   int next_;
 };
 
-}  // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 /* The base class reads the geometry before anything of ours runs, and trusts that every argument is
  * there. So the words are counted here first. */
-static char **check_geometry(LAMMPS *lmp, int narg, char **arg)
-{
+static char **check_geometry(LAMMPS *lmp, int narg, char **arg) {
   std::string wrong;
   if (narg < 4)
     wrong = "the wall is missing; allowed is 'mesh n_meshes N meshes id1 ...' or "
@@ -114,19 +114,22 @@ static char **check_geometry(LAMMPS *lmp, int narg, char **arg)
       wrong = "behind 'primitive', 'type T style args' is expected";
     else if (PRIMITIVE_WALL_DEFINITIONS::numArgsPrimitiveWall(arg[6]) == 0)
       wrong = text("primitive wall '%s' is unknown; there are: xplane yplane zplane xcylinder "
-                   "ycylinder zcylinder", arg[6]);
+                   "ycylinder zcylinder",
+                   arg[6]);
   } else if (strcmp(arg[3], "mesh") == 0) {
     int count = narg > 5 ? atoi(arg[5]) : 0;
     if (narg < 7 || strcmp(arg[4], "n_meshes") != 0 || strcmp(arg[6], "meshes") != 0)
       wrong = "behind 'mesh', 'n_meshes N meshes id1 ...' is expected";
     else if (count < 1 || narg < 7 + count)
       wrong = text("n_meshes is '%s', with %d words behind 'meshes'; allowed is a number >= 1, and "
-                   "as many mesh ids", arg[5], narg - 7);
+                   "as many mesh ids",
+                   arg[5], narg - 7);
     for (int i = 7; wrong.empty() && i < 7 + count; i++) {
       int found = lmp->modify->find_fix(arg[i]);
       if (found < 0 || strncmp(lmp->modify->fix[found]->style, "mesh/surface", 12) != 0)
         wrong = text("mesh '%s' does not exist; define it before the wall, by 'fix %s all "
-                     "mesh/surface file FILE.stl type T'", arg[i], arg[i]);
+                     "mesh/surface file FILE.stl type T'",
+                     arg[i], arg[i]);
     }
   } else
     wrong = text("the wall is '%s'; allowed is 'mesh' or 'primitive'", arg[3]);
@@ -135,27 +138,32 @@ static char **check_geometry(LAMMPS *lmp, int narg, char **arg)
   return arg;
 }
 
-static double units_per_metre(const char *style)
-{
-  if (strcmp(style, "si") == 0) return 1;
-  if (strcmp(style, "cgs") == 0) return 1e2;
-  if (strcmp(style, "micro") == 0) return 1e6;
-  throw text("a profile has lengths in metres, and 'units %s' do not say what a metre is; allowed is "
-             "units si, cgs or micro", style);
+static double units_per_metre(const char *style) {
+  if (strcmp(style, "si") == 0)
+    return 1;
+  if (strcmp(style, "cgs") == 0)
+    return 1e2;
+  if (strcmp(style, "micro") == 0)
+    return 1e6;
+  throw text(
+      "a profile has lengths in metres, and 'units %s' do not say what a metre is; allowed is "
+      "units si, cgs or micro",
+      style);
 }
 
 /* ---- making ---------------------------------------------------------------------------------- */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
-    : FixWallGran(engine, narg, check_geometry(engine, narg, arg)), smooth_(true), r_q_(0), lambda_c_(0),
-      dp_bins_(32), d_range_(), spec_(asp_wall_spec_default()), deposit_(FREEZE), timing_(EXACT), seed_(1),
-      fix_key_(asp_key_fix(id)), profile_(NULL, asp_profile_free),
-      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free),
-      fix_state_(NULL), state_(NULL), clock_(), counters_(), lists_are_new_(true), warned_(false), announced_(false),
-      restarted_(false), speed_checked_(-1)
-{
-  if (!atom->radius_flag || !atom->rmass_flag)
-    fail("the atom style has no radius and density; allowed is 'atom_style granular' or 'sphere'");
+    : FixWallGran(engine, narg, check_geometry(engine, narg, arg)), smooth_(true), r_q_(0),
+      lambda_c_(0), dp_bins_(32), d_range_(), spec_(asp_wall_spec_default()), deposit_(FREEZE),
+      timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)), profile_(NULL, asp_profile_free),
+      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free), fix_state_(NULL), state_(NULL),
+      clock_(), counters_(), lists_are_new_(true), warned_(false), announced_(false),
+      restarted_(false), speed_checked_(-1) {
+  for (int m = 0; m < n_meshes(); m++)
+    mesh_ids_.push_back(mesh_list()[m]->id);
+  check_particles();
+  check_meshes();
   try {
     parse(narg, arg);
     if (!profile_path_.empty())
@@ -188,13 +196,11 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
 
 FixWallRebound::~FixWallRebound() {}
 
-void FixWallRebound::fail(const std::string &what)
-{
+void FixWallRebound::fail(const std::string &what) {
   error->fix_error(FLERR, this, what.c_str());
 }
 
-void FixWallRebound::parse(int narg, char **arg)
-{
+void FixWallRebound::parse(int narg, char **arg) {
   ArgReader args(narg, arg, iarg_);
   spec_.spread = NULL;
   while (!args.done()) {
@@ -221,32 +227,35 @@ void FixWallRebound::parse(int narg, char **arg)
     else
       throw "keyword '" + args.word("keyword") + "' is unknown; there are: " + KEYWORDS;
   }
-  if (!spec_.spread) spec_.spread = smooth_ ? "none" : "weibull";
+  if (!spec_.spread)
+    spec_.spread = smooth_ ? "none" : "weibull";
   spec_.deposit = deposit_ != OFF;
 }
 
-void FixWallRebound::parse_surface(ArgReader &args)
-{
+void FixWallRebound::parse_surface(ArgReader &args) {
   smooth_ = args.take("smooth");
-  if (smooth_) return;
+  if (smooth_)
+    return;
   if (args.take("profile")) {
     profile_path_ = args.word("the file of 'surface profile'");
-    if (args.take("dp_bins")) dp_bins_ = static_cast<int>(args.whole("dp_bins", 1, 10000));
+    if (args.take("dp_bins"))
+      dp_bins_ = static_cast<int>(args.whole("dp_bins", 1, 10000));
     return;
   }
   if (!args.take("rq"))
     throw "surface is '" + args.word("the value of 'surface'") +
         "'; allowed is 'smooth', 'rq R lambda_c L' or 'profile FILE'";
   r_q_ = args.number("rq");
-  if (!args.take("lambda_c")) throw std::string("behind 'surface rq R', 'lambda_c L' is expected");
+  if (!args.take("lambda_c"))
+    throw std::string("behind 'surface rq R', 'lambda_c L' is expected");
   lambda_c_ = args.number("lambda_c");
 }
 
-void FixWallRebound::parse_spread(ArgReader &args)
-{
+void FixWallRebound::parse_spread(ArgReader &args) {
   asp_error wrong;
   const asp_spread_model *model = asp_spread_find(args.word("the spread model").c_str(), &wrong);
-  if (!model) throw std::string(wrong.text);
+  if (!model)
+    throw std::string(wrong.text);
   spec_.spread = model->name;
   for (bool more = true; more;) {
     if (args.take("plane"))
@@ -263,14 +272,15 @@ void FixWallRebound::parse_spread(ArgReader &args)
   }
 }
 
-void FixWallRebound::parse_rebound(ArgReader &args)
-{
+void FixWallRebound::parse_rebound(ArgReader &args) {
   asp_error wrong;
   std::string law = args.word("the rebound law");
-  if (asp_wall_spec_rebound(&spec_, law.c_str(), &wrong)) throw std::string(wrong.text);
+  if (asp_wall_spec_rebound(&spec_, law.c_str(), &wrong))
+    throw std::string(wrong.text);
   if (law == "constant") {
     for (const char *name : {"cor_n", "cor_t"})
-      if (asp_wall_spec_set(&spec_, name, args.number(name), &wrong)) throw std::string(wrong.text);
+      if (asp_wall_spec_set(&spec_, name, args.number(name), &wrong))
+        throw std::string(wrong.text);
     return;
   }
   for (bool more = law == "bons"; more;) {
@@ -286,8 +296,7 @@ void FixWallRebound::parse_rebound(ArgReader &args)
   }
 }
 
-void FixWallRebound::parse_ledger(ArgReader &args)
-{
+void FixWallRebound::parse_ledger(ArgReader &args) {
   bigint every = static_cast<bigint>(args.whole("ledger", 1, 2147483647.0));
   std::string path = args.take("file") ? args.word("the file of 'ledger'") : "";
   std::string heading = text("# asperity %s; fix %s wall/rebound; units %s; angles in degrees",
@@ -297,19 +306,21 @@ void FixWallRebound::parse_ledger(ArgReader &args)
 
 /* A profile's bins span the diameters that there are or, by the templates, will be; the span never
  * shrinks, and goes into restarts, so that a run and its continuation have the same bins. */
-void FixWallRebound::make_surface()
-{
+void FixWallRebound::make_surface() {
   asp_error wrong;
   double most, least;
   modify->max_min_rad(most, least);
   if (profile_) {
     bool wider = !surface_ || 2 * least < d_range_[0] || 2 * most > d_range_[1];
-    if (!wider) return;
+    if (!wider)
+      return;
     d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], 2 * least) : 2 * least;
     d_range_[1] = std::max(d_range_[1], 2 * most);
     wall_.reset();
-    surface_.reset(asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
-    if (!surface_) fail("surface profile " + profile_path_ + ": " + wrong.text);
+    surface_.reset(
+        asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
+    if (!surface_)
+      fail("surface profile " + profile_path_ + ": " + wrong.text);
     announced_ = false;
     try {
       make_wall();
@@ -320,71 +331,90 @@ void FixWallRebound::make_surface()
     fail(wrong.text);
 }
 
-void FixWallRebound::make_wall()
-{
+void FixWallRebound::make_wall() {
   asp_error wrong;
   if (!smooth_ && !profile_) {
     surface_.reset(asp_surface_create(r_q_, lambda_c_, &wrong));
-    if (!surface_) throw "surface " + std::string(wrong.text);
+    if (!surface_)
+      throw "surface " + std::string(wrong.text);
   }
   spec_.surface = surface_.get();
   wall_.reset(asp_wall_create(&spec_, &wrong));
-  if (!wall_) throw std::string(wrong.text);
+  if (!wall_)
+    throw std::string(wrong.text);
 }
 
-int FixWallRebound::setmask()
-{
+std::string FixWallRebound::state_id() const {
+  return std::string("rebound_") + id;
+}
+
+int FixWallRebound::setmask() {
   return FixWallGran::setmask() | PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP | POST_RUN;
 }
 
-void FixWallRebound::post_create()
-{
+void FixWallRebound::post_create() {
+  if (modify->fix_restart_in_progress() && !restarted_ && comm->me == 0)
+    error->warning(
+        FLERR,
+        text("Fix wall/rebound (id %s): the restart file has no data of this wall; its impact "
+             "numbers begin at 1, and no particle is stuck to it",
+             id)
+            .c_str());
   FixWallGran::post_create();
-  std::string name = std::string("rebound_") + id;
-  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes", "no", "no"};
+  std::string name = state_id();
+  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes",
+                                    "no", "no"};
   words.resize(words.size() + N_STATE, "0.");
   std::vector<char *> arg;
-  for (std::string &word : words) arg.push_back(&word[0]);
+  for (std::string &word : words)
+    arg.push_back(&word[0]);
   fix_state_ = modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
   for (int m = 0; m < n_meshes(); m++)
     maps_.push_back(std::unique_ptr<ReboundMap>(new ReboundMap(mesh_list()[m]->triMesh())));
 }
 
-void FixWallRebound::pre_delete(bool unfixflag)
-{
-  if (unfixflag && fix_state_) modify->delete_fix(fix_state_->id);
-  for (size_t m = 0; unfixflag && m < maps_.size(); m++) maps_[m]->remove();
+void FixWallRebound::pre_delete(bool unfixflag) {
+  if (unfixflag && modify->find_fix_id(state_id().c_str()))
+    modify->delete_fix(state_id().c_str());
+  for (size_t m = 0; unfixflag && m < maps_.size(); m++)
+    maps_[m]->remove();
   FixWallGran::pre_delete(unfixflag);
 }
 
 /* ---- before a run ---------------------------------------------------------------------------- */
 
-void FixWallRebound::init()
-{
+void FixWallRebound::init() {
   FixWallGran::init();
   find_siblings();
   if (strstr(update->integrate_style, "respa"))
     fail("run_style respa is not supported; allowed is run_style verlet");
+  if (update->whichflag == 2)
+    fail("minimize is not supported: a rebound is an event in time; allowed is run");
+  check_particles();
+  check_meshes();
   find_materials();
   check_group();
   make_surface();
   set_clock();
   if (ledger_) {
     std::string why = ledger_->open(restarted_);
-    if (!why.empty()) fail(why);
+    if (!why.empty())
+      fail(why);
   }
-  if (!announced_) announce();
+  if (!announced_)
+    announce();
   announced_ = true;
 }
 
 /* The values of a fix property/global, row by row; empty where there is none and none is needed. */
 void FixWallRebound::property(const char *name, const char *kind, int rows, int columns,
-                                  bool needed, const char *example, std::vector<double> &values)
-{
-  Fix *found = modify->find_fix_property(name, "property/global", kind, rows, columns, style, false);
+                              bool needed, const char *example, std::vector<double> &values) {
+  Fix *found =
+      modify->find_fix_property(name, "property/global", kind, rows, columns, style, false);
   if (!found && needed)
     fail(text("the script has no %s for each atom type; add a line such as 'fix %s all "
-              "property/global %s %s %s'", name, name, name, kind, example));
+              "property/global %s %s %s'",
+              name, name, name, kind, example));
   values.clear();
   for (int i = 0; found && i < rows; i++)
     for (int j = 0; j < std::max(columns, 1); j++)
@@ -392,11 +422,11 @@ void FixWallRebound::property(const char *name, const char *kind, int rows, int 
                                : static_cast<FixPropertyGlobal *>(found)->compute_vector(i));
 }
 
-void FixWallRebound::find_materials()
-{
+void FixWallRebound::find_materials() {
   const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
   pairs_.clear();
-  if (!law->needs_material) return;
+  if (!law->needs_material)
+    return;
   const int n = atom->ntypes;
   int rate = asp_rebound_parameter(law, "yield_rate", NULL);
   bool constant_yield = rate < 0 || !(spec_.parameters[rate] > 0);
@@ -418,22 +448,57 @@ void FixWallRebound::find_materials()
     }
 }
 
+void FixWallRebound::check_particles() {
+  if (!atom->radius_flag || !atom->rmass_flag || atom->ellipsoid_flag || atom->superquadric_flag ||
+      atom->shapetype_flag)
+    fail("particles must be spheres with a radius and a density; allowed is 'atom_style granular' "
+         "or "
+         "'sphere'");
+  if (modify->n_fixes_style("multisphere") > 0 || modify->n_fixes_style("rigid") > 0)
+    fail(
+        "particles that are tied to bodies (fix multisphere, fix rigid) cannot rebound one by one");
+  if (!atom->tag_enable)
+    fail("particles have no tags, which the draws depend on; use 'atom_modify id yes'");
+}
+
+/* A mesh may have been taken away since, or be another wall's too: its particles would rebound
+ * twice. */
+void FixWallRebound::check_meshes() {
+  for (int m = 0; m < n_meshes(); m++)
+    if (modify->find_fix_id(mesh_ids_[m].c_str()) != mesh_list()[m])
+      fail("mesh '" + mesh_ids_[m] +
+           "' has been deleted while this wall uses it; unfix the wall first");
+  if (fix_state_ && modify->find_fix_id(state_id().c_str()) != fix_state_)
+    fail("fix property/atom '" + state_id() + "' has been deleted while this wall uses it");
+  for (int i = 0; i < modify->nfix; i++) {
+    FixWallGran *other = dynamic_cast<FixWallGran *>(modify->fix[i]);
+    if (!other || other == this)
+      continue;
+    for (int k = 0; k < other->n_meshes(); k++)
+      for (int m = 0; m < n_meshes(); m++)
+        if (other->mesh_list()[k] == mesh_list()[m])
+          fail("mesh '" + mesh_ids_[m] + "' is already used by fix '" + other->id +
+               "'; allowed is one wall for each mesh");
+  }
+}
+
 /* A wall for nobody is a mistake in the script, unless particles are still to come. */
-void FixWallRebound::check_group()
-{
-  if (group->count(igroup) > 0 || modify->n_fixes_style("insert") > 0) return;
+void FixWallRebound::check_group() {
+  if (group->count(igroup) > 0 || modify->n_fixes_style("insert") > 0)
+    return;
   fail(text("group '%s' holds no particle, and there is no fix insert to bring any",
             group->names[igroup]));
 }
 
-std::string FixWallRebound::describe_surface() const
-{
+std::string FixWallRebound::describe_surface() const {
   const double degrees = 180 / ASP_PI;
-  if (smooth_ || strcmp(spec_.spread, "none") == 0) return "smooth wall";
+  if (smooth_ || strcmp(spec_.spread, "none") == 0)
+    return "smooth wall";
   const asp_surface *s = surface_.get();
   std::string line = profile_ ? "profile " + profile_path_ + " (" + profile_report_ + "), " : "";
-  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter", asp_surface_r_q(s),
-               asp_surface_lambda_c(s), asp_surface_phi_r(s), atan(asp_surface_slope_rms(s)) * degrees);
+  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
+               asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
+               atan(asp_surface_slope_rms(s)) * degrees);
   line += text(", spread %s %s, collisions %s", spec_.spread,
                spec_.tilt == ASP_TILT_PLANE ? "plane" : "isotropic",
                spec_.collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple");
@@ -444,8 +509,7 @@ std::string FixWallRebound::describe_surface() const
 }
 
 /* One formula for the time of a step, whether or not the run was interrupted before it. */
-void FixWallRebound::set_clock()
-{
+void FixWallRebound::set_clock() {
   const double step = static_cast<double>(update->ntimestep);
   if (!(clock_.dt > 0))
     clock_ = Clock{update->get_cur_time(), step, update->dt};
@@ -453,137 +517,149 @@ void FixWallRebound::set_clock()
     clock_ = Clock{time(), step, update->dt};
 }
 
-void FixWallRebound::reset_dt()
-{
+void FixWallRebound::reset_dt() {
   set_clock();
 }
 
-double FixWallRebound::time() const
-{
+double FixWallRebound::time() const {
   return clock_.time + (static_cast<double>(update->ntimestep) - clock_.step) * clock_.dt;
 }
 
-void FixWallRebound::announce()
-{
-  std::string line = text("fix %s wall/rebound: rebound %s, deposit %s, timing %s, seed %u; ", id, spec_.rebound,
-                          deposit_ == FREEZE ? "freeze" : deposit_ == DELETE ? "delete" : "off",
-                          timing_ == EXACT ? "exact" : "overlap", seed_);
+void FixWallRebound::announce() {
+  std::string line =
+      text("fix %s wall/rebound: rebound %s, deposit %s, timing %s, seed %u; ", id, spec_.rebound,
+           deposit_ == FREEZE   ? "freeze"
+           : deposit_ == DELETE ? "delete"
+                                : "off",
+           timing_ == EXACT ? "exact" : "overlap", seed_);
   line += describe_surface() + "\n";
-  if (comm->me != 0) return;
-  if (screen) fputs(line.c_str(), screen);
-  if (logfile) fputs(line.c_str(), logfile);
+  if (comm->me != 0)
+    return;
+  if (screen)
+    fputs(line.c_str(), screen);
+  if (logfile)
+    fputs(line.c_str(), logfile);
 }
 
-void FixWallRebound::setup_pre_exchange()
-{
+void FixWallRebound::setup_pre_exchange() {
   pre_exchange();
 }
 
-/* The base class would run a step of contacts here, with velocities of the full step. A contact is an
- * event within a step, so there is none to do. */
-void FixWallRebound::setup(int vflag)
-{
+/* The base class would run a step of contacts here, with velocities of the full step. A contact is
+ * an event within a step, so there is none to do. */
+void FixWallRebound::setup(int vflag) {
   FixWallGran::pre_neighbor();
   pre_force(vflag);
   lists_are_new_ = true;
   state_ = fix_state_->array_atom;
   collect_stuck();
   check_speeds();
-  for (size_t m = 0; m < saved_maps_.size() && m < maps_.size(); m++) maps_[m]->scatter(saved_maps_[m]);
+  for (size_t m = 0; m < saved_maps_.size() && m < maps_.size(); m++)
+    maps_[m]->scatter(saved_maps_[m]);
   saved_maps_.clear();
 }
 
-void FixWallRebound::pre_neighbor()
-{
+void FixWallRebound::pre_neighbor() {
   FixWallGran::pre_neighbor();
   lists_are_new_ = true;
   state_ = fix_state_->array_atom;
   collect_stuck();
-  if (update->ntimestep != speed_checked_) check_speeds();
+  if (update->ntimestep != speed_checked_)
+    check_speeds();
 }
 
-/* A particle that moves more than its radius in a step may pass the wall between two looks at it. */
-void FixWallRebound::check_speeds()
-{
+/* A particle that moves more than its radius in a step may pass the wall between two looks at it.
+ */
+void FixWallRebound::check_speeds() {
   speed_checked_ = update->ntimestep;
-  if (warned_) return;
+  if (warned_)
+    return;
   double worst = 0, fastest[3] = {0, 0, 0};
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || state_[i][STATE] != FREE) continue;
+    if (!(atom->mask[i] & groupbit) || state_[i][STATE] != FREE)
+      continue;
     double speed = sqrt(dot(atom->v[i], atom->v[i])), ratio = speed / atom->radius[i];
-    if (ratio <= worst) continue;
+    if (ratio <= worst)
+      continue;
     worst = ratio;
     fastest[1] = speed;
     fastest[2] = 2 * atom->radius[i];
   }
   double mine = worst;
   MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (worst * update->dt <= 1) return;
+  if (worst * update->dt <= 1)
+    return;
   fastest[0] = mine == worst ? 1 : 0;
   double all[3];
   MPI_Allreduce(fastest, all, 3, MPI_DOUBLE, MPI_MAX, world);
   warned_ = true;
   if (comm->me == 0)
-    error->warning(FLERR, text("Fix wall/rebound (id %s): particles can cross the wall within a step: "
-                               "one of diameter %g moves at %g, which is %.3g diameters in a step of "
-                               "%g; the largest safe step is %g", id, all[2], all[1],
-                               0.5 * worst * update->dt, update->dt, 1 / worst).c_str());
+    error->warning(FLERR,
+                   text("Fix wall/rebound (id %s): particles can cross the wall within a step: "
+                        "one of diameter %g moves at %g, which is %.3g diameters in a step of "
+                        "%g; the largest safe step is %g",
+                        id, all[2], all[1], 0.5 * worst * update->dt, update->dt, 1 / worst)
+                       .c_str());
 }
 
 /* ---- contacts -------------------------------------------------------------------------------- */
 
-void FixWallRebound::find_siblings()
-{
+void FixWallRebound::find_siblings() {
   siblings_.clear();
   for (int i = 0; i < modify->nfix; i++)
-    if (FixWallRebound *wall = dynamic_cast<FixWallRebound *>(modify->fix[i])) siblings_.push_back(wall);
+    if (FixWallRebound *wall = dynamic_cast<FixWallRebound *>(modify->fix[i]))
+      siblings_.push_back(wall);
 }
 
-void FixWallRebound::post_force(int)
-{
-  if (update->setupflag || siblings_.front() != this) return;
+void FixWallRebound::post_force(int) {
+  if (update->setupflag || siblings_.front() != this)
+    return;
   candidates_.clear();
-  for (FixWallRebound *wall : siblings_) wall->refresh();
+  for (FixWallRebound *wall : siblings_)
+    wall->refresh();
   for (FixWallRebound *wall : siblings_) {
     if (wall->is_mesh_wall())
       wall->find_candidates_mesh(candidates_);
     else
       wall->find_candidates_primitive(candidates_);
   }
-  if (siblings_.size() > 1) /* each brings its own by particle; stable: within one, by the script's order */
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate &a, const Candidate &b) { return a.particle < b.particle; });
+  if (siblings_.size() >
+      1) /* each brings its own by particle; stable: within one, by the script's order */
+    std::stable_sort(
+        candidates_.begin(), candidates_.end(),
+        [](const Candidate &a, const Candidate &b) { return a.particle < b.particle; });
   const Candidate *end = candidates_.data() + candidates_.size();
   for (const Candidate *first = candidates_.data(), *last; first < end; first = last) {
-    for (last = first; last < end && last->particle == first->particle;) last++;
+    for (last = first; last < end && last->particle == first->particle;)
+      last++;
     collide(first, last);
   }
 }
 
-/* Arrays of the atoms may have moved since the last step, and walls have: stuck particles with them. */
-void FixWallRebound::refresh()
-{
+/* Arrays of the atoms may have moved since the last step, and walls have: stuck particles with
+ * them. */
+void FixWallRebound::refresh() {
   x_ = atom->x;
   radius_ = atom->radius;
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
   state_ = fix_state_->array_atom;
-  for (int i : stuck_) carry(i);
+  for (int i : stuck_)
+    carry(i);
 }
 
-/* A wall counts when the particle, at the end of its step, is no farther from it than the two have come
- * in this step, or may go in it after a rebound: gap <= 2 dt (|v| + 2 wall_speed). */
-static inline bool in_reach(double gap, const double v[3], double dt, double wall_speed)
-{
-  if (gap <= 0) return true;
+/* A wall counts when the particle, at the end of its step, is no farther from it than the two have
+ * come in this step, or may go in it after a rebound: gap <= 2 dt (|v| + 2 wall_speed). */
+static inline bool in_reach(double gap, const double v[3], double dt, double wall_speed) {
+  if (gap <= 0)
+    return true;
   double left = gap - 4 * dt * wall_speed;
   return left <= 0 || left * left <= 4 * dt * dt * dot(v, v);
 }
 
-/* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle: so that a step
- * reads the particles one after the other, and the candidates of one come together. */
-void FixWallRebound::collect_pairs()
-{
+/* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle: so that a
+ * step reads the particles one after the other, and the candidates of one come together. */
+void FixWallRebound::collect_pairs() {
   near_.clear();
   for (int m = 0; m < n_meshes(); m++) {
     TriMesh *mesh = mesh_list()[m]->triMesh();
@@ -594,16 +670,16 @@ void FixWallRebound::collect_pairs()
           near_.push_back(Candidate{this, i, m, t, mesh->id(t)});
   }
   std::sort(near_.begin(), near_.end(), [](const Candidate &a, const Candidate &b) {
-    if (a.particle != b.particle) return a.particle < b.particle;
+    if (a.particle != b.particle)
+      return a.particle < b.particle;
     return a.mesh != b.mesh ? a.mesh < b.mesh : a.id < b.id;
   });
   lists_are_new_ = false;
 }
 
-/* The planes of the triangles of all pairs, beside them in memory; anew when the lists are, and in every
- * step where a mesh moves. */
-void FixWallRebound::collect_planes()
-{
+/* The planes of the triangles of all pairs, beside them in memory; anew when the lists are, and in
+ * every step where a mesh moves. */
+void FixWallRebound::collect_planes() {
   double node[3];
   planes_.resize(near_.size());
   for (size_t k = 0; k < near_.size(); k++) {
@@ -616,34 +692,36 @@ void FixWallRebound::collect_planes()
   }
 }
 
-/* The distance from the plane of a triangle is a lower bound of that from the triangle, and cheap; it
- * spares the exact one for nearly all pairs. */
-void FixWallRebound::find_candidates_mesh(std::vector<Candidate> &candidates)
-{
+/* The distance from the plane of a triangle is a lower bound of that from the triangle, and cheap;
+ * it spares the exact one for nearly all pairs. */
+void FixWallRebound::find_candidates_mesh(std::vector<Candidate> &candidates) {
   double delta[3], bary[3];
   double **x = atom->x, **v = atom->v, *radius = atom->radius;
   const double dt = update->dt;
   int sign;
   const bool lists_were_new = lists_are_new_;
-  if (lists_are_new_) collect_pairs();
-  if (lists_were_new || is_moving()) collect_planes();
+  if (lists_are_new_)
+    collect_pairs();
+  if (lists_were_new || is_moving())
+    collect_planes();
   for (size_t k = 0; k < near_.size(); k++) {
     const Candidate &near = near_[k];
     const Plane &plane = planes_[k];
     const int i = near.particle;
     double height = fabs(dot(plane.normal, x[i]) - plane.offset);
-    if (!in_reach(height - radius[i], v[i], dt, plane.speed) || is_stuck(i)) continue;
+    if (!in_reach(height - radius[i], v[i], dt, plane.speed) || is_stuck(i))
+      continue;
     double gap = mesh_list()[near.mesh]->triMesh()->resolveTriSphereContactBary(
         i, near.triangle, radius[i], x[i], delta, bary, sign, false);
-    if (in_reach(gap, v[i], dt, plane.speed)) candidates.push_back(near);
+    if (in_reach(gap, v[i], dt, plane.speed))
+      candidates.push_back(near);
   }
 }
 
 /* The speed of the fastest node; 0 for a wall at rest. */
-double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t)
-{
+double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t) {
   MultiVectorContainer<double, 3, 3> *moving =
-      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3> >("v");
+      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
   double most = 0;
   for (int k = 0; moving && k < 3; k++) {
     const double *v = moving->begin()[t][k];
@@ -653,32 +731,32 @@ double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t)
 }
 
 /* A primitive wall moves along itself only, if at all. */
-void FixWallRebound::find_candidates_primitive(std::vector<Candidate> &candidates)
-{
+void FixWallRebound::find_candidates_primitive(std::vector<Candidate> &candidates) {
   int *list;
   double delta[3];
   const int n = primitiveWall()->getNeighbors(list);
   for (int k = 0; k < n; k++) {
     const int i = list[k];
-    if (i >= nlocal_ || !(atom->mask[i] & groupbit)) continue;
+    if (i >= nlocal_ || !(atom->mask[i] & groupbit))
+      continue;
     double gap = primitiveWall()->resolveContact(x_[i], radius_[i], delta);
     if (!is_stuck(i) && in_reach(gap, atom->v[i], update->dt, 0))
       candidates.push_back(Candidate{this, i, -1, 0, 0});
   }
 }
 
-bool FixWallRebound::is_stuck(int i) const
-{
+bool FixWallRebound::is_stuck(int i) const {
   for (const FixWallRebound *wall : siblings_)
-    if (wall->state_[i][STATE] != FREE) return true;
+    if (wall->state_[i][STATE] != FREE)
+      return true;
   return false;
 }
 
-/* The distance from the sphere's surface to the wall when its centre is at x, in the state of the wall
- * at the end of the step; delta points from the centre to the nearest point of the wall. */
-double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3])
-{
-  for (int d = 0; d < 3; d++) v_wall[d] = 0;
+/* The distance from the sphere's surface to the wall when its centre is at x, in the state of the
+ * wall at the end of the step; delta points from the centre to the nearest point of the wall. */
+double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]) {
+  for (int d = 0; d < 3; d++)
+    v_wall[d] = 0;
   const double radius = radius_[on.particle];
   if (on.mesh < 0) {
     if (shear_ && shearAxis_ >= 0) {
@@ -692,87 +770,104 @@ double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3],
   TriMesh *mesh = mesh_list()[on.mesh]->triMesh();
   double bary[3];
   int sign;
-  double gap = mesh->resolveTriSphereContactBary(on.particle, on.triangle, radius, x, delta, bary, sign, false);
+  double gap = mesh->resolveTriSphereContactBary(on.particle, on.triangle, radius, x, delta, bary,
+                                                 sign, false);
   MultiVectorContainer<double, 3, 3> *moving =
-      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3> >("v");
+      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
   if (moving)
     for (int d = 0; d < 3; d++)
-      for (int k = 0; k < 3; k++) v_wall[d] += bary[k] * moving->begin()[on.triangle][k][d];
+      for (int k = 0; k < 3; k++)
+        v_wall[d] += bary[k] * moving->begin()[on.triangle][k][d];
   return gap;
 }
 
-/* The outward normal, from the wall to the centre. A centre exactly on the wall has none: then the side
- * that it came from is taken, and the contact counts as guarded. */
+/* The outward normal, from the wall to the centre. A centre exactly on the wall has none: then the
+ * side that it came from is taken, and the contact counts as guarded. */
 bool FixWallRebound::normal_of(const Candidate &on, const Path &path, const double delta[3],
-                               double n[3], bool &guarded)
-{
+                               double n[3], bool &guarded) {
   double length = sqrt(dot(delta, delta));
   if (length > 1e-12 * radius_[on.particle]) {
-    for (int d = 0; d < 3; d++) n[d] = -delta[d] / length;
+    for (int d = 0; d < 3; d++)
+      n[d] = -delta[d] / length;
     return true;
   }
   double before[3], back[3], v_wall[3];
-  for (int d = 0; d < 3; d++) before[d] = path.x[d] - path.v[d] * update->dt;
+  for (int d = 0; d < 3; d++)
+    before[d] = path.x[d] - path.v[d] * update->dt;
   gap_at(on, before, back, v_wall);
   length = sqrt(dot(back, back));
-  if (!(length > 0)) return false;
-  for (int d = 0; d < 3; d++) n[d] = -back[d] / length;
+  if (!(length > 0))
+    return false;
+  for (int d = 0; d < 3; d++)
+    n[d] = -back[d] / length;
   guarded = true;
   return true;
 }
 
-/* The first instant at which the path touches the candidate, by Newton's method on the gap, from the
- * beginning of the path; or from its end, where a curved wall is left at first and met again. In the
- * frame of the wall: it is at rest there as it is at the end of the step. */
-bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact &contact)
-{
+/* The first instant at which the path touches the candidate, by Newton's method on the gap, from
+ * the beginning of the path; or from its end, where a curved wall is left at first and met again.
+ * In the frame of the wall: it is at rest there as it is at the end of the step. */
+bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact &contact) {
   double delta[3], end[3], n[3], v[3], x[3];
-  for (int d = 0; d < 3; d++) end[d] = path.x[d] + path.v[d] * path.left;
+  for (int d = 0; d < 3; d++)
+    end[d] = path.x[d] + path.v[d] * path.left;
   gap_at(on, end, delta, contact.v_wall);
-  for (int d = 0; d < 3; d++) v[d] = path.v[d] - contact.v_wall[d];
+  for (int d = 0; d < 3; d++)
+    v[d] = path.v[d] - contact.v_wall[d];
   contact.guarded = false;
   contact.lift = 0;
   double time = 0;
   for (int i = 0; i < NEWTON_MAX; i++) {
-    for (int d = 0; d < 3; d++) x[d] = end[d] - v[d] * (path.left - time);
+    for (int d = 0; d < 3; d++)
+      x[d] = end[d] - v[d] * (path.left - time);
     double still[3], gap = gap_at(on, x, delta, still);
-    if (!normal_of(on, path, delta, n, contact.guarded)) return false;
+    if (!normal_of(on, path, delta, n, contact.guarded))
+      return false;
     double approach = -dot(v, n);
     if (approach <= 0 && i == 0) {
       time = path.left;
       continue;
     }
-    if (!(approach > 0)) return false;
-    if (fabs(gap) <= GAP_TOLERANCE * radius_[on.particle]) break;
+    if (!(approach > 0))
+      return false;
+    if (fabs(gap) <= GAP_TOLERANCE * radius_[on.particle])
+      break;
     if (gap < 0 && time <= 0) { /* overlaps already: now */
       contact.guarded = true;
       contact.lift = -gap;
       break;
     }
     time = std::max(0.0, time + gap / approach);
-    if (time > 2 * path.left) return false;
+    if (time > 2 * path.left)
+      return false;
   }
-  if (!(time <= path.left)) return false;
+  if (!(time <= path.left))
+    return false;
   contact.on = &on;
   contact.time = time;
   contact.guarded = contact.guarded || -dot(v, n) * update->dt >= radius_[on.particle];
-  for (int d = 0; d < 3; d++) contact.n[d] = n[d];
+  for (int d = 0; d < 3; d++)
+    contact.n[d] = n[d];
   return true;
 }
 
-/* `timing overlap`: the contact is where the particle is found at the end of the step. Where the centre
- * has crossed the wall within the step, or all of the particle, only its path knows the contact. */
-bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact &contact)
-{
+/* `timing overlap`: the contact is where the particle is found at the end of the step. Where the
+ * centre has crossed the wall within the step, or all of the particle, only its path knows the
+ * contact. */
+bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact &contact) {
   double delta[3], end[3], v[3];
-  for (int d = 0; d < 3; d++) end[d] = path.x[d] + path.v[d] * path.left;
+  for (int d = 0; d < 3; d++)
+    end[d] = path.x[d] + path.v[d] * path.left;
   double gap = gap_at(on, end, delta, contact.v_wall);
-  for (int d = 0; d < 3; d++) v[d] = path.v[d] - contact.v_wall[d];
+  for (int d = 0; d < 3; d++)
+    v[d] = path.v[d] - contact.v_wall[d];
   contact.guarded = false;
-  if (!normal_of(on, path, delta, contact.n, contact.guarded)) return false;
+  if (!normal_of(on, path, delta, contact.n, contact.guarded))
+    return false;
   double approach = -dot(v, contact.n);
   if (contact.guarded || sqrt(dot(delta, delta)) + approach * path.left < 0) {
-    if (!find_contact(on, path, contact)) return false;
+    if (!find_contact(on, path, contact))
+      return false;
     contact.guarded = true;
     return true;
   }
@@ -783,10 +878,9 @@ bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact
   return gap <= 0 && approach > 0;
 }
 
-/* All contacts of one particle in this step, the earliest first, each on the path that the one before
- * it has left. */
-void FixWallRebound::collide(const Candidate *first, const Candidate *last)
-{
+/* All contacts of one particle in this step, the earliest first, each on the path that the one
+ * before it has left. */
+void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
   const int i = first->particle;
   Path path;
   path.left = update->dt;
@@ -802,17 +896,21 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last)
       FixWallRebound *wall = on->wall;
       bool found = wall->timing_ == EXACT ? wall->find_contact(*on, path, contact)
                                           : wall->find_overlap(*on, path, contact);
-      if (found && (!earliest.on || contact.time < earliest.time)) earliest = contact;
+      if (found && (!earliest.on || contact.time < earliest.time))
+        earliest = contact;
     }
-    if (!earliest.on) break;
+    if (!earliest.on)
+      break;
     hit = true;
-    if (!earliest.on->wall->rebound(earliest, path)) return;
+    if (!earliest.on->wall->rebound(earliest, path))
+      return;
     if (k == CONTACTS_MAX - 1) {
       path.left = 0;
       earliest.on->wall->counters_[N_GUARDED]++;
     }
   }
-  if (!hit) return;
+  if (!hit)
+    return;
   for (int d = 0; d < 3; d++) {
     atom->v[i][d] = path.v[d];
     x_[i][d] = path.x[d] + path.v[d] * path.left;
@@ -821,11 +919,10 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last)
 
 /* One contact. Moves the path on to it and gives it the velocity after it; false where the particle
  * has stuck. */
-bool FixWallRebound::rebound(const Contact &contact, Path &path)
-{
+bool FixWallRebound::rebound(const Contact &contact, Path &path) {
   const int i = contact.on->particle, type = atom->type[i];
-  const int wall_type = contact.on->mesh < 0 ? atom_type_wall_
-                                             : mesh_list()[contact.on->mesh]->atomTypeWall();
+  const int wall_type =
+      contact.on->mesh < 0 ? atom_type_wall_ : mesh_list()[contact.on->mesh]->atomTypeWall();
   double v1[3];
   for (int d = 0; d < 3; d++) {
     path.x[d] += path.v[d] * contact.time + contact.n[d] * contact.lift;
@@ -840,17 +937,18 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path)
   asp_impact impact;
   asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
   count(contact, v1, impact);
-  if (ledger_) record(contact, path, v1, key, impact);
+  if (ledger_)
+    record(contact, path, v1, key, impact);
   if (impact.outcome == ASP_DEPOSIT) {
     stick(contact, path);
     return false;
   }
-  for (int d = 0; d < 3; d++) path.v[d] = impact.v2[d] + contact.v_wall[d];
+  for (int d = 0; d < 3; d++)
+    path.v[d] = impact.v2[d] + contact.v_wall[d];
   return true;
 }
 
-void FixWallRebound::count(const Contact &contact, const double v1[3], const asp_impact &impact)
-{
+void FixWallRebound::count(const Contact &contact, const double v1[3], const asp_impact &impact) {
   const int m = contact.on->mesh;
   const bool stuck = impact.outcome == ASP_DEPOSIT;
   const double mass = rmass_[contact.on->particle], energy = 0.5 * mass * dot(v1, v1);
@@ -865,12 +963,12 @@ void FixWallRebound::count(const Contact &contact, const double v1[3], const asp
   total[MESH_DEPOSITS] += stuck;
   total[MESH_MASS] += stuck ? mass : 0;
   total[MESH_ENERGY] += energy;
-  if (m >= 0) maps_[m]->add(contact.on->triangle, stuck ? mass : 0, energy);
+  if (m >= 0)
+    maps_[m]->add(contact.on->triangle, stuck ? mass : 0, energy);
 }
 
 void FixWallRebound::record(const Contact &contact, const Path &path, const double v1[3],
-                            const asp_key &key, const asp_impact &impact)
-{
+                            const asp_key &key, const asp_impact &impact) {
   typedef ReboundLedger L;
   const double degrees = 180 / ASP_PI;
   asp_coefficients c = asp_impact_coefficients(v1, contact.n, &impact);
@@ -880,7 +978,8 @@ void FixWallRebound::record(const Contact &contact, const Path &path, const doub
   row[L::TIME] = time() - path.left;
   row[L::MESH] = contact.on->mesh + 1;
   row[L::TRIANGLE] = contact.on->id;
-  for (int d = 0; d < 3; d++) row[L::X + d] = path.x[d];
+  for (int d = 0; d < 3; d++)
+    row[L::X + d] = path.x[d];
   row[L::D_P] = 2 * radius_[contact.on->particle];
   row[L::V1] = c.v1;
   row[L::ALPHA1] = c.alpha1 * degrees;
@@ -899,10 +998,9 @@ void FixWallRebound::record(const Contact &contact, const Path &path, const doub
 
 /* ---- deposits -------------------------------------------------------------------------------- */
 
-/* Puts the particle to rest on the wall where it touched it, and notes the place in the frame of the
- * triangle, so that it can move with it. */
-void FixWallRebound::stick(const Contact &contact, const Path &path)
-{
+/* Puts the particle to rest on the wall where it touched it, and notes the place in the frame of
+ * the triangle, so that it can move with it. */
+void FixWallRebound::stick(const Contact &contact, const Path &path) {
   const int i = contact.on->particle;
   double *s = state_[i];
   s[STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
@@ -916,15 +1014,15 @@ void FixWallRebound::stick(const Contact &contact, const Path &path)
     double frame[3][3], origin[3];
     triangle_frame(contact.on->mesh, contact.on->triangle, origin, frame);
     double arm[3] = {x_[i][0] - origin[0], x_[i][1] - origin[1], x_[i][2] - origin[2]};
-    for (int k = 0; k < 3; k++) s[STUCK_AT + k] = dot(arm, frame[k]);
+    for (int k = 0; k < 3; k++)
+      s[STUCK_AT + k] = dot(arm, frame[k]);
   }
   stuck_.push_back(i);
   hold(i);
 }
 
 /* An orthonormal frame that moves with a triangle: its first node, first edge, and normal. */
-void FixWallRebound::triangle_frame(int m, int t, double origin[3], double frame[3][3])
-{
+void FixWallRebound::triangle_frame(int m, int t, double origin[3], double frame[3][3]) {
   TriMesh *mesh = mesh_list()[m]->triMesh();
   double a[3], b[3], c[3], e[3];
   mesh->node(t, 0, a);
@@ -941,52 +1039,57 @@ void FixWallRebound::triangle_frame(int m, int t, double origin[3], double frame
   vectorCross3D(frame[2], frame[0], frame[1]);
 }
 
-void FixWallRebound::collect_stuck()
-{
+void FixWallRebound::collect_stuck() {
   stuck_.clear();
-  if (deposit_ == OFF) return;
+  if (deposit_ == OFF)
+    return;
   for (int i = 0; i < atom->nlocal; i++)
-    if (state_[i][STATE] != FREE) stuck_.push_back(i);
+    if (state_[i][STATE] != FREE)
+      stuck_.push_back(i);
 }
 
 /* A stuck particle has the wall's velocity, and no force on it moves it. */
-void FixWallRebound::hold(int i)
-{
+void FixWallRebound::hold(int i) {
   for (int d = 0; d < 3; d++) {
     atom->v[i][d] = state_[i][STUCK_V + d];
     atom->f[i][d] = 0;
-    if (atom->omega_flag) atom->omega[i][d] = 0;
-    if (atom->torque_flag) atom->torque[i][d] = 0;
+    if (atom->omega_flag)
+      atom->omega[i][d] = 0;
+    if (atom->torque_flag)
+      atom->torque[i][d] = 0;
   }
 }
 
 /* Takes a stuck particle along with the triangle that it sits on. */
-void FixWallRebound::carry(int i)
-{
+void FixWallRebound::carry(int i) {
   double *s = state_[i];
   const int m = static_cast<int>(s[STUCK_MESH]) - 1;
-  if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving()) return;
+  if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving())
+    return;
   const int t = mesh_list()[m]->triMesh()->map(static_cast<int>(s[STUCK_TRIANGLE]), 0);
-  if (t < 0) return;
+  if (t < 0)
+    return;
   double frame[3][3], x[3];
   triangle_frame(m, t, x, frame);
   for (int d = 0; d < 3; d++) {
-    for (int k = 0; k < 3; k++) x[d] += s[STUCK_AT + k] * frame[k][d];
+    for (int k = 0; k < 3; k++)
+      x[d] += s[STUCK_AT + k] * frame[k][d];
     s[STUCK_V + d] += (x[d] - x_[i][d]) / update->dt;
     x_[i][d] = x[d];
   }
 }
 
-void FixWallRebound::pre_initial_integrate()
-{
-  if (ledger_) ledger_->begin_step(update->ntimestep);
-  for (int i : stuck_) hold(i);
+void FixWallRebound::pre_initial_integrate() {
+  if (ledger_)
+    ledger_->begin_step(update->ntimestep);
+  for (int i : stuck_)
+    hold(i);
 }
 
 /* Comm::exchange, which follows, counts the atoms anew. */
-void FixWallRebound::pre_exchange()
-{
-  if (deposit_ != DELETE) return;
+void FixWallRebound::pre_exchange() {
+  if (deposit_ != DELETE)
+    return;
   double **state = fix_state_->array_atom;
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
@@ -998,7 +1101,8 @@ void FixWallRebound::pre_exchange()
       i++;
   }
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  if (all == 0) return;
+  if (all == 0)
+    return;
   stuck_.clear();
   if (atom->tag_enable && atom->map_style) {
     atom->nghost = 0;
@@ -1007,16 +1111,20 @@ void FixWallRebound::pre_exchange()
   }
 }
 
-void FixWallRebound::end_of_step()
-{
-  for (int i : stuck_) hold(i);
-  for (std::unique_ptr<ReboundMap> &map : maps_) map->end_step();
-  if (deposit_ == DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
+void FixWallRebound::end_of_step() {
+  for (int i : stuck_)
+    hold(i);
+  for (std::unique_ptr<ReboundMap> &map : maps_)
+    map->end_step();
+  if (deposit_ ==
+      DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
     int mine = !stuck_.empty(), any;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-    if (any) next_reneighbor = update->ntimestep + 1;
+    if (any)
+      next_reneighbor = update->ntimestep + 1;
   }
-  if (!ledger_) return;
+  if (!ledger_)
+    return;
   ledger_->end_step(update->ntimestep);
   if (update->ntimestep % ledger_->every() == 0) {
     array_local = ledger_->rows();
@@ -1024,69 +1132,102 @@ void FixWallRebound::end_of_step()
   }
 }
 
-void FixWallRebound::post_run()
-{
-  if (!ledger_) return;
+void FixWallRebound::post_run() {
+  if (!ledger_)
+    return;
   std::string why = ledger_->flush();
-  if (!why.empty()) fail(why);
+  if (!why.empty())
+    fail(why);
 }
 
 /* ---- output and restart ---------------------------------------------------------------------- */
 
-double FixWallRebound::compute_scalar()
-{
+double FixWallRebound::compute_scalar() {
   return compute_vector(N_IMPACTS);
 }
 
-double FixWallRebound::compute_vector(int n)
-{
+double FixWallRebound::compute_vector(int n) {
   double all;
   MPI_Allreduce(&counters_[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }
 
-double FixWallRebound::compute_array(int row, int column)
-{
+double FixWallRebound::compute_array(int row, int column) {
   double all;
   MPI_Allreduce(&totals_[row * N_TOTALS + column], &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }
 
-double FixWallRebound::memory_usage()
-{
+double FixWallRebound::memory_usage() {
   return static_cast<double>((near_.capacity() + candidates_.capacity()) * sizeof(Candidate) +
-                             planes_.capacity() * sizeof(Plane) +
-                             stuck_.capacity() * sizeof(int)) +
+                             planes_.capacity() * sizeof(Plane) + stuck_.capacity() * sizeof(int)) +
          (ledger_ ? ledger_->memory_usage() : 0);
 }
 
+FixWallRebound::Choice FixWallRebound::choice() const {
+  Choice c;
+  memset(&c, 0, sizeof c);
+  c.seed = seed_;
+  c.r_q = r_q_;
+  c.lambda_c = lambda_c_;
+  snprintf(c.profile, sizeof c.profile, "%s", profile_path_.c_str());
+  snprintf(c.spread, sizeof c.spread, "%s", spec_.spread);
+  snprintf(c.rebound, sizeof c.rebound, "%s", spec_.rebound);
+  return c;
+}
+
+/* The script is what counts; but it should not differ unnoticed. */
+void FixWallRebound::compare_choice(const Choice &saved) {
+  const Choice now = choice();
+  std::string changes;
+  if (saved.seed != now.seed)
+    changes += text("; seed %u, was %u", now.seed, saved.seed);
+  if (memcmp(&saved.r_q, &now.r_q, sizeof now.r_q) ||
+      memcmp(&saved.lambda_c, &now.lambda_c, sizeof now.r_q))
+    changes += text("; rq %g lambda_c %g, was rq %g lambda_c %g", now.r_q, now.lambda_c, saved.r_q,
+                    saved.lambda_c);
+  if (strcmp(saved.profile, now.profile))
+    changes += text("; profile '%s', was '%s'", now.profile, saved.profile);
+  if (strcmp(saved.spread, now.spread))
+    changes += text("; spread %s, was %s", now.spread, saved.spread);
+  if (strcmp(saved.rebound, now.rebound))
+    changes += text("; rebound %s, was %s", now.rebound, saved.rebound);
+  if (!changes.empty() && comm->me == 0)
+    error->warning(FLERR, ("Fix wall/rebound (id " + std::string(id) +
+                           "): the script differs from the restart file, and the script is taken" +
+                           changes)
+                              .c_str());
+}
+
 /* The fixed part, the totals, and for each mesh the number of its values and the values. */
-void FixWallRebound::write_restart(FILE *file)
-{
+void FixWallRebound::write_restart(FILE *file) {
   Saved saved;
   MPI_Allreduce(counters_, saved.counters, N_COUNTERS, MPI_DOUBLE, MPI_SUM, world);
   memcpy(saved.d_range, d_range_, sizeof d_range_);
   saved.clock = clock_;
+  saved.choice = choice();
   std::vector<double> tail(totals_.size());
-  MPI_Allreduce(totals_.data(), tail.data(), static_cast<int>(tail.size()), MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(totals_.data(), tail.data(), static_cast<int>(tail.size()), MPI_DOUBLE, MPI_SUM,
+                world);
   for (std::unique_ptr<ReboundMap> &map : maps_) {
     std::vector<double> values = map->gather(world);
     tail.push_back(static_cast<double>(values.size()));
     tail.insert(tail.end(), values.begin(), values.end());
   }
-  if (comm->me != 0) return;
+  if (comm->me != 0)
+    return;
   int size = static_cast<int>(sizeof saved + tail.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, file);
   fwrite(&saved, 1, sizeof saved, file);
   fwrite(tail.data(), sizeof(double), tail.size(), file);
 }
 
-void FixWallRebound::restart(char *buffer)
-{
+void FixWallRebound::restart(char *buffer) {
   Saved saved;
   memcpy(&saved, buffer, sizeof saved);
   memcpy(d_range_, saved.d_range, sizeof d_range_);
   clock_ = saved.clock;
+  compare_choice(saved.choice);
   buffer += sizeof saved;
   auto take = [&buffer](std::vector<double> &values) {
     memcpy(values.data(), buffer, values.size() * sizeof(double));

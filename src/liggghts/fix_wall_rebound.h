@@ -1,16 +1,17 @@
-/* fix wall/rebound: rough walls for LIGGGHTS. A contact is an event: a particle that reaches the wall
- * within a step rebounds, or sticks, once, by asp_wall_impact() of the core. No physics in here: this is
- * the adapter that finds contacts, converts, moves the particle, and keeps the books.
+/* fix wall/rebound: rough walls for LIGGGHTS. A contact is an event: a particle that reaches the
+ * wall within a step rebounds, or sticks, once, by asp_wall_impact() of the core. No physics in
+ * here: this is the adapter that finds contacts, converts, moves the particle, and keeps the books.
  *
- * The base class gives the geometry (primitive and mesh walls, neighbour lists, moving meshes, MPI).
- * Instead of its loop over overlaps at the end of a step, contacts are searched along the path of the
- * step: that gives the instant of contact, the side a particle came from, and the one contact that
- * comes first where several triangles are near, independent of their order and so of the ranks. The
- * first fix of the style searches for all of them, for a particle may meet two walls in one step.
+ * The base class gives the geometry (primitive and mesh walls, neighbour lists, moving meshes,
+ * MPI). Instead of its loop over overlaps at the end of a step, contacts are searched along the
+ * path of the step: that gives the instant of contact, the side a particle came from, and the one
+ * contact that comes first where several triangles are near, independent of their order and so of
+ * the ranks. The first fix of the style searches for all of them, for a particle may meet two walls
+ * in one step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef FIX_CLASS
-FixStyle(wall/rebound,FixWallRebound)
+FixStyle(wall / rebound, FixWallRebound)
 #else
 
 #ifndef LMP_FIX_WALL_REBOUND_H
@@ -29,7 +30,7 @@ FixStyle(wall/rebound,FixWallRebound)
 namespace LAMMPS_NS {
 
 class FixWallRebound : public FixWallGran {
- public:
+public:
   FixWallRebound(class LAMMPS *, int, char **);
   ~FixWallRebound();
 
@@ -53,10 +54,18 @@ class FixWallRebound : public FixWallGran {
   void write_restart(FILE *file);
   void restart(char *buffer);
 
- private:
-  /* Columns of the per-atom property: how often the particle has hit this wall, and how it stuck. */
-  enum { IMPACTS, STATE, STUCK_MESH, STUCK_TRIANGLE, STUCK_AT, STUCK_V = STUCK_AT + 3,
-         N_STATE = STUCK_V + 3 };
+private:
+  /* Columns of the per-atom property: how often the particle has hit this wall, and how it stuck.
+   */
+  enum {
+    IMPACTS,
+    STATE,
+    STUCK_MESH,
+    STUCK_TRIANGLE,
+    STUCK_AT,
+    STUCK_V = STUCK_AT + 3,
+    N_STATE = STUCK_V + 3
+  };
   enum State { FREE, FROZEN, DOOMED };
   enum Deposit { FREEZE, DELETE, OFF };
   enum Timing { EXACT, OVERLAP };
@@ -65,15 +74,31 @@ class FixWallRebound : public FixWallGran {
     double time, step, dt;
   };
 
-  enum Counter { N_IMPACTS, N_DEPOSITS, DEPOSITED_MASS, N_LATER_HITS, N_CAPPED, N_GUARDED, N_COUNTERS };
+  enum Counter {
+    N_IMPACTS,
+    N_DEPOSITS,
+    DEPOSITED_MASS,
+    N_LATER_HITS,
+    N_CAPPED,
+    N_GUARDED,
+    N_COUNTERS
+  };
 
   /* What goes into a restart file. */
+  /* What a restart may change without a word in the script having to say so. */
+  struct Choice {
+    uint32_t seed;
+    double r_q, lambda_c;
+    char profile[200], spread[40], rebound[40];
+  };
+
   enum Total { MESH_IMPACTS, MESH_DEPOSITS, MESH_MASS, MESH_ENERGY, N_TOTALS };
 
   struct Saved {
     double counters[N_COUNTERS];
     double d_range[2];
     Clock clock;
+    Choice choice;
   };
 
   /* A piece of wall that a particle may reach within the step. */
@@ -91,10 +116,10 @@ class FixWallRebound : public FixWallGran {
   /* Where a path meets a candidate. */
   struct Contact {
     const Candidate *on;
-    double time;      /* since the beginning of the path */
-    double n[3];      /* outward unit normal, from the wall to the centre */
+    double time; /* since the beginning of the path */
+    double n[3]; /* outward unit normal, from the wall to the centre */
     double v_wall[3];
-    double lift;      /* how far out along n the particle has to go to touch: it overlapped before */
+    double lift; /* how far out along n the particle has to go to touch: it overlapped before */
     bool guarded;
   };
 
@@ -117,9 +142,14 @@ class FixWallRebound : public FixWallGran {
 
   void fail(const std::string &what);
   void property(const char *name, const char *style, int rows, int columns, bool needed,
-                    const char *example, std::vector<double> &values);
+                const char *example, std::vector<double> &values);
   void find_materials();
+  std::string state_id() const;
+  void check_particles();
+  void check_meshes();
   void check_group();
+  Choice choice() const;
+  void compare_choice(const Choice &saved);
   void check_speeds();
 
   void find_siblings();
@@ -150,6 +180,7 @@ class FixWallRebound : public FixWallGran {
   bool smooth_;
   double r_q_, lambda_c_;
   std::string profile_path_, profile_report_; /* empty: no profile */
+  std::vector<std::string> mesh_ids_;
   int dp_bins_;
   double d_range_[2]; /* the diameters that the bins span; 0: not known yet */
   asp_wall_spec spec_;
@@ -165,20 +196,20 @@ class FixWallRebound : public FixWallGran {
   class FixPropertyAtom *fix_state_;
   double **state_;
   std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
-  std::vector<Candidate> near_;       /* the neighbour lists of the meshes, by particle */
-  std::vector<Plane> planes_;         /* and the planes of their triangles */
-  std::vector<Candidate> candidates_; /* what may be hit in this step */
+  std::vector<Candidate> near_;            /* the neighbour lists of the meshes, by particle */
+  std::vector<Plane> planes_;              /* and the planes of their triangles */
+  std::vector<Candidate> candidates_;      /* what may be hit in this step */
   std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
-  std::vector<std::unique_ptr<ReboundMap>> maps_;  /* one a mesh */
-  std::vector<std::vector<double>> saved_maps_;     /* of a restart, until the meshes are set up */
-  std::vector<double> totals_;                      /* N_TOTALS a mesh; one row for a primitive wall */
+  std::vector<std::unique_ptr<ReboundMap>> maps_; /* one a mesh */
+  std::vector<std::vector<double>> saved_maps_;   /* of a restart, until the meshes are set up */
+  std::vector<double> totals_; /* N_TOTALS a mesh; one row for a primitive wall */
   Clock clock_;
   double counters_[N_COUNTERS];
   bool lists_are_new_, warned_, announced_, restarted_;
   bigint speed_checked_;
 };
 
-}  // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif
 #endif

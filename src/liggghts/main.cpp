@@ -1,9 +1,9 @@
-/* liggghts-asperity: LIGGGHTS with the fix style wall/rebound. It runs a script as `liggghts` does, all
- * options and MPI included.
+/* liggghts-asperity: LIGGGHTS with the fix style wall/rebound. It runs a script as `liggghts` does,
+ * all options and MPI included.
  *
  * The style is registered in Modify::fix_map, which is private; naming the member in an explicit
- * template instantiation is legal C++ and reaches it. A library whose version or class layout is not
- * the one compiled for would crash later and elsewhere, so both are checked first.
+ * template instantiation is legal C++ and reaches it. A library whose version or class layout is
+ * not the one compiled for would crash later and elsewhere, so both are checked first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <malloc.h>
@@ -36,41 +36,42 @@ FixMapMember fix_map_member;
 
 template <FixMapMember member> struct FixMapAccess {
   struct Setter {
-    Setter() { fix_map_member = member; }
+    Setter() {
+      fix_map_member = member;
+    }
   };
   static Setter setter;
 };
 template <FixMapMember member> typename FixMapAccess<member>::Setter FixMapAccess<member>::setter;
 template struct FixMapAccess<&Modify::fix_map>;
 
-Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg)
-{
+Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg) {
   return new FixWallRebound(lmp, narg, arg);
 }
 
-void fail(const char *what, const char *found, const char *expected)
-{
+void fail(const char *what, const char *found, const char *expected) {
   int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0)
-    fprintf(stderr, "ERROR: liggghts-asperity: %s is %s, but it was built for %s; build asperity "
-            "again against this LIGGGHTS\n", what, found, expected);
+    fprintf(stderr,
+            "ERROR: liggghts-asperity: %s is %s, but it was built for %s; build asperity "
+            "again against this LIGGGHTS\n",
+            what, found, expected);
   MPI_Finalize();
   exit(1);
 }
 
 /* The library allocated the object with its own idea of the class; ours must fit in, and not leave
  * more over than the allocator rounds up to. */
-template <class T> void check_layout(const char *name, T *object)
-{
+template <class T> void check_layout(const char *name, T *object) {
   size_t room = malloc_usable_size(object);
-  if (sizeof(T) <= room && room < sizeof(T) + 32) return;
+  if (sizeof(T) <= room && room < sizeof(T) + 32)
+    return;
   fail(name, (std::to_string(room) + " bytes").c_str(),
        (std::to_string(sizeof(T)) + " bytes").c_str());
 }
 
-void check_library(LAMMPS *lammps)
-{
+void check_library(LAMMPS *lammps) {
   if (!strstr(lammps->universe->version, ASPERITY_LIGGGHTS_VERSION))
     fail("the LIGGGHTS library", lammps->universe->version, ASPERITY_LIGGGHTS_VERSION);
   check_layout("the class Atom", lammps->atom);
@@ -80,8 +81,7 @@ void check_library(LAMMPS *lammps)
   check_layout("the class Update", lammps->update);
 }
 
-void handle_signals()
-{
+void handle_signals() {
   struct sigaction stop, checkpoint;
   memset(&stop, 0, sizeof stop);
   memset(&checkpoint, 0, sizeof checkpoint);
@@ -92,10 +92,9 @@ void handle_signals()
   sigaction(SIGUSR1, &checkpoint, NULL);
 }
 
-}  // namespace
+} // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   handle_signals();
   MPI_Init(&argc, &argv);
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);

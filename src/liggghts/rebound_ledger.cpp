@@ -16,97 +16,98 @@ static const char COLUMNS[] =
 ReboundLedger::ReboundLedger(MPI_Comm world, bigint every, const std::string &path,
                              const std::string &heading)
     : world_(world), every_(every), path_(path), heading_(heading), file_(NULL), failed_(false),
-      written_(0)
-{
+      written_(0) {
   MPI_Comm_rank(world_, &rank_);
 }
 
-ReboundLedger::~ReboundLedger()
-{
-  if (file_) fclose(file_);
+ReboundLedger::~ReboundLedger() {
+  if (file_)
+    fclose(file_);
 }
 
-std::string ReboundLedger::open(bool append)
-{
+std::string ReboundLedger::open(bool append) {
   int bad = 0;
   if (rank_ == 0 && !path_.empty() && !file_) {
     file_ = fopen(path_.c_str(), append ? "a" : "w");
     bad = file_ ? 0 : errno;
-    if (file_ && ftell(file_) <= 0) fprintf(file_, "%s\n%s", heading_.c_str(), COLUMNS);
-    if (file_) fflush(file_);
+    if (file_ && ftell(file_) <= 0)
+      fprintf(file_, "%s\n%s", heading_.c_str(), COLUMNS);
+    if (file_)
+      fflush(file_);
   }
   MPI_Bcast(&bad, 1, MPI_INT, 0, world_);
   return bad ? "cannot write the ledger file '" + path_ + "': " + strerror(bad) : "";
 }
 
-void ReboundLedger::add(const Row &row)
-{
+void ReboundLedger::add(const Row &row) {
   rows_.push_back(row);
 }
 
-void ReboundLedger::begin_step(bigint step)
-{
-  if ((step - 1) % every_ != 0) return;
+void ReboundLedger::begin_step(bigint step) {
+  if ((step - 1) % every_ != 0)
+    return;
   rows_.clear();
   written_ = 0;
 }
 
-void ReboundLedger::end_step(bigint step)
-{
-  if (step % every_ == 0) flush();
+void ReboundLedger::end_step(bigint step) {
+  if (step % every_ == 0)
+    flush();
 }
 
-static bool earlier(const ReboundLedger::Row &a, const ReboundLedger::Row &b)
-{
+static bool earlier(const ReboundLedger::Row &a, const ReboundLedger::Row &b) {
   static const int keys[] = {ReboundLedger::STEP, ReboundLedger::TIME, ReboundLedger::TAG,
                              ReboundLedger::IMPACT};
   for (int key : keys)
-    if (a[key] < b[key] || b[key] < a[key]) return a[key] < b[key];
+    if (a[key] < b[key] || b[key] < a[key])
+      return a[key] < b[key];
   return false;
 }
 
-std::string ReboundLedger::flush()
-{
-  if (path_.empty()) return "";
+std::string ReboundLedger::flush() {
+  if (path_.empty())
+    return "";
   int ranks, mine = static_cast<int>((rows_.size() - written_) * N_FIELDS);
   MPI_Comm_size(world_, &ranks);
   std::vector<int> counts(ranks), starts(ranks + 1, 0);
   MPI_Gather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world_);
-  for (int i = 0; i < ranks; i++) starts[i + 1] = starts[i] + counts[i];
+  for (int i = 0; i < ranks; i++)
+    starts[i + 1] = starts[i] + counts[i];
   std::vector<Row> all(rank_ == 0 ? starts[ranks] / N_FIELDS : 0);
   MPI_Gatherv(rows_.data() + written_, mine, MPI_DOUBLE, all.data(), counts.data(), starts.data(),
               MPI_DOUBLE, 0, world_);
   written_ = rows_.size();
-  if (rank_ == 0) write(all);
+  if (rank_ == 0)
+    write(all);
   int bad = failed_ ? 1 : 0;
   MPI_Bcast(&bad, 1, MPI_INT, 0, world_);
   return bad ? "writing the ledger file '" + path_ + "' failed; is the disk full?" : "";
 }
 
-void ReboundLedger::write(std::vector<Row> &rows)
-{
+void ReboundLedger::write(std::vector<Row> &rows) {
   std::sort(rows.begin(), rows.end(), earlier);
   for (const Row &r : rows) {
     fprintf(file_, "%.0f,%.0f,%.12g,%.0f,%.0f", r[TAG], r[IMPACT], r[TIME], r[MESH], r[TRIANGLE]);
-    for (int i = X; i < COR_T; i++) fprintf(file_, ",%.12g", r[i]);
+    for (int i = X; i < COR_T; i++)
+      fprintf(file_, ",%.12g", r[i]);
     if (r[COR_T_DEFINED] > 0)
       fprintf(file_, ",%.12g", r[COR_T]);
     else
       fputc(',', file_);
     fprintf(file_, ",%.0f\n", r[OUTCOME]);
   }
-  if (fflush(file_) != 0) failed_ = true;
+  if (fflush(file_) != 0)
+    failed_ = true;
 }
 
-double **ReboundLedger::rows()
-{
+double **ReboundLedger::rows() {
   pointers_.resize(rows_.size());
-  for (size_t i = 0; i < rows_.size(); i++) pointers_[i] = rows_[i].data();
+  for (size_t i = 0; i < rows_.size(); i++)
+    pointers_[i] = rows_[i].data();
   return pointers_.data();
 }
 
-double ReboundLedger::memory_usage() const
-{
+double ReboundLedger::memory_usage() const {
   return static_cast<double>(rows_.capacity() * sizeof(Row) +
                              pointers_.capacity() * sizeof(double *));
 }

@@ -1,6 +1,6 @@
 /* The ledger of a rough wall: one row an impact. Rows live from one multiple of N to the next, for
- * `dump local`; with a file, the same rows go to one CSV, gathered from all ranks and sorted by step,
- * time, particle and impact, so that the file does not depend on the number of ranks.
+ * `dump local`; with a file, the same rows go to one CSV, gathered from all ranks and sorted by
+ * step, time, particle and impact, so that the file does not depend on the number of ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REBOUND_LEDGER_H
@@ -17,12 +17,31 @@
 namespace LAMMPS_NS {
 
 class ReboundLedger {
- public:
+public:
   enum {
-    TAG, IMPACT, TIME, MESH, TRIANGLE, X, Y, Z, D_P, V1, ALPHA1, DELTA_ALPHA, TILT_OUT, HITS, V2,
-    ALPHA2, COR_N, COR_T, OUTCOME,
+    TAG,
+    IMPACT,
+    TIME,
+    MESH,
+    TRIANGLE,
+    X,
+    Y,
+    Z,
+    D_P,
+    V1,
+    ALPHA1,
+    DELTA_ALPHA,
+    TILT_OUT,
+    HITS,
+    V2,
+    ALPHA2,
+    COR_N,
+    COR_T,
+    OUTCOME,
     N_COLUMNS, /* those that users see */
-    STEP = N_COLUMNS, COR_T_DEFINED, N_FIELDS
+    STEP = N_COLUMNS,
+    COR_T_DEFINED,
+    N_FIELDS
   };
   typedef std::array<double, N_FIELDS> Row;
 
@@ -42,12 +61,16 @@ class ReboundLedger {
   void end_step(bigint step);
   std::string flush();
 
-  bigint every() const { return every_; }
-  int size() const { return static_cast<int>(rows_.size()); }
+  bigint every() const {
+    return every_;
+  }
+  int size() const {
+    return static_cast<int>(rows_.size());
+  }
   double **rows();
   double memory_usage() const;
 
- private:
+private:
   void write(std::vector<Row> &rows);
 
   MPI_Comm world_;
@@ -61,6 +84,6 @@ class ReboundLedger {
   size_t written_; /* how many of rows_ are in the file */
 };
 
-}  // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

@@ -1,6 +1,7 @@
 /* What the triangles of one mesh have taken: impacts, deposited mass, and impact energy, as element
- * properties of the mesh (`impacts`, `deposited_mass`, `impact_energy`) for `dump mesh/vtk`. Within a
- * step they gather in a property that LIGGGHTS adds up over ghost triangles (comm_reverse) and clears.
+ * properties of the mesh (`impacts`, `deposited_mass`, `impact_energy`) for `dump mesh/vtk`. Within
+ * a step they gather in a property that LIGGGHTS adds up over ghost triangles (comm_reverse) and
+ * clears.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REBOUND_MAP_H
@@ -15,12 +16,13 @@
 namespace LAMMPS_NS {
 
 class ReboundMap {
- public:
+public:
   enum { IMPACTS, MASS, ENERGY, N_VALUES };
 
   explicit ReboundMap(TriMesh *mesh);
 
-  /* Takes the properties off the mesh again; not in the destructor, for the mesh may be gone by then. */
+  /* Takes the properties off the mesh again; not in the destructor, for the mesh may be gone by
+   * then. */
   void remove();
 
   /* One impact on a local or ghost triangle. */
@@ -35,12 +37,12 @@ class ReboundMap {
   /* Sets the triangles of this rank from such a list. */
   void scatter(const std::vector<double> &values);
 
- private:
+private:
   TriMesh *mesh_;
   VectorContainer<double, 3> *step_;
   ScalarContainer<double> *sums_[N_VALUES];
 };
 
-}  // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

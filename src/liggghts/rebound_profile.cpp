@@ -7,17 +7,16 @@
 
 using namespace LAMMPS_NS;
 
-static void broadcast(MPI_Comm world, std::string &text)
-{
+static void broadcast(MPI_Comm world, std::string &text) {
   int length = static_cast<int>(text.size());
   MPI_Bcast(&length, 1, MPI_INT, 0, world);
   text.resize(length);
-  if (length > 0) MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
+  if (length > 0)
+    MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
 }
 
-ReboundProfile LAMMPS_NS::read_rebound_profile(MPI_Comm world, const std::string &path, double metre,
-                                               std::string &report)
-{
+ReboundProfile LAMMPS_NS::read_rebound_profile(MPI_Comm world, const std::string &path,
+                                               double metre, std::string &report) {
   ReboundProfile profile(NULL, asp_profile_free);
   std::string wrong;
   asp_error error;
@@ -34,7 +33,8 @@ ReboundProfile LAMMPS_NS::read_rebound_profile(MPI_Comm world, const std::string
       wrong = error.text;
   }
   broadcast(world, wrong);
-  if (!wrong.empty()) throw wrong;
+  if (!wrong.empty())
+    throw wrong;
   broadcast(world, report);
 
   double spacing = profile ? asp_profile_spacing(profile.get()) : 0;
@@ -42,10 +42,12 @@ ReboundProfile LAMMPS_NS::read_rebound_profile(MPI_Comm world, const std::string
   MPI_Bcast(&spacing, 1, MPI_DOUBLE, 0, world);
   MPI_Bcast(&points, 1, MPI_LONG_LONG, 0, world);
   std::vector<double> heights(points);
-  if (profile) heights.assign(asp_profile_heights(profile.get()), asp_profile_heights(profile.get()) + points);
+  if (profile)
+    heights.assign(asp_profile_heights(profile.get()), asp_profile_heights(profile.get()) + points);
   MPI_Bcast(heights.data(), static_cast<int>(points), MPI_DOUBLE, 0, world);
   if (!profile)
     profile.reset(asp_profile_from_heights(heights.data(), heights.size(), spacing, false, &error));
-  if (!profile) throw std::string(error.text);
+  if (!profile)
+    throw std::string(error.text);
   return profile;
 }

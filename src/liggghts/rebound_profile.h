@@ -19,6 +19,6 @@ typedef std::unique_ptr<asp_profile, void (*)(asp_profile *)> ReboundProfile;
 ReboundProfile read_rebound_profile(MPI_Comm world, const std::string &path, double metre,
                                     std::string &report);
 
-}  // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

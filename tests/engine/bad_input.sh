@@ -91,6 +91,15 @@ fix m1 all property/global youngsModulus peratomtype -7e10 2e11" "youngsModulus"
 refuses "$plane" "unfix m2
 fix m2 all property/global poissonsRatio peratomtype 0.17 0.7" "poissonsRatio"
 refuses "$mesh" "run_style respa 2 2" "respa"
+refuses "$mesh" "fix other all wall/rebound mesh n_meshes 1 meshes plate" "'plate' is already used by fix 'other'" "one wall for each mesh"
+refuses "$mesh" "fix other all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate" "'plate' is already used by fix 'other'"
+# orders that come after the wall: behind a line break, where the deck goes on
+refuses "$mesh
+unfix plate" "" "plate" "unfix"
+refuses "$plane
+unfix rebound_wall" "" "rebound_wall" "property/atom"
+refuses "$plane
+minimize 0 0 1 1" "" "minimize"
 all_refused
 
 # Not needed, not asked for: a law without materials, a wall without deposits, a rate instead of a stress.
