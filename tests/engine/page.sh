@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Every command in the Examples of the fix's page runs as it stands there.
+source "$(dirname "$0")/engine.sh"
+page=$here/../../src/liggghts/fix_wall_rebound.md
+awk '/^## Examples/ { on = 1; next } /^## / { on = 0 } on && /^```/ { code = !code; next } on && code' "$page" |
+  awk '{ sub(/^ +/, " "); if (sub(/&$/, "")) { line = line $0; next } print line $0; line = "" }' > examples
+[ "$(wc -l < examples)" -ge 4 ] || die "the page has $(wc -l < examples) examples"
+plate 3 1 1.9e-3 > blade.stl
+sed 's/vertex \(.*\) 0$/vertex \1 5e-4/' blade.stl > hub.stl
+cp "$here/../data/"*.csv . 2> /dev/null || true
+number=0
+while read -r line; do
+  number=$((number + 1))
+  { head_of si
+    echo "region box block -0.002 0.002 -0.002 0.002 -0.001 0.002 units box
+create_box 2 box
+neighbor 1e-4 bin
+create_atoms 1 single 0 0 2e-4 units box
+set group all diameter 1e-5 density 2650
+velocity all set 10 0 -50 units box
+group dust type 1
+fix blade all mesh/surface file blade.stl type 2
+fix hub all mesh/surface file hub.stl type 2
+fix move all nve/sphere
+timestep 5e-8"
+    materials
+    echo "$line
+thermo_style custom step f_wall
+run 200"; } > example.in
+  engine 2 example.in
+  if ! grep -q xcylinder <<< "$line"; then
+    grep -E '^ +200 ' example.in.screen | awk '{ exit !($2 >= 1) }' || die "no impact: $line"
+  fi
+done < examples
