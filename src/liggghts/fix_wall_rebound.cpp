@@ -574,31 +574,34 @@ void FixWallRebound::check_speeds() {
   speed_checked_ = update->ntimestep;
   if (warned_)
     return;
-  double worst = 0, fastest[3] = {0, 0, 0};
+  struct {
+    double ratio; /* radii per time */
+    int rank;
+  } mine = {0, comm->me}, worst;
+  double speed = 0, d_p = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit) || state_[i][STATE] != FREE)
       continue;
-    double speed = sqrt(dot(atom->v[i], atom->v[i])), ratio = speed / atom->radius[i];
-    if (ratio <= worst)
+    const double square = dot(atom->v[i], atom->v[i]), limit = mine.ratio * atom->radius[i];
+    if (square <= limit * limit)
       continue;
-    worst = ratio;
-    fastest[1] = speed;
-    fastest[2] = 2 * atom->radius[i];
+    speed = sqrt(square);
+    d_p = 2 * atom->radius[i];
+    mine.ratio = speed / atom->radius[i];
   }
-  double mine = worst;
-  MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (worst * update->dt <= 1)
+  MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  if (worst.ratio * update->dt <= 1)
     return;
-  fastest[0] = mine == worst ? 1 : 0;
-  double all[3];
-  MPI_Allreduce(fastest, all, 3, MPI_DOUBLE, MPI_MAX, world);
+  double fastest[2] = {d_p, speed};
+  MPI_Bcast(fastest, 2, MPI_DOUBLE, worst.rank, world);
   warned_ = true;
   if (comm->me == 0)
     error->warning(FLERR,
                    text("Fix wall/rebound (id %s): particles can cross the wall within a step: "
                         "one of diameter %g moves at %g, which is %.3g diameters in a step of "
                         "%g; the largest safe step is %g",
-                        id, all[2], all[1], 0.5 * worst * update->dt, update->dt, 1 / worst)
+                        id, fastest[0], fastest[1], 0.5 * worst.ratio * update->dt, update->dt,
+                        1 / worst.ratio)
                        .c_str());
 }
 
@@ -611,28 +614,25 @@ void FixWallRebound::find_siblings() {
       siblings_.push_back(wall);
 }
 
+/* A cheap look at all pairs of particle and wall first; then, for the few particles whose path may
+ * meet a wall in this step, all walls that they may reach. */
 void FixWallRebound::post_force(int) {
   if (update->setupflag || siblings_.front() != this)
     return;
-  candidates_.clear();
   for (FixWallRebound *wall : siblings_)
     wall->refresh();
-  for (FixWallRebound *wall : siblings_) {
-    if (wall->is_mesh_wall())
-      wall->find_candidates_mesh(candidates_);
-    else
-      wall->find_candidates_primitive(candidates_);
-  }
-  if (siblings_.size() >
-      1) /* each brings its own by particle; stable: within one, by the script's order */
-    std::stable_sort(
-        candidates_.begin(), candidates_.end(),
-        [](const Candidate &a, const Candidate &b) { return a.particle < b.particle; });
-  const Candidate *end = candidates_.data() + candidates_.size();
-  for (const Candidate *first = candidates_.data(), *last; first < end; first = last) {
-    for (last = first; last < end && last->particle == first->particle;)
-      last++;
-    collide(first, last);
+  hits_.clear();
+  for (FixWallRebound *wall : siblings_)
+    wall->find_hits(hits_);
+  std::sort(hits_.begin(), hits_.end());
+  hits_.erase(std::unique(hits_.begin(), hits_.end()), hits_.end());
+  for (int i : hits_) {
+    if (is_stuck(i))
+      continue;
+    candidates_.clear();
+    for (FixWallRebound *wall : siblings_)
+      wall->find_candidates(i, candidates_);
+    collide(candidates_.data(), candidates_.data() + candidates_.size());
   }
 }
 
@@ -644,17 +644,9 @@ void FixWallRebound::refresh() {
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
   state_ = fix_state_->array_atom;
-  for (int i : stuck_)
-    carry(i);
-}
-
-/* A wall counts when the particle, at the end of its step, is no farther from it than the two have
- * come in this step, or may go in it after a rebound: gap <= 2 dt (|v| + 2 wall_speed). */
-static inline bool in_reach(double gap, const double v[3], double dt, double wall_speed) {
-  if (gap <= 0)
-    return true;
-  double left = gap - 4 * dt * wall_speed;
-  return left <= 0 || left * left <= 4 * dt * dt * dot(v, v);
+  if (!stuck_.empty() && is_moving())
+    for (int i : stuck_)
+      carry(i);
 }
 
 /* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle: so that a
@@ -685,6 +677,7 @@ void FixWallRebound::collect_planes() {
   for (size_t k = 0; k < near_.size(); k++) {
     TriMesh *mesh = mesh_list()[near_[k].mesh]->triMesh();
     Plane &plane = planes_[k];
+    plane.particle = near_[k].particle;
     mesh->surfaceNorm(near_[k].triangle, plane.normal);
     mesh->node(near_[k].triangle, 0, node);
     plane.offset = dot(plane.normal, node);
@@ -692,29 +685,70 @@ void FixWallRebound::collect_planes() {
   }
 }
 
-/* The distance from the plane of a triangle is a lower bound of that from the triangle, and cheap;
- * it spares the exact one for nearly all pairs. */
-void FixWallRebound::find_candidates_mesh(std::vector<Candidate> &candidates) {
-  double delta[3], bary[3];
+/* Particles that may touch a wall in this step. The distance from the plane of a triangle is a
+ * lower bound of that from the triangle, and along a straight path it is least at one of its ends,
+ * or zero between them where they lie on different sides. */
+void FixWallRebound::find_hits(std::vector<int> &hits) {
+  if (!is_mesh_wall()) {
+    find_hits_primitive(hits);
+    return;
+  }
   double **x = atom->x, **v = atom->v, *radius = atom->radius;
   const double dt = update->dt;
-  int sign;
   const bool lists_were_new = lists_are_new_;
   if (lists_are_new_)
     collect_pairs();
   if (lists_were_new || is_moving())
     collect_planes();
-  for (size_t k = 0; k < near_.size(); k++) {
-    const Candidate &near = near_[k];
-    const Plane &plane = planes_[k];
-    const int i = near.particle;
-    double height = fabs(dot(plane.normal, x[i]) - plane.offset);
-    if (!in_reach(height - radius[i], v[i], dt, plane.speed) || is_stuck(i))
+  for (const Plane &plane : planes_) {
+    const int i = plane.particle;
+    double end = dot(plane.normal, x[i]) - plane.offset;
+    double begin = end - dot(plane.normal, v[i]) * dt;
+    double reach = radius[i] + 2 * plane.speed * dt;
+    if (!((begin > reach && end > reach) || (begin < -reach && end < -reach)))
+      hits.push_back(i);
+  }
+}
+
+/* The distance from any wall changes by no more than the path is long, so it cannot fall to zero
+ * where the distances at its ends add up to more. A primitive wall moves along itself only. */
+void FixWallRebound::find_hits_primitive(std::vector<int> &hits) {
+  int *list;
+  double delta[3], begin[3];
+  const double dt = update->dt;
+  const int n = primitiveWall()->getNeighbors(list);
+  for (int k = 0; k < n; k++) {
+    const int i = list[k];
+    if (i >= nlocal_ || !(atom->mask[i] & groupbit))
       continue;
-    double gap = mesh_list()[near.mesh]->triMesh()->resolveTriSphereContactBary(
-        i, near.triangle, radius[i], x[i], delta, bary, sign, false);
-    if (in_reach(gap, v[i], dt, plane.speed))
-      candidates.push_back(near);
+    const double *v = atom->v[i];
+    for (int d = 0; d < 3; d++)
+      begin[d] = x_[i][d] - v[d] * dt;
+    double sum = primitiveWall()->resolveContact(x_[i], radius_[i], delta) +
+                 primitiveWall()->resolveContact(begin, radius_[i], delta);
+    if (sum <= 0 || sum * sum <= dt * dt * dot(v, v))
+      hits.push_back(i);
+  }
+}
+
+/* All pieces of this wall that the particle may touch in this step, also after rebounds: its speed
+ * may have grown by then where walls move. */
+void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) {
+  if (!(atom->mask[i] & groupbit))
+    return;
+  if (!is_mesh_wall()) {
+    candidates.push_back(Candidate{this, i, -1, 0, 0});
+    return;
+  }
+  const double path = sqrt(dot(atom->v[i], atom->v[i])) * update->dt;
+  std::vector<Candidate>::const_iterator near =
+      std::lower_bound(near_.begin(), near_.end(), i,
+                       [](const Candidate &c, int particle) { return c.particle < particle; });
+  for (; near != near_.end() && near->particle == i; ++near) {
+    const Plane &plane = planes_[near - near_.begin()];
+    double gap = fabs(dot(plane.normal, x_[i]) - plane.offset) - radius_[i];
+    if (gap <= 2 * path + 4 * plane.speed * update->dt)
+      candidates.push_back(*near);
   }
 }
 
@@ -728,21 +762,6 @@ double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t) {
     most = std::max(most, dot(v, v));
   }
   return sqrt(most);
-}
-
-/* A primitive wall moves along itself only, if at all. */
-void FixWallRebound::find_candidates_primitive(std::vector<Candidate> &candidates) {
-  int *list;
-  double delta[3];
-  const int n = primitiveWall()->getNeighbors(list);
-  for (int k = 0; k < n; k++) {
-    const int i = list[k];
-    if (i >= nlocal_ || !(atom->mask[i] & groupbit))
-      continue;
-    double gap = primitiveWall()->resolveContact(x_[i], radius_[i], delta);
-    if (!is_stuck(i) && in_reach(gap, atom->v[i], update->dt, 0))
-      candidates.push_back(Candidate{this, i, -1, 0, 0});
-  }
 }
 
 bool FixWallRebound::is_stuck(int i) const {
@@ -1160,7 +1179,8 @@ double FixWallRebound::compute_array(int row, int column) {
 
 double FixWallRebound::memory_usage() {
   return static_cast<double>((near_.capacity() + candidates_.capacity()) * sizeof(Candidate) +
-                             planes_.capacity() * sizeof(Plane) + stuck_.capacity() * sizeof(int)) +
+                             planes_.capacity() * sizeof(Plane) +
+                             (stuck_.capacity() + hits_.capacity()) * sizeof(int)) +
          (ledger_ ? ledger_->memory_usage() : 0);
 }
 

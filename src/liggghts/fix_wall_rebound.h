@@ -111,6 +111,7 @@ private:
   struct Plane {
     double normal[3], offset;
     double speed; /* of the fastest node */
+    int particle; /* whose pair it is */
   };
 
   /* Where a path meets a candidate. */
@@ -156,8 +157,9 @@ private:
   void refresh();
   void collect_pairs();
   void collect_planes();
-  void find_candidates_mesh(std::vector<Candidate> &candidates);
-  void find_candidates_primitive(std::vector<Candidate> &candidates);
+  void find_hits(std::vector<int> &hits);
+  void find_hits_primitive(std::vector<int> &hits);
+  void find_candidates(int particle, std::vector<Candidate> &candidates);
   double speed_of_triangle(class TriMesh *mesh, int triangle);
   bool is_stuck(int i) const;
   double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
@@ -199,6 +201,7 @@ private:
   std::vector<Candidate> near_;            /* the neighbour lists of the meshes, by particle */
   std::vector<Plane> planes_;              /* and the planes of their triangles */
   std::vector<Candidate> candidates_;      /* what may be hit in this step */
+  std::vector<int> hits_;                  /* particles that may touch a wall in this step */
   std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
   std::vector<std::unique_ptr<ReboundMap>> maps_; /* one a mesh */
   std::vector<std::vector<double>> saved_maps_;   /* of a restart, until the meshes are set up */

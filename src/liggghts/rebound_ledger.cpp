@@ -87,11 +87,11 @@ std::string ReboundLedger::flush() {
 void ReboundLedger::write(std::vector<Row> &rows) {
   std::sort(rows.begin(), rows.end(), earlier);
   for (const Row &r : rows) {
-    fprintf(file_, "%.0f,%.0f,%.12g,%.0f,%.0f", r[TAG], r[IMPACT], r[TIME], r[MESH], r[TRIANGLE]);
+    fprintf(file_, "%.0f,%.0f,%.10g,%.0f,%.0f", r[TAG], r[IMPACT], r[TIME], r[MESH], r[TRIANGLE]);
     for (int i = X; i < COR_T; i++)
-      fprintf(file_, ",%.12g", r[i]);
+      fprintf(file_, ",%.10g", r[i]);
     if (r[COR_T_DEFINED] > 0)
-      fprintf(file_, ",%.12g", r[COR_T]);
+      fprintf(file_, ",%.10g", r[COR_T]);
     else
       fputc(',', file_);
     fprintf(file_, ",%.0f\n", r[OUTCOME]);
