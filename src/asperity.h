@@ -297,7 +297,8 @@ double asp_surface_slope(const asp_surface *surface, double d_p);
 typedef struct asp_view {
   double slope;  /* s_eff, the rms slope that a particle of this size meets */
   double sigma;  /* atan(s_eff), the one number that describes the wall to the paper's models */
-  double alpha1; /* impact angle, 0 <= alpha1 <= pi/2 */
+  double alpha1; /* impact angle, 0 <= alpha1 <= pi/2; negative, down to -pi/2, for a particle that
+                    flies up after an earlier hit (models with `upward` only) */
   double d_p;    /* diameter, in the surface's unit; for models that look up the profile itself */
   const void *data; /* what a model that needs more was given when the wall was made, or NULL */
 } asp_view;
@@ -313,6 +314,10 @@ typedef struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
+  bool upward;         /* has a law for particles that fly up, too: faces with delta > -alpha1 */
+  /* The probability that a particle that a face has sent up at theta > 0 over the mean wall leaves;
+   * NULL: by the heights of a Gaussian wall. A model with a rule of its own always uses it. */
+  double (*escape)(const asp_view *view, double theta);
   /* Density in 1/rad and distribution at delta; NULL where the law has none (`none`). */
   double (*density)(const asp_view *view, double delta);
   double (*distribution)(const asp_view *view, double delta);
