@@ -306,6 +306,21 @@ typedef struct asp_view {
 /* A view for laws that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
 asp_view asp_view_create(double sigma, double alpha1);
 
+/* Where a particle is that a model follows over a profile: nowhere yet, when all is 0. */
+typedef struct asp_path {
+  bool begun;
+  bool back;   /* flies towards smaller x of the profile */
+  double x, z; /* along its flight, and height */
+  size_t face; /* that it last hit, counted along its flight */
+} asp_path;
+
+/* The diameters that a wall is made for: `bins` of them from least to most at equal ratios; one
+ * bin is their geometric mean. 0 < least <= most, bins >= 1. */
+typedef struct asp_sizes {
+  double least, most;
+  int bins;
+} asp_sizes;
+
 /* A spread model as data: how the tilt delta_alpha of the face that is hit is distributed. Every
  * law is cut to |delta_alpha| < 90 degrees and alpha1 + delta_alpha < 180 degrees (a height
  * function has no overhangs, and a particle hits only faces turned towards it) and normalised over
@@ -314,7 +329,8 @@ typedef struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
-  bool upward;         /* has a law for particles that fly up, too: faces with delta > -alpha1 */
+  bool upward;         /* has a law for particles that fly up, too: faces with delta > -alpha1;
+                          others borrow that of `visible` */
   /* The probability that a particle that a face has sent up at theta > 0 over the mean wall leaves;
    * NULL: by the heights of a Gaussian wall. A model with a rule of its own always uses it. */
   double (*escape)(const asp_view *view, double theta);
@@ -326,6 +342,13 @@ typedef struct asp_spread_model {
   /* One delta by a loop, for laws that are one; NULL where the quantile is the draw. False when the
    * loop reached its bound (delta is then 0, the mean wall). */
   bool (*loop)(const asp_view *view, asp_stream *stream, double *delta);
+  /* Makes asp_view.data out of a profile, NULL on error, and frees it; NULL where none is needed.
+   */
+  void *(*prepare)(const asp_profile *profile, const asp_sizes *sizes, asp_error *error);
+  void (*release)(void *data);
+  /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
+   * false when it leaves the wall. NULL where the model knows of no places. */
+  bool (*follow)(const asp_view *view, asp_stream *stream, asp_path *path, double *delta);
 } asp_spread_model;
 
 /* One delta of the model, from the stream; false when a loop reached its bound. */
@@ -428,8 +451,12 @@ typedef enum asp_tilt {
 } asp_tilt;
 
 typedef enum asp_collisions {
-  ASP_COLLISIONS_SINGLE,  /* a rebound into the wall is drawn again */
-  ASP_COLLISIONS_MULTIPLE /* a rebound into the wall hits the next face */
+  ASP_COLLISIONS_SINGLE,   /* a rebound into the wall is drawn again */
+  ASP_COLLISIONS_MULTIPLE, /* a rebound into the wall hits the next face, and so may one that leaves
+                              a low place at a small angle: the walk in height of Heitz, Hanika,
+                              d'Eon & Dachsbacher 2016 */
+  ASP_COLLISIONS_SMITH     /* the same with Smith's probability to escape, which forgets how deep
+                              the particle is after its first hit */
 } asp_collisions;
 
 enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called capped */

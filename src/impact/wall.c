@@ -60,10 +60,13 @@ asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error) {
   }
   *wall = (asp_wall){.surface = spec->surface,
                      .spread = spread,
+                     .upward = asp_spread_find("visible", NULL),
                      .law = law,
                      .rough = spec->surface && spread != asp_spread_find("none", NULL),
                      .isotropic = spec->tilt == ASP_TILT_ISOTROPIC,
-                     .multiple = spec->collisions == ASP_COLLISIONS_MULTIPLE,
+                     .multiple = spec->collisions != ASP_COLLISIONS_SINGLE || spread->escape ||
+                                 spread->follow,
+                     .forgets = spec->collisions == ASP_COLLISIONS_SMITH,
                      .deposit = spec->deposit};
   for (int i = 0; i < ASP_PARAMETERS_MAX; i++)
     wall->parameters[i] = spec->parameters[i];
