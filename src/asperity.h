@@ -310,8 +310,9 @@ asp_view asp_view_create(double sigma, double alpha1);
 typedef struct asp_path {
   bool begun;
   bool back;   /* flies towards smaller x of the profile */
-  double x, z; /* along its flight, and height */
-  size_t face; /* that it last hit, counted along its flight */
+  double x, z; /* place along the profile and height, in points */
+  size_t face; /* that it last hit */
+  int hits;    /* so far */
 } asp_path;
 
 /* The diameters that a wall is made for: `bins` of them from least to most at equal ratios; one
@@ -361,6 +362,43 @@ const asp_spread_model *asp_spread_at(int index);
 
 /* The model of that name; NULL and a message that lists the names there are, when there is none. */
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error);
+
+/* ---- geometry: the reference that the models are measured against ------------------------------
+ */
+
+/* The path of the centre of a disc over a profile (asp_profile_dilate), as straight faces between
+ * its points, periodic (a measured profile goes on as its mirror image): particles that fall on it
+ * at an angle, and where they hit it, without a model. */
+typedef struct asp_track asp_track;
+
+/* For a particle of diameter 0 <= d_p <= length of the profile, which need not outlive it. NULL on
+ * error. */
+asp_track *asp_track_create(const asp_profile *profile, double d_p, asp_error *error);
+void asp_track_free(asp_track *track);
+
+size_t asp_track_faces(const asp_track *track);
+double asp_track_slope_rms(const asp_track *track); /* s_eff of these very faces */
+
+/* Slope of a face in the direction of flight, 0 <= face < asp_track_faces(); particles fly towards
+ * larger x. */
+double asp_track_face_slope(const asp_track *track, size_t face);
+
+/* The smallest impact angle that a track of this length can tell: below it particles would see no
+ * more than a handful of its peaks, and it stands for every smaller one. */
+double asp_track_alpha_least(const asp_track *track);
+
+/* The exact law of the first hit at alpha1 (0 to pi/2): the share of the particles that first touch
+ * each face, into weight[asp_track_faces()], sum 1. A path is a constant value of g = D + x tan
+ * alpha1, and touches where g passes its running maximum. */
+void asp_track_first_hit(const asp_track *track, double alpha1, double *weight);
+
+/* Puts a particle of an even beam in front of the track: u, 0 < u < 1, is its place in the beam. */
+void asp_track_enter(const asp_track *track, double u, asp_path *path);
+
+/* Moves the particle to the next face on its way, at an elevation of -alpha1 (from -pi/2 to pi/2;
+ * negative alpha1 is a flight up), and tells the face's tilt as the particle sees it; false when it
+ * leaves. */
+bool asp_track_next(const asp_track *track, double alpha1, asp_path *path, double *delta);
 
 /* ---- rebound -----------------------------------------------------------------------------------
  */
@@ -464,6 +502,9 @@ enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called 
 /* What a wall is made of; names are looked up once, in asp_wall_create. */
 typedef struct asp_wall_spec {
   const asp_surface *surface; /* NULL: smooth; otherwise must outlive the wall */
+  const asp_profile *profile; /* for models that look at one, used while the wall is made; NULL: one
+                                 is generated with the surface's r_q and lambda_c */
+  asp_sizes sizes;            /* the diameters that such a model prepares for */
   const char *spread;         /* name of the model */
   asp_tilt tilt;
   asp_collisions collisions;

@@ -13,7 +13,8 @@
   X(truncated)                                                                                     \
   X(weibull)                                                                                       \
   X(multicollision)                                                                                \
-  X(visible)
+  X(visible)                                                                                       \
+  X(traced)
 
 #define ASP_SPREAD_DECLARE(name) extern const asp_spread_model asp_spread_##name;
 ASP_SPREAD_MODELS(ASP_SPREAD_DECLARE)
