@@ -6,9 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The profile that stands for a wall given by r_q and lambda_c: 2048 lambda_c long. */
-#define ASP_WALL_RESOLUTION 32
-#define ASP_WALL_POINTS 65536
+/* The profile that stands for a wall given by r_q and lambda_c: 1024 lambda_c long, and so fine that
+ * a disc of many lambda_c does not feel the points. */
+#define ASP_WALL_RESOLUTION 128
+#define ASP_WALL_POINTS 131072
 #define ASP_WALL_SEED 1
 
 asp_wall_spec asp_wall_spec_default(void) {

@@ -14,6 +14,7 @@
   X(weibull)                                                                                       \
   X(multicollision)                                                                                \
   X(visible)                                                                                       \
+  X(profile)                                                                                       \
   X(traced)
 
 #define ASP_SPREAD_DECLARE(name) extern const asp_spread_model asp_spread_##name;
