@@ -350,11 +350,21 @@ typedef struct asp_spread_model {
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
    * false when it leaves the wall. NULL where the model knows of no places. */
   bool (*follow)(const asp_view *view, asp_stream *stream, asp_path *path, double *delta);
+  /* Many quantiles at once; NULL: one by one. Use asp_spread_quantile_n. */
+  void (*quantile_n)(const asp_view *view, size_t n, const double *alpha1, const double *u,
+                     double *delta);
 } asp_spread_model;
 
 /* One delta of the model, from the stream; false when a loop reached its bound. */
 bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_stream *stream,
                      double *delta);
+
+/* The quantiles of n contacts of equal particles with one wall, as the view says but for alpha1[i],
+ * at u[i], into delta[i]. The model must have a quantile. `weibull` and `visible` go through the
+ * machine's vector units where the C library has vector functions (x86-64, GNU); results then
+ * differ from single calls in the last bits (below 1e-14), and between machines. */
+void asp_spread_quantile_n(const asp_spread_model *model, const asp_view *view, size_t n,
+                           const double *alpha1, const double *u, double *delta);
 
 /* All models, in a fixed order: 0 <= index < asp_spread_count(). */
 int asp_spread_count(void);

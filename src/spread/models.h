@@ -41,6 +41,11 @@ double asp_effective_density(const asp_view *view, double delta);
 double asp_effective_distribution(const asp_view *view, double delta);
 double asp_effective_quantile(const asp_view *view, double u);
 
+void asp_weibull_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
+                            double *delta);
+void asp_visible_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
+                            double *delta);
+
 double asp_truncated_density(const asp_view *view, double delta);
 double asp_truncated_distribution(const asp_view *view, double delta);
 

@@ -187,4 +187,5 @@ const asp_spread_model asp_spread_visible = {
     .density = density,
     .distribution = distribution,
     .quantile = quantile,
+    .quantile_n = asp_visible_quantile_n,
 };
