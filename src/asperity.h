@@ -538,6 +538,11 @@ typedef struct asp_wall asp_wall;
 asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error);
 void asp_wall_free(asp_wall *wall);
 
+/* The asp_view.data that the wall's model has made of a profile, or NULL; lives as long as the
+ * wall.
+ */
+const void *asp_wall_data(const asp_wall *wall);
+
 typedef struct asp_particle {
   double d_p;           /* diameter, > 0 */
   double density;       /* > 0 */

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The profile that stands for a wall given by r_q and lambda_c: 1024 lambda_c long, and so fine that
- * a disc of many lambda_c does not feel the points. */
+/* The profile that stands for a wall given by r_q and lambda_c: 1024 lambda_c long, and so fine
+ * that a disc of many lambda_c does not feel the points. */
 #define ASP_WALL_RESOLUTION 128
 #define ASP_WALL_POINTS 131072
 #define ASP_WALL_SEED 1
@@ -108,4 +108,8 @@ void asp_wall_free(asp_wall *wall) {
   if (wall && wall->data)
     wall->spread->release(wall->data);
   free(wall);
+}
+
+const void *asp_wall_data(const asp_wall *wall) {
+  return wall->data;
 }
