@@ -567,6 +567,26 @@ typedef struct asp_impact {
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], asp_key key, asp_impact *impact);
 
+/* ---- choosing a model --------------------------------------------------------------------------
+ */
+
+typedef struct asp_choice {
+  const asp_spread_model *model;
+  double divergence; /* its measured D_KL at worst */
+  char text[400];    /* which, and why, as one line */
+} asp_choice;
+
+/* The cheapest model whose measured D_KL between its rebound angles and those of the geometry
+ * (specular, bins of one degree) stays below the tolerance (> 0), for the surface's phi_r, the
+ * kappas of the diameters sizes->least to sizes->most, and impact angles from alpha_least to
+ * alpha_most (rad, within 0 ... pi/2). The worst of all measured points around them counts.
+ * Measured for Gaussian walls: of a wall by its measured profile only phi_r and kappa are looked
+ * at. ASP_EARG: an argument is out of range. ASP_ERANGE: the wall is beyond what was measured, or
+ * no model stays below the tolerance; the message says which comes closest. */
+asp_code asp_spread_auto(const asp_surface *surface, const asp_sizes *sizes, double alpha_least,
+                         double alpha_most, asp_collisions collisions, double tolerance,
+                         asp_choice *choice, asp_error *error);
+
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). */
 typedef struct asp_coefficients {
   double v1, alpha1;

@@ -1,13 +1,14 @@
 /* asperity trade: speed against accuracy. Every model on one wall, at several impact angles,
  * against the geometry of that very wall: what an impact costs, how far the law of the first hit
  * and that of the final rebound are off. */
+#include "cli/grid.h"
 #include "cli/measure.h"
 #include "cli/walls.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { RQ, LAMBDA_C, DP, ANGLES, RAYS, SEED, COLLISIONS, OUTPUT, PLOT, N };
+enum { RQ, LAMBDA_C, DP, ANGLES, RAYS, SEED, COLLISIONS, GRID, OUTPUT, PLOT, N };
 
 typedef struct row {
   const asp_spread_model *model;
@@ -107,6 +108,29 @@ static void plot(const cli_option *options, const row *rows, size_t n) {
   free(points);
 }
 
+/* All rows, angle by angle. */
+static void measure(const cli_option *options, const cli_list *angles, size_t rays, uint32_t seed,
+                    row *rows) {
+  asp_collisions collisions = cli_collisions(&options[COLLISIONS]);
+  measure_bench bench = measure_bench_create(
+      cli_length(&options[RQ]), cli_length(&options[LAMBDA_C]), cli_length(&options[DP]), seed);
+  cli_progress progress = cli_progress_begin("measuring", (double)angles->count);
+  for (size_t i = 0; i < angles->count; i++) {
+    judge(&bench, angles->values[i], rays, seed, collisions, rows + i * (size_t)asp_spread_count());
+    cli_progress_show(&progress, (double)(i + 1));
+  }
+  cli_progress_end(&progress);
+  measure_bench_free(&bench);
+}
+
+static void print(FILE *out, const row *rows, size_t n) {
+  fputs("model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,mean_rebound_deg,"
+        "mean_rebound_reference_deg\n",
+        out);
+  for (size_t i = 0; i < n; i++)
+    print_row(out, &rows[i]);
+}
+
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
@@ -117,38 +141,31 @@ static int run(int argc, char **argv) {
       [SEED] = {"seed", "N", "seed of the profile and the draws", "1"},
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
                       "multiple"},
+      [GRID] = {"grid", NULL, "measure the grid of walls from which `auto` chooses; minutes", NULL},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw cost against divergence; .png, .svg or .pdf", NULL},
   };
   cli_parse(&cli_trade, argc, argv, options, false);
-  cli_list angles = cli_angles(&options[ANGLES]);
   size_t rays = cli_whole(&options[RAYS], 1000, 1000000000);
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX - 1);
-  asp_collisions collisions = cli_collisions(&options[COLLISIONS]);
-  measure_bench bench = measure_bench_create(
-      cli_length(&options[RQ]), cli_length(&options[LAMBDA_C]), cli_length(&options[DP]), seed);
-  size_t models = (size_t)asp_spread_count(), n = angles.count * models;
+  if (options[GRID].value) {
+    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+    cli_grid(cli_output_stream(output), rays, seed);
+    cli_output_close(output);
+    return 0;
+  }
+  cli_list angles = cli_angles(&options[ANGLES]);
+  size_t n = angles.count * (size_t)asp_spread_count();
   row *rows = malloc(n * sizeof *rows);
   if (!rows)
     cli_fail("out of memory");
-  cli_progress progress = cli_progress_begin("measuring", (double)angles.count);
-  for (size_t i = 0; i < angles.count; i++) {
-    judge(&bench, angles.values[i], rays, seed, collisions, rows + i * models);
-    cli_progress_show(&progress, (double)(i + 1));
-  }
-  cli_progress_end(&progress);
+  measure(options, &angles, rays, seed, rows);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-  FILE *out = cli_output_stream(output);
-  fputs("model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,mean_rebound_deg,"
-        "mean_rebound_reference_deg\n",
-        out);
-  for (size_t i = 0; i < n; i++)
-    print_row(out, &rows[i]);
+  print(cli_output_stream(output), rows, n);
   cli_output_close(output);
   if (options[PLOT].value)
     plot(options, rows, n);
   free(rows);
-  measure_bench_free(&bench);
   return 0;
 }
 

@@ -165,7 +165,7 @@ static double descent(const asp_track *track, double alpha1) {
 void asp_track_first_hit(const asp_track *track, double alpha1, double *weight) {
   const double *z = track->side[0].level[0];
   size_t n = track->n;
-  double fall = descent(track, alpha1), highest = -INFINITY;
+  double fall = descent(track, alpha1), highest = z[0];
   for (size_t i = 0; i < n; i++)
     highest = fmax(highest, z[i] + fall * ((double)i - (double)n));
   for (size_t i = 0; i < n; i++) {
