@@ -21,6 +21,9 @@ typedef struct row {
 
 enum { ROWS = sizeof rows / sizeof *rows, ANGLES = sizeof angle / sizeof *angle };
 
+/* Divergences below this are noise of the measurement. */
+#define NOISE 2e-4
+
 /* An interval with the grid points around it. */
 typedef struct span {
   double least, most;
@@ -67,7 +70,7 @@ typedef struct question {
 } question;
 
 static verdict ask(const question *q, const char *model) {
-  verdict v = {0, 0, 0};
+  verdict v = {NOISE, 0, 0};
   for (int i = 0; i < ROWS; i++) {
     const row *r = &rows[i];
     if (r->multiple != q->multiple || !within(q->phi_r, r->phi_r) || !within(q->kappa, r->kappa) ||

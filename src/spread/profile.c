@@ -22,8 +22,8 @@ enum {
 
 typedef struct table {
   int bins;
-  double d_p[ASP_BINS_MAX];
-  double angle[ANGLES];
+  double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
+  double angle[ANGLES], per_angle[ANGLES];
   float delta[][ANGLES][NODES]; /* by size, angle, u; rad */
 } table;
 
@@ -102,6 +102,19 @@ static void release(void *data) {
   free(data);
 }
 
+static void place_nodes(table *t, const asp_sizes *sizes) {
+  t->bins = sizes->bins;
+  for (int k = 0; k < ANGLES; k++) {
+    double width = ASP_PI / 2 / ((ANGLES - 1.) * (ANGLES - 1.));
+    t->angle[k] = width * k * k;
+    t->per_angle[k] = 1 / (width * (2 * k + 1));
+  }
+  for (int i = 0; i < t->bins; i++) {
+    t->d_p[i] = asp_sizes_at(sizes, i);
+    t->per_d_p[i] = 1 / (asp_sizes_at(sizes, i + 1) - t->d_p[i]);
+  }
+}
+
 static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
   if (asp_sizes_check(sizes, error))
     return NULL;
@@ -110,12 +123,9 @@ static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_err
     asp_fail(error, ASP_ENOMEM, "out of memory for a table of %d sizes", sizes->bins);
     return NULL;
   }
-  t->bins = sizes->bins;
-  for (int k = 0; k < ANGLES; k++)
-    t->angle[k] = ASP_PI / 2 * k * k / ((ANGLES - 1.) * (ANGLES - 1.));
+  place_nodes(t, sizes);
   for (int i = 0; i < t->bins; i++) {
     bench b;
-    t->d_p[i] = asp_sizes_at(sizes, i);
     if (bench_create(&b, profile, t->d_p[i], error)) {
       free(t);
       return NULL;
@@ -127,10 +137,10 @@ static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_err
   return t;
 }
 
-/* The two rows of angles, and of sizes, between which a view lies. */
+/* The four rows, two sizes by two angles, between which a view lies. */
 typedef struct cell {
-  const float *row[2][2]; /* by size, angle */
-  double size, angle;     /* weight of the second */
+  const float *row[4];
+  double weight[4];
 } cell;
 
 static cell cell_of(const table *t, const asp_view *view) {
@@ -139,20 +149,17 @@ static cell cell_of(const table *t, const asp_view *view) {
   for (int j = 1; j < t->bins - 1; j++)
     i += view->d_p > t->d_p[j];
   int next = t->bins > 1 ? i + 1 : i;
-  cell c = {.angle = (view->alpha1 - t->angle[k]) / (t->angle[k + 1] - t->angle[k])};
-  if (next > i)
-    c.size = fmin(fmax((view->d_p - t->d_p[i]) / (t->d_p[next] - t->d_p[i]), 0), 1);
-  for (int a = 0; a < 2; a++) {
-    c.row[0][a] = t->delta[i][k + a];
-    c.row[1][a] = t->delta[next][k + a];
-  }
-  return c;
+  double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
+  double size = next > i ? fmin(fmax((view->d_p - t->d_p[i]) * t->per_d_p[i], 0), 1) : 0;
+  return (cell){{t->delta[i][k], t->delta[i][k + 1], t->delta[next][k], t->delta[next][k + 1]},
+                {(1 - size) * (1 - angle), (1 - size) * angle, size * (1 - angle), size * angle}};
 }
 
 static double node_at(const cell *c, int node) {
-  double first = (1 - c->angle) * c->row[0][0][node] + c->angle * c->row[0][1][node];
-  double second = (1 - c->angle) * c->row[1][0][node] + c->angle * c->row[1][1][node];
-  return (1 - c->size) * first + c->size * second;
+  double sum = 0;
+  for (int i = 0; i < 4; i++)
+    sum += c->weight[i] * c->row[i][node];
+  return sum;
 }
 
 static double quantile(const asp_view *view, double u) {

@@ -12,13 +12,12 @@
  */
 #include "spread/weibull.h"
 
-/* The share of the uncut law below the steepest face. It is 1 to the last bit when the exponent
- * passes 37; the first test spares the logarithm (k is never below 1.26). */
-static double mass(asp_weibull_law w) {
-  double reach = (ASP_DELTA_MOST - w.b) / w.lambda;
-  if (reach > 18)
+/* The share of the uncut law below the steepest face: 1 to the last bit when the exponent passes
+ * 37. */
+static double mass(double sigma, asp_weibull_law w) {
+  if (sigma < ASP_WEIBULL_UNCUT)
     return 1;
-  double exponent = w.k * log(reach);
+  double exponent = w.k * log((ASP_DELTA_MOST - w.b) / w.lambda);
   return exponent > 3.62 ? 1 : 1 - exp(-exp(exponent));
 }
 
@@ -27,7 +26,7 @@ static double density(const asp_view *view, double delta) {
   if (delta <= w.b || delta > ASP_DELTA_MOST)
     return 0;
   double y = (delta - w.b) / w.lambda;
-  return w.k / w.lambda * pow(y, w.k - 1) * exp(-pow(y, w.k)) / mass(w);
+  return w.k / w.lambda * pow(y, w.k - 1) * exp(-pow(y, w.k)) / mass(view->sigma, w);
 }
 
 static double distribution(const asp_view *view, double delta) {
@@ -36,14 +35,14 @@ static double distribution(const asp_view *view, double delta) {
     return 0;
   if (delta >= ASP_DELTA_MOST)
     return 1;
-  return -expm1(-pow((delta - w.b) / w.lambda, w.k)) / mass(w);
+  return -expm1(-pow((delta - w.b) / w.lambda, w.k)) / mass(view->sigma, w);
 }
 
 static double quantile(const asp_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
-  double delta = w.b + w.lambda * pow(asp_minus_log_rest(u * mass(w)), 1 / w.k);
+  double delta = w.b + w.lambda * pow(asp_minus_log_rest(u * mass(view->sigma, w)), 1 / w.k);
   return fmin(delta, ASP_DELTA_MOST);
 }
 

@@ -9,6 +9,9 @@
 /* The paper's boundary angle e over sigma. */
 #define ASP_WEIBULL_END 6.48
 
+/* Up to this sigma (rad) the steepest face cuts off less than the last bit, at any angle. */
+#define ASP_WEIBULL_UNCUT 0.1
+
 typedef struct asp_weibull_law {
   double b, k, lambda;
 } asp_weibull_law;
