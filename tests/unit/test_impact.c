@@ -5,6 +5,7 @@
 
 typedef struct setup {
   asp_surface *surface;
+  asp_profile *profile; /* short: models that look at one build it anew for every wall */
   asp_wall *wall;
   asp_wall_spec spec;
 } setup;
@@ -15,8 +16,10 @@ static setup setup_create(const char *spread, const char *law, double slope) {
   s.spec.spread = spread;
   s.spec.sizes = (asp_sizes){1e-3, 0.1, 3};
   assert_int_equal(asp_wall_spec_rebound(&s.spec, law, NULL), ASP_OK);
-  if (slope > 0)
+  if (slope > 0) {
     s.spec.surface = s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
+    s.spec.profile = s.profile = asp_profile_create(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
+  }
   s.wall = asp_wall_create(&s.spec, NULL);
   assert_non_null(s.wall);
   return s;
@@ -31,6 +34,7 @@ static void setup_rebuild(setup *s) {
 static void setup_free(setup *s) {
   asp_wall_free(s->wall);
   asp_surface_free(s->surface);
+  asp_profile_free(s->profile);
 }
 
 static double dot(const double *a, const double *b) {

@@ -237,7 +237,7 @@ static void visible_is_accurate_for_every_a(void **state) {
       worst = fmax(worst, fabs(share_above(a[i], x, &whole) - (1 - u)));
     }
   print_message("visible: worst error %.2g in u\n", worst);
-  assert_true(worst < 1e-9);
+  assert_true(worst < 1.5e-10); /* 1e-9 is promised, and visible.h says what it has */
 }
 
 /* The largest distance between two distributions. */
