@@ -12,13 +12,11 @@
  */
 #include "spread/weibull.h"
 
-/* The share of the uncut law below the steepest face: 1 to the last bit when the exponent passes
- * 37. */
+/* The share of the uncut law below the steepest face. */
 static double mass(double sigma, asp_weibull_law w) {
   if (sigma < ASP_WEIBULL_UNCUT)
     return 1;
-  double exponent = w.k * log((ASP_DELTA_MOST - w.b) / w.lambda);
-  return exponent > 3.62 ? 1 : 1 - exp(-exp(exponent));
+  return 1 - exp(-exp(w.k * log((ASP_DELTA_MOST - w.b) / w.lambda)));
 }
 
 static double density(const asp_view *view, double delta) {
