@@ -297,13 +297,30 @@ double asp_surface_slope(const asp_surface *surface, double d_p);
 typedef struct asp_view {
   double slope;  /* s_eff, the rms slope that a particle of this size meets */
   double sigma;  /* atan(s_eff), the one number that describes the wall to the paper's models */
-  double alpha1; /* impact angle, 0 <= alpha1 <= pi/2 */
+  double alpha1; /* impact angle, 0 <= alpha1 <= pi/2; negative, down to -pi/2, for a particle that
+                    flies up after an earlier hit (models with `upward` only) */
   double d_p;    /* diameter, in the surface's unit; for models that look up the profile itself */
   const void *data; /* what a model that needs more was given when the wall was made, or NULL */
 } asp_view;
 
 /* A view for laws that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
 asp_view asp_view_create(double sigma, double alpha1);
+
+/* Where a particle is that a model follows over a profile: nowhere yet, when all is 0. */
+typedef struct asp_path {
+  bool begun;
+  bool back;   /* flies towards smaller x of the profile */
+  double x, z; /* place along the profile and height, in points */
+  size_t face; /* that it last hit */
+  int hits;    /* so far */
+} asp_path;
+
+/* The diameters that a wall is made for: `bins` of them from least to most at equal ratios; one
+ * bin is their geometric mean. 0 < least <= most, bins >= 1. */
+typedef struct asp_sizes {
+  double least, most;
+  int bins;
+} asp_sizes;
 
 /* A spread model as data: how the tilt delta_alpha of the face that is hit is distributed. Every
  * law is cut to |delta_alpha| < 90 degrees and alpha1 + delta_alpha < 180 degrees (a height
@@ -313,6 +330,11 @@ typedef struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
+  bool upward;         /* has a law for particles that fly up, too: faces with delta > -alpha1;
+                          others borrow that of `visible` */
+  /* The probability that a particle that a face has sent up at theta > 0 over the mean wall leaves;
+   * NULL: by the heights of a Gaussian wall. A model with a rule of its own always uses it. */
+  double (*escape)(const asp_view *view, double theta);
   /* Density in 1/rad and distribution at delta; NULL where the law has none (`none`). */
   double (*density)(const asp_view *view, double delta);
   double (*distribution)(const asp_view *view, double delta);
@@ -321,11 +343,28 @@ typedef struct asp_spread_model {
   /* One delta by a loop, for laws that are one; NULL where the quantile is the draw. False when the
    * loop reached its bound (delta is then 0, the mean wall). */
   bool (*loop)(const asp_view *view, asp_stream *stream, double *delta);
+  /* Makes asp_view.data out of a profile, NULL on error, and frees it; NULL where none is needed.
+   */
+  void *(*prepare)(const asp_profile *profile, const asp_sizes *sizes, asp_error *error);
+  void (*release)(void *data);
+  /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
+   * false when it leaves the wall. NULL where the model knows of no places. */
+  bool (*follow)(const asp_view *view, asp_stream *stream, asp_path *path, double *delta);
+  /* Many quantiles at once; NULL: one by one. Use asp_spread_quantile_n. */
+  void (*quantile_n)(const asp_view *view, size_t n, const double *alpha1, const double *u,
+                     double *delta);
 } asp_spread_model;
 
 /* One delta of the model, from the stream; false when a loop reached its bound. */
 bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_stream *stream,
                      double *delta);
+
+/* The quantiles of n contacts of equal particles with one wall, as the view says but for alpha1[i],
+ * at u[i], into delta[i]. The model must have a quantile. `weibull` and `visible` go through the
+ * machine's vector units where the C library has vector functions (x86-64, GNU); results then
+ * differ from single calls in the last bits (below 1e-14), and between machines. */
+void asp_spread_quantile_n(const asp_spread_model *model, const asp_view *view, size_t n,
+                           const double *alpha1, const double *u, double *delta);
 
 /* All models, in a fixed order: 0 <= index < asp_spread_count(). */
 int asp_spread_count(void);
@@ -333,6 +372,43 @@ const asp_spread_model *asp_spread_at(int index);
 
 /* The model of that name; NULL and a message that lists the names there are, when there is none. */
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error);
+
+/* ---- geometry: the reference that the models are measured against ------------------------------
+ */
+
+/* The path of the centre of a disc over a profile (asp_profile_dilate), as straight faces between
+ * its points, periodic (a measured profile goes on as its mirror image): particles that fall on it
+ * at an angle, and where they hit it, without a model. */
+typedef struct asp_track asp_track;
+
+/* For a particle of diameter 0 <= d_p <= length of the profile, which need not outlive it. NULL on
+ * error. */
+asp_track *asp_track_create(const asp_profile *profile, double d_p, asp_error *error);
+void asp_track_free(asp_track *track);
+
+size_t asp_track_faces(const asp_track *track);
+double asp_track_slope_rms(const asp_track *track); /* s_eff of these very faces */
+
+/* Slope of a face in the direction of flight, 0 <= face < asp_track_faces(); particles fly towards
+ * larger x. */
+double asp_track_face_slope(const asp_track *track, size_t face);
+
+/* The smallest impact angle that a track of this length can tell: below it particles would see no
+ * more than a handful of its peaks, and it stands for every smaller one. */
+double asp_track_alpha_least(const asp_track *track);
+
+/* The exact law of the first hit at alpha1 (0 to pi/2): the share of the particles that first touch
+ * each face, into weight[asp_track_faces()], sum 1. A path is a constant value of g = D + x tan
+ * alpha1, and touches where g passes its running maximum. */
+void asp_track_first_hit(const asp_track *track, double alpha1, double *weight);
+
+/* Puts a particle of an even beam in front of the track: u, 0 < u < 1, is its place in the beam. */
+void asp_track_enter(const asp_track *track, double u, asp_path *path);
+
+/* Moves the particle to the next face on its way, at an elevation of -alpha1 (from -pi/2 to pi/2;
+ * negative alpha1 is a flight up), and tells the face's tilt as the particle sees it; false when it
+ * leaves. */
+bool asp_track_next(const asp_track *track, double alpha1, asp_path *path, double *delta);
 
 /* ---- rebound -----------------------------------------------------------------------------------
  */
@@ -423,8 +499,12 @@ typedef enum asp_tilt {
 } asp_tilt;
 
 typedef enum asp_collisions {
-  ASP_COLLISIONS_SINGLE,  /* a rebound into the wall is drawn again */
-  ASP_COLLISIONS_MULTIPLE /* a rebound into the wall hits the next face */
+  ASP_COLLISIONS_SINGLE,   /* a rebound into the wall is drawn again */
+  ASP_COLLISIONS_MULTIPLE, /* a rebound into the wall hits the next face, and so may one that leaves
+                              a low place at a small angle: the walk in height of Heitz, Hanika,
+                              d'Eon & Dachsbacher 2016 */
+  ASP_COLLISIONS_SMITH     /* the same with Smith's probability to escape, which forgets how deep
+                              the particle is after its first hit */
 } asp_collisions;
 
 enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called capped */
@@ -432,6 +512,9 @@ enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called 
 /* What a wall is made of; names are looked up once, in asp_wall_create. */
 typedef struct asp_wall_spec {
   const asp_surface *surface; /* NULL: smooth; otherwise must outlive the wall */
+  const asp_profile *profile; /* for models that look at one, used while the wall is made; NULL: one
+                                 is generated with the surface's r_q and lambda_c */
+  asp_sizes sizes;            /* the diameters that such a model prepares for */
   const char *spread;         /* name of the model */
   asp_tilt tilt;
   asp_collisions collisions;
@@ -454,6 +537,11 @@ typedef struct asp_wall asp_wall;
 
 asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error);
 void asp_wall_free(asp_wall *wall);
+
+/* The asp_view.data that the wall's model has made of a profile, or NULL; lives as long as the
+ * wall.
+ */
+const void *asp_wall_data(const asp_wall *wall);
 
 typedef struct asp_particle {
   double d_p;           /* diameter, > 0 */
@@ -478,6 +566,26 @@ typedef struct asp_impact {
  * Kinetic energy never grows. No allocation, no failure. */
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], asp_key key, asp_impact *impact);
+
+/* ---- choosing a model --------------------------------------------------------------------------
+ */
+
+typedef struct asp_choice {
+  const asp_spread_model *model;
+  double divergence; /* its measured D_KL at worst */
+  char text[400];    /* which, and why, as one line */
+} asp_choice;
+
+/* The cheapest model whose measured D_KL between its rebound angles and those of the geometry
+ * (specular, bins of one degree) stays below the tolerance (> 0), for the surface's phi_r, the
+ * kappas of the diameters sizes->least to sizes->most, and impact angles from alpha_least to
+ * alpha_most (rad, within 0 ... pi/2). The worst of all measured points around them counts.
+ * Measured for Gaussian walls: of a wall by its measured profile only phi_r and kappa are looked
+ * at. ASP_EARG: an argument is out of range. ASP_ERANGE: the wall is beyond what was measured, or
+ * no model stays below the tolerance; the message says which comes closest. */
+asp_code asp_spread_auto(const asp_surface *surface, const asp_sizes *sizes, double alpha_least,
+                         double alpha_most, asp_collisions collisions, double tolerance,
+                         asp_choice *choice, asp_error *error);
 
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). */
 typedef struct asp_coefficients {

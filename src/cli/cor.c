@@ -30,6 +30,9 @@ enum {
   N
 };
 
+/* Diameters for which a model that looks at a profile prepares, where there is more than one. */
+enum { TABLE_SIZES = 16 };
+
 typedef struct scene {
   asp_surface *surface; /* NULL: smooth */
   asp_wall *wall;
@@ -37,7 +40,7 @@ typedef struct scene {
   double density;
   double speed;
   cli_list sizes;             /* a list, or empty for a log-normal */
-  double least, most, median; /* of the log-normal; most also of a list */
+  double least, most, median; /* of the log-normal; least and most also of a list */
 } scene;
 
 static const asp_material *material_of(const cli_option *option) {
@@ -54,8 +57,11 @@ static void read_sizes(const cli_option *option, scene *s) {
   const char *value = option->value;
   if (!value || !strchr(value, ':')) {
     s->sizes = cli_lengths(option);
-    for (size_t i = 0; i < s->sizes.count; i++)
+    s->least = INFINITY;
+    for (size_t i = 0; i < s->sizes.count; i++) {
+      s->least = fmin(s->least, s->sizes.values[i]);
       s->most = fmax(s->most, s->sizes.values[i]);
+    }
     return;
   }
   char *text = strdup(value);
@@ -109,6 +115,7 @@ static void read_wall(const cli_option *options, scene *s) {
   if (strcmp(spec.spread, "none") != 0) {
     spec.surface = s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
     cli_check_size(s->surface, s->most);
+    spec.sizes = (asp_sizes){s->least, s->most, s->most > s->least ? TABLE_SIZES : 1};
   }
   if (options[YIELD_RATE].value &&
       asp_wall_spec_set(&spec, "yield_rate", cli_number(&options[YIELD_RATE], 0, 1e15), &error))

@@ -21,20 +21,35 @@ static double draw(const asp_spread_model *model, const asp_view *view, const cl
   return delta;
 }
 
-static asp_view view_of(const cli_option *options, double alpha1) {
-  double sigma;
-  if (options[SIGMA].value) {
-    sigma = cli_radians(cli_number(&options[SIGMA], 0, 89));
-  } else {
-    if (!options[RQ].value || !options[LAMBDA_C].value || !options[DP].value)
-      cli_bad_usage("spread: give --sigma, or --rq, --lambda-c and --dp");
-    asp_surface *surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
-    double d_p = cli_length(&options[DP]);
-    cli_check_size(surface, d_p);
-    sigma = atan(asp_surface_slope(surface, d_p));
-    asp_surface_free(surface);
-  }
-  return asp_view_create(sigma, cli_radians(alpha1));
+/* What the model makes of a profile of the wall; lives as long as the command. */
+static const void *data_of(const char *model, const asp_surface *surface, double d_p) {
+  asp_error error;
+  asp_wall_spec spec = asp_wall_spec_default();
+  spec.spread = model;
+  spec.surface = surface;
+  spec.sizes = (asp_sizes){d_p, d_p, 1};
+  asp_wall *wall = asp_wall_create(&spec, &error);
+  if (!wall)
+    cli_bad_input("%s", error.text);
+  return asp_wall_data(wall);
+}
+
+/* The wall as the model looks at it; alpha1 is still to come. */
+static asp_view view_of(const cli_option *options, const asp_spread_model *model) {
+  if (options[SIGMA].value && !model->prepare)
+    return asp_view_create(cli_radians(cli_number(&options[SIGMA], 0, 89)), 0);
+  if (!options[RQ].value || !options[LAMBDA_C].value || !options[DP].value)
+    cli_bad_usage("spread: give %s--rq, --lambda-c and --dp%s",
+                  model->prepare ? "" : "--sigma, or ",
+                  model->prepare ? "; the model looks at a profile" : "");
+  asp_surface *surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+  double d_p = cli_length(&options[DP]);
+  cli_check_size(surface, d_p);
+  asp_view view = asp_view_create(atan(asp_surface_slope(surface, d_p)), 0);
+  view.d_p = d_p;
+  if (model->prepare)
+    view.data = data_of(model->name, surface, d_p);
+  return view;
 }
 
 static void print_list(FILE *out) {
@@ -130,8 +145,8 @@ static void plot(const cli_option *options, const asp_spread_model *model, const
 }
 
 static void one_angle(FILE *out, const cli_option *options, const asp_spread_model *model,
-                      double angle) {
-  asp_view view = view_of(options, angle);
+                      asp_view view, double angle) {
+  view.alpha1 = cli_radians(angle);
   size_t n = cli_whole(&options[SAMPLES], 1, 100000000);
   if (options[PDF].value) {
     print_density(out, model, &view);
@@ -187,8 +202,9 @@ static int run(int argc, char **argv) {
       fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
     else if (!options[PDF].value)
       fputs("delta_alpha_deg\n", out);
+    asp_view view = view_of(options, model);
     for (size_t i = 0; i < angles.count; i++)
-      one_angle(out, options, model, angles.values[i]);
+      one_angle(out, options, model, view, angles.values[i]);
   }
   cli_output_close(output);
   return 0;

@@ -15,6 +15,9 @@
 /* Below this share of the speed the tangential velocity has no direction. */
 #define NO_DIRECTION 1e-12
 
+/* Smith's Lambda is below 1e-13 from here on. */
+#define NU_FREE 5.2
+
 typedef struct frame {
   double n[3], t[3];
   double v_n, v_t; /* approach and tangential speed, >= 0 */
@@ -76,10 +79,31 @@ static void draw_direction(frame *f, asp_stream *stream) {
   f->v_t = 0;
 }
 
-static bool draw_face(const asp_wall *wall, const asp_view *view, asp_stream *stream, face *out) {
-  bool drawn = asp_spread_draw(wall->spread, view, stream, &out->delta);
+/* A particle on its way over a rough wall, from its first hit to its last. */
+typedef struct flight {
+  frame now;
+  asp_view view;
+  asp_stream *stream;
+  asp_path path;
+  double depth;  /* of the particle, see walks_out */
+  double lambda; /* of its first approach, < 0 while not known */
+} flight;
+
+/* The next face; *gone when the model follows the particle over a profile, and it has left. */
+static bool draw_face(const asp_wall *wall, flight *fly, face *out, bool *gone) {
+  const asp_spread_model *model = wall->spread;
+  bool drawn;
+  if (model->follow) {
+    drawn = model->follow(&fly->view, fly->stream, &fly->path, &out->delta);
+    *gone = !drawn;
+  } else {
+    if (fly->view.alpha1 < 0 && !model->upward)
+      model = wall->upward;
+    drawn = asp_spread_draw(model, &fly->view, fly->stream, &out->delta);
+    *gone = false;
+  }
   double c = cos(out->delta), s = sin(out->delta);
-  out->q = wall->isotropic ? view->slope * asp_stream_normal(stream) : 0;
+  out->q = wall->isotropic ? fly->view.slope * asp_stream_normal(fly->stream) : 0;
   double side = out->q * c, scale = 1 / sqrt(1 + side * side);
   out->m[0] = -s * scale;
   out->m[1] = -side * scale;
@@ -140,40 +164,100 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
     leave(f, impact->v2);
 }
 
-static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *particle, frame f,
-                                  asp_stream *stream, asp_impact *impact) {
+/* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
+static double smith(double nu) {
+  if (nu > NU_FREE)
+    return 0;
+  return 0.5 * (exp(-nu * nu) / (nu * sqrt(ASP_PI)) - erfc(nu));
+}
+
+static double exponential(asp_stream *stream) {
+  return -log(asp_stream_uniform(stream));
+}
+
+/* Whether a particle that a face has just sent off at the slope `rise` > 0 leaves, or at rise <= 0
+ * how deep it gets. Depth is -ln of the share of the wall that is lower than the particle: a flight
+ * down adds an exponential number over 1 + Lambda to it, a flight up takes one over Lambda off, and
+ * is out when nothing is left (Heitz, Hanika, d'Eon & Dachsbacher 2016, eq. 17 to 21 in this
+ * variable). A wall that forgets draws the depth of the first hit again each time, which makes the
+ * probability to leave Smith's, (1 + Lambda_1)/(1 + Lambda_1 + Lambda). */
+static bool walks_out(const asp_wall *wall, flight *fly, double rise) {
+  double scale = 1 / (sqrt(2) * fly->view.slope), lambda = smith(fabs(rise) * scale);
+  if (rise > 0 && !(lambda > 0))
+    return true;
+  if (fly->lambda < 0 || wall->forgets) {
+    if (fly->lambda < 0)
+      fly->lambda = smith(tan(fly->view.alpha1) * scale);
+    fly->depth = exponential(fly->stream) / (1 + fly->lambda);
+  }
+  double step = exponential(fly->stream);
+  if (rise > 0)
+    return (fly->depth -= step / lambda) < 0;
+  fly->depth += step / (1 + lambda);
+  return false;
+}
+
+/* Whether the particle leaves the wall with the velocity that a face has given it, in (t, b, n). */
+static bool leaves(const asp_wall *wall, flight *fly, const double out[3]) {
+  double along = hypot(out[0], out[1]);
+  if (!wall->multiple)
+    return out[2] > 0;
+  if (wall->spread->follow)
+    return false;
+  if (wall->spread->escape)
+    return out[2] > 0 &&
+           asp_stream_uniform(fly->stream) < wall->spread->escape(&fly->view, atan2(out[2], along));
+  return walks_out(wall, fly, along > 0 ? out[2] / along : copysign(INFINITY, out[2]));
+}
+
+/* Takes the velocity in the lab frame as the particle's new flight. */
+static void turn(flight *fly, const double v[3]) {
+  frame next = frame_of(v, fly->now.n);
+  if (next.has_direction && dot(next.t, fly->now.t) < 0)
+    fly->path.back = !fly->path.back;
+  fly->now = next;
+}
+
+static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *particle,
+                                  const frame *first, asp_stream *stream, asp_impact *impact) {
   double slope = asp_surface_slope(wall->surface, particle->d_p);
-  asp_view view = {slope, atan(slope), 0, particle->d_p, NULL};
-  frame first = f;
-  impact->hits = 1;
+  flight fly = {.now = *first,
+                .view = {slope, atan(slope), 0, particle->d_p, wall->data},
+                .stream = stream,
+                .lambda = -1};
+  impact->hits = 0;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
-    if (!f.has_direction)
-      draw_direction(&f, stream);
-    view.alpha1 = atan2(fmax(f.v_n, 0), f.v_t);
+    if (!fly.now.has_direction)
+      draw_direction(&fly.now, stream);
+    fly.view.alpha1 = atan2(fly.now.v_n, fly.now.v_t);
     face on;
     double local[3];
-    bool deposit;
-    if (!draw_face(wall, &view, stream, &on) || !rebound(wall, particle, &f, &on, local, &deposit))
-      continue;
-    if (deposit || local[2] > 0 || wall->multiple) {
-      if (impact->hits == 1) {
-        impact->delta_alpha = on.delta;
-        impact->tilt_out = atan(on.q);
-      }
-      to_lab(&f, local, impact->v2);
-      impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-      if (deposit)
-        return;
-      if (local[2] > 0) {
-        leave(&f, impact->v2);
-        return;
-      }
-      impact->hits++;
-      f = frame_of(impact->v2, first.n);
+    bool deposit, gone;
+    if (!draw_face(wall, &fly, &on, &gone)) {
+      if (!gone)
+        continue;
+      leave(first, impact->v2);
+      return;
     }
+    if (!rebound(wall, particle, &fly.now, &on, local, &deposit) ||
+        !(deposit || local[2] > 0 || wall->multiple))
+      continue;
+    if (impact->hits++ == 0) {
+      impact->delta_alpha = on.delta;
+      impact->tilt_out = atan(on.q);
+    }
+    to_lab(&fly.now, local, impact->v2);
+    impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+    if (deposit)
+      return;
+    if (leaves(wall, &fly, local)) {
+      leave(&fly.now, impact->v2);
+      return;
+    }
+    turn(&fly, impact->v2);
   }
   impact->capped = true;
-  bounce_off_mean_wall(wall, particle, &first, impact);
+  bounce_off_mean_wall(wall, particle, first, impact);
 }
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
@@ -182,7 +266,7 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
   impact->capped = false;
   if (wall->rough) {
     asp_stream stream = asp_stream_create(key);
-    bounce_off_rough_wall(wall, particle, f, &stream, impact);
+    bounce_off_rough_wall(wall, particle, &f, &stream, impact);
   } else {
     bounce_off_mean_wall(wall, particle, &f, impact);
   }

@@ -1,17 +1,18 @@
 /* The normal distribution cut to an interval (eq. 5 to 7); see models.h. */
+#include "spread/gauss.h"
 #include "spread/models.h"
 
-#include <gsl/gsl_cdf.h>
-#include <math.h>
+/* The tail beyond this has nothing left, in doubles, next to 1. */
+#define FAR 8.3
 
-/* Phi(x), with full relative precision in the lower tail. */
-static double phi_below(double x) {
-  return 0.5 * erfc(-x * M_SQRT1_2);
+/* Q(x) for x >= 0. */
+static double tail(double x) {
+  return x > FAR ? 0 : asp_gauss_above(x, asp_gauss_density(x));
 }
 
 /* What the cuts leave of the whole. */
 static double mass(double sigma, double lo, double hi) {
-  return 1 - phi_below(lo / sigma) - phi_below(-hi / sigma);
+  return 1 - tail(-lo / sigma) - tail(hi / sigma);
 }
 
 double asp_cut_normal_density(double sigma, double lo, double hi, double delta) {
@@ -26,13 +27,11 @@ double asp_cut_normal_distribution(double sigma, double lo, double hi, double de
     return 0;
   if (delta >= hi)
     return 1;
-  return (phi_below(delta / sigma) - phi_below(lo / sigma)) / mass(sigma, lo, hi);
+  return (asp_gauss_below(delta / sigma) - tail(-lo / sigma)) / mass(sigma, lo, hi);
 }
 
 double asp_cut_normal_quantile(double sigma, double lo, double hi, double u) {
-  double below = phi_below(lo / sigma), above = phi_below(-hi / sigma);
-  double left = 1 - below - above;
-  double p = below + u * left;
-  double x = p < 0.5 ? gsl_cdf_ugaussian_Pinv(p) : gsl_cdf_ugaussian_Qinv(above + (1 - u) * left);
+  double below = tail(-lo / sigma), above = tail(hi / sigma), left = 1 - below - above;
+  double x = asp_gauss_quantile(below + u * left, above + (1 - u) * left);
   return fmin(fmax(sigma * x, lo), hi);
 }

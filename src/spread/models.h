@@ -5,7 +5,17 @@
 
 #include "asperity.h"
 
-#define ASP_SPREAD_MODELS(X) X(none) X(normal) X(rejection) X(truncated) X(weibull)
+#define ASP_SPREAD_MODELS(X)                                                                       \
+  X(none)                                                                                          \
+  X(normal)                                                                                        \
+  X(rejection)                                                                                     \
+  X(effective)                                                                                     \
+  X(truncated)                                                                                     \
+  X(weibull)                                                                                       \
+  X(multicollision)                                                                                \
+  X(visible)                                                                                       \
+  X(profile)                                                                                       \
+  X(traced)
 
 #define ASP_SPREAD_DECLARE(name) extern const asp_spread_model asp_spread_##name;
 ASP_SPREAD_MODELS(ASP_SPREAD_DECLARE)
@@ -25,7 +35,17 @@ double asp_cut_normal_density(double sigma, double lo, double hi, double delta);
 double asp_cut_normal_distribution(double sigma, double lo, double hi, double delta);
 double asp_cut_normal_quantile(double sigma, double lo, double hi, double u);
 
-/* Both functions of the truncated model, which is also the law of the rejection loop. */
+/* Laws that more than one model has: the first face of `multicollision` follows the effective law,
+ * and the rejection loop samples the truncated one. */
+double asp_effective_density(const asp_view *view, double delta);
+double asp_effective_distribution(const asp_view *view, double delta);
+double asp_effective_quantile(const asp_view *view, double u);
+
+void asp_weibull_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
+                            double *delta);
+void asp_visible_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
+                            double *delta);
+
 double asp_truncated_density(const asp_view *view, double delta);
 double asp_truncated_distribution(const asp_view *view, double delta);
 

@@ -40,3 +40,16 @@ bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_st
   *delta = model->quantile(view, asp_stream_uniform(stream));
   return true;
 }
+
+void asp_spread_quantile_n(const asp_spread_model *model, const asp_view *view, size_t n,
+                           const double *alpha1, const double *u, double *delta) {
+  if (model->quantile_n) {
+    model->quantile_n(view, n, alpha1, u, delta);
+    return;
+  }
+  asp_view each = *view;
+  for (size_t i = 0; i < n; i++) {
+    each.alpha1 = alpha1[i];
+    delta[i] = model->quantile(&each, u[i]);
+  }
+}

@@ -5,6 +5,7 @@
 
 typedef struct setup {
   asp_surface *surface;
+  asp_profile *profile; /* short: models that look at one build it anew for every wall */
   asp_wall *wall;
   asp_wall_spec spec;
 } setup;
@@ -13,9 +14,12 @@ static setup setup_create(const char *spread, const char *law, double slope) {
   setup s = {0};
   s.spec = asp_wall_spec_default();
   s.spec.spread = spread;
+  s.spec.sizes = (asp_sizes){1e-3, 0.1, 3};
   assert_int_equal(asp_wall_spec_rebound(&s.spec, law, NULL), ASP_OK);
-  if (slope > 0)
+  if (slope > 0) {
     s.spec.surface = s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
+    s.spec.profile = s.profile = asp_profile_create(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
+  }
   s.wall = asp_wall_create(&s.spec, NULL);
   assert_non_null(s.wall);
   return s;
@@ -30,6 +34,7 @@ static void setup_rebuild(setup *s) {
 static void setup_free(setup *s) {
   asp_wall_free(s->wall);
   asp_surface_free(s->surface);
+  asp_profile_free(s->profile);
 }
 
 static double dot(const double *a, const double *b) {
@@ -210,7 +215,7 @@ static void properties(void **state) {
     double slope = pow(10, -6 + 7 * gsl_rng_uniform(rng));
     setup s = setup_create(model->name, asp_rebound_at(i % 2)->name, slope);
     s.spec.tilt = gsl_rng_uniform_int(rng, 2);
-    s.spec.collisions = gsl_rng_uniform_int(rng, 2);
+    s.spec.collisions = gsl_rng_uniform_int(rng, 3);
     s.spec.deposit = gsl_rng_uniform_int(rng, 2);
     setup_rebuild(&s);
     for (uint64_t tag = 0; tag < 250; tag++) {

@@ -1,0 +1,146 @@
+/* The effective law (eq. 4): the normal distribution times the flux onto the face, sin(alpha1 +
+ * delta)/sin(alpha1), cut at delta = -alpha1, where it would turn negative. It reaches below
+ * -alpha1/2, so that a specular rebound may go into the wall: the contact draws again, or the
+ * particle hits once more.
+ *
+ * In x = delta/sigma, the integral of phi(t) sin(alpha1 + sigma t) over a tail is a series in the
+ * tail's moments, quick and without loss for every sigma. For a particle that flies up (alpha1 < 0)
+ * all of the law is far tail, and a quadrature with scaled weights takes over, as it does close to
+ * the end of the support. */
+#include "spread/gauss.h"
+#include "spread/invert.h"
+#include "spread/models.h"
+
+#include <gsl/gsl_integration.h>
+
+enum { TERMS = 60 };
+
+/* Nothing of the normal law is left from here on. */
+#define FAR 38.6
+
+/* So close to the end of the support, in its own length, the difference of tails has lost digits.
+ */
+#define NEAR_END 0.05
+
+typedef struct law {
+  double alpha, sigma;
+  double lo, hi; /* support in x */
+  double mass;   /* of the unnormalised law; for alpha < 0 over phi(lo) */
+} law;
+
+/* The integral of phi(t) sin(alpha + sigma t) from x >= 0 to infinity: the Taylor series of the
+ * sine, term by term, with J_k the integral of t^k phi(t), J_k = x^(k-1) phi(x) + (k-1) J_(k-2). */
+static double tail(double alpha, double sigma, double x) {
+  if (x > FAR)
+    return 0;
+  double phi = asp_gauss_density(x), even = asp_gauss_below(-x), odd = phi;
+  double s = sin(alpha), c = cos(alpha), sum = s * even, factor = 1, power = 1;
+  for (int k = 1; k < TERMS; k++) {
+    double j = k % 2 ? odd : even;
+    if (k > 1) {
+      power *= x;
+      j = power * phi + (k - 1) * j;
+    }
+    *(k % 2 ? &odd : &even) = j;
+    factor *= sigma / k;
+    double term = factor * j * (k % 2 ? c : s);
+    sum += k % 4 < 2 ? term : -term;
+    if (fabs(factor * j) < 1e-18 * fabs(sum) && k > 2)
+      break;
+  }
+  return sum;
+}
+
+/* The same between two points: a difference of tails on one side of the middle, and otherwise the
+ * whole, exp(-sigma^2/2) sin(alpha), less both tails. */
+static double between(const law *w, double from, double to) {
+  if (from >= 0)
+    return tail(w->alpha, w->sigma, from) - tail(w->alpha, w->sigma, to);
+  if (to <= 0)
+    return tail(w->alpha, -w->sigma, -to) - tail(w->alpha, -w->sigma, -from);
+  return exp(-0.5 * w->sigma * w->sigma) * sin(w->alpha) - tail(w->alpha, w->sigma, to) -
+         tail(w->alpha, -w->sigma, -from);
+}
+
+static double integrand(double t, void *of) {
+  const law *w = of;
+  double y = t - w->lo;
+  return exp(-y * (w->lo + 0.5 * y)) * sin(w->sigma * y);
+}
+
+/* The integral of the law over phi(lo), from x to x + width. */
+static double quadrature(const law *w, double from, double to) {
+  law copy = *w;
+  gsl_function f = {integrand, &copy};
+  double result, error, absolute, deviation;
+  gsl_integration_qk41(&f, from, to, &result, &error, &absolute, &deviation);
+  return result;
+}
+
+static law law_at(const asp_view *view) {
+  double sigma = view->sigma, lo = -view->alpha1 / sigma, hi = ASP_DELTA_MOST / sigma;
+  law w = {view->alpha1, sigma, lo, hi, 0};
+  if (view->alpha1 < 0) {
+    w.hi = fmin(hi, lo + 76 / (sqrt(lo * lo + 76) + lo));
+    w.mass = quadrature(&w, lo, w.hi);
+  } else {
+    w.mass = between(&w, lo, hi);
+  }
+  return w;
+}
+
+static asp_point at(const void *of, double x) {
+  const law *w = of;
+  double y = x - w->lo;
+  asp_point p;
+  if (w->alpha < 0) {
+    p.below = quadrature(w, w->lo, x) / w->mass;
+    p.above = quadrature(w, x, w->hi) / w->mass;
+    p.density = exp(-y * (w->lo + 0.5 * y)) * sin(w->sigma * y) / w->mass;
+    return p;
+  }
+  bool near = y * (1 - w->lo) < NEAR_END;
+  if (near || x < 0) {
+    p.below = near ? asp_gauss_density(w->lo) * quadrature(w, w->lo, x) : between(w, w->lo, x);
+    p.above = 1 - (p.below /= w->mass);
+  } else {
+    p.above = between(w, x, w->hi) / w->mass;
+    p.below = 1 - p.above;
+  }
+  p.density = asp_gauss_density(x) * sin(w->sigma * y) / w->mass;
+  return p;
+}
+
+double asp_effective_density(const asp_view *view, double delta) {
+  law w = law_at(view);
+  double x = delta / w.sigma;
+  return x > w.lo && x < w.hi ? at(&w, x).density / w.sigma : 0;
+}
+
+double asp_effective_distribution(const asp_view *view, double delta) {
+  law w = law_at(view);
+  double x = delta / w.sigma;
+  if (!(x > w.lo))
+    return 0;
+  return x < w.hi ? at(&w, x).below : 1;
+}
+
+/* Starts from the law of the visible slopes, which is the limit for small sigma. */
+double asp_effective_quantile(const asp_view *view, double u) {
+  if (view->sigma < ASP_SIGMA_ZERO)
+    return 0;
+  law w = law_at(view);
+  double guess = asp_spread_visible.quantile(view, u) / w.sigma;
+  double x = asp_invert(at, &w, fmax(w.lo, -FAR), fmin(w.hi, fmax(w.lo, 0) + FAR), guess, u);
+  return fmin(fmax(x * w.sigma, -view->alpha1), ASP_DELTA_MOST);
+}
+
+const asp_spread_model asp_spread_effective = {
+    .name = "effective",
+    .summary = "normal distribution times the flux onto the face, cut at -alpha1",
+    .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 4",
+    .upward = true,
+    .density = asp_effective_density,
+    .distribution = asp_effective_distribution,
+    .quantile = asp_effective_quantile,
+};

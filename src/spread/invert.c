@@ -1,0 +1,51 @@
+/* Quantiles by Newton's method on the logarithm of a tail; see invert.h. Where the law is cut off
+ * above, the logarithm overshoots and the tail itself is the straight one. */
+#include "spread/invert.h"
+
+#include <math.h>
+
+enum { STEPS = 24 };
+
+/* Smaller shares are taken for this one: their squares of a distance would underflow. */
+#define LEAST 1e-290
+
+/* After a step of this size, relative to the distance from the nearer end, the next one would be
+ * below rounding: the error squares. */
+#define SMALL 1e-8
+
+/* Newton's step from x towards a share u below, in the logarithm of the tail that is the smaller
+ * one at the root. Not a number where the tail or the density has run out. */
+static double step(asp_point p, double u) {
+  if (u < 0.5)
+    return p.below / p.density * log(u / p.below);
+  return -p.above / p.density * log((1 - u) / p.above);
+}
+
+static double straight_step(asp_point p, double u) {
+  return (p.above - (1 - u)) / p.density;
+}
+
+double asp_invert(asp_point (*at)(const void *law, double x), const void *law, double lo, double hi,
+                  double guess, double u) {
+  const double begin = lo, end = hi;
+  u = fmax(u, LEAST);
+  double x = guess < hi ? guess : 0.5 * (lo + hi);
+  if (!(x > lo))
+    return lo;
+  for (int i = 0; i < STEPS; i++) {
+    asp_point p = at(law, x);
+    double next = x + step(p, u);
+    if (fabs(next - x) <= SMALL * fmin(x - begin, end - x))
+      return fmin(fmax(next, lo), hi);
+    if (u < 0.5 ? p.below < u : p.above > 1 - u)
+      lo = x;
+    else
+      hi = x;
+    if (!(next > lo && next < hi) && u >= 0.5)
+      next = x + straight_step(p, u);
+    if (!(next > lo && next < hi))
+      next = 0.5 * (lo + hi);
+    x = next;
+  }
+  return x;
+}

@@ -1,0 +1,23 @@
+/* The rough wall multi-collision model of Konan, Kannengieser & Simonin 2009, as recalled (the
+ * original was not at hand): the first face follows the effective law (eq. 4); a rebound at theta >
+ * 0 over the mean wall is the last one with probability tanh(1.5 theta/sigma), otherwise the next
+ * face is drawn for the direction that the particle now has. Against ray tracing that is too low
+ * for theta under sigma. */
+#include "spread/models.h"
+
+#include <math.h>
+
+static double escape(const asp_view *view, double theta) {
+  return view->sigma < ASP_SIGMA_ZERO ? 1 : tanh(1.5 * theta / view->sigma);
+}
+
+const asp_spread_model asp_spread_multicollision = {
+    .name = "multicollision",
+    .summary = "effective law, and further faces until the particle leaves",
+    .source = "Konan, Kannengieser & Simonin 2009 (recalled, original not seen)",
+    .upward = true,
+    .escape = escape,
+    .density = asp_effective_density,
+    .distribution = asp_effective_distribution,
+    .quantile = asp_effective_quantile,
+};

@@ -1,0 +1,216 @@
+/* The exact first-hit law of a profile as a table: quantiles over impact angle and particle size,
+ * each the law that asp_track_first_hit gives there. Between the nodes quantiles are interpolated
+ * straight, which keeps them monotone in u and above -alpha1, and costs less than a power.
+ *
+ * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
+ * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
+ * fly up meet the law of `visible`. */
+#include "error.h"
+#include "spread/models.h"
+#include "spread/trace.h"
+
+#include <gsl/gsl_sort.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+  ANGLES = 64,
+  CELLS = 512, /* of equal width in u */
+  PARTS = 32,  /* of the first and of the last of them */
+  NODES = CELLS - 2 + 2 * PARTS + 1
+};
+
+typedef struct table {
+  int bins;
+  double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
+  double angle[ANGLES], per_angle[ANGLES];
+  float delta[][ANGLES][NODES]; /* by size, angle, u; rad */
+} table;
+
+/* Where u lies among the nodes: whole part and rest. */
+static double place_of(double u) {
+  double cell = u * CELLS;
+  if (cell < 1)
+    return cell * PARTS;
+  if (cell > CELLS - 1)
+    return PARTS + CELLS - 2 + (cell - (CELLS - 1)) * PARTS;
+  return PARTS - 1 + cell;
+}
+
+static double u_at(double place) {
+  if (place < PARTS)
+    return place / (PARTS * (double)CELLS);
+  double last = PARTS + CELLS - 2;
+  if (place > last)
+    return ((place - last) / PARTS + CELLS - 1) / CELLS;
+  return (place - (PARTS - 1)) / CELLS;
+}
+
+/* What one size needs while the table is made. */
+typedef struct bench {
+  asp_track *track;
+  size_t n;
+  double *slope, *weight;
+  size_t *order; /* of the faces, by slope */
+} bench;
+
+static void bench_free(bench *b) {
+  asp_track_free(b->track);
+  free(b->slope);
+  free(b->weight);
+  free(b->order);
+}
+
+static asp_code bench_create(bench *b, const asp_profile *profile, double d_p, asp_error *error) {
+  *b = (bench){.track = asp_track_create(profile, d_p, error)};
+  if (!b->track)
+    return ASP_EARG;
+  b->n = asp_track_faces(b->track);
+  b->slope = malloc(b->n * sizeof *b->slope);
+  b->weight = malloc(b->n * sizeof *b->weight);
+  b->order = malloc(b->n * sizeof *b->order);
+  if (!b->slope || !b->weight || !b->order) {
+    bench_free(b);
+    return asp_fail(error, ASP_ENOMEM, "out of memory for the slopes of %zu faces", b->n);
+  }
+  for (size_t i = 0; i < b->n; i++)
+    b->slope[i] = asp_track_face_slope(b->track, i);
+  gsl_sort_index(b->order, b->slope, 1, b->n);
+  return ASP_OK;
+}
+
+/* The quantiles of one angle: the slopes at which the sum of the weights passes each node. */
+static void fill(bench *b, double alpha1, float *delta) {
+  asp_track_first_hit(b->track, alpha1, b->weight);
+  double sum = 0;
+  size_t last = 0;
+  int node = 0;
+  for (size_t i = 0; i < b->n && node < NODES; i++) {
+    size_t face = b->order[i];
+    if (!(b->weight[face] > 0))
+      continue;
+    last = face;
+    sum += b->weight[face];
+    for (; node < NODES && u_at(node) <= sum; node++)
+      delta[node] = (float)atan(b->slope[face]);
+  }
+  for (; node < NODES; node++)
+    delta[node] = (float)atan(b->slope[last]);
+}
+
+static void release(void *data) {
+  free(data);
+}
+
+static void place_nodes(table *t, const asp_sizes *sizes) {
+  t->bins = sizes->bins;
+  for (int k = 0; k < ANGLES; k++) {
+    double width = ASP_PI / 2 / ((ANGLES - 1.) * (ANGLES - 1.));
+    t->angle[k] = width * k * k;
+    t->per_angle[k] = 1 / (width * (2 * k + 1));
+  }
+  for (int i = 0; i < t->bins; i++) {
+    t->d_p[i] = asp_sizes_at(sizes, i);
+    t->per_d_p[i] = 1 / (asp_sizes_at(sizes, i + 1) - t->d_p[i]);
+  }
+}
+
+static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
+  if (asp_sizes_check(sizes, error))
+    return NULL;
+  table *t = malloc(sizeof *t + (size_t)sizes->bins * sizeof *t->delta);
+  if (!t) {
+    asp_fail(error, ASP_ENOMEM, "out of memory for a table of %d sizes", sizes->bins);
+    return NULL;
+  }
+  place_nodes(t, sizes);
+  for (int i = 0; i < t->bins; i++) {
+    bench b;
+    if (bench_create(&b, profile, t->d_p[i], error)) {
+      free(t);
+      return NULL;
+    }
+    for (int k = 0; k < ANGLES; k++)
+      fill(&b, t->angle[k], t->delta[i][k]);
+    bench_free(&b);
+  }
+  return t;
+}
+
+/* The four rows, two sizes by two angles, between which a view lies. */
+typedef struct cell {
+  const float *row[4];
+  double weight[4];
+} cell;
+
+static cell cell_of(const table *t, const asp_view *view) {
+  int i = 0, k = (int)((ANGLES - 1) * sqrt(view->alpha1 * (2 / ASP_PI)));
+  k = k < ANGLES - 2 ? k : ANGLES - 2;
+  for (int j = 1; j < t->bins - 1; j++)
+    i += view->d_p > t->d_p[j];
+  int next = t->bins > 1 ? i + 1 : i;
+  double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
+  double size = next > i ? fmin(fmax((view->d_p - t->d_p[i]) * t->per_d_p[i], 0), 1) : 0;
+  return (cell){{t->delta[i][k], t->delta[i][k + 1], t->delta[next][k], t->delta[next][k + 1]},
+                {(1 - size) * (1 - angle), (1 - size) * angle, size * (1 - angle), size * angle}};
+}
+
+static double node_at(const cell *c, int node) {
+  double sum = 0;
+  for (int i = 0; i < 4; i++)
+    sum += c->weight[i] * c->row[i][node];
+  return sum;
+}
+
+static double quantile(const asp_view *view, double u) {
+  if (view->alpha1 < 0)
+    return asp_spread_visible.quantile(view, u);
+  cell c = cell_of(view->data, view);
+  double place = place_of(u);
+  int node = (int)place < NODES - 2 ? (int)place : NODES - 2;
+  double low = node_at(&c, node), high = node_at(&c, node + 1);
+  return fmax(low + (place - node) * (high - low), -view->alpha1);
+}
+
+/* The last node that is not above delta; -1 when there is none. */
+static int node_below(const cell *c, double delta) {
+  int low = -1, high = NODES;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    *(node_at(c, middle) <= delta ? &low : &high) = middle;
+  }
+  return low;
+}
+
+static double distribution(const asp_view *view, double delta) {
+  if (view->alpha1 < 0)
+    return asp_spread_visible.distribution(view, delta);
+  cell c = cell_of(view->data, view);
+  int node = node_below(&c, delta);
+  if (node < 0 || node >= NODES - 1)
+    return node < 0 ? 0 : 1;
+  double low = node_at(&c, node), high = node_at(&c, node + 1);
+  return u_at(node + (delta - low) / (high - low));
+}
+
+static double density(const asp_view *view, double delta) {
+  if (view->alpha1 < 0)
+    return asp_spread_visible.density(view, delta);
+  cell c = cell_of(view->data, view);
+  int node = node_below(&c, delta);
+  if (node < 0 || node >= NODES - 1)
+    return 0;
+  return (u_at(node + 1) - u_at(node)) / (node_at(&c, node + 1) - node_at(&c, node));
+}
+
+const asp_spread_model asp_spread_profile = {
+    .name = "profile",
+    .summary = "first-hit law of the profile itself, from a table",
+    .source = "geometry, derived for this project",
+    .upward = true,
+    .density = density,
+    .distribution = distribution,
+    .quantile = quantile,
+    .prepare = prepare,
+    .release = release,
+};

@@ -1,0 +1,39 @@
+/* The Weibull law of an impact angle, as straight code; see weibull.c. */
+#ifndef ASP_SPREAD_WEIBULL_H
+#define ASP_SPREAD_WEIBULL_H
+
+#include "spread/models.h"
+
+#include <math.h>
+
+/* The paper's boundary angle e over sigma. */
+#define ASP_WEIBULL_END 6.48
+
+/* Up to this sigma (rad) the steepest face cuts off less than the last bit, at any angle. */
+#define ASP_WEIBULL_UNCUT 0.1
+
+typedef struct asp_weibull_law {
+  double b, k, lambda;
+} asp_weibull_law;
+
+/* Shape and scale as polynomials of fourth degree in tau = alpha1/sigma, written around the end so
+ * that they arrive there at the values that hold beyond it: k = 3.602, and the lambda that makes
+ * the mean zero, 3.24/Gamma(1 + 1/3.602) (sd 0.9991). */
+static inline asp_weibull_law asp_weibull_at(double sigma, double alpha1) {
+  double tau = alpha1 / sigma;
+  tau = tau < ASP_WEIBULL_END ? tau : ASP_WEIBULL_END;
+  double ahead = tau - ASP_WEIBULL_END;
+  double k = 0.3607531 + tau * (0.0404840 + tau * (0.0037227 - tau * 0.0007002));
+  double scale = 0.4221985 + tau * (0.0357573 - tau * (0.0019619 + tau * 0.0002228));
+  asp_weibull_law w = {-0.5 * tau * sigma, 3.602 + ahead * k,
+                       (3.595474673403 + ahead * scale) * sigma};
+  return w;
+}
+
+/* -log(1 - u), with full relative precision for small u. */
+static inline double asp_minus_log_rest(double u) {
+  double rest = 1 - u;
+  return -(log(rest) + ((1 - rest) - u) / rest);
+}
+
+#endif

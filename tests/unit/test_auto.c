@@ -1,0 +1,61 @@
+/* The choice of a model: the cheapest that is good enough, with its reason; and what it refuses. */
+#include "check.h"
+
+static const asp_sizes sizes = {5, 15, 1};
+
+static asp_code choose(double r_q, double tolerance, asp_choice *choice, asp_error *error) {
+  asp_surface *surface = asp_surface_create(r_q, 40, NULL);
+  asp_code code = asp_spread_auto(surface, &sizes, 0, ASP_PI / 2, ASP_COLLISIONS_MULTIPLE,
+                                  tolerance, choice, error);
+  asp_surface_free(surface);
+  return code;
+}
+
+/* A looser tolerance never takes a worse model than it says, and never a dearer one. */
+static void choices_keep_the_tolerance(void **state) {
+  (void)state;
+  asp_choice choice;
+  asp_error error = {ASP_OK, ""};
+  for (double r_q = 0.1; r_q < 20; r_q *= 1.5)
+    for (double tolerance = 20; tolerance > 0.002; tolerance /= 2)
+      if (choose(r_q, tolerance, &choice, &error) == ASP_OK) {
+        assert_true(choice.divergence < tolerance);
+        assert_non_null(strstr(choice.text, choice.model->name));
+        assert_non_null(strstr(choice.text, "cheapest"));
+      } else {
+        assert_int_equal(error.code, ASP_ERANGE);
+      }
+  assert_int_equal(choose(5, 20, &choice, &error), ASP_OK);
+  assert_string_equal(choice.model->name, "none");
+}
+
+static void hopeless_tolerances_name_the_closest(void **state) {
+  (void)state;
+  asp_choice choice;
+  asp_error error;
+  assert_int_equal(choose(5, 1e-9, &choice, &error), ASP_ERANGE);
+  assert_non_null(strstr(error.text, "comes closest"));
+  assert_non_null(strstr(error.text, "1e-09"));
+}
+
+static void bad_arguments_are_named(void **state) {
+  (void)state;
+  static const double bad[] = {0, -1, NAN, INFINITY};
+  asp_choice choice;
+  asp_error error;
+  for (int i = 0; i < 4; i++) {
+    assert_int_equal(choose(5, bad[i], &choice, &error), ASP_EARG);
+    assert_non_null(strstr(error.text, "tolerance"));
+  }
+  assert_int_equal(choose(36, 0.1, &choice, &error), ASP_ERANGE);
+  assert_non_null(strstr(error.text, "beyond what was measured"));
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(choices_keep_the_tolerance),
+      cmocka_unit_test(hopeless_tolerances_name_the_closest),
+      cmocka_unit_test(bad_arguments_are_named),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

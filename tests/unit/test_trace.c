@@ -1,0 +1,307 @@
+/* The geometry: the law of the first hit and the paths against brute force, against each other, and
+ * against numbers of an independent ray tracer; the models against the geometry. */
+#include "check.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_rng.h>
+#include <stdlib.h>
+
+#define DEGREE (ASP_PI / 180)
+
+static double heights_of_one(const asp_track *track, size_t i) {
+  double z = 0;
+  for (size_t k = 0; k < i; k++)
+    z += asp_track_face_slope(track, k);
+  return z;
+}
+
+/* The first face that a ray from (x, z) with slope m meets beyond face `own` (none: n), by asking
+ * every face; n when there is none within two periods. Heights in points, over point 0. */
+static size_t brute(const asp_track *track, const double *h, double x, double z, double m,
+                    size_t own) {
+  size_t n = asp_track_faces(track), begin = (size_t)x;
+  for (size_t k = begin; k < begin + 2 * n; k++) {
+    if (k % n == own && k < begin + n)
+      continue;
+    double from = fmax((double)k, x), p = asp_track_face_slope(track, k % n);
+    double low = h[k % n] + p * (from - (double)k), high = h[k % n] + p;
+    if (z + m * (from - x) >= low - 1e-12 && z + m * ((double)k + 1 - x) <= high + 1e-12)
+      return k % n;
+  }
+  return n;
+}
+
+static asp_track *track_of(size_t points, double r_q, double d_p, uint32_t seed) {
+  asp_profile *profile = asp_profile_create(r_q, 1, 1 / 16., points, seed, NULL);
+  asp_track *track = asp_track_create(profile, d_p, NULL);
+  assert_non_null(track);
+  asp_profile_free(profile);
+  return track;
+}
+
+static void first_hits_agree_with_brute_force(void **state) {
+  (void)state;
+  asp_track *track = track_of(512, 0.2, 0.5, 5); /* alpha_least is 5 degrees */
+  size_t n = asp_track_faces(track);
+  double *weight = malloc(n * sizeof *weight), *h = malloc(n * sizeof *h);
+  for (size_t i = 0; i < n; i++)
+    h[i] = heights_of_one(track, i);
+  for (double angle = 8; angle < 90; angle += 16.3) {
+    enum { RAYS = 20000 };
+    double sum = 0, *count = calloc(n, sizeof *count), off = 0, top = 0;
+    asp_track_first_hit(track, angle * DEGREE, weight);
+    for (size_t i = 0; i < n; i++) {
+      sum += weight[i];
+      top = fmax(top, h[i]);
+    }
+    assert_near(sum, 1, 1e-9);
+    for (int i = 0; i < RAYS; i++)
+      count[brute(track, h, (i + 0.5) / RAYS * (double)n, top + 1e-9, -tan(angle * DEGREE), n)]++;
+    for (size_t i = 0; i < n; i++)
+      off = fmax(off, fabs(count[i] / RAYS - weight[i]));
+    assert_true(off < 3. / RAYS); /* a regular beam counts a face's width to one ray at each end */
+    free(count);
+  }
+  free(weight);
+  free(h);
+  asp_track_free(track);
+}
+
+static void paths_agree_with_brute_force(void **state) {
+  (void)state;
+  asp_track *track = track_of(512, 0.3, 0.3, 6);
+  size_t n = asp_track_faces(track);
+  double *h = malloc(n * sizeof *h), zero;
+  for (size_t i = 0; i < n; i++)
+    h[i] = heights_of_one(track, i);
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  asp_path path;
+  asp_track_enter(track, 0.5, &path);
+  asp_track_next(track, ASP_PI / 2, &path, &zero);
+  double shift =
+      path.z - h[path.face] - (path.x - (double)path.face) * asp_track_face_slope(track, path.face);
+  for (int i = 0; i < 20000; i++) {
+    double delta, alpha = 0.2 + 1.3 * gsl_rng_uniform(rng);
+    asp_track_enter(track, gsl_rng_uniform_pos(rng), &path);
+    assert_true(asp_track_next(track, alpha, &path, &delta));
+    size_t own = path.face;
+    double rise = alpha + 2 * delta, z = path.z - shift, x = path.x;
+    if (!(fabs(rise) < 1.5))
+      continue; /* flies back, which the mirror image covers below */
+    bool hits = asp_track_next(track, -rise, &path, &delta);
+    size_t should = brute(track, h, x, z, tan(rise), own);
+    assert_int_equal(hits ? path.face : n, should);
+  }
+  gsl_rng_free(rng);
+  free(h);
+  asp_track_free(track);
+}
+
+/* A profile and its mirror image are the same wall for a particle that flies the other way. */
+static void flights_back_are_flights_over_the_mirror_image(void **state) {
+  (void)state;
+  enum { N = 1024 };
+  asp_profile *there = asp_profile_create(0.3, 1, 1 / 16., N, 7, NULL);
+  double mirrored[N];
+  for (int i = 0; i < N; i++)
+    mirrored[i] = asp_profile_heights(there)[N - 1 - i];
+  asp_profile *back = asp_profile_from_heights(mirrored, N, 1 / 16., true, NULL);
+  asp_track *one = asp_track_create(there, 0.2, NULL), *other = asp_track_create(back, 0.2, NULL);
+  for (int i = 0; i < 2000; i++) {
+    asp_path a, b;
+    double da, db, alpha = 0.02 + 0.0007 * i;
+    asp_track_enter(one, 0.3, &a);
+    asp_track_next(one, alpha, &a, &da);
+    a.back = true;
+    b = a;
+    b.back = false;
+    b.x = N - 1 - a.x < 0 ? 2 * N - 1 - a.x : N - 1 - a.x;
+    b.face = (2 * N - 2 - a.face) % N;
+    bool hit = asp_track_next(one, -0.1 + 0.0002 * i, &a, &da);
+    assert_int_equal(hit, asp_track_next(other, -0.1 + 0.0002 * i, &b, &db));
+    if (hit)
+      assert_near(da, db, 1e-9);
+  }
+  asp_track_free(one);
+  asp_track_free(other);
+  asp_profile_free(there);
+  asp_profile_free(back);
+}
+
+static asp_wall *wall_of(const char *model, const asp_profile *profile, const asp_surface *surface,
+                         double d_p) {
+  asp_wall_spec spec = asp_wall_spec_default();
+  asp_wall_spec_rebound(&spec, "constant", NULL);
+  spec.spread = model;
+  spec.surface = surface;
+  spec.profile = profile;
+  spec.sizes = (asp_sizes){d_p, d_p, 1};
+  spec.collisions = ASP_COLLISIONS_MULTIPLE;
+  spec.deposit = false;
+  asp_wall *wall = asp_wall_create(&spec, NULL);
+  assert_non_null(wall);
+  return wall;
+}
+
+typedef struct rebounds {
+  double count[180], mean, later;
+} rebounds;
+
+static rebounds rebounds_of(const asp_wall *wall, double d_p, double alpha1, int n) {
+  static const double up[3] = {0, 0, 1};
+  rebounds r = {{0}, 0, 0};
+  double v1[3] = {cos(alpha1), 0, -sin(alpha1)};
+  asp_particle particle = {d_p, 1, NULL};
+  for (int i = 0; i < n; i++) {
+    asp_impact impact;
+    asp_wall_impact(wall, &particle, v1, up, (asp_key){2, 1, (uint64_t)i, 1}, &impact);
+    double angle = asp_impact_coefficients(v1, up, &impact).alpha2 / DEGREE;
+    r.count[angle < 180 ? (int)angle : 179]++;
+    r.mean += angle / n;
+    r.later += (impact.hits > 1) / (double)n;
+  }
+  return r;
+}
+
+/* D_KL in bins of a degree, less the bias of two samples of n. */
+static double divergence(const rebounds *reference, const rebounds *other, int n) {
+  double sum = 0, bins = 0;
+  for (int i = 0; i < 180; i++)
+    if (reference->count[i] > 0) {
+      sum += reference->count[i] / n * log(reference->count[i] / fmax(other->count[i], 0.5));
+      bins++;
+    }
+  return sum - (bins - 1) / n;
+}
+
+/* Rebound angles and shares of later hits that an independent tracer found (phi_r 0.125, d_p =
+ * lambda_c/4; ensemble); the tolerance is that of one profile of 8192 lambda_c. */
+static void rebounds_agree_with_an_independent_tracer(void **state) {
+  (void)state;
+  static const double known[][3] = {{2, 25.22, 0.021}, {10, 27.33, 0.073}, {30, 37.31, 0.045}};
+  asp_profile *profile = asp_profile_create(0.125, 1, 1 / 64., 524288, 9, NULL);
+  asp_surface *surface = asp_surface_create_profile(profile, 0.25, 0.25, 1, NULL);
+  asp_wall *wall = wall_of("traced", profile, surface, 0.25);
+  for (int i = 0; i < 3; i++) {
+    rebounds r = rebounds_of(wall, 0.25, known[i][0] * DEGREE, 200000);
+    print_message("alpha1 %g: mean %.2f (%.2f), later hits %.4f (%.3f)\n", known[i][0], r.mean,
+                  known[i][1], r.later, known[i][2]);
+    assert_near(r.mean, known[i][1], 0.35);
+    assert_near(r.later, known[i][2], 0.004);
+  }
+  asp_wall_free(wall);
+  asp_surface_free(surface);
+  asp_profile_free(profile);
+}
+
+/* The accuracy that is promised, in short: 2e5 rays (the command trade does it at any length). */
+static void models_are_as_accurate_as_promised(void **state) {
+  (void)state;
+  enum { RAYS = 200000 };
+  static const double walls[][4] = {{5, 40, 10, 0.015}, {15, 360, 40, 0.015}, {5, 40, 400, 0.04}};
+  static const double angles[] = {2, 7, 20, 45, 85};
+  for (int w = 0; w < 3; w++) {
+    double d_p = walls[w][2], noise = 4e-4;
+    asp_profile *profile =
+        asp_profile_create(walls[w][0], walls[w][1], walls[w][1] / 128, 524288, 4, NULL);
+    asp_surface *surface = asp_surface_create_profile(profile, d_p, d_p, 1, NULL);
+    asp_wall *traced = wall_of("traced", profile, surface, d_p);
+    asp_wall *visible = wall_of("visible", profile, surface, d_p);
+    asp_wall *table = wall_of("profile", profile, surface, d_p);
+    asp_track *track = asp_track_create(profile, d_p, NULL);
+    for (int a = 0; a < 5; a++) {
+      rebounds truth = rebounds_of(traced, d_p, angles[a] * DEGREE, RAYS);
+      rebounds model = rebounds_of(visible, d_p, angles[a] * DEGREE, RAYS);
+      rebounds exact = rebounds_of(table, d_p, angles[a] * DEGREE, RAYS);
+      double off = divergence(&truth, &model, RAYS), less = divergence(&truth, &exact, RAYS);
+      print_message("wall %d, alpha1 %g: visible %.4f, profile %.4f\n", w, angles[a], off, less);
+      assert_true(off < walls[w][3] + noise);
+      assert_true(less < walls[w][3] + noise);
+    }
+    asp_track_free(track);
+    asp_wall_free(traced);
+    asp_wall_free(visible);
+    asp_wall_free(table);
+    asp_surface_free(surface);
+    asp_profile_free(profile);
+  }
+}
+
+/* At the nodes the table is the exact law; between them it is within 0.002 of it. */
+static void tables_are_the_law_of_the_track(void **state) {
+  (void)state;
+  const asp_spread_model *model = asp_spread_find("profile", NULL);
+  asp_profile *profile = asp_profile_create(0.125, 1, 1 / 128., 131072, 1, NULL);
+  asp_sizes sizes = {0.25, 0.25, 1};
+  void *table = model->prepare(profile, &sizes, NULL);
+  asp_track *track = asp_track_create(profile, 0.25, NULL);
+  size_t n = asp_track_faces(track);
+  double *weight = malloc(n * sizeof *weight);
+  for (double k = 10; k < 63; k += 2.25) { /* nodes, and a quarter, half, three quarters between */
+    double alpha1 = ASP_PI / 2 * k * k / (63 * 63), kl = 0, most = 0, share[181] = {0};
+    asp_view view = {0.17, atan(0.17), alpha1, 0.25, table};
+    asp_track_first_hit(track, alpha1, weight);
+    for (size_t i = 0; i < n; i++)
+      share[(int)floor(atan(asp_track_face_slope(track, i)) / DEGREE) + 90] += weight[i];
+    for (int i = 0; i < 180; i++) {
+      double p = model->distribution(&view, (i - 89) * DEGREE) -
+                 model->distribution(&view, (i - 90) * DEGREE);
+      if (share[i] > 0)
+        kl += share[i] * log(share[i] / fmax(p, 1e-6));
+      most = fmax(most, fabs(p - share[i]));
+    }
+    assert_true(kl < 0.002);
+    if (fmod(k, 1) < 1e-9)
+      assert_true(most < 2. / 512);
+  }
+  free(weight);
+  asp_track_free(track);
+  model->release(table);
+  asp_profile_free(profile);
+}
+
+static void bad_sizes_are_named(void **state) {
+  (void)state;
+  asp_error error;
+  asp_profile *profile = asp_profile_create(0.1, 1, 1 / 16., 1024, 1, NULL);
+  static const asp_sizes bad[] = {{0, 1, 2},   {NAN, 1, 2}, {1, 0.5, 2},
+                                  {1, NAN, 2}, {1, 2, 0},   {1, 2, 100000}};
+  for (int m = 0; m < asp_spread_count(); m++)
+    for (size_t i = 0; asp_spread_at(m)->prepare && i < sizeof bad / sizeof *bad; i++) {
+      assert_null(asp_spread_at(m)->prepare(profile, &bad[i], &error));
+      assert_int_equal(error.code, ASP_EARG);
+      assert_non_null(strstr(error.text, "d_p"));
+    }
+  assert_null(asp_track_create(profile, -1, &error));
+  assert_null(asp_track_create(profile, 1e9, &error));
+  asp_profile_free(profile);
+}
+
+/* A measured profile, which does not repeat, goes on as its mirror image. */
+static void measured_profiles(void **state) {
+  (void)state;
+  static const double heights[] = {0, 1, 3, 2, 5, 4, 4.5, 1, 0.5, 2};
+  asp_profile *profile = asp_profile_from_heights(heights, 10, 1, false, NULL);
+  asp_track *track = asp_track_create(profile, 0, NULL);
+  assert_int_equal(asp_track_faces(track), 18);
+  for (size_t i = 0; i < 9; i++) {
+    assert_near(asp_track_face_slope(track, i), heights[i + 1] - heights[i], 1e-12);
+    assert_near(asp_track_face_slope(track, 17 - i), heights[i] - heights[i + 1], 1e-12);
+  }
+  asp_track_free(track);
+  asp_profile_free(profile);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(first_hits_agree_with_brute_force),
+      cmocka_unit_test(paths_agree_with_brute_force),
+      cmocka_unit_test(flights_back_are_flights_over_the_mirror_image),
+      cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
+      cmocka_unit_test(models_are_as_accurate_as_promised),
+      cmocka_unit_test(tables_are_the_law_of_the_track),
+      cmocka_unit_test(bad_sizes_are_named),
+      cmocka_unit_test(measured_profiles),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
