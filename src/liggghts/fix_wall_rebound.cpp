@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <limits>
 
@@ -155,11 +156,12 @@ static double units_per_metre(const char *style) {
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : FixWallGran(engine, narg, check_geometry(engine, narg, arg)), smooth_(true), r_q_(0),
-      lambda_c_(0), dp_bins_(32), d_range_(), spec_(asp_wall_spec_default()), deposit_(FREEZE),
-      timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)), profile_(NULL, asp_profile_free),
-      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free), fix_state_(NULL), state_(NULL),
-      clock_(), counters_(), lists_are_new_(true), warned_(false), announced_(false),
-      restarted_(false), speed_checked_(-1) {
+      lambda_c_(0), dp_bins_(16), tolerance_(0), d_range_(), spec_(asp_wall_spec_default()),
+      deposit_(FREEZE), timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)),
+      profile_(NULL, asp_profile_free), surface_(NULL, asp_surface_free),
+      wall_(NULL, asp_wall_free), fix_state_(NULL), state_(NULL), clock_(), counters_(),
+      lists_are_new_(true), warned_(false), announced_(false), restarted_(false),
+      speed_checked_(-1) {
   for (int m = 0; m < n_meshes(); m++)
     mesh_ids_.push_back(mesh_list()[m]->id);
   check_particles();
@@ -169,7 +171,9 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     if (!profile_path_.empty())
       profile_ = read_rebound_profile(world, profile_path_, units_per_metre(update->unit_style),
                                       profile_report_);
-    else
+    else if (!smooth_)
+      make_surface();
+    if (!needs_sizes())
       make_wall();
   } catch (const std::string &wrong) {
     fail(wrong);
@@ -202,7 +206,6 @@ void FixWallRebound::fail(const std::string &what) {
 
 void FixWallRebound::parse(int narg, char **arg) {
   ArgReader args(narg, arg, iarg_);
-  spec_.spread = NULL;
   while (!args.done()) {
     if (args.take("surface"))
       parse_surface(args);
@@ -227,8 +230,12 @@ void FixWallRebound::parse(int narg, char **arg) {
     else
       throw "keyword '" + args.word("keyword") + "' is unknown; there are: " + KEYWORDS;
   }
-  if (!spec_.spread)
-    spec_.spread = smooth_ ? "none" : "weibull";
+  if (spread_.empty())
+    spread_ = smooth_ ? "none" : "weibull";
+  if (smooth_ && spread_ == "auto")
+    spread_ = "none";
+  if (spread_ != "auto")
+    spec_.spread = asp_spread_find(spread_.c_str(), NULL)->name;
   spec_.deposit = deposit_ != OFF;
 }
 
@@ -238,8 +245,7 @@ void FixWallRebound::parse_surface(ArgReader &args) {
     return;
   if (args.take("profile")) {
     profile_path_ = args.word("the file of 'surface profile'");
-    if (args.take("dp_bins"))
-      dp_bins_ = static_cast<int>(args.whole("dp_bins", 1, 10000));
+    parse_bins(args);
     return;
   }
   if (!args.take("rq"))
@@ -249,14 +255,20 @@ void FixWallRebound::parse_surface(ArgReader &args) {
   if (!args.take("lambda_c"))
     throw std::string("behind 'surface rq R', 'lambda_c L' is expected");
   lambda_c_ = args.number("lambda_c");
+  parse_bins(args);
+}
+
+void FixWallRebound::parse_bins(ArgReader &args) {
+  if (args.take("dp_bins"))
+    dp_bins_ = static_cast<int>(args.whole("dp_bins", 1, 10000));
 }
 
 void FixWallRebound::parse_spread(ArgReader &args) {
   asp_error wrong;
-  const asp_spread_model *model = asp_spread_find(args.word("the spread model").c_str(), &wrong);
-  if (!model)
-    throw std::string(wrong.text);
-  spec_.spread = model->name;
+  spread_ = args.word("the spread model");
+  if (spread_ != "auto" && !asp_spread_find(spread_.c_str(), &wrong))
+    throw std::string(wrong.text) + " auto";
+  tolerance_ = 0;
   for (bool more = true; more;) {
     if (args.take("plane"))
       spec_.tilt = ASP_TILT_PLANE;
@@ -267,9 +279,15 @@ void FixWallRebound::parse_spread(ArgReader &args) {
       if (value != "single" && value != "multiple")
         throw "collisions is '" + value + "'; allowed is single or multiple";
       spec_.collisions = value == "single" ? ASP_COLLISIONS_SINGLE : ASP_COLLISIONS_MULTIPLE;
+    } else if (args.take("tolerance")) {
+      tolerance_ = args.number("tolerance");
+      if (!(tolerance_ > 0) || std::isinf(tolerance_))
+        throw text("tolerance is %g; allowed is a finite D_KL > 0", tolerance_);
     } else
       more = false;
   }
+  if ((spread_ == "auto") != (tolerance_ > 0))
+    throw std::string("'spread auto' and 'tolerance D' go together, with no other model");
 }
 
 void FixWallRebound::parse_rebound(ArgReader &args) {
@@ -304,41 +322,60 @@ void FixWallRebound::parse_ledger(ArgReader &args) {
   ledger_.reset(new ReboundLedger(world, every, path, heading));
 }
 
-/* A profile's bins span the diameters that there are or, by the templates, will be; the span never
- * shrinks, and goes into restarts, so that a run and its continuation have the same bins. */
-void FixWallRebound::make_surface() {
+/* Whether the wall depends on the range of diameters, and so cannot be made before a run. */
+bool FixWallRebound::needs_sizes() const {
+  return !smooth_ &&
+         (profile_ || spread_ == "auto" || asp_spread_find(spread_.c_str(), NULL)->prepare);
+}
+
+/* Bins, tables and the choice of a model span the diameters that there are or, by the templates,
+ * will be; the span never shrinks, and goes into restarts, so that a run and its continuation have
+ * the same. Throws what is wrong. */
+void FixWallRebound::fit_sizes() {
   asp_error wrong;
   double most, least;
   modify->max_min_rad(most, least);
-  if (profile_) {
-    bool wider = !surface_ || 2 * least < d_range_[0] || 2 * most > d_range_[1];
-    if (!wider)
-      return;
-    d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], 2 * least) : 2 * least;
-    d_range_[1] = std::max(d_range_[1], 2 * most);
-    wall_.reset();
+  if (!needs_sizes()) {
+    if (surface_ && asp_surface_check(surface_.get(), 2 * most, &wrong))
+      throw std::string(wrong.text);
+    return;
+  }
+  if (wall_ && 2 * least >= d_range_[0] && 2 * most <= d_range_[1])
+    return;
+  d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], 2 * least) : 2 * least;
+  d_range_[1] = std::max(d_range_[1], 2 * most);
+  spec_.sizes.least = d_range_[0];
+  spec_.sizes.most = d_range_[1];
+  spec_.sizes.bins = dp_bins_;
+  announced_ = false;
+  make_surface();
+  make_wall();
+}
+
+void FixWallRebound::make_surface() {
+  asp_error wrong;
+  wall_.reset();
+  if (profile_)
     surface_.reset(
         asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
-    if (!surface_)
-      fail("surface profile " + profile_path_ + ": " + wrong.text);
-    announced_ = false;
-    try {
-      make_wall();
-    } catch (const std::string &why) {
-      fail(why);
-    }
-  } else if (surface_ && asp_surface_check(surface_.get(), 2 * most, &wrong))
-    fail(wrong.text);
+  else
+    surface_.reset(asp_surface_create(r_q_, lambda_c_, &wrong));
+  if (!surface_)
+    throw "surface " + (profile_ ? "profile " + profile_path_ + ": " : std::string()) + wrong.text;
 }
 
 void FixWallRebound::make_wall() {
   asp_error wrong;
-  if (!smooth_ && !profile_) {
-    surface_.reset(asp_surface_create(r_q_, lambda_c_, &wrong));
-    if (!surface_)
-      throw "surface " + std::string(wrong.text);
+  if (spread_ == "auto") {
+    asp_choice choice;
+    if (asp_spread_auto(surface_.get(), &spec_.sizes, 0, ASP_PI / 2, spec_.collisions, tolerance_,
+                        &choice, &wrong))
+      throw "spread auto: " + std::string(wrong.text);
+    spec_.spread = choice.model->name;
+    choice_ = choice.text;
   }
   spec_.surface = surface_.get();
+  spec_.profile = profile_.get();
   wall_.reset(asp_wall_create(&spec_, &wrong));
   if (!wall_)
     throw std::string(wrong.text);
@@ -394,7 +431,11 @@ void FixWallRebound::init() {
   check_meshes();
   find_materials();
   check_group();
-  make_surface();
+  try {
+    fit_sizes();
+  } catch (const std::string &wrong) {
+    fail(wrong);
+  }
   set_clock();
   if (ledger_) {
     std::string why = ledger_->open(restarted_);
@@ -502,6 +543,8 @@ std::string FixWallRebound::describe_surface() const {
   line += text(", spread %s %s, collisions %s", spec_.spread,
                spec_.tilt == ASP_TILT_PLANE ? "plane" : "isotropic",
                spec_.collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple");
+  if (!choice_.empty())
+    line += "\n  " + choice_;
   for (int i = 0; i < asp_surface_bins(s); i++)
     line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
                  atan(asp_surface_bin_slope(s, i)) * degrees);
@@ -1191,7 +1234,7 @@ FixWallRebound::Choice FixWallRebound::choice() const {
   c.r_q = r_q_;
   c.lambda_c = lambda_c_;
   snprintf(c.profile, sizeof c.profile, "%s", profile_path_.c_str());
-  snprintf(c.spread, sizeof c.spread, "%s", spec_.spread);
+  snprintf(c.spread, sizeof c.spread, "%s", spread_.c_str());
   snprintf(c.rebound, sizeof c.rebound, "%s", spec_.rebound);
   return c;
 }

@@ -131,11 +131,14 @@ private:
 
   void parse(int narg, char **arg);
   void parse_surface(class ArgReader &args);
+  void parse_bins(ArgReader &args);
   void parse_spread(ArgReader &args);
   void parse_rebound(ArgReader &args);
   void parse_ledger(ArgReader &args);
   void set_clock();
   double time() const;
+  bool needs_sizes() const;
+  void fit_sizes();
   void make_surface();
   void make_wall();
   void announce();
@@ -184,7 +187,10 @@ private:
   std::string profile_path_, profile_report_; /* empty: no profile */
   std::vector<std::string> mesh_ids_;
   int dp_bins_;
-  double d_range_[2]; /* the diameters that the bins span; 0: not known yet */
+  std::string spread_; /* as the script has it: a model, or auto */
+  double tolerance_;   /* of auto */
+  std::string choice_; /* what auto has chosen, and why */
+  double d_range_[2];  /* the diameters that the bins span; 0: not known yet */
   asp_wall_spec spec_;
   Deposit deposit_;
   Timing timing_;

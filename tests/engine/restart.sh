@@ -16,7 +16,7 @@ plate 6 1 3.9e-3 > plate.stl
 neighbor 3e-5 bin
 neigh_modify delay 0 exclude group all all'; materials; echo "$wall
 dump rows all local 60 rows.*.txt f_low[1] f_low[2] f_low[3] f_low[11] f_low[17] f_low[19]
-dump_modify rows format \"%.0f %.0f %.12g %.12g %.12g %.0f\"
+dump_modify rows format \"%.0f %.0f %.10g %.10g %.10g %.0f\"
 dump other all local 120 other.*.txt f_low[1]
 dump end all custom 1000 end.txt id x y z vx vy vz
 dump_modify end format \"%d %.17g %.17g %.17g %.17g %.17g %.17g\" sort id
