@@ -115,14 +115,15 @@ static const face mean_face = {{0, 0, 1}, 0, 0};
 
 /* The rebound from one face, in (t, b, n). False where the particle cannot hit it. */
 static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                    const face *on, double out[3], bool *deposit) {
+                    const face *on, asp_stream *stream, double out[3], bool *deposit) {
   double approach = f->v_n * on->m[2] - f->v_t * on->m[0];
   if (!(approach > 0))
     return false;
   double along[3] = {f->v_t + approach * on->m[0], approach * on->m[1],
                      -f->v_n + approach * on->m[2]};
   double speed = sqrt(dot(along, along));
-  asp_hit hit = {approach, speed, particle->d_p, particle->density, particle->pair, wall->deposit};
+  asp_hit hit = {approach,       speed,         particle->d_p, particle->density,
+                 particle->pair, wall->deposit, wall->table,   stream};
   asp_bounce bounce = wall->law->rebound(wall->parameters, &hit);
   *deposit = wall->deposit && !(bounce.v_n2 > 0);
   double kept = speed > 0 ? bounce.v_t2 / speed : 0;
@@ -150,17 +151,20 @@ static void leave(const frame *f, double v[3]) {
 }
 
 static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                                 asp_impact *impact) {
+                                 asp_stream *stream, asp_impact *impact) {
   double local[3];
-  bool deposit;
+  bool deposit, hit = rebound(wall, particle, f, &mean_face, stream, local, &deposit);
   impact->delta_alpha = impact->tilt_out = 0;
   impact->hits = 1;
-  if (!rebound(wall, particle, f, &mean_face, local, &deposit))
-    for (int i = 0; i < 3; i++)
-      local[i] = deposit = 0;
+  if (!hit) { /* it does not approach, and goes on as it came */
+    deposit = false;
+    local[0] = f->v_t;
+    local[1] = 0;
+    local[2] = fmax(-f->v_n, 0);
+  }
   to_lab(f, local, impact->v2);
   impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-  if (local[2] > 0)
+  if (!hit || local[2] > 0)
     leave(f, impact->v2);
 }
 
@@ -239,7 +243,7 @@ static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *part
       leave(first, impact->v2);
       return;
     }
-    if (!rebound(wall, particle, &fly.now, &on, local, &deposit) ||
+    if (!rebound(wall, particle, &fly.now, &on, stream, local, &deposit) ||
         !(deposit || local[2] > 0 || wall->multiple))
       continue;
     if (impact->hits++ == 0) {
@@ -257,19 +261,18 @@ static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *part
     turn(&fly, impact->v2);
   }
   impact->capped = true;
-  bounce_off_mean_wall(wall, particle, first, impact);
+  bounce_off_mean_wall(wall, particle, first, stream, impact);
 }
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], asp_key key, asp_impact *impact) {
   frame f = frame_of(v1, n);
   impact->capped = false;
-  if (wall->rough) {
-    asp_stream stream = asp_stream_create(key);
+  asp_stream stream = asp_stream_create(key);
+  if (wall->rough)
     bounce_off_rough_wall(wall, particle, &f, &stream, impact);
-  } else {
-    bounce_off_mean_wall(wall, particle, &f, impact);
-  }
+  else
+    bounce_off_mean_wall(wall, particle, &f, &stream, impact);
 }
 
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],

@@ -19,7 +19,8 @@ static asp_bounce bons(const asp_pair *pair, double v_n1, double v_t1, double d_
   for (int i = 0; i < law->n_parameters; i++)
     parameters[i] = law->parameters[i].fallback;
   parameters[asp_rebound_parameter(law, "yield_rate", NULL)] = rate;
-  asp_hit hit = {v_n1, v_t1, d_p, 2650, pair, true};
+  asp_hit hit = {
+      .v_n1 = v_n1, .v_t1 = v_t1, .d_p = d_p, .density = 2650, .pair = pair, .adhesion = true};
   return law->rebound(parameters, &hit);
 }
 
@@ -170,7 +171,7 @@ static void contact_area_exponent(void **state) {
   double v_y = yield_speed(&pair);
   for (double c = 0; c < 3; c += 0.25) {
     double parameters[ASP_PARAMETERS_MAX] = {0, 0.1, 0.2, c};
-    asp_hit hit = {10, 0, 1e-5, 2650, &pair, true};
+    asp_hit hit = {.v_n1 = 10, .d_p = 1e-5, .density = 2650, .pair = &pair, .adhesion = true};
     double taken = 6 * 0.8 * (0.1 + 0.2 * pow(10 / v_y, c)) / (2650 * 1e-5);
     assert_near(law->rebound(parameters, &hit).v_n2, sqrt(100 - taken), 1e-12);
   }
