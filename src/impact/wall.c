@@ -61,7 +61,7 @@ static asp_code check(const asp_wall_spec *spec, const asp_rebound_law *law, asp
     return asp_fail(error, ASP_EARG,
                     "rebound law '%s' draws a measured scatter, which holds the roughness of the "
                     "measured wall already; on a rough wall it would count twice. Take its means, "
-                    "or a smooth wall, or ask for both",
+                    "or a smooth wall, or ask for both (scatter_twice)",
                     law->name);
   return ASP_OK;
 }
