@@ -641,6 +641,9 @@ asp_code asp_spread_auto(const asp_surface *surface, const asp_sizes *sizes, dou
                          double alpha_most, asp_collisions collisions, double tolerance,
                          asp_choice *choice, asp_error *error);
 
+/* Larger ratios, at an impact angle of nearly nothing, are told as this. */
+#define ASP_RATIO_MOST 1e300
+
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). */
 typedef struct asp_coefficients {
   double v1, alpha1;
