@@ -433,11 +433,31 @@ typedef struct asp_material {
   double density;      /* kg/m^3 */
   double yield_stress; /* Pa; 0 where no value is given: it counts for the particle only */
   const char *source;
+  bool seen; /* whether the original of that source was seen for this */
 } asp_material;
 
+/* The presets. find: NULL and a message that lists the names, when there is none. */
 int asp_material_count(void);
 const asp_material *asp_material_at(int index);
 const asp_material *asp_material_find(const char *name, asp_error *error);
+
+/* A user's own materials. */
+typedef struct asp_materials asp_materials;
+
+/* Reads materials from a text file in columns, a row a material, as `asperity materials` prints
+ * them: under a line of column names name, youngs_modulus_pa (> 0), poissons_ratio (-1 to 0.5),
+ * density_kg_m3 (> 0), and where wanted title, yield_stress_pa (>= 0; empty: none), source, and
+ * seen (yes or no). Columns are separated by commas, semicolons, tabs or blanks; # begins a
+ * comment. NULL on error: ASP_EFILE, or ASP_EDATA with file and line. */
+asp_materials *asp_materials_read(const char *path, asp_error *error);
+void asp_materials_free(asp_materials *materials);
+int asp_materials_count(const asp_materials *materials);
+const asp_material *asp_materials_at(const asp_materials *materials, int index);
+
+/* The material of that name: of the user's own (NULL: none), which go before presets of the same
+ * name, or of the presets. */
+const asp_material *asp_materials_find(const asp_materials *own, const char *name,
+                                       asp_error *error);
 
 /* What a contact between one particle material and one wall material needs, worked out once. */
 typedef struct asp_pair {
@@ -456,18 +476,45 @@ asp_code asp_pair_create(double youngs_modulus_p, double poissons_ratio_p, doubl
 #define ASP_FRICTION 0.3       /* Bons et al. 2017, secondary source */
 #define ASP_SURFACE_ENERGY 0.8 /* J/m^2, Bons et al. 2017, recalled, original not seen */
 
+/* Coefficients of restitution over impact angle and speed, as measured or computed by a user: on a
+ * full grid of angles and speeds. Between angles a monotone cubic (Steffen 1990), between speeds a
+ * straight line, so that nothing overshoots; beyond the ends the end values. */
+typedef struct asp_cor_table asp_cor_table;
+
+typedef struct asp_cor_point {
+  double speed, alpha1; /* >= 0; 0 to pi/2 */
+  double cor_n, cor_t;  /* >= 0; any sign. Together they make no energy */
+} asp_cor_point;
+
+/* A table of points in any order: at least two angles, every angle at every speed, each once. NULL
+ * on error: ASP_EARG for a point out of range, ASP_EDATA for two points in one place or a gap. */
+asp_cor_table *asp_cor_table_create(const asp_cor_point *points, size_t count, asp_error *error);
+
+/* Reads a table from a text file with the columns alpha1_deg, cor_n, cor_t, and v1_m_s where it
+ * depends on speed. metre_per_second is one m/s in the unit of the speeds that the table will be
+ * asked for: 1 for SI. NULL on error; the message names the file, and the line where there is one.
+ */
+asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp_error *error);
+void asp_cor_table_free(asp_cor_table *table);
+
+/* The coefficients at a speed and an impact angle (rad). No allocation, no failure. */
+void asp_cor_table_at(const asp_cor_table *table, double speed, double alpha1, double *cor_n,
+                      double *cor_t);
+
 /* One hit in the frame of the local face. */
 typedef struct asp_hit {
   double v_n1; /* approach speed along the face's normal, > 0 */
   double v_t1; /* speed along the face, >= 0 */
   double d_p;
   double density;
-  const asp_pair *pair; /* may be NULL for laws that need no material */
-  bool adhesion;        /* false: the law leaves the surface energy out */
+  const asp_pair *pair;       /* may be NULL for laws that need no material */
+  bool adhesion;              /* false: the law leaves the surface energy out */
+  const asp_cor_table *table; /* for laws that need one */
+  asp_stream *stream;         /* for laws that draw */
 } asp_hit;
 
-/* What is left of it: 0 <= v_t2 <= v_t1 and 0 <= v_n2 <= v_n1; v_n2 = 0 is a deposit, where the
- * wall takes deposits. */
+/* What is left of it: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit, where
+ * the wall takes deposits. */
 typedef struct asp_bounce {
   double v_n2;
   double v_t2;
@@ -478,9 +525,13 @@ typedef struct asp_rebound_law {
   const char *summary;
   const char *source;
   bool needs_material; /* whether asp_hit.pair must be given */
+  bool needs_table;    /* whether asp_hit.table must be given */
+  bool measured;       /* whether its coefficients were measured, and so hold roughness already */
   int n_parameters;
   const asp_parameter *parameters;
   asp_bounce (*rebound)(const double *parameters, const asp_hit *hit);
+  /* Whether it draws a scatter of its own with these parameters; NULL: never. */
+  bool (*scatters)(const double *parameters);
 } asp_rebound_law;
 
 int asp_rebound_count(void);
@@ -520,7 +571,10 @@ typedef struct asp_wall_spec {
   asp_collisions collisions;
   const char *rebound; /* name of the law */
   double parameters[ASP_PARAMETERS_MAX];
-  bool deposit; /* whether a particle may stick; false also leaves adhesion out */
+  bool deposit;               /* whether a particle may stick; false also leaves adhesion out */
+  const asp_cor_table *table; /* for laws that need one; must outlive the wall */
+  bool scatter_twice; /* allows a law with a scatter of its own on a rough wall; it counts the
+                         roughness twice, so that asp_wall_create refuses it otherwise */
 } asp_wall_spec;
 
 /* A smooth wall, `none`, `bons` with its defaults, deposits on. */
@@ -586,6 +640,9 @@ typedef struct asp_choice {
 asp_code asp_spread_auto(const asp_surface *surface, const asp_sizes *sizes, double alpha_least,
                          double alpha_most, asp_collisions collisions, double tolerance,
                          asp_choice *choice, asp_error *error);
+
+/* Larger ratios, at an impact angle of nearly nothing, are told as this. */
+#define ASP_RATIO_MOST 1e300
 
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). */
 typedef struct asp_coefficients {

@@ -51,6 +51,15 @@ void cli_fail(const char *format, ...) {
   exit(1);
 }
 
+void cli_warn(const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  fputs("asperity: warning: ", stderr);
+  vfprintf(stderr, format, args);
+  fputc('\n', stderr);
+  va_end(args);
+}
+
 static void print_help(const cli_command *command, const cli_option *options) {
   printf("asperity %s: %s\n\n%s\nOptions:\n", command->name, command->summary, command->detail);
   for (const cli_option *o = options; o->name; o++) {

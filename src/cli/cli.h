@@ -17,8 +17,8 @@ typedef struct cli_command {
   int (*run)(int argc, char **argv);
 } cli_command;
 
-extern const cli_command cli_cor, cli_doe, cli_fit, cli_materials, cli_spread, cli_surface,
-    cli_trade;
+extern const cli_command cli_compare, cli_cor, cli_doe, cli_fit, cli_materials, cli_rebound,
+    cli_spread, cli_surface, cli_trade;
 
 /* One option of a command. A table of them ends with a NULL name. */
 typedef struct cli_option {
@@ -60,6 +60,12 @@ double cli_length_of(const cli_option *option, const char *text);
 
 /* Impact angles in degrees: a list or a range within 0 ... 90. */
 cli_list cli_angles(const cli_option *option);
+
+/* A line on stderr that something may not be what is wanted. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+void cli_warn(const char *format, ...);
 
 /* Exits with status 2 and the library's message. */
 CLI_PRINTF void cli_bad_input(const char *format, ...);

@@ -1,5 +1,6 @@
 /* asperity cor: the scatter of the coefficients of restitution that a wall gives (the paper's
  * figures 13 and 14), without an engine: impacts one by one on the mean wall z = 0. */
+#include "cli/law.h"
 #include "cli/walls.h"
 
 #include <math.h>
@@ -12,22 +13,15 @@ enum {
   DP,
   SPEED,
   ANGLES,
-  PARTICLE,
-  WALL,
   MODEL,
   SAMPLES,
   SEED,
-  REBOUND,
-  MU,
-  GAMMA,
-  YIELD,
-  YIELD_RATE,
-  ADHESION,
   TILT,
   COLLISIONS,
   OUTPUT,
   PLOT,
-  N
+  LAW,
+  N = LAW + LAW_OPTIONS
 };
 
 /* Diameters for which a model that looks at a profile prepares, where there is more than one. */
@@ -36,20 +30,12 @@ enum { TABLE_SIZES = 16 };
 typedef struct scene {
   asp_surface *surface; /* NULL: smooth */
   asp_wall *wall;
+  cli_law law;
   asp_pair pair;
-  double density;
   double speed;
   cli_list sizes;             /* a list, or empty for a log-normal */
   double least, most, median; /* of the log-normal; least and most also of a list */
 } scene;
-
-static const asp_material *material_of(const cli_option *option) {
-  asp_error error;
-  const asp_material *material = asp_material_find(option->value, &error);
-  if (!material)
-    cli_bad_usage("--%s: %s", option->name, error.text);
-  return material;
-}
 
 /* One diameter, a list, or min:max:median of a log-normal whose ln has the sd ln(max/min)/5, cut at
  * both ends. */
@@ -89,40 +75,30 @@ static double size_of(const scene *s, size_t sample, asp_stream *stream) {
   }
 }
 
-static void read_pair(const cli_option *options, scene *s) {
-  const asp_material *p = material_of(&options[PARTICLE]), *w = material_of(&options[WALL]);
-  double yield = options[YIELD].value ? cli_number(&options[YIELD], 0, 1e15) : p->yield_stress;
-  asp_error error;
-  if (asp_pair_create(p->youngs_modulus, p->poissons_ratio, w->youngs_modulus, w->poissons_ratio,
-                      yield, cli_number(&options[GAMMA], 0, 1e9), cli_number(&options[MU], 0, 1e3),
-                      &s->pair, &error))
-    cli_bad_input("%s", error.text);
-  if (!(p->yield_stress > 0) && !options[YIELD].value && !options[YIELD_RATE].value)
-    cli_bad_usage("--particle is '%s', which has no yield stress; give --yield or --yield-rate",
-                  p->name);
-  s->density = p->density;
-}
-
 static void read_wall(const cli_option *options, scene *s) {
   asp_error error;
-  asp_wall_spec spec = asp_wall_spec_default();
-  if (asp_wall_spec_rebound(&spec, options[REBOUND].value, &error))
-    cli_bad_usage("--rebound: %s", error.text);
-  spec.spread = options[MODEL].value;
-  spec.tilt = cli_tilt(&options[TILT]);
-  spec.collisions = cli_collisions(&options[COLLISIONS]);
-  spec.deposit = cli_switch(&options[ADHESION]);
-  if (strcmp(spec.spread, "none") != 0) {
-    spec.surface = s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+  s->law = cli_law_read(&options[LAW]);
+  s->pair = cli_law_pair(&options[LAW], &s->law, options[LAW + LAW_WALL].value);
+  asp_wall_spec *spec = &s->law.spec;
+  spec->spread = options[MODEL].value;
+  spec->tilt = cli_tilt(&options[TILT]);
+  spec->collisions = cli_collisions(&options[COLLISIONS]);
+  if (strcmp(spec->spread, "none") != 0) {
+    spec->surface = s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
     cli_check_size(s->surface, s->most);
-    spec.sizes = (asp_sizes){s->least, s->most, s->most > s->least ? TABLE_SIZES : 1};
+    spec->sizes = (asp_sizes){s->least, s->most, s->most > s->least ? TABLE_SIZES : 1};
   }
-  if (options[YIELD_RATE].value &&
-      asp_wall_spec_set(&spec, "yield_rate", cli_number(&options[YIELD_RATE], 0, 1e15), &error))
-    cli_bad_input("--yield-rate: %s", error.text);
-  s->wall = asp_wall_create(&spec, &error);
+  s->wall = asp_wall_create(spec, &error);
   if (!s->wall)
     cli_bad_input("%s", error.text);
+  if (s->surface)
+    cli_law_warn_double(&s->law);
+}
+
+static void free_wall(scene *s) {
+  asp_wall_free(s->wall);
+  asp_surface_free(s->surface);
+  cli_law_free(&s->law);
 }
 
 typedef struct row {
@@ -140,7 +116,7 @@ static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag, 
   double v1[3] = {s->speed * cos(alpha1), 0, -s->speed * sin(alpha1)};
   if (angle >= 90)
     v1[0] = 0;
-  asp_particle particle = {r.d_p, s->density, &s->pair};
+  asp_particle particle = {r.d_p, s->law.particle->density, &s->pair};
   key.impact = 1;
   asp_wall_impact(s->wall, &particle, v1, n, key, &r.impact);
   r.cor = asp_impact_coefficients(v1, n, &r.impact);
@@ -176,14 +152,20 @@ static void plot(const cli_option *options, const scene *s, const row *rows, siz
   cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
   FILE *gp = cli_plot_stream(picture);
   double d_p = s->sizes.count ? s->sizes.values[0] : s->median;
-  scene smooth = {.pair = s->pair, .density = s->density, .speed = s->speed};
-  smooth.sizes = (cli_list){&d_p, 1};
+  scene smooth = {.speed = s->speed, .sizes = {&d_p, 1}};
   cli_option none[N + 1];
   memcpy(none, options, sizeof none);
   none[MODEL].value = "none";
   read_wall(none, &smooth);
-  size_t every = n / 20000 + 1;
-  fputs("set multiplot layout 1,2\nset xrange [0:90]\nset xtics 15\n"
+  size_t every = n / 20000 + 1, deposits = 0;
+  for (size_t i = 0; i < n; i++)
+    deposits += rows[i].impact.outcome == ASP_DEPOSIT;
+  fprintf(gp, "set multiplot layout 1,2 title '%s on %s, %g m/s, %s; ", s->law.particle->name,
+          options[LAW + LAW_WALL].value, s->speed, s->law.spec.rebound);
+  if (s->surface)
+    fprintf(gp, "{/Symbol F}_R = %.3g, %s; ", asp_surface_phi_r(s->surface), s->law.spec.spread);
+  fprintf(gp, "%.1f %% of %zu impacts stick'\n", 100 * (double)deposits / (double)n, n);
+  fputs("set xrange [0:90]\nset xtics 15\n"
         "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
         gp);
   for (int t = 0; t < 2; t++) {
@@ -217,7 +199,7 @@ static void plot(const cli_option *options, const scene *s, const row *rows, siz
             names[t], t ? "-1:2" : "0:3", t ? "bottom left" : "top right", t, t, t, d_p * 1e6);
   }
   fputs("unset multiplot\n", gp);
-  asp_wall_free(smooth.wall);
+  free_wall(&smooth);
   cli_plot_close(picture);
 }
 
@@ -241,27 +223,19 @@ static int run(int argc, char **argv) {
       [DP] = {"dp", "SIZES", "diameter, list, or min:max:median of a log-normal", "10um"},
       [SPEED] = {"speed", "M_PER_S", "impact speed", "100"},
       [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
-      [PARTICLE] = {"particle", "MATERIAL", "see 'asperity materials'", "ard"},
-      [WALL] = {"wall", "MATERIAL", "see 'asperity materials'", "hastelloy-x"},
       [MODEL] = {"model", "NAME", "spread model; none is the smooth wall", "weibull"},
       [SAMPLES] = {"samples", "N", "impacts per angle", "100"},
       [SEED] = {"seed", "N", "seed of the draws", "1"},
-      [REBOUND] = {"rebound", "LAW", "rebound law", "bons"},
-      [MU] = {"mu", "NUMBER", "friction coefficient", "0.3"},
-      [GAMMA] = {"gamma", "J_PER_M2", "surface energy", "0.8"},
-      [YIELD] = {"yield", "PA", "yield stress; the material's where not given", NULL},
-      [YIELD_RATE] = {"yield-rate", "PA_PER_M_S", "yield stress per impact speed instead", NULL},
-      [ADHESION] = {"adhesion", "on|off", "whether particles can stick", "on"},
       [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
                 "plane"},
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes", "single"},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw the scatter; .png, .svg or .pdf", NULL},
+      CLI_LAW_OPTIONS(LAW),
   };
   cli_parse(&cli_cor, argc, argv, options, false);
   scene s = {0};
   read_sizes(&options[DP], &s);
-  read_pair(options, &s);
   read_wall(options, &s);
   s.speed = cli_number(&options[SPEED], 1e-9, 1e6);
   cli_list angles = cli_angles(&options[ANGLES]);
@@ -284,8 +258,7 @@ static int run(int argc, char **argv) {
   if (options[PLOT].value)
     plot(options, &s, rows, n);
   free(rows);
-  asp_wall_free(s.wall);
-  asp_surface_free(s.surface);
+  free_wall(&s);
   return 0;
 }
 

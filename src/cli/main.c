@@ -4,8 +4,9 @@
 #include <gsl/gsl_errno.h>
 #include <string.h>
 
-static const cli_command *const commands[] = {&cli_surface, &cli_doe, &cli_spread,   &cli_cor,
-                                              &cli_trade,   &cli_fit, &cli_materials};
+static const cli_command *const commands[] = {&cli_surface, &cli_doe,     &cli_spread,
+                                              &cli_cor,     &cli_rebound, &cli_compare,
+                                              &cli_trade,   &cli_fit,     &cli_materials};
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
 static void print_help(void) {

@@ -1,30 +1,58 @@
-/* asperity materials: the presets, with unit, source, and whether the original was seen. */
-#include "cli/cli.h"
+/* asperity materials: the presets and the user's own, with unit, source, and whether the original
+ * was seen. */
+#include "cli/law.h"
+
+/* A field in quotes, with quotes inside it doubled. */
+static void print_quoted(FILE *out, const char *text) {
+  putc('"', out);
+  for (; *text; text++) {
+    if (*text == '"')
+      putc('"', out);
+    putc(*text, out);
+  }
+  putc('"', out);
+}
+
+static void print_row(FILE *out, const asp_material *m) {
+  fprintf(out, "%s,", m->name);
+  print_quoted(out, m->title);
+  fprintf(out, ",%.10g,%.10g,%.10g,", m->youngs_modulus, m->poissons_ratio, m->density);
+  if (m->yield_stress > 0)
+    fprintf(out, "%.10g", m->yield_stress);
+  putc(',', out);
+  print_quoted(out, m->source);
+  fprintf(out, ",%s\n", m->seen ? "yes" : "no");
+}
 
 static int run(int argc, char **argv) {
-  enum { OUTPUT, N };
+  enum { MATERIALS, OUTPUT, N };
   cli_option options[N + 1] = {
+      [MATERIALS] = {"materials", "FILE", "your own, which go before presets of the same name",
+                     NULL},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL}};
   cli_parse(&cli_materials, argc, argv, options, false);
+  asp_materials *own = cli_materials_of(&options[MATERIALS]);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   FILE *out = cli_output_stream(output);
-  fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n", out);
-  for (int i = 0; i < asp_material_count(); i++) {
-    const asp_material *m = asp_material_at(i);
-    fprintf(out, "%s,\"%s\",%g,%g,%g,", m->name, m->title, m->youngs_modulus, m->poissons_ratio,
-            m->density);
-    if (m->yield_stress > 0)
-      fprintf(out, "%g", m->yield_stress);
-    fprintf(out, ",\"%s\"\n", m->source);
-  }
+  fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source,seen\n",
+        out);
+  for (int i = 0; own && i < asp_materials_count(own); i++)
+    print_row(out, asp_materials_at(own, i));
+  for (int i = 0; i < asp_material_count(); i++)
+    if (asp_materials_find(own, asp_material_at(i)->name, NULL) == asp_material_at(i))
+      print_row(out, asp_material_at(i));
   cli_output_close(output);
+  asp_materials_free(own);
   return 0;
 }
 
 const cli_command cli_materials = {
     .name = "materials",
-    .summary = "the material presets: values, units, sources",
-    .detail = "One row a material. The yield stress counts for particles; where it is empty the\n"
-              "preset is meant for walls. A source says whether the original was seen.\n",
+    .summary = "the material presets and your own: values, units, sources",
+    .detail =
+        "One row a material. The yield stress counts for particles; where it is empty the\n"
+        "material is meant for walls. seen: whether the original of the source was seen for\n"
+        "this. Your own materials are a file with the same columns, of which title,\n"
+        "yield_stress_pa, source and seen may be left out; edit the output of this command.\n",
     .run = run,
 };

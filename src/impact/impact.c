@@ -18,6 +18,9 @@
 /* Smith's Lambda is below 1e-13 from here on. */
 #define NU_FREE 5.2
 
+/* Below this share of the energy along the wall, its direction is worked out with care. */
+#define NEARLY_NORMAL 1e-4
+
 typedef struct frame {
   double n[3], t[3];
   double v_n, v_t; /* approach and tangential speed, >= 0 */
@@ -54,6 +57,12 @@ static frame frame_of(const double v[3], const double normal[3]) {
   for (int i = 0; i < 3; i++)
     along[i] = v[i] + f.v_n * f.n[i];
   square = dot(along, along);
+  if (square < NEARLY_NORMAL * f.v_n * f.v_n) { /* the rest of the difference is rounding: again */
+    double rest = dot(along, f.n);
+    for (int i = 0; i < 3; i++)
+      along[i] -= rest * f.n[i];
+    square = dot(along, along);
+  }
   f.v_t = sqrt(square);
   f.has_direction = f.v_t >= NO_DIRECTION * fabs(f.v_n) && f.v_t > 0;
   for (int i = 0; i < 3; i++)
@@ -115,14 +124,15 @@ static const face mean_face = {{0, 0, 1}, 0, 0};
 
 /* The rebound from one face, in (t, b, n). False where the particle cannot hit it. */
 static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                    const face *on, double out[3], bool *deposit) {
+                    const face *on, asp_stream *stream, double out[3], bool *deposit) {
   double approach = f->v_n * on->m[2] - f->v_t * on->m[0];
   if (!(approach > 0))
     return false;
   double along[3] = {f->v_t + approach * on->m[0], approach * on->m[1],
                      -f->v_n + approach * on->m[2]};
   double speed = sqrt(dot(along, along));
-  asp_hit hit = {approach, speed, particle->d_p, particle->density, particle->pair, wall->deposit};
+  asp_hit hit = {approach,       speed,         particle->d_p, particle->density,
+                 particle->pair, wall->deposit, wall->table,   stream};
   asp_bounce bounce = wall->law->rebound(wall->parameters, &hit);
   *deposit = wall->deposit && !(bounce.v_n2 > 0);
   double kept = speed > 0 ? bounce.v_t2 / speed : 0;
@@ -138,11 +148,18 @@ static void to_lab(const frame *f, const double local[3], double v[3]) {
     v[i] = local[0] * f->t[i] + local[1] * b[i] + local[2] * f->n[i];
 }
 
+/* Whether v leaves the wall beyond doubt: whoever works out v.n, with a normal that is off by its
+ * last bits, finds it positive. */
+static bool clearly_leaves(const double v[3], const double n[3]) {
+  double sum = fabs(v[0] * n[0]) + fabs(v[1] * n[1]) + fabs(v[2] * n[2]);
+  return dot(v, n) > 4 * DBL_EPSILON * sum;
+}
+
 /* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
  * into it in the lab frame. Take those bits from the speed along the wall, so that no energy is
  * made. */
 static void leave(const frame *f, double v[3]) {
-  for (int i = 0; i < 8 && !(dot(v, f->n) > 0); i++) {
+  for (int i = 0; i < 8 && !clearly_leaves(v, f->n); i++) {
     double speed = sqrt(dot(v, v)), step = 4 * (double)(1 << i) * DBL_EPSILON;
     for (int j = 0; j < 3; j++)
       v[j] = (1 - step) * v[j] + step * speed * f->n[j];
@@ -150,17 +167,20 @@ static void leave(const frame *f, double v[3]) {
 }
 
 static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                                 asp_impact *impact) {
+                                 asp_stream *stream, asp_impact *impact) {
   double local[3];
-  bool deposit;
+  bool deposit, hit = rebound(wall, particle, f, &mean_face, stream, local, &deposit);
   impact->delta_alpha = impact->tilt_out = 0;
   impact->hits = 1;
-  if (!rebound(wall, particle, f, &mean_face, local, &deposit))
-    for (int i = 0; i < 3; i++)
-      local[i] = deposit = 0;
+  if (!hit) { /* it does not approach, and goes on as it came */
+    deposit = false;
+    local[0] = f->v_t;
+    local[1] = 0;
+    local[2] = fmax(-f->v_n, 0);
+  }
   to_lab(f, local, impact->v2);
   impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-  if (local[2] > 0)
+  if (!hit || local[2] > 0)
     leave(f, impact->v2);
 }
 
@@ -239,7 +259,7 @@ static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *part
       leave(first, impact->v2);
       return;
     }
-    if (!rebound(wall, particle, &fly.now, &on, local, &deposit) ||
+    if (!rebound(wall, particle, &fly.now, &on, stream, local, &deposit) ||
         !(deposit || local[2] > 0 || wall->multiple))
       continue;
     if (impact->hits++ == 0) {
@@ -257,19 +277,25 @@ static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *part
     turn(&fly, impact->v2);
   }
   impact->capped = true;
-  bounce_off_mean_wall(wall, particle, first, impact);
+  bounce_off_mean_wall(wall, particle, first, stream, impact);
 }
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], asp_key key, asp_impact *impact) {
   frame f = frame_of(v1, n);
   impact->capped = false;
-  if (wall->rough) {
-    asp_stream stream = asp_stream_create(key);
+  asp_stream stream = asp_stream_create(key);
+  if (wall->rough)
     bounce_off_rough_wall(wall, particle, &f, &stream, impact);
-  } else {
-    bounce_off_mean_wall(wall, particle, &f, impact);
-  }
+  else
+    bounce_off_mean_wall(wall, particle, &f, &stream, impact);
+}
+
+/* a/b, or the largest ratio that is told where b vanishes against a. */
+static double ratio(double a, double b) {
+  if (b > a / ASP_RATIO_MOST)
+    return a / b;
+  return a > 0 ? ASP_RATIO_MOST : 0;
 }
 
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
@@ -286,9 +312,9 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
   if (!f.has_direction)
     along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
   c.alpha2 = atan2(n2, along);
-  c.cor_v = c.v2 / c.v1;
-  c.cor_alpha = c.alpha2 / c.alpha1;
-  c.cor_n = n2 / f.v_n;
+  c.cor_v = ratio(c.v2, c.v1);
+  c.cor_alpha = ratio(c.alpha2, c.alpha1);
+  c.cor_n = ratio(n2, f.v_n);
   c.cor_t = f.has_direction ? along / f.v_t : 0;
   return c;
 }

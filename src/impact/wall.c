@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The profile that stands for a wall given by r_q and lambda_c: 1024 lambda_c long, and so fine
  * that a disc of many lambda_c does not feel the points. */
@@ -51,7 +52,18 @@ static asp_code check(const asp_wall_spec *spec, const asp_rebound_law *law, asp
   asp_code code = ASP_OK;
   for (int i = 0; i < law->n_parameters && code == ASP_OK; i++)
     code = check_parameter(&law->parameters[i], spec->parameters[i], error);
-  return code;
+  if (code)
+    return code;
+  if (law->needs_table && !spec->table)
+    return asp_fail(error, ASP_EARG, "rebound law '%s' needs a table of coefficients", law->name);
+  bool rough = spec->surface && strcmp(spec->spread, "none") != 0;
+  if (rough && law->scatters && law->scatters(spec->parameters) && !spec->scatter_twice)
+    return asp_fail(error, ASP_EARG,
+                    "rebound law '%s' draws a measured scatter, which holds the roughness of the "
+                    "measured wall already; on a rough wall it would count twice. Take its means, "
+                    "or a smooth wall, or ask for both (scatter_twice)",
+                    law->name);
+  return ASP_OK;
 }
 
 /* A profile of the surface's two numbers, for models that need one where the spec has none. */
@@ -93,6 +105,7 @@ asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error) {
                      .upward = asp_spread_find("visible", NULL),
                      .data = data,
                      .law = law,
+                     .table = spec->table,
                      .rough = spec->surface && spread != asp_spread_find("none", NULL),
                      .isotropic = spec->tilt == ASP_TILT_ISOTROPIC,
                      .multiple = spec->collisions != ASP_COLLISIONS_SINGLE || spread->escape ||

@@ -11,6 +11,7 @@ struct asp_wall {
   void *data;                     /* of the model */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
+  const asp_cor_table *table;
   bool rough; /* false: smooth, and nothing is drawn */
   bool isotropic;
   bool multiple; /* a particle that a face sends into the wall goes on to the next face */

@@ -1,20 +1,20 @@
-/* Material presets, and the pair of a particle's and a wall's material. The values are common
- * handbook values, not those of the papers on rebound (which state few); none was checked against
- * an original. All of them are defaults that a user can replace. */
+/* Material presets, and the pair of a particle's and a wall's material. The
+ * values are common handbook values, not those of the papers on rebound (which state few); none was
+ * checked against an original. All of them are defaults that a user can replace. */
 #include "error.h"
 
 #include <math.h>
 #include <string.h>
 
-#define HANDBOOK "handbook value, original not seen"
+#define HANDBOOK "handbook values"
 
 static const asp_material materials[] = {
-    {"ard", "Arizona Road Dust, as quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK},
-    {"quartz", "quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK},
-    {"ti-6al-4v", "titanium alloy Ti-6Al-4V", 114e9, 0.34, 4430, 0, HANDBOOK},
-    {"hastelloy-x", "nickel alloy Hastelloy X", 205e9, 0.32, 8220, 0, HANDBOOK},
-    {"304-ss", "stainless steel 304", 193e9, 0.29, 8000, 0, HANDBOOK},
-    {"al-2024", "aluminium alloy 2024", 73e9, 0.33, 2780, 0, HANDBOOK},
+    {"ard", "Arizona Road Dust, as quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK, false},
+    {"quartz", "quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK, false},
+    {"ti-6al-4v", "titanium alloy Ti-6Al-4V", 114e9, 0.34, 4430, 0, HANDBOOK, false},
+    {"hastelloy-x", "nickel alloy Hastelloy X", 205e9, 0.32, 8220, 0, HANDBOOK, false},
+    {"304-ss", "stainless steel 304", 193e9, 0.29, 8000, 0, HANDBOOK, false},
+    {"al-2024", "aluminium alloy 2024", 73e9, 0.33, 2780, 0, HANDBOOK, false},
 };
 
 int asp_material_count(void) {
@@ -58,6 +58,9 @@ asp_code asp_pair_create(double youngs_modulus_p, double poissons_ratio_p, doubl
     return code;
   double compliance = (1 - poissons_ratio_p * poissons_ratio_p) / youngs_modulus_p +
                       (1 - poissons_ratio_w * poissons_ratio_w) / youngs_modulus_w;
+  if (!(compliance > 0 && compliance < INFINITY && 1 / compliance < INFINITY))
+    return asp_fail(error, ASP_EARG, "Young's moduli are %g and %g; their composite is no number",
+                    youngs_modulus_p, youngs_modulus_w);
   *pair = (asp_pair){1 / compliance, yield_stress, surface_energy, friction};
   return ASP_OK;
 }

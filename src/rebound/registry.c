@@ -1,7 +1,8 @@
-/* The list of rebound laws, and how their parameters are found by name. */
+/* The list of rebound laws, how their parameters are found by name, and what laws share. */
 #include "error.h"
 #include "rebound/laws.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -39,4 +40,13 @@ int asp_rebound_parameter(const asp_rebound_law *law, const char *name, asp_erro
   }
   return asp_fail(error, ASP_ENAME, "parameter '%s' is unknown to rebound law '%s'; there are:%s",
                   name, law->name, *list ? list : " none");
+}
+
+asp_bounce asp_bounce_capped(const asp_hit *hit, double cor_n, double cor_t) {
+  double n1 = hit->v_n1, t1 = hit->v_t1, n2 = cor_n * n1, t2 = cor_t * t1;
+  double before = n1 * n1 + t1 * t1, after = n2 * n2 + t2 * t2;
+  if (after <= before)
+    return (asp_bounce){n2, t2};
+  double scale = sqrt(before / after);
+  return (asp_bounce){scale * n2, scale * t2};
 }

@@ -51,7 +51,12 @@ static void smooth_wall_is_the_law(void **state) {
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   for (double alpha = 0.1; alpha < 1.57; alpha += 0.1) {
     double v1[3] = {100 * cos(alpha), 0, -100 * sin(alpha)};
-    asp_hit hit = {100 * sin(alpha), 100 * cos(alpha), grain.d_p, grain.density, grain.pair, true};
+    asp_hit hit = {.v_n1 = 100 * sin(alpha),
+                   .v_t1 = 100 * cos(alpha),
+                   .d_p = grain.d_p,
+                   .density = grain.density,
+                   .pair = grain.pair,
+                   .adhesion = true};
     asp_bounce b = law->rebound(s.spec.parameters, &hit);
     asp_impact impact;
     asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, 1, 1}, &impact);

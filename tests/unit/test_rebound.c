@@ -19,7 +19,8 @@ static asp_bounce bons(const asp_pair *pair, double v_n1, double v_t1, double d_
   for (int i = 0; i < law->n_parameters; i++)
     parameters[i] = law->parameters[i].fallback;
   parameters[asp_rebound_parameter(law, "yield_rate", NULL)] = rate;
-  asp_hit hit = {v_n1, v_t1, d_p, 2650, pair, true};
+  asp_hit hit = {
+      .v_n1 = v_n1, .v_t1 = v_t1, .d_p = d_p, .density = 2650, .pair = pair, .adhesion = true};
   return law->rebound(parameters, &hit);
 }
 
@@ -140,6 +141,42 @@ static void no_yield_stress(void **state) {
   assert_true(b.v_t2 > 0 && b.v_t2 < 10);
 }
 
+/* 200 MPa up to 1000 K, 0.225 MPa/K less above, never below 0; whichever form the yield has. */
+static void hot_particles_yield_earlier(void **state) {
+  (void)state;
+  static const double table[][2] = {{0, 200e6},    {1000, 200e6}, {1400, 110e6},
+                                    {1888, 0.2e6}, {1889, 0},     {3000, 0}};
+  const asp_rebound_law *law = asp_rebound_find("bons", NULL);
+  asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0);
+  double parameters[ASP_PARAMETERS_MAX];
+  for (int i = 0; i < law->n_parameters; i++)
+    parameters[i] = law->parameters[i].fallback;
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    parameters[asp_rebound_parameter(law, "temperature", NULL)] = table[i][0];
+    asp_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
+    double v_y = table[i][1] / sqrt(2650 * pair.modulus);
+    assert_near(law->rebound(parameters, &hit).v_n2, v_y, 1e-12);
+  }
+  parameters[asp_rebound_parameter(law, "yield_rate", NULL)] = 3e6;
+  parameters[asp_rebound_parameter(law, "temperature", NULL)] = 1400;
+  asp_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
+  assert_near(law->rebound(parameters, &hit).v_n2, 0.55 * 3e8 / sqrt(2650 * pair.modulus), 1e-12);
+}
+
+/* An exponent other than 0.5 takes the same law by another road. */
+static void contact_area_exponent(void **state) {
+  (void)state;
+  asp_pair pair = pair_of("quartz", "hastelloy-x", 0.8, 0);
+  const asp_rebound_law *law = asp_rebound_find("bons", NULL);
+  double v_y = yield_speed(&pair);
+  for (double c = 0; c < 3; c += 0.25) {
+    double parameters[ASP_PARAMETERS_MAX] = {0, 0.1, 0.2, c};
+    asp_hit hit = {.v_n1 = 10, .d_p = 1e-5, .density = 2650, .pair = &pair, .adhesion = true};
+    double taken = 6 * 0.8 * (0.1 + 0.2 * pow(10 / v_y, c)) / (2650 * 1e-5);
+    assert_near(law->rebound(parameters, &hit).v_n2, sqrt(100 - taken), 1e-12);
+  }
+}
+
 static void bad_pairs_are_named(void **state) {
   (void)state;
   static const struct {
@@ -188,6 +225,8 @@ int main(void) {
       cmocka_unit_test(tangential_form),
       cmocka_unit_test(rate_dependent_yield),
       cmocka_unit_test(no_yield_stress),
+      cmocka_unit_test(hot_particles_yield_earlier),
+      cmocka_unit_test(contact_area_exponent),
       cmocka_unit_test(bad_pairs_are_named),
       cmocka_unit_test(names_are_listed),
   };

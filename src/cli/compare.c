@@ -1,0 +1,356 @@
+/* asperity compare: impacts of a model or a simulation against measured coefficients of
+ * restitution, by impact angle: moments, the share of measured points within the model's 5 to 95 %
+ * band, the two-sample distance of Kolmogorov and Smirnov with its p-value, and a picture. */
+#include "cli/cli.h"
+#include "cli/scatter.h"
+
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BIN, OUTPUT, PLOT, N };
+
+static const char *const names[COR_BOTH] = {"cor_n", "cor_t"};
+
+/* Fewer impacts than this have no 5 to 95 % band. */
+enum { BAND_LEAST = 20 };
+
+/* Widths of bins in degrees: of points, and around each row of means. */
+#define WIDTH_POINTS "10"
+#define WIDTH_MEANS "4"
+
+/* A sample in order; NAN where it is too small for a number. */
+typedef struct sample {
+  double *values;
+  size_t count;
+  double mean, sd, median, low, high;
+} sample;
+
+typedef struct bin {
+  double from, to, middle;
+  bool closed; /* holds its upper edge too */
+  sample model, data;
+  double in_band, distance, p;
+} bin;
+
+static void describe(sample *s) {
+  s->mean = s->sd = s->median = s->low = s->high = NAN;
+  if (s->count == 0)
+    return;
+  gsl_sort(s->values, 1, s->count);
+  s->mean = gsl_stats_mean(s->values, 1, s->count);
+  s->median = gsl_stats_median_from_sorted_data(s->values, 1, s->count);
+  if (s->count > 1)
+    s->sd = gsl_stats_sd_m(s->values, 1, s->count, s->mean);
+  if (s->count < BAND_LEAST)
+    return;
+  s->low = gsl_stats_quantile_from_sorted_data(s->values, 1, s->count, 0.05);
+  s->high = gsl_stats_quantile_from_sorted_data(s->values, 1, s->count, 0.95);
+}
+
+static sample sample_of(const scatter_point *points, size_t count, int which, const bin *b) {
+  sample s = {malloc((count + 1) * sizeof *s.values), 0, 0, 0, 0, 0, 0};
+  if (!s.values)
+    cli_fail("out of memory");
+  for (size_t i = 0; i < count; i++) {
+    double a = points[i].degrees, y = points[i].cor[which];
+    if (a >= b->from && (a < b->to || (b->closed && a <= b->to)) && isfinite(y))
+      s.values[s.count++] = y;
+  }
+  describe(&s);
+  return s;
+}
+
+static double share_within(const sample *s, double low, double high) {
+  size_t within = 0;
+  for (size_t i = 0; i < s->count; i++)
+    within += s->values[i] >= low && s->values[i] <= high;
+  return (double)within / (double)s->count;
+}
+
+/* The largest distance between two empirical distributions; equal values are passed together. */
+static double largest_distance(const sample *a, const sample *b) {
+  double most = 0;
+  for (size_t i = 0, k = 0; i < a->count && k < b->count;) {
+    double x = fmin(a->values[i], b->values[k]);
+    while (i < a->count && a->values[i] <= x)
+      i++;
+    while (k < b->count && b->values[k] <= x)
+      k++;
+    most = fmax(most, fabs((double)i / (double)a->count - (double)k / (double)b->count));
+  }
+  return most;
+}
+
+/* The probability of such a distance or more when both come from one law: Kolmogorov's limit with
+ * Stephens' 1970 term for finite samples. */
+static double p_value(double distance, double n, double m) {
+  double root = sqrt(n * m / (n + m)), x = (root + 0.12 + 0.11 / root) * distance, p = 0;
+  if (x < 0.2)
+    return 1; /* to ten digits; the sum would need many terms */
+  for (int k = 1; k <= 100; k++) {
+    double term = exp(-2.0 * k * k * x * x);
+    p += k % 2 ? term : -term;
+    if (term < 1e-17)
+      break;
+  }
+  return fmin(1, fmax(0, 2 * p));
+}
+
+static void compare_points(bin *b) {
+  if (b->model.count == 0 || b->data.count == 0)
+    return;
+  if (isfinite(b->model.low))
+    b->in_band = share_within(&b->data, b->model.low, b->model.high);
+  b->distance = largest_distance(&b->model, &b->data);
+  b->p = p_value(b->distance, (double)b->model.count, (double)b->data.count);
+}
+
+/* Bin i: one of equal ones over 0 to 90 degrees, or the one around row i of means. */
+static bin bin_of(const scatter_impacts *impacts, const scatter_data *data, int which, double width,
+                  size_t i) {
+  bin b = {.in_band = NAN, .distance = NAN, .p = NAN};
+  if (data->n_means > 0) {
+    const scatter_mean *row = &data->means[i];
+    b.middle = row->degrees;
+    b.from = fmax(0, b.middle - width / 2);
+    b.to = fmin(90, b.middle + width / 2);
+    b.closed = true;
+    b.data = (sample){NULL, 0, row->mean[which], row->sd[which], NAN, NAN, NAN};
+  } else {
+    b.from = (double)i * width;
+    b.to = fmin(90, b.from + width);
+    b.middle = (b.from + b.to) / 2;
+    b.closed = b.to >= 90;
+    b.data = sample_of(data->points, data->n_points, which, &b);
+  }
+  b.model = sample_of(impacts->points, impacts->count, which, &b);
+  if (data->n_points > 0)
+    compare_points(&b);
+  return b;
+}
+
+static bin *bins_of(const scatter_impacts *impacts, const scatter_data *data, int which,
+                    double width, size_t *count) {
+  *count = data->n_means > 0 ? data->n_means : (size_t)ceil(90 / width - 1e-9);
+  bin *bins = malloc(*count * sizeof *bins);
+  if (!bins)
+    cli_fail("out of memory");
+  for (size_t i = 0; i < *count; i++)
+    bins[i] = bin_of(impacts, data, which, width, i);
+  return bins;
+}
+
+static void free_bins(bin *bins, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    free(bins[i].model.values);
+    free(bins[i].data.values);
+  }
+  free(bins);
+}
+
+/* A field; nothing where there is no number. */
+static void print(FILE *out, double value) {
+  if (isfinite(value))
+    fprintf(out, ",%.6g", value);
+  else
+    fputc(',', out);
+}
+
+static void print_bin(FILE *out, const bin *b, const char *name) {
+  const sample *m = &b->model, *d = &b->data;
+  fprintf(out, "%s,%g,%g,%zu", name, b->from, b->to, m->count);
+  print(out, m->mean);
+  print(out, m->sd);
+  print(out, m->median);
+  print(out, m->low);
+  print(out, m->high);
+  print(out, d->values ? (double)d->count : NAN);
+  print(out, d->mean);
+  print(out, d->sd);
+  print(out, d->median);
+  print(out, (m->mean - d->mean) / (d->sd > 0 ? d->sd : NAN));
+  print(out, b->in_band);
+  print(out, b->distance);
+  print(out, b->p);
+  fputc('\n', out);
+}
+
+typedef struct comparison {
+  scatter_impacts impacts;
+  scatter_data data;
+  bin *bins[COR_BOTH];
+  size_t count;
+} comparison;
+
+static bool has_data(const bin *b) {
+  return isfinite(b->data.mean);
+}
+
+/* Warns of bins that have only one of both, and fails where there is none with both. */
+static void check_bins(const comparison *c, int which, size_t *both) {
+  size_t no_model = 0, with_data = 0;
+  for (size_t i = 0; i < c->count; i++) {
+    const bin *b = &c->bins[which][i];
+    with_data += has_data(b);
+    no_model += has_data(b) && b->model.count == 0;
+  }
+  if (no_model > 0)
+    cli_warn("%s: %zu of %zu bins with data are empty of impacts", names[which], no_model,
+             with_data);
+  *both += with_data - no_model;
+}
+
+static const char note[] =
+    "# note: deposits are left out. Coefficients and constants that were fitted to measurements "
+    "hold "
+    "the\n"
+    "# roughness of the measured wall already; with a rough wall they count it twice.\n";
+
+/* Whether the comment that the impacts begin with names a fitted law or constant. */
+static void warn_double(const scatter_impacts *impacts) {
+  static const char *const fitted[] = {"grant_tabakoff", "--rebound table", "rebound table",
+                                       "yield-rate", "yield_rate"};
+  for (size_t i = 0; impacts->rough && i < sizeof fitted / sizeof *fitted; i++)
+    if (strstr(impacts->comment, fitted[i])) {
+      cli_warn("the impacts are from a rough wall with '%s', which was fitted to measurements: "
+               "roughness is counted twice",
+               fitted[i]);
+      return;
+    }
+}
+
+static void print_all(FILE *out, const comparison *c) {
+  fputs(note, out);
+  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count, c->impacts.deposits);
+  fputs("coefficient,alpha_from_deg,alpha_to_deg,model_n,model_mean,model_sd,model_median,"
+        "model_p05,model_p95,data_n,data_mean,data_sd,data_median,mean_difference_in_data_sd,"
+        "data_in_model_band,ks_distance,p_value\n",
+        out);
+  for (int which = 0; which < COR_BOTH; which++)
+    for (size_t i = 0; i < c->count; i++)
+      print_bin(out, &c->bins[which][i], names[which]);
+}
+
+/* The range of a panel: what is measured and the model's band with some room, but no more than
+ * CoR_N 0 to 3 and CoR_T -1 to 2; ratios to a vanishing component go far beyond. */
+static void print_range(FILE *gp, const comparison *c, int which) {
+  double low = 0, high = 1, least = which ? -1 : 0, most = which ? 2 : 3;
+  for (size_t i = 0; i < c->count; i++) {
+    const bin *b = &c->bins[which][i];
+    double sd = isfinite(b->data.sd) ? b->data.sd : 0;
+    low = fmin(low, fmin(b->data.mean - sd, b->model.low));
+    high = fmax(high, fmax(b->data.mean + sd, b->model.high));
+  }
+  double room = 0.25 * (high - low);
+  fprintf(gp, "set yrange [%g:%g]\n", fmax(least, low - (low < 0 ? room : 0)),
+          fmin(most, high + room));
+}
+
+static void print_series(FILE *gp, const comparison *c, int which) {
+  fprintf(gp, "$model%d << EOD\n", which);
+  for (size_t i = 0; i < c->count; i++) {
+    const bin *b = &c->bins[which][i];
+    if (isfinite(b->model.low))
+      fprintf(gp, "%g %g %g %g %g\n", b->middle, b->model.low, b->model.high, b->model.median,
+              b->model.mean);
+  }
+  fprintf(gp, "EOD\n$points%d << EOD\nNaN NaN\n", which);
+  for (size_t i = 0; i < c->data.n_points; i++)
+    if (isfinite(c->data.points[i].cor[which]))
+      fprintf(gp, "%g %g\n", c->data.points[i].degrees, c->data.points[i].cor[which]);
+  fprintf(gp, "EOD\n$data%d << EOD\n", which);
+  for (size_t i = 0; i < c->count; i++) {
+    const bin *b = &c->bins[which][i];
+    if (has_data(b))
+      fprintf(gp, "%g %g %g\n", b->middle, b->data.mean, isfinite(b->data.sd) ? b->data.sd : 0);
+  }
+  fputs("EOD\n", gp);
+}
+
+static void plot_panel(FILE *gp, const comparison *c, int which) {
+  print_series(gp, c, which);
+  print_range(gp, c, which);
+  fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", which ? 'T' : 'N',
+          which ? "bottom left" : "top right");
+  fprintf(gp,
+          "$model%d using 1:2:3 with filledcurves fc rgb '#c6d9ee' title 'model, 5 to 95 %%', "
+          "$model%d using 1:5 with lines ls 1 title 'model, mean', "
+          "$model%d using 1:4 with lines ls 1 lw 1 dt 2 title 'model, median', ",
+          which, which, which);
+  fprintf(gp,
+          "$points%d with points pt 7 ps 0.35 lc rgb '#e0a080' %s, "
+          "$data%d using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb '#c8501e' lw 1.5 title "
+          "'measured, mean ± sd'\n",
+          which, c->data.n_points ? "title 'measured'" : "notitle", which);
+}
+
+static void plot(const cli_option *option, const comparison *c) {
+  cli_plot *picture = cli_plot_open(option, 1200, 520);
+  FILE *gp = cli_plot_stream(picture);
+  fputs("set multiplot layout 1,2\nset xrange [0:90]\nset xtics 15\n"
+        "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+        gp);
+  for (int which = 0; which < COR_BOTH; which++) {
+    bool any = false;
+    for (size_t i = 0; i < c->count; i++)
+      any = any || (has_data(&c->bins[which][i]) && c->bins[which][i].model.count > 0);
+    if (any)
+      plot_panel(gp, c, which);
+  }
+  fputs("unset multiplot\n", gp);
+  cli_plot_close(picture);
+}
+
+static int run(int argc, char **argv) {
+  cli_option options[N + 1] = {
+      [BIN] = {"bin", "DEGREES",
+               "width of the bins; without it " WIDTH_POINTS " for points, " WIDTH_MEANS
+               " around each mean",
+               NULL},
+      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
+      [PLOT] = {"plot", "FILE", "draw both; .png, .svg or .pdf", NULL},
+  };
+  int first = cli_parse(&cli_compare, argc, argv, options, true);
+  if (argc - first != 2)
+    cli_bad_usage("compare: IMPACTS and DATA are expected, two files; see 'asperity compare "
+                  "--help'");
+  comparison c = {.impacts = scatter_read_impacts(argv[first]),
+                  .data = scatter_read_data(argv[first + 1])};
+  if (!options[BIN].value)
+    options[BIN].value = c.data.n_means ? WIDTH_MEANS : WIDTH_POINTS;
+  double width = cli_number(&options[BIN], 0.1, 90);
+  size_t both = 0;
+  for (int which = 0; which < COR_BOTH; which++) {
+    c.bins[which] = bins_of(&c.impacts, &c.data, which, width, &c.count);
+    check_bins(&c, which, &both);
+  }
+  if (both == 0)
+    cli_fail("no bin has both impacts and data; the angles do not overlap");
+  warn_double(&c.impacts);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
+  print_all(cli_output_stream(output), &c);
+  cli_output_close(output);
+  if (options[PLOT].value)
+    plot(&options[PLOT], &c);
+  for (int which = 0; which < COR_BOTH; which++)
+    free_bins(c.bins[which], c.count);
+  scatter_free_impacts(&c.impacts);
+  scatter_free_data(&c.data);
+  return 0;
+}
+
+const cli_command cli_compare = {
+    .name = "compare",
+    .summary = "impacts of a model or a simulation against measured coefficients",
+    .detail =
+        "asperity compare IMPACTS DATA: IMPACTS is the output of 'asperity cor', the ledger of a\n"
+        "wall, or a LIGGGHTS dump local file of its array (columns 11, 17, 18, 19; 12 for tilts).\n"
+        "DATA is CSV in degrees: points alpha1_deg,cor_n,cor_t, or means and standard deviations\n"
+        "alpha1_deg,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd; missing fields are left empty. By\n"
+        "angle: moments, the model's 5 to 95 % band and the share of the points in it, the\n"
+        "two-sample distance of Kolmogorov and Smirnov and its p-value.\n",
+    .run = run,
+};

@@ -1,0 +1,391 @@
+/* asperity rebound: what a rebound law does on a smooth wall, without an engine: outcome and CoR_N
+ * over particle size and speed, the capture speed over particle size, and the coefficients over the
+ * impact angle. */
+#include "cli/law.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAP, LIST, DP, SPEED, ANGLES, POINTS, OUTPUT, PLOT, LAW, N = LAW + LAW_OPTIONS };
+
+/* Speeds between which the capture speed is looked for, m/s. */
+#define SLOWEST 1e-9
+#define FASTEST 1e5
+
+enum { POINTS_MOST = 2000, CURVES_MOST = 6 };
+
+/* One wall material: its name and what comes of it. */
+typedef struct material_wall {
+  char name[64];
+  asp_pair pair;
+} material_wall;
+
+typedef struct rebound_map {
+  const cli_option *options;
+  cli_law law;
+  asp_wall *wall;
+  material_wall *walls;
+  size_t n_walls;
+  cli_list sizes, speeds, angles;
+} rebound_map;
+
+typedef struct rebound_row {
+  asp_coefficients cor;
+  bool deposit;
+} rebound_row;
+
+static rebound_row row_at(const rebound_map *m, const material_wall *wall, double d_p, double speed,
+                          double degrees) {
+  static const double n[3] = {0, 0, 1};
+  double alpha = cli_radians(degrees), v1[3] = {speed * cos(alpha), 0, -speed * sin(alpha)};
+  if (degrees >= 90)
+    v1[0] = 0;
+  asp_particle particle = {d_p, m->law.particle->density, &wall->pair};
+  asp_impact impact;
+  asp_wall_impact(m->wall, &particle, v1, n, (asp_key){1, 1, 1, 1}, &impact);
+  return (rebound_row){asp_impact_coefficients(v1, n, &impact), impact.outcome == ASP_DEPOSIT};
+}
+
+/* The speed under which a particle sticks: 0 where it never does, INFINITY where it always does. */
+static double capture_speed(const rebound_map *m, const material_wall *wall, double d_p,
+                            double degrees) {
+  if (!row_at(m, wall, d_p, SLOWEST, degrees).deposit)
+    return 0;
+  if (row_at(m, wall, d_p, FASTEST, degrees).deposit)
+    return INFINITY;
+  double low = log(SLOWEST), high = log(FASTEST);
+  for (int i = 0; i < 60; i++) {
+    double middle = (low + high) / 2;
+    if (row_at(m, wall, d_p, exp(middle), degrees).deposit)
+      low = middle;
+    else
+      high = middle;
+  }
+  return exp(high);
+}
+
+/* A list, or from:to in equal ratios. */
+static cli_list ratios_of(const cli_option *option, size_t points, bool lengths) {
+  const char *colon = strchr(option->value, ':');
+  if (!colon || strchr(colon + 1, ':'))
+    return lengths ? cli_lengths(option) : cli_numbers(option, SLOWEST, FASTEST);
+  char *text = strdup(option->value);
+  cli_list list = {malloc(points * sizeof *list.values), points};
+  if (!text || !list.values)
+    cli_fail("out of memory");
+  text[colon - option->value] = ',';
+  cli_option pair = *option;
+  pair.value = text;
+  cli_list ends = lengths ? cli_lengths(&pair) : cli_numbers(&pair, SLOWEST, FASTEST);
+  if (!(ends.values[0] < ends.values[1]))
+    cli_bad_usage("--%s is '%s'; a range from:to has from < to", option->name, option->value);
+  for (size_t i = 0; i < points; i++)
+    list.values[i] =
+        ends.values[0] * pow(ends.values[1] / ends.values[0], (double)i / (double)(points - 1));
+  free(ends.values);
+  free(text);
+  return list;
+}
+
+static void read_walls(rebound_map *m) {
+  const cli_option *option = &m->options[LAW + LAW_WALL];
+  for (const char *rest = option->value; rest; m->n_walls++) {
+    const char *comma = strchr(rest, ',');
+    material_wall *grown = realloc(m->walls, (m->n_walls + 1) * sizeof *grown);
+    if (!grown)
+      cli_fail("out of memory");
+    m->walls = grown;
+    material_wall *wall = &m->walls[m->n_walls];
+    snprintf(wall->name, sizeof wall->name, "%.*s", comma ? (int)(comma - rest) : 60, rest);
+    wall->pair = cli_law_pair(&m->options[LAW], &m->law, wall->name);
+    rest = comma ? comma + 1 : NULL;
+  }
+}
+
+static void print_regimes(FILE *out, const rebound_map *m) {
+  fputs("dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", out);
+  for (size_t i = 0; i < m->sizes.count; i++)
+    for (size_t k = 0; k < m->speeds.count; k++) {
+      double degrees = m->angles.values[0];
+      rebound_row r = row_at(m, m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
+      fprintf(out, "%.6g,%.6g,%.6g,%.6g,", m->sizes.values[i] * 1e6, m->speeds.values[k], degrees,
+              r.cor.cor_n);
+      if (r.cor.cor_t_defined)
+        fprintf(out, "%.6g", r.cor.cor_t);
+      fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
+    }
+}
+
+static void print_capture(FILE *out, const rebound_map *m) {
+  fputs("# empty: every speed up to 1e5 m/s sticks; 0: none does\n"
+        "wall,dp_um,alpha1_deg,capture_speed_m_s\n",
+        out);
+  for (size_t w = 0; w < m->n_walls; w++)
+    for (size_t i = 0; i < m->sizes.count; i++) {
+      double d_p = m->sizes.values[i], degrees = m->angles.values[0];
+      double speed = capture_speed(m, &m->walls[w], d_p, degrees);
+      fprintf(out, "%s,%.6g,%.6g,", m->walls[w].name, d_p * 1e6, degrees);
+      if (isfinite(speed))
+        fprintf(out, "%.6g", speed);
+      fputc('\n', out);
+    }
+}
+
+static void print_angles(FILE *out, const rebound_map *m) {
+  fputs("wall,dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", out);
+  for (size_t w = 0; w < m->n_walls; w++)
+    for (size_t i = 0; i < m->sizes.count; i++)
+      for (size_t k = 0; k < m->speeds.count; k++)
+        for (size_t a = 0; a < m->angles.count; a++) {
+          double d_p = m->sizes.values[i], speed = m->speeds.values[k];
+          rebound_row r = row_at(m, &m->walls[w], d_p, speed, m->angles.values[a]);
+          fprintf(out, "%s,%.6g,%.6g,%.6g,%.6g,", m->walls[w].name, d_p * 1e6, speed,
+                  m->angles.values[a], r.cor.cor_n);
+          if (r.cor.cor_t_defined)
+            fprintf(out, "%.6g", r.cor.cor_t);
+          fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
+        }
+}
+
+/* The lower edge of cell i around a point of a list of rising values, in equal ratios. */
+static double edge_of(const cli_list *list, size_t i) {
+  const double *x = list->values;
+  size_t n = list->count;
+  if (n < 2)
+    return x[0] * (i ? 1.1 : 1 / 1.1);
+  if (i == 0)
+    return x[0] * sqrt(x[0] / x[1]);
+  return i == n ? x[n - 1] * sqrt(x[n - 1] / x[n - 2]) : sqrt(x[i - 1] * x[i]);
+}
+
+/* Corners of cells, each with the value of the cell above and right of it. */
+static void plot_cells(FILE *gp, const rebound_map *m) {
+  size_t nx = m->sizes.count, ny = m->speeds.count;
+  fputs("$map << EOD\n", gp);
+  for (size_t i = 0; i <= nx; i++, fputc('\n', gp))
+    for (size_t k = 0; k <= ny; k++) {
+      rebound_row r = row_at(m, m->walls, m->sizes.values[i < nx ? i : nx - 1],
+                             m->speeds.values[k < ny ? k : ny - 1], m->angles.values[0]);
+      fprintf(gp, "%g %g ", edge_of(&m->sizes, i) * 1e6, edge_of(&m->speeds, k));
+      fprintf(gp, r.deposit ? "NaN\n" : "%g\n", r.cor.cor_n);
+    }
+  fputs("EOD\n", gp);
+}
+
+/* The curve, and where a particle sticks at any speed a line up to its end. */
+static double plot_capture_curve(FILE *gp, const rebound_map *m, const material_wall *wall) {
+  double most = 0;
+  bool always = false;
+  for (size_t i = 0; i < m->sizes.count; i++) {
+    double d_p = m->sizes.values[i], speed = capture_speed(m, wall, d_p, m->angles.values[0]);
+    if (isfinite(speed) && speed > 0) {
+      if (always)
+        fprintf(gp, "%g %g 0\n", d_p * 1e6, FASTEST);
+      fprintf(gp, "%g %g 0\n", d_p * 1e6, speed);
+      most = fmax(most, speed);
+    }
+    always = isinf(speed);
+  }
+  return most;
+}
+
+static void plot_regimes(FILE *gp, const rebound_map *m) {
+  size_t nx = m->sizes.count, ny = m->speeds.count;
+  plot_cells(gp, m);
+  fputs("$capture << EOD\n", gp);
+  bool sticks = plot_capture_curve(gp, m, m->walls) > 0;
+  fprintf(gp,
+          "EOD\nset title '%s on %s, %s, {/Symbol a}_1 = %g°'\n"
+          "set view map\nset pm3d map corners2color c1\n"
+          "set palette defined (0 '#3b0f70', 0.35 '#b63679', 0.7 '#fb8861', 1 '#fcfdbf')\n"
+          "set cbrange [0:1]\nset cblabel 'CoR_N'\nset log xy\nset border 15 front\n"
+          "set xrange [%g:%g]\nset yrange [%g:%g]\n"
+          "set xlabel 'diameter d_p / µm'\nset ylabel 'impact speed v_1 / (m/s)'\n"
+          "set object 1 rectangle from graph 0,0 to graph 1,1 fc rgb '#bbbbbb' behind\n"
+          "set key bottom left opaque\nset lmargin screen 0.12\nset rmargin screen 0.82\n"
+          "set tmargin screen 0.92\nset bmargin screen 0.12\n"
+          "splot $map using 1:2:(0):3 with pm3d notitle, %s"
+          "NaN with points pt 5 ps 2 lc rgb '#bbbbbb' title 'deposit'\n",
+          m->law.particle->name, m->walls[0].name, m->law.spec.rebound, m->angles.values[0],
+          edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6, edge_of(&m->speeds, 0),
+          edge_of(&m->speeds, ny),
+          sticks ? "$capture using 1:2:3 with lines lc rgb '#000000' lw 2 title 'capture speed', "
+                 : "");
+}
+
+static void plot_capture(FILE *gp, const rebound_map *m) {
+  double most = 0;
+  for (size_t w = 0; w < m->n_walls; w++) {
+    fprintf(gp, "$capture%zu << EOD\n", w);
+    most = fmax(most, plot_capture_curve(gp, m, &m->walls[w]));
+    fputs("EOD\n", gp);
+  }
+  if (!(most > 0))
+    fputs("set label 'no particle sticks' at graph 0.5,0.5 center\n", gp);
+  fprintf(gp,
+          "set title '%s, %s, {/Symbol a}_1 = %g°: sticks under and left of a curve'\n"
+          "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
+          "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
+          m->law.particle->name, m->law.spec.rebound, m->angles.values[0], m->sizes.values[0] * 1e6,
+          m->sizes.values[m->sizes.count - 1] * 1e6, most > 0 ? "*" : "1",
+          most > 0 ? 5 * most : 10);
+  for (size_t w = 0; w < m->n_walls; w++)
+    fprintf(gp, "%s$capture%zu with lines ls %zu title 'on %s'", w ? ", " : "", w,
+            w % CURVES_MOST + 1, m->walls[w].name);
+  fputs(", NaN notitle\n", gp);
+}
+
+/* One curve a wall, size and speed, as far as there are styles. */
+static void plot_angles(FILE *gp, const rebound_map *m) {
+  size_t per_wall = m->sizes.count * m->speeds.count, curves = m->n_walls * per_wall;
+  if (curves > CURVES_MOST)
+    curves = CURVES_MOST;
+  for (size_t c = 0; c < curves; c++) {
+    fprintf(gp, "$curve%zu << EOD\n", c);
+    for (size_t a = 0; a < m->angles.count; a++) {
+      rebound_row r =
+          row_at(m, &m->walls[c / per_wall], m->sizes.values[c % per_wall / m->speeds.count],
+                 m->speeds.values[c % m->speeds.count], m->angles.values[a]);
+      fprintf(gp,
+              r.deposit             ? "\n"
+              : r.cor.cor_t_defined ? "%g %g %g\n"
+                                    : "%g %g NaN\n",
+              m->angles.values[a], r.cor.cor_n, r.cor.cor_t);
+    }
+    fputs("EOD\n", gp);
+  }
+  fprintf(gp,
+          "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks'\n"
+          "set xrange [0:90]\nset xtics 15\nset yrange [0:1]\n"
+          "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+          m->law.particle->name, m->law.spec.rebound);
+  for (int t = 0; t < 2; t++) {
+    fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", t ? 'T' : 'N',
+            t ? "bottom right" : "top right");
+    for (size_t c = 0; c < curves; c++)
+      fprintf(gp, "%s$curve%zu using 1:%d with lines ls %zu title 'on %s, %.3g µm, %.3g m/s'",
+              c ? ", " : "", c, t ? 3 : 2, c + 1, m->walls[c / per_wall].name,
+              m->sizes.values[c % per_wall / m->speeds.count] * 1e6,
+              m->speeds.values[c % m->speeds.count]);
+    fputc('\n', gp);
+  }
+  fputs("unset multiplot\n", gp);
+}
+
+/* A kind of map: its defaults, its rows, its picture. */
+typedef struct map_kind {
+  const char *name, *sizes, *speeds, *angles;
+  void (*print)(FILE *out, const rebound_map *m);
+  void (*plot)(FILE *gp, const rebound_map *m);
+  int width, height;
+} map_kind;
+
+static const map_kind kinds[] = {
+    {"regimes", "0.5um:200um", "0.1:1000", "90", print_regimes, plot_regimes, 800, 600},
+    {"capture", "0.5um:200um", "100", "90", print_capture, plot_capture, 800, 560},
+    {"angles", "10um", "100", "0.5:90:0.5", print_angles, plot_angles, 1200, 520},
+};
+enum { N_KINDS = sizeof kinds / sizeof *kinds };
+
+static const map_kind *kind_of(const cli_option *option) {
+  for (int i = 0; i < N_KINDS; i++)
+    if (strcmp(kinds[i].name, option->value) == 0)
+      return &kinds[i];
+  cli_bad_usage("--map is '%s'; allowed is regimes, capture or angles", option->value);
+}
+
+static void print_list(FILE *out) {
+  fputs("law,parameter,unit,default,least,most,text\n", out);
+  for (int i = 0; i < asp_rebound_count(); i++) {
+    const asp_rebound_law *law = asp_rebound_at(i);
+    fprintf(out, "%s,,,,,,\"%s; source: %s\"\n", law->name, law->summary, law->source);
+    for (int k = 0; k < law->n_parameters; k++) {
+      const asp_parameter *p = &law->parameters[k];
+      fprintf(out, "%s,%s,%s,%.10g,%g,%g,\"%s\"\n", law->name, p->name, p->unit, p->fallback,
+              p->least, p->most, p->text);
+    }
+  }
+}
+
+static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) {
+  asp_error error;
+  if (!options[DP].value)
+    options[DP].value = kind->sizes;
+  if (!options[SPEED].value)
+    options[SPEED].value = kind->speeds;
+  if (!options[ANGLES].value)
+    options[ANGLES].value = kind->angles;
+  size_t points = cli_whole(&options[POINTS], 2, POINTS_MOST);
+  *m = (rebound_map){.options = options, .law = cli_law_read(&options[LAW])};
+  read_walls(m);
+  m->sizes = ratios_of(&options[DP], points, true);
+  m->speeds = ratios_of(&options[SPEED], points, false);
+  m->angles = cli_angles(&options[ANGLES]);
+  for (size_t i = 0; i < m->angles.count; i++)
+    if (!(m->angles.values[i] > 0))
+      cli_bad_usage("--angles is '%s'; allowed is more than 0 and at most 90",
+                    options[ANGLES].value);
+  if (kind->print != print_angles && m->angles.count != 1)
+    cli_bad_usage("--angles is '%s'; --map %s takes one angle", options[ANGLES].value, kind->name);
+  if (kind->print == print_regimes && m->n_walls != 1)
+    cli_bad_usage("--wall is '%s'; --map regimes takes one wall", options[LAW + LAW_WALL].value);
+  m->wall = asp_wall_create(&m->law.spec, &error);
+  if (!m->wall)
+    cli_bad_input("%s", error.text);
+}
+
+static void free_map(rebound_map *m) {
+  asp_wall_free(m->wall);
+  cli_law_free(&m->law);
+  free(m->walls);
+  free(m->sizes.values);
+  free(m->speeds.values);
+  free(m->angles.values);
+}
+
+static int run(int argc, char **argv) {
+  cli_option options[N + 1] = {
+      [MAP] = {"map", "regimes|capture|angles", "what over what", "regimes"},
+      [LIST] = {"list", NULL, "the laws and their parameters: defaults, ranges, sources", NULL},
+      [DP] = {"dp", "LENGTHS", "diameters: a list, or from:to in equal ratios", NULL},
+      [SPEED] = {"speed", "M_PER_S", "impact speeds: a list, or from:to in equal ratios", NULL},
+      [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", NULL},
+      [POINTS] = {"points", "N", "of a range in equal ratios", "121"},
+      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
+      [PLOT] = {"plot", "FILE", "draw the map; .png, .svg or .pdf", NULL},
+      CLI_LAW_OPTIONS(LAW),
+  };
+  cli_parse(&cli_rebound, argc, argv, options, false);
+  const map_kind *kind = kind_of(&options[MAP]);
+  if (options[LIST].value) {
+    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
+    print_list(cli_output_stream(output));
+    cli_output_close(output);
+    return 0;
+  }
+  rebound_map m;
+  read_map(&m, options, kind);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
+  kind->print(cli_output_stream(output), &m);
+  cli_output_close(output);
+  if (options[PLOT].value) {
+    cli_plot *picture = cli_plot_open(&options[PLOT], kind->width, kind->height);
+    kind->plot(cli_plot_stream(picture), &m);
+    cli_plot_close(picture);
+  }
+  free_map(&m);
+  return 0;
+}
+
+const cli_command cli_rebound = {
+    .name = "rebound",
+    .summary = "what a rebound law does: regimes, capture speed, coefficients over the angle",
+    .detail = "On a smooth wall.\n"
+              "  --map regimes  CoR_N and outcome over diameter and speed, at one angle and wall\n"
+              "  --map capture  the speed under which a particle sticks, over the diameter\n"
+              "  --map angles   CoR_N and CoR_T over the impact angle\n"
+              "capture and angles take several wall materials: --wall ti-6al-4v,hastelloy-x.\n"
+              "Without --dp, --speed, --angles a map has its own ranges.\n",
+    .run = run,
+};

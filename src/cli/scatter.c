@@ -1,0 +1,275 @@
+/* Files of coefficients of restitution; see scatter.h. */
+#include "cli/scatter.h"
+#include "cli/cli.h"
+#include "csv.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An engine's array has 0 where CoR_T is undefined, at normal impact. */
+#define NORMAL_IMPACT (90 - 1e-6)
+
+/* Degrees below this, all of them, are radians. */
+#define RADIANS_MOST 1.6
+
+static void *grow(void *list, size_t count, size_t size) {
+  if (count & (count - 1))
+    return list;
+  void *grown = realloc(list, (count ? 2 * count : 1) * size);
+  if (!grown)
+    cli_fail("out of memory for %zu rows", count);
+  return grown;
+}
+
+static void warn_radians(const char *path, double most, size_t count) {
+  if (count > 0 && most < RADIANS_MOST)
+    cli_warn("%s: all impact angles are below %g; they are taken as degrees, but look like radians",
+             path, RADIANS_MOST);
+}
+
+/* What is read of an impact, wherever it comes from. */
+typedef struct impact_row {
+  double degrees, delta, cor[COR_BOTH];
+  bool deposit;
+} impact_row;
+
+static void add_impact(scatter_impacts *impacts, const impact_row *row) {
+  impacts->rough = impacts->rough || fabs(row->delta) > 0;
+  if (row->deposit) {
+    impacts->deposits++;
+    return;
+  }
+  impacts->points = grow(impacts->points, impacts->count, sizeof *impacts->points);
+  impacts->points[impacts->count++] = (scatter_point){row->degrees, {row->cor[0], row->cor[1]}};
+}
+
+typedef struct impact_columns {
+  int degrees, delta, cor[COR_BOTH], outcome;
+} impact_columns;
+
+static asp_code read_row(const asp_csv *csv, const impact_columns *at, impact_row *row,
+                         asp_error *error) {
+  bool missing;
+  asp_code code;
+  if ((code = asp_csv_number(csv, at->degrees, 0, 90, &row->degrees, NULL, error)) ||
+      (code = asp_csv_number(csv, at->delta, -90, 90, &row->delta, &missing, error)) ||
+      (code =
+           asp_csv_number(csv, at->cor[COR_N], -1e15, 1e15, &row->cor[COR_N], &missing, error)) ||
+      (code = asp_csv_number(csv, at->cor[COR_T], -1e15, 1e15, &row->cor[COR_T], &missing, error)))
+    return code;
+  const char *outcome = at->outcome < 0 ? "" : csv->fields[at->outcome];
+  row->deposit = at->outcome < 0 ? !(row->cor[COR_N] > 0)
+                                 : strcmp(outcome, "rebound") != 0 && strcmp(outcome, "0") != 0;
+  return ASP_OK;
+}
+
+static asp_code read_csv_rows(asp_csv *csv, scatter_impacts *impacts, asp_error *error) {
+  impact_columns at = {.degrees = asp_csv_need(csv, "alpha1_deg", error),
+                       .delta = asp_csv_find(csv, "delta_alpha_deg"),
+                       .cor = {asp_csv_find(csv, "cor_n"), asp_csv_find(csv, "cor_t")},
+                       .outcome = asp_csv_find(csv, "outcome")};
+  if (at.degrees < 0 || (at.cor[0] < 0 && asp_csv_need(csv, "cor_n", error) < 0))
+    return ASP_EDATA;
+  impact_row row;
+  asp_code code;
+  for (bool found;;) {
+    if ((code = asp_csv_row(csv, &found, error)) || !found ||
+        (code = read_row(csv, &at, &row, error)))
+      return code;
+    add_impact(impacts, &row);
+  }
+}
+
+/* Columns of the local array, from 1, by their places in the ledger. */
+enum { LEDGER_DEGREES = 11, LEDGER_DELTA = 12, LEDGER_COR = 17, LEDGER_OUTCOME = 19 };
+
+/* `ITEM: ENTRIES f_wall[11] f_wall[17] ...`: where a column of the array stands, or -1. */
+static int find_entry(char *const names[], int count, int column) {
+  for (int i = 0; i < count; i++) {
+    const char *bracket = strrchr(names[i], '[');
+    if (strncmp(names[i], "f_", 2) == 0 && bracket && atoi(bracket + 1) == column)
+      return i;
+  }
+  return -1;
+}
+
+static asp_code read_dump_row(asp_csv *csv, const impact_columns *at, scatter_impacts *impacts,
+                              asp_error *error) {
+  int count = asp_csv_split(csv->text.text, ' ', csv->fields);
+  if (count != csv->columns)
+    return asp_text_fail(&csv->text, csv->text.line, error, "%d numbers under %d columns", count,
+                         csv->columns);
+  impact_row row;
+  asp_code code = read_row(csv, at, &row, error);
+  if (code)
+    return code;
+  if (row.degrees > NORMAL_IMPACT && !(fabs(row.cor[COR_T]) > 0))
+    row.cor[COR_T] = NAN;
+  add_impact(impacts, &row);
+  return ASP_OK;
+}
+
+static asp_code read_dump_header(asp_csv *csv, impact_columns *at, asp_error *error) {
+  strcpy(csv->header, csv->text.text + strlen("ITEM: ENTRIES"));
+  csv->separator = ' ';
+  csv->columns = asp_csv_split(csv->header, ' ', csv->names);
+  *at = (impact_columns){find_entry(csv->names, csv->columns, LEDGER_DEGREES),
+                         find_entry(csv->names, csv->columns, LEDGER_DELTA),
+                         {find_entry(csv->names, csv->columns, LEDGER_COR),
+                          find_entry(csv->names, csv->columns, LEDGER_COR + 1)},
+                         find_entry(csv->names, csv->columns, LEDGER_OUTCOME)};
+  if (at->degrees >= 0 && (at->cor[0] >= 0 || at->cor[1] >= 0))
+    return ASP_OK;
+  return asp_text_fail(&csv->text, csv->text.line, error,
+                       "the dump needs column 11 (alpha1), and 17 or 18 (cor_n, cor_t), of the "
+                       "wall's array: f_ID[11] f_ID[17] f_ID[18]");
+}
+
+/* A `dump local` file: blocks of a header of ITEM lines, then rows. */
+static asp_code read_dump(asp_csv *csv, scatter_impacts *impacts, asp_error *error) {
+  impact_columns at;
+  bool in_rows = false, found;
+  asp_code code = ASP_OK;
+  while (!code && !(code = asp_text_line(&csv->text, &found, error)) && found) {
+    const char *line = csv->text.text;
+    if (strncmp(line, "ITEM: ENTRIES", 13) == 0) {
+      in_rows = true;
+      code = read_dump_header(csv, &at, error);
+    } else if (strncmp(line, "ITEM:", 5) == 0) {
+      in_rows = false;
+    } else if (in_rows && line[strspn(line, " ")]) {
+      code = read_dump_row(csv, &at, impacts, error);
+    }
+  }
+  return code;
+}
+
+static bool is_dump(FILE *stream) {
+  char first[6] = "";
+  bool dump = fgets(first, sizeof first, stream) && strcmp(first, "ITEM:") == 0;
+  rewind(stream);
+  return dump;
+}
+
+static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_error *error) {
+  FILE *stream = fopen(path, "r");
+  if (!stream)
+    cli_fail("cannot open '%s': %s", path, strerror(errno));
+  asp_code code;
+  if (is_dump(stream)) {
+    asp_csv *csv = calloc(1, sizeof *csv);
+    if (!csv)
+      cli_fail("out of memory");
+    csv->text = asp_text_create(stream, path);
+    code = read_dump(csv, impacts, error);
+    free(csv);
+    fclose(stream);
+    return code;
+  }
+  fclose(stream);
+  asp_csv *csv = asp_csv_open(path, error);
+  if (!csv)
+    return ASP_EDATA;
+  code = read_csv_rows(csv, impacts, error);
+  snprintf(impacts->comment, sizeof impacts->comment, "%.1000s", csv->comment);
+  asp_csv_close(csv);
+  return code;
+}
+
+scatter_impacts scatter_read_impacts(const char *path) {
+  scatter_impacts impacts = {NULL, 0, 0, false, ""};
+  asp_error error;
+  if (read_impacts(path, &impacts, &error))
+    cli_bad_input("%s", error.text);
+  double most = 0;
+  for (size_t i = 0; i < impacts.count; i++)
+    most = fmax(most, impacts.points[i].degrees);
+  if (impacts.count == 0)
+    cli_fail("%s: no rebound in it (%zu deposits)", path, impacts.deposits);
+  warn_radians(path, most, impacts.count);
+  return impacts;
+}
+
+/* Columns of points: cor[0]; of means: cor and sd. */
+typedef struct data_columns {
+  int degrees, point[COR_BOTH], mean[COR_BOTH], sd[COR_BOTH];
+} data_columns;
+
+static asp_code find_data_columns(const asp_csv *csv, data_columns *at, bool *means,
+                                  asp_error *error) {
+  *at = (data_columns){asp_csv_need(csv, "alpha1_deg", error),
+                       {asp_csv_find(csv, "cor_n"), asp_csv_find(csv, "cor_t")},
+                       {asp_csv_find(csv, "cor_n_mean"), asp_csv_find(csv, "cor_t_mean")},
+                       {asp_csv_find(csv, "cor_n_sd"), asp_csv_find(csv, "cor_t_sd")}};
+  if (at->degrees < 0)
+    return ASP_EDATA;
+  bool points = at->point[0] >= 0 || at->point[1] >= 0;
+  *means = at->mean[0] >= 0 || at->mean[1] >= 0;
+  if (points != *means)
+    return ASP_OK;
+  return asp_text_fail(&csv->text, csv->text.line, error,
+                       "%s; measured points are columns cor_n, cor_t, binned ones cor_n_mean, "
+                       "cor_n_sd, cor_t_mean, cor_t_sd",
+                       points ? "both points and means" : "neither points nor means");
+}
+
+static asp_code read_data_row(const asp_csv *csv, const data_columns *at, bool means,
+                              scatter_data *data, asp_error *error) {
+  scatter_mean row;
+  bool missing;
+  const int *column = means ? at->mean : at->point;
+  asp_code code = asp_csv_number(csv, at->degrees, 0, 90, &row.degrees, NULL, error);
+  for (int i = 0; i < COR_BOTH && !code; i++)
+    if (!(code = asp_csv_number(csv, column[i], -1e15, 1e15, &row.mean[i], &missing, error)))
+      code = asp_csv_number(csv, means ? at->sd[i] : -1, 0, 1e15, &row.sd[i], &missing, error);
+  if (code)
+    return code;
+  if (means) {
+    data->means = grow(data->means, data->n_means, sizeof *data->means);
+    data->means[data->n_means++] = row;
+  } else {
+    data->points = grow(data->points, data->n_points, sizeof *data->points);
+    data->points[data->n_points++] = (scatter_point){row.degrees, {row.mean[0], row.mean[1]}};
+  }
+  return ASP_OK;
+}
+
+static asp_code read_data(asp_csv *csv, scatter_data *data, double *most, asp_error *error) {
+  data_columns at;
+  bool means, found;
+  asp_code code = find_data_columns(csv, &at, &means, error);
+  for (*most = 0; !code && !(code = asp_csv_row(csv, &found, error)) && found;) {
+    code = read_data_row(csv, &at, means, data, error);
+    if (!code)
+      *most = fmax(*most, means ? data->means[data->n_means - 1].degrees
+                                : data->points[data->n_points - 1].degrees);
+  }
+  return code;
+}
+
+scatter_data scatter_read_data(const char *path) {
+  scatter_data data = {NULL, 0, NULL, 0};
+  asp_error error;
+  double most = 0;
+  asp_csv *csv = asp_csv_open(path, &error);
+  if (!csv && error.code == ASP_EFILE)
+    cli_fail("%s", error.text);
+  if (!csv || read_data(csv, &data, &most, &error))
+    cli_bad_input("%s", error.text);
+  asp_csv_close(csv);
+  if (data.n_points + data.n_means == 0)
+    cli_bad_input("%s: no row of data", path);
+  warn_radians(path, most, data.n_points + data.n_means);
+  return data;
+}
+
+void scatter_free_impacts(scatter_impacts *impacts) {
+  free(impacts->points);
+}
+
+void scatter_free_data(scatter_data *data) {
+  free(data->points);
+  free(data->means);
+}

@@ -1,0 +1,178 @@
+/* Tables in text files; see csv.h. */
+#include "csv.h"
+#include "error.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Blanks and one pair of quotes off both ends, and doubled quotes undoubled; in place. */
+static char *trim(char *field) {
+  while (isspace((unsigned char)*field))
+    field++;
+  size_t length = strlen(field);
+  while (length > 0 && isspace((unsigned char)field[length - 1]))
+    field[--length] = '\0';
+  if (length < 2 || field[0] != '"' || field[length - 1] != '"')
+    return field;
+  field[length - 1] = '\0';
+  char *out = ++field;
+  for (const char *in = field; *in; in++) {
+    *out++ = *in;
+    in += in[0] == '"' && in[1] == '"';
+  }
+  *out = '\0';
+  return field;
+}
+
+/* The end of the field that begins here: a separator outside quotes, or the end of the line. */
+static char *end_of(char *field, char separator) {
+  bool quoted = false;
+  for (; *field; field++) {
+    quoted ^= *field == '"';
+    if (!quoted && (separator == ' ' ? isspace((unsigned char)*field) : *field == separator))
+      break;
+  }
+  return field;
+}
+
+int asp_csv_split(char *line, char separator, char *fields[ASP_CSV_COLUMNS]) {
+  int count = 0;
+  for (char *next = line; count < ASP_CSV_COLUMNS;) {
+    if (separator == ' ')
+      next += strspn(next, " \t");
+    if (separator == ' ' && !*next)
+      break;
+    char *end = end_of(next, separator);
+    bool last = !*end;
+    *end = '\0';
+    fields[count++] = trim(next);
+    if (last)
+      break;
+    next = end + 1;
+  }
+  return count;
+}
+
+/* The next line that is neither blank nor a comment. */
+static asp_code next_line(asp_csv *csv, bool *found, asp_error *error) {
+  for (;;) {
+    asp_code code = asp_text_line(&csv->text, found, error);
+    if (code || !*found)
+      return code;
+    char *text = csv->text.text;
+    if (csv->text.line == 1 && strncmp(text, "\xef\xbb\xbf", 3) == 0)
+      memmove(text, text + 3, strlen(text + 3) + 1);
+    const char *first = text + strspn(text, " \t\v\f");
+    if (*first == '#' && !*csv->comment)
+      strcpy(csv->comment, first);
+    if (*first && *first != '#')
+      return ASP_OK;
+  }
+}
+
+static asp_code read_header(asp_csv *csv, asp_error *error) {
+  bool found;
+  asp_code code = next_line(csv, &found, error);
+  if (code)
+    return code;
+  if (!found)
+    return asp_text_fail(&csv->text, csv->text.line, error, "the file ends without column names");
+  strcpy(csv->header, csv->text.text);
+  const char *separator = strchr(csv->header, ';');
+  separator = separator ? separator : strchr(csv->header, '\t');
+  separator = separator ? separator : strchr(csv->header, ',');
+  csv->separator = separator ? *separator : ' ';
+  csv->columns = asp_csv_split(csv->header, csv->separator, csv->names);
+  double number;
+  for (int i = 0; i < csv->columns; i++)
+    if (asp_text_number(csv->names[i], false, &number) == ASP_WORD_NUMBER)
+      return asp_text_fail(&csv->text, csv->text.line, error,
+                           "'%s' stands where a column name is expected; the first line that is no "
+                           "comment must name the columns",
+                           csv->names[i]);
+  return ASP_OK;
+}
+
+asp_csv *asp_csv_open(const char *path, asp_error *error) {
+  asp_csv *csv = calloc(1, sizeof *csv);
+  if (!csv) {
+    asp_fail(error, ASP_ENOMEM, "out of memory for the table '%s'", path);
+    return NULL;
+  }
+  csv->stream = fopen(path, "r");
+  if (!csv->stream) {
+    asp_fail(error, ASP_EFILE, "cannot open '%s': %s", path, strerror(errno));
+    asp_csv_close(csv);
+    return NULL;
+  }
+  csv->text = asp_text_create(csv->stream, path);
+  if (read_header(csv, error)) {
+    asp_csv_close(csv);
+    return NULL;
+  }
+  return csv;
+}
+
+void asp_csv_close(asp_csv *csv) {
+  if (csv && csv->stream)
+    fclose(csv->stream);
+  free(csv);
+}
+
+int asp_csv_find(const asp_csv *csv, const char *name) {
+  for (int i = 0; i < csv->columns; i++)
+    if (strcmp(csv->names[i], name) == 0)
+      return i;
+  return -1;
+}
+
+int asp_csv_need(const asp_csv *csv, const char *name, asp_error *error) {
+  int index = asp_csv_find(csv, name);
+  if (index >= 0)
+    return index;
+  char list[240] = "";
+  for (int i = 0; i < csv->columns; i++) {
+    size_t used = strlen(list);
+    snprintf(list + used, sizeof list - used, " %s", csv->names[i]);
+  }
+  asp_fail(error, ASP_EDATA, "%.200s: column '%s' is missing; there are:%s", csv->text.path, name,
+           list);
+  return -1;
+}
+
+asp_code asp_csv_row(asp_csv *csv, bool *found, asp_error *error) {
+  asp_code code = next_line(csv, found, error);
+  if (code || !*found)
+    return code;
+  int count = asp_csv_split(csv->text.text, csv->separator, csv->fields);
+  if (count == csv->columns)
+    return ASP_OK;
+  return asp_text_fail(&csv->text, csv->text.line, error, "%d fields under %d column names%s",
+                       count, csv->columns,
+                       csv->separator == ',' && count > csv->columns
+                           ? " (decimal commas need ; or tabs between the fields)"
+                           : "");
+}
+
+asp_code asp_csv_number(const asp_csv *csv, int column, double least, double most, double *value,
+                        bool *missing, asp_error *error) {
+  asp_word word = ASP_WORD_MISSING;
+  *value = NAN;
+  if (column >= 0)
+    word = asp_text_number(csv->fields[column], csv->separator == ';' || csv->separator == '\t',
+                           value);
+  if (missing)
+    *missing = word == ASP_WORD_MISSING;
+  if (word == ASP_WORD_MISSING && missing)
+    return ASP_OK;
+  if (word != ASP_WORD_NUMBER)
+    return asp_text_fail(&csv->text, csv->text.line, error, "%s is '%s'; a number is expected",
+                         csv->names[column], csv->fields[column]);
+  if (*value >= least && *value <= most)
+    return ASP_OK;
+  return asp_text_fail(&csv->text, csv->text.line, error, "%s is %g; allowed is %g to %g",
+                       csv->names[column], *value, least, most);
+}

@@ -1,0 +1,44 @@
+/* Tables in text files: lines of fields under a line of column names. Fields are separated by
+ * commas, semicolons, tabs or blanks, whichever the line of names has (the first of ; tab , in this
+ * order); with semicolons and tabs a comma in a number is a decimal point. Quotes hold a field
+ * together, lines that begin with # are comments, blank lines are skipped, and a byte-order mark is
+ * left out. The file is read as a stream. */
+#ifndef ASP_CSV_H
+#define ASP_CSV_H
+
+#include "surface/text.h"
+
+enum { ASP_CSV_COLUMNS = 64 };
+
+typedef struct asp_csv {
+  FILE *stream;
+  asp_text text;
+  char separator;
+  int columns;
+  char header[ASP_TEXT_MOST], comment[ASP_TEXT_MOST]; /* comment: the first one, or "" */
+  char *names[ASP_CSV_COLUMNS], *fields[ASP_CSV_COLUMNS];
+} asp_csv;
+
+/* Opens a file and reads up to its column names. NULL on error; the message names file and line. */
+asp_csv *asp_csv_open(const char *path, asp_error *error);
+void asp_csv_close(asp_csv *csv);
+
+/* Index of a column, or -1. */
+int asp_csv_find(const asp_csv *csv, const char *name);
+
+/* Index of a column, or -1 with a message that lists the columns there are. */
+int asp_csv_need(const asp_csv *csv, const char *name, asp_error *error);
+
+/* Reads the next row into csv->fields; *found is false at the end of the file. ASP_EDATA when the
+ * row has not as many fields as there are names. */
+asp_code asp_csv_row(asp_csv *csv, bool *found, asp_error *error);
+
+/* The number in a column of the row, least <= value <= most; *missing where it is empty or a mark
+ * for a missing value. Column -1 is always missing. With `missing` NULL there must be a number. */
+asp_code asp_csv_number(const asp_csv *csv, int column, double least, double most, double *value,
+                        bool *missing, asp_error *error);
+
+/* Cuts a line into fields, in place, and takes blanks and quotes off them; the number of fields. */
+int asp_csv_split(char *line, char separator, char *fields[ASP_CSV_COLUMNS]);
+
+#endif

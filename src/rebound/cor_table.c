@@ -1,0 +1,256 @@
+/* Tables of coefficients of restitution: made from points, checked for gaps and double values, read
+ * from a file, interpolated. Speed by speed a monotone cubic in the angle (Steffen 1990, by GSL; a
+ * straight line where there are only two angles), and a straight line between speeds. */
+#include "csv.h"
+#include "error.h"
+
+#include <gsl/gsl_interp.h>
+#include <math.h>
+#include <stdlib.h>
+
+#define DEGREES (180 / ASP_PI)
+
+/* Rounding in a file's coefficients may seem to make this much energy. */
+#define ENERGY_MOST (1 + 1e-6)
+
+struct asp_cor_table {
+  size_t n_speeds, n_angles;
+  double *speeds, *angles;
+  double *cor_n, *cor_t;     /* [speed][angle] */
+  gsl_interp **in_n, **in_t; /* [speed] */
+};
+
+static int compare(const void *left, const void *right) {
+  const asp_cor_point *a = left, *b = right;
+  if (a->speed < b->speed || a->speed > b->speed)
+    return a->speed < b->speed ? -1 : 1;
+  return (a->alpha1 > b->alpha1) - (a->alpha1 < b->alpha1);
+}
+
+static bool same(double a, double b) {
+  return !(a < b || a > b);
+}
+
+static asp_code check_point(const asp_cor_point *p, asp_error *error) {
+  double sine = sin(p->alpha1), cosine = cos(p->alpha1);
+  asp_code code;
+  if ((code = asp_check_range(error, "speed", "", p->speed, 0, INFINITY)) ||
+      (code = asp_check_range(error, "impact angle", "degrees", p->alpha1 * DEGREES, 0, 90)) ||
+      (code = asp_check_range(error, "cor_n", "", p->cor_n, 0, 1e9)) ||
+      (code = asp_check_range(error, "cor_t", "", p->cor_t, -1e9, 1e9)))
+    return code;
+  double energy = pow(p->cor_n * sine, 2) + pow(p->cor_t * cosine, 2);
+  if (energy <= ENERGY_MOST)
+    return ASP_OK;
+  return asp_fail(error, ASP_EARG,
+                  "cor_n %g and cor_t %g at %g degrees leave %g times the energy; allowed is 1 at "
+                  "most",
+                  p->cor_n, p->cor_t, p->alpha1 * DEGREES, energy);
+}
+
+/* The sorted points are a grid when every speed has the angles of the first. */
+static asp_code check_grid(const asp_cor_point *p, size_t count, size_t n_angles,
+                           asp_error *error) {
+  for (size_t i = 1; i < count; i++)
+    if (compare(&p[i - 1], &p[i]) == 0)
+      return asp_fail(error, ASP_EDATA,
+                      "two rows for speed %g and %g degrees: a law needs one value in one place",
+                      p[i].speed, p[i].alpha1 * DEGREES);
+  if (n_angles < 2)
+    return asp_fail(error, ASP_EDATA, "one angle at speed %g; at least two are needed", p->speed);
+  for (size_t i = n_angles; i < count || i % n_angles; i++) {
+    const asp_cor_point *want = &p[i % n_angles], *row = &p[i - i % n_angles];
+    if (i >= count || !same(p[i].alpha1, want->alpha1) || !same(p[i].speed, row->speed))
+      return asp_fail(error, ASP_EDATA,
+                      "a gap or an odd angle near speed %g and %g degrees: every speed needs the "
+                      "same angles",
+                      row->speed, want->alpha1 * DEGREES);
+  }
+  return ASP_OK;
+}
+
+static gsl_interp *interpolation(const double *x, const double *y, size_t count) {
+  gsl_interp *made = gsl_interp_alloc(count > 2 ? gsl_interp_steffen : gsl_interp_linear, count);
+  if (made)
+    gsl_interp_init(made, x, y, count);
+  return made;
+}
+
+static bool fill(asp_cor_table *t, const asp_cor_point *p) {
+  for (size_t i = 0; i < t->n_speeds * t->n_angles; i++) {
+    t->cor_n[i] = p[i].cor_n;
+    t->cor_t[i] = p[i].cor_t;
+    t->angles[i % t->n_angles] = p[i % t->n_angles].alpha1;
+    t->speeds[i / t->n_angles] = p[i].speed;
+  }
+  for (size_t i = 0; i < t->n_speeds; i++) {
+    t->in_n[i] = interpolation(t->angles, &t->cor_n[i * t->n_angles], t->n_angles);
+    t->in_t[i] = interpolation(t->angles, &t->cor_t[i * t->n_angles], t->n_angles);
+    if (!t->in_n[i] || !t->in_t[i])
+      return false;
+  }
+  return true;
+}
+
+/* A table of sorted points that are a grid. */
+static asp_cor_table *make(const asp_cor_point *p, size_t count, size_t n_angles) {
+  asp_cor_table *t = calloc(1, sizeof *t);
+  if (!t)
+    return NULL;
+  t->n_angles = n_angles;
+  t->n_speeds = count / n_angles;
+  t->angles = malloc(n_angles * sizeof *t->angles);
+  t->speeds = malloc(t->n_speeds * sizeof *t->speeds);
+  t->cor_n = malloc(count * sizeof *t->cor_n);
+  t->cor_t = malloc(count * sizeof *t->cor_t);
+  t->in_n = calloc(t->n_speeds, sizeof *t->in_n);
+  t->in_t = calloc(t->n_speeds, sizeof *t->in_t);
+  if (t->angles && t->speeds && t->cor_n && t->cor_t && t->in_n && t->in_t && fill(t, p))
+    return t;
+  asp_cor_table_free(t);
+  return NULL;
+}
+
+asp_cor_table *asp_cor_table_create(const asp_cor_point *points, size_t count, asp_error *error) {
+  if (count == 0) {
+    asp_fail(error, ASP_EDATA, "a table of coefficients without a row");
+    return NULL;
+  }
+  for (size_t i = 0; i < count; i++)
+    if (check_point(&points[i], error))
+      return NULL;
+  asp_cor_point *sorted = malloc(count * sizeof *sorted);
+  asp_cor_table *table = NULL;
+  size_t n_angles = 1;
+  asp_code code = ASP_ENOMEM;
+  if (sorted) {
+    for (size_t i = 0; i < count; i++)
+      sorted[i] = points[i];
+    qsort(sorted, count, sizeof *sorted, compare);
+    while (n_angles < count && same(sorted[n_angles].speed, sorted[0].speed))
+      n_angles++;
+    code = check_grid(sorted, count, n_angles, error);
+    table = code ? NULL : make(sorted, count, n_angles);
+  }
+  free(sorted);
+  if (!table && (!code || code == ASP_ENOMEM))
+    asp_fail(error, ASP_ENOMEM, "out of memory for a table of %zu coefficients", count);
+  return table;
+}
+
+void asp_cor_table_free(asp_cor_table *t) {
+  if (!t)
+    return;
+  for (size_t i = 0; i < t->n_speeds; i++) {
+    if (t->in_n)
+      gsl_interp_free(t->in_n[i]);
+    if (t->in_t)
+      gsl_interp_free(t->in_t[i]);
+  }
+  free(t->in_n);
+  free(t->in_t);
+  free(t->speeds);
+  free(t->angles);
+  free(t->cor_n);
+  free(t->cor_t);
+  free(t);
+}
+
+typedef struct columns {
+  int angle, speed, cor_n, cor_t;
+} columns;
+
+static asp_code read_point(const asp_csv *csv, const columns *at, double metre_per_second,
+                           asp_cor_point *p, asp_error *error) {
+  bool no_speed;
+  double degrees;
+  asp_error wrong;
+  asp_code code;
+  if ((code = asp_csv_number(csv, at->angle, 0, 90, &degrees, NULL, error)) ||
+      (code = asp_csv_number(csv, at->cor_n, 0, 1e9, &p->cor_n, NULL, error)) ||
+      (code = asp_csv_number(csv, at->cor_t, -1e9, 1e9, &p->cor_t, NULL, error)) ||
+      (code = asp_csv_number(csv, at->speed, 0, 1e9, &p->speed, at->speed < 0 ? &no_speed : NULL,
+                             error)))
+    return code;
+  p->speed = at->speed < 0 ? 0 : p->speed * metre_per_second;
+  p->alpha1 = fmin(degrees / DEGREES, ASP_PI / 2);
+  if (check_point(p, &wrong))
+    return asp_text_fail(&csv->text, csv->text.line, error, "%s", wrong.text);
+  return ASP_OK;
+}
+
+/* All points of the file, to be freed by the caller; NULL on error. */
+static asp_cor_point *read_points(asp_csv *csv, double metre_per_second, size_t *count,
+                                  asp_error *error) {
+  columns at = {asp_csv_need(csv, "alpha1_deg", error), asp_csv_find(csv, "v1_m_s"),
+                asp_csv_need(csv, "cor_n", error), asp_csv_need(csv, "cor_t", error)};
+  asp_cor_point *points = NULL;
+  asp_code code = at.angle < 0 || at.cor_n < 0 || at.cor_t < 0 ? ASP_EDATA : ASP_OK;
+  bool found = !code;
+  for (*count = 0; found && !code; (*count)++) {
+    asp_cor_point *grown = realloc(points, (*count + 1) * sizeof *points);
+    if (!grown) {
+      code = asp_fail(error, ASP_ENOMEM, "out of memory for a table of coefficients");
+      break;
+    }
+    points = grown;
+    code = asp_csv_row(csv, &found, error);
+    if (code || !found)
+      break;
+    code = read_point(csv, &at, metre_per_second, &points[*count], error);
+  }
+  if (!code)
+    return points;
+  free(points);
+  return NULL;
+}
+
+static bool looks_like_radians(const asp_cor_point *points, size_t count) {
+  for (size_t i = 0; i < count; i++)
+    if (points[i].alpha1 * DEGREES >= 1.6)
+      return false;
+  return count > 0;
+}
+
+asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp_error *error) {
+  asp_csv *csv = asp_csv_open(path, error);
+  size_t count = 0;
+  asp_cor_point *points = csv ? read_points(csv, metre_per_second, &count, error) : NULL;
+  asp_cor_table *table = NULL;
+  asp_error wrong;
+  if (points && looks_like_radians(points, count)) {
+    asp_fail(error, ASP_EDATA, "%.200s: all angles are below 1.6; alpha1_deg is in degrees", path);
+  } else if (points) {
+    table = asp_cor_table_create(points, count, &wrong);
+    if (!table)
+      asp_fail(error, wrong.code, "%.150s: %.300s", path, wrong.text);
+  }
+  free(points);
+  asp_csv_close(csv);
+  return table;
+}
+
+/* The last speed that is not above, and the part of the way to the next. */
+static size_t find_speed(const asp_cor_table *t, double speed, double *part) {
+  *part = 0;
+  if (!(speed > t->speeds[0]))
+    return 0;
+  if (speed >= t->speeds[t->n_speeds - 1])
+    return t->n_speeds - 1;
+  size_t i = gsl_interp_bsearch(t->speeds, speed, 0, t->n_speeds - 1);
+  *part = (speed - t->speeds[i]) / (t->speeds[i + 1] - t->speeds[i]);
+  return i;
+}
+
+void asp_cor_table_at(const asp_cor_table *t, double speed, double alpha1, double *cor_n,
+                      double *cor_t) {
+  double part, angle = fmin(fmax(alpha1, t->angles[0]), t->angles[t->n_angles - 1]);
+  size_t i = find_speed(t, speed, &part), n = t->n_angles;
+  *cor_n = gsl_interp_eval(t->in_n[i], t->angles, &t->cor_n[i * n], angle, NULL);
+  *cor_t = gsl_interp_eval(t->in_t[i], t->angles, &t->cor_t[i * n], angle, NULL);
+  if (!(part > 0))
+    return;
+  i++;
+  *cor_n += part * (gsl_interp_eval(t->in_n[i], t->angles, &t->cor_n[i * n], angle, NULL) - *cor_n);
+  *cor_t += part * (gsl_interp_eval(t->in_t[i], t->angles, &t->cor_t[i * n], angle, NULL) - *cor_t);
+}

@@ -1,0 +1,21 @@
+/* The user's own coefficients of restitution over impact angle and speed, about the face that is
+ * hit; see asp_cor_table. Nothing sticks unless the table says cor_n = 0. */
+#include "rebound/laws.h"
+
+#include <math.h>
+
+static asp_bounce rebound(const double *p, const asp_hit *hit) {
+  (void)p;
+  double n1 = hit->v_n1, t1 = hit->v_t1, cor_n, cor_t;
+  asp_cor_table_at(hit->table, sqrt(n1 * n1 + t1 * t1), atan2(n1, t1), &cor_n, &cor_t);
+  return asp_bounce_capped(hit, cor_n, cor_t);
+}
+
+const asp_rebound_law asp_rebound_table = {
+    .name = "table",
+    .summary = "the user's coefficients over impact angle and speed, interpolated",
+    .source = "the user's file",
+    .needs_table = true,
+    .measured = true,
+    .rebound = rebound,
+};

@@ -1,0 +1,135 @@
+#!/usr/bin/env bash
+# The commands rebound and compare, and laws, tables and materials of the user's own in all commands.
+set -euo pipefail
+asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
+asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+data=$(cd "$(dirname "$0")/../../examples/data" && pwd)
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+rows() { grep -v '^#' "$1" | tail -n +2; }
+header() { grep -v '^#' "$1" | head -n 1; }
+# column NAME FILE: that column of its rows
+column() { awk -F, -v name="$1" '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == name) k = i; next } { print $k }' "$2"; }
+
+# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, writes nothing.
+refuses() {
+  local status=$1 words=() got=0; shift
+  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
+  "$asperity" "$@" > out 2> err || got=$?
+  [ $got = "$status" ] || die "exit $got, not $status: asperity $*: $(cat err)"
+  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
+  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
+}
+
+# rebound: the regimes of 10 um quartz on Hastelloy X, capture at 5.8 m/s, always under 1.6 um.
+"$asperity" rebound --dp 10um --speed 5.7,5.9,10,100 > r
+[ "$(header r)" = dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome ] || die "rebound: columns"
+[ "$(column outcome r | paste -sd' ')" = "deposit rebound rebound rebound" ] || die "rebound: outcomes: $(cat r)"
+"$asperity" rebound --map capture --dp 1um,10um --wall hastelloy-x,ti-6al-4v > c
+[ "$(column capture_speed_m_s c | head -n 1)" = "" ] || die "capture: 1 um is caught at any speed"
+column capture_speed_m_s c | awk 'NR == 2 { exit !($1 > 5.7 && $1 < 5.9) }' || die "capture: $(cat c)"
+"$asperity" rebound --map capture --dp 10um --gamma 0 > c
+[ "$(column capture_speed_m_s c)" = 0 ] || die "capture without adhesion: $(cat c)"
+"$asperity" rebound --map capture --dp 0.5um:200um --points 9 > c
+[ "$(rows c | wc -l)" = 9 ] && [ "$(column dp_um c | sed -n '1p;9p' | paste -sd' ')" = "0.5 200" ] || die "equal ratios: $(cat c)"
+"$asperity" rebound --map angles --angles 30,90 --rebound grant_tabakoff > a
+[ "$(column cor_n a | head -n 1)" = 0.428811 ] && [ "$(column cor_t a | tail -n 1)" = "" ] || die "angles: $(cat a)"
+"$asperity" rebound --map angles --angles 45 --set temperature=1400 --gamma 0 > a
+"$asperity" rebound --map angles --angles 45 --yield 110e6 --gamma 0 > b
+[ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: temperature"
+"$asperity" rebound --list > list
+for law in bons constant grant_tabakoff table; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
+grep -q '^bons,temperature,K,0,' list || die "rebound --list: parameters"
+for map in regimes capture angles; do
+  "$asperity" rebound --map $map --points 5 --plot $map.png -o $map.csv 2> err
+  head -c 4 $map.png | grep -q PNG || die "rebound --map $map --plot"
+done
+refuses 2 "regimes, capture or angles" -- rebound --map all
+refuses 2 "from < to" -- rebound --dp 2um:1um
+refuses 2 "one angle" -- rebound --map capture --angles 10,20
+refuses 2 "one wall" -- rebound --wall ti-6al-4v,hastelloy-x
+refuses 2 "--set" "NAME=VALUE" -- rebound --set a
+refuses 2 "--set" "'gloss'" "yield_rate" -- rebound --set gloss=1
+refuses 2 "--set" "c is 99" "0 to 10" -- rebound --set c=99
+
+# table: a user's coefficients
+printf 'alpha1_deg,v1_m_s,cor_n,cor_t\n10,50,0.9,0.8\n80,50,0.3,0.7\n10,150,0.7,0.6\n80,150,0.1,0.5\n' > law.csv
+"$asperity" rebound --map angles --rebound table --table law.csv --angles 45 --speed 100 > a
+[ "$(column cor_n a),$(column cor_t a)" = 0.5,0.65 ] || die "table: $(cat a)"
+refuses 2 "needs --table" -- rebound --rebound table
+refuses 2 "--rebound is 'bons'" -- rebound --table law.csv
+refuses 2 "no.csv" "No such file" -- rebound --rebound table --table no.csv
+sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound --rebound table --table gap.csv
+(cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- rebound --rebound table --table twice.csv
+
+# Scatter that is counted twice: the means warn, the scatter is refused unless asked for.
+"$asperity" cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --samples 2 -o x 2> err
+grep -q "warning.*second time" err || die "cor: no warning: $(cat err)"
+refuses 2 "twice" "scatter_twice" -- cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --set scatter=1
+"$asperity" cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --set scatter=1 --scatter-twice --samples 2 -o x 2> err
+"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --samples 2 -o x 2> err
+[ ! -s err ] || die "cor: a warning on a smooth wall: $(cat err)"
+
+# materials: what the command prints can be edited and read again.
+"$asperity" materials -o mine.csv
+sed -i 's/^quartz,"quartz",7e+10/quartz,"my ""quartz""",5e+10/; s/^al-2024/alu/' mine.csv
+"$asperity" materials --materials mine.csv > all
+[ "$(rows all | grep -c '^quartz,')" = 1 ] && grep -q '^quartz,"my ""quartz""",5e+10' all && grep -q '^alu,' all && grep -q '^al-2024,' all || die "materials: $(cat all)"
+"$asperity" rebound --map capture --dp 10um --materials mine.csv --particle quartz --wall alu > a
+"$asperity" rebound --map capture --dp 10um --particle quartz --wall al-2024 > b
+[ "$(column capture_speed_m_s a)" != "$(column capture_speed_m_s b)" ] || die "materials: own quartz is not taken"
+refuses 2 "'alu'" -- rebound --wall alu
+refuses 2 "yield stress" -- rebound --particle al-2024
+printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nchalk,soft,0.2,2000\n' > bad.csv
+refuses 2 "bad.csv:2" "'soft'" -- materials --materials bad.csv
+
+# compare: the law's own scatter against the data that it is made of.
+"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --dp 100um --samples 300 -o gt.csv
+"$asperity" compare gt.csv "$data/grant_tabakoff_1975.csv" --plot gt.png > g 2> err
+head -c 4 gt.png | grep -q PNG || die "compare --plot"
+[ "$(rows g | wc -l)" = 34 ] || die "compare: rows"
+rows g | awk -F, '$14 != "" && ($14 > 0.2 || $14 < -0.2) { print; bad = 1 } END { exit bad }' || die "compare: means"
+grep -q '^# note:.*' g || die "compare: no note"
+
+# points: a sample against itself has distance 0; against a shifted one it is told apart.
+awk -F, '/^#/ { next } NR == 2 { print "note;alpha1_deg;cor_n"; next } NR % 40 == 0 { sub(/\./, ",", $8); print "x;" $3 ";" $8 }' gt.csv > self.csv
+"$asperity" compare gt.csv self.csv > s
+[ "$(column coefficient s | sort | uniq -c | awk '{ print $1 }' | paste -sd' ')" = "9 9" ] || die "compare: bins"
+rows s | awk -F, '$1 == "cor_n" { if ($17 < 1e-3 || $15 < 0.7) bad = 1; n++ } $1 == "cor_t" && $11 != "" { bad = 1 } END { exit bad || n != 9 }' || die "compare: the same law is told apart: $(cat s)"
+awk -F';' 'NR > 1 { sub(/,/, ".", $3); $3 *= 2; } { print $2 "," $3 }' self.csv | sed '1s/.*/alpha1_deg,cor_n/' > twice.csv
+"$asperity" compare gt.csv twice.csv > s
+rows s | awk -F, '$1 == "cor_n" && $17 > 1e-6 { bad = 1 } END { exit bad }' || die "compare: another law is not told apart: $(cat s)"
+# Kolmogorov's distribution: D = 1/2 between {1, 2} and {2, 3}; Q((1 + 0.12 + 0.11)/2) = 0.8439 there.
+printf 'alpha1_deg,cor_n\n45,0.1\n45,0.2\n' > two; printf 'alpha1_deg,cor_n\n45,0.2\n45,0.3\n' > three
+"$asperity" compare two three --bin 90 > s
+rows s | awk -F, 'NR == 1 { d = $17 - 0.8439; exit !($16 == 0.5 && d < 2e-4 && d > -2e-4) }' || die "compare: p-value: $(cat s)"
+
+# a LIGGGHTS dump of the wall's array, in blocks, columns in any order, outcome by number
+{ for step in 1000 2000; do
+    printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ENTRIES\n3\nITEM: BOX BOUNDS f f f\n0 1\n0 1\n0 1\nITEM: ENTRIES f_wall[17] f_wall[11] f_wall[18] f_wall[19] f_wall[12] \n' $step
+    printf '0.5 30 0.7 0 1.5 \n0 30 0 1 2 \n0.25 90 0 0 0 \n'
+  done; } > dump
+printf 'alpha1_deg,cor_n,cor_t\n30,0.5,0.7\n88,0.3,0.9\n' > d.csv
+"$asperity" compare dump d.csv > s 2> err
+grep -q '^# 4 rebounds, 2 deposits' s && grep -q '^cor_n,30,40,2,0.5,' s && grep -q '^cor_t,30,40,2,0.7,' s && grep -q '^cor_t,80,90,0,' s || die "compare: dump: $(cat s)"
+grep -q "warning: cor_t: 1 of 2 bins" err || die "compare: empty bins: $(cat err)"
+
+# what goes wrong
+printf '\xef\xbb\xbfalpha1_deg\tcor_n\r\n30\t0,5\r\n' > bom.csv; "$asperity" compare gt.csv bom.csv > s || die "compare: byte-order mark"
+printf 'alpha1_deg,cor_n\n0.5,0.9\n1.2,0.6\n' > rad.csv; "$asperity" compare gt.csv rad.csv > s 2> err
+grep -q "look like radians" err || die "compare: radians: $(cat err)"
+"$asperity" cor --rq 5um --lambda-c 40um --yield-rate 3e6 --samples 9 -o rough.csv
+"$asperity" compare rough.csv d.csv > s 2> err; grep -q "counted twice" err || die "compare: double counting: $(cat err)"
+refuses 2 "two files" -- compare gt.csv
+refuses 1 "no.csv" -- compare no.csv d.csv
+refuses 1 "no.csv" -- compare gt.csv no.csv
+printf 'angle,cor_n\n30,0.5\n' > bad.csv; refuses 2 "'alpha1_deg' is missing" "angle cor_n" -- compare gt.csv bad.csv
+printf 'alpha1_deg,e_n\n30,0.5\n' > bad.csv; refuses 2 "neither points nor means" -- compare gt.csv bad.csv
+printf 'alpha1_deg,cor_n,cor_n_mean\n30,0.5,0.5\n' > bad.csv; refuses 2 "both points and means" -- compare gt.csv bad.csv
+printf 'alpha1_deg,cor_n\n30,0.5\n40 0.6\n' > bad.csv; refuses 2 "bad.csv:3" "1 fields" -- compare gt.csv bad.csv
+printf 'alpha1_deg,cor_n\n120,0.5\n' > bad.csv; refuses 2 "bad.csv:2" "0 to 90" -- compare gt.csv bad.csv
+printf 'alpha1_deg,cor_n\n' > bad.csv; refuses 2 "no row of data" -- compare gt.csv bad.csv
+printf 'alpha1_deg,cor_n,outcome\n30,0.5,rebound\n' > few.csv; printf 'alpha1_deg,cor_n\n60,0.5\n' > far.csv
+"$asperity" compare few.csv far.csv > s 2> err && die "compare: no overlap"
+grep -q "do not overlap" err || die "compare: $(cat err)"
+exit 0

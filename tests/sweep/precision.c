@@ -1,0 +1,224 @@
+/* Rebound laws against the same laws in long double, written out anew: precision [COUNT [SEED]].
+ *
+ * Random hits over the extremes that the project allows. Near the capture threshold v_n2 is as ill
+ * conditioned as the difference it is made of, and v_t2 is where friction stops it; so the table
+ * has a row per decade of the distance from there: the largest relative error, the same in ulps,
+ * and how often capture was decided otherwise than in long double. Fails when an error is over
+ * 1e-12 beyond a distance of 1e-3, or a capture is wrong beyond 1e-12. */
+#include "asperity.h"
+
+#include <float.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define ALLOWED 1e-12
+#define FAR 1e-3
+#define DECIDED 1e-12
+
+enum { DECADES = 17 };
+
+typedef struct decade {
+  long count, wrong_capture;
+  double worst, ulps;
+} decade;
+
+typedef struct table {
+  decade rows[DECADES];
+} table;
+
+static double between(asp_stream *s, double low, double high) {
+  return low + (high - low) * asp_stream_uniform(s);
+}
+
+static double power_of_ten(asp_stream *s, double low, double high) {
+  return pow(10, between(s, low, high));
+}
+
+static double or_zero(asp_stream *s, double low, double high) {
+  return asp_stream_uniform(s) < 0.1 ? 0 : power_of_ten(s, low, high);
+}
+
+/* The law in long double, and how far the hit is from the places where digits go. */
+typedef struct reference {
+  long double v_n2, v_t2;
+  double from_capture, from_stop;
+  bool captured;
+} reference;
+
+/* The share of the yield stress that heat leaves. */
+static long double softened(const double *p) {
+  long double over = (long double)p[4] - p[5];
+  return over > 0 ? fmaxl(0, 1 - p[6] * over) : 1;
+}
+
+static long double yield_speed(const double *p, const asp_hit *hit, long double speed) {
+  long double yield = p[0] > 0 ? p[0] * speed : (long double)hit->pair->yield_stress;
+  return yield * softened(p) / sqrtl((long double)hit->density * hit->pair->modulus);
+}
+
+static reference bons(const double *p, const asp_hit *hit) {
+  long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1;
+  long double v_y = yield_speed(p, hit, sqrtl(speed2)), spring = fminl(n1, v_y);
+  long double ratio = n1 < v_y ? n1 / v_y : 1;
+  long double share = p[1] + p[2] * powl(ratio, p[3]);
+  long double taken =
+      6 * (long double)hit->pair->surface_energy * share / ((long double)hit->density * hit->d_p);
+  long double left = spring * spring - taken;
+  reference r = {.captured = !(left > 0)};
+  r.v_n2 = left > 0 ? sqrtl(left) : 0;
+  r.from_capture = fmin((double)(fabsl(left) / fmaxl(spring * spring, taken)), (double)softened(p));
+  long double lost = hit->pair->friction * (n1 + r.v_n2) * t1 * t1 / speed2;
+  r.v_t2 = fmaxl(0, t1 - lost);
+  r.from_stop = fmin((double)(fabsl(t1 - lost) / fmaxl(t1, lost)), r.from_capture);
+  return r;
+}
+
+static decade *row_of(table *t, double distance) {
+  int k = distance > 0 ? (int)floor(-log10(distance)) : DECADES - 1;
+  return &t->rows[k < 0 ? 0 : k < DECADES ? k : DECADES - 1];
+}
+
+static void note(table *t, double distance, double is, long double should) {
+  decade *row = row_of(t, distance);
+  row->count++;
+  if (!(should > DBL_MIN))
+    return;
+  double error = (double)fabsl((is - should) / should);
+  double value = (double)should, ulp = nextafter(value, INFINITY) - value;
+  if (error > row->worst) {
+    row->worst = error;
+    row->ulps = (double)fabsl((is - should) / ulp);
+  }
+}
+
+static void choose_pair(asp_stream *s, asp_pair *pair) {
+  asp_pair_create(power_of_ten(s, 0, 15), between(s, -0.99, 0.49), power_of_ten(s, 0, 15),
+                  between(s, -0.99, 0.49), or_zero(s, -3, 13), 0, or_zero(s, -6, 1), pair, NULL);
+}
+
+/* Nine in ten surface energies are chosen near the capture threshold of the hit. */
+static void choose_energy(asp_stream *s, const double *p, asp_pair *pair, const asp_hit *hit) {
+  pair->surface_energy = 1;
+  reference r = bons(p, hit);
+  pair->surface_energy = 0;
+  long double spring = bons(p, hit).v_n2, taken = spring * spring - r.v_n2 * r.v_n2;
+  pair->surface_energy = or_zero(s, -12, 6);
+  if (r.captured) {
+    long double share = p[1] + p[2];
+    taken = 6 * share / ((long double)hit->density * hit->d_p);
+  }
+  double at = taken > 0 ? (double)(spring * spring / taken) : 0;
+  double off = power_of_ten(s, -16, 0) * (asp_stream_uniform(s) < 0.5 ? 1 : -1);
+  if (asp_stream_uniform(s) < 0.9 && at > 0 && at < 1e6)
+    pair->surface_energy = at * (1 + off);
+}
+
+/* A hit in four is given the friction that just stops it, or nearly. */
+static void choose_friction(asp_stream *s, const double *p, asp_pair *pair, const asp_hit *hit) {
+  if (asp_stream_uniform(s) > 0.25)
+    return;
+  double n1 = hit->v_n1, t1 = hit->v_t1, lost = (n1 + (double)bons(p, hit).v_n2) * t1;
+  double off = power_of_ten(s, -16, 0) * (asp_stream_uniform(s) < 0.5 ? 1 : -1);
+  pair->friction = (n1 * n1 + t1 * t1) / lost * (1 + off);
+}
+
+static void choose_parameters(asp_stream *s, const asp_rebound_law *law, double *p) {
+  for (int k = 0; k < law->n_parameters; k++)
+    p[k] = law->parameters[k].fallback;
+  if (asp_stream_uniform(s) < 0.3)
+    p[0] = power_of_ten(s, 0, 10);
+  if (asp_stream_uniform(s) < 0.3)
+    p[3] = between(s, 0, 10);
+  if (asp_stream_uniform(s) < 0.3)
+    p[4] = between(s, 0, 2000);
+}
+
+static void measure(uint32_t seed, long count, table *normal, table *tangential) {
+  const asp_rebound_law *law = asp_rebound_find("bons", NULL);
+  for (long i = 0; i < count; i++) {
+    asp_stream s = asp_stream_create((asp_key){seed, 3, (uint64_t)i, 0});
+    double p[ASP_PARAMETERS_MAX] = {0};
+    choose_parameters(&s, law, p);
+    double speed = power_of_ten(&s, -9, 5), alpha = ASP_PI / 2 * power_of_ten(&s, -15, 0);
+    asp_pair pair;
+    choose_pair(&s, &pair);
+    asp_hit hit = {.v_n1 = speed * sin(alpha),
+                   .v_t1 = speed * cos(alpha),
+                   .d_p = power_of_ten(&s, -9, -1),
+                   .density = power_of_ten(&s, -3, 6),
+                   .pair = &pair,
+                   .adhesion = true};
+    choose_energy(&s, p, &pair, &hit);
+    choose_friction(&s, p, &pair, &hit);
+    reference r = bons(p, &hit);
+    asp_bounce b = law->rebound(p, &hit);
+    bool captured = !(b.v_n2 > 0);
+    row_of(normal, r.from_capture)->wrong_capture += captured != r.captured;
+    if (captured == r.captured) {
+      note(normal, r.from_capture, b.v_n2, r.v_n2);
+      note(tangential, r.from_stop, b.v_t2, r.v_t2);
+    }
+  }
+}
+
+static int print(const char *name, const table *t) {
+  int bad = 0;
+  for (int k = 0; k < DECADES; k++) {
+    const decade *row = &t->rows[k];
+    double least = pow(10, -k - 1);
+    printf("%s,1e-%d,%ld,%.3g,%.3g,%ld\n", name, k + 1, row->count, row->worst, row->ulps,
+           row->wrong_capture);
+    bad += least >= FAR * (1 - 1e-9) && row->worst > ALLOWED;
+    bad += least >= DECIDED * (1 - 1e-9) && row->wrong_capture > 0;
+  }
+  return bad;
+}
+
+/* Models' distributions against their densities by quadrature, sigma 1e-3 to 50 degrees. */
+typedef struct model_at {
+  const asp_spread_model *model;
+  asp_view view;
+} model_at;
+
+static double density_of(double delta, void *at) {
+  const model_at *m = at;
+  return m->model->density(&m->view, delta);
+}
+
+static double worst_distribution(const asp_spread_model *model, asp_stream *s, int count) {
+  gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
+  double worst = 0;
+  for (int i = 0; i < count; i++) {
+    model_at at = {model, asp_view_create(ASP_PI / 180 * power_of_ten(s, -3, 1.7),
+                                          ASP_PI / 180 * between(s, 0.5, 90))};
+    double u = between(s, 0.05, 0.95), v = between(s, 0.05, 0.95), sum, error;
+    double a = model->quantile(&at.view, u), b = model->quantile(&at.view, v);
+    gsl_function f = {density_of, &at};
+    gsl_integration_qag(&f, a, b, 0, 1e-12, 1000, GSL_INTEG_GAUSS31, room, &sum, &error);
+    worst = fmax(worst, fabs(sum - (v - u)));
+  }
+  gsl_integration_workspace_free(room);
+  return worst;
+}
+
+int main(int argc, char **argv) {
+  long count = argc > 1 ? atol(argv[1]) : 200000;
+  uint32_t seed = argc > 2 ? (uint32_t)atol(argv[2]) : 1;
+  table normal = {0}, tangential = {0};
+  gsl_set_error_handler_off();
+  measure(seed, count, &normal, &tangential);
+  printf("# bons against long double: %ld hits, seed %u\n", count, seed);
+  puts("quantity,distance_from_threshold,hits,worst_relative_error,ulps,wrong_captures");
+  int bad = print("v_n2", &normal) + print("v_t2", &tangential);
+  puts("# spread models: quantile and density by quadrature\nmodel,worst_error_of_distribution");
+  asp_stream s = asp_stream_create((asp_key){seed, 4, 0, 0});
+  for (int i = 0; i < asp_spread_count(); i++) {
+    const asp_spread_model *model = asp_spread_at(i);
+    if (model->density && model->quantile)
+      printf("%s,%.3g\n", model->name, worst_distribution(model, &s, 500));
+  }
+  return bad ? 1 : 0;
+}

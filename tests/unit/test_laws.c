@@ -1,0 +1,281 @@
+/* The laws that come from measurements: Grant & Tabakoff's means and scatter, tables of a user's
+ * coefficients; and a user's own materials. */
+#include "check.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+/* A file with that text; its name is kept until the next one. */
+static const char *file_of(const char *text) {
+  static char path[64];
+  snprintf(path, sizeof path, "/tmp/asperity-test-XXXXXX");
+  int handle = mkstemp(path);
+  assert_true(handle >= 0);
+  assert_int_equal(write(handle, text, strlen(text)), (int)strlen(text));
+  close(handle);
+  return path;
+}
+
+static asp_bounce bounce_of(const char *name, const double *parameters, const asp_cor_table *table,
+                            double degrees, double speed, asp_stream *stream) {
+  const asp_rebound_law *law = asp_rebound_find(name, NULL);
+  double alpha = degrees * M_PI / 180;
+  asp_hit hit = {.v_n1 = speed * sin(alpha),
+                 .v_t1 = speed * cos(alpha),
+                 .d_p = 1e-4,
+                 .density = 2650,
+                 .table = table,
+                 .stream = stream};
+  return law->rebound(parameters, &hit);
+}
+
+/* The polynomials, worked out by hand at 30 and 60 degrees. */
+static void grant_tabakoff_means(void **state) {
+  (void)state;
+  static const double table[][3] = {{30, 0.428811, 0.601118}, {60, 0.297957, 0.794111}};
+  static const double none[ASP_PARAMETERS_MAX];
+  for (int i = 0; i < 2; i++) {
+    double alpha = table[i][0] * M_PI / 180;
+    asp_bounce b = bounce_of("grant_tabakoff", none, NULL, table[i][0], 100, NULL);
+    assert_near(b.v_n2 / (100 * sin(alpha)), table[i][1], 1e-6);
+    assert_near(b.v_t2 / (100 * cos(alpha)), table[i][2], 1e-6);
+  }
+}
+
+/* Its own scatter has the measured means and standard deviations, here at 60 degrees. */
+static void grant_tabakoff_scatter(void **state) {
+  (void)state;
+  enum { N = 40000 };
+  static const double all[ASP_PARAMETERS_MAX] = {1};
+  double b = M_PI / 3, mean = 0, square = 0;
+  double sd = 2.15 * b - 5.02 * b * b + 4.05 * b * b * b - 1.085 * b * b * b * b;
+  for (uint64_t i = 1; i <= N; i++) {
+    asp_stream stream = asp_stream_create((asp_key){1, 1, i, 1});
+    double e_n = bounce_of("grant_tabakoff", all, NULL, 60, 1, &stream).v_n2 / sin(b), step;
+    assert_true(e_n > 0);
+    step = e_n - mean;
+    mean += step / (double)i;
+    square += step * (e_n - mean);
+  }
+  assert_near(mean, 0.297957, 5 * sd / sqrt(N));
+  assert_near(sqrt(square / N), sd, 0.03 * sd);
+}
+
+/* A measured scatter holds roughness: with a rough surface it is refused, unless asked for. */
+static void scatter_is_not_counted_twice(void **state) {
+  (void)state;
+  asp_error error;
+  asp_wall_spec spec = asp_wall_spec_default();
+  asp_surface *surface = asp_surface_create(5e-6, 40e-6, NULL);
+  spec.surface = surface;
+  spec.spread = "weibull";
+  assert_int_equal(asp_wall_spec_rebound(&spec, "grant_tabakoff", NULL), ASP_OK);
+  asp_wall *wall = asp_wall_create(&spec, &error);
+  assert_non_null(wall);
+  asp_wall_free(wall);
+  assert_int_equal(asp_wall_spec_set(&spec, "scatter", 1, NULL), ASP_OK);
+  assert_null(asp_wall_create(&spec, &error));
+  assert_non_null(strstr(error.text, "twice"));
+  spec.scatter_twice = true;
+  wall = asp_wall_create(&spec, &error);
+  assert_non_null(wall);
+  asp_wall_free(wall);
+  spec.scatter_twice = false;
+  spec.spread = "none";
+  wall = asp_wall_create(&spec, &error);
+  assert_non_null(wall);
+  asp_wall_free(wall);
+  asp_surface_free(surface);
+}
+
+static const asp_cor_point points[] = {
+    {100, 1.2, 0.3, 0.7}, {10, 0.2, 0.9, 0.8},  {10, 0.6, 0.6, 0.75},
+    {10, 1.2, 0.5, 0.75}, {100, 0.2, 0.8, 0.7}, {100, 0.6, 0.4, 0.6},
+};
+enum { N_POINTS = sizeof points / sizeof *points };
+
+static void table_meets_its_points(void **state) {
+  (void)state;
+  asp_cor_table *table = asp_cor_table_create(points, N_POINTS, NULL);
+  assert_non_null(table);
+  double n, t;
+  for (int i = 0; i < N_POINTS; i++) {
+    asp_cor_table_at(table, points[i].speed, points[i].alpha1, &n, &t);
+    assert_near(n, points[i].cor_n, 1e-15);
+    assert_near(t, points[i].cor_t, 1e-15);
+  }
+  asp_cor_table_at(table, 55, 0.6, &n, &t);
+  assert_near(n, 0.5, 1e-15);
+  asp_cor_table_at(table, 1, 0, &n, &t);
+  assert_near(n, 0.9, 1e-15);
+  asp_cor_table_at(table, 1e5, M_PI_2, &n, &t);
+  assert_near(n, 0.3, 1e-15);
+  asp_cor_table_free(table);
+}
+
+/* Between points of falling cor_n it falls, at every speed; and the rebound has no more energy. */
+static void table_is_monotone(void **state) {
+  (void)state;
+  asp_cor_table *table = asp_cor_table_create(points, N_POINTS, NULL);
+  for (double speed = 5; speed < 200; speed += 3) {
+    double last = 2, n, t;
+    for (double alpha = 0; alpha < M_PI_2; alpha += 1e-3) {
+      asp_cor_table_at(table, speed, alpha, &n, &t);
+      assert_true(n <= last && n >= 0.3);
+      last = n;
+      asp_bounce b = bounce_of("table", NULL, table, alpha * 180 / M_PI, speed, NULL);
+      assert_true(hypot(b.v_n2, b.v_t2) <= speed * (1 + 1e-15));
+    }
+  }
+  asp_cor_table_free(table);
+}
+
+static void table_law_needs_a_table(void **state) {
+  (void)state;
+  asp_error error;
+  asp_wall_spec spec = asp_wall_spec_default();
+  assert_int_equal(asp_wall_spec_rebound(&spec, "table", NULL), ASP_OK);
+  assert_null(asp_wall_create(&spec, &error));
+  assert_non_null(strstr(error.text, "needs a table"));
+  asp_cor_table *table = asp_cor_table_create(points, N_POINTS, NULL);
+  spec.table = table;
+  asp_wall *wall = asp_wall_create(&spec, &error);
+  assert_non_null(wall);
+  asp_particle grain = {1e-4, 2650, NULL};
+  double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
+  asp_impact impact;
+  asp_wall_impact(wall, &grain, v1, n, (asp_key){1, 1, 1, 1}, &impact);
+  assert_near(impact.v2[2], 6 * sin(0.6), 1e-14);
+  assert_near(impact.v2[0], 7.5 * cos(0.6), 1e-14);
+  asp_wall_free(wall);
+  asp_cor_table_free(table);
+}
+
+static void tables_are_read(void **state) {
+  (void)state;
+  static const char *const same[] = {
+      "alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n",
+      "\xef\xbb\xbf# rig 3\r\nalpha1_deg;cor_n;cor_t;note\r\n10;0,9;0,8;\"a; "
+      "b\"\r\n80;0,3;0,7;-\r\n",
+      "\nalpha1_deg cor_n cor_t\n  80 0.3 0.7\n  10 0.9 0.8",
+      "cor_t\talpha1_deg\tv1_m_s\tcor_n\n0.8\t10\t5\t0.9\n0.7\t80\t5\t0.3\n",
+  };
+  for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+    asp_error error = {0};
+    const char *path = file_of(same[i]);
+    asp_cor_table *table = asp_cor_table_read(path, 1, &error);
+    unlink(path);
+    assert_string_equal(error.text, "");
+    assert_non_null(table);
+    double n, t;
+    asp_cor_table_at(table, 5, M_PI / 4, &n, &t);
+    assert_near(n, 0.6, 1e-12);
+    assert_near(t, 0.75, 1e-12);
+    asp_cor_table_free(table);
+  }
+}
+
+static void bad_tables_are_named(void **state) {
+  (void)state;
+  static const struct {
+    const char *text, *words[2];
+  } bad[] = {
+      {"", {"without column names", NULL}},
+      {"alpha1_deg,cor_n\n10,0.9\n", {"'cor_t' is missing", "alpha1_deg cor_n"}},
+      {"10,0.9,0.8\n20,0.8,0.7\n", {":1:", "'10' stands where a column name"}},
+      {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n10,0.8,0.8\n", {"two rows", "10 degrees"}},
+      {"alpha1_deg,cor_n,cor_t\n10,,0.8\n20,0.8,0.8\n", {":2:", "cor_n is ''"}},
+      {"alpha1_deg,cor_n,cor_t\n10,0,9,0,8\n20,0,8,0,8\n", {":2:", "decimal commas"}},
+      {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n95,0.8,0.8\n", {":3:", "0 to 90"}},
+      {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n45,1.2,0.9\n", {":3:", "times the energy"}},
+      {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n45,abc,0.9\n", {":3:", "'abc'"}},
+      {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n", {"one angle", NULL}},
+      {"alpha1_deg,cor_n,cor_t\n", {"without a row", NULL}},
+      {"alpha1_deg,cor_n,cor_t\n0.1,0.9,0.8\n1.5,0.5,0.5\n", {"degrees", "below 1.6"}},
+      {"alpha1_deg,v1_m_s,cor_n,cor_t\n10,5,0.9,0.8\n20,5,0.9,0.8\n10,9,0.9,0.8\n",
+       {"a gap", "speed 9"}},
+      {"alpha1_deg,v1_m_s,cor_n,cor_t\n10,5,0.9,0.8\n20,5,0.9,0.8\n10,9,0.9,0.8\n30,9,0.9,0.8\n",
+       {"a gap", "speed 9"}},
+  };
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    asp_error error = {0};
+    const char *path = file_of(bad[i].text);
+    assert_null(asp_cor_table_read(path, 1, &error));
+    assert_non_null(strstr(error.text, path));
+    for (int k = 0; k < 2 && bad[i].words[k]; k++)
+      if (!strstr(error.text, bad[i].words[k]))
+        fail_msg("'%s' is not in: %s", bad[i].words[k], error.text);
+    unlink(path);
+  }
+}
+
+static void own_materials(void **state) {
+  (void)state;
+  asp_error error = {0};
+  const char *path = file_of(
+      "# our own\n"
+      "name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source,seen\n"
+      "fly-ash,\"Fly ash, plant \"\"B\"\"\",5e10,0.2,2100,1.5e8,\"Smith 1999, table 2\",yes\n"
+      "quartz,,7.2e10,0.17,2650,,,\n");
+  asp_materials *own = asp_materials_read(path, &error);
+  assert_string_equal(error.text, "");
+  assert_non_null(own);
+  unlink(path);
+  assert_int_equal(asp_materials_count(own), 2);
+  const asp_material *ash = asp_materials_find(own, "fly-ash", NULL);
+  assert_string_equal(ash->title, "Fly ash, plant \"B\"");
+  assert_string_equal(ash->source, "Smith 1999, table 2");
+  assert_true(ash->seen);
+  assert_near(ash->youngs_modulus, 5e10, 0);
+  assert_near(ash->yield_stress, 1.5e8, 0);
+  assert_near(asp_materials_find(own, "quartz", NULL)->youngs_modulus, 7.2e10, 0);
+  assert_near(asp_materials_find(own, "quartz", NULL)->yield_stress, 0, 0);
+  assert_ptr_equal(asp_materials_find(own, "al-2024", NULL), asp_material_find("al-2024", NULL));
+  assert_ptr_equal(asp_materials_find(NULL, "ard", NULL), asp_material_find("ard", NULL));
+  assert_null(asp_materials_find(own, "chalk", &error));
+  assert_non_null(strstr(error.text, "fly-ash"));
+  assert_non_null(strstr(error.text, "hastelloy-x"));
+  asp_materials_free(own);
+}
+
+#define MATERIAL_COLUMNS "name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n"
+static void bad_materials_are_named(void **state) {
+  (void)state;
+  static const char *const bad[][2] = {
+      {"name,youngs_modulus_pa,poissons_ratio\na,1,0\n", "'density_kg_m3' is missing"},
+      {MATERIAL_COLUMNS "a,1e9,0.2,1000\na,1e9,0.2,1000\n", ":3: material 'a' a second time"},
+      {MATERIAL_COLUMNS "a,-1e9,0.2,1000\n", ":2: youngs_modulus_pa is -1e+09"},
+      {MATERIAL_COLUMNS "a,1e9,0.7,1000\n", ":2: poissons_ratio is 0.7"},
+      {MATERIAL_COLUMNS "a,1e9,0.2\n", ":2: 3 fields under 4"},
+      {MATERIAL_COLUMNS "a,1e9,0.2,\n", ":2: density_kg_m3 is ''"},
+      {MATERIAL_COLUMNS "a b,1e9,0.2,1000\n", "one word"},
+  };
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    asp_error error = {0};
+    const char *path = file_of(bad[i][0]);
+    assert_null(asp_materials_read(path, &error));
+    assert_non_null(strstr(error.text, path));
+    if (!strstr(error.text, bad[i][1]))
+      fail_msg("'%s' is not in: %s", bad[i][1], error.text);
+    unlink(path);
+  }
+  asp_error error;
+  assert_null(asp_materials_read("/nowhere/materials.csv", &error));
+  assert_int_equal(error.code, ASP_EFILE);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(grant_tabakoff_means),
+      cmocka_unit_test(grant_tabakoff_scatter),
+      cmocka_unit_test(scatter_is_not_counted_twice),
+      cmocka_unit_test(table_meets_its_points),
+      cmocka_unit_test(table_is_monotone),
+      cmocka_unit_test(table_law_needs_a_table),
+      cmocka_unit_test(tables_are_read),
+      cmocka_unit_test(bad_tables_are_named),
+      cmocka_unit_test(own_materials),
+      cmocka_unit_test(bad_materials_are_named),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
