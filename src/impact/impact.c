@@ -241,8 +241,9 @@ static void turn(flight *fly, const double v[3]) {
 static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *particle,
                                   const frame *first, asp_stream *stream, asp_impact *impact) {
   double slope = asp_surface_slope(wall->surface, particle->d_p);
+  double sigma = slope < wall->slope ? atan(slope) : wall->sigma;
   flight fly = {.now = *first,
-                .view = {slope, atan(slope), 0, particle->d_p, wall->data},
+                .view = {slope, sigma, 0, particle->d_p, wall->data},
                 .stream = stream,
                 .lambda = -1};
   impact->hits = 0;
@@ -264,7 +265,7 @@ static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *part
       continue;
     if (impact->hits++ == 0) {
       impact->delta_alpha = on.delta;
-      impact->tilt_out = atan(on.q);
+      impact->tilt_out = wall->isotropic ? atan(on.q) : 0;
     }
     to_lab(&fly.now, local, impact->v2);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;

@@ -9,6 +9,7 @@ struct asp_wall {
   const asp_spread_model *spread;
   const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
   void *data;                     /* of the model */
+  double slope, sigma; /* of a particle too small for the filter, as most are: spares an atan */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   const asp_cor_table *table;

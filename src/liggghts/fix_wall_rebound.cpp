@@ -139,6 +139,11 @@ static char **check_geometry(LAMMPS *lmp, int narg, char **arg) {
   return arg;
 }
 
+/* Of the three styles that know metres, only `micro` has another time than seconds. */
+static double seconds_per_unit(const char *style) {
+  return strcmp(style, "micro") == 0 ? 1e-6 : 1;
+}
+
 static double units_per_metre(const char *style) {
   if (strcmp(style, "si") == 0)
     return 1;
@@ -146,10 +151,9 @@ static double units_per_metre(const char *style) {
     return 1e2;
   if (strcmp(style, "micro") == 0)
     return 1e6;
-  throw text(
-      "a profile has lengths in metres, and 'units %s' do not say what a metre is; allowed is "
-      "units si, cgs or micro",
-      style);
+  throw text("the file has metres, and 'units %s' do not say what a metre is; allowed is "
+             "units si, cgs or micro",
+             style);
 }
 
 /* ---- making ---------------------------------------------------------------------------------- */
@@ -158,10 +162,10 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : FixWallGran(engine, narg, check_geometry(engine, narg, arg)), smooth_(true), r_q_(0),
       lambda_c_(0), dp_bins_(16), tolerance_(0), d_range_(), spec_(asp_wall_spec_default()),
       deposit_(FREEZE), timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)),
-      profile_(NULL, asp_profile_free), surface_(NULL, asp_surface_free),
-      wall_(NULL, asp_wall_free), fix_state_(NULL), state_(NULL), clock_(), counters_(),
-      lists_are_new_(true), warned_(false), announced_(false), restarted_(false),
-      speed_checked_(-1) {
+      profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
+      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free), fix_state_(NULL), state_(NULL),
+      clock_(), counters_(), lists_are_new_(true), warned_(false), announced_(false),
+      restarted_(false), speed_checked_(-1) {
   for (int m = 0; m < n_meshes(); m++)
     mesh_ids_.push_back(mesh_list()[m]->id);
   check_particles();
@@ -290,28 +294,52 @@ void FixWallRebound::parse_spread(ArgReader &args) {
     throw std::string("'spread auto' and 'tolerance D' go together, with no other model");
 }
 
+/* A law's parameters have keywords of their own in a script, some of them one for several. */
+static const struct {
+  const char *keyword;
+  std::vector<const char *> parameters;
+} LAW_KEYWORDS[] = {{"yield_rate", {"yield_rate"}},
+                    {"contact_area", {"a", "b", "c"}},
+                    {"temperature", {"temperature"}},
+                    {"soften", {"soften_from", "soften_rate"}},
+                    {"scatter", {"scatter"}}};
+
 void FixWallRebound::parse_rebound(ArgReader &args) {
   asp_error wrong;
-  std::string law = args.word("the rebound law");
-  if (asp_wall_spec_rebound(&spec_, law.c_str(), &wrong))
+  std::string name = args.word("the rebound law");
+  if (asp_wall_spec_rebound(&spec_, name.c_str(), &wrong))
     throw std::string(wrong.text);
-  if (law == "constant") {
-    for (const char *name : {"cor_n", "cor_t"})
-      if (asp_wall_spec_set(&spec_, name, args.number(name), &wrong))
-        throw std::string(wrong.text);
-    return;
+  const asp_rebound_law *law = asp_rebound_find(name.c_str(), NULL);
+  auto set = [&](const char *parameter) {
+    if (asp_wall_spec_set(&spec_, parameter, args.number(parameter), &wrong))
+      throw "rebound " + name + ": " + wrong.text;
+  };
+  if (name == "constant") {
+    set("cor_n");
+    set("cor_t");
   }
-  for (bool more = law == "bons"; more;) {
-    if (args.take("yield_rate")) {
-      if (asp_wall_spec_set(&spec_, "yield_rate", args.number("yield_rate"), &wrong))
-        throw std::string(wrong.text);
-    } else if (args.take("contact_area")) {
-      for (const char *name : {"a", "b", "c"})
-        if (asp_wall_spec_set(&spec_, name, args.number("contact_area"), &wrong))
-          throw "contact_area " + std::string(wrong.text);
-    } else
-      more = false;
+  if (law->needs_table)
+    read_table(args.word("the file of 'rebound table'"));
+  for (bool more = true; more;) {
+    more = args.take("scatter_twice");
+    spec_.scatter_twice = spec_.scatter_twice || more;
+    for (const auto &entry : LAW_KEYWORDS)
+      if (asp_rebound_parameter(law, entry.parameters[0], NULL) >= 0 && args.take(entry.keyword)) {
+        for (const char *parameter : entry.parameters)
+          set(parameter);
+        more = true;
+      }
   }
+}
+
+void FixWallRebound::read_table(const std::string &path) {
+  asp_error wrong;
+  const double metre = units_per_metre(update->unit_style),
+               second = seconds_per_unit(update->unit_style);
+  table_.reset(asp_cor_table_read(path.c_str(), metre * second, &wrong));
+  if (!table_)
+    throw std::string(wrong.text);
+  spec_.table = table_.get();
 }
 
 void FixWallRebound::parse_ledger(ArgReader &args) {
@@ -701,7 +729,7 @@ void FixWallRebound::collect_pairs() {
     const int n = mesh->sizeLocal() + mesh->sizeGhost();
     for (int t = 0; t < n; t++)
       for (int i : mesh_list()[m]->meshNeighlist()->get_contact_list(t))
-        if (i < atom->nlocal && (atom->mask[i] & groupbit))
+        if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i))
           near_.push_back(Candidate{this, i, m, t, mesh->id(t)});
   }
   std::sort(near_.begin(), near_.end(), [](const Candidate &a, const Candidate &b) {
@@ -1112,14 +1140,15 @@ void FixWallRebound::collect_stuck() {
 
 /* A stuck particle has the wall's velocity, and no force on it moves it. */
 void FixWallRebound::hold(int i) {
+  double *v = atom->v[i], *f = atom->f[i];
   for (int d = 0; d < 3; d++) {
-    atom->v[i][d] = state_[i][STUCK_V + d];
-    atom->f[i][d] = 0;
-    if (atom->omega_flag)
-      atom->omega[i][d] = 0;
-    if (atom->torque_flag)
-      atom->torque[i][d] = 0;
+    v[d] = state_[i][STUCK_V + d];
+    f[d] = 0;
   }
+  if (atom->omega_flag)
+    vectorZeroize3D(atom->omega[i]);
+  if (atom->torque_flag)
+    vectorZeroize3D(atom->torque[i]);
 }
 
 /* Takes a stuck particle along with the triangle that it sits on. */

@@ -134,6 +134,7 @@ private:
   void parse_bins(ArgReader &args);
   void parse_spread(ArgReader &args);
   void parse_rebound(ArgReader &args);
+  void read_table(const std::string &path);
   void parse_ledger(ArgReader &args);
   void set_clock();
   double time() const;
@@ -196,6 +197,7 @@ private:
   Timing timing_;
   uint32_t seed_, fix_key_;
   ReboundProfile profile_;
+  std::unique_ptr<asp_cor_table, void (*)(asp_cor_table *)> table_;
   std::unique_ptr<asp_surface, void (*)(asp_surface *)> surface_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   std::unique_ptr<ReboundLedger> ledger_;
