@@ -64,7 +64,7 @@ refuses "$plane rebound bouncy" "" "'bouncy'" "bons" "constant"
 refuses "$plane rebound constant 1.5 1" "" "cor_n is 1.5" "0 to 1"
 refuses "$plane rebound constant 1" "" "cor_t" "missing"
 refuses "$plane rebound bons yield_rate -3" "" "yield_rate is -3" ">= 0"
-refuses "$plane rebound bons contact_area 0.1 0.1" "" "contact_area" "missing"
+refuses "$plane rebound bons contact_area 0.1 0.1" "" "c is missing"
 refuses "$plane deposit stick" "" "'stick'" "freeze, delete or off"
 refuses "$plane timing late" "" "'late'" "exact or overlap"
 refuses "$plane seed -1" "" "seed is -1" "0 to 4294967295"
@@ -100,6 +100,9 @@ refuses "$plane
 unfix rebound_wall" "" "rebound_wall" "property/atom"
 refuses "$plane
 minimize 0 0 1 1" "" "minimize"
+refuses "$plane rebound grant_tabakoff scatter 1 surface rq 1e-5 lambda_c 1e-4" "" "twice" "scatter_twice"
+refuses "$plane rebound table nowhere.csv" "" "nowhere.csv" "No such file"
+refuses "$plane rebound bons soften 1000" "" "soften_rate is missing"
 all_refused
 
 # Not needed, not asked for: a law without materials, a wall without deposits, a rate instead of a stress.
