@@ -306,7 +306,8 @@ static place place_of(const combination *a, const asp_impact *x, const combinati
     return OTHER_HITS;
   if (!has_direction(a) || !has_direction(b) || -normal > size * (1 - 1e-15))
     return NORMAL_IMPACT;
-  if (x->capped || fabs(x->delta_alpha - y->delta_alpha) > 1e-4 ||
+  bool scatters = a->wall.law->scatters && a->wall.law->scatters(a->wall.parameters);
+  if (x->capped || (a->wall.rough && scatters) || fabs(x->delta_alpha - y->delta_alpha) > 1e-4 ||
       fabs(x->tilt_out - y->tilt_out) > 1e-4)
     return OTHER_FACE;
   if (x->hits > 1)
