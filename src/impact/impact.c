@@ -15,8 +15,9 @@
 /* Below this share of the speed the tangential velocity has no direction. */
 #define NO_DIRECTION 1e-12
 
-/* Smith's Lambda is below 1e-13 from here on. */
+/* Smith's Lambda is below 1e-13 from here on, and beyond all numbers before. */
 #define NU_FREE 5.2
+#define NU_LEAST 1e-150
 
 /* Below this share of the energy along the wall, its direction is worked out with care. */
 #define NEARLY_NORMAL 1e-4
@@ -188,6 +189,7 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
 static double smith(double nu) {
   if (nu > NU_FREE)
     return 0;
+  nu = fmax(nu, NU_LEAST);
   return 0.5 * (exp(-nu * nu) / (nu * sqrt(ASP_PI)) - erfc(nu));
 }
 
@@ -227,7 +229,8 @@ static bool leaves(const asp_wall *wall, flight *fly, const double out[3]) {
   if (wall->spread->escape)
     return out[2] > 0 &&
            asp_stream_uniform(fly->stream) < wall->spread->escape(&fly->view, atan2(out[2], along));
-  return walks_out(wall, fly, along > 0 ? out[2] / along : copysign(INFINITY, out[2]));
+  bool steep = along <= NO_DIRECTION * fabs(out[2]);
+  return walks_out(wall, fly, steep ? copysign(INFINITY, out[2]) : out[2] / along);
 }
 
 /* Takes the velocity in the lab frame as the particle's new flight. */
@@ -257,7 +260,10 @@ static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *part
     if (!draw_face(wall, &fly, &on, &gone)) {
       if (!gone)
         continue;
-      leave(first, impact->v2);
+      if (impact->hits == 0) /* it does not even approach */
+        bounce_off_mean_wall(wall, particle, first, stream, impact);
+      else
+        leave(first, impact->v2);
       return;
     }
     if (!rebound(wall, particle, &fly.now, &on, stream, local, &deposit) ||

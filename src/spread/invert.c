@@ -14,15 +14,18 @@ enum { STEPS = 24 };
 #define SMALL 1e-8
 
 /* Newton's step from x towards a share u below, in the logarithm of the tail that is the smaller
- * one at the root. Not a number where the tail or the density has run out. */
+ * one at the root. Infinite where the tail or the density has run out: no quotient overflows. */
 static double step(asp_point p, double u) {
-  if (u < 0.5)
-    return p.below / p.density * log(u / p.below);
-  return -p.above / p.density * log((1 - u) / p.above);
+  double tail = u < 0.5 ? p.below : p.above, share = u < 0.5 ? u : 1 - u;
+  if (!(tail > 1e-300 * share && p.density > LEAST * tail))
+    return INFINITY;
+  double towards = tail / p.density * log(share / tail);
+  return u < 0.5 ? towards : -towards;
 }
 
 static double straight_step(asp_point p, double u) {
-  return (p.above - (1 - u)) / p.density;
+  double missing = p.above - (1 - u);
+  return p.density > LEAST * fabs(missing) ? missing / p.density : INFINITY;
 }
 
 double asp_invert(asp_point (*at)(const void *law, double x), const void *law, double lo, double hi,

@@ -1,4 +1,5 @@
-/* Sweeps the extremes of everything that a contact depends on, together: extremes COUNT [SEED].
+/* Sweeps the extremes of everything that a contact depends on, together: extremes COUNT [SEED
+ * [FIRST]]. `extremes 1 SEED NUMBER` repeats the combination of that number.
  *
  * Each of COUNT random combinations of particle, material, law, wall, velocity and normal is one
  * contact, and one more with an input changed by 1e-8 of itself; for one in four by 1e-2, and where
@@ -87,33 +88,47 @@ static void on_trap(int number) {
   _exit(1);
 }
 
-/* A zigzag profile of any slope, for walls beyond the reach of a Gaussian one. */
-static asp_surface *steep_surface(double slope) {
+/* A Gaussian profile, or for slopes beyond the reach of one a zigzag. */
+static asp_profile *profile_of(double slope) {
+  if (slope <= 1)
+    return asp_profile_create(slope / sqrt(2), 1, 1. / 32, 2048, 1, NULL);
   double heights[64];
   for (int i = 0; i < 64; i++)
     heights[i] = i % 2 ? slope : 0;
-  asp_profile *profile = asp_profile_from_heights(heights, 64, 1, true, NULL);
-  asp_surface *surface = asp_surface_create_profile(profile, 1, 1, 1, NULL);
-  asp_profile_free(profile);
-  return surface;
+  return asp_profile_from_heights(heights, 64, 1, true, NULL);
 }
 
-/* Walls of every model and slope: tan sigma from 1e-15 to 45 degrees, and on to 85. */
-static int make_walls(void) {
-  for (int i = 0; i < SLOPES; i++) {
-    double slope = i < 16 ? pow(10, i - 15) : tan((45 + 5 * (i - 15)) * ASP_PI / 180);
-    surfaces[i] = slope <= 1 ? asp_surface_create(slope / sqrt(2), 1, NULL) : steep_surface(slope);
-    if (!surfaces[i])
-      return 0;
-    for (int k = 0; k < asp_spread_count() && k < MODELS_MOST; k++) {
-      asp_wall_spec spec = asp_wall_spec_default();
-      spec.surface = surfaces[i];
-      spec.spread = asp_spread_at(k)->name;
-      walls[k][i] = asp_wall_create(&spec, NULL);
-      forced[k] = *asp_spread_at(k);
-      forced[k].quantile = forced_quantile;
-    }
+/* The walls of one slope, of every model. */
+static bool make_walls_of(int i, double slope) {
+  asp_error error;
+  asp_profile *profile = profile_of(slope);
+  surfaces[i] = slope <= 1 ? asp_surface_create(slope / sqrt(2), 1, &error)
+                           : asp_surface_create_profile(profile, 1, 1, 1, &error);
+  bool made = surfaces[i];
+  for (int k = 0; k < asp_spread_count() && made; k++) {
+    asp_wall_spec spec = asp_wall_spec_default();
+    spec.surface = surfaces[i];
+    spec.profile = profile;
+    spec.sizes = (asp_sizes){1, 1, 1};
+    spec.spread = asp_spread_at(k)->name;
+    walls[k][i] = asp_wall_create(&spec, &error);
+    made = walls[k][i];
   }
+  asp_profile_free(profile);
+  if (!made)
+    fprintf(stderr, "slope %g: %s\n", slope, error.text);
+  return made;
+}
+
+/* Walls of every model and slope: tan sigma from 1e-15 to 1, and sigma on to 85 degrees. */
+static bool make_walls(void) {
+  for (int k = 0; k < asp_spread_count(); k++) {
+    forced[k] = *asp_spread_at(k);
+    forced[k].quantile = forced_quantile;
+  }
+  for (int i = 0; i < SLOPES; i++)
+    if (!make_walls_of(i, i < 16 ? pow(10, i - 15) : tan((45 + 5 * (i - 15)) * ASP_PI / 180)))
+      return false;
   static const asp_cor_point points[] = {{1e-3, 0, 1, 1},     {1e-3, 0.7, 0.9, 0.7},
                                          {1e-3, 1.5, 0.5, 1}, {1e3, 0, 1, 1},
                                          {1e3, 0.7, 0.2, 0},  {1e3, 1.5, 0, -0.5}};
@@ -154,7 +169,7 @@ static void choose_wall(asp_stream *s, combination *c) {
   int model = one_of(s, asp_spread_count()), slope = one_of(s, SLOPES);
   c->wall = *walls[model][slope];
   behind = asp_spread_at(model);
-  if (behind->quantile && one_of(s, 4) == 0)
+  if (behind->quantile && one_of(s, 8) == 0)
     c->wall.spread = &forced[model];
   u_forced = one_of(s, 2) ? U_LEAST : U_MOST;
   c->wall.rough = c->wall.rough && one_of(s, 6) > 0;
@@ -291,7 +306,9 @@ static place place_of(const combination *a, const asp_impact *x, const combinati
     return OTHER_HITS;
   if (!has_direction(a) || !has_direction(b) || -normal > size * (1 - 1e-15))
     return NORMAL_IMPACT;
-  if (fabs(x->delta_alpha - y->delta_alpha) > 1e-4 || fabs(x->tilt_out - y->tilt_out) > 1e-4)
+  bool scatters = a->wall.law->scatters && a->wall.law->scatters(a->wall.parameters);
+  if (x->capped || (a->wall.rough && scatters) || fabs(x->delta_alpha - y->delta_alpha) > 1e-4 ||
+      fabs(x->tilt_out - y->tilt_out) > 1e-4)
     return OTHER_FACE;
   if (x->hits > 1)
     return LATER_FACE;
@@ -361,14 +378,14 @@ static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
   return false;
 }
 
-static long sweep(uint32_t seed, long count, tally *total) {
+static long sweep(uint32_t seed, long first, long count, tally *total) {
   long wrong = 0;
 #pragma omp parallel reduction(+ : wrong)
   {
     tally own = {{0}, {0}, 0, 0};
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
 #pragma omp for schedule(static)
-    for (long i = 0; i < count; i++)
+    for (long i = first; i < first + count; i++)
       if (wrong < 5)
         wrong += !sweep_one(seed, (uint64_t)i, &own);
     fedisableexcept(FE_ALL_EXCEPT);
@@ -391,11 +408,11 @@ int main(int argc, char **argv) {
   tally total = {{0}, {0}, 0, 0};
   gsl_set_error_handler_off();
   if (count < 1 || !make_walls()) {
-    fputs("usage: extremes COUNT [SEED]\n", stderr);
+    fputs("usage: extremes COUNT [SEED [FIRST]]\n", stderr);
     return 2;
   }
   signal(SIGFPE, on_trap);
-  long wrong = sweep(seed, count, &total);
+  long wrong = sweep(seed, argc > 3 ? atol(argv[3]) : 0, count, &total);
   printf("# %ld combinations, seed %u; %ld deposits, %ld capped, %ld wrong\n", count, seed,
          total.deposits, total.capped, wrong);
   printf("place,jumps,largest_jump_of_v1\n");

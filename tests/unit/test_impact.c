@@ -192,6 +192,36 @@ static void sliding(void **state) {
   setup_free(&s);
 }
 
+/* Nearly normal, and with a normal of nearly unit length, a specular rebound keeps its energy. */
+static void nearly_normal_impacts_keep_energy(void **state) {
+  (void)state;
+  setup s = setup_create("normal", "constant", 0.2);
+  double length = 1 + 1e-6, n[3] = {0.36 * length, 0.48 * length, 0.8 * length};
+  for (uint64_t tag = 0; tag < 2000; tag++) {
+    double small = pow(10, -2 - (double)(tag % 10)), v1[3] = {-0.36, -0.48 + small, -0.8};
+    asp_impact impact;
+    asp_wall_impact(s.wall, &grain, v1, n, (asp_key){1, 1, tag, 1}, &impact);
+    assert_near(dot(impact.v2, impact.v2), dot(v1, v1), 1e-14);
+  }
+  setup_free(&s);
+}
+
+/* A particle that does not approach goes on as it came; a grazing one leaves for good. */
+static void grazing_to_the_last_bit(void **state) {
+  (void)state;
+  for (int rough = 0; rough < 2; rough++) {
+    setup s = setup_create(rough ? "truncated" : "none", "constant", 0.2);
+    for (int i = -3; i <= 3; i++) {
+      double n[3] = {0.6, 0, 0.8}, v1[3] = {80, 0, -60 + i * 1e-14};
+      asp_impact impact;
+      asp_wall_impact(s.wall, &grain, v1, n, (asp_key){1, 1, 7, 1}, &impact);
+      assert_true(dot(impact.v2, n) > 0);
+      assert_near(dot(impact.v2, impact.v2), 1e4, 1e-9);
+    }
+    setup_free(&s);
+  }
+}
+
 static void parameters_are_checked(void **state) {
   (void)state;
   asp_error error;
@@ -259,6 +289,8 @@ int main(void) {
       cmocka_unit_test(normal_impact_is_isotropic),
       cmocka_unit_test(no_deposits_where_none_are_taken),
       cmocka_unit_test(sliding),
+      cmocka_unit_test(nearly_normal_impacts_keep_energy),
+      cmocka_unit_test(grazing_to_the_last_bit),
       cmocka_unit_test(parameters_are_checked),
       cmocka_unit_test(properties),
   };
