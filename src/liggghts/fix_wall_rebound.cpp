@@ -310,9 +310,12 @@ void FixWallRebound::parse_rebound(ArgReader &args) {
   if (asp_wall_spec_rebound(&spec_, name.c_str(), &wrong))
     throw std::string(wrong.text);
   const asp_rebound_law *law = asp_rebound_find(name.c_str(), NULL);
+  rebound_text_ = name;
   auto set = [&](const char *parameter) {
-    if (asp_wall_spec_set(&spec_, parameter, args.number(parameter), &wrong))
+    double value = args.number(parameter);
+    if (asp_wall_spec_set(&spec_, parameter, value, &wrong))
       throw "rebound " + name + ": " + wrong.text;
+    rebound_text_ += text(" %s %g", parameter, value);
   };
   if (name == "constant") {
     set("cor_n");
@@ -345,9 +348,7 @@ void FixWallRebound::read_table(const std::string &path) {
 void FixWallRebound::parse_ledger(ArgReader &args) {
   bigint every = static_cast<bigint>(args.whole("ledger", 1, 2147483647.0));
   std::string path = args.take("file") ? args.word("the file of 'ledger'") : "";
-  std::string heading = text("# asperity %s; fix %s wall/rebound; units %s; angles in degrees",
-                             ASP_VERSION, id, update->unit_style);
-  ledger_.reset(new ReboundLedger(world, every, path, heading));
+  ledger_.reset(new ReboundLedger(world, every, path));
 }
 
 /* Whether the wall depends on the range of diameters, and so cannot be made before a run. */
@@ -466,7 +467,7 @@ void FixWallRebound::init() {
   }
   set_clock();
   if (ledger_) {
-    std::string why = ledger_->open(restarted_);
+    std::string why = ledger_->open(restarted_, heading());
     if (!why.empty())
       fail(why);
   }
@@ -559,6 +560,18 @@ void FixWallRebound::check_group() {
             group->names[igroup]));
 }
 
+/* The first line of a ledger: what the wall was, for those who compare it with measurements. */
+std::string FixWallRebound::heading() const {
+  std::string surface = smooth_    ? "smooth"
+                        : profile_ ? "profile " + profile_path_
+                                   : text("rq %g lambda_c %g", r_q_, lambda_c_);
+  return text(
+      "# asperity %s; fix %s wall/rebound; units %s; surface %s; spread %s; rebound %s; seed "
+      "%u; angles in degrees",
+      ASP_VERSION, id, update->unit_style, surface.c_str(), spec_.spread, rebound_text_.c_str(),
+      seed_);
+}
+
 std::string FixWallRebound::describe_surface() const {
   const double degrees = 180 / ASP_PI;
   if (smooth_ || strcmp(spec_.spread, "none") == 0)
@@ -597,15 +610,22 @@ double FixWallRebound::time() const {
 }
 
 void FixWallRebound::announce() {
-  std::string line =
-      text("fix %s wall/rebound: rebound %s, deposit %s, timing %s, seed %u; ", id, spec_.rebound,
-           deposit_ == FREEZE   ? "freeze"
-           : deposit_ == DELETE ? "delete"
-                                : "off",
-           timing_ == EXACT ? "exact" : "overlap", seed_);
+  std::string line = text("fix %s wall/rebound: rebound %s, deposit %s, timing %s, seed %u; ", id,
+                          rebound_text_.c_str(),
+                          deposit_ == FREEZE   ? "freeze"
+                          : deposit_ == DELETE ? "delete"
+                                               : "off",
+                          timing_ == EXACT ? "exact" : "overlap", seed_);
   line += describe_surface() + "\n";
   if (comm->me != 0)
     return;
+  if (asp_rebound_find(spec_.rebound, NULL)->measured && !smooth_)
+    error->warning(
+        FLERR,
+        text("Fix wall/rebound (id %s): the coefficients of '%s' were measured on a wall with a "
+             "roughness of its own; on a rough wall that counts twice",
+             id, spec_.rebound)
+            .c_str());
   if (screen)
     fputs(line.c_str(), screen);
   if (logfile)

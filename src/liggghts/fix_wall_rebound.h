@@ -143,6 +143,7 @@ private:
   void make_surface();
   void make_wall();
   void announce();
+  std::string heading() const;
   std::string describe_surface() const;
 
   void fail(const std::string &what);
@@ -188,10 +189,11 @@ private:
   std::string profile_path_, profile_report_; /* empty: no profile */
   std::vector<std::string> mesh_ids_;
   int dp_bins_;
-  std::string spread_; /* as the script has it: a model, or auto */
-  double tolerance_;   /* of auto */
-  std::string choice_; /* what auto has chosen, and why */
-  double d_range_[2];  /* the diameters that the bins span; 0: not known yet */
+  std::string spread_;       /* as the script has it: a model, or auto */
+  double tolerance_;         /* of auto */
+  std::string rebound_text_; /* the law and what the script has set of it */
+  std::string choice_;       /* what auto has chosen, and why */
+  double d_range_[2];        /* the diameters that the bins span; 0: not known yet */
   asp_wall_spec spec_;
   Deposit deposit_;
   Timing timing_;

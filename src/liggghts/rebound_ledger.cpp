@@ -13,10 +13,8 @@ static const char COLUMNS[] =
     "tag,impact,time,mesh,triangle,x,y,z,d_p,v1,alpha1_deg,delta_alpha_deg,tilt_out_deg,hits,v2,"
     "alpha2_deg,cor_n,cor_t,outcome\n";
 
-ReboundLedger::ReboundLedger(MPI_Comm world, bigint every, const std::string &path,
-                             const std::string &heading)
-    : world_(world), every_(every), path_(path), heading_(heading), file_(NULL), failed_(false),
-      written_(0) {
+ReboundLedger::ReboundLedger(MPI_Comm world, bigint every, const std::string &path)
+    : world_(world), every_(every), path_(path), file_(NULL), failed_(false), written_(0) {
   MPI_Comm_rank(world_, &rank_);
 }
 
@@ -25,13 +23,13 @@ ReboundLedger::~ReboundLedger() {
     fclose(file_);
 }
 
-std::string ReboundLedger::open(bool append) {
+std::string ReboundLedger::open(bool append, const std::string &heading) {
   int bad = 0;
   if (rank_ == 0 && !path_.empty() && !file_) {
     file_ = fopen(path_.c_str(), append ? "a" : "w");
     bad = file_ ? 0 : errno;
     if (file_ && ftell(file_) <= 0)
-      fprintf(file_, "%s\n%s", heading_.c_str(), COLUMNS);
+      fprintf(file_, "%s\n%s", heading.c_str(), COLUMNS);
     if (file_)
       fflush(file_);
   }

@@ -45,12 +45,13 @@ public:
   };
   typedef std::array<double, N_FIELDS> Row;
 
-  ReboundLedger(MPI_Comm world, bigint every, const std::string &path, const std::string &heading);
+  ReboundLedger(MPI_Comm world, bigint every, const std::string &path);
   ~ReboundLedger();
 
-  /* Opens the file, on rank 0; appends to what an earlier part of a restarted run left. Collective.
-   * Returns an empty string, or why it cannot be written. */
-  std::string open(bool append);
+  /* Opens the file, on rank 0, with a comment line and the names of the columns; appends to what an
+   * earlier part of a restarted run left. Collective. Returns an empty string, or why it cannot be
+   * written. */
+  std::string open(bool append, const std::string &heading);
 
   void add(const Row &row);
 
@@ -76,7 +77,7 @@ private:
   MPI_Comm world_;
   int rank_;
   bigint every_;
-  std::string path_, heading_;
+  std::string path_;
   FILE *file_;
   bool failed_;
   std::vector<Row> rows_;
