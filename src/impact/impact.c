@@ -66,8 +66,9 @@ static frame frame_of(const double v[3], const double normal[3]) {
   }
   f.v_t = sqrt(square);
   f.has_direction = f.v_t >= NO_DIRECTION * fabs(f.v_n) && f.v_t > 0;
+  double per_speed = f.has_direction ? 1 / f.v_t : 0;
   for (int i = 0; i < 3; i++)
-    f.t[i] = f.has_direction ? along[i] / f.v_t : 0;
+    f.t[i] = along[i] * per_speed;
   return f;
 }
 
@@ -112,9 +113,13 @@ static bool draw_face(const asp_wall *wall, flight *fly, face *out, bool *gone) 
     drawn = asp_spread_draw(model, &fly->view, fly->stream, &out->delta);
     *gone = false;
   }
-  double c = cos(out->delta), s = sin(out->delta);
-  out->q = wall->isotropic ? fly->view.slope * asp_stream_normal(fly->stream) : 0;
-  double side = out->q * c, scale = 1 / sqrt(1 + side * side);
+  double c = cos(out->delta), s = sin(out->delta), side = 0, scale = 1;
+  out->q = 0;
+  if (wall->isotropic) {
+    out->q = fly->view.slope * asp_stream_normal(fly->stream);
+    side = out->q * c;
+    scale = 1 / sqrt(1 + side * side);
+  }
   out->m[0] = -s * scale;
   out->m[1] = -side * scale;
   out->m[2] = c * scale;
