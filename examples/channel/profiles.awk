@@ -2,7 +2,7 @@
 # height / channel height, concentration / mean concentration, root mean square of v_z, mean v_x, number.
 BEGIN { HEIGHT = 30e-3; LAYERS = 20; STEP = 8e-6 }
 /^ITEM: TIMESTEP/ { getline; late = $1 * STEP > 0.5; frames += late; next }
-/^ITEM/ { atoms = /ATOMS/; next }
+/^ITEM/ { atoms = /ITEM: ATOMS/; next }
 atoms && late {
   k = int($4 / HEIGHT * LAYERS); n[k]++; w[k] += $7 * $7; u[k] += $5; all++
 }
