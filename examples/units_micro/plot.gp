@@ -1,0 +1,22 @@
+# The coefficients of restitution of both runs over the impact angle: circles si, dots micro.
+set term pngcairo size 1000,430 font 'sans,11'
+set output 'output/units_micro.png'
+set grid lc rgb '#dddddd' lw 0.5
+set border lc rgb '#444444'
+set tics nomirror
+set xrange [0:90]
+set xtics 15
+set xlabel 'impact angle {/Symbol a}_1 / degrees'
+set key opaque font ',10'
+set multiplot layout 1,2 title 'One case in two systems of units: the same impacts'
+set ylabel 'CoR_N'
+set yrange [0:2.5]
+set key top right
+plot 'output/pairs' using 1:2 with points pt 6 ps 0.7 lc rgb '#1f5fa8' title 'units si', \
+     '' using 1:3 with points pt 7 ps 0.35 lc rgb '#c8501e' title 'units micro'
+set ylabel 'CoR_T'
+set yrange [-1:2]
+set key bottom left
+plot 'output/pairs' using 1:4 with points pt 6 ps 0.7 lc rgb '#1f5fa8' title 'units si', \
+     '' using 1:5 with points pt 7 ps 0.35 lc rgb '#c8501e' title 'units micro'
+unset multiplot
