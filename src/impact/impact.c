@@ -66,9 +66,8 @@ static frame frame_of(const double v[3], const double normal[3]) {
   }
   f.v_t = sqrt(square);
   f.has_direction = f.v_t >= NO_DIRECTION * fabs(f.v_n) && f.v_t > 0;
-  double per_speed = f.has_direction ? 1 / f.v_t : 0;
   for (int i = 0; i < 3; i++)
-    f.t[i] = along[i] * per_speed;
+    f.t[i] = f.has_direction ? along[i] / f.v_t : 0;
   return f;
 }
 

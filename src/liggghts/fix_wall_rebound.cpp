@@ -688,7 +688,8 @@ void FixWallRebound::check_speeds() {
   warned_ = true;
   if (comm->me == 0)
     error->warning(FLERR,
-                   text("Fix wall/rebound (id %s): particles can cross the wall within a step: "
+                   text("Fix wall/rebound (id %s): particles that fly straight at the wall can "
+                        "cross it within a step: "
                         "one of diameter %g moves at %g, which is %.3g diameters in a step of "
                         "%g; the largest safe step is %g",
                         id, fastest[0], fastest[1], 0.5 * worst.ratio * update->dt, update->dt,
