@@ -1227,7 +1227,7 @@ void FixWallRebound::end_of_step() {
   for (int i : stuck_)
     hold(i);
   for (std::unique_ptr<ReboundMap> &map : maps_)
-    map->end_step();
+    map->end_step(comm->nprocs);
   if (deposit_ ==
       DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
     int mine = !stuck_.empty(), any;

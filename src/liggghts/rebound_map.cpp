@@ -10,7 +10,7 @@ static const char *const NAMES[] = {"impacts", "deposited_mass", "impact_energy"
 
 /* The mesh's own restart does not know these properties when it reads its triangles, so they stay
  * out of it (restart_no); the fix keeps them. */
-ReboundMap::ReboundMap(TriMesh *mesh) : mesh_(mesh) {
+ReboundMap::ReboundMap(TriMesh *mesh) : mesh_(mesh), touched_(false) {
   step_ = mesh->prop().addElementProperty<VectorContainer<double, 3>>(
       STEP, "comm_reverse", "frame_invariant", "restart_no");
   step_->setAll(0.);
@@ -29,12 +29,16 @@ void ReboundMap::remove() {
 
 void ReboundMap::add(int triangle, double deposited_mass, double energy) {
   double *value = (*step_)(triangle);
+  touched_ = true;
   value[IMPACTS] += 1;
   value[MASS] += deposited_mass;
   value[ENERGY] += energy;
 }
 
-void ReboundMap::end_step() {
+void ReboundMap::end_step(int ranks) {
+  if (ranks == 1 && !touched_)
+    return;
+  touched_ = false;
   const int n = mesh_->sizeLocal();
   for (int t = 0; t < n; t++) {
     const double *value = (*step_)(t);

@@ -28,8 +28,8 @@ public:
   /* One impact on a local or ghost triangle. */
   void add(int triangle, double deposited_mass, double energy);
 
-  /* At the end of a step, after the mesh has added up its ghosts. */
-  void end_step();
+  /* At the end of a step, after the mesh has added up its ghosts, on `ranks` ranks. */
+  void end_step(int ranks);
 
   /* All values by triangle id, N_VALUES each, on rank 0; collective. */
   std::vector<double> gather(MPI_Comm world);
@@ -39,6 +39,7 @@ public:
 
 private:
   TriMesh *mesh_;
+  bool touched_; /* by this rank, in this step */
   VectorContainer<double, 3> *step_;
   ScalarContainer<double> *sums_[N_VALUES];
 };

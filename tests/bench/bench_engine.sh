@@ -24,12 +24,15 @@ sed 's/^run /modify_timing on\nrun /' "$home/examples/flat_plate/in.flat_plate" 
 sed '/ ledger 2000/d; s/seed 1 &$/seed 1/' plate.in > quiet.in
 for k in 1 2 3; do
   for deck in plate quiet; do
+    begun=$(date +%s.%N)
     engine 1 $deck.in -var name plate -var surface "rq 15.6e-6 lambda_c 120e-6"
     share $deck.in.screen >> $deck.share
+    awk -v a="$begun" -v b="$(date +%s.%N)" '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print 100 * $1 / (b - a) }' $deck.in.screen >> $deck.whole
   done
 done
-row "flat plate: the fix, ledger and all, of a run" "$(median < plate.share)" "%" "<=" 10
-row "flat plate: the fix without a ledger, of a run" "$(median < quiet.share)" "%" "<=" 5
+row "flat plate: the fix, ledger and all, of the run" "$(median < plate.whole)" "%" "<=" 10
+row "flat plate: the fix, ledger and all, of a step" "$(median < plate.share)" "%" "<=" 5
+row "flat plate: the fix without a ledger, of a step" "$(median < quiet.share)" "%" "<=" 5
 
 # 20 000 grains of 10 um at 100 m/s on a plate for 60 us: rebound with its step, and hertz with a tenth of the
 # Rayleigh time.
