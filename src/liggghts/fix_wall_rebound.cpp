@@ -671,7 +671,7 @@ void FixWallRebound::check_speeds() {
   } mine = {0, comm->me}, worst;
   double speed = 0, d_p = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || state_[i][STATE] != FREE)
+    if (!(atom->mask[i] & groupbit))
       continue;
     const double square = dot(atom->v[i], atom->v[i]), limit = mine.ratio * atom->radius[i];
     if (square <= limit * limit)
@@ -785,17 +785,19 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
     find_hits_primitive(hits);
     return;
   }
-  double **x = atom->x, **v = atom->v, *radius = atom->radius;
   const double dt = update->dt;
   const bool lists_were_new = lists_are_new_;
   if (lists_are_new_)
     collect_pairs();
   if (lists_were_new || is_moving())
     collect_planes();
+  if (planes_.empty())
+    return;
+  const double *x = atom->x[0], *v = atom->v[0], *radius = atom->radius; /* x, v: rows of three */
   for (const Plane &plane : planes_) {
     const int i = plane.particle;
-    double end = dot(plane.normal, x[i]) - plane.offset;
-    double begin = end - dot(plane.normal, v[i]) * dt;
+    double end = dot(plane.normal, x + 3 * i) - plane.offset;
+    double begin = end - dot(plane.normal, v + 3 * i) * dt;
     double reach = radius[i] + 2 * plane.speed * dt;
     if (!((begin > reach && end > reach) || (begin < -reach && end < -reach)))
       hits.push_back(i);
@@ -1159,15 +1161,18 @@ void FixWallRebound::collect_stuck() {
       stuck_.push_back(i);
 }
 
-/* A stuck particle has the wall's velocity, and no force on it moves it. */
+/* A stuck particle has the wall's velocity, ... */
 void FixWallRebound::hold(int i) {
-  double *v = atom->v[i], *f = atom->f[i];
-  for (int d = 0; d < 3; d++) {
+  double *v = atom->v[i];
+  for (int d = 0; d < 3; d++)
     v[d] = state_[i][STUCK_V + d];
-    f[d] = 0;
-  }
   if (atom->omega_flag)
     vectorZeroize3D(atom->omega[i]);
+}
+
+/* ... and no force on it moves it. */
+void FixWallRebound::free_of_forces(int i) {
+  vectorZeroize3D(atom->f[i]);
   if (atom->torque_flag)
     vectorZeroize3D(atom->torque[i]);
 }
@@ -1194,8 +1199,10 @@ void FixWallRebound::carry(int i) {
 void FixWallRebound::pre_initial_integrate() {
   if (ledger_)
     ledger_->begin_step(update->ntimestep);
-  for (int i : stuck_)
+  for (int i : stuck_) {
     hold(i);
+    free_of_forces(i);
+  }
 }
 
 /* Comm::exchange, which follows, counts the atoms anew. */

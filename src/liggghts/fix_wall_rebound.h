@@ -182,6 +182,7 @@ private:
   void triangle_frame(int mesh, int triangle, double origin[3], double frame[3][3]);
   void collect_stuck();
   void hold(int i);
+  void free_of_forces(int i);
   void carry(int i);
 
   bool smooth_;

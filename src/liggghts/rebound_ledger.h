@@ -72,7 +72,7 @@ public:
   double memory_usage() const;
 
 private:
-  void write(std::vector<Row> &rows);
+  void write(const std::vector<Row> &rows);
 
   MPI_Comm world_;
   int rank_;
