@@ -6,6 +6,8 @@
 #include <errno.h>
 #include <string.h>
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -53,35 +55,6 @@ void ReboundLedger::end_step(bigint step) {
     flush();
 }
 
-static bool earlier(const ReboundLedger::Row &a, const ReboundLedger::Row &b) {
-  static const int keys[] = {ReboundLedger::STEP, ReboundLedger::TIME, ReboundLedger::TAG,
-                             ReboundLedger::IMPACT};
-  for (int key : keys)
-    if (a[key] < b[key] || b[key] < a[key])
-      return a[key] < b[key];
-  return false;
-}
-
-std::string ReboundLedger::flush() {
-  if (path_.empty())
-    return "";
-  int ranks, mine = static_cast<int>((rows_.size() - written_) * N_FIELDS);
-  MPI_Comm_size(world_, &ranks);
-  std::vector<int> counts(ranks), starts(ranks + 1, 0);
-  MPI_Gather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world_);
-  for (int i = 0; i < ranks; i++)
-    starts[i + 1] = starts[i] + counts[i];
-  std::vector<Row> all(rank_ == 0 ? starts[ranks] / N_FIELDS : 0);
-  MPI_Gatherv(rows_.data() + written_, mine, MPI_DOUBLE, all.data(), counts.data(), starts.data(),
-              MPI_DOUBLE, 0, world_);
-  written_ = rows_.size();
-  if (rank_ == 0)
-    write(all);
-  int bad = failed_ ? 1 : 0;
-  MPI_Bcast(&bad, 1, MPI_INT, 0, world_);
-  return bad ? "writing the ledger file '" + path_ + "' failed; is the disk full?" : "";
-}
-
 /* Counts as whole numbers: also much cheaper to print than doubles. */
 static bool is_count(int column) {
   return column == ReboundLedger::TAG || column == ReboundLedger::IMPACT ||
@@ -89,29 +62,75 @@ static bool is_count(int column) {
          column == ReboundLedger::HITS || column == ReboundLedger::OUTCOME;
 }
 
-void ReboundLedger::write(const std::vector<Row> &rows) {
-  std::vector<const Row *> order;
-  for (const Row &row : rows)
-    order.push_back(&row);
-  std::sort(order.begin(), order.end(), [](const Row *a, const Row *b) { return earlier(*a, *b); });
-  for (const Row *ordered : order) {
-    const Row &row = *ordered;
-    char line[32 * N_COLUMNS];
-    int length = 0;
-    for (int i = 0; i < N_COLUMNS; i++) {
-      const char *separator = i ? "," : "";
-      char *end = line + length;
-      const size_t room = sizeof line - length;
-      if (i == COR_T && !(row[COR_T_DEFINED] > 0))
-        length += snprintf(end, room, "%s", separator);
-      else if (is_count(i))
-        length += snprintf(end, room, "%s%lld", separator, static_cast<long long>(row[i]));
-      else
-        length += snprintf(end, room, "%s%.10g", separator, row[i]);
-    }
-    line[length++] = '\n';
-    fwrite(line, 1, length, file_);
+static void append_line(const ReboundLedger::Row &row, std::vector<char> &text) {
+  char line[32 * ReboundLedger::N_COLUMNS];
+  int length = 0;
+  for (int i = 0; i < ReboundLedger::N_COLUMNS; i++) {
+    const char *separator = i ? "," : "";
+    char *end = line + length;
+    const size_t room = sizeof line - length;
+    if (i == ReboundLedger::COR_T && !(row[ReboundLedger::COR_T_DEFINED] > 0))
+      length += snprintf(end, room, "%s", separator);
+    else if (is_count(i))
+      length += snprintf(end, room, "%s%lld", separator, static_cast<long long>(row[i]));
+    else
+      length += snprintf(end, room, "%s%.10g", separator, row[i]);
   }
+  line[length++] = '\n';
+  text.insert(text.end(), line, line + length);
+}
+
+/* What all ranks have of T, one rank after the other, on rank 0. */
+template <class T>
+static std::vector<T> gather(MPI_Comm world, int rank, const std::vector<T> &mine) {
+  int ranks, bytes = static_cast<int>(mine.size() * sizeof(T));
+  MPI_Comm_size(world, &ranks);
+  std::vector<int> counts(ranks), starts(ranks + 1, 0);
+  MPI_Gather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
+  for (int i = 0; i < ranks; i++)
+    starts[i + 1] = starts[i] + counts[i];
+  std::vector<T> all(rank == 0 ? starts[ranks] / sizeof(T) : 0);
+  MPI_Gatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0,
+              world);
+  return all;
+}
+
+/* Each rank prints its own rows, which is most of the work; the first one puts them in order. */
+std::string ReboundLedger::flush() {
+  if (path_.empty())
+    return "";
+  std::vector<Line> lines;
+  std::vector<char> text;
+  for (; written_ < rows_.size(); written_++) {
+    const Row &row = rows_[written_];
+    const size_t before = text.size();
+    append_line(row, text);
+    lines.push_back(Line{row[STEP], row[TIME], row[TAG], row[IMPACT], text.size() - before});
+  }
+  lines = gather(world_, rank_, lines);
+  text = gather(world_, rank_, text);
+  if (rank_ == 0)
+    write(lines, text);
+  int bad = failed_ ? 1 : 0;
+  MPI_Bcast(&bad, 1, MPI_INT, 0, world_);
+  return bad ? "writing the ledger file '" + path_ + "' failed; is the disk full?" : "";
+}
+
+void ReboundLedger::write(const std::vector<Line> &lines, const std::vector<char> &text) {
+  std::vector<std::pair<const Line *, const char *>> order;
+  const char *begin = text.data();
+  for (const Line &line : lines) {
+    order.push_back(std::make_pair(&line, begin));
+    begin += line.length;
+  }
+  std::sort(order.begin(), order.end(),
+            [](const std::pair<const Line *, const char *> &a,
+               const std::pair<const Line *, const char *> &b) {
+              return std::tie(a.first->step, a.first->time, a.first->tag, a.first->impact) <
+                     std::tie(b.first->step, b.first->time, b.first->tag, b.first->impact);
+            });
+  for (const std::pair<const Line *, const char *> &line : order)
+    fwrite(line.second, 1, line.first->length, file_);
   if (fflush(file_) != 0)
     failed_ = true;
 }

@@ -72,7 +72,13 @@ public:
   double memory_usage() const;
 
 private:
-  void write(const std::vector<Row> &rows);
+  /* A row as text, and where it belongs. */
+  struct Line {
+    double step, time, tag, impact;
+    size_t length;
+  };
+
+  void write(const std::vector<Line> &lines, const std::vector<char> &text);
 
   MPI_Comm world_;
   int rank_;

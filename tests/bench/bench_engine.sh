@@ -16,7 +16,7 @@ engine() { mpirun -np "$1" "$bin/liggghts-asperity" -in "$2" -log none "${@:3}" 
 share() { awk '/^Loop time/ { loop = $4 } /^Fix wall wall\/rebound time/ { sub(/.*= */, ""); fix = $1 } END { print 100 * fix / loop }' "$1"; }
 median() { sort -g | awk '{ x[NR] = $1 } END { print x[int((NR + 1) / 2)] }'; }
 
-# The flat plate, one rank, rough.
+# The flat plate as it comes, rough, on two ranks.
 mkdir output
 awk -f "$home/examples/flat_plate/make_plate.awk" > output/plate.stl
 awk -f "$home/examples/flat_plate/make_jet.awk" > output/jet.data
@@ -25,7 +25,7 @@ sed '/ ledger 2000/d; s/seed 1 &$/seed 1/' plate.in > quiet.in
 for k in 1 2 3; do
   for deck in plate quiet; do
     begun=$(date +%s.%N)
-    engine 1 $deck.in -var name plate -var surface "rq 15.6e-6 lambda_c 120e-6"
+    engine 2 $deck.in -var name plate -var surface "rq 15.6e-6 lambda_c 120e-6"
     share $deck.in.screen >> $deck.share
     awk -v a="$begun" -v b="$(date +%s.%N)" '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print 100 * $1 / (b - a) }' $deck.in.screen >> $deck.whole
   done
