@@ -78,6 +78,21 @@ engine 2 turn.in
 awk '/^1 / { up = $7 } /^2 / { down = $7 } END { exit !(up > 3.95 && up < 4.05 && down == 0) }' at.txt || { tail -n 2 at.txt; die "turn"; }
 check_rows turn.csv '$1 == 1 && $10 > 1.98 && $10 < 2.02 && $11 > 89 && $17 > 0.9999 && $17 < 1.0001' "turn: speeds in the frame of the wall"
 
+# Every primitive wall, from inside and outside: one specular impact at the distance of a radius.
+primitive() { # style and arguments, particle
+  scene "$2" 1e-6 10 "fix w all wall/rebound primitive type 2 $1 $mirror ledger 10 file primitive.csv" > primitive.in
+  engine 2 primitive.in
+  [ "$(count_rows primitive.csv)" = 1 ] || die "primitive $1: $(count_rows primitive.csv) impacts"
+  check_rows primitive.csv '$4 == 0 && $17 > 1 - 1e-9 && $17 < 1 + 1e-9 && $15 > 49.999 && $15 < 50.001 && $11 > 89' "primitive $1"
+}
+primitive "xplane 0.0" "3e-4 0 0 -50 0 0"
+primitive "yplane 0.0" "0 -3e-4 0 0 50 0"
+primitive "zplane 0.0" "0 0 3e-4 0 0 -50"
+primitive "xcylinder 2e-3 0 0" "0 1.7e-3 0 0 50 0"
+primitive "xcylinder 2e-3 0 0" "0 2.3e-3 0 0 -50 0"
+primitive "ycylinder 2e-3 0 0" "0 0 1.7e-3 0 0 50"
+primitive "zcylinder 2e-3 0 0" "-1.7e-3 0 0 -50 0 0"
+
 # Rough walls of two kinds, a smooth one, and LIGGGHTS's resolved contact, in one run: each does its part.
 grains 400 > grains.data
 plate 6 1 3.9e-3 > plate.stl
