@@ -35,14 +35,6 @@ void cli_bad_usage(const char *format, ...) {
   exit(2);
 }
 
-void cli_bad_input(const char *format, ...) {
-  va_list args;
-  va_start(args, format);
-  say(format, args);
-  va_end(args);
-  exit(2);
-}
-
 void cli_fail(const char *format, ...) {
   va_list args;
   va_start(args, format);

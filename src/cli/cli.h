@@ -67,9 +67,6 @@ __attribute__((format(printf, 1, 2)))
 #endif
 void cli_warn(const char *format, ...);
 
-/* Exits with status 2 and the library's message. */
-CLI_PRINTF void cli_bad_input(const char *format, ...);
-
 /* The stream to write CSV to: stdout, or for a path a file that appears when it is closed. Writes
  * the comment line: version, the command as given, the seed where `seed` is not NULL. */
 typedef struct cli_output cli_output;

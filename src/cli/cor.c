@@ -90,7 +90,7 @@ static void read_wall(const cli_option *options, scene *s) {
   }
   s->wall = asp_wall_create(spec, &error);
   if (!s->wall)
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   if (s->surface)
     cli_law_warn_double(&s->law);
 }

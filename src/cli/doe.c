@@ -50,7 +50,7 @@ static void measure(const cli_grid *grid, size_t points, uint32_t seed) {
     asp_profile *profile = asp_profile_create(r_q, lambda_c, lambda_c / CLI_POINTS_PER_LAMBDA,
                                               points, seed + (uint32_t)k, &error);
     if (!profile)
-      cli_bad_input("%s", error.text);
+      cli_bad_usage("%s", error.text);
     cli_slopes_measure(profile, r_q, lambda_c, &grid->d_p, &progress, (double)(k * grid->d_p.count),
                        &grid->rows[k * grid->d_p.count]);
     asp_profile_free(profile);

@@ -12,7 +12,7 @@ asp_materials *cli_materials_of(const cli_option *option) {
   asp_error error;
   asp_materials *own = asp_materials_read(option->value, &error);
   if (!own)
-    cli_bad_input("--%s: %s", option->name, error.text);
+    cli_bad_usage("--%s: %s", option->name, error.text);
   return own;
 }
 
@@ -62,7 +62,7 @@ static asp_cor_table *table_of(const cli_option *first, const asp_wall_spec *spe
   asp_error error;
   asp_cor_table *table = asp_cor_table_read(option->value, 1, &error);
   if (!table)
-    cli_bad_input("--%s: %s", option->name, error.text);
+    cli_bad_usage("--%s: %s", option->name, error.text);
   return table;
 }
 
@@ -75,7 +75,7 @@ cli_law cli_law_read(const cli_option *first) {
   if (first[LAW_YIELD_RATE].value &&
       asp_wall_spec_set(&law.spec, "yield_rate", cli_number(&first[LAW_YIELD_RATE], 0, 1e15),
                         &error))
-    cli_bad_input("--yield-rate: %s", error.text);
+    cli_bad_usage("--yield-rate: %s", error.text);
   law.spec.deposit = cli_switch(&first[LAW_ADHESION]);
   law.spec.scatter_twice = first[LAW_SCATTER_TWICE].value;
   law.spec.table = law.table = table_of(first, &law.spec);
@@ -98,7 +98,7 @@ asp_pair cli_law_pair(const cli_option *first, const cli_law *law, const char *w
   if (asp_pair_create(p->youngs_modulus, p->poissons_ratio, w->youngs_modulus, w->poissons_ratio,
                       yield, cli_number(&first[LAW_GAMMA], 0, 1e9),
                       cli_number(&first[LAW_MU], 0, 1e3), &pair, &error))
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   int rate = asp_rebound_parameter(rebound, "yield_rate", NULL);
   bool wanted = rate >= 0 && !(law->spec.parameters[rate] > 0) && !first[LAW_YIELD].value;
   if (wanted && !(p->yield_stress > 0))

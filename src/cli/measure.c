@@ -44,7 +44,7 @@ asp_wall *measure_wall(const measure_bench *bench, const char *model, asp_collis
   spec.deposit = false;
   asp_wall *wall = asp_wall_create(&spec, &error);
   if (!wall)
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   return wall;
 }
 

@@ -332,7 +332,7 @@ static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) 
     cli_bad_usage("--wall is '%s'; --map regimes takes one wall", options[LAW + LAW_WALL].value);
   m->wall = asp_wall_create(&m->law.spec, &error);
   if (!m->wall)
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
 }
 
 static void free_map(rebound_map *m) {

@@ -182,7 +182,7 @@ scatter_impacts scatter_read_impacts(const char *path) {
   scatter_impacts impacts = {NULL, 0, 0, false, ""};
   asp_error error;
   if (read_impacts(path, &impacts, &error))
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   double most = 0;
   for (size_t i = 0; i < impacts.count; i++)
     most = fmax(most, impacts.points[i].degrees);
@@ -257,10 +257,10 @@ scatter_data scatter_read_data(const char *path) {
   if (!csv && error.code == ASP_EFILE)
     cli_fail("%s", error.text);
   if (!csv || read_data(csv, &data, &most, &error))
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   asp_csv_close(csv);
   if (data.n_points + data.n_means == 0)
-    cli_bad_input("%s: no row of data", path);
+    cli_bad_usage("%s: no row of data", path);
   warn_radians(path, most, data.n_points + data.n_means);
   return data;
 }

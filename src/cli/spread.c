@@ -30,7 +30,7 @@ static const void *data_of(const char *model, const asp_surface *surface, double
   spec.sizes = (asp_sizes){d_p, d_p, 1};
   asp_wall *wall = asp_wall_create(&spec, &error);
   if (!wall)
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   return asp_wall_data(wall);
 }
 

@@ -156,7 +156,7 @@ static cli_wall generate_wall(const cli_option *o) {
   asp_profile *profile = asp_profile_create(r_q, lambda_c, lambda_c / CLI_POINTS_PER_LAMBDA, points,
                                             (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX), &error);
   if (!profile)
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
 }
 

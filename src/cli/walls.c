@@ -27,12 +27,12 @@ asp_surface *cli_surface_of(const cli_option *rq, const cli_option *lambda_c) {
   asp_error error;
   asp_surface *surface = asp_surface_create(cli_length(rq), cli_length(lambda_c), &error);
   if (!surface)
-    cli_bad_input("%s", error.text);
+    cli_bad_usage("%s", error.text);
   return surface;
 }
 
 void cli_check_size(const asp_surface *surface, double d_p) {
   asp_error error;
   if (asp_surface_check(surface, d_p, &error))
-    cli_bad_input("--dp: %s", error.text);
+    cli_bad_usage("--dp: %s", error.text);
 }

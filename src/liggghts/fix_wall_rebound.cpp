@@ -10,22 +10,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
-#include <limits>
 
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
-#include "domain.h"
 #include "error.h"
 #include "fix_mesh_surface.h"
 #include "fix_neighlist_mesh.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
-#include "force.h"
 #include "group.h"
-#include "memory.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "primitive_wall.h"
 #include "tri_mesh.h"
 #include "update.h"

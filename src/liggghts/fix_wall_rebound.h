@@ -69,6 +69,7 @@ private:
   enum State { FREE, FROZEN, DOOMED };
   enum Deposit { FREEZE, DELETE, OFF };
   enum Timing { EXACT, OVERLAP };
+
   /* The time of the ledger: LIGGGHTS's own begins anew after a restart. `dt` 0: not set yet. */
   struct Clock {
     double time, step, dt;
@@ -84,7 +85,6 @@ private:
     N_COUNTERS
   };
 
-  /* What goes into a restart file. */
   /* What a restart may change without a word in the script having to say so. */
   struct Choice {
     uint32_t seed;
@@ -92,8 +92,10 @@ private:
     char profile[200], spread[40], rebound[40];
   };
 
+  /* The columns of the global array. */
   enum Total { MESH_IMPACTS, MESH_DEPOSITS, MESH_MASS, MESH_ENERGY, N_TOTALS };
 
+  /* The fixed part of what goes into a restart file. */
   struct Saved {
     double counters[N_COUNTERS];
     double d_range[2];
@@ -108,6 +110,7 @@ private:
     int id;                       /* of the triangle, 0 for a primitive wall */
   };
 
+  /* The plane of a near triangle. */
   struct Plane {
     double normal[3], offset;
     double speed; /* of the fastest node */
