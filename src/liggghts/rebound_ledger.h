@@ -9,6 +9,7 @@
 #include <mpi.h>
 #include <stdio.h>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -66,29 +67,49 @@ public:
     return every_;
   }
   int size() const {
-    return static_cast<int>(rows_.size());
+    return static_cast<int>(size_);
   }
   double **rows();
   double memory_usage() const;
 
 private:
-  /* A row as text, and where it belongs. */
-  struct Line {
+  /* Where a row belongs. */
+  struct Key {
     double step, time, tag, impact;
-    size_t length;
+    bool operator<(const Key &other) const;
   };
 
-  void write(const std::vector<Line> &lines, const std::vector<char> &text);
+  /* Some rows of one rank, in order, as text. */
+  struct Piece {
+    std::vector<Key> keys;
+    std::vector<int> lengths;
+    std::vector<char> text;
+  };
+
+  /* Rows are never moved: growing by copies would touch three times the memory. */
+  static const size_t BLOCK = 256;
+  Row &row(size_t i) {
+    return blocks_[i / BLOCK][i % BLOCK];
+  }
+  const Row &row(size_t i) const {
+    return blocks_[i / BLOCK][i % BLOCK];
+  }
+
+  class Source;
+
+  std::vector<size_t> sorted() const;
+  void print(const std::vector<size_t> &order, size_t from, Piece &piece) const;
+  void send(const std::vector<size_t> &order) const;
+  void merge(const std::vector<size_t> &order, const std::vector<long long> &counts);
 
   MPI_Comm world_;
-  int rank_;
+  int rank_, ranks_;
   bigint every_;
   std::string path_;
   FILE *file_;
-  bool failed_;
-  std::vector<Row> rows_;
+  std::vector<std::unique_ptr<Row[]>> blocks_;
   std::vector<double *> pointers_;
-  size_t written_; /* how many of rows_ are in the file */
+  size_t size_, written_; /* of the rows; how many of them are in the file */
 };
 
 } // namespace LAMMPS_NS
