@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
+#include <numeric>
+#include <tuple>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -731,44 +733,56 @@ void FixWallRebound::refresh() {
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
   state_ = fix_state_->array_atom;
+  moving_.clear();
+  for (int m = 0; m < n_meshes(); m++)
+    moving_.push_back(mesh_list()[m]->triMesh()->prop().getElementProperty<NodeVelocities>("v"));
   if (!stuck_.empty() && is_moving())
-    for (int i : stuck_)
-      carry(i);
+    for (Stuck &stuck : stuck_)
+      carry(stuck);
 }
 
-/* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle: so that a
- * step reads the particles one after the other, and the candidates of one come together. */
+/* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle, mesh and
+ * id of the triangle: so that a step reads the particles one after the other, and the candidates of
+ * one come together. */
 void FixWallRebound::collect_pairs() {
-  near_.clear();
+  std::vector<Pair> pairs;
+  planes_.clear();
   for (int m = 0; m < n_meshes(); m++) {
     TriMesh *mesh = mesh_list()[m]->triMesh();
     const int n = mesh->sizeLocal() + mesh->sizeGhost();
     for (int t = 0; t < n; t++)
-      for (int i : mesh_list()[m]->meshNeighlist()->get_contact_list(t))
-        if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i))
-          near_.push_back(Candidate{this, i, m, t, mesh->id(t)});
+      if (!mesh_list()[m]->meshNeighlist()->get_contact_list(t).empty())
+        planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0});
   }
-  std::sort(near_.begin(), near_.end(), [](const Candidate &a, const Candidate &b) {
-    if (a.particle != b.particle)
-      return a.particle < b.particle;
-    return a.mesh != b.mesh ? a.mesh < b.mesh : a.id < b.id;
+  std::sort(planes_.begin(), planes_.end(), [](const Plane &a, const Plane &b) {
+    return std::tie(a.mesh, a.id, a.triangle) < std::tie(b.mesh, b.id, b.triangle);
   });
+  first_.assign(atom->nlocal + 1, 0);
+  for (size_t p = 0; p < planes_.size(); p++)
+    for (int i :
+         mesh_list()[planes_[p].mesh]->meshNeighlist()->get_contact_list(planes_[p].triangle))
+      if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i)) {
+        pairs.push_back(Pair{i, static_cast<int>(p)});
+        first_[i + 1]++;
+      }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  near_.resize(pairs.size());
+  std::vector<int> next(first_);
+  for (const Pair &pair : pairs)
+    near_[next[pair.particle]++] = pair;
   lists_are_new_ = false;
 }
 
-/* The planes of the triangles of all pairs, beside them in memory; anew when the lists are, and in
- * every step where a mesh moves. */
-void FixWallRebound::collect_planes() {
+/* The planes where their triangles are; anew when the lists are, and in every step where a mesh
+ * moves. */
+void FixWallRebound::place_planes() {
   double node[3];
-  planes_.resize(near_.size());
-  for (size_t k = 0; k < near_.size(); k++) {
-    TriMesh *mesh = mesh_list()[near_[k].mesh]->triMesh();
-    Plane &plane = planes_[k];
-    plane.particle = near_[k].particle;
-    mesh->surfaceNorm(near_[k].triangle, plane.normal);
-    mesh->node(near_[k].triangle, 0, node);
+  for (Plane &plane : planes_) {
+    TriMesh *mesh = mesh_list()[plane.mesh]->triMesh();
+    mesh->surfaceNorm(plane.triangle, plane.normal);
+    mesh->node(plane.triangle, 0, node);
     plane.offset = dot(plane.normal, node);
-    plane.speed = speed_of_triangle(mesh, near_[k].triangle);
+    plane.speed = speed_of_triangle(plane.mesh, plane.triangle);
   }
 }
 
@@ -785,12 +799,13 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
   if (lists_are_new_)
     collect_pairs();
   if (lists_were_new || is_moving())
-    collect_planes();
-  if (planes_.empty())
+    place_planes();
+  if (near_.empty())
     return;
   const double *x = atom->x[0], *v = atom->v[0], *radius = atom->radius; /* x, v: rows of three */
-  for (const Plane &plane : planes_) {
-    const int i = plane.particle;
+  for (const Pair &pair : near_) {
+    const Plane &plane = planes_[pair.plane];
+    const int i = pair.particle;
     double end = dot(plane.normal, x + 3 * i) - plane.offset;
     double begin = end - dot(plane.normal, v + 3 * i) * dt;
     double reach = radius[i] + 2 * plane.speed * dt;
@@ -830,24 +845,19 @@ void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) 
     return;
   }
   const double path = sqrt(dot(atom->v[i], atom->v[i])) * update->dt;
-  std::vector<Candidate>::const_iterator near =
-      std::lower_bound(near_.begin(), near_.end(), i,
-                       [](const Candidate &c, int particle) { return c.particle < particle; });
-  for (; near != near_.end() && near->particle == i; ++near) {
-    const Plane &plane = planes_[near - near_.begin()];
+  for (int k = first_[i]; k < first_[i + 1]; k++) {
+    const Plane &plane = planes_[near_[k].plane];
     double gap = fabs(dot(plane.normal, x_[i]) - plane.offset) - radius_[i];
     if (gap <= 2 * path + 4 * plane.speed * update->dt)
-      candidates.push_back(*near);
+      candidates.push_back(Candidate{this, i, plane.mesh, plane.triangle, plane.id});
   }
 }
 
 /* The speed of the fastest node; 0 for a wall at rest. */
-double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t) {
-  MultiVectorContainer<double, 3, 3> *moving =
-      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
+double FixWallRebound::speed_of_triangle(int m, int t) const {
   double most = 0;
-  for (int k = 0; moving && k < 3; k++) {
-    const double *v = moving->begin()[t][k];
+  for (int k = 0; moving_[m] && k < 3; k++) {
+    const double *v = moving_[m]->begin()[t][k];
     most = std::max(most, dot(v, v));
   }
   return sqrt(most);
@@ -880,9 +890,7 @@ double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3],
   int sign;
   double gap = mesh->resolveTriSphereContactBary(on.particle, on.triangle, radius, x, delta, bary,
                                                  sign, false);
-  MultiVectorContainer<double, 3, 3> *moving =
-      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
-  if (moving)
+  if (NodeVelocities *moving = moving_[on.mesh])
     for (int d = 0; d < 3; d++)
       for (int k = 0; k < 3; k++)
         v_wall[d] += bary[k] * moving->begin()[on.triangle][k][d];
@@ -912,6 +920,10 @@ bool FixWallRebound::normal_of(const Candidate &on, const Path &path, const doub
   return true;
 }
 
+bool FixWallRebound::moves(const Candidate &on) const {
+  return on.mesh < 0 ? shear_ : moving_[on.mesh] != NULL;
+}
+
 /* The first instant at which the path touches the candidate, by Newton's method on the gap, from
  * the beginning of the path; or from its end, where a curved wall is left at first and met again.
  * In the frame of the wall: it is at rest there as it is at the end of the step. */
@@ -919,7 +931,9 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact
   double delta[3], end[3], n[3], v[3], x[3];
   for (int d = 0; d < 3; d++)
     end[d] = path.x[d] + path.v[d] * path.left;
-  gap_at(on, end, delta, contact.v_wall);
+  vectorZeroize3D(contact.v_wall);
+  if (moves(on))
+    gap_at(on, end, delta, contact.v_wall);
   for (int d = 0; d < 3; d++)
     v[d] = path.v[d] - contact.v_wall[d];
   contact.guarded = false;
@@ -1125,8 +1139,8 @@ void FixWallRebound::stick(const Contact &contact, const Path &path) {
     for (int k = 0; k < 3; k++)
       s[STUCK_AT + k] = dot(arm, frame[k]);
   }
-  stuck_.push_back(i);
-  hold(i);
+  add_stuck(i);
+  hold(stuck_.back());
 }
 
 /* An orthonormal frame that moves with a triangle: its first node, first edge, and normal. */
@@ -1153,27 +1167,31 @@ void FixWallRebound::collect_stuck() {
     return;
   for (int i = 0; i < atom->nlocal; i++)
     if (state_[i][STATE] != FREE)
-      stuck_.push_back(i);
+      add_stuck(i);
 }
 
-/* A stuck particle has the wall's velocity, ... */
-void FixWallRebound::hold(int i) {
-  double *v = atom->v[i];
-  for (int d = 0; d < 3; d++)
-    v[d] = state_[i][STUCK_V + d];
+void FixWallRebound::add_stuck(int i) {
+  const double *v = state_[i] + STUCK_V;
+  stuck_.push_back(Stuck{i, {v[0], v[1], v[2]}});
+}
+
+/* A stuck particle has the wall's velocity, ... (Arrays of the atoms are rows of three.) */
+void FixWallRebound::hold(const Stuck &stuck) {
+  vectorCopy3D(stuck.v, atom->v[0] + 3 * stuck.particle);
   if (atom->omega_flag)
-    vectorZeroize3D(atom->omega[i]);
+    vectorZeroize3D(atom->omega[0] + 3 * stuck.particle);
 }
 
 /* ... and no force on it moves it. */
-void FixWallRebound::free_of_forces(int i) {
-  vectorZeroize3D(atom->f[i]);
+void FixWallRebound::free_of_forces(const Stuck &stuck) {
+  vectorZeroize3D(atom->f[0] + 3 * stuck.particle);
   if (atom->torque_flag)
-    vectorZeroize3D(atom->torque[i]);
+    vectorZeroize3D(atom->torque[0] + 3 * stuck.particle);
 }
 
 /* Takes a stuck particle along with the triangle that it sits on. */
-void FixWallRebound::carry(int i) {
+void FixWallRebound::carry(Stuck &stuck) {
+  const int i = stuck.particle;
   double *s = state_[i];
   const int m = static_cast<int>(s[STUCK_MESH]) - 1;
   if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving())
@@ -1187,6 +1205,7 @@ void FixWallRebound::carry(int i) {
     for (int k = 0; k < 3; k++)
       x[d] += s[STUCK_AT + k] * frame[k][d];
     s[STUCK_V + d] += (x[d] - x_[i][d]) / update->dt;
+    stuck.v[d] = s[STUCK_V + d];
     x_[i][d] = x[d];
   }
 }
@@ -1194,9 +1213,9 @@ void FixWallRebound::carry(int i) {
 void FixWallRebound::pre_initial_integrate() {
   if (ledger_)
     ledger_->begin_step(update->ntimestep);
-  for (int i : stuck_) {
-    hold(i);
-    free_of_forces(i);
+  for (const Stuck &stuck : stuck_) {
+    hold(stuck);
+    free_of_forces(stuck);
   }
 }
 
@@ -1226,8 +1245,8 @@ void FixWallRebound::pre_exchange() {
 }
 
 void FixWallRebound::end_of_step() {
-  for (int i : stuck_)
-    hold(i);
+  for (const Stuck &stuck : stuck_)
+    hold(stuck);
   for (std::unique_ptr<ReboundMap> &map : maps_)
     map->end_step(comm->nprocs);
   if (deposit_ ==
@@ -1273,9 +1292,10 @@ double FixWallRebound::compute_array(int row, int column) {
 }
 
 double FixWallRebound::memory_usage() {
-  return static_cast<double>((near_.capacity() + candidates_.capacity()) * sizeof(Candidate) +
-                             planes_.capacity() * sizeof(Plane) +
-                             (stuck_.capacity() + hits_.capacity()) * sizeof(int)) +
+  return static_cast<double>(near_.capacity() * sizeof(Pair) + planes_.capacity() * sizeof(Plane) +
+                             candidates_.capacity() * sizeof(Candidate) +
+                             stuck_.capacity() * sizeof(Stuck) +
+                             (first_.capacity() + hits_.capacity()) * sizeof(int)) +
          (ledger_ ? ledger_->memory_usage() : 0);
 }
 
