@@ -23,6 +23,7 @@
 #include "fix_property_global.h"
 #include "group.h"
 #include "modify.h"
+#include "output.h"
 #include "primitive_wall.h"
 #include "tri_mesh.h"
 #include "update.h"
@@ -160,9 +161,9 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
       lambda_c_(0), dp_bins_(16), tolerance_(0), d_range_(), spec_(asp_wall_spec_default()),
       deposit_(FREEZE), timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)),
       profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
-      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free), fix_state_(NULL), state_(NULL),
-      clock_(), counters_(), lists_are_new_(true), warned_(false), announced_(false),
-      restarted_(false), speed_checked_(-1) {
+      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free), fix_state_(NULL),
+      fix_place_(NULL), clock_(), counters_(), lists_are_new_(true), warned_(false),
+      announced_(false), restarted_(false), speed_checked_(-1) {
   for (int m = 0; m < n_meshes(); m++)
     mesh_ids_.push_back(mesh_list()[m]->id);
   check_particles();
@@ -411,8 +412,31 @@ std::string FixWallRebound::state_id() const {
   return std::string("rebound_") + id;
 }
 
+std::string FixWallRebound::place_id() const {
+  return std::string("stuck_") + id;
+}
+
+double **FixWallRebound::state() const {
+  return fix_state_->array_atom;
+}
+
+double **FixWallRebound::place() const {
+  return fix_place_->array_atom;
+}
+
 int FixWallRebound::setmask() {
   return FixWallGran::setmask() | PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP | POST_RUN;
+}
+
+/* Zeros for each particle, which go with it and into restart files. */
+FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int columns) {
+  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes",
+                                    "no", "no"};
+  words.resize(words.size() + columns, "0.");
+  std::vector<char *> arg;
+  for (std::string &word : words)
+    arg.push_back(&word[0]);
+  return modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
 }
 
 void FixWallRebound::post_create() {
@@ -424,21 +448,17 @@ void FixWallRebound::post_create() {
              id)
             .c_str());
   FixWallGran::post_create();
-  std::string name = state_id();
-  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes",
-                                    "no", "no"};
-  words.resize(words.size() + N_STATE, "0.");
-  std::vector<char *> arg;
-  for (std::string &word : words)
-    arg.push_back(&word[0]);
-  fix_state_ = modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
+  fix_state_ = add_property(state_id(), N_STATE);
+  if (deposit_ != OFF)
+    fix_place_ = add_property(place_id(), N_PLACE);
   for (int m = 0; m < n_meshes(); m++)
     maps_.push_back(std::unique_ptr<ReboundMap>(new ReboundMap(mesh_list()[m]->triMesh())));
 }
 
 void FixWallRebound::pre_delete(bool unfixflag) {
-  if (unfixflag && modify->find_fix_id(state_id().c_str()))
-    modify->delete_fix(state_id().c_str());
+  for (const std::string &name : {state_id(), place_id()})
+    if (unfixflag && modify->find_fix_id(name.c_str()))
+      modify->delete_fix(name.c_str());
   for (size_t m = 0; unfixflag && m < maps_.size(); m++)
     maps_[m]->remove();
   FixWallGran::pre_delete(unfixflag);
@@ -537,6 +557,8 @@ void FixWallRebound::check_meshes() {
            "' has been deleted while this wall uses it; unfix the wall first");
   if (fix_state_ && modify->find_fix_id(state_id().c_str()) != fix_state_)
     fail("fix property/atom '" + state_id() + "' has been deleted while this wall uses it");
+  if (fix_place_ && modify->find_fix_id(place_id().c_str()) != fix_place_)
+    fail("fix property/atom '" + place_id() + "' has been deleted while this wall uses it");
   for (int i = 0; i < modify->nfix; i++) {
     FixWallGran *other = dynamic_cast<FixWallGran *>(modify->fix[i]);
     if (!other || other == this)
@@ -639,7 +661,6 @@ void FixWallRebound::setup(int vflag) {
   FixWallGran::pre_neighbor();
   pre_force(vflag);
   lists_are_new_ = true;
-  state_ = fix_state_->array_atom;
   collect_stuck();
   check_speeds();
   for (size_t m = 0; m < saved_maps_.size() && m < maps_.size(); m++)
@@ -650,7 +671,6 @@ void FixWallRebound::setup(int vflag) {
 void FixWallRebound::pre_neighbor() {
   FixWallGran::pre_neighbor();
   lists_are_new_ = true;
-  state_ = fix_state_->array_atom;
   collect_stuck();
   if (update->ntimestep != speed_checked_)
     check_speeds();
@@ -732,7 +752,6 @@ void FixWallRebound::refresh() {
   radius_ = atom->radius;
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
-  state_ = fix_state_->array_atom;
   moving_.clear();
   for (int m = 0; m < n_meshes(); m++)
     moving_.push_back(mesh_list()[m]->triMesh()->prop().getElementProperty<NodeVelocities>("v"));
@@ -865,7 +884,7 @@ double FixWallRebound::speed_of_triangle(int m, int t) const {
 
 bool FixWallRebound::is_stuck(int i) const {
   for (const FixWallRebound *wall : siblings_)
-    if (wall->state_[i][STATE] != FREE)
+    if (wall->state()[i][STATE] != FREE)
       return true;
   return false;
 }
@@ -1055,7 +1074,7 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path) {
   asp_particle particle = {d_p, rmass_[i] / (ASP_PI / 6 * d_p * d_p * d_p),
                            pairs_.empty() ? NULL : &pairs_[type * (atom->ntypes + 1) + wall_type]};
   asp_key key = {seed_, fix_key_, static_cast<uint64_t>(atom->tag[i]),
-                 static_cast<uint32_t>(state_[i][IMPACTS] += 1)};
+                 static_cast<uint32_t>(state()[i][IMPACTS] += 1)};
   asp_impact impact;
   asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
   count(contact, v1, impact);
@@ -1124,8 +1143,8 @@ void FixWallRebound::record(const Contact &contact, const Path &path, const doub
  * the triangle, so that it can move with it. */
 void FixWallRebound::stick(const Contact &contact, const Path &path) {
   const int i = contact.on->particle;
-  double *s = state_[i];
-  s[STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
+  double *s = place()[i];
+  state()[i][STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
   s[STUCK_MESH] = contact.on->mesh + 1;
   s[STUCK_TRIANGLE] = contact.on->id;
   for (int d = 0; d < 3; d++) {
@@ -1166,12 +1185,12 @@ void FixWallRebound::collect_stuck() {
   if (deposit_ == OFF)
     return;
   for (int i = 0; i < atom->nlocal; i++)
-    if (state_[i][STATE] != FREE)
+    if (state()[i][STATE] != FREE)
       add_stuck(i);
 }
 
 void FixWallRebound::add_stuck(int i) {
-  const double *v = state_[i] + STUCK_V;
+  const double *v = place()[i] + STUCK_V;
   stuck_.push_back(Stuck{i, {v[0], v[1], v[2]}});
 }
 
@@ -1192,7 +1211,7 @@ void FixWallRebound::free_of_forces(const Stuck &stuck) {
 /* Takes a stuck particle along with the triangle that it sits on. */
 void FixWallRebound::carry(Stuck &stuck) {
   const int i = stuck.particle;
-  double *s = state_[i];
+  double *s = place()[i];
   const int m = static_cast<int>(s[STUCK_MESH]) - 1;
   if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving())
     return;
@@ -1223,10 +1242,9 @@ void FixWallRebound::pre_initial_integrate() {
 void FixWallRebound::pre_exchange() {
   if (deposit_ != DELETE)
     return;
-  double **state = fix_state_->array_atom;
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (state[i][STATE] == DOOMED) {
+    if (state()[i][STATE] == DOOMED) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;
@@ -1247,8 +1265,8 @@ void FixWallRebound::pre_exchange() {
 void FixWallRebound::end_of_step() {
   for (const Stuck &stuck : stuck_)
     hold(stuck);
-  for (std::unique_ptr<ReboundMap> &map : maps_)
-    map->end_step(comm->nprocs);
+  if (output->next == update->ntimestep)
+    settle_maps();
   if (deposit_ ==
       DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
     int mine = !stuck_.empty(), any;
@@ -1265,7 +1283,13 @@ void FixWallRebound::end_of_step() {
   }
 }
 
+void FixWallRebound::settle_maps() {
+  for (std::unique_ptr<ReboundMap> &map : maps_)
+    map->settle(world);
+}
+
 void FixWallRebound::post_run() {
+  settle_maps();
   if (!ledger_)
     return;
   std::string why = ledger_->flush();

@@ -55,17 +55,10 @@ public:
   void restart(char *buffer);
 
 private:
-  /* Columns of the per-atom property: how often the particle has hit this wall, and how it stuck.
-   */
-  enum {
-    IMPACTS,
-    STATE,
-    STUCK_MESH,
-    STUCK_TRIANGLE,
-    STUCK_AT,
-    STUCK_V = STUCK_AT + 3,
-    N_STATE = STUCK_V + 3
-  };
+  /* Columns of the per-atom properties: how often the particle has hit this wall, and whether it
+   * has stuck; and, apart from these since all are looked through for stuck particles, where. */
+  enum { IMPACTS, STATE, N_STATE };
+  enum { STUCK_MESH, STUCK_TRIANGLE, STUCK_AT, STUCK_V = STUCK_AT + 3, N_PLACE = STUCK_V + 3 };
   enum State { FREE, FROZEN, DOOMED };
   enum Deposit { FREEZE, DELETE, OFF };
   enum Timing { EXACT, OVERLAP };
@@ -168,6 +161,10 @@ private:
                 const char *example, std::vector<double> &values);
   void find_materials();
   std::string state_id() const;
+  std::string place_id() const;
+  class FixPropertyAtom *add_property(const std::string &name, int columns);
+  double **state() const;
+  double **place() const;
   void check_particles();
   void check_meshes();
   void check_group();
@@ -198,6 +195,7 @@ private:
               const asp_impact &impact);
 
   void triangle_frame(int mesh, int triangle, double origin[3], double frame[3][3]);
+  void settle_maps();
   void collect_stuck();
   void add_stuck(int i);
   void hold(const Stuck &stuck);
@@ -224,17 +222,16 @@ private:
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   std::unique_ptr<ReboundLedger> ledger_;
 
-  std::vector<asp_pair> pairs_; /* particle type x wall type, from 1 */
-  class FixPropertyAtom *fix_state_;
-  double **state_;
-  std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
-  std::vector<NodeVelocities *> moving_;   /* one a mesh */
-  std::vector<Pair> near_;                 /* the neighbour lists of the meshes, by particle */
-  std::vector<int> first_;                 /* where in it a particle's pairs begin */
-  std::vector<Plane> planes_;              /* the triangles of these pairs */
-  std::vector<Candidate> candidates_;      /* what may be hit in this step */
-  std::vector<int> hits_;                  /* particles that may touch a wall in this step */
-  std::vector<Stuck> stuck_;               /* since the last exchange */
+  std::vector<asp_pair> pairs_;                   /* particle type x wall type, from 1 */
+  class FixPropertyAtom *fix_state_, *fix_place_; /* the second one: unless deposits are off */
+  std::vector<FixWallRebound *> siblings_;        /* all walls of this style, the first one leads */
+  std::vector<NodeVelocities *> moving_;          /* one a mesh */
+  std::vector<Pair> near_;            /* the neighbour lists of the meshes, by particle */
+  std::vector<int> first_;            /* where in it a particle's pairs begin */
+  std::vector<Plane> planes_;         /* the triangles of these pairs */
+  std::vector<Candidate> candidates_; /* what may be hit in this step */
+  std::vector<int> hits_;             /* particles that may touch a wall in this step */
+  std::vector<Stuck> stuck_;          /* since the last exchange */
   std::vector<std::unique_ptr<ReboundMap>> maps_; /* one a mesh */
   std::vector<std::vector<double>> saved_maps_;   /* of a restart, until the meshes are set up */
   std::vector<double> totals_; /* N_TOTALS a mesh; one row for a primitive wall */
