@@ -777,18 +777,18 @@ void FixWallRebound::collect_pairs() {
     return std::tie(a.mesh, a.id, a.triangle) < std::tie(b.mesh, b.id, b.triangle);
   });
   first_.assign(atom->nlocal + 1, 0);
-  for (size_t p = 0; p < planes_.size(); p++)
-    for (int i :
-         mesh_list()[planes_[p].mesh]->meshNeighlist()->get_contact_list(planes_[p].triangle))
+  for (size_t p = 0; p < planes_.size(); p++) {
+    const Plane &plane = planes_[p];
+    for (int i : mesh_list()[plane.mesh]->meshNeighlist()->get_contact_list(plane.triangle))
       if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i)) {
         pairs.push_back(Pair{i, static_cast<int>(p)});
-        first_[i + 1]++;
+        first_[i]++;
       }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin()); /* the ends, for now */
   near_.resize(pairs.size());
-  std::vector<int> next(first_);
-  for (const Pair &pair : pairs)
-    near_[next[pair.particle]++] = pair;
+  for (size_t k = pairs.size(); k-- > 0;)
+    near_[--first_[pairs[k].particle]] = pairs[k];
   lists_are_new_ = false;
 }
 
@@ -1184,8 +1184,11 @@ void FixWallRebound::collect_stuck() {
   stuck_.clear();
   if (deposit_ == OFF)
     return;
+  if (atom->nlocal == 0)
+    return;
+  const double *state_of = state()[0] + STATE; /* rows of N_STATE, one behind the other */
   for (int i = 0; i < atom->nlocal; i++)
-    if (state()[i][STATE] != FREE)
+    if (state_of[i * N_STATE] != FREE)
       add_stuck(i);
 }
 
