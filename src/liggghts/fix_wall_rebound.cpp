@@ -584,11 +584,10 @@ std::string FixWallRebound::heading() const {
   std::string surface = smooth_    ? "smooth"
                         : profile_ ? "profile " + profile_path_
                                    : text("rq %g lambda_c %g", r_q_, lambda_c_);
-  return text(
-      "# asperity %s; fix %s wall/rebound; units %s; surface %s; spread %s; rebound %s; seed "
-      "%u; angles in degrees",
-      ASP_VERSION, id, update->unit_style, surface.c_str(), spec_.spread, rebound_text_.c_str(),
-      seed_);
+  return text("asperity %s; fix %s wall/rebound; units %s; surface %s; spread %s; rebound %s; seed "
+              "%u; angles in degrees",
+              ASP_VERSION, id, update->unit_style, surface.c_str(), spec_.spread,
+              rebound_text_.c_str(), seed_);
 }
 
 std::string FixWallRebound::describe_surface() const {
@@ -828,7 +827,7 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
     double end = dot(plane.normal, x + 3 * i) - plane.offset;
     double begin = end - dot(plane.normal, v + 3 * i) * dt;
     double reach = radius[i] + 2 * plane.speed * dt;
-    if (!((begin > reach && end > reach) || (begin < -reach && end < -reach)))
+    if (!(std::min(begin, end) > reach || std::max(begin, end) < -reach))
       hits.push_back(i);
   }
 }

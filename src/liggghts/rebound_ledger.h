@@ -1,6 +1,9 @@
 /* The ledger of a rough wall: one row an impact. Rows live from one multiple of N to the next, for
- * `dump local`; with a file, the same rows go to one CSV, gathered from all ranks and sorted by
- * step, time, particle and impact, so that the file does not depend on the number of ranks.
+ * `dump local`; with a file, the same rows go to it, gathered from all ranks and sorted by step,
+ * time, particle and impact, so that the file does not depend on the number of ranks. A file whose
+ * name ends with .npy is a one-dimensional structured array in NumPy's format, version 1.0, any
+ * other one is CSV. An array's header says how many rows there are and is written after them, so
+ * that a run which dies leaves a whole file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REBOUND_LEDGER_H
@@ -49,7 +52,7 @@ public:
   ReboundLedger(MPI_Comm world, bigint every, const std::string &path);
   ~ReboundLedger();
 
-  /* Opens the file, on rank 0, with a comment line and the names of the columns; appends to what an
+  /* Opens the file, on rank 0, with a heading and the names of the columns; appends to what an
    * earlier part of a restarted run left. Collective. Returns an empty string, or why it cannot be
    * written. */
   std::string open(bool append, const std::string &heading);
@@ -79,11 +82,11 @@ private:
     bool operator<(const Key &other) const;
   };
 
-  /* Some rows of one rank, in order, as text. */
+  /* Some rows of one rank, in order, as the file has them. */
   struct Piece {
     std::vector<Key> keys;
     std::vector<int> lengths;
-    std::vector<char> text;
+    std::vector<char> bytes;
   };
 
   /* Rows are never moved: growing by copies would touch three times the memory. */
@@ -97,6 +100,10 @@ private:
 
   class Source;
 
+  std::string open_csv(bool append, const std::string &heading);
+  std::string open_array(bool append, const std::string &heading);
+  std::string continue_array();
+  void write_header();
   std::vector<size_t> sorted() const;
   void print(const std::vector<size_t> &order, size_t from, Piece &piece) const;
   void send(const std::vector<size_t> &order) const;
@@ -106,6 +113,9 @@ private:
   int rank_, ranks_;
   bigint every_;
   std::string path_;
+  bool is_array_;
+  std::string header_; /* of an array, up to the number of its rows */
+  long long in_file_;  /* rows */
   FILE *file_;
   std::vector<std::unique_ptr<Row[]>> blocks_;
   std::vector<double *> pointers_;
