@@ -162,8 +162,8 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
       deposit_(FREEZE), timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)),
       profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
       surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free), fix_state_(NULL),
-      fix_place_(NULL), clock_(), counters_(), lists_are_new_(true), warned_(false),
-      announced_(false), restarted_(false), speed_checked_(-1) {
+      fix_place_(NULL), clock_(), fastest_(), counters_(), lists_are_new_(true), warned_(false),
+      announced_(false), restarted_(false) {
   for (int m = 0; m < n_meshes(); m++)
     mesh_ids_.push_back(mesh_list()[m]->id);
   check_particles();
@@ -661,7 +661,9 @@ void FixWallRebound::setup(int vflag) {
   pre_force(vflag);
   lists_are_new_ = true;
   collect_stuck();
+  fastest_ = Fastest();
   check_speeds();
+  warn_of_speeds();
   for (size_t m = 0; m < saved_maps_.size() && m < maps_.size(); m++)
     maps_[m]->scatter(saved_maps_[m]);
   saved_maps_.clear();
@@ -671,35 +673,38 @@ void FixWallRebound::pre_neighbor() {
   FixWallGran::pre_neighbor();
   lists_are_new_ = true;
   collect_stuck();
-  if (update->ntimestep != speed_checked_)
-    check_speeds();
+  check_speeds();
 }
 
 /* A particle that moves more than its radius in a step may pass the wall between two looks at it.
- */
+ * Each rank looks where lists are built anew; they tell each other when something is printed, and
+ * do not wait for each other in between. */
 void FixWallRebound::check_speeds() {
-  speed_checked_ = update->ntimestep;
   if (warned_)
     return;
-  struct {
-    double ratio; /* radii per time */
-    int rank;
-  } mine = {0, comm->me}, worst;
-  double speed = 0, d_p = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit))
       continue;
-    const double square = dot(atom->v[i], atom->v[i]), limit = mine.ratio * atom->radius[i];
+    const double square = dot(atom->v[i], atom->v[i]), limit = fastest_.ratio * atom->radius[i];
     if (square <= limit * limit)
       continue;
-    speed = sqrt(square);
-    d_p = 2 * atom->radius[i];
-    mine.ratio = speed / atom->radius[i];
+    fastest_.speed = sqrt(square);
+    fastest_.d_p = 2 * atom->radius[i];
+    fastest_.ratio = fastest_.speed / atom->radius[i];
   }
+}
+
+void FixWallRebound::warn_of_speeds() {
+  if (warned_)
+    return;
+  struct {
+    double ratio;
+    int rank;
+  } mine = {fastest_.ratio, comm->me}, worst;
   MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
   if (worst.ratio * update->dt <= 1)
     return;
-  double fastest[2] = {d_p, speed};
+  double fastest[2] = {fastest_.d_p, fastest_.speed};
   MPI_Bcast(fastest, 2, MPI_DOUBLE, worst.rank, world);
   warned_ = true;
   if (comm->me == 0)
@@ -772,9 +777,11 @@ void FixWallRebound::collect_pairs() {
       if (!mesh_list()[m]->meshNeighlist()->get_contact_list(t).empty())
         planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0});
   }
-  std::sort(planes_.begin(), planes_.end(), [](const Plane &a, const Plane &b) {
+  auto in_order = [](const Plane &a, const Plane &b) {
     return std::tie(a.mesh, a.id, a.triangle) < std::tie(b.mesh, b.id, b.triangle);
-  });
+  };
+  if (!std::is_sorted(planes_.begin(), planes_.end(), in_order))
+    std::sort(planes_.begin(), planes_.end(), in_order);
   first_.assign(atom->nlocal + 1, 0);
   for (size_t p = 0; p < planes_.size(); p++) {
     const Plane &plane = planes_[p];
@@ -1267,8 +1274,10 @@ void FixWallRebound::pre_exchange() {
 void FixWallRebound::end_of_step() {
   for (const Stuck &stuck : stuck_)
     hold(stuck);
-  if (output->next == update->ntimestep)
+  if (output->next == update->ntimestep) {
     settle_maps();
+    warn_of_speeds();
+  }
   if (deposit_ ==
       DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
     int mine = !stuck_.empty(), any;
@@ -1292,6 +1301,7 @@ void FixWallRebound::settle_maps() {
 
 void FixWallRebound::post_run() {
   settle_maps();
+  warn_of_speeds();
   if (!ledger_)
     return;
   std::string why = ledger_->flush();

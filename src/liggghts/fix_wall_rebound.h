@@ -103,6 +103,11 @@ private:
     int id;                       /* of the triangle, 0 for a primitive wall */
   };
 
+  /* The fastest particle of this rank in this run, by its radii per time. */
+  struct Fastest {
+    double ratio, d_p, speed;
+  };
+
   /* A triangle that some particle is near, and its plane. */
   struct Plane {
     int mesh, triangle, id;
@@ -171,6 +176,7 @@ private:
   Choice choice() const;
   void compare_choice(const Choice &saved);
   void check_speeds();
+  void warn_of_speeds();
 
   void find_siblings();
   void refresh();
@@ -236,9 +242,9 @@ private:
   std::vector<std::vector<double>> saved_maps_;   /* of a restart, until the meshes are set up */
   std::vector<double> totals_; /* N_TOTALS a mesh; one row for a primitive wall */
   Clock clock_;
+  Fastest fastest_;
   double counters_[N_COUNTERS];
   bool lists_are_new_, warned_, announced_, restarted_;
-  bigint speed_checked_;
 };
 
 } // namespace LAMMPS_NS

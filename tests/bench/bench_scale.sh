@@ -50,5 +50,6 @@ for cells in 10 224; do
   row "20 000 grains on $((2 * cells * cells)) triangles: the fix, of a step" "$(of $cells.0.5.share)" "%"
   row "... a contact costs the fix" "$(calc "2e6 * ($(of $cells.0.5.fix) - $(of $cells.0.1.fix)) / ($(contacts $cells.0.5.in) - $(contacts $cells.0.1.in))")" "us"
 done
+# The largest memory of runs with the wall, and without it.
 more() { calc "$(of $1.with) - $(of $1.without)"; }
 row "memory of the wall, LIGGGHTS's lists of it and all, a triangle" "$(calc "($(more 224) - $(more 10)) / (2 * (224 ^ 2 - 10 ^ 2))")" "B"

@@ -10,7 +10,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 # row WHAT NUMBER UNIT [<=|>= LIMIT]: a line of the table.
 row() { awk -v what="$1" -v value="$2" -v unit="$3" -v sign="${4:-}" -v limit="${5:-}" 'BEGIN {
   wanted = sign == "" ? "-" : sign " " limit
-  met = sign == "" ? "-" : (sign == "<=" ? value <= limit : value >= limit) ? "yes" : "NO"
+  met = sign == "" ? "-" : (sign == "<=" ? value + 0 <= limit + 0 : value + 0 >= limit + 0) ? "yes" : "NO"
   printf "%s\t%.3g %s\t%s\t%s\n", what, value, unit, wanted, met }'; }
 
 # engine RANKS SCRIPT [options]: the screen goes to SCRIPT.screen.
@@ -22,7 +22,7 @@ fix_seconds() { awk '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print $1
 share() { awk -v fix="$(fix_seconds "$1")" -v loop="$(loop_seconds "$1")" 'BEGIN { print 100 * fix / loop }'; }
 
 median() { sort -g | awk '{ x[NR] = $1 } END { print x[int((NR + 1) / 2)] }'; }
-calc() { awk "BEGIN { print $1 }"; }
+calc() { awk "BEGIN { printf \"%.12g\n\", $1 }"; }
 
 # peak RANKS SCRIPT: the same, and prints the largest memory of its processes, summed, in bytes.
 peak() {
@@ -33,7 +33,7 @@ peak() {
     sleep 0.1
   done > "$2.memory"
   wait $job || { tail -n 5 "$2.screen" >&2; exit 1; }
-  awk '$2 > m[$1] { m[$1] = $2 } END { for (p in m) s += m[p]; printf "%.0f", 1024 * s }' "$2.memory"
+  awk '$2 > m[$1] { m[$1] = $2 } END { for (p in m) s += m[p]; printf "%.0f\n", 1024 * s }' "$2.memory"
 }
 
 # deck WALL STEP STEPS [MESH]: a script for the grains of grains.data: of quartz, on Hastelloy X, that do not meet.
