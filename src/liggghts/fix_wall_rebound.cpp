@@ -951,8 +951,11 @@ bool FixWallRebound::moves(const Candidate &on) const {
 
 /* The first instant at which the path touches the candidate, by Newton's method on the gap, from
  * the beginning of the path; or from its end, where a curved wall is left at first and met again.
- * In the frame of the wall: it is at rest there as it is at the end of the step. */
-bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact &contact) {
+ * In the frame of the wall: it is at rest there as it is at the end of the step. A contact after
+ * `latest` does not count; the distance from a triangle along a line is convex, so that Newton's
+ * method comes to it from below, and may be stopped there. */
+bool FixWallRebound::find_contact(const Candidate &on, const Path &path, double latest,
+                                  Contact &contact) {
   double delta[3], end[3], n[3], v[3], x[3];
   for (int d = 0; d < 3; d++)
     end[d] = path.x[d] + path.v[d] * path.left;
@@ -985,10 +988,10 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact
       break;
     }
     time = std::max(0.0, time + gap / approach);
-    if (time > 2 * path.left)
+    if (time > (on.mesh < 0 ? 2 * path.left : latest))
       return false;
   }
-  if (!(time <= path.left))
+  if (!(time <= latest))
     return false;
   contact.on = &on;
   contact.time = time;
@@ -1013,7 +1016,7 @@ bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact
     return false;
   double approach = -dot(v, contact.n);
   if (contact.guarded || sqrt(dot(delta, delta)) + approach * path.left < 0) {
-    if (!find_contact(on, path, contact))
+    if (!find_contact(on, path, path.left, contact))
       return false;
     contact.guarded = true;
     return true;
@@ -1041,7 +1044,8 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
     earliest.on = NULL;
     for (const Candidate *on = first; on < last; on++) {
       FixWallRebound *wall = on->wall;
-      bool found = wall->timing_ == EXACT ? wall->find_contact(*on, path, contact)
+      const double latest = earliest.on ? earliest.time : path.left;
+      bool found = wall->timing_ == EXACT ? wall->find_contact(*on, path, latest, contact)
                                           : wall->find_overlap(*on, path, contact);
       if (found && (!earliest.on || contact.time < earliest.time))
         earliest = contact;

@@ -189,7 +189,7 @@ private:
   bool is_stuck(int i) const;
   double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
   bool moves(const Candidate &on) const;
-  bool find_contact(const Candidate &on, const Path &path, Contact &contact);
+  bool find_contact(const Candidate &on, const Path &path, double latest, Contact &contact);
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
   bool normal_of(const Candidate &on, const Path &path, const double delta[3], double n[3],
                  bool &guarded);
