@@ -64,8 +64,8 @@ typedef struct asp_key {
 typedef struct asp_stream {
   uint32_t key[2];
   uint32_t counter[4];
-  double spare;
-  bool has_spare;
+  double ready[2]; /* numbers that are drawn already, the last `left` of them */
+  int left;
 } asp_stream;
 
 /* A number for a wall's name (32-bit FNV-1a), so that two walls with one seed draw differently. */

@@ -23,7 +23,7 @@ VECTOR double atan(double);
 static inline double weibull(double sigma, double alpha1, double u, bool cut) {
   asp_weibull_law w = asp_weibull_at(sigma, alpha1);
   if (cut)
-    u *= 1 - exp(-exp(w.k * log((ASP_DELTA_MOST - w.b) / w.lambda)));
+    u *= asp_weibull_mass(w);
   double place = w.b + w.lambda * exp(log(asp_minus_log_rest(u)) / w.k);
   return place < ASP_DELTA_MOST ? place : ASP_DELTA_MOST;
 }
