@@ -13,8 +13,8 @@
  * softening is 200 MPa up to 1000 K and 0.225 MPa/K less above; it is kept as a share of the yield
  * stress, so that it holds in any units. Shear removal is not modelled here.
  *
- * The difference of squares is taken as (v - v_a)(v + v_a), whose only rounding near the capture
- * threshold is that of v_a itself. */
+ * The difference of squares is taken as (v - v_a)(v + v_a). Where it, or that of v_t2, loses two
+ * digits or more, the hit is worked out again in long double. */
 #include "rebound/laws.h"
 
 #include <math.h>
@@ -39,11 +39,20 @@ static const asp_parameter parameters[N_PARAMETERS] = {
                      "seen)"},
 };
 
+/* How near a difference may come to 0, as a share of what it is taken from, before long double. */
+static const double NEAR = 1e-2;
+
+/* The share of the yield stress that heat leaves; in long double, for it is a difference too. */
+static long double softened(const double *p) {
+  if (!(p[TEMPERATURE] > p[SOFTEN_FROM]))
+    return 1;
+  long double over = (long double)p[TEMPERATURE] - p[SOFTEN_FROM];
+  return fmaxl(0, 1 - p[SOFTEN_RATE] * over);
+}
+
 static double yield_stress(const double *p, const asp_hit *hit, double speed2) {
   double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * sqrt(speed2) : hit->pair->yield_stress;
-  if (!(p[TEMPERATURE] > p[SOFTEN_FROM]))
-    return yield;
-  return yield * fmax(0, 1 - p[SOFTEN_RATE] * (p[TEMPERATURE] - p[SOFTEN_FROM]));
+  return p[TEMPERATURE] > p[SOFTEN_FROM] ? yield * (double)softened(p) : yield;
 }
 
 /* x^c; the default exponent is spared the power. */
@@ -58,18 +67,45 @@ static double adhesion(const double *p, const asp_hit *hit, double v_y) {
   return sqrt(6 * hit->pair->surface_energy * share / (hit->density * hit->d_p));
 }
 
+/* The law again, with more digits: for the few hits near a threshold. */
+static asp_bounce rebound_near(const double *p, const asp_hit *hit) {
+  const asp_pair *pair = hit->pair;
+  long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1, density = hit->density;
+  long double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * sqrtl(speed2) : pair->yield_stress;
+  long double v_y = yield * softened(p) / sqrtl(density * pair->modulus);
+  long double n2 = n1 < v_y ? n1 : v_y;
+  if (hit->adhesion) {
+    long double ratio = n1 < v_y ? n1 / v_y : 1;
+    long double share = p[AREA_A] + p[AREA_B] * powl(ratio, p[AREA_C]);
+    long double v_a = sqrtl(6 * share * pair->surface_energy / (density * hit->d_p));
+    n2 = n2 > v_a ? sqrtl((n2 - v_a) * (n2 + v_a)) : 0;
+  }
+  long double t2 = t1 - pair->friction * (n1 + n2) * t1 * t1 / speed2;
+  return (asp_bounce){(double)n2, t2 > 0 ? (double)t2 : 0};
+}
+
 static asp_bounce rebound(const double *p, const asp_hit *hit) {
   const asp_pair *pair = hit->pair;
   double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1;
   double v_y = yield_stress(p, hit, speed2) / sqrt(hit->density * pair->modulus);
   double n2 = n1 < v_y ? n1 : v_y;
   if (hit->adhesion && pair->surface_energy > 0) {
-    double v_a = adhesion(p, hit, v_y);
-    n2 = n2 > v_a ? sqrt((n2 - v_a) * (n2 + v_a)) : 0;
+    double v_a = adhesion(p, hit, v_y), left = n2 - v_a, near = NEAR * n2;
+    if (left < near) {
+      if (left > -near)
+        return rebound_near(p, hit);
+      n2 = 0;
+    } else
+      n2 = sqrt(left * (n2 + v_a));
   }
   double cos2 = speed2 > 0 ? t1 * t1 / speed2 : 0;
-  double t2 = t1 - pair->friction * (n1 + n2) * cos2;
-  return (asp_bounce){n2, t2 > 0 ? t2 : 0};
+  double t2 = t1 - pair->friction * (n1 + n2) * cos2, near = NEAR * t1;
+  if (t2 < near) {
+    if (t2 > -near)
+      return rebound_near(p, hit);
+    t2 = 0;
+  }
+  return (asp_bounce){n2, t2};
 }
 
 const asp_rebound_law asp_rebound_bons = {
