@@ -7,90 +7,21 @@
  * with the sine and cosine of delta_alpha so that a face of 90 degrees is no special case. Vectors,
  * not angles, so that it stays right beyond a local impact angle of 90 degrees, where the
  * tangential CoR turns negative. */
+#include "impact/frame.h"
 #include "impact/stream.h"
 #include "impact/wall.h"
 #include "trig.h"
 
-#include <float.h>
 #include <math.h>
-
-/* Below this share of the speed the tangential velocity has no direction. */
-#define NO_DIRECTION 1e-12
 
 /* Smith's Lambda is below 1e-13 from here on, and beyond all numbers before. */
 #define NU_FREE 5.2
 #define NU_LEAST 1e-150
 
-/* Below this share of the energy along the wall, its direction is worked out with care. */
-#define NEARLY_NORMAL 1e-4
-
-/* By value, and by component: kept in registers. */
-typedef struct vec {
-  double x, y, z;
-} vec;
-
-typedef struct frame {
-  vec n, along;      /* along: the velocity along the wall, t times v_t */
-  double v_n, v_t;   /* approach and tangential speed, >= 0 */
-  double per_length; /* of along: t = per_length along; 0 where it has no direction */
-} frame;
-
 typedef struct face {
   vec m; /* its normal in (t, b, n) */
   double delta, q;
 } face;
-
-static inline vec load(const double v[3]) {
-  return (vec){v[0], v[1], v[2]};
-}
-
-static inline void store(vec a, double v[3]) {
-  v[0] = a.x;
-  v[1] = a.y;
-  v[2] = a.z;
-}
-
-static inline double dot(vec a, vec b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static inline vec cross(vec a, vec b) {
-  return (vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static inline vec scaled(vec a, double s) {
-  return (vec){a.x * s, a.y * s, a.z * s};
-}
-
-/* a + s b */
-static inline vec plus(vec a, double s, vec b) {
-  return (vec){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
-}
-
-/* n over its length; one that is nearly of unit length needs a step of Newton's method only. */
-static inline vec unit(vec n) {
-  double square = dot(n, n);
-  return scaled(n, fabs(square - 1) < 1e-8 ? 1.5 - 0.5 * square : 1 / sqrt(square));
-}
-
-static inline frame frame_of(vec v, vec normal) {
-  frame f = {.n = unit(normal)};
-  f.v_n = -dot(v, f.n);
-  f.along = plus(v, f.v_n, f.n);
-  double square = dot(f.along, f.along);
-  if (square < NEARLY_NORMAL * f.v_n * f.v_n) { /* the rest of the difference is rounding: again */
-    f.along = plus(f.along, -dot(f.along, f.n), f.n);
-    square = dot(f.along, f.along);
-  }
-  f.v_t = sqrt(square);
-  bool has_direction = f.v_t >= NO_DIRECTION * fabs(f.v_n) && f.v_t > 0;
-  f.per_length = has_direction ? 1 / f.v_t : 0;
-  return f;
-}
-
-static inline bool has_direction(const frame *f) {
-  return f->per_length > 0;
-}
 
 /* At normal impact the direction of flight is drawn uniformly around n. */
 static void draw_direction(frame *f, asp_stream *stream) {
@@ -153,18 +84,6 @@ static inline bool rebound(const asp_wall *wall, const asp_particle *particle, c
   return true;
 }
 
-static inline vec to_lab(const frame *f, vec local) {
-  vec v = plus(scaled(f->along, local.x * f->per_length), local.z, f->n);
-  return fabs(local.y) > 0 ? plus(v, local.y * f->per_length, cross(f->n, f->along)) : v;
-}
-
-/* Whether v leaves the wall beyond doubt: whoever works out v.n, with a normal that is off by its
- * last bits, finds it positive. */
-static inline bool clearly_leaves(vec v, vec n) {
-  double sum = fabs(v.x * n.x) + fabs(v.y * n.y) + fabs(v.z * n.z);
-  return dot(v, n) > 4 * DBL_EPSILON * sum;
-}
-
 /* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
  * into it in the lab frame. Take those bits from the speed along the wall, so that no energy is
  * made. */
@@ -191,18 +110,14 @@ static inline void bounce_off_mean_wall(const asp_wall *wall, const asp_particle
   store(!hit || local.z > 0 ? leaving(f, v2) : v2, impact->v2);
 }
 
-/* atan2(v_n, v_t) for v_t >= 0. */
-static inline double impact_angle(double v_n, double v_t) {
-  if (fabs(v_n) <= v_t)
-    return v_t > 0 ? asp_atan(v_n / v_t) : 0;
-  return copysign(ASP_PI / 2, v_n) - asp_atan(v_t / v_n);
+static inline double impact_angle(const frame *f) {
+  return angle_of(f, asp_atan(angle_ratio(f)));
 }
 
 /* What a wall looks like to a particle that meets it as the frame says. */
 static inline asp_view view_of(const asp_wall *wall, const asp_particle *particle, const frame *f) {
   double slope = asp_surface_slope(wall->surface, particle->d_p);
-  double sigma = slope < wall->slope ? asp_atan(slope) : wall->sigma;
-  return (asp_view){slope, sigma, impact_angle(f->v_n, f->v_t), particle->d_p, wall->data};
+  return (asp_view){slope, asp_wall_sigma(wall, slope), impact_angle(f), particle->d_p, wall->data};
 }
 
 /* One hit; a face that would send the particle into the wall is drawn again. */
@@ -315,7 +230,7 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, const 
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     if (!has_direction(&now))
       draw_direction(&now, stream);
-    fly.view.alpha1 = impact_angle(now.v_n, now.v_t);
+    fly.view.alpha1 = impact_angle(&now);
     face on;
     vec local;
     bool deposit, gone;

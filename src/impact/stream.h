@@ -9,10 +9,11 @@
 
 #include <Random123/philox.h>
 
-/* 53 bits of the 64, and half a step, so that 0 and 1 cannot come out. */
+/* 53 bits of the 64, and half a step, so that 0 and 1 cannot come out. By signed 32-bit numbers,
+ * which every vector unit can turn into doubles; all but the last sum is exact. */
 static inline double asp_uniform_of(uint32_t high, uint32_t low) {
-  int64_t bits = (int64_t)(((uint64_t)high << 32 | low) >> 11);
-  double u = ((double)bits + 0.5) * 1.1102230246251565e-16; /* 2^-53 */
+  double top = (double)(int32_t)(high ^ 0x80000000u) + 2147483648.0;
+  double u = (top * 2097152 + (int32_t)(low >> 11) + 0.5) * 1.1102230246251565e-16; /* 2^-53 */
   return u < 1 ? u : 1 - 1.1102230246251565e-16;
 }
 

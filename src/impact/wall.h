@@ -3,6 +3,7 @@
 #define ASP_IMPACT_WALL_H
 
 #include "asperity.h"
+#include "trig.h"
 
 struct asp_wall {
   const asp_surface *surface;
@@ -19,5 +20,10 @@ struct asp_wall {
   bool forgets;  /* ASP_COLLISIONS_SMITH */
   bool deposit;
 };
+
+/* The sigma of a particle that meets this slope. */
+static inline double asp_wall_sigma(const asp_wall *wall, double slope) {
+  return slope < wall->slope ? asp_atan(slope) : wall->sigma;
+}
 
 #endif

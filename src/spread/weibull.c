@@ -38,7 +38,8 @@ static double quantile(const asp_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
-  double delta = w.b + w.lambda * exp(log(asp_minus_log_rest(u * mass(view->sigma, view->alpha1, w))) / w.k);
+  double delta =
+      w.b + w.lambda * exp(log(asp_minus_log_rest(u * mass(view->sigma, view->alpha1, w))) / w.k);
   return fmin(delta, ASP_DELTA_MOST);
 }
 
