@@ -104,6 +104,7 @@ static void draw(block *b, size_t count) {
     b->u[i] = asp_uniform_of(b->word[0][i], b->word[1][i]);
 }
 
+/* The cosine as a sine: both of one angle would become one call that has no vector version. */
 ASP_EACH_MACHINE
 static void tilt(block *b, size_t count) {
 #pragma omp simd

@@ -10,7 +10,6 @@
 #include "impact/frame.h"
 #include "impact/stream.h"
 #include "impact/wall.h"
-#include "trig.h"
 
 #include <math.h>
 
@@ -38,8 +37,8 @@ static void draw_direction(frame *f, asp_stream *stream) {
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
  */
 static inline face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
-  double c, s;
-  asp_sin_cos(delta, &s, &c);
+  double c = cos(delta), s = sin(delta);
+
   if (!wall->isotropic)
     return (face){{-s, 0, c}, delta, 0};
   double q = slope * asp_stream_normal(stream), side = q * c;
@@ -111,7 +110,7 @@ static inline void bounce_off_mean_wall(const asp_wall *wall, const asp_particle
 }
 
 static inline double impact_angle(const frame *f) {
-  return angle_of(f, asp_atan(angle_ratio(f)));
+  return angle_of(f, atan(angle_ratio(f)));
 }
 
 /* What a wall looks like to a particle that meets it as the frame says. */

@@ -3,7 +3,8 @@
 #define ASP_IMPACT_WALL_H
 
 #include "asperity.h"
-#include "trig.h"
+
+#include <math.h>
 
 struct asp_wall {
   const asp_surface *surface;
@@ -23,7 +24,7 @@ struct asp_wall {
 
 /* The sigma of a particle that meets this slope. */
 static inline double asp_wall_sigma(const asp_wall *wall, double slope) {
-  return slope < wall->slope ? asp_atan(slope) : wall->sigma;
+  return slope < wall->slope ? atan(slope) : wall->sigma;
 }
 
 #endif
