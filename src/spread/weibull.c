@@ -40,7 +40,7 @@ static double quantile(const asp_view *view, double u) {
   asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
   double delta =
       w.b + w.lambda * exp(log(asp_minus_log_rest(u * mass(view->sigma, view->alpha1, w))) / w.k);
-  return fmin(delta, ASP_DELTA_MOST);
+  return delta < ASP_DELTA_MOST ? delta : ASP_DELTA_MOST;
 }
 
 const asp_spread_model asp_spread_weibull = {
