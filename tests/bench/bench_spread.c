@@ -212,7 +212,7 @@ static void set_wall(inputs *in, double sigma_degrees) {
   }
 }
 
-/* The three ways to ask a model; NULL where there is none. */
+/* The works of a model; NULL where it has none. */
 typedef struct ways {
   const bench_work *quantile, *batch, *draw;
 } ways;
@@ -287,13 +287,44 @@ static void compare_pinv(const char *name, const char *wall, const sampler *mode
 }
 #endif
 
-/* All models and their peers on one wall. */
+/* PINV beside the two laws in closed form that the fix is mostly used with. */
+static void pinv_rows(const inputs *in, void *const *data, const char *wall) {
+#ifdef ASP_BENCH_PINV
+  for (int i = 0; i < asp_spread_count(); i++) {
+    sampler s = sampler_at(in, i, data);
+    if (strcmp(s.model->name, "weibull") == 0 || strcmp(s.model->name, "visible") == 0)
+      compare_pinv(s.model->name, wall, &s);
+  }
+#else
+  (void)in, (void)data;
+  printf("UNU.RAN's PINV, %s: not built in, for want of libunuran-dev\t-\t-\t-\n", wall);
+#endif
+}
+
+static void promises(const ways *all, const bench_work *gsl, const char *wall) {
+  const ways *weibull = way(all, "weibull"), *visible = way(all, "visible");
+  const bench_work *profile = way(all, "profile")->quantile;
+  promise("`weibull` over gsl_ran_weibull", wall, weibull->quantile, gsl, "<=", 1.2);
+  promise("`visible` over `weibull`", wall, visible->quantile, weibull->quantile, "<=", 1.5);
+  promise("`profile` over `weibull`", wall, profile, weibull->quantile, "<=", 0.5);
+  promise("`weibull` over its batch", wall, weibull->quantile, weibull->batch, ">=", 3);
+  promise("`visible` over its batch", wall, visible->quantile, visible->batch, ">=", 3);
+}
+
+/* The three ways to ask a model, where it has them. */
+static ways add_ways(room *r, const sampler *s) {
+  bool inverts = s->model->quantile;
+  return (ways){inverts ? add(r, quantiles, s) : NULL, inverts ? add(r, batches, s) : NULL,
+                add(r, draws, s)};
+}
+
+/* All models and their peers on one wall; the peers' rows but once. */
 static void compare(inputs *in, double sigma, bool first) {
   static room r;
   void *data[MODELS_MAX];
   ways all[MODELS_MAX];
   const bench_work *peer[PEERS];
-  char wall[40];
+  char wall[40], what[120];
   snprintf(wall, sizeof wall, "sigma %g deg", sigma);
   set_wall(in, sigma);
   prepare(in, data);
@@ -302,42 +333,23 @@ static void compare(inputs *in, double sigma, bool first) {
     peer[i] = add(&r, peers[i].run, &(sampler){.in = in});
   for (int i = 0; i < asp_spread_count(); i++) {
     sampler s = sampler_at(in, i, data);
-    bool inverts = s.model->quantile;
-    all[i] = (ways){inverts ? add(&r, quantiles, &s) : NULL, inverts ? add(&r, batches, &s) : NULL,
-                    add(&r, draws, &s)};
+    all[i] = add_ways(&r, &s);
   }
-  int truncated = (int)(way(all, "truncated") - all);
-  sampler at_one = sampler_at(in, truncated, data);
+  sampler at_one = sampler_at(in, (int)(way(all, "truncated") - all), data);
   at_one.one_angle = true;
   const bench_work *cut = add(&r, quantiles_gsl_uniform, &at_one);
   const bench_work *loop = add(&r, ziggurat_loop, &at_one);
   bench_run(r.works, r.count, BENCH_ROUNDS);
 
-  const ways *weibull = way(all, "weibull"), *visible = way(all, "visible");
-  promise("`weibull` over gsl_ran_weibull", wall, weibull->quantile, peer[0], "<=", 1.2);
+  promises(all, peer[0], wall);
   promise("`truncated` with its uniform over the ziggurat loop", wall, cut, loop, "<=", 1);
-  promise("`visible` over `weibull`", wall, visible->quantile, weibull->quantile, "<=", 1.5);
-  promise("`profile` over `weibull`", wall, way(all, "profile")->quantile, weibull->quantile,
-          "<=", 0.5);
-  promise("`weibull` over its batch", wall, weibull->quantile, weibull->batch, ">=", 3);
-  promise("`visible` over its batch", wall, visible->quantile, visible->batch, ">=", 3);
   for (int i = 0; i < asp_spread_count(); i++)
     model_row(asp_spread_at(i)->name, wall, &all[i], peer[0]);
   for (int i = 1; first && i < PEERS; i++) {
-    char what[120];
     snprintf(what, sizeof what, "%s, over gsl_ran_weibull", peers[i].name);
     bench_ratio_row(what, peer[i], peer[0], NULL, 0);
   }
-#ifdef ASP_BENCH_PINV
-  const char *inverted[] = {"weibull", "visible"};
-  for (int i = 0; i < 2; i++) {
-    sampler s = sampler_at(in, (int)(way(all, inverted[i]) - all), data);
-    compare_pinv(inverted[i], wall, &s);
-  }
-#else
-  if (first)
-    printf("UNU.RAN's PINV: not built in, for want of libunuran-dev\t-\t-\t-\n");
-#endif
+  pinv_rows(in, data, wall);
   release(data);
 }
 
