@@ -643,7 +643,8 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
  * where the C library has vector functions (x86-64, GNU), for plane tilts, single collisions,
  * models with a quantile, and `bons` with its exponent c = 0.5; the rest contact by contact. Draws
  * and outcomes are those of asp_wall_impact. On smooth walls all is, to the bit; on rough ones
- * tilts (in radians) and velocities (over v1) are to 4 DBL_EPSILON, with `visible` to 8. */
+ * velocities (over v1) and tilts (in radians) are to 4 DBL_EPSILON, with `visible` to 8. May set
+ * floating-point flags that asp_wall_impact does not. */
 void asp_wall_impact_n(const asp_wall *wall, size_t count, const asp_particle *particle,
                        const double (*v1)[3], const double (*n)[3], const asp_key *key,
                        asp_impact *impact);
