@@ -38,7 +38,6 @@ static void draw_direction(frame *f, asp_stream *stream) {
  */
 static inline face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
   double c = cos(delta), s = sin(delta);
-
   if (!wall->isotropic)
     return (face){{-s, 0, c}, delta, 0};
   double q = slope * asp_stream_normal(stream), side = q * c;
