@@ -1,7 +1,9 @@
 /* Files of coefficients of restitution; see scatter.h. */
 #include "cli/scatter.h"
 #include "cli/cli.h"
+#include "cli/npy.h"
 #include "csv.h"
+#include "error.h"
 
 #include <errno.h>
 #include <math.h>
@@ -146,6 +148,51 @@ static asp_code read_dump(asp_csv *csv, scatter_impacts *impacts, asp_error *err
   return code;
 }
 
+/* A number of the row within its bounds; NAN is a missing one, where that may be. */
+static asp_code read_value(const npy *array, int column, double least, double most,
+                           bool may_be_missing, double *value, asp_error *error) {
+  *value = npy_value(array, column);
+  if ((*value >= least && *value <= most) || (may_be_missing && isnan(*value)))
+    return ASP_OK;
+  return asp_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; allowed is %g to %g", array->path,
+                  array->row, array->column[column].name, *value, least, most);
+}
+
+static asp_code read_array_row(const npy *array, const impact_columns *at, impact_row *row,
+                               asp_error *error) {
+  asp_code code;
+  if ((code = read_value(array, at->degrees, 0, 90, false, &row->degrees, error)) ||
+      (code = read_value(array, at->delta, -90, 90, true, &row->delta, error)) ||
+      (code = read_value(array, at->cor[COR_N], -1e15, 1e15, true, &row->cor[COR_N], error)) ||
+      (code = read_value(array, at->cor[COR_T], -1e15, 1e15, true, &row->cor[COR_T], error)))
+    return code;
+  row->deposit = at->outcome < 0 ? !(row->cor[COR_N] > 0) : fabs(npy_value(array, at->outcome)) > 0;
+  return ASP_OK;
+}
+
+static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impacts,
+                           asp_error *error) {
+  npy array;
+  asp_code code = npy_open(&array, stream, path, error);
+  if (code)
+    return code;
+  impact_columns at = {.degrees = npy_find(&array, "alpha1_deg"),
+                       .delta = npy_find(&array, "delta_alpha_deg"),
+                       .cor = {npy_find(&array, "cor_n"), npy_find(&array, "cor_t")},
+                       .outcome = npy_find(&array, "outcome")};
+  if (at.degrees < 0 || at.cor[COR_N] < 0)
+    return asp_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
+                    at.degrees < 0 ? "alpha1_deg" : "cor_n");
+  snprintf(impacts->comment, sizeof impacts->comment, "%s", array.title);
+  impact_row row;
+  for (bool found;;) {
+    if ((code = npy_next(&array, &found, error)) || !found ||
+        (code = read_array_row(&array, &at, &row, error)))
+      return code;
+    add_impact(impacts, &row);
+  }
+}
+
 static bool is_dump(FILE *stream) {
   char first[6] = "";
   bool dump = fgets(first, sizeof first, stream) && strcmp(first, "ITEM:") == 0;
@@ -158,6 +205,11 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
   if (!stream)
     cli_fail("cannot open '%s': %s", path, strerror(errno));
   asp_code code;
+  if (npy_is(stream)) {
+    code = read_array(stream, path, impacts, error);
+    fclose(stream);
+    return code;
+  }
   if (is_dump(stream)) {
     asp_csv *csv = calloc(1, sizeof *csv);
     if (!csv)

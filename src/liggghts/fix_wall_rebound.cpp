@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
+#include <numeric>
+#include <tuple>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -22,6 +24,7 @@
 #include "fix_template_sphere.h"
 #include "group.h"
 #include "modify.h"
+#include "output.h"
 #include "primitive_wall.h"
 #include "tri_mesh.h"
 #include "update.h"
@@ -174,7 +177,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
       deposit_(FREEZE), timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)),
       profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
       own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
-      wall_(NULL, asp_wall_free), fix_state_(NULL), state_(NULL), clock_(), counters_(),
+      wall_(NULL, asp_wall_free), fix_state_(NULL), fix_place_(NULL), clock_(), counters_(),
       lists_are_new_(true), warned_(false), announced_(false), restarted_(false),
       speed_checked_(-1) {
   for (int m = 0; m < n_meshes(); m++)
@@ -453,8 +456,31 @@ std::string FixWallRebound::state_id() const {
   return std::string("rebound_") + id;
 }
 
+std::string FixWallRebound::place_id() const {
+  return std::string("stuck_") + id;
+}
+
+double **FixWallRebound::state() const {
+  return fix_state_->array_atom;
+}
+
+double **FixWallRebound::place() const {
+  return fix_place_->array_atom;
+}
+
 int FixWallRebound::setmask() {
   return FixWallGran::setmask() | PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP | POST_RUN;
+}
+
+/* Zeros for each particle, which go with it and into restart files. */
+FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int columns) {
+  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes",
+                                    "no", "no"};
+  words.resize(words.size() + columns, "0.");
+  std::vector<char *> arg;
+  for (std::string &word : words)
+    arg.push_back(&word[0]);
+  return modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
 }
 
 void FixWallRebound::post_create() {
@@ -466,21 +492,17 @@ void FixWallRebound::post_create() {
              id)
             .c_str());
   FixWallGran::post_create();
-  std::string name = state_id();
-  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes",
-                                    "no", "no"};
-  words.resize(words.size() + N_STATE, "0.");
-  std::vector<char *> arg;
-  for (std::string &word : words)
-    arg.push_back(&word[0]);
-  fix_state_ = modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
+  fix_state_ = add_property(state_id(), N_STATE);
+  if (deposit_ != OFF)
+    fix_place_ = add_property(place_id(), N_PLACE);
   for (int m = 0; m < n_meshes(); m++)
     maps_.push_back(std::unique_ptr<ReboundMap>(new ReboundMap(mesh_list()[m]->triMesh())));
 }
 
 void FixWallRebound::pre_delete(bool unfixflag) {
-  if (unfixflag && modify->find_fix_id(state_id().c_str()))
-    modify->delete_fix(state_id().c_str());
+  for (const std::string &name : {state_id(), place_id()})
+    if (unfixflag && modify->find_fix_id(name.c_str()))
+      modify->delete_fix(name.c_str());
   for (size_t m = 0; unfixflag && m < maps_.size(); m++)
     maps_[m]->remove();
   FixWallGran::pre_delete(unfixflag);
@@ -653,6 +675,8 @@ void FixWallRebound::check_meshes() {
            "' has been deleted while this wall uses it; unfix the wall first");
   if (fix_state_ && modify->find_fix_id(state_id().c_str()) != fix_state_)
     fail("fix property/atom '" + state_id() + "' has been deleted while this wall uses it");
+  if (fix_place_ && modify->find_fix_id(place_id().c_str()) != fix_place_)
+    fail("fix property/atom '" + place_id() + "' has been deleted while this wall uses it");
   for (int i = 0; i < modify->nfix; i++) {
     FixWallGran *other = dynamic_cast<FixWallGran *>(modify->fix[i]);
     if (!other || other == this)
@@ -679,7 +703,7 @@ std::string FixWallRebound::heading() const {
                         : profile_ ? "profile " + profile_path_
                                    : text("rq %g lambda_c %g", r_q_, lambda_c_);
   std::string materials = materials_.empty() ? "" : "; materials " + materials_text_;
-  return text("# asperity %s; fix %s wall/rebound; units %s; surface %s; spread %s; rebound %s%s; "
+  return text("asperity %s; fix %s wall/rebound; units %s; surface %s; spread %s; rebound %s%s; "
               "seed %u; angles in degrees",
               ASP_VERSION, id, update->unit_style, surface.c_str(), spec_.spread,
               rebound_text_.c_str(), materials.c_str(), seed_);
@@ -755,7 +779,6 @@ void FixWallRebound::setup(int vflag) {
   FixWallGran::pre_neighbor();
   pre_force(vflag);
   lists_are_new_ = true;
-  state_ = fix_state_->array_atom;
   collect_stuck();
   check_speeds();
   for (size_t m = 0; m < saved_maps_.size() && m < maps_.size(); m++)
@@ -766,7 +789,6 @@ void FixWallRebound::setup(int vflag) {
 void FixWallRebound::pre_neighbor() {
   FixWallGran::pre_neighbor();
   lists_are_new_ = true;
-  state_ = fix_state_->array_atom;
   collect_stuck();
   if (update->ntimestep != speed_checked_)
     check_speeds();
@@ -848,45 +870,56 @@ void FixWallRebound::refresh() {
   radius_ = atom->radius;
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
-  state_ = fix_state_->array_atom;
+  moving_.clear();
+  for (int m = 0; m < n_meshes(); m++)
+    moving_.push_back(mesh_list()[m]->triMesh()->prop().getElementProperty<NodeVelocities>("v"));
   if (!stuck_.empty() && is_moving())
-    for (int i : stuck_)
-      carry(i);
+    for (Stuck &stuck : stuck_)
+      carry(stuck);
 }
 
-/* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle: so that a
- * step reads the particles one after the other, and the candidates of one come together. */
+/* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle, mesh and
+ * id of the triangle: so that a step reads the particles one after the other, and the candidates of
+ * one come together. */
 void FixWallRebound::collect_pairs() {
-  near_.clear();
+  std::vector<Pair> pairs;
+  planes_.clear();
   for (int m = 0; m < n_meshes(); m++) {
     TriMesh *mesh = mesh_list()[m]->triMesh();
     const int n = mesh->sizeLocal() + mesh->sizeGhost();
     for (int t = 0; t < n; t++)
-      for (int i : mesh_list()[m]->meshNeighlist()->get_contact_list(t))
-        if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i))
-          near_.push_back(Candidate{this, i, m, t, mesh->id(t)});
+      if (!mesh_list()[m]->meshNeighlist()->get_contact_list(t).empty())
+        planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0});
   }
-  std::sort(near_.begin(), near_.end(), [](const Candidate &a, const Candidate &b) {
-    if (a.particle != b.particle)
-      return a.particle < b.particle;
-    return a.mesh != b.mesh ? a.mesh < b.mesh : a.id < b.id;
+  std::sort(planes_.begin(), planes_.end(), [](const Plane &a, const Plane &b) {
+    return std::tie(a.mesh, a.id, a.triangle) < std::tie(b.mesh, b.id, b.triangle);
   });
+  first_.assign(atom->nlocal + 1, 0);
+  for (size_t p = 0; p < planes_.size(); p++) {
+    const Plane &plane = planes_[p];
+    for (int i : mesh_list()[plane.mesh]->meshNeighlist()->get_contact_list(plane.triangle))
+      if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i)) {
+        pairs.push_back(Pair{i, static_cast<int>(p)});
+        first_[i]++;
+      }
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin()); /* the ends, for now */
+  near_.resize(pairs.size());
+  for (size_t k = pairs.size(); k-- > 0;)
+    near_[--first_[pairs[k].particle]] = pairs[k];
   lists_are_new_ = false;
 }
 
-/* The planes of the triangles of all pairs, beside them in memory; anew when the lists are, and in
- * every step where a mesh moves. */
-void FixWallRebound::collect_planes() {
+/* The planes where their triangles are; anew when the lists are, and in every step where a mesh
+ * moves. */
+void FixWallRebound::place_planes() {
   double node[3];
-  planes_.resize(near_.size());
-  for (size_t k = 0; k < near_.size(); k++) {
-    TriMesh *mesh = mesh_list()[near_[k].mesh]->triMesh();
-    Plane &plane = planes_[k];
-    plane.particle = near_[k].particle;
-    mesh->surfaceNorm(near_[k].triangle, plane.normal);
-    mesh->node(near_[k].triangle, 0, node);
+  for (Plane &plane : planes_) {
+    TriMesh *mesh = mesh_list()[plane.mesh]->triMesh();
+    mesh->surfaceNorm(plane.triangle, plane.normal);
+    mesh->node(plane.triangle, 0, node);
     plane.offset = dot(plane.normal, node);
-    plane.speed = speed_of_triangle(mesh, near_[k].triangle);
+    plane.speed = speed_of_triangle(plane.mesh, plane.triangle);
   }
 }
 
@@ -903,16 +936,17 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
   if (lists_are_new_)
     collect_pairs();
   if (lists_were_new || is_moving())
-    collect_planes();
-  if (planes_.empty())
+    place_planes();
+  if (near_.empty())
     return;
   const double *x = atom->x[0], *v = atom->v[0], *radius = atom->radius; /* x, v: rows of three */
-  for (const Plane &plane : planes_) {
-    const int i = plane.particle;
+  for (const Pair &pair : near_) {
+    const Plane &plane = planes_[pair.plane];
+    const int i = pair.particle;
     double end = dot(plane.normal, x + 3 * i) - plane.offset;
     double begin = end - dot(plane.normal, v + 3 * i) * dt;
     double reach = radius[i] + 2 * plane.speed * dt;
-    if (!((begin > reach && end > reach) || (begin < -reach && end < -reach)))
+    if (!(std::min(begin, end) > reach || std::max(begin, end) < -reach))
       hits.push_back(i);
   }
 }
@@ -948,24 +982,19 @@ void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) 
     return;
   }
   const double path = sqrt(dot(atom->v[i], atom->v[i])) * update->dt;
-  std::vector<Candidate>::const_iterator near =
-      std::lower_bound(near_.begin(), near_.end(), i,
-                       [](const Candidate &c, int particle) { return c.particle < particle; });
-  for (; near != near_.end() && near->particle == i; ++near) {
-    const Plane &plane = planes_[near - near_.begin()];
+  for (int k = first_[i]; k < first_[i + 1]; k++) {
+    const Plane &plane = planes_[near_[k].plane];
     double gap = fabs(dot(plane.normal, x_[i]) - plane.offset) - radius_[i];
     if (gap <= 2 * path + 4 * plane.speed * update->dt)
-      candidates.push_back(*near);
+      candidates.push_back(Candidate{this, i, plane.mesh, plane.triangle, plane.id});
   }
 }
 
 /* The speed of the fastest node; 0 for a wall at rest. */
-double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t) {
-  MultiVectorContainer<double, 3, 3> *moving =
-      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
+double FixWallRebound::speed_of_triangle(int m, int t) const {
   double most = 0;
-  for (int k = 0; moving && k < 3; k++) {
-    const double *v = moving->begin()[t][k];
+  for (int k = 0; moving_[m] && k < 3; k++) {
+    const double *v = moving_[m]->begin()[t][k];
     most = std::max(most, dot(v, v));
   }
   return sqrt(most);
@@ -973,7 +1002,7 @@ double FixWallRebound::speed_of_triangle(TriMesh *mesh, int t) {
 
 bool FixWallRebound::is_stuck(int i) const {
   for (const FixWallRebound *wall : siblings_)
-    if (wall->state_[i][STATE] != FREE)
+    if (wall->state()[i][STATE] != FREE)
       return true;
   return false;
 }
@@ -998,9 +1027,7 @@ double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3],
   int sign;
   double gap = mesh->resolveTriSphereContactBary(on.particle, on.triangle, radius, x, delta, bary,
                                                  sign, false);
-  MultiVectorContainer<double, 3, 3> *moving =
-      mesh->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
-  if (moving)
+  if (NodeVelocities *moving = moving_[on.mesh])
     for (int d = 0; d < 3; d++)
       for (int k = 0; k < 3; k++)
         v_wall[d] += bary[k] * moving->begin()[on.triangle][k][d];
@@ -1030,6 +1057,10 @@ bool FixWallRebound::normal_of(const Candidate &on, const Path &path, const doub
   return true;
 }
 
+bool FixWallRebound::moves(const Candidate &on) const {
+  return on.mesh < 0 ? shear_ : moving_[on.mesh] != NULL;
+}
+
 /* The first instant at which the path touches the candidate, by Newton's method on the gap, from
  * the beginning of the path; or from its end, where a curved wall is left at first and met again.
  * In the frame of the wall: it is at rest there as it is at the end of the step. */
@@ -1037,7 +1068,9 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, Contact
   double delta[3], end[3], n[3], v[3], x[3];
   for (int d = 0; d < 3; d++)
     end[d] = path.x[d] + path.v[d] * path.left;
-  gap_at(on, end, delta, contact.v_wall);
+  vectorZeroize3D(contact.v_wall);
+  if (moves(on))
+    gap_at(on, end, delta, contact.v_wall);
   for (int d = 0; d < 3; d++)
     v[d] = path.v[d] - contact.v_wall[d];
   contact.guarded = false;
@@ -1159,7 +1192,7 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path) {
   asp_particle particle = {d_p, rmass_[i] / (ASP_PI / 6 * d_p * d_p * d_p),
                            pairs_.empty() ? NULL : &pairs_[type * (atom->ntypes + 1) + wall_type]};
   asp_key key = {seed_, fix_key_, static_cast<uint64_t>(atom->tag[i]),
-                 static_cast<uint32_t>(state_[i][IMPACTS] += 1)};
+                 static_cast<uint32_t>(state()[i][IMPACTS] += 1)};
   asp_impact impact;
   asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
   count(contact, v1, impact);
@@ -1228,8 +1261,8 @@ void FixWallRebound::record(const Contact &contact, const Path &path, const doub
  * the triangle, so that it can move with it. */
 void FixWallRebound::stick(const Contact &contact, const Path &path) {
   const int i = contact.on->particle;
-  double *s = state_[i];
-  s[STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
+  double *s = place()[i];
+  state()[i][STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
   s[STUCK_MESH] = contact.on->mesh + 1;
   s[STUCK_TRIANGLE] = contact.on->id;
   for (int d = 0; d < 3; d++) {
@@ -1243,8 +1276,8 @@ void FixWallRebound::stick(const Contact &contact, const Path &path) {
     for (int k = 0; k < 3; k++)
       s[STUCK_AT + k] = dot(arm, frame[k]);
   }
-  stuck_.push_back(i);
-  hold(i);
+  add_stuck(i);
+  hold(stuck_.back());
 }
 
 /* An orthonormal frame that moves with a triangle: its first node, first edge, and normal. */
@@ -1269,30 +1302,37 @@ void FixWallRebound::collect_stuck() {
   stuck_.clear();
   if (deposit_ == OFF)
     return;
+  if (atom->nlocal == 0)
+    return;
+  const double *state_of = state()[0] + STATE; /* rows of N_STATE, one behind the other */
   for (int i = 0; i < atom->nlocal; i++)
-    if (state_[i][STATE] != FREE)
-      stuck_.push_back(i);
+    if (state_of[i * N_STATE] != FREE)
+      add_stuck(i);
 }
 
-/* A stuck particle has the wall's velocity, ... */
-void FixWallRebound::hold(int i) {
-  double *v = atom->v[i];
-  for (int d = 0; d < 3; d++)
-    v[d] = state_[i][STUCK_V + d];
+void FixWallRebound::add_stuck(int i) {
+  const double *v = place()[i] + STUCK_V;
+  stuck_.push_back(Stuck{i, {v[0], v[1], v[2]}});
+}
+
+/* A stuck particle has the wall's velocity, ... (Arrays of the atoms are rows of three.) */
+void FixWallRebound::hold(const Stuck &stuck) {
+  vectorCopy3D(stuck.v, atom->v[0] + 3 * stuck.particle);
   if (atom->omega_flag)
-    vectorZeroize3D(atom->omega[i]);
+    vectorZeroize3D(atom->omega[0] + 3 * stuck.particle);
 }
 
 /* ... and no force on it moves it. */
-void FixWallRebound::free_of_forces(int i) {
-  vectorZeroize3D(atom->f[i]);
+void FixWallRebound::free_of_forces(const Stuck &stuck) {
+  vectorZeroize3D(atom->f[0] + 3 * stuck.particle);
   if (atom->torque_flag)
-    vectorZeroize3D(atom->torque[i]);
+    vectorZeroize3D(atom->torque[0] + 3 * stuck.particle);
 }
 
 /* Takes a stuck particle along with the triangle that it sits on. */
-void FixWallRebound::carry(int i) {
-  double *s = state_[i];
+void FixWallRebound::carry(Stuck &stuck) {
+  const int i = stuck.particle;
+  double *s = place()[i];
   const int m = static_cast<int>(s[STUCK_MESH]) - 1;
   if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving())
     return;
@@ -1305,6 +1345,7 @@ void FixWallRebound::carry(int i) {
     for (int k = 0; k < 3; k++)
       x[d] += s[STUCK_AT + k] * frame[k][d];
     s[STUCK_V + d] += (x[d] - x_[i][d]) / update->dt;
+    stuck.v[d] = s[STUCK_V + d];
     x_[i][d] = x[d];
   }
 }
@@ -1312,9 +1353,9 @@ void FixWallRebound::carry(int i) {
 void FixWallRebound::pre_initial_integrate() {
   if (ledger_)
     ledger_->begin_step(update->ntimestep);
-  for (int i : stuck_) {
-    hold(i);
-    free_of_forces(i);
+  for (const Stuck &stuck : stuck_) {
+    hold(stuck);
+    free_of_forces(stuck);
   }
 }
 
@@ -1322,10 +1363,9 @@ void FixWallRebound::pre_initial_integrate() {
 void FixWallRebound::pre_exchange() {
   if (deposit_ != DELETE)
     return;
-  double **state = fix_state_->array_atom;
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (state[i][STATE] == DOOMED) {
+    if (state()[i][STATE] == DOOMED) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;
@@ -1344,10 +1384,10 @@ void FixWallRebound::pre_exchange() {
 }
 
 void FixWallRebound::end_of_step() {
-  for (int i : stuck_)
-    hold(i);
-  for (std::unique_ptr<ReboundMap> &map : maps_)
-    map->end_step(comm->nprocs);
+  for (const Stuck &stuck : stuck_)
+    hold(stuck);
+  if (output->next == update->ntimestep)
+    settle_maps();
   if (deposit_ ==
       DELETE) { /* particles leave where lists are built anew, and all ranks must agree */
     int mine = !stuck_.empty(), any;
@@ -1364,7 +1404,13 @@ void FixWallRebound::end_of_step() {
   }
 }
 
+void FixWallRebound::settle_maps() {
+  for (std::unique_ptr<ReboundMap> &map : maps_)
+    map->settle(world);
+}
+
 void FixWallRebound::post_run() {
+  settle_maps();
   if (!ledger_)
     return;
   std::string why = ledger_->flush();
@@ -1391,9 +1437,10 @@ double FixWallRebound::compute_array(int row, int column) {
 }
 
 double FixWallRebound::memory_usage() {
-  return static_cast<double>((near_.capacity() + candidates_.capacity()) * sizeof(Candidate) +
-                             planes_.capacity() * sizeof(Plane) +
-                             (stuck_.capacity() + hits_.capacity()) * sizeof(int)) +
+  return static_cast<double>(near_.capacity() * sizeof(Pair) + planes_.capacity() * sizeof(Plane) +
+                             candidates_.capacity() * sizeof(Candidate) +
+                             stuck_.capacity() * sizeof(Stuck) +
+                             (first_.capacity() + hits_.capacity()) * sizeof(int)) +
          (ledger_ ? ledger_->memory_usage() : 0);
 }
 

@@ -55,17 +55,10 @@ public:
   void restart(char *buffer);
 
 private:
-  /* Columns of the per-atom property: how often the particle has hit this wall, and how it stuck.
-   */
-  enum {
-    IMPACTS,
-    STATE,
-    STUCK_MESH,
-    STUCK_TRIANGLE,
-    STUCK_AT,
-    STUCK_V = STUCK_AT + 3,
-    N_STATE = STUCK_V + 3
-  };
+  /* Columns of the per-atom properties: how often the particle has hit this wall, and whether it
+   * has stuck; and, apart from these since all are looked through for stuck particles, where. */
+  enum { IMPACTS, STATE, N_STATE };
+  enum { STUCK_MESH, STUCK_TRIANGLE, STUCK_AT, STUCK_V = STUCK_AT + 3, N_PLACE = STUCK_V + 3 };
   enum State { FREE, FROZEN, DOOMED };
   enum Deposit { FREEZE, DELETE, OFF };
   enum Timing { EXACT, OVERLAP };
@@ -110,12 +103,26 @@ private:
     int id;                       /* of the triangle, 0 for a primitive wall */
   };
 
-  /* The plane of a near triangle. */
+  /* A triangle that some particle is near, and its plane. */
   struct Plane {
+    int mesh, triangle, id;
     double normal[3], offset;
     double speed; /* of the fastest node */
-    int particle; /* whose pair it is */
   };
+
+  /* A particle and one of planes_ near it. */
+  struct Pair {
+    int particle, plane;
+  };
+
+  /* A stuck particle and its velocity, which is the wall's. */
+  struct Stuck {
+    int particle;
+    double v[3];
+  };
+
+  /* Velocities of a moving mesh's nodes; NULL for one at rest. */
+  typedef MultiVectorContainer<double, 3, 3> NodeVelocities;
 
   /* Where a path meets a candidate. */
   struct Contact {
@@ -159,6 +166,10 @@ private:
   void take_defaults(std::vector<double> &energy, std::vector<double> &friction);
   void check_materials(bool constant_yield);
   std::string state_id() const;
+  std::string place_id() const;
+  class FixPropertyAtom *add_property(const std::string &name, int columns);
+  double **state() const;
+  double **place() const;
   void check_particles();
   void check_meshes();
   void check_group();
@@ -169,13 +180,14 @@ private:
   void find_siblings();
   void refresh();
   void collect_pairs();
-  void collect_planes();
   void find_hits(std::vector<int> &hits);
   void find_hits_primitive(std::vector<int> &hits);
   void find_candidates(int particle, std::vector<Candidate> &candidates);
-  double speed_of_triangle(class TriMesh *mesh, int triangle);
+  void place_planes();
+  double speed_of_triangle(int mesh, int triangle) const;
   bool is_stuck(int i) const;
   double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
+  bool moves(const Candidate &on) const;
   bool find_contact(const Candidate &on, const Path &path, Contact &contact);
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
   bool normal_of(const Candidate &on, const Path &path, const double delta[3], double n[3],
@@ -188,10 +200,12 @@ private:
               const asp_impact &impact);
 
   void triangle_frame(int mesh, int triangle, double origin[3], double frame[3][3]);
+  void settle_maps();
   void collect_stuck();
-  void hold(int i);
-  void free_of_forces(int i);
-  void carry(int i);
+  void add_stuck(int i);
+  void hold(const Stuck &stuck);
+  void free_of_forces(const Stuck &stuck);
+  void carry(Stuck &stuck);
 
   bool smooth_;
   double r_q_, lambda_c_;
@@ -217,15 +231,16 @@ private:
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   std::unique_ptr<ReboundLedger> ledger_;
 
-  std::vector<asp_pair> pairs_; /* particle type x wall type, from 1 */
-  class FixPropertyAtom *fix_state_;
-  double **state_;
-  std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
-  std::vector<Candidate> near_;            /* the neighbour lists of the meshes, by particle */
-  std::vector<Plane> planes_;              /* and the planes of their triangles */
-  std::vector<Candidate> candidates_;      /* what may be hit in this step */
-  std::vector<int> hits_;                  /* particles that may touch a wall in this step */
-  std::vector<int> stuck_; /* local indices of stuck particles, since the last exchange */
+  std::vector<asp_pair> pairs_;                   /* particle type x wall type, from 1 */
+  class FixPropertyAtom *fix_state_, *fix_place_; /* the second one: unless deposits are off */
+  std::vector<FixWallRebound *> siblings_;        /* all walls of this style, the first one leads */
+  std::vector<NodeVelocities *> moving_;          /* one a mesh */
+  std::vector<Pair> near_;            /* the neighbour lists of the meshes, by particle */
+  std::vector<int> first_;            /* where in it a particle's pairs begin */
+  std::vector<Plane> planes_;         /* the triangles of these pairs */
+  std::vector<Candidate> candidates_; /* what may be hit in this step */
+  std::vector<int> hits_;             /* particles that may touch a wall in this step */
+  std::vector<Stuck> stuck_;          /* since the last exchange */
   std::vector<std::unique_ptr<ReboundMap>> maps_; /* one a mesh */
   std::vector<std::vector<double>> saved_maps_;   /* of a restart, until the meshes are set up */
   std::vector<double> totals_; /* N_TOTALS a mesh; one row for a primitive wall */

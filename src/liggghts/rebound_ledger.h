@@ -1,6 +1,9 @@
 /* The ledger of a rough wall: one row an impact. Rows live from one multiple of N to the next, for
- * `dump local`; with a file, the same rows go to one CSV, gathered from all ranks and sorted by
- * step, time, particle and impact, so that the file does not depend on the number of ranks.
+ * `dump local`; with a file, the same rows go to it, gathered from all ranks and sorted by step,
+ * time, particle and impact, so that the file does not depend on the number of ranks. A file whose
+ * name ends with .npy is a one-dimensional structured array in NumPy's format, version 1.0, any
+ * other one is CSV. An array's header says how many rows there are and is written after them, so
+ * that a run which dies leaves a whole file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REBOUND_LEDGER_H
@@ -9,6 +12,7 @@
 #include <mpi.h>
 #include <stdio.h>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,7 +52,7 @@ public:
   ReboundLedger(MPI_Comm world, bigint every, const std::string &path);
   ~ReboundLedger();
 
-  /* Opens the file, on rank 0, with a comment line and the names of the columns; appends to what an
+  /* Opens the file, on rank 0, with a heading and the names of the columns; appends to what an
    * earlier part of a restarted run left. Collective. Returns an empty string, or why it cannot be
    * written. */
   std::string open(bool append, const std::string &heading);
@@ -66,29 +70,56 @@ public:
     return every_;
   }
   int size() const {
-    return static_cast<int>(rows_.size());
+    return static_cast<int>(size_);
   }
   double **rows();
   double memory_usage() const;
 
 private:
-  /* A row as text, and where it belongs. */
-  struct Line {
+  /* Where a row belongs. */
+  struct Key {
     double step, time, tag, impact;
-    size_t length;
+    bool operator<(const Key &other) const;
   };
 
-  void write(const std::vector<Line> &lines, const std::vector<char> &text);
+  /* Some rows of one rank, in order, as the file has them. */
+  struct Piece {
+    std::vector<Key> keys;
+    std::vector<int> lengths;
+    std::vector<char> bytes;
+  };
+
+  /* Rows are never moved: growing by copies would touch three times the memory. */
+  static const size_t BLOCK = 256;
+  Row &row(size_t i) {
+    return blocks_[i / BLOCK][i % BLOCK];
+  }
+  const Row &row(size_t i) const {
+    return blocks_[i / BLOCK][i % BLOCK];
+  }
+
+  class Source;
+
+  std::string open_csv(bool append, const std::string &heading);
+  std::string open_array(bool append, const std::string &heading);
+  std::string continue_array();
+  void write_header();
+  std::vector<size_t> sorted() const;
+  void print(const std::vector<size_t> &order, size_t from, Piece &piece) const;
+  void send(const std::vector<size_t> &order) const;
+  void merge(const std::vector<size_t> &order, const std::vector<long long> &counts);
 
   MPI_Comm world_;
-  int rank_;
+  int rank_, ranks_;
   bigint every_;
   std::string path_;
+  bool is_array_;
+  std::string header_; /* of an array, up to the number of its rows */
+  long long in_file_;  /* rows */
   FILE *file_;
-  bool failed_;
-  std::vector<Row> rows_;
+  std::vector<std::unique_ptr<Row[]>> blocks_;
   std::vector<double *> pointers_;
-  size_t written_; /* how many of rows_ are in the file */
+  size_t size_, written_; /* of the rows; how many of them are in the file */
 };
 
 } // namespace LAMMPS_NS

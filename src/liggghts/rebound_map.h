@@ -1,13 +1,16 @@
 /* What the triangles of one mesh have taken: impacts, deposited mass, and impact energy, as element
- * properties of the mesh (`impacts`, `deposited_mass`, `impact_energy`) for `dump mesh/vtk`. Within
- * a step they gather in a property that LIGGGHTS adds up over ghost triangles (comm_reverse) and
- * clears.
+ * properties of the mesh (`impacts`, `deposited_mass`, `impact_energy`) for `dump mesh/vtk`. What
+ * the ghosts of another rank's triangles take is noted by triangle id, and handed over when
+ * somebody is about to read: LIGGGHTS's own way (comm_reverse) would clear, send and add up in
+ * every step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REBOUND_MAP_H
 #define LMP_REBOUND_MAP_H
 
 #include <mpi.h>
+#include <array>
+#include <map>
 #include <vector>
 
 #include "container.h"
@@ -28,8 +31,8 @@ public:
   /* One impact on a local or ghost triangle. */
   void add(int triangle, double deposited_mass, double energy);
 
-  /* At the end of a step, after the mesh has added up its ghosts, on `ranks` ranks. */
-  void end_step(int ranks);
+  /* Hands over what ghosts have taken; collective, before the properties are read. */
+  void settle(MPI_Comm world);
 
   /* All values by triangle id, N_VALUES each, on rank 0; collective. */
   std::vector<double> gather(MPI_Comm world);
@@ -38,10 +41,13 @@ public:
   void scatter(const std::vector<double> &values);
 
 private:
+  typedef std::array<double, N_VALUES> Values;
+
+  void add_own(int triangle, const Values &values);
+
   TriMesh *mesh_;
-  bool touched_; /* by this rank, in this step */
-  VectorContainer<double, 3> *step_;
   ScalarContainer<double> *sums_[N_VALUES];
+  std::map<int, Values> away_; /* by id of the triangle */
 };
 
 } // namespace LAMMPS_NS

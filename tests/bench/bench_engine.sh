@@ -1,103 +1,83 @@
 #!/usr/bin/env bash
-# The fix in LIGGGHTS: its share of the flat-plate case; a whole case against LIGGGHTS's own resolved contact
-# at the real modulus; 10^6 particles on two ranks: memory, share, and time over contacts.
-set -euo pipefail
-bin=$ASPERITY_BIN
-[ -x "$bin/liggghts-asperity" ] || { echo "the fix in LIGGGHTS: not built"; exit 0; }
-home=$(cd "$(dirname "$0")/../.." && pwd)
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-cd "$work"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-row() { awk -v what="$1" -v value="$2" -v unit="$3" -v sign="$4" -v limit="$5" 'BEGIN {
-  good = sign == "<=" ? value <= limit : value >= limit
-  printf "%s\t%.3g %s\t%s %g\t%s\n", what, value, unit, sign, limit, good ? "yes" : "NO" }'; }
-engine() { mpirun -np "$1" "$bin/liggghts-asperity" -in "$2" -log none "${@:3}" > "$2.screen" 2>&1 || { tail -n 5 "$2.screen" >&2; exit 1; }; }
-# share SCREEN: the fix's part of the loop, in percent, summed over its hooks (slowest rank).
-share() { awk '/^Loop time/ { loop = $4 } /^Fix wall wall\/rebound time/ { sub(/.*= */, ""); fix = $1 } END { print 100 * fix / loop }' "$1"; }
-median() { sort -g | awk '{ x[NR] = $1 } END { print x[int((NR + 1) / 2)] }'; }
+# The fix in LIGGGHTS: its share of the flat-plate case, in time and in instructions; its ledger; one rank
+# against two; a whole case against LIGGGHTS's own resolved contact at the real modulus.
+source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
 
-# The flat plate as it comes, rough, on two ranks.
+# The flat plate as it comes, rough: with its ledger as CSV and as an array, and without.
 mkdir output
 awk -f "$home/examples/flat_plate/make_plate.awk" > output/plate.stl
 awk -f "$home/examples/flat_plate/make_jet.awk" > output/jet.data
-sed 's/^run /modify_timing on\nrun /' "$home/examples/flat_plate/in.flat_plate" > plate.in
-sed '/ ledger 2000/d; s/seed 1 &$/seed 1/' plate.in > quiet.in
-for k in 1 2 3; do
-  for deck in plate quiet; do
-    begun=$(date +%s.%N)
-    engine 2 $deck.in -var name plate -var surface "rq 15.6e-6 lambda_c 120e-6"
-    share $deck.in.screen >> $deck.share
-    awk -v a="$begun" -v b="$(date +%s.%N)" '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print 100 * $1 / (b - a) }' $deck.in.screen >> $deck.whole
+sed 's/^run /modify_timing on\nrun /' "$home/examples/flat_plate/in.flat_plate" > csv.in
+sed 's/\.csv$/.npy/' csv.in > npy.in
+sed '/ ledger 2000/d; s/seed 1 &$/seed 1/' csv.in > quiet.in
+rough=(-var name plate -var surface "rq 15.6e-6 lambda_c 120e-6")
+for round in 1 2 3; do
+  for ranks in 2 1; do
+    for deck in csv npy quiet; do
+      begun=$(date +%s.%N)
+      engine $ranks $deck.in "${rough[@]}"
+      calc "$(date +%s.%N) - $begun" >> $deck.$ranks.whole
+      share $deck.in >> $deck.$ranks.share
+      fix_seconds $deck.in >> $deck.$ranks.fix
+      loop_seconds $deck.in >> $deck.$ranks.loop
+    done
   done
 done
-row "flat plate: the fix, ledger and all, of the run" "$(median < plate.whole)" "%" "<=" 10
-row "flat plate: the fix, ledger and all, of a step" "$(median < plate.share)" "%" "<=" 5
-row "flat plate: the fix without a ledger, of a step" "$(median < quiet.share)" "%" "<=" 5
+of() { median < "$1"; }
+row "flat plate: the fix, ledger and all, of the run" "$(calc "100 * $(of csv.2.fix) / $(of csv.2.whole)")" "%" "<=" 10
+row "flat plate: the fix, ledger and all, of a step, 2 ranks" "$(of csv.2.share)" "%" "<=" 5
+row "... 1 rank" "$(of csv.1.share)" "%"
+row "flat plate: the fix without a ledger, of a step, 2 ranks" "$(of quiet.2.share)" "%" "<=" 5
+row "... 1 rank" "$(of quiet.1.share)" "%"
+if command -v valgrind > /dev/null; then
+  valgrind --tool=callgrind --callgrind-out-file=counts "$bin/liggghts-asperity" -in csv.in -log none "${rough[@]}" > valgrind.screen 2>&1 || { tail -n 5 valgrind.screen >&2; exit 1; }
+  callgrind_annotate --inclusive=yes --threshold=100 counts | awk '
+    function count() { gsub(",", "", $1); return $1 + 0 }
+    /Verlet::run\(/ && !loop { loop = count() }
+    /FixWallRebound::(pre_initial_integrate|pre_exchange|pre_neighbor|post_force|end_of_step)\(/ && !seen[$0]++ { fix += count() }
+    /ReboundLedger::end_step\(/ && !ledger { ledger = count() }
+    END { print 100 * fix / loop, 100 * ledger / loop }' > counted
+  row "flat plate: the fix, ledger and all, of the instructions of a step" "$(cut -d ' ' -f 1 counted)" "%" "<=" 5
+  row "... printing the ledger" "$(cut -d ' ' -f 2 counted)" "%"
+fi
+for deck in csv npy; do
+  for ranks in 2 1; do
+    row "flat plate: the ledger as $deck, every impact, of the loop, $ranks rank(s)" "$(calc "100 * ($(of $deck.$ranks.fix) - $(of quiet.$ranks.fix)) / $(of $deck.$ranks.loop)")" "%" "<=" 10
+  done
+done
+row "flat plate: two ranks over one: the loop" "$(calc "$(of csv.1.loop) / $(of csv.2.loop)")" "x"
+row "... the fix" "$(calc "$(of csv.1.fix) / $(of csv.2.fix)")" "x"
+
+# A ledger of 10^6 rows in `asperity compare`.
+{ head -n 2 output/plate.csv; for k in {1..50}; do tail -n +3 output/plate.csv; done; } > million.csv
+rows=$(($(wc -l < million.csv) - 2))
+head -c 2048 output/plate.npy | sed "s/'shape': ([0-9]*,), }\( *\) \{2\}/'shape': ($rows,), }\1/" > million.npy
+for k in {1..50}; do tail -c +2049 output/plate.npy; done >> million.npy
+for round in 1 2 3; do
+  for form in csv npy; do
+    TIMEFORMAT=%U
+    { time "$bin/asperity" compare million.$form "$home/examples/data/grant_tabakoff_1975.csv" > million.$form.out 2> /dev/null; } 2>> $form.compare
+  done
+done
+for form in csv npy; do
+  row "ledger as $form: bytes an impact" "$(calc "$(stat -c %s million.$form) / $rows")" "B"
+  row "... asperity compare, 10^8 rows, from $rows" "$(calc "1e8 / $rows * $(of $form.compare)")" "s"
+done
 
 # 20 000 grains of 10 um at 100 m/s on a plate for 60 us: rebound with its step, and hertz with a tenth of the
 # Rayleigh time.
 awk 'BEGIN { n = 20000; print "g\n\n" n " atoms\n2 atom types\n\n-0.0002 0.006 xlo xhi\n-0.0002 0.006 ylo yhi\n-0.0005 0.0065 zlo zhi\n\nAtoms\n"
   for (i = 1; i <= n; i++) printf "%d 1 1e-5 2650 %.12g %.12g %.12g\n", i, 4e-5 * (i % 142), 4e-5 * int(i / 142), 1e-5 + 5e-4 * (i % 997) / 997
-  print "\nVelocities\n"; for (i = 1; i <= n; i++) print i, "0 0 -100 0 0 0" }' > drop.data
-drop() { # name, wall, step
-  cat > "$1.in" << END
-units si
-atom_style granular
-boundary f f f
-newton off
-communicate single vel yes
-hard_particles yes
-read_data drop.data
-neighbor 2e-5 bin
-neigh_modify delay 0 binsize 2e-4 exclude group all all
-fix m1 all property/global youngsModulus peratomtype 70e9 205e9
-fix m2 all property/global poissonsRatio peratomtype 0.17 0.32
-fix m3 all property/global yieldStress peratomtype 200e6 200e6
-fix m4 all property/global surfaceEnergy peratomtypepair 2 0.8 0.8 0.8 0.8
-fix m5 all property/global coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3
-fix m6 all property/global coefficientRestitution peratomtypepair 2 0.9 0.9 0.9 0.9
-pair_style gran model hertz tangential history
-pair_coeff * *
-fix move all nve/sphere
-fix wall all $2
-timestep $3
-compute ke all ke
-thermo_style custom step c_ke
-thermo 100000
-run $(awk -v dt="$3" 'BEGIN { printf "%d", 6e-5 / dt + 0.5 }')
-END
-}
-drop rebound 'wall/rebound primitive type 2 zplane 0.0 surface smooth' 4e-8
-drop hertz 'wall/gran model hertz tangential history primitive type 2 zplane 0.0' 5e-10
-seconds() { local begun; begun=$(date +%s.%N); engine 1 "$1.in"; awk -v a="$begun" -v b="$(date +%s.%N)" 'BEGIN { print b - a }'; }
+  print "\nVelocities\n"; for (i = 1; i <= n; i++) print i, "0 0 -100 0 0 0" }' > grains.data
+deck 'wall/rebound primitive type 2 zplane 0.0 surface smooth' 4e-8 1500 > rebound.in
+deck 'wall/gran model hertz tangential history primitive type 2 zplane 0.0' 5e-10 120000 > hertz.in
+sed -i 's/ f_wall$//' hertz.in
+sed -i '/^modify_timing/d' rebound.in hertz.in
+seconds() { local begun; begun=$(date +%s.%N); engine 1 "$1.in"; calc "$(date +%s.%N) - $begun"; }
 hertz=$(seconds hertz)
-for k in 1 2 3; do seconds rebound; done > rebound.times
-row "20 000 grains, 60 us: resolved Hertz contact over rebound" "$(awk -v a="$hertz" -v b="$(median < rebound.times)" 'BEGIN { print a / b }')" "x" ">=" 20
-energy() { awk '/^ +Step/ { on = 1; next } on && NF == 2 && $1 > 0 { e = $2 } END { print e / (20000 * 2650 * 3.14159265 / 6 * 1e-15 * 5000) }' "$1.in.screen"; }
-bons=$("$bin/asperity" cor --model none --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { print $8 * $8 }')
-printf 'energy left after the impact: the Bons law\t%.3g\t-\t-\n... wall/rebound\t%.3g\t-\t-\n... resolved Hertz with e = 0.9\t%.3g\t-\t-\n' "$bons" "$(energy rebound)" "$(energy hertz)"
-
-# 10^6 grains on two ranks, half of them hitting in 50 steps; the same with a tenth of the hits.
-million() { # name, share that hits
-  awk -v hits="$2" 'BEGIN { n = 1000000; print "g\n\n" n " atoms\n2 atom types\n\n-0.001 0.041 xlo xhi\n-0.001 0.041 ylo yhi\n-0.0005 0.001 zlo zhi\n\nAtoms\n"
-    for (i = 1; i <= n; i++) { hit = (i % 10) < 10 * hits; printf "%d 1 1e-5 2650 %.9g %.9g %.9g\n", i, 4e-5 * (i % 1000), 4e-5 * int(i / 1000), hit ? 6e-6 + 8e-5 * (i % 97) / 97 : 2e-4 }
-    print "\nVelocities\n"; for (i = 1; i <= n; i++) print i, "30 0", (i % 10) < 10 * hits ? -40 : 0, "0 0 0" }' > drop.data
-  drop "$1" 'wall/rebound primitive type 2 zplane 0.0 surface rq 5e-6 lambda_c 40e-6' 4e-8
-  sed -i 's/^run .*/modify_timing on\nrun 50/' "$1.in"
-  sed -i 's/^thermo_style .*/thermo_style custom step f_wall/' "$1.in"
-  mpirun -np 2 "$bin/liggghts-asperity" -in "$1.in" -log none > "$1.in.screen" 2>&1 &
-  local job=$!
-  while kill -0 $job 2> /dev/null; do
-    for pid in $(pgrep -f "liggghts-asperity -in $1.in" || true); do awk -v pid="$pid" '/^VmHWM/ { print pid, $2 }' "/proc/$pid/status" 2> /dev/null || true; done >> "$1.memory"
-    sleep 0.2
-  done
-  wait $job || { tail -n 5 "$1.in.screen" >&2; exit 1; }
-}
-contacts() { awk '/^ +50 / { n = $2 } END { print n }' "$1.in.screen"; }
-fix_seconds() { awk '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print $1 }' "$1.in.screen"; }
-million many 0.5
-million few 0.1
-row "10^6 grains, 2 ranks: memory of both" "$(awk '$2 > m[$1] { m[$1] = $2 } END { for (p in m) s += m[p]; print s / 1048576 }' many.memory)" "GiB" "<=" 4
-row "10^6 grains: the fix of a run" "$(share many.in.screen)" "%" "<=" 10
-awk -v a="$(fix_seconds many)" -v b="$(fix_seconds few)" -v m="$(contacts many)" -v f="$(contacts few)" 'BEGIN {
-  printf "10^6 grains: one more contact costs the fix\t%.3g us\t-\t-\n", 1e6 * 2 * (a - b) / (m - f) }'
+for round in 1 2 3; do seconds rebound; done > rebound.times
+row "20 000 grains, 60 us: resolved Hertz contact over rebound" "$(calc "$hertz / $(of rebound.times)")" "x" ">=" 20
+energy() { awk '/^ +Step/ { on = 1; next } on && NF > 1 && $1 > 0 && $1 + 0 == $1 { e = $2 } END { print e / (20000 * 2650 * 3.14159265 / 6 * 1e-15 * 5000) }' "$1.in.screen"; }
+row "energy left after the impact: the Bons law" "$("$bin/asperity" cor --model none --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { print $8 * $8 }')" ""
+row "... wall/rebound" "$(energy rebound)" ""
+row "... resolved Hertz with e = 0.9" "$(energy hertz)" ""

@@ -1,0 +1,192 @@
+/* NumPy arrays; see npy.h. The header is a Python dictionary as numpy.lib.format writes it:
+ * {'descr': [('name', '<f8'), ...], 'fortran_order': False, 'shape': (rows,), } */
+#include "cli/npy.h"
+#include "error.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#if __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "arrays are read little-endian"
+#endif
+
+static const char MAGIC[] = "\x93NUMPY";
+enum { MAGIC_SIZE = 6, HEADER_MOST = 1 << 16 };
+
+bool npy_is(FILE *stream) {
+  char first[MAGIC_SIZE];
+  bool is =
+      fread(first, 1, MAGIC_SIZE, stream) == MAGIC_SIZE && memcmp(first, MAGIC, MAGIC_SIZE) == 0;
+  rewind(stream);
+  return is;
+}
+
+static void skip_blanks(const char **text) {
+  while (isspace((unsigned char)**text))
+    ++*text;
+}
+
+static bool take(const char **text, char c) {
+  skip_blanks(text);
+  if (**text != c)
+    return false;
+  ++*text;
+  return true;
+}
+
+/* 'text' or "text", as much of it as there is room for. */
+static bool take_string(const char **text, char *to, size_t room) {
+  skip_blanks(text);
+  char quote = **text;
+  if (quote != '\'' && quote != '"')
+    return false;
+  const char *begin = *text + 1, *end = strchr(begin, quote);
+  if (!end)
+    return false;
+  snprintf(to, room, "%.*s", (int)(end - begin), begin);
+  *text = end + 1;
+  return true;
+}
+
+static bool read_type(npy_column *column, const char *type) {
+  column->kind = type[1];
+  column->size = atoi(type + 2);
+  int size = column->size;
+  bool known = column->kind == 'f' ? size == 4 || size == 8
+                                   : (column->kind == 'i' || column->kind == 'u') &&
+                                         (size == 1 || size == 2 || size == 4 || size == 8);
+  return known && (*type == '<' || (*type == '|' && size == 1));
+}
+
+/* ('name', '<f8') or (('title', 'name'), '<f8') */
+static asp_code read_column(npy *array, const char **text, asp_error *error) {
+  char title[NPY_TITLE] = "", type[32] = "";
+  npy_column *column = &array->column[array->columns];
+  bool good = take(text, '(');
+  if (good && take(text, '('))
+    good = take_string(text, title, sizeof title) && take(text, ',') &&
+           take_string(text, column->name, sizeof column->name) && take(text, ')');
+  else
+    good = good && take_string(text, column->name, sizeof column->name);
+  if (!good || !take(text, ',') || !take_string(text, type, sizeof type) || !take(text, ')'))
+    return asp_fail(error, ASP_EDATA, "%s: its header is not one of a table of numbers",
+                    array->path);
+  if (!read_type(column, type))
+    return asp_fail(error, ASP_EDATA,
+                    "%s: column '%s' is of type '%s'; allowed are little-endian whole numbers and "
+                    "floating-point numbers, such as <i4 or <f8",
+                    array->path, column->name, type);
+  column->offset = array->row_size;
+  array->row_size += column->size;
+  array->columns++;
+  if (!*array->title)
+    strcpy(array->title, title);
+  return ASP_OK;
+}
+
+static asp_code read_columns(npy *array, const char *header, asp_error *error) {
+  const char *text = strstr(header, "'descr':");
+  text = text ? text + strlen("'descr':") : "";
+  if (!take(&text, '['))
+    return asp_fail(error, ASP_EDATA, "%s: a NumPy array, but not one with named columns",
+                    array->path);
+  while (!take(&text, ']')) {
+    if (array->columns == NPY_COLUMNS)
+      return asp_fail(error, ASP_EDATA, "%s: more than %d columns", array->path, NPY_COLUMNS);
+    asp_code code = read_column(array, &text, error);
+    if (code)
+      return code;
+    take(&text, ',');
+  }
+  return array->columns > 0 ? ASP_OK : asp_fail(error, ASP_EDATA, "%s: no columns", array->path);
+}
+
+static asp_code read_shape(npy *array, const char *header, asp_error *error) {
+  const char *text = strstr(header, "'shape':");
+  text = text ? text + strlen("'shape':") : "";
+  bool good = take(&text, '(') && isdigit((unsigned char)*text);
+  char *end = "";
+  if (good)
+    array->rows = strtoull(text, &end, 10);
+  text = end;
+  if (good && take(&text, ',') && take(&text, ')'))
+    return ASP_OK;
+  return asp_fail(error, ASP_EDATA, "%s: a NumPy array, but not one with one dimension",
+                  array->path);
+}
+
+asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error) {
+  *array = (npy){.stream = stream, .path = path};
+  unsigned char first[MAGIC_SIZE + 2], length[4] = {0};
+  char *header = calloc(1, HEADER_MOST + 1);
+  if (!header)
+    return asp_fail(error, ASP_ENOMEM, "out of memory for '%s'", path);
+  asp_code code = ASP_OK;
+  size_t size = 0;
+  bool whole = fread(first, 1, sizeof first, stream) == sizeof first;
+  int length_size = first[MAGIC_SIZE] == 1 ? 2 : 4;
+  if (whole && (first[MAGIC_SIZE] < 1 || first[MAGIC_SIZE] > 3))
+    code = asp_fail(error, ASP_EDATA, "%s: a NumPy array of version %d; allowed is 1 to 3", path,
+                    first[MAGIC_SIZE]);
+  whole = whole && fread(length, 1, length_size, stream) == (size_t)length_size;
+  if (whole)
+    size = length[0] | (size_t)length[1] << 8 | (size_t)length[2] << 16 | (size_t)length[3] << 24;
+  whole = whole && size <= HEADER_MOST && fread(header, 1, size, stream) == size;
+  if (!code && !whole)
+    code = asp_fail(error, ASP_EDATA, "%s: a NumPy array whose header is cut short", path);
+  if (!code && !(code = read_columns(array, header, error)))
+    code = read_shape(array, header, error);
+  free(header);
+  return code;
+}
+
+int npy_find(const npy *array, const char *name) {
+  for (int i = 0; i < array->columns; i++)
+    if (strcmp(array->column[i].name, name) == 0)
+      return i;
+  return -1;
+}
+
+asp_code npy_next(npy *array, bool *found, asp_error *error) {
+  *found = array->row < array->rows;
+  if (!*found)
+    return ASP_OK;
+  if (fread(array->bytes, 1, array->row_size, array->stream) != (size_t)array->row_size)
+    return asp_fail(error, ASP_EDATA, "%s: its header says %llu rows, but it ends in row %llu",
+                    array->path, array->rows, array->row + 1);
+  array->row++;
+  return ASP_OK;
+}
+
+double npy_value(const npy *array, int index) {
+  if (index < 0)
+    return NAN;
+  const npy_column *column = &array->column[index];
+  union {
+    uint64_t u8;
+    uint32_t u4;
+    uint16_t u2;
+    uint8_t u1;
+    int64_t i8;
+    int32_t i4;
+    int16_t i2;
+    int8_t i1;
+    float f4;
+    double f8;
+  } value;
+  memcpy(&value, array->bytes + column->offset, (size_t)column->size);
+  if (column->kind == 'f')
+    return column->size == 4 ? (double)value.f4 : value.f8;
+  if (column->kind == 'u')
+    return column->size == 8   ? (double)value.u8
+           : column->size == 4 ? (double)value.u4
+           : column->size == 2 ? (double)value.u2
+                               : (double)value.u1;
+  return column->size == 8   ? (double)value.i8
+         : column->size == 4 ? (double)value.i4
+         : column->size == 2 ? (double)value.i2
+                             : (double)value.i1;
+}
