@@ -64,8 +64,8 @@ typedef struct asp_key {
 typedef struct asp_stream {
   uint32_t key[2];
   uint32_t counter[4];
-  double spare;
-  bool has_spare;
+  double ready[2]; /* numbers that are drawn already, the last `left` of them */
+  int left;
 } asp_stream;
 
 /* A number for a wall's name (32-bit FNV-1a), so that two walls with one seed draw differently. */
@@ -303,6 +303,14 @@ typedef struct asp_view {
   const void *data; /* what a model that needs more was given when the wall was made, or NULL */
 } asp_view;
 
+/* The same of many contacts with one wall. */
+typedef struct asp_views {
+  const double *slope, *sigma, *alpha1, *d_p;
+  const void *data;
+} asp_views;
+
+enum { ASP_BATCH = 64 }; /* contacts that a model is asked for at once, at most */
+
 /* A view for laws that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
 asp_view asp_view_create(double sigma, double alpha1);
 
@@ -350,9 +358,8 @@ typedef struct asp_spread_model {
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
    * false when it leaves the wall. NULL where the model knows of no places. */
   bool (*follow)(const asp_view *view, asp_stream *stream, asp_path *path, double *delta);
-  /* Many quantiles at once; NULL: one by one. Use asp_spread_quantile_n. */
-  void (*quantile_n)(const asp_view *view, size_t n, const double *alpha1, const double *u,
-                     double *delta);
+  /* The quantiles of n <= ASP_BATCH contacts; NULL: one by one. Use asp_spread_quantile_n. */
+  void (*quantile_n)(const asp_views *views, size_t n, const double *u, double *delta);
 } asp_spread_model;
 
 /* One delta of the model, from the stream; false when a loop reached its bound. */
@@ -520,6 +527,13 @@ typedef struct asp_bounce {
   double v_t2;
 } asp_bounce;
 
+/* Many hits, by component. */
+typedef struct asp_hits {
+  const double *v_n1, *v_t1, *d_p, *density;
+  const double *modulus, *yield_stress, *surface_energy, *friction; /* of the pair of each */
+  bool adhesion;
+} asp_hits;
+
 typedef struct asp_rebound_law {
   const char *name;
   const char *summary;
@@ -530,6 +544,10 @@ typedef struct asp_rebound_law {
   int n_parameters;
   const asp_parameter *parameters;
   asp_bounce (*rebound)(const double *parameters, const asp_hit *hit);
+  /* The same for n <= ASP_BATCH hits at once, into v_n2 and v_t2; again[i] > 0 says that hit i is
+   * for `rebound`. False: not with these parameters; NULL: never. */
+  bool (*rebound_n)(const double *parameters, const asp_hits *hits, size_t n, double *v_n2,
+                    double *v_t2, double *again);
   /* Whether it draws a scatter of its own with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
 } asp_rebound_law;
@@ -620,6 +638,16 @@ typedef struct asp_impact {
  * Kinetic energy never grows. No allocation, no failure. */
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], asp_key key, asp_impact *impact);
+
+/* `count` contacts at once, each as asp_wall_impact has it, several times as fast: in vector code
+ * where the C library has vector functions (x86-64, GNU), for plane tilts, single collisions,
+ * models with a quantile, and `bons` with its exponent c = 0.5; the rest contact by contact. Draws
+ * and outcomes are those of asp_wall_impact. On smooth walls all is, to the bit; on rough ones
+ * velocities (over v1) and tilts (in radians) are to 4 DBL_EPSILON, with `visible` to 8. May set
+ * floating-point flags that asp_wall_impact does not. */
+void asp_wall_impact_n(const asp_wall *wall, size_t count, const asp_particle *particle,
+                       const double (*v1)[3], const double (*n)[3], const asp_key *key,
+                       asp_impact *impact);
 
 /* ---- choosing a model --------------------------------------------------------------------------
  */

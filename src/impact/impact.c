@@ -7,187 +7,152 @@
  * with the sine and cosine of delta_alpha so that a face of 90 degrees is no special case. Vectors,
  * not angles, so that it stays right beyond a local impact angle of 90 degrees, where the
  * tangential CoR turns negative. */
+#include "impact/frame.h"
+#include "impact/stream.h"
 #include "impact/wall.h"
 
-#include <float.h>
 #include <math.h>
-
-/* Below this share of the speed the tangential velocity has no direction. */
-#define NO_DIRECTION 1e-12
 
 /* Smith's Lambda is below 1e-13 from here on, and beyond all numbers before. */
 #define NU_FREE 5.2
 #define NU_LEAST 1e-150
 
-/* Below this share of the energy along the wall, its direction is worked out with care. */
-#define NEARLY_NORMAL 1e-4
-
-typedef struct frame {
-  double n[3], t[3];
-  double v_n, v_t; /* approach and tangential speed, >= 0 */
-  bool has_direction;
-} frame;
-
 typedef struct face {
-  double m[3]; /* its normal in (t, b, n) */
+  vec m; /* its normal in (t, b, n) */
   double delta, q;
 } face;
 
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3]) {
-  c[0] = a[1] * b[2] - a[2] * b[1];
-  c[1] = a[2] * b[0] - a[0] * b[2];
-  c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* 1/|n|; a normal that is nearly of unit length needs one step of Newton's method only. */
-static double inverse_length(const double n[3]) {
-  double square = dot(n, n);
-  return fabs(square - 1) < 1e-8 ? 1.5 - 0.5 * square : 1 / sqrt(square);
-}
-
-static frame frame_of(const double v[3], const double normal[3]) {
-  frame f;
-  double scale = inverse_length(normal), along[3], square;
-  for (int i = 0; i < 3; i++)
-    f.n[i] = normal[i] * scale;
-  f.v_n = -dot(v, f.n);
-  for (int i = 0; i < 3; i++)
-    along[i] = v[i] + f.v_n * f.n[i];
-  square = dot(along, along);
-  if (square < NEARLY_NORMAL * f.v_n * f.v_n) { /* the rest of the difference is rounding: again */
-    double rest = dot(along, f.n);
-    for (int i = 0; i < 3; i++)
-      along[i] -= rest * f.n[i];
-    square = dot(along, along);
-  }
-  f.v_t = sqrt(square);
-  f.has_direction = f.v_t >= NO_DIRECTION * fabs(f.v_n) && f.v_t > 0;
-  for (int i = 0; i < 3; i++)
-    f.t[i] = f.has_direction ? along[i] / f.v_t : 0;
-  return f;
-}
-
 /* At normal impact the direction of flight is drawn uniformly around n. */
 static void draw_direction(frame *f, asp_stream *stream) {
-  double angle = 2 * ASP_PI * asp_stream_uniform(stream), e[3], first[3], second[3];
-  int least = fabs(f->n[0]) <= fabs(f->n[1]) ? 0 : 1;
-  if (fabs(f->n[2]) < fabs(f->n[least]))
-    least = 2;
-  for (int i = 0; i < 3; i++)
-    e[i] = i == least;
-  cross(f->n, e, first);
-  double scale = 1 / sqrt(dot(first, first));
-  for (int i = 0; i < 3; i++)
-    first[i] *= scale;
-  cross(f->n, first, second);
-  for (int i = 0; i < 3; i++)
-    f->t[i] = cos(angle) * first[i] + sin(angle) * second[i];
+  double angle = 2 * ASP_PI * asp_stream_next(stream);
+  double x = fabs(f->n.x), y = fabs(f->n.y), z = fabs(f->n.z);
+  vec least = z < fmin(x, y) ? (vec){0, 0, 1} : x <= y ? (vec){1, 0, 0} : (vec){0, 1, 0};
+  vec first = cross(f->n, least);
+  first = scaled(first, 1 / sqrt(dot(first, first)));
+  f->along = plus(scaled(first, cos(angle)), sin(angle), cross(f->n, first));
+  f->per_length = 1;
   f->v_t = 0;
+}
+
+/* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
+ */
+static inline face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
+  double c = cos(delta), s = sin(delta);
+  if (!wall->isotropic)
+    return (face){{-s, 0, c}, delta, 0};
+  double q = slope * asp_stream_normal(stream), side = q * c;
+  return (face){scaled((vec){-s, -side, c}, 1 / sqrt(1 + side * side)), delta, q};
+}
+
+/* A tilt of the model; false when a loop of it reached its bound. */
+static inline bool draw_tilt(const asp_spread_model *model, const asp_view *view,
+                             asp_stream *stream, double *delta) {
+  if (model->loop)
+    return model->loop(view, stream, delta);
+  *delta = model->quantile(view, asp_stream_next(stream));
+  return true;
+}
+
+static inline double tilt_out(const asp_wall *wall, const face *on) {
+  return wall->isotropic ? atan(on->q) : 0;
+}
+
+/* The rebound from one face, in (t, b, n). False where the particle cannot hit it. A face that is
+ * tilted in the plane of incidence only keeps the particle in that plane. */
+static inline bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f,
+                           vec m, bool in_plane, asp_stream *stream, vec *out, bool *deposit) {
+  double approach = f->v_n * m.z - f->v_t * m.x, speed;
+  if (!(approach > 0))
+    return false;
+  vec along; /* of unit length, or of `speed` */
+  if (in_plane) {
+    speed = f->v_t * m.z + f->v_n * m.x;
+    along = speed < 0 ? (vec){-m.z, 0, m.x} : (vec){m.z, 0, -m.x};
+    speed = fabs(speed);
+  } else {
+    along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
+    speed = sqrt(dot(along, along));
+  }
+  asp_hit hit = {approach,       speed,         particle->d_p, particle->density,
+                 particle->pair, wall->deposit, wall->table,   stream};
+  asp_bounce bounce = wall->law->rebound(wall->parameters, &hit);
+  *deposit = wall->deposit && !(bounce.v_n2 > 0);
+  double kept = in_plane ? bounce.v_t2 : speed > 0 ? bounce.v_t2 / speed : 0;
+  *out = *deposit ? (vec){0, 0, 0} : plus(scaled(m, bounce.v_n2), kept, along);
+  return true;
+}
+
+/* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
+ * into it in the lab frame. Take those bits from the speed along the wall, so that no energy is
+ * made. */
+static inline vec leaving(const frame *f, vec v) {
+  for (int i = 0; i < 8 && !clearly_leaves(v, f->n); i++) {
+    double speed = sqrt(dot(v, v)), step = 4 * (double)(1 << i) * DBL_EPSILON;
+    v = plus(scaled(v, 1 - step), step * speed, f->n);
+  }
+  return v;
+}
+
+static inline void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle,
+                                        const frame *f, asp_stream *stream, asp_impact *impact) {
+  vec local;
+  bool deposit, hit = rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &local, &deposit);
+  impact->delta_alpha = impact->tilt_out = 0;
+  impact->hits = 1;
+  if (!hit) { /* it does not approach, and goes on as it came */
+    deposit = false;
+    local = (vec){f->v_t, 0, fmax(-f->v_n, 0)};
+  }
+  vec v2 = to_lab(f, local);
+  impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+  store(!hit || local.z > 0 ? leaving(f, v2) : v2, impact->v2);
+}
+
+static inline double impact_angle(const frame *f) {
+  return angle_of(f, atan(angle_ratio(f)));
+}
+
+/* What a wall looks like to a particle that meets it as the frame says. */
+static inline asp_view view_of(const asp_wall *wall, const asp_particle *particle, const frame *f) {
+  double slope = asp_surface_slope(wall->surface, particle->d_p);
+  return (asp_view){slope, asp_wall_sigma(wall, slope), impact_angle(f), particle->d_p, wall->data};
+}
+
+/* One hit; a face that would send the particle into the wall is drawn again. */
+static void bounce_once(const asp_wall *wall, const asp_particle *particle, frame *f,
+                        asp_stream *stream, asp_impact *impact) {
+  if (!has_direction(f))
+    draw_direction(f, stream);
+  asp_view view = view_of(wall, particle, f);
+  for (int i = 0; i < ASP_HITS_MAX; i++) {
+    double delta;
+    if (!draw_tilt(wall->spread, &view, stream, &delta))
+      continue;
+    face on = face_at(wall, view.slope, delta, stream);
+    vec local;
+    bool deposit;
+    if (rebound(wall, particle, f, on.m, !wall->isotropic, stream, &local, &deposit) &&
+        (deposit || local.z > 0)) {
+      impact->delta_alpha = delta;
+      impact->tilt_out = tilt_out(wall, &on);
+      impact->hits = 1;
+      impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+      store(deposit ? local : leaving(f, to_lab(f, local)), impact->v2);
+      return;
+    }
+  }
+  impact->capped = true;
+  bounce_off_mean_wall(wall, particle, f, stream, impact);
 }
 
 /* A particle on its way over a rough wall, from its first hit to its last. */
 typedef struct flight {
-  frame now;
   asp_view view;
   asp_stream *stream;
   asp_path path;
   double depth;  /* of the particle, see walks_out */
   double lambda; /* of its first approach, < 0 while not known */
 } flight;
-
-/* The next face; *gone when the model follows the particle over a profile, and it has left. */
-static bool draw_face(const asp_wall *wall, flight *fly, face *out, bool *gone) {
-  const asp_spread_model *model = wall->spread;
-  bool drawn;
-  if (model->follow) {
-    drawn = model->follow(&fly->view, fly->stream, &fly->path, &out->delta);
-    *gone = !drawn;
-  } else {
-    if (fly->view.alpha1 < 0 && !model->upward)
-      model = wall->upward;
-    drawn = asp_spread_draw(model, &fly->view, fly->stream, &out->delta);
-    *gone = false;
-  }
-  double c = cos(out->delta), s = sin(out->delta), side = 0, scale = 1;
-  out->q = 0;
-  if (wall->isotropic) {
-    out->q = fly->view.slope * asp_stream_normal(fly->stream);
-    side = out->q * c;
-    scale = 1 / sqrt(1 + side * side);
-  }
-  out->m[0] = -s * scale;
-  out->m[1] = -side * scale;
-  out->m[2] = c * scale;
-  return drawn;
-}
-
-static const face mean_face = {{0, 0, 1}, 0, 0};
-
-/* The rebound from one face, in (t, b, n). False where the particle cannot hit it. */
-static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                    const face *on, asp_stream *stream, double out[3], bool *deposit) {
-  double approach = f->v_n * on->m[2] - f->v_t * on->m[0];
-  if (!(approach > 0))
-    return false;
-  double along[3] = {f->v_t + approach * on->m[0], approach * on->m[1],
-                     -f->v_n + approach * on->m[2]};
-  double speed = sqrt(dot(along, along));
-  asp_hit hit = {approach,       speed,         particle->d_p, particle->density,
-                 particle->pair, wall->deposit, wall->table,   stream};
-  asp_bounce bounce = wall->law->rebound(wall->parameters, &hit);
-  *deposit = wall->deposit && !(bounce.v_n2 > 0);
-  double kept = speed > 0 ? bounce.v_t2 / speed : 0;
-  for (int i = 0; i < 3; i++)
-    out[i] = *deposit ? 0 : bounce.v_n2 * on->m[i] + kept * along[i];
-  return true;
-}
-
-static void to_lab(const frame *f, const double local[3], double v[3]) {
-  double b[3];
-  cross(f->n, f->t, b);
-  for (int i = 0; i < 3; i++)
-    v[i] = local[0] * f->t[i] + local[1] * b[i] + local[2] * f->n[i];
-}
-
-/* Whether v leaves the wall beyond doubt: whoever works out v.n, with a normal that is off by its
- * last bits, finds it positive. */
-static bool clearly_leaves(const double v[3], const double n[3]) {
-  double sum = fabs(v[0] * n[0]) + fabs(v[1] * n[1]) + fabs(v[2] * n[2]);
-  return dot(v, n) > 4 * DBL_EPSILON * sum;
-}
-
-/* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
- * into it in the lab frame. Take those bits from the speed along the wall, so that no energy is
- * made. */
-static void leave(const frame *f, double v[3]) {
-  for (int i = 0; i < 8 && !clearly_leaves(v, f->n); i++) {
-    double speed = sqrt(dot(v, v)), step = 4 * (double)(1 << i) * DBL_EPSILON;
-    for (int j = 0; j < 3; j++)
-      v[j] = (1 - step) * v[j] + step * speed * f->n[j];
-  }
-}
-
-static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                                 asp_stream *stream, asp_impact *impact) {
-  double local[3];
-  bool deposit, hit = rebound(wall, particle, f, &mean_face, stream, local, &deposit);
-  impact->delta_alpha = impact->tilt_out = 0;
-  impact->hits = 1;
-  if (!hit) { /* it does not approach, and goes on as it came */
-    deposit = false;
-    local[0] = f->v_t;
-    local[1] = 0;
-    local[2] = fmax(-f->v_n, 0);
-  }
-  to_lab(f, local, impact->v2);
-  impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-  if (!hit || local[2] > 0)
-    leave(f, impact->v2);
-}
 
 /* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
 static double smith(double nu) {
@@ -198,7 +163,7 @@ static double smith(double nu) {
 }
 
 static double exponential(asp_stream *stream) {
-  return -log(asp_stream_uniform(stream));
+  return -log(asp_stream_next(stream));
 }
 
 /* Whether a particle that a face has just sent off at the slope `rise` > 0 leaves, or at rise <= 0
@@ -224,68 +189,74 @@ static bool walks_out(const asp_wall *wall, flight *fly, double rise) {
 }
 
 /* Whether the particle leaves the wall with the velocity that a face has given it, in (t, b, n). */
-static bool leaves(const asp_wall *wall, flight *fly, const double out[3]) {
-  double along = hypot(out[0], out[1]);
-  if (!wall->multiple)
-    return out[2] > 0;
+static bool leaves(const asp_wall *wall, flight *fly, vec out) {
   if (wall->spread->follow)
     return false;
+  double along = hypot(out.x, out.y);
   if (wall->spread->escape)
-    return out[2] > 0 &&
-           asp_stream_uniform(fly->stream) < wall->spread->escape(&fly->view, atan2(out[2], along));
-  bool steep = along <= NO_DIRECTION * fabs(out[2]);
-  return walks_out(wall, fly, steep ? copysign(INFINITY, out[2]) : out[2] / along);
+    return out.z > 0 &&
+           asp_stream_next(fly->stream) < wall->spread->escape(&fly->view, atan2(out.z, along));
+  bool steep = along <= NO_DIRECTION * fabs(out.z);
+  return walks_out(wall, fly, steep ? copysign(INFINITY, out.z) : out.z / along);
 }
 
-/* Takes the velocity in the lab frame as the particle's new flight. */
-static void turn(flight *fly, const double v[3]) {
-  frame next = frame_of(v, fly->now.n);
-  if (next.has_direction && dot(next.t, fly->now.t) < 0)
-    fly->path.back = !fly->path.back;
-  fly->now = next;
+/* The next face; *gone when the model follows the particle over a profile, and it has left. */
+static bool next_face(const asp_wall *wall, flight *fly, face *out, bool *gone) {
+  const asp_spread_model *model = wall->spread;
+  double delta;
+  bool drawn;
+  *gone = false;
+  if (model->follow) {
+    drawn = model->follow(&fly->view, fly->stream, &fly->path, &delta);
+    *gone = !drawn;
+  } else {
+    bool borrows = fly->view.alpha1 < 0 && !model->upward;
+    drawn = draw_tilt(borrows ? wall->upward : model, &fly->view, fly->stream, &delta);
+  }
+  if (drawn)
+    *out = face_at(wall, fly->view.slope, delta, fly->stream);
+  return drawn;
 }
 
-static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *particle,
-                                  const frame *first, asp_stream *stream, asp_impact *impact) {
-  double slope = asp_surface_slope(wall->surface, particle->d_p);
-  double sigma = slope < wall->slope ? atan(slope) : wall->sigma;
-  flight fly = {.now = *first,
-                .view = {slope, sigma, 0, particle->d_p, wall->data},
-                .stream = stream,
-                .lambda = -1};
+/* Hit after hit, until the particle leaves. */
+static void bounce_on(const asp_wall *wall, const asp_particle *particle, const frame *first,
+                      asp_stream *stream, asp_impact *impact) {
+  frame now = *first;
+  flight fly = {.view = view_of(wall, particle, first), .stream = stream, .lambda = -1};
+  vec v2 = {0, 0, 0};
   impact->hits = 0;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
-    if (!fly.now.has_direction)
-      draw_direction(&fly.now, stream);
-    fly.view.alpha1 = atan2(fly.now.v_n, fly.now.v_t);
+    if (!has_direction(&now))
+      draw_direction(&now, stream);
+    fly.view.alpha1 = impact_angle(&now);
     face on;
-    double local[3];
+    vec local;
     bool deposit, gone;
-    if (!draw_face(wall, &fly, &on, &gone)) {
+    if (!next_face(wall, &fly, &on, &gone)) {
       if (!gone)
         continue;
       if (impact->hits == 0) /* it does not even approach */
         bounce_off_mean_wall(wall, particle, first, stream, impact);
       else
-        leave(first, impact->v2);
+        store(leaving(first, v2), impact->v2);
       return;
     }
-    if (!rebound(wall, particle, &fly.now, &on, stream, local, &deposit) ||
-        !(deposit || local[2] > 0 || wall->multiple))
+    if (!rebound(wall, particle, &now, on.m, !wall->isotropic, stream, &local, &deposit))
       continue;
     if (impact->hits++ == 0) {
       impact->delta_alpha = on.delta;
-      impact->tilt_out = wall->isotropic ? atan(on.q) : 0;
+      impact->tilt_out = tilt_out(wall, &on);
     }
-    to_lab(&fly.now, local, impact->v2);
+    v2 = to_lab(&now, local);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-    if (deposit)
-      return;
-    if (leaves(wall, &fly, local)) {
-      leave(&fly.now, impact->v2);
+    if (deposit || leaves(wall, &fly, local)) {
+      store(deposit ? v2 : leaving(&now, v2), impact->v2);
       return;
     }
-    turn(&fly, impact->v2);
+    frame next = frame_of(v2, now.n);
+    if (has_direction(&next) && dot(next.along, now.along) < 0)
+      fly.path.back = !fly.path.back;
+    now = next;
   }
   impact->capped = true;
   bounce_off_mean_wall(wall, particle, first, stream, impact);
@@ -293,12 +264,16 @@ static void bounce_off_rough_wall(const asp_wall *wall, const asp_particle *part
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], asp_key key, asp_impact *impact) {
-  frame f = frame_of(v1, n);
+  asp_stream stream = asp_stream_begin(key);
+  frame f = frame_of(load(v1), load(n));
   impact->capped = false;
-  asp_stream stream = asp_stream_create(key);
-  if (wall->rough)
-    bounce_off_rough_wall(wall, particle, &f, &stream, impact);
-  else
+  if (wall->rough) {
+    asp_stream_fill(&stream);
+    if (wall->multiple)
+      bounce_on(wall, particle, &f, &stream, impact);
+    else
+      bounce_once(wall, particle, &f, &stream, impact);
+  } else
     bounce_off_mean_wall(wall, particle, &f, &stream, impact);
 }
 
@@ -311,21 +286,22 @@ static double ratio(double a, double b) {
 
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact) {
-  frame f = frame_of(v1, n);
-  const double *v2 = impact->v2;
-  double n2 = dot(v2, f.n), along = dot(v2, f.t);
-  asp_coefficients c = {.v1 = sqrt(dot(v1, v1)),
+  vec before = load(v1), after = load(impact->v2);
+  frame f = frame_of(before, load(n));
+  double n2 = dot(after, f.n), along = dot(after, f.along) * f.per_length;
+  bool directed = has_direction(&f);
+  asp_coefficients c = {.v1 = sqrt(dot(before, before)),
                         .alpha1 = atan2(fmax(f.v_n, 0), f.v_t),
-                        .v2 = sqrt(dot(v2, v2)),
-                        .cor_t_defined = f.has_direction};
+                        .v2 = sqrt(dot(after, after)),
+                        .cor_t_defined = directed};
   if (impact->outcome == ASP_DEPOSIT)
     return c;
-  if (!f.has_direction)
+  if (!directed)
     along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
   c.alpha2 = atan2(n2, along);
   c.cor_v = ratio(c.v2, c.v1);
   c.cor_alpha = ratio(c.alpha2, c.alpha1);
   c.cor_n = ratio(n2, f.v_n);
-  c.cor_t = f.has_direction ? along / f.v_t : 0;
+  c.cor_t = directed ? along / f.v_t : 0;
   return c;
 }

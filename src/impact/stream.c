@@ -1,10 +1,7 @@
-/* The random numbers of one contact: Philox4x32-10 of Random123 (Salmon, Moraes, Dror & Shaw 2011),
- * a pure function of key and counter. One block of four 32-bit words is two uniform numbers; the
- * counter is (tag low, tag high, impact, block). */
-#include "asperity.h"
+/* The public face of the random numbers of one contact; see stream.h. */
+#include "impact/stream.h"
 
 #include <gsl/gsl_cdf.h>
-#include <Random123/philox.h>
 
 uint32_t asp_key_fix(const char *name) {
   uint32_t hash = 2166136261u; /* FNV-1a offset basis and prime */
@@ -14,31 +11,11 @@ uint32_t asp_key_fix(const char *name) {
 }
 
 asp_stream asp_stream_create(asp_key key) {
-  asp_stream stream = {
-      {key.seed, key.fix}, {(uint32_t)key.tag, (uint32_t)(key.tag >> 32), key.impact, 0}, 0, false};
-  return stream;
-}
-
-/* 53 bits of the 64, and half a step, so that 0 and 1 cannot come out. */
-static double uniform_of(uint32_t high, uint32_t low) {
-  uint64_t bits = ((uint64_t)high << 32 | low) >> 11;
-  double u = ((double)bits + 0.5) * 1.1102230246251565e-16; /* 2^-53 */
-  return u < 1 ? u : 1 - 1.1102230246251565e-16;
+  return asp_stream_begin(key);
 }
 
 double asp_stream_uniform(asp_stream *stream) {
-  if (stream->has_spare) {
-    stream->has_spare = false;
-    return stream->spare;
-  }
-  philox4x32_key_t key = {{stream->key[0], stream->key[1]}};
-  philox4x32_ctr_t counter = {
-      {stream->counter[0], stream->counter[1], stream->counter[2], stream->counter[3]}};
-  philox4x32_ctr_t word = philox4x32(counter, key);
-  stream->counter[3]++;
-  stream->spare = uniform_of(word.v[2], word.v[3]);
-  stream->has_spare = true;
-  return uniform_of(word.v[0], word.v[1]);
+  return asp_stream_next(stream);
 }
 
 double asp_stream_normal(asp_stream *stream) {

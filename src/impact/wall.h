@@ -4,6 +4,8 @@
 
 #include "asperity.h"
 
+#include <math.h>
+
 struct asp_wall {
   const asp_surface *surface;
   const asp_spread_model *spread;
@@ -19,5 +21,10 @@ struct asp_wall {
   bool forgets;  /* ASP_COLLISIONS_SMITH */
   bool deposit;
 };
+
+/* The sigma of a particle that meets this slope. */
+static inline double asp_wall_sigma(const asp_wall *wall, double slope) {
+  return slope < wall->slope ? atan(slope) : wall->sigma;
+}
 
 #endif

@@ -21,6 +21,7 @@
 #include "fix_neighlist_mesh.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
+#include "fix_template_sphere.h"
 #include "group.h"
 #include "modify.h"
 #include "output.h"
@@ -39,7 +40,7 @@ static const int NEWTON_MAX = 50;
 /* How many times one particle may hit the wall within one step. */
 static const int CONTACTS_MAX = 16;
 
-static const char KEYWORDS[] = "surface spread rebound deposit seed timing ledger";
+static const char KEYWORDS[] = "surface spread rebound materials deposit seed timing ledger";
 
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -66,6 +67,9 @@ public:
   }
   bool is(const char *word) const {
     return !done() && strcmp(arg_[next_], word) == 0;
+  }
+  bool is_one_of(const std::string &words) const {
+    return !done() && (" " + words + " ").find(" " + std::string(arg_[next_]) + " ") != words.npos;
   }
   bool take(const char *word) {
     if (!is(word))
@@ -97,6 +101,22 @@ private:
   int narg_;
   char **arg_;
   int next_;
+};
+
+/* A unit style of LIGGGHTS: how many of its units make one of SI. */
+struct UnitStyle {
+  const char *name;
+  double metre, kilogram, second;
+
+  double kilogram_per_m3() const {
+    return kilogram / (metre * metre * metre);
+  }
+  double pascal() const {
+    return kilogram / (metre * second * second);
+  }
+  double joule_per_m2() const {
+    return kilogram / (second * second);
+  }
 };
 
 } // namespace LAMMPS_NS
@@ -137,21 +157,16 @@ static char **check_geometry(LAMMPS *lmp, int narg, char **arg) {
   return arg;
 }
 
-/* Of the three styles that know metres, only `micro` has another time than seconds. */
-static double seconds_per_unit(const char *style) {
-  return strcmp(style, "micro") == 0 ? 1e-6 : 1;
-}
+static const UnitStyle UNIT_STYLES[] = {
+    {"si", 1, 1, 1}, {"cgs", 1e2, 1e3, 1}, {"micro", 1e6, 1e15, 1e6}};
 
-static double units_per_metre(const char *style) {
-  if (strcmp(style, "si") == 0)
-    return 1;
-  if (strcmp(style, "cgs") == 0)
-    return 1e2;
-  if (strcmp(style, "micro") == 0)
-    return 1e6;
-  throw text("the file has metres, and 'units %s' do not say what a metre is; allowed is "
-             "units si, cgs or micro",
-             style);
+static const UnitStyle &units_of(const char *style, const char *what) {
+  for (const UnitStyle &units : UNIT_STYLES)
+    if (strcmp(style, units.name) == 0)
+      return units;
+  throw text("%s in SI units, which cannot be converted to 'units %s'; allowed is units si, cgs or "
+             "micro",
+             what, style);
 }
 
 /* ---- making ---------------------------------------------------------------------------------- */
@@ -161,9 +176,9 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
       lambda_c_(0), dp_bins_(16), tolerance_(0), d_range_(), spec_(asp_wall_spec_default()),
       deposit_(FREEZE), timing_(EXACT), seed_(1), fix_key_(asp_key_fix(id)),
       profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
-      surface_(NULL, asp_surface_free), wall_(NULL, asp_wall_free), fix_state_(NULL),
-      fix_place_(NULL), clock_(), fastest_(), counters_(), lists_are_new_(true), warned_(false),
-      announced_(false), restarted_(false) {
+      own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
+      wall_(NULL, asp_wall_free), fix_state_(NULL), fix_place_(NULL), clock_(), fastest_(),
+      counters_(), lists_are_new_(true), warned_(false), announced_(false), restarted_(false) {
   for (int m = 0; m < n_meshes(); m++)
     mesh_ids_.push_back(mesh_list()[m]->id);
   check_particles();
@@ -171,8 +186,9 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
   try {
     parse(narg, arg);
     if (!profile_path_.empty())
-      profile_ = read_rebound_profile(world, profile_path_, units_per_metre(update->unit_style),
-                                      profile_report_);
+      profile_ =
+          read_rebound_profile(world, profile_path_,
+                               units_of(update->unit_style, "a profile is").metre, profile_report_);
     else if (!smooth_)
       make_surface();
     if (!needs_sizes())
@@ -215,6 +231,8 @@ void FixWallRebound::parse(int narg, char **arg) {
       parse_spread(args);
     else if (args.take("rebound"))
       parse_rebound(args);
+    else if (args.take("materials"))
+      parse_materials(args);
     else if (args.take("deposit")) {
       std::string value = args.word("the value of 'deposit'");
       if (value != "freeze" && value != "delete" && value != "off")
@@ -335,12 +353,37 @@ void FixWallRebound::parse_rebound(ArgReader &args) {
 
 void FixWallRebound::read_table(const std::string &path) {
   asp_error wrong;
-  const double metre = units_per_metre(update->unit_style),
-               second = seconds_per_unit(update->unit_style);
-  table_.reset(asp_cor_table_read(path.c_str(), metre * second, &wrong));
+  const UnitStyle &units = units_of(update->unit_style, "a table is");
+  table_.reset(asp_cor_table_read(path.c_str(), units.metre / units.second, &wrong));
   if (!table_)
     throw std::string(wrong.text);
   spec_.table = table_.get();
+}
+
+/* A name for each atom type; they end where the file or another keyword begins. */
+void FixWallRebound::parse_materials(ArgReader &args) {
+  asp_error wrong;
+  std::vector<std::string> names;
+  while (!args.done() && !args.is_one_of(std::string("file ") + KEYWORDS))
+    names.push_back(args.word("a material"));
+  const std::string path = args.take("file") ? args.word("the file of 'materials'") : "";
+  if (static_cast<int>(names.size()) != atom->ntypes)
+    throw text("materials has %d names, and the script has %d atom types; allowed is one name for "
+               "each type",
+               static_cast<int>(names.size()), atom->ntypes);
+  units_ = &units_of(update->unit_style, "materials are");
+  own_materials_.reset(path.empty() ? NULL : asp_materials_read(path.c_str(), &wrong));
+  if (!path.empty() && !own_materials_)
+    throw std::string("materials: ") + wrong.text;
+  materials_.clear();
+  materials_text_.clear();
+  for (const std::string &name : names) {
+    materials_.push_back(asp_materials_find(own_materials_.get(), name.c_str(), &wrong));
+    if (!materials_.back())
+      throw std::string("materials: ") + wrong.text;
+    materials_text_ += (materials_text_.empty() ? "" : " ") + name;
+  }
+  materials_text_ += path.empty() ? "" : " file " + path;
 }
 
 void FixWallRebound::parse_ledger(ArgReader &args) {
@@ -511,18 +554,28 @@ void FixWallRebound::property(const char *name, const char *kind, int rows, int 
 
 void FixWallRebound::find_materials() {
   const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
+  const bool named = !materials_.empty();
   pairs_.clear();
+  materials_report_ = named ? text("\n  rebound %s needs no materials", law->name) : "";
   if (!law->needs_material)
     return;
   const int n = atom->ntypes;
   int rate = asp_rebound_parameter(law, "yield_rate", NULL);
   bool constant_yield = rate < 0 || !(spec_.parameters[rate] > 0);
   std::vector<double> modulus, poisson, yield, friction, energy;
-  property("youngsModulus", "peratomtype", n, 0, true, "7e10 2.05e11", modulus);
-  property("poissonsRatio", "peratomtype", n, 0, true, "0.17 0.32", poisson);
-  property("yieldStress", "peratomtype", n, 0, constant_yield, "2e8 2e8", yield);
-  property("surfaceEnergy", "peratomtypepair", n, n, deposit_ != OFF, "2 0.8 0.8 0.8 0.8", energy);
+  if (named) {
+    take_materials(modulus, poisson, yield);
+    check_materials(constant_yield);
+  } else {
+    property("youngsModulus", "peratomtype", n, 0, true, "7e10 2.05e11", modulus);
+    property("poissonsRatio", "peratomtype", n, 0, true, "0.17 0.32", poisson);
+    property("yieldStress", "peratomtype", n, 0, constant_yield, "2e8 2e8", yield);
+  }
+  property("surfaceEnergy", "peratomtypepair", n, n, deposit_ != OFF && !named, "2 0.8 0.8 0.8 0.8",
+           energy);
   property("coefficientFriction", "peratomtypepair", n, n, false, "2 0.3 0.3 0.3 0.3", friction);
+  if (named)
+    take_defaults(energy, friction);
   pairs_.resize((n + 1) * (n + 1));
   for (int p = 0; p < n; p++)
     for (int w = 0; w < n; w++) {
@@ -533,6 +586,70 @@ void FixWallRebound::find_materials() {
                           &pairs_[(p + 1) * (n + 1) + w + 1], &wrong))
         fail(text("types %d (particle) and %d (wall): %s", p + 1, w + 1, wrong.text));
     }
+}
+
+/* The values of the named materials, in the script's units. They go before those of fix
+ * property/global, which may be soft ones for the pair style. */
+void FixWallRebound::take_materials(std::vector<double> &modulus, std::vector<double> &poisson,
+                                    std::vector<double> &yield) {
+  const double pascal = units_->pascal();
+  materials_report_.clear();
+  for (const asp_material *m : materials_) {
+    modulus.push_back(m->youngs_modulus * pascal);
+    poisson.push_back(m->poissons_ratio);
+    yield.push_back(m->yield_stress * pascal);
+    materials_report_ +=
+        text("\n  type %d: material %s, E %.6g, nu %.6g, ", static_cast<int>(modulus.size()),
+             m->name, modulus.back(), poisson.back()) +
+        (yield.back() > 0 ? text("sigma_y %.6g", yield.back()) : "no sigma_y");
+  }
+}
+
+/* With named materials, the constants of a pair have the command's defaults. */
+void FixWallRebound::take_defaults(std::vector<double> &energy, std::vector<double> &friction) {
+  const size_t n_pairs = materials_.size() * materials_.size();
+  if (energy.empty() && deposit_ != OFF) {
+    energy.assign(n_pairs, ASP_SURFACE_ENERGY * units_->joule_per_m2());
+    materials_report_ += text("\n  surfaceEnergy: %g, the default", energy[0]);
+  }
+  if (friction.empty()) {
+    friction.assign(n_pairs, ASP_FRICTION);
+    materials_report_ += text("\n  coefficientFriction: %g, the default", friction[0]);
+  }
+}
+
+/* Particles that there are or, by the templates, will be need a yield stress, which a material for
+ * walls lacks. Their density is their own: where it is not the material's, that may be a mistake.
+ */
+void FixWallRebound::check_materials(bool constant_yield) {
+  const int n = atom->ntypes;
+  const double unit = units_->kilogram_per_m3();
+  /* Of each type: 1 where it has particles; then how far their density is off. */
+  std::vector<double> mine(2 * n), all(2 * n);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit))
+      continue;
+    const int t = atom->type[i] - 1;
+    const double r = atom->radius[i], density = atom->rmass[i] / (4 * ASP_PI / 3 * r * r * r);
+    mine[t] = 1;
+    mine[n + t] = std::max(mine[n + t], fabs(density / (materials_[t]->density * unit) - 1));
+  }
+  for (int i = 0; i < modify->nfix; i++)
+    if (FixTemplateSphere *grain = dynamic_cast<FixTemplateSphere *>(modify->fix[i]))
+      mine[grain->maxtype() - 1] = 1;
+  MPI_Allreduce(mine.data(), all.data(), 2 * n, MPI_DOUBLE, MPI_MAX, world);
+  for (int t = 0; t < n; t++) {
+    const asp_material *m = materials_[t];
+    if (constant_yield && all[t] > 0 && !(m->yield_stress > 0))
+      fail(text("material '%s' is that of particles (type %d) and has no yield stress; allowed is "
+                "one that has, of your own in a file, or 'rebound bons yield_rate A'",
+                m->name, t + 1));
+    if (all[n + t] > 0.01 && !announced_ && comm->me == 0)
+      error->warning(FLERR, text("Fix wall/rebound (id %s): the density of particles of type %d is "
+                                 "up to %.3g %% off that of material '%s', %g; theirs is taken",
+                                 id, t + 1, 100 * all[n + t], m->name, m->density * unit)
+                                .c_str());
+  }
 }
 
 void FixWallRebound::check_particles() {
@@ -584,10 +701,11 @@ std::string FixWallRebound::heading() const {
   std::string surface = smooth_    ? "smooth"
                         : profile_ ? "profile " + profile_path_
                                    : text("rq %g lambda_c %g", r_q_, lambda_c_);
-  return text("asperity %s; fix %s wall/rebound; units %s; surface %s; spread %s; rebound %s; seed "
-              "%u; angles in degrees",
+  std::string materials = materials_.empty() ? "" : "; materials " + materials_text_;
+  return text("asperity %s; fix %s wall/rebound; units %s; surface %s; spread %s; rebound %s%s; "
+              "seed %u; angles in degrees",
               ASP_VERSION, id, update->unit_style, surface.c_str(), spec_.spread,
-              rebound_text_.c_str(), seed_);
+              rebound_text_.c_str(), materials.c_str(), seed_);
 }
 
 std::string FixWallRebound::describe_surface() const {
@@ -634,7 +752,7 @@ void FixWallRebound::announce() {
                           : deposit_ == DELETE ? "delete"
                                                : "off",
                           timing_ == EXACT ? "exact" : "overlap", seed_);
-  line += describe_surface() + "\n";
+  line += describe_surface() + materials_report_ + "\n";
   if (comm->me != 0)
     return;
   if (asp_rebound_find(spec_.rebound, NULL)->measured && !smooth_)
@@ -1348,6 +1466,7 @@ FixWallRebound::Choice FixWallRebound::choice() const {
   snprintf(c.profile, sizeof c.profile, "%s", profile_path_.c_str());
   snprintf(c.spread, sizeof c.spread, "%s", spread_.c_str());
   snprintf(c.rebound, sizeof c.rebound, "%s", spec_.rebound);
+  snprintf(c.materials, sizeof c.materials, "%s", materials_text_.c_str());
   return c;
 }
 
@@ -1367,6 +1486,8 @@ void FixWallRebound::compare_choice(const Choice &saved) {
     changes += text("; spread %s, was %s", now.spread, saved.spread);
   if (strcmp(saved.rebound, now.rebound))
     changes += text("; rebound %s, was %s", now.rebound, saved.rebound);
+  if (strcmp(saved.materials, now.materials))
+    changes += text("; materials '%s', was '%s'", now.materials, saved.materials);
   if (!changes.empty() && comm->me == 0)
     error->warning(FLERR, ("Fix wall/rebound (id " + std::string(id) +
                            "): the script differs from the restart file, and the script is taken" +

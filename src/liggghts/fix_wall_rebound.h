@@ -82,7 +82,7 @@ private:
   struct Choice {
     uint32_t seed;
     double r_q, lambda_c;
-    char profile[200], spread[40], rebound[40];
+    char profile[200], spread[40], rebound[40], materials[400];
   };
 
   /* The columns of the global array. */
@@ -150,6 +150,7 @@ private:
   void parse_spread(ArgReader &args);
   void parse_rebound(ArgReader &args);
   void read_table(const std::string &path);
+  void parse_materials(ArgReader &args);
   void parse_ledger(ArgReader &args);
   void set_clock();
   double time() const;
@@ -165,6 +166,10 @@ private:
   void property(const char *name, const char *style, int rows, int columns, bool needed,
                 const char *example, std::vector<double> &values);
   void find_materials();
+  void take_materials(std::vector<double> &modulus, std::vector<double> &poisson,
+                      std::vector<double> &yield);
+  void take_defaults(std::vector<double> &energy, std::vector<double> &friction);
+  void check_materials(bool constant_yield);
   std::string state_id() const;
   std::string place_id() const;
   class FixPropertyAtom *add_property(const std::string &name, int columns);
@@ -213,17 +218,21 @@ private:
   std::string profile_path_, profile_report_; /* empty: no profile */
   std::vector<std::string> mesh_ids_;
   int dp_bins_;
-  std::string spread_;       /* as the script has it: a model, or auto */
-  double tolerance_;         /* of auto */
-  std::string rebound_text_; /* the law and what the script has set of it */
-  std::string choice_;       /* what auto has chosen, and why */
-  double d_range_[2];        /* the diameters that the bins span; 0: not known yet */
+  std::string spread_;                            /* as the script has it: a model, or auto */
+  double tolerance_;                              /* of auto */
+  std::string rebound_text_;                      /* the law and what the script has set of it */
+  std::string materials_text_, materials_report_; /* names and file; which values are taken */
+  std::string choice_;                            /* what auto has chosen, and why */
+  double d_range_[2]; /* the diameters that the bins span; 0: not known yet */
   asp_wall_spec spec_;
   Deposit deposit_;
   Timing timing_;
   uint32_t seed_, fix_key_;
   ReboundProfile profile_;
   std::unique_ptr<asp_cor_table, void (*)(asp_cor_table *)> table_;
+  std::unique_ptr<asp_materials, void (*)(asp_materials *)> own_materials_;
+  std::vector<const asp_material *> materials_; /* of each atom type; empty: property/global */
+  const struct UnitStyle *units_;               /* of the script, where there are materials */
   std::unique_ptr<asp_surface, void (*)(asp_surface *)> surface_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   std::unique_ptr<ReboundLedger> ledger_;

@@ -1,4 +1,4 @@
-/* Numbers as `%.10g` of the C library prints them, to the last character, in a fifth of its time:
+/* Numbers as `%.10g` of the C library prints them, to the last character, in a third of its time:
  * most of what a ledger costs is the printing of its rows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

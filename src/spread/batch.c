@@ -1,61 +1,45 @@
-/* Quantiles of many contacts at once: the straight code of weibull.h and visible.h in loops that
- * the compiler turns into vector code, for the vector units that it finds at run time. The GNU C
- * library has vector versions of the functions in them; declaring that is all it takes. What the
- * straight code does not cover is done again, one by one. */
+/* Quantiles of many contacts at once: the straight code of weibull.h and visible.h in vector loops.
+ * What the straight code does not cover is done again, one by one. */
+#include "simd.h"
 #include "spread/models.h"
 #include "spread/visible.h"
 #include "spread/weibull.h"
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__GLIBC__)
-#if __GLIBC_PREREQ(2, 35)
-#define VECTOR __attribute__((simd("notinbranch")))
-VECTOR double exp(double);
-VECTOR double log(double);
-VECTOR double tan(double);
-VECTOR double atan(double);
-#define FOR_EACH_MACHINE __attribute__((target_clones("avx512f", "avx2", "default")))
-#endif
-#endif
-#ifndef FOR_EACH_MACHINE
-#define FOR_EACH_MACHINE
-#endif
-
+/* Smaller sigmas would overflow alpha1/sigma; there the tilt is 0. */
 static inline double weibull(double sigma, double alpha1, double u, bool cut) {
   asp_weibull_law w = asp_weibull_at(sigma, alpha1);
   if (cut)
-    u *= 1 - exp(-exp(w.k * log((ASP_DELTA_MOST - w.b) / w.lambda)));
+    u *= asp_weibull_mass(w);
   double place = w.b + w.lambda * exp(log(asp_minus_log_rest(u)) / w.k);
-  return place < ASP_DELTA_MOST ? place : ASP_DELTA_MOST;
+  place = place < ASP_DELTA_MOST ? place : ASP_DELTA_MOST;
+  return sigma < ASP_SIGMA_ZERO ? 0 : place;
 }
 
-FOR_EACH_MACHINE
-void asp_weibull_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
-                            double *delta) {
-  double sigma = view->sigma;
-  if (sigma < ASP_SIGMA_ZERO) {
-    for (size_t i = 0; i < n; i++)
-      delta[i] = 0;
-  } else if (sigma < ASP_WEIBULL_UNCUT) {
+ASP_EACH_MACHINE
+void asp_weibull_quantile_n(const asp_views *views, size_t n, const double *u, double *delta) {
+  const double *sigma = views->sigma, *alpha1 = views->alpha1;
+  bool cut = false;
+  for (size_t i = 0; i < n; i++)
+    cut |= !asp_weibull_uncut(sigma[i], alpha1[i]);
+  if (cut) {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-      delta[i] = weibull(sigma, alpha1[i], u[i], false);
+      delta[i] = weibull(sigma[i], alpha1[i], u[i], true);
   } else {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-      delta[i] = weibull(sigma, alpha1[i], u[i], true);
+      delta[i] = weibull(sigma[i], alpha1[i], u[i], false);
   }
 }
 
-/* Up to BLOCK quantiles. The look-up in the grid stays out of the vector loops. */
-enum { BLOCK = 128 };
-
-FOR_EACH_MACHINE
-static void visible_block(double slope, size_t n, const double *alpha1, const double *u,
-                          double *delta) {
-  double a[BLOCK], x[BLOCK];
+/* The look-up in the grid stays out of the vector loops. */
+ASP_EACH_MACHINE
+static void visible_n(const asp_views *views, size_t n, const double *u, double *delta) {
+  const double *slope = views->slope, *alpha1 = views->alpha1;
+  double a[ASP_BATCH], x[ASP_BATCH];
 #pragma omp simd
   for (size_t i = 0; i < n; i++) {
-    double steep = tan(alpha1[i]) / slope;
+    double steep = tan(alpha1[i]) / slope[i];
     a[i] = steep < ASP_VISIBLE_A_MOST ? steep : ASP_VISIBLE_A_MOST;
     x[i] = sqrt(sqrt(-2 * log(1 - u[i])));
   }
@@ -63,17 +47,15 @@ static void visible_block(double slope, size_t n, const double *alpha1, const do
     x[i] = asp_visible_guess(a[i] > 0 ? a[i] : 0, x[i]);
 #pragma omp simd
   for (size_t i = 0; i < n; i++)
-    delta[i] = atan(asp_visible_refine(a[i], u[i], x[i]) * slope);
+    delta[i] = atan(asp_visible_refine(a[i], u[i], x[i]) * slope[i]);
 }
 
-void asp_visible_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
-                            double *delta) {
-  for (size_t i = 0; i < n; i += BLOCK)
-    visible_block(view->slope, n - i < BLOCK ? n - i : BLOCK, alpha1 + i, u + i, delta + i);
-  asp_view each = *view;
+void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, double *delta) {
+  visible_n(views, n, u, delta);
   for (size_t i = 0; i < n; i++)
-    if (!(u[i] >= ASP_VISIBLE_U_LEAST) || alpha1[i] < 0 || view->sigma < ASP_SIGMA_ZERO) {
-      each.alpha1 = alpha1[i];
-      delta[i] = asp_spread_visible.quantile(&each, u[i]);
+    if (!(u[i] >= ASP_VISIBLE_U_LEAST) || views->alpha1[i] < 0 ||
+        views->sigma[i] < ASP_SIGMA_ZERO) {
+      asp_view one = asp_views_at(views, i);
+      delta[i] = asp_spread_visible.quantile(&one, u[i]);
     }
 }

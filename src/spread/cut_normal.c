@@ -6,7 +6,7 @@
 #define FAR 8.3
 
 /* Q(x) for x >= 0. */
-static double tail(double x) {
+static inline double tail(double x) {
   return x > FAR ? 0 : asp_gauss_above(x, asp_gauss_density(x));
 }
 
@@ -33,5 +33,5 @@ double asp_cut_normal_distribution(double sigma, double lo, double hi, double de
 double asp_cut_normal_quantile(double sigma, double lo, double hi, double u) {
   double below = tail(-lo / sigma), above = tail(hi / sigma), left = 1 - below - above;
   double x = asp_gauss_quantile(below + u * left, above + (1 - u) * left);
-  return fmin(fmax(sigma * x, lo), hi);
+  return asp_within(sigma * x, lo, hi);
 }

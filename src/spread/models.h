@@ -28,6 +28,12 @@ ASP_SPREAD_MODELS(ASP_SPREAD_DECLARE)
  * steepest face that a particle can hit: 180 degrees - alpha1 is never less. */
 #define ASP_DELTA_MOST (ASP_PI / 2)
 
+/* x, but not below lo or above hi; unlike fmin and fmax without a call. */
+static inline double asp_within(double x, double lo, double hi) {
+  x = x > lo ? x : lo;
+  return x < hi ? x : hi;
+}
+
 /* The normal distribution with mean 0 and sd sigma > 0, cut to lo <= delta <= hi with lo <= 0 < hi,
  * and normalised (eq. 5). The quantile uses the complementary form in the upper half, so that it
  * keeps its digits for u near 1, and never leaves [lo, hi]. */
@@ -41,10 +47,17 @@ double asp_effective_density(const asp_view *view, double delta);
 double asp_effective_distribution(const asp_view *view, double delta);
 double asp_effective_quantile(const asp_view *view, double u);
 
-void asp_weibull_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
-                            double *delta);
-void asp_visible_quantile_n(const asp_view *view, size_t n, const double *alpha1, const double *u,
-                            double *delta);
+/* The model's quantiles of n <= ASP_BATCH contacts; it must have one. */
+void asp_views_quantile(const asp_spread_model *model, const asp_views *views, size_t n,
+                        const double *u, double *delta);
+
+/* In vector code, see batch.c. */
+void asp_weibull_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
+void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
+
+static inline asp_view asp_views_at(const asp_views *views, size_t i) {
+  return (asp_view){views->slope[i], views->sigma[i], views->alpha1[i], views->d_p[i], views->data};
+}
 
 double asp_truncated_density(const asp_view *view, double delta);
 double asp_truncated_distribution(const asp_view *view, double delta);

@@ -150,7 +150,7 @@ static cell cell_of(const table *t, const asp_view *view) {
     i += view->d_p > t->d_p[j];
   int next = t->bins > 1 ? i + 1 : i;
   double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
-  double size = next > i ? fmin(fmax((view->d_p - t->d_p[i]) * t->per_d_p[i], 0), 1) : 0;
+  double size = next > i ? asp_within((view->d_p - t->d_p[i]) * t->per_d_p[i], 0, 1) : 0;
   return (cell){{t->delta[i][k], t->delta[i][k + 1], t->delta[next][k], t->delta[next][k + 1]},
                 {(1 - size) * (1 - angle), (1 - size) * angle, size * (1 - angle), size * angle}};
 }
@@ -169,7 +169,8 @@ static double quantile(const asp_view *view, double u) {
   double place = place_of(u);
   int node = (int)place < NODES - 2 ? (int)place : NODES - 2;
   double low = node_at(&c, node), high = node_at(&c, node + 1);
-  return fmax(low + (place - node) * (high - low), -view->alpha1);
+  double delta = low + (place - node) * (high - low);
+  return delta > -view->alpha1 ? delta : -view->alpha1;
 }
 
 /* The last node that is not above delta; -1 when there is none. */

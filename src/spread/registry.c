@@ -41,15 +41,32 @@ bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_st
   return true;
 }
 
+static void fill(double *array, size_t n, double value) {
+  for (size_t i = 0; i < n; i++)
+    array[i] = value;
+}
+
 void asp_spread_quantile_n(const asp_spread_model *model, const asp_view *view, size_t n,
                            const double *alpha1, const double *u, double *delta) {
+  double slope[ASP_BATCH], sigma[ASP_BATCH], d_p[ASP_BATCH];
+  size_t block = n < ASP_BATCH ? n : ASP_BATCH;
+  fill(slope, block, view->slope);
+  fill(sigma, block, view->sigma);
+  fill(d_p, block, view->d_p);
+  for (size_t i = 0; i < n; i += ASP_BATCH) {
+    asp_views views = {slope, sigma, alpha1 + i, d_p, view->data};
+    asp_views_quantile(model, &views, n - i < ASP_BATCH ? n - i : ASP_BATCH, u + i, delta + i);
+  }
+}
+
+void asp_views_quantile(const asp_spread_model *model, const asp_views *views, size_t n,
+                        const double *u, double *delta) {
   if (model->quantile_n) {
-    model->quantile_n(view, n, alpha1, u, delta);
+    model->quantile_n(views, n, u, delta);
     return;
   }
-  asp_view each = *view;
   for (size_t i = 0; i < n; i++) {
-    each.alpha1 = alpha1[i];
-    delta[i] = model->quantile(&each, u[i]);
+    asp_view one = asp_views_at(views, i);
+    delta[i] = model->quantile(&one, u[i]);
   }
 }

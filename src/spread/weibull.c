@@ -12,16 +12,9 @@
  */
 #include "spread/weibull.h"
 
-/* The share of the uncut law below the steepest face. Where it lacks less than 1e-10, single
- * precision has the lack to 1e-15. */
-static double mass(double sigma, asp_weibull_law w) {
-  if (sigma < ASP_WEIBULL_UNCUT)
-    return 1;
-  double reach = (ASP_DELTA_MOST - w.b) / w.lambda;
-  float exponent = expf((float)w.k * logf((float)reach));
-  if (exponent > 23)
-    return 1 - (double)expf(-exponent);
-  return 1 - exp(-exp(w.k * log(reach)));
+/* The share of the uncut law below the steepest face. */
+static inline double mass(double sigma, double alpha1, asp_weibull_law w) {
+  return asp_weibull_uncut(sigma, alpha1) ? 1 : asp_weibull_mass(w);
 }
 
 static double density(const asp_view *view, double delta) {
@@ -29,7 +22,7 @@ static double density(const asp_view *view, double delta) {
   if (delta <= w.b || delta > ASP_DELTA_MOST)
     return 0;
   double y = (delta - w.b) / w.lambda;
-  return w.k / w.lambda * pow(y, w.k - 1) * exp(-pow(y, w.k)) / mass(view->sigma, w);
+  return w.k / w.lambda * pow(y, w.k - 1) * exp(-pow(y, w.k)) / mass(view->sigma, view->alpha1, w);
 }
 
 static double distribution(const asp_view *view, double delta) {
@@ -38,15 +31,16 @@ static double distribution(const asp_view *view, double delta) {
     return 0;
   if (delta >= ASP_DELTA_MOST)
     return 1;
-  return -expm1(-pow((delta - w.b) / w.lambda, w.k)) / mass(view->sigma, w);
+  return -expm1(-pow((delta - w.b) / w.lambda, w.k)) / mass(view->sigma, view->alpha1, w);
 }
 
 static double quantile(const asp_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
-  double delta = w.b + w.lambda * exp(log(asp_minus_log_rest(u * mass(view->sigma, w))) / w.k);
-  return fmin(delta, ASP_DELTA_MOST);
+  double delta =
+      w.b + w.lambda * exp(log(asp_minus_log_rest(u * mass(view->sigma, view->alpha1, w))) / w.k);
+  return delta < ASP_DELTA_MOST ? delta : ASP_DELTA_MOST;
 }
 
 const asp_spread_model asp_spread_weibull = {

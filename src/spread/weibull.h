@@ -9,8 +9,11 @@
 /* The paper's boundary angle e over sigma. */
 #define ASP_WEIBULL_END 6.48
 
-/* Up to this sigma (rad) the steepest face cuts off less than the last bit, at any angle. */
-#define ASP_WEIBULL_UNCUT 0.1
+/* Where the steepest face cuts off less than the last bit: sigma (rad) below the first, at any
+ * angle, or below the second plus the third times tau. */
+#define ASP_WEIBULL_UNCUT 0.105
+#define ASP_WEIBULL_UNCUT_FROM 0.058
+#define ASP_WEIBULL_UNCUT_PER_TAU 0.0275
 
 typedef struct asp_weibull_law {
   double b, k, lambda;
@@ -28,6 +31,17 @@ static inline asp_weibull_law asp_weibull_at(double sigma, double alpha1) {
   asp_weibull_law w = {-0.5 * tau * sigma, 3.602 + ahead * k,
                        (3.595474673403 + ahead * scale) * sigma};
   return w;
+}
+
+/* Whether the steepest face cuts off less than the last bit (e^-36.7). */
+static inline bool asp_weibull_uncut(double sigma, double alpha1) {
+  return sigma < ASP_WEIBULL_UNCUT ||
+         sigma * (sigma - ASP_WEIBULL_UNCUT_FROM) < ASP_WEIBULL_UNCUT_PER_TAU * alpha1;
+}
+
+/* The share of the uncut law below the steepest face. */
+static inline double asp_weibull_mass(asp_weibull_law w) {
+  return 1 - exp(-exp(w.k * log((ASP_DELTA_MOST - w.b) / w.lambda)));
 }
 
 /* -log(1 - u), with full relative precision for small u. */

@@ -5,7 +5,7 @@ source "$(dirname "$0")/engine.sh"
 plate 2 1 1.9e-3 > plate.stl
 materials > materials.in
 deck() { # fix command behind "fix wall", lines before it
-  head_of si
+  head_of ${units:-si}
   echo "region box block -0.002 0.002 -0.002 0.002 -0.001 0.002 units box
 create_box 2 box
 neighbor 1e-4 bin
@@ -103,6 +103,20 @@ minimize 0 0 1 1" "" "minimize"
 refuses "$plane rebound grant_tabakoff scatter 1 surface rq 1e-5 lambda_c 1e-4" "" "twice" "scatter_twice"
 refuses "$plane rebound table nowhere.csv" "" "nowhere.csv" "No such file"
 refuses "$plane rebound bons soften 1000" "" "soften_rate is missing"
+printf 'name,youngs_modulus_pa,poissons_ratio\nbrass,1e11,0.35\n' > no_density.csv
+printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nbrass,1e11,0.35,8500\n' > brass.csv
+refuses "$plane materials" "" "materials has 0 names" "2 atom types"
+refuses "$plane materials quartz surface smooth" "" "materials has 1 names" "2 atom types"
+refuses "$plane materials quartz quartz hastelloy-x file brass.csv" "" "materials has 3 names" "2 atom types"
+refuses "$plane materials quartz hasteloy" "" "'hasteloy'" "hastelloy-x" "al-2024"
+refuses "$plane materials quartz copper file ../brass.csv" "" "'copper'" "hastelloy-x" "brass"
+refuses "$plane materials quartz brass file" "" "the file of 'materials' is missing"
+refuses "$plane materials quartz brass file nowhere.csv" "" "nowhere.csv" "No such file"
+refuses "$plane materials quartz brass file ../no_density.csv" "" "no_density.csv" "density_kg_m3"
+refuses "$plane materials hastelloy-x quartz" "" "'hastelloy-x'" "type 1" "no yield stress" "yield_rate"
+refuses "$plane materials quartz hastelloy-x" "fix grain all particletemplate/sphere 10007 atom_type 2 volume_limit 1e-20 density constant 2650 radius constant 5e-6" "'hastelloy-x'" "type 2" "no yield stress"
+units=real refuses "$plane materials quartz hastelloy-x" "" "'units real'" "si, cgs or micro"
+units=real refuses "$plane rebound table nowhere.csv" "" "'units real'" "si, cgs or micro"
 all_refused
 
 # Not needed, not asked for: a law without materials, a wall without deposits, a rate instead of a stress.
@@ -114,6 +128,8 @@ accepts "$plane rebound constant 1 1" "unfix m3
 unfix m4"
 accepts "$plane deposit off" "unfix m4"
 accepts "$plane rebound bons yield_rate 3e6" "unfix m3"
+accepts "$plane materials hastelloy-x hastelloy-x rebound bons yield_rate 3e6" "unfix m3
+unfix m4"
 accepts "$mesh ledger 10 file rows.csv" ""
 
 # Steps in which the grain moves more than its radius, 5 um: a warning, once, with the largest safe step.

@@ -55,10 +55,10 @@ done
 
 # A script that differs from the restart file is taken, and a warning says in what; so does a wall that the
 # file knows nothing of.
-sed 's/surface rq 10e-6 lambda_c 90e-6 rebound bons deposit freeze seed 4/surface rq 12e-6 lambda_c 90e-6 spread truncated rebound bons deposit freeze seed 5/; s/^run 900/run 1/' rest.in > other.in
+sed 's/surface rq 10e-6 lambda_c 90e-6 rebound bons deposit freeze seed 4/surface rq 12e-6 lambda_c 90e-6 spread truncated rebound bons deposit freeze seed 5 materials quartz hastelloy-x/; s/^run 900/run 1/' rest.in > other.in
 engine 2 other.in -var out other.csv
 grep -a 'WARNING.*id low' other.in.screen > warning || die "no warning of a changed script"
-for word in "the script is taken" "seed 5, was 4" "rq 1.2e-05 lambda_c 9e-05, was rq 1e-05" "spread truncated, was weibull"; do
+for word in "the script is taken" "seed 5, was 4" "rq 1.2e-05 lambda_c 9e-05, was rq 1e-05" "spread truncated, was weibull" "materials 'quartz hastelloy-x', was ''"; do
   grep -qF "$word" warning || { cat warning; die "'$word' is not in the warning"; }
 done
 sed 's/^fix high all/fix new all/; s/f_high/f_new/; s/^run 900/run 1/' rest.in > unknown.in

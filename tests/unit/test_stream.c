@@ -18,7 +18,7 @@ static void philox_known_answers(void **state) {
        {0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}},
   };
   for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-    asp_stream s = {.has_spare = false};
+    asp_stream s = {.left = 0};
     memcpy(s.key, known[i].key, sizeof s.key);
     memcpy(s.counter, known[i].counter, sizeof s.counter);
     for (int j = 0; j < 4; j += 2) {

@@ -1,0 +1,25 @@
+/* Loops over many contacts that the compiler turns into vector code, for the vector units that it
+ * finds at run time. The GNU C library has vector versions of the functions declared here;
+ * declaring that is all it takes. A file that uses this is compiled as src/CMakeLists.txt says for
+ * it. */
+#ifndef ASP_SIMD_H
+#define ASP_SIMD_H
+
+#include <math.h>
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__GLIBC__)
+#if __GLIBC_PREREQ(2, 35)
+#define ASP_SIMD __attribute__((simd("notinbranch")))
+ASP_SIMD double exp(double);
+ASP_SIMD double log(double);
+ASP_SIMD double sin(double);
+ASP_SIMD double tan(double);
+ASP_SIMD double atan(double);
+#define ASP_EACH_MACHINE __attribute__((target_clones("avx512f", "avx2", "default")))
+#endif
+#endif
+#ifndef ASP_EACH_MACHINE
+#define ASP_EACH_MACHINE
+#endif
+
+#endif

@@ -1,0 +1,43 @@
+/* Contacts for an instruction counter: one_impact MODEL PHI_R CONTACTS, with impact angles from 0
+ * to 90 degrees; see bench_instructions.sh. */
+#include "asperity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+int main(int argc, char **argv) {
+  if (argc != 4) {
+    fprintf(stderr, "usage: one_impact MODEL PHI_R CONTACTS\n");
+    return 2;
+  }
+  asp_error error;
+  double r_q = atof(argv[2]) * 120e-6;
+  asp_surface *surface = asp_surface_create(r_q, 120e-6, &error);
+  asp_profile *profile = asp_profile_create(r_q, 120e-6, 2e-6, 1 << 12, 1, surface ? &error : NULL);
+  asp_wall_spec spec = asp_wall_spec_default();
+  spec.surface = surface;
+  spec.profile = profile;
+  spec.spread = argv[1];
+  spec.sizes = (asp_sizes){10e-6, 10e-6, 1};
+  asp_wall *wall = surface && profile ? asp_wall_create(&spec, &error) : NULL;
+  if (!wall) {
+    fprintf(stderr, "one_impact: %s\n", error.text);
+    return 1;
+  }
+  asp_pair pair = {54.8e9, 200e6, 0.8, 0.3};
+  asp_particle grain = {10e-6, 2650, &pair};
+  unsigned contacts = (unsigned)strtoul(argv[3], NULL, 10);
+  double n[3] = {0, 0, 1}, sum = 0;
+  for (unsigned i = 0; i < contacts; i++) {
+    double alpha1 = (i % 90 + 0.5) * ASP_PI / 180;
+    double v[3] = {100 * cos(alpha1), 0, -100 * sin(alpha1)};
+    asp_impact impact;
+    asp_wall_impact(wall, &grain, v, n, (asp_key){1, 1, i, 1}, &impact);
+    sum += impact.v2[2];
+  }
+  asp_wall_free(wall);
+  asp_profile_free(profile);
+  asp_surface_free(surface);
+  return sum > 0 ? 0 : 1;
+}
