@@ -739,6 +739,7 @@ void FixWallRebound::set_clock() {
 
 void FixWallRebound::reset_dt() {
   set_clock();
+  lists_are_new_ = true; /* planes know the path of a step */
 }
 
 double FixWallRebound::time() const {
@@ -925,7 +926,7 @@ void FixWallRebound::place_planes() {
     mesh->surfaceNorm(plane.triangle, plane.normal);
     mesh->node(plane.triangle, 0, node);
     plane.offset = dot(plane.normal, node);
-    plane.speed = speed_of_triangle(plane.mesh, plane.triangle);
+    plane.path = speed_of_triangle(plane.mesh, plane.triangle) * update->dt;
   }
 }
 
@@ -946,14 +947,15 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
   if (near_.empty())
     return;
   const double *x = atom->x[0], *v = atom->v[0], *radius = atom->radius; /* x, v: rows of three */
+  const Plane *planes = planes_.data();
   for (const Pair &pair : near_) {
-    const Plane &plane = planes_[pair.plane];
-    const int i = pair.particle;
-    double end = dot(plane.normal, x + 3 * i) - plane.offset;
-    double begin = end - dot(plane.normal, v + 3 * i) * dt;
-    double reach = radius[i] + 2 * plane.speed * dt;
+    const Plane &plane = planes[pair.plane];
+    const ptrdiff_t i = pair.particle;
+    const double end = dot(plane.normal, x + 3 * i) - plane.offset;
+    const double begin = end - dot(plane.normal, v + 3 * i) * dt;
+    const double reach = radius[i] + 2 * plane.path;
     if (!(std::min(begin, end) > reach || std::max(begin, end) < -reach))
-      hits.push_back(i);
+      hits.push_back(pair.particle);
   }
 }
 
@@ -991,7 +993,7 @@ void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) 
   for (int k = first_[i]; k < first_[i + 1]; k++) {
     const Plane &plane = planes_[near_[k].plane];
     double gap = fabs(dot(plane.normal, x_[i]) - plane.offset) - radius_[i];
-    if (gap <= 2 * path + 4 * plane.speed * update->dt)
+    if (gap <= 2 * path + 4 * plane.path)
       candidates.push_back(Candidate{this, i, plane.mesh, plane.triangle, plane.id});
   }
 }

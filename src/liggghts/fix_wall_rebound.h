@@ -112,7 +112,7 @@ private:
   struct Plane {
     int mesh, triangle, id;
     double normal[3], offset;
-    double speed; /* of the fastest node */
+    double path; /* of the fastest node in a step */
   };
 
   /* A particle and one of planes_ near it. */
