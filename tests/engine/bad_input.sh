@@ -143,4 +143,9 @@ done
 step=1e-8
 accepts "$plane" ""
 grep -aq 'largest safe' good.in.screen && die "a warning for a safe step"
+# A grain that is slow at first, and fast at the end: the warning comes with the next output.
+deck "$plane
+fix g all gravity 1e9 vector 0 0 -1" "" | sed '$ s/run 1/run 60/' > good.in
+engine 2 good.in
+[ "$(grep -ac 'the largest safe step is' good.in.screen)" = 1 ] || die "no warning of a grain that became fast"
 exit 0

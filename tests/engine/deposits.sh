@@ -49,12 +49,18 @@ rows out.csv | awk -F, '$19 == 1 { d = $8 - $9 / 2; if (d < 0) d = -d; if (!(d <
 
 # On a wall that moves along x at 5 m/s and turns, they go along.
 deck 'deposit freeze' 'fix move all nve/sphere' "$body
-fix push all move/mesh mesh plate linear 5 0 0" > slide.in
+fix push all move/mesh mesh plate linear 5 0 0" 'write_restart slide.restart' > slide.in
 engine 2 slide.in
 stuck_ids 2.49e-6 | sort > stuck
 for step in 250 500; do awk 'NF == 7' pos.$step.txt | grep -v ITEM | sort | join stuck - > held.$step; done
 paste held.250 held.500 | awk '{ dx = $9 - $2 - 5 * 250e-8; dy = $10 - $3; dz = $11 - $4; if (dx * dx + dy * dy + dz * dz > 1e-24 || $12 < 4.999 || $12 > 5.001) { print; bad = 1 } } END { exit bad || !NR }' ||
   die "deposits do not move with the wall"
+# ... after a restart too.
+sed 's/^read_data .*/read_restart slide.restart/; s/^run 500/run 250/; /^write_restart/d' slide.in > slid.in
+engine 2 slid.in
+awk 'NF == 7' pos.750.txt | grep -v ITEM | sort | join stuck - > held.750
+paste held.500 held.750 | awk '{ dx = $9 - $2 - 5 * 250e-8; dy = $10 - $3; dz = $11 - $4; if (dx * dx + dy * dy + dz * dz > 1e-24 || $12 < 4.999 || $12 > 5.001) { print; bad = 1 } } END { exit bad || !NR }' ||
+  die "deposits do not move with the wall after a restart"
 
 # Delete: counted, in number and mass.
 # LIGGGHTS itself takes every particle that goes for lost.
