@@ -8,9 +8,8 @@
 /* Smaller sigmas would overflow alpha1/sigma; there the tilt is 0. */
 static inline double weibull(double sigma, double alpha1, double u, bool cut) {
   asp_weibull_law w = asp_weibull_at(sigma, alpha1);
-  if (cut)
-    u *= asp_weibull_mass(w);
-  double place = w.b + w.lambda * exp(log(asp_minus_log_rest(u)) / w.k);
+  double rest = cut ? asp_minus_log_cut(u, asp_weibull_lost(w)) : asp_minus_log_rest(u);
+  double place = w.b + w.lambda * exp(log(rest) / w.k);
   place = place < ASP_DELTA_MOST ? place : ASP_DELTA_MOST;
   return sigma < ASP_SIGMA_ZERO ? 0 : place;
 }

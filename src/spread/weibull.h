@@ -39,15 +39,21 @@ static inline bool asp_weibull_uncut(double sigma, double alpha1) {
          sigma * (sigma - ASP_WEIBULL_UNCUT_FROM) < ASP_WEIBULL_UNCUT_PER_TAU * alpha1;
 }
 
-/* The share of the uncut law below the steepest face. */
-static inline double asp_weibull_mass(asp_weibull_law w) {
-  return 1 - exp(-exp(w.k * log((ASP_DELTA_MOST - w.b) / w.lambda)));
+/* The share of the uncut law beyond the steepest face. */
+static inline double asp_weibull_lost(asp_weibull_law w) {
+  return exp(-exp(w.k * log((ASP_DELTA_MOST - w.b) / w.lambda)));
 }
 
 /* -log(1 - u), with full relative precision for small u. */
 static inline double asp_minus_log_rest(double u) {
   double rest = 1 - u;
   return -(log(rest) + ((1 - rest) - u) / rest);
+}
+
+/* -log(1 - u (1 - lost)), for u near 1 too: the last sum is what the first two have rounded off. */
+static inline double asp_minus_log_cut(double u, double lost) {
+  double above = 1 - u, beyond = u * lost, rest = above + beyond;
+  return -(log(rest) + (((1 - above) - u) + ((above - rest) + beyond)) / rest);
 }
 
 #endif
