@@ -82,10 +82,9 @@ static inline bool rebound(const asp_wall *wall, const asp_particle *particle, c
   return true;
 }
 
-/* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
- * into it in the lab frame. Take those bits from the speed along the wall, so that no energy is
- * made. */
-static inline vec leaving(const frame *f, vec v) {
+/* Takes the last bits that point v into the wall, or along it, from the speed along the wall, so
+ * that no energy is made. */
+static vec turned_off(const frame *f, vec v) {
   for (int i = 0; i < 8 && !clearly_leaves(v, f->n); i++) {
     double speed = sqrt(dot(v, v)), step = 4 * (double)(1 << i) * DBL_EPSILON;
     v = plus(scaled(v, 1 - step), step * speed, f->n);
@@ -93,8 +92,14 @@ static inline vec leaving(const frame *f, vec v) {
   return v;
 }
 
-static inline void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle,
-                                        const frame *f, asp_stream *stream, asp_impact *impact) {
+/* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
+ * into it in the lab frame. */
+static inline vec leaving(const frame *f, vec v) {
+  return clearly_leaves(v, f->n) ? v : turned_off(f, v);
+}
+
+static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle, const frame *f,
+                                 asp_stream *stream, asp_impact *impact) {
   vec local;
   bool deposit, hit = rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &local, &deposit);
   impact->delta_alpha = impact->tilt_out = 0;
@@ -112,10 +117,10 @@ static inline double impact_angle(const frame *f) {
   return angle_of(f, atan(angle_ratio(f)));
 }
 
-/* What a wall looks like to a particle that meets it as the frame says. */
-static inline asp_view view_of(const asp_wall *wall, const asp_particle *particle, const frame *f) {
+/* What a wall looks like to a particle, at an impact angle still to be set. */
+static inline asp_view view_of(const asp_wall *wall, const asp_particle *particle) {
   double slope = asp_surface_slope(wall->surface, particle->d_p);
-  return (asp_view){slope, asp_wall_sigma(wall, slope), impact_angle(f), particle->d_p, wall->data};
+  return (asp_view){slope, asp_wall_sigma(wall, slope), 0, particle->d_p, wall->data};
 }
 
 /* One hit; a face that would send the particle into the wall is drawn again. */
@@ -123,7 +128,8 @@ static void bounce_once(const asp_wall *wall, const asp_particle *particle, fram
                         asp_stream *stream, asp_impact *impact) {
   if (!has_direction(f))
     draw_direction(f, stream);
-  asp_view view = view_of(wall, particle, f);
+  asp_view view = view_of(wall, particle);
+  view.alpha1 = impact_angle(f);
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
     if (!draw_tilt(wall->spread, &view, stream, &delta))
@@ -149,7 +155,6 @@ static void bounce_once(const asp_wall *wall, const asp_particle *particle, fram
 typedef struct flight {
   asp_view view;
   asp_stream *stream;
-  asp_path path;
   double depth;  /* of the particle, see walks_out */
   double lambda; /* of its first approach, < 0 while not known */
 } flight;
@@ -200,66 +205,65 @@ static bool leaves(const asp_wall *wall, flight *fly, vec out) {
   return walks_out(wall, fly, steep ? copysign(INFINITY, out.z) : out.z / along);
 }
 
-/* The next face; *gone when the model follows the particle over a profile, and it has left. */
-static bool next_face(const asp_wall *wall, flight *fly, face *out, bool *gone) {
+/* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
+ * left. */
+static inline bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *path, double *delta,
+                             bool *gone) {
   const asp_spread_model *model = wall->spread;
-  double delta;
-  bool drawn;
   *gone = false;
   if (model->follow) {
-    drawn = model->follow(&fly->view, fly->stream, &fly->path, &delta);
+    bool drawn = model->follow(&fly->view, fly->stream, path, delta);
     *gone = !drawn;
-  } else {
-    bool borrows = fly->view.alpha1 < 0 && !model->upward;
-    drawn = draw_tilt(borrows ? wall->upward : model, &fly->view, fly->stream, &delta);
+    return drawn;
   }
-  if (drawn)
-    *out = face_at(wall, fly->view.slope, delta, fly->stream);
-  return drawn;
+  bool borrows = fly->view.alpha1 < 0 && !model->upward;
+  return draw_tilt(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
 }
 
-/* Hit after hit, until the particle leaves. */
-static void bounce_on(const asp_wall *wall, const asp_particle *particle, const frame *first,
+/* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
+static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1, frame *now,
                       asp_stream *stream, asp_impact *impact) {
-  frame now = *first;
-  flight fly = {.view = view_of(wall, particle, first), .stream = stream, .lambda = -1};
+  flight fly = {view_of(wall, particle), stream, 0, -1};
+  asp_path path = {0};
   vec v2 = {0, 0, 0};
   impact->hits = 0;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
-    if (!has_direction(&now))
-      draw_direction(&now, stream);
-    fly.view.alpha1 = impact_angle(&now);
-    face on;
+    if (!has_direction(now))
+      draw_direction(now, stream);
+    fly.view.alpha1 = impact_angle(now);
+    double delta;
     vec local;
     bool deposit, gone;
-    if (!next_face(wall, &fly, &on, &gone)) {
+    if (!next_tilt(wall, &fly, &path, &delta, &gone)) {
       if (!gone)
         continue;
       if (impact->hits == 0) /* it does not even approach */
-        bounce_off_mean_wall(wall, particle, first, stream, impact);
+        bounce_off_mean_wall(wall, particle, now, stream, impact);
       else
-        store(leaving(first, v2), impact->v2);
+        store(leaving(now, v2), impact->v2);
       return;
     }
-    if (!rebound(wall, particle, &now, on.m, !wall->isotropic, stream, &local, &deposit))
+    face on = face_at(wall, fly.view.slope, delta, stream);
+    if (!rebound(wall, particle, now, on.m, !wall->isotropic, stream, &local, &deposit))
       continue;
     if (impact->hits++ == 0) {
-      impact->delta_alpha = on.delta;
+      impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
     }
-    v2 = to_lab(&now, local);
+    v2 = to_lab(now, local);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
     if (deposit || leaves(wall, &fly, local)) {
-      store(deposit ? v2 : leaving(&now, v2), impact->v2);
+      store(deposit ? v2 : leaving(now, v2), impact->v2);
       return;
     }
-    frame next = frame_of(v2, now.n);
-    if (has_direction(&next) && dot(next.along, now.along) < 0)
-      fly.path.back = !fly.path.back;
-    now = next;
+    frame next = frame_of(v2, now->n);
+    if (has_direction(&next) && dot(next.along, now->along) < 0)
+      path.back = !path.back;
+    *now = next;
   }
+  frame first = frame_from(v1, now->n);
   impact->capped = true;
-  bounce_off_mean_wall(wall, particle, first, stream, impact);
+  bounce_off_mean_wall(wall, particle, &first, stream, impact);
 }
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
@@ -270,7 +274,7 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
   if (wall->rough) {
     asp_stream_fill(&stream);
     if (wall->multiple)
-      bounce_on(wall, particle, &f, &stream, impact);
+      bounce_on(wall, particle, load(v1), &f, &stream, impact);
     else
       bounce_once(wall, particle, &f, &stream, impact);
   } else

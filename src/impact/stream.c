@@ -14,6 +14,10 @@ asp_stream asp_stream_create(asp_key key) {
   return asp_stream_begin(key);
 }
 
+void asp_stream_refill(asp_stream *stream) {
+  asp_stream_fill(stream);
+}
+
 double asp_stream_uniform(asp_stream *stream) {
   return asp_stream_next(stream);
 }

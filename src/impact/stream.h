@@ -33,9 +33,12 @@ static inline asp_stream asp_stream_begin(asp_key key) {
   return stream;
 }
 
+/* Out of line: most contacts need no more than the first numbers. */
+void asp_stream_refill(asp_stream *stream);
+
 static inline double asp_stream_next(asp_stream *stream) {
   if (stream->left == 0)
-    asp_stream_fill(stream);
+    asp_stream_refill(stream);
   return stream->ready[2 - stream->left--];
 }
 
