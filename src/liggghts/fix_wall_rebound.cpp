@@ -224,6 +224,7 @@ void FixWallRebound::fail(const std::string &what) {
 
 void FixWallRebound::parse(int narg, char **arg) {
   ArgReader args(narg, arg, iarg_);
+  rebound_text_ = spec_.rebound;
   while (!args.done()) {
     if (args.take("surface"))
       parse_surface(args);
