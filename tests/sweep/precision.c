@@ -212,7 +212,7 @@ int main(int argc, char **argv) {
   gsl_set_error_handler_off();
   measure(seed, count, &normal, &tangential);
   printf("# bons against long double: %ld hits, seed %u\n", count, seed);
-  puts("quantity,distance_from_threshold,hits,worst_relative_error,ulps,wrong_captures");
+  puts("quantity,distance_at_least,hits,worst_relative_error,ulps,wrong_captures");
   int bad = print("v_n2", &normal) + print("v_t2", &tangential);
   puts("# spread models: quantile and density by quadrature\nmodel,worst_error_of_distribution");
   asp_stream s = asp_stream_create((asp_key){seed, 4, 0, 0});
