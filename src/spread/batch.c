@@ -43,7 +43,7 @@ static void visible_n(const asp_views *views, size_t n, const double *u, double 
     x[i] = sqrt(sqrt(-2 * log(1 - u[i])));
   }
   for (size_t i = 0; i < n; i++)
-    x[i] = asp_visible_guess(a[i] > 0 ? a[i] : 0, x[i]);
+    x[i] = asp_visible_guess(a[i] > 0 ? a[i] : 0, fmax(x[i], ASP_VISIBLE_LEAST));
 #pragma omp simd
   for (size_t i = 0; i < n; i++)
     delta[i] = atan(asp_visible_refine(a[i], u[i], x[i]) * slope[i]);
