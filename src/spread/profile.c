@@ -12,6 +12,7 @@
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
   ANGLES = 64,
@@ -23,12 +24,14 @@ enum {
 typedef struct table {
   int bins;
   double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
+  int64_t first_bits;                              /* see bits_of */
+  double bins_per_bit;
   double angle[ANGLES], per_angle[ANGLES];
   float delta[][ANGLES][NODES]; /* by size, angle, u; rad */
 } table;
 
 /* Where u lies among the nodes: whole part and rest. */
-static double place_of(double u) {
+static inline double place_of(double u) {
   double cell = u * CELLS;
   if (cell < 1)
     return cell * PARTS;
@@ -102,6 +105,13 @@ static void release(void *data) {
   free(data);
 }
 
+/* The bits of a positive number: its logarithm, as straight lines between the powers of two. */
+static inline int64_t bits_of(double x) {
+  int64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
 static void place_nodes(table *t, const asp_sizes *sizes) {
   t->bins = sizes->bins;
   for (int k = 0; k < ANGLES; k++) {
@@ -113,6 +123,9 @@ static void place_nodes(table *t, const asp_sizes *sizes) {
     t->d_p[i] = asp_sizes_at(sizes, i);
     t->per_d_p[i] = 1 / (asp_sizes_at(sizes, i + 1) - t->d_p[i]);
   }
+  t->first_bits = bits_of(t->d_p[0]);
+  int64_t range = bits_of(t->d_p[t->bins - 1]) - t->first_bits;
+  t->bins_per_bit = range > 0 ? (t->bins - 1) / (double)range : 0;
 }
 
 static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
@@ -143,11 +156,21 @@ typedef struct cell {
   double weight[4];
 } cell;
 
-static cell cell_of(const table *t, const asp_view *view) {
-  int i = 0, k = (int)((ANGLES - 1) * sqrt(view->alpha1 * (2 / ASP_PI)));
+/* The last size of those between the first and the last that is below d_p; else the first. The
+ * guess is a bin off at most, unless there are many to an octave. */
+static inline int size_below(const table *t, double d_p) {
+  double at = (double)(bits_of(d_p) - t->first_bits) * t->bins_per_bit;
+  int i = (int)asp_within(at, 0, t->bins > 1 ? t->bins - 2 : 0);
+  while (i > 0 && d_p <= t->d_p[i])
+    i--;
+  while (i < t->bins - 2 && d_p > t->d_p[i + 1])
+    i++;
+  return i;
+}
+
+static inline cell cell_of(const table *t, const asp_view *view) {
+  int i = size_below(t, view->d_p), k = (int)((ANGLES - 1) * sqrt(view->alpha1 * (2 / ASP_PI)));
   k = k < ANGLES - 2 ? k : ANGLES - 2;
-  for (int j = 1; j < t->bins - 1; j++)
-    i += view->d_p > t->d_p[j];
   int next = t->bins > 1 ? i + 1 : i;
   double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
   double size = next > i ? asp_within((view->d_p - t->d_p[i]) * t->per_d_p[i], 0, 1) : 0;
@@ -155,7 +178,7 @@ static cell cell_of(const table *t, const asp_view *view) {
                 {(1 - size) * (1 - angle), (1 - size) * angle, size * (1 - angle), size * angle}};
 }
 
-static double node_at(const cell *c, int node) {
+static inline double node_at(const cell *c, int node) {
   double sum = 0;
   for (int i = 0; i < 4; i++)
     sum += c->weight[i] * c->row[i][node];

@@ -2,6 +2,8 @@
  * against quadrature, and against other models where theory says that they agree. */
 #include "check.h"
 
+#include "spread/trace.h"
+
 #include <float.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
@@ -323,6 +325,43 @@ static void batches_are_single_calls(void **state) {
   gsl_rng_free(rng);
 }
 
+/* Between the sizes that a table is made for, its quantiles lie on a straight line; beyond them,
+ * and at each of them, they are those of a table for that size alone. */
+static void tables_know_sizes(void **state) {
+  (void)state;
+  const asp_spread_model *model = asp_spread_find("profile", NULL);
+  asp_profile *profile = asp_profile_create(0.5, 1, 1 / 32., 4096, 3, NULL);
+  for (int bins = 1; bins <= 32; bins = bins < 4 ? bins + 1 : 2 * bins) {
+    const asp_sizes sizes = {0.05, 40, bins};
+    void *table = model->prepare(profile, &sizes, NULL);
+    double last = 0, last_d_p = 0;
+    for (int i = 0; i < bins; i++) {
+      double d_p = asp_sizes_at(&sizes, i);
+      const asp_sizes one = {d_p, d_p, 1};
+      void *alone = model->prepare(profile, &one, NULL);
+      asp_view view = asp_view_create(0.5, 0.3);
+      view.d_p = d_p;
+      view.data = alone;
+      double should = model->quantile(&view, 0.9), end = i == 0 ? d_p / 9 : 9 * d_p;
+      view.data = table;
+      assert_near(model->quantile(&view, 0.9), should, 1e-12);
+      if (i > 0) {
+        view.d_p = 0.7 * last_d_p + 0.3 * d_p;
+        assert_near(model->quantile(&view, 0.9), 0.7 * last + 0.3 * should, 1e-12);
+      }
+      if (i == 0 || i == bins - 1) {
+        view.d_p = end;
+        assert_near(model->quantile(&view, 0.9), should, 1e-12);
+      }
+      last = should;
+      last_d_p = d_p;
+      model->release(alone);
+    }
+    model->release(table);
+  }
+  asp_profile_free(profile);
+}
+
 static void flat_walls_have_no_spread(void **state) {
   (void)state;
   for (int m = 0; m < asp_spread_count(); m++) {
@@ -360,6 +399,7 @@ int main(void) {
       cmocka_unit_test(models_agree_where_they_must),
       cmocka_unit_test(weibull_is_the_best_of_its_kind),
       cmocka_unit_test(batches_are_single_calls),
+      cmocka_unit_test(tables_know_sizes),
       cmocka_unit_test(flat_walls_have_no_spread),
       cmocka_unit_test(unknown_names_list_what_there_is),
   };
