@@ -545,7 +545,7 @@ typedef struct asp_rebound_law {
   const asp_parameter *parameters;
   asp_bounce (*rebound)(const double *parameters, const asp_hit *hit);
   /* The same for n <= ASP_BATCH hits at once, into v_n2 and v_t2; again[i] > 0 says that hit i is
-   * for `rebound`. False: not with these parameters; NULL: never. */
+   * for `rebound`. False: not with these parameters; NULL: never. Of laws that need a material. */
   bool (*rebound_n)(const double *parameters, const asp_hits *hits, size_t n, double *v_n2,
                     double *v_t2, double *again);
   /* Whether it draws a scatter of its own with these parameters; NULL: never. */

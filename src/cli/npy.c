@@ -120,7 +120,7 @@ static asp_code read_shape(npy *array, const char *header, asp_error *error) {
 
 asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error) {
   *array = (npy){.stream = stream, .path = path};
-  unsigned char first[MAGIC_SIZE + 2], length[4] = {0};
+  unsigned char first[MAGIC_SIZE + 2] = {0}, length[4] = {0};
   char *header = calloc(1, HEADER_MOST + 1);
   if (!header)
     return asp_fail(error, ASP_ENOMEM, "out of memory for '%s'", path);

@@ -44,15 +44,6 @@ static inline face face_at(const asp_wall *wall, double slope, double delta, asp
   return (face){scaled((vec){-s, -side, c}, 1 / sqrt(1 + side * side)), delta, q};
 }
 
-/* A tilt of the model; false when a loop of it reached its bound. */
-static inline bool draw_tilt(const asp_spread_model *model, const asp_view *view,
-                             asp_stream *stream, double *delta) {
-  if (model->loop)
-    return model->loop(view, stream, delta);
-  *delta = model->quantile(view, asp_stream_next(stream));
-  return true;
-}
-
 static inline double tilt_out(const asp_wall *wall, const face *on) {
   return wall->isotropic ? atan(on->q) : 0;
 }
@@ -132,7 +123,7 @@ static void bounce_once(const asp_wall *wall, const asp_particle *particle, fram
   view.alpha1 = impact_angle(f);
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
-    if (!draw_tilt(wall->spread, &view, stream, &delta))
+    if (!asp_spread_draw(wall->spread, &view, stream, &delta))
       continue;
     face on = face_at(wall, view.slope, delta, stream);
     vec local;
@@ -217,7 +208,7 @@ static inline bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *
     return drawn;
   }
   bool borrows = fly->view.alpha1 < 0 && !model->upward;
-  return draw_tilt(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
+  return asp_spread_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
 }
 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
