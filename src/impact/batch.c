@@ -58,14 +58,13 @@ static void load_slopes(block *b, size_t count, const asp_wall *wall) {
   }
 }
 
-/* A normal that is not nearly of unit length is for asp_wall_impact. */
 ASP_EACH_MACHINE
 static void find_frames(block *b, size_t count, const double (*v1)[3], const double (*n)[3]) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
-    vec normal = {n[i][0], n[i][1], n[i][2]}, v = {v1[i][0], v1[i][1], v1[i][2]};
-    double square = dot(normal, normal);
-    frame f = frame_from(v, scaled(normal, near_unit(square)));
+    bool plain;
+    frame f =
+        plain_frame((vec){v1[i][0], v1[i][1], v1[i][2]}, (vec){n[i][0], n[i][1], n[i][2]}, &plain);
     b->n[0][i] = f.n.x;
     b->n[1][i] = f.n.y;
     b->n[2][i] = f.n.z;
@@ -75,7 +74,7 @@ static void find_frames(block *b, size_t count, const double (*v1)[3], const dou
     b->v_n[i] = f.v_n;
     b->v_t[i] = f.v_t;
     b->per_length[i] = f.per_length;
-    b->again[i] = is_near_unit(square) ? 0 : 1;
+    b->again[i] = plain ? 0 : 1;
   }
 }
 
@@ -84,7 +83,7 @@ static void find_angles(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
     frame f = {.v_n = b->v_n[i], .v_t = b->v_t[i]};
-    b->alpha1[i] = angle_of(&f, atan(angle_ratio(&f)));
+    b->alpha1[i] = impact_angle(&f);
   }
 }
 
@@ -104,13 +103,13 @@ static void draw(block *b, size_t count) {
     b->u[i] = asp_uniform_of(b->word[0][i], b->word[1][i]);
 }
 
-/* The cosine as a sine: both of one angle would become one call that has no vector version. */
 ASP_EACH_MACHINE
 static void tilt(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
-    b->sine[i] = sin(b->delta[i]);
-    b->cosine[i] = sin(ASP_PI / 2 - fabs(b->delta[i]));
+    asp_turn by = asp_turn_by(b->delta[i]);
+    b->sine[i] = by.sine;
+    b->cosine[i] = by.cosine;
   }
 }
 
@@ -124,15 +123,14 @@ static void tilt_nothing(block *b, size_t count) {
 /* The hit in the frame of its face, by the straight part of `rebound` in impact.c. A particle with
  * no direction of flight is left out where one has to be drawn. */
 ASP_EACH_MACHINE
-static void meet(block *b, size_t count, bool rough) {
-  double least = rough ? 0 : -1;
+static void meet(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
     double s = b->sine[i], c = b->cosine[i], speed = b->v_t[i] * c - b->v_n[i] * s;
     b->v_n1[i] = b->v_n[i] * c + b->v_t[i] * s;
     b->v_t1[i] = fabs(speed);
     b->side[i] = speed < 0 ? -1 : 1;
-    b->again[i] += (b->v_n1[i] > 0) & (b->per_length[i] > least) ? 0 : 1;
+    b->again[i] += b->v_n1[i] > 0 ? 0 : 1;
   }
 }
 
@@ -181,7 +179,7 @@ static bool run_block(block *b, const asp_wall *wall, size_t count, const asp_pa
     tilt(b, count);
   } else
     tilt_nothing(b, count);
-  meet(b, count, wall->rough);
+  meet(b, count);
   asp_hits hits = {b->v_n1,         b->v_t1,           b->d_p,      b->density,   b->modulus,
                    b->yield_stress, b->surface_energy, b->friction, wall->deposit};
   if (!wall->law->rebound_n(wall->parameters, &hits, count, b->v_n2, b->v_t2, b->near))

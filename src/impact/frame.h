@@ -2,6 +2,7 @@
 #ifndef ASP_IMPACT_FRAME_H
 #define ASP_IMPACT_FRAME_H
 
+#include "angle.h"
 #include "asperity.h"
 
 #include <float.h>
@@ -60,44 +61,47 @@ static inline bool is_near_unit(double square) {
   return fabs(square - 1) < 1e-8;
 }
 
-/* n over its length. */
-static inline vec unit(vec n) {
-  double square = dot(n, n);
-  return scaled(n, is_near_unit(square) ? near_unit(square) : 1 / sqrt(square));
+/* The frame of a velocity at a wall of any normal, for nearly all contacts; *plain is false for one
+ * that needs more care. Straight code, in which the normal's length and the speed along it are
+ * found side by side. */
+static inline frame plain_frame(vec v, vec normal, bool *plain) {
+  double length2 = dot(normal, normal), per_length = near_unit(length2);
+  double v_n = -dot(v, normal) * per_length;
+  vec n = scaled(normal, per_length), along = plus(v, v_n, n);
+  double square = dot(along, along), v_t = sqrt(square);
+  *plain = is_near_unit(length2) & (square > NEARLY_NORMAL * v_n * v_n);
+  return (frame){n, along, v_n, v_t, 1 / v_t};
 }
 
-/* The frame of a velocity at a wall of unit normal n. */
-static inline frame frame_from(vec v, vec n) {
-  frame f = {.n = n};
-  f.v_n = -dot(v, f.n);
+/* The frame of a velocity at a wall of unit normal n. Of a velocity nearly along n, what is left of
+ * the difference is rounding, and taken off again. */
+static inline frame careful_frame(vec v, vec n) {
+  frame f = {.n = n, .v_n = -dot(v, n)};
   f.along = plus(v, f.v_n, f.n);
-  double square = dot(f.along, f.along);
-  if (square < NEARLY_NORMAL * f.v_n * f.v_n) { /* the rest of the difference is rounding: again */
-    f.along = plus(f.along, -dot(f.along, f.n), f.n);
-    square = dot(f.along, f.along);
-  }
-  f.v_t = sqrt(square);
+  f.along = plus(f.along, -dot(f.along, f.n), f.n);
+  f.v_t = sqrt(dot(f.along, f.along));
   bool has_direction = f.v_t >= NO_DIRECTION * fabs(f.v_n) && f.v_t > 0;
   f.per_length = has_direction ? 1 / f.v_t : 0;
   return f;
 }
 
+static inline vec unit(vec n) {
+  return scaled(n, 1 / sqrt(dot(n, n)));
+}
+
 static inline frame frame_of(vec v, vec normal) {
-  return frame_from(v, unit(normal));
+  bool plain;
+  frame f = plain_frame(v, normal, &plain);
+  return plain ? f : careful_frame(v, unit(normal));
 }
 
 static inline bool has_direction(const frame *f) {
   return f->per_length > 0;
 }
 
-/* The impact angle atan2(v_n, v_t) is angle_of the arc tangent of angle_ratio. */
-static inline double angle_ratio(const frame *f) {
-  double n = fabs(f->v_n), t = f->v_t, most = n <= t ? t : n;
-  return most > 0 ? (n <= t ? n : t) / most : 0;
-}
-
-static inline double angle_of(const frame *f, double arc) {
-  return copysign(fabs(f->v_n) <= f->v_t ? arc : ASP_PI / 2 - arc, f->v_n);
+/* atan2(v_n, v_t) */
+static inline double impact_angle(const frame *f) {
+  return copysign(asp_arc(fabs(f->v_n), f->v_t), f->v_n);
 }
 
 static inline vec to_lab(const frame *f, vec local) {

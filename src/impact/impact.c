@@ -22,6 +22,14 @@ typedef struct face {
   double delta, q;
 } face;
 
+static inline bool draw_tilt(const asp_spread_model *model, const asp_view *view,
+                             asp_stream *stream, double *delta) {
+  if (model->loop)
+    return model->loop(view, stream, delta);
+  *delta = model->quantile(view, asp_stream_next(stream));
+  return true;
+}
+
 /* At normal impact the direction of flight is drawn uniformly around n. */
 static void draw_direction(frame *f, asp_stream *stream) {
   double angle = 2 * ASP_PI * asp_stream_next(stream);
@@ -37,11 +45,11 @@ static void draw_direction(frame *f, asp_stream *stream) {
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
  */
 static inline face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
-  double c = cos(delta), s = sin(delta);
+  asp_turn by = fabs(delta) <= ASP_PI / 4 ? asp_turn_little(delta) : asp_turn_by(delta);
   if (!wall->isotropic)
-    return (face){{-s, 0, c}, delta, 0};
-  double q = slope * asp_stream_normal(stream), side = q * c;
-  return (face){scaled((vec){-s, -side, c}, 1 / sqrt(1 + side * side)), delta, q};
+    return (face){{-by.sine, 0, by.cosine}, delta, 0};
+  double q = slope * asp_stream_normal(stream), side = q * by.cosine;
+  return (face){scaled((vec){-by.sine, -side, by.cosine}, 1 / sqrt(1 + side * side)), delta, q};
 }
 
 static inline double tilt_out(const asp_wall *wall, const face *on) {
@@ -104,10 +112,6 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
   store(!hit || local.z > 0 ? leaving(f, v2) : v2, impact->v2);
 }
 
-static inline double impact_angle(const frame *f) {
-  return angle_of(f, atan(angle_ratio(f)));
-}
-
 /* What a wall looks like to a particle, at an impact angle still to be set. */
 static inline asp_view view_of(const asp_wall *wall, const asp_particle *particle) {
   double slope = asp_surface_slope(wall->surface, particle->d_p);
@@ -115,15 +119,13 @@ static inline asp_view view_of(const asp_wall *wall, const asp_particle *particl
 }
 
 /* One hit; a face that would send the particle into the wall is drawn again. */
-static void bounce_once(const asp_wall *wall, const asp_particle *particle, frame *f,
-                        asp_stream *stream, asp_impact *impact) {
-  if (!has_direction(f))
-    draw_direction(f, stream);
+static inline void bounce_once(const asp_wall *wall, const asp_particle *particle, const frame *f,
+                               double alpha1, asp_stream *stream, asp_impact *impact) {
   asp_view view = view_of(wall, particle);
-  view.alpha1 = impact_angle(f);
+  view.alpha1 = alpha1;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
-    if (!asp_spread_draw(wall->spread, &view, stream, &delta))
+    if (!draw_tilt(wall->spread, &view, stream, &delta))
       continue;
     face on = face_at(wall, view.slope, delta, stream);
     vec local;
@@ -208,20 +210,18 @@ static inline bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *
     return drawn;
   }
   bool borrows = fly->view.alpha1 < 0 && !model->upward;
-  return asp_spread_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
+  return draw_tilt(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
 }
 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
 static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1, frame *now,
-                      asp_stream *stream, asp_impact *impact) {
+                      double alpha1, asp_stream *stream, asp_impact *impact) {
   flight fly = {view_of(wall, particle), stream, 0, -1};
+  fly.view.alpha1 = alpha1;
   asp_path path = {0};
   vec v2 = {0, 0, 0};
   impact->hits = 0;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
-    if (!has_direction(now))
-      draw_direction(now, stream);
-    fly.view.alpha1 = impact_angle(now);
     double delta;
     vec local;
     bool deposit, gone;
@@ -251,25 +251,40 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
     if (has_direction(&next) && dot(next.along, now->along) < 0)
       path.back = !path.back;
     *now = next;
+    if (!has_direction(now))
+      draw_direction(now, stream);
+    fly.view.alpha1 = impact_angle(now);
   }
-  frame first = frame_from(v1, now->n);
+  frame first = frame_of(v1, now->n);
   impact->capped = true;
   bounce_off_mean_wall(wall, particle, &first, stream, impact);
 }
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], asp_key key, asp_impact *impact) {
-  asp_stream stream = asp_stream_begin(key);
-  frame f = frame_of(load(v1), load(n));
+  vec v = load(v1), normal = load(n);
   impact->capped = false;
-  if (wall->rough) {
-    asp_stream_fill(&stream);
-    if (wall->multiple)
-      bounce_on(wall, particle, load(v1), &f, &stream, impact);
-    else
-      bounce_once(wall, particle, &f, &stream, impact);
-  } else
+  if (!wall->rough) {
+    frame f = frame_of(v, normal);
+    asp_stream stream = asp_stream_begin(key);
     bounce_off_mean_wall(wall, particle, &f, &stream, impact);
+    return;
+  }
+  bool plain; /* up to here the frame and the random numbers do not wait for each other */
+  frame f = plain_frame(v, normal, &plain);
+  double alpha1 = impact_angle(&f);
+  asp_stream stream = asp_stream_begin(key);
+  asp_stream_fill(&stream);
+  if (!plain) {
+    f = careful_frame(v, unit(normal));
+    if (!has_direction(&f))
+      draw_direction(&f, &stream);
+    alpha1 = impact_angle(&f);
+  }
+  if (wall->multiple)
+    bounce_on(wall, particle, v, &f, alpha1, &stream, impact);
+  else
+    bounce_once(wall, particle, &f, alpha1, &stream, impact);
 }
 
 /* a/b, or the largest ratio that is told where b vanishes against a. */

@@ -7,7 +7,7 @@
 #include <math.h>
 
 /* How near a difference may come to 0, as a share of what it is taken from, before long double. */
-static const double ASP_BONS_NEAR = 1e-2;
+static const double ASP_BONS_NEAR = 2e-2;
 
 typedef struct asp_bons_constants {
   double yield_rate, a, b;
@@ -21,19 +21,20 @@ typedef struct asp_bons_answer {
 } asp_bons_answer;
 
 /* rate: there is a yield_rate. root: c is 0.5, and the power is spared. Without branches that a
- * vector loop could not take. */
+ * vector loop could not take. What does not depend on the approach speed stands apart, so that it
+ * is ready when that is. */
 static inline asp_bons_answer asp_bons_plain(const asp_bons_constants *p, double n1, double t1,
                                              double d_p, double density, asp_pair pair, bool rate,
                                              bool root, double c) {
   double speed2 = n1 * n1 + t1 * t1;
   double yield = rate ? p->yield_rate * sqrt(speed2) : pair.yield_stress;
-  double v_y = yield * p->softened / sqrt(density * pair.modulus);
-  double n2 = n1 < v_y ? n1 : v_y, ratio = n1 < v_y ? n1 / v_y : 1; /* v_y = 0: all yields */
+  double v_y = yield * p->softened / sqrt(density * pair.modulus), per_v_y = 1 / v_y;
+  double pull = p->adhesion * pair.surface_energy / (density * d_p);    /* v_a^2 = pull f */
+  double n2 = n1 < v_y ? n1 : v_y, ratio = n1 < v_y ? n1 * per_v_y : 1; /* v_y = 0: all yields */
   double share = p->a + p->b * (root ? sqrt(ratio) : pow(ratio, c));
-  double v_a = sqrt(p->adhesion * pair.surface_energy * share / (density * d_p)), left = n2 - v_a;
-  double after = left > 0 ? sqrt(left * (n2 + v_a)) : 0;
-  bool near_capture = (v_a > 0) & (fabs(left) < ASP_BONS_NEAR * n2);
-  n2 = v_a > 0 ? after : n2;
+  double square = n2 * n2, left = square - pull * share;
+  bool near_capture = (pull > 0) & (fabs(left) < ASP_BONS_NEAR * square);
+  n2 = pull > 0 ? sqrt(left > 0 ? left : 0) : n2;
   double cos2 = speed2 > 0 ? t1 * t1 / speed2 : 0;
   double t2 = t1 - pair.friction * (n1 + n2) * cos2;
   bool near_rest = fabs(t2) < ASP_BONS_NEAR * t1;
