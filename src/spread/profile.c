@@ -18,16 +18,18 @@ enum {
   ANGLES = 64,
   CELLS = 512, /* of equal width in u */
   PARTS = 32,  /* of the first and of the last of them */
-  NODES = CELLS - 2 + 2 * PARTS + 1
+  NODES = CELLS - 2 + 2 * PARTS + 1,
+  PARTS_OF_SIZE = 512 /* of the range of sizes, to find a bin by; at most */
 };
 
 typedef struct table {
   int bins;
   double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
-  int64_t first_bits;                              /* see bits_of */
-  double bins_per_bit;
+  int64_t first_bits;                              /* of the least size, see bits_of */
+  int part_bits;                /* of which one part of the sizes' range has two to this power */
+  uint8_t below[PARTS_OF_SIZE]; /* the bin that each part begins in */
   double angle[ANGLES], per_angle[ANGLES];
-  float delta[][ANGLES][NODES]; /* by size, angle, u; rad */
+  float delta[][NODES][ANGLES]; /* by size, u, angle; rad */
 } table;
 
 /* Where u lies among the nodes: whole part and rest. */
@@ -83,7 +85,7 @@ static asp_code bench_create(bench *b, const asp_profile *profile, double d_p, a
 }
 
 /* The quantiles of one angle: the slopes at which the sum of the weights passes each node. */
-static void fill(bench *b, double alpha1, float *delta) {
+static void fill(bench *b, double alpha1, float (*delta)[ANGLES], int angle) {
   asp_track_first_hit(b->track, alpha1, b->weight);
   double sum = 0;
   size_t last = 0;
@@ -95,10 +97,10 @@ static void fill(bench *b, double alpha1, float *delta) {
     last = face;
     sum += b->weight[face];
     for (; node < NODES && u_at(node) <= sum; node++)
-      delta[node] = (float)atan(b->slope[face]);
+      delta[node][angle] = (float)atan(b->slope[face]);
   }
   for (; node < NODES; node++)
-    delta[node] = (float)atan(b->slope[last]);
+    delta[node][angle] = (float)atan(b->slope[last]);
 }
 
 static void release(void *data) {
@@ -112,6 +114,20 @@ static inline int64_t bits_of(double x) {
   return bits;
 }
 
+static void place_parts(table *t) {
+  t->first_bits = bits_of(t->d_p[0]);
+  int64_t range = bits_of(t->d_p[t->bins - 1]) - t->first_bits;
+  for (t->part_bits = 0; range >> t->part_bits >= PARTS_OF_SIZE;)
+    t->part_bits++;
+  int i = 0;
+  for (int k = 0; k < PARTS_OF_SIZE; k++) {
+    int64_t bits = t->first_bits + ((int64_t)k << t->part_bits);
+    while (i < t->bins - 2 && bits_of(t->d_p[i + 1]) <= bits)
+      i++;
+    t->below[k] = (uint8_t)i;
+  }
+}
+
 static void place_nodes(table *t, const asp_sizes *sizes) {
   t->bins = sizes->bins;
   for (int k = 0; k < ANGLES; k++) {
@@ -123,9 +139,7 @@ static void place_nodes(table *t, const asp_sizes *sizes) {
     t->d_p[i] = asp_sizes_at(sizes, i);
     t->per_d_p[i] = 1 / (asp_sizes_at(sizes, i + 1) - t->d_p[i]);
   }
-  t->first_bits = bits_of(t->d_p[0]);
-  int64_t range = bits_of(t->d_p[t->bins - 1]) - t->first_bits;
-  t->bins_per_bit = range > 0 ? (t->bins - 1) / (double)range : 0;
+  place_parts(t);
 }
 
 static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
@@ -144,45 +158,53 @@ static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_err
       return NULL;
     }
     for (int k = 0; k < ANGLES; k++)
-      fill(&b, t->angle[k], t->delta[i][k]);
+      fill(&b, t->angle[k], t->delta[i], k);
     bench_free(&b);
   }
   return t;
 }
 
-/* The four rows, two sizes by two angles, between which a view lies. */
+/* Between which sizes and angles a view lies. */
 typedef struct cell {
-  const float *row[4];
-  double weight[4];
+  const float *row[2];            /* of the two sizes: at the first u and the lesser angle */
+  double size_share, angle_share; /* of the greater */
 } cell;
 
-/* The last size of those between the first and the last that is below d_p; else the first. The
- * guess is a bin off at most, unless there are many to an octave. */
-static inline int size_below(const table *t, double d_p) {
-  double at = (double)(bits_of(d_p) - t->first_bits) * t->bins_per_bit;
-  int i = (int)asp_within(at, 0, t->bins > 1 ? t->bins - 2 : 0);
-  while (i > 0 && d_p <= t->d_p[i])
-    i--;
+/* The last bin but one whose size is not above d_p, else the first. */
+static inline int bin_below(const table *t, double d_p) {
+  int64_t part = (bits_of(d_p) - t->first_bits) >> t->part_bits;
+  int i = t->below[part < 0 ? 0 : part < PARTS_OF_SIZE ? part : PARTS_OF_SIZE - 1];
   while (i < t->bins - 2 && d_p > t->d_p[i + 1])
     i++;
   return i;
 }
 
 static inline cell cell_of(const table *t, const asp_view *view) {
-  int i = size_below(t, view->d_p), k = (int)((ANGLES - 1) * sqrt(view->alpha1 * (2 / ASP_PI)));
+  int k = (int)sqrt(view->alpha1 * (2 / ASP_PI * (ANGLES - 1) * (ANGLES - 1))), i = 0, next = 0;
   k = k < ANGLES - 2 ? k : ANGLES - 2;
-  int next = t->bins > 1 ? i + 1 : i;
-  double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
-  double size = next > i ? asp_within((view->d_p - t->d_p[i]) * t->per_d_p[i], 0, 1) : 0;
-  return (cell){{t->delta[i][k], t->delta[i][k + 1], t->delta[next][k], t->delta[next][k + 1]},
-                {(1 - size) * (1 - angle), (1 - size) * angle, size * (1 - angle), size * angle}};
+  double size = 0, angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
+  if (t->bins > 1) {
+    i = bin_below(t, view->d_p);
+    next = i + 1;
+    size = (asp_within(view->d_p, t->d_p[0], t->d_p[t->bins - 1]) - t->d_p[i]) * t->per_d_p[i];
+  }
+  return (cell){{*t->delta[i] + k, *t->delta[next] + k}, size, angle};
+}
+
+/* The quantile at so large a share of the way from a node to the next. */
+static inline double between(const cell *c, int node, double share) {
+  const float *first = c->row[0] + node * ANGLES, *second = c->row[1] + node * ANGLES;
+  double at[2];
+  for (int k = 0; k < 2; k++) {
+    double low = first[k] + share * ((double)first[ANGLES + k] - first[k]);
+    double high = second[k] + share * ((double)second[ANGLES + k] - second[k]);
+    at[k] = low + c->size_share * (high - low);
+  }
+  return at[0] + c->angle_share * (at[1] - at[0]);
 }
 
 static inline double node_at(const cell *c, int node) {
-  double sum = 0;
-  for (int i = 0; i < 4; i++)
-    sum += c->weight[i] * c->row[i][node];
-  return sum;
+  return node < NODES - 1 ? between(c, node, 0) : between(c, NODES - 2, 1);
 }
 
 static double quantile(const asp_view *view, double u) {
@@ -191,8 +213,7 @@ static double quantile(const asp_view *view, double u) {
   cell c = cell_of(view->data, view);
   double place = place_of(u);
   int node = (int)place < NODES - 2 ? (int)place : NODES - 2;
-  double low = node_at(&c, node), high = node_at(&c, node + 1);
-  double delta = low + (place - node) * (high - low);
+  double delta = between(&c, node, place - node);
   return delta > -view->alpha1 ? delta : -view->alpha1;
 }
 
