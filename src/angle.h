@@ -13,22 +13,31 @@
 #define ASP_TAN_PI_8 0.41421356237309503
 #define ASP_PI_2_REST 6.123233995736766e-17 /* what the double nearest to pi/2 lacks */
 
-/* atan2(rise, run) for rise, run >= 0; 0 where both are 0. Less than pi/8 is the arc itself; more
- * is taken from pi/4 or pi/2. Powers in pairs: shorter than Horner's chain. */
-static inline double asp_arc(double rise, double run) {
-  bool flat = rise <= ASP_TAN_PI_8 * run, steep = run < ASP_TAN_PI_8 * rise;
-  double up = flat ? rise : steep ? -run : rise - run;
-  double along = flat ? run : steep ? rise : rise + run;
-  double quarters = flat ? 0 : steep ? 2 : 1;
-  double x = along > 0 ? up / along : 0;
+/* atan x - x for |x| <= tan(pi/8). Powers in pairs: shorter than Horner's chain. */
+static inline double asp_arc_less(double x) {
   double z = x * x, z2 = z * z, z4 = z2 * z2;
   double a = (-0.333333333333332 + 0.19999999999954082 * z) +
              z2 * (-0.14285714280248607 + 0.11111110786143891 * z);
   double b = (-0.09090897836635449 + 0.07692061640434325 * z) +
              z2 * (-0.06663120420279234 + 0.058480091666042656 * z);
   double c = (-0.05039846567312988 + 0.03807834596048355 * z) + z2 * -0.017922304788068354;
-  return quarters * (ASP_PI / 4) +
-         (x + (x * z * (a + z4 * (b + z4 * c)) + quarters * (ASP_PI_2_REST / 2)));
+  return x * z * (a + z4 * (b + z4 * c));
+}
+
+/* atan2(rise, run) for rise, run >= 0; 0 where both are 0. Less than pi/8 is the arc itself; more
+ * is taken from pi/4 or pi/2. */
+static inline double asp_arc(double rise, double run) {
+  bool flat = rise <= ASP_TAN_PI_8 * run, steep = run < ASP_TAN_PI_8 * rise;
+  double up = flat ? rise : steep ? -run : rise - run;
+  double along = flat ? run : steep ? rise : rise + run;
+  double quarters = flat ? 0 : steep ? 2 : 1;
+  double x = along > 0 ? up / along : 0;
+  return quarters * (ASP_PI / 4) + (x + (asp_arc_less(x) + quarters * (ASP_PI_2_REST / 2)));
+}
+
+/* The angle of a slope, atan p. */
+static inline double asp_arc_of(double p) {
+  return fabs(p) <= ASP_TAN_PI_8 ? p + asp_arc_less(p) : copysign(asp_arc(fabs(p), 1), p);
 }
 
 typedef struct asp_turn {

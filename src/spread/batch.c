@@ -31,29 +31,31 @@ void asp_weibull_quantile_n(const asp_views *views, size_t n, const double *u, d
   }
 }
 
-/* The look-up in the grid stays out of the vector loops. */
 ASP_EACH_MACHINE
 static void visible_n(const asp_views *views, size_t n, const double *u, double *delta) {
   const double *slope = views->slope, *alpha1 = views->alpha1;
-  double a[ASP_BATCH], x[ASP_BATCH];
+  const double *table = asp_visible_table[0][0];
+  double t[ASP_BATCH], s[ASP_BATCH];
+  int cell[ASP_BATCH];
 #pragma omp simd
   for (size_t i = 0; i < n; i++) {
-    double steep = tan(alpha1[i]) / slope[i];
-    a[i] = steep < ASP_VISIBLE_A_MOST ? steep : ASP_VISIBLE_A_MOST;
-    x[i] = sqrt(sqrt(-2 * log(1 - u[i])));
+    asp_visible_place at = asp_visible_find(asp_turn_by(alpha1[i]), slope[i], u[i]);
+    int column = at.column < ASP_VISIBLE_COLUMNS ? at.column : 0;
+    cell[i] = (at.row * ASP_VISIBLE_COLUMNS + (column > 0 ? column : 0)) * ASP_VISIBLE_TERMS;
+    t[i] = at.t;
+    s[i] = at.s;
   }
-  for (size_t i = 0; i < n; i++)
-    x[i] = asp_visible_guess(a[i] > 0 ? a[i] : 0, fmax(x[i], ASP_VISIBLE_LEAST));
 #pragma omp simd
-  for (size_t i = 0; i < n; i++)
-    delta[i] = atan(asp_visible_refine(a[i], u[i], x[i]) * slope[i]);
+  for (size_t i = 0; i < n; i++) {
+    double p = asp_visible_at(table + cell[i], t[i], s[i]) * slope[i];
+    delta[i] = copysign(asp_arc(fabs(p), 1), p);
+  }
 }
 
 void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, double *delta) {
   visible_n(views, n, u, delta);
   for (size_t i = 0; i < n; i++)
-    if (!(u[i] >= ASP_VISIBLE_U_LEAST) || views->alpha1[i] < 0 ||
-        views->sigma[i] < ASP_SIGMA_ZERO) {
+    if (views->sigma[i] < ASP_SIGMA_ZERO || !asp_visible_is_quick(views->alpha1[i], u[i])) {
       asp_view one = asp_views_at(views, i);
       delta[i] = asp_spread_visible.quantile(&one, u[i]);
     }

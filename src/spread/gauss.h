@@ -39,11 +39,28 @@ static inline double asp_gauss_below(double x) {
   return 0.5 * erfc(-x * M_SQRT1_2);
 }
 
+/* The quantile in the lower tail, p from 1.4e-11 to 0.075 (AS 241, its middle range). */
+static inline double asp_gauss_tail_quantile(double p) {
+  double r = sqrt(-log(p)) - 1.6, r2 = r * r, r4 = r2 * r2;
+  double a = (1.42343711074968357734e+0 + 4.63033784615654529590e+0 * r) +
+             r2 * (5.76949722146069140550e+0 + 3.64784832476320460504e+0 * r) +
+             r4 * ((1.27045825245236838258e+0 + 2.41780725177450611770e-1 * r) +
+                   r2 * (2.27238449892691845833e-2 + 7.74545014278341407640e-4 * r));
+  double b = (1 + 2.05319162663775882187e+0 * r) +
+             r2 * (1.67638483018380384940e+0 + 6.89767334985100004550e-1 * r) +
+             r4 * ((1.48103976427480074590e-1 + 1.51986665636164571966e-2 * r) +
+                   r2 * (5.47593808499534494600e-4 + 1.05075007164441684324e-9 * r));
+  return -a / b;
+}
+
 /* The x with Phi(x) = p = 1 - q; both are given, so that neither tail loses digits. */
 static inline double asp_gauss_quantile(double p, double q) {
   double d = p - 0.5;
-  if (fabs(d) > 0.425)
-    return d < 0 ? gsl_cdf_ugaussian_Pinv(p) : gsl_cdf_ugaussian_Qinv(q);
+  if (fabs(d) > 0.425) {
+    double least = d < 0 ? p : q;
+    double x = least > 1.4e-11 ? asp_gauss_tail_quantile(least) : gsl_cdf_ugaussian_Pinv(least);
+    return d < 0 ? x : -x;
+  }
   double r = 0.180625 - d * d, r2 = r * r, r4 = r2 * r2;
   double a = (3.3871328727963666080e+0 + 1.3314166789178437745e+2 * r) +
              r2 * (1.9715909503065514427e+3 + 1.3731693765509461125e+4 * r) +
