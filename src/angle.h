@@ -64,4 +64,9 @@ static inline asp_turn asp_turn_by(double x) {
   return (asp_turn){copysign(steep ? turn.cosine : turn.sine, x), steep ? turn.sine : turn.cosine};
 }
 
+/* The same with a branch, for one angle that is rarely beyond pi/4. */
+static inline asp_turn asp_turn_of(double x) {
+  return fabs(x) <= ASP_PI / 4 ? asp_turn_little(x) : asp_turn_by(x);
+}
+
 #endif

@@ -45,7 +45,7 @@ static void draw_direction(frame *f, asp_stream *stream) {
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
  */
 static inline face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
-  asp_turn by = fabs(delta) <= ASP_PI / 4 ? asp_turn_little(delta) : asp_turn_by(delta);
+  asp_turn by = asp_turn_of(delta);
   if (!wall->isotropic)
     return (face){{-by.sine, 0, by.cosine}, delta, 0};
   double q = slope * asp_stream_normal(stream), side = q * by.cosine;

@@ -31,31 +31,45 @@ void asp_weibull_quantile_n(const asp_views *views, size_t n, const double *u, d
   }
 }
 
+static inline bool is_quick(double sigma, double alpha1, double u) {
+  return (sigma >= ASP_SIGMA_ZERO) & asp_visible_is_quick(alpha1, u);
+}
+
+/* False where there are some that are not quick; their deltas mean nothing. */
 ASP_EACH_MACHINE
-static void visible_n(const asp_views *views, size_t n, const double *u, double *delta) {
-  const double *slope = views->slope, *alpha1 = views->alpha1;
-  const double *table = asp_visible_table[0][0];
-  double t[ASP_BATCH], s[ASP_BATCH];
-  int cell[ASP_BATCH];
-#pragma omp simd
+static bool visible_n(const asp_views *views, size_t n, const double *u, double *delta) {
+  const double *slope = views->slope, *sigma = views->sigma, *alpha1 = views->alpha1;
+  double t[ASP_BATCH], s[ASP_BATCH], p[ASP_BATCH], cell[ASP_BATCH], most = 0, slow = 0;
+#pragma omp simd reduction(+ : slow)
   for (size_t i = 0; i < n; i++) {
+    bool quick = is_quick(sigma[i], alpha1[i], u[i]);
     asp_visible_place at = asp_visible_find(asp_turn_by(alpha1[i]), slope[i], u[i]);
-    int column = at.column < ASP_VISIBLE_COLUMNS ? at.column : 0;
-    cell[i] = (at.row * ASP_VISIBLE_COLUMNS + (column > 0 ? column : 0)) * ASP_VISIBLE_TERMS;
+    cell[i] = quick ? at.cell : 0;
     t[i] = at.t;
     s[i] = at.s;
+    slow += quick ? 0 : 1;
   }
-#pragma omp simd
+#pragma omp simd reduction(max : most)
   for (size_t i = 0; i < n; i++) {
-    double p = asp_visible_at(table + cell[i], t[i], s[i]) * slope[i];
-    delta[i] = copysign(asp_arc(fabs(p), 1), p);
+    p[i] = asp_visible_at(cell[i], t[i], s[i]) * slope[i];
+    most = most > fabs(p[i]) ? most : fabs(p[i]);
   }
+  if (most <= ASP_TAN_PI_8)
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+      delta[i] = p[i] + asp_arc_less(p[i]);
+  else
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+      delta[i] = copysign(asp_arc(fabs(p[i]), 1), p[i]);
+  return !(slow > 0);
 }
 
 void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, double *delta) {
-  visible_n(views, n, u, delta);
+  if (visible_n(views, n, u, delta))
+    return;
   for (size_t i = 0; i < n; i++)
-    if (views->sigma[i] < ASP_SIGMA_ZERO || !asp_visible_is_quick(views->alpha1[i], u[i])) {
+    if (!is_quick(views->sigma[i], views->alpha1[i], u[i])) {
       asp_view one = asp_views_at(views, i);
       delta[i] = asp_spread_visible.quantile(&one, u[i]);
     }

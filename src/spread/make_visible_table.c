@@ -1,6 +1,6 @@
-/* Makes visible_table.inc, the quantiles of the visible slopes, while the library is built: on every
- * cell of a grid the polynomial of fifth degree in both coordinates that is left of the Chebyshev
- * series. The law is inverted in long double. See visible.h for the coordinates. */
+/* Makes visible_table.inc, the quantiles of the visible slopes, while the library is built: on
+ * every cell of a grid the polynomial of fifth degree in both coordinates that is left of the
+ * Chebyshev series. The law is inverted in long double. See visible.h for the coordinates. */
 #include "spread/visible.h"
 
 #include <stdio.h>
@@ -50,8 +50,8 @@ static void expand(int row, int column, square series) {
   square value;
   for (int i = 0; i < POINTS; i++)
     for (int j = 0; j < POINTS; j++)
-      value[i][j] = quantile(row + 0.5L * cosl(chebyshev_angle(i)),
-                             column + 0.5L * cosl(chebyshev_angle(j)));
+      value[i][j] =
+          quantile(row + 0.5L * cosl(chebyshev_angle(i)), column + 0.5L * cosl(chebyshev_angle(j)));
   for (int m = 0; m < POINTS; m++)
     for (int n = 0; n < POINTS; n++) {
       real sum = 0;
@@ -67,27 +67,26 @@ static const real power_of[6][6] = {
     {1}, {0, 1}, {-1, 0, 2}, {0, -3, 0, 4}, {1, 0, -8, 0, 8}, {0, 5, 0, -20, 0, 16},
 };
 
+/* How many powers of the column's coordinate there are with each power of the row's. */
+static const int powers[6] = {6, 6, 4, 4, 2, 2};
+
 static void print_cell(int row, int column) {
   square series;
   expand(row, column, series);
-  printf("{");
-  for (int i = 0; i <= 5; i++)
-    for (int j = 0; i + j <= 5; j++) {
+  for (int i = 0; i < 6; i++)
+    for (int j = 0; j < powers[i]; j++) {
       real sum = 0;
-      for (int m = i; m <= 5; m++)
-        for (int n = j; m + n <= 5; n++)
+      for (int m = i; m < 6; m++)
+        for (int n = j; n < powers[m]; n++)
           sum += series[m][n] * power_of[m][i] * power_of[n][j];
       printf("%.17g,", (double)ldexpl(sum, i + j)); /* at -1/2 to 1/2 */
     }
-  printf("},\n");
+  printf("\n");
 }
 
 int main(void) {
-  for (int row = 0; row < ASP_VISIBLE_ROWS; row++) {
-    printf("{\n");
+  for (int row = 0; row < ASP_VISIBLE_ROWS; row++)
     for (int column = 0; column < ASP_VISIBLE_COLUMNS; column++)
       print_cell(row, column);
-    printf("},\n");
-  }
   return 0;
 }

@@ -5,9 +5,9 @@
  * height and slope at a hit as independent, which they are not quite. A particle that flies up
  * after an earlier hit (a < 0) meets the same law.
  *
- * The quantile is the quick one of visible.h for all but one draw in 256; those, and particles that
- * fly up, go through the safeguarded inversion. There the integral from the end of the support is a
- * series where its closed form would be a difference of nearly equal numbers. */
+ * The quantile is the quick one of visible.h for all but one draw in 16 000; those, and particles
+ * that fly up, go through the safeguarded inversion. There the integral from the end of the support
+ * is a series where its closed form would be a difference of nearly equal numbers. */
 #include "spread/visible.h"
 #include "spread/invert.h"
 #include "spread/models.h"
@@ -21,7 +21,7 @@
  * that of the limit, a gamma law in a (x + a). */
 #define A_LEAST (-1e8)
 
-const double asp_visible_table[ASP_VISIBLE_ROWS][ASP_VISIBLE_COLUMNS][ASP_VISIBLE_TERMS] = {
+const double asp_visible_table[ASP_VISIBLE_ROWS * ASP_VISIBLE_COLUMNS * ASP_VISIBLE_TERMS] = {
 #include "visible_table.inc"
 };
 
@@ -131,9 +131,8 @@ static double quantile(const asp_view *view, double u) {
     return 0;
   if (!asp_visible_is_quick(view->alpha1, u))
     return asp_visible_careful(view, u);
-  asp_visible_place at = asp_visible_find(asp_turn_by(view->alpha1), view->slope, u);
-  double x = asp_visible_at(asp_visible_table[at.row][at.column], at.t, at.s);
-  return asp_arc_of(x * view->slope);
+  asp_visible_place at = asp_visible_find(asp_turn_of(view->alpha1), view->slope, u);
+  return asp_arc_of(asp_visible_at(at.cell, at.t, at.s) * view->slope);
 }
 
 const asp_spread_model asp_spread_visible = {
