@@ -1,14 +1,12 @@
 /* Makes visible_table.inc, the quantiles of the visible slopes, while the library is built: on
  * every cell of a grid the polynomial of fifth degree in both coordinates that is left of the
  * Chebyshev series. The law is inverted in long double. See visible.h for the coordinates. */
+#include "spread/powers.h"
 #include "spread/visible.h"
 
-#include <stdio.h>
+enum { EACH_WAY = 8 }; /* points of the Chebyshev series */
 
-enum { POINTS = 8 }; /* of the Chebyshev series, each way */
-
-typedef long double real;
-typedef real square[POINTS][POINTS];
+typedef real square[EACH_WAY][EACH_WAY];
 
 static real density(real x) {
   return ASP_INV_SQRT_2PI * expl(-x * x / 2);
@@ -41,24 +39,21 @@ static real quantile(real row, real column) {
   return solve(fminl(a, 1e8L), 1 / (1 + expl(logit)));
 }
 
-static real chebyshev_angle(int k) {
-  return ASP_PI * (k + 0.5L) / POINTS;
-}
-
 /* Coefficients of the Chebyshev series of one cell. */
 static void expand(int row, int column, square series) {
   square value;
-  for (int i = 0; i < POINTS; i++)
-    for (int j = 0; j < POINTS; j++)
-      value[i][j] =
-          quantile(row + 0.5L * cosl(chebyshev_angle(i)), column + 0.5L * cosl(chebyshev_angle(j)));
-  for (int m = 0; m < POINTS; m++)
-    for (int n = 0; n < POINTS; n++) {
+  for (int i = 0; i < EACH_WAY; i++)
+    for (int j = 0; j < EACH_WAY; j++)
+      value[i][j] = quantile(row + 0.5L * cosl(chebyshev_angle(i, EACH_WAY)),
+                             column + 0.5L * cosl(chebyshev_angle(j, EACH_WAY)));
+  for (int m = 0; m < EACH_WAY; m++)
+    for (int n = 0; n < EACH_WAY; n++) {
       real sum = 0;
-      for (int i = 0; i < POINTS; i++)
-        for (int j = 0; j < POINTS; j++)
-          sum += value[i][j] * cosl(m * chebyshev_angle(i)) * cosl(n * chebyshev_angle(j));
-      series[m][n] = sum * (m ? 2 : 1) * (n ? 2 : 1) / (POINTS * POINTS);
+      for (int i = 0; i < EACH_WAY; i++)
+        for (int j = 0; j < EACH_WAY; j++)
+          sum += value[i][j] * cosl(m * chebyshev_angle(i, EACH_WAY)) *
+                 cosl(n * chebyshev_angle(j, EACH_WAY));
+      series[m][n] = sum * (m ? 2 : 1) * (n ? 2 : 1) / (EACH_WAY * EACH_WAY);
     }
 }
 

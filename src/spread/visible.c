@@ -13,6 +13,7 @@
 #include "spread/models.h"
 
 #include <float.h>
+#include <gsl/gsl_cdf.h>
 
 /* From this a on the law is the normal one, to 1e-10 in u. */
 #define A_MOST 1e10

@@ -7,6 +7,7 @@
 
 #include "angle.h"
 #include "spread/gauss.h"
+#include "spread/models.h"
 
 /* The quantile of the others (see asp_visible_is_quick), by safeguarded inversion. */
 double asp_visible_careful(const asp_view *view, double u);
@@ -33,13 +34,7 @@ typedef struct asp_visible_place {
   double t, s;
 } asp_visible_place;
 
-/* x to the nearest whole number, for |x| < 2^51; halves to the even one, so that with an odd number
- * of rows the last holds a = infinity, too. */
-static inline double asp_nearest(double x) {
-  const double shift = 6755399441055744.0; /* 1.5 * 2^52, beyond which there are no others */
-  return (x + shift) - shift;
-}
-
+/* With an odd number of rows the last holds a = infinity, too, for halves go to the even one. */
 static inline asp_visible_place asp_visible_find(asp_turn alpha1, double slope, double u) {
   double along = alpha1.sine + ASP_VISIBLE_HALF_WAY * slope * alpha1.cosine;
   double y = ASP_VISIBLE_ROWS * alpha1.sine / along - 0.5;
