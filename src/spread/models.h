@@ -34,12 +34,6 @@ static inline double asp_within(double x, double lo, double hi) {
   return x < hi ? x : hi;
 }
 
-/* x to the nearest whole number, halves to the even one, for |x| < 2^51. */
-static inline double asp_nearest(double x) {
-  const double shift = 6755399441055744.0; /* 1.5 * 2^52, where doubles are whole */
-  return (x + shift) - shift;
-}
-
 /* The normal distribution with mean 0 and sd sigma > 0, cut to lo <= delta <= hi with lo <= 0 < hi,
  * and normalised (eq. 5). The quantile uses the complementary form in the upper half, so that it
  * keeps its digits for u near 1, and never leaves [lo, hi]. */

@@ -3,9 +3,6 @@
 #ifndef ASP_SPREAD_NORMAL_LAW_H
 #define ASP_SPREAD_NORMAL_LAW_H
 
-#include <stdint.h>
-#include <string.h>
-
 /* Q(x) = 1 - Phi(x) over cells of 1/PER_UNIT from 0 on, by polynomials of seventh degree in units
  * of a cell around its end. Beyond the last Q has nothing left, in doubles, next to 1. */
 enum { ASP_TAIL_PER_UNIT = 16, ASP_TAIL_CELLS = 133, ASP_TAIL_TERMS = 8 };

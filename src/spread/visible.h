@@ -6,6 +6,7 @@
 #define ASP_SPREAD_VISIBLE_H
 
 #include "angle.h"
+#include "spread/cells.h"
 #include "spread/gauss.h"
 #include "spread/models.h"
 

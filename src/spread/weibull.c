@@ -10,7 +10,11 @@
  *
  * Eq. 10 of the paper is misprinted: inverting eq. 8 gives delta = b + lambda (-ln(1 - u))^(1/k).
  */
+#include "spread/cells.h"
 #include "spread/weibull.h"
+#include "spread/weibull_cut.h"
+
+#include "weibull_table.inc"
 
 /* The share of the uncut law below the steepest face. */
 static inline double mass(double sigma, double alpha1, asp_weibull_law w) {
@@ -34,21 +38,34 @@ static double distribution(const asp_view *view, double delta) {
   return -expm1(-pow((delta - w.b) / w.lambda, w.k)) / mass(view->sigma, view->alpha1, w);
 }
 
-/* Up to this change of the logarithm, the cut is a correction in three terms. */
-#define SMALL_CHANGE 1e-5
+/* exp(-x^k), the share of the uncut law beyond x. Some eight digits are enough where it is small,
+ * for it is taken from 1 then. */
+static inline double beyond(double k, double x) {
+  if (x >= 1 && x < 1 << ASP_CUT_OCTAVES) {
+    double log_x = asp_powers(log_table + asp_eighth(x, 1) * 8, asp_over_eighth(x));
+    double place = k * ASP_CUT_PER_UNIT * log_x - ASP_CUT_FIRST * ASP_CUT_PER_UNIT;
+    double cell = asp_nearest(place);
+    if (place > ASP_CUT_CELLS - 1)
+      return 0;
+    if (place >= 0)
+      return asp_powers(lost_table + (int)cell * 8, place - cell);
+  }
+  return exp(-exp(k * log(x)));
+}
 
-/* (delta - b)/lambda of the uncut law, corrected for the share that the cut takes. The steps to
- * that share stand between those to the quantile, so that none waits for the other: it comes in
- * time for the correction, which is nearly always enough. */
+/* Up to this change of the logarithm, the cut is a correction to second order. */
+#define SMALL_CHANGE 1e-6
+
+/* (delta - b)/lambda of the uncut law, corrected for the share that the cut takes. What does not
+ * need that share is worked out on the way to it. */
 static inline double cut_place(asp_weibull_law w, double u) {
-  double reach = log((ASP_DELTA_MOST - w.b) / w.lambda), uncut = asp_minus_log_rest(u);
-  double exponent = exp(w.k * reach), log_uncut = log(uncut), q = 1 / w.k;
-  double lost = exp(-exponent), place = exp(q * log_uncut);
-  double change = u * lost / ((1 - u) * uncut), more = change * uncut;
+  double uncut = asp_minus_log_rest(u), log_uncut = log(uncut), q = 1 / w.k;
+  double lost = beyond(w.k, (ASP_DELTA_MOST - w.b) / w.lambda);
+  double change = u / ((1 - u) * uncut) * lost, second = 0.5 * (1 - q - uncut);
+  double place = exp(q * log_uncut);
   if (!(change < SMALL_CHANGE))
     return exp(q * log(asp_minus_log_cut(u, lost)));
-  change *= 1 - more * (0.5 - 1 / 3. * more);
-  return place * (1 - q * change * (1 + 0.5 * (1 - q) * change));
+  return place - place * q * change * (1 + second * change);
 }
 
 static double quantile(const asp_view *view, double u) {

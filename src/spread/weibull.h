@@ -25,9 +25,9 @@ typedef struct asp_weibull_law {
 static inline asp_weibull_law asp_weibull_at(double sigma, double alpha1) {
   double tau = alpha1 / sigma;
   tau = tau < ASP_WEIBULL_END ? tau : ASP_WEIBULL_END;
-  double ahead = tau - ASP_WEIBULL_END;
-  double k = 0.3607531 + tau * (0.0404840 + tau * (0.0037227 - tau * 0.0007002));
-  double scale = 0.4221985 + tau * (0.0357573 - tau * (0.0019619 + tau * 0.0002228));
+  double ahead = tau - ASP_WEIBULL_END, tau2 = tau * tau;
+  double k = (0.3607531 + tau * 0.0404840) + tau2 * (0.0037227 - tau * 0.0007002);
+  double scale = (0.4221985 + tau * 0.0357573) - tau2 * (0.0019619 + tau * 0.0002228);
   asp_weibull_law w = {-0.5 * tau * sigma, 3.602 + ahead * k,
                        (3.595474673403 + ahead * scale) * sigma};
   return w;
