@@ -48,7 +48,7 @@ double asp_cut_normal_distribution(double sigma, double lo, double hi, double de
 }
 
 double asp_cut_normal_quantile(double sigma, double lo, double hi, double u) {
-  double below = tail(-lo / sigma), above = tail(hi / sigma), left = 1 - below - above;
-  double x = normal_quantile(below + u * left, above + (1 - u) * left);
+  double below = tail(-lo / sigma), above = tail(hi / sigma);
+  double x = normal_quantile(u * (1 - above) + (1 - u) * below, (1 - u) * (1 - below) + u * above);
   return asp_within(sigma * x, lo, hi);
 }

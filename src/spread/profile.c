@@ -25,6 +25,7 @@ enum {
 typedef struct table {
   int bins;
   double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
+  double most;                                     /* of d_p */
   int64_t first_bits;                              /* of the least size, see bits_of */
   int part_bits;                /* of which one part of the sizes' range has two to this power */
   uint8_t below[PARTS_OF_SIZE]; /* the bin that each part begins in */
@@ -115,6 +116,7 @@ static inline int64_t bits_of(double x) {
 }
 
 static void place_parts(table *t) {
+  t->most = t->d_p[t->bins - 1];
   t->first_bits = bits_of(t->d_p[0]);
   int64_t range = bits_of(t->d_p[t->bins - 1]) - t->first_bits;
   for (t->part_bits = 0; range >> t->part_bits >= PARTS_OF_SIZE;)
@@ -166,7 +168,8 @@ static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_err
 
 /* Between which sizes and angles a view lies. */
 typedef struct cell {
-  const float *row[2];            /* of the two sizes: at the first u and the lesser angle */
+  const float *row;               /* of the lesser size, at the first u and the lesser angle */
+  size_t next;                    /* from there to the greater size; 0: there is but one */
   double size_share, angle_share; /* of the greater */
 } cell;
 
@@ -180,20 +183,19 @@ static inline int bin_below(const table *t, double d_p) {
 }
 
 static inline cell cell_of(const table *t, const asp_view *view) {
-  int k = (int)sqrt(view->alpha1 * (2 / ASP_PI * (ANGLES - 1) * (ANGLES - 1))), i = 0, next = 0;
+  int k = (int)sqrt(view->alpha1 * (2 / ASP_PI * (ANGLES - 1) * (ANGLES - 1)));
   k = k < ANGLES - 2 ? k : ANGLES - 2;
-  double size = 0, angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
-  if (t->bins > 1) {
-    i = bin_below(t, view->d_p);
-    next = i + 1;
-    size = (asp_within(view->d_p, t->d_p[0], t->d_p[t->bins - 1]) - t->d_p[i]) * t->per_d_p[i];
-  }
-  return (cell){{*t->delta[i] + k, *t->delta[next] + k}, size, angle};
+  double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
+  if (t->bins == 1)
+    return (cell){*t->delta[0] + k, 0, 0, angle};
+  int i = bin_below(t, view->d_p);
+  double size = (asp_within(view->d_p, t->d_p[0], t->most) - t->d_p[i]) * t->per_d_p[i];
+  return (cell){*t->delta[i] + k, NODES * ANGLES, size, angle};
 }
 
 /* The quantile at so large a share of the way from a node to the next. */
 static inline double between(const cell *c, int node, double share) {
-  const float *first = c->row[0] + node * ANGLES, *second = c->row[1] + node * ANGLES;
+  const float *first = c->row + node * ANGLES, *second = first + c->next;
   double at[2];
   for (int k = 0; k < 2; k++) {
     double low = first[k] + share * ((double)first[ANGLES + k] - first[k]);
