@@ -81,10 +81,8 @@ static void find_frames(block *b, size_t count, const double (*v1)[3], const dou
 ASP_EACH_MACHINE
 static void find_angles(block *b, size_t count) {
 #pragma omp simd
-  for (size_t i = 0; i < count; i++) {
-    frame f = {.v_n = b->v_n[i], .v_t = b->v_t[i]};
-    b->alpha1[i] = impact_angle(&f);
-  }
+  for (size_t i = 0; i < count; i++)
+    b->alpha1[i] = angle_of(b->v_n[i], b->v_t[i]);
 }
 
 /* The first uniform number of each contact. */
