@@ -1,24 +1,46 @@
-/* Many contacts at once: the straight code of a contact in vector loops over blocks. Whatever is
- * not straight (a second draw, a normal impact, a threshold) is left to asp_wall_impact, which
- * begins that contact anew. */
+/* Many contacts at once: the straight code of a contact in vector loops over blocks. Contacts whose
+ * face sends the particle into the wall, or cannot be hit, wait until they fill a block of their
+ * own, and are drawn again there. Whatever is not straight (a normal impact, a threshold) is left
+ * to asp_wall_impact, which begins that contact anew. */
 #include "impact/frame.h"
 #include "impact/stream.h"
 #include "impact/wall.h"
 #include "simd.h"
 #include "spread/models.h"
 
-/* A rebound whose slope is below this is for asp_wall_impact to judge. */
+/* A rebound, or an approach to a face, whose slope is below this is for asp_wall_impact to judge.
+ */
 #define NEARLY_ALONG 1e-10
+
+/* What asp_wall_impact_n was given. */
+typedef struct contacts {
+  const asp_particle *particle;
+  const double (*v1)[3], (*n)[3];
+  const asp_key *key;
+  asp_impact *impact;
+} contacts;
+
+/* Contacts to be drawn again: where they are, and how many draws they have had. */
+typedef struct waiting {
+  size_t count, at[2 * ASP_BATCH];
+  uint32_t drawn[2 * ASP_BATCH];
+} waiting;
 
 typedef double row[ASP_BATCH];
 
+/* What is left to do for a contact: nothing, another draw, all of it by asp_wall_impact. */
+enum { DONE, REDRAW, ANEW };
+
 /* One block, by component. */
 typedef struct block {
+  size_t at[ASP_BATCH]; /* of the contacts */
+  uint32_t drawn[ASP_BATCH];
   row n[3], along[3], v_n, v_t, per_length; /* the frame */
   row d_p, density, modulus, yield_stress, surface_energy, friction;
   row slope, sigma, alpha1, u, delta, sine, cosine;
   row v_n1, v_t1, side, v_n2, v_t2, v[3]; /* the hit; side: the sign of the speed along the face */
-  row near, again, stays; /* 1 or 0; near a threshold; for asp_wall_impact; a deposit */
+  row plain, near, stays;                 /* 1 or 0; the frame; near a threshold; a deposit */
+  row todo;
   uint32_t seed[ASP_BATCH], fix[ASP_BATCH], low[ASP_BATCH], high[ASP_BATCH], number[ASP_BATCH];
   uint32_t word[2][ASP_BATCH];
 } block;
@@ -74,7 +96,7 @@ static void find_frames(block *b, size_t count, const double (*v1)[3], const dou
     b->v_n[i] = f.v_n;
     b->v_t[i] = f.v_t;
     b->per_length[i] = f.per_length;
-    b->again[i] = plain ? 0 : 1;
+    b->plain[i] = plain ? 1 : 0;
   }
 }
 
@@ -85,16 +107,17 @@ static void find_angles(block *b, size_t count) {
     b->alpha1[i] = angle_of(b->v_n[i], b->v_t[i]);
 }
 
-/* The first uniform number of each contact. */
+/* The next uniform number of each contact. */
 ASP_EACH_MACHINE
 static void draw(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
     philox4x32_key_t key = {{b->seed[i], b->fix[i]}};
-    philox4x32_ctr_t counter = {{b->low[i], b->high[i], b->number[i], 0}};
+    philox4x32_ctr_t counter = {{b->low[i], b->high[i], b->number[i], b->drawn[i] / 2}};
     philox4x32_ctr_t word = philox4x32(counter, key);
-    b->word[0][i] = word.v[0];
-    b->word[1][i] = word.v[1];
+    bool second = b->drawn[i] % 2 > 0;
+    b->word[0][i] = second ? word.v[2] : word.v[0];
+    b->word[1][i] = second ? word.v[3] : word.v[1];
   }
 #pragma omp simd
   for (size_t i = 0; i < count; i++)
@@ -118,8 +141,7 @@ static void tilt_nothing(block *b, size_t count) {
   }
 }
 
-/* The hit in the frame of its face, by the straight part of `rebound` in impact.c. A particle with
- * no direction of flight is left out where one has to be drawn. */
+/* The hit in the frame of its face, by the straight part of `rebound` in impact.c. */
 ASP_EACH_MACHINE
 static void meet(block *b, size_t count) {
 #pragma omp simd
@@ -128,47 +150,67 @@ static void meet(block *b, size_t count) {
     b->v_n1[i] = b->v_n[i] * c + b->v_t[i] * s;
     b->v_t1[i] = fabs(speed);
     b->side[i] = speed < 0 ? -1 : 1;
-    b->again[i] += b->v_n1[i] > 0 ? 0 : 1;
   }
 }
 
-/* The rebound, back in the lab frame, and whether it is clear how it ends. */
+/* The rebound, back in the lab frame, and whether it is clear how it ends. A face that the particle
+ * misses by far, or that sends it far into the wall, is one to draw again. */
 ASP_EACH_MACHINE
 static void turn_back(block *b, size_t count, bool deposits) {
   double least = deposits ? 0 : -1;
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
     double n2 = b->v_n2[i], t2 = b->side[i] * b->v_t2[i], s = b->sine[i], c = b->cosine[i];
-    double x = t2 * c - n2 * s, z = n2 * c + t2 * s;
+    double x = t2 * c - n2 * s, z = n2 * c + t2 * s, doubt = NEARLY_ALONG * fabs(x);
     vec n = {b->n[0][i], b->n[1][i], b->n[2][i]};
     vec along = {b->along[0][i], b->along[1][i], b->along[2][i]};
     vec v = plus(scaled(along, x * b->per_length[i]), z, n);
-    double moves = n2 > least ? 1 : 0;
-    bool clear = (z > NEARLY_ALONG * fabs(x)) & clearly_leaves(v, n);
-    b->v[0][i] = v.x * moves;
-    b->v[1][i] = v.y * moves;
-    b->v[2][i] = v.z * moves;
-    b->stays[i] = 1 - moves;
-    b->again[i] += b->near[i] + (clear ? 0 : moves);
+    bool moves = n2 > least, misses = b->v_n1[i] < -NEARLY_ALONG * b->v_t1[i];
+    bool hits = (b->v_n1[i] > NEARLY_ALONG * b->v_t1[i]) & (b->near[i] < 0.5);
+    bool ends = hits & ((n2 <= least) | ((z > doubt) & clearly_leaves(v, n)));
+    bool redraw = misses | (hits & moves & (z < -doubt));
+    b->v[0][i] = moves ? v.x : 0;
+    b->v[1][i] = moves ? v.y : 0;
+    b->v[2][i] = moves ? v.z : 0;
+    b->stays[i] = moves ? 0 : 1;
+    b->todo[i] = b->plain[i] > 0 ? ends ? DONE : redraw ? REDRAW : ANEW : ANEW;
   }
 }
 
 static void store_impacts(const block *b, size_t count, asp_impact *impact) {
   for (size_t i = 0; i < count; i++)
-    impact[i] = (asp_impact){.v2 = {b->v[0][i], b->v[1][i], b->v[2][i]},
-                             .delta_alpha = b->delta[i],
-                             .hits = 1,
-                             .outcome = b->stays[i] > 0 ? ASP_DEPOSIT : ASP_REBOUND};
+    impact[b->at[i]] = (asp_impact){.v2 = {b->v[0][i], b->v[1][i], b->v[2][i]},
+                                    .delta_alpha = b->delta[i],
+                                    .hits = 1,
+                                    .outcome = b->stays[i] > 0 ? ASP_DEPOSIT : ASP_REBOUND};
 }
 
-/* False where the law has no such call with these parameters. */
-static bool run_block(block *b, const asp_wall *wall, size_t count, const asp_particle *particle,
-                      const double (*v1)[3], const double (*n)[3], const asp_key *key,
-                      asp_impact *impact) {
-  load_particles(b, count, particle);
-  find_frames(b, count, v1, n);
+/* What is left to do. */
+static void finish(const block *b, const asp_wall *wall, size_t count, const contacts *c,
+                   waiting *w) {
+  size_t left[ASP_BATCH], n_left = 0;
+  for (size_t i = 0; i < count; i++) {
+    left[n_left] = i;
+    n_left += b->todo[i] > DONE;
+  }
+  for (size_t k = 0; k < n_left; k++) {
+    size_t i = left[k], at = b->at[i];
+    if (b->todo[i] > REDRAW || !wall->rough || b->drawn[i] + 1 == ASP_HITS_MAX)
+      asp_wall_impact(wall, &c->particle[at], c->v1[at], c->n[at], c->key[at], &c->impact[at]);
+    else {
+      w->at[w->count] = at;
+      w->drawn[w->count++] = b->drawn[i] + 1;
+    }
+  }
+}
+
+/* A block of contacts; b->at says where in `all` they are. */
+static void run_block(block *b, const asp_wall *wall, size_t count, contacts c, const contacts *all,
+                      waiting *w) {
+  load_particles(b, count, c.particle);
+  find_frames(b, count, c.v1, c.n);
   if (wall->rough) {
-    load_keys(b, count, key);
+    load_keys(b, count, c.key);
     load_slopes(b, count, wall);
     find_angles(b, count);
     draw(b, count);
@@ -180,31 +222,67 @@ static bool run_block(block *b, const asp_wall *wall, size_t count, const asp_pa
   meet(b, count);
   asp_hits hits = {b->v_n1,         b->v_t1,           b->d_p,      b->density,   b->modulus,
                    b->yield_stress, b->surface_energy, b->friction, wall->deposit};
-  if (!wall->law->rebound_n(wall->parameters, &hits, count, b->v_n2, b->v_t2, b->near))
-    return false;
+  wall->law->rebound_n(wall->parameters, &hits, count, b->v_n2, b->v_t2, b->near);
   turn_back(b, count, wall->deposit);
-  store_impacts(b, count, impact);
-  for (size_t i = 0; i < count; i++)
-    if (b->again[i] > 0)
-      asp_wall_impact(wall, &particle[i], v1[i], n[i], key[i], &impact[i]);
-  return true;
+  store_impacts(b, count, all->impact);
+  finish(b, wall, count, all, w);
 }
 
+/* The contacts from `from` on, by their first draw. */
+static void run_first(block *b, const asp_wall *wall, const contacts *all, size_t from,
+                      size_t count, waiting *w) {
+  for (size_t i = 0; i < count; i++) {
+    b->at[i] = from + i;
+    b->drawn[i] = 0;
+  }
+  contacts c = {all->particle + from, all->v1 + from, all->n + from, all->key + from, NULL};
+  run_block(b, wall, count, c, all, w);
+}
+
+/* A block of those that wait, by their next draw. */
+static void run_again(block *b, const asp_wall *wall, const contacts *all, waiting *w) {
+  asp_particle particle[ASP_BATCH];
+  double v1[ASP_BATCH][3], n[ASP_BATCH][3];
+  asp_key key[ASP_BATCH];
+  size_t count = w->count < ASP_BATCH ? w->count : ASP_BATCH;
+  w->count -= count;
+  for (size_t i = 0; i < count; i++) {
+    size_t at = b->at[i] = w->at[w->count + i];
+    b->drawn[i] = w->drawn[w->count + i];
+    particle[i] = all->particle[at];
+    store(load(all->v1[at]), v1[i]);
+    store(load(all->n[at]), n[i]);
+    key[i] = all->key[at];
+  }
+  contacts c = {particle, (const double(*)[3])v1, (const double(*)[3])n, key, NULL};
+  run_block(b, wall, count, c, all, w);
+}
+
+/* Whether the wall's law and model have calls for many contacts. */
 static bool is_straight(const asp_wall *wall) {
   bool tilts = !wall->rough || (wall->spread->quantile && !wall->multiple && !wall->isotropic);
-  return tilts && wall->law->rebound_n;
+  asp_hits none = {0};
+  return tilts && wall->law->rebound_n &&
+         wall->law->rebound_n(wall->parameters, &none, 0, NULL, NULL, NULL);
 }
 
 void asp_wall_impact_n(const asp_wall *wall, size_t count, const asp_particle *particle,
                        const double (*v1)[3], const double (*n)[3], const asp_key *key,
                        asp_impact *impact) {
+  contacts all = {particle, v1, n, key, impact};
   block b;
-  bool straight = is_straight(wall);
-  for (size_t i = 0; i < count; i += ASP_BATCH) {
-    size_t size = count - i < ASP_BATCH ? count - i : ASP_BATCH;
-    straight =
-        straight && run_block(&b, wall, size, particle + i, v1 + i, n + i, key + i, impact + i);
-    for (size_t j = i; j < i + size && !straight; j++)
-      asp_wall_impact(wall, &particle[j], v1[j], n[j], key[j], &impact[j]);
+  waiting w;
+  w.count = 0;
+  if (!is_straight(wall)) {
+    for (size_t i = 0; i < count; i++)
+      asp_wall_impact(wall, &particle[i], v1[i], n[i], key[i], &impact[i]);
+    return;
   }
+  for (size_t i = 0; i < count; i += ASP_BATCH) {
+    run_first(&b, wall, &all, i, count - i < ASP_BATCH ? count - i : ASP_BATCH, &w);
+    while (w.count >= ASP_BATCH)
+      run_again(&b, wall, &all, &w);
+  }
+  while (w.count > 0)
+    run_again(&b, wall, &all, &w);
 }
