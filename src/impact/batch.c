@@ -8,6 +8,8 @@
 #include "simd.h"
 #include "spread/models.h"
 
+#include <string.h>
+
 /* A rebound, or an approach to a face, whose slope is below this is for asp_wall_impact to judge.
  */
 #define NEARLY_ALONG 1e-10
@@ -45,6 +47,12 @@ typedef struct block {
   uint32_t word[2][ASP_BATCH];
 } block;
 
+/* Whether all are of the first one's size, density and pair: a record without gaps. */
+static bool are_alike(size_t count, const asp_particle *particle) {
+  return memcmp(particle, particle + 1, (count - 1) * sizeof *particle) == 0;
+}
+
+/* Of particles that are alike, the first. */
 static void load_particles(block *b, size_t count, const asp_particle *particle) {
   for (size_t i = 0; i < count; i++) {
     b->d_p[i] = particle[i].d_p;
@@ -67,14 +75,19 @@ static void load_keys(block *b, size_t count, const asp_key *key) {
 }
 
 /* The wall as each particle meets it; the same again for neighbours of one size. */
-static void load_slopes(block *b, size_t count, const asp_wall *wall) {
+static void load_slopes(block *b, size_t count, const asp_wall *wall, bool alike) {
   double d_p = -1, slope = 0, sigma = 0;
-  for (size_t i = 0; i < count; i++) {
+  for (size_t i = 0; i < (alike ? 1 : count); i++) {
     if (b->d_p[i] < d_p || b->d_p[i] > d_p) {
       d_p = b->d_p[i];
       slope = asp_surface_slope(wall->surface, d_p);
       sigma = asp_wall_sigma(wall, slope);
     }
+    b->slope[i] = slope;
+    b->sigma[i] = sigma;
+  }
+  for (size_t i = 1; i < (alike ? count : 1); i++) {
+    b->d_p[i] = d_p;
     b->slope[i] = slope;
     b->sigma[i] = sigma;
   }
@@ -207,11 +220,12 @@ static void finish(const block *b, const asp_wall *wall, size_t count, const con
 /* A block of contacts; b->at says where in `all` they are. */
 static void run_block(block *b, const asp_wall *wall, size_t count, contacts c, const contacts *all,
                       waiting *w) {
-  load_particles(b, count, c.particle);
+  bool alike = are_alike(count, c.particle);
+  load_particles(b, alike ? 1 : count, c.particle);
   find_frames(b, count, c.v1, c.n);
   if (wall->rough) {
     load_keys(b, count, c.key);
-    load_slopes(b, count, wall);
+    load_slopes(b, count, wall, alike);
     find_angles(b, count);
     draw(b, count);
     asp_views views = {b->slope, b->sigma, b->alpha1, b->d_p, wall->data};
@@ -220,8 +234,8 @@ static void run_block(block *b, const asp_wall *wall, size_t count, contacts c, 
   } else
     tilt_nothing(b, count);
   meet(b, count);
-  asp_hits hits = {b->v_n1,         b->v_t1,           b->d_p,      b->density,   b->modulus,
-                   b->yield_stress, b->surface_energy, b->friction, wall->deposit};
+  asp_hits hits = {b->v_n1,         b->v_t1,           b->d_p,      b->density, b->modulus,
+                   b->yield_stress, b->surface_energy, b->friction, alike,      wall->deposit};
   wall->law->rebound_n(wall->parameters, &hits, count, b->v_n2, b->v_t2, b->near);
   turn_back(b, count, wall->deposit);
   store_impacts(b, count, all->impact);
