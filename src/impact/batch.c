@@ -25,7 +25,7 @@ typedef struct contacts {
 /* Contacts to be drawn again: where they are, and how many draws they have had. */
 typedef struct waiting {
   size_t count, at[2 * ASP_BATCH];
-  uint32_t drawn[2 * ASP_BATCH];
+  uint16_t drawn[2 * ASP_BATCH];
 } waiting;
 
 typedef double row[ASP_BATCH];
@@ -35,8 +35,8 @@ enum { DONE, REDRAW, ANEW };
 
 /* One block, by component. */
 typedef struct block {
-  size_t at[ASP_BATCH]; /* of the contacts */
-  uint32_t drawn[ASP_BATCH];
+  size_t at[ASP_BATCH];                     /* of the contacts */
+  uint16_t drawn[ASP_BATCH];                /* their draws so far */
   row n[3], along[3], v_n, v_t, per_length; /* the frame */
   row d_p, density, modulus, yield_stress, surface_energy, friction;
   row slope, sigma, alpha1, u, delta, sine, cosine;
@@ -120,13 +120,15 @@ static void find_angles(block *b, size_t count) {
     b->alpha1[i] = angle_of(b->v_n[i], b->v_t[i]);
 }
 
-/* The next uniform number of each contact. */
+/* The next uniform number of each contact. Every round of Philox waits for the one before; as
+ * `drawn` is of 16 bits, the compiler takes so many contacts at once that the waiting does not
+ * show. */
 ASP_EACH_MACHINE
 static void draw(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
     philox4x32_key_t key = {{b->seed[i], b->fix[i]}};
-    philox4x32_ctr_t counter = {{b->low[i], b->high[i], b->number[i], b->drawn[i] / 2}};
+    philox4x32_ctr_t counter = {{b->low[i], b->high[i], b->number[i], b->drawn[i] / 2u}};
     philox4x32_ctr_t word = philox4x32(counter, key);
     bool second = b->drawn[i] % 2 > 0;
     b->word[0][i] = second ? word.v[2] : word.v[0];
@@ -212,7 +214,7 @@ static void finish(const block *b, const asp_wall *wall, size_t count, const con
       asp_wall_impact(wall, &c->particle[at], c->v1[at], c->n[at], c->key[at], &c->impact[at]);
     else {
       w->at[w->count] = at;
-      w->drawn[w->count++] = b->drawn[i] + 1;
+      w->drawn[w->count++] = (uint16_t)(b->drawn[i] + 1);
     }
   }
 }
