@@ -41,7 +41,7 @@ typedef struct block {
   row d_p, density, modulus, yield_stress, surface_energy, friction;
   row slope, sigma, alpha1, u, delta, sine, cosine;
   row v_n1, v_t1, side, v_n2, v_t2, v[3]; /* the hit; side: the sign of the speed along the face */
-  row plain, near, stays;                 /* 1 or 0; the frame; near a threshold; a deposit */
+  row known, near, stays;                 /* 1 or 0; the frame; near a threshold; a deposit */
   row todo;
   uint32_t seed[ASP_BATCH], fix[ASP_BATCH], low[ASP_BATCH], high[ASP_BATCH], number[ASP_BATCH];
   uint32_t word[2][ASP_BATCH];
@@ -93,24 +93,42 @@ static void load_slopes(block *b, size_t count, const asp_wall *wall, bool alike
   }
 }
 
+static inline void store_frame(block *b, size_t i, frame f, bool known) {
+  b->n[0][i] = f.n.x;
+  b->n[1][i] = f.n.y;
+  b->n[2][i] = f.n.z;
+  b->along[0][i] = f.along.x;
+  b->along[1][i] = f.along.y;
+  b->along[2][i] = f.along.z;
+  b->v_n[i] = f.v_n;
+  b->v_t[i] = f.v_t;
+  b->per_length[i] = f.per_length;
+  b->known[i] = known ? 1 : 0;
+}
+
+/* Returns how many of them are not known yet. */
 ASP_EACH_MACHINE
-static void find_frames(block *b, size_t count, const double (*v1)[3], const double (*n)[3]) {
-#pragma omp simd
+static size_t find_frames(block *b, size_t count, const double (*v1)[3], const double (*n)[3]) {
+  size_t unknown = 0;
+#pragma omp simd reduction(+ : unknown)
   for (size_t i = 0; i < count; i++) {
     bool plain;
     frame f =
         plain_frame((vec){v1[i][0], v1[i][1], v1[i][2]}, (vec){n[i][0], n[i][1], n[i][2]}, &plain);
-    b->n[0][i] = f.n.x;
-    b->n[1][i] = f.n.y;
-    b->n[2][i] = f.n.z;
-    b->along[0][i] = f.along.x;
-    b->along[1][i] = f.along.y;
-    b->along[2][i] = f.along.z;
-    b->v_n[i] = f.v_n;
-    b->v_t[i] = f.v_t;
-    b->per_length[i] = f.per_length;
-    b->plain[i] = plain ? 1 : 0;
+    store_frame(b, i, f, plain);
+    unknown += plain ? 0 : 1;
   }
+  return unknown;
+}
+
+/* Those that need care, as in asp_wall_impact; a velocity without a direction is left to it. */
+static void find_careful_frames(block *b, size_t count, const double (*v1)[3],
+                                const double (*n)[3]) {
+  for (size_t i = 0; i < count; i++)
+    if (b->known[i] < 1) {
+      frame f = careful_frame(load(v1[i]), unit(load(n[i])));
+      store_frame(b, i, f, has_direction(&f));
+    }
 }
 
 ASP_EACH_MACHINE
@@ -188,7 +206,7 @@ static void turn_back(block *b, size_t count, bool deposits) {
     b->v[1][i] = moves ? v.y : 0;
     b->v[2][i] = moves ? v.z : 0;
     b->stays[i] = moves ? 0 : 1;
-    b->todo[i] = b->plain[i] > 0 ? ends ? DONE : redraw ? REDRAW : ANEW : ANEW;
+    b->todo[i] = b->known[i] > 0 ? ends ? DONE : redraw ? REDRAW : ANEW : ANEW;
   }
 }
 
@@ -224,7 +242,8 @@ static void run_block(block *b, const asp_wall *wall, size_t count, contacts c, 
                       waiting *w) {
   bool alike = are_alike(count, c.particle);
   load_particles(b, alike ? 1 : count, c.particle);
-  find_frames(b, count, c.v1, c.n);
+  if (find_frames(b, count, c.v1, c.n) > 0)
+    find_careful_frames(b, count, c.v1, c.n);
   if (wall->rough) {
     load_keys(b, count, c.key);
     load_slopes(b, count, wall, alike);
