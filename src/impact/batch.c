@@ -14,19 +14,13 @@
  */
 #define NEARLY_ALONG 1e-10
 
-/* What asp_wall_impact_n was given. */
+/* Contacts as asp_wall_impact_n is given them: all, or those of a block. */
 typedef struct contacts {
   const asp_particle *particle;
   const double (*v1)[3], (*n)[3];
   const asp_key *key;
   asp_impact *impact;
 } contacts;
-
-/* Contacts to be drawn again: where they are, and how many draws they have had. */
-typedef struct waiting {
-  size_t count, at[2 * ASP_BATCH];
-  uint16_t drawn[2 * ASP_BATCH];
-} waiting;
 
 typedef double row[ASP_BATCH];
 
@@ -35,17 +29,27 @@ enum { DONE, REDRAW, ANEW };
 
 /* One block, by component. */
 typedef struct block {
-  size_t at[ASP_BATCH];                     /* of the contacts */
-  uint16_t drawn[ASP_BATCH];                /* their draws so far */
+  uint16_t drawn[ASP_BATCH];                /* draws so far */
   row n[3], along[3], v_n, v_t, per_length; /* the frame */
   row d_p, density, modulus, yield_stress, surface_energy, friction;
   row slope, sigma, alpha1, u, delta, sine, cosine;
   row v_n1, v_t1, side, v_n2, v_t2, v[3]; /* the hit; side: the sign of the speed along the face */
-  row known, near, stays;                 /* 1 or 0; the frame; near a threshold; a deposit */
-  row todo;
-  uint32_t seed[ASP_BATCH], fix[ASP_BATCH], low[ASP_BATCH], high[ASP_BATCH], number[ASP_BATCH];
+  row known, near;                        /* 1 or 0; the frame; near a threshold */
+  size_t outcome[ASP_BATCH], todo[ASP_BATCH];
+  uint64_t tag[ASP_BATCH];
+  uint32_t seed[ASP_BATCH], fix[ASP_BATCH], number[ASP_BATCH];
   uint32_t word[2][ASP_BATCH];
+  double of_one; /* the rows d_p, slope and sigma hold this size in all places; or 0 */
 } block;
+
+/* A batch under way. Contacts that wait are to be drawn again, and have been drawn so often. */
+typedef struct batch {
+  const asp_wall *wall;
+  contacts all;
+  block b;
+  size_t n_waiting, waiting[2 * ASP_BATCH];
+  uint16_t drawn[2 * ASP_BATCH];
+} batch;
 
 /* Whether all are of the first one's size, density and pair: a record without gaps. */
 static bool are_alike(size_t count, const asp_particle *particle) {
@@ -68,16 +72,15 @@ static void load_keys(block *b, size_t count, const asp_key *key) {
   for (size_t i = 0; i < count; i++) {
     b->seed[i] = key[i].seed;
     b->fix[i] = key[i].fix;
-    b->low[i] = (uint32_t)key[i].tag;
-    b->high[i] = (uint32_t)(key[i].tag >> 32);
+    b->tag[i] = key[i].tag;
     b->number[i] = key[i].impact;
   }
 }
 
 /* The wall as each particle meets it; the same again for neighbours of one size. */
-static void load_slopes(block *b, size_t count, const asp_wall *wall, bool alike) {
+static void load_slopes(block *b, size_t count, const asp_wall *wall) {
   double d_p = -1, slope = 0, sigma = 0;
-  for (size_t i = 0; i < (alike ? 1 : count); i++) {
+  for (size_t i = 0; i < count; i++) {
     if (b->d_p[i] < d_p || b->d_p[i] > d_p) {
       d_p = b->d_p[i];
       slope = asp_surface_slope(wall->surface, d_p);
@@ -86,11 +89,23 @@ static void load_slopes(block *b, size_t count, const asp_wall *wall, bool alike
     b->slope[i] = slope;
     b->sigma[i] = sigma;
   }
-  for (size_t i = 1; i < (alike ? count : 1); i++) {
+  b->of_one = 0;
+}
+
+/* The same for particles of one size, which the block before may have had. */
+ASP_EACH_MACHINE
+static void load_slope(block *b, const asp_wall *wall) {
+  double d_p = b->d_p[0], slope, sigma;
+  if (!(d_p < b->of_one) && !(d_p > b->of_one))
+    return;
+  slope = asp_surface_slope(wall->surface, d_p);
+  sigma = asp_wall_sigma(wall, slope);
+  for (size_t i = 0; i < ASP_BATCH; i++) {
     b->d_p[i] = d_p;
     b->slope[i] = slope;
     b->sigma[i] = sigma;
   }
+  b->of_one = d_p;
 }
 
 static inline void store_frame(block *b, size_t i, frame f, bool known) {
@@ -146,7 +161,8 @@ static void draw(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
     philox4x32_key_t key = {{b->seed[i], b->fix[i]}};
-    philox4x32_ctr_t counter = {{b->low[i], b->high[i], b->number[i], b->drawn[i] / 2u}};
+    philox4x32_ctr_t counter = {
+        {(uint32_t)b->tag[i], (uint32_t)(b->tag[i] >> 32), b->number[i], b->drawn[i] / 2u}};
     philox4x32_ctr_t word = philox4x32(counter, key);
     bool second = b->drawn[i] % 2 > 0;
     b->word[0][i] = second ? word.v[2] : word.v[0];
@@ -205,48 +221,50 @@ static void turn_back(block *b, size_t count, bool deposits) {
     b->v[0][i] = moves ? v.x : 0;
     b->v[1][i] = moves ? v.y : 0;
     b->v[2][i] = moves ? v.z : 0;
-    b->stays[i] = moves ? 0 : 1;
+    b->outcome[i] = moves ? ASP_REBOUND : ASP_DEPOSIT;
     b->todo[i] = b->known[i] > 0 ? ends ? DONE : redraw ? REDRAW : ANEW : ANEW;
   }
 }
 
 static void store_impacts(const block *b, size_t count, asp_impact *impact) {
   for (size_t i = 0; i < count; i++)
-    impact[b->at[i]] = (asp_impact){.v2 = {b->v[0][i], b->v[1][i], b->v[2][i]},
-                                    .delta_alpha = b->delta[i],
-                                    .hits = 1,
-                                    .outcome = b->stays[i] > 0 ? ASP_DEPOSIT : ASP_REBOUND};
+    impact[i] = (asp_impact){.v2 = {b->v[0][i], b->v[1][i], b->v[2][i]},
+                             .delta_alpha = b->delta[i],
+                             .hits = 1,
+                             .outcome = (asp_outcome)b->outcome[i]};
 }
 
-/* What is left to do. */
-static void finish(const block *b, const asp_wall *wall, size_t count, const contacts *c,
-                   waiting *w) {
+/* Contact i of the block is left to asp_wall_impact, or waits: it is at `at` in the batch. */
+static void leave(batch *k, const contacts *c, size_t i, size_t at) {
+  if (k->b.todo[i] == REDRAW && k->wall->rough && k->b.drawn[i] + 1 < ASP_HITS_MAX) {
+    k->waiting[k->n_waiting] = at;
+    k->drawn[k->n_waiting++] = (uint16_t)(k->b.drawn[i] + 1);
+  } else
+    asp_wall_impact(k->wall, &c->particle[i], c->v1[i], c->n[i], c->key[i], &c->impact[i]);
+}
+
+/* The block's contacts are at `at` in the batch, or if that is NULL, from `from` on. */
+static void finish(batch *k, const contacts *c, size_t count, size_t from, const size_t *at) {
   size_t left[ASP_BATCH], n_left = 0;
   for (size_t i = 0; i < count; i++) {
     left[n_left] = i;
-    n_left += b->todo[i] > DONE;
+    n_left += k->b.todo[i] != DONE;
   }
-  for (size_t k = 0; k < n_left; k++) {
-    size_t i = left[k], at = b->at[i];
-    if (b->todo[i] > REDRAW || !wall->rough || b->drawn[i] + 1 == ASP_HITS_MAX)
-      asp_wall_impact(wall, &c->particle[at], c->v1[at], c->n[at], c->key[at], &c->impact[at]);
-    else {
-      w->at[w->count] = at;
-      w->drawn[w->count++] = (uint16_t)(b->drawn[i] + 1);
-    }
-  }
+  for (size_t j = 0; j < n_left; j++)
+    leave(k, c, left[j], at ? at[left[j]] : from + left[j]);
 }
 
-/* A block of contacts; b->at says where in `all` they are. */
-static void run_block(block *b, const asp_wall *wall, size_t count, contacts c, const contacts *all,
-                      waiting *w) {
-  bool alike = are_alike(count, c.particle);
-  load_particles(b, alike ? 1 : count, c.particle);
-  if (find_frames(b, count, c.v1, c.n) > 0)
-    find_careful_frames(b, count, c.v1, c.n);
+static void run_block(const asp_wall *wall, block *b, const contacts *c, size_t count) {
+  bool alike = are_alike(count, c->particle);
+  load_particles(b, alike ? 1 : count, c->particle);
+  if (find_frames(b, count, c->v1, c->n) > 0)
+    find_careful_frames(b, count, c->v1, c->n);
   if (wall->rough) {
-    load_keys(b, count, c.key);
-    load_slopes(b, count, wall, alike);
+    load_keys(b, count, c->key);
+    if (alike)
+      load_slope(b, wall);
+    else
+      load_slopes(b, count, wall);
     find_angles(b, count);
     draw(b, count);
     asp_views views = {b->slope, b->sigma, b->alpha1, b->d_p, wall->data};
@@ -259,38 +277,39 @@ static void run_block(block *b, const asp_wall *wall, size_t count, contacts c, 
                    b->yield_stress, b->surface_energy, b->friction, alike,      wall->deposit};
   wall->law->rebound_n(wall->parameters, &hits, count, b->v_n2, b->v_t2, b->near);
   turn_back(b, count, wall->deposit);
-  store_impacts(b, count, all->impact);
-  finish(b, wall, count, all, w);
+  store_impacts(b, count, c->impact);
 }
 
 /* The contacts from `from` on, by their first draw. */
-static void run_first(block *b, const asp_wall *wall, const contacts *all, size_t from,
-                      size_t count, waiting *w) {
-  for (size_t i = 0; i < count; i++) {
-    b->at[i] = from + i;
-    b->drawn[i] = 0;
-  }
-  contacts c = {all->particle + from, all->v1 + from, all->n + from, all->key + from, NULL};
-  run_block(b, wall, count, c, all, w);
+static void run_first(batch *k, size_t from, size_t count) {
+  contacts c = {k->all.particle + from, k->all.v1 + from, k->all.n + from, k->all.key + from,
+                k->all.impact + from};
+  memset(k->b.drawn, 0, sizeof k->b.drawn);
+  run_block(k->wall, &k->b, &c, count);
+  finish(k, &c, count, from, NULL);
 }
 
-/* A block of those that wait, by their next draw. */
-static void run_again(block *b, const asp_wall *wall, const contacts *all, waiting *w) {
+/* The last of those that wait, by their next draw. */
+static void run_again(batch *k) {
   asp_particle particle[ASP_BATCH];
   double v1[ASP_BATCH][3], n[ASP_BATCH][3];
   asp_key key[ASP_BATCH];
-  size_t count = w->count < ASP_BATCH ? w->count : ASP_BATCH;
-  w->count -= count;
+  asp_impact impact[ASP_BATCH];
+  size_t at[ASP_BATCH], count = k->n_waiting < ASP_BATCH ? k->n_waiting : ASP_BATCH;
+  k->n_waiting -= count;
   for (size_t i = 0; i < count; i++) {
-    size_t at = b->at[i] = w->at[w->count + i];
-    b->drawn[i] = w->drawn[w->count + i];
-    particle[i] = all->particle[at];
-    store(load(all->v1[at]), v1[i]);
-    store(load(all->n[at]), n[i]);
-    key[i] = all->key[at];
+    at[i] = k->waiting[k->n_waiting + i];
+    k->b.drawn[i] = k->drawn[k->n_waiting + i];
+    particle[i] = k->all.particle[at[i]];
+    store(load(k->all.v1[at[i]]), v1[i]);
+    store(load(k->all.n[at[i]]), n[i]);
+    key[i] = k->all.key[at[i]];
   }
-  contacts c = {particle, (const double(*)[3])v1, (const double(*)[3])n, key, NULL};
-  run_block(b, wall, count, c, all, w);
+  contacts c = {particle, (const double(*)[3])v1, (const double(*)[3])n, key, impact};
+  run_block(k->wall, &k->b, &c, count);
+  finish(k, &c, count, 0, at);
+  for (size_t i = 0; i < count; i++)
+    k->all.impact[at[i]] = impact[i];
 }
 
 /* Whether the wall's law and model have calls for many contacts. */
@@ -301,23 +320,28 @@ static bool is_straight(const asp_wall *wall) {
          wall->law->rebound_n(wall->parameters, &none, 0, NULL, NULL, NULL);
 }
 
+static void one_by_one(const asp_wall *wall, size_t count, const contacts *c) {
+  for (size_t i = 0; i < count; i++)
+    asp_wall_impact(wall, &c->particle[i], c->v1[i], c->n[i], c->key[i], &c->impact[i]);
+}
+
 void asp_wall_impact_n(const asp_wall *wall, size_t count, const asp_particle *particle,
                        const double (*v1)[3], const double (*n)[3], const asp_key *key,
                        asp_impact *impact) {
-  contacts all = {particle, v1, n, key, impact};
-  block b;
-  waiting w;
-  w.count = 0;
+  batch k;
+  k.wall = wall;
+  k.all = (contacts){particle, v1, n, key, impact};
+  k.n_waiting = 0;
+  k.b.of_one = 0;
   if (!is_straight(wall)) {
-    for (size_t i = 0; i < count; i++)
-      asp_wall_impact(wall, &particle[i], v1[i], n[i], key[i], &impact[i]);
+    one_by_one(wall, count, &k.all);
     return;
   }
   for (size_t i = 0; i < count; i += ASP_BATCH) {
-    run_first(&b, wall, &all, i, count - i < ASP_BATCH ? count - i : ASP_BATCH, &w);
-    while (w.count >= ASP_BATCH)
-      run_again(&b, wall, &all, &w);
+    run_first(&k, i, count - i < ASP_BATCH ? count - i : ASP_BATCH);
+    while (k.n_waiting >= ASP_BATCH)
+      run_again(&k);
   }
-  while (w.count > 0)
-    run_again(&b, wall, &all, &w);
+  while (k.n_waiting > 0)
+    run_again(&k);
 }
