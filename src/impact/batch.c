@@ -68,6 +68,23 @@ static void load_particles(block *b, size_t count, const asp_particle *particle)
   }
 }
 
+/* Copied and taken apart in vector code where a key is three words of 64 bits, low halves first. */
+#ifdef __x86_64__
+_Static_assert(sizeof(asp_key) == 24 && offsetof(asp_key, tag) == 8, "load_keys");
+
+ASP_EACH_MACHINE
+static void load_keys(block *b, size_t count, const asp_key *key) {
+  uint64_t word[3 * ASP_BATCH];
+  memcpy(word, key, count * sizeof *key);
+#pragma omp simd
+  for (size_t i = 0; i < count; i++) {
+    b->seed[i] = (uint32_t)word[3 * i];
+    b->fix[i] = (uint32_t)(word[3 * i] >> 32);
+    b->tag[i] = word[3 * i + 1];
+    b->number[i] = (uint32_t)word[3 * i + 2];
+  }
+}
+#else
 static void load_keys(block *b, size_t count, const asp_key *key) {
   for (size_t i = 0; i < count; i++) {
     b->seed[i] = key[i].seed;
@@ -76,6 +93,7 @@ static void load_keys(block *b, size_t count, const asp_key *key) {
     b->number[i] = key[i].impact;
   }
 }
+#endif
 
 /* The wall as each particle meets it; the same again for neighbours of one size. */
 static void load_slopes(block *b, size_t count, const asp_wall *wall) {
