@@ -220,8 +220,9 @@ static void meet(block *b, size_t count) {
   }
 }
 
-/* The rebound, back in the lab frame, and whether it is clear how it ends. A face that the particle
- * misses by far, or that sends it far into the wall, is one to draw again. */
+/* The rebound, back in the lab frame, and whether it is clear how it ends, which the last bits of v
+ * cannot change. A face that the particle misses by far, or that sends it far into the wall, is one
+ * to draw again. */
 ASP_EACH_MACHINE
 static void turn_back(block *b, size_t count, bool deposits) {
   double least = deposits ? 0 : -1;
@@ -234,7 +235,7 @@ static void turn_back(block *b, size_t count, bool deposits) {
     vec v = plus(scaled(along, x * b->per_length[i]), z, n);
     bool moves = n2 > least, misses = b->v_n1[i] < -NEARLY_ALONG * b->v_t1[i];
     bool hits = (b->v_n1[i] > NEARLY_ALONG * b->v_t1[i]) & (b->near[i] < 0.5);
-    bool ends = hits & ((n2 <= least) | ((z > doubt) & clearly_leaves(v, n)));
+    bool ends = hits & ((n2 <= least) | (z > doubt));
     bool redraw = misses | (hits & moves & (z < -doubt));
     b->v[0][i] = moves ? v.x : 0;
     b->v[1][i] = moves ? v.y : 0;
