@@ -191,32 +191,29 @@ static void draw(block *b, size_t count) {
     b->u[i] = asp_uniform_of(b->word[0][i], b->word[1][i]);
 }
 
-ASP_EACH_MACHINE
-static void tilt(block *b, size_t count) {
-#pragma omp simd
-  for (size_t i = 0; i < count; i++) {
-    asp_turn by = asp_turn_by(b->delta[i]);
-    b->sine[i] = by.sine;
-    b->cosine[i] = by.cosine;
-  }
-}
-
-static void tilt_nothing(block *b, size_t count) {
-  for (size_t i = 0; i < count; i++) {
-    b->delta[i] = b->sine[i] = 0;
-    b->cosine[i] = 1;
-  }
-}
-
 /* The hit in the frame of its face, by the straight part of `rebound` in impact.c. */
 ASP_EACH_MACHINE
 static void meet(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
-    double s = b->sine[i], c = b->cosine[i], speed = b->v_t[i] * c - b->v_n[i] * s;
-    b->v_n1[i] = b->v_n[i] * c + b->v_t[i] * s;
+    asp_turn by = asp_turn_by(b->delta[i]);
+    double speed = b->v_t[i] * by.cosine - b->v_n[i] * by.sine;
+    b->sine[i] = by.sine;
+    b->cosine[i] = by.cosine;
+    b->v_n1[i] = b->v_n[i] * by.cosine + b->v_t[i] * by.sine;
     b->v_t1[i] = fabs(speed);
     b->side[i] = speed < 0 ? -1 : 1;
+  }
+}
+
+/* The same on a smooth wall. */
+ASP_EACH_MACHINE
+static void meet_mean_wall(block *b, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    b->delta[i] = b->sine[i] = 0;
+    b->cosine[i] = b->side[i] = 1;
+    b->v_n1[i] = b->v_n[i];
+    b->v_t1[i] = b->v_t[i];
   }
 }
 
@@ -288,10 +285,9 @@ static void run_block(const asp_wall *wall, block *b, const contacts *c, size_t 
     draw(b, count);
     asp_views views = {b->slope, b->sigma, b->alpha1, b->d_p, wall->data};
     asp_views_quantile(wall->spread, &views, count, b->u, b->delta);
-    tilt(b, count);
+    meet(b, count);
   } else
-    tilt_nothing(b, count);
-  meet(b, count);
+    meet_mean_wall(b, count);
   asp_hits hits = {b->v_n1,         b->v_t1,           b->d_p,      b->density, b->modulus,
                    b->yield_stress, b->surface_energy, b->friction, alike,      wall->deposit};
   wall->law->rebound_n(wall->parameters, &hits, count, b->v_n2, b->v_t2, b->near);
