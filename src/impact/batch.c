@@ -47,6 +47,7 @@ typedef struct batch {
   const asp_wall *wall;
   contacts all;
   block b;
+  size_t at[ASP_BATCH]; /* the places of a block's contacts that are drawn again */
   size_t n_waiting, waiting[2 * ASP_BATCH];
   uint16_t drawn[2 * ASP_BATCH];
 } batch;
@@ -219,11 +220,12 @@ static void meet_mean_wall(block *b, size_t count) {
 
 /* The rebound, back in the lab frame, and whether it is clear how it ends, which the last bits of v
  * cannot change. A face that the particle misses by far, or that sends it far into the wall, is one
- * to draw again. */
+ * to draw again. Returns how many are not done. */
 ASP_EACH_MACHINE
-static void turn_back(block *b, size_t count, bool deposits) {
+static size_t turn_back(block *b, size_t count, bool deposits) {
   double least = deposits ? 0 : -1;
-#pragma omp simd
+  size_t left = 0;
+#pragma omp simd reduction(+ : left)
   for (size_t i = 0; i < count; i++) {
     double n2 = b->v_n2[i], t2 = b->side[i] * b->v_t2[i], s = b->sine[i], c = b->cosine[i];
     double x = t2 * c - n2 * s, z = n2 * c + t2 * s, doubt = NEARLY_ALONG * fabs(x);
@@ -239,7 +241,9 @@ static void turn_back(block *b, size_t count, bool deposits) {
     b->v[2][i] = moves ? v.z : 0;
     b->outcome[i] = moves ? ASP_REBOUND : ASP_DEPOSIT;
     b->todo[i] = b->known[i] > 0 ? ends ? DONE : redraw ? REDRAW : ANEW : ANEW;
+    left += b->todo[i] != DONE;
   }
+  return left;
 }
 
 static void store_impacts(const block *b, size_t count, asp_impact *impact) {
@@ -270,7 +274,8 @@ static void finish(batch *k, const contacts *c, size_t count, size_t from, const
     leave(k, c, left[j], at ? at[left[j]] : from + left[j]);
 }
 
-static void run_block(const asp_wall *wall, block *b, const contacts *c, size_t count) {
+/* Returns how many contacts are not done. */
+static size_t run_block(const asp_wall *wall, block *b, const contacts *c, size_t count) {
   bool alike = are_alike(count, c->particle);
   load_particles(b, alike ? 1 : count, c->particle);
   if (find_frames(b, count, c->v1, c->n) > 0)
@@ -291,8 +296,9 @@ static void run_block(const asp_wall *wall, block *b, const contacts *c, size_t 
   asp_hits hits = {b->v_n1,         b->v_t1,           b->d_p,      b->density, b->modulus,
                    b->yield_stress, b->surface_energy, b->friction, alike,      wall->deposit};
   wall->law->rebound_n(wall->parameters, &hits, count, b->v_n2, b->v_t2, b->near);
-  turn_back(b, count, wall->deposit);
+  size_t left = turn_back(b, count, wall->deposit);
   store_impacts(b, count, c->impact);
+  return left;
 }
 
 /* The contacts from `from` on, by their first draw. */
@@ -300,8 +306,8 @@ static void run_first(batch *k, size_t from, size_t count) {
   contacts c = {k->all.particle + from, k->all.v1 + from, k->all.n + from, k->all.key + from,
                 k->all.impact + from};
   memset(k->b.drawn, 0, sizeof k->b.drawn);
-  run_block(k->wall, &k->b, &c, count);
-  finish(k, &c, count, from, NULL);
+  if (run_block(k->wall, &k->b, &c, count) > 0)
+    finish(k, &c, count, from, NULL);
 }
 
 /* The last of those that wait, by their next draw. */
@@ -310,21 +316,21 @@ static void run_again(batch *k) {
   double v1[ASP_BATCH][3], n[ASP_BATCH][3];
   asp_key key[ASP_BATCH];
   asp_impact impact[ASP_BATCH];
-  size_t at[ASP_BATCH], count = k->n_waiting < ASP_BATCH ? k->n_waiting : ASP_BATCH;
+  size_t count = k->n_waiting < ASP_BATCH ? k->n_waiting : ASP_BATCH;
   k->n_waiting -= count;
   for (size_t i = 0; i < count; i++) {
-    at[i] = k->waiting[k->n_waiting + i];
+    size_t at = k->at[i] = k->waiting[k->n_waiting + i];
     k->b.drawn[i] = k->drawn[k->n_waiting + i];
-    particle[i] = k->all.particle[at[i]];
-    store(load(k->all.v1[at[i]]), v1[i]);
-    store(load(k->all.n[at[i]]), n[i]);
-    key[i] = k->all.key[at[i]];
+    particle[i] = k->all.particle[at];
+    store(load(k->all.v1[at]), v1[i]);
+    store(load(k->all.n[at]), n[i]);
+    key[i] = k->all.key[at];
   }
   contacts c = {particle, (const double(*)[3])v1, (const double(*)[3])n, key, impact};
-  run_block(k->wall, &k->b, &c, count);
-  finish(k, &c, count, 0, at);
+  if (run_block(k->wall, &k->b, &c, count) > 0)
+    finish(k, &c, count, 0, k->at);
   for (size_t i = 0; i < count; i++)
-    k->all.impact[at[i]] = impact[i];
+    k->all.impact[k->at[i]] = impact[i];
 }
 
 /* Whether the wall's law and model have calls for many contacts. */
