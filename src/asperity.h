@@ -531,6 +531,7 @@ typedef struct asp_bounce {
 typedef struct asp_hits {
   const double *v_n1, *v_t1, *d_p, *density;
   const double *modulus, *yield_stress, *surface_energy, *friction; /* of the pair of each */
+  bool alike; /* all have the particle and pair of the first: a law may look at that one only */
   bool adhesion;
 } asp_hits;
 

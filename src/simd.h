@@ -15,7 +15,12 @@ ASP_SIMD double log(double);
 ASP_SIMD double sin(double);
 ASP_SIMD double tan(double);
 ASP_SIMD double atan(double);
-#define ASP_EACH_MACHINE __attribute__((target_clones("avx512f", "avx2", "default")))
+#if __GNUC__ >= 12
+#define ASP_AVX512 "arch=x86-64-v4"
+#else
+#define ASP_AVX512 "avx512f"
+#endif
+#define ASP_EACH_MACHINE __attribute__((target_clones(ASP_AVX512, "avx2", "default")))
 #endif
 #endif
 #ifndef ASP_EACH_MACHINE

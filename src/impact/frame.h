@@ -99,9 +99,13 @@ static inline bool has_direction(const frame *f) {
   return f->per_length > 0;
 }
 
-/* atan2(v_n, v_t) */
+/* atan2(v_n, v_t) for v_t >= 0 */
+static inline double angle_of(double v_n, double v_t) {
+  return copysign(asp_arc(fabs(v_n), v_t), v_n);
+}
+
 static inline double impact_angle(const frame *f) {
-  return copysign(asp_arc(fabs(f->v_n), f->v_t), f->v_n);
+  return angle_of(f->v_n, f->v_t);
 }
 
 static inline vec to_lab(const frame *f, vec local) {

@@ -74,9 +74,10 @@ static bool is_root(double c) {
 
 static asp_bounce rebound(const double *p, const asp_hit *hit) {
   asp_bons_constants c = constants_of(p, hit->adhesion);
+  bool rate = c.yield_rate > 0;
+  asp_bons_grain grain = asp_bons_grain_of(&c, hit->d_p, hit->density, *hit->pair, rate);
   asp_bons_answer answer =
-      asp_bons_plain(&c, hit->v_n1, hit->v_t1, hit->d_p, hit->density, *hit->pair, c.yield_rate > 0,
-                     is_root(p[AREA_C]), p[AREA_C]);
+      asp_bons_plain(&c, hit->v_n1, hit->v_t1, grain, rate, is_root(p[AREA_C]), p[AREA_C]);
   return answer.near ? rebound_near(p, hit) : (asp_bounce){answer.v_n2, answer.v_t2};
 }
 

@@ -15,28 +15,39 @@ typedef struct asp_bons_constants {
   double adhesion; /* 6, or 0 without */
 } asp_bons_constants;
 
+/* What the law makes of a particle and its pair, whatever the hit. */
+typedef struct asp_bons_grain {
+  double v_y, per_v_y; /* with a yield rate: v_y over the speed, and nothing */
+  double pull;         /* v_a^2 = pull f */
+  double friction;
+} asp_bons_grain;
+
 typedef struct asp_bons_answer {
   double v_n2, v_t2;
   bool near; /* a threshold: to be worked out again in long double */
 } asp_bons_answer;
 
-/* rate: there is a yield_rate. root: c is 0.5, and the power is spared. Without branches that a
- * vector loop could not take. What does not depend on the approach speed stands apart, so that it
- * is ready when that is. */
+/* rate: there is a yield_rate. */
+static inline asp_bons_grain asp_bons_grain_of(const asp_bons_constants *p, double d_p,
+                                               double density, asp_pair pair, bool rate) {
+  double v_y = (rate ? p->yield_rate : pair.yield_stress) * p->softened;
+  v_y /= sqrt(density * pair.modulus);
+  double pull = p->adhesion * pair.surface_energy / (density * d_p);
+  return (asp_bons_grain){v_y, rate ? 0 : 1 / v_y, pull, pair.friction};
+}
+
+/* root: c is 0.5, and the power is spared. Without branches that a vector loop could not take. */
 static inline asp_bons_answer asp_bons_plain(const asp_bons_constants *p, double n1, double t1,
-                                             double d_p, double density, asp_pair pair, bool rate,
-                                             bool root, double c) {
-  double speed2 = n1 * n1 + t1 * t1;
-  double yield = rate ? p->yield_rate * sqrt(speed2) : pair.yield_stress;
-  double v_y = yield * p->softened / sqrt(density * pair.modulus), per_v_y = 1 / v_y;
-  double pull = p->adhesion * pair.surface_energy / (density * d_p);    /* v_a^2 = pull f */
+                                             asp_bons_grain g, bool rate, bool root, double c) {
+  double speed2 = n1 * n1 + t1 * t1, v_y = rate ? g.v_y * sqrt(speed2) : g.v_y;
+  double per_v_y = rate ? 1 / v_y : g.per_v_y;
   double n2 = n1 < v_y ? n1 : v_y, ratio = n1 < v_y ? n1 * per_v_y : 1; /* v_y = 0: all yields */
   double share = p->a + p->b * (root ? sqrt(ratio) : pow(ratio, c));
-  double square = n2 * n2, left = square - pull * share;
-  bool near_capture = (pull > 0) & (fabs(left) < ASP_BONS_NEAR * square);
-  n2 = pull > 0 ? sqrt(left > 0 ? left : 0) : n2;
+  double square = n2 * n2, left = square - g.pull * share;
+  bool near_capture = (g.pull > 0) & (fabs(left) < ASP_BONS_NEAR * square);
+  n2 = g.pull > 0 ? sqrt(left > 0 ? left : 0) : n2;
   double cos2 = speed2 > 0 ? t1 * t1 / speed2 : 0;
-  double t2 = t1 - pair.friction * (n1 + n2) * cos2;
+  double t2 = t1 - g.friction * (n1 + n2) * cos2;
   bool near_rest = fabs(t2) < ASP_BONS_NEAR * t1;
   return (asp_bons_answer){n2, t2 > 0 ? t2 : 0, near_capture | near_rest};
 }

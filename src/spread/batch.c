@@ -5,29 +5,73 @@
 #include "spread/visible.h"
 #include "spread/weibull.h"
 
-/* Smaller sigmas would overflow alpha1/sigma; there the tilt is 0. */
-static inline double weibull(double sigma, double alpha1, double u, bool cut) {
-  asp_weibull_law w = asp_weibull_at(sigma, alpha1);
-  double rest = cut ? asp_minus_log_cut(u, asp_weibull_lost(w)) : asp_minus_log_rest(u);
-  double place = w.b + w.lambda * exp(log(rest) / w.k);
-  place = place < ASP_DELTA_MOST ? place : ASP_DELTA_MOST;
-  return sigma < ASP_SIGMA_ZERO ? 0 : place;
+/* The laws of n contacts, and of how many and which ones the cut takes more than the last bit. */
+typedef struct weibulls {
+  double b[ASP_BATCH], k[ASP_BATCH], lambda[ASP_BATCH], lost[ASP_BATCH];
+  size_t n_cut, cut[ASP_BATCH]; /* cut: 1 or 0 */
+} weibulls;
+
+static inline void find_laws(const double *sigma, const double *alpha1, size_t n, weibulls *w) {
+  size_t n_cut = 0;
+#pragma omp simd reduction(+ : n_cut)
+  for (size_t i = 0; i < n; i++) {
+    asp_weibull_law law = asp_weibull_at(sigma[i], alpha1[i]);
+    w->b[i] = law.b;
+    w->k[i] = law.k;
+    w->lambda[i] = law.lambda;
+    w->lost[i] = 0;
+    w->cut[i] = asp_weibull_uncut(sigma[i], alpha1[i]) ? 0 : 1;
+    n_cut += w->cut[i];
+  }
+  w->n_cut = n_cut;
 }
 
+/* What the cut takes, side by side for the contacts where it does. One function a loop: in a chain
+ * of them each waits for the one before. */
+static inline void find_lost(size_t n, weibulls *w) {
+  size_t at[ASP_BATCH], n_cut = w->n_cut;
+  double k[ASP_BATCH], x[ASP_BATCH];
+  for (size_t i = 0, j = 0; i < n; i++) {
+    at[j] = i;
+    j += w->cut[i];
+  }
+  for (size_t j = 0; j < n_cut; j++) {
+    size_t i = at[j];
+    k[j] = w->k[i];
+    x[j] = (ASP_DELTA_MOST - w->b[i]) / w->lambda[i];
+  }
+#pragma omp simd
+  for (size_t j = 0; j < n_cut; j++)
+    x[j] = k[j] * log(x[j]);
+#pragma omp simd
+  for (size_t j = 0; j < n_cut; j++)
+    x[j] = exp(x[j]);
+#pragma omp simd
+  for (size_t j = 0; j < n_cut; j++)
+    x[j] = exp(-x[j]);
+  for (size_t j = 0; j < n_cut; j++)
+    w->lost[at[j]] = x[j];
+}
+
+/* Smaller sigmas than ASP_SIGMA_ZERO would overflow alpha1/sigma; there the tilt is 0. */
 ASP_EACH_MACHINE
 void asp_weibull_quantile_n(const asp_views *views, size_t n, const double *u, double *delta) {
-  const double *sigma = views->sigma, *alpha1 = views->alpha1;
-  bool cut = false;
+  double x[ASP_BATCH];
+  weibulls w;
+  find_laws(views->sigma, views->alpha1, n, &w);
+  if (w.n_cut > 0)
+    find_lost(n, &w);
+#pragma omp simd
   for (size_t i = 0; i < n; i++)
-    cut |= !asp_weibull_uncut(sigma[i], alpha1[i]);
-  if (cut) {
+    x[i] = asp_minus_log_cut(u[i], w.lost[i]);
 #pragma omp simd
-    for (size_t i = 0; i < n; i++)
-      delta[i] = weibull(sigma[i], alpha1[i], u[i], true);
-  } else {
+  for (size_t i = 0; i < n; i++)
+    x[i] = log(x[i]) / w.k[i];
 #pragma omp simd
-    for (size_t i = 0; i < n; i++)
-      delta[i] = weibull(sigma[i], alpha1[i], u[i], false);
+  for (size_t i = 0; i < n; i++) {
+    double d = w.b[i] + w.lambda[i] * exp(x[i]);
+    d = d < ASP_DELTA_MOST ? d : ASP_DELTA_MOST;
+    delta[i] = views->sigma[i] < ASP_SIGMA_ZERO ? 0 : d;
   }
 }
 

@@ -321,6 +321,17 @@ static bool same_contact(const contacts *c, int i, double most) {
          fabs(a->tilt_out - b->tilt_out) <= 0 && off <= most;
 }
 
+static void compare_batch(const setup *s, contacts *c, int wall, double most) {
+  for (int k = 0; k < CONTACTS; k++)
+    asp_wall_impact(s->wall, &c->particle[k], c->v1[k], c->n[k], c->key[k], &c->each[k]);
+  asp_wall_impact_n(s->wall, CONTACTS, c->particle, (const double(*)[3])c->v1,
+                    (const double(*)[3])c->n, c->key, c->batch);
+  for (int k = 0; k < CONTACTS; k++)
+    if (!same_contact(c, k, most))
+      fail_msg("%s, wall %d, contact %d: tilt %.17g, in a batch %.17g", s->spec.spread, wall, k,
+               c->each[k].delta_alpha, c->batch[k].delta_alpha);
+}
+
 /* On smooth walls to the bit; on rough ones as asperity.h says. With every model, law, tilt and
  * sort of collisions. */
 static void batches_are_single_calls(void **state) {
@@ -342,14 +353,30 @@ static void batches_are_single_calls(void **state) {
       assert_int_equal(asp_wall_spec_set(&s.spec, "c", 0.7, NULL), ASP_OK);
     setup_rebuild(&s);
     draw_contacts(&c, rng, (uint32_t)i);
+    compare_batch(&s, &c, i, most);
+    setup_free(&s);
+  }
+  gsl_rng_free(rng);
+}
+
+/* Runs of particles of one sort, which a batch works out once: sizes that meet different slopes,
+ * and another pair. */
+static void batches_of_one_sort(void **state) {
+  (void)state;
+  static contacts c;
+  static const char *const models[] = {"none", "normal", "weibull", "truncated"};
+  const asp_pair dry = {54.8e9, 20e6, 0, 0.1};
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  for (int i = 0; i < 120; i++) {
+    const char *model = models[i % 4];
+    setup s = setup_create(model, "bons", i % 4 ? pow(10, -2 * gsl_rng_uniform(rng)) : 0);
+    s.spec.deposit = gsl_rng_uniform_int(rng, 2);
+    setup_rebuild(&s);
+    draw_contacts(&c, rng, (uint32_t)i);
     for (int k = 0; k < CONTACTS; k++)
-      asp_wall_impact(s.wall, &c.particle[k], c.v1[k], c.n[k], c.key[k], &c.each[k]);
-    asp_wall_impact_n(s.wall, CONTACTS, c.particle, (const double(*)[3])c.v1,
-                      (const double(*)[3])c.n, c.key, c.batch);
-    for (int k = 0; k < CONTACTS; k++)
-      if (!same_contact(&c, k, most))
-        fail_msg("%s, wall %d, contact %d: tilt %.17g, in a batch %.17g", model->name, i, k,
-                 c.each[k].delta_alpha, c.batch[k].delta_alpha);
+      c.particle[k] = (asp_particle){k < 100 || k >= 192 ? 1e-5 : 1, k < 150 ? 2650 : 4000,
+                                     k < 256 ? &quartz_on_nickel : &dry};
+    compare_batch(&s, &c, i, i % 4 ? 4 * DBL_EPSILON : 0);
     setup_free(&s);
   }
   gsl_rng_free(rng);
@@ -369,6 +396,7 @@ int main(void) {
       cmocka_unit_test(parameters_are_checked),
       cmocka_unit_test(properties),
       cmocka_unit_test(batches_are_single_calls),
+      cmocka_unit_test(batches_of_one_sort),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
