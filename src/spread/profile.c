@@ -6,6 +6,7 @@
  * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
  * fly up meet the law of `visible`. */
 #include "error.h"
+#include "spread/cells.h"
 #include "spread/models.h"
 #include "spread/trace.h"
 
@@ -19,16 +20,18 @@ enum {
   CELLS = 512, /* of equal width in u */
   PARTS = 32,  /* of the first and of the last of them */
   NODES = CELLS - 2 + 2 * PARTS + 1,
-  PARTS_OF_SIZE = 512 /* of the range of sizes, to find a bin by; at most */
+  PARTS_OF_SIZE = 512 /* at most, to find a bin by */
 };
 
 typedef struct table {
   int bins;
   double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
-  double most;                                     /* of d_p */
-  int64_t first_bits;                              /* of the least size, see bits_of */
-  int part_bits;                /* of which one part of the sizes' range has two to this power */
-  uint8_t below[PARTS_OF_SIZE]; /* the bin that each part begins in */
+  double most;                                     /* the last d_p */
+  /* Parts of the sizes' range, each so many bits of a double long, and the bin that each begins in:
+   * the bits of the diameter are its logarithm, as straight lines between powers of two. */
+  uint64_t first_bits;
+  int part_bits;
+  uint8_t below[PARTS_OF_SIZE];
   double angle[ANGLES], per_angle[ANGLES];
   float delta[][NODES][ANGLES]; /* by size, u, angle; rad */
 } table;
@@ -108,23 +111,16 @@ static void release(void *data) {
   free(data);
 }
 
-/* The bits of a positive number: its logarithm, as straight lines between the powers of two. */
-static inline int64_t bits_of(double x) {
-  int64_t bits;
-  memcpy(&bits, &x, sizeof bits);
-  return bits;
-}
-
 static void place_parts(table *t) {
   t->most = t->d_p[t->bins - 1];
-  t->first_bits = bits_of(t->d_p[0]);
-  int64_t range = bits_of(t->d_p[t->bins - 1]) - t->first_bits;
+  t->first_bits = asp_bits(t->d_p[0]);
+  uint64_t range = asp_bits(t->most) - t->first_bits;
   for (t->part_bits = 0; range >> t->part_bits >= PARTS_OF_SIZE;)
     t->part_bits++;
   int i = 0;
   for (int k = 0; k < PARTS_OF_SIZE; k++) {
-    int64_t bits = t->first_bits + ((int64_t)k << t->part_bits);
-    while (i < t->bins - 2 && bits_of(t->d_p[i + 1]) <= bits)
+    uint64_t bits = t->first_bits + ((uint64_t)k << t->part_bits);
+    while (i < t->bins - 2 && asp_bits(t->d_p[i + 1]) <= bits)
       i++;
     t->below[k] = (uint8_t)i;
   }
@@ -173,10 +169,9 @@ typedef struct cell {
   double size_share, angle_share; /* of the greater */
 } cell;
 
-/* The last bin but one whose size is not above d_p, else the first. */
+/* The last bin but one whose size is not above d_p, which is within the table. */
 static inline int bin_below(const table *t, double d_p) {
-  int64_t part = (bits_of(d_p) - t->first_bits) >> t->part_bits;
-  int i = t->below[part < 0 ? 0 : part < PARTS_OF_SIZE ? part : PARTS_OF_SIZE - 1];
+  int i = t->below[(asp_bits(d_p) - t->first_bits) >> t->part_bits];
   while (i < t->bins - 2 && d_p > t->d_p[i + 1])
     i++;
   return i;
@@ -188,9 +183,9 @@ static inline cell cell_of(const table *t, const asp_view *view) {
   double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
   if (t->bins == 1)
     return (cell){*t->delta[0] + k, 0, 0, angle};
-  int i = bin_below(t, view->d_p);
-  double size = (asp_within(view->d_p, t->d_p[0], t->most) - t->d_p[i]) * t->per_d_p[i];
-  return (cell){*t->delta[i] + k, NODES * ANGLES, size, angle};
+  double d_p = asp_within(view->d_p, t->d_p[0], t->most);
+  int i = bin_below(t, d_p);
+  return (cell){*t->delta[i] + k, NODES * ANGLES, (d_p - t->d_p[i]) * t->per_d_p[i], angle};
 }
 
 /* The quantile at so large a share of the way from a node to the next. */
