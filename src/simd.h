@@ -12,9 +12,6 @@
 #define ASP_SIMD __attribute__((simd("notinbranch")))
 ASP_SIMD double exp(double);
 ASP_SIMD double log(double);
-ASP_SIMD double sin(double);
-ASP_SIMD double tan(double);
-ASP_SIMD double atan(double);
 #if __GNUC__ >= 12
 #define ASP_AVX512 "arch=x86-64-v4"
 #else
