@@ -902,11 +902,14 @@ void FixWallRebound::collect_pairs() {
   };
   if (!std::is_sorted(planes_.begin(), planes_.end(), in_order))
     std::sort(planes_.begin(), planes_.end(), in_order);
+  std::vector<char> stuck(atom->nlocal, 0);
+  for (const FixWallRebound *wall : siblings_)
+    wall->mark_stuck(stuck);
   first_.assign(atom->nlocal + 1, 0);
   for (size_t p = 0; p < planes_.size(); p++) {
     const Plane &plane = planes_[p];
     for (int i : mesh_list()[plane.mesh]->meshNeighlist()->get_contact_list(plane.triangle))
-      if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i)) {
+      if (i < atom->nlocal && (atom->mask[i] & groupbit) && !stuck[i]) {
         pairs.push_back(Pair{i, static_cast<int>(p)});
         first_[i]++;
       }
@@ -1311,16 +1314,27 @@ void FixWallRebound::triangle_frame(int m, int t, double origin[3], double frame
   vectorCross3D(frame[2], frame[0], frame[1]);
 }
 
+/* The particles are looked through first, and the places of the stuck ones read afterwards: so the
+ * processor need not wait for one place before it looks at the next particle. */
 void FixWallRebound::collect_stuck() {
   stuck_.clear();
-  if (deposit_ == OFF)
-    return;
-  if (atom->nlocal == 0)
+  if (deposit_ == OFF || atom->nlocal == 0)
     return;
   const double *state_of = state()[0] + STATE; /* rows of N_STATE, one behind the other */
   for (int i = 0; i < atom->nlocal; i++)
     if (state_of[i * N_STATE] != FREE)
-      add_stuck(i);
+      stuck_.push_back(Stuck{i, {0, 0, 0}});
+  for (Stuck &stuck : stuck_)
+    vectorCopy3D(place()[0] + N_PLACE * stuck.particle + STUCK_V, stuck.v);
+}
+
+/* Of all particles, those that are stuck to this wall. Where the wall keeps no list of them, they
+ * are of an earlier part of the run, whose script had them stick. */
+void FixWallRebound::mark_stuck(std::vector<char> &marks) const {
+  for (const Stuck &stuck : stuck_)
+    marks[stuck.particle] = 1;
+  for (size_t i = 0; deposit_ == OFF && i < marks.size(); i++)
+    marks[i] |= state()[i][STATE] != FREE;
 }
 
 void FixWallRebound::add_stuck(int i) {

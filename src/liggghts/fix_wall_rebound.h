@@ -208,6 +208,7 @@ private:
   void triangle_frame(int mesh, int triangle, double origin[3], double frame[3][3]);
   void settle_maps();
   void collect_stuck();
+  void mark_stuck(std::vector<char> &marks) const;
   void add_stuck(int i);
   void hold(const Stuck &stuck);
   void free_of_forces(const Stuck &stuck);
