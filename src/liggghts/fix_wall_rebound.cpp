@@ -46,6 +46,12 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* A particle's row in an array of the atoms. Rows lie one behind the other; the pointers to them,
+ * in an array of their own, would each have to come from far away first. */
+static double *row_of(double **array, int columns, int i) {
+  return array[0] + static_cast<ptrdiff_t>(columns) * i;
+}
+
 static std::string text(const char *format, ...) {
   char line[600];
   va_list args;
@@ -460,12 +466,12 @@ std::string FixWallRebound::place_id() const {
   return std::string("stuck_") + id;
 }
 
-double **FixWallRebound::state() const {
-  return fix_state_->array_atom;
+double *FixWallRebound::state(int i) const {
+  return row_of(fix_state_->array_atom, N_STATE, i);
 }
 
-double **FixWallRebound::place() const {
-  return fix_place_->array_atom;
+double *FixWallRebound::place(int i) const {
+  return row_of(fix_place_->array_atom, N_PLACE, i);
 }
 
 int FixWallRebound::setmask() {
@@ -805,7 +811,8 @@ void FixWallRebound::check_speeds() {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit))
       continue;
-    const double square = dot(atom->v[i], atom->v[i]), limit = fastest_.ratio * atom->radius[i];
+    const double *v = row_of(atom->v, 3, i);
+    const double square = dot(v, v), limit = fastest_.ratio * atom->radius[i];
     if (square <= limit * limit)
       continue;
     fastest_.speed = sqrt(square);
@@ -974,10 +981,11 @@ void FixWallRebound::find_hits_primitive(std::vector<int> &hits) {
     const int i = list[k];
     if (i >= nlocal_ || !(atom->mask[i] & groupbit))
       continue;
-    const double *v = atom->v[i];
+    double *x = row_of(x_, 3, i);
+    const double *v = row_of(atom->v, 3, i);
     for (int d = 0; d < 3; d++)
-      begin[d] = x_[i][d] - v[d] * dt;
-    double sum = primitiveWall()->resolveContact(x_[i], radius_[i], delta) +
+      begin[d] = x[d] - v[d] * dt;
+    double sum = primitiveWall()->resolveContact(x, radius_[i], delta) +
                  primitiveWall()->resolveContact(begin, radius_[i], delta);
     if (sum <= 0 || sum * sum <= dt * dt * dot(v, v))
       hits.push_back(i);
@@ -993,10 +1001,11 @@ void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) 
     candidates.push_back(Candidate{this, i, -1, 0, 0});
     return;
   }
-  const double path = sqrt(dot(atom->v[i], atom->v[i])) * update->dt;
+  const double *x = row_of(x_, 3, i), *v = row_of(atom->v, 3, i);
+  const double path = sqrt(dot(v, v)) * update->dt;
   for (int k = first_[i]; k < first_[i + 1]; k++) {
     const Plane &plane = planes_[near_[k].plane];
-    double gap = fabs(dot(plane.normal, x_[i]) - plane.offset) - radius_[i];
+    double gap = fabs(dot(plane.normal, x) - plane.offset) - radius_[i];
     if (gap <= 2 * path + 4 * plane.path)
       candidates.push_back(Candidate{this, i, plane.mesh, plane.triangle, plane.id});
   }
@@ -1014,7 +1023,7 @@ double FixWallRebound::speed_of_triangle(int m, int t) const {
 
 bool FixWallRebound::is_stuck(int i) const {
   for (const FixWallRebound *wall : siblings_)
-    if (wall->state()[i][STATE] != FREE)
+    if (wall->state(i)[STATE] != FREE)
       return true;
   return false;
 }
@@ -1157,10 +1166,11 @@ bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact
 void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
   const int i = first->particle;
   Path path;
+  double *x = row_of(x_, 3, i), *v = row_of(atom->v, 3, i);
   path.left = update->dt;
   for (int d = 0; d < 3; d++) {
-    path.v[d] = atom->v[i][d];
-    path.x[d] = x_[i][d] - path.v[d] * path.left;
+    path.v[d] = v[d];
+    path.x[d] = x[d] - path.v[d] * path.left;
   }
   bool hit = false;
   for (int k = 0; k < CONTACTS_MAX; k++) {
@@ -1187,8 +1197,8 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
   if (!hit)
     return;
   for (int d = 0; d < 3; d++) {
-    atom->v[i][d] = path.v[d];
-    x_[i][d] = path.x[d] + path.v[d] * path.left;
+    v[d] = path.v[d];
+    x[d] = path.x[d] + path.v[d] * path.left;
   }
 }
 
@@ -1208,7 +1218,7 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path) {
   asp_particle particle = {d_p, rmass_[i] / (ASP_PI / 6 * d_p * d_p * d_p),
                            pairs_.empty() ? NULL : &pairs_[type * (atom->ntypes + 1) + wall_type]};
   asp_key key = {seed_, fix_key_, static_cast<uint64_t>(atom->tag[i]),
-                 static_cast<uint32_t>(state()[i][IMPACTS] += 1)};
+                 static_cast<uint32_t>(state(i)[IMPACTS] += 1)};
   asp_impact impact;
   asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
   count(contact, v1, impact);
@@ -1277,8 +1287,8 @@ void FixWallRebound::record(const Contact &contact, const Path &path, const doub
  * the triangle, so that it can move with it. */
 void FixWallRebound::stick(const Contact &contact, const Path &path) {
   const int i = contact.on->particle;
-  double *s = place()[i];
-  state()[i][STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
+  double *s = place(i);
+  state(i)[STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
   s[STUCK_MESH] = contact.on->mesh + 1;
   s[STUCK_TRIANGLE] = contact.on->id;
   for (int d = 0; d < 3; d++) {
@@ -1320,12 +1330,12 @@ void FixWallRebound::collect_stuck() {
   stuck_.clear();
   if (deposit_ == OFF || atom->nlocal == 0)
     return;
-  const double *state_of = state()[0] + STATE; /* rows of N_STATE, one behind the other */
+  const double *state_of = state(0) + STATE;
   for (int i = 0; i < atom->nlocal; i++)
     if (state_of[i * N_STATE] != FREE)
       stuck_.push_back(Stuck{i, {0, 0, 0}});
   for (Stuck &stuck : stuck_)
-    vectorCopy3D(place()[0] + N_PLACE * stuck.particle + STUCK_V, stuck.v);
+    vectorCopy3D(place(stuck.particle) + STUCK_V, stuck.v);
 }
 
 /* Of all particles, those that are stuck to this wall. Where the wall keeps no list of them, they
@@ -1333,33 +1343,33 @@ void FixWallRebound::collect_stuck() {
 void FixWallRebound::mark_stuck(std::vector<char> &marks) const {
   for (const Stuck &stuck : stuck_)
     marks[stuck.particle] = 1;
-  for (size_t i = 0; deposit_ == OFF && i < marks.size(); i++)
-    marks[i] |= state()[i][STATE] != FREE;
+  for (int i = 0; deposit_ == OFF && i < atom->nlocal; i++)
+    marks[i] |= state(i)[STATE] != FREE;
 }
 
 void FixWallRebound::add_stuck(int i) {
-  const double *v = place()[i] + STUCK_V;
+  const double *v = place(i) + STUCK_V;
   stuck_.push_back(Stuck{i, {v[0], v[1], v[2]}});
 }
 
-/* A stuck particle has the wall's velocity, ... (Arrays of the atoms are rows of three.) */
+/* A stuck particle has the wall's velocity, ... */
 void FixWallRebound::hold(const Stuck &stuck) {
-  vectorCopy3D(stuck.v, atom->v[0] + 3 * stuck.particle);
+  vectorCopy3D(stuck.v, row_of(atom->v, 3, stuck.particle));
   if (atom->omega_flag)
-    vectorZeroize3D(atom->omega[0] + 3 * stuck.particle);
+    vectorZeroize3D(row_of(atom->omega, 3, stuck.particle));
 }
 
 /* ... and no force on it moves it. */
 void FixWallRebound::free_of_forces(const Stuck &stuck) {
-  vectorZeroize3D(atom->f[0] + 3 * stuck.particle);
+  vectorZeroize3D(row_of(atom->f, 3, stuck.particle));
   if (atom->torque_flag)
-    vectorZeroize3D(atom->torque[0] + 3 * stuck.particle);
+    vectorZeroize3D(row_of(atom->torque, 3, stuck.particle));
 }
 
 /* Takes a stuck particle along with the triangle that it sits on. */
 void FixWallRebound::carry(Stuck &stuck) {
   const int i = stuck.particle;
-  double *s = place()[i];
+  double *s = place(i);
   const int m = static_cast<int>(s[STUCK_MESH]) - 1;
   if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving())
     return;
@@ -1392,7 +1402,7 @@ void FixWallRebound::pre_exchange() {
     return;
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (state()[i][STATE] == DOOMED) {
+    if (state(i)[STATE] == DOOMED) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;

@@ -173,8 +173,8 @@ private:
   std::string state_id() const;
   std::string place_id() const;
   class FixPropertyAtom *add_property(const std::string &name, int columns);
-  double **state() const;
-  double **place() const;
+  double *state(int i) const;
+  double *place(int i) const;
   void check_particles();
   void check_meshes();
   void check_group();
