@@ -40,6 +40,11 @@ static const int NEWTON_MAX = 50;
 /* How many times one particle may hit the wall within one step. */
 static const int CONTACTS_MAX = 16;
 
+/* A particle leaves a triangle where the sine of its angle to it is larger than this: the distance
+ * is convex along the path, so it grows from there on. At less, rounding might say otherwise: that
+ * of a mesh at its edges, above all. */
+static const double LEAVES = 0.01;
+
 static const char KEYWORDS[] = "surface spread rebound materials deposit seed timing ledger";
 
 static double dot(const double a[3], const double b[3]) {
@@ -1078,6 +1083,13 @@ bool FixWallRebound::normal_of(const Candidate &on, const Path &path, const doub
   return true;
 }
 
+/* Whether a particle that moves with v, relative to the wall, is leaving it for this step: n points
+ * away from the wall. */
+bool FixWallRebound::leaves(const Candidate &on, const double v[3], const double n[3]) const {
+  const double away = dot(v, n);
+  return on.mesh >= 0 && away > 0 && away * away > LEAVES * LEAVES * dot(v, v);
+}
+
 bool FixWallRebound::moves(const Candidate &on) const {
   return on.mesh < 0 ? shear_ : moving_[on.mesh] != NULL;
 }
@@ -1108,6 +1120,8 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, double 
       return false;
     double approach = -dot(v, n);
     if (approach <= 0 && i == 0) {
+      if (leaves(on, v, n))
+        return false;
       time = path.left;
       continue;
     }
@@ -1173,10 +1187,13 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
     path.x[d] = x[d] - path.v[d] * path.left;
   }
   bool hit = false;
+  const Candidate *behind = NULL; /* left for this step by the rebound before */
   for (int k = 0; k < CONTACTS_MAX; k++) {
     Contact earliest, contact;
     earliest.on = NULL;
     for (const Candidate *on = first; on < last; on++) {
+      if (on == behind)
+        continue;
       FixWallRebound *wall = on->wall;
       const double latest = earliest.on ? earliest.time : path.left;
       bool found = wall->timing_ == EXACT ? wall->find_contact(*on, path, latest, contact)
@@ -1187,11 +1204,16 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
     if (!earliest.on)
       break;
     hit = true;
-    if (!earliest.on->wall->rebound(earliest, path))
+    FixWallRebound *wall = earliest.on->wall;
+    if (!wall->rebound(earliest, path))
       return;
+    behind = NULL;
+    if (wall->timing_ == EXACT && !wall->moves(*earliest.on) &&
+        wall->leaves(*earliest.on, path.v, earliest.n))
+      behind = earliest.on;
     if (k == CONTACTS_MAX - 1) {
       path.left = 0;
-      earliest.on->wall->counters_[N_GUARDED]++;
+      wall->counters_[N_GUARDED]++;
     }
   }
   if (!hit)
