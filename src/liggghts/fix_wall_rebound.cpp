@@ -871,6 +871,9 @@ void FixWallRebound::post_force(int) {
     wall->find_hits(hits_);
   std::sort(hits_.begin(), hits_.end());
   hits_.erase(std::unique(hits_.begin(), hits_.end()), hits_.end());
+  for (int i : hits_)
+    for (FixWallRebound *wall : siblings_)
+      wall->fetch(i);
   for (int i : hits_) {
     if (is_stuck(i))
       continue;
@@ -878,6 +881,21 @@ void FixWallRebound::post_force(int) {
     for (FixWallRebound *wall : siblings_)
       wall->find_candidates(i, candidates_);
     collide(candidates_.data(), candidates_.data() + candidates_.size());
+  }
+}
+
+/* Asks for what the contact of a particle will read. The rest of a step has pushed it out of the
+ * caches; asked for by all contacts of a step beforehand, it comes while others are waited for. */
+void FixWallRebound::fetch(int i) const {
+  __builtin_prefetch(state(i));
+  __builtin_prefetch(&atom->type[i]);
+  __builtin_prefetch(&atom->tag[i]);
+  __builtin_prefetch(&atom->rmass[i]);
+  if (near_.empty())
+    return;
+  for (int k = first_[i]; k < first_[i + 1]; k++) {
+    const Plane &plane = planes_[near_[k].plane];
+    maps_[plane.mesh]->fetch(plane.triangle);
   }
 }
 

@@ -184,6 +184,7 @@ private:
   void warn_of_speeds();
 
   void find_siblings();
+  void fetch(int i) const;
   void refresh();
   void collect_pairs();
   void find_hits(std::vector<int> &hits);

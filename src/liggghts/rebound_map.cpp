@@ -30,6 +30,11 @@ void ReboundMap::add_own(int triangle, const Values &values) {
     sums_[k]->begin()[triangle] += values[k];
 }
 
+void ReboundMap::fetch(int triangle) const {
+  for (int k = 0; k < N_VALUES; k++)
+    __builtin_prefetch(sums_[k]->begin() + triangle);
+}
+
 void ReboundMap::add(int triangle, double deposited_mass, double energy) {
   const Values values = {{1, deposited_mass, energy}};
   if (triangle < mesh_->sizeLocal()) {
