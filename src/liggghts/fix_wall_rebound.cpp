@@ -906,12 +906,18 @@ void FixWallRebound::refresh() {
   radius_ = atom->radius;
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
-  moving_.clear();
-  for (int m = 0; m < n_meshes(); m++)
-    moving_.push_back(mesh_list()[m]->triMesh()->prop().getElementProperty<NodeVelocities>("v"));
+  if (lists_are_new_)
+    find_velocities();
   if (!stuck_.empty() && is_moving())
     for (Stuck &stuck : stuck_)
       carry(stuck);
+}
+
+/* A mesh has velocities while a fix that moves it is there, which may change between two runs. */
+void FixWallRebound::find_velocities() {
+  moving_.clear();
+  for (int m = 0; m < n_meshes(); m++)
+    moving_.push_back(mesh_list()[m]->triMesh()->prop().getElementProperty<NodeVelocities>("v"));
 }
 
 /* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle, mesh and

@@ -186,6 +186,7 @@ private:
   void find_siblings();
   void fetch(int i) const;
   void refresh();
+  void find_velocities();
   void collect_pairs();
   void find_hits(std::vector<int> &hits);
   void find_hits_primitive(std::vector<int> &hits);
