@@ -40,10 +40,21 @@ static const int NEWTON_MAX = 50;
 /* How many times one particle may hit the wall within one step. */
 static const int CONTACTS_MAX = 16;
 
+/* A particle leaves a triangle where the sine of its angle to it is larger than this: the distance
+ * is convex along the path, so it grows from there on. At less, rounding might say otherwise: that
+ * of a mesh at its edges, above all. */
+static const double LEAVES = 0.01;
+
 static const char KEYWORDS[] = "surface spread rebound materials deposit seed timing ledger";
 
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* A particle's row in an array of the atoms. Rows lie one behind the other; the pointers to them,
+ * in an array of their own, would each have to come from far away first. */
+static double *row_of(double **array, int columns, int i) {
+  return array[0] + static_cast<ptrdiff_t>(columns) * i;
 }
 
 static std::string text(const char *format, ...) {
@@ -460,12 +471,12 @@ std::string FixWallRebound::place_id() const {
   return std::string("stuck_") + id;
 }
 
-double **FixWallRebound::state() const {
-  return fix_state_->array_atom;
+double *FixWallRebound::state(int i) const {
+  return row_of(fix_state_->array_atom, N_STATE, i);
 }
 
-double **FixWallRebound::place() const {
-  return fix_place_->array_atom;
+double *FixWallRebound::place(int i) const {
+  return row_of(fix_place_->array_atom, N_PLACE, i);
 }
 
 int FixWallRebound::setmask() {
@@ -805,7 +816,8 @@ void FixWallRebound::check_speeds() {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit))
       continue;
-    const double square = dot(atom->v[i], atom->v[i]), limit = fastest_.ratio * atom->radius[i];
+    const double *v = row_of(atom->v, 3, i);
+    const double square = dot(v, v), limit = fastest_.ratio * atom->radius[i];
     if (square <= limit * limit)
       continue;
     fastest_.speed = sqrt(square);
@@ -859,6 +871,9 @@ void FixWallRebound::post_force(int) {
     wall->find_hits(hits_);
   std::sort(hits_.begin(), hits_.end());
   hits_.erase(std::unique(hits_.begin(), hits_.end()), hits_.end());
+  for (int i : hits_)
+    for (FixWallRebound *wall : siblings_)
+      wall->fetch(i);
   for (int i : hits_) {
     if (is_stuck(i))
       continue;
@@ -869,6 +884,21 @@ void FixWallRebound::post_force(int) {
   }
 }
 
+/* Asks for what the contact of a particle will read. The rest of a step has pushed it out of the
+ * caches; asked for by all contacts of a step beforehand, it comes while others are waited for. */
+void FixWallRebound::fetch(int i) const {
+  __builtin_prefetch(state(i));
+  __builtin_prefetch(&atom->type[i]);
+  __builtin_prefetch(&atom->tag[i]);
+  __builtin_prefetch(&atom->rmass[i]);
+  if (near_.empty())
+    return;
+  for (int k = first_[i]; k < first_[i + 1]; k++) {
+    const Plane &plane = planes_[near_[k].plane];
+    maps_[plane.mesh]->fetch(plane.triangle);
+  }
+}
+
 /* Arrays of the atoms may have moved since the last step, and walls have: stuck particles with
  * them. */
 void FixWallRebound::refresh() {
@@ -876,12 +906,18 @@ void FixWallRebound::refresh() {
   radius_ = atom->radius;
   rmass_ = atom->rmass;
   nlocal_ = atom->nlocal;
-  moving_.clear();
-  for (int m = 0; m < n_meshes(); m++)
-    moving_.push_back(mesh_list()[m]->triMesh()->prop().getElementProperty<NodeVelocities>("v"));
+  if (lists_are_new_)
+    find_velocities();
   if (!stuck_.empty() && is_moving())
     for (Stuck &stuck : stuck_)
       carry(stuck);
+}
+
+/* A mesh has velocities while a fix that moves it is there, which may change between two runs. */
+void FixWallRebound::find_velocities() {
+  moving_.clear();
+  for (int m = 0; m < n_meshes(); m++)
+    moving_.push_back(mesh_list()[m]->triMesh()->prop().getElementProperty<NodeVelocities>("v"));
 }
 
 /* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle, mesh and
@@ -902,11 +938,14 @@ void FixWallRebound::collect_pairs() {
   };
   if (!std::is_sorted(planes_.begin(), planes_.end(), in_order))
     std::sort(planes_.begin(), planes_.end(), in_order);
+  std::vector<char> stuck(atom->nlocal, 0);
+  for (const FixWallRebound *wall : siblings_)
+    wall->mark_stuck(stuck);
   first_.assign(atom->nlocal + 1, 0);
   for (size_t p = 0; p < planes_.size(); p++) {
     const Plane &plane = planes_[p];
     for (int i : mesh_list()[plane.mesh]->meshNeighlist()->get_contact_list(plane.triangle))
-      if (i < atom->nlocal && (atom->mask[i] & groupbit) && !is_stuck(i)) {
+      if (i < atom->nlocal && (atom->mask[i] & groupbit) && !stuck[i]) {
         pairs.push_back(Pair{i, static_cast<int>(p)});
         first_[i]++;
       }
@@ -971,10 +1010,11 @@ void FixWallRebound::find_hits_primitive(std::vector<int> &hits) {
     const int i = list[k];
     if (i >= nlocal_ || !(atom->mask[i] & groupbit))
       continue;
-    const double *v = atom->v[i];
+    double *x = row_of(x_, 3, i);
+    const double *v = row_of(atom->v, 3, i);
     for (int d = 0; d < 3; d++)
-      begin[d] = x_[i][d] - v[d] * dt;
-    double sum = primitiveWall()->resolveContact(x_[i], radius_[i], delta) +
+      begin[d] = x[d] - v[d] * dt;
+    double sum = primitiveWall()->resolveContact(x, radius_[i], delta) +
                  primitiveWall()->resolveContact(begin, radius_[i], delta);
     if (sum <= 0 || sum * sum <= dt * dt * dot(v, v))
       hits.push_back(i);
@@ -990,10 +1030,11 @@ void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) 
     candidates.push_back(Candidate{this, i, -1, 0, 0});
     return;
   }
-  const double path = sqrt(dot(atom->v[i], atom->v[i])) * update->dt;
+  const double *x = row_of(x_, 3, i), *v = row_of(atom->v, 3, i);
+  const double path = sqrt(dot(v, v)) * update->dt;
   for (int k = first_[i]; k < first_[i + 1]; k++) {
     const Plane &plane = planes_[near_[k].plane];
-    double gap = fabs(dot(plane.normal, x_[i]) - plane.offset) - radius_[i];
+    double gap = fabs(dot(plane.normal, x) - plane.offset) - radius_[i];
     if (gap <= 2 * path + 4 * plane.path)
       candidates.push_back(Candidate{this, i, plane.mesh, plane.triangle, plane.id});
   }
@@ -1011,7 +1052,7 @@ double FixWallRebound::speed_of_triangle(int m, int t) const {
 
 bool FixWallRebound::is_stuck(int i) const {
   for (const FixWallRebound *wall : siblings_)
-    if (wall->state()[i][STATE] != FREE)
+    if (wall->state(i)[STATE] != FREE)
       return true;
   return false;
 }
@@ -1066,6 +1107,13 @@ bool FixWallRebound::normal_of(const Candidate &on, const Path &path, const doub
   return true;
 }
 
+/* Whether a particle that moves with v, relative to the wall, is leaving it for this step: n points
+ * away from the wall. */
+bool FixWallRebound::leaves(const Candidate &on, const double v[3], const double n[3]) const {
+  const double away = dot(v, n);
+  return on.mesh >= 0 && away > 0 && away * away > LEAVES * LEAVES * dot(v, v);
+}
+
 bool FixWallRebound::moves(const Candidate &on) const {
   return on.mesh < 0 ? shear_ : moving_[on.mesh] != NULL;
 }
@@ -1096,6 +1144,8 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, double 
       return false;
     double approach = -dot(v, n);
     if (approach <= 0 && i == 0) {
+      if (leaves(on, v, n))
+        return false;
       time = path.left;
       continue;
     }
@@ -1154,16 +1204,20 @@ bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact
 void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
   const int i = first->particle;
   Path path;
+  double *x = row_of(x_, 3, i), *v = row_of(atom->v, 3, i);
   path.left = update->dt;
   for (int d = 0; d < 3; d++) {
-    path.v[d] = atom->v[i][d];
-    path.x[d] = x_[i][d] - path.v[d] * path.left;
+    path.v[d] = v[d];
+    path.x[d] = x[d] - path.v[d] * path.left;
   }
   bool hit = false;
+  const Candidate *behind = NULL; /* left for this step by the rebound before */
   for (int k = 0; k < CONTACTS_MAX; k++) {
     Contact earliest, contact;
     earliest.on = NULL;
     for (const Candidate *on = first; on < last; on++) {
+      if (on == behind)
+        continue;
       FixWallRebound *wall = on->wall;
       const double latest = earliest.on ? earliest.time : path.left;
       bool found = wall->timing_ == EXACT ? wall->find_contact(*on, path, latest, contact)
@@ -1174,18 +1228,23 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
     if (!earliest.on)
       break;
     hit = true;
-    if (!earliest.on->wall->rebound(earliest, path))
+    FixWallRebound *wall = earliest.on->wall;
+    if (!wall->rebound(earliest, path))
       return;
+    behind = NULL;
+    if (wall->timing_ == EXACT && !wall->moves(*earliest.on) &&
+        wall->leaves(*earliest.on, path.v, earliest.n))
+      behind = earliest.on;
     if (k == CONTACTS_MAX - 1) {
       path.left = 0;
-      earliest.on->wall->counters_[N_GUARDED]++;
+      wall->counters_[N_GUARDED]++;
     }
   }
   if (!hit)
     return;
   for (int d = 0; d < 3; d++) {
-    atom->v[i][d] = path.v[d];
-    x_[i][d] = path.x[d] + path.v[d] * path.left;
+    v[d] = path.v[d];
+    x[d] = path.x[d] + path.v[d] * path.left;
   }
 }
 
@@ -1205,7 +1264,7 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path) {
   asp_particle particle = {d_p, rmass_[i] / (ASP_PI / 6 * d_p * d_p * d_p),
                            pairs_.empty() ? NULL : &pairs_[type * (atom->ntypes + 1) + wall_type]};
   asp_key key = {seed_, fix_key_, static_cast<uint64_t>(atom->tag[i]),
-                 static_cast<uint32_t>(state()[i][IMPACTS] += 1)};
+                 static_cast<uint32_t>(state(i)[IMPACTS] += 1)};
   asp_impact impact;
   asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
   count(contact, v1, impact);
@@ -1274,8 +1333,8 @@ void FixWallRebound::record(const Contact &contact, const Path &path, const doub
  * the triangle, so that it can move with it. */
 void FixWallRebound::stick(const Contact &contact, const Path &path) {
   const int i = contact.on->particle;
-  double *s = place()[i];
-  state()[i][STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
+  double *s = place(i);
+  state(i)[STATE] = deposit_ == DELETE ? DOOMED : FROZEN;
   s[STUCK_MESH] = contact.on->mesh + 1;
   s[STUCK_TRIANGLE] = contact.on->id;
   for (int d = 0; d < 3; d++) {
@@ -1311,41 +1370,52 @@ void FixWallRebound::triangle_frame(int m, int t, double origin[3], double frame
   vectorCross3D(frame[2], frame[0], frame[1]);
 }
 
+/* The particles are looked through first, and the places of the stuck ones read afterwards: so the
+ * processor need not wait for one place before it looks at the next particle. */
 void FixWallRebound::collect_stuck() {
   stuck_.clear();
-  if (deposit_ == OFF)
+  if (deposit_ == OFF || atom->nlocal == 0)
     return;
-  if (atom->nlocal == 0)
-    return;
-  const double *state_of = state()[0] + STATE; /* rows of N_STATE, one behind the other */
+  const double *state_of = state(0) + STATE;
   for (int i = 0; i < atom->nlocal; i++)
     if (state_of[i * N_STATE] != FREE)
-      add_stuck(i);
+      stuck_.push_back(Stuck{i, {0, 0, 0}});
+  for (Stuck &stuck : stuck_)
+    vectorCopy3D(place(stuck.particle) + STUCK_V, stuck.v);
+}
+
+/* Of all particles, those that are stuck to this wall. Where the wall keeps no list of them, they
+ * are of an earlier part of the run, whose script had them stick. */
+void FixWallRebound::mark_stuck(std::vector<char> &marks) const {
+  for (const Stuck &stuck : stuck_)
+    marks[stuck.particle] = 1;
+  for (int i = 0; deposit_ == OFF && i < atom->nlocal; i++)
+    marks[i] |= state(i)[STATE] != FREE;
 }
 
 void FixWallRebound::add_stuck(int i) {
-  const double *v = place()[i] + STUCK_V;
+  const double *v = place(i) + STUCK_V;
   stuck_.push_back(Stuck{i, {v[0], v[1], v[2]}});
 }
 
-/* A stuck particle has the wall's velocity, ... (Arrays of the atoms are rows of three.) */
+/* A stuck particle has the wall's velocity, ... */
 void FixWallRebound::hold(const Stuck &stuck) {
-  vectorCopy3D(stuck.v, atom->v[0] + 3 * stuck.particle);
+  vectorCopy3D(stuck.v, row_of(atom->v, 3, stuck.particle));
   if (atom->omega_flag)
-    vectorZeroize3D(atom->omega[0] + 3 * stuck.particle);
+    vectorZeroize3D(row_of(atom->omega, 3, stuck.particle));
 }
 
 /* ... and no force on it moves it. */
 void FixWallRebound::free_of_forces(const Stuck &stuck) {
-  vectorZeroize3D(atom->f[0] + 3 * stuck.particle);
+  vectorZeroize3D(row_of(atom->f, 3, stuck.particle));
   if (atom->torque_flag)
-    vectorZeroize3D(atom->torque[0] + 3 * stuck.particle);
+    vectorZeroize3D(row_of(atom->torque, 3, stuck.particle));
 }
 
 /* Takes a stuck particle along with the triangle that it sits on. */
 void FixWallRebound::carry(Stuck &stuck) {
   const int i = stuck.particle;
-  double *s = place()[i];
+  double *s = place(i);
   const int m = static_cast<int>(s[STUCK_MESH]) - 1;
   if (m < 0 || m >= n_meshes() || !mesh_list()[m]->triMesh()->isMoving())
     return;
@@ -1378,7 +1448,7 @@ void FixWallRebound::pre_exchange() {
     return;
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (state()[i][STATE] == DOOMED) {
+    if (state(i)[STATE] == DOOMED) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;

@@ -173,8 +173,8 @@ private:
   std::string state_id() const;
   std::string place_id() const;
   class FixPropertyAtom *add_property(const std::string &name, int columns);
-  double **state() const;
-  double **place() const;
+  double *state(int i) const;
+  double *place(int i) const;
   void check_particles();
   void check_meshes();
   void check_group();
@@ -184,7 +184,9 @@ private:
   void warn_of_speeds();
 
   void find_siblings();
+  void fetch(int i) const;
   void refresh();
+  void find_velocities();
   void collect_pairs();
   void find_hits(std::vector<int> &hits);
   void find_hits_primitive(std::vector<int> &hits);
@@ -193,6 +195,7 @@ private:
   double speed_of_triangle(int mesh, int triangle) const;
   bool is_stuck(int i) const;
   double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
+  bool leaves(const Candidate &on, const double v[3], const double n[3]) const;
   bool moves(const Candidate &on) const;
   bool find_contact(const Candidate &on, const Path &path, double latest, Contact &contact);
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
@@ -208,6 +211,7 @@ private:
   void triangle_frame(int mesh, int triangle, double origin[3], double frame[3][3]);
   void settle_maps();
   void collect_stuck();
+  void mark_stuck(std::vector<char> &marks) const;
   void add_stuck(int i);
   void hold(const Stuck &stuck);
   void free_of_forces(const Stuck &stuck);

@@ -192,25 +192,23 @@ static void append_line(const ReboundLedger::Row &row, std::vector<char> &bytes)
   bytes.insert(bytes.end(), line, end);
 }
 
-static void append(std::vector<char> &bytes, const void *value, int count) {
-  const char *first = static_cast<const char *>(value);
-  bytes.insert(bytes.end(), first, first + count);
-}
-
 static void append_record(const ReboundLedger::Row &row, std::vector<char> &bytes) {
+  char record[sizeof(int64_t) * ReboundLedger::N_COLUMNS], *end = record;
   for (int i = 0; i < ReboundLedger::N_COLUMNS; i++) {
     double value = row[i];
     if (i == ReboundLedger::COR_T && !(row[ReboundLedger::COR_T_DEFINED] > 0))
       value = NAN;
     if (COLUMNS[i].type[0] == 'i') {
       const int64_t whole = static_cast<int64_t>(value); /* its first bytes: the same in fewer */
-      append(bytes, &whole, bytes_of(i));
+      memcpy(end, &whole, sizeof whole);
     } else if (bytes_of(i) == 4) {
       const float single = static_cast<float>(value);
-      append(bytes, &single, bytes_of(i));
+      memcpy(end, &single, sizeof single);
     } else
-      append(bytes, &value, bytes_of(i));
+      memcpy(end, &value, sizeof value);
+    end += bytes_of(i);
   }
+  bytes.insert(bytes.end(), record, end);
 }
 
 /* The rows that are not in the file yet. */

@@ -26,8 +26,13 @@ void ReboundMap::remove() {
 }
 
 void ReboundMap::add_own(int triangle, const Values &values) {
+  for (int k = 0; k < N_VALUES; k++) /* one behind the other, found without pointers to each */
+    sums_[k]->begin()[triangle] += values[k];
+}
+
+void ReboundMap::fetch(int triangle) const {
   for (int k = 0; k < N_VALUES; k++)
-    (*sums_[k])(triangle) += values[k];
+    __builtin_prefetch(sums_[k]->begin() + triangle);
 }
 
 void ReboundMap::add(int triangle, double deposited_mass, double energy) {

@@ -28,6 +28,9 @@ public:
    * then. */
   void remove();
 
+  /* Asks for what add() will write to. */
+  void fetch(int triangle) const;
+
   /* One impact on a local or ghost triangle. */
   void add(int triangle, double deposited_mass, double energy);
 

@@ -46,7 +46,15 @@ ends half "$(awk 'BEGIN { printf "%.15g 0 %.15g 9 25", 4e-6 * 10 + 6e-6 * 9, 5e-
 # Two planes 0.15 mm apart, gap 0.05 mm: several contacts in one step of 6 us (0.3 mm of flight).
 flight "fix a all wall/rebound primitive type 2 zplane 0.0 $mirror
 fix b all wall/rebound primitive type 2 zplane 1.5e-4 $mirror" "0 0 7e-5" "1 0 -50" 6e-6 2 > slot.in
-ends slot "$(awk 'BEGIN { z = 2e-5 - 50 * 12e-6; z -= 1e-4 * int(z / 1e-4); if (z < 0) z += 1e-4; up = 0; s = (50 * 12e-6 - 2e-5) / 5e-5; k = int(s); r = (s - k) * 5e-5; printf "%.15g 0 %.15g 1 %d", 12e-6, 5e-5 + (k % 2 ? 5e-5 - r : r), k % 2 ? -50 : 50 }')"
+bounced="$(awk 'BEGIN { z = 2e-5 - 50 * 12e-6; z -= 1e-4 * int(z / 1e-4); if (z < 0) z += 1e-4; up = 0; s = (50 * 12e-6 - 2e-5) / 5e-5; k = int(s); r = (s - k) * 5e-5; printf "%.15g 0 %.15g 1 %d", 12e-6, 5e-5 + (k % 2 ? 5e-5 - r : r), k % 2 ? -50 : 50 }')"
+ends slot "$bounced"
+
+# The same between two triangles: each is left, and met again in the same step.
+facet() { printf '%s\n' "facet normal 0 0 1" "outer loop" "vertex -0.005 -0.005 $1" "vertex 0.005 -0.005 $1" "vertex 0 0.005 $1" endloop endfacet; }
+{ echo "solid s"; facet 0; facet 1.5e-4; echo "endsolid s"; } > slot.stl
+flight "fix plates all mesh/surface file slot.stl type 2
+fix w all wall/rebound mesh n_meshes 1 meshes plates $mirror" "0 0 7e-5" "1 0 -50" 6e-6 2 > facets.in
+ends facets "$bounced"
 
 # Inside a cylinder of radius 2 mm along x: a chord at 45 degrees to the wall, four contacts a turn. The
 # centre moves on a square of half diagonal 1.95 mm.
@@ -54,6 +62,14 @@ flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 $mirror" "0 0
 engine 1 tube.in
 at | awk '{ r = sqrt($2 * $2 + $3 * $3); exit !(r <= 1.95e-3 * (1 + 1e-9) && r >= 1.95e-3 / sqrt(2) * 0.98) }' ||
   die "tube: left its square"
+
+# A chord at 5 degrees, shorter than the step: the wall is left at first, and met again within it.
+flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 $mirror" "0 0 -1.949e-3" "0 69.73 6.1" 5.8e-6 1 > chord.in
+engine 1 chord.in
+at | awk '{ z = -1.949e-3; u = 69.73; w = 6.1; uu = u * u + w * w; b = z * w / uu; r = 1.95e-3
+  t = -b + sqrt(b * b + (r * r - z * z) / uu); y = u * t; z += w * t; vn = (u * y + w * z) / r / r
+  u -= 2 * vn * y; w -= 2 * vn * z; y += u * (5.8e-6 - t) - $2; z += w * (5.8e-6 - t) - $3; w -= $5
+  exit !(y * y + z * z < 1e-24 && w * w < 1e-12) }' || die "chord: not where the wall sends it"
 
 # The edge x = 0 of a plate at z = 0, x > 0, met by a centre 30 um outside it.
 cat > edge.stl << 'END'
