@@ -70,7 +70,7 @@ static inline frame plain_frame(vec v, vec normal, bool *plain) {
   vec n = scaled(normal, per_length), along = plus(v, v_n, n);
   double square = dot(along, along), v_t = sqrt(square);
   *plain = is_near_unit(length2) & (square > NEARLY_NORMAL * v_n * v_n);
-  return (frame){n, along, v_n, v_t, 1 / v_t};
+  return (frame){n, along, v_n, v_t, v_t > 0 ? 1 / v_t : 0};
 }
 
 /* The frame of a velocity at a wall of unit normal n. Of a velocity nearly along n, what is left of

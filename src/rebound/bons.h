@@ -4,6 +4,7 @@
 
 #include "asperity.h"
 
+#include <float.h>
 #include <math.h>
 
 /* How near a difference may come to 0, as a share of what it is taken from, before long double. */
@@ -27,20 +28,25 @@ typedef struct asp_bons_answer {
   bool near; /* a threshold: to be worked out again in long double */
 } asp_bons_answer;
 
+/* 1/v_y; of a grain that yields at any speed, nothing, for it is not needed. */
+static inline double asp_bons_inverse(double v_y) {
+  return v_y > DBL_MIN * 8 ? 1 / v_y : 0;
+}
+
 /* rate: there is a yield_rate. */
 static inline asp_bons_grain asp_bons_grain_of(const asp_bons_constants *p, double d_p,
                                                double density, asp_pair pair, bool rate) {
   double v_y = (rate ? p->yield_rate : pair.yield_stress) * p->softened;
   v_y /= sqrt(density * pair.modulus);
   double pull = p->adhesion * pair.surface_energy / (density * d_p);
-  return (asp_bons_grain){v_y, rate ? 0 : 1 / v_y, pull, pair.friction};
+  return (asp_bons_grain){v_y, rate ? 0 : asp_bons_inverse(v_y), pull, pair.friction};
 }
 
 /* root: c is 0.5, and the power is spared. Without branches that a vector loop could not take. */
 static inline asp_bons_answer asp_bons_plain(const asp_bons_constants *p, double n1, double t1,
                                              asp_bons_grain g, bool rate, bool root, double c) {
   double speed2 = n1 * n1 + t1 * t1, v_y = rate ? g.v_y * sqrt(speed2) : g.v_y;
-  double per_v_y = rate ? 1 / v_y : g.per_v_y;
+  double per_v_y = rate ? asp_bons_inverse(v_y) : g.per_v_y;
   double n2 = n1 < v_y ? n1 : v_y, ratio = n1 < v_y ? n1 * per_v_y : 1; /* v_y = 0: all yields */
   double share = p->a + p->b * (root ? sqrt(ratio) : pow(ratio, c));
   double square = n2 * n2, left = square - g.pull * share;

@@ -135,7 +135,8 @@ static void place_nodes(table *t, const asp_sizes *sizes) {
   }
   for (int i = 0; i < t->bins; i++) {
     t->d_p[i] = asp_sizes_at(sizes, i);
-    t->per_d_p[i] = 1 / (asp_sizes_at(sizes, i + 1) - t->d_p[i]);
+    double step = asp_sizes_at(sizes, i + 1) - t->d_p[i];
+    t->per_d_p[i] = step > 0 ? 1 / step : 0; /* all of one size */
   }
   place_parts(t);
 }

@@ -12,7 +12,6 @@
 #include "spread/invert.h"
 #include "spread/models.h"
 
-#include <float.h>
 #include <gsl/gsl_cdf.h>
 
 /* From this a on the law is the normal one, to 1e-10 in u. */
@@ -95,7 +94,7 @@ static asp_point at(const law *w, double x) {
 /* The start is exact at the end of the support, and far from it for a large a. */
 static double down_quantile(const law *w, double u) {
   double far = gsl_cdf_ugaussian_Pinv(u), most = sqrt(-2 * log1p(-u)) + 1;
-  double end = w->density > DBL_MIN ? sqrt(2 * u * w->z / w->density) : INFINITY;
+  double end = w->density > 1e-300 ? sqrt(2 * u * w->z / w->density) : INFINITY;
   return asp_invert(down_at, w, -w->a, most, fmax(far, fmin(end, 1) - w->a), u);
 }
 

@@ -38,7 +38,8 @@ typedef struct asp_visible_place {
 /* With an odd number of rows the last holds a = infinity, too, for halves go to the even one. */
 static inline asp_visible_place asp_visible_find(asp_turn alpha1, double slope, double u) {
   double along = alpha1.sine + ASP_VISIBLE_HALF_WAY * slope * alpha1.cosine;
-  double y = ASP_VISIBLE_ROWS * alpha1.sine / along - 0.5;
+  double y =
+      alpha1.sine / along * ASP_VISIBLE_ROWS - 0.5; /* in this order never above ROWS - 0.5 */
   double x = log(u / (1 - u)) * (1 / ASP_VISIBLE_STEP) - ASP_VISIBLE_FIRST / ASP_VISIBLE_STEP;
   double row = asp_nearest(y), column = asp_nearest(x);
   return (asp_visible_place){row * ASP_VISIBLE_COLUMNS + column, y - row, x - column};

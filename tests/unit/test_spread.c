@@ -369,6 +369,17 @@ static void tables_know_sizes(void **state) {
     }
     model->release(table);
   }
+  const asp_sizes same = {1, 1, 4}, one = {1, 1, 1}; /* bins of one size */
+  void *table = model->prepare(profile, &same, NULL), *alone = model->prepare(profile, &one, NULL);
+  for (double d_p = 0.5; d_p < 3; d_p *= 2) {
+    asp_view view = asp_view_create(0.5, 0.3), other = view;
+    view.d_p = other.d_p = d_p;
+    view.data = table;
+    other.data = alone;
+    assert_near(model->quantile(&view, 0.9), model->quantile(&other, 0.9), 0);
+  }
+  model->release(table);
+  model->release(alone);
   asp_profile_free(profile);
 }
 
