@@ -48,7 +48,7 @@ double asp_cut_normal_distribution(double sigma, double lo, double hi, double de
 }
 
 double asp_cut_normal_quantile(double sigma, double lo, double hi, double u) {
-  double below = tail(-lo / sigma), above = tail(hi / sigma);
-  double x = normal_quantile(u * (1 - above) + (1 - u) * below, (1 - u) * (1 - below) + u * above);
-  return asp_within(sigma * x, lo, hi);
+  double below = tail(-lo / sigma), above = tail(hi / sigma), rest = 1 - u;
+  double moved = rest * below - u * above; /* what the cuts make of u in the whole law */
+  return asp_within(sigma * normal_quantile(u + moved, rest - moved), lo, hi);
 }
