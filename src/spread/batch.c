@@ -1,7 +1,9 @@
-/* Quantiles of many contacts at once: the straight code of weibull.h and visible.h in vector loops.
+/* Quantiles of many contacts at once: the straight code of weibull.h, visible.h and profile_table.h
+ * in vector loops.
  * What the straight code does not cover is done again, one by one. */
 #include "simd.h"
 #include "spread/models.h"
+#include "spread/profile_table.h"
 #include "spread/visible.h"
 #include "spread/weibull.h"
 
@@ -116,5 +118,69 @@ void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, d
     if (!is_quick(views->sigma[i], views->alpha1[i], u[i])) {
       asp_view one = asp_views_at(views, i);
       delta[i] = asp_spread_visible.quantile(&one, u[i]);
+    }
+}
+
+/* The size of each contact among those of the table; false where all are of the first one's. */
+static inline bool find_sizes(const asp_profile_table *t, const double *d_p, size_t n, int *step,
+                              double *share) {
+  size_t others = 0;
+#pragma omp simd reduction(+ : others)
+  for (size_t i = 0; i < n; i++)
+    others += (d_p[i] < d_p[0]) | (d_p[i] > d_p[0]);
+  for (size_t i = 0; i < (others > 0 ? n : 1); i++) {
+    asp_profile_place place = asp_profile_size(t, d_p[i]);
+    step[i] = place.step;
+    share[i] = place.share;
+  }
+  return others > 0;
+}
+
+/* `several`: sizes, of which each contact has its own; else the first is everyone's. */
+static inline void find_tilts(const asp_views *views, size_t n, const double *u, bool several,
+                              const int *step, const double *size, double *delta) {
+  const asp_profile_table *t = views->data;
+  const float *table = t->delta;
+  const double *alpha1 = views->alpha1;
+  double part[ASP_BATCH], angle[ASP_BATCH];
+  int at[ASP_BATCH], next = asp_profile_next(t);
+#pragma omp simd
+  for (size_t i = 0; i < n; i++) {
+    asp_profile_place along = asp_profile_angle(t, alpha1[i] > 0 ? alpha1[i] : 0);
+    asp_profile_place node = asp_profile_u(u[i]);
+    at[i] = step[several ? i : 0] * ASP_PROFILE_SIZE + node.step * ASP_PROFILE_ANGLES + along.step;
+    part[i] = node.share;
+    angle[i] = along.share;
+  }
+#pragma omp simd
+  for (size_t i = 0; i < n; i++) {
+    double d = asp_profile_delta(table, at[i], next, size[several ? i : 0], part[i], angle[i]);
+    delta[i] = d > -alpha1[i] ? d : -alpha1[i];
+  }
+}
+
+/* For particles that fly up another law holds. Returns how many do. */
+ASP_EACH_MACHINE
+static size_t profile_n(const asp_views *views, size_t n, const double *u, double *delta) {
+  int step[ASP_BATCH];
+  double size[ASP_BATCH];
+  size_t up = 0;
+  if (find_sizes(views->data, views->d_p, n, step, size))
+    find_tilts(views, n, u, true, step, size, delta);
+  else
+    find_tilts(views, n, u, false, step, size, delta);
+#pragma omp simd reduction(+ : up)
+  for (size_t i = 0; i < n; i++)
+    up += views->alpha1[i] < 0;
+  return up;
+}
+
+void asp_profile_quantile_n(const asp_views *views, size_t n, const double *u, double *delta) {
+  if (profile_n(views, n, u, delta) == 0)
+    return;
+  for (size_t i = 0; i < n; i++)
+    if (views->alpha1[i] < 0) {
+      asp_view one = asp_views_at(views, i);
+      delta[i] = asp_spread_profile.quantile(&one, u[i]);
     }
 }

@@ -54,6 +54,7 @@ void asp_views_quantile(const asp_spread_model *model, const asp_views *views, s
 /* In vector code, see batch.c. */
 void asp_weibull_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
 void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
+void asp_profile_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
 
 static inline asp_view asp_views_at(const asp_views *views, size_t i) {
   return (asp_view){views->slope[i], views->sigma[i], views->alpha1[i], views->d_p[i], views->data};

@@ -6,46 +6,21 @@
  * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
  * fly up meet the law of `visible`. */
 #include "error.h"
-#include "spread/cells.h"
-#include "spread/models.h"
-#include "spread/trace.h"
+#include "spread/profile_table.h"
 
 #include <gsl/gsl_sort.h>
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
-  ANGLES = 64,
-  CELLS = 512, /* of equal width in u */
-  PARTS = 32,  /* of the first and of the last of them */
-  NODES = CELLS - 2 + 2 * PARTS + 1,
-  PARTS_OF_SIZE = 512 /* at most, to find a bin by */
+  ANGLES = ASP_PROFILE_ANGLES,
+  NODES = ASP_PROFILE_NODES,
+  CELLS = ASP_PROFILE_CELLS,
+  PARTS = ASP_PROFILE_PARTS
 };
 
-typedef struct table {
-  int bins;
-  double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
-  double most;                                     /* the last d_p */
-  /* Parts of the sizes' range, each so many bits of a double long, and the bin that each begins in:
-   * the bits of the diameter are its logarithm, as straight lines between powers of two. */
-  uint64_t first_bits;
-  int part_bits;
-  uint8_t below[PARTS_OF_SIZE];
-  double angle[ANGLES], per_angle[ANGLES];
-  float delta[][NODES][ANGLES]; /* by size, u, angle; rad */
-} table;
+typedef asp_profile_table table;
 
-/* Where u lies among the nodes: whole part and rest. */
-static inline double place_of(double u) {
-  double cell = u * CELLS;
-  if (cell < 1)
-    return cell * PARTS;
-  if (cell > CELLS - 1)
-    return PARTS + CELLS - 2 + (cell - (CELLS - 1)) * PARTS;
-  return PARTS - 1 + cell;
-}
-
+/* u at a node, or between two. */
 static double u_at(double place) {
   if (place < PARTS)
     return place / (PARTS * (double)CELLS);
@@ -88,8 +63,9 @@ static asp_code bench_create(bench *b, const asp_profile *profile, double d_p, a
   return ASP_OK;
 }
 
-/* The quantiles of one angle: the slopes at which the sum of the weights passes each node. */
-static void fill(bench *b, double alpha1, float (*delta)[ANGLES], int angle) {
+/* The quantiles of one angle, ANGLES numbers apart: the slopes at which the sum of the weights
+ * passes each node. */
+static void fill(bench *b, double alpha1, float *delta) {
   asp_track_first_hit(b->track, alpha1, b->weight);
   double sum = 0;
   size_t last = 0;
@@ -101,10 +77,10 @@ static void fill(bench *b, double alpha1, float (*delta)[ANGLES], int angle) {
     last = face;
     sum += b->weight[face];
     for (; node < NODES && u_at(node) <= sum; node++)
-      delta[node][angle] = (float)atan(b->slope[face]);
+      delta[node * ANGLES] = (float)atan(b->slope[face]);
   }
   for (; node < NODES; node++)
-    delta[node][angle] = (float)atan(b->slope[last]);
+    delta[node * ANGLES] = (float)atan(b->slope[last]);
 }
 
 static void release(void *data) {
@@ -115,10 +91,10 @@ static void place_parts(table *t) {
   t->most = t->d_p[t->bins - 1];
   t->first_bits = asp_bits(t->d_p[0]);
   uint64_t range = asp_bits(t->most) - t->first_bits;
-  for (t->part_bits = 0; range >> t->part_bits >= PARTS_OF_SIZE;)
+  for (t->part_bits = 0; range >> t->part_bits >= ASP_PROFILE_SIZE_PARTS;)
     t->part_bits++;
   int i = 0;
-  for (int k = 0; k < PARTS_OF_SIZE; k++) {
+  for (int k = 0; k < ASP_PROFILE_SIZE_PARTS; k++) {
     uint64_t bits = t->first_bits + ((uint64_t)k << t->part_bits);
     while (i < t->bins - 2 && asp_bits(t->d_p[i + 1]) <= bits)
       i++;
@@ -144,7 +120,7 @@ static void place_nodes(table *t, const asp_sizes *sizes) {
 static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
   if (asp_sizes_check(sizes, error))
     return NULL;
-  table *t = malloc(sizeof *t + (size_t)sizes->bins * sizeof *t->delta);
+  table *t = malloc(sizeof *t + (size_t)sizes->bins * ASP_PROFILE_SIZE * sizeof *t->delta);
   if (!t) {
     asp_fail(error, ASP_ENOMEM, "out of memory for a table of %d sizes", sizes->bins);
     return NULL;
@@ -157,61 +133,41 @@ static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_err
       return NULL;
     }
     for (int k = 0; k < ANGLES; k++)
-      fill(&b, t->angle[k], t->delta[i], k);
+      fill(&b, t->angle[k], t->delta + i * ASP_PROFILE_SIZE + k);
     bench_free(&b);
   }
   return t;
 }
 
-/* Between which sizes and angles a view lies. */
+/* Between which sizes and angles a view lies: where their numbers begin, and the shares. */
 typedef struct cell {
-  const float *row;               /* of the lesser size, at the first u and the lesser angle */
-  size_t next;                    /* from there to the greater size; 0: there is but one */
-  double size_share, angle_share; /* of the greater */
+  const table *t;
+  int at;
+  double size, angle;
 } cell;
 
-/* The last bin but one whose size is not above d_p, which is within the table. */
-static inline int bin_below(const table *t, double d_p) {
-  int i = t->below[(asp_bits(d_p) - t->first_bits) >> t->part_bits];
-  while (i < t->bins - 2 && d_p > t->d_p[i + 1])
-    i++;
-  return i;
+static inline cell cell_of(const asp_view *view) {
+  const table *t = view->data;
+  asp_profile_place size = asp_profile_size(t, view->d_p),
+                    angle = asp_profile_angle(t, view->alpha1);
+  return (cell){t, size.step * ASP_PROFILE_SIZE + angle.step, size.share, angle.share};
 }
 
-static inline cell cell_of(const table *t, const asp_view *view) {
-  int k = (int)sqrt(view->alpha1 * (2 / ASP_PI * (ANGLES - 1) * (ANGLES - 1)));
-  k = k < ANGLES - 2 ? k : ANGLES - 2;
-  double angle = (view->alpha1 - t->angle[k]) * t->per_angle[k];
-  if (t->bins == 1)
-    return (cell){*t->delta[0] + k, 0, 0, angle};
-  double d_p = asp_within(view->d_p, t->d_p[0], t->most);
-  int i = bin_below(t, d_p);
-  return (cell){*t->delta[i] + k, NODES * ANGLES, (d_p - t->d_p[i]) * t->per_d_p[i], angle};
+static inline double delta_at(const cell *c, asp_profile_place u) {
+  return asp_profile_delta(c->t->delta, c->at + u.step * ANGLES, asp_profile_next(c->t), c->size,
+                           u.share, c->angle);
 }
 
-/* The quantile at so large a share of the way from a node to the next. */
-static inline double between(const cell *c, int node, double share) {
-  const float *first = c->row + node * ANGLES, *second = first + c->next;
-  double at[2];
-  for (int k = 0; k < 2; k++) {
-    double low = first[k] + share * ((double)first[ANGLES + k] - first[k]);
-    double high = second[k] + share * ((double)second[ANGLES + k] - second[k]);
-    at[k] = low + c->size_share * (high - low);
-  }
-  return at[0] + c->angle_share * (at[1] - at[0]);
-}
-
-static inline double node_at(const cell *c, int node) {
-  return node < NODES - 1 ? between(c, node, 0) : between(c, NODES - 2, 1);
+static double node_at(const cell *c, int node) {
+  bool last = node == NODES - 1;
+  return delta_at(c, (asp_profile_place){last ? node - 1 : node, last ? 1 : 0});
 }
 
 static double quantile(const asp_view *view, double u) {
   if (view->alpha1 < 0)
     return asp_spread_visible.quantile(view, u);
-  cell c = cell_of(view->data, view);
-  double place = place_of(u);
-  int node = (int)place < NODES - 2 ? (int)place : NODES - 2;
-  double delta = between(&c, node, place - node);
+  cell c = cell_of(view);
+  double delta = delta_at(&c, asp_profile_u(u));
   return delta > -view->alpha1 ? delta : -view->alpha1;
 }
 
@@ -228,7 +184,7 @@ static int node_below(const cell *c, double delta) {
 static double distribution(const asp_view *view, double delta) {
   if (view->alpha1 < 0)
     return asp_spread_visible.distribution(view, delta);
-  cell c = cell_of(view->data, view);
+  cell c = cell_of(view);
   int node = node_below(&c, delta);
   if (node < 0 || node >= NODES - 1)
     return node < 0 ? 0 : 1;
@@ -239,7 +195,7 @@ static double distribution(const asp_view *view, double delta) {
 static double density(const asp_view *view, double delta) {
   if (view->alpha1 < 0)
     return asp_spread_visible.density(view, delta);
-  cell c = cell_of(view->data, view);
+  cell c = cell_of(view);
   int node = node_below(&c, delta);
   if (node < 0 || node >= NODES - 1)
     return 0;
@@ -254,6 +210,7 @@ const asp_spread_model asp_spread_profile = {
     .density = density,
     .distribution = distribution,
     .quantile = quantile,
+    .quantile_n = asp_profile_quantile_n,
     .prepare = prepare,
     .release = release,
 };

@@ -303,12 +303,13 @@ static void pinv_rows(const inputs *in, void *const *data, const char *wall) {
 
 static void promises(const ways *all, const bench_work *gsl, const char *wall) {
   const ways *weibull = way(all, "weibull"), *visible = way(all, "visible");
-  const bench_work *profile = way(all, "profile")->quantile;
+  const ways *profile = way(all, "profile");
   promise("`weibull` over gsl_ran_weibull", wall, weibull->quantile, gsl, "<=", 1.2);
   promise("`visible` over `weibull`", wall, visible->quantile, weibull->quantile, "<=", 1.5);
-  promise("`profile` over `weibull`", wall, profile, weibull->quantile, "<=", 0.5);
+  promise("`profile` over `weibull`", wall, profile->quantile, weibull->quantile, "<=", 0.5);
   promise("`weibull` over its batch", wall, weibull->quantile, weibull->batch, ">=", 3);
   promise("`visible` over its batch", wall, visible->quantile, visible->batch, ">=", 3);
+  promise("`profile` over its batch", wall, profile->quantile, profile->batch, ">=", 3);
 }
 
 /* The three ways to ask a model, where it has them. */
