@@ -136,43 +136,40 @@ static inline bool find_sizes(const asp_profile_table *t, const double *d_p, siz
   return others > 0;
 }
 
-/* `several`: sizes, of which each contact has its own; else the first is everyone's. */
-static inline void find_tilts(const asp_views *views, size_t n, const double *u, bool several,
-                              const int *step, const double *size, double *delta) {
+/* `several`: sizes, of which each contact has its own; else the first is everyone's. Returns how
+ * many particles fly up, for which another law holds. */
+static inline size_t find_tilts(const asp_views *views, size_t n, const double *u, bool several,
+                                const int *step, const double *size, double *delta) {
   const asp_profile_table *t = views->data;
   const float *table = t->delta;
   const double *alpha1 = views->alpha1;
   double part[ASP_BATCH], angle[ASP_BATCH];
   int at[ASP_BATCH], next = asp_profile_next(t);
-#pragma omp simd
+  size_t up = 0;
+#pragma omp simd reduction(+ : up)
   for (size_t i = 0; i < n; i++) {
     asp_profile_place along = asp_profile_angle(t, alpha1[i] > 0 ? alpha1[i] : 0);
     asp_profile_place node = asp_profile_u(u[i]);
     at[i] = step[several ? i : 0] * ASP_PROFILE_SIZE + node.step * ASP_PROFILE_ANGLES + along.step;
     part[i] = node.share;
     angle[i] = along.share;
+    up += alpha1[i] < 0;
   }
 #pragma omp simd
   for (size_t i = 0; i < n; i++) {
     double d = asp_profile_delta(table, at[i], next, size[several ? i : 0], part[i], angle[i]);
     delta[i] = d > -alpha1[i] ? d : -alpha1[i];
   }
+  return up;
 }
 
-/* For particles that fly up another law holds. Returns how many do. */
 ASP_EACH_MACHINE
 static size_t profile_n(const asp_views *views, size_t n, const double *u, double *delta) {
   int step[ASP_BATCH];
   double size[ASP_BATCH];
-  size_t up = 0;
   if (find_sizes(views->data, views->d_p, n, step, size))
-    find_tilts(views, n, u, true, step, size, delta);
-  else
-    find_tilts(views, n, u, false, step, size, delta);
-#pragma omp simd reduction(+ : up)
-  for (size_t i = 0; i < n; i++)
-    up += views->alpha1[i] < 0;
-  return up;
+    return find_tilts(views, n, u, true, step, size, delta);
+  return find_tilts(views, n, u, false, step, size, delta);
 }
 
 void asp_profile_quantile_n(const asp_views *views, size_t n, const double *u, double *delta) {
