@@ -4,6 +4,7 @@
 
 #include "spread/models.h"
 #include "spread/trace.h"
+#include "spread/weibull.h"
 
 #include <float.h>
 #include <gsl/gsl_cdf.h>
@@ -306,6 +307,55 @@ static void weibull_is_the_best_of_its_kind(void **state) {
   }
 }
 
+/* A number of 0 to 1, every third crowded towards 0, every third towards 1. */
+static double crowded(gsl_rng *rng, int i) {
+  double u = gsl_rng_uniform_pos(rng), tail = pow(u, 8);
+  return i % 3 == 0 ? u : i % 3 == 1 ? tail : 1 - tail;
+}
+
+/* Whatever is small in the cut, taken from tables or left out, against the law in long double. */
+static void weibull_keeps_its_digits(void **state) {
+  (void)state;
+  const asp_spread_model *weibull = asp_spread_find("weibull", NULL);
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  for (int i = 0; i < 200000; i++) {
+    double u = crowded(rng, i);
+    if (!(u > 0 && u < 1))
+      continue;
+    asp_view view = asp_view_create(pow(gsl_rng_uniform(rng), 2) * 80 * DEGREE + 0.001,
+                                    gsl_rng_uniform(rng) * ASP_PI / 2);
+    asp_weibull_law w = asp_weibull_at(view.sigma, view.alpha1);
+    long double lost = expl(-powl((ASP_DELTA_MOST - w.b) / w.lambda, w.k));
+    long double place = powl(-log1pl(u * (lost - 1)), 1.L / w.k);
+    double should = fmin((double)(w.b + w.lambda * place), ASP_DELTA_MOST);
+    double off = fabs(weibull->quantile(&view, u) - should);
+    if (!(off < 1e-14 || off * weibull->density(&view, should) < 2e-16)) /* in delta, or in u */
+      fail_at(weibull, &view, "quantile", u, weibull->quantile(&view, u), should);
+  }
+  gsl_rng_free(rng);
+}
+
+/* The tables of the normal law against GSL and the C library's erfc. */
+static void normal_laws_keep_their_digits(void **state) {
+  (void)state;
+  const asp_spread_model *normal = asp_spread_find("normal", NULL);
+  const asp_spread_model *truncated = asp_spread_find("truncated", NULL);
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  for (int i = 0; i < 200000; i++) {
+    double u = crowded(rng, i), sigma = 0.01, alpha1 = gsl_rng_uniform(rng) * 0.2;
+    if (!(u > 1e-300 && u < 1))
+      continue;
+    asp_view view = asp_view_create(sigma, alpha1);
+    double x = u < 0.5 ? gsl_cdf_ugaussian_Pinv(u) : gsl_cdf_ugaussian_Qinv(1 - u);
+    assert_near(normal->quantile(&view, u) / sigma, x, 1e-15 + 1e-15 * fabs(x));
+    double lost = 0.5 * erfc(alpha1 / 2 / sigma * M_SQRT1_2), p = u + (1 - u) * lost;
+    double cut = truncated->quantile(&view, u) / sigma;
+    double is = cut < 0 ? 0.5 * erfc(-cut * M_SQRT1_2) : 1 - 0.5 * erfc(cut * M_SQRT1_2);
+    assert_near(is, p, 5e-16);
+  }
+  gsl_rng_free(rng);
+}
+
 static void batches_are_single_calls(void **state) {
   (void)state;
   enum { N = 1003 };
@@ -457,6 +507,8 @@ int main(void) {
       cmocka_unit_test(visible_is_accurate_for_every_a),
       cmocka_unit_test(models_agree_where_they_must),
       cmocka_unit_test(weibull_is_the_best_of_its_kind),
+      cmocka_unit_test(weibull_keeps_its_digits),
+      cmocka_unit_test(normal_laws_keep_their_digits),
       cmocka_unit_test(batches_are_single_calls),
       cmocka_unit_test(batches_of_all_sorts),
       cmocka_unit_test(tables_know_sizes),
