@@ -144,7 +144,7 @@ static inline size_t find_tilts(const asp_views *views, size_t n, const double *
   const float *table = t->delta;
   const double *alpha1 = views->alpha1;
   double part[ASP_BATCH], angle[ASP_BATCH];
-  int at[ASP_BATCH], next = asp_profile_next(t);
+  int at[ASP_BATCH], next = t->next;
   size_t up = 0;
 #pragma omp simd reduction(+ : up)
   for (size_t i = 0; i < n; i++) {

@@ -104,6 +104,7 @@ static void place_parts(table *t) {
 
 static void place_nodes(table *t, const asp_sizes *sizes) {
   t->bins = sizes->bins;
+  t->next = t->bins > 1 ? ASP_PROFILE_SIZE : 0;
   for (int k = 0; k < ANGLES; k++) {
     double width = ASP_PI / 2 / ((ANGLES - 1.) * (ANGLES - 1.));
     t->angle[k] = width * k * k;
@@ -154,8 +155,8 @@ static inline cell cell_of(const asp_view *view) {
 }
 
 static inline double delta_at(const cell *c, asp_profile_place u) {
-  return asp_profile_delta(c->t->delta, c->at + u.step * ANGLES, asp_profile_next(c->t), c->size,
-                           u.share, c->angle);
+  return asp_profile_delta(c->t->delta, c->at + u.step * ANGLES, c->t->next, c->size, u.share,
+                           c->angle);
 }
 
 static double node_at(const cell *c, int node) {

@@ -19,7 +19,7 @@ enum {
 };
 
 typedef struct asp_profile_table {
-  int bins;
+  int bins, next; /* next: how far the numbers of the next size are; 0 of one size */
   double d_p[ASP_BINS_MAX], per_d_p[ASP_BINS_MAX]; /* 1 over the step to the next */
   double most;                                     /* the last d_p */
   /* Parts of the sizes' range, each so many bits of a double long, and the bin that each begins in:
@@ -54,18 +54,11 @@ static inline asp_profile_place asp_profile_angle(const asp_profile_table *t, do
 }
 
 static inline asp_profile_place asp_profile_size(const asp_profile_table *t, double d_p) {
-  if (t->bins == 1)
-    return (asp_profile_place){0, 0};
   d_p = asp_within(d_p, t->d_p[0], t->most);
   int i = t->below[(asp_bits(d_p) - t->first_bits) >> t->part_bits];
   while (i < t->bins - 2 && d_p > t->d_p[i + 1])
     i++;
   return (asp_profile_place){i, (d_p - t->d_p[i]) * t->per_d_p[i]};
-}
-
-/* How far the numbers of the next size are from those of one. */
-static inline int asp_profile_next(const asp_profile_table *t) {
-  return t->bins > 1 ? ASP_PROFILE_SIZE : 0;
 }
 
 /* delta from the number at `at` on, with the shares of size, u and angle. */
