@@ -24,7 +24,7 @@ typedef struct contacts {
 
 typedef double row[ASP_BATCH];
 
-/* What is left to do for a contact: nothing, another draw, all of it by asp_wall_impact. */
+/* What becomes of a contact: done, another draw, or all of it by asp_wall_impact. */
 enum { DONE, REDRAW, ANEW };
 
 /* One block, by component. */
@@ -35,7 +35,7 @@ typedef struct block {
   row slope, sigma, alpha1, u, delta, sine, cosine;
   row v_n1, v_t1, side, v_n2, v_t2, v[3]; /* the hit; side: the sign of the speed along the face */
   row known, near;                        /* 1 or 0; the frame; near a threshold */
-  size_t outcome[ASP_BATCH], todo[ASP_BATCH];
+  size_t outcome[ASP_BATCH], fate[ASP_BATCH];
   uint64_t tag[ASP_BATCH];
   uint32_t seed[ASP_BATCH], fix[ASP_BATCH], number[ASP_BATCH];
   uint32_t word[2][ASP_BATCH];
@@ -240,8 +240,8 @@ static size_t turn_back(block *b, size_t count, bool deposits) {
     b->v[1][i] = moves ? v.y : 0;
     b->v[2][i] = moves ? v.z : 0;
     b->outcome[i] = moves ? ASP_REBOUND : ASP_DEPOSIT;
-    b->todo[i] = b->known[i] > 0 ? ends ? DONE : redraw ? REDRAW : ANEW : ANEW;
-    left += b->todo[i] != DONE;
+    b->fate[i] = b->known[i] > 0 ? ends ? DONE : redraw ? REDRAW : ANEW : ANEW;
+    left += b->fate[i] != DONE;
   }
   return left;
 }
@@ -256,7 +256,7 @@ static void store_impacts(const block *b, size_t count, asp_impact *impact) {
 
 /* Contact i of the block is left to asp_wall_impact, or waits: it is at `at` in the batch. */
 static void leave(batch *k, const contacts *c, size_t i, size_t at) {
-  if (k->b.todo[i] == REDRAW && k->wall->rough && k->b.drawn[i] + 1 < ASP_HITS_MAX) {
+  if (k->b.fate[i] == REDRAW && k->wall->rough && k->b.drawn[i] + 1 < ASP_HITS_MAX) {
     k->waiting[k->n_waiting] = at;
     k->drawn[k->n_waiting++] = (uint16_t)(k->b.drawn[i] + 1);
   } else
@@ -268,7 +268,7 @@ static void finish(batch *k, const contacts *c, size_t count, size_t from, const
   size_t left[ASP_BATCH], n_left = 0;
   for (size_t i = 0; i < count; i++) {
     left[n_left] = i;
-    n_left += k->b.todo[i] != DONE;
+    n_left += k->b.fate[i] != DONE;
   }
   for (size_t j = 0; j < n_left; j++)
     leave(k, c, left[j], at ? at[left[j]] : from + left[j]);

@@ -10,6 +10,7 @@
 #include "impact/frame.h"
 #include "impact/stream.h"
 #include "impact/wall.h"
+#include "spread/draw.h"
 
 #include <math.h>
 
@@ -21,14 +22,6 @@ typedef struct face {
   vec m; /* its normal in (t, b, n) */
   double delta, q;
 } face;
-
-static inline bool draw_tilt(const asp_spread_model *model, const asp_view *view,
-                             asp_stream *stream, double *delta) {
-  if (model->loop)
-    return model->loop(view, stream, delta);
-  *delta = model->quantile(view, asp_stream_next(stream));
-  return true;
-}
 
 /* At normal impact the direction of flight is drawn uniformly around n. */
 static void draw_direction(frame *f, asp_stream *stream) {
@@ -125,7 +118,7 @@ static inline void bounce_once(const asp_wall *wall, const asp_particle *particl
   view.alpha1 = alpha1;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
-    if (!draw_tilt(wall->spread, &view, stream, &delta))
+    if (!asp_draw(wall->spread, &view, stream, &delta))
       continue;
     face on = face_at(wall, view.slope, delta, stream);
     vec local;
@@ -210,7 +203,7 @@ static inline bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *
     return drawn;
   }
   bool borrows = fly->view.alpha1 < 0 && !model->upward;
-  return draw_tilt(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
+  return asp_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
 }
 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
@@ -270,7 +263,7 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
     bounce_off_mean_wall(wall, particle, &f, &stream, impact);
     return;
   }
-  bool plain; /* up to here the frame and the random numbers do not wait for each other */
+  bool plain; /* looked at late: what does not wait for each other comes without a branch between */
   frame f = plain_frame(v, normal, &plain);
   double alpha1 = impact_angle(&f);
   asp_stream stream = asp_stream_begin(key);

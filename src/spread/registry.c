@@ -1,5 +1,6 @@
 /* The list of spread models, and what every model has in common. */
 #include "error.h"
+#include "spread/draw.h"
 #include "spread/models.h"
 
 #include <math.h>
@@ -35,10 +36,7 @@ asp_view asp_view_create(double sigma, double alpha1) {
 
 bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_stream *stream,
                      double *delta) {
-  if (model->loop)
-    return model->loop(view, stream, delta);
-  *delta = model->quantile(view, asp_stream_uniform(stream));
-  return true;
+  return asp_draw(model, view, stream, delta);
 }
 
 static void fill(double *array, size_t n, double value) {
