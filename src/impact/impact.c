@@ -282,7 +282,7 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
 
 /* a/b, or the largest ratio that is told where b vanishes against a. */
 static double ratio(double a, double b) {
-  if (b > a / ASP_RATIO_MOST)
+  if (b > fabs(a) / ASP_RATIO_MOST)
     return a / b;
   return a > 0 ? ASP_RATIO_MOST : 0;
 }
