@@ -9,12 +9,13 @@
 
 #include "normal_table.inc"
 
-/* Q(x) for x >= 0. */
+/* Q(x). Nearly always x >= 0; less, where a particle that grazes flies up by its last bits. */
 static inline double tail(double x) {
-  if (!(x <= ASP_TAIL_END))
-    return 0;
-  double place = x * ASP_TAIL_PER_UNIT, cell = asp_nearest(place);
-  return asp_powers(tail_table + (int)cell * ASP_TAIL_TERMS, place - cell);
+  double place = fabs(x) * ASP_TAIL_PER_UNIT, cell = asp_nearest(place);
+  if (!(place <= ASP_TAIL_CELLS - 1))
+    return x < 0 ? 1 : 0;
+  double q = asp_powers(tail_table + (int)cell * ASP_TAIL_TERMS, place - cell);
+  return x < 0 ? 1 - q : q;
 }
 
 /* The x with Phi(x) = p = 1 - q; both are given, so that neither tail loses digits. */

@@ -6,7 +6,6 @@
 /* Q(x) = 1 - Phi(x) over cells of 1/PER_UNIT from 0 on, by polynomials of seventh degree in units
  * of a cell around its end. Beyond the last Q has nothing left, in doubles, next to 1. */
 enum { ASP_TAIL_PER_UNIT = 16, ASP_TAIL_CELLS = 133, ASP_TAIL_TERMS = 8 };
-#define ASP_TAIL_END (132. / ASP_TAIL_PER_UNIT)
 
 /* The quantile from p = LEAST to 1/2 over cells of an eighth of an octave, 1/2 in one more, by
  * polynomials of ninth degree in what the mantissa (1 to 2) has over the middle of the cell. */

@@ -356,6 +356,20 @@ static void normal_laws_keep_their_digits(void **state) {
   gsl_rng_free(rng);
 }
 
+/* A particle that grazes may be taken to fly up by its last bits, which are much to a wall that is
+ * as good as smooth. */
+static void grazing_upwards(void **state) {
+  (void)state;
+  const asp_spread_model *truncated = asp_spread_find("truncated", NULL);
+  double last = -1;
+  for (double alpha1 = 0.1; alpha1 > -0.1; alpha1 -= 0.001) {
+    asp_view view = asp_view_create(0.01, alpha1);
+    double lowest = truncated->quantile(&view, 1e-12);
+    assert_true(lowest > last && truncated->quantile(&view, 0.7) > lowest);
+    last = lowest;
+  }
+}
+
 static void batches_are_single_calls(void **state) {
   (void)state;
   enum { N = 1003 };
@@ -509,6 +523,7 @@ int main(void) {
       cmocka_unit_test(weibull_is_the_best_of_its_kind),
       cmocka_unit_test(weibull_keeps_its_digits),
       cmocka_unit_test(normal_laws_keep_their_digits),
+      cmocka_unit_test(grazing_upwards),
       cmocka_unit_test(batches_are_single_calls),
       cmocka_unit_test(batches_of_all_sorts),
       cmocka_unit_test(tables_know_sizes),
