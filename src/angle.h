@@ -1,7 +1,7 @@
 /* Angles and their sines as short straight code, for one contact and for vector loops. A contact
- * waits for the way from the velocities over the angle to the tilted face; with the C library's
- * functions, made for every argument, that way is twice as long. Minimax polynomials (Remez) in
- * x^2, off by less than 4e-18 of the result; results are within 2 ulps (test_angle). */
+ * waits for the way from the velocities over the angle to the tilted face, and the C library's
+ * functions, made for every argument, take longer one after the other. Minimax polynomials (Remez)
+ * in x^2, off by less than 4e-18 of the result; results are within 2 ulps (test_angle). */
 #ifndef ASP_ANGLE_H
 #define ASP_ANGLE_H
 

@@ -367,9 +367,9 @@ bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_st
                      double *delta);
 
 /* The quantiles of n contacts of equal particles with one wall, as the view says but for alpha1[i],
- * at u[i], into delta[i]. The model must have a quantile. `weibull` and `visible` go through the
- * machine's vector units where the C library has vector functions (x86-64, GNU); results then
- * differ from single calls in the last bits (below 1e-14), and between machines. */
+ * at u[i], into delta[i]. The model must have a quantile. `weibull`, `visible` and `profile` go
+ * through the machine's vector units where the C library has vector functions (x86-64, GNU);
+ * results then differ from single calls in the last bits (below 1e-14), and between machines. */
 void asp_spread_quantile_n(const asp_spread_model *model, const asp_view *view, size_t n,
                            const double *alpha1, const double *u, double *delta);
 
@@ -546,7 +546,8 @@ typedef struct asp_rebound_law {
   const asp_parameter *parameters;
   asp_bounce (*rebound)(const double *parameters, const asp_hit *hit);
   /* The same for n <= ASP_BATCH hits at once, into v_n2 and v_t2; again[i] > 0 says that hit i is
-   * for `rebound`. False: not with these parameters; NULL: never. Of laws that need a material. */
+   * for `rebound`. False: not with these parameters, which n = 0 asks for; NULL: never. Of laws
+   * that need a material. */
   bool (*rebound_n)(const double *parameters, const asp_hits *hits, size_t n, double *v_n2,
                     double *v_t2, double *again);
   /* Whether it draws a scatter of its own with these parameters; NULL: never. */

@@ -1,6 +1,5 @@
 /* Quantiles of many contacts at once: the straight code of weibull.h, visible.h and profile_table.h
- * in vector loops.
- * What the straight code does not cover is done again, one by one. */
+ * in vector loops. What the straight code does not cover is done again, one by one. */
 #include "simd.h"
 #include "spread/models.h"
 #include "spread/profile_table.h"
@@ -115,10 +114,8 @@ void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, d
   if (visible_n(views, n, u, delta))
     return;
   for (size_t i = 0; i < n; i++)
-    if (!is_quick(views->sigma[i], views->alpha1[i], u[i])) {
-      asp_view one = asp_views_at(views, i);
-      delta[i] = asp_spread_visible.quantile(&one, u[i]);
-    }
+    if (!is_quick(views->sigma[i], views->alpha1[i], u[i]))
+      delta[i] = asp_views_quantile_at(&asp_spread_visible, views, i, u[i]);
 }
 
 /* The size of each contact among those of the table; false where all are of the first one's. */
@@ -176,8 +173,6 @@ void asp_profile_quantile_n(const asp_views *views, size_t n, const double *u, d
   if (profile_n(views, n, u, delta) == 0)
     return;
   for (size_t i = 0; i < n; i++)
-    if (views->alpha1[i] < 0) {
-      asp_view one = asp_views_at(views, i);
-      delta[i] = asp_spread_profile.quantile(&one, u[i]);
-    }
+    if (views->alpha1[i] < 0)
+      delta[i] = asp_views_quantile_at(&asp_spread_profile, views, i, u[i]);
 }

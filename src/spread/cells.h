@@ -39,7 +39,9 @@ static inline double asp_over_eighth(double x) {
   return asp_number(mantissa) - asp_number((mantissa & ~in_cell) | one / 16);
 }
 
-/* Eight powers of z; in pairs, shorter than Horner's chain. */
+enum { ASP_POWERS = 8 };
+
+/* So many powers of z; in pairs, shorter than Horner's chain. */
 static inline double asp_powers(const double *c, double z) {
   double z2 = z * z, z4 = z2 * z2;
   return ((c[0] + c[1] * z) + z2 * (c[2] + c[3] * z)) +

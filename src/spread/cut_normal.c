@@ -14,7 +14,7 @@ static inline double tail(double x) {
   double place = fabs(x) * ASP_TAIL_PER_UNIT, cell = asp_nearest(place);
   if (!(place <= ASP_TAIL_CELLS - 1))
     return x < 0 ? 1 : 0;
-  double q = asp_powers(tail_table + (int)cell * ASP_TAIL_TERMS, place - cell);
+  double q = asp_powers(tail_table + (int)cell * ASP_POWERS, place - cell);
   return x < 0 ? 1 - q : q;
 }
 

@@ -1,5 +1,6 @@
 /* Makes normal_table.inc, the tables of normal_law.h, while the library is built. */
 #include "spread/normal_law.h"
+#include "spread/cells.h"
 #include "spread/powers.h"
 
 static real tail(real x) {
@@ -26,9 +27,9 @@ static real tail_at(real cell, real part) {
 }
 
 int main(void) {
-  printf("static const double tail_table[ASP_TAIL_CELLS * ASP_TAIL_TERMS] = {\n");
+  printf("static const double tail_table[ASP_TAIL_CELLS * ASP_POWERS] = {\n");
   for (int i = 0; i < ASP_TAIL_CELLS; i++)
-    print_powers(tail_at, i, 0, 0.5L, ASP_TAIL_TERMS);
+    print_powers(tail_at, i, 0, 0.5L, ASP_POWERS);
   printf("};\nstatic const double quantile_table[ASP_NORMAL_CELLS * ASP_NORMAL_TERMS] = {\n");
   for (int i = 0; i < ASP_NORMAL_CELLS; i++) {
     int octave = i / ASP_NORMAL_PER_OCTAVE - ASP_NORMAL_OCTAVES - 1;

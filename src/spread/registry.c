@@ -63,8 +63,6 @@ void asp_views_quantile(const asp_spread_model *model, const asp_views *views, s
     model->quantile_n(views, n, u, delta);
     return;
   }
-  for (size_t i = 0; i < n; i++) {
-    asp_view one = asp_views_at(views, i);
-    delta[i] = model->quantile(&one, u[i]);
-  }
+  for (size_t i = 0; i < n; i++)
+    delta[i] = asp_views_quantile_at(model, views, i, u[i]);
 }

@@ -120,7 +120,7 @@ static double distribution(const asp_view *view, double delta) {
   return delta >= ASP_DELTA_MOST ? 1 : at(&w, x).below;
 }
 
-double asp_visible_careful(const asp_view *view, double u) {
+static double careful_quantile(const asp_view *view, double u) {
   law w = law_at(view);
   double x = w.a < 0 ? up_quantile(&w, u) : down_quantile(&w, u);
   return fmax(atan(x * view->slope), -view->alpha1);
@@ -130,7 +130,7 @@ static double quantile(const asp_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   if (!asp_visible_is_quick(view->alpha1, u))
-    return asp_visible_careful(view, u);
+    return careful_quantile(view, u);
   asp_visible_place at = asp_visible_find(asp_turn_of(view->alpha1), view->slope, u);
   return asp_arc_of(asp_visible_at(at.cell, at.t, at.s) * view->slope);
 }

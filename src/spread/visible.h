@@ -10,9 +10,6 @@
 #include "spread/gauss.h"
 #include "spread/models.h"
 
-/* The quantile of the others (see asp_visible_is_quick), by safeguarded inversion. */
-double asp_visible_careful(const asp_view *view, double u);
-
 /* The quantile over a grid of cells: rows evenly over a/(HALF_WAY + a) from 0 to 1, columns over
  * the logit, with the middle of the first at FIRST. Each holds a polynomial of fifth degree in
  * both, from -1/2 to 1/2 over the cell: the coefficients of 1, s, ... s^5, t, t s, ... t s^5, then
@@ -35,11 +32,11 @@ typedef struct asp_visible_place {
   double t, s;
 } asp_visible_place;
 
-/* With an odd number of rows the last holds a = infinity, too, for halves go to the even one. */
+/* With an odd number of rows the last holds a = infinity, too, for halves go to the even one; and
+ * y, in the order in which it is worked out, is never above ROWS - 1/2. */
 static inline asp_visible_place asp_visible_find(asp_turn alpha1, double slope, double u) {
   double along = alpha1.sine + ASP_VISIBLE_HALF_WAY * slope * alpha1.cosine;
-  double y =
-      alpha1.sine / along * ASP_VISIBLE_ROWS - 0.5; /* in this order never above ROWS - 0.5 */
+  double y = alpha1.sine / along * ASP_VISIBLE_ROWS - 0.5;
   double x = log(u / (1 - u)) * (1 / ASP_VISIBLE_STEP) - ASP_VISIBLE_FIRST / ASP_VISIBLE_STEP;
   double row = asp_nearest(y), column = asp_nearest(x);
   return (asp_visible_place){row * ASP_VISIBLE_COLUMNS + column, y - row, x - column};

@@ -16,9 +16,18 @@
 
 #include "weibull_table.inc"
 
-/* The share of the uncut law below the steepest face. */
-static inline double mass(double sigma, double alpha1, asp_weibull_law w) {
-  return asp_weibull_uncut(sigma, alpha1) ? 1 : 1 - asp_weibull_lost(w);
+/* The share of the uncut law beyond the steepest face, which is at x. */
+static double lost_beyond(double k, double x) {
+  return exp(-exp(k * log(x)));
+}
+
+static inline double steepest(asp_weibull_law w) {
+  return (ASP_DELTA_MOST - w.b) / w.lambda;
+}
+
+/* What is below it. */
+static double mass(double sigma, double alpha1, asp_weibull_law w) {
+  return asp_weibull_uncut(sigma, alpha1) ? 1 : 1 - lost_beyond(w.k, steepest(w));
 }
 
 static double density(const asp_view *view, double delta) {
@@ -38,19 +47,18 @@ static double distribution(const asp_view *view, double delta) {
   return -expm1(-pow((delta - w.b) / w.lambda, w.k)) / mass(view->sigma, view->alpha1, w);
 }
 
-/* exp(-x^k), the share of the uncut law beyond x. Some eight digits are enough where it is small,
- * for it is taken from 1 then. */
-static inline double beyond(double k, double x) {
+/* The same, from tables where it is small: for a correction some eight digits are enough. */
+static inline double quick_lost_beyond(double k, double x) {
   if (x >= 1 && x < 1 << ASP_CUT_OCTAVES) {
-    double log_x = asp_powers(log_table + asp_eighth(x, 1) * 8, asp_over_eighth(x));
+    double log_x = asp_powers(log_table + asp_eighth(x, 1) * ASP_POWERS, asp_over_eighth(x));
     double place = k * ASP_CUT_PER_UNIT * log_x - ASP_CUT_FIRST * ASP_CUT_PER_UNIT;
     double cell = asp_nearest(place);
     if (place > ASP_CUT_CELLS - 1)
       return 0;
     if (place >= 0)
-      return asp_powers(lost_table + (int)cell * 8, place - cell);
+      return asp_powers(lost_table + (int)cell * ASP_POWERS, place - cell);
   }
-  return exp(-exp(k * log(x)));
+  return lost_beyond(k, x);
 }
 
 /* Up to this change of the logarithm, the cut is a correction to second order. */
@@ -60,7 +68,7 @@ static inline double beyond(double k, double x) {
  * need that share is worked out on the way to it. */
 static inline double cut_place(asp_weibull_law w, double u) {
   double uncut = asp_minus_log_rest(u), log_uncut = log(uncut), q = 1 / w.k;
-  double lost = beyond(w.k, (ASP_DELTA_MOST - w.b) / w.lambda);
+  double lost = quick_lost_beyond(w.k, steepest(w));
   double change = u / ((1 - u) * uncut) * lost, second = 0.5 * (1 - q - uncut);
   double place = exp(q * log_uncut);
   if (!(change < SMALL_CHANGE))

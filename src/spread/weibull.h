@@ -39,11 +39,6 @@ static inline bool asp_weibull_uncut(double sigma, double alpha1) {
          sigma * (sigma - ASP_WEIBULL_UNCUT_FROM) < ASP_WEIBULL_UNCUT_PER_TAU * alpha1;
 }
 
-/* The share of the uncut law beyond the steepest face. */
-static inline double asp_weibull_lost(asp_weibull_law w) {
-  return exp(-exp(w.k * log((ASP_DELTA_MOST - w.b) / w.lambda)));
-}
-
 /* -log(1 - u), with full relative precision for small u. */
 static inline double asp_minus_log_rest(double u) {
   double rest = 1 - u;

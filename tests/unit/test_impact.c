@@ -382,6 +382,15 @@ static void batches_of_one_sort(void **state) {
   gsl_rng_free(rng);
 }
 
+/* A particle along the wall that the last bits of a product of vectors send into it. */
+static void no_coefficient_is_infinite(void **state) {
+  (void)state;
+  const double v1[3] = {1, 0, 0}, n[3] = {0, 0, 1};
+  const asp_impact impact = {.v2 = {1, 0, -4e-18}, .outcome = ASP_REBOUND, .hits = 1};
+  asp_coefficients c = asp_impact_coefficients(v1, n, &impact);
+  assert_true(isfinite(c.cor_n) && isfinite(c.cor_t) && isfinite(c.cor_v) && isfinite(c.cor_alpha));
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(smooth_wall_is_the_law),
@@ -395,6 +404,7 @@ int main(void) {
       cmocka_unit_test(grazing_to_the_last_bit),
       cmocka_unit_test(parameters_are_checked),
       cmocka_unit_test(properties),
+      cmocka_unit_test(no_coefficient_is_infinite),
       cmocka_unit_test(batches_are_single_calls),
       cmocka_unit_test(batches_of_one_sort),
   };
