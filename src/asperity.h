@@ -51,7 +51,8 @@ typedef struct asp_error {
  */
 
 /* What a draw depends on, and nothing else: so a result does not depend on the number of MPI ranks,
- * on the order of contacts, or on a restart. */
+ * on the order of contacts, or on a restart. Passed by pointer: a copy, read back in other widths
+ * than it has just been written in, would wait until all before it is done. */
 typedef struct asp_key {
   uint32_t seed;   /* the user's */
   uint32_t fix;    /* which wall, see asp_key_fix */
@@ -72,7 +73,7 @@ typedef struct asp_stream {
 uint32_t asp_key_fix(const char *name);
 
 /* The stream of one contact, at its beginning. */
-asp_stream asp_stream_create(asp_key key);
+asp_stream asp_stream_create(const asp_key *key);
 
 /* The next uniform number of the stream, strictly between 0 and 1, in steps of 2^-53. */
 double asp_stream_uniform(asp_stream *stream);
@@ -639,7 +640,7 @@ typedef struct asp_impact {
  * (v2 = 0), or, on a wall without deposits whose law leaves no normal speed, it slides (v2.n = 0).
  * Kinetic energy never grows. No allocation, no failure. */
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                     const double n[3], asp_key key, asp_impact *impact);
+                     const double n[3], const asp_key *key, asp_impact *impact);
 
 /* `count` contacts at once, each as asp_wall_impact has it, several times as fast: in vector code
  * where the C library has vector functions (x86-64, GNU), for plane tilts, single collisions,

@@ -110,7 +110,7 @@ typedef struct row {
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag, uint32_t seed) {
   static const double n[3] = {0, 0, 1};
   asp_key key = {seed, asp_key_fix("cor"), tag, 0};
-  asp_stream stream = asp_stream_create(key);
+  asp_stream stream = asp_stream_create(&key);
   row r = {.d_p = size_of(s, sample, &stream), .alpha1 = angle};
   double alpha1 = cli_radians(angle);
   double v1[3] = {s->speed * cos(alpha1), 0, -s->speed * sin(alpha1)};
@@ -118,7 +118,7 @@ static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag, 
     v1[0] = 0;
   asp_particle particle = {r.d_p, s->law.particle->density, &s->pair};
   key.impact = 1;
-  asp_wall_impact(s->wall, &particle, v1, n, key, &r.impact);
+  asp_wall_impact(s->wall, &particle, v1, n, &key, &r.impact);
   r.cor = asp_impact_coefficients(v1, n, &r.impact);
   return r;
 }

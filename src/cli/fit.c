@@ -74,7 +74,7 @@ static void fit_weibull(const double *count, double n, double *k, double *lambda
 static void sample(const angle_fit *f, size_t samples, asp_key key, double *count) {
   const asp_spread_model *baseline = asp_spread_find("rejection", NULL);
   asp_view view = view_of(f);
-  asp_stream stream = asp_stream_create(key);
+  asp_stream stream = asp_stream_create(&key);
   for (int i = 0; i < BINS; i++)
     count[i] = 0;
   for (size_t i = 0; i < samples; i++) {

@@ -43,7 +43,7 @@ static rebound_row row_at(const rebound_map *m, const material_wall *wall, doubl
     v1[0] = 0;
   asp_particle particle = {d_p, m->law.particle->density, &wall->pair};
   asp_impact impact;
-  asp_wall_impact(m->wall, &particle, v1, n, (asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(m->wall, &particle, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
   return (rebound_row){asp_impact_coefficients(v1, n, &impact), impact.outcome == ASP_DEPOSIT};
 }
 

@@ -8,7 +8,7 @@ enum { MODEL, SIGMA, RQ, LAMBDA_C, DP, ANGLE, SAMPLES, SEED, PDF, SUMMARY, LIST,
 
 static asp_stream stream_of(const cli_option *options, uint64_t sample) {
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
-  return asp_stream_create((asp_key){seed, asp_key_fix("spread"), sample, 1});
+  return asp_stream_create(&(asp_key){seed, asp_key_fix("spread"), sample, 1});
 }
 
 static double draw(const asp_spread_model *model, const asp_view *view, const cli_option *options,

@@ -260,7 +260,7 @@ static void leave(batch *k, const contacts *c, size_t i, size_t at) {
     k->waiting[k->n_waiting] = at;
     k->drawn[k->n_waiting++] = (uint16_t)(k->b.drawn[i] + 1);
   } else
-    asp_wall_impact(k->wall, &c->particle[i], c->v1[i], c->n[i], c->key[i], &c->impact[i]);
+    asp_wall_impact(k->wall, &c->particle[i], c->v1[i], c->n[i], &c->key[i], &c->impact[i]);
 }
 
 /* The block's contacts are at `at` in the batch, or if that is NULL, from `from` on. */
@@ -343,7 +343,7 @@ static bool is_straight(const asp_wall *wall) {
 
 static void one_by_one(const asp_wall *wall, size_t count, const contacts *c) {
   for (size_t i = 0; i < count; i++)
-    asp_wall_impact(wall, &c->particle[i], c->v1[i], c->n[i], c->key[i], &c->impact[i]);
+    asp_wall_impact(wall, &c->particle[i], c->v1[i], c->n[i], &c->key[i], &c->impact[i]);
 }
 
 void asp_wall_impact_n(const asp_wall *wall, size_t count, const asp_particle *particle,

@@ -254,7 +254,7 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
 }
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                     const double n[3], asp_key key, asp_impact *impact) {
+                     const double n[3], const asp_key *key, asp_impact *impact) {
   vec v = load(v1), normal = load(n);
   impact->capped = false;
   if (!wall->rough) {

@@ -10,7 +10,7 @@ uint32_t asp_key_fix(const char *name) {
   return hash;
 }
 
-asp_stream asp_stream_create(asp_key key) {
+asp_stream asp_stream_create(const asp_key *key) {
   return asp_stream_begin(key);
 }
 

@@ -27,9 +27,11 @@ static inline void asp_stream_fill(asp_stream *stream) {
   stream->left = 2;
 }
 
-static inline asp_stream asp_stream_begin(asp_key key) {
-  asp_stream stream = {
-      {key.seed, key.fix}, {(uint32_t)key.tag, (uint32_t)(key.tag >> 32), key.impact, 0}, {0}, 0};
+static inline asp_stream asp_stream_begin(const asp_key *key) {
+  asp_stream stream = {{key->seed, key->fix},
+                       {(uint32_t)key->tag, (uint32_t)(key->tag >> 32), key->impact, 0},
+                       {0},
+                       0};
   return stream;
 }
 

@@ -1266,7 +1266,7 @@ bool FixWallRebound::rebound(const Contact &contact, Path &path) {
   asp_key key = {seed_, fix_key_, static_cast<uint64_t>(atom->tag[i]),
                  static_cast<uint32_t>(state(i)[IMPACTS] += 1)};
   asp_impact impact;
-  asp_wall_impact(wall_.get(), &particle, v1, contact.n, key, &impact);
+  asp_wall_impact(wall_.get(), &particle, v1, contact.n, &key, &impact);
   count(contact, v1, impact);
   if (ledger_)
     record(contact, path, v1, key, impact);

@@ -51,7 +51,7 @@ double *asp_allocate(size_t count) {
 
 static void fill_noise(double *noise, size_t points, uint32_t seed) {
   asp_stream stream =
-      asp_stream_create((asp_key){.seed = seed, .fix = asp_key_fix("profile"), .impact = 0});
+      asp_stream_create(&(asp_key){.seed = seed, .fix = asp_key_fix("profile"), .impact = 0});
   for (size_t i = 0; i < points; i++)
     noise[i] = asp_stream_normal(&stream);
 }

@@ -64,7 +64,7 @@ static void batches(void *context, size_t n) {
 static void draws(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++) {
-    asp_stream stream = asp_stream_create((asp_key){1, 1, next(s), 1});
+    asp_stream stream = asp_stream_create(&(asp_key){1, 1, next(s), 1});
     double delta;
     asp_spread_draw(s->model, &s->view, &stream, &delta);
     s->sum += delta;
@@ -129,14 +129,14 @@ static void std_normal(void *context, size_t n) {
 static void first_uniform(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++) {
-    asp_stream stream = asp_stream_create((asp_key){1, 1, s->at++, 1});
+    asp_stream stream = asp_stream_create(&(asp_key){1, 1, s->at++, 1});
     s->sum += asp_stream_uniform(&stream);
   }
 }
 
 static void next_uniform(void *context, size_t n) {
   sampler *s = context;
-  asp_stream stream = asp_stream_create((asp_key){1, 1, s->at++, 1});
+  asp_stream stream = asp_stream_create(&(asp_key){1, 1, s->at++, 1});
   for (size_t i = 0; i < n; i++)
     s->sum += asp_stream_uniform(&stream);
 }

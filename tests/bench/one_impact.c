@@ -33,7 +33,7 @@ int main(int argc, char **argv) {
     double alpha1 = (i % 90 + 0.5) * ASP_PI / 180;
     double v[3] = {100 * cos(alpha1), 0, -100 * sin(alpha1)};
     asp_impact impact;
-    asp_wall_impact(wall, &grain, v, n, (asp_key){1, 1, i, 1}, &impact);
+    asp_wall_impact(wall, &grain, v, n, &(asp_key){1, 1, i, 1}, &impact);
     sum += impact.v2[2];
   }
   asp_wall_free(wall);

@@ -128,7 +128,7 @@ static size_t mutate(asp_stream *stream, uint8_t *file, size_t size) {
 int main(int argc, char **argv) {
   size_t rounds = argc > 1 ? strtoul(argv[1], NULL, 10) : 20000;
   for (size_t round = 0; round < rounds; round++) {
-    asp_stream stream = asp_stream_create((asp_key){.seed = 1, .tag = round});
+    asp_stream stream = asp_stream_create(&(asp_key){.seed = 1, .tag = round});
     const char *from = files[round % (sizeof files / sizeof *files)];
     uint8_t file[FILE_MOST + 1] = {(uint8_t)below(&stream, 256)};
     size_t size = strlen(from), changes = round < 600 ? 0 : 1 + below(&stream, 12);

@@ -13,7 +13,7 @@ int main(void) {
   asp_particle grain = {1e-5, 2650, &pair};
   double v1[3] = {80, 0, -60}, n[3] = {0, 0, 1};
   asp_impact impact;
-  asp_wall_impact(wall, &grain, v1, n, (asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
   printf("v2 = %g %g %g\n", impact.v2[0], impact.v2[1], impact.v2[2]);
   asp_wall_free(wall);
   asp_surface_free(surface);

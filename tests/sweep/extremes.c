@@ -266,7 +266,7 @@ static void change(asp_stream *s, combination *c, double part) {
 
 static void meet(const combination *c, asp_impact *impact) {
   asp_particle particle = {c->particle.d_p, c->particle.density, &c->pair};
-  asp_wall_impact(&c->wall, &particle, c->v1, c->n, c->key, impact);
+  asp_wall_impact(&c->wall, &particle, c->v1, c->n, &c->key, impact);
 }
 
 /* How far apart two outcomes are, by the speed. */
@@ -344,7 +344,7 @@ static bool explain(const combination *a, const asp_impact *x, const combination
 
 /* One combination; false when something is wrong with it. */
 static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
-  asp_stream s = asp_stream_create((asp_key){seed, 1, number, 0});
+  asp_stream s = asp_stream_create(&(asp_key){seed, 1, number, 0});
   combination c;
   asp_impact here, there;
   at_work = number;

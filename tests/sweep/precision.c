@@ -140,7 +140,7 @@ static void choose_parameters(asp_stream *s, const asp_rebound_law *law, double 
 static void measure(uint32_t seed, long count, table *normal, table *tangential) {
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   for (long i = 0; i < count; i++) {
-    asp_stream s = asp_stream_create((asp_key){seed, 3, (uint64_t)i, 0});
+    asp_stream s = asp_stream_create(&(asp_key){seed, 3, (uint64_t)i, 0});
     double p[ASP_PARAMETERS_MAX] = {0};
     choose_parameters(&s, law, p);
     double speed = power_of_ten(&s, -9, 5), alpha = ASP_PI / 2 * power_of_ten(&s, -15, 0);
@@ -215,7 +215,7 @@ int main(int argc, char **argv) {
   puts("quantity,distance_at_least,hits,worst_relative_error,ulps,wrong_captures");
   int bad = print("v_n2", &normal) + print("v_t2", &tangential);
   puts("# spread models: quantile and density by quadrature\nmodel,worst_error_of_distribution");
-  asp_stream s = asp_stream_create((asp_key){seed, 4, 0, 0});
+  asp_stream s = asp_stream_create(&(asp_key){seed, 4, 0, 0});
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
     if (model->density && model->quantile && !model->prepare)

@@ -47,7 +47,7 @@ static void compare(const double *z, size_t n, double spacing, bool periodic, do
 /* Random walks, white noise, steps and spikes from flat to far higher than the disc. */
 static void envelopes_are_those_of_the_definition(void **state) {
   (void)state;
-  asp_stream stream = asp_stream_create((asp_key){.seed = 1});
+  asp_stream stream = asp_stream_create(&(asp_key){.seed = 1});
   for (int round = 0; round < 3000; round++) {
     double z[MOST], height = pow(10, 3 * noise(&stream)), walk = 0;
     size_t n = 3 + (size_t)(60 * asp_stream_uniform(&stream));

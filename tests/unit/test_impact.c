@@ -61,7 +61,7 @@ static void smooth_wall_is_the_law(void **state) {
                    .adhesion = true};
     asp_bounce b = law->rebound(s.spec.parameters, &hit);
     asp_impact impact;
-    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+    asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
     assert_near(impact.v2[0], b.v_t2, 1e-12);
     assert_near(impact.v2[1], 0, 1e-15);
     assert_near(impact.v2[2], b.v_n2, 1e-12);
@@ -78,7 +78,7 @@ static void specular_rebound_turns_by_twice_the_tilt(void **state) {
     double alpha = (0.5 + (double)(tag % 179)) * M_PI / 360;
     double v1[3] = {cos(alpha), 0, -sin(alpha)};
     asp_impact impact;
-    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, tag, 1}, &impact);
+    asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, tag, 1}, &impact);
     asp_coefficients c = asp_impact_coefficients(v1, up, &impact);
     assert_near(c.alpha1, alpha, 1e-14);
     assert_near(c.alpha2, alpha + 2 * impact.delta_alpha, 1e-13);
@@ -107,8 +107,8 @@ static void frame_does_not_matter(void **state) {
     for (int i = 0; i < 3; i++)
       turned[i] = 80 * ex[i] - 60 * ez[i];
     asp_impact here, there;
-    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){3, 1, tag, 1}, &here);
-    asp_wall_impact(s.wall, &grain, turned, ez, (asp_key){3, 1, tag, 1}, &there);
+    asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){3, 1, tag, 1}, &here);
+    asp_wall_impact(s.wall, &grain, turned, ez, &(asp_key){3, 1, tag, 1}, &there);
     assert_near(dot(there.v2, ex), here.v2[0], 1e-9);
     assert_near(dot(there.v2, ey), here.v2[1], 1e-9);
     assert_near(dot(there.v2, ez), here.v2[2], 1e-9);
@@ -129,7 +129,7 @@ static void out_of_plane_tilt(void **state) {
   double square = 0, v1[3] = {0.6, 0, -0.8};
   for (uint64_t tag = 0; tag < N; tag++) {
     asp_impact impact;
-    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, tag, 1}, &impact);
+    asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, tag, 1}, &impact);
     double q = tan(impact.tilt_out);
     square += q * q / N;
     if (fabs(q) > 1e-3) /* a face that looks to -b throws the particle to -b */
@@ -147,7 +147,7 @@ static void normal_impact_is_isotropic(void **state) {
   double x = 0, y = 0, xx = 0, yy = 0, v1[3] = {0, 0, -1};
   for (uint64_t tag = 0; tag < N; tag++) {
     asp_impact impact;
-    asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, tag, 1}, &impact);
+    asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, tag, 1}, &impact);
     x += impact.v2[0] / N;
     y += impact.v2[1] / N;
     xx += impact.v2[0] * impact.v2[0] / N;
@@ -168,12 +168,12 @@ static void no_deposits_where_none_are_taken(void **state) {
   asp_particle small = {1e-7, 2650, &quartz_on_nickel};
   double v1[3] = {1, 0, -1};
   asp_impact impact;
-  asp_wall_impact(s.wall, &small, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_int_equal(impact.outcome, ASP_DEPOSIT);
   assert_near(dot(impact.v2, impact.v2), 0, 0);
   s.spec.deposit = false;
   setup_rebuild(&s);
-  asp_wall_impact(s.wall, &small, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_int_equal(impact.outcome, ASP_REBOUND);
   assert_near(impact.v2[2], 1, 1e-15);
   setup_free(&s);
@@ -188,7 +188,7 @@ static void sliding(void **state) {
   setup_rebuild(&s);
   double v1[3] = {1, 0, -1};
   asp_impact impact;
-  asp_wall_impact(s.wall, &grain, v1, up, (asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_near(impact.v2[0], 1, 1e-15);
   assert_near(impact.v2[2], 0, 0);
   setup_free(&s);
@@ -202,7 +202,7 @@ static void nearly_normal_impacts_keep_energy(void **state) {
   for (uint64_t tag = 0; tag < 2000; tag++) {
     double small = pow(10, -2 - (double)(tag % 10)), v1[3] = {-0.36, -0.48 + small, -0.8};
     asp_impact impact;
-    asp_wall_impact(s.wall, &grain, v1, n, (asp_key){1, 1, tag, 1}, &impact);
+    asp_wall_impact(s.wall, &grain, v1, n, &(asp_key){1, 1, tag, 1}, &impact);
     assert_near(dot(impact.v2, impact.v2), dot(v1, v1), 1e-14);
   }
   setup_free(&s);
@@ -216,7 +216,7 @@ static void grazing_to_the_last_bit(void **state) {
     for (int i = -3; i <= 3; i++) {
       double n[3] = {0.6, 0, 0.8}, v1[3] = {80, 0, -60 + i * 1e-14};
       asp_impact impact;
-      asp_wall_impact(s.wall, &grain, v1, n, (asp_key){1, 1, 7, 1}, &impact);
+      asp_wall_impact(s.wall, &grain, v1, n, &(asp_key){1, 1, 7, 1}, &impact);
       assert_true(dot(impact.v2, n) > 0);
       assert_near(dot(impact.v2, impact.v2), 1e4, 1e-9);
     }
@@ -266,7 +266,7 @@ static void properties(void **state) {
         continue;
       asp_particle p = {pow(10, -9 + 8 * gsl_rng_uniform(rng)), 2650, &quartz_on_nickel};
       asp_impact impact;
-      asp_wall_impact(s.wall, &p, v1, n, (asp_key){9, (uint32_t)i, tag, 1}, &impact);
+      asp_wall_impact(s.wall, &p, v1, n, &(asp_key){9, (uint32_t)i, tag, 1}, &impact);
       double before = dot(v1, v1), after = dot(impact.v2, impact.v2);
       assert_true(isfinite(after) && isfinite(impact.delta_alpha) && isfinite(impact.tilt_out));
       assert_true(after <= before * (1 + 1e-14));
@@ -323,7 +323,7 @@ static bool same_contact(const contacts *c, int i, double most) {
 
 static void compare_batch(const setup *s, contacts *c, int wall, double most) {
   for (int k = 0; k < CONTACTS; k++)
-    asp_wall_impact(s->wall, &c->particle[k], c->v1[k], c->n[k], c->key[k], &c->each[k]);
+    asp_wall_impact(s->wall, &c->particle[k], c->v1[k], c->n[k], &c->key[k], &c->each[k]);
   asp_wall_impact_n(s->wall, CONTACTS, c->particle, (const double(*)[3])c->v1,
                     (const double(*)[3])c->n, c->key, c->batch);
   for (int k = 0; k < CONTACTS; k++)

@@ -50,7 +50,7 @@ static void grant_tabakoff_scatter(void **state) {
   double b = M_PI / 3, mean = 0, square = 0;
   double sd = 2.15 * b - 5.02 * b * b + 4.05 * b * b * b - 1.085 * b * b * b * b;
   for (uint64_t i = 1; i <= N; i++) {
-    asp_stream stream = asp_stream_create((asp_key){1, 1, i, 1});
+    asp_stream stream = asp_stream_create(&(asp_key){1, 1, i, 1});
     double e_n = bounce_of("grant_tabakoff", all, NULL, 60, 1, &stream).v_n2 / sin(b), step;
     assert_true(e_n > 0);
     step = e_n - mean;
@@ -144,7 +144,7 @@ static void table_law_needs_a_table(void **state) {
   asp_particle grain = {1e-4, 2650, NULL};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
   asp_impact impact;
-  asp_wall_impact(wall, &grain, v1, n, (asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
   assert_near(impact.v2[2], 6 * sin(0.6), 1e-14);
   assert_near(impact.v2[0], 7.5 * cos(0.6), 1e-14);
   asp_wall_free(wall);

@@ -64,7 +64,7 @@ static void divergence_of_normal_laws(void **state) {
 static void divergence_of_a_small_sample_is_as_stated(void **state) {
   (void)state;
   enum { COUNT = 200, TRIALS = 200 };
-  asp_stream stream = asp_stream_create((asp_key){.seed = 4});
+  asp_stream stream = asp_stream_create(&(asp_key){.seed = 4});
   double kl = 0, bins = 0;
   for (int trial = 0; trial < TRIALS; trial++) {
     for (int i = 0; i < COUNT; i++)
@@ -183,7 +183,7 @@ static double dilated_slope(const double *z, double r) {
 static void sphere_law_is_that_of_the_geometry(void **state) {
   (void)state;
   static double noise[SIDE * SIDE];
-  asp_stream stream = asp_stream_create((asp_key){.seed = 2});
+  asp_stream stream = asp_stream_create(&(asp_key){.seed = 2});
   for (size_t i = 0; i < SIDE * SIDE; i++)
     noise[i] = asp_stream_normal(&stream);
   double *half = blur(noise, 1, SIDE), *z = blur(half, SIDE, 1), square = 0;

@@ -140,7 +140,7 @@ enum { BINS = 30 };
 static double chi_square(const asp_spread_model *model, const asp_view *view, size_t n,
                          uint64_t from, double *count, const double *edge) {
   for (uint64_t tag = from; tag < from + n; tag++) {
-    asp_stream stream = asp_stream_create((asp_key){11, 5, tag, 1});
+    asp_stream stream = asp_stream_create(&(asp_key){11, 5, tag, 1});
     double delta;
     int bin = 0;
     if (!asp_spread_draw(model, view, &stream, &delta))
@@ -492,7 +492,7 @@ static void flat_walls_have_no_spread(void **state) {
     if (model->prepare)
       continue;
     asp_view view = asp_view_create(0, 0.3);
-    asp_stream stream = asp_stream_create((asp_key){1, 1, 1, 1});
+    asp_stream stream = asp_stream_create(&(asp_key){1, 1, 1, 1});
     double delta = 1;
     assert_true(asp_spread_draw(model, &view, &stream, &delta));
     assert_near(delta, 0, 0);

@@ -44,7 +44,7 @@ static void known_draws(void **state) {
     assert_int_equal(sscanf(line, "%u %39s %llu %u %lf %lf %lf %lf", &seed, fix, &tag, &impact,
                             &u[0], &u[1], &u[2], &u[3]),
                      8);
-    asp_stream s = asp_stream_create((asp_key){seed, asp_key_fix(fix), tag, impact});
+    asp_stream s = asp_stream_create(&(asp_key){seed, asp_key_fix(fix), tag, impact});
     for (int i = 0; i < 4; i++)
       assert_near(asp_stream_uniform(&s), u[i], 0);
     rows++;
@@ -66,7 +66,7 @@ static void uniform_is_uniform(void **state) {
   enum { TAGS = 100000, DRAWS = 10 };
   double sum = 0, square = 0, n = (double)TAGS * DRAWS;
   for (uint64_t tag = 0; tag < TAGS; tag++) {
-    asp_stream s = asp_stream_create((asp_key){7, 7, tag, 1});
+    asp_stream s = asp_stream_create(&(asp_key){7, 7, tag, 1});
     for (int i = 0; i < DRAWS; i++) {
       double u = asp_stream_uniform(&s);
       assert_true(u > 0 && u < 1);

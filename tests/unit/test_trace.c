@@ -154,7 +154,7 @@ static rebounds rebounds_of(const asp_wall *wall, double d_p, double alpha1, int
   asp_particle particle = {d_p, 1, NULL};
   for (int i = 0; i < n; i++) {
     asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, up, (asp_key){2, 1, (uint64_t)i, 1}, &impact);
+    asp_wall_impact(wall, &particle, v1, up, &(asp_key){2, 1, (uint64_t)i, 1}, &impact);
     double angle = asp_impact_coefficients(v1, up, &impact).alpha2 / DEGREE;
     r.count[angle < 180 ? (int)angle : 179]++;
     r.mean += angle / n;
