@@ -988,9 +988,13 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
     return;
   const double *x = atom->x[0], *v = atom->v[0], *radius = atom->radius; /* x, v: rows of three */
   const Plane *planes = planes_.data();
+  const Pair *last = near_.data() + near_.size() - 1;
   for (const Pair &pair : near_) {
     const Plane &plane = planes[pair.plane];
     const ptrdiff_t i = pair.particle;
+    const ptrdiff_t ahead = std::min(&pair + 16, last)->particle;
+    __builtin_prefetch(v + 3 * ahead);
+    __builtin_prefetch(x + 3 * ahead);
     const double end = dot(plane.normal, x + 3 * i) - plane.offset;
     const double begin = end - dot(plane.normal, v + 3 * i) * dt;
     const double reach = radius[i] + 2 * plane.path;
