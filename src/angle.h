@@ -30,14 +30,20 @@ static inline double asp_arc(double rise, double run) {
   bool flat = rise <= ASP_TAN_PI_8 * run, steep = run < ASP_TAN_PI_8 * rise;
   double up = flat ? rise : steep ? -run : rise - run;
   double along = flat ? run : steep ? rise : rise + run;
-  double quarters = flat ? 0 : steep ? 2 : 1;
+  double from = flat ? 0 : steep ? ASP_PI / 2 : ASP_PI / 4;
+  double rest = flat ? 0 : steep ? ASP_PI_2_REST : ASP_PI_2_REST / 2;
   double x = along > 0 ? up / along : 0;
-  return quarters * (ASP_PI / 4) + (x + (asp_arc_less(x) + quarters * (ASP_PI_2_REST / 2)));
+  return from + (x + (asp_arc_less(x) + rest));
+}
+
+/* atan2(rise, run) for run >= 0 */
+static inline double asp_angle(double rise, double run) {
+  return copysign(asp_arc(fabs(rise), run), rise);
 }
 
 /* The angle of a slope, atan p. */
 static inline double asp_arc_of(double p) {
-  return fabs(p) <= ASP_TAN_PI_8 ? p + asp_arc_less(p) : copysign(asp_arc(fabs(p), 1), p);
+  return fabs(p) <= ASP_TAN_PI_8 ? p + asp_arc_less(p) : asp_angle(p, 1);
 }
 
 typedef struct asp_turn {
@@ -68,5 +74,13 @@ static inline asp_turn asp_turn_by(double x) {
 static inline asp_turn asp_turn_of(double x) {
   return fabs(x) <= ASP_PI / 4 ? asp_turn_little(x) : asp_turn_by(x);
 }
+
+/* asp_angle and asp_turn_by out of line, with fused multiplications and additions where the machine
+ * has them: for one contact, and for n. They agree to the bit, for no sum above is one of two
+ * products, of which either could be fused. */
+double asp_angle_one(double rise, double run);
+asp_turn asp_turn_one(double x);
+void asp_angle_n(size_t n, const double *rise, const double *run, double *angle);
+void asp_turn_n(size_t n, const double *x, double *sine, double *cosine);
 
 #endif

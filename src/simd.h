@@ -1,9 +1,10 @@
-/* Loops over many contacts that the compiler turns into vector code, for the vector units that it
- * finds at run time. The GNU C library has vector versions of the functions declared here;
- * declaring that is all it takes. A file that uses this is compiled as src/CMakeLists.txt says for
- * it. */
+/* Loops over many contacts that the compiler turns into vector code. The GNU C library has vector
+ * versions of the functions declared here; declaring that is all it takes. A file that uses this is
+ * compiled as src/CMakeLists.txt says for it. */
 #ifndef ASP_SIMD_H
 #define ASP_SIMD_H
+
+#include "machine.h"
 
 #include <math.h>
 
@@ -12,16 +13,7 @@
 #define ASP_SIMD __attribute__((simd("notinbranch")))
 ASP_SIMD double exp(double);
 ASP_SIMD double log(double);
-#if __GNUC__ >= 12
-#define ASP_AVX512 "arch=x86-64-v4"
-#else
-#define ASP_AVX512 "avx512f"
 #endif
-#define ASP_EACH_MACHINE __attribute__((target_clones(ASP_AVX512, "avx2", "default")))
-#endif
-#endif
-#ifndef ASP_EACH_MACHINE
-#define ASP_EACH_MACHINE
 #endif
 
 #endif

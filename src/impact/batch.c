@@ -27,9 +27,10 @@ typedef double row[ASP_BATCH];
 /* What becomes of a contact: done, another draw, or all of it by asp_wall_impact. */
 enum { DONE, REDRAW, ANEW };
 
-/* One block, by component. */
+/* One block, by component; rows at the beginning of a cache line, so that no vector is across two.
+ */
 typedef struct block {
-  uint16_t drawn[ASP_BATCH];                /* draws so far */
+  _Alignas(64) uint16_t drawn[ASP_BATCH];   /* draws so far */
   row n[3], along[3], v_n, v_t, per_length; /* the frame */
   row d_p, density, modulus, yield_stress, surface_energy, friction;
   row slope, sigma, alpha1, u, delta, sine, cosine;
@@ -165,13 +166,6 @@ static void find_careful_frames(block *b, size_t count, const double (*v1)[3],
     }
 }
 
-ASP_EACH_MACHINE
-static void find_angles(block *b, size_t count) {
-#pragma omp simd
-  for (size_t i = 0; i < count; i++)
-    b->alpha1[i] = angle_of(b->v_n[i], b->v_t[i]);
-}
-
 /* The next uniform number of each contact. Every round of Philox waits for the one before; as
  * `drawn` is of 16 bits, the compiler takes so many contacts at once that the waiting does not
  * show. */
@@ -197,11 +191,9 @@ ASP_EACH_MACHINE
 static void meet(block *b, size_t count) {
 #pragma omp simd
   for (size_t i = 0; i < count; i++) {
-    asp_turn by = asp_turn_by(b->delta[i]);
-    double speed = b->v_t[i] * by.cosine - b->v_n[i] * by.sine;
-    b->sine[i] = by.sine;
-    b->cosine[i] = by.cosine;
-    b->v_n1[i] = b->v_n[i] * by.cosine + b->v_t[i] * by.sine;
+    double sine = b->sine[i], cosine = b->cosine[i];
+    double speed = b->v_t[i] * cosine - b->v_n[i] * sine;
+    b->v_n1[i] = b->v_n[i] * cosine + b->v_t[i] * sine;
     b->v_t1[i] = fabs(speed);
     b->side[i] = speed < 0 ? -1 : 1;
   }
@@ -286,10 +278,11 @@ static size_t run_block(const asp_wall *wall, block *b, const contacts *c, size_
       load_slope(b, wall);
     else
       load_slopes(b, count, wall);
-    find_angles(b, count);
+    asp_angle_n(count, b->v_n, b->v_t, b->alpha1);
     draw(b, count);
     asp_views views = {b->slope, b->sigma, b->alpha1, b->d_p, wall->data};
     asp_views_quantile(wall->spread, &views, count, b->u, b->delta);
+    asp_turn_n(count, b->delta, b->sine, b->cosine);
     meet(b, count);
   } else
     meet_mean_wall(b, count);

@@ -99,15 +99,6 @@ static inline bool has_direction(const frame *f) {
   return f->per_length > 0;
 }
 
-/* atan2(v_n, v_t) for v_t >= 0 */
-static inline double angle_of(double v_n, double v_t) {
-  return copysign(asp_arc(fabs(v_n), v_t), v_n);
-}
-
-static inline double impact_angle(const frame *f) {
-  return angle_of(f->v_n, f->v_t);
-}
-
 static inline vec to_lab(const frame *f, vec local) {
   vec v = plus(scaled(f->along, local.x * f->per_length), local.z, f->n);
   return fabs(local.y) > 0 ? plus(v, local.y * f->per_length, cross(f->n, f->along)) : v;

@@ -23,6 +23,10 @@ typedef struct face {
   double delta, q;
 } face;
 
+static inline double impact_angle(const frame *f) {
+  return asp_angle_one(f->v_n, f->v_t);
+}
+
 /* At normal impact the direction of flight is drawn uniformly around n. */
 static void draw_direction(frame *f, asp_stream *stream) {
   double angle = 2 * ASP_PI * asp_stream_next(stream);
@@ -38,7 +42,7 @@ static void draw_direction(frame *f, asp_stream *stream) {
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
  */
 static inline face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
-  asp_turn by = asp_turn_of(delta);
+  asp_turn by = asp_turn_one(delta);
   if (!wall->isotropic)
     return (face){{-by.sine, 0, by.cosine}, delta, 0};
   double q = slope * asp_stream_normal(stream), side = q * by.cosine;
@@ -265,9 +269,9 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
   }
   bool plain; /* looked at late: what does not wait for each other comes without a branch between */
   frame f = plain_frame(v, normal, &plain);
-  double alpha1 = impact_angle(&f);
   asp_stream stream = asp_stream_begin(key);
   asp_stream_fill(&stream);
+  double alpha1 = impact_angle(&f);
   if (!plain) {
     f = careful_frame(v, unit(normal));
     if (!has_direction(&f))

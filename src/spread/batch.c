@@ -106,7 +106,7 @@ static bool visible_n(const asp_views *views, size_t n, const double *u, double 
   else
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-      delta[i] = copysign(asp_arc(fabs(p[i]), 1), p[i]);
+      delta[i] = asp_angle(p[i], 1);
   return !(slow > 0);
 }
 

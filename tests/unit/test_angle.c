@@ -1,4 +1,4 @@
-/* Angles and their sines against the C library's in long double. */
+/* Angles and their sines against the C library's in long double: inline, for one, and for many. */
 #include "check.h"
 
 #include "angle.h"
@@ -6,6 +6,8 @@
 #include <float.h>
 
 #define STEPS 200000
+
+enum { MANY = 3 };
 
 /* A number of 0 to 1 for each step, crowded towards 0 for every other one. */
 static double share(int i) {
@@ -30,8 +32,14 @@ static void arcs(void **state) {
   double worst = 0, scale[] = {1, 1e-140, 1e140};
   for (int i = 0; i < STEPS; i++) {
     double rise = share(i) * scale[i % 3], run = (1 + 0.3 * share(i / 2)) * scale[i % 3];
-    worst = fmax(worst, ulps(asp_arc(rise, run), atan2l(rise, run)));
-    worst = fmax(worst, ulps(asp_arc(run, rise), atan2l(run, rise)));
+    double up[MANY] = {rise, run, -rise}, along[MANY] = {run, rise, run}, angle[MANY];
+    asp_angle_n(MANY, up, along, angle);
+    for (int k = 0; k < MANY; k++) {
+      long double should = atan2l(up[k], along[k]);
+      worst = fmax(worst, ulps(asp_angle(up[k], along[k]), should));
+      worst = fmax(worst, ulps(angle[k], should));
+      assert_near(asp_angle_one(up[k], along[k]), angle[k], 0);
+    }
   }
   check_ulps(worst, 2);
   assert_near(asp_arc(0, 0), 0, 0);
@@ -43,11 +51,16 @@ static void turns(void **state) {
   (void)state;
   double sine = 0, cosine = 0;
   for (int i = 0; i < STEPS; i++) {
-    double x = share(i) * ASP_PI / 2, angle[] = {x, -x, ASP_PI / 2 - x};
-    for (int k = 0; k < 3; k++) {
-      asp_turn by = asp_turn_by(angle[k]);
-      sine = fmax(sine, ulps(by.sine, sinl(angle[k])));
-      cosine = fmax(cosine, ulps(by.cosine, cosl(angle[k])));
+    double x = share(i) * ASP_PI / 2, angle[MANY] = {x, -x, ASP_PI / 2 - x}, s[MANY], c[MANY];
+    asp_turn_n(MANY, angle, s, c);
+    for (int k = 0; k < MANY; k++) {
+      asp_turn by[] = {asp_turn_by(angle[k]), asp_turn_one(angle[k])};
+      for (int way = 0; way < 2; way++) {
+        sine = fmax(sine, ulps(by[way].sine, sinl(angle[k])));
+        cosine = fmax(cosine, ulps(by[way].cosine, cosl(angle[k])));
+      }
+      assert_near(by[1].sine, s[k], 0);
+      assert_near(by[1].cosine, c[k], 0);
     }
   }
   check_ulps(sine, 1.5);
