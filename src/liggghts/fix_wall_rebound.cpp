@@ -45,6 +45,9 @@ static const int CONTACTS_MAX = 16;
  * of a mesh at its edges, above all. */
 static const double LEAVES = 0.01;
 
+/* Inside a cylinder, a particle slides that approaches with less than this share of its speed. */
+static const double SLIDES = 1e-6;
+
 static const char KEYWORDS[] = "surface spread rebound materials deposit seed timing ledger";
 
 static double dot(const double a[3], const double b[3]) {
@@ -1061,6 +1064,14 @@ bool FixWallRebound::is_stuck(int i) const {
   return false;
 }
 
+/* From the axis of a cylinder to x, and how far. LIGGGHTS exchanges x and z where the axis is y. */
+double FixWallRebound::from_axis(double x[3], double arm[3]) {
+  const double distance = primitiveWall()->calcRadialDistance(x, arm);
+  if (primitiveWall()->axis() == 1)
+    std::swap(arm[0], arm[2]);
+  return distance;
+}
+
 /* The distance from the sphere's surface to the wall when its centre is at x, in the state of the
  * wall at the end of the step; delta points from the centre to the nearest point of the wall. */
 double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]) {
@@ -1070,7 +1081,7 @@ double FixWallRebound::gap_at(const Candidate &on, double x[3], double delta[3],
   if (on.mesh < 0) {
     if (shear_ && shearAxis_ >= 0) {
       double arm[3];
-      primitiveWall()->calcRadialDistance(x, arm);
+      from_axis(x, arm);
       vectorCross3D(shearAxisVec_, arm, v_wall);
     } else if (shear_)
       v_wall[shearDim_] = vshear_;
@@ -1122,13 +1133,86 @@ bool FixWallRebound::moves(const Candidate &on) const {
   return on.mesh < 0 ? shear_ : moving_[on.mesh] != NULL;
 }
 
+/* The radius of a cylinder, which the primitive wall keeps to itself: the distance of its nearest
+ * point from the axis, seen from somewhere, and then from near by. */
+double FixWallRebound::cylinder_radius() {
+  double axis[3] = {0, 0, 0}, arm[3], radius = 1;
+  from_axis(axis, arm);
+  for (int look = 0; look < 2; look++) {
+    double x[3], off[3], delta[3] = {0, 0, 0};
+    for (int d = 0; d < 3; d++)
+      x[d] = axis[d] - arm[d];
+    x[(primitiveWall()->axis() + 1) % 3] += 2 * radius;
+    primitiveWall()->resolveContact(x, 0, delta);
+    from_axis(x, off);
+    for (int d = 0; d < 3; d++)
+      off[d] += delta[d];
+    radius = sqrt(dot(off, off));
+  }
+  return radius;
+}
+
+/* The first instant at which the path touches a cylinder, on the side that it begins on: as it is
+ * straight, the square of the distance from the axis is a quadratic in time, however long it is.
+ * The wall moves along itself only. A particle that slides inside is turned at the end of its path,
+ * where it has left the wall's curve. */
+bool FixWallRebound::find_on_cylinder(const Candidate &on, const Path &path, double latest,
+                                      Contact &contact) {
+  double arm[3], v[3];
+  vectorCopy3D(path.x, v);
+  const double distance = from_axis(v, arm);
+  vectorCopy3D(path.v, v);
+  v[primitiveWall()->axis()] = 0;
+  const double wall = cylinder_radius(), radius = radius_[on.particle];
+  const bool inside = distance < wall;
+  const double touching = inside ? wall - radius : wall + radius;
+  const double away = dot(arm, v), square = dot(v, v);
+  const double beyond = (distance - touching) * (distance + touching);
+  const double root = sqrt(std::max(0.0, away * away - square * beyond));
+  if (!(square > 0) || (!inside && (away >= 0 || (beyond > 0 && !(root > 0)))))
+    return false;
+  double time = 0; /* overlaps already */
+  if (inside && (beyond < 0 || away <= 0))
+    time = away > 0 ? -beyond / (away + root) : (root - away) / square;
+  else if (!inside && beyond > 0)
+    time = beyond / (root - away);
+  double x[3], delta[3], approach, gap;
+  bool slides = false;
+  for (;; slides = true, time = path.left) {
+    if (!(time <= latest))
+      return false;
+    for (int d = 0; d < 3; d++) {
+      x[d] = path.x[d] + path.v[d] * time;
+      contact.n[d] = (arm[d] + v[d] * time) * (inside ? -1 : 1);
+    }
+    const double length = sqrt(dot(contact.n, contact.n));
+    if (!(length > 0))
+      return false;
+    for (int d = 0; d < 3; d++)
+      contact.n[d] /= length;
+    gap = inside ? touching - length : length - touching;
+    approach = -dot(v, contact.n);
+    if (approach > SLIDES * sqrt(square))
+      break;
+    if (!inside || slides)
+      return false;
+  }
+  gap_at(on, x, delta, contact.v_wall);
+  contact.on = &on;
+  contact.time = time;
+  contact.lift = gap < -GAP_TOLERANCE * radius ? -gap : 0;
+  contact.guarded = (contact.lift > 0 && !slides) || approach * update->dt >= radius;
+  return true;
+}
+
 /* The first instant at which the path touches the candidate, by Newton's method on the gap, from
- * the beginning of the path; or from its end, where a curved wall is left at first and met again.
- * In the frame of the wall: it is at rest there as it is at the end of the step. A contact after
- * `latest` does not count; the distance from a triangle along a line is convex, so that Newton's
- * method comes to it from below, and may be stopped there. */
+ * the beginning of the path. In the frame of the wall: it is at rest there as it is at the end of
+ * the step. A contact after `latest` does not count; the distance from a triangle along a line is
+ * convex, so that Newton's method comes to it from below, and may be stopped there. */
 bool FixWallRebound::find_contact(const Candidate &on, const Path &path, double latest,
                                   Contact &contact) {
+  if (on.mesh < 0 && primitiveWall()->axis() >= 0)
+    return find_on_cylinder(on, path, latest, contact);
   double delta[3], end[3], n[3], v[3], x[3];
   for (int d = 0; d < 3; d++)
     end[d] = path.x[d] + path.v[d] * path.left;
@@ -1163,7 +1247,7 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, double 
       break;
     }
     time = std::max(0.0, time + gap / approach);
-    if (time > (on.mesh < 0 ? 2 * path.left : latest))
+    if (time > latest)
       return false;
   }
   if (!(time <= latest))

@@ -194,10 +194,13 @@ private:
   void place_planes();
   double speed_of_triangle(int mesh, int triangle) const;
   bool is_stuck(int i) const;
+  double from_axis(double x[3], double arm[3]);
   double gap_at(const Candidate &on, double x[3], double delta[3], double v_wall[3]);
   bool leaves(const Candidate &on, const double v[3], const double n[3]) const;
   bool moves(const Candidate &on) const;
   bool find_contact(const Candidate &on, const Path &path, double latest, Contact &contact);
+  double cylinder_radius();
+  bool find_on_cylinder(const Candidate &on, const Path &path, double latest, Contact &contact);
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
   bool normal_of(const Candidate &on, const Path &path, const double delta[3], double n[3],
                  bool &guarded);

@@ -93,6 +93,18 @@ primitive "xcylinder 2e-3 0 0" "0 2.3e-3 0 0 -50 0"
 primitive "ycylinder 2e-3 0 0" "0 0 1.7e-3 0 0 50"
 primitive "zcylinder 2e-3 0 0" "-1.7e-3 0 0 -50 0 0"
 
+# A cylinder, its axis beside the origin, that turns about it with 1000 rad/s, and lets go of a particle that
+# flies straight out with the speed along it that it has itself. Arms in order of the axes that follow its own.
+turning() { # style, axis of `shear`, particle, its speeds after the impact
+  scene "$3" 1e-6 10 "fix w all wall/rebound primitive type 2 $1 2e-3 1e-3 -2e-3 shear $2 1000 surface smooth rebound constant 1 0 deposit off" > turning.in
+  engine 1 turning.in
+  tail -n 1 at.txt | awk -v want="$4" '{ split(want, w, " "); for (i = 1; i <= 3; i++) { d = $(i + 4) - w[i]; if (!(d * d < 1e-16)) exit 1 } }' || { tail -n 1 at.txt; die "$1 that turns: wanted $4"; }
+}
+read -r first second < <(awk 'BEGIN { a = 1.95e-3 * 30 / sqrt(30 ^ 2 + 35 ^ 2); printf "%.12g %.12g\n", -30 - 1000 * a * 35 / 30, -35 + 1000 * a }')
+turning xcylinder y "0 2.2e-3 -6e-4 0 30 35" "0 $first $second"
+turning ycylinder x "-6e-4 0 2.2e-3 35 0 30" "$second 0 $first"
+turning zcylinder x "2.2e-3 -6e-4 0 30 35 0" "$first $second 0"
+
 # Rough walls of two kinds, a smooth one, and LIGGGHTS's resolved contact, in one run: each does its part.
 grains 400 > grains.data
 plate 6 1 3.9e-3 > plate.stl
