@@ -183,7 +183,7 @@ static void draw(block *b, size_t count) {
   }
 #pragma omp simd
   for (size_t i = 0; i < count; i++)
-    b->u[i] = asp_uniform_of(b->word[0][i], b->word[1][i]);
+    b->u[i] = asp_uniform_of_halves(b->word[0][i], b->word[1][i]);
 }
 
 /* The hit in the frame of its face, by the straight part of `rebound` in impact.c. */

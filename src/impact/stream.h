@@ -9,12 +9,23 @@
 
 #include <Random123/philox.h>
 
-/* 53 bits of the 64, and half a step, so that 0 and 1 cannot come out. By signed 32-bit numbers,
- * which every vector unit can turn into doubles; all but the last sum is exact. */
+#define ASP_UNIFORM_STEP 1.1102230246251565e-16 /* 2^-53 */
+
+/* From 53 bits, and half a step, so that 0 and 1 cannot come out. */
+static inline double asp_uniform_at(double bits) {
+  double u = (bits + 0.5) * ASP_UNIFORM_STEP;
+  return u < 1 ? u : 1 - ASP_UNIFORM_STEP;
+}
+
+/* From two words of 32 bits. */
 static inline double asp_uniform_of(uint32_t high, uint32_t low) {
+  return asp_uniform_at((double)(int64_t)(((uint64_t)high << 32 | low) >> 11));
+}
+
+/* The same by signed 32-bit numbers, which every vector unit can turn into doubles. */
+static inline double asp_uniform_of_halves(uint32_t high, uint32_t low) {
   double top = (double)(int32_t)(high ^ 0x80000000u) + 2147483648.0;
-  double u = (top * 2097152 + (int32_t)(low >> 11) + 0.5) * 1.1102230246251565e-16; /* 2^-53 */
-  return u < 1 ? u : 1 - 1.1102230246251565e-16;
+  return asp_uniform_at(top * 2097152 + (int32_t)(low >> 11));
 }
 
 static inline void asp_stream_fill(asp_stream *stream) {

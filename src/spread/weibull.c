@@ -81,9 +81,10 @@ static double quantile(const asp_view *view, double u) {
     return 0;
   asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
   double place;
-  if (asp_weibull_uncut(view->sigma, view->alpha1))
-    place = exp(log(asp_minus_log_rest(u)) / w.k);
-  else
+  if (asp_weibull_uncut(view->sigma, view->alpha1)) {
+    double q = 1 / w.k; /* ready before the logarithms are */
+    place = exp(q * log(asp_minus_log_rest(u)));
+  } else
     place = cut_place(w, u);
   double delta = w.b + w.lambda * place;
   return delta < ASP_DELTA_MOST ? delta : ASP_DELTA_MOST;

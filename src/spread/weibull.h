@@ -23,7 +23,7 @@ typedef struct asp_weibull_law {
  * that they arrive there at the values that hold beyond it: k = 3.602, and the lambda that makes
  * the mean zero, 3.24/Gamma(1 + 1/3.602) (sd 0.9991). */
 static inline asp_weibull_law asp_weibull_at(double sigma, double alpha1) {
-  double tau = alpha1 / sigma;
+  double per_sigma = 1 / sigma, tau = alpha1 * per_sigma; /* the first is ready before alpha1 is */
   tau = tau < ASP_WEIBULL_END ? tau : ASP_WEIBULL_END;
   double ahead = tau - ASP_WEIBULL_END, tau2 = tau * tau;
   double k = (0.3607531 + tau * 0.0404840) + tau2 * (0.0037227 - tau * 0.0007002);
