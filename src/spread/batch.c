@@ -145,7 +145,7 @@ static inline size_t find_tilts(const asp_views *views, size_t n, const double *
   size_t up = 0;
 #pragma omp simd reduction(+ : up)
   for (size_t i = 0; i < n; i++) {
-    asp_profile_place along = asp_profile_angle(t, alpha1[i] > 0 ? alpha1[i] : 0);
+    asp_profile_place along = asp_profile_angle_n(t, alpha1[i] > 0 ? alpha1[i] : 0);
     asp_profile_place node = asp_profile_u(u[i]);
     at[i] = step[several ? i : 0] * ASP_PROFILE_SIZE + node.step * ASP_PROFILE_ANGLES + along.step;
     part[i] = node.share;

@@ -106,9 +106,8 @@ static void place_nodes(table *t, const asp_sizes *sizes) {
   t->bins = sizes->bins;
   t->next = t->bins > 1 ? ASP_PROFILE_SIZE : 0;
   for (int k = 0; k < ANGLES; k++) {
-    double width = ASP_PI / 2 / ((ANGLES - 1.) * (ANGLES - 1.));
-    t->angle[k] = width * k * k;
-    t->per_angle[k] = 1 / (width * (2 * k + 1));
+    t->angle[k] = ASP_PROFILE_WIDTH * k * k;
+    t->per_angle[k] = 1 / (ASP_PROFILE_WIDTH * (2 * k + 1));
   }
   for (int i = 0; i < t->bins; i++) {
     t->d_p[i] = asp_sizes_at(sizes, i);
