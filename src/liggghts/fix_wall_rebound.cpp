@@ -37,6 +37,9 @@ using namespace FixConst;
 static const double GAP_TOLERANCE = 1e-10;
 static const int NEWTON_MAX = 50;
 
+/* How many pairs ahead the rows of their particles are asked for. */
+static const int FETCH_AHEAD = 16;
+
 /* How many times one particle may hit the wall within one step. */
 static const int CONTACTS_MAX = 16;
 
@@ -814,18 +817,17 @@ void FixWallRebound::pre_neighbor() {
  * Each rank looks where lists are built anew; they tell each other when something is printed, and
  * do not wait for each other in between. */
 void FixWallRebound::check_speeds() {
-  if (warned_)
+  const int n = atom->nlocal, *mask = atom->mask;
+  if (warned_ || n == 0)
     return;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit))
+  const double *v = atom->v[0], *radius = atom->radius; /* v: rows of three */
+  double worst = fastest_.ratio;
+  for (int i = 0; i < n; i++, v += 3) {
+    const double square = dot(v, v), limit = worst * radius[i];
+    if (!(mask[i] & groupbit) || square <= limit * limit)
       continue;
-    const double *v = row_of(atom->v, 3, i);
-    const double square = dot(v, v), limit = fastest_.ratio * atom->radius[i];
-    if (square <= limit * limit)
-      continue;
-    fastest_.speed = sqrt(square);
-    fastest_.d_p = 2 * atom->radius[i];
-    fastest_.ratio = fastest_.speed / atom->radius[i];
+    worst = sqrt(square) / radius[i];
+    fastest_ = Fastest{worst, 2 * radius[i], sqrt(square)};
   }
 }
 
@@ -934,7 +936,7 @@ void FixWallRebound::collect_pairs() {
     const int n = mesh->sizeLocal() + mesh->sizeGhost();
     for (int t = 0; t < n; t++)
       if (!mesh_list()[m]->meshNeighlist()->get_contact_list(t).empty())
-        planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0});
+        planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0, 0});
   }
   auto in_order = [](const Plane &a, const Plane &b) {
     return std::tie(a.mesh, a.id, a.triangle) < std::tie(b.mesh, b.id, b.triangle);
@@ -957,6 +959,8 @@ void FixWallRebound::collect_pairs() {
   near_.resize(pairs.size());
   for (size_t k = pairs.size(); k-- > 0;)
     near_[--first_[pairs[k].particle]] = pairs[k];
+  if (!near_.empty())
+    near_.insert(near_.end(), FETCH_AHEAD, near_.back());
   lists_are_new_ = false;
 }
 
@@ -970,6 +974,7 @@ void FixWallRebound::place_planes() {
     mesh->node(plane.triangle, 0, node);
     plane.offset = dot(plane.normal, node);
     plane.path = speed_of_triangle(plane.mesh, plane.triangle) * update->dt;
+    plane.reach = 2 * plane.path;
   }
 }
 
@@ -981,7 +986,7 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
     find_hits_primitive(hits);
     return;
   }
-  const double dt = update->dt;
+  const double half_step = 0.5 * update->dt;
   const bool lists_were_new = lists_are_new_;
   if (lists_are_new_)
     collect_pairs();
@@ -991,18 +996,16 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
     return;
   const double *x = atom->x[0], *v = atom->v[0], *radius = atom->radius; /* x, v: rows of three */
   const Plane *planes = planes_.data();
-  const Pair *last = near_.data() + near_.size() - 1;
-  for (const Pair &pair : near_) {
-    const Plane &plane = planes[pair.plane];
-    const ptrdiff_t i = pair.particle;
-    const ptrdiff_t ahead = std::min(&pair + 16, last)->particle;
-    __builtin_prefetch(v + 3 * ahead);
+  const Pair *last = near_.data() + near_.size() - FETCH_AHEAD;
+  for (const Pair *pair = near_.data(); pair < last; pair++) {
+    const Plane &plane = planes[pair->plane];
+    const ptrdiff_t i = pair->particle, ahead = pair[FETCH_AHEAD].particle;
     __builtin_prefetch(x + 3 * ahead);
+    __builtin_prefetch(v + 3 * ahead);
     const double end = dot(plane.normal, x + 3 * i) - plane.offset;
-    const double begin = end - dot(plane.normal, v + 3 * i) * dt;
-    const double reach = radius[i] + 2 * plane.path;
-    if (!(std::min(begin, end) > reach || std::max(begin, end) < -reach))
-      hits.push_back(pair.particle);
+    const double half = dot(plane.normal, v + 3 * i) * half_step;
+    if (fabs(end - half) - fabs(half) <= radius[i] + plane.reach)
+      hits.push_back(pair->particle);
   }
 }
 

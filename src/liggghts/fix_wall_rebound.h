@@ -112,7 +112,8 @@ private:
   struct Plane {
     int mesh, triangle, id;
     double normal[3], offset;
-    double path; /* of the fastest node in a step */
+    double path;  /* of the fastest node in a step */
+    double reach; /* how near it may come within a step, beyond the particle's radius */
   };
 
   /* A particle and one of planes_ near it. */
@@ -248,12 +249,13 @@ private:
   class FixPropertyAtom *fix_state_, *fix_place_; /* the second one: unless deposits are off */
   std::vector<FixWallRebound *> siblings_;        /* all walls of this style, the first one leads */
   std::vector<NodeVelocities *> moving_;          /* one a mesh */
-  std::vector<Pair> near_;            /* the neighbour lists of the meshes, by particle */
-  std::vector<int> first_;            /* where in it a particle's pairs begin */
-  std::vector<Plane> planes_;         /* the triangles of these pairs */
-  std::vector<Candidate> candidates_; /* what may be hit in this step */
-  std::vector<int> hits_;             /* particles that may touch a wall in this step */
-  std::vector<Stuck> stuck_;          /* since the last exchange */
+  /* The neighbour lists of the meshes, by particle, and some pairs more to look ahead to. */
+  std::vector<Pair> near_;
+  std::vector<int> first_;                        /* where in it a particle's pairs begin */
+  std::vector<Plane> planes_;                     /* the triangles of these pairs */
+  std::vector<Candidate> candidates_;             /* what may be hit in this step */
+  std::vector<int> hits_;                         /* particles that may touch a wall in this step */
+  std::vector<Stuck> stuck_;                      /* since the last exchange */
   std::vector<std::unique_ptr<ReboundMap>> maps_; /* one a mesh */
   std::vector<std::vector<double>> saved_maps_;   /* of a restart, until the meshes are set up */
   std::vector<double> totals_; /* N_TOTALS a mesh; one row for a primitive wall */
