@@ -1155,55 +1155,62 @@ double FixWallRebound::cylinder_radius() {
   return radius;
 }
 
-/* The first instant at which the path touches a cylinder, on the side that it begins on: as it is
- * straight, the square of the distance from the axis is a quadratic in time, however long it is.
- * The wall moves along itself only. A particle that slides inside is turned at the end of its path,
- * where it has left the wall's curve. */
+/* When the square of a distance, that of `distance` at first and a quadratic in time on a straight
+ * path, is that of `touching`: 0 for what is beyond it already and goes on, infinite for never.
+ * rate: half the square's growth at first; square: of the speed, > 0. */
+static double chord_time(bool inside, double distance, double touching, double rate,
+                         double square) {
+  const double beyond = (distance - touching) * (distance + touching);
+  const double root = sqrt(std::max(0.0, rate * rate - square * beyond));
+  if (inside) {
+    if (rate > 0)
+      return beyond < 0 ? -beyond / (rate + root) : 0;
+    return (root - rate) / square;
+  }
+  if (rate >= 0 || (beyond > 0 && !(root > 0)))
+    return INFINITY;
+  return beyond > 0 ? beyond / (root - rate) : 0;
+}
+
+/* The first instant at which the path touches a cylinder, on the side that it begins on, in closed
+ * form however long it is. The wall moves along itself only. A particle that slides inside is
+ * turned at the end of its path, where it has left the wall's curve. */
 bool FixWallRebound::find_on_cylinder(const Candidate &on, const Path &path, double latest,
                                       Contact &contact) {
-  double arm[3], v[3];
-  vectorCopy3D(path.x, v);
-  const double distance = from_axis(v, arm);
+  double x[3], v[3], arm[3], delta[3];
+  vectorCopy3D(path.x, x);
   vectorCopy3D(path.v, v);
   v[primitiveWall()->axis()] = 0;
   const double wall = cylinder_radius(), radius = radius_[on.particle];
+  const double distance = from_axis(x, arm), square = dot(v, v);
   const bool inside = distance < wall;
   const double touching = inside ? wall - radius : wall + radius;
-  const double away = dot(arm, v), square = dot(v, v);
-  const double beyond = (distance - touching) * (distance + touching);
-  const double root = sqrt(std::max(0.0, away * away - square * beyond));
-  if (!(square > 0) || (!inside && (away >= 0 || (beyond > 0 && !(root > 0)))))
+  if (!(square > 0))
     return false;
-  double time = 0; /* overlaps already */
-  if (inside && (beyond < 0 || away <= 0))
-    time = away > 0 ? -beyond / (away + root) : (root - away) / square;
-  else if (!inside && beyond > 0)
-    time = beyond / (root - away);
-  double x[3], delta[3], approach, gap;
+  contact.time = chord_time(inside, distance, touching, dot(arm, v), square);
+  double approach, length;
   bool slides = false;
-  for (;; slides = true, time = path.left) {
-    if (!(time <= latest))
-      return false;
-    for (int d = 0; d < 3; d++) {
-      x[d] = path.x[d] + path.v[d] * time;
-      contact.n[d] = (arm[d] + v[d] * time) * (inside ? -1 : 1);
-    }
-    const double length = sqrt(dot(contact.n, contact.n));
-    if (!(length > 0))
+  for (;; slides = true, contact.time = path.left) {
+    if (!(contact.time <= latest))
       return false;
     for (int d = 0; d < 3; d++)
-      contact.n[d] /= length;
-    gap = inside ? touching - length : length - touching;
-    approach = -dot(v, contact.n);
+      contact.n[d] = (arm[d] + v[d] * contact.time) * (inside ? -1 : 1);
+    length = sqrt(dot(contact.n, contact.n));
+    approach = -dot(v, contact.n) / length;
     if (approach > SLIDES * sqrt(square))
       break;
     if (!inside || slides)
       return false;
   }
+  for (int d = 0; d < 3; d++) {
+    x[d] += path.v[d] * contact.time;
+    contact.n[d] /= length;
+  }
   gap_at(on, x, delta, contact.v_wall);
   contact.on = &on;
-  contact.time = time;
-  contact.lift = gap < -GAP_TOLERANCE * radius ? -gap : 0;
+  contact.lift = inside ? length - touching : touching - length;
+  if (contact.lift <= GAP_TOLERANCE * radius)
+    contact.lift = 0;
   contact.guarded = (contact.lift > 0 && !slides) || approach * update->dt >= radius;
   return true;
 }
