@@ -1184,7 +1184,7 @@ bool FixWallRebound::find_on_cylinder(const Candidate &on, const Path &path, dou
   const double wall = cylinder_radius(), radius = radius_[on.particle];
   const double distance = from_axis(x, arm), square = dot(v, v);
   const bool inside = distance < wall;
-  const double touching = inside ? wall - radius : wall + radius;
+  const double touching = inside ? std::max(0.0, wall - radius) : wall + radius;
   if (!(square > 0))
     return false;
   contact.time = chord_time(inside, distance, touching, dot(arm, v), square);
