@@ -51,8 +51,7 @@ static const double ASP_PROFILE_WIDTH =
 
 /* The last angle but one at most that is not above 0 <= alpha1 <= pi/2. */
 static inline int asp_profile_angle_step(double alpha1) {
-  const double per_square = 2 / ASP_PI * (ASP_PROFILE_ANGLES - 1) * (ASP_PROFILE_ANGLES - 1);
-  int k = (int)sqrt(alpha1 * per_square);
+  int k = (int)sqrt(alpha1 * (1 / ASP_PROFILE_WIDTH));
   return k < ASP_PROFILE_ANGLES - 2 ? k : ASP_PROFILE_ANGLES - 2;
 }
 
@@ -77,7 +76,10 @@ static inline asp_profile_place asp_profile_size(const asp_profile_table *t, dou
 }
 
 /* Two neighbours of the table at once, as the halves of a number. */
-typedef uint64_t __attribute__((aligned(4), may_alias)) asp_profile_two;
+static inline uint64_t asp_profile_two(const float *at) {
+  typedef uint64_t __attribute__((aligned(4), may_alias)) two;
+  return *(const two *)at;
+}
 
 static inline double asp_profile_half(uint64_t two, int shift) {
   uint32_t bits = (uint32_t)(two >> shift);
@@ -90,12 +92,9 @@ static inline double asp_profile_half(uint64_t two, int shift) {
 static inline double asp_profile_delta(const float *delta, int at, int next, double size, double u,
                                        double angle) {
   const bool big_end_first = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
-  const asp_profile_two *low = (const asp_profile_two *)(delta + at),
-                        *low_up = (const asp_profile_two *)(delta + at + ASP_PROFILE_ANGLES),
-                        *high = (const asp_profile_two *)(delta + at + next),
-                        *high_up =
-                            (const asp_profile_two *)(delta + at + next + ASP_PROFILE_ANGLES);
-  uint64_t a = *low, b = *low_up, c = *high, d = *high_up;
+  uint64_t a = asp_profile_two(delta + at), b = asp_profile_two(delta + at + ASP_PROFILE_ANGLES);
+  uint64_t c = asp_profile_two(delta + at + next);
+  uint64_t d = asp_profile_two(delta + at + next + ASP_PROFILE_ANGLES);
   double of[2];
   for (int k = 0; k < 2; k++) {
     int shift = (k > 0) != big_end_first ? 32 : 0;

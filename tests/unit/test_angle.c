@@ -7,7 +7,7 @@
 
 #define STEPS 200000
 
-enum { MANY = 3 };
+enum { MANY = 3 * STEPS };
 
 /* A number of 0 to 1 for each step, crowded towards 0 for every other one. */
 static double share(int i) {
@@ -29,17 +29,21 @@ static void check_ulps(double worst, double limit) {
 
 static void arcs(void **state) {
   (void)state;
+  static double up[MANY], along[MANY], angle[MANY];
   double worst = 0, scale[] = {1, 1e-140, 1e140};
-  for (int i = 0; i < STEPS; i++) {
-    double rise = share(i) * scale[i % 3], run = (1 + 0.3 * share(i / 2)) * scale[i % 3];
-    double up[MANY] = {rise, run, -rise}, along[MANY] = {run, rise, run}, angle[MANY];
-    asp_angle_n(MANY, up, along, angle);
-    for (int k = 0; k < MANY; k++) {
-      long double should = atan2l(up[k], along[k]);
-      worst = fmax(worst, ulps(asp_angle(up[k], along[k]), should));
-      worst = fmax(worst, ulps(angle[k], should));
-      assert_near(asp_angle_one(up[k], along[k]), angle[k], 0);
-    }
+  for (int i = 0; i < MANY; i++) {
+    int step = i / 3;
+    double rise = share(step) * scale[step % 3];
+    double run = (1 + 0.3 * share(step / 2)) * scale[step % 3];
+    up[i] = i % 3 == 0 ? rise : i % 3 == 1 ? run : -rise;
+    along[i] = i % 3 == 1 ? rise : run;
+  }
+  asp_angle_n(MANY, up, along, angle);
+  for (int i = 0; i < MANY; i++) {
+    long double should = atan2l(up[i], along[i]);
+    worst = fmax(worst, ulps(asp_angle(up[i], along[i]), should));
+    worst = fmax(worst, ulps(angle[i], should));
+    assert_near(asp_angle_one(up[i], along[i]), angle[i], 0);
   }
   check_ulps(worst, 2);
   assert_near(asp_arc(0, 0), 0, 0);
@@ -49,19 +53,21 @@ static void arcs(void **state) {
 
 static void turns(void **state) {
   (void)state;
+  static double angle[MANY], s[MANY], c[MANY];
   double sine = 0, cosine = 0;
-  for (int i = 0; i < STEPS; i++) {
-    double x = share(i) * ASP_PI / 2, angle[MANY] = {x, -x, ASP_PI / 2 - x}, s[MANY], c[MANY];
-    asp_turn_n(MANY, angle, s, c);
-    for (int k = 0; k < MANY; k++) {
-      asp_turn by[] = {asp_turn_by(angle[k]), asp_turn_one(angle[k])};
-      for (int way = 0; way < 2; way++) {
-        sine = fmax(sine, ulps(by[way].sine, sinl(angle[k])));
-        cosine = fmax(cosine, ulps(by[way].cosine, cosl(angle[k])));
-      }
-      assert_near(by[1].sine, s[k], 0);
-      assert_near(by[1].cosine, c[k], 0);
+  for (int i = 0; i < MANY; i++) {
+    double x = share(i / 3) * ASP_PI / 2;
+    angle[i] = i % 3 == 0 ? x : i % 3 == 1 ? -x : ASP_PI / 2 - x;
+  }
+  asp_turn_n(MANY, angle, s, c);
+  for (int i = 0; i < MANY; i++) {
+    asp_turn by[] = {asp_turn_by(angle[i]), asp_turn_one(angle[i])};
+    for (int way = 0; way < 2; way++) {
+      sine = fmax(sine, ulps(by[way].sine, sinl(angle[i])));
+      cosine = fmax(cosine, ulps(by[way].cosine, cosl(angle[i])));
     }
+    assert_near(by[1].sine, s[i], 0);
+    assert_near(by[1].cosine, c[i], 0);
   }
   check_ulps(sine, 1.5);
   check_ulps(cosine, 1.5);
