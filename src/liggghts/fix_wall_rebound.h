@@ -116,9 +116,11 @@ private:
     double reach; /* how near it may come within a step, beyond the particle's radius */
   };
 
-  /* A particle and one of planes_ near it. */
+  /* A particle and one of planes_ near it. clear: how far it may go before it can touch, not above
+   * 0 where that is not known. */
   struct Pair {
     int particle, plane;
+    double clear;
   };
 
   /* A stuck particle and its velocity, which is the wall's. */
@@ -189,6 +191,7 @@ private:
   void refresh();
   void find_velocities();
   void collect_pairs();
+  int find_due();
   void find_hits(std::vector<int> &hits);
   void find_hits_primitive(std::vector<int> &hits);
   void find_candidates(int particle, std::vector<Candidate> &candidates);
@@ -252,6 +255,7 @@ private:
   /* The neighbour lists of the meshes, by particle, and some pairs more to look ahead to. */
   std::vector<Pair> near_;
   std::vector<int> first_;                        /* where in it a particle's pairs begin */
+  std::vector<int> due_;                          /* those of near_ to look at in this step */
   std::vector<Plane> planes_;                     /* the triangles of these pairs */
   std::vector<Candidate> candidates_;             /* what may be hit in this step */
   std::vector<int> hits_;                         /* particles that may touch a wall in this step */

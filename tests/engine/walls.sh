@@ -61,6 +61,13 @@ fix w all wall/rebound mesh n_meshes 1 meshes c $mirror" > thin.in
 arrives thin "1 1e-4 1e-4 2e-4 0 0 30
 2 3e-4 -2e-4 -2e-4 0 0 -30" 1e-12 1e-9
 
+# Between two walls: a particle that begins in the floor is lifted out of it, and meets the ceiling so much sooner.
+{ rectangle "-0.005 -0.005 2.2e-4  0.005 -0.005 2.2e-4  0.005 0.005 2.2e-4  -0.005 0.005 2.2e-4"; } > ceiling.stl
+{ sed '$d' thin.stl; sed '1d' ceiling.stl; } > gap.stl
+scene "1e-4 1e-4 2e-5 0 0 -10" 1e-7 150 "fix c all mesh/surface file gap.stl type 2
+fix w all wall/rebound mesh n_meshes 1 meshes c $mirror" > gap.in
+arrives gap "1 1e-4 1e-4 1.4e-4 0 0 -10" 1e-12 1e-9
+
 # A wall that rises at 10 m/s meets a particle at rest: it leaves at 20 m/s; one that falls at 30 m/s, at 50.
 scene "1e-3 1e-3 1.5e-4 0 0 0
 -1e-3 1e-3 4.5e-4 0 0 -30" 1e-6 20 "fix c all mesh/surface file thin.stl type 2
