@@ -195,7 +195,8 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
       profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
       own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
       wall_(NULL, asp_wall_free), fix_state_(NULL), fix_place_(NULL), clock_(), fastest_(),
-      counters_(), lists_are_new_(true), warned_(false), announced_(false), restarted_(false) {
+      wall_path_(0), counters_(), lists_are_new_(true), warned_(false), announced_(false),
+      restarted_(false) {
   for (int m = 0; m < n_meshes(); m++)
     mesh_ids_.push_back(mesh_list()[m]->id);
   check_particles();
@@ -879,12 +880,15 @@ void FixWallRebound::post_force(int) {
   for (int i : hits_)
     for (FixWallRebound *wall : siblings_)
       wall->fetch(i);
+  double walls = 0;
+  for (const FixWallRebound *wall : siblings_)
+    walls = std::max(walls, wall->wall_path_);
   for (int i : hits_) {
     if (is_stuck(i))
       continue;
     candidates_.clear();
     for (FixWallRebound *wall : siblings_)
-      wall->find_candidates(i, candidates_);
+      wall->find_candidates(i, walls, candidates_);
     collide(candidates_.data(), candidates_.data() + candidates_.size());
   }
 }
@@ -936,7 +940,7 @@ void FixWallRebound::collect_pairs() {
     const int n = mesh->sizeLocal() + mesh->sizeGhost();
     for (int t = 0; t < n; t++)
       if (!mesh_list()[m]->meshNeighlist()->get_contact_list(t).empty())
-        planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0, 0});
+        planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0});
   }
   auto in_order = [](const Plane &a, const Plane &b) {
     return std::tie(a.mesh, a.id, a.triangle) < std::tie(b.mesh, b.id, b.triangle);
@@ -968,13 +972,15 @@ void FixWallRebound::collect_pairs() {
  * moves. */
 void FixWallRebound::place_planes() {
   double node[3];
+  wall_path_ = 0;
   for (Plane &plane : planes_) {
     TriMesh *mesh = mesh_list()[plane.mesh]->triMesh();
     mesh->surfaceNorm(plane.triangle, plane.normal);
     mesh->node(plane.triangle, 0, node);
     plane.offset = dot(plane.normal, node);
-    plane.path = speed_of_triangle(plane.mesh, plane.triangle) * update->dt;
-    plane.reach = 2 * plane.path;
+    const double path = speed_of_triangle(plane.mesh, plane.triangle) * update->dt;
+    plane.reach = 2 * path;
+    wall_path_ = std::max(wall_path_, path);
   }
 }
 
@@ -1030,9 +1036,17 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
   }
 }
 
+/* How far a primitive wall moves along itself within a step. */
+double FixWallRebound::path_of_primitive() {
+  if (!shear_)
+    return 0;
+  return fabs(vshear_) * (shearAxis_ >= 0 ? cylinder_radius() : 1) * update->dt;
+}
+
 /* The distance from any wall changes by no more than the path is long, so it cannot fall to zero
  * where the distances at its ends add up to more. A primitive wall moves along itself only. */
 void FixWallRebound::find_hits_primitive(std::vector<int> &hits) {
+  wall_path_ = path_of_primitive();
   int *list;
   double delta[3], begin[3];
   const double dt = update->dt;
@@ -1053,8 +1067,8 @@ void FixWallRebound::find_hits_primitive(std::vector<int> &hits) {
 }
 
 /* All pieces of this wall that the particle may touch in this step, also after rebounds: its speed
- * may have grown by then where walls move. */
-void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) {
+ * may have grown by then where walls move, of which the fastest moves by `walls`. */
+void FixWallRebound::find_candidates(int i, double walls, std::vector<Candidate> &candidates) {
   if (!(atom->mask[i] & groupbit))
     return;
   if (!is_mesh_wall()) {
@@ -1067,7 +1081,7 @@ void FixWallRebound::find_candidates(int i, std::vector<Candidate> &candidates) 
     near_[k].clear = 0; /* its path may bend */
     const Plane &plane = planes_[near_[k].plane];
     double gap = fabs(dot(plane.normal, x) - plane.offset) - radius_[i];
-    if (gap <= 2 * path + 4 * plane.path)
+    if (gap <= 2 * path + 4 * walls)
       candidates.push_back(Candidate{this, i, plane.mesh, plane.triangle, plane.id});
   }
 }

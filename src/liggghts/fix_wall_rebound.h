@@ -112,7 +112,6 @@ private:
   struct Plane {
     int mesh, triangle, id;
     double normal[3], offset;
-    double path;  /* of the fastest node in a step */
     double reach; /* how near it may come within a step, beyond the particle's radius */
   };
 
@@ -194,7 +193,8 @@ private:
   int find_due();
   void find_hits(std::vector<int> &hits);
   void find_hits_primitive(std::vector<int> &hits);
-  void find_candidates(int particle, std::vector<Candidate> &candidates);
+  void find_candidates(int particle, double walls, std::vector<Candidate> &candidates);
+  double path_of_primitive();
   void place_planes();
   double speed_of_triangle(int mesh, int triangle) const;
   bool is_stuck(int i) const;
@@ -265,6 +265,7 @@ private:
   std::vector<double> totals_; /* N_TOTALS a mesh; one row for a primitive wall */
   Clock clock_;
   Fastest fastest_;
+  double wall_path_; /* of the wall's fastest point in a step */
   double counters_[N_COUNTERS];
   bool lists_are_new_, warned_, announced_, restarted_;
 };

@@ -61,6 +61,29 @@ fix w all wall/rebound mesh n_meshes 1 meshes c $mirror" > thin.in
 arrives thin "1 1e-4 1e-4 2e-4 0 0 30
 2 3e-4 -2e-4 -2e-4 0 0 -30" 1e-12 1e-9
 
+# A belt that runs at 4 m/s drags a particle that lands on it into the wall at its end, within the same step: of
+# 10 us, of which the particle flies down for a half, and then with the belt for a quarter and back for a quarter.
+{ rectangle "6e-5 -0.005 0  6e-5 0.005 0  6e-5 0.005 0.005  6e-5 -0.005 0.005"; } > end.stl
+belt() { # what it is made of
+  echo "fix b all mesh/surface file thin.stl type 2 surface_vel 4. 0. 0.
+fix e all mesh/surface file end.stl type 2
+fix onb all wall/rebound $1 surface smooth rebound constant 1 0 deposit off
+fix one all wall/rebound mesh n_meshes 1 meshes e $mirror"; }
+mesh_belt=$(belt 'mesh n_meshes 1 meshes b') plane_belt=$(belt 'primitive type 2 zplane 0.0 shear x 4.')
+for belt in "$mesh_belt" "$plane_belt"; do
+  scene "0 1e-4 5.125e-5 0 0 -0.25" 1e-5 1 "$belt" > belt.in
+  arrives belt "1 0 1e-4 5.125e-5 -4 0 0.25" 1e-12 1e-9
+done
+# The same where a step before it has 10 ns, which `dt/reset` makes 10 us when another particle has lost its speed.
+{ rectangle "-0.005 -0.005 2e-3  0.005 -0.005 2e-3  0.005 0.005 2e-3  -0.005 0.005 2e-3"; } > stop.stl
+scene "0 1e-4 5.12525e-5 0 0 -0.25
+0 1e-3 1.94999e-3 0 0 100" 1e-8 2 "$mesh_belt
+fix s all mesh/surface file stop.stl type 2
+fix ons all wall/rebound mesh n_meshes 1 meshes s surface smooth rebound constant 1e-6 1 deposit off
+fix dt p2 dt/reset 1 1e-8 1e-5 1e-9" > reset.in
+arrives reset "1 0 1e-4 5.125e-5 -4 0 0.25
+2 0 1e-3 1.95e-3 0 0 -1e-4" 2e-9 1e-9
+
 # Between two walls: a particle that begins in the floor is lifted out of it, and meets the ceiling so much sooner.
 { rectangle "-0.005 -0.005 2.2e-4  0.005 -0.005 2.2e-4  0.005 0.005 2.2e-4  -0.005 0.005 2.2e-4"; } > ceiling.stl
 { sed '$d' thin.stl; sed '1d' ceiling.stl; } > gap.stl
