@@ -40,6 +40,9 @@ static const int NEWTON_MAX = 50;
 /* How many pairs ahead the rows of their particles are asked for. */
 static const int FETCH_AHEAD = 64;
 
+/* The same for the states of particles, one after the other. */
+static const int STATES_AHEAD = 512;
+
 /* How many times one particle may hit the wall within one step. */
 static const int CONTACTS_MAX = 16;
 
@@ -931,38 +934,45 @@ void FixWallRebound::find_velocities() {
 
 /* The neighbour lists of the meshes, triangle by triangle, as pairs ordered by particle, mesh and
  * id of the triangle: so that a step reads the particles one after the other, and the candidates of
- * one come together. */
+ * one come together, in an order that does not depend on how a rank numbers its triangles. */
 void FixWallRebound::collect_pairs() {
-  std::vector<Pair> pairs;
-  planes_.clear();
-  for (int m = 0; m < n_meshes(); m++) {
-    TriMesh *mesh = mesh_list()[m]->triMesh();
-    const int n = mesh->sizeLocal() + mesh->sizeGhost();
-    for (int t = 0; t < n; t++)
-      if (!mesh_list()[m]->meshNeighlist()->get_contact_list(t).empty())
-        planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0});
-  }
-  auto in_order = [](const Plane &a, const Plane &b) {
-    return std::tie(a.mesh, a.id, a.triangle) < std::tie(b.mesh, b.id, b.triangle);
-  };
-  if (!std::is_sorted(planes_.begin(), planes_.end(), in_order))
-    std::sort(planes_.begin(), planes_.end(), in_order);
+  std::vector<Pair> pairs; /* by triangle */
+  pairs.reserve(near_.capacity());
   std::vector<char> stuck(atom->nlocal, 0);
   for (const FixWallRebound *wall : siblings_)
     wall->mark_stuck(stuck);
+  planes_.clear();
   first_.assign(atom->nlocal + 1, 0);
-  for (size_t p = 0; p < planes_.size(); p++) {
-    const Plane &plane = planes_[p];
-    for (int i : mesh_list()[plane.mesh]->meshNeighlist()->get_contact_list(plane.triangle))
-      if (i < atom->nlocal && (atom->mask[i] & groupbit) && !stuck[i]) {
-        pairs.push_back(Pair{i, static_cast<int>(p), 0});
-        first_[i]++;
-      }
+  const int nlocal = atom->nlocal, *mask = atom->mask;
+  for (int m = 0; m < n_meshes(); m++) {
+    TriMesh *mesh = mesh_list()[m]->triMesh();
+    FixNeighlistMesh *lists = mesh_list()[m]->meshNeighlist();
+    const int n = mesh->sizeLocal() + mesh->sizeGhost();
+    for (int t = 0; t < n; t++) {
+      const std::vector<int> &list = lists->get_contact_list(t);
+      if (list.empty())
+        continue;
+      const int plane = static_cast<int>(planes_.size());
+      planes_.push_back(Plane{m, t, mesh->id(t), {0, 0, 0}, 0, 0});
+      for (int i : list)
+        if (i < nlocal && (mask[i] & groupbit) && !stuck[i]) {
+          pairs.push_back(Pair{i, plane, 0});
+          first_[i]++;
+        }
+    }
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin()); /* the ends, for now */
   near_.resize(pairs.size());
   for (size_t k = pairs.size(); k-- > 0;)
     near_[--first_[pairs[k].particle]] = pairs[k];
+  auto before = [this](const Pair &a, const Pair &b) {
+    const Plane &of_a = planes_[a.plane], &of_b = planes_[b.plane];
+    return a.particle == b.particle && std::tie(of_a.mesh, of_a.id, of_a.triangle) <
+                                           std::tie(of_b.mesh, of_b.id, of_b.triangle);
+  };
+  for (size_t k = 1; k < near_.size(); k++) /* few of one particle, that is */
+    for (size_t j = k; j > 0 && before(near_[j], near_[j - 1]); j--)
+      std::swap(near_[j], near_[j - 1]);
   if (!near_.empty())
     near_.insert(near_.end(), FETCH_AHEAD, near_.back());
   lists_are_new_ = false;
@@ -1072,7 +1082,7 @@ void FixWallRebound::find_candidates(int i, double walls, std::vector<Candidate>
   if (!(atom->mask[i] & groupbit))
     return;
   if (!is_mesh_wall()) {
-    candidates.push_back(Candidate{this, i, -1, 0, 0});
+    candidates.push_back(Candidate{this, i, -1, 0, 0, 0});
     return;
   }
   const double *x = row_of(x_, 3, i), *v = row_of(atom->v, 3, i);
@@ -1082,7 +1092,8 @@ void FixWallRebound::find_candidates(int i, double walls, std::vector<Candidate>
     const Plane &plane = planes_[near_[k].plane];
     double gap = fabs(dot(plane.normal, x) - plane.offset) - radius_[i];
     if (gap <= 2 * path + 4 * walls)
-      candidates.push_back(Candidate{this, i, plane.mesh, plane.triangle, plane.id});
+      candidates.push_back(
+          Candidate{this, i, plane.mesh, plane.triangle, plane.id, near_[k].plane});
   }
 }
 
@@ -1251,10 +1262,22 @@ bool FixWallRebound::find_on_cylinder(const Candidate &on, const Path &path, dou
   return true;
 }
 
+/* When a path comes within the particle's radius of the plane of a triangle at rest, before which
+ * it cannot touch it; 0 where it begins there, or leads away. */
+double FixWallRebound::time_to_plane(const Candidate &on, const Path &path) const {
+  if (on.mesh < 0)
+    return 0;
+  const Plane &plane = planes_[on.plane];
+  const double from = dot(plane.normal, path.x) - plane.offset, rate = dot(plane.normal, path.v);
+  const double gap = fabs(from) - radius_[on.particle];
+  return gap > 0 && from * rate < 0 ? gap / fabs(rate) : 0;
+}
+
 /* The first instant at which the path touches the candidate, by Newton's method on the gap, from
- * the beginning of the path. In the frame of the wall: it is at rest there as it is at the end of
- * the step. A contact after `latest` does not count; the distance from a triangle along a line is
- * convex, so that Newton's method comes to it from below, and may be stopped there. */
+ * the beginning of the path, or where it comes near the plane. In the frame of the wall: it is at
+ * rest there as it is at the end of the step. A contact after `latest` does not count; the distance
+ * from a triangle along a line is convex, so that Newton's method comes to it from below, and may
+ * be stopped there. */
 bool FixWallRebound::find_contact(const Candidate &on, const Path &path, double latest,
                                   Contact &contact) {
   if (on.mesh < 0 && primitiveWall()->axis() >= 0)
@@ -1269,7 +1292,9 @@ bool FixWallRebound::find_contact(const Candidate &on, const Path &path, double 
     v[d] = path.v[d] - contact.v_wall[d];
   contact.guarded = false;
   contact.lift = 0;
-  double time = 0;
+  double time = moves(on) ? 0 : time_to_plane(on, path);
+  if (time > latest)
+    return false;
   for (int i = 0; i < NEWTON_MAX; i++) {
     for (int d = 0; d < 3; d++)
       x[d] = end[d] - v[d] * (path.left - time);
@@ -1484,6 +1509,7 @@ void FixWallRebound::stick(const Contact &contact, const Path &path) {
   }
   add_stuck(i);
   hold(stuck_.back());
+  stop_spin(stuck_.back());
 }
 
 /* An orthonormal frame that moves with a triangle: its first node, first edge, and normal. */
@@ -1511,9 +1537,11 @@ void FixWallRebound::collect_stuck() {
   if (deposit_ == OFF || atom->nlocal == 0)
     return;
   const double *state_of = state(0) + STATE;
-  for (int i = 0; i < atom->nlocal; i++)
+  for (int i = 0; i < atom->nlocal; i++) {
+    __builtin_prefetch(state_of + (i + STATES_AHEAD) * N_STATE);
     if (state_of[i * N_STATE] != FREE)
       stuck_.push_back(Stuck{i, {0, 0, 0}});
+  }
   for (Stuck &stuck : stuck_)
     vectorCopy3D(place(stuck.particle) + STUCK_V, stuck.v);
 }
@@ -1535,6 +1563,10 @@ void FixWallRebound::add_stuck(int i) {
 /* A stuck particle has the wall's velocity, ... */
 void FixWallRebound::hold(const Stuck &stuck) {
   vectorCopy3D(stuck.v, row_of(atom->v, 3, stuck.particle));
+}
+
+/* ... does not spin, ... */
+void FixWallRebound::stop_spin(const Stuck &stuck) {
   if (atom->omega_flag)
     vectorZeroize3D(row_of(atom->omega, 3, stuck.particle));
 }
@@ -1601,8 +1633,10 @@ void FixWallRebound::pre_exchange() {
 }
 
 void FixWallRebound::end_of_step() {
-  for (const Stuck &stuck : stuck_)
+  for (const Stuck &stuck : stuck_) {
     hold(stuck);
+    stop_spin(stuck);
+  }
   if (output->next == update->ntimestep) {
     settle_maps();
     warn_of_speeds();

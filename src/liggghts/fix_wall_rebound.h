@@ -100,7 +100,7 @@ private:
   struct Candidate {
     FixWallRebound *wall;
     int particle, mesh, triangle; /* local indices; mesh -1 for a primitive wall */
-    int id;                       /* of the triangle, 0 for a primitive wall */
+    int id, plane;                /* of the triangle; 0 for a primitive wall */
   };
 
   /* The fastest particle of this rank in this run, by its radii per time. */
@@ -203,6 +203,7 @@ private:
   bool leaves(const Candidate &on, const double v[3], const double n[3]) const;
   bool moves(const Candidate &on) const;
   bool find_contact(const Candidate &on, const Path &path, double latest, Contact &contact);
+  double time_to_plane(const Candidate &on, const Path &path) const;
   double cylinder_radius();
   bool find_on_cylinder(const Candidate &on, const Path &path, double latest, Contact &contact);
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
@@ -221,6 +222,7 @@ private:
   void mark_stuck(std::vector<char> &marks) const;
   void add_stuck(int i);
   void hold(const Stuck &stuck);
+  void stop_spin(const Stuck &stuck);
   void free_of_forces(const Stuck &stuck);
   void carry(Stuck &stuck);
 
