@@ -489,8 +489,10 @@ double *FixWallRebound::place(int i) const {
   return row_of(fix_place_->array_atom, N_PLACE, i);
 }
 
+/* What the base class does before forces is for the lists of primitive walls. */
 int FixWallRebound::setmask() {
-  return FixWallGran::setmask() | PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP | POST_RUN;
+  const int base = FixWallGran::setmask() & (is_mesh_wall() ? ~PRE_FORCE : ~0);
+  return base | PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP | POST_RUN;
 }
 
 /* Zeros for each particle, which go with it and into restart files. */
@@ -1005,7 +1007,9 @@ int FixWallRebound::find_due() {
   int due = 0, *const at = due_.data();
   for (int k = 0; k < n; k++) {
     const ptrdiff_t i = 3 * static_cast<ptrdiff_t>(pair[k].particle);
-    __builtin_prefetch(v + 3 * static_cast<ptrdiff_t>(pair[k + FETCH_AHEAD].particle));
+    const double *ahead = v + 3 * static_cast<ptrdiff_t>(pair[k + FETCH_AHEAD].particle);
+    __builtin_prefetch(ahead); /* both its ends, which may be in two cache lines */
+    __builtin_prefetch(ahead + 2);
     const double clear = pair[k].clear - (fabs(v[i]) + fabs(v[i + 1]) + fabs(v[i + 2])) * dt;
     pair[k].clear = clear;
     at[due] = k;
