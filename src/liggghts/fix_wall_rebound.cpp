@@ -1362,6 +1362,15 @@ bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact
   return gap <= 0 && approach > 0;
 }
 
+/* Whether a contact comes before another one, as far as their instants are known. An edge is met at
+ * one instant by both of its triangles: the contact is that of the first candidate. */
+bool FixWallRebound::is_earlier(const Contact &contact, const Contact &other, const Path &path) {
+  double approach = 0;
+  for (int d = 0; d < 3; d++)
+    approach += (contact.v_wall[d] - path.v[d]) * contact.n[d];
+  return (other.time - contact.time) * approach > 2 * GAP_TOLERANCE * radius_[contact.on->particle];
+}
+
 /* All contacts of one particle in this step, the earliest first, each on the path that the one
  * before it has left. */
 void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
@@ -1385,7 +1394,7 @@ void FixWallRebound::collide(const Candidate *first, const Candidate *last) {
       const double latest = earliest.on ? earliest.time : path.left;
       bool found = wall->timing_ == EXACT ? wall->find_contact(*on, path, latest, contact)
                                           : wall->find_overlap(*on, path, contact);
-      if (found && (!earliest.on || contact.time < earliest.time))
+      if (found && (!earliest.on || is_earlier(contact, earliest, path)))
         earliest = contact;
     }
     if (!earliest.on)

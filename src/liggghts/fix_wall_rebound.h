@@ -209,6 +209,7 @@ private:
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
   bool normal_of(const Candidate &on, const Path &path, const double delta[3], double n[3],
                  bool &guarded);
+  bool is_earlier(const Contact &contact, const Contact &other, const Path &path);
   void collide(const Candidate *first, const Candidate *last);
   bool rebound(const Contact &contact, Path &path);
   void stick(const Contact &contact, const Path &path);

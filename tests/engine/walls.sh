@@ -84,6 +84,17 @@ fix dt p2 dt/reset 1 1e-8 1e-5 1e-9" > reset.in
 arrives reset "1 0 1e-4 5.125e-5 -4 0 0.25
 2 0 1e-3 1.95e-3 0 0 -1e-4" 2e-9 1e-9
 
+# The ridge of a roof, which is an edge of two triangles: all impacts on it are of the first one.
+{ rectangle "0 0.005 0  0 -0.005 0  0.005 -0.005 -0.003  0.005 0.005 -0.003"; } > east.stl
+{ rectangle "0 -0.005 0  0 0.005 0  -0.005 0.005 -0.003  -0.005 -0.005 -0.003"; } > west.stl
+for first in east west; do
+  { sed '$d' $first.stl; [ $first = east ] && sed '1d' west.stl || sed '1d' east.stl; } > roof.stl
+  scene "$(awk 'BEGIN { for (i = -19; i <= 19; i += 2) printf "%.9g %.9g %.9g 0 %.9g -30\n", i * 1e-6, i * 1.7e-4, 1e-4 + 3.3e-6 * (i + 20), i * 1.3 }')" 1e-6 10 "fix c all mesh/surface file roof.stl type 2
+fix w all wall/rebound mesh n_meshes 1 meshes c $mirror ledger 10 file roof.csv" > roof.in
+  engine 2 roof.in
+  [ "$(rows roof.csv | cut -d, -f5 | sort | uniq -c | awk '{ printf "%s of %s;", $1, $2 }')" = "20 of 0;" ] || { rows roof.csv | cut -d, -f5 | sort | uniq -c; die "roof, $first first"; }
+done
+
 # Between two walls: a particle that begins in the floor is lifted out of it, and meets the ceiling so much sooner.
 { rectangle "-0.005 -0.005 2.2e-4  0.005 -0.005 2.2e-4  0.005 0.005 2.2e-4  -0.005 0.005 2.2e-4"; } > ceiling.stl
 { sed '$d' thin.stl; sed '1d' ceiling.stl; } > gap.stl
