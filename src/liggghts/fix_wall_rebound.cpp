@@ -980,6 +980,10 @@ void FixWallRebound::collect_pairs() {
   lists_are_new_ = false;
 }
 
+double FixWallRebound::Plane::distance(const double x[3]) const {
+  return dot(normal, x) - offset;
+}
+
 /* The planes where their triangles are; anew when the lists are, and in every step where a mesh
  * moves. */
 void FixWallRebound::place_planes() {
@@ -1042,7 +1046,7 @@ void FixWallRebound::find_hits(std::vector<int> &hits) {
     const Plane &plane = planes[pair.plane];
     const ptrdiff_t i = pair.particle;
     const double touching = radius[i] + plane.reach;
-    const double end = dot(plane.normal, x + 3 * i) - plane.offset;
+    const double end = plane.distance(x + 3 * i);
     const double half = dot(plane.normal, v + 3 * i) * half_step;
     pair.clear = moving ? 0 : fabs(end) - touching;
     if (fabs(end - half) - fabs(half) <= touching)
@@ -1094,7 +1098,7 @@ void FixWallRebound::find_candidates(int i, double walls, std::vector<Candidate>
   for (int k = first_[i]; k < first_[i + 1]; k++) {
     near_[k].clear = 0; /* its path may bend */
     const Plane &plane = planes_[near_[k].plane];
-    double gap = fabs(dot(plane.normal, x) - plane.offset) - radius_[i];
+    double gap = fabs(plane.distance(x)) - radius_[i];
     if (gap <= 2 * path + 4 * walls)
       candidates.push_back(
           Candidate{this, i, plane.mesh, plane.triangle, plane.id, near_[k].plane});
@@ -1272,7 +1276,7 @@ double FixWallRebound::time_to_plane(const Candidate &on, const Path &path) cons
   if (on.mesh < 0)
     return 0;
   const Plane &plane = planes_[on.plane];
-  const double from = dot(plane.normal, path.x) - plane.offset, rate = dot(plane.normal, path.v);
+  const double from = plane.distance(path.x), rate = dot(plane.normal, path.v);
   const double gap = fabs(from) - radius_[on.particle];
   return gap > 0 && from * rate < 0 ? gap / fabs(rate) : 0;
 }
@@ -1364,7 +1368,8 @@ bool FixWallRebound::find_overlap(const Candidate &on, const Path &path, Contact
 
 /* Whether a contact comes before another one, as far as their instants are known. An edge is met at
  * one instant by both of its triangles: the contact is that of the first candidate. */
-bool FixWallRebound::is_earlier(const Contact &contact, const Contact &other, const Path &path) {
+bool FixWallRebound::is_earlier(const Contact &contact, const Contact &other,
+                                const Path &path) const {
   double approach = 0;
   for (int d = 0; d < 3; d++)
     approach += (contact.v_wall[d] - path.v[d]) * contact.n[d];
@@ -1550,8 +1555,9 @@ void FixWallRebound::collect_stuck() {
   if (deposit_ == OFF || atom->nlocal == 0)
     return;
   const double *state_of = state(0) + STATE;
-  for (int i = 0; i < atom->nlocal; i++) {
-    __builtin_prefetch(state_of + (i + STATES_AHEAD) * N_STATE);
+  const int n = atom->nlocal;
+  for (int i = 0; i < n; i++) {
+    __builtin_prefetch(state_of + std::min(i + STATES_AHEAD, n - 1) * N_STATE);
     if (state_of[i * N_STATE] != FREE)
       stuck_.push_back(Stuck{i, {0, 0, 0}});
   }

@@ -113,6 +113,7 @@ private:
     int mesh, triangle, id;
     double normal[3], offset;
     double reach; /* how near it may come within a step, beyond the particle's radius */
+    double distance(const double x[3]) const; /* signed */
   };
 
   /* A particle and one of planes_ near it. clear: how far it may go before it can touch, not above
@@ -209,7 +210,7 @@ private:
   bool find_overlap(const Candidate &on, const Path &path, Contact &contact);
   bool normal_of(const Candidate &on, const Path &path, const double delta[3], double n[3],
                  bool &guarded);
-  bool is_earlier(const Contact &contact, const Contact &other, const Path &path);
+  bool is_earlier(const Contact &contact, const Contact &other, const Path &path) const;
   void collide(const Candidate *first, const Candidate *last);
   bool rebound(const Contact &contact, Path &path);
   void stick(const Contact &contact, const Path &path);
