@@ -28,6 +28,7 @@
 #include "primitive_wall.h"
 #include "tri_mesh.h"
 #include "update.h"
+#include "wall/error.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -207,15 +208,17 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
   try {
     parse(narg, arg);
     if (!profile_path_.empty())
-      profile_ =
-          read_rebound_profile(world, profile_path_,
-                               units_of(update->unit_style, "a profile is").metre, profile_report_);
+      profile_ = asperity::read_profile(world, profile_path_,
+                                        units_of(update->unit_style, "a profile is").metre,
+                                        profile_report_);
     else if (!smooth_)
       make_surface();
     if (!needs_sizes())
       make_wall();
   } catch (const std::string &wrong) {
     fail(wrong);
+  } catch (const asperity::Error &wrong) {
+    fail(wrong.what());
   }
   scalar_flag = vector_flag = array_flag = 1;
   size_vector = N_COUNTERS;
@@ -233,7 +236,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     local_flag = 1;
     local_freq = static_cast<int>(ledger_->every());
     size_local_rows = 0;
-    size_local_cols = ReboundLedger::N_COLUMNS;
+    size_local_cols = asperity::Ledger::N_COLUMNS;
   }
 }
 
@@ -411,7 +414,7 @@ void FixWallRebound::parse_materials(ArgReader &args) {
 void FixWallRebound::parse_ledger(ArgReader &args) {
   bigint every = static_cast<bigint>(args.whole("ledger", 1, 2147483647.0));
   std::string path = args.take("file") ? args.word("the file of 'ledger'") : "";
-  ledger_.reset(new ReboundLedger(world, every, path));
+  ledger_.reset(new asperity::Ledger(world, every, path));
 }
 
 /* Whether the wall depends on the range of diameters, and so cannot be made before a run. */
@@ -1477,7 +1480,7 @@ void FixWallRebound::count(const Contact &contact, const double v1[3], const asp
 
 void FixWallRebound::record(const Contact &contact, const Path &path, const double v1[3],
                             const asp_key &key, const asp_impact &impact) {
-  typedef ReboundLedger L;
+  typedef asperity::Ledger L;
   const double degrees = 180 / ASP_PI;
   asp_coefficients c = asp_impact_coefficients(v1, contact.n, &impact);
   L::Row row;

@@ -23,9 +23,9 @@ FixStyle(wall / rebound, FixWallRebound)
 
 #include "fix_wall_gran.h"
 #include "asperity.h"
-#include "rebound_ledger.h"
 #include "rebound_map.h"
-#include "rebound_profile.h"
+#include "wall/ledger.h"
+#include "wall/profile.h"
 
 namespace LAMMPS_NS {
 
@@ -243,14 +243,14 @@ private:
   Deposit deposit_;
   Timing timing_;
   uint32_t seed_, fix_key_;
-  ReboundProfile profile_;
+  asperity::Profile profile_;
   std::unique_ptr<asp_cor_table, void (*)(asp_cor_table *)> table_;
   std::unique_ptr<asp_materials, void (*)(asp_materials *)> own_materials_;
   std::vector<const asp_material *> materials_; /* of each atom type; empty: property/global */
   const struct UnitStyle *units_;               /* of the script, where there are materials */
   std::unique_ptr<asp_surface, void (*)(asp_surface *)> surface_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
-  std::unique_ptr<ReboundLedger> ledger_;
+  std::unique_ptr<asperity::Ledger> ledger_;
 
   std::vector<asp_pair> pairs_;                   /* particle type x wall type, from 1 */
   class FixPropertyAtom *fix_state_, *fix_place_; /* the second one: unless deposits are off */

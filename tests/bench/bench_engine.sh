@@ -35,7 +35,7 @@ if command -v valgrind > /dev/null; then
     function count() { gsub(",", "", $1); return $1 + 0 }
     /Verlet::run\(/ && !loop { loop = count() }
     /FixWallRebound::(pre_initial_integrate|pre_exchange|pre_neighbor|post_force|end_of_step)\(/ && !seen[$0]++ { fix += count() }
-    /ReboundLedger::end_step\(/ && !ledger { ledger = count() }
+    /Ledger::end_step\(/ && !ledger { ledger = count() }
     END { print 100 * fix / loop, 100 * ledger / loop }' > counted
   row "flat plate: the fix, ledger and all, of the instructions of a step" "$(cut -d ' ' -f 1 counted)" "%" "<=" 5
   row "... printing the ledger" "$(cut -d ' ' -f 2 counted)" "%"

@@ -1,5 +1,5 @@
 /* The ledger's numbers against the C library's `%.10g`, to the last character. */
-#include "../../src/liggghts/rebound_number.h"
+#include "wall/number.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -14,7 +14,7 @@ extern "C" {
 #include <cmocka.h>
 }
 
-using namespace LAMMPS_NS;
+using namespace asperity;
 
 static void check(double value) {
   char ours[NUMBER_MOST + 1] = "", theirs[NUMBER_MOST + 1];

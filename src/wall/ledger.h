@@ -6,21 +6,20 @@
  * that a run which dies leaves a whole file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef LMP_REBOUND_LEDGER_H
-#define LMP_REBOUND_LEDGER_H
+#ifndef ASPERITY_WALL_LEDGER_H
+#define ASPERITY_WALL_LEDGER_H
 
 #include <mpi.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "lmptype.h"
+namespace asperity {
 
-namespace LAMMPS_NS {
-
-class ReboundLedger {
+class Ledger {
 public:
   enum {
     TAG,
@@ -49,8 +48,8 @@ public:
   };
   typedef std::array<double, N_FIELDS> Row;
 
-  ReboundLedger(MPI_Comm world, bigint every, const std::string &path);
-  ~ReboundLedger();
+  Ledger(MPI_Comm world, int64_t every, const std::string &path);
+  ~Ledger();
 
   /* Opens the file, on rank 0, with a heading and the names of the columns; appends to what an
    * earlier part of a restarted run left. Collective. Returns an empty string, or why it cannot be
@@ -60,13 +59,13 @@ public:
   void add(const Row &row);
 
   /* At the beginning of a step: forgets the rows of the window that has ended. */
-  void begin_step(bigint step);
+  void begin_step(int64_t step);
 
   /* At the end of a step, and of a run: rows to the file when a window ends. Collective. */
-  void end_step(bigint step);
+  void end_step(int64_t step);
   std::string flush();
 
-  bigint every() const {
+  int64_t every() const {
     return every_;
   }
   int size() const {
@@ -111,7 +110,7 @@ private:
 
   MPI_Comm world_;
   int rank_, ranks_;
-  bigint every_;
+  int64_t every_;
   std::string path_;
   bool is_array_;
   std::string header_; /* of an array, up to the number of its rows */
@@ -122,6 +121,6 @@ private:
   size_t size_, written_; /* of the rows; how many of them are in the file */
 };
 
-} // namespace LAMMPS_NS
+} // namespace asperity
 
 #endif

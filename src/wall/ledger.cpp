@@ -1,7 +1,7 @@
-/* The ledger of a rough wall; see rebound_ledger.h.
+/* The ledger of a rough wall; see ledger.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "rebound_ledger.h"
+#include "wall/ledger.h"
 
 #include <errno.h>
 #include <math.h>
@@ -13,15 +13,15 @@
 #include <numeric>
 #include <tuple>
 
-#include "rebound_number.h"
+#include "wall/number.h"
 
-using namespace LAMMPS_NS;
+using namespace asperity;
 
 /* Names as the file has them, and types in an array: i or f and bytes. Counts (i) are printed as
  * whole numbers in CSV. */
 static const struct {
   const char *name, *type;
-} COLUMNS[ReboundLedger::N_COLUMNS] = {
+} COLUMNS[Ledger::N_COLUMNS] = {
     {"tag", "i4"},          {"impact", "i4"}, {"time", "f8"},       {"mesh", "i2"},
     {"triangle", "i4"},     {"x", "f8"},      {"y", "f8"},          {"z", "f8"},
     {"d_p", "f4"},          {"v1", "f4"},     {"alpha1_deg", "f4"}, {"delta_alpha_deg", "f4"},
@@ -40,7 +40,7 @@ static const char SHAPE[] = "'shape': (";
 static const size_t PIECE = 256;
 static const int TAG_OF_MESSAGES = 7301;
 
-bool ReboundLedger::Key::operator<(const Key &other) const {
+bool Ledger::Key::operator<(const Key &other) const {
   return std::tie(step, time, tag, impact) <
          std::tie(other.step, other.time, other.tag, other.impact);
 }
@@ -49,14 +49,14 @@ static bool ends_with(const std::string &text, const std::string &end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-ReboundLedger::ReboundLedger(MPI_Comm world, bigint every, const std::string &path)
+Ledger::Ledger(MPI_Comm world, int64_t every, const std::string &path)
     : world_(world), every_(every), path_(path), is_array_(ends_with(path, ".npy")), in_file_(0),
       file_(NULL), size_(0), written_(0) {
   MPI_Comm_rank(world_, &rank_);
   MPI_Comm_size(world_, &ranks_);
 }
 
-ReboundLedger::~ReboundLedger() {
+Ledger::~Ledger() {
   if (file_)
     fclose(file_);
 }
@@ -67,7 +67,7 @@ static int bytes_of(int column) {
 
 static long long bytes_of_row() {
   long long bytes = 0;
-  for (int i = 0; i < ReboundLedger::N_COLUMNS; i++)
+  for (int i = 0; i < Ledger::N_COLUMNS; i++)
     bytes += bytes_of(i);
   return bytes;
 }
@@ -79,13 +79,13 @@ static std::string begin_header(const std::string &heading) {
   for (char c : heading.substr(0, TITLE_MOST))
     title += c == '\'' || c == '\\' ? ' ' : c;
   std::string text = "{'descr': [(('" + title + "', '" + COLUMNS[0].name + "'), '<i4')";
-  for (int i = 1; i < ReboundLedger::N_COLUMNS; i++)
+  for (int i = 1; i < Ledger::N_COLUMNS; i++)
     text += std::string(", ('") + COLUMNS[i].name + "', '" + (bytes_of(i) > 1 ? "<" : "|") +
             COLUMNS[i].type + "')";
   return text + "], 'fortran_order': False, " + SHAPE;
 }
 
-std::string ReboundLedger::open(bool append, const std::string &heading) {
+std::string Ledger::open(bool append, const std::string &heading) {
   std::string why;
   if (rank_ == 0 && !path_.empty() && !file_)
     why = is_array_ ? open_array(append, heading) : open_csv(append, heading);
@@ -100,7 +100,7 @@ static std::string cannot_write(const std::string &path) {
   return "cannot write the ledger file '" + path + "': " + strerror(errno);
 }
 
-std::string ReboundLedger::open_csv(bool append, const std::string &heading) {
+std::string Ledger::open_csv(bool append, const std::string &heading) {
   file_ = fopen(path_.c_str(), append ? "a" : "w");
   if (!file_)
     return cannot_write(path_);
@@ -114,7 +114,7 @@ std::string ReboundLedger::open_csv(bool append, const std::string &heading) {
   return "";
 }
 
-std::string ReboundLedger::open_array(bool append, const std::string &heading) {
+std::string Ledger::open_array(bool append, const std::string &heading) {
   header_ = begin_header(heading);
   if (append)
     file_ = fopen(path_.c_str(), "r+b");
@@ -128,7 +128,7 @@ std::string ReboundLedger::open_array(bool append, const std::string &heading) {
 }
 
 /* Keeps the heading that the file has, and cuts off rows that its header does not count. */
-std::string ReboundLedger::continue_array() {
+std::string Ledger::continue_array() {
   std::string text(HEADER, '\0');
   text.resize(fread(&text[0], 1, HEADER, file_));
   const size_t shape = text.find(SHAPE), columns = header_.find(COLUMNS[0].name);
@@ -147,7 +147,7 @@ std::string ReboundLedger::continue_array() {
   return "";
 }
 
-void ReboundLedger::write_header() {
+void Ledger::write_header() {
   std::string text = header_ + std::to_string(in_file_) + ",), }";
   text.resize(HEADER - PREAMBLE - 1, ' ');
   const unsigned length = HEADER - PREAMBLE;
@@ -161,29 +161,29 @@ void ReboundLedger::write_header() {
   fseeko(file_, 0, SEEK_END);
 }
 
-void ReboundLedger::add(const Row &added) {
+void Ledger::add(const Row &added) {
   if (size_ == blocks_.size() * BLOCK)
     blocks_.push_back(std::unique_ptr<Row[]>(new Row[BLOCK]));
   row(size_++) = added;
 }
 
-void ReboundLedger::begin_step(bigint step) {
+void Ledger::begin_step(int64_t step) {
   if ((step - 1) % every_ != 0)
     return;
   size_ = written_ = 0;
 }
 
-void ReboundLedger::end_step(bigint step) {
+void Ledger::end_step(int64_t step) {
   if (step % every_ == 0)
     flush();
 }
 
-static void append_line(const ReboundLedger::Row &row, std::vector<char> &bytes) {
-  char line[(NUMBER_MOST + 1) * ReboundLedger::N_COLUMNS], *end = line;
-  for (int i = 0; i < ReboundLedger::N_COLUMNS; i++) {
+static void append_line(const Ledger::Row &row, std::vector<char> &bytes) {
+  char line[(NUMBER_MOST + 1) * Ledger::N_COLUMNS], *end = line;
+  for (int i = 0; i < Ledger::N_COLUMNS; i++) {
     if (i > 0)
       *end++ = ',';
-    if (i == ReboundLedger::COR_T && !(row[ReboundLedger::COR_T_DEFINED] > 0))
+    if (i == Ledger::COR_T && !(row[Ledger::COR_T_DEFINED] > 0))
       continue;
     end = COLUMNS[i].type[0] == 'i' ? print_count(static_cast<long long>(row[i]), end)
                                     : print_number(row[i], end);
@@ -192,11 +192,11 @@ static void append_line(const ReboundLedger::Row &row, std::vector<char> &bytes)
   bytes.insert(bytes.end(), line, end);
 }
 
-static void append_record(const ReboundLedger::Row &row, std::vector<char> &bytes) {
-  char record[sizeof(int64_t) * ReboundLedger::N_COLUMNS], *end = record;
-  for (int i = 0; i < ReboundLedger::N_COLUMNS; i++) {
+static void append_record(const Ledger::Row &row, std::vector<char> &bytes) {
+  char record[sizeof(int64_t) * Ledger::N_COLUMNS], *end = record;
+  for (int i = 0; i < Ledger::N_COLUMNS; i++) {
     double value = row[i];
-    if (i == ReboundLedger::COR_T && !(row[ReboundLedger::COR_T_DEFINED] > 0))
+    if (i == Ledger::COR_T && !(row[Ledger::COR_T_DEFINED] > 0))
       value = NAN;
     if (COLUMNS[i].type[0] == 'i') {
       const int64_t whole = static_cast<int64_t>(value); /* its first bytes: the same in fewer */
@@ -212,7 +212,7 @@ static void append_record(const ReboundLedger::Row &row, std::vector<char> &byte
 }
 
 /* The rows that are not in the file yet. */
-std::vector<size_t> ReboundLedger::sorted() const {
+std::vector<size_t> Ledger::sorted() const {
   auto key = [this](size_t i) {
     const Row &r = row(i);
     return Key{r[STEP], r[TIME], r[TAG], r[IMPACT]};
@@ -225,7 +225,7 @@ std::vector<size_t> ReboundLedger::sorted() const {
 }
 
 /* The next piece of a rank's rows, from one of them on; an empty one at their end. */
-void ReboundLedger::print(const std::vector<size_t> &order, size_t from, Piece &piece) const {
+void Ledger::print(const std::vector<size_t> &order, size_t from, Piece &piece) const {
   piece.keys.clear();
   piece.lengths.clear();
   piece.bytes.clear();
@@ -241,7 +241,7 @@ void ReboundLedger::print(const std::vector<size_t> &order, size_t from, Piece &
   }
 }
 
-void ReboundLedger::send(const std::vector<size_t> &order) const {
+void Ledger::send(const std::vector<size_t> &order) const {
   Piece piece;
   for (size_t from = 0; from < order.size(); from += PIECE) {
     print(order, from, piece);
@@ -255,9 +255,9 @@ void ReboundLedger::send(const std::vector<size_t> &order) const {
 }
 
 /* One rank's rows as the first rank takes them up, piece by piece. */
-class ReboundLedger::Source {
+class Ledger::Source {
 public:
-  Source(const ReboundLedger &ledger, const std::vector<size_t> &order, int rank, long long count)
+  Source(const Ledger &ledger, const std::vector<size_t> &order, int rank, long long count)
       : ledger_(ledger), order_(order), rank_(rank), left_(count), taken_(0) {
     next_piece();
   }
@@ -296,7 +296,7 @@ private:
              TAG_OF_MESSAGES, ledger_.world_, MPI_STATUS_IGNORE);
   }
 
-  const ReboundLedger &ledger_;
+  const Ledger &ledger_;
   const std::vector<size_t> &order_; /* of this rank */
   int rank_;
   long long left_;
@@ -305,7 +305,7 @@ private:
 };
 
 /* All ranks' rows into the file, always the first one of those that are next. */
-void ReboundLedger::merge(const std::vector<size_t> &order, const std::vector<long long> &counts) {
+void Ledger::merge(const std::vector<size_t> &order, const std::vector<long long> &counts) {
   std::vector<std::unique_ptr<Source>> sources;
   for (int rank = 0; rank < ranks_; rank++)
     if (counts[rank] > 0)
@@ -324,7 +324,7 @@ void ReboundLedger::merge(const std::vector<size_t> &order, const std::vector<lo
 }
 
 /* Each rank prints its own rows, which is most of the work; the first one puts them in order. */
-std::string ReboundLedger::flush() {
+std::string Ledger::flush() {
   if (path_.empty())
     return "";
   const std::vector<size_t> order = sorted();
@@ -344,14 +344,14 @@ std::string ReboundLedger::flush() {
   return bad ? "writing the ledger file '" + path_ + "' failed; is the disk full?" : "";
 }
 
-double **ReboundLedger::rows() {
+double **Ledger::rows() {
   pointers_.resize(size_);
   for (size_t i = 0; i < size_; i++)
     pointers_[i] = row(i).data();
   return pointers_.data();
 }
 
-double ReboundLedger::memory_usage() const {
+double Ledger::memory_usage() const {
   return static_cast<double>(blocks_.size() * BLOCK * sizeof(Row) +
                              pointers_.capacity() * sizeof(double *));
 }

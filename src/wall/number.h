@@ -2,10 +2,10 @@
  * most of what a ledger costs is the printing of its rows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef LMP_REBOUND_NUMBER_H
-#define LMP_REBOUND_NUMBER_H
+#ifndef ASPERITY_WALL_NUMBER_H
+#define ASPERITY_WALL_NUMBER_H
 
-namespace LAMMPS_NS {
+namespace asperity {
 
 /* Room that print_number() and print_count() may take. */
 enum { NUMBER_MOST = 32 };
@@ -14,6 +14,6 @@ enum { NUMBER_MOST = 32 };
 char *print_number(double value, char *to);
 char *print_count(long long value, char *to);
 
-} // namespace LAMMPS_NS
+} // namespace asperity
 
 #endif

@@ -1,11 +1,13 @@
-/* A measured profile for all ranks; see rebound_profile.h.
+/* A measured profile for all ranks; see profile.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "rebound_profile.h"
+#include "wall/profile.h"
 
 #include <vector>
 
-using namespace LAMMPS_NS;
+#include "wall/error.h"
+
+using namespace asperity;
 
 static void broadcast(MPI_Comm world, std::string &text) {
   int length = static_cast<int>(text.size());
@@ -15,9 +17,9 @@ static void broadcast(MPI_Comm world, std::string &text) {
     MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
 }
 
-ReboundProfile LAMMPS_NS::read_rebound_profile(MPI_Comm world, const std::string &path,
-                                               double metre, std::string &report) {
-  ReboundProfile profile(NULL, asp_profile_free);
+Profile asperity::read_profile(MPI_Comm world, const std::string &path, double metre,
+                               std::string &report) {
+  Profile profile(NULL, asp_profile_free);
   std::string wrong;
   asp_error error;
   int rank;
@@ -34,7 +36,7 @@ ReboundProfile LAMMPS_NS::read_rebound_profile(MPI_Comm world, const std::string
   }
   broadcast(world, wrong);
   if (!wrong.empty())
-    throw wrong;
+    throw Error(wrong);
   broadcast(world, report);
 
   double spacing = profile ? asp_profile_spacing(profile.get()) : 0;
@@ -48,6 +50,6 @@ ReboundProfile LAMMPS_NS::read_rebound_profile(MPI_Comm world, const std::string
   if (!profile)
     profile.reset(asp_profile_from_heights(heights.data(), heights.size(), spacing, false, &error));
   if (!profile)
-    throw std::string(error.text);
+    throw Error(error.text);
   return profile;
 }

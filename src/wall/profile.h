@@ -1,0 +1,23 @@
+/* A measured profile for all ranks: the first one reads the file, the others get the heights.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_PROFILE_H
+#define ASPERITY_WALL_PROFILE_H
+
+#include <mpi.h>
+#include <memory>
+#include <string>
+
+#include "asperity.h"
+
+namespace asperity {
+
+typedef std::unique_ptr<asp_profile, void (*)(asp_profile *)> Profile;
+
+/* Reads path, with `metre` of the result's units to a metre; collective. `report` becomes what the
+ * reader found and did. Throws the reader's message, an Error, on all ranks. */
+Profile read_profile(MPI_Comm world, const std::string &path, double metre, std::string &report);
+
+} // namespace asperity
+
+#endif
