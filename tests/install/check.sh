@@ -7,6 +7,17 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 cmake --install "$build" --prefix "$work/prefix" > /dev/null
 "$work/prefix/bin/asperity" --version
+
+# Programs look for libraries in absolute folders only: an empty element of a run path, or one that is not
+# absolute, would be the current directory.
+programs=0
+for program in "$build"/bin/* "$work"/prefix/bin/*; do
+  programs=$((programs + 1))
+  paths=$(readelf -d "$program" | sed -nE 's/.*\((RPATH|RUNPATH)\).*\[(.*)\]$/\2/p')
+  [ -z "$paths" ] || ! grep -qvE '^/' <<< "${paths//:/$'\n'}" || { echo "$program: run path '$paths'"; exit 1; }
+done
+[ "$programs" -ge 2 ] || { echo "no programs were looked at"; exit 1; }
+
 cmake -S "$here" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/cmake/stranger"
