@@ -7,7 +7,6 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -223,63 +222,6 @@ cli_list cli_lengths(const cli_option *option) {
 
 cli_list cli_angles(const cli_option *option) {
   return list_of(option, number_of, 0, 90);
-}
-
-struct cli_output {
-  FILE *stream;
-  char *path;    /* NULL for stdout */
-  char *partial; /* NULL where the path is a device or a pipe, which must not be replaced */
-};
-
-static bool is_special(const char *path) {
-  struct stat found;
-  return stat(path, &found) == 0 && !S_ISREG(found.st_mode);
-}
-
-cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed) {
-  cli_output *output = calloc(1, sizeof *output);
-  if (!output)
-    cli_fail("out of memory");
-  output->stream = stdout;
-  if (path) {
-    size_t size = strlen(path) + 16;
-    output->path = strdup(path);
-    output->partial = is_special(path) ? NULL : malloc(size);
-    if (!output->path || (!output->partial && !is_special(path)))
-      cli_fail("out of memory");
-    if (output->partial)
-      snprintf(output->partial, size, "%s.partial", path);
-    output->stream = fopen(output->partial ? output->partial : path, "w");
-    if (!output->stream)
-      cli_fail("cannot write '%s': %s", path, strerror(errno));
-  }
-  fprintf(output->stream, "# asperity %s;", ASP_VERSION);
-  for (int i = 0; i < argc; i++)
-    fprintf(output->stream, " %s", argv[i]);
-  if (seed)
-    fprintf(output->stream, "; seed %s", seed->value);
-  fputc('\n', output->stream);
-  return output;
-}
-
-FILE *cli_output_stream(cli_output *output) {
-  return output->stream;
-}
-
-void cli_output_close(cli_output *output) {
-  bool bad = fflush(output->stream) != 0 || ferror(output->stream);
-  if (output->path) {
-    bad = fclose(output->stream) != 0 || bad;
-    bad = bad || (output->partial && rename(output->partial, output->path) != 0);
-    if (bad && output->partial)
-      unlink(output->partial);
-  }
-  if (bad)
-    cli_fail("cannot write '%s': %s", output->path ? output->path : "standard output",
-             strerror(errno));
-  free(output->path);
-  free(output->partial);
-  free(output);
 }
 
 static double seconds(void) {

@@ -67,12 +67,26 @@ __attribute__((format(printf, 1, 2)))
 #endif
 void cli_warn(const char *format, ...);
 
-/* The stream to write CSV to: stdout, or for a path a file that appears when it is closed. Writes
- * the comment line: version, the command as given, the seed where `seed` is not NULL. */
+/* A file that appears under its name, whole, when it is closed; an exit before that leaves what was
+ * there. A symbolic link is followed and its target replaced. A device or a pipe is written to as
+ * it is, and so is the file that is standard output. */
+typedef struct cli_file cli_file;
+cli_file *cli_file_open(const char *path);
+FILE *cli_file_stream(const cli_file *file);
+void cli_file_close(cli_file *file);
+
+/* The stream to write CSV to: a file, or stdout where path is NULL or "-". Writes the comment line:
+ * version, the command as given, the seed where `seed` is not NULL. */
 typedef struct cli_output cli_output;
 cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed);
 FILE *cli_output_stream(cli_output *output);
 void cli_output_close(cli_output *output);
+
+/* A user's text within a comment line: control characters as \xNN. */
+void cli_print_comment(FILE *out, const char *text);
+
+/* A user's text as a field of CSV: in quotes where it holds a comma, a quote or a #. */
+void cli_print_field(FILE *out, const char *text);
 
 /* A bar on stderr when that is a terminal and the work takes over a second; done counts up to
  * total. */
@@ -91,6 +105,13 @@ typedef struct cli_plot cli_plot;
 cli_plot *cli_plot_open(const cli_option *option, int width, int height);
 FILE *cli_plot_stream(cli_plot *plot);
 void cli_plot_close(cli_plot *plot);
+
+/* A user's text for the inside of a gnuplot string in single quotes: it is shown as it is, cut
+ * after some 90 bytes. Every text that is not a constant of this program must go through it. */
+typedef struct cli_label {
+  char text[600];
+} cli_label;
+cli_label cli_plot_label(const cli_plot *plot, const char *text);
 
 double cli_degrees(double radians);
 double cli_radians(double degrees);

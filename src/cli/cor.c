@@ -160,10 +160,13 @@ static void plot(const cli_option *options, const scene *s, const row *rows, siz
   size_t every = n / 20000 + 1, deposits = 0;
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
-  fprintf(gp, "set multiplot layout 1,2 title '%s on %s, %g m/s, %s; ", s->law.particle->name,
-          options[LAW + LAW_WALL].value, s->speed, s->law.spec.rebound);
+  fprintf(gp, "set multiplot layout 1,2 title '%s on %s, %g m/s, %s; ",
+          cli_plot_label(picture, s->law.particle->name).text,
+          cli_plot_label(picture, options[LAW + LAW_WALL].value).text, s->speed,
+          cli_plot_label(picture, s->law.spec.rebound).text);
   if (s->surface)
-    fprintf(gp, "{/Symbol F}_R = %.3g, %s; ", asp_surface_phi_r(s->surface), s->law.spec.spread);
+    fprintf(gp, "{/Symbol F}_R = %.3g, %s; ", asp_surface_phi_r(s->surface),
+            cli_plot_label(picture, s->law.spec.spread).text);
   fprintf(gp, "%.1f %% of %zu impacts stick'\n", 100 * (double)deposits / (double)n, n);
   fputs("set xrange [0:90]\nset xtics 15\n"
         "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",

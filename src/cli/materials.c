@@ -14,7 +14,8 @@ static void print_quoted(FILE *out, const char *text) {
 }
 
 static void print_row(FILE *out, const asp_material *m) {
-  fprintf(out, "%s,", m->name);
+  cli_print_field(out, m->name);
+  fputc(',', out);
   print_quoted(out, m->title);
   fprintf(out, ",%.10g,%.10g,%.10g,", m->youngs_modulus, m->poissons_ratio, m->density);
   if (m->yield_stress > 0)

@@ -1,17 +1,28 @@
 /* Pictures by gnuplot: a pipe to it, a terminal chosen by the file's ending, and one look for all.
- */
+ * Nothing that a user wrote reaches gnuplot as a command: it draws to its standard output, which is
+ * the file, so that no path is told to it; it reads no start-up files; and texts go through
+ * cli_plot_label. */
 #include "cli/cli.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
+#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+extern char **environ;
+
+enum { LABEL_MOST = 90 };
+
 struct cli_plot {
   FILE *pipe;
-  char *path;
+  pid_t process;
+  cli_file *file;
+  const char *path;
+  bool svg;
 };
 
 static const char *terminal_of(const cli_option *option) {
@@ -26,35 +37,51 @@ static const char *terminal_of(const cli_option *option) {
                 option->value);
 }
 
+/* A gnuplot that reads from the returned stream and writes to the plot's file. */
+static FILE *start(cli_plot *plot) {
+  int ends[2];
+  posix_spawn_file_actions_t actions;
+  char *arguments[] = {"gnuplot", "-d", NULL};
+  if (pipe(ends) != 0 || fcntl(ends[1], F_SETFD, FD_CLOEXEC) != 0 ||
+      posix_spawn_file_actions_init(&actions) != 0)
+    cli_fail("cannot start gnuplot: %s", strerror(errno));
+  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(cli_file_stream(plot->file)), STDOUT_FILENO);
+  int status = posix_spawnp(&plot->process, "gnuplot", &actions, NULL, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (status != 0)
+    cli_fail("cannot start gnuplot: %s; is it installed? Debian: apt-get install gnuplot-nox",
+             strerror(status));
+  close(ends[0]);
+  return fdopen(ends[1], "w");
+}
+
 cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
   const char *terminal = terminal_of(option);
-  FILE *probe = fopen(option->value, "ab");
-  if (!probe)
-    cli_fail("cannot write '%s': %s", option->value, strerror(errno));
-  fclose(probe);
-  cli_plot *plot = malloc(sizeof *plot);
-  if (!plot || !(plot->path = strdup(option->value)))
+  cli_plot *plot = calloc(1, sizeof *plot);
+  if (!plot)
     cli_fail("out of memory");
+  plot->path = option->value;
+  plot->svg = strncmp(terminal, "svg", 3) == 0;
+  plot->file = cli_file_open(option->value);
   signal(SIGPIPE, SIG_IGN);
   fflush(NULL);
-  plot->pipe = popen("gnuplot", "w");
+  plot->pipe = start(plot);
   if (!plot->pipe)
     cli_fail("cannot start gnuplot: %s", strerror(errno));
   fputs("set term ", plot->pipe);
   fprintf(plot->pipe, terminal, width, height);
-  fprintf(plot->pipe,
-          "\nset output '%s'\n"
-          "set grid lc rgb '#dddddd' lw 0.5\n"
-          "set border lc rgb '#444444'\n"
-          "set tics nomirror\n"
-          "set key font ',10' spacing 1.1\n"
-          "set style line 1 lc rgb '#1f5fa8' lw 2\n"
-          "set style line 2 lc rgb '#c8501e' lw 2\n"
-          "set style line 3 lc rgb '#2a8c4a' lw 2\n"
-          "set style line 4 lc rgb '#7a3fa0' lw 2\n"
-          "set style line 5 lc rgb '#8a6d1b' lw 2\n"
-          "set style line 6 lc rgb '#444444' lw 2\n",
-          plot->path);
+  fputs("\nset grid lc rgb '#dddddd' lw 0.5\n"
+        "set border lc rgb '#444444'\n"
+        "set tics nomirror\n"
+        "set key font ',10' spacing 1.1\n"
+        "set style line 1 lc rgb '#1f5fa8' lw 2\n"
+        "set style line 2 lc rgb '#c8501e' lw 2\n"
+        "set style line 3 lc rgb '#2a8c4a' lw 2\n"
+        "set style line 4 lc rgb '#7a3fa0' lw 2\n"
+        "set style line 5 lc rgb '#8a6d1b' lw 2\n"
+        "set style line 6 lc rgb '#444444' lw 2\n",
+        plot->pipe);
   return plot;
 }
 
@@ -63,11 +90,60 @@ FILE *cli_plot_stream(cli_plot *plot) {
 }
 
 void cli_plot_close(cli_plot *plot) {
-  int status = pclose(plot->pipe);
+  int status = 0;
+  fclose(plot->pipe);
+  while (waitpid(plot->process, &status, 0) < 0 && errno == EINTR) {
+  }
   if (status != 0)
-    cli_fail("gnuplot failed (status %d); is it installed? Debian: apt-get install gnuplot-nox",
-             WIFEXITED(status) ? WEXITSTATUS(status) : status);
+    cli_fail("gnuplot failed (status %d); no picture '%s' is drawn",
+             WIFEXITED(status) ? WEXITSTATUS(status) : status, plot->path);
+  cli_file_close(plot->file);
   fprintf(stderr, "picture: %s\n", plot->path);
-  free(plot->path);
   free(plot);
+}
+
+/* The bytes of the UTF-8 character that a text begins with; 0 where it is none. */
+static size_t character_length(const char *text) {
+  const unsigned char *c = (const unsigned char *)text;
+  size_t length = *c < 0x80 ? 1 : *c >= 0xc2 && *c < 0xe0 ? 2 : (*c & 0xf0) == 0xe0 ? 3 : 4;
+  if (length == 4 && !(*c >= 0xf0 && *c < 0xf5))
+    return 0;
+  for (size_t i = 1; i < length; i++)
+    if ((c[i] & 0xc0) != 0x80)
+      return 0;
+  return length;
+}
+
+/* What stands for a character in a string of gnuplot's enhanced text in single quotes: its marks
+ * get a backslash; quotes are written by their codes, so that no text can end the string. */
+static const char *replacement(const cli_plot *plot, char c) {
+  static const struct {
+    char from;
+    const char *to;
+  } list[] = {{'\'', "\\047"}, {'`', "\\140"}, {'\\', "\\\\"}, {'^', "\\^"}, {'_', "\\_"},
+              {'{', "\\{"},    {'}', "\\}"},   {'@', "\\@"},   {'~', "\\~"}};
+  if (c == '&')
+    return plot->svg ? "\\&amp;" : "\\&";
+  for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+    if (list[i].from == c)
+      return list[i].to;
+  return NULL;
+}
+
+cli_label cli_plot_label(const cli_plot *plot, const char *text) {
+  cli_label label = {""};
+  char *out = label.text;
+  const char *end = text + strlen(text), *cut = end - text > LABEL_MOST ? text + LABEL_MOST : end;
+  while (text < cut) {
+    size_t length = character_length(text);
+    bool control = length == 1 && ((unsigned char)*text < 0x20 || *text == 0x7f);
+    const char *other = length == 0 ? "?" : control ? " " : replacement(plot, *text);
+    length += length == 0;
+    size_t put = other ? strlen(other) : length;
+    memcpy(out, other ? other : text, put);
+    out += put;
+    text += length;
+  }
+  strcpy(out, text < end ? "..." : "");
+  return label;
 }

@@ -125,7 +125,8 @@ static void print_capture(FILE *out, const rebound_map *m) {
     for (size_t i = 0; i < m->sizes.count; i++) {
       double d_p = m->sizes.values[i], degrees = m->angles.values[0];
       double speed = capture_speed(m, &m->walls[w], d_p, degrees);
-      fprintf(out, "%s,%.6g,%.6g,", m->walls[w].name, d_p * 1e6, degrees);
+      cli_print_field(out, m->walls[w].name);
+      fprintf(out, ",%.6g,%.6g,", d_p * 1e6, degrees);
       if (isfinite(speed))
         fprintf(out, "%.6g", speed);
       fputc('\n', out);
@@ -140,8 +141,8 @@ static void print_angles(FILE *out, const rebound_map *m) {
         for (size_t a = 0; a < m->angles.count; a++) {
           double d_p = m->sizes.values[i], speed = m->speeds.values[k];
           rebound_row r = row_at(m, &m->walls[w], d_p, speed, m->angles.values[a]);
-          fprintf(out, "%s,%.6g,%.6g,%.6g,%.6g,", m->walls[w].name, d_p * 1e6, speed,
-                  m->angles.values[a], r.cor.cor_n);
+          cli_print_field(out, m->walls[w].name);
+          fprintf(out, ",%.6g,%.6g,%.6g,%.6g,", d_p * 1e6, speed, m->angles.values[a], r.cor.cor_n);
           if (r.cor.cor_t_defined)
             fprintf(out, "%.6g", r.cor.cor_t);
           fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
@@ -190,13 +191,15 @@ static double plot_capture_curve(FILE *gp, const rebound_map *m, const material_
   return most;
 }
 
-static void plot_regimes(FILE *gp, const rebound_map *m) {
+/* A label in place of a title, which gnuplot 5.4 leaves out of a map where it holds a backslash. */
+static void plot_regimes(cli_plot *picture, const rebound_map *m) {
+  FILE *gp = cli_plot_stream(picture);
   size_t nx = m->sizes.count, ny = m->speeds.count;
   plot_cells(gp, m);
   fputs("$capture << EOD\n", gp);
   bool sticks = plot_capture_curve(gp, m, m->walls) > 0;
   fprintf(gp,
-          "EOD\nset title '%s on %s, %s, {/Symbol a}_1 = %g°'\n"
+          "EOD\nset label '%s on %s, %s, {/Symbol a}_1 = %g°' at screen 0.47,0.96 center\n"
           "set view map\nset pm3d map corners2color c1\n"
           "set palette defined (0 '#3b0f70', 0.35 '#b63679', 0.7 '#fb8861', 1 '#fcfdbf')\n"
           "set cbrange [0:1]\nset cblabel 'CoR_N'\nset log xy\nset border 15 front\n"
@@ -207,14 +210,17 @@ static void plot_regimes(FILE *gp, const rebound_map *m) {
           "set tmargin screen 0.92\nset bmargin screen 0.12\n"
           "splot $map using 1:2:(0):3 with pm3d notitle, %s"
           "NaN with points pt 5 ps 2 lc rgb '#bbbbbb' title 'deposit'\n",
-          m->law.particle->name, m->walls[0].name, m->law.spec.rebound, m->angles.values[0],
+          cli_plot_label(picture, m->law.particle->name).text,
+          cli_plot_label(picture, m->walls[0].name).text,
+          cli_plot_label(picture, m->law.spec.rebound).text, m->angles.values[0],
           edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6, edge_of(&m->speeds, 0),
           edge_of(&m->speeds, ny),
           sticks ? "$capture using 1:2:3 with lines lc rgb '#000000' lw 2 title 'capture speed', "
                  : "");
 }
 
-static void plot_capture(FILE *gp, const rebound_map *m) {
+static void plot_capture(cli_plot *picture, const rebound_map *m) {
+  FILE *gp = cli_plot_stream(picture);
   double most = 0;
   for (size_t w = 0; w < m->n_walls; w++) {
     fprintf(gp, "$capture%zu << EOD\n", w);
@@ -227,17 +233,19 @@ static void plot_capture(FILE *gp, const rebound_map *m) {
           "set title '%s, %s, {/Symbol a}_1 = %g°: sticks under and left of a curve'\n"
           "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
           "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
-          m->law.particle->name, m->law.spec.rebound, m->angles.values[0], m->sizes.values[0] * 1e6,
-          m->sizes.values[m->sizes.count - 1] * 1e6, most > 0 ? "*" : "1",
+          cli_plot_label(picture, m->law.particle->name).text,
+          cli_plot_label(picture, m->law.spec.rebound).text, m->angles.values[0],
+          m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6, most > 0 ? "*" : "1",
           most > 0 ? 5 * most : 10);
   for (size_t w = 0; w < m->n_walls; w++)
     fprintf(gp, "%s$capture%zu with lines ls %zu title 'on %s'", w ? ", " : "", w,
-            w % CURVES_MOST + 1, m->walls[w].name);
+            w % CURVES_MOST + 1, cli_plot_label(picture, m->walls[w].name).text);
   fputs(", NaN notitle\n", gp);
 }
 
 /* One curve a wall, size and speed, as far as there are styles. */
-static void plot_angles(FILE *gp, const rebound_map *m) {
+static void plot_angles(cli_plot *picture, const rebound_map *m) {
+  FILE *gp = cli_plot_stream(picture);
   size_t per_wall = m->sizes.count * m->speeds.count, curves = m->n_walls * per_wall;
   if (curves > CURVES_MOST)
     curves = CURVES_MOST;
@@ -259,13 +267,15 @@ static void plot_angles(FILE *gp, const rebound_map *m) {
           "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks'\n"
           "set xrange [0:90]\nset xtics 15\nset yrange [0:1]\n"
           "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
-          m->law.particle->name, m->law.spec.rebound);
+          cli_plot_label(picture, m->law.particle->name).text,
+          cli_plot_label(picture, m->law.spec.rebound).text);
   for (int t = 0; t < 2; t++) {
     fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", t ? 'T' : 'N',
             t ? "bottom right" : "top right");
     for (size_t c = 0; c < curves; c++)
       fprintf(gp, "%s$curve%zu using 1:%d with lines ls %zu title 'on %s, %.3g µm, %.3g m/s'",
-              c ? ", " : "", c, t ? 3 : 2, c + 1, m->walls[c / per_wall].name,
+              c ? ", " : "", c, t ? 3 : 2, c + 1,
+              cli_plot_label(picture, m->walls[c / per_wall].name).text,
               m->sizes.values[c % per_wall / m->speeds.count] * 1e6,
               m->speeds.values[c % m->speeds.count]);
     fputc('\n', gp);
@@ -277,7 +287,7 @@ static void plot_angles(FILE *gp, const rebound_map *m) {
 typedef struct map_kind {
   const char *name, *sizes, *speeds, *angles;
   void (*print)(FILE *out, const rebound_map *m);
-  void (*plot)(FILE *gp, const rebound_map *m);
+  void (*plot)(cli_plot *picture, const rebound_map *m);
   int width, height;
 } map_kind;
 
@@ -371,7 +381,7 @@ static int run(int argc, char **argv) {
   cli_output_close(output);
   if (options[PLOT].value) {
     cli_plot *picture = cli_plot_open(&options[PLOT], kind->width, kind->height);
-    kind->plot(cli_plot_stream(picture), &m);
+    kind->plot(picture, &m);
     cli_plot_close(picture);
   }
   free_map(&m);

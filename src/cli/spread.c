@@ -123,7 +123,8 @@ static void plot(const cli_option *options, const asp_spread_model *model, const
           "set ylabel 'density / (1/degree)'\n"
           "set title '%s: {/Symbol a}_1 = %g°, {/Symbol s} = %.3g°'\n"
           "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n$bars << EOD\n",
-          model->name, cli_degrees(view->alpha1), cli_degrees(view->sigma));
+          cli_plot_label(picture, model->name).text, cli_degrees(view->alpha1),
+          cli_degrees(view->sigma));
   for (int i = 0; i <= 180; i++)
     if (share[i] > 0)
       fprintf(gp, "%d %g\n", i - 90, share[i]);

@@ -107,7 +107,9 @@ typedef struct source {
 
 static void tell(FILE *out, const cli_wall *wall, const source *from, const char *level) {
   const asp_description *d = &from->description;
-  fprintf(out, "# profile %s: %s\n", wall->name, from->report.text);
+  fputs("# profile ", out);
+  cli_print_comment(out, wall->name);
+  fprintf(out, ": %s\n", from->report.text);
   fprintf(out,
           "# length %.6g um, spacing %.6g um, %zu points; R_q %.6g um, R_a %.6g um, lambda_c (%s "
           "lag) %.6g um, phi_r %.4g, rms slope %.4g\n",

@@ -88,8 +88,10 @@ static void plot(const cli_option *options, const row *rows, size_t n) {
           "set format y '%%g'\nset yrange [%g:*]\nset offsets graph 0.05, graph 0.05, 0, 0\n"
           "set xtics (20,50,100,200,500,1000,2000,5000)\n"
           "set key outside right center reverse Left samplen 1\n$points << EOD\n",
-          options[RQ].value, options[LAMBDA_C].value, options[DP].value, options[ANGLES].value,
-          0.5 * NOISE);
+          cli_plot_label(picture, options[RQ].value).text,
+          cli_plot_label(picture, options[LAMBDA_C].value).text,
+          cli_plot_label(picture, options[DP].value).text,
+          cli_plot_label(picture, options[ANGLES].value).text, 0.5 * NOISE);
   for (size_t i = 0; i < models; i++)
     fprintf(gp, "%g %g\n", points[i].cost, fmax(points[i].worst, NOISE));
   fputs("EOD\n$front << EOD\n", gp);
@@ -102,7 +104,8 @@ static void plot(const cli_option *options, const row *rows, size_t n) {
   fputs("EOD\nplot $front with steps lc rgb '#999999' lw 2 dt 2 title 'Pareto front'", gp);
   for (size_t i = 0; i < models; i++)
     fprintf(gp, ", $points every ::%zu::%zu with points ls %zu pt %d ps 1.6 title '%s'", i, i,
-            i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)], points[i].model->name);
+            i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
+            cli_plot_label(picture, points[i].model->name).text);
   fputc('\n', gp);
   cli_plot_close(picture);
   free(points);

@@ -89,7 +89,6 @@ refuses 2 --points 100 4096 -- doe --points 100
 refuses 2 --dp 'reaches to' -- cor --rq 20um --lambda-c 40um --dp 2mm --model truncated
 "$asperity" spread --rq 20um --lambda-c 40um --dp 2mm --angle 20 -o x 2> err && die "spread beyond the table"
 grep -q -- '--dp: .* reaches to' err || die "spread beyond the table: $(cat err)"
-rm -f x.partial
 refuses 2 phi_r 'reaches to 1' -- cor --rq 50um --lambda-c 40um --model truncated
 refuses 2 --rq furlong nm -- doe --rq 2furlong
 refuses 1 --dp 0.1um 0.3125um -- surface --profile profile.csv --dp 0.1um

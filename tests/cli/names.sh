@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# Names that a user or a file gives reach gnuplot, CSV and the file system as text: pictures, data and
+# materials whose names hold quotes, commands, gnuplot's own marks, newlines. Files behind symbolic links.
+set -euo pipefail
+asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
+asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+
+# Nothing but what is asked for may come into being: no file that a name would make if it were run.
+no_more() { [ "$(find . -name '*pwned*' ! -name '*touch*' -printf x)" = "" ] || die "$1: a name was run: $(ls)"; }
+is_picture() {
+  case $1 in
+    *.png) head -c 4 "$1" | grep -q PNG ;;
+    *.pdf) head -c 5 "$1" | grep -q '%PDF-' && tail -c 6 "$1" | grep -q EOF ;;
+    *.svg) grep -q '</svg>' "$1" ;;
+  esac
+}
+
+# Names of pictures.
+names=("it's" "x'; system 'touch pwned1'; set output 'y" 'x"; system "touch pwned2"; set output "y'
+  '`touch pwned3`' '$(touch pwned4)' 'back\slash' 'back\' 'a_b^c{d}@e&f~g%s%n' $'new\nsystem "touch pwned5"' '-o' '#x' 'ü<&>')
+mkdir pictures
+for name in "${names[@]}"; do
+  for ending in png svg pdf; do
+    "$asperity" spread --sigma 10 --samples 50 --plot "pictures/$name.$ending" -o /dev/null 2> err || die "--plot '$name.$ending': $(cat err)"
+    is_picture "pictures/$name.$ending" || die "no picture '$name.$ending'"
+  done
+done
+no_more "--plot"
+[ "$(find pictures -type f -printf x | wc -c)" = $((3 * ${#names[@]})) ] || die "other files among the pictures: $(ls pictures)"
+
+# The same names for a profile, and for what is measured and what it is compared with.
+{ echo x_um,z_um; awk 'BEGIN { srand(1); for (i = 0; i < 400; i++) { z = 0.9 * z + rand() - 0.5; print i "," z } }'; } > profile
+"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --dp 100um --angles 10:80:10 --samples 40 -o impacts
+mkdir data
+for name in "${names[@]}"; do
+  cp profile "data/$name"
+  "$asperity" surface --profile "data/$name" --dp 10um --plot p.svg -o table 2> err || die "--profile '$name': $(cat err)"
+  is_picture p.svg || die "--profile '$name': no picture"
+  [ "$(grep -vc '^#' table)" = 2 ] || die "--profile '$name': the name is not within its comment: $(cat table)"
+  cp impacts "data/$name"
+  "$asperity" compare "data/$name" "data/$name" --plot c.svg -o table 2> err || die "compare '$name': $(cat err)"
+  is_picture c.svg || die "compare '$name': no picture"
+  [ "$(grep -vc '^#' table)" = 19 ] || die "compare '$name': $(cat table)"
+done
+no_more "data"
+
+# Names of materials: shown in the title, letter by letter, and CSV stays CSV.
+shown() { # NAME FILE: a text of the picture begins with the name
+  sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g' "$2" | NAME=$1 awk '{ sub(/^[ \t]+/, "") } index($0, ENVIRON["NAME"]) == 1 { found = 1 } END { exit !found }'
+}
+for name in "it's" "e'.system('>pwned6').'" "e'.system(\">pwned7\").'" '`>pwned8`' 'a"b' \
+    'back\slash' 'back\' 'a_b^c{d}@e~f' '<b>&lt&' '%s%n%d' '$HOME' 'ünï' "''"; do
+  quoted=${name//\"/\"\"}
+  printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa\n"%s",7e10,0.17,2650,2e8\n' "$quoted" > own.csv
+  own=(--materials own.csv --particle "$name" --wall "$name")
+  "$asperity" cor "${own[@]}" --rq 5um --lambda-c 40um --dp 10um --samples 3 --plot m.svg -o /dev/null 2> err || die "cor of '$name': $(cat err)"
+  shown "$name on $name" m.svg || die "cor: '$name' is not in the picture's title"
+  for map in regimes capture angles; do
+    "$asperity" rebound --map $map "${own[@]}" --points 3 --plot m.svg -o table 2> err || die "rebound --map $map of '$name': $(cat err)"
+    shown "$name" m.svg || die "rebound --map $map: '$name' is not in the picture"
+  done
+  "$asperity" rebound --map capture "${own[@]}" --points 3 -o table
+  printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n' > again.csv
+  sed '/^#/d; /^wall,/d; s/,[^,]*,[^,]*,[^,]*$/,7e10,0.2,2000/; q' table >> again.csv
+  "$asperity" cor --materials again.csv --wall "$name" --model none --samples 1 > /dev/null || die "capture: '$name' does not read back: $(cat table)"
+  "$asperity" materials --materials own.csv > own2.csv
+  "$asperity" cor --materials own2.csv --particle "$name" --model none --samples 1 > /dev/null || die "materials: '$name' does not read back"
+done
+printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa\nbad\xff\x01name,7e10,0.17,2650,2e8\n' > own.csv
+"$asperity" cor --materials own.csv --particle "$(printf 'bad\xff\x01name')" --model none --samples 3 --plot m.svg -o /dev/null 2> err
+shown 'bad? name' m.svg || die "bytes that are no text"
+no_more "materials"
+
+# gnuplot reads no start-up file of the folder or of the user.
+echo "system 'touch pwned9'" > .gnuplot
+HOME=$work "$asperity" spread --sigma 10 --samples 50 --plot h.png -o /dev/null 2> err
+no_more "start-up file"
+
+# -o writes through a symbolic link, a chain of them, and one whose target is not there yet.
+mkdir deep; ln -s deep/target link; ln -s "$work/link" chain
+"$asperity" materials -o chain
+[ -L chain ] && [ -L link ] && grep -q '^quartz,' deep/target || die "-o LINK: $(ls -l . deep)"
+chmod 600 deep/target; inode=$(stat -c %i deep/target)
+"$asperity" materials -o link
+[ -L link ] && [ "$(stat -c %i deep/target)" != "$inode" ] && grep -q '^quartz,' deep/target && [ "$(stat -c %a deep/target)" = 600 ] || die "-o LINK again: $(ls -l deep)"
+ln -s deep/picture.png link.png
+"$asperity" spread --sigma 10 --samples 50 --plot link.png -o /dev/null 2> err
+[ -L link.png ] && is_picture deep/picture.png || die "--plot LINK"
+ln -s loop loop
+"$asperity" materials -o loop 2> err && die "-o of a loop of links"
+grep -q "'loop'.*symbolic links" err || die "loop: $(cat err)"
+
+cp deep/target before
+# A failure leaves what was there, and no part of a file; standard output is written to, not replaced.
+"$asperity" compare impacts profile -o deep/target 2> err && die "compared with no data"
+"$asperity" spread --rq 20um --lambda-c 40um --dp 2mm -o link 2> err && die "spread beyond the table"
+cmp before deep/target || die "a failure changed its output"
+if PATH=/nowhere "$asperity" spread --sigma 10 --samples 50 --plot none.png > /dev/null 2> err; then die "gnuplot is missing"; fi
+grep -q "gnuplot-nox" err || die "no gnuplot: $(cat err)"
+[ ! -e none.png ] || die "an empty picture was left"
+echo before > log; "$asperity" materials -o /dev/stdout >> log; "$asperity" materials -o - >> log
+[ "$(grep -c '^quartz,' log)" = 2 ] && [ "$(head -n 1 log)" = before ] || die "-o /dev/stdout"
+[ -z "$(find . -name '*.partial')" ] || die "a partial file is left"
+exit 0
