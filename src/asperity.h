@@ -304,14 +304,6 @@ typedef struct asp_view {
   const void *data; /* what a model that needs more was given when the wall was made, or NULL */
 } asp_view;
 
-/* The same of many contacts with one wall. */
-typedef struct asp_views {
-  const double *slope, *sigma, *alpha1, *d_p;
-  const void *data;
-} asp_views;
-
-enum { ASP_BATCH = 64 }; /* contacts that a model is asked for at once, at most */
-
 /* A view for laws that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
 asp_view asp_view_create(double sigma, double alpha1);
 
@@ -359,20 +351,11 @@ typedef struct asp_spread_model {
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
    * false when it leaves the wall. NULL where the model knows of no places. */
   bool (*follow)(const asp_view *view, asp_stream *stream, asp_path *path, double *delta);
-  /* The quantiles of n <= ASP_BATCH contacts; NULL: one by one. Use asp_spread_quantile_n. */
-  void (*quantile_n)(const asp_views *views, size_t n, const double *u, double *delta);
 } asp_spread_model;
 
 /* One delta of the model, from the stream; false when a loop reached its bound. */
 bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_stream *stream,
                      double *delta);
-
-/* The quantiles of n contacts of equal particles with one wall, as the view says but for alpha1[i],
- * at u[i], into delta[i]. The model must have a quantile. `weibull`, `visible` and `profile` go
- * through the machine's vector units where the C library has vector functions (x86-64, GNU);
- * results then differ from single calls in the last bits (below 1e-14), and between machines. */
-void asp_spread_quantile_n(const asp_spread_model *model, const asp_view *view, size_t n,
-                           const double *alpha1, const double *u, double *delta);
 
 /* All models, in a fixed order: 0 <= index < asp_spread_count(). */
 int asp_spread_count(void);
@@ -528,14 +511,6 @@ typedef struct asp_bounce {
   double v_t2;
 } asp_bounce;
 
-/* Many hits, by component. */
-typedef struct asp_hits {
-  const double *v_n1, *v_t1, *d_p, *density;
-  const double *modulus, *yield_stress, *surface_energy, *friction; /* of the pair of each */
-  bool alike; /* all have the particle and pair of the first: a law may look at that one only */
-  bool adhesion;
-} asp_hits;
-
 typedef struct asp_rebound_law {
   const char *name;
   const char *summary;
@@ -546,11 +521,6 @@ typedef struct asp_rebound_law {
   int n_parameters;
   const asp_parameter *parameters;
   asp_bounce (*rebound)(const double *parameters, const asp_hit *hit);
-  /* The same for n <= ASP_BATCH hits at once, into v_n2 and v_t2; again[i] > 0 says that hit i is
-   * for `rebound`. False: not with these parameters, which n = 0 asks for; NULL: never. Of laws
-   * that need a material. */
-  bool (*rebound_n)(const double *parameters, const asp_hits *hits, size_t n, double *v_n2,
-                    double *v_t2, double *again);
   /* Whether it draws a scatter of its own with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
 } asp_rebound_law;
@@ -641,16 +611,6 @@ typedef struct asp_impact {
  * Kinetic energy never grows. No allocation, no failure. */
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], const asp_key *key, asp_impact *impact);
-
-/* `count` contacts at once, each as asp_wall_impact has it, several times as fast: in vector code
- * where the C library has vector functions (x86-64, GNU), for plane tilts, single collisions,
- * models with a quantile, and `bons` with its exponent c = 0.5; the rest contact by contact. Draws
- * and outcomes are those of asp_wall_impact. On smooth walls all is, to the bit; on rough ones
- * velocities (over v1) and tilts (in radians) are to 4 DBL_EPSILON, with `visible` to 8. May set
- * floating-point flags that asp_wall_impact does not. */
-void asp_wall_impact_n(const asp_wall *wall, size_t count, const asp_particle *particle,
-                       const double (*v1)[3], const double (*n)[3], const asp_key *key,
-                       asp_impact *impact);
 
 /* ---- choosing a model --------------------------------------------------------------------------
  */

@@ -8,9 +8,7 @@
  * not angles, so that it stays right beyond a local impact angle of 90 degrees, where the
  * tangential CoR turns negative. */
 #include "impact/frame.h"
-#include "impact/stream.h"
 #include "impact/wall.h"
-#include "spread/draw.h"
 
 #include <math.h>
 
@@ -23,13 +21,13 @@ typedef struct face {
   double delta, q;
 } face;
 
-static inline double impact_angle(const frame *f) {
-  return asp_angle_one(f->v_n, f->v_t);
+static double impact_angle(const frame *f) {
+  return atan2(f->v_n, f->v_t);
 }
 
 /* At normal impact the direction of flight is drawn uniformly around n. */
 static void draw_direction(frame *f, asp_stream *stream) {
-  double angle = 2 * ASP_PI * asp_stream_next(stream);
+  double angle = 2 * ASP_PI * asp_stream_uniform(stream);
   double x = fabs(f->n.x), y = fabs(f->n.y), z = fabs(f->n.z);
   vec least = z < fmin(x, y) ? (vec){0, 0, 1} : x <= y ? (vec){1, 0, 0} : (vec){0, 1, 0};
   vec first = cross(f->n, least);
@@ -41,22 +39,22 @@ static void draw_direction(frame *f, asp_stream *stream) {
 
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
  */
-static inline face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
-  asp_turn by = asp_turn_one(delta);
+static face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
+  double sine = sin(delta), cosine = cos(delta);
   if (!wall->isotropic)
-    return (face){{-by.sine, 0, by.cosine}, delta, 0};
-  double q = slope * asp_stream_normal(stream), side = q * by.cosine;
-  return (face){scaled((vec){-by.sine, -side, by.cosine}, 1 / sqrt(1 + side * side)), delta, q};
+    return (face){{-sine, 0, cosine}, delta, 0};
+  double q = slope * asp_stream_normal(stream), side = q * cosine;
+  return (face){scaled((vec){-sine, -side, cosine}, 1 / sqrt(1 + side * side)), delta, q};
 }
 
-static inline double tilt_out(const asp_wall *wall, const face *on) {
+static double tilt_out(const asp_wall *wall, const face *on) {
   return wall->isotropic ? atan(on->q) : 0;
 }
 
 /* The rebound from one face, in (t, b, n). False where the particle cannot hit it. A face that is
  * tilted in the plane of incidence only keeps the particle in that plane. */
-static inline bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                           vec m, bool in_plane, asp_stream *stream, vec *out, bool *deposit) {
+static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m,
+                    bool in_plane, asp_stream *stream, vec *out, bool *deposit) {
   double approach = f->v_n * m.z - f->v_t * m.x, speed;
   if (!(approach > 0))
     return false;
@@ -90,7 +88,7 @@ static vec turned_off(const frame *f, vec v) {
 
 /* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
  * into it in the lab frame. */
-static inline vec leaving(const frame *f, vec v) {
+static vec leaving(const frame *f, vec v) {
   return clearly_leaves(v, f->n) ? v : turned_off(f, v);
 }
 
@@ -110,19 +108,19 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
 }
 
 /* What a wall looks like to a particle, at an impact angle still to be set. */
-static inline asp_view view_of(const asp_wall *wall, const asp_particle *particle) {
+static asp_view view_of(const asp_wall *wall, const asp_particle *particle) {
   double slope = asp_surface_slope(wall->surface, particle->d_p);
-  return (asp_view){slope, asp_wall_sigma(wall, slope), 0, particle->d_p, wall->data};
+  return (asp_view){slope, atan(slope), 0, particle->d_p, wall->data};
 }
 
 /* One hit; a face that would send the particle into the wall is drawn again. */
-static inline void bounce_once(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                               double alpha1, asp_stream *stream, asp_impact *impact) {
+static void bounce_once(const asp_wall *wall, const asp_particle *particle, const frame *f,
+                        asp_stream *stream, asp_impact *impact) {
   asp_view view = view_of(wall, particle);
-  view.alpha1 = alpha1;
+  view.alpha1 = impact_angle(f);
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
-    if (!asp_draw(wall->spread, &view, stream, &delta))
+    if (!asp_spread_draw(wall->spread, &view, stream, &delta))
       continue;
     face on = face_at(wall, view.slope, delta, stream);
     vec local;
@@ -158,7 +156,7 @@ static double smith(double nu) {
 }
 
 static double exponential(asp_stream *stream) {
-  return -log(asp_stream_next(stream));
+  return -log(asp_stream_uniform(stream));
 }
 
 /* Whether a particle that a face has just sent off at the slope `rise` > 0 leaves, or at rise <= 0
@@ -190,15 +188,15 @@ static bool leaves(const asp_wall *wall, flight *fly, vec out) {
   double along = hypot(out.x, out.y);
   if (wall->spread->escape)
     return out.z > 0 &&
-           asp_stream_next(fly->stream) < wall->spread->escape(&fly->view, atan2(out.z, along));
+           asp_stream_uniform(fly->stream) < wall->spread->escape(&fly->view, atan2(out.z, along));
   bool steep = along <= NO_DIRECTION * fabs(out.z);
   return walks_out(wall, fly, steep ? copysign(INFINITY, out.z) : out.z / along);
 }
 
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
  * left. */
-static inline bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *path, double *delta,
-                             bool *gone) {
+static bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *path, double *delta,
+                      bool *gone) {
   const asp_spread_model *model = wall->spread;
   *gone = false;
   if (model->follow) {
@@ -207,14 +205,14 @@ static inline bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *
     return drawn;
   }
   bool borrows = fly->view.alpha1 < 0 && !model->upward;
-  return asp_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
+  return asp_spread_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
 }
 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
 static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1, frame *now,
-                      double alpha1, asp_stream *stream, asp_impact *impact) {
+                      asp_stream *stream, asp_impact *impact) {
   flight fly = {view_of(wall, particle), stream, 0, -1};
-  fly.view.alpha1 = alpha1;
+  fly.view.alpha1 = impact_angle(now);
   asp_path path = {0};
   vec v2 = {0, 0, 0};
   impact->hits = 0;
@@ -259,29 +257,20 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], const asp_key *key, asp_impact *impact) {
-  vec v = load(v1), normal = load(n);
+  vec v = load(v1);
+  frame f = frame_of(v, load(n));
+  asp_stream stream = asp_stream_create(key);
   impact->capped = false;
   if (!wall->rough) {
-    frame f = frame_of(v, normal);
-    asp_stream stream = asp_stream_begin(key);
     bounce_off_mean_wall(wall, particle, &f, &stream, impact);
     return;
   }
-  bool plain; /* looked at late: what does not wait for each other comes without a branch between */
-  frame f = plain_frame(v, normal, &plain);
-  asp_stream stream = asp_stream_begin(key);
-  asp_stream_fill(&stream);
-  double alpha1 = impact_angle(&f);
-  if (!plain) {
-    f = careful_frame(v, unit(normal));
-    if (!has_direction(&f))
-      draw_direction(&f, &stream);
-    alpha1 = impact_angle(&f);
-  }
+  if (!has_direction(&f))
+    draw_direction(&f, &stream);
   if (wall->multiple)
-    bounce_on(wall, particle, v, &f, alpha1, &stream, impact);
+    bounce_on(wall, particle, v, &f, &stream, impact);
   else
-    bounce_once(wall, particle, &f, alpha1, &stream, impact);
+    bounce_once(wall, particle, &f, &stream, impact);
 }
 
 /* a/b, or the largest ratio that is told where b vanishes against a. */

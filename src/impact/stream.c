@@ -1,7 +1,12 @@
-/* The public face of the random numbers of one contact; see stream.h. */
-#include "impact/stream.h"
+/* The random numbers of one contact: Philox4x32-10 of Random123 (Salmon, Moraes, Dror & Shaw 2011),
+ * a pure function of key and counter. One block of four 32-bit words is two uniform numbers; the
+ * counter is (tag low, tag high, impact, block). */
+#include "asperity.h"
 
+#include <Random123/philox.h>
 #include <gsl/gsl_cdf.h>
+
+#define UNIFORM_STEP 1.1102230246251565e-16 /* 2^-53 */
 
 uint32_t asp_key_fix(const char *name) {
   uint32_t hash = 2166136261u; /* FNV-1a offset basis and prime */
@@ -11,15 +16,30 @@ uint32_t asp_key_fix(const char *name) {
 }
 
 asp_stream asp_stream_create(const asp_key *key) {
-  return asp_stream_begin(key);
+  asp_stream stream = {{key->seed, key->fix},
+                       {(uint32_t)key->tag, (uint32_t)(key->tag >> 32), key->impact, 0},
+                       {0},
+                       0};
+  return stream;
 }
 
-void asp_stream_refill(asp_stream *stream) {
-  asp_stream_fill(stream);
+/* From the upper 53 bits of two words, and half a step, so that 0 and 1 cannot come out. */
+static double uniform_of(uint32_t high, uint32_t low) {
+  double u = ((double)(((uint64_t)high << 32 | low) >> 11) + 0.5) * UNIFORM_STEP;
+  return u < 1 ? u : 1 - UNIFORM_STEP;
 }
 
 double asp_stream_uniform(asp_stream *stream) {
-  return asp_stream_next(stream);
+  if (stream->left == 0) {
+    philox4x32_key_t key = {{stream->key[0], stream->key[1]}};
+    philox4x32_ctr_t counter = {
+        {stream->counter[0], stream->counter[1], stream->counter[2], stream->counter[3]++}};
+    philox4x32_ctr_t word = philox4x32(counter, key);
+    stream->ready[0] = uniform_of(word.v[0], word.v[1]);
+    stream->ready[1] = uniform_of(word.v[2], word.v[3]);
+    stream->left = 2;
+  }
+  return stream->ready[2 - stream->left--];
 }
 
 double asp_stream_normal(asp_stream *stream) {

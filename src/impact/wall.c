@@ -104,7 +104,6 @@ asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error) {
                      .spread = spread,
                      .upward = asp_spread_find("visible", NULL),
                      .data = data,
-                     .slope = spec->surface ? asp_surface_slope(spec->surface, 0) : 0,
                      .law = law,
                      .table = spec->table,
                      .rough = spec->surface && spread != asp_spread_find("none", NULL),
@@ -113,7 +112,6 @@ asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error) {
                                  spread->follow,
                      .forgets = spec->collisions == ASP_COLLISIONS_SMITH,
                      .deposit = spec->deposit};
-  wall->sigma = atan(wall->slope);
   for (int i = 0; i < ASP_PARAMETERS_MAX; i++)
     wall->parameters[i] = spec->parameters[i];
   return wall;

@@ -4,14 +4,11 @@
 
 #include "asperity.h"
 
-#include <math.h>
-
 struct asp_wall {
   const asp_surface *surface;
   const asp_spread_model *spread;
   const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
   void *data;                     /* of the model */
-  double slope, sigma; /* of a particle too small for the filter, as most are: spares an atan */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   const asp_cor_table *table;
@@ -21,10 +18,5 @@ struct asp_wall {
   bool forgets;  /* ASP_COLLISIONS_SMITH */
   bool deposit;
 };
-
-/* The sigma of a particle that meets this slope. */
-static inline double asp_wall_sigma(const asp_wall *wall, double slope) {
-  return slope < wall->slope ? atan(slope) : wall->sigma;
-}
 
 #endif

@@ -13,10 +13,11 @@
  * softening is 200 MPa up to 1000 K and 0.225 MPa/K less above; it is kept as a share of the yield
  * stress, so that it holds in any units. Shear removal is not modelled here.
  *
- * The difference of squares is taken as (v - v_a)(v + v_a). Where it, or that of v_t2, loses two
- * digits or more, the hit is worked out again in long double. */
-#include "rebound/bons.h"
+ * The difference of squares is taken as (v - v_a)(v + v_a), and all of it in long double, so that
+ * v_n2 keeps its digits near capture, and v_t2 where friction nearly stops the particle. */
 #include "rebound/laws.h"
+
+#include <math.h>
 
 enum { YIELD_RATE, AREA_A, AREA_B, AREA_C, TEMPERATURE, SOFTEN_FROM, SOFTEN_RATE, N_PARAMETERS };
 
@@ -38,7 +39,7 @@ static const asp_parameter parameters[N_PARAMETERS] = {
                      "seen)"},
 };
 
-/* The share of the yield stress that heat leaves; in long double, for it is a difference too. */
+/* The share of the yield stress that heat leaves. */
 static long double softened(const double *p) {
   if (!(p[TEMPERATURE] > p[SOFTEN_FROM]))
     return 1;
@@ -46,48 +47,23 @@ static long double softened(const double *p) {
   return fmaxl(0, 1 - p[SOFTEN_RATE] * over);
 }
 
-/* The law again, with more digits: for the few hits near a threshold. */
-static asp_bounce rebound_near(const double *p, const asp_hit *hit) {
+/* Where nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
+static asp_bounce rebound(const double *p, const asp_hit *hit) {
   const asp_pair *pair = hit->pair;
   long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1, density = hit->density;
   long double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * sqrtl(speed2) : pair->yield_stress;
   long double v_y = yield * softened(p) / sqrtl(density * pair->modulus);
   long double n2 = n1 < v_y ? n1 : v_y;
-  if (hit->adhesion) {
+  if (hit->adhesion && pair->surface_energy > 0) {
     long double ratio = n1 < v_y ? n1 / v_y : 1;
     long double share = p[AREA_A] + p[AREA_B] * powl(ratio, p[AREA_C]);
     long double v_a = sqrtl(6 * share * pair->surface_energy / (density * hit->d_p));
     n2 = n2 > v_a ? sqrtl((n2 - v_a) * (n2 + v_a)) : 0;
   }
-  long double t2 = t1 - pair->friction * (n1 + n2) * t1 * t1 / speed2;
+  long double t2 = t1;
+  if (t1 > 0)
+    t2 -= pair->friction * (n1 + n2) * t1 * t1 / speed2;
   return (asp_bounce){(double)n2, t2 > 0 ? (double)t2 : 0};
-}
-
-static asp_bons_constants constants_of(const double *p, bool adhesion) {
-  double left = p[TEMPERATURE] > p[SOFTEN_FROM] ? (double)softened(p) : 1;
-  return (asp_bons_constants){p[YIELD_RATE], p[AREA_A], p[AREA_B], left, adhesion ? 6 : 0};
-}
-
-static bool is_root(double c) {
-  return !(c < 0.5 || c > 0.5);
-}
-
-static asp_bounce rebound(const double *p, const asp_hit *hit) {
-  asp_bons_constants c = constants_of(p, hit->adhesion);
-  bool rate = c.yield_rate > 0;
-  asp_bons_grain grain = asp_bons_grain_of(&c, hit->d_p, hit->density, *hit->pair, rate);
-  asp_bons_answer answer =
-      asp_bons_plain(&c, hit->v_n1, hit->v_t1, grain, rate, is_root(p[AREA_C]), p[AREA_C]);
-  return answer.near ? rebound_near(p, hit) : (asp_bounce){answer.v_n2, answer.v_t2};
-}
-
-static bool rebound_n(const double *p, const asp_hits *hits, size_t n, double *v_n2, double *v_t2,
-                      double *near) {
-  if (!is_root(p[AREA_C]))
-    return false;
-  asp_bons_constants c = constants_of(p, hits->adhesion);
-  asp_bons_n(&c, hits, n, v_n2, v_t2, near);
-  return true;
 }
 
 const asp_rebound_law asp_rebound_bons = {
@@ -98,5 +74,4 @@ const asp_rebound_law asp_rebound_bons = {
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rebound = rebound,
-    .rebound_n = rebound_n,
 };

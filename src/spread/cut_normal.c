@@ -1,5 +1,4 @@
 /* The normal distribution cut to an interval (eq. 5 to 7); see models.h. */
-#include "machine.h"
 #include "spread/cells.h"
 #include "spread/gauss.h"
 #include "spread/models.h"
@@ -49,7 +48,6 @@ double asp_cut_normal_distribution(double sigma, double lo, double hi, double de
   return (asp_gauss_below(delta / sigma) - tail(-lo / sigma)) / mass(sigma, lo, hi);
 }
 
-ASP_EACH_MACHINE
 double asp_cut_normal_quantile(double sigma, double lo, double hi, double u) {
   double below = tail(-lo / sigma), above = tail(hi / sigma), rest = 1 - u;
   double moved = rest * below - u * above; /* what the cuts make of u in the whole law */

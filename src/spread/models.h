@@ -47,26 +47,6 @@ double asp_effective_density(const asp_view *view, double delta);
 double asp_effective_distribution(const asp_view *view, double delta);
 double asp_effective_quantile(const asp_view *view, double u);
 
-/* The model's quantiles of n <= ASP_BATCH contacts; it must have one. */
-void asp_views_quantile(const asp_spread_model *model, const asp_views *views, size_t n,
-                        const double *u, double *delta);
-
-/* In vector code, see batch.c. */
-void asp_weibull_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
-void asp_visible_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
-void asp_profile_quantile_n(const asp_views *views, size_t n, const double *u, double *delta);
-
-static inline asp_view asp_views_at(const asp_views *views, size_t i) {
-  return (asp_view){views->slope[i], views->sigma[i], views->alpha1[i], views->d_p[i], views->data};
-}
-
-/* That of contact i by itself. */
-static inline double asp_views_quantile_at(const asp_spread_model *model, const asp_views *views,
-                                           size_t i, double u) {
-  asp_view one = asp_views_at(views, i);
-  return model->quantile(&one, u);
-}
-
 double asp_truncated_density(const asp_view *view, double delta);
 double asp_truncated_distribution(const asp_view *view, double delta);
 

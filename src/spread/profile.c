@@ -1,24 +1,35 @@
 /* The exact first-hit law of a profile as a table: quantiles over impact angle and particle size,
  * each the law that asp_track_first_hit gives there. Between the nodes quantiles are interpolated
- * straight, which keeps them monotone in u and above -alpha1, and costs less than a power.
+ * straight, which keeps them monotone in u and above -alpha1.
  *
  * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
  * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
  * fly up meet the law of `visible`. */
 #include "error.h"
-#include "spread/profile_table.h"
+#include "spread/models.h"
+#include "spread/trace.h"
 
+#include <gsl/gsl_interp.h>
 #include <gsl/gsl_sort.h>
+#include <math.h>
 #include <stdlib.h>
 
 enum {
-  ANGLES = ASP_PROFILE_ANGLES,
-  NODES = ASP_PROFILE_NODES,
-  CELLS = ASP_PROFILE_CELLS,
-  PARTS = ASP_PROFILE_PARTS
+  ANGLES = 64,
+  CELLS = 512, /* of equal width in u */
+  PARTS = 32,  /* of the first and of the last of them */
+  NODES = CELLS - 2 + 2 * PARTS + 1,
+  SIZE = NODES * ANGLES /* numbers a diameter */
 };
 
-typedef asp_profile_table table;
+/* The angles are this times k^2. */
+#define WIDTH (ASP_PI / 2 / ((ANGLES - 1.) * (ANGLES - 1.)))
+
+typedef struct table {
+  int bins;
+  double d_p[ASP_BINS_MAX];
+  float delta[]; /* by size, u, angle; rad */
+} table;
 
 /* u at a node, or between two. */
 static double u_at(double place) {
@@ -87,87 +98,100 @@ static void release(void *data) {
   free(data);
 }
 
-static void place_parts(table *t) {
-  t->most = t->d_p[t->bins - 1];
-  t->first_bits = asp_bits(t->d_p[0]);
-  uint64_t range = asp_bits(t->most) - t->first_bits;
-  for (t->part_bits = 0; range >> t->part_bits >= ASP_PROFILE_SIZE_PARTS;)
-    t->part_bits++;
-  int i = 0;
-  for (int k = 0; k < ASP_PROFILE_SIZE_PARTS; k++) {
-    uint64_t bits = t->first_bits + ((uint64_t)k << t->part_bits);
-    while (i < t->bins - 2 && asp_bits(t->d_p[i + 1]) <= bits)
-      i++;
-    t->below[k] = (uint8_t)i;
-  }
-}
-
-static void place_nodes(table *t, const asp_sizes *sizes) {
-  t->bins = sizes->bins;
-  t->next = t->bins > 1 ? ASP_PROFILE_SIZE : 0;
-  for (int k = 0; k < ANGLES; k++) {
-    t->angle[k] = ASP_PROFILE_WIDTH * k * k;
-    t->per_angle[k] = 1 / (ASP_PROFILE_WIDTH * (2 * k + 1));
-  }
-  for (int i = 0; i < t->bins; i++) {
-    t->d_p[i] = asp_sizes_at(sizes, i);
-    double step = asp_sizes_at(sizes, i + 1) - t->d_p[i];
-    t->per_d_p[i] = step > 0 ? 1 / step : 0; /* all of one size */
-  }
-  place_parts(t);
-}
-
 static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
   if (asp_sizes_check(sizes, error))
     return NULL;
-  table *t = malloc(sizeof *t + (size_t)sizes->bins * ASP_PROFILE_SIZE * sizeof *t->delta);
+  table *t = malloc(sizeof *t + (size_t)sizes->bins * SIZE * sizeof *t->delta);
   if (!t) {
     asp_fail(error, ASP_ENOMEM, "out of memory for a table of %d sizes", sizes->bins);
     return NULL;
   }
-  place_nodes(t, sizes);
+  t->bins = sizes->bins;
   for (int i = 0; i < t->bins; i++) {
     bench b;
+    t->d_p[i] = asp_sizes_at(sizes, i);
     if (bench_create(&b, profile, t->d_p[i], error)) {
       free(t);
       return NULL;
     }
     for (int k = 0; k < ANGLES; k++)
-      fill(&b, t->angle[k], t->delta + i * ASP_PROFILE_SIZE + k);
+      fill(&b, WIDTH * k * k, t->delta + i * SIZE + k);
     bench_free(&b);
   }
   return t;
 }
 
-/* Between which sizes and angles a view lies: where their numbers begin, and the shares. */
+/* A place along one of the table's three ways: the node before it, and the share of the step to the
+ * next. */
+typedef struct place {
+  int step;
+  double share;
+} place;
+
+static place place_of_u(double u) {
+  double cell = u * CELLS, last = cell - (CELLS - 1), at = cell + (PARTS - 1);
+  if (cell < 1)
+    at = cell * PARTS;
+  if (last > 0)
+    at = last * PARTS + (CELLS + PARTS - 2);
+  int node = (int)fmin(at, NODES - 2);
+  return (place){node, at - node};
+}
+
+static place place_of_angle(double alpha1) {
+  int k = (int)fmin(sqrt(alpha1 / WIDTH), ANGLES - 2);
+  return (place){k, (alpha1 - WIDTH * k * k) / (WIDTH * (2 * k + 1))};
+}
+
+static place place_of_size(const table *t, double d_p) {
+  if (t->bins < 2)
+    return (place){0, 0};
+  size_t last = (size_t)t->bins - 1;
+  d_p = fmin(fmax(d_p, t->d_p[0]), t->d_p[last]);
+  size_t i = gsl_interp_bsearch(t->d_p, d_p, 0, last);
+  double step = t->d_p[i + 1] - t->d_p[i]; /* 0 where all are of one size */
+  return (place){(int)i, step > 0 ? (d_p - t->d_p[i]) / step : 0};
+}
+
+/* Between which sizes and angles a view lies: where their numbers begin, how far those of the next
+ * size are, and the shares. */
 typedef struct cell {
-  const table *t;
-  int at;
+  const float *delta;
+  int next;
   double size, angle;
 } cell;
 
-static inline cell cell_of(const asp_view *view) {
+static cell cell_of(const asp_view *view) {
   const table *t = view->data;
-  asp_profile_place size = asp_profile_size(t, view->d_p),
-                    angle = asp_profile_angle(t, view->alpha1);
-  return (cell){t, size.step * ASP_PROFILE_SIZE + angle.step, size.share, angle.share};
+  place size = place_of_size(t, view->d_p), angle = place_of_angle(view->alpha1);
+  return (cell){t->delta + size.step * SIZE + angle.step, t->bins > 1 ? SIZE : 0, size.share,
+                angle.share};
 }
 
-static inline double delta_at(const cell *c, asp_profile_place u) {
-  return asp_profile_delta(c->t->delta, c->at + u.step * ANGLES, c->t->next, c->size, u.share,
-                           c->angle);
+static double mix(double from, double to, double share) {
+  return from + share * (to - from);
+}
+
+static double delta_at(const cell *c, place u) {
+  double at[2];
+  for (int k = 0; k < 2; k++) { /* at the angle below and above */
+    const float *first = c->delta + u.step * ANGLES + k, *second = first + c->next;
+    at[k] = mix(mix(first[0], first[ANGLES], u.share), mix(second[0], second[ANGLES], u.share),
+                c->size);
+  }
+  return mix(at[0], at[1], c->angle);
 }
 
 static double node_at(const cell *c, int node) {
   bool last = node == NODES - 1;
-  return delta_at(c, (asp_profile_place){last ? node - 1 : node, last ? 1 : 0});
+  return delta_at(c, (place){last ? node - 1 : node, last ? 1 : 0});
 }
 
 static double quantile(const asp_view *view, double u) {
   if (view->alpha1 < 0)
     return asp_spread_visible.quantile(view, u);
   cell c = cell_of(view);
-  double delta = delta_at(&c, asp_profile_u(u));
+  double delta = delta_at(&c, place_of_u(u));
   return delta > -view->alpha1 ? delta : -view->alpha1;
 }
 
@@ -210,7 +234,6 @@ const asp_spread_model asp_spread_profile = {
     .density = density,
     .distribution = distribution,
     .quantile = quantile,
-    .quantile_n = asp_profile_quantile_n,
     .prepare = prepare,
     .release = release,
 };

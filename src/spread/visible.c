@@ -131,8 +131,8 @@ static double quantile(const asp_view *view, double u) {
     return 0;
   if (!asp_visible_is_quick(view->alpha1, u))
     return careful_quantile(view, u);
-  asp_visible_place at = asp_visible_find(asp_turn_of(view->alpha1), view->slope, u);
-  return asp_arc_of(asp_visible_at(at.cell, at.t, at.s) * view->slope);
+  asp_visible_place at = asp_visible_find(view->alpha1, view->slope, u);
+  return atan(asp_visible_at(at.cell, at.t, at.s) * view->slope);
 }
 
 const asp_spread_model asp_spread_visible = {
@@ -143,5 +143,4 @@ const asp_spread_model asp_spread_visible = {
     .density = density,
     .distribution = distribution,
     .quantile = quantile,
-    .quantile_n = asp_visible_quantile_n,
 };

@@ -5,7 +5,6 @@
 #ifndef ASP_SPREAD_VISIBLE_H
 #define ASP_SPREAD_VISIBLE_H
 
-#include "angle.h"
 #include "spread/cells.h"
 #include "spread/gauss.h"
 #include "spread/models.h"
@@ -34,9 +33,9 @@ typedef struct asp_visible_place {
 
 /* With an odd number of rows the last holds a = infinity, too, for halves go to the even one; and
  * y, in the order in which it is worked out, is never above ROWS - 1/2. */
-static inline asp_visible_place asp_visible_find(asp_turn alpha1, double slope, double u) {
-  double along = alpha1.sine + ASP_VISIBLE_HALF_WAY * slope * alpha1.cosine;
-  double y = alpha1.sine / along * ASP_VISIBLE_ROWS - 0.5;
+static inline asp_visible_place asp_visible_find(double alpha1, double slope, double u) {
+  double sine = sin(alpha1), along = sine + ASP_VISIBLE_HALF_WAY * slope * cos(alpha1);
+  double y = sine / along * ASP_VISIBLE_ROWS - 0.5;
   double x = log(u / (1 - u)) * (1 / ASP_VISIBLE_STEP) - ASP_VISIBLE_FIRST / ASP_VISIBLE_STEP;
   double row = asp_nearest(y), column = asp_nearest(x);
   return (asp_visible_place){row * ASP_VISIBLE_COLUMNS + column, y - row, x - column};

@@ -97,5 +97,4 @@ const asp_spread_model asp_spread_weibull = {
     .density = density,
     .distribution = distribution,
     .quantile = quantile,
-    .quantile_n = asp_weibull_quantile_n,
 };

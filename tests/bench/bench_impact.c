@@ -1,5 +1,5 @@
 /* One contact, random draws included, with impact angles from 0 to 90 degrees, of 10 um quartz on
- * Hastelloy X: one at a time, and in batches. */
+ * Hastelloy X, by spread model over no spread. */
 #include "asperity.h"
 #include "bench.h"
 
@@ -13,7 +13,7 @@ static asp_particle grain[ANGLES];
 
 typedef struct contact {
   const char *spread;
-  double phi_r, limit, batch_limit; /* ns; 0: none */
+  double phi_r;
   asp_surface *surface;
   asp_wall *wall;
   unsigned at; /* the next impact */
@@ -27,20 +27,6 @@ static void contacts(void *context, size_t n) {
     unsigned at = c->at++, k = at % ANGLES;
     asp_wall_impact(c->wall, &grain[k], v1[k], normal[k], &(asp_key){1, 1, at, 1}, &impact);
     c->sum += impact.v2[2];
-  }
-}
-
-/* n batches. */
-static void batches(void *context, size_t n) {
-  static asp_key key[ANGLES];
-  static asp_impact impact[ANGLES];
-  contact *c = context;
-  for (size_t i = 0; i < n; i++) {
-    for (int k = 0; k < ANGLES; k++)
-      key[k] = (asp_key){1, 1, c->at++, 1};
-    asp_wall_impact_n(c->wall, ANGLES, grain, (const double(*)[3])v1, (const double(*)[3])normal,
-                      key, impact);
-    c->sum += impact[0].v2[2];
   }
 }
 
@@ -65,43 +51,25 @@ static void make_wall(contact *c) {
     abort();
 }
 
-static void print(const contact *c, const bench_work *one, const bench_work *many,
-                  const bench_work *none) {
-  char what[80];
-  snprintf(what, sizeof what, "one contact, `%s` + bons, phi_r %g", c->spread, c->phi_r);
-  char at_best[128], over[128], batch[128], batch_over[128];
-  snprintf(over, sizeof over, "%s, over `none`", what);
-  snprintf(at_best, sizeof at_best, "%s, at best", what);
-  snprintf(batch, sizeof batch, "%s, in batches, at best", what);
-  snprintf(batch_over, sizeof batch_over, "%s, over the same in batches", what);
-  if (one != none)
-    bench_ratio_row(over, one, none, NULL, 0);
-  bench_ratio_row(batch_over, one, many, NULL, 0);
-  if (c->limit > 0)
-    bench_row(at_best, 1e9 * bench_least(one), "ns", "<=", c->limit);
-  if (c->batch_limit > 0)
-    bench_row(batch, 1e9 * bench_least(many), "ns", "<=", c->batch_limit);
-}
-
 int main(void) {
   static contact all[] = {
-      {.spread = "none", .phi_r = 0.04, .limit = 70, .batch_limit = 20},
-      {.spread = "weibull", .phi_r = 0.04, .limit = 70, .batch_limit = 20},
-      {.spread = "weibull", .phi_r = 0.13, .limit = 70, .batch_limit = 20},
-      {.spread = "visible", .phi_r = 0.13},
-      {.spread = "profile", .phi_r = 0.13, .limit = 50},
+      {.spread = "none", .phi_r = 0.04},    {.spread = "weibull", .phi_r = 0.04},
+      {.spread = "weibull", .phi_r = 0.13}, {.spread = "visible", .phi_r = 0.13},
+      {.spread = "profile", .phi_r = 0.13},
   };
   enum { COUNT = sizeof all / sizeof *all };
-  static bench_work works[2 * COUNT];
+  static bench_work works[COUNT];
   set_contacts();
   for (int i = 0; i < COUNT; i++) {
     make_wall(&all[i]);
     works[i] = (bench_work){.run = contacts, .context = &all[i], .each = 1};
-    works[COUNT + i] = (bench_work){.run = batches, .context = &all[i], .each = ANGLES};
   }
-  bench_run(works, 2 * COUNT, BENCH_ROUNDS);
+  bench_run(works, COUNT, BENCH_ROUNDS);
   for (int i = 0; i < COUNT; i++) {
-    print(&all[i], &works[i], &works[COUNT + i], &works[0]);
+    char what[80];
+    snprintf(what, sizeof what, "one contact, `%s` + bons, phi_r %g, over `none`", all[i].spread,
+             all[i].phi_r);
+    bench_ratio_row(what, &works[i], &works[0], NULL, 0);
     asp_wall_free(all[i].wall);
     asp_surface_free(all[i].surface);
   }

@@ -1,7 +1,6 @@
-/* What a tilt costs: every spread model, one quantile at a time, in a batch, and as a contact draws
- * it, against samplers of other libraries; the ratios that are promised; and how the cost moves
- * with the impact angle. On several walls: from sigma = 5.7 degrees on, `weibull` must reckon with
- * its cut at the steepest face. */
+/* What a tilt costs: every spread model, one quantile at a time, and as a contact draws it, against
+ * samplers of other libraries; and how the cost moves with the impact angle. On several walls: from
+ * sigma = 5.7 degrees on, `weibull` must reckon with its cut at the steepest face. */
 #include "asperity.h"
 #include "bench.h"
 #include "peers.h"
@@ -11,7 +10,7 @@
 #include <string.h>
 
 /* So many inputs that no branch predictor learns them, and what a step of a simulation may have. */
-enum { INPUTS = 1 << 16, BATCH = 1024, MODELS_MAX = 16 };
+enum { INPUTS = 1 << 16, MODELS_MAX = 16 };
 
 /* Ratios of alpha1 to sigma, three a decade, and the rounds over them. */
 enum { PLACES = 13, PLACE_ROUNDS = 51 };
@@ -46,17 +45,6 @@ static void quantiles(void *context, size_t n) {
   for (size_t i = 0; i < n; i++) {
     size_t at = next(s);
     s->sum += s->model->quantile(&s->view, s->in->u[at]);
-  }
-}
-
-static void batches(void *context, size_t n) {
-  sampler *s = context;
-  double delta[BATCH];
-  for (size_t done = 0; done < n; done += BATCH) {
-    size_t many = n - done < BATCH ? n - done : BATCH;
-    asp_spread_quantile_n(s->model, &s->view, many, s->in->alpha1 + s->at, s->in->u + s->at, delta);
-    s->sum += delta[0];
-    s->at = (s->at + BATCH) % INPUTS;
   }
 }
 
@@ -157,7 +145,7 @@ static const struct peer {
     {"random numbers alone: std::mt19937_64", bench_std_uniform},
 };
 
-enum { PEERS = sizeof peers / sizeof *peers, WORKS_MAX = 3 * MODELS_MAX + PEERS + 8 };
+enum { PEERS = sizeof peers / sizeof *peers, WORKS_MAX = 2 * MODELS_MAX + PEERS + 8 };
 
 /* Works of one bench_run and their contexts. */
 typedef struct room {
@@ -214,13 +202,13 @@ static void set_wall(inputs *in, double sigma_degrees) {
 
 /* The works of a model; NULL where it has none. */
 typedef struct ways {
-  const bench_work *quantile, *batch, *draw;
+  const bench_work *quantile, *draw;
 } ways;
 
 static void model_row(const char *name, const char *wall, const ways *w, const bench_work *unit) {
-  const bench_work *all[] = {w->quantile, w->batch, w->draw};
+  const bench_work *all[] = {w->quantile, w->draw};
   char ratios[80] = "", times[80] = "";
-  for (int i = 0; i < 3; i++) {
+  for (int i = 0; i < 2; i++) {
     size_t r = strlen(ratios), t = strlen(times);
     const char *comma = i ? ", " : "";
     if (all[i]) {
@@ -231,8 +219,8 @@ static void model_row(const char *name, const char *wall, const ways *w, const b
       snprintf(times + t, sizeof times - t, "%s-", comma);
     }
   }
-  printf("`%s`, %s: quantile, batch, draw, over gsl_ran_weibull\t%s x (%s ns)\t-\t-\n", name, wall,
-         ratios, times);
+  printf("`%s`, %s: quantile, draw, over gsl_ran_weibull\t%s x (%s ns)\t-\t-\n", name, wall, ratios,
+         times);
 }
 
 /* The ways of the model of that name. */
@@ -241,13 +229,6 @@ static const ways *way(const ways *all, const char *name) {
     if (strcmp(asp_spread_at(i)->name, name) == 0)
       return &all[i];
   abort();
-}
-
-static void promise(const char *what, const char *wall, const bench_work *work,
-                    const bench_work *unit, const char *wanted, double limit) {
-  char name[120];
-  snprintf(name, sizeof name, "%s, %s", what, wall);
-  bench_ratio_row(name, work, unit, wanted, limit);
 }
 
 #ifdef ASP_BENCH_PINV
@@ -301,22 +282,10 @@ static void pinv_rows(const inputs *in, void *const *data, const char *wall) {
 #endif
 }
 
-static void promises(const ways *all, const bench_work *gsl, const char *wall) {
-  const ways *weibull = way(all, "weibull"), *visible = way(all, "visible");
-  const ways *profile = way(all, "profile");
-  promise("`weibull` over gsl_ran_weibull", wall, weibull->quantile, gsl, "<=", 1.2);
-  promise("`visible` over `weibull`", wall, visible->quantile, weibull->quantile, "<=", 1.5);
-  promise("`profile` over `weibull`", wall, profile->quantile, weibull->quantile, "<=", 0.5);
-  promise("`weibull` over its batch", wall, weibull->quantile, weibull->batch, ">=", 3);
-  promise("`visible` over its batch", wall, visible->quantile, visible->batch, ">=", 3);
-  promise("`profile` over its batch", wall, profile->quantile, profile->batch, ">=", 3);
-}
-
-/* The three ways to ask a model, where it has them. */
+/* The two ways to ask a model, where it has them. */
 static ways add_ways(room *r, const sampler *s) {
   bool inverts = s->model->quantile;
-  return (ways){inverts ? add(r, quantiles, s) : NULL, inverts ? add(r, batches, s) : NULL,
-                add(r, draws, s)};
+  return (ways){inverts ? add(r, quantiles, s) : NULL, add(r, draws, s)};
 }
 
 /* All models and their peers on one wall; the peers' rows but once. */
@@ -342,8 +311,8 @@ static void compare(inputs *in, double sigma, bool first) {
   const bench_work *loop = add(&r, ziggurat_loop, &at_one);
   bench_run(r.works, r.count, BENCH_ROUNDS);
 
-  promises(all, peer[0], wall);
-  promise("`truncated` with its uniform over the ziggurat loop", wall, cut, loop, "<=", 1);
+  snprintf(what, sizeof what, "`truncated` with its uniform over the ziggurat loop, %s", wall);
+  bench_ratio_row(what, cut, loop, NULL, 0);
   for (int i = 0; i < asp_spread_count(); i++)
     model_row(asp_spread_at(i)->name, wall, &all[i], peer[0]);
   for (int i = 1; first && i < PEERS; i++) {

@@ -1,8 +1,6 @@
 /* One contact: exact cases, invariance, and properties over random walls and impacts. */
 #include "check.h"
 
-#include <float.h>
-
 #include <gsl/gsl_rng.h>
 
 typedef struct setup {
@@ -282,106 +280,6 @@ static void properties(void **state) {
   gsl_rng_free(rng);
 }
 
-enum { CONTACTS = 301 };
-
-typedef struct contacts {
-  asp_particle particle[CONTACTS];
-  double v1[CONTACTS][3], n[CONTACTS][3];
-  asp_key key[CONTACTS];
-  asp_impact each[CONTACTS], batch[CONTACTS];
-} contacts;
-
-/* From all directions, some of them along the normal and some grazing; normals of unit length but
- * for a few. */
-static void draw_contacts(contacts *c, gsl_rng *rng, uint32_t fix) {
-  for (int i = 0; i < CONTACTS; i++) {
-    double at = 6.3 * gsl_rng_uniform(rng), up_by = 1.5 * gsl_rng_uniform(rng);
-    double m[3] = {sin(at) * cos(up_by), sin(up_by), cos(at) * cos(up_by)};
-    double t[3] = {cos(at), 0, -sin(at)}, length = i % 50 == 1 ? 3 : i % 50 == 2 ? 1 + 1e-9 : 1;
-    double alpha =
-        M_PI_2 * (i % 10 == 0 ? pow(10, -15 * gsl_rng_uniform(rng)) : gsl_rng_uniform(rng));
-    double v = i % 10 ? 100 : pow(10, -9 + 14 * gsl_rng_uniform(rng));
-    alpha = i % 20 == 1 ? M_PI_2 : alpha;
-    for (int k = 0; k < 3; k++) {
-      c->n[i][k] = m[k] * length;
-      c->v1[i][k] = v * ((i % 40 == 1 ? 0 : cos(alpha)) * t[k] - sin(alpha) * m[k]);
-    }
-    double d_p = i % 3 ? 1e-5 : pow(10, -9 + 8 * gsl_rng_uniform(rng));
-    c->particle[i] = (asp_particle){d_p, 2650, &quartz_on_nickel};
-    c->key[i] = (asp_key){9, fix, (uint64_t)i << 31, (uint32_t)i};
-  }
-}
-
-static bool same_contact(const contacts *c, int i, double most) {
-  const asp_impact *a = &c->each[i], *b = &c->batch[i];
-  double v = sqrt(dot(c->v1[i], c->v1[i])), off = fabs(a->delta_alpha - b->delta_alpha);
-  for (int k = 0; k < 3; k++)
-    off = fmax(off, fabs(a->v2[k] - b->v2[k]) / v);
-  return a->outcome == b->outcome && a->hits == b->hits && a->capped == b->capped &&
-         fabs(a->tilt_out - b->tilt_out) <= 0 && off <= most;
-}
-
-static void compare_batch(const setup *s, contacts *c, int wall, double most) {
-  for (int k = 0; k < CONTACTS; k++)
-    asp_wall_impact(s->wall, &c->particle[k], c->v1[k], c->n[k], &c->key[k], &c->each[k]);
-  asp_wall_impact_n(s->wall, CONTACTS, c->particle, (const double(*)[3])c->v1,
-                    (const double(*)[3])c->n, c->key, c->batch);
-  for (int k = 0; k < CONTACTS; k++)
-    if (!same_contact(c, k, most))
-      fail_msg("%s, wall %d, contact %d: tilt %.17g, in a batch %.17g", s->spec.spread, wall, k,
-               c->each[k].delta_alpha, c->batch[k].delta_alpha);
-}
-
-/* On smooth walls to the bit; on rough ones as asperity.h says. With every model, law, tilt and
- * sort of collisions. */
-static void batches_are_single_calls(void **state) {
-  (void)state;
-  static contacts c;
-  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  for (int i = 0; i < 300; i++) {
-    const asp_spread_model *model = asp_spread_at(i % asp_spread_count());
-    bool smooth = strcmp(model->name, "none") == 0;
-    double most = smooth ? 0 : (strcmp(model->name, "visible") == 0 ? 8 : 4) * DBL_EPSILON;
-    setup s = setup_create(model->name, asp_rebound_at(i / 10 % 4 == 3)->name,
-                           smooth ? 0 : pow(10, -4 + 4 * gsl_rng_uniform(rng)));
-    s.spec.tilt = i / 10 % 5 == 4;
-    s.spec.collisions = i / 10 % 6 == 5 ? 1 + gsl_rng_uniform_int(rng, 2) : 0;
-    s.spec.deposit = gsl_rng_uniform_int(rng, 2);
-    if (i / 10 % 4 == 1)
-      assert_int_equal(asp_wall_spec_set(&s.spec, "yield_rate", 3.3e6, NULL), ASP_OK);
-    if (i / 10 % 8 == 2)
-      assert_int_equal(asp_wall_spec_set(&s.spec, "c", 0.7, NULL), ASP_OK);
-    setup_rebuild(&s);
-    draw_contacts(&c, rng, (uint32_t)i);
-    compare_batch(&s, &c, i, most);
-    setup_free(&s);
-  }
-  gsl_rng_free(rng);
-}
-
-/* Runs of particles of one sort, which a batch works out once: sizes that meet different slopes,
- * and another pair. */
-static void batches_of_one_sort(void **state) {
-  (void)state;
-  static contacts c;
-  static const char *const models[] = {"none", "normal", "weibull", "visible"};
-  const asp_pair dry = {54.8e9, 20e6, 0, 0.1};
-  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  for (int i = 0; i < 120; i++) {
-    const char *model = models[i % 4];
-    setup s = setup_create(model, "bons", i % 4 ? pow(10, -2 * gsl_rng_uniform(rng)) : 0);
-    s.spec.deposit = gsl_rng_uniform_int(rng, 2);
-    setup_rebuild(&s);
-    draw_contacts(&c, rng, (uint32_t)i);
-    for (int k = 0; k < CONTACTS; k++)
-      c.particle[k] = (asp_particle){k < 100 || k >= 192 ? 1e-5 : 1, k < 150 ? 2650 : 4000,
-                                     k < 256 ? &quartz_on_nickel : &dry};
-    compare_batch(&s, &c, i, i % 4 == 3 ? 8 * DBL_EPSILON : i % 4 ? 4 * DBL_EPSILON : 0);
-    setup_free(&s);
-  }
-  gsl_rng_free(rng);
-}
-
 /* A particle along the wall that the last bits of a product of vectors send into it. */
 static void no_coefficient_is_infinite(void **state) {
   (void)state;
@@ -405,8 +303,6 @@ int main(void) {
       cmocka_unit_test(parameters_are_checked),
       cmocka_unit_test(properties),
       cmocka_unit_test(no_coefficient_is_infinite),
-      cmocka_unit_test(batches_are_single_calls),
-      cmocka_unit_test(batches_of_one_sort),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

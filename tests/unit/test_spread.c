@@ -370,73 +370,6 @@ static void grazing_upwards(void **state) {
   }
 }
 
-static void batches_are_single_calls(void **state) {
-  (void)state;
-  enum { N = 1003 };
-  double alpha1[N], u[N], delta[N];
-  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  for (int m = 0; m < asp_spread_count(); m++)
-    for (size_t s = 0; s < COUNT(sigmas); s++) {
-      const asp_spread_model *model = asp_spread_at(m);
-      if (!model->quantile)
-        continue;
-      asp_view view = asp_view_create(sigmas[s] * DEGREE, 0);
-      view.d_p = 0.2;
-      view.data = prepare(model, view.slope);
-      for (int i = 0; i < N; i++) {
-        alpha1[i] = ASP_PI / 2 * pow(gsl_rng_uniform(rng), 3);
-        u[i] = gsl_rng_uniform_pos(rng);
-      }
-      asp_spread_quantile_n(model, &view, N, alpha1, u, delta);
-      for (int i = 0; i < N; i++) {
-        view.alpha1 = alpha1[i];
-        double should = model->quantile(&view, u[i]);
-        if (!(fabs(delta[i] - should) < 1e-13))
-          fail_at(model, &view, "batch", u[i], delta[i], should);
-      }
-      if (view.data)
-        model->release((void *)view.data);
-    }
-  gsl_rng_free(rng);
-}
-
-/* Particles of several sizes, and in one batch of two some that fly up, for models that know them.
- */
-static void batches_of_all_sorts(void **state) {
-  (void)state;
-  enum { N = 50 };
-  double slope[N], sigma[N], alpha1[N], d_p[N], u[N], delta[N];
-  asp_profile *profile = asp_profile_create(0.5, 1, 1 / 32., 4096, 3, NULL);
-  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  for (int m = 0; m < asp_spread_count(); m++) {
-    const asp_spread_model *model = asp_spread_at(m);
-    const asp_sizes sizes = {0.05, 4, 16};
-    void *data = model->prepare ? model->prepare(profile, &sizes, NULL) : NULL;
-    for (int batch = 0; model->quantile && batch < 40; batch++) {
-      for (int i = 0; i < N; i++) {
-        double low = batch % 2 && model->upward ? -ASP_PI / 2 : 0;
-        slope[i] = pow(10, -3 * gsl_rng_uniform(rng));
-        sigma[i] = atan(slope[i]);
-        alpha1[i] = low + (ASP_PI / 2 - low) * gsl_rng_uniform(rng);
-        d_p[i] = 0.01 * pow(1000, gsl_rng_uniform(rng));
-        u[i] = pow(gsl_rng_uniform_pos(rng), i % 2 ? 1 : 5);
-      }
-      const asp_views views = {slope, sigma, alpha1, d_p, data};
-      asp_views_quantile(model, &views, N, u, delta);
-      for (int i = 0; i < N; i++) {
-        asp_view view = asp_views_at(&views, i);
-        double should = model->quantile(&view, u[i]);
-        if (!(fabs(delta[i] - should) < 1e-13))
-          fail_at(model, &view, "batch of all sorts", u[i], delta[i], should);
-      }
-    }
-    if (data)
-      model->release(data);
-  }
-  gsl_rng_free(rng);
-  asp_profile_free(profile);
-}
-
 /* Between the sizes that a table is made for, its quantiles lie on a straight line; beyond them,
  * and at each of them, they are those of a table for that size alone. */
 static void tables_know_sizes(void **state) {
@@ -524,8 +457,6 @@ int main(void) {
       cmocka_unit_test(weibull_keeps_its_digits),
       cmocka_unit_test(normal_laws_keep_their_digits),
       cmocka_unit_test(grazing_upwards),
-      cmocka_unit_test(batches_are_single_calls),
-      cmocka_unit_test(batches_of_all_sorts),
       cmocka_unit_test(tables_know_sizes),
       cmocka_unit_test(flat_walls_have_no_spread),
       cmocka_unit_test(unknown_names_list_what_there_is),
