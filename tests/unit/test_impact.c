@@ -249,8 +249,8 @@ static void properties(void **state) {
     const asp_spread_model *model = asp_spread_at(i % asp_spread_count());
     double slope = pow(10, -6 + 7 * gsl_rng_uniform(rng));
     setup s = setup_create(model->name, asp_rebound_at(i % 2)->name, slope);
-    s.spec.tilt = gsl_rng_uniform_int(rng, 2);
-    s.spec.collisions = gsl_rng_uniform_int(rng, 3);
+    s.spec.tilt = (asp_tilt)gsl_rng_uniform_int(rng, 2);
+    s.spec.collisions = (asp_collisions)gsl_rng_uniform_int(rng, 3);
     s.spec.deposit = gsl_rng_uniform_int(rng, 2);
     setup_rebuild(&s);
     for (uint64_t tag = 0; tag < 250; tag++) {
