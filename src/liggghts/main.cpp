@@ -2,10 +2,14 @@
  * all options and MPI included.
  *
  * The style is registered in Modify::fix_map, which is private; naming the member in an explicit
- * template instantiation is legal C++ and reaches it. A library whose version or class layout is
- * not the one compiled for would crash later and elsewhere, so both are checked first.
+ * template instantiation is legal C++ and reaches it. The script's command `clear` makes a new
+ * Modify, so the style is registered by its constructor: this program defines a function of the
+ * constructor's name, which the dynamic linker gives to the library in place of its own. A library
+ * whose version or class layout is not the one compiled for would crash later and elsewhere, so
+ * both are checked first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <dlfcn.h>
 #include <malloc.h>
 #include <mpi.h>
 #include <signal.h>
@@ -71,12 +75,17 @@ template <class T> void check_layout(const char *name, T *object) {
        (std::to_string(sizeof(T)) + " bytes").c_str());
 }
 
-void check_library(LAMMPS *lammps) {
+/* Of a Modify that may be under construction, before the rest of LAMMPS is made. */
+void register_style(LAMMPS *lammps, Modify *modify) {
   if (!strstr(lammps->universe->version, ASPERITY_LIGGGHTS_VERSION))
     fail("the LIGGGHTS library", lammps->universe->version, ASPERITY_LIGGGHTS_VERSION);
+  check_layout("the class Modify", modify);
+  (*(modify->*fix_map_member))["wall/rebound"] = create_wall_rebound;
+}
+
+void check_classes(LAMMPS *lammps) {
   check_layout("the class Atom", lammps->atom);
   check_layout("the class Domain", lammps->domain);
-  check_layout("the class Modify", lammps->modify);
   check_layout("the class Neighbor", lammps->neighbor);
   check_layout("the class Update", lammps->update);
 }
@@ -94,12 +103,31 @@ void handle_signals() {
 
 } // namespace
 
+#define MODIFY_CONSTRUCTOR "_ZN9LAMMPS_NS6ModifyC2EPNS_6LAMMPSE"
+#define MODIFY_COMPLETE_CONSTRUCTOR "_ZN9LAMMPS_NS6ModifyC1EPNS_6LAMMPSE"
+
+/* Modify::Modify, by the names that GCC and Clang give it (for a base and for a whole object). */
+extern "C" {
+void asperity_construct_modify(Modify *modify, LAMMPS *lammps) __asm__(MODIFY_CONSTRUCTOR);
+void asperity_construct_whole_modify(Modify *, LAMMPS *) __asm__(MODIFY_COMPLETE_CONSTRUCTOR)
+    __attribute__((alias(MODIFY_CONSTRUCTOR)));
+
+void asperity_construct_modify(Modify *modify, LAMMPS *lammps) {
+  typedef void (*Constructor)(Modify *, LAMMPS *);
+  Constructor original = reinterpret_cast<Constructor>(dlsym(RTLD_NEXT, MODIFY_CONSTRUCTOR));
+  if (!original)
+    fail("the LIGGGHTS library", "without Modify::Modify", ASPERITY_LIGGGHTS_VERSION);
+  original(modify, lammps);
+  register_style(lammps, modify);
+}
+}
+
 int main(int argc, char **argv) {
   handle_signals();
   MPI_Init(&argc, &argv);
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
-  check_library(lammps);
-  (*(lammps->modify->*fix_map_member))["wall/rebound"] = create_wall_rebound;
+  register_style(lammps, lammps->modify); /* where the library was linked to itself */
+  check_classes(lammps);
   lammps->input->file();
   delete lammps;
   MPI_Finalize();
