@@ -1,4 +1,4 @@
-/* The standard normal law by the C library. See normal_law.h for where it has to be fast. */
+/* The standard normal law by the C library. */
 #ifndef ASP_SPREAD_GAUSS_H
 #define ASP_SPREAD_GAUSS_H
 

@@ -28,12 +28,6 @@ ASP_SPREAD_MODELS(ASP_SPREAD_DECLARE)
  * steepest face that a particle can hit: 180 degrees - alpha1 is never less. */
 #define ASP_DELTA_MOST (ASP_PI / 2)
 
-/* x, but not below lo or above hi; unlike fmin and fmax without a call. */
-static inline double asp_within(double x, double lo, double hi) {
-  x = x > lo ? x : lo;
-  return x < hi ? x : hi;
-}
-
 /* The normal distribution with mean 0 and sd sigma > 0, cut to lo <= delta <= hi with lo <= 0 < hi,
  * and normalised (eq. 5). The quantile uses the complementary form in the upper half, so that it
  * keeps its digits for u near 1, and never leaves [lo, hi]. */

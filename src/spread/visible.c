@@ -5,10 +5,9 @@
  * height and slope at a hit as independent, which they are not quite. A particle that flies up
  * after an earlier hit (a < 0) meets the same law.
  *
- * The quantile is the quick one of visible.h for all but one draw in 16 000; those, and particles
- * that fly up, go through the safeguarded inversion. There the integral from the end of the support
- * is a series where its closed form would be a difference of nearly equal numbers. */
-#include "spread/visible.h"
+ * The integral from the end of the support is a series where its closed form would be a difference
+ * of nearly equal numbers. */
+#include "spread/gauss.h"
 #include "spread/invert.h"
 #include "spread/models.h"
 
@@ -20,10 +19,6 @@
 /* Beyond this a particle that flies up meets practically nothing, and the law there is taken for
  * that of the limit, a gamma law in a (x + a). */
 #define A_LEAST (-1e8)
-
-const double asp_visible_table[ASP_VISIBLE_ROWS * ASP_VISIBLE_COLUMNS * ASP_VISIBLE_TERMS] = {
-#include "visible_table.inc"
-};
 
 typedef struct law {
   double a;
@@ -120,19 +115,12 @@ static double distribution(const asp_view *view, double delta) {
   return delta >= ASP_DELTA_MOST ? 1 : at(&w, x).below;
 }
 
-static double careful_quantile(const asp_view *view, double u) {
-  law w = law_at(view);
-  double x = w.a < 0 ? up_quantile(&w, u) : down_quantile(&w, u);
-  return fmax(atan(x * view->slope), -view->alpha1);
-}
-
 static double quantile(const asp_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  if (!asp_visible_is_quick(view->alpha1, u))
-    return careful_quantile(view, u);
-  asp_visible_place at = asp_visible_find(view->alpha1, view->slope, u);
-  return atan(asp_visible_at(at.cell, at.t, at.s) * view->slope);
+  law w = law_at(view);
+  double x = w.a < 0 ? up_quantile(&w, u) : down_quantile(&w, u);
+  return fmax(atan(x * view->slope), -view->alpha1);
 }
 
 const asp_spread_model asp_spread_visible = {

@@ -250,7 +250,7 @@ static void visible_is_accurate_for_every_a(void **state) {
     }
   }
   print_message("visible: worst error %.2g in u, %.2g of 1 - u\n", worst, worst_tail);
-  assert_true(worst < 1.5e-10); /* 1e-9 is promised, and visible.h says what it has */
+  assert_true(worst < 1e-10); /* 1e-9 is promised */
   assert_true(worst_tail < 1e-6);
 }
 
@@ -313,7 +313,7 @@ static double crowded(gsl_rng *rng, int i) {
   return i % 3 == 0 ? u : i % 3 == 1 ? tail : 1 - tail;
 }
 
-/* Whatever is small in the cut, taken from tables or left out, against the law in long double. */
+/* The law with its cut, against the same in long double. */
 static void weibull_keeps_its_digits(void **state) {
   (void)state;
   const asp_spread_model *weibull = asp_spread_find("weibull", NULL);
@@ -335,7 +335,7 @@ static void weibull_keeps_its_digits(void **state) {
   gsl_rng_free(rng);
 }
 
-/* The tables of the normal law against GSL and the C library's erfc. */
+/* The normal laws against GSL and the C library's erfc. */
 static void normal_laws_keep_their_digits(void **state) {
   (void)state;
   const asp_spread_model *normal = asp_spread_find("normal", NULL);
