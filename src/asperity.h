@@ -331,6 +331,7 @@ typedef struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
+  int cost;            /* place in the order of what a contact costs, from 0; each its own */
   bool upward;         /* has a law for particles that fly up, too: faces with delta > -alpha1;
                           others borrow that of `visible` */
   /* The probability that a particle that a face has sent up at theta > 0 over the mean wall leaves;

@@ -25,7 +25,7 @@ typedef struct cell {
 } cell;
 
 static void print_header(FILE *out) {
-  fputs("model,collisions,phi_r,kappa,ns_per_impact", out);
+  fputs("model,collisions,phi_r,kappa", out);
   for (size_t i = 0; i < COUNT(angle); i++)
     fprintf(out, ",kl_%g", angle[i]);
   fputc('\n', out);
@@ -33,16 +33,15 @@ static void print_header(FILE *out) {
 
 static void print_row(FILE *out, const cell *c, const char *model, asp_collisions collisions) {
   asp_wall *wall = measure_wall(&c->bench, model, collisions);
-  double cost = 0, divergence[COUNT(angle)];
+  double divergence[COUNT(angle)];
   for (size_t i = 0; i < COUNT(angle); i++) {
     double alpha1 = cli_radians(angle[i]);
     measure_angles rebounds = measure_rebounds(wall, c->bench.d_p, alpha1, c->rays, c->seed + 1);
     divergence[i] = measure_divergence(&c->reference[i], &rebounds);
-    cost += measure_cost(wall, c->bench.d_p, alpha1) / (double)COUNT(angle);
   }
   asp_wall_free(wall);
-  fprintf(out, "%s,%s,%g,%g,%.0f", model,
-          collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple", c->phi_r, c->kappa, cost);
+  fprintf(out, "%s,%s,%g,%g", model, collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple",
+          c->phi_r, c->kappa);
   for (size_t i = 0; i < COUNT(angle); i++)
     fprintf(out, ",%.4f", divergence[i]);
   fputc('\n', out);

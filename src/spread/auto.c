@@ -1,6 +1,6 @@
-/* The cheapest model that is good enough. How far each model's rebounds are from the geometry was
- * measured on a grid of walls and angles (measured.csv, made by `asperity trade --grid`); a wall
- * takes the worst of all grid points around it. */
+/* The cheapest model that is good enough, in the fixed order of the models' records. How far each
+ * model's rebounds are from the geometry was measured on a grid of walls and angles (measured.csv,
+ * made by `asperity trade --grid`); a wall takes the worst of all grid points around it. */
 #include "error.h"
 
 #include <math.h>
@@ -13,7 +13,6 @@ typedef struct row {
   const char *model;
   int multiple;
   double phi_r, kappa;
-  double cost;          /* ns per impact on the machine that measured: for the order only */
   float kl[ANGLES_MAX]; /* D_KL of the rebound angle, by impact angle */
 } row;
 
@@ -60,7 +59,7 @@ static bool within(span s, double value) {
 
 /* What the grid says about one model on a wall. */
 typedef struct verdict {
-  double worst, cost;
+  double worst;
   int points;
 } verdict;
 
@@ -70,19 +69,17 @@ typedef struct question {
 } question;
 
 static verdict ask(const question *q, const char *model) {
-  verdict v = {NOISE, 0, 0};
+  verdict v = {NOISE, 0};
   for (int i = 0; i < ROWS; i++) {
     const row *r = &rows[i];
     if (r->multiple != q->multiple || !within(q->phi_r, r->phi_r) || !within(q->kappa, r->kappa) ||
         strcmp(r->model, model) != 0)
       continue;
     v.points++;
-    v.cost += r->cost;
     for (int k = 0; k < ANGLES; k++)
       if (within(q->angle, angle[k]))
         v.worst = fmax(v.worst, r->kl[k]);
   }
-  v.cost /= v.points > 0 ? v.points : 1;
   return v;
 }
 
@@ -110,16 +107,17 @@ static question question_of(const wall *w, asp_collisions collisions) {
 
 static asp_code answer(const wall *w, const question *q, double tolerance, asp_choice *choice,
                        asp_error *error) {
-  verdict best = {INFINITY, INFINITY, 0}, closest = best;
+  verdict best = {INFINITY, 0}, closest = best;
   const asp_spread_model *chosen = NULL, *nearest = NULL;
   for (int i = 0; i < asp_spread_count(); i++) {
-    verdict v = ask(q, asp_spread_at(i)->name);
+    const asp_spread_model *model = asp_spread_at(i);
+    verdict v = ask(q, model->name);
     if (v.points == 0)
       continue;
-    if (v.worst < tolerance && v.cost < best.cost)
-      best = v, chosen = asp_spread_at(i);
+    if (v.worst < tolerance && (!chosen || model->cost < chosen->cost))
+      best = v, chosen = model;
     if (v.worst < closest.worst)
-      closest = v, nearest = asp_spread_at(i);
+      closest = v, nearest = model;
   }
   if (!nearest || isinf(q->phi_r.most) || isinf(q->kappa.most))
     return asp_fail(error, ASP_ERANGE,
@@ -133,11 +131,11 @@ static asp_code answer(const wall *w, const question *q, double tolerance, asp_c
                     tolerance, nearest->name, closest.worst);
   *choice = (asp_choice){.model = chosen, .divergence = best.worst};
   snprintf(choice->text, sizeof choice->text,
-           "spread auto takes '%s': the cheapest model (%.0f ns) whose rebounds stay below D_KL %g "
+           "spread auto takes '%s': the cheapest model whose rebounds stay below D_KL %g "
            "for phi_r %.3g, kappa %.3g to %.3g, alpha1 %.3g to %.3g degrees; measured: %.2g at "
            "worst",
-           chosen->name, best.cost, tolerance, w->phi_r, w->kappa[0], w->kappa[1], w->angle[0],
-           w->angle[1], best.worst);
+           chosen->name, tolerance, w->phi_r, w->kappa[0], w->kappa[1], w->angle[0], w->angle[1],
+           best.worst);
   return ASP_OK;
 }
 

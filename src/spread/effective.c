@@ -139,6 +139,7 @@ const asp_spread_model asp_spread_effective = {
     .name = "effective",
     .summary = "normal distribution times the flux onto the face, cut at -alpha1",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 4",
+    .cost = 8,
     .upward = true,
     .density = asp_effective_density,
     .distribution = asp_effective_distribution,

@@ -15,6 +15,7 @@ const asp_spread_model asp_spread_multicollision = {
     .name = "multicollision",
     .summary = "effective law, and further faces until the particle leaves",
     .source = "Konan, Kannengieser & Simonin 2009 (recalled, original not seen)",
+    .cost = 9,
     .upward = true,
     .escape = escape,
     .density = asp_effective_density,

@@ -11,5 +11,6 @@ const asp_spread_model asp_spread_none = {
     .name = "none",
     .summary = "no tilt: the smooth wall",
     .source = "definition",
+    .cost = 0,
     .quantile = quantile,
 };

@@ -21,6 +21,7 @@ const asp_spread_model asp_spread_normal = {
     .name = "normal",
     .summary = "normal distribution with sd sigma, no shadow",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 3",
+    .cost = 5,
     .density = density,
     .distribution = distribution,
     .quantile = quantile,

@@ -230,6 +230,7 @@ const asp_spread_model asp_spread_profile = {
     .name = "profile",
     .summary = "first-hit law of the profile itself, from a table",
     .source = "geometry, derived for this project",
+    .cost = 1,
     .upward = true,
     .density = density,
     .distribution = distribution,

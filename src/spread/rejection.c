@@ -22,6 +22,7 @@ const asp_spread_model asp_spread_rejection = {
     .name = "rejection",
     .summary = "the baseline: draw from the normal distribution until the rebound leaves the wall",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, routines 1 to 3",
+    .cost = 2,
     .density = asp_truncated_density,
     .distribution = asp_truncated_distribution,
     .loop = loop,

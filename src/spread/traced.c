@@ -56,6 +56,7 @@ const asp_spread_model asp_spread_traced = {
     .name = "traced",
     .summary = "the profile itself, followed hit by hit; slow and exact",
     .source = "geometry",
+    .cost = 7,
     .upward = true,
     .loop = loop,
     .prepare = prepare,

@@ -20,6 +20,7 @@ const asp_spread_model asp_spread_truncated = {
     .name = "truncated",
     .summary = "normal distribution cut at -alpha1/2: the rejection loop's law in one step",
     .source = "Altmeppen et al. 2020, eq. 5",
+    .cost = 4,
     .density = asp_truncated_density,
     .distribution = asp_truncated_distribution,
     .quantile = quantile,

@@ -127,6 +127,7 @@ const asp_spread_model asp_spread_visible = {
     .name = "visible",
     .summary = "slopes of a Gaussian wall as the particle sees them: shadow and flux exactly",
     .source = "derived for this project; Heitz & d'Eon 2014 (visible normals) has the same law",
+    .cost = 6,
     .upward = true,
     .density = density,
     .distribution = distribution,

@@ -66,6 +66,7 @@ const asp_spread_model asp_spread_weibull = {
     .name = "weibull",
     .summary = "Weibull distribution fitted to the truncated one: no sliding rebounds",
     .source = "Altmeppen et al. 2020, eq. 8; ten coefficients refitted for this project",
+    .cost = 3,
     .density = density,
     .distribution = distribution,
     .quantile = quantile,

@@ -11,20 +11,29 @@ static asp_code choose(double r_q, double tolerance, asp_choice *choice, asp_err
   return code;
 }
 
-/* A looser tolerance never takes a worse model than it says, and never a dearer one. */
+/* Below the tolerance, and the looser the tolerance, the cheaper: a model that is good enough for a
+ * tighter one is for this one too. */
 static void choices_keep_the_tolerance(void **state) {
   (void)state;
   asp_choice choice;
   asp_error error = {ASP_OK, ""};
-  for (double r_q = 0.1; r_q < 20; r_q *= 1.5)
+  int chosen = 0, cheaper = 0;
+  for (double r_q = 0.1; r_q < 20; r_q *= 1.5) {
+    int last = 0;
     for (double tolerance = 20; tolerance > 0.002; tolerance /= 2)
       if (choose(r_q, tolerance, &choice, &error) == ASP_OK) {
         assert_true(choice.divergence < tolerance);
         assert_non_null(strstr(choice.text, choice.model->name));
         assert_non_null(strstr(choice.text, "cheapest"));
+        assert_true(choice.model->cost >= last);
+        cheaper += chosen > 0 && choice.model->cost > last;
+        last = choice.model->cost;
+        chosen++;
       } else {
         assert_int_equal(error.code, ASP_ERANGE);
       }
+  }
+  assert_true(chosen > 50 && cheaper > 10);
   assert_int_equal(choose(5, 20, &choice, &error), ASP_OK);
   assert_string_equal(choice.model->name, "none");
 }
@@ -51,9 +60,23 @@ static void bad_arguments_are_named(void **state) {
   assert_non_null(strstr(error.text, "beyond what was measured"));
 }
 
+/* The order of cost has each model in one place. */
+static void costs_are_an_order(void **state) {
+  (void)state;
+  int count = asp_spread_count();
+  for (int cost = 0; cost < count; cost++) {
+    int there = 0;
+    for (int i = 0; i < count; i++)
+      there += asp_spread_at(i)->cost == cost;
+    assert_int_equal(there, 1);
+  }
+  assert_int_equal(asp_spread_find("none", NULL)->cost, 0);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(choices_keep_the_tolerance),
+      cmocka_unit_test(costs_are_an_order),
       cmocka_unit_test(hopeless_tolerances_name_the_closest),
       cmocka_unit_test(bad_arguments_are_named),
   };

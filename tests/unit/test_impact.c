@@ -240,15 +240,27 @@ static void parameters_are_checked(void **state) {
   assert_non_null(strstr(error.text, "weibull"));
 }
 
-/* Random walls, models, laws, particles and impacts: the outcome is finite, leaves the wall or
- * stays on it, and has no more energy than before. */
+static const asp_cor_point coefficients[] = {
+    {1e-3, 0, 1, 1}, {1e-3, 1.5, 0.9, 0.5}, {1e3, 0, 0.8, 0.9}, {1e3, 1.5, 0.1, -0.3}};
+
+/* Random walls, every model with every law, random particles and impacts: the outcome is finite,
+ * leaves the wall or stays on it, and has no more energy than before. */
 static void properties(void **state) {
   (void)state;
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  for (int i = 0; i < 400; i++) {
-    const asp_spread_model *model = asp_spread_at(i % asp_spread_count());
+  int models = asp_spread_count(), laws = asp_rebound_count();
+  asp_cor_table *table = asp_cor_table_create(coefficients, 4, NULL);
+  assert_non_null(table);
+  for (int i = 0; i < 10 * models * laws; i++) {
+    const asp_spread_model *model = asp_spread_at(i % models);
     double slope = pow(10, -6 + 7 * gsl_rng_uniform(rng));
-    setup s = setup_create(model->name, asp_rebound_at(i % 2)->name, slope);
+    setup s = setup_create(model->name, "bons", slope);
+    const asp_rebound_law *law = asp_rebound_at(i / models % laws);
+    assert_int_equal(asp_wall_spec_rebound(&s.spec, law->name, NULL), ASP_OK);
+    if (law->scatters)
+      assert_int_equal(asp_wall_spec_set(&s.spec, "scatter", gsl_rng_uniform(rng), NULL), ASP_OK);
+    s.spec.scatter_twice = true;
+    s.spec.table = table;
     s.spec.tilt = (asp_tilt)gsl_rng_uniform_int(rng, 2);
     s.spec.collisions = (asp_collisions)gsl_rng_uniform_int(rng, 3);
     s.spec.deposit = gsl_rng_uniform_int(rng, 2);
@@ -277,6 +289,7 @@ static void properties(void **state) {
     }
     setup_free(&s);
   }
+  asp_cor_table_free(table);
   gsl_rng_free(rng);
 }
 

@@ -208,7 +208,6 @@ static void models_are_as_accurate_as_promised(void **state) {
     asp_wall *traced = wall_of("traced", profile, surface, d_p);
     asp_wall *visible = wall_of("visible", profile, surface, d_p);
     asp_wall *table = wall_of("profile", profile, surface, d_p);
-    asp_track *track = asp_track_create(profile, d_p, NULL);
     for (int a = 0; a < 5; a++) {
       rebounds truth = rebounds_of(traced, d_p, angles[a] * DEGREE, RAYS);
       rebounds model = rebounds_of(visible, d_p, angles[a] * DEGREE, RAYS);
@@ -218,7 +217,6 @@ static void models_are_as_accurate_as_promised(void **state) {
       assert_true(off < walls[w][3] + noise);
       assert_true(less < walls[w][3] + noise);
     }
-    asp_track_free(track);
     asp_wall_free(traced);
     asp_wall_free(visible);
     asp_wall_free(table);
