@@ -1,9 +1,9 @@
 /* Tables in text files; see csv.h. */
 #include "csv.h"
+#include "base/file.h"
 #include "error.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -96,19 +96,16 @@ static asp_code read_header(asp_csv *csv, asp_error *error) {
   return ASP_OK;
 }
 
-asp_csv *asp_csv_open(const char *path, asp_error *error) {
-  asp_csv *csv = calloc(1, sizeof *csv);
+asp_csv *asp_csv_create(FILE *stream, const char *path, asp_error *error) {
+  asp_csv *csv = malloc(sizeof *csv);
   if (!csv) {
+    fclose(stream);
     asp_fail(error, ASP_ENOMEM, "out of memory for the table '%s'", path);
     return NULL;
   }
-  csv->stream = fopen(path, "r");
-  if (!csv->stream) {
-    asp_fail(error, ASP_EFILE, "cannot open '%s': %s", path, strerror(errno));
-    asp_csv_close(csv);
-    return NULL;
-  }
-  csv->text = asp_text_create(csv->stream, path);
+  csv->stream = stream;
+  csv->text = asp_text_create(stream, path);
+  *csv->comment = '\0';
   if (read_header(csv, error)) {
     asp_csv_close(csv);
     return NULL;
@@ -116,8 +113,13 @@ asp_csv *asp_csv_open(const char *path, asp_error *error) {
   return csv;
 }
 
+asp_csv *asp_csv_open(const char *path, asp_error *error) {
+  FILE *stream = asp_file_open(path, error);
+  return stream ? asp_csv_create(stream, path, error) : NULL;
+}
+
 void asp_csv_close(asp_csv *csv) {
-  if (csv && csv->stream)
+  if (csv)
     fclose(csv->stream);
   free(csv);
 }

@@ -21,6 +21,9 @@ typedef struct asp_csv {
 
 /* Opens a file and reads up to its column names. NULL on error; the message names file and line. */
 asp_csv *asp_csv_open(const char *path, asp_error *error);
+
+/* The same of a file that is open, which it closes at its end, also on error. */
+asp_csv *asp_csv_create(FILE *stream, const char *path, asp_error *error);
 void asp_csv_close(asp_csv *csv);
 
 /* Index of a column, or -1. */

@@ -42,6 +42,15 @@ void cli_fail(const char *format, ...) {
   exit(1);
 }
 
+void cli_bad_file(const cli_option *option, const asp_error *error) {
+  bool unreadable = error->code == ASP_EFILE || error->code == ASP_ENOMEM;
+  fputs("asperity: ", stderr);
+  if (option)
+    fprintf(stderr, "--%s: ", option->name);
+  fprintf(stderr, "%s\n", error->text);
+  exit(unreadable ? 1 : 2);
+}
+
 void cli_warn(const char *format, ...) {
   va_list args;
   va_start(args, format);

@@ -41,6 +41,13 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
 CLI_PRINTF void cli_bad_usage(const char *format, ...); /* exit 2 */
 CLI_PRINTF void cli_fail(const char *format, ...);      /* exit 1 */
 
+/* Tells what is wrong with the file that an option (NULL: an argument) names: exit 1 where it
+ * cannot be read, 2 where it is not what it must be. */
+#if defined(__GNUC__)
+__attribute__((noreturn))
+#endif
+void cli_bad_file(const cli_option *option, const asp_error *error);
+
 /* A whole list of numbers; values is allocated and lives as long as the command. */
 typedef struct cli_list {
   double *values;

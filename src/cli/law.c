@@ -12,7 +12,7 @@ asp_materials *cli_materials_of(const cli_option *option) {
   asp_error error;
   asp_materials *own = asp_materials_read(option->value, &error);
   if (!own)
-    cli_bad_usage("--%s: %s", option->name, error.text);
+    cli_bad_file(option, &error);
   return own;
 }
 
@@ -62,7 +62,7 @@ static asp_cor_table *table_of(const cli_option *first, const asp_wall_spec *spe
   asp_error error;
   asp_cor_table *table = asp_cor_table_read(option->value, 1, &error);
   if (!table)
-    cli_bad_usage("--%s: %s", option->name, error.text);
+    cli_bad_file(option, &error);
   return table;
 }
 

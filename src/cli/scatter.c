@@ -1,11 +1,11 @@
 /* Files of coefficients of restitution; see scatter.h. */
 #include "cli/scatter.h"
+#include "base/file.h"
 #include "cli/cli.h"
 #include "cli/npy.h"
 #include "csv.h"
 #include "error.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -201,9 +201,9 @@ static bool is_dump(FILE *stream) {
 }
 
 static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_error *error) {
-  FILE *stream = fopen(path, "r");
+  FILE *stream = asp_file_open(path, error);
   if (!stream)
-    cli_fail("cannot open '%s': %s", path, strerror(errno));
+    return error->code;
   asp_code code;
   if (npy_is(stream)) {
     code = read_array(stream, path, impacts, error);
@@ -220,10 +220,9 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
     fclose(stream);
     return code;
   }
-  fclose(stream);
-  asp_csv *csv = asp_csv_open(path, error);
+  asp_csv *csv = asp_csv_create(stream, path, error);
   if (!csv)
-    return ASP_EDATA;
+    return error->code;
   code = read_csv_rows(csv, impacts, error);
   snprintf(impacts->comment, sizeof impacts->comment, "%.1000s", csv->comment);
   asp_csv_close(csv);
@@ -234,7 +233,7 @@ scatter_impacts scatter_read_impacts(const char *path) {
   scatter_impacts impacts = {NULL, 0, 0, false, ""};
   asp_error error;
   if (read_impacts(path, &impacts, &error))
-    cli_bad_usage("%s", error.text);
+    cli_bad_file(NULL, &error);
   double most = 0;
   for (size_t i = 0; i < impacts.count; i++)
     most = fmax(most, impacts.points[i].degrees);
@@ -306,10 +305,8 @@ scatter_data scatter_read_data(const char *path) {
   asp_error error;
   double most = 0;
   asp_csv *csv = asp_csv_open(path, &error);
-  if (!csv && error.code == ASP_EFILE)
-    cli_fail("%s", error.text);
   if (!csv || read_data(csv, &data, &most, &error))
-    cli_bad_usage("%s", error.text);
+    cli_bad_file(NULL, &error);
   asp_csv_close(csv);
   if (data.n_points + data.n_means == 0)
     cli_bad_usage("%s: no row of data", path);

@@ -1,6 +1,7 @@
 /* Tables of coefficients of restitution: made from points, checked for gaps and double values, read
- * from a file, interpolated. Speed by speed a monotone cubic in the angle (Steffen 1990, by GSL; a
- * straight line where there are only two angles), and a straight line between speeds. */
+ * from a file, interpolated. Speed by speed a monotone cubic in the angle (Steffen 1990; a straight
+ * line where there are only two angles), and a straight line between speeds. */
+#include "base/monotone.h"
 #include "csv.h"
 #include "error.h"
 
@@ -16,8 +17,9 @@
 struct asp_cor_table {
   size_t n_speeds, n_angles;
   double *speeds, *angles;
-  double *cor_n, *cor_t;     /* [speed][angle] */
-  gsl_interp **in_n, **in_t; /* [speed] */
+  double *cor_n, *cor_t;         /* [speed][angle] */
+  double *tangent_n, *tangent_t; /* of them over the angle */
+  double room[];                 /* of all six */
 };
 
 static int compare(const void *left, const void *right) {
@@ -69,46 +71,40 @@ static asp_code check_grid(const asp_cor_point *p, size_t count, size_t n_angles
   return ASP_OK;
 }
 
-static gsl_interp *interpolation(const double *x, const double *y, size_t count) {
-  gsl_interp *made = gsl_interp_alloc(count > 2 ? gsl_interp_steffen : gsl_interp_linear, count);
-  if (made)
-    gsl_interp_init(made, x, y, count);
-  return made;
-}
-
-static bool fill(asp_cor_table *t, const asp_cor_point *p) {
-  for (size_t i = 0; i < t->n_speeds * t->n_angles; i++) {
-    t->cor_n[i] = p[i].cor_n;
-    t->cor_t[i] = p[i].cor_t;
-    t->angles[i % t->n_angles] = p[i % t->n_angles].alpha1;
-    t->speeds[i / t->n_angles] = p[i].speed;
-  }
-  for (size_t i = 0; i < t->n_speeds; i++) {
-    t->in_n[i] = interpolation(t->angles, &t->cor_n[i * t->n_angles], t->n_angles);
-    t->in_t[i] = interpolation(t->angles, &t->cor_t[i * t->n_angles], t->n_angles);
-    if (!t->in_n[i] || !t->in_t[i])
-      return false;
-  }
-  return true;
-}
-
-/* A table of sorted points that are a grid. */
-static asp_cor_table *make(const asp_cor_point *p, size_t count, size_t n_angles) {
-  asp_cor_table *t = calloc(1, sizeof *t);
+static asp_cor_table *allocate(size_t n_speeds, size_t n_angles) {
+  size_t count = n_speeds * n_angles, numbers = n_speeds + n_angles + 4 * count;
+  asp_cor_table *t = numbers < SIZE_MAX / sizeof(double) / 2
+                         ? malloc(sizeof *t + numbers * sizeof *t->room)
+                         : NULL;
   if (!t)
     return NULL;
+  t->n_speeds = n_speeds;
   t->n_angles = n_angles;
-  t->n_speeds = count / n_angles;
-  t->angles = malloc(n_angles * sizeof *t->angles);
-  t->speeds = malloc(t->n_speeds * sizeof *t->speeds);
-  t->cor_n = malloc(count * sizeof *t->cor_n);
-  t->cor_t = malloc(count * sizeof *t->cor_t);
-  t->in_n = calloc(t->n_speeds, sizeof *t->in_n);
-  t->in_t = calloc(t->n_speeds, sizeof *t->in_t);
-  if (t->angles && t->speeds && t->cor_n && t->cor_t && t->in_n && t->in_t && fill(t, p))
-    return t;
-  asp_cor_table_free(t);
-  return NULL;
+  t->speeds = t->room;
+  t->angles = t->speeds + n_speeds;
+  t->cor_n = t->angles + n_angles;
+  t->cor_t = t->cor_n + count;
+  t->tangent_n = t->cor_t + count;
+  t->tangent_t = t->tangent_n + count;
+  return t;
+}
+
+/* A table of sorted points that are a grid; NULL without memory. */
+static asp_cor_table *make(const asp_cor_point *p, size_t count, size_t n_angles) {
+  asp_cor_table *t = allocate(count / n_angles, n_angles);
+  if (!t)
+    return NULL;
+  for (size_t i = 0; i < count; i++) {
+    t->cor_n[i] = p[i].cor_n;
+    t->cor_t[i] = p[i].cor_t;
+    t->angles[i % n_angles] = p[i % n_angles].alpha1;
+    t->speeds[i / n_angles] = p[i].speed;
+  }
+  for (size_t i = 0; i < count; i += n_angles) {
+    asp_monotone_tangents(t->angles, &t->cor_n[i], n_angles, &t->tangent_n[i]);
+    asp_monotone_tangents(t->angles, &t->cor_t[i], n_angles, &t->tangent_t[i]);
+  }
+  return t;
 }
 
 asp_cor_table *asp_cor_table_create(const asp_cor_point *points, size_t count, asp_error *error) {
@@ -139,20 +135,6 @@ asp_cor_table *asp_cor_table_create(const asp_cor_point *points, size_t count, a
 }
 
 void asp_cor_table_free(asp_cor_table *t) {
-  if (!t)
-    return;
-  for (size_t i = 0; i < t->n_speeds; i++) {
-    if (t->in_n)
-      gsl_interp_free(t->in_n[i]);
-    if (t->in_t)
-      gsl_interp_free(t->in_t[i]);
-  }
-  free(t->in_n);
-  free(t->in_t);
-  free(t->speeds);
-  free(t->angles);
-  free(t->cor_n);
-  free(t->cor_t);
   free(t);
 }
 
@@ -242,15 +224,20 @@ static size_t find_speed(const asp_cor_table *t, double speed, double *part) {
   return i;
 }
 
+static double in_angle(const asp_cor_table *t, const double *cor, const double *tangent,
+                       size_t speed, double angle) {
+  size_t at = speed * t->n_angles;
+  return asp_monotone_at(t->angles, &cor[at], &tangent[at], t->n_angles, angle);
+}
+
 void asp_cor_table_at(const asp_cor_table *t, double speed, double alpha1, double *cor_n,
                       double *cor_t) {
   double part, angle = fmin(fmax(alpha1, t->angles[0]), t->angles[t->n_angles - 1]);
-  size_t i = find_speed(t, speed, &part), n = t->n_angles;
-  *cor_n = gsl_interp_eval(t->in_n[i], t->angles, &t->cor_n[i * n], angle, NULL);
-  *cor_t = gsl_interp_eval(t->in_t[i], t->angles, &t->cor_t[i * n], angle, NULL);
+  size_t i = find_speed(t, speed, &part);
+  *cor_n = in_angle(t, t->cor_n, t->tangent_n, i, angle);
+  *cor_t = in_angle(t, t->cor_t, t->tangent_t, i, angle);
   if (!(part > 0))
     return;
-  i++;
-  *cor_n += part * (gsl_interp_eval(t->in_n[i], t->angles, &t->cor_n[i * n], angle, NULL) - *cor_n);
-  *cor_t += part * (gsl_interp_eval(t->in_t[i], t->angles, &t->cor_t[i * n], angle, NULL) - *cor_t);
+  *cor_n += part * (in_angle(t, t->cor_n, t->tangent_n, i + 1, angle) - *cor_n);
+  *cor_t += part * (in_angle(t, t->cor_t, t->tangent_t, i + 1, angle) - *cor_t);
 }

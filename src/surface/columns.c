@@ -36,7 +36,7 @@ typedef struct scan {
   size_t still_line;                       /* where a position first repeats the one before */
   double mean_i, mean_x, c_ii, c_ix, c_xx; /* running regression on the index */
   int decimals, digits;                    /* the most that any position is written with */
-  gsl_rstat_quantile_workspace *median;    /* of the steps */
+  gsl_rstat_quantile_workspace median;     /* of the steps */
 } scan;
 
 /* Cuts a line into fields, in place; a blank as separator stands for runs of white space. */
@@ -165,8 +165,8 @@ static asp_code note_step(scan *s, const asp_text *text, double x, asp_error *er
     s->still_line = text->line;
   s->step_least = fmin(s->step_least, step);
   s->step_most = fmax(s->step_most, step);
-  gsl_rstat_quantile_add(step, s->median);
-  if (step <= GAP_STEPS * gsl_rstat_quantile_get(s->median)) {
+  gsl_rstat_quantile_add(step, &s->median);
+  if (step <= GAP_STEPS * gsl_rstat_quantile_get(&s->median)) {
     s->usual_count++;
     s->usual += (step - s->usual) / (double)s->usual_count;
   }
@@ -330,10 +330,7 @@ asp_code asp_read_columns(asp_text *text, const asp_profile_options *options, as
     code = find_units(text, options, kept, unit, error);
   if (code)
     return code;
-  scan s = {.step_least = INFINITY, .median = gsl_rstat_quantile_alloc(0.5)};
-  if (!s.median)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for '%s'", text->path);
-  code = read_data(text, &layout, unit, options->resample, &s, raw, error);
-  gsl_rstat_quantile_free(s.median);
-  return code;
+  scan s = {.step_least = INFINITY, .median = {.p = 0.5}};
+  gsl_rstat_quantile_reset(&s.median);
+  return read_data(text, &layout, unit, options->resample, &s, raw, error);
 }

@@ -83,6 +83,9 @@ asp_code asp_profile_describe(const asp_profile *profile, double level,
   asp_description d = {.points = asp_profile_points(profile),
                        .spacing = asp_profile_spacing(profile)};
   d.length = (double)d.points * d.spacing;
+  if (d.points > ASP_FFT_MOST / 2)
+    return asp_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", d.points,
+                    ASP_FFT_MOST / 2);
   describe_heights(profile, &d);
   if (!isfinite(d.r_q) || !isfinite(d.slope_rms))
     return asp_fail(error, ASP_EDATA, "the profile's heights are too large to work with");

@@ -101,8 +101,9 @@ static asp_code check_generated(double r_q, double lambda_c, double spacing, siz
     return asp_fail(error, ASP_EARG,
                     "a profile of %zu points is %g long; allowed is at least 20 lambda_c = %g",
                     points, (double)points * spacing, LENGTH_LEAST * lambda_c);
-  if (points > SIZE_MAX / 64)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
+  if (points > ASP_FFT_MOST)
+    return asp_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
+                    ASP_FFT_MOST);
   return ASP_OK;
 }
 
@@ -112,6 +113,11 @@ asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, siz
     return NULL;
   double step = spacing / lambda_c;
   size_t reach = (size_t)ceil(KERNEL_REACH / step), n = asp_power_of_two(points + 2 * reach);
+  if (n > ASP_FFT_MOST) {
+    asp_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
+             ASP_FFT_MOST - 2 * reach);
+    return NULL;
+  }
   double *data = asp_allocate(n), *kernel = asp_allocate(n), *heights = asp_allocate(points);
   if (data && kernel && heights) {
     fill_noise(data + reach, points, seed);

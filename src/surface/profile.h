@@ -6,6 +6,9 @@
 
 enum { ASP_POINTS_LEAST = 3 };
 
+/* The most numbers that GSL's FFT by powers of two takes: it shifts an int. */
+#define ASP_FFT_MOST ((size_t)1 << 30)
+
 /* A profile that takes over `heights` (from malloc; NULL counts as out of memory), and frees them
  * when it fails. */
 asp_profile *asp_profile_adopt(double *heights, size_t points, double spacing, bool periodic,

@@ -2,11 +2,10 @@
  * profile: a polynomial taken out as form (least squares on Legendre polynomials), spikes marked
  * (far off the median of their neighbours), gaps filled by straight lines or refused. */
 #include "surface/read.h"
+#include "base/file.h"
 #include "error.h"
 #include "surface/profile.h"
 
-#include <errno.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_rstat.h>
 #include <gsl/gsl_sf_legendre.h>
@@ -25,6 +24,9 @@ enum { NEIGHBOURS = 3 }; /* on each side, for spikes */
 /* Heights and spacings beyond these (m) are no surface, and could overflow. */
 #define LENGTH_MOST 1e9
 #define SPACING_LEAST 1e-15
+
+/* Equations whose triangle has a diagonal of this range fix no polynomial. */
+#define SINGULAR 1e-13
 
 /* Less than this part of the heights in the file is rounding. */
 #define ROUNDING 1e-12
@@ -53,28 +55,56 @@ static double place(const asp_raw *raw, size_t i) {
   return 2 * (double)i / (double)(raw->points - 1) - 1;
 }
 
-/* Normal equations of the fit to the points that are not bad; the polynomials are nearly orthogonal
- * on the grid, so that nothing is lost by them. */
-static void sum_normal_equations(const asp_raw *raw, int degree, gsl_matrix *a, gsl_vector *b) {
-  double p[ASP_FORM_MAX + 1];
+enum { TERMS_MOST = ASP_FORM_MAX + 1 };
+
+/* A polynomial's coefficients c, and the normal equations a c = b of its fit. */
+typedef struct fit {
+  size_t terms;
+  double a[TERMS_MOST * TERMS_MOST], b[TERMS_MOST];
+} fit;
+
+/* Of the points that are not bad; the polynomials are nearly orthogonal on the grid, so that
+ * nothing is lost by normal equations. */
+static void sum_normal_equations(const asp_raw *raw, fit *f) {
+  double p[TERMS_MOST];
   for (size_t i = 0; i < raw->points; i++) {
     if (isnan(raw->heights[i]))
       continue;
-    gsl_sf_legendre_Pl_array(degree, place(raw, i), p);
-    for (int j = 0; j <= degree; j++) {
-      b->data[j] += p[j] * raw->heights[i];
-      for (int k = 0; k <= degree; k++)
-        a->data[j * (degree + 1) + k] += p[j] * p[k];
+    gsl_sf_legendre_Pl_array((int)f->terms - 1, place(raw, i), p);
+    for (size_t j = 0; j < f->terms; j++) {
+      f->b[j] += p[j] * raw->heights[i];
+      for (size_t k = 0; k < f->terms; k++)
+        f->a[j * f->terms + k] += p[j] * p[k];
     }
   }
 }
 
-static void subtract(asp_raw *raw, int degree, const gsl_vector *c) {
-  double p[ASP_FORM_MAX + 1];
+/* Turns b into the coefficients; false where the points do not fix them. By QR, which GSL does
+ * without memory of its own and without calling its error handler. */
+static bool solve(fit *f) {
+  double tau_of[TERMS_MOST];
+  gsl_matrix_view a = gsl_matrix_view_array(f->a, f->terms, f->terms);
+  gsl_vector_view b = gsl_vector_view_array(f->b, f->terms);
+  gsl_vector_view tau = gsl_vector_view_array(tau_of, f->terms);
+  gsl_linalg_QR_decomp(&a.matrix, &tau.vector);
+  double most = 0, least = INFINITY;
+  for (size_t j = 0; j < f->terms; j++) {
+    double diagonal = fabs(f->a[j * (f->terms + 1)]);
+    most = fmax(most, diagonal);
+    least = fmin(least, diagonal);
+  }
+  if (!(least > SINGULAR * most))
+    return false;
+  gsl_linalg_QR_svx(&a.matrix, &tau.vector, &b.vector);
+  return true;
+}
+
+static void subtract(asp_raw *raw, const fit *f) {
+  double p[TERMS_MOST];
   for (size_t i = 0; i < raw->points; i++) {
-    gsl_sf_legendre_Pl_array(degree, place(raw, i), p);
-    for (int j = 0; j <= degree; j++)
-      raw->heights[i] -= c->data[j] * p[j];
+    gsl_sf_legendre_Pl_array((int)f->terms - 1, place(raw, i), p);
+    for (size_t j = 0; j < f->terms; j++)
+      raw->heights[i] -= f->b[j] * p[j];
   }
 }
 
@@ -92,21 +122,13 @@ static asp_code take_out_form(asp_raw *raw, const char *path, int degree, asp_er
     return asp_fail(error, ASP_EDATA,
                     "%.200s: %zu points are too few for a polynomial of degree %d as form", path,
                     count_good(raw), degree);
-  size_t n = (size_t)degree + 1;
-  gsl_matrix *a = gsl_matrix_calloc(n, n);
-  gsl_vector *b = gsl_vector_calloc(n);
-  asp_code code = a && b ? ASP_OK : asp_fail(error, ASP_ENOMEM, "out of memory for '%s'", path);
-  if (!code) {
-    sum_normal_equations(raw, degree, a, b);
-    if (gsl_linalg_cholesky_decomp1(a) || gsl_linalg_cholesky_svx(a, b))
-      code = asp_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the profile", path,
-                      degree);
-    else
-      subtract(raw, degree, b);
-  }
-  gsl_matrix_free(a);
-  gsl_vector_free(b);
-  return code;
+  fit f = {.terms = (size_t)degree + 1};
+  sum_normal_equations(raw, &f);
+  if (!solve(&f))
+    return asp_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the profile", path,
+                    degree);
+  subtract(raw, &f);
+  return ASP_OK;
 }
 
 /* A good point's distance from the median of its neighbours, taken in pairs that are good on both
@@ -127,27 +149,25 @@ static double off_neighbours(const asp_raw *raw, size_t i) {
 
 /* Makes spikes bad, in two passes: the usual distance, then what is far beyond it. */
 static asp_code mark_spikes(asp_raw *raw, double times, size_t *spikes, asp_error *error) {
-  gsl_rstat_quantile_workspace *median = gsl_rstat_quantile_alloc(0.5);
   bool *is_spike = calloc(raw->points, sizeof *is_spike);
-  if (median && is_spike) {
-    for (size_t i = 0; i < raw->points; i++)
-      if (!isnan(raw->heights[i]))
-        gsl_rstat_quantile_add(off_neighbours(raw, i), median);
-    double most = times * MAD_TO_SD * gsl_rstat_quantile_get(median);
-    for (size_t i = 0; i < raw->points; i++)
-      is_spike[i] = !isnan(raw->heights[i]) && off_neighbours(raw, i) > most;
-    for (size_t i = 0; i < raw->points; i++)
-      if (is_spike[i]) {
-        raw->heights[i] = NAN;
-        ++*spikes;
-      }
-  }
-  asp_code code =
-      median && is_spike ? ASP_OK : asp_fail(error, ASP_ENOMEM, "out of memory for a profile");
-  if (median)
-    gsl_rstat_quantile_free(median);
+  if (!is_spike)
+    return asp_fail(error, ASP_ENOMEM, "out of memory for a profile");
+  gsl_rstat_quantile_workspace median = {.p = 0.5};
+  gsl_rstat_quantile_reset(&median);
+  for (size_t i = 0; i < raw->points; i++)
+    if (!isnan(raw->heights[i]))
+      gsl_rstat_quantile_add(off_neighbours(raw, i), &median);
+  double most = times * MAD_TO_SD * gsl_rstat_quantile_get(&median);
+  for (size_t i = 0; i < raw->points; i++)
+    is_spike[i] = !isnan(raw->heights[i]) && off_neighbours(raw, i) > most;
+  for (size_t i = 0; i < raw->points; i++)
+    if (is_spike[i]) {
+      raw->heights[i] = NAN;
+      raw->first_spike = *spikes ? raw->first_spike : i + 1;
+      ++*spikes;
+    }
   free(is_spike);
-  return code;
+  return ASP_OK;
 }
 
 /* Cuts bad ends off, and puts straight lines across the gaps that are left. */
@@ -214,14 +234,32 @@ static asp_code check_gaps(const asp_raw *raw, const asp_text *text, bool fill, 
   return ASP_OK;
 }
 
+/* Spikes become bad points, and are refused or filled in as those are. */
+static asp_code check_spikes(const asp_raw *raw, const char *path, size_t spikes, bool fill,
+                             asp_error *error) {
+  size_t bad = raw->points - count_good(raw);
+  if (spikes > 0 && !fill)
+    return asp_fail(error, ASP_EDATA,
+                    "%.200s: point %zu is the first of %zu spikes; fill the gaps that they leave, "
+                    "or mend the file",
+                    path, raw->first_spike, spikes);
+  if (2 * bad > raw->points)
+    return asp_fail(error, ASP_EDATA,
+                    "%.200s: %zu of %zu points are bad, missing, or one of %zu spikes; more than "
+                    "half cannot be filled",
+                    path, bad, raw->points, spikes);
+  return ASP_OK;
+}
+
 static asp_code level(asp_raw *raw, const char *path, const asp_profile_options *options,
                       size_t *spikes, asp_error *error) {
   asp_code code = take_out_form(raw, path, options->form, error);
-  if (!code && options->spikes > 0)
-    code = mark_spikes(raw, options->spikes, spikes, error);
-  if (!code && *spikes > 0)
-    code = take_out_form(raw, path, options->form, error);
-  return code;
+  if (code || !(options->spikes > 0))
+    return code;
+  if ((code = mark_spikes(raw, options->spikes, spikes, error)) || *spikes == 0 ||
+      (code = check_spikes(raw, path, *spikes, options->fill, error)))
+    return code;
+  return take_out_form(raw, path, options->form, error);
 }
 
 static asp_code prepare(asp_raw *raw, const asp_text *text, const asp_profile_options *options,
@@ -321,11 +359,9 @@ asp_profile *asp_profile_read_stream(FILE *stream, const char *path,
 
 asp_profile *asp_profile_read(const char *path, const asp_profile_options *options,
                               asp_profile_report *report, asp_error *error) {
-  FILE *stream = fopen(path, "rb");
-  if (!stream) {
-    asp_fail(error, ASP_EFILE, "cannot read '%.200s': %s", path, strerror(errno));
+  FILE *stream = asp_file_open(path, error);
+  if (!stream)
     return NULL;
-  }
   asp_profile *profile = asp_profile_read_stream(stream, path, options, report, error);
   fclose(stream);
   return profile;

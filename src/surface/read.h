@@ -9,9 +9,10 @@ typedef struct asp_raw {
   double *heights;
   size_t points, room;
   double spacing;
-  size_t read;     /* points in the file */
-  size_t bad;      /* of them */
-  size_t bad_line; /* where the first bad point or gap is */
+  size_t read;        /* points in the file */
+  size_t bad;         /* of them */
+  size_t bad_line;    /* where the first bad point or gap is */
+  size_t first_spike; /* the point, from 1 */
   bool resampled;
   double step_least, step_most; /* m */
 } asp_raw;

@@ -198,9 +198,10 @@ static asp_code fit_normal(const double *angles, size_t count, asp_slopes *slope
     hi = fmax(hi, angles[i]);
   }
   double reach = KERNEL_REACH * slopes->angle.sd * pow(4 / (3 * (double)count), 0.2);
-  asp_density *density = asp_density_create(angles, count, lo - reach, hi + reach, GRID, error);
+  asp_error wrong;
+  asp_density *density = asp_density_create(angles, count, lo - reach, hi + reach, GRID, &wrong);
   if (!density)
-    return ASP_EDATA;
+    return asp_fail(error, wrong.code, "%s", wrong.text);
   slopes->bandwidth = density->bandwidth;
   slopes->kl_normal = asp_density_kl_normal(density, slopes->angle.mean, slopes->angle.sd);
   asp_density_free(density);

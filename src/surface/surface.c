@@ -6,11 +6,11 @@
  *   surface;
  * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
  * - a measured profile: no closed form, its own slopes at the diameters of its bins. */
+#include "base/monotone.h"
 #include "error.h"
 #include "surface/profile.h"
 #include "surface/size_table.inc"
 
-#include <gsl/gsl_spline.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -25,10 +25,6 @@
 
 enum { BINS_MOST = 10000 };
 
-typedef struct node {
-  double value, tangent;
-} node;
-
 struct asp_surface {
   double r_q;
   double lambda_c;
@@ -37,10 +33,12 @@ struct asp_surface {
   double d_p_most;
   bool closed_form;
   int bins;
-  /* The correction: cubic pieces between nodes at equal steps of log2(d_p). */
+  /* The correction: monotone cubic pieces between nodes at equal steps of log2(d_p), level at both
+   * ends. */
   int nodes;
   double log_first, per_step;
-  node node[];
+  double *tangent; /* behind the values; per step */
+  double value[];
 };
 
 /* ---- tables ---- */
@@ -62,21 +60,21 @@ double asp_closed_form(double kappa) {
 }
 
 static asp_surface *allocate(int nodes, asp_error *error) {
-  asp_surface *surface = calloc(1, sizeof *surface + (size_t)nodes * sizeof *surface->node);
-  if (!surface)
+  asp_surface *surface = calloc(1, sizeof *surface + 2 * (size_t)nodes * sizeof *surface->value);
+  if (!surface) {
     asp_fail(error, ASP_ENOMEM, "out of memory for a surface");
-  else
-    surface->nodes = nodes;
+    return NULL;
+  }
+  surface->nodes = nodes;
+  surface->tangent = surface->value + nodes;
   return surface;
 }
 
-/* The tangents of a monotone interpolation (Fritsch & Butland 1984; equal steps). */
 static void set_tangents(asp_surface *surface) {
-  node *n = surface->node;
-  for (int i = 1; i + 1 < surface->nodes; i++) {
-    double before = n[i].value - n[i - 1].value, after = n[i + 1].value - n[i].value;
-    n[i].tangent = before * after > 0 ? 2 * before * after / (before + after) : 0;
-  }
+  int last = surface->nodes - 1;
+  if (last > 0)
+    asp_monotone_tangents(NULL, surface->value, (size_t)surface->nodes, surface->tangent);
+  surface->tangent[0] = surface->tangent[last] = 0;
 }
 
 static void set_range(asp_surface *surface, double d_least, double d_most) {
@@ -99,29 +97,24 @@ static void set_by_table(asp_surface *surface, double phi_r) {
       correction[k] =
           below + k == 0 ? 1 : size_table[below + k - 1][i] / asp_closed_form(sqrt(3) * size * phi);
     }
-    surface->node[i].value = correction[0] + part * (correction[1] - correction[0]);
+    surface->value[i] = correction[0] + part * (correction[1] - correction[0]);
   }
   set_range(surface, SIZE_TABLE_SIZE_FIRST * surface->lambda_c,
             SIZE_TABLE_SIZE_FIRST * pow(2, 0.5 * (SIZE_TABLE_COLUMNS - 1)) * surface->lambda_c);
   set_tangents(surface);
 }
 
-static asp_code set_by_sphere(asp_surface *surface, asp_error *error) {
-  double x[SPHERE_KAPPAS + 1] = {-3}, y[SPHERE_KAPPAS + 1] = {1};
+static void set_by_sphere(asp_surface *surface) {
+  double x[SPHERE_KAPPAS + 1] = {-3}, y[SPHERE_KAPPAS + 1] = {1}, tangent[SPHERE_KAPPAS + 1];
   for (int i = 0; i < SPHERE_KAPPAS; i++) {
     x[i + 1] = log2(sphere_kappa[i]);
     y[i + 1] = sphere_ratio[i] / asp_closed_form(sphere_kappa[i]);
   }
-  gsl_interp *spline = gsl_interp_alloc(gsl_interp_steffen, SPHERE_KAPPAS + 1);
-  if (!spline)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for a surface");
-  gsl_interp_init(spline, x, y, SPHERE_KAPPAS + 1);
+  asp_monotone_tangents(x, y, SPHERE_KAPPAS + 1, tangent);
   for (int i = 0; i < SPHERE_NODES; i++)
-    surface->node[i].value = gsl_interp_eval(spline, x, y, -3 + 0.5 * i, NULL);
-  gsl_interp_free(spline);
+    surface->value[i] = asp_monotone_at(x, y, tangent, SPHERE_KAPPAS + 1, -3 + 0.5 * i);
   set_range(surface, 0.125 / surface->curvature, 16 / surface->curvature);
   set_tangents(surface);
-  return ASP_OK;
 }
 
 static asp_code check_numbers(double r_q, double lambda_c, asp_filter filter, asp_error *error) {
@@ -154,10 +147,8 @@ asp_surface *asp_surface_create_filter(double r_q, double lambda_c, asp_filter f
   surface->d_p_most = KAPPA_MOST / surface->curvature;
   if (table)
     set_by_table(surface, phi_r);
-  if (sphere && set_by_sphere(surface, error)) {
-    free(surface);
-    return NULL;
-  }
+  if (sphere)
+    set_by_sphere(surface);
   return surface;
 }
 
@@ -189,7 +180,7 @@ static asp_code set_by_profile(asp_surface *surface, const asp_profile *profile,
     asp_code code = asp_profile_describe_slopes(profile, d_p, ASP_CONTACT_DILATION, &slopes, error);
     if (code)
       return code;
-    surface->node[i].value = slopes.slope_rms;
+    surface->value[i] = slopes.slope_rms;
   }
   set_tangents(surface);
   return ASP_OK;
@@ -234,7 +225,7 @@ double asp_surface_bin_d_p(const asp_surface *surface, int bin) {
 }
 
 double asp_surface_bin_slope(const asp_surface *surface, int bin) {
-  return surface->node[bin].value;
+  return surface->value[bin];
 }
 
 double asp_surface_d_p_most(const asp_surface *surface) {
@@ -271,17 +262,13 @@ double asp_surface_kappa(const asp_surface *surface, double d_p) {
 
 /* The cubic piece that d_p is in; the first and last value beyond the nodes. */
 static double correction(const asp_surface *surface, double d_p) {
-  const node *n = surface->node;
   double at = (log2(d_p) - surface->log_first) * surface->per_step;
   if (!(at > 0))
-    return n[0].value;
+    return surface->value[0];
   if (at >= surface->nodes - 1)
-    return n[surface->nodes - 1].value;
+    return surface->value[surface->nodes - 1];
   int i = (int)at;
-  double t = at - i, rise = n[i + 1].value - n[i].value;
-  double c2 = 3 * rise - 2 * n[i].tangent - n[i + 1].tangent;
-  double c3 = n[i].tangent + n[i + 1].tangent - 2 * rise;
-  return n[i].value + t * (n[i].tangent + t * (c2 + t * c3));
+  return asp_cubic_piece(1, at - i, &surface->value[i], &surface->tangent[i]);
 }
 
 double asp_surface_slope(const asp_surface *surface, double d_p) {

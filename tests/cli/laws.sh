@@ -58,7 +58,9 @@ printf 'alpha1_deg,v1_m_s,cor_n,cor_t\n10,50,0.9,0.8\n80,50,0.3,0.7\n10,150,0.7,
 [ "$(column cor_n a),$(column cor_t a)" = 0.5,0.65 ] || die "table: $(cat a)"
 refuses 2 "needs --table" -- rebound --rebound table
 refuses 2 "--rebound is 'bons'" -- rebound --table law.csv
-refuses 2 "no.csv" "No such file" -- rebound --rebound table --table no.csv
+refuses 1 "--table: " "no.csv" "No such file" -- rebound --rebound table --table no.csv
+refuses 1 "--materials: " "no.csv" "No such file" -- rebound --materials no.csv
+refuses 1 "--materials: " "no.csv" "No such file" -- materials --materials no.csv
 sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound --rebound table --table gap.csv
 (cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- rebound --rebound table --table twice.csv
 

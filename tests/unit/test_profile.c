@@ -311,11 +311,30 @@ static void spikes_are_marked_where_asked(void **state) {
   assert_true(asp_profile_heights(p)[77] > 40e-6);
   asp_profile_free(p);
   o.spikes = 10;
+  expect_error(text, &o, ASP_EDATA, "point 78 is the first of 1 spikes; fill");
+  o.fill = true;
   p = read_text(text, &o);
   assert_near(asp_profile_heights(p)[77], sin(77 * 0.2) * 1e-6, 0.2e-6);
   assert_int_equal(report.spikes, 1);
   assert_int_equal(report.filled, 1);
   asp_profile_free(p);
+}
+
+/* Most points are off their neighbours by more than nearly nothing; what is left of them must not
+ * be stretched over the others, nor reach GSL's solver and its error handler. */
+static void more_spikes_than_points_are_refused(void **state) {
+  (void)state;
+  char *text = malloc(20000 * 24), *end = text;
+  assert_non_null(text);
+  end += sprintf(end, "x_um,z_um\n");
+  for (int i = 0; i < 20000; i++)
+    end += sprintf(end, "%.1f,%.6f\n", 0.5 * i, i < 14 ? 0 : sin(i * 1.7) + sin(i * i * 0.37));
+  asp_profile_options o = asp_profile_options_default();
+  o.fill = true;
+  for (o.form = -1; o.form <= ASP_FORM_MAX; o.form++)
+    for (o.spikes = 1e-9; o.spikes < 1e-3; o.spikes *= 100)
+      expect_error(text, &o, ASP_EDATA, "more than half cannot be filled");
+  free(text);
 }
 
 static void bad_files_are_named_with_their_line(void **state) {
@@ -412,6 +431,7 @@ int main(void) {
       cmocka_unit_test(missing_rows_are_a_gap),
       cmocka_unit_test(unequal_spacing_is_resampled_or_refused),
       cmocka_unit_test(spikes_are_marked_where_asked),
+      cmocka_unit_test(more_spikes_than_points_are_refused),
       cmocka_unit_test(bad_files_are_named_with_their_line),
       cmocka_unit_test(sections_of_a_map),
       cmocka_unit_test(bad_maps_are_named_with_their_line),

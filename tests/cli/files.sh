@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Files that are read: pipes, in place of every kind of file; pipes that nothing writes to, folders and files
+# that are not there, which are told at once and end with status 1.
+set -euo pipefail
+asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
+asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+
+{ echo x_um,z_um; awk 'BEGIN { srand(1); for (i = 0; i < 400; i++) { z = 0.9 * z + rand() - 0.5; print i "," z } }'; } > profile
+awk 'NR == 1 { print; next } { split($0, f, ","); print f[1] + 0.3 * sin(f[1]) "," f[2] }' profile > uneven
+"$asperity" materials > materials
+printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' > table
+"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --dp 100um --angles 10:80:10 --samples 40 -o impacts
+printf 'ITEM: ENTRIES f_w[11] f_w[17] f_w[18] f_w[19]\n10 0.5 0.5 0\n10 0.4 0.5 0\n' > dump
+
+# use FILE PIPE: what a command makes of each kind of file.
+use() {
+  case $1 in
+    profile | uneven) "$asperity" surface --profile "$2" --dp 10um ;;
+    materials) "$asperity" rebound --map angles --angles 45 --materials "$2" ;;
+    table) "$asperity" rebound --map angles --angles 45 --rebound table --table "$2" ;;
+    impacts | dump) "$asperity" compare "$2" impacts ;;
+    data) "$asperity" compare impacts "$2" ;;
+  esac
+}
+cp impacts data
+for file in profile uneven materials table impacts dump data; do
+  use $file $file 2> err | grep -v '^#' > wanted
+  use $file <(cat $file) 2> err | grep -v '^#' > got || die "$file from a pipe: $(cat err)"
+  cmp wanted got || die "$file from a pipe is another one than from a file"
+  use $file <({ head -n 1 $file; sleep 0.2; tail -n +2 $file; }) 2> err | grep -v '^#' > got || die "$file, slowly: $(cat err)"
+  cmp wanted got || die "$file from a slow pipe is another one than from a file"
+  [ -e pipe ] || mkfifo pipe
+  for other in pipe . nowhere; do
+    status=0
+    export asperity; export -f use
+    timeout 20 bash -c "use $file $other" > out 2> err || status=$?
+    [ $status = 1 ] && [ "$(wc -l < err)" = 1 ] || die "$file that is '$other': exit $status: $(cat err)"
+    case $other in pipe) word='pipe that nothing writes to' ;; .) word='directory' ;; *) word='No such file' ;; esac
+    grep -q "'$other'.*$word" err || die "$file that is '$other': $(cat err)"
+  done
+done
+exit 0

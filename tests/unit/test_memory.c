@@ -1,0 +1,346 @@
+/* Memory that runs out ends no caller: every allocation of every entry point that allocates is made
+ * to fail in turn, in a process of its own, and the answer is the code ASP_ENOMEM with a message,
+ * or the same result where the C library did without that piece of memory. GSL keeps its default
+ * error handler, which aborts.
+ *
+ * The allocation functions are defined here in place of the C library's (glibc's names), so that
+ * those of GSL and of stdio fail, too.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "asperity.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *memory, size_t size);
+
+/* While armed, allocations are counted, and those of numbers first_bad to last_bad fail. */
+static volatile int armed;
+static long seen, first_bad, last_bad;
+
+static int fails(void) {
+  if (!armed || ++seen < first_bad || seen > last_bad)
+    return 0;
+  errno = ENOMEM;
+  return 1;
+}
+
+void *malloc(size_t size) {
+  return fails() ? NULL : __libc_malloc(size);
+}
+
+void *calloc(size_t count, size_t size) {
+  return fails() ? NULL : __libc_calloc(count, size);
+}
+
+void *realloc(void *memory, size_t size) {
+  return fails() ? NULL : __libc_realloc(memory, size);
+}
+
+static asp_profile *profile;
+static asp_surface *surface;
+
+/* What an entry point gives: a code, or the code that goes with a NULL. */
+typedef asp_code (*entry)(asp_error *error);
+
+static asp_code code_of(const void *made, const asp_error *error) {
+  return made ? ASP_OK : error->code;
+}
+
+static asp_code read_with(const char *path, asp_profile_options options, asp_error *error) {
+  asp_profile *made = asp_profile_read(path, &options, NULL, error);
+  asp_profile_free(made);
+  return code_of(made, error);
+}
+
+static asp_code read_columns(asp_error *error) {
+  return read_with("even.csv", asp_profile_options_default(), error);
+}
+
+static asp_code read_uneven(asp_error *error) {
+  return read_with("uneven.csv", asp_profile_options_default(), error);
+}
+
+static asp_code read_spikes(asp_error *error) {
+  asp_profile_options options = asp_profile_options_default();
+  options.form = 4;
+  options.spikes = 8;
+  options.fill = true;
+  return read_with("even.csv", options, error);
+}
+
+static asp_code read_map(asp_error *error) {
+  return read_with("map.sdf", asp_profile_options_default(), error);
+}
+
+static asp_code read_pipe(asp_error *error) {
+  int ends[2];
+  char path[32];
+  if (pipe(ends) != 0 || write(ends[1], "x_um,z_um\n1,1\n2,0\n3,5\n", 22) != 22)
+    abort();
+  snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
+  close(ends[1]);
+  asp_code code = read_with(path, asp_profile_options_default(), error);
+  close(ends[0]);
+  return code;
+}
+
+static asp_code create_profile(asp_error *error) {
+  asp_profile *made = asp_profile_create(1, 10, 1, 2000, 1, error);
+  asp_profile_free(made);
+  return code_of(made, error);
+}
+
+static asp_code copy_profile(asp_error *error) {
+  asp_profile *made = asp_profile_from_heights(asp_profile_heights(profile), 500, 1, false, error);
+  asp_profile_free(made);
+  return code_of(made, error);
+}
+
+static asp_code describe(asp_error *error) {
+  asp_description description;
+  return asp_profile_describe(profile, ASP_LEVEL_1_E, &description, error);
+}
+
+static asp_code describe_slopes(asp_error *error) {
+  asp_slopes slopes;
+  return asp_profile_describe_slopes(profile, 20, ASP_CONTACT_DILATION, &slopes, error);
+}
+
+static double room[4000];
+
+static asp_code dilate(asp_error *error) {
+  return asp_profile_dilate(profile, 20, room, error);
+}
+
+static asp_code close_profile(asp_error *error) {
+  return asp_profile_close(profile, 20, room, error);
+}
+
+static asp_code slopes(asp_error *error) {
+  size_t count;
+  return asp_profile_slopes(profile, 20, ASP_CONTACT_CLOSING, room, &count, error);
+}
+
+static asp_code density(asp_error *error) {
+  asp_density *made = asp_density_create(asp_profile_heights(profile), 500, -4, 4, 100, error);
+  asp_density_free(made);
+  return code_of(made, error);
+}
+
+static asp_code track(asp_error *error) {
+  asp_track *made = asp_track_create(profile, 20, error);
+  asp_track_free(made);
+  return code_of(made, error);
+}
+
+static asp_code give_surface(asp_surface *made, const asp_error *error) {
+  asp_surface_free(made);
+  return code_of(made, error);
+}
+
+static asp_code closed_form(asp_error *error) {
+  return give_surface(asp_surface_create(1, 10, error), error);
+}
+
+static asp_code size_table(asp_error *error) {
+  return give_surface(asp_surface_create(5, 10, error), error);
+}
+
+static asp_code sphere(asp_error *error) {
+  return give_surface(asp_surface_create_filter(1, 10, ASP_FILTER_SPHERE, error), error);
+}
+
+static asp_code measured_surface(asp_error *error) {
+  return give_surface(asp_surface_create_profile(profile, 2, 50, 3, error), error);
+}
+
+static asp_code materials(asp_error *error) {
+  asp_materials *made = asp_materials_read("materials.csv", error);
+  asp_materials_free(made);
+  return code_of(made, error);
+}
+
+static asp_code table(asp_error *error) {
+  asp_cor_table *made = asp_cor_table_read("table.csv", 1, error);
+  asp_cor_table_free(made);
+  return code_of(made, error);
+}
+
+static asp_code wall_of(asp_wall_spec spec, asp_error *error) {
+  asp_wall *made = asp_wall_create(&spec, error);
+  asp_wall_free(made);
+  return code_of(made, error);
+}
+
+static asp_code smooth_wall(asp_error *error) {
+  return wall_of(asp_wall_spec_default(), error);
+}
+
+/* Walls of every model, with a measured profile and without one. */
+static int model;
+static bool measured;
+
+static asp_code rough_wall(asp_error *error) {
+  asp_wall_spec spec = asp_wall_spec_default();
+  spec.surface = surface;
+  spec.profile = measured ? profile : NULL;
+  spec.sizes = (asp_sizes){2, 40, 2};
+  spec.spread = asp_spread_at(model)->name;
+  return wall_of(spec, error);
+}
+
+static asp_code choose(asp_error *error) {
+  asp_choice choice;
+  asp_sizes sizes = {2, 20, 3};
+  return asp_spread_auto(surface, &sizes, 0, 1.5, ASP_COLLISIONS_SINGLE, 0.5, &choice, error);
+}
+
+/* What a process found, as its exit status. */
+enum { SUCCEEDED, NO_MEMORY, OTHER_CODE, NO_MESSAGE };
+
+#define NEVER (1L << 40)
+
+static int outcome_of(entry call, long first, long last) {
+  asp_error error = {ASP_OK, ""};
+  first_bad = first;
+  last_bad = last;
+  seen = 0;
+  armed = 1;
+  asp_code code = call(&error);
+  armed = 0;
+  if (code == ASP_OK)
+    return SUCCEEDED;
+  if (code != ASP_ENOMEM || error.code != code)
+    return OTHER_CODE;
+  return *error.text ? NO_MEMORY : NO_MESSAGE;
+}
+
+/* How often a failing allocation was told; exits where it was not as it must be. Each fails alone,
+ * and together with all after it. */
+static long try_all(const char *name, entry call, bool allocates) {
+  if (outcome_of(call, NEVER, NEVER) != SUCCEEDED) {
+    fprintf(stderr, "%s: does not work with all its memory\n", name);
+    exit(1);
+  }
+  long total = seen, told = 0;
+  for (long k = 0; k < 2 * total; k++) {
+    long at = k / 2 + 1;
+    fflush(NULL);
+    pid_t child = fork();
+    if (child == 0)
+      _exit(outcome_of(call, at, k % 2 ? NEVER : at));
+    int status;
+    if (child < 0 || waitpid(child, &status, 0) != child)
+      abort();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) > NO_MEMORY) {
+      fprintf(stderr, "%s: allocation %ld of %ld fails: %s %d\n", name, at, total,
+              WIFEXITED(status) ? "exit" : "signal",
+              WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status));
+      exit(1);
+    }
+    told += WEXITSTATUS(status) == NO_MEMORY;
+  }
+  printf("%-28s %3ld allocations, %3ld told\n", name, total, told);
+  if (allocates && told == 0) {
+    fprintf(stderr, "%s: no failing allocation was told\n", name);
+    exit(1);
+  }
+  return told;
+}
+
+static FILE *begin(const char *path) {
+  FILE *file = fopen(path, "w");
+  if (!file)
+    abort();
+  return file;
+}
+
+static void write_files(void) {
+  FILE *even = begin("even.csv"), *uneven = begin("uneven.csv"), *map = begin("map.sdf");
+  fputs("x_um,z_um\n", even);
+  fputs("x_um,z_um\n", uneven);
+  fputs("aISO-1.0\nNumPoints = 100\nNumProfiles = 50\nXscale = 1e-6\nYscale = 1e-6\n"
+        "Zscale = 1e-6\n*\n",
+        map);
+  for (int i = 0; i < 5000; i++) {
+    double z = sin(0.3 * i) + 0.5 * sin(0.071 * i * i);
+    fprintf(even, "%d,%.9g\n", i, i == 77 ? 90 : z);
+    fprintf(uneven, "%.9g,%.9g\n", i + 0.3 * sin(i), z);
+    fprintf(map, "%.9g\n", z);
+  }
+  fclose(even);
+  fclose(uneven);
+  fclose(map);
+  FILE *materials_file = begin("materials.csv"), *table_file = begin("table.csv");
+  fputs("name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n", materials_file);
+  for (int i = 0; i < 40; i++)
+    fprintf(materials_file, "m%d,7e10,0.2,2000\n", i);
+  fputs("alpha1_deg,v1_m_s,cor_n,cor_t\n", table_file);
+  for (int i = 0; i < 90; i++)
+    fprintf(table_file, "%d,%d,0.5,0.5\n", i % 9 * 10, i / 9);
+  fclose(materials_file);
+  fclose(table_file);
+}
+
+int main(void) {
+  static const struct {
+    const char *name;
+    entry call;
+    bool allocates;
+  } entries[] = {
+      {"profile, columns", read_columns, true},
+      {"profile, resampled", read_uneven, true},
+      {"profile, form and spikes", read_spikes, true},
+      {"profile, SDF", read_map, true},
+      {"profile, from a pipe", read_pipe, true},
+      {"profile, generated", create_profile, true},
+      {"profile, from heights", copy_profile, true},
+      {"profile described", describe, true},
+      {"slopes described", describe_slopes, true},
+      {"dilation", dilate, true},
+      {"closing", close_profile, true},
+      {"slopes", slopes, true},
+      {"density", density, true},
+      {"track", track, true},
+      {"surface, closed form", closed_form, true},
+      {"surface, table", size_table, true},
+      {"surface, sphere", sphere, true},
+      {"surface, measured", measured_surface, true},
+      {"materials", materials, true},
+      {"table", table, true},
+      {"smooth wall", smooth_wall, true},
+      {"choice of a model", choose, false},
+  };
+  char folder[] = "/tmp/test_memory.XXXXXX", name[64];
+  if (!mkdtemp(folder) || chdir(folder) != 0)
+    return 1;
+  write_files();
+  profile = asp_profile_create(1, 10, 1, 3000, 1, NULL);
+  surface = asp_surface_create(1, 10, NULL);
+  long told = 0;
+  for (size_t i = 0; i < sizeof entries / sizeof *entries; i++)
+    told += try_all(entries[i].name, entries[i].call, entries[i].allocates);
+  for (model = 0; model < asp_spread_count(); model++)
+    for (int with = 0; with < 2; with++) {
+      measured = with;
+      snprintf(name, sizeof name, "wall, %s%s", asp_spread_at(model)->name,
+               with ? " measured" : "");
+      told += try_all(name, rough_wall, true);
+    }
+  asp_surface_free(surface);
+  asp_profile_free(profile);
+  const char *const files[] = {"even.csv", "uneven.csv", "map.sdf", "materials.csv", "table.csv"};
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+    unlink(files[i]);
+  rmdir(folder);
+  printf("%ld failing allocations were told\n", told);
+  return 0;
+}
