@@ -175,6 +175,6 @@ asp_code asp_csv_number(const asp_csv *csv, int column, double least, double mos
                          csv->names[column], csv->fields[column]);
   if (*value >= least && *value <= most)
     return ASP_OK;
-  return asp_text_fail(&csv->text, csv->text.line, error, "%s is %g; allowed is %g to %g",
+  return asp_text_fail(&csv->text, csv->text.line, error, "%s is %g; it must be %g to %g",
                        csv->names[column], *value, least, most);
 }

@@ -23,16 +23,16 @@ asp_code asp_check_range(asp_error *error, const char *name, const char *unit, d
     return ASP_OK;
   const char *space = *unit ? " " : "";
   if (isinf(most))
-    return asp_fail(error, ASP_EARG, "%s is %g%s%s; allowed is a finite number >= %g%s%s", name,
+    return asp_fail(error, ASP_EARG, "%s is %g%s%s; it must be a finite number >= %g%s%s", name,
                     value, space, unit, least, space, unit);
-  return asp_fail(error, ASP_EARG, "%s is %g%s%s; allowed is %g to %g%s%s", name, value, space,
+  return asp_fail(error, ASP_EARG, "%s is %g%s%s; it must be %g to %g%s%s", name, value, space,
                   unit, least, most, space, unit);
 }
 
 asp_code asp_check_positive(asp_error *error, const char *name, const char *unit, double value) {
   if (isfinite(value) && value > 0)
     return ASP_OK;
-  return asp_fail(error, ASP_EARG, "%s is %g%s%s; allowed is a finite number > 0", name, value,
+  return asp_fail(error, ASP_EARG, "%s is %g%s%s; it must be a finite number > 0", name, value,
                   *unit ? " " : "", unit);
 }
 

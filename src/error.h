@@ -1,4 +1,4 @@
-/* How the core reports: a code, and one line that names the thing, its value and what is allowed.
+/* How the core reports: a code, and one line that names the thing, its value and what it must be.
  */
 #ifndef ASP_ERROR_H
 #define ASP_ERROR_H

@@ -22,7 +22,7 @@ NR == FNR { for (i = 1; i <= NF; i++) si[$1, $2, i] = $i; outcome[$1, $2] = $19;
   if ($19 == 0) print $11, si[$1, $2, 17], $17, si[$1, $2, 18], $18 > OUT
 }
 END {
-  printf "%d impacts in si, %d in micro, %d without their twin, %d with another outcome\n", first, second, missing, different
+  printf "%d impacts in si, %d in micro, %d without a match, %d with another outcome\n", first, second, missing, different
   printf "largest relative difference:"
   for (i = 9; i <= columns; i++) if (i != 14 && i != 19) printf " %s %.0e", name[i], most[i]
   print ""

@@ -129,7 +129,7 @@ static double number_of(const cli_option *option, const char *text, double least
   if (end == text || *end)
     cli_bad_usage("--%s is '%s'; a number is expected", option->name, text);
   if (!(value >= least && value <= most) || !isfinite(value))
-    cli_bad_usage("--%s is %s; allowed is %g to %g", option->name, text, least, most);
+    cli_bad_usage("--%s is %s; it must be %g to %g", option->name, text, least, most);
   return value;
 }
 
@@ -143,7 +143,7 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
   errno = 0;
   unsigned long value = strtoul(text, &end, 10);
   if (end == text || *end || *text == '-' || errno == ERANGE || value < least || value > most)
-    cli_bad_usage("--%s is '%s'; allowed is a whole number, %lu to %lu", option->name, text, least,
+    cli_bad_usage("--%s is '%s'; it must be a whole number, %lu to %lu", option->name, text, least,
                   most);
   return value;
 }
@@ -158,7 +158,7 @@ double cli_length_of(const cli_option *option, const char *text) {
     cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, and no unit means m",
                   option->name, text);
   if (!(value > 0) || !isfinite(value))
-    cli_bad_usage("--%s is '%s'; allowed is a length > 0", option->name, text);
+    cli_bad_usage("--%s is '%s'; it must be a length > 0", option->name, text);
   return value * unit;
 }
 

@@ -244,7 +244,7 @@ static int run(int argc, char **argv) {
   cli_list angles = cli_angles(&options[ANGLES]);
   for (size_t i = 0; i < angles.count; i++)
     if (!(angles.values[i] > 0))
-      cli_bad_usage("--angles is '%s'; allowed is more than 0 and at most 90",
+      cli_bad_usage("--angles is '%s'; it must be more than 0 and at most 90",
                     options[ANGLES].value);
   size_t samples = cli_whole(&options[SAMPLES], 1, 100000000), n = angles.count * samples;
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);

@@ -15,10 +15,10 @@ static const double angle[] = {1, 2, 4, 7, 12, 20, 35, 60, 85};
 /* In lambda_c. */
 #define D_P_MOST 40
 
-/* One wall with particles of one size, and the truth about it. */
+/* One wall with particles of one size, and what the geometry says of it. */
 typedef struct cell {
   double phi_r, kappa;
-  measure_bench bench;
+  measure_case subject;
   measure_angles reference[COUNT(angle)];
   size_t rays;
   uint32_t seed;
@@ -32,11 +32,11 @@ static void print_header(FILE *out) {
 }
 
 static void print_row(FILE *out, const cell *c, const char *model, asp_collisions collisions) {
-  asp_wall *wall = measure_wall(&c->bench, model, collisions);
+  asp_wall *wall = measure_wall(&c->subject, model, collisions);
   double divergence[COUNT(angle)];
   for (size_t i = 0; i < COUNT(angle); i++) {
     double alpha1 = cli_radians(angle[i]);
-    measure_angles rebounds = measure_rebounds(wall, c->bench.d_p, alpha1, c->rays, c->seed + 1);
+    measure_angles rebounds = measure_rebounds(wall, c->subject.d_p, alpha1, c->rays, c->seed + 1);
     divergence[i] = measure_divergence(&c->reference[i], &rebounds);
   }
   asp_wall_free(wall);
@@ -48,11 +48,11 @@ static void print_row(FILE *out, const cell *c, const char *model, asp_collision
 }
 
 static void fill_reference(cell *c) {
-  asp_wall *truth = measure_wall(&c->bench, "traced", ASP_COLLISIONS_MULTIPLE);
+  asp_wall *traced = measure_wall(&c->subject, "traced", ASP_COLLISIONS_MULTIPLE);
   for (size_t i = 0; i < COUNT(angle); i++)
     c->reference[i] =
-        measure_rebounds(truth, c->bench.d_p, cli_radians(angle[i]), c->rays, c->seed);
-  asp_wall_free(truth);
+        measure_rebounds(traced, c->subject.d_p, cli_radians(angle[i]), c->rays, c->seed);
+  asp_wall_free(traced);
 }
 
 void cli_grid(FILE *out, size_t rays, uint32_t seed) {
@@ -63,13 +63,13 @@ void cli_grid(FILE *out, size_t rays, uint32_t seed) {
     double d_p = c.kappa / (sqrt(3) * c.phi_r);
     if (d_p > D_P_MOST)
       continue;
-    c.bench = measure_bench_create(c.phi_r, 1, d_p, seed);
+    c.subject = measure_case_create(c.phi_r, 1, d_p, seed);
     fill_reference(&c);
     for (int m = 0; m < asp_spread_count(); m++) {
       print_row(out, &c, asp_spread_at(m)->name, ASP_COLLISIONS_SINGLE);
       print_row(out, &c, asp_spread_at(m)->name, ASP_COLLISIONS_MULTIPLE);
     }
-    measure_bench_free(&c.bench);
+    measure_case_free(&c.subject);
     cli_progress_show(&progress, (double)(i + 1));
   }
   cli_progress_end(&progress);

@@ -13,9 +13,9 @@
 /* Probability of a bin that a model leaves empty, in a comparison without sampling. */
 #define LEAST_SHARE 1e-6
 
-measure_bench measure_bench_create(double r_q, double lambda_c, double d_p, uint32_t seed) {
+measure_case measure_case_create(double r_q, double lambda_c, double d_p, uint32_t seed) {
   asp_error error;
-  measure_bench b = {.d_p = d_p};
+  measure_case b = {.d_p = d_p};
   b.profile = asp_profile_create(r_q, lambda_c, lambda_c / RESOLUTION, POINTS, seed, &error);
   if (b.profile)
     b.surface = asp_surface_create_profile(b.profile, d_p, d_p, 1, &error);
@@ -26,20 +26,20 @@ measure_bench measure_bench_create(double r_q, double lambda_c, double d_p, uint
   return b;
 }
 
-void measure_bench_free(measure_bench *bench) {
-  asp_track_free(bench->track);
-  asp_surface_free(bench->surface);
-  asp_profile_free(bench->profile);
+void measure_case_free(measure_case *subject) {
+  asp_track_free(subject->track);
+  asp_surface_free(subject->surface);
+  asp_profile_free(subject->profile);
 }
 
-asp_wall *measure_wall(const measure_bench *bench, const char *model, asp_collisions collisions) {
+asp_wall *measure_wall(const measure_case *subject, const char *model, asp_collisions collisions) {
   asp_error error;
   asp_wall_spec spec = asp_wall_spec_default();
   asp_wall_spec_rebound(&spec, "constant", &error);
   spec.spread = model;
-  spec.surface = bench->surface;
-  spec.profile = bench->profile;
-  spec.sizes = (asp_sizes){bench->d_p, bench->d_p, 1};
+  spec.surface = subject->surface;
+  spec.profile = subject->profile;
+  spec.sizes = (asp_sizes){subject->d_p, subject->d_p, 1};
   spec.collisions = collisions;
   spec.deposit = false;
   asp_wall *wall = asp_wall_create(&spec, &error);
@@ -128,13 +128,13 @@ static void exact_shares(const asp_track *track, double alpha1, double *share) {
   free(weight);
 }
 
-double measure_first_hit(const measure_bench *bench, const asp_spread_model *model, double alpha1,
+double measure_first_hit(const measure_case *subject, const asp_spread_model *model, double alpha1,
                          const void *data) {
   if (!model->distribution)
     return NAN;
-  double slope = asp_track_slope_rms(bench->track), share[MEASURE_BINS], sum = 0;
-  asp_view view = {slope, atan(slope), alpha1, bench->d_p, data};
-  exact_shares(bench->track, alpha1, share);
+  double slope = asp_track_slope_rms(subject->track), share[MEASURE_BINS], sum = 0;
+  asp_view view = {slope, atan(slope), alpha1, subject->d_p, data};
+  exact_shares(subject->track, alpha1, share);
   for (int i = 0; i < MEASURE_BINS; i++) {
     if (!(share[i] > 0))
       continue;

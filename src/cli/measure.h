@@ -14,19 +14,19 @@ typedef struct measure_angles {
 } measure_angles;
 
 /* A wall to be judged: a Gaussian profile, what it is for one diameter, and its track. */
-typedef struct measure_bench {
+typedef struct measure_case {
   asp_profile *profile;
   asp_surface *surface; /* its slope is that of the very track */
   asp_track *track;
   double d_p;
-} measure_bench;
+} measure_case;
 
 /* Exits when the profile cannot be made. */
-measure_bench measure_bench_create(double r_q, double lambda_c, double d_p, uint32_t seed);
-void measure_bench_free(measure_bench *bench);
+measure_case measure_case_create(double r_q, double lambda_c, double d_p, uint32_t seed);
+void measure_case_free(measure_case *subject);
 
 /* The wall with one model on it; every rebound is specular, nothing sticks. */
-asp_wall *measure_wall(const measure_bench *bench, const char *model, asp_collisions collisions);
+asp_wall *measure_wall(const measure_case *subject, const char *model, asp_collisions collisions);
 
 /* n specular rebounds at alpha1 (rad), by all threads. */
 measure_angles measure_rebounds(const asp_wall *wall, double d_p, double alpha1, size_t n,
@@ -42,7 +42,7 @@ double measure_divergence(const measure_angles *reference, const measure_angles 
 /* D_KL of a model's law of the first hit against the track's exact one, in bins of one degree; a
  * bin that the model cannot fill counts as 1e-6. Not a number where the model has no distribution.
  */
-double measure_first_hit(const measure_bench *bench, const asp_spread_model *model, double alpha1,
+double measure_first_hit(const measure_case *subject, const asp_spread_model *model, double alpha1,
                          const void *data);
 
 #endif

@@ -76,7 +76,7 @@ static asp_code read_column(npy *array, const char **text, asp_error *error) {
                     array->path);
   if (!read_type(column, type))
     return asp_fail(error, ASP_EDATA,
-                    "%s: column '%s' is of type '%s'; allowed are little-endian whole numbers and "
+                    "%s: column '%s' is of type '%s'; it must be little-endian whole or "
                     "floating-point numbers, such as <i4 or <f8",
                     array->path, column->name, type);
   column->offset = array->row_size;
@@ -129,7 +129,7 @@ asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error) 
   bool whole = fread(first, 1, sizeof first, stream) == sizeof first;
   int length_size = first[MAGIC_SIZE] == 1 ? 2 : 4;
   if (whole && (first[MAGIC_SIZE] < 1 || first[MAGIC_SIZE] > 3))
-    code = asp_fail(error, ASP_EDATA, "%s: a NumPy array of version %d; allowed is 1 to 3", path,
+    code = asp_fail(error, ASP_EDATA, "%s: a NumPy array of version %d; it must be 1 to 3", path,
                     first[MAGIC_SIZE]);
   whole = whole && fread(length, 1, length_size, stream) == (size_t)length_size;
   if (whole)

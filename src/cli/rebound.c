@@ -302,7 +302,7 @@ static const map_kind *kind_of(const cli_option *option) {
   for (int i = 0; i < N_KINDS; i++)
     if (strcmp(kinds[i].name, option->value) == 0)
       return &kinds[i];
-  cli_bad_usage("--map is '%s'; allowed is regimes, capture or angles", option->value);
+  cli_bad_usage("--map is '%s'; it must be regimes, capture or angles", option->value);
 }
 
 static void print_list(FILE *out) {
@@ -334,7 +334,7 @@ static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) 
   m->angles = cli_angles(&options[ANGLES]);
   for (size_t i = 0; i < m->angles.count; i++)
     if (!(m->angles.values[i] > 0))
-      cli_bad_usage("--angles is '%s'; allowed is more than 0 and at most 90",
+      cli_bad_usage("--angles is '%s'; it must be more than 0 and at most 90",
                     options[ANGLES].value);
   if (kind->print != print_angles && m->angles.count != 1)
     cli_bad_usage("--angles is '%s'; --map %s takes one angle", options[ANGLES].value, kind->name);

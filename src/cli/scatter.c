@@ -154,7 +154,7 @@ static asp_code read_value(const npy *array, int column, double least, double mo
   *value = npy_value(array, column);
   if ((*value >= least && *value <= most) || (may_be_missing && isnan(*value)))
     return ASP_OK;
-  return asp_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; allowed is %g to %g", array->path,
+  return asp_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
                   array->row, array->column[column].name, *value, least, most);
 }
 

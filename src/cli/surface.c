@@ -35,7 +35,8 @@ static const cli_option table[N_OPTIONS + 1] = {
     [RQ] = {"rq", "LENGTH", "rms height of a generated wall", NULL},
     [LAMBDA_C] = {"lambda-c", "LENGTH", "its correlation length: autocorrelation 1/e", NULL},
     [DP] = {"dp", "LENGTHS", "particle diameters: a list or from:to:step", "10um"},
-    [SEED] = {"seed", "N", "of the generated profile, or of a measured one's twin", "1"},
+    [SEED] = {"seed", "N",
+              "of the generated profile, or of the one that a measured one is compared with", "1"},
     [POINTS] = {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
     [PROFILE] = {"profile", "FILE", "a measured profile instead: text in columns, or SDF", NULL},
     [UNIT] = {"unit", "U[,U]", "unit of its columns, where the file states none", NULL},
@@ -57,7 +58,7 @@ static int choice(const cli_option *option, const char *first, const char *secon
     return 0;
   if (strcmp(option->value, second) == 0)
     return 1;
-  cli_bad_usage("--%s is '%s'; allowed is %s or %s", option->name, option->value, first, second);
+  cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
 }
 
 static void read_unit(const cli_option *option, asp_profile_options *read) {
@@ -89,14 +90,14 @@ static asp_profile_options read_options(const cli_option *o) {
 
 /* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
  * seed is made another, so that a generated profile that was saved is not compared with itself. */
-static asp_profile *twin_of(const asp_description *d, uint32_t seed) {
+static asp_profile *generate_like(const asp_description *d, uint32_t seed) {
   size_t points = d->points > TWIN_POINTS ? d->points : TWIN_POINTS;
   asp_error error;
-  asp_profile *twin = asp_profile_create(d->r_q, d->lambda_1_e, d->spacing, points,
-                                         seed ^ asp_key_fix("twin"), &error);
-  if (!twin)
-    fprintf(stderr, "asperity: no twin is generated: %s\n", error.text);
-  return twin;
+  asp_profile *generated = asp_profile_create(d->r_q, d->lambda_1_e, d->spacing, points,
+                                              seed ^ asp_key_fix("twin"), &error);
+  if (!generated)
+    fprintf(stderr, "asperity: no profile is generated to compare with: %s\n", error.text);
+  return generated;
 }
 
 /* What is known of a measured profile. */
@@ -148,7 +149,7 @@ static cli_wall read_wall(const cli_option *o, source *from) {
   if (asp_profile_describe(profile, level, &from->description, &error))
     cli_fail("%s: %s", o[PROFILE].value, error.text);
   const asp_description *d = &from->description;
-  return (cli_wall){profile, twin_of(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};
+  return (cli_wall){profile, generate_like(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};
 }
 
 static cli_wall generate_wall(const cli_option *o) {
@@ -187,9 +188,9 @@ static void print_all(FILE *out, const cli_wall *wall, const cli_slopes *rows, s
   if (!wall->name)
     fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall->profile),
             asp_profile_spacing(wall->profile) * 1e6);
-  for (size_t i = 0; wall->twin && i < count; i++)
-    fprintf(out, "# d_p %.6g um: D_KL(measured||generated twin) %.4f\n", rows[i].d_p * 1e6,
-            cli_twin_kl(wall, rows[i].d_p));
+  for (size_t i = 0; wall->generated && i < count; i++)
+    fprintf(out, "# d_p %.6g um: D_KL(measured||generated) %.4f\n", rows[i].d_p * 1e6,
+            cli_generated_kl(wall, rows[i].d_p));
   fputs(CLI_SLOPES_HEADER "\n", out);
   for (size_t i = 0; i < count; i++) {
     cli_slopes_print(out, &rows[i]);
@@ -217,7 +218,7 @@ static int run(int argc, char **argv) {
     save(&options[SAVE], argc, argv, &options[SEED], wall.profile);
   if (options[PLOT].value)
     cli_surface_plot(&options[PLOT], &wall, &rows[0]);
-  asp_profile_free(wall.twin);
+  asp_profile_free(wall.generated);
   asp_profile_free(wall.profile);
   free(rows);
   return 0;
@@ -236,6 +237,6 @@ const cli_command cli_surface = {
         "points))^(1/5).\n"
         "A generated profile is periodic, a measured one is mirrored at its ends. A measured one "
         "is\n"
-        "compared with its generated twin of the same R_q and lambda_c.\n",
+        "compared with a generated one of the same R_q and lambda_c.\n",
     .run = run,
 };

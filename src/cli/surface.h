@@ -7,16 +7,16 @@
 /* One wall as the picture shows it. */
 typedef struct cli_wall {
   asp_profile *profile;
-  asp_profile *twin; /* generated, for a measured profile; or NULL */
+  asp_profile *generated; /* of the same r_q and lambda_c, for a measured profile; or NULL */
   double r_q, lambda_c;
   const char *name; /* of the measured file, or NULL */
 } cli_wall;
 
-/* D_KL of the measured angles' density against the twin's, for a particle of size d_p. */
-double cli_twin_kl(const cli_wall *wall, double d_p);
+/* D_KL of the measured angles' density against the generated one's, for a particle of size d_p. */
+double cli_generated_kl(const cli_wall *wall, double d_p);
 
 /* The profile with its closing and the particle (figure 3), the density of the angles with its
- * normal fit (figure 4), and with a twin its density, too (figure 5). */
+ * normal fit (figure 4), and with a generated one its density, too (figure 5). */
 void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row);
 
 #endif

@@ -43,14 +43,14 @@ static asp_density *density_of(const angles *a, const angles *range) {
   return density;
 }
 
-double cli_twin_kl(const cli_wall *wall, double d_p) {
-  angles measured = angles_of(wall->profile, d_p), twin = angles_of(wall->twin, d_p);
-  asp_density *p = density_of(&measured, &measured), *q = density_of(&twin, &measured);
+double cli_generated_kl(const cli_wall *wall, double d_p) {
+  angles measured = angles_of(wall->profile, d_p), generated = angles_of(wall->generated, d_p);
+  asp_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
   double kl = asp_density_kl(p, q);
   asp_density_free(p);
   asp_density_free(q);
   free(measured.values);
-  free(twin.values);
+  free(generated.values);
   return kl;
 }
 
@@ -161,20 +161,20 @@ static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
 }
 
 static void figure_5(FILE *out, const cli_wall *wall, double d_p) {
-  angles measured = angles_of(wall->profile, d_p), twin = angles_of(wall->twin, d_p);
-  asp_density *p = density_of(&measured, &measured), *q = density_of(&twin, &measured);
+  angles measured = angles_of(wall->profile, d_p), generated = angles_of(wall->generated, d_p);
+  asp_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
   put_density(out, "measured", p);
-  put_density(out, "twin", q);
+  put_density(out, "generated", q);
   fprintf(out,
           "set title 'Measured against generated, D_{KL} %.4f (fig. 5)'\nset yrange [0:%g]\n"
           "plot $measured with lines ls 1 title 'measured, sd %.2f°', "
-          "$twin with lines ls 2 dt 2 title 'twin of the same R_q and λ_c, sd %.2f°'\n",
+          "$generated with lines ls 2 dt 2 title 'generated, of the same R_q and λ_c, sd %.2f°'\n",
           asp_density_kl(p, q), 1.3 * fmax(peak_of(p), peak_of(q)), measured.moments.sd,
-          twin.moments.sd);
+          generated.moments.sd);
   asp_density_free(p);
   asp_density_free(q);
   free(measured.values);
-  free(twin.values);
+  free(generated.values);
 }
 
 void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row) {
@@ -185,9 +185,9 @@ void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_
           wall->r_q / wall->lambda_c, cli_kappa(row));
   fputs("set size 1, 0.47\nset origin 0, 0.48\n", out);
   figure_3(out, wall, row->d_p);
-  fprintf(out, "set size %g, 0.48\nset origin 0, 0\n", wall->twin ? 0.5 : 1);
+  fprintf(out, "set size %g, 0.48\nset origin 0, 0\n", wall->generated ? 0.5 : 1);
   figure_4(out, wall, row);
-  if (wall->twin) {
+  if (wall->generated) {
     fputs("set origin 0.5, 0\n", out);
     figure_5(out, wall, row->d_p);
   }

@@ -16,20 +16,20 @@ typedef struct row {
 } row;
 
 /* The rows of one angle. */
-static void judge(const measure_bench *bench, double angle, size_t rays, uint32_t seed,
+static void judge(const measure_case *subject, double angle, size_t rays, uint32_t seed,
                   asp_collisions collisions, row *rows) {
   double alpha1 = cli_radians(angle);
-  asp_wall *truth = measure_wall(bench, "traced", ASP_COLLISIONS_MULTIPLE);
-  measure_angles reference = measure_rebounds(truth, bench->d_p, alpha1, rays, seed);
-  asp_wall_free(truth);
+  asp_wall *traced = measure_wall(subject, "traced", ASP_COLLISIONS_MULTIPLE);
+  measure_angles reference = measure_rebounds(traced, subject->d_p, alpha1, rays, seed);
+  asp_wall_free(traced);
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
-    asp_wall *wall = measure_wall(bench, model->name, collisions);
-    measure_angles angles = measure_rebounds(wall, bench->d_p, alpha1, rays, seed + 1);
+    asp_wall *wall = measure_wall(subject, model->name, collisions);
+    measure_angles angles = measure_rebounds(wall, subject->d_p, alpha1, rays, seed + 1);
     rows[i] = (row){.model = model,
                     .angle = angle,
-                    .cost = measure_cost(wall, bench->d_p, alpha1),
-                    .first_hit = measure_first_hit(bench, model, alpha1, asp_wall_data(wall)),
+                    .cost = measure_cost(wall, subject->d_p, alpha1),
+                    .first_hit = measure_first_hit(subject, model, alpha1, asp_wall_data(wall)),
                     .rebound = measure_divergence(&reference, &angles),
                     .mean = angles.mean,
                     .reference_mean = reference.mean};
@@ -115,15 +115,16 @@ static void plot(const cli_option *options, const row *rows, size_t n) {
 static void measure(const cli_option *options, const cli_list *angles, size_t rays, uint32_t seed,
                     row *rows) {
   asp_collisions collisions = cli_collisions(&options[COLLISIONS]);
-  measure_bench bench = measure_bench_create(
+  measure_case subject = measure_case_create(
       cli_length(&options[RQ]), cli_length(&options[LAMBDA_C]), cli_length(&options[DP]), seed);
   cli_progress progress = cli_progress_begin("measuring", (double)angles->count);
   for (size_t i = 0; i < angles->count; i++) {
-    judge(&bench, angles->values[i], rays, seed, collisions, rows + i * (size_t)asp_spread_count());
+    judge(&subject, angles->values[i], rays, seed, collisions,
+          rows + i * (size_t)asp_spread_count());
     cli_progress_show(&progress, (double)(i + 1));
   }
   cli_progress_end(&progress);
-  measure_bench_free(&bench);
+  measure_case_free(&subject);
 }
 
 static void print(FILE *out, const row *rows, size_t n) {

@@ -8,7 +8,7 @@ static int choice(const cli_option *option, const char *first, const char *secon
     return 0;
   if (strcmp(option->value, second) == 0)
     return 1;
-  cli_bad_usage("--%s is '%s'; allowed is %s or %s", option->name, option->value, first, second);
+  cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
 }
 
 asp_tilt cli_tilt(const cli_option *option) {

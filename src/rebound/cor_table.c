@@ -45,8 +45,8 @@ static asp_code check_point(const asp_cor_point *p, asp_error *error) {
   if (energy <= ENERGY_MOST)
     return ASP_OK;
   return asp_fail(error, ASP_EARG,
-                  "cor_n %g and cor_t %g at %g degrees leave %g times the energy; allowed is 1 at "
-                  "most",
+                  "cor_n %g and cor_t %g at %g degrees leave %g times the energy; it must be 1 "
+                  "at most",
                   p->cor_n, p->cor_t, p->alpha1 * DEGREES, energy);
 }
 

@@ -1,4 +1,4 @@
-/* The room of the rebound laws: the list of them. A new law is one file that defines its record,
+/* The list of the rebound laws, and what they share. A new law is one file that defines its record,
  * and one line here. */
 #ifndef ASP_REBOUND_LAWS_H
 #define ASP_REBOUND_LAWS_H

@@ -40,7 +40,7 @@ const asp_material *asp_material_find(const char *name, asp_error *error) {
 static asp_code check_poisson(asp_error *error, const char *name, double value) {
   if (value > -1 && value < 0.5)
     return ASP_OK;
-  return asp_fail(error, ASP_EARG, "%s is %g; allowed is more than -1 and less than 0.5", name,
+  return asp_fail(error, ASP_EARG, "%s is %g; it must be more than -1 and less than 0.5", name,
                   value);
 }
 

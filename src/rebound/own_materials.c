@@ -58,9 +58,9 @@ static asp_code read_material(const asp_csv *csv, const columns *at, asp_materia
   asp_code code;
   if (!*name || strpbrk(name, " \t,;"))
     return asp_text_fail(&csv->text, csv->text.line, error,
-                         "the name '%s'; allowed is one word without commas", name);
+                         "the name '%s'; it must be one word without commas", name);
   if (*seen && strcasecmp(seen, "yes") != 0 && strcasecmp(seen, "no") != 0)
-    return asp_text_fail(&csv->text, csv->text.line, error, "seen is '%s'; allowed is yes or no",
+    return asp_text_fail(&csv->text, csv->text.line, error, "seen is '%s'; it must be yes or no",
                          seen);
   if ((code = asp_csv_number(csv, at->modulus, 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
       (code = asp_csv_number(csv, at->poisson, -1, 0.5, &m->poissons_ratio, NULL, error)) ||

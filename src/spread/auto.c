@@ -58,18 +58,18 @@ static bool within(span s, double value) {
 }
 
 /* What the grid says about one model on a wall. */
-typedef struct verdict {
+typedef struct result {
   double worst;
   int points;
-} verdict;
+} result;
 
-typedef struct question {
+typedef struct query {
   span phi_r, kappa, angle;
   int multiple;
-} question;
+} query;
 
-static verdict ask(const question *q, const char *model) {
-  verdict v = {NOISE, 0};
+static result evaluate(const query *q, const char *model) {
+  result v = {NOISE, 0};
   for (int i = 0; i < ROWS; i++) {
     const row *r = &rows[i];
     if (r->multiple != q->multiple || !within(q->phi_r, r->phi_r) || !within(q->kappa, r->kappa) ||
@@ -94,24 +94,24 @@ static asp_code check(const asp_sizes *sizes, double alpha_least, double alpha_m
   return asp_check_range(error, "largest alpha1", "rad", alpha_most, alpha_least, ASP_PI / 2);
 }
 
-/* The question as a person would put it. */
+/* The same in the numbers that messages name. */
 typedef struct wall {
   double phi_r, kappa[2], angle[2]; /* least and most; degrees */
 } wall;
 
-static question question_of(const wall *w, asp_collisions collisions) {
-  return (question){
+static query query_of(const wall *w, asp_collisions collisions) {
+  return (query){
       widen(w->phi_r, w->phi_r, ROWS, phi_r_of), widen(w->kappa[0], w->kappa[1], ROWS, kappa_of),
       widen(w->angle[0], w->angle[1], ANGLES, angle_of), collisions != ASP_COLLISIONS_SINGLE};
 }
 
-static asp_code answer(const wall *w, const question *q, double tolerance, asp_choice *choice,
+static asp_code choose(const wall *w, const query *q, double tolerance, asp_choice *choice,
                        asp_error *error) {
-  verdict best = {INFINITY, 0}, closest = best;
+  result best = {INFINITY, 0}, closest = best;
   const asp_spread_model *chosen = NULL, *nearest = NULL;
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
-    verdict v = ask(q, model->name);
+    result v = evaluate(q, model->name);
     if (v.points == 0)
       continue;
     if (v.worst < tolerance && (!chosen || model->cost < chosen->cost))
@@ -148,6 +148,6 @@ asp_code asp_spread_auto(const asp_surface *surface, const asp_sizes *sizes, dou
   wall w = {asp_surface_phi_r(surface),
             {asp_surface_kappa(surface, sizes->least), asp_surface_kappa(surface, sizes->most)},
             {alpha_least * 180 / ASP_PI, alpha_most * 180 / ASP_PI}};
-  question q = question_of(&w, collisions);
-  return answer(&w, &q, tolerance, choice, error);
+  query q = query_of(&w, collisions);
+  return choose(&w, &q, tolerance, choice, error);
 }

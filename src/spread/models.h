@@ -1,4 +1,4 @@
-/* The room of the spread models: what they share, and the list of them. A new model is one file
+/* What the spread models share, and the list of them. A new model is one file
  * that defines its record, and one line here. */
 #ifndef ASP_SPREAD_MODELS_H
 #define ASP_SPREAD_MODELS_H

@@ -1,6 +1,6 @@
 /* The exact first-hit law of a profile as a table: quantiles over impact angle and particle size,
  * each the law that asp_track_first_hit gives there. Between the nodes quantiles are interpolated
- * straight, which keeps them monotone in u and above -alpha1.
+ * linearly, which keeps them monotone in u and above -alpha1.
  *
  * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
  * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
@@ -42,22 +42,23 @@ static double u_at(double place) {
 }
 
 /* What one size needs while the table is made. */
-typedef struct bench {
+typedef struct workspace {
   asp_track *track;
   size_t n;
   double *slope, *weight;
   size_t *order; /* of the faces, by slope */
-} bench;
+} workspace;
 
-static void bench_free(bench *b) {
+static void workspace_free(workspace *b) {
   asp_track_free(b->track);
   free(b->slope);
   free(b->weight);
   free(b->order);
 }
 
-static asp_code bench_create(bench *b, const asp_profile *profile, double d_p, asp_error *error) {
-  *b = (bench){.track = asp_track_create(profile, d_p, error)};
+static asp_code workspace_create(workspace *b, const asp_profile *profile, double d_p,
+                                 asp_error *error) {
+  *b = (workspace){.track = asp_track_create(profile, d_p, error)};
   if (!b->track)
     return ASP_EARG;
   b->n = asp_track_faces(b->track);
@@ -65,7 +66,7 @@ static asp_code bench_create(bench *b, const asp_profile *profile, double d_p, a
   b->weight = malloc(b->n * sizeof *b->weight);
   b->order = malloc(b->n * sizeof *b->order);
   if (!b->slope || !b->weight || !b->order) {
-    bench_free(b);
+    workspace_free(b);
     return asp_fail(error, ASP_ENOMEM, "out of memory for the slopes of %zu faces", b->n);
   }
   for (size_t i = 0; i < b->n; i++)
@@ -76,7 +77,7 @@ static asp_code bench_create(bench *b, const asp_profile *profile, double d_p, a
 
 /* The quantiles of one angle, ANGLES numbers apart: the slopes at which the sum of the weights
  * passes each node. */
-static void fill(bench *b, double alpha1, float *delta) {
+static void fill(workspace *b, double alpha1, float *delta) {
   asp_track_first_hit(b->track, alpha1, b->weight);
   double sum = 0;
   size_t last = 0;
@@ -108,15 +109,15 @@ static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_err
   }
   t->bins = sizes->bins;
   for (int i = 0; i < t->bins; i++) {
-    bench b;
+    workspace b;
     t->d_p[i] = asp_sizes_at(sizes, i);
-    if (bench_create(&b, profile, t->d_p[i], error)) {
+    if (workspace_create(&b, profile, t->d_p[i], error)) {
       free(t);
       return NULL;
     }
     for (int k = 0; k < ANGLES; k++)
       fill(&b, WIDTH * k * k, t->delta + i * SIZE + k);
-    bench_free(&b);
+    workspace_free(&b);
   }
   return t;
 }

@@ -32,7 +32,7 @@ struct asp_track {
   double top, least; /* highest point; smallest tan alpha1 */
   double slope_rms;
   side side[2];
-  double *room;
+  double *memory;
 };
 
 static double *heights_of(const asp_profile *profile, double d_p, size_t *n, asp_error *error) {
@@ -71,7 +71,7 @@ static void build_pyramid(const asp_track *track, side *s) {
   }
 }
 
-/* Rooms for both pyramids, one behind the other. */
+/* Memory for both pyramids, one after the other. */
 static bool allot(asp_track *track) {
   size_t total = 0, size = track->n;
   for (track->levels = 1; size > 1; track->levels++) {
@@ -79,16 +79,16 @@ static bool allot(asp_track *track) {
     size = (size + 1) / 2;
   }
   total += 1;
-  double *room = track->room = malloc(2 * total * sizeof *room);
-  for (int s = 0; room && s < 2; s++) {
+  double *next = track->memory = malloc(2 * total * sizeof *next);
+  for (int s = 0; next && s < 2; s++) {
     size = track->n;
     for (int k = 0; k < track->levels; k++) {
-      track->side[s].level[k] = room;
-      room += size;
+      track->side[s].level[k] = next;
+      next += size;
       size = (size + 1) / 2;
     }
   }
-  return room;
+  return track->memory;
 }
 
 static void measure(asp_track *track) {
@@ -133,7 +133,7 @@ asp_track *asp_track_create(const asp_profile *profile, double d_p, asp_error *e
 
 void asp_track_free(asp_track *track) {
   if (track)
-    free(track->room);
+    free(track->memory);
   free(track);
 }
 
@@ -208,7 +208,7 @@ static bool next_point(const asp_track *track, int on, double x, double z, doubl
   return false;
 }
 
-/* Turns place and face between the track and its mirror image, either way. */
+/* Converts place and face between the track and its mirror image, either way. */
 static void mirror(const asp_track *track, double *x, size_t *face) {
   double last = (double)track->n - 1;
   *x = *x <= last ? last - *x : last - *x + (double)track->n;
@@ -255,7 +255,7 @@ asp_code asp_sizes_check(const asp_sizes *sizes, asp_error *error) {
   if (!code)
     code = asp_check_range(error, "largest d_p", "", sizes->most, sizes->least, INFINITY);
   if (!code && !(sizes->bins >= 1 && sizes->bins <= ASP_BINS_MAX))
-    code = asp_fail(error, ASP_EARG, "bins of d_p are %d; allowed is 1 to %d", sizes->bins,
+    code = asp_fail(error, ASP_EARG, "bins of d_p are %d; they must be 1 to %d", sizes->bins,
                     (int)ASP_BINS_MAX);
   return code;
 }

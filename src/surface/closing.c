@@ -126,10 +126,10 @@ static asp_code filter(const asp_profile *profile, double d_p, bool close, doubl
   if (asp_check_positive(error, "d_p", "", d_p))
     return ASP_EARG;
   if (d_p > length)
-    return asp_fail(error, ASP_EARG, "d_p is %g; allowed is at most the profile's length of %g",
+    return asp_fail(error, ASP_EARG, "d_p is %g; it must be at most the profile's length of %g",
                     d_p, length);
   if (points > POINTS_MOST)
-    return asp_fail(error, ASP_EARG, "a profile has %zu points; allowed is at most %zu", points,
+    return asp_fail(error, ASP_EARG, "a profile has %zu points; it must have at most %zu", points,
                     POINTS_MOST);
   workspace b;
   asp_code code =

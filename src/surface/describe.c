@@ -78,7 +78,7 @@ static double crossing(const double *covariance, size_t lags, double level) {
 asp_code asp_profile_describe(const asp_profile *profile, double level,
                               asp_description *description, asp_error *error) {
   if (!(level > 0 && level < 1))
-    return asp_fail(error, ASP_EARG, "level of the autocorrelation is %g; allowed is 0 to 1",
+    return asp_fail(error, ASP_EARG, "level of the autocorrelation is %g; it must be 0 to 1",
                     level);
   asp_description d = {.points = asp_profile_points(profile),
                        .spacing = asp_profile_spacing(profile)};

@@ -93,13 +93,13 @@ static asp_code check_generated(double r_q, double lambda_c, double spacing, siz
       asp_check_positive(error, "spacing", "", spacing))
     return ASP_EARG;
   if (r_q > PHI_R_MOST * lambda_c)
-    return asp_fail(error, ASP_EARG, "r_q is %g; allowed is at most %g lambda_c", r_q, PHI_R_MOST);
+    return asp_fail(error, ASP_EARG, "r_q is %g; it must be at most %g lambda_c", r_q, PHI_R_MOST);
   if (spacing > SPACING_MOST * lambda_c)
-    return asp_fail(error, ASP_EARG, "spacing is %g; allowed is at most lambda_c/4 = %g", spacing,
+    return asp_fail(error, ASP_EARG, "spacing is %g; it must be at most lambda_c/4 = %g", spacing,
                     SPACING_MOST * lambda_c);
   if (!((double)points * spacing >= LENGTH_LEAST * lambda_c))
     return asp_fail(error, ASP_EARG,
-                    "a profile of %zu points is %g long; allowed is at least 20 lambda_c = %g",
+                    "a profile of %zu points is %g long; it must be at least 20 lambda_c = %g",
                     points, (double)points * spacing, LENGTH_LEAST * lambda_c);
   if (points > ASP_FFT_MOST)
     return asp_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
@@ -141,13 +141,13 @@ asp_profile *asp_profile_from_heights(const double *heights, size_t points, doub
   if (asp_check_positive(error, "spacing", "", spacing))
     return NULL;
   if (points < ASP_POINTS_LEAST) {
-    asp_fail(error, ASP_EARG, "a profile has %zu points; allowed is at least %d", points,
+    asp_fail(error, ASP_EARG, "a profile has %zu points; it must have at least %d", points,
              ASP_POINTS_LEAST);
     return NULL;
   }
   for (size_t i = 0; i < points; i++)
     if (!(fabs(heights[i]) <= HEIGHT_MOST * spacing)) {
-      asp_fail(error, ASP_EARG, "height %zu is %g; allowed is a number up to %g spacings", i,
+      asp_fail(error, ASP_EARG, "height %zu is %g; it must be a number up to %g spacings", i,
                heights[i], HEIGHT_MOST);
       return NULL;
     }

@@ -318,7 +318,7 @@ static asp_code read_raw(asp_text *text, const asp_profile_options *options, asp
 
 static asp_code check_options(const asp_profile_options *options, asp_error *error) {
   if (options->form < -1 || options->form > ASP_FORM_MAX)
-    return asp_fail(error, ASP_EARG, "form is %d; allowed is a degree of 0 to %d, or -1 for none",
+    return asp_fail(error, ASP_EARG, "form is %d; it must be a degree of 0 to %d, or -1 for none",
                     options->form, ASP_FORM_MAX);
   if (options->row < 1 || options->column < 0 || options->column > 64)
     return asp_fail(error, ASP_EARG, "row is %d and column %d; rows and columns count from 1",

@@ -123,7 +123,7 @@ asp_density *asp_density_create(const double *values, size_t count, double lo, d
                                 size_t points, asp_error *error) {
   if (points < 2 || points > GRID_MOST || !(lo < hi) || !isfinite(hi - lo)) {
     asp_fail(error, ASP_EARG,
-             "a density of %zu points from %g to %g; allowed are 2 to %d points and lo < hi",
+             "a density of %zu points from %g to %g; it must have 2 to %d points and lo < hi",
              points, lo, hi, GRID_MOST);
     return NULL;
   }

@@ -162,11 +162,11 @@ static asp_code check_bins(const asp_profile *profile, double d_min, double d_ma
   double length = (double)asp_profile_points(profile) * spacing;
   if (!(d_min >= spacing && d_min <= d_max && d_max <= length))
     return asp_fail(error, ASP_EARG,
-                    "particles of %g to %g on a profile of spacing %g and length %g; allowed are "
-                    "diameters from its spacing to its length",
+                    "particles of %g to %g on a profile of spacing %g and length %g; they must be "
+                    "from its spacing to its length",
                     d_min, d_max, spacing, length);
   if (bins < 1 || bins > BINS_MOST)
-    return asp_fail(error, ASP_EARG, "bins are %d; allowed is 1 to %d", bins, BINS_MOST);
+    return asp_fail(error, ASP_EARG, "bins are %d; they must be 1 to %d", bins, BINS_MOST);
   return ASP_OK;
 }
 

@@ -30,7 +30,7 @@ cmp <(rows a) <(rows b) || die "surface: the same seed, other numbers"
 "$asperity" surface --rq 5um --lambda-c 40um --dp 10um,55um,400um --seed 2 > b
 cmp -s <(rows a) <(rows b) && die "surface: another seed, the same numbers"
 
-# What was saved reads back as the same wall, and its twin is another profile with the same angles.
+# What was saved reads back as the same wall, and the generated one is another profile with the same angles.
 "$asperity" surface --profile profile.csv --dp 10um,55um > m
 rows m | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.03 || d < -0.03 }
   off($2, 5) || off($3, 40) || off($8, 9.835) { exit 1 } END { exit NR != 2 }' || die "surface --profile: $(cat m)"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Bad scripts: one clear message that names the thing, its value and what is allowed, on one rank and on
+# Bad scripts: one clear message that names the thing, its value and what it must be, on one rank and on
 # two, and a non-zero exit; for a step that is too large a warning with the largest safe one.
 source "$(dirname "$0")/engine.sh"
 plate 2 1 1.9e-3 > plate.stl

@@ -196,7 +196,7 @@ static void bad_pairs_are_named(void **state) {
                                      bad[i].mu, &pair, &error),
                      ASP_EARG);
     assert_non_null(strstr(error.text, bad[i].word));
-    assert_non_null(strstr(error.text, "allowed"));
+    assert_non_null(strstr(error.text, "must be"));
   }
 }
 
