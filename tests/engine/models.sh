@@ -42,7 +42,7 @@ refused() {
 }
 refused "auto" "tolerance"
 refused "visible tolerance 0.1" "tolerance"
-refused "auto tolerance 0" "tolerance is 0; it must be"
+refused "auto tolerance 0" "tolerance is 0;"
 refused "auto tolerance -1" "tolerance is -1"
 refused "auto tolerance nan" "tolerance is nan"
 refused "auto tolerance 1e-9" "comes closest"
