@@ -22,3 +22,8 @@ unset(_package)
 file(RELATIVE_PATH ASPERITY_PC_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/asperity.pc.in ${CMAKE_CURRENT_BINARY_DIR}/asperity.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/asperity.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+add_custom_target(uninstall
+  COMMAND ${CMAKE_COMMAND} -DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest.txt
+    -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake
+  COMMENT "Taking away what was installed" VERBATIM)

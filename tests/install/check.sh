@@ -27,3 +27,13 @@ gcc "$here/stranger.c" -o "$work/stranger" $(PKG_CONFIG_PATH=$pc pkg-config --cf
 "$work/stranger"
 # The header is C++11 too.
 g++ -std=c++11 -pedantic -Wall -Werror -fsyntax-only -x c++ "$work"/prefix/include/asperity.h
+
+# What was installed goes again, and nothing else.
+installed=$(find "$work/prefix" -type f | wc -l)
+[ "$installed" -ge 5 ] || { echo "only $installed files were installed"; exit 1; }
+touch "$work/prefix/bin/another"
+cmake --build "$build" --target uninstall > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+[ "$(find "$work/prefix" -type f -printf '%P ')" = 'bin/another ' ] || { echo "left: $(find "$work/prefix" -type f)"; exit 1; }
+[ -z "$(find "$work/prefix" -type d -name asperity)" ] || { echo "an empty folder is left"; exit 1; }
+if cmake --build "$build" --target uninstall > "$work/log" 2>&1; then echo "uninstalled twice"; exit 1; fi
+tr -s " \n" " " < "$work/log" | grep -q "nothing is installed" || { cat "$work/log"; exit 1; }
