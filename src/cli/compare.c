@@ -3,6 +3,7 @@
  * band, the two-sample distance of Kolmogorov and Smirnov with its p-value, and a picture. */
 #include "cli/cli.h"
 #include "cli/scatter.h"
+#include "cli/window.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
@@ -50,16 +51,53 @@ static void describe(sample *s) {
   s->high = gsl_stats_quantile_from_sorted_data(s->values, 1, s->count, 0.95);
 }
 
+static int by_angle(const void *left, const void *right) {
+  const scatter_point *a = left, *b = right;
+  return (a->degrees > b->degrees) - (a->degrees < b->degrees);
+}
+
+/* How many of the points, which are in order of their angle, lie below an angle, or, with `closed`,
+ * not above it. */
+static size_t count_below(const scatter_point *points, size_t count, double angle, bool closed) {
+  size_t low = 0, high = count;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    double a = points[middle].degrees;
+    if (a < angle || (closed && a <= angle))
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+/* The sample of an interval, of points in order of their angle. */
 static sample sample_of(const scatter_point *points, size_t count, int which, const bin *b) {
-  sample s = {malloc((count + 1) * sizeof *s.values), 0, 0, 0, 0, 0, 0};
+  size_t first = count_below(points, count, b->from, false);
+  size_t end = count_below(points, count, b->to, b->closed);
+  sample s = {malloc((end - first + 1) * sizeof *s.values), 0, 0, 0, 0, 0, 0};
   if (!s.values)
     cli_fail("out of memory");
-  for (size_t i = 0; i < count; i++) {
-    double a = points[i].degrees, y = points[i].cor[which];
-    if (a >= b->from && (a < b->to || (b->closed && a <= b->to)) && isfinite(y))
-      s.values[s.count++] = y;
-  }
+  for (size_t i = first; i < end; i++)
+    if (isfinite(points[i].cor[which]))
+      s.values[s.count++] = points[i].cor[which];
   describe(&s);
+  return s;
+}
+
+/* What is told of the sample in a window; its values are not kept. */
+static sample sample_in(const cli_window *window) {
+  sample s = {NULL, cli_window_count(window), NAN, NAN, NAN, NAN, NAN};
+  if (s.count == 0)
+    return s;
+  cli_window_moments(window, &s.mean, &s.sd);
+  if (s.count == 1)
+    s.sd = NAN;
+  s.median = cli_window_quantile(window, 0.5);
+  if (s.count >= BAND_LEAST) {
+    s.low = cli_window_quantile(window, 0.05);
+    s.high = cli_window_quantile(window, 0.95);
+  }
   return s;
 }
 
@@ -108,39 +146,79 @@ static void compare_points(bin *b) {
   b->p = p_value(b->distance, (double)b->model.count, (double)b->data.count);
 }
 
-/* Bin i: one of equal ones over 0 to 90 degrees, or the one around row i of means. */
-static bin bin_of(const scatter_impacts *impacts, const scatter_data *data, int which, double width,
-                  size_t i) {
-  bin b = {.in_band = NAN, .distance = NAN, .p = NAN};
-  if (data->n_means > 0) {
-    const scatter_mean *row = &data->means[i];
-    b.middle = row->degrees;
-    b.from = fmax(0, b.middle - width / 2);
-    b.to = fmin(90, b.middle + width / 2);
-    b.closed = true;
-    b.data = (sample){NULL, 0, row->mean[which], row->sd[which], NAN, NAN, NAN};
-  } else {
-    b.from = (double)i * width;
-    b.to = fmin(90, b.from + width);
-    b.middle = (b.from + b.to) / 2;
-    b.closed = b.to >= 90;
-    b.data = sample_of(data->points, data->n_points, which, &b);
+static bin *allocate_bins(size_t count) {
+  bin *bins = calloc(count, sizeof *bins);
+  if (!bins)
+    cli_fail("out of memory");
+  for (size_t i = 0; i < count; i++)
+    bins[i].in_band = bins[i].distance = bins[i].p = NAN;
+  return bins;
+}
+
+/* Equal bins over 0 to 90 degrees. */
+static bin *bins_of_points(const scatter_impacts *impacts, const scatter_data *data, int which,
+                           double width, size_t count) {
+  bin *bins = allocate_bins(count);
+  for (size_t i = 0; i < count; i++) {
+    bin *b = &bins[i];
+    b->from = (double)i * width;
+    b->to = fmin(90, b->from + width);
+    b->middle = (b->from + b->to) / 2;
+    b->closed = b->to >= 90;
+    b->data = sample_of(data->points, data->n_points, which, b);
+    b->model = sample_of(impacts->points, impacts->count, which, b);
+    compare_points(b);
   }
-  b.model = sample_of(impacts->points, impacts->count, which, &b);
-  if (data->n_points > 0)
-    compare_points(&b);
-  return b;
+  return bins;
+}
+
+typedef struct placed {
+  double degrees;
+  size_t row;
+} placed;
+
+static int by_place(const void *left, const void *right) {
+  const placed *a = left, *b = right;
+  return (a->degrees > b->degrees) - (a->degrees < b->degrees);
+}
+
+/* The rows of means, by their angle. */
+static placed *order_of(const scatter_data *data) {
+  placed *order = malloc(data->n_means * sizeof *order);
+  if (!order)
+    cli_fail("out of memory");
+  for (size_t i = 0; i < data->n_means; i++)
+    order[i] = (placed){data->means[i].degrees, i};
+  qsort(order, data->n_means, sizeof *order, by_place);
+  return order;
+}
+
+/* A bin around each row of means. */
+static bin *bins_of_means(const scatter_impacts *impacts, const scatter_data *data, int which,
+                          double width) {
+  bin *bins = allocate_bins(data->n_means);
+  placed *order = order_of(data);
+  cli_window *window = cli_window_create(impacts->points, impacts->count, which);
+  for (size_t i = 0; i < data->n_means; i++) {
+    const scatter_mean *row = &data->means[order[i].row];
+    bin *b = &bins[order[i].row];
+    b->middle = row->degrees;
+    b->from = fmax(0, b->middle - width / 2);
+    b->to = fmin(90, b->middle + width / 2);
+    cli_window_move(window, b->from, b->to);
+    b->data = (sample){NULL, 0, row->mean[which], row->sd[which], NAN, NAN, NAN};
+    b->model = sample_in(window);
+  }
+  cli_window_free(window);
+  free(order);
+  return bins;
 }
 
 static bin *bins_of(const scatter_impacts *impacts, const scatter_data *data, int which,
                     double width, size_t *count) {
   *count = data->n_means > 0 ? data->n_means : (size_t)ceil(90 / width - 1e-9);
-  bin *bins = malloc(*count * sizeof *bins);
-  if (!bins)
-    cli_fail("out of memory");
-  for (size_t i = 0; i < *count; i++)
-    bins[i] = bin_of(impacts, data, which, width, i);
-  return bins;
+  return data->n_means > 0 ? bins_of_means(impacts, data, which, width)
+                           : bins_of_points(impacts, data, which, width, *count);
 }
 
 static void free_bins(bin *bins, size_t count) {
@@ -322,6 +400,9 @@ static int run(int argc, char **argv) {
   if (!options[BIN].value)
     options[BIN].value = c.data.n_means ? WIDTH_MEANS : WIDTH_POINTS;
   double width = cli_number(&options[BIN], 0.1, 90);
+  qsort(c.impacts.points, c.impacts.count, sizeof *c.impacts.points, by_angle);
+  if (c.data.n_points > 0)
+    qsort(c.data.points, c.data.n_points, sizeof *c.data.points, by_angle);
   size_t both = 0;
   for (int which = 0; which < COR_BOTH; which++) {
     c.bins[which] = bins_of(&c.impacts, &c.data, which, width, &c.count);

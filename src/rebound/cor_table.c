@@ -11,6 +11,11 @@
 
 #define DEGREES (180 / ASP_PI)
 
+/* Angles of a table are at least this far apart, in radians, so that slopes between them are
+ * numbers.
+ */
+#define APART_LEAST 1e-9
+
 /* Rounding in a file's coefficients may seem to make this much energy. */
 #define ENERGY_MOST (1 + 1e-6)
 
@@ -60,6 +65,11 @@ static asp_code check_grid(const asp_cor_point *p, size_t count, size_t n_angles
                       p[i].speed, p[i].alpha1 * DEGREES);
   if (n_angles < 2)
     return asp_fail(error, ASP_EDATA, "one angle at speed %g; at least two are needed", p->speed);
+  for (size_t i = 1; i < n_angles; i++)
+    if (p[i].alpha1 - p[i - 1].alpha1 < APART_LEAST)
+      return asp_fail(error, ASP_EDATA,
+                      "angles of %g and %g degrees; they must be at least %.2g degrees apart",
+                      p[i - 1].alpha1 * DEGREES, p[i].alpha1 * DEGREES, APART_LEAST * DEGREES);
   for (size_t i = n_angles; i < count || i % n_angles; i++) {
     const asp_cor_point *want = &p[i % n_angles], *row = &p[i - i % n_angles];
     if (i >= count || !same(p[i].alpha1, want->alpha1) || !same(p[i].speed, row->speed))
@@ -170,12 +180,14 @@ static asp_cor_point *read_points(asp_csv *csv, double metre_per_second, size_t 
   asp_code code = at.angle < 0 || at.cor_n < 0 || at.cor_t < 0 ? ASP_EDATA : ASP_OK;
   bool found = !code;
   for (*count = 0; found && !code; (*count)++) {
-    asp_cor_point *grown = realloc(points, (*count + 1) * sizeof *points);
-    if (!grown) {
-      code = asp_fail(error, ASP_ENOMEM, "out of memory for a table of coefficients");
-      break;
+    if ((*count & (*count - 1)) == 0) { /* full: 0, 1, 2, 4, 8, ... */
+      asp_cor_point *grown = realloc(points, (*count ? 2 * *count : 1) * sizeof *points);
+      if (!grown) {
+        code = asp_fail(error, ASP_ENOMEM, "out of memory for a table of coefficients");
+        break;
+      }
+      points = grown;
     }
-    points = grown;
     code = asp_csv_row(csv, &found, error);
     if (code || !found)
       break;

@@ -8,9 +8,17 @@
 #include <string.h>
 #include <strings.h>
 
+enum { ROOM_MOST = 1 << 28 };
+
+typedef struct own_material {
+  asp_material material; /* name, title and source are one piece of memory, the name's */
+  size_t line;           /* of the file */
+} own_material;
+
 struct asp_materials {
-  int count;
-  asp_material *list; /* name, title and source of each are one piece of memory, the name's */
+  int count, room;
+  own_material *list;
+  int *by_name; /* places in the list in order of the names, then as in the file */
 };
 
 typedef struct columns {
@@ -73,23 +81,40 @@ static asp_code read_material(const asp_csv *csv, const columns *at, asp_materia
   return copy_words(csv, at, m, error);
 }
 
+/* The first place in the order of names whose name is not before this one. */
+static int place_of(const asp_materials *own, const char *name) {
+  int low = 0, high = own->count;
+  while (low < high) {
+    int middle = low + (high - low) / 2;
+    if (strcmp(own->list[own->by_name[middle]].material.name, name) < 0)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
 static const asp_material *find_own(const asp_materials *own, const char *name) {
-  for (int i = 0; name && own && i < own->count; i++)
-    if (strcmp(own->list[i].name, name) == 0)
-      return &own->list[i];
-  return NULL;
+  if (!own || !name)
+    return NULL;
+  int place = place_of(own, name);
+  const asp_material *found = place < own->count ? &own->list[own->by_name[place]].material : NULL;
+  return found && strcmp(found->name, name) == 0 ? found : NULL;
 }
 
 static asp_code add_material(asp_materials *own, const asp_csv *csv, const columns *at,
                              asp_error *error) {
-  if (find_own(own, field_of(csv, at->name)))
-    return asp_text_fail(&csv->text, csv->text.line, error, "material '%s' a second time",
-                         field_of(csv, at->name));
-  asp_material *grown = realloc(own->list, (size_t)(own->count + 1) * sizeof *grown);
-  if (!grown)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for %d materials", own->count + 1);
-  own->list = grown;
-  asp_code code = read_material(csv, at, &own->list[own->count], error);
+  if (own->count == own->room) {
+    int room = own->room ? 2 * own->room : 16;
+    own_material *grown =
+        room <= ROOM_MOST ? realloc(own->list, (size_t)room * sizeof *grown) : NULL;
+    if (!grown)
+      return asp_fail(error, ASP_ENOMEM, "out of memory for over %d materials", own->count);
+    own->list = grown;
+    own->room = room;
+  }
+  asp_code code = read_material(csv, at, &own->list[own->count].material, error);
+  own->list[own->count].line = csv->text.line;
   own->count += !code;
   return code;
 }
@@ -107,6 +132,44 @@ static asp_code read_all(asp_materials *own, asp_csv *csv, asp_error *error) {
   return code;
 }
 
+/* A material while the order of names is made. */
+typedef struct named {
+  const char *name;
+  int place;
+} named;
+
+static int compare(const void *left, const void *right) {
+  const named *a = left, *b = right;
+  int order = strcmp(a->name, b->name);
+  return order ? order : (a->place > b->place) - (a->place < b->place);
+}
+
+/* Puts the names in order; of those that are there twice, the first in the file is an error. */
+static asp_code sort_names(asp_materials *own, const char *path, asp_error *error) {
+  size_t count = (size_t)own->count;
+  named *names = malloc((count + 1) * sizeof *names);
+  own->by_name = malloc((count + 1) * sizeof *own->by_name);
+  int again = own->count;
+  if (names && own->by_name) {
+    for (int i = 0; i < own->count; i++)
+      names[i] = (named){own->list[i].material.name, i};
+    qsort(names, count, sizeof *names, compare);
+    for (size_t i = 0; i < count; i++) {
+      own->by_name[i] = names[i].place;
+      if (i > 0 && strcmp(names[i].name, names[i - 1].name) == 0 && names[i].place < again)
+        again = names[i].place;
+    }
+  }
+  bool enough = names && own->by_name;
+  free(names);
+  if (!enough)
+    return asp_fail(error, ASP_ENOMEM, "out of memory for %d materials", own->count);
+  if (again == own->count)
+    return ASP_OK;
+  return asp_fail(error, ASP_EDATA, "%.200s:%zu: material '%.100s' a second time", path,
+                  own->list[again].line, own->list[again].material.name);
+}
+
 asp_materials *asp_materials_read(const char *path, asp_error *error) {
   asp_csv *csv = asp_csv_open(path, error);
   if (!csv)
@@ -116,6 +179,8 @@ asp_materials *asp_materials_read(const char *path, asp_error *error) {
       own ? read_all(own, csv, error) : asp_fail(error, ASP_ENOMEM, "out of memory for materials");
   asp_csv_close(csv);
   if (!code)
+    code = sort_names(own, path, error);
+  if (!code)
     return own;
   asp_materials_free(own);
   return NULL;
@@ -123,9 +188,11 @@ asp_materials *asp_materials_read(const char *path, asp_error *error) {
 
 void asp_materials_free(asp_materials *materials) {
   for (int i = 0; materials && i < materials->count; i++)
-    free((char *)materials->list[i].name);
-  if (materials)
+    free((char *)materials->list[i].material.name);
+  if (materials) {
     free(materials->list);
+    free(materials->by_name);
+  }
   free(materials);
 }
 
@@ -134,7 +201,7 @@ int asp_materials_count(const asp_materials *materials) {
 }
 
 const asp_material *asp_materials_at(const asp_materials *materials, int index) {
-  return &materials->list[index];
+  return &materials->list[index].material;
 }
 
 const asp_material *asp_materials_find(const asp_materials *own, const char *name,
@@ -147,9 +214,12 @@ const asp_material *asp_materials_find(const asp_materials *own, const char *nam
   if (found)
     return found;
   asp_fail(error, wrong.code, "%s", wrong.text);
+  size_t used = 0;
   for (int i = 0; error && own && i < own->count; i++) {
-    size_t used = strlen(error->text);
-    snprintf(error->text + used, sizeof error->text - used, " %s", own->list[i].name);
+    used += strlen(error->text + used);
+    if (used + 1 >= sizeof error->text)
+      break;
+    snprintf(error->text + used, sizeof error->text - used, " %s", own->list[i].material.name);
   }
   return NULL;
 }

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Large files cost as much as they are long, not as their length squared: a limit on memory and one on
+# processor time that leave room for a slow machine.
+set -euo pipefail
+asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
+asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+limited() { (ulimit -v 2000000 -t 120; OMP_NUM_THREADS=1 "$asperity" "$@"); }
+
+# compare: a hundred thousand impacts against as many rows of means, and of points. The mean over 4 degrees
+# of cor_n = (alpha1 + 1)/100 is that of its middle.
+awk 'BEGIN { print "alpha1_deg,cor_n,cor_t"; for (i = 1; i <= 100000; i++) print (i * 7919 % 100000) * 9e-4 "," (i * 7919 % 100000) * 9e-6 + 0.01 ",0.5" }' > impacts
+awk 'BEGIN { print "alpha1_deg,cor_n_mean,cor_n_sd"; for (i = 0; i < 100000; i++) print (i * 104729 % 100000) * 9e-4 ",0.3,0.1" }' > means
+limited compare impacts means > out || die "compare with means"
+grep -v '^#' out | awk -F, 'NR > 1 && $1 == "cor_n" && $2 > 0 && $3 < 90 { n++
+  want = ($2 + 2 + 1) / 100
+  for (k = 5; k <= 7; k += 2) { d = $k - want; if (d > 2e-5 || d < -2e-5) bad++ }
+  d = $6 - 0.04 / sqrt(12); if (d > 1e-4 || d < -1e-4 || $4 < 4440 || $4 > 4446) bad++
+  d = $9 - $8 - 0.9 * 0.04; if (d > 1e-4 || d < -1e-4) bad++ }
+  END { print n, bad + 0 }' > verdict
+[ "$(cut -d' ' -f1 verdict)" -gt 90000 ] && [ "$(cut -d' ' -f2 verdict)" = 0 ] || die "compare with means: $(cat verdict)"
+limited compare impacts impacts --bin 0.1 > out || die "compare with points"
+[ "$(grep -c '^cor_n,.*,0,1$' out)" = 900 ] || die "compare with points: $(head -n 5 out)"
+
+# materials and tables
+awk 'BEGIN { print "name,youngs_modulus_pa,poissons_ratio,density_kg_m3"; for (i = 0; i < 1000000; i++) print "m" i ",7e10,0.2,2000" }' > materials
+limited rebound --map capture --materials materials --wall m999999,m0 --points 2 > out || die "materials"
+[ "$(grep -c '^m' out)" = 4 ] || die "materials: $(cat out)"
+echo m500000,7e10,0.2,2000 >> materials
+limited rebound --map capture --materials materials --wall m1 2> err && die "a name that is there twice"
+grep -q "materials:1000002: material 'm500000' a second time" err || die "a name that is there twice: $(cat err)"
+awk 'BEGIN { print "alpha1_deg,v1_m_s,cor_n,cor_t"; for (i = 0; i < 1000; i++) for (k = 0; k < 200; k++) print 0.09 * i "," k ",0.5,0.5" }' > table
+limited rebound --map angles --angles 45 --rebound table --table table > out || die "table"
+exit 0
