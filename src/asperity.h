@@ -75,7 +75,8 @@ uint32_t asp_key_fix(const char *name);
 /* The stream of one contact, at its beginning. */
 asp_stream asp_stream_create(const asp_key *key);
 
-/* The next uniform number of the stream, strictly between 0 and 1, in steps of 2^-53. */
+/* The next uniform number of the stream, strictly between 0 and 1: in steps of 2^-53 below
+ * 0.5 and of 2^-52 above. */
 double asp_stream_uniform(asp_stream *stream);
 
 /* The next standard normal number of the stream (inverse transform, one uniform each). */

@@ -6,6 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#define LENGTH_LEAST 1e-100
+#define LENGTH_MOST 1e100
+
 asp_code asp_fail(asp_error *error, asp_code code, const char *format, ...) {
   if (error) {
     error->code = code;
@@ -34,6 +37,13 @@ asp_code asp_check_positive(asp_error *error, const char *name, const char *unit
     return ASP_OK;
   return asp_fail(error, ASP_EARG, "%s is %g%s%s; it must be a finite number > 0", name, value,
                   *unit ? " " : "", unit);
+}
+
+asp_code asp_check_length(asp_error *error, const char *name, double value) {
+  if (value >= LENGTH_LEAST && value <= LENGTH_MOST)
+    return ASP_OK;
+  return asp_fail(error, ASP_EARG, "%s is %g; it must be > 0, from %g to %g", name, value,
+                  LENGTH_LEAST, LENGTH_MOST);
 }
 
 asp_code asp_fail_name(asp_error *error, const char *what, const char *name, int count,

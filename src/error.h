@@ -19,6 +19,10 @@ asp_code asp_check_range(asp_error *error, const char *name, const char *unit, d
 /* As above for value > 0, finite. */
 asp_code asp_check_positive(asp_error *error, const char *name, const char *unit, double value);
 
+/* As above for a length from 1e-100 to 1e100, in any unit: ratios and squares of such do not
+ * overflow or lose digits. */
+asp_code asp_check_length(asp_error *error, const char *name, double value);
+
 /* The message of a name that no registry has: "<what> 'name' is unknown; there are: a b c". */
 asp_code asp_fail_name(asp_error *error, const char *what, const char *name, int count,
                        const char *(*name_at)(int));

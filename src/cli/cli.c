@@ -1,5 +1,6 @@
 /* Options, numbers with units, output and progress of the `asperity` command; see cli.h. */
 #include "cli/cli.h"
+#include "base/number.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -125,7 +126,7 @@ static const char *given(const cli_option *option) {
 
 static double number_of(const cli_option *option, const char *text, double least, double most) {
   char *end;
-  double value = strtod(text, &end);
+  double value = asp_number(text, &end);
   if (end == text || *end)
     cli_bad_usage("--%s is '%s'; a number is expected", option->name, text);
   if (!(value >= least && value <= most) || !isfinite(value))
@@ -150,7 +151,7 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
 
 double cli_length_of(const cli_option *option, const char *text) {
   char *end;
-  double value = strtod(text, &end);
+  double value = asp_number(text, &end);
   if (end == text)
     cli_bad_usage("--%s is '%s'; a length such as 5um is expected", option->name, text);
   double unit = *end ? asp_unit_metres(end, strlen(end)) : 1;

@@ -1,5 +1,6 @@
 /* Rebound laws and materials from options; see law.h. */
 #include "cli/law.h"
+#include "base/number.h"
 #include "cli/walls.h"
 
 #include <math.h>
@@ -40,7 +41,7 @@ static void set_parameters(const cli_option *option, asp_wall_spec *spec) {
     char *equals = strchr(item, '='), *end = NULL;
     if (equals)
       *equals = '\0';
-    double value = equals ? strtod(equals + 1, &end) : 0;
+    double value = equals ? asp_number(equals + 1, &end) : 0;
     if (!equals || end == equals + 1 || *end)
       cli_bad_usage("--%s is '%s'; NAME=VALUE,NAME=VALUE... is expected", option->name,
                     option->value);

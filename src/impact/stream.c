@@ -23,7 +23,8 @@ asp_stream asp_stream_create(const asp_key *key) {
   return stream;
 }
 
-/* From the upper 53 bits of two words, and half a step, so that 0 and 1 cannot come out. */
+/* From the upper 53 bits of two words, and half a step, so that 0 and 1 cannot come out. Above 0.5
+ * the half is rounded to an even number of steps, and the steps are twice as wide. */
 static double uniform_of(uint32_t high, uint32_t low) {
   double u = ((double)(((uint64_t)high << 32 | low) >> 11) + 0.5) * UNIFORM_STEP;
   return u < 1 ? u : 1 - UNIFORM_STEP;

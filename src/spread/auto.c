@@ -87,7 +87,8 @@ static asp_code check(const asp_sizes *sizes, double alpha_least, double alpha_m
                       double tolerance, asp_error *error) {
   asp_code code;
   if ((code = asp_check_positive(error, "tolerance", "", tolerance)) ||
-      (code = asp_check_positive(error, "least d_p", "", sizes->least)) ||
+      (code = asp_check_length(error, "least d_p", sizes->least)) ||
+      (code = asp_check_length(error, "largest d_p", sizes->most)) ||
       (code = asp_check_range(error, "largest d_p", "", sizes->most, sizes->least, INFINITY)) ||
       (code = asp_check_range(error, "least alpha1", "rad", alpha_least, 0, ASP_PI / 2)))
     return code;

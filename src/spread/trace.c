@@ -251,7 +251,9 @@ int asp_sizes_nearest(const asp_sizes *sizes, double d_p) {
 }
 
 asp_code asp_sizes_check(const asp_sizes *sizes, asp_error *error) {
-  asp_code code = asp_check_positive(error, "least d_p", "", sizes->least);
+  asp_code code = asp_check_length(error, "least d_p", sizes->least);
+  if (!code)
+    code = asp_check_length(error, "largest d_p", sizes->most);
   if (!code)
     code = asp_check_range(error, "largest d_p", "", sizes->most, sizes->least, INFINITY);
   if (!code && !(sizes->bins >= 1 && sizes->bins <= ASP_BINS_MAX))

@@ -2,6 +2,7 @@
  * read once, and only its heights are kept: whether the positions are equally spaced, and how far
  * apart, comes from a line fitted to all of them, since instruments round them (to 0.1 um at a
  * spacing of 0.156 um). Where they are not, a second pass interpolates between them. */
+#include "base/number.h"
 #include "error.h"
 #include "surface/read.h"
 
@@ -144,7 +145,7 @@ static void note_precision(scan *s, const char *position, bool comma) {
     point = point || *position == '.' || (comma && *position == ',');
   }
   if (*position)
-    decimals -= (int)fmax(-400, fmin(400, strtod(position + 1, NULL)));
+    decimals -= (int)fmax(-400, fmin(400, asp_number(position + 1, NULL)));
   s->decimals = decimals > s->decimals ? decimals : s->decimals;
   s->digits = digits > s->digits ? digits : s->digits;
 }

@@ -88,9 +88,8 @@ static void convolve(double *data, double *kernel, size_t n) {
 
 static asp_code check_generated(double r_q, double lambda_c, double spacing, size_t points,
                                 asp_error *error) {
-  if (asp_check_positive(error, "r_q", "", r_q) ||
-      asp_check_positive(error, "lambda_c", "", lambda_c) ||
-      asp_check_positive(error, "spacing", "", spacing))
+  if (asp_check_length(error, "r_q", r_q) || asp_check_length(error, "lambda_c", lambda_c) ||
+      asp_check_length(error, "spacing", spacing))
     return ASP_EARG;
   if (r_q > PHI_R_MOST * lambda_c)
     return asp_fail(error, ASP_EARG, "r_q is %g; it must be at most %g lambda_c", r_q, PHI_R_MOST);
@@ -138,7 +137,7 @@ asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, siz
 
 asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
                                       bool periodic, asp_error *error) {
-  if (asp_check_positive(error, "spacing", "", spacing))
+  if (asp_check_length(error, "spacing", spacing))
     return NULL;
   if (points < ASP_POINTS_LEAST) {
     asp_fail(error, ASP_EARG, "a profile has %zu points; it must have at least %d", points,

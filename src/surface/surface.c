@@ -118,8 +118,7 @@ static void set_by_sphere(asp_surface *surface) {
 }
 
 static asp_code check_numbers(double r_q, double lambda_c, asp_filter filter, asp_error *error) {
-  if (asp_check_positive(error, "r_q", "", r_q) ||
-      asp_check_positive(error, "lambda_c", "", lambda_c))
+  if (asp_check_length(error, "r_q", r_q) || asp_check_length(error, "lambda_c", lambda_c))
     return ASP_EARG;
   double phi_r = r_q / lambda_c;
   double most = filter == ASP_FILTER_SPHERE ? PHI_R_CLOSED : SIZE_TABLE_PHI_MOST;
@@ -262,6 +261,8 @@ double asp_surface_kappa(const asp_surface *surface, double d_p) {
 
 /* The cubic piece that d_p is in; the first and last value beyond the nodes. */
 static double correction(const asp_surface *surface, double d_p) {
+  if (!(d_p > 0))
+    return surface->value[0];
   double at = (log2(d_p) - surface->log_first) * surface->per_step;
   if (!(at > 0))
     return surface->value[0];

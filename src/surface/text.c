@@ -1,5 +1,6 @@
 /* Lines, words and numbers of a text file; see text.h. */
 #include "surface/text.h"
+#include "base/number.h"
 #include "error.h"
 
 #include <ctype.h>
@@ -122,7 +123,7 @@ asp_word asp_text_number(const char *text, bool comma, double *value) {
   copy[length] = '\0';
   for (char *c = copy; comma && (c = strchr(c, ',')) != NULL;)
     *c = '.';
-  double read = strtod(copy, &end);
+  double read = asp_number(copy, &end);
   if (end != copy + length)
     return ASP_WORD_OTHER;
   if (!isfinite(read))

@@ -130,6 +130,28 @@ static void table_is_monotone(void **state) {
   asp_cor_table_free(table);
 }
 
+/* Angles and speeds that nearly coincide: coefficients that are numbers, or an error. */
+static void close_points_are_numbers_or_refused(void **state) {
+  (void)state;
+  static const double apart[] = {5e-324, 1e-310, 1e-300, 1e-100, 1e-10, 2e-9, 1e-6};
+  asp_error error;
+  for (size_t i = 0; i < sizeof apart / sizeof *apart; i++) {
+    asp_cor_point close[] = {
+        {0, 0, 0.9, 0.9},        {0, apart[i], 0.1, 0.5},        {0, 1, 0.5, 0.2},
+        {apart[i], 0, 0.2, 0.3}, {apart[i], apart[i], 0.9, 0.2}, {apart[i], 1, 0.5, 0.9}};
+    asp_cor_table *table = asp_cor_table_create(close, 6, &error);
+    assert_int_equal(table != NULL, apart[i] > 1e-9);
+    if (!table)
+      assert_non_null(strstr(error.text, "degrees apart"));
+    for (int k = 0; table && k < 1000; k++) {
+      double n, t, speed = k % 3 * 0.5 * apart[i], alpha1 = k % 2 ? k * 2e-3 : k * apart[i] / 500;
+      asp_cor_table_at(table, speed, alpha1, &n, &t);
+      assert_true(fabs(n - 0.5) <= 0.4 + 1e-12 && fabs(t - 0.55) <= 0.35 + 1e-12);
+    }
+    asp_cor_table_free(table);
+  }
+}
+
 static void table_law_needs_a_table(void **state) {
   (void)state;
   asp_error error;
@@ -271,6 +293,7 @@ int main(void) {
       cmocka_unit_test(scatter_is_not_counted_twice),
       cmocka_unit_test(table_meets_its_points),
       cmocka_unit_test(table_is_monotone),
+      cmocka_unit_test(close_points_are_numbers_or_refused),
       cmocka_unit_test(table_law_needs_a_table),
       cmocka_unit_test(tables_are_read),
       cmocka_unit_test(bad_tables_are_named),

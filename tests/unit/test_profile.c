@@ -163,6 +163,29 @@ static void expect_error(const char *text, const asp_profile_options *options, a
   assert_non_null(strstr(error.text, "/tmp/asperity_test_"));
 }
 
+/* Heights that are no numbers, or whose squares would not be, at any spacing. */
+static void heights_and_spacings_are_numbers(void **state) {
+  (void)state;
+  static const double spacings[] = {5e-324, 1e-101, 1e-100, 1, 1e100, 1e101, 1e300, 1e308};
+  static const double bad[] = {INFINITY, -INFINITY, NAN, 1.7e308};
+  asp_error wrong;
+  for (size_t i = 0; i < sizeof spacings / sizeof *spacings; i++) {
+    double z[] = {0, spacings[i], 0, 2 * spacings[i]};
+    bool good = spacings[i] > 9e-101 && spacings[i] < 2e100;
+    asp_profile *p = asp_profile_from_heights(z, 4, spacings[i], true, &wrong);
+    assert_int_equal(p != NULL, good);
+    asp_profile_free(p);
+    if (!good)
+      assert_non_null(strstr(wrong.text, "spacing is"));
+    for (size_t k = 0; good && k < sizeof bad / sizeof *bad; k++) {
+      z[2] = bad[k];
+      assert_null(asp_profile_from_heights(z, 4, spacings[i], true, &wrong));
+      assert_int_equal(wrong.code, ASP_EARG);
+      assert_non_null(strstr(wrong.text, "height 2 is"));
+    }
+  }
+}
+
 static void separators_and_decimal_commas(void **state) {
   (void)state;
   expect("x_um,z_um\n0,1\n0.5,2\n1,4\n", NULL, 3, 0.5e-6, 4e-6);
@@ -422,6 +445,7 @@ int main(void) {
       cmocka_unit_test(levels_of_the_autocorrelation),
       cmocka_unit_test(description_of_a_wave),
       cmocka_unit_test(bad_profiles_are_refused),
+      cmocka_unit_test(heights_and_spacings_are_numbers),
       cmocka_unit_test(separators_and_decimal_commas),
       cmocka_unit_test(units_as_instruments_write_them),
       cmocka_unit_test(units_that_must_be_asked_for),

@@ -70,6 +70,8 @@ static void uniform_is_uniform(void **state) {
     for (int i = 0; i < DRAWS; i++) {
       double u = asp_stream_uniform(&s);
       assert_true(u > 0 && u < 1);
+      double steps = u < 0.5 ? u * 0x1p53 - 0.5 : u * 0x1p52; /* as the header tells */
+      assert_near(steps, floor(steps), 0);
       sum += u - 0.5;
       square += (u - 0.5) * (u - 0.5);
     }

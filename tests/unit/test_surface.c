@@ -1,4 +1,7 @@
 /* The size law against the numbers it was derived with, and its limits. */
+#define _GNU_SOURCE /* feenableexcept */
+#include <fenv.h>
+
 #include "check.h"
 
 static void numbers_of_the_wall(void **state) {
@@ -172,6 +175,62 @@ static void bad_bins_are_named(void **state) {
   asp_profile_free(p);
 }
 
+/* Lengths over 200 decades, and denormal ones: a wall whose numbers are numbers, or none. */
+static void lengths_are_numbers_or_refused(void **state) {
+  (void)state;
+  static const double lengths[] = {5e-324, 1e-320, 2.2e-308, 1e-200, 1e-101, 1e-100, 1e-50,
+                                   1,      1e50,   1e100,    1e101,  1e300,  1.7e308};
+  enum { N = sizeof lengths / sizeof *lengths };
+  int walls = 0;
+  for (int filter = 0; filter < 2; filter++)
+    for (int i = 0; i < N; i++)
+      for (int k = 0; k < N; k++) {
+        asp_error error = {ASP_OK, ""};
+        asp_surface *s = asp_surface_create_filter(
+            lengths[i], lengths[k], filter ? ASP_FILTER_SPHERE : ASP_FILTER_DISC, &error);
+        if (!s) {
+          assert_true(error.code == ASP_EARG || error.code == ASP_ERANGE);
+          continue;
+        }
+        walls++;
+        double most = asp_surface_d_p_most(s),
+               sizes[] = {0, 5e-324, 1e-310, 1e-100, 1e-3 * most, most};
+        assert_true(isfinite(most) && most > 0);
+        for (size_t n = 0; n < sizeof sizes / sizeof *sizes; n++) {
+          double slope = asp_surface_slope(s, sizes[n]);
+          assert_true(slope >= 0 && slope <= asp_surface_slope_rms(s) * (1 + 1e-12));
+          assert_true(asp_surface_kappa(s, sizes[n]) >= 0);
+        }
+        asp_surface_free(s);
+      }
+  assert_true(walls > 20);
+}
+
+/* No division by zero or invalid operation on the way to a slope, for a program that traps them. */
+static void slopes_raise_no_trap(void **state) {
+  (void)state;
+  asp_profile *p = asp_profile_create(0.3, 1, 0.1, 2000, 3, NULL);
+  asp_surface *walls[] = {asp_surface_create(0.1, 1, NULL),
+                          asp_surface_create(0.25, 1, NULL),
+                          asp_surface_create(0.6, 1, NULL),
+                          asp_surface_create(1, 1, NULL),
+                          asp_surface_create_filter(0.1, 1, ASP_FILTER_SPHERE, NULL),
+                          asp_surface_create_profile(p, 1, 4, 5, NULL),
+                          asp_surface_create_profile(p, 1, 4, 1, NULL)};
+  static const double sizes[] = {0, 5e-324, 1e-300, 1e-9, 0.02, 1, 3, 1e3, 1e300};
+  double sum = 0;
+  feclearexcept(FE_ALL_EXCEPT);
+  feenableexcept(FE_DIVBYZERO | FE_INVALID);
+  for (size_t w = 0; w < sizeof walls / sizeof *walls; w++)
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+      sum += asp_surface_slope(walls[w], sizes[i]);
+  fedisableexcept(FE_ALL_EXCEPT);
+  assert_true(sum > 0);
+  for (size_t w = 0; w < sizeof walls / sizeof *walls; w++)
+    asp_surface_free(walls[w]);
+  asp_profile_free(p);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(numbers_of_the_wall),
@@ -183,6 +242,8 @@ int main(void) {
       cmocka_unit_test(ends_of_the_tables_are_errors),
       cmocka_unit_test(profile_wall_has_the_profiles_slopes),
       cmocka_unit_test(bad_bins_are_named),
+      cmocka_unit_test(lengths_are_numbers_or_refused),
+      cmocka_unit_test(slopes_raise_no_trap),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

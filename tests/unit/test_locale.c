@@ -1,0 +1,82 @@
+/* Files are read with a decimal point in a program whose locale has a comma; locale.sh sets it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "check.h"
+
+#include <locale.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static const char *file_of(const char *text) {
+  static char path[] = "/tmp/test_locale.XXXXXX";
+  strcpy(strchr(path, '.'), ".XXXXXX");
+  int handle = mkstemp(path);
+  assert_true(handle >= 0 && write(handle, text, strlen(text)) == (ssize_t)strlen(text));
+  close(handle);
+  return path;
+}
+
+static int set_locale(void **state) {
+  (void)state;
+  char half[8];
+  snprintf(half, sizeof half, setlocale(LC_ALL, "") ? "%g" : "none", 0.5);
+  return strcmp(half, "0,5");
+}
+
+static void profiles(void **state) {
+  (void)state;
+  static const char *const files[] = {"x_um,z_um\n0.5,1.5\n1.0,2.5\n1.5,0.5\n",
+                                      "x_um;z_um\n0,5;1,5\n1,0;2,5\n1,5;0,5\n",
+                                      "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 0.5e-6\n"
+                                      "Zscale = 1.0e-6\n*\n1.5 2.5\n0.5\n"};
+  asp_profile_options options = asp_profile_options_default();
+  options.form = -1;
+  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+    asp_error error;
+    const char *path = file_of(files[i]);
+    asp_profile *p = asp_profile_read(path, &options, NULL, &error);
+    unlink(path);
+    if (!p)
+      print_error("%s\n", error.text);
+    assert_non_null(p);
+    assert_near(asp_profile_spacing(p), 0.5e-6, 1e-15);
+    assert_near(asp_profile_heights(p)[1], 2.5e-6, 1e-15);
+    asp_profile_free(p);
+  }
+}
+
+static void tables_and_materials(void **state) {
+  (void)state;
+  double n, t;
+  const char *path = file_of("alpha1_deg,cor_n,cor_t\n10.5,0.75,0.25\n80.5,0.75,0.25\n");
+  asp_cor_table *table = asp_cor_table_read(path, 1, NULL);
+  unlink(path);
+  assert_non_null(table);
+  asp_cor_table_at(table, 1, 0.5, &n, &t);
+  assert_near(n, 0.75, 1e-15);
+  assert_near(t, 0.25, 1e-15);
+  asp_cor_table_free(table);
+  path = file_of("name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nchalk,1.5e10,0.25,2000.5\n");
+  asp_materials *own = asp_materials_read(path, NULL);
+  unlink(path);
+  assert_non_null(own);
+  assert_near(asp_materials_at(own, 0)->poissons_ratio, 0.25, 0);
+  assert_near(asp_materials_at(own, 0)->youngs_modulus, 1.5e10, 0);
+  asp_materials_free(own);
+}
+
+/* The program's locale is still its own. */
+static void nothing_is_left_behind(void **state) {
+  (void)state;
+  assert_string_equal(localeconv()->decimal_point, ",");
+  assert_near(strtod("0,5", NULL), 0.5, 0);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(profiles),
+      cmocka_unit_test(tables_and_materials),
+      cmocka_unit_test(nothing_is_left_behind),
+  };
+  return cmocka_run_group_tests(tests, set_locale, NULL);
+}
