@@ -55,6 +55,9 @@ static const double LEAVES = 0.01;
 /* Inside a cylinder, a particle slides that approaches with less than this share of its speed. */
 static const double SLIDES = 1e-6;
 
+/* As the script has them. */
+static const char *const DEPOSITS[] = {"freeze", "delete", "off"};
+
 static const char KEYWORDS[] = "surface spread rebound materials deposit seed timing ledger";
 
 static double dot(const double a[3], const double b[3]) {
@@ -190,6 +193,17 @@ static const UnitStyle &units_of(const char *style, const char *what) {
              what, style);
 }
 
+/* The words of the geometry, numbers in one form. */
+static std::string geometry_of(char **arg, int end) {
+  std::string geometry = arg[3];
+  for (int i = strcmp(arg[3], "mesh") == 0 ? 7 : 4; i < end; i++) {
+    char *rest;
+    const double value = strtod(arg[i], &rest);
+    geometry += std::string(" ") + (*rest ? arg[i] : asperity::setting(value));
+  }
+  return geometry;
+}
+
 /* ---- making ---------------------------------------------------------------------------------- */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
@@ -203,6 +217,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
       restarted_(false) {
   for (int m = 0; m < n_meshes(); m++)
     mesh_ids_.push_back(mesh_list()[m]->id);
+  geometry_ = geometry_of(arg, iarg_);
   check_particles();
   check_meshes();
   try {
@@ -379,6 +394,7 @@ void FixWallRebound::parse_rebound(ArgReader &args) {
 void FixWallRebound::read_table(const std::string &path) {
   asp_error wrong;
   const UnitStyle &units = units_of(update->unit_style, "a table is");
+  table_path_ = path;
   table_.reset(asp_cor_table_read(path.c_str(), units.metre / units.second, &wrong));
   if (!table_)
     throw std::string(wrong.text);
@@ -413,8 +429,22 @@ void FixWallRebound::parse_materials(ArgReader &args) {
 
 void FixWallRebound::parse_ledger(ArgReader &args) {
   bigint every = static_cast<bigint>(args.whole("ledger", 1, 2147483647.0));
-  std::string path = args.take("file") ? args.word("the file of 'ledger'") : "";
-  ledger_.reset(new asperity::Ledger(world, every, path));
+  std::string path, on_error;
+  for (bool more = true; more;) {
+    if (args.take("file"))
+      path = args.word("the file of 'ledger'");
+    else if (args.take("on_error"))
+      on_error = args.word("the value of 'on_error'");
+    else
+      more = false;
+  }
+  if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
+    throw "on_error is '" + on_error + "'; it must be stop or go_on";
+  if (!on_error.empty() && path.empty())
+    throw std::string("on_error is of a ledger's file; 'ledger N file FILE' must come with it");
+  ledger_.reset(
+      new asperity::Ledger(world, std::string("fix ") + id, every, path,
+                           on_error == "go_on" ? asperity::Ledger::GO_ON : asperity::Ledger::STOP));
 }
 
 /* Whether the wall depends on the range of diameters, and so cannot be made before a run. */
@@ -553,10 +583,12 @@ void FixWallRebound::init() {
     fail(wrong);
   }
   set_clock();
-  if (ledger_) {
-    std::string why = ledger_->open(restarted_, heading());
-    if (!why.empty())
-      fail(why);
+  renumber_stuck();
+  try {
+    if (ledger_)
+      print(ledger_->open(heading(), update->ntimestep));
+  } catch (const asperity::Error &wrong) {
+    fail(wrong.what());
   }
   if (!announced_)
     announce();
@@ -773,12 +805,34 @@ double FixWallRebound::time() const {
   return clock_.time + (static_cast<double>(update->ntimestep) - clock_.step) * clock_.dt;
 }
 
+/* To screen and log, on one rank. */
+void FixWallRebound::print(const std::string &line) {
+  if (line.empty() || comm->me != 0)
+    return;
+  const std::string whole = std::string("fix ") + id + " wall/rebound: " + line + "\n";
+  if (screen)
+    fputs(whole.c_str(), screen);
+  if (logfile)
+    fputs(whole.c_str(), logfile);
+}
+
+void FixWallRebound::warn(const std::string &what) {
+  if (comm->me == 0)
+    error->warning(FLERR, ("Fix wall/rebound (id " + std::string(id) + "): " + what).c_str());
+}
+
+/* Rows of the ledger that could not be written. */
+void FixWallRebound::tell_lost(const std::string &lost) {
+  if (lost.empty())
+    return;
+  if (ledger_->on_error() == asperity::Ledger::STOP)
+    fail(lost);
+  warn(lost);
+}
+
 void FixWallRebound::announce() {
   std::string line = text("fix %s wall/rebound: rebound %s, deposit %s, timing %s, seed %u; ", id,
-                          rebound_text_.c_str(),
-                          deposit_ == FREEZE   ? "freeze"
-                          : deposit_ == DELETE ? "delete"
-                                               : "off",
+                          rebound_text_.c_str(), DEPOSITS[deposit_],
                           timing_ == EXACT ? "exact" : "overlap", seed_);
   line += describe_surface() + materials_report_ + "\n";
   if (comm->me != 0)
@@ -810,7 +864,7 @@ void FixWallRebound::setup(int vflag) {
   fastest_ = Fastest();
   check_speeds();
   warn_of_speeds();
-  for (size_t m = 0; m < saved_maps_.size() && m < maps_.size(); m++)
+  for (size_t m = 0; m < saved_maps_.size(); m++)
     maps_[m]->scatter(saved_maps_[m]);
   saved_maps_.clear();
 }
@@ -1672,7 +1726,7 @@ void FixWallRebound::end_of_step() {
   }
   if (!ledger_)
     return;
-  ledger_->end_step(update->ntimestep);
+  tell_lost(ledger_->end_step(update->ntimestep));
   if (update->ntimestep % ledger_->every() == 0) {
     array_local = ledger_->rows();
     size_local_rows = ledger_->size();
@@ -1687,11 +1741,8 @@ void FixWallRebound::settle_maps() {
 void FixWallRebound::post_run() {
   settle_maps();
   warn_of_speeds();
-  if (!ledger_)
-    return;
-  std::string why = ledger_->flush();
-  if (!why.empty())
-    fail(why);
+  if (ledger_)
+    tell_lost(ledger_->flush());
 }
 
 /* ---- output and restart ---------------------------------------------------------------------- */
@@ -1720,88 +1771,135 @@ double FixWallRebound::memory_usage() {
          (ledger_ ? ledger_->memory_usage() : 0);
 }
 
-FixWallRebound::Choice FixWallRebound::choice() const {
-  Choice c;
-  memset(&c, 0, sizeof c);
-  c.seed = seed_;
-  c.r_q = r_q_;
-  c.lambda_c = lambda_c_;
-  snprintf(c.profile, sizeof c.profile, "%s", profile_path_.c_str());
-  snprintf(c.spread, sizeof c.spread, "%s", spread_.c_str());
-  snprintf(c.rebound, sizeof c.rebound, "%s", spec_.rebound);
-  snprintf(c.materials, sizeof c.materials, "%s", materials_text_.c_str());
-  return c;
+asperity::Settings FixWallRebound::settings() const {
+  const std::string bins = dp_bins_ == 16 ? "" : text(" dp_bins %d", dp_bins_);
+  const std::string surface =
+      smooth_ ? "smooth"
+      : profile_path_.empty()
+          ? "rq " + asperity::setting(r_q_) + " lambda_c " + asperity::setting(lambda_c_) + bins
+          : "profile " + profile_path_ + bins;
+  std::string spread =
+      spread_ + (spec_.tilt == ASP_TILT_PLANE ? " plane" : " isotropic") +
+      (spec_.collisions == ASP_COLLISIONS_SINGLE ? " collisions single" : " collisions multiple");
+  if (tolerance_ > 0)
+    spread += " tolerance " + asperity::setting(tolerance_);
+  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
+  std::string rebound = law->name + (table_path_.empty() ? "" : " " + table_path_);
+  for (int i = 0; i < law->n_parameters; i++)
+    rebound +=
+        std::string(" ") + law->parameters[i].name + " " + asperity::setting(spec_.parameters[i]);
+  return {{"geometry", geometry_},
+          {"surface", surface},
+          {"spread", spread},
+          {"rebound", rebound},
+          {"materials", materials_text_},
+          {"deposit", DEPOSITS[deposit_]},
+          {"timing", timing_ == EXACT ? "exact" : "overlap"},
+          {"seed", std::to_string(seed_)}};
 }
 
 /* The script is what counts; but it should not differ unnoticed. */
-void FixWallRebound::compare_choice(const Choice &saved) {
-  const Choice now = choice();
-  std::string changes;
-  if (saved.seed != now.seed)
-    changes += text("; seed %u, was %u", now.seed, saved.seed);
-  if (memcmp(&saved.r_q, &now.r_q, sizeof now.r_q) ||
-      memcmp(&saved.lambda_c, &now.lambda_c, sizeof now.r_q))
-    changes += text("; rq %g lambda_c %g, was rq %g lambda_c %g", now.r_q, now.lambda_c, saved.r_q,
-                    saved.lambda_c);
-  if (strcmp(saved.profile, now.profile))
-    changes += text("; profile '%s', was '%s'", now.profile, saved.profile);
-  if (strcmp(saved.spread, now.spread))
-    changes += text("; spread %s, was %s", now.spread, saved.spread);
-  if (strcmp(saved.rebound, now.rebound))
-    changes += text("; rebound %s, was %s", now.rebound, saved.rebound);
-  if (strcmp(saved.materials, now.materials))
-    changes += text("; materials '%s', was '%s'", now.materials, saved.materials);
-  if (!changes.empty() && comm->me == 0)
-    error->warning(FLERR, ("Fix wall/rebound (id " + std::string(id) +
-                           "): the script differs from the restart file, and the script is taken" +
-                           changes)
-                              .c_str());
+void FixWallRebound::compare_settings(const asperity::Settings &saved) {
+  const std::string changes = asperity::describe_changes(settings(), saved);
+  if (!changes.empty())
+    warn("the script differs from the restart file, and the script is taken; " + changes);
 }
 
-/* The fixed part, the totals, and for each mesh the number of its values and the values. */
+/* Of a mesh in all; before meshes are shared out among the ranks, each has all of them. */
+int64_t FixWallRebound::triangles(int m) const {
+  TriMesh *mesh = mesh_list()[m]->triMesh();
+  return mesh->sizeGlobal() > 0 ? mesh->sizeGlobal() : mesh->sizeLocal();
+}
+
 void FixWallRebound::write_restart(FILE *file) {
-  Saved saved;
-  MPI_Allreduce(counters_, saved.counters, N_COUNTERS, MPI_DOUBLE, MPI_SUM, world);
-  memcpy(saved.d_range, d_range_, sizeof d_range_);
-  saved.clock = clock_;
-  saved.choice = choice();
-  std::vector<double> tail(totals_.size());
-  MPI_Allreduce(totals_.data(), tail.data(), static_cast<int>(tail.size()), MPI_DOUBLE, MPI_SUM,
+  asperity::WallState state = asperity::WallState();
+  state.settings = settings();
+  if (ledger_)
+    tell_lost(ledger_->save(state.ledger));
+  state.counters.resize(N_COUNTERS);
+  MPI_Allreduce(counters_, state.counters.data(), N_COUNTERS, MPI_DOUBLE, MPI_SUM, world);
+  std::vector<double> totals(totals_.size());
+  MPI_Allreduce(totals_.data(), totals.data(), static_cast<int>(totals.size()), MPI_DOUBLE, MPI_SUM,
                 world);
-  for (std::unique_ptr<ReboundMap> &map : maps_) {
-    std::vector<double> values = map->gather(world);
-    tail.push_back(static_cast<double>(values.size()));
-    tail.insert(tail.end(), values.begin(), values.end());
+  if (!is_mesh_wall())
+    state.totals = totals;
+  for (int m = 0; m < n_meshes(); m++) {
+    const auto begin = totals.begin() + m * N_TOTALS;
+    state.meshes.push_back(asperity::MeshState{
+        mesh_ids_[m], triangles(m), std::vector<double>(begin, begin + N_TOTALS),
+        saved_maps_.empty() ? maps_[m]->gather(world) : saved_maps_[m]});
   }
+  memcpy(state.d_range, d_range_, sizeof d_range_);
+  state.clock[0] = clock_.time;
+  state.clock[1] = clock_.step;
+  state.clock[2] = clock_.dt;
   if (comm->me != 0)
     return;
-  int size = static_cast<int>(sizeof saved + tail.size() * sizeof(double));
+  const std::vector<char> record = asperity::pack(state);
+  const int size = static_cast<int>(record.size());
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(&saved, 1, sizeof saved, file);
-  fwrite(tail.data(), sizeof(double), tail.size(), file);
+  fwrite(record.data(), 1, record.size(), file);
 }
 
+/* LIGGGHTS does not tell how long the buffer is. */
 void FixWallRebound::restart(char *buffer) {
-  Saved saved;
-  memcpy(&saved, buffer, sizeof saved);
+  asperity::WallState saved;
+  try {
+    saved = asperity::unpack(buffer);
+    if (saved.counters.size() != N_COUNTERS)
+      throw asperity::Error(
+          text("the restart file's record of this wall has %d counters; they must "
+               "be %d",
+               static_cast<int>(saved.counters.size()), N_COUNTERS));
+  } catch (const asperity::Error &wrong) {
+    fail(wrong.what());
+  }
+  compare_settings(saved.settings);
   memcpy(d_range_, saved.d_range, sizeof d_range_);
-  clock_ = saved.clock;
-  compare_choice(saved.choice);
-  buffer += sizeof saved;
-  auto take = [&buffer](std::vector<double> &values) {
-    memcpy(values.data(), buffer, values.size() * sizeof(double));
-    buffer += values.size() * sizeof(double);
-  };
-  std::vector<double> totals(totals_.size()), count(1);
-  take(totals);
-  if (comm->me == 0) {
-    memcpy(counters_, saved.counters, sizeof counters_);
-    totals_ = totals;
-  }
-  for (int m = 0; m < n_meshes(); m++) {
-    take(count);
-    saved_maps_.push_back(std::vector<double>(static_cast<size_t>(count[0])));
-    take(saved_maps_.back());
-  }
+  clock_ = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
+  if (comm->me == 0)
+    std::copy(saved.counters.begin(), saved.counters.end(), counters_);
+  continue_meshes(saved);
+  if (ledger_)
+    ledger_->restore(saved.ledger);
   restarted_ = true;
+}
+
+/* Totals and maps, those of a mesh only where it is the same one. */
+void FixWallRebound::continue_meshes(const asperity::WallState &saved) {
+  std::vector<std::pair<std::string, int64_t>> meshes;
+  for (int m = 0; m < n_meshes(); m++)
+    meshes.push_back(std::make_pair(mesh_ids_[m], triangles(m)));
+  std::string lost;
+  const std::vector<int> found = asperity::match_meshes(saved, meshes, lost);
+  if (!lost.empty())
+    warn("not continued by a mesh, but kept in the wall's own counters: " + lost);
+  if (!is_mesh_wall() && comm->me == 0 && saved.totals.size() == N_TOTALS)
+    totals_ = saved.totals;
+  saved_maps_.resize(n_meshes());
+  mesh_now_.assign(saved.meshes.size(), 0);
+  for (int m = 0; m < n_meshes(); m++) {
+    if (found[m] < 0)
+      continue;
+    const asperity::MeshState &mesh = saved.meshes[found[m]];
+    mesh_now_[found[m]] = m + 1;
+    saved_maps_[m] = mesh.map;
+    if (comm->me == 0 && mesh.totals.size() == N_TOTALS)
+      std::copy(mesh.totals.begin(), mesh.totals.end(), &totals_[m * N_TOTALS]);
+  }
+}
+
+/* What is stuck knows its mesh by a number, which another script may have changed. What is stuck to
+ * a mesh that is gone stays where it is. */
+void FixWallRebound::renumber_stuck() {
+  for (int i = 0; fix_place_ && !mesh_now_.empty() && i < atom->nlocal; i++) {
+    double *s = place(i);
+    const int before = static_cast<int>(s[STUCK_MESH]);
+    if (state(i)[STATE] == FREE || before < 1 || before > static_cast<int>(mesh_now_.size()))
+      continue;
+    s[STUCK_MESH] = mesh_now_[before - 1];
+    if (mesh_now_[before - 1] == 0)
+      vectorZeroize3D(s + STUCK_V);
+  }
+  mesh_now_.clear();
 }

@@ -26,6 +26,7 @@ FixStyle(wall / rebound, FixWallRebound)
 #include "rebound_map.h"
 #include "wall/ledger.h"
 #include "wall/profile.h"
+#include "wall/record.h"
 
 namespace LAMMPS_NS {
 
@@ -78,23 +79,8 @@ private:
     N_COUNTERS
   };
 
-  /* What a restart may change without a word in the script having to say so. */
-  struct Choice {
-    uint32_t seed;
-    double r_q, lambda_c;
-    char profile[200], spread[40], rebound[40], materials[400];
-  };
-
   /* The columns of the global array. */
   enum Total { MESH_IMPACTS, MESH_DEPOSITS, MESH_MASS, MESH_ENERGY, N_TOTALS };
-
-  /* The fixed part of what goes into a restart file. */
-  struct Saved {
-    double counters[N_COUNTERS];
-    double d_range[2];
-    Clock clock;
-    Choice choice;
-  };
 
   /* A piece of wall that a particle may reach within the step. */
   struct Candidate {
@@ -181,8 +167,14 @@ private:
   void check_particles();
   void check_meshes();
   void check_group();
-  Choice choice() const;
-  void compare_choice(const Choice &saved);
+  asperity::Settings settings() const;
+  void compare_settings(const asperity::Settings &saved);
+  void continue_meshes(const asperity::WallState &saved);
+  void renumber_stuck();
+  int64_t triangles(int m) const;
+  void print(const std::string &line);
+  void warn(const std::string &what);
+  void tell_lost(const std::string &lost);
   void check_speeds();
   void warn_of_speeds();
 
@@ -231,10 +223,12 @@ private:
   bool smooth_;
   double r_q_, lambda_c_;
   std::string profile_path_, profile_report_; /* empty: no profile */
+  std::string geometry_;                      /* as the script has it */
   std::vector<std::string> mesh_ids_;
   int dp_bins_;
   std::string spread_;                            /* as the script has it: a model, or auto */
   double tolerance_;                              /* of auto */
+  std::string table_path_;                        /* of a law that needs one */
   std::string rebound_text_;                      /* the law and what the script has set of it */
   std::string materials_text_, materials_report_; /* names and file; which values are taken */
   std::string choice_;                            /* what auto has chosen, and why */
@@ -266,6 +260,8 @@ private:
   std::vector<Stuck> stuck_;                      /* since the last exchange */
   std::vector<std::unique_ptr<ReboundMap>> maps_; /* one a mesh */
   std::vector<std::vector<double>> saved_maps_;   /* of a restart, until the meshes are set up */
+  std::vector<int>
+      mesh_now_; /* of a restart: by the saved number of a mesh, that of now; 0: none */
   std::vector<double> totals_; /* N_TOTALS a mesh; one row for a primitive wall */
   Clock clock_;
   Fastest fastest_;

@@ -3,38 +3,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/ledger.h"
 
-#include <errno.h>
-#include <math.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
-#include "wall/number.h"
+#include "wall/error.h"
 
 using namespace asperity;
-
-/* Names as the file has them, and types in an array: i or f and bytes. Counts (i) are printed as
- * whole numbers in CSV. */
-static const struct {
-  const char *name, *type;
-} COLUMNS[Ledger::N_COLUMNS] = {
-    {"tag", "i4"},          {"impact", "i4"}, {"time", "f8"},       {"mesh", "i2"},
-    {"triangle", "i4"},     {"x", "f8"},      {"y", "f8"},          {"z", "f8"},
-    {"d_p", "f4"},          {"v1", "f4"},     {"alpha1_deg", "f4"}, {"delta_alpha_deg", "f4"},
-    {"tilt_out_deg", "f4"}, {"hits", "i1"},   {"v2", "f4"},         {"alpha2_deg", "f4"},
-    {"cor_n", "f4"},        {"cor_t", "f4"},  {"outcome", "i1"}};
-
-/* An array's header: magic, version, length, a Python dictionary. */
-static const size_t HEADER = 2048, PREAMBLE = 10, TITLE_MOST = 1000;
-static const char SHAPE[] = "'shape': (";
-
-#if __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
-#error "arrays are written little-endian"
-#endif
 
 /* How many rows a rank sends at once: the first rank holds as many of each. */
 static const size_t PIECE = 256;
@@ -45,120 +20,47 @@ bool Ledger::Key::operator<(const Key &other) const {
          std::tie(other.step, other.time, other.tag, other.impact);
 }
 
-static bool ends_with(const std::string &text, const std::string &end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-Ledger::Ledger(MPI_Comm world, int64_t every, const std::string &path)
-    : world_(world), every_(every), path_(path), is_array_(ends_with(path, ".npy")), in_file_(0),
-      file_(NULL), size_(0), written_(0) {
+Ledger::Ledger(MPI_Comm world, const std::string &owner, int64_t every, const std::string &path,
+               OnError on_error)
+    : world_(world), every_(every), path_(path), on_error_(on_error), saved_(), is_open_(false),
+      first_(0), last_(0), lost_(0), size_(0), written_(0) {
   MPI_Comm_rank(world_, &rank_);
   MPI_Comm_size(world_, &ranks_);
+  if (rank_ == 0 && !path_.empty())
+    file_.reset(new LedgerFile(owner, path));
 }
 
-Ledger::~Ledger() {
-  if (file_)
-    fclose(file_);
+Ledger::~Ledger() {}
+
+void Ledger::restore(const LedgerState &saved) {
+  saved_ = saved;
 }
 
-static int bytes_of(int column) {
-  return COLUMNS[column].type[1] - '0';
-}
-
-static long long bytes_of_row() {
-  long long bytes = 0;
-  for (int i = 0; i < Ledger::N_COLUMNS; i++)
-    bytes += bytes_of(i);
-  return bytes;
-}
-
-/* The dictionary up to the number of rows. The heading is the title of the first column, the one
- * place that the format has for a text. */
-static std::string begin_header(const std::string &heading) {
-  std::string title;
-  for (char c : heading.substr(0, TITLE_MOST))
-    title += c == '\'' || c == '\\' ? ' ' : c;
-  std::string text = "{'descr': [(('" + title + "', '" + COLUMNS[0].name + "'), '<i4')";
-  for (int i = 1; i < Ledger::N_COLUMNS; i++)
-    text += std::string(", ('") + COLUMNS[i].name + "', '" + (bytes_of(i) > 1 ? "<" : "|") +
-            COLUMNS[i].type + "')";
-  return text + "], 'fortran_order': False, " + SHAPE;
-}
-
-std::string Ledger::open(bool append, const std::string &heading) {
-  std::string why;
-  if (rank_ == 0 && !path_.empty() && !file_)
-    why = is_array_ ? open_array(append, heading) : open_csv(append, heading);
-  int length = static_cast<int>(why.size());
+/* A text of rank 0 on all ranks. */
+std::string Ledger::share(std::string text) const {
+  int length = static_cast<int>(text.size());
   MPI_Bcast(&length, 1, MPI_INT, 0, world_);
-  why.resize(length);
-  MPI_Bcast(&why[0], length, MPI_CHAR, 0, world_);
-  return why;
+  text.resize(static_cast<size_t>(length));
+  if (length > 0)
+    MPI_Bcast(&text[0], length, MPI_CHAR, 0, world_);
+  return text;
 }
 
-static std::string cannot_write(const std::string &path) {
-  return "cannot write the ledger file '" + path + "': " + strerror(errno);
-}
-
-std::string Ledger::open_csv(bool append, const std::string &heading) {
-  file_ = fopen(path_.c_str(), append ? "a" : "w");
-  if (!file_)
-    return cannot_write(path_);
-  if (ftell(file_) <= 0) {
-    fprintf(file_, "# %s\n", heading.c_str());
-    for (int i = 0; i < N_COLUMNS; i++)
-      fprintf(file_, "%s%s", i ? "," : "", COLUMNS[i].name);
-    fputc('\n', file_);
+std::string Ledger::open(const std::string &heading, int64_t step) {
+  if (is_open_ || path_.empty())
+    return "";
+  std::string report, wrong;
+  try {
+    if (file_)
+      report = file_->open(saved_, heading, step);
+  } catch (const Error &error) {
+    wrong = error.what();
   }
-  fflush(file_);
-  return "";
-}
-
-std::string Ledger::open_array(bool append, const std::string &heading) {
-  header_ = begin_header(heading);
-  if (append)
-    file_ = fopen(path_.c_str(), "r+b");
-  if (file_)
-    return continue_array();
-  file_ = fopen(path_.c_str(), "wb");
-  if (!file_)
-    return cannot_write(path_);
-  write_header();
-  return "";
-}
-
-/* Keeps the heading that the file has, and cuts off rows that its header does not count. */
-std::string Ledger::continue_array() {
-  std::string text(HEADER, '\0');
-  text.resize(fread(&text[0], 1, HEADER, file_));
-  const size_t shape = text.find(SHAPE), columns = header_.find(COLUMNS[0].name);
-  const size_t length = header_.size() - header_.find("'), ", columns);
-  if (text.size() < HEADER || shape == std::string::npos || shape < PREAMBLE + length ||
-      header_.compare(header_.size() - length, length, text, shape + sizeof SHAPE - 1 - length,
-                      length) != 0)
-    return "the ledger file '" + path_ + "' is there, but is not one to append to";
-  in_file_ = atoll(text.c_str() + shape + sizeof SHAPE - 1);
-  header_ = text.substr(PREAMBLE, shape + sizeof SHAPE - 1 - PREAMBLE);
-  const off_t end = static_cast<off_t>(HEADER) + in_file_ * bytes_of_row();
-  if (fseeko(file_, 0, SEEK_END) != 0 || ftello(file_) < end)
-    return "the ledger file '" + path_ + "' has fewer rows than its header says";
-  if (ftruncate(fileno(file_), end) != 0 || fseeko(file_, end, SEEK_SET) != 0)
-    return cannot_write(path_);
-  return "";
-}
-
-void Ledger::write_header() {
-  std::string text = header_ + std::to_string(in_file_) + ",), }";
-  text.resize(HEADER - PREAMBLE - 1, ' ');
-  const unsigned length = HEADER - PREAMBLE;
-  const unsigned char preamble[PREAMBLE] = {0x93, 'N', 'U', 'M',           'P',
-                                            'Y',  1,   0,   length & 0xff, length >> 8};
-  rewind(file_);
-  fwrite(preamble, 1, PREAMBLE, file_);
-  fwrite(text.data(), 1, text.size(), file_);
-  fputc('\n', file_);
-  fflush(file_);
-  fseeko(file_, 0, SEEK_END);
+  wrong = share(wrong);
+  if (!wrong.empty())
+    throw Error(wrong);
+  is_open_ = true;
+  return share(report);
 }
 
 void Ledger::add(const Row &added) {
@@ -173,42 +75,8 @@ void Ledger::begin_step(int64_t step) {
   size_ = written_ = 0;
 }
 
-void Ledger::end_step(int64_t step) {
-  if (step % every_ == 0)
-    flush();
-}
-
-static void append_line(const Ledger::Row &row, std::vector<char> &bytes) {
-  char line[(NUMBER_MOST + 1) * Ledger::N_COLUMNS], *end = line;
-  for (int i = 0; i < Ledger::N_COLUMNS; i++) {
-    if (i > 0)
-      *end++ = ',';
-    if (i == Ledger::COR_T && !(row[Ledger::COR_T_DEFINED] > 0))
-      continue;
-    end = COLUMNS[i].type[0] == 'i' ? print_count(static_cast<long long>(row[i]), end)
-                                    : print_number(row[i], end);
-  }
-  *end++ = '\n';
-  bytes.insert(bytes.end(), line, end);
-}
-
-static void append_record(const Ledger::Row &row, std::vector<char> &bytes) {
-  char record[sizeof(int64_t) * Ledger::N_COLUMNS], *end = record;
-  for (int i = 0; i < Ledger::N_COLUMNS; i++) {
-    double value = row[i];
-    if (i == Ledger::COR_T && !(row[Ledger::COR_T_DEFINED] > 0))
-      value = NAN;
-    if (COLUMNS[i].type[0] == 'i') {
-      const int64_t whole = static_cast<int64_t>(value); /* its first bytes: the same in fewer */
-      memcpy(end, &whole, sizeof whole);
-    } else if (bytes_of(i) == 4) {
-      const float single = static_cast<float>(value);
-      memcpy(end, &single, sizeof single);
-    } else
-      memcpy(end, &value, sizeof value);
-    end += bytes_of(i);
-  }
-  bytes.insert(bytes.end(), record, end);
+std::string Ledger::end_step(int64_t step) {
+  return step % every_ == 0 ? flush() : "";
 }
 
 /* The rows that are not in the file yet. */
@@ -232,7 +100,7 @@ void Ledger::print(const std::vector<size_t> &order, size_t from, Piece &piece) 
   for (size_t i = from; i < std::min(from + PIECE, order.size()); i++) {
     const Row &r = row(order[i]);
     const size_t before = piece.bytes.size();
-    if (is_array_)
+    if (is_ledger_array(path_))
       append_record(r, piece.bytes);
     else
       append_line(r, piece.bytes);
@@ -265,8 +133,8 @@ public:
     return piece_.keys[at_];
   }
   /* Writes the row; false when it was the last one. */
-  bool write(FILE *file) {
-    fwrite(piece_.bytes.data() + begin_, 1, piece_.lengths[at_], file);
+  bool write(LedgerFile &file) {
+    file.add(piece_.bytes.data() + begin_, piece_.lengths[at_]);
     begin_ += piece_.lengths[at_];
     if (++at_ == piece_.keys.size() && left_ > 0)
       next_piece();
@@ -314,18 +182,33 @@ void Ledger::merge(const std::vector<size_t> &order, const std::vector<long long
     return b->key() < a->key();
   };
   std::make_heap(sources.begin(), sources.end(), later);
+  first_ = sources.empty() ? 0 : sources.front()->key().step;
   while (!sources.empty()) {
     std::pop_heap(sources.begin(), sources.end(), later);
-    if (sources.back()->write(file_))
+    last_ = sources.back()->key().step;
+    if (sources.back()->write(*file_))
       std::push_heap(sources.begin(), sources.end(), later);
     else
       sources.pop_back();
   }
 }
 
-/* Each rank prints its own rows, which is most of the work; the first one puts them in order. */
+/* On rank 0. */
+std::string Ledger::commit(int64_t rows) {
+  const std::string why = file_->commit(rows, static_cast<int64_t>(last_));
+  if (why.empty())
+    return "";
+  lost_ += rows;
+  const int64_t first = static_cast<int64_t>(first_), last = static_cast<int64_t>(last_);
+  return "writing the ledger file '" + path_ + "' failed: " + why + "; " + std::to_string(rows) +
+         " rows of the steps " + std::to_string(first) + " to " + std::to_string(last) +
+         " are lost, " + std::to_string(lost_) + " in all";
+}
+
+/* Each rank prints its own rows, which is most of the work; the first one puts them in order. What
+ * cannot be written is taken from the other ranks all the same, since they would wait. */
 std::string Ledger::flush() {
-  if (path_.empty())
+  if (!is_open_)
     return "";
   const std::vector<size_t> order = sorted();
   long long mine = static_cast<long long>(order.size());
@@ -336,12 +219,25 @@ std::string Ledger::flush() {
   else
     send(order);
   written_ = size_;
-  int bad = rank_ == 0 && (fflush(file_) != 0 || ferror(file_));
-  in_file_ = std::accumulate(counts.begin(), counts.end(), in_file_);
-  if (rank_ == 0 && is_array_ && !bad)
-    write_header();
-  MPI_Bcast(&bad, 1, MPI_INT, 0, world_);
-  return bad ? "writing the ledger file '" + path_ + "' failed; is the disk full?" : "";
+  const int64_t rows = std::accumulate(counts.begin(), counts.end(), int64_t(0));
+  return share(rank_ == 0 && rows > 0 ? commit(rows) : "");
+}
+
+std::string Ledger::save(LedgerState &state) {
+  std::string why = flush();
+  state = saved_;
+  if (!is_open_)
+    return why;
+  std::string late;
+  if (file_) {
+    late = file_->sync();
+    state = file_->state();
+  }
+  late = share(late);
+  if (!late.empty())
+    why += (why.empty() ? "" : "; ") + ("the disk does not have all of the ledger file '" + path_ +
+                                        "' that this restart file tells of: " + late);
+  return why;
 }
 
 double **Ledger::rows() {

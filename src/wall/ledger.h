@@ -1,9 +1,6 @@
 /* The ledger of a rough wall: one row an impact. Rows live from one multiple of N to the next, for
  * `dump local`; with a file, the same rows go to it, gathered from all ranks and sorted by step,
- * time, particle and impact, so that the file does not depend on the number of ranks. A file whose
- * name ends with .npy is a one-dimensional structured array in NumPy's format, version 1.0, any
- * other one is CSV. An array's header says how many rows there are and is written after them, so
- * that a run which dies leaves a whole file.
+ * time, particle and impact, so that the file does not depend on the number of ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_LEDGER_H
@@ -11,60 +8,51 @@
 
 #include <mpi.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "wall/ledger_file.h"
+#include "wall/ledger_format.h"
+
 namespace asperity {
 
-class Ledger {
+class Ledger : public LedgerColumn {
 public:
-  enum {
-    TAG,
-    IMPACT,
-    TIME,
-    MESH,
-    TRIANGLE,
-    X,
-    Y,
-    Z,
-    D_P,
-    V1,
-    ALPHA1,
-    DELTA_ALPHA,
-    TILT_OUT,
-    HITS,
-    V2,
-    ALPHA2,
-    COR_N,
-    COR_T,
-    OUTCOME,
-    N_COLUMNS, /* those that users see */
-    STEP = N_COLUMNS,
-    COR_T_DEFINED,
-    N_FIELDS
-  };
-  typedef std::array<double, N_FIELDS> Row;
+  typedef LedgerRow Row;
 
-  Ledger(MPI_Comm world, int64_t every, const std::string &path);
+  /* What the engine has to do where rows cannot be written. */
+  enum OnError { STOP, GO_ON };
+
+  /* Without a path there is no file. `owner` is what messages call the wall. */
+  Ledger(MPI_Comm world, const std::string &owner, int64_t every, const std::string &path,
+         OnError on_error);
   ~Ledger();
 
-  /* Opens the file, on rank 0, with a heading and the names of the columns; appends to what an
-   * earlier part of a restarted run left. Collective. Returns an empty string, or why it cannot be
-   * written. */
-  std::string open(bool append, const std::string &heading);
+  /* What a restart file tells of the file; before open(). */
+  void restore(const LedgerState &saved);
+
+  /* Opens the file, on rank 0, with a heading, for rows from `step` on; once, whenever a run
+   * begins. Collective. Throws an Error on all ranks where it cannot be written or continued.
+   * Returns what the user should know, or an empty string. */
+  std::string open(const std::string &heading, int64_t step);
 
   void add(const Row &row);
 
   /* At the beginning of a step: forgets the rows of the window that has ended. */
   void begin_step(int64_t step);
 
-  /* At the end of a step, and of a run: rows to the file when a window ends. Collective. */
-  void end_step(int64_t step);
+  /* At the end of a step, and of a run: rows to the file, at the end of a step when a window ends.
+   * Collective. Returns an empty string, or, on all ranks, why rows are lost, and how many. */
+  std::string end_step(int64_t step);
   std::string flush();
 
+  /* The same before a restart file is written, of which rank 0 gets what it must carry. */
+  std::string save(LedgerState &state);
+
+  OnError on_error() const {
+    return on_error_;
+  }
   int64_t every() const {
     return every_;
   }
@@ -99,23 +87,23 @@ private:
 
   class Source;
 
-  std::string open_csv(bool append, const std::string &heading);
-  std::string open_array(bool append, const std::string &heading);
-  std::string continue_array();
-  void write_header();
+  std::string share(std::string text) const;
   std::vector<size_t> sorted() const;
   void print(const std::vector<size_t> &order, size_t from, Piece &piece) const;
   void send(const std::vector<size_t> &order) const;
   void merge(const std::vector<size_t> &order, const std::vector<long long> &counts);
+  std::string commit(int64_t rows);
 
   MPI_Comm world_;
   int rank_, ranks_;
   int64_t every_;
   std::string path_;
-  bool is_array_;
-  std::string header_; /* of an array, up to the number of its rows */
-  long long in_file_;  /* rows */
-  FILE *file_;
+  OnError on_error_;
+  LedgerState saved_;
+  std::unique_ptr<LedgerFile> file_; /* on rank 0 */
+  bool is_open_;
+  double first_, last_; /* steps of the rows that were merged last */
+  int64_t lost_;        /* rows, in all */
   std::vector<std::unique_ptr<Row[]>> blocks_;
   std::vector<double *> pointers_;
   size_t size_, written_; /* of the rows; how many of them are in the file */

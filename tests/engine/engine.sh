@@ -92,6 +92,15 @@ grains() {
     }'
 }
 
+# bouncing N: a data file of N grains between the planes z = 0 and z = 3.8e-4 that go up and down.
+bouncing() {
+  awk -v n="$1" 'BEGIN {
+    printf "grains\n\n%d atoms\n2 atom types\n\n-4e-3 6e-3 xlo xhi\n-4e-3 6e-3 ylo yhi\n-5e-4 1e-3 zlo zhi\n\nAtoms\n\n", n
+    for (i = 1; i <= n; i++) printf "%d 1 %g 2650 %g %g %g\n", i, 1e-5 + i * 1e-7, 1e-4 * (i % 18), 1e-4 * int(i / 18), 1e-4 + (i * 37 % 100) * 2e-6
+    printf "\nVelocities\n\n"
+    for (i = 1; i <= n; i++) printf "%d 0 0 %g 0 0 0\n", i, (i % 2 ? 1 : -1) * (30 + i * 53 % 97) }'
+}
+
 # plate CELLS LENGTH: an STL plate under all of them, in the plane z = 0.
 plate() {
   awk -v cells="$1" -v lo="$(mul -1.9e-3 "${2:-1}")" -v hi="$(mul "${3:-5e-3}" "${2:-1}")" '

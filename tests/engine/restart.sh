@@ -55,12 +55,21 @@ done
 
 # A script that differs from the restart file is taken, and a warning says in what; so does a wall that the
 # file knows nothing of.
-sed 's/surface rq 10e-6 lambda_c 90e-6 rebound bons deposit freeze seed 4/surface rq 12e-6 lambda_c 90e-6 spread truncated rebound bons deposit freeze seed 5 materials quartz hastelloy-x/; s/^run 900/run 1/' rest.in > other.in
+sed 's/surface rq 10e-6 lambda_c 90e-6 rebound bons deposit freeze seed 4/surface rq 12e-6 lambda_c 90e-6 spread truncated isotropic rebound bons yield_rate 3e6 deposit delete seed 5 materials quartz hastelloy-x/; s/zplane 3.8e-4/zplane 3.9e-4/; s/constant 0.9 0.9/constant 0.9 0.8/; s/^run 900/run 1/; s/^thermo 1000/&\nthermo_modify lost ignore/' rest.in > other.in
 engine 2 other.in -var out other.csv
-grep -a 'WARNING.*id low' other.in.screen > warning || die "no warning of a changed script"
-for word in "the script is taken" "seed 5, was 4" "rq 1.2e-05 lambda_c 9e-05, was rq 1e-05" "spread truncated, was weibull" "materials 'quartz hastelloy-x', was ''"; do
-  grep -qF "$word" warning || { cat warning; die "'$word' is not in the warning"; }
-done
+differs() { # WALL WORD...
+  local wall=$1; shift
+  grep -a "WARNING.*id $wall" other.in.screen > warning || die "no warning of a changed script"
+  for word in "the script is taken" "$@"; do
+    grep -qF -- "$word" warning || { cat warning; die "'$word' is not in the warning"; }
+  done
+}
+differs low "seed 5, was 4" "rq 1.2e-05 lambda_c 9e-05, was rq 1e-05" "materials quartz hastelloy-x, was none" \
+  "spread truncated isotropic collisions single, was weibull plane collisions single" "deposit delete, was freeze" \
+  "rebound bons yield_rate 3000000" ", was bons yield_rate 0"
+differs high "geometry primitive type 2 zplane 0.00039, was primitive type 2 zplane 0.00038" \
+  "rebound constant cor_n 0.9 cor_t 0.8, was constant cor_n 0.9 cor_t 0.9"
+! grep -aE 'WARNING.*script differs' rest.in.screen || die "a warning about a script that is the same"
 sed 's/^fix high all/fix new all/; s/f_high/f_new/; s/^run 900/run 1/' rest.in > unknown.in
 engine 2 unknown.in -var out other.csv
 grep -a 'WARNING.*id new' unknown.in.screen | grep -q 'no data of this wall' || die "no warning of a wall without data"

@@ -1,0 +1,37 @@
+/* The columns of the ledger of impacts, in their order, for what writes it, what reads it, and the
+ * table in the page of the fix: COLUMN(ID, name in files, type in an array, meaning). A type is i
+ * or f, for whole and for floating-point numbers, and a number of bytes. C and C++.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_COLUMNS_H
+#define ASPERITY_WALL_COLUMNS_H
+
+#define ASP_LEDGER_COLUMNS(COLUMN)                                                                 \
+  COLUMN(TAG, "tag", "i4", "tag of the particle")                                                  \
+  COLUMN(IMPACT, "impact", "i4", "number of its impact on this wall, from 1")                      \
+  COLUMN(TIME, "time", "f8", "time of contact")                                                    \
+  COLUMN(MESH, "mesh", "i2", "mesh, from 1; 0 for a primitive wall")                               \
+  COLUMN(TRIANGLE, "triangle", "i4", "triangle id, on an edge the least; 0 for a primitive wall")  \
+  COLUMN(X, "x", "f8", "x of the centre at contact")                                               \
+  COLUMN(Y, "y", "f8", "y of the centre at contact")                                               \
+  COLUMN(Z, "z", "f8", "z of the centre at contact")                                               \
+  COLUMN(D_P, "d_p", "f4", "diameter")                                                             \
+  COLUMN(V1, "v1", "f4", "speed before the impact, relative to the wall")                          \
+  COLUMN(ALPHA1, "alpha1_deg", "f4", "impact angle α1, 0 to 90°")                                  \
+  COLUMN(DELTA_ALPHA, "delta_alpha_deg", "f4", "tilt Δα of the first hit")                         \
+  COLUMN(TILT_OUT, "tilt_out_deg", "f4",                                                           \
+         "out-of-plane tilt of the first hit, positive along n × t")                               \
+  COLUMN(HITS, "hits", "i1", "hits")                                                               \
+  COLUMN(V2, "v2", "f4", "speed after the impact, relative to the wall")                           \
+  COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle α2, 0 to 180°")                                \
+  COLUMN(COR_N, "cor_n", "f4", "CoR_N about the mean wall")                                        \
+  COLUMN(COR_T, "cor_t", "f4",                                                                     \
+         "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \
+  COLUMN(OUTCOME, "outcome", "i1", "0 rebound, 1 deposited, 2 deleted")
+
+/* Places in a row, from 0: ASP_LEDGER_TAG, ... */
+#define ASP_LEDGER_PLACE(ID, name, type, text) ASP_LEDGER_##ID,
+enum { ASP_LEDGER_COLUMNS(ASP_LEDGER_PLACE) ASP_LEDGER_N_COLUMNS };
+#undef ASP_LEDGER_PLACE
+
+#endif

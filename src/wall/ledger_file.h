@@ -1,0 +1,98 @@
+/* The file of a ledger, on the one rank that writes it: begun by a run, continued after a restart
+ * or by a later wall of the same run, and whole rows in it whenever a window of rows has ended.
+ * What cannot be written is taken back to the last row before the window. A file whose name ends
+ * with .npy is a one-dimensional structured array in NumPy's format, version 1.0, any other one is
+ * CSV. An array's header says how many rows there are and is written after them, so that a run
+ * which dies leaves a whole file.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_LEDGER_FILE_H
+#define ASPERITY_WALL_LEDGER_FILE_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <sys/types.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+
+/* What a restart file says of a ledger's file: enough to cut the file back to it, and to tell it
+ * from another one. */
+struct LedgerState {
+  std::string path; /* as the script has it; empty: there is nothing to continue */
+  int64_t rows, bytes;
+  uint32_t tail; /* checksum of the last rows */
+};
+
+class LedgerFile {
+public:
+  /* `owner` is what messages call the wall. */
+  LedgerFile(const std::string &owner, const std::string &path);
+  ~LedgerFile();
+  LedgerFile(const LedgerFile &) = delete;
+  LedgerFile &operator=(const LedgerFile &) = delete;
+
+  /* Opens the file for rows from `step` on. It is continued where `saved`, of a restart file, tells
+   * of it, or where another wall of this run wrote it, and begun anew otherwise. Throws an Error
+   * where it cannot be written or continued, or is open already. Returns what the user should know,
+   * or an empty string. */
+  std::string open(const LedgerState &saved, const std::string &heading, int64_t step);
+
+  bool is_open() const {
+    return fd_ >= 0;
+  }
+
+  /* Rows as the file has them. */
+  void add(const char *bytes, size_t length);
+
+  /* The end of a window with that many rows, the last of them of `step`: they are all in the file,
+   * or none. Returns an empty string, or why they are not. */
+  std::string commit(int64_t rows, int64_t step);
+
+  /* Waits until the disk has all of it. Returns an empty string, or why it has not. */
+  std::string sync();
+
+  LedgerState state() const;
+
+private:
+  struct Known;
+
+  bool open_regular(const LedgerState &saved);
+  void open_stream();
+  void lock();
+  Known &known() const;
+  void begin(const std::string &heading);
+  std::string begin_or_continue(bool is_new, const LedgerState &saved, const std::string &heading,
+                                int64_t step);
+  void check_known(const Known &earlier, const std::string &heading, int64_t step) const;
+  std::string continue_at(const LedgerState &state, const std::string &teller);
+  void check_columns();
+  bool holds(const LedgerState &state) const;
+  uint32_t tail_at(int64_t bytes) const;
+  int64_t size() const;
+  int64_t count_lines(int64_t from, bool &torn) const;
+  int64_t count_rows(int64_t from, bool &torn) const;
+
+  void write(const char *bytes, size_t length, int64_t at);
+  void write_buffer();
+  void take_back();
+  bool is_deleted() const;
+
+  std::string owner_, path_, heading_;
+  bool is_array_, is_stream_; /* a pipe or a device */
+  std::string begin_;         /* of an array's header, up to the number of its rows */
+  int fd_;
+  std::pair<dev_t, ino_t> place_; /* tells the file from others, whatever they are called */
+  int64_t rows_, bytes_;          /* of the windows that have ended */
+  int64_t step_;                  /* of their last row */
+  int64_t pending_;               /* bytes of this window that have been written */
+  bool torn_;                     /* there may be more than bytes_ in the file */
+  std::string why_;               /* what has gone wrong in this window */
+  std::vector<char> buffer_;
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,52 @@
+/* The rows of a ledger as its files have them: lines of CSV, or records of an array in NumPy's
+ * format.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_LEDGER_FORMAT_H
+#define ASPERITY_WALL_LEDGER_FORMAT_H
+
+#include <stdint.h>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "wall/columns.h"
+
+namespace asperity {
+
+/* Places in a row: the columns that users see, and what goes with them. */
+struct LedgerColumn {
+#define ASP_LEDGER_PLACE(ID, name, type, text) ID,
+  enum {
+    ASP_LEDGER_COLUMNS(ASP_LEDGER_PLACE) N_COLUMNS,
+    STEP = N_COLUMNS,
+    COR_T_DEFINED,
+    N_FIELDS
+  };
+#undef ASP_LEDGER_PLACE
+};
+typedef std::array<double, LedgerColumn::N_FIELDS> LedgerRow;
+
+/* Whether a file of that name is an array. */
+bool is_ledger_array(const std::string &path);
+
+void append_line(const LedgerRow &row, std::vector<char> &bytes);
+void append_record(const LedgerRow &row, std::vector<char> &bytes);
+int64_t bytes_of_record();
+
+/* The names of the columns, as the second line of CSV has them, without an end of line. */
+std::string ledger_names();
+
+/* An array's header has this length, whatever its heading. */
+enum { LEDGER_HEADER = 2048 };
+
+/* The dictionary of an array's header, up to the number of its rows, and the header with it. */
+std::string begin_array(const std::string &heading);
+std::string array_header(const std::string &begin, int64_t rows);
+
+/* What begin_array() made for a file of these columns, from its header; empty for other files. */
+std::string find_begin(const std::string &header);
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,153 @@
+#!/usr/bin/env bash
+# A ledger's file after faults: rows that are too many, torn, missing, or another file's; two walls with one file;
+# a wall that is taken away and comes back; a disk that is full, and a folder that is gone.
+source "$(dirname "$0")/engine.sh"
+grains 400 > grains.data
+head_() { # beginning
+  head_of si; echo "$1
+neighbor 3e-5 bin
+neigh_modify delay 0 exclude group all all"; materials; echo 'fix move all nve/sphere
+timestep 1e-8'; }
+wall='fix w all wall/rebound primitive type 2 zplane 0.0 surface rq 10e-6 lambda_c 90e-6 seed 4'
+{ head_ 'read_data grains.data'; echo "$wall ledger 70 file \${out}
+run 150
+write_restart half.\${kind}
+run 100"; } > whole.in
+{ head_ 'read_restart half.${kind}'; echo "$wall ledger 70 file \${out}
+run 100"; } > rest.in
+
+# refuses SCRIPT WORD... [-- options]: ends with an error that has the words; on two ranks where `ranks` says so.
+refuses() {
+  local script=$1 words=(); shift
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do words+=("$1"); shift; done; shift || true
+  local command=("$bin/liggghts-asperity"); [ -z "${ranks:-}" ] || command=(mpirun -np "$ranks" "${command[@]}")
+  if timeout 60 "${command[@]}" -in "$script" -log none "$@" > screen 2>&1; then die "$script $* ran; wanted: ${words[*]}"; fi
+  says screen ERROR "${words[@]}"
+}
+says() { # FILE KIND WORD...
+  local file=$1 line; shift
+  line=$(grep -a "$1" "$file") || { cat "$file"; die "no $1"; }; shift
+  for word in "$@"; do grep -qF -- "$word" <<< "$line" || die "'$word' is not in: $line"; done
+}
+count_array() { head -c 2048 "$1" | grep -aoE "'shape': \([0-9]+" | grep -oE '[0-9]+'; }
+
+for kind in csv npy; do
+  set_() { local options=(-var kind $kind -var out rows.$kind); "$@" "${options[@]}"; }
+  set_ engine 2 whole.in
+  cp rows.$kind whole.$kind
+
+  # Rows too many, and a part of one.
+  bytes=100; [ $kind = npy ] && bytes=50
+  { cat whole.$kind; head -c $bytes whole.$kind; } > rows.$kind
+  set_ engine 2 rest.in
+  same rows.$kind whole.$kind "after too many rows"
+  says rest.in.screen 'cut off' "ledger file 'rows.$kind' goes on behind the " " rows and a part of a row after them cut off"
+  kept=$(grep -oE 'behind the [0-9]+' rest.in.screen | grep -oE '[0-9]+'); cut=$(grep -oE '[0-9]+ rows and a part' rest.in.screen | grep -oE '^[0-9]+')
+  all=$([ $kind = csv ] && count_rows whole.csv || count_array whole.npy)
+  [ $((kept + cut)) = "$all" ] && [ "$cut" -gt 20 ] || die "$kept rows kept and $cut cut off of $all"
+
+  # Rows that are missing, other rows, no file; what is there stays. A file of another name begins anew.
+  row=150; [ $kind = npy ] && row=84
+  head -c $((kept / 2 * row)) whole.$kind > rows.$kind; cp rows.$kind before
+  ranks=2 set_ refuses rest.in "'rows.$kind' has " "rows, and the restart file tells of $kept: " "are missing" --
+  same rows.$kind before "a file that was refused"
+  found=$(grep -oE "has [0-9]+ rows" screen | grep -oE '[0-9]+'); missing=$(grep -oE "[0-9]+ are missing" screen | grep -oE '^[0-9]+')
+  [ $((found + missing)) = "$kept" ] && [ "$found" -gt 20 ] || die "$found found, $missing missing, $kept wanted"
+  [ $kind = npy ] || [ "$found" = "$(count_rows rows.csv | awk '{ print $1 - 1 }')" ] || [ "$found" = "$(count_rows rows.csv)" ] || die "$found rows are said to be there"
+  at=$(stat -c %s whole.$kind); at=$((at * kept / all - 300))
+  { head -c $at whole.$kind; printf '9'; tail -c +$((at + 2)) whole.$kind; } > rows.$kind; cp rows.$kind before
+  set_ refuses rest.in "'rows.$kind' is another one than the restart file tells of" --
+  same rows.$kind before "a file that was refused"
+  rm rows.$kind
+  set_ refuses rest.in "'rows.$kind' is gone, and the restart file tells of $kept rows" --
+  [ ! -e rows.$kind ] || die "rows.$kind was made by a run that was refused"
+  rm -f new.$kind
+  engine 1 rest.in -var kind $kind -var out new.$kind
+  says rest.in.screen 'begins here' "'new.$kind' begins here" "$kept rows of 'rows.$kind'"
+  [ "$([ $kind = csv ] && count_rows new.csv || count_array new.npy)" = "$cut" ] || die "a new ledger has other rows"
+
+  # A new run writes over an old file.
+  { echo old; cat whole.$kind; } > rows.$kind
+  set_ engine 1 whole.in
+  same rows.$kind whole.$kind "a new run"
+done
+# A file whose columns are others.
+sed 's/,cor_n,/,cor_m,/' whole.csv > rows.csv
+refuses rest.in "not one to append to" -- -var kind csv -var out rows.csv
+
+# Two walls, and two runs, with one file.
+{ head_ 'read_data grains.data'; echo "$wall ledger 70 file rows.csv
+fix v all wall/rebound primitive type 2 zplane 1e-3 ledger 70 file ./rows.csv
+run 10"; } > two.in
+ranks=2 refuses two.in "'./rows.csv' is that of fix w" "a file of its own"
+cp whole.csv rows.csv
+exec 8<> rows.csv; flock 8
+refuses whole.in "'rows.csv' is being written by another run" -- -var kind csv -var out rows.csv
+exec 8>&-
+same rows.csv whole.csv "a file that another run has"
+
+# A wall that is taken away and defined again: its rows go on, those of another wall are refused, and so is a
+# run that begins again.
+again() { { head_ 'read_data grains.data'; echo "$wall ledger 70 file rows.$kind
+run 150
+unfix w
+$1
+run 100"; } > again.in; }
+for kind in csv npy; do
+  again "$wall ledger 70 file rows.$kind"
+  engine 1 again.in
+  says again.in.screen 'goes on behind' "rows that fix w tells of"
+  if [ $kind = csv ]; then
+    # Impacts are counted anew, so that their numbers and draws are others; those of the first part are the same.
+    n=$(grep -oE 'behind the [0-9]+' again.in.screen | grep -oE '[0-9]+')
+    head -n $((n + 2)) rows.csv > a; head -n $((n + 2)) whole.csv > b; same a b "the rows before unfix"
+    [ "$(count_rows rows.csv)" = "$(count_rows whole.csv)" ] || die "rows after unfix: $(count_rows rows.csv)"
+  else
+    [ "$(count_array rows.npy)" = "$(count_array whole.npy)" ] || die "rows after unfix: $(count_array rows.npy)"
+  fi
+  again "fix w all wall/rebound primitive type 2 zplane 0.0 ledger 70 file rows.$kind"
+  refuses again.in "rows that fix w wrote earlier in this run, with other settings" "surface rq 1e-05"
+  again "clear
+$(head_ 'read_data grains.data')
+$wall ledger 70 file rows.$kind"
+  refuses again.in "rows that fix w wrote earlier in this run, up to step 1" "and now it is step 0"
+done
+
+# Write errors. limited RANKS KILOBYTES SCRIPT: no file may become larger.
+printf '#!/usr/bin/env bash\ntrap "" XFSZ; ulimit -f "$1"; shift; exec "$@"\n' > limit; chmod +x limit
+limited() { timeout 60 mpirun --mca btl self,tcp -np "$1" ./limit "$2" "$bin/liggghts-asperity" -in "$3" -log none "${@:4}" > screen 2>&1; }
+{ head_ 'read_data grains.data'; echo "$wall ledger 20 file \${out} \${words}
+run 250"; } > full.in
+for kind in csv npy; do
+  for n in 1 2; do
+    engine 1 full.in -var out all.$kind -var words "on_error stop"
+    all=$([ $kind = csv ] && count_rows all.csv || count_array all.npy)
+    if limited $n 20 full.in -var out rows.$kind -var words "on_error stop"; then die "a full disk did not stop the run"; fi
+    says screen ERROR "rows.$kind" "File too large" "rows of the steps" "are lost"
+    head -c "$(stat -c %s rows.$kind)" all.$kind > part
+    [ $kind = npy ] || same part rows.csv "what a full disk has left"
+    first=$(stat -c %s rows.$kind); [ "$first" -gt 5000 ] || die "only $first bytes before the error"
+    limited $n 20 full.in -var out rows.$kind -var words "on_error go_on" || die "on_error go_on: $(cat screen)"
+    says screen WARNING "rows.$kind" "File too large"
+    [ "$(grep -c 'WARNING.*File too large' screen)" -ge 3 ] || die "windows without a warning"
+    lost=$(grep -oE '[0-9]+ rows of the steps' screen | awk '{ sum += $1 } END { print sum }')
+    written=$([ $kind = csv ] && count_rows rows.csv || count_array rows.npy)
+    [ $((written + lost)) = "$all" ] || die "$written rows written, $lost told as lost, $all in all"
+    grep -q " $lost in all" screen || die "the last warning does not have $lost in all"
+    [ $kind = csv ] || [ "$(stat -c %s rows.npy)" = $((2048 + 84 * written)) ] || die "the array has a part of a row"
+    [ $kind = npy ] || [ "$(tail -c 1 rows.csv | od -An -tx1 | tr -d ' ')" = 0a ] || die "the file has a part of a row"
+  done
+done
+ranks=2 refuses full.in "/dev/full" "No space left on device" -- -var out /dev/full -var words "on_error go_on"
+{ head_ 'read_data grains.data'; echo "$wall ledger 20 file folder/rows.csv
+run 100
+shell rm folder/rows.csv
+shell rmdir folder
+run 150"; } > gone.in
+mkdir folder
+ranks=2 refuses gone.in "'folder/rows.csv' failed: it has been deleted" "rows of the steps 10"
+refuses full.in "/nowhere/rows.csv" "No such file" -- -var out /nowhere/rows.csv -var words "on_error go_on"
+refuses full.in "on_error is 'maybe'; it must be stop or go_on" -- -var out rows.csv -var words "on_error maybe"
+{ head_ 'read_data grains.data'; echo "$wall ledger 20 on_error stop
+run 1"; } > no_file.in
+refuses no_file.in "on_error" "file FILE"

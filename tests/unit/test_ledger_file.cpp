@@ -1,0 +1,214 @@
+/* The file of a ledger: whole windows or nothing of them, whatever the disk does. */
+#include "wall/ledger_file.h"
+
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "wall/error.h"
+#include "wall/ledger_format.h"
+extern "C" {
+#include <cmocka.h>
+}
+
+using namespace asperity;
+
+static std::string folder;
+
+static std::string contents(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+}
+
+static void set_contents(const std::string &path, const std::string &text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/* A window of rows, all of the same step. */
+static std::string add_rows(LedgerFile &file, const std::string &path, int step, int count) {
+  std::vector<char> bytes;
+  for (int i = 0; i < count; i++) {
+    LedgerRow row;
+    row.fill(0.5);
+    row[LedgerColumn::TAG] = i;
+    row[LedgerColumn::TIME] = step;
+    if (is_ledger_array(path))
+      append_record(row, bytes);
+    else
+      append_line(row, bytes);
+  }
+  file.add(bytes.data(), bytes.size());
+  return file.commit(count, step);
+}
+
+static void assert_written(const std::string &why) {
+  assert_string_equal(why.c_str(), "");
+}
+
+static void assert_says(const std::string &text, const std::string &word) {
+  if (text.find(word) == std::string::npos)
+    fail_msg("'%s' is not in '%s'", word.c_str(), text.c_str());
+}
+
+/* Of a process that knows nothing of the file: another inode. */
+static void forget(const std::string &path) {
+  const std::string copy = path + ".copy";
+  set_contents(copy, contents(path));
+  assert_int_equal(rename(copy.c_str(), path.c_str()), 0);
+}
+
+static void limit(rlim_t bytes) {
+  struct rlimit most;
+  assert_int_equal(getrlimit(RLIMIT_FSIZE, &most), 0);
+  most.rlim_cur = bytes;
+  assert_int_equal(setrlimit(RLIMIT_FSIZE, &most), 0);
+}
+
+/* A disk that is full takes a part of a window; when it has room again, the next one follows the
+ * last whole one. Larger than what is written at once. */
+static void full_disk(void **) {
+  for (const char *name : {"/full.csv", "/full.npy"}) {
+    const std::string path = folder + name;
+    LedgerFile file("fix w", path);
+    file.open(LedgerState(), "heading", 0);
+    assert_written(add_rows(file, path, 1, 300));
+    const std::string good = contents(path);
+    for (int rows : {300, 30000}) {
+      limit(good.size() + 5000);
+      assert_says(add_rows(file, path, 2, rows), "File too large");
+      limit(RLIM_INFINITY);
+      assert_true(contents(path) == good);
+    }
+    assert_int_equal(file.state().rows, 300);
+    assert_written(add_rows(file, path, 3, 10));
+    assert_int_equal(file.state().rows, 310);
+    const std::string after = contents(path);
+    assert_int_equal(file.state().bytes, after.size());
+    const std::string other = folder + "/twin-of-" + (name + 1);
+    LedgerFile twin("fix v", other);
+    twin.open(LedgerState(), "heading", 0);
+    add_rows(twin, other, 1, 300);
+    add_rows(twin, other, 3, 10);
+    assert_true(contents(other) == after);
+  }
+}
+
+static void deleted(void **) {
+  const std::string path = folder + "/deleted.csv";
+  LedgerFile file("fix w", path);
+  file.open(LedgerState(), "heading", 0);
+  assert_written(add_rows(file, path, 1, 3));
+  unlink(path.c_str());
+  assert_says(add_rows(file, path, 2, 3), "deleted");
+}
+
+static std::string wrong_of_open(LedgerFile &file, const LedgerState &saved, int64_t step) {
+  try {
+    file.open(saved, "heading", step);
+  } catch (const Error &wrong) {
+    return wrong.what();
+  }
+  return "";
+}
+
+/* Cut back from any later length. */
+static void every_length(void **) {
+  for (const char *name : {"/cut.csv", "/cut.npy"}) {
+    const std::string path = folder + name;
+    LedgerState state;
+    {
+      LedgerFile file("fix w", path);
+      file.open(LedgerState(), "heading", 0);
+      assert_written(add_rows(file, path, 1, 3));
+      state = file.state();
+    }
+    const std::string good = contents(path);
+    {
+      LedgerFile file("fix w", path);
+      file.open(state, "heading", 1);
+      assert_written(add_rows(file, path, 2, 2));
+    }
+    const std::string longer = contents(path);
+    for (size_t length = good.size(); length <= longer.size(); length++) {
+      set_contents(path, longer.substr(0, length));
+      forget(path);
+      LedgerFile file("fix w", path);
+      const std::string report = file.open(state, "heading", 1);
+      assert_true(contents(path) == good);
+      assert_true((report.find("cut off") != std::string::npos) == (length > good.size()));
+      if (length == longer.size())
+        assert_says(report, "behind the 3 rows that the restart file tells of; 2 rows after");
+    }
+    for (size_t length = 0; length < good.size(); length++) {
+      set_contents(path, longer.substr(0, length));
+      forget(path);
+      LedgerFile file("fix w", path);
+      assert_says(wrong_of_open(file, state, 1), "are missing");
+      assert_int_equal(contents(path).size(), length);
+    }
+  }
+}
+
+static void two_walls(void **) {
+  const std::string path = folder + "/two.csv", link_path = folder + "/link.csv";
+  std::unique_ptr<LedgerFile> first(new LedgerFile("fix first", path));
+  first->open(LedgerState(), "heading", 0);
+  assert_written(add_rows(*first, path, 5, 3));
+  const std::string rows = contents(path);
+  assert_int_equal(symlink(path.c_str(), link_path.c_str()), 0);
+  for (const std::string &name : {path, link_path}) {
+    LedgerFile second("fix second", name);
+    assert_says(wrong_of_open(second, LedgerState(), 5), "is that of fix first");
+  }
+  first.reset();
+  LedgerFile back("fix first", path);
+  assert_says(wrong_of_open(back, LedgerState(), 4), "up to step 5, and now it is step 4");
+  assert_true(contents(path) == rows);
+  assert_says(back.open(LedgerState(), "heading", 5), "behind the 3 rows that fix first tells of");
+  assert_written(add_rows(back, path, 6, 1));
+  assert_true(contents(path).compare(0, rows.size(), rows) == 0);
+}
+
+/* A file that was removed since, whose place on the disk the new one may get. */
+static void removed_between(void **) {
+  const std::string path = folder + "/removed.csv";
+  for (int i = 0; i < 3; i++) {
+    LedgerFile file("fix w", path);
+    assert_string_equal(file.open(LedgerState(), "heading", 0).c_str(), "");
+    assert_written(add_rows(file, path, 1, 3));
+    unlink(path.c_str());
+  }
+}
+
+static void no_file(void **) {
+  const std::string path = folder + "/nowhere/rows.csv";
+  LedgerFile file("fix w", path);
+  assert_says(wrong_of_open(file, LedgerState(), 0), "No such file");
+  LedgerFile full("fix w", "/dev/full");
+  assert_says(wrong_of_open(full, LedgerState(), 0), "No space left");
+  const std::string fifo = folder + "/fifo.csv";
+  assert_int_equal(mkfifo(fifo.c_str(), 0600), 0);
+  LedgerFile stream("fix w", fifo); /* nobody reads, and it does not wait for somebody */
+  assert_says(wrong_of_open(stream, LedgerState(), 0), "cannot write");
+}
+
+int main() {
+  char name[] = "/tmp/asperity-XXXXXX";
+  signal(SIGXFSZ, SIG_IGN);
+  folder = mkdtemp(name);
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(full_disk), cmocka_unit_test(deleted), cmocka_unit_test(every_length),
+      cmocka_unit_test(two_walls), cmocka_unit_test(no_file), cmocka_unit_test(removed_between)};
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  if (system(("rm -r " + folder).c_str()) != 0)
+    return 1;
+  return failed;
+}

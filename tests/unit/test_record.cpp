@@ -1,0 +1,196 @@
+/* The restart record: what comes back, and what does not, with every byte flipped and cut at every
+ * length. Built with the sanitizers of addresses and undefined behaviour; each record lies in
+ * memory of just its length. */
+#include "wall/record.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+#include <memory>
+
+#include "wall/checksum.h"
+#include "wall/error.h"
+extern "C" {
+#include <cmocka.h>
+}
+
+using namespace asperity;
+
+/* Where the head has them. */
+enum { VERSION = 8, LENGTH = 16, SUM = 24, SUM_OF_HEAD = 28, HEAD = 32 };
+
+static WallState example() {
+  WallState state = WallState();
+  state.settings = {{"geometry", "mesh low high"}, {"seed", "4"}, {"materials", ""}};
+  state.counters = {168, 3, 1e-12, 4, 5, 6};
+  state.meshes = {MeshState{"low", 2, {160, 3, 1e-12, 0.5}, {100, 1e-12, 0.25, 60, 0, 0.25}},
+                  MeshState{"high", 1, {8, 0, 0, 0.125}, {8, 0, 0.125}}};
+  state.d_range[0] = 1e-6;
+  state.d_range[1] = 1e-4;
+  state.clock[1] = 100;
+  state.clock[2] = 1e-8;
+  state.ledger = LedgerState{"rows.csv", 168, 20000, 0xDEADBEEF};
+  return state;
+}
+
+static std::vector<char> example_record() {
+  return pack(example());
+}
+
+/* In memory that ends where they do. */
+static std::unique_ptr<char[]> exact(const std::vector<char> &bytes, size_t length) {
+  std::unique_ptr<char[]> copy(new char[length]);
+  memcpy(copy.get(), bytes.data(), length);
+  return copy;
+}
+
+static void comes_back(void **) {
+  const std::vector<char> record = example_record();
+  const WallState was = example(), is = unpack(exact(record, record.size()).get());
+  assert_true(is.settings == was.settings);
+  assert_true(is.counters == was.counters);
+  assert_int_equal(is.totals.size(), 0);
+  assert_int_equal(is.meshes.size(), 2);
+  for (size_t m = 0; m < 2; m++) {
+    assert_string_equal(is.meshes[m].id.c_str(), was.meshes[m].id.c_str());
+    assert_int_equal(is.meshes[m].triangles, was.meshes[m].triangles);
+    assert_true(is.meshes[m].totals == was.meshes[m].totals);
+    assert_true(is.meshes[m].map == was.meshes[m].map);
+  }
+  assert_memory_equal(is.d_range, was.d_range, sizeof is.d_range);
+  assert_memory_equal(is.clock, was.clock, sizeof is.clock);
+  assert_string_equal(is.ledger.path.c_str(), was.ledger.path.c_str());
+  assert_int_equal(is.ledger.rows, was.ledger.rows);
+  assert_int_equal(is.ledger.bytes, was.ledger.bytes);
+  assert_int_equal(is.ledger.tail, was.ledger.tail);
+}
+
+/* The message of the error that it ends with. */
+static std::string wrong_of(const std::vector<char> &record, size_t length, size_t available) {
+  try {
+    unpack(exact(record, length).get(), available);
+  } catch (const Error &wrong) {
+    return wrong.what();
+  }
+  return "";
+}
+
+static void assert_says(const std::string &text, const std::string &word) {
+  if (text.find(word) == std::string::npos)
+    fail_msg("'%s' is not in '%s'", word.c_str(), text.c_str());
+}
+
+/* The engine does not tell how long the record is. */
+static void flipped(void **) {
+  const std::vector<char> good = example_record();
+  for (size_t i = 0; i < good.size(); i++)
+    for (int bit = 0; bit < 8; bit++) {
+      std::vector<char> record = good;
+      record[i] = static_cast<char>(record[i] ^ 1 << bit);
+      assert_says(wrong_of(record, record.size(), SIZE_MAX), "damaged");
+    }
+}
+
+static void cut(void **) {
+  const std::vector<char> good = example_record();
+  for (size_t length = 0; length < good.size(); length++)
+    assert_says(wrong_of(good, length, length), "cut short");
+}
+
+static void put(std::vector<char> &record, size_t at, uint32_t value) {
+  memcpy(&record[at], &value, sizeof value);
+}
+
+static void sum_up(std::vector<char> &record) {
+  put(record, SUM, checksum(record.data() + HEAD, record.size() - HEAD));
+  put(record, SUM_OF_HEAD, checksum(record.data(), SUM_OF_HEAD));
+}
+
+/* Wrong lengths and counts behind right checksums, as a faulty writer would leave them. */
+static void wrong_inside(void **) {
+  const std::vector<char> good = example_record();
+  int refused = 0;
+  for (size_t i = VERSION; i < good.size(); i++)
+    for (int value : {0, 1, 127, 128, 255}) {
+      std::vector<char> record = good;
+      record[i] = static_cast<char>(value);
+      sum_up(record);
+      const bool head_is_longer = i >= LENGTH && i < SUM;
+      refused +=
+          !wrong_of(record, record.size(), head_is_longer ? record.size() : SIZE_MAX).empty();
+    }
+  assert_true(refused > 500);
+}
+
+static void other_version(void **) {
+  std::vector<char> record = example_record();
+  put(record, VERSION, 7);
+  sum_up(record);
+  assert_says(wrong_of(record, record.size(), SIZE_MAX),
+              "is of version 7; it must be of version 1");
+}
+
+/* What was written before records had a name began with counters. */
+static void no_name(void **) {
+  const std::vector<double> counters(100, 168);
+  std::vector<char> record(sizeof(double) * counters.size());
+  memcpy(record.data(), counters.data(), record.size());
+  assert_says(wrong_of(record, record.size(), SIZE_MAX), "does not begin as one");
+}
+
+typedef std::vector<std::pair<std::string, int64_t>> Meshes;
+
+static void meshes(void **) {
+  const WallState saved = example();
+  std::string report;
+  assert_true(match_meshes(saved, Meshes{{"low", 2}, {"high", 1}}, report) ==
+              std::vector<int>({0, 1}));
+  assert_string_equal(report.c_str(), "");
+  assert_true(match_meshes(saved, Meshes{{"new", 2}, {"high", 1}, {"low", 2}}, report) ==
+              std::vector<int>({-1, 1, 0}));
+  assert_string_equal(report.c_str(), "");
+  assert_true(match_meshes(saved, Meshes{{"high", 1}}, report) == std::vector<int>({1}));
+  assert_string_equal(report.c_str(),
+                      "the 160 impacts of mesh 'low', which is not one of this wall");
+  assert_true(match_meshes(saved, Meshes{{"low", 3}, {"high", 1}}, report) ==
+              std::vector<int>({-1, 1}));
+  assert_string_equal(report.c_str(),
+                      "the 160 impacts of mesh 'low', which had 2 triangles and has 3");
+  assert_int_equal(match_meshes(saved, Meshes{}, report).size(), 0);
+  assert_says(report, "'low', which is not one of this wall; the 8 impacts of mesh 'high'");
+}
+
+static void plane_and_mesh(void **) {
+  WallState saved = example();
+  saved.meshes.clear();
+  saved.totals = {168, 3, 1e-12, 0.625};
+  std::string report;
+  match_meshes(saved, Meshes{}, report);
+  assert_string_equal(report.c_str(), "");
+  assert_true(match_meshes(saved, Meshes{{"low", 2}}, report) == std::vector<int>({-1}));
+  assert_string_equal(report.c_str(), "the 168 impacts of the primitive wall");
+}
+
+static void changes(void **) {
+  const Settings now = {{"geometry", "mesh low"}, {"seed", "4"}, {"materials", ""}};
+  assert_string_equal(describe_changes(now, now).c_str(), "");
+  const Settings other = {{"geometry", "mesh low"}, {"seed", "5"}, {"materials", "quartz"}};
+  assert_string_equal(describe_changes(now, other).c_str(),
+                      "seed 4, was 5; materials none, was quartz");
+  assert_string_equal(setting(1e-5).c_str(), "1e-05");
+  assert_string_not_equal(setting(0.9).c_str(), setting(0.9000000001).c_str());
+}
+
+/* The check value of CRC-32. */
+static void check_value(void **) {
+  assert_int_equal(checksum("123456789", 9), 0xCBF43926);
+}
+
+int main() {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(comes_back),    cmocka_unit_test(flipped), cmocka_unit_test(cut),
+      cmocka_unit_test(wrong_inside),  cmocka_unit_test(no_name), cmocka_unit_test(meshes),
+      cmocka_unit_test(other_version), cmocka_unit_test(changes), cmocka_unit_test(plane_and_mesh),
+      cmocka_unit_test(check_value)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
