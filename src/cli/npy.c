@@ -1,7 +1,7 @@
 /* NumPy arrays; see npy.h. The header is a Python dictionary as numpy.lib.format writes it:
  * {'descr': [('name', '<f8'), ...], 'fortran_order': False, 'shape': (rows,), } */
 #include "cli/npy.h"
-#include "error.h"
+#include "base/error.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -3,8 +3,8 @@
 #include "base/file.h"
 #include "cli/cli.h"
 #include "cli/npy.h"
-#include "csv.h"
-#include "error.h"
+#include "base/csv.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* A wall: surface, spread model and rebound law looked up once and checked, so that a contact reads
  * numbers and follows pointers only. */
-#include "error.h"
+#include "base/error.h"
 #include "impact/wall.h"
 
 #include <math.h>

@@ -2,8 +2,8 @@
  * from a file, interpolated. Speed by speed a monotone cubic in the angle (Steffen 1990; a straight
  * line where there are only two angles), and a straight line between speeds. */
 #include "base/monotone.h"
-#include "csv.h"
-#include "error.h"
+#include "base/csv.h"
+#include "base/error.h"
 
 #include <gsl/gsl_interp.h>
 #include <math.h>

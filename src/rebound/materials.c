@@ -1,7 +1,7 @@
 /* Material presets, and the pair of a particle's and a wall's material. The
  * values are common handbook values, not those of the papers on rebound (which state few); none was
  * checked against an original. All of them are defaults that a user can replace. */
-#include "error.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <string.h>

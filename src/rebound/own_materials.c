@@ -1,7 +1,7 @@
 /* A user's own materials, read from a text file in columns; they go before the presets of the same
  * name. */
-#include "csv.h"
-#include "error.h"
+#include "base/csv.h"
+#include "base/error.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* The list of rebound laws, how their parameters are found by name, and what laws share. */
-#include "error.h"
+#include "base/error.h"
 #include "rebound/laws.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* The cheapest model that is good enough, in the fixed order of the models' records. How far each
  * model's rebounds are from the geometry was measured on a grid of walls and angles (measured.csv,
  * made by `asperity trade --grid`); a wall takes the worst of all grid points around it. */
-#include "error.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
  * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
  * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
  * fly up meet the law of `visible`. */
-#include "error.h"
+#include "base/error.h"
 #include "spread/models.h"
 #include "spread/trace.h"
 

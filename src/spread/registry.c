@@ -1,5 +1,5 @@
 /* The list of spread models, and what every model has in common. */
-#include "error.h"
+#include "base/error.h"
 #include "spread/models.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
  * maximum (the second of two periods, when the maximum of the first is known). A single path is
  * followed with a pyramid of block maxima, in steps that grow as long as nothing is in reach. A
  * flight towards smaller x is one towards larger x over the mirror image. */
-#include "error.h"
+#include "base/error.h"
 #include "spread/trace.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* The geometry itself, hit by hit: every particle falls on the profile at a place of its own and is
  * followed over it until it leaves. Nothing is modelled but the profile, whose faces are those of
  * the disc nearest in size among the bins. Slow, and exact. */
-#include "error.h"
+#include "base/error.h"
 #include "spread/models.h"
 #include "spread/trace.h"
 

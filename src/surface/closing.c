@@ -3,7 +3,7 @@
  * is the same upside down. Two such arcs cross at most once, so the envelope of all comes from a
  * stack of arcs, left to right, as the lower envelope of parabolas does in Felzenszwalb &
  * Huttenlocher 2012: O(n), whatever the radius. */
-#include "error.h"
+#include "base/error.h"
 #include "surface/profile.h"
 
 #include <math.h>

@@ -3,7 +3,8 @@
  * apart, comes from a line fitted to all of them, since instruments round them (to 0.1 um at a
  * spacing of 0.156 um). Where they are not, a second pass interpolates between them. */
 #include "base/number.h"
-#include "error.h"
+#include "base/units.h"
+#include "base/error.h"
 #include "surface/read.h"
 
 #include <ctype.h>

@@ -1,7 +1,7 @@
 /* What a profile is: heights, correlation length, slope. The autocorrelation is GSL's FFT of the
  * heights about their mean, circular where the profile is periodic, and padded with zeros where it
  * is not (the sum of the n - k products over n, which damps the lags that few products back). */
-#include "error.h"
+#include "base/error.h"
 #include "surface/profile.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>

@@ -3,7 +3,7 @@
  * exp(-x^2/lambda_c^2). The filter is applied by GSL's FFT on a power of two that holds the noise
  * and its periodic continuation, so that any number of points costs the same per point. */
 #include "surface/profile.h"
-#include "error.h"
+#include "base/error.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>

@@ -3,7 +3,7 @@
  * (far off the median of their neighbours), gaps filled by straight lines or refused. */
 #include "surface/read.h"
 #include "base/file.h"
-#include "error.h"
+#include "base/error.h"
 #include "surface/profile.h"
 
 #include <gsl/gsl_linalg.h>

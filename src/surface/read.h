@@ -2,7 +2,7 @@
 #ifndef ASP_SURFACE_READ_H
 #define ASP_SURFACE_READ_H
 
-#include "surface/text.h"
+#include "base/text.h"
 
 /* Heights as a file has them, equally spaced, in metres; NAN where one is bad or missing. */
 typedef struct asp_raw {
@@ -25,11 +25,6 @@ asp_code asp_read_columns(asp_text *text, const asp_profile_options *options, as
                           asp_error *error);
 asp_code asp_read_sdf(asp_text *text, const asp_profile_options *options, asp_raw *raw,
                       asp_error *error);
-
-/* The units of length in a line of a header, in metres: how many there are, and the first two. A
- * number before a unit makes it a value, not the unit of a column. A line with `unit` in it states
- * one for both. */
-int asp_header_units(const char *line, double units[2]);
 
 /* As asp_profile_read, from an open stream; `path` is for messages only. */
 asp_profile *asp_profile_read_stream(FILE *stream, const char *path,

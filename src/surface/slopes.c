@@ -1,7 +1,7 @@
 /* Contact slopes in numbers: differences of the dilated or closed profile, their moments, a kernel
  * density of the angles, and how far a normal law is from it (D_KL, eq. 2, with the sign carried
  * inside the logarithm). */
-#include "error.h"
+#include "base/error.h"
 #include "surface/profile.h"
 
 #include <math.h>

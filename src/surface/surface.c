@@ -7,7 +7,7 @@
  * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
  * - a measured profile: no closed form, its own slopes at the diameters of its bins. */
 #include "base/monotone.h"
-#include "error.h"
+#include "base/error.h"
 #include "surface/profile.h"
 #include "surface/size_table.inc"
 

@@ -1,5 +1,5 @@
 /* Error messages of the core; see error.h. */
-#include "error.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <stdarg.h>

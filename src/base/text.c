@@ -1,7 +1,7 @@
 /* Lines, words and numbers of a text file; see text.h. */
-#include "surface/text.h"
+#include "base/text.h"
 #include "base/number.h"
-#include "error.h"
+#include "base/error.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -1,7 +1,7 @@
 /* Tables in text files; see csv.h. */
-#include "csv.h"
+#include "base/csv.h"
 #include "base/file.h"
-#include "error.h"
+#include "base/error.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,6 +1,7 @@
 /* Units of length by the names that people and instruments give them, and where the header of a
  * text file states them. */
-#include "surface/read.h"
+#include "base/units.h"
+#include "asperity.h"
 
 #include <ctype.h>
 #include <string.h>

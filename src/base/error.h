@@ -1,7 +1,7 @@
 /* How the core reports: a code, and one line that names the thing, its value and what it must be.
  */
-#ifndef ASP_ERROR_H
-#define ASP_ERROR_H
+#ifndef ASP_BASE_ERROR_H
+#define ASP_BASE_ERROR_H
 
 #include "asperity.h"
 

@@ -1,6 +1,6 @@
 /* A text file read as a stream: one line or one word at a time, never more of it in memory. */
-#ifndef ASP_SURFACE_TEXT_H
-#define ASP_SURFACE_TEXT_H
+#ifndef ASP_BASE_TEXT_H
+#define ASP_BASE_TEXT_H
 
 #include "asperity.h"
 

@@ -3,10 +3,10 @@
  * order); with semicolons and tabs a comma in a number is a decimal point. Quotes hold a field
  * together, lines that begin with # are comments, blank lines are skipped, and a byte-order mark is
  * left out. The file is read as a stream. */
-#ifndef ASP_CSV_H
-#define ASP_CSV_H
+#ifndef ASP_BASE_CSV_H
+#define ASP_BASE_CSV_H
 
-#include "surface/text.h"
+#include "base/text.h"
 
 enum { ASP_CSV_COLUMNS = 64 };
 

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Which room of src may know which: no file includes a header of a room that its own must not know, no object of the
+# core uses a symbol that such a room defines, and no file lies loose in src.
+# Usage: check.sh SRC [OBJECTS]: the folder of the rooms, and that of the core's object files, in the same rooms.
+set -euo pipefail
+src=$1 objects=${2:-}
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+bad=0
+say() { echo "FAILED: $*"; bad=1; }
+
+# The rooms, and what each may know besides itself and asperity.h. An engine's headers are known to its own room only.
+declare -A knows=(
+  [base]=''
+  [surface]='base'
+  [spread]='base surface'
+  [rebound]='base'
+  [impact]='base surface spread rebound'
+  [contact]='base'
+  [wall]='base contact impact'
+  [liggghts]='base contact wall'
+  [lammps]='base contact wall'
+  [cli]='base surface spread rebound impact'
+)
+engines=' liggghts lammps '
+with_mpi=" wall$engines"
+
+may_know() { # ROOM OTHER
+  [ "$1" = "$2" ] || [[ " ${knows[$1]} " == *" $2 "* ]]
+}
+
+for path in "$src"/*; do
+  name=$(basename "$path")
+  if [ -d "$path" ]; then
+    [ -n "${knows[$name]+known}" ] || say "room '$name' is not in the list of $0"
+  else
+    [ "$name" = CMakeLists.txt ] || [ "$name" = asperity.h ] || say "'$name' lies loose in src"
+  fi
+done
+
+looked=0
+while IFS=: read -r file include; do
+  room=${file#"$src"/}; room=${room%%/*}
+  looked=$((looked + 1))
+  case $include in
+    '<mpi.h>') [[ $with_mpi == *" $room "* ]] || say "$file includes $include" ;;
+    '<'*) ;;
+    asperity.h | *.inc) ;;
+    */*) may_know "$room" "${include%%/*}" || say "$file includes $include: $room must not know ${include%%/*}"
+      [ -e "$src/$include" ] || say "$file includes $include, which is not there" ;;
+    *) [[ $engines == *" $room "* ]] || say "$file includes $include, which names no room" ;;
+  esac
+done < <(grep -rnoE '^#include +("[^"]*"|<[^>]*>)' --include='*.[ch]' --include='*.cpp' "$src"/*/ |
+  sed -E 's/^([^:]*):[0-9]*:#include +/\1:/; s/"//g')
+[ $looked -gt 100 ] || say "only $looked includes were found in $src"
+
+# The core's symbols: who defines them, and who uses them.
+if [ -n "$objects" ]; then
+  for room in "$objects"/*/; do
+    room=$(basename "$room")
+    for object in "$objects/$room"/*.o; do
+      [ -e "$src/$room/$(basename "$object" .o)" ] || continue # of a file that was moved
+      nm --defined-only -g "$object" | awk -v room="$room" 'NF == 3 { print $3, room }' >> "$work/defined"
+      nm -u "$object" | awk -v room="$room" -v file="$room/$(basename "$object" .o)" '{ print $2, room, file }' >> "$work/used"
+    done
+  done
+  [ "$(wc -l < "$work/defined")" -gt 50 ] || say "few symbols were found in $objects"
+  while read -r symbol room file other; do
+    may_know "$room" "$other" || say "$file uses $symbol: $room must not know $other"
+  done < <(join <(sort "$work/used") <(sort "$work/defined"))
+fi
+exit $bad
