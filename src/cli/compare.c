@@ -428,8 +428,8 @@ const cli_command cli_compare = {
     .summary = "impacts of a model or a simulation against measured coefficients",
     .detail =
         "asperity compare IMPACTS DATA: IMPACTS is the output of 'asperity cor', the ledger of a\n"
-        "wall (CSV or .npy), or a LIGGGHTS dump local file of its array (columns 11, 17, 18, 19;\n"
-        "12 for tilts).\n"
+        "wall (CSV or .npy), or a LIGGGHTS dump local file of its array (of its columns alpha1,\n"
+        "cor_n, cor_t and outcome; delta_alpha for tilts).\n"
         "DATA is CSV in degrees: points alpha1_deg,cor_n,cor_t, or means and standard deviations\n"
         "alpha1_deg,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd; missing fields are left empty. By\n"
         "angle: moments, the model's 5 to 95 % band and the share of the points in it, the\n"

@@ -5,6 +5,7 @@
 #include "cli/npy.h"
 #include "base/csv.h"
 #include "base/error.h"
+#include "wall/columns.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,6 +31,10 @@ static void warn_radians(const char *path, double most, size_t count) {
     cli_warn("%s: all impact angles are below %g; they are taken as degrees, but look like radians",
              path, RADIANS_MOST);
 }
+
+/* What the ledger's files call its columns. */
+#define LEDGER_NAMED(ID, name, type, text) name,
+static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)};
 
 /* What is read of an impact, wherever it comes from. */
 typedef struct impact_row {
@@ -68,11 +73,12 @@ static asp_code read_row(const asp_csv *csv, const impact_columns *at, impact_ro
 }
 
 static asp_code read_csv_rows(asp_csv *csv, scatter_impacts *impacts, asp_error *error) {
-  impact_columns at = {.degrees = asp_csv_need(csv, "alpha1_deg", error),
-                       .delta = asp_csv_find(csv, "delta_alpha_deg"),
-                       .cor = {asp_csv_find(csv, "cor_n"), asp_csv_find(csv, "cor_t")},
-                       .outcome = asp_csv_find(csv, "outcome")};
-  if (at.degrees < 0 || (at.cor[0] < 0 && asp_csv_need(csv, "cor_n", error) < 0))
+  impact_columns at = {.degrees = asp_csv_need(csv, ledger_name[LEDGER_ALPHA1], error),
+                       .delta = asp_csv_find(csv, ledger_name[LEDGER_DELTA_ALPHA]),
+                       .cor = {asp_csv_find(csv, ledger_name[LEDGER_COR_N]),
+                               asp_csv_find(csv, ledger_name[LEDGER_COR_T])},
+                       .outcome = asp_csv_find(csv, ledger_name[LEDGER_OUTCOME])};
+  if (at.degrees < 0 || (at.cor[0] < 0 && asp_csv_need(csv, ledger_name[LEDGER_COR_N], error) < 0))
     return ASP_EDATA;
   impact_row row;
   asp_code code;
@@ -84,14 +90,16 @@ static asp_code read_csv_rows(asp_csv *csv, scatter_impacts *impacts, asp_error 
   }
 }
 
-/* Columns of the local array, from 1, by their places in the ledger. */
-enum { LEDGER_DEGREES = 11, LEDGER_DELTA = 12, LEDGER_COR = 17, LEDGER_OUTCOME = 19 };
+/* The number of a column in the local array, from 1. */
+static int number_of(int column) {
+  return column + 1;
+}
 
-/* `ITEM: ENTRIES f_wall[11] f_wall[17] ...`: where a column of the array stands, or -1. */
+/* `ITEM: ENTRIES f_wall[11] f_wall[17] ...`: where a column of the ledger stands, or -1. */
 static int find_entry(char *const names[], int count, int column) {
   for (int i = 0; i < count; i++) {
     const char *bracket = strrchr(names[i], '[');
-    if (strncmp(names[i], "f_", 2) == 0 && bracket && atoi(bracket + 1) == column)
+    if (strncmp(names[i], "f_", 2) == 0 && bracket && atoi(bracket + 1) == number_of(column))
       return i;
   }
   return -1;
@@ -117,16 +125,18 @@ static asp_code read_dump_header(asp_csv *csv, impact_columns *at, asp_error *er
   strcpy(csv->header, csv->text.text + strlen("ITEM: ENTRIES"));
   csv->separator = ' ';
   csv->columns = asp_csv_split(csv->header, ' ', csv->names);
-  *at = (impact_columns){find_entry(csv->names, csv->columns, LEDGER_DEGREES),
-                         find_entry(csv->names, csv->columns, LEDGER_DELTA),
-                         {find_entry(csv->names, csv->columns, LEDGER_COR),
-                          find_entry(csv->names, csv->columns, LEDGER_COR + 1)},
+  *at = (impact_columns){find_entry(csv->names, csv->columns, LEDGER_ALPHA1),
+                         find_entry(csv->names, csv->columns, LEDGER_DELTA_ALPHA),
+                         {find_entry(csv->names, csv->columns, LEDGER_COR_N),
+                          find_entry(csv->names, csv->columns, LEDGER_COR_T)},
                          find_entry(csv->names, csv->columns, LEDGER_OUTCOME)};
   if (at->degrees >= 0 && (at->cor[0] >= 0 || at->cor[1] >= 0))
     return ASP_OK;
   return asp_text_fail(&csv->text, csv->text.line, error,
-                       "the dump needs column 11 (alpha1), and 17 or 18 (cor_n, cor_t), of the "
-                       "wall's array: f_ID[11] f_ID[17] f_ID[18]");
+                       "the dump needs column %d (alpha1), and %d or %d (cor_n, cor_t), of the "
+                       "wall's array: f_ID[%d] f_ID[%d] f_ID[%d]",
+                       number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T),
+                       number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T));
 }
 
 /* A `dump local` file: blocks of a header of ITEM lines, then rows. */
@@ -176,13 +186,14 @@ static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impa
   asp_code code = npy_open(&array, stream, path, error);
   if (code)
     return code;
-  impact_columns at = {.degrees = npy_find(&array, "alpha1_deg"),
-                       .delta = npy_find(&array, "delta_alpha_deg"),
-                       .cor = {npy_find(&array, "cor_n"), npy_find(&array, "cor_t")},
-                       .outcome = npy_find(&array, "outcome")};
+  impact_columns at = {.degrees = npy_find(&array, ledger_name[LEDGER_ALPHA1]),
+                       .delta = npy_find(&array, ledger_name[LEDGER_DELTA_ALPHA]),
+                       .cor = {npy_find(&array, ledger_name[LEDGER_COR_N]),
+                               npy_find(&array, ledger_name[LEDGER_COR_T])},
+                       .outcome = npy_find(&array, ledger_name[LEDGER_OUTCOME])};
   if (at.degrees < 0 || at.cor[COR_N] < 0)
     return asp_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
-                    at.degrees < 0 ? "alpha1_deg" : "cor_n");
+                    ledger_name[at.degrees < 0 ? LEDGER_ALPHA1 : LEDGER_COR_N]);
   snprintf(impacts->comment, sizeof impacts->comment, "%s", array.title);
   impact_row row;
   for (bool found;;) {

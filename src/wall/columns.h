@@ -6,7 +6,7 @@
 #ifndef ASPERITY_WALL_COLUMNS_H
 #define ASPERITY_WALL_COLUMNS_H
 
-#define ASP_LEDGER_COLUMNS(COLUMN)                                                                 \
+#define LEDGER_COLUMNS(COLUMN)                                                                     \
   COLUMN(TAG, "tag", "i4", "tag of the particle")                                                  \
   COLUMN(IMPACT, "impact", "i4", "number of its impact on this wall, from 1")                      \
   COLUMN(TIME, "time", "f8", "time of contact")                                                    \
@@ -29,9 +29,9 @@
          "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \
   COLUMN(OUTCOME, "outcome", "i1", "0 rebound, 1 deposited, 2 deleted")
 
-/* Places in a row, from 0: ASP_LEDGER_TAG, ... */
-#define ASP_LEDGER_PLACE(ID, name, type, text) ASP_LEDGER_##ID,
-enum { ASP_LEDGER_COLUMNS(ASP_LEDGER_PLACE) ASP_LEDGER_N_COLUMNS };
-#undef ASP_LEDGER_PLACE
+/* Places in a row, from 0: LEDGER_TAG, ... */
+#define LEDGER_PLACE(ID, name, type, text) LEDGER_##ID,
+enum { LEDGER_COLUMNS(LEDGER_PLACE) LEDGER_N_COLUMNS };
+#undef LEDGER_PLACE
 
 #endif

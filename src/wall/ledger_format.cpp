@@ -15,9 +15,9 @@ using namespace asperity;
 #endif
 
 /* Whole numbers (i) are printed as such in CSV. */
-#define ASP_LEDGER_NAMED(ID, name, type, text) {name, type},
-static const struct { const char *name, *type; } COLUMNS[] = {ASP_LEDGER_COLUMNS(ASP_LEDGER_NAMED)};
-#undef ASP_LEDGER_NAMED
+#define LEDGER_NAMED(ID, name, type, text) {name, type},
+static const struct { const char *name, *type; } COLUMNS[] = {LEDGER_COLUMNS(LEDGER_NAMED)};
+#undef LEDGER_NAMED
 
 /* An array's header: magic, version, length, a Python dictionary. */
 static const size_t PREAMBLE = 10, TITLE_MOST = 1000;

@@ -16,14 +16,9 @@ namespace asperity {
 
 /* Places in a row: the columns that users see, and what goes with them. */
 struct LedgerColumn {
-#define ASP_LEDGER_PLACE(ID, name, type, text) ID,
-  enum {
-    ASP_LEDGER_COLUMNS(ASP_LEDGER_PLACE) N_COLUMNS,
-    STEP = N_COLUMNS,
-    COR_T_DEFINED,
-    N_FIELDS
-  };
-#undef ASP_LEDGER_PLACE
+#define LEDGER_PLACE(ID, name, type, text) ID,
+  enum { LEDGER_COLUMNS(LEDGER_PLACE) N_COLUMNS, STEP = N_COLUMNS, COR_T_DEFINED, N_FIELDS };
+#undef LEDGER_PLACE
 };
 typedef std::array<double, LedgerColumn::N_FIELDS> LedgerRow;
 
