@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "wall/columns.h"
+#include "base/ledger_columns.h"
 
 namespace asperity {
 

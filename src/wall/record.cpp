@@ -178,6 +178,7 @@ MeshState read_mesh(Reader &from) {
   mesh.triangles = from.number<int64_t>();
   mesh.totals = from.numbers();
   mesh.map = from.numbers();
+  mesh.motion = from.numbers();
   return mesh;
 }
 
@@ -253,6 +254,7 @@ std::vector<char> asperity::pack(const WallState &state) {
     to.number(mesh.triangles);
     to.numbers(mesh.totals);
     to.numbers(mesh.map);
+    to.numbers(mesh.motion);
     to.end();
   }
   to.begin("ledger");

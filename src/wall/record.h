@@ -30,6 +30,7 @@ struct MeshState {
   int64_t triangles;
   std::vector<double> totals; /* of the mesh; impacts first */
   std::vector<double> map;    /* of its triangles, by their ids */
+  std::vector<double> motion; /* of a mesh that has moved, as MeshShape has it; empty otherwise */
 };
 
 struct WallState {

@@ -66,7 +66,8 @@ refuses "$plane rebound constant 1" "" "cor_t" "missing"
 refuses "$plane rebound bons yield_rate -3" "" "yield_rate is -3" ">= 0"
 refuses "$plane rebound bons contact_area 0.1 0.1" "" "c is missing"
 refuses "$plane deposit stick" "" "'stick'" "freeze, delete or off"
-refuses "$plane timing late" "" "'late'" "exact or overlap"
+refuses "$plane timing late" "" "'late'" "exact"
+refuses "$plane timing overlap" "" "'overlap'" "exact"
 refuses "$plane seed -1" "" "seed is -1" "0 to 4294967295"
 refuses "$plane seed 1.5" "" "seed is 1.5" "whole number"
 refuses "$plane ledger 0" "" "ledger is 0" "1 to"
@@ -77,19 +78,21 @@ refuses "all wall/rebound primitive type 2" "" "type T style args"
 refuses "all wall/rebound primitive type 2 wplane 0.0" "" "'wplane'" "zplane"
 refuses "all wall/rebound mesh n_meshes 2 meshes plate" "" "n_meshes is '2'"
 refuses "all wall/rebound mesh n_meshes 1 meshes moon" "" "'moon' does not exist" "mesh/surface"
-refuses "nobody wall/rebound primitive type 2 zplane 0.0" "" "'nobody' holds no particle"
+refuses "all wall/rebound model hertz primitive type 2 zplane 0.0" "" "takes no model" "wall/gran"
+refuses "all wall/rebound primitive type 2 zplane 0.0 model hertz tangential history" "" "takes no model"
 for name in youngsModulus:m1 poissonsRatio:m2 yieldStress:m3 surfaceEnergy:m4; do
   # the pair style has its own word on the two that it needs too
   refuses "$plane" "unfix ${name#*:}" "${name%:*}"
 done
-refuses "$plane" "unfix m3" "yieldStress" "fix yieldStress all property/global yieldStress peratomtype"
-refuses "$plane" "unfix m4" "surfaceEnergy" "property/global surfaceEnergy peratomtypepair"
+refuses "$plane" "unfix m3" "yieldStress" "materials quartz hastelloy-x" "fix yieldStress all property/global yieldStress peratomtype 2e8 2e8"
+refuses "$plane" "unfix m4" "surfaceEnergy" "property/global surfaceEnergy peratomtypepair 2 0.8 0.8 0.8 0.8"
 refuses "$plane" "unfix m3
 fix m3 all property/global yieldStress peratomtype -5 2e8" "yield stress is -5" ">= 0"
 refuses "$plane" "unfix m1
 fix m1 all property/global youngsModulus peratomtype -7e10 2e11" "youngsModulus"
 refuses "$plane" "unfix m2
 fix m2 all property/global poissonsRatio peratomtype 0.17 0.7" "poissonsRatio"
+refuses "all wall/rebound mesh n_meshes 2 meshes plate plate" "" "'plate' is named twice"
 refuses "$mesh" "run_style respa 2 2" "respa"
 refuses "$mesh" "fix other all wall/rebound mesh n_meshes 1 meshes plate" "'plate' is already used by fix 'other'" "one wall for each mesh"
 refuses "$mesh" "fix other all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate" "'plate' is already used by fix 'other'"
@@ -131,6 +134,7 @@ accepts "$plane rebound bons yield_rate 3e6" "unfix m3"
 accepts "$plane materials hastelloy-x hastelloy-x rebound bons yield_rate 3e6" "unfix m3
 unfix m4"
 accepts "$mesh ledger 10 file rows.csv" ""
+accepts "nobody wall/rebound primitive type 2 zplane 0.0" ""
 
 # Steps in which the grain moves more than its radius, 5 um: a warning, once, with the largest safe step.
 speed=-100 step=1e-7

@@ -19,7 +19,7 @@ declare -A knows=(
   [wall]='base contact impact'
   [liggghts]='base contact wall'
   [lammps]='base contact wall'
-  [cli]='base surface spread rebound impact wall' # of the wall the columns of a ledger, which it reads
+  [cli]='base surface spread rebound impact'
 )
 engines=' liggghts lammps '
 with_mpi=" wall$engines"

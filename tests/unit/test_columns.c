@@ -1,5 +1,5 @@
 /* The table of the ledger's columns in the page of the fix, row by row. */
-#include "wall/columns.h"
+#include "base/ledger_columns.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -3,8 +3,8 @@
  * or f, for whole and for floating-point numbers, and a number of bytes. C and C++.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_COLUMNS_H
-#define ASPERITY_WALL_COLUMNS_H
+#ifndef ASP_BASE_LEDGER_COLUMNS_H
+#define ASP_BASE_LEDGER_COLUMNS_H
 
 #define LEDGER_COLUMNS(COLUMN)                                                                     \
   COLUMN(TAG, "tag", "i4", "tag of the particle")                                                  \

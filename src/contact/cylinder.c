@@ -1,0 +1,78 @@
+/* A sphere and a cylinder along a coordinate axis; see contact.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+
+#include "contact/contact.h"
+#include "contact/vector.h"
+
+/* Inside a cylinder, a sphere slides that approaches with less than this share of its speed. */
+static const double SLIDES = 1e-6;
+
+/* The part of a vector across the axis. */
+static void across(int axis, const double a[3], double c[3]) {
+  vector_copy(a, c);
+  c[axis] = 0;
+}
+
+double contact_cylinder_gap(const ContactCylinder *cylinder, const double x[3], double radius) {
+  double arm[3];
+  vector_subtract(x, cylinder->center, arm);
+  across(cylinder->axis, arm, arm);
+  return fabs(vector_length(arm) - cylinder->radius) - radius;
+}
+
+/* When the distance from the axis, `distance` at first and the square root of a quadratic in time
+ * on a straight path, is `touching`: 0 for what is beyond it already and goes on, infinite for
+ * never. rate: half the growth of the square at first; square: of the speed, > 0. */
+static double chord_time(bool inside, double distance, double touching, double rate,
+                         double square) {
+  const double beyond = (distance - touching) * (distance + touching);
+  const double root = sqrt(fmax(0.0, rate * rate - square * beyond));
+  if (inside) {
+    if (rate > 0)
+      return beyond < 0 ? -beyond / (rate + root) : 0;
+    return (root - rate) / square;
+  }
+  if (rate >= 0 || (beyond > 0 && !(root > 0)))
+    return INFINITY;
+  return beyond > 0 ? beyond / (root - rate) : 0;
+}
+
+bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
+                           double latest, ContactTouch *touch) {
+  double v[3], arm[3], n[3];
+  across(cylinder->axis, path->v, v);
+  vector_subtract(path->x, cylinder->center, arm);
+  across(cylinder->axis, arm, arm);
+  const double distance = vector_length(arm), square = vector_dot(v, v);
+  const bool inside = distance < cylinder->radius;
+  const double touching = inside ? fmax(0.0, cylinder->radius - radius) : cylinder->radius + radius;
+  if (!(square > 0))
+    return false;
+  double time = chord_time(inside, distance, touching, vector_dot(arm, v), square);
+  double approach, length;
+  bool slides = false;
+  for (;; slides = true, time = path->left) {
+    if (!(time <= latest))
+      return false;
+    vector_add_scaled(arm, time, v, n);
+    if (inside)
+      vector_scale(-1, n);
+    length = vector_length(n);
+    approach = -vector_dot(v, n) / length;
+    if (approach > SLIDES * sqrt(square))
+      break;
+    if (!inside || slides)
+      return false;
+  }
+  touch->time = time;
+  vector_copy(n, touch->n);
+  vector_scale(1 / length, touch->n);
+  touch->lift = inside ? length - touching : touching - length;
+  if (touch->lift <= CONTACT_TOLERANCE * radius)
+    touch->lift = 0;
+  touch->slant = 0;
+  touch->guarded = touch->lift > 0 && !slides;
+  return true;
+}

@@ -1,0 +1,321 @@
+/* A tree of boxes over triangles, split at the median of their centres along the longest side; see
+ * tree.h. Boxes are in single precision, rounded outwards.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "contact/tree.h"
+#include "contact/vector.h"
+
+enum { LEAF = 4, DEPTH = 64 };
+
+/* A leaf has `count` triangles from `first` on; an inner node has count 0, its one child right
+ * behind it, and the other at `first`. */
+typedef struct Node {
+  float lo[3], hi[3];
+  int first, count;
+} Node;
+
+struct ContactTree {
+  ContactTriangle *triangles;
+  int *id;
+  int *by_id; /* places in order of their numbers */
+  Node *nodes;
+  size_t count, n_nodes;
+};
+
+/* What building needs of a triangle. */
+typedef struct Item {
+  float center[3];
+  int from;
+} Item;
+
+void contact_list_free(ContactList *list) {
+  free(list->item);
+  list->item = NULL;
+  list->count = list->room = 0;
+}
+
+static bool append(ContactList *list, int item) {
+  if (list->count == list->room) {
+    const size_t room = list->room ? 2 * list->room : 64;
+    int *grown = realloc(list->item, room * sizeof *grown);
+    if (!grown)
+      return false;
+    list->item = grown;
+    list->room = room;
+  }
+  list->item[list->count++] = item;
+  return true;
+}
+
+static void wrap(const ContactTriangle *triangle, Node *node) {
+  for (int k = 0; k < 3; k++)
+    for (int d = 0; d < 3; d++) {
+      const double at = triangle->node[k][d];
+      node->lo[d] = fminf(node->lo[d], nextafterf((float)at, -INFINITY));
+      node->hi[d] = fmaxf(node->hi[d], nextafterf((float)at, INFINITY));
+    }
+}
+
+static const Node EMPTY = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
+
+/* Reorders items so that those from `middle` on have centres along d that are not smaller than
+ * those before it (Hoare's selection). */
+static void select_median(Item *items, size_t count, size_t middle, int d) {
+  size_t lo = 0, hi = count - 1;
+  while (lo < hi) {
+    const float pivot = items[lo + (hi - lo) / 2].center[d];
+    size_t i = lo, j = hi;
+    for (;;) {
+      while (items[i].center[d] < pivot)
+        i++;
+      while (items[j].center[d] > pivot)
+        j--;
+      if (i < j) {
+        const Item other = items[i];
+        items[i] = items[j];
+        items[j] = other;
+      }
+      if (i >= j)
+        break;
+      i++;
+      j--;
+    }
+    if (middle <= j)
+      hi = j;
+    else
+      lo = j + 1;
+  }
+}
+
+static int longest_side(const Item *items, size_t count) {
+  float lo[3], hi[3];
+  for (int d = 0; d < 3; d++) {
+    lo[d] = hi[d] = items[0].center[d];
+    for (size_t i = 1; i < count; i++) {
+      lo[d] = fminf(lo[d], items[i].center[d]);
+      hi[d] = fmaxf(hi[d], items[i].center[d]);
+    }
+  }
+  int longest = 0;
+  for (int d = 1; d < 3; d++)
+    if (hi[d] - lo[d] > hi[longest] - lo[longest])
+      longest = d;
+  return longest;
+}
+
+static void build(ContactTree *tree, const ContactTriangle *triangles, Item *items, size_t first,
+                  size_t count) {
+  const size_t at = tree->n_nodes++;
+  Node *node = &tree->nodes[at];
+  *node = EMPTY;
+  for (size_t i = 0; i < count; i++)
+    wrap(&triangles[items[first + i].from], node);
+  if (count <= LEAF) {
+    node->first = (int)first;
+    node->count = (int)count;
+    return;
+  }
+  const size_t half = count / 2;
+  select_median(items + first, count, half, longest_side(items + first, count));
+  build(tree, triangles, items, first, half);
+  tree->nodes[at].first = (int)tree->n_nodes;
+  build(tree, triangles, items, first + half, count - half);
+}
+
+/* A number and the place of its triangle. */
+typedef struct Numbered {
+  int id, place;
+} Numbered;
+
+static int by_number(const void *a, const void *b) {
+  const Numbered *of_a = a, *of_b = b;
+  return (of_a->id > of_b->id) - (of_a->id < of_b->id);
+}
+
+static bool number(ContactTree *tree) {
+  Numbered *order = malloc((tree->count + 1) * sizeof *order);
+  if (!order)
+    return false;
+  for (size_t i = 0; i < tree->count; i++)
+    order[i] = (Numbered){tree->id[i], (int)i};
+  qsort(order, tree->count, sizeof *order, by_number);
+  for (size_t i = 0; i < tree->count; i++)
+    tree->by_id[i] = order[i].place;
+  free(order);
+  return true;
+}
+
+ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id, size_t count) {
+  ContactTree *tree = calloc(1, sizeof *tree);
+  Item *items = malloc((count + 1) * sizeof *items);
+  if (tree) {
+    tree->count = count;
+    tree->triangles = malloc((count + 1) * sizeof *tree->triangles);
+    tree->id = malloc((count + 1) * sizeof *tree->id);
+    tree->by_id = malloc((count + 1) * sizeof *tree->by_id);
+    tree->nodes = malloc((count + 1) * sizeof *tree->nodes);
+  }
+  if (!items || !tree || !tree->triangles || !tree->id || !tree->by_id || !tree->nodes) {
+    free(items);
+    contact_tree_free(tree);
+    return NULL;
+  }
+  for (size_t i = 0; i < count; i++) {
+    items[i].from = (int)i;
+    for (int d = 0; d < 3; d++)
+      items[i].center[d] =
+          (float)((triangles[i].node[0][d] + triangles[i].node[1][d] + triangles[i].node[2][d]) /
+                  3);
+  }
+  if (count > 0)
+    build(tree, triangles, items, 0, count);
+  for (size_t i = 0; i < count; i++) {
+    tree->triangles[i] = triangles[items[i].from];
+    tree->id[i] = id[items[i].from];
+  }
+  free(items);
+  Node *nodes = realloc(tree->nodes, (tree->n_nodes + 1) * sizeof *nodes);
+  if (nodes)
+    tree->nodes = nodes;
+  if (!number(tree)) {
+    contact_tree_free(tree);
+    return NULL;
+  }
+  return tree;
+}
+
+void contact_tree_free(ContactTree *tree) {
+  if (!tree)
+    return;
+  free(tree->triangles);
+  free(tree->id);
+  free(tree->by_id);
+  free(tree->nodes);
+  free(tree);
+}
+
+size_t contact_tree_count(const ContactTree *tree) {
+  return tree->count;
+}
+
+size_t contact_tree_bytes(const ContactTree *tree) {
+  return tree->count * (sizeof(ContactTriangle) + 2 * sizeof(int)) + tree->n_nodes * sizeof(Node);
+}
+
+void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]) {
+  const Node *root = tree->count > 0 ? tree->nodes : &EMPTY;
+  for (int d = 0; d < 3; d++) {
+    lo[d] = root->lo[d];
+    hi[d] = root->hi[d];
+  }
+}
+
+const ContactTriangle *contact_tree_triangle(const ContactTree *tree, int place) {
+  return &tree->triangles[place];
+}
+
+int contact_tree_id(const ContactTree *tree, int place) {
+  return tree->id[place];
+}
+
+int contact_tree_place(const ContactTree *tree, int id) {
+  size_t lo = 0, hi = tree->count;
+  while (lo < hi) {
+    const size_t middle = lo + (hi - lo) / 2;
+    if (tree->id[tree->by_id[middle]] < id)
+      lo = middle + 1;
+    else
+      hi = middle;
+  }
+  return lo < tree->count && tree->id[tree->by_id[lo]] == id ? tree->by_id[lo] : -1;
+}
+
+static bool overlaps(const Node *node, const double lo[3], const double hi[3]) {
+  for (int d = 0; d < 3; d++)
+    if (node->hi[d] < lo[d] || node->lo[d] > hi[d])
+      return false;
+  return true;
+}
+
+static bool triangle_overlaps(const ContactTriangle *t, const double lo[3], const double hi[3]) {
+  for (int d = 0; d < 3; d++)
+    if (fmax(t->node[0][d], fmax(t->node[1][d], t->node[2][d])) < lo[d] ||
+        fmin(t->node[0][d], fmin(t->node[1][d], t->node[2][d])) > hi[d])
+      return false;
+  return true;
+}
+
+bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
+                       ContactList *list) {
+  int stack[DEPTH], top = 0;
+  if (tree->count > 0)
+    stack[top++] = 0;
+  while (top > 0) {
+    const int at = stack[--top];
+    const Node *node = &tree->nodes[at];
+    if (!overlaps(node, lo, hi))
+      continue;
+    if (node->count == 0) {
+      stack[top++] = node->first;
+      stack[top++] = at + 1;
+    }
+    for (int i = node->first; i < node->first + node->count; i++)
+      if (triangle_overlaps(&tree->triangles[i], lo, hi) && !append(list, i))
+        return false;
+  }
+  return true;
+}
+
+/* The square of the distance of x from a node's box. */
+static double box_square(const Node *node, const double x[3]) {
+  double square = 0;
+  for (int d = 0; d < 3; d++) {
+    const double off = fmax(0, fmax(node->lo[d] - x[d], x[d] - node->hi[d]));
+    square += off * off;
+  }
+  return square;
+}
+
+double contact_tree_distance(const ContactTree *tree, const double x[3], double most, int *place) {
+  struct {
+    int at;
+    double square;
+  } stack[DEPTH];
+  int top = 0, found = -1;
+  double least = most, nearest[3];
+  if (tree->count > 0) {
+    stack[top].at = 0;
+    stack[top++].square = box_square(tree->nodes, x);
+  }
+  while (top > 0) {
+    const int at = stack[--top].at;
+    if (stack[top].square > least * least)
+      continue;
+    const Node *node = &tree->nodes[at];
+    if (node->count == 0) {
+      const int child[2] = {at + 1, node->first};
+      const double square[2] = {box_square(&tree->nodes[child[0]], x),
+                                box_square(&tree->nodes[child[1]], x)};
+      const int nearer = square[1] < square[0];
+      stack[top].at = child[!nearer];
+      stack[top++].square = square[!nearer];
+      stack[top].at = child[nearer];
+      stack[top++].square = square[nearer];
+      continue;
+    }
+    for (int i = node->first; i < node->first + node->count; i++) {
+      const double distance = contact_triangle_nearest(&tree->triangles[i], x, nearest);
+      if (distance < least ||
+          (found >= 0 && !(distance > least) && tree->id[i] < tree->id[found])) {
+        least = distance;
+        found = i;
+      }
+    }
+  }
+  if (place)
+    *place = found;
+  return least;
+}

@@ -1,0 +1,56 @@
+/* Many triangles in a tree of boxes: which of them a box meets, and how far a point is from the
+ * nearest. 72 bytes a triangle for its nodes and about 30 for its number and the tree.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_TREE_H
+#define ASPERITY_TREE_H
+
+#include <stddef.h>
+
+#include "contact/contact.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct ContactTree ContactTree;
+
+/* A growing list of numbers of triangles; all zero when empty, freed by contact_list_free. */
+typedef struct ContactList {
+  int *item;
+  size_t count, room;
+} ContactList;
+
+void contact_list_free(ContactList *list);
+
+/* Takes a copy of the triangles and of their numbers, `id` (any, each once). NULL when out of
+ * memory; count may be 0. */
+ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id, size_t count);
+void contact_tree_free(ContactTree *tree);
+
+size_t contact_tree_count(const ContactTree *tree);
+size_t contact_tree_bytes(const ContactTree *tree);
+
+/* The box around all triangles; lo > hi where there are none. */
+void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]);
+
+/* A triangle by its place in the tree, 0 to count - 1, and its number. */
+const ContactTriangle *contact_tree_triangle(const ContactTree *tree, int place);
+int contact_tree_id(const ContactTree *tree, int place);
+
+/* The place of the triangle of a number, or -1. */
+int contact_tree_place(const ContactTree *tree, int id);
+
+/* Appends the places of all triangles whose boxes meet the box lo to hi. False when out of memory.
+ */
+bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
+                       ContactList *list);
+
+/* The distance of x from the nearest triangle, or `most` if none is nearer; its place in *place
+ * (may be NULL), -1 if none. Of triangles at one distance, that with the least number. */
+double contact_tree_distance(const ContactTree *tree, const double x[3], double most, int *place);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,387 @@
+/* A mesh of LIGGGHTS as a shape; see mesh_liggghts.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh_liggghts.h"
+
+#include <math.h>
+#include <string.h>
+#include <algorithm>
+
+#include "atom.h"
+#include "contact/vector.h"
+#include "tri_mesh.h"
+#include "wall/error.h"
+#include "wall/text.h"
+#include "wall/wall.h"
+
+using namespace LAMMPS_NS;
+using asperity::Blow;
+using asperity::Frame;
+using asperity::text;
+using asperity::Twist;
+using asperity::Wall;
+
+static const char *const SUMS[Wall::N_SUMS] = {"impacts", "deposited_mass", "impact_energy"};
+
+/* By how much of its size a mesh may have changed its form, by rounding. */
+static const double FORM = 1e-6;
+
+MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
+    : world_(world), fix_(fix), pieces_(0), nodes_(), reference_() {
+  /* The mesh's own restart does not know these properties when it reads its triangles, so they stay
+   * out of it (restart_no); the fix keeps them. */
+  for (int k = 0; k < Wall::N_SUMS; k++) {
+    sums_[k] = mesh()->prop().addElementProperty<ScalarContainer<double>>(
+        SUMS[k], "comm_exchange_borders", "frame_invariant", "restart_no");
+    sums_[k]->setAll(0.);
+  }
+  int mine = -1, most;
+  for (int t = 0; t < mesh()->sizeLocal(); t++)
+    mine = std::max(mine, mesh()->id(t));
+  MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world_);
+  pieces_ = static_cast<size_t>(most) + 1;
+}
+
+void MeshOfLiggghts::remove_sums() {
+  for (int k = 0; k < Wall::N_SUMS; k++)
+    mesh()->prop().removeElementProperty(SUMS[k]);
+}
+
+void MeshOfLiggghts::show(const std::vector<double> &sums) {
+  for (int t = 0; t < mesh()->sizeLocal(); t++)
+    for (int k = 0; k < Wall::N_SUMS; k++)
+      (*sums_[k])(t) = sums[static_cast<size_t>(mesh()->id(t)) * Wall::N_SUMS + k];
+}
+
+/* ---- where it is ------------------------------------------------------------------------------
+ */
+
+void MeshOfLiggghts::setup() {
+  if (!triangles())
+    gather();
+  else {
+    Twist twist;
+    const Frame frame = look(twist);
+    bool moved = false;
+    for (int k = 0; k < 3; k++)
+      moved = moved || fabs(frame.shift[k] - motion().end().shift[k]) > 0;
+    if (moved || !motion().in_world())
+      motion().settle(frame, mesh()->isMoving());
+    check_form();
+  }
+  if (runs())
+    read_belt();
+}
+
+/* All triangles of all ranks, as they are now: that is the mesh's own frame. */
+void MeshOfLiggghts::gather() {
+  std::vector<double> mine, all;
+  const int n = mesh()->sizeLocal();
+  for (int t = 0; t < n; t++) {
+    mine.push_back(mesh()->id(t));
+    for (int k = 0; k < 3; k++) {
+      double node[3];
+      mesh()->node(t, k, node);
+      mine.insert(mine.end(), node, node + 3);
+    }
+  }
+  int ranks;
+  MPI_Comm_size(world_, &ranks);
+  const int size = static_cast<int>(mine.size());
+  std::vector<int> sizes(ranks), starts(ranks, 0);
+  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world_);
+  for (int r = 1; r < ranks; r++)
+    starts[r] = starts[r - 1] + sizes[r - 1];
+  all.resize(static_cast<size_t>(starts.back()) + sizes.back());
+  MPI_Allgatherv(mine.data(), size, MPI_DOUBLE, all.data(), sizes.data(), starts.data(), MPI_DOUBLE,
+                 world_);
+  std::vector<double>().swap(mine);
+  std::vector<ContactTriangle> triangles(all.size() / 10);
+  std::vector<int> id(triangles.size());
+  for (size_t i = 0; i < triangles.size(); i++) {
+    id[i] = static_cast<int>(all[10 * i]);
+    memcpy(triangles[i].node, &all[10 * i + 1], sizeof triangles[i].node);
+  }
+  set_triangles(triangles, id);
+  choose_nodes();
+}
+
+void MeshOfLiggghts::restore_motion(const std::vector<double> &record) {
+  MeshShape::restore_motion(record);
+  if (triangles())
+    choose_nodes();
+}
+
+/* The first node of the first triangle, the one farthest from it, and the one farthest from the
+ * line through both; ties by number, so that it does not depend on the order of the triangles. */
+void MeshOfLiggghts::choose_nodes() {
+  const ContactTree *tree = triangles();
+  const int n = static_cast<int>(contact_tree_count(tree));
+  for (int pick = 0; pick < 3; pick++) {
+    double most = -1;
+    for (int i = 0; i < n; i++)
+      for (int k = 0; k < 3; k++) {
+        const int id = contact_tree_id(tree, i);
+        const double *node = contact_tree_triangle(tree, i)->node[k];
+        double arm[3], line[3], across[3], far = 0;
+        vector_subtract(node, reference_[0], arm);
+        vector_subtract(reference_[1], reference_[0], line);
+        vector_cross(line, arm, across);
+        if (pick > 0)
+          far = pick == 1 ? vector_length(arm) : vector_length(across);
+        if (far > most || (!(far < most) && id < nodes_[pick].piece)) {
+          most = far;
+          nodes_[pick] = NodeName{id, k};
+        }
+      }
+    const int place = contact_tree_place(tree, nodes_[pick].piece);
+    if (place >= 0)
+      vector_copy(contact_tree_triangle(tree, place)->node[nodes_[pick].node], reference_[pick]);
+  }
+}
+
+/* An orthonormal frame that goes with three points: the first, the direction to the second, and
+ * the normal of their plane. */
+static Frame frame_of(const double a[3], const double b[3], const double c[3]) {
+  double e[3][3], arm[3];
+  vector_subtract(b, a, e[0]);
+  vector_subtract(c, a, arm);
+  vector_cross(e[0], arm, e[2]);
+  vector_scale(1 / vector_length(e[0]), e[0]);
+  vector_scale(1 / vector_length(e[2]), e[2]);
+  vector_cross(e[2], e[0], e[1]);
+  Frame frame;
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      frame.turn[i][j] = e[j][i];
+  vector_copy(a, frame.shift);
+  return frame;
+}
+
+/* Where the mesh is, and how it moves, by its three nodes, each of the rank that owns it. */
+Frame MeshOfLiggghts::look(Twist &twist) const {
+  double mine[18] = {0}, all[18];
+  Nodes *moving = mesh()->isMoving() ? mesh()->prop().getElementProperty<Nodes>("v") : NULL;
+  for (int k = 0; k < 3; k++)
+    for (int j = 0; j < mesh()->map_size(nodes_[k].piece); j++) {
+      const int t = mesh()->map(nodes_[k].piece, j);
+      if (t < 0 || t >= mesh()->sizeLocal())
+        continue;
+      mesh()->node(t, nodes_[k].node, mine + 6 * k);
+      if (moving)
+        vector_copy(moving->begin()[t][nodes_[k].node], mine + 6 * k + 3);
+    }
+  MPI_Allreduce(mine, all, 18, MPI_DOUBLE, MPI_SUM, world_);
+  const double *x[3] = {all, all + 6, all + 12}, *v[3] = {all + 3, all + 9, all + 15};
+
+  const Frame now = frame_of(x[0], x[1], x[2]),
+              then = frame_of(reference_[0], reference_[1], reference_[2]);
+  Frame frame;
+  bool same = true;
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      frame.turn[i][j] = vector_dot(now.turn[i], then.turn[j]);
+      same = same && !(x[i][j] < reference_[i][j] || x[i][j] > reference_[i][j]);
+    }
+  }
+  for (int i = 0; i < 3; i++)
+    frame.shift[i] = x[0][i] - vector_dot(frame.turn[i], reference_[0]);
+  if (same)
+    frame = Frame();
+
+  /* Of two arms a and b and their velocities: the part of the rotation across a, and the rest from
+   * b. */
+  double a[3], b[3], va[3], vb[3], n[3], w[3], rest[3];
+  vector_subtract(x[1], x[0], a);
+  vector_subtract(x[2], x[0], b);
+  vector_subtract(v[1], v[0], va);
+  vector_subtract(v[2], v[0], vb);
+  vector_cross(a, va, w);
+  vector_scale(1 / vector_dot(a, a), w);
+  vector_cross(w, b, rest);
+  vector_subtract(vb, rest, rest);
+  vector_cross(a, b, n);
+  vector_add_scaled(w, vector_dot(rest, n) / vector_dot(n, n), a, twist.angular);
+  vector_cross(twist.angular, x[0], rest);
+  vector_subtract(v[0], rest, twist.linear);
+  return frame;
+}
+
+void MeshOfLiggghts::begin_step() {
+  if (mesh()->isMoving()) {
+    Twist twist;
+    const Frame frame = look(twist);
+    motion().advance(frame, twist);
+  } else if (motion().moves())
+    motion().rest();
+  if (runs())
+    read_belt();
+}
+
+void MeshOfLiggghts::check_form() const {
+  double lo[3], hi[3], worst = 0;
+  contact_tree_box(triangles(), lo, hi);
+  vector_subtract(hi, lo, hi);
+  for (int t = 0; t < mesh()->sizeLocal(); t++) {
+    const int place = contact_tree_place(triangles(), mesh()->id(t));
+    for (int k = 0; place >= 0 && k < 3; k++) {
+      double node[3], there[3];
+      mesh()->node(t, k, node);
+      const Frame &end = const_cast<MeshOfLiggghts *>(this)->motion().end();
+      end.to_world(contact_tree_triangle(triangles(), place)->node[k], there);
+      vector_subtract(there, node, there);
+      worst = std::max(worst, vector_length(there));
+    }
+  }
+  double all;
+  MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE, MPI_MAX, world_);
+  if (all > FORM * vector_length(hi))
+    throw asperity::Error(
+        text("mesh '%s' has changed its form or size since this wall took it over (by %g); "
+             "meshes must be rigid: unfix the wall and define it again",
+             fix_->id, all));
+}
+
+/* ---- belts ------------------------------------------------------------------------------------
+ */
+
+bool MeshOfLiggghts::runs() const {
+  return fix_->surfaceVel();
+}
+
+/* Of the triangles of this rank; the others keep what they had, where that does not change. */
+void MeshOfLiggghts::read_belt() {
+  const bool first = belt_.empty();
+  if (first)
+    belt_.assign(pieces_, std::array<double, 9>());
+  Nodes *v = mesh()->prop().getElementProperty<Nodes>("v");
+  const int n = mesh()->sizeLocal() + (first ? 0 : mesh()->sizeGhost());
+  for (int t = 0; v && t < n; t++)
+    for (int k = 0; k < 3; k++)
+      vector_copy(v->begin()[t][k], &belt_[mesh()->id(t)][3 * k]);
+  if (first)
+    MPI_Allreduce(MPI_IN_PLACE, belt_.data(), static_cast<int>(9 * pieces_), MPI_DOUBLE, MPI_SUM,
+                  world_);
+}
+
+/* Linear between the nodes. */
+void MeshOfLiggghts::surface_velocity(int piece, const double foot[3], double v[3]) const {
+  const ContactTriangle *t =
+      contact_tree_triangle(triangles(), contact_tree_place(triangles(), piece));
+  const std::array<double, 9> &of = belt_[piece];
+  double ab[3], ac[3], at[3], n[3], part[3];
+  vector_subtract(t->node[1], t->node[0], ab);
+  vector_subtract(t->node[2], t->node[0], ac);
+  vector_subtract(foot, t->node[0], at);
+  vector_cross(ab, ac, n);
+  const double square = vector_dot(n, n);
+  vector_cross(at, ac, part);
+  const double to_b = square > 0 ? vector_dot(part, n) / square : 0;
+  vector_cross(ab, at, part);
+  const double to_c = square > 0 ? vector_dot(part, n) / square : 0;
+  for (int d = 0; d < 3; d++)
+    v[d] = of[d] + to_b * (of[3 + d] - of[d]) + to_c * (of[6 + d] - of[d]);
+}
+
+/* ---- what it measures -------------------------------------------------------------------------
+ */
+
+MeshModuleStress *MeshOfLiggghts::stress() const {
+  return dynamic_cast<MeshModuleStress *>(fix_->get_module("stress"));
+}
+
+bool MeshOfLiggghts::measures() const {
+  MeshModuleStress *module = stress();
+  return module && (module->trackStress() || module->trackWear());
+}
+
+bool MeshOfLiggghts::wears() const {
+  MeshModuleStress *module = stress();
+  return module && module->trackWear();
+}
+
+void MeshOfLiggghts::take(const Blow &blow) {
+  if (blow.mask & fix_->get_groupbit())
+    blows_.push_back(blow);
+}
+
+/* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one blow: E k |v| |F| dt/area, with the
+ * blow's impulse for |F| dt. */
+static double finnie(const Blow &blow, const double normal[3], double k, double area) {
+  const double speed = vector_length(blow.v_before);
+  if (!(speed > 0))
+    return 0;
+  double across[3];
+  vector_cross(blow.v_before, normal, across);
+  const double sine = std::min(1.0, fabs(vector_dot(blow.v_before, normal)) / speed);
+  const double cosine = std::min(1.0, vector_length(across) / speed);
+  const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
+                                                          : 2 * sine * cosine - 3 * sine * sine;
+  return 2 * share * k * speed * vector_length(blow.impulse) / area;
+}
+
+void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
+  if (stress()->trackStress()) {
+    double *f = (*mesh()->prop().getElementProperty<VectorContainer<double, 3>>("f"))(local);
+    vector_add_scaled(f, 1, force, f);
+  }
+  if (stress()->trackWear())
+    (*mesh()->prop().getElementProperty<ScalarContainer<double>>("wear_step"))(local) += wear;
+}
+
+/* The total goes to this rank's part of the mesh's sums, which LIGGGHTS adds up; the force on a
+ * triangle to the triangle, or to its owner where this rank has none. */
+void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
+  std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
+  double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
+                         stress()->compute_vector(8)};
+  for (const Blow &blow : blows_) {
+    double force[3], arm[3], torque[3], normal[3];
+    for (int d = 0; d < 3; d++)
+      force[d] = blow.impulse[d] / dt;
+    vector_subtract(blow.point, reference, arm);
+    vector_cross(arm, force, torque);
+    if (stress()->trackStress())
+      stress()->add_global_external_contribution(force, torque);
+    const ContactTriangle *t =
+        contact_tree_triangle(triangles(), contact_tree_place(triangles(), blow.piece));
+    double turned[3], ab[3], ac[3], area[3];
+    contact_triangle_normal(t, normal);
+    for (int i = 0; i < 3; i++)
+      turned[i] = vector_dot(motion().end().turn[i], normal);
+    vector_subtract(t->node[1], t->node[0], ab);
+    vector_subtract(t->node[2], t->node[0], ac);
+    vector_cross(ab, ac, area);
+    const double wear =
+        k_finnie ? finnie(blow, turned, k_finnie[fix_->atomTypeWall() - 1][blow.type - 1],
+                          0.5 * vector_length(area))
+                 : 0;
+    const int local = mesh()->map_size(blow.piece) > 0 ? mesh()->map(blow.piece, 0) : -1;
+    if (local >= 0)
+      add_force(local, force, wear);
+    else {
+      away.push_back(blow.piece);
+      away.insert(away.end(), force, force + 3);
+      away.push_back(wear);
+    }
+  }
+  blows_.clear();
+  int ranks, size = static_cast<int>(away.size()), all = 0;
+  MPI_Comm_size(world_, &ranks);
+  MPI_Allreduce(&size, &all, 1, MPI_INT, MPI_SUM, world_);
+  if (all == 0)
+    return;
+  std::vector<int> sizes(ranks), starts(ranks, 0);
+  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world_);
+  for (int r = 1; r < ranks; r++)
+    starts[r] = starts[r - 1] + sizes[r - 1];
+  std::vector<double> theirs(all);
+  MPI_Allgatherv(away.data(), size, MPI_DOUBLE, theirs.data(), sizes.data(), starts.data(),
+                 MPI_DOUBLE, world_);
+  for (int at = 0; at < all; at += 5) {
+    const int piece = static_cast<int>(theirs[at]);
+    for (int k = 0; k < mesh()->map_size(piece); k++)
+      if (mesh()->map(piece, k) < mesh()->sizeLocal())
+        add_force(mesh()->map(piece, k), &theirs[at + 1], theirs[at + 4]);
+  }
+}

@@ -1,0 +1,85 @@
+/* A mesh of LIGGGHTS as a shape: its triangles, how it moves, belts, and what it measures (stress,
+ * wear, servo).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef LMP_MESH_LIGGGHTS_H
+#define LMP_MESH_LIGGGHTS_H
+
+#include <mpi.h>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "fix_mesh_surface.h"
+#include "mesh_module_stress.h"
+#include "wall/mesh.h"
+
+namespace LAMMPS_NS {
+
+class MeshOfLiggghts : public asperity::MeshShape {
+public:
+  MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix);
+
+  FixMeshSurface *fix() const {
+    return fix_;
+  }
+  /* Numbers of triangles are below this. */
+  size_t pieces() const {
+    return pieces_;
+  }
+
+  /* At the beginning of a run; collective. Throws an asperity::Error where the mesh has changed its
+   * form since the first run. */
+  void setup();
+
+  /* In each step, when the mesh is where it is at the end of it; collective. */
+  void begin_step();
+
+  /* Hands over what the mesh has felt in this step, when LIGGGHTS has cleared its own sums;
+   * collective. k_finnie: of wear, mesh type x particle type, or NULL. */
+  void hand_over(double dt, const double *const *k_finnie);
+
+  /* Writes sums of each piece (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds them. */
+  void show(const std::vector<double> &sums);
+  void remove_sums();
+
+  void restore_motion(const std::vector<double> &record) override;
+  bool measures() const override;
+  bool wears() const;
+  void take(const asperity::Blow &blow) override;
+
+protected:
+  bool runs() const override;
+  void surface_velocity(int piece, const double foot[3], double v[3]) const override;
+
+private:
+  typedef MultiVectorContainer<double, 3, 3> Nodes;
+  /* A node of a triangle, by its number. */
+  struct NodeName {
+    int piece, node;
+  };
+
+  TriMesh *mesh() const {
+    return fix_->triMesh();
+  }
+  MeshModuleStress *stress() const;
+  void gather();
+  void choose_nodes();
+  asperity::Frame look(asperity::Twist &twist) const;
+  void check_form() const;
+  void read_belt();
+  void add_force(int local, const double force[3], double wear);
+
+  MPI_Comm world_;
+  FixMeshSurface *fix_;
+  size_t pieces_;
+  NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
+  double reference_[3][3];
+  std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */
+  std::vector<asperity::Blow> blows_;       /* of this step */
+  ScalarContainer<double> *sums_[3];
+};
+
+} // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,78 @@
+/* What a wall asks its engine: at set-up, and for each step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_ENGINE_H
+#define ASPERITY_WALL_ENGINE_H
+
+#include <mpi.h>
+#include <stdint.h>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/* The simulation box. */
+struct Box {
+  double period[3]; /* length along each periodic axis, 0 along the others */
+
+  /* Moves x by whole periods to where it is nearest to `near`. */
+  void bring_near(const double near[3], double x[3]) const;
+};
+
+/* The spheres of this rank, at the end of a step without walls; valid for one call. Vectors are
+ * rows of three. */
+struct Spheres {
+  int64_t step;
+  double dt;
+  int n;
+  const int *mask, *type; /* type from 1 */
+  const void *tag;        /* integers of tag_bytes (4 or 8) each */
+  int tag_bytes;
+  double *x, *v, *omega; /* omega may be NULL */
+  const double *f;       /* what acts on them, without walls */
+  const double *radius, *mass;
+
+  int64_t tag_of(int i) const {
+    return tag_bytes == 4 ? static_cast<const int32_t *>(tag)[i]
+                          : static_cast<const int64_t *>(tag)[i];
+  }
+};
+
+class Engine {
+public:
+  virtual ~Engine() {}
+
+  virtual MPI_Comm world() const = 0;
+  virtual std::string id() const = 0;          /* of the fix */
+  virtual std::string units() const = 0;       /* the unit style of the script */
+  virtual std::string known_units() const = 0; /* "si, cgs or micro": those that are tested */
+  virtual int types() const = 0;               /* how many types of atoms there are */
+  virtual double time() const = 0;             /* at the present step */
+
+  /* Once, by rank 0; all ranks call. */
+  virtual void warn(const std::string &what) const = 0;
+  virtual void print(const std::string &what) const = 0;
+
+  /* The values of a constant of the script, one for each type or each pair of types, row by row;
+   * false where the script has none. */
+  virtual bool constants(const char *name, bool pairs, std::vector<double> &values) const = 0;
+
+  /* How a script states such a constant, for an error message; empty where it cannot. */
+  virtual std::string how_to_state(const char *name, bool pairs,
+                                   const std::string &values) const = 0;
+
+  /* The diameters of the particles that there are or will be, of all ranks. Both 0: none. */
+  virtual void diameters(double &least, double &most) const = 0;
+
+  /* For each type, whether there are such particles, or will be, and the least and the largest of
+   * their densities (0: not there yet); of all ranks. */
+  struct Kind {
+    bool present;
+    double least, most;
+  };
+  virtual std::vector<Kind> kinds() const = 0;
+};
+
+} // namespace asperity
+
+#endif

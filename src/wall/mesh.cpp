@@ -1,0 +1,307 @@
+/* A mesh as a wall; see mesh.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/mesh.h"
+
+#include <math.h>
+#include <algorithm>
+#include <new>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+/* A long path is searched in pieces of this many radii, the first one first. */
+const double PIECE = 16;
+
+/* How closely a particle that a belt takes along keeps its distance, in radii. */
+const double KEEPS = 1e-6;
+
+/* Two faces are one where the cosine between their normals differs from 1 by less. */
+const double FLAT = 1e-9;
+
+/* How much later than `touch` another contact may be to be at the same instant. */
+double same_instant(const ContactTouch &touch, const ContactPath &path, double radius) {
+  return 2 * CONTACT_TOLERANCE * radius / -vector_dot(path.v, touch.n);
+}
+
+} // namespace
+
+MeshShape::MeshShape() : tree_(NULL, contact_tree_free) {
+  const double none[3] = {0, 0, 0};
+  set_periods(none);
+}
+
+void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
+                              const std::vector<int> &id) {
+  tree_.reset(contact_tree_create(triangles.data(), id.data(), id.size()));
+  if (!tree_)
+    throw std::bad_alloc();
+}
+
+void MeshShape::set_periods(const double period[3]) {
+  shifts_.assign(1, Shift{{0, 0, 0}});
+  for (int d = 0; d < 3; d++)
+    for (size_t k = 0, n = shifts_.size(); period[d] > 0 && k < n; k++)
+      for (int side = -1; side <= 1; side += 2) {
+        Shift shift = shifts_[k];
+        shift.by[d] = side * period[d];
+        shifts_.push_back(shift);
+      }
+}
+
+double MeshShape::travel(double dt) const {
+  double lo[3], hi[3], most = 0;
+  if (!motion_.moves() || contact_tree_count(tree_.get()) == 0)
+    return 0;
+  contact_tree_box(tree_.get(), lo, hi);
+  for (int corner = 0; corner < 8; corner++) {
+    double x[3], begin[3], end[3], v[3], chord[3];
+    for (int d = 0; d < 3; d++)
+      x[d] = corner >> d & 1 ? hi[d] : lo[d];
+    motion_.at(0).to_world(x, begin);
+    motion_.end().to_world(x, end);
+    vector_subtract(end, begin, chord);
+    motion_.velocity(1, end, v);
+    most = std::max(most, std::max(vector_length(chord), vector_length(v) * dt));
+  }
+  return 1.5 * most; /* a chord is shorter than its arc */
+}
+
+double MeshShape::gap(const double x[3], double radius, double most) const {
+  double least = most + radius;
+  for (const Shift &shift : shifts_) {
+    double moved[3], body[3];
+    vector_subtract(x, shift.by, moved);
+    if (motion_.in_world())
+      vector_copy(moved, body);
+    else
+      motion_.end().to_body(moved, body);
+    least = contact_tree_distance(tree_.get(), body, least, NULL);
+  }
+  return least - radius;
+}
+
+/* The path as the mesh sees it: straight between its two ends in the mesh's frame. */
+void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &body) const {
+  double begin[3], end[3], end_in_body[3];
+  body.left = path.left;
+  vector_subtract(path.x, shift.by, begin);
+  if (motion_.in_world()) {
+    vector_copy(begin, body.x);
+    vector_copy(path.v, body.v);
+    return;
+  }
+  vector_add_scaled(begin, path.left, path.v, end);
+  motion_.at(path.share()).to_body(begin, body.x);
+  motion_.end().to_body(end, end_in_body);
+  vector_subtract(end_in_body, body.x, body.v);
+  vector_scale(1 / path.left, body.v);
+}
+
+/* The first triangle on the path. An edge is met at one instant by all of its triangles: the
+ * contact is that of the one with the least number, but with the normal that is nearest to that of
+ * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
+bool MeshShape::find_image(const ContactPath &body, double radius, double latest,
+                           ContactTouch &touch, int &place) const {
+  const ContactTree *tree = tree_.get();
+  const double speed = vector_length(body.v), most = std::min(latest, body.left);
+  const double piece = speed > 0 ? PIECE * radius / speed : INFINITY;
+  ContactList &list = found_.list;
+  for (double from = 0; from <= most; from += piece) {
+    const double to = std::min(from + piece, most);
+    double lo[3], hi[3];
+    for (int d = 0; d < 3; d++) {
+      const double a = body.x[d] + body.v[d] * from, b = body.x[d] + body.v[d] * to;
+      lo[d] = std::min(a, b) - 1.001 * radius;
+      hi[d] = std::max(a, b) + 1.001 * radius;
+    }
+    list.count = 0;
+    if (!contact_tree_meet(tree, lo, hi, &list))
+      throw std::bad_alloc();
+    std::sort(list.item, list.item + list.count,
+              [tree](int a, int b) { return contact_tree_id(tree, a) < contact_tree_id(tree, b); });
+    bool found = false;
+    for (size_t i = 0; i < list.count; i++) {
+      ContactTouch other;
+      const double slack = found ? same_instant(touch, body, radius) : 0;
+      if (!contact_triangle_find(contact_tree_triangle(tree, list.item[i]), &body, radius,
+                                 found ? touch.time + slack : to, &other))
+        continue;
+      const bool same = found && other.time >= touch.time - slack;
+      if (!same)
+        place = list.item[i];
+      if (!same || other.slant < touch.slant)
+        touch = other;
+      found = true;
+    }
+    if (found)
+      return true;
+  }
+  return false;
+}
+
+void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shift, double radius,
+                     const ContactTouch &touch, int place, Contact &contact) const {
+  double center[3], foot[3], gain[3];
+  contact.time = touch.time;
+  contact.guarded = touch.guarded;
+  contact.closing = -vector_dot(body.v, touch.n);
+  contact.piece = contact_tree_id(tree_.get(), place);
+  vector_add_scaled(body.x, touch.time, body.v, center);
+  vector_add_scaled(center, touch.lift, touch.n, center);
+  vector_add_scaled(center, -radius, touch.n, foot);
+  if (motion_.in_world()) {
+    vector_copy(touch.n, contact.n);
+    vector_add_scaled(path.x, touch.time, path.v, contact.x);
+    vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
+    contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.gain = 0;
+    if (runs())
+      surface_velocity(contact.piece, foot, contact.v_wall);
+    return;
+  }
+  const double share = path.share() + touch.time / path.dt;
+  const Frame frame = motion_.at(share);
+  frame.to_world(center, contact.x);
+  vector_add_scaled(contact.x, 1, shift.by, contact.x);
+  for (int i = 0; i < 3; i++)
+    contact.n[i] = vector_dot(frame.turn[i], touch.n);
+  double world_foot[3];
+  frame.to_world(foot, world_foot);
+  motion_.velocity(share, world_foot, contact.v_wall);
+  motion_.gain(world_foot, gain);
+  contact.gain = std::max(0.0, vector_dot(gain, contact.n));
+}
+
+bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  bool found = false;
+  if (!(path.left > 0) || contact_tree_count(tree_.get()) == 0)
+    return false;
+  for (const Shift &shift : shifts_) {
+    ContactPath body;
+    ContactTouch touch;
+    int place = -1;
+    body_path(path, shift, body);
+    if (!find_image(body, radius, latest, touch, place))
+      continue;
+    if (found && touch.time >= contact.time)
+      continue;
+    fill(path, body, shift, radius, touch, place, contact);
+    found = true;
+    latest = contact.time;
+  }
+  return found;
+}
+
+void MeshShape::stick(const Path &path, const Contact &contact, Place &place) const {
+  place.piece = contact.piece;
+  if (motion_.in_world())
+    vector_copy(contact.x, place.at);
+  else
+    motion_.at(path.share() + contact.time / path.dt).to_body(contact.x, place.at);
+}
+
+/* One step along a belt: false where it ends, or runs against something. */
+bool MeshShape::walk(Place &place, double radius, double dt) const {
+  const ContactTree *tree = tree_.get();
+  const int from = contact_tree_place(tree, place.piece);
+  if (from < 0)
+    return false;
+  double v[3], foot[3], there[3], arm[3];
+  contact_triangle_nearest(contact_tree_triangle(tree, from), place.at, foot);
+  surface_velocity(place.piece, foot, v);
+  vector_add_scaled(place.at, 0.5 * dt, v, there); /* the midpoint rule, for belts that turn */
+  contact_triangle_nearest(contact_tree_triangle(tree, from), there, foot);
+  surface_velocity(place.piece, foot, v);
+  vector_add_scaled(place.at, dt, v, there);
+  int to;
+  const double reach = radius + vector_length(v) * dt + KEEPS * radius;
+  const double distance = contact_tree_distance(tree, there, reach, &to);
+  if (to < 0 || distance < (1 - KEEPS) * radius)
+    return false;
+  contact_triangle_nearest(contact_tree_triangle(tree, to), there, foot);
+  vector_subtract(there, foot, arm);
+  double normal[3];
+  contact_triangle_normal(contact_tree_triangle(tree, to), normal);
+  if (fabs(vector_dot(arm, normal)) < (1 - FLAT) * distance) {
+    /* Over an edge: it goes on only where the mesh does, around the edge. */
+    double lo[3], hi[3];
+    for (int d = 0; d < 3; d++) {
+      lo[d] = foot[d] - KEEPS * radius;
+      hi[d] = foot[d] + KEEPS * radius;
+    }
+    found_.list.count = 0;
+    if (!contact_tree_meet(tree, lo, hi, &found_.list))
+      throw std::bad_alloc();
+    bool goes_on = false;
+    for (size_t i = 0; i < found_.list.count; i++) {
+      double other[3], point[3], off[3];
+      const ContactTriangle *triangle = contact_tree_triangle(tree, found_.list.item[i]);
+      contact_triangle_normal(triangle, other);
+      contact_triangle_nearest(triangle, foot, point);
+      vector_subtract(foot, point, off);
+      goes_on = goes_on || (vector_length(off) <= KEEPS * radius &&
+                            fabs(vector_dot(other, normal)) < 1 - FLAT);
+    }
+    if (!goes_on)
+      return false;
+  }
+  place.piece = contact_tree_id(tree, to);
+  vector_add_scaled(foot, radius / distance, arm, place.at);
+  return true;
+}
+
+void MeshShape::carry(Place &place, double radius, double dt, double x[3], double v[3]) const {
+  double before[3];
+  vector_copy(place.at, before);
+  if (runs() && dt > 0 && walk(place, radius, dt)) {
+    vector_copy(place.at, x);
+    vector_subtract(x, before, v);
+    vector_scale(1 / dt, v);
+    return;
+  }
+  if (motion_.in_world())
+    vector_copy(place.at, x);
+  else
+    motion_.end().to_world(place.at, x);
+  motion_.velocity(1, x, v);
+}
+
+std::vector<double> MeshShape::motion_record() const {
+  std::vector<double> record;
+  if (!tree_ || motion_.in_world())
+    return record;
+  const Twist &last = motion_.last();
+  record.insert(record.end(), last.angular, last.angular + 3);
+  record.insert(record.end(), last.linear, last.linear + 3);
+  for (size_t i = 0; i < contact_tree_count(tree_.get()); i++) {
+    const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), static_cast<int>(i));
+    record.push_back(contact_tree_id(tree_.get(), static_cast<int>(i)));
+    record.insert(record.end(), triangle->node[0], triangle->node[0] + 9);
+  }
+  return record;
+}
+
+void MeshShape::restore_motion(const std::vector<double> &record) {
+  const size_t head = 6, row = 10;
+  if (record.size() < head || (record.size() - head) % row != 0)
+    return;
+  Twist last;
+  vector_copy(&record[0], last.angular);
+  vector_copy(&record[3], last.linear);
+  std::vector<ContactTriangle> triangles((record.size() - head) / row);
+  std::vector<int> id(triangles.size());
+  for (size_t i = 0; i < id.size(); i++) {
+    const double *from = &record[head + row * i];
+    id[i] = static_cast<int>(from[0]);
+    std::copy(from + 1, from + row, triangles[i].node[0]);
+  }
+  set_triangles(triangles, id);
+  motion_.set_last(last);
+}
+
+size_t MeshShape::bytes() const {
+  return sizeof *this + (tree_ ? contact_tree_bytes(tree_.get()) : 0);
+}

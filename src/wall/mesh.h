@@ -1,0 +1,84 @@
+/* A mesh of triangles as a wall: at rest, or moving as a rigid body, or with a surface that runs
+ * along itself (a belt). Contacts are found in the mesh's own frame, by its own tree of boxes,
+ * however long the step is.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_MESH_H
+#define ASPERITY_WALL_MESH_H
+
+#include <memory>
+#include <vector>
+
+#include "contact/tree.h"
+#include "wall/motion.h"
+#include "wall/shape.h"
+
+namespace asperity {
+
+class MeshShape : public Shape {
+public:
+  MeshShape();
+
+  /* The triangles in the mesh's own frame, and their numbers. Throws std::bad_alloc. */
+  void set_triangles(const std::vector<ContactTriangle> &triangles, const std::vector<int> &id);
+
+  /* The box's length along each axis that is periodic, 0 along the others. */
+  void set_periods(const double period[3]);
+
+  Motion &motion() {
+    return motion_;
+  }
+  const ContactTree *triangles() const {
+    return tree_.get();
+  }
+
+  double travel(double dt) const override;
+  double gap(const double x[3], double radius, double most) const override;
+  bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  void stick(const Path &path, const Contact &contact, Place &place) const override;
+  void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+  size_t bytes() const override;
+
+  /* The velocity at the end of the last step (6 numbers); then, of each triangle, its number and
+   * its nodes in the mesh's own frame: with these a continued run finds the same contacts, to the
+   * bit. */
+  std::vector<double> motion_record() const override;
+  void restore_motion(const std::vector<double> &record) override;
+
+protected:
+  /* A belt: a mesh at rest whose surface runs. v: at the point `foot` of a triangle. */
+  virtual bool runs() const {
+    return false;
+  }
+  virtual void surface_velocity(int, const double[3], double v[3]) const {
+    v[0] = v[1] = v[2] = 0;
+  }
+
+private:
+  struct Shift {
+    double by[3];
+  };
+  struct ListOwner {
+    ContactList list;
+    ListOwner() : list() {}
+    ~ListOwner() {
+      contact_list_free(&list);
+    }
+  };
+
+  void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
+  bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,
+                  int &place) const;
+  void fill(const Path &path, const ContactPath &body, const Shift &shift, double radius,
+            const ContactTouch &touch, int place, Contact &contact) const;
+  bool walk(Place &place, double radius, double dt) const;
+
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_;
+  Motion motion_;
+  std::vector<Shift> shifts_; /* of the periodic images, itself first */
+  mutable ListOwner found_;
+};
+
+} // namespace asperity
+
+#endif

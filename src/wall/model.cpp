@@ -1,0 +1,507 @@
+/* The physics of a rough wall as a script states it; see model.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/model.h"
+
+#include <math.h>
+#include <string.h>
+#include <algorithm>
+
+#include "wall/error.h"
+#include "wall/text.h"
+
+using namespace asperity;
+
+const char Model::KEYWORDS[] = "surface spread rebound materials deposit seed";
+
+namespace {
+
+const double DEGREES = 180 / ASP_PI;
+
+/* A yield stress that is a larger share of the modulus is beyond all solids: then the modulus is
+ * probably one that was made soft for a longer step. */
+const double YIELD_MOST = 0.1;
+
+/* A law's parameters have keywords of their own in a script, some of them one for several. */
+const struct {
+  const char *keyword;
+  std::vector<const char *> parameters;
+} LAW_KEYWORDS[] = {{"yield_rate", {"yield_rate"}},
+                    {"contact_area", {"a", "b", "c"}},
+                    {"temperature", {"temperature"}},
+                    {"soften", {"soften_from", "soften_rate"}},
+                    {"scatter", {"scatter"}}};
+
+/* The first of n words, and the last one of them for all others: "7e10 2.05e11 2.05e11". */
+std::string for_types(int n, const char *first, const char *other) {
+  std::string values = first;
+  for (int i = 1; i < n; i++)
+    values += std::string(" ") + other;
+  return values;
+}
+
+} // namespace
+
+Model::Model(const Engine &engine)
+    : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), dp_bins_(16), tolerance_(0),
+      d_range_(), spec_(asp_wall_spec_default()), deposit_(FREEZE), seed_(1),
+      profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
+      own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
+      wall_(NULL, asp_wall_free), is_new_(true) {
+  rebound_text_ = spec_.rebound;
+}
+
+/* ---- words of the script ----------------------------------------------------------------------
+ */
+
+bool Model::parse(Words &words, const std::string &others) {
+  if (words.take("surface"))
+    parse_surface(words);
+  else if (words.take("spread"))
+    parse_spread(words);
+  else if (words.take("rebound"))
+    parse_rebound(words);
+  else if (words.take("materials"))
+    parse_materials(words, std::string(KEYWORDS) + " " + others);
+  else if (words.take("seed"))
+    seed_ = static_cast<uint32_t>(words.whole("seed", 0, 4294967295.0));
+  else if (words.take("deposit")) {
+    const std::string value = words.word("the value of 'deposit'");
+    if (value != "freeze" && value != "delete" && value != "off")
+      throw Error("deposit is '" + value + "'; it must be freeze, delete or off");
+    deposit_ = value == "freeze" ? FREEZE : value == "delete" ? DELETE : OFF;
+  } else
+    return false;
+  return true;
+}
+
+void Model::parse_surface(Words &words) {
+  smooth_ = words.take("smooth");
+  if (smooth_)
+    return;
+  if (words.take("profile")) {
+    profile_path_ = words.word("the file of 'surface profile'");
+    parse_bins(words);
+    return;
+  }
+  if (!words.take("rq"))
+    throw Error("surface is '" + words.word("the value of 'surface'") +
+                "'; it must be 'smooth', 'rq R lambda_c L' or 'profile FILE'");
+  profile_path_.clear();
+  r_q_ = words.number("rq");
+  if (!words.take("lambda_c"))
+    throw Error("behind 'surface rq R', 'lambda_c L' is expected");
+  lambda_c_ = words.number("lambda_c");
+  parse_bins(words);
+}
+
+void Model::parse_bins(Words &words) {
+  if (words.take("dp_bins"))
+    dp_bins_ = static_cast<int>(words.whole("dp_bins", 1, 10000));
+}
+
+void Model::parse_spread(Words &words) {
+  asp_error wrong;
+  spread_ = words.word("the spread model");
+  if (spread_ != "auto" && !asp_spread_find(spread_.c_str(), &wrong))
+    throw Error(std::string(wrong.text) + " auto");
+  tolerance_ = 0;
+  for (bool more = true; more;) {
+    if (words.take("plane"))
+      spec_.tilt = ASP_TILT_PLANE;
+    else if (words.take("isotropic"))
+      spec_.tilt = ASP_TILT_ISOTROPIC;
+    else if (words.take("collisions")) {
+      const std::string value = words.word("the value of 'collisions'");
+      if (value != "single" && value != "multiple")
+        throw Error("collisions is '" + value + "'; it must be single or multiple");
+      spec_.collisions = value == "single" ? ASP_COLLISIONS_SINGLE : ASP_COLLISIONS_MULTIPLE;
+    } else if (words.take("tolerance")) {
+      tolerance_ = words.number("tolerance");
+      if (!(tolerance_ > 0) || !(tolerance_ < INFINITY))
+        throw Error(text("tolerance is %g; it must be a finite D_KL > 0", tolerance_));
+    } else
+      more = false;
+  }
+  if ((spread_ == "auto") != (tolerance_ > 0))
+    throw Error("'spread auto' and 'tolerance D' go together, with no other model");
+}
+
+void Model::parse_rebound(Words &words) {
+  asp_error wrong;
+  const std::string name = words.word("the rebound law");
+  if (asp_wall_spec_rebound(&spec_, name.c_str(), &wrong))
+    throw Error(wrong.text);
+  const asp_rebound_law *law = asp_rebound_find(name.c_str(), NULL);
+  rebound_text_ = name;
+  table_path_.clear();
+  auto set = [&](const char *parameter) {
+    const double value = words.number(parameter);
+    if (asp_wall_spec_set(&spec_, parameter, value, &wrong))
+      throw Error("rebound " + name + ": " + wrong.text);
+    rebound_text_ += text(" %s %g", parameter, value);
+  };
+  if (name == "constant") {
+    set("cor_n");
+    set("cor_t");
+  }
+  if (law->needs_table)
+    read_table(words.word("the file of 'rebound table'"));
+  for (bool more = true; more;) {
+    more = words.take("scatter_twice");
+    spec_.scatter_twice = spec_.scatter_twice || more;
+    for (const auto &entry : LAW_KEYWORDS)
+      if (asp_rebound_parameter(law, entry.parameters[0], NULL) >= 0 && words.take(entry.keyword)) {
+        for (const char *parameter : entry.parameters)
+          set(parameter);
+        more = true;
+      }
+  }
+}
+
+void Model::read_table(const std::string &path) {
+  asp_error wrong;
+  table_path_ = path;
+  const Units &units = units_of(engine_.units(), "a table is", engine_.known_units());
+  table_.reset(asp_cor_table_read(path.c_str(), units.metre / units.second, &wrong));
+  if (!table_)
+    throw Error(wrong.text);
+  spec_.table = table_.get();
+}
+
+/* A name for each atom type; they end where the file or another keyword begins. */
+void Model::parse_materials(Words &words, const std::string &keywords) {
+  asp_error wrong;
+  std::vector<std::string> names;
+  while (!words.done() && !words.is_one_of("file " + keywords))
+    names.push_back(words.word("a material"));
+  const std::string path = words.take("file") ? words.word("the file of 'materials'") : "";
+  if (static_cast<int>(names.size()) != engine_.types())
+    throw Error(text("materials has %d names, and the script has %d atom types; there must be one "
+                     "name for each type",
+                     static_cast<int>(names.size()), engine_.types()));
+  units_ = &units_of(engine_.units(), "materials are", engine_.known_units());
+  own_materials_.reset(path.empty() ? NULL : asp_materials_read(path.c_str(), &wrong));
+  if (!path.empty() && !own_materials_)
+    throw Error(std::string("materials: ") + wrong.text);
+  materials_.clear();
+  materials_text_.clear();
+  for (const std::string &name : names) {
+    materials_.push_back(asp_materials_find(own_materials_.get(), name.c_str(), &wrong));
+    if (!materials_.back())
+      throw Error(std::string("materials: ") + wrong.text);
+    materials_text_ += (materials_text_.empty() ? "" : " ") + name;
+  }
+  materials_text_ += path.empty() ? "" : " file " + path;
+}
+
+void Model::finish() {
+  if (spread_.empty())
+    spread_ = smooth_ ? "none" : "weibull";
+  if (smooth_ && spread_ == "auto")
+    spread_ = "none";
+  if (spread_ != "auto")
+    spec_.spread = asp_spread_find(spread_.c_str(), NULL)->name;
+  spec_.deposit = deposit_ != OFF;
+  if (!profile_path_.empty() && !smooth_)
+    profile_ = read_profile(engine_.world(), profile_path_,
+                            units_of(engine_.units(), "a profile is", engine_.known_units()).metre,
+                            profile_report_);
+  else if (!smooth_)
+    make_surface();
+  if (!needs_sizes())
+    make_wall();
+}
+
+/* ---- set-up -----------------------------------------------------------------------------------
+ */
+
+/* Whether the wall depends on the range of diameters, and so cannot be made before a run. */
+bool Model::needs_sizes() const {
+  return !smooth_ &&
+         (profile_ || spread_ == "auto" || asp_spread_find(spread_.c_str(), NULL)->prepare);
+}
+
+void Model::set_sizes(const double range[2]) {
+  d_range_[0] = range[0];
+  d_range_[1] = range[1];
+}
+
+void Model::prepare(const std::vector<int> &wall_types) {
+  find_materials(wall_types);
+  fit_sizes();
+}
+
+/* Bins, tables and the choice of a model span the diameters that there are or will be; the span
+ * never shrinks. */
+void Model::fit_sizes() {
+  asp_error wrong;
+  double least, most;
+  engine_.diameters(least, most);
+  if (!(most > 0))
+    return;
+  if (!needs_sizes()) {
+    if (surface_ && asp_surface_check(surface_.get(), most, &wrong))
+      throw Error(wrong.text);
+    return;
+  }
+  if (wall_ && least >= d_range_[0] && most <= d_range_[1])
+    return;
+  d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], least) : least;
+  d_range_[1] = std::max(d_range_[1], most);
+  spec_.sizes.least = d_range_[0];
+  spec_.sizes.most = d_range_[1];
+  spec_.sizes.bins = dp_bins_;
+  is_new_ = true;
+  make_surface();
+  make_wall();
+}
+
+void Model::make_surface() {
+  asp_error wrong;
+  wall_.reset();
+  if (profile_)
+    surface_.reset(
+        asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
+  else
+    surface_.reset(asp_surface_create(r_q_, lambda_c_, &wrong));
+  if (!surface_)
+    throw Error("surface " + (profile_ ? "profile " + profile_path_ + ": " : std::string()) +
+                wrong.text);
+}
+
+void Model::make_wall() {
+  asp_error wrong;
+  if (spread_ == "auto") {
+    asp_choice choice;
+    if (asp_spread_auto(surface_.get(), &spec_.sizes, 0, ASP_PI / 2, spec_.collisions, tolerance_,
+                        &choice, &wrong))
+      throw Error("spread auto: " + std::string(wrong.text));
+    spec_.spread = choice.model->name;
+    choice_ = choice.text;
+  }
+  spec_.surface = surface_.get();
+  spec_.profile = profile_.get();
+  wall_.reset(asp_wall_create(&spec_, &wrong));
+  if (!wall_)
+    throw Error(wrong.text);
+}
+
+/* The values of a constant of the script; empty where there are none and none are needed. */
+void Model::constants(const char *name, bool pairs, bool needed, const char *example,
+                      std::vector<double> &values) const {
+  if (engine_.constants(name, pairs, values))
+    return;
+  values.clear();
+  if (!needed)
+    return;
+  const std::string line = engine_.how_to_state(name, pairs, example);
+  throw Error(text("the script has no %s; name a material for each atom type, as 'materials %s' "
+                   "(the command `asperity materials` lists them)",
+                   name, for_types(engine_.types(), "quartz", "hastelloy-x").c_str()) +
+              (line.empty() ? "" : ", or add a line such as '" + line + "'"));
+}
+
+void Model::find_materials(const std::vector<int> &wall_types) {
+  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
+  const bool named = !materials_.empty();
+  const int n = engine_.types();
+  pairs_.clear();
+  materials_report_ = named ? text("\n  rebound %s needs no materials", law->name) : "";
+  constants("coefficientFriction", true, false, "", friction_);
+  if (!law->needs_material)
+    return;
+  const int rate = asp_rebound_parameter(law, "yield_rate", NULL);
+  const bool constant_yield = rate < 0 || !(spec_.parameters[rate] > 0);
+  std::vector<double> modulus, poisson, yield, energy, friction = friction_;
+  if (named) {
+    take_materials(modulus, poisson, yield);
+    check_kinds(constant_yield);
+  } else {
+    constants("youngsModulus", false, true, for_types(n, "7e10", "2.05e11").c_str(), modulus);
+    constants("poissonsRatio", false, true, for_types(n, "0.17", "0.32").c_str(), poisson);
+    constants("yieldStress", false, constant_yield, for_types(n, "2e8", "2e8").c_str(), yield);
+  }
+  constants("surfaceEnergy", true, deposit_ != OFF && !named,
+            for_types(n * n, "0.8", "0.8").c_str(), energy);
+  if (named)
+    take_defaults(energy, friction);
+  pairs_.resize((n + 1) * (n + 1));
+  for (int p = 0; p < n; p++)
+    for (int w = 0; w < n; w++) {
+      asp_error wrong;
+      if (asp_pair_create(modulus[p], poisson[p], modulus[w], poisson[w],
+                          yield.empty() ? 0 : yield[p], energy.empty() ? 0 : energy[p * n + w],
+                          friction.empty() ? ASP_FRICTION : friction[p * n + w],
+                          &pairs_[(p + 1) * (n + 1) + w + 1], &wrong))
+        throw Error(text("types %d (particle) and %d (wall): %s", p + 1, w + 1, wrong.text));
+    }
+  if (constant_yield)
+    report_yield(wall_types);
+}
+
+/* The values of the named materials, in the script's units. They go before the script's constants,
+ * which may be soft ones for the pair style. */
+void Model::take_materials(std::vector<double> &modulus, std::vector<double> &poisson,
+                           std::vector<double> &yield) {
+  const double pascal = units_->pascal();
+  materials_report_.clear();
+  for (const asp_material *m : materials_) {
+    modulus.push_back(m->youngs_modulus * pascal);
+    poisson.push_back(m->poissons_ratio);
+    yield.push_back(m->yield_stress * pascal);
+    materials_report_ +=
+        text("\n  type %d: material %s, E %.6g, nu %.6g, ", static_cast<int>(modulus.size()),
+             m->name, modulus.back(), poisson.back()) +
+        (yield.back() > 0 ? text("sigma_y %.6g", yield.back()) : "no sigma_y");
+  }
+}
+
+/* With named materials, the constants of a pair have the command's defaults. */
+void Model::take_defaults(std::vector<double> &energy, std::vector<double> &friction) {
+  const size_t n_pairs = materials_.size() * materials_.size();
+  if (energy.empty() && deposit_ != OFF) {
+    energy.assign(n_pairs, ASP_SURFACE_ENERGY * units_->joule_per_m2());
+    materials_report_ += text("\n  surfaceEnergy: %g, the default", energy[0]);
+  }
+  if (friction.empty()) {
+    friction.assign(n_pairs, ASP_FRICTION);
+    materials_report_ += text("\n  coefficientFriction: %g, the default", friction[0]);
+  }
+}
+
+/* Particles that there are or will be need a yield stress, which a material for walls lacks. Their
+ * density is their own: where it is not the material's, that may be a mistake. */
+void Model::check_kinds(bool constant_yield) const {
+  const double unit = units_->kilogram_per_m3();
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  for (size_t t = 0; t < kinds.size(); t++) {
+    const asp_material *m = materials_[t];
+    const double density = m->density * unit;
+    if (constant_yield && kinds[t].present && !(m->yield_stress > 0))
+      throw Error(text("material '%s' is that of particles (type %d) and has no yield stress; it "
+                       "must be one that has, of your own in a file, or 'rebound bons yield_rate "
+                       "A'",
+                       m->name, static_cast<int>(t) + 1));
+    if (!(kinds[t].most > 0))
+      continue;
+    const double off =
+        std::max(fabs(kinds[t].least / density - 1), fabs(kinds[t].most / density - 1));
+    if (off > 0.01 && is_new_)
+      engine_.warn(text("the density of particles of type %d is up to %.3g %% off that of material "
+                        "'%s', %g; theirs is taken",
+                        static_cast<int>(t) + 1, 100 * off, m->name, density));
+  }
+}
+
+/* The speed above which a particle yields, v_y = sigma_y/sqrt(rho E_c) (Bons et al. 2017). */
+void Model::report_yield(const std::vector<int> &wall_types) {
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  for (size_t t = 0; t < kinds.size(); t++)
+    for (int w : wall_types) {
+      const int type = static_cast<int>(t) + 1;
+      const asp_pair *p = pair(type, w);
+      if (!kinds[t].present)
+        continue;
+      const std::string of = text("type %d on a wall of type %d", type, w);
+      if (kinds[t].most > 0)
+        materials_report_ += "\n  " + of +
+                             text(": yields above %.4g along the normal",
+                                  p->yield_stress / sqrt(kinds[t].most * p->modulus));
+      if (is_new_ && p->yield_stress > YIELD_MOST * p->modulus)
+        engine_.warn(of +
+                     text(": the yield stress, %g, is %.3g times the composite modulus, %g, so "
+                          "that nothing yields; is the modulus one that was made soft for the "
+                          "pair style? 'materials' takes real ones",
+                          p->yield_stress, p->yield_stress / p->modulus, p->modulus));
+    }
+}
+
+const asp_pair *Model::pair(int type, int wall_type) const {
+  return pairs_.empty() ? NULL : &pairs_[type * (engine_.types() + 1) + wall_type];
+}
+
+double Model::friction(int type, int wall_type) const {
+  if (const asp_pair *p = pair(type, wall_type))
+    return p->friction;
+  if (!friction_.empty())
+    return friction_[(type - 1) * engine_.types() + wall_type - 1];
+  /* A mirror takes nothing from a particle that slides. */
+  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
+  const int cor_t = asp_rebound_parameter(law, "cor_t", NULL);
+  return cor_t >= 0 && spec_.parameters[cor_t] >= 1 ? 0 : ASP_FRICTION;
+}
+
+bool Model::sticks() const {
+  return deposit_ != OFF && asp_rebound_find(spec_.rebound, NULL)->needs_material;
+}
+
+/* ---- texts ------------------------------------------------------------------------------------
+ */
+
+const char *Model::deposit_name() const {
+  return deposit_ == FREEZE ? "freeze" : deposit_ == DELETE ? "delete" : "off";
+}
+
+std::string Model::surface_text() const {
+  return smooth_    ? "smooth"
+         : profile_ ? "profile " + profile_path_
+                    : text("rq %g lambda_c %g", r_q_, lambda_c_);
+}
+
+std::string Model::heading() const {
+  const std::string materials = materials_.empty() ? "" : "; materials " + materials_text_;
+  return text("surface %s; spread %s; rebound %s%s; seed %u", surface_text().c_str(), spec_.spread,
+              rebound_text_.c_str(), materials.c_str(), seed_);
+}
+
+std::string Model::describe_surface() const {
+  if (smooth_ || strcmp(spec_.spread, "none") == 0)
+    return "smooth wall";
+  const asp_surface *s = surface_.get();
+  std::string line = profile_ ? "profile " + profile_path_ + " (" + profile_report_ + "), " : "";
+  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
+               asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
+               atan(asp_surface_slope_rms(s)) * DEGREES);
+  line += text(", spread %s %s, collisions %s", spec_.spread,
+               spec_.tilt == ASP_TILT_PLANE ? "plane" : "isotropic",
+               spec_.collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple");
+  if (!choice_.empty())
+    line += "\n  " + choice_;
+  for (int i = 0; i < asp_surface_bins(s); i++)
+    line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
+                 atan(asp_surface_bin_slope(s, i)) * DEGREES);
+  return line;
+}
+
+std::string Model::news() {
+  if (!is_new_ || !wall_)
+    return "";
+  is_new_ = false;
+  if (asp_rebound_find(spec_.rebound, NULL)->measured && !smooth_)
+    engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
+                      "own; on a rough wall that counts twice",
+                      spec_.rebound));
+  return text("rebound %s, deposit %s, seed %u; ", rebound_text_.c_str(), deposit_name(), seed_) +
+         describe_surface() + materials_report_;
+}
+
+Settings Model::settings() const {
+  const std::string bins = dp_bins_ == 16 ? "" : text(" dp_bins %d", dp_bins_);
+  const std::string surface = smooth_ ? "smooth"
+                              : profile_path_.empty()
+                                  ? "rq " + setting(r_q_) + " lambda_c " + setting(lambda_c_) + bins
+                                  : "profile " + profile_path_ + bins;
+  std::string spread =
+      spread_ + (spec_.tilt == ASP_TILT_PLANE ? " plane" : " isotropic") +
+      (spec_.collisions == ASP_COLLISIONS_SINGLE ? " collisions single" : " collisions multiple");
+  if (tolerance_ > 0)
+    spread += " tolerance " + setting(tolerance_);
+  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
+  std::string rebound = law->name + (table_path_.empty() ? "" : " " + table_path_);
+  for (int i = 0; i < law->n_parameters; i++)
+    rebound += std::string(" ") + law->parameters[i].name + " " + setting(spec_.parameters[i]);
+  return Settings{{"surface", surface},        {"spread", spread},
+                  {"rebound", rebound},        {"materials", materials_text_},
+                  {"deposit", deposit_name()}, {"seed", text("%u", seed_)}};
+}

@@ -1,0 +1,74 @@
+/* The motion of a rigid body within a step, as the screw that takes its frame at the beginning to
+ * that at the end. Places are interpolated along the screw, velocities linearly between those at
+ * both ends of the step: exact for a steady turn, of second order in the step otherwise.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_MOTION_H
+#define ASPERITY_WALL_MOTION_H
+
+namespace asperity {
+
+/* world = turn * body + shift */
+struct Frame {
+  double turn[3][3], shift[3];
+  Frame(); /* world and body are the same */
+  void to_world(const double body[3], double world[3]) const;
+  void to_body(const double world[3], double body[3]) const;
+  bool is_world() const; /* to the bit */
+};
+
+/* The velocity of a point x of the body is angular x x + linear. */
+struct Twist {
+  double angular[3], linear[3];
+  Twist();
+  void velocity(const double x[3], double v[3]) const;
+};
+
+class Motion {
+public:
+  Motion();
+
+  /* Puts the body to rest where it is. */
+  void rest();
+
+  /* Puts it to `frame`, as at the beginning of a run, before a step that moves it if `goes_on`. */
+  void settle(const Frame &frame, bool goes_on);
+
+  /* The next step: from where the body is to `end`, where it has the velocity `twist`. */
+  void advance(const Frame &end, const Twist &twist);
+
+  /* The velocity at the end of the step before, for a run that continues one. */
+  void set_last(const Twist &twist);
+  const Twist &last() const {
+    return end_velocity_;
+  }
+
+  bool moves() const {
+    return moves_;
+  }
+
+  /* Whether the body's frame is the world's, to the bit, throughout the step. */
+  bool in_world() const {
+    return in_world_;
+  }
+  const Frame &end() const {
+    return end_;
+  }
+
+  /* At the share s (0 to 1) of the step. */
+  Frame at(double s) const;
+  void velocity(double s, const double x[3], double v[3]) const;
+
+  /* How much the velocity of the point x changes within the step. */
+  void gain(const double x[3], double dv[3]) const;
+
+private:
+  Frame begin_, end_;
+  Twist screw_; /* of the whole step, times its duration */
+  Twist begin_velocity_, end_velocity_;
+  bool moves_, has_last_, in_world_;
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,166 @@
+/* Planes and cylinders as walls; see primitive.h. A wall that moves only along itself stays where
+ * it is, so that paths are looked at as they are.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/primitive.h"
+
+#include <math.h>
+
+#include "contact/vector.h"
+#include "wall/error.h"
+#include "wall/record.h"
+#include "wall/text.h"
+
+using namespace asperity;
+
+namespace {
+
+ContactPath contact_path(const Path &path) {
+  ContactPath p;
+  vector_copy(path.x, p.x);
+  vector_copy(path.v, p.v);
+  p.left = path.left;
+  return p;
+}
+
+void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
+  contact.time = touch.time;
+  contact.guarded = touch.guarded;
+  contact.piece = 0;
+  contact.gain = 0;
+  contact.closing = -vector_dot(path.v, touch.n);
+  vector_copy(touch.n, contact.n);
+  vector_add_scaled(path.x, touch.time, path.v, contact.x);
+  vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
+}
+
+} // namespace
+
+PlaneShape::PlaneShape(int axis, double at, const double velocity[3]) {
+  plane_.axis = axis;
+  plane_.at = at;
+  vector_copy(velocity, v_);
+}
+
+double PlaneShape::travel(double dt) const {
+  return vector_length(v_) * dt;
+}
+
+double PlaneShape::gap(const double x[3], double radius, double) const {
+  return contact_plane_gap(&plane_, x, radius);
+}
+
+bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  ContactTouch touch;
+  const ContactPath p = contact_path(path);
+  if (!contact_plane_find(&plane_, &p, radius, latest, &touch))
+    return false;
+  take_over(touch, path, contact);
+  vector_copy(v_, contact.v_wall);
+  return true;
+}
+
+void PlaneShape::stick(const Path &, const Contact &contact, Place &place) const {
+  place.piece = 0;
+  vector_copy(contact.x, place.at);
+}
+
+void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
+  vector_add_scaled(place.at, dt, v_, place.at);
+  vector_copy(place.at, x);
+  vector_copy(v_, v);
+}
+
+CylinderShape::CylinderShape(int axis, const double center[3], double radius, double along,
+                             double turn)
+    : along_(along), turn_(turn) {
+  cylinder_.axis = axis;
+  cylinder_.radius = radius;
+  vector_copy(center, cylinder_.center);
+  cylinder_.center[axis] = 0;
+}
+
+double CylinderShape::travel(double dt) const {
+  return (fabs(along_) + fabs(turn_) * cylinder_.radius) * dt;
+}
+
+double CylinderShape::gap(const double x[3], double radius, double) const {
+  return contact_cylinder_gap(&cylinder_, x, radius);
+}
+
+/* Of the wall's point under x, or rather of x turning with it: a wall that turns takes particles of
+ * all sizes along at one angular speed. */
+void CylinderShape::velocity(const double x[3], double v[3]) const {
+  double axis[3] = {0, 0, 0}, arm[3];
+  axis[cylinder_.axis] = 1;
+  vector_subtract(x, cylinder_.center, arm);
+  vector_cross(axis, arm, v);
+  vector_scale(turn_, v);
+  v[cylinder_.axis] = along_;
+}
+
+bool CylinderShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  ContactTouch touch;
+  const ContactPath p = contact_path(path);
+  if (!contact_cylinder_find(&cylinder_, &p, radius, latest, &touch))
+    return false;
+  take_over(touch, path, contact);
+  double touched[3];
+  vector_add_scaled(path.x, touch.time, path.v, touched);
+  velocity(touched, contact.v_wall);
+  return true;
+}
+
+void CylinderShape::stick(const Path &, const Contact &contact, Place &place) const {
+  place.piece = 0;
+  vector_copy(contact.x, place.at);
+}
+
+void CylinderShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
+  const int a = (cylinder_.axis + 1) % 3, b = (cylinder_.axis + 2) % 3;
+  const double c = cos(turn_ * dt), s = sin(turn_ * dt);
+  const double p = place.at[a] - cylinder_.center[a], q = place.at[b] - cylinder_.center[b];
+  place.at[a] = cylinder_.center[a] + (c * p - s * q);
+  place.at[b] = cylinder_.center[b] + (s * p + c * q);
+  place.at[cylinder_.axis] += along_ * dt;
+  vector_copy(place.at, x);
+  velocity(x, v);
+}
+
+std::unique_ptr<Shape> asperity::read_primitive(Words &words, std::string &geometry) {
+  const std::string axes = "xyz", style = words.word("the primitive wall");
+  const size_t axis = axes.find(style.empty() ? ' ' : style[0]);
+  const bool plane = axis != std::string::npos && style.substr(1) == "plane";
+  if (!plane && (axis == std::string::npos || style.substr(1) != "cylinder"))
+    throw Error(text("primitive wall '%s' is unknown; there are: xplane yplane zplane xcylinder "
+                     "ycylinder zcylinder",
+                     style.c_str()));
+  const int a = static_cast<int>(axis);
+  const double first = words.number(plane ? "the plane's place" : "the cylinder's radius");
+  double center[3] = {0, 0, 0}, velocity[3] = {0, 0, 0}, along = 0, turn = 0;
+  if (!plane) {
+    if (!(first > 0))
+      throw Error(text("the cylinder's radius is %g; it must be > 0", first));
+    center[(a + 1) % 3] = words.number("the cylinder's axis");
+    center[(a + 2) % 3] = words.number("the cylinder's axis");
+  }
+  geometry = style + " " + setting(first);
+  for (int k = 1; !plane && k < 3; k++)
+    geometry += " " + setting(center[(a + k) % 3]);
+  if (words.take("shear")) {
+    const std::string name = words.word("the axis of 'shear'");
+    const size_t d = name.size() == 1 ? axes.find(name) : std::string::npos;
+    const double speed = words.number("the speed of 'shear'");
+    if (d == std::string::npos || (plane && d == axis))
+      throw Error(text("shear is along '%s'; it must be an axis, x, y or z, that lies in the wall",
+                       name.c_str()));
+    geometry += " shear " + name + " " + setting(speed);
+    if (plane)
+      velocity[d] = speed;
+    else
+      (d == axis ? along : turn) = speed;
+  }
+  if (plane)
+    return std::unique_ptr<Shape>(new PlaneShape(a, first, velocity));
+  return std::unique_ptr<Shape>(new CylinderShape(a, center, first, along, turn));
+}

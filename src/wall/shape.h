@@ -1,0 +1,88 @@
+/* What a wall is made of, as the contacts of a step see it: a plane, a cylinder, a mesh. An engine
+ * may add shapes of its own.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_SHAPE_H
+#define ASPERITY_WALL_SHAPE_H
+
+#include <stddef.h>
+#include <vector>
+
+namespace asperity {
+
+/* What is left of a particle's step: from x, with v, for the time `left` of the step dt. */
+struct Path {
+  double x[3], v[3], left, dt;
+  double share() const { /* of the step that is over */
+    return 1 - left / dt;
+  }
+};
+
+/* The first contact of a path with a shape. */
+struct Contact {
+  double time;      /* since the beginning of the path */
+  double x[3];      /* of the centre then, moved out of the wall where it overlapped */
+  double n[3];      /* outward unit normal, from the wall to the centre */
+  double v_wall[3]; /* of the point that is touched */
+  double gain;      /* by how much that point's speed along n grows in a step, >= 0 */
+  double closing;   /* > 0; speed along -n on the path as it was searched: its mean over the step */
+  int piece;        /* number of the triangle; 0 for a shape of one piece */
+  bool guarded;     /* the particle was in the wall already */
+};
+
+/* Where a particle has stuck: all that a shape needs to find it again, as numbers that go into
+ * restart files. `at` is the centre in the frame of the shape. */
+struct Place {
+  int piece;
+  double at[3];
+};
+
+/* What a contact has given to a piece of a shape: for maps, and for meshes that measure. */
+struct Blow {
+  int piece;
+  int type; /* of the particle, from 1 */
+  int mask; /* of its groups */
+  double impulse[3];
+  double point[3];    /* where it acted */
+  double v_before[3]; /* of the particle, relative to the wall */
+};
+
+class Shape {
+public:
+  virtual ~Shape() {}
+
+  /* How far the fastest point of the shape moves in this step. */
+  virtual double travel(double dt) const = 0;
+
+  /* A lower bound of the gap between a sphere at x and the shape as it is at the end of the step;
+   * not above `most`, beyond which nothing is looked for. */
+  virtual double gap(const double x[3], double radius, double most) const = 0;
+
+  /* The first contact of the path at or before `latest`. */
+  virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
+
+  /* Where a particle is that sticks at this contact of the path; and, after it has been carried for
+   * the time dt, its place and velocity at the end of the step. */
+  virtual void stick(const Path &path, const Contact &contact, Place &place) const = 0;
+  virtual void carry(Place &place, double radius, double dt, double x[3], double v[3]) const = 0;
+
+  /* Called for each contact where `measures`. */
+  virtual bool measures() const {
+    return false;
+  }
+  virtual void take(const Blow &) {}
+
+  /* What a continued run has to know of a shape that has moved; none where it has not. */
+  virtual std::vector<double> motion_record() const {
+    return std::vector<double>();
+  }
+  virtual void restore_motion(const std::vector<double> &) {}
+
+  virtual size_t bytes() const {
+    return sizeof *this;
+  }
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,212 @@
+/* A rough wall in a simulation: the contacts of its particles in each step, what sticks to it, its
+ * counters, its ledger, and what goes into restart files. It knows no engine.
+ *
+ * A contact is an event on the straight path of a step, found before the forces of that step are
+ * worked out: the particle goes on from there with its new velocity for the rest of the step,
+ * through as many contacts, on as many walls, as there are. Walls of one run are worked out
+ * together.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_WALL_H
+#define ASPERITY_WALL_WALL_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "wall/engine.h"
+#include "wall/ledger.h"
+#include "wall/model.h"
+#include "wall/record.h"
+#include "wall/shape.h"
+#include "wall/words.h"
+
+namespace asperity {
+
+class Wall {
+public:
+  /* Numbers of each particle that the engine keeps and moves between ranks, and writes into restart
+   * files; all 0 at first. State: how often the particle has hit this wall, whether it is free,
+   * rests, or is stuck, and how far it may go before it can touch. Place: where it sticks, and with
+   * which velocity. Of one that rests or has rebounded in this step, NORMAL is the wall's normal
+   * instead; and of the latter SQUARE and WORK tell its energy (see balance()). */
+  enum { IMPACTS, STATE, CLEAR, N_STATE };
+  enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, N_PLACE = VELOCITY + 3 };
+  enum { SQUARE = SHAPE, WORK = PIECE, NORMAL = AT };
+  enum State { REBOUNDED = -2, RESTING, FREE, FROZEN, DOOMED };
+
+  enum Counter {
+    N_IMPACTS,
+    N_DEPOSITS,
+    DEPOSITED_MASS,
+    N_LATER_HITS,
+    N_CAPPED,
+    N_GUARDED,
+    N_COUNTERS
+  };
+
+  /* Sums of a shape, and of each of its pieces. */
+  enum Total { SHAPE_IMPACTS, SHAPE_DEPOSITS, SHAPE_MASS, SHAPE_ENERGY, N_TOTALS };
+  enum Sum { PIECE_IMPACTS, PIECE_MASS, PIECE_ENERGY, N_SUMS };
+
+  explicit Wall(const Engine &engine);
+
+  /* A shape, of atoms of wall_type, with `pieces` triangles numbered from 0 (0: of one piece), and
+   * a name by which a restart file knows it. */
+  void add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
+                 const std::string &name);
+  size_t shapes() const {
+    return shapes_.size();
+  }
+
+  /* Reads the rest of the command. geometry: what the command says before it, for messages. */
+  void parse(Words &words, const std::string &geometry);
+
+  /* Before a run, and at its beginning, when all particles are where they belong; collective. */
+  void init(int64_t step, double dt);
+  void setup(const Spheres &spheres, int groupbit, const Box &box);
+
+  /* The rows of this rank's particles, N_STATE and N_PLACE each. */
+  void set_rows(double *state, double *place) {
+    state_ = state;
+    place_ = place;
+  }
+
+  /* After particles have moved between ranks, or have been put into another order. */
+  void reorder(const Spheres &spheres);
+
+  /* All contacts of a step of all walls of a run; their rows must be set. */
+  static void step(const std::vector<Wall *> &walls, const Spheres &spheres);
+
+  /* Takes from particles that stick or rest the velocity that forces have given them against the
+   * wall, at the end of a step. */
+  void hold(const Spheres &spheres);
+
+  /* Whether particles of this rank are to be deleted. */
+  bool has_doomed() const {
+    return has_doomed_;
+  }
+  bool is_doomed(int i) const {
+    return state_[static_cast<size_t>(i) * N_STATE + STATE] == DOOMED;
+  }
+
+  /* The ledger's windows, and warnings at output; collective. */
+  void end_step(int64_t step, bool output);
+  void end_run();
+
+  void reset_dt(int64_t step, double dt);
+  void reset_step(int64_t now, int64_t before);
+
+  const Model &model() const {
+    return model_;
+  }
+  Ledger *ledger() {
+    return ledger_.get();
+  }
+  const std::string &geometry() const {
+    return geometry_;
+  }
+
+  /* Sums over the ranks; collective. */
+  double counter(int k) const;
+  double total(size_t shape, int k) const;
+  std::vector<double> sums(size_t shape) const; /* N_SUMS each piece, on all ranks */
+
+  double bytes() const;
+
+  /* What goes into a restart file, on rank 0, and back, before init(); collective. Both throw an
+   * Error where that cannot be. */
+  std::vector<char> save();
+  void restore(const char *record);
+
+  static const char KEYWORDS[];
+
+private:
+  /* The time of the ledger: an engine's own may begin anew after a restart. dt 0: not set yet. */
+  struct Clock {
+    double time, step, dt;
+  };
+
+  struct Member {
+    std::unique_ptr<Shape> shape;
+    std::string name; /* of a mesh; empty for a shape of one piece */
+    int wall_type;
+    double totals[N_TOTALS];
+    std::vector<double> sums;
+  };
+
+  /* A contact that is not counted yet. */
+  struct Event {
+    Wall *wall;
+    size_t shape;
+    Contact contact;
+    double v1[3];         /* relative to the wall */
+    double elapsed, time; /* of the step; of the ledger */
+    asp_key key;
+    asp_impact impact;
+  };
+
+  /* The contacts of one particle in one step. */
+  struct Flight;
+
+  /* The fastest particle of this rank in this run, by its radii per time. */
+  struct Fastest {
+    double ratio, d_p, speed;
+  };
+
+  double *state(int i) const {
+    return state_ + static_cast<size_t>(i) * N_STATE;
+  }
+  double *place(int i) const {
+    return place_ + static_cast<size_t>(i) * N_PLACE;
+  }
+  double time(double step) const;
+  void set_clock(int64_t step, double dt);
+  std::string heading() const;
+
+  void carry(const Spheres &spheres);
+  void carry_one(const Spheres &spheres, int i, double dt);
+  void find_near(const Spheres &spheres, std::vector<int> &near);
+  static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
+                         size_t &shape, Contact &contact);
+  static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
+  bool touch(Flight &flight, size_t shape, const Contact &contact);
+  void rest(Flight &flight, size_t shape, const Contact &contact, const double v[3], double push);
+  void hold_resting(const Spheres &spheres, int i);
+  static void note_energy(const Flight &flight);
+  void balance(const Spheres &spheres, int i);
+  void press(const Spheres &spheres, int i, size_t shape, int piece, const double n[3],
+             const double before[3], const double after[3], const double v1[3]);
+  void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
+  void count(const Flight &flight, const Event &event);
+  void record(const Flight &flight, const Event &event);
+  void restore_shapes(const WallState &saved);
+  void renumber_stuck(const Spheres &spheres);
+  void parse_ledger(Words &words);
+  void check_written(const std::string &wrong) const;
+  void check_speeds(const Spheres &spheres);
+  void warn_of_speeds();
+
+  const Engine &engine_;
+  Model model_;
+  std::string geometry_;
+  std::vector<Member> shapes_;
+  std::unique_ptr<Ledger> ledger_;
+  uint32_t key_;
+  int groupbit_;
+  Box box_;
+  double *state_, *place_;
+  std::vector<int> stuck_, touching_; /* those at rest and rebounded: of this step */
+  double travel_;                     /* of the wall's fastest point in this step */
+  double counters_[N_COUNTERS];
+  Clock clock_;
+  Fastest fastest_;
+  double dt_;
+  std::vector<int>
+      shape_now_; /* of a restart: the shape, from 1, that was each of the saved ones */
+  bool warned_, has_doomed_;
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,41 @@
+/* The words of a command of a script, one after the other.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_WORDS_H
+#define ASPERITY_WALL_WORDS_H
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/* All functions throw an Error that says what is missing or wrong; `what` names the value in it. */
+class Words {
+public:
+  Words(int count, const char *const *words) : words_(words, words + count), next_(0) {}
+
+  bool done() const {
+    return next_ >= words_.size();
+  }
+  size_t left() const {
+    return words_.size() - next_;
+  }
+  bool is(const char *word) const {
+    return !done() && words_[next_] == word;
+  }
+  /* Whether the next word is one of those in a list, with blanks between. */
+  bool is_one_of(const std::string &list) const;
+  /* Goes past the next word if it is this one. */
+  bool take(const char *word);
+  std::string word(const char *what);
+  double number(const char *what);
+  double whole(const char *what, double least, double most);
+
+private:
+  std::vector<std::string> words_;
+  size_t next_;
+};
+
+} // namespace asperity
+
+#endif
