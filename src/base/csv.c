@@ -3,58 +3,9 @@
 #include "base/file.h"
 #include "base/error.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Blanks and one pair of quotes off both ends, and doubled quotes undoubled; in place. */
-static char *trim(char *field) {
-  while (isspace((unsigned char)*field))
-    field++;
-  size_t length = strlen(field);
-  while (length > 0 && isspace((unsigned char)field[length - 1]))
-    field[--length] = '\0';
-  if (length < 2 || field[0] != '"' || field[length - 1] != '"')
-    return field;
-  field[length - 1] = '\0';
-  char *out = ++field;
-  for (const char *in = field; *in; in++) {
-    *out++ = *in;
-    in += in[0] == '"' && in[1] == '"';
-  }
-  *out = '\0';
-  return field;
-}
-
-/* The end of the field that begins here: a separator outside quotes, or the end of the line. */
-static char *end_of(char *field, char separator) {
-  bool quoted = false;
-  for (; *field; field++) {
-    quoted ^= *field == '"';
-    if (!quoted && (separator == ' ' ? isspace((unsigned char)*field) : *field == separator))
-      break;
-  }
-  return field;
-}
-
-int asp_csv_split(char *line, char separator, char *fields[ASP_CSV_COLUMNS]) {
-  int count = 0;
-  for (char *next = line; count < ASP_CSV_COLUMNS;) {
-    if (separator == ' ')
-      next += strspn(next, " \t");
-    if (separator == ' ' && !*next)
-      break;
-    char *end = end_of(next, separator);
-    bool last = !*end;
-    *end = '\0';
-    fields[count++] = trim(next);
-    if (last)
-      break;
-    next = end + 1;
-  }
-  return count;
-}
 
 /* The next line that is neither blank nor a comment. */
 static asp_code next_line(asp_csv *csv, bool *found, asp_error *error) {
@@ -85,7 +36,7 @@ static asp_code read_header(asp_csv *csv, asp_error *error) {
   separator = separator ? separator : strchr(csv->header, '\t');
   separator = separator ? separator : strchr(csv->header, ',');
   csv->separator = separator ? *separator : ' ';
-  csv->columns = asp_csv_split(csv->header, csv->separator, csv->names);
+  csv->columns = asp_text_split(csv->header, csv->separator, csv->names, ASP_CSV_COLUMNS);
   double number;
   for (int i = 0; i < csv->columns; i++)
     if (asp_text_number(csv->names[i], false, &number) == ASP_WORD_NUMBER)
@@ -149,7 +100,7 @@ asp_code asp_csv_row(asp_csv *csv, bool *found, asp_error *error) {
   asp_code code = next_line(csv, found, error);
   if (code || !*found)
     return code;
-  int count = asp_csv_split(csv->text.text, csv->separator, csv->fields);
+  int count = asp_text_split(csv->text.text, csv->separator, csv->fields, ASP_CSV_COLUMNS);
   if (count == csv->columns)
     return ASP_OK;
   return asp_text_fail(&csv->text, csv->text.line, error, "%d fields under %d column names%s",

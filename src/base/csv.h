@@ -41,7 +41,4 @@ asp_code asp_csv_row(asp_csv *csv, bool *found, asp_error *error);
 asp_code asp_csv_number(const asp_csv *csv, int column, double least, double most, double *value,
                         bool *missing, asp_error *error);
 
-/* Cuts a line into fields, in place, and takes blanks and quotes off them; the number of fields. */
-int asp_csv_split(char *line, char separator, char *fields[ASP_CSV_COLUMNS]);
-
 #endif

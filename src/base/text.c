@@ -98,6 +98,59 @@ asp_code asp_text_word(asp_text *text, bool *found, asp_error *error) {
   return finish(text, length, length > 0, found, error);
 }
 
+char *asp_text_trim(char *text) {
+  while (isspace((unsigned char)*text))
+    text++;
+  size_t length = strlen(text);
+  while (length > 0 && isspace((unsigned char)text[length - 1]))
+    text[--length] = '\0';
+  return text;
+}
+
+/* One pair of quotes off a field, and doubled quotes undoubled; in place. */
+static char *unquote(char *field) {
+  size_t length = strlen(field);
+  if (length < 2 || field[0] != '"' || field[length - 1] != '"')
+    return field;
+  field[length - 1] = '\0';
+  char *out = ++field;
+  for (const char *in = field; *in; in++) {
+    *out++ = *in;
+    in += in[0] == '"' && in[1] == '"';
+  }
+  *out = '\0';
+  return field;
+}
+
+/* The end of the field that begins here: a separator outside quotes, or the end of the line. */
+static char *end_of(char *field, char separator) {
+  bool quoted = false;
+  for (; *field; field++) {
+    quoted ^= *field == '"';
+    if (!quoted && (separator == ' ' ? isspace((unsigned char)*field) : *field == separator))
+      break;
+  }
+  return field;
+}
+
+int asp_text_split(char *line, char separator, char *fields[], int most) {
+  int count = 0;
+  for (char *next = line; count < most;) {
+    if (separator == ' ')
+      next += strspn(next, " \t");
+    if (separator == ' ' && !*next)
+      break;
+    char *end = end_of(next, separator);
+    bool last = !*end;
+    *end = '\0';
+    fields[count++] = unquote(asp_text_trim(next));
+    if (last)
+      break;
+    next = end + 1;
+  }
+  return count;
+}
+
 static bool is_missing(const char *text, size_t length) {
   static const char *const marks[] = {"bad", "na",  "n/a", "null", "#n/a", "void", "missing", "-",
                                       "--",  "---", "*",   "***",  "?",    "none", "invalid"};

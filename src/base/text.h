@@ -27,6 +27,14 @@ asp_code asp_text_rewind(asp_text *text, asp_error *error);
 asp_code asp_text_line(asp_text *text, bool *found, asp_error *error);
 asp_code asp_text_word(asp_text *text, bool *found, asp_error *error);
 
+/* A text without the blanks at both ends; in place. */
+char *asp_text_trim(char *text);
+
+/* Cuts a line into at most `most` fields, in place, and takes blanks and one pair of quotes off
+ * each; the number of fields. A blank as separator stands for runs of white space. Quotes hold a
+ * field together, and a quote in quotes is written twice. */
+int asp_text_split(char *line, char separator, char *fields[], int most);
+
 /* ASP_EDATA and "<path>:<line>: <message>". */
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))

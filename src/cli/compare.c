@@ -1,8 +1,7 @@
 /* asperity compare: impacts of a model or a simulation against measured coefficients of
  * restitution, by impact angle: moments, the share of measured points within the model's 5 to 95 %
  * band, the two-sample distance of Kolmogorov and Smirnov with its p-value, and a picture. */
-#include "cli/cli.h"
-#include "cli/scatter.h"
+#include "cli/compare.h"
 #include "cli/window.h"
 
 #include <gsl/gsl_sort.h>
@@ -22,21 +21,7 @@ enum { BAND_LEAST = 20 };
 #define WIDTH_POINTS "10"
 #define WIDTH_MEANS "4"
 
-/* A sample in order; NAN where it is too small for a number. */
-typedef struct sample {
-  double *values;
-  size_t count;
-  double mean, sd, median, low, high;
-} sample;
-
-typedef struct bin {
-  double from, to, middle;
-  bool closed; /* holds its upper edge too */
-  sample model, data;
-  double in_band, distance, p;
-} bin;
-
-static void describe(sample *s) {
+static void describe(compare_sample *s) {
   s->mean = s->sd = s->median = s->low = s->high = NAN;
   if (s->count == 0)
     return;
@@ -72,10 +57,11 @@ static size_t count_below(const scatter_point *points, size_t count, double angl
 }
 
 /* The sample of an interval, of points in order of their angle. */
-static sample sample_of(const scatter_point *points, size_t count, int which, const bin *b) {
+static compare_sample sample_of(const scatter_point *points, size_t count, int which,
+                                const compare_bin *b) {
   size_t first = count_below(points, count, b->from, false);
   size_t end = count_below(points, count, b->to, b->closed);
-  sample s = {malloc((end - first + 1) * sizeof *s.values), 0, 0, 0, 0, 0, 0};
+  compare_sample s = {malloc((end - first + 1) * sizeof *s.values), 0, 0, 0, 0, 0, 0};
   if (!s.values)
     cli_fail("out of memory");
   for (size_t i = first; i < end; i++)
@@ -86,8 +72,8 @@ static sample sample_of(const scatter_point *points, size_t count, int which, co
 }
 
 /* What is told of the sample in a window; its values are not kept. */
-static sample sample_in(const cli_window *window) {
-  sample s = {NULL, cli_window_count(window), NAN, NAN, NAN, NAN, NAN};
+static compare_sample sample_in(const cli_window *window) {
+  compare_sample s = {NULL, cli_window_count(window), NAN, NAN, NAN, NAN, NAN};
   if (s.count == 0)
     return s;
   cli_window_moments(window, &s.mean, &s.sd);
@@ -101,7 +87,7 @@ static sample sample_in(const cli_window *window) {
   return s;
 }
 
-static double share_within(const sample *s, double low, double high) {
+static double share_within(const compare_sample *s, double low, double high) {
   size_t within = 0;
   for (size_t i = 0; i < s->count; i++)
     within += s->values[i] >= low && s->values[i] <= high;
@@ -109,7 +95,7 @@ static double share_within(const sample *s, double low, double high) {
 }
 
 /* The largest distance between two empirical distributions; equal values are passed together. */
-static double largest_distance(const sample *a, const sample *b) {
+static double largest_distance(const compare_sample *a, const compare_sample *b) {
   double most = 0;
   for (size_t i = 0, k = 0; i < a->count && k < b->count;) {
     double x = fmin(a->values[i], b->values[k]);
@@ -137,7 +123,7 @@ static double p_value(double distance, double n, double m) {
   return fmin(1, fmax(0, 2 * p));
 }
 
-static void compare_points(bin *b) {
+static void compare_points(compare_bin *b) {
   if (b->model.count == 0 || b->data.count == 0)
     return;
   if (isfinite(b->model.low))
@@ -146,8 +132,8 @@ static void compare_points(bin *b) {
   b->p = p_value(b->distance, (double)b->model.count, (double)b->data.count);
 }
 
-static bin *allocate_bins(size_t count) {
-  bin *bins = calloc(count, sizeof *bins);
+static compare_bin *allocate_bins(size_t count) {
+  compare_bin *bins = calloc(count, sizeof *bins);
   if (!bins)
     cli_fail("out of memory");
   for (size_t i = 0; i < count; i++)
@@ -156,11 +142,11 @@ static bin *allocate_bins(size_t count) {
 }
 
 /* Equal bins over 0 to 90 degrees. */
-static bin *bins_of_points(const scatter_impacts *impacts, const scatter_data *data, int which,
-                           double width, size_t count) {
-  bin *bins = allocate_bins(count);
+static compare_bin *bins_of_points(const scatter_impacts *impacts, const scatter_data *data,
+                                   int which, double width, size_t count) {
+  compare_bin *bins = allocate_bins(count);
   for (size_t i = 0; i < count; i++) {
-    bin *b = &bins[i];
+    compare_bin *b = &bins[i];
     b->from = (double)i * width;
     b->to = fmin(90, b->from + width);
     b->middle = (b->from + b->to) / 2;
@@ -194,19 +180,19 @@ static placed *order_of(const scatter_data *data) {
 }
 
 /* A bin around each row of means. */
-static bin *bins_of_means(const scatter_impacts *impacts, const scatter_data *data, int which,
-                          double width) {
-  bin *bins = allocate_bins(data->n_means);
+static compare_bin *bins_of_means(const scatter_impacts *impacts, const scatter_data *data,
+                                  int which, double width) {
+  compare_bin *bins = allocate_bins(data->n_means);
   placed *order = order_of(data);
   cli_window *window = cli_window_create(impacts->points, impacts->count, which);
   for (size_t i = 0; i < data->n_means; i++) {
     const scatter_mean *row = &data->means[order[i].row];
-    bin *b = &bins[order[i].row];
+    compare_bin *b = &bins[order[i].row];
     b->middle = row->degrees;
     b->from = fmax(0, b->middle - width / 2);
     b->to = fmin(90, b->middle + width / 2);
     cli_window_move(window, b->from, b->to);
-    b->data = (sample){NULL, 0, row->mean[which], row->sd[which], NAN, NAN, NAN};
+    b->data = (compare_sample){NULL, 0, row->mean[which], row->sd[which], NAN, NAN, NAN};
     b->model = sample_in(window);
   }
   cli_window_free(window);
@@ -214,14 +200,14 @@ static bin *bins_of_means(const scatter_impacts *impacts, const scatter_data *da
   return bins;
 }
 
-static bin *bins_of(const scatter_impacts *impacts, const scatter_data *data, int which,
-                    double width, size_t *count) {
+static compare_bin *bins_of(const scatter_impacts *impacts, const scatter_data *data, int which,
+                            double width, size_t *count) {
   *count = data->n_means > 0 ? data->n_means : (size_t)ceil(90 / width - 1e-9);
   return data->n_means > 0 ? bins_of_means(impacts, data, which, width)
                            : bins_of_points(impacts, data, which, width, *count);
 }
 
-static void free_bins(bin *bins, size_t count) {
+static void free_bins(compare_bin *bins, size_t count) {
   for (size_t i = 0; i < count; i++) {
     free(bins[i].model.values);
     free(bins[i].data.values);
@@ -237,8 +223,8 @@ static void print(FILE *out, double value) {
     fputc(',', out);
 }
 
-static void print_bin(FILE *out, const bin *b, const char *name) {
-  const sample *m = &b->model, *d = &b->data;
+static void print_bin(FILE *out, const compare_bin *b, const char *name) {
+  const compare_sample *m = &b->model, *d = &b->data;
   fprintf(out, "%s,%g,%g,%zu", name, b->from, b->to, m->count);
   print(out, m->mean);
   print(out, m->sd);
@@ -256,14 +242,7 @@ static void print_bin(FILE *out, const bin *b, const char *name) {
   fputc('\n', out);
 }
 
-typedef struct comparison {
-  scatter_impacts impacts;
-  scatter_data data;
-  bin *bins[COR_BOTH];
-  size_t count;
-} comparison;
-
-static bool has_data(const bin *b) {
+bool cli_compare_has_data(const compare_bin *b) {
   return isfinite(b->data.mean);
 }
 
@@ -271,9 +250,9 @@ static bool has_data(const bin *b) {
 static void check_bins(const comparison *c, int which, size_t *both) {
   size_t no_model = 0, with_data = 0;
   for (size_t i = 0; i < c->count; i++) {
-    const bin *b = &c->bins[which][i];
-    with_data += has_data(b);
-    no_model += has_data(b) && b->model.count == 0;
+    const compare_bin *b = &c->bins[which][i];
+    with_data += cli_compare_has_data(b);
+    no_model += cli_compare_has_data(b) && b->model.count == 0;
   }
   if (no_model > 0)
     cli_warn("%s: %zu of %zu bins with data are empty of impacts", names[which], no_model,
@@ -312,76 +291,6 @@ static void print_all(FILE *out, const comparison *c) {
       print_bin(out, &c->bins[which][i], names[which]);
 }
 
-/* The range of a panel: what is measured and the model's band with some room, but no more than
- * CoR_N 0 to 3 and CoR_T -1 to 2; ratios to a vanishing component go far beyond. */
-static void print_range(FILE *gp, const comparison *c, int which) {
-  double low = 0, high = 1, least = which ? -1 : 0, most = which ? 2 : 3;
-  for (size_t i = 0; i < c->count; i++) {
-    const bin *b = &c->bins[which][i];
-    double sd = isfinite(b->data.sd) ? b->data.sd : 0;
-    low = fmin(low, fmin(b->data.mean - sd, b->model.low));
-    high = fmax(high, fmax(b->data.mean + sd, b->model.high));
-  }
-  double room = 0.25 * (high - low);
-  fprintf(gp, "set yrange [%g:%g]\n", fmax(least, low - (low < 0 ? room : 0)),
-          fmin(most, high + room));
-}
-
-static void print_series(FILE *gp, const comparison *c, int which) {
-  fprintf(gp, "$model%d << EOD\n", which);
-  for (size_t i = 0; i < c->count; i++) {
-    const bin *b = &c->bins[which][i];
-    if (isfinite(b->model.low))
-      fprintf(gp, "%g %g %g %g %g\n", b->middle, b->model.low, b->model.high, b->model.median,
-              b->model.mean);
-  }
-  fprintf(gp, "EOD\n$points%d << EOD\nNaN NaN\n", which);
-  for (size_t i = 0; i < c->data.n_points; i++)
-    if (isfinite(c->data.points[i].cor[which]))
-      fprintf(gp, "%g %g\n", c->data.points[i].degrees, c->data.points[i].cor[which]);
-  fprintf(gp, "EOD\n$data%d << EOD\n", which);
-  for (size_t i = 0; i < c->count; i++) {
-    const bin *b = &c->bins[which][i];
-    if (has_data(b))
-      fprintf(gp, "%g %g %g\n", b->middle, b->data.mean, isfinite(b->data.sd) ? b->data.sd : 0);
-  }
-  fputs("EOD\n", gp);
-}
-
-static void plot_panel(FILE *gp, const comparison *c, int which) {
-  print_series(gp, c, which);
-  print_range(gp, c, which);
-  fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", which ? 'T' : 'N',
-          which ? "bottom left" : "top right");
-  fprintf(gp,
-          "$model%d using 1:2:3 with filledcurves fc rgb '#c6d9ee' title 'model, 5 to 95 %%', "
-          "$model%d using 1:5 with lines ls 1 title 'model, mean', "
-          "$model%d using 1:4 with lines ls 1 lw 1 dt 2 title 'model, median', ",
-          which, which, which);
-  fprintf(gp,
-          "$points%d with points pt 7 ps 0.35 lc rgb '#e0a080' %s, "
-          "$data%d using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb '#c8501e' lw 1.5 title "
-          "'measured, mean ± sd'\n",
-          which, c->data.n_points ? "title 'measured'" : "notitle", which);
-}
-
-static void plot(const cli_option *option, const comparison *c) {
-  cli_plot *picture = cli_plot_open(option, 1200, 520);
-  FILE *gp = cli_plot_stream(picture);
-  fputs("set multiplot layout 1,2\nset xrange [0:90]\nset xtics 15\n"
-        "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
-        gp);
-  for (int which = 0; which < COR_BOTH; which++) {
-    bool any = false;
-    for (size_t i = 0; i < c->count; i++)
-      any = any || (has_data(&c->bins[which][i]) && c->bins[which][i].model.count > 0);
-    if (any)
-      plot_panel(gp, c, which);
-  }
-  fputs("unset multiplot\n", gp);
-  cli_plot_close(picture);
-}
-
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [BIN] = {"bin", "DEGREES",
@@ -415,7 +324,7 @@ static int run(int argc, char **argv) {
   print_all(cli_output_stream(output), &c);
   cli_output_close(output);
   if (options[PLOT].value)
-    plot(&options[PLOT], &c);
+    cli_compare_plot(&options[PLOT], &c);
   for (int which = 0; which < COR_BOTH; which++)
     free_bins(c.bins[which], c.count);
   scatter_free_impacts(&c.impacts);

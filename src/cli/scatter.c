@@ -107,7 +107,7 @@ static int find_entry(char *const names[], int count, int column) {
 
 static asp_code read_dump_row(asp_csv *csv, const impact_columns *at, scatter_impacts *impacts,
                               asp_error *error) {
-  int count = asp_csv_split(csv->text.text, ' ', csv->fields);
+  int count = asp_text_split(csv->text.text, ' ', csv->fields, ASP_CSV_COLUMNS);
   if (count != csv->columns)
     return asp_text_fail(&csv->text, csv->text.line, error, "%d numbers under %d columns", count,
                          csv->columns);
@@ -124,7 +124,7 @@ static asp_code read_dump_row(asp_csv *csv, const impact_columns *at, scatter_im
 static asp_code read_dump_header(asp_csv *csv, impact_columns *at, asp_error *error) {
   strcpy(csv->header, csv->text.text + strlen("ITEM: ENTRIES"));
   csv->separator = ' ';
-  csv->columns = asp_csv_split(csv->header, ' ', csv->names);
+  csv->columns = asp_text_split(csv->header, ' ', csv->names, ASP_CSV_COLUMNS);
   *at = (impact_columns){find_entry(csv->names, csv->columns, LEDGER_ALPHA1),
                          find_entry(csv->names, csv->columns, LEDGER_DELTA_ALPHA),
                          {find_entry(csv->names, csv->columns, LEDGER_COR_N),

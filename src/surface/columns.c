@@ -41,23 +41,6 @@ typedef struct scan {
   gsl_rstat_quantile_workspace median;     /* of the steps */
 } scan;
 
-/* Cuts a line into fields, in place; a blank as separator stands for runs of white space. */
-static int split(char *line, char separator, char *fields[FIELDS_MOST]) {
-  int count = 0;
-  for (char *c = line; count < FIELDS_MOST;) {
-    if (separator == ' ')
-      c += strspn(c, " \t");
-    if (separator == ' ' && !*c)
-      break;
-    fields[count++] = c;
-    c += separator == ' ' ? strcspn(c, " \t") : strcspn(c, (char[]){separator, '\0'});
-    if (!*c)
-      break;
-    *c++ = '\0';
-  }
-  return count;
-}
-
 /* Position and height of a line, as written and as numbers; a missing height is NAN. */
 typedef struct column_pair {
   const char *position, *height;
@@ -66,7 +49,7 @@ typedef struct column_pair {
 
 static asp_word pair_of(char *line, const column_layout *layout, column_pair *pair) {
   char *fields[FIELDS_MOST];
-  int count = split(line, layout->separator, fields);
+  int count = asp_text_split(line, layout->separator, fields, FIELDS_MOST);
   if (count <= layout->column)
     return ASP_WORD_OTHER;
   pair->position = fields[0];

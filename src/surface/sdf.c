@@ -28,17 +28,9 @@ static double *place_of(header *h, const char *key) {
   return NULL;
 }
 
-static char *trim(char *text) {
-  text += strspn(text, " \t");
-  char *end = text + strlen(text);
-  while (end > text && isspace((unsigned char)end[-1]))
-    *--end = '\0';
-  return text;
-}
-
 /* One line of the header; *ends at the star. */
 static asp_code read_key(asp_text *text, header *h, bool *ends, asp_error *error) {
-  char *line = trim(text->text);
+  char *line = asp_text_trim(text->text);
   *ends = strcmp(line, "*") == 0;
   if (*ends || !*line)
     return ASP_OK;
@@ -48,7 +40,7 @@ static asp_code read_key(asp_text *text, header *h, bool *ends, asp_error *error
                          "'%.40s' where the header's `key = value` or its closing * is expected",
                          line);
   *equals = '\0';
-  char *key = trim(line), *value = trim(equals + 1);
+  char *key = asp_text_trim(line), *value = asp_text_trim(equals + 1);
   double *place = place_of(h, key);
   if (place && asp_text_number(value, false, place) != ASP_WORD_NUMBER)
     return asp_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
@@ -159,7 +151,7 @@ static asp_code read_map(asp_text *text, const header *h, section kept, asp_raw 
 
 asp_code asp_read_sdf(asp_text *text, const asp_profile_options *options, asp_raw *raw,
                       asp_error *error) {
-  const char *version = trim(text->text);
+  const char *version = asp_text_trim(text->text);
   if (tolower((unsigned char)*version) != 'a')
     return asp_text_fail(text, text->line, error,
                          "'%.20s' is SDF in binary; only ASCII (aISO-1.0) can be read", version);
