@@ -1,4 +1,4 @@
-# What `cmake --install` puts in place: library, header, command, launcher, and the files by which CMake
+# What `cmake --install` puts in place: library, header, command, launchers, and the files by which CMake
 # and pkg-config find the library.
 install(TARGETS asperity EXPORT asperityTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -6,6 +6,9 @@ install(TARGETS asperity EXPORT asperityTargets
 install(TARGETS asperity_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(ASPERITY_LIGGGHTS)
   install(TARGETS liggghts-asperity RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+if(ASPERITY_LAMMPS)
+  install(TARGETS lammps-asperity RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/asperity)

@@ -1,0 +1,39 @@
+# Finds the LAMMPS library and its headers, as Debian's package liblammps-dev has them. Sets
+# LAMMPS_FOUND, LAMMPS_VERSION (such as "29 Sep 2021", read from the library), LAMMPS_VERSION_NUMBER
+# (20210929) and the imported target LAMMPS::lammps. Hints: LAMMPS_ROOT.
+#
+# Debian's package lacks two headers that the others include or a fix needs; src/lammps/debian has
+# what stands in for them.
+find_path(LAMMPS_INCLUDE_DIR fix.h PATH_SUFFIXES lammps)
+find_library(LAMMPS_LIBRARY lammps)
+mark_as_advanced(LAMMPS_INCLUDE_DIR LAMMPS_LIBRARY)
+
+if(LAMMPS_LIBRARY)
+  file(STRINGS ${LAMMPS_LIBRARY} LAMMPS_VERSION LIMIT_COUNT 1
+    REGEX "Parallel Simulator - [0-9]+ [A-Z][a-z]+ [0-9]+")
+  if(LAMMPS_VERSION MATCHES "Parallel Simulator - (([0-9]+) ([A-Z][a-z]+) ([0-9]+))")
+    set(LAMMPS_VERSION ${CMAKE_MATCH_1})
+    string(FIND "JanFebMarAprMayJunJulAugSepOctNovDec" ${CMAKE_MATCH_3} _month)
+    math(EXPR LAMMPS_VERSION_NUMBER
+      "${CMAKE_MATCH_4} * 10000 + (${_month} / 3 + 1) * 100 + ${CMAKE_MATCH_2}")
+    unset(_month)
+  endif()
+endif()
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(LAMMPS
+  REQUIRED_VARS LAMMPS_LIBRARY LAMMPS_INCLUDE_DIR LAMMPS_VERSION
+  REASON_FAILURE_MESSAGE "Debian 12: apt-get install liblammps-dev libopenmpi-dev openmpi-bin. Elsewhere: set LAMMPS_ROOT. Or build without it with -DASPERITY_LAMMPS=OFF")
+
+if(LAMMPS_FOUND AND NOT TARGET LAMMPS::lammps)
+  set(_headers ${LAMMPS_INCLUDE_DIR})
+  if(NOT EXISTS ${LAMMPS_INCLUDE_DIR}/fmt/format.h)
+    list(APPEND _headers ${PROJECT_SOURCE_DIR}/src/lammps/debian)
+  endif()
+  add_library(LAMMPS::lammps UNKNOWN IMPORTED)
+  set_target_properties(LAMMPS::lammps PROPERTIES
+    IMPORTED_LOCATION ${LAMMPS_LIBRARY}
+    INTERFACE_COMPILE_DEFINITIONS LAMMPS_SMALLBIG
+    INTERFACE_INCLUDE_DIRECTORIES "${_headers}")
+  unset(_headers)
+endif()

@@ -1,0 +1,155 @@
+/* LAMMPS as the wall asks it; see engine_lammps.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "engine_lammps.h"
+
+#include <math.h>
+#include <string.h>
+#include <algorithm>
+
+#include "asperity.h"
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "lammps.h"
+#include "modify.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+MPI_Comm EngineOfLammps::world() const {
+  return lammps_->world;
+}
+
+std::string EngineOfLammps::id() const {
+  return fix_->id;
+}
+
+std::string EngineOfLammps::units() const {
+  return lammps_->update->unit_style;
+}
+
+std::string EngineOfLammps::known_units() const {
+  return "si, cgs, micro or nano";
+}
+
+int EngineOfLammps::types() const {
+  return lammps_->atom->ntypes;
+}
+
+double EngineOfLammps::time() const {
+  const Update *update = lammps_->update;
+  return update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
+}
+
+void EngineOfLammps::warn(const std::string &what) const {
+  if (lammps_->comm->me == 0)
+    lammps_->error->warning(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
+}
+
+void EngineOfLammps::print(const std::string &what) const {
+  if (lammps_->comm->me != 0)
+    return;
+  for (FILE *to : {lammps_->screen, lammps_->logfile})
+    if (to)
+      fprintf(to, "%s\n", what.c_str());
+}
+
+/* LAMMPS has no constants of a script that other commands can ask for; materials come by name. */
+bool EngineOfLammps::constants(const char *, bool, std::vector<double> &) const {
+  return false;
+}
+
+std::string EngineOfLammps::how_to_state(const char *, bool, const std::string &) const {
+  return "";
+}
+
+/* The largest radius of a type that fixes pour or deposit will make, as pair styles ask for it; 0:
+ * none. */
+double EngineOfLammps::radius_to_come(int type) const {
+  double most = 0;
+  for (int i = 0; i < lammps_->modify->nfix; i++) {
+    Fix *fix = lammps_->modify->fix[i];
+    if (strncmp(fix->style, "pour", 4) != 0 && strncmp(fix->style, "deposit", 7) != 0)
+      continue;
+    int asked = type;
+    const double *radius = static_cast<const double *>(fix->extract("radius", asked));
+    if (radius)
+      most = std::max(most, *radius);
+  }
+  return most;
+}
+
+/* Of those that are to come, LAMMPS tells the largest of each type only. */
+void EngineOfLammps::diameters(double &least, double &most) const {
+  double mine[2] = {-HUGE_VAL, 0}, all[2];
+  const Atom *atom = lammps_->atom;
+  for (int i = 0; i < atom->nlocal; i++) {
+    mine[0] = std::max(mine[0], -2 * atom->radius[i]);
+    mine[1] = std::max(mine[1], 2 * atom->radius[i]);
+  }
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double radius = radius_to_come(type);
+    if (radius > 0) {
+      mine[0] = std::max(mine[0], -2 * radius);
+      mine[1] = std::max(mine[1], 2 * radius);
+    }
+  }
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, lammps_->world);
+  least = all[1] > 0 ? -all[0] : 0;
+  most = all[1];
+}
+
+std::vector<asperity::Engine::Kind> EngineOfLammps::kinds() const {
+  const Atom *atom = lammps_->atom;
+  const int n = atom->ntypes;
+  /* Of each type: whether there are any, their largest density, and minus their least. */
+  std::vector<double> mine(3 * n, 0.), all(3 * n);
+  for (int t = 0; t < n; t++) {
+    mine[3 * t] = radius_to_come(t + 1) > 0;
+    mine[3 * t + 1] = mine[3 * t + 2] = -HUGE_VAL;
+  }
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & fix_->groupbit))
+      continue;
+    double *of = &mine[3 * (atom->type[i] - 1)];
+    const double r = atom->radius[i], density = atom->rmass[i] / (4 * ASP_PI / 3 * r * r * r);
+    of[0] = 1;
+    of[1] = std::max(of[1], density);
+    of[2] = std::max(of[2], -density);
+  }
+  MPI_Allreduce(mine.data(), all.data(), 3 * n, MPI_DOUBLE, MPI_MAX, lammps_->world);
+  std::vector<Kind> kinds;
+  for (int t = 0; t < n; t++)
+    kinds.push_back(
+        Kind{all[3 * t] > 0, std::max(0., -all[3 * t + 2]), std::max(0., all[3 * t + 1])});
+  return kinds;
+}
+
+asperity::Spheres EngineOfLammps::spheres() const {
+  const Atom *atom = lammps_->atom;
+  asperity::Spheres s;
+  s.step = lammps_->update->ntimestep;
+  s.dt = lammps_->update->dt;
+  s.n = atom->nlocal;
+  s.mask = atom->mask;
+  s.type = atom->type;
+  s.tag = atom->tag;
+  s.tag_bytes = sizeof *atom->tag;
+  s.x = atom->x ? atom->x[0] : NULL;
+  s.v = atom->v ? atom->v[0] : NULL;
+  s.omega = atom->omega_flag && atom->omega ? atom->omega[0] : NULL;
+  s.f = atom->f ? atom->f[0] : NULL;
+  s.radius = atom->radius;
+  s.mass = atom->rmass;
+  return s;
+}
+
+asperity::Box EngineOfLammps::box() const {
+  const Domain *domain = lammps_->domain;
+  asperity::Box box;
+  for (int d = 0; d < 3; d++)
+    box.period[d] = domain->periodicity[d] ? domain->prd[d] : 0;
+  return box;
+}

@@ -1,0 +1,80 @@
+/* fix wall/rebound: rough walls for LAMMPS. This is LAMMPS's side only: its hooks and the numbers
+ * of each atom. What a wall does is in src/wall, where nothing knows LAMMPS.
+ *
+ * Contacts are worked out in post_integrate, when particles are where the step has taken them and
+ * before the forces are computed there: so that forces, ghosts and neighbour lists see where
+ * particles are after their rebounds. The first fix of the style does it for all of them, for a
+ * particle may meet two walls in one step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(wall/rebound,FixWallRebound);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_WALL_REBOUND_H
+#define LMP_FIX_WALL_REBOUND_H
+
+#include <string>
+#include <vector>
+
+#include "engine_lammps.h"
+#include "fix.h"
+#include "wall/wall.h"
+
+namespace LAMMPS_NS {
+
+class FixWallRebound : public Fix {
+public:
+  FixWallRebound(class LAMMPS *, int, char **);
+  ~FixWallRebound() override;
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_exchange() override;
+  void setup(int vflag) override;
+  void post_integrate() override;
+  void pre_exchange() override;
+  void pre_neighbor() override;
+  void end_of_step() override;
+  void post_run() override;
+  void reset_dt() override;
+  double compute_scalar() override;
+  double compute_vector(int n) override;
+  double compute_array(int row, int column) override;
+  double memory_usage() override;
+  void write_restart(FILE *file) override;
+  void restart(char *buffer) override;
+
+  void grow_arrays(int n) override;
+  void copy_arrays(int from, int to, int delflag) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double *buffer) override;
+  int unpack_exchange(int i, double *buffer) override;
+  int pack_restart(int i, double *buffer) override;
+  void unpack_restart(int i, int nth) override;
+  int size_restart(int i) override;
+  int maxsize_restart() override;
+
+private:
+  [[noreturn]] void fail(const std::string &what) const;
+  void read_geometry(asperity::Words &words, std::string &geometry);
+  int read_type(asperity::Words &words) const;
+  void check_particles() const;
+  void check_box() const;
+  void set_rows();
+  void follow_step();
+
+  EngineOfLammps engine_;
+  asperity::Wall wall_;
+  std::vector<double> state_, place_;      /* rows of the atoms; see asperity::Wall */
+  std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
+  bigint last_step_;                       /* that the wall knows of */
+  bool from_restart_, restarted_;
+};
+
+} // namespace LAMMPS_NS
+
+#endif
+#endif
