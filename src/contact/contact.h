@@ -57,8 +57,6 @@ typedef struct ContactCylinder {
   double center[3], radius;
 } ContactCylinder;
 
-double contact_cylinder_gap(const ContactCylinder *cylinder, const double x[3], double radius);
-
 /* A sphere that slides along the inside, with next to no normal speed, is turned at the end of its
  * path, where it has left the wall's curve: a touch with time == left and lift > 0. */
 bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,

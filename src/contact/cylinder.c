@@ -15,13 +15,6 @@ static void across(int axis, const double a[3], double c[3]) {
   c[axis] = 0;
 }
 
-double contact_cylinder_gap(const ContactCylinder *cylinder, const double x[3], double radius) {
-  double arm[3];
-  vector_subtract(x, cylinder->center, arm);
-  across(cylinder->axis, arm, arm);
-  return fabs(vector_length(arm) - cylinder->radius) - radius;
-}
-
 /* When the distance from the axis, `distance` at first and the square root of a quadratic in time
  * on a straight path, is `touching`: 0 for what is beyond it already and goes on, infinite for
  * never. rate: half the growth of the square at first; square: of the speed, > 0. */

@@ -6,10 +6,6 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 
-double contact_plane_gap(const ContactPlane *plane, const double x[3], double radius) {
-  return fabs(x[plane->axis] - plane->at) - radius;
-}
-
 bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
                         double latest, ContactTouch *touch) {
   const int axis = plane->axis;

@@ -106,23 +106,34 @@ static int longest_side(const Item *items, size_t count) {
   return longest;
 }
 
-static void build(ContactTree *tree, const ContactTriangle *triangles, Item *items, size_t first,
-                  size_t count) {
+static void unite(Node *node, const Node *child) {
+  for (int d = 0; d < 3; d++) {
+    node->lo[d] = fminf(node->lo[d], child->lo[d]);
+    node->hi[d] = fmaxf(node->hi[d], child->hi[d]);
+  }
+}
+
+/* Makes the node of some items, and those below it; its place. */
+static size_t build(ContactTree *tree, const ContactTriangle *triangles, Item *items, size_t first,
+                    size_t count) {
   const size_t at = tree->n_nodes++;
   Node *node = &tree->nodes[at];
   *node = EMPTY;
-  for (size_t i = 0; i < count; i++)
-    wrap(&triangles[items[first + i].from], node);
   if (count <= LEAF) {
+    for (size_t i = 0; i < count; i++)
+      wrap(&triangles[items[first + i].from], node);
     node->first = (int)first;
     node->count = (int)count;
-    return;
+    return at;
   }
   const size_t half = count / 2;
   select_median(items + first, count, half, longest_side(items + first, count));
-  build(tree, triangles, items, first, half);
-  tree->nodes[at].first = (int)tree->n_nodes;
-  build(tree, triangles, items, first + half, count - half);
+  const size_t left = build(tree, triangles, items, first, half);
+  const size_t right = build(tree, triangles, items, first + half, count - half);
+  node->first = (int)right;
+  unite(node, &tree->nodes[left]);
+  unite(node, &tree->nodes[right]);
+  return at;
 }
 
 /* A number and the place of its triangle. */
@@ -246,6 +257,26 @@ static bool triangle_overlaps(const ContactTriangle *t, const double lo[3], cons
         fmin(t->node[0][d], fmin(t->node[1][d], t->node[2][d])) > hi[d])
       return false;
   return true;
+}
+
+bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]) {
+  int stack[DEPTH], top = 0;
+  if (tree->count > 0)
+    stack[top++] = 0;
+  while (top > 0) {
+    const int at = stack[--top];
+    const Node *node = &tree->nodes[at];
+    if (!overlaps(node, lo, hi))
+      continue;
+    if (node->count == 0) {
+      stack[top++] = node->first;
+      stack[top++] = at + 1;
+    }
+    for (int i = node->first; i < node->first + node->count; i++)
+      if (triangle_overlaps(&tree->triangles[i], lo, hi))
+        return true;
+  }
+  return false;
 }
 
 bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],

@@ -41,6 +41,9 @@ int contact_tree_id(const ContactTree *tree, int place);
 /* The place of the triangle of a number, or -1. */
 int contact_tree_place(const ContactTree *tree, int id);
 
+/* Whether any of the boxes around its triangles meets the box lo to hi. */
+bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
+
 /* Appends the places of all triangles whose boxes meet the box lo to hi. False when out of memory.
  */
 bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],

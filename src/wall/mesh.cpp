@@ -70,18 +70,30 @@ double MeshShape::travel(double dt) const {
   return 1.5 * most; /* a chord is shorter than its arc */
 }
 
-double MeshShape::gap(const double x[3], double radius, double most) const {
-  double least = most + radius;
+bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
   for (const Shift &shift : shifts_) {
-    double moved[3], body[3];
-    vector_subtract(x, shift.by, moved);
-    if (motion_.in_world())
-      vector_copy(moved, body);
-    else
-      motion_.end().to_body(moved, body);
-    least = contact_tree_distance(tree_.get(), body, least, NULL);
+    double low[3], high[3];
+    vector_subtract(lo, shift.by, low);
+    vector_subtract(hi, shift.by, high);
+    if (!motion_.in_world()) { /* the box around the box, in the mesh's frame */
+      double corner[3], body[3];
+      double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+      for (int k = 0; k < 8; k++) {
+        for (int d = 0; d < 3; d++)
+          corner[d] = k >> d & 1 ? high[d] : low[d];
+        motion_.end().to_body(corner, body);
+        for (int d = 0; d < 3; d++) {
+          box[0][d] = std::min(box[0][d], body[d]);
+          box[1][d] = std::max(box[1][d], body[d]);
+        }
+      }
+      vector_copy(box[0], low);
+      vector_copy(box[1], high);
+    }
+    if (contact_tree_meets(tree_.get(), low, high))
+      return true;
   }
-  return least - radius;
+  return false;
 }
 
 /* The path as the mesh sees it: straight between its two ends in the mesh's frame. */

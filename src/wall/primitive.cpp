@@ -5,6 +5,7 @@
 #include "wall/primitive.h"
 
 #include <math.h>
+#include <algorithm>
 
 #include "contact/vector.h"
 #include "wall/error.h"
@@ -46,8 +47,8 @@ double PlaneShape::travel(double dt) const {
   return vector_length(v_) * dt;
 }
 
-double PlaneShape::gap(const double x[3], double radius, double) const {
-  return contact_plane_gap(&plane_, x, radius);
+bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
+  return lo[plane_.axis] <= plane_.at && plane_.at <= hi[plane_.axis];
 }
 
 bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -84,8 +85,18 @@ double CylinderShape::travel(double dt) const {
   return (fabs(along_) + fabs(turn_) * cylinder_.radius) * dt;
 }
 
-double CylinderShape::gap(const double x[3], double radius, double) const {
-  return contact_cylinder_gap(&cylinder_, x, radius);
+bool CylinderShape::may_meet(const double lo[3], const double hi[3]) const {
+  double nearest = 0, farthest = 0; /* squares of the distances of the box from the axis */
+  for (int d = 0; d < 3; d++) {
+    if (d == cylinder_.axis)
+      continue;
+    const double below = lo[d] - cylinder_.center[d], above = hi[d] - cylinder_.center[d];
+    const double near = std::max(0.0, std::max(below, -above)), far = std::max(-below, above);
+    nearest += near * near;
+    farthest += far * far;
+  }
+  const double square = cylinder_.radius * cylinder_.radius;
+  return nearest <= square && square <= farthest;
 }
 
 /* Of the wall's point under x, or rather of x turning with it: a wall that turns takes particles of

@@ -18,7 +18,7 @@ class PlaneShape : public Shape {
 public:
   PlaneShape(int axis, double at, const double velocity[3]);
   double travel(double dt) const override;
-  double gap(const double x[3], double radius, double most) const override;
+  bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
@@ -33,7 +33,7 @@ class CylinderShape : public Shape {
 public:
   CylinderShape(int axis, const double center[3], double radius, double along, double turn);
   double travel(double dt) const override;
-  double gap(const double x[3], double radius, double most) const override;
+  bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;

@@ -54,9 +54,9 @@ public:
   /* How far the fastest point of the shape moves in this step. */
   virtual double travel(double dt) const = 0;
 
-  /* A lower bound of the gap between a sphere at x and the shape as it is at the end of the step;
-   * not above `most`, beyond which nothing is looked for. */
-  virtual double gap(const double x[3], double radius, double most) const = 0;
+  /* Whether a box may meet the shape as it is at the end of the step; false only where it does not.
+   */
+  virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
 
   /* The first contact of the path at or before `latest`. */
   virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;

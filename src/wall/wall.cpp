@@ -28,14 +28,22 @@ const double CROWDED = 0.01;
 /* What a sum of rounded numbers may be off where it is compared with another one. */
 const double ROUNDING = 1e-9;
 
-/* Of what CLEAR says: in contact in the last step, so that it is near without another look. */
-const double IN_CONTACT = -1;
+/* Ahead::steps of a particle in contact in the last step: near without another look; and of one
+ * that is stuck: never. */
+const float IN_CONTACT = -1, NEVER = 1e30f;
+
+/* A look ahead is along so many steps; where that is too far, so many times less. */
+const int AHEAD_MOST = 64, AHEAD_TIMES = 4;
+
+/* How far a particle may stray from the way that it was looked ahead on, in each step, in radii of
+ * the smallest. */
+const double STRAY = 2e-3;
 
 } // namespace
 
 Wall::Wall(const Engine &engine)
     : engine_(engine), model_(engine), key_(asp_key_fix(engine.id().c_str())), groupbit_(1), box_(),
-      state_(NULL), place_(NULL), travel_(0), counters_(), clock_(), fastest_(), dt_(0),
+      state_(NULL), place_(NULL), travel_(0), stray_(0), counters_(), clock_(), fastest_(), dt_(0),
       warned_(false), has_doomed_(false) {}
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
@@ -113,8 +121,11 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
   box_ = box;
   dt_ = spheres.dt;
   fastest_ = Fastest();
+  travel_ = 0;
+  double least, most;
+  engine_.diameters(least, most);
+  stray_ = STRAY * 0.5 * least;
   for (int i = 0; i < spheres.n; i++) {
-    state(i)[CLEAR] = 0;
     if (model_.deposit() == Model::OFF && state(i)[STATE] > FREE)
       state(i)[STATE] = FREE; /* an earlier part of the run had deposits */
   }
@@ -126,6 +137,7 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
 void Wall::reorder(const Spheres &spheres) {
   stuck_.clear();
   touching_.clear();
+  ahead_.assign(spheres.n, Ahead());
   has_doomed_ = false;
   for (int i = 0; i < spheres.n; i++)
     if (state(i)[STATE] > FREE)
@@ -257,30 +269,64 @@ void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
   }
 }
 
-/* Particles that may touch this wall in this step. The distance from a wall changes by no more than
- * the particle and the wall move, so that most of them are known to be too far away. */
+/* Particles that may touch this wall in this step. Most are known to be too far away: their way was
+ * looked ahead on for some steps, in which they may stray from it a little. */
 void Wall::find_near(const Spheres &s, std::vector<int> &near) {
-  travel_ = 0;
+  double travel = 0;
   for (const Member &member : shapes_)
-    travel_ = std::max(travel_, member.shape->travel(s.dt));
-  for (int i = 0; i < s.n; i++) {
-    double *row = state(i);
-    if (!(s.mask[i] & groupbit_) || row[STATE] > FREE)
+    travel = std::max(travel, member.shape->travel(s.dt));
+  const bool anew = travel > travel_;
+  if (anew)
+    travel_ = 2 * travel;
+  const float least = anew ? 2 * NEVER : 0;
+  const float weight = stray_ > 0 ? static_cast<float>(s.dt / stray_) : 0;
+  const int n = s.n, *mask = s.mask, bit = groupbit_;
+  const double *v = s.v;
+  Ahead *ahead = ahead_.data();
+  for (int i = 0; i < n; i++, v += 3, ahead++) {
+    if (!(mask[i] & bit)) {
+      ahead->steps = 0;
       continue;
-    const double *v = s.v + 3 * static_cast<size_t>(i);
-    const double path = vector_length(v) * s.dt + travel_, clear = row[CLEAR];
-    row[CLEAR] = clear - path;
-    if (row[CLEAR] > 0)
+    }
+    const float x = static_cast<float>(v[0]) - ahead->v[0],
+                y = static_cast<float>(v[1]) - ahead->v[1],
+                z = static_cast<float>(v[2]) - ahead->v[2];
+    const float steps = ahead->steps - 1 - weight * (fabsf(x) + fabsf(y) + fabsf(z));
+    if (steps > least) {
+      ahead->steps = steps;
       continue;
-    const double radius = s.radius[i];
-    double gap = std::max(4 * radius, 64 * path);
-    for (size_t m = 0; m < shapes_.size() && clear > IN_CONTACT; m++)
-      gap = shapes_[m].shape->gap(s.x + 3 * static_cast<size_t>(i), radius, gap);
-    if (clear > IN_CONTACT && gap > (1 + ROUNDING) * path + ROUNDING * radius)
-      row[CLEAR] = gap - ROUNDING * radius;
-    else
+    }
+    if (state(i)[STATE] > FREE) {
+      *ahead = Ahead{NEVER, {0, 0, 0}};
+      continue;
+    }
+    ahead->steps = ahead->steps < 0 ? 0 : static_cast<float>(steps_clear(s, i));
+    for (int d = 0; d < 3; d++)
+      ahead->v[d] = static_cast<float>(v[d]);
+    if (!(ahead->steps > 0))
       near.push_back(i);
   }
+}
+
+/* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
+ * strays no more than it may; 0 where it may touch in this one. */
+int Wall::steps_clear(const Spheres &s, int i) const {
+  const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
+  for (int steps = AHEAD_MOST; steps > 0; steps /= AHEAD_TIMES) {
+    const double wide = (1 + ROUNDING) * s.radius[i] + (steps + 1) * (stray_ + travel_);
+    double lo[3], hi[3];
+    for (int d = 0; d < 3; d++) {
+      const double from = x[d] - v[d] * s.dt, to = x[d] + v[d] * s.dt * (steps - 1);
+      lo[d] = std::min(from, to) - wide;
+      hi[d] = std::max(from, to) + wide;
+    }
+    bool clear = true;
+    for (const Member &member : shapes_)
+      clear = clear && !member.shape->may_meet(lo, hi);
+    if (clear)
+      return steps;
+  }
+  return 0;
 }
 
 /* The first contact of what is left of a path. An edge is met at one instant by all that share it:
@@ -350,7 +396,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     event.wall->count(flight, event);
   for (Wall *each : walls)
     if (s.mask[i] & each->groupbit_)
-      each->state(i)[CLEAR] = touched ? IN_CONTACT : 0;
+      each->ahead_[i].steps = touched ? IN_CONTACT : 0;
   if (!touched || stuck)
     return;
   vector_copy(flight.half, s.v + 3 * static_cast<size_t>(i));
@@ -722,7 +768,7 @@ std::vector<double> Wall::sums(size_t shape) const {
 }
 
 double Wall::bytes() const {
-  size_t all = stuck_.capacity() * sizeof(int);
+  size_t all = stuck_.capacity() * sizeof(int) + ahead_.capacity() * sizeof(Ahead);
   for (const Member &member : shapes_)
     all += member.shape->bytes() + member.sums.capacity() * sizeof(double);
   return static_cast<double>(all) + (ledger_ ? ledger_->memory_usage() : 0);

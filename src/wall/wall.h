@@ -26,11 +26,11 @@ namespace asperity {
 class Wall {
 public:
   /* Numbers of each particle that the engine keeps and moves between ranks, and writes into restart
-   * files; all 0 at first. State: how often the particle has hit this wall, whether it is free,
-   * rests, or is stuck, and how far it may go before it can touch. Place: where it sticks, and with
-   * which velocity. Of one that rests or has rebounded in this step, NORMAL is the wall's normal
-   * instead; and of the latter SQUARE and WORK tell its energy (see balance()). */
-  enum { IMPACTS, STATE, CLEAR, N_STATE };
+   * files; all 0 at first. State: how often the particle has hit this wall, and whether it is free,
+   * rests, or is stuck. Place: where it sticks, and with which velocity. Of one that rests or has
+   * rebounded in this step, NORMAL is the wall's normal instead; and of the latter SQUARE and WORK
+   * tell its energy (see balance()). */
+  enum { IMPACTS, STATE, N_STATE };
   enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, N_PLACE = VELOCITY + 3 };
   enum { SQUARE = SHAPE, WORK = PIECE, NORMAL = AT };
   enum State { REBOUNDED = -2, RESTING, FREE, FROZEN, DOOMED };
@@ -149,6 +149,11 @@ private:
   /* The contacts of one particle in one step. */
   struct Flight;
 
+  /* For how many steps a particle cannot touch, if it keeps this velocity. */
+  struct Ahead {
+    float steps, v[3];
+  };
+
   /* The fastest particle of this rank in this run, by its radii per time. */
   struct Fastest {
     double ratio, d_p, speed;
@@ -167,6 +172,7 @@ private:
   void carry(const Spheres &spheres);
   void carry_one(const Spheres &spheres, int i, double dt);
   void find_near(const Spheres &spheres, std::vector<int> &near);
+  int steps_clear(const Spheres &spheres, int i) const;
   static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
                          size_t &shape, Contact &contact);
   static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
@@ -197,7 +203,9 @@ private:
   Box box_;
   double *state_, *place_;
   std::vector<int> stuck_, touching_; /* those at rest and rebounded: of this step */
-  double travel_;                     /* of the wall's fastest point in this step */
+  std::vector<Ahead> ahead_;          /* of each particle, since the last exchange */
+  double travel_;                     /* of the wall's fastest point in a step, at most */
+  double stray_; /* how far a particle may leave the way that it was looked ahead on, a step */
   double counters_[N_COUNTERS];
   Clock clock_;
   Fastest fastest_;
