@@ -163,6 +163,7 @@ double Wall::time(double step) const {
 
 void Wall::reset_dt(int64_t step, double dt) {
   set_clock(step, dt);
+  ahead_.assign(ahead_.size(), Ahead()); /* it counts steps */
 }
 
 void Wall::reset_step(int64_t now, int64_t before) {
