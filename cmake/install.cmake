@@ -2,6 +2,7 @@
 # and pkg-config find the library.
 install(TARGETS asperity EXPORT asperityTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   PUBLIC_HEADER DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS asperity_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(ASPERITY_LIGGGHTS)
@@ -21,6 +22,12 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/asperityConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/asperityConfigVersion.cmake DESTINATION ${_package})
 unset(_package)
 
+# Who links a shared library needs no GSL.
+if(BUILD_SHARED_LIBS)
+  set(ASPERITY_PC_REQUIRES Requires.private)
+else()
+  set(ASPERITY_PC_REQUIRES Requires)
+endif()
 # The .pc file finds the prefix from where it lies, so that `cmake --install --prefix` may move it.
 file(RELATIVE_PATH ASPERITY_PC_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/asperity.pc.in ${CMAKE_CURRENT_BINARY_DIR}/asperity.pc @ONLY)

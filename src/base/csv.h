@@ -10,35 +10,35 @@
 
 enum { ASP_CSV_COLUMNS = 64 };
 
-typedef struct asp_csv {
+typedef struct aspi_csv {
   FILE *stream;
-  asp_text text;
+  aspi_text text;
   char separator;
   int columns;
   char header[ASP_TEXT_MOST], comment[ASP_TEXT_MOST]; /* comment: the first one, or "" */
   char *names[ASP_CSV_COLUMNS], *fields[ASP_CSV_COLUMNS];
-} asp_csv;
+} aspi_csv;
 
 /* Opens a file and reads up to its column names. NULL on error; the message names file and line. */
-asp_csv *asp_csv_open(const char *path, asp_error *error);
+aspi_csv *aspi_csv_open(const char *path, asp_error *error);
 
 /* The same of a file that is open, which it closes at its end, also on error. */
-asp_csv *asp_csv_create(FILE *stream, const char *path, asp_error *error);
-void asp_csv_close(asp_csv *csv);
+aspi_csv *aspi_csv_create(FILE *stream, const char *path, asp_error *error);
+void aspi_csv_close(aspi_csv *csv);
 
 /* Index of a column, or -1. */
-int asp_csv_find(const asp_csv *csv, const char *name);
+int aspi_csv_find(const aspi_csv *csv, const char *name);
 
 /* Index of a column, or -1 with a message that lists the columns there are. */
-int asp_csv_need(const asp_csv *csv, const char *name, asp_error *error);
+int aspi_csv_need(const aspi_csv *csv, const char *name, asp_error *error);
 
 /* Reads the next row into csv->fields; *found is false at the end of the file. ASP_EDATA when the
  * row has not as many fields as there are names. */
-asp_code asp_csv_row(asp_csv *csv, bool *found, asp_error *error);
+asp_code aspi_csv_row(aspi_csv *csv, bool *found, asp_error *error);
 
 /* The number in a column of the row, least <= value <= most; *missing where it is empty or a mark
  * for a missing value. Column -1 is always missing. With `missing` NULL there must be a number. */
-asp_code asp_csv_number(const asp_csv *csv, int column, double least, double most, double *value,
-                        bool *missing, asp_error *error);
+asp_code aspi_csv_number(const aspi_csv *csv, int column, double least, double most, double *value,
+                         bool *missing, asp_error *error);
 
 #endif

@@ -9,22 +9,22 @@
 __attribute__((format(printf, 3, 4)))
 #endif
 asp_code
-asp_fail(asp_error *error, asp_code code, const char *format, ...);
+aspi_fail(asp_error *error, asp_code code, const char *format, ...);
 
 /* ASP_OK when value is finite and least <= value <= most; otherwise ASP_EARG, and a message that
  * calls it `name` and its unit `unit` ("" for none). */
-asp_code asp_check_range(asp_error *error, const char *name, const char *unit, double value,
-                         double least, double most);
+asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, double value,
+                          double least, double most);
 
 /* As above for value > 0, finite. */
-asp_code asp_check_positive(asp_error *error, const char *name, const char *unit, double value);
+asp_code aspi_check_positive(asp_error *error, const char *name, const char *unit, double value);
 
 /* As above for a length from 1e-100 to 1e100, in any unit: ratios and squares of such do not
  * overflow or lose digits. */
-asp_code asp_check_length(asp_error *error, const char *name, double value);
+asp_code aspi_check_length(asp_error *error, const char *name, double value);
 
 /* The message of a name that no registry has: "<what> 'name' is unknown; there are: a b c". */
-asp_code asp_fail_name(asp_error *error, const char *what, const char *name, int count,
-                       const char *(*name_at)(int));
+asp_code aspi_fail_name(asp_error *error, const char *what, const char *name, int count,
+                        const char *(*name_at)(int));
 
 #endif

@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 static FILE *refuse(const char *path, int reason, asp_error *error) {
-  asp_fail(error, reason == ENOMEM ? ASP_ENOMEM : ASP_EFILE, "cannot open '%.200s': %s", path,
-           strerror(reason));
+  aspi_fail(error, reason == ENOMEM ? ASP_ENOMEM : ASP_EFILE, "cannot open '%.200s': %s", path,
+            strerror(reason));
   return NULL;
 }
 
@@ -40,7 +40,7 @@ static FILE *open_pipe(int handle, const char *path, asp_error *error) {
   ssize_t got = read(handle, &first, 1);
   if (got == 0) {
     close(handle);
-    asp_fail(error, ASP_EFILE, "cannot read '%.200s': it is a pipe that nothing writes to", path);
+    aspi_fail(error, ASP_EFILE, "cannot read '%.200s': it is a pipe that nothing writes to", path);
     return NULL;
   }
   fcntl(handle, F_SETFL, fcntl(handle, F_GETFL) & ~O_NONBLOCK);
@@ -55,7 +55,7 @@ static FILE *open_pipe(int handle, const char *path, asp_error *error) {
   return copy_of(stream, path, error);
 }
 
-FILE *asp_file_open(const char *path, asp_error *error) {
+FILE *aspi_file_open(const char *path, asp_error *error) {
   struct stat found;
   int handle = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (handle < 0)

@@ -14,7 +14,7 @@ static double tangent_between(double before, double h_before, double after, doub
          fmin(fabs(before), fmin(fabs(after), 0.5 * fabs(parabola)));
 }
 
-void asp_monotone_tangents(const double *x, const double *y, size_t count, double *tangent) {
+void aspi_monotone_tangents(const double *x, const double *y, size_t count, double *tangent) {
   double h = x ? x[1] - x[0] : 1, chord = (y[1] - y[0]) / h;
   tangent[0] = chord;
   for (size_t i = 1; i + 1 < count; i++) {
@@ -26,8 +26,8 @@ void asp_monotone_tangents(const double *x, const double *y, size_t count, doubl
   tangent[count - 1] = chord;
 }
 
-double asp_monotone_at(const double *x, const double *y, const double *tangent, size_t count,
-                       double at) {
+double aspi_monotone_at(const double *x, const double *y, const double *tangent, size_t count,
+                        double at) {
   size_t i = gsl_interp_bsearch(x, at, 0, count - 1);
-  return asp_cubic_piece(x[i + 1] - x[i], at - x[i], &y[i], &tangent[i]);
+  return aspi_cubic_piece(x[i + 1] - x[i], at - x[i], &y[i], &tangent[i]);
 }

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* As C's strtod in its "C" locale, with a decimal point, whatever locale the program has set. */
-double asp_number(const char *text, char **end);
+double aspi_number(const char *text, char **end);
 
 #ifdef __cplusplus
 }

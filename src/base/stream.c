@@ -1,25 +1,25 @@
 /* The random numbers of one contact: Philox4x32-10 of Random123 (Salmon, Moraes, Dror & Shaw 2011),
  * a pure function of key and counter. One block of four 32-bit words is two uniform numbers; the
  * counter is (tag low, tag high, impact, block). */
-#include "asperity.h"
+#include "base/stream.h"
 
 #include <Random123/philox.h>
 #include <gsl/gsl_cdf.h>
 
 #define UNIFORM_STEP 1.1102230246251565e-16 /* 2^-53 */
 
-uint32_t asp_key_fix(const char *name) {
+uint32_t asp_key_wall(const char *name) {
   uint32_t hash = 2166136261u; /* FNV-1a offset basis and prime */
   for (const unsigned char *c = (const unsigned char *)name; *c; c++)
     hash = (hash ^ *c) * 16777619u;
   return hash;
 }
 
-asp_stream asp_stream_create(const asp_key *key) {
-  asp_stream stream = {{key->seed, key->fix},
-                       {(uint32_t)key->tag, (uint32_t)(key->tag >> 32), key->impact, 0},
-                       {0},
-                       0};
+aspi_stream aspi_stream_begin(const asp_key *key) {
+  aspi_stream stream = {{key->seed, key->wall},
+                        {(uint32_t)key->tag, (uint32_t)(key->tag >> 32), key->impact, 0},
+                        {0},
+                        0};
   return stream;
 }
 
@@ -30,7 +30,7 @@ static double uniform_of(uint32_t high, uint32_t low) {
   return u < 1 ? u : 1 - UNIFORM_STEP;
 }
 
-double asp_stream_uniform(asp_stream *stream) {
+double aspi_stream_uniform(aspi_stream *stream) {
   if (stream->left == 0) {
     philox4x32_key_t key = {{stream->key[0], stream->key[1]}};
     philox4x32_ctr_t counter = {
@@ -43,6 +43,6 @@ double asp_stream_uniform(asp_stream *stream) {
   return stream->ready[2 - stream->left--];
 }
 
-double asp_stream_normal(asp_stream *stream) {
-  return gsl_cdf_ugaussian_Pinv(asp_stream_uniform(stream));
+double aspi_stream_normal(aspi_stream *stream) {
+  return gsl_cdf_ugaussian_Pinv(aspi_stream_uniform(stream));
 }

@@ -1,7 +1,7 @@
 /* Lines, words and numbers of a text file; see text.h. */
 #include "base/text.h"
-#include "base/number.h"
 #include "base/error.h"
+#include "base/number.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -13,31 +13,31 @@
 
 enum { WORD_MOST = 64 };
 
-asp_text asp_text_create(FILE *stream, const char *path) {
-  return (asp_text){.stream = stream, .path = path, .line = 0, .next = 1};
+aspi_text aspi_text_create(FILE *stream, const char *path) {
+  return (aspi_text){.stream = stream, .path = path, .line = 0, .next = 1};
 }
 
-asp_code asp_text_rewind(asp_text *text, asp_error *error) {
+asp_code aspi_text_rewind(aspi_text *text, asp_error *error) {
   if (fseek(text->stream, 0, SEEK_SET) != 0)
-    return asp_fail(error, ASP_EFILE, "%s: cannot be read twice, as its unequal spacing needs: %s",
-                    text->path, strerror(errno));
+    return aspi_fail(error, ASP_EFILE, "%s: cannot be read twice, as its unequal spacing needs: %s",
+                     text->path, strerror(errno));
   text->line = 0;
   text->next = 1;
   return ASP_OK;
 }
 
-asp_code asp_text_fail(const asp_text *text, size_t line, asp_error *error, const char *format,
-                       ...) {
+asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char *format,
+                        ...) {
   char message[320];
   va_list args;
   va_start(args, format);
   vsnprintf(message, sizeof message, format, args);
   va_end(args);
-  return asp_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
+  return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
 }
 
 /* The next character, or EOF. CR LF and CR come out as LF. */
-static int next_character(asp_text *text) {
+static int next_character(aspi_text *text) {
   int c = getc_unlocked(text->stream);
   if (c == '\r') {
     int after = getc_unlocked(text->stream);
@@ -50,27 +50,27 @@ static int next_character(asp_text *text) {
   return c;
 }
 
-static asp_code append(asp_text *text, size_t *length, size_t most, int c, asp_error *error) {
+static asp_code append(aspi_text *text, size_t *length, size_t most, int c, asp_error *error) {
   if (c == '\0')
-    return asp_text_fail(text, text->line, error,
-                         "a NUL byte: not a text file, or one in UTF-16 (save it as plain text)");
+    return aspi_text_fail(text, text->line, error,
+                          "a NUL byte: not a text file, or one in UTF-16 (save it as plain text)");
   if (*length + 1 >= most)
-    return asp_text_fail(text, text->line, error, "a %s of %zu characters or more",
-                         most == WORD_MOST ? "word" : "line", most);
+    return aspi_text_fail(text, text->line, error, "a %s of %zu characters or more",
+                          most == WORD_MOST ? "word" : "line", most);
   text->text[(*length)++] = (char)c;
   return ASP_OK;
 }
 
-static asp_code finish(asp_text *text, size_t length, bool found_any, bool *found,
+static asp_code finish(aspi_text *text, size_t length, bool found_any, bool *found,
                        asp_error *error) {
   text->text[length] = '\0';
   *found = found_any;
   if (ferror(text->stream))
-    return asp_fail(error, ASP_EFILE, "%s: cannot be read: %s", text->path, strerror(errno));
+    return aspi_fail(error, ASP_EFILE, "%s: cannot be read: %s", text->path, strerror(errno));
   return ASP_OK;
 }
 
-asp_code asp_text_line(asp_text *text, bool *found, asp_error *error) {
+asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error) {
   size_t length = 0;
   text->line = text->next;
   int c = next_character(text);
@@ -83,7 +83,7 @@ asp_code asp_text_line(asp_text *text, bool *found, asp_error *error) {
   return finish(text, length, any, found, error);
 }
 
-asp_code asp_text_word(asp_text *text, bool *found, asp_error *error) {
+asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error) {
   size_t length = 0;
   int c;
   do {
@@ -98,7 +98,7 @@ asp_code asp_text_word(asp_text *text, bool *found, asp_error *error) {
   return finish(text, length, length > 0, found, error);
 }
 
-char *asp_text_trim(char *text) {
+char *aspi_text_trim(char *text) {
   while (isspace((unsigned char)*text))
     text++;
   size_t length = strlen(text);
@@ -133,7 +133,7 @@ static char *end_of(char *field, char separator) {
   return field;
 }
 
-int asp_text_split(char *line, char separator, char *fields[], int most) {
+int aspi_text_split(char *line, char separator, char *fields[], int most) {
   int count = 0;
   for (char *next = line; count < most;) {
     if (separator == ' ')
@@ -143,7 +143,7 @@ int asp_text_split(char *line, char separator, char *fields[], int most) {
     char *end = end_of(next, separator);
     bool last = !*end;
     *end = '\0';
-    fields[count++] = unquote(asp_text_trim(next));
+    fields[count++] = unquote(aspi_text_trim(next));
     if (last)
       break;
     next = end + 1;
@@ -160,7 +160,7 @@ static bool is_missing(const char *text, size_t length) {
   return length == 0;
 }
 
-asp_word asp_text_number(const char *text, bool comma, double *value) {
+aspi_word aspi_text_number(const char *text, bool comma, double *value) {
   while (isspace((unsigned char)*text))
     text++;
   size_t length = strlen(text);
@@ -176,7 +176,7 @@ asp_word asp_text_number(const char *text, bool comma, double *value) {
   copy[length] = '\0';
   for (char *c = copy; comma && (c = strchr(c, ',')) != NULL;)
     *c = '.';
-  double read = asp_number(copy, &end);
+  double read = aspi_number(copy, &end);
   if (end != copy + length)
     return ASP_WORD_OTHER;
   if (!isfinite(read))

@@ -8,45 +8,45 @@
 
 enum { ASP_TEXT_MOST = 4096 };
 
-typedef struct asp_text {
+typedef struct aspi_text {
   FILE *stream;
   const char *path;         /* for messages */
   size_t line;              /* of the line or word in `text`, from 1 */
   size_t next;              /* of the next character */
   char text[ASP_TEXT_MOST]; /* without its end */
-} asp_text;
+} aspi_text;
 
-asp_text asp_text_create(FILE *stream, const char *path);
+aspi_text aspi_text_create(FILE *stream, const char *path);
 
 /* Back to the beginning; ASP_EFILE where the stream cannot. */
-asp_code asp_text_rewind(asp_text *text, asp_error *error);
+asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 
 /* Reads the next line (its end is LF, CR LF or CR) or word (between white space). *found is false
  * at the end of the file. ASP_EDATA for a NUL byte, a line of 4096 characters or more, or a word of
  * 64 or more. */
-asp_code asp_text_line(asp_text *text, bool *found, asp_error *error);
-asp_code asp_text_word(asp_text *text, bool *found, asp_error *error);
+asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
+asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 
 /* A text without the blanks at both ends; in place. */
-char *asp_text_trim(char *text);
+char *aspi_text_trim(char *text);
 
 /* Cuts a line into at most `most` fields, in place, and takes blanks and one pair of quotes off
  * each; the number of fields. A blank as separator stands for runs of white space. Quotes hold a
  * field together, and a quote in quotes is written twice. */
-int asp_text_split(char *line, char separator, char *fields[], int most);
+int aspi_text_split(char *line, char separator, char *fields[], int most);
 
 /* ASP_EDATA and "<path>:<line>: <message>". */
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
 #endif
 asp_code
-asp_text_fail(const asp_text *text, size_t line, asp_error *error, const char *format, ...);
+aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char *format, ...);
 
 /* What a text says: a number, a mark for a missing one (empty, nan, inf, bad, ---, ...), or else.
  */
-typedef enum asp_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } asp_word;
+typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } aspi_word;
 
 /* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. */
-asp_word asp_text_number(const char *text, bool comma, double *value);
+aspi_word aspi_text_number(const char *text, bool comma, double *value);
 
 #endif

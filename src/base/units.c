@@ -1,9 +1,9 @@
 /* Units of length by the names that people and instruments give them, and where the header of a
  * text file states them. */
 #include "base/units.h"
-#include "asperity.h"
 
 #include <ctype.h>
+#include <stdbool.h>
 #include <string.h>
 #include <strings.h>
 
@@ -45,7 +45,7 @@ static const struct {
     {"\xE2\x84\xAB", 1e-10}, /* the sign of its own, UTF-8 */
 };
 
-double asp_unit_metres(const char *name, size_t length) {
+double aspi_unit_metres(const char *name, size_t length) {
   for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
     const char *known = units[i].name;
     if (strlen(known) != length)
@@ -81,14 +81,14 @@ static bool has_word_unit(const char *line) {
   return false;
 }
 
-int asp_header_units(const char *line, double found[2]) {
+int aspi_header_units(const char *line, double found[2]) {
   bool named = has_word_unit(line);
   int count = 0;
   for (const char *c = line; *c;) {
     size_t length = 0;
     while (is_letter(c[length]))
       length++;
-    double metres = length ? asp_unit_metres(c, length) : 0;
+    double metres = length ? aspi_unit_metres(c, length) : 0;
     if (metres > 0 && states_unit(line, c, length, named)) {
       if (count < 2)
         found[count] = metres;

@@ -1,12 +1,18 @@
-/* Units of length in the header of a text file.
+/* Units of length by name, and in the header of a text file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_UNITS_H
 #define ASP_BASE_UNITS_H
 
+#include <stddef.h>
+
+/* Metres in a unit of length by its name (m cm mm um nm, or as instruments write them:
+ * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */
+double aspi_unit_metres(const char *name, size_t length);
+
 /* The units of length in a line of a header, in metres: how many there are, and the first two. A
  * number before a unit makes it a value, not the unit of a column. A line with `unit` in it states
  * one for both. */
-int asp_header_units(const char *line, double units[2]);
+int aspi_header_units(const char *line, double units[2]);
 
 #endif

@@ -1,6 +1,7 @@
 /* Options, numbers with units, output and progress of the `asperity` command; see cli.h. */
 #include "cli/cli.h"
 #include "base/number.h"
+#include "base/units.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -126,7 +127,7 @@ static const char *given(const cli_option *option) {
 
 static double number_of(const cli_option *option, const char *text, double least, double most) {
   char *end;
-  double value = asp_number(text, &end);
+  double value = aspi_number(text, &end);
   if (end == text || *end)
     cli_bad_usage("--%s is '%s'; a number is expected", option->name, text);
   if (!(value >= least && value <= most) || !isfinite(value))
@@ -151,10 +152,10 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
 
 double cli_length_of(const cli_option *option, const char *text) {
   char *end;
-  double value = asp_number(text, &end);
+  double value = aspi_number(text, &end);
   if (end == text)
     cli_bad_usage("--%s is '%s'; a length such as 5um is expected", option->name, text);
-  double unit = *end ? asp_unit_metres(end, strlen(end)) : 1;
+  double unit = *end ? aspi_unit_metres(end, strlen(end)) : 1;
   if (!(unit > 0))
     cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, and no unit means m",
                   option->name, text);

@@ -1,5 +1,6 @@
 /* asperity cor: the scatter of the coefficients of restitution that a wall gives (the paper's
  * figures 13 and 14), without an engine: impacts one by one on the mean wall z = 0. */
+#include "base/stream.h"
 #include "cli/law.h"
 #include "cli/walls.h"
 
@@ -29,9 +30,8 @@ enum { TABLE_SIZES = 16 };
 
 typedef struct scene {
   asp_surface *surface; /* NULL: smooth */
-  asp_wall *wall;
   cli_law law;
-  asp_pair pair;
+  asp_pair *pair;
   double speed;
   cli_list sizes;             /* a list, or empty for a log-normal */
   double least, most, median; /* of the log-normal; least and most also of a list */
@@ -65,40 +65,44 @@ static void read_sizes(const cli_option *option, scene *s) {
   free(text);
 }
 
-static double size_of(const scene *s, size_t sample, asp_stream *stream) {
+static double size_of(const scene *s, size_t sample, aspi_stream *stream) {
   if (s->sizes.count)
     return s->sizes.values[sample % s->sizes.count];
   for (;;) {
-    double d = s->median * exp(log(s->most / s->least) / 5 * asp_stream_normal(stream));
+    double d = s->median * exp(log(s->most / s->least) / 5 * aspi_stream_normal(stream));
     if (d >= s->least && d <= s->most)
       return d;
   }
 }
 
 static void read_wall(const cli_option *options, scene *s) {
+  const char *model = options[MODEL].value;
   asp_error error;
   s->law = cli_law_read(&options[LAW]);
   s->pair = cli_law_pair(&options[LAW], &s->law, options[LAW + LAW_WALL].value);
-  asp_wall_spec *spec = &s->law.spec;
-  spec->spread = options[MODEL].value;
-  spec->tilt = cli_tilt(&options[TILT]);
-  spec->collisions = cli_collisions(&options[COLLISIONS]);
-  if (strcmp(spec->spread, "none") != 0) {
-    spec->surface = s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
-    cli_check_size(s->surface, s->most);
-    spec->sizes = (asp_sizes){s->least, s->most, s->most > s->least ? TABLE_SIZES : 1};
-  }
-  s->wall = asp_wall_create(spec, &error);
-  if (!s->wall)
+  asp_wall *wall = s->law.wall;
+  asp_wall_choose(wall, "tilt", cli_tilt(&options[TILT]), NULL);
+  asp_wall_choose(wall, "collisions", cli_is_multiple(&options[COLLISIONS]) ? "multiple" : "single",
+                  NULL);
+  if (asp_wall_choose(wall, "spread", model, &error))
     cli_bad_usage("%s", error.text);
+  if (strcmp(model, "none") != 0) {
+    s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+    cli_check_size(s->surface, s->most);
+    asp_wall_set_surface(wall, s->surface);
+    asp_wall_set(wall, "d_p_least", s->least, NULL);
+    asp_wall_set(wall, "d_p_most", s->most, NULL);
+    asp_wall_set(wall, "d_p_bins", s->most > s->least ? TABLE_SIZES : 1, NULL);
+  }
+  cli_law_prepare(&s->law);
   if (s->surface)
     cli_law_warn_double(&s->law);
 }
 
 static void free_wall(scene *s) {
-  asp_wall_free(s->wall);
-  asp_surface_free(s->surface);
   cli_law_free(&s->law);
+  asp_pair_free(s->pair);
+  asp_surface_free(s->surface);
 }
 
 typedef struct row {
@@ -109,16 +113,16 @@ typedef struct row {
 
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag, uint32_t seed) {
   static const double n[3] = {0, 0, 1};
-  asp_key key = {seed, asp_key_fix("cor"), tag, 0};
-  asp_stream stream = asp_stream_create(&key);
+  asp_key key = {seed, asp_key_wall("cor"), tag, 0};
+  aspi_stream stream = aspi_stream_begin(&key);
   row r = {.d_p = size_of(s, sample, &stream), .alpha1 = angle};
   double alpha1 = cli_radians(angle);
   double v1[3] = {s->speed * cos(alpha1), 0, -s->speed * sin(alpha1)};
   if (angle >= 90)
     v1[0] = 0;
-  asp_particle particle = {r.d_p, s->law.particle->density, &s->pair};
+  asp_particle particle = {r.d_p, asp_material_get(s->law.particle, "density"), s->pair};
   key.impact = 1;
-  asp_wall_impact(s->wall, &particle, v1, n, &key, &r.impact);
+  asp_wall_impact(s->law.wall, &particle, v1, n, &key, &r.impact);
   r.cor = asp_impact_coefficients(v1, n, &r.impact);
   return r;
 }
@@ -161,12 +165,12 @@ static void plot(const cli_option *options, const scene *s, const row *rows, siz
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
   fprintf(gp, "set multiplot layout 1,2 title '%s on %s, %g m/s, %s; ",
-          cli_plot_label(picture, s->law.particle->name).text,
+          cli_plot_label(picture, asp_material_name(s->law.particle)).text,
           cli_plot_label(picture, options[LAW + LAW_WALL].value).text, s->speed,
-          cli_plot_label(picture, s->law.spec.rebound).text);
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(s->law.wall))).text);
   if (s->surface)
     fprintf(gp, "{/Symbol F}_R = %.3g, %s; ", asp_surface_phi_r(s->surface),
-            cli_plot_label(picture, s->law.spec.spread).text);
+            cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
   fprintf(gp, "%.1f %% of %zu impacts stick'\n", 100 * (double)deposits / (double)n, n);
   fputs("set xrange [0:90]\nset xtics 15\n"
         "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",

@@ -1,6 +1,7 @@
 /* asperity doe: the paper's design of experiments, a row a combination of rms height, correlation
  * length and particle size, each measured on a generated profile, with the size law beside it. */
 #include "cli/doe.h"
+#include "surface/size_law.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
@@ -72,7 +73,7 @@ static double law_of(const cli_slopes *row) {
 static void print_row(FILE *out, const cli_slopes *row) {
   double law = law_of(row), slope = sqrt(2) * row->r_q / row->lambda_c;
   cli_slopes_print(out, row);
-  fprintf(out, ",%.6g,", slope * asp_closed_form(cli_kappa(row)));
+  fprintf(out, ",%.6g,", slope * aspi_closed_form(cli_kappa(row)));
   if (isfinite(law))
     fprintf(out, "%.6g", law);
   fputc('\n', out);

@@ -4,6 +4,7 @@
  * alpha1/sigma all walls fall on one curve (fig. 7), which the code keeps as ten numbers. The
  * samples also judge every density (fig. 6, 8, 9). */
 #include "cli/cli.h"
+#include "spread/models.h"
 
 #include <gsl/gsl_multifit.h>
 #include <gsl/gsl_vector.h>
@@ -28,8 +29,8 @@ typedef struct angle_fit {
   double k, k_sd, lambda, lambda_sd; /* mean and sd over the runs; lambda over sigma */
 } angle_fit;
 
-static asp_view view_of(const angle_fit *f) {
-  return asp_view_create(f->sigma, f->alpha1);
+static aspi_view view_of(const angle_fit *f) {
+  return aspi_view_of(f->sigma, f->alpha1);
 }
 
 static double place_of(int bin) {
@@ -73,13 +74,13 @@ static void fit_weibull(const double *count, double n, double *k, double *lambda
 
 static void sample(const angle_fit *f, size_t samples, asp_key key, double *count) {
   const asp_spread_model *baseline = asp_spread_find("rejection", NULL);
-  asp_view view = view_of(f);
-  asp_stream stream = asp_stream_create(&key);
+  aspi_view view = view_of(f);
+  aspi_stream stream = aspi_stream_begin(&key);
   for (int i = 0; i < BINS; i++)
     count[i] = 0;
   for (size_t i = 0; i < samples; i++) {
     double delta;
-    asp_spread_draw(baseline, &view, &stream, &delta);
+    aspi_spread_draw(baseline, &view, &stream, &delta);
     int bin = (int)((delta + f->alpha1 / 2) / f->sigma * (BINS / REACH));
     count[bin < BINS ? bin : BINS - 1]++;
   }
@@ -94,7 +95,7 @@ static void add(double x, int run, double *mean, double *square) {
 static void fit_angle(angle_fit *f, int runs, size_t samples, uint32_t seed, uint64_t tag) {
   for (int run = 0; run < runs; run++) {
     double count[BINS], k, lambda;
-    asp_key key = {seed, asp_key_fix("fit"), tag, (uint32_t)run + 1};
+    asp_key key = {seed, asp_key_wall("fit"), tag, (uint32_t)run + 1};
     sample(f, samples, key, count);
     fit_weibull(count, (double)samples, &k, &lambda);
     add(k, run, &f->k, &f->k_sd);
@@ -115,7 +116,7 @@ static bool judged(const asp_spread_model *model) {
 /* D_KL of the samples against a model's law, less the samples' bias. A bin that the model does not
  * reach counts as 1e-9. */
 static double divergence(const angle_fit *f, const asp_spread_model *model) {
-  asp_view view = view_of(f);
+  aspi_view view = view_of(f);
   double sum = 0, bins = 0, step = f->sigma * REACH / BINS, low = 0;
   for (int i = 0; i < BINS; i++) {
     double high = model->distribution(&view, -f->alpha1 / 2 + (i + 1) * step);
@@ -253,7 +254,7 @@ static void plot_divergences(FILE *gp, const angle_fit *fits, size_t n) {
 
 /* One panel: the baseline as bars, densities as lines; a mark where a specular rebound slides. */
 static void plot_panel(FILE *gp, const angle_fit *f, const char *const *names, int count) {
-  asp_view view = view_of(f);
+  aspi_view view = view_of(f);
   double degree = ASP_PI / 180, step = f->sigma * REACH / BINS;
   fputs("$bars << EOD\n", gp);
   for (int i = 0; i < BINS; i += 5) {

@@ -31,8 +31,8 @@ static void print_header(FILE *out) {
   fputc('\n', out);
 }
 
-static void print_row(FILE *out, const cell *c, const char *model, asp_collisions collisions) {
-  asp_wall *wall = measure_wall(&c->subject, model, collisions);
+static void print_row(FILE *out, const cell *c, const char *model, bool multiple) {
+  asp_wall *wall = measure_wall(&c->subject, model, multiple);
   double divergence[COUNT(angle)];
   for (size_t i = 0; i < COUNT(angle); i++) {
     double alpha1 = cli_radians(angle[i]);
@@ -40,15 +40,14 @@ static void print_row(FILE *out, const cell *c, const char *model, asp_collision
     divergence[i] = measure_divergence(&c->reference[i], &rebounds);
   }
   asp_wall_free(wall);
-  fprintf(out, "%s,%s,%g,%g", model, collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple",
-          c->phi_r, c->kappa);
+  fprintf(out, "%s,%s,%g,%g", model, multiple ? "multiple" : "single", c->phi_r, c->kappa);
   for (size_t i = 0; i < COUNT(angle); i++)
     fprintf(out, ",%.4f", divergence[i]);
   fputc('\n', out);
 }
 
 static void fill_reference(cell *c) {
-  asp_wall *traced = measure_wall(&c->subject, "traced", ASP_COLLISIONS_MULTIPLE);
+  asp_wall *traced = measure_wall(&c->subject, "traced", true);
   for (size_t i = 0; i < COUNT(angle); i++)
     c->reference[i] =
         measure_rebounds(traced, c->subject.d_p, cli_radians(angle[i]), c->rays, c->seed);
@@ -66,8 +65,8 @@ void cli_grid(FILE *out, size_t rays, uint32_t seed) {
     c.subject = measure_case_create(c.phi_r, 1, d_p, seed);
     fill_reference(&c);
     for (int m = 0; m < asp_spread_count(); m++) {
-      print_row(out, &c, asp_spread_at(m)->name, ASP_COLLISIONS_SINGLE);
-      print_row(out, &c, asp_spread_at(m)->name, ASP_COLLISIONS_MULTIPLE);
+      print_row(out, &c, asp_spread_name(asp_spread_at(m)), false);
+      print_row(out, &c, asp_spread_name(asp_spread_at(m)), true);
     }
     measure_case_free(&c.subject);
     cli_progress_show(&progress, (double)(i + 1));

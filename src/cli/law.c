@@ -2,6 +2,7 @@
 #include "cli/law.h"
 #include "base/number.h"
 #include "cli/walls.h"
+#include "rebound/laws.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -27,7 +28,7 @@ static const asp_material *material_of(const cli_option *option, const asp_mater
 }
 
 /* --set a=0.2,c=1 */
-static void set_parameters(const cli_option *option, asp_wall_spec *spec) {
+static void set_parameters(const cli_option *option, asp_wall *wall) {
   if (!option->value)
     return;
   char *text = strdup(option->value);
@@ -41,21 +42,22 @@ static void set_parameters(const cli_option *option, asp_wall_spec *spec) {
     char *equals = strchr(item, '='), *end = NULL;
     if (equals)
       *equals = '\0';
-    double value = equals ? asp_number(equals + 1, &end) : 0;
+    double value = equals ? aspi_number(equals + 1, &end) : 0;
     if (!equals || end == equals + 1 || *end)
       cli_bad_usage("--%s is '%s'; NAME=VALUE,NAME=VALUE... is expected", option->name,
                     option->value);
-    if (asp_wall_spec_set(spec, item, value, &error))
+    if (aspi_rebound_parameter_find(asp_wall_rebound(wall), item, &error) < 0 ||
+        asp_wall_set(wall, item, value, &error))
       cli_bad_usage("--%s: %s", option->name, error.text);
   }
   free(text);
 }
 
-static asp_cor_table *table_of(const cli_option *first, const asp_wall_spec *spec) {
+static asp_cor_table *table_of(const cli_option *first, const asp_rebound_law *law) {
   const cli_option *option = &first[LAW_TABLE];
-  bool needed = asp_rebound_find(spec->rebound, NULL)->needs_table;
+  bool needed = asp_rebound_needs_table(law);
   if (!needed && option->value)
-    cli_bad_usage("--%s is given, but --rebound is '%s'", option->name, spec->rebound);
+    cli_bad_usage("--%s is given, but --rebound is '%s'", option->name, asp_rebound_name(law));
   if (!needed)
     return NULL;
   if (!option->value)
@@ -68,49 +70,59 @@ static asp_cor_table *table_of(const cli_option *first, const asp_wall_spec *spe
 }
 
 cli_law cli_law_read(const cli_option *first) {
-  cli_law law = {.spec = asp_wall_spec_default()};
   asp_error error;
-  if (asp_wall_spec_rebound(&law.spec, first[LAW_REBOUND].value, &error))
+  cli_law law = {.wall = asp_wall_create(&error)};
+  if (!law.wall)
+    cli_fail("%s", error.text);
+  if (asp_wall_choose(law.wall, "rebound", first[LAW_REBOUND].value, &error))
     cli_bad_usage("--rebound: %s", error.text);
-  set_parameters(&first[LAW_SET], &law.spec);
-  if (first[LAW_YIELD_RATE].value &&
-      asp_wall_spec_set(&law.spec, "yield_rate", cli_number(&first[LAW_YIELD_RATE], 0, 1e15),
-                        &error))
-    cli_bad_usage("--yield-rate: %s", error.text);
-  law.spec.deposit = cli_switch(&first[LAW_ADHESION]);
-  law.spec.scatter_twice = first[LAW_SCATTER_TWICE].value;
-  law.spec.table = law.table = table_of(first, &law.spec);
+  set_parameters(&first[LAW_SET], law.wall);
+  if (first[LAW_YIELD_RATE].value) {
+    double rate = cli_number(&first[LAW_YIELD_RATE], 0, 1e15);
+    if (asp_wall_set(law.wall, "yield_rate", rate, &error))
+      cli_bad_usage("--yield-rate: %s", error.text);
+  }
+  asp_wall_set(law.wall, "deposit", cli_switch(&first[LAW_ADHESION]), NULL);
+  asp_wall_set(law.wall, "scatter_twice", first[LAW_SCATTER_TWICE].value != NULL, NULL);
+  law.table = table_of(first, asp_wall_rebound(law.wall));
+  asp_wall_set_table(law.wall, law.table);
   law.own = cli_materials_of(&first[LAW_MATERIALS]);
   law.particle = material_of(&first[LAW_PARTICLE], law.own, first[LAW_PARTICLE].value);
   return law;
 }
 
+void cli_law_prepare(cli_law *law) {
+  asp_error error;
+  if (asp_wall_prepare(law->wall, &error))
+    cli_bad_usage("%s", error.text);
+}
+
 void cli_law_free(cli_law *law) {
+  asp_wall_free(law->wall);
   asp_materials_free(law->own);
   asp_cor_table_free(law->table);
 }
 
-asp_pair cli_law_pair(const cli_option *first, const cli_law *law, const char *wall) {
+asp_pair *cli_law_pair(const cli_option *first, const cli_law *law, const char *wall) {
   const asp_material *p = law->particle, *w = material_of(&first[LAW_WALL], law->own, wall);
-  const asp_rebound_law *rebound = asp_rebound_find(law->spec.rebound, NULL);
-  double yield = first[LAW_YIELD].value ? cli_number(&first[LAW_YIELD], 0, 1e15) : p->yield_stress;
   asp_error error;
-  asp_pair pair;
-  if (asp_pair_create(p->youngs_modulus, p->poissons_ratio, w->youngs_modulus, w->poissons_ratio,
-                      yield, cli_number(&first[LAW_GAMMA], 0, 1e9),
-                      cli_number(&first[LAW_MU], 0, 1e3), &pair, &error))
+  asp_pair *pair = asp_pair_create(p, w, &error);
+  if (!pair)
     cli_bad_usage("%s", error.text);
-  int rate = asp_rebound_parameter(rebound, "yield_rate", NULL);
-  bool wanted = rate >= 0 && !(law->spec.parameters[rate] > 0) && !first[LAW_YIELD].value;
-  if (wanted && !(p->yield_stress > 0))
+  asp_pair_set(pair, "surface_energy", cli_number(&first[LAW_GAMMA], 0, 1e9), NULL);
+  asp_pair_set(pair, "friction", cli_number(&first[LAW_MU], 0, 1e3), NULL);
+  if (first[LAW_YIELD].value)
+    asp_pair_set(pair, "yield_stress", cli_number(&first[LAW_YIELD], 0, 1e15), NULL);
+  else if (asp_wall_get(law->wall, "yield_rate") <= 0 && !(asp_pair_get(pair, "yield_stress") > 0))
     cli_bad_usage("--particle is '%s', which has no yield stress; give --yield or --yield-rate",
-                  p->name);
+                  asp_material_name(p));
   return pair;
 }
 
 void cli_law_warn_double(const cli_law *law) {
-  if (asp_rebound_find(law->spec.rebound, NULL)->measured)
+  const asp_rebound_law *rebound = asp_wall_rebound(law->wall);
+  if (asp_rebound_measured(rebound))
     cli_warn("rebound law '%s' was measured, and holds the roughness of the measured wall already; "
              "this rough wall counts it a second time",
-             law->spec.rebound);
+             asp_rebound_name(rebound));
 }

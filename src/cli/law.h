@@ -44,7 +44,7 @@ enum {
 
 /* A law with its parameters, and what it works on. */
 typedef struct cli_law {
-  asp_wall_spec spec; /* smooth; the law, its parameters and table, deposits */
+  asp_wall *wall;     /* smooth; the law, its parameters and table, deposits; to be prepared */
   asp_materials *own; /* NULL: none */
   asp_cor_table *table;
   const asp_material *particle;
@@ -54,8 +54,11 @@ typedef struct cli_law {
 cli_law cli_law_read(const cli_option *first);
 void cli_law_free(cli_law *law);
 
-/* The pair of the particle and the wall material of that name. */
-asp_pair cli_law_pair(const cli_option *first, const cli_law *law, const char *wall);
+/* Prepares its wall for contacts; exits where that fails. */
+void cli_law_prepare(cli_law *law);
+
+/* The pair of the particle and the wall material of that name, to be freed. */
+asp_pair *cli_law_pair(const cli_option *first, const cli_law *law, const char *wall);
 
 /* The file of --materials; NULL where none is given. */
 asp_materials *cli_materials_of(const cli_option *option);

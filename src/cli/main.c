@@ -10,8 +10,9 @@ static const cli_command *const commands[] = {&cli_surface, &cli_doe,     &cli_s
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
 static void print_help(void) {
-  puts("asperity " ASP_VERSION ": rough walls for particle simulation\n\n"
-       "Usage: asperity COMMAND [options]\n\nCommands:");
+  printf("asperity %s: rough walls for particle simulation\n\n"
+         "Usage: asperity COMMAND [options]\n\nCommands:\n",
+         asp_version());
   for (int i = 0; i < N_COMMANDS; i++)
     printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
   puts("\nasperity COMMAND --help tells the options. Results are CSV on standard output (-o FILE "
@@ -31,7 +32,7 @@ int main(int argc, char **argv) {
     return 0;
   }
   if (strcmp(argv[1], "--version") == 0) {
-    puts("asperity " ASP_VERSION);
+    printf("asperity %s\n", asp_version());
     return 0;
   }
   for (int i = 0; i < N_COMMANDS; i++)

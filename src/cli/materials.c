@@ -14,15 +14,17 @@ static void print_quoted(FILE *out, const char *text) {
 }
 
 static void print_row(FILE *out, const asp_material *m) {
-  cli_print_field(out, m->name);
+  cli_print_field(out, asp_material_name(m));
   fputc(',', out);
-  print_quoted(out, m->title);
-  fprintf(out, ",%.10g,%.10g,%.10g,", m->youngs_modulus, m->poissons_ratio, m->density);
-  if (m->yield_stress > 0)
-    fprintf(out, "%.10g", m->yield_stress);
+  print_quoted(out, asp_material_title(m));
+  double yield_stress = asp_material_get(m, "yield_stress");
+  fprintf(out, ",%.10g,%.10g,%.10g,", asp_material_get(m, "youngs_modulus"),
+          asp_material_get(m, "poissons_ratio"), asp_material_get(m, "density"));
+  if (yield_stress > 0)
+    fprintf(out, "%.10g", yield_stress);
   putc(',', out);
-  print_quoted(out, m->source);
-  fprintf(out, ",%s\n", m->seen ? "yes" : "no");
+  print_quoted(out, asp_material_source(m));
+  fprintf(out, ",%s\n", asp_material_seen(m) ? "yes" : "no");
 }
 
 static int run(int argc, char **argv) {
@@ -40,7 +42,7 @@ static int run(int argc, char **argv) {
   for (int i = 0; own && i < asp_materials_count(own); i++)
     print_row(out, asp_materials_at(own, i));
   for (int i = 0; i < asp_material_count(); i++)
-    if (asp_materials_find(own, asp_material_at(i)->name, NULL) == asp_material_at(i))
+    if (asp_materials_find(own, asp_material_name(asp_material_at(i)), NULL) == asp_material_at(i))
       print_row(out, asp_material_at(i));
   cli_output_close(output);
   asp_materials_free(own);

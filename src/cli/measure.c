@@ -1,5 +1,6 @@
 /* Models against the geometry; see measure.h. */
 #include "cli/measure.h"
+#include "impact/wall.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,30 +21,32 @@ measure_case measure_case_create(double r_q, double lambda_c, double d_p, uint32
   if (b.profile)
     b.surface = asp_surface_create_profile(b.profile, d_p, d_p, 1, &error);
   if (b.surface)
-    b.track = asp_track_create(b.profile, d_p, &error);
+    b.track = aspi_track_create(b.profile, d_p, &error);
   if (!b.track)
     cli_fail("%s", error.text);
   return b;
 }
 
 void measure_case_free(measure_case *subject) {
-  asp_track_free(subject->track);
+  aspi_track_free(subject->track);
   asp_surface_free(subject->surface);
   asp_profile_free(subject->profile);
 }
 
-asp_wall *measure_wall(const measure_case *subject, const char *model, asp_collisions collisions) {
+asp_wall *measure_wall(const measure_case *subject, const char *model, bool multiple) {
   asp_error error;
-  asp_wall_spec spec = asp_wall_spec_default();
-  asp_wall_spec_rebound(&spec, "constant", &error);
-  spec.spread = model;
-  spec.surface = subject->surface;
-  spec.profile = subject->profile;
-  spec.sizes = (asp_sizes){subject->d_p, subject->d_p, 1};
-  spec.collisions = collisions;
-  spec.deposit = false;
-  asp_wall *wall = asp_wall_create(&spec, &error);
+  asp_wall *wall = asp_wall_create(&error);
   if (!wall)
+    cli_fail("%s", error.text);
+  asp_wall_choose(wall, "rebound", "constant", NULL);
+  asp_wall_choose(wall, "spread", model, NULL);
+  asp_wall_choose(wall, "collisions", multiple ? "multiple" : "single", NULL);
+  asp_wall_set(wall, "deposit", 0, NULL);
+  asp_wall_set(wall, "d_p_least", subject->d_p, NULL);
+  asp_wall_set(wall, "d_p_most", subject->d_p, NULL);
+  asp_wall_set_surface(wall, subject->surface);
+  asp_wall_set_profile(wall, subject->profile);
+  if (asp_wall_prepare(wall, &error))
     cli_bad_usage("%s", error.text);
   return wall;
 }
@@ -114,26 +117,26 @@ double measure_divergence(const measure_angles *reference, const measure_angles 
 }
 
 /* The shares of the track's first hits in bins of one degree, from -90 to 90. */
-static void exact_shares(const asp_track *track, double alpha1, double *share) {
-  size_t n = asp_track_faces(track);
+static void exact_shares(const aspi_track *track, double alpha1, double *share) {
+  size_t n = aspi_track_faces(track);
   double *weight = malloc(n * sizeof *weight);
   if (!weight)
     cli_fail("out of memory");
-  asp_track_first_hit(track, alpha1, weight);
+  aspi_track_first_hit(track, alpha1, weight);
   for (int i = 0; i < MEASURE_BINS; i++)
     share[i] = 0;
   for (size_t i = 0; i < n; i++)
     if (weight[i] > 0)
-      share[(int)floor(cli_degrees(atan(asp_track_face_slope(track, i)))) + 90] += weight[i];
+      share[(int)floor(cli_degrees(atan(aspi_track_face_slope(track, i)))) + 90] += weight[i];
   free(weight);
 }
 
-double measure_first_hit(const measure_case *subject, const asp_spread_model *model, double alpha1,
-                         const void *data) {
+double measure_first_hit(const measure_case *subject, const asp_wall *wall, double alpha1) {
+  const asp_spread_model *model = wall->spread;
   if (!model->distribution)
     return NAN;
-  double slope = asp_track_slope_rms(subject->track), share[MEASURE_BINS], sum = 0;
-  asp_view view = {slope, atan(slope), alpha1, subject->d_p, data};
+  double slope = aspi_track_slope_rms(subject->track), share[MEASURE_BINS], sum = 0;
+  aspi_view view = {slope, atan(slope), alpha1, subject->d_p, wall->data};
   exact_shares(subject->track, alpha1, share);
   for (int i = 0; i < MEASURE_BINS; i++) {
     if (!(share[i] > 0))

@@ -4,6 +4,7 @@
 #define ASP_CLI_MEASURE_H
 
 #include "cli/cli.h"
+#include "spread/trace.h"
 
 enum { MEASURE_BINS = 180 }; /* of one degree */
 
@@ -17,7 +18,7 @@ typedef struct measure_angles {
 typedef struct measure_case {
   asp_profile *profile;
   asp_surface *surface; /* its slope is that of the very track */
-  asp_track *track;
+  aspi_track *track;
   double d_p;
 } measure_case;
 
@@ -26,7 +27,7 @@ measure_case measure_case_create(double r_q, double lambda_c, double d_p, uint32
 void measure_case_free(measure_case *subject);
 
 /* The wall with one model on it; every rebound is specular, nothing sticks. */
-asp_wall *measure_wall(const measure_case *subject, const char *model, asp_collisions collisions);
+asp_wall *measure_wall(const measure_case *subject, const char *model, bool multiple);
 
 /* n specular rebounds at alpha1 (rad), by all threads. */
 measure_angles measure_rebounds(const asp_wall *wall, double d_p, double alpha1, size_t n,
@@ -39,10 +40,9 @@ double measure_cost(const asp_wall *wall, double d_p, double alpha1);
  * for B bins in use. A bin that the other never fills counts as half an impact there. */
 double measure_divergence(const measure_angles *reference, const measure_angles *other);
 
-/* D_KL of a model's law of the first hit against the track's exact one, in bins of one degree; a
- * bin that the model cannot fill counts as 1e-6. Not a number where the model has no distribution.
- */
-double measure_first_hit(const measure_case *subject, const asp_spread_model *model, double alpha1,
-                         const void *data);
+/* D_KL of the law of the first hit on a wall of the subject against the track's exact one, in bins
+ * of one degree; a bin that the model cannot fill counts as 1e-6. Not a number where the model has
+ * no distribution. */
+double measure_first_hit(const measure_case *subject, const asp_wall *wall, double alpha1);
 
 #endif

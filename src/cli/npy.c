@@ -72,13 +72,13 @@ static asp_code read_column(npy *array, const char **text, asp_error *error) {
   else
     good = good && take_string(text, column->name, sizeof column->name);
   if (!good || !take(text, ',') || !take_string(text, type, sizeof type) || !take(text, ')'))
-    return asp_fail(error, ASP_EDATA, "%s: its header is not one of a table of numbers",
-                    array->path);
+    return aspi_fail(error, ASP_EDATA, "%s: its header is not one of a table of numbers",
+                     array->path);
   if (!read_type(column, type))
-    return asp_fail(error, ASP_EDATA,
-                    "%s: column '%s' is of type '%s'; it must be little-endian whole or "
-                    "floating-point numbers, such as <i4 or <f8",
-                    array->path, column->name, type);
+    return aspi_fail(error, ASP_EDATA,
+                     "%s: column '%s' is of type '%s'; it must be little-endian whole or "
+                     "floating-point numbers, such as <i4 or <f8",
+                     array->path, column->name, type);
   column->offset = array->row_size;
   array->row_size += column->size;
   array->columns++;
@@ -91,17 +91,17 @@ static asp_code read_columns(npy *array, const char *header, asp_error *error) {
   const char *text = strstr(header, "'descr':");
   text = text ? text + strlen("'descr':") : "";
   if (!take(&text, '['))
-    return asp_fail(error, ASP_EDATA, "%s: a NumPy array, but not one with named columns",
-                    array->path);
+    return aspi_fail(error, ASP_EDATA, "%s: a NumPy array, but not one with named columns",
+                     array->path);
   while (!take(&text, ']')) {
     if (array->columns == NPY_COLUMNS)
-      return asp_fail(error, ASP_EDATA, "%s: more than %d columns", array->path, NPY_COLUMNS);
+      return aspi_fail(error, ASP_EDATA, "%s: more than %d columns", array->path, NPY_COLUMNS);
     asp_code code = read_column(array, &text, error);
     if (code)
       return code;
     take(&text, ',');
   }
-  return array->columns > 0 ? ASP_OK : asp_fail(error, ASP_EDATA, "%s: no columns", array->path);
+  return array->columns > 0 ? ASP_OK : aspi_fail(error, ASP_EDATA, "%s: no columns", array->path);
 }
 
 static asp_code read_shape(npy *array, const char *header, asp_error *error) {
@@ -114,8 +114,8 @@ static asp_code read_shape(npy *array, const char *header, asp_error *error) {
   text = end;
   if (good && take(&text, ',') && take(&text, ')'))
     return ASP_OK;
-  return asp_fail(error, ASP_EDATA, "%s: a NumPy array, but not one with one dimension",
-                  array->path);
+  return aspi_fail(error, ASP_EDATA, "%s: a NumPy array, but not one with one dimension",
+                   array->path);
 }
 
 asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error) {
@@ -123,20 +123,20 @@ asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error) 
   unsigned char first[MAGIC_SIZE + 2] = {0}, length[4] = {0};
   char *header = calloc(1, HEADER_MOST + 1);
   if (!header)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for '%s'", path);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for '%s'", path);
   asp_code code = ASP_OK;
   size_t size = 0;
   bool whole = fread(first, 1, sizeof first, stream) == sizeof first;
   int length_size = first[MAGIC_SIZE] == 1 ? 2 : 4;
   if (whole && (first[MAGIC_SIZE] < 1 || first[MAGIC_SIZE] > 3))
-    code = asp_fail(error, ASP_EDATA, "%s: a NumPy array of version %d; it must be 1 to 3", path,
-                    first[MAGIC_SIZE]);
+    code = aspi_fail(error, ASP_EDATA, "%s: a NumPy array of version %d; it must be 1 to 3", path,
+                     first[MAGIC_SIZE]);
   whole = whole && fread(length, 1, length_size, stream) == (size_t)length_size;
   if (whole)
     size = length[0] | (size_t)length[1] << 8 | (size_t)length[2] << 16 | (size_t)length[3] << 24;
   whole = whole && size <= HEADER_MOST && fread(header, 1, size, stream) == size;
   if (!code && !whole)
-    code = asp_fail(error, ASP_EDATA, "%s: a NumPy array whose header is cut short", path);
+    code = aspi_fail(error, ASP_EDATA, "%s: a NumPy array whose header is cut short", path);
   if (!code && !(code = read_columns(array, header, error)))
     code = read_shape(array, header, error);
   free(header);
@@ -155,8 +155,8 @@ asp_code npy_next(npy *array, bool *found, asp_error *error) {
   if (!*found)
     return ASP_OK;
   if (fread(array->bytes, 1, array->row_size, array->stream) != (size_t)array->row_size)
-    return asp_fail(error, ASP_EDATA, "%s: its header says %llu rows, but it ends in row %llu",
-                    array->path, array->rows, array->row + 1);
+    return aspi_fail(error, ASP_EDATA, "%s: its header says %llu rows, but it ends in row %llu",
+                     array->path, array->rows, array->row + 1);
   array->row++;
   return ASP_OK;
 }

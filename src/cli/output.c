@@ -148,7 +148,7 @@ cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_o
   if (path && strcmp(path, "-") != 0)
     output->file = cli_file_open(path);
   FILE *out = output->stream = output->file ? cli_file_stream(output->file) : stdout;
-  fprintf(out, "# asperity %s;", ASP_VERSION);
+  fprintf(out, "# asperity %s;", asp_version());
   for (int i = 0; i < argc; i++) {
     fputc(' ', out);
     cli_print_comment(out, argv[i]);

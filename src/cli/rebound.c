@@ -18,13 +18,12 @@ enum { POINTS_MOST = 2000, CURVES_MOST = 6 };
 /* One wall material: its name and what comes of it. */
 typedef struct material_wall {
   char name[64];
-  asp_pair pair;
+  asp_pair *pair;
 } material_wall;
 
 typedef struct rebound_map {
   const cli_option *options;
   cli_law law;
-  asp_wall *wall;
   material_wall *walls;
   size_t n_walls;
   cli_list sizes, speeds, angles;
@@ -41,9 +40,9 @@ static rebound_row row_at(const rebound_map *m, const material_wall *wall, doubl
   double alpha = cli_radians(degrees), v1[3] = {speed * cos(alpha), 0, -speed * sin(alpha)};
   if (degrees >= 90)
     v1[0] = 0;
-  asp_particle particle = {d_p, m->law.particle->density, &wall->pair};
+  asp_particle particle = {d_p, asp_material_get(m->law.particle, "density"), wall->pair};
   asp_impact impact;
-  asp_wall_impact(m->wall, &particle, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(m->law.wall, &particle, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
   return (rebound_row){asp_impact_coefficients(v1, n, &impact), impact.outcome == ASP_DEPOSIT};
 }
 
@@ -210,11 +209,11 @@ static void plot_regimes(cli_plot *picture, const rebound_map *m) {
           "set tmargin screen 0.92\nset bmargin screen 0.12\n"
           "splot $map using 1:2:(0):3 with pm3d notitle, %s"
           "NaN with points pt 5 ps 2 lc rgb '#bbbbbb' title 'deposit'\n",
-          cli_plot_label(picture, m->law.particle->name).text,
+          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
           cli_plot_label(picture, m->walls[0].name).text,
-          cli_plot_label(picture, m->law.spec.rebound).text, m->angles.values[0],
-          edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6, edge_of(&m->speeds, 0),
-          edge_of(&m->speeds, ny),
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
+          m->angles.values[0], edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6,
+          edge_of(&m->speeds, 0), edge_of(&m->speeds, ny),
           sticks ? "$capture using 1:2:3 with lines lc rgb '#000000' lw 2 title 'capture speed', "
                  : "");
 }
@@ -233,10 +232,10 @@ static void plot_capture(cli_plot *picture, const rebound_map *m) {
           "set title '%s, %s, {/Symbol a}_1 = %g°: sticks under and left of a curve'\n"
           "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
           "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
-          cli_plot_label(picture, m->law.particle->name).text,
-          cli_plot_label(picture, m->law.spec.rebound).text, m->angles.values[0],
-          m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6, most > 0 ? "*" : "1",
-          most > 0 ? 5 * most : 10);
+          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
+          m->angles.values[0], m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6,
+          most > 0 ? "*" : "1", most > 0 ? 5 * most : 10);
   for (size_t w = 0; w < m->n_walls; w++)
     fprintf(gp, "%s$capture%zu with lines ls %zu title 'on %s'", w ? ", " : "", w,
             w % CURVES_MOST + 1, cli_plot_label(picture, m->walls[w].name).text);
@@ -267,8 +266,8 @@ static void plot_angles(cli_plot *picture, const rebound_map *m) {
           "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks'\n"
           "set xrange [0:90]\nset xtics 15\nset yrange [0:1]\n"
           "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
-          cli_plot_label(picture, m->law.particle->name).text,
-          cli_plot_label(picture, m->law.spec.rebound).text);
+          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text);
   for (int t = 0; t < 2; t++) {
     fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", t ? 'T' : 'N',
             t ? "bottom right" : "top right");
@@ -309,17 +308,19 @@ static void print_list(FILE *out) {
   fputs("law,parameter,unit,default,least,most,text\n", out);
   for (int i = 0; i < asp_rebound_count(); i++) {
     const asp_rebound_law *law = asp_rebound_at(i);
-    fprintf(out, "%s,,,,,,\"%s; source: %s\"\n", law->name, law->summary, law->source);
-    for (int k = 0; k < law->n_parameters; k++) {
-      const asp_parameter *p = &law->parameters[k];
-      fprintf(out, "%s,%s,%s,%.10g,%g,%g,\"%s\"\n", law->name, p->name, p->unit, p->fallback,
-              p->least, p->most, p->text);
+    const char *name = asp_rebound_name(law);
+    fprintf(out, "%s,,,,,,\"%s; source: %s\"\n", name, asp_rebound_summary(law),
+            asp_rebound_source(law));
+    for (int k = 0; k < asp_rebound_parameters(law); k++) {
+      const asp_parameter *p = asp_rebound_parameter(law, k);
+      fprintf(out, "%s,%s,%s,%.10g,%g,%g,\"%s\"\n", name, asp_parameter_name(p),
+              asp_parameter_unit(p), asp_parameter_default(p), asp_parameter_least(p),
+              asp_parameter_most(p), asp_parameter_text(p));
     }
   }
 }
 
 static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) {
-  asp_error error;
   if (!options[DP].value)
     options[DP].value = kind->sizes;
   if (!options[SPEED].value)
@@ -340,14 +341,13 @@ static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) 
     cli_bad_usage("--angles is '%s'; --map %s takes one angle", options[ANGLES].value, kind->name);
   if (kind->print == print_regimes && m->n_walls != 1)
     cli_bad_usage("--wall is '%s'; --map regimes takes one wall", options[LAW + LAW_WALL].value);
-  m->wall = asp_wall_create(&m->law.spec, &error);
-  if (!m->wall)
-    cli_bad_usage("%s", error.text);
+  cli_law_prepare(&m->law);
 }
 
 static void free_map(rebound_map *m) {
-  asp_wall_free(m->wall);
   cli_law_free(&m->law);
+  for (size_t i = 0; i < m->n_walls; i++)
+    asp_pair_free(m->walls[i].pair);
   free(m->walls);
   free(m->sizes.values);
   free(m->speeds.values);

@@ -1,11 +1,11 @@
 /* Files of coefficients of restitution; see scatter.h. */
 #include "cli/scatter.h"
-#include "base/file.h"
-#include "cli/cli.h"
-#include "cli/npy.h"
 #include "base/csv.h"
 #include "base/error.h"
+#include "base/file.h"
 #include "base/ledger_columns.h"
+#include "cli/cli.h"
+#include "cli/npy.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -56,15 +56,15 @@ typedef struct impact_columns {
   int degrees, delta, cor[COR_BOTH], outcome;
 } impact_columns;
 
-static asp_code read_row(const asp_csv *csv, const impact_columns *at, impact_row *row,
+static asp_code read_row(const aspi_csv *csv, const impact_columns *at, impact_row *row,
                          asp_error *error) {
   bool missing;
   asp_code code;
-  if ((code = asp_csv_number(csv, at->degrees, 0, 90, &row->degrees, NULL, error)) ||
-      (code = asp_csv_number(csv, at->delta, -90, 90, &row->delta, &missing, error)) ||
+  if ((code = aspi_csv_number(csv, at->degrees, 0, 90, &row->degrees, NULL, error)) ||
+      (code = aspi_csv_number(csv, at->delta, -90, 90, &row->delta, &missing, error)) ||
       (code =
-           asp_csv_number(csv, at->cor[COR_N], -1e15, 1e15, &row->cor[COR_N], &missing, error)) ||
-      (code = asp_csv_number(csv, at->cor[COR_T], -1e15, 1e15, &row->cor[COR_T], &missing, error)))
+           aspi_csv_number(csv, at->cor[COR_N], -1e15, 1e15, &row->cor[COR_N], &missing, error)) ||
+      (code = aspi_csv_number(csv, at->cor[COR_T], -1e15, 1e15, &row->cor[COR_T], &missing, error)))
     return code;
   const char *outcome = at->outcome < 0 ? "" : csv->fields[at->outcome];
   row->deposit = at->outcome < 0 ? !(row->cor[COR_N] > 0)
@@ -72,18 +72,18 @@ static asp_code read_row(const asp_csv *csv, const impact_columns *at, impact_ro
   return ASP_OK;
 }
 
-static asp_code read_csv_rows(asp_csv *csv, scatter_impacts *impacts, asp_error *error) {
-  impact_columns at = {.degrees = asp_csv_need(csv, ledger_name[LEDGER_ALPHA1], error),
-                       .delta = asp_csv_find(csv, ledger_name[LEDGER_DELTA_ALPHA]),
-                       .cor = {asp_csv_find(csv, ledger_name[LEDGER_COR_N]),
-                               asp_csv_find(csv, ledger_name[LEDGER_COR_T])},
-                       .outcome = asp_csv_find(csv, ledger_name[LEDGER_OUTCOME])};
-  if (at.degrees < 0 || (at.cor[0] < 0 && asp_csv_need(csv, ledger_name[LEDGER_COR_N], error) < 0))
+static asp_code read_csv_rows(aspi_csv *csv, scatter_impacts *impacts, asp_error *error) {
+  impact_columns at = {.degrees = aspi_csv_need(csv, ledger_name[LEDGER_ALPHA1], error),
+                       .delta = aspi_csv_find(csv, ledger_name[LEDGER_DELTA_ALPHA]),
+                       .cor = {aspi_csv_find(csv, ledger_name[LEDGER_COR_N]),
+                               aspi_csv_find(csv, ledger_name[LEDGER_COR_T])},
+                       .outcome = aspi_csv_find(csv, ledger_name[LEDGER_OUTCOME])};
+  if (at.degrees < 0 || (at.cor[0] < 0 && aspi_csv_need(csv, ledger_name[LEDGER_COR_N], error) < 0))
     return ASP_EDATA;
   impact_row row;
   asp_code code;
   for (bool found;;) {
-    if ((code = asp_csv_row(csv, &found, error)) || !found ||
+    if ((code = aspi_csv_row(csv, &found, error)) || !found ||
         (code = read_row(csv, &at, &row, error)))
       return code;
     add_impact(impacts, &row);
@@ -105,12 +105,12 @@ static int find_entry(char *const names[], int count, int column) {
   return -1;
 }
 
-static asp_code read_dump_row(asp_csv *csv, const impact_columns *at, scatter_impacts *impacts,
+static asp_code read_dump_row(aspi_csv *csv, const impact_columns *at, scatter_impacts *impacts,
                               asp_error *error) {
-  int count = asp_text_split(csv->text.text, ' ', csv->fields, ASP_CSV_COLUMNS);
+  int count = aspi_text_split(csv->text.text, ' ', csv->fields, ASP_CSV_COLUMNS);
   if (count != csv->columns)
-    return asp_text_fail(&csv->text, csv->text.line, error, "%d numbers under %d columns", count,
-                         csv->columns);
+    return aspi_text_fail(&csv->text, csv->text.line, error, "%d numbers under %d columns", count,
+                          csv->columns);
   impact_row row;
   asp_code code = read_row(csv, at, &row, error);
   if (code)
@@ -121,10 +121,10 @@ static asp_code read_dump_row(asp_csv *csv, const impact_columns *at, scatter_im
   return ASP_OK;
 }
 
-static asp_code read_dump_header(asp_csv *csv, impact_columns *at, asp_error *error) {
+static asp_code read_dump_header(aspi_csv *csv, impact_columns *at, asp_error *error) {
   strcpy(csv->header, csv->text.text + strlen("ITEM: ENTRIES"));
   csv->separator = ' ';
-  csv->columns = asp_text_split(csv->header, ' ', csv->names, ASP_CSV_COLUMNS);
+  csv->columns = aspi_text_split(csv->header, ' ', csv->names, ASP_CSV_COLUMNS);
   *at = (impact_columns){find_entry(csv->names, csv->columns, LEDGER_ALPHA1),
                          find_entry(csv->names, csv->columns, LEDGER_DELTA_ALPHA),
                          {find_entry(csv->names, csv->columns, LEDGER_COR_N),
@@ -132,19 +132,19 @@ static asp_code read_dump_header(asp_csv *csv, impact_columns *at, asp_error *er
                          find_entry(csv->names, csv->columns, LEDGER_OUTCOME)};
   if (at->degrees >= 0 && (at->cor[0] >= 0 || at->cor[1] >= 0))
     return ASP_OK;
-  return asp_text_fail(&csv->text, csv->text.line, error,
-                       "the dump needs column %d (alpha1), and %d or %d (cor_n, cor_t), of the "
-                       "wall's array: f_ID[%d] f_ID[%d] f_ID[%d]",
-                       number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T),
-                       number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T));
+  return aspi_text_fail(&csv->text, csv->text.line, error,
+                        "the dump needs column %d (alpha1), and %d or %d (cor_n, cor_t), of the "
+                        "wall's array: f_ID[%d] f_ID[%d] f_ID[%d]",
+                        number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T),
+                        number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T));
 }
 
 /* A `dump local` file: blocks of a header of ITEM lines, then rows. */
-static asp_code read_dump(asp_csv *csv, scatter_impacts *impacts, asp_error *error) {
+static asp_code read_dump(aspi_csv *csv, scatter_impacts *impacts, asp_error *error) {
   impact_columns at;
   bool in_rows = false, found;
   asp_code code = ASP_OK;
-  while (!code && !(code = asp_text_line(&csv->text, &found, error)) && found) {
+  while (!code && !(code = aspi_text_line(&csv->text, &found, error)) && found) {
     const char *line = csv->text.text;
     if (strncmp(line, "ITEM: ENTRIES", 13) == 0) {
       in_rows = true;
@@ -164,8 +164,8 @@ static asp_code read_value(const npy *array, int column, double least, double mo
   *value = npy_value(array, column);
   if ((*value >= least && *value <= most) || (may_be_missing && isnan(*value)))
     return ASP_OK;
-  return asp_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
-                  array->row, array->column[column].name, *value, least, most);
+  return aspi_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
+                   array->row, array->column[column].name, *value, least, most);
 }
 
 static asp_code read_array_row(const npy *array, const impact_columns *at, impact_row *row,
@@ -192,8 +192,8 @@ static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impa
                                npy_find(&array, ledger_name[LEDGER_COR_T])},
                        .outcome = npy_find(&array, ledger_name[LEDGER_OUTCOME])};
   if (at.degrees < 0 || at.cor[COR_N] < 0)
-    return asp_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
-                    ledger_name[at.degrees < 0 ? LEDGER_ALPHA1 : LEDGER_COR_N]);
+    return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
+                     ledger_name[at.degrees < 0 ? LEDGER_ALPHA1 : LEDGER_COR_N]);
   snprintf(impacts->comment, sizeof impacts->comment, "%s", array.title);
   impact_row row;
   for (bool found;;) {
@@ -212,7 +212,7 @@ static bool is_dump(FILE *stream) {
 }
 
 static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_error *error) {
-  FILE *stream = asp_file_open(path, error);
+  FILE *stream = aspi_file_open(path, error);
   if (!stream)
     return error->code;
   asp_code code;
@@ -222,21 +222,21 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
     return code;
   }
   if (is_dump(stream)) {
-    asp_csv *csv = calloc(1, sizeof *csv);
+    aspi_csv *csv = calloc(1, sizeof *csv);
     if (!csv)
       cli_fail("out of memory");
-    csv->text = asp_text_create(stream, path);
+    csv->text = aspi_text_create(stream, path);
     code = read_dump(csv, impacts, error);
     free(csv);
     fclose(stream);
     return code;
   }
-  asp_csv *csv = asp_csv_create(stream, path, error);
+  aspi_csv *csv = aspi_csv_create(stream, path, error);
   if (!csv)
     return error->code;
   code = read_csv_rows(csv, impacts, error);
   snprintf(impacts->comment, sizeof impacts->comment, "%.1000s", csv->comment);
-  asp_csv_close(csv);
+  aspi_csv_close(csv);
   return code;
 }
 
@@ -259,33 +259,33 @@ typedef struct data_columns {
   int degrees, point[COR_BOTH], mean[COR_BOTH], sd[COR_BOTH];
 } data_columns;
 
-static asp_code find_data_columns(const asp_csv *csv, data_columns *at, bool *means,
+static asp_code find_data_columns(const aspi_csv *csv, data_columns *at, bool *means,
                                   asp_error *error) {
-  *at = (data_columns){asp_csv_need(csv, "alpha1_deg", error),
-                       {asp_csv_find(csv, "cor_n"), asp_csv_find(csv, "cor_t")},
-                       {asp_csv_find(csv, "cor_n_mean"), asp_csv_find(csv, "cor_t_mean")},
-                       {asp_csv_find(csv, "cor_n_sd"), asp_csv_find(csv, "cor_t_sd")}};
+  *at = (data_columns){aspi_csv_need(csv, "alpha1_deg", error),
+                       {aspi_csv_find(csv, "cor_n"), aspi_csv_find(csv, "cor_t")},
+                       {aspi_csv_find(csv, "cor_n_mean"), aspi_csv_find(csv, "cor_t_mean")},
+                       {aspi_csv_find(csv, "cor_n_sd"), aspi_csv_find(csv, "cor_t_sd")}};
   if (at->degrees < 0)
     return ASP_EDATA;
   bool points = at->point[0] >= 0 || at->point[1] >= 0;
   *means = at->mean[0] >= 0 || at->mean[1] >= 0;
   if (points != *means)
     return ASP_OK;
-  return asp_text_fail(&csv->text, csv->text.line, error,
-                       "%s; measured points are columns cor_n, cor_t, binned ones cor_n_mean, "
-                       "cor_n_sd, cor_t_mean, cor_t_sd",
-                       points ? "both points and means" : "neither points nor means");
+  return aspi_text_fail(&csv->text, csv->text.line, error,
+                        "%s; measured points are columns cor_n, cor_t, binned ones cor_n_mean, "
+                        "cor_n_sd, cor_t_mean, cor_t_sd",
+                        points ? "both points and means" : "neither points nor means");
 }
 
-static asp_code read_data_row(const asp_csv *csv, const data_columns *at, bool means,
+static asp_code read_data_row(const aspi_csv *csv, const data_columns *at, bool means,
                               scatter_data *data, asp_error *error) {
   scatter_mean row;
   bool missing;
   const int *column = means ? at->mean : at->point;
-  asp_code code = asp_csv_number(csv, at->degrees, 0, 90, &row.degrees, NULL, error);
+  asp_code code = aspi_csv_number(csv, at->degrees, 0, 90, &row.degrees, NULL, error);
   for (int i = 0; i < COR_BOTH && !code; i++)
-    if (!(code = asp_csv_number(csv, column[i], -1e15, 1e15, &row.mean[i], &missing, error)))
-      code = asp_csv_number(csv, means ? at->sd[i] : -1, 0, 1e15, &row.sd[i], &missing, error);
+    if (!(code = aspi_csv_number(csv, column[i], -1e15, 1e15, &row.mean[i], &missing, error)))
+      code = aspi_csv_number(csv, means ? at->sd[i] : -1, 0, 1e15, &row.sd[i], &missing, error);
   if (code)
     return code;
   if (means) {
@@ -298,11 +298,11 @@ static asp_code read_data_row(const asp_csv *csv, const data_columns *at, bool m
   return ASP_OK;
 }
 
-static asp_code read_data(asp_csv *csv, scatter_data *data, double *most, asp_error *error) {
+static asp_code read_data(aspi_csv *csv, scatter_data *data, double *most, asp_error *error) {
   data_columns at;
   bool means, found;
   asp_code code = find_data_columns(csv, &at, &means, error);
-  for (*most = 0; !code && !(code = asp_csv_row(csv, &found, error)) && found;) {
+  for (*most = 0; !code && !(code = aspi_csv_row(csv, &found, error)) && found;) {
     code = read_data_row(csv, &at, means, data, error);
     if (!code)
       *most = fmax(*most, means ? data->means[data->n_means - 1].degrees
@@ -315,10 +315,10 @@ scatter_data scatter_read_data(const char *path) {
   scatter_data data = {NULL, 0, NULL, 0};
   asp_error error;
   double most = 0;
-  asp_csv *csv = asp_csv_open(path, &error);
+  aspi_csv *csv = aspi_csv_open(path, &error);
   if (!csv || read_data(csv, &data, &most, &error))
     cli_bad_file(NULL, &error);
-  asp_csv_close(csv);
+  aspi_csv_close(csv);
   if (data.n_points + data.n_means == 0)
     cli_bad_usage("%s: no row of data", path);
   warn_radians(path, most, data.n_points + data.n_means);

@@ -8,7 +8,7 @@ double cli_kappa(const cli_slopes *row) {
 }
 
 void cli_slopes_print(FILE *out, const cli_slopes *row) {
-  const asp_slopes *s = &row->slopes;
+  const aspi_slopes *s = &row->slopes;
   fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", row->d_p * 1e6, row->r_q * 1e6,
           row->lambda_c * 1e6, row->r_q / row->lambda_c, cli_kappa(row), s->slope_rms,
           cli_degrees(s->angle.mean), cli_degrees(s->angle.sd), s->angle.kurtosis, s->kl_normal);
@@ -23,7 +23,7 @@ void cli_slopes_measure(const asp_profile *profile, double r_q, double lambda_c,
   for (size_t i = 0; i < sizes->count; i++) {
     asp_error own = {ASP_OK, ""};
     rows[i] = (cli_slopes){.d_p = sizes->values[i], .r_q = r_q, .lambda_c = lambda_c};
-    asp_profile_describe_slopes(profile, rows[i].d_p, ASP_CONTACT_DILATION, &rows[i].slopes, &own);
+    aspi_profile_describe_slopes(profile, rows[i].d_p, ASP_CONTACT_DILATION, &rows[i].slopes, &own);
 #pragma omp critical
     {
       if (own.code)

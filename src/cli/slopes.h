@@ -3,6 +3,7 @@
 #define ASP_CLI_SLOPES_H
 
 #include "cli/cli.h"
+#include "surface/slopes.h"
 
 /* Points per correlation length of a generated profile: fine enough that a particle smaller than
  * the spacing finds the unfiltered slope. */
@@ -14,7 +15,7 @@
 
 typedef struct cli_slopes {
   double d_p, r_q, lambda_c;
-  asp_slopes slopes;
+  aspi_slopes slopes;
 } cli_slopes;
 
 double cli_kappa(const cli_slopes *row);

@@ -1,21 +1,22 @@
 /* asperity spread: the law of the tilt delta_alpha, as samples, as a density, or in numbers. */
 #include "cli/walls.h"
+#include "impact/wall.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 enum { MODEL, SIGMA, RQ, LAMBDA_C, DP, ANGLE, SAMPLES, SEED, PDF, SUMMARY, LIST, OUTPUT, PLOT, N };
 
-static asp_stream stream_of(const cli_option *options, uint64_t sample) {
+static aspi_stream stream_of(const cli_option *options, uint64_t sample) {
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
-  return asp_stream_create(&(asp_key){seed, asp_key_fix("spread"), sample, 1});
+  return aspi_stream_begin(&(asp_key){seed, asp_key_wall("spread"), sample, 1});
 }
 
-static double draw(const asp_spread_model *model, const asp_view *view, const cli_option *options,
+static double draw(const asp_spread_model *model, const aspi_view *view, const cli_option *options,
                    uint64_t sample) {
-  asp_stream stream = stream_of(options, sample);
+  aspi_stream stream = stream_of(options, sample);
   double delta;
-  if (!asp_spread_draw(model, view, &stream, &delta))
+  if (!aspi_spread_draw(model, view, &stream, &delta))
     cli_fail("model '%s' found no face for alpha1 = %g degrees", model->name,
              cli_degrees(view->alpha1));
   return delta;
@@ -24,20 +25,22 @@ static double draw(const asp_spread_model *model, const asp_view *view, const cl
 /* What the model makes of a profile of the wall; lives as long as the command. */
 static const void *data_of(const char *model, const asp_surface *surface, double d_p) {
   asp_error error;
-  asp_wall_spec spec = asp_wall_spec_default();
-  spec.spread = model;
-  spec.surface = surface;
-  spec.sizes = (asp_sizes){d_p, d_p, 1};
-  asp_wall *wall = asp_wall_create(&spec, &error);
+  asp_wall *wall = asp_wall_create(&error);
   if (!wall)
+    cli_fail("%s", error.text);
+  asp_wall_choose(wall, "spread", model, NULL);
+  asp_wall_set(wall, "d_p_least", d_p, NULL);
+  asp_wall_set(wall, "d_p_most", d_p, NULL);
+  asp_wall_set_surface(wall, surface);
+  if (asp_wall_prepare(wall, &error))
     cli_bad_usage("%s", error.text);
-  return asp_wall_data(wall);
+  return wall->data;
 }
 
 /* The wall as the model looks at it; alpha1 is still to come. */
-static asp_view view_of(const cli_option *options, const asp_spread_model *model) {
+static aspi_view view_of(const cli_option *options, const asp_spread_model *model) {
   if (options[SIGMA].value && !model->prepare)
-    return asp_view_create(cli_radians(cli_number(&options[SIGMA], 0, 89)), 0);
+    return aspi_view_of(cli_radians(cli_number(&options[SIGMA], 0, 89)), 0);
   if (!options[RQ].value || !options[LAMBDA_C].value || !options[DP].value)
     cli_bad_usage("spread: give %s--rq, --lambda-c and --dp%s",
                   model->prepare ? "" : "--sigma, or ",
@@ -45,7 +48,7 @@ static asp_view view_of(const cli_option *options, const asp_spread_model *model
   asp_surface *surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
   double d_p = cli_length(&options[DP]);
   cli_check_size(surface, d_p);
-  asp_view view = asp_view_create(atan(asp_surface_slope(surface, d_p)), 0);
+  aspi_view view = aspi_view_of(atan(asp_surface_slope(surface, d_p)), 0);
   view.d_p = d_p;
   if (model->prepare)
     view.data = data_of(model->name, surface, d_p);
@@ -60,7 +63,7 @@ static void print_list(FILE *out) {
   }
 }
 
-static void print_density(FILE *out, const asp_spread_model *model, const asp_view *view) {
+static void print_density(FILE *out, const asp_spread_model *model, const aspi_view *view) {
   if (!model->density)
     cli_bad_usage("--pdf: model '%s' has no density", model->name);
   fputs("delta_alpha_deg,density_per_deg\n", out);
@@ -83,7 +86,7 @@ static double quantile_of(const double *sorted, size_t n, double p) {
   return below + 1 < n ? (1 - share) * sorted[below] + share * sorted[below + 1] : sorted[below];
 }
 
-static void print_summary(FILE *out, const asp_spread_model *model, const asp_view *view,
+static void print_summary(FILE *out, const asp_spread_model *model, const aspi_view *view,
                           double *sample, size_t n) {
   double mean = 0, square = 0;
   for (size_t i = 0; i < n; i++) {
@@ -97,7 +100,7 @@ static void print_summary(FILE *out, const asp_spread_model *model, const asp_vi
           quantile_of(sample, n, 0.5), quantile_of(sample, n, 0.95));
 }
 
-static void fill(double *sample, size_t n, const asp_spread_model *model, const asp_view *view,
+static void fill(double *sample, size_t n, const asp_spread_model *model, const aspi_view *view,
                  const cli_option *options) {
   cli_progress progress = cli_progress_begin("sampling", (double)n);
   for (size_t i = 0; i < n; i++) {
@@ -109,7 +112,7 @@ static void fill(double *sample, size_t n, const asp_spread_model *model, const 
 }
 
 /* A histogram of the samples, one bar a degree, and the density over it. */
-static void plot(const cli_option *options, const asp_spread_model *model, const asp_view *view,
+static void plot(const cli_option *options, const asp_spread_model *model, const aspi_view *view,
                  const double *sample, size_t n) {
   double share[181] = {0}, most = -90;
   for (size_t i = 0; i < n; i++) {
@@ -146,7 +149,7 @@ static void plot(const cli_option *options, const asp_spread_model *model, const
 }
 
 static void one_angle(FILE *out, const cli_option *options, const asp_spread_model *model,
-                      asp_view view, double angle) {
+                      aspi_view view, double angle) {
   view.alpha1 = cli_radians(angle);
   size_t n = cli_whole(&options[SAMPLES], 1, 100000000);
   if (options[PDF].value) {
@@ -203,7 +206,7 @@ static int run(int argc, char **argv) {
       fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
     else if (!options[PDF].value)
       fputs("delta_alpha_deg\n", out);
-    asp_view view = view_of(options, model);
+    aspi_view view = view_of(options, model);
     for (size_t i = 0; i < angles.count; i++)
       one_angle(out, options, model, view, angles.values[i]);
   }

@@ -1,5 +1,8 @@
 /* asperity surface: what a particle of a given size finds on a wall, generated or measured. */
 #include "cli/surface.h"
+#include "base/units.h"
+#include "surface/describe.h"
+#include "surface/read.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -61,20 +64,20 @@ static int choice(const cli_option *option, const char *first, const char *secon
   cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
 }
 
-static void read_unit(const cli_option *option, asp_profile_options *read) {
+static void read_unit(const cli_option *option, aspi_profile_options *read) {
   const char *second = strchr(option->value, ',');
   size_t length = second ? (size_t)(second - option->value) : strlen(option->value);
   second = second ? second + 1 : option->value;
-  read->unit_x = asp_unit_metres(option->value, length);
-  read->unit_z = asp_unit_metres(second, second == option->value ? length : strlen(second));
+  read->unit_x = aspi_unit_metres(option->value, length);
+  read->unit_z = aspi_unit_metres(second, second == option->value ? length : strlen(second));
   if (!(read->unit_x > 0 && read->unit_z > 0))
     cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, one, or two for positions and "
                   "heights",
                   option->name, option->value);
 }
 
-static asp_profile_options read_options(const cli_option *o) {
-  asp_profile_options read = asp_profile_options_default();
+static aspi_profile_options read_options(const cli_option *o) {
+  aspi_profile_options read = aspi_profile_options_default();
   if (o[UNIT].value)
     read_unit(&o[UNIT], &read);
   read.form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
@@ -90,11 +93,11 @@ static asp_profile_options read_options(const cli_option *o) {
 
 /* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
  * seed is made another, so that a generated profile that was saved is not compared with itself. */
-static asp_profile *generate_like(const asp_description *d, uint32_t seed) {
+static asp_profile *generate_like(const aspi_description *d, uint32_t seed) {
   size_t points = d->points > TWIN_POINTS ? d->points : TWIN_POINTS;
   asp_error error;
   asp_profile *generated = asp_profile_create(d->r_q, d->lambda_1_e, d->spacing, points,
-                                              seed ^ asp_key_fix("twin"), &error);
+                                              seed ^ asp_key_wall("twin"), &error);
   if (!generated)
     fprintf(stderr, "asperity: no profile is generated to compare with: %s\n", error.text);
   return generated;
@@ -102,12 +105,12 @@ static asp_profile *generate_like(const asp_description *d, uint32_t seed) {
 
 /* What is known of a measured profile. */
 typedef struct source {
-  asp_profile_report report;
-  asp_description description;
+  aspi_profile_report report;
+  aspi_description description;
 } source;
 
 static void tell(FILE *out, const cli_wall *wall, const source *from, const char *level) {
-  const asp_description *d = &from->description;
+  const aspi_description *d = &from->description;
   fputs("# profile ", out);
   cli_print_comment(out, wall->name);
   fprintf(out, ": %s\n", from->report.text);
@@ -128,7 +131,7 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
   }
 }
 
-static void check_sizes(const asp_description *d, const cli_list *sizes) {
+static void check_sizes(const aspi_description *d, const cli_list *sizes) {
   for (size_t i = 0; i < sizes->count; i++)
     if (sizes->values[i] < d->spacing)
       cli_fail("--dp is %gum; the profile's points are %gum apart and do not resolve it",
@@ -139,16 +142,16 @@ static cli_wall read_wall(const cli_option *o, source *from) {
   if (o[RQ].value || o[LAMBDA_C].value)
     cli_bad_usage("--%s is given with --profile; a measured wall has its own",
                   o[RQ].value ? "rq" : "lambda-c");
-  asp_profile_options read = read_options(o);
+  aspi_profile_options read = read_options(o);
   double level = choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   uint32_t seed = (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX);
   asp_error error;
-  asp_profile *profile = asp_profile_read(o[PROFILE].value, &read, &from->report, &error);
+  asp_profile *profile = aspi_profile_read(o[PROFILE].value, &read, &from->report, &error);
   if (!profile)
     cli_fail("%s", error.text);
-  if (asp_profile_describe(profile, level, &from->description, &error))
+  if (aspi_profile_describe(profile, level, &from->description, &error))
     cli_fail("%s: %s", o[PROFILE].value, error.text);
-  const asp_description *d = &from->description;
+  const aspi_description *d = &from->description;
   return (cli_wall){profile, generate_like(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};
 }
 

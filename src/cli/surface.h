@@ -3,6 +3,7 @@
 #define ASP_CLI_SURFACE_H
 
 #include "cli/slopes.h"
+#include "surface/slopes.h"
 
 /* One wall as the picture shows it. */
 typedef struct cli_wall {

@@ -1,5 +1,7 @@
 /* The picture of `asperity surface`: the paper's figures 3 to 5 for one wall and one particle. */
 #include "cli/surface.h"
+#include "surface/closing.h"
+#include "surface/slopes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +12,7 @@ enum { GRID = 2000 };
 typedef struct angles {
   double *values; /* degrees */
   size_t count;
-  asp_moments moments;
+  aspi_moments moments;
 } angles;
 
 static double *allocate(size_t count) {
@@ -23,21 +25,21 @@ static double *allocate(size_t count) {
 static angles angles_of(const asp_profile *profile, double d_p) {
   angles a = {.values = allocate(asp_profile_points(profile))};
   asp_error error;
-  if (asp_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, a.values, &a.count, &error))
+  if (aspi_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, a.values, &a.count, &error))
     cli_fail("%s", error.text);
   for (size_t i = 0; i < a.count; i++)
     a.values[i] = cli_degrees(atan(a.values[i]));
-  a.moments = asp_moments_of(a.values, a.count);
+  a.moments = aspi_moments_of(a.values, a.count);
   return a;
 }
 
 /* Densities over one range: five sd about zero, but no less than what is measured. */
-static asp_density *density_of(const angles *a, const angles *range) {
+static aspi_density *density_of(const angles *a, const angles *range) {
   double most = 5 * range->moments.sd;
   for (size_t i = 0; i < range->count; i++)
     most = fmax(most, fabs(range->values[i]));
   asp_error error;
-  asp_density *density = asp_density_create(a->values, a->count, -most, most, GRID, &error);
+  aspi_density *density = aspi_density_create(a->values, a->count, -most, most, GRID, &error);
   if (!density)
     cli_fail("%s", error.text);
   return density;
@@ -45,10 +47,10 @@ static asp_density *density_of(const angles *a, const angles *range) {
 
 double cli_generated_kl(const cli_wall *wall, double d_p) {
   angles measured = angles_of(wall->profile, d_p), generated = angles_of(wall->generated, d_p);
-  asp_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
-  double kl = asp_density_kl(p, q);
-  asp_density_free(p);
-  asp_density_free(q);
+  aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
+  double kl = aspi_density_kl(p, q);
+  aspi_density_free(p);
+  aspi_density_free(q);
   free(measured.values);
   free(generated.values);
   return kl;
@@ -102,8 +104,8 @@ static void figure_3(FILE *out, const cli_wall *wall, double d_p) {
   size_t points = asp_profile_points(wall->profile);
   double *centre = allocate(points), *closed = allocate(points);
   asp_error error;
-  if (asp_profile_dilate(wall->profile, d_p, centre, &error) ||
-      asp_profile_close(wall->profile, d_p, closed, &error))
+  if (aspi_profile_dilate(wall->profile, d_p, centre, &error) ||
+      aspi_profile_close(wall->profile, d_p, closed, &error))
     cli_fail("%s", error.text);
   window w = window_of(wall->profile, centre, closed, d_p);
   double spacing = asp_profile_spacing(wall->profile), margin = 0.05 * (w.hi - w.lo);
@@ -126,17 +128,17 @@ static void figure_3(FILE *out, const cli_wall *wall, double d_p) {
   free(closed);
 }
 
-static double peak_of(const asp_density *density) {
+static double peak_of(const aspi_density *density) {
   double most = 0;
-  for (size_t i = 0; i < asp_density_points(density); i++)
-    most = fmax(most, asp_density_at(density, i, NULL));
+  for (size_t i = 0; i < aspi_density_points(density); i++)
+    most = fmax(most, aspi_density_at(density, i, NULL));
   return most;
 }
 
-static void put_density(FILE *out, const char *name, const asp_density *density) {
+static void put_density(FILE *out, const char *name, const aspi_density *density) {
   fprintf(out, "$%s << EOD\n", name);
-  for (size_t i = 0; i < asp_density_points(density); i++) {
-    double x, y = asp_density_at(density, i, &x);
+  for (size_t i = 0; i < aspi_density_points(density); i++) {
+    double x, y = aspi_density_at(density, i, &x);
     fprintf(out, "%g %g\n", x, y);
   }
   fputs("EOD\n", out);
@@ -144,7 +146,7 @@ static void put_density(FILE *out, const char *name, const asp_density *density)
 
 static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
   angles a = angles_of(wall->profile, row->d_p);
-  asp_density *density = density_of(&a, &a);
+  aspi_density *density = density_of(&a, &a);
   double reach = fmin(4.5 * a.moments.sd, 90);
   put_density(out, "density", density);
   fprintf(out,
@@ -154,25 +156,25 @@ static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
           "plot $density with lines ls 1 title 'kernel density, bandwidth %.2g°', "
           "exp(-(x - %g)**2/(2*%g**2))/(%g*sqrt(2*pi)) with lines ls 2 dt 2 title 'normal fit'\n",
           a.moments.mean, a.moments.sd, row->slopes.kl_normal, -reach, reach,
-          1.3 * peak_of(density), asp_density_bandwidth(density), a.moments.mean, a.moments.sd,
+          1.3 * peak_of(density), aspi_density_bandwidth(density), a.moments.mean, a.moments.sd,
           a.moments.sd);
-  asp_density_free(density);
+  aspi_density_free(density);
   free(a.values);
 }
 
 static void figure_5(FILE *out, const cli_wall *wall, double d_p) {
   angles measured = angles_of(wall->profile, d_p), generated = angles_of(wall->generated, d_p);
-  asp_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
+  aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
   put_density(out, "measured", p);
   put_density(out, "generated", q);
   fprintf(out,
           "set title 'Measured against generated, D_{KL} %.4f (fig. 5)'\nset yrange [0:%g]\n"
           "plot $measured with lines ls 1 title 'measured, sd %.2f°', "
           "$generated with lines ls 2 dt 2 title 'generated, of the same R_q and λ_c, sd %.2f°'\n",
-          asp_density_kl(p, q), 1.3 * fmax(peak_of(p), peak_of(q)), measured.moments.sd,
+          aspi_density_kl(p, q), 1.3 * fmax(peak_of(p), peak_of(q)), measured.moments.sd,
           generated.moments.sd);
-  asp_density_free(p);
-  asp_density_free(q);
+  aspi_density_free(p);
+  aspi_density_free(q);
   free(measured.values);
   free(generated.values);
 }

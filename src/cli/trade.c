@@ -17,19 +17,19 @@ typedef struct row {
 
 /* The rows of one angle. */
 static void judge(const measure_case *subject, double angle, size_t rays, uint32_t seed,
-                  asp_collisions collisions, row *rows) {
+                  bool multiple, row *rows) {
   double alpha1 = cli_radians(angle);
-  asp_wall *traced = measure_wall(subject, "traced", ASP_COLLISIONS_MULTIPLE);
+  asp_wall *traced = measure_wall(subject, "traced", true);
   measure_angles reference = measure_rebounds(traced, subject->d_p, alpha1, rays, seed);
   asp_wall_free(traced);
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
-    asp_wall *wall = measure_wall(subject, model->name, collisions);
+    asp_wall *wall = measure_wall(subject, asp_spread_name(model), multiple);
     measure_angles angles = measure_rebounds(wall, subject->d_p, alpha1, rays, seed + 1);
     rows[i] = (row){.model = model,
                     .angle = angle,
                     .cost = measure_cost(wall, subject->d_p, alpha1),
-                    .first_hit = measure_first_hit(subject, model, alpha1, asp_wall_data(wall)),
+                    .first_hit = measure_first_hit(subject, wall, alpha1),
                     .rebound = measure_divergence(&reference, &angles),
                     .mean = angles.mean,
                     .reference_mean = reference.mean};
@@ -38,7 +38,7 @@ static void judge(const measure_case *subject, double angle, size_t rays, uint32
 }
 
 static void print_row(FILE *out, const row *r) {
-  fprintf(out, "%s,%g,%.1f,", r->model->name, r->angle, r->cost);
+  fprintf(out, "%s,%g,%.1f,", asp_spread_name(r->model), r->angle, r->cost);
   if (isfinite(r->first_hit))
     fprintf(out, "%.5f", r->first_hit);
   fprintf(out, ",%.5f,%.4f,%.4f\n", r->rebound, r->mean, r->reference_mean);
@@ -105,7 +105,7 @@ static void plot(const cli_option *options, const row *rows, size_t n) {
   for (size_t i = 0; i < models; i++)
     fprintf(gp, ", $points every ::%zu::%zu with points ls %zu pt %d ps 1.6 title '%s'", i, i,
             i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
-            cli_plot_label(picture, points[i].model->name).text);
+            cli_plot_label(picture, asp_spread_name(points[i].model)).text);
   fputc('\n', gp);
   cli_plot_close(picture);
   free(points);
@@ -114,13 +114,12 @@ static void plot(const cli_option *options, const row *rows, size_t n) {
 /* All rows, angle by angle. */
 static void measure(const cli_option *options, const cli_list *angles, size_t rays, uint32_t seed,
                     row *rows) {
-  asp_collisions collisions = cli_collisions(&options[COLLISIONS]);
+  bool multiple = cli_is_multiple(&options[COLLISIONS]);
   measure_case subject = measure_case_create(
       cli_length(&options[RQ]), cli_length(&options[LAMBDA_C]), cli_length(&options[DP]), seed);
   cli_progress progress = cli_progress_begin("measuring", (double)angles->count);
   for (size_t i = 0; i < angles->count; i++) {
-    judge(&subject, angles->values[i], rays, seed, collisions,
-          rows + i * (size_t)asp_spread_count());
+    judge(&subject, angles->values[i], rays, seed, multiple, rows + i * (size_t)asp_spread_count());
     cli_progress_show(&progress, (double)(i + 1));
   }
   cli_progress_end(&progress);

@@ -11,12 +11,13 @@ static int choice(const cli_option *option, const char *first, const char *secon
   cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
 }
 
-asp_tilt cli_tilt(const cli_option *option) {
-  return choice(option, "plane", "isotropic") ? ASP_TILT_ISOTROPIC : ASP_TILT_PLANE;
+const char *cli_tilt(const cli_option *option) {
+  choice(option, "plane", "isotropic");
+  return option->value;
 }
 
-asp_collisions cli_collisions(const cli_option *option) {
-  return choice(option, "single", "multiple") ? ASP_COLLISIONS_MULTIPLE : ASP_COLLISIONS_SINGLE;
+bool cli_is_multiple(const cli_option *option) {
+  return choice(option, "single", "multiple");
 }
 
 bool cli_switch(const cli_option *option) {

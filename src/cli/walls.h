@@ -5,8 +5,8 @@
 #include "cli/cli.h"
 
 /* Reads `plane` or `isotropic`, `single` or `multiple`, `on` or `off`. */
-asp_tilt cli_tilt(const cli_option *option);
-asp_collisions cli_collisions(const cli_option *option);
+const char *cli_tilt(const cli_option *option);
+bool cli_is_multiple(const cli_option *option);
 bool cli_switch(const cli_option *option);
 
 /* The surface of --rq and --lambda-c. */

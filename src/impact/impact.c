@@ -12,6 +12,9 @@
 
 #include <math.h>
 
+/* Larger ratios, at an impact angle of nearly nothing, are told as this. */
+#define RATIO_MOST 1e300
+
 /* Smith's Lambda is below 1e-13 from here on, and beyond all numbers before. */
 #define NU_FREE 5.2
 #define NU_LEAST 1e-150
@@ -26,8 +29,8 @@ static double impact_angle(const frame *f) {
 }
 
 /* At normal impact the direction of flight is drawn uniformly around n. */
-static void draw_direction(frame *f, asp_stream *stream) {
-  double angle = 2 * ASP_PI * asp_stream_uniform(stream);
+static void draw_direction(frame *f, aspi_stream *stream) {
+  double angle = 2 * ASP_PI * aspi_stream_uniform(stream);
   double x = fabs(f->n.x), y = fabs(f->n.y), z = fabs(f->n.z);
   vec least = z < fmin(x, y) ? (vec){0, 0, 1} : x <= y ? (vec){1, 0, 0} : (vec){0, 1, 0};
   vec first = cross(f->n, least);
@@ -39,11 +42,11 @@ static void draw_direction(frame *f, asp_stream *stream) {
 
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
  */
-static face face_at(const asp_wall *wall, double slope, double delta, asp_stream *stream) {
+static face face_at(const asp_wall *wall, double slope, double delta, aspi_stream *stream) {
   double sine = sin(delta), cosine = cos(delta);
   if (!wall->isotropic)
     return (face){{-sine, 0, cosine}, delta, 0};
-  double q = slope * asp_stream_normal(stream), side = q * cosine;
+  double q = slope * aspi_stream_normal(stream), side = q * cosine;
   return (face){scaled((vec){-sine, -side, cosine}, 1 / sqrt(1 + side * side)), delta, q};
 }
 
@@ -54,7 +57,7 @@ static double tilt_out(const asp_wall *wall, const face *on) {
 /* The rebound from one face, in (t, b, n). False where the particle cannot hit it. A face that is
  * tilted in the plane of incidence only keeps the particle in that plane. */
 static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m,
-                    bool in_plane, asp_stream *stream, vec *out, bool *deposit) {
+                    bool in_plane, aspi_stream *stream, vec *out, bool *deposit) {
   double approach = f->v_n * m.z - f->v_t * m.x, speed;
   if (!(approach > 0))
     return false;
@@ -67,9 +70,9 @@ static bool rebound(const asp_wall *wall, const asp_particle *particle, const fr
     along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
     speed = sqrt(dot(along, along));
   }
-  asp_hit hit = {approach,       speed,         particle->d_p, particle->density,
-                 particle->pair, wall->deposit, wall->table,   stream};
-  asp_bounce bounce = wall->law->rebound(wall->parameters, &hit);
+  aspi_hit hit = {approach,       speed,         particle->d_p, particle->density,
+                  particle->pair, wall->deposit, wall->table,   stream};
+  aspi_bounce bounce = wall->law->rebound(wall->parameters, &hit);
   *deposit = wall->deposit && !(bounce.v_n2 > 0);
   double kept = in_plane ? bounce.v_t2 : speed > 0 ? bounce.v_t2 / speed : 0;
   *out = *deposit ? (vec){0, 0, 0} : plus(scaled(m, bounce.v_n2), kept, along);
@@ -93,7 +96,7 @@ static vec leaving(const frame *f, vec v) {
 }
 
 static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                                 asp_stream *stream, asp_impact *impact) {
+                                 aspi_stream *stream, asp_impact *impact) {
   vec local;
   bool deposit, hit = rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &local, &deposit);
   impact->delta_alpha = impact->tilt_out = 0;
@@ -108,19 +111,19 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
 }
 
 /* What a wall looks like to a particle, at an impact angle still to be set. */
-static asp_view view_of(const asp_wall *wall, const asp_particle *particle) {
+static aspi_view view_of(const asp_wall *wall, const asp_particle *particle) {
   double slope = asp_surface_slope(wall->surface, particle->d_p);
-  return (asp_view){slope, atan(slope), 0, particle->d_p, wall->data};
+  return (aspi_view){slope, atan(slope), 0, particle->d_p, wall->data};
 }
 
 /* One hit; a face that would send the particle into the wall is drawn again. */
 static void bounce_once(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                        asp_stream *stream, asp_impact *impact) {
-  asp_view view = view_of(wall, particle);
+                        aspi_stream *stream, asp_impact *impact) {
+  aspi_view view = view_of(wall, particle);
   view.alpha1 = impact_angle(f);
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
-    if (!asp_spread_draw(wall->spread, &view, stream, &delta))
+    if (!aspi_spread_draw(wall->spread, &view, stream, &delta))
       continue;
     face on = face_at(wall, view.slope, delta, stream);
     vec local;
@@ -141,10 +144,10 @@ static void bounce_once(const asp_wall *wall, const asp_particle *particle, cons
 
 /* A particle on its way over a rough wall, from its first hit to its last. */
 typedef struct flight {
-  asp_view view;
-  asp_stream *stream;
-  double depth;  /* of the particle, see walks_out */
-  double lambda; /* of its first approach, < 0 while not known */
+  aspi_view view;
+  aspi_stream *stream;
+  bool begun;   /* whether the depth is known */
+  double depth; /* of the particle, see walks_out */
 } flight;
 
 /* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
@@ -155,24 +158,22 @@ static double smith(double nu) {
   return 0.5 * (exp(-nu * nu) / (nu * sqrt(ASP_PI)) - erfc(nu));
 }
 
-static double exponential(asp_stream *stream) {
-  return -log(asp_stream_uniform(stream));
+static double exponential(aspi_stream *stream) {
+  return -log(aspi_stream_uniform(stream));
 }
 
 /* Whether a particle that a face has just sent off at the slope `rise` > 0 leaves, or at rise <= 0
  * how deep it gets. Depth is -ln of the share of the wall that is lower than the particle: a flight
  * down adds an exponential number over 1 + Lambda to it, a flight up takes one over Lambda off, and
  * is out when nothing is left (Heitz, Hanika, d'Eon & Dachsbacher 2016, eq. 17 to 21 in this
- * variable). A wall that forgets draws the depth of the first hit again each time, which makes the
- * probability to leave Smith's, (1 + Lambda_1)/(1 + Lambda_1 + Lambda). */
-static bool walks_out(const asp_wall *wall, flight *fly, double rise) {
+ * variable). */
+static bool walks_out(flight *fly, double rise) {
   double scale = 1 / (sqrt(2) * fly->view.slope), lambda = smith(fabs(rise) * scale);
   if (rise > 0 && !(lambda > 0))
     return true;
-  if (fly->lambda < 0 || wall->forgets) {
-    if (fly->lambda < 0)
-      fly->lambda = smith(tan(fly->view.alpha1) * scale);
-    fly->depth = exponential(fly->stream) / (1 + fly->lambda);
+  if (!fly->begun) {
+    fly->depth = exponential(fly->stream) / (1 + smith(tan(fly->view.alpha1) * scale));
+    fly->begun = true;
   }
   double step = exponential(fly->stream);
   if (rise > 0)
@@ -188,14 +189,14 @@ static bool leaves(const asp_wall *wall, flight *fly, vec out) {
   double along = hypot(out.x, out.y);
   if (wall->spread->escape)
     return out.z > 0 &&
-           asp_stream_uniform(fly->stream) < wall->spread->escape(&fly->view, atan2(out.z, along));
+           aspi_stream_uniform(fly->stream) < wall->spread->escape(&fly->view, atan2(out.z, along));
   bool steep = along <= NO_DIRECTION * fabs(out.z);
-  return walks_out(wall, fly, steep ? copysign(INFINITY, out.z) : out.z / along);
+  return walks_out(fly, steep ? copysign(INFINITY, out.z) : out.z / along);
 }
 
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
  * left. */
-static bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *path, double *delta,
+static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, double *delta,
                       bool *gone) {
   const asp_spread_model *model = wall->spread;
   *gone = false;
@@ -205,15 +206,15 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, asp_path *path, d
     return drawn;
   }
   bool borrows = fly->view.alpha1 < 0 && !model->upward;
-  return asp_spread_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
+  return aspi_spread_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
 }
 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
 static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1, frame *now,
-                      asp_stream *stream, asp_impact *impact) {
-  flight fly = {view_of(wall, particle), stream, 0, -1};
+                      aspi_stream *stream, asp_impact *impact) {
+  flight fly = {view_of(wall, particle), stream, false, 0};
   fly.view.alpha1 = impact_angle(now);
-  asp_path path = {0};
+  aspi_path path = {0};
   vec v2 = {0, 0, 0};
   impact->hits = 0;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
@@ -259,7 +260,7 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
                      const double n[3], const asp_key *key, asp_impact *impact) {
   vec v = load(v1);
   frame f = frame_of(v, load(n));
-  asp_stream stream = asp_stream_create(key);
+  aspi_stream stream = aspi_stream_begin(key);
   impact->capped = false;
   if (!wall->rough) {
     bounce_off_mean_wall(wall, particle, &f, &stream, impact);
@@ -275,9 +276,9 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
 
 /* a/b, or the largest ratio that is told where b vanishes against a. */
 static double ratio(double a, double b) {
-  if (b > fabs(a) / ASP_RATIO_MOST)
+  if (b > fabs(a) / RATIO_MOST)
     return a / b;
-  return a > 0 ? ASP_RATIO_MOST : 0;
+  return a > 0 ? RATIO_MOST : 0;
 }
 
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],

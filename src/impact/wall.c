@@ -1,128 +1,223 @@
 /* A wall: surface, spread model and rebound law looked up once and checked, so that a contact reads
  * numbers and follows pointers only. */
-#include "base/error.h"
 #include "impact/wall.h"
+#include "base/error.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* The profile that stands for a wall given by r_q and lambda_c: 1024 lambda_c long, and so fine
  * that a disc of many lambda_c does not feel the points. */
-#define ASP_WALL_RESOLUTION 128
-#define ASP_WALL_POINTS 131072
-#define ASP_WALL_SEED 1
+#define RESOLUTION 128
+#define POINTS 131072
+#define SEED 1
 
-asp_wall_spec asp_wall_spec_default(void) {
-  asp_wall_spec spec = {.spread = "none", .deposit = true};
-  asp_wall_spec_rebound(&spec, "bons", NULL);
-  return spec;
-}
+static const asp_parameter numbers[ASP_WALL_NUMBERS] = {
+    [ASP_WALL_DEPOSIT] = {.name = "deposit", .fallback = 1, .most = 1},
+    [ASP_WALL_SCATTER_TWICE] = {.name = "scatter_twice", .most = 1},
+    [ASP_WALL_D_P_LEAST] = {.name = "d_p_least", .most = INFINITY},
+    [ASP_WALL_D_P_MOST] = {.name = "d_p_most", .most = INFINITY},
+    [ASP_WALL_D_P_BINS] = {.name = "d_p_bins", .fallback = 1, .least = 1, .most = ASP_BINS_MAX},
+};
 
-asp_code asp_wall_spec_rebound(asp_wall_spec *spec, const char *name, asp_error *error) {
-  const asp_rebound_law *law = asp_rebound_find(name, error);
-  if (!law)
-    return ASP_ENAME;
-  spec->rebound = law->name;
+static void choose_law(aspi_wall_choice *choice, const asp_rebound_law *law) {
+  choice->law = law;
   for (int i = 0; i < law->n_parameters; i++)
-    spec->parameters[i] = law->parameters[i].fallback;
-  return ASP_OK;
+    choice->parameters[i] = law->parameters[i].fallback;
 }
 
-static asp_code check_parameter(const asp_parameter *parameter, double value, asp_error *error) {
-  return asp_check_range(error, parameter->name, parameter->unit, value, parameter->least,
-                         parameter->most);
-}
-
-asp_code asp_wall_spec_set(asp_wall_spec *spec, const char *parameter, double value,
-                           asp_error *error) {
-  const asp_rebound_law *law = asp_rebound_find(spec->rebound, error);
-  if (!law)
-    return ASP_ENAME;
-  int index = asp_rebound_parameter(law, parameter, error);
-  if (index < 0)
-    return ASP_ENAME;
-  asp_code code = check_parameter(&law->parameters[index], value, error);
-  if (code == ASP_OK)
-    spec->parameters[index] = value;
-  return code;
-}
-
-static asp_code check(const asp_wall_spec *spec, const asp_rebound_law *law, asp_error *error) {
-  asp_code code = ASP_OK;
-  for (int i = 0; i < law->n_parameters && code == ASP_OK; i++)
-    code = check_parameter(&law->parameters[i], spec->parameters[i], error);
-  if (code)
-    return code;
-  if (law->needs_table && !spec->table)
-    return asp_fail(error, ASP_EARG, "rebound law '%s' needs a table of coefficients", law->name);
-  bool rough = spec->surface && strcmp(spec->spread, "none") != 0;
-  if (rough && law->scatters && law->scatters(spec->parameters) && !spec->scatter_twice)
-    return asp_fail(error, ASP_EARG,
-                    "rebound law '%s' draws a measured scatter, which holds the roughness of the "
-                    "measured wall already; on a rough wall it would count twice. Take its means, "
-                    "or a smooth wall, or ask for both (scatter_twice)",
-                    law->name);
-  return ASP_OK;
-}
-
-/* A profile of the surface's two numbers, for models that need one where the spec has none. */
-static asp_profile *generate(const asp_surface *surface, asp_error *error) {
-  double lambda_c = asp_surface_lambda_c(surface);
-  return asp_profile_create(asp_surface_r_q(surface), lambda_c, lambda_c / ASP_WALL_RESOLUTION,
-                            ASP_WALL_POINTS, ASP_WALL_SEED, error);
-}
-
-/* What the model keeps of the profile. */
-static asp_code prepare(const asp_wall_spec *spec, const asp_spread_model *model, void **data,
-                        asp_error *error) {
-  *data = NULL;
-  if (!model->prepare || !spec->surface)
-    return ASP_OK;
-  asp_profile *own = spec->profile ? NULL : generate(spec->surface, error);
-  const asp_profile *profile = spec->profile ? spec->profile : own;
-  if (profile)
-    *data = model->prepare(profile, &spec->sizes, error);
-  asp_profile_free(own);
-  return *data ? ASP_OK : ASP_EARG;
-}
-
-asp_wall *asp_wall_create(const asp_wall_spec *spec, asp_error *error) {
-  const asp_spread_model *spread = asp_spread_find(spec->spread, error);
-  const asp_rebound_law *law = spread ? asp_rebound_find(spec->rebound, error) : NULL;
-  void *data;
-  if (!law || check(spec, law, error) || prepare(spec, spread, &data, error))
-    return NULL;
-  asp_wall *wall = malloc(sizeof *wall);
+asp_wall *asp_wall_create(asp_error *error) {
+  asp_wall *wall = calloc(1, sizeof *wall);
   if (!wall) {
-    if (data)
-      spread->release(data);
-    asp_fail(error, ASP_ENOMEM, "out of memory for a wall");
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a wall");
     return NULL;
   }
-  *wall = (asp_wall){.surface = spec->surface,
-                     .spread = spread,
-                     .upward = asp_spread_find("visible", NULL),
-                     .data = data,
-                     .law = law,
-                     .table = spec->table,
-                     .rough = spec->surface && spread != asp_spread_find("none", NULL),
-                     .isotropic = spec->tilt == ASP_TILT_ISOTROPIC,
-                     .multiple = spec->collisions != ASP_COLLISIONS_SINGLE || spread->escape ||
-                                 spread->follow,
-                     .forgets = spec->collisions == ASP_COLLISIONS_SMITH,
-                     .deposit = spec->deposit};
-  for (int i = 0; i < ASP_PARAMETERS_MAX; i++)
-    wall->parameters[i] = spec->parameters[i];
+  wall->choice.spread = asp_spread_find("none", NULL);
+  choose_law(&wall->choice, asp_rebound_find("bons", NULL));
+  for (int i = 0; i < ASP_WALL_NUMBERS; i++)
+    wall->choice.numbers[i] = numbers[i].fallback;
+  asp_wall_prepare(wall, NULL); /* of this choice, nothing can be wrong */
   return wall;
 }
 
-void asp_wall_free(asp_wall *wall) {
-  if (wall && wall->data)
+static void release(asp_wall *wall) {
+  if (wall->data)
     wall->spread->release(wall->data);
+  wall->data = NULL;
+}
+
+void asp_wall_free(asp_wall *wall) {
+  if (wall)
+    release(wall);
   free(wall);
 }
 
-const void *asp_wall_data(const asp_wall *wall) {
-  return wall->data;
+/* *second is whether the word is the second of the two. */
+static asp_code choose_one(const char *name, const char *word, const char *first,
+                           const char *second, bool *is_second, asp_error *error) {
+  bool one = word && strcmp(word, first) == 0, other = word && strcmp(word, second) == 0;
+  if (!one && !other)
+    return aspi_fail(error, ASP_EARG, "%s is '%s'; it must be %s or %s", name, word ? word : "",
+                     first, second);
+  *is_second = other;
+  return ASP_OK;
+}
+
+asp_code asp_wall_choose(asp_wall *wall, const char *name, const char *word, asp_error *error) {
+  aspi_wall_choice *choice = &wall->choice;
+  if (strcmp(name, "tilt") == 0)
+    return choose_one(name, word, "plane", "isotropic", &choice->isotropic, error);
+  if (strcmp(name, "collisions") == 0)
+    return choose_one(name, word, "single", "multiple", &choice->multiple, error);
+  if (strcmp(name, "spread") == 0) {
+    const asp_spread_model *model = asp_spread_find(word, error);
+    choice->spread = model ? model : choice->spread;
+    return model ? ASP_OK : ASP_ENAME;
+  }
+  if (strcmp(name, "rebound") == 0) {
+    const asp_rebound_law *law = asp_rebound_find(word, error);
+    if (law)
+      choose_law(choice, law);
+    return law ? ASP_OK : ASP_ENAME;
+  }
+  return aspi_fail(error, ASP_ENAME,
+                   "choice '%s' is unknown to a wall; there are: spread rebound tilt collisions",
+                   name);
+}
+
+/* A number that a wall has, and what may be set there. */
+typedef struct place {
+  double *value;
+  const asp_parameter *of;
+} place;
+
+/* NULLs where there is none of that name. */
+static place find(aspi_wall_choice *choice, const char *name) {
+  for (int i = 0; i < choice->law->n_parameters; i++)
+    if (strcmp(choice->law->parameters[i].name, name) == 0)
+      return (place){&choice->parameters[i], &choice->law->parameters[i]};
+  for (int i = 0; i < ASP_WALL_NUMBERS; i++)
+    if (strcmp(numbers[i].name, name) == 0)
+      return (place){&choice->numbers[i], &numbers[i]};
+  return (place){NULL, NULL};
+}
+
+/* Those of the law, and of any wall. */
+static asp_code fail_name(const aspi_wall_choice *choice, const char *name, asp_error *error) {
+  char list[320] = "";
+  for (int i = 0; i < choice->law->n_parameters + ASP_WALL_NUMBERS; i++) {
+    int own = i - choice->law->n_parameters;
+    size_t used = strlen(list);
+    snprintf(list + used, sizeof list - used, " %s",
+             own < 0 ? choice->law->parameters[i].name : numbers[own].name);
+  }
+  return aspi_fail(error, ASP_ENAME,
+                   "number '%s' is unknown to a wall with rebound law '%s'; there are:%s", name,
+                   choice->law->name, list);
+}
+
+asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error) {
+  place at = find(&wall->choice, name);
+  if (!at.of)
+    return fail_name(&wall->choice, name, error);
+  bool whole = at.of >= numbers && at.of < numbers + ASP_WALL_NUMBERS && isfinite(at.of->most);
+  const char *unit = at.of->unit ? at.of->unit : "";
+  asp_code code = aspi_check_range(error, name, unit, value, at.of->least, at.of->most);
+  if (!code && whole && (value > floor(value)))
+    code = aspi_fail(error, ASP_EARG, "%s is %g; it must be a whole number", name, value);
+  if (!code)
+    *at.value = value;
+  return code;
+}
+
+double asp_wall_get(const asp_wall *wall, const char *name) {
+  aspi_wall_choice choice = wall->choice;
+  place at = find(&choice, name);
+  return at.of ? *at.value : NAN;
+}
+
+void asp_wall_set_surface(asp_wall *wall, const asp_surface *surface) {
+  wall->choice.surface = surface;
+}
+
+void asp_wall_set_profile(asp_wall *wall, const asp_profile *profile) {
+  wall->choice.profile = profile;
+}
+
+void asp_wall_set_table(asp_wall *wall, const asp_cor_table *table) {
+  wall->choice.table = table;
+}
+
+const asp_spread_model *asp_wall_spread(const asp_wall *wall) {
+  return wall->choice.spread;
+}
+
+const asp_rebound_law *asp_wall_rebound(const asp_wall *wall) {
+  return wall->choice.law;
+}
+
+static bool is_rough(const aspi_wall_choice *choice) {
+  return choice->surface && strcmp(choice->spread->name, "none") != 0;
+}
+
+static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
+  const asp_rebound_law *law = choice->law;
+  if (law->needs_table && !choice->table)
+    return aspi_fail(error, ASP_EARG, "rebound law '%s' needs a table of coefficients", law->name);
+  bool scatters = law->scatters && law->scatters(choice->parameters);
+  if (is_rough(choice) && scatters && !(choice->numbers[ASP_WALL_SCATTER_TWICE] > 0))
+    return aspi_fail(error, ASP_EARG,
+                     "rebound law '%s' draws a measured scatter, which holds the roughness of the "
+                     "measured wall already; on a rough wall it would count twice. Take its means, "
+                     "or a smooth wall, or ask for both (scatter_twice)",
+                     law->name);
+  return ASP_OK;
+}
+
+/* A profile of the surface's two numbers, for models that need one where there is none. */
+static asp_profile *generate(const asp_surface *surface, asp_error *error) {
+  double lambda_c = asp_surface_lambda_c(surface);
+  return asp_profile_create(asp_surface_r_q(surface), lambda_c, lambda_c / RESOLUTION, POINTS, SEED,
+                            error);
+}
+
+/* What the model keeps of the profile. */
+static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error *error) {
+  *data = NULL;
+  if (!choice->spread->prepare || !choice->surface)
+    return ASP_OK;
+  aspi_sizes sizes = {choice->numbers[ASP_WALL_D_P_LEAST], choice->numbers[ASP_WALL_D_P_MOST],
+                      (int)choice->numbers[ASP_WALL_D_P_BINS]};
+  asp_error wrong = {ASP_OK, ""};
+  asp_profile *own = choice->profile ? NULL : generate(choice->surface, &wrong);
+  const asp_profile *profile = choice->profile ? choice->profile : own;
+  if (profile)
+    *data = choice->spread->prepare(profile, &sizes, &wrong);
+  asp_profile_free(own);
+  return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
+}
+
+asp_code asp_wall_prepare(asp_wall *wall, asp_error *error) {
+  const aspi_wall_choice *choice = &wall->choice;
+  void *data;
+  asp_code code = check(choice, error);
+  if (!code)
+    code = make_data(choice, &data, error);
+  if (code)
+    return code;
+  release(wall);
+  wall->surface = choice->surface;
+  wall->spread = choice->spread;
+  wall->upward = asp_spread_find("visible", NULL);
+  wall->data = data;
+  wall->law = choice->law;
+  memcpy(wall->parameters, choice->parameters, sizeof wall->parameters);
+  wall->table = choice->table;
+  wall->rough = is_rough(choice);
+  wall->isotropic = choice->isotropic;
+  wall->multiple = choice->multiple || choice->spread->escape || choice->spread->follow;
+  wall->deposit = choice->numbers[ASP_WALL_DEPOSIT] > 0;
+  return ASP_OK;
 }

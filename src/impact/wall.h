@@ -1,10 +1,35 @@
-/* What a wall keeps for its contacts. */
+/* What a wall keeps: what was chosen and set, and what its contacts read. */
 #ifndef ASP_IMPACT_WALL_H
 #define ASP_IMPACT_WALL_H
 
-#include "asperity.h"
+#include "rebound/laws.h"
+#include "spread/models.h"
+
+/* Numbers of a wall that are no parameters of its law. */
+enum {
+  ASP_WALL_DEPOSIT,
+  ASP_WALL_SCATTER_TWICE,
+  ASP_WALL_D_P_LEAST,
+  ASP_WALL_D_P_MOST,
+  ASP_WALL_D_P_BINS,
+  ASP_WALL_NUMBERS
+};
+
+/* As the user has it. */
+typedef struct aspi_wall_choice {
+  const asp_surface *surface; /* NULL: smooth */
+  const asp_profile *profile; /* NULL: one is generated where the model needs one */
+  const asp_cor_table *table;
+  const asp_spread_model *spread;
+  const asp_rebound_law *law;
+  bool isotropic, multiple;
+  double parameters[ASP_PARAMETERS_MAX];
+  double numbers[ASP_WALL_NUMBERS];
+} aspi_wall_choice;
 
 struct asp_wall {
+  aspi_wall_choice choice;
+  /* What follows is made of it by asp_wall_prepare. */
   const asp_surface *surface;
   const asp_spread_model *spread;
   const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
@@ -15,7 +40,6 @@ struct asp_wall {
   bool rough; /* false: smooth, and nothing is drawn */
   bool isotropic;
   bool multiple; /* a particle that a face sends into the wall goes on to the next face */
-  bool forgets;  /* ASP_COLLISIONS_SMITH */
   bool deposit;
 };
 

@@ -25,18 +25,22 @@ static const asp_parameter parameters[N_PARAMETERS] = {
     [YIELD_RATE] = {"yield_rate", "stress/speed", 0, 0, INFINITY,
                     "yield stress per impact speed, sigma_y = yield_rate |v1|; 0: the material's "
                     "constant yield stress (form: Whitaker & Bons 2018, secondary source; no value "
-                    "found)"},
+                    "found)",
+                    "yield_rate"},
     [AREA_A] = {"a", "", 0.1, 0, 1e3,
-                "contact area share f = a + b min(1, v_n1/v_y)^c (recalled, original not seen)"},
-    [AREA_B] = {"b", "", 1.0 / 7, 0, 1e3, "see a (recalled, original not seen)"},
-    [AREA_C] = {"c", "", 0.5, 0, 10, "see a (recalled, original not seen)"},
-    [TEMPERATURE] = {"temperature", "K", 0, 0, 1e5, "temperature of the particle; 0: cold"},
-    [SOFTEN_FROM] =
-        {"soften_from", "K", 1000, 0, 1e5,
-         "temperature above which the yield stress falls (recalled, original not seen)"},
+                "contact area share f = a + b min(1, v_n1/v_y)^c (recalled, original not seen)",
+                "contact_area"},
+    [AREA_B] = {"b", "", 1.0 / 7, 0, 1e3, "see a (recalled, original not seen)", "contact_area"},
+    [AREA_C] = {"c", "", 0.5, 0, 10, "see a (recalled, original not seen)", "contact_area"},
+    [TEMPERATURE] = {"temperature", "K", 0, 0, 1e5, "temperature of the particle; 0: cold",
+                     "temperature"},
+    [SOFTEN_FROM] = {"soften_from", "K", 1000, 0, 1e5,
+                     "temperature above which the yield stress falls (recalled, original not seen)",
+                     "soften"},
     [SOFTEN_RATE] = {"soften_rate", "1/K", 0.225 / 200, 0, 1,
                      "share of the yield stress lost per kelvin above it (recalled, original not "
-                     "seen)"},
+                     "seen)",
+                     "soften"},
 };
 
 /* The share of the yield stress that heat leaves. */
@@ -48,7 +52,7 @@ static long double softened(const double *p) {
 }
 
 /* Where nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
-static asp_bounce rebound(const double *p, const asp_hit *hit) {
+static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1, density = hit->density;
   long double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * sqrtl(speed2) : pair->yield_stress;
@@ -63,14 +67,14 @@ static asp_bounce rebound(const double *p, const asp_hit *hit) {
   long double t2 = t1;
   if (t1 > 0)
     t2 -= pair->friction * (n1 + n2) * t1 * t1 / speed2;
-  return (asp_bounce){(double)n2, t2 > 0 ? (double)t2 : 0};
+  return (aspi_bounce){(double)n2, t2 > 0 ? (double)t2 : 0};
 }
 
-const asp_rebound_law asp_rebound_bons = {
+const asp_rebound_law aspi_rebound_bons = {
     .name = "bons",
     .summary = "elastic, plastic or stuck: a yielding spring with adhesion, and friction",
     .source = "Bons, Prenter & Whitaker 2017; Whitaker & Bons 2018 (both by secondary sources)",
-    .needs_material = true,
+    .needs_pair = true,
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rebound = rebound,

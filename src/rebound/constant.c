@@ -9,11 +9,11 @@ static const asp_parameter parameters[N_PARAMETERS] = {
     [COR_T] = {"cor_t", "", 1, 0, 1, "tangential coefficient of restitution of the face"},
 };
 
-static asp_bounce rebound(const double *p, const asp_hit *hit) {
-  return (asp_bounce){p[COR_N] * hit->v_n1, p[COR_T] * hit->v_t1};
+static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
+  return (aspi_bounce){p[COR_N] * hit->v_n1, p[COR_T] * hit->v_t1};
 }
 
-const asp_rebound_law asp_rebound_constant = {
+const asp_rebound_law aspi_rebound_constant = {
     .name = "constant",
     .summary = "constant coefficients of restitution",
     .source = "definition",

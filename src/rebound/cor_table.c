@@ -1,9 +1,10 @@
 /* Tables of coefficients of restitution: made from points, checked for gaps and double values, read
  * from a file, interpolated. Speed by speed a monotone cubic in the angle (Steffen 1990; a straight
  * line where there are only two angles), and a straight line between speeds. */
-#include "base/monotone.h"
+#include "rebound/cor_table.h"
 #include "base/csv.h"
 #include "base/error.h"
+#include "base/monotone.h"
 
 #include <gsl/gsl_interp.h>
 #include <math.h>
@@ -28,7 +29,7 @@ struct asp_cor_table {
 };
 
 static int compare(const void *left, const void *right) {
-  const asp_cor_point *a = left, *b = right;
+  const aspi_cor_point *a = left, *b = right;
   if (a->speed < b->speed || a->speed > b->speed)
     return a->speed < b->speed ? -1 : 1;
   return (a->alpha1 > b->alpha1) - (a->alpha1 < b->alpha1);
@@ -38,45 +39,45 @@ static bool same(double a, double b) {
   return !(a < b || a > b);
 }
 
-static asp_code check_point(const asp_cor_point *p, asp_error *error) {
+static asp_code check_point(const aspi_cor_point *p, asp_error *error) {
   double sine = sin(p->alpha1), cosine = cos(p->alpha1);
   asp_code code;
-  if ((code = asp_check_range(error, "speed", "", p->speed, 0, INFINITY)) ||
-      (code = asp_check_range(error, "impact angle", "degrees", p->alpha1 * DEGREES, 0, 90)) ||
-      (code = asp_check_range(error, "cor_n", "", p->cor_n, 0, 1e9)) ||
-      (code = asp_check_range(error, "cor_t", "", p->cor_t, -1e9, 1e9)))
+  if ((code = aspi_check_range(error, "speed", "", p->speed, 0, INFINITY)) ||
+      (code = aspi_check_range(error, "impact angle", "degrees", p->alpha1 * DEGREES, 0, 90)) ||
+      (code = aspi_check_range(error, "cor_n", "", p->cor_n, 0, 1e9)) ||
+      (code = aspi_check_range(error, "cor_t", "", p->cor_t, -1e9, 1e9)))
     return code;
   double energy = pow(p->cor_n * sine, 2) + pow(p->cor_t * cosine, 2);
   if (energy <= ENERGY_MOST)
     return ASP_OK;
-  return asp_fail(error, ASP_EARG,
-                  "cor_n %g and cor_t %g at %g degrees leave %g times the energy; it must be 1 "
-                  "at most",
-                  p->cor_n, p->cor_t, p->alpha1 * DEGREES, energy);
+  return aspi_fail(error, ASP_EARG,
+                   "cor_n %g and cor_t %g at %g degrees leave %g times the energy; it must be 1 "
+                   "at most",
+                   p->cor_n, p->cor_t, p->alpha1 * DEGREES, energy);
 }
 
 /* The sorted points are a grid when every speed has the angles of the first. */
-static asp_code check_grid(const asp_cor_point *p, size_t count, size_t n_angles,
+static asp_code check_grid(const aspi_cor_point *p, size_t count, size_t n_angles,
                            asp_error *error) {
   for (size_t i = 1; i < count; i++)
     if (compare(&p[i - 1], &p[i]) == 0)
-      return asp_fail(error, ASP_EDATA,
-                      "two rows for speed %g and %g degrees: a law needs one value in one place",
-                      p[i].speed, p[i].alpha1 * DEGREES);
+      return aspi_fail(error, ASP_EDATA,
+                       "two rows for speed %g and %g degrees: a law needs one value in one place",
+                       p[i].speed, p[i].alpha1 * DEGREES);
   if (n_angles < 2)
-    return asp_fail(error, ASP_EDATA, "one angle at speed %g; at least two are needed", p->speed);
+    return aspi_fail(error, ASP_EDATA, "one angle at speed %g; at least two are needed", p->speed);
   for (size_t i = 1; i < n_angles; i++)
     if (p[i].alpha1 - p[i - 1].alpha1 < APART_LEAST)
-      return asp_fail(error, ASP_EDATA,
-                      "angles of %g and %g degrees; they must be at least %.2g degrees apart",
-                      p[i - 1].alpha1 * DEGREES, p[i].alpha1 * DEGREES, APART_LEAST * DEGREES);
+      return aspi_fail(error, ASP_EDATA,
+                       "angles of %g and %g degrees; they must be at least %.2g degrees apart",
+                       p[i - 1].alpha1 * DEGREES, p[i].alpha1 * DEGREES, APART_LEAST * DEGREES);
   for (size_t i = n_angles; i < count || i % n_angles; i++) {
-    const asp_cor_point *want = &p[i % n_angles], *row = &p[i - i % n_angles];
+    const aspi_cor_point *want = &p[i % n_angles], *row = &p[i - i % n_angles];
     if (i >= count || !same(p[i].alpha1, want->alpha1) || !same(p[i].speed, row->speed))
-      return asp_fail(error, ASP_EDATA,
-                      "a gap or an odd angle near speed %g and %g degrees: every speed needs the "
-                      "same angles",
-                      row->speed, want->alpha1 * DEGREES);
+      return aspi_fail(error, ASP_EDATA,
+                       "a gap or an odd angle near speed %g and %g degrees: every speed needs the "
+                       "same angles",
+                       row->speed, want->alpha1 * DEGREES);
   }
   return ASP_OK;
 }
@@ -100,7 +101,7 @@ static asp_cor_table *allocate(size_t n_speeds, size_t n_angles) {
 }
 
 /* A table of sorted points that are a grid; NULL without memory. */
-static asp_cor_table *make(const asp_cor_point *p, size_t count, size_t n_angles) {
+static asp_cor_table *make(const aspi_cor_point *p, size_t count, size_t n_angles) {
   asp_cor_table *t = allocate(count / n_angles, n_angles);
   if (!t)
     return NULL;
@@ -111,21 +112,21 @@ static asp_cor_table *make(const asp_cor_point *p, size_t count, size_t n_angles
     t->speeds[i / n_angles] = p[i].speed;
   }
   for (size_t i = 0; i < count; i += n_angles) {
-    asp_monotone_tangents(t->angles, &t->cor_n[i], n_angles, &t->tangent_n[i]);
-    asp_monotone_tangents(t->angles, &t->cor_t[i], n_angles, &t->tangent_t[i]);
+    aspi_monotone_tangents(t->angles, &t->cor_n[i], n_angles, &t->tangent_n[i]);
+    aspi_monotone_tangents(t->angles, &t->cor_t[i], n_angles, &t->tangent_t[i]);
   }
   return t;
 }
 
-asp_cor_table *asp_cor_table_create(const asp_cor_point *points, size_t count, asp_error *error) {
+asp_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count, asp_error *error) {
   if (count == 0) {
-    asp_fail(error, ASP_EDATA, "a table of coefficients without a row");
+    aspi_fail(error, ASP_EDATA, "a table of coefficients without a row");
     return NULL;
   }
   for (size_t i = 0; i < count; i++)
     if (check_point(&points[i], error))
       return NULL;
-  asp_cor_point *sorted = malloc(count * sizeof *sorted);
+  aspi_cor_point *sorted = malloc(count * sizeof *sorted);
   asp_cor_table *table = NULL;
   size_t n_angles = 1;
   asp_code code = ASP_ENOMEM;
@@ -140,7 +141,7 @@ asp_cor_table *asp_cor_table_create(const asp_cor_point *points, size_t count, a
   }
   free(sorted);
   if (!table && (!code || code == ASP_ENOMEM))
-    asp_fail(error, ASP_ENOMEM, "out of memory for a table of %zu coefficients", count);
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a table of %zu coefficients", count);
   return table;
 }
 
@@ -152,43 +153,43 @@ typedef struct columns {
   int angle, speed, cor_n, cor_t;
 } columns;
 
-static asp_code read_point(const asp_csv *csv, const columns *at, double metre_per_second,
-                           asp_cor_point *p, asp_error *error) {
+static asp_code read_point(const aspi_csv *csv, const columns *at, double metre_per_second,
+                           aspi_cor_point *p, asp_error *error) {
   bool no_speed;
   double degrees;
   asp_error wrong;
   asp_code code;
-  if ((code = asp_csv_number(csv, at->angle, 0, 90, &degrees, NULL, error)) ||
-      (code = asp_csv_number(csv, at->cor_n, 0, 1e9, &p->cor_n, NULL, error)) ||
-      (code = asp_csv_number(csv, at->cor_t, -1e9, 1e9, &p->cor_t, NULL, error)) ||
-      (code = asp_csv_number(csv, at->speed, 0, 1e9, &p->speed, at->speed < 0 ? &no_speed : NULL,
-                             error)))
+  if ((code = aspi_csv_number(csv, at->angle, 0, 90, &degrees, NULL, error)) ||
+      (code = aspi_csv_number(csv, at->cor_n, 0, 1e9, &p->cor_n, NULL, error)) ||
+      (code = aspi_csv_number(csv, at->cor_t, -1e9, 1e9, &p->cor_t, NULL, error)) ||
+      (code = aspi_csv_number(csv, at->speed, 0, 1e9, &p->speed, at->speed < 0 ? &no_speed : NULL,
+                              error)))
     return code;
   p->speed = at->speed < 0 ? 0 : p->speed * metre_per_second;
   p->alpha1 = fmin(degrees / DEGREES, ASP_PI / 2);
   if (check_point(p, &wrong))
-    return asp_text_fail(&csv->text, csv->text.line, error, "%s", wrong.text);
+    return aspi_text_fail(&csv->text, csv->text.line, error, "%s", wrong.text);
   return ASP_OK;
 }
 
 /* All points of the file, to be freed by the caller; NULL on error. */
-static asp_cor_point *read_points(asp_csv *csv, double metre_per_second, size_t *count,
-                                  asp_error *error) {
-  columns at = {asp_csv_need(csv, "alpha1_deg", error), asp_csv_find(csv, "v1_m_s"),
-                asp_csv_need(csv, "cor_n", error), asp_csv_need(csv, "cor_t", error)};
-  asp_cor_point *points = NULL;
+static aspi_cor_point *read_points(aspi_csv *csv, double metre_per_second, size_t *count,
+                                   asp_error *error) {
+  columns at = {aspi_csv_need(csv, "alpha1_deg", error), aspi_csv_find(csv, "v1_m_s"),
+                aspi_csv_need(csv, "cor_n", error), aspi_csv_need(csv, "cor_t", error)};
+  aspi_cor_point *points = NULL;
   asp_code code = at.angle < 0 || at.cor_n < 0 || at.cor_t < 0 ? ASP_EDATA : ASP_OK;
   bool found = !code;
   for (*count = 0; found && !code; (*count)++) {
     if ((*count & (*count - 1)) == 0) { /* full: 0, 1, 2, 4, 8, ... */
-      asp_cor_point *grown = realloc(points, (*count ? 2 * *count : 1) * sizeof *points);
+      aspi_cor_point *grown = realloc(points, (*count ? 2 * *count : 1) * sizeof *points);
       if (!grown) {
-        code = asp_fail(error, ASP_ENOMEM, "out of memory for a table of coefficients");
+        code = aspi_fail(error, ASP_ENOMEM, "out of memory for a table of coefficients");
         break;
       }
       points = grown;
     }
-    code = asp_csv_row(csv, &found, error);
+    code = aspi_csv_row(csv, &found, error);
     if (code || !found)
       break;
     code = read_point(csv, &at, metre_per_second, &points[*count], error);
@@ -199,7 +200,7 @@ static asp_cor_point *read_points(asp_csv *csv, double metre_per_second, size_t 
   return NULL;
 }
 
-static bool looks_like_radians(const asp_cor_point *points, size_t count) {
+static bool looks_like_radians(const aspi_cor_point *points, size_t count) {
   for (size_t i = 0; i < count; i++)
     if (points[i].alpha1 * DEGREES >= 1.6)
       return false;
@@ -207,20 +208,20 @@ static bool looks_like_radians(const asp_cor_point *points, size_t count) {
 }
 
 asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp_error *error) {
-  asp_csv *csv = asp_csv_open(path, error);
+  aspi_csv *csv = aspi_csv_open(path, error);
   size_t count = 0;
-  asp_cor_point *points = csv ? read_points(csv, metre_per_second, &count, error) : NULL;
+  aspi_cor_point *points = csv ? read_points(csv, metre_per_second, &count, error) : NULL;
   asp_cor_table *table = NULL;
   asp_error wrong;
   if (points && looks_like_radians(points, count)) {
-    asp_fail(error, ASP_EDATA, "%.200s: all angles are below 1.6; alpha1_deg is in degrees", path);
+    aspi_fail(error, ASP_EDATA, "%.200s: all angles are below 1.6; alpha1_deg is in degrees", path);
   } else if (points) {
-    table = asp_cor_table_create(points, count, &wrong);
+    table = aspi_cor_table_create(points, count, &wrong);
     if (!table)
-      asp_fail(error, wrong.code, "%.150s: %.300s", path, wrong.text);
+      aspi_fail(error, wrong.code, "%.150s: %.300s", path, wrong.text);
   }
   free(points);
-  asp_csv_close(csv);
+  aspi_csv_close(csv);
   return table;
 }
 
@@ -239,11 +240,11 @@ static size_t find_speed(const asp_cor_table *t, double speed, double *part) {
 static double in_angle(const asp_cor_table *t, const double *cor, const double *tangent,
                        size_t speed, double angle) {
   size_t at = speed * t->n_angles;
-  return asp_monotone_at(t->angles, &cor[at], &tangent[at], t->n_angles, angle);
+  return aspi_monotone_at(t->angles, &cor[at], &tangent[at], t->n_angles, angle);
 }
 
-void asp_cor_table_at(const asp_cor_table *t, double speed, double alpha1, double *cor_n,
-                      double *cor_t) {
+void aspi_cor_table_at(const asp_cor_table *t, double speed, double alpha1, double *cor_n,
+                       double *cor_t) {
   double part, angle = fmin(fmax(alpha1, t->angles[0]), t->angles[t->n_angles - 1]);
   size_t i = find_speed(t, speed, &part);
   *cor_n = in_angle(t, t->cor_n, t->tangent_n, i, angle);

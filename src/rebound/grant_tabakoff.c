@@ -19,7 +19,8 @@ enum { SCATTER, N_PARAMETERS };
 static const asp_parameter parameters[N_PARAMETERS] = {
     [SCATTER] = {"scatter", "", 0, 0, 1,
                  "share of the measured standard deviation that is drawn: 0 the means, 1 all of it "
-                 "(polynomials from one secondary source; log-normal law assumed)"},
+                 "(polynomials from one secondary source; log-normal law assumed)",
+                 "scatter"},
 };
 
 static double mean_n(double b) {
@@ -44,20 +45,20 @@ static double log_normal(double mean, double sd, double normal) {
   return mean * exp(sqrt(s2) * normal - 0.5 * s2);
 }
 
-static asp_bounce rebound(const double *p, const asp_hit *hit) {
+static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   double beta = atan2(hit->v_n1, hit->v_t1), e_n = mean_n(beta), e_t = mean_t(beta);
   if (p[SCATTER] > 0) {
-    e_n = log_normal(e_n, p[SCATTER] * sd_n(beta), asp_stream_normal(hit->stream));
-    e_t = log_normal(e_t, p[SCATTER] * sd_t(beta), asp_stream_normal(hit->stream));
+    e_n = log_normal(e_n, p[SCATTER] * sd_n(beta), aspi_stream_normal(hit->stream));
+    e_t = log_normal(e_t, p[SCATTER] * sd_t(beta), aspi_stream_normal(hit->stream));
   }
-  return asp_bounce_capped(hit, e_n, e_t);
+  return aspi_bounce_capped(hit, e_n, e_t);
 }
 
 static bool scatters(const double *p) {
   return p[SCATTER] > 0;
 }
 
-const asp_rebound_law asp_rebound_grant_tabakoff = {
+const asp_rebound_law aspi_rebound_grant_tabakoff = {
     .name = "grant_tabakoff",
     .summary = "measured means over impact angle, sand on aluminium 2024, with or without scatter",
     .source = "Grant & Tabakoff 1975 (by one secondary source, original not seen)",

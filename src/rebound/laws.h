@@ -3,16 +3,66 @@
 #ifndef ASP_REBOUND_LAWS_H
 #define ASP_REBOUND_LAWS_H
 
-#include "asperity.h"
+#include "base/stream.h"
+#include "rebound/cor_table.h"
+#include "rebound/materials.h"
+
+enum { ASP_PARAMETERS_MAX = 8 };
+
+/* One named number that a law can be given. */
+struct asp_parameter {
+  const char *name;
+  const char *unit;
+  double fallback; /* the value where the user gives none */
+  double least, most;
+  const char *text;    /* what it is, its source, and whether the original was seen */
+  const char *keyword; /* see asp_parameter_keyword; NULL: none */
+};
+
+/* One hit in the frame of the local face. */
+typedef struct aspi_hit {
+  double v_n1; /* approach speed along the face's normal, > 0 */
+  double v_t1; /* speed along the face, >= 0 */
+  double d_p;
+  double density;
+  const asp_pair *pair;       /* may be NULL for laws that need no material */
+  bool adhesion;              /* false: the law leaves the surface energy out */
+  const asp_cor_table *table; /* for laws that need one */
+  aspi_stream *stream;        /* for laws that draw */
+} aspi_hit;
+
+/* What is left of it: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit, where
+ * the wall takes deposits. */
+typedef struct aspi_bounce {
+  double v_n2;
+  double v_t2;
+} aspi_bounce;
+
+struct asp_rebound_law {
+  const char *name;
+  const char *summary;
+  const char *source;
+  bool needs_pair;  /* whether aspi_hit.pair must be given */
+  bool needs_table; /* whether aspi_hit.table must be given */
+  bool measured;    /* whether its coefficients were measured, and so hold roughness already */
+  int n_parameters;
+  const asp_parameter *parameters;
+  aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
+  /* Whether it draws a scatter of its own with these parameters; NULL: never. */
+  bool (*scatters)(const double *parameters);
+};
+
+/* Index of the law's parameter of that name, or a negative code. */
+int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error);
 
 #define ASP_REBOUND_LAWS(X) X(bons) X(constant) X(grant_tabakoff) X(table)
 
-#define ASP_REBOUND_DECLARE(name) extern const asp_rebound_law asp_rebound_##name;
+#define ASP_REBOUND_DECLARE(name) extern const asp_rebound_law aspi_rebound_##name;
 ASP_REBOUND_LAWS(ASP_REBOUND_DECLARE)
 #undef ASP_REBOUND_DECLARE
 
 /* A rebound that would be faster than the hit is slowed down to its speed, direction kept: measured
  * coefficients may allow it at some angles, energy does not. */
-asp_bounce asp_bounce_capped(const asp_hit *hit, double cor_n, double cor_t);
+aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t);
 
 #endif

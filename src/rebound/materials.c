@@ -1,14 +1,16 @@
 /* Material presets, and the pair of a particle's and a wall's material. The
  * values are common handbook values, not those of the papers on rebound (which state few); none was
  * checked against an original. All of them are defaults that a user can replace. */
+#include "rebound/materials.h"
 #include "base/error.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define HANDBOOK "handbook values"
 
-static const asp_material materials[] = {
+static const asp_material presets[] = {
     {"ard", "Arizona Road Dust, as quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK, false},
     {"quartz", "quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK, false},
     {"ti-6al-4v", "titanium alloy Ti-6Al-4V", 114e9, 0.34, 4430, 0, HANDBOOK, false},
@@ -18,49 +20,90 @@ static const asp_material materials[] = {
 };
 
 int asp_material_count(void) {
-  return (int)(sizeof materials / sizeof *materials);
+  return (int)(sizeof presets / sizeof *presets);
 }
 
 const asp_material *asp_material_at(int index) {
-  return &materials[index];
+  return &presets[index];
 }
 
 static const char *name_at(int index) {
-  return materials[index].name;
+  return presets[index].name;
 }
 
-const asp_material *asp_material_find(const char *name, asp_error *error) {
+const asp_material *aspi_material_find(const char *name, asp_error *error) {
   for (int i = 0; name && i < asp_material_count(); i++)
-    if (strcmp(materials[i].name, name) == 0)
-      return &materials[i];
-  asp_fail_name(error, "material", name, asp_material_count(), name_at);
+    if (strcmp(presets[i].name, name) == 0)
+      return &presets[i];
+  aspi_fail_name(error, "material", name, asp_material_count(), name_at);
   return NULL;
 }
 
-static asp_code check_poisson(asp_error *error, const char *name, double value) {
-  if (value > -1 && value < 0.5)
-    return ASP_OK;
-  return asp_fail(error, ASP_EARG, "%s is %g; it must be more than -1 and less than 0.5", name,
-                  value);
+const char *asp_material_name(const asp_material *material) {
+  return material->name;
 }
 
-asp_code asp_pair_create(double youngs_modulus_p, double poissons_ratio_p, double youngs_modulus_w,
-                         double poissons_ratio_w, double yield_stress, double surface_energy,
-                         double friction, asp_pair *pair, asp_error *error) {
-  asp_code code;
-  if ((code = asp_check_positive(error, "Young's modulus of the particle", "", youngs_modulus_p)) ||
-      (code = asp_check_positive(error, "Young's modulus of the wall", "", youngs_modulus_w)) ||
-      (code = check_poisson(error, "Poisson's ratio of the particle", poissons_ratio_p)) ||
-      (code = check_poisson(error, "Poisson's ratio of the wall", poissons_ratio_w)) ||
-      (code = asp_check_range(error, "yield stress", "", yield_stress, 0, INFINITY)) ||
-      (code = asp_check_range(error, "surface energy", "", surface_energy, 0, INFINITY)) ||
-      (code = asp_check_range(error, "friction coefficient", "", friction, 0, INFINITY)))
-    return code;
-  double compliance = (1 - poissons_ratio_p * poissons_ratio_p) / youngs_modulus_p +
-                      (1 - poissons_ratio_w * poissons_ratio_w) / youngs_modulus_w;
-  if (!(compliance > 0 && compliance < INFINITY && 1 / compliance < INFINITY))
-    return asp_fail(error, ASP_EARG, "Young's moduli are %g and %g; their composite is no number",
-                    youngs_modulus_p, youngs_modulus_w);
-  *pair = (asp_pair){1 / compliance, yield_stress, surface_energy, friction};
+const char *asp_material_title(const asp_material *material) {
+  return material->title;
+}
+
+const char *asp_material_source(const asp_material *material) {
+  return material->source;
+}
+
+bool asp_material_seen(const asp_material *material) {
+  return material->seen;
+}
+
+asp_material *asp_material_create(const char *name, asp_error *error) {
+  size_t length = strlen(name) + 1;
+  asp_material *material = malloc(sizeof *material + length);
+  if (!material) {
+    aspi_fail(error, ASP_ENOMEM, "out of memory for material '%s'", name);
+    return NULL;
+  }
+  char *copy = (char *)(material + 1);
+  memcpy(copy, name, length);
+  *material = (asp_material){.name = copy, .title = "", .source = ""};
+  return material;
+}
+
+void asp_material_free(asp_material *material) {
+  free(material);
+}
+
+/* The number of that name; NULL where there is none. */
+static double *number_of(asp_material *material, const char *name) {
+  return strcmp(name, "youngs_modulus") == 0   ? &material->youngs_modulus
+         : strcmp(name, "poissons_ratio") == 0 ? &material->poissons_ratio
+         : strcmp(name, "density") == 0        ? &material->density
+         : strcmp(name, "yield_stress") == 0   ? &material->yield_stress
+                                               : NULL;
+}
+
+asp_code asp_material_set(asp_material *material, const char *name, double value,
+                          asp_error *error) {
+  double *number = number_of(material, name);
+  if (!number)
+    return aspi_fail(error, ASP_ENAME,
+                     "number '%s' is unknown to a material; there are: youngs_modulus "
+                     "poissons_ratio density yield_stress",
+                     name);
+  bool inside = strcmp(name, "poissons_ratio") == 0 ? value > -1 && value < 0.5
+                : strcmp(name, "yield_stress") == 0 ? value >= 0
+                                                    : value > 0;
+  if (!inside || !isfinite(value))
+    return aspi_fail(error, ASP_EARG, "%s of '%s' is %g; it must be %s", name, material->name,
+                     value,
+                     strcmp(name, "poissons_ratio") == 0 ? "more than -1 and less than 0.5"
+                     : strcmp(name, "yield_stress") == 0 ? "a finite number >= 0"
+                                                         : "a finite number > 0");
+  *number = value;
   return ASP_OK;
+}
+
+double asp_material_get(const asp_material *material, const char *name) {
+  asp_material copy = *material;
+  const double *number = number_of(&copy, name);
+  return number ? *number : NAN;
 }

@@ -2,6 +2,7 @@
  * name. */
 #include "base/csv.h"
 #include "base/error.h"
+#include "rebound/materials.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,30 +27,30 @@ typedef struct columns {
 } columns;
 
 /* Where the columns are; -1 and a message where one that must be there is not. */
-static columns columns_of(const asp_csv *csv, asp_error *error) {
-  return (columns){.name = asp_csv_need(csv, "name", error),
-                   .title = asp_csv_find(csv, "title"),
-                   .modulus = asp_csv_need(csv, "youngs_modulus_pa", error),
-                   .poisson = asp_csv_need(csv, "poissons_ratio", error),
-                   .density = asp_csv_need(csv, "density_kg_m3", error),
-                   .yield = asp_csv_find(csv, "yield_stress_pa"),
-                   .source = asp_csv_find(csv, "source"),
-                   .seen = asp_csv_find(csv, "seen")};
+static columns columns_of(const aspi_csv *csv, asp_error *error) {
+  return (columns){.name = aspi_csv_need(csv, "name", error),
+                   .title = aspi_csv_find(csv, "title"),
+                   .modulus = aspi_csv_need(csv, "youngs_modulus_pa", error),
+                   .poisson = aspi_csv_need(csv, "poissons_ratio", error),
+                   .density = aspi_csv_need(csv, "density_kg_m3", error),
+                   .yield = aspi_csv_find(csv, "yield_stress_pa"),
+                   .source = aspi_csv_find(csv, "source"),
+                   .seen = aspi_csv_find(csv, "seen")};
 }
 
-static const char *field_of(const asp_csv *csv, int column) {
+static const char *field_of(const aspi_csv *csv, int column) {
   return column < 0 ? "" : csv->fields[column];
 }
 
 /* Copies the words of a row into memory of their own. */
-static asp_code copy_words(const asp_csv *csv, const columns *at, asp_material *m,
+static asp_code copy_words(const aspi_csv *csv, const columns *at, asp_material *m,
                            asp_error *error) {
   const char *name = field_of(csv, at->name), *title = field_of(csv, at->title);
   const char *source = field_of(csv, at->source);
   size_t a = strlen(name) + 1, b = strlen(title) + 1, c = strlen(source) + 1;
   char *words = malloc(a + b + c);
   if (!words)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for material '%s'", name);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for material '%s'", name);
   memcpy(words, name, a);
   memcpy(words + a, title, b);
   memcpy(words + a + b, source, c);
@@ -59,21 +60,21 @@ static asp_code copy_words(const asp_csv *csv, const columns *at, asp_material *
   return ASP_OK;
 }
 
-static asp_code read_material(const asp_csv *csv, const columns *at, asp_material *m,
+static asp_code read_material(const aspi_csv *csv, const columns *at, asp_material *m,
                               asp_error *error) {
   const char *name = field_of(csv, at->name), *seen = field_of(csv, at->seen);
   bool no_yield;
   asp_code code;
   if (!*name || strpbrk(name, " \t,;"))
-    return asp_text_fail(&csv->text, csv->text.line, error,
-                         "the name '%s'; it must be one word without commas", name);
+    return aspi_text_fail(&csv->text, csv->text.line, error,
+                          "the name '%s'; it must be one word without commas", name);
   if (*seen && strcasecmp(seen, "yes") != 0 && strcasecmp(seen, "no") != 0)
-    return asp_text_fail(&csv->text, csv->text.line, error, "seen is '%s'; it must be yes or no",
-                         seen);
-  if ((code = asp_csv_number(csv, at->modulus, 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
-      (code = asp_csv_number(csv, at->poisson, -1, 0.5, &m->poissons_ratio, NULL, error)) ||
-      (code = asp_csv_number(csv, at->density, 1e-300, 1e300, &m->density, NULL, error)) ||
-      (code = asp_csv_number(csv, at->yield, 0, 1e300, &m->yield_stress, &no_yield, error)))
+    return aspi_text_fail(&csv->text, csv->text.line, error, "seen is '%s'; it must be yes or no",
+                          seen);
+  if ((code = aspi_csv_number(csv, at->modulus, 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
+      (code = aspi_csv_number(csv, at->poisson, -1, 0.5, &m->poissons_ratio, NULL, error)) ||
+      (code = aspi_csv_number(csv, at->density, 1e-300, 1e300, &m->density, NULL, error)) ||
+      (code = aspi_csv_number(csv, at->yield, 0, 1e300, &m->yield_stress, &no_yield, error)))
     return code;
   if (no_yield)
     m->yield_stress = 0;
@@ -102,14 +103,14 @@ static const asp_material *find_own(const asp_materials *own, const char *name) 
   return found && strcmp(found->name, name) == 0 ? found : NULL;
 }
 
-static asp_code add_material(asp_materials *own, const asp_csv *csv, const columns *at,
+static asp_code add_material(asp_materials *own, const aspi_csv *csv, const columns *at,
                              asp_error *error) {
   if (own->count == own->room) {
     int room = own->room ? 2 * own->room : 16;
     own_material *grown =
         room <= ROOM_MOST ? realloc(own->list, (size_t)room * sizeof *grown) : NULL;
     if (!grown)
-      return asp_fail(error, ASP_ENOMEM, "out of memory for over %d materials", own->count);
+      return aspi_fail(error, ASP_ENOMEM, "out of memory for over %d materials", own->count);
     own->list = grown;
     own->room = room;
   }
@@ -119,13 +120,13 @@ static asp_code add_material(asp_materials *own, const asp_csv *csv, const colum
   return code;
 }
 
-static asp_code read_all(asp_materials *own, asp_csv *csv, asp_error *error) {
+static asp_code read_all(asp_materials *own, aspi_csv *csv, asp_error *error) {
   columns at = columns_of(csv, error);
   if (at.name < 0 || at.modulus < 0 || at.poisson < 0 || at.density < 0)
     return ASP_EDATA;
   asp_code code = ASP_OK;
   for (bool found = true; !code && found;) {
-    code = asp_csv_row(csv, &found, error);
+    code = aspi_csv_row(csv, &found, error);
     if (!code && found)
       code = add_material(own, csv, &at, error);
   }
@@ -163,21 +164,21 @@ static asp_code sort_names(asp_materials *own, const char *path, asp_error *erro
   bool enough = names && own->by_name;
   free(names);
   if (!enough)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for %d materials", own->count);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for %d materials", own->count);
   if (again == own->count)
     return ASP_OK;
-  return asp_fail(error, ASP_EDATA, "%.200s:%zu: material '%.100s' a second time", path,
-                  own->list[again].line, own->list[again].material.name);
+  return aspi_fail(error, ASP_EDATA, "%.200s:%zu: material '%.100s' a second time", path,
+                   own->list[again].line, own->list[again].material.name);
 }
 
 asp_materials *asp_materials_read(const char *path, asp_error *error) {
-  asp_csv *csv = asp_csv_open(path, error);
+  aspi_csv *csv = aspi_csv_open(path, error);
   if (!csv)
     return NULL;
   asp_materials *own = calloc(1, sizeof *own);
   asp_code code =
-      own ? read_all(own, csv, error) : asp_fail(error, ASP_ENOMEM, "out of memory for materials");
-  asp_csv_close(csv);
+      own ? read_all(own, csv, error) : aspi_fail(error, ASP_ENOMEM, "out of memory for materials");
+  aspi_csv_close(csv);
   if (!code)
     code = sort_names(own, path, error);
   if (!code)
@@ -210,10 +211,10 @@ const asp_material *asp_materials_find(const asp_materials *own, const char *nam
   if (found)
     return found;
   asp_error wrong;
-  found = asp_material_find(name, &wrong);
+  found = aspi_material_find(name, &wrong);
   if (found)
     return found;
-  asp_fail(error, wrong.code, "%s", wrong.text);
+  aspi_fail(error, wrong.code, "%s", wrong.text);
   size_t used = 0;
   for (int i = 0; error && own && i < own->count; i++) {
     used += strlen(error->text + used);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ASP_REBOUND_ADDRESS(name) &asp_rebound_##name,
+#define ASP_REBOUND_ADDRESS(name) &aspi_rebound_##name,
 static const asp_rebound_law *const laws[] = {ASP_REBOUND_LAWS(ASP_REBOUND_ADDRESS)};
 #undef ASP_REBOUND_ADDRESS
 
@@ -26,11 +26,71 @@ const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error) {
   for (int i = 0; name && i < asp_rebound_count(); i++)
     if (strcmp(laws[i]->name, name) == 0)
       return laws[i];
-  asp_fail_name(error, "rebound law", name, asp_rebound_count(), name_at);
+  aspi_fail_name(error, "rebound law", name, asp_rebound_count(), name_at);
   return NULL;
 }
 
-int asp_rebound_parameter(const asp_rebound_law *law, const char *name, asp_error *error) {
+const char *asp_rebound_name(const asp_rebound_law *law) {
+  return law->name;
+}
+
+const char *asp_rebound_summary(const asp_rebound_law *law) {
+  return law->summary;
+}
+
+const char *asp_rebound_source(const asp_rebound_law *law) {
+  return law->source;
+}
+
+bool asp_rebound_needs_pair(const asp_rebound_law *law) {
+  return law->needs_pair;
+}
+
+bool asp_rebound_needs_table(const asp_rebound_law *law) {
+  return law->needs_table;
+}
+
+bool asp_rebound_measured(const asp_rebound_law *law) {
+  return law->measured;
+}
+
+int asp_rebound_parameters(const asp_rebound_law *law) {
+  return law->n_parameters;
+}
+
+const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index) {
+  return &law->parameters[index];
+}
+
+const char *asp_parameter_name(const asp_parameter *parameter) {
+  return parameter->name;
+}
+
+const char *asp_parameter_unit(const asp_parameter *parameter) {
+  return parameter->unit;
+}
+
+const char *asp_parameter_text(const asp_parameter *parameter) {
+  return parameter->text;
+}
+
+double asp_parameter_default(const asp_parameter *parameter) {
+  return parameter->fallback;
+}
+
+double asp_parameter_least(const asp_parameter *parameter) {
+  return parameter->least;
+}
+
+double asp_parameter_most(const asp_parameter *parameter) {
+  return parameter->most;
+}
+
+const char *asp_parameter_keyword(const asp_parameter *parameter) {
+  return parameter->keyword ? parameter->keyword : "";
+}
+
+int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error) {
   char list[200] = "";
   for (int i = 0; i < law->n_parameters; i++) {
     if (strcmp(law->parameters[i].name, name) == 0)
@@ -38,15 +98,15 @@ int asp_rebound_parameter(const asp_rebound_law *law, const char *name, asp_erro
     size_t used = strlen(list);
     snprintf(list + used, sizeof list - used, " %s", law->parameters[i].name);
   }
-  return asp_fail(error, ASP_ENAME, "parameter '%s' is unknown to rebound law '%s'; there are:%s",
-                  name, law->name, *list ? list : " none");
+  return aspi_fail(error, ASP_ENAME, "parameter '%s' is unknown to rebound law '%s'; there are:%s",
+                   name, law->name, *list ? list : " none");
 }
 
-asp_bounce asp_bounce_capped(const asp_hit *hit, double cor_n, double cor_t) {
+aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t) {
   double n1 = hit->v_n1, t1 = hit->v_t1, n2 = cor_n * n1, t2 = cor_t * t1;
   double before = n1 * n1 + t1 * t1, after = n2 * n2 + t2 * t2;
   if (after <= before)
-    return (asp_bounce){n2, t2};
+    return (aspi_bounce){n2, t2};
   double scale = sqrt(before / after);
-  return (asp_bounce){scale * n2, scale * t2};
+  return (aspi_bounce){scale * n2, scale * t2};
 }

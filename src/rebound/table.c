@@ -4,14 +4,14 @@
 
 #include <math.h>
 
-static asp_bounce rebound(const double *p, const asp_hit *hit) {
+static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   (void)p;
   double n1 = hit->v_n1, t1 = hit->v_t1, cor_n, cor_t;
-  asp_cor_table_at(hit->table, sqrt(n1 * n1 + t1 * t1), atan2(n1, t1), &cor_n, &cor_t);
-  return asp_bounce_capped(hit, cor_n, cor_t);
+  aspi_cor_table_at(hit->table, sqrt(n1 * n1 + t1 * t1), atan2(n1, t1), &cor_n, &cor_t);
+  return aspi_bounce_capped(hit, cor_n, cor_t);
 }
 
-const asp_rebound_law asp_rebound_table = {
+const asp_rebound_law aspi_rebound_table = {
     .name = "table",
     .summary = "the user's coefficients over impact angle and speed, interpolated",
     .source = "the user's file",

@@ -2,23 +2,15 @@
  * model's rebounds are from the geometry was measured on a grid of walls and angles (measured.csv,
  * made by `asperity trade --grid`); a wall takes the worst of all grid points around it. */
 #include "base/error.h"
+#include "spread/models.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { ANGLES_MAX = 16 };
-
-typedef struct row {
-  const char *model;
-  int multiple;
-  double phi_r, kappa;
-  float kl[ANGLES_MAX]; /* D_KL of the rebound angle, by impact angle */
-} row;
-
 #include "measured.inc"
 
-enum { ROWS = sizeof rows / sizeof *rows, ANGLES = sizeof angle / sizeof *angle };
+enum { ROWS = sizeof rows / sizeof *rows };
 
 /* Divergences below this are noise of the measurement. */
 #define NOISE 2e-4
@@ -34,10 +26,6 @@ static double phi_r_of(int i) {
 
 static double kappa_of(int i) {
   return rows[i].kappa;
-}
-
-static double angle_of(int i) {
-  return angle[i];
 }
 
 /* Where the grid has nothing on one side, that side of the span is infinite. */
@@ -64,7 +52,7 @@ typedef struct result {
 } result;
 
 typedef struct query {
-  span phi_r, kappa, angle;
+  span phi_r, kappa;
   int multiple;
 } query;
 
@@ -77,38 +65,24 @@ static result evaluate(const query *q, const char *model) {
       continue;
     v.points++;
     for (int k = 0; k < ANGLES; k++)
-      if (within(q->angle, angle[k]))
-        v.worst = fmax(v.worst, r->kl[k]);
+      v.worst = fmax(v.worst, r->kl[k]);
   }
   return v;
 }
 
-static asp_code check(const asp_sizes *sizes, double alpha_least, double alpha_most,
-                      double tolerance, asp_error *error) {
-  asp_code code;
-  if ((code = asp_check_positive(error, "tolerance", "", tolerance)) ||
-      (code = asp_check_length(error, "least d_p", sizes->least)) ||
-      (code = asp_check_length(error, "largest d_p", sizes->most)) ||
-      (code = asp_check_range(error, "largest d_p", "", sizes->most, sizes->least, INFINITY)) ||
-      (code = asp_check_range(error, "least alpha1", "rad", alpha_least, 0, ASP_PI / 2)))
-    return code;
-  return asp_check_range(error, "largest alpha1", "rad", alpha_most, alpha_least, ASP_PI / 2);
-}
-
 /* The same in the numbers that messages name. */
 typedef struct wall {
-  double phi_r, kappa[2], angle[2]; /* least and most; degrees */
+  double phi_r, kappa[2]; /* least and most */
 } wall;
 
-static query query_of(const wall *w, asp_collisions collisions) {
-  return (query){
-      widen(w->phi_r, w->phi_r, ROWS, phi_r_of), widen(w->kappa[0], w->kappa[1], ROWS, kappa_of),
-      widen(w->angle[0], w->angle[1], ANGLES, angle_of), collisions != ASP_COLLISIONS_SINGLE};
+static query query_of(const wall *w, bool multiple) {
+  return (query){widen(w->phi_r, w->phi_r, ROWS, phi_r_of),
+                 widen(w->kappa[0], w->kappa[1], ROWS, kappa_of), multiple};
 }
 
-static asp_code choose(const wall *w, const query *q, double tolerance, asp_choice *choice,
-                       asp_error *error) {
-  result best = {INFINITY, 0}, closest = best;
+static const asp_spread_model *choose(const wall *w, const query *q, double tolerance,
+                                      double *divergence, asp_error *error) {
+  double closest = INFINITY;
   const asp_spread_model *chosen = NULL, *nearest = NULL;
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
@@ -116,39 +90,41 @@ static asp_code choose(const wall *w, const query *q, double tolerance, asp_choi
     if (v.points == 0)
       continue;
     if (v.worst < tolerance && (!chosen || model->cost < chosen->cost))
-      best = v, chosen = model;
-    if (v.worst < closest.worst)
-      closest = v, nearest = model;
+      *divergence = v.worst, chosen = model;
+    if (v.worst < closest)
+      closest = v.worst, nearest = model;
   }
-  if (!nearest || isinf(q->phi_r.most) || isinf(q->kappa.most))
-    return asp_fail(error, ASP_ERANGE,
-                    "spread auto: phi_r %g with kappa %g to %g is beyond what was measured; name "
-                    "a model instead",
-                    w->phi_r, w->kappa[0], w->kappa[1]);
+  if (!nearest || isinf(q->phi_r.most) || isinf(q->kappa.most)) {
+    aspi_fail(error, ASP_ERANGE,
+              "spread auto: phi_r %g with kappa %g to %g is beyond what was measured; name a model "
+              "instead",
+              w->phi_r, w->kappa[0], w->kappa[1]);
+    return NULL;
+  }
   if (!chosen)
-    return asp_fail(error, ASP_ERANGE,
-                    "tolerance is %g; no model is measured to stay below it on this wall, '%s' "
-                    "comes closest with %.2g",
-                    tolerance, nearest->name, closest.worst);
-  *choice = (asp_choice){.model = chosen, .divergence = best.worst};
-  snprintf(choice->text, sizeof choice->text,
-           "spread auto takes '%s': the cheapest model whose rebounds stay below D_KL %g "
-           "for phi_r %.3g, kappa %.3g to %.3g, alpha1 %.3g to %.3g degrees; measured: %.2g at "
-           "worst",
-           chosen->name, tolerance, w->phi_r, w->kappa[0], w->kappa[1], w->angle[0], w->angle[1],
-           best.worst);
-  return ASP_OK;
+    aspi_fail(error, ASP_ERANGE,
+              "tolerance is %g; no model is measured to stay below it on this wall, '%s' comes "
+              "closest with %.2g",
+              tolerance, nearest->name, closest);
+  return chosen;
 }
 
-asp_code asp_spread_auto(const asp_surface *surface, const asp_sizes *sizes, double alpha_least,
-                         double alpha_most, asp_collisions collisions, double tolerance,
-                         asp_choice *choice, asp_error *error) {
-  asp_code code = check(sizes, alpha_least, alpha_most, tolerance, error);
-  if (code)
-    return code;
+const asp_spread_model *asp_spread_auto(const asp_surface *surface, double d_least, double d_most,
+                                        bool multiple, double tolerance, double *divergence,
+                                        char *text, size_t size, asp_error *error) {
+  if (aspi_check_positive(error, "tolerance", "", tolerance) ||
+      aspi_check_length(error, "least d_p", d_least) ||
+      aspi_check_length(error, "largest d_p", d_most) ||
+      aspi_check_range(error, "largest d_p", "", d_most, d_least, INFINITY))
+    return NULL;
   wall w = {asp_surface_phi_r(surface),
-            {asp_surface_kappa(surface, sizes->least), asp_surface_kappa(surface, sizes->most)},
-            {alpha_least * 180 / ASP_PI, alpha_most * 180 / ASP_PI}};
-  query q = query_of(&w, collisions);
-  return choose(&w, &q, tolerance, choice, error);
+            {asp_surface_kappa(surface, d_least), asp_surface_kappa(surface, d_most)}};
+  query q = query_of(&w, multiple);
+  const asp_spread_model *chosen = choose(&w, &q, tolerance, divergence, error);
+  if (chosen && text)
+    snprintf(text, size,
+             "spread auto takes '%s': the cheapest model whose rebounds stay below D_KL %g for "
+             "phi_r %.3g, kappa %.3g to %.3g; measured: %.2g at worst",
+             chosen->name, tolerance, w.phi_r, w.kappa[0], w.kappa[1], *divergence);
+  return chosen;
 }

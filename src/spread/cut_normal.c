@@ -6,7 +6,7 @@
 
 /* The share beyond x. */
 static double tail(double x) {
-  return asp_gauss_below(-x);
+  return aspi_gauss_below(-x);
 }
 
 /* The x with Phi(x) = p = 1 - q; both are given, so that neither tail loses digits. */
@@ -19,22 +19,22 @@ static double mass(double sigma, double lo, double hi) {
   return 1 - tail(-lo / sigma) - tail(hi / sigma);
 }
 
-double asp_cut_normal_density(double sigma, double lo, double hi, double delta) {
+double aspi_cut_normal_density(double sigma, double lo, double hi, double delta) {
   if (delta < lo || delta > hi)
     return 0;
   double x = delta / sigma;
   return exp(-0.5 * x * x) / (sqrt(2 * ASP_PI) * sigma * mass(sigma, lo, hi));
 }
 
-double asp_cut_normal_distribution(double sigma, double lo, double hi, double delta) {
+double aspi_cut_normal_distribution(double sigma, double lo, double hi, double delta) {
   if (delta <= lo)
     return 0;
   if (delta >= hi)
     return 1;
-  return (asp_gauss_below(delta / sigma) - tail(-lo / sigma)) / mass(sigma, lo, hi);
+  return (aspi_gauss_below(delta / sigma) - tail(-lo / sigma)) / mass(sigma, lo, hi);
 }
 
-double asp_cut_normal_quantile(double sigma, double lo, double hi, double u) {
+double aspi_cut_normal_quantile(double sigma, double lo, double hi, double u) {
   double below = tail(-lo / sigma), above = tail(hi / sigma), rest = 1 - u;
   double moved = rest * below - u * above; /* what the cuts make of u in the whole law */
   return fmin(fmax(sigma * normal_quantile(u + moved, rest - moved), lo), hi);

@@ -33,7 +33,7 @@ typedef struct law {
 static double tail(double alpha, double sigma, double x) {
   if (x > FAR)
     return 0;
-  double phi = asp_gauss_density(x), even = asp_gauss_below(-x), odd = phi;
+  double phi = aspi_gauss_density(x), even = aspi_gauss_below(-x), odd = phi;
   double s = sin(alpha), c = cos(alpha), sum = s * even, factor = 1, power = 1;
   for (int k = 1; k < TERMS; k++) {
     double j = k % 2 ? odd : even;
@@ -77,7 +77,7 @@ static double quadrature(const law *w, double from, double to) {
   return result;
 }
 
-static law law_at(const asp_view *view) {
+static law law_at(const aspi_view *view) {
   double sigma = view->sigma, lo = -view->alpha1 / sigma, hi = ASP_DELTA_MOST / sigma;
   law w = {view->alpha1, sigma, lo, hi, 0};
   if (view->alpha1 < 0) {
@@ -89,10 +89,10 @@ static law law_at(const asp_view *view) {
   return w;
 }
 
-static asp_point at(const void *of, double x) {
+static aspi_point at(const void *of, double x) {
   const law *w = of;
   double y = x - w->lo;
-  asp_point p;
+  aspi_point p;
   if (w->alpha < 0) {
     p.below = quadrature(w, w->lo, x) / w->mass;
     p.above = quadrature(w, x, w->hi) / w->mass;
@@ -101,23 +101,23 @@ static asp_point at(const void *of, double x) {
   }
   bool near = y * (1 - w->lo) < NEAR_END;
   if (near || x < 0) {
-    p.below = near ? asp_gauss_density(w->lo) * quadrature(w, w->lo, x) : between(w, w->lo, x);
+    p.below = near ? aspi_gauss_density(w->lo) * quadrature(w, w->lo, x) : between(w, w->lo, x);
     p.above = 1 - (p.below /= w->mass);
   } else {
     p.above = between(w, x, w->hi) / w->mass;
     p.below = 1 - p.above;
   }
-  p.density = asp_gauss_density(x) * sin(w->sigma * y) / w->mass;
+  p.density = aspi_gauss_density(x) * sin(w->sigma * y) / w->mass;
   return p;
 }
 
-double asp_effective_density(const asp_view *view, double delta) {
+double aspi_effective_density(const aspi_view *view, double delta) {
   law w = law_at(view);
   double x = delta / w.sigma;
   return x > w.lo && x < w.hi ? at(&w, x).density / w.sigma : 0;
 }
 
-double asp_effective_distribution(const asp_view *view, double delta) {
+double aspi_effective_distribution(const aspi_view *view, double delta) {
   law w = law_at(view);
   double x = delta / w.sigma;
   if (!(x > w.lo))
@@ -126,22 +126,22 @@ double asp_effective_distribution(const asp_view *view, double delta) {
 }
 
 /* Starts from the law of the visible slopes, which is the limit for small sigma. */
-double asp_effective_quantile(const asp_view *view, double u) {
+double aspi_effective_quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   law w = law_at(view);
-  double guess = asp_spread_visible.quantile(view, u) / w.sigma;
-  double x = asp_invert(at, &w, fmax(w.lo, -FAR), fmin(w.hi, fmax(w.lo, 0) + FAR), guess, u);
+  double guess = aspi_spread_visible.quantile(view, u) / w.sigma;
+  double x = aspi_invert(at, &w, fmax(w.lo, -FAR), fmin(w.hi, fmax(w.lo, 0) + FAR), guess, u);
   return fmin(fmax(x * w.sigma, -view->alpha1), ASP_DELTA_MOST);
 }
 
-const asp_spread_model asp_spread_effective = {
+const asp_spread_model aspi_spread_effective = {
     .name = "effective",
     .summary = "normal distribution times the flux onto the face, cut at -alpha1",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 4",
     .cost = 8,
     .upward = true,
-    .density = asp_effective_density,
-    .distribution = asp_effective_distribution,
-    .quantile = asp_effective_quantile,
+    .density = aspi_effective_density,
+    .distribution = aspi_effective_distribution,
+    .quantile = aspi_effective_quantile,
 };

@@ -6,12 +6,12 @@
 
 #define ASP_INV_SQRT_2PI 0.398942280401432677940
 
-static inline double asp_gauss_density(double x) {
+static inline double aspi_gauss_density(double x) {
   return ASP_INV_SQRT_2PI * exp(-0.5 * x * x);
 }
 
 /* Phi(x), with full relative precision in the lower tail. */
-static inline double asp_gauss_below(double x) {
+static inline double aspi_gauss_below(double x) {
   return 0.5 * erfc(-x * M_SQRT1_2);
 }
 

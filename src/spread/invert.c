@@ -15,7 +15,7 @@ enum { STEPS = 24 };
 
 /* Newton's step from x towards a share u below, in the logarithm of the tail that is the smaller
  * one at the root. Infinite where the tail or the density has run out: no quotient overflows. */
-static double step(asp_point p, double u) {
+static double step(aspi_point p, double u) {
   double tail = u < 0.5 ? p.below : p.above, share = u < 0.5 ? u : 1 - u;
   if (!(tail > 1e-300 * share && p.density > LEAST * tail))
     return INFINITY;
@@ -23,20 +23,20 @@ static double step(asp_point p, double u) {
   return u < 0.5 ? towards : -towards;
 }
 
-static double straight_step(asp_point p, double u) {
+static double straight_step(aspi_point p, double u) {
   double missing = p.above - (1 - u);
   return p.density > LEAST * fabs(missing) ? missing / p.density : INFINITY;
 }
 
-double asp_invert(asp_point (*at)(const void *law, double x), const void *law, double lo, double hi,
-                  double guess, double u) {
+double aspi_invert(aspi_point (*at)(const void *law, double x), const void *law, double lo,
+                   double hi, double guess, double u) {
   const double begin = lo, end = hi;
   u = fmax(u, LEAST);
   double x = guess < hi ? guess : 0.5 * (lo + hi);
   if (!(x > lo))
     return lo;
   for (int i = 0; i < STEPS; i++) {
-    asp_point p = at(law, x);
+    aspi_point p = at(law, x);
     double next = x + step(p, u);
     if (fabs(next - x) <= SMALL * fmin(x - begin, end - x))
       return fmin(fmax(next, lo), hi);

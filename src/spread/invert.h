@@ -5,13 +5,13 @@
 #define ASP_SPREAD_INVERT_H
 
 /* A law at one point: the shares below and above it, and the density. */
-typedef struct asp_point {
+typedef struct aspi_point {
   double below, above, density;
-} asp_point;
+} aspi_point;
 
 /* The x in [lo, hi] with a share u below it, 0 < u < 1; `at` is the law, `law` its parameters. A
  * guess that is not above lo says that the root cannot be told from lo. */
-double asp_invert(asp_point (*at)(const void *law, double x), const void *law, double lo, double hi,
-                  double guess, double u);
+double aspi_invert(aspi_point (*at)(const void *law, double x), const void *law, double lo,
+                   double hi, double guess, double u);
 
 #endif

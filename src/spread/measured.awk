@@ -2,11 +2,14 @@
 BEGIN { FS = "," }
 /^#/ { next }
 $1 == "model" {
-  for (i = 5; i <= NF; i++) {
-    sub(/^kl_/, "", $i)
-    angles = angles (i > 5 ? ", " : "") $i
-  }
-  printf "static const double angle[] = {%s};\n\nstatic const row rows[] = {\n", angles
+  printf "enum { ANGLES = %d };\n\n", NF - 4
+  print "typedef struct row {"
+  print "  const char *model;"
+  print "  int multiple;"
+  print "  double phi_r, kappa;"
+  print "  float kl[ANGLES]; /* D_KL of the rebound angle, by impact angle */"
+  print "} row;\n"
+  print "static const row rows[] = {"
   next
 }
 {

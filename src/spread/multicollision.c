@@ -7,18 +7,18 @@
 
 #include <math.h>
 
-static double escape(const asp_view *view, double theta) {
+static double escape(const aspi_view *view, double theta) {
   return view->sigma < ASP_SIGMA_ZERO ? 1 : tanh(1.5 * theta / view->sigma);
 }
 
-const asp_spread_model asp_spread_multicollision = {
+const asp_spread_model aspi_spread_multicollision = {
     .name = "multicollision",
     .summary = "effective law, and further faces until the particle leaves",
     .source = "Konan, Kannengieser & Simonin 2009 (recalled, original not seen)",
     .cost = 9,
     .upward = true,
     .escape = escape,
-    .density = asp_effective_density,
-    .distribution = asp_effective_distribution,
-    .quantile = asp_effective_quantile,
+    .density = aspi_effective_density,
+    .distribution = aspi_effective_distribution,
+    .quantile = aspi_effective_quantile,
 };

@@ -1,13 +1,13 @@
 /* No spread: the particle meets the mean wall. */
 #include "spread/models.h"
 
-static double quantile(const asp_view *view, double u) {
+static double quantile(const aspi_view *view, double u) {
   (void)view;
   (void)u;
   return 0;
 }
 
-const asp_spread_model asp_spread_none = {
+const asp_spread_model aspi_spread_none = {
     .name = "none",
     .summary = "no tilt: the smooth wall",
     .source = "definition",

@@ -3,21 +3,21 @@
  * particle cannot hit, the contact draws again. */
 #include "spread/models.h"
 
-static double density(const asp_view *view, double delta) {
-  return asp_cut_normal_density(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
+static double density(const aspi_view *view, double delta) {
+  return aspi_cut_normal_density(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
 }
 
-static double distribution(const asp_view *view, double delta) {
-  return asp_cut_normal_distribution(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
+static double distribution(const aspi_view *view, double delta) {
+  return aspi_cut_normal_distribution(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
 }
 
-static double quantile(const asp_view *view, double u) {
+static double quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  return asp_cut_normal_quantile(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, u);
+  return aspi_cut_normal_quantile(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, u);
 }
 
-const asp_spread_model asp_spread_normal = {
+const asp_spread_model aspi_spread_normal = {
     .name = "normal",
     .summary = "normal distribution with sd sigma, no shadow",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 3",

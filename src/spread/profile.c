@@ -1,5 +1,5 @@
 /* The exact first-hit law of a profile as a table: quantiles over impact angle and particle size,
- * each the law that asp_track_first_hit gives there. Between the nodes quantiles are interpolated
+ * each the law that aspi_track_first_hit gives there. Between the nodes quantiles are interpolated
  * linearly, which keeps them monotone in u and above -alpha1.
  *
  * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
@@ -43,14 +43,14 @@ static double u_at(double place) {
 
 /* What one size needs while the table is made. */
 typedef struct workspace {
-  asp_track *track;
+  aspi_track *track;
   size_t n;
   double *slope, *weight;
   size_t *order; /* of the faces, by slope */
 } workspace;
 
 static void workspace_free(workspace *b) {
-  asp_track_free(b->track);
+  aspi_track_free(b->track);
   free(b->slope);
   free(b->weight);
   free(b->order);
@@ -58,19 +58,19 @@ static void workspace_free(workspace *b) {
 
 static asp_code workspace_create(workspace *b, const asp_profile *profile, double d_p,
                                  asp_error *error) {
-  *b = (workspace){.track = asp_track_create(profile, d_p, error)};
+  *b = (workspace){.track = aspi_track_create(profile, d_p, error)};
   if (!b->track)
     return ASP_EARG;
-  b->n = asp_track_faces(b->track);
+  b->n = aspi_track_faces(b->track);
   b->slope = malloc(b->n * sizeof *b->slope);
   b->weight = malloc(b->n * sizeof *b->weight);
   b->order = malloc(b->n * sizeof *b->order);
   if (!b->slope || !b->weight || !b->order) {
     workspace_free(b);
-    return asp_fail(error, ASP_ENOMEM, "out of memory for the slopes of %zu faces", b->n);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for the slopes of %zu faces", b->n);
   }
   for (size_t i = 0; i < b->n; i++)
-    b->slope[i] = asp_track_face_slope(b->track, i);
+    b->slope[i] = aspi_track_face_slope(b->track, i);
   gsl_sort_index(b->order, b->slope, 1, b->n);
   return ASP_OK;
 }
@@ -78,7 +78,7 @@ static asp_code workspace_create(workspace *b, const asp_profile *profile, doubl
 /* The quantiles of one angle, ANGLES numbers apart: the slopes at which the sum of the weights
  * passes each node. */
 static void fill(workspace *b, double alpha1, float *delta) {
-  asp_track_first_hit(b->track, alpha1, b->weight);
+  aspi_track_first_hit(b->track, alpha1, b->weight);
   double sum = 0;
   size_t last = 0;
   int node = 0;
@@ -99,18 +99,18 @@ static void release(void *data) {
   free(data);
 }
 
-static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
-  if (asp_sizes_check(sizes, error))
+static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error) {
+  if (aspi_sizes_check(sizes, error))
     return NULL;
   table *t = malloc(sizeof *t + (size_t)sizes->bins * SIZE * sizeof *t->delta);
   if (!t) {
-    asp_fail(error, ASP_ENOMEM, "out of memory for a table of %d sizes", sizes->bins);
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a table of %d sizes", sizes->bins);
     return NULL;
   }
   t->bins = sizes->bins;
   for (int i = 0; i < t->bins; i++) {
     workspace b;
-    t->d_p[i] = asp_sizes_at(sizes, i);
+    t->d_p[i] = aspi_sizes_at(sizes, i);
     if (workspace_create(&b, profile, t->d_p[i], error)) {
       free(t);
       return NULL;
@@ -162,7 +162,7 @@ typedef struct cell {
   double size, angle;
 } cell;
 
-static cell cell_of(const asp_view *view) {
+static cell cell_of(const aspi_view *view) {
   const table *t = view->data;
   place size = place_of_size(t, view->d_p), angle = place_of_angle(view->alpha1);
   return (cell){t->delta + size.step * SIZE + angle.step, t->bins > 1 ? SIZE : 0, size.share,
@@ -188,9 +188,9 @@ static double node_at(const cell *c, int node) {
   return delta_at(c, (place){last ? node - 1 : node, last ? 1 : 0});
 }
 
-static double quantile(const asp_view *view, double u) {
+static double quantile(const aspi_view *view, double u) {
   if (view->alpha1 < 0)
-    return asp_spread_visible.quantile(view, u);
+    return aspi_spread_visible.quantile(view, u);
   cell c = cell_of(view);
   double delta = delta_at(&c, place_of_u(u));
   return delta > -view->alpha1 ? delta : -view->alpha1;
@@ -206,9 +206,9 @@ static int node_below(const cell *c, double delta) {
   return low;
 }
 
-static double distribution(const asp_view *view, double delta) {
+static double distribution(const aspi_view *view, double delta) {
   if (view->alpha1 < 0)
-    return asp_spread_visible.distribution(view, delta);
+    return aspi_spread_visible.distribution(view, delta);
   cell c = cell_of(view);
   int node = node_below(&c, delta);
   if (node < 0 || node >= NODES - 1)
@@ -217,9 +217,9 @@ static double distribution(const asp_view *view, double delta) {
   return u_at(node + (delta - low) / (high - low));
 }
 
-static double density(const asp_view *view, double delta) {
+static double density(const aspi_view *view, double delta) {
   if (view->alpha1 < 0)
-    return asp_spread_visible.density(view, delta);
+    return aspi_spread_visible.density(view, delta);
   cell c = cell_of(view);
   int node = node_below(&c, delta);
   if (node < 0 || node >= NODES - 1)
@@ -227,7 +227,7 @@ static double density(const asp_view *view, double delta) {
   return (u_at(node + 1) - u_at(node)) / (node_at(&c, node + 1) - node_at(&c, node));
 }
 
-const asp_spread_model asp_spread_profile = {
+const asp_spread_model aspi_spread_profile = {
     .name = "profile",
     .summary = "first-hit law of the profile itself, from a table",
     .source = "geometry, derived for this project",

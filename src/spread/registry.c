@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#define ASP_SPREAD_ADDRESS(name) &asp_spread_##name,
+#define ASP_SPREAD_ADDRESS(name) &aspi_spread_##name,
 static const asp_spread_model *const models[] = {ASP_SPREAD_MODELS(ASP_SPREAD_ADDRESS)};
 #undef ASP_SPREAD_ADDRESS
 
@@ -25,18 +25,38 @@ const asp_spread_model *asp_spread_find(const char *name, asp_error *error) {
   for (int i = 0; name && i < asp_spread_count(); i++)
     if (strcmp(models[i]->name, name) == 0)
       return models[i];
-  asp_fail_name(error, "spread model", name, asp_spread_count(), name_at);
+  aspi_fail_name(error, "spread model", name, asp_spread_count(), name_at);
   return NULL;
 }
 
-asp_view asp_view_create(double sigma, double alpha1) {
-  return (asp_view){tan(sigma), sigma, alpha1, 0, NULL};
+const char *asp_spread_name(const asp_spread_model *model) {
+  return model->name;
 }
 
-bool asp_spread_draw(const asp_spread_model *model, const asp_view *view, asp_stream *stream,
-                     double *delta) {
+const char *asp_spread_summary(const asp_spread_model *model) {
+  return model->summary;
+}
+
+const char *asp_spread_source(const asp_spread_model *model) {
+  return model->source;
+}
+
+int asp_spread_cost(const asp_spread_model *model) {
+  return model->cost;
+}
+
+bool asp_spread_needs_profile(const asp_spread_model *model) {
+  return model->prepare;
+}
+
+aspi_view aspi_view_of(double sigma, double alpha1) {
+  return (aspi_view){tan(sigma), sigma, alpha1, 0, NULL};
+}
+
+bool aspi_spread_draw(const asp_spread_model *model, const aspi_view *view, aspi_stream *stream,
+                      double *delta) {
   if (model->loop)
     return model->loop(view, stream, delta);
-  *delta = model->quantile(view, asp_stream_uniform(stream));
+  *delta = model->quantile(view, aspi_stream_uniform(stream));
   return true;
 }

@@ -4,12 +4,12 @@
  * practice. */
 #include "spread/models.h"
 
-static bool loop(const asp_view *view, asp_stream *stream, double *delta) {
+static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
   *delta = 0;
   if (view->sigma < ASP_SIGMA_ZERO)
     return true;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
-    double drawn = view->sigma * asp_stream_normal(stream);
+    double drawn = view->sigma * aspi_stream_normal(stream);
     if (drawn > -view->alpha1 / 2 && drawn < ASP_DELTA_MOST) {
       *delta = drawn;
       return true;
@@ -18,12 +18,12 @@ static bool loop(const asp_view *view, asp_stream *stream, double *delta) {
   return false;
 }
 
-const asp_spread_model asp_spread_rejection = {
+const asp_spread_model aspi_spread_rejection = {
     .name = "rejection",
     .summary = "the baseline: draw from the normal distribution until the rebound leaves the wall",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, routines 1 to 3",
     .cost = 2,
-    .density = asp_truncated_density,
-    .distribution = asp_truncated_distribution,
+    .density = aspi_truncated_density,
+    .distribution = aspi_truncated_distribution,
     .loop = loop,
 };

@@ -6,8 +6,9 @@
  * maximum (the second of two periods, when the maximum of the first is known). A single path is
  * followed with a pyramid of block maxima, in steps that grow as long as nothing is in reach. A
  * flight towards smaller x is one towards larger x over the mirror image. */
-#include "base/error.h"
 #include "spread/trace.h"
+#include "base/error.h"
+#include "surface/closing.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,7 +27,7 @@ typedef struct side {
   double *level[LEVELS_MAX]; /* maxima of blocks of 2^k heights */
 } side;
 
-struct asp_track {
+struct aspi_track {
   size_t n;
   int levels;
   double top, least; /* highest point; smallest tan alpha1 */
@@ -41,11 +42,11 @@ static double *heights_of(const asp_profile *profile, double d_p, size_t *n, asp
   *n = periodic ? points : 2 * points - 2;
   double *heights = malloc(*n * sizeof *heights);
   if (!heights) {
-    asp_fail(error, ASP_ENOMEM, "out of memory for a track of %zu points", *n);
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a track of %zu points", *n);
     return NULL;
   }
   if (d_p > 0) {
-    if (asp_profile_dilate(profile, d_p, heights, error)) {
+    if (aspi_profile_dilate(profile, d_p, heights, error)) {
       free(heights);
       return NULL;
     }
@@ -60,7 +61,7 @@ static double *heights_of(const asp_profile *profile, double d_p, size_t *n, asp
   return heights;
 }
 
-static void build_pyramid(const asp_track *track, side *s) {
+static void build_pyramid(const aspi_track *track, side *s) {
   size_t n = track->n;
   for (int k = 1; k < track->levels; k++) {
     const double *below = s->level[k - 1];
@@ -72,7 +73,7 @@ static void build_pyramid(const asp_track *track, side *s) {
 }
 
 /* Memory for both pyramids, one after the other. */
-static bool allot(asp_track *track) {
+static bool allot(aspi_track *track) {
   size_t total = 0, size = track->n;
   for (track->levels = 1; size > 1; track->levels++) {
     total += size;
@@ -91,7 +92,7 @@ static bool allot(asp_track *track) {
   return track->memory;
 }
 
-static void measure(asp_track *track) {
+static void measure(aspi_track *track) {
   const double *z = track->side[0].level[0];
   size_t n = track->n;
   double mean = 0, height = 0, slope = 0;
@@ -108,16 +109,16 @@ static void measure(asp_track *track) {
   track->least = RISE_LEAST * sqrt(height) / (double)n;
 }
 
-asp_track *asp_track_create(const asp_profile *profile, double d_p, asp_error *error) {
-  if (asp_check_range(error, "d_p", "", d_p, 0, INFINITY))
+aspi_track *aspi_track_create(const asp_profile *profile, double d_p, asp_error *error) {
+  if (aspi_check_range(error, "d_p", "", d_p, 0, INFINITY))
     return NULL;
-  asp_track *track = calloc(1, sizeof *track);
+  aspi_track *track = calloc(1, sizeof *track);
   double *heights = track ? heights_of(profile, d_p, &track->n, error) : NULL;
   if (!heights || !allot(track)) {
     if (!track || heights)
-      asp_fail(error, ASP_ENOMEM, "out of memory for a track");
+      aspi_fail(error, ASP_ENOMEM, "out of memory for a track");
     free(heights);
-    asp_track_free(track);
+    aspi_track_free(track);
     return NULL;
   }
   for (size_t i = 0; i < track->n; i++) {
@@ -131,38 +132,38 @@ asp_track *asp_track_create(const asp_profile *profile, double d_p, asp_error *e
   return track;
 }
 
-void asp_track_free(asp_track *track) {
+void aspi_track_free(aspi_track *track) {
   if (track)
     free(track->memory);
   free(track);
 }
 
-size_t asp_track_faces(const asp_track *track) {
+size_t aspi_track_faces(const aspi_track *track) {
   return track->n;
 }
 
-double asp_track_slope_rms(const asp_track *track) {
+double aspi_track_slope_rms(const aspi_track *track) {
   return track->slope_rms;
 }
 
-static double face_slope(const asp_track *track, int on, size_t face) {
+static double face_slope(const aspi_track *track, int on, size_t face) {
   const double *z = track->side[on].level[0];
   return z[face + 1 < track->n ? face + 1 : 0] - z[face];
 }
 
-double asp_track_face_slope(const asp_track *track, size_t face) {
+double aspi_track_face_slope(const aspi_track *track, size_t face) {
   return face_slope(track, 0, face);
 }
 
-double asp_track_alpha_least(const asp_track *track) {
+double aspi_track_alpha_least(const aspi_track *track) {
   return atan(track->least);
 }
 
-static double descent(const asp_track *track, double alpha1) {
+static double descent(const aspi_track *track, double alpha1) {
   return fmin(fmax(tan(alpha1), track->least), STEEPEST);
 }
 
-void asp_track_first_hit(const asp_track *track, double alpha1, double *weight) {
+void aspi_track_first_hit(const aspi_track *track, double alpha1, double *weight) {
   const double *z = track->side[0].level[0];
   size_t n = track->n;
   double fall = descent(track, alpha1), highest = z[0];
@@ -175,15 +176,15 @@ void asp_track_first_hit(const asp_track *track, double alpha1, double *weight) 
   }
 }
 
-void asp_track_enter(const asp_track *track, double u, asp_path *path) {
-  *path = (asp_path){.begun = true, .x = u * (double)track->n, .z = track->top};
+void aspi_track_enter(const aspi_track *track, double u, aspi_path *path) {
+  *path = (aspi_path){.begun = true, .x = u * (double)track->n, .z = track->top};
   path->face = (size_t)path->x < track->n ? (size_t)path->x : track->n - 1;
 }
 
 /* The first point, from `from` on, at which the track is as high as a ray that is at z at x and
  * climbs by m a point. False when there is none within a period: a ray that sinks always has one,
  * at the highest point if not before. Points count on beyond the period. */
-static bool next_point(const asp_track *track, int on, double x, double z, double m, size_t from,
+static bool next_point(const aspi_track *track, int on, double x, double z, double m, size_t from,
                        size_t *point) {
   double *const *level = track->side[on].level;
   size_t n = track->n, i = from % n;
@@ -209,13 +210,13 @@ static bool next_point(const asp_track *track, int on, double x, double z, doubl
 }
 
 /* Converts place and face between the track and its mirror image, either way. */
-static void mirror(const asp_track *track, double *x, size_t *face) {
+static void mirror(const aspi_track *track, double *x, size_t *face) {
   double last = (double)track->n - 1;
   *x = *x <= last ? last - *x : last - *x + (double)track->n;
   *face = (2 * track->n - 2 - *face) % track->n;
 }
 
-bool asp_track_next(const asp_track *track, double alpha1, asp_path *path, double *delta) {
+bool aspi_track_next(const aspi_track *track, double alpha1, aspi_path *path, double *delta) {
   size_t n = track->n, face = path->face, point;
   double x = path->x, m = fmin(fmax(-tan(alpha1), -STEEPEST), STEEPEST);
   if (path->hits == 0)
@@ -238,26 +239,26 @@ bool asp_track_next(const asp_track *track, double alpha1, asp_path *path, doubl
   return true;
 }
 
-double asp_sizes_at(const asp_sizes *sizes, int bin) {
+double aspi_sizes_at(const aspi_sizes *sizes, int bin) {
   double span = log(sizes->most / sizes->least);
   return sizes->least * exp(span * (sizes->bins > 1 ? bin / (sizes->bins - 1.) : 0.5));
 }
 
-int asp_sizes_nearest(const asp_sizes *sizes, double d_p) {
+int aspi_sizes_nearest(const aspi_sizes *sizes, double d_p) {
   if (sizes->bins < 2 || !(d_p > sizes->least))
     return 0;
   double at = log(d_p / sizes->least) / log(sizes->most / sizes->least) * (sizes->bins - 1);
   return (int)fmin(at + 0.5, sizes->bins - 1);
 }
 
-asp_code asp_sizes_check(const asp_sizes *sizes, asp_error *error) {
-  asp_code code = asp_check_length(error, "least d_p", sizes->least);
+asp_code aspi_sizes_check(const aspi_sizes *sizes, asp_error *error) {
+  asp_code code = aspi_check_length(error, "least d_p", sizes->least);
   if (!code)
-    code = asp_check_length(error, "largest d_p", sizes->most);
+    code = aspi_check_length(error, "largest d_p", sizes->most);
   if (!code)
-    code = asp_check_range(error, "largest d_p", "", sizes->most, sizes->least, INFINITY);
+    code = aspi_check_range(error, "largest d_p", "", sizes->most, sizes->least, INFINITY);
   if (!code && !(sizes->bins >= 1 && sizes->bins <= ASP_BINS_MAX))
-    code = asp_fail(error, ASP_EARG, "bins of d_p are %d; they must be 1 to %d", sizes->bins,
-                    (int)ASP_BINS_MAX);
+    code = aspi_fail(error, ASP_EARG, "bins of d_p are %d; they must be 1 to %d", sizes->bins,
+                     (int)ASP_BINS_MAX);
   return code;
 }

@@ -8,29 +8,29 @@
 #include <stdlib.h>
 
 typedef struct tracks {
-  asp_sizes sizes;
-  asp_track *track[]; /* one a bin */
+  aspi_sizes sizes;
+  aspi_track *track[]; /* one a bin */
 } tracks;
 
 static void release(void *data) {
   tracks *t = data;
   for (int i = 0; i < t->sizes.bins; i++)
-    asp_track_free(t->track[i]);
+    aspi_track_free(t->track[i]);
   free(t);
 }
 
-static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_error *error) {
-  if (asp_sizes_check(sizes, error))
+static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error) {
+  if (aspi_sizes_check(sizes, error))
     return NULL;
   size_t bins = (size_t)sizes->bins;
   tracks *t = calloc(1, sizeof *t + bins * sizeof *t->track);
   if (!t) {
-    asp_fail(error, ASP_ENOMEM, "out of memory for %d tracks", sizes->bins);
+    aspi_fail(error, ASP_ENOMEM, "out of memory for %d tracks", sizes->bins);
     return NULL;
   }
   t->sizes = *sizes;
   for (int i = 0; i < sizes->bins; i++) {
-    t->track[i] = asp_track_create(profile, asp_sizes_at(sizes, i), error);
+    t->track[i] = aspi_track_create(profile, aspi_sizes_at(sizes, i), error);
     if (!t->track[i]) {
       release(t);
       return NULL;
@@ -39,20 +39,20 @@ static void *prepare(const asp_profile *profile, const asp_sizes *sizes, asp_err
   return t;
 }
 
-static bool follow(const asp_view *view, asp_stream *stream, asp_path *path, double *delta) {
+static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
   const tracks *t = view->data;
-  const asp_track *track = t->track[asp_sizes_nearest(&t->sizes, view->d_p)];
+  const aspi_track *track = t->track[aspi_sizes_nearest(&t->sizes, view->d_p)];
   if (!path->begun)
-    asp_track_enter(track, asp_stream_uniform(stream), path);
-  return asp_track_next(track, view->alpha1, path, delta);
+    aspi_track_enter(track, aspi_stream_uniform(stream), path);
+  return aspi_track_next(track, view->alpha1, path, delta);
 }
 
-static bool loop(const asp_view *view, asp_stream *stream, double *delta) {
-  asp_path path = {0};
+static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
+  aspi_path path = {0};
   return follow(view, stream, &path, delta);
 }
 
-const asp_spread_model asp_spread_traced = {
+const asp_spread_model aspi_spread_traced = {
     .name = "traced",
     .summary = "the profile itself, followed hit by hit; slow and exact",
     .source = "geometry",

@@ -2,26 +2,26 @@
  * inverse transform. It is, in law, what the rejection routines sample, without their loop. */
 #include "spread/models.h"
 
-double asp_truncated_density(const asp_view *view, double delta) {
-  return asp_cut_normal_density(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
+double aspi_truncated_density(const aspi_view *view, double delta) {
+  return aspi_cut_normal_density(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
 }
 
-double asp_truncated_distribution(const asp_view *view, double delta) {
-  return asp_cut_normal_distribution(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
+double aspi_truncated_distribution(const aspi_view *view, double delta) {
+  return aspi_cut_normal_distribution(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
 }
 
-static double quantile(const asp_view *view, double u) {
+static double quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  return asp_cut_normal_quantile(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, u);
+  return aspi_cut_normal_quantile(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, u);
 }
 
-const asp_spread_model asp_spread_truncated = {
+const asp_spread_model aspi_spread_truncated = {
     .name = "truncated",
     .summary = "normal distribution cut at -alpha1/2: the rejection loop's law in one step",
     .source = "Altmeppen et al. 2020, eq. 5",
     .cost = 4,
-    .density = asp_truncated_density,
-    .distribution = asp_truncated_distribution,
+    .density = aspi_truncated_density,
+    .distribution = aspi_truncated_distribution,
     .quantile = quantile,
 };

@@ -30,7 +30,7 @@ typedef struct law {
  * by the asymptotic series 1/t^2 - 3/t^4 + 15/t^6 - ... */
 static double mills_gap(double t) {
   if (t < 12)
-    return 1 - t * asp_gauss_below(-t) / asp_gauss_density(t);
+    return 1 - t * aspi_gauss_below(-t) / aspi_gauss_density(t);
   double square = t * t, term = 1 / square, sum = 0;
   for (int k = 3; k < 29; k += 2) {
     sum += term;
@@ -39,11 +39,11 @@ static double mills_gap(double t) {
   return sum;
 }
 
-static law law_at(const asp_view *view) {
+static law law_at(const aspi_view *view) {
   double a = tan(view->alpha1) / view->slope;
   a = fmin(fmax(a, A_LEAST), A_MOST);
-  double density = asp_gauss_density(a);
-  double z = a < 0 ? mills_gap(-a) : density + a * asp_gauss_below(a);
+  double density = aspi_gauss_density(a);
+  double z = a < 0 ? mills_gap(-a) : density + a * aspi_gauss_below(a);
   return (law){a, z, density};
 }
 
@@ -60,29 +60,29 @@ static double near_end(double a, double y) {
   return sum;
 }
 
-static asp_point down_at(const void *of, double x) {
+static aspi_point down_at(const void *of, double x) {
   const law *w = of;
-  double a = w->a, y = x + a, phi = asp_gauss_density(x);
-  asp_point p = {.density = phi * y / w->z};
-  p.above = (phi + a * asp_gauss_below(-x)) / w->z;
+  double a = w->a, y = x + a, phi = aspi_gauss_density(x);
+  aspi_point p = {.density = phi * y / w->z};
+  p.above = (phi + a * aspi_gauss_below(-x)) / w->z;
   if (y * (1 + a) < 0.5)
     p.below = w->density * near_end(a, y) / w->z;
   else
-    p.below = fmax(0, (a * (asp_gauss_below(x) - asp_gauss_below(-a)) + w->density - phi) / w->z);
+    p.below = fmax(0, (a * (aspi_gauss_below(x) - aspi_gauss_below(-a)) + w->density - phi) / w->z);
   return p;
 }
 
 /* For a < 0, counted from the end of the support: y = x + a. */
-static asp_point up_at(const void *of, double y) {
+static aspi_point up_at(const void *of, double y) {
   const law *w = of;
   double t = -w->a, x = y + t, decay = exp(-y * (t + 0.5 * y));
-  asp_point p = {.density = decay * y / w->z};
+  aspi_point p = {.density = decay * y / w->z};
   p.above = decay * (y + t * mills_gap(x)) / x / w->z;
   p.below = y * (1 + t) < 0.5 ? near_end(w->a, y) / w->z : 1 - p.above;
   return p;
 }
 
-static asp_point at(const law *w, double x) {
+static aspi_point at(const law *w, double x) {
   return w->a < 0 ? up_at(w, x + w->a) : down_at(w, x);
 }
 
@@ -90,16 +90,16 @@ static asp_point at(const law *w, double x) {
 static double down_quantile(const law *w, double u) {
   double far = gsl_cdf_ugaussian_Pinv(u), most = sqrt(-2 * log1p(-u)) + 1;
   double end = w->density > 1e-300 ? sqrt(2 * u * w->z / w->density) : INFINITY;
-  return asp_invert(down_at, w, -w->a, most, fmax(far, fmin(end, 1) - w->a), u);
+  return aspi_invert(down_at, w, -w->a, most, fmax(far, fmin(end, 1) - w->a), u);
 }
 
 /* The start lies between the laws for a = 0 (Rayleigh) and a large negative one (gamma). */
 static double up_quantile(const law *w, double u) {
   double r2 = -2 * log1p(-u), t = -w->a, length = 1 / (sqrt(t * t + r2) + t);
-  return t + asp_invert(up_at, w, 0, (r2 + 16) * length, r2 * length * (1 + t / (1 + t)), u);
+  return t + aspi_invert(up_at, w, 0, (r2 + 16) * length, r2 * length * (1 + t / (1 + t)), u);
 }
 
-static double density(const asp_view *view, double delta) {
+static double density(const aspi_view *view, double delta) {
   law w = law_at(view);
   double p = tan(delta), y = p / view->slope + w.a;
   if (!(y > 0) || delta >= ASP_DELTA_MOST)
@@ -107,7 +107,7 @@ static double density(const asp_view *view, double delta) {
   return at(&w, p / view->slope).density * (1 + p * p) / view->slope;
 }
 
-static double distribution(const asp_view *view, double delta) {
+static double distribution(const aspi_view *view, double delta) {
   law w = law_at(view);
   double x = tan(delta) / view->slope;
   if (delta <= -ASP_DELTA_MOST || !(x > -w.a))
@@ -115,7 +115,7 @@ static double distribution(const asp_view *view, double delta) {
   return delta >= ASP_DELTA_MOST ? 1 : at(&w, x).below;
 }
 
-static double quantile(const asp_view *view, double u) {
+static double quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   law w = law_at(view);
@@ -123,7 +123,7 @@ static double quantile(const asp_view *view, double u) {
   return fmax(atan(x * view->slope), -view->alpha1);
 }
 
-const asp_spread_model asp_spread_visible = {
+const asp_spread_model aspi_spread_visible = {
     .name = "visible",
     .summary = "slopes of a Gaussian wall as the particle sees them: shadow and flux exactly",
     .source = "derived for this project; Heitz & d'Eon 2014 (visible normals) has the same law",

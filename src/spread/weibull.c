@@ -22,29 +22,29 @@
 /* Shape and scale as polynomials of fourth degree in tau = alpha1/sigma, written around the end so
  * that they arrive there at the values that hold beyond it: k = 3.602, and the lambda that makes
  * the mean zero, 3.24/Gamma(1 + 1/3.602) (sd 0.9991). */
-asp_weibull_law asp_weibull_at(double sigma, double alpha1) {
+aspi_weibull_law aspi_weibull_at(double sigma, double alpha1) {
   double tau = fmin(alpha1 / sigma, TAU_END), ahead = tau - TAU_END, tau2 = tau * tau;
   double k = (0.3607531 + tau * 0.0404840) + tau2 * (0.0037227 - tau * 0.0007002);
   double scale = (0.4221985 + tau * 0.0357573) - tau2 * (0.0019619 + tau * 0.0002228);
-  return (asp_weibull_law){-0.5 * tau * sigma, 3.602 + ahead * k,
-                           (3.595474673403 + ahead * scale) * sigma};
+  return (aspi_weibull_law){-0.5 * tau * sigma, 3.602 + ahead * k,
+                            (3.595474673403 + ahead * scale) * sigma};
 }
 
 /* The share of the uncut law beyond the steepest face. */
-static double lost_beyond(asp_weibull_law w) {
+static double lost_beyond(aspi_weibull_law w) {
   return exp(-pow((ASP_DELTA_MOST - w.b) / w.lambda, w.k));
 }
 
-static double density(const asp_view *view, double delta) {
-  asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
+static double density(const aspi_view *view, double delta) {
+  aspi_weibull_law w = aspi_weibull_at(view->sigma, view->alpha1);
   if (delta <= w.b || delta > ASP_DELTA_MOST)
     return 0;
   double y = (delta - w.b) / w.lambda;
   return w.k / w.lambda * pow(y, w.k - 1) * exp(-pow(y, w.k)) / (1 - lost_beyond(w));
 }
 
-static double distribution(const asp_view *view, double delta) {
-  asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
+static double distribution(const aspi_view *view, double delta) {
+  aspi_weibull_law w = aspi_weibull_at(view->sigma, view->alpha1);
   if (delta <= w.b)
     return 0;
   if (delta >= ASP_DELTA_MOST)
@@ -53,16 +53,16 @@ static double distribution(const asp_view *view, double delta) {
 }
 
 /* In the upper half by the share above, which for u near 1 keeps its digits. */
-static double quantile(const asp_view *view, double u) {
+static double quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  asp_weibull_law w = asp_weibull_at(view->sigma, view->alpha1);
+  aspi_weibull_law w = aspi_weibull_at(view->sigma, view->alpha1);
   double lost = lost_beyond(w);
   double power = u < 0.5 ? -log1p(u * (lost - 1)) : -log((1 - u) + u * lost);
   return fmin(w.b + w.lambda * pow(power, 1 / w.k), ASP_DELTA_MOST);
 }
 
-const asp_spread_model asp_spread_weibull = {
+const asp_spread_model aspi_spread_weibull = {
     .name = "weibull",
     .summary = "Weibull distribution fitted to the truncated one: no sliding rebounds",
     .source = "Altmeppen et al. 2020, eq. 8; ten coefficients refitted for this project",

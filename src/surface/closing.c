@@ -3,6 +3,7 @@
  * is the same upside down. Two such arcs cross at most once, so the envelope of all comes from a
  * stack of arcs, left to right, as the lower envelope of parabolas does in Felzenszwalb &
  * Huttenlocher 2012: O(n), whatever the radius. */
+#include "surface/closing.h"
 #include "base/error.h"
 #include "surface/profile.h"
 
@@ -87,14 +88,14 @@ static asp_code workspace_create(workspace *b, size_t points, double radius, boo
                                  asp_error *error) {
   ptrdiff_t reach = (ptrdiff_t)floor(radius), pad = periodic ? reach : 0;
   size_t all = points + 2 * (size_t)pad;
-  *b = (workspace){.rise = asp_allocate((size_t)reach + 1),
-                   .padded = asp_allocate(all),
+  *b = (workspace){.rise = aspi_allocate((size_t)reach + 1),
+                   .padded = aspi_allocate(all),
                    .pieces = malloc(all * sizeof *b->pieces),
                    .points = (ptrdiff_t)points,
                    .pad = pad};
   if (!b->rise || !b->padded || !b->pieces) {
     workspace_free(b);
-    return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
   }
   b->disc = (disc){radius, reach, b->rise};
   for (ptrdiff_t i = 0; i <= reach; i++)
@@ -123,14 +124,14 @@ static asp_code filter(const asp_profile *profile, double d_p, bool close, doubl
                        asp_error *error) {
   size_t points = asp_profile_points(profile);
   double spacing = asp_profile_spacing(profile), length = (double)points * spacing;
-  if (asp_check_positive(error, "d_p", "", d_p))
+  if (aspi_check_positive(error, "d_p", "", d_p))
     return ASP_EARG;
   if (d_p > length)
-    return asp_fail(error, ASP_EARG, "d_p is %g; it must be at most the profile's length of %g",
-                    d_p, length);
+    return aspi_fail(error, ASP_EARG, "d_p is %g; it must be at most the profile's length of %g",
+                     d_p, length);
   if (points > POINTS_MOST)
-    return asp_fail(error, ASP_EARG, "a profile has %zu points; it must have at most %zu", points,
-                    POINTS_MOST);
+    return aspi_fail(error, ASP_EARG, "a profile has %zu points; it must have at most %zu", points,
+                     POINTS_MOST);
   workspace b;
   asp_code code =
       workspace_create(&b, points, 0.5 * d_p / spacing, asp_profile_periodic(profile), error);
@@ -143,10 +144,11 @@ static asp_code filter(const asp_profile *profile, double d_p, bool close, doubl
   return ASP_OK;
 }
 
-asp_code asp_profile_dilate(const asp_profile *profile, double d_p, double *out, asp_error *error) {
+asp_code aspi_profile_dilate(const asp_profile *profile, double d_p, double *out,
+                             asp_error *error) {
   return filter(profile, d_p, false, out, error);
 }
 
-asp_code asp_profile_close(const asp_profile *profile, double d_p, double *out, asp_error *error) {
+asp_code aspi_profile_close(const asp_profile *profile, double d_p, double *out, asp_error *error) {
   return filter(profile, d_p, true, out, error);
 }

@@ -2,9 +2,9 @@
  * read once, and only its heights are kept: whether the positions are equally spaced, and how far
  * apart, comes from a line fitted to all of them, since instruments round them (to 0.1 um at a
  * spacing of 0.156 um). Where they are not, a second pass interpolates between them. */
+#include "base/error.h"
 #include "base/number.h"
 #include "base/units.h"
-#include "base/error.h"
 #include "surface/read.h"
 
 #include <ctype.h>
@@ -47,16 +47,16 @@ typedef struct column_pair {
   double x, z;
 } column_pair;
 
-static asp_word pair_of(char *line, const column_layout *layout, column_pair *pair) {
+static aspi_word pair_of(char *line, const column_layout *layout, column_pair *pair) {
   char *fields[FIELDS_MOST];
-  int count = asp_text_split(line, layout->separator, fields, FIELDS_MOST);
+  int count = aspi_text_split(line, layout->separator, fields, FIELDS_MOST);
   if (count <= layout->column)
     return ASP_WORD_OTHER;
   pair->position = fields[0];
   pair->height = fields[layout->column];
-  if (asp_text_number(pair->position, layout->comma, &pair->x) != ASP_WORD_NUMBER)
+  if (aspi_text_number(pair->position, layout->comma, &pair->x) != ASP_WORD_NUMBER)
     return ASP_WORD_OTHER;
-  return asp_text_number(pair->height, layout->comma, &pair->z);
+  return aspi_text_number(pair->height, layout->comma, &pair->z);
 }
 
 static bool is_blank(const char *line) {
@@ -75,7 +75,7 @@ static bool finds_layout(const char *line, int column, column_layout *found) {
     strcpy(copy, line);
     *found = layouts[i];
     found->column = column;
-    asp_word word = pair_of(copy, found, &pair);
+    aspi_word word = pair_of(copy, found, &pair);
     if (word == ASP_WORD_NUMBER || (word == ASP_WORD_MISSING && !is_blank(pair.height)))
       return true;
   }
@@ -83,7 +83,7 @@ static bool finds_layout(const char *line, int column, column_layout *found) {
 }
 
 /* Skips the header; its last lines are kept, the very last first. */
-static asp_code skip_header(asp_text *text, int column, column_layout *layout,
+static asp_code skip_header(aspi_text *text, int column, column_layout *layout,
                             char kept[HEADER_KEPT][ASP_TEXT_MOST], asp_error *error) {
   for (bool found = true; found;) {
     if (finds_layout(text->text, column, layout))
@@ -92,30 +92,30 @@ static asp_code skip_header(asp_text *text, int column, column_layout *layout,
       memmove(kept[1], kept[0], (HEADER_KEPT - 1) * sizeof *kept);
       strcpy(kept[0], text->text);
     }
-    asp_code code = asp_text_line(text, &found, error);
+    asp_code code = aspi_text_line(text, &found, error);
     if (code)
       return code;
   }
-  return asp_text_fail(text, text->line, error,
-                       "the file ends without a line of two numbers, position and height");
+  return aspi_text_fail(text, text->line, error,
+                        "the file ends without a line of two numbers, position and height");
 }
 
-static asp_code find_units(const asp_text *text, const asp_profile_options *options,
+static asp_code find_units(const aspi_text *text, const aspi_profile_options *options,
                            char kept[HEADER_KEPT][ASP_TEXT_MOST], double unit[2],
                            asp_error *error) {
   double stated[2] = {0, 0};
   int count = 0;
   for (int i = 0; i < HEADER_KEPT && count == 0; i++)
-    count = asp_header_units(kept[i], stated);
+    count = aspi_header_units(kept[i], stated);
   unit[0] = options->unit_x > 0 ? options->unit_x : count == 2 ? stated[0] : 0;
   unit[1] = options->unit_z > 0 ? options->unit_z : count == 2 ? stated[1] : 0;
   if (unit[0] > 0 && unit[1] > 0)
     return ASP_OK;
-  return asp_text_fail(text, text->line, error,
-                       "%s before the first numbers; say which unit of length the columns are in",
-                       count == 0   ? "no unit of length is stated"
-                       : count == 1 ? "one unit is stated for two columns"
-                                    : "more than two units are stated");
+  return aspi_text_fail(text, text->line, error,
+                        "%s before the first numbers; say which unit of length the columns are in",
+                        count == 0   ? "no unit of length is stated"
+                        : count == 1 ? "one unit is stated for two columns"
+                                     : "more than two units are stated");
 }
 
 /* How finely positions are written: the most decimals and the most digits of any. */
@@ -129,7 +129,7 @@ static void note_precision(scan *s, const char *position, bool comma) {
     point = point || *position == '.' || (comma && *position == ',');
   }
   if (*position)
-    decimals -= (int)fmax(-400, fmin(400, asp_number(position + 1, NULL)));
+    decimals -= (int)fmax(-400, fmin(400, aspi_number(position + 1, NULL)));
   s->decimals = decimals > s->decimals ? decimals : s->decimals;
   s->digits = digits > s->digits ? digits : s->digits;
 }
@@ -141,11 +141,11 @@ static double rounding(const scan *s) {
   return fmax(pow(10, -s->decimals), by_digits);
 }
 
-static asp_code note_step(scan *s, const asp_text *text, double x, asp_error *error) {
+static asp_code note_step(scan *s, const aspi_text *text, double x, asp_error *error) {
   double step = x - s->last;
   if (step < 0)
-    return asp_text_fail(text, text->line, error,
-                         "position %.10g comes after %.10g; positions must increase", x, s->last);
+    return aspi_text_fail(text, text->line, error,
+                          "position %.10g comes after %.10g; positions must increase", x, s->last);
   if (!(step > 0) && !s->still_line)
     s->still_line = text->line;
   s->step_least = fmin(s->step_least, step);
@@ -158,7 +158,7 @@ static asp_code note_step(scan *s, const asp_text *text, double x, asp_error *er
   return ASP_OK;
 }
 
-static asp_code note_position(scan *s, const asp_text *text, double x, asp_error *error) {
+static asp_code note_position(scan *s, const aspi_text *text, double x, asp_error *error) {
   if (s->points > 0) {
     asp_code code = note_step(s, text, x, error);
     if (code)
@@ -178,18 +178,18 @@ static asp_code note_position(scan *s, const asp_text *text, double x, asp_error
 }
 
 /* The data in a line that is not blank. */
-static asp_code read_pair(asp_text *text, const column_layout *layout, column_pair *pair,
+static asp_code read_pair(aspi_text *text, const column_layout *layout, column_pair *pair,
                           asp_error *error) {
   char shown[48];
   snprintf(shown, sizeof shown, "%.47s", text->text);
   if (pair_of(text->text, layout, pair) != ASP_WORD_OTHER)
     return ASP_OK;
-  return asp_text_fail(text, text->line, error,
-                       "'%s' where position and height are expected as two numbers", shown);
+  return aspi_text_fail(text, text->line, error,
+                        "'%s' where position and height are expected as two numbers", shown);
 }
 
-static asp_code note_pair(scan *s, asp_text *text, const column_layout *layout, double unit_z,
-                          asp_raw *raw, asp_error *error) {
+static asp_code note_pair(scan *s, aspi_text *text, const column_layout *layout, double unit_z,
+                          aspi_raw *raw, asp_error *error) {
   column_pair pair;
   asp_code code = read_pair(text, layout, &pair, error);
   if (!code)
@@ -199,18 +199,18 @@ static asp_code note_pair(scan *s, asp_text *text, const column_layout *layout, 
   note_precision(s, pair.position, layout->comma);
   if (isnan(pair.z) && raw->bad++ == 0)
     raw->bad_line = text->line;
-  return asp_raw_add(raw, pair.z * unit_z, error);
+  return aspi_raw_add(raw, pair.z * unit_z, error);
 }
 
 /* The first pass: heights as they come, and what the positions are like. */
-static asp_code read_all(asp_text *text, const column_layout *layout, double unit_z, scan *s,
-                         asp_raw *raw, asp_error *error) {
+static asp_code read_all(aspi_text *text, const column_layout *layout, double unit_z, scan *s,
+                         aspi_raw *raw, asp_error *error) {
   asp_code code = ASP_OK;
   for (bool found = true; found && !code;) {
     if (!is_blank(text->text))
       code = note_pair(s, text, layout, unit_z, raw, error);
     if (!code)
-      code = asp_text_line(text, &found, error);
+      code = aspi_text_line(text, &found, error);
   }
   return code;
 }
@@ -227,7 +227,7 @@ static bool is_even(const scan *s, double *spacing) {
 
 /* Heights at the grid's points up to the next pair, on the line from the pair before; NAN across a
  * gap. */
-static asp_code interpolate(asp_raw *raw, const scan *s, const column_pair *before,
+static asp_code interpolate(aspi_raw *raw, const scan *s, const column_pair *before,
                             const column_pair *next, double unit_z, asp_error *error) {
   double apart = next->x - before->x;
   bool gap = apart > GAP_STEPS * s->usual;
@@ -235,37 +235,38 @@ static asp_code interpolate(asp_raw *raw, const scan *s, const column_pair *befo
   for (double at; !code && (at = s->first + (double)raw->points * s->usual) <= next->x;) {
     double part = (at - before->x) / apart;
     double z = part > 1 - 1e-9 ? next->z : gap ? NAN : before->z + part * (next->z - before->z);
-    code = asp_raw_add(raw, unit_z * z, error);
+    code = aspi_raw_add(raw, unit_z * z, error);
   }
   return code;
 }
 
-static asp_code check_resampling(const asp_text *text, const scan *s, bool allowed,
+static asp_code check_resampling(const aspi_text *text, const scan *s, bool allowed,
                                  asp_error *error) {
   if (s->still_line)
-    return asp_text_fail(text, s->still_line, error,
-                         "a position repeats the one before; positions must increase");
+    return aspi_text_fail(text, s->still_line, error,
+                          "a position repeats the one before; positions must increase");
   if (!allowed)
-    return asp_text_fail(text, text->line, error,
-                         "the spacing is not equal: %g to %g in the file's unit", s->step_least,
-                         s->step_most);
+    return aspi_text_fail(text, text->line, error,
+                          "the spacing is not equal: %g to %g in the file's unit", s->step_least,
+                          s->step_most);
   if ((s->last - s->first) / s->usual > 2 * (double)s->points)
-    return asp_text_fail(text, text->line, error,
-                         "more than half of the profile is gaps: %zu points from %g to %g, most of "
-                         "them %g apart",
-                         s->points, s->first, s->last, s->usual);
+    return aspi_text_fail(
+        text, text->line, error,
+        "more than half of the profile is gaps: %zu points from %g to %g, most of "
+        "them %g apart",
+        s->points, s->first, s->last, s->usual);
   return ASP_OK;
 }
 
 /* The second pass, for positions that are not equally spaced. */
-static asp_code resample(asp_text *text, size_t data_line, const column_layout *layout,
-                         double unit_z, const scan *s, asp_raw *raw, asp_error *error) {
-  asp_code code = asp_text_rewind(text, error);
+static asp_code resample(aspi_text *text, size_t data_line, const column_layout *layout,
+                         double unit_z, const scan *s, aspi_raw *raw, asp_error *error) {
+  asp_code code = aspi_text_rewind(text, error);
   column_pair before = {.x = s->first, .z = NAN}, next;
   bool found = true;
   raw->points = 0;
   raw->resampled = true;
-  while (!code && !(code = asp_text_line(text, &found, error)) && found) {
+  while (!code && !(code = aspi_text_line(text, &found, error)) && found) {
     if (text->line < data_line || is_blank(text->text))
       continue;
     code = read_pair(text, layout, &next, error);
@@ -273,15 +274,15 @@ static asp_code resample(asp_text *text, size_t data_line, const column_layout *
       break;
     if (!raw->bad_line && next.x - before.x > GAP_STEPS * s->usual)
       raw->bad_line = text->line;
-    code = text->line == data_line ? asp_raw_add(raw, unit_z * next.z, error)
+    code = text->line == data_line ? aspi_raw_add(raw, unit_z * next.z, error)
                                    : interpolate(raw, s, &before, &next, unit_z, error);
     before = next;
   }
   return code;
 }
 
-static asp_code read_data(asp_text *text, const column_layout *layout, const double unit[2],
-                          bool allowed, scan *s, asp_raw *raw, asp_error *error) {
+static asp_code read_data(aspi_text *text, const column_layout *layout, const double unit[2],
+                          bool allowed, scan *s, aspi_raw *raw, asp_error *error) {
   size_t data_line = text->line;
   asp_code code = read_all(text, layout, unit[1], s, raw, error);
   if (code)
@@ -290,10 +291,11 @@ static asp_code read_data(asp_text *text, const column_layout *layout, const dou
   raw->step_least = s->step_least * unit[0];
   raw->step_most = s->step_most * unit[0];
   if (s->points < 3 || !(s->last > s->first) || !isfinite(s->last - s->first))
-    return asp_text_fail(text, text->line, error,
-                         "the file ends after %zu point%s, from %g to %g; a profile has at least 3 "
-                         "at increasing positions",
-                         s->points, s->points == 1 ? "" : "s", s->first, s->last);
+    return aspi_text_fail(
+        text, text->line, error,
+        "the file ends after %zu point%s, from %g to %g; a profile has at least 3 "
+        "at increasing positions",
+        s->points, s->points == 1 ? "" : "s", s->first, s->last);
   if (!is_even(s, &raw->spacing)) {
     raw->spacing = s->usual;
     code = check_resampling(text, s, allowed, error);
@@ -304,8 +306,8 @@ static asp_code read_data(asp_text *text, const column_layout *layout, const dou
   return code;
 }
 
-asp_code asp_read_columns(asp_text *text, const asp_profile_options *options, asp_raw *raw,
-                          asp_error *error) {
+asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                           asp_error *error) {
   char kept[HEADER_KEPT][ASP_TEXT_MOST] = {"", "", ""};
   column_layout layout;
   double unit[2];

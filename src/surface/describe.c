@@ -1,6 +1,7 @@
 /* What a profile is: heights, correlation length, slope. The autocorrelation is GSL's FFT of the
  * heights about their mean, circular where the profile is periodic, and padded with zeros where it
  * is not (the sum of the n - k products over n, which damps the lags that few products back). */
+#include "surface/describe.h"
 #include "base/error.h"
 #include "surface/profile.h"
 
@@ -13,7 +14,7 @@
 /* Heights smaller than this part of the largest coordinate are rounding. */
 #define ROUNDING 1e-13
 
-static void describe_heights(const asp_profile *profile, asp_description *d) {
+static void describe_heights(const asp_profile *profile, aspi_description *d) {
   const double *z = asp_profile_heights(profile);
   double mean = 0, square = 0, absolute = 0, step = 0;
   for (size_t i = 0; i < d->points; i++)
@@ -47,9 +48,9 @@ static void correlate(double *data, size_t n) {
 /* Autocovariances at lags 0 to n/2, in a buffer that the caller frees. The circular one of a
  * periodic profile at lag k is the linear one at k and at n - k together. */
 static double *autocovariance(const asp_profile *profile, double scale) {
-  size_t points = asp_profile_points(profile), n = asp_power_of_two(2 * points);
+  size_t points = asp_profile_points(profile), n = aspi_power_of_two(2 * points);
   const double *z = asp_profile_heights(profile);
-  double *data = asp_allocate(n), mean = 0;
+  double *data = aspi_allocate(n), mean = 0;
   if (!data)
     return NULL;
   for (size_t i = 0; i < points; i++)
@@ -75,32 +76,33 @@ static double crossing(const double *covariance, size_t lags, double level) {
   return 0;
 }
 
-asp_code asp_profile_describe(const asp_profile *profile, double level,
-                              asp_description *description, asp_error *error) {
+asp_code aspi_profile_describe(const asp_profile *profile, double level,
+                               aspi_description *description, asp_error *error) {
   if (!(level > 0 && level < 1))
-    return asp_fail(error, ASP_EARG, "level of the autocorrelation is %g; it must be 0 to 1",
-                    level);
-  asp_description d = {.points = asp_profile_points(profile),
-                       .spacing = asp_profile_spacing(profile)};
+    return aspi_fail(error, ASP_EARG, "level of the autocorrelation is %g; it must be 0 to 1",
+                     level);
+  aspi_description d = {.points = asp_profile_points(profile),
+                        .spacing = asp_profile_spacing(profile)};
   d.length = (double)d.points * d.spacing;
   if (d.points > ASP_FFT_MOST / 2)
-    return asp_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", d.points,
-                    ASP_FFT_MOST / 2);
+    return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", d.points,
+                     ASP_FFT_MOST / 2);
   describe_heights(profile, &d);
   if (!isfinite(d.r_q) || !isfinite(d.slope_rms))
-    return asp_fail(error, ASP_EDATA, "the profile's heights are too large to work with");
+    return aspi_fail(error, ASP_EDATA, "the profile's heights are too large to work with");
   if (!(d.r_q > ROUNDING * fabs(asp_profile_heights(profile)[0])))
-    return asp_fail(error, ASP_EDATA, "the profile is constant");
+    return aspi_fail(error, ASP_EDATA, "the profile is constant");
   double *covariance = autocovariance(profile, d.r_q);
   if (!covariance)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", d.points);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", d.points);
   d.lambda_c = crossing(covariance, d.points / 2, level) * d.spacing;
   free(covariance);
   if (!(d.lambda_c > 0))
-    return asp_fail(error, ASP_EDATA,
-                    "the autocorrelation does not fall to %.3g within half the profile's length of "
-                    "%g: the profile is too short, or form is left in it",
-                    level, d.length);
+    return aspi_fail(
+        error, ASP_EDATA,
+        "the autocorrelation does not fall to %.3g within half the profile's length of "
+        "%g: the profile is too short, or form is left in it",
+        level, d.length);
   d.lambda_1_e = d.lambda_c / sqrt(-log(level));
   d.phi_r = d.r_q / d.lambda_c;
   *description = d;

@@ -3,6 +3,8 @@
  * `cmake --build build --target size_table`, which writes the file in its place. Takes some
  * minutes; the result does not depend on the number of threads. */
 #include "asperity.h"
+#include "surface/size_law.h"
+#include "surface/slopes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,9 +38,9 @@ static void add_profile(double phi_r, uint32_t seed, double sums[COLUMNS + 1]) {
     /* A disc smaller than the spacing filters nothing. */
     double d_p = i < COLUMNS ? SIZE_FIRST * pow(2, 0.5 * i) : 0.5 / PER_LAMBDA;
     size_t count;
-    if (asp_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, slopes, &count, &error))
+    if (aspi_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, slopes, &count, &error))
       fail(error.text);
-    asp_moments m = asp_moments_of(slopes, count);
+    aspi_moments m = aspi_moments_of(slopes, count);
     sums[i] += m.mean * m.mean + m.sd * m.sd;
   }
   free(slopes);

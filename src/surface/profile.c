@@ -4,6 +4,7 @@
  * and its periodic continuation, so that any number of points costs the same per point. */
 #include "surface/profile.h"
 #include "base/error.h"
+#include "base/stream.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -26,34 +27,34 @@ struct asp_profile {
   double *heights;
 };
 
-asp_profile *asp_profile_adopt(double *heights, size_t points, double spacing, bool periodic,
-                               asp_error *error) {
+asp_profile *aspi_profile_adopt(double *heights, size_t points, double spacing, bool periodic,
+                                asp_error *error) {
   asp_profile *profile = heights ? malloc(sizeof *profile) : NULL;
   if (!profile) {
     free(heights);
-    asp_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
     return NULL;
   }
   *profile = (asp_profile){points, spacing, periodic, heights};
   return profile;
 }
 
-size_t asp_power_of_two(size_t least) {
+size_t aspi_power_of_two(size_t least) {
   size_t n = 1;
   while (n < least)
     n *= 2;
   return n;
 }
 
-double *asp_allocate(size_t count) {
+double *aspi_allocate(size_t count) {
   return count <= SIZE_MAX / sizeof(double) ? malloc(count * sizeof(double)) : NULL;
 }
 
 static void fill_noise(double *noise, size_t points, uint32_t seed) {
-  asp_stream stream =
-      asp_stream_create(&(asp_key){.seed = seed, .fix = asp_key_fix("profile"), .impact = 0});
+  aspi_stream stream =
+      aspi_stream_begin(&(asp_key){.seed = seed, .wall = asp_key_wall("profile"), .impact = 0});
   for (size_t i = 0; i < points; i++)
-    noise[i] = asp_stream_normal(&stream);
+    noise[i] = aspi_stream_normal(&stream);
 }
 
 /* The filter around index 0 of a circle of n points, of unit sum of squares, times r_q. */
@@ -88,21 +89,21 @@ static void convolve(double *data, double *kernel, size_t n) {
 
 static asp_code check_generated(double r_q, double lambda_c, double spacing, size_t points,
                                 asp_error *error) {
-  if (asp_check_length(error, "r_q", r_q) || asp_check_length(error, "lambda_c", lambda_c) ||
-      asp_check_length(error, "spacing", spacing))
+  if (aspi_check_length(error, "r_q", r_q) || aspi_check_length(error, "lambda_c", lambda_c) ||
+      aspi_check_length(error, "spacing", spacing))
     return ASP_EARG;
   if (r_q > PHI_R_MOST * lambda_c)
-    return asp_fail(error, ASP_EARG, "r_q is %g; it must be at most %g lambda_c", r_q, PHI_R_MOST);
+    return aspi_fail(error, ASP_EARG, "r_q is %g; it must be at most %g lambda_c", r_q, PHI_R_MOST);
   if (spacing > SPACING_MOST * lambda_c)
-    return asp_fail(error, ASP_EARG, "spacing is %g; it must be at most lambda_c/4 = %g", spacing,
-                    SPACING_MOST * lambda_c);
+    return aspi_fail(error, ASP_EARG, "spacing is %g; it must be at most lambda_c/4 = %g", spacing,
+                     SPACING_MOST * lambda_c);
   if (!((double)points * spacing >= LENGTH_LEAST * lambda_c))
-    return asp_fail(error, ASP_EARG,
-                    "a profile of %zu points is %g long; it must be at least 20 lambda_c = %g",
-                    points, (double)points * spacing, LENGTH_LEAST * lambda_c);
+    return aspi_fail(error, ASP_EARG,
+                     "a profile of %zu points is %g long; it must be at least 20 lambda_c = %g",
+                     points, (double)points * spacing, LENGTH_LEAST * lambda_c);
   if (points > ASP_FFT_MOST)
-    return asp_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
-                    ASP_FFT_MOST);
+    return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
+                     ASP_FFT_MOST);
   return ASP_OK;
 }
 
@@ -111,13 +112,13 @@ asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, siz
   if (check_generated(r_q, lambda_c, spacing, points, error))
     return NULL;
   double step = spacing / lambda_c;
-  size_t reach = (size_t)ceil(KERNEL_REACH / step), n = asp_power_of_two(points + 2 * reach);
+  size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(points + 2 * reach);
   if (n > ASP_FFT_MOST) {
-    asp_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
-             ASP_FFT_MOST - 2 * reach);
+    aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
+              ASP_FFT_MOST - 2 * reach);
     return NULL;
   }
-  double *data = asp_allocate(n), *kernel = asp_allocate(n), *heights = asp_allocate(points);
+  double *data = aspi_allocate(n), *kernel = aspi_allocate(n), *heights = aspi_allocate(points);
   if (data && kernel && heights) {
     fill_noise(data + reach, points, seed);
     memcpy(data, data + points, reach * sizeof *data);
@@ -132,28 +133,28 @@ asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, siz
   }
   free(data);
   free(kernel);
-  return asp_profile_adopt(heights, points, spacing, true, error);
+  return aspi_profile_adopt(heights, points, spacing, true, error);
 }
 
 asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
                                       bool periodic, asp_error *error) {
-  if (asp_check_length(error, "spacing", spacing))
+  if (aspi_check_length(error, "spacing", spacing))
     return NULL;
   if (points < ASP_POINTS_LEAST) {
-    asp_fail(error, ASP_EARG, "a profile has %zu points; it must have at least %d", points,
-             ASP_POINTS_LEAST);
+    aspi_fail(error, ASP_EARG, "a profile has %zu points; it must have at least %d", points,
+              ASP_POINTS_LEAST);
     return NULL;
   }
   for (size_t i = 0; i < points; i++)
     if (!(fabs(heights[i]) <= HEIGHT_MOST * spacing)) {
-      asp_fail(error, ASP_EARG, "height %zu is %g; it must be a number up to %g spacings", i,
-               heights[i], HEIGHT_MOST);
+      aspi_fail(error, ASP_EARG, "height %zu is %g; it must be a number up to %g spacings", i,
+                heights[i], HEIGHT_MOST);
       return NULL;
     }
-  double *copy = asp_allocate(points);
+  double *copy = aspi_allocate(points);
   if (copy)
     memcpy(copy, heights, points * sizeof *copy);
-  return asp_profile_adopt(copy, points, spacing, periodic, error);
+  return aspi_profile_adopt(copy, points, spacing, periodic, error);
 }
 
 void asp_profile_free(asp_profile *profile) {

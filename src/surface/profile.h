@@ -11,13 +11,13 @@ enum { ASP_POINTS_LEAST = 3 };
 
 /* A profile that takes over `heights` (from malloc; NULL counts as out of memory), and frees them
  * when it fails. */
-asp_profile *asp_profile_adopt(double *heights, size_t points, double spacing, bool periodic,
-                               asp_error *error);
+asp_profile *aspi_profile_adopt(double *heights, size_t points, double spacing, bool periodic,
+                                asp_error *error);
 
 /* The least power of two that is at least that. */
-size_t asp_power_of_two(size_t least);
+size_t aspi_power_of_two(size_t least);
 
 /* Uninitialised room for numbers, or NULL. */
-double *asp_allocate(size_t count);
+double *aspi_allocate(size_t count);
 
 #endif

@@ -2,8 +2,8 @@
  * profile: a polynomial taken out as form (least squares on Legendre polynomials), spikes marked
  * (far off the median of their neighbours), gaps filled by straight lines or refused. */
 #include "surface/read.h"
-#include "base/file.h"
 #include "base/error.h"
+#include "base/file.h"
 #include "surface/profile.h"
 
 #include <gsl/gsl_linalg.h>
@@ -31,18 +31,18 @@ enum { NEIGHBOURS = 3 }; /* on each side, for spikes */
 /* Less than this part of the heights in the file is rounding. */
 #define ROUNDING 1e-12
 
-asp_profile_options asp_profile_options_default(void) {
-  return (asp_profile_options){.metre = 1, .form = 1, .resample = true, .row = 1};
+aspi_profile_options aspi_profile_options_default(void) {
+  return (aspi_profile_options){.metre = 1, .form = 1, .resample = true, .row = 1};
 }
 
-asp_code asp_raw_add(asp_raw *raw, double height, asp_error *error) {
+asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error) {
   if (raw->points == raw->room) {
     size_t room = raw->room ? raw->room + raw->room / 2 : 4096;
     double *grown =
         room <= SIZE_MAX / sizeof *grown ? realloc(raw->heights, room * sizeof *grown) : NULL;
     if (!grown)
-      return asp_fail(error, ASP_ENOMEM, "out of memory for a profile of over %zu points",
-                      raw->points);
+      return aspi_fail(error, ASP_ENOMEM, "out of memory for a profile of over %zu points",
+                       raw->points);
     raw->heights = grown;
     raw->room = room;
   }
@@ -51,7 +51,7 @@ asp_code asp_raw_add(asp_raw *raw, double height, asp_error *error) {
 }
 
 /* The position of a point between -1 and 1, where Legendre polynomials are at home. */
-static double place(const asp_raw *raw, size_t i) {
+static double place(const aspi_raw *raw, size_t i) {
   return 2 * (double)i / (double)(raw->points - 1) - 1;
 }
 
@@ -65,7 +65,7 @@ typedef struct fit {
 
 /* Of the points that are not bad; the polynomials are nearly orthogonal on the grid, so that
  * nothing is lost by normal equations. */
-static void sum_normal_equations(const asp_raw *raw, fit *f) {
+static void sum_normal_equations(const aspi_raw *raw, fit *f) {
   double p[TERMS_MOST];
   for (size_t i = 0; i < raw->points; i++) {
     if (isnan(raw->heights[i]))
@@ -99,7 +99,7 @@ static bool solve(fit *f) {
   return true;
 }
 
-static void subtract(asp_raw *raw, const fit *f) {
+static void subtract(aspi_raw *raw, const fit *f) {
   double p[TERMS_MOST];
   for (size_t i = 0; i < raw->points; i++) {
     gsl_sf_legendre_Pl_array((int)f->terms - 1, place(raw, i), p);
@@ -108,32 +108,32 @@ static void subtract(asp_raw *raw, const fit *f) {
   }
 }
 
-static size_t count_good(const asp_raw *raw) {
+static size_t count_good(const aspi_raw *raw) {
   size_t count = 0;
   for (size_t i = 0; i < raw->points; i++)
     count += !isnan(raw->heights[i]);
   return count;
 }
 
-static asp_code take_out_form(asp_raw *raw, const char *path, int degree, asp_error *error) {
+static asp_code take_out_form(aspi_raw *raw, const char *path, int degree, asp_error *error) {
   if (degree < 0)
     return ASP_OK;
   if (count_good(raw) < (size_t)degree + 2)
-    return asp_fail(error, ASP_EDATA,
-                    "%.200s: %zu points are too few for a polynomial of degree %d as form", path,
-                    count_good(raw), degree);
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: %zu points are too few for a polynomial of degree %d as form", path,
+                     count_good(raw), degree);
   fit f = {.terms = (size_t)degree + 1};
   sum_normal_equations(raw, &f);
   if (!solve(&f))
-    return asp_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the profile", path,
-                    degree);
+    return aspi_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the profile", path,
+                     degree);
   subtract(raw, &f);
   return ASP_OK;
 }
 
 /* A good point's distance from the median of its neighbours, taken in pairs that are good on both
  * sides, so that a slope does not count, nor does the edge of a gap; 0 where there is no pair. */
-static double off_neighbours(const asp_raw *raw, size_t i) {
+static double off_neighbours(const aspi_raw *raw, size_t i) {
   double window[2 * NEIGHBOURS];
   size_t count = 0;
   for (size_t k = 1; k <= NEIGHBOURS && k <= i && i + k < raw->points; k++)
@@ -148,10 +148,10 @@ static double off_neighbours(const asp_raw *raw, size_t i) {
 }
 
 /* Makes spikes bad, in two passes: the usual distance, then what is far beyond it. */
-static asp_code mark_spikes(asp_raw *raw, double times, size_t *spikes, asp_error *error) {
+static asp_code mark_spikes(aspi_raw *raw, double times, size_t *spikes, asp_error *error) {
   bool *is_spike = calloc(raw->points, sizeof *is_spike);
   if (!is_spike)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for a profile");
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a profile");
   gsl_rstat_quantile_workspace median = {.p = 0.5};
   gsl_rstat_quantile_reset(&median);
   for (size_t i = 0; i < raw->points; i++)
@@ -171,7 +171,7 @@ static asp_code mark_spikes(asp_raw *raw, double times, size_t *spikes, asp_erro
 }
 
 /* Cuts bad ends off, and puts straight lines across the gaps that are left. */
-static void fill_gaps(asp_raw *raw, asp_profile_report *report) {
+static void fill_gaps(aspi_raw *raw, aspi_profile_report *report) {
   double *z = raw->heights;
   while (raw->points > 0 && isnan(z[raw->points - 1]))
     raw->points--;
@@ -195,14 +195,14 @@ static void fill_gaps(asp_raw *raw, asp_profile_report *report) {
   }
 }
 
-static double largest(const asp_raw *raw) {
+static double largest(const aspi_raw *raw) {
   double most = 0;
   for (size_t i = 0; i < raw->points; i++)
     most = fmax(most, fabs(raw->heights[i]));
   return most;
 }
 
-static bool is_constant(const asp_raw *raw, double rounding) {
+static bool is_constant(const aspi_raw *raw, double rounding) {
   double lo = INFINITY, hi = -INFINITY;
   for (size_t i = 0; i < raw->points; i++) {
     lo = fmin(lo, raw->heights[i]);
@@ -211,47 +211,48 @@ static bool is_constant(const asp_raw *raw, double rounding) {
   return !(hi - lo > rounding);
 }
 
-static asp_code check_lengths(const asp_raw *raw, const char *path, asp_error *error) {
+static asp_code check_lengths(const aspi_raw *raw, const char *path, asp_error *error) {
   if (largest(raw) <= LENGTH_MOST && raw->spacing <= LENGTH_MOST && raw->spacing >= SPACING_LEAST)
     return ASP_OK;
-  return asp_fail(error, ASP_EDATA,
-                  "%.200s: heights up to %g m at a spacing of %g m are no surface; is the unit "
-                  "right?",
-                  path, largest(raw), raw->spacing);
+  return aspi_fail(error, ASP_EDATA,
+                   "%.200s: heights up to %g m at a spacing of %g m are no surface; is the unit "
+                   "right?",
+                   path, largest(raw), raw->spacing);
 }
 
-static asp_code check_gaps(const asp_raw *raw, const asp_text *text, bool fill, asp_error *error) {
+static asp_code check_gaps(const aspi_raw *raw, const aspi_text *text, bool fill,
+                           asp_error *error) {
   size_t bad = raw->points - count_good(raw);
   if (bad > 0 && !fill)
-    return asp_text_fail(text, raw->bad_line, error,
-                         "the first of %zu bad or missing points; fill the gaps, or mend the file",
-                         bad);
+    return aspi_text_fail(text, raw->bad_line, error,
+                          "the first of %zu bad or missing points; fill the gaps, or mend the file",
+                          bad);
   if (2 * bad > raw->points)
-    return asp_text_fail(text, raw->bad_line, error,
-                         "the first of %zu bad or missing points of %zu; more than half cannot be "
-                         "filled",
-                         bad, raw->points);
+    return aspi_text_fail(text, raw->bad_line, error,
+                          "the first of %zu bad or missing points of %zu; more than half cannot be "
+                          "filled",
+                          bad, raw->points);
   return ASP_OK;
 }
 
 /* Spikes become bad points, and are refused or filled in as those are. */
-static asp_code check_spikes(const asp_raw *raw, const char *path, size_t spikes, bool fill,
+static asp_code check_spikes(const aspi_raw *raw, const char *path, size_t spikes, bool fill,
                              asp_error *error) {
   size_t bad = raw->points - count_good(raw);
   if (spikes > 0 && !fill)
-    return asp_fail(error, ASP_EDATA,
-                    "%.200s: point %zu is the first of %zu spikes; fill the gaps that they leave, "
-                    "or mend the file",
-                    path, raw->first_spike, spikes);
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: point %zu is the first of %zu spikes; fill the gaps that they leave, "
+                     "or mend the file",
+                     path, raw->first_spike, spikes);
   if (2 * bad > raw->points)
-    return asp_fail(error, ASP_EDATA,
-                    "%.200s: %zu of %zu points are bad, missing, or one of %zu spikes; more than "
-                    "half cannot be filled",
-                    path, bad, raw->points, spikes);
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: %zu of %zu points are bad, missing, or one of %zu spikes; more than "
+                     "half cannot be filled",
+                     path, bad, raw->points, spikes);
   return ASP_OK;
 }
 
-static asp_code level(asp_raw *raw, const char *path, const asp_profile_options *options,
+static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_options *options,
                       size_t *spikes, asp_error *error) {
   asp_code code = take_out_form(raw, path, options->form, error);
   if (code || !(options->spikes > 0))
@@ -262,8 +263,8 @@ static asp_code level(asp_raw *raw, const char *path, const asp_profile_options 
   return take_out_form(raw, path, options->form, error);
 }
 
-static asp_code prepare(asp_raw *raw, const asp_text *text, const asp_profile_options *options,
-                        asp_profile_report *report, asp_error *error) {
+static asp_code prepare(aspi_raw *raw, const aspi_text *text, const aspi_profile_options *options,
+                        aspi_profile_report *report, asp_error *error) {
   asp_code code = check_gaps(raw, text, options->fill, error);
   if (!code)
     code = check_lengths(raw, text->path, error);
@@ -274,13 +275,13 @@ static asp_code prepare(asp_raw *raw, const asp_text *text, const asp_profile_op
     return code;
   fill_gaps(raw, report);
   if (raw->points < ASP_POINTS_LEAST || is_constant(raw, ROUNDING * before))
-    return asp_fail(error, ASP_EDATA, "%.200s: the profile is constant%s", text->path,
-                    options->form > 0 ? " but for its form" : "");
+    return aspi_fail(error, ASP_EDATA, "%.200s: the profile is constant%s", text->path,
+                     options->form > 0 ? " but for its form" : "");
   return ASP_OK;
 }
 
 /* The report's sentence. */
-static void tell(asp_profile_report *r, const asp_raw *raw, const asp_profile_options *options) {
+static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile_options *options) {
   char form[64] = "form left in", gaps[96] = "", spacing[96] = "", spikes[48] = "";
   if (options->form >= 0)
     snprintf(form, sizeof form, "polynomial of degree %d taken out", options->form);
@@ -296,52 +297,52 @@ static void tell(asp_profile_report *r, const asp_raw *raw, const asp_profile_op
            gaps, spacing, form);
 }
 
-static asp_code read_raw(asp_text *text, const asp_profile_options *options, asp_raw *raw,
+static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                          asp_error *error) {
   bool found = true;
   asp_code code;
   do {
-    code = asp_text_line(text, &found, error);
+    code = aspi_text_line(text, &found, error);
     if (text->line == 1 && strncmp(text->text, "\xEF\xBB\xBF", 3) == 0)
       memmove(text->text, text->text + 3, strlen(text->text + 3) + 1);
   } while (!code && found && text->text[strspn(text->text, " \t\v\f")] == '\0');
   if (code)
     return code;
   if (!found)
-    return asp_text_fail(text, text->line, error, "the file is empty");
+    return aspi_text_fail(text, text->line, error, "the file is empty");
   const char *name = text->text + strspn(text->text, " \t");
   bool sdf = strncasecmp(name + (*name != '\0'), "ISO-1", 5) == 0 ||
              strncasecmp(name + (*name != '\0'), "BCR-", 4) == 0;
-  return sdf ? asp_read_sdf(text, options, raw, error)
-             : asp_read_columns(text, options, raw, error);
+  return sdf ? aspi_read_sdf(text, options, raw, error)
+             : aspi_read_columns(text, options, raw, error);
 }
 
-static asp_code check_options(const asp_profile_options *options, asp_error *error) {
+asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error) {
   if (options->form < -1 || options->form > ASP_FORM_MAX)
-    return asp_fail(error, ASP_EARG, "form is %d; it must be a degree of 0 to %d, or -1 for none",
-                    options->form, ASP_FORM_MAX);
+    return aspi_fail(error, ASP_EARG, "form is %d; it must be a degree of 0 to %d, or -1 for none",
+                     options->form, ASP_FORM_MAX);
   if (options->row < 1 || options->column < 0 || options->column > 64)
-    return asp_fail(error, ASP_EARG, "row is %d and column %d; rows and columns count from 1",
-                    options->row, options->column);
-  if (asp_check_range(error, "spikes", "", options->spikes, 0, INFINITY) ||
-      asp_check_range(error, "unit_x", "m", options->unit_x, 0, INFINITY) ||
-      asp_check_range(error, "unit_z", "m", options->unit_z, 0, INFINITY))
+    return aspi_fail(error, ASP_EARG, "row is %d and column %d; rows and columns count from 1",
+                     options->row, options->column);
+  if (aspi_check_range(error, "spikes", "", options->spikes, 0, INFINITY) ||
+      aspi_check_range(error, "unit_x", "m", options->unit_x, 0, INFINITY) ||
+      aspi_check_range(error, "unit_z", "m", options->unit_z, 0, INFINITY))
     return ASP_EARG;
-  return asp_check_range(error, "metre", "", options->metre, 1e-12, 1e12);
+  return aspi_check_range(error, "metre", "", options->metre, 1e-12, 1e12);
 }
 
-asp_profile *asp_profile_read_stream(FILE *stream, const char *path,
-                                     const asp_profile_options *options, asp_profile_report *report,
-                                     asp_error *error) {
-  asp_profile_options defaults = asp_profile_options_default();
-  asp_profile_report own;
+asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
+                                      const aspi_profile_options *options,
+                                      aspi_profile_report *report, asp_error *error) {
+  aspi_profile_options defaults = aspi_profile_options_default();
+  aspi_profile_report own;
   options = options ? options : &defaults;
   report = report ? report : &own;
-  *report = (asp_profile_report){0};
-  if (check_options(options, error))
+  *report = (aspi_profile_report){0};
+  if (aspi_profile_check_options(options, error))
     return NULL;
-  asp_text text = asp_text_create(stream, path);
-  asp_raw raw = {0};
+  aspi_text text = aspi_text_create(stream, path);
+  aspi_raw raw = {0};
   if (read_raw(&text, options, &raw, error) || prepare(&raw, &text, options, report, error)) {
     free(raw.heights);
     return NULL;
@@ -354,15 +355,15 @@ asp_profile *asp_profile_read_stream(FILE *stream, const char *path,
   report->step_most = raw.step_most * options->metre;
   for (size_t i = 0; i < raw.points; i++)
     raw.heights[i] *= options->metre;
-  return asp_profile_adopt(raw.heights, raw.points, raw.spacing * options->metre, false, error);
+  return aspi_profile_adopt(raw.heights, raw.points, raw.spacing * options->metre, false, error);
 }
 
-asp_profile *asp_profile_read(const char *path, const asp_profile_options *options,
-                              asp_profile_report *report, asp_error *error) {
-  FILE *stream = asp_file_open(path, error);
+asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *options,
+                               aspi_profile_report *report, asp_error *error) {
+  FILE *stream = aspi_file_open(path, error);
   if (!stream)
     return NULL;
-  asp_profile *profile = asp_profile_read_stream(stream, path, options, report, error);
+  asp_profile *profile = aspi_profile_read_stream(stream, path, options, report, error);
   fclose(stream);
   return profile;
 }

@@ -4,8 +4,47 @@
 
 #include "base/text.h"
 
+enum { ASP_FORM_MAX = 9 };
+
+/* How a measured profile is read. */
+typedef struct aspi_profile_options {
+  double unit_x, unit_z; /* metres in one unit of a text file's columns; 0: as the file states */
+  double metre;          /* one metre in the unit of the result: 1 for SI, 1e6 for micrometres */
+  int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
+  double spikes;         /* points this many robust sd off their neighbours are bad, and refused or
+                            filled as those are; 0: none are */
+  bool fill;     /* bad points and gaps are filled by straight lines; false: they are refused */
+  bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
+  int row;       /* of an SDF map, from 1 */
+  int column;    /* 0, or: of an SDF map, read that column instead; of a text file, the heights */
+} aspi_profile_options;
+
+/* Units as stated, metres, a mean line taken out, gaps refused, unequal spacing resampled, first
+ * row of a map, heights in the second column of a text file. */
+aspi_profile_options aspi_profile_options_default(void);
+
+/* What the reader found and did. */
+typedef struct aspi_profile_report {
+  size_t points;      /* read from the file */
+  size_t bad;         /* bad points among them: not a number, or marked as bad */
+  size_t spikes;      /* points taken for spikes */
+  size_t filled;      /* points of the result that were filled in */
+  size_t longest_gap; /* most of them in a row */
+  bool resampled;
+  double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
+  char text[480];               /* all of that as a sentence */
+} aspi_profile_report;
+
+/* ASP_EARG and a message where one is out of its range. */
+asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error);
+
+/* Reads a measured profile, as a stream; see asp_reader. options NULL: the defaults; report may be
+ * NULL. NULL on error; the message names file and line. */
+asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *options,
+                               aspi_profile_report *report, asp_error *error);
+
 /* Heights as a file has them, equally spaced, in metres; NAN where one is bad or missing. */
-typedef struct asp_raw {
+typedef struct aspi_raw {
   double *heights;
   size_t points, room;
   double spacing;
@@ -15,20 +54,20 @@ typedef struct asp_raw {
   size_t first_spike; /* the point, from 1 */
   bool resampled;
   double step_least, step_most; /* m */
-} asp_raw;
+} aspi_raw;
 
-asp_code asp_raw_add(asp_raw *raw, double height, asp_error *error);
+asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
 
 /* The readers. Each begins with the first line that is not blank already in text->text, and leaves
  * raw->heights to be freed by the caller, on error too. */
-asp_code asp_read_columns(asp_text *text, const asp_profile_options *options, asp_raw *raw,
-                          asp_error *error);
-asp_code asp_read_sdf(asp_text *text, const asp_profile_options *options, asp_raw *raw,
-                      asp_error *error);
+asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                           asp_error *error);
+asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                       asp_error *error);
 
-/* As asp_profile_read, from an open stream; `path` is for messages only. */
-asp_profile *asp_profile_read_stream(FILE *stream, const char *path,
-                                     const asp_profile_options *options, asp_profile_report *report,
-                                     asp_error *error);
+/* As aspi_profile_read, from an open stream; `path` is for messages only. */
+asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
+                                      const aspi_profile_options *options,
+                                      aspi_profile_report *report, asp_error *error);
 
 #endif

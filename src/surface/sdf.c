@@ -29,26 +29,26 @@ static double *place_of(header *h, const char *key) {
 }
 
 /* One line of the header; *ends at the star. */
-static asp_code read_key(asp_text *text, header *h, bool *ends, asp_error *error) {
-  char *line = asp_text_trim(text->text);
+static asp_code read_key(aspi_text *text, header *h, bool *ends, asp_error *error) {
+  char *line = aspi_text_trim(text->text);
   *ends = strcmp(line, "*") == 0;
   if (*ends || !*line)
     return ASP_OK;
   char *equals = strchr(line, '=');
   if (!equals)
-    return asp_text_fail(text, text->line, error,
-                         "'%.40s' where the header's `key = value` or its closing * is expected",
-                         line);
+    return aspi_text_fail(text, text->line, error,
+                          "'%.40s' where the header's `key = value` or its closing * is expected",
+                          line);
   *equals = '\0';
-  char *key = asp_text_trim(line), *value = asp_text_trim(equals + 1);
+  char *key = aspi_text_trim(line), *value = aspi_text_trim(equals + 1);
   double *place = place_of(h, key);
-  if (place && asp_text_number(value, false, place) != ASP_WORD_NUMBER)
-    return asp_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
-                         value);
+  if (place && aspi_text_number(value, false, place) != ASP_WORD_NUMBER)
+    return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
+                          value);
   return ASP_OK;
 }
 
-static asp_code check_counts(const asp_text *text, const header *h, asp_error *error) {
+static asp_code check_counts(const aspi_text *text, const header *h, asp_error *error) {
   const struct {
     const char *key;
     double value;
@@ -56,15 +56,15 @@ static asp_code check_counts(const asp_text *text, const header *h, asp_error *e
   for (size_t i = 0; i < 2; i++) {
     double value = counts[i].value;
     if (isnan(value))
-      return asp_text_fail(text, text->line, error, "the header ends without %s", counts[i].key);
+      return aspi_text_fail(text, text->line, error, "the header ends without %s", counts[i].key);
     if (!(value >= 1 && value <= 1e12) || value > floor(value))
-      return asp_text_fail(text, text->line, error, "%s is %g; a whole number from 1 is expected",
-                           counts[i].key, value);
+      return aspi_text_fail(text, text->line, error, "%s is %g; a whole number from 1 is expected",
+                            counts[i].key, value);
   }
   return ASP_OK;
 }
 
-static asp_code check_scales(const asp_text *text, const header *h, asp_error *error) {
+static asp_code check_scales(const aspi_text *text, const header *h, asp_error *error) {
   const struct {
     const char *key;
     double value;
@@ -74,23 +74,23 @@ static asp_code check_scales(const asp_text *text, const header *h, asp_error *e
                 {"Zscale", h->z_scale, true}};
   for (size_t i = 0; i < 3; i++) {
     if (scales[i].needed && isnan(scales[i].value))
-      return asp_text_fail(text, text->line, error, "the header ends without %s", scales[i].key);
+      return aspi_text_fail(text, text->line, error, "the header ends without %s", scales[i].key);
     if (scales[i].needed && !(scales[i].value > 0))
-      return asp_text_fail(text, text->line, error, "%s is %g; a number > 0 is expected",
-                           scales[i].key, scales[i].value);
+      return aspi_text_fail(text, text->line, error, "%s is %g; a number > 0 is expected",
+                            scales[i].key, scales[i].value);
   }
   if (h->compression > 0)
-    return asp_text_fail(text, text->line, error, "Compression is %g; only 0 can be read",
-                         h->compression);
+    return aspi_text_fail(text, text->line, error, "Compression is %g; only 0 can be read",
+                          h->compression);
   return ASP_OK;
 }
 
-static asp_code read_header(asp_text *text, header *h, asp_error *error) {
+static asp_code read_header(aspi_text *text, header *h, asp_error *error) {
   *h = (header){NAN, NAN, NAN, NAN, NAN, 0};
   for (bool ends = false, found; !ends;) {
-    asp_code code = asp_text_line(text, &found, error);
+    asp_code code = aspi_text_line(text, &found, error);
     if (!code && !found)
-      code = asp_text_fail(text, text->line, error, "the file ends within the SDF header");
+      code = aspi_text_fail(text, text->line, error, "the file ends within the SDF header");
     if (!code)
       code = read_key(text, h, &ends, error);
     if (code)
@@ -101,28 +101,29 @@ static asp_code read_header(asp_text *text, header *h, asp_error *error) {
 }
 
 /* One height of the map; *height is NAN where it is marked as bad. */
-static asp_code read_height(asp_text *text, const header *h, size_t index, double *height,
+static asp_code read_height(aspi_text *text, const header *h, size_t index, double *height,
                             asp_error *error) {
   bool found;
-  asp_code code = asp_text_word(text, &found, error);
+  asp_code code = aspi_text_word(text, &found, error);
   if (code)
     return code;
   if (!found || strcmp(text->text, "*") == 0)
-    return asp_text_fail(text, text->line, error,
-                         "the heights end after %zu; NumPoints x NumProfiles is %.0f x %.0f", index,
-                         h->points, h->profiles);
-  if (asp_text_number(text->text, false, height) == ASP_WORD_OTHER)
-    return asp_text_fail(text, text->line, error, "'%.40s' where a height is expected", text->text);
+    return aspi_text_fail(text, text->line, error,
+                          "the heights end after %zu; NumPoints x NumProfiles is %.0f x %.0f",
+                          index, h->points, h->profiles);
+  if (aspi_text_number(text->text, false, height) == ASP_WORD_OTHER)
+    return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected",
+                          text->text);
   return ASP_OK;
 }
 
-static asp_code check_end(asp_text *text, const header *h, asp_error *error) {
+static asp_code check_end(aspi_text *text, const header *h, asp_error *error) {
   bool found;
-  asp_code code = asp_text_word(text, &found, error);
+  asp_code code = aspi_text_word(text, &found, error);
   if (!code && found && text->text[0] != '*')
-    code = asp_text_fail(text, text->line, error,
-                         "'%.40s' after the last of %.0f x %.0f heights, where a * is expected",
-                         text->text, h->points, h->profiles);
+    code = aspi_text_fail(text, text->line, error,
+                          "'%.40s' after the last of %.0f x %.0f heights, where a * is expected",
+                          text->text, h->points, h->profiles);
   return code;
 }
 
@@ -131,7 +132,7 @@ typedef struct section {
   size_t row, column;
 } section;
 
-static asp_code read_map(asp_text *text, const header *h, section kept, asp_raw *raw,
+static asp_code read_map(aspi_text *text, const header *h, section kept, aspi_raw *raw,
                          asp_error *error) {
   size_t points = (size_t)h->points, profiles = (size_t)h->profiles;
   for (size_t row = 1; row <= profiles; row++)
@@ -141,7 +142,7 @@ static asp_code read_map(asp_text *text, const header *h, section kept, asp_raw 
       if (!code && (row == kept.row || column == kept.column)) {
         if (isnan(height) && raw->bad++ == 0)
           raw->bad_line = text->line;
-        code = asp_raw_add(raw, height * h->z_scale, error);
+        code = aspi_raw_add(raw, height * h->z_scale, error);
       }
       if (code)
         return code;
@@ -149,12 +150,12 @@ static asp_code read_map(asp_text *text, const header *h, section kept, asp_raw 
   return check_end(text, h, error);
 }
 
-asp_code asp_read_sdf(asp_text *text, const asp_profile_options *options, asp_raw *raw,
-                      asp_error *error) {
-  const char *version = asp_text_trim(text->text);
+asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                       asp_error *error) {
+  const char *version = aspi_text_trim(text->text);
   if (tolower((unsigned char)*version) != 'a')
-    return asp_text_fail(text, text->line, error,
-                         "'%.20s' is SDF in binary; only ASCII (aISO-1.0) can be read", version);
+    return aspi_text_fail(text, text->line, error,
+                          "'%.20s' is SDF in binary; only ASCII (aISO-1.0) can be read", version);
   header h;
   asp_code code = read_header(text, &h, error);
   if (code)
@@ -163,8 +164,8 @@ asp_code asp_read_sdf(asp_text *text, const asp_profile_options *options, asp_ra
   int chosen = by_column ? options->column : options->row;
   double most = by_column ? h.points : h.profiles;
   if (chosen > most)
-    return asp_text_fail(text, text->line, error, "%s %d is asked for; the map has %.0f",
-                         by_column ? "column" : "row", chosen, most);
+    return aspi_text_fail(text, text->line, error, "%s %d is asked for; the map has %.0f",
+                          by_column ? "column" : "row", chosen, most);
   raw->spacing = by_column ? h.y_scale : h.x_scale;
   section kept = {by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0};
   code = read_map(text, &h, kept, raw, error);

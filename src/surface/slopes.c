@@ -1,7 +1,9 @@
 /* Contact slopes in numbers: differences of the dilated or closed profile, their moments, a kernel
  * density of the angles, and how far a normal law is from it (D_KL, eq. 2, with the sign carried
  * inside the logarithm). */
+#include "surface/slopes.h"
 #include "base/error.h"
+#include "surface/closing.h"
 #include "surface/profile.h"
 
 #include <math.h>
@@ -15,7 +17,7 @@ enum { GRID_MOST = 65536, GRID = 1024 };
 /* Interquartile range of a normal law of unit sd. */
 #define QUARTILES_TO_SD 1.3489795003921634
 
-asp_moments asp_moments_of(const double *values, size_t count) {
+aspi_moments aspi_moments_of(const double *values, size_t count) {
   double mean = 0, m2 = 0, m3 = 0, m4 = 0;
   for (size_t i = 0; i < count; i++)
     mean += values[i];
@@ -27,7 +29,7 @@ asp_moments asp_moments_of(const double *values, size_t count) {
     m4 += square * square;
   }
   m2 /= (double)count;
-  asp_moments m = {.mean = mean, .sd = sqrt(m2)};
+  aspi_moments m = {.mean = mean, .sd = sqrt(m2)};
   if (m2 > 0) {
     m.skewness = m3 / (double)count / (m2 * m.sd);
     m.kurtosis = m4 / (double)count / (m2 * m2) - 3;
@@ -35,7 +37,7 @@ asp_moments asp_moments_of(const double *values, size_t count) {
   return m;
 }
 
-struct asp_density {
+struct aspi_density {
   double lo, step, bandwidth;
   double least; /* one value, spread over the range */
   size_t points;
@@ -43,7 +45,7 @@ struct asp_density {
 };
 
 /* Each value shared between the two points next to it. Returns how many lie within. */
-static double share(const double *values, size_t count, const asp_density *d, double *share) {
+static double share(const double *values, size_t count, const aspi_density *d, double *share) {
   double within = 0, last = (double)(d->points - 1);
   memset(share, 0, d->points * sizeof *share);
   for (size_t i = 0; i < count; i++) {
@@ -59,7 +61,7 @@ static double share(const double *values, size_t count, const asp_density *d, do
 }
 
 /* value := share convolved with the kernel, then scaled to an integral of 1. */
-static void smooth(const double *share, asp_density *d) {
+static void smooth(const double *share, aspi_density *d) {
   ptrdiff_t n = (ptrdiff_t)d->points;
   double reach = KERNEL_REACH * d->bandwidth / d->step, sum = 0;
   ptrdiff_t far = reach < (double)n ? (ptrdiff_t)reach : n - 1;
@@ -90,23 +92,23 @@ static double quantile(const double *share, size_t points, double part) {
 
 /* The normal reference rule on the smaller of sd and interquartile range (Silverman 1986), which
  * keeps the peak of a law with long tails. */
-static double bandwidth_of(const double *share, const asp_density *d, size_t count, double sd) {
+static double bandwidth_of(const double *share, const aspi_density *d, size_t count, double sd) {
   double width = quantile(share, d->points, 0.75) - quantile(share, d->points, 0.25);
   double robust = width * d->step / QUARTILES_TO_SD;
   return (width > 1 ? fmin(sd, robust) : sd) * pow(4 / (3 * (double)count), 0.2);
 }
 
-static asp_density *density_of(const double *values, size_t count, double sd, double lo, double hi,
-                               size_t points, asp_error *error) {
-  asp_density *d = malloc(sizeof *d + points * sizeof *d->value);
-  double *buffer = asp_allocate(points);
+static aspi_density *density_of(const double *values, size_t count, double sd, double lo, double hi,
+                                size_t points, asp_error *error) {
+  aspi_density *d = malloc(sizeof *d + points * sizeof *d->value);
+  double *buffer = aspi_allocate(points);
   if (!d || !buffer) {
     free(d);
     free(buffer);
-    asp_fail(error, ASP_ENOMEM, "out of memory for a density");
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a density");
     return NULL;
   }
-  *d = (asp_density){.lo = lo, .step = (hi - lo) / (double)(points - 1), .points = points};
+  *d = (aspi_density){.lo = lo, .step = (hi - lo) / (double)(points - 1), .points = points};
   double within = share(values, count, d, buffer);
   d->bandwidth = bandwidth_of(buffer, d, count, sd);
   d->least = 1 / (within * (hi - lo));
@@ -115,45 +117,45 @@ static asp_density *density_of(const double *values, size_t count, double sd, do
   if (within > 0)
     return d;
   free(d);
-  asp_fail(error, ASP_EARG, "no value lies between %g and %g", lo, hi);
+  aspi_fail(error, ASP_EARG, "no value lies between %g and %g", lo, hi);
   return NULL;
 }
 
-asp_density *asp_density_create(const double *values, size_t count, double lo, double hi,
-                                size_t points, asp_error *error) {
+aspi_density *aspi_density_create(const double *values, size_t count, double lo, double hi,
+                                  size_t points, asp_error *error) {
   if (points < 2 || points > GRID_MOST || !(lo < hi) || !isfinite(hi - lo)) {
-    asp_fail(error, ASP_EARG,
-             "a density of %zu points from %g to %g; it must have 2 to %d points and lo < hi",
-             points, lo, hi, GRID_MOST);
+    aspi_fail(error, ASP_EARG,
+              "a density of %zu points from %g to %g; it must have 2 to %d points and lo < hi",
+              points, lo, hi, GRID_MOST);
     return NULL;
   }
-  asp_moments moments = asp_moments_of(values, count);
+  aspi_moments moments = aspi_moments_of(values, count);
   if (count < 2 || !(moments.sd > 0) || !isfinite(moments.sd)) {
-    asp_fail(error, ASP_EARG, "a density needs at least two finite values that are not equal");
+    aspi_fail(error, ASP_EARG, "a density needs at least two finite values that are not equal");
     return NULL;
   }
   return density_of(values, count, moments.sd, lo, hi, points, error);
 }
 
-void asp_density_free(asp_density *density) {
+void aspi_density_free(aspi_density *density) {
   free(density);
 }
 
-size_t asp_density_points(const asp_density *density) {
+size_t aspi_density_points(const aspi_density *density) {
   return density->points;
 }
 
-double asp_density_at(const asp_density *density, size_t index, double *x) {
+double aspi_density_at(const aspi_density *density, size_t index, double *x) {
   if (x)
     *x = density->lo + (double)index * density->step;
   return density->value[index];
 }
 
-double asp_density_bandwidth(const asp_density *density) {
+double aspi_density_bandwidth(const aspi_density *density) {
   return density->bandwidth;
 }
 
-double asp_density_kl_normal(const asp_density *density, double mean, double sd) {
+double aspi_density_kl_normal(const aspi_density *density, double mean, double sd) {
   double sum = 0;
   for (size_t i = 0; i < density->points; i++) {
     double p = density->value[i];
@@ -164,7 +166,7 @@ double asp_density_kl_normal(const asp_density *density, double mean, double sd)
   return sum * density->step;
 }
 
-double asp_density_kl(const asp_density *reference, const asp_density *other) {
+double aspi_density_kl(const aspi_density *reference, const aspi_density *other) {
   double sum = 0;
   for (size_t i = 0; i < reference->points && i < other->points; i++) {
     double p = reference->value[i];
@@ -174,10 +176,10 @@ double asp_density_kl(const asp_density *reference, const asp_density *other) {
   return sum * reference->step;
 }
 
-asp_code asp_profile_slopes(const asp_profile *profile, double d_p, asp_contact contact,
-                            double *out, size_t *count, asp_error *error) {
-  asp_code code = contact == ASP_CONTACT_DILATION ? asp_profile_dilate(profile, d_p, out, error)
-                                                  : asp_profile_close(profile, d_p, out, error);
+asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+                             double *out, size_t *count, asp_error *error) {
+  asp_code code = contact == ASP_CONTACT_DILATION ? aspi_profile_dilate(profile, d_p, out, error)
+                                                  : aspi_profile_close(profile, d_p, out, error);
   if (code)
     return code;
   size_t points = asp_profile_points(profile);
@@ -190,7 +192,7 @@ asp_code asp_profile_slopes(const asp_profile *profile, double d_p, asp_contact 
 }
 
 /* The density of the angles, over all of them and the kernel's reach. */
-static asp_code fit_normal(const double *angles, size_t count, asp_slopes *slopes,
+static asp_code fit_normal(const double *angles, size_t count, aspi_slopes *slopes,
                            asp_error *error) {
   double lo = angles[0], hi = angles[0];
   for (size_t i = 1; i < count; i++) {
@@ -199,28 +201,28 @@ static asp_code fit_normal(const double *angles, size_t count, asp_slopes *slope
   }
   double reach = KERNEL_REACH * slopes->angle.sd * pow(4 / (3 * (double)count), 0.2);
   asp_error wrong;
-  asp_density *density = asp_density_create(angles, count, lo - reach, hi + reach, GRID, &wrong);
+  aspi_density *density = aspi_density_create(angles, count, lo - reach, hi + reach, GRID, &wrong);
   if (!density)
-    return asp_fail(error, wrong.code, "%s", wrong.text);
+    return aspi_fail(error, wrong.code, "%s", wrong.text);
   slopes->bandwidth = density->bandwidth;
-  slopes->kl_normal = asp_density_kl_normal(density, slopes->angle.mean, slopes->angle.sd);
-  asp_density_free(density);
+  slopes->kl_normal = aspi_density_kl_normal(density, slopes->angle.mean, slopes->angle.sd);
+  aspi_density_free(density);
   return ASP_OK;
 }
 
-asp_code asp_profile_describe_slopes(const asp_profile *profile, double d_p, asp_contact contact,
-                                     asp_slopes *slopes, asp_error *error) {
+asp_code aspi_profile_describe_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+                                      aspi_slopes *slopes, asp_error *error) {
   size_t count = asp_profile_points(profile);
-  double *values = asp_allocate(count);
+  double *values = aspi_allocate(count);
   if (!values)
-    return asp_fail(error, ASP_ENOMEM, "out of memory for %zu slopes", count);
-  asp_code code = asp_profile_slopes(profile, d_p, contact, values, &count, error);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu slopes", count);
+  asp_code code = aspi_profile_slopes(profile, d_p, contact, values, &count, error);
   if (code == ASP_OK) {
-    *slopes = (asp_slopes){.slope = asp_moments_of(values, count)};
+    *slopes = (aspi_slopes){.slope = aspi_moments_of(values, count)};
     slopes->slope_rms = hypot(slopes->slope.mean, slopes->slope.sd);
     for (size_t i = 0; i < count; i++)
       values[i] = atan(values[i]);
-    slopes->angle = asp_moments_of(values, count);
+    slopes->angle = aspi_moments_of(values, count);
     code = fit_normal(values, count, slopes, error);
   }
   free(values);

@@ -6,9 +6,12 @@
  *   surface;
  * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
  * - a measured profile: no closed form, its own slopes at the diameters of its bins. */
-#include "base/monotone.h"
 #include "base/error.h"
+#include "base/monotone.h"
+#include "surface/describe.h"
 #include "surface/profile.h"
+#include "surface/size_law.h"
+#include "surface/slopes.h"
 #include "surface/size_table.inc"
 
 #include <math.h>
@@ -55,14 +58,14 @@ enum {
 
 /* ---- making ---- */
 
-double asp_closed_form(double kappa) {
+double aspi_closed_form(double kappa) {
   return kappa < KAPPA_NO_FILTER ? 1 : 1 / sqrt(cbrt(1 + 0.92 * kappa * kappa * kappa));
 }
 
 static asp_surface *allocate(int nodes, asp_error *error) {
   asp_surface *surface = calloc(1, sizeof *surface + 2 * (size_t)nodes * sizeof *surface->value);
   if (!surface) {
-    asp_fail(error, ASP_ENOMEM, "out of memory for a surface");
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a surface");
     return NULL;
   }
   surface->nodes = nodes;
@@ -73,7 +76,7 @@ static asp_surface *allocate(int nodes, asp_error *error) {
 static void set_tangents(asp_surface *surface) {
   int last = surface->nodes - 1;
   if (last > 0)
-    asp_monotone_tangents(NULL, surface->value, (size_t)surface->nodes, surface->tangent);
+    aspi_monotone_tangents(NULL, surface->value, (size_t)surface->nodes, surface->tangent);
   surface->tangent[0] = surface->tangent[last] = 0;
 }
 
@@ -94,8 +97,9 @@ static void set_by_table(asp_surface *surface, double phi_r) {
     double size = SIZE_TABLE_SIZE_FIRST * pow(2, 0.5 * i), correction[2];
     for (int k = 0; k < 2; k++) {
       double phi = PHI_R_CLOSED + (below + k) * SIZE_TABLE_PHI_STEP;
-      correction[k] =
-          below + k == 0 ? 1 : size_table[below + k - 1][i] / asp_closed_form(sqrt(3) * size * phi);
+      correction[k] = below + k == 0
+                          ? 1
+                          : size_table[below + k - 1][i] / aspi_closed_form(sqrt(3) * size * phi);
     }
     surface->value[i] = correction[0] + part * (correction[1] - correction[0]);
   }
@@ -108,29 +112,29 @@ static void set_by_sphere(asp_surface *surface) {
   double x[SPHERE_KAPPAS + 1] = {-3}, y[SPHERE_KAPPAS + 1] = {1}, tangent[SPHERE_KAPPAS + 1];
   for (int i = 0; i < SPHERE_KAPPAS; i++) {
     x[i + 1] = log2(sphere_kappa[i]);
-    y[i + 1] = sphere_ratio[i] / asp_closed_form(sphere_kappa[i]);
+    y[i + 1] = sphere_ratio[i] / aspi_closed_form(sphere_kappa[i]);
   }
-  asp_monotone_tangents(x, y, SPHERE_KAPPAS + 1, tangent);
+  aspi_monotone_tangents(x, y, SPHERE_KAPPAS + 1, tangent);
   for (int i = 0; i < SPHERE_NODES; i++)
-    surface->value[i] = asp_monotone_at(x, y, tangent, SPHERE_KAPPAS + 1, -3 + 0.5 * i);
+    surface->value[i] = aspi_monotone_at(x, y, tangent, SPHERE_KAPPAS + 1, -3 + 0.5 * i);
   set_range(surface, 0.125 / surface->curvature, 16 / surface->curvature);
   set_tangents(surface);
 }
 
-static asp_code check_numbers(double r_q, double lambda_c, asp_filter filter, asp_error *error) {
-  if (asp_check_length(error, "r_q", r_q) || asp_check_length(error, "lambda_c", lambda_c))
+static asp_code check_numbers(double r_q, double lambda_c, aspi_filter filter, asp_error *error) {
+  if (aspi_check_length(error, "r_q", r_q) || aspi_check_length(error, "lambda_c", lambda_c))
     return ASP_EARG;
   double phi_r = r_q / lambda_c;
   double most = filter == ASP_FILTER_SPHERE ? PHI_R_CLOSED : SIZE_TABLE_PHI_MOST;
   if (phi_r <= most * (1 + 1e-12))
     return ASP_OK;
-  return asp_fail(
+  return aspi_fail(
       error, ASP_ERANGE, "phi_r = r_q/lambda_c is %g; the size law of a %s reaches to %g", phi_r,
       filter == ASP_FILTER_SPHERE ? "sphere on an isotropic surface" : "disc on a profile", most);
 }
 
-asp_surface *asp_surface_create_filter(double r_q, double lambda_c, asp_filter filter,
-                                       asp_error *error) {
+asp_surface *aspi_surface_create_filter(double r_q, double lambda_c, aspi_filter filter,
+                                        asp_error *error) {
   if (check_numbers(r_q, lambda_c, filter, error))
     return NULL;
   double phi_r = r_q / lambda_c;
@@ -152,7 +156,7 @@ asp_surface *asp_surface_create_filter(double r_q, double lambda_c, asp_filter f
 }
 
 asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
-  return asp_surface_create_filter(r_q, lambda_c, ASP_FILTER_DISC, error);
+  return aspi_surface_create_filter(r_q, lambda_c, ASP_FILTER_DISC, error);
 }
 
 static asp_code check_bins(const asp_profile *profile, double d_min, double d_max, int bins,
@@ -160,12 +164,12 @@ static asp_code check_bins(const asp_profile *profile, double d_min, double d_ma
   double spacing = asp_profile_spacing(profile);
   double length = (double)asp_profile_points(profile) * spacing;
   if (!(d_min >= spacing && d_min <= d_max && d_max <= length))
-    return asp_fail(error, ASP_EARG,
-                    "particles of %g to %g on a profile of spacing %g and length %g; they must be "
-                    "from its spacing to its length",
-                    d_min, d_max, spacing, length);
+    return aspi_fail(error, ASP_EARG,
+                     "particles of %g to %g on a profile of spacing %g and length %g; they must be "
+                     "from its spacing to its length",
+                     d_min, d_max, spacing, length);
   if (bins < 1 || bins > BINS_MOST)
-    return asp_fail(error, ASP_EARG, "bins are %d; they must be 1 to %d", bins, BINS_MOST);
+    return aspi_fail(error, ASP_EARG, "bins are %d; they must be 1 to %d", bins, BINS_MOST);
   return ASP_OK;
 }
 
@@ -174,9 +178,10 @@ static asp_code set_by_profile(asp_surface *surface, const asp_profile *profile,
   bool one = surface->nodes == 1;
   set_range(surface, one ? sqrt(d_min * d_max) : d_min, d_max);
   for (int i = 0; i < surface->nodes; i++) {
-    asp_slopes slopes;
+    aspi_slopes slopes;
     double d_p = fmin(fmax(asp_surface_bin_d_p(surface, i), d_min), d_max);
-    asp_code code = asp_profile_describe_slopes(profile, d_p, ASP_CONTACT_DILATION, &slopes, error);
+    asp_code code =
+        aspi_profile_describe_slopes(profile, d_p, ASP_CONTACT_DILATION, &slopes, error);
     if (code)
       return code;
     surface->value[i] = slopes.slope_rms;
@@ -187,9 +192,9 @@ static asp_code set_by_profile(asp_surface *surface, const asp_profile *profile,
 
 asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
                                         int bins, asp_error *error) {
-  asp_description d;
+  aspi_description d;
   if (check_bins(profile, d_min, d_max, bins, error) ||
-      asp_profile_describe(profile, ASP_LEVEL_1_E, &d, error))
+      aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, error))
     return NULL;
   if (d_min >= d_max)
     bins = 1;
@@ -227,16 +232,16 @@ double asp_surface_bin_slope(const asp_surface *surface, int bin) {
   return surface->value[bin];
 }
 
-double asp_surface_d_p_most(const asp_surface *surface) {
+double aspi_surface_d_p_most(const asp_surface *surface) {
   return surface->d_p_most;
 }
 
 asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error) {
   if (d_p >= 0 && d_p <= surface->d_p_most * (1 + 1e-12))
     return ASP_OK;
-  return asp_fail(error, ASP_ERANGE,
-                  "d_p is %g; the size law of this wall (r_q %g, lambda_c %g) reaches to %g", d_p,
-                  surface->r_q, surface->lambda_c, surface->d_p_most);
+  return aspi_fail(error, ASP_ERANGE,
+                   "d_p is %g; the size law of this wall (r_q %g, lambda_c %g) reaches to %g", d_p,
+                   surface->r_q, surface->lambda_c, surface->d_p_most);
 }
 
 double asp_surface_r_q(const asp_surface *surface) {
@@ -269,13 +274,13 @@ static double correction(const asp_surface *surface, double d_p) {
   if (at >= surface->nodes - 1)
     return surface->value[surface->nodes - 1];
   int i = (int)at;
-  return asp_cubic_piece(1, at - i, &surface->value[i], &surface->tangent[i]);
+  return aspi_cubic_piece(1, at - i, &surface->value[i], &surface->tangent[i]);
 }
 
 double asp_surface_slope(const asp_surface *surface, double d_p) {
   double slope = surface->slope;
   if (surface->closed_form)
-    slope *= asp_closed_form(surface->curvature * d_p);
+    slope *= aspi_closed_form(surface->curvature * d_p);
   else
     slope = 1;
   return surface->nodes ? slope * correction(surface, d_p) : slope;

@@ -22,16 +22,6 @@ const double DEGREES = 180 / ASP_PI;
  * probably one that was made soft for a longer step. */
 const double YIELD_MOST = 0.1;
 
-/* A law's parameters have keywords of their own in a script, some of them one for several. */
-const struct {
-  const char *keyword;
-  std::vector<const char *> parameters;
-} LAW_KEYWORDS[] = {{"yield_rate", {"yield_rate"}},
-                    {"contact_area", {"a", "b", "c"}},
-                    {"temperature", {"temperature"}},
-                    {"soften", {"soften_from", "soften_rate"}},
-                    {"scatter", {"scatter"}}};
-
 /* The first of n words, and the last one of them for all others: "7e10 2.05e11 2.05e11". */
 std::string for_types(int n, const char *first, const char *other) {
   std::string values = first;
@@ -44,11 +34,13 @@ std::string for_types(int n, const char *first, const char *other) {
 
 Model::Model(const Engine &engine)
     : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), dp_bins_(16), tolerance_(0),
-      d_range_(), spec_(asp_wall_spec_default()), deposit_(FREEZE), seed_(1),
+      d_range_(), tilt_("plane"), collisions_("single"), deposit_(FREEZE), seed_(1),
       profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
       own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
-      wall_(NULL, asp_wall_free), is_new_(true) {
-  rebound_text_ = spec_.rebound;
+      wall_(asp_wall_create(NULL), asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION),
+      is_new_(true) {
+  if (wall_)
+    rebound_text_ = asp_rebound_name(asp_wall_rebound(wall_.get()));
 }
 
 /* ---- words of the script ----------------------------------------------------------------------
@@ -100,7 +92,14 @@ void Model::parse_bins(Words &words) {
     dp_bins_ = static_cast<int>(words.whole("dp_bins", 1, 10000));
 }
 
+/* The wall itself is made where nothing can be reported yet. */
+void Model::check_memory() const {
+  if (!wall_)
+    throw Error("out of memory for a wall");
+}
+
 void Model::parse_spread(Words &words) {
+  check_memory();
   asp_error wrong;
   spread_ = words.word("the spread model");
   if (spread_ != "auto" && !asp_spread_find(spread_.c_str(), &wrong))
@@ -108,14 +107,13 @@ void Model::parse_spread(Words &words) {
   tolerance_ = 0;
   for (bool more = true; more;) {
     if (words.take("plane"))
-      spec_.tilt = ASP_TILT_PLANE;
+      tilt_ = "plane";
     else if (words.take("isotropic"))
-      spec_.tilt = ASP_TILT_ISOTROPIC;
+      tilt_ = "isotropic";
     else if (words.take("collisions")) {
-      const std::string value = words.word("the value of 'collisions'");
-      if (value != "single" && value != "multiple")
-        throw Error("collisions is '" + value + "'; it must be single or multiple");
-      spec_.collisions = value == "single" ? ASP_COLLISIONS_SINGLE : ASP_COLLISIONS_MULTIPLE;
+      collisions_ = words.word("the value of 'collisions'");
+      if (asp_wall_choose(wall_.get(), "collisions", collisions_.c_str(), &wrong))
+        throw Error(wrong.text);
     } else if (words.take("tolerance")) {
       tolerance_ = words.number("tolerance");
       if (!(tolerance_ > 0) || !(tolerance_ < INFINITY))
@@ -127,35 +125,41 @@ void Model::parse_spread(Words &words) {
     throw Error("'spread auto' and 'tolerance D' go together, with no other model");
 }
 
+/* A law's parameters follow the law's name, or keywords of their own, some of them one for several.
+ */
 void Model::parse_rebound(Words &words) {
+  check_memory();
   asp_error wrong;
   const std::string name = words.word("the rebound law");
-  if (asp_wall_spec_rebound(&spec_, name.c_str(), &wrong))
+  if (asp_wall_choose(wall_.get(), "rebound", name.c_str(), &wrong))
     throw Error(wrong.text);
-  const asp_rebound_law *law = asp_rebound_find(name.c_str(), NULL);
+  const asp_rebound_law *law = asp_wall_rebound(wall_.get());
   rebound_text_ = name;
   table_path_.clear();
-  auto set = [&](const char *parameter) {
-    const double value = words.number(parameter);
-    if (asp_wall_spec_set(&spec_, parameter, value, &wrong))
-      throw Error("rebound " + name + ": " + wrong.text);
-    rebound_text_ += text(" %s %g", parameter, value);
+  auto set = [&](const std::string &keyword) {
+    for (int i = 0; i < asp_rebound_parameters(law); i++) {
+      const asp_parameter *p = asp_rebound_parameter(law, i);
+      if (keyword != asp_parameter_keyword(p))
+        continue;
+      const double value = words.number(asp_parameter_name(p));
+      if (asp_wall_set(wall_.get(), asp_parameter_name(p), value, &wrong))
+        throw Error("rebound " + name + ": " + wrong.text);
+      rebound_text_ += text(" %s %g", asp_parameter_name(p), value);
+    }
   };
-  if (name == "constant") {
-    set("cor_n");
-    set("cor_t");
-  }
-  if (law->needs_table)
+  set("");
+  if (asp_rebound_needs_table(law))
     read_table(words.word("the file of 'rebound table'"));
   for (bool more = true; more;) {
     more = words.take("scatter_twice");
-    spec_.scatter_twice = spec_.scatter_twice || more;
-    for (const auto &entry : LAW_KEYWORDS)
-      if (asp_rebound_parameter(law, entry.parameters[0], NULL) >= 0 && words.take(entry.keyword)) {
-        for (const char *parameter : entry.parameters)
-          set(parameter);
-        more = true;
-      }
+    if (more)
+      asp_wall_set(wall_.get(), "scatter_twice", 1, NULL);
+    for (int i = 0; i < asp_rebound_parameters(law) && !more; i++) {
+      const char *keyword = asp_parameter_keyword(asp_rebound_parameter(law, i));
+      more = *keyword && words.take(keyword);
+      if (more)
+        set(keyword);
+    }
   }
 }
 
@@ -166,7 +170,7 @@ void Model::read_table(const std::string &path) {
   table_.reset(asp_cor_table_read(path.c_str(), units.metre / units.second, &wrong));
   if (!table_)
     throw Error(wrong.text);
-  spec_.table = table_.get();
+  asp_wall_set_table(wall_.get(), table_.get());
 }
 
 /* A name for each atom type; they end where the file or another keyword begins. */
@@ -196,13 +200,15 @@ void Model::parse_materials(Words &words, const std::string &keywords) {
 }
 
 void Model::finish() {
+  check_memory();
   if (spread_.empty())
     spread_ = smooth_ ? "none" : "weibull";
   if (smooth_ && spread_ == "auto")
     spread_ = "none";
   if (spread_ != "auto")
-    spec_.spread = asp_spread_find(spread_.c_str(), NULL)->name;
-  spec_.deposit = deposit_ != OFF;
+    asp_wall_choose(wall_.get(), "spread", spread_.c_str(), NULL);
+  asp_wall_choose(wall_.get(), "tilt", tilt_.c_str(), NULL);
+  asp_wall_set(wall_.get(), "deposit", deposit_ != OFF, NULL);
   if (!profile_path_.empty() && !smooth_)
     profile_ = read_profile(engine_.world(), profile_path_,
                             units_of(engine_.units(), "a profile is", engine_.known_units()).metre,
@@ -219,7 +225,7 @@ void Model::finish() {
 /* Whether the wall depends on the range of diameters, and so cannot be made before a run. */
 bool Model::needs_sizes() const {
   return !smooth_ &&
-         (profile_ || spread_ == "auto" || asp_spread_find(spread_.c_str(), NULL)->prepare);
+         (profile_ || spread_ == "auto" || asp_spread_needs_profile(asp_wall_spread(wall_.get())));
 }
 
 void Model::set_sizes(const double range[2]) {
@@ -245,13 +251,12 @@ void Model::fit_sizes() {
       throw Error(wrong.text);
     return;
   }
-  if (wall_ && least >= d_range_[0] && most <= d_range_[1])
+  if (is_made_ && least >= d_range_[0] && most <= d_range_[1])
     return;
   d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], least) : least;
   d_range_[1] = std::max(d_range_[1], most);
-  spec_.sizes.least = d_range_[0];
-  spec_.sizes.most = d_range_[1];
-  spec_.sizes.bins = dp_bins_;
+  asp_wall_set(wall_.get(), "d_p_least", d_range_[0], NULL);
+  asp_wall_set(wall_.get(), "d_p_most", d_range_[1], NULL);
   is_new_ = true;
   make_surface();
   make_wall();
@@ -259,7 +264,7 @@ void Model::fit_sizes() {
 
 void Model::make_surface() {
   asp_error wrong;
-  wall_.reset();
+  is_made_ = false;
   if (profile_)
     surface_.reset(
         asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
@@ -272,19 +277,26 @@ void Model::make_surface() {
 
 void Model::make_wall() {
   asp_error wrong;
+  asp_wall *wall = wall_.get();
   if (spread_ == "auto") {
-    asp_choice choice;
-    if (asp_spread_auto(surface_.get(), &spec_.sizes, 0, ASP_PI / 2, spec_.collisions, tolerance_,
-                        &choice, &wrong))
+    double divergence;
+    char why[400];
+    const asp_spread_model *model =
+        asp_spread_auto(surface_.get(), d_range_[0], d_range_[1], collisions_ == "multiple",
+                        tolerance_, &divergence, why, sizeof why, &wrong);
+    if (!model)
       throw Error("spread auto: " + std::string(wrong.text));
-    spec_.spread = choice.model->name;
-    choice_ = choice.text;
+    asp_wall_choose(wall, "spread", asp_spread_name(model), NULL);
+    choice_ = why;
   }
-  spec_.surface = surface_.get();
-  spec_.profile = profile_.get();
-  wall_.reset(asp_wall_create(&spec_, &wrong));
-  if (!wall_)
+  if (asp_spread_needs_profile(asp_wall_spread(wall)) &&
+      asp_wall_set(wall, "d_p_bins", dp_bins_, &wrong))
     throw Error(wrong.text);
+  asp_wall_set_surface(wall, surface_.get());
+  asp_wall_set_profile(wall, profile_.get());
+  if (asp_wall_prepare(wall, &wrong))
+    throw Error(wrong.text);
+  is_made_ = true;
 }
 
 /* The values of a constant of the script; empty where there are none and none are needed. */
@@ -303,16 +315,17 @@ void Model::constants(const char *name, bool pairs, bool needed, const char *exa
 }
 
 void Model::find_materials(const std::vector<int> &wall_types) {
-  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
+  const asp_rebound_law *law = asp_wall_rebound(wall_.get());
   const bool named = !materials_.empty();
   const int n = engine_.types();
   pairs_.clear();
-  materials_report_ = named ? text("\n  rebound %s needs no materials", law->name) : "";
+  materials_report_ = named ? text("\n  rebound %s needs no materials", asp_rebound_name(law)) : "";
   constants("coefficientFriction", true, false, "", friction_);
-  if (!law->needs_material)
+  /* A mirror takes nothing from a particle that slides. */
+  default_friction_ = asp_wall_get(wall_.get(), "cor_t") >= 1 ? 0 : ASP_FRICTION;
+  if (!asp_rebound_needs_pair(law))
     return;
-  const int rate = asp_rebound_parameter(law, "yield_rate", NULL);
-  const bool constant_yield = rate < 0 || !(spec_.parameters[rate] > 0);
+  const bool constant_yield = !(asp_wall_get(wall_.get(), "yield_rate") > 0);
   std::vector<double> modulus, poisson, yield, energy, friction = friction_;
   if (named) {
     take_materials(modulus, poisson, yield);
@@ -326,18 +339,44 @@ void Model::find_materials(const std::vector<int> &wall_types) {
             for_types(n * n, "0.8", "0.8").c_str(), energy);
   if (named)
     take_defaults(energy, friction);
-  pairs_.resize((n + 1) * (n + 1));
-  for (int p = 0; p < n; p++)
-    for (int w = 0; w < n; w++) {
-      asp_error wrong;
-      if (asp_pair_create(modulus[p], poisson[p], modulus[w], poisson[w],
-                          yield.empty() ? 0 : yield[p], energy.empty() ? 0 : energy[p * n + w],
-                          friction.empty() ? ASP_FRICTION : friction[p * n + w],
-                          &pairs_[(p + 1) * (n + 1) + w + 1], &wrong))
-        throw Error(text("types %d (particle) and %d (wall): %s", p + 1, w + 1, wrong.text));
-    }
+  if (friction.empty())
+    friction.assign(n * n, ASP_FRICTION);
+  if (energy.empty())
+    energy.assign(n * n, 0);
+  if (yield.empty())
+    yield.assign(n, 0);
+  make_pairs(modulus, poisson, yield, energy, friction);
+  friction_ = friction;
   if (constant_yield)
     report_yield(wall_types);
+}
+
+/* The pair of every particle type and every wall type. */
+void Model::make_pairs(const std::vector<double> &modulus, const std::vector<double> &poisson,
+                       const std::vector<double> &yield, const std::vector<double> &energy,
+                       const std::vector<double> &friction) {
+  typedef std::unique_ptr<asp_material, void (*)(asp_material *)> Material;
+  asp_error wrong;
+  std::vector<Material> materials;
+  const int n = engine_.types();
+  for (int t = 0; t < n; t++) {
+    materials.push_back(
+        Material(asp_material_create(text("type %d", t + 1).c_str(), &wrong), asp_material_free));
+    asp_material *m = materials.back().get();
+    if (!m || asp_material_set(m, "youngs_modulus", modulus[t], &wrong) ||
+        asp_material_set(m, "poissons_ratio", poisson[t], &wrong) ||
+        asp_material_set(m, "yield_stress", yield[t], &wrong))
+      throw Error(wrong.text);
+  }
+  for (int p = 0; p < n; p++)
+    for (int w = 0; w < n; w++) {
+      pairs_.push_back(
+          Pair(asp_pair_create(materials[p].get(), materials[w].get(), &wrong), asp_pair_free));
+      asp_pair *pair = pairs_.back().get();
+      if (!pair || asp_pair_set(pair, "surface_energy", energy[p * n + w], &wrong) ||
+          asp_pair_set(pair, "friction", friction[p * n + w], &wrong))
+        throw Error(text("types %d (particle) and %d (wall): %s", p + 1, w + 1, wrong.text));
+    }
 }
 
 /* The values of the named materials, in the script's units. They go before the script's constants,
@@ -347,12 +386,12 @@ void Model::take_materials(std::vector<double> &modulus, std::vector<double> &po
   const double pascal = units_->pascal();
   materials_report_.clear();
   for (const asp_material *m : materials_) {
-    modulus.push_back(m->youngs_modulus * pascal);
-    poisson.push_back(m->poissons_ratio);
-    yield.push_back(m->yield_stress * pascal);
+    modulus.push_back(asp_material_get(m, "youngs_modulus") * pascal);
+    poisson.push_back(asp_material_get(m, "poissons_ratio"));
+    yield.push_back(asp_material_get(m, "yield_stress") * pascal);
     materials_report_ +=
         text("\n  type %d: material %s, E %.6g, nu %.6g, ", static_cast<int>(modulus.size()),
-             m->name, modulus.back(), poisson.back()) +
+             asp_material_name(m), modulus.back(), poisson.back()) +
         (yield.back() > 0 ? text("sigma_y %.6g", yield.back()) : "no sigma_y");
   }
 }
@@ -377,12 +416,12 @@ void Model::check_kinds(bool constant_yield) const {
   const std::vector<Engine::Kind> kinds = engine_.kinds();
   for (size_t t = 0; t < kinds.size(); t++) {
     const asp_material *m = materials_[t];
-    const double density = m->density * unit;
-    if (constant_yield && kinds[t].present && !(m->yield_stress > 0))
+    const double density = asp_material_get(m, "density") * unit;
+    if (constant_yield && kinds[t].present && !(asp_material_get(m, "yield_stress") > 0))
       throw Error(text("material '%s' is that of particles (type %d) and has no yield stress; it "
                        "must be one that has, of your own in a file, or 'rebound bons yield_rate "
                        "A'",
-                       m->name, static_cast<int>(t) + 1));
+                       asp_material_name(m), static_cast<int>(t) + 1));
     if (!(kinds[t].most > 0))
       continue;
     const double off =
@@ -390,7 +429,7 @@ void Model::check_kinds(bool constant_yield) const {
     if (off > 0.01 && is_new_)
       engine_.warn(text("the density of particles of type %d is up to %.3g %% off that of material "
                         "'%s', %g; theirs is taken",
-                        static_cast<int>(t) + 1, 100 * off, m->name, density));
+                        static_cast<int>(t) + 1, 100 * off, asp_material_name(m), density));
   }
 }
 
@@ -403,37 +442,32 @@ void Model::report_yield(const std::vector<int> &wall_types) {
       const asp_pair *p = pair(type, w);
       if (!kinds[t].present)
         continue;
+      const double stress = asp_pair_get(p, "yield_stress"), modulus = asp_pair_get(p, "modulus");
       const std::string of = text("type %d on a wall of type %d", type, w);
       if (kinds[t].most > 0)
-        materials_report_ += "\n  " + of +
-                             text(": yields above %.4g along the normal",
-                                  p->yield_stress / sqrt(kinds[t].most * p->modulus));
-      if (is_new_ && p->yield_stress > YIELD_MOST * p->modulus)
+        materials_report_ +=
+            "\n  " + of +
+            text(": yields above %.4g along the normal", stress / sqrt(kinds[t].most * modulus));
+      if (is_new_ && stress > YIELD_MOST * modulus)
         engine_.warn(of +
                      text(": the yield stress, %g, is %.3g times the composite modulus, %g, so "
                           "that nothing yields; is the modulus one that was made soft for the "
                           "pair style? 'materials' takes real ones",
-                          p->yield_stress, p->yield_stress / p->modulus, p->modulus));
+                          stress, stress / modulus, modulus));
     }
 }
 
 const asp_pair *Model::pair(int type, int wall_type) const {
-  return pairs_.empty() ? NULL : &pairs_[type * (engine_.types() + 1) + wall_type];
+  return pairs_.empty() ? NULL : pairs_[(type - 1) * engine_.types() + wall_type - 1].get();
 }
 
 double Model::friction(int type, int wall_type) const {
-  if (const asp_pair *p = pair(type, wall_type))
-    return p->friction;
-  if (!friction_.empty())
-    return friction_[(type - 1) * engine_.types() + wall_type - 1];
-  /* A mirror takes nothing from a particle that slides. */
-  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
-  const int cor_t = asp_rebound_parameter(law, "cor_t", NULL);
-  return cor_t >= 0 && spec_.parameters[cor_t] >= 1 ? 0 : ASP_FRICTION;
+  return friction_.empty() ? default_friction_
+                           : friction_[(type - 1) * engine_.types() + wall_type - 1];
 }
 
 bool Model::sticks() const {
-  return deposit_ != OFF && asp_rebound_find(spec_.rebound, NULL)->needs_material;
+  return deposit_ != OFF && asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
 }
 
 /* ---- texts ------------------------------------------------------------------------------------
@@ -451,21 +485,21 @@ std::string Model::surface_text() const {
 
 std::string Model::heading() const {
   const std::string materials = materials_.empty() ? "" : "; materials " + materials_text_;
-  return text("surface %s; spread %s; rebound %s%s; seed %u", surface_text().c_str(), spec_.spread,
-              rebound_text_.c_str(), materials.c_str(), seed_);
+  return text("surface %s; spread %s; rebound %s%s; seed %u", surface_text().c_str(),
+              asp_spread_name(asp_wall_spread(wall_.get())), rebound_text_.c_str(),
+              materials.c_str(), seed_);
 }
 
 std::string Model::describe_surface() const {
-  if (smooth_ || strcmp(spec_.spread, "none") == 0)
+  if (smooth_ || strcmp(asp_spread_name(asp_wall_spread(wall_.get())), "none") == 0)
     return "smooth wall";
   const asp_surface *s = surface_.get();
   std::string line = profile_ ? "profile " + profile_path_ + " (" + profile_report_ + "), " : "";
   line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
                asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
                atan(asp_surface_slope_rms(s)) * DEGREES);
-  line += text(", spread %s %s, collisions %s", spec_.spread,
-               spec_.tilt == ASP_TILT_PLANE ? "plane" : "isotropic",
-               spec_.collisions == ASP_COLLISIONS_SINGLE ? "single" : "multiple");
+  line += text(", spread %s %s, collisions %s", asp_spread_name(asp_wall_spread(wall_.get())),
+               tilt_.c_str(), collisions_.c_str());
   if (!choice_.empty())
     line += "\n  " + choice_;
   for (int i = 0; i < asp_surface_bins(s); i++)
@@ -475,13 +509,13 @@ std::string Model::describe_surface() const {
 }
 
 std::string Model::news() {
-  if (!is_new_ || !wall_)
+  if (!is_new_ || !is_made_)
     return "";
   is_new_ = false;
-  if (asp_rebound_find(spec_.rebound, NULL)->measured && !smooth_)
+  if (asp_rebound_measured(asp_wall_rebound(wall_.get())) && !smooth_)
     engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
                       "own; on a rough wall that counts twice",
-                      spec_.rebound));
+                      asp_rebound_name(asp_wall_rebound(wall_.get()))));
   return text("rebound %s, deposit %s, seed %u; ", rebound_text_.c_str(), deposit_name(), seed_) +
          describe_surface() + materials_report_;
 }
@@ -492,15 +526,15 @@ Settings Model::settings() const {
                               : profile_path_.empty()
                                   ? "rq " + setting(r_q_) + " lambda_c " + setting(lambda_c_) + bins
                                   : "profile " + profile_path_ + bins;
-  std::string spread =
-      spread_ + (spec_.tilt == ASP_TILT_PLANE ? " plane" : " isotropic") +
-      (spec_.collisions == ASP_COLLISIONS_SINGLE ? " collisions single" : " collisions multiple");
+  std::string spread = spread_ + " " + tilt_ + " collisions " + collisions_;
   if (tolerance_ > 0)
     spread += " tolerance " + setting(tolerance_);
-  const asp_rebound_law *law = asp_rebound_find(spec_.rebound, NULL);
-  std::string rebound = law->name + (table_path_.empty() ? "" : " " + table_path_);
-  for (int i = 0; i < law->n_parameters; i++)
-    rebound += std::string(" ") + law->parameters[i].name + " " + setting(spec_.parameters[i]);
+  const asp_rebound_law *law = asp_wall_rebound(wall_.get());
+  std::string rebound = asp_rebound_name(law) + (table_path_.empty() ? "" : " " + table_path_);
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const char *name = asp_parameter_name(asp_rebound_parameter(law, i));
+    rebound += std::string(" ") + name + " " + setting(asp_wall_get(wall_.get(), name));
+  }
   return Settings{{"surface", surface},        {"spread", spread},
                   {"rebound", rebound},        {"materials", materials_text_},
                   {"deposit", deposit_name()}, {"seed", text("%u", seed_)}};

@@ -47,7 +47,7 @@ public:
     return seed_;
   }
   const asp_wall *wall() const {
-    return wall_.get();
+    return is_made_ ? wall_.get() : NULL;
   }
   /* Of a particle type on a wall type; NULL where the law knows no materials. */
   const asp_pair *pair(int type, int wall_type) const;
@@ -72,6 +72,7 @@ public:
   Settings settings() const;
 
 private:
+  void check_memory() const;
   void parse_surface(Words &words);
   void parse_bins(Words &words);
   void parse_spread(Words &words);
@@ -85,6 +86,9 @@ private:
   void find_materials(const std::vector<int> &wall_types);
   void constants(const char *name, bool pairs, bool needed, const char *example,
                  std::vector<double> &values) const;
+  void make_pairs(const std::vector<double> &modulus, const std::vector<double> &poisson,
+                  const std::vector<double> &yield, const std::vector<double> &energy,
+                  const std::vector<double> &friction);
   void take_materials(std::vector<double> &modulus, std::vector<double> &poisson,
                       std::vector<double> &yield);
   void take_defaults(std::vector<double> &energy, std::vector<double> &friction);
@@ -103,7 +107,7 @@ private:
   std::string choice_; /* what auto has chosen, and why */
   std::string table_path_, rebound_text_, materials_text_, materials_report_;
   double d_range_[2];
-  asp_wall_spec spec_;
+  std::string tilt_, collisions_;
   Deposit deposit_;
   uint32_t seed_;
   Profile profile_;
@@ -114,8 +118,11 @@ private:
   const Units *units_; /* of the script, where there are materials */
   std::unique_ptr<asp_surface, void (*)(asp_surface *)> surface_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
-  std::vector<asp_pair> pairs_;  /* particle type x wall type, from 1 */
-  std::vector<double> friction_; /* the same, as the script states it; empty: it does not */
+  bool is_made_; /* the wall is prepared for contacts */
+  typedef std::unique_ptr<asp_pair, void (*)(asp_pair *)> Pair;
+  std::vector<Pair> pairs_;      /* particle type x wall type */
+  std::vector<double> friction_; /* the same; empty: neither pairs nor the script have it */
+  double default_friction_;
   bool is_new_;
 };
 

@@ -25,12 +25,12 @@ Profile asperity::read_profile(MPI_Comm world, const std::string &path, double m
   int rank;
   MPI_Comm_rank(world, &rank);
   if (rank == 0) {
-    asp_profile_options options = asp_profile_options_default();
-    asp_profile_report found;
-    options.metre = metre;
-    profile.reset(asp_profile_read(path.c_str(), &options, &found, &error));
+    std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&error),
+                                                               asp_reader_free);
+    if (reader && !asp_reader_set(reader.get(), "metre", metre, &error))
+      profile.reset(asp_reader_read(reader.get(), path.c_str(), &error));
     if (profile)
-      report = found.text;
+      report = asp_reader_text(reader.get());
     else
       wrong = error.text;
   }

@@ -42,9 +42,9 @@ const double STRAY = 2e-3;
 } // namespace
 
 Wall::Wall(const Engine &engine)
-    : engine_(engine), model_(engine), key_(asp_key_fix(engine.id().c_str())), groupbit_(1), box_(),
-      state_(NULL), place_(NULL), travel_(0), stray_(0), counters_(), clock_(), fastest_(), dt_(0),
-      warned_(false), has_doomed_(false) {}
+    : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
+      box_(), state_(NULL), place_(NULL), travel_(0), stray_(0), counters_(), clock_(), fastest_(),
+      dt_(0), warned_(false), has_doomed_(false) {}
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
@@ -111,7 +111,7 @@ void Wall::init(int64_t step, double dt) {
 }
 
 std::string Wall::heading() const {
-  return text("asperity %s; fix %s wall/rebound; units %s; ", ASP_VERSION, engine_.id().c_str(),
+  return text("asperity %s; fix %s wall/rebound; units %s; ", asp_version(), engine_.id().c_str(),
               engine_.units().c_str()) +
          model_.heading() + "; angles in degrees";
 }
@@ -492,7 +492,7 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact) {
   event.elapsed = s.dt - flight.path.left;
   event.time = time(static_cast<double>(s.step)) - flight.path.left;
   event.key.seed = model_.seed();
-  event.key.fix = key_;
+  event.key.wall = key_;
   event.key.tag = static_cast<uint64_t>(s.tag_of(i));
   event.key.impact = static_cast<uint32_t>(state(i)[IMPACTS]) + 1;
   asp_wall_impact(model_.wall(), &particle, v1, contact.n, &event.key, &event.impact);

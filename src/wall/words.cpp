@@ -31,7 +31,7 @@ std::string Words::word(const char *what) {
 double Words::number(const char *what) {
   const std::string value = word(what);
   char *end;
-  const double number = asp_number(value.c_str(), &end);
+  const double number = aspi_number(value.c_str(), &end);
   if (value.empty() || *end)
     throw Error(text("%s is '%s'; it must be a number", what, value.c_str()));
   return number;

@@ -1,7 +1,7 @@
 /* One contact, random draws included, with impact angles from 0 to 90 degrees, of 10 um quartz on
  * Hastelloy X, by spread model over no spread. */
-#include "asperity.h"
 #include "bench.h"
+#include "rebound/materials.h"
 
 #include <math.h>
 
@@ -42,12 +42,15 @@ static void set_contacts(void) {
 }
 
 static void make_wall(contact *c) {
-  asp_wall_spec spec = asp_wall_spec_default();
-  spec.surface = c->surface = asp_surface_create(c->phi_r * 120e-6, 120e-6, NULL);
-  spec.spread = c->spread;
-  spec.sizes = (asp_sizes){10e-6, 10e-6, 1};
-  c->wall = asp_wall_create(&spec, NULL);
+  c->surface = asp_surface_create(c->phi_r * 120e-6, 120e-6, NULL);
+  c->wall = asp_wall_create(NULL);
   if (!c->surface || !c->wall)
+    abort();
+  asp_wall_set_surface(c->wall, c->surface);
+  asp_wall_choose(c->wall, "spread", c->spread, NULL);
+  asp_wall_set(c->wall, "d_p_least", 10e-6, NULL);
+  asp_wall_set(c->wall, "d_p_most", 10e-6, NULL);
+  if (asp_wall_prepare(c->wall, NULL))
     abort();
 }
 

@@ -4,6 +4,7 @@
 #include "asperity.h"
 #include "bench.h"
 #include "peers.h"
+#include "spread/models.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -26,7 +27,7 @@ typedef struct inputs {
 typedef struct sampler {
   const asp_spread_model *model;
   const inputs *in;
-  asp_view view;
+  aspi_view view;
   bool one_angle; /* that of the view; otherwise those of the inputs */
   const bench_pinv *pinv;
   size_t at;  /* the next input */
@@ -52,9 +53,9 @@ static void quantiles(void *context, size_t n) {
 static void draws(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++) {
-    asp_stream stream = asp_stream_create(&(asp_key){1, 1, next(s), 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, next(s), 1});
     double delta;
-    asp_spread_draw(s->model, &s->view, &stream, &delta);
+    aspi_spread_draw(s->model, &s->view, &stream, &delta);
     s->sum += delta;
   }
 }
@@ -117,16 +118,16 @@ static void std_normal(void *context, size_t n) {
 static void first_uniform(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++) {
-    asp_stream stream = asp_stream_create(&(asp_key){1, 1, s->at++, 1});
-    s->sum += asp_stream_uniform(&stream);
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, s->at++, 1});
+    s->sum += aspi_stream_uniform(&stream);
   }
 }
 
 static void next_uniform(void *context, size_t n) {
   sampler *s = context;
-  asp_stream stream = asp_stream_create(&(asp_key){1, 1, s->at++, 1});
+  aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, s->at++, 1});
   for (size_t i = 0; i < n; i++)
-    s->sum += asp_stream_uniform(&stream);
+    s->sum += aspi_stream_uniform(&stream);
 }
 
 /* The unit of them all comes first. */
@@ -167,7 +168,7 @@ static bench_work *add(room *r, void (*run)(void *, size_t), const sampler *s) {
 /* What the models need of a Gaussian profile with this rms slope; smaller particles than 0.1
  * correlation lengths follow it. */
 static void prepare(inputs *in, void *data[MODELS_MAX]) {
-  asp_sizes sizes = {0.05, 0.5, 16};
+  aspi_sizes sizes = {0.05, 0.5, 16};
   asp_profile *profile =
       asp_profile_create(tan(in->sigma) / sqrt(2), 1, 1 / 128., 1 << 16, 1, NULL);
   for (int i = 0; i < asp_spread_count(); i++) {
@@ -186,7 +187,7 @@ static void release(void *data[MODELS_MAX]) {
 }
 
 static sampler sampler_at(const inputs *in, int model, void *const *data) {
-  asp_view view = asp_view_create(in->sigma, in->sigma);
+  aspi_view view = aspi_view_of(in->sigma, in->sigma);
   view.d_p = 0.1;
   view.data = data[model];
   return (sampler){.model = asp_spread_at(model), .in = in, .view = view};

@@ -3,6 +3,8 @@
  * points and angle; the table of `profile`. */
 #include "asperity.h"
 #include "bench.h"
+#include "spread/models.h"
+#include "surface/closing.h"
 
 #include <math.h>
 
@@ -33,7 +35,7 @@ typedef struct closing {
 static void closings(void *context, size_t n) {
   closing *c = context;
   for (size_t i = 0; i < n; i++)
-    if (asp_profile_close(c->profile, c->d_p, c->out, NULL))
+    if (aspi_profile_close(c->profile, c->d_p, c->out, NULL))
       abort();
 }
 
@@ -111,14 +113,14 @@ static void compare_closings(void) {
 /* ---- first hit ---- */
 
 typedef struct first_hit {
-  asp_track *track;
+  aspi_track *track;
   double alpha1, *weight;
 } first_hit;
 
 static void first_hits(void *context, size_t n) {
   first_hit *f = context;
   for (size_t i = 0; i < n; i++)
-    asp_track_first_hit(f->track, f->alpha1, f->weight);
+    aspi_track_first_hit(f->track, f->alpha1, f->weight);
 }
 
 static void compare_first_hits(void) {
@@ -129,13 +131,13 @@ static void compare_first_hits(void) {
   first_hit f[2][ANGLES];
   bench_work w[2][ANGLES];
   for (int i = 0; i < 2; i++) {
-    asp_track *track = asp_track_create(profiles[i], 80, NULL);
+    aspi_track *track = aspi_track_create(profiles[i], 80, NULL);
     if (!track)
       abort();
     for (int k = 0; k < ANGLES; k++) {
       f[i][k] = (first_hit){track, degrees[k] * ASP_PI / 180, weight};
       w[i][k] = (bench_work){
-          .run = first_hits, .context = &f[i][k], .each = (double)asp_track_faces(track)};
+          .run = first_hits, .context = &f[i][k], .each = (double)aspi_track_faces(track)};
     }
   }
   bench_run(w[0], 2 * ANGLES, 5 * ROUNDS);
@@ -148,7 +150,7 @@ static void compare_first_hits(void) {
   bench_ratio_row("first-hit law of 2^20 points, 2 over 80 deg, a point", &w[1][0], &w[1][2],
                   "<=", 2);
   for (int i = 0; i < 2; i++) {
-    asp_track_free(f[i][0].track);
+    aspi_track_free(f[i][0].track);
     asp_profile_free(profiles[i]);
   }
   free(weight);
@@ -158,7 +160,7 @@ static void compare_first_hits(void) {
 
 static void set_ups(void *context, size_t n) {
   const asp_spread_model *model = asp_spread_find("profile", NULL);
-  asp_sizes sizes = {0.1, 1, 16};
+  aspi_sizes sizes = {0.1, 1, 16};
   for (size_t i = 0; i < n; i++) {
     void *data = model->prepare(context, &sizes, NULL);
     if (!data)

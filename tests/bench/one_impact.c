@@ -1,6 +1,6 @@
 /* Contacts for an instruction counter: one_impact MODEL PHI_R CONTACTS, with impact angles from 0
  * to 90 degrees; see bench_instructions.sh. */
-#include "asperity.h"
+#include "rebound/materials.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,13 +15,14 @@ int main(int argc, char **argv) {
   double r_q = atof(argv[2]) * 120e-6;
   asp_surface *surface = asp_surface_create(r_q, 120e-6, &error);
   asp_profile *profile = asp_profile_create(r_q, 120e-6, 2e-6, 1 << 12, 1, surface ? &error : NULL);
-  asp_wall_spec spec = asp_wall_spec_default();
-  spec.surface = surface;
-  spec.profile = profile;
-  spec.spread = argv[1];
-  spec.sizes = (asp_sizes){10e-6, 10e-6, 1};
-  asp_wall *wall = surface && profile ? asp_wall_create(&spec, &error) : NULL;
-  if (!wall) {
+  asp_wall *wall = surface && profile ? asp_wall_create(&error) : NULL;
+  if (wall) {
+    asp_wall_set_surface(wall, surface);
+    asp_wall_set_profile(wall, profile);
+  }
+  if (!wall || asp_wall_choose(wall, "spread", argv[1], &error) ||
+      asp_wall_set(wall, "d_p_least", 10e-6, &error) ||
+      asp_wall_set(wall, "d_p_most", 10e-6, &error) || asp_wall_prepare(wall, &error)) {
     fprintf(stderr, "one_impact: %s\n", error.text);
     return 1;
   }

@@ -87,7 +87,7 @@ done
 refuses "$plane" "unfix m3" "yieldStress" "materials quartz hastelloy-x" "fix yieldStress all property/global yieldStress peratomtype 2e8 2e8"
 refuses "$plane" "unfix m4" "surfaceEnergy" "property/global surfaceEnergy peratomtypepair 2 0.8 0.8 0.8 0.8"
 refuses "$plane" "unfix m3
-fix m3 all property/global yieldStress peratomtype -5 2e8" "yield stress is -5" ">= 0"
+fix m3 all property/global yieldStress peratomtype -5 2e8" "yield_stress of 'type 1' is -5" ">= 0"
 refuses "$plane" "unfix m1
 fix m1 all property/global youngsModulus peratomtype -7e10 2e11" "youngsModulus"
 refuses "$plane" "unfix m2

@@ -2,7 +2,11 @@
  * be described and closed, or an error with a message, and no sanitizer has anything to say.
  * LLVMFuzzerTestOneInput is for libFuzzer; without it (FUZZ_MAIN) this is a program of its own that
  * mutates made-up files, the same ones every time. */
+#include "base/stream.h"
+#include "surface/closing.h"
+#include "surface/describe.h"
 #include "surface/read.h"
+#include "surface/slopes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -26,20 +30,20 @@ static void check_profile(const asp_profile *profile) {
       fail("a height that is not a number");
   if (points > POINTS_MOST)
     return;
-  asp_description d;
+  aspi_description d;
   asp_error error;
-  asp_profile_describe(profile, ASP_LEVEL_1_E, &d, &error);
+  aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, &error);
   double *slopes = malloc(points * sizeof *slopes);
   double d_p = spacing * (1 + 0.25 * (double)points);
   if (slopes && d_p <= spacing * (double)points &&
-      (asp_profile_slopes(profile, d_p, ASP_CONTACT_CLOSING, slopes, &count, &error) != ASP_OK ||
+      (aspi_profile_slopes(profile, d_p, ASP_CONTACT_CLOSING, slopes, &count, &error) != ASP_OK ||
        !isfinite(slopes[0])))
     fail("a profile that cannot be closed");
   free(slopes);
 }
 
-static asp_profile_options options_of(uint8_t bits) {
-  asp_profile_options o = asp_profile_options_default();
+static aspi_profile_options options_of(uint8_t bits) {
+  aspi_profile_options o = aspi_profile_options_default();
   o.unit_x = o.unit_z = bits & 1 ? 1e-6 : 0;
   o.form = (bits >> 1 & 3) - 1;
   o.fill = bits & 8;
@@ -62,10 +66,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   FILE *stream = fmemopen((void *)(data + 1), size - 1, "rb");
   if (!stream)
     return 0;
-  asp_profile_options options = options_of(*data);
-  asp_profile_report report;
+  aspi_profile_options options = options_of(*data);
+  aspi_profile_report report;
   asp_error error = {ASP_OK, ""};
-  asp_profile *profile = asp_profile_read_stream(stream, "fuzz", &options, &report, &error);
+  asp_profile *profile = aspi_profile_read_stream(stream, "fuzz", &options, &report, &error);
   if (profile)
     check_profile(profile);
   else if (error.code == ASP_OK || !*error.text)
@@ -91,8 +95,8 @@ static const char *const files[] = {
 static const char *const tokens[] = {"nan", "inf", "-",   "1e308", "1e-308", "-1e308", ",",  ";",
                                      "\t",  "\n",  "*\n", "=",     "BAD",    "um",     "\r", "0"};
 
-static size_t below(asp_stream *stream, size_t most) {
-  return (size_t)(asp_stream_uniform(stream) * (double)most);
+static size_t below(aspi_stream *stream, size_t most) {
+  return (size_t)(aspi_stream_uniform(stream) * (double)most);
 }
 
 /* Makes room for a piece in the file, and puts it there. */
@@ -106,7 +110,7 @@ static size_t insert(uint8_t *file, size_t size, size_t at, const uint8_t *piece
 
 /* Puts a byte, a token or a piece of the file itself somewhere, once or, rarely, hundreds of times,
  * or takes a piece out. */
-static size_t mutate(asp_stream *stream, uint8_t *file, size_t size) {
+static size_t mutate(aspi_stream *stream, uint8_t *file, size_t size) {
   size_t at = below(stream, size), from = below(stream, size), kind = below(stream, 4);
   size_t length = 1 + below(stream, 8), times = below(stream, 50) ? 1 : 1 + below(stream, 1000);
   uint8_t piece[16] = {(uint8_t)below(stream, 256)};
@@ -130,7 +134,7 @@ static size_t mutate(asp_stream *stream, uint8_t *file, size_t size) {
 int main(int argc, char **argv) {
   size_t rounds = argc > 1 ? strtoul(argv[1], NULL, 10) : 20000;
   for (size_t round = 0; round < rounds; round++) {
-    asp_stream stream = asp_stream_create(&(asp_key){.seed = 1, .tag = round});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 1, .tag = round});
     const char *from = files[round % (sizeof files / sizeof *files)];
     uint8_t file[FILE_MOST + 1] = {(uint8_t)below(&stream, 256)};
     size_t size = strlen(from), changes = round < 600 ? 0 : 1 + below(&stream, 12);

@@ -74,7 +74,7 @@ static _Thread_local double u_forced;
 static _Thread_local const asp_spread_model *behind;
 static _Thread_local uint64_t at_work;
 
-static double forced_quantile(const asp_view *view, double u) {
+static double forced_quantile(const aspi_view *view, double u) {
   (void)u;
   return behind->quantile(view, u_forced);
 }
@@ -106,13 +106,15 @@ static bool make_walls_of(int i, double slope) {
                            : asp_surface_create_profile(profile, 1, 1, 1, &error);
   bool made = surfaces[i];
   for (int k = 0; k < asp_spread_count() && made; k++) {
-    asp_wall_spec spec = asp_wall_spec_default();
-    spec.surface = surfaces[i];
-    spec.profile = profile;
-    spec.sizes = (asp_sizes){1, 1, 1};
-    spec.spread = asp_spread_at(k)->name;
-    walls[k][i] = asp_wall_create(&spec, &error);
-    made = walls[k][i];
+    asp_wall *wall = walls[k][i] = asp_wall_create(&error);
+    if (!wall)
+      return false;
+    asp_wall_set_surface(wall, surfaces[i]);
+    asp_wall_set_profile(wall, profile);
+    asp_wall_set(wall, "d_p_least", 1, NULL);
+    asp_wall_set(wall, "d_p_most", 1, NULL);
+    asp_wall_choose(wall, "spread", asp_spread_at(k)->name, NULL);
+    made = asp_wall_prepare(wall, &error) == ASP_OK;
   }
   asp_profile_free(profile);
   if (!made)
@@ -129,31 +131,31 @@ static bool make_walls(void) {
   for (int i = 0; i < SLOPES; i++)
     if (!make_walls_of(i, i < 16 ? pow(10, i - 15) : tan((45 + 5 * (i - 15)) * ASP_PI / 180)))
       return false;
-  static const asp_cor_point points[] = {{1e-3, 0, 1, 1},     {1e-3, 0.7, 0.9, 0.7},
-                                         {1e-3, 1.5, 0.5, 1}, {1e3, 0, 1, 1},
-                                         {1e3, 0.7, 0.2, 0},  {1e3, 1.5, 0, -0.5}};
-  table = asp_cor_table_create(points, 6, NULL);
+  static const aspi_cor_point points[] = {{1e-3, 0, 1, 1},     {1e-3, 0.7, 0.9, 0.7},
+                                          {1e-3, 1.5, 0.5, 1}, {1e3, 0, 1, 1},
+                                          {1e3, 0.7, 0.2, 0},  {1e3, 1.5, 0, -0.5}};
+  table = aspi_cor_table_create(points, 6, NULL);
   return table != NULL;
 }
 
-static double between(asp_stream *s, double low, double high) {
-  return low + (high - low) * asp_stream_uniform(s);
+static double between(aspi_stream *s, double low, double high) {
+  return low + (high - low) * aspi_stream_uniform(s);
 }
 
-static double power_of_ten(asp_stream *s, double low, double high) {
+static double power_of_ten(aspi_stream *s, double low, double high) {
   return pow(10, between(s, low, high));
 }
 
-static int one_of(asp_stream *s, int count) {
-  return (int)(asp_stream_uniform(s) * count);
+static int one_of(aspi_stream *s, int count) {
+  return (int)(aspi_stream_uniform(s) * count);
 }
 
 /* One in ten is 0, the others lie between powers of ten. */
-static double or_zero(asp_stream *s, double low, double high) {
+static double or_zero(aspi_stream *s, double low, double high) {
   return one_of(s, 10) ? power_of_ten(s, low, high) : 0;
 }
 
-static void choose_law(asp_stream *s, asp_wall *wall) {
+static void choose_law(aspi_stream *s, asp_wall *wall) {
   int which = one_of(s, 2) ? 0 : one_of(s, asp_rebound_count());
   wall->law = asp_rebound_at(which);
   wall->table = table;
@@ -165,7 +167,7 @@ static void choose_law(asp_stream *s, asp_wall *wall) {
   }
 }
 
-static void choose_wall(asp_stream *s, combination *c) {
+static void choose_wall(aspi_stream *s, combination *c) {
   int model = one_of(s, asp_spread_count()), slope = one_of(s, SLOPES);
   c->wall = *walls[model][slope];
   behind = asp_spread_at(model);
@@ -179,15 +181,24 @@ static void choose_wall(asp_stream *s, combination *c) {
   choose_law(s, &c->wall);
 }
 
-static void choose_particle(asp_stream *s, combination *c) {
-  asp_pair_create(power_of_ten(s, 0, 15), between(s, -0.99, 0.49), power_of_ten(s, 0, 15),
-                  between(s, -0.99, 0.49), or_zero(s, -3, 13), or_zero(s, -12, 6),
-                  or_zero(s, -6, 1), &c->pair, NULL);
+static void choose_particle(aspi_stream *s, combination *c) {
+  asp_material particle = {.youngs_modulus = power_of_ten(s, 0, 15),
+                           .poissons_ratio = between(s, -0.99, 0.49)};
+  asp_material wall = {.youngs_modulus = power_of_ten(s, 0, 15),
+                       .poissons_ratio = between(s, -0.99, 0.49)};
+  particle.yield_stress = or_zero(s, -3, 13);
+  asp_pair *pair = asp_pair_create(&particle, &wall, NULL);
+  if (!pair)
+    abort();
+  c->pair = *pair;
+  asp_pair_free(pair);
+  c->pair.surface_energy = or_zero(s, -12, 6);
+  c->pair.friction = or_zero(s, -6, 1);
   c->particle = (asp_particle){power_of_ten(s, -9, -1), power_of_ten(s, -3, 6), &c->pair};
 }
 
 /* A third of the velocities lie along the axes, to be exact at grazing and normal incidence. */
-static void choose_velocity(asp_stream *s, combination *c) {
+static void choose_velocity(aspi_stream *s, combination *c) {
   double speed = power_of_ten(s, -9, 5), normal, along;
   double length = one_of(s, 2) ? 1 : 1 + (one_of(s, 2) ? 1 : -1) * power_of_ten(s, -16, -3);
   double alpha = one_of(s, 2) ? between(s, 0, ASP_PI / 2) : ASP_PI / 2 * power_of_ten(s, -17, 0);
@@ -245,7 +256,7 @@ static const char *wrong_with(const combination *c, const asp_impact *impact) {
 }
 
 /* The same contact with one input changed by that part of itself. */
-static void change(asp_stream *s, combination *c, double part) {
+static void change(aspi_stream *s, combination *c, double part) {
   double off = dot(c->v1, c->n) / dot(c->n, c->n);
   switch (one_of(s, 4)) {
   case 0:
@@ -344,7 +355,7 @@ static bool explain(const combination *a, const asp_impact *x, const combination
 
 /* One combination; false when something is wrong with it. */
 static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
-  asp_stream s = asp_stream_create(&(asp_key){seed, 1, number, 0});
+  aspi_stream s = aspi_stream_begin(&(asp_key){seed, 1, number, 0});
   combination c;
   asp_impact here, there;
   at_work = number;

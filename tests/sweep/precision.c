@@ -7,6 +7,8 @@
  * run out, of the law's and of this reference. Fails when an error is over 1e-12 beyond a distance
  * of 1e-4, or a capture is wrong beyond 1e-12. */
 #include "asperity.h"
+#include "rebound/laws.h"
+#include "spread/models.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
@@ -30,16 +32,16 @@ typedef struct table {
   decade rows[DECADES];
 } table;
 
-static double between(asp_stream *s, double low, double high) {
-  return low + (high - low) * asp_stream_uniform(s);
+static double between(aspi_stream *s, double low, double high) {
+  return low + (high - low) * aspi_stream_uniform(s);
 }
 
-static double power_of_ten(asp_stream *s, double low, double high) {
+static double power_of_ten(aspi_stream *s, double low, double high) {
   return pow(10, between(s, low, high));
 }
 
-static double or_zero(asp_stream *s, double low, double high) {
-  return asp_stream_uniform(s) < 0.1 ? 0 : power_of_ten(s, low, high);
+static double or_zero(aspi_stream *s, double low, double high) {
+  return aspi_stream_uniform(s) < 0.1 ? 0 : power_of_ten(s, low, high);
 }
 
 /* The law in long double, and how far the hit is from the places where digits go. */
@@ -55,12 +57,12 @@ static long double softened(const double *p) {
   return over > 0 ? fmaxl(0, 1 - p[6] * over) : 1;
 }
 
-static long double yield_speed(const double *p, const asp_hit *hit, long double speed) {
+static long double yield_speed(const double *p, const aspi_hit *hit, long double speed) {
   long double yield = p[0] > 0 ? p[0] * speed : (long double)hit->pair->yield_stress;
   return yield * softened(p) / sqrtl((long double)hit->density * hit->pair->modulus);
 }
 
-static reference bons(const double *p, const asp_hit *hit) {
+static reference bons(const double *p, const aspi_hit *hit) {
   long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1;
   long double v_y = yield_speed(p, hit, sqrtl(speed2)), spring = fminl(n1, v_y);
   long double ratio = n1 < v_y ? n1 / v_y : 1;
@@ -95,13 +97,22 @@ static void note(table *t, double distance, double is, long double should) {
   }
 }
 
-static void choose_pair(asp_stream *s, asp_pair *pair) {
-  asp_pair_create(power_of_ten(s, 0, 15), between(s, -0.99, 0.49), power_of_ten(s, 0, 15),
-                  between(s, -0.99, 0.49), or_zero(s, -3, 13), 0, or_zero(s, -6, 1), pair, NULL);
+static void choose_pair(aspi_stream *s, asp_pair *pair) {
+  asp_material particle = {.youngs_modulus = power_of_ten(s, 0, 15),
+                           .poissons_ratio = between(s, -0.99, 0.49)};
+  asp_material wall = {.youngs_modulus = power_of_ten(s, 0, 15),
+                       .poissons_ratio = between(s, -0.99, 0.49)};
+  particle.yield_stress = or_zero(s, -3, 13);
+  asp_pair *made = asp_pair_create(&particle, &wall, NULL);
+  if (!made)
+    abort();
+  *pair = *made;
+  pair->friction = or_zero(s, -6, 1);
+  asp_pair_free(made);
 }
 
 /* Nine in ten surface energies are chosen near the capture threshold of the hit. */
-static void choose_energy(asp_stream *s, const double *p, asp_pair *pair, const asp_hit *hit) {
+static void choose_energy(aspi_stream *s, const double *p, asp_pair *pair, const aspi_hit *hit) {
   pair->surface_energy = 1;
   reference r = bons(p, hit);
   pair->surface_energy = 0;
@@ -112,50 +123,50 @@ static void choose_energy(asp_stream *s, const double *p, asp_pair *pair, const 
     taken = 6 * share / ((long double)hit->density * hit->d_p);
   }
   double at = taken > 0 ? (double)(spring * spring / taken) : 0;
-  double off = power_of_ten(s, -16, 0) * (asp_stream_uniform(s) < 0.5 ? 1 : -1);
-  if (asp_stream_uniform(s) < 0.9 && at > 0 && at < 1e6)
+  double off = power_of_ten(s, -16, 0) * (aspi_stream_uniform(s) < 0.5 ? 1 : -1);
+  if (aspi_stream_uniform(s) < 0.9 && at > 0 && at < 1e6)
     pair->surface_energy = at * (1 + off);
 }
 
 /* A hit in four is given the friction that just stops it, or nearly. */
-static void choose_friction(asp_stream *s, const double *p, asp_pair *pair, const asp_hit *hit) {
-  if (asp_stream_uniform(s) > 0.25)
+static void choose_friction(aspi_stream *s, const double *p, asp_pair *pair, const aspi_hit *hit) {
+  if (aspi_stream_uniform(s) > 0.25)
     return;
   double n1 = hit->v_n1, t1 = hit->v_t1, lost = (n1 + (double)bons(p, hit).v_n2) * t1;
-  double off = power_of_ten(s, -16, 0) * (asp_stream_uniform(s) < 0.5 ? 1 : -1);
+  double off = power_of_ten(s, -16, 0) * (aspi_stream_uniform(s) < 0.5 ? 1 : -1);
   pair->friction = (n1 * n1 + t1 * t1) / lost * (1 + off);
 }
 
-static void choose_parameters(asp_stream *s, const asp_rebound_law *law, double *p) {
+static void choose_parameters(aspi_stream *s, const asp_rebound_law *law, double *p) {
   for (int k = 0; k < law->n_parameters; k++)
     p[k] = law->parameters[k].fallback;
-  if (asp_stream_uniform(s) < 0.3)
+  if (aspi_stream_uniform(s) < 0.3)
     p[0] = power_of_ten(s, 0, 10);
-  if (asp_stream_uniform(s) < 0.3)
+  if (aspi_stream_uniform(s) < 0.3)
     p[3] = between(s, 0, 10);
-  if (asp_stream_uniform(s) < 0.3)
+  if (aspi_stream_uniform(s) < 0.3)
     p[4] = between(s, 0, 2000);
 }
 
 static void measure(uint32_t seed, long count, table *normal, table *tangential) {
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   for (long i = 0; i < count; i++) {
-    asp_stream s = asp_stream_create(&(asp_key){seed, 3, (uint64_t)i, 0});
+    aspi_stream s = aspi_stream_begin(&(asp_key){seed, 3, (uint64_t)i, 0});
     double p[ASP_PARAMETERS_MAX] = {0};
     choose_parameters(&s, law, p);
     double speed = power_of_ten(&s, -9, 5), alpha = ASP_PI / 2 * power_of_ten(&s, -15, 0);
     asp_pair pair;
     choose_pair(&s, &pair);
-    asp_hit hit = {.v_n1 = speed * sin(alpha),
-                   .v_t1 = speed * cos(alpha),
-                   .d_p = power_of_ten(&s, -9, -1),
-                   .density = power_of_ten(&s, -3, 6),
-                   .pair = &pair,
-                   .adhesion = true};
+    aspi_hit hit = {.v_n1 = speed * sin(alpha),
+                    .v_t1 = speed * cos(alpha),
+                    .d_p = power_of_ten(&s, -9, -1),
+                    .density = power_of_ten(&s, -3, 6),
+                    .pair = &pair,
+                    .adhesion = true};
     choose_energy(&s, p, &pair, &hit);
     choose_friction(&s, p, &pair, &hit);
     reference r = bons(p, &hit);
-    asp_bounce b = law->rebound(p, &hit);
+    aspi_bounce b = law->rebound(p, &hit);
     bool captured = !(b.v_n2 > 0);
     row_of(normal, r.from_capture)->wrong_capture += captured != r.captured;
     if (captured == r.captured) {
@@ -181,7 +192,7 @@ static int print(const char *name, const table *t) {
 /* Models' distributions against their densities by quadrature, sigma 1e-3 to 50 degrees. */
 typedef struct model_at {
   const asp_spread_model *model;
-  asp_view view;
+  aspi_view view;
 } model_at;
 
 static double density_of(double delta, void *at) {
@@ -189,12 +200,12 @@ static double density_of(double delta, void *at) {
   return m->model->density(&m->view, delta);
 }
 
-static double worst_distribution(const asp_spread_model *model, asp_stream *s, int count) {
+static double worst_distribution(const asp_spread_model *model, aspi_stream *s, int count) {
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
   double worst = 0;
   for (int i = 0; i < count; i++) {
-    model_at at = {model, asp_view_create(ASP_PI / 180 * power_of_ten(s, -3, 1.7),
-                                          ASP_PI / 180 * between(s, 0.5, 90))};
+    model_at at = {model, aspi_view_of(ASP_PI / 180 * power_of_ten(s, -3, 1.7),
+                                       ASP_PI / 180 * between(s, 0.5, 90))};
     double u = between(s, 0.05, 0.95), v = between(s, 0.05, 0.95), sum, error;
     double a = model->quantile(&at.view, u), b = model->quantile(&at.view, v);
     gsl_function f = {density_of, &at};
@@ -215,7 +226,7 @@ int main(int argc, char **argv) {
   puts("quantity,distance_at_least,hits,worst_relative_error,ulps,wrong_captures");
   int bad = print("v_n2", &normal) + print("v_t2", &tangential);
   puts("# spread models: quantile and density by quadrature\nmodel,worst_error_of_distribution");
-  asp_stream s = asp_stream_create(&(asp_key){seed, 4, 0, 0});
+  aspi_stream s = aspi_stream_begin(&(asp_key){seed, 4, 0, 0});
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
     if (model->density && model->quantile && !model->prepare)

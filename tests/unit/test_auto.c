@@ -1,48 +1,53 @@
 /* The choice of a model: the cheapest that is good enough, with its reason; and what it refuses. */
 #include "check.h"
+#include "spread/models.h"
 
-static const asp_sizes sizes = {5, 15, 1};
+typedef struct choice {
+  const asp_spread_model *model;
+  double divergence;
+  char text[400];
+} choice;
 
-static asp_code choose(double r_q, double tolerance, asp_choice *choice, asp_error *error) {
+static asp_code choose(double r_q, double tolerance, choice *made, asp_error *error) {
   asp_surface *surface = asp_surface_create(r_q, 40, NULL);
-  asp_code code = asp_spread_auto(surface, &sizes, 0, ASP_PI / 2, ASP_COLLISIONS_MULTIPLE,
-                                  tolerance, choice, error);
+  made->model = asp_spread_auto(surface, 5, 15, true, tolerance, &made->divergence, made->text,
+                                sizeof made->text, error);
   asp_surface_free(surface);
-  return code;
+  return made->model ? ASP_OK : error->code;
 }
 
 /* Below the tolerance, and the looser the tolerance, the cheaper: a model that is good enough for a
  * tighter one is for this one too. */
 static void choices_keep_the_tolerance(void **state) {
   (void)state;
-  asp_choice choice;
+  choice made;
   asp_error error = {ASP_OK, ""};
   int chosen = 0, cheaper = 0;
   for (double r_q = 0.1; r_q < 20; r_q *= 1.5) {
     int last = 0;
     for (double tolerance = 20; tolerance > 0.002; tolerance /= 2)
-      if (choose(r_q, tolerance, &choice, &error) == ASP_OK) {
-        assert_true(choice.divergence < tolerance);
-        assert_non_null(strstr(choice.text, choice.model->name));
-        assert_non_null(strstr(choice.text, "cheapest"));
-        assert_true(choice.model->cost >= last);
-        cheaper += chosen > 0 && choice.model->cost > last;
-        last = choice.model->cost;
+      if (choose(r_q, tolerance, &made, &error) == ASP_OK) {
+        assert_true(made.divergence < tolerance);
+        assert_non_null(strstr(made.text, made.model->name));
+        assert_non_null(strstr(made.text, "cheapest"));
+        assert_true(made.model->cost >= last);
+        cheaper += chosen > 0 && made.model->cost > last;
+        last = made.model->cost;
         chosen++;
       } else {
         assert_int_equal(error.code, ASP_ERANGE);
       }
   }
   assert_true(chosen > 50 && cheaper > 10);
-  assert_int_equal(choose(5, 20, &choice, &error), ASP_OK);
-  assert_string_equal(choice.model->name, "none");
+  assert_int_equal(choose(5, 20, &made, &error), ASP_OK);
+  assert_string_equal(made.model->name, "none");
 }
 
 static void hopeless_tolerances_name_the_closest(void **state) {
   (void)state;
-  asp_choice choice;
+  choice made;
   asp_error error;
-  assert_int_equal(choose(5, 1e-9, &choice, &error), ASP_ERANGE);
+  assert_int_equal(choose(5, 1e-9, &made, &error), ASP_ERANGE);
   assert_non_null(strstr(error.text, "comes closest"));
   assert_non_null(strstr(error.text, "1e-09"));
 }
@@ -50,13 +55,13 @@ static void hopeless_tolerances_name_the_closest(void **state) {
 static void bad_arguments_are_named(void **state) {
   (void)state;
   static const double bad[] = {0, -1, NAN, INFINITY};
-  asp_choice choice;
+  choice made;
   asp_error error;
   for (int i = 0; i < 4; i++) {
-    assert_int_equal(choose(5, bad[i], &choice, &error), ASP_EARG);
+    assert_int_equal(choose(5, bad[i], &made, &error), ASP_EARG);
     assert_non_null(strstr(error.text, "tolerance"));
   }
-  assert_int_equal(choose(36, 0.1, &choice, &error), ASP_ERANGE);
+  assert_int_equal(choose(36, 0.1, &made, &error), ASP_ERANGE);
   assert_non_null(strstr(error.text, "beyond what was measured"));
 }
 

@@ -1,10 +1,13 @@
 /* The closing against the definition, point by point, and the law of slopes that comes of it. */
 #include "check.h"
+#include "base/stream.h"
+#include "surface/closing.h"
+#include "surface/slopes.h"
 
 enum { MOST = 400 };
 
-static double noise(asp_stream *stream) {
-  return 2 * asp_stream_uniform(stream) - 1;
+static double noise(aspi_stream *stream) {
+  return 2 * aspi_stream_uniform(stream) - 1;
 }
 
 static ptrdiff_t continued(ptrdiff_t i, ptrdiff_t n, bool periodic) {
@@ -35,10 +38,10 @@ static void compare(const double *z, size_t n, double spacing, bool periodic, do
   asp_profile *p = asp_profile_from_heights(z, n, spacing, periodic, NULL);
   by_definition(z, (ptrdiff_t)n, spacing, periodic, d_p, 1, dilated);
   by_definition(dilated, (ptrdiff_t)n, spacing, periodic, d_p, -1, closed);
-  assert_int_equal(asp_profile_dilate(p, d_p, got, NULL), ASP_OK);
+  assert_int_equal(aspi_profile_dilate(p, d_p, got, NULL), ASP_OK);
   for (size_t i = 0; i < n; i++)
     assert_near(got[i], dilated[i], 1e-10 * (1 + d_p));
-  assert_int_equal(asp_profile_close(p, d_p, got, NULL), ASP_OK);
+  assert_int_equal(aspi_profile_close(p, d_p, got, NULL), ASP_OK);
   for (size_t i = 0; i < n; i++)
     assert_near(got[i], closed[i], 1e-10 * (1 + d_p));
   asp_profile_free(p);
@@ -47,10 +50,10 @@ static void compare(const double *z, size_t n, double spacing, bool periodic, do
 /* Random walks, white noise, steps and spikes from flat to far higher than the disc. */
 static void envelopes_are_those_of_the_definition(void **state) {
   (void)state;
-  asp_stream stream = asp_stream_create(&(asp_key){.seed = 1});
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 1});
   for (int round = 0; round < 3000; round++) {
     double z[MOST], height = pow(10, 3 * noise(&stream)), walk = 0;
-    size_t n = 3 + (size_t)(60 * asp_stream_uniform(&stream));
+    size_t n = 3 + (size_t)(60 * aspi_stream_uniform(&stream));
     double spacing = pow(10, noise(&stream));
     for (size_t i = 0; i < n; i++) {
       walk += noise(&stream);
@@ -58,7 +61,7 @@ static void envelopes_are_those_of_the_definition(void **state) {
                         noise(&stream) > 0.8 ? 1 : 0};
       z[i] = height * shape[round % 4];
     }
-    double d_p = (double)n * spacing * pow(asp_stream_uniform(&stream), 2);
+    double d_p = (double)n * spacing * pow(aspi_stream_uniform(&stream), 2);
     compare(z, n, spacing, round % 8 < 4, d_p);
   }
 }
@@ -67,11 +70,11 @@ static void ends_wrap_or_mirror(void **state) {
   (void)state;
   double z[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 5}, out[10];
   asp_profile *p = asp_profile_from_heights(z, 10, 1, true, NULL);
-  asp_profile_dilate(p, 4, out, NULL);
+  aspi_profile_dilate(p, 4, out, NULL);
   assert_near(out[0], 5 + sqrt(3), 1e-12);
   asp_profile_free(p);
   p = asp_profile_from_heights(z, 10, 1, false, NULL);
-  asp_profile_dilate(p, 4, out, NULL);
+  aspi_profile_dilate(p, 4, out, NULL);
   assert_near(out[0], 2, 1e-12);
   asp_profile_free(p);
 }
@@ -82,9 +85,9 @@ static void closing_is_a_closing(void **state) {
   enum { N = 20000 };
   static double once[N], twice[N];
   asp_profile *p = asp_profile_create(0.2, 1, 0.02, N, 3, NULL);
-  asp_profile_close(p, 2, once, NULL);
+  aspi_profile_close(p, 2, once, NULL);
   asp_profile *closed = asp_profile_from_heights(once, N, 0.02, true, NULL);
-  asp_profile_close(closed, 2, twice, NULL);
+  aspi_profile_close(closed, 2, twice, NULL);
   for (int i = 0; i < N; i++) {
     assert_true(once[i] >= asp_profile_heights(p)[i] - 1e-12);
     assert_near(once[i], twice[i], 1e-12);
@@ -99,9 +102,9 @@ static void dilation_and_closing_have_the_same_slopes(void **state) {
   static const double cases[][2] = {{0.1, 1}, {0.2, 1}, {0.2, 4}};
   for (int i = 0; i < 3; i++) {
     asp_profile *p = asp_profile_create(cases[i][0], 1, 1. / 128, 131072, 5, NULL);
-    asp_slopes a, b;
-    asp_profile_describe_slopes(p, cases[i][1], ASP_CONTACT_DILATION, &a, NULL);
-    asp_profile_describe_slopes(p, cases[i][1], ASP_CONTACT_CLOSING, &b, NULL);
+    aspi_slopes a, b;
+    aspi_profile_describe_slopes(p, cases[i][1], ASP_CONTACT_DILATION, &a, NULL);
+    aspi_profile_describe_slopes(p, cases[i][1], ASP_CONTACT_CLOSING, &b, NULL);
     assert_near(a.slope.sd, b.slope.sd, 0.003 * a.slope.sd);
     assert_near(a.angle.sd, b.angle.sd, 0.003 * a.angle.sd);
     assert_near(a.slope.skewness, b.slope.skewness, 0.01);
@@ -117,9 +120,9 @@ static void bad_diameters_are_named(void **state) {
   static const double bad[] = {-1, 0, NAN, INFINITY, 5.5};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     asp_error error;
-    assert_int_equal(asp_profile_dilate(p, bad[i], out, &error), ASP_EARG);
+    assert_int_equal(aspi_profile_dilate(p, bad[i], out, &error), ASP_EARG);
     assert_non_null(strstr(error.text, "d_p is"));
-    assert_int_equal(asp_profile_close(p, bad[i], out, &error), ASP_EARG);
+    assert_int_equal(aspi_profile_close(p, bad[i], out, &error), ASP_EARG);
   }
   asp_profile_free(p);
 }

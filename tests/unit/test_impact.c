@@ -1,5 +1,6 @@
 /* One contact: exact cases, invariance, and properties over random walls and impacts. */
 #include "check.h"
+#include "impact/wall.h"
 
 #include <gsl/gsl_rng.h>
 
@@ -7,28 +8,36 @@ typedef struct setup {
   asp_surface *surface;
   asp_profile *profile; /* short: models that look at one build it anew for every wall */
   asp_wall *wall;
-  asp_wall_spec spec;
 } setup;
 
-static setup setup_create(const char *spread, const char *law, double slope) {
-  setup s = {0};
-  s.spec = asp_wall_spec_default();
-  s.spec.spread = spread;
-  s.spec.sizes = (asp_sizes){1e-3, 0.1, 3};
-  assert_int_equal(asp_wall_spec_rebound(&s.spec, law, NULL), ASP_OK);
-  if (slope > 0) {
-    s.spec.surface = s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
-    s.spec.profile = s.profile = asp_profile_create(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
-  }
-  s.wall = asp_wall_create(&s.spec, NULL);
-  assert_non_null(s.wall);
-  return s;
+static void choose(setup *s, const char *name, const char *word) {
+  assert_int_equal(asp_wall_choose(s->wall, name, word, NULL), ASP_OK);
 }
 
-static void setup_rebuild(setup *s) {
-  asp_wall_free(s->wall);
-  s->wall = asp_wall_create(&s->spec, NULL);
-  assert_non_null(s->wall);
+static void set(setup *s, const char *name, double value) {
+  assert_int_equal(asp_wall_set(s->wall, name, value, NULL), ASP_OK);
+}
+
+static void prepare(setup *s) {
+  assert_int_equal(asp_wall_prepare(s->wall, NULL), ASP_OK);
+}
+
+static setup setup_create(const char *spread, const char *law, double slope) {
+  setup s = {.wall = asp_wall_create(NULL)};
+  assert_non_null(s.wall);
+  choose(&s, "spread", spread);
+  choose(&s, "rebound", law);
+  set(&s, "d_p_least", 1e-3);
+  set(&s, "d_p_most", 0.1);
+  set(&s, "d_p_bins", 3);
+  if (slope > 0) {
+    s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
+    s.profile = asp_profile_create(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
+    asp_wall_set_surface(s.wall, s.surface);
+    asp_wall_set_profile(s.wall, s.profile);
+  }
+  prepare(&s);
+  return s;
 }
 
 static void setup_free(setup *s) {
@@ -51,13 +60,13 @@ static void smooth_wall_is_the_law(void **state) {
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   for (double alpha = 0.1; alpha < 1.57; alpha += 0.1) {
     double v1[3] = {100 * cos(alpha), 0, -100 * sin(alpha)};
-    asp_hit hit = {.v_n1 = 100 * sin(alpha),
-                   .v_t1 = 100 * cos(alpha),
-                   .d_p = grain.d_p,
-                   .density = grain.density,
-                   .pair = grain.pair,
-                   .adhesion = true};
-    asp_bounce b = law->rebound(s.spec.parameters, &hit);
+    aspi_hit hit = {.v_n1 = 100 * sin(alpha),
+                    .v_t1 = 100 * cos(alpha),
+                    .d_p = grain.d_p,
+                    .density = grain.density,
+                    .pair = grain.pair,
+                    .adhesion = true};
+    aspi_bounce b = law->rebound(s.wall->parameters, &hit);
     asp_impact impact;
     asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
     assert_near(impact.v2[0], b.v_t2, 1e-12);
@@ -91,8 +100,8 @@ static void specular_rebound_turns_by_twice_the_tilt(void **state) {
 static void frame_does_not_matter(void **state) {
   (void)state;
   setup s = setup_create("weibull", "bons", 0.2);
-  s.spec.tilt = ASP_TILT_ISOTROPIC;
-  setup_rebuild(&s);
+  choose(&s, "tilt", "isotropic");
+  prepare(&s);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   for (uint64_t tag = 0; tag < 2000; tag++) {
     double a = 6 * gsl_rng_uniform(rng), b = 3 * gsl_rng_uniform(rng), c = 6 * gsl_rng_uniform(rng);
@@ -121,9 +130,9 @@ static void out_of_plane_tilt(void **state) {
   (void)state;
   enum { N = 100000 };
   setup s = setup_create("none", "constant", 0.2);
-  s.spec.spread = "weibull";
-  s.spec.tilt = ASP_TILT_ISOTROPIC;
-  setup_rebuild(&s);
+  choose(&s, "spread", "weibull");
+  choose(&s, "tilt", "isotropic");
+  prepare(&s);
   double square = 0, v1[3] = {0.6, 0, -0.8};
   for (uint64_t tag = 0; tag < N; tag++) {
     asp_impact impact;
@@ -169,8 +178,8 @@ static void no_deposits_where_none_are_taken(void **state) {
   asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_int_equal(impact.outcome, ASP_DEPOSIT);
   assert_near(dot(impact.v2, impact.v2), 0, 0);
-  s.spec.deposit = false;
-  setup_rebuild(&s);
+  set(&s, "deposit", 0);
+  prepare(&s);
   asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_int_equal(impact.outcome, ASP_REBOUND);
   assert_near(impact.v2[2], 1, 1e-15);
@@ -181,9 +190,9 @@ static void no_deposits_where_none_are_taken(void **state) {
 static void sliding(void **state) {
   (void)state;
   setup s = setup_create("none", "constant", 0);
-  assert_int_equal(asp_wall_spec_set(&s.spec, "cor_n", 0, NULL), ASP_OK);
-  s.spec.deposit = false;
-  setup_rebuild(&s);
+  set(&s, "cor_n", 0);
+  set(&s, "deposit", 0);
+  prepare(&s);
   double v1[3] = {1, 0, -1};
   asp_impact impact;
   asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
@@ -222,25 +231,83 @@ static void grazing_to_the_last_bit(void **state) {
   }
 }
 
-static void parameters_are_checked(void **state) {
+static void numbers_are_checked(void **state) {
   (void)state;
   asp_error error;
-  asp_wall_spec spec = asp_wall_spec_default();
-  assert_int_equal(asp_wall_spec_rebound(&spec, "constant", &error), ASP_OK);
+  setup s = setup_create("none", "constant", 0);
   static const double bad[] = {-0.1, 1.1, NAN, INFINITY};
   for (int i = 0; i < 4; i++) {
-    assert_int_equal(asp_wall_spec_set(&spec, "cor_n", bad[i], &error), ASP_EARG);
+    assert_int_equal(asp_wall_set(s.wall, "cor_n", bad[i], &error), ASP_EARG);
     assert_non_null(strstr(error.text, "cor_n"));
     assert_non_null(strstr(error.text, "0 to 1"));
+    assert_int_equal(asp_wall_set(s.wall, "deposit", bad[i], &error), ASP_EARG);
+    assert_non_null(strstr(error.text, "deposit"));
   }
-  assert_int_equal(asp_wall_spec_set(&spec, "gloss", 1, &error), ASP_ENAME);
-  spec.spread = "wiebull";
-  assert_null(asp_wall_create(&spec, &error));
-  assert_non_null(strstr(error.text, "wiebull"));
-  assert_non_null(strstr(error.text, "weibull"));
+  assert_int_equal(asp_wall_set(s.wall, "deposit", 0.5, &error), ASP_EARG);
+  assert_non_null(strstr(error.text, "0.5; it must be a whole number"));
+  assert_int_equal(asp_wall_set(s.wall, "d_p_bins", 257, &error), ASP_EARG);
+  assert_int_equal(asp_wall_set(s.wall, "gloss", 1, &error), ASP_ENAME);
+  assert_non_null(strstr(error.text, "gloss"));
+  assert_non_null(strstr(error.text, "cor_t"));
+  assert_non_null(strstr(error.text, "d_p_most"));
+  assert_near(asp_wall_get(s.wall, "cor_n"), 1, 0);
+  assert_true(isnan(asp_wall_get(s.wall, "gloss")));
+  set(&s, "cor_n", 0.5);
+  set(&s, "d_p_most", 7);
+  assert_near(asp_wall_get(s.wall, "cor_n"), 0.5, 0);
+  assert_near(asp_wall_get(s.wall, "d_p_most"), 7, 0);
+  choose(&s, "rebound", "constant"); /* parameters begin anew, other numbers stay */
+  assert_near(asp_wall_get(s.wall, "cor_n"), 1, 0);
+  assert_near(asp_wall_get(s.wall, "d_p_most"), 7, 0);
+  setup_free(&s);
 }
 
-static const asp_cor_point coefficients[] = {
+static void choices_are_checked(void **state) {
+  (void)state;
+  asp_error error;
+  setup s = setup_create("weibull", "constant", 0);
+  static const char *const bad[][4] = {{"spread", "wiebull", "wiebull", "weibull"},
+                                       {"rebound", "bonds", "bonds", "bons"},
+                                       {"tilt", "sideways", "sideways", "plane or isotropic"},
+                                       {"collisions", "", "collisions is ''", "single or multiple"},
+                                       {"colour", "red", "colour", "spread rebound tilt"}};
+  for (int i = 0; i < 5; i++) {
+    assert_int_not_equal(asp_wall_choose(s.wall, bad[i][0], bad[i][1], &error), ASP_OK);
+    assert_non_null(strstr(error.text, bad[i][2]));
+    assert_non_null(strstr(error.text, bad[i][3]));
+  }
+  assert_string_equal(asp_spread_name(asp_wall_spread(s.wall)), "weibull");
+  assert_string_equal(asp_rebound_name(asp_wall_rebound(s.wall)), "constant");
+  setup_free(&s);
+}
+
+/* What is chosen and set counts from asp_wall_prepare on, and where that fails nothing changes. */
+static void contacts_see_what_is_prepared(void **state) {
+  (void)state;
+  asp_error error;
+  setup s = setup_create("none", "constant", 0.2);
+  const double v1[3] = {1, 0, -1};
+  asp_impact impact;
+  set(&s, "cor_n", 0.5);
+  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  assert_near(impact.v2[2], 1, 1e-15);
+  prepare(&s);
+  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  assert_near(impact.v2[2], 0.5, 1e-15);
+  choose(&s, "spread", "profile");
+  set(&s, "d_p_least", 1);
+  assert_int_equal(asp_wall_prepare(s.wall, &error), ASP_EARG); /* the least is over the most */
+  assert_non_null(strstr(error.text, "d_p"));
+  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  assert_near(impact.v2[2], 0.5, 1e-15);
+  set(&s, "d_p_least", 0.01);
+  prepare(&s);
+  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  assert_true(fabs(impact.delta_alpha) > 0);
+  setup_free(&s);
+}
+
+static const aspi_cor_point coefficients[] = {
     {1e-3, 0, 1, 1}, {1e-3, 1.5, 0.9, 0.5}, {1e3, 0, 0.8, 0.9}, {1e3, 1.5, 0.1, -0.3}};
 
 /* Random walls, every model with every law, random particles and impacts: the outcome is finite,
@@ -249,22 +316,22 @@ static void properties(void **state) {
   (void)state;
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   int models = asp_spread_count(), laws = asp_rebound_count();
-  asp_cor_table *table = asp_cor_table_create(coefficients, 4, NULL);
+  asp_cor_table *table = aspi_cor_table_create(coefficients, 4, NULL);
   assert_non_null(table);
   for (int i = 0; i < 10 * models * laws; i++) {
     const asp_spread_model *model = asp_spread_at(i % models);
     double slope = pow(10, -6 + 7 * gsl_rng_uniform(rng));
     setup s = setup_create(model->name, "bons", slope);
     const asp_rebound_law *law = asp_rebound_at(i / models % laws);
-    assert_int_equal(asp_wall_spec_rebound(&s.spec, law->name, NULL), ASP_OK);
+    choose(&s, "rebound", law->name);
     if (law->scatters)
-      assert_int_equal(asp_wall_spec_set(&s.spec, "scatter", gsl_rng_uniform(rng), NULL), ASP_OK);
-    s.spec.scatter_twice = true;
-    s.spec.table = table;
-    s.spec.tilt = (asp_tilt)gsl_rng_uniform_int(rng, 2);
-    s.spec.collisions = (asp_collisions)gsl_rng_uniform_int(rng, 3);
-    s.spec.deposit = gsl_rng_uniform_int(rng, 2);
-    setup_rebuild(&s);
+      set(&s, "scatter", gsl_rng_uniform(rng));
+    set(&s, "scatter_twice", 1);
+    set(&s, "deposit", (double)gsl_rng_uniform_int(rng, 2));
+    choose(&s, "tilt", gsl_rng_uniform_int(rng, 2) ? "isotropic" : "plane");
+    choose(&s, "collisions", gsl_rng_uniform_int(rng, 2) ? "multiple" : "single");
+    asp_wall_set_table(s.wall, table);
+    prepare(&s);
     for (uint64_t tag = 0; tag < 250; tag++) {
       double alpha = M_PI_2 * pow(10, -15 * gsl_rng_uniform(rng));
       double v = pow(10, -9 + 14 * gsl_rng_uniform(rng)), turn = 6.3 * gsl_rng_uniform(rng);
@@ -313,7 +380,9 @@ int main(void) {
       cmocka_unit_test(sliding),
       cmocka_unit_test(nearly_normal_impacts_keep_energy),
       cmocka_unit_test(grazing_to_the_last_bit),
-      cmocka_unit_test(parameters_are_checked),
+      cmocka_unit_test(numbers_are_checked),
+      cmocka_unit_test(choices_are_checked),
+      cmocka_unit_test(contacts_see_what_is_prepared),
       cmocka_unit_test(properties),
       cmocka_unit_test(no_coefficient_is_infinite),
   };

@@ -1,6 +1,7 @@
 /* The laws that come from measurements: Grant & Tabakoff's means and scatter, tables of a user's
  * coefficients; and a user's own materials. */
 #include "check.h"
+#include "impact/wall.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -16,16 +17,16 @@ static const char *file_of(const char *text) {
   return path;
 }
 
-static asp_bounce bounce_of(const char *name, const double *parameters, const asp_cor_table *table,
-                            double degrees, double speed, asp_stream *stream) {
+static aspi_bounce bounce_of(const char *name, const double *parameters, const asp_cor_table *table,
+                             double degrees, double speed, aspi_stream *stream) {
   const asp_rebound_law *law = asp_rebound_find(name, NULL);
   double alpha = degrees * M_PI / 180;
-  asp_hit hit = {.v_n1 = speed * sin(alpha),
-                 .v_t1 = speed * cos(alpha),
-                 .d_p = 1e-4,
-                 .density = 2650,
-                 .table = table,
-                 .stream = stream};
+  aspi_hit hit = {.v_n1 = speed * sin(alpha),
+                  .v_t1 = speed * cos(alpha),
+                  .d_p = 1e-4,
+                  .density = 2650,
+                  .table = table,
+                  .stream = stream};
   return law->rebound(parameters, &hit);
 }
 
@@ -36,7 +37,7 @@ static void grant_tabakoff_means(void **state) {
   static const double none[ASP_PARAMETERS_MAX];
   for (int i = 0; i < 2; i++) {
     double alpha = table[i][0] * M_PI / 180;
-    asp_bounce b = bounce_of("grant_tabakoff", none, NULL, table[i][0], 100, NULL);
+    aspi_bounce b = bounce_of("grant_tabakoff", none, NULL, table[i][0], 100, NULL);
     assert_near(b.v_n2 / (100 * sin(alpha)), table[i][1], 1e-6);
     assert_near(b.v_t2 / (100 * cos(alpha)), table[i][2], 1e-6);
   }
@@ -50,7 +51,7 @@ static void grant_tabakoff_scatter(void **state) {
   double b = M_PI / 3, mean = 0, square = 0;
   double sd = 2.15 * b - 5.02 * b * b + 4.05 * b * b * b - 1.085 * b * b * b * b;
   for (uint64_t i = 1; i <= N; i++) {
-    asp_stream stream = asp_stream_create(&(asp_key){1, 1, i, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, i, 1});
     double e_n = bounce_of("grant_tabakoff", all, NULL, 60, 1, &stream).v_n2 / sin(b), step;
     assert_true(e_n > 0);
     step = e_n - mean;
@@ -65,30 +66,26 @@ static void grant_tabakoff_scatter(void **state) {
 static void scatter_is_not_counted_twice(void **state) {
   (void)state;
   asp_error error;
-  asp_wall_spec spec = asp_wall_spec_default();
+  asp_wall *wall = asp_wall_create(NULL);
   asp_surface *surface = asp_surface_create(5e-6, 40e-6, NULL);
-  spec.surface = surface;
-  spec.spread = "weibull";
-  assert_int_equal(asp_wall_spec_rebound(&spec, "grant_tabakoff", NULL), ASP_OK);
-  asp_wall *wall = asp_wall_create(&spec, &error);
   assert_non_null(wall);
-  asp_wall_free(wall);
-  assert_int_equal(asp_wall_spec_set(&spec, "scatter", 1, NULL), ASP_OK);
-  assert_null(asp_wall_create(&spec, &error));
+  asp_wall_set_surface(wall, surface);
+  asp_wall_choose(wall, "spread", "weibull", NULL);
+  asp_wall_choose(wall, "rebound", "grant_tabakoff", NULL);
+  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
+  assert_int_equal(asp_wall_set(wall, "scatter", 1, NULL), ASP_OK);
+  assert_int_equal(asp_wall_prepare(wall, &error), ASP_EARG);
   assert_non_null(strstr(error.text, "twice"));
-  spec.scatter_twice = true;
-  wall = asp_wall_create(&spec, &error);
-  assert_non_null(wall);
-  asp_wall_free(wall);
-  spec.scatter_twice = false;
-  spec.spread = "none";
-  wall = asp_wall_create(&spec, &error);
-  assert_non_null(wall);
+  asp_wall_set(wall, "scatter_twice", 1, NULL);
+  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
+  asp_wall_set(wall, "scatter_twice", 0, NULL);
+  asp_wall_choose(wall, "spread", "none", NULL);
+  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
   asp_wall_free(wall);
   asp_surface_free(surface);
 }
 
-static const asp_cor_point points[] = {
+static const aspi_cor_point points[] = {
     {100, 1.2, 0.3, 0.7}, {10, 0.2, 0.9, 0.8},  {10, 0.6, 0.6, 0.75},
     {10, 1.2, 0.5, 0.75}, {100, 0.2, 0.8, 0.7}, {100, 0.6, 0.4, 0.6},
 };
@@ -96,19 +93,19 @@ enum { N_POINTS = sizeof points / sizeof *points };
 
 static void table_meets_its_points(void **state) {
   (void)state;
-  asp_cor_table *table = asp_cor_table_create(points, N_POINTS, NULL);
+  asp_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   assert_non_null(table);
   double n, t;
   for (int i = 0; i < N_POINTS; i++) {
-    asp_cor_table_at(table, points[i].speed, points[i].alpha1, &n, &t);
+    aspi_cor_table_at(table, points[i].speed, points[i].alpha1, &n, &t);
     assert_near(n, points[i].cor_n, 1e-15);
     assert_near(t, points[i].cor_t, 1e-15);
   }
-  asp_cor_table_at(table, 55, 0.6, &n, &t);
+  aspi_cor_table_at(table, 55, 0.6, &n, &t);
   assert_near(n, 0.5, 1e-15);
-  asp_cor_table_at(table, 1, 0, &n, &t);
+  aspi_cor_table_at(table, 1, 0, &n, &t);
   assert_near(n, 0.9, 1e-15);
-  asp_cor_table_at(table, 1e5, M_PI_2, &n, &t);
+  aspi_cor_table_at(table, 1e5, M_PI_2, &n, &t);
   assert_near(n, 0.3, 1e-15);
   asp_cor_table_free(table);
 }
@@ -116,14 +113,14 @@ static void table_meets_its_points(void **state) {
 /* Between points of falling cor_n it falls, at every speed; and the rebound has no more energy. */
 static void table_is_monotone(void **state) {
   (void)state;
-  asp_cor_table *table = asp_cor_table_create(points, N_POINTS, NULL);
+  asp_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   for (double speed = 5; speed < 200; speed += 3) {
     double last = 2, n, t;
     for (double alpha = 0; alpha < M_PI_2; alpha += 1e-3) {
-      asp_cor_table_at(table, speed, alpha, &n, &t);
+      aspi_cor_table_at(table, speed, alpha, &n, &t);
       assert_true(n <= last && n >= 0.3);
       last = n;
-      asp_bounce b = bounce_of("table", NULL, table, alpha * 180 / M_PI, speed, NULL);
+      aspi_bounce b = bounce_of("table", NULL, table, alpha * 180 / M_PI, speed, NULL);
       assert_true(hypot(b.v_n2, b.v_t2) <= speed * (1 + 1e-15));
     }
   }
@@ -136,16 +133,16 @@ static void close_points_are_numbers_or_refused(void **state) {
   static const double apart[] = {5e-324, 1e-310, 1e-300, 1e-100, 1e-10, 2e-9, 1e-6};
   asp_error error;
   for (size_t i = 0; i < sizeof apart / sizeof *apart; i++) {
-    asp_cor_point close[] = {
+    aspi_cor_point close[] = {
         {0, 0, 0.9, 0.9},        {0, apart[i], 0.1, 0.5},        {0, 1, 0.5, 0.2},
         {apart[i], 0, 0.2, 0.3}, {apart[i], apart[i], 0.9, 0.2}, {apart[i], 1, 0.5, 0.9}};
-    asp_cor_table *table = asp_cor_table_create(close, 6, &error);
+    asp_cor_table *table = aspi_cor_table_create(close, 6, &error);
     assert_int_equal(table != NULL, apart[i] > 1e-9);
     if (!table)
       assert_non_null(strstr(error.text, "degrees apart"));
     for (int k = 0; table && k < 1000; k++) {
       double n, t, speed = k % 3 * 0.5 * apart[i], alpha1 = k % 2 ? k * 2e-3 : k * apart[i] / 500;
-      asp_cor_table_at(table, speed, alpha1, &n, &t);
+      aspi_cor_table_at(table, speed, alpha1, &n, &t);
       assert_true(fabs(n - 0.5) <= 0.4 + 1e-12 && fabs(t - 0.55) <= 0.35 + 1e-12);
     }
     asp_cor_table_free(table);
@@ -155,14 +152,13 @@ static void close_points_are_numbers_or_refused(void **state) {
 static void table_law_needs_a_table(void **state) {
   (void)state;
   asp_error error;
-  asp_wall_spec spec = asp_wall_spec_default();
-  assert_int_equal(asp_wall_spec_rebound(&spec, "table", NULL), ASP_OK);
-  assert_null(asp_wall_create(&spec, &error));
+  asp_wall *wall = asp_wall_create(NULL);
+  assert_int_equal(asp_wall_choose(wall, "rebound", "table", NULL), ASP_OK);
+  assert_int_equal(asp_wall_prepare(wall, &error), ASP_EARG);
   assert_non_null(strstr(error.text, "needs a table"));
-  asp_cor_table *table = asp_cor_table_create(points, N_POINTS, NULL);
-  spec.table = table;
-  asp_wall *wall = asp_wall_create(&spec, &error);
-  assert_non_null(wall);
+  asp_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
+  asp_wall_set_table(wall, table);
+  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
   asp_particle grain = {1e-4, 2650, NULL};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
   asp_impact impact;
@@ -190,7 +186,7 @@ static void tables_are_read(void **state) {
     assert_string_equal(error.text, "");
     assert_non_null(table);
     double n, t;
-    asp_cor_table_at(table, 5, M_PI / 4, &n, &t);
+    aspi_cor_table_at(table, 5, M_PI / 4, &n, &t);
     assert_near(n, 0.6, 1e-12);
     assert_near(t, 0.75, 1e-12);
     asp_cor_table_free(table);
@@ -252,8 +248,8 @@ static void own_materials(void **state) {
   assert_near(ash->yield_stress, 1.5e8, 0);
   assert_near(asp_materials_find(own, "quartz", NULL)->youngs_modulus, 7.2e10, 0);
   assert_near(asp_materials_find(own, "quartz", NULL)->yield_stress, 0, 0);
-  assert_ptr_equal(asp_materials_find(own, "al-2024", NULL), asp_material_find("al-2024", NULL));
-  assert_ptr_equal(asp_materials_find(NULL, "ard", NULL), asp_material_find("ard", NULL));
+  assert_ptr_equal(asp_materials_find(own, "al-2024", NULL), aspi_material_find("al-2024", NULL));
+  assert_ptr_equal(asp_materials_find(NULL, "ard", NULL), aspi_material_find("ard", NULL));
   assert_null(asp_materials_find(own, "chalk", &error));
   assert_non_null(strstr(error.text, "fly-ash"));
   assert_non_null(strstr(error.text, "hastelloy-x"));

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
+#include "rebound/cor_table.h"
+#include "surface/read.h"
 
 #include <locale.h>
 #include <stdlib.h>
@@ -29,12 +31,12 @@ static void profiles(void **state) {
                                       "x_um;z_um\n0,5;1,5\n1,0;2,5\n1,5;0,5\n",
                                       "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 0.5e-6\n"
                                       "Zscale = 1.0e-6\n*\n1.5 2.5\n0.5\n"};
-  asp_profile_options options = asp_profile_options_default();
+  aspi_profile_options options = aspi_profile_options_default();
   options.form = -1;
   for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
     asp_error error;
     const char *path = file_of(files[i]);
-    asp_profile *p = asp_profile_read(path, &options, NULL, &error);
+    asp_profile *p = aspi_profile_read(path, &options, NULL, &error);
     unlink(path);
     if (!p)
       print_error("%s\n", error.text);
@@ -52,7 +54,7 @@ static void tables_and_materials(void **state) {
   asp_cor_table *table = asp_cor_table_read(path, 1, NULL);
   unlink(path);
   assert_non_null(table);
-  asp_cor_table_at(table, 1, 0.5, &n, &t);
+  aspi_cor_table_at(table, 1, 0.5, &n, &t);
   assert_near(n, 0.75, 1e-15);
   assert_near(t, 0.25, 1e-15);
   asp_cor_table_free(table);
@@ -60,8 +62,8 @@ static void tables_and_materials(void **state) {
   asp_materials *own = asp_materials_read(path, NULL);
   unlink(path);
   assert_non_null(own);
-  assert_near(asp_materials_at(own, 0)->poissons_ratio, 0.25, 0);
-  assert_near(asp_materials_at(own, 0)->youngs_modulus, 1.5e10, 0);
+  assert_near(asp_material_get(asp_materials_at(own, 0), "poissons_ratio"), 0.25, 0);
+  assert_near(asp_material_get(asp_materials_at(own, 0), "youngs_modulus"), 1.5e10, 0);
   asp_materials_free(own);
 }
 

@@ -7,7 +7,12 @@
  * those of GSL and of stdio fail, too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "spread/trace.h"
+#include "surface/closing.h"
+#include "surface/describe.h"
+#include "surface/read.h"
+#include "surface/size_law.h"
+#include "surface/slopes.h"
 
 #include <errno.h>
 #include <math.h>
@@ -54,22 +59,22 @@ static asp_code code_of(const void *made, const asp_error *error) {
   return made ? ASP_OK : error->code;
 }
 
-static asp_code read_with(const char *path, asp_profile_options options, asp_error *error) {
-  asp_profile *made = asp_profile_read(path, &options, NULL, error);
+static asp_code read_with(const char *path, aspi_profile_options options, asp_error *error) {
+  asp_profile *made = aspi_profile_read(path, &options, NULL, error);
   asp_profile_free(made);
   return code_of(made, error);
 }
 
 static asp_code read_columns(asp_error *error) {
-  return read_with("even.csv", asp_profile_options_default(), error);
+  return read_with("even.csv", aspi_profile_options_default(), error);
 }
 
 static asp_code read_uneven(asp_error *error) {
-  return read_with("uneven.csv", asp_profile_options_default(), error);
+  return read_with("uneven.csv", aspi_profile_options_default(), error);
 }
 
 static asp_code read_spikes(asp_error *error) {
-  asp_profile_options options = asp_profile_options_default();
+  aspi_profile_options options = aspi_profile_options_default();
   options.form = 4;
   options.spikes = 8;
   options.fill = true;
@@ -77,7 +82,7 @@ static asp_code read_spikes(asp_error *error) {
 }
 
 static asp_code read_map(asp_error *error) {
-  return read_with("map.sdf", asp_profile_options_default(), error);
+  return read_with("map.sdf", aspi_profile_options_default(), error);
 }
 
 static asp_code read_pipe(asp_error *error) {
@@ -87,7 +92,7 @@ static asp_code read_pipe(asp_error *error) {
     abort();
   snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
   close(ends[1]);
-  asp_code code = read_with(path, asp_profile_options_default(), error);
+  asp_code code = read_with(path, aspi_profile_options_default(), error);
   close(ends[0]);
   return code;
 }
@@ -105,39 +110,39 @@ static asp_code copy_profile(asp_error *error) {
 }
 
 static asp_code describe(asp_error *error) {
-  asp_description description;
-  return asp_profile_describe(profile, ASP_LEVEL_1_E, &description, error);
+  aspi_description description;
+  return aspi_profile_describe(profile, ASP_LEVEL_1_E, &description, error);
 }
 
 static asp_code describe_slopes(asp_error *error) {
-  asp_slopes slopes;
-  return asp_profile_describe_slopes(profile, 20, ASP_CONTACT_DILATION, &slopes, error);
+  aspi_slopes slopes;
+  return aspi_profile_describe_slopes(profile, 20, ASP_CONTACT_DILATION, &slopes, error);
 }
 
 static double room[4000];
 
 static asp_code dilate(asp_error *error) {
-  return asp_profile_dilate(profile, 20, room, error);
+  return aspi_profile_dilate(profile, 20, room, error);
 }
 
 static asp_code close_profile(asp_error *error) {
-  return asp_profile_close(profile, 20, room, error);
+  return aspi_profile_close(profile, 20, room, error);
 }
 
 static asp_code slopes(asp_error *error) {
   size_t count;
-  return asp_profile_slopes(profile, 20, ASP_CONTACT_CLOSING, room, &count, error);
+  return aspi_profile_slopes(profile, 20, ASP_CONTACT_CLOSING, room, &count, error);
 }
 
 static asp_code density(asp_error *error) {
-  asp_density *made = asp_density_create(asp_profile_heights(profile), 500, -4, 4, 100, error);
-  asp_density_free(made);
+  aspi_density *made = aspi_density_create(asp_profile_heights(profile), 500, -4, 4, 100, error);
+  aspi_density_free(made);
   return code_of(made, error);
 }
 
 static asp_code track(asp_error *error) {
-  asp_track *made = asp_track_create(profile, 20, error);
-  asp_track_free(made);
+  aspi_track *made = aspi_track_create(profile, 20, error);
+  aspi_track_free(made);
   return code_of(made, error);
 }
 
@@ -155,7 +160,7 @@ static asp_code size_table(asp_error *error) {
 }
 
 static asp_code sphere(asp_error *error) {
-  return give_surface(asp_surface_create_filter(1, 10, ASP_FILTER_SPHERE, error), error);
+  return give_surface(aspi_surface_create_filter(1, 10, ASP_FILTER_SPHERE, error), error);
 }
 
 static asp_code measured_surface(asp_error *error) {
@@ -174,14 +179,10 @@ static asp_code table(asp_error *error) {
   return code_of(made, error);
 }
 
-static asp_code wall_of(asp_wall_spec spec, asp_error *error) {
-  asp_wall *made = asp_wall_create(&spec, error);
+static asp_code smooth_wall(asp_error *error) {
+  asp_wall *made = asp_wall_create(error);
   asp_wall_free(made);
   return code_of(made, error);
-}
-
-static asp_code smooth_wall(asp_error *error) {
-  return wall_of(asp_wall_spec_default(), error);
 }
 
 /* Walls of every model, with a measured profile and without one. */
@@ -189,18 +190,44 @@ static int model;
 static bool measured;
 
 static asp_code rough_wall(asp_error *error) {
-  asp_wall_spec spec = asp_wall_spec_default();
-  spec.surface = surface;
-  spec.profile = measured ? profile : NULL;
-  spec.sizes = (asp_sizes){2, 40, 2};
-  spec.spread = asp_spread_at(model)->name;
-  return wall_of(spec, error);
+  asp_wall *wall = asp_wall_create(error);
+  if (!wall)
+    return error->code;
+  asp_wall_choose(wall, "spread", asp_spread_name(asp_spread_at(model)), NULL);
+  asp_wall_set(wall, "d_p_least", 2, NULL);
+  asp_wall_set(wall, "d_p_most", 40, NULL);
+  asp_wall_set(wall, "d_p_bins", 2, NULL);
+  asp_wall_set_surface(wall, surface);
+  asp_wall_set_profile(wall, measured ? profile : NULL);
+  asp_code code = asp_wall_prepare(wall, error);
+  asp_wall_free(wall);
+  return code;
 }
 
 static asp_code choose(asp_error *error) {
-  asp_choice choice;
-  asp_sizes sizes = {2, 20, 3};
-  return asp_spread_auto(surface, &sizes, 0, 1.5, ASP_COLLISIONS_SINGLE, 0.5, &choice, error);
+  double divergence;
+  char text[400];
+  return code_of(asp_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error),
+                 error);
+}
+
+static asp_code reader(asp_error *error) {
+  asp_reader *made = asp_reader_create(error);
+  asp_reader_free(made);
+  return code_of(made, error);
+}
+
+static asp_code pair(asp_error *error) {
+  const asp_material *quartz = asp_material_at(0);
+  asp_pair *made = asp_pair_create(quartz, quartz, error);
+  asp_pair_free(made);
+  return code_of(made, error);
+}
+
+static asp_code material(asp_error *error) {
+  asp_material *made = asp_material_create("brass", error);
+  asp_material_free(made);
+  return code_of(made, error);
 }
 
 /* What a process found, as its exit status. */
@@ -317,6 +344,9 @@ int main(void) {
       {"materials", materials, true},
       {"table", table, true},
       {"smooth wall", smooth_wall, true},
+      {"reader", reader, true},
+      {"pair", pair, true},
+      {"material", material, true},
       {"choice of a model", choose, false},
   };
   char folder[] = "/tmp/test_memory.XXXXXX", name[64];
@@ -331,7 +361,7 @@ int main(void) {
   for (model = 0; model < asp_spread_count(); model++)
     for (int with = 0; with < 2; with++) {
       measured = with;
-      snprintf(name, sizeof name, "wall, %s%s", asp_spread_at(model)->name,
+      snprintf(name, sizeof name, "wall, %s%s", asp_spread_name(asp_spread_at(model)),
                with ? " measured" : "");
       told += try_all(name, rough_wall, true);
     }

@@ -1,5 +1,8 @@
 /* Profiles that are made, described, and read, with the traps of files that users have. */
 #include "check.h"
+#include "base/units.h"
+#include "surface/describe.h"
+#include "surface/read.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -14,8 +17,8 @@ static void generated_profile_has_its_numbers(void **state) {
   double r_q = 0, lambda_c = 0, slope = 0;
   for (uint32_t seed = 0; seed < 12; seed++) {
     asp_profile *p = asp_profile_create(3, 20, 0.5, points[seed % 3], seed, NULL);
-    asp_description d;
-    assert_int_equal(asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
+    aspi_description d;
+    assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
     assert_int_equal(d.points, points[seed % 3]);
     assert_near(d.r_q, 3, 0.15);
     assert_near(d.lambda_c, 20, 1.5);
@@ -60,14 +63,14 @@ static void generated_profile_is_periodic(void **state) {
 static void levels_of_the_autocorrelation(void **state) {
   (void)state;
   asp_profile *p = asp_profile_create(1, 1, 0.05, 1 << 18, 1, NULL);
-  asp_description a, b;
-  asp_profile_describe(p, ASP_LEVEL_1_E, &a, NULL);
-  asp_profile_describe(p, ASP_LEVEL_S_AL, &b, NULL);
+  aspi_description a, b;
+  aspi_profile_describe(p, ASP_LEVEL_1_E, &a, NULL);
+  aspi_profile_describe(p, ASP_LEVEL_S_AL, &b, NULL);
   assert_near(b.lambda_c / a.lambda_c, sqrt(log(5)), 0.03);
   assert_near(b.lambda_1_e, a.lambda_c, 0.03);
   assert_near(b.phi_r, b.r_q / b.lambda_c, 1e-12);
   asp_error error;
-  assert_int_equal(asp_profile_describe(p, 1, &a, &error), ASP_EARG);
+  assert_int_equal(aspi_profile_describe(p, 1, &a, &error), ASP_EARG);
   asp_profile_free(p);
 }
 
@@ -80,8 +83,8 @@ static void description_of_a_wave(void **state) {
     z[i] = 5 + sqrt(2) * sin(2 * ASP_PI * i / 100);
   for (int periodic = 0; periodic < 2; periodic++) {
     asp_profile *p = asp_profile_from_heights(z, N, 0.1, periodic, NULL);
-    asp_description d;
-    assert_int_equal(asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
+    aspi_description d;
+    assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
     assert_near(d.r_q, 1, 1e-9);
     assert_near(d.r_a, sqrt(2) * 2 / ASP_PI, 1e-3);
     assert_near(d.lambda_c, 10 * acos(exp(-1)) / (2 * ASP_PI), periodic ? 2e-3 : 2e-2);
@@ -108,8 +111,8 @@ static void bad_profiles_are_refused(void **state) {
   assert_null(asp_profile_from_heights(z, 4, -1, false, &e));
   z[2] = z[1] = z[0] = z[3];
   asp_profile *flat = asp_profile_from_heights(z, 4, 1, false, &e);
-  asp_description d;
-  assert_int_equal(asp_profile_describe(flat, 0.5, &d, &e), ASP_EDATA);
+  aspi_description d;
+  assert_int_equal(aspi_profile_describe(flat, 0.5, &d, &e), ASP_EDATA);
   assert_non_null(strstr(e.text, "constant"));
   asp_profile_free(flat);
 }
@@ -117,29 +120,29 @@ static void bad_profiles_are_refused(void **state) {
 /* ---- read ---- */
 
 static asp_error error;
-static asp_profile_report report;
+static aspi_profile_report report;
 
 /* Writes a file, reads it, removes it. */
 static asp_profile *read_bytes(const char *bytes, size_t length,
-                               const asp_profile_options *options) {
+                               const aspi_profile_options *options) {
   char path[] = "/tmp/asperity_test_XXXXXX";
   int file = mkstemp(path);
   assert_true(file >= 0);
   assert_int_equal(write(file, bytes, length), length);
   close(file);
   error = (asp_error){ASP_OK, ""};
-  asp_profile *p = asp_profile_read(path, options, &report, &error);
+  asp_profile *p = aspi_profile_read(path, options, &report, &error);
   unlink(path);
   return p;
 }
 
-static asp_profile *read_text(const char *text, const asp_profile_options *options) {
+static asp_profile *read_text(const char *text, const aspi_profile_options *options) {
   return read_bytes(text, strlen(text), options);
 }
 
-static void expect(const char *text, const asp_profile_options *options, size_t points,
+static void expect(const char *text, const aspi_profile_options *options, size_t points,
                    double spacing, double third) {
-  asp_profile_options plain = options ? *options : asp_profile_options_default();
+  aspi_profile_options plain = options ? *options : aspi_profile_options_default();
   if (!options)
     plain.form = -1;
   asp_profile *p = read_text(text, &plain);
@@ -153,7 +156,7 @@ static void expect(const char *text, const asp_profile_options *options, size_t 
   asp_profile_free(p);
 }
 
-static void expect_error(const char *text, const asp_profile_options *options, asp_code code,
+static void expect_error(const char *text, const aspi_profile_options *options, asp_code code,
                          const char *message) {
   assert_null(read_text(text, options));
   if (!strstr(error.text, message))
@@ -204,13 +207,13 @@ static void units_as_instruments_write_them(void **state) {
   expect("x (\xC2\xB5m)\tz (\xCE\xBCm)\n0\t1\n1\t2\n2\t4\n", NULL, 3, 1e-6, 4e-6);
   expect("x [mm],z [\xC3\x85]\n0,1\n1,2\n2,4\n", NULL, 3, 1e-3, 4e-10);
   expect("X(MM) Z(UM)\n0 1\n1 2\n2 4\n", NULL, 3, 1e-3, 4e-6);
-  assert_near(asp_unit_metres("mm", 2), 1e-3, 0);
-  assert_near(asp_unit_metres("parsec", 6), 0, 0);
+  assert_near(aspi_unit_metres("mm", 2), 1e-3, 0);
+  assert_near(aspi_unit_metres("parsec", 6), 0, 0);
 }
 
 static void units_that_must_be_asked_for(void **state) {
   (void)state;
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   expect_error("0,1\n1,2\n2,4\n", NULL, ASP_EDATA, ":1: no unit of length is stated");
   expect_error("Stylus 2.5 um\nLength 3 mm\nx,z\n0,1\n1,2\n2,4\n", NULL, ASP_EDATA, ":4: no unit");
@@ -243,8 +246,8 @@ static void an_instruments_own_file(void **state) {
   assert_false(report.resampled);
   assert_near(report.step_least, 0.1e-6, 1e-12);
   assert_near(report.step_most, 0.2e-6, 1e-12);
-  asp_description d;
-  assert_int_equal(asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
+  aspi_description d;
+  assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
   assert_near(d.r_q, sqrt(0.5) * 1e-6, 0.02e-6);
   asp_profile_free(p);
   free(text);
@@ -259,12 +262,12 @@ static void form_is_taken_out(void **state) {
   end += sprintf(end, "x_um,z_um\n");
   for (int i = 0; i < N; i++)
     end += sprintf(end, "%d,%.9f\n", i, 3 + 0.1 * i + 1e-4 * i * i + sqrt(2) * cos(i * 0.5));
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   static const double r_q[] = {58.19, 7.52, 1, 1};
   for (o.form = 0; o.form < 4; o.form++) {
     asp_profile *p = read_text(text, &o);
-    asp_description d;
-    assert_int_equal(asp_profile_describe(p, 0.1, &d, NULL), ASP_OK);
+    aspi_description d;
+    assert_int_equal(aspi_profile_describe(p, 0.1, &d, NULL), ASP_OK);
     assert_near(d.r_q * 1e6, r_q[o.form], 0.01 * r_q[o.form]);
     asp_profile_free(p);
   }
@@ -280,7 +283,7 @@ static void gaps_are_refused_or_filled(void **state) {
       "x_m,z_m\n0,1\n1,nan\n2,3\n3,7\n4,5\n", "x_m,z_m\n0,1\n1,\n2,3\n3,7\n4,5\n",
       "x_m,z_m\n0,1\n1,inf\n2,3\n3,7\n4,5\n", "x_m,z_m\n0,1\n1,BAD\n2,3\n3,7\n4,5\n",
       "x_m,z_m\n0,1\n1,---\n2,3\n3,7\n4,5\n"};
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
     o.fill = false;
@@ -298,7 +301,7 @@ static void gaps_are_refused_or_filled(void **state) {
 /* Rows that are not there are a gap, too. */
 static void missing_rows_are_a_gap(void **state) {
   (void)state;
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   const char *text = "x_m,z_m\n0,1\n1,2\n2,4\n3,1\n8,6\n9,2\n10,1\n11,5\n";
   expect_error(text, &o, ASP_EDATA, ":6: the first of 4 bad or missing points");
@@ -314,7 +317,7 @@ static void missing_rows_are_a_gap(void **state) {
 
 static void unequal_spacing_is_resampled_or_refused(void **state) {
   (void)state;
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   const char *text = "x_m,z_m\n0.00,0\n1.00,2\n1.50,3\n3.00,6\n4.00,8\n5.00,5\n";
   expect(text, &o, 6, 1, 4);
@@ -329,7 +332,7 @@ static void spikes_are_marked_where_asked(void **state) {
   char text[4000] = "x_um,z_um\n", *end = text + strlen(text);
   for (int i = 0; i < 200; i++)
     end += sprintf(end, "%d,%.6f\n", i, i == 77 ? 50 : sin(i * 0.2) + 0.01 * (i % 3));
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   asp_profile *p = read_text(text, &o);
   assert_true(asp_profile_heights(p)[77] > 40e-6);
   asp_profile_free(p);
@@ -352,7 +355,7 @@ static void more_spikes_than_points_are_refused(void **state) {
   end += sprintf(end, "x_um,z_um\n");
   for (int i = 0; i < 20000; i++)
     end += sprintf(end, "%.1f,%.6f\n", 0.5 * i, i < 14 ? 0 : sin(i * 1.7) + sin(i * i * 0.37));
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   o.fill = true;
   for (o.form = -1; o.form <= ASP_FORM_MAX; o.form++)
     for (o.spikes = 1e-9; o.spikes < 1e-3; o.spikes *= 100)
@@ -384,7 +387,7 @@ static void bad_files_are_named_with_their_line(void **state) {
   memset(longest, 'x', sizeof longest);
   assert_null(read_bytes(longest, sizeof longest, NULL));
   assert_non_null(strstr(error.text, ":1: a line of 4096 characters or more"));
-  assert_null(asp_profile_read("/nowhere/profile.csv", NULL, NULL, &error));
+  assert_null(aspi_profile_read("/nowhere/profile.csv", NULL, NULL, &error));
   assert_int_equal(error.code, ASP_EFILE);
   assert_non_null(strstr(error.text, "/nowhere/profile.csv"));
 }
@@ -399,7 +402,7 @@ static void sections_of_a_map(void **state) {
   (void)state;
   const char *map =
       SDF_HEAD "*\r\n1 2\r\n 4 3 10 20 40 30\r\n100 200 400 300\r\n*\r\n<Name> T\r\n*";
-  asp_profile_options o = asp_profile_options_default();
+  aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   expect(map, &o, 4, 2e-6, 4e-6);
   o.row = 3;
@@ -437,6 +440,62 @@ static void bad_maps_are_named_with_their_line(void **state) {
                NULL, ASP_EDATA, "Compression is 1");
 }
 
+/* The public reader sets every option and tells what was found, as the records behind it do. */
+static void readers_are_set_by_name(void **state) {
+  (void)state;
+  static const struct {
+    const char *name;
+    double good, bad;
+  } options[] = {{"unit_x", 1e-3, -1}, {"unit_z", 1e-6, NAN}, {"metre", 1e6, 0},
+                 {"form", 2, 10},      {"spikes", 8, -1},     {"fill", 1, 0.5},
+                 {"resample", 0, NAN}, {"row", 2, 0},         {"column", 1, 65}};
+  asp_reader *reader = asp_reader_create(NULL);
+  assert_non_null(reader);
+  for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
+    assert_int_equal(asp_reader_set(reader, options[i].name, options[i].bad, &error), ASP_EARG);
+    assert_non_null(strstr(error.text, options[i].name));
+    assert_int_equal(asp_reader_set(reader, options[i].name, options[i].good, NULL), ASP_OK);
+  }
+  assert_int_equal(asp_reader_set(reader, "colour", 1, &error), ASP_ENAME);
+  assert_non_null(strstr(error.text, "'colour'"));
+  assert_non_null(strstr(error.text, "resample"));
+  asp_reader_free(reader);
+
+  char path[] = "/tmp/test_profile.XXXXXX";
+  int handle = mkstemp(path);
+  const char *text = "x,z\n0,1\n1,2\n2,bad\n3,4\n4,9\n";
+  assert_true(handle >= 0 && write(handle, text, strlen(text)) == (ssize_t)strlen(text));
+  close(handle);
+  reader = asp_reader_create(NULL);
+  assert_null(asp_reader_read(reader, path, &error));
+  assert_non_null(strstr(error.text, "no unit"));
+  asp_reader_set(reader, "unit_x", 1e-3, NULL);
+  asp_reader_set(reader, "unit_z", 1e-6, NULL);
+  assert_null(asp_reader_read(reader, path, &error));
+  assert_non_null(strstr(error.text, ":4: the first of 1 bad"));
+  asp_reader_set(reader, "fill", 1, NULL);
+  asp_reader_set(reader, "form", -1, NULL);
+  asp_reader_set(reader, "metre", 1e6, NULL);
+  asp_profile *p = asp_reader_read(reader, path, &error);
+  unlink(path);
+  assert_non_null(p);
+  assert_int_equal(asp_profile_points(p), 5);
+  assert_near(asp_profile_spacing(p), 1e3, 1e-9);
+  assert_near(asp_profile_heights(p)[2], 3, 1e-12);
+  assert_near(asp_reader_get(reader, "points"), 5, 0);
+  assert_near(asp_reader_get(reader, "bad"), 1, 0);
+  assert_near(asp_reader_get(reader, "filled"), 1, 0);
+  assert_near(asp_reader_get(reader, "longest_gap"), 1, 0);
+  assert_near(asp_reader_get(reader, "resampled"), 0, 0);
+  assert_near(asp_reader_get(reader, "spikes"), 0, 0);
+  assert_near(asp_reader_get(reader, "step_least"), 1e3, 1e-9);
+  assert_near(asp_reader_get(reader, "step_most"), 1e3, 1e-9);
+  assert_true(isnan(asp_reader_get(reader, "colour")));
+  assert_non_null(strstr(asp_reader_text(reader), "5 points read"));
+  asp_profile_free(p);
+  asp_reader_free(reader);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(generated_profile_has_its_numbers),
@@ -459,6 +518,7 @@ int main(void) {
       cmocka_unit_test(bad_files_are_named_with_their_line),
       cmocka_unit_test(sections_of_a_map),
       cmocka_unit_test(bad_maps_are_named_with_their_line),
+      cmocka_unit_test(readers_are_set_by_name),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,25 +1,26 @@
 /* The rebound laws against closed forms, an integrated spring, and the numbers of PHYSICS worked
  * out by hand; materials and pairs. */
 #include "check.h"
+#include "rebound/laws.h"
 
 static asp_pair pair_of(const char *particle, const char *wall, double gamma, double mu) {
-  const asp_material *p = asp_material_find(particle, NULL), *w = asp_material_find(wall, NULL);
-  asp_pair pair;
-  assert_non_null(p);
-  assert_non_null(w);
-  assert_int_equal(asp_pair_create(p->youngs_modulus, p->poissons_ratio, w->youngs_modulus,
-                                   w->poissons_ratio, p->yield_stress, gamma, mu, &pair, NULL),
-                   ASP_OK);
+  asp_pair *made =
+      asp_pair_create(aspi_material_find(particle, NULL), aspi_material_find(wall, NULL), NULL);
+  assert_non_null(made);
+  assert_int_equal(asp_pair_set(made, "surface_energy", gamma, NULL), ASP_OK);
+  assert_int_equal(asp_pair_set(made, "friction", mu, NULL), ASP_OK);
+  asp_pair pair = *made;
+  asp_pair_free(made);
   return pair;
 }
 
-static asp_bounce bons(const asp_pair *pair, double v_n1, double v_t1, double d_p, double rate) {
+static aspi_bounce bons(const asp_pair *pair, double v_n1, double v_t1, double d_p, double rate) {
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   double parameters[ASP_PARAMETERS_MAX];
   for (int i = 0; i < law->n_parameters; i++)
     parameters[i] = law->parameters[i].fallback;
-  parameters[asp_rebound_parameter(law, "yield_rate", NULL)] = rate;
-  asp_hit hit = {
+  parameters[aspi_rebound_parameter_find(law, "yield_rate", NULL)] = rate;
+  aspi_hit hit = {
       .v_n1 = v_n1, .v_t1 = v_t1, .d_p = d_p, .density = 2650, .pair = pair, .adhesion = true};
   return law->rebound(parameters, &hit);
 }
@@ -114,7 +115,7 @@ static void tangential_form(void **state) {
   (void)state;
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0.3);
   for (double alpha = 0.01; alpha < M_PI_2; alpha += 0.03) {
-    asp_bounce b = bons(&pair, 100 * sin(alpha), 100 * cos(alpha), 1e-5, 0);
+    aspi_bounce b = bons(&pair, 100 * sin(alpha), 100 * cos(alpha), 1e-5, 0);
     double cor_n = b.v_n2 / (100 * sin(alpha));
     assert_near(b.v_t2 / (100 * cos(alpha)), 1 - 0.15 * (1 + cor_n) * sin(2 * alpha), 1e-13);
   }
@@ -136,7 +137,7 @@ static void no_yield_stress(void **state) {
   (void)state;
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0.8, 0.3);
   pair.yield_stress = 0;
-  asp_bounce b = bons(&pair, 10, 10, 1e-5, 0);
+  aspi_bounce b = bons(&pair, 10, 10, 1e-5, 0);
   assert_near(b.v_n2, 0, 0);
   assert_true(b.v_t2 > 0 && b.v_t2 < 10);
 }
@@ -152,14 +153,14 @@ static void hot_particles_yield_earlier(void **state) {
   for (int i = 0; i < law->n_parameters; i++)
     parameters[i] = law->parameters[i].fallback;
   for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-    parameters[asp_rebound_parameter(law, "temperature", NULL)] = table[i][0];
-    asp_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
+    parameters[aspi_rebound_parameter_find(law, "temperature", NULL)] = table[i][0];
+    aspi_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
     double v_y = table[i][1] / sqrt(2650 * pair.modulus);
     assert_near(law->rebound(parameters, &hit).v_n2, v_y, 1e-12);
   }
-  parameters[asp_rebound_parameter(law, "yield_rate", NULL)] = 3e6;
-  parameters[asp_rebound_parameter(law, "temperature", NULL)] = 1400;
-  asp_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
+  parameters[aspi_rebound_parameter_find(law, "yield_rate", NULL)] = 3e6;
+  parameters[aspi_rebound_parameter_find(law, "temperature", NULL)] = 1400;
+  aspi_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
   assert_near(law->rebound(parameters, &hit).v_n2, 0.55 * 3e8 / sqrt(2650 * pair.modulus), 1e-12);
 }
 
@@ -171,33 +172,105 @@ static void contact_area_exponent(void **state) {
   double v_y = yield_speed(&pair);
   for (double c = 0; c < 3; c += 0.25) {
     double parameters[ASP_PARAMETERS_MAX] = {0, 0.1, 0.2, c};
-    asp_hit hit = {.v_n1 = 10, .d_p = 1e-5, .density = 2650, .pair = &pair, .adhesion = true};
+    aspi_hit hit = {.v_n1 = 10, .d_p = 1e-5, .density = 2650, .pair = &pair, .adhesion = true};
     double taken = 6 * 0.8 * (0.1 + 0.2 * pow(10 / v_y, c)) / (2650 * 1e-5);
     assert_near(law->rebound(parameters, &hit).v_n2, sqrt(100 - taken), 1e-12);
   }
 }
 
-static void bad_pairs_are_named(void **state) {
+static void materials_of_ones_own(void **state) {
   (void)state;
   static const struct {
-    double e, nu, yield, gamma, mu;
-    const char *word;
+    const char *name;
+    double value;
+    const char *range;
   } bad[] = {
-      {-1, 0.2, 1, 0, 0, "Young's modulus"},    {0, 0.2, 1, 0, 0, "Young's modulus"},
-      {NAN, 0.2, 1, 0, 0, "Young's modulus"},   {1, 0.5, 1, 0, 0, "Poisson's ratio"},
-      {1, -1, 1, 0, 0, "Poisson's ratio"},      {1, 0.2, -1, 0, 0, "yield stress"},
-      {1, 0.2, INFINITY, 0, 0, "yield stress"}, {1, 0.2, 1, -1, 0, "surface energy"},
-      {1, 0.2, 1, 0, -0.1, "friction"},
+      {"youngs_modulus", -1, "> 0"},          {"youngs_modulus", 0, "> 0"},
+      {"youngs_modulus", NAN, "> 0"},         {"poissons_ratio", 0.5, "less than 0.5"},
+      {"poissons_ratio", -1, "more than -1"}, {"yield_stress", -1, ">= 0"},
+      {"yield_stress", INFINITY, ">= 0"},     {"density", 0, "> 0"},
   };
-  asp_pair pair;
   asp_error error;
+  char name[] = "brass";
+  asp_material *m = asp_material_create(name, NULL);
+  assert_non_null(m);
+  *name = 'g'; /* the name is copied */
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    assert_int_equal(asp_pair_create(bad[i].e, bad[i].nu, 1, 0.3, bad[i].yield, bad[i].gamma,
-                                     bad[i].mu, &pair, &error),
-                     ASP_EARG);
-    assert_non_null(strstr(error.text, bad[i].word));
-    assert_non_null(strstr(error.text, "must be"));
+    assert_int_equal(asp_material_set(m, bad[i].name, bad[i].value, &error), ASP_EARG);
+    assert_non_null(strstr(error.text, bad[i].name));
+    assert_non_null(strstr(error.text, "brass"));
+    assert_non_null(strstr(error.text, bad[i].range));
+    assert_near(asp_material_get(m, bad[i].name), 0, 0);
   }
+  assert_int_equal(asp_material_set(m, "colour", 1, &error), ASP_ENAME);
+  assert_non_null(strstr(error.text, "yield_stress"));
+  assert_true(isnan(asp_material_get(m, "colour")));
+  assert_int_equal(asp_material_set(m, "density", 8500, NULL), ASP_OK);
+  assert_near(asp_material_get(m, "density"), 8500, 0);
+  assert_string_equal(asp_material_name(m), "brass");
+  assert_string_equal(asp_material_title(m), "");
+  asp_material_free(m);
+}
+
+static void pairs_are_checked(void **state) {
+  (void)state;
+  asp_error error;
+  const asp_material *quartz = aspi_material_find("quartz", NULL);
+  asp_material *m = asp_material_create("unset", NULL);
+  assert_null(asp_pair_create(m, quartz, &error));
+  assert_non_null(strstr(error.text, "Young's modulus of the particle is 0; it must be"));
+  assert_null(asp_pair_create(quartz, m, &error));
+  assert_non_null(strstr(error.text, "Young's modulus of the wall"));
+  asp_material_set(m, "youngs_modulus", 1e-308, NULL);
+  asp_pair *pair = asp_pair_create(m, quartz, &error);
+  assert_non_null(pair);
+  assert_near(asp_pair_get(pair, "friction"), ASP_FRICTION, 0);
+  assert_near(asp_pair_get(pair, "surface_energy"), 0, 0);
+  static const char *const names[] = {"yield_stress", "surface_energy", "friction"};
+  static const double bad[] = {-1, NAN, INFINITY};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      assert_int_equal(asp_pair_set(pair, names[i], bad[k], &error), ASP_EARG);
+      assert_non_null(strstr(error.text, names[i]));
+    }
+    assert_int_equal(asp_pair_set(pair, names[i], 0.25, NULL), ASP_OK);
+    assert_near(asp_pair_get(pair, names[i]), 0.25, 0);
+  }
+  assert_int_equal(asp_pair_set(pair, "modulus", 1, &error), ASP_ENAME);
+  assert_true(asp_pair_get(pair, "modulus") > 0 && isnan(asp_pair_get(pair, "gloss")));
+  asp_pair_free(pair);
+  asp_material_free(m);
+}
+
+/* What front ends know of a law: every getter gives the record's own, and a keyword of several
+ * parameters stands at each of them, in a row. */
+static void laws_describe_themselves(void **state) {
+  (void)state;
+  for (int i = 0; i < asp_rebound_count(); i++) {
+    const asp_rebound_law *law = asp_rebound_at(i);
+    assert_string_equal(asp_rebound_name(law), law->name);
+    assert_string_equal(asp_rebound_summary(law), law->summary);
+    assert_string_equal(asp_rebound_source(law), law->source);
+    assert_true(asp_rebound_needs_pair(law) == law->needs_pair);
+    assert_true(asp_rebound_needs_table(law) == law->needs_table);
+    assert_true(asp_rebound_measured(law) == law->measured);
+    for (int k = 0; k < asp_rebound_parameters(law); k++) {
+      const asp_parameter *p = asp_rebound_parameter(law, k);
+      assert_ptr_equal(p, &law->parameters[k]);
+      assert_int_equal(aspi_rebound_parameter_find(law, asp_parameter_name(p), NULL), k);
+      assert_true(*asp_parameter_text(p) && asp_parameter_unit(p));
+      assert_true(asp_parameter_least(p) <= asp_parameter_default(p));
+      assert_true(asp_parameter_default(p) <= asp_parameter_most(p));
+    }
+  }
+  const asp_rebound_law *bons = asp_rebound_find("bons", NULL);
+  const char *keywords[] = {"yield_rate",  "contact_area", "contact_area", "contact_area",
+                            "temperature", "soften",       "soften"};
+  assert_int_equal(asp_rebound_parameters(bons), 7);
+  for (int k = 0; k < 7; k++)
+    assert_string_equal(asp_parameter_keyword(asp_rebound_parameter(bons, k)), keywords[k]);
+  const asp_rebound_law *constant = asp_rebound_find("constant", NULL);
+  assert_string_equal(asp_parameter_keyword(asp_rebound_parameter(constant, 0)), "");
 }
 
 static void names_are_listed(void **state) {
@@ -208,10 +281,10 @@ static void names_are_listed(void **state) {
     assert_non_null(strstr(error.text, asp_rebound_at(i)->name));
     assert_ptr_equal(asp_rebound_find(asp_rebound_at(i)->name, NULL), asp_rebound_at(i));
   }
-  assert_null(asp_material_find("unobtainium", &error));
+  assert_null(aspi_material_find("unobtainium", &error));
   assert_non_null(strstr(error.text, "unobtainium"));
   assert_non_null(strstr(error.text, "hastelloy-x"));
-  assert_true(asp_rebound_parameter(asp_rebound_find("constant", NULL), "cor_x", &error) < 0);
+  assert_true(aspi_rebound_parameter_find(asp_rebound_find("constant", NULL), "cor_x", &error) < 0);
   assert_non_null(strstr(error.text, "cor_n"));
 }
 
@@ -227,7 +300,9 @@ int main(void) {
       cmocka_unit_test(no_yield_stress),
       cmocka_unit_test(hot_particles_yield_earlier),
       cmocka_unit_test(contact_area_exponent),
-      cmocka_unit_test(bad_pairs_are_named),
+      cmocka_unit_test(materials_of_ones_own),
+      cmocka_unit_test(pairs_are_checked),
+      cmocka_unit_test(laws_describe_themselves),
       cmocka_unit_test(names_are_listed),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,9 @@
 /* Moments, densities and D_KL against closed forms; the size law against generated geometry. */
 #include "check.h"
+#include "base/stream.h"
+#include "surface/closing.h"
+#include "surface/size_law.h"
+#include "surface/slopes.h"
 
 #include <gsl/gsl_cdf.h>
 #include <stdlib.h>
@@ -16,14 +20,14 @@ static void fill_normal(double mean, double sd, size_t count) {
 static void moments_of_known_laws(void **state) {
   (void)state;
   fill_normal(3, 2, N);
-  asp_moments m = asp_moments_of(values, N);
+  aspi_moments m = aspi_moments_of(values, N);
   assert_near(m.mean, 3, 1e-9);
   assert_near(m.sd, 2, 1e-3);
   assert_near(m.skewness, 0, 1e-9);
   assert_near(m.kurtosis, 0, 5e-3);
   for (size_t i = 0; i < N; i++)
     values[i] = -log(((double)i + 0.5) / N); /* exponential: 1, 1, 2, 6 */
-  m = asp_moments_of(values, N);
+  m = aspi_moments_of(values, N);
   assert_near(m.mean, 1, 1e-4);
   assert_near(m.sd, 1, 1e-3);
   assert_near(m.skewness, 2, 2e-2);
@@ -33,46 +37,46 @@ static void moments_of_known_laws(void **state) {
 static void density_is_that_of_the_law(void **state) {
   (void)state;
   fill_normal(0, 1, N);
-  asp_density *d = asp_density_create(values, N, -6, 6, 1201, NULL);
-  double sum = 0, h = asp_density_bandwidth(d), sd = sqrt(1 + h * h);
+  aspi_density *d = aspi_density_create(values, N, -6, 6, 1201, NULL);
+  double sum = 0, h = aspi_density_bandwidth(d), sd = sqrt(1 + h * h);
   assert_near(h, pow(4 / (3. * N), 0.2), 1e-3 * h);
   for (size_t i = 0; i < 1201; i++) {
-    double x, y = asp_density_at(d, i, &x);
+    double x, y = aspi_density_at(d, i, &x);
     assert_near(y, exp(-x * x / (2 * sd * sd)) / (sd * sqrt(2 * ASP_PI)), 2e-4);
     sum += y * 0.01;
   }
   assert_near(sum, 1, 1e-9);
-  asp_density_free(d);
+  aspi_density_free(d);
 }
 
 /* D_KL between normal laws: log(s2/s1) + (s1^2 + m^2)/(2 s2^2) - 1/2. */
 static void divergence_of_normal_laws(void **state) {
   (void)state;
   fill_normal(0, 1, N);
-  asp_density *one = asp_density_create(values, N, -8, 8, 2001, NULL);
-  assert_near(asp_density_kl_normal(one, 0, 1), 0, 1e-4);
-  assert_near(asp_density_kl_normal(one, 0.5, 2), log(2) + 1.25 / 8 - 0.5, 5e-3);
+  aspi_density *one = aspi_density_create(values, N, -8, 8, 2001, NULL);
+  assert_near(aspi_density_kl_normal(one, 0, 1), 0, 1e-4);
+  assert_near(aspi_density_kl_normal(one, 0.5, 2), log(2) + 1.25 / 8 - 0.5, 5e-3);
   fill_normal(0.5, 2, N);
-  asp_density *two = asp_density_create(values, N, -8, 8, 2001, NULL);
-  assert_near(asp_density_kl(one, two), log(2) + 1.25 / 8 - 0.5, 5e-3);
-  assert_near(asp_density_kl(one, one), 0, 1e-6);
-  asp_density_free(one);
-  asp_density_free(two);
+  aspi_density *two = aspi_density_create(values, N, -8, 8, 2001, NULL);
+  assert_near(aspi_density_kl(one, two), log(2) + 1.25 / 8 - 0.5, 5e-3);
+  assert_near(aspi_density_kl(one, one), 0, 1e-6);
+  aspi_density_free(one);
+  aspi_density_free(two);
 }
 
 /* The bias of D_KL that the header states, for independent values. */
 static void divergence_of_a_small_sample_is_as_stated(void **state) {
   (void)state;
   enum { COUNT = 200, TRIALS = 200 };
-  asp_stream stream = asp_stream_create(&(asp_key){.seed = 4});
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 4});
   double kl = 0, bins = 0;
   for (int trial = 0; trial < TRIALS; trial++) {
     for (int i = 0; i < COUNT; i++)
-      values[i] = asp_stream_normal(&stream);
-    asp_density *d = asp_density_create(values, COUNT, -6, 6, 1201, NULL);
-    kl += asp_density_kl_normal(d, 0, 1) / TRIALS;
-    bins += 8 / (2 * sqrt(ASP_PI) * asp_density_bandwidth(d)) / TRIALS;
-    asp_density_free(d);
+      values[i] = aspi_stream_normal(&stream);
+    aspi_density *d = aspi_density_create(values, COUNT, -6, 6, 1201, NULL);
+    kl += aspi_density_kl_normal(d, 0, 1) / TRIALS;
+    bins += 8 / (2 * sqrt(ASP_PI) * aspi_density_bandwidth(d)) / TRIALS;
+    aspi_density_free(d);
   }
   assert_near(kl / (bins / (2. * COUNT)), 1, 0.3);
 }
@@ -81,11 +85,11 @@ static void bad_densities_are_refused(void **state) {
   (void)state;
   asp_error error;
   static const double same[3] = {1, 1, 1}, far[3] = {10, 11, 12};
-  assert_null(asp_density_create(same, 3, 0, 2, 100, &error));
-  assert_null(asp_density_create(far, 1, 0, 20, 100, &error));
-  assert_null(asp_density_create(far, 3, 0, 2, 100, &error));
-  assert_null(asp_density_create(far, 3, 2, 0, 100, &error));
-  assert_null(asp_density_create(far, 3, 0, 20, 1, &error));
+  assert_null(aspi_density_create(same, 3, 0, 2, 100, &error));
+  assert_null(aspi_density_create(far, 1, 0, 20, 100, &error));
+  assert_null(aspi_density_create(far, 3, 0, 2, 100, &error));
+  assert_null(aspi_density_create(far, 3, 2, 0, 100, &error));
+  assert_null(aspi_density_create(far, 3, 0, 20, 1, &error));
   assert_int_equal(error.code, ASP_EARG);
 }
 
@@ -96,13 +100,13 @@ static void slopes_of_a_wave(void **state) {
   for (int i = 0; i < POINTS; i++)
     values[i] = 0.02 * sin(2 * ASP_PI * i / 1000.);
   asp_profile *p = asp_profile_from_heights(values, POINTS, 0.001, true, NULL);
-  asp_slopes s;
-  assert_int_equal(asp_profile_describe_slopes(p, 0.01, ASP_CONTACT_DILATION, &s, NULL), ASP_OK);
+  aspi_slopes s;
+  assert_int_equal(aspi_profile_describe_slopes(p, 0.01, ASP_CONTACT_DILATION, &s, NULL), ASP_OK);
   assert_near(s.slope_rms, 0.02 * 2 * ASP_PI / sqrt(2), 2e-5);
   assert_near(s.slope.mean, 0, 1e-12);
   assert_near(s.slope.kurtosis, -1.5, 0.01);
   size_t count;
-  assert_int_equal(asp_profile_slopes(p, 0.01, ASP_CONTACT_CLOSING, values, &count, NULL), ASP_OK);
+  assert_int_equal(aspi_profile_slopes(p, 0.01, ASP_CONTACT_CLOSING, values, &count, NULL), ASP_OK);
   assert_int_equal(count, POINTS);
   asp_profile_free(p);
 }
@@ -119,9 +123,9 @@ static void size_law_is_that_of_the_geometry(void **state) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     asp_profile *p = asp_profile_create(cases[i].phi_r, 1, 1. / 128, POINTS, 11, NULL);
     asp_surface *s = asp_surface_create(cases[i].phi_r, 1, NULL);
-    asp_slopes all, some;
-    asp_profile_describe_slopes(p, 0.004, ASP_CONTACT_DILATION, &all, NULL);
-    asp_profile_describe_slopes(p, cases[i].size, ASP_CONTACT_DILATION, &some, NULL);
+    aspi_slopes all, some;
+    aspi_profile_describe_slopes(p, 0.004, ASP_CONTACT_DILATION, &all, NULL);
+    aspi_profile_describe_slopes(p, cases[i].size, ASP_CONTACT_DILATION, &some, NULL);
     double should = some.slope_rms / all.slope_rms;
     assert_near(asp_surface_slope(s, cases[i].size) / asp_surface_slope_rms(s), should,
                 cases[i].tolerance * should);
@@ -183,16 +187,16 @@ static double dilated_slope(const double *z, double r) {
 static void sphere_law_is_that_of_the_geometry(void **state) {
   (void)state;
   static double noise[SIDE * SIDE];
-  asp_stream stream = asp_stream_create(&(asp_key){.seed = 2});
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 2});
   for (size_t i = 0; i < SIDE * SIDE; i++)
-    noise[i] = asp_stream_normal(&stream);
+    noise[i] = aspi_stream_normal(&stream);
   double *half = blur(noise, 1, SIDE), *z = blur(half, SIDE, 1), square = 0;
   for (size_t i = 0; i < SIDE * SIDE; i++)
     square += z[i] * z[i];
   double phi_r = 0.1, scale = phi_r * LAMBDA / sqrt(square / (SIDE * SIDE));
   for (size_t i = 0; i < SIDE * SIDE; i++)
     z[i] *= scale;
-  asp_surface *sphere = asp_surface_create_filter(phi_r, 1, ASP_FILTER_SPHERE, NULL);
+  asp_surface *sphere = aspi_surface_create_filter(phi_r, 1, ASP_FILTER_SPHERE, NULL);
   static const double sizes[] = {4, 6};
   for (int i = 0; i < 2; i++) {
     double law = asp_surface_slope(sphere, sizes[i]) / asp_surface_slope_rms(sphere);

@@ -24,7 +24,7 @@ static const double angles[] = {0, 1e-12, 0.1, 2, 10, 45, 90};
 /* A model on one wall, with what it prepares of a profile of that wall. */
 typedef struct subject {
   const asp_spread_model *model;
-  asp_view view;
+  aspi_view view;
   void *data;
 } subject;
 
@@ -32,7 +32,7 @@ static void *prepare(const asp_spread_model *model, double slope) {
   if (!model->prepare)
     return NULL;
   asp_profile *profile = asp_profile_create(slope / sqrt(2), 1, 1 / 32., 16384, 3, NULL);
-  asp_sizes sizes = {0.1, 0.4, 3};
+  aspi_sizes sizes = {0.1, 0.4, 3};
   void *data = model->prepare(profile, &sizes, NULL);
   asp_profile_free(profile);
   assert_non_null(data);
@@ -40,11 +40,11 @@ static void *prepare(const asp_spread_model *model, double slope) {
 }
 
 /* Calls `check` for every model that has what it asks for, on every wall and angle. */
-static void for_all(void (*check)(const asp_spread_model *, const asp_view *)) {
+static void for_all(void (*check)(const asp_spread_model *, const aspi_view *)) {
   for (int m = 0; m < asp_spread_count(); m++)
     for (size_t s = 0; s < COUNT(sigmas); s++) {
       const asp_spread_model *model = asp_spread_at(m);
-      asp_view view = asp_view_create(sigmas[s] * DEGREE, 0);
+      aspi_view view = aspi_view_of(sigmas[s] * DEGREE, 0);
       void *data = prepare(model, view.slope);
       view.data = data;
       view.d_p = 0.3;
@@ -59,7 +59,7 @@ static void for_all(void (*check)(const asp_spread_model *, const asp_view *)) {
 
 typedef struct integrand {
   const asp_spread_model *model;
-  const asp_view *view;
+  const aspi_view *view;
 } integrand;
 
 static double density_at(double delta, void *of) {
@@ -67,8 +67,8 @@ static double density_at(double delta, void *of) {
   return i->model->density(i->view, delta);
 }
 
-static void fail_at(const asp_spread_model *model, const asp_view *view, const char *what, double x,
-                    double is, double should) {
+static void fail_at(const asp_spread_model *model, const aspi_view *view, const char *what,
+                    double x, double is, double should) {
   print_error("%s, sigma %g, alpha1 %g degrees: %s at %.17g is %.12g, not %.12g\n", model->name,
               view->sigma / DEGREE, view->alpha1 / DEGREE, what, x, is, should);
   fail();
@@ -79,7 +79,7 @@ static bool smooth(const asp_spread_model *model) {
   return model->density && !model->prepare;
 }
 
-static void check_density(const asp_spread_model *model, const asp_view *view) {
+static void check_density(const asp_spread_model *model, const aspi_view *view) {
   if (!smooth(model))
     return;
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
@@ -109,7 +109,7 @@ static void densities_add_up_to_distributions(void **state) {
 static const double shares[] = {DBL_MIN, 1e-100, 1e-15, 1e-9, 1e-4,   0.0038,   0.004,      0.1,
                                 0.3,     0.5,    0.7,   0.95, 0.9999, 1 - 1e-9, 1 - 0x1p-53};
 
-static void check_quantile(const asp_spread_model *model, const asp_view *view) {
+static void check_quantile(const asp_spread_model *model, const aspi_view *view) {
   if (!model->quantile)
     return;
   double last = -ASP_PI / 2;
@@ -137,13 +137,13 @@ static void quantiles_invert_distributions(void **state) {
  * until the verdict is clear: chi-square below its 99 % point passes, above its 1 - 1e-9 fails. */
 enum { BINS = 30 };
 
-static double chi_square(const asp_spread_model *model, const asp_view *view, size_t n,
+static double chi_square(const asp_spread_model *model, const aspi_view *view, size_t n,
                          uint64_t from, double *count, const double *edge) {
   for (uint64_t tag = from; tag < from + n; tag++) {
-    asp_stream stream = asp_stream_create(&(asp_key){11, 5, tag, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){11, 5, tag, 1});
     double delta;
     int bin = 0;
-    if (!asp_spread_draw(model, view, &stream, &delta))
+    if (!aspi_spread_draw(model, view, &stream, &delta))
       fail_at(model, view, "draw", (double)tag, 0, 0);
     while (bin < BINS - 1 && delta > edge[bin])
       bin++;
@@ -162,7 +162,7 @@ static double chi_square(const asp_spread_model *model, const asp_view *view, si
   return sum;
 }
 
-static void check_draws(const asp_spread_model *model, const asp_view *view) {
+static void check_draws(const asp_spread_model *model, const aspi_view *view) {
   if (!model->distribution)
     return;
   double count[BINS] = {0}, edge[BINS - 1], reach = fmin(3 * view->sigma, 1.5);
@@ -195,7 +195,7 @@ static void flights_up(void **state) {
       continue;
     for (size_t s = 0; s < COUNT(sigmas); s++)
       for (double ratio = 0.01; ratio < 30; ratio *= 1.7) {
-        asp_view view = asp_view_create(sigmas[s] * DEGREE, 0);
+        aspi_view view = aspi_view_of(sigmas[s] * DEGREE, 0);
         view.alpha1 = -atan(ratio * view.slope);
         double last = -view.alpha1;
         for (double u = 1e-9; u < 1; u += 0.0499) {
@@ -231,7 +231,7 @@ static double share_above(double a, double x, double *whole) {
 /* By how much the distribution of `visible` at its quantile is off u. */
 static double visible_off(double a, double u) {
   const asp_spread_model *visible = asp_spread_find("visible", NULL);
-  asp_view view = {0.1, atan(0.1), atan(0.1 * a), 0, NULL};
+  aspi_view view = {0.1, atan(0.1), atan(0.1 * a), 0, NULL};
   double whole, x = tan(visible->quantile(&view, u)) / 0.1;
   return fabs(share_above(a, x, &whole) - (1 - u));
 }
@@ -257,7 +257,7 @@ static void visible_is_accurate_for_every_a(void **state) {
 /* The largest distance between two distributions. */
 static double distance(const char *one, const char *other, double sigma, double alpha1) {
   const asp_spread_model *a = asp_spread_find(one, NULL), *b = asp_spread_find(other, NULL);
-  asp_view view = asp_view_create(sigma, alpha1);
+  aspi_view view = aspi_view_of(sigma, alpha1);
   double most = 0;
   for (int i = -400; i <= 400; i++) {
     double delta = i * sigma / 80;
@@ -279,7 +279,7 @@ static void models_agree_where_they_must(void **state) {
 }
 
 static double excess(double delta, void *of) {
-  const asp_view *view = of;
+  const aspi_view *view = of;
   double p = asp_spread_find("truncated", NULL)->density(view, delta);
   double q = asp_spread_find("weibull", NULL)->density(view, delta);
   return p > 0 && q > 0 ? p * log(p / q) : 0;
@@ -292,7 +292,7 @@ static void weibull_is_the_best_of_its_kind(void **state) {
                                     {4, 0.018},    {5, 0.011},  {6.25, 0.004}};
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(2000);
   for (size_t i = 0; i < COUNT(known); i++) {
-    asp_view view = asp_view_create(0.01, known[i][0] * 0.01);
+    aspi_view view = aspi_view_of(0.01, known[i][0] * 0.01);
     gsl_function f = {excess, &view};
     double kl, error;
     gsl_integration_qags(&f, -view.alpha1 / 2 + 1e-12, 0.09, 1e-9, 1e-9, 2000, room, &kl, &error);
@@ -301,7 +301,7 @@ static void weibull_is_the_best_of_its_kind(void **state) {
   gsl_integration_workspace_free(room);
   const asp_spread_model *weibull = asp_spread_find("weibull", NULL);
   for (double u = 0.001; u < 1; u += 0.01) {
-    asp_view below = asp_view_create(0.01, 0.0648 - 1e-13), above = below;
+    aspi_view below = aspi_view_of(0.01, 0.0648 - 1e-13), above = below;
     above.alpha1 = 0.0648 + 1e-13;
     assert_near(weibull->quantile(&below, u), weibull->quantile(&above, u), 1e-12);
   }
@@ -322,9 +322,9 @@ static void weibull_keeps_its_digits(void **state) {
     double u = crowded(rng, i);
     if (!(u > 0 && u < 1))
       continue;
-    asp_view view = asp_view_create(pow(gsl_rng_uniform(rng), 2) * 80 * DEGREE + 0.001,
-                                    gsl_rng_uniform(rng) * ASP_PI / 2);
-    asp_weibull_law w = asp_weibull_at(view.sigma, view.alpha1);
+    aspi_view view = aspi_view_of(pow(gsl_rng_uniform(rng), 2) * 80 * DEGREE + 0.001,
+                                  gsl_rng_uniform(rng) * ASP_PI / 2);
+    aspi_weibull_law w = aspi_weibull_at(view.sigma, view.alpha1);
     long double lost = expl(-powl((ASP_DELTA_MOST - w.b) / w.lambda, w.k));
     long double place = powl(-log1pl(u * (lost - 1)), 1.L / w.k);
     double should = fmin((double)(w.b + w.lambda * place), ASP_DELTA_MOST);
@@ -345,7 +345,7 @@ static void normal_laws_keep_their_digits(void **state) {
     double u = crowded(rng, i), sigma = 0.01, alpha1 = gsl_rng_uniform(rng) * 0.2;
     if (!(u > 1e-300 && u < 1))
       continue;
-    asp_view view = asp_view_create(sigma, alpha1);
+    aspi_view view = aspi_view_of(sigma, alpha1);
     double x = u < 0.5 ? gsl_cdf_ugaussian_Pinv(u) : gsl_cdf_ugaussian_Qinv(1 - u);
     assert_near(normal->quantile(&view, u) / sigma, x, 1e-15 + 1e-15 * fabs(x));
     double lost = 0.5 * erfc(alpha1 / 2 / sigma * M_SQRT1_2), p = u + (1 - u) * lost;
@@ -363,7 +363,7 @@ static void grazing_upwards(void **state) {
   const asp_spread_model *truncated = asp_spread_find("truncated", NULL);
   double last = -1;
   for (double alpha1 = 0.1; alpha1 > -0.1; alpha1 -= 0.001) {
-    asp_view view = asp_view_create(0.01, alpha1);
+    aspi_view view = aspi_view_of(0.01, alpha1);
     double lowest = truncated->quantile(&view, 1e-12);
     assert_true(lowest > last && truncated->quantile(&view, 0.7) > lowest);
     last = lowest;
@@ -377,14 +377,14 @@ static void tables_know_sizes(void **state) {
   const asp_spread_model *model = asp_spread_find("profile", NULL);
   asp_profile *profile = asp_profile_create(0.5, 1, 1 / 32., 4096, 3, NULL);
   for (int bins = 1; bins <= 32; bins = bins < 4 ? bins + 1 : 2 * bins) {
-    const asp_sizes sizes = {0.05 * bins, 4, bins}; /* few an octave, and many */
+    const aspi_sizes sizes = {0.05 * bins, 4, bins}; /* few an octave, and many */
     void *table = model->prepare(profile, &sizes, NULL);
     double last = 0, last_d_p = 0;
     for (int i = 0; i < bins; i++) {
-      double d_p = asp_sizes_at(&sizes, i);
-      const asp_sizes one = {d_p, d_p, 1};
+      double d_p = aspi_sizes_at(&sizes, i);
+      const aspi_sizes one = {d_p, d_p, 1};
       void *alone = model->prepare(profile, &one, NULL);
-      asp_view view = asp_view_create(0.5, 0.3);
+      aspi_view view = aspi_view_of(0.5, 0.3);
       view.d_p = d_p;
       view.data = alone;
       double should = model->quantile(&view, 0.9), end = i == 0 ? d_p / 9 : 9 * d_p;
@@ -404,10 +404,10 @@ static void tables_know_sizes(void **state) {
     }
     model->release(table);
   }
-  const asp_sizes same = {1, 1, 4}, one = {1, 1, 1}; /* bins of one size */
+  const aspi_sizes same = {1, 1, 4}, one = {1, 1, 1}; /* bins of one size */
   void *table = model->prepare(profile, &same, NULL), *alone = model->prepare(profile, &one, NULL);
   for (double d_p = 0.5; d_p < 3; d_p *= 2) {
-    asp_view view = asp_view_create(0.5, 0.3), other = view;
+    aspi_view view = aspi_view_of(0.5, 0.3), other = view;
     view.d_p = other.d_p = d_p;
     view.data = table;
     other.data = alone;
@@ -424,13 +424,13 @@ static void flat_walls_have_no_spread(void **state) {
     const asp_spread_model *model = asp_spread_at(m);
     if (model->prepare)
       continue;
-    asp_view view = asp_view_create(0, 0.3);
-    asp_stream stream = asp_stream_create(&(asp_key){1, 1, 1, 1});
+    aspi_view view = aspi_view_of(0, 0.3);
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, 1, 1});
     double delta = 1;
-    assert_true(asp_spread_draw(model, &view, &stream, &delta));
+    assert_true(aspi_spread_draw(model, &view, &stream, &delta));
     assert_near(delta, 0, 0);
-    view = asp_view_create(1e-300, 0.3);
-    assert_true(asp_spread_draw(model, &view, &stream, &delta));
+    view = aspi_view_of(1e-300, 0.3);
+    assert_true(aspi_spread_draw(model, &view, &stream, &delta));
     assert_near(delta, 0, 1e-290);
   }
 }
@@ -443,6 +443,19 @@ static void unknown_names_list_what_there_is(void **state) {
   for (int m = 0; m < asp_spread_count(); m++)
     assert_non_null(strstr(error.text, asp_spread_at(m)->name));
   assert_null(asp_spread_find(NULL, &error));
+}
+
+static void models_describe_themselves(void **state) {
+  (void)state;
+  for (int m = 0; m < asp_spread_count(); m++) {
+    const asp_spread_model *model = asp_spread_at(m);
+    assert_ptr_equal(asp_spread_find(asp_spread_name(model), NULL), model);
+    assert_string_equal(asp_spread_summary(model), model->summary);
+    assert_string_equal(asp_spread_source(model), model->source);
+    assert_int_equal(asp_spread_cost(model), model->cost);
+    assert_true(asp_spread_needs_profile(model) == (model->prepare != NULL));
+  }
+  assert_true(asp_spread_needs_profile(asp_spread_find("traced", NULL)));
 }
 
 int main(void) {
@@ -460,6 +473,7 @@ int main(void) {
       cmocka_unit_test(tables_know_sizes),
       cmocka_unit_test(flat_walls_have_no_spread),
       cmocka_unit_test(unknown_names_list_what_there_is),
+      cmocka_unit_test(models_describe_themselves),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* The random numbers of a contact: known answers, and independence of everything but the key. */
 #include "check.h"
+#include "base/stream.h"
 
 #include <stdlib.h>
 
@@ -18,12 +19,12 @@ static void philox_known_answers(void **state) {
        {0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}},
   };
   for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-    asp_stream s = {.left = 0};
+    aspi_stream s = {.left = 0};
     memcpy(s.key, known[i].key, sizeof s.key);
     memcpy(s.counter, known[i].counter, sizeof s.counter);
     for (int j = 0; j < 4; j += 2) {
       uint64_t bits = (uint64_t)known[i].word[j] << 32 | known[i].word[j + 1];
-      assert_near(asp_stream_uniform(&s), ((double)(bits >> 11) + 0.5) * 0x1p-53, 0);
+      assert_near(aspi_stream_uniform(&s), ((double)(bits >> 11) + 0.5) * 0x1p-53, 0);
     }
   }
 }
@@ -44,9 +45,9 @@ static void known_draws(void **state) {
     assert_int_equal(sscanf(line, "%u %39s %llu %u %lf %lf %lf %lf", &seed, fix, &tag, &impact,
                             &u[0], &u[1], &u[2], &u[3]),
                      8);
-    asp_stream s = asp_stream_create(&(asp_key){seed, asp_key_fix(fix), tag, impact});
+    aspi_stream s = aspi_stream_begin(&(asp_key){seed, asp_key_wall(fix), tag, impact});
     for (int i = 0; i < 4; i++)
-      assert_near(asp_stream_uniform(&s), u[i], 0);
+      assert_near(aspi_stream_uniform(&s), u[i], 0);
     rows++;
   }
   fclose(file);
@@ -55,9 +56,9 @@ static void known_draws(void **state) {
 
 static void name_of_a_wall_is_fnv1a(void **state) {
   (void)state;
-  assert_int_equal(asp_key_fix(""), 2166136261u);
-  assert_int_equal(asp_key_fix("a"), 0xe40c292cu);
-  assert_int_equal(asp_key_fix("foobar"), 0xbf9cf968u);
+  assert_int_equal(asp_key_wall(""), 2166136261u);
+  assert_int_equal(asp_key_wall("a"), 0xe40c292cu);
+  assert_int_equal(asp_key_wall("foobar"), 0xbf9cf968u);
 }
 
 /* 1e6 draws: inside (0, 1), mean 1/2, variance 1/12, within five standard errors. */
@@ -66,9 +67,9 @@ static void uniform_is_uniform(void **state) {
   enum { TAGS = 100000, DRAWS = 10 };
   double sum = 0, square = 0, n = (double)TAGS * DRAWS;
   for (uint64_t tag = 0; tag < TAGS; tag++) {
-    asp_stream s = asp_stream_create(&(asp_key){7, 7, tag, 1});
+    aspi_stream s = aspi_stream_begin(&(asp_key){7, 7, tag, 1});
     for (int i = 0; i < DRAWS; i++) {
-      double u = asp_stream_uniform(&s);
+      double u = aspi_stream_uniform(&s);
       assert_true(u > 0 && u < 1);
       double steps = u < 0.5 ? u * 0x1p53 - 0.5 : u * 0x1p52; /* as the header tells */
       assert_near(steps, floor(steps), 0);

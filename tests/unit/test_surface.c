@@ -3,6 +3,9 @@
 #include <fenv.h>
 
 #include "check.h"
+#include "surface/describe.h"
+#include "surface/size_law.h"
+#include "surface/slopes.h"
 
 static void numbers_of_the_wall(void **state) {
   (void)state;
@@ -85,8 +88,8 @@ static void sphere_finds_less_slope(void **state) {
   static const double table[][2] = {{0.25, 0.997}, {0.5, 0.976}, {0.75, 0.919}, {1, 0.853},
                                     {1.5, 0.738},  {2, 0.652},   {3, 0.539},    {4, 0.466},
                                     {6, 0.376},    {8, 0.321},   {12, 0.256},   {16, 0.218}};
-  asp_surface *disc = asp_surface_create_filter(0.04, 1, ASP_FILTER_DISC, NULL);
-  asp_surface *sphere = asp_surface_create_filter(0.04, 1, ASP_FILTER_SPHERE, NULL);
+  asp_surface *disc = aspi_surface_create_filter(0.04, 1, ASP_FILTER_DISC, NULL);
+  asp_surface *sphere = aspi_surface_create_filter(0.04, 1, ASP_FILTER_SPHERE, NULL);
   for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
     double d_p = table[i][0] / asp_surface_kappa(sphere, 1);
     assert_near(asp_surface_slope(sphere, d_p) / asp_surface_slope_rms(sphere), table[i][1],
@@ -105,13 +108,13 @@ static void ends_of_the_tables_are_errors(void **state) {
   assert_null(asp_surface_create(1.01, 1, &error));
   assert_int_equal(error.code, ASP_ERANGE);
   assert_non_null(strstr(error.text, "phi_r"));
-  assert_null(asp_surface_create_filter(0.26, 1, ASP_FILTER_SPHERE, &error));
+  assert_null(aspi_surface_create_filter(0.26, 1, ASP_FILTER_SPHERE, &error));
   assert_int_equal(error.code, ASP_ERANGE);
   asp_surface *walls[] = {asp_surface_create(0.1, 1, NULL), asp_surface_create(0.5, 1, NULL),
-                          asp_surface_create_filter(0.1, 1, ASP_FILTER_SPHERE, NULL)};
+                          aspi_surface_create_filter(0.1, 1, ASP_FILTER_SPHERE, NULL)};
   static const double kappa_most[] = {64, 32 * 0.5 * 1.7320508075688772, 16};
   for (int i = 0; i < 3; i++) {
-    double most = asp_surface_d_p_most(walls[i]);
+    double most = aspi_surface_d_p_most(walls[i]);
     assert_near(asp_surface_kappa(walls[i], most), kappa_most[i], 1e-9);
     assert_int_equal(asp_surface_check(walls[i], most, &error), ASP_OK);
     assert_int_equal(asp_surface_check(walls[i], 1.001 * most, &error), ASP_ERANGE);
@@ -133,9 +136,9 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   assert_near(asp_surface_bin_d_p(s, 0), 0.02, 1e-12);
   assert_near(asp_surface_bin_d_p(s, BINS - 1), 20, 1e-9);
   for (int i = 0; i < BINS; i++) {
-    asp_slopes slopes;
+    aspi_slopes slopes;
     double d_p = asp_surface_bin_d_p(s, i);
-    asp_profile_describe_slopes(p, fmin(d_p, 20), ASP_CONTACT_DILATION, &slopes, NULL);
+    aspi_profile_describe_slopes(p, fmin(d_p, 20), ASP_CONTACT_DILATION, &slopes, NULL);
     assert_near(asp_surface_slope(s, d_p), slopes.slope_rms, 1e-9);
     assert_near(asp_surface_bin_slope(s, i), slopes.slope_rms, 1e-9);
   }
@@ -147,8 +150,8 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   }
   assert_near(asp_surface_slope(s, 1e-3), asp_surface_bin_slope(s, 0), 1e-12);
   assert_near(asp_surface_slope(s, 1e3), asp_surface_bin_slope(s, BINS - 1), 1e-12);
-  asp_description d;
-  asp_profile_describe(p, ASP_LEVEL_1_E, &d, NULL);
+  aspi_description d;
+  aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL);
   assert_near(asp_surface_r_q(s), d.r_q, 0);
   assert_near(asp_surface_phi_r(s), d.phi_r, 1e-15);
   asp_surface_free(s);
@@ -186,14 +189,14 @@ static void lengths_are_numbers_or_refused(void **state) {
     for (int i = 0; i < N; i++)
       for (int k = 0; k < N; k++) {
         asp_error error = {ASP_OK, ""};
-        asp_surface *s = asp_surface_create_filter(
+        asp_surface *s = aspi_surface_create_filter(
             lengths[i], lengths[k], filter ? ASP_FILTER_SPHERE : ASP_FILTER_DISC, &error);
         if (!s) {
           assert_true(error.code == ASP_EARG || error.code == ASP_ERANGE);
           continue;
         }
         walls++;
-        double most = asp_surface_d_p_most(s),
+        double most = aspi_surface_d_p_most(s),
                sizes[] = {0, 5e-324, 1e-310, 1e-100, 1e-3 * most, most};
         assert_true(isfinite(most) && most > 0);
         for (size_t n = 0; n < sizeof sizes / sizeof *sizes; n++) {
@@ -214,7 +217,7 @@ static void slopes_raise_no_trap(void **state) {
                           asp_surface_create(0.25, 1, NULL),
                           asp_surface_create(0.6, 1, NULL),
                           asp_surface_create(1, 1, NULL),
-                          asp_surface_create_filter(0.1, 1, ASP_FILTER_SPHERE, NULL),
+                          aspi_surface_create_filter(0.1, 1, ASP_FILTER_SPHERE, NULL),
                           asp_surface_create_profile(p, 1, 4, 5, NULL),
                           asp_surface_create_profile(p, 1, 4, 1, NULL)};
   static const double sizes[] = {0, 5e-324, 1e-300, 1e-9, 0.02, 1, 3, 1e3, 1e300};

@@ -1,6 +1,7 @@
 /* The geometry: the law of the first hit and the paths against brute force, against each other, and
  * against numbers of an independent ray tracer; the models against the geometry. */
 #include "check.h"
+#include "impact/wall.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_rng.h>
@@ -8,22 +9,22 @@
 
 #define DEGREE (ASP_PI / 180)
 
-static double heights_of_one(const asp_track *track, size_t i) {
+static double heights_of_one(const aspi_track *track, size_t i) {
   double z = 0;
   for (size_t k = 0; k < i; k++)
-    z += asp_track_face_slope(track, k);
+    z += aspi_track_face_slope(track, k);
   return z;
 }
 
 /* The first face that a ray from (x, z) with slope m meets beyond face `own` (none: n), by asking
  * every face; n when there is none within two periods. Heights in points, over point 0. */
-static size_t brute(const asp_track *track, const double *h, double x, double z, double m,
+static size_t brute(const aspi_track *track, const double *h, double x, double z, double m,
                     size_t own) {
-  size_t n = asp_track_faces(track), begin = (size_t)x;
+  size_t n = aspi_track_faces(track), begin = (size_t)x;
   for (size_t k = begin; k < begin + 2 * n; k++) {
     if (k % n == own && k < begin + n)
       continue;
-    double from = fmax((double)k, x), p = asp_track_face_slope(track, k % n);
+    double from = fmax((double)k, x), p = aspi_track_face_slope(track, k % n);
     double low = h[k % n] + p * (from - (double)k), high = h[k % n] + p;
     if (z + m * (from - x) >= low - 1e-12 && z + m * ((double)k + 1 - x) <= high + 1e-12)
       return k % n;
@@ -31,9 +32,9 @@ static size_t brute(const asp_track *track, const double *h, double x, double z,
   return n;
 }
 
-static asp_track *track_of(size_t points, double r_q, double d_p, uint32_t seed) {
+static aspi_track *track_of(size_t points, double r_q, double d_p, uint32_t seed) {
   asp_profile *profile = asp_profile_create(r_q, 1, 1 / 16., points, seed, NULL);
-  asp_track *track = asp_track_create(profile, d_p, NULL);
+  aspi_track *track = aspi_track_create(profile, d_p, NULL);
   assert_non_null(track);
   asp_profile_free(profile);
   return track;
@@ -41,15 +42,15 @@ static asp_track *track_of(size_t points, double r_q, double d_p, uint32_t seed)
 
 static void first_hits_agree_with_brute_force(void **state) {
   (void)state;
-  asp_track *track = track_of(512, 0.2, 0.5, 5); /* alpha_least is 5 degrees */
-  size_t n = asp_track_faces(track);
+  aspi_track *track = track_of(512, 0.2, 0.5, 5); /* alpha_least is 5 degrees */
+  size_t n = aspi_track_faces(track);
   double *weight = malloc(n * sizeof *weight), *h = malloc(n * sizeof *h);
   for (size_t i = 0; i < n; i++)
     h[i] = heights_of_one(track, i);
   for (double angle = 8; angle < 90; angle += 16.3) {
     enum { RAYS = 20000 };
     double sum = 0, *count = calloc(n, sizeof *count), off = 0, top = 0;
-    asp_track_first_hit(track, angle * DEGREE, weight);
+    aspi_track_first_hit(track, angle * DEGREE, weight);
     for (size_t i = 0; i < n; i++) {
       sum += weight[i];
       top = fmax(top, h[i]);
@@ -64,37 +65,37 @@ static void first_hits_agree_with_brute_force(void **state) {
   }
   free(weight);
   free(h);
-  asp_track_free(track);
+  aspi_track_free(track);
 }
 
 static void paths_agree_with_brute_force(void **state) {
   (void)state;
-  asp_track *track = track_of(512, 0.3, 0.3, 6);
-  size_t n = asp_track_faces(track);
+  aspi_track *track = track_of(512, 0.3, 0.3, 6);
+  size_t n = aspi_track_faces(track);
   double *h = malloc(n * sizeof *h), zero;
   for (size_t i = 0; i < n; i++)
     h[i] = heights_of_one(track, i);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  asp_path path;
-  asp_track_enter(track, 0.5, &path);
-  asp_track_next(track, ASP_PI / 2, &path, &zero);
-  double shift =
-      path.z - h[path.face] - (path.x - (double)path.face) * asp_track_face_slope(track, path.face);
+  aspi_path path;
+  aspi_track_enter(track, 0.5, &path);
+  aspi_track_next(track, ASP_PI / 2, &path, &zero);
+  double shift = path.z - h[path.face] -
+                 (path.x - (double)path.face) * aspi_track_face_slope(track, path.face);
   for (int i = 0; i < 20000; i++) {
     double delta, alpha = 0.2 + 1.3 * gsl_rng_uniform(rng);
-    asp_track_enter(track, gsl_rng_uniform_pos(rng), &path);
-    assert_true(asp_track_next(track, alpha, &path, &delta));
+    aspi_track_enter(track, gsl_rng_uniform_pos(rng), &path);
+    assert_true(aspi_track_next(track, alpha, &path, &delta));
     size_t own = path.face;
     double rise = alpha + 2 * delta, z = path.z - shift, x = path.x;
     if (!(fabs(rise) < 1.5))
       continue; /* flies back, which the mirror image covers below */
-    bool hits = asp_track_next(track, -rise, &path, &delta);
+    bool hits = aspi_track_next(track, -rise, &path, &delta);
     size_t should = brute(track, h, x, z, tan(rise), own);
     assert_int_equal(hits ? path.face : n, should);
   }
   gsl_rng_free(rng);
   free(h);
-  asp_track_free(track);
+  aspi_track_free(track);
 }
 
 /* A profile and its mirror image are the same wall for a particle that flies the other way. */
@@ -106,40 +107,42 @@ static void flights_back_are_flights_over_the_mirror_image(void **state) {
   for (int i = 0; i < N; i++)
     mirrored[i] = asp_profile_heights(there)[N - 1 - i];
   asp_profile *back = asp_profile_from_heights(mirrored, N, 1 / 16., true, NULL);
-  asp_track *one = asp_track_create(there, 0.2, NULL), *other = asp_track_create(back, 0.2, NULL);
+  aspi_track *one = aspi_track_create(there, 0.2, NULL),
+             *other = aspi_track_create(back, 0.2, NULL);
   for (int i = 0; i < 2000; i++) {
-    asp_path a, b;
+    aspi_path a, b;
     double da, db, alpha = 0.02 + 0.0007 * i;
-    asp_track_enter(one, 0.3, &a);
-    asp_track_next(one, alpha, &a, &da);
+    aspi_track_enter(one, 0.3, &a);
+    aspi_track_next(one, alpha, &a, &da);
     a.back = true;
     b = a;
     b.back = false;
     b.x = N - 1 - a.x < 0 ? 2 * N - 1 - a.x : N - 1 - a.x;
     b.face = (2 * N - 2 - a.face) % N;
-    bool hit = asp_track_next(one, -0.1 + 0.0002 * i, &a, &da);
-    assert_int_equal(hit, asp_track_next(other, -0.1 + 0.0002 * i, &b, &db));
+    bool hit = aspi_track_next(one, -0.1 + 0.0002 * i, &a, &da);
+    assert_int_equal(hit, aspi_track_next(other, -0.1 + 0.0002 * i, &b, &db));
     if (hit)
       assert_near(da, db, 1e-9);
   }
-  asp_track_free(one);
-  asp_track_free(other);
+  aspi_track_free(one);
+  aspi_track_free(other);
   asp_profile_free(there);
   asp_profile_free(back);
 }
 
 static asp_wall *wall_of(const char *model, const asp_profile *profile, const asp_surface *surface,
                          double d_p) {
-  asp_wall_spec spec = asp_wall_spec_default();
-  asp_wall_spec_rebound(&spec, "constant", NULL);
-  spec.spread = model;
-  spec.surface = surface;
-  spec.profile = profile;
-  spec.sizes = (asp_sizes){d_p, d_p, 1};
-  spec.collisions = ASP_COLLISIONS_MULTIPLE;
-  spec.deposit = false;
-  asp_wall *wall = asp_wall_create(&spec, NULL);
+  asp_wall *wall = asp_wall_create(NULL);
   assert_non_null(wall);
+  asp_wall_choose(wall, "rebound", "constant", NULL);
+  asp_wall_choose(wall, "collisions", "multiple", NULL);
+  asp_wall_set(wall, "deposit", 0, NULL);
+  asp_wall_set(wall, "d_p_least", d_p, NULL);
+  asp_wall_set(wall, "d_p_most", d_p, NULL);
+  asp_wall_set_surface(wall, surface);
+  asp_wall_set_profile(wall, profile);
+  assert_int_equal(asp_wall_choose(wall, "spread", model, NULL), ASP_OK);
+  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
   return wall;
 }
 
@@ -230,17 +233,17 @@ static void tables_are_the_law_of_the_track(void **state) {
   (void)state;
   const asp_spread_model *model = asp_spread_find("profile", NULL);
   asp_profile *profile = asp_profile_create(0.125, 1, 1 / 128., 131072, 1, NULL);
-  asp_sizes sizes = {0.25, 0.25, 1};
+  aspi_sizes sizes = {0.25, 0.25, 1};
   void *table = model->prepare(profile, &sizes, NULL);
-  asp_track *track = asp_track_create(profile, 0.25, NULL);
-  size_t n = asp_track_faces(track);
+  aspi_track *track = aspi_track_create(profile, 0.25, NULL);
+  size_t n = aspi_track_faces(track);
   double *weight = malloc(n * sizeof *weight);
   for (double k = 10; k < 63; k += 2.25) { /* nodes, and a quarter, half, three quarters between */
     double alpha1 = ASP_PI / 2 * k * k / (63 * 63), kl = 0, most = 0, share[181] = {0};
-    asp_view view = {0.17, atan(0.17), alpha1, 0.25, table};
-    asp_track_first_hit(track, alpha1, weight);
+    aspi_view view = {0.17, atan(0.17), alpha1, 0.25, table};
+    aspi_track_first_hit(track, alpha1, weight);
     for (size_t i = 0; i < n; i++)
-      share[(int)floor(atan(asp_track_face_slope(track, i)) / DEGREE) + 90] += weight[i];
+      share[(int)floor(atan(aspi_track_face_slope(track, i)) / DEGREE) + 90] += weight[i];
     for (int i = 0; i < 180; i++) {
       double p = model->distribution(&view, (i - 89) * DEGREE) -
                  model->distribution(&view, (i - 90) * DEGREE);
@@ -253,7 +256,7 @@ static void tables_are_the_law_of_the_track(void **state) {
       assert_true(most < 2. / 512);
   }
   free(weight);
-  asp_track_free(track);
+  aspi_track_free(track);
   model->release(table);
   asp_profile_free(profile);
 }
@@ -262,16 +265,16 @@ static void bad_sizes_are_named(void **state) {
   (void)state;
   asp_error error;
   asp_profile *profile = asp_profile_create(0.1, 1, 1 / 16., 1024, 1, NULL);
-  static const asp_sizes bad[] = {{0, 1, 2},   {NAN, 1, 2}, {1, 0.5, 2},
-                                  {1, NAN, 2}, {1, 2, 0},   {1, 2, 100000}};
+  static const aspi_sizes bad[] = {{0, 1, 2},   {NAN, 1, 2}, {1, 0.5, 2},
+                                   {1, NAN, 2}, {1, 2, 0},   {1, 2, 100000}};
   for (int m = 0; m < asp_spread_count(); m++)
     for (size_t i = 0; asp_spread_at(m)->prepare && i < sizeof bad / sizeof *bad; i++) {
       assert_null(asp_spread_at(m)->prepare(profile, &bad[i], &error));
       assert_int_equal(error.code, ASP_EARG);
       assert_non_null(strstr(error.text, "d_p"));
     }
-  assert_null(asp_track_create(profile, -1, &error));
-  assert_null(asp_track_create(profile, 1e9, &error));
+  assert_null(aspi_track_create(profile, -1, &error));
+  assert_null(aspi_track_create(profile, 1e9, &error));
   asp_profile_free(profile);
 }
 
@@ -280,13 +283,13 @@ static void measured_profiles(void **state) {
   (void)state;
   static const double heights[] = {0, 1, 3, 2, 5, 4, 4.5, 1, 0.5, 2};
   asp_profile *profile = asp_profile_from_heights(heights, 10, 1, false, NULL);
-  asp_track *track = asp_track_create(profile, 0, NULL);
-  assert_int_equal(asp_track_faces(track), 18);
+  aspi_track *track = aspi_track_create(profile, 0, NULL);
+  assert_int_equal(aspi_track_faces(track), 18);
   for (size_t i = 0; i < 9; i++) {
-    assert_near(asp_track_face_slope(track, i), heights[i + 1] - heights[i], 1e-12);
-    assert_near(asp_track_face_slope(track, 17 - i), heights[i] - heights[i + 1], 1e-12);
+    assert_near(aspi_track_face_slope(track, i), heights[i + 1] - heights[i], 1e-12);
+    assert_near(aspi_track_face_slope(track, 17 - i), heights[i] - heights[i + 1], 1e-12);
   }
-  asp_track_free(track);
+  aspi_track_free(track);
   asp_profile_free(profile);
 }
 

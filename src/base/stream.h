@@ -1,0 +1,25 @@
+/* The random numbers of one contact: Philox4x32-10 (Salmon et al. 2011) keyed by (seed, wall),
+ * counted by (tag, impact, block of two draws). Lives on the stack. */
+#ifndef ASP_BASE_STREAM_H
+#define ASP_BASE_STREAM_H
+
+#include "asperity.h"
+
+typedef struct aspi_stream {
+  uint32_t key[2];
+  uint32_t counter[4];
+  double ready[2]; /* numbers that are drawn already, the last `left` of them */
+  int left;
+} aspi_stream;
+
+/* The stream of a contact, at its beginning. */
+aspi_stream aspi_stream_begin(const asp_key *key);
+
+/* The next uniform number of the stream, strictly between 0 and 1: in steps of 2^-53
+ * below 0.5 and of 2^-52 above. */
+double aspi_stream_uniform(aspi_stream *stream);
+
+/* The next standard normal number of the stream (inverse transform, one uniform each). */
+double aspi_stream_normal(aspi_stream *stream);
+
+#endif

@@ -1,0 +1,76 @@
+/* The pair of a particle's and a wall's material.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
+#include "rebound/materials.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static asp_code check(const asp_material *m, const char *of, asp_error *error) {
+  if (!(m->youngs_modulus > 0 && isfinite(m->youngs_modulus)))
+    return aspi_fail(error, ASP_EARG,
+                     "Young's modulus of the %s is %g; it must be a finite number > 0", of,
+                     m->youngs_modulus);
+  if (!(m->poissons_ratio > -1 && m->poissons_ratio < 0.5))
+    return aspi_fail(error, ASP_EARG,
+                     "Poisson's ratio of the %s is %g; it must be more than -1 and less than 0.5",
+                     of, m->poissons_ratio);
+  return ASP_OK;
+}
+
+/* (1 - nu^2)/E */
+static double compliance(const asp_material *m) {
+  return (1 - m->poissons_ratio * m->poissons_ratio) / m->youngs_modulus;
+}
+
+asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall,
+                          asp_error *error) {
+  if (check(particle, "particle", error) || check(wall, "wall", error))
+    return NULL;
+  double modulus = 1 / (compliance(particle) + compliance(wall));
+  if (!(modulus > 0 && isfinite(modulus))) {
+    aspi_fail(error, ASP_EARG, "Young's moduli are %g and %g; their composite is no number",
+              particle->youngs_modulus, wall->youngs_modulus);
+    return NULL;
+  }
+  asp_pair *pair = malloc(sizeof *pair);
+  if (pair)
+    *pair = (asp_pair){modulus, particle->yield_stress, 0, ASP_FRICTION};
+  else
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a pair of materials");
+  return pair;
+}
+
+void asp_pair_free(asp_pair *pair) {
+  free(pair);
+}
+
+/* The number of that name; NULL where there is none. */
+static double *number_of(asp_pair *pair, const char *name) {
+  return strcmp(name, "modulus") == 0          ? &pair->modulus
+         : strcmp(name, "yield_stress") == 0   ? &pair->yield_stress
+         : strcmp(name, "surface_energy") == 0 ? &pair->surface_energy
+         : strcmp(name, "friction") == 0       ? &pair->friction
+                                               : NULL;
+}
+
+asp_code asp_pair_set(asp_pair *pair, const char *name, double value, asp_error *error) {
+  double *number = number_of(pair, name);
+  if (!number || number == &pair->modulus)
+    return aspi_fail(error, ASP_ENAME,
+                     "number '%s' of a pair of materials cannot be set; there are: yield_stress "
+                     "surface_energy friction",
+                     name);
+  asp_code code = aspi_check_range(error, name, "", value, 0, INFINITY);
+  if (!code)
+    *number = value;
+  return code;
+}
+
+double asp_pair_get(const asp_pair *pair, const char *name) {
+  asp_pair copy = *pair;
+  const double *number = number_of(&copy, name);
+  return number ? *number : NAN;
+}

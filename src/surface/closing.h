@@ -1,0 +1,13 @@
+/* Discs on a profile. */
+#ifndef ASP_SURFACE_CLOSING_H
+#define ASP_SURFACE_CLOSING_H
+
+#include "asperity.h"
+
+/* The path of the centre of a disc of diameter d_p that rolls over the profile (dilation), and the
+ * deepest that its edge reaches (closing: dilation, then erosion); exact for the sampled points, in
+ * a time that does not depend on d_p. `out` has asp_profile_points values. 0 < d_p <= length. */
+asp_code aspi_profile_dilate(const asp_profile *profile, double d_p, double *out, asp_error *error);
+asp_code aspi_profile_close(const asp_profile *profile, double d_p, double *out, asp_error *error);
+
+#endif

@@ -1,0 +1,27 @@
+/* A profile in numbers. */
+#ifndef ASP_SURFACE_DESCRIBE_H
+#define ASP_SURFACE_DESCRIBE_H
+
+#include "asperity.h"
+
+/* Levels of the autocorrelation that define the correlation length. */
+#define ASP_LEVEL_1_E 0.36787944117144233
+#define ASP_LEVEL_S_AL 0.2 /* S_al of ISO 25178-2 */
+
+typedef struct aspi_description {
+  double length, spacing;
+  size_t points;
+  double r_q, r_a;   /* rms and mean absolute height about the mean */
+  double lambda_c;   /* the lag at which the autocorrelation falls to the level */
+  double lambda_1_e; /* lambda_c / sqrt(-ln(level)): the 1/e lag of a Gaussian profile with it */
+  double phi_r;      /* r_q/lambda_c */
+  double slope_rms;  /* of the differences between neighbours */
+} aspi_description;
+
+/* Describes a profile; 0 < level < 1. ASP_EDATA when it is constant, or too short for its
+ * autocorrelation to fall to the level within half its length. Of a measured profile the
+ * autocovariance at lag k is the sum of its n - k products over n. */
+asp_code aspi_profile_describe(const asp_profile *profile, double level,
+                               aspi_description *description, asp_error *error);
+
+#endif

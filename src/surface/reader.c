@@ -1,0 +1,91 @@
+/* The reader of measured profiles, set and asked by name.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
+#include "surface/read.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct asp_reader {
+  aspi_profile_options options;
+  aspi_profile_report report;
+};
+
+asp_reader *asp_reader_create(asp_error *error) {
+  asp_reader *reader = calloc(1, sizeof *reader);
+  if (reader)
+    reader->options = aspi_profile_options_default();
+  else
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a reader of profiles");
+  return reader;
+}
+
+void asp_reader_free(asp_reader *reader) {
+  free(reader);
+}
+
+/* An option: one of the pointers says where it is kept. */
+typedef struct option {
+  const char *name;
+  double *number;
+  int *whole;
+  bool *flag;
+} option;
+
+asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error) {
+  aspi_profile_options o = reader->options;
+  const option all[] = {
+      {.name = "unit_x", .number = &o.unit_x},   {.name = "unit_z", .number = &o.unit_z},
+      {.name = "metre", .number = &o.metre},     {.name = "form", .whole = &o.form},
+      {.name = "spikes", .number = &o.spikes},   {.name = "fill", .flag = &o.fill},
+      {.name = "resample", .flag = &o.resample}, {.name = "row", .whole = &o.row},
+      {.name = "column", .whole = &o.column},
+  };
+  enum { COUNT = sizeof all / sizeof *all };
+  int i = 0;
+  while (i < COUNT && strcmp(all[i].name, name) != 0)
+    i++;
+  if (i == COUNT)
+    return aspi_fail(error, ASP_ENAME,
+                     "option '%s' is unknown to a reader of profiles; there are: unit_x unit_z "
+                     "metre form spikes fill resample row column",
+                     name);
+  if (!all[i].number && !(fabs(value) < INT_MAX && !(value > floor(value))))
+    return aspi_fail(error, ASP_EARG, "%s is %g; it must be a whole number", name, value);
+  if (all[i].number)
+    *all[i].number = value;
+  else if (all[i].whole)
+    *all[i].whole = (int)value;
+  else
+    *all[i].flag = value > 0;
+  asp_code code = aspi_profile_check_options(&o, error);
+  if (!code)
+    reader->options = o;
+  return code;
+}
+
+asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error) {
+  return aspi_profile_read(path, &reader->options, &reader->report, error);
+}
+
+double asp_reader_get(const asp_reader *reader, const char *name) {
+  const aspi_profile_report *r = &reader->report;
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"points", (double)r->points},           {"bad", (double)r->bad},
+             {"spikes", (double)r->spikes},           {"filled", (double)r->filled},
+             {"longest_gap", (double)r->longest_gap}, {"resampled", r->resampled},
+             {"step_least", r->step_least},           {"step_most", r->step_most}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(all[i].name, name) == 0)
+      return all[i].value;
+  return NAN;
+}
+
+const char *asp_reader_text(const asp_reader *reader) {
+  return reader->report.text;
+}

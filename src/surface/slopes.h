@@ -1,0 +1,55 @@
+/* Slopes that particles find on a profile, and their density. */
+#ifndef ASP_SURFACE_SLOPES_H
+#define ASP_SURFACE_SLOPES_H
+
+#include "asperity.h"
+
+/* Mean, standard deviation, skewness, and excess kurtosis (0 for a normal law). */
+typedef struct aspi_moments {
+  double mean, sd, skewness, kurtosis;
+} aspi_moments;
+
+aspi_moments aspi_moments_of(const double *values, size_t count);
+
+/* A density on equally spaced points, by a Gaussian kernel. */
+typedef struct aspi_density aspi_density;
+
+/* Kernel density estimate of at least two values, not all equal, at `points` (2 to 65536) points
+ * from lo to hi. Bandwidth min(sd, quartile distance/1.349) (4/(3 count))^(1/5). Normalised over lo
+ * to hi; values outside are left out. NULL on error. */
+aspi_density *aspi_density_create(const double *values, size_t count, double lo, double hi,
+                                  size_t points, asp_error *error);
+void aspi_density_free(aspi_density *density);
+size_t aspi_density_points(const aspi_density *density);
+double aspi_density_at(const aspi_density *density, size_t index, double *x);
+double aspi_density_bandwidth(const aspi_density *density);
+
+/* D_KL (eq. 2, natural logarithm) of the density against a normal law, and against another density
+ * on the same points. Where the other density is less than one of its values spread over the range,
+ * that least is taken instead. An estimate from N independent values is about B/(2N) too high, B
+ * the number of bins that the kernel is worth over 8 sd: 8 sd/(2 sqrt(pi) bandwidth). */
+double aspi_density_kl_normal(const aspi_density *density, double mean, double sd);
+double aspi_density_kl(const aspi_density *reference, const aspi_density *other);
+
+typedef enum aspi_contact {
+  ASP_CONTACT_DILATION, /* where a particle with a uniformly spread centre touches */
+  ASP_CONTACT_CLOSING   /* the filtered profile itself; equal to it in law */
+} aspi_contact;
+
+/* Slopes of the dilated or closed profile between neighbouring points, into `out`; *count is how
+ * many there are: the number of points, one less on a profile that is not periodic. */
+asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+                             double *out, size_t *count, asp_error *error);
+
+/* The contact slopes of a profile for one particle size, in numbers. */
+typedef struct aspi_slopes {
+  double slope_rms;          /* s_eff */
+  aspi_moments slope, angle; /* angle in rad */
+  double bandwidth;          /* of the density of the angles, rad */
+  double kl_normal;          /* D_KL of the normal law with the angles' mean and sd */
+} aspi_slopes;
+
+asp_code aspi_profile_describe_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+                                      aspi_slopes *slopes, asp_error *error);
+
+#endif

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# The core as a shared library: every symbol that it exports begins with asp_ and is declared in asperity.h, every
+# function declared there is exported, a program outside the project needs nothing but it, and the command runs.
+# In the static library, too, what is not declared there does not begin with asp_.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source_dir=$(cd "$here/../.." && pwd)
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+die() { echo "FAILED: $*" >&2; exit 1; }
+
+cmake -S "$source_dir" -B "$work/build" -DBUILD_SHARED_LIBS=ON -DASPERITY_LIGGGHTS=OFF -DASPERITY_TESTS=OFF \
+  -DCMAKE_INSTALL_PREFIX="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; die "configuration"; }
+cmake --build "$work/build" -j 2 --target install > "$work/log" 2>&1 || { cat "$work/log"; die "build"; }
+library=$(find "$work/prefix" -name libasperity.so)
+[ -e "$library" ] || die "no libasperity.so is installed"
+
+gcc -E -P "$source_dir/src/asperity.h" | tr '\n' ' ' | grep -oE '\basp_[a-z0-9_]+ *\(' | tr -d ' (' | sort -u > "$work/declared"
+[ "$(wc -l < "$work/declared")" -gt 60 ] || die "few functions were found in asperity.h"
+nm -D --defined-only "$library" | awk '{ print $3 }' | sort -u > "$work/exported"
+more=$(comm -13 "$work/declared" "$work/exported")
+[ -z "$more" ] || die "exported, and not declared in asperity.h: $more"
+less=$(comm -23 "$work/declared" "$work/exported")
+[ -z "$less" ] || die "declared in asperity.h, and not exported: $less"
+nm -g --defined-only "$work"/build/src/CMakeFiles/asperity_core.dir/*/*.o | awk 'NF == 3 { print $3 }' | sort -u > "$work/global"
+grep '^asp_' "$work/global" | comm -13 "$work/declared" - > "$work/inside"
+[ ! -s "$work/inside" ] || die "names of the core's own begin as the public ones: $(cat "$work/inside")"
+grep -v -e '^asp_' -e '^aspi_' "$work/global" > "$work/bare" && die "global names without a prefix: $(cat "$work/bare")"
+
+pc=$(find "$work/prefix" -name asperity.pc -printf %h)
+export PKG_CONFIG_PATH=$pc LD_LIBRARY_PATH=$(dirname "$library")
+# shellcheck disable=SC2046
+gcc "$here/stranger.c" -o "$work/stranger" $(pkg-config --cflags --libs asperity)
+"$work/stranger"
+! pkg-config --libs asperity | grep -q gsl || die "who links the shared library is asked for GSL"
+cmake -S "$here" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; die "find_package"; }
+cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; die "build by find_package"; }
+"$work/cmake/stranger"
+"$work/prefix/bin/asperity" --version
