@@ -50,8 +50,8 @@ bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, doub
                         double latest, ContactTouch *touch);
 
 /* A cylinder of infinite length around an axis parallel to a coordinate axis, through `center`
- * (whose component along the axis is not used), met from inside or outside. A sphere that is wider
- * than the cylinder touches it from inside when its centre lies on the axis. */
+ * (whose component along the axis is not used), met from inside or outside. A sphere inside that is
+ * wider than the cylinder is put back on the axis. */
 typedef struct ContactCylinder {
   int axis;
   double center[3], radius;

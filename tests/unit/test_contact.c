@@ -1,0 +1,391 @@
+/* Contacts of a sphere on a straight path, against brute force: the distance from a wall sampled
+ * along the path, and the nearest of all triangles, one by one.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "contact/contact.h"
+#include "contact/tree.h"
+#include "contact/vector.h"
+
+enum { SAMPLES = 2000, CASES = 3000 };
+
+static uint32_t state = 12345;
+static double uniform(double lo, double hi) {
+  state = (uint32_t)(((uint64_t)state * 48271) % 2147483647);
+  return lo + (hi - lo) * state / 2147483647.0;
+}
+
+static void random_vector(double size, double v[3]) {
+  for (int d = 0; d < 3; d++)
+    v[d] = uniform(-size, size);
+}
+
+static void at(const ContactPath *path, double time, double x[3]) {
+  vector_add_scaled(path->x, time, path->v, x);
+}
+
+/* The distance of x from a triangle by a search over its barycentric coordinates, finer and finer:
+ * independent of the code under test. */
+static double brute_distance(const ContactTriangle *t, const double x[3]) {
+  double best = INFINITY, mid_a = 0.5, mid_b = 0.5, width = 0.5;
+  for (int level = 0; level < 40; level++, width *= 0.6) {
+    double next_a = mid_a, next_b = mid_b;
+    for (int i = -4; i <= 4; i++)
+      for (int j = -4; j <= 4; j++) {
+        double a = fmin(1, fmax(0, mid_a + width * i / 4)),
+               b = fmin(1, fmax(0, mid_b + width * j / 4));
+        if (a + b > 1) {
+          const double sum = a + b;
+          a /= sum;
+          b /= sum;
+        }
+        double p[3], off[3];
+        for (int d = 0; d < 3; d++)
+          p[d] = (1 - a - b) * t->node[0][d] + a * t->node[1][d] + b * t->node[2][d];
+        vector_subtract(x, p, off);
+        if (vector_length(off) < best) {
+          best = vector_length(off);
+          next_a = a;
+          next_b = b;
+        }
+      }
+    mid_a = next_a;
+    mid_b = next_b;
+  }
+  return best;
+}
+
+static double plane_gap(const ContactPlane *plane, const double x[3], double radius) {
+  return fabs(x[plane->axis] - plane->at) - radius;
+}
+
+static double cylinder_gap(const ContactCylinder *c, const double x[3], double radius) {
+  double arm[3];
+  vector_subtract(x, c->center, arm);
+  arm[c->axis] = 0;
+  return fabs(vector_length(arm) - c->radius) - radius;
+}
+
+static double triangle_gap(const ContactTriangle *t, const double x[3], double radius) {
+  double nearest[3];
+  return contact_triangle_nearest(t, x, nearest) - radius;
+}
+
+typedef struct Wall {
+  enum { PLANE, CYLINDER, TRIANGLE } kind;
+  ContactPlane plane;
+  ContactCylinder cylinder;
+  ContactTriangle triangle;
+} Wall;
+
+static double gap_of(const Wall *w, const double x[3], double radius) {
+  return w->kind == PLANE      ? plane_gap(&w->plane, x, radius)
+         : w->kind == CYLINDER ? cylinder_gap(&w->cylinder, x, radius)
+                               : triangle_gap(&w->triangle, x, radius);
+}
+
+static bool find(const Wall *w, const ContactPath *path, double radius, double latest,
+                 ContactTouch *touch) {
+  return w->kind == PLANE      ? contact_plane_find(&w->plane, path, radius, latest, touch)
+         : w->kind == CYLINDER ? contact_cylinder_find(&w->cylinder, path, radius, latest, touch)
+                               : contact_triangle_find(&w->triangle, path, radius, latest, touch);
+}
+
+static void random_wall(int kind, Wall *w) {
+  memset(w, 0, sizeof *w);
+  w->kind = kind;
+  w->plane.axis = w->cylinder.axis = (int)uniform(0, 2.999);
+  w->plane.at = uniform(-1, 1);
+  random_vector(1, w->cylinder.center);
+  w->cylinder.radius = uniform(0.5, 2);
+  for (int k = 0; k < 3; k++)
+    random_vector(1.5, w->triangle.node[k]);
+}
+
+/* From a place without an overlap: there is a contact where the sampled gap first falls below zero,
+ * and none where it stays above. */
+static void check_path(const Wall *w, const ContactPath *path, double radius) {
+  double x[3];
+  ContactTouch touch;
+  const bool found = find(w, path, radius, path->left, &touch);
+  double first = INFINITY, least = INFINITY;
+  for (int i = 0; i <= SAMPLES; i++) {
+    const double time = path->left * i / SAMPLES;
+    at(path, time, x);
+    const double gap = gap_of(w, x, radius);
+    least = fmin(least, gap);
+    if (gap < 0 && time < first)
+      first = time;
+  }
+  const double step = path->left / SAMPLES;
+  if (!found) {
+    assert_true(least > -1e-9);
+    return;
+  }
+  at(path, touch.time, x);
+  assert_true(fabs(gap_of(w, x, radius)) <= 2e-9 * radius);
+  assert_true(touch.time >= 0 && touch.time <= path->left && touch.time <= first);
+  assert_true(first == INFINITY || touch.time >= first - 1.001 * step || least > -1e-3);
+  assert_true(vector_dot(touch.n, path->v) < 0);
+  assert_true(fabs(vector_length(touch.n) - 1) < 1e-12);
+  assert_true(touch.lift == 0 && !touch.guarded);
+  /* The normal leads from the wall to the centre. */
+  double foot[3];
+  vector_add_scaled(x, -radius, touch.n, foot);
+  assert_true(fabs(gap_of(w, foot, 0)) < 1e-7);
+}
+
+static void test_paths(void **unused) {
+  (void)unused;
+  for (int kind = PLANE; kind <= TRIANGLE; kind++)
+    for (int i = 0; i < CASES;) {
+      Wall w;
+      ContactPath path;
+      const double radius = uniform(0.02, 0.3);
+      random_wall(kind, &w);
+      random_vector(2, path.x);
+      random_vector(3, path.v);
+      path.left = uniform(0.1, 2);
+      if (gap_of(&w, path.x, radius) < 1e-6)
+        continue;
+      check_path(&w, &path, radius);
+      i++;
+    }
+}
+
+/* Paths that graze an edge or a corner: the contact is missed or met, but never late. */
+static void test_grazing(void **unused) {
+  (void)unused;
+  for (int i = 0; i < CASES; i++) {
+    Wall w;
+    ContactPath path;
+    double along[3], out[3], normal[3], edge[3];
+    const double radius = uniform(0.05, 0.2);
+    random_wall(TRIANGLE, &w);
+    contact_triangle_normal(&w.triangle, normal);
+    vector_subtract(w.triangle.node[1], w.triangle.node[0], edge);
+    vector_cross(edge, normal, out);
+    vector_scale(1 / vector_length(out), out);
+    vector_cross(out, edge, along);
+    vector_scale(1 / vector_length(along), along);
+    /* A sphere whose centre passes the edge's middle at a radius, within 1e-7 of it. */
+    double center[3];
+    for (int d = 0; d < 3; d++)
+      center[d] = 0.5 * (w.triangle.node[0][d] + w.triangle.node[1][d]);
+    vector_add_scaled(center, radius * (1 + uniform(-1e-7, 1e-7)), out, center);
+    vector_copy(along, path.v);
+    vector_add_scaled(center, -1, along, path.x);
+    path.left = 2;
+    if (gap_of(&w, path.x, radius) > 1e-6)
+      check_path(&w, &path, radius);
+  }
+}
+
+static void test_nearest(void **unused) {
+  (void)unused;
+  for (int i = 0; i < 300; i++) {
+    Wall w;
+    double x[3], nearest[3];
+    random_wall(TRIANGLE, &w);
+    if (i % 3 == 1) /* two nodes in one place */
+      vector_copy(w.triangle.node[0], w.triangle.node[1]);
+    if (i % 3 == 2) /* three in a line */
+      for (int d = 0; d < 3; d++)
+        w.triangle.node[2][d] = 0.3 * w.triangle.node[0][d] + 0.7 * w.triangle.node[1][d];
+    random_vector(2, x);
+    const double distance = contact_triangle_nearest(&w.triangle, x, nearest);
+    assert_true(fabs(distance - brute_distance(&w.triangle, x)) < 1e-5);
+    double off[3];
+    vector_subtract(x, nearest, off);
+    assert_true(fabs(vector_length(off) - distance) < 1e-12);
+    assert_true(brute_distance(&w.triangle, nearest) < 1e-5);
+  }
+}
+
+/* A degenerate triangle is its edges: contacts with it are those with its longest one. */
+static void test_degenerate(void **unused) {
+  (void)unused;
+  for (int i = 0; i < CASES;) {
+    Wall w;
+    ContactPath path;
+    const double radius = uniform(0.05, 0.3);
+    random_wall(TRIANGLE, &w);
+    if (i % 2)
+      vector_copy(w.triangle.node[0], w.triangle.node[2]);
+    else
+      for (int d = 0; d < 3; d++)
+        w.triangle.node[2][d] = 0.5 * (w.triangle.node[0][d] + w.triangle.node[1][d]);
+    random_vector(2, path.x);
+    random_vector(3, path.v);
+    path.left = 1;
+    if (gap_of(&w, path.x, radius) < 1e-6)
+      continue;
+    check_path(&w, &path, radius);
+    i++;
+  }
+}
+
+/* What overlaps already: an approach touches at once and is moved out; what leaves is let go. */
+static void test_overlap(void **unused) {
+  (void)unused;
+  for (int kind = PLANE; kind <= TRIANGLE; kind++)
+    for (int i = 0; i < CASES;) {
+      Wall w;
+      ContactPath path;
+      ContactTouch touch;
+      const double radius = 0.3;
+      random_wall(kind, &w);
+      random_vector(2, path.x);
+      random_vector(3, path.v);
+      path.left = 1e-6;
+      const double gap = gap_of(&w, path.x, radius);
+      if (gap > -1e-3 || gap < -0.29 || (kind == CYLINDER && w.cylinder.radius < 0.7))
+        continue;
+      i++;
+      double later[3];
+      at(&path, path.left, later);
+      const double rate = (gap_of(&w, later, radius) - gap) / path.left;
+      if (fabs(rate) < 1e-3)
+        continue;
+      const bool found = find(&w, &path, radius, path.left, &touch);
+      assert_int_equal(found, rate < 0);
+      if (!found)
+        continue;
+      assert_true(touch.guarded && touch.time == 0);
+      vector_add_scaled(path.x, touch.lift, touch.n, later);
+      assert_true(fabs(gap_of(&w, later, radius)) < 1e-5);
+    }
+}
+
+/* A centre on the wall goes back to the side that it comes from. */
+static void test_centred(void **unused) {
+  (void)unused;
+  const ContactTriangle triangle = {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}};
+  const ContactPlane plane = {2, 0};
+  for (int side = -1; side <= 1; side += 2) {
+    const ContactPath path = {{0, 0, 0}, {1, 0.5, 2.0 * side}, 1};
+    ContactTouch touch;
+    assert_true(contact_triangle_find(&triangle, &path, 0.1, 1, &touch));
+    assert_true(touch.guarded && touch.n[2] * side < 0);
+    assert_true(contact_plane_find(&plane, &path, 0.1, 1, &touch));
+    assert_true(touch.guarded && touch.n[2] * side < 0);
+  }
+}
+
+/* At rest, or along the wall, there is none; nor behind the latest time. */
+static void test_none(void **unused) {
+  (void)unused;
+  const ContactTriangle triangle = {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}};
+  const ContactPlane plane = {2, 0};
+  ContactPath path = {{0, 0, 0.1}, {0, 0, 0}, 1};
+  ContactTouch touch;
+  assert_false(contact_triangle_find(&triangle, &path, 0.1, 1, &touch));
+  assert_false(contact_plane_find(&plane, &path, 0.1, 1, &touch));
+  path.v[0] = 5;
+  assert_false(contact_triangle_find(&triangle, &path, 0.1, 1, &touch));
+  assert_false(contact_plane_find(&plane, &path, 0.1, 1, &touch));
+  path.x[2] = 1.1;
+  path.v[2] = -1;
+  path.left = 3;
+  assert_false(contact_plane_find(&plane, &path, 0.1, 0.99, &touch));
+  assert_true(contact_plane_find(&plane, &path, 0.1, 1.01, &touch));
+  path.v[0] = 0;
+  assert_false(contact_triangle_find(&triangle, &path, 0.1, 0.99, &touch));
+  assert_true(contact_triangle_find(&triangle, &path, 0.1, 1.01, &touch));
+}
+
+/* A sphere wider than its cylinder is put back on the axis at the end of its path. */
+static void test_wide(void **unused) {
+  (void)unused;
+  const ContactCylinder tube = {0, {0, 0, 0}, 1};
+  const ContactPath path = {{0, 0.5, 0.1}, {1, -1, 0}, 2};
+  ContactTouch touch;
+  double x[3];
+  assert_true(contact_cylinder_find(&tube, &path, 1.5, 2, &touch));
+  at(&path, touch.time, x);
+  vector_add_scaled(x, touch.lift, touch.n, x);
+  assert_true(hypot(x[1], x[2]) < 1e-12);
+}
+
+static void test_tree(void **unused) {
+  (void)unused;
+  for (int count = 0; count <= 3000; count = 3 * count + 1) {
+    ContactTriangle *triangles = calloc((size_t)count + 1, sizeof *triangles);
+    int *id = calloc((size_t)count + 1, sizeof *id);
+    assert_non_null(triangles);
+    assert_non_null(id);
+    for (int i = 0; i < count; i++) {
+      double center[3];
+      random_vector(5, center);
+      if (i % 5 == 4)
+        vector_copy(triangles[0].node[0], center); /* many in one place */
+      for (int k = 0; k < 3; k++) {
+        random_vector(0.3, triangles[i].node[k]);
+        vector_add_scaled(triangles[i].node[k], 1, center, triangles[i].node[k]);
+      }
+      id[i] = 7 * count - 3 * i;
+    }
+    ContactTree *tree = contact_tree_create(triangles, id, (size_t)count);
+    assert_non_null(tree);
+    assert_int_equal(contact_tree_count(tree), count);
+    for (int i = 0; i < count; i++) {
+      const int place = contact_tree_place(tree, id[i]);
+      assert_true(place >= 0 && contact_tree_id(tree, place) == id[i]);
+      assert_memory_equal(contact_tree_triangle(tree, place), &triangles[i], sizeof triangles[i]);
+    }
+    assert_int_equal(contact_tree_place(tree, 7 * count + 1), -1);
+    ContactList list = {0};
+    for (int round = 0; round < 50; round++) {
+      double x[3], lo[3], hi[3], nearest[3], least = 2;
+      random_vector(6, x);
+      for (int d = 0; d < 3; d++) {
+        lo[d] = x[d] - uniform(0, 1);
+        hi[d] = x[d] + uniform(0, 1);
+      }
+      list.count = 0;
+      assert_true(contact_tree_meet(tree, lo, hi, &list));
+      size_t meet = 0;
+      for (int i = 0; i < count; i++) {
+        bool meets = true;
+        for (int d = 0; d < 3; d++) {
+          const double *a = triangles[i].node[0], *b = triangles[i].node[1],
+                       *c = triangles[i].node[2];
+          meets = meets && fmax(a[d], fmax(b[d], c[d])) >= lo[d] &&
+                  fmin(a[d], fmin(b[d], c[d])) <= hi[d];
+        }
+        meet += meets;
+        least = fmin(least, contact_triangle_nearest(&triangles[i], x, nearest));
+      }
+      assert_int_equal(list.count, meet);
+      assert_int_equal(contact_tree_meets(tree, lo, hi), meet > 0);
+      int place;
+      const double distance = contact_tree_distance(tree, x, 2, &place);
+      assert_true(fabs(distance - least) < 1e-12);
+      assert_int_equal(place >= 0, least < 2);
+    }
+    contact_list_free(&list);
+    contact_tree_free(tree);
+    free(triangles);
+    free(id);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_paths),   cmocka_unit_test(test_grazing),
+      cmocka_unit_test(test_nearest), cmocka_unit_test(test_degenerate),
+      cmocka_unit_test(test_overlap), cmocka_unit_test(test_centred),
+      cmocka_unit_test(test_none),    cmocka_unit_test(test_wide),
+      cmocka_unit_test(test_tree),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

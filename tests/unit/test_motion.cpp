@@ -1,0 +1,134 @@
+/* The motion of a rigid body within a step: the ends, a steady turn exactly, an accelerated one to
+ * second order in the step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+extern "C" {
+#include <cmocka.h>
+}
+
+#include "contact/vector.h"
+#include "wall/motion.h"
+
+using namespace asperity;
+
+namespace {
+
+/* A turn by `angle` about an axis parallel to z through (2, -1), and a shift along z. */
+Frame frame_at(double angle, double z) {
+  const double c = cos(angle), s = sin(angle), p = 2, q = -1;
+  Frame frame;
+  frame.turn[0][0] = frame.turn[1][1] = c;
+  frame.turn[0][1] = -s;
+  frame.turn[1][0] = s;
+  frame.shift[0] = p - (c * p - s * q);
+  frame.shift[1] = q - (s * p + c * q);
+  frame.shift[2] = z;
+  return frame;
+}
+
+Twist twist_of(double rate, double speed) {
+  Twist twist;
+  const double axis[3] = {2, -1, 0}, w[3] = {0, 0, rate};
+  double turned[3];
+  vector_copy(w, twist.angular);
+  vector_cross(w, axis, turned);
+  vector_scale(-1, turned);
+  vector_copy(turned, twist.linear);
+  twist.linear[2] += speed;
+  return twist;
+}
+
+double distance(const double a[3], const double b[3]) {
+  double off[3];
+  vector_subtract(a, b, off);
+  return vector_length(off);
+}
+
+const double BODY[3] = {0.3, 0.7, -0.2};
+
+void test_frames(void **) {
+  const Frame frame = frame_at(1.1, 0.4);
+  double world[3], back[3];
+  frame.to_world(BODY, world);
+  frame.to_body(world, back);
+  assert_true(distance(back, BODY) < 1e-15);
+  assert_true(Frame().is_world() && !frame.is_world());
+}
+
+void test_steady(void **) {
+  const double angles[] = {1e-9, 1e-4, 0.009, 0.011, 0.5, 3};
+  for (double angle : angles) {
+    Motion motion;
+    motion.settle(frame_at(0.2, 0.1), false);
+    motion.advance(frame_at(0.2 + angle, 0.1 + 0.3 * angle), twist_of(angle, 0.3 * angle));
+    for (int i = 0; i <= 10; i++) {
+      const double s = i / 10.0;
+      double is[3], should[3], v[3], v_should[3];
+      motion.at(s).to_world(BODY, is);
+      frame_at(0.2 + s * angle, 0.1 + 0.3 * s * angle).to_world(BODY, should);
+      assert_true(distance(is, should) < 1e-14);
+      motion.velocity(s, is, v);
+      twist_of(angle, 0.3 * angle).velocity(should, v_should);
+      assert_true(distance(v, v_should) < 1e-13 * (1 + angle));
+    }
+  }
+}
+
+/* x = sin(t) along z and in angle: halving the step divides the errors by four. */
+void test_second_order(void **) {
+  double before[2] = {0, 0};
+  for (double dt = 0.1; dt > 0.002; dt /= 2) {
+    Motion motion;
+    double worst[2] = {0, 0};
+    motion.settle(frame_at(sin(0.3), sin(0.3)), false);
+    motion.set_last(twist_of(cos(0.3), cos(0.3)));
+    for (int step = 1; step * dt <= 1.0001; step++) {
+      const double end = 0.3 + step * dt;
+      motion.advance(frame_at(sin(end), sin(end)), twist_of(cos(end), cos(end)));
+      for (int i = 0; i <= 10; i++) {
+        const double t = end - dt + dt * i / 10;
+        double is[3], should[3], v[3], v_should[3];
+        motion.at(i / 10.0).to_world(BODY, is);
+        frame_at(sin(t), sin(t)).to_world(BODY, should);
+        worst[0] = fmax(worst[0], distance(is, should));
+        motion.velocity(i / 10.0, should, v);
+        twist_of(cos(t), cos(t)).velocity(should, v_should);
+        worst[1] = fmax(worst[1], distance(v, v_should));
+      }
+    }
+    for (int k = 0; k < 2; k++) {
+      if (before[k] > 0)
+        assert_true(before[k] / worst[k] > 3.7 && before[k] / worst[k] < 4.3);
+      before[k] = worst[k];
+    }
+  }
+}
+
+void test_rest(void **) {
+  Motion motion;
+  double v[3];
+  assert_true(motion.in_world() && !motion.moves());
+  motion.advance(frame_at(0.1, 0), twist_of(1, 0));
+  assert_true(!motion.in_world() && motion.moves());
+  motion.rest();
+  motion.velocity(0.5, BODY, v);
+  assert_true(vector_length(v) == 0 && !motion.moves() && !motion.in_world());
+  double begin[3], end[3];
+  motion.at(0).to_world(BODY, begin);
+  frame_at(0.1, 0).to_world(BODY, end);
+  assert_true(distance(begin, end) < 1e-15);
+}
+
+} // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(test_frames), cmocka_unit_test(test_steady),
+                              cmocka_unit_test(test_second_order), cmocka_unit_test(test_rest)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
