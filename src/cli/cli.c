@@ -150,6 +150,14 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
   return value;
 }
 
+int cli_choice(const cli_option *option, const char *first, const char *second) {
+  if (strcmp(option->value, first) == 0)
+    return 0;
+  if (strcmp(option->value, second) == 0)
+    return 1;
+  cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
+}
+
 double cli_length_of(const cli_option *option, const char *text) {
   char *end;
   double value = aspi_number(text, &end);
@@ -235,19 +243,19 @@ cli_list cli_angles(const cli_option *option) {
   return list_of(option, number_of, 0, 90);
 }
 
-static double seconds(void) {
+double cli_seconds(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 cli_progress cli_progress_begin(const char *what, double total) {
-  double now = seconds();
+  double now = cli_seconds();
   return (cli_progress){what, total, now, isatty(STDERR_FILENO) ? now : INFINITY};
 }
 
 void cli_progress_show(cli_progress *progress, double done) {
-  double now = seconds();
+  double now = cli_seconds();
   if (now - progress->begun < 1 || now - progress->shown < 0.1)
     return;
   enum { WIDTH = 40 };

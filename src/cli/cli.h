@@ -62,6 +62,9 @@ double cli_length(const cli_option *option);
 cli_list cli_numbers(const cli_option *option, double least, double most);
 cli_list cli_lengths(const cli_option *option);
 
+/* 0 or 1: which of two words the value is. */
+int cli_choice(const cli_option *option, const char *first, const char *second);
+
 /* One length out of a text, for options with a format of their own. */
 double cli_length_of(const cli_option *option, const char *text);
 
@@ -94,6 +97,9 @@ void cli_print_comment(FILE *out, const char *text);
 
 /* A user's text as a field of CSV: in quotes where it holds a comma, a quote or a #. */
 void cli_print_field(FILE *out, const char *text);
+
+/* Seconds on a clock that only goes on. */
+double cli_seconds(void);
 
 /* A bar on stderr when that is a terminal and the work takes over a second; done counts up to
  * total. */

@@ -1,45 +1,19 @@
 /* asperity cor: the scatter of the coefficients of restitution that a wall gives (the paper's
  * figures 13 and 14), without an engine: impacts one by one on the mean wall z = 0. */
+#include "cli/cor.h"
 #include "base/stream.h"
-#include "cli/law.h"
 #include "cli/walls.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-  RQ,
-  LAMBDA_C,
-  DP,
-  SPEED,
-  ANGLES,
-  MODEL,
-  SAMPLES,
-  SEED,
-  TILT,
-  COLLISIONS,
-  OUTPUT,
-  PLOT,
-  LAW,
-  N = LAW + LAW_OPTIONS
-};
-
 /* Diameters for which a model that looks at a profile prepares, where there is more than one. */
 enum { TABLE_SIZES = 16 };
 
-typedef struct scene {
-  asp_surface *surface; /* NULL: smooth */
-  cli_law law;
-  asp_pair *pair;
-  double speed;
-  cli_list sizes;             /* a list, or empty for a log-normal */
-  double least, most, median; /* of the log-normal; least and most also of a list */
-} scene;
-
 /* One diameter, a list, or min:max:median of a log-normal whose ln has the sd ln(max/min)/5, cut at
  * both ends. */
-static void read_sizes(const cli_option *option, scene *s) {
+static void read_sizes(const cli_option *option, cor_scene *s) {
   const char *value = option->value;
   if (!value || !strchr(value, ':')) {
     s->sizes = cli_lengths(option);
@@ -65,7 +39,7 @@ static void read_sizes(const cli_option *option, scene *s) {
   free(text);
 }
 
-static double size_of(const scene *s, size_t sample, aspi_stream *stream) {
+static double size_of(const cor_scene *s, size_t sample, aspi_stream *stream) {
   if (s->sizes.count)
     return s->sizes.values[sample % s->sizes.count];
   for (;;) {
@@ -75,7 +49,7 @@ static double size_of(const scene *s, size_t sample, aspi_stream *stream) {
   }
 }
 
-static void read_wall(const cli_option *options, scene *s) {
+void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
   const char *model = options[MODEL].value;
   asp_error error;
   s->law = cli_law_read(&options[LAW]);
@@ -99,23 +73,18 @@ static void read_wall(const cli_option *options, scene *s) {
     cli_law_warn_double(&s->law);
 }
 
-static void free_wall(scene *s) {
+void cli_cor_free_wall(cor_scene *s) {
   cli_law_free(&s->law);
   asp_pair_free(s->pair);
   asp_surface_free(s->surface);
 }
 
-typedef struct row {
-  double d_p, alpha1;
-  asp_impact impact;
-  asp_coefficients cor;
-} row;
-
-static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag, uint32_t seed) {
+cor_row cli_cor_impact(const cor_scene *s, double angle, size_t sample, uint64_t tag,
+                       uint32_t seed) {
   static const double n[3] = {0, 0, 1};
   asp_key key = {seed, asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
-  row r = {.d_p = size_of(s, sample, &stream), .alpha1 = angle};
+  cor_row r = {.d_p = size_of(s, sample, &stream), .alpha1 = angle};
   double alpha1 = cli_radians(angle);
   double v1[3] = {s->speed * cos(alpha1), 0, -s->speed * sin(alpha1)};
   if (angle >= 90)
@@ -127,7 +96,7 @@ static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag, 
   return r;
 }
 
-static void print_row(FILE *out, const row *r) {
+static void print_row(FILE *out, const cor_row *r) {
   fprintf(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,", r->d_p * 1e6, r->cor.v1, r->alpha1,
           cli_degrees(r->impact.delta_alpha), r->impact.hits, r->cor.cor_v, r->cor.cor_alpha,
           r->cor.cor_n);
@@ -136,87 +105,13 @@ static void print_row(FILE *out, const row *r) {
   fprintf(out, ",%s\n", r->impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound");
 }
 
-typedef struct moments {
-  double n, mean, square;
-} moments;
-
-static void add(moments *m, double x) {
-  double step = x - m->mean;
-  m->n++;
-  m->mean += step / m->n;
-  m->square += step * (x - m->mean);
-}
-
-enum { CELLS = 45 };
-
-/* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
- */
-static void plot(const cli_option *options, const scene *s, const row *rows, size_t n) {
-  static const char *const names[] = {"CoR_N", "CoR_T"};
-  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
-  FILE *gp = cli_plot_stream(picture);
-  double d_p = s->sizes.count ? s->sizes.values[0] : s->median;
-  scene smooth = {.speed = s->speed, .sizes = {&d_p, 1}};
-  cli_option none[N + 1];
-  memcpy(none, options, sizeof none);
-  none[MODEL].value = "none";
-  read_wall(none, &smooth);
-  size_t every = n / 20000 + 1, deposits = 0;
-  for (size_t i = 0; i < n; i++)
-    deposits += rows[i].impact.outcome == ASP_DEPOSIT;
-  fprintf(gp, "set multiplot layout 1,2 title '%s on %s, %g m/s, %s; ",
-          cli_plot_label(picture, asp_material_name(s->law.particle)).text,
-          cli_plot_label(picture, options[LAW + LAW_WALL].value).text, s->speed,
-          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(s->law.wall))).text);
-  if (s->surface)
-    fprintf(gp, "{/Symbol F}_R = %.3g, %s; ", asp_surface_phi_r(s->surface),
-            cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
-  fprintf(gp, "%.1f %% of %zu impacts stick'\n", 100 * (double)deposits / (double)n, n);
-  fputs("set xrange [0:90]\nset xtics 15\n"
-        "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
-        gp);
-  for (int t = 0; t < 2; t++) {
-    moments cells[CELLS] = {{0, 0, 0}};
-    fprintf(gp, "$scatter%d << EOD\n", t);
-    for (size_t i = 0; i < n; i++) {
-      if (rows[i].impact.outcome == ASP_DEPOSIT || (t && !rows[i].cor.cor_t_defined))
-        continue;
-      double y = t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
-      int cell = (int)(rows[i].alpha1 / 90 * CELLS);
-      add(&cells[cell < CELLS ? cell : CELLS - 1], y);
-      if (i % every == 0)
-        fprintf(gp, "%g %g\n", rows[i].alpha1, y);
-    }
-    fprintf(gp, "EOD\n$mean%d << EOD\n", t);
-    for (int i = 0; i < CELLS; i++)
-      if (cells[i].n > 1)
-        fprintf(gp, "%g %g %g\n", (i + 0.5) * 90 / CELLS, cells[i].mean,
-                sqrt(cells[i].square / (cells[i].n - 1)));
-    fprintf(gp, "EOD\n$smooth%d << EOD\n", t);
-    for (int i = 1; i < 180; i++) {
-      row r = impact_at(&smooth, 0.5 * i, 0, 1, 1);
-      if (r.impact.outcome == ASP_REBOUND)
-        fprintf(gp, "%g %g\n", 0.5 * i, t ? r.cor.cor_t : r.cor.cor_n);
-    }
-    fprintf(gp,
-            "EOD\nset ylabel '%s'\nset yrange [%s]\nset key %s opaque\n"
-            "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fbfdf' title 'impacts', "
-            "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#1f5fa8' title 'mean ± sd', "
-            "$smooth%d with lines ls 2 title 'smooth wall, d_p = %.3g µm'\n",
-            names[t], t ? "-1:2" : "0:3", t ? "bottom left" : "top right", t, t, t, d_p * 1e6);
-  }
-  fputs("unset multiplot\n", gp);
-  free_wall(&smooth);
-  cli_plot_close(picture);
-}
-
-static void make_rows(const scene *s, const cli_list *angles, size_t samples, uint32_t seed,
-                      row *rows) {
+static void make_rows(const cor_scene *s, const cli_list *angles, size_t samples, uint32_t seed,
+                      cor_row *rows) {
   cli_progress progress = cli_progress_begin("impacts", (double)(angles->count * samples));
   for (size_t a = 0; a < angles->count; a++)
     for (size_t i = 0; i < samples; i++) {
       size_t tag = a * samples + i;
-      rows[tag] = impact_at(s, angles->values[a], i, tag, seed);
+      rows[tag] = cli_cor_impact(s, angles->values[a], i, tag, seed);
       if (tag % 65536 == 0)
         cli_progress_show(&progress, (double)tag);
     }
@@ -241,9 +136,9 @@ static int run(int argc, char **argv) {
       CLI_LAW_OPTIONS(LAW),
   };
   cli_parse(&cli_cor, argc, argv, options, false);
-  scene s = {0};
+  cor_scene s = {0};
   read_sizes(&options[DP], &s);
-  read_wall(options, &s);
+  cli_cor_read_wall(options, &s);
   s.speed = cli_number(&options[SPEED], 1e-9, 1e6);
   cli_list angles = cli_angles(&options[ANGLES]);
   for (size_t i = 0; i < angles.count; i++)
@@ -252,7 +147,7 @@ static int run(int argc, char **argv) {
                     options[ANGLES].value);
   size_t samples = cli_whole(&options[SAMPLES], 1, 100000000), n = angles.count * samples;
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
-  row *rows = malloc(n * sizeof *rows);
+  cor_row *rows = malloc(n * sizeof *rows);
   if (!rows)
     cli_fail("out of memory for %zu impacts", n);
   make_rows(&s, &angles, samples, seed, rows);
@@ -263,9 +158,9 @@ static int run(int argc, char **argv) {
     print_row(out, &rows[i]);
   cli_output_close(output);
   if (options[PLOT].value)
-    plot(options, &s, rows, n);
+    cli_cor_plot(options, &s, rows, n);
   free(rows);
-  free_wall(&s);
+  cli_cor_free_wall(&s);
   return 0;
 }
 

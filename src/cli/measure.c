@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 /* The profile that judges: 4096 lambda_c at 128 points each. Much coarser, a disc of many lambda_c
  * rolls over single points, and its slopes come in steps that a degree's bin can see. */
@@ -85,21 +84,15 @@ measure_angles measure_rebounds(const asp_wall *wall, double d_p, double alpha1,
   return all;
 }
 
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 double measure_cost(const asp_wall *wall, double d_p, double alpha1) {
   enum { RUNS = 12, IMPACTS = 2000 };
   double least = INFINITY, v1[3] = {cos(alpha1), 0, -sin(alpha1)};
   for (int run = 0; run < RUNS; run++) {
-    double begun = seconds();
+    double begun = cli_seconds();
     asp_impact impact;
     for (uint64_t i = 0; i < IMPACTS; i++)
       hit(wall, d_p, v1, 77, i, &impact);
-    least = fmin(least, seconds() - begun);
+    least = fmin(least, cli_seconds() - begun);
   }
   return 1e9 * least / IMPACTS;
 }

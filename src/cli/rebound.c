@@ -1,41 +1,16 @@
 /* asperity rebound: what a rebound law does on a smooth wall, without an engine: outcome and CoR_N
  * over particle size and speed, the capture speed over particle size, and the coefficients over the
  * impact angle. */
-#include "cli/law.h"
+#include "cli/rebound.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAP, LIST, DP, SPEED, ANGLES, POINTS, OUTPUT, PLOT, LAW, N = LAW + LAW_OPTIONS };
+enum { POINTS_MOST = 2000 };
 
-/* Speeds between which the capture speed is looked for, m/s. */
-#define SLOWEST 1e-9
-#define FASTEST 1e5
-
-enum { POINTS_MOST = 2000, CURVES_MOST = 6 };
-
-/* One wall material: its name and what comes of it. */
-typedef struct material_wall {
-  char name[64];
-  asp_pair *pair;
-} material_wall;
-
-typedef struct rebound_map {
-  const cli_option *options;
-  cli_law law;
-  material_wall *walls;
-  size_t n_walls;
-  cli_list sizes, speeds, angles;
-} rebound_map;
-
-typedef struct rebound_row {
-  asp_coefficients cor;
-  bool deposit;
-} rebound_row;
-
-static rebound_row row_at(const rebound_map *m, const material_wall *wall, double d_p, double speed,
-                          double degrees) {
+rebound_row cli_rebound_row(const rebound_map *m, const rebound_wall *wall, double d_p,
+                            double speed, double degrees) {
   static const double n[3] = {0, 0, 1};
   double alpha = cli_radians(degrees), v1[3] = {speed * cos(alpha), 0, -speed * sin(alpha)};
   if (degrees >= 90)
@@ -46,17 +21,16 @@ static rebound_row row_at(const rebound_map *m, const material_wall *wall, doubl
   return (rebound_row){asp_impact_coefficients(v1, n, &impact), impact.outcome == ASP_DEPOSIT};
 }
 
-/* The speed under which a particle sticks: 0 where it never does, INFINITY where it always does. */
-static double capture_speed(const rebound_map *m, const material_wall *wall, double d_p,
-                            double degrees) {
-  if (!row_at(m, wall, d_p, SLOWEST, degrees).deposit)
+double cli_rebound_capture_speed(const rebound_map *m, const rebound_wall *wall, double d_p,
+                                 double degrees) {
+  if (!cli_rebound_row(m, wall, d_p, REBOUND_SLOWEST, degrees).deposit)
     return 0;
-  if (row_at(m, wall, d_p, FASTEST, degrees).deposit)
+  if (cli_rebound_row(m, wall, d_p, REBOUND_FASTEST, degrees).deposit)
     return INFINITY;
-  double low = log(SLOWEST), high = log(FASTEST);
+  double low = log(REBOUND_SLOWEST), high = log(REBOUND_FASTEST);
   for (int i = 0; i < 60; i++) {
     double middle = (low + high) / 2;
-    if (row_at(m, wall, d_p, exp(middle), degrees).deposit)
+    if (cli_rebound_row(m, wall, d_p, exp(middle), degrees).deposit)
       low = middle;
     else
       high = middle;
@@ -68,7 +42,7 @@ static double capture_speed(const rebound_map *m, const material_wall *wall, dou
 static cli_list ratios_of(const cli_option *option, size_t points, bool lengths) {
   const char *colon = strchr(option->value, ':');
   if (!colon || strchr(colon + 1, ':'))
-    return lengths ? cli_lengths(option) : cli_numbers(option, SLOWEST, FASTEST);
+    return lengths ? cli_lengths(option) : cli_numbers(option, REBOUND_SLOWEST, REBOUND_FASTEST);
   char *text = strdup(option->value);
   cli_list list = {malloc(points * sizeof *list.values), points};
   if (!text || !list.values)
@@ -76,7 +50,8 @@ static cli_list ratios_of(const cli_option *option, size_t points, bool lengths)
   text[colon - option->value] = ',';
   cli_option pair = *option;
   pair.value = text;
-  cli_list ends = lengths ? cli_lengths(&pair) : cli_numbers(&pair, SLOWEST, FASTEST);
+  cli_list ends =
+      lengths ? cli_lengths(&pair) : cli_numbers(&pair, REBOUND_SLOWEST, REBOUND_FASTEST);
   if (!(ends.values[0] < ends.values[1]))
     cli_bad_usage("--%s is '%s'; a range from:to has from < to", option->name, option->value);
   for (size_t i = 0; i < points; i++)
@@ -91,11 +66,11 @@ static void read_walls(rebound_map *m) {
   const cli_option *option = &m->options[LAW + LAW_WALL];
   for (const char *rest = option->value; rest; m->n_walls++) {
     const char *comma = strchr(rest, ',');
-    material_wall *grown = realloc(m->walls, (m->n_walls + 1) * sizeof *grown);
+    rebound_wall *grown = realloc(m->walls, (m->n_walls + 1) * sizeof *grown);
     if (!grown)
       cli_fail("out of memory");
     m->walls = grown;
-    material_wall *wall = &m->walls[m->n_walls];
+    rebound_wall *wall = &m->walls[m->n_walls];
     snprintf(wall->name, sizeof wall->name, "%.*s", comma ? (int)(comma - rest) : 60, rest);
     wall->pair = cli_law_pair(&m->options[LAW], &m->law, wall->name);
     rest = comma ? comma + 1 : NULL;
@@ -107,7 +82,8 @@ static void print_regimes(FILE *out, const rebound_map *m) {
   for (size_t i = 0; i < m->sizes.count; i++)
     for (size_t k = 0; k < m->speeds.count; k++) {
       double degrees = m->angles.values[0];
-      rebound_row r = row_at(m, m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
+      rebound_row r =
+          cli_rebound_row(m, m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
       fprintf(out, "%.6g,%.6g,%.6g,%.6g,", m->sizes.values[i] * 1e6, m->speeds.values[k], degrees,
               r.cor.cor_n);
       if (r.cor.cor_t_defined)
@@ -123,7 +99,7 @@ static void print_capture(FILE *out, const rebound_map *m) {
   for (size_t w = 0; w < m->n_walls; w++)
     for (size_t i = 0; i < m->sizes.count; i++) {
       double d_p = m->sizes.values[i], degrees = m->angles.values[0];
-      double speed = capture_speed(m, &m->walls[w], d_p, degrees);
+      double speed = cli_rebound_capture_speed(m, &m->walls[w], d_p, degrees);
       cli_print_field(out, m->walls[w].name);
       fprintf(out, ",%.6g,%.6g,", d_p * 1e6, degrees);
       if (isfinite(speed))
@@ -139,147 +115,13 @@ static void print_angles(FILE *out, const rebound_map *m) {
       for (size_t k = 0; k < m->speeds.count; k++)
         for (size_t a = 0; a < m->angles.count; a++) {
           double d_p = m->sizes.values[i], speed = m->speeds.values[k];
-          rebound_row r = row_at(m, &m->walls[w], d_p, speed, m->angles.values[a]);
+          rebound_row r = cli_rebound_row(m, &m->walls[w], d_p, speed, m->angles.values[a]);
           cli_print_field(out, m->walls[w].name);
           fprintf(out, ",%.6g,%.6g,%.6g,%.6g,", d_p * 1e6, speed, m->angles.values[a], r.cor.cor_n);
           if (r.cor.cor_t_defined)
             fprintf(out, "%.6g", r.cor.cor_t);
           fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
         }
-}
-
-/* The lower edge of cell i around a point of a list of rising values, in equal ratios. */
-static double edge_of(const cli_list *list, size_t i) {
-  const double *x = list->values;
-  size_t n = list->count;
-  if (n < 2)
-    return x[0] * (i ? 1.1 : 1 / 1.1);
-  if (i == 0)
-    return x[0] * sqrt(x[0] / x[1]);
-  return i == n ? x[n - 1] * sqrt(x[n - 1] / x[n - 2]) : sqrt(x[i - 1] * x[i]);
-}
-
-/* Corners of cells, each with the value of the cell above and right of it. */
-static void plot_cells(FILE *gp, const rebound_map *m) {
-  size_t nx = m->sizes.count, ny = m->speeds.count;
-  fputs("$map << EOD\n", gp);
-  for (size_t i = 0; i <= nx; i++, fputc('\n', gp))
-    for (size_t k = 0; k <= ny; k++) {
-      rebound_row r = row_at(m, m->walls, m->sizes.values[i < nx ? i : nx - 1],
-                             m->speeds.values[k < ny ? k : ny - 1], m->angles.values[0]);
-      fprintf(gp, "%g %g ", edge_of(&m->sizes, i) * 1e6, edge_of(&m->speeds, k));
-      fprintf(gp, r.deposit ? "NaN\n" : "%g\n", r.cor.cor_n);
-    }
-  fputs("EOD\n", gp);
-}
-
-/* The curve, and where a particle sticks at any speed a line up to its end. */
-static double plot_capture_curve(FILE *gp, const rebound_map *m, const material_wall *wall) {
-  double most = 0;
-  bool always = false;
-  for (size_t i = 0; i < m->sizes.count; i++) {
-    double d_p = m->sizes.values[i], speed = capture_speed(m, wall, d_p, m->angles.values[0]);
-    if (isfinite(speed) && speed > 0) {
-      if (always)
-        fprintf(gp, "%g %g 0\n", d_p * 1e6, FASTEST);
-      fprintf(gp, "%g %g 0\n", d_p * 1e6, speed);
-      most = fmax(most, speed);
-    }
-    always = isinf(speed);
-  }
-  return most;
-}
-
-/* A label in place of a title, which gnuplot 5.4 leaves out of a map where it holds a backslash. */
-static void plot_regimes(cli_plot *picture, const rebound_map *m) {
-  FILE *gp = cli_plot_stream(picture);
-  size_t nx = m->sizes.count, ny = m->speeds.count;
-  plot_cells(gp, m);
-  fputs("$capture << EOD\n", gp);
-  bool sticks = plot_capture_curve(gp, m, m->walls) > 0;
-  fprintf(gp,
-          "EOD\nset label '%s on %s, %s, {/Symbol a}_1 = %g°' at screen 0.47,0.96 center\n"
-          "set view map\nset pm3d map corners2color c1\n"
-          "set palette defined (0 '#3b0f70', 0.35 '#b63679', 0.7 '#fb8861', 1 '#fcfdbf')\n"
-          "set cbrange [0:1]\nset cblabel 'CoR_N'\nset log xy\nset border 15 front\n"
-          "set xrange [%g:%g]\nset yrange [%g:%g]\n"
-          "set xlabel 'diameter d_p / µm'\nset ylabel 'impact speed v_1 / (m/s)'\n"
-          "set object 1 rectangle from graph 0,0 to graph 1,1 fc rgb '#bbbbbb' behind\n"
-          "set key bottom left opaque\nset lmargin screen 0.12\nset rmargin screen 0.82\n"
-          "set tmargin screen 0.92\nset bmargin screen 0.12\n"
-          "splot $map using 1:2:(0):3 with pm3d notitle, %s"
-          "NaN with points pt 5 ps 2 lc rgb '#bbbbbb' title 'deposit'\n",
-          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
-          cli_plot_label(picture, m->walls[0].name).text,
-          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
-          m->angles.values[0], edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6,
-          edge_of(&m->speeds, 0), edge_of(&m->speeds, ny),
-          sticks ? "$capture using 1:2:3 with lines lc rgb '#000000' lw 2 title 'capture speed', "
-                 : "");
-}
-
-static void plot_capture(cli_plot *picture, const rebound_map *m) {
-  FILE *gp = cli_plot_stream(picture);
-  double most = 0;
-  for (size_t w = 0; w < m->n_walls; w++) {
-    fprintf(gp, "$capture%zu << EOD\n", w);
-    most = fmax(most, plot_capture_curve(gp, m, &m->walls[w]));
-    fputs("EOD\n", gp);
-  }
-  if (!(most > 0))
-    fputs("set label 'no particle sticks' at graph 0.5,0.5 center\n", gp);
-  fprintf(gp,
-          "set title '%s, %s, {/Symbol a}_1 = %g°: sticks under and left of a curve'\n"
-          "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
-          "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
-          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
-          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
-          m->angles.values[0], m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6,
-          most > 0 ? "*" : "1", most > 0 ? 5 * most : 10);
-  for (size_t w = 0; w < m->n_walls; w++)
-    fprintf(gp, "%s$capture%zu with lines ls %zu title 'on %s'", w ? ", " : "", w,
-            w % CURVES_MOST + 1, cli_plot_label(picture, m->walls[w].name).text);
-  fputs(", NaN notitle\n", gp);
-}
-
-/* One curve a wall, size and speed, as far as there are styles. */
-static void plot_angles(cli_plot *picture, const rebound_map *m) {
-  FILE *gp = cli_plot_stream(picture);
-  size_t per_wall = m->sizes.count * m->speeds.count, curves = m->n_walls * per_wall;
-  if (curves > CURVES_MOST)
-    curves = CURVES_MOST;
-  for (size_t c = 0; c < curves; c++) {
-    fprintf(gp, "$curve%zu << EOD\n", c);
-    for (size_t a = 0; a < m->angles.count; a++) {
-      rebound_row r =
-          row_at(m, &m->walls[c / per_wall], m->sizes.values[c % per_wall / m->speeds.count],
-                 m->speeds.values[c % m->speeds.count], m->angles.values[a]);
-      fprintf(gp,
-              r.deposit             ? "\n"
-              : r.cor.cor_t_defined ? "%g %g %g\n"
-                                    : "%g %g NaN\n",
-              m->angles.values[a], r.cor.cor_n, r.cor.cor_t);
-    }
-    fputs("EOD\n", gp);
-  }
-  fprintf(gp,
-          "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks'\n"
-          "set xrange [0:90]\nset xtics 15\nset yrange [0:1]\n"
-          "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
-          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
-          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text);
-  for (int t = 0; t < 2; t++) {
-    fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", t ? 'T' : 'N',
-            t ? "bottom right" : "top right");
-    for (size_t c = 0; c < curves; c++)
-      fprintf(gp, "%s$curve%zu using 1:%d with lines ls %zu title 'on %s, %.3g µm, %.3g m/s'",
-              c ? ", " : "", c, t ? 3 : 2, c + 1,
-              cli_plot_label(picture, m->walls[c / per_wall].name).text,
-              m->sizes.values[c % per_wall / m->speeds.count] * 1e6,
-              m->speeds.values[c % m->speeds.count]);
-    fputc('\n', gp);
-  }
-  fputs("unset multiplot\n", gp);
 }
 
 /* A kind of map: its defaults, its rows, its picture. */
@@ -291,9 +133,9 @@ typedef struct map_kind {
 } map_kind;
 
 static const map_kind kinds[] = {
-    {"regimes", "0.5um:200um", "0.1:1000", "90", print_regimes, plot_regimes, 800, 600},
-    {"capture", "0.5um:200um", "100", "90", print_capture, plot_capture, 800, 560},
-    {"angles", "10um", "100", "0.5:90:0.5", print_angles, plot_angles, 1200, 520},
+    {"regimes", "0.5um:200um", "0.1:1000", "90", print_regimes, cli_rebound_plot_regimes, 800, 600},
+    {"capture", "0.5um:200um", "100", "90", print_capture, cli_rebound_plot_capture, 800, 560},
+    {"angles", "10um", "100", "0.5:90:0.5", print_angles, cli_rebound_plot_angles, 1200, 520},
 };
 enum { N_KINDS = sizeof kinds / sizeof *kinds };
 

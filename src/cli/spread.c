@@ -1,8 +1,13 @@
 /* asperity spread: the law of the tilt delta_alpha, as samples, as a density, or in numbers. */
+#include "cli/spread.h"
+#include "base/running.h"
 #include "cli/walls.h"
 #include "impact/wall.h"
 
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
+
 #include <stdlib.h>
 
 enum { MODEL, SIGMA, RQ, LAMBDA_C, DP, ANGLE, SAMPLES, SEED, PDF, SUMMARY, LIST, OUTPUT, PLOT, N };
@@ -74,30 +79,16 @@ static void print_density(FILE *out, const asp_spread_model *model, const aspi_v
   }
 }
 
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-static double quantile_of(const double *sorted, size_t n, double p) {
-  double at = p * (double)(n - 1);
-  size_t below = (size_t)at;
-  double share = at - (double)below;
-  return below + 1 < n ? (1 - share) * sorted[below] + share * sorted[below + 1] : sorted[below];
-}
-
 static void print_summary(FILE *out, const asp_spread_model *model, const aspi_view *view,
                           double *sample, size_t n) {
-  double mean = 0, square = 0;
-  for (size_t i = 0; i < n; i++) {
-    double step = sample[i] - mean;
-    mean += step / (double)(i + 1);
-    square += step * (sample[i] - mean);
-  }
-  qsort(sample, n, sizeof *sample, ascending);
-  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, cli_degrees(view->alpha1), mean,
-          n > 1 ? sqrt(square / (double)(n - 1)) : 0, quantile_of(sample, n, 0.05),
-          quantile_of(sample, n, 0.5), quantile_of(sample, n, 0.95));
+  aspi_running all = {0, 0, 0};
+  for (size_t i = 0; i < n; i++)
+    aspi_running_add(&all, sample[i]);
+  gsl_sort(sample, 1, n);
+  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, cli_degrees(view->alpha1), all.mean,
+          aspi_running_sd(&all), gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.05),
+          gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.5),
+          gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.95));
 }
 
 static void fill(double *sample, size_t n, const asp_spread_model *model, const aspi_view *view,
@@ -109,43 +100,6 @@ static void fill(double *sample, size_t n, const asp_spread_model *model, const 
       cli_progress_show(&progress, (double)i);
   }
   cli_progress_end(&progress);
-}
-
-/* A histogram of the samples, one bar a degree, and the density over it. */
-static void plot(const cli_option *options, const asp_spread_model *model, const aspi_view *view,
-                 const double *sample, size_t n) {
-  double share[181] = {0}, most = -90;
-  for (size_t i = 0; i < n; i++) {
-    share[(int)lround(sample[i]) + 90] += 1 / (double)n;
-    most = fmax(most, sample[i]);
-  }
-  cli_plot *picture = cli_plot_open(&options[PLOT], 800, 500);
-  FILE *gp = cli_plot_stream(picture);
-  fprintf(gp,
-          "set xlabel 'tilt {/Symbol Da} / degrees'\n"
-          "set ylabel 'density / (1/degree)'\n"
-          "set title '%s: {/Symbol a}_1 = %g°, {/Symbol s} = %.3g°'\n"
-          "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n$bars << EOD\n",
-          cli_plot_label(picture, model->name).text, cli_degrees(view->alpha1),
-          cli_degrees(view->sigma));
-  for (int i = 0; i <= 180; i++)
-    if (share[i] > 0)
-      fprintf(gp, "%d %g\n", i - 90, share[i]);
-  fputs("EOD\n", gp);
-  if (model->density) {
-    fputs("$density << EOD\n", gp);
-    for (int i = -900; 0.1 * i <= most; i++) {
-      double density = model->density(view, cli_radians(0.1 * i)) * ASP_PI / 180;
-      if (density > 0)
-        fprintf(gp, "%g %g\n", 0.1 * i, density);
-    }
-    fputs("EOD\n", gp);
-  }
-  fprintf(gp, "plot $bars with boxes lc rgb '#1f5fa8' title '%zu samples'", n);
-  if (model->density)
-    fputs(", $density with lines ls 2 title 'density'", gp);
-  fputc('\n', gp);
-  cli_plot_close(picture);
 }
 
 static void one_angle(FILE *out, const cli_option *options, const asp_spread_model *model,
@@ -162,7 +116,7 @@ static void one_angle(FILE *out, const cli_option *options, const asp_spread_mod
     cli_fail("out of memory for %zu samples", n);
   fill(sample, n, model, &view, options);
   if (options[PLOT].value)
-    plot(options, model, &view, sample, n);
+    cli_spread_plot(&options[PLOT], model, &view, sample, n);
   if (options[SUMMARY].value)
     print_summary(out, model, &view, sample, n);
   else if (!options[PDF].value)

@@ -55,15 +55,6 @@ static const cli_option table[N_OPTIONS + 1] = {
     [PLOT] = {"plot", "FILE", "draw the first --dp into a .png, .svg or .pdf", NULL},
 };
 
-/* Which of two words an option says: 0 or 1. */
-static int choice(const cli_option *option, const char *first, const char *second) {
-  if (strcmp(option->value, first) == 0)
-    return 0;
-  if (strcmp(option->value, second) == 0)
-    return 1;
-  cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
-}
-
 static void read_unit(const cli_option *option, aspi_profile_options *read) {
   const char *second = strchr(option->value, ',');
   size_t length = second ? (size_t)(second - option->value) : strlen(option->value);
@@ -81,8 +72,8 @@ static aspi_profile_options read_options(const cli_option *o) {
   if (o[UNIT].value)
     read_unit(&o[UNIT], &read);
   read.form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
-  read.fill = choice(&o[GAPS], "refuse", "fill");
-  read.resample = !choice(&o[SPACING], "resample", "refuse");
+  read.fill = cli_choice(&o[GAPS], "refuse", "fill");
+  read.resample = !cli_choice(&o[SPACING], "resample", "refuse");
   if (o[SPIKES].value)
     read.spikes = cli_number(&o[SPIKES], 1, 1e6);
   read.row = (int)cli_whole(&o[ROW], 1, 1000000);
@@ -143,7 +134,7 @@ static cli_wall read_wall(const cli_option *o, source *from) {
     cli_bad_usage("--%s is given with --profile; a measured wall has its own",
                   o[RQ].value ? "rq" : "lambda-c");
   aspi_profile_options read = read_options(o);
-  double level = choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
+  double level = cli_choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   uint32_t seed = (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX);
   asp_error error;
   asp_profile *profile = aspi_profile_read(o[PROFILE].value, &read, &from->report, &error);

@@ -1,6 +1,7 @@
 /* asperity trade: speed against accuracy. Every model on one wall, at several impact angles,
  * against the geometry of that very wall: what an impact costs, how far the law of the first hit
  * and that of the final rebound are off. */
+#include "cli/trade.h"
 #include "cli/grid.h"
 #include "cli/measure.h"
 #include "cli/walls.h"
@@ -8,16 +9,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { RQ, LAMBDA_C, DP, ANGLES, RAYS, SEED, COLLISIONS, GRID, OUTPUT, PLOT, N };
-
-typedef struct row {
-  const asp_spread_model *model;
-  double angle, cost, first_hit, rebound, mean, reference_mean;
-} row;
-
 /* The rows of one angle. */
 static void judge(const measure_case *subject, double angle, size_t rays, uint32_t seed,
-                  bool multiple, row *rows) {
+                  bool multiple, trade_row *rows) {
   double alpha1 = cli_radians(angle);
   asp_wall *traced = measure_wall(subject, "traced", true);
   measure_angles reference = measure_rebounds(traced, subject->d_p, alpha1, rays, seed);
@@ -26,94 +20,27 @@ static void judge(const measure_case *subject, double angle, size_t rays, uint32
     const asp_spread_model *model = asp_spread_at(i);
     asp_wall *wall = measure_wall(subject, asp_spread_name(model), multiple);
     measure_angles angles = measure_rebounds(wall, subject->d_p, alpha1, rays, seed + 1);
-    rows[i] = (row){.model = model,
-                    .angle = angle,
-                    .cost = measure_cost(wall, subject->d_p, alpha1),
-                    .first_hit = measure_first_hit(subject, wall, alpha1),
-                    .rebound = measure_divergence(&reference, &angles),
-                    .mean = angles.mean,
-                    .reference_mean = reference.mean};
+    rows[i] = (trade_row){.model = model,
+                          .angle = angle,
+                          .cost = measure_cost(wall, subject->d_p, alpha1),
+                          .first_hit = measure_first_hit(subject, wall, alpha1),
+                          .rebound = measure_divergence(&reference, &angles),
+                          .mean = angles.mean,
+                          .reference_mean = reference.mean};
     asp_wall_free(wall);
   }
 }
 
-static void print_row(FILE *out, const row *r) {
+static void print_row(FILE *out, const trade_row *r) {
   fprintf(out, "%s,%g,%.1f,", asp_spread_name(r->model), r->angle, r->cost);
   if (isfinite(r->first_hit))
     fprintf(out, "%.5f", r->first_hit);
   fprintf(out, ",%.5f,%.4f,%.4f\n", r->rebound, r->mean, r->reference_mean);
 }
 
-/* A model over all angles: its mean cost, and its worst divergence. */
-typedef struct point {
-  const asp_spread_model *model;
-  double cost, worst;
-} point;
-
-static int by_cost(const void *a, const void *b) {
-  const point *x = a, *y = b;
-  return (x->cost > y->cost) - (x->cost < y->cost);
-}
-
-static void summarise(const row *rows, size_t n, point *points) {
-  size_t models = (size_t)asp_spread_count();
-  for (size_t m = 0; m < models; m++) {
-    points[m] = (point){.model = rows[m].model};
-    for (size_t i = m; i < n; i += models) {
-      points[m].cost += rows[i].cost * (double)models / (double)n;
-      points[m].worst = fmax(points[m].worst, rows[i].rebound);
-    }
-  }
-  qsort(points, models, sizeof *points, by_cost);
-}
-
-/* Divergences below what the rays can tell are drawn at that. */
-#define NOISE 1e-4
-
-/* Gnuplot's point types that can be told apart when they lie on each other. */
-static const int marks[] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
-
-static void plot(const cli_option *options, const row *rows, size_t n) {
-  size_t models = (size_t)asp_spread_count();
-  point *points = malloc(models * sizeof *points);
-  if (!points)
-    cli_fail("out of memory");
-  summarise(rows, n, points);
-  cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560);
-  FILE *gp = cli_plot_stream(picture);
-  fprintf(gp,
-          "set title 'Wall r_q %s, {/Symbol l}_c %s; particles %s; {/Symbol a}_1 %s degrees'\n"
-          "set xlabel 'time per impact / ns (mean over the angles)'\nset logscale xy\n"
-          "set ylabel 'D_{KL} of the rebound angle against the geometry (worst angle)'\n"
-          "set format y '%%g'\nset yrange [%g:*]\nset offsets graph 0.05, graph 0.05, 0, 0\n"
-          "set xtics (20,50,100,200,500,1000,2000,5000)\n"
-          "set key outside right center reverse Left samplen 1\n$points << EOD\n",
-          cli_plot_label(picture, options[RQ].value).text,
-          cli_plot_label(picture, options[LAMBDA_C].value).text,
-          cli_plot_label(picture, options[DP].value).text,
-          cli_plot_label(picture, options[ANGLES].value).text, 0.5 * NOISE);
-  for (size_t i = 0; i < models; i++)
-    fprintf(gp, "%g %g\n", points[i].cost, fmax(points[i].worst, NOISE));
-  fputs("EOD\n$front << EOD\n", gp);
-  double best = INFINITY;
-  for (size_t i = 0; i < models; i++)
-    if (fmax(points[i].worst, NOISE) < best) {
-      best = fmax(points[i].worst, NOISE);
-      fprintf(gp, "%g %g\n", points[i].cost, best);
-    }
-  fputs("EOD\nplot $front with steps lc rgb '#999999' lw 2 dt 2 title 'Pareto front'", gp);
-  for (size_t i = 0; i < models; i++)
-    fprintf(gp, ", $points every ::%zu::%zu with points ls %zu pt %d ps 1.6 title '%s'", i, i,
-            i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
-            cli_plot_label(picture, asp_spread_name(points[i].model)).text);
-  fputc('\n', gp);
-  cli_plot_close(picture);
-  free(points);
-}
-
 /* All rows, angle by angle. */
 static void measure(const cli_option *options, const cli_list *angles, size_t rays, uint32_t seed,
-                    row *rows) {
+                    trade_row *rows) {
   bool multiple = cli_is_multiple(&options[COLLISIONS]);
   measure_case subject = measure_case_create(
       cli_length(&options[RQ]), cli_length(&options[LAMBDA_C]), cli_length(&options[DP]), seed);
@@ -126,7 +53,7 @@ static void measure(const cli_option *options, const cli_list *angles, size_t ra
   measure_case_free(&subject);
 }
 
-static void print(FILE *out, const row *rows, size_t n) {
+static void print(FILE *out, const trade_row *rows, size_t n) {
   fputs("model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,mean_rebound_deg,"
         "mean_rebound_reference_deg\n",
         out);
@@ -159,7 +86,7 @@ static int run(int argc, char **argv) {
   }
   cli_list angles = cli_angles(&options[ANGLES]);
   size_t n = angles.count * (size_t)asp_spread_count();
-  row *rows = malloc(n * sizeof *rows);
+  trade_row *rows = malloc(n * sizeof *rows);
   if (!rows)
     cli_fail("out of memory");
   measure(options, &angles, rays, seed, rows);
@@ -167,7 +94,7 @@ static int run(int argc, char **argv) {
   print(cli_output_stream(output), rows, n);
   cli_output_close(output);
   if (options[PLOT].value)
-    plot(options, rows, n);
+    cli_trade_plot(options, rows, n);
   free(rows);
   return 0;
 }

@@ -3,25 +3,17 @@
 
 #include <string.h>
 
-static int choice(const cli_option *option, const char *first, const char *second) {
-  if (strcmp(option->value, first) == 0)
-    return 0;
-  if (strcmp(option->value, second) == 0)
-    return 1;
-  cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
-}
-
 const char *cli_tilt(const cli_option *option) {
-  choice(option, "plane", "isotropic");
+  cli_choice(option, "plane", "isotropic");
   return option->value;
 }
 
 bool cli_is_multiple(const cli_option *option) {
-  return choice(option, "single", "multiple");
+  return cli_choice(option, "single", "multiple");
 }
 
 bool cli_switch(const cli_option *option) {
-  return choice(option, "off", "on");
+  return cli_choice(option, "off", "on");
 }
 
 asp_surface *cli_surface_of(const cli_option *rq, const cli_option *lambda_c) {

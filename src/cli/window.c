@@ -1,17 +1,14 @@
 /* Statistics of a window that moves over points; see window.h. Moments come from a tree of the
- * moments of 2, 4, 8 ... points, which are merged (Chan, Golub & LeVeque 1983), so that nothing is
- * taken away from a sum again; order statistics from counts in a Fenwick tree over the values.
+ * moments of 2, 4, 8 ... points, which are merged, so that nothing is taken away from a sum again;
+ * order statistics from counts in a Fenwick tree over the values.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/window.h"
+#include "base/running.h"
 #include "cli/cli.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-typedef struct moments {
-  double n, mean, square; /* square: sum of squared distances from the mean */
-} moments;
 
 struct cli_window {
   size_t count, leaves; /* leaves: the least power of two that is at least count */
@@ -20,7 +17,7 @@ struct cli_window {
   size_t *rank;         /* of its value among all, from 1 */
   double *sorted;       /* values by rank, from 0 */
   size_t *inside;       /* Fenwick tree of the points within, by rank */
-  moments *tree;        /* node i holds 2i and 2i + 1; the points are the leaves */
+  aspi_running *tree;   /* node i holds 2i and 2i + 1; the points are the leaves */
 };
 
 static void *allocate(size_t count, size_t size) {
@@ -28,14 +25,6 @@ static void *allocate(size_t count, size_t size) {
   if (!memory)
     cli_fail("out of memory for %zu points", count);
   return memory;
-}
-
-static moments merge(moments a, moments b) {
-  if (!(a.n > 0) || !(b.n > 0))
-    return a.n > 0 ? a : b;
-  double n = a.n + b.n, apart = b.mean - a.mean;
-  return (moments){n, a.mean + apart * (b.n / n),
-                   a.square + b.square + apart * apart * (a.n * b.n / n)};
 }
 
 typedef struct valued {
@@ -74,9 +63,9 @@ cli_window *cli_window_create(const scatter_point *points, size_t count, int whi
   w->inside = allocate(w->leaves, sizeof *w->inside);
   w->tree = allocate(2 * w->leaves, sizeof *w->tree);
   for (size_t i = 0; i < w->count; i++)
-    w->tree[w->leaves + i] = (moments){1, values[i].value, 0};
+    w->tree[w->leaves + i] = (aspi_running){1, values[i].value, 0};
   for (size_t i = w->leaves - 1; i > 0; i--)
-    w->tree[i] = merge(w->tree[2 * i], w->tree[2 * i + 1]);
+    w->tree[i] = aspi_running_merge(w->tree[2 * i], w->tree[2 * i + 1]);
   rank(w, values);
   free(values);
   return w;
@@ -109,16 +98,16 @@ size_t cli_window_count(const cli_window *w) {
 }
 
 void cli_window_moments(const cli_window *w, double *mean, double *sd) {
-  moments left = {0, 0, 0}, right = {0, 0, 0};
+  aspi_running left = {0, 0, 0}, right = {0, 0, 0};
   for (size_t i = w->first + w->leaves, end = w->end + w->leaves; i < end; i /= 2, end /= 2) {
     if (i % 2)
-      left = merge(left, w->tree[i++]);
+      left = aspi_running_merge(left, w->tree[i++]);
     if (end % 2)
-      right = merge(w->tree[--end], right);
+      right = aspi_running_merge(w->tree[--end], right);
   }
-  moments all = merge(left, right);
+  aspi_running all = aspi_running_merge(left, right);
   *mean = all.mean;
-  *sd = all.n > 1 ? sqrt(all.square / (all.n - 1)) : 0;
+  *sd = aspi_running_sd(&all);
 }
 
 /* The value of the point number k within, from 0, in order of values. */

@@ -1,0 +1,53 @@
+/* What `asperity cor` hands to its picture.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_CLI_COR_H
+#define ASP_CLI_COR_H
+
+#include "cli/law.h"
+
+/* The options of the command. */
+enum {
+  RQ,
+  LAMBDA_C,
+  DP,
+  SPEED,
+  ANGLES,
+  MODEL,
+  SAMPLES,
+  SEED,
+  TILT,
+  COLLISIONS,
+  OUTPUT,
+  PLOT,
+  LAW,
+  N = LAW + LAW_OPTIONS
+};
+
+typedef struct cor_scene {
+  asp_surface *surface; /* NULL: smooth */
+  cli_law law;
+  asp_pair *pair;
+  double speed;
+  cli_list sizes;             /* a list, or empty for a log-normal */
+  double least, most, median; /* of the log-normal; least and most also of a list */
+} cor_scene;
+
+typedef struct cor_row {
+  double d_p, alpha1;
+  asp_impact impact;
+  asp_coefficients cor;
+} cor_row;
+
+/* Reads the wall from the options, and takes it away. */
+void cli_cor_read_wall(const cli_option *options, cor_scene *scene);
+void cli_cor_free_wall(cor_scene *scene);
+
+/* One impact at an angle in degrees. */
+cor_row cli_cor_impact(const cor_scene *scene, double angle, size_t sample, uint64_t tag,
+                       uint32_t seed);
+
+void cli_cor_plot(const cli_option *options, const cor_scene *scene, const cor_row *rows,
+                  size_t count);
+
+#endif

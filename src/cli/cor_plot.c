@@ -1,0 +1,71 @@
+/* The picture of `asperity cor`.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/running.h"
+#include "cli/cor.h"
+
+#include <string.h>
+#include <math.h>
+
+enum { CELLS = 45 };
+
+/* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
+ */
+void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *rows, size_t n) {
+  static const char *const names[] = {"CoR_N", "CoR_T"};
+  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
+  FILE *gp = cli_plot_stream(picture);
+  double d_p = s->sizes.count ? s->sizes.values[0] : s->median;
+  cor_scene smooth = {.speed = s->speed, .sizes = {&d_p, 1}};
+  cli_option none[N + 1];
+  memcpy(none, options, sizeof none);
+  none[MODEL].value = "none";
+  cli_cor_read_wall(none, &smooth);
+  size_t every = n / 20000 + 1, deposits = 0;
+  for (size_t i = 0; i < n; i++)
+    deposits += rows[i].impact.outcome == ASP_DEPOSIT;
+  fprintf(gp, "set multiplot layout 1,2 title '%s on %s, %g m/s, %s; ",
+          cli_plot_label(picture, asp_material_name(s->law.particle)).text,
+          cli_plot_label(picture, options[LAW + LAW_WALL].value).text, s->speed,
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(s->law.wall))).text);
+  if (s->surface)
+    fprintf(gp, "{/Symbol F}_R = %.3g, %s; ", asp_surface_phi_r(s->surface),
+            cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
+  fprintf(gp, "%.1f %% of %zu impacts stick'\n", 100 * (double)deposits / (double)n, n);
+  fputs("set xrange [0:90]\nset xtics 15\n"
+        "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+        gp);
+  for (int t = 0; t < 2; t++) {
+    aspi_running cells[CELLS] = {{0, 0, 0}};
+    fprintf(gp, "$scatter%d << EOD\n", t);
+    for (size_t i = 0; i < n; i++) {
+      if (rows[i].impact.outcome == ASP_DEPOSIT || (t && !rows[i].cor.cor_t_defined))
+        continue;
+      double y = t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
+      int cell = (int)(rows[i].alpha1 / 90 * CELLS);
+      aspi_running_add(&cells[cell < CELLS ? cell : CELLS - 1], y);
+      if (i % every == 0)
+        fprintf(gp, "%g %g\n", rows[i].alpha1, y);
+    }
+    fprintf(gp, "EOD\n$mean%d << EOD\n", t);
+    for (int i = 0; i < CELLS; i++)
+      if (cells[i].n > 1)
+        fprintf(gp, "%g %g %g\n", (i + 0.5) * 90 / CELLS, cells[i].mean,
+                aspi_running_sd(&cells[i]));
+    fprintf(gp, "EOD\n$smooth%d << EOD\n", t);
+    for (int i = 1; i < 180; i++) {
+      cor_row r = cli_cor_impact(&smooth, 0.5 * i, 0, 1, 1);
+      if (r.impact.outcome == ASP_REBOUND)
+        fprintf(gp, "%g %g\n", 0.5 * i, t ? r.cor.cor_t : r.cor.cor_n);
+    }
+    fprintf(gp,
+            "EOD\nset ylabel '%s'\nset yrange [%s]\nset key %s opaque\n"
+            "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fbfdf' title 'impacts', "
+            "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#1f5fa8' title 'mean ± sd', "
+            "$smooth%d with lines ls 2 title 'smooth wall, d_p = %.3g µm'\n",
+            names[t], t ? "-1:2" : "0:3", t ? "bottom left" : "top right", t, t, t, d_p * 1e6);
+  }
+  fputs("unset multiplot\n", gp);
+  cli_cor_free_wall(&smooth);
+  cli_plot_close(picture);
+}

@@ -1,0 +1,143 @@
+/* The pictures of `asperity rebound`.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/rebound.h"
+
+#include <math.h>
+
+enum { CURVES_MOST = 6 };
+
+/* The lower edge of cell i around a point of a list of rising values, in equal ratios. */
+static double edge_of(const cli_list *list, size_t i) {
+  const double *x = list->values;
+  size_t n = list->count;
+  if (n < 2)
+    return x[0] * (i ? 1.1 : 1 / 1.1);
+  if (i == 0)
+    return x[0] * sqrt(x[0] / x[1]);
+  return i == n ? x[n - 1] * sqrt(x[n - 1] / x[n - 2]) : sqrt(x[i - 1] * x[i]);
+}
+
+/* Corners of cells, each with the value of the cell above and right of it. */
+static void plot_cells(FILE *gp, const rebound_map *m) {
+  size_t nx = m->sizes.count, ny = m->speeds.count;
+  fputs("$map << EOD\n", gp);
+  for (size_t i = 0; i <= nx; i++, fputc('\n', gp))
+    for (size_t k = 0; k <= ny; k++) {
+      rebound_row r = cli_rebound_row(m, m->walls, m->sizes.values[i < nx ? i : nx - 1],
+                                      m->speeds.values[k < ny ? k : ny - 1], m->angles.values[0]);
+      fprintf(gp, "%g %g ", edge_of(&m->sizes, i) * 1e6, edge_of(&m->speeds, k));
+      fprintf(gp, r.deposit ? "NaN\n" : "%g\n", r.cor.cor_n);
+    }
+  fputs("EOD\n", gp);
+}
+
+/* The curve, and where a particle sticks at any speed a line up to its end. */
+static double plot_capture_curve(FILE *gp, const rebound_map *m, const rebound_wall *wall) {
+  double most = 0;
+  bool always = false;
+  for (size_t i = 0; i < m->sizes.count; i++) {
+    double d_p = m->sizes.values[i],
+           speed = cli_rebound_capture_speed(m, wall, d_p, m->angles.values[0]);
+    if (isfinite(speed) && speed > 0) {
+      if (always)
+        fprintf(gp, "%g %g 0\n", d_p * 1e6, REBOUND_FASTEST);
+      fprintf(gp, "%g %g 0\n", d_p * 1e6, speed);
+      most = fmax(most, speed);
+    }
+    always = isinf(speed);
+  }
+  return most;
+}
+
+/* A label in place of a title, which gnuplot 5.4 leaves out of a map where it holds a backslash. */
+void cli_rebound_plot_regimes(cli_plot *picture, const rebound_map *m) {
+  FILE *gp = cli_plot_stream(picture);
+  size_t nx = m->sizes.count, ny = m->speeds.count;
+  plot_cells(gp, m);
+  fputs("$capture << EOD\n", gp);
+  bool sticks = plot_capture_curve(gp, m, m->walls) > 0;
+  fprintf(gp,
+          "EOD\nset label '%s on %s, %s, {/Symbol a}_1 = %g°' at screen 0.47,0.96 center\n"
+          "set view map\nset pm3d map corners2color c1\n"
+          "set palette defined (0 '#3b0f70', 0.35 '#b63679', 0.7 '#fb8861', 1 '#fcfdbf')\n"
+          "set cbrange [0:1]\nset cblabel 'CoR_N'\nset log xy\nset border 15 front\n"
+          "set xrange [%g:%g]\nset yrange [%g:%g]\n"
+          "set xlabel 'diameter d_p / µm'\nset ylabel 'impact speed v_1 / (m/s)'\n"
+          "set object 1 rectangle from graph 0,0 to graph 1,1 fc rgb '#bbbbbb' behind\n"
+          "set key bottom left opaque\nset lmargin screen 0.12\nset rmargin screen 0.82\n"
+          "set tmargin screen 0.92\nset bmargin screen 0.12\n"
+          "splot $map using 1:2:(0):3 with pm3d notitle, %s"
+          "NaN with points pt 5 ps 2 lc rgb '#bbbbbb' title 'deposit'\n",
+          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
+          cli_plot_label(picture, m->walls[0].name).text,
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
+          m->angles.values[0], edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6,
+          edge_of(&m->speeds, 0), edge_of(&m->speeds, ny),
+          sticks ? "$capture using 1:2:3 with lines lc rgb '#000000' lw 2 title 'capture speed', "
+                 : "");
+}
+
+void cli_rebound_plot_capture(cli_plot *picture, const rebound_map *m) {
+  FILE *gp = cli_plot_stream(picture);
+  double most = 0;
+  for (size_t w = 0; w < m->n_walls; w++) {
+    fprintf(gp, "$capture%zu << EOD\n", w);
+    most = fmax(most, plot_capture_curve(gp, m, &m->walls[w]));
+    fputs("EOD\n", gp);
+  }
+  if (!(most > 0))
+    fputs("set label 'no particle sticks' at graph 0.5,0.5 center\n", gp);
+  fprintf(gp,
+          "set title '%s, %s, {/Symbol a}_1 = %g°: sticks under and left of a curve'\n"
+          "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
+          "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
+          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
+          m->angles.values[0], m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6,
+          most > 0 ? "*" : "1", most > 0 ? 5 * most : 10);
+  for (size_t w = 0; w < m->n_walls; w++)
+    fprintf(gp, "%s$capture%zu with lines ls %zu title 'on %s'", w ? ", " : "", w,
+            w % CURVES_MOST + 1, cli_plot_label(picture, m->walls[w].name).text);
+  fputs(", NaN notitle\n", gp);
+}
+
+/* One curve a wall, size and speed, as far as there are styles. */
+void cli_rebound_plot_angles(cli_plot *picture, const rebound_map *m) {
+  FILE *gp = cli_plot_stream(picture);
+  size_t per_wall = m->sizes.count * m->speeds.count, curves = m->n_walls * per_wall;
+  if (curves > CURVES_MOST)
+    curves = CURVES_MOST;
+  for (size_t c = 0; c < curves; c++) {
+    fprintf(gp, "$curve%zu << EOD\n", c);
+    for (size_t a = 0; a < m->angles.count; a++) {
+      rebound_row r = cli_rebound_row(m, &m->walls[c / per_wall],
+                                      m->sizes.values[c % per_wall / m->speeds.count],
+                                      m->speeds.values[c % m->speeds.count], m->angles.values[a]);
+      fprintf(gp,
+              r.deposit             ? "\n"
+              : r.cor.cor_t_defined ? "%g %g %g\n"
+                                    : "%g %g NaN\n",
+              m->angles.values[a], r.cor.cor_n, r.cor.cor_t);
+    }
+    fputs("EOD\n", gp);
+  }
+  fprintf(gp,
+          "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks'\n"
+          "set xrange [0:90]\nset xtics 15\nset yrange [0:1]\n"
+          "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
+          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text);
+  for (int t = 0; t < 2; t++) {
+    fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", t ? 'T' : 'N',
+            t ? "bottom right" : "top right");
+    for (size_t c = 0; c < curves; c++)
+      fprintf(gp, "%s$curve%zu using 1:%d with lines ls %zu title 'on %s, %.3g µm, %.3g m/s'",
+              c ? ", " : "", c, t ? 3 : 2, c + 1,
+              cli_plot_label(picture, m->walls[c / per_wall].name).text,
+              m->sizes.values[c % per_wall / m->speeds.count] * 1e6,
+              m->speeds.values[c % m->speeds.count]);
+    fputc('\n', gp);
+  }
+  fputs("unset multiplot\n", gp);
+}

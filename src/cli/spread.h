@@ -1,0 +1,14 @@
+/* What `asperity spread` hands to its picture.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_CLI_SPREAD_H
+#define ASP_CLI_SPREAD_H
+
+#include "cli/cli.h"
+#include "spread/models.h"
+
+/* A histogram of n samples in degrees, and the model's density over it where it has one. */
+void cli_spread_plot(const cli_option *option, const asp_spread_model *model, const aspi_view *view,
+                     const double *sample, size_t n);
+
+#endif
