@@ -46,13 +46,15 @@ asp_code aspi_check_length(asp_error *error, const char *name, double value) {
                    LENGTH_LEAST, LENGTH_MOST);
 }
 
-asp_code aspi_fail_name(asp_error *error, const char *what, const char *name, int count,
-                        const char *(*name_at)(int)) {
+int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
+                   asp_error *error) {
   char list[320] = "";
   for (int i = 0; i < count; i++) {
+    if (name && strcmp(name_at(i), name) == 0)
+      return i;
     size_t used = strlen(list);
     snprintf(list + used, sizeof list - used, " %s", name_at(i));
   }
-  return aspi_fail(error, ASP_ENAME, "%s '%s' is unknown; there are:%s", what, name ? name : "",
-                   list);
+  aspi_fail(error, ASP_ENAME, "%s '%s' is unknown; there are:%s", what, name ? name : "", list);
+  return -1;
 }

@@ -113,6 +113,9 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
     }
     options[found].value = options[found].argument ? optarg : "";
   }
+  for (int i = 0; i < count; i++)
+    if (strcmp(options[i].name, "plot") == 0 && options[i].value)
+      cli_plot_check(&options[i]);
   if (!arguments && optind < argc)
     cli_bad_usage("%s: argument '%s' is not expected; options begin with --", command->name,
                   argv[optind]);

@@ -84,6 +84,7 @@ typedef struct cli_file cli_file;
 cli_file *cli_file_open(const char *path);
 FILE *cli_file_stream(const cli_file *file);
 void cli_file_close(cli_file *file);
+void cli_file_drop(cli_file *file); /* closes it and leaves what was there */
 
 /* The stream to write CSV to: a file, or stdout where path is NULL or "-". Writes the comment line:
  * version, the command as given, the seed where `seed` is not NULL. */
@@ -115,6 +116,11 @@ void cli_progress_end(cli_progress *progress);
 /* A gnuplot that draws into a .png, .svg or .pdf of width x height pixels; commands and data go to
  * the stream. close waits for it, reports failure, and says on stderr where the picture is. */
 typedef struct cli_plot cli_plot;
+
+/* Exits where such a picture could not be drawn: another ending, no gnuplot, a file that cannot be
+ * written. cli_parse asks for the option `plot`, before any work is done. */
+void cli_plot_check(const cli_option *option);
+
 cli_plot *cli_plot_open(const cli_option *option, int width, int height);
 FILE *cli_plot_stream(cli_plot *plot);
 void cli_plot_close(cli_plot *plot);

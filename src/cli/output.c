@@ -98,13 +98,7 @@ FILE *cli_file_stream(const cli_file *file) {
   return file->stream;
 }
 
-void cli_file_close(cli_file *file) {
-  bool bad = fflush(file->stream) != 0 || ferror(file->stream);
-  if (file->stream != stdout)
-    bad = fclose(file->stream) != 0 || bad;
-  bad = bad || (file->partial && rename(file->partial, file->target) != 0);
-  if (bad)
-    cli_fail("cannot write '%s': %s", file->path, strerror(errno));
+static void forget(cli_file *file) {
   for (cli_file **at = &open_files; *at; at = &(*at)->next)
     if (*at == file) {
       *at = file->next;
@@ -114,6 +108,24 @@ void cli_file_close(cli_file *file) {
   free(file->target);
   free(file->partial);
   free(file);
+}
+
+void cli_file_close(cli_file *file) {
+  bool bad = fflush(file->stream) != 0 || ferror(file->stream);
+  if (file->stream != stdout)
+    bad = fclose(file->stream) != 0 || bad;
+  bad = bad || (file->partial && rename(file->partial, file->target) != 0);
+  if (bad)
+    cli_fail("cannot write '%s': %s", file->path, strerror(errno));
+  forget(file);
+}
+
+void cli_file_drop(cli_file *file) {
+  if (file->stream != stdout)
+    fclose(file->stream);
+  if (file->partial)
+    unlink(file->partial);
+  forget(file);
 }
 
 struct cli_output {

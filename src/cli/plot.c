@@ -37,23 +37,51 @@ static const char *terminal_of(const cli_option *option) {
                 option->value);
 }
 
-/* A gnuplot that reads from the returned stream and writes to the plot's file. */
-static FILE *start(cli_plot *plot) {
-  int ends[2];
+/* Gnuplot with one argument, its input and its output. */
+static pid_t spawn(char *argument, int input, int output) {
   posix_spawn_file_actions_t actions;
-  char *arguments[] = {"gnuplot", "-d", NULL};
-  if (pipe(ends) != 0 || fcntl(ends[1], F_SETFD, FD_CLOEXEC) != 0 ||
-      posix_spawn_file_actions_init(&actions) != 0)
+  char *arguments[] = {"gnuplot", argument, NULL};
+  pid_t process;
+  if (posix_spawn_file_actions_init(&actions) != 0)
     cli_fail("cannot start gnuplot: %s", strerror(errno));
-  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(cli_file_stream(plot->file)), STDOUT_FILENO);
-  int status = posix_spawnp(&plot->process, "gnuplot", &actions, NULL, arguments, environ);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  int status = posix_spawnp(&process, "gnuplot", &actions, NULL, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (status != 0)
     cli_fail("cannot start gnuplot: %s; is it installed? Debian: apt-get install gnuplot-nox",
              strerror(status));
+  return process;
+}
+
+/* Waits for gnuplot, and exits where it failed. */
+static void finish(pid_t process, const char *path) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (status != 0)
+    cli_fail("gnuplot failed (status %d); no picture '%s' is drawn",
+             WIFEXITED(status) ? WEXITSTATUS(status) : status, path);
+}
+
+/* A gnuplot that reads from the returned stream and writes to the plot's file. */
+static FILE *start(cli_plot *plot) {
+  int ends[2];
+  if (pipe(ends) != 0 || fcntl(ends[1], F_SETFD, FD_CLOEXEC) != 0)
+    cli_fail("cannot start gnuplot: %s", strerror(errno));
+  plot->process = spawn("-d", ends[0], fileno(cli_file_stream(plot->file)));
   close(ends[0]);
   return fdopen(ends[1], "w");
+}
+
+void cli_plot_check(const cli_option *option) {
+  terminal_of(option);
+  cli_file_drop(cli_file_open(option->value));
+  int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing < 0)
+    cli_fail("cannot open '/dev/null': %s", strerror(errno));
+  finish(spawn("--version", nothing, nothing), option->value);
+  close(nothing);
 }
 
 cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
@@ -90,13 +118,8 @@ FILE *cli_plot_stream(cli_plot *plot) {
 }
 
 void cli_plot_close(cli_plot *plot) {
-  int status = 0;
   fclose(plot->pipe);
-  while (waitpid(plot->process, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status != 0)
-    cli_fail("gnuplot failed (status %d); no picture '%s' is drawn",
-             WIFEXITED(status) ? WEXITSTATUS(status) : status, plot->path);
+  finish(plot->process, plot->path);
   cli_file_close(plot->file);
   fprintf(stderr, "picture: %s\n", plot->path);
   free(plot);

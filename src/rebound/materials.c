@@ -32,11 +32,8 @@ static const char *name_at(int index) {
 }
 
 const asp_material *aspi_material_find(const char *name, asp_error *error) {
-  for (int i = 0; name && i < asp_material_count(); i++)
-    if (strcmp(presets[i].name, name) == 0)
-      return &presets[i];
-  aspi_fail_name(error, "material", name, asp_material_count(), name_at);
-  return NULL;
+  int index = aspi_find_name("material", name, asp_material_count(), name_at, error);
+  return index < 0 ? NULL : &presets[index];
 }
 
 const char *asp_material_name(const asp_material *material) {

@@ -23,11 +23,8 @@ static const char *name_at(int index) {
 }
 
 const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error) {
-  for (int i = 0; name && i < asp_rebound_count(); i++)
-    if (strcmp(laws[i]->name, name) == 0)
-      return laws[i];
-  aspi_fail_name(error, "rebound law", name, asp_rebound_count(), name_at);
-  return NULL;
+  int index = aspi_find_name("rebound law", name, asp_rebound_count(), name_at, error);
+  return index < 0 ? NULL : laws[index];
 }
 
 const char *asp_rebound_name(const asp_rebound_law *law) {

@@ -3,7 +3,6 @@
 #include "spread/models.h"
 
 #include <math.h>
-#include <string.h>
 
 #define ASP_SPREAD_ADDRESS(name) &aspi_spread_##name,
 static const asp_spread_model *const models[] = {ASP_SPREAD_MODELS(ASP_SPREAD_ADDRESS)};
@@ -22,11 +21,8 @@ static const char *name_at(int index) {
 }
 
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error) {
-  for (int i = 0; name && i < asp_spread_count(); i++)
-    if (strcmp(models[i]->name, name) == 0)
-      return models[i];
-  aspi_fail_name(error, "spread model", name, asp_spread_count(), name_at);
-  return NULL;
+  int index = aspi_find_name("spread model", name, asp_spread_count(), name_at, error);
+  return index < 0 ? NULL : models[index];
 }
 
 const char *asp_spread_name(const asp_spread_model *model) {

@@ -14,11 +14,16 @@
 /* Heights smaller than this part of the largest coordinate are rounding. */
 #define ROUNDING 1e-13
 
+static double mean_of(const double *z, size_t points) {
+  double mean = 0;
+  for (size_t i = 0; i < points; i++)
+    mean += (z[i] - mean) / (double)(i + 1);
+  return mean;
+}
+
 static void describe_heights(const asp_profile *profile, aspi_description *d) {
   const double *z = asp_profile_heights(profile);
-  double mean = 0, square = 0, absolute = 0, step = 0;
-  for (size_t i = 0; i < d->points; i++)
-    mean += (z[i] - mean) / (double)(i + 1);
+  double mean = mean_of(z, d->points), square = 0, absolute = 0, step = 0;
   for (size_t i = 0; i < d->points; i++) {
     square += (z[i] - mean) * (z[i] - mean);
     absolute += fabs(z[i] - mean);
@@ -50,11 +55,9 @@ static void correlate(double *data, size_t n) {
 static double *autocovariance(const asp_profile *profile, double scale) {
   size_t points = asp_profile_points(profile), n = aspi_power_of_two(2 * points);
   const double *z = asp_profile_heights(profile);
-  double *data = aspi_allocate(n), mean = 0;
+  double *data = aspi_allocate(n), mean = mean_of(z, points);
   if (!data)
     return NULL;
-  for (size_t i = 0; i < points; i++)
-    mean += (z[i] - mean) / (double)(i + 1);
   for (size_t i = 0; i < points; i++)
     data[i] = (z[i] - mean) / scale;
   memset(data + points, 0, (n - points) * sizeof *data);

@@ -100,6 +100,13 @@ cmp before deep/target || die "a failure changed its output"
 if PATH=/nowhere "$asperity" spread --sigma 10 --samples 50 --plot none.png > /dev/null 2> err; then die "gnuplot is missing"; fi
 grep -q "gnuplot-nox" err || die "no gnuplot: $(cat err)"
 [ ! -e none.png ] || die "an empty picture was left"
+# Which is seen before any work is done: that of these options would take hours.
+work_of_hours=(trade --rq 5um --lambda-c 40um --dp 10um --rays 1000000000)
+for plot in 'PATH=/nowhere none.png gnuplot-nox' 'A=1 /nowhere/none.png No such file' 'A=1 none.bmp .png, .svg or .pdf'; do
+  read -r variable file words <<< "$plot"
+  timeout 20 env "$variable" "$asperity" "${work_of_hours[@]}" --plot $file > /dev/null 2> err && die "--plot $file"
+  grep -q "$words" err || die "--plot $file: $(cat err)"
+done
 echo before > log; "$asperity" materials -o /dev/stdout >> log; "$asperity" materials -o - >> log
 [ "$(grep -c '^quartz,' log)" = 2 ] && [ "$(head -n 1 log)" = before ] || die "-o /dev/stdout"
 [ -z "$(find . -name '*.partial')" ] || die "a partial file is left"
