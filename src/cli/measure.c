@@ -73,12 +73,14 @@ measure_angles measure_rebounds(const asp_wall *wall, double d_p, double alpha1,
       int bin = (int)angle;
       mine.count[bin < MEASURE_BINS ? bin : MEASURE_BINS - 1]++;
       mine.mean += angle / (double)n;
+      mine.later += (impact.hits > 1) / (double)n;
     }
 #pragma omp critical
     {
       for (int i = 0; i < MEASURE_BINS; i++)
         all.count[i] += mine.count[i];
       all.mean += mine.mean;
+      all.later += mine.later;
     }
   }
   return all;

@@ -12,6 +12,7 @@ enum { MEASURE_BINS = 180 }; /* of one degree */
 typedef struct measure_angles {
   double count[MEASURE_BINS];
   double n, mean; /* how many; their mean, degrees */
+  double later;   /* the share of impacts with more than one hit */
 } measure_angles;
 
 /* A wall to be judged: a Gaussian profile, what it is for one diameter, and its track. */

@@ -1,6 +1,7 @@
 /* The geometry: the law of the first hit and the paths against brute force, against each other, and
  * against numbers of an independent ray tracer; the models against the geometry. */
 #include "check.h"
+#include "cli/measure.h"
 #include "impact/wall.h"
 
 #include <gsl/gsl_cdf.h>
@@ -130,53 +131,6 @@ static void flights_back_are_flights_over_the_mirror_image(void **state) {
   asp_profile_free(back);
 }
 
-static asp_wall *wall_of(const char *model, const asp_profile *profile, const asp_surface *surface,
-                         double d_p) {
-  asp_wall *wall = asp_wall_create(NULL);
-  assert_non_null(wall);
-  asp_wall_choose(wall, "rebound", "constant", NULL);
-  asp_wall_choose(wall, "collisions", "multiple", NULL);
-  asp_wall_set(wall, "deposit", 0, NULL);
-  asp_wall_set(wall, "d_p_least", d_p, NULL);
-  asp_wall_set(wall, "d_p_most", d_p, NULL);
-  asp_wall_set_surface(wall, surface);
-  asp_wall_set_profile(wall, profile);
-  assert_int_equal(asp_wall_choose(wall, "spread", model, NULL), ASP_OK);
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
-  return wall;
-}
-
-typedef struct rebounds {
-  double count[180], mean, later;
-} rebounds;
-
-static rebounds rebounds_of(const asp_wall *wall, double d_p, double alpha1, int n) {
-  static const double up[3] = {0, 0, 1};
-  rebounds r = {{0}, 0, 0};
-  double v1[3] = {cos(alpha1), 0, -sin(alpha1)};
-  asp_particle particle = {d_p, 1, NULL};
-  for (int i = 0; i < n; i++) {
-    asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, up, &(asp_key){2, 1, (uint64_t)i, 1}, &impact);
-    double angle = asp_impact_coefficients(v1, up, &impact).alpha2 / DEGREE;
-    r.count[angle < 180 ? (int)angle : 179]++;
-    r.mean += angle / n;
-    r.later += (impact.hits > 1) / (double)n;
-  }
-  return r;
-}
-
-/* D_KL in bins of a degree, less the bias of two samples of n. */
-static double divergence(const rebounds *reference, const rebounds *other, int n) {
-  double sum = 0, bins = 0;
-  for (int i = 0; i < 180; i++)
-    if (reference->count[i] > 0) {
-      sum += reference->count[i] / n * log(reference->count[i] / fmax(other->count[i], 0.5));
-      bins++;
-    }
-  return sum - (bins - 1) / n;
-}
-
 /* Rebound angles and shares of later hits that an independent tracer found (phi_r 0.125, d_p =
  * lambda_c/4; ensemble); the tolerance is that of one profile of 8192 lambda_c. */
 static void rebounds_agree_with_an_independent_tracer(void **state) {
@@ -184,9 +138,10 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   static const double known[][3] = {{2, 25.22, 0.021}, {10, 27.33, 0.073}, {30, 37.31, 0.045}};
   asp_profile *profile = asp_profile_create(0.125, 1, 1 / 64., 524288, 9, NULL);
   asp_surface *surface = asp_surface_create_profile(profile, 0.25, 0.25, 1, NULL);
-  asp_wall *wall = wall_of("traced", profile, surface, 0.25);
+  measure_case subject = {.profile = profile, .surface = surface, .d_p = 0.25};
+  asp_wall *wall = measure_wall(&subject, "traced", true);
   for (int i = 0; i < 3; i++) {
-    rebounds r = rebounds_of(wall, 0.25, known[i][0] * DEGREE, 200000);
+    measure_angles r = measure_rebounds(wall, 0.25, known[i][0] * DEGREE, 200000, 2);
     print_message("alpha1 %g: mean %.2f (%.2f), later hits %.4f (%.3f)\n", known[i][0], r.mean,
                   known[i][1], r.later, known[i][2]);
     assert_near(r.mean, known[i][1], 0.35);
@@ -208,14 +163,15 @@ static void models_are_as_accurate_as_promised(void **state) {
     asp_profile *profile =
         asp_profile_create(walls[w][0], walls[w][1], walls[w][1] / 128, 524288, 4, NULL);
     asp_surface *surface = asp_surface_create_profile(profile, d_p, d_p, 1, NULL);
-    asp_wall *traced = wall_of("traced", profile, surface, d_p);
-    asp_wall *visible = wall_of("visible", profile, surface, d_p);
-    asp_wall *table = wall_of("profile", profile, surface, d_p);
+    measure_case subject = {.profile = profile, .surface = surface, .d_p = d_p};
+    asp_wall *traced = measure_wall(&subject, "traced", true);
+    asp_wall *visible = measure_wall(&subject, "visible", true);
+    asp_wall *table = measure_wall(&subject, "profile", true);
     for (int a = 0; a < 5; a++) {
-      rebounds truth = rebounds_of(traced, d_p, angles[a] * DEGREE, RAYS);
-      rebounds model = rebounds_of(visible, d_p, angles[a] * DEGREE, RAYS);
-      rebounds exact = rebounds_of(table, d_p, angles[a] * DEGREE, RAYS);
-      double off = divergence(&truth, &model, RAYS), less = divergence(&truth, &exact, RAYS);
+      measure_angles truth = measure_rebounds(traced, d_p, angles[a] * DEGREE, RAYS, 2);
+      measure_angles model = measure_rebounds(visible, d_p, angles[a] * DEGREE, RAYS, 2);
+      measure_angles exact = measure_rebounds(table, d_p, angles[a] * DEGREE, RAYS, 2);
+      double off = measure_divergence(&truth, &model), less = measure_divergence(&truth, &exact);
       print_message("wall %d, alpha1 %g: visible %.4f, profile %.4f\n", w, angles[a], off, less);
       assert_true(off < walls[w][3] + noise);
       assert_true(less < walls[w][3] + noise);
