@@ -135,6 +135,7 @@ static int run(int argc, char **argv) {
       [PLOT] = {"plot", "FILE", "draw the scatter; .png, .svg or .pdf", NULL},
       CLI_LAW_OPTIONS(LAW),
   };
+  cli_law_add_keywords(&options[LAW]);
   cli_parse(&cli_cor, argc, argv, options, false);
   cor_scene s = {0};
   read_sizes(&options[DP], &s);

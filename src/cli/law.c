@@ -4,6 +4,7 @@
 #include "cli/walls.h"
 #include "rebound/laws.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,98 @@ static void set_parameters(const cli_option *option, asp_wall *wall) {
   free(text);
 }
 
+static void *need(void *memory) {
+  if (!memory)
+    cli_fail("out of memory");
+  return memory;
+}
+
+/* Of the parameters that follow a keyword: how many there are, and their names with commas. */
+static int parameters_of(const asp_rebound_law *law, const char *keyword, char *names,
+                         size_t size) {
+  int count = 0;
+  *names = '\0';
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const asp_parameter *p = asp_rebound_parameter(law, i);
+    if (strcmp(asp_parameter_keyword(p), keyword) != 0)
+      continue;
+    size_t used = strlen(names);
+    snprintf(names + used, size - used, "%s%s", count++ ? "," : "", asp_parameter_name(p));
+  }
+  return count;
+}
+
+/* The option of a keyword: contact_area is --contact-area. */
+static void add_keyword(cli_option *option, const asp_rebound_law *law, const char *keyword) {
+  char names[200], help[300];
+  parameters_of(law, keyword, names, sizeof names);
+  snprintf(help, sizeof help, "of --rebound %s: %s; see 'asperity rebound --list'",
+           asp_rebound_name(law), names);
+  char *name = need(strdup(keyword)), *argument = need(strdup(names));
+  for (char *c = name; *c; c++)
+    *c = *c == '_' ? '-' : *c;
+  for (char *c = argument; *c; c++)
+    *c = (char)toupper((unsigned char)*c);
+  *option = (cli_option){name, argument, need(strdup(help)), NULL};
+}
+
+/* Whether an option is that of a keyword. */
+static bool is_of(const cli_option *option, const char *keyword) {
+  const char *name = option->name;
+  for (; *name && *keyword && (*name == *keyword || (*name == '-' && *keyword == '_')); name++)
+    keyword++;
+  return !*name && !*keyword;
+}
+
+void cli_law_add_keywords(cli_option *first) {
+  int count = 0;
+  for (int l = 0; l < asp_rebound_count(); l++)
+    for (int i = 0; i < asp_rebound_parameters(asp_rebound_at(l)); i++) {
+      const asp_rebound_law *law = asp_rebound_at(l);
+      const char *keyword = asp_parameter_keyword(asp_rebound_parameter(law, i));
+      bool known = !*keyword;
+      for (int k = 0; k < count && !known; k++)
+        known = is_of(&first[LAW_KEYWORDS + k], keyword);
+      if (!known && count < LAW_KEYWORDS_MOST)
+        add_keyword(&first[LAW_KEYWORDS + count++], law, keyword);
+    }
+}
+
+/* The values of a keyword's option: one for each of the law's parameters that follow it. */
+static void set_keyword(const cli_option *option, const char *keyword, asp_wall *wall) {
+  const asp_rebound_law *law = asp_wall_rebound(wall);
+  char names[200];
+  int count = parameters_of(law, keyword, names, sizeof names);
+  cli_list values = cli_numbers(option, -INFINITY, INFINITY);
+  if (values.count != (size_t)count)
+    cli_bad_usage("--%s is '%s'; it must be %d numbers: %s", option->name, option->value, count,
+                  names);
+  for (int i = 0, k = 0; i < asp_rebound_parameters(law); i++) {
+    const asp_parameter *p = asp_rebound_parameter(law, i);
+    asp_error error;
+    if (strcmp(asp_parameter_keyword(p), keyword) == 0 &&
+        asp_wall_set(wall, asp_parameter_name(p), values.values[k++], &error))
+      cli_bad_usage("--%s: %s", option->name, error.text);
+  }
+  free(values.values);
+}
+
+static void set_keywords(const cli_option *first, asp_wall *wall) {
+  const asp_rebound_law *law = asp_wall_rebound(wall);
+  for (const cli_option *o = &first[LAW_KEYWORDS]; o->name; o++) {
+    const char *keyword = NULL;
+    for (int i = 0; i < asp_rebound_parameters(law) && !keyword; i++) {
+      keyword = asp_parameter_keyword(asp_rebound_parameter(law, i));
+      keyword = is_of(o, keyword) ? keyword : NULL;
+    }
+    if (o->value && !keyword)
+      cli_bad_usage("--%s is given, but --rebound is '%s', which has no such parameter", o->name,
+                    asp_rebound_name(law));
+    if (o->value)
+      set_keyword(o, keyword, wall);
+  }
+}
+
 static asp_cor_table *table_of(const cli_option *first, const asp_rebound_law *law) {
   const cli_option *option = &first[LAW_TABLE];
   bool needed = asp_rebound_needs_table(law);
@@ -77,11 +170,7 @@ cli_law cli_law_read(const cli_option *first) {
   if (asp_wall_choose(law.wall, "rebound", first[LAW_REBOUND].value, &error))
     cli_bad_usage("--rebound: %s", error.text);
   set_parameters(&first[LAW_SET], law.wall);
-  if (first[LAW_YIELD_RATE].value) {
-    double rate = cli_number(&first[LAW_YIELD_RATE], 0, 1e15);
-    if (asp_wall_set(law.wall, "yield_rate", rate, &error))
-      cli_bad_usage("--yield-rate: %s", error.text);
-  }
+  set_keywords(first, law.wall);
   asp_wall_set(law.wall, "deposit", cli_switch(&first[LAW_ADHESION]), NULL);
   asp_wall_set(law.wall, "scatter_twice", first[LAW_SCATTER_TWICE].value != NULL, NULL);
   law.table = table_of(first, asp_wall_rebound(law.wall));

@@ -5,7 +5,8 @@
 
 #include "cli/cli.h"
 
-/* Their places in a command's table of options, counted from the first of them. */
+/* Their places in a command's table of options, counted from the first of them, which come last in
+ * the table: the keywords of the laws' parameters, as many as there are, end it. */
 enum {
   LAW_PARTICLE,
   LAW_WALL,
@@ -17,9 +18,10 @@ enum {
   LAW_MU,
   LAW_GAMMA,
   LAW_YIELD,
-  LAW_YIELD_RATE,
   LAW_ADHESION,
-  LAW_OPTIONS
+  LAW_KEYWORDS,
+  LAW_KEYWORDS_MOST = 16,
+  LAW_OPTIONS = LAW_KEYWORDS + LAW_KEYWORDS_MOST
 };
 
 #define CLI_LAW_OPTIONS(first)                                                                     \
@@ -38,8 +40,6 @@ enum {
       [(first) + LAW_GAMMA] = {"gamma", "J_PER_M2", "surface energy", "0.8"},                      \
       [(first) +                                                                                   \
           LAW_YIELD] = {"yield", "PA", "yield stress; the material's where not given", NULL},      \
-      [(first) + LAW_YIELD_RATE] = {"yield-rate", "PA_PER_M_S",                                    \
-                                    "yield stress per impact speed instead", NULL},                \
       [(first) + LAW_ADHESION] = {"adhesion", "on|off", "whether particles can stick", "on"}
 
 /* A law with its parameters, and what it works on. */
@@ -49,6 +49,10 @@ typedef struct cli_law {
   asp_cor_table *table;
   const asp_material *particle;
 } cli_law;
+
+/* Puts the keywords of all laws' parameters into the table of options, of which the first of a law
+ * is given: `contact_area` becomes --contact-area A,B,C. */
+void cli_law_add_keywords(cli_option *first);
 
 /* Reads the law from the options, of which the first is given; exits on bad ones. */
 cli_law cli_law_read(const cli_option *first);

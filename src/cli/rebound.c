@@ -208,6 +208,7 @@ static int run(int argc, char **argv) {
       [PLOT] = {"plot", "FILE", "draw the map; .png, .svg or .pdf", NULL},
       CLI_LAW_OPTIONS(LAW),
   };
+  cli_law_add_keywords(&options[LAW]);
   cli_parse(&cli_rebound, argc, argv, options, false);
   const map_kind *kind = kind_of(&options[MAP]);
   if (options[LIST].value) {

@@ -44,6 +44,18 @@ for map in regimes capture angles; do
   "$asperity" rebound --map $map --points 5 --plot $map.png -o $map.csv 2> err
   head -c 4 $map.png | grep -q PNG || die "rebound --map $map --plot"
 done
+# every keyword of a law's parameters is an option
+"$asperity" rebound --map angles --angles 45 --temperature 1400 --gamma 0 > a
+[ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: --temperature"
+"$asperity" rebound --map angles --angles 45 --set a=0.2,b=0.1,c=0.3 > a
+"$asperity" rebound --map angles --angles 45 --contact-area 0.2,0.1,0.3 > b
+cmp <(rows a) <(rows b) || die "rebound: --contact-area"
+"$asperity" rebound --help > help
+for option in yield-rate contact-area temperature soften scatter; do grep -q -- "--$option " help || die "rebound --help: --$option"; done
+refuses 2 "--contact-area" "3 numbers: a,b,c" -- rebound --contact-area 0.2,0.1
+refuses 2 "--contact-area" "c is 11" "0 to 10" -- rebound --contact-area 0.2,0.1,11
+refuses 2 "--scatter" "--rebound is 'bons'" -- rebound --scatter 1
+refuses 2 "--yield-rate is 'soft'" -- rebound --yield-rate soft
 refuses 2 "regimes, capture or angles" -- rebound --map all
 refuses 2 "from < to" -- rebound --dp 2um:1um
 refuses 2 "one angle" -- rebound --map capture --angles 10,20
