@@ -208,21 +208,20 @@ void Wall::warn_of_speeds() {
  */
 
 /* One particle on its way through a step. Its path is straight; along it the velocity changes by
- * what acts on the particle, so that a contact finds the velocity of its own instant: v(t) = path.v
- * + acceleration (t - the middle of the path). `half` is what the engine's second half of the step
- * has to begin with. */
+ * what acts on the particle, from `begin`, so that a contact finds the velocity of its own instant.
+ * `half` is what the engine's second half of the step has to begin with. */
 struct Wall::Flight {
   const Spheres &spheres;
   int i;
   double radius, mass;
   Path path;
-  double acceleration[3], half[3];
+  double begin[3], acceleration[3], half[3];
   std::vector<Event> events;
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
 
   Flight(const Spheres &s, int particle);
   void velocity(double time, double v[3]) const;
-  void go_on(const double v[3]);
+  void go_on(const double before[3], const double after[3], const double n[3]);
 };
 
 Wall::Flight::Flight(const Spheres &s, int particle)
@@ -236,17 +235,26 @@ Wall::Flight::Flight(const Spheres &s, int particle)
   vector_scale(1 / mass, acceleration);
   vector_copy(path.x, x0);
   vector_add_scaled(v, -0.5 * s.dt, acceleration, v0);
+  vector_copy(v0, begin);
   vector_copy(acceleration, a0);
 }
 
 /* At a time since the beginning of the path. */
 void Wall::Flight::velocity(double time, double v[3]) const {
-  vector_add_scaled(path.v, time - 0.5 * path.left, acceleration, v);
+  vector_add_scaled(begin, time, acceleration, v);
 }
 
-/* The path from where it has come to, with the velocity v there. */
-void Wall::Flight::go_on(const double v[3]) {
-  vector_add_scaled(v, 0.5 * path.left, acceleration, path.v);
+/* The path from where it has come to, by a contact that has changed the velocity there. Its mean
+ * velocity differs from that at its beginning: along n by what acts for the rest of the step, and
+ * across it by as much as before, so that a particle which loses nothing along the wall ends where
+ * it would have without the wall. */
+void Wall::Flight::go_on(const double before[3], const double after[3], const double n[3]) {
+  double ahead[3];
+  vector_subtract(path.v, before, ahead);
+  vector_add_scaled(ahead, 0.5 * path.left * vector_dot(acceleration, n) - vector_dot(ahead, n), n,
+                    ahead);
+  vector_copy(after, begin);
+  vector_add_scaled(after, 1, ahead, path.v);
 }
 
 /* What sticks goes with its wall; then, of the others, the few that may touch a wall. */
@@ -511,7 +519,7 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact) {
   vector_add_scaled(contact.v_wall, 1, event.impact.v2, after);
   for (int d = 0; d < 3; d++)
     flight.half[d] = after[d] + (flight.half[d] - v[d]);
-  flight.go_on(after);
+  flight.go_on(v, after, contact.n);
   return false;
 }
 
@@ -553,6 +561,7 @@ void Wall::rest(Flight &flight, size_t shape, const Contact &contact, const doub
   vector_add_scaled(mean, off, n, flight.path.v);
   if (push > 0)
     vector_copy(along, flight.acceleration);
+  vector_add_scaled(flight.path.v, -0.5 * left, flight.acceleration, flight.begin);
 
   slide(sliding, along, brake, std::max(0.0, left - 0.5 * s.dt));
   vector_add_scaled(contact.v_wall, 1, sliding, flight.half);
