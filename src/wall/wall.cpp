@@ -261,6 +261,8 @@ void Wall::Flight::go_on(const double before[3], const double after[3], const do
 void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
   std::vector<int> near;
   for (Wall *wall : walls) {
+    for (int i : wall->touching_) /* those that touched it in the step before */
+      wall->state(i)[STATE] = std::max<double>(wall->state(i)[STATE], FREE);
     wall->touching_.clear();
     if (wall->ledger_)
       wall->ledger_->begin_step(spheres.step);
