@@ -12,7 +12,6 @@
 #include "impact/wall.h"
 
 #include <fenv.h>
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -417,7 +416,6 @@ int main(int argc, char **argv) {
   long count = argc > 1 ? atol(argv[1]) : 100000;
   uint32_t seed = argc > 2 ? (uint32_t)atol(argv[2]) : 1;
   tally total = {{0}, {0}, 0, 0};
-  gsl_set_error_handler_off();
   if (count < 1 || !make_walls()) {
     fputs("usage: extremes COUNT [SEED [FIRST]]\n", stderr);
     return 2;
