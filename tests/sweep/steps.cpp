@@ -1,0 +1,267 @@
+/* No largest step: spheres in closed rooms, with steps of half a diameter to fifty, at rest and
+ * moving. Nobody crosses a wall, nobody is lost, and walls at rest keep every speed. It drives the
+ * wall as an engine does, without one. steps [IMPACTS]      of each case; 20 000 where none is
+ * given, 1 000 000 for the long run
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <mpi.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/vector.h"
+#include "wall/mesh.h"
+#include "wall/primitive.h"
+#include "wall/wall.h"
+
+using namespace asperity;
+
+namespace {
+
+const double PI = 3.14159265358979323846, DIAMETER = 1, SPEED = 1;
+
+double uniform(double lo, double hi) {
+  static uint64_t state = 2463534242;
+  state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+  return lo + (hi - lo) * static_cast<double>(state >> 11) / 9007199254740992.0;
+}
+
+class Alone : public Engine {
+public:
+  MPI_Comm world() const override {
+    return MPI_COMM_WORLD;
+  }
+  std::string id() const override {
+    return "wall";
+  }
+  std::string units() const override {
+    return "si";
+  }
+  std::string known_units() const override {
+    return "si";
+  }
+  int types() const override {
+    return 1;
+  }
+  double time() const override {
+    return 0;
+  }
+  void warn(const std::string &) const override {}
+  void print(const std::string &) const override {}
+  bool constants(const char *, bool, std::vector<double> &) const override {
+    return false;
+  }
+  std::string how_to_state(const char *, bool, const std::string &) const override {
+    return "";
+  }
+  void diameters(double &least, double &most) const override {
+    least = most = DIAMETER;
+  }
+  std::vector<Kind> kinds() const override {
+    return std::vector<Kind>(1, Kind{true, 1, 1});
+  }
+};
+
+/* A sphere of 20 * 4^levels triangles, each node at a radius of its own, or all at one. */
+std::vector<ContactTriangle> ball(int levels, double least, double most) {
+  std::vector<ContactTriangle> triangles;
+  const double o[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (int x = 0; x < 2; x++)
+    for (int y = 2; y < 4; y++)
+      for (int z = 4; z < 6; z++) {
+        ContactTriangle t;
+        vector_copy(o[x], t.node[0]);
+        vector_copy(o[y], t.node[1]);
+        vector_copy(o[z], t.node[2]);
+        triangles.push_back(t);
+      }
+  for (int level = 0; level < levels; level++) {
+    std::vector<ContactTriangle> finer;
+    for (const ContactTriangle &t : triangles) {
+      double mid[3][3];
+      for (int k = 0; k < 3; k++) {
+        for (int d = 0; d < 3; d++)
+          mid[k][d] = t.node[k][d] + t.node[(k + 1) % 3][d];
+        vector_scale(1 / vector_length(mid[k]), mid[k]);
+      }
+      ContactTriangle parts[4];
+      for (int k = 0; k < 3; k++) {
+        vector_copy(t.node[k], parts[k].node[0]);
+        vector_copy(mid[k], parts[k].node[1]);
+        vector_copy(mid[(k + 2) % 3], parts[k].node[2]);
+        vector_copy(mid[k], parts[3].node[k]);
+      }
+      finer.insert(finer.end(), parts, parts + 4);
+    }
+    triangles.swap(finer);
+  }
+  for (ContactTriangle &t : triangles)
+    for (int k = 0; k < 3; k++) { /* of equal nodes the same number */
+      double *n = t.node[k];
+      const double mixed = sin(1e4 * (n[0] + 1.7 * n[1] + 2.3 * n[2])) * 43758.5453;
+      vector_scale(least + (most - least) * (mixed - floor(mixed)), n);
+    }
+  return triangles;
+}
+
+/* Whether a point is inside a star-shaped mesh around the origin: the triangle that it is seen
+ * through lies farther out. */
+bool inside(const std::vector<ContactTriangle> &triangles, const double x[3]) {
+  for (const ContactTriangle &t : triangles) {
+    double normal[3], edge[3], side[3];
+    bool through = true;
+    for (int k = 0; k < 3 && through; k++) {
+      vector_cross(t.node[k], t.node[(k + 1) % 3], side);
+      const double third = vector_dot(side, t.node[(k + 2) % 3]);
+      through = vector_dot(side, x) * (third < 0 ? -1 : 1) >= -1e-12;
+    }
+    if (!through)
+      continue;
+    vector_subtract(t.node[1], t.node[0], normal);
+    vector_subtract(t.node[2], t.node[0], edge);
+    vector_cross(normal, edge, side);
+    const double level = vector_dot(side, t.node[0]);
+    return vector_dot(side, x) * (level < 0 ? -1 : 1) < fabs(level);
+  }
+  return vector_length(x) < 1e-9;
+}
+
+Frame turned(double angle, double along) {
+  Frame frame;
+  frame.turn[0][0] = frame.turn[1][1] = cos(angle);
+  frame.turn[1][0] = sin(angle);
+  frame.turn[0][1] = -sin(angle);
+  frame.shift[2] = along;
+  return frame;
+}
+
+struct Room {
+  const char *name;
+  std::vector<std::unique_ptr<Shape>> shapes;
+  std::vector<ContactTriangle> triangles; /* of a closed mesh */
+  MeshShape *mesh;
+  double turn, swing; /* of the mesh: angle in a step; amplitude along z */
+  double half;        /* of the planes and of the cylinder */
+};
+
+bool run(Room &room, double diameters, double impacts) {
+  const Alone engine;
+  Wall wall(engine);
+  const char *words[] = {"rebound", "constant", "1", "1", "deposit", "off"};
+  Words command(6, words);
+  for (std::unique_ptr<Shape> &shape : room.shapes)
+    wall.add_shape(std::move(shape), 1, room.mesh ? room.triangles.size() : 0, "room");
+  wall.parse(command, "");
+
+  const int n = 400;
+  const double dt = diameters * DIAMETER / SPEED;
+  std::vector<double> x(3 * n), v(3 * n), f(3 * n, 0.), radius(n, DIAMETER / 2), mass(n, 1.);
+  std::vector<double> state(n * Wall::N_STATE, 0.), place(n * Wall::N_PLACE, 0.);
+  std::vector<int> mask(n, 1), type(n, 1), tag(n);
+  for (int i = 0; i < n; i++) {
+    double *at = &v[3 * i];
+    for (int d = 0; d < 3; d++) {
+      x[3 * i + d] = uniform(-0.5, 0.5);
+      at[d] = uniform(-1, 1);
+    }
+    vector_scale(SPEED / vector_length(at), at);
+    tag[i] = i + 1;
+  }
+  Spheres s = {0,        dt,       n,    mask.data(), type.data(),   tag.data(), 4,
+               x.data(), v.data(), NULL, f.data(),    radius.data(), mass.data()};
+  const Box box = {{0, 0, 0}};
+  wall.init(0, dt);
+  wall.set_rows(state.data(), place.data());
+  wall.setup(s, 1, box);
+  const std::vector<Wall *> walls(1, &wall);
+  int lost = 0;
+  double worst = 0;
+  for (s.step = 1; wall.counter(Wall::N_IMPACTS) < impacts && s.step < 1e8; s.step++) {
+    if (room.mesh && (room.turn > 0 || room.swing > 0)) {
+      const double phase = 0.3 * static_cast<double>(s.step);
+      Twist twist;
+      twist.angular[2] = room.turn / dt;
+      twist.linear[2] = room.swing * 0.3 / dt * cos(phase);
+      room.mesh->motion().advance(
+          turned(room.turn * static_cast<double>(s.step), room.swing * sin(phase)), twist);
+    }
+    for (int i = 0; i < 3 * n; i++)
+      x[i] += v[i] * dt;
+    Wall::step(walls, s);
+    wall.hold(s);
+    for (int i = 0; i < n; i++) {
+      double body[3];
+      vector_copy(&x[3 * i], body);
+      if (room.mesh) {
+        room.mesh->motion().end().to_body(&x[3 * i], body);
+        lost += s.step % 16 == 0 && !inside(room.triangles, body);
+      } else if (room.half > 0)
+        lost += !(vector_dot(body, body) < 1e30) || std::max(hypot(body[0], body[1]), 0.0) > 1e30 ||
+                (room.shapes.size() == 1 ? hypot(body[0], body[1]) > room.half
+                                         : fabs(body[2]) > room.half);
+      worst = std::max(worst, fabs(vector_length(&v[3 * i]) / SPEED - 1));
+    }
+    /* Moving walls heat what they hold: keep the speeds, so that a step stays what it is. */
+    for (int i = 0; i < n && (room.turn > 0 || room.swing > 0); i++)
+      vector_scale(SPEED / vector_length(&v[3 * i]), &v[3 * i]);
+  }
+  const bool moves = room.turn > 0 || room.swing > 0;
+  const bool good = lost == 0 && (moves || worst < 1e-9);
+  printf("%-26s %5.1f diameters a step: %9.0f impacts, %.0f guarded, %d outside%s\n", room.name,
+         diameters, wall.counter(Wall::N_IMPACTS), wall.counter(Wall::N_GUARDED), lost,
+         good ? "" : "  FAILED");
+  if (!moves && !(worst < 1e-9))
+    printf("  a speed is off by %g\n", worst);
+  fflush(stdout);
+  return good;
+}
+
+Room mesh_room(const char *name, int levels, double least, double most, double turn, double swing) {
+  Room room = {name, {}, ball(levels, least, most), new MeshShape, turn, swing, 0};
+  std::vector<int> id;
+  for (size_t i = 0; i < room.triangles.size(); i++)
+    id.push_back(static_cast<int>(i));
+  room.mesh->set_triangles(room.triangles, id);
+  room.shapes.push_back(std::unique_ptr<Shape>(room.mesh));
+  return room;
+}
+
+Room planes() {
+  Room room = {"two planes", {}, {}, NULL, 0, 0, 10};
+  const double still[3] = {0, 0, 0};
+  for (int side = -1; side <= 1; side += 2)
+    room.shapes.push_back(std::unique_ptr<Shape>(new PlaneShape(2, side * room.half, still)));
+  return room;
+}
+
+Room tube() {
+  Room room = {"cylinder", {}, {}, NULL, 0, 0, 10};
+  const double center[3] = {0, 0, 0};
+  room.shapes.push_back(std::unique_ptr<Shape>(new CylinderShape(2, center, room.half, 0, 0)));
+  return room;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  MPI_Init(&argc, &argv);
+  const double impacts = argc > 1 ? atof(argv[1]) : 20000;
+  bool good = true;
+  for (double diameters : {0.5, 3., 12., 50.}) {
+    Room rooms[] = {planes(),
+                    tube(),
+                    mesh_room("octahedron", 0, 12, 12, 0, 0),
+                    mesh_room("ball of 512 triangles", 3, 12, 12, 0, 0),
+                    mesh_room("star of 512 triangles", 3, 6, 14, 0, 0),
+                    mesh_room("star that turns", 3, 6, 14, 0.01 * diameters, 0),
+                    mesh_room("star that swings", 3, 6, 14, 0, 0.02 * diameters)};
+    for (Room &room : rooms)
+      good = run(room, diameters, impacts) && good;
+  }
+  MPI_Finalize();
+  return good ? 0 : 1;
+}
