@@ -34,7 +34,7 @@ if command -v valgrind > /dev/null; then
   callgrind_annotate --inclusive=yes --threshold=100 counts | awk '
     function count() { gsub(",", "", $1); return $1 + 0 }
     /Verlet::run\(/ && !loop { loop = count() }
-    /FixWallRebound::(pre_initial_integrate|pre_exchange|pre_neighbor|post_force|end_of_step)\(/ && !seen[$0]++ { fix += count() }
+    /FixWallRebound::(post_integrate|pre_exchange|pre_neighbor|pre_force|end_of_step)\(/ && !seen[$0]++ { fix += count() }
     /Ledger::end_step\(/ && !ledger { ledger = count() }
     END { print 100 * fix / loop, 100 * ledger / loop }' > counted
   row "flat plate: the fix, ledger and all, of the instructions of a step" "$(cut -d ' ' -f 1 counted)" "%" "<=" 5
