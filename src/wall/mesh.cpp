@@ -16,15 +16,21 @@ namespace {
 /* A long path is searched in pieces of this many radii, the first one first. */
 const double PIECE = 16;
 
+/* In radii; see same_instant(). */
+const double GRAZING = 1e-7;
+
 /* How closely a particle that a belt takes along keeps its distance, in radii. */
 const double KEEPS = 1e-6;
 
 /* Two faces are one where the cosine between their normals differs from 1 by less. */
 const double FLAT = 1e-9;
 
-/* How much later than `touch` another contact may be to be at the same instant. */
+/* How much later than `touch` another contact may be to be at the same instant: as far as the
+ * instant is known, which is not well where the sphere grazes the wall, but no more than a small
+ * share of the time in which it moves by its radius. */
 double same_instant(const ContactTouch &touch, const ContactPath &path, double radius) {
-  return 2 * CONTACT_TOLERANCE * radius / -vector_dot(path.v, touch.n);
+  const double by_gap = 2 * CONTACT_TOLERANCE * radius / -vector_dot(path.v, touch.n);
+  return std::min(by_gap, GRAZING * radius / vector_length(path.v));
 }
 
 } // namespace

@@ -371,9 +371,10 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   Wall *wall;
   size_t shape;
   Contact contact;
-  bool touched = false, caught = false, stuck = false;
+  bool touched = false, caught = false, stuck = false, one_shape = true;
   int crowd = 0;
-  size_t before_crowd = 0;
+  const Wall *first_wall = NULL;
+  size_t before_crowd = 0, first_shape = 0;
   double mean_x[3], mean_v[3];
   for (Wall *each : walls)
     if (each->state(i)[STATE] < FREE)
@@ -382,11 +383,15 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     touched = true;
     if (contact.time * vector_length(path.v) > CROWDED * flight.radius || crowd == 0) {
       crowd = 0;
+      one_shape = true;
+      first_wall = wall;
+      first_shape = shape;
       before_crowd = flight.events.size();
       for (int d = 0; d < 3; d++)
         mean_x[d] = mean_v[d] = 0;
     }
     crowd++;
+    one_shape = one_shape && wall == first_wall && shape == first_shape;
     vector_add_scaled(mean_x, 1.0 / CROWD, contact.x, mean_x);
     vector_add_scaled(mean_v, 1.0 / CROWD, contact.v_wall, mean_v);
     caught = crowd == CROWD;
@@ -398,10 +403,21 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
       flight.events[k].wall->state(i)[IMPACTS]--;
     flight.events.resize(before_crowd);
     wall->counters_[N_GUARDED]++;
-    path.left -= contact.time;
+    const Path before = path;
+    path.left = std::max(0.0, path.left - contact.time);
     vector_copy(mean_v, path.v);
     vector_copy(mean_v, flight.half);
     vector_copy(mean_x, path.x);
+    if (one_shape) { /* at its place there, also where the shape turns */
+      Place at;
+      double on_wall[3], v_wall[3];
+      vector_copy(mean_x, contact.x);
+      wall->shapes_[shape].shape->stick(before, contact, at);
+      wall->shapes_[shape].shape->carry(at, flight.radius, path.left, on_wall, v_wall);
+      wall->box_.bring_near(mean_x, on_wall);
+      vector_copy(on_wall, path.x);
+      path.left = 0;
+    }
   }
   for (const Event &event : flight.events)
     event.wall->count(flight, event);
