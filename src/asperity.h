@@ -11,7 +11,8 @@
  * long as none of them changes it. Setup allocates, a contact does not. The library prints nothing,
  * never exits, and keeps no state of its own. A call that can fail takes an asp_error, or NULL, and
  * says there what was wrong; it returns a code, or NULL for an object. Strings that are returned
- * live as long as what they were asked of.
+ * live as long as what they were asked of. The few structs that a program holds itself change with
+ * the minor version only (from 1.0 on, the major one).
  *
  * The numbered equations are those of Altmeppen, Sommerfeld, Koch & Staudacher (2020), "An
  * analytical approach to estimate the effect of surface roughness on particle rebound".
@@ -40,7 +41,6 @@ const char *asp_version(void);
 #define ASP_PI 3.14159265358979323846
 
 /* ---- errors ---------------------------------------------------------------------------------- */
-
 typedef enum asp_code {
   ASP_OK = 0,
   ASP_EARG = -1,   /* an argument is outside its range */
@@ -57,7 +57,6 @@ typedef struct asp_error {
 } asp_error;
 
 /* ---- profile --------------------------------------------------------------------------------- */
-
 /* Heights of a wall along a line, at equal spacing. Lengths are in any one unit. A generated
  * profile is periodic; a measured one continues beyond its ends as its mirror image. */
 typedef struct asp_profile asp_profile;
@@ -72,11 +71,9 @@ asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, siz
 /* A profile of given heights, which are copied: at least three, all finite. */
 asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
                                       bool periodic, asp_error *error);
-
 void asp_profile_free(asp_profile *profile);
 size_t asp_profile_points(const asp_profile *profile);
 double asp_profile_spacing(const asp_profile *profile);
-bool asp_profile_periodic(const asp_profile *profile);
 const double *asp_profile_heights(const asp_profile *profile);
 
 /* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
@@ -107,7 +104,6 @@ double asp_reader_get(const asp_reader *reader, const char *name);
 const char *asp_reader_text(const asp_reader *reader);
 
 /* ---- surface --------------------------------------------------------------------------------- */
-
 /* The size law of a rough wall: which rms slope a sphere of diameter d_p meets on it. */
 typedef struct asp_surface asp_surface;
 
@@ -122,7 +118,6 @@ asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error);
  * spacing <= d_min <= d_max <= length; bins 1 to 10000. */
 asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
                                         int bins, asp_error *error);
-
 void asp_surface_free(asp_surface *surface);
 
 /* The bins of a wall made from a profile; none for other walls. 0 <= bin < asp_surface_bins(). */
@@ -147,12 +142,10 @@ double asp_surface_kappa(const asp_surface *surface, double d_p);
 
 /* The rms slope s_eff that a sphere of diameter d_p (>= 0, the surface's unit) meets: that of the
  * profile closed by a disc of that diameter; for a Gaussian wall of phi_r <= 0.25
- * s (1 + 0.92 kappa^3)^(-1/6), within 5 % of generated profiles for kappa up to 16. No failure:
- * beyond the range of asp_surface_check a tabled law keeps its last value. */
+ * s (1 + 0.92 kappa^3)^(-1/6), within 5 % of generated profiles for kappa up to 16. */
 double asp_surface_slope(const asp_surface *surface, double d_p);
 
 /* ---- spread models --------------------------------------------------------------------------- */
-
 /* How the tilt delta_alpha of the face that is hit is distributed. Every law is cut to
  * |delta_alpha| < 90 degrees (a height function has no overhangs, and a particle hits only faces
  * turned towards it) and normalised over what is left. */
@@ -163,7 +156,6 @@ typedef struct asp_spread_model asp_spread_model;
 int asp_spread_count(void);
 const asp_spread_model *asp_spread_at(int index);
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error);
-
 const char *asp_spread_name(const asp_spread_model *model);
 const char *asp_spread_summary(const asp_spread_model *model);
 const char *asp_spread_source(const asp_spread_model *model);
@@ -171,14 +163,12 @@ int asp_spread_cost(const asp_spread_model *model); /* place in the order of cos
 bool asp_spread_needs_profile(const asp_spread_model *model); /* and the range of diameters */
 
 /* ---- materials ------------------------------------------------------------------------------- */
-
 /* A material. Its numbers, by name: youngs_modulus (Pa, > 0), poissons_ratio (more than -1, less
  * than 0.5), density (kg/m^3, > 0), yield_stress (Pa; 0 where there is no value: it counts for the
  * particle only). Those of a material of your own may be in any consistent units. */
 typedef struct asp_material asp_material;
 
-/* The presets. */
-int asp_material_count(void);
+int asp_material_count(void); /* of the presets */
 const asp_material *asp_material_at(int index);
 
 /* A material of your own, all of whose numbers are still 0. */
@@ -186,7 +176,6 @@ asp_material *asp_material_create(const char *name, asp_error *error);
 void asp_material_free(asp_material *material);
 asp_code asp_material_set(asp_material *material, const char *name, double value, asp_error *error);
 double asp_material_get(const asp_material *material, const char *name); /* NaN for another name */
-
 const char *asp_material_name(const asp_material *material);
 const char *asp_material_title(const asp_material *material);
 const char *asp_material_source(const asp_material *material);
@@ -223,13 +212,10 @@ double asp_pair_get(const asp_pair *pair, const char *name); /* NaN for another 
 #define ASP_SURFACE_ENERGY 0.8 /* J/m^2, Bons et al. 2017, recalled, original not seen */
 
 /* ---- rebound laws ---------------------------------------------------------------------------- */
-
 typedef struct asp_rebound_law asp_rebound_law;
-
 int asp_rebound_count(void);
 const asp_rebound_law *asp_rebound_at(int index);
 const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error);
-
 const char *asp_rebound_name(const asp_rebound_law *law);
 const char *asp_rebound_summary(const asp_rebound_law *law);
 const char *asp_rebound_source(const asp_rebound_law *law);
@@ -262,10 +248,8 @@ asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp
 void asp_cor_table_free(asp_cor_table *table);
 
 /* ---- wall and impact ------------------------------------------------------------------------- */
-
-typedef struct asp_wall asp_wall;
-
 /* A smooth wall with the law `bons` and its defaults, deposits on, spread `none`. */
+typedef struct asp_wall asp_wall;
 asp_wall *asp_wall_create(asp_error *error);
 void asp_wall_free(asp_wall *wall);
 
@@ -298,7 +282,6 @@ void asp_wall_set_table(asp_wall *wall, const asp_cor_table *table);
 /* Checks all of it together and makes the tables that a contact reads. Contacts see what was chosen
  * and set when it last succeeded: before that, a smooth wall with `bons`. */
 asp_code asp_wall_prepare(asp_wall *wall, asp_error *error);
-
 const asp_spread_model *asp_wall_spread(const asp_wall *wall);
 const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
 
@@ -346,7 +329,6 @@ typedef struct asp_coefficients {
   double cor_t;                   /* signed; 0 where undefined */
   bool cor_t_defined;             /* false where v1 has no tangential part (below 1e-12 of v1) */
 } asp_coefficients;
-
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
 

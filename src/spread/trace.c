@@ -9,6 +9,7 @@
 #include "spread/trace.h"
 #include "base/error.h"
 #include "surface/closing.h"
+#include "surface/profile.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -38,7 +39,7 @@ struct aspi_track {
 
 static double *heights_of(const asp_profile *profile, double d_p, size_t *n, asp_error *error) {
   size_t points = asp_profile_points(profile);
-  bool periodic = asp_profile_periodic(profile);
+  bool periodic = aspi_profile_periodic(profile);
   *n = periodic ? points : 2 * points - 2;
   double *heights = malloc(*n * sizeof *heights);
   if (!heights) {

@@ -134,7 +134,7 @@ static asp_code filter(const asp_profile *profile, double d_p, bool close, doubl
                      POINTS_MOST);
   workspace b;
   asp_code code =
-      workspace_create(&b, points, 0.5 * d_p / spacing, asp_profile_periodic(profile), error);
+      workspace_create(&b, points, 0.5 * d_p / spacing, aspi_profile_periodic(profile), error);
   if (code)
     return code;
   roll(&b, asp_profile_heights(profile), 1 / spacing, out);

@@ -28,7 +28,7 @@ static void describe_heights(const asp_profile *profile, aspi_description *d) {
     square += (z[i] - mean) * (z[i] - mean);
     absolute += fabs(z[i] - mean);
   }
-  size_t steps = asp_profile_periodic(profile) ? d->points : d->points - 1;
+  size_t steps = aspi_profile_periodic(profile) ? d->points : d->points - 1;
   for (size_t i = 0; i < steps; i++) {
     double rise = (z[(i + 1) % d->points] - z[i]) / d->spacing;
     step += rise * rise;
@@ -62,7 +62,7 @@ static double *autocovariance(const asp_profile *profile, double scale) {
     data[i] = (z[i] - mean) / scale;
   memset(data + points, 0, (n - points) * sizeof *data);
   correlate(data, n);
-  if (asp_profile_periodic(profile))
+  if (aspi_profile_periodic(profile))
     for (size_t lag = 1; lag <= points / 2; lag++)
       data[lag] += data[points - lag];
   return data;

@@ -171,7 +171,7 @@ double asp_profile_spacing(const asp_profile *profile) {
   return profile->spacing;
 }
 
-bool asp_profile_periodic(const asp_profile *profile) {
+bool aspi_profile_periodic(const asp_profile *profile) {
   return profile->periodic;
 }
 

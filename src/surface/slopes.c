@@ -187,7 +187,7 @@ asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contac
   for (size_t i = 0; i + 1 < points; i++)
     out[i] = (out[i + 1] - out[i]) / spacing;
   out[points - 1] = (first - out[points - 1]) / spacing;
-  *count = asp_profile_periodic(profile) ? points : points - 1;
+  *count = aspi_profile_periodic(profile) ? points : points - 1;
   return ASP_OK;
 }
 

@@ -2,6 +2,7 @@
 #include "check.h"
 #include "base/units.h"
 #include "surface/describe.h"
+#include "surface/profile.h"
 #include "surface/read.h"
 
 #include <stdlib.h>
@@ -152,7 +153,7 @@ static void expect(const char *text, const aspi_profile_options *options, size_t
   assert_int_equal(asp_profile_points(p), points);
   assert_near(asp_profile_spacing(p), spacing, 1e-9 * spacing);
   assert_near(asp_profile_heights(p)[2], third, 1e-9 * fabs(third));
-  assert_false(asp_profile_periodic(p));
+  assert_false(aspi_profile_periodic(p));
   asp_profile_free(p);
 }
 
