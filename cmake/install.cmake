@@ -12,6 +12,11 @@ if(ASPERITY_LAMMPS)
   install(TARGETS lammps-asperity RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
+install(DIRECTORY ${CMAKE_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+  FILES_MATCHING PATTERN "*.1")
+install(FILES src/cli/asperity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  RENAME asperity)
+
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/asperity)
 install(EXPORT asperityTargets NAMESPACE asperity:: DESTINATION ${_package})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/asperityConfig.cmake.in

@@ -1,10 +1,12 @@
 /* Error messages of the core; see error.h. */
 #include "base/error.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #define LENGTH_LEAST 1e-100
 #define LENGTH_MOST 1e100
@@ -46,15 +48,57 @@ asp_code aspi_check_length(asp_error *error, const char *name, double value) {
                    LENGTH_LEAST, LENGTH_MOST);
 }
 
+/* The number of characters to put in, take out or replace that make one name of the other, whatever
+ * the case (Levenshtein 1966); NAME_MOST for names that are as long as that or longer. */
+enum { NAME_MOST = 64 };
+
+static int distance(const char *a, const char *b) {
+  size_t across = strlen(b);
+  if (strlen(a) >= NAME_MOST || across >= NAME_MOST)
+    return NAME_MOST;
+  int row[NAME_MOST];
+  for (int j = 0; j <= (int)across; j++)
+    row[j] = j;
+  for (int i = 1; a[i - 1]; i++) {
+    int diagonal = row[0];
+    row[0] = i;
+    for (int j = 1; j <= (int)across; j++) {
+      int replaced =
+          diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
+      diagonal = row[j];
+      int shifted = 1 + (row[j] < row[j - 1] ? row[j] : row[j - 1]);
+      row[j] = replaced < shifted ? replaced : shifted;
+    }
+  }
+  return row[across];
+}
+
+/* The index of the name that was most likely meant; -1 where none is like it. */
+static int nearest_name(const char *name, int count, const char *(*name_at)(int)) {
+  int nearest = -1, least = (int)strlen(name) / 3 + 1;
+  for (int i = 0; i < count; i++) {
+    int away = distance(name, name_at(i));
+    if (away <= least && (nearest < 0 || away < least)) {
+      nearest = i;
+      least = away;
+    }
+  }
+  return nearest;
+}
+
 int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
                    asp_error *error) {
-  char list[320] = "";
+  char list[400] = "", meant[NAME_MOST + 20] = "";
   for (int i = 0; i < count; i++) {
-    if (name && strcmp(name_at(i), name) == 0)
+    if (name && strcasecmp(name_at(i), name) == 0)
       return i;
     size_t used = strlen(list);
     snprintf(list + used, sizeof list - used, " %s", name_at(i));
   }
-  aspi_fail(error, ASP_ENAME, "%s '%s' is unknown; there are:%s", what, name ? name : "", list);
+  int nearest = name ? nearest_name(name, count, name_at) : -1;
+  if (nearest >= 0)
+    snprintf(meant, sizeof meant, " did you mean '%s'?", name_at(nearest));
+  aspi_fail(error, ASP_ENAME, "%s '%.100s' is unknown;%s there are:%s", what, name ? name : "",
+            meant, list);
   return -1;
 }

@@ -1,5 +1,5 @@
 /* Options, numbers with units, output and progress of the `asperity` command; see cli.h. */
-#include "cli/cli.h"
+#include "cli/help.h"
 #include "base/number.h"
 #include "base/units.h"
 
@@ -62,20 +62,6 @@ void cli_warn(const char *format, ...) {
   va_end(args);
 }
 
-static void print_help(const cli_command *command, const cli_option *options) {
-  printf("asperity %s: %s\n\n%s\nOptions:\n", command->name, command->summary, command->detail);
-  for (const cli_option *o = options; o->name; o++) {
-    char left[64];
-    snprintf(left, sizeof left, "--%s%s%s", o->name, o->argument ? " " : "",
-             o->argument ? o->argument : "");
-    printf("  %-26s %s", left, o->help);
-    if (o->argument && o->value)
-      printf(" [%s]", o->value);
-    putchar('\n');
-  }
-  printf("  %-26s %s\n", "--help", "this text");
-}
-
 static int count_options(const cli_option *options) {
   int count = 0;
   while (options[count].name)
@@ -90,12 +76,12 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
   for (int i = 0; i < count; i++)
     table[i] = (struct option){options[i].name,
                                options[i].argument ? required_argument : no_argument, NULL, i};
-  table[count] = (struct option){"help", no_argument, NULL, OPTIONS_MAX};
+  table[count] = (struct option){"help", optional_argument, NULL, OPTIONS_MAX};
   opterr = 0;
   optind = 1;
   for (int found; (found = getopt_long(argc, argv, ":o:h", table, NULL)) != -1;) {
     if (found == OPTIONS_MAX || found == 'h') {
-      print_help(command, options);
+      cli_help_command(command, options, found == 'h' ? NULL : optarg);
       exit(0);
     }
     if (found == ':')
@@ -147,7 +133,13 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
   char *end;
   errno = 0;
   unsigned long value = strtoul(text, &end, 10);
-  if (end == text || *end || *text == '-' || errno == ERANGE || value < least || value > most)
+  bool bad = end == text || *text == '-' || errno == ERANGE;
+  if (!bad && *end) { /* 1e6, 2.5e3: doubles hold whole numbers up to 2^53 */
+    double number = aspi_number(text, &end);
+    bad = *end || !(number >= 0 && number <= 0x1p53) || number != floor(number);
+    value = bad ? 0 : (unsigned long)number;
+  }
+  if (bad || value < least || value > most)
     cli_bad_usage("--%s is '%s'; it must be a whole number, %lu to %lu", option->name, text, least,
                   most);
   return value;
@@ -191,9 +183,9 @@ static double read_length(const cli_option *option, const char *text, double lea
   return cli_length_of(option, text);
 }
 
-/* from:to:step, both ends included. */
-static cli_list range_of(const cli_option *option, char *text, reader read, double least,
-                         double most) {
+/* Appends from:to:step, both ends included. */
+static void append_range(cli_list *list, const cli_option *option, char *text, reader read,
+                         double least, double most) {
   char *second = strchr(text, ':'), *third = strchr(second + 1, ':');
   if (!third || strchr(third + 1, ':'))
     cli_bad_usage("--%s is '%s'; a range is from:to:step", option->name, given(option));
@@ -204,27 +196,25 @@ static cli_list range_of(const cli_option *option, char *text, reader read, doub
     cli_bad_usage(
         "--%s is '%s'; a range from:to:step has to >= from, step > 0 and at most 1e6 steps",
         option->name, given(option));
-  cli_list list = {NULL, 0};
   for (double i = 0; i <= steps; i++)
-    append(&list, from + i * step);
-  return list;
+    append(list, from + i * step);
 }
 
+/* Numbers and ranges, separated by commas. */
 static cli_list list_of(const cli_option *option, reader read, double least, double most) {
   char *text = strdup(given(option));
   if (!text)
     cli_fail("out of memory");
   cli_list list = {NULL, 0};
-  if (strchr(text, ':')) {
-    list = range_of(option, text, read, least, most);
-  } else {
-    for (char *rest = text, *item; rest;) {
-      item = rest;
-      rest = strchr(rest, ',');
-      if (rest)
-        *rest++ = '\0';
+  for (char *rest = text, *item; rest;) {
+    item = rest;
+    rest = strchr(rest, ',');
+    if (rest)
+      *rest++ = '\0';
+    if (strchr(item, ':'))
+      append_range(&list, option, item, read, least, most);
+    else
       append(&list, read(option, item, least, most));
-    }
   }
   free(text);
   return list;

@@ -55,7 +55,8 @@ typedef struct cli_list {
 } cli_list;
 
 /* The option's value, which must have been given. Lengths take a unit (m cm mm um nm) or are
- * metres, and must be > 0. A list is `a,b,c`, or `from:to:step` with both ends included. */
+ * metres, and must be > 0. A list is `a,b,c`, where each may be a range `from:to:step` with both
+ * ends included. A whole number may be written as 1e6. */
 double cli_number(const cli_option *option, double least, double most);
 unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most);
 double cli_length(const cli_option *option);

@@ -1,42 +1,43 @@
-/* The `asperity` command: a list of subcommands, one file each. */
-#include "cli/cli.h"
+/* The `asperity` command: a list of subcommands, one file each.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/help.h"
 
 #include <gsl/gsl_errno.h>
 #include <string.h>
 
-static const cli_command *const commands[] = {&cli_surface, &cli_doe,     &cli_spread,
-                                              &cli_cor,     &cli_rebound, &cli_compare,
-                                              &cli_trade,   &cli_fit,     &cli_materials};
-enum { N_COMMANDS = sizeof commands / sizeof *commands };
+static const cli_command *const commands[] = {&cli_surface,   &cli_doe,     &cli_spread, &cli_cor,
+                                              &cli_rebound,   &cli_compare, &cli_trade,  &cli_fit,
+                                              &cli_materials, NULL};
 
-static void print_help(void) {
-  printf("asperity %s: rough walls for particle simulation\n\n"
-         "Usage: asperity COMMAND [options]\n\nCommands:\n",
-         asp_version());
-  for (int i = 0; i < N_COMMANDS; i++)
-    printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
-  puts("\nasperity COMMAND --help tells the options. Results are CSV on standard output (-o FILE "
-       "for\n"
-       "a file); --plot FILE.png|svg|pdf draws them. Lengths take a unit (5um, 0.4mm) or are "
-       "metres;\n"
-       "angles are degrees from the wall plane. Exit status: 0 done, 1 failed, 2 bad usage.");
+static const cli_command *find(const char *name) {
+  for (const cli_command *const *c = commands; *c; c++)
+    if (strcmp(name, (*c)->name) == 0)
+      return *c;
+  cli_bad_usage("command '%s' is unknown; see 'asperity --help'", name);
 }
 
 int main(int argc, char **argv) {
   gsl_set_error_handler_off();
   if (argc < 2)
     cli_bad_usage("a command is expected; see 'asperity --help'");
-  if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
-      strcmp(argv[1], "help") == 0) {
-    print_help();
+  const char *word = argv[1];
+  if (strcmp(word, "help") == 0 && argc > 2) {
+    const cli_command *command = find(argv[2]);
+    char *arguments[] = {argv[2], "--help", NULL};
+    return command->run(2, arguments);
+  }
+  if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
+    cli_help_all(commands, NULL);
     return 0;
   }
-  if (strcmp(argv[1], "--version") == 0) {
+  if (strncmp(word, "--help=", 7) == 0) {
+    cli_help_all(commands, word + 7);
+    return 0;
+  }
+  if (strcmp(word, "--version") == 0) {
     printf("asperity %s\n", asp_version());
     return 0;
   }
-  for (int i = 0; i < N_COMMANDS; i++)
-    if (strcmp(argv[1], commands[i]->name) == 0)
-      return commands[i]->run(argc - 1, argv + 1);
-  cli_bad_usage("command '%s' is unknown; see 'asperity --help'", argv[1]);
+  return find(word)->run(argc - 1, argv + 1);
 }

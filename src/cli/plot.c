@@ -10,6 +10,7 @@
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,11 +28,11 @@ struct cli_plot {
 
 static const char *terminal_of(const cli_option *option) {
   const char *ending = strrchr(option->value, '.');
-  if (ending && strcmp(ending, ".png") == 0)
+  if (ending && strcasecmp(ending, ".png") == 0)
     return "pngcairo size %d,%d font 'sans,11'";
-  if (ending && strcmp(ending, ".svg") == 0)
+  if (ending && strcasecmp(ending, ".svg") == 0)
     return "svg size %d,%d font 'sans,14' background 'white'";
-  if (ending && strcmp(ending, ".pdf") == 0)
+  if (ending && strcasecmp(ending, ".pdf") == 0)
     return "pdfcairo size %d/96.,%d/96. font 'sans,11'";
   cli_bad_usage("--%s is '%s'; the file must end in .png, .svg or .pdf", option->name,
                 option->value);

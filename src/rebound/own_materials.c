@@ -87,7 +87,7 @@ static int place_of(const asp_materials *own, const char *name) {
   int low = 0, high = own->count;
   while (low < high) {
     int middle = low + (high - low) / 2;
-    if (strcmp(own->list[own->by_name[middle]].material.name, name) < 0)
+    if (strcasecmp(own->list[own->by_name[middle]].material.name, name) < 0)
       low = middle + 1;
     else
       high = middle;
@@ -100,7 +100,7 @@ static const asp_material *find_own(const asp_materials *own, const char *name) 
     return NULL;
   int place = place_of(own, name);
   const asp_material *found = place < own->count ? &own->list[own->by_name[place]].material : NULL;
-  return found && strcmp(found->name, name) == 0 ? found : NULL;
+  return found && strcasecmp(found->name, name) == 0 ? found : NULL;
 }
 
 static asp_code add_material(asp_materials *own, const aspi_csv *csv, const columns *at,
@@ -141,7 +141,7 @@ typedef struct named {
 
 static int compare(const void *left, const void *right) {
   const named *a = left, *b = right;
-  int order = strcmp(a->name, b->name);
+  int order = strcasecmp(a->name, b->name);
   return order ? order : (a->place > b->place) - (a->place < b->place);
 }
 
@@ -157,7 +157,7 @@ static asp_code sort_names(asp_materials *own, const char *path, asp_error *erro
     qsort(names, count, sizeof *names, compare);
     for (size_t i = 0; i < count; i++) {
       own->by_name[i] = names[i].place;
-      if (i > 0 && strcmp(names[i].name, names[i - 1].name) == 0 && names[i].place < again)
+      if (i > 0 && strcasecmp(names[i].name, names[i - 1].name) == 0 && names[i].place < again)
         again = names[i].place;
     }
   }

@@ -1,0 +1,30 @@
+# Completion of the command `asperity` for bash: commands, options, materials, models and files, as the
+# command itself tells them.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+_asperity() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
+  local program=${COMP_WORDS[0]} words kind
+  COMPREPLY=()
+  if [ "$COMP_CWORD" -eq 1 ] || { [ "$COMP_CWORD" -eq 2 ] && [ "$command" = help ]; }; then
+    words=$("$program" --help=words 2> /dev/null)
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+    return
+  fi
+  words=$("$program" "$command" --help=words 2> /dev/null)
+  case $word in
+    --*) mapfile -t COMPREPLY < <(compgen -W "$(cut -d ' ' -f 1 <<< "$words")" -- "$word"); return ;;
+  esac
+  case $before in -o) before=--output ;; esac
+  kind=$(sed -n "s/^$before //p" <<< "$words")
+  case $before,$kind in
+    --particle,* | --wall,*)
+      words=$("$program" materials 2> /dev/null | sed '1,2d; s/,.*//') ;;
+    --model,*) words=$("$program" spread --list 2> /dev/null | sed '1,2d; s/,.*//') ;;
+    *,*\|*) words=${kind//|/ } ;;
+    *,*FILE* | *,) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
+    *) return ;;
+  esac
+  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+}
+complete -o filenames -F _asperity asperity

@@ -1,0 +1,147 @@
+/* The help of the commands, made from their tables of options in three forms: text for a terminal,
+ * a page of the manual (man 7 man), and a list of words for the shell's completion.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/help.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { LEFT = 26 }; /* width of the column of options */
+
+static const char conventions[] =
+    "Results are CSV on standard output (-o FILE for a file); --plot FILE.png|svg|pdf draws them.\n"
+    "Lengths take a unit (5um, 0.4mm) or are metres; angles are degrees from the wall plane. A\n"
+    "list is 5,10,20 or from:to:step, or both: 1:9:1,10:90:5. Exit status: 0 done, 1 failed, 2\n"
+    "bad usage.\n";
+
+/* ---- text ---- */
+static void text_of_command(const cli_command *command, const cli_option *options) {
+  printf("asperity %s: %s\n\n%s\nOptions:\n", command->name, command->summary, command->detail);
+  for (const cli_option *o = options; o->name; o++) {
+    char left[64];
+    snprintf(left, sizeof left, "--%s%s%s", o->name, o->argument ? " " : "",
+             o->argument ? o->argument : "");
+    if (strlen(left) > LEFT)
+      printf("  %s\n  %-*s %s", left, LEFT, "", o->help);
+    else
+      printf("  %-*s %s", LEFT, left, o->help);
+    if (o->argument && o->value)
+      printf(" [%s]", o->value);
+    putchar('\n');
+  }
+  printf("  %-*s %s\n", LEFT, "--help", "this text");
+}
+
+static void text_of_all(const cli_command *const *commands) {
+  printf("asperity %s: rough walls for particle simulation\n\n"
+         "Usage: asperity COMMAND [options]\n\nCommands:\n",
+         asp_version());
+  for (; *commands; commands++)
+    printf("  %-10s %s\n", (*commands)->name, (*commands)->summary);
+  printf("\nasperity help COMMAND, or asperity COMMAND --help, tells the options.\n%s",
+         conventions);
+}
+
+/* ---- page of the manual ---- */
+
+/* A text as troff has it: backslashes and dashes are marked, and no line begins with a mark. */
+static void print_troff(const char *text) {
+  for (bool begins = true; *text; begins = *text == '\n', text++) {
+    if (begins && (*text == '.' || *text == '\''))
+      fputs("\\&", stdout);
+    if (*text == '\\')
+      fputs("\\e", stdout);
+    else if (*text == '-')
+      fputs("\\-", stdout);
+    else
+      putchar(*text);
+  }
+}
+
+static void troff_line(const char *before, const char *text) {
+  fputs(before, stdout);
+  print_troff(text);
+  if (!*text || text[strlen(text) - 1] != '\n')
+    putchar('\n');
+}
+
+static void troff_of_option(const cli_option *option) {
+  fputs(".TP\n\\fB\\-\\-", stdout);
+  print_troff(option->name);
+  fputs("\\fR", stdout);
+  if (option->argument) {
+    fputs(" \\fI", stdout);
+    print_troff(option->argument);
+    fputs("\\fR", stdout);
+  }
+  putchar('\n');
+  print_troff(option->help);
+  if (option->argument && option->value) {
+    fputs(" [default: ", stdout);
+    print_troff(option->value);
+    putchar(']');
+  }
+  putchar('\n');
+}
+
+static void troff_of_command(const cli_command *command, const cli_option *options) {
+  printf(".TH \"ASPERITY\\-%s\" 1 \"\" \"asperity %s\" \"User Commands\"\n.SH NAME\nasperity\\-%s "
+         "\\- ",
+         command->name, asp_version(), command->name);
+  troff_line("", command->summary);
+  printf(".SH SYNOPSIS\n\\fBasperity %s\\fR [\\fIoptions\\fR]\n", command->name);
+  troff_line(".SH DESCRIPTION\n.nf\n", command->detail);
+  puts(".fi\n.SH OPTIONS");
+  for (const cli_option *o = options; o->name; o++)
+    troff_of_option(o);
+  troff_line(".SH CONVENTIONS\n", conventions);
+  puts(".SH SEE ALSO\n.BR asperity (1)");
+}
+
+static void troff_of_all(const cli_command *const *commands) {
+  printf(".TH ASPERITY 1 \"\" \"asperity %s\" \"User Commands\"\n.SH NAME\n"
+         "asperity \\- rough walls for particle simulation\n"
+         ".SH SYNOPSIS\n\\fBasperity\\fR \\fICOMMAND\\fR [\\fIoptions\\fR]\n.SH COMMANDS\n",
+         asp_version());
+  for (const cli_command *const *c = commands; *c; c++) {
+    printf(".TP\n.BR asperity\\-%s (1)\n", (*c)->name);
+    troff_line("", (*c)->summary);
+  }
+  troff_line(".SH CONVENTIONS\n", conventions);
+}
+
+/* ---- words for the shell ---- */
+static void words_of_command(const cli_option *options) {
+  for (const cli_option *o = options; o->name; o++)
+    printf("--%s%s%s\n", o->name, o->argument ? " " : "", o->argument ? o->argument : "");
+  puts("--help");
+}
+
+static void words_of_all(const cli_command *const *commands) {
+  for (; *commands; commands++)
+    puts((*commands)->name);
+  puts("help\n--help\n--version");
+}
+
+void cli_help_command(const cli_command *command, const cli_option *options, const char *form) {
+  if (!form)
+    text_of_command(command, options);
+  else if (strcmp(form, "man") == 0)
+    troff_of_command(command, options);
+  else if (strcmp(form, "words") == 0)
+    words_of_command(options);
+  else
+    cli_bad_usage("%s: --help is '%s'; it must be man or words", command->name, form);
+}
+
+void cli_help_all(const cli_command *const *commands, const char *form) {
+  if (!form)
+    text_of_all(commands);
+  else if (strcmp(form, "man") == 0)
+    troff_of_all(commands);
+  else if (strcmp(form, "words") == 0)
+    words_of_all(commands);
+  else
+    cli_bad_usage("--help is '%s'; it must be man or words", form);
+}

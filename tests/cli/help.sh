@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Help in its three forms (text, pages of the manual, words for the shell), lists of numbers, names in
+# any case and with suggestions, endings of pictures.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+bin=${ASPERITY_BIN:-$here/../../build/bin}
+asperity=$(cd "$bin" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+
+# Every command of the list has text, page and words, and they tell the same options.
+commands=$("$asperity" --help=words | grep -v '^help$\|^--')
+[ "$(wc -w <<< "$commands")" -ge 9 ] || die "commands: $commands"
+for command in $commands; do
+  "$asperity" help "$command" > text
+  "$asperity" "$command" --help | cmp - text || die "help $command is not $command --help"
+  "$asperity" "$command" --help=words | cut -d ' ' -f 1 | sort > words
+  sed -n '/^Options:/,$p' text | grep -o '^  --[a-z-]*' | tr -d ' ' | sort | cmp - words || die "$command: other words than help has"
+  "$asperity" "$command" --help=man > page
+  [ "$(grep -c '^\.TP$' page)" = "$(($(wc -l < words) - 1))" ] || die "$command: options in the page"
+  if grep -n "^[.'][^A-Zn\\f]" page; then die "$command: a line of text begins as a request of troff"; fi
+done
+"$asperity" --help=man | grep -q 'asperity\\-cor (1)' || die "the page of all commands"
+! "$asperity" cor --help=html 2> err || die "--help=html"
+grep -q "man or words" err || die "message: $(cat err)"
+! "$asperity" help nothing 2> err || die "help nothing"
+
+# Completion.
+source "$here/../../src/cli/asperity.bash"
+complete_words() { COMP_WORDS=("$asperity" "$@"); COMP_CWORD=$(($#)); _asperity; }
+complete_words tra; [ "${COMPREPLY[*]}" = trade ] || die "completes commands: ${COMPREPLY[*]}"
+complete_words cor --lam; [ "${COMPREPLY[*]}" = --lambda-c ] || die "completes options: ${COMPREPLY[*]}"
+complete_words cor --wall hast; [ "${COMPREPLY[*]}" = hastelloy-x ] || die "completes materials: ${COMPREPLY[*]}"
+complete_words cor --model trun; [ "${COMPREPLY[*]}" = truncated ] || die "completes models: ${COMPREPLY[*]}"
+complete_words cor --tilt iso; [ "${COMPREPLY[*]}" = isotropic ] || die "completes choices: ${COMPREPLY[*]}"
+touch myfile.csv
+complete_words cor -o myf; [ "${COMPREPLY[*]}" = myfile.csv ] || die "completes files: ${COMPREPLY[*]}"
+
+# Lists with ranges, whole numbers with exponents.
+angles() { "$asperity" spread --sigma 10 --summary --samples 10 --angle "$1" | awk -F, 'NR > 2 { printf "%s ", $2 }'; }
+[ "$(angles 5,10:30:10,85)" = "5 10 20 30 85 " ] || die "a list with a range: $(angles 5,10:30:10,85)"
+[ "$("$asperity" spread --sigma 10 --samples 2e3 | wc -l)" = 2002 ] || die "--samples 2e3"
+for bad in 1.5 -3 1e99 2e-1 1e3x nan ''; do
+  ! "$asperity" spread --sigma 10 --samples "$bad" > /dev/null 2> err || die "--samples '$bad'"
+  grep -q "whole number, 1 to" err || die "--samples '$bad': $(cat err)"
+done
+
+# Names.
+one() { "$asperity" cor --model none --samples 1 --angles 30 "$@" | tail -n 1; }
+[ "$(one --wall Hastelloy-X)" = "$(one --wall hastelloy-x)" ] || die "names in any case"
+! one --wall hasteloyx 2> err || die "--wall hasteloyx"
+grep -q "did you mean 'hastelloy-x'?" err || die "suggestion: $(cat err)"
+! one --wall unobtainium 2> err || die "--wall unobtainium"
+! grep -q "did you mean" err || die "a suggestion that is none: $(cat err)"
+printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nMyAlloy,1e11,0.3,5000\n' > own.csv
+[ "$(one --materials own.csv --wall myalloy)" = "$(one --materials own.csv --wall MyAlloy)" ] || die "own names in any case"
+printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,1e11,0.3,5000\n' > twice.csv
+! one --materials twice.csv --wall a 2> err || die "the same name twice"
+"$asperity" materials | awk -F, 'NR > 2' | grep -c '' | { read -r n; [ "$n" -ge 18 ] || die "$n materials"; }
+
+# Pictures.
+"$asperity" spread --sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
+! timeout 5 "$asperity" doe --plot x.jpg 2> err || die "doe --plot x.jpg"
+grep -q "'x.jpg'; the file must end in" err || die "doe --plot x.jpg is refused before work begins: $(cat err)"
+echo "passed"
