@@ -234,6 +234,12 @@ double asp_parameter_default(const asp_parameter *parameter);
 double asp_parameter_least(const asp_parameter *parameter);
 double asp_parameter_most(const asp_parameter *parameter);
 
+/* Where its value is a word, those that there are, separated by blanks, for 0, 1 ...; "" where it
+ * is a number. read: the value of a text, a number or one of the words. */
+const char *asp_parameter_words(const asp_parameter *parameter);
+asp_code asp_parameter_read(const asp_parameter *parameter, const char *text, double *value,
+                            asp_error *error);
+
 /* The word of a script that this parameter follows, the same for several in a row that follow it
  * together; "" for one that follows the law's name. */
 const char *asp_parameter_keyword(const asp_parameter *parameter);
@@ -264,6 +270,14 @@ asp_code asp_wall_choose(asp_wall *wall, const char *name, const char *choice, a
 
 /* Sets a number by name: a parameter of the law that is chosen, or
  *   deposit             0: nothing sticks, and adhesion is left out too (1)
+ *   remove_u_tau        friction velocity of a flow along the wall, whose shear takes away at once
+ *                       what would stick where it is more than
+ *                         u_tau_c^2 = C_u W/(rho_g d) (W/(d K_c))^(1/3),
+ *                         C_u = 1 + Kn (1.2 + 0.41 exp(-0.88/Kn)),  Kn = 2 l/d,  K_c = (4/3) E_c
+ *                       (El-Batsh, by one published code, original not seen): such a particle
+ *                       rebounds without adhesion. 0: none is (0)
+ *   remove_gas_density, remove_mean_free_path, remove_work
+ *                       rho_g, l (0) and W (0.039 J/m^2 as that code has it) of that law
  *   scatter_twice       1: allows a law with a scatter of its own on a rough wall, which counts the
  *                       roughness twice (0)
  *   d_p_least, d_p_most, d_p_bins
@@ -301,12 +315,14 @@ typedef struct asp_particle {
   double d_p;           /* diameter, > 0 */
   double density;       /* > 0 */
   const asp_pair *pair; /* may be NULL when the law needs none */
+  double omega[3];      /* angular velocity, rad per time, for laws that turn the particle */
 } asp_particle;
 
 typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;
 
 typedef struct asp_impact {
   double v2[3];       /* velocity after the contact, relative to the wall */
+  double omega[3];    /* angular velocity after it; as before where the law leaves it */
   double delta_alpha; /* tilt of the first hit in the plane of incidence, rad */
   double tilt_out;    /* tilt of the first hit out of it, rad, positive along n x t */
   int hits;           /* 1, or more with later hits */
@@ -317,7 +333,8 @@ typedef struct asp_impact {
 /* One contact. v1 is the velocity relative to the wall and n the outward unit normal of the mean
  * wall, with v1.n < 0; the caller sees to that. Afterwards v2.n > 0, or the particle is deposited
  * (v2 = 0), or, on a wall without deposits whose law leaves no normal speed, it slides (v2.n = 0).
- * Kinetic energy never grows. No allocation, no failure. */
+ * Kinetic energy never grows: that of the flight, and where the law turns the particle that of
+ * flight and spin together, of a solid sphere. No allocation, no failure. */
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], const asp_key *key, asp_impact *impact);
 
@@ -331,6 +348,10 @@ typedef struct asp_coefficients {
 } asp_coefficients;
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
+
+/* Whether the shear of a flow takes away what this wall would hold of such a particle; see
+ * remove_u_tau. */
+bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
 
 /* The cheapest model whose measured D_KL between its rebound angles and those of the geometry
  * (specular, bins of one degree, all impact angles) stays below the tolerance (> 0), for the

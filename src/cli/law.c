@@ -44,10 +44,15 @@ static void set_parameters(const cli_option *option, asp_wall *wall) {
     if (equals)
       *equals = '\0';
     double value = equals ? aspi_number(equals + 1, &end) : 0;
-    if (!equals || end == equals + 1 || *end)
+    const asp_rebound_law *law = asp_wall_rebound(wall);
+    int index = equals ? aspi_rebound_parameter_find(law, item, &error) : -1;
+    bool word = index >= 0 && *asp_parameter_words(asp_rebound_parameter(law, index));
+    if (!equals || (!word && (end == equals + 1 || *end)))
       cli_bad_usage("--%s is '%s'; NAME=VALUE,NAME=VALUE... is expected", option->name,
                     option->value);
-    if (aspi_rebound_parameter_find(asp_wall_rebound(wall), item, &error) < 0 ||
+    if (index < 0 ||
+        (word &&
+         asp_parameter_read(asp_rebound_parameter(law, index), equals + 1, &value, &error)) ||
         asp_wall_set(wall, item, value, &error))
       cli_bad_usage("--%s: %s", option->name, error.text);
   }
@@ -111,9 +116,25 @@ void cli_law_add_keywords(cli_option *first) {
     }
 }
 
+/* Of a keyword with words for its value. */
+static void set_word(const cli_option *option, const asp_parameter *p, asp_wall *wall) {
+  asp_error error;
+  double value;
+  if (asp_parameter_read(p, option->value, &value, &error))
+    cli_bad_usage("--%s: %s", option->name, error.text);
+  asp_wall_set(wall, asp_parameter_name(p), value, NULL);
+}
+
 /* The values of a keyword's option: one for each of the law's parameters that follow it. */
 static void set_keyword(const cli_option *option, const char *keyword, asp_wall *wall) {
   const asp_rebound_law *law = asp_wall_rebound(wall);
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const asp_parameter *p = asp_rebound_parameter(law, i);
+    if (strcmp(asp_parameter_keyword(p), keyword) == 0 && *asp_parameter_words(p)) {
+      set_word(option, p, wall);
+      return;
+    }
+  }
   char names[200];
   int count = parameters_of(law, keyword, names, sizeof names);
   cli_list values = cli_numbers(option, -INFINITY, INFINITY);
@@ -146,6 +167,22 @@ static void set_keywords(const cli_option *first, asp_wall *wall) {
   }
 }
 
+/* --remove U_TAU,GAS_DENSITY[,MEAN_FREE_PATH[,WORK]] */
+static void set_removal(const cli_option *option, asp_wall *wall) {
+  static const char *const names[] = {"remove_u_tau", "remove_gas_density", "remove_mean_free_path",
+                                      "remove_work"};
+  if (!option->value)
+    return;
+  asp_error error;
+  cli_list values = cli_numbers(option, 0, INFINITY);
+  if (values.count < 2 || values.count > 4)
+    cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, option->argument);
+  for (size_t i = 0; i < values.count; i++)
+    if (asp_wall_set(wall, names[i], values.values[i], &error))
+      cli_bad_usage("--%s: %s", option->name, error.text);
+  free(values.values);
+}
+
 static asp_cor_table *table_of(const cli_option *first, const asp_rebound_law *law) {
   const cli_option *option = &first[LAW_TABLE];
   bool needed = asp_rebound_needs_table(law);
@@ -169,7 +206,11 @@ cli_law cli_law_read(const cli_option *first) {
     cli_fail("%s", error.text);
   if (asp_wall_choose(law.wall, "rebound", first[LAW_REBOUND].value, &error))
     cli_bad_usage("--rebound: %s", error.text);
+  /* A law that has its own coefficient of friction; others take the pair's. */
+  if (!isnan(asp_wall_get(law.wall, "mu")))
+    asp_wall_set(law.wall, "mu", cli_number(&first[LAW_MU], 0, 1e3), NULL);
   set_parameters(&first[LAW_SET], law.wall);
+  set_removal(&first[LAW_REMOVE], law.wall);
   set_keywords(first, law.wall);
   asp_wall_set(law.wall, "deposit", cli_switch(&first[LAW_ADHESION]), NULL);
   asp_wall_set(law.wall, "scatter_twice", first[LAW_SCATTER_TWICE].value != NULL, NULL);
@@ -202,7 +243,9 @@ asp_pair *cli_law_pair(const cli_option *first, const cli_law *law, const char *
   asp_pair_set(pair, "friction", cli_number(&first[LAW_MU], 0, 1e3), NULL);
   if (first[LAW_YIELD].value)
     asp_pair_set(pair, "yield_stress", cli_number(&first[LAW_YIELD], 0, 1e15), NULL);
-  else if (asp_wall_get(law->wall, "yield_rate") <= 0 && !(asp_pair_get(pair, "yield_stress") > 0))
+  else if (asp_rebound_needs_pair(asp_wall_rebound(law->wall)) &&
+           !(asp_wall_get(law->wall, "yield_rate") > 0) &&
+           !(asp_pair_get(pair, "yield_stress") > 0))
     cli_bad_usage("--particle is '%s', which has no yield stress; give --yield or --yield-rate",
                   asp_material_name(p));
   return pair;

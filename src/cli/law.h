@@ -19,6 +19,7 @@ enum {
   LAW_GAMMA,
   LAW_YIELD,
   LAW_ADHESION,
+  LAW_REMOVE,
   LAW_KEYWORDS,
   LAW_KEYWORDS_MOST = 16,
   LAW_OPTIONS = LAW_KEYWORDS + LAW_KEYWORDS_MOST
@@ -36,11 +37,16 @@ enum {
       [(first) + LAW_SET] = {"set", "NAME=VALUE,...", "parameters of the law", NULL},              \
       [(first) + LAW_SCATTER_TWICE] = {"scatter-twice", NULL,                                      \
                                        "take a law's own scatter on a rough wall too", NULL},      \
-      [(first) + LAW_MU] = {"mu", "NUMBER", "friction coefficient", "0.3"},                        \
+      [(first) + LAW_MU] = {"mu", "NUMBER",                                                        \
+                            "friction; with bons a constant fitted to its form, not Coulomb's",    \
+                            "0.3"},                                                                \
       [(first) + LAW_GAMMA] = {"gamma", "J_PER_M2", "surface energy", "0.8"},                      \
       [(first) +                                                                                   \
           LAW_YIELD] = {"yield", "PA", "yield stress; the material's where not given", NULL},      \
-      [(first) + LAW_ADHESION] = {"adhesion", "on|off", "whether particles can stick", "on"}
+      [(first) + LAW_ADHESION] = {"adhesion", "on|off", "whether particles can stick", "on"},      \
+      [(first) + LAW_REMOVE] = {                                                                   \
+          "remove", "U_TAU,GAS_DENSITY[,MEAN_FREE_PATH[,WORK]]",                                   \
+          "a flow whose shear takes away what sticks (SI; El-Batsh, secondary)", NULL}
 
 /* A law with its parameters, and what it works on. */
 typedef struct cli_law {

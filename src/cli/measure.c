@@ -54,7 +54,7 @@ static const double up[3] = {0, 0, 1};
 
 static void hit(const asp_wall *wall, double d_p, const double v1[3], uint32_t seed, uint64_t tag,
                 asp_impact *impact) {
-  asp_particle particle = {d_p, 1, NULL};
+  asp_particle particle = {d_p, 1, NULL, {0, 0, 0}};
   asp_wall_impact(wall, &particle, v1, up, &(asp_key){seed, 1, tag, 1}, impact);
 }
 

@@ -28,9 +28,8 @@ static double impact_angle(const frame *f) {
   return atan2(f->v_n, f->v_t);
 }
 
-/* At normal impact the direction of flight is drawn uniformly around n. */
-static void draw_direction(frame *f, aspi_stream *stream) {
-  double angle = 2 * ASP_PI * aspi_stream_uniform(stream);
+/* A direction along the wall for a velocity that has none. */
+static void set_direction(frame *f, double angle) {
   double x = fabs(f->n.x), y = fabs(f->n.y), z = fabs(f->n.z);
   vec least = z < fmin(x, y) ? (vec){0, 0, 1} : x <= y ? (vec){1, 0, 0} : (vec){0, 1, 0};
   vec first = cross(f->n, least);
@@ -38,6 +37,11 @@ static void draw_direction(frame *f, aspi_stream *stream) {
   f->along = plus(scaled(first, cos(angle)), sin(angle), cross(f->n, first));
   f->per_length = 1;
   f->v_t = 0;
+}
+
+/* At normal impact the direction of flight is drawn uniformly around n. */
+static void draw_direction(frame *f, aspi_stream *stream) {
+  set_direction(f, 2 * ASP_PI * aspi_stream_uniform(stream));
 }
 
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
@@ -54,13 +58,53 @@ static double tilt_out(const asp_wall *wall, const face *on) {
   return wall->isotropic ? atan(on->q) : 0;
 }
 
+/* Whether what sticks stays. */
+static bool holds(const asp_wall *wall, const asp_particle *particle) {
+  return wall->deposit && !aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
+}
+
+/* Along a face of normal m, by a law that turns the particle: its surface moves there with
+ * v_t - r omega x m, and gets the law's impulse against that. `spin` in the lab frame. */
+static bool rebound_spinning(const asp_wall *wall, const asp_particle *particle, const frame *f,
+                             vec m, double approach, aspi_stream *stream, vec *spin, vec *out) {
+  double r = particle->d_p / 2;
+  vec t = scaled(f->along, f->per_length),
+      turn = {dot(*spin, t), dot(*spin, cross(f->n, t)), dot(*spin, f->n)};
+  vec along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
+  vec surface = plus(along, -r, cross(turn, m));
+  double u = sqrt(dot(surface, surface));
+  bool holding = holds(wall, particle);
+  aspi_hit hit = {approach,
+                  sqrt(dot(along, along)),
+                  u,
+                  particle->d_p,
+                  particle->density,
+                  particle->pair,
+                  holding,
+                  wall->table,
+                  stream};
+  aspi_bounce bounce = wall->law->rebound(wall->parameters, &hit);
+  if (holding && !(bounce.v_n2 > 0)) {
+    *spin = *out = (vec){0, 0, 0};
+    return true;
+  }
+  double share = u > 0 ? bounce.rub / u : 0;
+  *out = plus(plus(scaled(m, bounce.v_n2), 1, along), -share, surface);
+  *spin = to_lab(f, plus(turn, 2.5 * share / r, cross(m, surface)));
+  return false;
+}
+
 /* The rebound from one face, in (t, b, n). False where the particle cannot hit it. A face that is
  * tilted in the plane of incidence only keeps the particle in that plane. */
 static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m,
-                    bool in_plane, aspi_stream *stream, vec *out, bool *deposit) {
+                    bool in_plane, aspi_stream *stream, vec *spin, vec *out, bool *deposit) {
   double approach = f->v_n * m.z - f->v_t * m.x, speed;
   if (!(approach > 0))
     return false;
+  if (wall->spins) {
+    *deposit = rebound_spinning(wall, particle, f, m, approach, stream, spin, out);
+    return true;
+  }
   vec along; /* of unit length, or of `speed` */
   if (in_plane) {
     speed = f->v_t * m.z + f->v_n * m.x;
@@ -70,10 +114,13 @@ static bool rebound(const asp_wall *wall, const asp_particle *particle, const fr
     along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
     speed = sqrt(dot(along, along));
   }
-  aspi_hit hit = {approach,       speed,         particle->d_p, particle->density,
-                  particle->pair, wall->deposit, wall->table,   stream};
+  bool holding = holds(wall, particle);
+  aspi_hit hit = {approach,       speed,   speed,       particle->d_p, particle->density,
+                  particle->pair, holding, wall->table, stream};
   aspi_bounce bounce = wall->law->rebound(wall->parameters, &hit);
-  *deposit = wall->deposit && !(bounce.v_n2 > 0);
+  *deposit = holding && !(bounce.v_n2 > 0);
+  if (*deposit)
+    *spin = (vec){0, 0, 0};
   double kept = in_plane ? bounce.v_t2 : speed > 0 ? bounce.v_t2 / speed : 0;
   *out = *deposit ? (vec){0, 0, 0} : plus(scaled(m, bounce.v_n2), kept, along);
   return true;
@@ -95,10 +142,15 @@ static vec leaving(const frame *f, vec v) {
   return clearly_leaves(v, f->n) ? v : turned_off(f, v);
 }
 
-static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                                 aspi_stream *stream, asp_impact *impact) {
-  vec local;
-  bool deposit, hit = rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &local, &deposit);
+static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle,
+                                 const frame *in, aspi_stream *stream, asp_impact *impact) {
+  frame turned = *in, *f = &turned;
+  if (wall->spins && !has_direction(f))
+    set_direction(f, 0);
+  vec local, spin = load(particle->omega);
+  bool deposit,
+      hit = rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &spin, &local, &deposit);
+  store(spin, impact->omega);
   impact->delta_alpha = impact->tilt_out = 0;
   impact->hits = 1;
   if (!hit) { /* it does not approach, and goes on as it came */
@@ -126,15 +178,16 @@ static void bounce_once(const asp_wall *wall, const asp_particle *particle, cons
     if (!aspi_spread_draw(wall->spread, &view, stream, &delta))
       continue;
     face on = face_at(wall, view.slope, delta, stream);
-    vec local;
+    vec local, spin = load(particle->omega);
     bool deposit;
-    if (rebound(wall, particle, f, on.m, !wall->isotropic, stream, &local, &deposit) &&
+    if (rebound(wall, particle, f, on.m, !wall->isotropic, stream, &spin, &local, &deposit) &&
         (deposit || local.z > 0)) {
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
       impact->hits = 1;
       impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
       store(deposit ? local : leaving(f, to_lab(f, local)), impact->v2);
+      store(spin, impact->omega);
       return;
     }
   }
@@ -215,7 +268,7 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
   flight fly = {view_of(wall, particle), stream, false, 0};
   fly.view.alpha1 = impact_angle(now);
   aspi_path path = {0};
-  vec v2 = {0, 0, 0};
+  vec v2 = {0, 0, 0}, spin = load(particle->omega);
   impact->hits = 0;
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
@@ -228,10 +281,12 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
         bounce_off_mean_wall(wall, particle, now, stream, impact);
       else
         store(leaving(now, v2), impact->v2);
+      if (impact->hits > 0)
+        store(spin, impact->omega);
       return;
     }
     face on = face_at(wall, fly.view.slope, delta, stream);
-    if (!rebound(wall, particle, now, on.m, !wall->isotropic, stream, &local, &deposit))
+    if (!rebound(wall, particle, now, on.m, !wall->isotropic, stream, &spin, &local, &deposit))
       continue;
     if (impact->hits++ == 0) {
       impact->delta_alpha = delta;
@@ -241,6 +296,7 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
     if (deposit || leaves(wall, &fly, local)) {
       store(deposit ? v2 : leaving(now, v2), impact->v2);
+      store(spin, impact->omega);
       return;
     }
     frame next = frame_of(v2, now->n);
@@ -301,4 +357,8 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
   c.cor_n = ratio(n2, f.v_n);
   c.cor_t = directed ? along / f.v_t : 0;
   return c;
+}
+
+bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle) {
+  return aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
 }

@@ -17,6 +17,12 @@
 static const asp_parameter numbers[ASP_WALL_NUMBERS] = {
     [ASP_WALL_DEPOSIT] = {.name = "deposit", .fallback = 1, .most = 1},
     [ASP_WALL_SCATTER_TWICE] = {.name = "scatter_twice", .most = 1},
+    [ASP_WALL_REMOVE_U_TAU] = {.name = "remove_u_tau", .most = INFINITY},
+    [ASP_WALL_REMOVE_GAS_DENSITY] = {.name = "remove_gas_density", .most = INFINITY},
+    [ASP_WALL_REMOVE_MEAN_FREE_PATH] = {.name = "remove_mean_free_path", .most = INFINITY},
+    [ASP_WALL_REMOVE_WORK] = {.name = "remove_work",
+                              .fallback = ASPI_REMOVAL_WORK,
+                              .most = INFINITY},
     [ASP_WALL_D_P_LEAST] = {.name = "d_p_least", .most = INFINITY},
     [ASP_WALL_D_P_MOST] = {.name = "d_p_most", .most = INFINITY},
     [ASP_WALL_D_P_BINS] = {.name = "d_p_bins", .fallback = 1, .least = 1, .most = ASP_BINS_MAX},
@@ -106,7 +112,7 @@ static place find(aspi_wall_choice *choice, const char *name) {
 
 /* Those of the law, and of any wall. */
 static asp_code fail_name(const aspi_wall_choice *choice, const char *name, asp_error *error) {
-  char list[320] = "";
+  char list[420] = "";
   for (int i = 0; i < choice->law->n_parameters + ASP_WALL_NUMBERS; i++) {
     int own = i - choice->law->n_parameters;
     size_t used = strlen(list);
@@ -166,6 +172,11 @@ static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
   const asp_rebound_law *law = choice->law;
   if (law->needs_table && !choice->table)
     return aspi_fail(error, ASP_EARG, "rebound law '%s' needs a table of coefficients", law->name);
+  const double *numbers_of = choice->numbers;
+  if (numbers_of[ASP_WALL_REMOVE_U_TAU] > 0 && !(numbers_of[ASP_WALL_REMOVE_GAS_DENSITY] > 0))
+    return aspi_fail(error, ASP_EARG,
+                     "remove_u_tau is %g without a gas; remove_gas_density must be more than 0",
+                     numbers_of[ASP_WALL_REMOVE_U_TAU]);
   bool scatters = law->scatters && law->scatters(choice->parameters);
   if (is_rough(choice) && scatters && !(choice->numbers[ASP_WALL_SCATTER_TWICE] > 0))
     return aspi_fail(error, ASP_EARG,
@@ -219,5 +230,9 @@ asp_code asp_wall_prepare(asp_wall *wall, asp_error *error) {
   wall->isotropic = choice->isotropic;
   wall->multiple = choice->multiple || choice->spread->escape || choice->spread->follow;
   wall->deposit = choice->numbers[ASP_WALL_DEPOSIT] > 0;
+  wall->spins = choice->law->spins && choice->law->spins(choice->parameters);
+  wall->flow = (aspi_flow){
+      choice->numbers[ASP_WALL_REMOVE_U_TAU], choice->numbers[ASP_WALL_REMOVE_GAS_DENSITY],
+      choice->numbers[ASP_WALL_REMOVE_MEAN_FREE_PATH], choice->numbers[ASP_WALL_REMOVE_WORK]};
   return ASP_OK;
 }

@@ -3,12 +3,17 @@
 #define ASP_IMPACT_WALL_H
 
 #include "rebound/laws.h"
+#include "rebound/removal.h"
 #include "spread/models.h"
 
 /* Numbers of a wall that are no parameters of its law. */
 enum {
   ASP_WALL_DEPOSIT,
   ASP_WALL_SCATTER_TWICE,
+  ASP_WALL_REMOVE_U_TAU,
+  ASP_WALL_REMOVE_GAS_DENSITY,
+  ASP_WALL_REMOVE_MEAN_FREE_PATH,
+  ASP_WALL_REMOVE_WORK,
   ASP_WALL_D_P_LEAST,
   ASP_WALL_D_P_MOST,
   ASP_WALL_D_P_BINS,
@@ -41,6 +46,8 @@ struct asp_wall {
   bool isotropic;
   bool multiple; /* a particle that a face sends into the wall goes on to the next face */
   bool deposit;
+  bool spins;     /* the law turns the particle */
+  aspi_flow flow; /* takes away what sticks */
 };
 
 #endif

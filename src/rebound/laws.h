@@ -17,12 +17,14 @@ struct asp_parameter {
   double least, most;
   const char *text;    /* what it is, its source, and whether the original was seen */
   const char *keyword; /* see asp_parameter_keyword; NULL: none */
+  const char *words;   /* see asp_parameter_words; NULL: none */
 };
 
 /* One hit in the frame of the local face. */
 typedef struct aspi_hit {
   double v_n1; /* approach speed along the face's normal, > 0 */
   double v_t1; /* speed along the face, >= 0 */
+  double u_t1; /* that of the particle's surface where it is touched: v_t1 without spin */
   double d_p;
   double density;
   const asp_pair *pair;       /* may be NULL for laws that need no material */
@@ -32,11 +34,18 @@ typedef struct aspi_hit {
 } aspi_hit;
 
 /* What is left of it: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit, where
- * the wall takes deposits. */
+ * the wall takes deposits. A law that turns the particle gives, instead of v_t2, the impulse along
+ * the face per mass, against the velocity of the particle's surface: 0 <= rub <= (4/7) u_t1, where
+ * the energy of flight and spin together does not grow. */
 typedef struct aspi_bounce {
   double v_n2;
   double v_t2;
+  double rub;
 } aspi_bounce;
+
+/* The impulse per mass at which the surface of a solid sphere stops, as a share of its speed: along
+ * the face it moves as if it had 2/7 of its mass. */
+#define ASPI_ROLLING (2.0 / 7)
 
 struct asp_rebound_law {
   const char *name;
@@ -50,12 +59,16 @@ struct asp_rebound_law {
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
   /* Whether it draws a scatter of its own with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
+  /* Whether it turns the particle with these parameters; NULL: never. */
+  bool (*spins)(const double *parameters);
 };
 
 /* Index of the law's parameter of that name, or a negative code. */
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error);
 
-#define ASP_REBOUND_LAWS(X) X(bons) X(constant) X(grant_tabakoff) X(table)
+#define ASP_REBOUND_LAWS(X)                                                                        \
+  X(bons)                                                                                          \
+  X(constant) X(forder) X(grant_tabakoff) X(table) X(thornton_ning) X(walton)
 
 #define ASP_REBOUND_DECLARE(name) extern const asp_rebound_law aspi_rebound_##name;
 ASP_REBOUND_LAWS(ASP_REBOUND_DECLARE)

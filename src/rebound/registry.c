@@ -1,5 +1,6 @@
 /* The list of rebound laws, how their parameters are found by name, and what laws share. */
 #include "base/error.h"
+#include "base/number.h"
 #include "rebound/laws.h"
 
 #include <math.h>
@@ -83,6 +84,34 @@ double asp_parameter_most(const asp_parameter *parameter) {
   return parameter->most;
 }
 
+const char *asp_parameter_words(const asp_parameter *parameter) {
+  return parameter->words ? parameter->words : "";
+}
+
+asp_code asp_parameter_read(const asp_parameter *parameter, const char *text, double *value,
+                            asp_error *error) {
+  const char *words = asp_parameter_words(parameter);
+  if (!*words) {
+    char *end;
+    *value = aspi_number(text, &end);
+    return end > text && !*end ? ASP_OK
+                               : aspi_fail(error, ASP_EARG, "%s is '%s'; it must be a number",
+                                           parameter->name, text);
+  }
+  size_t length = strlen(text);
+  int index = 0;
+  for (const char *word = words; *word; index++) {
+    size_t n = strcspn(word, " ");
+    if (n == length && strncmp(word, text, n) == 0) {
+      *value = index;
+      return ASP_OK;
+    }
+    word += n + (word[n] == ' ');
+  }
+  return aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s", parameter->name, text,
+                   words);
+}
+
 const char *asp_parameter_keyword(const asp_parameter *parameter) {
   return parameter->keyword ? parameter->keyword : "";
 }
@@ -103,7 +132,7 @@ aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t) 
   double n1 = hit->v_n1, t1 = hit->v_t1, n2 = cor_n * n1, t2 = cor_t * t1;
   double before = n1 * n1 + t1 * t1, after = n2 * n2 + t2 * t2;
   if (after <= before)
-    return (aspi_bounce){n2, t2};
+    return (aspi_bounce){n2, t2, 0};
   double scale = sqrt(before / after);
-  return (aspi_bounce){scale * n2, scale * t2};
+  return (aspi_bounce){scale * n2, scale * t2, 0};
 }

@@ -62,6 +62,7 @@ bool Model::parse(Words &words, const std::string &others) {
     if (value != "freeze" && value != "delete" && value != "off")
       throw Error("deposit is '" + value + "'; it must be freeze, delete or off");
     deposit_ = value == "freeze" ? FREEZE : value == "delete" ? DELETE : OFF;
+    parse_removal(words);
   } else
     return false;
   return true;
@@ -125,6 +126,40 @@ void Model::parse_spread(Words &words) {
     throw Error("'spread auto' and 'tolerance D' go together, with no other model");
 }
 
+/* The flow that takes away what sticks, in the script's units. */
+void Model::parse_removal(Words &words) {
+  check_memory();
+  removal_text_.clear();
+  asp_wall_set(wall_.get(), "remove_u_tau", 0, NULL);
+  if (!words.take("remove"))
+    return;
+  if (deposit_ == OFF)
+    throw Error("'remove' is of what sticks; it goes with deposit freeze or delete, not off");
+  const Units &units = units_of(engine_.units(), "removal is", engine_.known_units());
+  set_number("remove_work", asp_wall_get(wall_.get(), "remove_work") * units.joule_per_m2());
+  static const char *const names[] = {"u_tau", "gas_density", "mean_free_path", "work"};
+  for (bool more = true; more;) {
+    more = false;
+    for (const char *name : names)
+      if (words.take(name)) {
+        const double value = words.number(name);
+        set_number(std::string("remove_") + name, value);
+        removal_text_ += text(" %s %g", name, value);
+        more = true;
+      }
+  }
+  if (!(asp_wall_get(wall_.get(), "remove_u_tau") > 0) ||
+      !(asp_wall_get(wall_.get(), "remove_gas_density") > 0))
+    throw Error("behind 'deposit freeze remove', 'u_tau U gas_density RHO' is expected, both more "
+                "than 0");
+}
+
+void Model::set_number(const std::string &name, double value) {
+  asp_error wrong;
+  if (asp_wall_set(wall_.get(), name.c_str(), value, &wrong))
+    throw Error(wrong.text);
+}
+
 /* A law's parameters follow the law's name, or keywords of their own, some of them one for several.
  */
 void Model::parse_rebound(Words &words) {
@@ -141,7 +176,11 @@ void Model::parse_rebound(Words &words) {
       const asp_parameter *p = asp_rebound_parameter(law, i);
       if (keyword != asp_parameter_keyword(p))
         continue;
-      const double value = words.number(asp_parameter_name(p));
+      double value;
+      if (!*asp_parameter_words(p))
+        value = words.number(asp_parameter_name(p));
+      else if (asp_parameter_read(p, words.word(asp_parameter_name(p)).c_str(), &value, &wrong))
+        throw Error("rebound " + name + ": " + wrong.text);
       if (asp_wall_set(wall_.get(), asp_parameter_name(p), value, &wrong))
         throw Error("rebound " + name + ": " + wrong.text);
       rebound_text_ += text(" %s %g", asp_parameter_name(p), value);
@@ -322,7 +361,8 @@ void Model::find_materials(const std::vector<int> &wall_types) {
   materials_report_ = named ? text("\n  rebound %s needs no materials", asp_rebound_name(law)) : "";
   constants("coefficientFriction", true, false, "", friction_);
   /* A mirror takes nothing from a particle that slides. */
-  default_friction_ = asp_wall_get(wall_.get(), "cor_t") >= 1 ? 0 : ASP_FRICTION;
+  const double own = asp_wall_get(wall_.get(), "mu");
+  default_friction_ = asp_wall_get(wall_.get(), "cor_t") >= 1 ? 0 : own >= 0 ? own : ASP_FRICTION;
   if (!asp_rebound_needs_pair(law))
     return;
   const bool constant_yield = !(asp_wall_get(wall_.get(), "yield_rate") > 0);
@@ -444,7 +484,8 @@ void Model::report_yield(const std::vector<int> &wall_types) {
         continue;
       const double stress = asp_pair_get(p, "yield_stress"), modulus = asp_pair_get(p, "modulus");
       const std::string of = text("type %d on a wall of type %d", type, w);
-      if (kinds[t].most > 0)
+      const bool is_bons = asp_wall_get(wall_.get(), "yield_rate") >= 0;
+      if (kinds[t].most > 0 && is_bons)
         materials_report_ +=
             "\n  " + of +
             text(": yields above %.4g along the normal", stress / sqrt(kinds[t].most * modulus));
@@ -466,12 +507,21 @@ double Model::friction(int type, int wall_type) const {
                            : friction_[(type - 1) * engine_.types() + wall_type - 1];
 }
 
+bool Model::removes(int type, int wall_type, double d_p) const {
+  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}};
+  return wall() && asp_wall_removes(wall(), &particle);
+}
+
 bool Model::sticks() const {
   return deposit_ != OFF && asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
 }
 
 /* ---- texts ------------------------------------------------------------------------------------
  */
+
+std::string Model::deposit_text() const {
+  return std::string(deposit_name()) + (removal_text_.empty() ? "" : " remove" + removal_text_);
+}
 
 const char *Model::deposit_name() const {
   return deposit_ == FREEZE ? "freeze" : deposit_ == DELETE ? "delete" : "off";
@@ -516,7 +566,8 @@ std::string Model::news() {
     engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
                       "own; on a rough wall that counts twice",
                       asp_rebound_name(asp_wall_rebound(wall_.get()))));
-  return text("rebound %s, deposit %s, seed %u; ", rebound_text_.c_str(), deposit_name(), seed_) +
+  return text("rebound %s, deposit %s, seed %u; ", rebound_text_.c_str(), deposit_text().c_str(),
+              seed_) +
          describe_surface() + materials_report_;
 }
 
@@ -537,5 +588,5 @@ Settings Model::settings() const {
   }
   return Settings{{"surface", surface},        {"spread", spread},
                   {"rebound", rebound},        {"materials", materials_text_},
-                  {"deposit", deposit_name()}, {"seed", text("%u", seed_)}};
+                  {"deposit", deposit_text()}, {"seed", text("%u", seed_)}};
 }

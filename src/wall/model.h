@@ -58,6 +58,9 @@ public:
   /* Whether a particle may stick: where it cannot, one that rests needs no look at the law. */
   bool sticks() const;
 
+  /* Whether a flow takes away what would stick. */
+  bool removes(int type, int wall_type, double d_p) const;
+
   /* The range of diameters that the wall is made for, 0 where it depends on none; it goes into
    * restart files, so that a continued run has the same tables. */
   const double *sizes() const {
@@ -77,6 +80,9 @@ private:
   void parse_bins(Words &words);
   void parse_spread(Words &words);
   void parse_rebound(Words &words);
+  void parse_removal(Words &words);
+  void set_number(const std::string &name, double value);
+  std::string deposit_text() const;
   void parse_materials(Words &words, const std::string &keywords);
   void read_table(const std::string &path);
   bool needs_sizes() const;
@@ -105,7 +111,7 @@ private:
   std::string spread_; /* as the script has it: a model, or auto */
   double tolerance_;   /* of auto */
   std::string choice_; /* what auto has chosen, and why */
-  std::string table_path_, rebound_text_, materials_text_, materials_report_;
+  std::string table_path_, rebound_text_, materials_text_, materials_report_, removal_text_;
   double d_range_[2];
   std::string tilt_, collisions_;
   Deposit deposit_;

@@ -130,6 +130,12 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
       state(i)[STATE] = FREE; /* an earlier part of the run had deposits */
   }
   renumber_stuck(spheres);
+  for (int i = 0; i < spheres.n; i++) {
+    const size_t shape = static_cast<size_t>(place(i)[SHAPE]) - 1;
+    if (state(i)[STATE] > FREE && shape < shapes_.size() &&
+        model_.removes(spheres.type[i], shapes_[shape].wall_type, 2 * spheres.radius[i]))
+      state(i)[STATE] = FREE; /* it had no such flow */
+  }
   reorder(spheres);
   warn_of_speeds();
 }
@@ -215,11 +221,12 @@ struct Wall::Flight {
   int i;
   double radius, mass;
   Path path;
-  double begin[3], acceleration[3], half[3];
+  double begin[3], acceleration[3], half[3], spin[3];
   std::vector<Event> events;
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
 
   Flight(const Spheres &s, int particle);
+  asp_particle particle(const asp_pair *pair) const;
   void velocity(double time, double v[3]) const;
   void go_on(const double before[3], const double after[3], const double n[3]);
 };
@@ -230,6 +237,8 @@ Wall::Flight::Flight(const Spheres &s, int particle)
   path.left = path.dt = s.dt;
   vector_copy(v, path.v);
   vector_copy(v, half);
+  for (int d = 0; d < 3; d++)
+    spin[d] = s.omega ? s.omega[3 * static_cast<size_t>(i) + d] : 0;
   vector_add_scaled(x, -s.dt, v, path.x);
   vector_copy(s.f + 3 * static_cast<size_t>(i), acceleration);
   vector_scale(1 / mass, acceleration);
@@ -237,6 +246,13 @@ Wall::Flight::Flight(const Spheres &s, int particle)
   vector_add_scaled(v, -0.5 * s.dt, acceleration, v0);
   vector_copy(v0, begin);
   vector_copy(acceleration, a0);
+}
+
+/* As it comes to a contact. */
+asp_particle Wall::Flight::particle(const asp_pair *pair) const {
+  const double d_p = 2 * radius;
+  return asp_particle{
+      d_p, mass / (ASP_PI / 6 * d_p * d_p * d_p), pair, {spin[0], spin[1], spin[2]}};
 }
 
 /* At a time since the beginning of the path. */
@@ -375,7 +391,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   int crowd = 0;
   const Wall *first_wall = NULL;
   size_t before_crowd = 0, first_shape = 0;
-  double mean_x[3], mean_v[3];
+  double mean_x[3], mean_v[3], spin_before[3] = {0, 0, 0};
   for (Wall *each : walls)
     if (each->state(i)[STATE] < FREE)
       each->state(i)[STATE] = FREE;
@@ -387,6 +403,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
       first_wall = wall;
       first_shape = shape;
       before_crowd = flight.events.size();
+      vector_copy(flight.spin, spin_before);
       for (int d = 0; d < 3; d++)
         mean_x[d] = mean_v[d] = 0;
     }
@@ -403,6 +420,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
       flight.events[k].wall->state(i)[IMPACTS]--;
     flight.events.resize(before_crowd);
     wall->counters_[N_GUARDED]++;
+    vector_copy(spin_before, flight.spin);
     const Path before = path;
     path.left = std::max(0.0, path.left - contact.time);
     vector_copy(mean_v, path.v);
@@ -427,6 +445,8 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   if (!touched || stuck)
     return;
   vector_copy(flight.half, s.v + 3 * static_cast<size_t>(i));
+  if (s.omega)
+    vector_copy(flight.spin, s.omega + 3 * static_cast<size_t>(i));
   vector_add_scaled(path.x, path.left, path.v, s.x + 3 * static_cast<size_t>(i));
   if (!caught)
     note_energy(flight);
@@ -511,9 +531,7 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact) {
     throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
                      "diameters beforehand; make particles before 'run', or by a fix insert",
                      static_cast<long long>(s.tag_of(i))));
-  const double d_p = 2 * flight.radius;
-  const asp_particle particle = {d_p, flight.mass / (ASP_PI / 6 * d_p * d_p * d_p),
-                                 model_.pair(s.type[i], shapes_[shape].wall_type)};
+  const asp_particle particle = flight.particle(model_.pair(s.type[i], shapes_[shape].wall_type));
   Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, 0, 0, {}, {}};
   event.elapsed = s.dt - flight.path.left;
   event.time = time(static_cast<double>(s.step)) - flight.path.left;
@@ -534,6 +552,7 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact) {
     return true;
   }
   double after[3];
+  vector_copy(event.impact.omega, flight.spin);
   vector_add_scaled(contact.v_wall, 1, event.impact.v2, after);
   for (int d = 0; d < 3; d++)
     flight.half[d] = after[d] + (flight.half[d] - v[d]);

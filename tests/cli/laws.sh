@@ -38,7 +38,7 @@ column capture_speed_m_s c | awk 'NR == 2 { exit !($1 > 5.7 && $1 < 5.9) }' || d
 "$asperity" rebound --map angles --angles 45 --yield 110e6 --gamma 0 > b
 [ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: temperature"
 "$asperity" rebound --list > list
-for law in bons constant grant_tabakoff table; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
+for law in bons constant forder grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
 grep -q '^bons,temperature,K,0,' list || die "rebound --list: parameters"
 for map in regimes capture angles; do
   "$asperity" rebound --map $map --points 5 --plot $map.png -o $map.csv 2> err
@@ -52,6 +52,17 @@ done
 cmp <(rows a) <(rows b) || die "rebound: --contact-area"
 "$asperity" rebound --help > help
 for option in yield-rate contact-area temperature soften scatter; do grep -q -- "--$option " help || die "rebound --help: --$option"; done
+# spin on, friction of a law's own, and a flow that takes away what sticks
+"$asperity" rebound --map angles --angles 60.55 --rebound walton --set e=0.98 --mu 0.092 > a
+column cor_t a | awk '{ exit !($1 > 0.714 && $1 < 0.7143) }' || die "walton: $(cat a)"
+"$asperity" rebound --map angles --angles 20 --spin on --mu 5 --gamma 0 > a
+"$asperity" rebound --map angles --angles 20 --set spin=on --mu 5 --gamma 0 > b
+column cor_t a | awk '{ exit !($1 > 0.7142 && $1 < 0.7143) }' && cmp <(rows a) <(rows b) || die "bons --spin on: $(cat a)"
+"$asperity" rebound --map capture --dp 10um,100um --remove 2,1.2 > c
+[ "$(column capture_speed_m_s c | tail -n 1)" = 0 ] && [ "$(column capture_speed_m_s c | head -n 1)" != 0 ] || die "--remove: $(cat c)"
+refuses 2 "--spin" "'maybe'" "off on" -- rebound --spin maybe
+refuses 2 "--remove is '2'" "GAS_DENSITY" -- rebound --remove 2
+refuses 2 "remove_gas_density" -- rebound --remove 2,0
 refuses 2 "--contact-area" "3 numbers: a,b,c" -- rebound --contact-area 0.2,0.1
 refuses 2 "--contact-area" "c is 11" "0 to 10" -- rebound --contact-area 0.2,0.1,11
 refuses 2 "--scatter" "--rebound is 'bons'" -- rebound --scatter 1

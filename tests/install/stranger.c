@@ -28,7 +28,7 @@ int main(void) {
     fprintf(stderr, "%s\n", error.text);
     return 1;
   }
-  asp_particle grain = {1e-5, asp_material_get(quartz, "density"), pair};
+  asp_particle grain = {1e-5, asp_material_get(quartz, "density"), pair, {0, 0, 0}};
   double v1[3] = {80, 0, -60}, n[3] = {0, 0, 1};
   asp_impact impact;
   asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, asp_key_wall("stranger"), 1, 1}, &impact);

@@ -164,6 +164,7 @@ static void choose_law(aspi_stream *s, asp_wall *wall) {
     if (one_of(s, 4) == 0)
       wall->parameters[i] = isfinite(p->most) ? between(s, p->least, p->most) : or_zero(s, 0, 12);
   }
+  wall->spins = wall->law->spins && wall->law->spins(wall->parameters);
 }
 
 static void choose_wall(aspi_stream *s, combination *c) {
@@ -193,7 +194,8 @@ static void choose_particle(aspi_stream *s, combination *c) {
   asp_pair_free(pair);
   c->pair.surface_energy = or_zero(s, -12, 6);
   c->pair.friction = or_zero(s, -6, 1);
-  c->particle = (asp_particle){power_of_ten(s, -9, -1), power_of_ten(s, -3, 6), &c->pair};
+  c->particle =
+      (asp_particle){power_of_ten(s, -9, -1), power_of_ten(s, -3, 6), &c->pair, {0, 0, 0}};
 }
 
 /* A third of the velocities lie along the axes, to be exact at grazing and normal incidence. */
@@ -235,9 +237,30 @@ static double length_of(const double a[3]) {
   return sqrt(dot(a, a));
 }
 
+/* Half of the particles come with a spin, whose surface is up to a thousand times as fast. */
+static void choose_spin(aspi_stream *s, combination *c) {
+  for (int i = 0; i < 3; i++)
+    c->particle.omega[i] = 0;
+  if (!one_of(s, 2))
+    return;
+  double speed = length_of(c->v1) * power_of_ten(s, -9, 3);
+  for (int i = 0; i < 3; i++)
+    c->particle.omega[i] = between(s, -1, 1) * speed / (c->particle.d_p / 2);
+}
+
+/* The speed of a flight that has the energy of both. */
+static double energy_of(const combination *c, const double v[3], const double omega[3]) {
+  return hypot(length_of(v), sqrt(0.4) * c->particle.d_p / 2 * length_of(omega));
+}
+
 static const char *wrong_with(const combination *c, const asp_impact *impact) {
-  double before = length_of(c->v1), after = length_of(impact->v2), away = dot(impact->v2, c->n);
+  double before = energy_of(c, c->v1, c->particle.omega);
+  double after = energy_of(c, impact->v2, impact->omega), away = dot(impact->v2, c->n);
   asp_coefficients cor = asp_impact_coefficients(c->v1, c->n, impact);
+  if (!c->wall.spins) { /* flight alone */
+    before = length_of(c->v1);
+    after = length_of(impact->v2);
+  }
   if (!isfinite(after) || !isfinite(impact->delta_alpha) || !isfinite(impact->tilt_out))
     return "not a number";
   if (!isfinite(cor.cor_n) || !isfinite(cor.cor_t) || !isfinite(cor.cor_v) ||
@@ -275,14 +298,17 @@ static void change(aspi_stream *s, combination *c, double part) {
 }
 
 static void meet(const combination *c, asp_impact *impact) {
-  asp_particle particle = {c->particle.d_p, c->particle.density, &c->pair};
+  asp_particle particle = {c->particle.d_p,
+                           c->particle.density,
+                           &c->pair,
+                           {c->particle.omega[0], c->particle.omega[1], c->particle.omega[2]}};
   asp_wall_impact(&c->wall, &particle, c->v1, c->n, &c->key, impact);
 }
 
 /* How far apart two outcomes are, by the speed. */
 static double jump_of(const combination *c, const asp_impact *x, const asp_impact *y) {
   double apart[3] = {x->v2[0] - y->v2[0], x->v2[1] - y->v2[1], x->v2[2] - y->v2[2]};
-  return length_of(apart) / length_of(c->v1);
+  return length_of(apart) / energy_of(c, c->v1, c->particle.omega);
 }
 
 /* Halves the way from a to b, towards the larger part of the change. */
@@ -361,6 +387,7 @@ static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
   choose_wall(&s, &c);
   choose_particle(&s, &c);
   choose_velocity(&s, &c);
+  choose_spin(&s, &c);
   c.key = (asp_key){seed, 2, number, 1};
   combination d = c;
   bool far = one_of(&s, 4) == 0;

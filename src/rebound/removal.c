@@ -1,0 +1,20 @@
+/* The critical friction velocity of El-Batsh, as one published code has it (a user-defined function
+ * of a flow solver; the original was not seen):
+ *
+ *   u_tau_c^2 = C_u W/(rho_g d) (W/(d K_c))^(1/3),  K_c = (4/3) E_c
+ *   C_u = 1 + Kn (1.2 + 0.41 exp(-0.88/Kn)),        Kn = 2 l/d
+ *
+ * What would stick is taken away at once where the flow's friction velocity is more than that. */
+#include "rebound/removal.h"
+
+#include <math.h>
+
+bool aspi_flow_removes(const aspi_flow *flow, const asp_pair *pair, double d_p) {
+  if (!(flow->u_tau > 0) || !pair)
+    return false;
+  double kn = 2 * flow->mean_free_path / d_p;
+  double slip = kn > 0 ? 1 + kn * (1.2 + 0.41 * exp(-0.88 / kn)) : 1;
+  double per_area = cbrt(flow->work / (d_p * 4 / 3 * pair->modulus));
+  double critical2 = slip * flow->work / (flow->density * d_p) * per_area;
+  return flow->u_tau * flow->u_tau > critical2;
+}

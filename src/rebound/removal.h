@@ -1,0 +1,21 @@
+/* What the shear of a flow takes away of what sticks. */
+#ifndef ASP_REBOUND_REMOVAL_H
+#define ASP_REBOUND_REMOVAL_H
+
+#include "rebound/materials.h"
+
+/* A work of adhesion, J/m^2, as one published code of El-Batsh's law has it. */
+#define ASPI_REMOVAL_WORK 0.039
+
+/* A flow along a wall; u_tau 0: there is none. */
+typedef struct aspi_flow {
+  double u_tau;          /* friction velocity */
+  double density;        /* of the gas, > 0 */
+  double mean_free_path; /* in it */
+  double work;           /* of adhesion, per area */
+} aspi_flow;
+
+/* Whether it takes a particle away. */
+bool aspi_flow_removes(const aspi_flow *flow, const asp_pair *pair, double d_p);
+
+#endif

@@ -1,0 +1,82 @@
+/* Elastic, plastic and adhesive: Thornton & Ning 1998 (by secondary sources). A sphere of radius R
+ * is a Hertz spring until the largest pressure reaches p_y, at the approach speed
+ *
+ *   v_y = (pi^2/sqrt(40)) (p_y^5/(E*^4 rho))^(1/2)
+ *
+ * beyond, its force grows linearly with the approach, dP = pi p_y R da, and it unloads as a Hertz
+ * spring of the larger radius R_p that the dent has. With x the plastic approach per that at yield,
+ *
+ *   (v_n1/v_y)^2 = 1 + (5/2) (x + (3/4) x^2)            energy of the loading
+ *   v_e  = v_y (1 + (3/2) x)/(1 + x)^(1/4)              what unloading returns; -> 1.185 v_y^(1/4)
+ *   R_p  = R (1 + x)^(3/2)/(1 + (3/2) x)                                           v_n1^(3/4)
+ *   v_n2 = sqrt(max(0, v_e^2 - v_s^2 (R_p/R)^(4/3)))    less what parting costs (Johnson, Kendall
+ *   v_s  = 1.84 ((Gamma/R)^5/(rho^3 E*^2))^(1/6)        & Roberts), the speed under which it sticks
+ *
+ * Gamma = 2 gamma is the work of adhesion, gamma the pair's surface energy, as in `bons`. Their
+ * adhesive and plastic parts are joined here by the radius R_p; adhesion is left out of the
+ * loading. They say nothing of what happens along the face: there it is the hard sphere of `walton`
+ * with the pair's friction, Coulomb's, and beta0 = 0. */
+#include "rebound/laws.h"
+
+#include <math.h>
+
+enum { PRESSURE, N_PARAMETERS };
+
+static const asp_parameter parameters[N_PARAMETERS] = {
+    [PRESSURE] = {.name = "pressure_ratio",
+                  .unit = "",
+                  .fallback = 1.6,
+                  .least = 0.1,
+                  .most = 10,
+                  .text = "contact pressure at yield over the yield stress, p_y/sigma_y (1.6 where "
+                          "a Hertz contact first yields, up to 2.8 when it is fully plastic: "
+                          "Johnson 1985, recalled)",
+                  .keyword = "pressure_ratio"},
+};
+
+/* What the spring returns of an approach speed, and the radius of its dent per R. */
+static long double unload(long double n1, long double v_y, long double *radius) {
+  *radius = 1;
+  if (n1 <= v_y)
+    return n1;
+  if (!(v_y > 0))
+    return 0;
+  long double ratio = n1 / v_y, x = (sqrtl(1.2L * ratio * ratio - 0.2L) - 1) / 1.5L;
+  *radius = (1 + x) * sqrtl(1 + x) / (1 + 1.5L * x);
+  return v_y * (1 + 1.5L * x) / sqrtl(sqrtl(1 + x));
+}
+
+static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
+  const asp_pair *pair = hit->pair;
+  long double n1 = hit->v_n1, density = hit->density, modulus = pair->modulus;
+  long double p_y = p[PRESSURE] * (long double)pair->yield_stress;
+  long double share = p_y / modulus, dent;
+  long double v_y =
+      (long double)(ASP_PI * ASP_PI) / sqrtl(40) * share * share * sqrtl(p_y / density);
+  long double n2 = unload(n1, v_y, &dent);
+  if (hit->adhesion && pair->surface_energy > 0) {
+    long double work = 2 * (long double)pair->surface_energy / (0.5L * hit->d_p);
+    long double v_s = 1.84L * powl(work, 5 / 6.0L) / (sqrtl(density) * cbrtl(modulus));
+    long double v_a = v_s * cbrtl(dent * dent);
+    n2 = n2 > v_a ? sqrtl((n2 - v_a) * (n2 + v_a)) : 0;
+  }
+  double rub = fmin((double)(pair->friction * (n1 + n2)), ASPI_ROLLING * hit->u_t1);
+  return (aspi_bounce){(double)n2, 0, rub};
+}
+
+static bool spins(const double *p) {
+  (void)p;
+  return true;
+}
+
+const asp_rebound_law aspi_rebound_thornton_ning = {
+    .name = "thornton_ning",
+    .summary = "elastic, plastic or stuck: a Hertz spring that yields and adheres, with Coulomb "
+               "friction and spin",
+    .source = "Thornton & Ning 1998 (by secondary sources; joined as the page says)",
+    .needs_pair = true,
+    .n_parameters = N_PARAMETERS,
+    .parameters = parameters,
+    .rebound = rebound,
+    .spins = spins,
+};

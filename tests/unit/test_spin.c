@@ -1,0 +1,279 @@
+/* Laws that turn the particle: measured oblique impacts, rolling, sticking, energy; and the law of
+ * Thornton & Ning against its limits, an integrated contact and the curve of Johnson, Kendall &
+ * Roberts; and what a flow takes away. */
+#include "check.h"
+#include "impact/wall.h"
+
+#include <gsl/gsl_rng.h>
+
+static const double up[3] = {0, 0, 1};
+
+static asp_wall *smooth(const char *law) {
+  asp_wall *wall = asp_wall_create(NULL);
+  assert_non_null(wall);
+  assert_int_equal(asp_wall_choose(wall, "rebound", law, NULL), ASP_OK);
+  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
+  return wall;
+}
+
+static void set(asp_wall *wall, const char *name, double value) {
+  assert_int_equal(asp_wall_set(wall, name, value, NULL), ASP_OK);
+  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
+}
+
+static asp_impact hit(const asp_wall *wall, const asp_pair *pair, const double v1[3],
+                      const double omega[3]) {
+  asp_particle particle = {5e-3, 3950, pair, {omega[0], omega[1], omega[2]}};
+  asp_impact impact;
+  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  return impact;
+}
+
+static const double still[3] = {0, 0, 0};
+
+/* Kharaz, Gorham & Salman 2001: 5 mm alumina on glass, 3.9 m/s, e 0.98, mu 0.092. Sliding needs no
+ * other constant; between sliding and normal impact the contact gives way. */
+static void measured_oblique_impacts(void **state) {
+  (void)state;
+  static const double measured[][2] = {{30.16, .9019}, {40.45, .8469}, {50.70, .7719},
+                                       {59.78, .6883}, {69.92, .5964}, {80.37, .6728},
+                                       {86.07, .7450}};
+  asp_wall *wall = smooth("walton");
+  set(wall, "e", 0.98);
+  set(wall, "mu", 0.092);
+  for (int compliant = 0; compliant < 2; compliant++) {
+    set(wall, "beta0", compliant ? 0 : 0.156);
+    set(wall, "compliance", compliant ? 0.7 : 0);
+    for (int i = 0; i < 7; i++) {
+      double alpha = measured[i][0] * M_PI / 180, beyond = compliant ? 0.03 : 0.08;
+      double v1[3] = {3.9 * cos(alpha), 0, -3.9 * sin(alpha)};
+      asp_impact impact = hit(wall, NULL, v1, still);
+      assert_near(impact.v2[0] / v1[0], measured[i][1], measured[i][0] < 60 ? 0.01 : beyond);
+      assert_near(impact.v2[2] / -v1[2], 0.98, 1e-12);
+    }
+  }
+  asp_wall_free(wall);
+}
+
+/* Where it sticks: 5/7 without spin, 2/7 of the surface's speed without flight, and the surface
+ * goes on with -beta0 times its speed; a particle that rolls already loses nothing. */
+static void sticks_and_rolls(void **state) {
+  (void)state;
+  asp_wall *wall = smooth("walton");
+  set(wall, "mu", 100);
+  double v1[3] = {1, 0, -2}, r = 2.5e-3, down[3] = {0, 0, -2};
+  asp_impact impact = hit(wall, NULL, v1, still);
+  assert_near(impact.v2[0], 5. / 7, 1e-14);
+  assert_near(impact.omega[1], 5. / 7 / r, 1e-10); /* v_x = omega_y r: it rolls */
+  impact = hit(wall, NULL, down, (double[3]){0, 1 / r, 0});
+  assert_near(impact.v2[0], 2. / 7, 1e-14);
+  assert_near(impact.omega[1] * r, 2. / 7, 1e-13);
+  impact = hit(wall, NULL, v1, (double[3]){0, 1 / r, 3});
+  assert_near(impact.v2[0], 1, 1e-14);
+  assert_near(impact.omega[1] * r, 1, 1e-13);
+  assert_near(impact.omega[2], 3, 1e-14);
+  set(wall, "beta0", 0.4);
+  impact = hit(wall, NULL, v1, (double[3]){0, -1 / r, 0});
+  assert_near(impact.v2[0] - r * impact.omega[1], -0.4 * 2, 1e-13);
+  asp_wall_free(wall);
+}
+
+/* Bons with spin: the law's own impulse as long as it is small, rolling where it is large. */
+static void bons_takes_part(void **state) {
+  (void)state;
+  static const asp_pair pair = {50e9, 2e9, 0, 0.1};
+  asp_wall *off = smooth("bons"), *on = smooth("bons");
+  set(on, "spin", 1);
+  for (double alpha = 0.05; alpha < 1.5; alpha += 0.05) {
+    double v1[3] = {cos(alpha), 0, -sin(alpha)};
+    asp_impact a = hit(off, &pair, v1, (double[3]){1, 2, 3}), b = hit(on, &pair, v1, still);
+    assert_near(a.omega[0] + a.omega[1] + a.omega[2], 6, 0);
+    assert_near(b.v2[0], fmax(a.v2[0], 5. / 7 * v1[0]), 1e-14);
+    assert_near(b.omega[1] * 2.5e-3, 2.5 * (v1[0] - b.v2[0]), 1e-12);
+  }
+  asp_wall_free(off);
+  asp_wall_free(on);
+}
+
+static double energy(const double v[3], const double w[3], double r) {
+  double square = 0;
+  for (int d = 0; d < 3; d++)
+    square += v[d] * v[d] + 0.4 * r * r * w[d] * w[d];
+  return square;
+}
+
+/* Over random walls, constants, flights and spins, through later hits too. */
+static void energy_with_spin_never_grows(void **state) {
+  (void)state;
+  static const char *const laws[] = {"walton", "bons", "thornton_ning"};
+  static const asp_pair pair = {50e9, 2e8, 0, 0.4};
+  asp_surface *surface = asp_surface_create(0.15, 1, NULL);
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  for (uint64_t tag = 1; tag <= 20000; tag++) {
+    asp_wall *wall = asp_wall_create(NULL);
+    asp_wall_choose(wall, "rebound", laws[tag % 3], NULL);
+    asp_wall_set(wall, "spin", 1, NULL);
+    asp_wall_set(wall, "beta0", gsl_rng_uniform(rng), NULL);
+    asp_wall_set(wall, "mu", 2 * gsl_rng_uniform(rng), NULL);
+    asp_wall_set(wall, "e", gsl_rng_uniform(rng), NULL);
+    asp_wall_set(wall, "compliance", tag % 5 == 0 ? gsl_rng_uniform(rng) : 0, NULL);
+    asp_wall_set(wall, "deposit", 0, NULL);
+    asp_wall_choose(wall, "spread", "visible", NULL);
+    asp_wall_choose(wall, "tilt", tag % 2 ? "isotropic" : "plane", NULL);
+    asp_wall_choose(wall, "collisions", tag % 4 < 2 ? "multiple" : "single", NULL);
+    if (tag % 7)
+      asp_wall_set_surface(wall, surface);
+    assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
+    double r = 0.01, v[3], w[3];
+    for (int d = 0; d < 3; d++) {
+      v[d] = 2 * gsl_rng_uniform(rng) - 1;
+      w[d] = (2 * gsl_rng_uniform(rng) - 1) / r * (tag % 3 ? 1 : 5);
+    }
+    v[2] = -fabs(v[2]);
+    asp_particle particle = {2 * r, 2650, &pair, {w[0], w[1], w[2]}};
+    asp_impact impact;
+    asp_wall_impact(wall, &particle, v, up, &(asp_key){1, 1, tag, 1}, &impact);
+    assert_true(energy(impact.v2, impact.omega, r) <= energy(v, w, r) * (1 + 1e-13));
+    assert_true(impact.v2[2] >= 0);
+    asp_wall_free(wall);
+  }
+  gsl_rng_free(rng);
+  asp_surface_free(surface);
+}
+
+/* ---- Thornton & Ning --------------------------------------------------------------------------
+ */
+static const double E = 50e9, RHO = 2500, R = 2.5e-3;
+
+static double restitution(double speed, double pressure, double gamma) {
+  asp_pair pair = {E, pressure, gamma, 0};
+  asp_wall *wall = smooth("thornton_ning");
+  set(wall, "pressure_ratio", 1);
+  asp_particle particle = {2 * R, RHO, &pair, {0, 0, 0}};
+  double v1[3] = {0, 0, -speed};
+  asp_impact impact;
+  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_free(wall);
+  return impact.v2[2] / speed;
+}
+
+static double yields_at(double pressure) {
+  return M_PI * M_PI / sqrt(40) * sqrt(pow(pressure, 5) / (pow(E, 4) * RHO));
+}
+
+/* The contact itself, step by step: Hertz, then a force that grows linearly, then Hertz with the
+ * radius of the dent. */
+static double integrated(double speed, double pressure) {
+  double mass = 4 * M_PI / 3 * R * R * R * RHO, v = speed, a = 0, force = 0;
+  double a_y = R * pow(M_PI * pressure / (2 * E), 2), f_y = 4. / 3 * E * sqrt(R) * pow(a_y, 1.5);
+  double dt = 1e-4 * pow(mass * mass / (E * E * R * speed), 0.2);
+  for (double next; v > 0;) { /* the middle of each step */
+    next = a + 0.5 * dt * v;
+    force = next < a_y ? 4. / 3 * E * sqrt(R) * pow(next, 1.5)
+                       : f_y + M_PI * pressure * R * (next - a_y);
+    v -= force / mass * dt;
+    a = next + 0.5 * dt * v;
+  }
+  /* The area of a contact that has yielded has the radius^2 R a; unloading is Hertz from there. */
+  if (a > a_y) {
+    double edge = sqrt(R * a), dent = 4 * E * edge * edge * edge / (3 * force);
+    a = edge * edge / dent;
+    double k = 4. / 3 * E * sqrt(dent);
+    for (v = 0; a > 0; a -= dt * v)
+      v += k * pow(a, 1.5) / mass * dt;
+    return v / speed;
+  }
+  return 1;
+}
+
+static void plastic_contact_as_integrated(void **state) {
+  (void)state;
+  double pressure = 1e9, v_y = yields_at(pressure);
+  for (double ratio = 1.1; ratio < 2000; ratio *= 2.5)
+    assert_near(restitution(ratio * v_y, pressure, 0), integrated(ratio * v_y, pressure), 2e-3);
+}
+
+/* Their own closed form above yield, its limits, and the elastic contact that adheres. */
+static void limits_of_thornton_and_ning(void **state) {
+  (void)state;
+  double pressure = 1e9, v_y = yields_at(pressure);
+  assert_near(restitution(0.999 * v_y, pressure, 0), 1, 1e-12);
+  assert_near(restitution(1.0001 * v_y, pressure, 0), 1, 1e-3);
+  for (double ratio = 1.1; ratio < 1e5; ratio *= 3) {
+    double q = 1 / ratio;
+    double e = sqrt(6 * sqrt(3) / 5) * sqrt(1 - q * q / 6) *
+               pow(q / (q + 2 * sqrt(1.2 - q * q / 5)), 0.25);
+    assert_near(restitution(ratio * v_y, pressure, 0), e, 1e-12);
+  }
+  assert_near(restitution(1e6 * v_y, pressure, 0) / (1.185 * pow(1e-6, 0.25)), 1, 1e-3);
+  double gamma = 0.5, v_s = 1.84 * pow(pow(2 * gamma / R, 5) / (pow(RHO, 3) * E * E), 1. / 6);
+  assert_near(restitution(0.999 * v_s, 1e12, gamma), 0, 0);
+  for (double ratio = 1.001; ratio < 1e3; ratio *= 2)
+    assert_near(restitution(ratio * v_s, 1e12, gamma), sqrt(1 - 1 / (ratio * ratio)), 1e-12);
+  /* With both, less comes back than with either. */
+  assert_true(restitution(20 * v_s, 1e7, gamma) <
+              fmin(restitution(20 * v_s, 1e7, 0), restitution(20 * v_s, 1e12, gamma)));
+}
+
+/* What parting costs, from the curve of Johnson, Kendall & Roberts: the work from no approach to
+ * the place where it lets go gives the 1.84. */
+static void parting_costs_what_the_curve_says(void **state) {
+  (void)state;
+  /* In units of the contact radius and force at zero load... approach a^2/R - sqrt(2 pi G a/E),
+   * force 4 E a^3/(3R) - sqrt(8 pi G E a^3), with R = E = G = 1. */
+  double work = 0, a0 = cbrt(2 * M_PI), last_x = 0, last_f = 0;
+  double a_off = cbrt(M_PI / 8); /* where the approach is least */
+  for (int i = 0; i <= 200000; i++) {
+    double a = a0 + (a_off - a0) * i / 200000.;
+    double x = a * a - sqrt(2 * M_PI * a), f = 4. / 3 * a * a * a - sqrt(8 * M_PI * a * a * a);
+    if (i)
+      work += 0.5 * (f + last_f) * (x - last_x);
+    last_x = x;
+    last_f = f;
+  }
+  assert_near(sqrt(2 * work / (4 * M_PI / 3)), 1.84, 0.005);
+}
+
+/* El-Batsh's threshold, worked out by hand: d 10 um, W 0.039, rho_g 1.2, K_c = 4/3 50 GPa. */
+static void a_flow_takes_away(void **state) {
+  (void)state;
+  static const asp_pair pair = {50e9, 2e8, 0.8, 0.3};
+  asp_particle particle = {10e-6, 2650, &pair, {0, 0, 0}};
+  double critical = sqrt(0.039 / (1.2 * 10e-6) * cbrt(0.039 / (10e-6 * 4. / 3 * 50e9)));
+  double v1[3] = {0, 0, -1};
+  asp_wall *wall = smooth("bons");
+  asp_error error;
+  asp_impact impact;
+  assert_int_equal(asp_wall_set(wall, "remove_u_tau", 0.99 * critical, NULL), ASP_OK);
+  assert_int_equal(asp_wall_prepare(wall, &error), ASP_EARG);
+  assert_non_null(strstr(error.text, "remove_gas_density"));
+  set(wall, "remove_gas_density", 1.2);
+  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  assert_int_equal(impact.outcome, ASP_DEPOSIT);
+  assert_false(asp_wall_removes(wall, &particle));
+  set(wall, "remove_u_tau", 1.01 * critical);
+  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  assert_int_equal(impact.outcome, ASP_REBOUND);
+  assert_near(impact.v2[2], 1, 1e-12);
+  assert_true(asp_wall_removes(wall, &particle));
+  set(wall, "remove_mean_free_path", 5e-6); /* Kn = 1: C_u = 1 + 1.2 + 0.41 exp(-0.88) */
+  set(wall, "remove_u_tau", 1.01 * critical * sqrt(2.2 + 0.41 * exp(-0.88)));
+  assert_true(asp_wall_removes(wall, &particle));
+  set(wall, "remove_u_tau", 0.99 * critical * sqrt(2.2 + 0.41 * exp(-0.88)));
+  assert_false(asp_wall_removes(wall, &particle));
+  asp_wall_free(wall);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(measured_oblique_impacts),
+      cmocka_unit_test(sticks_and_rolls),
+      cmocka_unit_test(bons_takes_part),
+      cmocka_unit_test(energy_with_spin_never_grows),
+      cmocka_unit_test(plastic_contact_as_integrated),
+      cmocka_unit_test(limits_of_thornton_and_ning),
+      cmocka_unit_test(parting_costs_what_the_curve_says),
+      cmocka_unit_test(a_flow_takes_away),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
