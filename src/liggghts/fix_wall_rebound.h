@@ -8,7 +8,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef FIX_CLASS
-FixStyle(wall / rebound, FixWallRebound)
+// clang-format off
+FixStyle(wall/rebound, FixWallRebound)
+// clang-format on
 #else
 
 #ifndef LMP_FIX_WALL_REBOUND_H
