@@ -265,10 +265,20 @@ static void laws_describe_themselves(void **state) {
   }
   const asp_rebound_law *bons = asp_rebound_find("bons", NULL);
   const char *keywords[] = {"yield_rate",  "contact_area", "contact_area", "contact_area",
-                            "temperature", "soften",       "soften"};
-  assert_int_equal(asp_rebound_parameters(bons), 7);
-  for (int k = 0; k < 7; k++)
+                            "temperature", "soften",       "soften",       "spin"};
+  assert_int_equal(asp_rebound_parameters(bons), 8);
+  for (int k = 0; k < 8; k++)
     assert_string_equal(asp_parameter_keyword(asp_rebound_parameter(bons, k)), keywords[k]);
+  double value;
+  asp_error error;
+  const asp_parameter *spin = asp_rebound_parameter(bons, 7);
+  assert_string_equal(asp_parameter_words(spin), "off on");
+  assert_int_equal(asp_parameter_read(spin, "on", &value, NULL), ASP_OK);
+  assert_near(value, 1, 0);
+  assert_int_equal(asp_parameter_read(spin, "o", &value, &error), ASP_EARG);
+  assert_non_null(strstr(error.text, "off on"));
+  assert_int_equal(asp_parameter_read(asp_rebound_parameter(bons, 0), "3e6", &value, NULL), ASP_OK);
+  assert_near(value, 3e6, 0);
   const asp_rebound_law *constant = asp_rebound_find("constant", NULL);
   assert_string_equal(asp_parameter_keyword(asp_rebound_parameter(constant, 0)), "");
 }
