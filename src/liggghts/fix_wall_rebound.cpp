@@ -420,7 +420,7 @@ void FixWallRebound::post_integrate() {
     for (FixWallRebound *fix : siblings_) {
       fix->set_rows();
       for (MeshOfLiggghts *mesh : fix->meshes_)
-        mesh->begin_step();
+        mesh->begin_step(update->dt);
       walls.push_back(&fix->wall_);
     }
     Wall::step(walls, spheres());

@@ -207,11 +207,11 @@ Frame MeshOfLiggghts::look(Twist &twist) const {
   return frame;
 }
 
-void MeshOfLiggghts::begin_step() {
+void MeshOfLiggghts::begin_step(double dt) {
   if (mesh()->isMoving()) {
     Twist twist;
     const Frame frame = look(twist);
-    motion().advance(frame, twist);
+    motion().advance(frame, twist, dt);
   } else if (motion().moves())
     motion().rest();
   if (runs())

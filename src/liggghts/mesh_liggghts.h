@@ -33,7 +33,7 @@ public:
   void setup();
 
   /* In each step, when the mesh is where it is at the end of it; collective. */
-  void begin_step();
+  void begin_step(double dt);
 
   /* Hands over what the mesh has felt in this step, when LIGGGHTS has cleared its own sums;
    * collective. k_finnie: of wear, mesh type x particle type, or NULL. */

@@ -16,6 +16,9 @@ namespace {
 /* Below this angle (rad) series take the place of quotients that lose their digits. */
 const double SMALL = 1e-2;
 
+/* A drift that is a smaller share of a point's velocity is the rounding of places. */
+const double DRIFT_LEAST = 1e-9;
+
 /* (1 - cos a)/a^2 and (a - sin a)/a^3 */
 double cosine_rest(double a) {
   if (fabs(a) < SMALL)
@@ -122,7 +125,7 @@ Motion::Motion() : moves_(false), has_last_(false), in_world_(true) {}
 
 void Motion::rest() {
   begin_ = end_;
-  screw_ = begin_velocity_ = end_velocity_ = Twist();
+  screw_ = begin_velocity_ = end_velocity_ = drift_ = Twist();
   moves_ = has_last_ = false;
   in_world_ = end_.is_world();
 }
@@ -136,12 +139,19 @@ void Motion::settle(const Frame &frame, bool goes_on) {
     set_last(last);
 }
 
-void Motion::advance(const Frame &end, const Twist &twist) {
+void Motion::advance(const Frame &end, const Twist &twist, double dt) {
   begin_ = end_;
   end_ = end;
   screw_ = screw_between(begin_, end_);
   begin_velocity_ = has_last_ ? end_velocity_ : twist;
   end_velocity_ = twist;
+  drift_ = Twist();
+  for (int d = 0; d < 3 && dt > 0; d++) {
+    drift_.angular[d] =
+        screw_.angular[d] / dt - 0.5 * (begin_velocity_.angular[d] + end_velocity_.angular[d]);
+    drift_.linear[d] =
+        screw_.linear[d] / dt - 0.5 * (begin_velocity_.linear[d] + end_velocity_.linear[d]);
+  }
   moves_ = has_last_ = true;
   in_world_ = false;
 }
@@ -178,11 +188,14 @@ void Motion::velocity(double s, const double x[3], double v[3]) const {
   v[0] = v[1] = v[2] = 0;
   if (!moves_)
     return;
-  double begin[3], end[3];
+  double begin[3], end[3], drift[3];
   begin_velocity_.velocity(x, begin);
   end_velocity_.velocity(x, end);
+  drift_.velocity(x, drift);
+  const bool rounding =
+      vector_length(drift) < DRIFT_LEAST * (vector_length(begin) + vector_length(end));
   for (int d = 0; d < 3; d++)
-    v[d] = begin[d] + s * (end[d] - begin[d]);
+    v[d] = begin[d] + s * (end[d] - begin[d]) + (rounding ? 0 : drift[d]);
 }
 
 void Motion::gain(const double x[3], double dv[3]) const {

@@ -1,6 +1,8 @@
 /* The motion of a rigid body within a step, as the screw that takes its frame at the beginning to
- * that at the end. Places are interpolated along the screw, velocities linearly between those at
- * both ends of the step: exact for a steady turn, of second order in the step otherwise.
+ * that at the end. Places are interpolated along the screw; velocities change linearly within the
+ * step, by as much as those at its two ends differ, and their mean is that of the screw: exact for a
+ * steady turn, of second order in the step otherwise, also where an engine sums up places from
+ * velocities to first order only, so that the two do not agree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_MOTION_H
@@ -34,8 +36,9 @@ public:
   /* Puts it to `frame`, as at the beginning of a run, before a step that moves it if `goes_on`. */
   void settle(const Frame &frame, bool goes_on);
 
-  /* The next step: from where the body is to `end`, where it has the velocity `twist`. */
-  void advance(const Frame &end, const Twist &twist);
+  /* The next step, of length dt: from where the body is to `end`, where it has the velocity `twist`.
+   */
+  void advance(const Frame &end, const Twist &twist, double dt);
 
   /* The velocity at the end of the step before, for a run that continues one. */
   void set_last(const Twist &twist);
@@ -66,6 +69,7 @@ private:
   Frame begin_, end_;
   Twist screw_; /* of the whole step, times its duration */
   Twist begin_velocity_, end_velocity_;
+  Twist drift_; /* of the screw, from the mean of these velocities */
   bool moves_, has_last_, in_world_;
 };
 

@@ -187,7 +187,7 @@ bool run(Room &room, double diameters, double impacts) {
       twist.angular[2] = room.turn / dt;
       twist.linear[2] = room.swing * 0.3 / dt * cos(phase);
       room.mesh->motion().advance(
-          turned(room.turn * static_cast<double>(s.step), room.swing * sin(phase)), twist);
+          turned(room.turn * static_cast<double>(s.step), room.swing * sin(phase)), twist, dt);
     }
     for (int i = 0; i < 3 * n; i++)
       x[i] += v[i] * dt;

@@ -66,7 +66,7 @@ void test_steady(void **) {
   for (double angle : angles) {
     Motion motion;
     motion.settle(frame_at(0.2, 0.1), false);
-    motion.advance(frame_at(0.2 + angle, 0.1 + 0.3 * angle), twist_of(angle, 0.3 * angle));
+    motion.advance(frame_at(0.2 + angle, 0.1 + 0.3 * angle), twist_of(angle, 0.3 * angle), 1);
     for (int i = 0; i <= 10; i++) {
       const double s = i / 10.0;
       double is[3], should[3], v[3], v_should[3];
@@ -90,7 +90,7 @@ void test_second_order(void **) {
     motion.set_last(twist_of(cos(0.3), cos(0.3)));
     for (int step = 1; step * dt <= 1.0001; step++) {
       const double end = 0.3 + step * dt;
-      motion.advance(frame_at(sin(end), sin(end)), twist_of(cos(end), cos(end)));
+      motion.advance(frame_at(sin(end), sin(end)), twist_of(cos(end), cos(end)), dt);
       for (int i = 0; i <= 10; i++) {
         const double t = end - dt + dt * i / 10;
         double is[3], should[3], v[3], v_should[3];
@@ -110,11 +110,40 @@ void test_second_order(void **) {
   }
 }
 
+/* An engine that sums up places from velocities, x(t + dt) = x(t) + v(t + dt) dt: the places are those of a
+ * motion of its own, half a step ahead, and velocities must be of that one. */
+void test_summed(void **) {
+  double before = 0;
+  for (double dt = 0.1; dt > 0.002; dt /= 2) {
+    const double size = 0.5 * dt / sin(0.5 * dt);
+    Motion motion;
+    double worst = 0, x = size * sin(0.3 + 0.5 * dt);
+    motion.settle(frame_at(x, x), false);
+    motion.set_last(twist_of(cos(0.3), cos(0.3)));
+    for (int step = 1; step * dt <= 1.0001; step++) {
+      const double end = 0.3 + step * dt;
+      x += cos(end) * dt;
+      motion.advance(frame_at(x, x), twist_of(cos(end), cos(end)), dt);
+      for (int i = 0; i <= 10; i++) {
+        const double t = end - dt + dt * i / 10 + 0.5 * dt;
+        double should[3], v[3], v_should[3];
+        frame_at(size * sin(t), size * sin(t)).to_world(BODY, should);
+        motion.velocity(i / 10.0, should, v);
+        twist_of(size * cos(t), size * cos(t)).velocity(should, v_should);
+        worst = fmax(worst, distance(v, v_should));
+      }
+    }
+    if (before > 0)
+      assert_true(before / worst > 3.7 && before / worst < 4.3);
+    before = worst;
+  }
+}
+
 void test_rest(void **) {
   Motion motion;
   double v[3];
   assert_true(motion.in_world() && !motion.moves());
-  motion.advance(frame_at(0.1, 0), twist_of(1, 0));
+  motion.advance(frame_at(0.1, 0), twist_of(1, 0), 0.1);
   assert_true(!motion.in_world() && motion.moves());
   motion.rest();
   motion.velocity(0.5, BODY, v);
@@ -129,6 +158,7 @@ void test_rest(void **) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(test_frames), cmocka_unit_test(test_steady),
-                              cmocka_unit_test(test_second_order), cmocka_unit_test(test_rest)};
+                              cmocka_unit_test(test_second_order),
+                              cmocka_unit_test(test_summed), cmocka_unit_test(test_rest)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
