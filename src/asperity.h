@@ -103,6 +103,11 @@ asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *er
 double asp_reader_get(const asp_reader *reader, const char *name);
 const char *asp_reader_text(const asp_reader *reader);
 
+/* ---- map ------------------------------------------------------------------------------------- */
+/* Heights of a wall over an area, at equal spacing in both directions. */
+typedef struct asp_map asp_map;
+void asp_map_free(asp_map *map);
+
 /* ---- surface --------------------------------------------------------------------------------- */
 /* The size law of a rough wall: which rms slope a sphere of diameter d_p meets on it. */
 typedef struct asp_surface asp_surface;

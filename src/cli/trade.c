@@ -4,6 +4,7 @@
 #include "cli/trade.h"
 #include "cli/grid.h"
 #include "cli/measure.h"
+#include "cli/trade_3d.h"
 #include "cli/walls.h"
 
 #include <math.h>
@@ -61,6 +62,17 @@ static void print(FILE *out, const trade_row *rows, size_t n) {
     print_row(out, &rows[i]);
 }
 
+/* The rows of --three-d. */
+static void judge_3d(FILE *out, const cli_option *options, const cli_list *angles, size_t rays,
+                     uint32_t seed) {
+  double lambda_c = cli_length(&options[LAMBDA_C]);
+  judge_case subject = {{cli_length(&options[RQ]), lambda_c, lambda_c, 0},
+                        cli_length(&options[DP]),
+                        cli_whole(&options[SURFACES], 3, 1000),
+                        cli_whole(&options[POINTS], 256, 16384)};
+  cli_trade_3d(out, &subject, angles, rays, cli_is_multiple(&options[COLLISIONS]), seed);
+}
+
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
@@ -72,6 +84,9 @@ static int run(int argc, char **argv) {
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
                       "multiple"},
       [GRID] = {"grid", NULL, "measure the grid of walls from which `auto` chooses; minutes", NULL},
+      [THREE_D] = {"three-d", NULL, "isotropic: judged by surfaces in three dimensions", NULL},
+      [SURFACES] = {"surfaces", "N", "of --three-d: independent surfaces that judge", "8"},
+      [POINTS] = {"points", "N", "of --three-d: points along a side, 20 a lambda_c", "2048"},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw cost against divergence; .png, .svg or .pdf", NULL},
   };
@@ -85,6 +100,12 @@ static int run(int argc, char **argv) {
     return 0;
   }
   cli_list angles = cli_angles(&options[ANGLES]);
+  if (options[THREE_D].value) {
+    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+    judge_3d(cli_output_stream(output), options, &angles, rays, seed);
+    cli_output_close(output);
+    return 0;
+  }
   size_t n = angles.count * (size_t)asp_spread_count();
   trade_row *rows = malloc(n * sizeof *rows);
   if (!rows)
@@ -106,6 +127,9 @@ const cli_command cli_trade = {
         "A row per model and impact angle. The reference follows specular particles over a\n"
         "generated profile, hit by hit; models get the slope of that very profile. kl_first_hit\n"
         "is exact (bins of one degree, a bin that the model cannot fill counts as 1e-6),\n"
-        "kl_rebound is sampled and free of bias; it tells nothing below about 30/rays.\n",
+        "kl_rebound is sampled and free of bias; it tells nothing below about 30/rays.\n"
+        "With --three-d the reference are independent Gaussian surfaces on which a sphere rolls,\n"
+        "none of which made a model; every model takes `isotropic`. --rays counts per surface.\n"
+        "All D_KL are then sampled, with the standard error over the surfaces (jackknife).\n",
     .run = run,
 };

@@ -7,7 +7,7 @@
 #include "cli/cli.h"
 
 /* The options of the command. */
-enum { RQ, LAMBDA_C, DP, ANGLES, RAYS, SEED, COLLISIONS, GRID, OUTPUT, PLOT, N };
+enum { RQ, LAMBDA_C, DP, ANGLES, RAYS, SEED, COLLISIONS, GRID, THREE_D, SURFACES, POINTS, OUTPUT, PLOT, N };
 
 /* A model at one impact angle. */
 typedef struct trade_row {

@@ -7,7 +7,10 @@
  * those of GSL and of stdio fail, too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "spread/field.h"
+#include "spread/line.h"
 #include "spread/trace.h"
+#include "surface/ball.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
 #include "surface/read.h"
@@ -144,6 +147,41 @@ static asp_code track(asp_error *error) {
   aspi_track *made = aspi_track_create(profile, 20, error);
   aspi_track_free(made);
   return code_of(made, error);
+}
+
+static asp_map *gauss_map(asp_error *error) {
+  aspi_gauss wall = {1, 4, 4, 0};
+  return aspi_map_create(&wall, (const double[2]){1, 1}, 64, 64, 1, error);
+}
+
+static asp_code generated_map(asp_error *error) {
+  asp_map *map = gauss_map(error);
+  asp_map_free(map);
+  return code_of(map, error);
+}
+
+static asp_map *gauss;
+
+static asp_code ball(asp_error *error) {
+  aspi_ball *made = aspi_ball_create(gauss, 20, error);
+  aspi_ball_free(made);
+  return code_of(made, error);
+}
+
+static asp_code field(asp_error *error) {
+  aspi_field made;
+  asp_code code = aspi_field_create(&made, gauss, error);
+  if (!code)
+    aspi_field_free(&made);
+  return code;
+}
+
+static asp_code line(asp_error *error) {
+  aspi_line made;
+  asp_code code = aspi_line_create(&made, 1000, 1, error);
+  if (!code)
+    aspi_line_free(&made);
+  return code;
 }
 
 static asp_code give_surface(asp_surface *made, const asp_error *error) {
@@ -337,6 +375,10 @@ int main(void) {
       {"slopes", slopes, true},
       {"density", density, true},
       {"track", track, true},
+      {"map, generated", generated_map, true},
+      {"sphere on a map", ball, true},
+      {"dilated map", field, true},
+      {"line", line, true},
       {"surface, closed form", closed_form, true},
       {"surface, table", size_table, true},
       {"surface, sphere", sphere, true},
@@ -355,6 +397,7 @@ int main(void) {
   write_files();
   profile = asp_profile_create(1, 10, 1, 3000, 1, NULL);
   surface = asp_surface_create(1, 10, NULL);
+  gauss = gauss_map(NULL);
   long told = 0;
   for (size_t i = 0; i < sizeof entries / sizeof *entries; i++)
     told += try_all(entries[i].name, entries[i].call, entries[i].allocates);
@@ -365,6 +408,7 @@ int main(void) {
                with ? " measured" : "");
       told += try_all(name, rough_wall, true);
     }
+  asp_map_free(gauss);
   asp_surface_free(surface);
   asp_profile_free(profile);
   const char *const files[] = {"even.csv", "uneven.csv", "map.sdf", "materials.csv", "table.csv"};

@@ -1,0 +1,13 @@
+/* asperity trade --three-d.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_CLI_TRADE_3D_H
+#define ASP_CLI_TRADE_3D_H
+
+#include "cli/judge_3d.h"
+
+/* Rows of every model on the wall, in three dimensions, at `angles` (degrees), to `out`. */
+void cli_trade_3d(FILE *out, const judge_case *subject, const cli_list *angles, size_t rays,
+                  bool multiple, uint32_t seed);
+
+#endif

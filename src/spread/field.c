@@ -1,0 +1,223 @@
+/* Flights over a dilated map: the path of the centre is a straight line, the wall is bilinear
+ * between four points, and the gradient of a hit is that of the contact at the nearest of them that
+ * faces the particle. A flight skips blocks of cells whose maximum it passes over, in steps that
+ * grow as long as nothing is in reach.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "spread/field.h"
+#include "base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Blocks that a flight looks at before it is called lost: of a flight that sinks, never so many. */
+enum { BLOCKS_MOST = 1000000 };
+
+asp_code aspi_field_create(aspi_field *f, const asp_map *map, asp_error *error) {
+  size_t n = map->columns * map->rows, total = 3 * n, across = map->columns, down = map->rows;
+  *f = (aspi_field){
+      .columns = map->columns, .rows = map->rows, .step = {map->step[0], map->step[1]}};
+  for (;; across = (across + 1) / 2, down = (down + 1) / 2) {
+    f->across[f->levels++] = across;
+    total += across * down;
+    if ((across == 1 && down == 1) || f->levels == ASP_FIELD_LEVELS)
+      break;
+  }
+  f->memory = malloc(total * sizeof *f->memory);
+  if (!f->memory)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a dilated map of %zu x %zu points",
+                     map->columns, map->rows);
+  f->z = f->memory;
+  f->p = f->z + n;
+  f->q = f->p + n;
+  float *next = f->q + n;
+  down = map->rows;
+  for (int k = 0; k < f->levels; k++, down = (down + 1) / 2) {
+    f->level[k] = next;
+    next += f->across[k] * down;
+  }
+  return ASP_OK;
+}
+
+void aspi_field_free(aspi_field *f) {
+  free(f->memory);
+}
+
+static float larger(float a, float b) {
+  return a > b ? a : b;
+}
+
+void aspi_field_finish(aspi_field *f) {
+  size_t columns = f->columns, rows = f->rows;
+  for (size_t j = 0; j < rows; j++) {
+    const float *one = f->z + j * columns, *two = f->z + (j + 1 < rows ? j + 1 : 0) * columns;
+    for (size_t i = 0; i < columns; i++) {
+      size_t k = i + 1 < columns ? i + 1 : 0;
+      f->level[0][j * columns + i] = larger(larger(one[i], one[k]), larger(two[i], two[k]));
+    }
+  }
+  size_t down = rows;
+  for (int k = 1; k < f->levels; k++, down = (down + 1) / 2) {
+    size_t width = f->across[k - 1];
+    for (size_t j = 0; j < (down + 1) / 2; j++) {
+      const float *one = f->level[k - 1] + 2 * j * width;
+      const float *two = 2 * j + 1 < down ? one + width : one;
+      for (size_t i = 0; i < f->across[k]; i++) {
+        size_t a = 2 * i, b = a + 1 < width ? a + 1 : a;
+        f->level[k][j * f->across[k] + i] = larger(larger(one[a], one[b]), larger(two[a], two[b]));
+      }
+    }
+  }
+  f->top = *f->level[f->levels - 1];
+}
+
+static void reverse(float *values, size_t n, float sign) {
+  for (size_t i = 0; i < n - 1 - i; i++) {
+    float keep = sign * values[i];
+    values[i] = sign * values[n - 1 - i];
+    values[n - 1 - i] = keep;
+  }
+  if (n % 2)
+    values[n / 2] *= sign;
+}
+
+void aspi_field_turn(aspi_field *f) {
+  size_t n = f->columns * f->rows;
+  reverse(f->z, n, 1);
+  reverse(f->p, n, -1);
+  reverse(f->q, n, -1);
+  aspi_field_finish(f);
+}
+
+/* A cell that the flight is in, and its corners. */
+typedef struct cell {
+  size_t i[2], j[2]; /* columns and rows */
+  double z[4];
+} cell;
+
+static cell cell_at(const aspi_field *f, size_t i, size_t j) {
+  cell c = {{i, i + 1 < f->columns ? i + 1 : 0}, {j, j + 1 < f->rows ? j + 1 : 0}, {0}};
+  for (int k = 0; k < 4; k++)
+    c.z[k] = f->z[c.j[k / 2] * f->columns + c.i[k % 2]];
+  return c;
+}
+
+static double bilinear(const cell *c, double u, double v) {
+  return (1 - v) * ((1 - u) * c->z[0] + u * c->z[1]) + v * ((1 - u) * c->z[2] + u * c->z[3]);
+}
+
+/* A flight in units of cells along the map: place on it is the time t. */
+typedef struct ray {
+  double x[3], v[3];
+} ray;
+
+static double along(const ray *r, int axis, double t) {
+  return r->x[axis] + t * r->v[axis];
+}
+
+/* How far the flight is over the cell's surface; (i, j) is its corner on the unwrapped map. */
+static double over(const ray *r, const cell *c, double i, double j, double t) {
+  return along(r, 2, t) - bilinear(c, along(r, 0, t) - i, along(r, 1, t) - j);
+}
+
+/* The time at which the flight meets the surface of a cell between two times, exactly: over() is
+ * a parabola. False when it does not come from above. */
+static bool meets(const ray *r, const cell *c, double i, double j, const double t[2], double *at) {
+  double a = over(r, c, i, j, t[0]), b = over(r, c, i, j, t[1]);
+  double m = over(r, c, i, j, 0.5 * (t[0] + t[1]));
+  double curve = 2 * (a + b - 2 * m), slope = b - a - curve;
+  if (a <= 0) { /* it has come below between the cells: a hit at the edge, if it goes on down */
+    *at = t[0];
+    return slope < 0;
+  }
+  /* a + slope s + curve s^2 = 0, the smaller root in 0 to 1. */
+  double square = slope * slope - 4 * a * curve;
+  if (b > 0 && !(curve > 0 && slope < 0 && slope > -2 * curve && square > 0))
+    return false;
+  double s = 2 * a / (-slope + sqrt(fmax(0, square)));
+  if (!(s >= 0 && s <= 1))
+    return false;
+  *at = t[0] + s * (t[1] - t[0]);
+  return true;
+}
+
+/* The gradient at a hit: that of the contact at the nearest corner that the particle approaches, or
+ * where it grazes all of them, that between the corners. */
+static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
+                        double gradient[2]) {
+  double nearest = INFINITY;
+  gradient[0] = ((1 - v) * (c->z[1] - c->z[0]) + v * (c->z[3] - c->z[2])) / f->step[0];
+  gradient[1] = ((1 - u) * (c->z[2] - c->z[0]) + u * (c->z[3] - c->z[1])) / f->step[1];
+  for (int k = 0; k < 4; k++) {
+    size_t at = c->j[k / 2] * f->columns + c->i[k % 2];
+    double p = f->p[at], q = f->q[at], du = u - k % 2, dv = v - k / 2;
+    double far = du * du + dv * dv;
+    if (far < nearest && way[2] - p * way[0] - q * way[1] < 0) {
+      nearest = far;
+      gradient[0] = p;
+      gradient[1] = q;
+    }
+  }
+}
+
+static double wrapped(double x, double n) {
+  x -= n * floor(x / n);
+  return x < n ? x : 0;
+}
+
+/* The time at which a flight leaves an interval that it is in. */
+static double leaves_at(double x, double v, double first, double width) {
+  if (v > 0)
+    return (first + width - x) / v;
+  return v < 0 ? (first - x) / v : INFINITY;
+}
+
+bool aspi_field_next(const aspi_field *f, aspi_flight *flight, double gradient[2]) {
+  const double *way = flight->v;
+  double speed = hypot(way[0], way[1]);
+  ray r = {{flight->x[0] / f->step[0], flight->x[1] / f->step[1], flight->x[2]},
+           {way[0] / f->step[0], way[1] / f->step[1], way[2]}};
+  if (!(speed > 1e-9 * fabs(way[2])))
+    return false; /* straight up */
+  double n[2] = {(double)f->columns, (double)f->rows}, t = 0;
+  double tiny = 1e-7 * fmin(f->step[0], f->step[1]) / speed;
+  int k = 0;
+  bool clear = false; /* has been over the surface since it started */
+  for (int count = 0; count < BLOCKS_MOST; count++) {
+    double z = along(&r, 2, t);
+    if (way[2] >= 0 && z > f->top)
+      return false;
+    double x = along(&r, 0, t), y = along(&r, 1, t);
+    double u = wrapped(x, n[0]), v = wrapped(y, n[1]), width = (double)((size_t)1 << k);
+    size_t i = (size_t)u >> k, j = (size_t)v >> k;
+    /* A block at the far edge ends with the map. */
+    double wide = fmin(width, n[0] - (double)i * width),
+           high = fmin(width, n[1] - (double)j * width);
+    double last = t + fmin(leaves_at(u, r.v[0], (double)i * width, wide),
+                           leaves_at(v, r.v[1], (double)j * width, high));
+    double low = fmin(z, along(&r, 2, last));
+    if (low > f->level[k][j * f->across[k] + i]) {
+      t = last + tiny;
+      clear = true;
+      if (k + 1 < f->levels)
+        k++;
+      continue;
+    }
+    if (k > 0) {
+      k--;
+      continue;
+    }
+    cell c = cell_at(f, i, j);
+    double ci = (double)i + (x - u), cj = (double)j + (y - v), span[2] = {t, last}, at;
+    if (clear && meets(&r, &c, ci, cj, span, &at)) {
+      gradient_at(f, &c, along(&r, 0, at) - ci, along(&r, 1, at) - cj, way, gradient);
+      flight->x[0] = wrapped(along(&r, 0, at), n[0]) * f->step[0];
+      flight->x[1] = wrapped(along(&r, 1, at), n[1]) * f->step[1];
+      flight->x[2] = along(&r, 2, at);
+      return true;
+    }
+    clear = clear || over(&r, &c, ci, cj, last) > 0;
+    t = last + tiny;
+  }
+  return false;
+}

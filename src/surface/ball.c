@@ -1,0 +1,321 @@
+/* Dilation of a map by a sphere: the height of the centre over a point is the largest of
+ * z_j + sqrt(r^2 - d_j^2) over the points j at a distance d_j <= r. A branch and bound over blocks
+ * of points finds it: a block whose maximum, at the block's least distance, stays under the best so
+ * far is left out whole, and the search begins with the point that the neighbour rests on, so that
+ * the time does not grow with r.
+ *
+ * Contact gradients are not differences of that surface, which smear its kinks, but those of the
+ * map at the touching point (WALLS-3D, section 3): between the points the map is the parabola
+ * through them, on which p = x + r g/sqrt(1 + g^2), g its gradient at p, is solved by Newton's
+ * method.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/ball.h"
+#include "base/error.h"
+#include "surface/map.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { LEVELS_MOST = 20, STEPS = 4 };
+
+/* The refined point stays within this many steps of the sampled one. */
+#define STRAY_MOST 1.5
+
+/* Maxima of blocks of 2^k x 2^k points. */
+typedef struct level {
+  ptrdiff_t columns, rows;
+  const float *most;
+} level;
+
+struct aspi_ball {
+  const asp_map *map;
+  double radius, top;
+  int levels;
+  level level[LEVELS_MOST];
+  float *memory;
+};
+
+static float larger(float a, float b) {
+  return a > b ? a : b;
+}
+
+static void build_level(const level *below, level *at, float *most) {
+  for (ptrdiff_t j = 0; j < at->rows; j++) {
+    const float *one = below->most + 2 * j * below->columns;
+    const float *two = 2 * j + 1 < below->rows ? one + below->columns : one;
+    for (ptrdiff_t i = 0; i < at->columns; i++) {
+      ptrdiff_t a = 2 * i, b = a + 1 < below->columns ? a + 1 : a;
+      most[j * at->columns + i] = larger(larger(one[a], one[b]), larger(two[a], two[b]));
+    }
+  }
+  at->most = most;
+}
+
+static size_t count_levels(aspi_ball *ball) {
+  size_t total = 0;
+  ball->level[0] =
+      (level){(ptrdiff_t)ball->map->columns, (ptrdiff_t)ball->map->rows, ball->map->heights};
+  for (ball->levels = 1; ball->levels < LEVELS_MOST; ball->levels++) {
+    const level *below = &ball->level[ball->levels - 1];
+    if (below->columns == 1 && below->rows == 1)
+      break;
+    level *at = &ball->level[ball->levels];
+    *at = (level){(below->columns + 1) / 2, (below->rows + 1) / 2, NULL};
+    total += (size_t)(at->columns * at->rows);
+  }
+  return total;
+}
+
+aspi_ball *aspi_ball_create(const asp_map *map, double d_p, asp_error *error) {
+  double side = fmin((double)map->columns * map->step[0], (double)map->rows * map->step[1]);
+  if (aspi_check_range(error, "d_p", "", d_p, 0, side))
+    return NULL;
+  aspi_ball *ball = calloc(1, sizeof *ball);
+  if (ball) {
+    ball->map = map;
+    ball->radius = 0.5 * d_p;
+    ball->memory = malloc(count_levels(ball) * sizeof *ball->memory);
+  }
+  if (!ball || !ball->memory) {
+    free(ball);
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a sphere on a map of %zu x %zu points",
+              map->columns, map->rows);
+    return NULL;
+  }
+  float *next = ball->memory;
+  for (int k = 1; k < ball->levels; k++) {
+    build_level(&ball->level[k - 1], &ball->level[k], next);
+    next += ball->level[k].columns * ball->level[k].rows;
+  }
+  ball->top = *ball->level[ball->levels - 1].most;
+  return ball;
+}
+
+void aspi_ball_free(aspi_ball *ball) {
+  if (ball)
+    free(ball->memory);
+  free(ball);
+}
+
+/* A search for the point that a sphere over (x, y) rests on; places in points, and such that the
+ * image of the map that is looked at begins at 0. */
+typedef struct search {
+  const aspi_ball *ball;
+  double x, y;
+  double best;        /* height of the centre so far */
+  ptrdiff_t at[2];    /* and the point, in the image */
+  ptrdiff_t image[2]; /* where the image begins */
+} search;
+
+/* How far x is from the interval, in steps. */
+static double outside(double x, double first, double last) {
+  return x < first ? first - x : x > last ? x - last : 0;
+}
+
+/* Whether a height at that squared distance could lift the sphere. */
+static bool lifts(const search *s, double height, double square) {
+  double room = s->ball->radius * s->ball->radius - square, gap = s->best - height;
+  return room >= 0 && (gap < 0 || gap * gap < room);
+}
+
+static void look(search *s, int k, ptrdiff_t i, ptrdiff_t j) {
+  const aspi_ball *ball = s->ball;
+  const level *at = &ball->level[k];
+  double dx = ball->map->step[0], dy = ball->map->step[1];
+  double width = (double)((ptrdiff_t)1 << k);
+  double u = dx * outside(s->x, (double)i * width, (double)(i + 1) * width - 1);
+  double v = dy * outside(s->y, (double)j * width, (double)(j + 1) * width - 1);
+  double height = at->most[j * at->columns + i], square = u * u + v * v;
+  if (!lifts(s, height, square))
+    return;
+  if (k == 0) {
+    s->best = height + sqrt(ball->radius * ball->radius - square);
+    s->at[0] = i + s->image[0];
+    s->at[1] = j + s->image[1];
+    return;
+  }
+  const level *below = at - 1;
+  /* The nearer children first. */
+  ptrdiff_t i0 = 2 * i, j0 = 2 * j, si = 0, sj = 0;
+  if (s->x > ((double)i + 0.5) * width)
+    si = 1;
+  if (s->y > ((double)j + 0.5) * width)
+    sj = 1;
+  for (ptrdiff_t b = 0; b < 2; b++)
+    for (ptrdiff_t a = 0; a < 2; a++) {
+      ptrdiff_t ci = i0 + (si ^ a), cj = j0 + (sj ^ b);
+      if (ci < below->columns && cj < below->rows)
+        look(s, k - 1, ci, cj);
+    }
+}
+
+static ptrdiff_t wrapped(ptrdiff_t i, ptrdiff_t n) {
+  i %= n;
+  return i < 0 ? i + n : i;
+}
+
+static ptrdiff_t clipped(double i, ptrdiff_t n) {
+  return i < 0 ? 0 : i >= (double)n ? n - 1 : (ptrdiff_t)i;
+}
+
+/* Looks at all blocks of one image of the map that are in reach. */
+static void look_at_image(search *s, double reach_x, double reach_y) {
+  const aspi_ball *ball = s->ball;
+  int k = 0;
+  while (k + 1 < ball->levels && (double)((ptrdiff_t)1 << k) < fmax(reach_x, reach_y))
+    k++;
+  double width = (double)((ptrdiff_t)1 << k);
+  const level *at = &ball->level[k];
+  ptrdiff_t columns = ball->level[0].columns, rows = ball->level[0].rows;
+  if (s->x + reach_x < 0 || s->x - reach_x > (double)(columns - 1) || s->y + reach_y < 0 ||
+      s->y - reach_y > (double)(rows - 1))
+    return;
+  ptrdiff_t i0 = clipped((s->x - reach_x) / width, at->columns);
+  ptrdiff_t i1 = clipped((s->x + reach_x) / width, at->columns);
+  ptrdiff_t j0 = clipped((s->y - reach_y) / width, at->rows);
+  ptrdiff_t j1 = clipped((s->y + reach_y) / width, at->rows);
+  for (ptrdiff_t j = j0; j <= j1; j++)
+    for (ptrdiff_t i = i0; i <= i1; i++)
+      look(s, k, i, j);
+}
+
+/* Offers a point, in the coordinates of the map's first image. */
+static void offer(search *s, ptrdiff_t i, ptrdiff_t j) {
+  const asp_map *map = s->ball->map;
+  ptrdiff_t columns = (ptrdiff_t)map->columns, rows = (ptrdiff_t)map->rows;
+  if (!map->periodic && (i < 0 || i >= columns || j < 0 || j >= rows))
+    return;
+  double u = map->step[0] * ((double)i - s->x), v = map->step[1] * ((double)j - s->y);
+  double height = map->heights[wrapped(j, rows) * columns + wrapped(i, columns)];
+  if (!lifts(s, height, u * u + v * v))
+    return;
+  s->best = height + sqrt(s->ball->radius * s->ball->radius - u * u - v * v);
+  s->at[0] = i;
+  s->at[1] = j;
+}
+
+/* The point that a sphere over (i, j) rests on. `from`, relative to it, is where to begin. */
+static search find(const aspi_ball *ball, size_t i, size_t j, const ptrdiff_t from[2]) {
+  const asp_map *map = ball->map;
+  search s = {ball, (double)i, (double)j, -INFINITY, {0}, {0}};
+  offer(&s, (ptrdiff_t)i, (ptrdiff_t)j);
+  offer(&s, (ptrdiff_t)i + from[0], (ptrdiff_t)j + from[1]);
+  double drop = fmax(0, s.best - ball->top);
+  double reach = sqrt(fmax(0, ball->radius * ball->radius - drop * drop));
+  double reach_x = reach / map->step[0], reach_y = reach / map->step[1];
+  ptrdiff_t columns = (ptrdiff_t)map->columns, rows = (ptrdiff_t)map->rows;
+  int images = map->periodic ? 1 : 0;
+  for (int b = -images; b <= images; b++)
+    for (int a = -images; a <= images; a++) {
+      s.image[0] = a * columns;
+      s.image[1] = b * rows;
+      s.x = (double)((ptrdiff_t)i - s.image[0]);
+      s.y = (double)((ptrdiff_t)j - s.image[1]);
+      look_at_image(&s, reach_x, reach_y);
+    }
+  s.x = (double)i;
+  s.y = (double)j;
+  return s;
+}
+
+/* The map around a point: value, gradient, second derivatives. */
+typedef struct patch {
+  double z, gx, gy, xx, xy, yy;
+} patch;
+
+static double at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
+  ptrdiff_t columns = (ptrdiff_t)map->columns, rows = (ptrdiff_t)map->rows;
+  if (map->periodic) {
+    i = wrapped(i, columns);
+    j = wrapped(j, rows);
+  } else {
+    i = i < 0 ? 0 : i < columns ? i : columns - 1;
+    j = j < 0 ? 0 : j < rows ? j : rows - 1;
+  }
+  return map->heights[j * columns + i];
+}
+
+static patch patch_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
+  double dx = map->step[0], dy = map->step[1], z = at(map, i, j);
+  double e = at(map, i + 1, j), w = at(map, i - 1, j), n = at(map, i, j + 1), s = at(map, i, j - 1);
+  double ee = at(map, i + 2, j), ww = at(map, i - 2, j), nn = at(map, i, j + 2),
+         ss = at(map, i, j - 2);
+  patch f = {.z = z,
+             .gx = (8 * (e - w) - (ee - ww)) / (12 * dx),
+             .gy = (8 * (n - s) - (nn - ss)) / (12 * dy),
+             .xx = (e - 2 * z + w) / (dx * dx),
+             .yy = (n - 2 * z + s) / (dy * dy)};
+  f.xy = (at(map, i + 1, j + 1) - at(map, i - 1, j + 1) - at(map, i + 1, j - 1) +
+          at(map, i - 1, j - 1)) /
+         (4 * dx * dy);
+  return f;
+}
+
+/* The contact near the point that was found, on the parabola around it. (u, v): from that point to
+ * the contact; (x, y): from it to the centre. False where Newton's method does not end nearby. */
+static bool refine(const aspi_ball *ball, const patch *f, double x, double y, aspi_touch *touch) {
+  double r = ball->radius, u = 0, v = 0;
+  for (int step = 0; step < STEPS; step++) {
+    double gx = f->gx + f->xx * u + f->xy * v, gy = f->gy + f->xy * u + f->yy * v;
+    double root = sqrt(1 + gx * gx + gy * gy), a = r / root, b = a / (root * root);
+    double fx = u - x - a * gx, fy = v - y - a * gy;
+    /* The derivatives of a g with respect to g, times those of g. */
+    double nxx = a - b * gx * gx, nxy = -b * gx * gy, nyy = a - b * gy * gy;
+    double jxx = 1 - nxx * f->xx - nxy * f->xy, jxy = -nxx * f->xy - nxy * f->yy;
+    double jyx = -nxy * f->xx - nyy * f->xy, jyy = 1 - nxy * f->xy - nyy * f->yy;
+    double det = jxx * jyy - jxy * jyx;
+    if (!(det > 1e-6))
+      return false;
+    u -= (jyy * fx - jxy * fy) / det;
+    v -= (jxx * fy - jyx * fx) / det;
+    if (!(fabs(u) <= STRAY_MOST * ball->map->step[0] && fabs(v) <= STRAY_MOST * ball->map->step[1]))
+      return false;
+  }
+  touch->p = f->gx + f->xx * u + f->xy * v;
+  touch->q = f->gy + f->xy * u + f->yy * v;
+  double height =
+      f->z + f->gx * u + f->gy * v + 0.5 * (f->xx * u * u + f->yy * v * v) + f->xy * u * v;
+  touch->height = height + r / sqrt(1 + touch->p * touch->p + touch->q * touch->q);
+  return true;
+}
+
+static aspi_touch touch_of(const search *s, bool sampled) {
+  const aspi_ball *ball = s->ball;
+  const asp_map *map = ball->map;
+  double x = map->step[0] * (s->x - (double)s->at[0]), y = map->step[1] * (s->y - (double)s->at[1]);
+  double up = sqrt(fmax(0, ball->radius * ball->radius - x * x - y * y));
+  aspi_touch touch = {s->best, 0, 0};
+  patch f = patch_at(map, s->at[0], s->at[1]);
+  if (!sampled && refine(ball, &f, x, y, &touch))
+    return touch;
+  touch.height = s->best;
+  touch.p = up > 0 ? -x / up : f.gx;
+  touch.q = up > 0 ? -y / up : f.gy;
+  return touch;
+}
+
+aspi_touch aspi_ball_touch(const aspi_ball *ball, size_t column, size_t row, bool sampled) {
+  search s = find(ball, column, row, (const ptrdiff_t[2]){0, 0});
+  return touch_of(&s, sampled);
+}
+
+void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *height, float *p,
+                    float *q) {
+  size_t columns = ball->map->columns;
+  ptrdiff_t from[2] = {0, 0};
+  for (size_t j = first; j < end; j++)
+    for (size_t k = 0; k < columns; k++) {
+      /* To and fro, so that each centre has a neighbour before it. */
+      size_t i = (j - first) % 2 ? columns - 1 - k : k;
+      search s = find(ball, i, j, from);
+      from[0] = s.at[0] - (ptrdiff_t)i;
+      from[1] = s.at[1] - (ptrdiff_t)j;
+      aspi_touch touch = touch_of(&s, false);
+      height[j * columns + i] = (float)touch.height;
+      if (p)
+        p[j * columns + i] = (float)touch.p;
+      if (q)
+        q[j * columns + i] = (float)touch.q;
+    }
+}

@@ -1,0 +1,32 @@
+/* A sphere on a map.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SURFACE_BALL_H
+#define ASP_SURFACE_BALL_H
+
+#include "asperity.h"
+
+/* Where the centre of a sphere that rests on the map is, and the gradient of the surface where it
+ * touches: that of the centre's height, too. */
+typedef struct aspi_touch {
+  double height, p, q;
+} aspi_touch;
+
+typedef struct aspi_ball aspi_ball;
+
+/* A sphere of diameter d_p (0 <= d_p <= the shorter side) on a map, which must outlive it. */
+aspi_ball *aspi_ball_create(const asp_map *map, double d_p, asp_error *error);
+void aspi_ball_free(aspi_ball *ball);
+
+/* The dilation of the map by the sphere: row after row from `first` to before `end`, into arrays of
+ * the whole map's size. The sphere rests on the sampled points, exactly; then place and gradient of
+ * the contact are those of the surface between them. A time a point that hardly depends on d_p. Any
+ * number of threads may do rows of one ball. p and q may be NULL. */
+void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *height, float *p,
+                    float *q);
+
+/* One centre, at the point in that column and row; `sampled`: on the points alone, without what is
+ * between them. */
+aspi_touch aspi_ball_touch(const aspi_ball *ball, size_t column, size_t row, bool sampled);
+
+#endif

@@ -1,0 +1,39 @@
+/* Heights of a wall over an area, as this room and its neighbours see them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SURFACE_MAP_H
+#define ASP_SURFACE_MAP_H
+
+#include "asperity.h"
+
+/* Row after row, x along a row. Single precision: a map is large, and no instrument has seven
+ * digits. A periodic map repeats in both directions; any other ends at its edges. */
+struct asp_map {
+  size_t columns, rows;
+  double step[2]; /* between columns, between rows */
+  bool periodic;
+  float *heights; /* about their mean */
+};
+
+enum { ASP_MAP_SIDE_LEAST = 8, ASP_MAP_SIDE_MOST = 65536 };
+
+/* A map that takes over `heights` (from malloc; NULL counts as out of memory), and frees them when
+ * it fails. */
+asp_map *aspi_map_adopt(float *heights, size_t columns, size_t rows, const double step[2],
+                        bool periodic, asp_error *error);
+
+/* A Gaussian wall with a lay: autocovariance r_q^2 exp(-r' M r), where M has the eigenvalues
+ * 1/lambda_1^2 and 1/lambda_2^2; `axis` is the angle from x to the first of its axes (rad). */
+typedef struct aspi_gauss {
+  double r_q, lambda_1, lambda_2, axis;
+} aspi_gauss;
+
+/* A periodic map of such a wall. Both sides are powers of two and at least 10 of the smaller
+ * lambda long. r_q is that of the ensemble. The same seed gives the same map. */
+asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t columns, size_t rows,
+                         uint32_t seed, asp_error *error);
+
+/* Uninitialised room for as many numbers as a map of that size has points, or NULL. */
+float *aspi_map_room(size_t columns, size_t rows);
+
+#endif

@@ -1,0 +1,164 @@
+/* Maps and spheres on them: the search for the contact against brute force, the contact of a known
+ * surface, the covariance of a generated one, and its slopes under a sphere against formula (3) of
+ * WALLS-3D. */
+#include "check.h"
+#include "surface/ball.h"
+#include "surface/map.h"
+
+#include <stdlib.h>
+
+static asp_map *gauss(double lambda_2, double axis, double step_x, double step_y, size_t columns,
+                      size_t rows, double r_q) {
+  aspi_gauss wall = {r_q, 1, lambda_2, axis};
+  asp_error error;
+  asp_map *map =
+      aspi_map_create(&wall, (const double[2]){step_x, step_y}, columns, rows, 3, &error);
+  if (!map)
+    fail_msg("%s", error.text);
+  return map;
+}
+
+/* The height of the centre over a point, by asking every point of the map and its images. */
+static double brute(const asp_map *map, double radius, size_t i, size_t j) {
+  long columns = (long)map->columns, rows = (long)map->rows, images = map->periodic;
+  double best = -INFINITY;
+  for (long b = -images * rows; b < (images + 1) * rows; b++)
+    for (long a = -images * columns; a < (images + 1) * columns; a++) {
+      double x = map->step[0] * (double)(a - (long)i), y = map->step[1] * (double)(b - (long)j);
+      double room = radius * radius - x * x - y * y;
+      size_t at = (size_t)((b + rows) % rows * columns + (a + columns) % columns);
+      if (room >= 0)
+        best = fmax(best, map->heights[at] + sqrt(room));
+    }
+  return best;
+}
+
+static void spheres_rest_where_brute_force_says(void **state) {
+  (void)state;
+  asp_map *map = gauss(2, 0.6, 0.1, 0.13, 128, 256, 0.3);
+  for (int periodic = 0; periodic < 2; periodic++)
+    for (double d_p = 0.05; d_p < 12; d_p *= 2.3) {
+      map->periodic = periodic;
+      aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
+      for (size_t k = 0; k < 60; k++) {
+        size_t i = k < 4 ? 127 * (k % 2) : k * 37 % 128, j = k < 4 ? 255 * (k / 2) : k * 101 % 256;
+        assert_near(aspi_ball_touch(ball, i, j, true).height, brute(map, d_p / 2, i, j), 1e-12);
+      }
+      aspi_ball_free(ball);
+    }
+  asp_map_free(map);
+}
+
+/* A sphere on waves of small slope whose crests are wider than it: the contact is where the normal
+ * through the centre meets the wave. */
+static void contacts_lie_between_the_points(void **state) {
+  (void)state;
+  enum { N = 64 };
+  float *z = aspi_map_room(N, N);
+  double k = 2 * ASP_PI / N, height = 0.9, r = 3.3;
+  for (int j = 0; j < N; j++)
+    for (int i = 0; i < N; i++)
+      z[j * N + i] = (float)(height * cos(k * i) * sin(k * j));
+  asp_map *map = aspi_map_adopt(z, N, N, (const double[2]){1, 1}, true, NULL);
+  aspi_ball *ball = aspi_ball_create(map, 2 * r, NULL);
+  for (int n = 0; n < 200; n++) {
+    double x = n * 29 % N, y = n * 47 % N, u = x, v = y, p = 0, q = 0;
+    for (int step = 0; step < 60; step++) {
+      p = -height * k * sin(k * u) * sin(k * v);
+      q = height * k * cos(k * u) * cos(k * v);
+      u = x + r * p / sqrt(1 + p * p + q * q);
+      v = y + r * q / sqrt(1 + p * p + q * q);
+    }
+    aspi_touch touch = aspi_ball_touch(ball, (size_t)x, (size_t)y, false);
+    assert_near(touch.p, p, 3e-4);
+    assert_near(touch.q, q, 3e-4);
+    assert_near(touch.height, height * cos(k * u) * sin(k * v) + r / sqrt(1 + p * p + q * q), 1e-4);
+  }
+  aspi_ball_free(ball);
+  asp_map_free(map);
+}
+
+static void generated_maps_have_their_covariance(void **state) {
+  (void)state;
+  enum { N = 1024 };
+  double axis = 0.5;
+  asp_map *map = gauss(3, axis, 0.125, 0.125, N, N, 2);
+  const int lag[][2] = {{0, 0}, {8, 0}, {0, 8}, {6, 6}, {6, -6}, {15, 9}};
+  for (size_t k = 0; k < sizeof lag / sizeof *lag; k++) {
+    double sum = 0, x = 0.125 * lag[k][0], y = 0.125 * lag[k][1];
+    for (int j = 0; j < N; j++)
+      for (int i = 0; i < N; i++)
+        sum += map->heights[j * N + i] *
+               map->heights[(j + lag[k][1] + N) % N * N + (i + lag[k][0]) % N];
+    double u = x * cos(axis) + y * sin(axis), v = (y * cos(axis) - x * sin(axis)) / 3;
+    assert_near(sum / (N * N), 4 * exp(-u * u - v * v), 0.15); /* 5000 correlated areas */
+  }
+  asp_map_free(map);
+}
+
+static void slopes_follow_the_formula(void **state) {
+  (void)state;
+  const double kappa[] = {0.5, 1, 2, 4}, ratio[] = {1, 5};
+  for (int k = 0; k < 2; k++) {
+    double phi = 0.05;
+    asp_map *map = gauss(ratio[k], 0, 1 / 16., ratio[k] / 16., 512, 512, phi);
+    aspi_ball *none = aspi_ball_create(map, 0, NULL);
+    size_t n = 512 * 512;
+    float *z = aspi_map_room(512, 512), *p[2], *q[2];
+    for (int i = 0; i < 2; i++) {
+      p[i] = aspi_map_room(512, 512);
+      q[i] = aspi_map_room(512, 512);
+    }
+    aspi_ball_rows(none, 0, 512, z, p[0], q[0]);
+    for (size_t i = 0; i < 4; i++) {
+      aspi_ball *ball = aspi_ball_create(map, kappa[i] / (sqrt(3) * phi), NULL);
+      if (!ball)
+        continue; /* larger than the map */
+      aspi_ball_rows(ball, 0, 512, z, p[1], q[1]);
+      double sum[4] = {0};
+      for (size_t m = 0; m < n; m++)
+        for (int of = 0; of < 2; of++) {
+          sum[of] += p[of][m] * p[of][m];
+          sum[2 + of] += q[of][m] * q[of][m];
+        }
+      double one = kappa[i], two = kappa[i] / (ratio[k] * ratio[k]);
+      assert_near(sqrt(sum[1] / sum[0]), pow(1 + one * one * (0.92 * one + 0.37 * two), -1 / 6.),
+                  0.025);
+      assert_near(sqrt(sum[3] / sum[2]), pow(1 + two * two * (0.92 * two + 0.37 * one), -1 / 6.),
+                  0.025);
+      aspi_ball_free(ball);
+    }
+    for (int i = 0; i < 2; i++) {
+      free(p[i]);
+      free(q[i]);
+    }
+    free(z);
+    aspi_ball_free(none);
+    asp_map_free(map);
+  }
+}
+
+static void bad_maps_are_refused(void **state) {
+  (void)state;
+  asp_error error;
+  aspi_gauss wall = {1, 1, 1, 0};
+  assert_null(aspi_map_create(&wall, (const double[2]){0.1, 0.1}, 200, 256, 1, &error));
+  assert_non_null(strstr(error.text, "200 points; it must be a power of two"));
+  assert_null(aspi_map_create(&wall, (const double[2]){0.1, 0.01}, 256, 256, 1, &error));
+  assert_non_null(strstr(error.text, "2.56; it must be at least 10"));
+  asp_map *map = gauss(1, 0, 0.1, 0.1, 128, 256, 1);
+  assert_null(aspi_ball_create(map, 13, &error));
+  assert_non_null(strstr(error.text, "d_p is 13; it must be"));
+  asp_map_free(map);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(spheres_rest_where_brute_force_says),
+      cmocka_unit_test(contacts_lie_between_the_points),
+      cmocka_unit_test(generated_maps_have_their_covariance),
+      cmocka_unit_test(slopes_follow_the_formula),
+      cmocka_unit_test(bad_maps_are_refused),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

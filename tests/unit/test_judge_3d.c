@@ -1,0 +1,172 @@
+/* The judge in three dimensions: flights over the wall against brute force, and the numbers of an
+ * independent reference (WALLS-3D, section 7: 2048 x 2048 points, 8 to 12 surfaces). */
+#include "check.h"
+#include "cli/judge_3d.h"
+#include "spread/field.h"
+#include "spread/line.h"
+#include "surface/ball.h"
+
+#include <stdlib.h>
+
+#define DEGREE (ASP_PI / 180)
+
+/* Bilinear, anywhere on the plane. */
+static double height_at(const aspi_field *f, double x, double y) {
+  double u = x / f->step[0], v = y / f->step[1], n = (double)f->columns, m = (double)f->rows;
+  u -= n * floor(u / n);
+  v -= m * floor(v / m);
+  size_t i = (size_t)u % f->columns, j = (size_t)v % f->rows;
+  size_t k = (i + 1) % f->columns, l = (j + 1) % f->rows;
+  u -= floor(u);
+  v -= floor(v);
+  return (1 - v) * ((1 - u) * f->z[j * f->columns + i] + u * f->z[j * f->columns + k]) +
+         v * ((1 - u) * f->z[l * f->columns + i] + u * f->z[l * f->columns + k]);
+}
+
+static void field_of(aspi_field *f, asp_map *map, double d_p) {
+  aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
+  assert_int_equal(aspi_field_create(f, map, NULL), ASP_OK);
+  aspi_ball_rows(ball, 0, map->rows, f->z, f->p, f->q);
+  aspi_field_finish(f);
+  aspi_ball_free(ball);
+}
+
+/* Flights that begin in the air, over a map whose sides are no powers of two, against small steps.
+ */
+static void flights_end_where_small_steps_do(void **state) {
+  (void)state;
+  aspi_gauss wall = {0.2, 1, 1, 0};
+  asp_map *map = aspi_map_create(&wall, (const double[2]){0.1, 0.08}, 128, 128, 7, NULL);
+  map->columns = 101;
+  map->rows = 97;
+  for (size_t j = 0; j < map->rows; j++)
+    memmove(map->heights + j * 101, map->heights + j * 128, 101 * sizeof *map->heights);
+  aspi_field f;
+  field_of(&f, map, 0.4);
+  int hits = 0;
+  for (int k = 0; k < 400; k++) {
+    double azimuth = 0.7 * k, rise = 0.35 * sin(1.3 * k) - 0.05, gradient[2];
+    aspi_flight flight = {{0.31 * k, 0.77 * k, 0}, {cos(azimuth), sin(azimuth), rise}}, begin;
+    flight.x[2] = height_at(&f, flight.x[0], flight.x[1]) + 0.15;
+    begin = flight;
+    bool found = aspi_field_next(&f, &flight, gradient);
+    double t = 0, step = 2e-4;
+    bool met = false;
+    for (; !met && t < 60; t += met ? 0 : step)
+      met = begin.x[2] + t * rise <=
+            height_at(&f, begin.x[0] + t * begin.v[0], begin.x[1] + t * begin.v[1]);
+    assert_int_equal(found, met);
+    hits += met;
+    if (!met)
+      continue;
+    assert_near(flight.x[2], begin.x[2] + t * rise, 2 * step);
+    assert_near(flight.x[2], height_at(&f, flight.x[0], flight.x[1]), 1e-5);
+    assert_true(flight.v[2] - gradient[0] * flight.v[0] - gradient[1] * flight.v[1] < 0);
+  }
+  assert_true(hits > 100 && hits < 390);
+  aspi_field_free(&f);
+  asp_map_free(map);
+}
+
+/* On one row, weights and places agree, and every one of them is where the beam says. */
+static void first_hits_fill_the_beam(void **state) {
+  (void)state;
+  aspi_gauss wall = {0.2, 1, 1, 0};
+  asp_map *map = aspi_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
+  aspi_field f;
+  field_of(&f, map, 2);
+  aspi_line line;
+  assert_int_equal(aspi_line_create(&line, f.columns, f.step[0], NULL), ASP_OK);
+  enum { COUNT = 20000 };
+  static double share[COUNT], weight[1024], count[1024];
+  static aspi_spot spots[COUNT];
+  for (int k = 0; k < COUNT; k++)
+    share[k] = (k + 0.5) / COUNT;
+  for (int way = -1; way < 2; way += 2) {
+    double fall = 0.1, sum = 0, off = 0;
+    memset(count, 0, sizeof count);
+    aspi_line_set(&line, f.z + 3 * 1024, f.p + 3 * 1024, way);
+    aspi_line_first_hit(&line, fall, weight);
+    aspi_line_hits(&line, fall, share, COUNT, spots);
+    for (int k = 0; k < COUNT; k++) {
+      count[spots[k].face] += aspi_line_rise(&line, fall) / COUNT;
+      double x = way > 0 ? spots[k].x : 1023 * f.step[0] - spots[k].x;
+      assert_near(spots[k].z, height_at(&f, x, 3 * f.step[1]), 2e-3);
+      assert_true(line.slope[spots[k].face] > -fall);
+    }
+    for (size_t i = 0; i < 1024; i++) {
+      sum += weight[i];
+      off = fmax(off, fabs(count[i] - weight[i]));
+    }
+    assert_near(sum, aspi_line_rise(&line, fall), 1e-9);
+    assert_true(off < 2 * aspi_line_rise(&line, fall) / COUNT);
+  }
+  aspi_line_free(&line);
+  aspi_field_free(&f);
+  asp_map_free(map);
+}
+
+/* A case of the table: the angle from the flight to axis 1, d_p, alpha1, and what stands there. */
+typedef struct known {
+  double axis, d_p, alpha1, rebound, rebound_se, lateral;
+} known;
+
+static void numbers_agree_with_the_independent_reference(void **state) {
+  (void)state;
+  const known cases[] = {
+      {0, 10, 2, 25.08, 0.06, 0.98},    {90, 10, 2, 5.40, 0.01, 1.30},
+      {90, 10, 30, 28.79, 0.01, 9.41},  {45, 10, 5, 18.51, 0.08, 3.35},
+      {45, 185, 10, 18.68, 0.08, 3.32},
+  };
+  enum { SURFACES = 3, POINTS = 1024, RAYS = 40000 };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    const known *c = &cases[k];
+    double alpha1 = c->alpha1 * DEGREE;
+    judge_case subject = {{5, 40, 200, c->axis * DEGREE}, c->d_p, SURFACES, POINTS};
+    judge_all all = judge_create(&subject, &(cli_list){&alpha1, 1}, RAYS, 100);
+    judge_value mean = judge_mean(&all, 0, offsetof(judge_angles, rebound_sum));
+    judge_value side = judge_mean(&all, 0, offsetof(judge_angles, lateral_sum));
+    judge_value square = judge_mean(&all, 0, offsetof(judge_angles, lateral_square));
+    double error = 4 * hypot(fmax(mean.se, 0.003 * c->rebound), c->rebound_se);
+    print_message("axis %g, d_p %g, alpha1 %g: %.3f +- %.3f (%.2f), lateral %.3f, sd %.3f (%.2f)\n",
+                  c->axis, c->d_p, c->alpha1, mean.value, mean.se, c->rebound, side.value,
+                  sqrt(square.value - side.value * side.value), c->lateral);
+    assert_near(mean.value, c->rebound, error);
+    assert_near(sqrt(square.value - side.value * side.value), c->lateral, 0.03 * c->lateral);
+    if (c->axis == 45 && c->d_p == 10) /* to the side on which the lay lies */
+      assert_near(side.value, -3.30, 0.15);
+    judge_free(&all);
+  }
+}
+
+/* The divergence of a sample of the same law is nothing, within its own error. */
+static void divergences_have_no_bias(void **state) {
+  (void)state;
+  double alpha1 = 10 * DEGREE;
+  cli_list angles = {&alpha1, 1};
+  judge_case subject = {{5, 40, 40, 0}, 10, 6, 512}, other = {{5, 40, 40, 0}, 10, 16, 512};
+  judge_all all = judge_create(&subject, &angles, 20000, 1);
+  judge_all many = judge_create(&other, &angles, 20000, 1000);
+  judge_angles model = many.angles[0];
+  for (size_t k = 1; k < other.surfaces; k++) {
+    const judge_angles *a = &many.angles[k];
+    model.n += a->n;
+    for (int i = 0; i < JUDGE_BINS; i++)
+      model.rebound[i] += a->rebound[i];
+  }
+  judge_value d = judge_divergence(&all, 0, &model, offsetof(judge_angles, rebound));
+  print_message("D_KL %.5f +- %.5f\n", d.value, d.se);
+  assert_near(d.value, 0, 0.002);
+  judge_free(&all);
+  judge_free(&many);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(flights_end_where_small_steps_do),
+      cmocka_unit_test(first_hits_fill_the_beam),
+      cmocka_unit_test(numbers_agree_with_the_independent_reference),
+      cmocka_unit_test(divergences_have_no_bias),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
