@@ -101,6 +101,9 @@ static int run(int argc, char **argv) {
   }
   cli_list angles = cli_angles(&options[ANGLES]);
   if (options[THREE_D].value) {
+    unsigned long points = cli_whole(&options[POINTS], 256, 16384);
+    if (points & (points - 1))
+      cli_bad_usage("--points is %lu; it must be a power of two", points);
     cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
     judge_3d(cli_output_stream(output), options, &angles, rays, seed);
     cli_output_close(output);
