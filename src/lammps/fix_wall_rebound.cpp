@@ -34,7 +34,8 @@ static const int ROW = Wall::N_STATE + Wall::N_PLACE;
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
-    : Fix(lammps, narg, arg), engine_(lammps, this), wall_(engine_), last_step_(update->ntimestep),
+    : Fix(lammps, narg, arg), engine_(lammps, this), wall_(engine_), mesh_(NULL), region_(NULL),
+      last_step_(update->ntimestep),
       from_restart_(modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0),
       restarted_(false) {
   check_particles();
@@ -43,7 +44,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     std::string geometry;
     Words words(narg - 3, arg + 3);
     read_geometry(words, geometry);
-    wall_.parse(words, geometry);
+    wall_.parse(words, geometry, mesh_);
   } catch (const std::exception &wrong) {
     fail(wrong.what());
   }
@@ -79,16 +80,30 @@ void FixWallRebound::fail(const std::string &what) const {
 }
 
 void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
-  const char primitives[] = "xplane yplane zplane xcylinder ycylinder zcylinder";
+  const std::string primitives = "xplane yplane zplane xcylinder ycylinder zcylinder";
+  const std::string shapes = primitives + " region stl";
   if (words.done())
-    throw asperity::Error(text("the wall is missing; it must be one of %s", primitives));
-  if (!words.is_one_of(primitives))
+    throw asperity::Error("the wall is missing; it must be one of " + shapes);
+  if (words.take("region")) {
+    region_ = new RegionShape(lmp, words.word("the ID of a region"));
+    std::unique_ptr<asperity::Shape> shape(region_);
+    const int type = read_type(words);
+    geometry = region_->description() + text(" type %d", type);
+    wall_.add_shape(std::move(shape), type, 0, "");
+  } else if (words.take("stl")) {
+    int type;
+    std::unique_ptr<asperity::DrivenMesh> mesh =
+        asperity::read_driven_mesh(world, words, atom->ntypes, type, geometry);
+    mesh_ = mesh.get();
+    wall_.add_shape(std::move(mesh), type, mesh_->pieces(), "stl");
+  } else if (words.is_one_of(primitives)) {
+    std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
+    const int type = read_type(words);
+    geometry += text(" type %d", type);
+    wall_.add_shape(std::move(shape), type, 0, "");
+  } else
     throw asperity::Error("the wall is '" + words.word("the wall") + "'; it must be one of " +
-                          primitives);
-  std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
-  const int type = read_type(words);
-  geometry += text(" type %d", type);
-  wall_.add_shape(std::move(shape), type, 0, "");
+                          shapes);
 }
 
 /* The last type where the script names none. */
@@ -146,6 +161,8 @@ void FixWallRebound::init() {
   from_restart_ = false;
   follow_step();
   try {
+    if (region_)
+      region_->init();
     wall_.init(update->ntimestep, update->dt);
   } catch (const std::exception &wrong) {
     fail(wrong.what());
@@ -171,10 +188,23 @@ void FixWallRebound::setup_pre_exchange() {
 void FixWallRebound::setup(int) {
   set_rows();
   try {
+    if (region_)
+      region_->setup();
+    if (mesh_) {
+      mesh_->set_periods(engine_.box().period);
+      mesh_->setup(wall_.time(static_cast<double>(update->ntimestep)));
+    }
     wall_.setup(engine_.spheres(), groupbit, engine_.box());
   } catch (const std::exception &wrong) {
     fail(wrong.what());
   }
+}
+
+void FixWallRebound::begin_step() {
+  if (region_)
+    region_->begin_step();
+  if (mesh_)
+    mesh_->begin_step(wall_.time(static_cast<double>(update->ntimestep)));
 }
 
 void FixWallRebound::post_integrate() {
@@ -184,6 +214,7 @@ void FixWallRebound::post_integrate() {
     std::vector<Wall *> walls;
     for (FixWallRebound *fix : siblings_) {
       fix->set_rows();
+      fix->begin_step();
       walls.push_back(&fix->wall_);
     }
     Wall::step(walls, engine_.spheres());
@@ -233,6 +264,9 @@ void FixWallRebound::end_of_step() {
   wall_.hold(engine_.spheres());
   try {
     wall_.end_step(update->ntimestep, output->next == update->ntimestep);
+    if (mesh_ && mesh_->map().is_due(update->ntimestep))
+      mesh_->map().write(world, update->ntimestep, mesh_->triangles(), mesh_->motion().end(),
+                         wall_.sums(0));
   } catch (const std::exception &wrong) {
     fail(wrong.what());
   }

@@ -21,6 +21,8 @@ FixStyle(wall/rebound,FixWallRebound);
 
 #include "engine_lammps.h"
 #include "fix.h"
+#include "region_shape.h"
+#include "wall/driven_mesh.h"
 #include "wall/wall.h"
 
 namespace LAMMPS_NS {
@@ -61,6 +63,7 @@ private:
   [[noreturn]] void fail(const std::string &what) const;
   void read_geometry(asperity::Words &words, std::string &geometry);
   int read_type(asperity::Words &words) const;
+  void begin_step();
   void check_particles() const;
   void check_box() const;
   void set_rows();
@@ -68,6 +71,8 @@ private:
 
   EngineOfLammps engine_;
   asperity::Wall wall_;
+  asperity::DrivenMesh *mesh_; /* the wall's shape, or NULL */
+  RegionShape *region_;        /* the same */
   std::vector<double> state_, place_;      /* rows of the atoms; see asperity::Wall */
   std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
   bigint last_step_;                       /* that the wall knows of */

@@ -52,11 +52,12 @@ void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
   shapes_.push_back(std::move(member));
 }
 
-void Wall::parse(Words &words, const std::string &geometry) {
+void Wall::parse(Words &words, const std::string &geometry, Shape *shape) {
   geometry_ = geometry;
-  const std::string keywords = std::string(Model::KEYWORDS) + " " + KEYWORDS;
+  const std::string others = KEYWORDS + (shape ? " " + shape->keywords() : "");
+  const std::string keywords = std::string(Model::KEYWORDS) + " " + others;
   while (!words.done()) {
-    if (model_.parse(words, KEYWORDS))
+    if (model_.parse(words, others) || (shape && shape->parse(words)))
       continue;
     if (words.take("timing")) {
       const std::string value = words.word("the value of 'timing'");

@@ -59,8 +59,9 @@ public:
     return shapes_.size();
   }
 
-  /* Reads the rest of the command. geometry: what the command says before it, for messages. */
-  void parse(Words &words, const std::string &geometry);
+  /* Reads the rest of the command. geometry: what the command says before it, for messages. shape:
+   * one with keywords of its own, or NULL. */
+  void parse(Words &words, const std::string &geometry, Shape *shape = NULL);
 
   /* Before a run, and at its beginning, when all particles are where they belong; collective. */
   void init(int64_t step, double dt);
@@ -96,6 +97,9 @@ public:
 
   void reset_dt(int64_t step, double dt);
   void reset_step(int64_t now, int64_t before);
+
+  /* By the wall's own clock, which restarts and reset_step() do not disturb; after init(). */
+  double time(double step) const;
 
   const Model &model() const {
     return model_;
@@ -165,7 +169,6 @@ private:
   double *place(int i) const {
     return place_ + static_cast<size_t>(i) * N_PLACE;
   }
-  double time(double step) const;
   void set_clock(int64_t step, double dt);
   std::string heading() const;
 

@@ -1,0 +1,621 @@
+/* A region as a wall; see region_shape.h. The search goes along the path from one point to the
+ * next, each time so far that no face that the region has told of can be reached before: a flat or
+ * bulging face lies behind the plane across its nearest point, of a hollow one a chord is known.
+ * What that misses has been passed: then the way back is halved until the contact is found.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "region_shape.h"
+
+#include <math.h>
+#include <string.h>
+#include <algorithm>
+#include <type_traits>
+
+#include "contact/contact.h"
+#include "contact/vector.h"
+#include "domain.h"
+#include "modify.h"
+#include "region.h"
+#include "update.h"
+#include "wall/error.h"
+#include "wall/record.h"
+#include "wall/text.h"
+
+using namespace LAMMPS_NS;
+using asperity::Contact;
+using asperity::Path;
+using asperity::Place;
+using asperity::text;
+
+namespace {
+
+const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
+
+/* On the inside of a hollow face a sphere slides that approaches with less than this share of its
+ * speed: it is put back on the wall at the end of its path (as contact_cylinder_find does), or
+ * where it has come off by half its radius. */
+const double SLIDES = 1e-6;
+
+/* Where faces may be hidden, a search looks every so many radii. */
+const double STRIDE = 0.5;
+
+/* A search that has looked so often goes on by larger steps, of so many radii. */
+const int PATIENCE = 1000;
+const double HURRY = 1e-3;
+
+/* Two feet of one place. */
+const double SAME = 1e-6;
+
+/* The axis of a region's turn is protected in it. */
+class AxisOf : public Region {
+public:
+  static void read(const Region *region, double origin[3], double axis[3]) {
+    vector_copy(region->*(&AxisOf::point), origin);
+    vector_copy(region->*(&AxisOf::runit), axis);
+  }
+};
+
+/* The parts of a union or an intersection: in LAMMPS since 2022 by their addresses, before by their
+ * numbers. */
+template <class R>
+auto part_of(const R *region, const Domain *, int i, int) ->
+    typename std::decay<decltype(region->reglist[i])>::type {
+  return region->reglist[i];
+}
+template <class R, class D>
+auto part_of(const R *region, const D *domain, int i, long) ->
+    typename std::decay<decltype(domain->regions[region->list[i]])>::type {
+  return domain->regions[region->list[i]];
+}
+
+template <class D>
+auto region_of(D *domain, const std::string &id, int) -> decltype(domain->get_region_by_id(id)) {
+  return domain->get_region_by_id(id);
+}
+template <class D>
+auto region_of(D *domain, const std::string &id, long) ->
+    typename std::decay<decltype(domain->regions[0])>::type {
+  const int i = domain->find_region(id);
+  return i < 0 ? NULL : domain->regions[i];
+}
+
+} // namespace
+
+/* ---- what it is made of -----------------------------------------------------------------------
+ */
+
+RegionShape::RegionShape(LAMMPS *lammps, const std::string &id)
+    : lammps_(lammps), id_(id), exact_(true), open_(false), speed_(0) {
+  add_region(find_region(), root_);
+}
+
+Region *RegionShape::find_region() const {
+  Region *region = region_of(lammps_->domain, id_, 0);
+  if (!region)
+    throw asperity::Error("region '" + id_ +
+                          "' does not exist; define it before the wall, by 'region " + id_ +
+                          " STYLE ...'");
+  return region;
+}
+
+void RegionShape::add_region(Region *region, Node &node) {
+  const std::string style = region->style, styles = STYLES;
+  if ((" " + styles + " ").find(" " + style + " ") == std::string::npos)
+    throw asperity::Error(text("region '%s' is of style '%s'; it must be one of %s", region->id,
+                               region->style, STYLES));
+  if (region->varshape)
+    throw asperity::Error(text("region '%s' changes its size by a variable; it must keep its form, "
+                               "and may 'move' and 'rotate'",
+                               region->id));
+  node.region = region;
+  node.part = -1;
+  node.is_union = style == "union";
+  if (style == "union" || style == "intersect") {
+    exact_ = false;
+    node.of.resize(region->nregion);
+    for (int i = 0; i < region->nregion; i++)
+      add_region(part_of(region, lammps_->domain, i, 0), node.of[i]);
+    return;
+  }
+  node.part = static_cast<int>(parts_.size());
+  Part part = Part();
+  part.region = region;
+  if (region->rotateflag)
+    AxisOf::read(region, part.origin, part.axis);
+  exact_ = exact_ && !region->rotateflag && !region->openflag;
+  open_ = open_ || region->openflag;
+  parts_.push_back(part);
+}
+
+/* A region is known by its ID, its style, its box and its parts. */
+std::string RegionShape::description() const {
+  std::string all = "region " + id_;
+  for (const Part &part : parts_) {
+    const Region *r = part.region;
+    all += text(" %s %s%s%s%s", r->id, r->style, r->interior ? "" : " out",
+                r->moveflag ? " move" : "", r->rotateflag ? " rotate" : "");
+    if (r->bboxflag)
+      for (double at : {r->extent_xlo, r->extent_xhi, r->extent_ylo, r->extent_yhi, r->extent_zlo,
+                        r->extent_zhi})
+        all += " " + asperity::setting(at);
+  }
+  return all;
+}
+
+/* The same region may have been defined anew, at another address; its motion goes on. */
+void RegionShape::init() {
+  const std::vector<Part> before = parts_;
+  parts_.clear();
+  root_.of.clear();
+  exact_ = true;
+  open_ = false;
+  add_region(find_region(), root_);
+  for (size_t i = 0; i < parts_.size() && parts_.size() == before.size(); i++) {
+    parts_[i].rate = before[i].rate;
+    parts_[i].has_rate = before[i].has_rate;
+  }
+}
+
+/* ---- how it moves -----------------------------------------------------------------------------
+ */
+
+bool RegionShape::Part::moves() const {
+  return region->moveflag || region->rotateflag;
+}
+
+RegionShape::Pose RegionShape::Part::at(double share) const {
+  Pose pose;
+  for (int d = 0; d < 3; d++)
+    pose.shift[d] = before.shift[d] + share * (now.shift[d] - before.shift[d]);
+  pose.angle = before.angle + share * (now.angle - before.angle);
+  return share < 1 ? pose : now;
+}
+
+/* Rodrigues, about the axis through the origin. */
+void RegionShape::Part::turn(double angle, double x[3]) const {
+  double arm[3], across[3];
+  const double c = cos(angle), s = sin(angle);
+  vector_subtract(x, origin, arm);
+  vector_cross(axis, arm, across);
+  const double along = vector_dot(axis, arm);
+  for (int d = 0; d < 3; d++)
+    x[d] = origin[d] + c * arm[d] + s * across[d] + (1 - c) * along * axis[d];
+}
+
+void RegionShape::Part::to_world(const Pose &pose, double x[3]) const {
+  if (region->rotateflag)
+    turn(pose.angle, x);
+  if (region->moveflag)
+    vector_add_scaled(x, 1, pose.shift, x);
+}
+
+void RegionShape::Part::to_body(const Pose &pose, double x[3]) const {
+  if (region->moveflag)
+    vector_subtract(x, pose.shift, x);
+  if (region->rotateflag)
+    turn(-pose.angle, x);
+}
+
+void RegionShape::Part::velocity_of(const Pose &rate_then, double share, const double x[3],
+                                    double v[3]) const {
+  v[0] = v[1] = v[2] = 0;
+  if (region->rotateflag) {
+    double arm[3];
+    vector_subtract(x, origin, arm);
+    if (region->moveflag)
+      vector_subtract(arm, at(share).shift, arm);
+    vector_cross(axis, arm, v);
+    vector_scale(rate_then.angle, v);
+  }
+  if (region->moveflag)
+    vector_add_scaled(v, 1, rate_then.shift, v);
+}
+
+/* A rate is the mean over a step: that of its middle. Within the step it goes on as it has changed
+ * since the step before. */
+void RegionShape::Part::velocity(double share, const double x[3], double v[3]) const {
+  Pose then;
+  const double on = has_last ? share - 0.5 : 0;
+  for (int d = 0; d < 3; d++)
+    then.shift[d] = rate.shift[d] + on * (rate.shift[d] - last_rate.shift[d]);
+  then.angle = rate.angle + on * (rate.angle - last_rate.angle);
+  velocity_of(then, share, x, v);
+}
+
+void RegionShape::Part::gain(const double x[3], double dv[3]) const {
+  Pose change;
+  for (int d = 0; d < 3; d++)
+    change.shift[d] = has_last ? rate.shift[d] - last_rate.shift[d] : 0;
+  change.angle = has_last ? rate.angle - last_rate.angle : 0;
+  velocity_of(change, 1, x, dv);
+}
+
+static void read_variables(LAMMPS *lammps, Region *region) {
+  lammps->modify->clearstep_compute();
+  region->prematch();
+  lammps->modify->addstep_compute(lammps->update->ntimestep + 1);
+}
+
+void RegionShape::setup() {
+  read_variables(lammps_, root_.region);
+  for (Part &part : parts_) {
+    const Region *r = part.region;
+    part.now = Pose{{r->dx, r->dy, r->dz}, r->theta};
+    part.before = part.now;
+  }
+}
+
+void RegionShape::begin_step() {
+  const double dt = lammps_->update->dt;
+  speed_ = 0;
+  bool any = false;
+  for (const Part &part : parts_)
+    any = any || part.moves();
+  if (!any)
+    return;
+  read_variables(lammps_, root_.region);
+  const Domain *domain = lammps_->domain;
+  for (Part &part : parts_) {
+    const Region *r = part.region;
+    part.before = part.now;
+    part.now = Pose{{r->dx, r->dy, r->dz}, r->theta};
+    part.last_rate = part.rate;
+    part.has_last = part.has_rate;
+    part.has_rate = true;
+    for (int d = 0; d < 3; d++)
+      part.rate.shift[d] = (part.now.shift[d] - part.before.shift[d]) / dt;
+    part.rate.angle = (part.now.angle - part.before.angle) / dt;
+    if (!part.moves())
+      continue;
+    double fastest = r->moveflag ? vector_length(part.rate.shift) : 0, arm[3], most = 0;
+    for (int corner = 0; corner < 8 && r->rotateflag;
+         corner++) { /* a region's box may be endless */
+      for (int d = 0; d < 3; d++)
+        arm[d] = (corner >> d & 1 ? domain->boxhi[d] : domain->boxlo[d]) - part.origin[d];
+      if (r->moveflag)
+        vector_subtract(arm, part.now.shift, arm);
+      most = std::max(most, vector_length(arm));
+    }
+    speed_ = std::max(speed_, fastest + fabs(part.rate.angle) * most);
+  }
+}
+
+double RegionShape::travel(double dt) const {
+  return 1.5 * speed_ * dt; /* it may be faster at an end of the step than in the mean */
+}
+
+/* Puts the region to where it is at a share of the step. */
+void RegionShape::set_share(double share) const {
+  for (const Part &part : parts_)
+    if (part.moves()) {
+      const Pose pose = part.at(share);
+      part.region->dx = pose.shift[0];
+      part.region->dy = pose.shift[1];
+      part.region->dz = pose.shift[2];
+      part.region->theta = pose.angle;
+    }
+}
+
+std::vector<double> RegionShape::motion_record() const {
+  std::vector<double> record;
+  for (const Part &part : parts_)
+    if (part.moves() && part.has_rate) {
+      record.insert(record.end(), part.rate.shift, part.rate.shift + 3);
+      record.push_back(part.rate.angle);
+    }
+  return record;
+}
+
+void RegionShape::restore_motion(const std::vector<double> &record) {
+  size_t at = 0;
+  for (Part &part : parts_)
+    if (part.moves() && record.size() >= at + 4) {
+      part.rate = Pose{{record[at], record[at + 1], record[at + 2]}, record[at + 3]};
+      part.has_rate = true;
+      at += 4;
+    }
+}
+
+/* ---- faces near a point -----------------------------------------------------------------------
+ */
+
+/* Whether a point is in the room of a region, or, with `flip`, of all that is not in it. */
+bool RegionShape::in_room(const Node &node, bool flip, const double x[3]) const {
+  Region *region = node.region;
+  if (node.part >= 0) {
+    region->interior ^= flip;
+    const bool is = region->match(x[0], x[1], x[2]);
+    region->interior ^= flip;
+    return is;
+  }
+  const bool outside = flip != !region->interior;
+  for (const Node &child : node.of)
+    if (in_room(child, outside, x) == (node.is_union != outside))
+      return node.is_union != outside;
+  return node.is_union == outside;
+}
+
+/* The nearest points of all faces, seen from a point of the room. Of a union's parts those points
+ * count that are in no other part, of an intersection those that are in all; seen from outside, it
+ * is the other way round. */
+void RegionShape::find_feet(const Node &node, bool flip, const double x[3], double reach,
+                            std::vector<Foot> &feet) const {
+  Region *region = node.region;
+  if (node.part >= 0) {
+    region->interior ^= flip;
+    const int n = region->surface(x[0], x[1], x[2], reach);
+    region->interior ^= flip;
+    for (int i = 0; i < n; i++) {
+      const Region::Contact &c = region->contact[i];
+      if (!(c.r > 0))
+        continue;
+      const double hollow =
+          c.radius < 0 ? -c.radius / (strcmp(region->style, "sphere") == 0 ? 1 : 2) : 0;
+      feet.push_back(Foot{c.r, {c.delx / c.r, c.dely / c.r, c.delz / c.r}, hollow, node.part});
+    }
+    return;
+  }
+  const bool outside = flip != !region->interior, joins = node.is_union != outside;
+  for (size_t i = 0; i < node.of.size(); i++) {
+    const size_t first = feet.size();
+    find_feet(node.of[i], outside, x, reach, feet);
+    size_t kept = first;
+    for (size_t k = first; k < feet.size(); k++) {
+      double point[3];
+      bool hidden = false;
+      vector_add_scaled(x, -feet[k].distance, feet[k].n, point);
+      for (size_t j = 0; j < node.of.size() && !hidden; j++)
+        hidden =
+            j != i && !node.of[j].region->openflag && in_room(node.of[j], outside, point) == joins;
+      if (!hidden)
+        feet[kept++] = feet[k];
+    }
+    feet.resize(kept);
+  }
+}
+
+/* From either side of each part's faces; not exactly on the axis of a cylinder, where it tells of
+ * none. */
+bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
+  const double aside[3] = {1e-6, 0.7e-6, 0.3e-6};
+  double middle[3], half[3];
+  for (int d = 0; d < 3; d++)
+    half[d] = 0.5 * (hi[d] - lo[d]);
+  const double reach = vector_length(half);
+  for (int d = 0; d < 3; d++)
+    middle[d] = 0.5 * (lo[d] + hi[d]) + reach * aside[d];
+  std::vector<Foot> feet;
+  for (const Part &part : parts_) {
+    Node leaf;
+    leaf.region = part.region;
+    leaf.part = 0;
+    for (int flip = 0; flip < 2; flip++)
+      find_feet(leaf, flip, middle, (1 + 1e-5) * reach, feet);
+    if (!feet.empty())
+      return true;
+  }
+  return false;
+}
+
+/* ---- the first contact ------------------------------------------------------------------------
+ */
+
+/* One search along one path. */
+struct RegionShape::Search {
+  const RegionShape &shape;
+  const Path &path;
+  const double radius, tolerance;
+  double fastest; /* of the sphere relative to any face */
+  bool slides;    /* along a hollow face, */
+  double slides_until;
+
+  Search(const RegionShape &s, const Path &p, double r)
+      : shape(s), path(p), radius(r), tolerance(CONTACT_TOLERANCE * r),
+        fastest(vector_length(p.v) + s.speed_), slides(false), slides_until(HUGE_VAL) {}
+  ~Search() {
+    shape.set_share(1);
+  }
+
+  double share(double time) const {
+    return path.share() + time / path.dt;
+  }
+  void look(double time, Look &l) const;
+  void relative(const Look &l, const Foot &foot, double v_wall[3], double v[3]) const;
+  double approach(const Look &l, const Foot &foot, bool &counts) const;
+  const Foot *touched(const Look &l) const;
+  double reached(const Look &l, const Foot &foot);
+  double next(const Look &l);
+  bool is_too_far(const Look &l, const Foot *foot) const;
+  void go_back(Look &good, Look &bad) const;
+  void fill(const Look &l, const Foot &foot, Contact &contact) const;
+};
+
+void RegionShape::Search::look(double time, Look &l) const {
+  l.time = time;
+  vector_add_scaled(path.x, time, path.v, l.x);
+  shape.set_share(share(time));
+  l.in_room = shape.open_ || shape.in_room(shape.root_, false, l.x);
+  l.feet.clear();
+  if (l.in_room)
+    shape.find_feet(shape.root_, false, l.x,
+                    1.001 * radius + fastest * std::max(0.0, path.left - time), l.feet);
+}
+
+/* The velocity of the foot, and of the sphere relative to it. */
+void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wall[3],
+                                   double v[3]) const {
+  const Part &part = shape.parts_[foot.part];
+  double point[3];
+  v_wall[0] = v_wall[1] = v_wall[2] = 0;
+  if (part.moves()) {
+    vector_add_scaled(l.x, -foot.distance, foot.n, point);
+    part.velocity(share(l.time), point, v_wall);
+  }
+  vector_subtract(path.v, v_wall, v);
+}
+
+/* The speed towards a foot, and whether that is more than rounding, or than sliding. */
+double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
+  double v_wall[3], v[3];
+  relative(l, foot, v_wall, v);
+  const double speed = -vector_dot(v, foot.n);
+  counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * vector_length(v);
+  return speed;
+}
+
+/* The face that is touched, or NULL: the deepest of those that the sphere approaches. */
+const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
+  const Foot *deepest = NULL;
+  for (const Foot &foot : l.feet) {
+    bool counts;
+    if (foot.distance - radius > tolerance || (deepest && foot.distance >= deepest->distance))
+      continue;
+    if (slides && foot.hollow > 0 && l.time < slides_until)
+      continue;
+    approach(l, foot, counts);
+    if (counts)
+      deepest = &foot;
+  }
+  return deepest;
+}
+
+/* How long at least until a face is reached. */
+double RegionShape::Search::reached(const Look &l, const Foot &foot) {
+  bool counts;
+  const double speed = approach(l, foot, counts), gap = foot.distance - radius;
+  if (!(foot.hollow > 0))
+    return counts ? std::max(0.0, gap) / speed : HUGE_VAL;
+  if (!slides && gap <= tolerance && !(speed < -SLIDES * fastest)) {
+    slides = true;
+    slides_until = std::min(path.left, l.time + sqrt(radius * foot.hollow) / fastest);
+  }
+  if (slides)
+    return HUGE_VAL;
+  const double from_axis = foot.hollow - foot.distance, beyond = gap * (2 * from_axis + gap);
+  if (!(from_axis > 0) || !(beyond > 0))
+    return std::max(0.0, gap) / fastest;
+  const double rate = from_axis * speed, root = sqrt(rate * rate + fastest * fastest * beyond);
+  return speed > 0 ? beyond / (rate + root) : (root - rate) / (fastest * fastest);
+}
+
+/* How long at least until any is. Where faces may be hidden, no further than they can tell. */
+double RegionShape::Search::next(const Look &l) {
+  double time = HUGE_VAL, nearest = HUGE_VAL;
+  for (const Foot &foot : l.feet) {
+    time = std::min(time, reached(l, foot));
+    nearest = std::min(nearest, foot.distance - radius);
+  }
+  if (!shape.exact_ || !l.in_room) {
+    const bool blind = l.feet.empty() || !l.in_room;
+    const double sure = shape.root_.part >= 0 && !blind ? nearest : 0;
+    time = std::min(time, std::max(sure, STRIDE * radius) / fastest);
+  }
+  return time;
+}
+
+/* Whether a look has passed a contact: it is out of the room, or deep in a face. */
+bool RegionShape::Search::is_too_far(const Look &l, const Foot *foot) const {
+  if (!l.in_room)
+    return true;
+  return foot && foot->distance - radius < -tolerance && !(slides && foot->hollow > 0);
+}
+
+/* Between a place before the contact and one behind it: both come as near to it as they can. */
+void RegionShape::Search::go_back(Look &good, Look &bad) const {
+  Look between;
+  while ((bad.time - good.time) * fastest > 0.5 * tolerance) {
+    const double middle = 0.5 * (good.time + bad.time);
+    if (!(middle > good.time && middle < bad.time))
+      break;
+    look(middle, between);
+    (!between.in_room || touched(between) ? bad : good) = between;
+  }
+}
+
+void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact) const {
+  double v[3], gain[3], point[3];
+  const double lift = radius - foot.distance;
+  contact.time = l.time;
+  vector_copy(foot.n, contact.n);
+  relative(l, foot, contact.v_wall, v);
+  contact.closing = -vector_dot(v, foot.n);
+  contact.piece = 0;
+  vector_add_scaled(l.x, lift > tolerance ? lift : 0, foot.n, contact.x);
+  contact.guarded = lift > tolerance && !(slides && foot.hollow > 0);
+  vector_add_scaled(l.x, -foot.distance, foot.n, point);
+  contact.gain = 0;
+  if (shape.parts_[foot.part].moves()) {
+    shape.parts_[foot.part].gain(point, gain);
+    contact.gain = std::max(0.0, vector_dot(gain, foot.n));
+  }
+}
+
+bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  Search search(*this, path, radius);
+  const double end = std::min(latest, path.left);
+  if (!(search.fastest > 0) || !(path.left > 0))
+    return false;
+  Look good, now;
+  search.look(0, now);
+  for (int looks = 1;; looks++) {
+    const Foot *foot = search.touched(now);
+    if (looks > 1 && good.in_room && search.is_too_far(now, foot)) {
+      const Look far = now;
+      search.go_back(good, now);
+      foot = search.touched(now);
+      if (!foot) { /* it has left the room where there is no face */
+        now = far;
+        foot = search.touched(now);
+      }
+    }
+    if (foot) {
+      search.fill(now, *foot, contact);
+      return true;
+    }
+    if (!(now.time < end))
+      return false;
+    good = now;
+    double step = search.next(now);
+    if (looks > PATIENCE)
+      step = std::max(step, HURRY * radius / search.fastest);
+    double to = std::min(end, now.time + step);
+    if (search.slides && to >= search.slides_until)
+      to = std::min(end, search.slides_until);
+    search.look(to, now);
+  }
+}
+
+/* ---- what sticks ------------------------------------------------------------------------------
+ */
+
+/* To the part whose face is there. */
+void RegionShape::stick(const Path &path, const Contact &contact, Place &place) const {
+  const double share = path.share() + contact.time / path.dt;
+  std::vector<Foot> feet;
+  set_share(share);
+  find_feet(root_, false, contact.x, HUGE_VAL, feet);
+  set_share(1);
+  place.piece = 0;
+  double nearest = HUGE_VAL;
+  for (const Foot &foot : feet)
+    if (vector_dot(foot.n, contact.n) > 1 - SAME && foot.distance < nearest) {
+      nearest = foot.distance;
+      place.piece = foot.part;
+    }
+  vector_copy(contact.x, place.at);
+  const Part &part = parts_[place.piece];
+  if (part.moves())
+    part.to_body(part.at(share), place.at);
+}
+
+void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) const {
+  vector_copy(place.at, x);
+  v[0] = v[1] = v[2] = 0;
+  if (place.piece < 0 || place.piece >= static_cast<int>(parts_.size()))
+    return;
+  const Part &part = parts_[place.piece];
+  if (!part.moves())
+    return;
+  part.to_world(part.now, x);
+  part.velocity(1, x, v);
+}

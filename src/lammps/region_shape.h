@@ -1,0 +1,111 @@
+/* A region of LAMMPS as a wall: block, cone, cylinder, plane, prism, sphere, and unions and
+ * intersections of them, at rest, or moved and turned by variables. A region tells, for a point of
+ * its room, where the nearest points of its faces are; nothing for a point outside. The rest is
+ * worked out here: the first contact along a path, what a union hides of its parts (LAMMPS's own
+ * unions turn the contacts of a part that turns twice), and where a part is within a step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef LMP_REGION_SHAPE_H
+#define LMP_REGION_SHAPE_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pointers.h"
+#include "wall/shape.h"
+
+namespace LAMMPS_NS {
+
+class RegionShape : public asperity::Shape {
+public:
+  /* Throws an asperity::Error. */
+  RegionShape(LAMMPS *lammps, const std::string &id);
+
+  /* What the script says of it, equal for equal regions. */
+  std::string description() const;
+
+  /* Before a run: it may have been deleted, or defined anew. Throws an asperity::Error. */
+  void init();
+
+  /* At the beginning of a run, and of each step: its variables are computed; collective. */
+  void setup();
+  void begin_step();
+
+  double travel(double dt) const override;
+  bool may_meet(const double lo[3], const double hi[3]) const override;
+  bool find(const asperity::Path &path, double radius, double latest,
+            asperity::Contact &contact) const override;
+  void stick(const asperity::Path &path, const asperity::Contact &contact,
+             asperity::Place &place) const override;
+  void carry(asperity::Place &place, double radius, double dt, double x[3],
+             double v[3]) const override;
+  std::vector<double> motion_record() const override;
+  void restore_motion(const std::vector<double> &record) override;
+
+private:
+  /* A displacement, and an angle about the part's axis. */
+  struct Pose {
+    double shift[3], angle;
+  };
+
+  /* A region that is no union or intersection, and its motion in this step. */
+  struct Part {
+    class Region *region;
+    double origin[3], axis[3]; /* of its turn: a point and a unit vector */
+    Pose before, now, rate, last_rate;
+    bool has_rate, has_last;
+
+    bool moves() const;
+    Pose at(double share) const;
+    void to_world(const Pose &pose, double x[3]) const;
+    void to_body(const Pose &pose, double x[3]) const;
+    void velocity(double share, const double x[3], double v[3]) const;
+    void gain(const double x[3], double dv[3]) const;
+    void turn(double angle, double x[3]) const;
+    void velocity_of(const Pose &rate_then, double share, const double x[3], double v[3]) const;
+  };
+
+  /* A region and what it is made of. */
+  struct Node {
+    class Region *region;
+    int part; /* -1: a union or an intersection */
+    bool is_union;
+    std::vector<Node> of;
+  };
+
+  /* The nearest point of a face. */
+  struct Foot {
+    double distance, n[3]; /* unit, from the face to the point */
+    double hollow;         /* radius of a face that is hollow towards the point; 0 for others */
+    int part;
+  };
+
+  /* What is near a point of the path. */
+  struct Look {
+    double time, x[3];
+    bool in_room;
+    std::vector<Foot> feet;
+  };
+
+  struct Search;
+
+  void add_region(class Region *region, Node &node);
+  class Region *find_region() const;
+  void set_share(double share) const;
+  bool in_room(const Node &node, bool flip, const double x[3]) const;
+  void find_feet(const Node &node, bool flip, const double x[3], double reach,
+                 std::vector<Foot> &feet) const;
+
+  LAMMPS *lammps_;
+  std::string id_;
+  Node root_;
+  std::vector<Part> parts_;
+  bool exact_; /* no face is missed between the points that a search looks at */
+  bool open_;
+  double speed_; /* of the fastest point in this step */
+};
+
+} // namespace LAMMPS_NS
+
+#endif
