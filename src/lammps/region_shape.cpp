@@ -43,6 +43,9 @@ const double STRIDE = 0.5;
 const int PATIENCE = 1000;
 const double HURRY = 1e-3;
 
+/* How far beyond a face, in distances from it, one looks whether another part begins there. */
+const double BEYOND = 1e-7;
+
 /* Two feet of one place. */
 const double SAME = 1e-6;
 
@@ -336,8 +339,8 @@ bool RegionShape::in_room(const Node &node, bool flip, const double x[3]) const 
 }
 
 /* The nearest points of all faces, seen from a point of the room. Of a union's parts those points
- * count that are in no other part, of an intersection those that are in all; seen from outside, it
- * is the other way round. */
+ * count behind which no other part goes on, of an intersection those before which all others are;
+ * seen from outside, it is the other way round. */
 void RegionShape::find_feet(const Node &node, bool flip, const double x[3], double reach,
                             std::vector<Foot> &feet) const {
   Region *region = node.region;
@@ -363,7 +366,7 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
     for (size_t k = first; k < feet.size(); k++) {
       double point[3];
       bool hidden = false;
-      vector_add_scaled(x, -feet[k].distance, feet[k].n, point);
+      vector_add_scaled(x, -(1 + (joins ? BEYOND : -BEYOND)) * feet[k].distance, feet[k].n, point);
       for (size_t j = 0; j < node.of.size() && !hidden; j++)
         hidden =
             j != i && !node.of[j].region->openflag && in_room(node.of[j], outside, point) == joins;
@@ -492,10 +495,11 @@ double RegionShape::Search::reached(const Look &l, const Foot &foot) {
   if (slides)
     return HUGE_VAL;
   const double from_axis = foot.hollow - foot.distance, beyond = gap * (2 * from_axis + gap);
-  if (!(from_axis > 0) || !(beyond > 0))
+  if (!(from_axis > 0))
     return std::max(0.0, gap) / fastest;
-  const double rate = from_axis * speed, root = sqrt(rate * rate + fastest * fastest * beyond);
-  return speed > 0 ? beyond / (rate + root) : (root - rate) / (fastest * fastest);
+  const double rate = from_axis * speed, square = fastest * fastest;
+  const double root = sqrt(std::max(0.0, rate * rate + square * beyond));
+  return speed > 0 ? std::max(0.0, beyond) / (rate + root) : (root - rate) / square;
 }
 
 /* How long at least until any is. Where faces may be hidden, no further than they can tell. */

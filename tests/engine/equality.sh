@@ -53,12 +53,21 @@ two() {
   plane low 'zplane 0.0 shear x 3.' 'deposit off seed 7 rebound constant 0.95 0.9 ledger 50 file low.csv'
   plane high 'zplane 2e-4' 'deposit off seed 7 ledger 50 file high.csv'
 }
+mesh() { # KEYWORDS: a wall of triangles of type 2
+  if [ $simulator = lammps ]; then echo "fix low all wall/rebound stl ../plate.stl type 2 $physics $1"
+  else echo "fix plate all mesh/surface file ../plate.stl type 2
+fix low all wall/rebound mesh n_meshes 1 meshes plate $physics $1"; fi
+}
+flat() { mesh 'deposit freeze seed 9 ledger 100 file low.csv'; }
 pipe() { plane low 'xcylinder 2e-3 1.5e-3 1.99e-3 shear x 11.' 'deposit freeze seed 8 ledger 100 file low.csv'; }
 
-for case in freeze delete two pipe; do
+plate 5 1 3.9e-3 > plate.stl
+
+for case in freeze delete two pipe flat; do
   scene $case $case 'run 150
 run 250'
-  for ranks in 1 2; do
+  for ranks in 1 2 4; do
+    [ $ranks != 4 ] || [[ $case =~ delete|flat ]] || continue
     both $case $ranks
     [ "$(count_rows lammps/low.csv)" -ge 100 ] || die "$case: only $(count_rows lammps/low.csv) impacts"
     equal "$case on $ranks ranks"
@@ -66,7 +75,7 @@ run 250'
 done
 
 # From two ranks to one, and the other way round.
-for case in freeze two; do
+for case in freeze two flat; do
   scene whole $case 'run 150
 write_restart half.restart'
   scene rest $case 'run 250' 'read_restart half.restart'

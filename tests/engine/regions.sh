@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Regions of LAMMPS as walls: where a wall can be said in another way too, as a plane, a cylinder or a mesh, the same
+# impacts; in closed rooms of every style nobody is lost, however long the step is; rooms that move and turn, and what
+# sticks to them; restarts.
+source "$(dirname "$0")/engine.sh"
+simulator=lammps
+grains 400 > grains.data
+plate 1 1 2.9e-3 > plate.stl
+physics='type 2 materials quartz hastelloy-x surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple seed 5'
+
+# scene NAME WALL [RUN]: grains that fly, and a wall low.
+scene() {
+  { head_of si | sed 's/boundary.*/boundary m m m/'
+    echo "read_data grains.data
+neighbor 3e-5 bin
+neigh_modify delay 0 exclude group all all
+fix move all nve/sphere
+timestep ${dt:-1e-8}
+$2
+thermo_style custom step f_low f_low[2]
+${3:-run 400}"; } > "$1.in"
+}
+# pair TEXT WALL OTHER [TOLERANCE]: the same impacts by either; with as many as that.
+pair() {
+  scene one "$2 $physics ${5:-} ledger 100 file one.csv"
+  scene other "$3 $physics ${5:-} ledger 100 file other.csv"
+  engine 1 one.in
+  engine 2 other.in
+  [ "$(count_rows one.csv)" -ge "${6:-100}" ] || die "$1: only $(count_rows one.csv) impacts"
+  near one.csv other.csv '1 2 3 6 7 8 10 11 12 15 16 19' "${4:-1e-9}" || die "$1"
+}
+pair 'a plane' 'fix low all wall/rebound zplane 0' 'region r plane 0 0 0 0 0 1
+fix low all wall/rebound region r'
+pair 'a block' 'fix low all wall/rebound zplane 0' 'region r block EDGE EDGE EDGE EDGE 0 EDGE units box
+fix low all wall/rebound region r'
+pair 'a block as an obstacle' 'fix low all wall/rebound zplane 0' 'region r block EDGE EDGE EDGE EDGE INF 0 units box side out
+fix low all wall/rebound region r'
+pair 'a prism' 'fix low all wall/rebound zplane 0' 'region r prism -9e-3 9e-3 -9e-3 9e-3 0 8e-3 0 0 0 units box
+fix low all wall/rebound region r'
+pair 'a union' 'fix low all wall/rebound zplane 0' 'region a block EDGE 1e-3 EDGE EDGE 0 EDGE units box
+region b block 0.5e-3 EDGE EDGE EDGE 0 EDGE units box
+region r union 2 a b
+fix low all wall/rebound region r'
+pair 'an intersection' 'fix low all wall/rebound zplane 0' 'region a plane 0 0 0 0 0 1
+region b plane 0 0 -1e-5 0 0 1
+region r intersect 2 a b
+fix low all wall/rebound region r'
+pair 'a cylinder' 'fix low all wall/rebound zcylinder 5e-4 1e-3 1e-3' 'region r cylinder z 1e-3 1e-3 5e-4 INF INF units box open 1
+fix low all wall/rebound region r' 1e-9 'deposit off' 12
+pair 'a pipe' 'fix low all wall/rebound xcylinder 1.4e-3 1e-3 1.39e-3' 'region r cylinder x 1e-3 1.39e-3 1.4e-3 INF INF units box
+fix low all wall/rebound region r' 1e-6 'deposit off'
+pair 'a plate that moves' 'variable z equal v_up*time
+variable up equal 3.
+region r plane 0 0 0 0 0 1 move NULL NULL v_z
+fix low all wall/rebound region r' "fix low all wall/rebound stl plate.stl move linear 0 0 3." 1e-6
+
+# Closed rooms, a mirror as the wall, steps of half a diameter to fifty: all stay in, at their speed.
+room() { # NAME STEPS REGIONS: the last region is r; `stay` counts who is in it
+  { head_of si
+    echo "region box block -1.1e-3 1.1e-3 -1.1e-3 1.1e-3 -1.1e-3 1.1e-3 units box
+create_box 2 box
+$3
+create_atoms 1 random 200 4711 r units box
+set group all diameter 2e-5 density 2650
+variable vx atom random(-60,60,11)
+variable vy atom random(-60,60,12)
+variable vz atom random(-60,60,13)
+velocity all set v_vx v_vy v_vz
+neighbor 3e-5 bin
+neigh_modify delay 0 exclude group all all
+fix move all nve/sphere
+fix low all wall/rebound region r type 2 rebound constant 1 1 deposit off
+variable stay equal count(all,r)
+thermo_style custom step f_low v_stay ke
+thermo_modify format float %.12g
+thermo 1000000"
+    for timestep in 2e-7 1e-6 2e-5; do echo "timestep $timestep
+run $2"; done; } > "$1.in"
+  engine 2 "$1.in"
+  grep -E '^ +[0-9]+ +[0-9]+ +[0-9]+ ' "$1.in.screen" | awk -v name="$1" '
+    { if ($3 != 200) { print name ": step " $1 ": " $3 " of 200 are in the room"; bad = 1 }
+      if (!ke) ke = $4; if ($4 > ke * (1 + 1e-9) || $4 < ke * (1 - 1e-9)) { print name ": step " $1 ": energy " $4 ", it was " ke; bad = 1 } hits = $2 }
+    END { if (hits < 2000) { print name ": " hits " hits"; bad = 1 } exit bad }' || die "$1"
+}
+room block 300 'region r block -1e-3 1e-3 -8e-4 8e-4 -1e-3 9e-4 units box'
+room cylinder 300 'region r cylinder z 0 0 1e-3 -1e-3 1e-3 units box'
+room cone 300 'region r cone z 0 0 2e-4 1e-3 -1e-3 1e-3 units box'
+room prism 300 'region r prism -5e-4 5e-4 -5e-4 5e-4 -1e-3 1e-3 3e-4 2e-4 1e-4 units box'
+room sphere 300 'region r sphere 0 0 0 1e-3 units box'
+room intersection 100 'region a sphere 0 0 0 1e-3 units box
+region b cylinder x 0 0 2e-4 INF INF side out units box
+region r intersect 2 a b'
+room hopper 100 'region a cone z 0 0 2e-4 1e-3 -2e-4 1e-3 units box
+region b cylinder z 0 0 2e-4 -1e-3 -2e-4 units box
+region r union 2 a b'
