@@ -4,6 +4,8 @@
 #
 # Debian's package lacks two headers that the others include or a fix needs; src/lammps/debian has
 # what stands in for them.
+include(${CMAKE_CURRENT_LIST_DIR}/lammps_version.cmake)
+
 find_path(LAMMPS_INCLUDE_DIR fix.h PATH_SUFFIXES lammps)
 find_library(LAMMPS_LIBRARY lammps)
 mark_as_advanced(LAMMPS_INCLUDE_DIR LAMMPS_LIBRARY)
@@ -11,12 +13,9 @@ mark_as_advanced(LAMMPS_INCLUDE_DIR LAMMPS_LIBRARY)
 if(LAMMPS_LIBRARY)
   file(STRINGS ${LAMMPS_LIBRARY} LAMMPS_VERSION LIMIT_COUNT 1
     REGEX "Parallel Simulator - [0-9]+ [A-Z][a-z]+ [0-9]+")
-  if(LAMMPS_VERSION MATCHES "Parallel Simulator - (([0-9]+) ([A-Z][a-z]+) ([0-9]+))")
+  if(LAMMPS_VERSION MATCHES "Parallel Simulator - ([0-9]+ [A-Z][a-z]+ [0-9]+)")
     set(LAMMPS_VERSION ${CMAKE_MATCH_1})
-    string(FIND "JanFebMarAprMayJunJulAugSepOctNovDec" ${CMAKE_MATCH_3} _month)
-    math(EXPR LAMMPS_VERSION_NUMBER
-      "${CMAKE_MATCH_4} * 10000 + (${_month} / 3 + 1) * 100 + ${CMAKE_MATCH_2}")
-    unset(_month)
+    asperity_date_number("${LAMMPS_VERSION}" LAMMPS_VERSION_NUMBER)
   endif()
 endif()
 

@@ -204,7 +204,7 @@ void FixWallRebound::begin_step() {
   if (region_)
     region_->begin_step();
   if (mesh_)
-    mesh_->begin_step(wall_.time(static_cast<double>(update->ntimestep)));
+    mesh_->begin_step(wall_.time(static_cast<double>(update->ntimestep)), update->dt);
 }
 
 void FixWallRebound::post_integrate() {

@@ -141,13 +141,13 @@ void DrivenMesh::setup(double time) {
   has_begun_ = true;
 }
 
-void DrivenMesh::begin_step(double time) {
+void DrivenMesh::begin_step(double time, double dt) {
   if (!drive_.moves())
     return;
   Frame frame;
   Twist twist;
   drive_.at(time - origin_, frame, twist);
-  motion().advance(frame, twist);
+  motion().advance(frame, twist, dt);
 }
 
 bool DrivenMesh::parse(Words &words) {

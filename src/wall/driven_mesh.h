@@ -56,7 +56,7 @@ public:
 
   /* At the beginning of a run, and of each step: the time of the wall's own clock. */
   void setup(double time);
-  void begin_step(double time);
+  void begin_step(double time, double dt);
 
   /* The time at which the motion began, and the velocity at the end of the last step. */
   std::vector<double> motion_record() const override;
