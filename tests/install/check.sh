@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the build into a folder and uses the library from there as a stranger would: by CMake's
+# Installs the build into a folder and uses the library from there as a program outside the project does: by CMake's
 # find_package, and by pkg-config. Usage: check.sh BUILD
 set -euo pipefail
 build=$1
@@ -18,13 +18,26 @@ for program in "$build"/bin/* "$work"/prefix/bin/*; do
 done
 [ "$programs" -ge 2 ] || { echo "no programs were looked at"; exit 1; }
 
-cmake -S "$here" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+program=$here/../../examples/c_program
+cmake -S "$program" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-"$work/cmake/stranger"
+"$work/cmake/scatter"
 pc=$(find "$work/prefix" -name asperity.pc -printf %h)
 # shellcheck disable=SC2046
-gcc "$here/stranger.c" -o "$work/stranger" $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs asperity) -lm
-"$work/stranger"
+gcc -std=c11 -Wall -Wextra -Werror "$program/scatter.c" -o "$work/scatter" \
+  $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs asperity) -lm
+"$work/scatter" > "$work/found"
+# The same wall by the command: the means of 10 000 impacts agree within four standard errors of both.
+"$work/prefix/bin/asperity" cor --rq 5um --lambda-c 40um --dp 10um --speed 100 --angles 20 --particle quartz --wall 304-ss \
+  --model visible --tilt plane --collisions multiple --samples 10000 |
+  awk -F '[ ,]' 'NR == FNR { n = $5; t = $8; next } /^[0-9]/ { k++; a += $8; b += $9; aa += $8 ^ 2; bb += $9 ^ 2 }
+    function far(mean, sum, squares) { return (mean - sum / k) ^ 2 > 16 * 2 * (squares / k - (sum / k) ^ 2) / k + 1e-6 }
+    END { exit k != 10000 || far(n, a, aa) || far(t, b, bb) }' "$work/found" - ||
+  { echo "the program and the command differ: $(cat "$work/found")"; exit 1; }
+
+# The manual's pages and the shell's completion.
+[ "$(find "$work/prefix" -path '*/man/man1/*.1' | wc -l)" -ge 10 ] || { echo "the manual's pages are not installed"; exit 1; }
+[ -n "$(find "$work/prefix" -path '*/bash-completion/completions/asperity')" ] || { echo "no completion is installed"; exit 1; }
 # The header is C++11 too.
 g++ -std=c++11 -pedantic -Wall -Werror -fsyntax-only -x c++ "$work"/prefix/include/asperity.h
 

@@ -28,11 +28,12 @@ grep -v -e '^asp_' -e '^aspi_' "$work/global" > "$work/bare" && die "global name
 
 pc=$(find "$work/prefix" -name asperity.pc -printf %h)
 export PKG_CONFIG_PATH=$pc LD_LIBRARY_PATH=$(dirname "$library")
+program=$here/../../examples/c_program
 # shellcheck disable=SC2046
-gcc "$here/stranger.c" -o "$work/stranger" $(pkg-config --cflags --libs asperity)
-"$work/stranger"
+gcc "$program/scatter.c" -o "$work/scatter" $(pkg-config --cflags --libs asperity)
+"$work/scatter"
 ! pkg-config --libs asperity | grep -q gsl || die "who links the shared library is asked for GSL"
-cmake -S "$here" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; die "find_package"; }
+cmake -S "$program" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; die "find_package"; }
 cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; die "build by find_package"; }
-"$work/cmake/stranger"
+"$work/cmake/scatter"
 "$work/prefix/bin/asperity" --version
