@@ -9,10 +9,22 @@
 
 enum { CELLS = 45 };
 
+static void print_sizes(FILE *gp, const cor_scene *s) {
+  if (s->sizes.count == 1)
+    fprintf(gp, "d_p = %.3g µm; ", s->sizes.values[0] * 1e6);
+  else if (s->sizes.count > 1)
+    fprintf(gp, "d_p = %.3g … %.3g µm; ", s->sizes.values[0] * 1e6,
+            s->sizes.values[s->sizes.count - 1] * 1e6);
+  else
+    fprintf(gp, "d_p log-normal, %.3g … %.3g µm, median %.3g µm; ", s->least * 1e6, s->most * 1e6,
+            s->median * 1e6);
+}
+
 /* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
  */
 void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *rows, size_t n) {
   static const char *const names[] = {"CoR_N", "CoR_T"};
+  static const double bottom[] = {0, -1}, top[] = {3, 2};
   cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
   FILE *gp = cli_plot_stream(picture);
   double d_p = s->sizes.count ? s->sizes.values[0] : s->median;
@@ -24,19 +36,24 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
   size_t every = n / 20000 + 1, deposits = 0;
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
-  fprintf(gp, "set multiplot layout 1,2 title '%s on %s, %g m/s, %s; ",
+  fprintf(gp, "set multiplot layout 1,2 title '{/=10 %s on %s, %g m/s, %s; ",
           cli_plot_label(picture, asp_material_name(s->law.particle)).text,
           cli_plot_label(picture, options[LAW + LAW_WALL].value).text, s->speed,
           cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(s->law.wall))).text);
   if (s->surface)
-    fprintf(gp, "{/Symbol F}_R = %.3g, %s; ", asp_surface_phi_r(s->surface),
+    fprintf(gp, "R_q = %.3g µm, {/Symbol l}_c = %.3g µm, {/Symbol F}_R = %.3g, %s; ",
+            asp_surface_r_q(s->surface) * 1e6, asp_surface_lambda_c(s->surface) * 1e6,
+            asp_surface_phi_r(s->surface),
             cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
-  fprintf(gp, "%.1f %% of %zu impacts stick'\n", 100 * (double)deposits / (double)n, n);
+  print_sizes(gp, s);
+  fprintf(gp, "%zu impacts, %.1f %% stick and are left out}'\n", n,
+          100 * (double)deposits / (double)n);
   fputs("set xrange [0:90]\nset xtics 15\n"
         "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
         gp);
   for (int t = 0; t < 2; t++) {
     aspi_running cells[CELLS] = {{0, 0, 0}};
+    size_t outside = 0;
     fprintf(gp, "$scatter%d << EOD\n", t);
     for (size_t i = 0; i < n; i++) {
       if (rows[i].impact.outcome == ASP_DEPOSIT || (t && !rows[i].cor.cor_t_defined))
@@ -44,6 +61,7 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
       double y = t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
       int cell = (int)(rows[i].alpha1 / 90 * CELLS);
       aspi_running_add(&cells[cell < CELLS ? cell : CELLS - 1], y);
+      outside += y < bottom[t] || y > top[t];
       if (i % every == 0)
         fprintf(gp, "%g %g\n", rows[i].alpha1, y);
     }
@@ -59,11 +77,14 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
         fprintf(gp, "%g %g\n", 0.5 * i, t ? r.cor.cor_t : r.cor.cor_n);
     }
     fprintf(gp,
-            "EOD\nset ylabel '%s'\nset yrange [%s]\nset key %s opaque\n"
-            "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fbfdf' title 'impacts', "
-            "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#1f5fa8' title 'mean ± sd', "
-            "$smooth%d with lines ls 2 title 'smooth wall, d_p = %.3g µm'\n",
-            names[t], t ? "-1:2" : "0:3", t ? "bottom left" : "top right", t, t, t, d_p * 1e6);
+            "EOD\nset ylabel '%s'\nset yrange [%g:%g]\nset key %s opaque\n"
+            "set label 1 '%.1f %% of the impacts lie outside' at graph 0.98, graph %g right "
+            "font ',9' tc '#666666'\n"
+            "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fc5dd' title 'impacts', "
+            "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title 'mean ± sd', "
+            "$smooth%d with lines ls 2 dt 1 title 'smooth wall, d_p = %.3g µm'\n",
+            names[t], bottom[t], top[t], t ? "bottom left" : "top right",
+            100 * (double)outside / (double)n, t ? 0.25 : 0.72, t, t, t, d_p * 1e6);
   }
   fputs("unset multiplot\n", gp);
   cli_cor_free_wall(&smooth);

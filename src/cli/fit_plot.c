@@ -49,8 +49,8 @@ static void plot_divergences(FILE *gp, const angle_fit *fits, size_t n) {
           noise / 2, cli_degrees(fits[0].sigma));
   for (int m = 0, column = 2; m < asp_spread_count(); m++)
     if (cli_fit_judges(asp_spread_at(m))) {
-      fprintf(gp, "$kl using 1:%d with lines ls %d dt %d title '%s', ", column,
-              (column - 2) % 6 + 1, column > 5 ? 3 : 1, asp_spread_at(m)->name);
+      fprintf(gp, "$kl using 1:%d with lines ls %d title '%s', ", column, (column - 2) % 6 + 1,
+              asp_spread_at(m)->name);
       column++;
     }
   fputc('\n', gp);
@@ -77,14 +77,17 @@ static void plot_panel(FILE *gp, const angle_fit *f, const char *const *names, i
               model->density(&view, f->sigma * i / 100) * degree);
     fputs("EOD\n", gp);
   }
+  double sigma = cli_degrees(f->sigma), mark = -cli_degrees(f->alpha1) / 2;
   fprintf(gp,
           "set title '{/Symbol a}_1 = %g°, {/Symbol s} = %g°'\nset xrange [%g:%g]\n"
-          "set arrow 1 from %g, graph 0 to %g, graph 1 nohead lc '#999999' dt 3\n"
-          "set label 1 '-{/Symbol a}_1/2' at %g, graph 0.96 right offset -0.3,0 tc '#666666'\n"
-          "plot $bars with boxes lc rgb '#cccccc' title 'baseline'",
-          cli_degrees(f->alpha1), cli_degrees(f->sigma), -3.5 * cli_degrees(f->sigma),
-          4 * cli_degrees(f->sigma), -cli_degrees(f->alpha1) / 2, -cli_degrees(f->alpha1) / 2,
-          -cli_degrees(f->alpha1) / 2);
+          "unset arrow 1\nunset label 1\n",
+          cli_degrees(f->alpha1), sigma, -3.5 * sigma, 4 * sigma);
+  if (mark > -3.5 * sigma)
+    fprintf(gp,
+            "set arrow 1 from %g, graph 0 to %g, graph 1 nohead lc '#999999' dt 3\n"
+            "set label 1 '-{/Symbol a}_1/2' at %g, graph 0.96 right offset -0.3,0 tc '#666666'\n",
+            mark, mark, mark);
+  fputs("plot $bars with boxes lc rgb '#cccccc' title 'baseline'", gp);
   for (int m = 0; m < count; m++)
     fprintf(gp, ", $line%d with lines ls %d title '%s'", m, m + 1, names[m]);
   fputc('\n', gp);
@@ -93,11 +96,14 @@ static void plot_panel(FILE *gp, const angle_fit *f, const char *const *names, i
 static void plot_densities(FILE *gp, const angle_fit *fits, size_t n, const char *const *names,
                            int count) {
   fputs("set xlabel 'tilt {/Symbol Da} / degrees'\nset ylabel 'density / (1/degree)'\n"
-        "set style fill solid 1 noborder\nset yrange [0:*]\nset key top right\n",
+        "set style fill solid 1 noborder\nset yrange [0:*]\n"
+        "set key left center Left reverse samplen 1.5\n", /* the first panel has room there */
         gp);
   fprintf(gp, "set multiplot layout 1,%d\n", n < 3 ? 1 : 3);
-  for (size_t i = 0; i < (n < 3 ? 1 : 3); i++)
+  for (size_t i = 0; i < (n < 3 ? 1 : 3); i++) {
     plot_panel(gp, &fits[n < 3 ? 0 : i * (n - 1) / 2], names, count);
+    fputs("unset key\n", gp);
+  }
 }
 
 void cli_fit_plot(const cli_option *options, const angle_fit *fits, size_t n,

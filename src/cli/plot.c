@@ -104,12 +104,13 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
         "set border lc rgb '#444444'\n"
         "set tics nomirror\n"
         "set key font ',10' spacing 1.1\n"
-        "set style line 1 lc rgb '#1f5fa8' lw 2\n"
-        "set style line 2 lc rgb '#c8501e' lw 2\n"
-        "set style line 3 lc rgb '#2a8c4a' lw 2\n"
-        "set style line 4 lc rgb '#7a3fa0' lw 2\n"
-        "set style line 5 lc rgb '#8a6d1b' lw 2\n"
-        "set style line 6 lc rgb '#444444' lw 2\n",
+        /* Okabe & Ito's colours, which the colour-blind can tell apart; dashes for print. */
+        "set style line 1 lc rgb '#0072b2' lw 2 dt 1\n"
+        "set style line 2 lc rgb '#d55e00' lw 2 dt (12,3)\n"
+        "set style line 3 lc rgb '#009e73' lw 2 dt (6,3)\n"
+        "set style line 4 lc rgb '#cc79a7' lw 2 dt (12,3,3,3)\n"
+        "set style line 5 lc rgb '#e69f00' lw 2 dt (3,3)\n"
+        "set style line 6 lc rgb '#000000' lw 2 dt (18,3,3,3,3,3)\n",
         plot->pipe);
   return plot;
 }

@@ -5,12 +5,48 @@
 
 #include <math.h>
 
-/* A histogram of the samples, one bar a degree, and the density over it. */
+enum { BARS = 181 };
+
+/* Where the law begins, in degrees: the least angle with a density, to 1e-6; for a model without a
+ * density the least sample. */
+static double beginning(const asp_spread_model *model, const aspi_view *view, const double *sample,
+                        size_t n) {
+  if (!model->density) {
+    double least = sample[0];
+    for (size_t i = 1; i < n; i++)
+      least = fmin(least, sample[i]);
+    return least;
+  }
+  double above = -90;
+  while (above < 90 && !(model->density(view, cli_radians(above)) > 0))
+    above += 0.1;
+  double below = fmax(-90, above - 0.1);
+  while (above - below > 1e-6) {
+    double middle = 0.5 * (above + below);
+    if (model->density(view, cli_radians(middle)) > 0)
+      above = middle;
+    else
+      below = middle;
+  }
+  return above;
+}
+
+static void print_density(FILE *gp, const asp_spread_model *model, const aspi_view *view,
+                          double from, double to) {
+  fprintf(gp, "$density << EOD\n%g 0\n", from);
+  for (double angle = from; angle <= to; angle += 0.1)
+    fprintf(gp, "%g %g\n", angle, model->density(view, cli_radians(angle)) * ASP_PI / 180);
+  fputs("EOD\n", gp);
+}
+
+/* A histogram of the samples, one bar a degree from where the law begins, and the density over it.
+ */
 void cli_spread_plot(const cli_option *option, const asp_spread_model *model, const aspi_view *view,
                      const double *sample, size_t n) {
-  double share[181] = {0}, most = -90;
+  double share[BARS] = {0}, most = -90, from = beginning(model, view, sample, n);
   for (size_t i = 0; i < n; i++) {
-    share[(int)lround(sample[i]) + 90] += 1 / (double)n;
+    int bar = (int)fmax(0, floor(sample[i] - from));
+    share[bar < BARS ? bar : BARS - 1] += 1 / (double)n;
     most = fmax(most, sample[i]);
   }
   cli_plot *picture = cli_plot_open(option, 800, 500);
@@ -22,22 +58,15 @@ void cli_spread_plot(const cli_option *option, const asp_spread_model *model, co
           "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n$bars << EOD\n",
           cli_plot_label(picture, model->name).text, cli_degrees(view->alpha1),
           cli_degrees(view->sigma));
-  for (int i = 0; i <= 180; i++)
+  for (int i = 0; i < BARS; i++)
     if (share[i] > 0)
-      fprintf(gp, "%d %g\n", i - 90, share[i]);
+      fprintf(gp, "%g %g\n", from + i + 0.5, share[i]);
   fputs("EOD\n", gp);
-  if (model->density) {
-    fputs("$density << EOD\n", gp);
-    for (int i = -900; 0.1 * i <= most; i++) {
-      double density = model->density(view, cli_radians(0.1 * i)) * ASP_PI / 180;
-      if (density > 0)
-        fprintf(gp, "%g %g\n", 0.1 * i, density);
-    }
-    fputs("EOD\n", gp);
-  }
-  fprintf(gp, "plot $bars with boxes lc rgb '#1f5fa8' title '%zu samples'", n);
   if (model->density)
-    fputs(", $density with lines ls 2 title 'density'", gp);
+    print_density(gp, model, view, from, most);
+  fprintf(gp, "plot $bars with boxes lc rgb '#0072b2' title '%zu samples'", n);
+  if (model->density)
+    fputs(", $density with lines ls 2 dt 1 title 'density'", gp);
   fputc('\n', gp);
   cli_plot_close(picture);
 }
