@@ -11,20 +11,34 @@ set key opaque font ',10'
 names = 'smooth phi_0.04 phi_0.13'
 titles = "'smooth' '{/Symbol F}_R = 0.04' '{/Symbol F}_R = 0.13'"
 title_of(i) = i == 1 ? 'smooth wall' : i == 2 ? 'rough wall, {/Symbol F}_R = 0.04' : 'rough wall, {/Symbol F}_R = 0.13'
-set multiplot layout 2,3 title 'Quartz dust, 1–100 µm, at 100 m/s on Hastelloy X: every impact of three LIGGGHTS runs'
+# Impacts that lie above or below the axes, in per cent of the rebounds.
+low(t) = t == 0 ? 0 : -1
+high(t) = t == 0 ? 3 : 2
+array outside[6]
+do for [i=1:3] {
+  do for [t=0:1] {
+    stats 'output/'.word(names, i).'.csv' using (strcol(1)[1:1] eq '#' || column(19) != 0 ? NaN : \
+      column(17 + t) < low(t) || column(17 + t) > high(t) ? 100. : 0.) nooutput
+    outside[2 * i - 1 + t] = STATS_mean
+  }
+}
+set multiplot layout 2,3 title 'Quartz dust, 1–100 µm, at 100 m/s on Hastelloy X: three LIGGGHTS runs; what sticks is left out'
 do for [t=0:1] {
   do for [i=1:3] {
     name = 'output/'.word(names, i)
     set title (t == 0 ? title_of(i) : '')
     set ylabel (t == 0 ? 'CoR_N' : 'CoR_T')
     set xlabel (t == 1 ? 'impact angle {/Symbol a}_1 / degrees' : '')
-    if (t == 0) { set yrange [0:3]; set key top right } else { set yrange [-1:2]; set key bottom left }
+    set yrange [low(t):high(t)]
+    if (t == 0) { set key top right } else { set key bottom left }
+    set label 1 sprintf('%.1f %% lie outside', outside[2 * i - 1 + t]) at graph 0.98, graph (t == 0 ? 0.72 : 0.25) right \
+      font ',9' tc '#666666'
     plot name.'.csv' using (strcol(1)[1:1] eq '#' || column(19) != 0 ? NaN : $11):(column(17 + t)) \
-           every ::2 with points pt 7 ps 0.15 lc rgb '#9fbfdf' title 'impacts', \
+           every ::2 with points pt 7 ps 0.15 lc rgb '#9fc5dd' title 'impacts', \
          name.'.mean' using (real(word(strcol(1), 1))):(real(word(strcol(1), 2 + 2*t))):(real(word(strcol(1), 3 + 2*t))) \
-           with yerrorbars pt 7 ps 0.5 lc rgb '#1f5fa8' title 'mean ± sd', \
+           with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title 'mean ± sd', \
          'output/bons.csv' using (strcol(10) eq 'rebound' ? $3 : NaN):(column(8 + t)) \
-           with lines lw 2.5 lc rgb '#c8501e' title 'Bons, smooth, d_p = 10 µm'
+           with lines lw 2.5 lc rgb '#d55e00' title 'Bons, smooth, d_p = 10 µm'
   }
 }
 unset multiplot
