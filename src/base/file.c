@@ -55,8 +55,21 @@ static FILE *open_pipe(int handle, const char *path, asp_error *error) {
   return copy_of(stream, path, error);
 }
 
+/* Standard input as a file that can be read twice. */
+static FILE *open_standard_input(asp_error *error) {
+  struct stat found;
+  int handle = dup(STDIN_FILENO);
+  FILE *stream = handle < 0 ? NULL : fdopen(handle, "rb");
+  if (!stream)
+    return refuse("-", errno, error);
+  bool is_file = fstat(handle, &found) == 0 && S_ISREG(found.st_mode);
+  return is_file ? stream : copy_of(stream, "-", error);
+}
+
 FILE *aspi_file_open(const char *path, asp_error *error) {
   struct stat found;
+  if (strcmp(path, "-") == 0)
+    return open_standard_input(error);
   int handle = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (handle < 0)
     return refuse(path, errno, error);

@@ -1,39 +1,47 @@
 /* asperity compare: impacts of a model or a simulation against measured coefficients of
- * restitution, by impact angle: moments, the share of measured points within the model's 5 to 95 %
- * band, the two-sample distance of Kolmogorov and Smirnov with its p-value, and a picture. */
+ * restitution, at the data's own angles, speeds and sizes: moments, the share of measured points
+ * within the model's 5 to 95 % band, the two-sample distance of Kolmogorov and Smirnov with its
+ * p-value, shares of deposits, one score over all, and a picture.
+ *
+ * Each measured impact is compared with the model's impacts at its own place: those that have its
+ * angle (and speed, and size), or else those near it, which together weigh as much as it does. So
+ * a bin of measurements at different angles has a model sample of the same angles. */
 #include "cli/compare.h"
 #include "cli/window.h"
 
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BIN, OUTPUT, PLOT, N };
+enum { BIN, NEAR, OUTPUT, PLOT, N };
 
 static const char *const names[COR_BOTH] = {"cor_n", "cor_t"};
 
-/* Fewer impacts than this have no 5 to 95 % band. */
-enum { BAND_LEAST = 20 };
+/* Width of bins in degrees, for impacts that were not measured again and again at some places; and
+ * how far impacts of the model may be from a place where none has it: degrees, and shares of speed
+ * and of size. */
+#define WIDTH "10"
+#define FAR "2,0.1,0.1"
 
-/* Widths of bins in degrees: of points, and around each row of means. */
-#define WIDTH_POINTS "10"
-#define WIDTH_MEANS "4"
+/* Places are the same that differ by less: in degrees, and as a share. */
+#define SAME_ANGLE 1e-4
+#define SAME_SHARE 1e-4
 
-static void describe(compare_sample *s) {
-  s->mean = s->sd = s->median = s->low = s->high = NAN;
-  if (s->count == 0)
-    return;
-  gsl_sort(s->values, 1, s->count);
-  s->mean = gsl_stats_mean(s->values, 1, s->count);
-  s->median = gsl_stats_median_from_sorted_data(s->values, 1, s->count);
-  if (s->count > 1)
-    s->sd = gsl_stats_sd_m(s->values, 1, s->count, s->mean);
-  if (s->count < BAND_LEAST)
-    return;
-  s->low = gsl_stats_quantile_from_sorted_data(s->values, 1, s->count, 0.05);
-  s->high = gsl_stats_quantile_from_sorted_data(s->values, 1, s->count, 0.95);
+/* So many impacts at a place itself are enough; with fewer, those near it count. */
+enum { ENOUGH = 20 };
+
+/* With so many measurements at each place, on average, every place is a bin of its own. */
+enum { ROWS_EACH = 4 };
+
+typedef struct reach {
+  double degrees, speed, size;
+} reach;
+
+static void *allocate(size_t count, size_t size) {
+  void *memory = calloc(count + 1, size);
+  if (!memory)
+    cli_fail("out of memory");
+  return memory;
 }
 
 static int by_angle(const void *left, const void *right) {
@@ -41,14 +49,12 @@ static int by_angle(const void *left, const void *right) {
   return (a->degrees > b->degrees) - (a->degrees < b->degrees);
 }
 
-/* How many of the points, which are in order of their angle, lie below an angle, or, with `closed`,
- * not above it. */
-static size_t count_below(const scatter_point *points, size_t count, double angle, bool closed) {
-  size_t low = 0, high = count;
+/* How many of the points, which are in order of their angle, lie below it. */
+static size_t count_below(const scatter_impacts *impacts, double angle) {
+  size_t low = 0, high = impacts->count;
   while (low < high) {
     size_t middle = low + (high - low) / 2;
-    double a = points[middle].degrees;
-    if (a < angle || (closed && a <= angle))
+    if (impacts->points[middle].degrees < angle)
       low = middle + 1;
     else
       high = middle;
@@ -56,164 +62,242 @@ static size_t count_below(const scatter_point *points, size_t count, double angl
   return low;
 }
 
-/* The sample of an interval, of points in order of their angle. */
-static compare_sample sample_of(const scatter_point *points, size_t count, int which,
-                                const compare_bin *b) {
-  size_t first = count_below(points, count, b->from, false);
-  size_t end = count_below(points, count, b->to, b->closed);
-  compare_sample s = {malloc((end - first + 1) * sizeof *s.values), 0, 0, 0, 0, 0, 0};
-  if (!s.values)
-    cli_fail("out of memory");
-  for (size_t i = first; i < end; i++)
-    if (isfinite(points[i].cor[which]))
-      s.values[s.count++] = points[i].cor[which];
-  describe(&s);
-  return s;
+static bool is_near(double is, double wanted, double share) {
+  return isnan(wanted) || fabs(is - wanted) <= share * wanted;
 }
 
-/* What is told of the sample in a window; its values are not kept. */
-static compare_sample sample_in(const cli_window *window) {
-  compare_sample s = {NULL, cli_window_count(window), NAN, NAN, NAN, NAN, NAN};
-  if (s.count == 0)
-    return s;
-  cli_window_moments(window, &s.mean, &s.sd);
-  if (s.count == 1)
-    s.sd = NAN;
-  s.median = cli_window_quantile(window, 0.5);
-  if (s.count >= BAND_LEAST) {
-    s.low = cli_window_quantile(window, 0.05);
-    s.high = cli_window_quantile(window, 0.95);
+static bool same_place(const measured_row *a, const measured_row *b) {
+  return fabs(a->degrees - b->degrees) <= SAME_ANGLE &&
+         (isnan(a->v1) || is_near(a->v1, b->v1, SAME_SHARE)) &&
+         (isnan(a->d_p) || is_near(a->d_p, b->d_p, SAME_SHARE));
+}
+
+/* ---- the bins' rows ---------------------------------------------------------------------------
+ */
+
+static size_t count_places(const measured *data) {
+  size_t places = 0;
+  for (size_t i = 0; i < data->count; i++)
+    places += i == 0 || !same_place(&data->rows[i], &data->rows[i - 1]);
+  return places;
+}
+
+/* Which interval of that width an angle is in; the last one ends with 90 degrees. */
+static double interval_of(const measured_row *row, double width) {
+  return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
+}
+
+/* Each row of means; else each place, where there are many rows at one, or intervals of angle. */
+static void make_bins(comparison *c, const cli_option *bin) {
+  const measured *data = &c->data;
+  bool places = !data->means && !bin->value && data->count >= ROWS_EACH * count_places(data);
+  cli_option width_option = *bin;
+  width_option.value = bin->value ? bin->value : WIDTH;
+  double width = cli_number(&width_option, 0.1, 90);
+  c->bins = allocate(data->count, sizeof *c->bins);
+  for (size_t i = 0; i < data->count; i++) {
+    const measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
+    bool joins =
+        i > 0 && !data->means &&
+        (places ? same_place(row, last) : interval_of(row, width) <= interval_of(last, width));
+    if (!joins)
+      c->bins[c->count++] = (compare_bin){.first = i};
+    c->bins[c->count - 1].end = i + 1;
   }
-  return s;
-}
-
-static double share_within(const compare_sample *s, double low, double high) {
-  size_t within = 0;
-  for (size_t i = 0; i < s->count; i++)
-    within += s->values[i] >= low && s->values[i] <= high;
-  return (double)within / (double)s->count;
-}
-
-/* The largest distance between two empirical distributions; equal values are passed together. */
-static double largest_distance(const compare_sample *a, const compare_sample *b) {
-  double most = 0;
-  for (size_t i = 0, k = 0; i < a->count && k < b->count;) {
-    double x = fmin(a->values[i], b->values[k]);
-    while (i < a->count && a->values[i] <= x)
-      i++;
-    while (k < b->count && b->values[k] <= x)
-      k++;
-    most = fmax(most, fabs((double)i / (double)a->count - (double)k / (double)b->count));
+  for (size_t b = 0; b < c->count; b++) {
+    compare_bin *on = &c->bins[b];
+    double n = (double)(on->end - on->first);
+    for (size_t i = on->first; i < on->end; i++) {
+      on->degrees += data->rows[i].degrees / n;
+      on->v1 += data->rows[i].v1 / n;
+      on->d_p += data->rows[i].d_p / n;
+      on->data_deposits += data->rows[i].deposit;
+    }
+    on->deposits_p = NAN;
+    for (int k = 0; k < COR_BOTH; k++)
+      on->in_band[k] = on->distance[k] = on->p[k] = NAN;
   }
-  return most;
 }
 
-/* The probability of such a distance or more when both come from one law: Kolmogorov's limit with
- * Stephens' 1970 term for finite samples. */
-static double p_value(double distance, double n, double m) {
-  double root = sqrt(n * m / (n + m)), x = (root + 0.12 + 0.11 / root) * distance, p = 0;
-  if (x < 0.2)
-    return 1; /* to ten digits; the sum would need many terms */
-  for (int k = 1; k <= 100; k++) {
-    double term = exp(-2.0 * k * k * x * x);
-    p += k % 2 ? term : -term;
-    if (term < 1e-17)
-      break;
+/* ---- impacts at a place -----------------------------------------------------------------------
+ */
+
+/* The impacts that weigh in a bin, and how much. */
+typedef struct weights {
+  double *of;    /* of each impact */
+  size_t *which; /* those that have a weight */
+  size_t count;
+} weights;
+
+static bool is_around(const scatter_point *p, const measured_row *at, const reach *far) {
+  return is_near(p->v1, at->v1, far->speed) && is_near(p->d_p, at->d_p, far->size);
+}
+
+static size_t count_near(const scatter_impacts *impacts, const measured_row *at, const reach *far) {
+  size_t found = 0;
+  const scatter_point *p = impacts->points;
+  for (size_t i = count_below(impacts, at->degrees - far->degrees);
+       i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++)
+    found += is_around(&p[i], at, far);
+  return found;
+}
+
+/* Gives the impacts around a place, no farther than that, a weight of `rows` together. */
+static void weigh(const scatter_impacts *impacts, const measured_row *at, const reach *far,
+                  double rows, weights *w) {
+  double each = rows / (double)count_near(impacts, at, far);
+  const scatter_point *p = impacts->points;
+  for (size_t i = count_below(impacts, at->degrees - far->degrees);
+       i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++) {
+    if (!is_around(&p[i], at, far))
+      continue;
+    if (!(w->of[i] > 0))
+      w->which[w->count++] = i;
+    w->of[i] += each;
   }
-  return fmin(1, fmax(0, 2 * p));
 }
 
-static void compare_points(compare_bin *b) {
-  if (b->model.count == 0 || b->data.count == 0)
-    return;
-  if (isfinite(b->model.low))
-    b->in_band = share_within(&b->data, b->model.low, b->model.high);
-  b->distance = largest_distance(&b->model, &b->data);
-  b->p = p_value(b->distance, (double)b->model.count, (double)b->data.count);
-}
-
-static compare_bin *allocate_bins(size_t count) {
-  compare_bin *bins = calloc(count, sizeof *bins);
-  if (!bins)
-    cli_fail("out of memory");
-  for (size_t i = 0; i < count; i++)
-    bins[i].in_band = bins[i].distance = bins[i].p = NAN;
-  return bins;
-}
-
-/* Equal bins over 0 to 90 degrees. */
-static compare_bin *bins_of_points(const scatter_impacts *impacts, const scatter_data *data,
-                                   int which, double width, size_t count) {
-  compare_bin *bins = allocate_bins(count);
-  for (size_t i = 0; i < count; i++) {
-    compare_bin *b = &bins[i];
-    b->from = (double)i * width;
-    b->to = fmin(90, b->from + width);
-    b->middle = (b->from + b->to) / 2;
-    b->closed = b->to >= 90;
-    b->data = sample_of(data->points, data->n_points, which, b);
-    b->model = sample_of(impacts->points, impacts->count, which, b);
-    compare_points(b);
+/* The model's sample in a bin, and its deposits. */
+static void sample_model(const comparison *c, const reach *far, weights *w, compare_bin *b) {
+  static const reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
+  const measured_row *rows = c->data.rows;
+  b->from = 90;
+  b->to = 0;
+  w->count = 0;
+  for (size_t i = b->first, next; i < b->end; i = next) {
+    for (next = i + 1; next < b->end && same_place(&rows[i], &rows[next]);)
+      next++;
+    double n = (double)(next - i);
+    size_t at = count_near(&c->impacts, &rows[i], &same);
+    bool exact = at >= ENOUGH || (at > 0 && at == count_near(&c->impacts, &rows[i], far));
+    weigh(&c->impacts, &rows[i], exact ? &same : far, n, w);
+    double wide = exact ? 0 : far->degrees;
+    b->from = fmax(0, fmin(b->from, rows[i].degrees - wide));
+    b->to = fmin(90, fmax(b->to, rows[i].degrees + wide));
   }
-  return bins;
+  double total = 0, stuck = 0, squares = 0;
+  for (size_t i = 0; i < w->count; i++) {
+    double weight = w->of[w->which[i]];
+    total += weight;
+    squares += weight * weight;
+    stuck += c->impacts.points[w->which[i]].deposit ? weight : 0;
+  }
+  b->model_all = total > 0 ? total * total / squares : 0;
+  b->model_deposits = total > 0 ? stuck / total * b->model_all : 0;
+  for (int k = 0; k < COR_BOTH; k++) {
+    sample *s = &b->model[k];
+    s->values = allocate(w->count, sizeof *s->values);
+    for (size_t i = 0; i < w->count; i++)
+      if (isfinite(c->impacts.points[w->which[i]].cor[k]))
+        s->values[s->count++] =
+            (sample_value){c->impacts.points[w->which[i]].cor[k], w->of[w->which[i]]};
+    sample_describe(s);
+  }
+  while (w->count > 0)
+    w->of[w->which[--w->count]] = 0;
 }
 
-typedef struct placed {
-  double degrees;
-  size_t row;
-} placed;
-
-static int by_place(const void *left, const void *right) {
-  const placed *a = left, *b = right;
-  return (a->degrees > b->degrees) - (a->degrees < b->degrees);
+static void sample_data(const measured *data, compare_bin *b) {
+  for (int k = 0; k < COR_BOTH; k++) {
+    sample *s = &b->data[k];
+    const measured_row *row = &data->rows[b->first];
+    *s = (sample){.mean = row->cor[k], .sd = row->sd[k], .median = NAN, .low = NAN, .high = NAN};
+    if (data->means)
+      continue;
+    s->values = allocate(b->end - b->first, sizeof *s->values);
+    for (size_t i = b->first; i < b->end; i++)
+      if (isfinite(data->rows[i].cor[k]))
+        s->values[s->count++] = (sample_value){data->rows[i].cor[k], 1};
+    sample_describe(s);
+  }
 }
 
-/* The rows of means, by their angle. */
-static placed *order_of(const scatter_data *data) {
-  placed *order = malloc(data->n_means * sizeof *order);
-  if (!order)
-    cli_fail("out of memory");
-  for (size_t i = 0; i < data->n_means; i++)
-    order[i] = (placed){data->means[i].degrees, i};
-  qsort(order, data->n_means, sizeof *order, by_place);
-  return order;
-}
-
-/* A bin around each row of means. */
-static compare_bin *bins_of_means(const scatter_impacts *impacts, const scatter_data *data,
-                                  int which, double width) {
-  compare_bin *bins = allocate_bins(data->n_means);
-  placed *order = order_of(data);
-  cli_window *window = cli_window_create(impacts->points, impacts->count, which);
-  for (size_t i = 0; i < data->n_means; i++) {
-    const scatter_mean *row = &data->means[order[i].row];
-    compare_bin *b = &bins[order[i].row];
-    b->middle = row->degrees;
-    b->from = fmax(0, b->middle - width / 2);
-    b->to = fmin(90, b->middle + width / 2);
-    cli_window_move(window, b->from, b->to);
-    b->data = (compare_sample){NULL, 0, row->mean[which], row->sd[which], NAN, NAN, NAN};
-    b->model = sample_in(window);
+/* Rows of means without speeds and sizes, as many as there may be, by a window that moves over the
+ * impacts. */
+static void sample_by_window(comparison *c, double far, int which) {
+  cli_window *window = cli_window_create(c->impacts.points, c->impacts.count, which);
+  for (size_t i = 0; i < c->count; i++) {
+    compare_bin *b = &c->bins[i];
+    size_t at = count_below(&c->impacts, b->degrees + SAME_ANGLE) -
+                count_below(&c->impacts, b->degrees - SAME_ANGLE);
+    size_t around =
+        count_below(&c->impacts, b->degrees + far) - count_below(&c->impacts, b->degrees - far);
+    bool exact = at >= ENOUGH || (at > 0 && at >= around);
+    double wide = exact ? 0 : far, slack = exact ? SAME_ANGLE : 0;
+    b->from = fmax(0, b->degrees - wide);
+    b->to = fmin(90, b->degrees + wide);
+    cli_window_move(window, b->from - slack, b->to + slack);
+    sample *s = &b->model[which];
+    *s = (sample){.count = cli_window_count(window)};
+    s->mean = s->sd = s->median = s->low = s->high = NAN;
+    s->size = (double)s->count;
+    if (s->count > 0) {
+      cli_window_moments(window, &s->mean, &s->sd);
+      s->sd = s->count > 1 ? s->sd : NAN;
+      s->median = cli_window_quantile(window, 0.5);
+    }
+    if (s->count >= 20) {
+      s->low = cli_window_quantile(window, 0.05);
+      s->high = cli_window_quantile(window, 0.95);
+    }
   }
   cli_window_free(window);
-  free(order);
-  return bins;
 }
 
-static compare_bin *bins_of(const scatter_impacts *impacts, const scatter_data *data, int which,
-                            double width, size_t *count) {
-  *count = data->n_means > 0 ? data->n_means : (size_t)ceil(90 / width - 1e-9);
-  return data->n_means > 0 ? bins_of_means(impacts, data, which, width)
-                           : bins_of_points(impacts, data, which, width, *count);
+/* ---- one bin ----------------------------------------------------------------------------------
+ */
+
+bool cli_compare_has_both(const compare_bin *b, int which) {
+  return isfinite(b->data[which].mean) && b->model[which].count > 0;
 }
 
-static void free_bins(compare_bin *bins, size_t count) {
-  for (size_t i = 0; i < count; i++) {
-    free(bins[i].model.values);
-    free(bins[i].data.values);
+/* A mean whose standard error is known, against the model's. */
+static double p_of_means(const sample *model, const measured_row *row, int which) {
+  double error = isfinite(row->se[which]) ? row->se[which] : row->sd[which] / sqrt(row->n);
+  double own = model->sd / sqrt(model->size);
+  double z = fabs(model->mean - row->cor[which]) / hypot(error, isfinite(own) ? own : 0);
+  return isfinite(z) ? erfc(z / sqrt(2)) : NAN;
+}
+
+static void compare_bin_of(const comparison *c, compare_bin *b) {
+  size_t rows = b->end - b->first;
+  for (int k = 0; k < COR_BOTH; k++) {
+    const sample *m = &b->model[k], *d = &b->data[k];
+    if (!cli_compare_has_both(b, k))
+      continue;
+    if (c->data.means) {
+      b->p[k] = p_of_means(m, &c->data.rows[b->first], k);
+      continue;
+    }
+    if (isfinite(m->low))
+      b->in_band[k] = sample_within(d, m->low, m->high);
+    b->distance[k] = sample_distance(m, d);
+    b->p[k] = sample_p_value(m, d, b->distance[k]);
   }
-  free(bins);
+  if (c->data.has_outcome && b->model_all >= 1 && b->model_deposits + b->data_deposits > 0)
+    b->deposits_p = shares_p_value((size_t)(b->model_deposits + 0.5), (size_t)(b->model_all + 0.5),
+                                   (size_t)b->data_deposits, rows);
 }
+
+static void compare_all(comparison *c, const reach *far) {
+  bool by_window = c->data.means && !c->data.has_speed && !c->data.has_size;
+  weights w = {allocate(c->impacts.count, sizeof *w.of),
+               allocate(c->impacts.count, sizeof *w.which), 0};
+  for (int k = 0; k < COR_BOTH && by_window; k++)
+    sample_by_window(c, far->degrees, k);
+  for (size_t i = 0; i < c->count; i++) {
+    compare_bin *b = &c->bins[i];
+    if (!by_window)
+      sample_model(c, far, &w, b);
+    sample_data(&c->data, b);
+    compare_bin_of(c, b);
+  }
+  free(w.of);
+  free(w.which);
+}
+
+/* ---- output -----------------------------------------------------------------------------------
+ */
 
 /* A field; nothing where there is no number. */
 static void print(FILE *out, double value) {
@@ -223,53 +307,137 @@ static void print(FILE *out, double value) {
     fputc(',', out);
 }
 
-static void print_bin(FILE *out, const compare_bin *b, const char *name) {
-  const compare_sample *m = &b->model, *d = &b->data;
-  fprintf(out, "%s,%g,%g,%zu", name, b->from, b->to, m->count);
+typedef struct score {
+  double difference2, in_sd2, in_band, distance, *p;
+  size_t differences, in_sds, bands, distances, ps, model_n, data_n;
+} score;
+
+static void add(double value, double *sum, size_t *count) {
+  if (!isfinite(value))
+    return;
+  *sum += value;
+  (*count)++;
+}
+
+static void print_bin(FILE *out, const comparison *c, const compare_bin *b, int k, score *s) {
+  const sample *m = &b->model[k], *d = &b->data[k];
+  double off = m->mean - d->mean, in_sd = off / (d->sd > 0 ? d->sd : NAN);
+  fprintf(out, "%s,%g,%g,%zu", names[k], b->from, b->to, m->count);
   print(out, m->mean);
   print(out, m->sd);
   print(out, m->median);
   print(out, m->low);
   print(out, m->high);
-  print(out, d->values ? (double)d->count : NAN);
+  print(out, c->data.means ? c->data.rows[b->first].n : (double)d->count);
   print(out, d->mean);
   print(out, d->sd);
   print(out, d->median);
-  print(out, (m->mean - d->mean) / (d->sd > 0 ? d->sd : NAN));
-  print(out, b->in_band);
-  print(out, b->distance);
-  print(out, b->p);
+  print(out, in_sd);
+  print(out, b->in_band[k]);
+  print(out, b->distance[k]);
+  print(out, b->p[k]);
+  print(out, b->degrees);
+  print(out, b->v1);
+  print(out, b->d_p * 1e6);
+  print(out, off);
+  fputc('\n', out);
+  s->model_n += m->count;
+  s->data_n += d->count;
+  add(off * off, &s->difference2, &s->differences);
+  add(in_sd * in_sd, &s->in_sd2, &s->in_sds);
+  add(b->in_band[k], &s->in_band, &s->bands);
+  add(b->distance[k], &s->distance, &s->distances);
+  if (isfinite(b->p[k]))
+    s->p[s->ps++] = b->p[k];
+}
+
+/* Shares of deposits, as means. */
+static void print_deposits(FILE *out, const comparison *c, const compare_bin *b, score *s) {
+  double rows = (double)(b->end - b->first), share = b->model_deposits / b->model_all;
+  double data = c->data.has_outcome ? b->data_deposits / rows : NAN;
+  fprintf(out, "deposits,%g,%g,%.0f", b->from, b->to, b->model_all);
+  print(out, share);
+  fputs(",,,,", out);
+  print(out, c->data.has_outcome ? rows : NAN);
+  print(out, data);
+  fputs(",,,,,", out);
+  print(out, b->deposits_p);
+  print(out, b->degrees);
+  print(out, b->v1);
+  print(out, b->d_p * 1e6);
+  print(out, share - data);
+  fputc('\n', out);
+  if (isfinite(b->deposits_p))
+    s->p[s->ps++] = b->deposits_p;
+}
+
+static void print_overall(FILE *out, const score *s, double p) {
+  fprintf(out, "overall,,,%zu,,,,,,%zu,,,", s->model_n, s->data_n);
+  print(out, sqrt(s->in_sd2 / (double)s->in_sds));
+  print(out, s->in_band / (double)s->bands);
+  print(out, s->distance / (double)s->distances);
+  print(out, p);
+  fputs(",,,", out);
+  print(out, sqrt(s->difference2 / (double)s->differences));
   fputc('\n', out);
 }
 
-bool cli_compare_has_data(const compare_bin *b) {
-  return isfinite(b->data.mean);
+static const char note[] =
+    "# note: deposits have no coefficients and are left out of means and bands; their shares are "
+    "compared\n"
+    "# where the data tell outcomes. Coefficients and constants that were fitted to measurements "
+    "hold the\n"
+    "# roughness of the measured wall already; with a rough wall they count it twice.\n";
+
+static void print_all(FILE *out, const comparison *c) {
+  score s = {.p = allocate(3 * c->count, sizeof *s.p)};
+  double each[3];
+  size_t n_each = 0;
+  fputs(note, out);
+  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
+          c->impacts.deposits);
+  fputs("coefficient,alpha_from_deg,alpha_to_deg,model_n,model_mean,model_sd,model_median,"
+        "model_p05,model_p95,data_n,data_mean,data_sd,data_median,mean_difference_in_data_sd,"
+        "data_in_model_band,ks_distance,p_value,alpha1_deg,v1_m_s,dp_um,mean_difference\n",
+        out);
+  for (int k = 0; k < 3; k++) {
+    s.ps = 0;
+    for (size_t i = 0; i < c->count; i++)
+      if (k < COR_BOTH)
+        print_bin(out, c, &c->bins[i], k, &s);
+      else if (c->data.has_outcome)
+        print_deposits(out, c, &c->bins[i], &s);
+    if (s.ps > 0)
+      each[n_each++] = combine_independent(s.p, s.ps);
+  }
+  print_overall(out, &s, combine_dependent(each, n_each));
+  free(s.p);
 }
 
 /* Warns of bins that have only one of both, and fails where there is none with both. */
-static void check_bins(const comparison *c, int which, size_t *both) {
-  size_t no_model = 0, with_data = 0;
-  for (size_t i = 0; i < c->count; i++) {
-    const compare_bin *b = &c->bins[which][i];
-    with_data += cli_compare_has_data(b);
-    no_model += cli_compare_has_data(b) && b->model.count == 0;
+static void check_bins(const comparison *c) {
+  size_t both = 0;
+  for (int k = 0; k < COR_BOTH; k++) {
+    size_t no_model = 0, with_data = 0;
+    for (size_t i = 0; i < c->count; i++) {
+      bool data = isfinite(c->bins[i].data[k].mean);
+      with_data += data;
+      no_model += data && c->bins[i].model[k].count == 0;
+    }
+    if (no_model > 0)
+      cli_warn("%s: %zu of %zu bins with data are empty of impacts near them (see --near)",
+               names[k], no_model, with_data);
+    both += with_data - no_model;
   }
-  if (no_model > 0)
-    cli_warn("%s: %zu of %zu bins with data are empty of impacts", names[which], no_model,
-             with_data);
-  *both += with_data - no_model;
+  if (both == 0)
+    cli_fail("no bin has both impacts and data; the angles%s%s do not overlap",
+             c->data.has_speed ? ", speeds" : "", c->data.has_size ? ", sizes" : "");
 }
-
-static const char note[] =
-    "# note: deposits are left out. Coefficients and constants that were fitted to measurements "
-    "hold "
-    "the\n"
-    "# roughness of the measured wall already; with a rough wall they count it twice.\n";
 
 /* Whether the comment that the impacts begin with names a fitted law or constant. */
 static void warn_double(const scatter_impacts *impacts) {
-  static const char *const fitted[] = {"grant_tabakoff", "--rebound table", "rebound table",
-                                       "yield-rate", "yield_rate"};
+  static const char *const fitted[] = {"grant_tabakoff", "forder",     "--rebound table",
+                                       "rebound table",  "yield-rate", "yield_rate"};
   for (size_t i = 0; impacts->rough && i < sizeof fitted / sizeof *fitted; i++)
     if (strstr(impacts->comment, fitted[i])) {
       cli_warn("the impacts are from a rough wall with '%s', which was fitted to measurements: "
@@ -279,24 +447,38 @@ static void warn_double(const scatter_impacts *impacts) {
     }
 }
 
-static void print_all(FILE *out, const comparison *c) {
-  fputs(note, out);
-  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count, c->impacts.deposits);
-  fputs("coefficient,alpha_from_deg,alpha_to_deg,model_n,model_mean,model_sd,model_median,"
-        "model_p05,model_p95,data_n,data_mean,data_sd,data_median,mean_difference_in_data_sd,"
-        "data_in_model_band,ks_distance,p_value\n",
-        out);
-  for (int which = 0; which < COR_BOTH; which++)
-    for (size_t i = 0; i < c->count; i++)
-      print_bin(out, &c->bins[which][i], names[which]);
+/* DEGREES[,SPEED[,SIZE]] */
+static reach reach_of(const cli_option *option) {
+  reach far = {0, 0.1, 0.1};
+  cli_list list = cli_numbers(option, 0, 90);
+  if (list.count < 1 || list.count > 3)
+    cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, option->argument);
+  far.degrees = list.values[0];
+  far.speed = list.count > 1 ? list.values[1] : far.speed;
+  far.size = list.count > 2 ? list.values[2] : far.size;
+  free(list.values);
+  return far;
+}
+
+static void free_comparison(comparison *c) {
+  for (size_t i = 0; i < c->count; i++)
+    for (int k = 0; k < COR_BOTH; k++) {
+      free(c->bins[i].model[k].values);
+      free(c->bins[i].data[k].values);
+    }
+  free(c->bins);
+  scatter_free_impacts(&c->impacts);
+  measured_free(&c->data);
 }
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [BIN] = {"bin", "DEGREES",
-               "width of the bins; without it " WIDTH_POINTS " for points, " WIDTH_MEANS
-               " around each mean",
+               "width of the bins of single impacts; without it every place that was measured "
+               "often is one, else " WIDTH,
                NULL},
+      [NEAR] = {"near", "DEGREES[,SPEED[,SIZE]]",
+                "how far impacts may be from a place that none has: degrees, shares", FAR},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw both; .png, .svg or .pdf", NULL},
   };
@@ -304,31 +486,21 @@ static int run(int argc, char **argv) {
   if (argc - first != 2)
     cli_bad_usage("compare: IMPACTS and DATA are expected, two files; see 'asperity compare "
                   "--help'");
-  comparison c = {.impacts = scatter_read_impacts(argv[first]),
-                  .data = scatter_read_data(argv[first + 1])};
-  if (!options[BIN].value)
-    options[BIN].value = c.data.n_means ? WIDTH_MEANS : WIDTH_POINTS;
-  double width = cli_number(&options[BIN], 0.1, 90);
+  reach far = reach_of(&options[NEAR]);
+  comparison c = {.names = {argv[first], argv[first + 1]},
+                  .impacts = scatter_read_impacts(argv[first]),
+                  .data = measured_read(argv[first + 1])};
   qsort(c.impacts.points, c.impacts.count, sizeof *c.impacts.points, by_angle);
-  if (c.data.n_points > 0)
-    qsort(c.data.points, c.data.n_points, sizeof *c.data.points, by_angle);
-  size_t both = 0;
-  for (int which = 0; which < COR_BOTH; which++) {
-    c.bins[which] = bins_of(&c.impacts, &c.data, which, width, &c.count);
-    check_bins(&c, which, &both);
-  }
-  if (both == 0)
-    cli_fail("no bin has both impacts and data; the angles do not overlap");
+  make_bins(&c, &options[BIN]);
+  compare_all(&c, &far);
+  check_bins(&c);
   warn_double(&c.impacts);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   print_all(cli_output_stream(output), &c);
   cli_output_close(output);
   if (options[PLOT].value)
     cli_compare_plot(&options[PLOT], &c);
-  for (int which = 0; which < COR_BOTH; which++)
-    free_bins(c.bins[which], c.count);
-  scatter_free_impacts(&c.impacts);
-  scatter_free_data(&c.data);
+  free_comparison(&c);
   return 0;
 }
 
@@ -337,11 +509,17 @@ const cli_command cli_compare = {
     .summary = "impacts of a model or a simulation against measured coefficients",
     .detail =
         "asperity compare IMPACTS DATA: IMPACTS is the output of 'asperity cor', the ledger of a\n"
-        "wall (CSV or .npy), or a LIGGGHTS dump local file of its array (of its columns alpha1,\n"
-        "cor_n, cor_t and outcome; delta_alpha for tilts).\n"
-        "DATA is CSV in degrees: points alpha1_deg,cor_n,cor_t, or means and standard deviations\n"
-        "alpha1_deg,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd; missing fields are left empty. By\n"
-        "angle: moments, the model's 5 to 95 % band and the share of the points in it, the\n"
-        "two-sample distance of Kolmogorov and Smirnov and its p-value.\n",
+        "wall (CSV or .npy), or a dump local file of its array (of its columns alpha1, cor_n, "
+        "cor_t\n"
+        "and outcome; v1 and d_p where the data have them).\n" MEASURED_FORMS
+        "\nAt the data's own angles, and speeds and sizes where they have them: moments, the "
+        "model's\n"
+        "5 to 95 % band and the share of the points in it, the two-sample distance of Kolmogorov\n"
+        "and Smirnov and its p-value (of means: by their standard errors, where they have them).\n"
+        "Deposits have no coefficients; where the data tell outcomes, their shares are compared\n"
+        "(Fisher's exact test). The last row, `overall`, is the score: the root mean square of "
+        "the\n"
+        "differences of means (absolute, and in the data's sd), the mean share in the band, the\n"
+        "mean distance, and one p-value (Fisher's over the places, Cauchy's over the kinds).\n",
     .run = run,
 };

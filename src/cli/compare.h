@@ -1,35 +1,33 @@
-/* What `asperity compare` hands to its picture.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* What `asperity compare` hands to its picture. */
 #ifndef ASP_CLI_COMPARE_H
 #define ASP_CLI_COMPARE_H
 
 #include "cli/cli.h"
+#include "cli/measured.h"
+#include "cli/sample.h"
 #include "cli/scatter.h"
 
-/* A sample in order; NAN where it is too small for a number. */
-typedef struct compare_sample {
-  double *values;
-  size_t count;
-  double mean, sd, median, low, high;
-} compare_sample;
-
+/* The measurements at one angle, speed and size, or those of some such places together; and the
+ * impacts there. */
 typedef struct compare_bin {
-  double from, to, middle;
-  bool closed; /* holds its upper edge too */
-  compare_sample model, data;
-  double in_band, distance, p;
+  size_t first, end;       /* rows of the data */
+  double degrees, v1, d_p; /* their mean place; NAN where there is none */
+  double from, to;         /* the angles that impacts were taken from */
+  sample model[COR_BOTH], data[COR_BOTH];
+  double in_band[COR_BOTH], distance[COR_BOTH], p[COR_BOTH];
+  double model_all, model_deposits, data_deposits, deposits_p; /* counts; of all of either kind */
 } compare_bin;
 
 typedef struct comparison {
+  const char *names[2]; /* of the files: impacts, data */
   scatter_impacts impacts;
-  scatter_data data;
-  compare_bin *bins[COR_BOTH];
+  measured data;
+  compare_bin *bins;
   size_t count;
 } comparison;
 
-/* Whether there is a measured value in a bin. */
-bool cli_compare_has_data(const compare_bin *bin);
+/* Whether there are a measured value and impacts in a bin. */
+bool cli_compare_has_both(const compare_bin *bin, int which);
 
 void cli_compare_plot(const cli_option *option, const comparison *comparison);
 

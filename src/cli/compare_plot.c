@@ -1,43 +1,68 @@
-/* The picture of `asperity compare`: both coefficients over the impact angle, the model as a band,
- * the measurements as points or as means with their standard deviations.
+/* The picture of `asperity compare`: both coefficients over the impact angle, the model as a box
+ * for each place that was measured, the measurements as points or as means with their standard
+ * deviations. Between and beyond measured angles nothing is drawn.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/compare.h"
 
 #include <math.h>
 
+/* Half the width of a box, in degrees. */
+#define HALF_MOST 1.5
+#define HALF_LEAST 0.3
+
 /* The range of a panel: what is measured and the model's band with some room, but no more than
  * CoR_N 0 to 3 and CoR_T -1 to 2; ratios to a vanishing component go far beyond. */
 static void print_range(FILE *gp, const comparison *c, int which) {
   double low = 0, high = 1, least = which ? -1 : 0, most = which ? 2 : 3;
   for (size_t i = 0; i < c->count; i++) {
-    const compare_bin *b = &c->bins[which][i];
-    double sd = isfinite(b->data.sd) ? b->data.sd : 0;
-    low = fmin(low, fmin(b->data.mean - sd, b->model.low));
-    high = fmax(high, fmax(b->data.mean + sd, b->model.high));
+    const sample *d = &c->bins[i].data[which], *m = &c->bins[i].model[which];
+    double sd = isfinite(d->sd) ? d->sd : 0;
+    low = fmin(low, fmin(d->mean - sd, m->low));
+    high = fmax(high, fmax(d->mean + sd, m->high));
   }
   double room = 0.25 * (high - low);
   fprintf(gp, "set yrange [%g:%g]\n", fmax(least, low - (low < 0 ? room : 0)),
           fmin(most, high + room));
 }
 
+/* The angles of a bin's box: those of its impacts, or around its angle and not over a neighbour. */
+static void edges_of(const comparison *c, size_t i, double *left, double *right) {
+  const compare_bin *b = &c->bins[i];
+  double half = HALF_MOST;
+  for (size_t k = i ? i - 1 : i; k <= i + 1 && k < c->count; k++) {
+    double apart = fabs(c->bins[k].degrees - b->degrees);
+    if (apart > 0)
+      half = fmin(half, 0.45 * apart);
+  }
+  half = fmax(half, HALF_LEAST);
+  bool wide = b->end - b->first > 1 && !c->data.means && b->to - b->from > 2 * half;
+  *left = wide ? b->from : b->degrees - half;
+  *right = wide ? b->to : b->degrees + half;
+}
+
 static void print_series(FILE *gp, const comparison *c, int which) {
-  fprintf(gp, "$model%d << EOD\n", which);
+  fprintf(gp, "$model%d << EOD\nNaN NaN NaN NaN NaN NaN NaN\n", which);
   for (size_t i = 0; i < c->count; i++) {
-    const compare_bin *b = &c->bins[which][i];
-    if (isfinite(b->model.low))
-      fprintf(gp, "%g %g %g %g %g\n", b->middle, b->model.low, b->model.high, b->model.median,
-              b->model.mean);
+    const compare_bin *b = &c->bins[i];
+    const sample *m = &b->model[which];
+    double left, right;
+    edges_of(c, i, &left, &right);
+    if (cli_compare_has_both(b, which))
+      fprintf(gp, "%g %g %g %g %g %g %g\n", b->degrees, left, right,
+              isfinite(m->low) ? m->low : m->mean, isfinite(m->high) ? m->high : m->mean, m->mean,
+              m->median);
   }
   fprintf(gp, "EOD\n$points%d << EOD\nNaN NaN\n", which);
-  for (size_t i = 0; i < c->data.n_points; i++)
-    if (isfinite(c->data.points[i].cor[which]))
-      fprintf(gp, "%g %g\n", c->data.points[i].degrees, c->data.points[i].cor[which]);
-  fprintf(gp, "EOD\n$data%d << EOD\n", which);
+  for (size_t i = 0; i < c->data.count && !c->data.means; i++)
+    if (isfinite(c->data.rows[i].cor[which]))
+      fprintf(gp, "%g %g\n", c->data.rows[i].degrees, c->data.rows[i].cor[which]);
+  fprintf(gp, "EOD\n$data%d << EOD\nNaN NaN NaN\n", which);
   for (size_t i = 0; i < c->count; i++) {
-    const compare_bin *b = &c->bins[which][i];
-    if (cli_compare_has_data(b))
-      fprintf(gp, "%g %g %g\n", b->middle, b->data.mean, isfinite(b->data.sd) ? b->data.sd : 0);
+    const compare_bin *b = &c->bins[i];
+    const sample *d = &b->data[which];
+    if (isfinite(d->mean))
+      fprintf(gp, "%g %g %g\n", b->degrees, d->mean, isfinite(d->sd) ? d->sd : 0);
   }
   fputs("EOD\n", gp);
 }
@@ -48,27 +73,31 @@ static void plot_panel(FILE *gp, const comparison *c, int which) {
   fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", which ? 'T' : 'N',
           which ? "bottom left" : "top right");
   fprintf(gp,
-          "$model%d using 1:2:3 with filledcurves fc rgb '#c6d9ee' title 'model, 5 to 95 %%', "
-          "$model%d using 1:5 with lines ls 1 title 'model, mean', "
-          "$model%d using 1:4 with lines ls 1 lw 1 dt 2 title 'model, median', ",
+          "$model%d using 1:6:2:3:4:5 with boxxyerror fs solid noborder fc rgb '#c6d9ee' title "
+          "'model, 5 to 95 %%', "
+          "$model%d using 2:6:($3-$2):(0) with vectors nohead ls 1 lw 2 title 'model, mean', "
+          "$model%d using 2:7:($3-$2):(0) with vectors nohead ls 1 lw 1 dt 2 title 'model, "
+          "median', ",
           which, which, which);
   fprintf(gp,
           "$points%d with points pt 7 ps 0.35 lc rgb '#e0a080' %s, "
           "$data%d using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb '#c8501e' lw 1.5 title "
           "'measured, mean ± sd'\n",
-          which, c->data.n_points ? "title 'measured'" : "notitle", which);
+          which, c->data.means ? "notitle" : "title 'measured'", which);
 }
 
 void cli_compare_plot(const cli_option *option, const comparison *c) {
-  cli_plot *picture = cli_plot_open(option, 1200, 520);
+  cli_plot *picture = cli_plot_open(option, 1200, 560);
   FILE *gp = cli_plot_stream(picture);
-  fputs("set multiplot layout 1,2\nset xrange [0:90]\nset xtics 15\n"
-        "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
-        gp);
+  fprintf(gp,
+          "set multiplot layout 1,2 title 'model: %s        measured: %s' noenhanced\n"
+          "set xrange [0:90]\nset xtics 15\n"
+          "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+          cli_plot_label(picture, c->names[0]).text, cli_plot_label(picture, c->names[1]).text);
   for (int which = 0; which < COR_BOTH; which++) {
     bool any = false;
     for (size_t i = 0; i < c->count; i++)
-      any = any || (cli_compare_has_data(&c->bins[which][i]) && c->bins[which][i].model.count > 0);
+      any = any || cli_compare_has_both(&c->bins[i], which);
     if (any)
       plot_panel(gp, c, which);
   }

@@ -38,22 +38,24 @@ static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)};
 
 /* What is read of an impact, wherever it comes from. */
 typedef struct impact_row {
-  double degrees, delta, cor[COR_BOTH];
+  double degrees, delta, v1, d_p, cor[COR_BOTH];
   bool deposit;
 } impact_row;
 
 static void add_impact(scatter_impacts *impacts, const impact_row *row) {
   impacts->rough = impacts->rough || fabs(row->delta) > 0;
-  if (row->deposit) {
-    impacts->deposits++;
-    return;
-  }
+  impacts->deposits += row->deposit;
   impacts->points = grow(impacts->points, impacts->count, sizeof *impacts->points);
-  impacts->points[impacts->count++] = (scatter_point){row->degrees, {row->cor[0], row->cor[1]}};
+  impacts->points[impacts->count++] =
+      (scatter_point){row->degrees,
+                      (float)(row->v1 * impacts->metre_per_second),
+                      (float)(row->d_p * impacts->metre),
+                      row->deposit,
+                      {row->deposit ? NAN : row->cor[0], row->deposit ? NAN : row->cor[1]}};
 }
 
 typedef struct impact_columns {
-  int degrees, delta, cor[COR_BOTH], outcome;
+  int degrees, delta, v1, d_p, cor[COR_BOTH], outcome;
 } impact_columns;
 
 static asp_code read_row(const aspi_csv *csv, const impact_columns *at, impact_row *row,
@@ -62,6 +64,8 @@ static asp_code read_row(const aspi_csv *csv, const impact_columns *at, impact_r
   asp_code code;
   if ((code = aspi_csv_number(csv, at->degrees, 0, 90, &row->degrees, NULL, error)) ||
       (code = aspi_csv_number(csv, at->delta, -90, 90, &row->delta, &missing, error)) ||
+      (code = aspi_csv_number(csv, at->v1, 0, 1e15, &row->v1, &missing, error)) ||
+      (code = aspi_csv_number(csv, at->d_p, 0, 1e15, &row->d_p, &missing, error)) ||
       (code =
            aspi_csv_number(csv, at->cor[COR_N], -1e15, 1e15, &row->cor[COR_N], &missing, error)) ||
       (code = aspi_csv_number(csv, at->cor[COR_T], -1e15, 1e15, &row->cor[COR_T], &missing, error)))
@@ -72,8 +76,33 @@ static asp_code read_row(const aspi_csv *csv, const impact_columns *at, impact_r
   return ASP_OK;
 }
 
+/* The first of two columns that is there. */
+static int find_either(const aspi_csv *csv, const char *first, const char *second) {
+  int index = aspi_csv_find(csv, first);
+  return index >= 0 ? index : aspi_csv_find(csv, second);
+}
+
+/* The units of a ledger, from its comment, as metres and metres per second; else SI. The command
+ * writes diameters in micrometres. */
+static void read_units(scatter_impacts *impacts, bool micrometres) {
+  static const struct {
+    const char *words;
+    double metre, metre_per_second;
+  } units[] = {{"units cgs;", 1e-2, 1e-2}, {"units micro;", 1e-6, 1}, {"units nano;", 1e-9, 1}};
+  impacts->metre = micrometres ? 1e-6 : 1;
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (strstr(impacts->comment, units[i].words)) {
+      impacts->metre = units[i].metre;
+      impacts->metre_per_second = units[i].metre_per_second;
+    }
+}
+
 static asp_code read_csv_rows(aspi_csv *csv, scatter_impacts *impacts, asp_error *error) {
-  impact_columns at = {.degrees = aspi_csv_need(csv, ledger_name[LEDGER_ALPHA1], error),
+  snprintf(impacts->comment, sizeof impacts->comment, "%.1000s", csv->comment);
+  read_units(impacts, aspi_csv_find(csv, "dp_um") >= 0);
+  impact_columns at = {.v1 = find_either(csv, ledger_name[LEDGER_V1], "v1_m_s"),
+                       .d_p = find_either(csv, ledger_name[LEDGER_D_P], "dp_um"),
+                       .degrees = aspi_csv_need(csv, ledger_name[LEDGER_ALPHA1], error),
                        .delta = aspi_csv_find(csv, ledger_name[LEDGER_DELTA_ALPHA]),
                        .cor = {aspi_csv_find(csv, ledger_name[LEDGER_COR_N]),
                                aspi_csv_find(csv, ledger_name[LEDGER_COR_T])},
@@ -127,6 +156,8 @@ static asp_code read_dump_header(aspi_csv *csv, impact_columns *at, asp_error *e
   csv->columns = aspi_text_split(csv->header, ' ', csv->names, ASP_CSV_COLUMNS);
   *at = (impact_columns){find_entry(csv->names, csv->columns, LEDGER_ALPHA1),
                          find_entry(csv->names, csv->columns, LEDGER_DELTA_ALPHA),
+                         find_entry(csv->names, csv->columns, LEDGER_V1),
+                         find_entry(csv->names, csv->columns, LEDGER_D_P),
                          {find_entry(csv->names, csv->columns, LEDGER_COR_N),
                           find_entry(csv->names, csv->columns, LEDGER_COR_T)},
                          find_entry(csv->names, csv->columns, LEDGER_OUTCOME)};
@@ -173,6 +204,8 @@ static asp_code read_array_row(const npy *array, const impact_columns *at, impac
   asp_code code;
   if ((code = read_value(array, at->degrees, 0, 90, false, &row->degrees, error)) ||
       (code = read_value(array, at->delta, -90, 90, true, &row->delta, error)) ||
+      (code = read_value(array, at->v1, 0, 1e15, true, &row->v1, error)) ||
+      (code = read_value(array, at->d_p, 0, 1e15, true, &row->d_p, error)) ||
       (code = read_value(array, at->cor[COR_N], -1e15, 1e15, true, &row->cor[COR_N], error)) ||
       (code = read_value(array, at->cor[COR_T], -1e15, 1e15, true, &row->cor[COR_T], error)))
     return code;
@@ -188,6 +221,8 @@ static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impa
     return code;
   impact_columns at = {.degrees = npy_find(&array, ledger_name[LEDGER_ALPHA1]),
                        .delta = npy_find(&array, ledger_name[LEDGER_DELTA_ALPHA]),
+                       .v1 = npy_find(&array, ledger_name[LEDGER_V1]),
+                       .d_p = npy_find(&array, ledger_name[LEDGER_D_P]),
                        .cor = {npy_find(&array, ledger_name[LEDGER_COR_N]),
                                npy_find(&array, ledger_name[LEDGER_COR_T])},
                        .outcome = npy_find(&array, ledger_name[LEDGER_OUTCOME])};
@@ -195,6 +230,7 @@ static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impa
     return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
                      ledger_name[at.degrees < 0 ? LEDGER_ALPHA1 : LEDGER_COR_N]);
   snprintf(impacts->comment, sizeof impacts->comment, "%s", array.title);
+  read_units(impacts, false);
   impact_row row;
   for (bool found;;) {
     if ((code = npy_next(&array, &found, error)) || !found ||
@@ -235,101 +271,24 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
   if (!csv)
     return error->code;
   code = read_csv_rows(csv, impacts, error);
-  snprintf(impacts->comment, sizeof impacts->comment, "%.1000s", csv->comment);
   aspi_csv_close(csv);
   return code;
 }
 
 scatter_impacts scatter_read_impacts(const char *path) {
-  scatter_impacts impacts = {NULL, 0, 0, false, ""};
+  scatter_impacts impacts = {.metre = 1, .metre_per_second = 1};
   asp_error error;
   if (read_impacts(path, &impacts, &error))
     cli_bad_file(NULL, &error);
   double most = 0;
   for (size_t i = 0; i < impacts.count; i++)
     most = fmax(most, impacts.points[i].degrees);
-  if (impacts.count == 0)
+  if (impacts.count == impacts.deposits)
     cli_fail("%s: no rebound in it (%zu deposits)", path, impacts.deposits);
   warn_radians(path, most, impacts.count);
   return impacts;
 }
 
-/* Columns of points: cor[0]; of means: cor and sd. */
-typedef struct data_columns {
-  int degrees, point[COR_BOTH], mean[COR_BOTH], sd[COR_BOTH];
-} data_columns;
-
-static asp_code find_data_columns(const aspi_csv *csv, data_columns *at, bool *means,
-                                  asp_error *error) {
-  *at = (data_columns){aspi_csv_need(csv, "alpha1_deg", error),
-                       {aspi_csv_find(csv, "cor_n"), aspi_csv_find(csv, "cor_t")},
-                       {aspi_csv_find(csv, "cor_n_mean"), aspi_csv_find(csv, "cor_t_mean")},
-                       {aspi_csv_find(csv, "cor_n_sd"), aspi_csv_find(csv, "cor_t_sd")}};
-  if (at->degrees < 0)
-    return ASP_EDATA;
-  bool points = at->point[0] >= 0 || at->point[1] >= 0;
-  *means = at->mean[0] >= 0 || at->mean[1] >= 0;
-  if (points != *means)
-    return ASP_OK;
-  return aspi_text_fail(&csv->text, csv->text.line, error,
-                        "%s; measured points are columns cor_n, cor_t, binned ones cor_n_mean, "
-                        "cor_n_sd, cor_t_mean, cor_t_sd",
-                        points ? "both points and means" : "neither points nor means");
-}
-
-static asp_code read_data_row(const aspi_csv *csv, const data_columns *at, bool means,
-                              scatter_data *data, asp_error *error) {
-  scatter_mean row;
-  bool missing;
-  const int *column = means ? at->mean : at->point;
-  asp_code code = aspi_csv_number(csv, at->degrees, 0, 90, &row.degrees, NULL, error);
-  for (int i = 0; i < COR_BOTH && !code; i++)
-    if (!(code = aspi_csv_number(csv, column[i], -1e15, 1e15, &row.mean[i], &missing, error)))
-      code = aspi_csv_number(csv, means ? at->sd[i] : -1, 0, 1e15, &row.sd[i], &missing, error);
-  if (code)
-    return code;
-  if (means) {
-    data->means = grow(data->means, data->n_means, sizeof *data->means);
-    data->means[data->n_means++] = row;
-  } else {
-    data->points = grow(data->points, data->n_points, sizeof *data->points);
-    data->points[data->n_points++] = (scatter_point){row.degrees, {row.mean[0], row.mean[1]}};
-  }
-  return ASP_OK;
-}
-
-static asp_code read_data(aspi_csv *csv, scatter_data *data, double *most, asp_error *error) {
-  data_columns at;
-  bool means, found;
-  asp_code code = find_data_columns(csv, &at, &means, error);
-  for (*most = 0; !code && !(code = aspi_csv_row(csv, &found, error)) && found;) {
-    code = read_data_row(csv, &at, means, data, error);
-    if (!code)
-      *most = fmax(*most, means ? data->means[data->n_means - 1].degrees
-                                : data->points[data->n_points - 1].degrees);
-  }
-  return code;
-}
-
-scatter_data scatter_read_data(const char *path) {
-  scatter_data data = {NULL, 0, NULL, 0};
-  asp_error error;
-  double most = 0;
-  aspi_csv *csv = aspi_csv_open(path, &error);
-  if (!csv || read_data(csv, &data, &most, &error))
-    cli_bad_file(NULL, &error);
-  aspi_csv_close(csv);
-  if (data.n_points + data.n_means == 0)
-    cli_bad_usage("%s: no row of data", path);
-  warn_radians(path, most, data.n_points + data.n_means);
-  return data;
-}
-
 void scatter_free_impacts(scatter_impacts *impacts) {
   free(impacts->points);
-}
-
-void scatter_free_data(scatter_data *data) {
-  free(data->points);
-  free(data->means);
 }

@@ -73,7 +73,7 @@ void Model::parse_surface(Words &words) {
   if (smooth_)
     return;
   if (words.take("profile")) {
-    profile_path_ = words.word("the file of 'surface profile'");
+    profile_path_ = words.file("the file of 'surface profile'");
     parse_bins(words);
     return;
   }
@@ -188,7 +188,7 @@ void Model::parse_rebound(Words &words) {
   };
   set("");
   if (asp_rebound_needs_table(law))
-    read_table(words.word("the file of 'rebound table'"));
+    read_table(words.file("the file of 'rebound table'"));
   for (bool more = true; more;) {
     more = words.take("scatter_twice");
     if (more)
@@ -218,7 +218,7 @@ void Model::parse_materials(Words &words, const std::string &keywords) {
   std::vector<std::string> names;
   while (!words.done() && !words.is_one_of("file " + keywords))
     names.push_back(words.word("a material"));
-  const std::string path = words.take("file") ? words.word("the file of 'materials'") : "";
+  const std::string path = words.take("file") ? words.file("the file of 'materials'") : "";
   if (static_cast<int>(names.size()) != engine_.types())
     throw Error(text("materials has %d names, and the script has %d atom types; there must be one "
                      "name for each type",

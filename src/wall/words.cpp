@@ -28,6 +28,13 @@ std::string Words::word(const char *what) {
   return words_[next_++];
 }
 
+std::string Words::file(const char *what) {
+  const std::string name = word(what);
+  if (name == "-")
+    throw Error(text("%s is '-'; it must be the name of a file", what));
+  return name;
+}
+
 double Words::number(const char *what) {
   const std::string value = word(what);
   char *end;

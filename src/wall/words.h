@@ -28,6 +28,8 @@ public:
   /* Goes past the next word if it is this one. */
   bool take(const char *word);
   std::string word(const char *what);
+  /* The name of a file; not `-`, for the ranks of a run have no standard input to share. */
+  std::string file(const char *what);
   double number(const char *what);
   double whole(const char *what, double least, double most);
 

@@ -85,6 +85,9 @@ grep -q "freeze or delete" bad.screen || die "removal without deposits: $(tail -
 deck "$materials deposit freeze remove u_tau 1" 'run 1' > bad.in
 timeout 60 "$bin/$simulator-asperity" -in bad.in -log none > bad.screen 2>&1 && die "removal without a gas is taken"
 grep -q "gas_density" bad.screen || die "removal without a gas: $(tail -n 3 bad.screen)"
+deck "$materials rebound table -" 'run 1' > bad.in
+timeout 60 "$bin/$simulator-asperity" -in bad.in -log none > bad.screen 2>&1 < /dev/null && die "a table from standard input is taken"
+grep -q "must be the name of a file" bad.screen || die "a table from standard input: $(tail -n 3 bad.screen)"
 deck "$materials rebound bons spin maybe" 'run 1' > bad.in
 timeout 60 "$bin/$simulator-asperity" -in bad.in -log none > bad.screen 2>&1 && die "spin maybe is taken"
 grep -q "off on" bad.screen || die "spin maybe: $(tail -n 3 bad.screen)"

@@ -1,0 +1,294 @@
+/* Measured coefficients of restitution; see measured.h. */
+#include "cli/measured.h"
+#include "base/csv.h"
+#include "base/error.h"
+#include "cli/cli.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Degrees below this, all of them, may be radians. */
+#define RADIANS_MOST 1.6
+
+/* What a column can hold. */
+typedef enum kind { RATIO, ANGLE, SPEED, LENGTH, WORD } kind;
+enum {
+  ALPHA1,
+  V1,
+  ALPHA2,
+  V2,
+  V1_N,
+  V1_T,
+  V2_N,
+  V2_T,
+  COR_V,
+  COR_ALPHA,
+  POINT,
+  MEAN = POINT + COR_BOTH,
+  SD = MEAN + COR_BOTH,
+  SE = SD + COR_BOTH,
+  COUNT = SE + COR_BOTH,
+  D_P,
+  OUTCOME,
+  N_COLUMNS
+};
+
+static const struct {
+  const char *name;
+  kind kind;
+} columns[N_COLUMNS] = {
+    [ALPHA1] = {"alpha1", ANGLE},   [V1] = {"v1", SPEED},
+    [ALPHA2] = {"alpha2", ANGLE},   [V2] = {"v2", SPEED},
+    [V1_N] = {"v1_n", SPEED},       [V1_T] = {"v1_t", SPEED},
+    [V2_N] = {"v2_n", SPEED},       [V2_T] = {"v2_t", SPEED},
+    [COR_V] = {"cor_v", RATIO},     [COR_ALPHA] = {"cor_alpha", RATIO},
+    [POINT] = {"cor_n", RATIO},     [POINT + COR_T] = {"cor_t", RATIO},
+    [MEAN] = {"cor_n_mean", RATIO}, [MEAN + COR_T] = {"cor_t_mean", RATIO},
+    [SD] = {"cor_n_sd", RATIO},     [SD + COR_T] = {"cor_t_sd", RATIO},
+    [SE] = {"cor_n_se", RATIO},     [SE + COR_T] = {"cor_t_se", RATIO},
+    [COUNT] = {"n", RATIO},         [D_P] = {"dp", LENGTH},
+    [OUTCOME] = {"outcome", WORD},
+};
+
+static const struct {
+  const char *name;
+  kind kind;
+  double factor;
+} units[] = {
+    {"deg", ANGLE, 1},
+    {"degrees", ANGLE, 1},
+    {"rad", ANGLE, 180 / ASP_PI},
+    {"radians", ANGLE, 180 / ASP_PI},
+    {"m_s", SPEED, 1},
+    {"cm_s", SPEED, 1e-2},
+    {"mm_s", SPEED, 1e-3},
+    {"m", LENGTH, 1},
+    {"mm", LENGTH, 1e-3},
+    {"um", LENGTH, 1e-6},
+    {"nm", LENGTH, 1e-9},
+};
+enum { N_UNITS = sizeof units / sizeof *units };
+
+/* Where the columns stand in the file, -1 where they do not, and their units. */
+typedef struct layout {
+  int at[N_COLUMNS];
+  double factor[N_COLUMNS];
+} layout;
+
+/* A name in small letters, Greek ones and signs written out, all others as single underscores:
+ * `α1 [°]` and `alpha_1 (deg)` are alpha1_deg. */
+static void plain(const char *name, char *to, size_t size) {
+  static const char *const written[][2] = {
+      {"\xce\xb1", "alpha"}, {"\xc2\xb0", "_deg"}, {"\xc2\xb5", "u"}, {"\xce\xbc", "u"}};
+  size_t n = 0;
+  for (const char *c = name; *c && n + 8 < size;) {
+    bool found = false;
+    for (int i = 0; i < 4 && !found; i++)
+      if (strncmp(c, written[i][0], 2) == 0) {
+        n += (size_t)snprintf(to + n, size - n, "%s", written[i][1]);
+        c += 2;
+        found = true;
+      }
+    if (found)
+      continue;
+    if (isalnum((unsigned char)*c))
+      to[n++] = (char)tolower((unsigned char)*c);
+    else if (n > 0 && to[n - 1] != '_')
+      to[n++] = '_';
+    c++;
+  }
+  while (n > 0 && to[n - 1] == '_')
+    n--;
+  to[n] = '\0';
+  if (strncmp(to, "alpha_", 6) == 0 && isdigit((unsigned char)to[6]))
+    memmove(to + 5, to + 6, strlen(to + 6) + 1);
+  if (strncmp(to, "d_p", 3) == 0)
+    memmove(to + 1, to + 2, strlen(to + 2) + 1);
+}
+
+/* Whether a name is that of a column, with a unit of its kind or none; factor 0: none. */
+static bool is_column(const char *name, int column, double *factor) {
+  size_t length = strlen(columns[column].name);
+  if (strncmp(name, columns[column].name, length) != 0)
+    return false;
+  *factor = columns[column].kind == RATIO || columns[column].kind == WORD;
+  if (!name[length])
+    return true;
+  for (int i = 0; i < N_UNITS && name[length] == '_'; i++)
+    if (units[i].kind == columns[column].kind && strcmp(units[i].name, name + length + 1) == 0) {
+      *factor = units[i].factor;
+      return true;
+    }
+  return false;
+}
+
+static void find_columns(const aspi_csv *csv, const char *path, layout *l) {
+  for (int c = 0; c < N_COLUMNS; c++) {
+    l->at[c] = -1;
+    for (int i = 0; i < csv->columns && l->at[c] < 0; i++) {
+      char name[80];
+      plain(csv->names[i], name, sizeof name);
+      if (is_column(name, c, &l->factor[c]))
+        l->at[c] = i;
+    }
+    if (l->at[c] < 0 || l->factor[c] > 0)
+      continue;
+    l->factor[c] = 1;
+    if (columns[c].kind == ANGLE)
+      cli_warn("%s: the unit of column '%s' is not stated; it is taken as degrees (name it %s_deg "
+               "or %s_rad)",
+               path, csv->names[l->at[c]], columns[c].name, columns[c].name);
+  }
+}
+
+static bool has(const layout *l, int column) {
+  return l->at[column] >= 0;
+}
+
+static bool has_components(const layout *l) {
+  return has(l, V1_N) && has(l, V1_T) && has(l, V2_N) && has(l, V2_T);
+}
+
+/* Whether the columns are those of impacts or of means. */
+static asp_code find_form(const aspi_csv *csv, const layout *l, bool *means, asp_error *error) {
+  bool points = has(l, POINT) || has(l, POINT + COR_T) || has_components(l) ||
+                (has(l, COR_V) && has(l, COR_ALPHA)) ||
+                (has(l, ALPHA2) && has(l, V2) && has(l, V1));
+  *means = has(l, MEAN) || has(l, MEAN + COR_T);
+  if (!has(l, ALPHA1) && !has_components(l))
+    return aspi_csv_need(csv, "alpha1_deg", error) < 0 ? ASP_EDATA : ASP_OK;
+  if (points != *means)
+    return ASP_OK;
+  return aspi_text_fail(&csv->text, csv->text.line, error,
+                        "%s; impacts are columns alpha1,v1,alpha2,v2 or v1_n,v1_t,v2_n,v2_t or "
+                        "cor_v,cor_alpha or cor_n,cor_t, means are cor_n_mean,cor_n_sd,cor_t_mean,"
+                        "cor_t_sd",
+                        points ? "both points and means" : "neither points nor means");
+}
+
+static asp_code read_numbers(const aspi_csv *csv, const layout *l, double *value,
+                             asp_error *error) {
+  for (int c = 0; c < N_COLUMNS; c++) {
+    bool missing, angle = columns[c].kind == ANGLE;
+    double full = (c == ALPHA2 ? 180 : 90) * (1 + 1e-9) / l->factor[c];
+    double least = angle || c >= SD ? 0 : -1e15;
+    value[c] = NAN;
+    if (!has(l, c) || columns[c].kind == WORD)
+      continue;
+    asp_code code = aspi_csv_number(csv, l->at[c], least, angle ? full : 1e15, &value[c],
+                                    c == ALPHA1 ? NULL : &missing, error);
+    if (code)
+      return code;
+    value[c] *= l->factor[c];
+  }
+  return ASP_OK;
+}
+
+/* The coefficients of the components of both velocities. */
+static void of_components(double n1, double t1, double n2, double t2, measured_row *row) {
+  double n = fabs(n1), t = fabs(t1);
+  row->degrees = cli_degrees(atan2(n, t));
+  row->v1 = hypot(n, t);
+  row->cor[COR_N] = n > 0 ? fabs(n2) / n : NAN;
+  row->cor[COR_T] = t > 1e-12 * n ? t2 / t1 : NAN;
+}
+
+static measured_row row_of(const layout *l, const double *v, bool means) {
+  double a1 = cli_radians(v[ALPHA1]), a2 = cli_radians(v[ALPHA2]);
+  measured_row row = {.degrees = fmin(90, v[ALPHA1]), .v1 = v[V1], .d_p = v[D_P], .n = v[COUNT]};
+  for (int k = 0; k < COR_BOTH; k++) {
+    row.cor[k] = means ? v[MEAN + k] : v[POINT + k];
+    row.sd[k] = v[SD + k];
+    row.se[k] = v[SE + k];
+  }
+  if (means || has(l, POINT) || has(l, POINT + COR_T))
+    return row;
+  if (has_components(l))
+    of_components(v[V1_N], v[V1_T], v[V2_N], v[V2_T], &row);
+  else if (has(l, COR_V) && has(l, COR_ALPHA))
+    of_components(sin(a1), cos(a1), v[COR_V] * sin(v[COR_ALPHA] * a1),
+                  v[COR_V] * cos(v[COR_ALPHA] * a1), &row);
+  else
+    of_components(v[V1] * sin(a1), v[V1] * cos(a1), v[V2] * sin(a2), v[V2] * cos(a2), &row);
+  if (!has_components(l))
+    row.v1 = v[V1];
+  if (row.degrees >= 90 - 1e-9)
+    row.cor[COR_T] = NAN;
+  return row;
+}
+
+static bool is_deposit(const aspi_csv *csv, const layout *l, const measured_row *row) {
+  if (!has(l, OUTCOME))
+    return !(row->cor[COR_N] > 0) && !isnan(row->cor[COR_N]);
+  const char *word = csv->fields[l->at[OUTCOME]];
+  return strncmp(word, "deposit", 7) == 0 || strcmp(word, "deleted") == 0 || atoi(word) > 0;
+}
+
+static int by_place(const void *left, const void *right) {
+  const measured_row *a = left, *b = right;
+  if (a->degrees < b->degrees || a->degrees > b->degrees)
+    return a->degrees < b->degrees ? -1 : 1;
+  if (a->v1 < b->v1 || a->v1 > b->v1)
+    return a->v1 < b->v1 ? -1 : 1;
+  return (a->d_p > b->d_p) - (a->d_p < b->d_p);
+}
+
+static void add(measured *data, measured_row row) {
+  if ((data->count & (data->count - 1)) == 0) {
+    size_t room = data->count ? 2 * data->count : 1;
+    data->rows = realloc(data->rows, room * sizeof *data->rows);
+    if (!data->rows)
+      cli_fail("out of memory for %zu rows", data->count);
+  }
+  data->rows[data->count++] = row;
+}
+
+static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, asp_error *error) {
+  for (bool found;;) {
+    double value[N_COLUMNS];
+    asp_code code;
+    if ((code = aspi_csv_row(csv, &found, error)) || !found ||
+        (code = read_numbers(csv, l, value, error)))
+      return code;
+    measured_row row = row_of(l, value, data->means);
+    row.deposit = !data->means && is_deposit(csv, l, &row);
+    if (row.deposit)
+      row.cor[COR_N] = row.cor[COR_T] = NAN;
+    if (isnan(row.degrees))
+      return aspi_text_fail(&csv->text, csv->text.line, error,
+                            "the impact angle is missing; v1_n and v1_t, or alpha1, must be there");
+    add(data, row);
+  }
+}
+
+measured measured_read(const char *path) {
+  measured data = {0};
+  layout l;
+  asp_error error;
+  aspi_csv *csv = aspi_csv_open(path, &error);
+  if (!csv)
+    cli_bad_file(NULL, &error);
+  find_columns(csv, path, &l);
+  if (find_form(csv, &l, &data.means, &error) || read_rows(csv, &l, &data, &error))
+    cli_bad_file(NULL, &error);
+  data.has_speed = has(&l, V1) || has_components(&l);
+  data.has_size = has(&l, D_P);
+  data.has_outcome = has(&l, OUTCOME);
+  aspi_csv_close(csv);
+  if (data.count == 0)
+    cli_bad_usage("%s: no row of data", path);
+  double most = 0;
+  for (size_t i = 0; i < data.count; i++)
+    most = fmax(most, data.rows[i].degrees);
+  if (has(&l, ALPHA1) && most < RADIANS_MOST)
+    cli_warn("%s: all impact angles are below %g degrees, which look like radians", path,
+             RADIANS_MOST);
+  qsort(data.rows, data.count, sizeof *data.rows, by_place);
+  return data;
+}
+
+void measured_free(measured *data) {
+  free(data->rows);
+}

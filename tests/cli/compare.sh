@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# compare: the same model with another seed is taken for the same, as often as chance has it; data in all the forms
+# that people have; deposits; places by angle, speed and size; standard input.
+set -euo pipefail
+asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
+asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+rows() { grep -v '^#' "$1" | tail -n +2; }
+column() { awk -F, -v name="$1" '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == name) k = i; next } { print $k }' "$2"; }
+wall='--rq 5um --lambda-c 40um --model visible --collisions multiple --tilt isotropic'
+
+# Over 200 pairs of seeds p-values are uniform: their distance from it, by Kolmogorov and Smirnov, is below what one
+# in a thousand would exceed, 1.95/sqrt(200), for a coefficient at a place, and their mean is for the score; and 90 % of
+# the data lie in the band.
+for seed in $(seq 1 200); do
+  "$asperity" cor $wall --angles 10,30,60 --samples 400 --seed "$seed" -o model
+  "$asperity" cor $wall --angles 10,30,60 --samples 60 --seed $((1000 + seed)) -o data
+  "$asperity" compare model data | awk -F, '/^cor_n,30/ || /^cor_t,10,/ { print $1, $17 > "p." $1; band += $15 } /^overall/ { print $17 > "p.overall"; print $15 > "band" }
+    END { close("band") }'
+  for k in cor_n cor_t overall; do cat p.$k >> all.$k; done; cat band >> all.band
+done
+for k in cor_n cor_t; do
+  awk '{ print $NF }' all.$k | sort -g | awk -v k=$k '{ up = NR / 200 - $1; down = $1 - (NR - 1) / 200; d = up > d ? up : d; d = down > d ? down : d }
+    END { if (NR != 200 || d > 0.138) { print k, "p-values are", d, "off uniform"; exit 1 } }' || die "compare: p-values"
+done
+awk '{ n += $1 < 0.05; m += $1 } END { if (NR != 200 || n > 20 || m / NR < 0.44 || m / NR > 0.58) { print n " of 200 scores below 0.05, mean " m / NR; exit 1 } }' all.overall || die "compare: score"
+awk '{ m += $1 / 200 } END { exit !(m > 0.88 && m < 0.91) }' all.band || die "compare: band"
+
+# Another law is told apart, by the score too.
+"$asperity" cor $wall --angles 10,30,60 --samples 400 -o model
+"$asperity" cor $wall --angles 10,30,60 --samples 200 --seed 2 --mu 0.2 -o data
+"$asperity" compare model data | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 < 1e-6) }' || die "compare: another law"
+
+# One sample in all the forms: the same numbers come out. At 90 degrees CoR_T is not defined.
+"$asperity" cor $wall --angles 20,50,80 --samples 80 --seed 3 --speed 50 --adhesion off -o cor.csv
+"$asperity" compare model cor.csv --near 90,9,9 | rows /dev/stdin | cut -d, -f1,5,8,11,12,16,17 > wanted
+awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
+  { a = $3 * pi / 180; n2 = $8 * 50 * sin(a); t2 = $9 * 50 * cos(a); v2 = sqrt(n2 * n2 + t2 * t2); a2 = atan2(n2, t2); f = "%.12g"
+    if (!n++) { print "alpha1_deg,v1,alpha2_deg,v2" > "velocities"; print "α1 [rad];v1 [mm/s];alpha_2 (rad);v2 (mm/s)" > "radians"; print "v1_n_m_s,v1_t_m_s,v2_n_m_s,v2_t_m_s" > "components"; print "alpha1_deg,cor_v,cor_alpha,v1" > "ratios"; print "alpha1_deg,cor_n,cor_t,outcome,v1_m_s,d_p [um]" > "pairs" }
+    printf "%.12g,50,%.12g,%.12g\n", $3, a2 * 180 / pi, v2 > "velocities"
+    printf "%.12g;50000;%.12g;%.12g\n", a, a2, v2 * 1e3 > "radians"
+    printf "%.12g,%.12g,%.12g,%.12g\n", -50 * sin(a), 50 * cos(a), n2, t2 > "components"
+    printf "%.12g,%.12g,%.12g,50\n", $3, v2 / 50, a2 / a > "ratios"
+    printf "%.12g,%.12g,%.12g,rebound,50,10\n", $3, $8, $9 > "pairs" }' cor.csv
+for form in velocities radians components ratios pairs; do
+  "$asperity" compare model $form --near 90,9,9 2> err | grep -v '^deposits' > got || die "compare: $form: $(cat err)"
+  [ ! -s err ] || die "compare: $form: a warning: $(cat err)"
+  paste -d, wanted <(rows got | cut -d, -f1,5,8,11,12,16,17) | grep -v '^overall' | awk -F, '{ for (i = 2; i <= 7; i++) { d = $i - $(i + 7); if (d > 2e-5 || d < -2e-5) exit 1 } if ($1 != $8) exit 1; n++ } END { exit n != 6 }' || die "compare: $form gives other numbers"
+done
+sed 1s/alpha1_deg/alpha1/ velocities > unnamed
+"$asperity" compare model unnamed --near 90,9,9 2>&1 > /dev/null | grep -q "unit of column 'alpha1' is not stated.*degrees" || die "compare: an angle without a unit"
+
+# Means with and without standard errors; what was not measured stays empty.
+printf 'alpha1_deg,cor_n_mean,cor_n_sd,cor_n_se,cor_t_mean,n\n30,0.33,0.15,,,100\n60,0.165,0.1,0.004,0.79,\n' > means
+"$asperity" compare model means > got
+rows got | awk -F, '$1 == "cor_n" { exit !($10 == 100 && $17 > 0 && $17 <= 1) }' || die "compare: means: $(cat got)"
+column p_value got | sed -n '2p;4p' | paste -sd, | awk -F, '{ exit !($1 > 0 && $2 == "") }' || die "compare: p of means: $(cat got)"
+
+# Places by speed and size: the model's impacts there, and no others.
+{ "$asperity" cor --model none --angles 30 --speed 20 --samples 30; "$asperity" cor --model none --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --model none --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
+printf 'alpha1_deg,v1_m_s,dp_um,cor_n\n30,20,10,0.9\n30,80,10,0.4\n30,80,50,0.4\n30,300,50,0.4\n' > data
+"$asperity" compare model data --bin 90 > got 2> err
+"$asperity" compare model <(sed 's/cor_n/cor_n_mean/' data) > got 2> err
+[ "$(column model_n got | head -n 4 | paste -sd,)" = 30,30,30,0 ] && grep -q "1 of 4 bins" err || die "compare: speeds and sizes: $(cat got err)"
+[ "$(column v1_m_s got | sed -n 2p),$(column dp_um got | sed -n 3p)" = 80,50 ] || die "compare: places: $(cat got)"
+
+# Deposits: their shares, where the data tell outcomes.
+awk 'BEGIN { print "alpha1_deg,cor_n,cor_t,outcome"; for (i = 0; i < 200; i++) print "30,0.5,0.7," (i % 4 ? "rebound" : "deposit") }' > quarter
+awk 'BEGIN { print "alpha1_deg,cor_n,cor_t,outcome"; for (i = 0; i < 200; i++) print "30,0.5,0.7," (i % 2 ? "rebound" : "deposit") }' > half
+"$asperity" compare quarter half > got
+rows got | awk -F, '$1 == "deposits" { exit !($5 == 0.25 && $11 == 0.5 && $17 < 1e-5) }' || die "compare: deposits: $(cat got)"
+rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "compare: deposits in means: $(cat got)"
+"$asperity" compare quarter quarter | awk -F, '$1 == "deposits" { exit !($17 > 0.4) }' || die "compare: the same deposits"
+
+# Standard input in place of either, and of any file of any command.
+"$asperity" compare quarter half | grep -v '^#' > wanted
+"$asperity" compare - half < quarter | grep -v '^#' | cmp wanted || die "compare - from a file"
+cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
+"$asperity" materials | "$asperity" rebound --map angles --angles 45 --materials - > got || die "rebound --materials -"
+printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound --map angles --angles 10 --rebound table --table - | grep -q ',0.9,0.8,' || die "rebound --table -"
+printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
+
+# The picture names both files.
+"$asperity" compare quarter half --plot p.svg > got 2> err
+grep -q 'quarter' p.svg && grep -q 'half' p.svg || die "compare --plot: no names"
+exit 0
