@@ -447,6 +447,27 @@ static void warn_double(const scatter_impacts *impacts) {
     }
 }
 
+/* Impacts of a file without speeds or sizes are taken for those of any. */
+static void leave_out(comparison *c) {
+  bool speeds = false, sizes = false;
+  for (size_t i = 0; i < c->impacts.count && !(speeds && sizes); i++) {
+    speeds = speeds || isfinite(c->impacts.points[i].v1);
+    sizes = sizes || isfinite(c->impacts.points[i].d_p);
+  }
+  bool no_speeds = c->data.has_speed && !speeds, no_sizes = c->data.has_size && !sizes;
+  if (no_speeds || no_sizes)
+    cli_warn("%s: no %s of impacts in it; those of the data are not looked at", c->names[0],
+             no_speeds && no_sizes ? "speeds and sizes"
+             : no_speeds           ? "speeds"
+                                   : "sizes");
+  for (size_t i = 0; i < c->data.count; i++) {
+    c->data.rows[i].v1 = no_speeds ? NAN : c->data.rows[i].v1;
+    c->data.rows[i].d_p = no_sizes ? NAN : c->data.rows[i].d_p;
+  }
+  c->data.has_speed = c->data.has_speed && speeds;
+  c->data.has_size = c->data.has_size && sizes;
+}
+
 /* DEGREES[,SPEED[,SIZE]] */
 static reach reach_of(const cli_option *option) {
   reach far = {0, 0.1, 0.1};
@@ -491,6 +512,7 @@ static int run(int argc, char **argv) {
                   .impacts = scatter_read_impacts(argv[first]),
                   .data = measured_read(argv[first + 1])};
   qsort(c.impacts.points, c.impacts.count, sizeof *c.impacts.points, by_angle);
+  leave_out(&c);
   make_bins(&c, &options[BIN]);
   compare_all(&c, &far);
   check_bins(&c);

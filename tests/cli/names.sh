@@ -42,7 +42,7 @@ for name in "${names[@]}"; do
   cp impacts "data/$name"
   "$asperity" compare "data/$name" "data/$name" --plot c.svg -o table 2> err || die "compare '$name': $(cat err)"
   is_picture c.svg || die "compare '$name': no picture"
-  [ "$(grep -vc '^#' table)" = 19 ] || die "compare '$name': $(cat table)"
+  [ "$(grep -vc '^#' table)" = 26 ] || die "compare '$name': $(cat table)"
 done
 no_more "data"
 
