@@ -104,9 +104,33 @@ double asp_reader_get(const asp_reader *reader, const char *name);
 const char *asp_reader_text(const asp_reader *reader);
 
 /* ---- map ------------------------------------------------------------------------------------- */
-/* Heights of a wall over an area, at equal spacing in both directions. */
+/* Heights of a wall over an area, row after row, at equal spacing along x, in a row, and along y,
+ * from row to row; in single precision, from their mean. Lengths are in any one unit. */
 typedef struct asp_map asp_map;
+
+/* A map of given heights, which are copied: 4 to 65536 columns and rows, all finite. */
+asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows, double step_x,
+                              double step_y, bool periodic, asp_error *error);
 void asp_map_free(asp_map *map);
+size_t asp_map_columns(const asp_map *map);
+size_t asp_map_rows(const asp_map *map);
+double asp_map_step_x(const asp_map *map);
+double asp_map_step_y(const asp_map *map);
+const float *asp_map_heights(const asp_map *map);
+
+/* The map of a file: SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or
+ * lines of x, y, z on a grid. The reader's options count as for profiles: form is the degree of a
+ * polynomial in x and y, row, column and resample say nothing; besides step_x, step_y  metres
+ * between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
+ * matrices do; step_y: as step_x) Closed formats are refused with the name of a free program that
+ * converts them. */
+asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error);
+
+/* A map in numbers by name (ISO 25178-2), each worked out anew: s_q, s_a, s_sk, s_ku, s_p, s_v,
+ * s_z, s_dq, s_al, s_tr; and by the ellipse that fits the 1/e contour of the autocorrelation best:
+ * lambda_1 <= lambda_2, its half axes, and lay, the direction of the longer one from x towards y
+ * (rad). NaN and a message where there is none. */
+double asp_map_get(const asp_map *map, const char *name, asp_error *error);
 
 /* ---- surface --------------------------------------------------------------------------------- */
 /* The size law of a rough wall: which rms slope a sphere of diameter d_p meets on it. */

@@ -1,6 +1,7 @@
 /* asperity surface: what a particle of a given size finds on a wall, generated or measured. */
 #include "cli/surface.h"
 #include "base/units.h"
+#include "cli/surface_map.h"
 #include "surface/describe.h"
 #include "surface/read.h"
 
@@ -20,6 +21,8 @@ enum {
   SEED,
   POINTS,
   PROFILE,
+  MAP,
+  STEP,
   UNIT,
   FORM,
   GAPS,
@@ -42,6 +45,9 @@ static const cli_option table[N_OPTIONS + 1] = {
               "of the generated profile, or of the one that a measured one is compared with", "1"},
     [POINTS] = {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
     [PROFILE] = {"profile", "FILE", "a measured profile instead: text in columns, or SDF", NULL},
+    [MAP] = {"map", "FILE", "a measured map: SDF, a matrix of heights, or x, y, z in columns",
+             NULL},
+    [STEP] = {"step", "LENGTH[,LENGTH]", "between a matrix's columns, and its rows", NULL},
     [UNIT] = {"unit", "U[,U]", "unit of its columns, where the file states none", NULL},
     [FORM] = {"form", "DEGREE", "polynomial taken out as form: none, or 0 to 9", "1"},
     [GAPS] = {"gaps", "refuse|fill", "what to do about bad and missing points", "refuse"},
@@ -192,11 +198,42 @@ static void print_all(FILE *out, const cli_wall *wall, const cli_slopes *rows, s
   }
 }
 
+/* Everything with --map. */
+static void run_map(const cli_option *o, const cli_list *sizes, int argc, char **argv) {
+  const int own[] = {RQ, LAMBDA_C, PROFILE};
+  for (int i = 0; i < 3; i++)
+    if (o[own[i]].value)
+      cli_bad_usage("--%s is given with --map; a measured wall has its own", o[own[i]].name);
+  aspi_profile_options read = read_options(o);
+  aspi_map_options options = {&read, {0, 0}};
+  if (o[STEP].value) {
+    cli_list steps = cli_lengths(&o[STEP]);
+    if (steps.count > 2)
+      cli_bad_usage("--step is '%s'; it must be one length, or two", o[STEP].value);
+    options.step[0] = steps.values[0];
+    options.step[1] = steps.values[steps.count - 1];
+  }
+  cli_map map = cli_map_read(&o[MAP], &options);
+  cli_map_slopes *rows = malloc(sizes->count * sizeof *rows);
+  if (!rows)
+    cli_fail("out of memory");
+  cli_map_slopes_measure(&map, sizes, rows);
+  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
+  cli_map_print(cli_output_stream(output), &map, rows, sizes->count);
+  cli_output_close(output);
+  free(rows);
+  cli_map_free(&map);
+}
+
 static int run(int argc, char **argv) {
   cli_option options[N_OPTIONS + 1];
   memcpy(options, table, sizeof options);
   cli_parse(&cli_surface, argc, argv, options, false);
   cli_list sizes = cli_lengths(&options[DP]);
+  if (options[MAP].value) {
+    run_map(options, &sizes, argc, argv);
+    return 0;
+  }
   bool measured = options[PROFILE].value != NULL;
   source from;
   cli_wall wall = measured ? read_wall(options, &from) : generate_wall(options);
@@ -231,6 +268,9 @@ const cli_command cli_surface = {
         "points))^(1/5).\n"
         "A generated profile is periodic, a measured one is mirrored at its ends. A measured one "
         "is\n"
-        "compared with a generated one of the same R_q and lambda_c.\n",
+        "compared with a generated one of the same R_q and lambda_c. Of a map, the parameters of\n"
+        "ISO 25178-2, the lay, and the contact slopes of a sphere across the lay and along it. "
+        "For\n"
+        "an instrument's own format that is refused: the free program Gwyddion saves it as SDF.\n",
     .run = run,
 };

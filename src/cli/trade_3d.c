@@ -52,7 +52,7 @@ static judge_angles rebounds(const asp_wall *wall, double d_p, double alpha1, si
     judge_angles mine = {0};
 #pragma omp for schedule(static)
     for (size_t i = 0; i < n; i++) {
-      asp_particle particle = {d_p, 1, NULL};
+      asp_particle particle = {.d_p = d_p, .density = 1};
       asp_impact impact;
       asp_wall_impact(wall, &particle, v1, up, &(asp_key){seed, 1, i, 1}, &impact);
       judge_add(&mine, impact.v2, impact.delta_alpha, impact.hits);

@@ -11,7 +11,9 @@
 #include <gsl/gsl_fft_complex.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
+#define HEIGHT_MOST 1e30  /* squares of it are numbers in double precision */
 #define LENGTH_LEAST 10.0 /* correlation lengths along either axis */
 
 float *aspi_map_room(size_t columns, size_t rows) {
@@ -26,8 +28,42 @@ asp_map *aspi_map_adopt(float *heights, size_t columns, size_t rows, const doubl
     aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu x %zu points", columns, rows);
     return NULL;
   }
+  double mean = 0, n = (double)columns * (double)rows;
+  for (size_t i = 0; i < columns * rows; i++)
+    mean += heights[i] / n;
+  for (size_t i = 0; i < columns * rows; i++)
+    heights[i] = (float)(heights[i] - mean);
   *map = (asp_map){columns, rows, {step[0], step[1]}, periodic, heights};
   return map;
+}
+
+/* So many columns at a time are gathered, transformed and put back: those are a cache line. */
+enum { GATHERED = 4 };
+
+size_t aspi_fft2_room(size_t rows) {
+  return 2 * GATHERED * rows;
+}
+
+static void transform(double *data, size_t n, bool backward) {
+  if (backward)
+    gsl_fft_complex_radix2_backward(data, 1, n);
+  else
+    gsl_fft_complex_radix2_forward(data, 1, n);
+}
+
+void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double *room) {
+  for (size_t j = 0; j < rows; j++)
+    transform(data + 2 * j * columns, columns, backward);
+  for (size_t i = 0; i < columns; i += GATHERED) {
+    for (size_t j = 0; j < rows; j++)
+      for (size_t k = 0; k < GATHERED; k++)
+        memcpy(room + 2 * (k * rows + j), data + 2 * (j * columns + i + k), 2 * sizeof *data);
+    for (size_t k = 0; k < GATHERED; k++)
+      transform(room + 2 * k * rows, rows, backward);
+    for (size_t j = 0; j < rows; j++)
+      for (size_t k = 0; k < GATHERED; k++)
+        memcpy(data + 2 * (j * columns + i + k), room + 2 * (k * rows + j), 2 * sizeof *data);
+  }
 }
 
 /* The amplitudes exp(-k' M^-1 k / 8) of one row of wave numbers, ky being that of the row. */
@@ -102,7 +138,7 @@ asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t co
   if (check(wall, &shape, error))
     return NULL;
   size_t n = columns * rows;
-  double *data = malloc(2 * n * sizeof *data);
+  double *data = malloc((2 * n + aspi_fft2_room(rows)) * sizeof *data);
   shape.heights = aspi_map_room(columns, rows);
   if (!data || !shape.heights) {
     free(data);
@@ -113,14 +149,55 @@ asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t co
   spectrum s = spectrum_of(wall, &shape);
   double sum = fill(&s, &shape, seed, data), scale = wall->r_q / sqrt(sum);
   data[0] = 0;
-  for (size_t j = 0; j < rows; j++)
-    gsl_fft_complex_radix2_backward(data + 2 * j * columns, 1, columns);
-  for (size_t i = 0; i < columns; i++)
-    gsl_fft_complex_radix2_backward(data + 2 * i, columns, rows);
+  aspi_fft2(data, columns, rows, true, data + 2 * n);
   for (size_t i = 0; i < n; i++)
     shape.heights[i] = (float)(scale * data[2 * i]);
   free(data);
   return aspi_map_adopt(shape.heights, columns, rows, step, true, error);
+}
+
+asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows, double step_x,
+                              double step_y, bool periodic, asp_error *error) {
+  if (aspi_check_length(error, "step_x", step_x) || aspi_check_length(error, "step_y", step_y))
+    return NULL;
+  const size_t side[2] = {columns, rows};
+  for (int i = 0; i < 2; i++)
+    if (side[i] < ASP_MAP_SIDE_LEAST || side[i] > ASP_MAP_SIDE_MOST) {
+      aspi_fail(error, ASP_EARG, "a side of a map has %zu points; it must have %d to %d", side[i],
+                ASP_MAP_SIDE_LEAST, ASP_MAP_SIDE_MOST);
+      return NULL;
+    }
+  float *copy = aspi_map_room(columns, rows);
+  for (size_t i = 0; copy && i < columns * rows; i++) {
+    if (!(fabsf(heights[i]) <= HEIGHT_MOST)) {
+      aspi_fail(error, ASP_EARG, "height %zu is %g; it must be a number up to %g", i, heights[i],
+                HEIGHT_MOST);
+      free(copy);
+      return NULL;
+    }
+    copy[i] = heights[i];
+  }
+  return aspi_map_adopt(copy, columns, rows, (const double[2]){step_x, step_y}, periodic, error);
+}
+
+size_t asp_map_columns(const asp_map *map) {
+  return map->columns;
+}
+
+size_t asp_map_rows(const asp_map *map) {
+  return map->rows;
+}
+
+double asp_map_step_x(const asp_map *map) {
+  return map->step[0];
+}
+
+double asp_map_step_y(const asp_map *map) {
+  return map->step[1];
+}
+
+const float *asp_map_heights(const asp_map *map) {
+  return map->heights;
 }
 
 void asp_map_free(asp_map *map) {

@@ -12,10 +12,10 @@ struct asp_map {
   size_t columns, rows;
   double step[2]; /* between columns, between rows */
   bool periodic;
-  float *heights; /* about their mean */
+  float *heights; /* from their mean */
 };
 
-enum { ASP_MAP_SIDE_LEAST = 8, ASP_MAP_SIDE_MOST = 65536 };
+enum { ASP_MAP_SIDE_LEAST = 4, ASP_MAP_SIDE_MOST = 65536 };
 
 /* A map that takes over `heights` (from malloc; NULL counts as out of memory), and frees them when
  * it fails. */
@@ -32,6 +32,11 @@ typedef struct aspi_gauss {
  * lambda long. r_q is that of the ensemble. The same seed gives the same map. */
 asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t columns, size_t rows,
                          uint32_t seed, asp_error *error);
+
+/* GSL's complex FFT over rows and columns of 2^k points each, in place and without a norm; backward
+ * with the positive sign. `room` is for aspi_fft2_room(rows) numbers. */
+size_t aspi_fft2_room(size_t rows);
+void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double *room);
 
 /* Uninitialised room for as many numbers as a map of that size has points, or NULL. */
 float *aspi_map_room(size_t columns, size_t rows);

@@ -65,6 +65,17 @@ asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options,
 asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                        asp_error *error);
 
+/* The header of a file in SDF as text; NAN where it says nothing. Then its heights in turn, as many as
+ * points x profiles, before z_scale; NAN where one is marked as bad; and what must follow them. */
+typedef struct aspi_sdf {
+  double points, profiles, x_scale, y_scale, z_scale, compression;
+} aspi_sdf;
+
+asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error);
+asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
+                         asp_error *error);
+asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error);
+
 /* As aspi_profile_read, from an open stream; `path` is for messages only. */
 asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
                                       const aspi_profile_options *options,

@@ -1,6 +1,6 @@
 /* Profiles and maps in SDF, ASCII (ISO 25178-71, and the older aBCR-1.0 with the same layout): a
  * header of `key = value` lines, a star, the heights of all profiles in turn, a star, a trailer. Of
- * a map one row or one column is kept. The binary form is refused. */
+ * a map one row or one column is kept. The binary form is for maps only (map_read.c). */
 #include "base/error.h"
 #include "surface/read.h"
 
@@ -10,12 +10,8 @@
 #include <string.h>
 #include <strings.h>
 
-typedef struct header {
-  double points, profiles, x_scale, y_scale, z_scale, compression;
-} header;
-
 /* Where a key's value goes; NULL for keys that do not matter here. */
-static double *place_of(header *h, const char *key) {
+static double *place_of(aspi_sdf *h, const char *key) {
   const struct {
     const char *key;
     double *place;
@@ -29,7 +25,7 @@ static double *place_of(header *h, const char *key) {
 }
 
 /* One line of the header; *ends at the star. */
-static asp_code read_key(aspi_text *text, header *h, bool *ends, asp_error *error) {
+static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *error) {
   char *line = aspi_text_trim(text->text);
   *ends = strcmp(line, "*") == 0;
   if (*ends || !*line)
@@ -48,7 +44,7 @@ static asp_code read_key(aspi_text *text, header *h, bool *ends, asp_error *erro
   return ASP_OK;
 }
 
-static asp_code check_counts(const aspi_text *text, const header *h, asp_error *error) {
+static asp_code check_counts(const aspi_text *text, const aspi_sdf *h, asp_error *error) {
   const struct {
     const char *key;
     double value;
@@ -64,7 +60,7 @@ static asp_code check_counts(const aspi_text *text, const header *h, asp_error *
   return ASP_OK;
 }
 
-static asp_code check_scales(const aspi_text *text, const header *h, asp_error *error) {
+static asp_code check_scales(const aspi_text *text, const aspi_sdf *h, asp_error *error) {
   const struct {
     const char *key;
     double value;
@@ -85,8 +81,8 @@ static asp_code check_scales(const aspi_text *text, const header *h, asp_error *
   return ASP_OK;
 }
 
-static asp_code read_header(aspi_text *text, header *h, asp_error *error) {
-  *h = (header){NAN, NAN, NAN, NAN, NAN, 0};
+asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
+  *h = (aspi_sdf){NAN, NAN, NAN, NAN, NAN, 0};
   for (bool ends = false, found; !ends;) {
     asp_code code = aspi_text_line(text, &found, error);
     if (!code && !found)
@@ -101,8 +97,8 @@ static asp_code read_header(aspi_text *text, header *h, asp_error *error) {
 }
 
 /* One height of the map; *height is NAN where it is marked as bad. */
-static asp_code read_height(aspi_text *text, const header *h, size_t index, double *height,
-                            asp_error *error) {
+asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
+                         asp_error *error) {
   bool found;
   asp_code code = aspi_text_word(text, &found, error);
   if (code)
@@ -117,7 +113,7 @@ static asp_code read_height(aspi_text *text, const header *h, size_t index, doub
   return ASP_OK;
 }
 
-static asp_code check_end(aspi_text *text, const header *h, asp_error *error) {
+asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error) {
   bool found;
   asp_code code = aspi_text_word(text, &found, error);
   if (!code && found && text->text[0] != '*')
@@ -132,13 +128,13 @@ typedef struct section {
   size_t row, column;
 } section;
 
-static asp_code read_map(aspi_text *text, const header *h, section kept, aspi_raw *raw,
+static asp_code read_map(aspi_text *text, const aspi_sdf *h, section kept, aspi_raw *raw,
                          asp_error *error) {
   size_t points = (size_t)h->points, profiles = (size_t)h->profiles;
   for (size_t row = 1; row <= profiles; row++)
     for (size_t column = 1; column <= points; column++) {
       double height;
-      asp_code code = read_height(text, h, (row - 1) * points + column - 1, &height, error);
+      asp_code code = aspi_sdf_height(text, h, (row - 1) * points + column - 1, &height, error);
       if (!code && (row == kept.row || column == kept.column)) {
         if (isnan(height) && raw->bad++ == 0)
           raw->bad_line = text->line;
@@ -147,7 +143,7 @@ static asp_code read_map(aspi_text *text, const header *h, section kept, aspi_ra
       if (code)
         return code;
     }
-  return check_end(text, h, error);
+  return aspi_sdf_end(text, h, error);
 }
 
 asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
@@ -155,9 +151,10 @@ asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, asp
   const char *version = aspi_text_trim(text->text);
   if (tolower((unsigned char)*version) != 'a')
     return aspi_text_fail(text, text->line, error,
-                          "'%.20s' is SDF in binary; only ASCII (aISO-1.0) can be read", version);
-  header h;
-  asp_code code = read_header(text, &h, error);
+                          "'%.20s' is SDF in binary, which is read as a map, not as a profile",
+                          version);
+  aspi_sdf h;
+  asp_code code = aspi_sdf_header(text, &h, error);
   if (code)
     return code;
   bool by_column = options->column > 0;

@@ -1,10 +1,11 @@
-/* Fuzzing of the readers of profile files: whatever the bytes, a reader returns a profile that can
- * be described and closed, or an error with a message, and no sanitizer has anything to say.
- * LLVMFuzzerTestOneInput is for libFuzzer; without it (FUZZ_MAIN) this is a program of its own that
- * mutates made-up files, the same ones every time. */
+/* Fuzzing of the readers of profile and map files: whatever the bytes, a reader returns a profile
+ * that can be described and closed, or a map that can be described, or an error with a message, and
+ * no sanitizer has anything to say. LLVMFuzzerTestOneInput is for libFuzzer; without it (FUZZ_MAIN)
+ * this is a program of its own that mutates made-up files, the same ones every time. */
 #include "base/stream.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
+#include "surface/map_read.h"
 #include "surface/read.h"
 #include "surface/slopes.h"
 
@@ -42,6 +43,26 @@ static void check_profile(const asp_profile *profile) {
   free(slopes);
 }
 
+/* Small ones are described: the autocorrelation of a large one is slow. */
+static void check_map(const asp_map *map) {
+  size_t points = asp_map_columns(map) * asp_map_rows(map);
+  if (points < 16 || !(asp_map_step_x(map) > 0 && asp_map_step_y(map) > 0))
+    fail("a map without points or spacing");
+  for (size_t i = 0; i < points; i++)
+    if (!isfinite(asp_map_heights(map)[i]))
+      fail("a height that is not a number");
+  asp_error error = {ASP_OK, ""};
+  if (points <= 256 && isnan(asp_map_get(map, "s_q", &error)) && !*error.text)
+    fail("a map that cannot be described");
+}
+
+static asp_map *read_map(FILE *stream, const aspi_profile_options *read, asp_error *error) {
+  aspi_profile_report report = {0};
+  aspi_map_options options = {read, {read->column ? 1e-6 : 0, 0}};
+  rewind(stream);
+  return aspi_map_read_stream(stream, "fuzz", &options, &report, error);
+}
+
 static aspi_profile_options options_of(uint8_t bits) {
   aspi_profile_options o = aspi_profile_options_default();
   o.unit_x = o.unit_z = bits & 1 ? 1e-6 : 0;
@@ -75,6 +96,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   else if (error.code == ASP_OK || !*error.text)
     fail("neither a profile nor an error");
   asp_profile_free(profile);
+  error = (asp_error){ASP_OK, ""};
+  asp_map *map = read_map(stream, &options, &error);
+  if (map)
+    check_map(map);
+  else if (error.code == ASP_OK || !*error.text)
+    fail("neither a map nor an error");
+  asp_map_free(map);
   fclose(stream);
   return 0;
 }
@@ -90,7 +118,17 @@ static const char *const files[] = {
     "\xEF\xBB\xBF# unit: um\n0 1\n1 3\n2 nan\n3 4\n4 1e1\n5 7\n",
     "0.000000\t0.003581\n0.000100\t0.003584\n0.000199\t0.003585\n0.000299\t0.003\n",
     "\n aISO-1.0\nNumPoints = 4\nNumProfiles = 3\nXscale = 1.0E-6\nYscale=2E-6\nZscale = 1E-6\n"
-    "Compression = 0\n*\n1 2 4 3\n1 BAD 2 3\n5 4 3 2\n*\n<Name> x\n*"};
+    "Compression = 0\n*\n1 2 4 3\n1 BAD 2 3\n5 4 3 2\n*\n<Name> x\n*",
+    "# Width: 4 um\n# Height: 3 mm\n# Value units: "
+    "m\n1,2,3,5\n2,1,nan,4\n1,,2,0\n3,3,1,2\n4,5,1,7\n",
+    "x_um;y_um;z_nm\n0;0;1\n1;0;2\n2;0;3\n3;0;1\n0;1;1\n1;1;5\n2;1;3\n3;1;1\n0;2;1\n1;2;2\n2;2;"
+    "0\n3;2;9\n"
+    "0;3;4\n1;3;2\n2;3;1\n3;3;-1\n",
+    "bISO-2.0ASPERITY  "
+    "010120260000010120260000\x04\x01\x01\x01\x05\x01\x01\x01\x01\x01\x01\x01\x01\x01"
+    "\x01\x3f\x01\x01\x01\x01\x01\x01\x01\x3f\x01\x01\x01\x01\x01\x01\x01\x3f\x01\x01\x01\x01\x01"
+    "\x01"
+    "\x01\x3f\x01\x01\x01 some heights or other that are bytes here and there"};
 
 static const char *const tokens[] = {"nan", "inf", "-",   "1e308", "1e-308", "-1e308", ",",  ";",
                                      "\t",  "\n",  "*\n", "=",     "BAD",    "um",     "\r", "0"};
@@ -139,6 +177,8 @@ int main(int argc, char **argv) {
     uint8_t file[FILE_MOST + 1] = {(uint8_t)below(&stream, 256)};
     size_t size = strlen(from), changes = round < 600 ? 0 : 1 + below(&stream, 12);
     memcpy(file + 1, from, size);
+    for (size_t i = 1; from[0] == 'b' && i <= size; i++) /* strings hold no NUL */
+      file[i] = file[i] == 1 ? 0 : file[i];
     for (size_t i = 0; i < changes; i++)
       size = mutate(&stream, file + 1, size);
     LLVMFuzzerTestOneInput(file, size + 1);

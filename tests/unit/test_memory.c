@@ -160,7 +160,41 @@ static asp_code generated_map(asp_error *error) {
   return code_of(map, error);
 }
 
+static asp_code read_area(const char *path, asp_error *error) {
+  asp_reader *own = asp_reader_create(error);
+  if (!own)
+    return error->code;
+  asp_reader_set(own, "fill", 1, NULL);
+  asp_reader_set(own, "spikes", 8, NULL);
+  asp_map *made = asp_reader_read_map(own, path, error);
+  asp_map_free(made);
+  asp_reader_free(own);
+  return code_of(made, error);
+}
+
+static asp_code read_sdf_map(asp_error *error) {
+  return read_area("map.sdf", error);
+}
+
+static asp_code read_matrix(asp_error *error) {
+  return read_area("matrix.csv", error);
+}
+
+static asp_code read_triples(asp_error *error) {
+  return read_area("triples.csv", error);
+}
+
 static asp_map *gauss;
+
+static asp_code copied_map(asp_error *error) {
+  asp_map *made = asp_map_from_heights(asp_map_heights(gauss), 32, 32, 1, 1, false, error);
+  asp_map_free(made);
+  return code_of(made, error);
+}
+
+static asp_code described_map(asp_error *error) {
+  return isnan(asp_map_get(gauss, "s_al", error)) ? error->code : ASP_OK;
+}
 
 static asp_code ball(asp_error *error) {
   aspi_ball *made = aspi_ball_create(gauss, 20, error);
@@ -344,6 +378,17 @@ static void write_files(void) {
   fclose(even);
   fclose(uneven);
   fclose(map);
+  FILE *matrix = begin("matrix.csv"), *triples = begin("triples.csv");
+  fputs("# Width: 40 um\n# Height: 50 um\n# Value units: um\n", matrix);
+  fputs("x_um,y_um,z_um\n", triples);
+  for (int i = 0; i < 2000; i++) {
+    double z = sin(0.3 * i) + 0.5 * sin(0.071 * i * i);
+    fprintf(matrix, "%.9g%s", i == 77 ? 90 : z, i % 40 < 39 ? "," : "\n");
+    if (i != 77)
+      fprintf(triples, "%d,%d,%.9g\n", i % 40, i / 40, z);
+  }
+  fclose(matrix);
+  fclose(triples);
   FILE *materials_file = begin("materials.csv"), *table_file = begin("table.csv");
   fputs("name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n", materials_file);
   for (int i = 0; i < 40; i++)
@@ -376,6 +421,11 @@ int main(void) {
       {"density", density, true},
       {"track", track, true},
       {"map, generated", generated_map, true},
+      {"map, SDF", read_sdf_map, true},
+      {"map, matrix", read_matrix, true},
+      {"map, triples", read_triples, true},
+      {"map, from heights", copied_map, true},
+      {"map described", described_map, true},
       {"sphere on a map", ball, true},
       {"dilated map", field, true},
       {"line", line, true},
@@ -411,7 +461,8 @@ int main(void) {
   asp_map_free(gauss);
   asp_surface_free(surface);
   asp_profile_free(profile);
-  const char *const files[] = {"even.csv", "uneven.csv", "map.sdf", "materials.csv", "table.csv"};
+  const char *const files[] = {"even.csv",    "uneven.csv",    "map.sdf",  "matrix.csv",
+                               "triples.csv", "materials.csv", "table.csv"};
   for (size_t i = 0; i < sizeof files / sizeof *files; i++)
     unlink(files[i]);
   rmdir(folder);

@@ -1,0 +1,327 @@
+/* Maps from files of every kind, what is done to them, and what they are. The numbers of the
+ * description are those of SciPy 1.10.1 for the same heights: numpy's mean and std, scipy.stats
+ * skew and kurtosis, scipy.signal.fftconvolve over the number of products for the autocorrelation,
+ * and numpy.linalg.lstsq for the ellipse. */
+#include "check.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { COLUMNS = 96, ROWS = 80 };
+
+/* Sixty waves, with crests made higher and troughs shallower; from their mean. Lengths in um. */
+static double heights[ROWS][COLUMNS];
+
+static void make_heights(void) {
+  unsigned r = 12345;
+  double wave[60][3], mean = 0;
+  for (int k = 0; k < 60; k++)
+    for (int i = 0; i < 3; i++) {
+      r = (r * 1103515245u + 12345u) % 2147483648u;
+      wave[k][i] = r / 2147483648.;
+    }
+  for (int j = 0; j < ROWS; j++)
+    for (int i = 0; i < COLUMNS; i++) {
+      double z = 0, x = 0.5 * i, y = 0.7 * j;
+      for (int k = 0; k < 60; k++) {
+        double a = 2 * wave[k][0] - 1, b = 2 * wave[k][1] - 1;
+        z += cos(2.2 * a * x + 0.7 * b * y + 0.8 * a * y + 2 * ASP_PI * wave[k][2]);
+      }
+      heights[j][i] = z + 0.02 * z * z;
+      mean += heights[j][i] / (ROWS * COLUMNS);
+    }
+  for (int j = 0; j < ROWS; j++)
+    for (int i = 0; i < COLUMNS; i++)
+      heights[j][i] -= mean;
+}
+
+static FILE *begin(const char *path) {
+  FILE *file = fopen(path, "wb");
+  assert_non_null(file);
+  return file;
+}
+
+static void write_matrix(const char *path, const char *head, const char *separator) {
+  FILE *file = begin(path);
+  fputs(head, file);
+  for (int j = 0; j < ROWS; j++)
+    for (int i = 0; i < COLUMNS; i++)
+      fprintf(file, "%.9g%s", heights[j][i], i + 1 < COLUMNS ? separator : "\n");
+  fclose(file);
+}
+
+static asp_reader *reader;
+
+static asp_map *read_map(const char *path) {
+  asp_error error;
+  asp_map *map = asp_reader_read_map(reader, path, &error);
+  if (!map)
+    fail_msg("%s", error.text);
+  return map;
+}
+
+static void refuse(const char *path, const char *words) {
+  asp_error error;
+  assert_null(asp_reader_read_map(reader, path, &error));
+  if (!strstr(error.text, words))
+    fail_msg("'%s' is not in '%s'", words, error.text);
+}
+
+static int setup(void **state) {
+  (void)state;
+  reader = asp_reader_create(NULL);
+  asp_reader_set(reader, "metre", 1e6, NULL);
+  asp_reader_set(reader, "form", 0, NULL);
+  return 0;
+}
+
+static int teardown(void **state) {
+  (void)state;
+  asp_reader_free(reader);
+  unlink("map");
+  return 0;
+}
+
+static void check_map(asp_map *map, double tolerance) {
+  assert_int_equal(asp_map_columns(map), COLUMNS);
+  assert_int_equal(asp_map_rows(map), ROWS);
+  assert_near(asp_map_step_x(map), 0.5, 1e-9);
+  assert_near(asp_map_step_y(map), 0.7, 1e-9);
+  for (int j = 0; j < ROWS; j++)
+    for (int i = 0; i < COLUMNS; i++)
+      assert_near(asp_map_heights(map)[j * COLUMNS + i], heights[j][i], tolerance);
+  asp_map_free(map);
+}
+
+static void matrices_are_read(void **state) {
+  (void)state;
+  const char *const separators[] = {",", ", ", ";", "\t", " ", "   "};
+  const char *head = "# Channel: Height\n# Width: 48 \xc2\xb5m\n# Height: 56 \xc2\xb5m\n"
+                     "# Value units: um\n";
+  for (size_t k = 0; k < sizeof separators / sizeof *separators; k++) {
+    write_matrix("map", head, separators[k]);
+    check_map(read_map("map"), 1e-4);
+  }
+  asp_reader_set(reader, "step_x", 0.5e-6, NULL);
+  asp_reader_set(reader, "step_y", 0.7e-6, NULL);
+  asp_reader_set(reader, "unit_z", 1e-6, NULL);
+  write_matrix("map", "", ",");
+  check_map(read_map("map"), 1e-4);
+}
+
+static void triples_are_read_in_any_order(void **state) {
+  (void)state;
+  for (int order = 0; order < 3; order++) {
+    FILE *file = begin("map");
+    fputs("x_um,y_um,z_nm\n", file);
+    for (int k = 0; k < ROWS * COLUMNS; k++) {
+      int at = order == 0 ? k : (k * 7919) % (ROWS * COLUMNS); /* 7919 and 7680 have no divisor */
+      int i = order == 2 ? at / ROWS : at % COLUMNS, j = order == 2 ? at % ROWS : at / COLUMNS;
+      fprintf(file, "%.6g,%.6g,%.9g\n", 100 + 0.5 * i, 0.7 * j - 30, 1e3 * heights[j][i]);
+    }
+    fclose(file);
+    check_map(read_map("map"), 1e-4);
+  }
+}
+
+/* As the standard has it, in little-endian order, whatever this machine has. */
+static void put(FILE *file, uint64_t value, int bytes) {
+  for (int k = 0; k < bytes; k++)
+    putc((int)(value >> (8 * k) & 255), file);
+}
+
+static void put_double(FILE *file, double value) {
+  uint64_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  put(file, bits, 8);
+}
+
+static void write_binary(int type, const char *version, bool bad) {
+  FILE *file = begin("map");
+  double scale = type == 0 || type == 4 ? 0.5e-6 : 1e-9, zero = type < 3 ? 13e-6 : 0;
+  int wide = version[5] == '2' ? 4 : 2;
+  fprintf(file, "%s%-10s%s%s", version, "test", "010120260000", "010120260000");
+  put(file, COLUMNS, wide);
+  put(file, ROWS, wide);
+  put_double(file, 0.5e-6);
+  put_double(file, 0.7e-6);
+  put_double(file, type == 3 || type == 7 ? 1e-6 : scale);
+  put_double(file, -1);
+  put(file, 0, 1);
+  put(file, (uint64_t)type, 1);
+  put(file, 0, 1);
+  for (int j = 0; j < ROWS; j++)
+    for (int i = 0; i < COLUMNS; i++) {
+      static const int size[] = {1, 2, 4, 4, 1, 2, 4, 8};
+      int64_t value = llround((heights[j][i] * 1e-6 + zero) / scale);
+      float real = (float)heights[j][i];
+      uint32_t bits;
+      memcpy(&bits, &real, sizeof bits);
+      bool mark = bad && i == 40 && j == 20;
+      if (type == 7)
+        put_double(file, mark ? NAN : heights[j][i]);
+      else if (type == 3)
+        put(file, mark ? 0xff7fffff : bits, 4); /* the least float */
+      else if (mark)
+        put(file, type < 3 ? UINT64_MAX : (uint64_t)1 << (8 * size[type] - 1), size[type]);
+      else
+        put(file, (uint64_t)value, size[type]);
+    }
+  fclose(file);
+}
+
+static void binary_files_are_read(void **state) {
+  (void)state;
+  for (int type = 0; type < 8; type++) {
+    write_binary(type, type % 2 ? "bISO-1.0" : "bISO-2.0", false);
+    check_map(read_map("map"), type == 0 || type == 4 ? 0.3 : 1e-3);
+    if (type == 0 || type == 4)
+      continue; /* have no mark for a bad height */
+    write_binary(type, "bISO-1.0", true);
+    asp_reader_set(reader, "fill", 0, NULL);
+    refuse("map", "1 of 7680 points are bad");
+    asp_reader_set(reader, "fill", 1, NULL);
+    asp_map *map = read_map("map");
+    double mean = 0.25 * (heights[20][39] + heights[20][41] + heights[19][40] + heights[21][40]);
+    assert_near(asp_map_heights(map)[20 * COLUMNS + 40], mean, 0.02);
+    assert_near(asp_reader_get(reader, "filled"), 1, 0);
+    asp_map_free(map);
+  }
+}
+
+static void text_of_the_standard_is_read(void **state) {
+  (void)state;
+  FILE *file = begin("map");
+  fputs("aISO-1.0\nManufacID = x\nNumPoints = 7\nNumProfiles = 4\nXscale = 1.0E-6\n"
+        "Yscale = 2.0E-6\nZscale = 1.0E-6\nCompression = 0\nDataType = 7\n*\n",
+        file);
+  for (int k = 0; k < 28; k++)
+    fprintf(file, "%s%s", k == 9 ? "BAD" : "", k == 9 ? "\n" : "");
+  fclose(file);
+  refuse("map", "heights end");
+  file = begin("map");
+  fputs("aISO-1.0\n\nNumPoints = 7\nNumProfiles = 4\nXscale = 1.0E-6\nYscale = 2.0E-6\n"
+        "Zscale = 1.0E-6\n*\n",
+        file);
+  for (int k = 0; k < 28; k++)
+    fprintf(file, "%d ", k * k % 11);
+  fputs("\n*\ntrailer\n*", file);
+  fclose(file);
+  asp_map *map = read_map("map");
+  assert_int_equal(asp_map_columns(map), 7);
+  assert_int_equal(asp_map_rows(map), 4);
+  assert_near(asp_map_step_y(map), 2, 1e-9);
+  assert_near(asp_map_heights(map)[9] - asp_map_heights(map)[0], 81 % 11, 1e-5);
+  asp_map_free(map);
+}
+
+static void form_and_spikes_are_taken_out(void **state) {
+  (void)state;
+  double kept[ROWS][COLUMNS];
+  memcpy(kept, heights, sizeof kept);
+  const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
+  asp_reader_set(reader, "form", 2, NULL);
+  write_matrix("map", head, ",");
+  asp_map *plain = read_map("map");
+  for (int j = 0; j < ROWS; j++)
+    for (int i = 0; i < COLUMNS; i++)
+      heights[j][i] += 300 + 2.5 * i - 1.5 * j + 0.01 * i * j + 0.02 * i * i;
+  write_matrix("map", head, ",");
+  asp_map *bent = read_map("map");
+  for (size_t i = 0; i < ROWS * COLUMNS; i++)
+    assert_near(asp_map_heights(bent)[i], asp_map_heights(plain)[i], 2e-3);
+  heights[33][44] += 400;
+  heights[70][3] -= 400;
+  write_matrix("map", head, ",");
+  asp_reader_set(reader, "spikes", 15, NULL);
+  refuse("map", "one of 2 spikes");
+  asp_reader_set(reader, "fill", 1, NULL);
+  asp_map *mended = read_map("map");
+  for (size_t i = 0; i < ROWS * COLUMNS; i++)
+    assert_near(asp_map_heights(mended)[i], asp_map_heights(plain)[i], 7);
+  assert_near(asp_map_heights(mended)[0], asp_map_heights(plain)[0], 0.1);
+  asp_map_free(plain);
+  asp_map_free(bent);
+  asp_map_free(mended);
+  memcpy(heights, kept, sizeof kept);
+}
+
+static void numbers_agree_with_scipy(void **state) {
+  (void)state;
+  static float z[ROWS * COLUMNS];
+  for (int i = 0; i < ROWS * COLUMNS; i++)
+    z[i] = (float)heights[i / COLUMNS][i % COLUMNS];
+  asp_map *map = asp_map_from_heights(z, COLUMNS, ROWS, 0.5, 0.7, false, NULL);
+  const struct {
+    const char *name;
+    double value, tolerance;
+  } all[] = {{"s_q", 5.218929344, 1e-5},
+             {"s_a", 4.127026078, 1e-5},
+             {"s_sk", 0.6612207961, 1e-5},
+             {"s_ku", 3.658883847, 1e-5},
+             {"s_p", 24.53239247, 1e-5},
+             {"s_v", 11.73003999, 1e-5},
+             {"s_z", 36.26243246, 1e-5},
+             {"s_dq", 7.171598943, 1e-5},
+             {"s_al", 1.105, 0.006},
+             {"s_tr", 0.28117, 0.003},
+             {"lambda_1", 0.93604, 0.003},
+             {"lambda_2", 3.32846, 0.012},
+             {"lay", 111.82688 * ASP_PI / 180, 0.002}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    assert_near(asp_map_get(map, all[i].name, NULL), all[i].value, all[i].tolerance);
+  asp_error error;
+  assert_true(isnan(asp_map_get(map, "s_x", &error)));
+  assert_non_null(strstr(error.text, "there are: s_q"));
+  asp_map_free(map);
+}
+
+static void bad_files_are_refused(void **state) {
+  (void)state;
+  const struct {
+    const char *text, *words;
+  } all[] = {
+      {"", "ends without a line"},
+      {"DIGITAL SURF", "the free program Gwyddion"},
+      {"bISO-1.0 x", "ends within its header"},
+      {"aISO-1.0\nNumPoints = 3\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
+       "NumPoints is 3; it must be 4"},
+      {"1 2 3 4\n5 6 7 8\n", "no unit of the heights"},
+      {"# Value units: um\n1 2 3 4\n5 6 7\n", "a row of 3 heights; the first one has 4"},
+      {"# Value units: um\n1 2 3 4\n5 6 7 x\n", ":3: a word that is no number"},
+      {"# Value units: um\n1 2 3 4\n5 6 7 8\n", "does not say how far apart"},
+      {"x_um y_um z_um\n0 0 1\n1 0\n", ":3: three numbers"},
+      {"x_um y_um z_um\n0 0 1\n1 0 2\n2 0 2\n3.5 0 1\n0 1 2\n1 1 3\n", "off the grid"},
+      {"x_um y_um z_um\n0 0 1\n0 0 2\n", "on no grid"},
+      {"# Width: 9 um\n# Height: 9 um\n# Value units: um\n1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n",
+       "the map is constant"},
+      {"# Width: 9 um\n# Height: 9 um\n# Value units: um\n1 1 1 1\n2 1 1 1\n",
+       "its sides must have"},
+  };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    FILE *file = begin("map");
+    fputs(all[i].text, file);
+    fclose(file);
+    refuse("map", all[i].words);
+  }
+  refuse("none", "none");
+}
+
+int main(void) {
+  char folder[] = "/tmp/test_map.XXXXXX";
+  if (!mkdtemp(folder) || chdir(folder) != 0)
+    return 1;
+  make_heights();
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(matrices_are_read, setup, teardown),
+      cmocka_unit_test_setup_teardown(triples_are_read_in_any_order, setup, teardown),
+      cmocka_unit_test_setup_teardown(binary_files_are_read, setup, teardown),
+      cmocka_unit_test_setup_teardown(text_of_the_standard_is_read, setup, teardown),
+      cmocka_unit_test_setup_teardown(form_and_spikes_are_taken_out, setup, teardown),
+      cmocka_unit_test(numbers_agree_with_scipy),
+      cmocka_unit_test_setup_teardown(bad_files_are_refused, setup, teardown),
+  };
+  int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  rmdir(folder);
+  return failed;
+}
