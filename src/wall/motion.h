@@ -1,7 +1,7 @@
 /* The motion of a rigid body within a step, as the screw that takes its frame at the beginning to
  * that at the end. Places are interpolated along the screw; velocities change linearly within the
- * step, by as much as those at its two ends differ, and their mean is that of the screw: exact for a
- * steady turn, of second order in the step otherwise, also where an engine sums up places from
+ * step, by as much as those at its two ends differ, and their mean is that of the screw: exact for
+ * a steady turn, of second order in the step otherwise, also where an engine sums up places from
  * velocities to first order only, so that the two do not agree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -36,7 +36,8 @@ public:
   /* Puts it to `frame`, as at the beginning of a run, before a step that moves it if `goes_on`. */
   void settle(const Frame &frame, bool goes_on);
 
-  /* The next step, of length dt: from where the body is to `end`, where it has the velocity `twist`.
+  /* The next step, of length dt: from where the body is to `end`, where it has the velocity
+   * `twist`.
    */
   void advance(const Frame &end, const Twist &twist, double dt);
 

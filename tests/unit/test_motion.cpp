@@ -110,8 +110,8 @@ void test_second_order(void **) {
   }
 }
 
-/* An engine that sums up places from velocities, x(t + dt) = x(t) + v(t + dt) dt: the places are those of a
- * motion of its own, half a step ahead, and velocities must be of that one. */
+/* An engine that sums up places from velocities, x(t + dt) = x(t) + v(t + dt) dt: the places are
+ * those of a motion of its own, half a step ahead, and velocities must be of that one. */
 void test_summed(void **) {
   double before = 0;
   for (double dt = 0.1; dt > 0.002; dt /= 2) {
@@ -158,7 +158,7 @@ void test_rest(void **) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(test_frames), cmocka_unit_test(test_steady),
-                              cmocka_unit_test(test_second_order),
-                              cmocka_unit_test(test_summed), cmocka_unit_test(test_rest)};
+                              cmocka_unit_test(test_second_order), cmocka_unit_test(test_summed),
+                              cmocka_unit_test(test_rest)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
