@@ -10,6 +10,23 @@
 
 enum { LEAF = 4, DEPTH = 64 };
 
+/* Of two numbers; where one of them is no number, `b`. fmax and fmin are calls. */
+static double larger(double a, double b) {
+  return a > b ? a : b;
+}
+
+static double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+static float larger_f(float a, float b) {
+  return a > b ? a : b;
+}
+
+static float smaller_f(float a, float b) {
+  return a < b ? a : b;
+}
+
 /* A leaf has `count` triangles from `first` on; an inner node has count 0, its one child right
  * behind it, and the other at `first`. */
 typedef struct Node {
@@ -54,8 +71,8 @@ static void wrap(const ContactTriangle *triangle, Node *node) {
   for (int k = 0; k < 3; k++)
     for (int d = 0; d < 3; d++) {
       const double at = triangle->node[k][d];
-      node->lo[d] = fminf(node->lo[d], nextafterf((float)at, -INFINITY));
-      node->hi[d] = fmaxf(node->hi[d], nextafterf((float)at, INFINITY));
+      node->lo[d] = smaller_f(node->lo[d], nextafterf((float)at, -INFINITY));
+      node->hi[d] = larger_f(node->hi[d], nextafterf((float)at, INFINITY));
     }
 }
 
@@ -95,8 +112,8 @@ static int longest_side(const Item *items, size_t count) {
   for (int d = 0; d < 3; d++) {
     lo[d] = hi[d] = items[0].center[d];
     for (size_t i = 1; i < count; i++) {
-      lo[d] = fminf(lo[d], items[i].center[d]);
-      hi[d] = fmaxf(hi[d], items[i].center[d]);
+      lo[d] = smaller_f(lo[d], items[i].center[d]);
+      hi[d] = larger_f(hi[d], items[i].center[d]);
     }
   }
   int longest = 0;
@@ -108,8 +125,8 @@ static int longest_side(const Item *items, size_t count) {
 
 static void unite(Node *node, const Node *child) {
   for (int d = 0; d < 3; d++) {
-    node->lo[d] = fminf(node->lo[d], child->lo[d]);
-    node->hi[d] = fmaxf(node->hi[d], child->hi[d]);
+    node->lo[d] = smaller_f(node->lo[d], child->lo[d]);
+    node->hi[d] = larger_f(node->hi[d], child->hi[d]);
   }
 }
 
@@ -253,8 +270,8 @@ static bool overlaps(const Node *node, const double lo[3], const double hi[3]) {
 
 static bool triangle_overlaps(const ContactTriangle *t, const double lo[3], const double hi[3]) {
   for (int d = 0; d < 3; d++)
-    if (fmax(t->node[0][d], fmax(t->node[1][d], t->node[2][d])) < lo[d] ||
-        fmin(t->node[0][d], fmin(t->node[1][d], t->node[2][d])) > hi[d])
+    if (larger(t->node[0][d], larger(t->node[1][d], t->node[2][d])) < lo[d] ||
+        smaller(t->node[0][d], smaller(t->node[1][d], t->node[2][d])) > hi[d])
       return false;
   return true;
 }
@@ -277,6 +294,103 @@ bool contact_tree_meets(const ContactTree *tree, const double lo[3], const doubl
         return true;
   }
   return false;
+}
+
+/* A box that moves and grows; see contact_tree_clear(). */
+typedef struct Sweep {
+  double lo[3], hi[3];       /* its sides at the beginning */
+  double rises[3], falls[3]; /* times that its upper side takes to go up by 1, its lower down */
+  bool leaves_up[3], leaves_down[3]; /* whether its other side goes that way too */
+} Sweep;
+
+static Sweep sweep_of(const double x[3], const double v[3], double reach, double widen) {
+  Sweep sweep;
+  for (int d = 0; d < 3; d++) {
+    const double up = widen + v[d], down = widen - v[d];
+    sweep.lo[d] = x[d] - reach;
+    sweep.hi[d] = x[d] + reach;
+    sweep.rises[d] = up > 0 || up < 0 ? 1 / up : INFINITY;
+    sweep.falls[d] = down > 0 || down < 0 ? 1 / down : INFINITY;
+    sweep.leaves_up[d] = down < 0;
+    sweep.leaves_down[d] = up < 0;
+  }
+  return sweep;
+}
+
+/* When it first meets the box lo to hi; `most` where it does not before. */
+static inline double sweep_meets(const Sweep *sweep, const double lo[3], const double hi[3],
+                                 double most) {
+  double begin = 0, end = most;
+  for (int d = 0; d < 3; d++) {
+    const double above = lo[d] - sweep->hi[d], below = sweep->lo[d] - hi[d];
+    if (above > 0) {
+      if (sweep->leaves_down[d])
+        return most;
+      begin = larger(begin, above * sweep->rises[d]);
+    } else if (sweep->leaves_down[d])
+      end = smaller(end, above * sweep->rises[d]);
+    if (below > 0) {
+      if (sweep->leaves_up[d])
+        return most;
+      begin = larger(begin, below * sweep->falls[d]);
+    } else if (sweep->leaves_up[d])
+      end = smaller(end, below * sweep->falls[d]);
+    if (begin > end)
+      return most;
+  }
+  return begin;
+}
+
+static double sweep_meets_node(const Sweep *sweep, const Node *node, double most) {
+  const double lo[3] = {node->lo[0], node->lo[1], node->lo[2]};
+  const double hi[3] = {node->hi[0], node->hi[1], node->hi[2]};
+  return sweep_meets(sweep, lo, hi, most);
+}
+
+static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t, double most) {
+  double lo[3], hi[3];
+  for (int d = 0; d < 3; d++) {
+    lo[d] = smaller(t->node[0][d], smaller(t->node[1][d], t->node[2][d]));
+    hi[d] = larger(t->node[0][d], larger(t->node[1][d], t->node[2][d]));
+  }
+  return sweep_meets(sweep, lo, hi, most);
+}
+
+double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],
+                          double reach, double widen, double most) {
+  const Sweep sweep = sweep_of(x, v, reach, widen);
+  struct {
+    int at;
+    double time;
+  } stack[DEPTH];
+  int top = 0;
+  double first = most;
+  if (tree->count > 0) {
+    stack[top].at = 0;
+    stack[top++].time = sweep_meets_node(&sweep, tree->nodes, most);
+  }
+  while (top > 0 && first > 0) {
+    const int at = stack[--top].at;
+    if (!(stack[top].time < first))
+      continue;
+    const Node *node = &tree->nodes[at];
+    if (node->count == 0) { /* the child that is met first, first */
+      const int child[2] = {at + 1, node->first};
+      const double time[2] = {sweep_meets_node(&sweep, &tree->nodes[child[0]], first),
+                              sweep_meets_node(&sweep, &tree->nodes[child[1]], first)};
+      const int sooner = time[1] < time[0];
+      for (int k = 0; k < 2; k++) {
+        const int which = k == 0 ? !sooner : sooner;
+        if (!(time[which] < first))
+          continue;
+        stack[top].at = child[which];
+        stack[top++].time = time[which];
+      }
+    }
+    for (int i = node->first; i < node->first + node->count; i++)
+      first = smaller(first, sweep_meets_triangle(&sweep, &tree->triangles[i], first));
+  }
+  return first;
 }
 
 bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
@@ -304,7 +418,7 @@ bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double
 static double box_square(const Node *node, const double x[3]) {
   double square = 0;
   for (int d = 0; d < 3; d++) {
-    const double off = fmax(0, fmax(node->lo[d] - x[d], x[d] - node->hi[d]));
+    const double off = larger(0, larger(node->lo[d] - x[d], x[d] - node->hi[d]));
     square += off * off;
   }
   return square;

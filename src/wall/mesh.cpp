@@ -45,10 +45,13 @@ void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
   tree_.reset(contact_tree_create(triangles.data(), id.data(), id.size()));
   if (!tree_)
     throw std::bad_alloc();
+  found_.forget();
 }
 
 void MeshShape::set_periods(const double period[3]) {
   shifts_.assign(1, Shift{{0, 0, 0}});
+  for (int d = 0; d < 3; d++)
+    periodic_[d] = period[d] > 0;
   for (int d = 0; d < 3; d++)
     for (size_t k = 0, n = shifts_.size(); period[d] > 0 && k < n; k++)
       for (int side = -1; side <= 1; side += 2) {
@@ -102,6 +105,30 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
   return false;
 }
 
+/* A box around the centre in the mesh's frame has what may be around it in the world. */
+double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
+                        double most) const {
+  double steps = most;
+  for (const Shift &shift : shifts_) {
+    double from[3], at[3], by[3];
+    vector_subtract(x, shift.by, from);
+    vector_copy(from, at);
+    vector_copy(v, by);
+    if (!motion_.in_world()) {
+      const Frame &frame = motion_.end();
+      frame.to_body(from, at);
+      for (int j = 0; j < 3; j++)
+        by[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
+    }
+    steps = std::min(steps, contact_tree_clear(tree_.get(), at, by, reach, widen, steps));
+  }
+  return steps;
+}
+
+bool MeshShape::repeats(int axis) const {
+  return periodic_[axis];
+}
+
 /* The path as the mesh sees it: straight between its two ends in the mesh's frame. */
 void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &body) const {
   double begin[3], end[3], end_in_body[3];
@@ -119,6 +146,33 @@ void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &bod
   vector_scale(1 / path.left, body.v);
 }
 
+bool MeshShape::Meeting::has(const double inner_lo[3], const double inner_hi[3]) const {
+  bool all = lo[0] <= hi[0];
+  for (int d = 0; d < 3; d++)
+    all = all && lo[d] <= inner_lo[d] && inner_hi[d] <= hi[d];
+  return all;
+}
+
+/* All triangles that meet a box, and some that only come near it: those of a box that is wider by a
+ * margin are kept, since a particle that has met one is looked at again from there. */
+const ContactList &MeshShape::meet(const double lo[3], const double hi[3], double margin) const {
+  if (found_.has(lo, hi))
+    return found_.list;
+  const ContactTree *tree = tree_.get();
+  for (int d = 0; d < 3; d++) {
+    found_.lo[d] = lo[d] - margin;
+    found_.hi[d] = hi[d] + margin;
+  }
+  found_.list.count = 0;
+  if (!contact_tree_meet(tree, found_.lo, found_.hi, &found_.list)) {
+    found_.forget();
+    throw std::bad_alloc();
+  }
+  std::sort(found_.list.item, found_.list.item + found_.list.count,
+            [tree](int a, int b) { return contact_tree_id(tree, a) < contact_tree_id(tree, b); });
+  return found_.list;
+}
+
 /* The first triangle on the path. An edge is met at one instant by all of its triangles: the
  * contact is that of the one with the least number, but with the normal that is nearest to that of
  * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
@@ -127,7 +181,6 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double latest
   const ContactTree *tree = tree_.get();
   const double speed = vector_length(body.v), most = std::min(latest, body.left);
   const double piece = speed > 0 ? PIECE * radius / speed : INFINITY;
-  ContactList &list = found_.list;
   for (double from = 0; from <= most; from += piece) {
     const double to = std::min(from + piece, most);
     double lo[3], hi[3];
@@ -136,11 +189,7 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double latest
       lo[d] = std::min(a, b) - 1.001 * radius;
       hi[d] = std::max(a, b) + 1.001 * radius;
     }
-    list.count = 0;
-    if (!contact_tree_meet(tree, lo, hi, &list))
-      throw std::bad_alloc();
-    std::sort(list.item, list.item + list.count,
-              [tree](int a, int b) { return contact_tree_id(tree, a) < contact_tree_id(tree, b); });
+    const ContactList &list = meet(lo, hi, std::min(speed * (to - from), radius));
     bool found = false;
     for (size_t i = 0; i < list.count; i++) {
       ContactTouch other;
@@ -250,13 +299,11 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
       lo[d] = foot[d] - KEEPS * radius;
       hi[d] = foot[d] + KEEPS * radius;
     }
-    found_.list.count = 0;
-    if (!contact_tree_meet(tree, lo, hi, &found_.list))
-      throw std::bad_alloc();
+    const ContactList &list = meet(lo, hi, 0);
     bool goes_on = false;
-    for (size_t i = 0; i < found_.list.count; i++) {
+    for (size_t i = 0; i < list.count; i++) {
       double other[3], point[3], off[3];
-      const ContactTriangle *triangle = contact_tree_triangle(tree, found_.list.item[i]);
+      const ContactTriangle *triangle = contact_tree_triangle(tree, list.item[i]);
       contact_triangle_normal(triangle, other);
       contact_triangle_nearest(triangle, foot, point);
       vector_subtract(foot, point, off);

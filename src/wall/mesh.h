@@ -34,6 +34,9 @@ public:
 
   double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen,
+               double most) const override;
+  bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
@@ -58,15 +61,25 @@ private:
   struct Shift {
     double by[3];
   };
-  struct ListOwner {
+  /* The triangles that meet a box, in order of their numbers. */
+  struct Meeting {
     ContactList list;
-    ListOwner() : list() {}
-    ~ListOwner() {
+    double lo[3], hi[3]; /* lo > hi: none yet */
+    Meeting() : list() {
+      forget();
+    }
+    ~Meeting() {
       contact_list_free(&list);
     }
+    void forget() {
+      lo[0] = 1;
+      hi[0] = 0;
+    }
+    bool has(const double inner_lo[3], const double inner_hi[3]) const;
   };
 
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
+  const ContactList &meet(const double lo[3], const double hi[3], double margin) const;
   bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,
                   int &place) const;
   void fill(const Path &path, const ContactPath &body, const Shift &shift, double radius,
@@ -76,7 +89,8 @@ private:
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_;
   Motion motion_;
   std::vector<Shift> shifts_; /* of the periodic images, itself first */
-  mutable ListOwner found_;
+  bool periodic_[3];
+  mutable Meeting found_;
 };
 
 } // namespace asperity

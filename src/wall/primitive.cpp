@@ -51,6 +51,13 @@ bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
   return lo[plane_.axis] <= plane_.at && plane_.at <= hi[plane_.axis];
 }
 
+double PlaneShape::clear(const double x[3], const double v[3], double reach, double widen,
+                         double most) const {
+  const double off = x[plane_.axis] - plane_.at, gap = fabs(off) - reach;
+  const double closing = widen + (off > 0 ? -v[plane_.axis] : v[plane_.axis]);
+  return !(gap > 0) ? 0 : closing * most > gap ? gap / closing : most;
+}
+
 bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
   ContactTouch touch;
   const ContactPath p = contact_path(path);

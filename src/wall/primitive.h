@@ -19,6 +19,11 @@ public:
   PlaneShape(int axis, double at, const double velocity[3]);
   double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen,
+               double most) const override;
+  bool repeats(int axis) const override {
+    return axis != plane_.axis;
+  }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
@@ -34,6 +39,9 @@ public:
   CylinderShape(int axis, const double center[3], double radius, double along, double turn);
   double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
+  bool repeats(int axis) const override {
+    return axis == cylinder_.axis;
+  }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;

@@ -70,6 +70,18 @@ public:
    */
   virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
 
+  /* For how many steps a box of half width `reach`, which grows by `widen` a step, cannot meet the
+   * shape as it is at the end of this step while its centre goes on from x by v a step: a lower
+   * bound, at most `most`. */
+  virtual double clear(const double x[3], const double v[3], double reach, double widen,
+                       double most) const;
+
+  /* Whether a particle that has crossed the edge of the box along an axis, where that is periodic,
+   * has the same shape before it as if it had gone on. */
+  virtual bool repeats(int) const {
+    return false;
+  }
+
   /* The first contact of the path at or before `latest`. */
   virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
 

@@ -28,12 +28,15 @@ const double CROWDED = 0.01;
 /* What a sum of rounded numbers may be off where it is compared with another one. */
 const double ROUNDING = 1e-9;
 
-/* Ahead::steps of a particle in contact in the last step: near without another look; and of one
- * that is stuck: never. */
-const float IN_CONTACT = -1, NEVER = 1e30f;
+/* Ahead::steps of a particle that is stuck, or not of the group: never near; and of one that rested
+ * in the last step: near without another look. */
+const float NEVER = 1e30f, AT_REST = -NEVER;
 
-/* A look ahead is along so many steps; where that is too far, so many times less. */
-const int AHEAD_MOST = 64, AHEAD_TIMES = 4;
+/* So many particles are looked at together, which the compiler makes the most of. */
+const int BLOCK = 128;
+
+/* A look ahead is along so many steps. */
+const double AHEAD_MOST = 64;
 
 /* How far a particle may stray from the way that it was looked ahead on, in each step, in radii of
  * the smallest. */
@@ -131,6 +134,7 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
       state(i)[STATE] = FREE; /* an earlier part of the run had deposits */
   }
   renumber_stuck(spheres);
+  look_anew();
   for (int i = 0; i < spheres.n; i++) {
     const size_t shape = static_cast<size_t>(place(i)[SHAPE]) - 1;
     if (state(i)[STATE] > FREE && shape < shapes_.size() &&
@@ -144,14 +148,40 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
 void Wall::reorder(const Spheres &spheres) {
   stuck_.clear();
   touching_.clear();
-  ahead_.assign(spheres.n, Ahead());
   has_doomed_ = false;
   for (int i = 0; i < spheres.n; i++)
     if (state(i)[STATE] > FREE)
       stuck_.push_back(i);
     else if (state(i)[STATE] < FREE)
       touching_.push_back(i);
+  const size_t n = static_cast<size_t>(spheres.n);
+  if (!repeats())
+    look_anew();
+  ahead_.steps.resize(n);
+  ahead_.v.resize(3 * n);
+  ahead_.tag.resize(n, -1);
+  for (size_t i = 0; i < n;
+       i++) { /* what is known of a particle holds where it is still this one */
+    const int64_t tag = spheres.tag_of(static_cast<int>(i));
+    if (ahead_.tag[i] == tag)
+      continue;
+    ahead_.tag[i] = tag;
+    ahead_.steps[i] = 0;
+  }
   check_speeds(spheres);
+}
+
+/* Whether all shapes look the same to a particle that has come round a periodic box. */
+bool Wall::repeats() const {
+  bool all = true;
+  for (const Member &member : shapes_)
+    for (int d = 0; d < 3; d++)
+      all = all && (!(box_.period[d] > 0) || member.shape->repeats(d));
+  return all;
+}
+
+void Wall::look_anew() {
+  std::fill(ahead_.steps.begin(), ahead_.steps.end(), 0.f);
 }
 
 /* One formula for the time of a step, whether or not the run was interrupted before it. */
@@ -170,7 +200,7 @@ double Wall::time(double step) const {
 
 void Wall::reset_dt(int64_t step, double dt) {
   set_clock(step, dt);
-  ahead_.assign(ahead_.size(), Ahead()); /* it counts steps */
+  look_anew(); /* it counts steps */
 }
 
 void Wall::reset_step(int64_t now, int64_t before) {
@@ -303,58 +333,54 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
   double travel = 0;
   for (const Member &member : shapes_)
     travel = std::max(travel, member.shape->travel(s.dt));
-  const bool anew = travel > travel_;
-  if (anew)
+  if (travel > travel_) {
     travel_ = 2 * travel;
-  const float least = anew ? 2 * NEVER : 0;
-  const float weight = stray_ > 0 ? static_cast<float>(s.dt / stray_) : 0;
-  const int n = s.n, *mask = s.mask, bit = groupbit_;
-  const double *v = s.v;
-  Ahead *ahead = ahead_.data();
-  for (int i = 0; i < n; i++, v += 3, ahead++) {
-    if (!(mask[i] & bit)) {
-      ahead->steps = 0;
-      continue;
-    }
-    const float x = static_cast<float>(v[0]) - ahead->v[0],
-                y = static_cast<float>(v[1]) - ahead->v[1],
-                z = static_cast<float>(v[2]) - ahead->v[2];
-    const float steps = ahead->steps - 1 - weight * (fabsf(x) + fabsf(y) + fabsf(z));
-    if (steps > least) {
-      ahead->steps = steps;
-      continue;
-    }
-    if (state(i)[STATE] > FREE) {
-      *ahead = Ahead{NEVER, {0, 0, 0}};
-      continue;
-    }
-    ahead->steps = ahead->steps < 0 ? 0 : static_cast<float>(steps_clear(s, i));
-    for (int d = 0; d < 3; d++)
-      ahead->v[d] = static_cast<float>(v[d]);
-    if (!(ahead->steps > 0))
-      near.push_back(i);
+    look_anew();
   }
+  const float weight = stray_ > 0 ? static_cast<float>(s.dt / stray_) : 0;
+  for (int first = 0; first < s.n; first += BLOCK) {
+    const int count = std::min(BLOCK, s.n - first);
+    const double *v = s.v + 3 * static_cast<size_t>(first);
+    const float *along = ahead_.v.data() + 3 * static_cast<size_t>(first);
+    float *steps = ahead_.steps.data() + first, off[3 * BLOCK];
+    int over = 0;
+    for (int k = 0; k < 3 * count; k++)
+      off[k] = fabsf(static_cast<float>(v[k]) - along[k]);
+    for (int i = 0; i < count; i++) {
+      steps[i] -= 1 + weight * (off[3 * i] + off[3 * i + 1] + off[3 * i + 2]);
+      over += !(steps[i] > 0);
+    }
+    for (int i = 0; over > 0 && i < count; i++)
+      if (!(steps[i] > 0))
+        look_ahead(s, first + i, near);
+  }
+}
+
+/* What is known of this particle is used up. */
+void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
+  const double *v = s.v + 3 * static_cast<size_t>(i);
+  float *steps = &ahead_.steps[i], *along = &ahead_.v[3 * static_cast<size_t>(i)];
+  const bool out = !(s.mask[i] & groupbit_) || state(i)[STATE] > FREE;
+  for (int d = 0; d < 3; d++)
+    along[d] = out ? 0 : static_cast<float>(v[d]);
+  *steps = out ? NEVER : *steps < 0.5f * AT_REST ? 0 : static_cast<float>(steps_clear(s, i));
+  if (!(*steps > 0))
+    near.push_back(i);
 }
 
 /* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
  * strays no more than it may; 0 where it may touch in this one. */
 int Wall::steps_clear(const Spheres &s, int i) const {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
-  for (int steps = AHEAD_MOST; steps > 0; steps /= AHEAD_TIMES) {
-    const double wide = (1 + ROUNDING) * s.radius[i] + (steps + 1) * (stray_ + travel_);
-    double lo[3], hi[3];
-    for (int d = 0; d < 3; d++) {
-      const double from = x[d] - v[d] * s.dt, to = x[d] + v[d] * s.dt * (steps - 1);
-      lo[d] = std::min(from, to) - wide;
-      hi[d] = std::max(from, to) + wide;
-    }
-    bool clear = true;
-    for (const Member &member : shapes_)
-      clear = clear && !member.shape->may_meet(lo, hi);
-    if (clear)
-      return steps;
+  const double widen = stray_ + travel_, reach = (1 + ROUNDING) * s.radius[i] + widen;
+  double begin[3], by[3], steps = AHEAD_MOST;
+  for (int d = 0; d < 3; d++) {
+    by[d] = v[d] * s.dt;
+    begin[d] = x[d] - by[d];
   }
-  return 0;
+  for (const Member &member : shapes_)
+    steps = std::min(steps, member.shape->clear(begin, by, reach, widen, steps));
+  return static_cast<int>((1 - ROUNDING) * steps);
 }
 
 /* The first contact of what is left of a path. An edge is met at one instant by all that share it:
@@ -442,7 +468,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     event.wall->count(flight, event);
   for (Wall *each : walls)
     if (s.mask[i] & each->groupbit_)
-      each->ahead_[i].steps = touched ? IN_CONTACT : 0;
+      each->ahead_.steps[i] = each->is_at_rest(i) ? AT_REST : 0;
   if (!touched || stuck)
     return;
   vector_copy(flight.half, s.v + 3 * static_cast<size_t>(i));
@@ -741,7 +767,7 @@ void Wall::hold(const Spheres &s) {
       s.omega[3 * static_cast<size_t>(i) + d] = 0;
   }
   for (int i : touching_)
-    if (state(i)[STATE] > REBOUNDED && state(i)[STATE] < FREE)
+    if (is_at_rest(i))
       hold_resting(s, i);
     else if (state(i)[STATE] < RESTING)
       balance(s, i);
@@ -816,7 +842,9 @@ std::vector<double> Wall::sums(size_t shape) const {
 }
 
 double Wall::bytes() const {
-  size_t all = stuck_.capacity() * sizeof(int) + ahead_.capacity() * sizeof(Ahead);
+  size_t all = stuck_.capacity() * sizeof(int) +
+               (ahead_.steps.capacity() + ahead_.v.capacity()) * sizeof(float) +
+               ahead_.tag.capacity() * sizeof(int64_t);
   for (const Member &member : shapes_)
     all += member.shape->bytes() + member.sums.capacity() * sizeof(double);
   return static_cast<double>(all) + (ledger_ ? ledger_->memory_usage() : 0);

@@ -99,6 +99,9 @@ public:
   void reset_step(int64_t now, int64_t before);
 
   /* By the wall's own clock, which restarts and reset_step() do not disturb; after init(). */
+  bool is_at_rest(int i) const {
+    return state(i)[STATE] > REBOUNDED && state(i)[STATE] < FREE;
+  }
   double time(double step) const;
 
   const Model &model() const {
@@ -153,9 +156,10 @@ private:
   /* The contacts of one particle in one step. */
   struct Flight;
 
-  /* For how many steps a particle cannot touch, if it keeps this velocity. */
+  /* Of each particle, for how many steps it cannot touch if it keeps this velocity. */
   struct Ahead {
-    float steps, v[3];
+    std::vector<float> steps, v; /* rows of three */
+    std::vector<int64_t> tag;    /* of whom this is */
   };
 
   /* The fastest particle of this rank in this run, by its radii per time. */
@@ -175,6 +179,9 @@ private:
   void carry(const Spheres &spheres);
   void carry_one(const Spheres &spheres, int i, double dt);
   void find_near(const Spheres &spheres, std::vector<int> &near);
+  void look_ahead(const Spheres &spheres, int i, std::vector<int> &near);
+  void look_anew();
+  bool repeats() const;
   int steps_clear(const Spheres &spheres, int i) const;
   static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
                          size_t &shape, Contact &contact);
@@ -206,9 +213,9 @@ private:
   Box box_;
   double *state_, *place_;
   std::vector<int> stuck_, touching_; /* those at rest and rebounded: of this step */
-  std::vector<Ahead> ahead_;          /* of each particle, since the last exchange */
-  double travel_;                     /* of the wall's fastest point in a step, at most */
-  double stray_; /* how far a particle may leave the way that it was looked ahead on, a step */
+  Ahead ahead_;
+  double travel_; /* of the wall's fastest point in a step, at most */
+  double stray_;  /* how far a particle may leave the way that it was looked ahead on, a step */
   double counters_[N_COUNTERS];
   Clock clock_;
   Fastest fastest_;

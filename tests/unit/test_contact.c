@@ -316,6 +316,35 @@ static void test_wide(void **unused) {
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
+/* Whether a box that moves and grows meets a triangle's box at a time. */
+static bool box_meets(const ContactTree *tree, const ContactPath *path, double reach, double widen,
+                      double time) {
+  double x[3], lo[3], hi[3];
+  at(path, time, x);
+  for (int d = 0; d < 3; d++) {
+    lo[d] = x[d] - reach - widen * time;
+    hi[d] = x[d] + reach + widen * time;
+  }
+  return contact_tree_meets(tree, lo, hi);
+}
+
+/* It is clear until the time that is told, and not after it. */
+static void check_clear(const ContactTree *tree, int round) {
+  ContactPath path = {{0}, {0}, 3};
+  random_vector(6, path.x);
+  random_vector(round % 3 ? 6 : 0.1, path.v);
+  if (round % 5 == 0)
+    path.v[round % 3] = 0;
+  const double reach = uniform(0, 0.5), widen = round % 4 ? uniform(0, 0.2) : 0;
+  const double time = contact_tree_clear(tree, path.x, path.v, reach, widen, path.left);
+  assert_true(time >= 0 && time <= path.left);
+  for (int k = 0; k < 40; k++)
+    assert_false(box_meets(tree, &path, reach, widen, time * (k / 40.0) - 1e-9) &&
+                 time * (k / 40.0) > 1e-9);
+  if (time < path.left)
+    assert_true(box_meets(tree, &path, reach, widen, time + 1e-9));
+}
+
 static void test_tree(void **unused) {
   (void)unused;
   for (int count = 0; count <= 3000; count = 3 * count + 1) {
@@ -371,6 +400,7 @@ static void test_tree(void **unused) {
       const double distance = contact_tree_distance(tree, x, 2, &place);
       assert_true(fabs(distance - least) < 1e-12);
       assert_int_equal(place >= 0, least < 2);
+      check_clear(tree, round);
     }
     contact_list_free(&list);
     contact_tree_free(tree);
