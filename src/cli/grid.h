@@ -2,11 +2,10 @@
 #ifndef ASP_CLI_GRID_H
 #define ASP_CLI_GRID_H
 
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
+#include "cli/measure.h"
 
-/* Writes the whole grid as CSV. Minutes. */
-void cli_grid(FILE *out, size_t rays, uint32_t seed);
+/* Writes the whole grid as CSV, with the subject's rays, profiles and seed; its wall does not
+ * count. Half an hour. */
+void cli_grid(FILE *out, const measure_case *subject);
 
 #endif

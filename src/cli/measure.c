@@ -1,38 +1,35 @@
 /* Models against the geometry; see measure.h. */
 #include "cli/measure.h"
 #include "impact/wall.h"
+#include "surface/closing.h"
+#include "surface/profile.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* The profile that judges: 4096 lambda_c at 128 points each. Much coarser, a disc of many lambda_c
- * rolls over single points, and its slopes come in steps that a degree's bin can see. */
-#define RESOLUTION 128
-#define POINTS 524288
+/* A profile that judges. */
+#define RESOLUTION 64
+#define LENGTH 2048
+
+/* Those that make models have seeds above 2^30 (first_hits.csv), or below 2^10 (traced). */
+#define SEED_FIRST 1024
+
+/* Flights over a profile: over itself and its negative, and in both directions. */
+enum { FLIGHTS = 4 };
 
 /* Probability of a bin that a model leaves empty, in a comparison without sampling. */
 #define LEAST_SHARE 1e-6
 
-measure_case measure_case_create(double r_q, double lambda_c, double d_p, uint32_t seed) {
+asp_surface *measure_surface(const measure_case *subject) {
   asp_error error;
-  measure_case b = {.d_p = d_p};
-  b.profile = asp_profile_create(r_q, lambda_c, lambda_c / RESOLUTION, POINTS, seed, &error);
-  if (b.profile)
-    b.surface = asp_surface_create_profile(b.profile, d_p, d_p, 1, &error);
-  if (b.surface)
-    b.track = aspi_track_create(b.profile, d_p, &error);
-  if (!b.track)
-    cli_fail("%s", error.text);
-  return b;
+  asp_surface *surface = asp_surface_create(subject->r_q, subject->lambda_c, &error);
+  if (!surface)
+    cli_bad_usage("%s", error.text);
+  return surface;
 }
 
-void measure_case_free(measure_case *subject) {
-  aspi_track_free(subject->track);
-  asp_surface_free(subject->surface);
-  asp_profile_free(subject->profile);
-}
-
-asp_wall *measure_wall(const measure_case *subject, const char *model, bool multiple) {
+static asp_wall *wall_of(const measure_case *subject, const asp_surface *surface,
+                         const asp_profile *profile, const char *model, bool multiple) {
   asp_error error;
   asp_wall *wall = asp_wall_create(&error);
   if (!wall)
@@ -43,19 +40,33 @@ asp_wall *measure_wall(const measure_case *subject, const char *model, bool mult
   asp_wall_set(wall, "deposit", 0, NULL);
   asp_wall_set(wall, "d_p_least", subject->d_p, NULL);
   asp_wall_set(wall, "d_p_most", subject->d_p, NULL);
-  asp_wall_set_surface(wall, subject->surface);
-  asp_wall_set_profile(wall, subject->profile);
+  asp_wall_set_surface(wall, surface);
+  asp_wall_set_profile(wall, profile);
   if (asp_wall_prepare(wall, &error))
     cli_bad_usage("%s", error.text);
   return wall;
+}
+
+asp_wall *measure_wall(const measure_case *subject, const asp_surface *surface, const char *model,
+                       bool multiple) {
+  return wall_of(subject, surface, NULL, model, multiple);
 }
 
 static const double up[3] = {0, 0, 1};
 
 static void hit(const asp_wall *wall, double d_p, const double v1[3], uint32_t seed, uint64_t tag,
                 asp_impact *impact) {
-  asp_particle particle = {d_p, 1, NULL, {0, 0, 0}};
+  asp_particle particle = {d_p, 1, NULL, {0, 0, 0}, NULL};
   asp_wall_impact(wall, &particle, v1, up, &(asp_key){seed, 1, tag, 1}, impact);
+}
+
+static void add(measure_angles *sum, const measure_angles *other) {
+  for (int i = 0; i < MEASURE_BINS; i++)
+    sum->count[i] += other->count[i];
+  double all = sum->n + other->n, share = all > 0 ? other->n / all : 0;
+  sum->mean += share * (other->mean - sum->mean);
+  sum->later += share * (other->later - sum->later);
+  sum->n = all;
 }
 
 measure_angles measure_rebounds(const asp_wall *wall, double d_p, double alpha1, size_t n,
@@ -86,6 +97,172 @@ measure_angles measure_rebounds(const asp_wall *wall, double d_p, double alpha1,
   return all;
 }
 
+/* ---- the ensemble ---- */
+
+/* The path of the particle's centre over a realisation, as one of the flights sees it. */
+static asp_profile *path_of(const measure_case *subject, int number, int flight) {
+  asp_error error;
+  size_t points = (size_t)RESOLUTION * LENGTH;
+  double spacing = subject->lambda_c / RESOLUTION;
+  uint32_t seed = SEED_FIRST + subject->seed % 1048576 * MEASURE_PROFILES_MOST + (uint32_t)number;
+  asp_profile *profile = aspi_profile_create_scaled(subject->r_q, subject->lambda_c, spacing,
+                                                    points, seed, flight % 2 ? -1 : 1, &error);
+  asp_profile *path = profile ? aspi_profile_rolled(profile, subject->d_p, &error) : NULL;
+  asp_profile_free(profile);
+  if (path && flight > 1) {
+    asp_profile *mirrored = aspi_profile_mirrored(path, &error);
+    asp_profile_free(path);
+    path = mirrored;
+  }
+  if (!path)
+    cli_fail("%s", error.text);
+  return path;
+}
+
+/* Adds the shares of the track's first hits in bins of one degree, from -90 to 90. */
+static void add_first_hits(const aspi_track *track, double part, measure_reference *reference) {
+  size_t n = aspi_track_faces(track);
+  double *weight = malloc(n * sizeof *weight);
+  if (!weight)
+    cli_fail("out of memory");
+  aspi_track_first_hit(track, reference->alpha1, weight);
+  double share[MEASURE_BINS] = {0}, mean = 0;
+  for (size_t i = 0; i < n; i++)
+    if (weight[i] > 0) {
+      double delta = atan(aspi_track_face_slope(track, i));
+      share[(int)floor(cli_degrees(delta)) + 90] += weight[i];
+      mean += weight[i] * delta;
+    }
+  free(weight);
+#pragma omp critical
+  {
+    for (int i = 0; i < MEASURE_BINS; i++)
+      reference->first_hit[i] += part * share[i];
+    reference->mean_first += part * mean;
+  }
+}
+
+/* One flight over one of the profiles, at all angles. */
+static void fly(const measure_case *subject, const asp_surface *surface, int number, int flight,
+                measure_reference *references, size_t n) {
+  asp_error error;
+  asp_profile *path = path_of(subject, number, flight);
+  aspi_track *track = aspi_track_create(path, 0, &error);
+  if (!track)
+    cli_fail("%s", error.text);
+  measure_case point = *subject; /* what follows the path of the centre has no size */
+  point.d_p = 1e-6 * subject->lambda_c;
+  asp_wall *wall = wall_of(&point, surface, path, "traced", true);
+  asp_profile_free(path);
+  size_t rays = subject->rays / (size_t)(FLIGHTS * subject->profiles) + 1;
+  for (size_t k = 0; k < n; k++) {
+    uint32_t seed = subject->seed + (uint32_t)(number * FLIGHTS + flight);
+    measure_angles found = measure_rebounds(wall, point.d_p, references[k].alpha1, rays, seed);
+    add(&references[k].profile[number], &found);
+    add_first_hits(track, 1. / (FLIGHTS * subject->profiles), &references[k]);
+  }
+  aspi_track_free(track);
+  asp_wall_free(wall);
+}
+
+measure_reference *measure_references(const measure_case *subject, const double *angles, size_t n) {
+  measure_reference *references = calloc(n, sizeof *references);
+  for (size_t k = 0; references && k < n; k++) {
+    references[k].alpha1 = cli_radians(angles[k]);
+    references[k].profile = calloc((size_t)subject->profiles, sizeof(measure_angles));
+    if (!references[k].profile)
+      cli_fail("out of memory");
+  }
+  if (!references)
+    cli_fail("out of memory");
+  asp_surface *surface = measure_surface(subject);
+  cli_progress progress = cli_progress_begin("ensemble", subject->profiles);
+  int done = 0;
+#pragma omp parallel for schedule(dynamic)
+  for (int number = 0; number < subject->profiles; number++) {
+    for (int flight = 0; flight < FLIGHTS; flight++)
+      fly(subject, surface, number, flight, references, n);
+#pragma omp critical
+    cli_progress_show(&progress, ++done);
+  }
+  cli_progress_end(&progress);
+  asp_surface_free(surface);
+  return references;
+}
+
+void measure_references_free(measure_reference *references, size_t n) {
+  for (size_t k = 0; k < n; k++)
+    free(references[k].profile);
+  free(references);
+}
+
+/* ---- comparing ---- */
+
+/* Of all groups but one; -1: of all. */
+static double divergence(const measure_angles *reference, const measure_angles *other, int groups,
+                         int without) {
+  measure_angles p = {.n = 0}, q = {.n = 0};
+  for (int g = 0; g < groups; g++)
+    if (g != without) {
+      add(&p, &reference[g]);
+      add(&q, &other[g]);
+    }
+  double sum = 0;
+  for (int i = 0; i < MEASURE_BINS; i++)
+    if (p.count[i] > 0)
+      sum += p.count[i] / p.n * log(p.count[i] / p.n * q.n / fmax(q.count[i], 0.5));
+  return sum;
+}
+
+measure_divergence measure_compare(const measure_case *subject, const measure_reference *reference,
+                                   const asp_wall *wall) {
+  int groups = subject->profiles;
+  measure_angles *mine = calloc((size_t)groups, sizeof *mine), all = {.n = 0}, judge = {.n = 0};
+  if (!mine)
+    cli_fail("out of memory");
+  for (int g = 0; g < groups; g++) {
+    uint32_t seed = ~subject->seed - (uint32_t)g;
+    mine[g] = measure_rebounds(wall, subject->d_p, reference->alpha1,
+                               subject->rays / (size_t)groups + 1, seed);
+    add(&all, &mine[g]);
+    add(&judge, &reference->profile[g]);
+  }
+  measure_divergence d = {.mean = all.mean, .reference_mean = judge.mean};
+  double whole = divergence(reference->profile, mine, groups, -1), mean = 0, square = 0;
+  for (int g = 0; g < groups; g++) {
+    double less = divergence(reference->profile, mine, groups, g) - whole;
+    mean += less / groups;
+    square += less * less / groups;
+  }
+  d.kl = whole - (groups - 1) * mean;
+  d.se = sqrt((groups - 1) * fmax(0, square - mean * mean));
+  free(mine);
+  return d;
+}
+
+double measure_first_hit(const measure_case *subject, const measure_reference *reference,
+                         const asp_wall *wall) {
+  const asp_spread_model *model = wall->spread;
+  if (!model->distribution)
+    return NAN;
+  double slope = asp_surface_slope(wall->surface, subject->d_p), sum = 0;
+  aspi_view view = {.slope = slope,
+                    .sigma = atan(slope),
+                    .alpha1 = reference->alpha1,
+                    .d_p = subject->d_p,
+                    .data = wall->data,
+                    .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
+  const double *share = reference->first_hit;
+  for (int i = 0; i < MEASURE_BINS; i++) {
+    if (!(share[i] > 0))
+      continue;
+    double low = cli_radians(i - 90), high = cli_radians(i - 89);
+    double p = model->distribution(&view, high) - model->distribution(&view, low);
+    sum += share[i] * log(share[i] / fmax(p, LEAST_SHARE));
+  }
+  return sum;
+}
+
 double measure_cost(const asp_wall *wall, double d_p, double alpha1) {
   enum { RUNS = 12, IMPACTS = 2000 };
   double least = INFINITY, v1[3] = {cos(alpha1), 0, -sin(alpha1)};
@@ -97,48 +274,4 @@ double measure_cost(const asp_wall *wall, double d_p, double alpha1) {
     least = fmin(least, cli_seconds() - begun);
   }
   return 1e9 * least / IMPACTS;
-}
-
-double measure_divergence(const measure_angles *reference, const measure_angles *other) {
-  double sum = 0, bins = 0;
-  for (int i = 0; i < MEASURE_BINS; i++) {
-    double p = reference->count[i] / reference->n;
-    if (!(p > 0))
-      continue;
-    sum += p * log(p * other->n / fmax(other->count[i], 0.5));
-    bins++;
-  }
-  return sum - (bins - 1) / 2 * (1 / reference->n + 1 / other->n);
-}
-
-/* The shares of the track's first hits in bins of one degree, from -90 to 90. */
-static void exact_shares(const aspi_track *track, double alpha1, double *share) {
-  size_t n = aspi_track_faces(track);
-  double *weight = malloc(n * sizeof *weight);
-  if (!weight)
-    cli_fail("out of memory");
-  aspi_track_first_hit(track, alpha1, weight);
-  for (int i = 0; i < MEASURE_BINS; i++)
-    share[i] = 0;
-  for (size_t i = 0; i < n; i++)
-    if (weight[i] > 0)
-      share[(int)floor(cli_degrees(atan(aspi_track_face_slope(track, i)))) + 90] += weight[i];
-  free(weight);
-}
-
-double measure_first_hit(const measure_case *subject, const asp_wall *wall, double alpha1) {
-  const asp_spread_model *model = wall->spread;
-  if (!model->distribution)
-    return NAN;
-  double slope = aspi_track_slope_rms(subject->track), share[MEASURE_BINS], sum = 0;
-  aspi_view view = {slope, atan(slope), alpha1, subject->d_p, wall->data};
-  exact_shares(subject->track, alpha1, share);
-  for (int i = 0; i < MEASURE_BINS; i++) {
-    if (!(share[i] > 0))
-      continue;
-    double low = cli_radians(i - 90), high = cli_radians(i - 89);
-    double p = model->distribution(&view, high) - model->distribution(&view, low);
-    sum += share[i] * log(share[i] / fmax(p, LEAST_SHARE));
-  }
-  return sum;
 }

@@ -4,15 +4,32 @@
 #ifndef ASP_CLI_TRADE_H
 #define ASP_CLI_TRADE_H
 
-#include "cli/cli.h"
+#include "cli/measure.h"
 
 /* The options of the command. */
-enum { RQ, LAMBDA_C, DP, ANGLES, RAYS, SEED, COLLISIONS, GRID, THREE_D, SURFACES, POINTS, OUTPUT, PLOT, N };
+enum {
+  RQ,
+  LAMBDA_C,
+  DP,
+  ANGLES,
+  RAYS,
+  SEED,
+  PROFILES,
+  COLLISIONS,
+  GRID,
+  THREE_D,
+  SURFACES,
+  POINTS,
+  OUTPUT,
+  PLOT,
+  N
+};
 
 /* A model at one impact angle. */
 typedef struct trade_row {
   const asp_spread_model *model;
-  double angle, cost, first_hit, rebound, mean, reference_mean;
+  double angle, cost, first_hit;
+  measure_divergence rebound;
 } trade_row;
 
 /* The cost of every model against its worst divergence; of every angle all models, in their order.

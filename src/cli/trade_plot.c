@@ -23,7 +23,7 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
     points[m] = (point){.model = rows[m].model};
     for (size_t i = m; i < n; i += models) {
       points[m].cost += rows[i].cost * (double)models / (double)n;
-      points[m].worst = fmax(points[m].worst, rows[i].rebound);
+      points[m].worst = fmax(points[m].worst, rows[i].rebound.kl);
     }
   }
   qsort(points, models, sizeof *points, by_cost);

@@ -1,6 +1,8 @@
 /* The cheapest model that is good enough, in the fixed order of the models' records. How far each
- * model's rebounds are from the geometry was measured on a grid of walls and angles (measured.csv,
- * made by `asperity trade --grid`); a wall takes the worst of all grid points around it. */
+ * model's rebounds are from the geometry was measured on a grid of walls and angles, against
+ * ensembles of profiles that made none of the models (measured.csv, made by `asperity trade
+ * --grid`). A wall takes the worst of all grid points around it, each with twice its standard
+ * error. */
 #include "base/error.h"
 #include "spread/models.h"
 
@@ -12,8 +14,8 @@
 
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* Divergences below this are noise of the measurement. */
-#define NOISE 2e-4
+/* How many standard errors a divergence may be larger than it was measured. */
+#define ERRORS 2
 
 /* An interval with the grid points around it. */
 typedef struct span {
@@ -57,7 +59,7 @@ typedef struct query {
 } query;
 
 static result evaluate(const query *q, const char *model) {
-  result v = {NOISE, 0};
+  result v = {0, 0};
   for (int i = 0; i < ROWS; i++) {
     const row *r = &rows[i];
     if (r->multiple != q->multiple || !within(q->phi_r, r->phi_r) || !within(q->kappa, r->kappa) ||
@@ -65,7 +67,7 @@ static result evaluate(const query *q, const char *model) {
       continue;
     v.points++;
     for (int k = 0; k < ANGLES; k++)
-      v.worst = fmax(v.worst, r->kl[k]);
+      v.worst = fmax(v.worst, r->kl[k][0] + ERRORS * r->kl[k][1]);
   }
   return v;
 }
@@ -122,9 +124,10 @@ const asp_spread_model *asp_spread_auto(const asp_surface *surface, double d_lea
   query q = query_of(&w, multiple);
   const asp_spread_model *chosen = choose(&w, &q, tolerance, divergence, error);
   if (chosen && text)
-    snprintf(text, size,
-             "spread auto takes '%s': the cheapest model whose rebounds stay below D_KL %g for "
-             "phi_r %.3g, kappa %.3g to %.3g; measured: %.2g at worst",
-             chosen->name, tolerance, w.phi_r, w.kappa[0], w.kappa[1], *divergence);
+    snprintf(
+        text, size,
+        "spread auto takes '%s': the cheapest model whose rebounds stay below D_KL %g for "
+        "phi_r %.3g, kappa %.3g to %.3g; measured: %.2g at worst, with twice its standard error",
+        chosen->name, tolerance, w.phi_r, w.kappa[0], w.kappa[1], *divergence);
   return chosen;
 }

@@ -16,6 +16,7 @@ typedef struct aspi_view {
                     flies up after an earlier hit (models with `upward` only) */
   double d_p;    /* diameter, in the surface's unit; for models that look up the profile itself */
   const void *data; /* what a model that needs more was given when the wall was made, or NULL */
+  double kappa;     /* of the particle along its flight; for models that know of geometry */
 } aspi_view;
 
 /* A view for laws that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
@@ -30,6 +31,7 @@ struct asp_spread_model {
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
   int cost;            /* place in the order of what a contact costs, from 0; each its own */
+  bool geometry;       /* knows how particles that graze rest on summits */
   bool upward;         /* has a law for particles that fly up, too: faces with delta > -alpha1;
                           others borrow that of `visible` */
   /* The probability that a particle that a face has sent up at theta > 0 over the mean wall leaves;
@@ -43,9 +45,10 @@ struct asp_spread_model {
   /* One delta by a loop, for laws that are one; NULL where the quantile is the draw. False when the
    * loop reached its bound (delta is then 0, the mean wall). */
   bool (*loop)(const aspi_view *view, aspi_stream *stream, double *delta);
-  /* Makes aspi_view.data out of a profile, NULL on error, and frees it; NULL where none is needed.
-   */
+  /* Makes aspi_view.data out of a profile, or for a Gaussian wall of which there is none, NULL on
+   * error, and frees it; NULL where none is needed. */
   void *(*prepare)(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error);
+  void *(*generate)(const asp_surface *surface, const aspi_sizes *sizes, asp_error *error);
   void (*release)(void *data);
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
    * false when it leaves the wall. NULL where the model knows of no places. */

@@ -1,11 +1,13 @@
-/* The exact first-hit law of a profile as a table: quantiles over impact angle and particle size,
- * each the law that aspi_track_first_hit gives there. Between the nodes quantiles are interpolated
- * linearly, which keeps them monotone in u and above -alpha1.
+/* The first-hit law of the geometry, as a table. On a Gaussian wall that of an ensemble
+ * (ensemble.h); on a wall by its profile the exact law of that profile: quantiles over impact angle
+ * and particle size, each the law that aspi_track_first_hit gives there. Between the nodes
+ * quantiles are interpolated linearly, which keeps them monotone in u and above -alpha1.
  *
  * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
  * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
  * fly up meet the law of `visible`. */
 #include "base/error.h"
+#include "spread/ensemble.h"
 #include "spread/models.h"
 #include "spread/trace.h"
 
@@ -191,6 +193,8 @@ static double node_at(const cell *c, int node) {
 static double quantile(const aspi_view *view, double u) {
   if (view->alpha1 < 0)
     return aspi_spread_visible.quantile(view, u);
+  if (!view->data)
+    return aspi_ensemble_quantile(view, u);
   cell c = cell_of(view);
   double delta = delta_at(&c, place_of_u(u));
   return delta > -view->alpha1 ? delta : -view->alpha1;
@@ -209,6 +213,8 @@ static int node_below(const cell *c, double delta) {
 static double distribution(const aspi_view *view, double delta) {
   if (view->alpha1 < 0)
     return aspi_spread_visible.distribution(view, delta);
+  if (!view->data)
+    return aspi_ensemble_distribution(view, delta);
   cell c = cell_of(view);
   int node = node_below(&c, delta);
   if (node < 0 || node >= NODES - 1)
@@ -220,6 +226,8 @@ static double distribution(const aspi_view *view, double delta) {
 static double density(const aspi_view *view, double delta) {
   if (view->alpha1 < 0)
     return aspi_spread_visible.density(view, delta);
+  if (!view->data)
+    return aspi_ensemble_density(view, delta);
   cell c = cell_of(view);
   int node = node_below(&c, delta);
   if (node < 0 || node >= NODES - 1)
@@ -229,9 +237,10 @@ static double density(const aspi_view *view, double delta) {
 
 const asp_spread_model aspi_spread_profile = {
     .name = "profile",
-    .summary = "first-hit law of the profile itself, from a table",
+    .summary = "first-hit law of the geometry, from a table: of the profile, or of Gaussian walls",
     .source = "geometry, derived for this project",
     .cost = 1,
+    .geometry = true,
     .upward = true,
     .density = density,
     .distribution = distribution,

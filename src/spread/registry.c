@@ -42,11 +42,11 @@ int asp_spread_cost(const asp_spread_model *model) {
 }
 
 bool asp_spread_needs_profile(const asp_spread_model *model) {
-  return model->prepare;
+  return model->generate;
 }
 
 aspi_view aspi_view_of(double sigma, double alpha1) {
-  return (aspi_view){tan(sigma), sigma, alpha1, 0, NULL};
+  return (aspi_view){.slope = tan(sigma), .sigma = sigma, .alpha1 = alpha1};
 }
 
 bool aspi_spread_draw(const asp_spread_model *model, const aspi_view *view, aspi_stream *stream,

@@ -30,6 +30,7 @@ typedef struct aspi_path {
   double x, z; /* place along the profile and height, in points */
   size_t face; /* that it last hit */
   int hits;    /* so far */
+  int profile; /* of those that the model has, from 0 */
 } aspi_path;
 
 /* The path of the centre of a disc over a profile (aspi_profile_dilate), as straight faces between

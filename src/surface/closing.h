@@ -10,4 +10,8 @@
 asp_code aspi_profile_dilate(const asp_profile *profile, double d_p, double *out, asp_error *error);
 asp_code aspi_profile_close(const asp_profile *profile, double d_p, double *out, asp_error *error);
 
+/* The path of the centre over the smooth curve that goes through the points of a periodic profile:
+ * for generated ones. 0 <= d_p, well below the length. */
+asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, asp_error *error);
+
 #endif

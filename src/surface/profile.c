@@ -136,6 +136,23 @@ asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, siz
   return aspi_profile_adopt(heights, points, spacing, true, error);
 }
 
+asp_profile *aspi_profile_create_scaled(double r_q, double lambda_c, double spacing, size_t points,
+                                        uint32_t seed, int sign, asp_error *error) {
+  asp_profile *profile = asp_profile_create(r_q, lambda_c, spacing, points, seed, error);
+  if (!profile)
+    return NULL;
+  double step = spacing / lambda_c, mean = -2 * r_q * r_q * expm1(-step * step), found = 0;
+  double *z = profile->heights;
+  for (size_t i = 0; i < points; i++) {
+    double rise = z[i + 1 < points ? i + 1 : 0] - z[i];
+    found += rise * rise / (double)points;
+  }
+  double scale = sign * sqrt(mean / found);
+  for (size_t i = 0; i < points; i++)
+    z[i] *= scale;
+  return profile;
+}
+
 asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
                                       bool periodic, asp_error *error) {
   if (aspi_check_length(error, "spacing", spacing))
@@ -155,6 +172,14 @@ asp_profile *asp_profile_from_heights(const double *heights, size_t points, doub
   if (copy)
     memcpy(copy, heights, points * sizeof *copy);
   return aspi_profile_adopt(copy, points, spacing, periodic, error);
+}
+
+asp_profile *aspi_profile_mirrored(const asp_profile *profile, asp_error *error) {
+  size_t points = profile->points;
+  double *heights = aspi_allocate(points);
+  for (size_t i = 0; heights && i < points; i++)
+    heights[i] = profile->heights[points - 1 - i];
+  return aspi_profile_adopt(heights, points, profile->spacing, profile->periodic, error);
 }
 
 void asp_profile_free(asp_profile *profile) {

@@ -17,6 +17,16 @@ bool aspi_profile_periodic(const asp_profile *profile);
 asp_profile *aspi_profile_adopt(double *heights, size_t points, double spacing, bool periodic,
                                 asp_error *error);
 
+/* asp_profile_create with its heights scaled so that the mean square of the differences between
+ * neighbours is that of the ensemble, times `sign`, 1 or -1: the negative of a realisation is
+ * another one. With flights in both directions, these take most of the sampling error of a short
+ * profile out of the law of the first hit. */
+asp_profile *aspi_profile_create_scaled(double r_q, double lambda_c, double spacing, size_t points,
+                                        uint32_t seed, int sign, asp_error *error);
+
+/* The same wall for particles that fly the other way. */
+asp_profile *aspi_profile_mirrored(const asp_profile *profile, asp_error *error);
+
 /* The least power of two that is at least that. */
 size_t aspi_power_of_two(size_t least);
 

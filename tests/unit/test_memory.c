@@ -232,7 +232,7 @@ static asp_code size_table(asp_error *error) {
 }
 
 static asp_code sphere(asp_error *error) {
-  return give_surface(aspi_surface_create_filter(1, 10, ASP_FILTER_SPHERE, error), error);
+  return give_surface(asp_surface_create_lay(1, 10, 30, error), error);
 }
 
 static asp_code measured_surface(asp_error *error) {

@@ -1,0 +1,120 @@
+/* The law of the first hit on a Gaussian wall, from the table of an ensemble (first_hits.csv, made
+ * by make_first_hits.c): x = slope/s_eff where the share below is Phi(z), over z, a =
+ * tan(alpha1)/s_eff and kappa. Between the nodes a cubic through four of them in z (Catmull & Rom
+ * 1974), which is monotone here, and straight lines in a/(1 + a) and log2(1 + 8 kappa). Below the
+ * first node x + a falls exponentially with z, above the last one x is linear, as a normal law is.
+ */
+#include "spread/ensemble.h"
+#include "spread/gauss.h"
+
+#include <gsl/gsl_cdf.h>
+
+#include "first_hits.inc"
+
+_Static_assert(sizeof slope / sizeof *slope ==
+                   ASP_ENSEMBLE_AS * ASP_ENSEMBLE_KAPPAS * ASP_ENSEMBLE_ZS,
+               "first_hits.csv does not have the nodes of ensemble.h");
+
+/* Larger a are normal impact. */
+#define A_MOST 1e6
+
+/* The quantiles of one view: those of the nodes around it in a and kappa, weighted. */
+typedef struct law {
+  const float *corner[4];
+  double weight[4], a;
+} law;
+
+static double node(const law *w, int i) {
+  double sum = 0;
+  for (int k = 0; k < 4; k++)
+    sum += w->weight[k] * w->corner[k][i];
+  return sum;
+}
+
+/* The whole part of `at`, so that it and the next are nodes. */
+static int step_of(double at, int nodes) {
+  return (int)fmin(at, nodes - 2);
+}
+
+static law law_at(const aspi_view *view) {
+  law w = {.a = fmin(tan(view->alpha1) / view->slope, A_MOST)};
+  double at_a = (ASP_ENSEMBLE_AS - 1) * (w.a / (1 + w.a));
+  double at_kappa = fmin(2 * log2(1 + 8 * view->kappa), ASP_ENSEMBLE_KAPPAS - 1);
+  int a = step_of(at_a, ASP_ENSEMBLE_AS), kappa = step_of(at_kappa, ASP_ENSEMBLE_KAPPAS);
+  double part_a = at_a - a, part_kappa = at_kappa - kappa;
+  for (int k = 0; k < 4; k++) {
+    w.corner[k] = slope + ((kappa + k / 2) * ASP_ENSEMBLE_AS + a + k % 2) * ASP_ENSEMBLE_ZS;
+    w.weight[k] = (k / 2 ? part_kappa : 1 - part_kappa) * (k % 2 ? part_a : 1 - part_a);
+  }
+  return w;
+}
+
+/* A cubic piece from y[1] to y[2], with the tangents of its neighbours' chords; *rise: per z. */
+static double cubic(const double y[4], double part, double *rise) {
+  double b = 0.5 * (y[2] - y[0]), end = 0.5 * (y[3] - y[1]), chord = y[2] - y[1];
+  double c = 3 * chord - 2 * b - end, d = b + end - 2 * chord;
+  *rise = (b + part * (2 * c + part * 3 * d)) * 4;
+  return y[1] + part * (b + part * (c + part * d));
+}
+
+/* x at z, and dx/dz. */
+static double slope_at(const law *w, double z, double *rise) {
+  enum { LAST = ASP_ENSEMBLE_ZS - 1 };
+  double at = 4 * z + LAST / 2;
+  if (at < 0) {
+    double first = node(w, 0), above = first + w->a;
+    double slant = (node(w, 1) - first) * 4 / above, fall = expm1(slant * (z - aspi_ensemble_z(0)));
+    *rise = slant * above * (1 + fall);
+    return first + above * fall;
+  }
+  if (at >= LAST) {
+    double last = node(w, LAST);
+    *rise = (last - node(w, LAST - 1)) * 4;
+    return last + *rise * (z - aspi_ensemble_z(LAST));
+  }
+  int i = (int)at;
+  double y[4];
+  for (int k = 0; k < 4; k++)
+    y[k] = i + k > 0 && i + k <= LAST + 1 ? node(w, i + k - 1) : 0;
+  if (i == 0)
+    y[0] = 2 * y[1] - y[2];
+  if (i == LAST - 1)
+    y[3] = 2 * y[2] - y[1];
+  return cubic(y, at - i, rise);
+}
+
+double aspi_ensemble_quantile(const aspi_view *view, double u) {
+  if (view->sigma < ASP_SIGMA_ZERO)
+    return 0;
+  law w = law_at(view);
+  double rise, x = slope_at(&w, gsl_cdf_ugaussian_Pinv(u), &rise);
+  return fmax(atan(x * view->slope), -view->alpha1);
+}
+
+/* The z at which the quantile is x. */
+static double z_of(const law *w, double x) {
+  double low = -40, high = 40, rise;
+  for (int i = 0; i < 60; i++) {
+    double middle = 0.5 * (low + high);
+    *(slope_at(w, middle, &rise) < x ? &low : &high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+double aspi_ensemble_distribution(const aspi_view *view, double delta) {
+  if (delta <= -view->alpha1 || delta <= -ASP_DELTA_MOST)
+    return 0;
+  if (delta >= ASP_DELTA_MOST)
+    return 1;
+  law w = law_at(view);
+  return aspi_gauss_below(z_of(&w, tan(delta) / view->slope));
+}
+
+double aspi_ensemble_density(const aspi_view *view, double delta) {
+  if (delta <= -view->alpha1 || fabs(delta) >= ASP_DELTA_MOST)
+    return 0;
+  law w = law_at(view);
+  double p = tan(delta), rise, z = z_of(&w, p / view->slope);
+  slope_at(&w, z, &rise);
+  return rise > 0 ? aspi_gauss_density(z) / rise * (1 + p * p) / view->slope : 0;
+}

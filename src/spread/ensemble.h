@@ -1,0 +1,33 @@
+/* The law of the first hit on a Gaussian wall, as an ensemble of profiles has it: a table over a =
+ * tan(alpha1)/s_eff and kappa, made once (make_first_hits.c). It costs no set-up. */
+#ifndef ASP_SPREAD_ENSEMBLE_H
+#define ASP_SPREAD_ENSEMBLE_H
+
+#include "spread/models.h"
+
+#include <math.h>
+
+/* The nodes of the table: a/(1 + a) and log2(1 + 8 kappa) at equal steps, and the share below a
+ * slope as Phi(z) with z at equal steps. */
+enum { ASP_ENSEMBLE_AS = 33, ASP_ENSEMBLE_KAPPAS = 15, ASP_ENSEMBLE_ZS = 33 };
+
+/* The last one stands for normal impact. */
+static inline double aspi_ensemble_a(int node) {
+  double part = node / (ASP_ENSEMBLE_AS - 1.);
+  return part < 1 ? part / (1 - part) : 1e6;
+}
+
+static inline double aspi_ensemble_kappa(int node) {
+  return (exp2(0.5 * node) - 1) / 8;
+}
+
+static inline double aspi_ensemble_z(int node) {
+  return 0.25 * (node - (ASP_ENSEMBLE_ZS - 1) / 2);
+}
+
+/* Of a view with alpha1 >= 0, by its slope and kappa. */
+double aspi_ensemble_quantile(const aspi_view *view, double u);
+double aspi_ensemble_distribution(const aspi_view *view, double delta);
+double aspi_ensemble_density(const aspi_view *view, double delta);
+
+#endif

@@ -1,0 +1,10 @@
+# Turns first_hits.csv (the target first_hits) into the table in ensemble.c: the slopes of a row,
+# behind kappa, a, and the mean with its error, for which a reader looks into the CSV.
+BEGIN { FS = ","; print "static const float slope[] = {" }
+/^#/ || $1 == "kappa" { next }
+{
+  printf "    "
+  for (i = 5; i <= NF; i++)
+    printf "%sf,%s", $i ~ /\./ ? $i : $i ".0", i < NF ? " " : "\n"
+}
+END { print "};" }

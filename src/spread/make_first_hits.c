@@ -1,0 +1,153 @@
+/* Makes first_hits.csv: the law of the first hit of discs on Gaussian profiles, which depends on a
+ * = tan(alpha1)/s_eff and kappa only as long as slopes are small; phi_r is 0.125 here. An ensemble
+ * of generated profiles, each with its negative and in both directions of flight; each face weighs
+ * what it adds to the running maximum of the path (aspi_track_first_hit). Slopes are told in units
+ * of the size law's s_eff. To be run by `cmake --build build --target first_hits`, which writes the
+ * file in its place; takes some ten minutes; the result does not depend on the number of threads.
+ */
+#include "asperity.h"
+#include "spread/ensemble.h"
+#include "spread/trace.h"
+#include "surface/closing.h"
+#include "surface/profile.h"
+#include "surface/size_law.h"
+
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum {
+  PROFILES = 48,
+  LENGTH = 4096,   /* lambda_c */
+  PER_LAMBDA = 64, /* points */
+  CELLS = 4000     /* of the histogram */
+};
+
+#define SEED 0x70000000u /* and those behind it, which judge no model */
+#define PHI_R 0.125
+#define X_MOST 10.0 /* the histogram is from -X_MOST to X_MOST */
+
+static void fail(const char *text) {
+  fprintf(stderr, "make_first_hits: %s\n", text);
+  exit(1);
+}
+
+/* The shares of first hits in cells of p/s_eff, by a. */
+typedef struct counts {
+  double share[ASP_ENSEMBLE_AS][CELLS], mean[ASP_ENSEMBLE_AS];
+} counts;
+
+static void add_flights(const aspi_track *track, double s_eff, counts *into) {
+  size_t faces = aspi_track_faces(track);
+  double *weight = malloc(faces * sizeof *weight);
+  if (!weight)
+    fail("out of memory");
+  for (int k = 0; k < ASP_ENSEMBLE_AS; k++) {
+    aspi_track_first_hit(track, atan(aspi_ensemble_a(k) * s_eff), weight);
+    for (size_t i = 0; i < faces; i++) {
+      if (!(weight[i] > 0))
+        continue;
+      double x = aspi_track_face_slope(track, i) / s_eff;
+      int cell = (int)((x + X_MOST) * (CELLS / (2 * X_MOST)));
+      into->share[k][cell < 0 ? 0 : cell < CELLS ? cell : CELLS - 1] += weight[i] / 4;
+      into->mean[k] += weight[i] * x / 4;
+    }
+  }
+  free(weight);
+}
+
+static void add_heights(const asp_profile *profile, double d_p, double s_eff, counts *into) {
+  asp_error error;
+  asp_profile *path = aspi_profile_rolled(profile, d_p, &error);
+  asp_profile *mirror = path ? aspi_profile_mirrored(path, &error) : NULL;
+  if (!mirror)
+    fail(error.text);
+  const asp_profile *both[] = {path, mirror};
+  for (int i = 0; i < 2; i++) {
+    aspi_track *track = aspi_track_create(both[i], 0, &error);
+    if (!track)
+      fail(error.text);
+    add_flights(track, s_eff, into);
+    aspi_track_free(track);
+  }
+  asp_profile_free(path);
+  asp_profile_free(mirror);
+}
+
+static void add_profile(double kappa, uint32_t seed, counts *into) {
+  asp_error error;
+  double d_p = kappa / (sqrt(3) * PHI_R), s_eff = sqrt(2) * PHI_R * aspi_closed_form(kappa);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    asp_profile *profile = aspi_profile_create_scaled(PHI_R, 1, 1. / PER_LAMBDA,
+                                                      LENGTH * PER_LAMBDA, seed, sign, &error);
+    if (!profile)
+      fail(error.text);
+    add_heights(profile, d_p, s_eff, into);
+    asp_profile_free(profile);
+  }
+}
+
+/* Where the share below is Phi(z), linear within a cell. */
+static double quantile(const double *share, double z) {
+  double u = gsl_cdf_ugaussian_P(z), below = 0, total = 0;
+  for (int i = 0; i < CELLS; i++)
+    total += share[i];
+  u *= total;
+  for (int i = 0; i < CELLS; i++) {
+    if (below + share[i] >= u)
+      return ((double)i + (u - below) / share[i]) * (2 * X_MOST / CELLS) - X_MOST;
+    below += share[i];
+  }
+  return X_MOST;
+}
+
+static void print_kappa(double kappa, const counts *each) {
+  static counts sum;
+  sum = (counts){{{0}}, {0}};
+  double square[ASP_ENSEMBLE_AS] = {0};
+  for (int r = 0; r < PROFILES; r++)
+    for (int k = 0; k < ASP_ENSEMBLE_AS; k++) {
+      sum.mean[k] += each[r].mean[k] / PROFILES;
+      square[k] += each[r].mean[k] * each[r].mean[k] / PROFILES;
+      for (int i = 0; i < CELLS; i++)
+        sum.share[k][i] += each[r].share[k][i] / PROFILES;
+    }
+  for (int k = 0; k < ASP_ENSEMBLE_AS; k++) {
+    double a = aspi_ensemble_a(k);
+    double se = sqrt(fmax(0, square[k] - sum.mean[k] * sum.mean[k]) / (PROFILES - 1));
+    printf("%.4g,%.4g,%.5f,%.5f", kappa, a, sum.mean[k], se);
+    for (int i = 0; i < ASP_ENSEMBLE_ZS; i++)
+      printf(",%.4f", fmax(-a, quantile(sum.share[k], aspi_ensemble_z(i))));
+    putchar('\n');
+  }
+  fflush(stdout);
+}
+
+int main(void) {
+  printf("# first hits of discs on Gaussian profiles; %d profiles of %d lambda_c, %d points a "
+         "lambda_c, seeds %u to %u, each with its negative, both directions; "
+         "phi_r %g\n"
+         "# kappa; a = tan(alpha1)/s_eff; mean of x = slope/s_eff and its standard error; x where "
+         "the share below is Phi(z), by z\n"
+         "# made by: cmake --build build --target first_hits\nkappa,a,mean,mean_se",
+         PROFILES, LENGTH, PER_LAMBDA, SEED, SEED + PROFILES - 1, PHI_R);
+  for (int i = 0; i < ASP_ENSEMBLE_ZS; i++)
+    printf(",z_%g", aspi_ensemble_z(i));
+  putchar('\n');
+  counts *each = malloc(PROFILES * sizeof *each);
+  if (!each)
+    fail("out of memory");
+  for (int k = 0; k < ASP_ENSEMBLE_KAPPAS; k++) {
+    double kappa = aspi_ensemble_kappa(k);
+#pragma omp parallel for schedule(dynamic)
+    for (int r = 0; r < PROFILES; r++) {
+      each[r] = (counts){{{0}}, {0}};
+      add_profile(kappa, SEED + (uint32_t)r, &each[r]);
+    }
+    print_kappa(kappa, each);
+    fprintf(stderr, "kappa %g done\n", kappa);
+  }
+  free(each);
+  return 0;
+}

@@ -1,0 +1,115 @@
+/* The accuracy that is promised of the models on Gaussian walls, against ensembles of profiles that
+ * made none of them: accuracy [long].
+ *
+ * First four walls: D_KL of the rebound angle, with later hits, of `visible`, `profile` and
+ * `traced`, with standard errors, and the mean tilt of the first hit of the tables. Then walls that
+ * are not in the table of `auto` (12 in the long run): what it takes for a tolerance must be as
+ * close as it says. A number is too large where it exceeds its limit by more than three standard
+ * errors. The short run looks at a part with small ensembles. */
+#include "cli/measure.h"
+#include "impact/wall.h"
+
+#include <math.h>
+#include <string.h>
+
+static int failures;
+
+static void verdict(bool good, const char *what) {
+  printf("  %s%s\n", good ? "" : "TOO LARGE: ", what);
+  failures += !good;
+}
+
+/* The mean tilt of the first hits of a model of tables, in sigma, over that of the ensemble. */
+static double tilt_off(const measure_case *subject, const measure_reference *reference,
+                       const asp_wall *wall) {
+  double slope = asp_surface_slope(wall->surface, subject->d_p), sum = 0;
+  aspi_view view = {.slope = slope,
+                    .sigma = atan(slope),
+                    .alpha1 = reference->alpha1,
+                    .d_p = subject->d_p,
+                    .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
+  for (int i = 0; i < 4000; i++)
+    sum += wall->spread->quantile(&view, (i + 0.5) / 4000) / 4000;
+  return (sum - reference->mean_first) / atan(slope);
+}
+
+static void judge_wall(measure_case subject, const double *angles, size_t n) {
+  static const char *const names[] = {"visible", "profile", "traced"};
+  static const double most[] = {0.0005, 0.001, 0.001};
+  asp_surface *surface = measure_surface(&subject);
+  measure_reference *reference = measure_references(&subject, angles, n);
+  for (int m = 0; m < 3; m++) {
+    asp_wall *wall = measure_wall(&subject, surface, names[m], true);
+    for (size_t k = 0; k < n; k++) {
+      char text[200];
+      measure_divergence d = measure_compare(&subject, &reference[k], wall);
+      snprintf(text, sizeof text,
+               "%s on (%g, %g, %g), alpha1 %g: D_KL %.5f +- %.5f, alpha2 %.3f, ensemble %.3f",
+               names[m], subject.r_q, subject.lambda_c, subject.d_p, angles[k], d.kl, d.se, d.mean,
+               d.reference_mean);
+      verdict(d.kl < most[m] + 3 * d.se, text);
+      if (m != 1)
+        continue;
+      double off = tilt_off(&subject, &reference[k], wall);
+      double noise = 0.005 * sqrt(8. / subject.profiles); /* of 2048 lambda_c each, at 2 degrees */
+      snprintf(text, sizeof text, "mean tilt of its first hit: off by %.4f sigma", off);
+      verdict(fabs(off) < 0.007 + noise, text);
+    }
+    asp_wall_free(wall);
+  }
+  measure_references_free(reference, n);
+  asp_surface_free(surface);
+}
+
+/* Takes the model that `auto` takes, at the angles between those of its table. */
+static void judge_auto(measure_case subject, double tolerance) {
+  static const double angles[] = {1.5, 3, 9, 27, 50};
+  asp_error error;
+  double told;
+  char why[400], text[600];
+  asp_surface *surface = measure_surface(&subject);
+  const asp_spread_model *model = asp_spread_auto(surface, subject.d_p, subject.d_p, true,
+                                                  tolerance, &told, why, sizeof why, &error);
+  if (!model) {
+    snprintf(text, sizeof text, "(%g, %g, %g): %s", subject.r_q, subject.lambda_c, subject.d_p,
+             error.text);
+    verdict(strstr(error.text, "comes closest"), text);
+    asp_surface_free(surface);
+    return;
+  }
+  measure_reference *reference = measure_references(&subject, angles, 5);
+  asp_wall *wall = measure_wall(&subject, surface, asp_spread_name(model), true);
+  double worst = -1, se = 0;
+  for (int k = 0; k < 5; k++) {
+    measure_divergence d = measure_compare(&subject, &reference[k], wall);
+    if (d.kl > worst)
+      worst = d.kl, se = d.se;
+  }
+  snprintf(text, sizeof text,
+           "auto %g on (%g, %g, %g): %s, told %.5f, ensemble %.5f +- %.5f at worst", tolerance,
+           subject.r_q, subject.lambda_c, subject.d_p, asp_spread_name(model), told, worst, se);
+  verdict(worst < told + 3 * se, text);
+  asp_wall_free(wall);
+  measure_references_free(reference, 5);
+  asp_surface_free(surface);
+}
+
+int main(int argc, char **argv) {
+  bool whole = argc > 1 && strcmp(argv[1], "long") == 0;
+  static const double walls[][3] = {{20, 130, 35}, {5, 40, 10}, {3, 50, 20}, {1.6, 40, 10}};
+  static const double angles[] = {2, 10, 45, 5, 20, 30};
+  static const double others[][4] = {{6, 70, 30, 0.3},    {2.2, 75, 60, 0.005}, {9, 50, 40, 0.02},
+                                     {12, 42, 8, 0.1},    {4, 130, 250, 0.3},   {7, 35, 90, 0.03},
+                                     {1, 33, 5, 0.002},   {25, 85, 120, 0.05},  {3, 300, 400, 0.2},
+                                     {10, 66, 20, 0.001}, {5, 60, 150, 0.01},   {16, 40, 12, 0.2}};
+  measure_case subject = {.rays = whole ? 1000000 : 60000, .profiles = whole ? 32 : 4, .seed = 9};
+  for (int w = 0; w < (whole ? 4 : 1); w++) {
+    subject.r_q = walls[w][0], subject.lambda_c = walls[w][1], subject.d_p = walls[w][2];
+    judge_wall(subject, angles, whole ? 6 : 2);
+  }
+  for (int w = 0; w < (whole ? 12 : 2); w++) {
+    subject.r_q = others[w][0], subject.lambda_c = others[w][1], subject.d_p = others[w][2];
+    judge_auto(subject, others[w][3]);
+  }
+  return failures > 0;
+}
