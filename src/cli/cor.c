@@ -89,7 +89,8 @@ cor_row cli_cor_impact(const cor_scene *s, double angle, size_t sample, uint64_t
   double v1[3] = {s->speed * cos(alpha1), 0, -s->speed * sin(alpha1)};
   if (angle >= 90)
     v1[0] = 0;
-  asp_particle particle = {r.d_p, asp_material_get(s->law.particle, "density"), s->pair, {0, 0, 0}};
+  asp_particle particle = {
+      r.d_p, asp_material_get(s->law.particle, "density"), s->pair, {0, 0, 0}, NULL};
   key.impact = 1;
   asp_wall_impact(s->law.wall, &particle, v1, n, &key, &r.impact);
   r.cor = asp_impact_coefficients(v1, n, &r.impact);

@@ -16,7 +16,7 @@ rebound_row cli_rebound_row(const rebound_map *m, const rebound_wall *wall, doub
   if (degrees >= 90)
     v1[0] = 0;
   asp_particle particle = {
-      d_p, asp_material_get(m->law.particle, "density"), wall->pair, {0, 0, 0}};
+      d_p, asp_material_get(m->law.particle, "density"), wall->pair, {0, 0, 0}, NULL};
   asp_impact impact;
   asp_wall_impact(m->law.wall, &particle, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
   return (rebound_row){asp_impact_coefficients(v1, n, &impact), impact.outcome == ASP_DEPOSIT};

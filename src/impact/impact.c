@@ -7,8 +7,7 @@
  * with the sine and cosine of delta_alpha so that a face of 90 degrees is no special case. Vectors,
  * not angles, so that it stays right beyond a local impact angle of 90 degrees, where the
  * tangential CoR turns negative. */
-#include "impact/frame.h"
-#include "impact/wall.h"
+#include "impact/ground.h"
 
 #include <math.h>
 
@@ -39,18 +38,50 @@ static void set_direction(frame *f, double angle) {
   f->v_t = 0;
 }
 
-/* At normal impact the direction of flight is drawn uniformly around n. */
-static void draw_direction(frame *f, aspi_stream *stream) {
-  set_direction(f, 2 * ASP_PI * aspi_stream_uniform(stream));
+/* At normal impact the direction of flight is drawn uniformly around n; a wall with a lay has one
+ * of its own. */
+static void choose_direction(const aspi_ground *ground, frame *f, aspi_stream *stream) {
+  set_direction(f, aspi_ground_has_lay(ground) ? 0 : 2 * ASP_PI * aspi_stream_uniform(stream));
+  if (aspi_ground_has_lay(ground))
+    f->along = ground->across;
+}
+
+/* What a flight sees of the wall: the view of the spread models, and the slopes. */
+typedef struct outlook {
+  aspi_view view;
+  aspi_slopes_along slopes;
+} outlook;
+
+/* Along a heading, at an impact angle. A model that does not know of it is told what the first hit
+ * of a sphere at grazing incidence leaves of the slopes. */
+static outlook look(const aspi_ground *ground, aspi_heading heading, double alpha1, bool first) {
+  const asp_wall *wall = ground->wall;
+  outlook out = {.slopes = aspi_ground_slopes(ground, heading)};
+  double slope = out.slopes.slope;
+  if (first && wall->isotropic) {
+    double a = tan(alpha1) / slope;
+    if (!wall->spread->geometry)
+      slope *= aspi_grazing(a, out.slopes.kappa);
+    out.slopes.sd *= aspi_grazing(a, out.slopes.kappa_across);
+  }
+  out.view = (aspi_view){.slope = slope,
+                         .sigma = atan(slope),
+                         .alpha1 = alpha1,
+                         .d_p = ground->particle->d_p,
+                         .data = wall->data,
+                         .kappa = out.slopes.kappa};
+  return out;
 }
 
 /* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
  */
-static face face_at(const asp_wall *wall, double slope, double delta, aspi_stream *stream) {
+static face face_at(const asp_wall *wall, const aspi_slopes_along *slopes, double delta,
+                    aspi_stream *stream) {
   double sine = sin(delta), cosine = cos(delta);
   if (!wall->isotropic)
     return (face){{-sine, 0, cosine}, delta, 0};
-  double q = slope * aspi_stream_normal(stream), side = q * cosine;
+  double q = slopes->beta * (sine / cosine) + slopes->sd * aspi_stream_normal(stream),
+         side = q * cosine;
   return (face){scaled((vec){-sine, -side, cosine}, 1 / sqrt(1 + side * side)), delta, q};
 }
 
@@ -162,22 +193,17 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
   store(!hit || local.z > 0 ? leaving(f, v2) : v2, impact->v2);
 }
 
-/* What a wall looks like to a particle, at an impact angle still to be set. */
-static aspi_view view_of(const asp_wall *wall, const asp_particle *particle) {
-  double slope = asp_surface_slope(wall->surface, particle->d_p);
-  return (aspi_view){slope, atan(slope), 0, particle->d_p, wall->data};
-}
-
 /* One hit; a face that would send the particle into the wall is drawn again. */
-static void bounce_once(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                        aspi_stream *stream, asp_impact *impact) {
-  aspi_view view = view_of(wall, particle);
-  view.alpha1 = impact_angle(f);
+static void bounce_once(const aspi_ground *ground, const frame *f, aspi_stream *stream,
+                        asp_impact *impact) {
+  const asp_wall *wall = ground->wall;
+  const asp_particle *particle = ground->particle;
+  outlook now = look(ground, aspi_heading_of(ground, f), impact_angle(f), true);
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
-    if (!aspi_spread_draw(wall->spread, &view, stream, &delta))
+    if (!aspi_spread_draw(wall->spread, &now.view, stream, &delta))
       continue;
-    face on = face_at(wall, view.slope, delta, stream);
+    face on = face_at(wall, &now.slopes, delta, stream);
     vec local, spin = load(particle->omega);
     bool deposit;
     if (rebound(wall, particle, f, on.m, !wall->isotropic, stream, &spin, &local, &deposit) &&
@@ -197,7 +223,9 @@ static void bounce_once(const asp_wall *wall, const asp_particle *particle, cons
 
 /* A particle on its way over a rough wall, from its first hit to its last. */
 typedef struct flight {
-  aspi_view view;
+  const aspi_ground *ground;
+  aspi_heading heading;
+  outlook now;
   aspi_stream *stream;
   bool begun;   /* whether the depth is known */
   double depth; /* of the particle, see walks_out */
@@ -216,16 +244,17 @@ static double exponential(aspi_stream *stream) {
 }
 
 /* Whether a particle that a face has just sent off at the slope `rise` > 0 leaves, or at rise <= 0
- * how deep it gets. Depth is -ln of the share of the wall that is lower than the particle: a flight
- * down adds an exponential number over 1 + Lambda to it, a flight up takes one over Lambda off, and
- * is out when nothing is left (Heitz, Hanika, d'Eon & Dachsbacher 2016, eq. 17 to 21 in this
- * variable). */
-static bool walks_out(flight *fly, double rise) {
-  double scale = 1 / (sqrt(2) * fly->view.slope), lambda = smith(fabs(rise) * scale);
+ * how deep it gets; `slope` is the rms slope of the wall that way. Depth is -ln of the share of the
+ * wall that is lower than the particle: a flight down adds an exponential number over 1 + Lambda to
+ * it, a flight up takes one over Lambda off, and is out when nothing is left (Heitz, Hanika, d'Eon
+ * & Dachsbacher 2016, eq. 17 to 21 in this variable). */
+static bool walks_out(flight *fly, double rise, double slope) {
+  double lambda = smith(fabs(rise) / (sqrt(2) * slope));
   if (rise > 0 && !(lambda > 0))
     return true;
   if (!fly->begun) {
-    fly->depth = exponential(fly->stream) / (1 + smith(tan(fly->view.alpha1) * scale));
+    double nu = tan(fly->now.view.alpha1) / (sqrt(2) * fly->now.slopes.slope);
+    fly->depth = exponential(fly->stream) / (1 + smith(nu));
     fly->begun = true;
   }
   double step = exponential(fly->stream);
@@ -241,10 +270,13 @@ static bool leaves(const asp_wall *wall, flight *fly, vec out) {
     return false;
   double along = hypot(out.x, out.y);
   if (wall->spread->escape)
-    return out.z > 0 &&
-           aspi_stream_uniform(fly->stream) < wall->spread->escape(&fly->view, atan2(out.z, along));
+    return out.z > 0 && aspi_stream_uniform(fly->stream) <
+                            wall->spread->escape(&fly->now.view, atan2(out.z, along));
   bool steep = along <= NO_DIRECTION * fabs(out.z);
-  return walks_out(fly, steep ? copysign(INFINITY, out.z) : out.z / along);
+  double slope = fly->now.slopes.slope;
+  if (aspi_ground_has_lay(fly->ground))
+    slope = aspi_ground_slopes(fly->ground, aspi_heading_turned(fly->heading, out.x, out.y)).slope;
+  return walks_out(fly, steep ? copysign(INFINITY, out.z) : out.z / along, slope);
 }
 
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
@@ -254,19 +286,21 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
   const asp_spread_model *model = wall->spread;
   *gone = false;
   if (model->follow) {
-    bool drawn = model->follow(&fly->view, fly->stream, path, delta);
+    bool drawn = model->follow(&fly->now.view, fly->stream, path, delta);
     *gone = !drawn;
     return drawn;
   }
-  bool borrows = fly->view.alpha1 < 0 && !model->upward;
-  return aspi_spread_draw(borrows ? wall->upward : model, &fly->view, fly->stream, delta);
+  bool borrows = fly->now.view.alpha1 < 0 && !model->upward;
+  return aspi_spread_draw(borrows ? wall->upward : model, &fly->now.view, fly->stream, delta);
 }
 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
-static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1, frame *now,
-                      aspi_stream *stream, asp_impact *impact) {
-  flight fly = {view_of(wall, particle), stream, false, 0};
-  fly.view.alpha1 = impact_angle(now);
+static void bounce_on(const aspi_ground *ground, vec v1, frame *now, aspi_stream *stream,
+                      asp_impact *impact) {
+  const asp_wall *wall = ground->wall;
+  const asp_particle *particle = ground->particle;
+  flight fly = {.ground = ground, .heading = aspi_heading_of(ground, now), .stream = stream};
+  fly.now = look(ground, fly.heading, impact_angle(now), true);
   aspi_path path = {0};
   vec v2 = {0, 0, 0}, spin = load(particle->omega);
   impact->hits = 0;
@@ -285,7 +319,7 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
         store(spin, impact->omega);
       return;
     }
-    face on = face_at(wall, fly.view.slope, delta, stream);
+    face on = face_at(wall, &fly.now.slopes, delta, stream);
     if (!rebound(wall, particle, now, on.m, !wall->isotropic, stream, &spin, &local, &deposit))
       continue;
     if (impact->hits++ == 0) {
@@ -304,8 +338,9 @@ static void bounce_on(const asp_wall *wall, const asp_particle *particle, vec v1
       path.back = !path.back;
     *now = next;
     if (!has_direction(now))
-      draw_direction(now, stream);
-    fly.view.alpha1 = impact_angle(now);
+      choose_direction(ground, now, stream);
+    fly.heading = aspi_heading_of(ground, now);
+    fly.now = look(ground, fly.heading, impact_angle(now), false);
   }
   frame first = frame_of(v1, now->n);
   impact->capped = true;
@@ -322,12 +357,13 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
     bounce_off_mean_wall(wall, particle, &f, &stream, impact);
     return;
   }
+  aspi_ground ground = aspi_ground_of(wall, particle, f.n);
   if (!has_direction(&f))
-    draw_direction(&f, &stream);
+    choose_direction(&ground, &f, &stream);
   if (wall->multiple)
-    bounce_on(wall, particle, v, &f, &stream, impact);
+    bounce_on(&ground, v, &f, &stream, impact);
   else
-    bounce_once(wall, particle, &f, &stream, impact);
+    bounce_once(&ground, &f, &stream, impact);
 }
 
 /* a/b, or the largest ratio that is told where b vanishes against a. */

@@ -8,12 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The profile that stands for a wall given by r_q and lambda_c: 1024 lambda_c long, and so fine
- * that a disc of many lambda_c does not feel the points. */
-#define RESOLUTION 128
-#define POINTS 131072
-#define SEED 1
-
 static const asp_parameter numbers[ASP_WALL_NUMBERS] = {
     [ASP_WALL_DEPOSIT] = {.name = "deposit", .fallback = 1, .most = 1},
     [ASP_WALL_SCATTER_TWICE] = {.name = "scatter_twice", .most = 1},
@@ -187,26 +181,17 @@ static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
   return ASP_OK;
 }
 
-/* A profile of the surface's two numbers, for models that need one where there is none. */
-static asp_profile *generate(const asp_surface *surface, asp_error *error) {
-  double lambda_c = asp_surface_lambda_c(surface);
-  return asp_profile_create(asp_surface_r_q(surface), lambda_c, lambda_c / RESOLUTION, POINTS, SEED,
-                            error);
-}
-
-/* What the model keeps of the profile. */
+/* What the model keeps of the profile, or of one that it generates. */
 static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error *error) {
+  const asp_spread_model *model = choice->spread;
   *data = NULL;
-  if (!choice->spread->prepare || !choice->surface)
+  if (!choice->surface || !(choice->profile ? (bool)model->prepare : (bool)model->generate))
     return ASP_OK;
   aspi_sizes sizes = {choice->numbers[ASP_WALL_D_P_LEAST], choice->numbers[ASP_WALL_D_P_MOST],
                       (int)choice->numbers[ASP_WALL_D_P_BINS]};
   asp_error wrong = {ASP_OK, ""};
-  asp_profile *own = choice->profile ? NULL : generate(choice->surface, &wrong);
-  const asp_profile *profile = choice->profile ? choice->profile : own;
-  if (profile)
-    *data = choice->spread->prepare(profile, &sizes, &wrong);
-  asp_profile_free(own);
+  *data = choice->profile ? model->prepare(choice->profile, &sizes, &wrong)
+                          : model->generate(choice->surface, &sizes, &wrong);
   return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 

@@ -2,8 +2,7 @@
  * kinds of wall share one form, a closed form times a correction over log2(d_p) that is worked out
  * once, when the wall is made:
  * - a Gaussian wall up to phi_r = 0.25: the closed form in kappa, which was derived for this
- *   project; no correction for a disc on a profile, a tabled one for a sphere on an isotropic
- *   surface;
+ *   project; no correction;
  * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
  * - a measured profile: no closed form, its own slopes at the diameters of its bins. */
 #include "base/error.h"
@@ -31,8 +30,9 @@ enum { BINS_MOST = 10000 };
 struct asp_surface {
   double r_q;
   double lambda_c;
-  double slope;     /* unfiltered rms slope */
-  double curvature; /* kappa per diameter */
+  double lambda_along; /* along the lay; lambda_c where there is none */
+  double slope;        /* unfiltered rms slope */
+  double curvature;    /* kappa per diameter */
   double d_p_most;
   bool closed_form;
   int bins;
@@ -42,18 +42,6 @@ struct asp_surface {
   double log_first, per_step;
   double *tangent; /* behind the values; per step */
   double value[];
-};
-
-/* ---- tables ---- */
-
-/* s_eff/s over kappa of a sphere on an isotropic Gaussian surface of small slope: dilation of 2048
- * x 2048 points, done for this project. */
-static const double sphere_kappa[] = {0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6, 8, 12, 16};
-static const double sphere_ratio[] = {0.997, 0.976, 0.919, 0.853, 0.738, 0.652,
-                                      0.539, 0.466, 0.376, 0.321, 0.256, 0.218};
-enum {
-  SPHERE_KAPPAS = sizeof sphere_kappa / sizeof *sphere_kappa,
-  SPHERE_NODES = 15 /* half octaves of kappa from 0.125, where nothing is filtered, to 16 */
 };
 
 /* ---- making ---- */
@@ -108,55 +96,52 @@ static void set_by_table(asp_surface *surface, double phi_r) {
   set_tangents(surface);
 }
 
-static void set_by_sphere(asp_surface *surface) {
-  double x[SPHERE_KAPPAS + 1] = {-3}, y[SPHERE_KAPPAS + 1] = {1}, tangent[SPHERE_KAPPAS + 1];
-  for (int i = 0; i < SPHERE_KAPPAS; i++) {
-    x[i + 1] = log2(sphere_kappa[i]);
-    y[i + 1] = sphere_ratio[i] / aspi_closed_form(sphere_kappa[i]);
-  }
-  aspi_monotone_tangents(x, y, SPHERE_KAPPAS + 1, tangent);
-  for (int i = 0; i < SPHERE_NODES; i++)
-    surface->value[i] = aspi_monotone_at(x, y, tangent, SPHERE_KAPPAS + 1, -3 + 0.5 * i);
-  set_range(surface, 0.125 / surface->curvature, 16 / surface->curvature);
-  set_tangents(surface);
-}
-
-static asp_code check_numbers(double r_q, double lambda_c, aspi_filter filter, asp_error *error) {
+static asp_code check_numbers(double r_q, double lambda_c, double phi_r_most, asp_error *error) {
   if (aspi_check_length(error, "r_q", r_q) || aspi_check_length(error, "lambda_c", lambda_c))
     return ASP_EARG;
   double phi_r = r_q / lambda_c;
-  double most = filter == ASP_FILTER_SPHERE ? PHI_R_CLOSED : SIZE_TABLE_PHI_MOST;
-  if (phi_r <= most * (1 + 1e-12))
+  if (phi_r <= phi_r_most * (1 + 1e-12))
     return ASP_OK;
-  return aspi_fail(
-      error, ASP_ERANGE, "phi_r = r_q/lambda_c is %g; the size law of a %s reaches to %g", phi_r,
-      filter == ASP_FILTER_SPHERE ? "sphere on an isotropic surface" : "disc on a profile", most);
+  return aspi_fail(error, ASP_ERANGE,
+                   "phi_r = r_q/lambda_c is %g; the size law of a wall %s lay "
+                   "reaches to %g",
+                   phi_r, phi_r_most > PHI_R_CLOSED ? "without" : "with a", phi_r_most);
 }
 
-asp_surface *aspi_surface_create_filter(double r_q, double lambda_c, aspi_filter filter,
-                                        asp_error *error) {
-  if (check_numbers(r_q, lambda_c, filter, error))
+asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
+  if (check_numbers(r_q, lambda_c, SIZE_TABLE_PHI_MOST, error))
     return NULL;
   double phi_r = r_q / lambda_c;
-  bool sphere = filter == ASP_FILTER_SPHERE, table = !sphere && phi_r > PHI_R_CLOSED;
-  asp_surface *surface = allocate(sphere ? SPHERE_NODES : table ? SIZE_TABLE_COLUMNS : 0, error);
+  bool table = phi_r > PHI_R_CLOSED;
+  asp_surface *surface = allocate(table ? SIZE_TABLE_COLUMNS : 0, error);
   if (!surface)
     return NULL;
   surface->r_q = r_q;
-  surface->lambda_c = lambda_c;
+  surface->lambda_c = surface->lambda_along = lambda_c;
   surface->slope = sqrt(2) * phi_r;
   surface->curvature = sqrt(3) * phi_r / lambda_c;
   surface->closed_form = true;
   surface->d_p_most = KAPPA_MOST / surface->curvature;
   if (table)
     set_by_table(surface, phi_r);
-  if (sphere)
-    set_by_sphere(surface);
   return surface;
 }
 
-asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
-  return aspi_surface_create_filter(r_q, lambda_c, ASP_FILTER_DISC, error);
+asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_along,
+                                    asp_error *error) {
+  if (aspi_check_length(error, "lambda_c along the lay", lambda_along))
+    return NULL;
+  if (lambda_along <= lambda_c && lambda_along >= lambda_c)
+    return asp_surface_create(r_q, lambda_c, error);
+  if (check_numbers(r_q, lambda_c, PHI_R_CLOSED, error) ||
+      check_numbers(r_q, lambda_along, PHI_R_CLOSED, error))
+    return NULL;
+  asp_surface *surface = asp_surface_create(r_q, lambda_c, error);
+  if (surface) {
+    surface->lambda_along = lambda_along;
+    surface->d_p_most *= fmin(1, lambda_along * lambda_along / (lambda_c * lambda_c));
+  }
+  return surface;
 }
 
 static asp_code check_bins(const asp_profile *profile, double d_min, double d_max, int bins,
@@ -202,7 +187,7 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
   if (!surface)
     return NULL;
   surface->r_q = d.r_q;
-  surface->lambda_c = d.lambda_c;
+  surface->lambda_c = surface->lambda_along = d.lambda_c;
   surface->slope = d.slope_rms;
   surface->curvature = sqrt(3) * d.phi_r / d.lambda_c;
   surface->bins = bins;
@@ -252,6 +237,10 @@ double asp_surface_lambda_c(const asp_surface *surface) {
   return surface->lambda_c;
 }
 
+double asp_surface_lambda_along(const asp_surface *surface) {
+  return surface->lambda_along;
+}
+
 double asp_surface_phi_r(const asp_surface *surface) {
   return surface->r_q / surface->lambda_c;
 }
@@ -284,4 +273,28 @@ double asp_surface_slope(const asp_surface *surface, double d_p) {
   else
     slope = 1;
   return surface->nodes ? slope * correction(surface, d_p) : slope;
+}
+
+double aspi_surface_slope_along(const asp_surface *surface, double d_p, double part) {
+  return surface->slope * sqrt(part) * aspi_closed_form(part * surface->curvature * d_p);
+}
+
+/* s_eff/s of a sphere along an axis. */
+static double sphere_ratio(double kappa, double other) {
+  return 1 / sqrt(cbrt(1 + kappa * kappa * (0.92 * kappa + 0.37 * other)));
+}
+
+void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double slope[2]) {
+  double kappa = surface->curvature * d_p, short_way = surface->lambda_c / surface->lambda_along;
+  double other = kappa * short_way * short_way;
+  if (fabs(short_way - 1) > 0) {
+    bool filters = fmax(kappa, other) >= KAPPA_NO_FILTER;
+    slope[0] = surface->slope * (filters ? sphere_ratio(kappa, other) : 1);
+    slope[1] = surface->slope * short_way * (filters ? sphere_ratio(other, kappa) : 1);
+    return;
+  }
+  slope[0] = asp_surface_slope(surface, d_p);
+  if (kappa >= KAPPA_NO_FILTER) /* the ratio of both laws, without numbers that overflow */
+    slope[0] /= sqrt(cbrt(1 + 0.37 / (0.92 + 1 / (kappa * kappa * kappa))));
+  slope[1] = slope[0];
 }

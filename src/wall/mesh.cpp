@@ -270,6 +270,17 @@ void MeshShape::stick(const Path &path, const Contact &contact, Place &place) co
     motion_.at(path.share() + contact.time / path.dt).to_body(contact.x, place.at);
 }
 
+/* The vector is of the mesh's own frame, which is the world's when the wall is defined. */
+void MeshShape::lay(const Lay &lay, const Path &path, const Contact &contact,
+                    double direction[3]) const {
+  vector_copy(lay.vector, direction);
+  if (motion_.in_world())
+    return;
+  const Frame frame = motion_.at(path.share() + contact.time / path.dt);
+  for (int i = 0; i < 3; i++)
+    direction[i] = vector_dot(frame.turn[i], lay.vector);
+}
+
 /* One step along a belt: false where it ends, or runs against something. */
 bool MeshShape::walk(Place &place, double radius, double dt) const {
   const ContactTree *tree = tree_.get();

@@ -33,8 +33,8 @@ std::string for_types(int n, const char *first, const char *other) {
 } // namespace
 
 Model::Model(const Engine &engine)
-    : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), dp_bins_(16), tolerance_(0),
-      d_range_(), tilt_("plane"), collisions_("single"), deposit_(FREEZE), seed_(1),
+    : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), lambda_along_(0), dp_bins_(16),
+      tolerance_(0), d_range_(), tilt_("plane"), collisions_("single"), deposit_(FREEZE), seed_(1),
       profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
       own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
       wall_(asp_wall_create(NULL), asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION),
@@ -70,6 +70,8 @@ bool Model::parse(Words &words, const std::string &others) {
 
 void Model::parse_surface(Words &words) {
   smooth_ = words.take("smooth");
+  lambda_along_ = 0;
+  lay_ = Lay();
   if (smooth_)
     return;
   if (words.take("profile")) {
@@ -79,12 +81,19 @@ void Model::parse_surface(Words &words) {
   }
   if (!words.take("rq"))
     throw Error("surface is '" + words.word("the value of 'surface'") +
-                "'; it must be 'smooth', 'rq R lambda_c L' or 'profile FILE'");
+                "'; it must be 'smooth', 'rq R lambda_c L [L_along lay ...]' or 'profile FILE'");
   profile_path_.clear();
   r_q_ = words.number("rq");
   if (!words.take("lambda_c"))
     throw Error("behind 'surface rq R', 'lambda_c L' is expected");
   lambda_c_ = words.number("lambda_c");
+  if (words.is_number()) {
+    lambda_along_ = words.number("lambda_c along the lay");
+    if (!words.take("lay"))
+      throw Error("behind 'lambda_c L L_along', 'lay' and its direction are expected");
+    lay_ = Lay::read(words);
+  } else if (words.is("lay"))
+    throw Error("'lay' needs two correlation lengths, across it and along it: lambda_c L L_along");
   parse_bins(words);
 }
 
@@ -308,7 +317,9 @@ void Model::make_surface() {
     surface_.reset(
         asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
   else
-    surface_.reset(asp_surface_create(r_q_, lambda_c_, &wrong));
+    surface_.reset(lambda_along_ > 0
+                       ? asp_surface_create_lay(r_q_, lambda_c_, lambda_along_, &wrong)
+                       : asp_surface_create(r_q_, lambda_c_, &wrong));
   if (!surface_)
     throw Error("surface " + (profile_ ? "profile " + profile_path_ + ": " : std::string()) +
                 wrong.text);
@@ -508,7 +519,7 @@ double Model::friction(int type, int wall_type) const {
 }
 
 bool Model::removes(int type, int wall_type, double d_p) const {
-  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}};
+  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL};
   return wall() && asp_wall_removes(wall(), &particle);
 }
 
@@ -528,9 +539,11 @@ const char *Model::deposit_name() const {
 }
 
 std::string Model::surface_text() const {
-  return smooth_    ? "smooth"
-         : profile_ ? "profile " + profile_path_
-                    : text("rq %g lambda_c %g", r_q_, lambda_c_);
+  return smooth_ ? "smooth"
+         : profile_
+             ? "profile " + profile_path_
+             : text("rq %g lambda_c %g", r_q_, lambda_c_) +
+                   (lay_.kind == Lay::NONE ? "" : text(" %g lay ", lambda_along_) + lay_.text);
 }
 
 std::string Model::heading() const {
@@ -548,6 +561,8 @@ std::string Model::describe_surface() const {
   line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
                asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
                atan(asp_surface_slope_rms(s)) * DEGREES);
+  if (lay_.kind != Lay::NONE)
+    line += text(", lambda_c along the lay (%s) %.4g", lay_.text.c_str(), lambda_along_);
   line += text(", spread %s %s, collisions %s", asp_spread_name(asp_wall_spread(wall_.get())),
                tilt_.c_str(), collisions_.c_str());
   if (!choice_.empty())
@@ -573,10 +588,12 @@ std::string Model::news() {
 
 Settings Model::settings() const {
   const std::string bins = dp_bins_ == 16 ? "" : text(" dp_bins %d", dp_bins_);
-  const std::string surface = smooth_ ? "smooth"
-                              : profile_path_.empty()
-                                  ? "rq " + setting(r_q_) + " lambda_c " + setting(lambda_c_) + bins
-                                  : "profile " + profile_path_ + bins;
+  const std::string lay_setting =
+      lay_.kind == Lay::NONE ? "" : " " + setting(lambda_along_) + " lay " + lay_.text;
+  const std::string surface = smooth_                 ? "smooth"
+                              : profile_path_.empty() ? "rq " + setting(r_q_) + " lambda_c " +
+                                                            setting(lambda_c_) + lay_setting + bins
+                                                      : "profile " + profile_path_ + bins;
   std::string spread = spread_ + " " + tilt_ + " collisions " + collisions_;
   if (tolerance_ > 0)
     spread += " tolerance " + setting(tolerance_);

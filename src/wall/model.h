@@ -11,6 +11,7 @@
 
 #include "asperity.h"
 #include "wall/engine.h"
+#include "wall/lay.h"
 #include "wall/profile.h"
 #include "wall/record.h"
 #include "wall/units.h"
@@ -54,6 +55,11 @@ public:
 
   /* The coefficient of friction of a particle that rests, Coulomb's. */
   double friction(int type, int wall_type) const;
+
+  /* Of a wall that has one. */
+  const Lay &lay() const {
+    return lay_;
+  }
 
   /* Whether a particle may stick: where it cannot, one that rests needs no look at the law. */
   bool sticks() const;
@@ -105,7 +111,8 @@ private:
 
   const Engine &engine_;
   bool smooth_;
-  double r_q_, lambda_c_;
+  double r_q_, lambda_c_, lambda_along_; /* along the lay; 0 where there is none */
+  Lay lay_;
   std::string profile_path_, profile_report_; /* empty: no profile */
   int dp_bins_;
   std::string spread_; /* as the script has it: a model, or auto */

@@ -79,6 +79,10 @@ void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]
   vector_copy(v_, v);
 }
 
+void PlaneShape::lay(const Lay &lay, const Path &, const Contact &, double direction[3]) const {
+  vector_copy(lay.vector, direction);
+}
+
 CylinderShape::CylinderShape(int axis, const double center[3], double radius, double along,
                              double turn)
     : along_(along), turn_(turn) {
@@ -143,6 +147,16 @@ void CylinderShape::carry(Place &place, double, double dt, double x[3], double v
   place.at[cylinder_.axis] += along_ * dt;
   vector_copy(place.at, x);
   velocity(x, v);
+}
+
+/* On a cylinder the lay is a helix: it goes with the axis and around it, wherever it turns to. */
+void CylinderShape::lay(const Lay &lay, const Path &, const Contact &contact,
+                        double direction[3]) const {
+  double axis[3] = {0, 0, 0}, around[3];
+  axis[cylinder_.axis] = 1;
+  vector_cross(contact.n, axis, around);
+  for (int d = 0; d < 3; d++)
+    direction[d] = cos(lay.angle) * axis[d] + sin(lay.angle) * around[d];
 }
 
 std::unique_ptr<Shape> asperity::read_primitive(Words &words, std::string &geometry) {

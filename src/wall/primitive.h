@@ -27,6 +27,8 @@ public:
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+  void lay(const Lay &lay, const Path &path, const Contact &contact,
+           double direction[3]) const override;
 
 private:
   ContactPlane plane_;
@@ -45,6 +47,11 @@ public:
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+  Lay::Kind lay_kind() const override {
+    return Lay::ANGLE;
+  }
+  void lay(const Lay &lay, const Path &path, const Contact &contact,
+           double direction[3]) const override;
 
 private:
   void velocity(const double x[3], double v[3]) const;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "wall/lay.h"
 #include "wall/words.h"
 
 namespace asperity {
@@ -89,6 +90,14 @@ public:
    * the time dt, its place and velocity at the end of the step. */
   virtual void stick(const Path &path, const Contact &contact, Place &place) const = 0;
   virtual void carry(Place &place, double radius, double dt, double x[3], double v[3]) const = 0;
+
+  /* The direction of a lay at a contact of the path; it turns with the shape. `lay_kind` is what
+   * the shape can have. */
+  virtual Lay::Kind lay_kind() const {
+    return Lay::VECTOR;
+  }
+  virtual void lay(const Lay &lay, const Path &path, const Contact &contact,
+                   double direction[3]) const = 0;
 
   /* Called for each contact where `measures`. */
   virtual bool measures() const {

@@ -73,6 +73,13 @@ void Wall::parse(Words &words, const std::string &geometry, Shape *shape) {
       throw Error("keyword '" + words.word("keyword") + "' is unknown; there are: " + keywords);
   }
   model_.finish();
+  for (const Member &member : shapes_)
+    if (model_.lay().kind != Lay::NONE && model_.lay().kind != member.shape->lay_kind())
+      throw Error("lay is '" + model_.lay().text + "'; of a " +
+                  (member.shape->lay_kind() == Lay::ANGLE
+                       ? "cylinder it must be axial, circumferential, or an angle in degrees from "
+                         "its axis"
+                       : "plane or a mesh it must be a vector, X Y Z"));
 }
 
 void Wall::parse_ledger(Words &words) {
@@ -283,7 +290,7 @@ Wall::Flight::Flight(const Spheres &s, int particle)
 asp_particle Wall::Flight::particle(const asp_pair *pair) const {
   const double d_p = 2 * radius;
   return asp_particle{
-      d_p, mass / (ASP_PI / 6 * d_p * d_p * d_p), pair, {spin[0], spin[1], spin[2]}};
+      d_p, mass / (ASP_PI / 6 * d_p * d_p * d_p), pair, {spin[0], spin[1], spin[2]}, NULL};
 }
 
 /* At a time since the beginning of the path. */
@@ -558,7 +565,12 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact) {
     throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
                      "diameters beforehand; make particles before 'run', or by a fix insert",
                      static_cast<long long>(s.tag_of(i))));
-  const asp_particle particle = flight.particle(model_.pair(s.type[i], shapes_[shape].wall_type));
+  asp_particle particle = flight.particle(model_.pair(s.type[i], shapes_[shape].wall_type));
+  double lay[3];
+  if (model_.lay().kind != Lay::NONE) {
+    shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
+    particle.lay = lay;
+  }
   Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, 0, 0, {}, {}};
   event.elapsed = s.dt - flight.path.left;
   event.time = time(static_cast<double>(s.step)) - flight.path.left;

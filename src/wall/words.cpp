@@ -15,6 +15,14 @@ bool Words::is_one_of(const std::string &list) const {
   return !done() && (" " + list + " ").find(" " + words_[next_] + " ") != std::string::npos;
 }
 
+bool Words::is_number() const {
+  if (done() || words_[next_].empty())
+    return false;
+  char *end;
+  aspi_number(words_[next_].c_str(), &end);
+  return *end == '\0';
+}
+
 bool Words::take(const char *word) {
   if (!is(word))
     return false;

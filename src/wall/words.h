@@ -25,6 +25,7 @@ public:
   }
   /* Whether the next word is one of those in a list, with blanks between. */
   bool is_one_of(const std::string &list) const;
+  bool is_number() const;
   /* Goes past the next word if it is this one. */
   bool take(const char *word);
   std::string word(const char *what);

@@ -37,7 +37,7 @@ static void set_contacts(void) {
     v1[i][0] = 100 * cos(alpha1);
     v1[i][2] = -100 * sin(alpha1);
     normal[i][2] = 1;
-    grain[i] = (asp_particle){10e-6, 2650, &pair};
+    grain[i] = (asp_particle){.d_p = 10e-6, .density = 2650, .pair = &pair};
   }
 }
 

@@ -27,7 +27,7 @@ int main(int argc, char **argv) {
     return 1;
   }
   asp_pair pair = {54.8e9, 200e6, 0.8, 0.3};
-  asp_particle grain = {10e-6, 2650, &pair, {0, 0, 0}};
+  asp_particle grain = {10e-6, 2650, &pair, {0, 0, 0}, NULL};
   unsigned contacts = (unsigned)strtoul(argv[3], NULL, 10);
   double n[3] = {0, 0, 1}, sum = 0;
   for (unsigned i = 0; i < contacts; i++) {

@@ -159,7 +159,7 @@ static void table_law_needs_a_table(void **state) {
   asp_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   asp_wall_set_table(wall, table);
   assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
-  asp_particle grain = {1e-4, 2650, NULL, {0, 0, 0}};
+  asp_particle grain = {1e-4, 2650, NULL, {0, 0, 0}, NULL};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
   asp_impact impact;
   asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
