@@ -23,6 +23,7 @@
 
 using namespace LAMMPS_NS;
 using asperity::Contact;
+using asperity::Lay;
 using asperity::Path;
 using asperity::Place;
 using asperity::text;
@@ -610,6 +611,25 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
   const Part &part = parts_[place.piece];
   if (part.moves())
     part.to_body(part.at(share), place.at);
+}
+
+/* The vector is of the part as it is defined; it turns with the part that is touched. */
+void RegionShape::lay(const Lay &lay, const Path &path, const Contact &contact,
+                      double direction[3]) const {
+  vector_copy(lay.vector, direction);
+  bool turns = false;
+  for (const Part &part : parts_)
+    turns = turns || part.region->rotateflag;
+  if (!turns)
+    return;
+  Place place;
+  stick(path, contact, place);
+  const Part &part = parts_[place.piece];
+  if (!part.region->rotateflag)
+    return;
+  vector_add_scaled(part.origin, 1, lay.vector, direction);
+  part.turn(part.at(path.share() + contact.time / path.dt).angle, direction);
+  vector_subtract(direction, part.origin, direction);
 }
 
 void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) const {

@@ -79,10 +79,6 @@ void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]
   vector_copy(v_, v);
 }
 
-void PlaneShape::lay(const Lay &lay, const Path &, const Contact &, double direction[3]) const {
-  vector_copy(lay.vector, direction);
-}
-
 CylinderShape::CylinderShape(int axis, const double center[3], double radius, double along,
                              double turn)
     : along_(along), turn_(turn) {

@@ -27,8 +27,6 @@ public:
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
-  void lay(const Lay &lay, const Path &path, const Contact &contact,
-           double direction[3]) const override;
 
 private:
   ContactPlane plane_;

@@ -96,8 +96,10 @@ public:
   virtual Lay::Kind lay_kind() const {
     return Lay::VECTOR;
   }
-  virtual void lay(const Lay &lay, const Path &path, const Contact &contact,
-                   double direction[3]) const = 0;
+  virtual void lay(const Lay &lay, const Path &, const Contact &, double direction[3]) const {
+    for (int d = 0; d < 3; d++)
+      direction[d] = lay.vector[d];
+  }
 
   /* Called for each contact where `measures`. */
   virtual bool measures() const {
