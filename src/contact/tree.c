@@ -296,15 +296,19 @@ bool contact_tree_meets(const ContactTree *tree, const double lo[3], const doubl
   return false;
 }
 
-/* A box that moves and grows; see contact_tree_clear(). */
+/* A sphere that moves and grows; see contact_tree_clear(). For boxes, the box around it is taken.
+ */
 typedef struct Sweep {
-  double lo[3], hi[3];       /* its sides at the beginning */
-  double rises[3], falls[3]; /* times that its upper side takes to go up by 1, its lower down */
-  bool leaves_up[3], leaves_down[3]; /* whether its other side goes that way too */
+  double x[3], v[3], reach, widen;
+  double lo[3], hi[3];       /* sides of its box at the beginning */
+  double rises[3], falls[3]; /* times in which the upper side goes up by 1, the lower one down */
+  bool leaves_up[3], leaves_down[3]; /* whether the other side goes that way too */
 } Sweep;
 
 static Sweep sweep_of(const double x[3], const double v[3], double reach, double widen) {
-  Sweep sweep;
+  Sweep sweep = {.reach = reach, .widen = widen};
+  vector_copy(x, sweep.x);
+  vector_copy(v, sweep.v);
   for (int d = 0; d < 3; d++) {
     const double up = widen + v[d], down = widen - v[d];
     sweep.lo[d] = x[d] - reach;
@@ -317,10 +321,13 @@ static Sweep sweep_of(const double x[3], const double v[3], double reach, double
   return sweep;
 }
 
-/* When it first meets the box lo to hi; `most` where it does not before. */
+/* When it first meets the box lo to hi; `most` where it does not before. Until *end it may be
+ * there.
+ */
 static inline double sweep_meets(const Sweep *sweep, const double lo[3], const double hi[3],
-                                 double most) {
-  double begin = 0, end = most;
+                                 double most, double *end) {
+  double begin = 0;
+  *end = most;
   for (int d = 0; d < 3; d++) {
     const double above = lo[d] - sweep->hi[d], below = sweep->lo[d] - hi[d];
     if (above > 0) {
@@ -328,14 +335,14 @@ static inline double sweep_meets(const Sweep *sweep, const double lo[3], const d
         return most;
       begin = larger(begin, above * sweep->rises[d]);
     } else if (sweep->leaves_down[d])
-      end = smaller(end, above * sweep->rises[d]);
+      *end = smaller(*end, above * sweep->rises[d]);
     if (below > 0) {
       if (sweep->leaves_up[d])
         return most;
       begin = larger(begin, below * sweep->falls[d]);
     } else if (sweep->leaves_up[d])
-      end = smaller(end, below * sweep->falls[d]);
-    if (begin > end)
+      *end = smaller(*end, below * sweep->falls[d]);
+    if (begin > *end)
       return most;
   }
   return begin;
@@ -344,16 +351,33 @@ static inline double sweep_meets(const Sweep *sweep, const double lo[3], const d
 static double sweep_meets_node(const Sweep *sweep, const Node *node, double most) {
   const double lo[3] = {node->lo[0], node->lo[1], node->lo[2]};
   const double hi[3] = {node->hi[0], node->hi[1], node->hi[2]};
-  return sweep_meets(sweep, lo, hi, most);
+  double end;
+  return sweep_meets(sweep, lo, hi, most, &end);
 }
 
+/* Not before it is at the triangle's box and at its plane: what flies along a wall that is aslant
+ * to the axes is in the boxes of its triangles for long. */
 static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t, double most) {
-  double lo[3], hi[3];
+  double lo[3], hi[3], end;
   for (int d = 0; d < 3; d++) {
     lo[d] = smaller(t->node[0][d], smaller(t->node[1][d], t->node[2][d]));
     hi[d] = larger(t->node[0][d], larger(t->node[1][d], t->node[2][d]));
   }
-  return sweep_meets(sweep, lo, hi, most);
+  const double begin = sweep_meets(sweep, lo, hi, most, &end);
+  if (!(begin < most))
+    return most;
+  double ab[3], ac[3], n[3], arm[3];
+  vector_subtract(t->node[1], t->node[0], ab);
+  vector_subtract(t->node[2], t->node[0], ac);
+  vector_subtract(sweep->x, t->node[0], arm);
+  vector_cross(ab, ac, n);
+  const double length = vector_length(n), off = vector_dot(n, arm);
+  const double gap = fabs(off) - sweep->reach * length;
+  if (!(gap > 0)) /* there already, or without a plane */
+    return begin;
+  const double along = vector_dot(n, sweep->v);
+  const double closing = sweep->widen * length - (off > 0 ? along : -along);
+  return closing * end > gap ? larger(begin, gap / closing) : most;
 }
 
 double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],

@@ -44,8 +44,8 @@ int contact_tree_place(const ContactTree *tree, int id);
 /* Whether any of the boxes around its triangles meets the box lo to hi. */
 bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
-/* How long a box of half width `reach`, which grows by `widen` per time, keeps clear of all boxes
- * around the triangles while its centre moves along x + v t: a lower bound, at most `most`. */
+/* How long a sphere of radius `reach`, which grows by `widen` per time, keeps clear of all
+ * triangles while its centre moves along x + v t: a lower bound, at most `most`. */
 double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],
                           double reach, double widen, double most);
 

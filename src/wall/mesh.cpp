@@ -105,7 +105,6 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
   return false;
 }
 
-/* A box around the centre in the mesh's frame has what may be around it in the world. */
 double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
                         double most) const {
   double steps = most;

@@ -71,7 +71,7 @@ public:
    */
   virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
 
-  /* For how many steps a box of half width `reach`, which grows by `widen` a step, cannot meet the
+  /* For how many steps a sphere of radius `reach`, which grows by `widen` a step, cannot meet the
    * shape as it is at the end of this step while its centre goes on from x by v a step: a lower
    * bound, at most `most`. */
   virtual double clear(const double x[3], const double v[3], double reach, double widen,

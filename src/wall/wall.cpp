@@ -36,7 +36,7 @@ const float NEVER = 1e30f, AT_REST = -NEVER;
 const int BLOCK = 128;
 
 /* A look ahead is along so many steps. */
-const double AHEAD_MOST = 64;
+const double AHEAD_MOST = 512;
 
 /* How far a particle may stray from the way that it was looked ahead on, in each step, in radii of
  * the smallest. */

@@ -316,19 +316,8 @@ static void test_wide(void **unused) {
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
-/* Whether a box that moves and grows meets a triangle's box at a time. */
-static bool box_meets(const ContactTree *tree, const ContactPath *path, double reach, double widen,
-                      double time) {
-  double x[3], lo[3], hi[3];
-  at(path, time, x);
-  for (int d = 0; d < 3; d++) {
-    lo[d] = x[d] - reach - widen * time;
-    hi[d] = x[d] + reach + widen * time;
-  }
-  return contact_tree_meets(tree, lo, hi);
-}
-
-/* It is clear until the time that is told, and not after it. */
+/* It is clear until the time that is told; and that is no time much too early: the sphere is then
+ * at the box and at the plane of a triangle. */
 static void check_clear(const ContactTree *tree, int round) {
   ContactPath path = {{0}, {0}, 3};
   random_vector(6, path.x);
@@ -338,11 +327,28 @@ static void check_clear(const ContactTree *tree, int round) {
   const double reach = uniform(0, 0.5), widen = round % 4 ? uniform(0, 0.2) : 0;
   const double time = contact_tree_clear(tree, path.x, path.v, reach, widen, path.left);
   assert_true(time >= 0 && time <= path.left);
-  for (int k = 0; k < 40; k++)
-    assert_false(box_meets(tree, &path, reach, widen, time * (k / 40.0) - 1e-9) &&
-                 time * (k / 40.0) > 1e-9);
-  if (time < path.left)
-    assert_true(box_meets(tree, &path, reach, widen, time + 1e-9));
+  double x[3], n[3], arm[3];
+  for (int k = 0; k < 40 && time > 0; k++) {
+    const double now = time * k / 40;
+    at(&path, now, x);
+    assert_true(contact_tree_distance(tree, x, 10, NULL) > (reach + widen * now) * (1 - 1e-12));
+  }
+  if (!(time < path.left))
+    return;
+  const double now = time + 1e-9, wide = reach + widen * now;
+  at(&path, now, x);
+  bool there = false;
+  for (size_t i = 0; i < contact_tree_count(tree); i++) {
+    const ContactTriangle *t = contact_tree_triangle(tree, (int)i);
+    bool meets = true;
+    for (int d = 0; d < 3; d++)
+      meets = meets && fmax(t->node[0][d], fmax(t->node[1][d], t->node[2][d])) >= x[d] - wide &&
+              fmin(t->node[0][d], fmin(t->node[1][d], t->node[2][d])) <= x[d] + wide;
+    contact_triangle_normal(t, n);
+    vector_subtract(x, t->node[0], arm);
+    there = there || (meets && fabs(vector_dot(n, arm)) <= wide);
+  }
+  assert_true(there);
 }
 
 static void test_tree(void **unused) {
