@@ -98,7 +98,8 @@ static void judge(const judge_case *subject, const cli_list *alpha1, size_t rays
          b = 1 / (wall->lambda_2 * wall->lambda_2);
   double step[2] = {1 / (PER_LAMBDA * sqrt(c * c * a + s * s * b)),
                     1 / (PER_LAMBDA * sqrt(s * s * a + c * c * b))};
-  asp_map *map = aspi_map_create(wall, step, side, side, seed, &error);
+  asp_map *map = subject->make ? subject->make(subject, step, side, seed)
+                               : aspi_map_create(wall, step, side, side, seed, &error);
   aspi_ball *ball = map ? aspi_ball_create(map, subject->d_p, &error) : NULL;
   aspi_field field;
   if (!ball || aspi_field_create(&field, map, &error))

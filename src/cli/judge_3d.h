@@ -30,11 +30,14 @@ typedef struct judge_all {
 
 /* What is to be judged: a wall and a diameter, and how large a judge: so many independent surfaces
  * of points x points (a power of two). */
-typedef struct judge_case {
+typedef struct judge_case judge_case;
+struct judge_case {
   aspi_gauss wall;
   double d_p;
   size_t surfaces, points;
-} judge_case;
+  /* One of the surfaces, periodic; NULL: a Gaussian one. */
+  asp_map *(*make)(const judge_case *subject, const double step[2], size_t points, uint32_t seed);
+};
 
 /* Generates the surfaces, with 20 points a correlation length along either side, rolls the sphere
  * over each, and sends `rays` particles a surface at each of the angles (rad) along x, half of them

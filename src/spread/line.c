@@ -10,6 +10,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* Rms heights that a beam must pass over a period, so that its first hits lie on many peaks. */
+#define RISE_LEAST 16
+
 asp_code aspi_line_create(aspi_line *line, size_t n, double step, asp_error *error) {
   *line = (aspi_line){.n = n, .step = step};
   line->memory = n <= SIZE_MAX / (3 * sizeof(double)) ? malloc(3 * n * sizeof(double)) : NULL;
@@ -50,6 +53,15 @@ void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t st
 
 double aspi_line_rise(const aspi_line *line, double fall) {
   return fall * line->step * (double)line->n;
+}
+
+double aspi_line_fall_least(const aspi_line *line) {
+  double mean = 0, square = 0, n = (double)line->n;
+  for (size_t i = 0; i < line->n; i++)
+    mean += line->end_z[i] / n;
+  for (size_t i = 0; i < line->n; i++)
+    square += (line->end_z[i] - mean) * (line->end_z[i] - mean) / n;
+  return RISE_LEAST * sqrt(square) / (n * line->step);
 }
 
 /* The maximum of g over the period before the one that begins with face 0. */

@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "surface/map.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -195,12 +196,21 @@ static void offer(search *s, ptrdiff_t i, ptrdiff_t j) {
   s->at[1] = j;
 }
 
-/* The point that a sphere over (i, j) rests on. `from`, relative to it, is where to begin. */
-static search find(const aspi_ball *ball, size_t i, size_t j, const ptrdiff_t from[2]) {
+/* The point that a sphere over (x, y), in points, rests on. `from`, relative to the point nearest to
+ * it, is where to begin. */
+static search find(const aspi_ball *ball, double x, double y, const ptrdiff_t from[2]) {
   const asp_map *map = ball->map;
-  search s = {ball, (double)i, (double)j, -INFINITY, {0}, {0}};
-  offer(&s, (ptrdiff_t)i, (ptrdiff_t)j);
-  offer(&s, (ptrdiff_t)i + from[0], (ptrdiff_t)j + from[1]);
+  search s = {ball, x, y, -INFINITY, {0}, {0}};
+  ptrdiff_t i = (ptrdiff_t)(x + 0.5), j = (ptrdiff_t)(y + 0.5);
+  offer(&s, i, j);
+  if (s.best < -DBL_MAX) { /* no point is in reach: it rests on what is between them */
+    s.at[0] = i;
+    s.at[1] = j;
+    s.best = map->heights[wrapped(j, (ptrdiff_t)map->rows) * (ptrdiff_t)map->columns +
+                          wrapped(i, (ptrdiff_t)map->columns)];
+    return s;
+  }
+  offer(&s, i + from[0], j + from[1]);
   double drop = fmax(0, s.best - ball->top);
   double reach = sqrt(fmax(0, ball->radius * ball->radius - drop * drop));
   double reach_x = reach / map->step[0], reach_y = reach / map->step[1];
@@ -210,12 +220,12 @@ static search find(const aspi_ball *ball, size_t i, size_t j, const ptrdiff_t fr
     for (int a = -images; a <= images; a++) {
       s.image[0] = a * columns;
       s.image[1] = b * rows;
-      s.x = (double)((ptrdiff_t)i - s.image[0]);
-      s.y = (double)((ptrdiff_t)j - s.image[1]);
+      s.x = x - (double)s.image[0];
+      s.y = y - (double)s.image[1];
       look_at_image(&s, reach_x, reach_y);
     }
-  s.x = (double)i;
-  s.y = (double)j;
+  s.x = x;
+  s.y = y;
   return s;
 }
 
@@ -252,31 +262,67 @@ static patch patch_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
   return f;
 }
 
-/* The contact near the point that was found, on the parabola around it. (u, v): from that point to
- * the contact; (x, y): from it to the centre. False where Newton's method does not end nearby. */
-static bool refine(const aspi_ball *ball, const patch *f, double x, double y, aspi_touch *touch) {
-  double r = ball->radius, u = 0, v = 0;
-  for (int step = 0; step < STEPS; step++) {
-    double gx = f->gx + f->xx * u + f->xy * v, gy = f->gy + f->xy * u + f->yy * v;
+/* The map between four points: the parabolas around them, by how near they are, which has no steps. */
+typedef struct surface {
+  double z, gx, gy;
+} surface;
+
+static surface blend(const asp_map *map, double x, double y) {
+  double dx = map->step[0], dy = map->step[1], column = floor(x), row = floor(y);
+  ptrdiff_t i = (ptrdiff_t)column, j = (ptrdiff_t)row;
+  surface sum = {0};
+  for (int k = 0; k < 4; k++) {
+    ptrdiff_t a = k % 2, b = k / 2;
+    double u = x - column - (double)a, v = y - row - (double)b, w = (1 - fabs(u)) * (1 - fabs(v));
+    if (!(w > 0))
+      continue;
+    patch f = patch_at(map, i + a, j + b);
+    u *= dx;
+    v *= dy;
+    sum.z += w * (f.z + f.gx * u + f.gy * v + 0.5 * (f.xx * u * u + f.yy * v * v) + f.xy * u * v);
+    sum.gx += w * (f.gx + f.xx * u + f.xy * v);
+    sum.gy += w * (f.gy + f.xy * u + f.yy * v);
+  }
+  return sum;
+}
+
+/* The contact near the point that was found: Newton's method on the parabola around that point, then
+ * with the gradient of the blended surface and the parabola's derivatives. (x, y): from the point to the
+ * centre. False where it does not end nearby. */
+static bool refine(const search *s, double x, double y, aspi_touch *touch) {
+  const asp_map *map = s->ball->map;
+  const patch f = patch_at(map, s->at[0], s->at[1]);
+  double r = s->ball->radius, dx = map->step[0], dy = map->step[1], u = 0, v = 0, gx = 0, gy = 0;
+  surface here = {0};
+  for (int step = 0; step <= STEPS; step++) {
+    bool last = step >= STEPS - 1;
+    gx = f.gx + f.xx * u + f.xy * v;
+    gy = f.gy + f.xy * u + f.yy * v;
+    if (last) {
+      here = blend(map, (double)s->at[0] + u / dx, (double)s->at[1] + v / dy);
+      gx = here.gx;
+      gy = here.gy;
+    }
+    if (step == STEPS)
+      break;
     double root = sqrt(1 + gx * gx + gy * gy), a = r / root, b = a / (root * root);
     double fx = u - x - a * gx, fy = v - y - a * gy;
     /* The derivatives of a g with respect to g, times those of g. */
     double nxx = a - b * gx * gx, nxy = -b * gx * gy, nyy = a - b * gy * gy;
-    double jxx = 1 - nxx * f->xx - nxy * f->xy, jxy = -nxx * f->xy - nxy * f->yy;
-    double jyx = -nxy * f->xx - nyy * f->xy, jyy = 1 - nxy * f->xy - nyy * f->yy;
+    double jxx = 1 - nxx * f.xx - nxy * f.xy, jxy = -nxx * f.xy - nxy * f.yy;
+    double jyx = -nxy * f.xx - nyy * f.xy, jyy = 1 - nxy * f.xy - nyy * f.yy;
     double det = jxx * jyy - jxy * jyx;
     if (!(det > 1e-6))
       return false;
     u -= (jyy * fx - jxy * fy) / det;
     v -= (jxx * fy - jyx * fx) / det;
-    if (!(fabs(u) <= STRAY_MOST * ball->map->step[0] && fabs(v) <= STRAY_MOST * ball->map->step[1]))
+    if (!(fabs(u) <= STRAY_MOST * dx && fabs(v) <= STRAY_MOST * dy))
       return false;
   }
-  touch->p = f->gx + f->xx * u + f->xy * v;
-  touch->q = f->gy + f->xy * u + f->yy * v;
-  double height =
-      f->z + f->gx * u + f->gy * v + 0.5 * (f->xx * u * u + f->yy * v * v) + f->xy * u * v;
-  touch->height = height + r / sqrt(1 + touch->p * touch->p + touch->q * touch->q);
+  double room = r * r - (x - u) * (x - u) - (y - v) * (y - v);
+  touch->p = gx;
+  touch->q = gy;
+  touch->height = here.z + sqrt(fmax(0, room));
   return true;
 }
 
@@ -286,9 +332,9 @@ static aspi_touch touch_of(const search *s, bool sampled) {
   double x = map->step[0] * (s->x - (double)s->at[0]), y = map->step[1] * (s->y - (double)s->at[1]);
   double up = sqrt(fmax(0, ball->radius * ball->radius - x * x - y * y));
   aspi_touch touch = {s->best, 0, 0};
-  patch f = patch_at(map, s->at[0], s->at[1]);
-  if (!sampled && refine(ball, &f, x, y, &touch))
+  if (!sampled && refine(s, x, y, &touch))
     return touch;
+  patch f = patch_at(map, s->at[0], s->at[1]);
   touch.height = s->best;
   touch.p = up > 0 ? -x / up : f.gx;
   touch.q = up > 0 ? -y / up : f.gy;
@@ -296,8 +342,20 @@ static aspi_touch touch_of(const search *s, bool sampled) {
 }
 
 aspi_touch aspi_ball_touch(const aspi_ball *ball, size_t column, size_t row, bool sampled) {
-  search s = find(ball, column, row, (const ptrdiff_t[2]){0, 0});
+  search s = find(ball, (double)column, (double)row, (const ptrdiff_t[2]){0, 0});
   return touch_of(&s, sampled);
+}
+
+aspi_ball_search aspi_ball_begin(const aspi_ball *ball) {
+  return (aspi_ball_search){ball, {0, 0}};
+}
+
+aspi_touch aspi_ball_at(aspi_ball_search *way, double x, double y) {
+  const aspi_ball *ball = way->ball;
+  search s = find(ball, x / ball->map->step[0], y / ball->map->step[1], way->from);
+  way->from[0] = s.at[0] - (ptrdiff_t)(s.x + 0.5);
+  way->from[1] = s.at[1] - (ptrdiff_t)(s.y + 0.5);
+  return touch_of(&s, false);
 }
 
 void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *height, float *p,
@@ -308,7 +366,7 @@ void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *heig
     for (size_t k = 0; k < columns; k++) {
       /* To and fro, so that each centre has a neighbour before it. */
       size_t i = (j - first) % 2 ? columns - 1 - k : k;
-      search s = find(ball, i, j, from);
+      search s = find(ball, (double)i, (double)j, from);
       from[0] = s.at[0] - (ptrdiff_t)i;
       from[1] = s.at[1] - (ptrdiff_t)j;
       aspi_touch touch = touch_of(&s, false);

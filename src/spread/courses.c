@@ -1,0 +1,153 @@
+/* Straight lines over a map at one azimuth. A particle in straight flight stays in a vertical plane, so
+ * that its first hit, whether it leaves, and its next hit in the same direction depend on the line under
+ * it only; lines of one azimuth, joined end to end, make a long line whose law is that of the map. Where
+ * two lines join there is no face, only a step that the running maximum passes as it would any other.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "spread/courses.h"
+#include "base/error.h"
+#include "surface/map.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The golden section: parts of it spread evenly, however many there are. */
+#define GOLDEN 0.6180339887498949
+
+/* The piece of a straight line through (x, y) within the map: t from [0] to [1]. */
+static bool clip(const asp_map *map, double x, double y, double ex, double ey, double t[2]) {
+  const double at[2] = {x, y}, way[2] = {ex, ey};
+  const double side[2] = {(double)(map->columns - 1) * map->step[0],
+                          (double)(map->rows - 1) * map->step[1]};
+  t[0] = -INFINITY;
+  t[1] = INFINITY;
+  for (int k = 0; k < 2; k++) {
+    if (!(fabs(way[k]) > 1e-12)) {
+      if (at[k] < 0 || at[k] > side[k])
+        return false;
+      continue;
+    }
+    double a = -at[k] / way[k], b = (side[k] - at[k]) / way[k];
+    t[0] = fmax(t[0], fmin(a, b));
+    t[1] = fmin(t[1], fmax(a, b));
+  }
+  return t[1] > t[0];
+}
+
+/* Room for the points of the lines. */
+typedef struct course {
+  float *z, *p, *q;
+  size_t count, room;
+  double height, slope; /* rms of the map, to compare by */
+} course;
+
+static void measure(const asp_map *map, course *c) {
+  double height = 0, slope = 0, n = (double)map->columns * (double)map->rows;
+  for (size_t i = 0; i + 1 < map->columns * map->rows; i++) {
+    double z = map->heights[i], rise = (map->heights[i + 1] - z) / map->step[0];
+    height += z * z / n;
+    slope += rise * rise / n;
+  }
+  c->height = sqrt(height);
+  c->slope = sqrt(slope);
+}
+
+/* So many points at both ends are looked at for a place to join two lines. */
+enum { JOINT = 64 };
+
+/* Cuts the end of the last line and the beginning of the one that begins at `first` where they are most
+ * alike in height and slope, so that a flight from one to the other finds the wall going on. */
+static void join(course *c, size_t first, double height, double slope) {
+  size_t ahead = c->count - first < JOINT ? c->count - first : JOINT, end = first, begin = first;
+  size_t behind = first < JOINT ? first : JOINT;
+  double least = INFINITY;
+  for (size_t i = first - behind + 1; i < first; i++)
+    for (size_t k = first; k < first + ahead; k++) {
+      double dz = (c->z[k] - c->z[i]) / height, dp = (c->p[k] - c->p[i]) / slope;
+      if (dz * dz + dp * dp < least) {
+        least = dz * dz + dp * dp;
+        end = i;
+        begin = k;
+      }
+    }
+  size_t kept = c->count - begin;
+  memmove(c->z + end, c->z + begin, kept * sizeof *c->z);
+  memmove(c->p + end, c->p + begin, kept * sizeof *c->p);
+  memmove(c->q + end, c->q + begin, kept * sizeof *c->q);
+  c->count = end + kept;
+}
+
+/* Fills one line after the other, until there is no more room. */
+static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, double step, double apart,
+                course *c) {
+  double ex = cos(azimuth), ey = sin(azimuth);
+  double width = (double)(map->columns - 1) * map->step[0];
+  double height = (double)(map->rows - 1) * map->step[1];
+  double half = 0.5 * (fabs(ey) * width + fabs(ex) * height);
+  size_t lines = (size_t)ceil(2 * half / apart);
+  for (size_t k = 0; k < lines; k++) {
+    /* Away from the middle along b, each within its own part of the width. */
+    double part = fmod(GOLDEN * (double)(k + 1), 1);
+    double off = -half + apart * ((double)k + part), t[2];
+    double x = 0.5 * width - off * ey, y = 0.5 * height + off * ex;
+    if (!clip(map, x, y, ex, ey, t))
+      continue;
+    size_t first = c->count;
+    aspi_ball_search search = aspi_ball_begin(ball);
+    for (double s = t[0]; s < t[1] && c->count < c->room; s += step) {
+      aspi_touch touch = aspi_ball_at(&search, x + s * ex, y + s * ey);
+      c->z[c->count] = (float)touch.height;
+      c->p[c->count] = (float)(ex * touch.p + ey * touch.q);
+      c->q[c->count++] = (float)(ex * touch.q - ey * touch.p);
+    }
+    if (first > 0 && c->count > first)
+      join(c, first, c->height, c->slope);
+  }
+}
+
+/* The slopes across the line, for a flight the other way. */
+static void turn(float *q, size_t n) {
+  for (size_t i = 0; i < (n + 1) / 2; i++) {
+    float keep = q[i];
+    q[i] = -q[n - 1 - i];
+    q[n - 1 - i] = -keep;
+  }
+}
+
+asp_code aspi_courses_laws(const aspi_ball *ball, const asp_map *map, double azimuth, double step,
+                           size_t points, aspi_law *laws[2], asp_error *error) {
+  double area = (double)(map->columns - 1) * map->step[0] * (double)(map->rows - 1) * map->step[1];
+  double apart = area / (step * (double)points);
+  course c = {.room = points + points / 4};
+  c.z = malloc(c.room * sizeof *c.z);
+  c.p = malloc(c.room * sizeof *c.p);
+  c.q = malloc(c.room * sizeof *c.q);
+  measure(map, &c);
+  asp_code code = ASP_OK;
+  laws[0] = laws[1] = NULL;
+  if (!c.z || !c.p || !c.q)
+    code = aspi_fail(error, ASP_ENOMEM, "out of memory for lines of %zu points over a map", points);
+  if (!code)
+    lay(ball, map, azimuth, step, apart, &c);
+  for (int way = 0; way < 2 && !code; way++) {
+    aspi_line line;
+    code = aspi_line_create(&line, c.count, step, error);
+    if (code)
+      break;
+    aspi_line_set(&line, c.z, c.p, way ? -1 : 1);
+    if (way)
+      turn(c.q, c.count);
+    laws[way] = aspi_law_create(&line, c.q, error);
+    code = laws[way] ? ASP_OK : ASP_ENOMEM;
+    aspi_line_free(&line);
+  }
+  if (code) {
+    aspi_law_free(laws[0]);
+    laws[0] = NULL;
+  }
+  free(c.z);
+  free(c.p);
+  free(c.q);
+  return code;
+}
