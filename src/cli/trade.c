@@ -65,7 +65,8 @@ static void judge_3d(FILE *out, const cli_option *options, const cli_list *angle
   judge_case subject = {{cli_length(&options[RQ]), lambda_c, lambda_c, 0},
                         cli_length(&options[DP]),
                         cli_whole(&options[SURFACES], 3, 1000),
-                        cli_whole(&options[POINTS], 256, 16384)};
+                        cli_whole(&options[POINTS], 256, 16384),
+                        NULL};
   cli_trade_3d(out, &subject, angles, rays, cli_is_multiple(&options[COLLISIONS]), seed);
 }
 

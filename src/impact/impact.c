@@ -69,18 +69,22 @@ static outlook look(const aspi_ground *ground, aspi_heading heading, double alph
                          .alpha1 = alpha1,
                          .d_p = ground->particle->d_p,
                          .data = wall->data,
-                         .kappa = out.slopes.kappa};
+                         .kappa = out.slopes.kappa,
+                         .has_azimuth = aspi_ground_has_lay(ground),
+                         .azimuth = -atan2(heading.sine, heading.cosine)};
   return out;
 }
 
-/* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls.
- */
+/* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls,
+ * where the model has not done so itself (`path`, else NULL). */
 static face face_at(const asp_wall *wall, const aspi_slopes_along *slopes, double delta,
-                    aspi_stream *stream) {
+                    const aspi_path *path, aspi_stream *stream) {
   double sine = sin(delta), cosine = cos(delta);
   if (!wall->isotropic)
     return (face){{-sine, 0, cosine}, delta, 0};
-  double q = slopes->beta * (sine / cosine) + slopes->sd * aspi_stream_normal(stream),
+  double q = wall->draws_q && path
+                 ? path->q
+                 : slopes->beta * (sine / cosine) + slopes->sd * aspi_stream_normal(stream),
          side = q * cosine;
   return (face){scaled((vec){-sine, -side, cosine}, 1 / sqrt(1 + side * side)), delta, q};
 }
@@ -203,7 +207,7 @@ static void bounce_once(const aspi_ground *ground, const frame *f, aspi_stream *
     double delta;
     if (!aspi_spread_draw(wall->spread, &now.view, stream, &delta))
       continue;
-    face on = face_at(wall, &now.slopes, delta, stream);
+    face on = face_at(wall, &now.slopes, delta, NULL, stream);
     vec local, spin = load(particle->omega);
     bool deposit;
     if (rebound(wall, particle, f, on.m, !wall->isotropic, stream, &spin, &local, &deposit) &&
@@ -266,7 +270,7 @@ static bool walks_out(flight *fly, double rise, double slope) {
 
 /* Whether the particle leaves the wall with the velocity that a face has given it, in (t, b, n). */
 static bool leaves(const asp_wall *wall, flight *fly, vec out) {
-  if (wall->spread->follow)
+  if (wall->follow)
     return false;
   double along = hypot(out.x, out.y);
   if (wall->spread->escape)
@@ -285,8 +289,8 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
                       bool *gone) {
   const asp_spread_model *model = wall->spread;
   *gone = false;
-  if (model->follow) {
-    bool drawn = model->follow(&fly->now.view, fly->stream, path, delta);
+  if (wall->follow) {
+    bool drawn = wall->follow(&fly->now.view, fly->stream, path, delta);
     *gone = !drawn;
     return drawn;
   }
@@ -319,7 +323,7 @@ static void bounce_on(const aspi_ground *ground, vec v1, frame *now, aspi_stream
         store(spin, impact->omega);
       return;
     }
-    face on = face_at(wall, &fly.now.slopes, delta, stream);
+    face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
     if (!rebound(wall, particle, now, on.m, !wall->isotropic, stream, &spin, &local, &deposit))
       continue;
     if (impact->hits++ == 0) {
@@ -336,6 +340,7 @@ static void bounce_on(const aspi_ground *ground, vec v1, frame *now, aspi_stream
     frame next = frame_of(v2, now->n);
     if (has_direction(&next) && dot(next.along, now->along) < 0)
       path.back = !path.back;
+    path.turn = atan2(local.y, local.x);
     *now = next;
     if (!has_direction(now))
       choose_direction(ground, now, stream);

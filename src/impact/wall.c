@@ -142,6 +142,10 @@ void asp_wall_set_surface(asp_wall *wall, const asp_surface *surface) {
   wall->choice.surface = surface;
 }
 
+void asp_wall_set_map(asp_wall *wall, const asp_map *map) {
+  wall->choice.map = map;
+}
+
 void asp_wall_set_profile(asp_wall *wall, const asp_profile *profile) {
   wall->choice.profile = profile;
 }
@@ -185,13 +189,17 @@ static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
 static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error *error) {
   const asp_spread_model *model = choice->spread;
   *data = NULL;
-  if (!choice->surface || !(choice->profile ? (bool)model->prepare : (bool)model->generate))
+  bool from_map = choice->map && model->prepare_map;
+  bool from_profile = !from_map && choice->profile && model->prepare;
+  if (!choice->surface ||
+      !(from_map || from_profile || (!choice->profile && !choice->map && model->generate)))
     return ASP_OK;
   aspi_sizes sizes = {choice->numbers[ASP_WALL_D_P_LEAST], choice->numbers[ASP_WALL_D_P_MOST],
                       (int)choice->numbers[ASP_WALL_D_P_BINS]};
   asp_error wrong = {ASP_OK, ""};
-  *data = choice->profile ? model->prepare(choice->profile, &sizes, &wrong)
-                          : model->generate(choice->surface, &sizes, &wrong);
+  *data = from_map       ? model->prepare_map(choice->map, &sizes, &wrong)
+          : from_profile ? model->prepare(choice->profile, &sizes, &wrong)
+                         : model->generate(choice->surface, &sizes, &wrong);
   return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 
@@ -212,8 +220,11 @@ asp_code asp_wall_prepare(asp_wall *wall, asp_error *error) {
   memcpy(wall->parameters, choice->parameters, sizeof wall->parameters);
   wall->table = choice->table;
   wall->rough = is_rough(choice);
-  wall->isotropic = choice->isotropic;
-  wall->multiple = choice->multiple || choice->spread->escape || choice->spread->follow;
+  wall->follow = data ? choice->spread->follow : NULL;
+  wall->draws_q = data && choice->map && choice->spread->prepare_map;
+  wall->isotropic = choice->isotropic || wall->draws_q;
+  wall->multiple = choice->multiple || choice->spread->escape || wall->draws_q ||
+                   (choice->spread->follow && !choice->spread->quantile);
   wall->deposit = choice->numbers[ASP_WALL_DEPOSIT] > 0;
   wall->spins = choice->law->spins && choice->law->spins(choice->parameters);
   wall->flow = (aspi_flow){

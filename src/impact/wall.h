@@ -23,6 +23,7 @@ enum {
 /* As the user has it. */
 typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
+  const asp_map *map;         /* goes before the profile */
   const asp_profile *profile; /* NULL: one is generated where the model needs one */
   const asp_cor_table *table;
   const asp_spread_model *spread;
@@ -39,6 +40,8 @@ struct asp_wall {
   const asp_spread_model *spread;
   const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
   void *data;                     /* of the model */
+  bool (*follow)(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta);
+  bool draws_q; /* the model draws the slope across the flight, too */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   const asp_cor_table *table;

@@ -1,7 +1,8 @@
-/* Straight lines over a map at one azimuth. A particle in straight flight stays in a vertical plane, so
- * that its first hit, whether it leaves, and its next hit in the same direction depend on the line under
- * it only; lines of one azimuth, joined end to end, make a long line whose law is that of the map. Where
- * two lines join there is no face, only a step that the running maximum passes as it would any other.
+/* Straight lines over a map at one azimuth. A particle in straight flight stays in a vertical
+ * plane, so that its first hit, whether it leaves, and its next hit in the same direction depend on
+ * the line under it only; lines of one azimuth, joined end to end, make a long line whose law is
+ * that of the map. Where two lines join there is no face, only a step that the running maximum
+ * passes as it would any other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/courses.h"
@@ -56,8 +57,9 @@ static void measure(const asp_map *map, course *c) {
 /* So many points at both ends are looked at for a place to join two lines. */
 enum { JOINT = 64 };
 
-/* Cuts the end of the last line and the beginning of the one that begins at `first` where they are most
- * alike in height and slope, so that a flight from one to the other finds the wall going on. */
+/* Cuts the end of the last line and the beginning of the one that begins at `first` where they are
+ * most alike in height and slope, so that a flight from one to the other finds the wall going on.
+ */
 static void join(course *c, size_t first, double height, double slope) {
   size_t ahead = c->count - first < JOINT ? c->count - first : JOINT, end = first, begin = first;
   size_t behind = first < JOINT ? first : JOINT;
@@ -79,8 +81,8 @@ static void join(course *c, size_t first, double height, double slope) {
 }
 
 /* Fills one line after the other, until there is no more room. */
-static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, double step, double apart,
-                course *c) {
+static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, double step,
+                double apart, course *c) {
   double ex = cos(azimuth), ey = sin(azimuth);
   double width = (double)(map->columns - 1) * map->step[0];
   double height = (double)(map->rows - 1) * map->step[1];

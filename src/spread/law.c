@@ -1,12 +1,12 @@
 /* The law of a line as tables of quantiles, all of them from its geometry and none from a model of
- * heights: first hits by the running maximum of g = z + x tan(alpha1); whether a particle leaves, by the
- * horizon of the face that it is on, the steepest slope to any point ahead (or behind); the next face,
- * by the next point that is as high as the path. One pass each over the points, with stacks: the upper
- * hull for the horizons, the next greater element for the paths.
+ * heights: first hits by the running maximum of g = z + x tan(alpha1); whether a particle leaves,
+ * by the horizon of the face that it is on, the steepest slope to any point ahead (or behind); the
+ * next face, by the next point that is as high as the path. One pass each over the points, with
+ * stacks: the upper hull for the horizons, the next greater element for the paths.
  *
  * A face is remembered by its steepness among the faces that are hit: horizons and cross slopes are
- * tabled for each of its parts. Nothing else is known of the place, so that of more than two hits in a
- * row the later ones know less than the geometry does.
+ * tabled for each of its parts. Nothing else is known of the place, so that of more than two hits
+ * in a row the later ones know less than the geometry does.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/law.h"
@@ -22,7 +22,7 @@ enum {
   CELLS = 96, /* of equal width in the share of the first hits */
   PARTS = 16, /* of the first and of the last of them, for the tails */
   NODES = CELLS - 2 + 2 * PARTS + 1,
-  BINS = 16, /* of the faces by steepness */
+  BINS = 16,  /* of the faces by steepness */
   SIDES = 24, /* cells of the cross slope in a bin, with tails as above */
   SIDE_PARTS = 4,
   SIDE_NODES = SIDES - 2 + 2 * SIDE_PARTS + 1,
@@ -65,9 +65,9 @@ struct aspi_law {
 
 /* ---- quantiles ---- */
 
-/* A row of quantiles: shares at its nodes, and how many there are. The first and the last cell of the
- * slopes' are divided into parts, for the tails; the last one of the horizons' is halved again and
- * again, since few faces have a peak right before them, and those decide. */
+/* A row of quantiles: shares at its nodes, and how many there are. The first and the last cell of
+ * the slopes' are divided into parts, for the tails; the last one of the horizons' is halved again
+ * and again, since few faces have a peak right before them, and those decide. */
 typedef struct row {
   int cells, parts, nodes; /* parts 0: halved */
 } row;
@@ -133,8 +133,7 @@ static void fill(const sorted *by, size_t n, const double *weight, const unsigne
     int b = bin ? bin[at] : 0;
     f[b].sum += weight[at];
     last[b] = by->value[at];
-    for (; f[b].node < nodes && share_at(r, f[b].node) * f[b].total <= f[b].sum;
-         f[b].node++)
+    for (; f[b].node < nodes && share_at(r, f[b].node) * f[b].total <= f[b].sum; f[b].node++)
       table[b * nodes + f[b].node] = (float)by->value[at];
   }
   for (int b = 0; b < bins; b++)
@@ -283,8 +282,8 @@ static double elevation_at(int e) {
   return ELEVATION_MOST * part * fabs(part);
 }
 
-/* Paths that begin on faces as they are hit first and are left at that elevation; false where hardly
- * any of them ends on the wall. */
+/* Paths that begin on faces as they are hit first and are left at that elevation; false where
+ * hardly any of them ends on the wall. */
 static bool weigh_next(making *m, int c, double slope) {
   double sum = 0, all = 0;
   memset(m->weight, 0, m->n * sizeof *m->weight);
@@ -362,8 +361,20 @@ static int bin_of(double u) {
   return (int)fmin(u * BINS, BINS - 1);
 }
 
-aspi_kind aspi_law_kind(double alpha1, double u, aspi_stream *stream) {
-  return (aspi_kind){false, node_of(alpha1, stream), bin_of(u)};
+/* The share of the faces of a table that are less steep. */
+static double share_below(const row *r, const float *nodes, double slope) {
+  int low = 0, high = r->nodes - 1;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    *(nodes[middle] <= slope ? &low : &high) = middle;
+  }
+  double step = (double)nodes[high] - nodes[low];
+  double part = step > 0 ? fmin(fmax((slope - nodes[low]) / step, 0), 1) : 0.5;
+  return share_at(r, low) + part * (share_at(r, high) - share_at(r, low));
+}
+
+aspi_kind aspi_law_kind(double alpha1, aspi_stream *stream) {
+  return (aspi_kind){false, node_of(alpha1, stream)};
 }
 
 static double side(const float *nodes, bool has_q, aspi_stream *stream) {
@@ -377,18 +388,21 @@ aspi_kind aspi_law_first(const aspi_law *law, double alpha1, aspi_stream *stream
   double u = aspi_stream_uniform(stream);
   int k = (int)fmin(sqrt(alpha1 / ANGLE_STEP), ANGLES - 2);
   double share = (alpha1 - ANGLE_STEP * k * k) / (ANGLE_STEP * (2 * k + 1));
-  aspi_kind kind = aspi_law_kind(alpha1, u, stream);
+  aspi_kind kind = aspi_law_kind(alpha1, stream);
   *p = (1 - share) * interpolate(&of_first, law->first[k].p, u) +
        share * interpolate(&of_first, law->first[k + 1].p, u);
   *p = fmax(*p, -tan(alpha1));
-  *q = side(law->first[kind.node].q[kind.bin], law->has_q, stream);
+  *q = side(law->first[kind.node].q[bin_of(u)], law->has_q, stream);
   return kind;
 }
 
-bool aspi_law_leaves(const aspi_law *law, const aspi_kind *kind, double rise, bool back,
-                     aspi_stream *stream) {
-  const float *nodes = kind->later ? law->later[kind->node].horizon[back][kind->bin]
-                                   : law->first[kind->node].horizon[back][kind->bin];
+bool aspi_law_leaves(const aspi_law *law, const aspi_kind *kind, double slope, double rise,
+                     bool back, aspi_stream *stream) {
+  const first_table *first = &law->first[kind->later ? 0 : kind->node];
+  const later_table *later = &law->later[kind->later ? kind->node : 0];
+  int bin = bin_of(kind->later ? share_below(&of_later, later->p, slope)
+                               : share_below(&of_first, first->p, slope));
+  const float *nodes = kind->later ? later->horizon[back][bin] : first->horizon[back][bin];
   return rise > interpolate(&of_horizon, nodes, aspi_stream_uniform(stream));
 }
 
@@ -402,8 +416,8 @@ aspi_kind aspi_law_next(const aspi_law *law, double alpha1, double theta, aspi_s
   e += aspi_stream_uniform(stream) < part - e;
   const later_table *t = &law->later[c * ELEVATIONS + e];
   double u = aspi_stream_uniform(stream), least = tan(fmin(theta, ELEVATION_MOST));
-  aspi_kind kind = {true, c * ELEVATIONS + e, bin_of(u)};
+  aspi_kind kind = {true, c * ELEVATIONS + e};
   *p = fmax(least, interpolate(&of_later, t->p, u));
-  *q = side(t->q[kind.bin], law->has_q, stream);
+  *q = side(t->q[bin_of(u)], law->has_q, stream);
   return kind;
 }

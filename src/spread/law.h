@@ -1,5 +1,5 @@
-/* What a line over a wall does to the particles that fly along it, as tables: which face they hit first,
- * whether they leave from there, and which face is next when they do not.
+/* What a line over a wall does to the particles that fly along it, as tables: which face they hit
+ * first, whether they leave from there, and which face is next when they do not.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_LAW_H
@@ -18,20 +18,20 @@ void aspi_law_free(aspi_law *law);
 typedef struct aspi_kind {
   bool later; /* not the first hit */
   int node;   /* of the impact angle, or for a later hit of the class and the elevation */
-  int bin;    /* share of the faces that are less steep, in equal parts */
 } aspi_kind;
 
-/* The kind of the face that a share u of the first hits at alpha1 (0 to pi/2) is less steep than. */
-aspi_kind aspi_law_kind(double alpha1, double u, aspi_stream *stream);
+/* The kind of a face that is hit first at alpha1 (0 to pi/2). */
+aspi_kind aspi_law_kind(double alpha1, aspi_stream *stream);
 
 /* The first face at alpha1: its slopes along the flight and across it. */
 aspi_kind aspi_law_first(const aspi_law *law, double alpha1, aspi_stream *stream, double *p,
                          double *q);
 
-/* Whether a particle that a face has sent off at the slope `rise` > 0 over the mean wall leaves; `back`
- * when against the direction of the flight that brought it. */
-bool aspi_law_leaves(const aspi_law *law, const aspi_kind *kind, double rise, bool back,
-                     aspi_stream *stream);
+/* Whether a particle leaves that a face has sent off at the slope `rise` > 0 over the mean wall;
+ * `back` when against the law's direction of flight. `slope` is that of the face along this
+ * direction. */
+bool aspi_law_leaves(const aspi_law *law, const aspi_kind *kind, double slope, double rise,
+                     bool back, aspi_stream *stream);
 
 /* The next face of a particle that does not leave, but flies at the elevation theta (-pi/2 to pi/2)
  * along this line from a face on which it came in at alpha1. */

@@ -28,8 +28,8 @@ void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t st
  */
 double aspi_line_rise(const aspi_line *line, double fall);
 
-/* The least fall of a beam that this line can tell: below it the first hits would be a handful of its
- * peaks, and it stands for every smaller one. */
+/* The least fall of a beam that this line can tell: below it the first hits would be a handful of
+ * its peaks, and it stands for every smaller one. */
 double aspi_line_fall_least(const aspi_line *line);
 
 /* The first hits of a beam: what each face adds to the running maximum of g = z + x fall, the

@@ -17,6 +17,9 @@ typedef struct aspi_view {
   double d_p;    /* diameter, in the surface's unit; for models that look up the profile itself */
   const void *data; /* what a model that needs more was given when the wall was made, or NULL */
   double kappa;     /* of the particle along its flight; for models that know of geometry */
+  bool has_azimuth; /* the wall has a lay, and `azimuth` (rad) is the angle from the axis across it
+                       to the flight, counted towards the lay's other side: from n x lay */
+  double azimuth;
 } aspi_view;
 
 /* A view for laws that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
@@ -45,9 +48,10 @@ struct asp_spread_model {
   /* One delta by a loop, for laws that are one; NULL where the quantile is the draw. False when the
    * loop reached its bound (delta is then 0, the mean wall). */
   bool (*loop)(const aspi_view *view, aspi_stream *stream, double *delta);
-  /* Makes aspi_view.data out of a profile, or for a Gaussian wall of which there is none, NULL on
-   * error, and frees it; NULL where none is needed. */
+  /* Makes aspi_view.data out of a profile, out of a map, or for a Gaussian wall of which there is
+   * none, NULL on error, and frees it; NULL where none is needed. */
   void *(*prepare)(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error);
+  void *(*prepare_map)(const asp_map *map, const aspi_sizes *sizes, asp_error *error);
   void *(*generate)(const asp_surface *surface, const aspi_sizes *sizes, asp_error *error);
   void (*release)(void *data);
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;

@@ -4,9 +4,11 @@
  * quantiles are interpolated linearly, which keeps them monotone in u and above -alpha1.
  *
  * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
- * last cell in u are divided again, for the tails. Later hits are not in the table: particles that
- * fly up meet the law of `visible`. */
+ * last cell in u are divided again, for the tails. Whether a particle leaves from a face, and which
+ * one it hits next, comes from the profile's own law (law.h); on a wall by its map everything does
+ * (area.h). On a Gaussian wall particles that fly up meet the law of `visible`. */
 #include "base/error.h"
+#include "spread/area.h"
 #include "spread/ensemble.h"
 #include "spread/models.h"
 #include "spread/trace.h"
@@ -24,13 +26,18 @@ enum {
   SIZE = NODES * ANGLES /* numbers a diameter */
 };
 
+/* Later hits are tabled from as many faces at most. */
+#define LAW_FACES_MOST ((size_t)131072)
+
 /* The angles are this times k^2. */
 #define WIDTH (ASP_PI / 2 / ((ANGLES - 1.) * (ANGLES - 1.)))
 
 typedef struct table {
+  aspi_area *area; /* the laws of a map; then nothing else is in it */
   int bins;
   double d_p[ASP_BINS_MAX];
-  float delta[]; /* by size, u, angle; rad */
+  aspi_law *law[ASP_BINS_MAX][2]; /* later hits, of flights both ways */
+  float delta[];                  /* by size, u, angle; rad */
 } table;
 
 /* u at a node, or between two. */
@@ -98,13 +105,38 @@ static void fill(workspace *b, double alpha1, float *delta) {
 }
 
 static void release(void *data) {
-  free(data);
+  table *t = data;
+  aspi_area_free(t->area);
+  for (int i = 0; i < t->bins; i++) {
+    aspi_law_free(t->law[i][0]);
+    aspi_law_free(t->law[i][1]);
+  }
+  free(t);
+}
+
+/* The faces of a track as a line, seen in either way of flight; of a long one its beginning. */
+static asp_code make_law(const workspace *b, bool back, aspi_law **law, asp_error *error) {
+  size_t n = b->n < LAW_FACES_MOST ? b->n : LAW_FACES_MOST;
+  aspi_line line;
+  asp_code code = aspi_line_create(&line, n, 1, error);
+  if (code)
+    return code;
+  double z = 0;
+  for (size_t i = 0; i < n; i++) {
+    size_t face = back ? n - 1 - i : i;
+    line.slope[i] = back ? -b->slope[face] : b->slope[face];
+    line.end_x[i] = (double)(i + 1);
+    line.end_z[i] = z += line.slope[i];
+  }
+  *law = aspi_law_create(&line, NULL, error);
+  aspi_line_free(&line);
+  return *law ? ASP_OK : ASP_ENOMEM;
 }
 
 static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error) {
   if (aspi_sizes_check(sizes, error))
     return NULL;
-  table *t = malloc(sizeof *t + (size_t)sizes->bins * SIZE * sizeof *t->delta);
+  table *t = calloc(1, sizeof *t + (size_t)sizes->bins * SIZE * sizeof *t->delta);
   if (!t) {
     aspi_fail(error, ASP_ENOMEM, "out of memory for a table of %d sizes", sizes->bins);
     return NULL;
@@ -113,15 +145,35 @@ static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_er
   for (int i = 0; i < t->bins; i++) {
     workspace b;
     t->d_p[i] = aspi_sizes_at(sizes, i);
-    if (workspace_create(&b, profile, t->d_p[i], error)) {
-      free(t);
+    asp_code code = workspace_create(&b, profile, t->d_p[i], error);
+    if (code) {
+      release(t);
       return NULL;
     }
     for (int k = 0; k < ANGLES; k++)
       fill(&b, WIDTH * k * k, t->delta + i * SIZE + k);
+    code = make_law(&b, false, &t->law[i][0], error);
+    if (!code)
+      code = make_law(&b, true, &t->law[i][1], error);
     workspace_free(&b);
+    if (code) {
+      release(t);
+      return NULL;
+    }
   }
   return t;
+}
+
+static void *prepare_map(const asp_map *map, const aspi_sizes *sizes, asp_error *error) {
+  table *t = calloc(1, sizeof *t);
+  if (t)
+    t->area = aspi_area_create(map, sizes, error);
+  else
+    aspi_fail(error, ASP_ENOMEM, "out of memory for the laws of a map");
+  if (t && t->area)
+    return t;
+  free(t);
+  return NULL;
 }
 
 /* A place along one of the table's three ways: the node before it, and the share of the step to the
@@ -235,6 +287,33 @@ static double density(const aspi_view *view, double delta) {
   return (u_at(node + 1) - u_at(node)) / (node_at(&c, node + 1) - node_at(&c, node));
 }
 
+/* Hit after hit over a profile; the first from the table, the others from the law. */
+static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
+  const table *t = view->data;
+  if (t->area)
+    return aspi_area_follow(t->area, view, stream, path, delta);
+  if (!path->begun) {
+    path->begun = true;
+    path->size =
+        aspi_sizes_nearest(&(aspi_sizes){t->d_p[0], t->d_p[t->bins - 1], t->bins}, view->d_p);
+    path->came = view->alpha1;
+    path->kind = aspi_law_kind(view->alpha1, stream);
+    *delta = quantile(view, aspi_stream_uniform(stream));
+    path->p = tan(*delta);
+    return true;
+  }
+  bool turned = path->back != path->came_back;
+  if (view->alpha1 < 0 && aspi_law_leaves(t->law[path->size][path->came_back], &path->kind, path->p,
+                                          tan(-view->alpha1), turned, stream))
+    return false;
+  path->kind = aspi_law_next(t->law[path->size][path->back], path->came, -view->alpha1, stream,
+                             &path->p, &path->q);
+  path->came_back = path->back;
+  path->came = fmax(path->came, view->alpha1);
+  *delta = atan(path->p);
+  return true;
+}
+
 const asp_spread_model aspi_spread_profile = {
     .name = "profile",
     .summary = "first-hit law of the geometry, from a table: of the profile, or of Gaussian walls",
@@ -246,5 +325,7 @@ const asp_spread_model aspi_spread_profile = {
     .distribution = distribution,
     .quantile = quantile,
     .prepare = prepare,
+    .prepare_map = prepare_map,
     .release = release,
+    .follow = follow,
 };

@@ -3,7 +3,7 @@
 #ifndef ASP_SPREAD_TRACE_H
 #define ASP_SPREAD_TRACE_H
 
-#include "asperity.h"
+#include "spread/law.h"
 
 enum { ASP_BINS_MAX = 256 };
 
@@ -27,10 +27,19 @@ asp_code aspi_sizes_check(const aspi_sizes *sizes, asp_error *error);
 typedef struct aspi_path {
   bool begun;
   bool back;   /* flies towards smaller x of the profile */
+  double turn; /* from the flight before to this one, from t towards b */
   double x, z; /* place along the profile and height, in points */
   size_t face; /* that it last hit */
   int hits;    /* so far */
   int profile; /* of those that the model has, from 0 */
+  /* Of a model that knows kinds of faces instead of places: the face that it is on, its slopes
+   * along the flight that came to it and across it, and that flight: whether it was `back`, its
+   * azimuth, and its impact angle or, where it flew up, the steepest of those before. */
+  aspi_kind kind;
+  double p, q;
+  int size;
+  bool came_back;
+  double azimuth, came;
 } aspi_path;
 
 /* The path of the centre of a disc over a profile (aspi_profile_dilate), as straight faces between

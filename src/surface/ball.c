@@ -196,8 +196,8 @@ static void offer(search *s, ptrdiff_t i, ptrdiff_t j) {
   s->at[1] = j;
 }
 
-/* The point that a sphere over (x, y), in points, rests on. `from`, relative to the point nearest to
- * it, is where to begin. */
+/* The point that a sphere over (x, y), in points, rests on. `from`, relative to the point nearest
+ * to it, is where to begin. */
 static search find(const aspi_ball *ball, double x, double y, const ptrdiff_t from[2]) {
   const asp_map *map = ball->map;
   search s = {ball, x, y, -INFINITY, {0}, {0}};
@@ -262,7 +262,8 @@ static patch patch_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
   return f;
 }
 
-/* The map between four points: the parabolas around them, by how near they are, which has no steps. */
+/* The map between four points: the parabolas around them, by how near they are, which has no steps.
+ */
 typedef struct surface {
   double z, gx, gy;
 } surface;
@@ -286,9 +287,9 @@ static surface blend(const asp_map *map, double x, double y) {
   return sum;
 }
 
-/* The contact near the point that was found: Newton's method on the parabola around that point, then
- * with the gradient of the blended surface and the parabola's derivatives. (x, y): from the point to the
- * centre. False where it does not end nearby. */
+/* The contact near the point that was found: Newton's method on the parabola around that point,
+ * then with the gradient of the blended surface and the parabola's derivatives. (x, y): from the
+ * point to the centre. False where it does not end nearby. */
 static bool refine(const search *s, double x, double y, aspi_touch *touch) {
   const asp_map *map = s->ball->map;
   const patch f = patch_at(map, s->at[0], s->at[1]);

@@ -25,8 +25,8 @@ void aspi_ball_free(aspi_ball *ball);
 void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *height, float *p,
                     float *q);
 
-/* Centres anywhere over the map, each best near the one before; by lengths from the first point, within
- * a periodic map's first period. */
+/* Centres anywhere over the map, each best near the one before; by lengths from the first point,
+ * within a periodic map's first period. */
 typedef struct aspi_ball_search {
   const aspi_ball *ball;
   ptrdiff_t from[2]; /* from the last centre to what it rested on */

@@ -122,7 +122,7 @@ static void numbers_agree_with_the_independent_reference(void **state) {
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     const known *c = &cases[k];
     double alpha1 = c->alpha1 * DEGREE;
-    judge_case subject = {{5, 40, 200, c->axis * DEGREE}, c->d_p, SURFACES, POINTS};
+    judge_case subject = {{5, 40, 200, c->axis * DEGREE}, c->d_p, SURFACES, POINTS, NULL};
     judge_all all = judge_create(&subject, &(cli_list){&alpha1, 1}, RAYS, 100);
     judge_value mean = judge_mean(&all, 0, offsetof(judge_angles, rebound_sum));
     judge_value side = judge_mean(&all, 0, offsetof(judge_angles, lateral_sum));
@@ -144,7 +144,8 @@ static void divergences_have_no_bias(void **state) {
   (void)state;
   double alpha1 = 10 * DEGREE;
   cli_list angles = {&alpha1, 1};
-  judge_case subject = {{5, 40, 40, 0}, 10, 6, 512}, other = {{5, 40, 40, 0}, 10, 16, 512};
+  judge_case subject = {{5, 40, 40, 0}, 10, 6, 512, NULL},
+             other = {{5, 40, 40, 0}, 10, 16, 512, NULL};
   judge_all all = judge_create(&subject, &angles, 20000, 1);
   judge_all many = judge_create(&other, &angles, 20000, 1000);
   judge_angles model = many.angles[0];

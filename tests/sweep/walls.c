@@ -1,0 +1,237 @@
+/* Walls whose heights are not Gaussian (a plateau with valleys, deposits, dents), measured as maps
+ * and as profiles: the laws that are tabled from one map against independent ones, in three
+ * dimensions; and those of a profile against independent profiles, followed hit by hit. `walls` is
+ * the test; `walls 4096 8` judges with maps of 4096 x 4096 points, 200 correlation lengths squared,
+ * 8 of them, and `walls 4096 8 55` with particles of 55 um instead of 10.
+ *
+ * Prints a row per wall and impact angle, and fails where a divergence is above its bound. */
+#include "cli/judge_3d.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEGREE (ASP_PI / 180)
+#define R_Q 5.0 /* um */
+
+enum { GAUSS, PLATEAU, DEPOSITS, DENTED, WALLS };
+static const char *const names[WALLS] = {"gauss", "plateau", "deposits", "dented"};
+static const double lambda_c[WALLS] = {39, 46, 46, 50}; /* of the Gaussian map at the beginning */
+
+/* Caps over the wall (sign 1) or craters in it (-1) with rims, of radius `least` to `most`, `apart`
+ * from each other on the average. */
+typedef struct caps {
+  double apart, least, most, sign, rim;
+} caps;
+
+static double uniform(uint32_t *state) {
+  *state = *state * 1664525u + 1013904223u;
+  return (*state >> 8) / 16777216.;
+}
+
+static void add_cap(asp_map *m, double x, double y, double r, const caps *c) {
+  long columns = (long)m->columns, rows = (long)m->rows;
+  for (long j = (long)floor((y - 1.6 * r) / m->step[1]); j <= (y + 1.6 * r) / m->step[1]; j++)
+    for (long i = (long)floor((x - 1.6 * r) / m->step[0]); i <= (x + 1.6 * r) / m->step[0]; i++) {
+      double d = hypot((double)i * m->step[0] - x, (double)j * m->step[1] - y) / r;
+      double body = d < 1 ? pow(1 - d * d, 1.5) : 0, edge = exp(-20 * (d - 1.15) * (d - 1.15));
+      m->heights[(j + rows) % rows * columns + (i + columns) % columns] +=
+          (float)(0.35 * r * (c->sign * body + c->rim * edge));
+    }
+}
+
+static void add_caps(asp_map *m, const caps *c, uint32_t seed) {
+  double width = (double)m->columns * m->step[0], height = (double)m->rows * m->step[1];
+  uint32_t state = seed * 77777u + 5;
+  for (int k = 0; k < width * height / (c->apart * c->apart); k++) {
+    double x = uniform(&state) * width, y = uniform(&state) * height;
+    add_cap(m, x, y, c->least + (c->most - c->least) * uniform(&state), c);
+  }
+}
+
+static int kind;
+static double skewness;
+
+/* Heights of a plateau with valleys, of a Gaussian wall's. */
+static double plateau(double height) {
+  return -log1p(exp(0.6 - 1.4 * height / 5));
+}
+
+static asp_map *make_wall(const judge_case *subject, const double step[2], size_t points,
+                          uint32_t seed) {
+  (void)subject;
+  asp_error error;
+  aspi_gauss gauss = {kind == GAUSS || kind == PLATEAU ? 5 : 3, lambda_c[kind], lambda_c[kind], 0};
+  asp_map *m = aspi_map_create(&gauss, step, points, points, seed, &error);
+  if (!m)
+    cli_fail("%s", error.text);
+  size_t n = points * points;
+  if (kind == PLATEAU)
+    for (size_t i = 0; i < n; i++)
+      m->heights[i] = (float)plateau(m->heights[i]);
+  if (kind == DEPOSITS)
+    add_caps(m, &(caps){62, 10, 26, 1, 0}, seed);
+  if (kind == DENTED)
+    add_caps(m, &(caps){55, 12, 26, -1, 0.5}, seed);
+  double mean = 0, square = 0, cube = 0;
+  for (size_t i = 0; i < n; i++)
+    mean += m->heights[i] / (double)n;
+  for (size_t i = 0; i < n; i++) {
+    double z = m->heights[i] - mean;
+    square += z * z / (double)n;
+    cube += z * z * z / (double)n;
+  }
+  skewness = cube / pow(square, 1.5);
+  for (size_t i = 0; i < n; i++)
+    m->heights[i] = (float)((m->heights[i] - mean) * R_Q / sqrt(square));
+  return m;
+}
+
+static asp_wall *wall_of(const asp_surface *surface, const char *model, double d_p) {
+  asp_wall *wall = asp_wall_create(NULL);
+  asp_wall_choose(wall, "rebound", "constant", NULL);
+  asp_wall_choose(wall, "spread", model, NULL);
+  asp_wall_choose(wall, "collisions", "multiple", NULL);
+  asp_wall_set(wall, "deposit", 0, NULL);
+  asp_wall_set(wall, "d_p_least", d_p, NULL);
+  asp_wall_set(wall, "d_p_most", d_p, NULL);
+  asp_wall_set_surface(wall, surface);
+  return wall;
+}
+
+static void prepare(asp_wall *wall) {
+  asp_error error;
+  if (asp_wall_prepare(wall, &error))
+    cli_fail("%s", error.text);
+}
+
+static judge_angles fly(const asp_wall *wall, double d_p, double alpha1, size_t n) {
+  judge_angles all = {0};
+  const double v1[3] = {cos(alpha1), 0, -sin(alpha1)}, up[3] = {0, 0, 1};
+  for (size_t i = 0; i < n; i++) {
+    asp_particle particle = {.d_p = d_p, .density = 1};
+    asp_impact impact;
+    asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, i, 1}, &impact);
+    judge_add(&all, impact.v2, impact.delta_alpha, impact.hits);
+  }
+  return all;
+}
+
+static int failures;
+
+/* A row; of the later hits, how far their share is off. */
+static void tell(const char *what, double alpha1, const judge_all *all, size_t i,
+                 const judge_angles *m, bool lateral) {
+  judge_value first = judge_divergence(all, i, m, offsetof(judge_angles, tilt));
+  judge_value rebound = judge_divergence(all, i, m, offsetof(judge_angles, rebound));
+  judge_value side = judge_divergence(all, i, m, offsetof(judge_angles, lateral));
+  judge_value mean = judge_mean(all, i, offsetof(judge_angles, rebound_sum));
+  judge_value later = judge_mean(all, i, offsetof(judge_angles, later));
+  printf("%s,%s,%.2f,%g,%.5f,%.5f,%.5f,%.5f,%.3f,%.3f,%.3f,%.5f,%.5f\n", names[kind], what,
+         skewness, alpha1 / DEGREE, first.value, rebound.value, rebound.se,
+         lateral ? side.value : 0, mean.value, mean.se, m->rebound_sum / m->n, later.value,
+         m->later / m->n);
+  fflush(stdout);
+  bool good =
+      rebound.value - 2 * rebound.se < 0.01 && (!lateral || side.value - 2 * side.se < 0.01);
+  if (!lateral)
+    good = good && fabs(m->later / m->n / later.value - 1) < 0.2 + 3 * later.se / later.value;
+  failures += !good;
+}
+
+enum { RAYS = 100000, FLOWN = 400000 };
+
+static double angles[] = {2 * DEGREE, 5 * DEGREE, 20 * DEGREE};
+static const cli_list list = {angles, 3};
+
+static void judge_map(size_t points, size_t surfaces, double d_p) {
+  asp_error error;
+  judge_case subject = {{R_Q, 39, 39, 0}, d_p, surfaces, points, make_wall};
+  judge_all all = judge_create(&subject, &list, RAYS, 500);
+  const double step[2] = {39 / 20., 39 / 20.};
+  asp_map *periodic = make_wall(&subject, step, points, 7);
+  asp_map *map = asp_map_from_heights(asp_map_heights(periodic), points, points, step[0], step[1],
+                                      false, &error);
+  asp_surface *surface = asp_surface_create(R_Q, 39, &error);
+  asp_wall *wall = wall_of(surface, "profile", d_p);
+  asp_wall_set_map(wall, map);
+  double begun = cli_seconds();
+  prepare(wall);
+  fprintf(stderr, "%s: %.1f s for the laws of the map\n", names[kind], cli_seconds() - begun);
+  for (size_t i = 0; i < 3; i++) {
+    judge_angles m = fly(wall, d_p, angles[i], FLOWN);
+    tell("map", angles[i], &all, i, &m, true);
+  }
+  asp_wall_free(wall);
+  asp_surface_free(surface);
+  asp_map_free(map);
+  asp_map_free(periodic);
+  judge_free(&all);
+}
+
+/* A long profile of a wall whose heights come from Gaussian ones point by point. */
+static asp_profile *profile_of(size_t points, uint32_t seed) {
+  double spacing = 39 / 20., square = 0, mean = 0;
+  size_t n = 80 * points;
+  asp_profile *gauss = asp_profile_create(5, lambda_c[kind], spacing, n, seed, NULL);
+  double *z = malloc(n * sizeof *z);
+  for (size_t i = 0; i < n; i++) {
+    z[i] = kind == PLATEAU ? plateau(asp_profile_heights(gauss)[i]) : asp_profile_heights(gauss)[i];
+    mean += z[i] / (double)n;
+  }
+  for (size_t i = 0; i < n; i++)
+    square += (z[i] - mean) * (z[i] - mean) / (double)n;
+  for (size_t i = 0; i < n; i++)
+    z[i] = (z[i] - mean) * R_Q / sqrt(square);
+  asp_profile *profile = asp_profile_from_heights(z, n, spacing, false, NULL);
+  free(z);
+  asp_profile_free(gauss);
+  return profile;
+}
+
+/* The profile's laws against `traced` on independent profiles, each a realisation of its own. */
+static void judge_profile(size_t points, size_t surfaces, double d_p) {
+  judge_all all = {surfaces, 3, calloc(3 * surfaces, sizeof(judge_angles))};
+  asp_profile *own = profile_of(points, 7);
+  asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
+  asp_wall *wall = wall_of(surface, "profile", d_p);
+  asp_wall_set_profile(wall, own);
+  prepare(wall);
+  for (size_t k = 0; k < surfaces; k++) {
+    asp_profile *other = profile_of(points, 500 + (uint32_t)k);
+    asp_wall *traced = wall_of(surface, "traced", d_p);
+    asp_wall_set_profile(traced, other);
+    prepare(traced);
+    for (size_t i = 0; i < 3; i++)
+      all.angles[3 * k + i] = fly(traced, d_p, angles[i], RAYS);
+    asp_wall_free(traced);
+    asp_profile_free(other);
+  }
+  for (size_t i = 0; i < 3; i++) {
+    judge_angles m = fly(wall, d_p, angles[i], FLOWN);
+    tell("profile", angles[i], &all, i, &m, false);
+  }
+  asp_wall_free(wall);
+  asp_surface_free(surface);
+  asp_profile_free(own);
+  judge_free(&all);
+}
+
+int main(int argc, char **argv) {
+  size_t points = argc > 1 ? strtoul(argv[1], NULL, 10) : 1024;
+  size_t surfaces = argc > 2 ? strtoul(argv[2], NULL, 10) : 3;
+  double d_p = argc > 3 ? strtod(argv[3], NULL) : 10;
+  puts("wall,law,skewness,alpha1_deg,kl_first_hit,kl_rebound,kl_rebound_se,kl_lateral,"
+       "mean_reference_deg,mean_reference_se_deg,mean_deg,later_reference,later");
+  for (kind = 0; kind < WALLS; kind++) {
+    if (argc == 1 && kind != PLATEAU)
+      continue;
+    judge_map(points, surfaces, d_p);
+    if (kind == GAUSS || kind == PLATEAU)
+      judge_profile(points, surfaces, d_p);
+  }
+  if (failures)
+    printf("%d rows are beyond their bounds\n", failures);
+  return failures > 0;
+}
