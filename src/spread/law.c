@@ -352,6 +352,7 @@ void aspi_law_free(aspi_law *law) {
 
 /* One of the two nodes that an impact angle is between, the nearer one more often. */
 static int node_of(double alpha1, aspi_stream *stream) {
+  alpha1 = fmax(alpha1, 0); /* of one that hardly approaches */
   int k = (int)fmin(sqrt(alpha1 / ANGLE_STEP), ANGLES - 2);
   double share = (alpha1 - ANGLE_STEP * k * k) / (ANGLE_STEP * (2 * k + 1));
   return aspi_stream_uniform(stream) < share ? k + 1 : k;
@@ -386,6 +387,7 @@ static double side(const float *nodes, bool has_q, aspi_stream *stream) {
 aspi_kind aspi_law_first(const aspi_law *law, double alpha1, aspi_stream *stream, double *p,
                          double *q) {
   double u = aspi_stream_uniform(stream);
+  alpha1 = fmax(alpha1, 0);
   int k = (int)fmin(sqrt(alpha1 / ANGLE_STEP), ANGLES - 2);
   double share = (alpha1 - ANGLE_STEP * k * k) / (ANGLE_STEP * (2 * k + 1));
   aspi_kind kind = aspi_law_kind(alpha1, stream);
