@@ -116,6 +116,10 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
           "lag) %.6g um, phi_r %.4g, rms slope %.4g\n",
           d->length * 1e6, d->spacing * 1e6, d->points, d->r_q * 1e6, d->r_a * 1e6, level,
           d->lambda_c * 1e6, d->phi_r, d->slope_rms);
+  fprintf(out,
+          "# %.4g lambda_c long: one such profile leaves the mean tilt at 2 deg uncertain by about "
+          "%.2g %% of sigma\n",
+          d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
   if (d->length < LENGTH_LEAST * d->lambda_c) {
     fprintf(out,
             "# only %.3g lambda_c long: R_q, lambda_c and slopes carry a large sampling error\n",

@@ -35,6 +35,7 @@ struct asp_surface {
   double curvature;    /* kappa per diameter */
   double d_p_most;
   bool closed_form;
+  double uncertainty; /* of one by its profile */
   int bins;
   /* The correction: monotone cubic pieces between nodes at equal steps of log2(d_p), level at both
    * ends. */
@@ -191,6 +192,7 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
   surface->slope = d.slope_rms;
   surface->curvature = sqrt(3) * d.phi_r / d.lambda_c;
   surface->bins = bins;
+  surface->uncertainty = ASP_LENGTH_ERROR(d.length / d.lambda_c);
   if (set_by_profile(surface, profile, d_min, d_max, error)) {
     free(surface);
     return NULL;
@@ -215,6 +217,10 @@ double asp_surface_bin_d_p(const asp_surface *surface, int bin) {
 
 double asp_surface_bin_slope(const asp_surface *surface, int bin) {
   return surface->value[bin];
+}
+
+double asp_surface_uncertainty(const asp_surface *surface) {
+  return surface->uncertainty;
 }
 
 double aspi_surface_d_p_most(const asp_surface *surface) {

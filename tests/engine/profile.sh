@@ -29,6 +29,7 @@ same si.csv two.csv "1 and 2 ranks"
 
 # The log: file, numbers, and sigma of each bin as the command has it.
 grep -q 'profile wall.csv (20000 points read' si.in.screen || die "the log does not state the profile"
+grep -q 'uncertain by about' si.in.screen || die "the log does not say how uncertain one profile is"
 grep -E '^  bin [0-9]+: d_p' si.in.screen | tr -d , | awk '{ print $4, $6 }' > bins
 [ "$(wc -l < bins)" = 7 ] || die "not 7 bins in the log"
 while read -r d_p sigma; do
