@@ -105,7 +105,8 @@ const char *asp_reader_text(const asp_reader *reader);
 
 /* ---- map ------------------------------------------------------------------------------------- */
 /* Heights of a wall over an area, row after row, at equal spacing along x, in a row, and along y,
- * from row to row; in single precision, from their mean. Lengths are in any one unit. */
+ * from row to row; in single precision, and those of a file from their mean. Lengths are in any one
+ * unit. */
 typedef struct asp_map asp_map;
 
 /* A map of given heights, which are copied: 4 to 65536 columns and rows, all finite. */
@@ -153,12 +154,21 @@ asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_a
  * spacing <= d_min <= d_max <= length; bins 1 to 10000. */
 asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
                                         int bins, asp_error *error);
+
+/* The Gaussian wall with the numbers of a map: s_q, lambda_1, and with `lay` lambda_2 along it;
+ * without, it is met across its lay everywhere. */
+asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *error);
 void asp_surface_free(asp_surface *surface);
 
 /* The bins of a wall made from a profile; none for other walls. 0 <= bin < asp_surface_bins(). */
 int asp_surface_bins(const asp_surface *surface);
 double asp_surface_bin_d_p(const asp_surface *surface, int bin);
 double asp_surface_bin_slope(const asp_surface *surface, int bin);
+
+/* Of a wall by its profile, 0 for others: the standard error that one profile of that length leaves
+ * in the mean tilt at an impact angle of 2 degrees, as a part of sigma: about 1.1 over the root of
+ * the length in correlation lengths. */
+double asp_surface_uncertainty(const asp_surface *surface);
 
 /* ASP_ERANGE and a message when d_p is beyond what the size law has been checked for: for setup to
  * call before the contacts begin. */

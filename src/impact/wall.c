@@ -192,7 +192,7 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   bool from_map = choice->map && model->prepare_map;
   bool from_profile = !from_map && choice->profile && model->prepare;
   if (!choice->surface ||
-      !(from_map || from_profile || (!choice->profile && !choice->map && model->generate)))
+      !(from_map || from_profile || (!choice->profile && model->generate)))
     return ASP_OK;
   aspi_sizes sizes = {choice->numbers[ASP_WALL_D_P_LEAST], choice->numbers[ASP_WALL_D_P_MOST],
                       (int)choice->numbers[ASP_WALL_D_P_BINS]};

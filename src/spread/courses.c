@@ -44,10 +44,12 @@ typedef struct course {
 } course;
 
 static void measure(const asp_map *map, course *c) {
-  double height = 0, slope = 0, n = (double)map->columns * (double)map->rows;
+  double mean = 0, height = 0, slope = 0, n = (double)map->columns * (double)map->rows;
+  for (size_t i = 0; i < map->columns * map->rows; i++)
+    mean += map->heights[i] / n;
   for (size_t i = 0; i + 1 < map->columns * map->rows; i++) {
     double z = map->heights[i], rise = (map->heights[i + 1] - z) / map->step[0];
-    height += z * z / n;
+    height += (z - mean) * (z - mean) / n;
     slope += rise * rise / n;
   }
   c->height = sqrt(height);

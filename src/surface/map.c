@@ -28,11 +28,6 @@ asp_map *aspi_map_adopt(float *heights, size_t columns, size_t rows, const doubl
     aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu x %zu points", columns, rows);
     return NULL;
   }
-  double mean = 0, n = (double)columns * (double)rows;
-  for (size_t i = 0; i < columns * rows; i++)
-    mean += heights[i] / n;
-  for (size_t i = 0; i < columns * rows; i++)
-    heights[i] = (float)(heights[i] - mean);
   *map = (asp_map){columns, rows, {step[0], step[1]}, periodic, heights};
   return map;
 }

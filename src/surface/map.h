@@ -12,7 +12,7 @@ struct asp_map {
   size_t columns, rows;
   double step[2]; /* between columns, between rows */
   bool periodic;
-  float *heights; /* from their mean */
+  float *heights;
 };
 
 enum { ASP_MAP_SIDE_LEAST = 4, ASP_MAP_SIDE_MOST = 65536 };

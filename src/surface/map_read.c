@@ -224,7 +224,10 @@ asp_map *aspi_map_read_stream(FILE *stream, const char *path, const aspi_map_opt
     return NULL;
   }
   double metre = options->read->metre, step[2] = {raw.step[0] * metre, raw.step[1] * metre};
+  double mean = 0;
   for (size_t i = 0; i < raw.points; i++)
-    raw.heights[i] = (float)(raw.heights[i] * metre);
+    mean += raw.heights[i] / (double)raw.points;
+  for (size_t i = 0; i < raw.points; i++)
+    raw.heights[i] = (float)((raw.heights[i] - mean) * metre);
   return aspi_map_adopt(raw.heights, raw.columns, raw.rows, step, false, error);
 }

@@ -65,8 +65,9 @@ asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options,
 asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                        asp_error *error);
 
-/* The header of a file in SDF as text; NAN where it says nothing. Then its heights in turn, as many as
- * points x profiles, before z_scale; NAN where one is marked as bad; and what must follow them. */
+/* The header of a file in SDF as text; NAN where it says nothing. Then its heights in turn, as many
+ * as points x profiles, before z_scale; NAN where one is marked as bad; and what must follow them.
+ */
 typedef struct aspi_sdf {
   double points, profiles, x_scale, y_scale, z_scale, compression;
 } aspi_sdf;

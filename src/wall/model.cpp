@@ -18,6 +18,12 @@ namespace {
 
 const double DEGREES = 180 / ASP_PI;
 
+/* Diameters that the law of a map is made for, where the script says none. */
+const int MAP_BINS = 6;
+
+/* A map whose lengths differ by more than this has a lay, and must be told which way it lies. */
+const double STRETCH_MOST = 1.5;
+
 /* A yield stress that is a larger share of the modulus is beyond all solids: then the modulus is
  * probably one that was made soft for a longer step. */
 const double YIELD_MOST = 0.1;
@@ -35,7 +41,7 @@ std::string for_types(int n, const char *first, const char *other) {
 Model::Model(const Engine &engine)
     : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), lambda_along_(0), dp_bins_(16),
       tolerance_(0), d_range_(), tilt_("plane"), collisions_("single"), deposit_(FREEZE), seed_(1),
-      profile_(NULL, asp_profile_free), table_(NULL, asp_cor_table_free),
+      profile_(NULL, asp_profile_free), map_(NULL, asp_map_free), table_(NULL, asp_cor_table_free),
       own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
       wall_(asp_wall_create(NULL), asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION),
       is_new_(true) {
@@ -74,6 +80,15 @@ void Model::parse_surface(Words &words) {
   lay_ = Lay();
   if (smooth_)
     return;
+  map_path_.clear();
+  if (words.take("map")) {
+    map_path_ = words.file("the file of 'surface map'");
+    dp_bins_ = MAP_BINS;
+    parse_bins(words);
+    if (words.take("lay"))
+      lay_ = Lay::read(words);
+    return;
+  }
   if (words.take("profile")) {
     profile_path_ = words.file("the file of 'surface profile'");
     parse_bins(words);
@@ -81,7 +96,8 @@ void Model::parse_surface(Words &words) {
   }
   if (!words.take("rq"))
     throw Error("surface is '" + words.word("the value of 'surface'") +
-                "'; it must be 'smooth', 'rq R lambda_c L [L_along lay ...]' or 'profile FILE'");
+                "'; it must be 'smooth', 'rq R lambda_c L [L_along lay ...]', 'profile FILE' or "
+                "'map FILE'");
   profile_path_.clear();
   r_q_ = words.number("rq");
   if (!words.take("lambda_c"))
@@ -250,14 +266,16 @@ void Model::parse_materials(Words &words, const std::string &keywords) {
 void Model::finish() {
   check_memory();
   if (spread_.empty())
-    spread_ = smooth_ ? "none" : "weibull";
+    spread_ = smooth_ ? "none" : map_path_.empty() ? "weibull" : "profile";
   if (smooth_ && spread_ == "auto")
     spread_ = "none";
   if (spread_ != "auto")
     asp_wall_choose(wall_.get(), "spread", spread_.c_str(), NULL);
   asp_wall_choose(wall_.get(), "tilt", tilt_.c_str(), NULL);
   asp_wall_set(wall_.get(), "deposit", deposit_ != OFF, NULL);
-  if (!profile_path_.empty() && !smooth_)
+  if (!map_path_.empty() && !smooth_)
+    read_map_file();
+  else if (!profile_path_.empty() && !smooth_)
     profile_ = read_profile(engine_.world(), profile_path_,
                             units_of(engine_.units(), "a profile is", engine_.known_units()).metre,
                             profile_report_);
@@ -272,8 +290,8 @@ void Model::finish() {
 
 /* Whether the wall depends on the range of diameters, and so cannot be made before a run. */
 bool Model::needs_sizes() const {
-  return !smooth_ &&
-         (profile_ || spread_ == "auto" || asp_spread_needs_profile(asp_wall_spread(wall_.get())));
+  return !smooth_ && (profile_ || (map_ && spread_ == "profile") || spread_ == "auto" ||
+                      asp_spread_needs_profile(asp_wall_spread(wall_.get())));
 }
 
 void Model::set_sizes(const double range[2]) {
@@ -310,18 +328,45 @@ void Model::fit_sizes() {
   make_wall();
 }
 
+/* The map for all ranks, and its numbers as those of the wall. */
+void Model::read_map_file() {
+  asp_error wrong;
+  std::string report;
+  map_ = read_map(engine_.world(), map_path_,
+                  units_of(engine_.units(), "a map is", engine_.known_units()).metre, report);
+  r_q_ = asp_map_get(map_.get(), "s_q", &wrong);
+  lambda_c_ = asp_map_get(map_.get(), "lambda_1", &wrong);
+  const double along = asp_map_get(map_.get(), "lambda_2", &wrong);
+  if (!(r_q_ > 0 && lambda_c_ > 0 && along > 0))
+    throw Error("surface map " + map_path_ + ": " + wrong.text);
+  if (lay_.kind == Lay::NONE && along > STRETCH_MOST * lambda_c_)
+    throw Error(text("surface map %s: the wall has a lay, lambda_c %.4g across and %.4g along it; "
+                     "say which way it lies: 'lay X Y Z', axial, circumferential, or an angle",
+                     map_path_.c_str(), lambda_c_, along));
+  lambda_along_ = lay_.kind == Lay::NONE ? 0 : along;
+  map_text_ =
+      text("map %s (%s), S_sk %.3g, S_ku %.3g, ", map_path_.c_str(), report.c_str(),
+           asp_map_get(map_.get(), "s_sk", &wrong), asp_map_get(map_.get(), "s_ku", &wrong));
+  make_surface();
+}
+
 void Model::make_surface() {
   asp_error wrong;
   is_made_ = false;
   if (profile_)
     surface_.reset(
         asp_surface_create_profile(profile_.get(), d_range_[0], d_range_[1], dp_bins_, &wrong));
+  else if (map_)
+    surface_.reset(asp_surface_create_map(map_.get(), lambda_along_ > 0, &wrong));
   else
     surface_.reset(lambda_along_ > 0
                        ? asp_surface_create_lay(r_q_, lambda_c_, lambda_along_, &wrong)
                        : asp_surface_create(r_q_, lambda_c_, &wrong));
   if (!surface_)
-    throw Error("surface " + (profile_ ? "profile " + profile_path_ + ": " : std::string()) +
+    throw Error("surface " +
+                (profile_ ? "profile " + profile_path_ + ": "
+                 : map_   ? "map " + map_path_ + ": "
+                          : std::string()) +
                 wrong.text);
 }
 
@@ -344,6 +389,7 @@ void Model::make_wall() {
     throw Error(wrong.text);
   asp_wall_set_surface(wall, surface_.get());
   asp_wall_set_profile(wall, profile_.get());
+  asp_wall_set_map(wall, map_.get());
   if (asp_wall_prepare(wall, &wrong))
     throw Error(wrong.text);
   is_made_ = true;
@@ -539,7 +585,9 @@ const char *Model::deposit_name() const {
 }
 
 std::string Model::surface_text() const {
-  return smooth_ ? "smooth"
+  const std::string lay = lay_.kind == Lay::NONE ? "" : " lay " + lay_.text;
+  return smooth_              ? "smooth"
+         : !map_path_.empty() ? "map " + map_path_ + lay
          : profile_
              ? "profile " + profile_path_
              : text("rq %g lambda_c %g", r_q_, lambda_c_) +
@@ -557,7 +605,8 @@ std::string Model::describe_surface() const {
   if (smooth_ || strcmp(asp_spread_name(asp_wall_spread(wall_.get())), "none") == 0)
     return "smooth wall";
   const asp_surface *s = surface_.get();
-  std::string line = profile_ ? "profile " + profile_path_ + " (" + profile_report_ + "), " : "";
+  std::string line =
+      profile_ ? "profile " + profile_path_ + " (" + profile_report_ + "), " : map_text_;
   line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
                asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
                atan(asp_surface_slope_rms(s)) * DEGREES);
@@ -567,6 +616,11 @@ std::string Model::describe_surface() const {
                tilt_.c_str(), collisions_.c_str());
   if (!choice_.empty())
     line += "\n  " + choice_;
+  if (asp_surface_uncertainty(s) > 0)
+    line += text("\n  one profile of this length leaves the mean tilt at 2 deg uncertain by about "
+                 "%.2g %% of "
+                 "sigma",
+                 100 * asp_surface_uncertainty(s));
   for (int i = 0; i < asp_surface_bins(s); i++)
     line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
                  atan(asp_surface_bin_slope(s, i)) * DEGREES);
@@ -590,7 +644,9 @@ Settings Model::settings() const {
   const std::string bins = dp_bins_ == 16 ? "" : text(" dp_bins %d", dp_bins_);
   const std::string lay_setting =
       lay_.kind == Lay::NONE ? "" : " " + setting(lambda_along_) + " lay " + lay_.text;
+  const std::string map_lay = lay_.kind == Lay::NONE ? "" : " lay " + lay_.text;
   const std::string surface = smooth_                 ? "smooth"
+                              : !map_path_.empty()    ? "map " + map_path_ + map_lay + bins
                               : profile_path_.empty() ? "rq " + setting(r_q_) + " lambda_c " +
                                                             setting(lambda_c_) + lay_setting + bins
                                                       : "profile " + profile_path_ + bins;

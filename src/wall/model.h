@@ -93,6 +93,7 @@ private:
   void read_table(const std::string &path);
   bool needs_sizes() const;
   void fit_sizes();
+  void read_map_file();
   void make_surface();
   void make_wall();
   void find_materials(const std::vector<int> &wall_types);
@@ -114,6 +115,7 @@ private:
   double r_q_, lambda_c_, lambda_along_; /* along the lay; 0 where there is none */
   Lay lay_;
   std::string profile_path_, profile_report_; /* empty: no profile */
+  std::string map_path_, map_text_;           /* empty: no map; what it is */
   int dp_bins_;
   std::string spread_; /* as the script has it: a model, or auto */
   double tolerance_;   /* of auto */
@@ -124,6 +126,7 @@ private:
   Deposit deposit_;
   uint32_t seed_;
   Profile profile_;
+  Map map_;
   std::unique_ptr<asp_cor_table, void (*)(asp_cor_table *)> table_;
   std::unique_ptr<asp_materials, void (*)(asp_materials *)> own_materials_;
   std::vector<const asp_material *>

@@ -1,4 +1,4 @@
-/* A measured profile for all ranks; see profile.h.
+/* A measured profile or map for all ranks; see profile.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/profile.h"
@@ -52,4 +52,43 @@ Profile asperity::read_profile(MPI_Comm world, const std::string &path, double m
   if (!profile)
     throw Error(error.text);
   return profile;
+}
+
+Map asperity::read_map(MPI_Comm world, const std::string &path, double metre, std::string &report) {
+  Map map(NULL, asp_map_free);
+  std::string wrong;
+  asp_error error;
+  int rank;
+  MPI_Comm_rank(world, &rank);
+  if (rank == 0) {
+    std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&error),
+                                                               asp_reader_free);
+    if (reader && !asp_reader_set(reader.get(), "metre", metre, &error))
+      map.reset(asp_reader_read_map(reader.get(), path.c_str(), &error));
+    if (map)
+      report = asp_reader_text(reader.get());
+    else
+      wrong = error.text;
+  }
+  broadcast(world, wrong);
+  if (!wrong.empty())
+    throw Error(wrong);
+  broadcast(world, report);
+
+  double step[2] = {map ? asp_map_step_x(map.get()) : 0, map ? asp_map_step_y(map.get()) : 0};
+  unsigned long long side[2] = {map ? asp_map_columns(map.get()) : 0,
+                                map ? asp_map_rows(map.get()) : 0};
+  MPI_Bcast(step, 2, MPI_DOUBLE, 0, world);
+  MPI_Bcast(side, 2, MPI_UNSIGNED_LONG_LONG, 0, world);
+  std::vector<float> heights(side[0] * side[1]);
+  if (map)
+    heights.assign(asp_map_heights(map.get()), asp_map_heights(map.get()) + heights.size());
+  for (unsigned long long row = 0; row < side[1]; row++)
+    MPI_Bcast(&heights[row * side[0]], static_cast<int>(side[0]), MPI_FLOAT, 0, world);
+  if (!map)
+    map.reset(
+        asp_map_from_heights(heights.data(), side[0], side[1], step[0], step[1], false, &error));
+  if (!map)
+    throw Error(error.text);
+  return map;
 }

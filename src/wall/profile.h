@@ -1,4 +1,4 @@
-/* A measured profile for all ranks: the first one reads the file, the others get the heights.
+/* A measured profile or map for all ranks: the first one reads the file, the others get the heights.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_PROFILE_H
@@ -13,10 +13,14 @@
 namespace asperity {
 
 typedef std::unique_ptr<asp_profile, void (*)(asp_profile *)> Profile;
+typedef std::unique_ptr<asp_map, void (*)(asp_map *)> Map;
 
 /* Reads path, with `metre` of the result's units to a metre; collective. `report` becomes what the
  * reader found and did. Throws the reader's message, an Error, on all ranks. */
 Profile read_profile(MPI_Comm world, const std::string &path, double metre, std::string &report);
+
+/* The same of a map. */
+Map read_map(MPI_Comm world, const std::string &path, double metre, std::string &report);
 
 } // namespace asperity
 

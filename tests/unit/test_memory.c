@@ -7,6 +7,7 @@
  * those of GSL and of stdio fail, too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "spread/courses.h"
 #include "spread/field.h"
 #include "spread/line.h"
 #include "spread/trace.h"
@@ -208,6 +209,27 @@ static asp_code field(asp_error *error) {
   if (!code)
     aspi_field_free(&made);
   return code;
+}
+
+/* Of a map, and all of it: lines over it and their laws. */
+static asp_code laws(asp_error *error) {
+  aspi_law *both[2];
+  aspi_ball *made = aspi_ball_create(gauss, 10, error);
+  if (!made)
+    return error->code;
+  asp_code code = aspi_courses_laws(made, gauss, 0.3, 1, 500, both, error);
+  aspi_ball_free(made);
+  if (!code) {
+    aspi_law_free(both[0]);
+    aspi_law_free(both[1]);
+  }
+  return code;
+}
+
+static asp_code map_surface(asp_error *error) {
+  asp_surface *made = asp_surface_create_map(gauss, true, error);
+  asp_surface_free(made);
+  return code_of(made, error);
 }
 
 static asp_code line(asp_error *error) {
@@ -429,6 +451,8 @@ int main(void) {
       {"sphere on a map", ball, true},
       {"dilated map", field, true},
       {"line", line, true},
+      {"laws of a map", laws, true},
+      {"surface of a map", map_surface, true},
       {"surface, closed form", closed_form, true},
       {"surface, table", size_table, true},
       {"surface, sphere", sphere, true},
