@@ -1,0 +1,609 @@
+/* asperity calibrate: the constants of a wall and of a law from measured scatter. At each place
+ * that was measured, the moments of what rebounds (means, variances and covariance of v_N2/v1 and
+ * v_T2/v1) and the share that sticks are compared with those of simulated impacts, which have the
+ * same random numbers for all values of the unknowns, so that the sum of squares is smooth; GSL's
+ * nonlinear least squares (Levenberg & Marquardt) finds its minimum. Each moment counts by its
+ * covariance in a sample of the data's size, worked out from the model at the values found so far,
+ * with that of the simulation added; so the standard errors hold both. */
+#include "cli/calibrate.h"
+#include "cli/walls.h"
+#include "rebound/laws.h"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of a fit: rounds of new weights, steps of each, and how far the unknowns are moved on their scale
+ * for a derivative. */
+enum { ROUNDS = 3, STEPS_MOST = 12 };
+#define TURN 0.04
+
+/* Simulated impacts for each measured one, where --samples does not say. */
+enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
+
+/* Unknowns whose estimates hang together by more than this, or that are known worse than this share
+ * of their value, cannot be told from the data. */
+#define CORRELATED 0.95
+#define VAGUE 1.0
+
+/* Of the variances of a moment, so that one that does not vary can be weighed. */
+#define FLOOR 1e-12
+
+/* What is taken for the error of a mean of which nothing is known, before the fit tells. */
+#define ERROR_UNKNOWN 0.01
+
+static void *allocate(size_t count, size_t size) {
+  void *memory = calloc(count + 1, size);
+  if (!memory)
+    cli_fail("out of memory");
+  return memory;
+}
+
+/* ---- what is looked for -----------------------------------------------------------------------
+ */
+
+static const struct {
+  const char *word, *name, *unit;
+  int kind;
+  double least, most;
+} walls[] = {
+    {"sigma", "sigma", "deg", OF_SIGMA, 0.01, 50},
+    {"rq", "rq", "um", OF_RQ, 0, INFINITY},
+    {"lambda_c", "lambda_c", "um", OF_LAMBDA_C, 0, INFINITY},
+    {"friction", "friction", "", OF_PAIR, 0, 1e3},
+    {"mu", "friction", "", OF_PAIR, 0, 1e3},
+    {"yield_stress", "yield_stress", "Pa", OF_PAIR, 0, 1e15},
+    {"surface_energy", "surface_energy", "J/m^2", OF_PAIR, 0, 1e9},
+    {"gamma", "surface_energy", "J/m^2", OF_PAIR, 0, 1e9},
+};
+enum { N_WALLS = sizeof walls / sizeof *walls };
+
+static double start_of(const calibration *c, const calibrate_unknown *u) {
+  switch (u->kind) {
+  case OF_SIGMA:
+    return c->sigma;
+  case OF_RQ:
+    return c->r_q * 1e6;
+  case OF_LAMBDA_C:
+    return c->lambda_c * 1e6;
+  case OF_PAIR:
+    return asp_pair_get(c->pair, u->name);
+  default:
+    return asp_wall_get(c->law.wall, u->name);
+  }
+}
+
+/* Whether the wall can have such an unknown; a law's own parameter goes before the pair's number of
+ * that name. */
+static bool find_unknown(const calibration *c, const char *word, calibrate_unknown *u) {
+  const asp_rebound_law *law = asp_wall_rebound(c->law.wall);
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const asp_parameter *p = asp_rebound_parameter(law, i);
+    if (strcmp(asp_parameter_name(p), word) != 0 || *asp_parameter_words(p))
+      continue;
+    *u = (calibrate_unknown){.unit = asp_parameter_unit(p),
+                             .kind = OF_LAW,
+                             .least = asp_parameter_least(p),
+                             .most = asp_parameter_most(p)};
+    snprintf(u->name, sizeof u->name, "%s", word);
+    u->bounded = u->most - u->least <= 10;
+    return true;
+  }
+  for (int i = 0; i < N_WALLS; i++) {
+    bool pair = walls[i].kind == OF_PAIR;
+    if (strcmp(walls[i].word, word) != 0 || (pair && !asp_rebound_needs_pair(law)))
+      continue;
+    *u = (calibrate_unknown){.unit = walls[i].unit,
+                             .kind = walls[i].kind,
+                             .least = walls[i].least,
+                             .most = walls[i].most};
+    snprintf(u->name, sizeof u->name, "%s", walls[i].name);
+    u->bounded = walls[i].kind == OF_SIGMA;
+    return true;
+  }
+  return false;
+}
+
+static void fail_unknown(const calibration *c, const char *word) {
+  const asp_rebound_law *law = asp_wall_rebound(c->law.wall);
+  char list[300] = "sigma, or rq and lambda_c";
+  if (asp_rebound_needs_pair(law))
+    strcat(list, ", yield_stress surface_energy friction");
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    size_t used = strlen(list);
+    snprintf(list + used, sizeof list - used, "%s%s", i ? " " : ", ",
+             asp_parameter_name(asp_rebound_parameter(law, i)));
+  }
+  cli_bad_usage("--fit: '%s' is unknown to a wall with rebound law '%s'; there are: %s", word,
+                asp_rebound_name(law), list);
+}
+
+static void read_unknowns(calibration *c) {
+  const cli_option *option = &c->options[FIT];
+  if (!option->value)
+    cli_bad_usage("--fit is missing; it names what to look for, as --fit sigma,friction");
+  char *text = strdup(option->value);
+  if (!text)
+    cli_fail("out of memory");
+  for (char *word = strtok(text, ","); word; word = strtok(NULL, ",")) {
+    if (c->n_unknown == UNKNOWNS_MOST)
+      cli_bad_usage("--fit is '%s'; it must be at most %d names", option->value, UNKNOWNS_MOST);
+    calibrate_unknown *u = &c->unknown[c->n_unknown++];
+    if (!find_unknown(c, word, u))
+      fail_unknown(c, word);
+    bool by_sigma = c->sigma >= 0;
+    if (u->kind <= OF_LAMBDA_C && (c->smooth || (u->kind == OF_SIGMA) != by_sigma))
+      cli_bad_usage("--fit: '%s' goes with %s", u->name,
+                    u->kind == OF_SIGMA ? "a rough wall (--model) that is not given by --rq"
+                                        : "a rough wall given by --rq and --lambda-c");
+    for (size_t k = 0; k + 1 < c->n_unknown; k++)
+      if (strcmp(c->unknown[k].name, u->name) == 0)
+        cli_bad_usage("--fit is '%s'; '%s' is there twice", option->value, u->name);
+    double room = u->bounded ? 0.02 * (u->most - u->least) : 0;
+    u->start = fmin(fmax(start_of(c, u), u->least + room), u->bounded ? u->most - room : 1e300);
+    if (!(u->start > 0))
+      cli_bad_usage("--fit: the value of '%s' that the search begins with is %g; it must be more "
+                    "than 0",
+                    u->name, u->start);
+  }
+  free(text);
+}
+
+/* ---- the measurements -------------------------------------------------------------------------
+ */
+
+/* A row of means; sd and n where they are known. */
+static void take_means(calibration *c, calibrate_bin *bin) {
+  const measured_row *row = &c->data.rows[bin->first];
+  double alpha = cli_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
+  bin->n = row->n > 0 ? row->n : 1;
+  for (int k = 0; k < COR_BOTH; k++) {
+    if (!(row->n > 0) && row->se[k] > 0 && row->sd[k] > 0)
+      bin->n = fmax(1, row->sd[k] * row->sd[k] / (row->se[k] * row->se[k]));
+    c->known = c->known && (bin->n > 1 || row->se[k] > 0);
+    bin->used[MEAN_X + k] = isfinite(row->cor[k]) && (k == COR_N || row->degrees < 90);
+    bin->moment[MEAN_X + k] = row->cor[k] * by[k];
+    bin->used[VAR_X + k] = bin->used[MEAN_X + k] && row->sd[k] > 0 && !c->smooth;
+    bin->moment[VAR_X + k] = row->sd[k] * row->sd[k] * by[k] * by[k];
+    double sd = row->sd[k] > 0 ? row->sd[k] : ERROR_UNKNOWN * sqrt(bin->n);
+    sd = row->se[k] > 0 ? row->se[k] * sqrt(bin->n) : sd;
+    bin->covariance[MEAN_X + k][MEAN_X + k] = sd * sd * by[k] * by[k];
+  }
+}
+
+static void read_data(calibration *c, const char *path) {
+  const cli_option *bin = &c->options[BIN];
+  double width = cli_number(bin, 0.1, 90);
+  c->data = measured_read(path);
+  c->known = true;
+  c->bins = allocate(c->data.count, sizeof *c->bins);
+  for (size_t i = 0; i < c->data.count; i++) {
+    double degrees = c->data.rows[i].degrees;
+    calibrate_bin *last = c->n_bins ? &c->bins[c->n_bins - 1] : NULL;
+    bool joins = last && !c->data.means &&
+                 floor(fmin(degrees, 90 - 1e-6) / width + 1e-9) <=
+                     floor(fmin(c->data.rows[last->first].degrees, 90 - 1e-6) / width + 1e-9);
+    if (!joins)
+      c->bins[c->n_bins++] = (calibrate_bin){.first = i};
+    c->bins[c->n_bins - 1].end = i + 1;
+  }
+  double most = 0;
+  for (size_t b = 0; b < c->n_bins; b++) {
+    calibrate_bin *on = &c->bins[b];
+    for (size_t i = on->first; i < on->end; i++)
+      on->degrees += c->data.rows[i].degrees / (double)(on->end - on->first);
+    if (c->data.means)
+      take_means(c, on);
+    else
+      calibrate_take_data(c, on);
+    for (int k = 0; k < MOMENTS; k++)
+      c->n_moments += on->used[k];
+    most = fmax(most, on->n);
+  }
+  size_t wanted = (size_t)fmin(fmax(TIMES * most, SAMPLES_LEAST), SAMPLES_MOST);
+  c->samples = c->options[SAMPLES].value ? cli_whole(&c->options[SAMPLES], 100, 100000000) : wanted;
+  if (c->n_moments < c->n_unknown)
+    cli_fail("%s: it has %zu moments for %zu unknowns; --fit must name fewer", path, c->n_moments,
+             c->n_unknown);
+}
+
+/* ---- the fit ----------------------------------------------------------------------------------
+ */
+
+typedef struct work {
+  calibration *c;
+  double (*moment)[MOMENTS];
+  double (*covariance)[MOMENTS][MOMENTS];
+  double (*lower)[MOMENTS][MOMENTS]; /* Cholesky factors of the used moments of each bin */
+} work;
+
+/* The covariance of a bin's moments at the present values: the model's, of a sample of the data's
+ * size and one of the simulation's. A smooth wall without noise has none, and takes the data's. */
+static void weigh_bin(const work *w, size_t b) {
+  const calibration *c = w->c;
+  const calibrate_bin *bin = &c->bins[b];
+  bool own = !c->smooth || c->noise_angle > 0 || c->noise_speed > 0;
+  double share = 1 / bin->n + (own ? 1 / (double)c->samples : 0);
+  int map[MOMENTS], n = 0;
+  for (int k = 0; k < MOMENTS; k++)
+    if (bin->used[k])
+      map[n++] = k;
+  if (n == 0)
+    return;
+  double block[MOMENTS * MOMENTS];
+  gsl_matrix_view m = gsl_matrix_view_array(block, (size_t)n, (size_t)n);
+  for (int k = 0; k < n; k++)
+    for (int l = 0; l < n; l++) {
+      double of_model = w->covariance[b][map[k]][map[l]];
+      double each = own || map[k] == STUCK ? of_model : bin->covariance[map[k]][map[l]];
+      if (c->data.means && own && map[k] == map[l] && map[k] <= MEAN_Y && !(bin->n > 1))
+        each = fmax(each, bin->covariance[map[k]][map[k]]);
+      gsl_matrix_set(&m.matrix, (size_t)k, (size_t)l, each * share + (k == l ? FLOOR : 0));
+    }
+  if (gsl_linalg_cholesky_decomp1(&m.matrix)) /* take them one by one */
+    for (int k = 0; k < n; k++)
+      for (int l = 0; l < n; l++)
+        gsl_matrix_set(&m.matrix, (size_t)k, (size_t)l,
+                       k == l ? sqrt(fmax(FLOOR, w->covariance[b][map[k]][map[k]] * share)) : 0);
+  for (int k = 0; k < n; k++)
+    for (int l = 0; l <= k; l++)
+      w->lower[b][k][l] = gsl_matrix_get(&m.matrix, (size_t)k, (size_t)l);
+}
+
+/* Differences of the moments, made independent and of variance 1. */
+static int residuals(const gsl_vector *scaled, void *data, gsl_vector *out) {
+  work *w = data;
+  calibration *c = w->c;
+  if (!calibrate_set(c, scaled))
+    return GSL_EDOM;
+  calibrate_moments(c, w->moment, NULL);
+  size_t at = 0;
+  for (size_t b = 0; b < c->n_bins; b++) {
+    double solved[MOMENTS];
+    for (int k = 0, n = 0; k < MOMENTS; k++) {
+      if (!c->bins[b].used[k])
+        continue;
+      double off = w->moment[b][k] - c->bins[b].moment[k];
+      for (int l = 0; l < n; l++)
+        off -= w->lower[b][n][l] * solved[l];
+      solved[n] = off / w->lower[b][n][n];
+      if (!isfinite(solved[n]))
+        return GSL_EDOM;
+      gsl_vector_set(out, at++, solved[n++]);
+    }
+  }
+  return GSL_SUCCESS;
+}
+
+/* By central differences, wide enough to pass over the steps of single impacts. */
+static int slopes(const gsl_vector *scaled, void *data, gsl_matrix *out) {
+  work *w = data;
+  size_t n = w->c->n_moments;
+  gsl_vector *at = gsl_vector_alloc(scaled->size), *up = gsl_vector_alloc(n),
+             *down = gsl_vector_alloc(n);
+  int status = at && up && down ? GSL_SUCCESS : GSL_ENOMEM;
+  for (size_t j = 0; j < scaled->size && !status; j++) {
+    gsl_vector_memcpy(at, scaled);
+    gsl_vector_set(at, j, gsl_vector_get(scaled, j) + TURN);
+    status = residuals(at, w, up);
+    gsl_vector_set(at, j, gsl_vector_get(scaled, j) - TURN);
+    status = status ? status : residuals(at, w, down);
+    for (size_t i = 0; i < n && !status; i++)
+      gsl_matrix_set(out, i, j, (gsl_vector_get(up, i) - gsl_vector_get(down, i)) / (2 * TURN));
+  }
+  gsl_vector_free(at);
+  gsl_vector_free(up);
+  gsl_vector_free(down);
+  return status;
+}
+
+static void weigh(work *w, const gsl_vector *scaled) {
+  if (!calibrate_set(w->c, scaled))
+    cli_fail("no wall can be made of the values that the fit has come to");
+  calibrate_moments(w->c, w->moment, w->covariance);
+  for (size_t b = 0; b < w->c->n_bins; b++)
+    weigh_bin(w, b);
+}
+
+static double squares_at(work *w, const gsl_vector *scaled, gsl_vector *r) {
+  double chi2;
+  if (residuals(scaled, w, r))
+    return INFINITY;
+  gsl_blas_ddot(r, r, &chi2);
+  return chi2;
+}
+
+/* Where to begin: the best of some values around those given, each by its own weights; without
+ * them, walls that scatter much would always look better, and with them all, seldom. So the weights
+ * are those of the middle, and each round of the fit makes its own. */
+static void look_around(work *w, gsl_vector *scaled) {
+  calibration *c = w->c;
+  static const double turns[2][5] = {{-1, -0.5, 0, 0.5, 1}, {-0.25, 0, 0.25}};
+  static const size_t counts[2] = {5, 3};
+  gsl_vector *r = gsl_vector_alloc(c->n_moments), *at = gsl_vector_alloc(c->n_unknown);
+  for (int pass = 0; pass < 2; pass++)
+    for (size_t j = 0; j < c->n_unknown; j++) { /* one unknown after the other */
+      double best = INFINITY, best_turn = 0;
+      weigh(w, scaled);
+      for (size_t k = 0; k < counts[pass]; k++) {
+        gsl_vector_memcpy(at, scaled);
+        gsl_vector_set(at, j, gsl_vector_get(at, j) + turns[pass][k]);
+        double chi2 = squares_at(w, at, r);
+        if (chi2 < best) {
+          best = chi2;
+          best_turn = turns[pass][k];
+        }
+      }
+      gsl_vector_set(scaled, j, gsl_vector_get(scaled, j) + best_turn);
+    }
+  gsl_vector_free(r);
+  gsl_vector_free(at);
+}
+
+typedef struct fit {
+  gsl_vector *scaled;
+  gsl_matrix *covariance; /* of the scaled unknowns */
+  double chi2, dof, reciprocal_condition;
+} fit;
+
+static fit run_fit(calibration *c) {
+  work w = {c, allocate(c->n_bins, sizeof *w.moment), allocate(c->n_bins, sizeof *w.covariance),
+            allocate(c->n_bins, sizeof *w.lower)};
+  gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
+  gsl_multifit_nlinear_fdf fdf = {
+      .f = residuals, .df = slopes, .n = c->n_moments, .p = c->n_unknown, .params = &w};
+  gsl_multifit_nlinear_workspace *solver =
+      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, fdf.n, fdf.p);
+  fit result = {.scaled = gsl_vector_alloc(fdf.p), .covariance = gsl_matrix_alloc(fdf.p, fdf.p)};
+  if (!solver || !result.scaled || !result.covariance)
+    cli_fail("out of memory");
+  for (size_t i = 0; i < c->n_unknown; i++)
+    gsl_vector_set(result.scaled, i, calibrate_scaled(&c->unknown[i], c->unknown[i].start));
+  look_around(&w, result.scaled);
+  cli_progress progress = cli_progress_begin("fit", ROUNDS);
+  for (int round = 0; round < ROUNDS; round++) {
+    int info;
+    weigh(&w, result.scaled);
+    if (gsl_multifit_nlinear_init(result.scaled, &fdf, solver))
+      cli_fail("the model has no moments at the values that the fit has come to");
+    gsl_multifit_nlinear_driver(STEPS_MOST, round + 1 < ROUNDS ? 1e-3 : 1e-5, 1e-8, 1e-8, NULL,
+                                NULL, &info, solver);
+    gsl_vector_memcpy(result.scaled, gsl_multifit_nlinear_position(solver));
+    cli_progress_show(&progress, round + 1);
+  }
+  cli_progress_end(&progress);
+  gsl_multifit_nlinear_rcond(&result.reciprocal_condition, solver);
+  gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(solver), 0, result.covariance);
+  gsl_vector *r = gsl_multifit_nlinear_residual(solver);
+  gsl_blas_ddot(r, r, &result.chi2);
+  result.dof = (double)(c->n_moments - c->n_unknown);
+  if (!c->known && result.dof > 0)
+    gsl_matrix_scale(result.covariance, result.chi2 / result.dof);
+  calibrate_set(c, result.scaled);
+  gsl_multifit_nlinear_free(solver);
+  free(w.moment);
+  free(w.covariance);
+  free(w.lower);
+  return result;
+}
+
+/* ---- output -----------------------------------------------------------------------------------
+ */
+
+static double error_of(const calibration *c, const fit *f, size_t i) {
+  double slope = calibrate_slope(&c->unknown[i], gsl_vector_get(f->scaled, i));
+  return slope * sqrt(gsl_matrix_get(f->covariance, i, i));
+}
+
+static double value_of(const calibration *c, const fit *f, size_t i) {
+  return calibrate_value(&c->unknown[i], gsl_vector_get(f->scaled, i));
+}
+
+static double correlation(const fit *f, size_t i, size_t k) {
+  return gsl_matrix_get(f->covariance, i, k) /
+         sqrt(gsl_matrix_get(f->covariance, i, i) * gsl_matrix_get(f->covariance, k, k));
+}
+
+static void warn_of_doubt(const calibration *c, const fit *f) {
+  for (size_t i = 0; i < c->n_unknown; i++) {
+    for (size_t k = 0; k < i; k++)
+      if (!(fabs(correlation(f, i, k)) < CORRELATED))
+        cli_warn("the data cannot tell '%s' and '%s' apart (correlation %.3f); fix one of them, or "
+                 "measure at other angles, speeds or sizes",
+                 c->unknown[k].name, c->unknown[i].name, correlation(f, i, k));
+    double value = value_of(c, f, i), error = error_of(c, f, i);
+    if (!(error < VAGUE * value))
+      cli_warn("the data say little of '%s': %g with a standard error of %g", c->unknown[i].name,
+               value, error);
+  }
+  double p = gsl_cdf_chisq_Q(f->chi2, f->dof);
+  if (c->known && f->dof > 0 && p < 1e-3)
+    cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g); the standard "
+             "errors hold for one that does",
+             f->chi2 / f->dof, p);
+}
+
+/* The wall and the law as a script of an engine says them. */
+static void print_script(FILE *out, const calibration *c) {
+  const asp_rebound_law *law = asp_wall_rebound(c->law.wall);
+  fputs("# script: fix wall all wall/rebound ... ", out);
+  if (c->smooth)
+    fputs("surface smooth", out);
+  else
+    fprintf(out, "surface rq %.6g lambda_c %.6g spread %s %s collisions %s",
+            asp_surface_r_q(c->surface), asp_surface_lambda_c(c->surface), c->options[MODEL].value,
+            c->options[TILT].value, c->options[COLLISIONS].value);
+  fprintf(out, " rebound %s", asp_rebound_name(law));
+  const char *last = "";
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const asp_parameter *p = asp_rebound_parameter(law, i);
+    const char *keyword = asp_parameter_keyword(p);
+    double value = asp_wall_get(c->law.wall, asp_parameter_name(p));
+    bool wanted = !*keyword; /* a keyword is said where one of its numbers is not the default */
+    for (int k = 0; k < asp_rebound_parameters(law) && !wanted; k++) {
+      const asp_parameter *other = asp_rebound_parameter(law, k);
+      wanted = strcmp(asp_parameter_keyword(other), keyword) == 0 &&
+               fabs(asp_wall_get(c->law.wall, asp_parameter_name(other)) -
+                    asp_parameter_default(other)) > 0;
+    }
+    if (!wanted)
+      continue;
+    if (*keyword && strcmp(keyword, last) != 0)
+      fprintf(out, " %s", keyword);
+    if (*asp_parameter_words(p))
+      fputs(value > 0 ? " on" : " off", out);
+    else
+      fprintf(out, " %.6g", value);
+    last = keyword;
+  }
+  fputc('\n', out);
+  if (asp_rebound_needs_pair(law))
+    fprintf(out,
+            "# script: yieldStress of the particle %.6g, surfaceEnergy %.6g, coefficientFriction "
+            "%.6g (fix property/global, SI)\n",
+            asp_pair_get(c->pair, "yield_stress"), asp_pair_get(c->pair, "surface_energy"),
+            asp_pair_get(c->pair, "friction"));
+  if (c->sigma >= 0 && !c->smooth)
+    fprintf(out,
+            "# sigma is what the particles meet: any rq and lambda_c with rq/lambda_c = %.6g that "
+            "are large against them do\n",
+            asp_surface_phi_r(c->surface));
+}
+
+static void print_all(FILE *out, const calibration *c, const fit *f) {
+  double all = 0;
+  for (size_t b = 0; b < c->n_bins; b++)
+    all += c->bins[b].n;
+  fputs("parameter,estimate,standard_error,unit\n", out);
+  for (size_t i = 0; i < c->n_unknown; i++)
+    fprintf(out, "%s,%.6g,%.6g,%s\n", c->unknown[i].name, value_of(c, f, i), error_of(c, f, i),
+            c->unknown[i].unit);
+  for (size_t i = 0; i < c->n_unknown; i++)
+    for (size_t k = 0; k < i; k++)
+      fprintf(out, "# correlation of %s and %s: %.3f\n", c->unknown[k].name, c->unknown[i].name,
+              correlation(f, i, k));
+  fprintf(out, "# chi^2/dof %.4g: chi^2 %.6g, %.0f degrees of freedom, %zu bins", f->chi2 / f->dof,
+          f->chi2, f->dof, c->n_bins);
+  if (c->known)
+    fprintf(out, ", %.0f impacts, p %.3g\n", all, gsl_cdf_chisq_Q(f->chi2, f->dof));
+  else
+    fputs("; the data do not say how sure their means are, so the standard errors are scaled by "
+          "its root\n",
+          out);
+  print_script(out, c);
+}
+
+/* ---- the command ------------------------------------------------------------------------------
+ */
+
+static void read_wall(calibration *c) {
+  cli_option *options = (cli_option *)c->options;
+  const char *model = options[MODEL].value;
+  asp_error error;
+  c->law = cli_law_read(&options[LAW]);
+  c->pair = cli_law_pair(&options[LAW], &c->law, options[LAW + LAW_WALL].value);
+  asp_wall *wall = c->law.wall;
+  asp_wall_choose(wall, "tilt", cli_tilt(&options[TILT]), NULL);
+  asp_wall_choose(wall, "collisions", cli_is_multiple(&options[COLLISIONS]) ? "multiple" : "single",
+                  NULL);
+  if (asp_wall_choose(wall, "spread", model, &error))
+    cli_bad_usage("%s", error.text);
+  if (asp_spread_needs_profile(asp_wall_spread(wall)))
+    cli_bad_usage("--model is '%s', which is made for one wall; it must be one that takes any "
+                  "sigma, as visible or weibull",
+                  model);
+  c->smooth = strcmp(model, "none") == 0;
+  c->sticks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && asp_wall_get(wall, "deposit") > 0;
+  bool by_rq = options[RQ].value || options[LAMBDA_C].value;
+  if (by_rq && (!options[RQ].value || !options[LAMBDA_C].value))
+    cli_bad_usage("--rq and --lambda-c go together; one that is fitted is where the search begins");
+  c->sigma = by_rq ? -1 : cli_number(&options[SIGMA], 0.01, 50);
+  c->r_q = by_rq ? cli_length(&options[RQ]) : 0;
+  c->lambda_c = by_rq ? cli_length(&options[LAMBDA_C]) : 0;
+  c->d_p = cli_length(&options[DP]);
+  c->speed = cli_number(&options[SPEED], 1e-9, 1e6);
+  cli_list noise = cli_numbers(&options[NOISE], 0, 90);
+  if (noise.count < 1 || noise.count > 2)
+    cli_bad_usage("--noise is '%s'; it must be %s", options[NOISE].value, options[NOISE].argument);
+  c->noise_angle = noise.values[0];
+  c->noise_speed = noise.count > 1 ? noise.values[1] : 0;
+  free(noise.values);
+  c->seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
+}
+
+static int run(int argc, char **argv) {
+  cli_option options[N + 1] = {
+      [FIT] = {"fit", "NAME,...", "what to look for: sigma, or rq, lambda_c; constants of the law",
+               NULL},
+      [SIGMA] = {"sigma", "DEGREES", "roughness, atan of the rms slope that particles meet", "5"},
+      [RQ] = {"rq", "LENGTH", "or the wall by its rms height", NULL},
+      [LAMBDA_C] = {"lambda-c", "LENGTH", "and correlation length", NULL},
+      [MODEL] = {"model", "NAME", "spread model; none is the smooth wall", "visible"},
+      [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
+                "isotropic"},
+      [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
+                      "multiple"},
+      [DP] = {"dp", "LENGTH", "diameter, where the data have none", "10um"},
+      [SPEED] = {"speed", "M_PER_S", "impact speed, where the data have none", "100"},
+      [NOISE] = {"noise", "DEGREES[,SHARE]",
+                 "sd of the measured angles, and of the measured speeds as a share of them", "0"},
+      [BIN] = {"bin", "DEGREES", "width of the bins that impacts are put into", "5"},
+      [SAMPLES] = {"samples", "N", "simulated impacts a bin; 10 for a measured one, 2000 to 20000",
+                   NULL},
+      [SEED] = {"seed", "N", "seed of the draws", "1"},
+      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
+      [PLOT] = {"plot", "FILE", "draw data and fitted model; .png, .svg or .pdf", NULL},
+      CLI_LAW_OPTIONS(LAW),
+  };
+  cli_law_add_keywords(&options[LAW]);
+  int first = cli_parse(&cli_calibrate, argc, argv, options, true);
+  if (argc - first != 1)
+    cli_bad_usage("calibrate: DATA is expected, one file; see 'asperity calibrate --help'");
+  calibration c = {.options = options};
+  read_wall(&c);
+  read_unknowns(&c);
+  read_data(&c, argv[first]);
+  fit f = run_fit(&c);
+  warn_of_doubt(&c, &f);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  print_all(cli_output_stream(output), &c, &f);
+  cli_output_close(output);
+  if (options[PLOT].value) {
+    char title[300] = "";
+    for (size_t i = 0; i < c.n_unknown; i++) {
+      size_t used = strlen(title);
+      snprintf(title + used, sizeof title - used, "%s%s %.4g ± %.2g %s", i ? ",  " : "",
+               c.unknown[i].name, value_of(&c, &f, i), error_of(&c, &f, i), c.unknown[i].unit);
+    }
+    cli_calibrate_plot(&options[PLOT], &c, argv[first], title);
+  }
+  gsl_vector_free(f.scaled);
+  gsl_matrix_free(f.covariance);
+  cli_law_free(&c.law);
+  asp_pair_free(c.pair);
+  asp_surface_free(c.surface);
+  measured_free(&c.data);
+  free(c.bins);
+  return 0;
+}
+
+const cli_command cli_calibrate = {
+    .name = "calibrate",
+    .summary = "the wall's roughness and a law's constants from measured scatter",
+    .detail =
+        "asperity calibrate DATA --fit NAMES: what is not fitted, and where the search begins, is\n"
+        "said by the other options (friction by --mu, yield_stress by --yield, surface_energy by\n"
+        "--gamma, a law's own numbers by --set).\n" MEASURED_FORMS
+        "\nRows parameter,estimate,standard_error,unit; then, as comments, correlations, chi^2 "
+        "per\n"
+        "degree of freedom, and the line for a script. A warning tells where the data cannot tell\n"
+        "two constants apart, and where the model does not describe them. Noise of the "
+        "measurement\n"
+        "looks like roughness: state it by --noise. Sizes count only where the wall is given by\n"
+        "--rq and --lambda-c; sigma is the same for all of them.\n",
+    .run = run,
+};

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# calibrate: rows, comments, the script's line, the picture; means, polynomials, deposits, noise, walls by rq and
+# lambda_c; what the data cannot tell; and what is wrong. That estimates come back within their standard errors is
+# tests/sweep/calibrate.sh.
+set -euo pipefail
+asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
+asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
+die() { echo "FAILED: $*" >&2; exit 1; }
+rows() { grep -v '^#' "$1" | tail -n +2; }
+value() { awk -F, -v name="$1" '$1 == name { print $2 }' "$2"; }
+# near NAME TRUTH ERRORS FILE: the estimate lies within so many of its standard errors.
+near() { awk -F, -v name="$1" -v truth="$2" -v most="$3" '$1 == name { z = ($2 - truth) / $3; found = $3 > 0 && z < most && z > -most } END { exit !found }' "$4" || die "$1 is not $2: $(cat "$4")"; }
+refuses() {
+  local status=$1 words=() got=0; shift
+  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
+  "$asperity" "$@" > out 2> err || got=$?
+  [ $got = "$status" ] || die "exit $got, not $status: asperity $*: $(cat err)"
+  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
+  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
+}
+model='--model visible --tilt isotropic --collisions multiple'
+quick='--samples 1000'
+
+# Impacts of 10 um quartz on a wall of sigma 8.05 degrees.
+"$asperity" cor $model --rq 4mm --lambda-c 40mm --angles 20:80:20 --samples 150 -o data
+"$asperity" calibrate data --fit sigma,friction $quick --plot fit.png > fit 2> err
+[ "$(grep -v '^#' fit | head -n 1)" = parameter,estimate,standard_error,unit ] && [ "$(rows fit | wc -l)" = 2 ] || die "rows: $(cat fit)"
+near sigma 8.05 4 fit; near friction 0.3 4 fit
+grep -q '^# correlation of sigma and friction: ' fit && grep -q '^# chi^2/dof .*22 degrees of freedom, 4 bins, 600 impacts' fit || die "comments: $(cat fit)"
+grep -q '^# script: .*surface rq .* spread visible isotropic collisions multiple rebound bons' fit && grep -q '^# script: .*coefficientFriction 0.[23]' fit || die "script: $(cat fit)"
+head -c 4 fit.png | grep -q PNG || die "picture"
+"$asperity" calibrate - --fit sigma,friction $quick < data | rows /dev/stdin | cmp - <(rows fit) || die "standard input"
+
+# The correlation length at a given rms height: its law of sizes is Phi_R = R_q/lambda_c here.
+"$asperity" calibrate data --fit lambda_c --rq 4mm --lambda-c 20mm $quick > fit
+near lambda_c 40000 4 fit
+
+# Means with standard deviations and the number of impacts, and without: the errors are then scaled.
+awk -F, '/^#/ || /^dp/ || /deposit/ { next } { n[$3]++; s[$3] += $8; q[$3] += $8 * $8; u[$3] += $9; w[$3] += $9 * $9 }
+  END { print "alpha1_deg,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd,n"; for (a in n) { m = s[a] / n[a]; t = u[a] / n[a]
+    print a "," m "," sqrt((q[a] - n[a] * m * m) / (n[a] - 1)) "," t "," sqrt((w[a] - n[a] * t * t) / (n[a] - 1)) "," n[a] } }' data > means
+"$asperity" calibrate means --fit sigma,friction $quick > fit
+near sigma 8.05 4 fit; near friction 0.3 4 fit
+cut -d, -f1-5 means > unsure
+"$asperity" calibrate unsure --fit sigma,friction $quick > fit
+near sigma 8.05 6 fit; near friction 0.3 6 fit
+grep -q 'scaled by its root' fit || die "means without errors: $(cat fit)"
+
+# Oblique impacts of 5 mm alumina on a smooth glass wall (Kharaz et al. 2001) up to 60 degrees: mu is Coulomb's, 0.092.
+printf 'alpha1_deg,cor_t_mean\n30.16,0.9019\n40.45,0.8469\n50.70,0.7719\n59.78,0.6883\n' > kharaz
+"$asperity" calibrate kharaz --model none --rebound walton --set e=0.98 --mu 0.2 --speed 3.9 --dp 5mm --fit mu > fit
+awk -v mu="$(value mu fit)" 'BEGIN { exit !(mu > 0.0895 && mu < 0.0945) }' || die "Kharaz: $(cat fit)"
+
+# Noise of the measured angles looks like roughness; stated, it is not taken for it.
+law='--rebound constant --set cor_n=0.8,cor_t=0.9'
+for angle in 30 50 70; do # set with an error of 4 degrees, and read with one
+  angles=$(awk -v a=$angle 'BEGIN { srand(a); for (i = 0; i < 300; i++) printf "%s%.4f", i ? "," : "", a + 4 * sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) }')
+  "$asperity" cor $model $law --rq 1.5mm --lambda-c 40mm --speed 1 --angles "$angles" --samples 1 | awk -F, -v OFS=, -v set=$angle -v pi=3.14159265358979 'BEGIN { srand(set + 1) } /^#/ || /^dp/ { next }
+    { a = $3 * pi / 180; n2 = $8 * sin(a); t2 = $9 * cos(a); g = sqrt(-2 * log(1 - rand())) * cos(2 * pi * rand())
+      print set, 1, atan2(n2, t2) * 180 / pi + 4 * g, sqrt(n2 * n2 + t2 * t2) }'
+done | sed '1i alpha1_deg,v1,alpha2_deg,v2' > noisy
+"$asperity" calibrate noisy $law --speed 1 --fit sigma $quick > fit 2> err
+awk -v s="$(value sigma fit)" 'BEGIN { exit !(s > 3.4) }' || die "noise is not seen: $(cat fit)"
+"$asperity" calibrate noisy $law --speed 1 --fit sigma --noise 4 $quick > fit 2> err
+near sigma 3.037 4 fit
+
+# What the data cannot tell is said: gamma and b act alike; and a wall that does not scatter like the data.
+"$asperity" cor --model none --angles 30:90:20 --samples 20 --speed 8 -o slow
+"$asperity" calibrate data --fit surface_energy,a $quick > fit 2> err
+grep -q "cannot tell 'surface_energy' and 'a' apart" err || die "no warning: $(cat err fit)"
+"$asperity" calibrate data --fit friction --sigma 2 $quick > fit 2> err
+grep -q "does not describe the data" err || die "no warning of a bad fit: $(cat err fit)"
+
+# Bad usage.
+refuses 2 "--fit is missing" -- calibrate data
+refuses 2 "'gloss' is unknown" "sigma" "yield_rate" -- calibrate data --fit gloss
+refuses 2 "'sigma' is there twice" -- calibrate data --fit sigma,sigma
+refuses 2 "'sigma' goes with a rough wall" -- calibrate data --fit sigma --model none
+refuses 2 "'lambda_c' goes with" "--rq" -- calibrate data --fit lambda_c
+refuses 2 "go together" -- calibrate data --fit lambda_c --rq 4mm
+refuses 2 "--model is 'traced'" -- calibrate data --fit sigma --model traced
+refuses 2 "yield_rate" "must be more than 0" -- calibrate data --fit yield_rate
+refuses 2 "one file" -- calibrate --fit sigma
+refuses 1 "no.csv" -- calibrate no.csv --fit sigma
+refuses 2 "--noise is '1,2,3'" -- calibrate data --fit sigma --noise 1,2,3
+printf 'alpha1_deg,cor_n_mean\n30,0.5\n' > one
+refuses 1 "1 moments for 2 unknowns" -- calibrate one --fit sigma,friction
+exit 0
