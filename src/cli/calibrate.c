@@ -3,8 +3,10 @@
  * v_T2/v1) and the share that sticks are compared with those of simulated impacts, which have the
  * same random numbers for all values of the unknowns, so that the sum of squares is smooth; GSL's
  * nonlinear least squares (Levenberg & Marquardt) finds its minimum. Each moment counts by its
- * covariance in a sample of the data's size, worked out from the model at the values found so far,
- * with that of the simulation added; so the standard errors hold both. */
+ * covariance in a sample of the data's size: at first by that of the data themselves; then, where
+ * the model describes them, by that of the model at the values found so far, with that of the
+ * simulation added, which small samples need. Where it does not, the first stays, and the standard
+ * errors are scaled by the root of chi^2 per degree of freedom. */
 #include "cli/calibrate.h"
 #include "cli/walls.h"
 #include "rebound/laws.h"
@@ -21,6 +23,11 @@
  * for a derivative. */
 enum { ROUNDS = 3, STEPS_MOST = 12 };
 #define TURN 0.04
+
+/* A model describes the data when chi^2 per degree of freedom is less, by the data's covariance; of
+ * bins with fewer impacts only its diagonal counts. */
+#define DESCRIBED 3
+enum { FEW = 20 };
 
 /* Simulated impacts for each measured one, where --samples does not say. */
 enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
@@ -172,6 +179,7 @@ static void take_means(calibration *c, calibrate_bin *bin) {
     double sd = row->sd[k] > 0 ? row->sd[k] : ERROR_UNKNOWN * sqrt(bin->n);
     sd = row->se[k] > 0 ? row->se[k] * sqrt(bin->n) : sd;
     bin->covariance[MEAN_X + k][MEAN_X + k] = sd * sd * by[k] * by[k];
+    bin->covariance[VAR_X + k][VAR_X + k] = 2 * pow(row->sd[k] * by[k], 4); /* of a normal law */
   }
 }
 
@@ -219,16 +227,23 @@ typedef struct work {
   double (*moment)[MOMENTS];
   double (*covariance)[MOMENTS][MOMENTS];
   double (*lower)[MOMENTS][MOMENTS]; /* Cholesky factors of the used moments of each bin */
+  bool by_model;                     /* whether the covariance is the model's */
 } work;
 
-/* The covariance of a bin's moments at the present values: the model's, of a sample of the data's
- * size and one of the simulation's. A smooth wall without noise has none, and takes the data's. */
+/* The covariance of a bin's moments, of a sample of the data's size and one of the simulation's. A
+ * smooth wall without noise has none of its own, and takes the data's throughout. */
 static void weigh_bin(const work *w, size_t b) {
   const calibration *c = w->c;
   const calibrate_bin *bin = &c->bins[b];
-  bool own = !c->smooth || c->noise_angle > 0 || c->noise_speed > 0;
-  double share = 1 / bin->n + (own ? 1 / (double)c->samples : 0);
+  bool scatters = !c->smooth || c->noise_angle > 0 || c->noise_speed > 0;
+  bool own = w->by_model && scatters, alone = !own && bin->n < FEW;
+  double share = 1 / bin->n + (scatters ? 1 / (double)c->samples : 0);
   int map[MOMENTS], n = 0;
+  double turn[MOMENTS]; /* d root/d variance */
+  for (int k = 0; k < MOMENTS; k++)
+    turn[k] = k == VAR_X || k == VAR_Y
+                  ? 0.5 / sqrt(fmax((own ? w->moment[b] : bin->moment)[k], FLOOR))
+                  : 1;
   for (int k = 0; k < MOMENTS; k++)
     if (bin->used[k])
       map[n++] = k;
@@ -240,6 +255,7 @@ static void weigh_bin(const work *w, size_t b) {
     for (int l = 0; l < n; l++) {
       double of_model = w->covariance[b][map[k]][map[l]];
       double each = own || map[k] == STUCK ? of_model : bin->covariance[map[k]][map[l]];
+      each = alone && k != l ? 0 : each * turn[map[k]] * turn[map[l]];
       if (c->data.means && own && map[k] == map[l] && map[k] <= MEAN_Y && !(bin->n > 1))
         each = fmax(each, bin->covariance[map[k]][map[k]]);
       gsl_matrix_set(&m.matrix, (size_t)k, (size_t)l, each * share + (k == l ? FLOOR : 0));
@@ -252,6 +268,11 @@ static void weigh_bin(const work *w, size_t b) {
   for (int k = 0; k < n; k++)
     for (int l = 0; l <= k; l++)
       w->lower[b][k][l] = gsl_matrix_get(&m.matrix, (size_t)k, (size_t)l);
+}
+
+/* A moment as it is compared: of a variance its root, whose sampling error is nearer to normal. */
+static double compared(int k, double value) {
+  return k == VAR_X || k == VAR_Y ? sqrt(fmax(value, FLOOR)) : value;
 }
 
 /* Differences of the moments, made independent and of variance 1. */
@@ -267,7 +288,7 @@ static int residuals(const gsl_vector *scaled, void *data, gsl_vector *out) {
     for (int k = 0, n = 0; k < MOMENTS; k++) {
       if (!c->bins[b].used[k])
         continue;
-      double off = w->moment[b][k] - c->bins[b].moment[k];
+      double off = compared(k, w->moment[b][k]) - compared(k, c->bins[b].moment[k]);
       for (int l = 0; l < n; l++)
         off -= w->lower[b][n][l] * solved[l];
       solved[n] = off / w->lower[b][n][n];
@@ -301,7 +322,8 @@ static int slopes(const gsl_vector *scaled, void *data, gsl_matrix *out) {
   return status;
 }
 
-static void weigh(work *w, const gsl_vector *scaled) {
+static void weigh(work *w, const gsl_vector *scaled, bool by_model) {
+  w->by_model = by_model;
   if (!calibrate_set(w->c, scaled))
     cli_fail("no wall can be made of the values that the fit has come to");
   calibrate_moments(w->c, w->moment, w->covariance);
@@ -317,18 +339,16 @@ static double squares_at(work *w, const gsl_vector *scaled, gsl_vector *r) {
   return chi2;
 }
 
-/* Where to begin: the best of some values around those given, each by its own weights; without
- * them, walls that scatter much would always look better, and with them all, seldom. So the weights
- * are those of the middle, and each round of the fit makes its own. */
+/* Where to begin: the best of some values around those given, one unknown after the other. */
 static void look_around(work *w, gsl_vector *scaled) {
   calibration *c = w->c;
   static const double turns[2][5] = {{-1, -0.5, 0, 0.5, 1}, {-0.25, 0, 0.25}};
   static const size_t counts[2] = {5, 3};
   gsl_vector *r = gsl_vector_alloc(c->n_moments), *at = gsl_vector_alloc(c->n_unknown);
+  weigh(w, scaled, false);
   for (int pass = 0; pass < 2; pass++)
-    for (size_t j = 0; j < c->n_unknown; j++) { /* one unknown after the other */
+    for (size_t j = 0; j < c->n_unknown; j++) {
       double best = INFINITY, best_turn = 0;
-      weigh(w, scaled);
       for (size_t k = 0; k < counts[pass]; k++) {
         gsl_vector_memcpy(at, scaled);
         gsl_vector_set(at, j, gsl_vector_get(at, j) + turns[pass][k]);
@@ -347,18 +367,21 @@ static void look_around(work *w, gsl_vector *scaled) {
 typedef struct fit {
   gsl_vector *scaled;
   gsl_matrix *covariance; /* of the scaled unknowns */
-  double chi2, dof, reciprocal_condition;
+  double chi2, dof;
+  bool described;
 } fit;
 
 static fit run_fit(calibration *c) {
   work w = {c, allocate(c->n_bins, sizeof *w.moment), allocate(c->n_bins, sizeof *w.covariance),
-            allocate(c->n_bins, sizeof *w.lower)};
+            allocate(c->n_bins, sizeof *w.lower), false};
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
   gsl_multifit_nlinear_fdf fdf = {
       .f = residuals, .df = slopes, .n = c->n_moments, .p = c->n_unknown, .params = &w};
   gsl_multifit_nlinear_workspace *solver =
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, fdf.n, fdf.p);
-  fit result = {.scaled = gsl_vector_alloc(fdf.p), .covariance = gsl_matrix_alloc(fdf.p, fdf.p)};
+  fit result = {.scaled = gsl_vector_alloc(fdf.p),
+                .covariance = gsl_matrix_alloc(fdf.p, fdf.p),
+                .dof = (double)(c->n_moments - c->n_unknown)};
   if (!solver || !result.scaled || !result.covariance)
     cli_fail("out of memory");
   for (size_t i = 0; i < c->n_unknown; i++)
@@ -367,21 +390,22 @@ static fit run_fit(calibration *c) {
   cli_progress progress = cli_progress_begin("fit", ROUNDS);
   for (int round = 0; round < ROUNDS; round++) {
     int info;
-    weigh(&w, result.scaled);
+    weigh(&w, result.scaled, round > 0);
     if (gsl_multifit_nlinear_init(result.scaled, &fdf, solver))
       cli_fail("the model has no moments at the values that the fit has come to");
     gsl_multifit_nlinear_driver(STEPS_MOST, round + 1 < ROUNDS ? 1e-3 : 1e-5, 1e-8, 1e-8, NULL,
                                 NULL, &info, solver);
     gsl_vector_memcpy(result.scaled, gsl_multifit_nlinear_position(solver));
     cli_progress_show(&progress, round + 1);
+    gsl_vector *r = gsl_multifit_nlinear_residual(solver);
+    gsl_blas_ddot(r, r, &result.chi2);
+    result.described = result.chi2 <= DESCRIBED * fmax(1, result.dof);
+    if (!c->known || !result.described)
+      break;
   }
   cli_progress_end(&progress);
-  gsl_multifit_nlinear_rcond(&result.reciprocal_condition, solver);
   gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(solver), 0, result.covariance);
-  gsl_vector *r = gsl_multifit_nlinear_residual(solver);
-  gsl_blas_ddot(r, r, &result.chi2);
-  result.dof = (double)(c->n_moments - c->n_unknown);
-  if (!c->known && result.dof > 0)
+  if ((!c->known || !result.described) && result.dof > 0)
     gsl_matrix_scale(result.covariance, result.chi2 / result.dof);
   calibrate_set(c, result.scaled);
   gsl_multifit_nlinear_free(solver);
@@ -396,7 +420,8 @@ static fit run_fit(calibration *c) {
 
 static double error_of(const calibration *c, const fit *f, size_t i) {
   double slope = calibrate_slope(&c->unknown[i], gsl_vector_get(f->scaled, i));
-  return slope * sqrt(gsl_matrix_get(f->covariance, i, i));
+  double variance = gsl_matrix_get(f->covariance, i, i);
+  return variance > 0 ? slope * sqrt(variance) : INFINITY; /* of no influence at all */
 }
 
 static double value_of(const calibration *c, const fit *f, size_t i) {
@@ -411,7 +436,7 @@ static double correlation(const fit *f, size_t i, size_t k) {
 static void warn_of_doubt(const calibration *c, const fit *f) {
   for (size_t i = 0; i < c->n_unknown; i++) {
     for (size_t k = 0; k < i; k++)
-      if (!(fabs(correlation(f, i, k)) < CORRELATED))
+      if (fabs(correlation(f, i, k)) >= CORRELATED)
         cli_warn("the data cannot tell '%s' and '%s' apart (correlation %.3f); fix one of them, or "
                  "measure at other angles, speeds or sizes",
                  c->unknown[k].name, c->unknown[i].name, correlation(f, i, k));
@@ -420,11 +445,10 @@ static void warn_of_doubt(const calibration *c, const fit *f) {
       cli_warn("the data say little of '%s': %g with a standard error of %g", c->unknown[i].name,
                value, error);
   }
-  double p = gsl_cdf_chisq_Q(f->chi2, f->dof);
+  double p = f->dof > 0 ? gsl_cdf_chisq_Q(f->chi2, f->dof) : 1;
   if (c->known && f->dof > 0 && p < 1e-3)
-    cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g); the standard "
-             "errors hold for one that does",
-             f->chi2 / f->dof, p);
+    cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s", f->chi2 / f->dof,
+             p, f->described ? "" : "; the standard errors are scaled by its root");
 }
 
 /* The wall and the law as a script of an engine says them. */
@@ -486,10 +510,11 @@ static void print_all(FILE *out, const calibration *c, const fit *f) {
     for (size_t k = 0; k < i; k++)
       fprintf(out, "# correlation of %s and %s: %.3f\n", c->unknown[k].name, c->unknown[i].name,
               correlation(f, i, k));
-  fprintf(out, "# chi^2/dof %.4g: chi^2 %.6g, %.0f degrees of freedom, %zu bins", f->chi2 / f->dof,
-          f->chi2, f->dof, c->n_bins);
+  fprintf(out, "# chi^2/dof %.4g: chi^2 %.6g, %.0f degrees of freedom, %zu bins",
+          f->dof > 0 ? f->chi2 / f->dof : 0, f->chi2, f->dof, c->n_bins);
   if (c->known)
-    fprintf(out, ", %.0f impacts, p %.3g\n", all, gsl_cdf_chisq_Q(f->chi2, f->dof));
+    fprintf(out, ", %.0f impacts, p %.3g\n", all,
+            f->dof > 0 ? gsl_cdf_chisq_Q(f->chi2, f->dof) : 1);
   else
     fputs("; the data do not say how sure their means are, so the standard errors are scaled by "
           "its root\n",

@@ -4,6 +4,7 @@
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+root=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
 die() { echo "FAILED: $*" >&2; exit 1; }
 rows() { grep -v '^#' "$1" | tail -n +2; }
@@ -80,6 +81,19 @@ cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "com
 "$asperity" materials | "$asperity" rebound --map angles --angles 45 --materials - > got || die "rebound --materials -"
 printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound --map angles --angles 10 --rebound table --table - | grep -q ',0.9,0.8,' || die "rebound --table -"
 printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
+
+# The measurements that ship are read, and the law that was made of one set is that set.
+data=$root/examples/data
+for file in "$data"/grant_tabakoff_1975.csv "$data"/forder_1998.csv "$data"/kharaz_2001.csv "$data"/lamarche_2022.csv; do
+  "$asperity" cor --model none --angles 5:85:5,30.16,40.45,50.7,59.78,69.92,80.37,86.07,87.97,90 --samples 1 -o impacts
+  "$asperity" compare impacts "$file" > got 2> err || die "$file: $(cat err)"
+  [ "$(grep -vc '1 of .* bins' err)" = 0 ] || die "$file: $(cat err)" # CoR_T at 90 degrees is not defined
+done
+for law in forder grant_tabakoff; do
+  "$asperity" cor --model none --rebound $law --angles 10:85:5 --samples 1 -o impacts
+  "$asperity" compare impacts "$data"/$law*.csv --near 0.1 2> /dev/null | tail -n 1 | awk -F, '{ exit !($21 < 6e-5) }' || die "$law is not its data"
+done
+[ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their licence"
 
 # The picture names both files.
 "$asperity" compare quarter half --plot p.svg > got 2> err
