@@ -1,0 +1,16 @@
+# What the tables say, in words: of the table of models, then of what was fitted.
+FNR == 1 { file++; next }
+file == 1 { rms[$1 "," $2] = $3; ks[$1 "," $2] = $5 }
+file == 2 { value[$1 "," $2] = $3; error[$1 "," $2] = $4 }
+BEGIN { FS = "," }
+END {
+  print "Reading:"
+  printf "  scatter: the wall that gives the sd of CoR_N of Grant & Tabakoff has sigma %.1f ± %.1f degrees, the one that gives those of both %.2f ± %.2f\n",
+    value["normal,sigma"], error["normal,sigma"], value["both,sigma"], error["both,sigma"]
+  printf "  friction: from the sliding angles of Kharaz et al. alone mu is %.4f ± %.4f (measured apart: 0.092); bons needs %.2f ± %.2f over all of them\n",
+    value["kharaz_sliding,mu"], error["kharaz_sliding,mu"], value["kharaz_bons,friction"], error["kharaz_bons,friction"]
+  printf "  rms difference of CoR_T from Kharaz et al.: walton %s, with compliance 0.7 %s, bons %s, bons fitted %s\n",
+    rms["kharaz_2001,walton"], rms["kharaz_2001,walton_compliance"], rms["kharaz_2001,bons"], rms["kharaz_2001,bons_fitted"]
+  printf "  LaMarche et al.: a rough wall with sigma %.1f degrees has their mean and sd, not their law: Kolmogorov-Smirnov distance %s\n",
+    value["lamarche,sigma"], ks["lamarche_2022,walton_rough"]
+}
