@@ -24,8 +24,9 @@
 enum { ROUNDS = 3, STEPS_MOST = 12 };
 #define TURN 0.04
 
-/* A model describes the data when chi^2 per degree of freedom is less, by the data's covariance; of
- * bins with fewer impacts only its diagonal counts. */
+/* A model describes the data when chi^2 per degree of freedom is less, by the variances of the data
+ * alone: where wall and law leave one freedom, moments hang together so closely that the covariance
+ * of a sample is no guide. On a smooth wall it counts, in bins with no fewer impacts than FEW. */
 #define DESCRIBED 3
 enum { FEW = 20 };
 
@@ -236,12 +237,12 @@ static void weigh_bin(const work *w, size_t b) {
   const calibration *c = w->c;
   const calibrate_bin *bin = &c->bins[b];
   bool scatters = !c->smooth || c->noise_angle > 0 || c->noise_speed > 0;
-  bool own = w->by_model && scatters, alone = !own && bin->n < FEW;
+  bool own = w->by_model && scatters, alone = !own && (scatters || bin->n < FEW);
   double share = 1 / bin->n + (scatters ? 1 / (double)c->samples : 0);
   int map[MOMENTS], n = 0;
   double turn[MOMENTS]; /* d root/d variance */
   for (int k = 0; k < MOMENTS; k++)
-    turn[k] = k == VAR_X || k == VAR_Y
+    turn[k] = c->data.means && (k == VAR_X || k == VAR_Y)
                   ? 0.5 / sqrt(fmax((own ? w->moment[b] : bin->moment)[k], FLOOR))
                   : 1;
   for (int k = 0; k < MOMENTS; k++)
@@ -270,9 +271,10 @@ static void weigh_bin(const work *w, size_t b) {
       w->lower[b][k][l] = gsl_matrix_get(&m.matrix, (size_t)k, (size_t)l);
 }
 
-/* A moment as it is compared: of a variance its root, whose sampling error is nearer to normal. */
-static double compared(int k, double value) {
-  return k == VAR_X || k == VAR_Y ? sqrt(fmax(value, FLOOR)) : value;
+/* A moment as it is compared: of means, the standard deviation that they come with; of impacts the
+ * variance, since with the covariance it makes what hangs together do so in a straight line. */
+static double compared(const calibration *c, int k, double value) {
+  return c->data.means && (k == VAR_X || k == VAR_Y) ? sqrt(fmax(value, FLOOR)) : value;
 }
 
 /* Differences of the moments, made independent and of variance 1. */
@@ -288,7 +290,7 @@ static int residuals(const gsl_vector *scaled, void *data, gsl_vector *out) {
     for (int k = 0, n = 0; k < MOMENTS; k++) {
       if (!c->bins[b].used[k])
         continue;
-      double off = compared(k, w->moment[b][k]) - compared(k, c->bins[b].moment[k]);
+      double off = compared(c, k, w->moment[b][k]) - compared(c, k, c->bins[b].moment[k]);
       for (int l = 0; l < n; l++)
         off -= w->lower[b][n][l] * solved[l];
       solved[n] = off / w->lower[b][n][n];

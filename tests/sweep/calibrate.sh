@@ -5,7 +5,7 @@
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-trials=${1:-2} jobs=${2:-1}
+trials=${1:-1} jobs=${2:-1}
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
 export asperity
 
@@ -19,7 +19,7 @@ trial() {
   esac
   local sigma; sigma=$(awk -v rq="$rq" 'BEGIN { print atan2(sqrt(2) * rq / 40, 1) * 45 / atan2(1, 1) }')
   "$asperity" cor --rebound "$law" $options --rq "$rq"mm --lambda-c 40mm --model visible --tilt isotropic --collisions multiple \
-    --angles 10:80:10 --samples 60 --seed "$seed" -o "data.$law.$rq.$seed"
+    --angles 15:75:15 --samples 200 --seed "$seed" -o "data.$law.$rq.$seed"
   # the search begins elsewhere: at 5 degrees, and at constants half as large again
   local begin
   case $law in
