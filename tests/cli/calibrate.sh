@@ -67,7 +67,7 @@ near sigma 3.037 4 fit
 
 # What the data cannot tell is said: gamma and b act alike; and a wall that does not scatter like the data.
 "$asperity" cor --model none --angles 30:90:20 --samples 20 --speed 8 -o slow
-"$asperity" calibrate data --fit surface_energy,a $quick > fit 2> err
+"$asperity" calibrate data --rq 4mm --lambda-c 40mm --fit surface_energy,a $quick > fit 2> err
 grep -q "cannot tell 'surface_energy' and 'a' apart" err || die "no warning: $(cat err fit)"
 "$asperity" calibrate data --fit friction --sigma 2 $quick > fit 2> err
 grep -q "does not describe the data" err || die "no warning of a bad fit: $(cat err fit)"
