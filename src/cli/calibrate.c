@@ -24,6 +24,10 @@
 enum { ROUNDS = 3, STEPS_MOST = 12 };
 #define TURN 0.04
 
+/* The covariance is that of so many times the simulated impacts: what it is off makes an estimate
+ * worse than its standard error says, for moments have long tails. */
+enum { WEIGHING = 10 };
+
 /* A model describes the data when chi^2 per degree of freedom is less, by the variances of the data
  * alone: where wall and law leave one freedom, moments hang together so closely that the covariance
  * of a sample is no guide. On a smooth wall it counts, in bins with no fewer impacts than FEW. */
@@ -328,7 +332,10 @@ static void weigh(work *w, const gsl_vector *scaled, bool by_model) {
   w->by_model = by_model;
   if (!calibrate_set(w->c, scaled))
     cli_fail("no wall can be made of the values that the fit has come to");
+  size_t samples = w->c->samples;
+  w->c->samples *= by_model ? WEIGHING : 1;
   calibrate_moments(w->c, w->moment, w->covariance);
+  w->c->samples = samples;
   for (size_t b = 0; b < w->c->n_bins; b++)
     weigh_bin(w, b);
 }
