@@ -61,7 +61,8 @@ void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
   if (asp_wall_choose(wall, "spread", model, &error))
     cli_bad_usage("%s", error.text);
   if (strcmp(model, "none") != 0) {
-    s->surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+    s->lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
+    s->surface = cli_surface_of(&options[RQ], &s->lay);
     cli_check_size(s->surface, s->most);
     asp_wall_set_surface(wall, s->surface);
     asp_wall_set(wall, "d_p_least", s->least, NULL);
@@ -90,7 +91,7 @@ cor_row cli_cor_impact(const cor_scene *s, double angle, size_t sample, uint64_t
   if (angle >= 90)
     v1[0] = 0;
   asp_particle particle = {
-      r.d_p, asp_material_get(s->law.particle, "density"), s->pair, {0, 0, 0}, NULL};
+      r.d_p, asp_material_get(s->law.particle, "density"), s->pair, {0, 0, 0}, s->lay.vector};
   key.impact = 1;
   asp_wall_impact(s->law.wall, &particle, v1, n, &key, &r.impact);
   r.cor = asp_impact_coefficients(v1, n, &r.impact);
@@ -122,16 +123,18 @@ static void make_rows(const cor_scene *s, const cli_list *angles, size_t samples
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTH", "correlation length of the wall", NULL},
+      [LAMBDA_C] = {"lambda-c", "LENGTHS", CLI_LAMBDA_HELP, NULL},
+      [LAY] = CLI_LAY_OPTION,
       [DP] = {"dp", "SIZES", "diameter, list, or min:max:median of a log-normal", "10um"},
       [SPEED] = {"speed", "M_PER_S", "impact speed", "100"},
       [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
-      [MODEL] = {"model", "NAME", "spread model; none is the smooth wall", "weibull"},
+      [MODEL] = {"model", "NAME", "spread model; none is the smooth wall", "visible"},
       [SAMPLES] = {"samples", "N", "impacts per angle", "100"},
       [SEED] = {"seed", "N", "seed of the draws", "1"},
       [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
-                "plane"},
-      [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes", "single"},
+                "isotropic"},
+      [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
+                      "multiple"},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw the scatter; .png, .svg or .pdf", NULL},
       CLI_LAW_OPTIONS(LAW),

@@ -5,11 +5,13 @@
 #define ASP_CLI_COR_H
 
 #include "cli/law.h"
+#include "cli/walls.h"
 
 /* The options of the command. */
 enum {
   RQ,
   LAMBDA_C,
+  LAY,
   DP,
   SPEED,
   ANGLES,
@@ -26,6 +28,7 @@ enum {
 
 typedef struct cor_scene {
   asp_surface *surface; /* NULL: smooth */
+  cli_lay lay;
   cli_law law;
   asp_pair *pair;
   double speed;

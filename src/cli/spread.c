@@ -3,6 +3,7 @@
 #include "base/running.h"
 #include "cli/walls.h"
 #include "impact/wall.h"
+#include "surface/size_law.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
@@ -10,7 +11,23 @@
 
 #include <stdlib.h>
 
-enum { MODEL, SIGMA, RQ, LAMBDA_C, DP, ANGLE, SAMPLES, SEED, PDF, SUMMARY, LIST, OUTPUT, PLOT, N };
+enum {
+  MODEL,
+  SIGMA,
+  RQ,
+  LAMBDA_C,
+  LAY,
+  DP,
+  ANGLE,
+  SAMPLES,
+  SEED,
+  PDF,
+  SUMMARY,
+  LIST,
+  OUTPUT,
+  PLOT,
+  N
+};
 
 static aspi_stream stream_of(const cli_option *options, uint64_t sample) {
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
@@ -44,18 +61,22 @@ static const void *data_of(const char *model, const asp_surface *surface, double
 
 /* The wall as the model looks at it; alpha1 is still to come. */
 static aspi_view view_of(const cli_option *options, const asp_spread_model *model) {
-  if (options[SIGMA].value && !model->prepare)
+  if (options[SIGMA].value && !model->generate)
     return aspi_view_of(cli_radians(cli_number(&options[SIGMA], 0, 89)), 0);
   if (!options[RQ].value || !options[LAMBDA_C].value || !options[DP].value)
     cli_bad_usage("spread: give %s--rq, --lambda-c and --dp%s",
-                  model->prepare ? "" : "--sigma, or ",
-                  model->prepare ? "; the model looks at a profile" : "");
-  asp_surface *surface = cli_surface_of(&options[RQ], &options[LAMBDA_C]);
+                  model->generate ? "" : "--sigma, or ",
+                  model->generate ? "; the model looks at a profile" : "");
+  cli_lay lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
+  asp_surface *surface = cli_surface_of(&options[RQ], &lay);
   double d_p = cli_length(&options[DP]);
   cli_check_size(surface, d_p);
-  aspi_view view = aspi_view_of(atan(asp_surface_slope(surface, d_p)), 0);
+  double slope = lay.part < 1 || lay.part > 1 ? aspi_surface_slope_along(surface, d_p, lay.part)
+                                              : asp_surface_slope(surface, d_p);
+  aspi_view view = aspi_view_of(atan(slope), 0);
+  view.kappa = asp_surface_kappa(surface, d_p) * lay.part;
   view.d_p = d_p;
-  if (model->prepare)
+  if (model->generate)
     view.data = data_of(model->name, surface, d_p);
   return view;
 }
@@ -127,10 +148,12 @@ static void one_angle(FILE *out, const cli_option *options, const asp_spread_mod
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      [MODEL] = {"model", "NAME", "spread model; --list shows them", "weibull"},
+      [MODEL] = {"model", "NAME", "spread model; --list shows them", "visible"},
       [SIGMA] = {"sigma", "DEGREES", "the wall as sigma = atan(s_eff) ...", NULL},
       [RQ] = {"rq", "LENGTH", "... or by its rms height,", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTH", "its correlation length,", NULL},
+      [LAMBDA_C] = {"lambda-c", "LENGTHS", "its correlation length; with a lay two: across,along",
+                    NULL},
+      [LAY] = CLI_LAY_OPTION,
       [DP] = {"dp", "LENGTH", "and the particle's diameter", NULL},
       [ANGLE] = {"angle", "DEGREES", "impact angle, 0 to 90; with --summary a list or a range",
                  "30"},
@@ -173,6 +196,6 @@ const cli_command cli_spread = {
     .summary = "how the tilt of the face that a particle hits is distributed",
     .detail =
         "Draws delta_alpha for a wall and an impact angle, or prints its density. The wall is\n"
-        "--sigma, or --rq, --lambda-c and --dp.\n",
+        "--sigma, or --rq, --lambda-c and --dp, as a profile along the flight has it.\n",
     .run = run,
 };

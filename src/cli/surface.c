@@ -1,6 +1,7 @@
 /* asperity surface: what a particle of a given size finds on a wall, generated or measured. */
 #include "cli/surface.h"
 #include "base/units.h"
+#include "cli/walls.h"
 #include "cli/surface_map.h"
 #include "surface/describe.h"
 #include "surface/read.h"
@@ -17,6 +18,7 @@ enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28, TWIN_POINTS = 1 << 19 };
 enum {
   RQ,
   LAMBDA_C,
+  LAY,
   DP,
   SEED,
   POINTS,
@@ -39,7 +41,8 @@ enum {
 
 static const cli_option table[N_OPTIONS + 1] = {
     [RQ] = {"rq", "LENGTH", "rms height of a generated wall", NULL},
-    [LAMBDA_C] = {"lambda-c", "LENGTH", "its correlation length: autocorrelation 1/e", NULL},
+    [LAMBDA_C] = {"lambda-c", "LENGTHS", CLI_LAMBDA_HELP, NULL},
+    [LAY] = CLI_LAY_OPTION,
     [DP] = {"dp", "LENGTHS", "particle diameters: a list or from:to:step", "10um"},
     [SEED] = {"seed", "N",
               "of the generated profile, or of the one that a measured one is compared with", "1"},
@@ -157,7 +160,8 @@ static cli_wall read_wall(const cli_option *o, source *from) {
 }
 
 static cli_wall generate_wall(const cli_option *o) {
-  double r_q = cli_length(&o[RQ]), lambda_c = cli_length(&o[LAMBDA_C]);
+  cli_lay lay = cli_lay_of(&o[LAMBDA_C], &o[LAY]);
+  double r_q = cli_length(&o[RQ]), lambda_c = lay.lambda[0] / sqrt(lay.part);
   size_t points = cli_whole(&o[POINTS], POINTS_LEAST, POINTS_MOST);
   asp_error error;
   asp_profile *profile = asp_profile_create(r_q, lambda_c, lambda_c / CLI_POINTS_PER_LAMBDA, points,

@@ -61,19 +61,21 @@ static void print(FILE *out, const trade_row *rows, size_t n) {
 /* The rows of --three-d. */
 static void judge_3d(FILE *out, const cli_option *options, const cli_list *angles, size_t rays,
                      uint32_t seed) {
-  double lambda_c = cli_length(&options[LAMBDA_C]);
-  judge_case subject = {{cli_length(&options[RQ]), lambda_c, lambda_c, 0},
-                        cli_length(&options[DP]),
-                        cli_whole(&options[SURFACES], 3, 1000),
-                        cli_whole(&options[POINTS], 256, 16384),
-                        NULL};
+  cli_lay lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
+  judge_case subject = {
+      {cli_length(&options[RQ]), lay.lambda[0], lay.lambda[1], lay.direction - ASP_PI / 2},
+      cli_length(&options[DP]),
+      cli_whole(&options[SURFACES], 3, 1000),
+      cli_whole(&options[POINTS], 256, 16384),
+      NULL};
   cli_trade_3d(out, &subject, angles, rays, cli_is_multiple(&options[COLLISIONS]), seed);
 }
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTH", "correlation length: autocorrelation 1/e", NULL},
+      [LAMBDA_C] = {"lambda-c", "LENGTHS", CLI_LAMBDA_HELP, NULL},
+      [LAY] = CLI_LAY_OPTION,
       [DP] = {"dp", "LENGTH", "diameter of the particles", NULL},
       [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "2,5,10,20,45,80"},
       [RAYS] = {"rays", "N", "impacts per model and angle", "200000"},
@@ -114,7 +116,11 @@ static int run(int argc, char **argv) {
   if (!rows)
     cli_fail("out of memory");
   subject.r_q = cli_length(&options[RQ]);
-  subject.lambda_c = cli_length(&options[LAMBDA_C]);
+  cli_lay lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
+  if (lay.lambda[0] < lay.lambda[1] || lay.lambda[0] > lay.lambda[1])
+    cli_bad_usage("--lambda-c is '%s'; a wall with a lay is judged with --three-d",
+                  options[LAMBDA_C].value);
+  subject.lambda_c = lay.lambda[0];
   subject.d_p = cli_length(&options[DP]);
   measure(options, &angles, &subject, rows);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);

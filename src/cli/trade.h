@@ -10,6 +10,7 @@
 enum {
   RQ,
   LAMBDA_C,
+  LAY,
   DP,
   ANGLES,
   RAYS,

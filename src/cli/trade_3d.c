@@ -43,8 +43,8 @@ static void add_all(judge_angles *to, const judge_angles *from) {
   to->later += from->later;
 }
 
-static judge_angles rebounds(const asp_wall *wall, double d_p, double alpha1, size_t n,
-                             uint32_t seed) {
+static judge_angles rebounds(const asp_wall *wall, double d_p, const double lay[3], double alpha1,
+                             size_t n, uint32_t seed) {
   judge_angles all = {0};
   const double v1[3] = {cos(alpha1), 0, -sin(alpha1)};
 #pragma omp parallel
@@ -52,7 +52,7 @@ static judge_angles rebounds(const asp_wall *wall, double d_p, double alpha1, si
     judge_angles mine = {0};
 #pragma omp for schedule(static)
     for (size_t i = 0; i < n; i++) {
-      asp_particle particle = {.d_p = d_p, .density = 1};
+      asp_particle particle = {.d_p = d_p, .density = 1, .lay = lay};
       asp_impact impact;
       asp_wall_impact(wall, &particle, v1, up, &(asp_key){seed, 1, i, 1}, &impact);
       judge_add(&mine, impact.v2, impact.delta_alpha, impact.hits);
@@ -93,7 +93,10 @@ void cli_trade_3d(FILE *out, const judge_case *subject, const cli_list *angles, 
     cli_fail("out of memory");
   for (size_t i = 0; i < alpha1.count; i++)
     alpha1.values[i] = cli_radians(angles->values[i]);
-  asp_surface *surface = asp_surface_create(subject->wall.r_q, subject->wall.lambda_1, &error);
+  const aspi_gauss *numbers = &subject->wall;
+  const double lay[3] = {-sin(numbers->axis), cos(numbers->axis), 0};
+  asp_surface *surface =
+      asp_surface_create_lay(numbers->r_q, numbers->lambda_1, numbers->lambda_2, &error);
   if (!surface)
     cli_bad_usage("%s", error.text);
   judge_all all = judge_create(subject, &alpha1, rays, seed);
@@ -106,7 +109,8 @@ void cli_trade_3d(FILE *out, const judge_case *subject, const cli_list *angles, 
     const char *model = asp_spread_name(asp_spread_at(k));
     asp_wall *wall = make_wall(surface, d_p, model, multiple);
     for (size_t i = 0; i < alpha1.count; i++) {
-      judge_angles m = rebounds(wall, d_p, alpha1.values[i], rays * subject->surfaces, seed + 1);
+      judge_angles m =
+          rebounds(wall, d_p, lay, alpha1.values[i], rays * subject->surfaces, seed + 1);
       print_row(out, model, angles->values[i], measure_cost(wall, d_p, alpha1.values[i]), &all, i,
                 &m);
     }

@@ -9,8 +9,22 @@ const char *cli_tilt(const cli_option *option);
 bool cli_is_multiple(const cli_option *option);
 bool cli_switch(const cli_option *option);
 
-/* The surface of --rq and --lambda-c. */
-asp_surface *cli_surface_of(const cli_option *rq, const cli_option *lambda_c);
+/* The correlation lengths of a wall, and its lay. */
+typedef struct cli_lay {
+  double lambda[2]; /* across the lay and along it; equal where there is none */
+  double direction; /* of the lay, rad, from the direction of flight towards n x t */
+  double vector[3]; /* the same where the particle flies along x and the wall is z = 0 */
+  double part;      /* lambda[0]^2 over the square of the correlation length along the flight */
+} cli_lay;
+
+/* Reads --lambda-c, one length or two, and --lay, in degrees, which goes with two. */
+cli_lay cli_lay_of(const cli_option *lambda_c, const cli_option *lay);
+#define CLI_LAY_OPTION                                                                             \
+  { "lay", "DEGREES", "of two --lambda-c: from the flight to the lay [90: across it]", NULL }
+#define CLI_LAMBDA_HELP "correlation length: autocorrelation 1/e; with a lay two: across,along"
+
+/* The surface of --rq and those. */
+asp_surface *cli_surface_of(const cli_option *rq, const cli_lay *lay);
 
 /* Exits when the surface's size law does not reach to the diameter. */
 void cli_check_size(const asp_surface *surface, double d_p);

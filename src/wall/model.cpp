@@ -40,11 +40,11 @@ std::string for_types(int n, const char *first, const char *other) {
 
 Model::Model(const Engine &engine)
     : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), lambda_along_(0), dp_bins_(16),
-      tolerance_(0), d_range_(), tilt_("plane"), collisions_("single"), deposit_(FREEZE), seed_(1),
-      profile_(NULL, asp_profile_free), map_(NULL, asp_map_free), table_(NULL, asp_cor_table_free),
-      own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
-      wall_(asp_wall_create(NULL), asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION),
-      is_new_(true) {
+      tolerance_(0), d_range_(), tilt_("isotropic"), collisions_("multiple"), said_nothing_(false),
+      deposit_(FREEZE), seed_(1), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
+      table_(NULL, asp_cor_table_free), own_materials_(NULL, asp_materials_free), units_(NULL),
+      surface_(NULL, asp_surface_free), wall_(asp_wall_create(NULL), asp_wall_free),
+      is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {
   if (wall_)
     rebound_text_ = asp_rebound_name(asp_wall_rebound(wall_.get()));
 }
@@ -265,13 +265,15 @@ void Model::parse_materials(Words &words, const std::string &keywords) {
 
 void Model::finish() {
   check_memory();
+  said_nothing_ = spread_.empty() && profile_path_.empty() && map_path_.empty();
   if (spread_.empty())
-    spread_ = smooth_ ? "none" : map_path_.empty() ? "weibull" : "profile";
+    spread_ = smooth_ ? "none" : profile_path_.empty() && map_path_.empty() ? "visible" : "profile";
   if (smooth_ && spread_ == "auto")
     spread_ = "none";
   if (spread_ != "auto")
     asp_wall_choose(wall_.get(), "spread", spread_.c_str(), NULL);
   asp_wall_choose(wall_.get(), "tilt", tilt_.c_str(), NULL);
+  asp_wall_choose(wall_.get(), "collisions", collisions_.c_str(), NULL);
   asp_wall_set(wall_.get(), "deposit", deposit_ != OFF, NULL);
   if (!map_path_.empty() && !smooth_)
     read_map_file();
@@ -621,16 +623,30 @@ std::string Model::describe_surface() const {
                  "%.2g %% of "
                  "sigma",
                  100 * asp_surface_uncertainty(s));
+  if (said_nothing_)
+    line +=
+        "\n  spread is the default; the choice of Altmeppen et al. 2020 is 'spread weibull plane "
+        "collisions single'";
   for (int i = 0; i < asp_surface_bins(s); i++)
     line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
                  atan(asp_surface_bin_slope(s, i)) * DEGREES);
   return line;
 }
 
+/* Whether the tilts come from a law of the rms slope alone. */
+bool Model::draws_from_gaussian() const {
+  const std::string model = asp_spread_name(asp_wall_spread(wall_.get()));
+  return !smooth_ && model != "none" && model != "profile" && model != "traced";
+}
+
 std::string Model::news() {
   if (!is_new_ || !is_made_)
     return "";
   is_new_ = false;
+  const std::string &measured = map_path_.empty() ? profile_path_ : map_path_;
+  if (!measured.empty() && draws_from_gaussian())
+    engine_.warn("'spread " + spread_ + "' draws from a Gaussian wall with the slopes of '" +
+                 measured + "', whose own law is 'spread profile'");
   if (asp_rebound_measured(asp_wall_rebound(wall_.get())) && !smooth_)
     engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
                       "own; on a rough wall that counts twice",

@@ -107,6 +107,7 @@ private:
   void take_defaults(std::vector<double> &energy, std::vector<double> &friction);
   void check_kinds(bool constant_yield) const;
   void report_yield(const std::vector<int> &wall_types);
+  bool draws_from_gaussian() const;
   std::string surface_text() const;
   std::string describe_surface() const;
 
@@ -123,6 +124,7 @@ private:
   std::string table_path_, rebound_text_, materials_text_, materials_report_, removal_text_;
   double d_range_[2];
   std::string tilt_, collisions_;
+  bool said_nothing_; /* of the spread of a Gaussian wall */
   Deposit deposit_;
   uint32_t seed_;
   Profile profile_;

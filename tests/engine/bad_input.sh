@@ -58,6 +58,11 @@ for value in 0 -1e-05 nan inf; do
   refuses "$plane surface rq $value lambda_c 1e-4" "" "r_q is $value" "> 0"
   refuses "$plane surface rq 1e-5 lambda_c $value" "" "lambda_c is $value" "> 0"
 done
+refuses "$plane surface rq 1e-5 lambda_c 1e-4 lay 1 0 0" "" "'lay' needs two"
+refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-3" "" "'lay' and its direction"
+refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-3 lay 0 0 0" "" "lay is 0 0 0" "> 0"
+refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-3 lay axial" "" "lay is 'axial'" "X Y Z"
+refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-6 lay 1 0 0" "" "phi_r" "reaches to 0.25"
 refuses "$plane surface rq 1e-5 lambda_c 1e-4 spread wiebull" "" "'wiebull'" "weibull" "truncated"
 refuses "$plane surface rq 1e-5 lambda_c 1e-4 spread weibull collisions many" "" "'many'" "single or multiple"
 refuses "$plane rebound bouncy" "" "'bouncy'" "bons" "constant"

@@ -65,7 +65,7 @@ differs() { # WALL WORD...
   done
 }
 differs low "seed 5, was 4" "rq 1.2e-05 lambda_c 9e-05, was rq 1e-05" "materials quartz hastelloy-x, was none" \
-  "spread truncated isotropic collisions single, was weibull plane collisions single" "deposit delete, was freeze" \
+  "spread truncated isotropic collisions multiple, was visible isotropic collisions multiple" "deposit delete, was freeze" \
   "rebound bons yield_rate 3000000" ", was bons yield_rate 0"
 differs high "geometry primitive type 2 zplane 0.00039, was primitive type 2 zplane 0.00038" \
   "rebound constant cor_n 0.9 cor_t 0.8, was constant cor_n 0.9 cor_t 0.9"

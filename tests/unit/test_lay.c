@@ -1,0 +1,177 @@
+/* Walls with a lay: what theory says of them, and surfaces in three dimensions, none of which made
+ * the model. */
+#include "check.h"
+#include "cli/judge_3d.h"
+#include "surface/size_law.h"
+
+#include <stdlib.h>
+
+#define DEGREE (ASP_PI / 180)
+
+static const double up[3] = {0, 0, 1};
+
+typedef struct setup {
+  asp_surface *surface;
+  asp_wall *wall;
+} setup;
+
+static setup setup_create(double lambda, double along, const char *tilt) {
+  setup s = {asp_surface_create_lay(5, lambda, along, NULL), asp_wall_create(NULL)};
+  asp_wall_choose(s.wall, "rebound", "constant", NULL);
+  asp_wall_choose(s.wall, "spread", "visible", NULL);
+  asp_wall_choose(s.wall, "tilt", tilt, NULL);
+  asp_wall_choose(s.wall, "collisions", "multiple", NULL);
+  asp_wall_set(s.wall, "deposit", 0, NULL);
+  asp_wall_set_surface(s.wall, s.surface);
+  assert_int_equal(asp_wall_prepare(s.wall, NULL), ASP_OK);
+  return s;
+}
+
+static void setup_free(setup *s) {
+  asp_wall_free(s->wall);
+  asp_surface_free(s->surface);
+}
+
+/* An impact along x; psi is the angle from x to the axis across the lay, towards n x t = y. */
+static asp_impact meet(const setup *s, double d_p, double alpha1, double psi, uint64_t tag) {
+  double lay[3] = {-sin(psi), cos(psi), 0.3}, v1[3] = {cos(alpha1), 0, -sin(alpha1)};
+  asp_particle grain = {.d_p = d_p, .density = 1, .lay = lay};
+  asp_impact impact;
+  asp_wall_impact(s->wall, &grain, v1, up, &(asp_key){3, 1, tag, 1}, &impact);
+  return impact;
+}
+
+static judge_angles many(const setup *s, double d_p, double alpha1, double psi, size_t n) {
+  judge_angles all = {0};
+  for (size_t i = 0; i < n; i++) {
+    asp_impact impact = meet(s, d_p, alpha1, psi, i);
+    judge_add(&all, impact.v2, impact.delta_alpha, impact.hits);
+  }
+  return all;
+}
+
+/* Equal lengths are a wall without a lay, to the bit; and what points the other way is the same. */
+static void a_lay_has_no_sense(void **state) {
+  (void)state;
+  setup equal = setup_create(40, 40, "isotropic"), lay = setup_create(40, 200, "isotropic");
+  for (uint64_t tag = 0; tag < 3000; tag++) {
+    double alpha1 = 0.001 * (double)(tag % 1500), psi = 0.01 * (double)tag;
+    asp_impact a = meet(&equal, 100, alpha1, psi, tag), b = meet(&equal, 100, alpha1, 0, tag);
+    asp_impact c = meet(&lay, 100, alpha1, psi, tag),
+               d = meet(&lay, 100, alpha1, psi + ASP_PI, tag);
+    for (int k = 0; k < 3; k++) {
+      assert_near(a.v2[k], b.v2[k], 0);
+      assert_near(c.v2[k], d.v2[k], 1e-9);
+    }
+  }
+  setup_free(&equal);
+  setup_free(&lay);
+}
+
+/* The other side of the lay steers to the other side. */
+static void mirrored_lays_mirror_the_law(void **state) {
+  (void)state;
+  enum { N = 100000 };
+  setup s = setup_create(40, 200, "isotropic");
+  judge_angles left = many(&s, 10, 0.1, 0.6, N), right = many(&s, 10, 0.1, -0.6, N);
+  double error = 5 * sqrt(2 * left.lateral_square / N / N);
+  assert_true(left.lateral_sum / N < -1);
+  assert_near(left.lateral_sum / N, -right.lateral_sum / N, error);
+  assert_near(left.rebound_sum / N, right.rebound_sum / N, 5 * sqrt(2. / N) * 10);
+  setup_free(&s);
+}
+
+/* Endless grooves: across them a profile, without a tilt out of the plane; along them faces that
+ * tilt out of the plane only, with the slope across. */
+static void grooves(void **state) {
+  (void)state;
+  enum { N = 100000 };
+  setup s = setup_create(40, 4e8, "isotropic"), plane = setup_create(40, 40, "plane");
+  double square = 0, lower = 0;
+  for (uint64_t tag = 0; tag < N; tag++) {
+    asp_impact across = meet(&s, 1e-6, 0.2, 0, tag), flat = meet(&plane, 1e-6, 0.2, 0, tag);
+    assert_near(across.delta_alpha, flat.delta_alpha, 1e-9);
+    assert_near(across.tilt_out, 0, 1e-6);
+    asp_impact along = meet(&s, 1e-6, 0.2, ASP_PI / 2, tag);
+    assert_near(along.delta_alpha, 0, 1e-5);
+    square += pow(tan(along.tilt_out), 2) / N;
+    lower += (0.2 - atan2(along.v2[2], hypot(along.v2[0], along.v2[1]))) / N;
+  }
+  double slope = asp_surface_slope_rms(s.surface);
+  assert_near(sqrt(square), slope, slope * 5 / sqrt(2. * N));
+  assert_true(lower > 0);
+  setup_free(&s);
+  setup_free(&plane);
+}
+
+/* At normal incidence both slopes are what the surface has, whatever the direction of the lay. */
+static void normal_incidence_shows_all_slopes(void **state) {
+  (void)state;
+  enum { N = 200000 };
+  setup s = setup_create(40, 120, "isotropic");
+  double psi = 0.5, xx = 0, xy = 0, yy = 0, d_p = 100, slope[2];
+  for (uint64_t tag = 0; tag < N; tag++) {
+    asp_impact impact = meet(&s, d_p, ASP_PI / 2, psi, tag);
+    if (impact.hits > 1)
+      continue;
+    /* a specular face turns -n into v2: its normal is along v2 + n */
+    double p = -impact.v2[0] / (1 + impact.v2[2]), q = -impact.v2[1] / (1 + impact.v2[2]);
+    xx += p * p / N, xy += p * q / N, yy += q * q / N;
+  }
+  aspi_surface_sphere_slopes(s.surface, d_p, slope);
+  double c = cos(psi), t = sin(psi), one = slope[0] * slope[0], two = slope[1] * slope[1];
+  assert_near(xx, c * c * one + t * t * two, 0.02 * one);
+  assert_near(yy, t * t * one + c * c * two, 0.02 * one);
+  assert_near(xy, (one - two) * c * t, 0.02 * one);
+  setup_free(&s);
+}
+
+/* The mean lateral angle that an independent reference found at psi = 45 degrees. */
+static void lays_steer(void **state) {
+  (void)state;
+  enum { N = 100000 };
+  static const double known[][2] = {{2, -3.17}, {5, -3.30}, {10, -3.29}, {30, -2.81}};
+  setup s = setup_create(40, 200, "isotropic");
+  for (int i = 0; i < 4; i++) {
+    judge_angles a = many(&s, 10, known[i][0] * DEGREE, ASP_PI / 4, N);
+    print_message("alpha1 %g: lateral %.3f (%.2f)\n", known[i][0], a.lateral_sum / N, known[i][1]);
+    assert_near(a.lateral_sum / N, known[i][1], 0.15);
+  }
+  setup_free(&s);
+}
+
+/* psi, d_p, alpha1 (degrees): the rebound angle and the lateral one, against surfaces. */
+static void walls_with_a_lay_are_surfaces(void **state) {
+  (void)state;
+  static const double cases[][3] = {
+      {0, 10, 2}, {90, 10, 2}, {90, 10, 30}, {45, 10, 5}, {45, 185, 10}};
+  enum { N = 200000 };
+  setup s = setup_create(40, 200, "isotropic");
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    double psi = cases[i][0] * DEGREE, d_p = cases[i][1], alpha1 = cases[i][2] * DEGREE;
+    judge_case subject = {{5, 40, 200, psi}, d_p, 3, 1024, NULL};
+    judge_all all = judge_create(&subject, &(cli_list){&alpha1, 1}, 20000, 300);
+    judge_angles model = many(&s, d_p, alpha1, psi, N);
+    judge_value rebound = judge_divergence(&all, 0, &model, offsetof(judge_angles, rebound));
+    judge_value lateral = judge_divergence(&all, 0, &model, offsetof(judge_angles, lateral));
+    print_message("psi %g, d_p %g, alpha1 %g: D_KL %.4f +- %.4f, lateral %.4f +- %.4f\n",
+                  cases[i][0], d_p, cases[i][2], rebound.value, rebound.se, lateral.value,
+                  lateral.se);
+    assert_true(rebound.value < 0.006 + 3 * rebound.se);
+    assert_true(lateral.value < 0.006 + 3 * lateral.se);
+    judge_free(&all);
+  }
+  setup_free(&s);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(a_lay_has_no_sense),
+      cmocka_unit_test(mirrored_lays_mirror_the_law),
+      cmocka_unit_test(grooves),
+      cmocka_unit_test(normal_incidence_shows_all_slopes),
+      cmocka_unit_test(lays_steer),
+      cmocka_unit_test(walls_with_a_lay_are_surfaces),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
