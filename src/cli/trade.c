@@ -83,7 +83,7 @@ static int run(int argc, char **argv) {
       [SEED] = {"seed", "N", "seed of the ensemble and the draws", "1"},
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
                       "multiple"},
-      [GRID] = {"grid", NULL, "measure the grid of walls from which `auto` chooses; minutes", NULL},
+      [GRID] = {"grid", NULL, "measure the grid of walls from which `auto` chooses; an hour", NULL},
       [THREE_D] = {"three-d", NULL, "isotropic: judged by surfaces in three dimensions", NULL},
       [SURFACES] = {"surfaces", "N", "of --three-d: independent surfaces that judge", "8"},
       [POINTS] = {"points", "N", "of --three-d: points along a side, 20 a lambda_c", "2048"},
