@@ -126,6 +126,22 @@ static void normal_incidence_shows_all_slopes(void **state) {
   setup_free(&s);
 }
 
+/* A sphere that grazes rests on summits: formula (4) for the slope across the flight. */
+static void grazing_spheres_meet_less_slope(void **state) {
+  (void)state;
+  enum { N = 100000 };
+  setup s = setup_create(40, 40, "isotropic");
+  double d_p = 185, alpha1 = 0.02, slope[2], square = 0;
+  aspi_surface_sphere_slopes(s.surface, d_p, slope);
+  for (uint64_t tag = 0; tag < N; tag++)
+    square += pow(tan(meet(&s, d_p, alpha1, 0, tag).tilt_out), 2) / N;
+  double kappa = asp_surface_kappa(s.surface, d_p), a = tan(alpha1) / slope[0];
+  double left = 1 - 0.19 * tanh(2 * kappa) * exp(-2.3 * a);
+  assert_true(left < 0.88);
+  assert_near(sqrt(square) / slope[0], left, 5 / sqrt(2. * N));
+  setup_free(&s);
+}
+
 /* The mean lateral angle that an independent reference found at psi = 45 degrees. */
 static void lays_steer(void **state) {
   (void)state;
@@ -170,6 +186,7 @@ int main(void) {
       cmocka_unit_test(mirrored_lays_mirror_the_law),
       cmocka_unit_test(grooves),
       cmocka_unit_test(normal_incidence_shows_all_slopes),
+      cmocka_unit_test(grazing_spheres_meet_less_slope),
       cmocka_unit_test(lays_steer),
       cmocka_unit_test(walls_with_a_lay_are_surfaces),
   };
