@@ -14,7 +14,7 @@
 enum { WORD_MOST = 64 };
 
 aspi_text aspi_text_create(FILE *stream, const char *path) {
-  return (aspi_text){.stream = stream, .path = path, .line = 0, .next = 1};
+  return (aspi_text){.stream = stream, .path = path, .line = 0, .next = 1, .utf16 = -1};
 }
 
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error) {
@@ -23,6 +23,8 @@ asp_code aspi_text_rewind(aspi_text *text, asp_error *error) {
                      text->path, strerror(errno));
   text->line = 0;
   text->next = 1;
+  text->utf16 = -1;
+  text->pending_count = 0;
   return ASP_OK;
 }
 
@@ -36,13 +38,62 @@ asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, co
   return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
 }
 
+/* A file that begins with FF FE or FE FF is UTF-16. */
+static void look_at_mark(aspi_text *text) {
+  text->utf16 = 0;
+  int first = getc_unlocked(text->stream);
+  if (first != 0xFF && first != 0xFE) {
+    if (first != EOF)
+      ungetc(first, text->stream);
+    return;
+  }
+  int second = getc_unlocked(text->stream);
+  if (first + second == 0xFF + 0xFE)
+    text->utf16 = first == 0xFF ? 1 : 2;
+  else if (second != EOF)
+    ungetc(second, text->stream); /* what was first is no part of any name or number */
+}
+
+/* The next byte of what UTF-16 says, as UTF-8; half of a pair of surrogates becomes a question
+ * mark. */
+static int next_of_utf16(aspi_text *text) {
+  if (text->pending_count > 0)
+    return (unsigned char)text->pending[--text->pending_count];
+  int first = getc_unlocked(text->stream), second = getc_unlocked(text->stream);
+  if (first == EOF || second == EOF)
+    return EOF;
+  int unit = text->utf16 == 1 ? first + 256 * second : 256 * first + second;
+  if (unit < 0x80)
+    return unit;
+  if (unit >= 0xD800 && unit < 0xE000)
+    return '?';
+  text->pending[text->pending_count++] = (char)(0x80 | (unit & 0x3F));
+  if (unit < 0x800)
+    return 0xC0 | unit >> 6;
+  text->pending[text->pending_count++] = (char)(0x80 | (unit >> 6 & 0x3F));
+  return 0xE0 | unit >> 12;
+}
+
+static int next_byte(aspi_text *text) {
+  if (text->utf16 < 0)
+    look_at_mark(text);
+  return text->utf16 > 0 ? next_of_utf16(text) : getc_unlocked(text->stream);
+}
+
+static void put_back(aspi_text *text, int byte) {
+  if (text->utf16 > 0)
+    text->pending[text->pending_count++] = (char)byte;
+  else
+    ungetc(byte, text->stream);
+}
+
 /* The next character, or EOF. CR LF and CR come out as LF. */
 static int next_character(aspi_text *text) {
-  int c = getc_unlocked(text->stream);
+  int c = next_byte(text);
   if (c == '\r') {
-    int after = getc_unlocked(text->stream);
+    int after = next_byte(text);
     if (after != '\n' && after != EOF)
-      ungetc(after, text->stream);
+      put_back(text, after);
     c = '\n';
   }
   if (c == '\n')
@@ -53,7 +104,8 @@ static int next_character(aspi_text *text) {
 static asp_code append(aspi_text *text, size_t *length, size_t most, int c, asp_error *error) {
   if (c == '\0')
     return aspi_text_fail(text, text->line, error,
-                          "a NUL byte: not a text file, or one in UTF-16 (save it as plain text)");
+                          "a NUL byte: not a text file, or one in UTF-16 without a byte order mark "
+                          "(save it as plain text)");
   if (*length + 1 >= most)
     return aspi_text_fail(text, text->line, error, "a %s of %zu characters or more",
                           most == WORD_MOST ? "word" : "line", most);
@@ -160,6 +212,64 @@ static bool is_missing(const char *text, size_t length) {
   return length == 0;
 }
 
+/* Windows' names of what is no number: 1.#INF, -1.#IND, 1.#QNAN. */
+static bool is_windows_nan(const char *text) {
+  const char *mark = strchr(text, '#');
+  return mark && mark > text && mark[-1] == '.' && isalpha((unsigned char)mark[1]);
+}
+
+/* Takes the marks between groups of three digits out, in place; false where they stand elsewhere.
+ */
+static bool ungroup(char *text, char mark) {
+  char *out = text;
+  int digits = 0; /* since the last mark; -1: no mark yet */
+  bool marked = false;
+  for (char *c = text; *c; c++) {
+    if (*c == mark) {
+      if (digits == 0 || digits > 3 || (marked && digits != 3))
+        return false;
+      marked = true;
+      digits = 0;
+      continue;
+    }
+    if (!isdigit((unsigned char)*c) && marked) { /* the groups are over */
+      if (digits != 3 || !strchr(".,eE", *c))
+        return false;
+      memmove(out, c, strlen(c) + 1);
+      return strchr(out, mark) == NULL;
+    }
+    digits += isdigit((unsigned char)*c) != 0;
+    *out++ = *c;
+  }
+  *out = '\0';
+  return !marked || digits == 3;
+}
+
+/* Brings a number into the form that C reads: a decimal point, no groups, an exponent with E. */
+static bool normalise(char *text, bool comma) {
+  for (char *c = text; *c; c++)
+    if ((*c == 'd' || *c == 'D') && c > text && (isdigit((unsigned char)c[-1]) || c[-1] == '.') &&
+        (isdigit((unsigned char)c[1]) || c[1] == '+' || c[1] == '-'))
+      *c = 'e';
+  if (strchr(text, '\'') && !ungroup(text, '\''))
+    return false;
+  char *first_comma = strchr(text, ','), *last_comma = strrchr(text, ',');
+  char *first_point = strchr(text, '.'), *last_point = strrchr(text, '.');
+  if (first_comma && first_point) { /* the last mark is the decimal one */
+    bool decimal_comma = last_comma > last_point;
+    if (!ungroup(text, decimal_comma ? '.' : ','))
+      return false;
+  } else if (first_comma && (!comma || last_comma > first_comma)) {
+    if (!ungroup(text, ','))
+      return false;
+  } else if (first_point && last_point > first_point && !ungroup(text, '.')) {
+    return false;
+  }
+  for (char *c = text; (c = strchr(c, ',')) != NULL;)
+    *c = '.';
+  return true;
+}
+
 aspi_word aspi_text_number(const char *text, bool comma, double *value) {
   while (isspace((unsigned char)*text))
     text++;
@@ -174,10 +284,12 @@ aspi_word aspi_text_number(const char *text, bool comma, double *value) {
     return ASP_WORD_OTHER;
   memcpy(copy, text, length);
   copy[length] = '\0';
-  for (char *c = copy; comma && (c = strchr(c, ',')) != NULL;)
-    *c = '.';
+  if (is_windows_nan(copy))
+    return ASP_WORD_MISSING;
+  if (!normalise(copy, comma))
+    return ASP_WORD_OTHER;
   double read = aspi_number(copy, &end);
-  if (end != copy + length)
+  if (end == copy || *end)
     return ASP_WORD_OTHER;
   if (!isfinite(read))
     return ASP_WORD_MISSING;

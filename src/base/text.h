@@ -10,9 +10,13 @@ enum { ASP_TEXT_MOST = 4096 };
 
 typedef struct aspi_text {
   FILE *stream;
-  const char *path;         /* for messages */
-  size_t line;              /* of the line or word in `text`, from 1 */
-  size_t next;              /* of the next character */
+  const char *path; /* for messages */
+  size_t line;      /* of the line or word in `text`, from 1 */
+  size_t next;      /* of the next character */
+  int utf16;        /* 1: little-endian, 2: big-endian, 0: bytes; -1: not looked at yet */
+  char pending[4];  /* the rest of a character of UTF-16, as UTF-8, last byte first */
+  int pending_count;
+  bool after_cr;            /* the last character was a carriage return */
   char text[ASP_TEXT_MOST]; /* without its end */
 } aspi_text;
 
@@ -21,9 +25,9 @@ aspi_text aspi_text_create(FILE *stream, const char *path);
 /* Back to the beginning; ASP_EFILE where the stream cannot. */
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 
-/* Reads the next line (its end is LF, CR LF or CR) or word (between white space). *found is false
- * at the end of the file. ASP_EDATA for a NUL byte, a line of 4096 characters or more, or a word of
- * 64 or more. */
+/* Reads the next line (its end is LF, CR LF or CR; UTF-16 with a byte order mark becomes UTF-8) or
+ * word (between white space). *found is false at the end of the file. ASP_EDATA for a NUL byte, a
+ * line of 4096 characters or more, or a word of 64 or more. */
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
 asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 
@@ -46,7 +50,10 @@ aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char 
  */
 typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } aspi_word;
 
-/* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. */
+/* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. An
+ * exponent may begin with D (Fortran), digits may be grouped in threes by the mark that is not the
+ * decimal one (1,234.5 or 1.234,5) or by apostrophes, and 1.#INF and the like (Windows) are
+ * missing. */
 aspi_word aspi_text_number(const char *text, bool comma, double *value);
 
 #endif

@@ -37,6 +37,14 @@ static const struct {
     {"nanometers", 1e-9},
     {"nanometre", 1e-9},
     {"nanometres", 1e-9},
+    {"in", 25.4e-3},
+    {"inch", 25.4e-3},
+    {"inches", 25.4e-3},
+    {"mil", 25.4e-6},
+    {"mils", 25.4e-6},
+    {"uin", 25.4e-9},
+    {"microinch", 25.4e-9},
+    {"microinches", 25.4e-9},
     {"A", 1e-10},
     {"Angstrom", 1e-10},
     {"Angstroms", 1e-10},
@@ -61,7 +69,7 @@ static bool is_letter(char c) {
 }
 
 /* A unit in brackets, behind an underscore or a slash is one for certain; a word of its own is one
- * unless a number comes before it, or it is a single letter. */
+ * unless a number comes before it, or it is a single letter, or the word `in`. */
 static bool states_unit(const char *line, const char *word, size_t length, bool named) {
   const char *before = word;
   while (before > line && before[-1] == ' ')
@@ -71,7 +79,8 @@ static bool states_unit(const char *line, const char *word, size_t length, bool 
     return true;
   if (isdigit((unsigned char)c) || c == '.')
     return false;
-  return length > 1 || named;
+  bool preposition = length == 2 && strncasecmp(word, "in", 2) == 0;
+  return !preposition && (length > 1 || named);
 }
 
 static bool has_word_unit(const char *line) {

@@ -1,11 +1,13 @@
-/* Profiles as text in columns: a header of any kind, then lines of position and height. The file is
- * read once, and only its heights are kept: whether the positions are equally spaced, and how far
- * apart, comes from a line fitted to all of them, since instruments round them (to 0.1 um at a
- * spacing of 0.156 um). Where they are not, a second pass interpolates between them. */
+/* Profiles as text in columns: a header of any kind, then lines of position and height, or of
+ * heights alone, then lines of any other kind. The file is read once, and only its heights are
+ * kept: whether the positions are equally spaced, and how far apart, comes from a line fitted to
+ * all of them, since instruments round them (to 0.1 um at a spacing of 0.156 um). Where they are
+ * not, a second pass interpolates between them. Positions that fall are read from the other end.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/number.h"
-#include "base/units.h"
-#include "surface/read.h"
+#include "surface/header.h"
 
 #include <ctype.h>
 #include <gsl/gsl_rstat.h>
@@ -13,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIELDS_MOST = 64, HEADER_KEPT = 3 };
+enum { FIELDS_MOST = 64 };
 
 /* Positions are equally spaced when they are off a line by no more than rounding can be, and this
  * part of the spacing. */
@@ -26,8 +28,22 @@ enum { FIELDS_MOST = 64, HEADER_KEPT = 3 };
 typedef struct column_layout {
   char separator; /* , ; tab, or a blank for any white space */
   bool comma;     /* decimal */
-  int column;     /* of the heights, from 0 */
+  aspi_columns columns;
+  double missing; /* a height that stands for none; NAN: no such */
+  double step;    /* of heights alone, in units of x */
 } column_layout;
+
+/* Heights that instruments write where they have none, and what a file has of one of them. */
+static const double marks[] = {-9999,  -999,  -999.9, -9999.9, 9999,  99999, -99999, 999999,
+                               -32768, 32767, 65535,  1e10,    -1e10, 1e30,  -1e30,  1e38};
+enum { MARKS = sizeof marks / sizeof *marks };
+
+typedef struct mark {
+  size_t count, line;
+} mark;
+
+/* A mark is one where it lies this many times the range of all other heights outside of it. */
+#define MARK_OFF 10
 
 /* What is known of the positions after one pass. */
 typedef struct scan {
@@ -35,7 +51,12 @@ typedef struct scan {
   double first, last;
   double step_least, step_most, usual; /* usual: mean of the steps that are not gaps */
   size_t usual_count;
-  size_t still_line;                       /* where a position first repeats the one before */
+  double sign;            /* -1: positions fall; 0: not known yet */
+  size_t repeats;         /* positions that repeat the one before */
+  size_t end_line;        /* where the data end before the file does; 0: never */
+  double z_least, z_most; /* of heights that are no marks */
+  mark mark[MARKS];
+  bool whole; /* every field of every line so far is a whole number, and there are four */
   double mean_i, mean_x, c_ii, c_ix, c_xx; /* running regression on the index */
   int decimals, digits;                    /* the most that any position is written with */
   gsl_rstat_quantile_workspace median;     /* of the steps */
@@ -47,35 +68,56 @@ typedef struct column_pair {
   double x, z;
 } column_pair;
 
-static aspi_word pair_of(char *line, const column_layout *layout, column_pair *pair) {
-  char *fields[FIELDS_MOST];
-  int count = aspi_text_split(line, layout->separator, fields, FIELDS_MOST);
-  if (count <= layout->column)
+/* Reads the pair of a line that is cut into fields; `count` is that of the pairs before. */
+static aspi_word pair_of(char **fields, int count, const column_layout *layout, size_t index,
+                         column_pair *pair) {
+  const aspi_columns *c = &layout->columns;
+  if (count <= c->x || count <= c->z)
     return ASP_WORD_OTHER;
-  pair->position = fields[0];
-  pair->height = fields[layout->column];
-  if (aspi_text_number(pair->position, layout->comma, &pair->x) != ASP_WORD_NUMBER)
+  pair->position = c->x < 0 ? "" : fields[c->x];
+  pair->height = fields[c->z];
+  pair->x = (double)index * layout->step;
+  if (c->x >= 0 && aspi_text_number(pair->position, layout->comma, &pair->x) != ASP_WORD_NUMBER)
     return ASP_WORD_OTHER;
-  return aspi_text_number(pair->height, layout->comma, &pair->z);
+  aspi_word word = aspi_text_number(pair->height, layout->comma, &pair->z);
+  if (word == ASP_WORD_NUMBER && fabs(pair->z - layout->missing) <= 1e-9 * fabs(layout->missing)) {
+    pair->z = NAN;
+    word = ASP_WORD_MISSING;
+  }
+  return word;
 }
 
 static bool is_blank(const char *line) {
   return line[strspn(line, " \t\v\f")] == '\0';
 }
 
-/* Whether a line is one of data, and in which layout. */
-static bool finds_layout(const char *line, int column, column_layout *found) {
-  static const column_layout layouts[] = {
-      {';', true, 0}, {'\t', true, 0}, {',', false, 0}, {' ', false, 0}, {' ', true, 0}};
-  char copy[ASP_TEXT_MOST];
+/* Whether a line is one of data, and in which layout; *why is not empty where it is, and which
+ * columns are meant cannot be told. */
+static bool finds_layout(const char *line, const aspi_profile_options *options,
+                         const aspi_header *header, column_layout *found, char *why, size_t size) {
+  static const struct {
+    char separator;
+    bool comma;
+  } layouts[] = {{';', true}, {'\t', true}, {',', false}, {' ', false}, {' ', true}};
+  char copy[ASP_TEXT_MOST], *fields[FIELDS_MOST];
   for (size_t i = 0; i < sizeof layouts / sizeof *layouts; i++) {
     if (layouts[i].separator != ' ' && !strchr(line, layouts[i].separator))
       continue;
-    column_pair pair;
     strcpy(copy, line);
-    *found = layouts[i];
-    found->column = column;
-    aspi_word word = pair_of(copy, found, &pair);
+    int count = aspi_text_split(copy, layouts[i].separator, fields, FIELDS_MOST);
+    *found = (column_layout){.separator = layouts[i].separator,
+                             .comma = layouts[i].comma,
+                             .missing = options->has_missing ? options->missing : NAN,
+                             .step = options->step > 0 ? options->step : 1};
+    if (count == 0)
+      continue;
+    *why = '\0';
+    if (!aspi_choose_columns(header, layouts[i].separator, count, options, &found->columns, why,
+                             size))
+      found->columns = (aspi_columns){.x = options->step > 0 ? -1 : 0,
+                                      .z = options->step > 0 || count < 2 ? 0 : 1};
+    column_pair pair;
+    aspi_word word = pair_of(fields, count, found, 0, &pair);
     if (word == ASP_WORD_NUMBER || (word == ASP_WORD_MISSING && !is_blank(pair.height)))
       return true;
   }
@@ -83,39 +125,24 @@ static bool finds_layout(const char *line, int column, column_layout *found) {
 }
 
 /* Skips the header; its last lines are kept, the very last first. */
-static asp_code skip_header(aspi_text *text, int column, column_layout *layout,
-                            char kept[HEADER_KEPT][ASP_TEXT_MOST], asp_error *error) {
+static asp_code skip_header(aspi_text *text, const aspi_profile_options *options,
+                            column_layout *layout, aspi_header *header, asp_error *error) {
   for (bool found = true; found;) {
-    if (finds_layout(text->text, column, layout))
-      return ASP_OK;
+    char why[240] = "";
+    if (finds_layout(text->text, options, header, layout, why, sizeof why))
+      return *why ? aspi_text_fail(text, text->line, error, "%s", why) : ASP_OK;
     if (!is_blank(text->text)) {
-      memmove(kept[1], kept[0], (HEADER_KEPT - 1) * sizeof *kept);
-      strcpy(kept[0], text->text);
+      memmove(header->line[1], header->line[0], (ASP_HEADER_KEPT - 1) * sizeof *header->line);
+      strcpy(header->line[0], text->text);
     }
     asp_code code = aspi_text_line(text, &found, error);
     if (code)
       return code;
   }
   return aspi_text_fail(text, text->line, error,
-                        "the file ends without a line of two numbers, position and height");
-}
-
-static asp_code find_units(const aspi_text *text, const aspi_profile_options *options,
-                           char kept[HEADER_KEPT][ASP_TEXT_MOST], double unit[2],
-                           asp_error *error) {
-  double stated[2] = {0, 0};
-  int count = 0;
-  for (int i = 0; i < HEADER_KEPT && count == 0; i++)
-    count = aspi_header_units(kept[i], stated);
-  unit[0] = options->unit_x > 0 ? options->unit_x : count == 2 ? stated[0] : 0;
-  unit[1] = options->unit_z > 0 ? options->unit_z : count == 2 ? stated[1] : 0;
-  if (unit[0] > 0 && unit[1] > 0)
-    return ASP_OK;
-  return aspi_text_fail(text, text->line, error,
-                        "%s before the first numbers; say which unit of length the columns are in",
-                        count == 0   ? "no unit of length is stated"
-                        : count == 1 ? "one unit is stated for two columns"
-                                     : "more than two units are stated");
+                        options->step > 0
+                            ? "the file ends without a line that begins with a number, a height"
+                            : "the file ends without a line of two numbers, position and height");
 }
 
 /* How finely positions are written: the most decimals and the most digits of any. */
@@ -145,10 +172,14 @@ static asp_code note_step(scan *s, const aspi_text *text, double x, asp_error *e
   double step = x - s->last;
   if (step < 0)
     return aspi_text_fail(text, text->line, error,
-                          "position %.10g comes after %.10g; positions must increase", x, s->last);
-  if (!(step > 0) && !s->still_line)
-    s->still_line = text->line;
+                          "position %.10g comes after %.10g; positions must all increase, or all "
+                          "decrease",
+                          s->sign * x, s->sign * s->last);
   s->step_least = fmin(s->step_least, step);
+  if (!(step > 0)) {
+    s->repeats++;
+    return ASP_OK;
+  }
   s->step_most = fmax(s->step_most, step);
   gsl_rstat_quantile_add(step, &s->median);
   if (step <= GAP_STEPS * gsl_rstat_quantile_get(&s->median)) {
@@ -158,7 +189,24 @@ static asp_code note_step(scan *s, const aspi_text *text, double x, asp_error *e
   return ASP_OK;
 }
 
+/* The first step that is none of zero says whether positions rise or fall; those that fall are
+ * taken with the other sign. */
+static double directed(scan *s, double x) {
+  if (s->sign < 0 || s->sign > 0 || s->points == 0)
+    return s->sign < 0 ? -x : x;
+  if (x < s->last) {
+    s->sign = -1;
+    s->first = -s->first;
+    s->last = -s->last;
+    s->mean_x = -s->mean_x;
+    return -x;
+  }
+  s->sign = x > s->last ? 1 : 0;
+  return x;
+}
+
 static asp_code note_position(scan *s, const aspi_text *text, double x, asp_error *error) {
+  x = directed(s, x);
   if (s->points > 0) {
     asp_code code = note_step(s, text, x, error);
     if (code)
@@ -177,42 +225,109 @@ static asp_code note_position(scan *s, const aspi_text *text, double x, asp_erro
   return ASP_OK;
 }
 
-/* The data in a line that is not blank. */
-static asp_code read_pair(aspi_text *text, const column_layout *layout, column_pair *pair,
-                          asp_error *error) {
-  char shown[48];
-  snprintf(shown, sizeof shown, "%.47s", text->text);
-  if (pair_of(text->text, layout, pair) != ASP_WORD_OTHER)
-    return ASP_OK;
-  return aspi_text_fail(text, text->line, error,
+/* Cuts a line that is not blank into its fields and reads the data in them. */
+static bool read_pair(aspi_text *text, const column_layout *layout, size_t index, char **fields,
+                      int *count, column_pair *pair) {
+  *count = aspi_text_split(text->text, layout->separator, fields, FIELDS_MOST);
+  return pair_of(fields, *count, layout, index, pair) != ASP_WORD_OTHER;
+}
+
+static void note_height(scan *s, const aspi_text *text, double z) {
+  for (int i = 0; i < MARKS; i++)
+    if (fabs(z - marks[i]) <= 1e-9 * fabs(marks[i])) {
+      s->mark[i].line = s->mark[i].count++ ? s->mark[i].line : text->line;
+      return;
+    }
+  s->z_least = fmin(s->z_least, z);
+  s->z_most = fmax(s->z_most, z);
+}
+
+/* Four fields without a point or a letter in any: they may be two numbers with decimal commas. */
+static bool are_whole(char **fields, int count) {
+  bool whole = count == 4;
+  for (int i = 0; i < count && whole; i++)
+    whole = fields[i][strspn(fields[i], "+-0123456789")] == '\0' && *fields[i] &&
+            (i % 2 == 0 || isdigit((unsigned char)*fields[i]));
+  return whole;
+}
+
+static asp_code note_pair(scan *s, aspi_text *text, const column_layout *layout,
+                          const column_pair *pair, aspi_raw *raw, asp_error *error) {
+  asp_code code = note_position(s, text, pair->x, error);
+  if (code)
+    return code;
+  if (layout->columns.x >= 0)
+    note_precision(s, pair->position, layout->comma);
+  if (isnan(pair->z) && raw->bad++ == 0)
+    raw->bad_line = text->line;
+  if (!isnan(pair->z))
+    note_height(s, text, pair->z);
+  return aspi_raw_add(raw, pair->z * layout->columns.unit_z, error);
+}
+
+static asp_code fail_pair(const aspi_text *text, size_t line, const char *shown, asp_error *error) {
+  return aspi_text_fail(text, line, error,
                         "'%s' where position and height are expected as two numbers", shown);
 }
 
-static asp_code note_pair(scan *s, aspi_text *text, const column_layout *layout, double unit_z,
-                          aspi_raw *raw, asp_error *error) {
-  column_pair pair;
-  asp_code code = read_pair(text, layout, &pair, error);
-  if (!code)
-    code = note_position(s, text, pair.x, error);
-  if (code)
-    return code;
-  note_precision(s, pair.position, layout->comma);
-  if (isnan(pair.z) && raw->bad++ == 0)
-    raw->bad_line = text->line;
-  return aspi_raw_add(raw, pair.z * unit_z, error);
+/* A line that holds no data ends them, where none follow. */
+static asp_code check_end(aspi_text *text, const column_layout *layout, size_t line,
+                          const char *shown, asp_error *error) {
+  bool found = true;
+  asp_code code;
+  while (!(code = aspi_text_line(text, &found, error)) && found) {
+    char *fields[FIELDS_MOST];
+    int count;
+    column_pair pair;
+    if (!is_blank(text->text) && read_pair(text, layout, 0, fields, &count, &pair) &&
+        !isnan(pair.z))
+      return fail_pair(text, line, shown, error);
+  }
+  return code;
 }
 
 /* The first pass: heights as they come, and what the positions are like. */
-static asp_code read_all(aspi_text *text, const column_layout *layout, double unit_z, scan *s,
-                         aspi_raw *raw, asp_error *error) {
+static asp_code read_all(aspi_text *text, const column_layout *layout, scan *s, aspi_raw *raw,
+                         asp_error *error) {
   asp_code code = ASP_OK;
   for (bool found = true; found && !code;) {
-    if (!is_blank(text->text))
-      code = note_pair(s, text, layout, unit_z, raw, error);
+    char shown[48], *fields[FIELDS_MOST];
+    int count;
+    column_pair pair;
+    snprintf(shown, sizeof shown, "%.47s", text->text);
+    if (!is_blank(text->text)) {
+      if (!read_pair(text, layout, s->points, fields, &count, &pair)) {
+        if (s->points < 3)
+          return fail_pair(text, text->line, shown, error);
+        s->end_line = text->line;
+        return check_end(text, layout, text->line, shown, error);
+      }
+      s->whole = s->whole && layout->separator == ',' && are_whole(fields, count);
+      code = note_pair(s, text, layout, &pair, raw, error);
+    }
     if (!code)
       code = aspi_text_line(text, &found, error);
   }
   return code;
+}
+
+/* What the numbers themselves say against the way in which they were read. */
+static asp_code check_sense(const aspi_text *text, const scan *s, size_t data_line,
+                            asp_error *error) {
+  if (s->whole && s->points > 1)
+    return aspi_text_fail(text, data_line, error,
+                          "four columns of whole numbers: are they two with decimal commas? "
+                          "Separate columns by semicolons or tabs, or write decimal points; or "
+                          "say which columns (x-column, z-column)");
+  double range = s->z_most - s->z_least;
+  for (int i = 0; i < MARKS; i++)
+    if (s->mark[i].count > 0 && s->z_most >= s->z_least &&
+        (marks[i] < s->z_least - MARK_OFF * range || marks[i] > s->z_most + MARK_OFF * range))
+      return aspi_text_fail(text, s->mark[i].line, error,
+                            "height %g, %zu times, beside heights of %g to %g: does it stand for "
+                            "a missing one? Say so (missing %g), or mend the file",
+                            marks[i], s->mark[i].count, s->z_least, s->z_most, marks[i]);
+  return ASP_OK;
 }
 
 /* Whether the positions are equally spaced but for rounding; *spacing is that of the line through
@@ -242,9 +357,6 @@ static asp_code interpolate(aspi_raw *raw, const scan *s, const column_pair *bef
 
 static asp_code check_resampling(const aspi_text *text, const scan *s, bool allowed,
                                  asp_error *error) {
-  if (s->still_line)
-    return aspi_text_fail(text, s->still_line, error,
-                          "a position repeats the one before; positions must increase");
   if (!allowed)
     return aspi_text_fail(text, text->line, error,
                           "the spacing is not equal: %g to %g in the file's unit", s->step_least,
@@ -258,38 +370,99 @@ static asp_code check_resampling(const aspi_text *text, const scan *s, bool allo
   return ASP_OK;
 }
 
+/* The next pair whose position is another one, with the mean height of all pairs at that position;
+ * what is read too far is kept in *ahead. *found is false at the end of the data. */
+typedef struct repeats {
+  column_pair ahead;
+  bool has_ahead;
+  size_t index, line;
+} repeats;
+
+static asp_code next_pair(aspi_text *text, size_t data_line, const column_layout *layout,
+                          const scan *s, repeats *r, column_pair *pair, bool *found,
+                          asp_error *error) {
+  double sum = 0;
+  size_t good = 0, all = 0;
+  for (;;) {
+    while (!r->has_ahead) {
+      char *fields[FIELDS_MOST];
+      int count;
+      asp_code code = aspi_text_line(text, found, error);
+      if (code)
+        return code;
+      *found = *found && (!s->end_line || text->line < s->end_line);
+      if (!*found)
+        break;
+      if (text->line < data_line || is_blank(text->text))
+        continue;
+      read_pair(text, layout, r->index++, fields, &count, &r->ahead);
+      r->ahead.x *= s->sign < 0 ? -1 : 1;
+      r->has_ahead = true;
+    }
+    if (!r->has_ahead || (all > 0 && r->ahead.x > pair->x))
+      break;
+    pair->x = r->ahead.x;
+    r->line = text->line;
+    r->has_ahead = false;
+    all++;
+    if (!isnan(r->ahead.z)) {
+      sum += r->ahead.z;
+      good++;
+    }
+  }
+  *found = all > 0;
+  pair->z = good > 0 ? sum / (double)good : NAN;
+  return ASP_OK;
+}
+
 /* The second pass, for positions that are not equally spaced. */
 static asp_code resample(aspi_text *text, size_t data_line, const column_layout *layout,
-                         double unit_z, const scan *s, aspi_raw *raw, asp_error *error) {
+                         const scan *s, aspi_raw *raw, asp_error *error) {
   asp_code code = aspi_text_rewind(text, error);
-  column_pair before = {.x = s->first, .z = NAN}, next;
+  column_pair before = {.x = s->first, .z = NAN}, next = {.x = 0};
+  double unit_z = layout->columns.unit_z;
+  repeats r = {.has_ahead = false};
   bool found = true;
   raw->points = 0;
   raw->resampled = true;
-  while (!code && !(code = aspi_text_line(text, &found, error)) && found) {
-    if (text->line < data_line || is_blank(text->text))
-      continue;
-    code = read_pair(text, layout, &next, error);
-    if (code)
+  while (!code) {
+    bool first = raw->points == 0;
+    code = next_pair(text, data_line, layout, s, &r, &next, &found, error);
+    if (code || !found)
       break;
-    if (!raw->bad_line && next.x - before.x > GAP_STEPS * s->usual)
-      raw->bad_line = text->line;
-    code = text->line == data_line ? aspi_raw_add(raw, unit_z * next.z, error)
-                                   : interpolate(raw, s, &before, &next, unit_z, error);
+    if (!first && !raw->bad_line && next.x - before.x > GAP_STEPS * s->usual)
+      raw->bad_line = r.line;
+    code = first ? aspi_raw_add(raw, unit_z * next.z, error)
+                 : interpolate(raw, s, &before, &next, unit_z, error);
     before = next;
   }
   return code;
 }
 
-static asp_code read_data(aspi_text *text, const column_layout *layout, const double unit[2],
-                          bool allowed, scan *s, aspi_raw *raw, asp_error *error) {
+static void reverse(aspi_raw *raw) {
+  for (size_t i = 0, j = raw->points; i + 1 < j; i++) {
+    j--;
+    double height = raw->heights[i];
+    raw->heights[i] = raw->heights[j];
+    raw->heights[j] = height;
+  }
+}
+
+static asp_code read_data(aspi_text *text, const column_layout *layout, bool allowed, bool chosen,
+                          scan *s, aspi_raw *raw, asp_error *error) {
   size_t data_line = text->line;
-  asp_code code = read_all(text, layout, unit[1], s, raw, error);
+  double unit_x = layout->columns.unit_x;
+  asp_code code = read_all(text, layout, s, raw, error);
+  if (!code && !chosen)
+    code = check_sense(text, s, data_line, error);
   if (code)
     return code;
   raw->read = s->points;
-  raw->step_least = s->step_least * unit[0];
-  raw->step_most = s->step_most * unit[0];
+  raw->repeats = s->repeats;
+  raw->falls = s->sign < 0;
+  raw->end_line = s->end_line;
+  raw->step_least = s->step_least * unit_x;
+  raw->step_most = s->step_most * unit_x;
   if (s->points < 3 || !(s->last > s->first) || !isfinite(s->last - s->first))
     return aspi_text_fail(
         text, text->line, error,
@@ -300,24 +473,29 @@ static asp_code read_data(aspi_text *text, const column_layout *layout, const do
     raw->spacing = s->usual;
     code = check_resampling(text, s, allowed, error);
     if (!code)
-      code = resample(text, data_line, layout, unit[1], s, raw, error);
+      code = resample(text, data_line, layout, s, raw, error);
   }
-  raw->spacing *= unit[0];
+  if (raw->falls)
+    reverse(raw);
+  raw->spacing *= unit_x;
   return code;
 }
 
 asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                            asp_error *error) {
-  char kept[HEADER_KEPT][ASP_TEXT_MOST] = {"", "", ""};
+  aspi_header *header = calloc(1, sizeof *header);
+  if (!header)
+    return aspi_fail(error, ASP_ENOMEM, "%.200s: out of memory for its header", text->path);
   column_layout layout;
-  double unit[2];
-  int column = options->column > 0 ? options->column - 1 : 1;
-  asp_code code = skip_header(text, column, &layout, kept, error);
+  asp_code code = skip_header(text, options, &layout, header, error);
   if (!code)
-    code = find_units(text, options, kept, unit, error);
+    code = aspi_find_units(text, options, header, &layout.columns, error);
+  free(header);
   if (code)
     return code;
-  scan s = {.step_least = INFINITY, .median = {.p = 0.5}};
+  scan s = {.step_least = INFINITY, .z_least = INFINITY, .z_most = -INFINITY, .whole = true};
+  s.median.p = 0.5;
   gsl_rstat_quantile_reset(&s.median);
-  return read_data(text, &layout, unit, options->resample, &s, raw, error);
+  bool chosen = (options->x_column && options->z_column) || options->column > 0;
+  return read_data(text, &layout, options->resample, chosen, &s, raw, error);
 }

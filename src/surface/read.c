@@ -293,8 +293,16 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
   if (r->resampled)
     snprintf(spacing, sizeof spacing, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
              raw->step_least, raw->step_most, raw->spacing);
-  snprintf(r->text, sizeof r->text, "%zu points read, %zu bad%s%s%s, %s", r->points, r->bad, spikes,
-           gaps, spacing, form);
+  char other[120] = "";
+  if (raw->repeats)
+    snprintf(other, sizeof other, ", %zu repeated positions averaged", raw->repeats);
+  if (raw->falls)
+    strcat(other, ", positions fall and are reversed");
+  if (raw->end_line)
+    snprintf(other + strlen(other), sizeof other - strlen(other), ", data end before line %zu",
+             raw->end_line);
+  snprintf(r->text, sizeof r->text, "%zu points read, %zu bad%s%s%s%s, %s", r->points, r->bad,
+           spikes, gaps, spacing, other, form);
 }
 
 static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
@@ -350,6 +358,7 @@ asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
   report->points = raw.read;
   report->bad = raw.bad;
   report->resampled = raw.resampled;
+  report->repeats = raw.repeats;
   tell(report, &raw, options);
   report->step_least = raw.step_least * options->metre;
   report->step_most = raw.step_most * options->metre;

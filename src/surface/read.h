@@ -17,6 +17,11 @@ typedef struct aspi_profile_options {
   bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
   int row;       /* of an SDF map, from 1 */
   int column;    /* 0, or: of an SDF map, read that column instead; of a text file, the heights */
+  const char *x_column,
+      *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
+  double step;    /* m, of a text file that has heights alone; 0: it has positions */
+  double missing; /* where has_missing: a height that stands for none */
+  bool has_missing;
 } aspi_profile_options;
 
 /* Units as stated, metres, a mean line taken out, gaps refused, unequal spacing resampled, first
@@ -29,6 +34,7 @@ typedef struct aspi_profile_report {
   size_t bad;         /* bad points among them: not a number, or marked as bad */
   size_t spikes;      /* points taken for spikes */
   size_t filled;      /* points of the result that were filled in */
+  size_t repeats;     /* positions that repeat the one before, whose heights were averaged */
   size_t longest_gap; /* most of them in a row */
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
@@ -53,6 +59,9 @@ typedef struct aspi_raw {
   size_t bad_line;    /* where the first bad point or gap is */
   size_t first_spike; /* the point, from 1 */
   bool resampled;
+  size_t repeats;               /* positions that repeat the one before */
+  bool falls;                   /* positions fall in the file */
+  size_t end_line;              /* where the data end before the file does; 0: nowhere */
   double step_least, step_most; /* m */
 } aspi_raw;
 

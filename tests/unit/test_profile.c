@@ -254,6 +254,94 @@ static void an_instruments_own_file(void **state) {
   free(text);
 }
 
+/* Columns by their header: counters and times are no positions, whatever their place. */
+static void columns_are_chosen_by_their_header(void **state) {
+  (void)state;
+  aspi_profile_options o = aspi_profile_options_default();
+  o.form = -1;
+  expect("Point,X [um],Z [um]\n1,0,1\n2,2,2\n3,4,4\n", NULL, 3, 2e-6, 4e-6);
+  expect("t [s],x [um],z [nm]\n0.1,0,1\n0.2,2,2\n0.3,4,4\n", NULL, 3, 2e-6, 4e-9);
+  expect("t/s\tz/um\tx/um\n0,1\t1\t0\n0,2\t2\t2\n0,3\t4\t4\n", NULL, 3, 2e-6, 4e-6);
+  expect("X;Y;Z\num;um;nm\n0;7;1\n2;7;2\n4;7;4\n", NULL, 3, 2e-6, 4e-9);
+  expect("Index Position Height\n# mm mm mm\n1 0 1\n2 2 2\n3 4 4\n",
+         &(aspi_profile_options){
+             .metre = 1, .form = -1, .resample = true, .row = 1, .unit_x = 1e-3, .unit_z = 1e-3},
+         3, 2e-3, 4e-3);
+  expect_error("Point,Z [um]\n1,0\n2,1\n3,4\n", NULL, ASP_EDATA,
+               "one unit is stated for two columns");
+  expect_error("Point,t [s],Z [um]\n1,0,4\n2,1,3\n3,4,3\n", NULL, ASP_EDATA,
+               "only 'Z [um]' is a length by the header");
+  o.x_column = "b";
+  o.z_column = "1";
+  expect("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, 3, 2e-6, 4e-6);
+  o.x_column = "c";
+  expect_error("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, ASP_EDATA, "none of that name");
+  o.x_column = "4";
+  expect_error("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, ASP_EDATA,
+               "the file has 3 columns");
+}
+
+/* What instruments and spreadsheets write, and what their numbers may look like. */
+static void files_of_all_kinds(void **state) {
+  (void)state;
+  aspi_profile_options o = aspi_profile_options_default();
+  o.form = -1;
+  o.fill = true;
+  expect("x [inch],z [inch]\n0,1\n1,2\n2,4\n", NULL, 3, 25.4e-3, 4 * 25.4e-3);
+  expect("x_um,z_um\n4,4\n2,2\n0,1\n-2,7\n", NULL, 4, 2e-6, 2e-6);
+  assert_non_null(strstr(report.text, "positions fall"));
+  expect("x_um,z_um\n0.00,1\n1.00,2\n1.00,3\n2.00,4\n3.00,5\n", NULL, 4, 1e-6, 4e-6);
+  assert_int_equal(report.repeats, 1);
+  asp_profile *p = read_text("x_um,z_um\n0.00,1\n1.00,2\n1.00,3\n2.00,4\n3.00,5\n", &o);
+  assert_near(asp_profile_heights(p)[1], 2.5e-6, 1e-12);
+  asp_profile_free(p);
+  expect("x_um,z_um\n0,1\n1,2\n2,4\nRa,1.2\nend of file\n", NULL, 3, 1e-6, 4e-6);
+  assert_non_null(strstr(report.text, "data end before line 5"));
+  expect("\"x [um]\",\"z [um]\"\n\"0\",\"1\"\n\"1\",\"2\"\n\"2\",\"4\"\n", NULL, 3, 1e-6, 4e-6);
+  expect("x_um,z_um\n0.0D+00,1.0D+00\n1.0D+00,2.0d0\n2.0D0,4.0D+00\n", NULL, 3, 1e-6, 4e-6);
+  expect("x_um;z_um\n0;1.001,5\n1;2.002,5\n2;4.004,5\n", NULL, 3, 1e-6, 4004.5e-6);
+  expect("x_um\tz_um\n0\t1,001.5\n1\t2,002.5\n2\t1'004.5\n", NULL, 3, 1e-6, 1004.5e-6);
+  expect("x_um,z_um\n0,1\n1,1.#INF\n2,3\n3,-1.#IND\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
+  assert_int_equal(report.bad, 2);
+  o.has_missing = true;
+  o.missing = 7;
+  expect("x_um,z_um\n0,1\n1,7\n2,3\n3,7.0\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
+  assert_int_equal(report.bad, 2);
+  o.has_missing = false;
+  o.step = 2e-6;
+  expect("heights in um, unit um\n1\n2\n4\n", &o, 3, 2e-6, 4e-6);
+  o.step = 0;
+  static const char utf16[] = "\xFF\xFEx\0_\0\xB5\0m\0,\0z\0_\0\xB5\0m\0\r\0\n\0"
+                              "0\0,\0001\0\r\0\n\0001\0,\0002\0\r\0\n\0002\0,\0004\0";
+  p = read_bytes(utf16, sizeof utf16 - 1, &o);
+  if (!p)
+    print_error("%s\n", error.text);
+  assert_non_null(p);
+  assert_int_equal(asp_profile_points(p), 3);
+  assert_near(asp_profile_heights(p)[2], 4e-6, 1e-12);
+  asp_profile_free(p);
+}
+
+/* What cannot be what it was read as is refused with the way out. */
+static void suspicious_numbers_are_refused(void **state) {
+  (void)state;
+  aspi_profile_options o = aspi_profile_options_default();
+  o.form = -1;
+  const char *marked = "x_um,z_um\n0,1\n1,-9999\n2,3\n3,2\n4,5\n";
+  expect_error(marked, &o, ASP_EDATA, ":3: height -9999, 1 times, beside heights of 1 to 5");
+  o.has_missing = true;
+  o.missing = -9999;
+  expect_error(marked, &o, ASP_EDATA, ":3: the first of 1 bad or missing points");
+  o.fill = true;
+  expect(marked, &o, 5, 1e-6, 3e-6);
+  expect("x_um,z_um\n0,1000\n1,-999\n2,300\n3,200\n4,500\n", NULL, 5, 1e-6, 300e-6);
+  expect_error("x_um,z_um\n0,500,1,234\n0,750,1,334\n1,000,1,224\n", NULL, ASP_EDATA,
+               ":2: four columns of whole numbers: are they two with decimal commas?");
+  o.x_column = "1";
+  o.z_column = "4";
+  expect("x_um,b,c,z_um\n0,500,1,234\n1,750,1,334\n2,000,1,224\n", &o, 3, 1e-6, 224e-6);
+}
+
 /* A parabola with a ripple: degree 2 leaves the ripple. */
 static void form_is_taken_out(void **state) {
   (void)state;
@@ -375,9 +463,8 @@ static void bad_files_are_named_with_their_line(void **state) {
   expect_error("x_um,z_um\n0,1\n1,2\ntwo,3\n", NULL, ASP_EDATA, ":4: 'two,3' where position");
   expect_error("x_um,z_um\n0,1\n1,2\nnan,3\n", NULL, ASP_EDATA, ":4: ");
   expect_error("x_um,z_um\n0,1\n2,2\n1,3\n", NULL, ASP_EDATA,
-               ":4: position 1 comes after 2; positions must increase");
-  expect_error("x_um,z_um\n0.0,1\n1.0,2\n1.0,3\n4.0,5\n", NULL, ASP_EDATA,
-               ":4: a position repeats");
+               ":4: position 1 comes after 2; positions must all increase");
+  expect_error("x_um,z_um\n1,1\n1,2\n1,3\n1,5\n", NULL, ASP_EDATA, "from 1 to 1");
   expect_error("x_um,z_um\n0,1\n1,1\n2,1\n", NULL, ASP_EDATA, "the profile is constant");
   expect_error("x_um,z_um\n0,1\n1,2\n2,3\n3,4\n", NULL, ASP_EDATA, "constant but for its form");
   expect_error("x_m,z_m\n0,1e300\n1,2\n2,1\n", NULL, ASP_EDATA, "is the unit right");
@@ -510,6 +597,9 @@ int main(void) {
       cmocka_unit_test(units_as_instruments_write_them),
       cmocka_unit_test(units_that_must_be_asked_for),
       cmocka_unit_test(an_instruments_own_file),
+      cmocka_unit_test(columns_are_chosen_by_their_header),
+      cmocka_unit_test(files_of_all_kinds),
+      cmocka_unit_test(suspicious_numbers_are_refused),
       cmocka_unit_test(form_is_taken_out),
       cmocka_unit_test(gaps_are_refused_or_filled),
       cmocka_unit_test(missing_rows_are_a_gap),

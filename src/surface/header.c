@@ -1,0 +1,252 @@
+/* Which columns of a text file are positions and heights, and in which units: by the line of names
+ * above them, where there is one. A column that states a unit of length, or is named as a position
+ * or a height, goes before one that states another unit or is named as a counter or a time.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/header.h"
+#include "base/error.h"
+#include "base/units.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { COLUMNS_MOST = 64 };
+
+/* What a name says that its column is. */
+typedef enum kind { UNKNOWN, POSITION, HEIGHT, NO_LENGTH } kind;
+
+/* What the lines of names say of one column. */
+typedef struct column {
+  char name[64];
+  double unit; /* m; 0: none is stated */
+  kind kind;
+} column;
+
+static const struct {
+  const char *word; /* a name's first word, in small letters */
+  kind kind;
+} known[] = {
+    {"x", POSITION},
+    {"pos", POSITION},
+    {"position", POSITION},
+    {"positions", POSITION},
+    {"distance", POSITION},
+    {"dist", POSITION},
+    {"lateral", POSITION},
+    {"length", POSITION},
+    {"travel", POSITION},
+    {"scan", POSITION},
+    {"z", HEIGHT},
+    {"height", HEIGHT},
+    {"heights", HEIGHT},
+    {"h", HEIGHT},
+    {"raw", HEIGHT},
+    {"profile", HEIGHT},
+    {"depth", HEIGHT},
+    {"level", HEIGHT},
+    {"amplitude", HEIGHT},
+    {"elevation", HEIGHT},
+    {"point", NO_LENGTH},
+    {"pt", NO_LENGTH},
+    {"points", NO_LENGTH},
+    {"no", NO_LENGTH},
+    {"nr", NO_LENGTH},
+    {"number", NO_LENGTH},
+    {"index", NO_LENGTH},
+    {"idx", NO_LENGTH},
+    {"i", NO_LENGTH},
+    {"n", NO_LENGTH},
+    {"id", NO_LENGTH},
+    {"sample", NO_LENGTH},
+    {"t", NO_LENGTH},
+    {"time", NO_LENGTH},
+    {"intensity", NO_LENGTH},
+    {"force", NO_LENGTH},
+    {"speed", NO_LENGTH},
+    {"line", NO_LENGTH},
+    {"quality", NO_LENGTH},
+    {"valid", NO_LENGTH},
+};
+
+/* Whether a name has a unit in brackets or behind a slash, of length or not. */
+static bool has_unit(const char *name) {
+  const char *mark = strpbrk(name, "([{/");
+  return mark && isalpha((unsigned char)mark[1]);
+}
+
+static kind kind_of(const char *name) {
+  char word[16];
+  size_t length = 0;
+  while (isalpha((unsigned char)name[length]))
+    length++;
+  if (length == 0 || length >= sizeof word)
+    return UNKNOWN;
+  memcpy(word, name, length);
+  word[length] = '\0';
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if (strcasecmp(word, known[i].word) == 0)
+      return known[i].kind;
+  return UNKNOWN;
+}
+
+/* Takes what one line of the header says into the columns; false where it is no line of names. */
+static bool take_names(const char *line, char separator, int fields, column *columns,
+                       bool *has_names) {
+  char copy[ASP_TEXT_MOST], *name[COLUMNS_MOST];
+  strcpy(copy, line + strspn(line, "#%; \t"));
+  int count = aspi_text_split(copy, separator, name, COLUMNS_MOST);
+  while (count > 0 && !*name[count - 1])
+    count--;
+  if (count < 1 || count > fields || (count < fields && (separator == ' ' || count < 2)))
+    return false;
+  *has_names = false;
+  for (int i = 0; i < count; i++) {
+    double unit[2];
+    bool bare = aspi_unit_metres(name[i], strlen(name[i])) > 0;
+    int units = bare ? 1 : aspi_header_units(name[i], unit);
+    if (bare)
+      unit[0] = aspi_unit_metres(name[i], strlen(name[i]));
+    if (!(columns[i].unit > 0) && units == 1)
+      columns[i].unit = unit[0];
+    if (bare || *columns[i].name)
+      continue;
+    *has_names = *has_names || *name[i];
+    snprintf(columns[i].name, sizeof columns[i].name, "%.63s", name[i]);
+    columns[i].kind = kind_of(name[i]);
+    if (units == 0 && has_unit(name[i]))
+      columns[i].kind = NO_LENGTH;
+  }
+  return true;
+}
+
+/* The lines of names above the data: the last one, or, where that has units only, the one above it
+ * too. */
+static bool read_header(const aspi_header *header, char separator, int fields, column *columns) {
+  bool found = false, has_names = false;
+  for (int i = 0; i < ASP_HEADER_KEPT && !has_names; i++) {
+    if (!*header->line[i] || !take_names(header->line[i], separator, fields, columns, &has_names))
+      break;
+    found = true;
+  }
+  return found;
+}
+
+/* The name without its unit, for comparing: up to a bracket, a slash, or an underscore. */
+static bool same_name(const char *name, const char *asked) {
+  size_t length = strcspn(name, "([{/_");
+  while (length > 0 && isspace((unsigned char)name[length - 1]))
+    length--;
+  return strcasecmp(name, asked) == 0 ||
+         (strlen(asked) == length && strncasecmp(name, asked, length) == 0);
+}
+
+/* A column that was asked for by its number or name, from 0; -1: none was; -2 and a message. */
+static int asked_for(const char *what, const char *asked, const column *columns, int fields,
+                     char *why, size_t size) {
+  if (!asked || !*asked)
+    return -1;
+  char *end;
+  long number = strtol(asked, &end, 10);
+  if (!*end && number >= 1 && number <= fields)
+    return (int)number - 1;
+  for (int i = 0; i < fields && *end; i++)
+    if (same_name(columns[i].name, asked))
+      return i;
+  snprintf(why, size, "column '%.40s' is asked for as %s; the file has %d columns%s", asked, what,
+           fields, *end ? ", none of that name" : "");
+  return -2;
+}
+
+/* The first column of that kind that is not the other one and may be a length; -1: none. */
+static int first_of(kind wanted, const column *columns, int fields, int other, bool with_unit) {
+  for (int i = 0; i < fields; i++)
+    if (i != other && columns[i].kind == wanted && (!with_unit || columns[i].unit > 0))
+      return i;
+  return -1;
+}
+
+static int first_length(const column *columns, int fields, int other, bool with_unit) {
+  for (int i = 0; i < fields; i++)
+    if (i != other && columns[i].kind != NO_LENGTH && (!with_unit || columns[i].unit > 0))
+      return i;
+  return -1;
+}
+
+static bool choose_both(const aspi_profile_options *options, const column *columns, int fields,
+                        bool headed, aspi_columns *chosen, char *why, size_t size) {
+  int x = asked_for("positions", options->x_column, columns, fields, why, size);
+  int z = asked_for("heights", options->z_column, columns, fields, why, size);
+  if (options->column > 0 && z == -1)
+    z = options->column - 1;
+  if (x == -2 || z == -2)
+    return false;
+  int with_unit = 0;
+  for (int i = 0; i < fields; i++)
+    with_unit += columns[i].unit > 0;
+  bool units = with_unit >= (options->step > 0 ? 1 : 2);
+  if (options->step > 0)
+    x = fields; /* no column */
+  if (!headed || (fields <= 2 && !units)) {
+    x = x >= 0 ? x : z == 0 && fields > 1 ? 1 : 0;
+    z = z >= 0 ? z : options->step > 0 ? 0 : x == 1 ? 0 : 1;
+  }
+  if (z < 0)
+    z = first_of(HEIGHT, columns, fields, x, units);
+  if (x < 0)
+    x = first_of(POSITION, columns, fields, z, units);
+  if (x < 0)
+    x = first_length(columns, fields, z, units);
+  if (z < 0)
+    z = first_length(columns, fields, x, units);
+  if (x < 0 || z < 0) {
+    int only = x >= 0 ? x : z;
+    snprintf(why, size,
+             "%s%.40s%s a length by the header; say which columns are positions and heights "
+             "(x-column, z-column), or the step of heights alone (step)",
+             only < 0 ? "no column is" : "only '", only < 0 ? "" : columns[only].name,
+             only < 0 ? "" : "' is");
+    return false;
+  }
+  *chosen = (aspi_columns){.x = options->step > 0 ? -1 : x,
+                           .z = z,
+                           .unit_x = x < fields ? columns[x].unit : 1,
+                           .unit_z = columns[z].unit};
+  return true;
+}
+
+bool aspi_choose_columns(const aspi_header *header, char separator, int fields,
+                         const aspi_profile_options *options, aspi_columns *chosen, char *why,
+                         size_t size) {
+  column columns[COLUMNS_MOST] = {{"", 0, UNKNOWN}};
+  if (fields > COLUMNS_MOST)
+    fields = COLUMNS_MOST;
+  bool headed = read_header(header, separator, fields, columns);
+  return choose_both(options, columns, fields, headed, chosen, why, size);
+}
+
+asp_code aspi_find_units(const aspi_text *text, const aspi_profile_options *options,
+                         const aspi_header *header, aspi_columns *columns, asp_error *error) {
+  double stated[2] = {0, 0};
+  int count = 0;
+  bool found = columns->unit_x > 0 && columns->unit_z > 0;
+  for (int i = 0; i < ASP_HEADER_KEPT && count == 0 && !found; i++)
+    count = aspi_header_units(header->line[i], stated);
+  if (count == 2 && !found) {
+    columns->unit_x = columns->x < 0 ? 1 : stated[0];
+    columns->unit_z = stated[1];
+  }
+  if (options->unit_x > 0 && columns->x >= 0)
+    columns->unit_x = options->unit_x;
+  if (options->unit_z > 0)
+    columns->unit_z = options->unit_z;
+  if (columns->unit_x > 0 && columns->unit_z > 0)
+    return ASP_OK;
+  return aspi_text_fail(text, text->line, error,
+                        "%s before the first numbers; say which unit of length the columns are in "
+                        "(asperity surface --unit)",
+                        count == 0   ? "no unit of length is stated"
+                        : count == 1 ? "one unit is stated for two columns"
+                                     : "more than two units are stated");
+}

@@ -1,0 +1,31 @@
+/* Which columns of a text file are positions and heights; see header.c.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SURFACE_HEADER_H
+#define ASP_SURFACE_HEADER_H
+
+#include "surface/read.h"
+
+enum { ASP_HEADER_KEPT = 3 };
+
+/* The last lines before the data, the very last first; "" where there are fewer. */
+typedef struct aspi_header {
+  char line[ASP_HEADER_KEPT][ASP_TEXT_MOST];
+} aspi_header;
+
+/* The columns, from 0; x is -1 where positions are counted. Units in m; 0 where none is stated. */
+typedef struct aspi_columns {
+  int x, z;
+  double unit_x, unit_z;
+} aspi_columns;
+
+/* Chooses the columns of lines with that many fields; false and the reason where it cannot. */
+bool aspi_choose_columns(const aspi_header *header, char separator, int fields,
+                         const aspi_profile_options *options, aspi_columns *chosen, char *why,
+                         size_t size);
+
+/* Completes the units: the user's, those of the columns, or those of the header as a whole. */
+asp_code aspi_find_units(const aspi_text *text, const aspi_profile_options *options,
+                         const aspi_header *header, aspi_columns *columns, asp_error *error);
+
+#endif
