@@ -79,7 +79,9 @@ const double *asp_profile_heights(const asp_profile *profile);
 /* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
  * or spaces; after any header), or SDF in ASCII (ISO 25178-71). A text file must state its unit in
  * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
- * um`), or the reader be told. Positions may be rounded: the spacing comes from all of them. */
+ * um`), or the reader be told; the same lines say which columns are positions and heights, where
+ * there are more. Positions may be rounded: the spacing comes from all of them. They may fall, and
+ * repeat themselves (heights are averaged); what follows the data is left out. */
 typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);
@@ -92,7 +94,14 @@ void asp_reader_free(asp_reader *reader);
  *   fill            1: bad points and gaps are filled by straight lines (0: they are refused)
  *   resample        1: unequal spacing is resampled by straight lines (1); 0: it is refused
  *   row, column     of an SDF map, from 1: the row (1), or where column > 0 that column instead; of
- *                   a text file, column is that of the heights (0: the second) */
+ *                   a text file, column is that of the heights (0: by the header)
+ *   x_column        of a text file: that of the positions (0: by the header)
+ *   step_x          metres between heights of a text file that has no positions (0: it has some)
+ *   missing         a height that stands for a missing one, in the file's unit (NaN: there is none)
+ *   tip, lambda_s, cutoff, robust
+ *                   filters, in metres (0: left out): the radius of the stylus whose dilation is
+ *                   undone; the wavelengths below and beyond which a Gaussian filter of ISO
+ *                   16610-21 takes waves out; robust 1: the latter by ISO 16610-31 */
 asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
 
 /* The profile of a file; the message names file and line. */

@@ -14,6 +14,9 @@
 
 enum { OPTIONS_MAX = 48 };
 
+/* A longer length (m) without a unit is more likely one whose unit was forgotten. */
+#define LENGTH_WITHOUT_UNIT 1e-3
+
 double cli_degrees(double radians) {
   return radians * (180 / ASP_PI);
 }
@@ -164,6 +167,9 @@ double cli_length_of(const cli_option *option, const char *text) {
                   option->name, text);
   if (!(value > 0) || !isfinite(value))
     cli_bad_usage("--%s is '%s'; it must be a length > 0", option->name, text);
+  if (!*end && value > LENGTH_WITHOUT_UNIT)
+    cli_bad_usage("--%s is '%s' without a unit; that would be %g m: say %sm, or %sum", option->name,
+                  text, value, text, text);
   return value * unit;
 }
 

@@ -14,6 +14,7 @@ enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28, TWIN_POINTS = 1 << 19 };
 
 /* A measured profile shorter than this says little about its wall. */
 #define LENGTH_LEAST 20.0 /* correlation lengths */
+#define POINTS_PER_PARTICLE 10.0
 
 enum {
   RQ,
@@ -32,6 +33,13 @@ enum {
   SPIKES,
   ROW,
   COLUMN,
+  X_COLUMN,
+  Z_COLUMN,
+  MISSING,
+  TIP,
+  LAMBDA_S,
+  CUTOFF,
+  ROBUST,
   LEVEL,
   SAVE,
   OUTPUT,
@@ -50,7 +58,8 @@ static const cli_option table[N_OPTIONS + 1] = {
     [PROFILE] = {"profile", "FILE", "a measured profile instead: text in columns, or SDF", NULL},
     [MAP] = {"map", "FILE", "a measured map: SDF, a matrix of heights, or x, y, z in columns",
              NULL},
-    [STEP] = {"step", "LENGTH[,LENGTH]", "between a matrix's columns, and its rows", NULL},
+    [STEP] = {"step", "LENGTH[,LENGTH]",
+              "between heights without positions; between a matrix's columns, and its rows", NULL},
     [UNIT] = {"unit", "U[,U]", "unit of its columns, where the file states none", NULL},
     [FORM] = {"form", "DEGREE", "polynomial taken out as form: none, or 0 to 9", "1"},
     [GAPS] = {"gaps", "refuse|fill", "what to do about bad and missing points", "refuse"},
@@ -58,6 +67,14 @@ static const cli_option table[N_OPTIONS + 1] = {
     [SPIKES] = {"spikes", "K", "points over K robust sd off their neighbours are bad, too", NULL},
     [ROW] = {"row", "N", "row of an SDF map", "1"},
     [COLUMN] = {"column", "N", "column of an SDF map; column of heights in a text", NULL},
+    [X_COLUMN] = {"x-column", "N|NAME", "of positions in a text, by number or by its header", NULL},
+    [Z_COLUMN] = {"z-column", "N|NAME", "of heights", NULL},
+    [MISSING] = {"missing", "VALUE", "a height that stands for a missing one, as -9999", NULL},
+    [TIP] = {"tip", "LENGTH", "radius of the stylus, whose dilation is undone by erosion", NULL},
+    [LAMBDA_S] = {"lambda-s", "LENGTH", "shorter waves are taken out (Gaussian, ISO 16610-21)",
+                  NULL},
+    [CUTOFF] = {"cutoff", "LENGTH", "longer waves are taken out, after the form", NULL},
+    [ROBUST] = {"robust", NULL, "the cut-off by the robust filter of ISO 16610-31", NULL},
     [LEVEL] = {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
     [SAVE] = {"save", "FILE", "write the profile's positions and heights there", NULL},
     [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
@@ -88,6 +105,21 @@ static aspi_profile_options read_options(const cli_option *o) {
   read.row = (int)cli_whole(&o[ROW], 1, 1000000);
   if (o[COLUMN].value)
     read.column = (int)cli_whole(&o[COLUMN], 1, 1000000);
+  read.x_column = o[X_COLUMN].value;
+  read.z_column = o[Z_COLUMN].value;
+  if (o[MISSING].value) {
+    read.has_missing = true;
+    read.missing = cli_number(&o[MISSING], -INFINITY, INFINITY);
+  }
+  if (o[TIP].value)
+    read.filters.tip = cli_length(&o[TIP]);
+  if (o[LAMBDA_S].value)
+    read.filters.lambda_s = cli_length(&o[LAMBDA_S]);
+  if (o[CUTOFF].value)
+    read.filters.cutoff = cli_length(&o[CUTOFF]);
+  else if (o[ROBUST].value)
+    cli_bad_usage("--robust goes with --cutoff");
+  read.filters.robust = o[ROBUST].value != NULL;
   return read;
 }
 
@@ -136,17 +168,21 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
 }
 
 static void check_sizes(const aspi_description *d, const cli_list *sizes) {
-  for (size_t i = 0; i < sizes->count; i++)
+  for (size_t i = 0; i < sizes->count; i++) {
+    if (sizes->values[i] >= d->spacing && sizes->values[i] < POINTS_PER_PARTICLE * d->spacing)
+      cli_warn("a particle of %g um covers %.2g points of the profile; under %g the noise and the "
+               "rounding of heights pass for roughness (--lambda-s takes short waves out)",
+               sizes->values[i] * 1e6, sizes->values[i] / d->spacing, POINTS_PER_PARTICLE);
     if (sizes->values[i] < d->spacing)
       cli_fail("--dp is %gum; the profile's points are %gum apart and do not resolve it",
                sizes->values[i] * 1e6, d->spacing * 1e6);
+  }
 }
 
 static cli_wall read_wall(const cli_option *o, source *from) {
-  if (o[RQ].value || o[LAMBDA_C].value)
-    cli_bad_usage("--%s is given with --profile; a measured wall has its own",
-                  o[RQ].value ? "rq" : "lambda-c");
   aspi_profile_options read = read_options(o);
+  if (o[STEP].value)
+    read.step = cli_length(&o[STEP]);
   double level = cli_choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   uint32_t seed = (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX);
   asp_error error;
@@ -154,6 +190,8 @@ static cli_wall read_wall(const cli_option *o, source *from) {
   if (!profile)
     cli_fail("%s", error.text);
   if (aspi_profile_describe(profile, level, &from->description, &error))
+    cli_fail("%s: %s", o[PROFILE].value, error.text);
+  if (aspi_description_check(&from->description, &error))
     cli_fail("%s: %s", o[PROFILE].value, error.text);
   const aspi_description *d = &from->description;
   return (cli_wall){profile, generate_like(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};
@@ -206,12 +244,45 @@ static void print_all(FILE *out, const cli_wall *wall, const cli_slopes *rows, s
   }
 }
 
+/* Exits where an option is given that says nothing of the wall at hand: `own` of a generated one,
+ * of one by its profile, of one by its map. */
+static void check_options(const cli_option *o) {
+  enum { GENERATED = 1, BY_PROFILE = 2, BY_MAP = 4, MEASURED = BY_PROFILE | BY_MAP };
+  static const struct {
+    int option, own;
+  } list[] = {{RQ, GENERATED},
+              {LAMBDA_C, GENERATED},
+              {POINTS, GENERATED},
+              {PROFILE, BY_PROFILE},
+              {SPACING, BY_PROFILE},
+              {ROW, BY_PROFILE},
+              {COLUMN, BY_PROFILE},
+              {X_COLUMN, BY_PROFILE},
+              {Z_COLUMN, BY_PROFILE},
+              {TIP, BY_PROFILE},
+              {LAMBDA_S, BY_PROFILE},
+              {CUTOFF, BY_PROFILE},
+              {ROBUST, BY_PROFILE},
+              {MISSING, BY_PROFILE},
+              {LEVEL, BY_PROFILE},
+              {UNIT, MEASURED},
+              {FORM, MEASURED},
+              {GAPS, MEASURED},
+              {SPIKES, MEASURED},
+              {STEP, MEASURED},
+              {SEED, GENERATED | BY_PROFILE},
+              {SAVE, GENERATED | BY_PROFILE}};
+  int wall = o[MAP].value ? BY_MAP : o[PROFILE].value ? BY_PROFILE : GENERATED;
+  for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+    if (o[list[i].option].value != table[list[i].option].value && !(list[i].own & wall))
+      cli_bad_usage("--%s is given with %s, of which it says nothing", o[list[i].option].name,
+                    wall == BY_MAP       ? "--map"
+                    : wall == BY_PROFILE ? "--profile"
+                                         : "a generated wall (no --profile or --map)");
+}
+
 /* Everything with --map. */
 static void run_map(const cli_option *o, const cli_list *sizes, int argc, char **argv) {
-  const int own[] = {RQ, LAMBDA_C, PROFILE};
-  for (int i = 0; i < 3; i++)
-    if (o[own[i]].value)
-      cli_bad_usage("--%s is given with --map; a measured wall has its own", o[own[i]].name);
   aspi_profile_options read = read_options(o);
   aspi_map_options options = {&read, {0, 0}};
   if (o[STEP].value) {
@@ -237,6 +308,7 @@ static int run(int argc, char **argv) {
   cli_option options[N_OPTIONS + 1];
   memcpy(options, table, sizeof options);
   cli_parse(&cli_surface, argc, argv, options, false);
+  check_options(options);
   cli_list sizes = cli_lengths(&options[DP]);
   if (options[MAP].value) {
     run_map(options, &sizes, argc, argv);

@@ -496,6 +496,7 @@ asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options,
   scan s = {.step_least = INFINITY, .z_least = INFINITY, .z_most = -INFINITY, .whole = true};
   s.median.p = 0.5;
   gsl_rstat_quantile_reset(&s.median);
-  bool chosen = (options->x_column && options->z_column) || options->column > 0;
+  bool chosen =
+      (options->x_column || options->x_number > 0) && (options->z_column || options->column > 0);
   return read_data(text, &layout, options->resample, chosen, &s, raw, error);
 }

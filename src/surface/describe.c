@@ -11,6 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
+#define SPACINGS_LEAST 1.5
+
 /* Heights smaller than this part of the largest coordinate are rounding. */
 #define ROUNDING 1e-13
 
@@ -109,5 +112,20 @@ asp_code aspi_profile_describe(const asp_profile *profile, double level,
   d.lambda_1_e = d.lambda_c / sqrt(-log(level));
   d.phi_r = d.r_q / d.lambda_c;
   *description = d;
+  return ASP_OK;
+}
+
+asp_code aspi_description_check(const aspi_description *d, asp_error *error) {
+  if (d->lambda_c < SPACINGS_LEAST * d->spacing)
+    return aspi_fail(error, ASP_EDATA,
+                     "the correlation length, %g, is less than %g spacings of the points: this is "
+                     "noise, or sampled too coarsely; take short waves out (asperity surface "
+                     "--lambda-s)",
+                     d->lambda_c, SPACINGS_LEAST);
+  if (d->phi_r > 1)
+    return aspi_fail(error, ASP_EDATA,
+                     "phi_r = R_q/lambda_c is %g; over 1 is no roughness: are the units of "
+                     "positions and heights right (asperity surface --unit)?",
+                     d->phi_r);
   return ASP_OK;
 }

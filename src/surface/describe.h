@@ -29,4 +29,8 @@ typedef struct aspi_description {
 asp_code aspi_profile_describe(const asp_profile *profile, double level,
                                aspi_description *description, asp_error *error);
 
+/* ASP_EDATA and a message where that is no roughness: phi_r beyond 1, or neighbouring points that
+ * know nothing of each other, as in noise. */
+asp_code aspi_description_check(const aspi_description *description, asp_error *error);
+
 #endif

@@ -178,6 +178,8 @@ static bool choose_both(const aspi_profile_options *options, const column *colum
                         bool headed, aspi_columns *chosen, char *why, size_t size) {
   int x = asked_for("positions", options->x_column, columns, fields, why, size);
   int z = asked_for("heights", options->z_column, columns, fields, why, size);
+  if (options->x_number > 0 && x == -1)
+    x = options->x_number - 1;
   if (options->column > 0 && z == -1)
     z = options->column - 1;
   if (x == -2 || z == -2)

@@ -274,6 +274,9 @@ static asp_code prepare(aspi_raw *raw, const aspi_text *text, const aspi_profile
   if (code)
     return code;
   fill_gaps(raw, report);
+  code = aspi_filter(raw->heights, raw->points, raw->spacing, &options->filters, error);
+  if (code)
+    return code;
   if (raw->points < ASP_POINTS_LEAST || is_constant(raw, ROUNDING * before))
     return aspi_fail(error, ASP_EDATA, "%.200s: the profile is constant%s", text->path,
                      options->form > 0 ? " but for its form" : "");
@@ -293,7 +296,8 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
   if (r->resampled)
     snprintf(spacing, sizeof spacing, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
              raw->step_least, raw->step_most, raw->spacing);
-  char other[120] = "";
+  char other[200] = "";
+  const aspi_filters *f = &options->filters;
   if (raw->repeats)
     snprintf(other, sizeof other, ", %zu repeated positions averaged", raw->repeats);
   if (raw->falls)
@@ -301,6 +305,14 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
   if (raw->end_line)
     snprintf(other + strlen(other), sizeof other - strlen(other), ", data end before line %zu",
              raw->end_line);
+  size_t used = strlen(other);
+  if (f->tip > 0)
+    used += (size_t)snprintf(other + used, sizeof other - used, ", tip %g m", f->tip);
+  if (f->lambda_s > 0)
+    used += (size_t)snprintf(other + used, sizeof other - used, ", lambda_s %g m", f->lambda_s);
+  if (f->cutoff > 0)
+    snprintf(other + used, sizeof other - used, ", cutoff %g m%s", f->cutoff,
+             f->robust ? " (robust)" : "");
   snprintf(r->text, sizeof r->text, "%zu points read, %zu bad%s%s%s%s, %s", r->points, r->bad,
            spikes, gaps, spacing, other, form);
 }
@@ -329,12 +341,15 @@ asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_err
   if (options->form < -1 || options->form > ASP_FORM_MAX)
     return aspi_fail(error, ASP_EARG, "form is %d; it must be a degree of 0 to %d, or -1 for none",
                      options->form, ASP_FORM_MAX);
-  if (options->row < 1 || options->column < 0 || options->column > 64)
-    return aspi_fail(error, ASP_EARG, "row is %d and column %d; rows and columns count from 1",
-                     options->row, options->column);
+  if (options->row < 1 || options->column < 0 || options->column > 64 || options->x_number < 0 ||
+      options->x_number > 64)
+    return aspi_fail(error, ASP_EARG,
+                     "row is %d, column %d and x_column %d; rows and columns count from 1",
+                     options->row, options->column, options->x_number);
   if (aspi_check_range(error, "spikes", "", options->spikes, 0, INFINITY) ||
       aspi_check_range(error, "unit_x", "m", options->unit_x, 0, INFINITY) ||
-      aspi_check_range(error, "unit_z", "m", options->unit_z, 0, INFINITY))
+      aspi_check_range(error, "unit_z", "m", options->unit_z, 0, INFINITY) ||
+      aspi_check_range(error, "step", "m", options->step, 0, INFINITY))
     return ASP_EARG;
   return aspi_check_range(error, "metre", "", options->metre, 1e-12, 1e12);
 }

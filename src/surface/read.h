@@ -3,6 +3,7 @@
 #define ASP_SURFACE_READ_H
 
 #include "base/text.h"
+#include "surface/filter.h"
 
 enum { ASP_FORM_MAX = 9 };
 
@@ -17,11 +18,13 @@ typedef struct aspi_profile_options {
   bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
   int row;       /* of an SDF map, from 1 */
   int column;    /* 0, or: of an SDF map, read that column instead; of a text file, the heights */
+  int x_number;  /* 0, or: of a text file, the column of positions, from 1 */
   const char *x_column,
       *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
   double step;    /* m, of a text file that has heights alone; 0: it has positions */
   double missing; /* where has_missing: a height that stands for none */
   bool has_missing;
+  aspi_filters filters;
 } aspi_profile_options;
 
 /* Units as stated, metres, a mean line taken out, gaps refused, unequal spacing resampled, first

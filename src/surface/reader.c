@@ -42,12 +42,23 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
   aspi_profile_options o = reader->options;
   double step[2] = {reader->step[0], reader->step[1]};
   const option all[] = {
-      {.name = "unit_x", .number = &o.unit_x},   {.name = "unit_z", .number = &o.unit_z},
-      {.name = "metre", .number = &o.metre},     {.name = "form", .whole = &o.form},
-      {.name = "spikes", .number = &o.spikes},   {.name = "fill", .flag = &o.fill},
-      {.name = "resample", .flag = &o.resample}, {.name = "row", .whole = &o.row},
-      {.name = "column", .whole = &o.column},    {.name = "step_x", .number = &step[0]},
+      {.name = "unit_x", .number = &o.unit_x},
+      {.name = "unit_z", .number = &o.unit_z},
+      {.name = "metre", .number = &o.metre},
+      {.name = "form", .whole = &o.form},
+      {.name = "spikes", .number = &o.spikes},
+      {.name = "fill", .flag = &o.fill},
+      {.name = "resample", .flag = &o.resample},
+      {.name = "row", .whole = &o.row},
+      {.name = "column", .whole = &o.column},
+      {.name = "step_x", .number = &step[0]},
       {.name = "step_y", .number = &step[1]},
+      {.name = "tip", .number = &o.filters.tip},
+      {.name = "lambda_s", .number = &o.filters.lambda_s},
+      {.name = "cutoff", .number = &o.filters.cutoff},
+      {.name = "robust", .flag = &o.filters.robust},
+      {.name = "x_column", .whole = &o.x_number},
+      {.name = "missing", .number = &o.missing},
   };
   enum { COUNT = sizeof all / sizeof *all };
   int i = 0;
@@ -56,7 +67,8 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
   if (i == COUNT)
     return aspi_fail(error, ASP_ENAME,
                      "option '%s' is unknown to a reader of profiles; there are: unit_x unit_z "
-                     "metre form spikes fill resample row column step_x step_y",
+                     "metre form spikes fill resample row column step_x step_y tip lambda_s cutoff "
+                     "robust x_column missing",
                      name);
   if (!all[i].number && !(fabs(value) < INT_MAX && !(value > floor(value))))
     return aspi_fail(error, ASP_EARG, "%s is %g; it must be a whole number", name, value);
@@ -67,7 +79,9 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
   else
     *all[i].flag = value > 0;
   asp_code code = aspi_profile_check_options(&o, error);
-  if (!code && all[i].number)
+  if (all[i].number == &o.missing)
+    o.has_missing = !isnan(value);
+  else if (!code && all[i].number)
     code = aspi_check_range(error, name, "", value, 0, INFINITY);
   if (code)
     return code;
@@ -78,6 +92,7 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
 }
 
 asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error) {
+  reader->options.step = reader->step[0];
   return aspi_profile_read(path, &reader->options, &reader->report, error);
 }
 

@@ -180,7 +180,7 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
                                         int bins, asp_error *error) {
   aspi_description d;
   if (check_bins(profile, d_min, d_max, bins, error) ||
-      aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, error))
+      aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, error) || aspi_description_check(&d, error))
     return NULL;
   if (d_min >= d_max)
     bins = 1;

@@ -50,7 +50,7 @@ grep -q 'polynomial of degree 2' m || die "form"
 refuses 1 'the spacing is not equal' -- surface --profile raw.txt --unit um --gaps fill --spacing refuse
 "$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --level 0.2 | grep -q 'lambda_c (0.2 lag)' || die "--level"
 printf 'aISO-1.0\nNumPoints = 200\nNumProfiles = 40\nXscale = 1e-6\nYscale = 2e-6\nZscale = 1e-6\n*\n' > map.sdf
-awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) print rand() }' >> map.sdf
+awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0.4) + cos(int(i / 200) * 0.4) + 0.1 * rand() } }' >> map.sdf
 "$asperity" surface --profile map.sdf --row 7 --dp 4um 2>&1 | grep -q '200 points; ' || die "--row"
 "$asperity" surface --profile map.sdf --column 7 --dp 4um 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
 head -c 40 map.sdf > cut.sdf
@@ -60,6 +60,36 @@ refuses 1 cut.sdf:3 'within the SDF header' -- surface --profile cut.sdf
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 400; i++) print i "," sin(i / 30) }'; } > short.csv
 "$asperity" surface --profile short.csv > m 2> err
 grep -q 'lambda_c long' err && grep -q '^# only .* lambda_c long' m || die "a short profile is not said"
+
+# Filters: a wave of 800 um and one of 8 um; half of a wave passes at the cut-off. The robust filter is not drawn by a
+# deep valley.
+{ echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 16000; i++) { x = 0.5 * i; printf "%.1f,%.6f\n", x, sin(x * 6.2831853 / 800) + 0.1 * sin(x * 6.2831853 / 8) } }'; } > waves.csv
+rq_of() { "$asperity" surface --profile waves.csv --dp 20um "$@" 2> err | grep '^# length' | sed 's/.*R_q \([0-9.e-]*\) um.*/\1/'; }
+near() { awk -v a="$1" -v b="$2" -v part="$3" 'BEGIN { exit !(a > b * (1 - part) && a < b * (1 + part)) }' || die "$4: $1, not $2"; }
+near "$(rq_of)" 0.7106 0.01 "no filter"
+near "$(rq_of --cutoff 80um)" 0.0707 0.02 "--cutoff 80um leaves the short wave"
+near "$(rq_of --cutoff 800um)" 0.361 0.03 "--cutoff 800um leaves half of the long one"
+near "$(rq_of --lambda-s 80um)" 0.702 0.01 "--lambda-s 80um leaves the long wave"
+near "$(rq_of --lambda-s 8um --cutoff 80um)" 0.0354 0.03 "--lambda-s 8um leaves half of the short one"
+{ echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 16000; i++) { x = 0.5 * i; v = x > 4000 && x < 4060 ? -20 : 0; printf "%.1f,%.6f\n", x, v + 0.5 * sin(x * 6.2831853 / 20) } }'; } > valley.csv
+left() { "$asperity" surface --profile valley.csv --form none --cutoff 400um "$@" --dp 20um --save left.csv > /dev/null 2>&1; awk -F, '$1 > 3900 && $1 < 3980 { s += $2; n++ } END { print s / n }' left.csv; }
+awk -v a="$(left)" -v b="$(left --robust)" 'BEGIN { exit !(a > 1 && b < 0.2 && b > -0.2) }' || die "the robust filter: beside a valley $(left), robust $(left --robust)"
+# A tip of 50 um leaves the closing's arcs; erosion gives back what it could reach.
+"$asperity" surface --profile waves.csv --tip 50um --dp 20um 2> err | grep -q ', tip 5e-05 m' || die "--tip is not told"
+
+# What cannot be roughness.
+{ echo x_um,z_um; awk 'BEGIN { srand(3); for (i = 0; i < 4000; i++) print i "," rand() }'; } > noise.csv
+refuses 1 noise.csv 'spacings of the points' --lambda-s -- surface --profile noise.csv --dp 20um
+"$asperity" surface --profile noise.csv --lambda-s 20um --dp 20um > /dev/null 2> err || die "noise filtered: $(cat err)"
+{ echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 4000; i++) print i * 0.001 "," 10 * sin(i * 0.01) }'; } > steep.csv
+refuses 1 steep.csv 'phi_r' --unit -- surface --profile steep.csv --dp 0.1um
+"$asperity" surface --profile waves.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers 4 points' || die "few points per particle"
+
+# Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
+refuses 2 --gaps 'of which it says nothing' -- surface --rq 5um --lambda-c 40um --gaps fill
+refuses 2 --points --profile -- surface --profile waves.csv --points 8192
+refuses 2 --robust --cutoff -- surface --profile waves.csv --robust
+refuses 2 --rq "'5'" 'without a unit' -- surface --rq 5 --lambda-c 40um
 
 # The design of experiments, on any number of threads.
 "$asperity" doe --rq 2um,25um --lambda-c 40um,400um --dp 40um,200um --points 131072 --plot doe.svg -o d 2> err
