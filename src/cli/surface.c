@@ -78,7 +78,7 @@ static const cli_option table[N_OPTIONS + 1] = {
     [LEVEL] = {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
     [SAVE] = {"save", "FILE", "write the profile's positions and heights there", NULL},
     [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-    [PLOT] = {"plot", "FILE", "draw the first --dp into a .png, .svg or .pdf", NULL},
+    [PLOT] = {"plot", "FILE", "draw the first --dp, of a map two, into a .png, .svg or .pdf", NULL},
 };
 
 static void read_unit(const cli_option *option, aspi_profile_options *read) {
@@ -300,6 +300,8 @@ static void run_map(const cli_option *o, const cli_list *sizes, int argc, char *
   cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
   cli_map_print(cli_output_stream(output), &map, rows, sizes->count);
   cli_output_close(output);
+  if (o[PLOT].value)
+    cli_map_plot(&o[PLOT], &map, rows, sizes->count);
   free(rows);
   cli_map_free(&map);
 }

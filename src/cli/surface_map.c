@@ -52,6 +52,14 @@ static void moments(const float *p, const float *q, size_t n, double lay, cli_ma
   }
 }
 
+/* Along the lay and across it: at right angles to the left of the lay. */
+static double mixed_of(const float *p, const float *q, size_t n, double lay) {
+  double c = cos(lay), s = sin(lay), sum = 0;
+  for (size_t i = 0; i < n; i++)
+    sum += (c * p[i] + s * q[i]) * (c * q[i] - s * p[i]) / (double)n;
+  return sum;
+}
+
 static void measure_one(const cli_map *m, const room *r, double d_p, cli_map_slopes *row,
                         cli_progress *progress, double done) {
   asp_error error;
@@ -69,6 +77,7 @@ static void measure_one(const cli_map *m, const room *r, double d_p, cli_map_slo
   aspi_ball_free(ball);
   row->d_p = d_p;
   moments(r->p, r->q, m->map->columns * rows, m->description.lay, row);
+  row->mixed = mixed_of(r->p, r->q, m->map->columns * rows, m->description.lay);
 }
 
 void cli_map_slopes_measure(const cli_map *m, const cli_list *sizes, cli_map_slopes *rows) {

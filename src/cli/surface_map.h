@@ -20,9 +20,9 @@ typedef struct cli_map {
 cli_map cli_map_read(const cli_option *option, const aspi_map_options *options);
 void cli_map_free(cli_map *map);
 
-/* The contact slopes of a sphere, across the lay and along it. */
+/* The contact slopes of a sphere, across the lay and along it; mixed: the mean of their product. */
 typedef struct cli_map_slopes {
-  double d_p, rms[2], skewness[2];
+  double d_p, rms[2], skewness[2], mixed;
 } cli_map_slopes;
 
 /* The dilation of the map by a sphere of each size, all of its points on all cores. */
@@ -30,5 +30,9 @@ void cli_map_slopes_measure(const cli_map *map, const cli_list *sizes, cli_map_s
 
 /* What is known of the map, and a row per size. */
 void cli_map_print(FILE *out, const cli_map *map, const cli_map_slopes *rows, size_t count);
+
+/* The picture of the first two sizes. */
+void cli_map_plot(const cli_option *option, const cli_map *map, const cli_map_slopes *rows,
+                  size_t count);
 
 #endif
