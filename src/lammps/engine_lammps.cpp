@@ -15,6 +15,8 @@
 #include "lammps.h"
 #include "modify.h"
 #include "update.h"
+#include "wall/error.h"
+#include "wall/text.h"
 
 using namespace LAMMPS_NS;
 
@@ -56,9 +58,24 @@ void EngineOfLammps::print(const std::string &what) const {
       fprintf(to, "%s\n", what.c_str());
 }
 
-/* LAMMPS has no constants of a script that other commands can ask for; materials come by name. */
-bool EngineOfLammps::constants(const char *, bool, std::vector<double> &) const {
-  return false;
+void EngineOfLammps::set_constant(const std::string &keyword, double value) {
+  if (!(value >= 0) || !(value < HUGE_VAL))
+    throw asperity::Error(
+        asperity::text("%s is %g; it must be a finite number >= 0", keyword.c_str(), value));
+  (keyword == "friction" ? friction_ : surface_energy_) = value;
+}
+
+/* The moduli come with materials, by name. */
+bool EngineOfLammps::constants(const char *name, bool pairs, std::vector<double> &values) const {
+  const std::string which = name;
+  const double value = which == "surfaceEnergy"         ? surface_energy_
+                       : which == "coefficientFriction" ? friction_
+                                                        : -1;
+  values.clear();
+  if (!pairs || value < 0)
+    return false;
+  values.assign(static_cast<size_t>(types()) * types(), value);
+  return true;
 }
 
 std::string EngineOfLammps::how_to_state(const char *, bool, const std::string &) const {

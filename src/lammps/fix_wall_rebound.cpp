@@ -35,16 +35,18 @@ static const int ROW = Wall::N_STATE + Wall::N_PLACE;
 
 FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     : Fix(lammps, narg, arg), engine_(lammps, this), wall_(engine_), mesh_(NULL), region_(NULL),
-      last_step_(update->ntimestep),
+      last_step_(update->ntimestep), steps_(false),
       from_restart_(modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0),
       restarted_(false) {
+  check_units();
   check_particles();
   check_box();
   try {
     std::string geometry;
     Words words(narg - 3, arg + 3);
     read_geometry(words, geometry);
-    wall_.parse(words, geometry, mesh_);
+    Keywords own(this);
+    wall_.parse(words, geometry, &own);
   } catch (const std::exception &wrong) {
     fail(wrong.what());
   }
@@ -113,6 +115,21 @@ int FixWallRebound::read_type(Words &words) const {
   return static_cast<int>(words.whole("the wall's type", 1, atom->ntypes));
 }
 
+std::string FixWallRebound::Keywords::keywords() const {
+  return fix_->mesh_ ? "surface_energy friction map" : "surface_energy friction";
+}
+
+bool FixWallRebound::Keywords::parse(Words &words) {
+  if (!words.is_one_of(keywords()))
+    return false;
+  const std::string keyword = words.word("a keyword");
+  if (keyword == "map")
+    fix_->map_.parse(words);
+  else
+    fix_->engine_.set_constant(keyword, words.number(keyword.c_str()));
+  return true;
+}
+
 int FixWallRebound::setmask() {
   return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
@@ -131,6 +148,12 @@ void FixWallRebound::check_particles() const {
   if (lmp->kokkos)
     fail("the package KOKKOS is on; it keeps particles where this fix cannot reach them, so it "
          "must be off");
+}
+
+void FixWallRebound::check_units() const {
+  const std::string units = engine_.units(), known = engine_.known_units();
+  if (units != "si" && units != "cgs" && units != "micro" && units != "nano")
+    fail("units are '" + units + "'; they must be " + known);
 }
 
 void FixWallRebound::check_box() const {
@@ -186,6 +209,7 @@ void FixWallRebound::setup_pre_exchange() {
 }
 
 void FixWallRebound::setup(int) {
+  steps_ = false;
   set_rows();
   try {
     if (region_)
@@ -201,6 +225,7 @@ void FixWallRebound::setup(int) {
 }
 
 void FixWallRebound::begin_step() {
+  steps_ = true;
   if (region_)
     region_->begin_step();
   if (mesh_)
@@ -259,14 +284,16 @@ void FixWallRebound::pre_neighbor() {
 }
 
 void FixWallRebound::end_of_step() {
+  if (!steps_)
+    fail("rerun is not supported: a rebound is an event in time; use run");
   set_rows();
   last_step_ = update->ntimestep;
   wall_.hold(engine_.spheres());
   try {
     wall_.end_step(update->ntimestep, output->next == update->ntimestep);
-    if (mesh_ && mesh_->map().is_due(update->ntimestep))
-      mesh_->map().write(world, update->ntimestep, mesh_->triangles(), mesh_->motion().end(),
-                         wall_.sums(0));
+    if (mesh_ && map_.is_due(update->ntimestep))
+      map_.write(world, update->ntimestep, mesh_->triangles(), mesh_->motion().end(),
+                 wall_.sums(0));
   } catch (const std::exception &wrong) {
     fail(wrong.what());
   }

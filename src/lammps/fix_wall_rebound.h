@@ -23,6 +23,7 @@ FixStyle(wall/rebound,FixWallRebound);
 #include "fix.h"
 #include "region_shape.h"
 #include "wall/driven_mesh.h"
+#include "wall/map_file.h"
 #include "wall/wall.h"
 
 namespace LAMMPS_NS {
@@ -64,18 +65,32 @@ private:
   void read_geometry(asperity::Words &words, std::string &geometry);
   int read_type(asperity::Words &words) const;
   void begin_step();
+  void check_units() const;
   void check_particles() const;
   void check_box() const;
   void set_rows();
   void follow_step();
 
+  /* The keywords that LIGGGHTS's wall does not have. */
+  class Keywords : public asperity::OwnKeywords {
+  public:
+    explicit Keywords(FixWallRebound *fix) : fix_(fix) {}
+    std::string keywords() const override;
+    bool parse(asperity::Words &words) override;
+
+  private:
+    FixWallRebound *fix_;
+  };
+
   EngineOfLammps engine_;
   asperity::Wall wall_;
-  asperity::DrivenMesh *mesh_; /* the wall's shape, or NULL */
-  RegionShape *region_;        /* the same */
+  asperity::MapFile map_;
+  asperity::DrivenMesh *mesh_;             /* the wall's shape, or NULL */
+  RegionShape *region_;                    /* the same */
   std::vector<double> state_, place_;      /* rows of the atoms; see asperity::Wall */
   std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
   bigint last_step_;                       /* that the wall knows of */
+  bool steps_;                             /* this run has steps, which a rerun has not */
   bool from_restart_, restarted_;
 };
 

@@ -50,15 +50,6 @@ const double BEYOND = 1e-7;
 /* Two feet of one place. */
 const double SAME = 1e-6;
 
-/* The axis of a region's turn is protected in it. */
-class AxisOf : public Region {
-public:
-  static void read(const Region *region, double origin[3], double axis[3]) {
-    vector_copy(region->*(&AxisOf::point), origin);
-    vector_copy(region->*(&AxisOf::runit), axis);
-  }
-};
-
 /* The parts of a union or an intersection: in LAMMPS since 2022 by their addresses, before by their
  * numbers. */
 template <class R>
@@ -122,20 +113,16 @@ void RegionShape::add_region(Region *region, Node &node) {
     return;
   }
   node.part = static_cast<int>(parts_.size());
-  Part part = Part();
-  part.region = region;
-  if (region->rotateflag)
-    AxisOf::read(region, part.origin, part.axis);
   exact_ = exact_ && !region->rotateflag && !region->openflag;
   open_ = open_ || region->openflag;
-  parts_.push_back(part);
+  parts_.push_back(RegionPart(region));
 }
 
 /* A region is known by its ID, its style, its box and its parts. */
 std::string RegionShape::description() const {
   std::string all = "region " + id_;
-  for (const Part &part : parts_) {
-    const Region *r = part.region;
+  for (const RegionPart &part : parts_) {
+    const Region *r = part.region();
     all += text(" %s %s%s%s%s", r->id, r->style, r->interior ? "" : " out",
                 r->moveflag ? " move" : "", r->rotateflag ? " rotate" : "");
     if (r->bboxflag)
@@ -148,91 +135,17 @@ std::string RegionShape::description() const {
 
 /* The same region may have been defined anew, at another address; its motion goes on. */
 void RegionShape::init() {
-  const std::vector<Part> before = parts_;
+  const std::vector<double> record = motion_record();
   parts_.clear();
   root_.of.clear();
   exact_ = true;
   open_ = false;
   add_region(find_region(), root_);
-  for (size_t i = 0; i < parts_.size() && parts_.size() == before.size(); i++) {
-    parts_[i].rate = before[i].rate;
-    parts_[i].has_rate = before[i].has_rate;
-  }
+  restore_motion(record);
 }
 
 /* ---- how it moves -----------------------------------------------------------------------------
  */
-
-bool RegionShape::Part::moves() const {
-  return region->moveflag || region->rotateflag;
-}
-
-RegionShape::Pose RegionShape::Part::at(double share) const {
-  Pose pose;
-  for (int d = 0; d < 3; d++)
-    pose.shift[d] = before.shift[d] + share * (now.shift[d] - before.shift[d]);
-  pose.angle = before.angle + share * (now.angle - before.angle);
-  return share < 1 ? pose : now;
-}
-
-/* Rodrigues, about the axis through the origin. */
-void RegionShape::Part::turn(double angle, double x[3]) const {
-  double arm[3], across[3];
-  const double c = cos(angle), s = sin(angle);
-  vector_subtract(x, origin, arm);
-  vector_cross(axis, arm, across);
-  const double along = vector_dot(axis, arm);
-  for (int d = 0; d < 3; d++)
-    x[d] = origin[d] + c * arm[d] + s * across[d] + (1 - c) * along * axis[d];
-}
-
-void RegionShape::Part::to_world(const Pose &pose, double x[3]) const {
-  if (region->rotateflag)
-    turn(pose.angle, x);
-  if (region->moveflag)
-    vector_add_scaled(x, 1, pose.shift, x);
-}
-
-void RegionShape::Part::to_body(const Pose &pose, double x[3]) const {
-  if (region->moveflag)
-    vector_subtract(x, pose.shift, x);
-  if (region->rotateflag)
-    turn(-pose.angle, x);
-}
-
-void RegionShape::Part::velocity_of(const Pose &rate_then, double share, const double x[3],
-                                    double v[3]) const {
-  v[0] = v[1] = v[2] = 0;
-  if (region->rotateflag) {
-    double arm[3];
-    vector_subtract(x, origin, arm);
-    if (region->moveflag)
-      vector_subtract(arm, at(share).shift, arm);
-    vector_cross(axis, arm, v);
-    vector_scale(rate_then.angle, v);
-  }
-  if (region->moveflag)
-    vector_add_scaled(v, 1, rate_then.shift, v);
-}
-
-/* A rate is the mean over a step: that of its middle. Within the step it goes on as it has changed
- * since the step before. */
-void RegionShape::Part::velocity(double share, const double x[3], double v[3]) const {
-  Pose then;
-  const double on = has_last ? share - 0.5 : 0;
-  for (int d = 0; d < 3; d++)
-    then.shift[d] = rate.shift[d] + on * (rate.shift[d] - last_rate.shift[d]);
-  then.angle = rate.angle + on * (rate.angle - last_rate.angle);
-  velocity_of(then, share, x, v);
-}
-
-void RegionShape::Part::gain(const double x[3], double dv[3]) const {
-  Pose change;
-  for (int d = 0; d < 3; d++)
-    change.shift[d] = has_last ? rate.shift[d] - last_rate.shift[d] : 0;
-  change.angle = has_last ? rate.angle - last_rate.angle : 0;
-  velocity_of(change, 1, x, dv);
-}
 
 static void read_variables(LAMMPS *lammps, Region *region) {
   lammps->modify->clearstep_compute();
@@ -242,46 +155,25 @@ static void read_variables(LAMMPS *lammps, Region *region) {
 
 void RegionShape::setup() {
   read_variables(lammps_, root_.region);
-  for (Part &part : parts_) {
-    const Region *r = part.region;
-    part.now = Pose{{r->dx, r->dy, r->dz}, r->theta};
-    part.before = part.now;
-  }
+  for (RegionPart &part : parts_)
+    part.settle();
 }
 
+/* A region's box may be endless; the box of the simulation is not. */
 void RegionShape::begin_step() {
-  const double dt = lammps_->update->dt;
+  const Domain *domain = lammps_->domain;
   speed_ = 0;
   bool any = false;
-  for (const Part &part : parts_)
+  for (const RegionPart &part : parts_)
     any = any || part.moves();
   if (!any)
     return;
   read_variables(lammps_, root_.region);
-  const Domain *domain = lammps_->domain;
-  for (Part &part : parts_) {
-    const Region *r = part.region;
-    part.before = part.now;
-    part.now = Pose{{r->dx, r->dy, r->dz}, r->theta};
-    part.last_rate = part.rate;
-    part.has_last = part.has_rate;
-    part.has_rate = true;
-    for (int d = 0; d < 3; d++)
-      part.rate.shift[d] = (part.now.shift[d] - part.before.shift[d]) / dt;
-    part.rate.angle = (part.now.angle - part.before.angle) / dt;
-    if (!part.moves())
-      continue;
-    double fastest = r->moveflag ? vector_length(part.rate.shift) : 0, arm[3], most = 0;
-    for (int corner = 0; corner < 8 && r->rotateflag;
-         corner++) { /* a region's box may be endless */
-      for (int d = 0; d < 3; d++)
-        arm[d] = (corner >> d & 1 ? domain->boxhi[d] : domain->boxlo[d]) - part.origin[d];
-      if (r->moveflag)
-        vector_subtract(arm, part.now.shift, arm);
-      most = std::max(most, vector_length(arm));
+  for (RegionPart &part : parts_)
+    if (part.moves()) {
+      part.advance(lammps_->update->dt);
+      speed_ = std::max(speed_, part.speed(domain->boxlo, domain->boxhi));
     }
-    speed_ = std::max(speed_, fastest + fabs(part.rate.angle) * most);
-  }
 }
 
 double RegionShape::travel(double dt) const {
@@ -290,32 +182,26 @@ double RegionShape::travel(double dt) const {
 
 /* Puts the region to where it is at a share of the step. */
 void RegionShape::set_share(double share) const {
-  for (const Part &part : parts_)
-    if (part.moves()) {
-      const Pose pose = part.at(share);
-      part.region->dx = pose.shift[0];
-      part.region->dy = pose.shift[1];
-      part.region->dz = pose.shift[2];
-      part.region->theta = pose.angle;
-    }
+  for (const RegionPart &part : parts_)
+    if (part.moves())
+      part.set_share(share);
 }
 
 std::vector<double> RegionShape::motion_record() const {
   std::vector<double> record;
-  for (const Part &part : parts_)
-    if (part.moves() && part.has_rate) {
-      record.insert(record.end(), part.rate.shift, part.rate.shift + 3);
-      record.push_back(part.rate.angle);
+  for (const RegionPart &part : parts_)
+    if (part.moves() && part.rate()) {
+      record.insert(record.end(), part.rate()->shift, part.rate()->shift + 3);
+      record.push_back(part.rate()->angle);
     }
   return record;
 }
 
 void RegionShape::restore_motion(const std::vector<double> &record) {
   size_t at = 0;
-  for (Part &part : parts_)
+  for (RegionPart &part : parts_)
     if (part.moves() && record.size() >= at + 4) {
-      part.rate = Pose{{record[at], record[at + 1], record[at + 2]}, record[at + 3]};
-      part.has_rate = true;
+      part.set_rate(RegionPose{{record[at], record[at + 1], record[at + 2]}, record[at + 3]});
       at += 4;
     }
 }
@@ -389,9 +275,9 @@ bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
   for (int d = 0; d < 3; d++)
     middle[d] = 0.5 * (lo[d] + hi[d]) + reach * aside[d];
   std::vector<Foot> feet;
-  for (const Part &part : parts_) {
+  for (const RegionPart &part : parts_) {
     Node leaf;
-    leaf.region = part.region;
+    leaf.region = part.region();
     leaf.part = 0;
     for (int flip = 0; flip < 2; flip++)
       find_feet(leaf, flip, middle, (1 + 1e-5) * reach, feet);
@@ -448,7 +334,7 @@ void RegionShape::Search::look(double time, Look &l) const {
 /* The velocity of the foot, and of the sphere relative to it. */
 void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wall[3],
                                    double v[3]) const {
-  const Part &part = shape.parts_[foot.part];
+  const RegionPart &part = shape.parts_[foot.part];
   double point[3];
   v_wall[0] = v_wall[1] = v_wall[2] = 0;
   if (part.moves()) {
@@ -608,9 +494,9 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
       place.piece = foot.part;
     }
   vector_copy(contact.x, place.at);
-  const Part &part = parts_[place.piece];
+  const RegionPart &part = parts_[place.piece];
   if (part.moves())
-    part.to_body(part.at(share), place.at);
+    part.to_body(share, place.at);
 }
 
 /* The vector is of the part as it is defined; it turns with the part that is touched. */
@@ -637,9 +523,9 @@ void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) 
   v[0] = v[1] = v[2] = 0;
   if (place.piece < 0 || place.piece >= static_cast<int>(parts_.size()))
     return;
-  const Part &part = parts_[place.piece];
+  const RegionPart &part = parts_[place.piece];
   if (!part.moves())
     return;
-  part.to_world(part.now, x);
+  part.to_world(1, x);
   part.velocity(1, x, v);
 }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "pointers.h"
+#include "region_part.h"
 #include "wall/shape.h"
 
 namespace LAMMPS_NS {
@@ -46,28 +46,6 @@ public:
   void restore_motion(const std::vector<double> &record) override;
 
 private:
-  /* A displacement, and an angle about the part's axis. */
-  struct Pose {
-    double shift[3], angle;
-  };
-
-  /* A region that is no union or intersection, and its motion in this step. */
-  struct Part {
-    class Region *region;
-    double origin[3], axis[3]; /* of its turn: a point and a unit vector */
-    Pose before, now, rate, last_rate;
-    bool has_rate, has_last;
-
-    bool moves() const;
-    Pose at(double share) const;
-    void to_world(const Pose &pose, double x[3]) const;
-    void to_body(const Pose &pose, double x[3]) const;
-    void velocity(double share, const double x[3], double v[3]) const;
-    void gain(const double x[3], double dv[3]) const;
-    void turn(double angle, double x[3]) const;
-    void velocity_of(const Pose &rate_then, double share, const double x[3], double v[3]) const;
-  };
-
   /* A region and what it is made of. */
   struct Node {
     class Region *region;
@@ -102,7 +80,7 @@ private:
   LAMMPS *lammps_;
   std::string id_;
   Node root_;
-  std::vector<Part> parts_;
+  std::vector<RegionPart> parts_;
   bool exact_; /* no face is missed between the points that a search looks at */
   bool open_;
   double speed_; /* of the fastest point in this step */

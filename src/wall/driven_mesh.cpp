@@ -150,13 +150,6 @@ void DrivenMesh::begin_step(double time, double dt) {
   motion().advance(frame, twist, dt);
 }
 
-bool DrivenMesh::parse(Words &words) {
-  const bool is_map = words.take("map");
-  if (is_map)
-    map_.parse(words);
-  return is_map;
-}
-
 std::vector<double> DrivenMesh::motion_record() const {
   return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
 }

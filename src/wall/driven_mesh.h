@@ -9,7 +9,6 @@
 #include <memory>
 #include <string>
 
-#include "wall/map_file.h"
 #include "wall/mesh.h"
 #include "wall/words.h"
 
@@ -45,14 +44,6 @@ public:
   size_t pieces() const {
     return pieces_;
   }
-  const MapFile &map() const {
-    return map_;
-  }
-
-  std::string keywords() const override {
-    return "map";
-  }
-  bool parse(Words &words) override;
 
   /* At the beginning of a run, and of each step: the time of the wall's own clock. */
   void setup(double time);
@@ -64,7 +55,6 @@ public:
 
 private:
   Drive drive_;
-  MapFile map_;
   size_t pieces_;
   double origin_;
   bool has_begun_;

@@ -6,11 +6,9 @@
 #define ASPERITY_WALL_SHAPE_H
 
 #include <stddef.h>
-#include <string>
 #include <vector>
 
 #include "wall/lay.h"
-#include "wall/words.h"
 
 namespace asperity {
 
@@ -54,15 +52,6 @@ struct Blow {
 class Shape {
 public:
   virtual ~Shape() {}
-
-  /* The keywords of its own that a shape has behind those of its geometry; and, if the next word is
-   * one of them, reads it. */
-  virtual std::string keywords() const {
-    return "";
-  }
-  virtual bool parse(Words &) {
-    return false;
-  }
 
   /* How far the fastest point of the shape moves in this step. */
   virtual double travel(double dt) const = 0;

@@ -55,12 +55,12 @@ void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
   shapes_.push_back(std::move(member));
 }
 
-void Wall::parse(Words &words, const std::string &geometry, Shape *shape) {
+void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
   geometry_ = geometry;
-  const std::string others = KEYWORDS + (shape ? " " + shape->keywords() : "");
+  const std::string others = KEYWORDS + (own ? " " + own->keywords() : "");
   const std::string keywords = std::string(Model::KEYWORDS) + " " + others;
   while (!words.done()) {
-    if (model_.parse(words, others) || (shape && shape->parse(words)))
+    if (model_.parse(words, others) || (own && own->parse(words)))
       continue;
     if (words.take("timing")) {
       const std::string value = words.word("the value of 'timing'");

@@ -59,9 +59,9 @@ public:
     return shapes_.size();
   }
 
-  /* Reads the rest of the command. geometry: what the command says before it, for messages. shape:
-   * one with keywords of its own, or NULL. */
-  void parse(Words &words, const std::string &geometry, Shape *shape = NULL);
+  /* Reads the rest of the command. geometry: what the command says before it, for messages. own:
+   * the engine's own keywords, or NULL. */
+  void parse(Words &words, const std::string &geometry, OwnKeywords *own = NULL);
 
   /* Before a run, and at its beginning, when all particles are where they belong; collective. */
   void init(int64_t step, double dt);

@@ -39,6 +39,16 @@ private:
   size_t next_;
 };
 
+/* Keywords that an engine's command has besides those of all engines. */
+class OwnKeywords {
+public:
+  virtual ~OwnKeywords() {}
+  virtual std::string keywords() const = 0; /* with blanks between */
+
+  /* If the next word is one of them, reads it and what belongs to it. */
+  virtual bool parse(Words &words) = 0;
+};
+
 } // namespace asperity
 
 #endif

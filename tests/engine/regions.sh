@@ -3,7 +3,7 @@
 # impacts; in closed rooms of every style nobody is lost, however long the step is; rooms that move and turn, and what
 # sticks to them; restarts.
 source "$(dirname "$0")/engine.sh"
-simulator=lammps
+use lammps
 grains 400 > grains.data
 plate 1 1 2.9e-3 > plate.stl
 physics='type 2 materials quartz hastelloy-x surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple seed 5'
@@ -49,11 +49,51 @@ pair 'a cylinder' 'fix low all wall/rebound zcylinder 5e-4 1e-3 1e-3' 'region r 
 fix low all wall/rebound region r' 1e-9 'deposit off' 12
 pair 'a pipe' 'fix low all wall/rebound xcylinder 1.4e-3 1e-3 1.39e-3' 'region r cylinder x 1e-3 1.39e-3 1.4e-3 INF INF units box
 fix low all wall/rebound region r' 1e-6 'deposit off'
-pair 'a plate that moves' 'variable z equal v_up*time
-variable up equal 3.
-region r plane 0 0 0 0 0 1 move NULL NULL v_z
-fix low all wall/rebound region r' "fix low all wall/rebound stl plate.stl move linear 0 0 3." 1e-6
 
+# Plates that move and turn: as a mesh by its formula, as a region by variables. The last one is defined late, when its
+# variable is not 0.
+moves() { # TEXT, VARIABLES, REGION'S MOTION, MESH'S MOTION [TOLERANCE]
+  pair "$1" "$2
+region r plane 0 0 ${6:-0} 0 0 1 $3
+fix low all wall/rebound region r" "${7:-}
+fix low all wall/rebound stl plate.stl move $4" "${5:-1e-6}"
+}
+moves 'a plate that moves' 'variable z equal 3*time' 'move NULL NULL v_z' 'linear 0 0 3'
+moves 'a plate that oscillates' 'variable z equal 2e-6*sin(2*PI*time/2e-6)' 'move NULL NULL v_z' 'wiggle 0 0 2e-6 2e-6' 1e-2
+moves 'a plate that turns' 'variable a equal 2000*time' 'rotate v_a 0 0 0 0 1 0' "rotate 0 0 0 0 1 0 $(awk 'BEGIN { printf "%.17g", 2 * atan2(0, -1) / 2000 }')" 1e-4
+moves 'a plate that is defined late' 'run 100
+variable z equal 3*time' 'move NULL NULL v_z' 'linear 0 0 3' 1e-6 -3e-6 'run 100'
+
+# What sticks goes along, and a run that goes on from a restart file has the ledger of one that nothing disturbed.
+turning='variable a equal 0.02*sin(2*PI*step*dt/1e-5)
+variable z equal 2e-6*sin(2*PI*step*dt/2e-6)
+region r plane 0 0 0 0 0 1 move NULL NULL v_z rotate v_a 0 0 0 0 1 0
+fix low all wall/rebound region r'
+last='dump end all custom 400 end.*.txt id x y z vx vy vz
+dump_modify end sort id format line "%d %.12g %.12g %.12g %.12g %.12g %.12g"'
+scene whole "$turning $physics deposit freeze surface_energy 20 ledger 100 file out.csv
+$last" 'run 130
+write_restart half.restart
+run 270'
+engine 2 whole.in
+mv out.csv whole.csv; sed 1,9d end.400.txt > whole.end
+stuck=$(rows whole.csv | awk -F, '$19 == 1 && $3 < 3.9e-6 { print $1 }' | sort)
+[ "$(wc -w <<< "$stuck")" -gt 20 ] || die "too few stick: $stuck"
+# On the plate: at a radius above it, and with the speed of the point below.
+sort -k1,1 whole.end | join - <(rows whole.csv | awk -F, '$19 == 1 && $3 < 3.9e-6 { printf "%d %.12g\n", $1, $9 / 2 }' | sort -k1,1) | awk '
+  { pi = atan2(0, -1); t = 400e-8; a = 0.02 * sin(2 * pi * t / 1e-5); z = 2e-6 * sin(2 * pi * t / 2e-6)
+    w = 0.02 * 2 * pi / 1e-5 * cos(2 * pi * t / 1e-5); up = 2e-6 * 2 * pi / 2e-6 * cos(2 * pi * t / 2e-6)
+    off = $2 * sin(a) + ($4 - z) * cos(a) - $8; vx = w * ($4 - z); vz = up - w * $2
+    if (off * off > 1e-22 || ($5 - vx) ^ 2 + ($7 - vz) ^ 2 > (1e-3 * (1 + sqrt(vx * vx + vz * vz))) ^ 2 || $6 * $6 > 1e-20) { print off, $0, vx, vz; bad = 1 } }
+  END { exit bad || NR < 20 }' || die "what sticks is not on its plate"
+{ scene rest "$turning $physics deposit freeze surface_energy 20 ledger 100 file out.csv
+$last" 'run 270'; sed -i 's/^read_data.*/read_restart half.restart/' rest.in; }
+for ranks in 1 2; do
+  engine 2 whole.in
+  engine $ranks rest.in
+  same whole.csv out.csv "a moving region, restarted on $ranks ranks"
+  same whole.end <(sed 1,9d end.400.txt) "places, restarted on $ranks ranks"
+done
 # Closed rooms, a mirror as the wall, steps of half a diameter to fifty: all stay in, at their speed.
 room() { # NAME STEPS REGIONS: the last region is r; `stay` counts who is in it
   { head_of si

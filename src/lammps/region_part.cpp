@@ -1,0 +1,149 @@
+/* A part of a region, and its motion; see region_part.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "region_part.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+#include "region.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+/* The axis of a region's turn is protected in it. */
+class AxisOf : public Region {
+public:
+  static void read(const Region *region, double origin[3], double axis[3]) {
+    vector_copy(region->*(&AxisOf::point), origin);
+    vector_copy(region->*(&AxisOf::runit), axis);
+  }
+};
+
+} // namespace
+
+RegionPart::RegionPart(Region *region)
+    : region_(region), origin_(), axis_(), before_(), now_(), rate_(), last_rate_(),
+      has_rate_(false), has_last_(false) {
+  if (region->rotateflag)
+    AxisOf::read(region, origin_, axis_);
+}
+
+bool RegionPart::moves() const {
+  return region_->moveflag || region_->rotateflag;
+}
+
+void RegionPart::settle() {
+  now_ = RegionPose{{region_->dx, region_->dy, region_->dz}, region_->theta};
+  before_ = now_;
+}
+
+void RegionPart::advance(double dt) {
+  before_ = now_;
+  now_ = RegionPose{{region_->dx, region_->dy, region_->dz}, region_->theta};
+  last_rate_ = rate_;
+  has_last_ = has_rate_;
+  has_rate_ = true;
+  for (int d = 0; d < 3; d++)
+    rate_.shift[d] = (now_.shift[d] - before_.shift[d]) / dt;
+  rate_.angle = (now_.angle - before_.angle) / dt;
+}
+
+void RegionPart::set_rate(const RegionPose &rate) {
+  rate_ = rate;
+  has_rate_ = true;
+}
+
+double RegionPart::speed(const double lo[3], const double hi[3]) const {
+  double farthest = 0;
+  for (int corner = 0; corner < 8 && region_->rotateflag; corner++) {
+    double arm[3];
+    for (int d = 0; d < 3; d++)
+      arm[d] = (corner >> d & 1 ? hi[d] : lo[d]) - origin_[d];
+    if (region_->moveflag)
+      vector_subtract(arm, now_.shift, arm);
+    farthest = std::max(farthest, vector_length(arm));
+  }
+  return (region_->moveflag ? vector_length(rate_.shift) : 0) + fabs(rate_.angle) * farthest;
+}
+
+RegionPose RegionPart::at(double share) const {
+  if (share >= 1)
+    return now_;
+  RegionPose pose;
+  for (int d = 0; d < 3; d++)
+    pose.shift[d] = before_.shift[d] + share * (now_.shift[d] - before_.shift[d]);
+  pose.angle = before_.angle + share * (now_.angle - before_.angle);
+  return pose;
+}
+
+void RegionPart::set_share(double share) const {
+  const RegionPose pose = at(share);
+  region_->dx = pose.shift[0];
+  region_->dy = pose.shift[1];
+  region_->dz = pose.shift[2];
+  region_->theta = pose.angle;
+}
+
+/* Rodrigues, about the axis through the origin. */
+void RegionPart::turn(double angle, double x[3]) const {
+  double arm[3], across[3];
+  const double c = cos(angle), s = sin(angle);
+  vector_subtract(x, origin_, arm);
+  vector_cross(axis_, arm, across);
+  const double along = vector_dot(axis_, arm);
+  for (int d = 0; d < 3; d++)
+    x[d] = origin_[d] + c * arm[d] + s * across[d] + (1 - c) * along * axis_[d];
+}
+
+void RegionPart::to_world(double share, double x[3]) const {
+  const RegionPose pose = at(share);
+  if (region_->rotateflag)
+    turn(pose.angle, x);
+  if (region_->moveflag)
+    vector_add_scaled(x, 1, pose.shift, x);
+}
+
+void RegionPart::to_body(double share, double x[3]) const {
+  const RegionPose pose = at(share);
+  if (region_->moveflag)
+    vector_subtract(x, pose.shift, x);
+  if (region_->rotateflag)
+    turn(-pose.angle, x);
+}
+
+void RegionPart::velocity_by(const RegionPose &rate, double share, const double x[3],
+                             double v[3]) const {
+  v[0] = v[1] = v[2] = 0;
+  if (region_->rotateflag) {
+    double arm[3];
+    vector_subtract(x, origin_, arm);
+    if (region_->moveflag)
+      vector_subtract(arm, at(share).shift, arm);
+    vector_cross(axis_, arm, v);
+    vector_scale(rate.angle, v);
+  }
+  if (region_->moveflag)
+    vector_add_scaled(v, 1, rate.shift, v);
+}
+
+/* A rate is the mean over a step: that of its middle. Within the step it goes on as it has changed
+ * since the step before. */
+void RegionPart::velocity(double share, const double x[3], double v[3]) const {
+  RegionPose then;
+  const double on = has_last_ ? share - 0.5 : 0;
+  for (int d = 0; d < 3; d++)
+    then.shift[d] = rate_.shift[d] + on * (rate_.shift[d] - last_rate_.shift[d]);
+  then.angle = rate_.angle + on * (rate_.angle - last_rate_.angle);
+  velocity_by(then, share, x, v);
+}
+
+void RegionPart::gain(const double x[3], double dv[3]) const {
+  RegionPose change;
+  for (int d = 0; d < 3; d++)
+    change.shift[d] = has_last_ ? rate_.shift[d] - last_rate_.shift[d] : 0;
+  change.angle = has_last_ ? rate_.angle - last_rate_.angle : 0;
+  velocity_by(change, 1, x, dv);
+}

@@ -1,0 +1,64 @@
+/* A region of LAMMPS that is no union or intersection, as a rigid body: where it is within a step,
+ * and how fast. LAMMPS knows its displacement and its angle at the end of each step, by variables;
+ * in between they are taken as linear in time.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef LMP_REGION_PART_H
+#define LMP_REGION_PART_H
+
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+/* A displacement, and an angle about the part's axis; or their rates. */
+struct RegionPose {
+  double shift[3], angle;
+};
+
+class RegionPart {
+public:
+  explicit RegionPart(class Region *region);
+
+  Region *region() const {
+    return region_;
+  }
+  bool moves() const;
+
+  /* At the beginning of a run, and at the end of each step: what LAMMPS has. */
+  void settle();
+  void advance(double dt);
+
+  /* The speed of the fastest point within a box in this step. */
+  double speed(const double lo[3], const double hi[3]) const;
+
+  /* Puts LAMMPS's region to where it is at a share of the step. */
+  void set_share(double share) const;
+
+  /* From the place in the region as it was defined to that at a share of the step, and back. */
+  void to_world(double share, double x[3]) const;
+  void to_body(double share, double x[3]) const;
+
+  /* The velocity of a point of the region; and how much it changes within the step. */
+  void velocity(double share, const double x[3], double v[3]) const;
+  void gain(const double x[3], double dv[3]) const;
+
+  /* The mean velocities of the last step, for a run that continues one. */
+  const RegionPose *rate() const {
+    return has_rate_ ? &rate_ : NULL;
+  }
+  void set_rate(const RegionPose &rate);
+
+private:
+  RegionPose at(double share) const;
+  void turn(double angle, double x[3]) const;
+  void velocity_by(const RegionPose &rate, double share, const double x[3], double v[3]) const;
+
+  Region *region_;
+  double origin_[3], axis_[3]; /* of its turn: a point and a unit vector */
+  RegionPose before_, now_, rate_, last_rate_;
+  bool has_rate_, has_last_;
+};
+
+} // namespace LAMMPS_NS
+
+#endif
