@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
-# Every command in the Examples of the fix's page runs as it stands there.
+# Every command in the Examples of the fix's page runs as it stands there; and LAMMPS's page has every keyword in a table.
 source "$(dirname "$0")/engine.sh"
 page=$here/../../src/liggghts/fix_wall_rebound.md
-awk '/^## Examples/ { on = 1; next } /^## / { on = 0 } on && /^```/ { code = !code; next } on && code' "$page" |
-  awk '{ sub(/^ +/, " "); if (sub(/&$/, "")) { line = line $0; next } print line $0; line = "" }' > examples
+[ $simulator = liggghts ] || page=$here/../../src/lammps/fix_wall_rebound.rst
+if [ $simulator = liggghts ]; then
+  awk '/^## Examples/ { on = 1; next } /^## / { on = 0 } on && /^```/ { code = !code; next } on && code' "$page"
+else
+  awk '/^Examples/ { on = 1; next } /^Description/ { on = 0 } on && /^   / { sub(/^   /, ""); print }' "$page"
+fi | awk '{ sub(/^ +/, " "); if (sub(/&$/, "")) { line = line $0; next } print line $0; line = "" }' > examples
 [ "$(wc -l < examples)" -ge 4 ] || die "the page has $(wc -l < examples) examples"
 plate 3 1 1.9e-3 > blade.stl
 sed 's/vertex \(.*\) 0$/vertex \1 5e-4/' blade.stl > hub.stl
@@ -20,6 +24,8 @@ velocity all set 10 0 -50 units box
 group dust type 1
 fix blade all mesh/surface file blade.stl type 2
 fix hub all mesh/surface file hub.stl type 2
+region hopper block -0.002 0.002 -0.002 0.002 0 0.002 units box
+region drum cylinder x 0 1e-3 1e-3 INF INF units box
 fix move all nve/sphere
 timestep 5e-8"
     materials
@@ -33,3 +39,13 @@ run 200"; } > example.in
     grep -E '^ +200 ' example.in.screen | awk '{ exit !($2 >= 1) }' || die "no impact: $line"
   fi
 done < examples
+[ $simulator = lammps ] || exit 0
+
+# The words that the fix knows are those of the tables.
+sed 's/^fix wall .*/fix wall all wall\/rebound stl blade.stl nonsense/' example.in > words.in
+if "$program" -in words.in -log none > words.screen 2>&1; then die "nonsense is a keyword"; fi
+words=$(sed -n "s/.*'nonsense' is unknown; there are: \(.*\) (.*/\1/p" words.screen)
+[ "$(wc -w <<< "$words")" -ge 10 ] || die "the fix names $words"
+for word in $words shear type scale move; do
+  grep -qF "   * - \`\`$word\`\`" "$page" || die "the page has no table with '$word'"
+done

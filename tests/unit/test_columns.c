@@ -1,7 +1,8 @@
-/* The table of the ledger's columns in the page of the fix, row by row. */
+/* The table of the ledger's columns in the pages of the fix, row by row. */
 #include "base/ledger_columns.h"
 
 #include <setjmp.h>
+#include <stdbool.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -13,26 +14,36 @@
 #define COLUMN(ID, name, type, text) {name, type, text},
 static const struct { const char *name, *type, *text; } columns[] = {LEDGER_COLUMNS(COLUMN)};
 
-static void page_has_them(void **state) {
-  (void)state;
-  const char *path = getenv("ASPERITY_TEST_PAGE");
+/* Each row in a form of its own: Markdown, or a table of comma-separated values. */
+static void has_rows(const char *variable, const char *heading, bool markdown) {
+  const char *path = getenv(variable);
   assert_non_null(path);
   FILE *page = fopen(path, "r");
   assert_non_null(page);
   static char line[1 << 14];
   char expected[400];
-  while (fgets(line, sizeof line, page) && strncmp(line, "| column | name |", 17) != 0)
+  while (fgets(line, sizeof line, page) && strncmp(line, heading, strlen(heading)) != 0)
     ;
   assert_non_null(fgets(line, sizeof line, page)); /* under the heading */
   for (int i = 0; i < LEDGER_N_COLUMNS; i++) {
-    snprintf(expected, sizeof expected, "| %d | `%s` | %s | %s |\n", i + 1, columns[i].name,
-             columns[i].text, columns[i].type);
+    if (markdown)
+      snprintf(expected, sizeof expected, "| %d | `%s` | %s | %s |\n", i + 1, columns[i].name,
+               columns[i].text, columns[i].type);
+    else
+      snprintf(expected, sizeof expected, "   %d, ``%s``, \"%s\", %s\n", i + 1, columns[i].name,
+               columns[i].text, columns[i].type);
     assert_non_null(fgets(line, sizeof line, page));
     assert_string_equal(line, expected);
   }
   assert_non_null(fgets(line, sizeof line, page));
   assert_string_equal(line, "\n");
   fclose(page);
+}
+
+static void pages_have_them(void **state) {
+  (void)state;
+  has_rows("ASPERITY_TEST_PAGE", "| column | name |", true);
+  has_rows("ASPERITY_TEST_RST", "   :header: \"column\", \"name\"", false);
 }
 
 /* The places that scripts, dumps and measurements of years rely on. */
@@ -45,7 +56,7 @@ static void places_stay(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(page_has_them),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(pages_have_them),
                                      cmocka_unit_test(places_stay)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
