@@ -22,13 +22,13 @@ script 'read_restart r.${from}' > rest.in
 start() {
   local ranks=$1 script=$2; shift 2
   if [ "$ranks" = 1 ]; then
-    "$bin/liggghts-asperity" -in "$script" -log none "$@" > screen 2>&1 &
+    "$program" -in "$script" -log none "$@" > screen 2>&1 &
     job=$! pids=$!
   else
-    mpirun -np "$ranks" "$bin/liggghts-asperity" -in "$script" -log none "$@" > screen 2>&1 &
+    mpirun -np "$ranks" "$program" -in "$script" -log none "$@" > screen 2>&1 &
     job=$! pids=
     while [ "$(wc -w <<< "$pids")" -lt "$ranks" ] && kill -0 $job 2> /dev/null; do
-      pids=$(pgrep -P $job -f 'liggghts-asperity -in' | tr '\n' ' ') || true
+      pids=$(pgrep -P $job -f "$simulator-asperity -in" | tr '\n' ' ') || true
     done
   fi
 }

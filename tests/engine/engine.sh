@@ -1,7 +1,7 @@
 # What the engine tests share; each sources it. They run the real launchers in a folder of their own and compare
-# numbers, not log text. ASPERITY_BIN is the folder of the binaries (build/bin where it is not set). A script that is
-# for either engine is called with its name, liggghts (the default) or lammps; deck, head_of and materials then are of
-# that one's language.
+# numbers, not log text. ASPERITY_BIN is the folder of the binaries (build/bin where it is not set). A test that is
+# for either engine is called with its name, liggghts (the default) or lammps; its scripts are in LIGGGHTS's language,
+# which to_lammps.awk turns into that of LAMMPS.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${ASPERITY_BIN:-$here/../../build/bin}" && pwd)
@@ -10,14 +10,36 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 
-simulator=liggghts
+# use ENGINE: its launcher, as $program. That of LAMMPS gets the script in its own language: a copy for each rank, of
+# which the first one's counts.
+use() {
+  simulator=$1
+  program=$bin/liggghts-asperity
+  [ $simulator = lammps ] || return 0
+  program=$work/.lammps
+  cat > "$program" << END
+#!/usr/bin/env bash
+set -e
+rank=\${OMPI_COMM_WORLD_RANK:-0}
+copy=\$2.lammps.\$rank
+into=constants
+[ "\$1" = -in ]
+[ "\$rank" = 0 ] || into=/dev/null
+awk -v into="\$into" -f "$here/to_lammps.awk" "\$2" > "\$copy"
+shift 2
+exec "$bin/lammps-asperity" -in "\$copy" "\$@"
+END
+  chmod +x "$program"
+}
+use liggghts
+case ${1:-} in liggghts | lammps) use "$1"; shift ;; esac
 
 die() { echo "FAILED: $*" >&2; exit 1; }
 
 # engine RANKS SCRIPT [options]: runs a script; the screen goes to SCRIPT.screen.
 engine() {
   local ranks=$1 script=$2; shift 2
-  timeout 300 mpirun -np "$ranks" "$bin/$simulator-asperity" -in "$script" -log none "$@" < /dev/null > "$script.screen" 2>&1 ||
+  timeout 300 mpirun -np "$ranks" "$program" -in "$script" -log none "$@" < /dev/null > "$script.screen" 2>&1 ||
     { tail -n 15 "$script.screen" >&2; die "$script on $ranks ranks"; }
 }
 
@@ -42,10 +64,8 @@ check_rows() {
 }
 
 # materials [YOUNG YIELD GAMMA]: quartz (type 1) on Hastelloy X (type 2), with what unit factors say.
-# LAMMPS has no such constants: there, a wall names its materials.
 materials() {
   local pa=${1:-1} jm2=${2:-1}
-  [ $simulator = liggghts ] || return 0
   cat << END
 fix m1 all property/global youngsModulus peratomtype $(mul 70e9 "$pa") $(mul 205e9 "$pa")
 fix m2 all property/global poissonsRatio peratomtype 0.17 0.32
@@ -108,7 +128,6 @@ stl() {
 
 # head_of UNITS LENGTH: the beginning of a script; LENGTH is the unit's factor to metres.
 head_of() {
-  [ $simulator = liggghts ] || { printf 'units %s\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n' "${1:-si}"; return; }
   cat << END
 units ${1:-si}
 atom_style granular

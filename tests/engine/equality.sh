@@ -6,8 +6,7 @@ grains 900 > grains.data
 physics='materials quartz hastelloy-x surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple'
 
 plane() { # ID, primitive with its numbers, keywords: a wall of type 2
-  if [ $simulator = lammps ]; then echo "fix $1 all wall/rebound $2 type 2 $physics $3"
-  else echo "fix $1 all wall/rebound primitive type 2 $2 $physics $3"; fi
+  echo "fix $1 all wall/rebound primitive type 2 $2 $physics $3"
 }
 deck() { # where particles come from, walls, runs
   head_of si | sed 's/boundary.*/boundary m m m/'
@@ -15,7 +14,6 @@ deck() { # where particles come from, walls, runs
 neighbor 3e-5 bin
 neigh_modify delay 0 exclude group all all"
   materials
-  local line=''; [ $simulator = liggghts ] || line=line
   echo "fix move all nve/sphere
 timestep 1e-8
 $2
@@ -23,29 +21,31 @@ thermo_style custom step f_low[1] f_low[2] f_low[3] f_low[4] f_low[6]
 thermo 1000
 thermo_modify format float %.15g lost ignore
 dump end all custom 400 end.*.txt id x y z vx vy vz
-dump_modify end format $line \"%d %.17g %.17g %.17g %.17g %.17g %.17g\" sort id
+dump_modify end format \"%d %.17g %.17g %.17g %.17g %.17g %.17g\" sort id
 $3"
 }
-# both NAME RANKS: runs NAME.liggghts and NAME.lammps, each in its folder.
+# both NAME RANKS: runs NAME.in in each engine, in its folder.
 both() {
-  for simulator in liggghts lammps; do
-    mkdir -p $simulator
-    (cd $simulator; engine "$2" "../$1.$simulator")
+  local each
+  for each in liggghts lammps; do
+    mkdir -p $each
+    (use $each; cd $each; cp "../$1.in" .; engine "$2" "$1.in")
   done
 }
 equal() { # TEXT: what both have left is the same
+  local simulator
   for simulator in liggghts lammps; do
     sed -n 's/ *$//; 10,$p' $simulator/end.400.txt > $simulator/end
-    grep -haE '^ +400 ' ./*.$simulator.screen | tail -n 1 > $simulator/counters
+    grep -haE '^ +400 ' $simulator/*.screen | tail -n 1 > $simulator/counters
   done
   local file
   for file in $(cd liggghts; ls ./*.csv) end; do same liggghts/$file lammps/$file "LIGGGHTS and LAMMPS, $1"; done
   paste -d' ' liggghts/counters lammps/counters | awk '{ half = NF / 2; for (i = 1; i <= half; i++) if ($i != $(i + half)) exit 1 } END { exit half != 6 || NR != 1 }' ||
     die "counters, $1: $(cat liggghts/counters lammps/counters)"
-  rm -rf liggghts lammps ./*.screen
+  rm -rf liggghts lammps
 }
 scene() { # NAME, walls, runs, where particles come from
-  for simulator in liggghts lammps; do deck "${4:-read_data ../grains.data}" "$($2)" "$3" > "$1.$simulator"; done
+  deck "${4:-read_data ../grains.data}" "$($2)" "$3" > "$1.in"
 }
 freeze() { plane low 'zplane 0.0' 'deposit freeze seed 5 ledger 100 file low.csv'; }
 delete() { plane low 'zplane 0.0' 'deposit delete seed 6 ledger 70 file low.csv'; }
@@ -54,9 +54,8 @@ two() {
   plane high 'zplane 2e-4' 'deposit off seed 7 ledger 50 file high.csv'
 }
 mesh() { # KEYWORDS: a wall of triangles of type 2
-  if [ $simulator = lammps ]; then echo "fix low all wall/rebound stl ../plate.stl type 2 $physics $1"
-  else echo "fix plate all mesh/surface file ../plate.stl type 2
-fix low all wall/rebound mesh n_meshes 1 meshes plate $physics $1"; fi
+  echo "fix plate all mesh/surface file ../plate.stl type 2
+fix low all wall/rebound mesh n_meshes 1 meshes plate $physics $1"
 }
 flat() { mesh 'deposit freeze seed 9 ledger 100 file low.csv'; }
 pipe() { plane low 'xcylinder 2e-3 1.5e-3 1.99e-3 shear x 11.' 'deposit freeze seed 8 ledger 100 file low.csv'; }

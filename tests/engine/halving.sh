@@ -26,6 +26,10 @@ turning='function gap(t) { a = 20 * t; return (z[i] + w[i] * t) * cos(a) - (x[i]
 summed='function place(t) { return h * (sin(W * (t + dt / 2)) - sin(W * dt / 2)) }
   function speed(t) { return h * W * cos(W * (t + dt / 2)) }
   BEGIN { W = 2 * atan2(0, -1) / 0.02; h = size * W * dt / 2 / sin(W * dt / 2) }'
+# LAMMPS's walls are where the formula has them.
+[ $simulator = liggghts ] || summed='function place(t) { return size * sin(W * t) }
+  function speed(t) { return size * W * cos(W * t) }
+  BEGIN { W = 2 * atan2(0, -1) / 0.02 }'
 # Up and down by 1 mm, and to and fro by 5 degrees, with a period of 20 ms.
 wiggling='BEGIN { size = 0.001 }'$summed'
   function gap(t) { return z[i] + w[i] * t - place(t) - r }
@@ -36,6 +40,9 @@ riggling='BEGIN { size = 5 * atan2(0, -1) / 180 }'$summed'
     off = 2 * (-u[i] * sin(a) + w[i] * cos(a) - speed(t) * arm); after[1] = u[i] + off * sin(a); after[3] = w[i] - off * cos(a) }'
 for motion in "rotate origin 0. 0. 0. axis 0. -1. 0. period $(awk 'BEGIN { printf "%.17g", 2 * atan2(0, -1) / 20 }')" \
   "wiggle amplitude 0. 0. 0.001 period 0.02" "riggle origin 0. 0. 0. axis 0. -1. 0. period 0.02 amplitude 5."; do
+  case $motion in
+    riggle*) [ $simulator = liggghts ] || continue ;; # LAMMPS has none
+  esac
   case $motion in
     rotate*) grains=$(fly 0.001 5e-6 0.15) plate=$turning ;;
     wiggle*) grains=$(fly 0.004 3e-5 1) plate=$wiggling ;;

@@ -20,7 +20,7 @@ run 100"; } > rest.in
 refuses() {
   local script=$1 words=(); shift
   while [ $# -gt 0 ] && [ "$1" != -- ]; do words+=("$1"); shift; done; shift || true
-  local command=("$bin/liggghts-asperity"); [ -z "${ranks:-}" ] || command=(mpirun -np "$ranks" "${command[@]}")
+  local command=("$program"); [ -z "${ranks:-}" ] || command=(mpirun -np "$ranks" "${command[@]}")
   if timeout 60 "${command[@]}" -in "$script" -log none "$@" > screen 2>&1; then die "$script $* ran; wanted: ${words[*]}"; fi
   says screen ERROR "${words[@]}"
 }
@@ -115,7 +115,7 @@ done
 
 # Write errors. limited RANKS KILOBYTES SCRIPT: no file may become larger.
 printf '#!/usr/bin/env bash\ntrap "" XFSZ; ulimit -f "$1"; shift; exec "$@"\n' > limit; chmod +x limit
-limited() { timeout 60 mpirun --mca btl self,tcp -np "$1" ./limit "$2" "$bin/liggghts-asperity" -in "$3" -log none "${@:4}" > screen 2>&1; }
+limited() { timeout 60 mpirun --mca btl self,tcp -np "$1" ./limit "$2" "$program" -in "$3" -log none "${@:4}" > screen 2>&1; }
 { head_ 'read_data grains.data'; echo "$wall ledger 20 file \${out} \${words}
 run 250"; } > full.in
 for kind in csv npy; do

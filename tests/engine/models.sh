@@ -37,7 +37,7 @@ deck "auto tolerance 10" > auto.in
 engine 1 auto.in -var out auto.csv
 refused() {
   deck "$1" > bad.in
-  ! "$bin/liggghts-asperity" -in bad.in -log none -var out bad.csv > bad.screen 2>&1 || die "accepted: spread $1"
+  ! "$program" -in bad.in -log none -var out bad.csv > bad.screen 2>&1 || die "accepted: spread $1"
   grep -a '^ERROR' bad.screen | grep -qF -- "$2" || { grep -a ERROR bad.screen; die "'$2' is not in the message for: spread $1"; }
 }
 refused "auto" "tolerance"

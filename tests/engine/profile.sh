@@ -60,7 +60,7 @@ refused() { # surface, words
   local surface=$1; shift
   deck si 1 1 1 1 "$surface" 'run 1' > bad.in
   for ranks in 1 2; do
-    ! mpirun -np $ranks "$bin/liggghts-asperity" -in bad.in -log none -var out bad.csv > bad.screen 2>&1 || die "accepted: $surface"
+    ! mpirun -np $ranks "$program" -in bad.in -log none -var out bad.csv > bad.screen 2>&1 || die "accepted: $surface"
     [ "$(grep -ac '^ERROR' bad.screen)" = 1 ] || { tail bad.screen; die "not one message: $surface"; }
     for word in "$@"; do grep -a '^ERROR' bad.screen | grep -qF -- "$word" || { grep -a ERROR bad.screen; die "'$word' is not in the message: $surface"; }; done
   done

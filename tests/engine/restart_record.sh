@@ -104,7 +104,7 @@ length=$(od -An -tu4 -j $((at - 4)) -N 4 both.restart | tr -d ' ')
 [ "$length" -gt 500 ] || die "the record has $length bytes"
 sed 's/both.restart/bad.restart/' same.in > bad.in
 bad() { # WHAT
-  if timeout 60 "$bin/liggghts-asperity" -in bad.in -log none > bad.screen 2>&1; then die "$1: taken"; fi
+  if timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1; then die "$1: taken"; fi
   grep -a 'ERROR.*id w' bad.screen | grep -qE "the restart file's record of this wall .*damaged" || { tail -n 3 bad.screen; die "$1: no message"; }
 }
 for part in 0 8 12 16 24 28 32 60 $((length / 3)) $((length / 2)) $((length - 1)); do
@@ -113,5 +113,5 @@ for part in 0 8 12 16 24 28 32 60 $((length / 3)) $((length / 2)) $((length - 1)
   bad "byte $part of $length"
 done
 head -c $((at + length / 2)) both.restart > bad.restart
-if timeout 60 "$bin/liggghts-asperity" -in bad.in -log none > bad.screen 2>&1; then die "a file that is cut was taken"; fi
+if timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1; then die "a file that is cut was taken"; fi
 grep -aq ERROR bad.screen || die "a file that is cut: no message"

@@ -71,6 +71,7 @@ done
 for all in "group some id 1:50" "group some union all"; do
   script "$begin" "" | sed "s/^fix wall all/$all\nfix wall some/
     s/^fix move.*/&\nfix later all particletemplate\/sphere 10007 atom_type 1 volume_limit 1e-20 density constant 2650 radius constant 5e-6\nfix sizes all particledistribution\/discrete 10009 1 later 1.0/" > empty.in
+  [ $simulator = liggghts ] || sed -i '/^fix .* particle/d' empty.in
   echo "run 60
 delete_atoms group some compress no
 run 60
@@ -94,9 +95,11 @@ set group all diameter 1e-5 density 2650
 fix move all nve/sphere
 fix wall all wall/rebound primitive type $types zplane 0.0
 run 1"; } > advice.in
-  if "$bin/liggghts-asperity" -in advice.in -log none > advice.screen 2>&1; then die "no constants, and accepted"; fi
+  if "$program" -in advice.in -log none > advice.screen 2>&1; then die "no constants, and accepted"; fi
   grep -a '^ERROR' advice.screen > advice || die "no error message"
-  grep -aqE "youngsModulus; name a material for each atom type, as 'materials $names' .*, or add a line such as 'fix youngsModulus all property/global youngsModulus peratomtype $values'" advice ||
+  line=", or add a line such as 'fix youngsModulus all property/global youngsModulus peratomtype $values'"
+  [ $simulator = liggghts ] || line=''
+  grep -aqE "youngsModulus; name a material for each atom type, as 'materials $names' .*$line" advice ||
     { cat advice; die "the advice for $types types"; }
 done
 

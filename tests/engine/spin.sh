@@ -1,14 +1,10 @@
 #!/usr/bin/env bash
 # Spin is read and written: grains that fly and turn meet a plane that moves; their velocities and spins afterwards are
 # those of the hard sphere. A flow takes away what would stick, and what an earlier part of the run has frozen.
-simulator_of=${1:-liggghts}
 source "$(dirname "$0")/engine.sh"
-simulator=$simulator_of
-line=''; [ $simulator = liggghts ] || line=line
 
 plane() { # keywords: a wall of type 2
-  if [ $simulator = lammps ]; then echo "fix wall all wall/rebound zplane 0.0 $shear type 2 $1"
-  else echo "fix wall all wall/rebound primitive type 2 zplane 0.0 $shear $1"; fi
+  echo "fix wall all wall/rebound primitive type 2 zplane 0.0 $shear $1"
 }
 deck() { # wall, what follows, where particles come from
   head_of si
@@ -22,7 +18,7 @@ $(plane "$1")
 thermo_style custom step f_wall[1] f_wall[2]
 thermo 400
 dump all all custom 400 spins.*.txt id diameter vx vy vz omegax omegay omegaz
-dump_modify all format $line \"%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g\" sort id
+dump_modify all format \"%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g\" sort id
 $2"
 }
 spins() { sed '1,9d' "spins.$1.txt"; }
@@ -49,7 +45,6 @@ shear=''
 # The law of Bons leaves spins alone, unless told otherwise.
 for spin in off on; do
   deck "rebound bons spin $spin deposit off" 'run 400' > run.in
-  [ $simulator = liggghts ] || sed -i 's/rebound bons/materials quartz hastelloy-x rebound bons/' run.in
   engine 1 run.in
   spins 0 > before; spins 400 > after
   same=$(paste -d' ' before after | awk '{ n += $6 == $14 && $7 == $15 && $8 == $16 } END { print n }')
@@ -57,37 +52,36 @@ for spin in off on; do
 done
 
 # A flow: none of what would stick does; and what was frozen before is free, and goes where it is pulled.
-materials=$([ $simulator = liggghts ] || echo "materials quartz hastelloy-x")
 flow='remove u_tau 50 gas_density 1.2 mean_free_path 6.8e-8'
 pulled() { # of those at rest at step 400, how many move at 800
   spins 400 > before; spins 800 > after
   paste -d' ' before after | awk '$3 == 0 && $4 == 0 && $5 == 0 { moves += $11 != 0; n++ } END { print n + 0, moves + 0 }'
 }
-deck "$materials deposit freeze" 'run 400
+deck "deposit freeze" 'run 400
 write_restart stuck.restart' > run.in
 engine 1 run.in
 pull='fix pull all gravity 1e6 vector 1 0 0
 run 400'
-deck "$materials deposit freeze" "$pull" 'read_restart stuck.restart' > run.in
+deck "deposit freeze" "$pull" 'read_restart stuck.restart' > run.in
 engine 1 run.in
 read -r stuck moves <<< "$(pulled)"
 [ "$stuck" -gt 5 ] && [ "$moves" = 0 ] || die "$moves of $stuck move without a flow"
-deck "$materials deposit freeze $flow" "$pull" 'read_restart stuck.restart' > run.in
+deck "deposit freeze $flow" "$pull" 'read_restart stuck.restart' > run.in
 engine 1 run.in
 read -r stuck moves <<< "$(pulled)"
 [ "$stuck" -gt 5 ] && [ "$moves" = "$stuck" ] || die "$moves of $stuck move with a flow"
-deck "$materials deposit freeze $flow" 'run 400' > run.in
+deck "deposit freeze $flow" 'run 400' > run.in
 engine 1 run.in
 grep -E '^ +400 ' run.in.screen | awk '{ exit !($2 == 200 && $3 == 0) }' || die "the flow left deposits: $(grep -E '^ +400 ' run.in.screen)"
-deck "$materials deposit off remove u_tau 1 gas_density 1" 'run 1' > bad.in
-timeout 60 "$bin/$simulator-asperity" -in bad.in -log none > bad.screen 2>&1 && die "removal without deposits is taken"
+deck "deposit off remove u_tau 1 gas_density 1" 'run 1' > bad.in
+timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 && die "removal without deposits is taken"
 grep -q "freeze or delete" bad.screen || die "removal without deposits: $(tail -n 3 bad.screen)"
-deck "$materials deposit freeze remove u_tau 1" 'run 1' > bad.in
-timeout 60 "$bin/$simulator-asperity" -in bad.in -log none > bad.screen 2>&1 && die "removal without a gas is taken"
+deck "deposit freeze remove u_tau 1" 'run 1' > bad.in
+timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 && die "removal without a gas is taken"
 grep -q "gas_density" bad.screen || die "removal without a gas: $(tail -n 3 bad.screen)"
-deck "$materials rebound table -" 'run 1' > bad.in
-timeout 60 "$bin/$simulator-asperity" -in bad.in -log none > bad.screen 2>&1 < /dev/null && die "a table from standard input is taken"
+deck "rebound table -" 'run 1' > bad.in
+timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 < /dev/null && die "a table from standard input is taken"
 grep -q "must be the name of a file" bad.screen || die "a table from standard input: $(tail -n 3 bad.screen)"
-deck "$materials rebound bons spin maybe" 'run 1' > bad.in
-timeout 60 "$bin/$simulator-asperity" -in bad.in -log none > bad.screen 2>&1 && die "spin maybe is taken"
+deck "rebound bons spin maybe" 'run 1' > bad.in
+timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 && die "spin maybe is taken"
 grep -q "off on" bad.screen || die "spin maybe: $(tail -n 3 bad.screen)"

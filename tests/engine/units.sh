@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One case in units si, cgs and micro: the same impacts, in each script's own units.
+# One case in units si, cgs and micro, and LAMMPS's nano: the same impacts, in each script's own units.
 source "$(dirname "$0")/engine.sh"
 deck() { # units, length, time, pressure, energy per area
   head_of "$1"
@@ -19,7 +19,13 @@ grains 400 1e6 1 1e-3 > micro.data
 deck si 1 1 1 1 > si.in
 deck cgs 1e2 1 10 1e3 > cgs.in
 deck micro 1e6 1e6 1e-3 1e3 > micro.in
-for u in si cgs micro; do engine 1 $u.in; done
+systems='cgs micro'
+if [ $simulator = lammps ]; then
+  grains 400 1e9 1 1e-6 > nano.data
+  deck nano 1e9 1e9 1e-6 1e3 > nano.in
+  systems='cgs micro nano'
+fi
+for u in si $systems; do engine 1 $u.in; done
 [ "$(count_rows si.csv)" -ge 400 ] || die "si: too few impacts"
 rescale() { # file, length, velocity, time: back to SI
   awk -F, -v OFS=, -v OFMT=%.12g -v CONVFMT=%.12g -v l="$2" -v v="$3" -v t="$4" '/^#/ || /^tag/ { print; next }
@@ -27,4 +33,5 @@ rescale() { # file, length, velocity, time: back to SI
 }
 rescale cgs.csv 1e2 1e2 1 > cgs.si.csv
 rescale micro.csv 1e6 1 1e6 > micro.si.csv
-for u in cgs micro; do near si.csv $u.si.csv "1 2 3 9 10 11 12 14 15 16 17 18 19" 1e-6; done
+[ $simulator = liggghts ] || rescale nano.csv 1e9 1 1e9 > nano.si.csv
+for u in $systems; do near si.csv $u.si.csv "1 2 3 9 10 11 12 14 15 16 17 18 19" 1e-6; done
