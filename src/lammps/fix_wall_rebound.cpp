@@ -182,7 +182,7 @@ void FixWallRebound::init() {
         "the restart file has no data of this wall; its impact numbers begin at 1, and no particle "
         "is stuck to it");
   from_restart_ = false;
-  follow_step();
+  follow_step(update->ntimestep);
   try {
     if (region_)
       region_->init();
@@ -192,11 +192,11 @@ void FixWallRebound::init() {
   }
 }
 
-/* The command reset_timestep tells no fix. */
-void FixWallRebound::follow_step() {
-  if (update->ntimestep != last_step_)
-    wall_.reset_step(update->ntimestep, last_step_);
-  last_step_ = update->ntimestep;
+/* The command reset_timestep tells no fix, and a `run pre no` may follow it. */
+void FixWallRebound::follow_step(bigint last) {
+  if (last != last_step_)
+    wall_.reset_step(last, last_step_);
+  last_step_ = last;
 }
 
 /* Arrays of the atoms may have moved since the last step. */
@@ -226,6 +226,7 @@ void FixWallRebound::setup(int) {
 
 void FixWallRebound::begin_step() {
   steps_ = true;
+  follow_step(update->ntimestep - 1);
   if (region_)
     region_->begin_step();
   if (mesh_)

@@ -69,7 +69,7 @@ private:
   void check_particles() const;
   void check_box() const;
   void set_rows();
-  void follow_step();
+  void follow_step(bigint last);
 
   /* The keywords that LIGGGHTS's wall does not have. */
   class Keywords : public asperity::OwnKeywords {

@@ -106,6 +106,14 @@ void RegionPart::to_world(double share, double x[3]) const {
     vector_add_scaled(x, 1, pose.shift, x);
 }
 
+void RegionPart::turn_vector(double share, double vector[3]) const {
+  if (!region_->rotateflag)
+    return;
+  vector_add_scaled(origin_, 1, vector, vector);
+  turn(at(share).angle, vector);
+  vector_subtract(vector, origin_, vector);
+}
+
 void RegionPart::to_body(double share, double x[3]) const {
   const RegionPose pose = at(share);
   if (region_->moveflag)

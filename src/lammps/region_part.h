@@ -38,6 +38,9 @@ public:
   void to_world(double share, double x[3]) const;
   void to_body(double share, double x[3]) const;
 
+  /* A vector that turns with the region. */
+  void turn_vector(double share, double vector[3]) const;
+
   /* The velocity of a point of the region; and how much it changes within the step. */
   void velocity(double share, const double x[3], double v[3]) const;
   void gain(const double x[3], double dv[3]) const;

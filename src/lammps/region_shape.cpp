@@ -504,18 +504,13 @@ void RegionShape::lay(const Lay &lay, const Path &path, const Contact &contact,
                       double direction[3]) const {
   vector_copy(lay.vector, direction);
   bool turns = false;
-  for (const Part &part : parts_)
-    turns = turns || part.region->rotateflag;
+  for (const RegionPart &part : parts_)
+    turns = turns || part.region()->rotateflag;
   if (!turns)
     return;
   Place place;
   stick(path, contact, place);
-  const Part &part = parts_[place.piece];
-  if (!part.region->rotateflag)
-    return;
-  vector_add_scaled(part.origin, 1, lay.vector, direction);
-  part.turn(part.at(path.share() + contact.time / path.dt).angle, direction);
-  vector_subtract(direction, part.origin, direction);
+  parts_[place.piece].turn_vector(path.share() + contact.time / path.dt, direction);
 }
 
 void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) const {

@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# What scripts of LAMMPS do besides, each with a wall of this fix: the borders between ranks move, atoms are sorted, lists
+# are built anew at will, particles come by `fix deposit` and `fix pour`, walls have groups, steps get other numbers,
+# partitions run at once. Nothing of it changes an impact of a grain that flies alone. Maps of triangles can be read.
+source "$(dirname "$0")/engine.sh"
+use lammps
+grains 400 > grains.data
+plate 6 1 3.9e-3 > plate.stl
+wall='fix wall all wall/rebound stl plate.stl type 2 materials quartz hastelloy-x surface rq 10e-6 lambda_c 90e-6 deposit freeze seed 4 ledger 100 file rows.csv'
+script() { # NAME, lines before the wall, lines before the run, runs
+  { head_of si | sed 's/boundary.*/boundary m m m/'
+    echo "${5:-}read_data grains.data
+neighbor 3e-5 bin
+neigh_modify delay 0 exclude group all all
+$2
+$wall
+fix move all nve/sphere
+timestep 1e-8
+thermo 1000
+$3
+thermo_style custom step atoms f_wall f_wall[2]
+${4:-run 400}"; } > "$1.in"
+}
+counts() { grep -E '^ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ *$' "$1.in.screen" | tail -n 1 | awk '{ print $2, $3, $4 }'; }
+script plain '' ''
+engine 1 plain.in
+cp rows.csv plain.csv
+[ "$(count_rows plain.csv)" -ge 400 ] || die "too few impacts"
+# unchanged NAME RANKS [TOLERANCE]: the impacts of the plain run, to the byte where no tolerance is given.
+unchanged() {
+  rm -f rows.csv
+  engine "$2" "$1.in"
+  if [ $# = 2 ]; then same plain.csv rows.csv "$1 on $2 ranks"
+  else near plain.csv rows.csv '1 2 3 6 7 8 9 10 11 12 13 14 15 16 17 19' "$3"; fi
+  [ "$(counts "$1")" = "$(counts plain)" ] || die "$1 on $2 ranks: $(counts "$1"), and it must be $(counts plain)"
+}
+# (LAMMPS takes places into the box's own lengths and back where it moves borders, which rounds them.)
+script balance '' 'fix share all balance 20 1.0 shift xy 5 1.01
+fix tell all print 400 "imbalance $(f_share[2])"'
+unchanged balance 4 1e-9
+grep -qE '^imbalance [1-9]' balance.in.screen || die "fix balance did nothing"
+script tiled '' 'comm_style tiled
+fix share all balance 20 1.0 rcb'
+unchanged tiled 4 1e-9
+script sorted '' 'atom_modify sort 7 2e-4'
+script lists 'neigh_modify every 3 delay 6 check no' ''
+script check 'neigh_modify once no every 1 check yes' ''
+for name in sorted lists check; do unchanged $name 2; done
+script runs '' '' 'run 100
+reset_timestep 5000
+run 150 pre no post no
+reset_timestep 0
+run 150'
+rm -f rows.csv; engine 2 runs.in
+same <(rows plain.csv) <(rows rows.csv) "reset_timestep"
+
+# Groups, and walls beside each other: each grain is its own group's wall's.
+script groups 'group odd id 1:400:2
+group even subtract all odd' "unfix wall
+fix low odd wall/rebound zplane 0 type 2 rebound constant 1 1 deposit off ledger 100 file odd.csv
+fix high even wall/rebound zplane -1e-4 type 2 rebound constant 1 1 deposit off ledger 100 file even.csv
+fix wall all wall/rebound zplane 5e-4 rebound constant 1 1 deposit off"
+engine 2 groups.in
+check_rows odd.csv '$1 % 2 == 1 && $8 > 0' "the wall of the odd ones"
+check_rows even.csv '$1 % 2 == 0 && $8 < 0' "the wall of the even ones"
+
+# Partitions, each with its own ledger.
+script parts '' ''
+sed -i 's/file rows.csv/file rows.${part}.csv/; 1i variable part world a b' parts.in
+timeout 60 mpirun -np 3 "$program" -in parts.in -partition 2 1 -log none -plog none -pscreen none > parts.screen 2>&1 || { tail parts.screen; die "partitions"; }
+for part in a b; do same plain.csv rows.$part.csv "partition $part"; done
+
+# Particles that come while it runs, and go: each has its own impacts from 1, and all stay above the wall.
+coming() { # NAME LINES
+  { echo "units si
+atom_style sphere
+boundary p p f
+region box block 0 2e-3 0 2e-3 -1e-4 2e-3 units box
+create_box 2 box
+neighbor 3e-5 bin
+neigh_modify delay 0 exclude group all all
+comm_modify cutoff 1e-4
+region source block 2e-4 18e-4 2e-4 18e-4 1e-3 18e-4 units box
+$2
+fix low all wall/rebound zplane 0.0 type 2 materials quartz hastelloy-x surface rq 1e-5 lambda_c 9e-5 deposit off rebound constant 0.9 0.9 ledger 100 file rows.csv
+fix high all wall/rebound zplane 19.5e-4 rebound constant 1 1 deposit off
+fix move all nve/sphere
+timestep 2e-7
+thermo_style custom step atoms f_low f_low[2]
+run 1000
+region hole cylinder z 1e-3 1e-3 3e-4 INF INF units box
+delete_atoms region hole compress no
+run 1000"; } > "$1.in"
+  for ranks in 1 2; do
+    rm -f rows.csv
+    engine $ranks "$1.in"
+    rows rows.csv | awk -F, '{ if ($2 != last[$1] + 1) bad = 1; last[$1] = $2; n++; more += $2 > 1 } END { exit bad || n < 100 || more < 10 }' || die "$1 on $ranks ranks: impact numbers"
+    check_rows rows.csv '$8 > 0' "$1: a grain below the wall"
+  done
+}
+printf '# grain\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\nDiameters\n\n1 1e-5\n\nMasses\n\n1 1.3875e-12\n' > grain.txt
+coming deposit 'molecule grain grain.txt
+fix in all deposit 200 0 4 4711 mol grain region source near 1e-5 vx 20 20 vy 0 0 vz -60 -40'
+coming pour 'fix weight all gravity 9.81 vector 0 0 -1
+fix in all pour 200 1 4711 region source diam one 1e-5 dens 2650 2650 vol 0.1 50 vel -20 20 -20 20 -50'
+
+# Maps: every triangle with its sums, those of the wall; in both formats the same numbers.
+script maps '' '' 'run 400'
+sed -i 's/^fix wall.*/& map 200 map.*.vtk/' maps.in
+sed 's/map\.\*\.vtk/map.*.vtp/' maps.in > maps_xml.in
+for ranks in 1 2; do
+  engine $ranks maps.in; engine $ranks maps_xml.in
+  for step in 200 400; do
+    [ -s map.$step.vtk ] && [ -s map.$step.vtp ] || die "no map of step $step"
+  done
+  awk 'function done(  k) { for (k in sum) printf "%s %.6g\n", k, sum[k] } /^SCALARS/ { name = $2; getline; next } name { sum[name] += $1 } END { done() }' map.400.vtk | sort > legacy
+  awk 'function done(  k) { for (k in sum) printf "%s %.6g\n", k, sum[k] } /<CellData>/ { on = 1 } /<DataArray/ && on { name = $0; sub(/.*Name="/, "", name); sub(/".*/, "", name); next } /^</ { next } on && name { sum[name] += $1 } END { done() }' map.400.vtp | sort > xml
+  same legacy xml "the two formats"
+  grep -q "^POLYGONS 72 288" map.400.vtk || die "the map has other triangles"
+  [ "$(awk '$1 == "impacts" { print $2 }' legacy)" = "$(counts maps | awk '{ print $2 }')" ] || die "impacts on the map: $(cat legacy), of the wall: $(counts maps)"
+  rows rows.csv | awk -F, '{ n[$5]++ } END { for (t = 0; t < 72; t++) print n[t] + 0 }' > of_rows
+  awk '/^SCALARS impacts/ { getline; on = 1; next } /^SCALARS/ { on = 0 } on' map.400.vtk > of_map
+  same of_rows of_map "impacts of each triangle"
+done
+# One that cannot be written ends the run.
+sed 's/map\.\*\.vtk/folder\/map.vtk/' maps.in > nowhere.in
+if timeout 60 mpirun -np 2 "$program" -in nowhere.in -log none > nowhere.screen 2>&1; then die "a map in no folder"; fi
+grep -q "ERROR.*'folder/map.vtk' cannot be written: No such file" nowhere.screen || die "a map in no folder: $(tail -n 3 nowhere.screen)"
+
+# Binary STL: the same walls, to the float's precision of its places.
+awk '/vertex/ { for (k = 2; k <= 4; k++) v[n++] = $k } END { printf "%80s", ""; for (i = 0; i < n / 9; i++) ; print n / 9 > "count"; for (k = 0; k < n; k++) print v[k] > "places" }' plate.stl > /dev/null
+perl -e 'open C, "places"; @v = <C>; chomp @v; open O, ">:raw", "binary.stl"; print O "solid, and binary all the same", "\0" x 50, pack("V", @v / 9);
+  while (@v) { print O pack("f<3", 0, 0, 1), pack("f<9", splice @v, 0, 9), "\0\0" }'
+sed 's/plate.stl/binary.stl/; s/rows.csv/binary.csv/' plain.in > binary.in
+engine 2 binary.in
+near plain.csv binary.csv '1 2 3 5 6 7 8 10 11 12 15 16 19' 1e-5
