@@ -122,11 +122,11 @@ run $2"; done; } > "$1.in"
       if (!ke) ke = $4; if ($4 > ke * (1 + 1e-9) || $4 < ke * (1 - 1e-9)) { print name ": step " $1 ": energy " $4 ", it was " ke; bad = 1 } hits = $2 }
     END { if (hits < 2000) { print name ": " hits " hits"; bad = 1 } exit bad }' || die "$1"
 }
-room block 300 'region r block -1e-3 1e-3 -8e-4 8e-4 -1e-3 9e-4 units box'
-room cylinder 300 'region r cylinder z 0 0 1e-3 -1e-3 1e-3 units box'
-room cone 300 'region r cone z 0 0 2e-4 1e-3 -1e-3 1e-3 units box'
-room prism 300 'region r prism -5e-4 5e-4 -5e-4 5e-4 -1e-3 1e-3 3e-4 2e-4 1e-4 units box'
-room sphere 300 'region r sphere 0 0 0 1e-3 units box'
+room block 120 'region r block -1e-3 1e-3 -8e-4 8e-4 -1e-3 9e-4 units box'
+room cylinder 120 'region r cylinder z 0 0 1e-3 -1e-3 1e-3 units box'
+room cone 120 'region r cone z 0 0 2e-4 1e-3 -1e-3 1e-3 units box'
+room prism 120 'region r prism -5e-4 5e-4 -5e-4 5e-4 -1e-3 1e-3 3e-4 2e-4 1e-4 units box'
+room sphere 120 'region r sphere 0 0 0 1e-3 units box'
 room intersection 100 'region a sphere 0 0 0 1e-3 units box
 region b cylinder x 0 0 2e-4 INF INF side out units box
 region r intersect 2 a b'
