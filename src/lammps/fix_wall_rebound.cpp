@@ -87,11 +87,12 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
   if (words.done())
     throw asperity::Error("the wall is missing; it must be one of " + shapes);
   if (words.take("region")) {
-    region_ = new RegionShape(lmp, words.word("the ID of a region"));
+    const std::string name = words.word("the ID of a region");
+    region_ = new RegionShape(lmp, name);
     std::unique_ptr<asperity::Shape> shape(region_);
     const int type = read_type(words);
     geometry = region_->description() + text(" type %d", type);
-    wall_.add_shape(std::move(shape), type, 0, "");
+    wall_.add_shape(std::move(shape), type, 0, name); /* by name, so that its motion is saved */
   } else if (words.take("stl")) {
     int type;
     std::unique_ptr<asperity::DrivenMesh> mesh =
