@@ -39,7 +39,7 @@ struct ContactTree {
   int *id;
   int *by_id; /* places in order of their numbers */
   Node *nodes;
-  size_t count, n_nodes;
+  size_t count, n_nodes, room;
 };
 
 /* What building needs of a triangle. */
@@ -176,43 +176,87 @@ static bool number(ContactTree *tree) {
   return true;
 }
 
-ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id, size_t count) {
-  ContactTree *tree = calloc(1, sizeof *tree);
-  Item *items = malloc((count + 1) * sizeof *items);
-  if (tree) {
-    tree->count = count;
-    tree->triangles = malloc((count + 1) * sizeof *tree->triangles);
-    tree->id = malloc((count + 1) * sizeof *tree->id);
-    tree->by_id = malloc((count + 1) * sizeof *tree->by_id);
-    tree->nodes = malloc((count + 1) * sizeof *tree->nodes);
+ContactTree *contact_tree_begin(void) {
+  return calloc(1, sizeof(ContactTree));
+}
+
+bool contact_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id) {
+  if (tree->count == tree->room) {
+    const size_t room = tree->room ? tree->room + tree->room / 2 : 64;
+    ContactTriangle *triangles = realloc(tree->triangles, room * sizeof *triangles);
+    if (triangles)
+      tree->triangles = triangles;
+    int *ids = realloc(tree->id, room * sizeof *ids);
+    if (ids)
+      tree->id = ids;
+    if (!triangles || !ids)
+      return false;
+    tree->room = room;
   }
-  if (!items || !tree || !tree->triangles || !tree->id || !tree->by_id || !tree->nodes) {
+  tree->triangles[tree->count] = *triangle;
+  tree->id[tree->count++] = id;
+  return true;
+}
+
+/* Puts triangle items[i].from into place i, along the cycles of the permutation. */
+static void put_in_order(ContactTree *tree, Item *items) {
+  for (size_t start = 0; start < tree->count; start++) {
+    const ContactTriangle triangle = tree->triangles[start];
+    const int id = tree->id[start];
+    size_t to = start;
+    while ((size_t)items[to].from != start) {
+      const size_t from = (size_t)items[to].from;
+      tree->triangles[to] = tree->triangles[from];
+      tree->id[to] = tree->id[from];
+      items[to].from = (int)to;
+      to = from;
+    }
+    tree->triangles[to] = triangle;
+    tree->id[to] = id;
+    items[to].from = (int)to;
+  }
+}
+
+/* Gives back what was taken too much of. */
+static void *shrink(void *list, size_t bytes) {
+  void *shrunk = realloc(list, bytes);
+  return shrunk ? shrunk : list;
+}
+
+bool contact_tree_finish(ContactTree *tree) {
+  const size_t count = tree->count;
+  Item *items = malloc((count + 1) * sizeof *items);
+  tree->triangles = shrink(tree->triangles, (count + 1) * sizeof *tree->triangles);
+  tree->id = shrink(tree->id, (count + 1) * sizeof *tree->id);
+  tree->nodes = malloc((count + 1) * sizeof *tree->nodes);
+  if (!items || !tree->triangles || !tree->id || !tree->nodes) {
     free(items);
-    contact_tree_free(tree);
-    return NULL;
+    return false;
   }
   for (size_t i = 0; i < count; i++) {
+    const ContactTriangle *t = &tree->triangles[i];
     items[i].from = (int)i;
     for (int d = 0; d < 3; d++)
-      items[i].center[d] =
-          (float)((triangles[i].node[0][d] + triangles[i].node[1][d] + triangles[i].node[2][d]) /
-                  3);
+      items[i].center[d] = (float)((t->node[0][d] + t->node[1][d] + t->node[2][d]) / 3);
   }
   if (count > 0)
-    build(tree, triangles, items, 0, count);
-  for (size_t i = 0; i < count; i++) {
-    tree->triangles[i] = triangles[items[i].from];
-    tree->id[i] = id[items[i].from];
-  }
+    build(tree, tree->triangles, items, 0, count);
+  put_in_order(tree, items);
   free(items);
-  Node *nodes = realloc(tree->nodes, (tree->n_nodes + 1) * sizeof *nodes);
-  if (nodes)
-    tree->nodes = nodes;
-  if (!number(tree)) {
-    contact_tree_free(tree);
-    return NULL;
-  }
-  return tree;
+  tree->nodes = shrink(tree->nodes, (tree->n_nodes + 1) * sizeof *tree->nodes);
+  tree->by_id = malloc((count + 1) * sizeof *tree->by_id);
+  return tree->by_id && number(tree);
+}
+
+ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id, size_t count) {
+  ContactTree *tree = contact_tree_begin();
+  bool good = tree != NULL;
+  for (size_t i = 0; good && i < count; i++)
+    good = contact_tree_add(tree, &triangles[i], id[i]);
+  if (good && contact_tree_finish(tree))
+    return tree;
+  contact_tree_free(tree);
+  return NULL;
 }
 
 void contact_tree_free(ContactTree *tree) {

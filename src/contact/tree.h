@@ -26,6 +26,12 @@ void contact_list_free(ContactList *list);
 /* Takes a copy of the triangles and of their numbers, `id` (any, each once). NULL when out of
  * memory; count may be 0. */
 ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id, size_t count);
+
+/* The same triangle by triangle, with less memory in between: begin, add, and finish before
+ * anything else. NULL and false when out of memory; the tree is to be freed all the same. */
+ContactTree *contact_tree_begin(void);
+bool contact_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id);
+bool contact_tree_finish(ContactTree *tree);
 void contact_tree_free(ContactTree *tree);
 
 size_t contact_tree_count(const ContactTree *tree);

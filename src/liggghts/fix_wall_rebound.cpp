@@ -18,6 +18,7 @@
 #include "fix_template_sphere.h"
 #include "fix_wall_gran.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "output.h"
 #include "update.h"
 #include "wall/error.h"
@@ -399,10 +400,16 @@ void FixWallRebound::setup(int) {
   const int periodic[3] = {domain->xperiodic, domain->yperiodic, domain->zperiodic};
   for (int d = 0; d < 3; d++)
     box.period[d] = periodic[d] ? domain->prd[d] : 0;
+  asperity::Bounds here;
+  for (int d = 0; d < 3; d++) {
+    here.lo[d] = domain->triclinic ? domain->boxlo[d] : domain->sublo[d];
+    here.hi[d] = domain->triclinic ? domain->boxhi[d] : domain->subhi[d];
+  }
+  here.widen(neighbor->cutneighmax);
   try {
     for (MeshOfLiggghts *mesh : meshes_) {
       mesh->set_periods(box.period);
-      mesh->setup();
+      mesh->setup(here);
     }
     set_rows();
     wall_.setup(spheres(), groupbit, box);
@@ -509,7 +516,9 @@ void FixWallRebound::post_run() {
 
 void FixWallRebound::show_maps() {
   for (size_t m = 0; m < meshes_.size(); m++)
-    meshes_[m]->show(wall_.sums(m));
+    wall_.show_sums(m, [this, m](size_t first, const std::vector<double> &sums) {
+      meshes_[m]->show(first, sums);
+    });
 }
 
 void FixWallRebound::reset_dt() {

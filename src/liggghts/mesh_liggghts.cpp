@@ -16,12 +16,23 @@
 
 using namespace LAMMPS_NS;
 using asperity::Blow;
+using asperity::Bounds;
 using asperity::Frame;
+using asperity::Parted;
 using asperity::text;
 using asperity::Twist;
 using asperity::Wall;
 
 static const char *const SUMS[Wall::N_SUMS] = {"impacts", "deposited_mass", "impact_energy"};
+
+/* A mesh of fewer triangles is kept whole by each rank. */
+static const size_t LARGE = 1000;
+
+/* What is read for a place that is not known is wider on each side by this share of its longest. */
+static const double WIDER = 0.5;
+
+/* Two boxes are put into one where that is no more than so many times larger than both. */
+static const double UNITED = 2;
 
 /* By how much of its size a mesh may have changed its form, by rounding. */
 static const double FORM = 1e-6;
@@ -47,18 +58,21 @@ void MeshOfLiggghts::remove_sums() {
     mesh()->prop().removeElementProperty(SUMS[k]);
 }
 
-void MeshOfLiggghts::show(const std::vector<double> &sums) {
-  for (int t = 0; t < mesh()->sizeLocal(); t++)
-    for (int k = 0; k < Wall::N_SUMS; k++)
-      (*sums_[k])(t) = sums[static_cast<size_t>(mesh()->id(t)) * Wall::N_SUMS + k];
+void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums) {
+  for (size_t i = 0; i < sums.size() / Wall::N_SUMS; i++) {
+    const int piece = static_cast<int>(first + i);
+    for (int j = 0; j < mesh()->map_size(piece); j++)
+      for (int k = 0; k < Wall::N_SUMS && mesh()->map(piece, j) < mesh()->sizeLocal(); k++)
+        (*sums_[k])(mesh()->map(piece, j)) = sums[i * Wall::N_SUMS + k];
+  }
 }
 
 /* ---- where it is ------------------------------------------------------------------------------
  */
 
-void MeshOfLiggghts::setup() {
+void MeshOfLiggghts::setup(const Bounds &here) {
   if (!triangles())
-    gather();
+    gather(here);
   else {
     Twist twist;
     const Frame frame = look(twist);
@@ -73,10 +87,11 @@ void MeshOfLiggghts::setup() {
     read_belt();
 }
 
-/* All triangles of all ranks, as they are now: that is the mesh's own frame. */
-void MeshOfLiggghts::gather() {
-  std::vector<double> mine, all;
+/* The triangles as they are now: that is the mesh's own frame. */
+void MeshOfLiggghts::gather(const Bounds &here) {
+  std::vector<double> mine;
   const int n = mesh()->sizeLocal();
+  mine.reserve(static_cast<size_t>(n) * Parted::ROW);
   for (int t = 0; t < n; t++) {
     mine.push_back(mesh()->id(t));
     for (int k = 0; k < 3; k++) {
@@ -85,58 +100,145 @@ void MeshOfLiggghts::gather() {
       mine.insert(mine.end(), node, node + 3);
     }
   }
+  take(std::move(mine));
+  if (parted_)
+    add_known(here);
+}
+
+/* Rows of triangles, of which each rank brings some. */
+void MeshOfLiggghts::take(std::vector<double> mine) {
   int ranks;
   MPI_Comm_size(world_, &ranks);
-  const int size = static_cast<int>(mine.size());
-  std::vector<int> sizes(ranks), starts(ranks, 0);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world_);
-  for (int r = 1; r < ranks; r++)
-    starts[r] = starts[r - 1] + sizes[r - 1];
-  all.resize(static_cast<size_t>(starts.back()) + sizes.back());
-  MPI_Allgatherv(mine.data(), size, MPI_DOUBLE, all.data(), sizes.data(), starts.data(), MPI_DOUBLE,
-                 world_);
-  std::vector<double>().swap(mine);
-  std::vector<ContactTriangle> triangles(all.size() / 10);
-  std::vector<int> id(triangles.size());
-  for (size_t i = 0; i < triangles.size(); i++) {
-    id[i] = static_cast<int>(all[10 * i]);
-    memcpy(triangles[i].node, &all[10 * i + 1], sizeof triangles[i].node);
+  choose_nodes(mine);
+  known_.clear();
+  parted_.reset(new Parted(world_, std::move(mine)));
+  if (ranks > 1 && pieces_ >= LARGE)
+    set_triangles(std::vector<ContactTriangle>(), std::vector<int>());
+  else {
+    known_.push_back(parted_->whole());
+    put_known();
+    parted_.reset();
   }
-  set_triangles(triangles, id);
-  choose_nodes();
+}
+
+bool MeshOfLiggghts::knows_all() const {
+  return !parted_;
+}
+
+Bounds MeshOfLiggghts::whole() const {
+  return parted_ ? parted_->whole() : MeshShape::whole();
+}
+
+bool MeshOfLiggghts::knows(const Bounds &box) const {
+  if (!parted_ || !box.meets(parted_->whole()))
+    return true;
+  Bounds inner = box;
+  for (int d = 0; d < 3; d++) {
+    inner.lo[d] = std::max(inner.lo[d], parted_->whole().lo[d]);
+    inner.hi[d] = std::min(inner.hi[d], parted_->whole().hi[d]);
+  }
+  for (const Bounds &known : known_)
+    if (known.has(inner))
+      return true;
+  return false;
+}
+
+void MeshOfLiggghts::learn(const Bounds &box) const {
+  Bounds wide = box;
+  double longest = 0;
+  for (int d = 0; d < 3; d++)
+    longest = std::max(longest, box.hi[d] - box.lo[d]);
+  wide.widen(WIDER * longest);
+  add_known(wide);
+}
+
+/* What is known never shrinks. */
+void MeshOfLiggghts::add_known(Bounds wide) const {
+  for (size_t k = 0; k < known_.size();) { /* one that is near becomes a part of it */
+    Bounds both = known_[k];
+    both.include(wide);
+    if (both.size() > UNITED * (known_[k].size() + wide.size())) {
+      k++;
+      continue;
+    }
+    wide = both;
+    known_.erase(known_.begin() + k);
+    k = 0;
+  }
+  known_.push_back(wide);
+  put_known();
+}
+
+void MeshOfLiggghts::put_known() const {
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(contact_tree_begin(),
+                                                             contact_tree_free);
+  bool good = tree != NULL;
+  parted_->read(known_, [&](const double *row) {
+    ContactTriangle triangle;
+    memcpy(triangle.node, row + 1, sizeof triangle.node);
+    good = good && contact_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
+  });
+  put_tree(good && contact_tree_finish(tree.get()) ? tree.release() : NULL);
+}
+
+std::vector<double> MeshOfLiggghts::motion_record() const {
+  std::vector<double> record = MeshShape::motion_record();
+  if (!parted_ || record.empty())
+    return record;
+  record.resize(6); /* the velocity; then all triangles, of this rank or not */
+  parted_->read(std::vector<Bounds>(1, parted_->whole()), [&record](const double *row) {
+    record.insert(record.end(), row, row + Parted::ROW);
+  });
+  return record;
 }
 
 void MeshOfLiggghts::restore_motion(const std::vector<double> &record) {
   MeshShape::restore_motion(record);
-  if (triangles())
-    choose_nodes();
+  const size_t head = 6;
+  if (!triangles() || record.size() < head)
+    return;
+  int rank, ranks;
+  MPI_Comm_rank(world_, &rank);
+  MPI_Comm_size(world_, &ranks);
+  const size_t rows = (record.size() - head) / Parted::ROW;
+  const auto from = [&](int of) { return record.begin() + head + rows * of / ranks * Parted::ROW; };
+  take(std::vector<double>(from(rank), from(rank + 1)));
 }
 
 /* The first node of the first triangle, the one farthest from it, and the one farthest from the
- * line through both; ties by number, so that it does not depend on the order of the triangles. */
-void MeshOfLiggghts::choose_nodes() {
-  const ContactTree *tree = triangles();
-  const int n = static_cast<int>(contact_tree_count(tree));
+ * line through both; ties by number, so that it does not depend on whose the triangles are. */
+void MeshOfLiggghts::choose_nodes(const std::vector<double> &mine) {
+  struct Pick {
+    double far, id, node, x[3];
+    bool before(const Pick &other) const {
+      return far > other.far ||
+             (!(far < other.far) && (id < other.id || (!(id > other.id) && node < other.node)));
+    }
+  };
+  int ranks;
+  MPI_Comm_size(world_, &ranks);
+  std::vector<Pick> all(ranks);
   for (int pick = 0; pick < 3; pick++) {
-    double most = -1;
-    for (int i = 0; i < n; i++)
+    Pick best = {-1, static_cast<double>(pieces_), 0, {0, 0, 0}};
+    for (size_t row = 0; row < mine.size(); row += Parted::ROW)
       for (int k = 0; k < 3; k++) {
-        const int id = contact_tree_id(tree, i);
-        const double *node = contact_tree_triangle(tree, i)->node[k];
-        double arm[3], line[3], across[3], far = 0;
-        vector_subtract(node, reference_[0], arm);
+        Pick other = {0, mine[row], static_cast<double>(k), {0, 0, 0}};
+        double arm[3], line[3], across[3];
+        vector_copy(&mine[row + 1 + 3 * k], other.x);
+        vector_subtract(other.x, reference_[0], arm);
         vector_subtract(reference_[1], reference_[0], line);
         vector_cross(line, arm, across);
         if (pick > 0)
-          far = pick == 1 ? vector_length(arm) : vector_length(across);
-        if (far > most || (!(far < most) && id < nodes_[pick].piece)) {
-          most = far;
-          nodes_[pick] = NodeName{id, k};
-        }
+          other.far = pick == 1 ? vector_length(arm) : vector_length(across);
+        if (other.before(best))
+          best = other;
       }
-    const int place = contact_tree_place(tree, nodes_[pick].piece);
-    if (place >= 0)
-      vector_copy(contact_tree_triangle(tree, place)->node[nodes_[pick].node], reference_[pick]);
+    MPI_Allgather(&best, sizeof best, MPI_BYTE, all.data(), sizeof best, MPI_BYTE, world_);
+    for (const Pick &other : all)
+      if (other.before(best))
+        best = other;
+    nodes_[pick] = NodeName{static_cast<int>(best.id), static_cast<int>(best.node)};
+    vector_copy(best.x, reference_[pick]);
   }
 }
 
@@ -219,9 +321,8 @@ void MeshOfLiggghts::begin_step(double dt) {
 }
 
 void MeshOfLiggghts::check_form() const {
-  double lo[3], hi[3], worst = 0;
-  contact_tree_box(triangles(), lo, hi);
-  vector_subtract(hi, lo, hi);
+  double size[3], worst = 0;
+  vector_subtract(whole().hi, whole().lo, size);
   for (int t = 0; t < mesh()->sizeLocal(); t++) {
     const int place = contact_tree_place(triangles(), mesh()->id(t));
     for (int k = 0; place >= 0 && k < 3; k++) {
@@ -235,7 +336,7 @@ void MeshOfLiggghts::check_form() const {
   }
   double all;
   MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE, MPI_MAX, world_);
-  if (all > FORM * vector_length(hi))
+  if (all > FORM * vector_length(size))
     throw asperity::Error(
         text("mesh '%s' has changed its form or size since this wall took it over (by %g); "
              "meshes must be rigid: unfix the wall and define it again",

@@ -7,12 +7,14 @@
 
 #include <mpi.h>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "fix_mesh_surface.h"
 #include "mesh_module_stress.h"
 #include "wall/mesh.h"
+#include "wall/parted.h"
 
 namespace LAMMPS_NS {
 
@@ -28,9 +30,9 @@ public:
     return pieces_;
   }
 
-  /* At the beginning of a run; collective. Throws an asperity::Error where the mesh has changed its
-   * form since the first run. */
-  void setup();
+  /* At the beginning of a run, with the box around this rank's particles; collective. Throws an
+   * asperity::Error where the mesh has changed its form since the first run. */
+  void setup(const asperity::Bounds &here);
 
   /* In each step, when the mesh is where it is at the end of it; collective. */
   void begin_step(double dt);
@@ -39,16 +41,22 @@ public:
    * collective. k_finnie: of wear, mesh type x particle type, or NULL. */
   void hand_over(double dt, const double *const *k_finnie);
 
-  /* Writes sums of each piece (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds them. */
-  void show(const std::vector<double> &sums);
+  /* Writes sums of pieces from `first` on (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds
+   * them. */
+  void show(size_t first, const std::vector<double> &sums);
   void remove_sums();
 
+  std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
   bool measures() const override;
   bool wears() const;
   void take(const asperity::Blow &blow) override;
 
 protected:
+  bool knows_all() const override;
+  bool knows(const asperity::Bounds &box) const override;
+  asperity::Bounds whole() const override;
+  void learn(const asperity::Bounds &box) const override;
   bool runs() const override;
   void surface_velocity(int piece, const double foot[3], double v[3]) const override;
 
@@ -63,8 +71,11 @@ private:
     return fix_->triMesh();
   }
   MeshModuleStress *stress() const;
-  void gather();
-  void choose_nodes();
+  void gather(const asperity::Bounds &here);
+  void take(std::vector<double> mine);
+  void add_known(asperity::Bounds box) const;
+  void put_known() const;
+  void choose_nodes(const std::vector<double> &mine);
   asperity::Frame look(asperity::Twist &twist) const;
   void check_form() const;
   void read_belt();
@@ -73,6 +84,8 @@ private:
   MPI_Comm world_;
   FixMeshSurface *fix_;
   size_t pieces_;
+  std::unique_ptr<asperity::Parted> parted_;    /* of a large mesh on several ranks */
+  mutable std::vector<asperity::Bounds> known_; /* of which this rank has the triangles then */
   NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
   double reference_[3][3];
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */

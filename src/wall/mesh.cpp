@@ -42,10 +42,14 @@ MeshShape::MeshShape() : tree_(NULL, contact_tree_free) {
 
 void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
                               const std::vector<int> &id) {
-  tree_.reset(contact_tree_create(triangles.data(), id.data(), id.size()));
-  if (!tree_)
+  put_tree(contact_tree_create(triangles.data(), id.data(), id.size()));
+}
+
+void MeshShape::put_tree(ContactTree *tree) const {
+  if (!tree)
     throw std::bad_alloc();
-  found_.forget();
+  tree_.reset(tree);
+  found_.is_set = false;
 }
 
 void MeshShape::set_periods(const double period[3]) {
@@ -61,15 +65,21 @@ void MeshShape::set_periods(const double period[3]) {
       }
 }
 
+Bounds MeshShape::whole() const {
+  Bounds box;
+  contact_tree_box(tree_.get(), box.lo, box.hi);
+  return box;
+}
+
 double MeshShape::travel(double dt) const {
-  double lo[3], hi[3], most = 0;
-  if (!motion_.moves() || contact_tree_count(tree_.get()) == 0)
+  double most = 0;
+  const Bounds box = whole();
+  if (!motion_.moves() || box.lo[0] > box.hi[0])
     return 0;
-  contact_tree_box(tree_.get(), lo, hi);
   for (int corner = 0; corner < 8; corner++) {
     double x[3], begin[3], end[3], v[3], chord[3];
     for (int d = 0; d < 3; d++)
-      x[d] = corner >> d & 1 ? hi[d] : lo[d];
+      x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
     motion_.at(0).to_world(x, begin);
     motion_.end().to_world(x, end);
     vector_subtract(end, begin, chord);
@@ -99,10 +109,26 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
       vector_copy(box[0], low);
       vector_copy(box[1], high);
     }
+    Bounds box;
+    vector_copy(low, box.lo);
+    vector_copy(high, box.hi);
+    get_to_know(box);
     if (contact_tree_meets(tree_.get(), low, high))
       return true;
   }
   return false;
+}
+
+/* The box of a sphere on its way. */
+static Bounds bounds_of(const double x[3], const double v[3], double from, double to,
+                        double radius) {
+  Bounds box;
+  for (int d = 0; d < 3; d++) {
+    const double a = x[d] + v[d] * from, b = x[d] + v[d] * to;
+    box.lo[d] = std::min(a, b) - radius;
+    box.hi[d] = std::max(a, b) + radius;
+  }
+  return box;
 }
 
 double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
@@ -119,6 +145,11 @@ double MeshShape::clear(const double x[3], const double v[3], double reach, doub
       for (int j = 0; j < 3; j++)
         by[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
+    /* No farther than the triangles are known, and one step at least. */
+    while (!knows_all() && steps > 1 && !knows(bounds_of(at, by, 0, steps, reach + steps * widen)))
+      steps = std::max(1.0, steps / 4);
+    if (!knows_all())
+      get_to_know(bounds_of(at, by, 0, steps, reach + steps * widen));
     steps = std::min(steps, contact_tree_clear(tree_.get(), at, by, reach, widen, steps));
   }
   return steps;
@@ -145,30 +176,31 @@ void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &bod
   vector_scale(1 / path.left, body.v);
 }
 
-bool MeshShape::Meeting::has(const double inner_lo[3], const double inner_hi[3]) const {
-  bool all = lo[0] <= hi[0];
-  for (int d = 0; d < 3; d++)
-    all = all && lo[d] <= inner_lo[d] && inner_hi[d] <= hi[d];
-  return all;
+void MeshShape::get_to_know(const Bounds &box) const {
+  if (!knows_all() && !knows(box))
+    learn(box);
 }
 
-/* All triangles that meet a box, and some that only come near it: those of a box that is wider by a
- * margin are kept, since a particle that has met one is looked at again from there. */
-const ContactList &MeshShape::meet(const double lo[3], const double hi[3], double margin) const {
-  if (found_.has(lo, hi))
+/* All triangles that meet a box, and some that only come near it: those of a box that is wider by
+ * a margin are kept, since a particle that has met one is looked at again from there. */
+const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
+  if (found_.is_set && found_.box.has(box))
     return found_.list;
-  const ContactTree *tree = tree_.get();
+  Bounds wide = box;
   for (int d = 0; d < 3; d++) {
-    found_.lo[d] = lo[d] - margin;
-    found_.hi[d] = hi[d] + margin;
+    wide.lo[d] -= margin;
+    wide.hi[d] += margin;
   }
+  get_to_know(wide);
+  const ContactTree *tree = tree_.get();
+  found_.is_set = false;
+  found_.box = wide;
   found_.list.count = 0;
-  if (!contact_tree_meet(tree, found_.lo, found_.hi, &found_.list)) {
-    found_.forget();
+  if (!contact_tree_meet(tree, wide.lo, wide.hi, &found_.list))
     throw std::bad_alloc();
-  }
   std::sort(found_.list.item, found_.list.item + found_.list.count,
             [tree](int a, int b) { return contact_tree_id(tree, a) < contact_tree_id(tree, b); });
+  found_.is_set = true;
   return found_.list;
 }
 
@@ -177,18 +209,13 @@ const ContactList &MeshShape::meet(const double lo[3], const double hi[3], doubl
  * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
 bool MeshShape::find_image(const ContactPath &body, double radius, double latest,
                            ContactTouch &touch, int &place) const {
-  const ContactTree *tree = tree_.get();
   const double speed = vector_length(body.v), most = std::min(latest, body.left);
   const double piece = speed > 0 ? PIECE * radius / speed : INFINITY;
   for (double from = 0; from <= most; from += piece) {
     const double to = std::min(from + piece, most);
-    double lo[3], hi[3];
-    for (int d = 0; d < 3; d++) {
-      const double a = body.x[d] + body.v[d] * from, b = body.x[d] + body.v[d] * to;
-      lo[d] = std::min(a, b) - 1.001 * radius;
-      hi[d] = std::max(a, b) + 1.001 * radius;
-    }
-    const ContactList &list = meet(lo, hi, std::min(speed * (to - from), radius));
+    const ContactList &list = meet(bounds_of(body.x, body.v, from, to, 1.001 * radius),
+                                   std::min(speed * (to - from), radius));
+    const ContactTree *tree = tree_.get();
     bool found = false;
     for (size_t i = 0; i < list.count; i++) {
       ContactTouch other;
@@ -243,7 +270,7 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
 
 bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
   bool found = false;
-  if (!(path.left > 0) || contact_tree_count(tree_.get()) == 0)
+  if (!(path.left > 0))
     return false;
   for (const Shift &shift : shifts_) {
     ContactPath body;
@@ -282,6 +309,9 @@ void MeshShape::lay(const Lay &lay, const Path &path, const Contact &contact,
 
 /* One step along a belt: false where it ends, or runs against something. */
 bool MeshShape::walk(Place &place, double radius, double dt) const {
+  const double still[3] = {0, 0, 0};
+  const Bounds around = bounds_of(place.at, still, 0, 0, 2 * radius);
+  get_to_know(around);
   const ContactTree *tree = tree_.get();
   const int from = contact_tree_place(tree, place.piece);
   if (from < 0)
@@ -295,6 +325,9 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   vector_add_scaled(place.at, dt, v, there);
   int to;
   const double reach = radius + vector_length(v) * dt + KEEPS * radius;
+  const Bounds ahead = bounds_of(there, still, 0, 0, 1.01 * reach);
+  get_to_know(ahead);
+  tree = tree_.get();
   const double distance = contact_tree_distance(tree, there, reach, &to);
   if (to < 0 || distance < (1 - KEEPS) * radius)
     return false;
@@ -304,12 +337,7 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   contact_triangle_normal(contact_tree_triangle(tree, to), normal);
   if (fabs(vector_dot(arm, normal)) < (1 - FLAT) * distance) {
     /* Over an edge: it goes on only where the mesh does, around the edge. */
-    double lo[3], hi[3];
-    for (int d = 0; d < 3; d++) {
-      lo[d] = foot[d] - KEEPS * radius;
-      hi[d] = foot[d] + KEEPS * radius;
-    }
-    const ContactList &list = meet(lo, hi, 0);
+    const ContactList &list = meet(bounds_of(foot, still, 0, 0, KEEPS * radius), 0);
     bool goes_on = false;
     for (size_t i = 0; i < list.count; i++) {
       double other[3], point[3], off[3];

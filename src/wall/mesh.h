@@ -11,6 +11,7 @@
 
 #include "contact/tree.h"
 #include "wall/motion.h"
+#include "wall/parted.h"
 #include "wall/shape.h"
 
 namespace asperity {
@@ -51,6 +52,21 @@ public:
   void restore_motion(const std::vector<double> &record) override;
 
 protected:
+  /* A mesh of which this rank has the triangles of some boxes only says so, and can have those of
+   * another one too, at any time and without the other ranks' doing. */
+  virtual bool knows_all() const {
+    return true;
+  }
+  virtual bool knows(const Bounds &) const {
+    return true;
+  }
+  virtual void learn(const Bounds &) const {}
+  virtual Bounds whole() const; /* around all triangles */
+
+  /* The triangles, as a tree that is now the shape's; also where a search has come to a place that
+   * is not known. */
+  void put_tree(ContactTree *tree) const;
+
   /* A belt: a mesh at rest whose surface runs. v: at the point `foot` of a triangle. */
   virtual bool runs() const {
     return false;
@@ -66,29 +82,24 @@ private:
   /* The triangles that meet a box, in order of their numbers. */
   struct Meeting {
     ContactList list;
-    double lo[3], hi[3]; /* lo > hi: none yet */
-    Meeting() : list() {
-      forget();
-    }
+    Bounds box;
+    bool is_set;
+    Meeting() : list(), box(), is_set(false) {}
     ~Meeting() {
       contact_list_free(&list);
     }
-    void forget() {
-      lo[0] = 1;
-      hi[0] = 0;
-    }
-    bool has(const double inner_lo[3], const double inner_hi[3]) const;
   };
 
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
-  const ContactList &meet(const double lo[3], const double hi[3], double margin) const;
+  void get_to_know(const Bounds &box) const;
+  const ContactList &meet(const Bounds &box, double margin) const;
   bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,
                   int &place) const;
   void fill(const Path &path, const ContactPath &body, const Shift &shift, double radius,
             const ContactTouch &touch, int place, Contact &contact) const;
   bool walk(Place &place, double radius, double dt) const;
 
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_;
+  mutable std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_; /* of what is known */
   Motion motion_;
   std::vector<Shift> shifts_; /* of the periodic images, itself first */
   bool periodic_[3];

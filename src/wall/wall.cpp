@@ -4,8 +4,10 @@
 #include "wall/wall.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <algorithm>
+#include <new>
 
 #include "contact/contact.h"
 #include "contact/vector.h"
@@ -32,6 +34,9 @@ const double ROUNDING = 1e-9;
  * in the last step: near without another look. */
 const float NEVER = 1e30f, AT_REST = -NEVER;
 
+/* The sums of so many pieces are told at once. */
+const size_t SHOWN = 8192;
+
 /* So many particles are looked at together, which the compiler makes the most of. */
 const int BLOCK = 128;
 
@@ -49,9 +54,15 @@ Wall::Wall(const Engine &engine)
       box_(), state_(NULL), place_(NULL), travel_(0), stray_(0), counters_(), clock_(), fastest_(),
       dt_(0), warned_(false), has_doomed_(false) {}
 
+Wall::Sums::Sums(size_t count)
+    : count_(count), numbers_(static_cast<double *>(calloc(count + 1, sizeof(double))), free) {
+  if (!numbers_)
+    throw std::bad_alloc();
+}
+
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
-  Member member = {std::move(shape), name, wall_type, {}, std::vector<double>(pieces * N_SUMS, 0.)};
+  Member member = {std::move(shape), name, wall_type, {}, Sums(pieces * N_SUMS)};
   shapes_.push_back(std::move(member));
 }
 
@@ -689,8 +700,8 @@ void Wall::count(const Flight &flight, const Event &event) {
   member.totals[SHAPE_DEPOSITS] += stuck;
   member.totals[SHAPE_MASS] += stuck_mass;
   member.totals[SHAPE_ENERGY] += energy;
-  if (!member.sums.empty()) {
-    double *sums = &member.sums[static_cast<size_t>(event.contact.piece) * N_SUMS];
+  if (member.sums.size() > 0) {
+    double *sums = member.sums.data() + static_cast<size_t>(event.contact.piece) * N_SUMS;
     sums[PIECE_IMPACTS]++;
     sums[PIECE_MASS] += stuck_mass;
     sums[PIECE_ENERGY] += energy;
@@ -708,7 +719,7 @@ void Wall::record(const Flight &flight, const Event &event) {
   row[L::TAG] = static_cast<double>(event.key.tag);
   row[L::IMPACT] = event.key.impact;
   row[L::TIME] = event.time;
-  row[L::MESH] = shapes_[event.shape].sums.empty() ? 0 : static_cast<double>(event.shape) + 1;
+  row[L::MESH] = shapes_[event.shape].sums.size() > 0 ? static_cast<double>(event.shape) + 1 : 0;
   row[L::TRIANGLE] = event.contact.piece;
   for (int d = 0; d < 3; d++)
     row[L::X + d] = event.contact.x[d];
@@ -846,11 +857,24 @@ double Wall::total(size_t shape, int k) const {
 }
 
 std::vector<double> Wall::sums(size_t shape) const {
-  const std::vector<double> &mine = shapes_[shape].sums;
-  std::vector<double> all(mine.size());
-  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
-                engine_.world());
+  std::vector<double> all;
+  show_sums(shape, [&all](size_t, const std::vector<double> &some) {
+    all.insert(all.end(), some.begin(), some.end());
+  });
   return all;
+}
+
+void Wall::show_sums(size_t shape,
+                     const std::function<void(size_t, const std::vector<double> &)> &show) const {
+  const Sums &mine = shapes_[shape].sums;
+  const size_t most = SHOWN * N_SUMS;
+  std::vector<double> some;
+  for (size_t first = 0; first < mine.size(); first += most) {
+    some.resize(std::min(most, mine.size() - first));
+    MPI_Allreduce(mine.data() + first, some.data(), static_cast<int>(some.size()), MPI_DOUBLE,
+                  MPI_SUM, engine_.world());
+    show(first / N_SUMS, some);
+  }
 }
 
 double Wall::bytes() const {
@@ -858,7 +882,7 @@ double Wall::bytes() const {
                (ahead_.steps.capacity() + ahead_.v.capacity()) * sizeof(float) +
                ahead_.tag.capacity() * sizeof(int64_t);
   for (const Member &member : shapes_)
-    all += member.shape->bytes() + member.sums.capacity() * sizeof(double);
+    all += member.shape->bytes() + member.sums.size() * sizeof(double);
   return static_cast<double>(all) + (ledger_ ? ledger_->memory_usage() : 0);
 }
 
@@ -947,7 +971,7 @@ void Wall::restore_shapes(const WallState &saved) {
     if (rank == 0 && mesh.totals.size() == N_TOTALS)
       std::copy(mesh.totals.begin(), mesh.totals.end(), member.totals);
     if (rank == 0 && mesh.map.size() == member.sums.size())
-      member.sums = mesh.map;
+      std::copy(mesh.map.begin(), mesh.map.end(), member.sums.data());
     member.shape->restore_motion(mesh.motion);
   }
 }

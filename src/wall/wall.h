@@ -10,6 +10,7 @@
 #ifndef ASPERITY_WALL_WALL_H
 #define ASPERITY_WALL_WALL_H
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -118,6 +119,9 @@ public:
   double counter(int k) const;
   double total(size_t shape, int k) const;
   std::vector<double> sums(size_t shape) const; /* N_SUMS each piece, on all ranks */
+  /* The same, some pieces at a time: their first one, and theirs. */
+  void show_sums(size_t shape,
+                 const std::function<void(size_t, const std::vector<double> &)> &show) const;
 
   double bytes() const;
 
@@ -134,12 +138,28 @@ private:
     double time, step, dt;
   };
 
+  /* Numbers, 0 at first, that take memory only where one of them has been changed. */
+  class Sums {
+  public:
+    explicit Sums(size_t count);
+    size_t size() const {
+      return count_;
+    }
+    double *data() const {
+      return numbers_.get();
+    }
+
+  private:
+    size_t count_;
+    std::unique_ptr<double[], void (*)(void *)> numbers_;
+  };
+
   struct Member {
     std::unique_ptr<Shape> shape;
     std::string name; /* of a mesh; empty for a shape of one piece */
     int wall_type;
     double totals[N_TOTALS];
-    std::vector<double> sums;
+    Sums sums;
   };
 
   /* A contact that is not counted yet. */

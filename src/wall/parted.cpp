@@ -1,0 +1,127 @@
+/* Triangles parted among ranks; see parted.h. A rank reads those of another one by one-sided
+ * communication (MPI_Get).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/parted.h"
+
+#include <math.h>
+#include <algorithm>
+
+using namespace asperity;
+
+/* So many rows are read at once. */
+static const int PIECE = 2048;
+
+/* A flat box is taken as this share of its longest side high. */
+static const double FLATTEST = 1e-3;
+
+Bounds Bounds::none() {
+  return Bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+}
+
+bool Bounds::has(const Bounds &inner) const {
+  bool all = true;
+  for (int d = 0; d < 3; d++)
+    all = all && lo[d] <= inner.lo[d] && inner.hi[d] <= hi[d];
+  return all;
+}
+
+bool Bounds::meets(const Bounds &other) const {
+  bool all = true;
+  for (int d = 0; d < 3; d++)
+    all = all && lo[d] <= other.hi[d] && other.lo[d] <= hi[d];
+  return all;
+}
+
+void Bounds::include(const Bounds &other) {
+  for (int d = 0; d < 3; d++) {
+    lo[d] = std::min(lo[d], other.lo[d]);
+    hi[d] = std::max(hi[d], other.hi[d]);
+  }
+}
+
+void Bounds::include(const double x[3]) {
+  for (int d = 0; d < 3; d++) {
+    lo[d] = std::min(lo[d], x[d]);
+    hi[d] = std::max(hi[d], x[d]);
+  }
+}
+
+void Bounds::widen(double by) {
+  for (int d = 0; d < 3; d++) {
+    lo[d] -= by;
+    hi[d] += by;
+  }
+}
+
+double Bounds::size() const {
+  double longest = 0, volume = 1;
+  for (int d = 0; d < 3; d++)
+    longest = std::max(longest, hi[d] - lo[d]);
+  for (int d = 0; d < 3; d++)
+    volume *= std::max(hi[d] - lo[d], FLATTEST * longest);
+  return volume;
+}
+
+Bounds asperity::bounds_of_row(const double row[Parted::ROW]) {
+  Bounds box = Bounds::none();
+  for (int k = 0; k < 3; k++)
+    box.include(row + 1 + 3 * k);
+  return box;
+}
+
+Parted::Parted(MPI_Comm world, std::vector<double> rows)
+    : rank_(0), mine_(std::move(rows)), whole_(Bounds::none()), window_(MPI_WIN_NULL) {
+  int ranks;
+  MPI_Comm_size(world, &ranks);
+  MPI_Comm_rank(world, &rank_);
+  counts_.resize(ranks);
+  places_.resize(ranks);
+  const int count = static_cast<int>(mine_.size() / ROW);
+  Bounds place = Bounds::none();
+  for (int i = 0; i < count; i++)
+    place.include(bounds_of_row(&mine_[static_cast<size_t>(i) * ROW]));
+  MPI_Allgather(&count, 1, MPI_INT, counts_.data(), 1, MPI_INT, world);
+  MPI_Allgather(&place, sizeof place, MPI_BYTE, places_.data(), sizeof place, MPI_BYTE, world);
+  for (const Bounds &each : places_)
+    whole_.include(each);
+  if (ranks > 1)
+    MPI_Win_create(mine_.data(), static_cast<MPI_Aint>(mine_.size() * sizeof(double)),
+                   sizeof(double), MPI_INFO_NULL, world, &window_);
+}
+
+Parted::~Parted() {
+  if (window_ != MPI_WIN_NULL)
+    MPI_Win_free(&window_);
+}
+
+/* Some rows of a rank: its own, or copies. */
+const double *Parted::piece(int rank, int first, int count, std::vector<double> &copy) const {
+  const size_t at = static_cast<size_t>(first) * ROW;
+  if (rank == rank_)
+    return &mine_[at];
+  MPI_Win_lock(MPI_LOCK_SHARED, rank, 0, window_);
+  MPI_Get(copy.data(), count * ROW, MPI_DOUBLE, rank, static_cast<MPI_Aint>(at), count * ROW,
+          MPI_DOUBLE, window_);
+  MPI_Win_unlock(rank, window_);
+  return copy.data();
+}
+
+void Parted::read(const std::vector<Bounds> &boxes,
+                  const std::function<void(const double *)> &take) const {
+  std::vector<double> copy(static_cast<size_t>(PIECE) * ROW);
+  const auto met = [&boxes](const Bounds &box) {
+    for (const Bounds &each : boxes)
+      if (each.meets(box))
+        return true;
+    return false;
+  };
+  for (size_t rank = 0; rank < counts_.size(); rank++)
+    for (int first = 0; met(places_[rank]) && first < counts_[rank]; first += PIECE) {
+      const int count = std::min(PIECE, counts_[rank] - first);
+      const double *rows = piece(static_cast<int>(rank), first, count, copy);
+      for (int i = 0; i < count; i++)
+        if (met(bounds_of_row(rows + static_cast<size_t>(i) * ROW)))
+          take(rows + static_cast<size_t>(i) * ROW);
+    }
+}

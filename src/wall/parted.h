@@ -1,0 +1,64 @@
+/* The triangles of a large mesh, parted among the ranks: each has some of them, where the others
+ * can read them at any time, without its doing. So a rank needs only those in its own search that
+ * its particles can meet, and can have others when one of them comes to where it has none.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_PARTED_H
+#define ASPERITY_WALL_PARTED_H
+
+#include <mpi.h>
+#include <functional>
+#include <vector>
+
+namespace asperity {
+
+/* An axis-parallel box. */
+struct Bounds {
+  double lo[3], hi[3];
+  bool has(const Bounds &inner) const;
+  bool meets(const Bounds &other) const;
+  void include(const Bounds &other);
+  void include(const double x[3]);
+  void widen(double by);
+  double size() const; /* its volume, with each side at least a little long */
+  static Bounds none();
+};
+
+class Parted {
+public:
+  enum { ROW = 10 }; /* number of the triangle, and its nodes */
+
+  /* Both are collective. */
+  Parted(MPI_Comm world, std::vector<double> rows);
+  ~Parted();
+  Parted(const Parted &) = delete;
+  Parted &operator=(const Parted &) = delete;
+
+  const std::vector<double> &mine() const {
+    return mine_;
+  }
+  const Bounds &whole() const { /* around all triangles */
+    return whole_;
+  }
+
+  /* Calls `take` for each row of all ranks whose box meets one of the boxes. */
+  void read(const std::vector<Bounds> &boxes,
+            const std::function<void(const double *)> &take) const;
+
+private:
+  const double *piece(int rank, int first, int count, std::vector<double> &copy) const;
+
+  int rank_;
+  std::vector<double> mine_;
+  std::vector<int> counts_;    /* rows of each rank */
+  std::vector<Bounds> places_; /* around those of each rank */
+  Bounds whole_;
+  MPI_Win window_;
+};
+
+/* Around the triangle of a row. */
+Bounds bounds_of_row(const double row[Parted::ROW]);
+
+} // namespace asperity
+
+#endif
