@@ -27,6 +27,10 @@ static float smaller_f(float a, float b) {
   return a < b ? a : b;
 }
 
+/* A triangle whose height is less than this share of its longest edge has a plane that is not well
+ * known. */
+static const double SLIVER = 1e-3;
+
 /* A leaf has `count` triangles from `first` on; an inner node has count 0, its one child right
  * behind it, and the other at `first`. */
 typedef struct Node {
@@ -392,36 +396,62 @@ static inline double sweep_meets(const Sweep *sweep, const double lo[3], const d
   return begin;
 }
 
-static double sweep_meets_node(const Sweep *sweep, const Node *node, double most) {
+static inline double sweep_meets_node(const Sweep *sweep, const Node *node, double most) {
   const double lo[3] = {node->lo[0], node->lo[1], node->lo[2]};
   const double hi[3] = {node->hi[0], node->hi[1], node->hi[2]};
   double end;
   return sweep_meets(sweep, lo, hi, most, &end);
 }
 
-/* Not before it is at the triangle's box and at its plane: what flies along a wall that is aslant
- * to the axes is in the boxes of its triangles for long. */
+/* Narrows the times in which it is not beyond a plane: where n.(center - on) is at most the radius
+ * times `length`, that of n. False where it is beyond it throughout. */
+static bool sweep_is_within(const Sweep *sweep, const double n[3], double length,
+                            const double on[3], double *begin, double *end) {
+  double arm[3];
+  vector_subtract(sweep->x, on, arm);
+  const double gap = vector_dot(n, arm) - sweep->reach * length;
+  const double closing = sweep->widen * length - vector_dot(n, sweep->v);
+  if (gap > 0) {
+    if (!(closing * *end > gap))
+      return false;
+    *begin = larger(*begin, gap / closing);
+  } else if (closing < 0)
+    *end = smaller(*end, gap / closing);
+  return *begin <= *end;
+}
+
+/* Not before it is at the triangle's box, at its plane, and on the inner side of its edges: what
+ * flies along a wall that is aslant to the axes is in the boxes of its triangles for long. */
 static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t, double most) {
   double lo[3], hi[3], end;
   for (int d = 0; d < 3; d++) {
     lo[d] = smaller(t->node[0][d], smaller(t->node[1][d], t->node[2][d]));
     hi[d] = larger(t->node[0][d], larger(t->node[1][d], t->node[2][d]));
   }
-  const double begin = sweep_meets(sweep, lo, hi, most, &end);
+  double begin = sweep_meets(sweep, lo, hi, most, &end);
   if (!(begin < most))
     return most;
-  double ab[3], ac[3], n[3], arm[3];
-  vector_subtract(t->node[1], t->node[0], ab);
-  vector_subtract(t->node[2], t->node[0], ac);
-  vector_subtract(sweep->x, t->node[0], arm);
-  vector_cross(ab, ac, n);
-  const double length = vector_length(n), off = vector_dot(n, arm);
-  const double gap = fabs(off) - sweep->reach * length;
-  if (!(gap > 0)) /* there already, or without a plane */
+  double edge[3][3], n[3], back[3];
+  for (int k = 0; k < 3; k++)
+    vector_subtract(t->node[(k + 1) % 3], t->node[k], edge[k]);
+  vector_cross(edge[0], edge[1], n);
+  vector_copy(n, back);
+  vector_scale(-1, back);
+  const double length = vector_length(n);
+  const double longest = larger(vector_dot(edge[0], edge[0]),
+                                larger(vector_dot(edge[1], edge[1]), vector_dot(edge[2], edge[2])));
+  if (!(length > SLIVER * longest))
     return begin;
-  const double along = vector_dot(n, sweep->v);
-  const double closing = sweep->widen * length - (off > 0 ? along : -along);
-  return closing * end > gap ? larger(begin, gap / closing) : most;
+  if (!sweep_is_within(sweep, n, length, t->node[0], &begin, &end) ||
+      !sweep_is_within(sweep, back, length, t->node[0], &begin, &end))
+    return most;
+  for (int k = 0; k < 3; k++) {
+    double outward[3];
+    vector_cross(edge[k], n, outward);
+    if (!sweep_is_within(sweep, outward, vector_length(outward), t->node[k], &begin, &end))
+      return most;
+  }
+  return smaller(begin, most);
 }
 
 double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],

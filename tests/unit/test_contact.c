@@ -351,6 +351,31 @@ static void check_clear(const ContactTree *tree, int round) {
   assert_true(there);
 }
 
+/* What flies along a triangle that is aslant to the axes, or past one of its edges, is clear of it
+ * for all of its way, though within its box. */
+static void test_along(void **unused) {
+  (void)unused;
+  const ContactTriangle triangle = {{{0, 0, 0}, {3, 1, 2}, {-1, 4, 3}}};
+  const int id = 0;
+  ContactTree *tree = contact_tree_create(&triangle, &id, 1);
+  double n[3], ab[3], bc[3], outward[3], x[3];
+  contact_triangle_normal(&triangle, n);
+  vector_subtract(triangle.node[1], triangle.node[0], ab);
+  vector_subtract(triangle.node[2], triangle.node[1], bc);
+  vector_cross(bc, n, outward);
+  vector_scale(1 / vector_length(outward), outward);
+  const double reach = 0.01, widen = 1e-3;
+  for (int side = -1; side <= 1; side += 2) { /* 0.02 over its face */
+    vector_add_scaled(triangle.node[0], side * 0.02, n, x);
+    assert_true(contact_tree_clear(tree, x, ab, reach, widen, 1) >= 1);
+    assert_true(contact_tree_clear(tree, x, ab, 0.0195, widen, 1) < 1);
+  }
+  vector_add_scaled(triangle.node[1], 0.02, outward, x);
+  assert_true(contact_tree_clear(tree, x, bc, reach, widen, 1) >= 1);
+  assert_true(contact_tree_clear(tree, x, bc, 0.0195, widen, 1) < 1);
+  contact_tree_free(tree);
+}
+
 static void test_tree(void **unused) {
   (void)unused;
   for (int count = 0; count <= 3000; count = 3 * count + 1) {
@@ -421,7 +446,7 @@ int main(void) {
       cmocka_unit_test(test_nearest), cmocka_unit_test(test_degenerate),
       cmocka_unit_test(test_overlap), cmocka_unit_test(test_centred),
       cmocka_unit_test(test_none),    cmocka_unit_test(test_wide),
-      cmocka_unit_test(test_tree),
+      cmocka_unit_test(test_along),   cmocka_unit_test(test_tree),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
