@@ -59,11 +59,11 @@ void MeshOfLiggghts::remove_sums() {
 }
 
 void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums) {
-  for (size_t i = 0; i < sums.size() / Wall::N_SUMS; i++) {
-    const int piece = static_cast<int>(first + i);
-    for (int j = 0; j < mesh()->map_size(piece); j++)
-      for (int k = 0; k < Wall::N_SUMS && mesh()->map(piece, j) < mesh()->sizeLocal(); k++)
-        (*sums_[k])(mesh()->map(piece, j)) = sums[i * Wall::N_SUMS + k];
+  const size_t count = sums.size() / Wall::N_SUMS;
+  for (int t = 0; t < mesh()->sizeLocal(); t++) {
+    const size_t at = static_cast<size_t>(mesh()->id(t)) - first;
+    for (int k = 0; at < count && k < Wall::N_SUMS; k++)
+      (*sums_[k])(t) = sums[at * Wall::N_SUMS + k];
   }
 }
 

@@ -35,7 +35,7 @@ const double ROUNDING = 1e-9;
 const float NEVER = 1e30f, AT_REST = -NEVER;
 
 /* The sums of so many pieces are told at once. */
-const size_t SHOWN = 8192;
+const size_t SHOWN = 32768;
 
 /* So many particles are looked at together, which the compiler makes the most of. */
 const int BLOCK = 128;
