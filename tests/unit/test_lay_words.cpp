@@ -1,12 +1,4 @@
 /* The lay as a script states it, and as shapes that move and turn take it along. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" {
-#include <cmocka.h>
-}
-
 #include <math.h>
 #include <string>
 
@@ -14,6 +6,14 @@ extern "C" {
 #include "wall/lay.h"
 #include "wall/mesh.h"
 #include "wall/primitive.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
+#include <cmocka.h>
+}
 
 using namespace asperity;
 
