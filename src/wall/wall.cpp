@@ -34,6 +34,9 @@ const double ROUNDING = 1e-9;
  * in the last step: near without another look. */
 const float NEVER = 1e30f, AT_REST = -NEVER;
 
+/* What is taken from them where a particle strays more than it may: more than AHEAD_MOST. */
+const float USED_UP = 1e4f;
+
 /* The sums of so many pieces are told at once. */
 const size_t SHOWN = 32768;
 
@@ -365,7 +368,8 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
     for (int k = 0; k < 3 * count; k++)
       off[k] = fabsf(static_cast<float>(v[k]) - along[k]);
     for (int i = 0; i < count; i++) {
-      steps[i] -= 1 + weight * (off[3 * i] + off[3 * i + 1] + off[3 * i + 2]);
+      const float strays = weight * (off[3 * i] + off[3 * i + 1] + off[3 * i + 2]);
+      steps[i] -= strays > 1 ? USED_UP : 1;
       over += !(steps[i] > 0);
     }
     for (int i = 0; over > 0 && i < count; i++)
@@ -374,7 +378,9 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
   }
 }
 
-/* What is known of this particle is used up. */
+/* What is known of this particle is used up. (The way that was seen is wider from step to step by
+ * as much as a particle may stray in one; so none may stray more in any of them, for one that is
+ * thrown back to the wall by another would be there before.) */
 void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
   float *steps = &ahead_.steps[i], *along = &ahead_.v[3 * static_cast<size_t>(i)];
