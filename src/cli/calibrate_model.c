@@ -86,7 +86,8 @@ static bool measure(const calibration *c, const measured_row *row, uint64_t tag,
   asp_particle particle = {isnan(row->d_p) ? c->d_p : row->d_p,
                            asp_material_get(c->law.particle, "density"),
                            c->pair,
-                           {0, 0, 0}};
+                           {0, 0, 0},
+                           NULL};
   asp_impact impact;
   asp_wall_impact(c->law.wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
   if (impact.outcome == ASP_DEPOSIT)

@@ -11,47 +11,77 @@
 /* Diameters for which a model that looks at a profile prepares, where there is more than one. */
 enum { TABLE_SIZES = 16 };
 
-/* One diameter, a list, or min:max:median of a log-normal whose ln has the sd ln(max/min)/5, cut at
- * both ends. */
-static void read_sizes(const cli_option *option, cor_scene *s) {
-  const char *value = option->value;
-  if (!value || !strchr(value, ':')) {
-    s->sizes = cli_lengths(option);
-    s->least = INFINITY;
-    for (size_t i = 0; i < s->sizes.count; i++) {
-      s->least = fmin(s->least, s->sizes.values[i]);
-      s->most = fmax(s->most, s->sizes.values[i]);
-    }
-    return;
+/* m/s */
+#define SPEED_LEAST 1e-9
+#define SPEED_MOST 1e6
+
+static void take_list(cor_values *v, cli_list list) {
+  v->list = list;
+  v->least = INFINITY;
+  for (size_t i = 0; i < list.count; i++) {
+    v->least = fmin(v->least, list.values[i]);
+    v->most = fmax(v->most, list.values[i]);
   }
+}
+
+typedef double (*reader)(const cli_option *option, const char *text);
+
+/* min:max:median of a log-normal. */
+static void take_log_normal(cor_values *v, const cli_option *option, const char *value,
+                            reader read) {
   char *text = strdup(value);
   if (!text)
     cli_fail("out of memory");
-  char *second = strchr(text, ':'), *third = strchr(second + 1, ':');
+  char *second = strchr(text, ':'), *third = second ? strchr(second + 1, ':') : NULL;
   if (!third || strchr(third + 1, ':'))
-    cli_bad_usage("--dp is '%s'; a log-normal is min:max:median", value);
+    cli_bad_usage("--%s is '%s'; a log-normal is min:max:median", option->name, option->value);
   *second = *third = '\0';
-  s->least = cli_length_of(option, text);
-  s->most = cli_length_of(option, second + 1);
-  s->median = cli_length_of(option, third + 1);
-  if (!(s->least < s->median && s->median < s->most))
-    cli_bad_usage("--dp is '%s'; a log-normal min:max:median has min < median < max", value);
+  v->least = read(option, text);
+  v->most = read(option, second + 1);
+  v->median = read(option, third + 1);
+  if (!(v->least < v->median && v->median < v->most))
+    cli_bad_usage("--%s is '%s'; a log-normal min:max:median has min < median < max", option->name,
+                  option->value);
   free(text);
 }
 
-static double size_of(const cor_scene *s, size_t sample, aspi_stream *stream) {
-  if (s->sizes.count)
-    return s->sizes.values[sample % s->sizes.count];
+static double read_speed(const cli_option *option, const char *text) {
+  cli_option one = {option->name, option->argument, option->help, text};
+  return cli_number(&one, SPEED_LEAST, SPEED_MOST);
+}
+
+static void read_sizes(const cli_option *option, cor_values *v) {
+  if (strchr(option->value, ':') && !strchr(option->value, ','))
+    take_log_normal(v, option, option->value, cli_length_of);
+  else
+    take_list(v, cli_lengths(option));
+}
+
+static void read_speeds(const cli_option *option, cor_values *v) {
+  static const char word[] = "lognormal:";
+  if (strncmp(option->value, word, sizeof word - 1) == 0)
+    take_log_normal(v, option, option->value + sizeof word - 1, read_speed);
+  else
+    take_list(v, cli_numbers(option, SPEED_LEAST, SPEED_MOST));
+}
+
+/* The value of a sample; of a list they come in turn. */
+static double value_of(const cor_values *v, size_t sample, aspi_stream *stream) {
+  if (v->list.count)
+    return v->list.values[sample % v->list.count];
   for (;;) {
-    double d = s->median * exp(log(s->most / s->least) / 5 * aspi_stream_normal(stream));
-    if (d >= s->least && d <= s->most)
+    double d = v->median * exp(log(v->most / v->least) / 5 * aspi_stream_normal(stream));
+    if (d >= v->least && d <= v->most)
       return d;
   }
 }
 
 void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
   const char *model = options[MODEL].value;
+  bool own_law = options[PROFILE].value || options[MAP].value; /* of a measured wall */
   asp_error error;
+  if (!model)
+    model = own_law ? "profile" : "visible";
   s->law = cli_law_read(&options[LAW]);
   s->pair = cli_law_pair(&options[LAW], &s->law, options[LAW + LAW_WALL].value);
   asp_wall *wall = s->law.wall;
@@ -61,23 +91,25 @@ void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
   if (asp_wall_choose(wall, "spread", model, &error))
     cli_bad_usage("%s", error.text);
   if (strcmp(model, "none") != 0) {
-    s->lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
-    s->surface = cli_surface_of(&options[RQ], &s->lay);
-    cli_check_size(s->surface, s->most);
-    asp_wall_set_surface(wall, s->surface);
-    asp_wall_set(wall, "d_p_least", s->least, NULL);
-    asp_wall_set(wall, "d_p_most", s->most, NULL);
-    asp_wall_set(wall, "d_p_bins", s->most > s->least ? TABLE_SIZES : 1, NULL);
+    cli_rough_options rough = {&options[SIGMA], &options[RQ],      &options[LAMBDA_C],
+                               &options[LAY],   &options[PROFILE], &options[MAP]};
+    s->rough = cli_rough_read(&rough, s->sizes.least, s->sizes.most);
+    asp_wall_set_surface(wall, s->rough.surface);
+    asp_wall_set_profile(wall, s->rough.profile);
+    asp_wall_set_map(wall, s->rough.map);
+    asp_wall_set(wall, "d_p_least", s->sizes.least, NULL);
+    asp_wall_set(wall, "d_p_most", s->sizes.most, NULL);
+    asp_wall_set(wall, "d_p_bins", s->sizes.most > s->sizes.least ? TABLE_SIZES : 1, NULL);
   }
   cli_law_prepare(&s->law);
-  if (s->surface)
+  if (s->rough.surface)
     cli_law_warn_double(&s->law);
 }
 
 void cli_cor_free_wall(cor_scene *s) {
   cli_law_free(&s->law);
   asp_pair_free(s->pair);
-  asp_surface_free(s->surface);
+  cli_rough_free(&s->rough);
 }
 
 cor_row cli_cor_impact(const cor_scene *s, double angle, size_t sample, uint64_t tag,
@@ -85,13 +117,16 @@ cor_row cli_cor_impact(const cor_scene *s, double angle, size_t sample, uint64_t
   static const double n[3] = {0, 0, 1};
   asp_key key = {seed, asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
-  cor_row r = {.d_p = size_of(s, sample, &stream), .alpha1 = angle};
-  double alpha1 = cli_radians(angle);
-  double v1[3] = {s->speed * cos(alpha1), 0, -s->speed * sin(alpha1)};
+  size_t sizes = s->sizes.list.count ? s->sizes.list.count : 1;
+  cor_row r = {.d_p = value_of(&s->sizes, sample, &stream), .alpha1 = angle};
+  double alpha1 = cli_radians(angle), speed = value_of(&s->speeds, sample / sizes, &stream);
+  double v1[3] = {speed * cos(alpha1), 0, -speed * sin(alpha1)};
   if (angle >= 90)
     v1[0] = 0;
-  asp_particle particle = {
-      r.d_p, asp_material_get(s->law.particle, "density"), s->pair, {0, 0, 0}, s->lay.vector};
+  asp_particle particle = {.d_p = r.d_p,
+                           .density = asp_material_get(s->law.particle, "density"),
+                           .pair = s->pair,
+                           .lay = s->rough.lay.vector};
   key.impact = 1;
   asp_wall_impact(s->law.wall, &particle, v1, n, &key, &r.impact);
   r.cor = asp_impact_coefficients(v1, n, &r.impact);
@@ -122,13 +157,19 @@ static void make_rows(const cor_scene *s, const cli_list *angles, size_t samples
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
+      [SIGMA] = CLI_SIGMA_OPTION,
+      [RQ] = {"rq", "LENGTH", "... its rms height,", NULL},
       [LAMBDA_C] = {"lambda-c", "LENGTHS", CLI_LAMBDA_HELP, NULL},
       [LAY] = CLI_LAY_OPTION,
+      [PROFILE] = CLI_PROFILE_OPTION,
+      [MAP] = CLI_MAP_OPTION,
       [DP] = {"dp", "SIZES", "diameter, list, or min:max:median of a log-normal", "10um"},
-      [SPEED] = {"speed", "M_PER_S", "impact speed", "100"},
+      [SPEED] = {"speed", "SPEEDS", "in m/s: a list or from:to:step, or lognormal:min:max:median",
+                 "100"},
       [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
-      [MODEL] = {"model", "NAME", "spread model; none is the smooth wall", "visible"},
+      [MODEL] = {"model", "NAME",
+                 "spread model; none is the smooth wall [visible; of a measured wall profile]",
+                 NULL},
       [SAMPLES] = {"samples", "N", "impacts per angle", "100"},
       [SEED] = {"seed", "N", "seed of the draws", "1"},
       [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
@@ -142,9 +183,9 @@ static int run(int argc, char **argv) {
   cli_law_add_keywords(&options[LAW]);
   cli_parse(&cli_cor, argc, argv, options, false);
   cor_scene s = {0};
-  read_sizes(&options[DP], &s);
+  read_sizes(&options[DP], &s.sizes);
+  read_speeds(&options[SPEED], &s.speeds);
   cli_cor_read_wall(options, &s);
-  s.speed = cli_number(&options[SPEED], 1e-9, 1e6);
   cli_list angles = cli_angles(&options[ANGLES]);
   for (size_t i = 0; i < angles.count; i++)
     if (!(angles.values[i] > 0))

@@ -6,12 +6,16 @@
 
 #include "cli/law.h"
 #include "cli/walls.h"
+#include "cli/walls.h"
 
 /* The options of the command. */
 enum {
+  SIGMA,
   RQ,
   LAMBDA_C,
   LAY,
+  PROFILE,
+  MAP,
   DP,
   SPEED,
   ANGLES,
@@ -26,14 +30,18 @@ enum {
   N = LAW + LAW_OPTIONS
 };
 
+/* Diameters or speeds: a list, or where that is empty a log-normal whose ln has the sd
+ * ln(most/least)/5, cut at both ends. least and most are also those of a list. */
+typedef struct cor_values {
+  cli_list list;
+  double least, most, median;
+} cor_values;
+
 typedef struct cor_scene {
-  asp_surface *surface; /* NULL: smooth */
-  cli_lay lay;
+  cli_rough rough; /* its surface is NULL where the wall is smooth */
   cli_law law;
   asp_pair *pair;
-  double speed;
-  cli_list sizes;             /* a list, or empty for a log-normal */
-  double least, most, median; /* of the log-normal; least and most also of a list */
+  cor_values speeds, sizes;
 } cor_scene;
 
 typedef struct cor_row {

@@ -9,15 +9,29 @@
 
 enum { CELLS = 45 };
 
-static void print_sizes(FILE *gp, const cor_scene *s) {
-  if (s->sizes.count == 1)
-    fprintf(gp, "d_p = %.3g µm; ", s->sizes.values[0] * 1e6);
-  else if (s->sizes.count > 1)
-    fprintf(gp, "d_p = %.3g … %.3g µm; ", s->sizes.values[0] * 1e6,
-            s->sizes.values[s->sizes.count - 1] * 1e6);
+/* A list or a log-normal, times a factor, with its unit. */
+static void print_values(FILE *gp, const cor_values *v, double factor, const char *unit) {
+  if (v->list.count == 1)
+    fprintf(gp, "%.3g %s; ", v->least * factor, unit);
+  else if (v->list.count > 1)
+    fprintf(gp, "%.3g … %.3g %s; ", v->least * factor, v->most * factor, unit);
   else
-    fprintf(gp, "d_p log-normal, %.3g … %.3g µm, median %.3g µm; ", s->least * 1e6, s->most * 1e6,
-            s->median * 1e6);
+    fprintf(gp, "log-normal, %.3g … %.3g %s, median %.3g; ", v->least * factor, v->most * factor,
+            unit, v->median * factor);
+}
+
+/* The wall in the title. */
+static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *options,
+                       const cor_scene *s) {
+  if (!s->rough.surface)
+    return;
+  if (options[SIGMA].value)
+    fprintf(gp, "{/Symbol s} = %s°, ", cli_plot_label(picture, options[SIGMA].value).text);
+  else
+    fprintf(gp, "R_q = %.3g µm, {/Symbol l}_c = %.3g µm, {/Symbol F}_R = %.3g, ",
+            asp_surface_r_q(s->rough.surface) * 1e6, asp_surface_lambda_c(s->rough.surface) * 1e6,
+            asp_surface_phi_r(s->rough.surface));
+  fprintf(gp, "%s; ", cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
 }
 
 /* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
@@ -27,8 +41,10 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
   static const double bottom[] = {0, -1}, top[] = {3, 2};
   cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
   FILE *gp = cli_plot_stream(picture);
-  double d_p = s->sizes.count ? s->sizes.values[0] : s->median;
-  cor_scene smooth = {.speed = s->speed, .sizes = {&d_p, 1}};
+  double d_p = s->sizes.list.count ? s->sizes.list.values[0] : s->sizes.median;
+  double speed = s->speeds.list.count ? s->speeds.list.values[0] : s->speeds.median;
+  cor_scene smooth = {.speeds = {.list = {&speed, 1}, .least = speed, .most = speed},
+                      .sizes = {.list = {&d_p, 1}, .least = d_p, .most = d_p}};
   cli_option none[N + 1];
   memcpy(none, options, sizeof none);
   none[MODEL].value = "none";
@@ -36,16 +52,15 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
   size_t every = n / 20000 + 1, deposits = 0;
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
-  fprintf(gp, "set multiplot layout 1,2 title '{/=10 %s on %s, %g m/s, %s; ",
+  fprintf(gp, "set multiplot layout 1,2 title '{/=10 %s on %s, %s; ",
           cli_plot_label(picture, asp_material_name(s->law.particle)).text,
-          cli_plot_label(picture, options[LAW + LAW_WALL].value).text, s->speed,
+          cli_plot_label(picture, options[LAW + LAW_WALL].value).text,
           cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(s->law.wall))).text);
-  if (s->surface)
-    fprintf(gp, "R_q = %.3g µm, {/Symbol l}_c = %.3g µm, {/Symbol F}_R = %.3g, %s; ",
-            asp_surface_r_q(s->surface) * 1e6, asp_surface_lambda_c(s->surface) * 1e6,
-            asp_surface_phi_r(s->surface),
-            cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
-  print_sizes(gp, s);
+  print_wall(gp, picture, options, s);
+  fputs("v_1 = ", gp);
+  print_values(gp, &s->speeds, 1, "m/s");
+  fputs("d_p = ", gp);
+  print_values(gp, &s->sizes, 1e6, "µm");
   fprintf(gp, "%zu impacts, %.1f %% stick and are left out}'\n", n,
           100 * (double)deposits / (double)n);
   fputs("set xrange [0:90]\nset xtics 15\n"
@@ -82,9 +97,9 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
             "font ',9' tc '#666666'\n"
             "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fc5dd' title 'impacts', "
             "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title 'mean ± sd', "
-            "$smooth%d with lines ls 2 dt 1 title 'smooth wall, d_p = %.3g µm'\n",
+            "$smooth%d with lines ls 2 dt 1 title 'smooth wall, %.3g µm, %.3g m/s'\n",
             names[t], bottom[t], top[t], t ? "bottom left" : "top right",
-            100 * (double)outside / (double)n, t ? 0.25 : 0.72, t, t, t, d_p * 1e6);
+            100 * (double)outside / (double)n, t ? 0.25 : 0.72, t, t, t, d_p * 1e6, speed);
   }
   fputs("unset multiplot\n", gp);
   cli_cor_free_wall(&smooth);

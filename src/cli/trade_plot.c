@@ -32,8 +32,8 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
 /* Divergences below what the rays can tell are drawn at that. */
 #define NOISE 1e-4
 
-/* Gnuplot's point types that can be told apart when they lie on each other. */
-static const int marks[] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
+/* Gnuplot's open point types, which can be told apart when they lie on each other. */
+static const int marks[] = {4, 6, 8, 10, 12, 14, 1, 2, 3, 15};
 
 void cli_trade_plot(const cli_option *options, const trade_row *rows, size_t n) {
   size_t models = (size_t)asp_spread_count();
@@ -65,7 +65,7 @@ void cli_trade_plot(const cli_option *options, const trade_row *rows, size_t n) 
     }
   fputs("EOD\nplot $front with steps lc rgb '#999999' lw 2 dt 2 title 'Pareto front'", gp);
   for (size_t i = 0; i < models; i++)
-    fprintf(gp, ", $points every ::%zu::%zu with points ls %zu pt %d ps 1.6 title '%s'", i, i,
+    fprintf(gp, ", $points every ::%zu::%zu with points ls %zu pt %d ps 1.8 title '%s'", i, i,
             i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
             cli_plot_label(picture, asp_spread_name(points[i].model)).text);
   fputc('\n', gp);

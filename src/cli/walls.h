@@ -26,6 +26,30 @@ cli_lay cli_lay_of(const cli_option *lambda_c, const cli_option *lay);
 /* The surface of --rq and those. */
 asp_surface *cli_surface_of(const cli_option *rq, const cli_lay *lay);
 
+/* A rough wall as a command is told of it: by --sigma (of particles of any size), by --rq and
+ * --lambda-c, or by a measured --profile or --map, as `asperity surface --save` writes them. */
+typedef struct cli_rough {
+  asp_surface *surface;
+  asp_profile *profile; /* or NULL */
+  asp_map *map;         /* or NULL */
+  cli_lay lay;
+} cli_rough;
+
+typedef struct cli_rough_options {
+  const cli_option *sigma, *rq, *lambda_c, *lay, *profile, *map;
+} cli_rough_options;
+
+/* Reads the wall for diameters from d_least to d_most; exits where none is given, or two are. */
+cli_rough cli_rough_read(const cli_rough_options *options, double d_least, double d_most);
+void cli_rough_free(cli_rough *rough);
+
+#define CLI_SIGMA_OPTION                                                                           \
+  { "sigma", "DEGREES", "the wall as sigma = atan(s_eff), for particles of any size; or ...", NULL }
+#define CLI_PROFILE_OPTION                                                                         \
+  { "profile", "FILE", "a measured profile instead; see 'asperity surface --save'", NULL }
+#define CLI_MAP_OPTION                                                                             \
+  { "map", "FILE", "a measured map instead: SDF, matrix, or x, y, z", NULL }
+
 /* Exits when the surface's size law does not reach to the diameter. */
 void cli_check_size(const asp_surface *surface, double d_p);
 

@@ -90,3 +90,19 @@ refuses 1 "/nowhere/x.csv" "No such file" -- spread --sigma 10 -o /nowhere/x.csv
 grep -q "cannot write" err || die "full disk: $(cat err)"
 ls ./*.partial > /dev/null 2>&1 && die "a partial file was left"
 exit 0
+
+# A wall in every way: sigma, its two numbers, a profile; not in two. Speeds as a list with a range, and log-normal.
+cor() { "$asperity" cor --samples 400 --angles 20 "$@" | grep -v '^#\|^dp'; }
+mean() { awk -F, -v k="$1" '{ s += $k } END { print s / NR }'; }
+a=$(cor --sigma 10.026 --dp 1um | mean 8) b=$(cor --rq 5um --lambda-c 40um --dp 1um | mean 8)
+awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || die "--sigma: $a, by its numbers $b"
+"$asperity" surface --rq 5um --lambda-c 40um --dp 10um --save level.csv > /dev/null
+a=$(cor --profile level.csv | mean 8) b=$(cor --rq 5um --lambda-c 40um --model profile --tilt plane | mean 8)
+awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.9 && a / b < 1.1) }' || die "--profile: $a, by its numbers $b"
+refuses 2 'not by two' -- cor --sigma 10 --rq 5um --lambda-c 40um
+refuses 1 nowhere.csv -- cor --profile nowhere.csv
+[ "$(cor --sigma 10 --dp 10um,20um --speed 50,100:120:10 | cut -d, -f1,2 | sort -u | wc -l)" = 8 ] || die "sizes x speeds"
+cor --sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"
+refuses 2 --speed 'min < median < max' -- cor --sigma 10 --speed lognormal:10:20:50
+"$asperity" cor --sigma 10 --speed lognormal:10:200:50 --samples 20 --plot cor2.svg -o /dev/null 2> err
+grep -q 'log-normal, 10' cor2.svg || die "the picture's title"
