@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "contact/tree.h"
+#include "wall/bounds.h"
 #include "wall/motion.h"
-#include "wall/parted.h"
 #include "wall/shape.h"
 
 namespace asperity {

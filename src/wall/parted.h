@@ -10,19 +10,9 @@
 #include <functional>
 #include <vector>
 
-namespace asperity {
+#include "wall/bounds.h"
 
-/* An axis-parallel box. */
-struct Bounds {
-  double lo[3], hi[3];
-  bool has(const Bounds &inner) const;
-  bool meets(const Bounds &other) const;
-  void include(const Bounds &other);
-  void include(const double x[3]);
-  void widen(double by);
-  double size() const; /* its volume, with each side at least a little long */
-  static Bounds none();
-};
+namespace asperity {
 
 class Parted {
 public:

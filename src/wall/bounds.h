@@ -1,0 +1,22 @@
+/* A box around something, its sides along the axes.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_BOUNDS_H
+#define ASPERITY_WALL_BOUNDS_H
+
+namespace asperity {
+
+struct Bounds {
+  double lo[3], hi[3];
+  bool has(const Bounds &inner) const;
+  bool meets(const Bounds &other) const;
+  void include(const Bounds &other);
+  void include(const double x[3]);
+  void widen(double by);
+  double size() const; /* its volume, with each side at least a little long */
+  static Bounds none();
+};
+
+} // namespace asperity
+
+#endif
