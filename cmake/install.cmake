@@ -22,7 +22,7 @@ install(EXPORT asperityTargets NAMESPACE asperity:: DESTINATION ${_package})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/asperityConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/asperityConfig.cmake INSTALL_DESTINATION ${_package})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/asperityConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/asperityConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/asperityConfigVersion.cmake DESTINATION ${_package})
 unset(_package)

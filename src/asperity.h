@@ -12,7 +12,7 @@
  * never exits, and keeps no state of its own. A call that can fail takes an asp_error, or NULL, and
  * says there what was wrong; it returns a code, or NULL for an object. Strings that are returned
  * live as long as what they were asked of. The few structs that a program holds itself change with
- * the minor version only (from 1.0 on, the major one).
+ * the major version only.
  *
  * The numbered equations are those of Altmeppen, Sommerfeld, Koch & Staudacher (2020), "An
  * analytical approach to estimate the effect of surface roughness on particle rebound".
@@ -32,9 +32,9 @@ extern "C" {
 #pragma GCC visibility push(default)
 #endif
 
-/* The version of this header, and as "0.1.0" that of the library at hand. */
-#define ASP_VERSION_MAJOR 0
-#define ASP_VERSION_MINOR 1
+/* The version of this header, and as "1.0.0" that of the library at hand. */
+#define ASP_VERSION_MAJOR 1
+#define ASP_VERSION_MINOR 0
 #define ASP_VERSION_PATCH 0
 const char *asp_version(void);
 
