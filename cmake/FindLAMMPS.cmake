@@ -4,6 +4,7 @@
 #
 # Debian's package lacks two headers that the others include or a fix needs; src/lammps/debian has
 # what stands in for them.
+# SPDX-License-Identifier: GPL-3.0-or-later
 include(${CMAKE_CURRENT_LIST_DIR}/lammps_version.cmake)
 
 find_path(LAMMPS_INCLUDE_DIR fix.h PATH_SUFFIXES lammps)

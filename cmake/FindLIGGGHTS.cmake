@@ -4,6 +4,7 @@
 #
 # The development package lacks five generated headers; a fix needs them only to exist, so they are
 # made empty in the build folder.
+# SPDX-License-Identifier: GPL-3.0-or-later
 find_path(LIGGGHTS_INCLUDE_DIR fix_wall_gran.h PATH_SUFFIXES liggghts)
 find_library(LIGGGHTS_LIBRARY liggghts)
 mark_as_advanced(LIGGGHTS_INCLUDE_DIR LIGGGHTS_LIBRARY)

@@ -1,5 +1,6 @@
 # What `cmake --install` puts in place: library, header, command, launchers, and the files by which CMake
 # and pkg-config find the library.
+# SPDX-License-Identifier: GPL-3.0-or-later
 install(TARGETS asperity EXPORT asperityTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -1,5 +1,6 @@
 # LAMMPS's versions are dates. asperity_date_number("4 Jul 2026" OUT) sets OUT to 20260704, as the
 # function lammps_version() has them; asperity_lammps_version(DIR OUT) to that of a source tree.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function(asperity_date_number date out)
   if(NOT date MATCHES "^([0-9]+) ([A-Z][a-z][a-z])[a-z]* ([0-9]+)$")
     message(FATAL_ERROR "'${date}' is no version of LAMMPS; it must be a date such as 4 Jul 2026")

@@ -4,6 +4,7 @@
 #
 # The engine's side goes into the folder that the tree compiles; the rest is built already, and its headers go into
 # folders of their own.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 die() { echo "$engine"_tree": $*" >&2; exit 1; }
 [ $# -ge 2 ] || { sed -n '2,/^set /s/^# \{0,1\}//p' "$0" | head -n 7; exit 2; }

@@ -1,5 +1,6 @@
 # Takes away what the last `cmake --install` of a build folder put in place, and the package's own folders
 # where nothing else is in them. Usage: cmake -DMANIFEST=<build>/install_manifest.txt -P uninstall.cmake
+# SPDX-License-Identifier: GPL-3.0-or-later
 if(NOT EXISTS ${MANIFEST})
   message(FATAL_ERROR "${MANIFEST} is not there: nothing is installed from this build folder")
 endif()

@@ -1,4 +1,5 @@
 # Measurements and what the laws make of them, from the tables of `asperity compare`.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1500,900 font 'sans,10'
 set output 'output/against_measurements.png'
 set datafile separator ','

@@ -1,4 +1,5 @@
 # What the tables say, in words: of the table of models, then of what was fitted.
+# SPDX-License-Identifier: GPL-3.0-or-later
 FNR == 1 { file++; next }
 file == 1 { rms[$1 "," $2] = $3; ks[$1 "," $2] = $5 }
 file == 2 { value[$1 "," $2] = $3; error[$1 "," $2] = $4 }

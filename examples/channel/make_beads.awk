@@ -3,6 +3,7 @@
 #   awk -f make_beads.awk > beads.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for
 # those of awk differ from one awk to the next.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
 BEGIN {
   N = 800; D = 200e-6; HEIGHT = 30e-3; LENGTH = 40e-3; WIDTH = 20e-3; SPEED = 10; state = 1999

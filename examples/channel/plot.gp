@@ -1,5 +1,6 @@
 # What the roughness of its walls does to a channel: concentration, fluctuation and speed over the height, and
 # the mean height over time.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1100,820 font 'sans,11'
 set output 'output/channel.png'
 set grid lc rgb '#dddddd' lw 0.5

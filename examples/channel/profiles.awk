@@ -1,5 +1,6 @@
 # From a dump to what depends on height, over the second half of the run (t > 0.5 s): for each of 20 layers its
 # height / channel height, concentration / mean concentration, root mean square of v_z, mean v_x, number.
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { HEIGHT = 30e-3; LAYERS = 20; STEP = 8e-6 }
 /^ITEM: TIMESTEP/ { getline; late = $1 * STEP > 0.5; frames += late; next }
 /^ITEM/ { atoms = /ITEM: ATOMS/; next }

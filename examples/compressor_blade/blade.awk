@@ -3,6 +3,7 @@
 # section's own frame x runs along the chord; the pressure side is the lower one (small z).
 # section(j) fills PX[i], PZ[i], i = 0 ... LOOP: suction trailing edge, leading edge (i = NC), pressure
 # trailing edge, at span j / NS.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function set_up() {
   PI = atan2(0, -1)
   CHORD = 12e-3; SPAN = 16e-3; THICKNESS = 0.08

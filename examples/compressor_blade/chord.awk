@@ -1,6 +1,7 @@
 # From a ledger: impacts of each grain's first contact and later ones on the pressure side over the chord, in
 # bins of a twentieth. Columns: position along the chord, first impacts, later impacts, deposits.
 #   awk -f blade.awk -f chord.awk smooth.csv > smooth.chord
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { FS = ","; set_up() }
 /^#/ || $1 == "tag" { next }
 {

@@ -1,6 +1,7 @@
 # Where the grains of a ledger stuck: position along the chord (negative: suction side), span / mm, diameter
 # / um, number of the impact.
 #   awk -f blade.awk -f deposits.awk smooth.csv > smooth.deposits
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { FS = ","; set_up() }
 $19 == 1 {
   i = int($5 / 2) % LOOP

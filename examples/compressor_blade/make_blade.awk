@@ -1,6 +1,7 @@
 # Writes the blade as an STL mesh, facets in the order of the section's loop, row by row of the span:
 # quadrilateral q = j * LOOP + i is the facets 2q and 2q + 1. Hub and tip are open.
 #   awk -f blade.awk -f make_blade.awk > blade.stl
+# SPDX-License-Identifier: GPL-3.0-or-later
 function vertex(i, j) { printf "vertex %.9g %.9g %.9g\n", X[i, j], SPAN * j / NS, Z[i, j] }
 function facet(i1, j1, i2, j2, i3, j3) {
   print "facet normal 0 0 0\nouter loop"

@@ -3,6 +3,7 @@
 # of the corner; impacts per mm^2, deposited mass in ng per mm^2, impact energy in uJ per mm^2 of the
 # quadrilateral.
 #   awk -f blade.awk -f map.awk smooth.30000.vtk > smooth.map
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { set_up() }
 $1 == "CELL_DATA" { cells = $2; next }
 cells && NF == 4 && $2 == 1 { name = $1; at = 0; next }

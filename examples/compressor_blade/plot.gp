@@ -1,5 +1,6 @@
 # Impacts and deposits on the blade: unrolled maps of both walls, a view of the rough one, and the pressure side's
 # impacts over the chord.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1260,764 font 'sans,11'
 set output 'output/compressor_blade.png'
 set border lc rgb '#444444'

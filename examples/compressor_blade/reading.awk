@@ -1,4 +1,5 @@
 # What the picture shows, in numbers, from the two ledgers.
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN {
   FS = ","
   printf "%-7s %8s %14s %26s %9s %13s %16s %10s\n", "", "impacts", "later ones", "of these under 5 degrees",

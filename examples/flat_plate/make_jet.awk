@@ -4,6 +4,7 @@
 #   awk -f make_jet.awk > jet.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for
 # those of awk differ from one awk to the next.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
 function normal() { return sqrt(-2 * log(uniform())) * cos(2 * PI * uniform()) }
 function diameter(  d) {

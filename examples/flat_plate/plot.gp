@@ -1,4 +1,5 @@
 # CoR_N and CoR_T over the impact angle (Altmeppen et al. 2020, figures 13 and 14), from the ledgers.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1500,860 font 'sans,11'
 set output 'output/flat_plate.png'
 set datafile separator comma

@@ -1,4 +1,5 @@
 # What the picture shows, in numbers, from the three ledgers.
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN {
   FS = ","
   printf "%-10s %22s %20s %22s %9s %18s\n", "", "CoR_N > 1, a1 < 10 deg", "sd CoR_N, 40-50 deg",

@@ -1,5 +1,6 @@
 # From a ledger: mean and standard deviation of CoR_N and CoR_T of the rebounds, in bins of 2 degrees.
 # Columns: angle, mean and sd of CoR_N, mean and sd of CoR_T, number.
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { FS = "," }
 /^#/ || $1 == "tag" || $19 != 0 || $18 == "" { next }
 {

@@ -1,6 +1,7 @@
 # Where each grain passes a screen 10 mm over its plate, from where it hit (mm along the jet and across it), and its
 # rebound and lateral angles: from the dump of the last step.   awk -v plate=1 -f footprint.awk end.dump   (2: blasted)
 # Grains that come off flatter than 3 degrees pass it beyond 190 mm and are left out.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function degrees(x) { return x * 180 / atan2(0, -1) }
 /^ITEM: TIMESTEP/ { getline step; next }
 /^ITEM: ATOMS/ { atoms = 1; next }

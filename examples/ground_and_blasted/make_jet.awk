@@ -1,5 +1,6 @@
 # Writes the dust as a LIGGGHTS data file: 2 x 6000 grains of quartz of 10 um at 100 m/s and 10 degrees, those of odd
 # number for the plate at y < 0, the others for that at y > 0, each for a place of its own.   awk -f make_jet.awk > jet.data
+# SPDX-License-Identifier: GPL-3.0-or-later
 function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
 BEGIN {
   N = 12000; ROW = 100; PITCH = 0.1e-3; SPEED = 100; TIME = 8e-6; D = 10e-6

@@ -1,4 +1,5 @@
 # Footprints on a screen 10 mm over the plates, and the lateral angles.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1300,780 font 'sans,11'
 set output 'output/ground_and_blasted.png'
 set grid lc rgb '#dddddd' lw 0.5

@@ -1,4 +1,5 @@
 # The hopper: where the grains are 0.12 s after it was opened, in a view along y, and how many are out over time.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1340,430 font 'sans,11'
 set output 'output/hopper.png'
 set border lc rgb '#444444'

@@ -1,5 +1,6 @@
 # From "time, grains out, impacts" of each case: when half of the grains and when all are out, the rate in between, and
 # the impacts in all.
+# SPDX-License-Identifier: GPL-3.0-or-later
 FNR == 1 { n = split(FILENAME, part, "/"); name = part[n]; sub(/\.out$/, "", name); names[++cases] = name }
 /^#/ { next }
 { if ($2 >= 250 && !(name in half)) half[name] = $1

@@ -2,6 +2,7 @@
 # valleys made flatter and peaks sharper than Gaussian, the curve and tilt of a blade, noise of 0.01 um, two
 # spikes of dust, a gap of 25 points that the instrument lost, bad points, and positions rounded to 0.1 um
 # in a file with an instrument's header.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function noise(  i, sum) { sum = 0; for (i = 0; i < 12; i++) sum += rand(); return 0.01 * (sum - 6) }
 BEGIN {
   FS = ","; srand(7)

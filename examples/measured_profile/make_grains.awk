@@ -1,6 +1,7 @@
 # Writes the grains as a LIGGGHTS data file: N of quartz, diameters evenly spread in their logarithm from 5
 # to 400 um, at 60 m/s and 60 degrees, each to a place of its own on the plane z = 0.
 #   awk -f make_grains.awk > grains.data
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN {
   N = 5000; ROW = 71; PITCH = 6e-4; PI = atan2(0, -1); state = 7
   vx = 60 * cos(PI / 3); vz = -60 * sin(PI / 3)

@@ -1,4 +1,5 @@
 # The spread of the tilt over the grain's diameter, in two LIGGGHTS runs, and sigma as the log states it.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 800,520 font 'sans,11'
 set output 'output/in_liggghts.png'
 set grid lc rgb '#dddddd' lw 0.5

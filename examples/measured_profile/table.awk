@@ -1,4 +1,5 @@
 # The slopes with spikes and form taken out beside those with them left in.
+# SPDX-License-Identifier: GPL-3.0-or-later
 /^#/ || /^dp_um/ { next }
 FNR == NR { slope[$1] = $6; sd[$1] = $8; order[++n] = $1; next }
 { careless[$1] = $6 }

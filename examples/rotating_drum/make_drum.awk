@@ -1,5 +1,6 @@
 # Writes the drum as an STL mesh: a cylinder about the y axis, 50 mm in radius and 44 mm long, in 64 flat strips.
 #   awk -f make_drum.awk > drum.stl
+# SPDX-License-Identifier: GPL-3.0-or-later
 function vertex(i, j) {
   printf "vertex %.9g %.9g %.9g\n", RADIUS * cos(2 * PI * i / AROUND), LENGTH * (j / ALONG - 0.5), RADIUS * sin(2 * PI * i / AROUND)
 }

@@ -3,6 +3,7 @@
 #   awk -v D=1e-3 -v SPEED=0.3 -f make_grains.awk > grains.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for
 # those of awk differ from one awk to the next.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
 BEGIN {
   N = 600; PITCH = 5.2e-3; RADIUS = 50e-3; PI = atan2(0, -1); state = 1851

@@ -1,4 +1,5 @@
 # The turning drum: where the grains are, their energy over time, and the check of the wall's frame.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1100,920 font 'sans,11'
 set output 'output/rotating_drum.png'
 set border lc rgb '#444444'

@@ -1,6 +1,7 @@
 # Two ledgers of the same impacts, row by row, micro's brought to SI: the largest relative difference of each column.
 # Writes the CoR pairs for the picture to the file OUT: alpha1, CoR_N si, CoR_N micro, CoR_T si, CoR_T micro.
 #   awk -v OUT=pairs -f compare.awk si.csv micro.csv
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN {
   FS = ","
   factor[3] = 1e-6                                             # us to s

@@ -3,6 +3,7 @@
 #   awk -v UNITS=micro -f make_grains.awk > micro.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for
 # those of awk differ from one awk to the next.
+# SPDX-License-Identifier: GPL-3.0-or-later
 function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
 BEGIN {
   # micro: length um, time us, mass pg. So a speed in m/s is the same number in um/us, and 1 kg/m^3 = 1e-3 pg/um^3.

@@ -1,4 +1,5 @@
 # The coefficients of restitution of both runs over the impact angle: circles si, dots micro.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1000,430 font 'sans,11'
 set output 'output/units_micro.png'
 set grid lc rgb '#dddddd' lw 0.5

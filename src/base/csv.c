@@ -1,4 +1,6 @@
-/* Tables in text files; see csv.h. */
+/* Tables in text files; see csv.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/csv.h"
 #include "base/error.h"
 #include "base/file.h"

@@ -2,7 +2,9 @@
  * commas, semicolons, tabs or blanks, whichever the line of names has (the first of ; tab , in this
  * order); with semicolons and tabs a comma in a number is a decimal point. Quotes hold a field
  * together, lines that begin with # are comments, blank lines are skipped, and a byte-order mark is
- * left out. The file is read as a stream. */
+ * left out. The file is read as a stream.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_CSV_H
 #define ASP_BASE_CSV_H
 

@@ -1,4 +1,6 @@
-/* Error messages of the core; see error.h. */
+/* Error messages of the core; see error.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 
 #include <ctype.h>

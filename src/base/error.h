@@ -1,5 +1,6 @@
 /* How the core reports: a code, and one line that names the thing, its value and what it must be.
- */
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_ERROR_H
 #define ASP_BASE_ERROR_H
 
@@ -23,8 +24,8 @@ asp_code aspi_check_positive(asp_error *error, const char *name, const char *uni
  * overflow or lose digits. */
 asp_code aspi_check_length(asp_error *error, const char *name, double value);
 
-/* The index of a name, in upper or lower case, in a registry of `count` names; -1 and "<what> 'name'
- * is unknown; did you mean 'b'? there are: a b c" where it is not there. */
+/* The index of a name, in upper or lower case, in a registry of `count` names; -1 and "<what>
+ * 'name' is unknown; did you mean 'b'? there are: a b c" where it is not there. */
 int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
                    asp_error *error);
 

@@ -1,6 +1,8 @@
 /* The random numbers of one contact: Philox4x32-10 of Random123 (Salmon, Moraes, Dror & Shaw 2011),
  * a pure function of key and counter. One block of four 32-bit words is two uniform numbers; the
- * counter is (tag low, tag high, impact, block). */
+ * counter is (tag low, tag high, impact, block).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/stream.h"
 
 #include <Random123/philox.h>

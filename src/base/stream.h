@@ -1,5 +1,7 @@
 /* The random numbers of one contact: Philox4x32-10 (Salmon et al. 2011) keyed by (seed, wall),
- * counted by (tag, impact, block of two draws). Lives on the stack. */
+ * counted by (tag, impact, block of two draws). Lives on the stack.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_STREAM_H
 #define ASP_BASE_STREAM_H
 

@@ -1,4 +1,6 @@
-/* Lines, words and numbers of a text file; see text.h. */
+/* Lines, words and numbers of a text file; see text.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/text.h"
 #include "base/error.h"
 #include "base/number.h"

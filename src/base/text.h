@@ -1,4 +1,6 @@
-/* A text file read as a stream: one line or one word at a time, never more of it in memory. */
+/* A text file read as a stream: one line or one word at a time, never more of it in memory.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_TEXT_H
 #define ASP_BASE_TEXT_H
 

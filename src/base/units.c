@@ -1,5 +1,7 @@
 /* Units of length by the names that people and instruments give them, and where the header of a
- * text file states them. */
+ * text file states them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
 
 #include <ctype.h>

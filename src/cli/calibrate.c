@@ -6,7 +6,9 @@
  * covariance in a sample of the data's size: at first by that of the data themselves; then, where
  * the model describes them, by that of the model at the values found so far, with that of the
  * simulation added, which small samples need. Where it does not, the first stays, and the standard
- * errors are scaled by the root of chi^2 per degree of freedom. */
+ * errors are scaled by the root of chi^2 per degree of freedom.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/calibrate.h"
 #include "cli/walls.h"
 #include "rebound/laws.h"

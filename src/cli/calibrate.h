@@ -1,5 +1,7 @@
 /* What `asperity calibrate` is made of: the unknowns, the measurements as moments, and the model's
- * moments for given unknowns. */
+ * moments for given unknowns.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_CALIBRATE_H
 #define ASP_CLI_CALIBRATE_H
 

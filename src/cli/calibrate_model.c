@@ -1,6 +1,8 @@
 /* What a wall gives for values of the unknowns of `asperity calibrate`: moments of the measured
  * velocities, at the places of the data, by the same random numbers whatever the values; see
- * calibrate.h. */
+ * calibrate.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/stream.h"
 #include "cli/calibrate.h"
 #include "cli/walls.h"

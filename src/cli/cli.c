@@ -1,4 +1,6 @@
-/* Options, numbers with units, output and progress of the `asperity` command; see cli.h. */
+/* Options, numbers with units, output and progress of the `asperity` command; see cli.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/help.h"
 #include "base/number.h"
 #include "base/units.h"

@@ -2,7 +2,9 @@
  * CSV output that is written whole or not at all, a progress bar, and pictures by gnuplot.
  *
  * Everything here exits on bad input: status 2 for bad usage, 1 for a failure, with one line on
- * stderr that names the option, its value and what it must be. */
+ * stderr that names the option, its value and what it must be.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_H
 #define ASP_CLI_H
 

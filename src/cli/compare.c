@@ -5,7 +5,9 @@
  *
  * Each measured impact is compared with the model's impacts at its own place: those that have its
  * angle (and speed, and size), or else those near it, which together weigh as much as it does. So
- * a bin of measurements at different angles has a model sample of the same angles. */
+ * a bin of measurements at different angles has a model sample of the same angles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/compare.h"
 #include "cli/window.h"
 

@@ -1,4 +1,6 @@
-/* What `asperity compare` hands to its picture. */
+/* What `asperity compare` hands to its picture.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_COMPARE_H
 #define ASP_CLI_COMPARE_H
 

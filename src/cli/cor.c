@@ -1,5 +1,7 @@
 /* asperity cor: the scatter of the coefficients of restitution that a wall gives (the paper's
- * figures 13 and 14), without an engine: impacts one by one on the mean wall z = 0. */
+ * figures 13 and 14), without an engine: impacts one by one on the mean wall z = 0.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cor.h"
 #include "base/stream.h"
 #include "cli/walls.h"

@@ -1,5 +1,7 @@
 /* asperity doe: the paper's design of experiments, a row a combination of rms height, correlation
- * length and particle size, each measured on a generated profile, with the size law beside it. */
+ * length and particle size, each measured on a generated profile, with the size law beside it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/doe.h"
 #include "surface/size_law.h"
 

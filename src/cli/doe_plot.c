@@ -1,6 +1,8 @@
 /* The picture of `asperity doe`: the paper's figures 10 to 12, and all of it over kappa. The law
  * drawn in is s_eff by the wall's two numbers; the variance of the angles that goes with it is that
- * of atan(slope) for normal slopes of that rms. */
+ * of atan(slope) for normal slopes of that rms.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/doe.h"
 
 #include <gsl/gsl_cdf.h>

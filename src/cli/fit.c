@@ -2,7 +2,9 @@
  * model `rejection`) many times per impact angle, fit k and lambda to each sample, take means, and
  * lay polynomials of fourth degree through them up to the boundary angle e = 6.48 sigma. Over
  * alpha1/sigma all walls fall on one curve (fig. 7), which the code keeps as ten numbers. The
- * samples also judge every density (fig. 6, 8, 9). */
+ * samples also judge every density (fig. 6, 8, 9).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/fit.h"
 #include "base/running.h"
 

@@ -1,6 +1,8 @@
 /* asperity trade --grid: every model on a grid of walls and angles, the measurement from which
  * `auto` chooses. Geometry has no scale, so that a wall and its particles are two numbers, phi_r
- * and kappa. Corners where the disc is as large as a good part of the profile are left out. */
+ * and kappa. Corners where the disc is as large as a good part of the profile are left out.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/grid.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* The measurement from which `auto` chooses; see grid.c. */
+/* The measurement from which `auto` chooses; see grid.c.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_GRID_H
 #define ASP_CLI_GRID_H
 

@@ -1,4 +1,6 @@
-/* Rebound laws and materials from options; see law.h. */
+/* Rebound laws and materials from options; see law.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/law.h"
 #include "base/number.h"
 #include "cli/walls.h"

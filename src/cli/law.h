@@ -1,5 +1,7 @@
 /* The options that name a rebound law and the materials it works on, shared by the commands that
- * evaluate one. */
+ * evaluate one.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_LAW_H
 #define ASP_CLI_LAW_H
 

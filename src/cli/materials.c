@@ -1,5 +1,7 @@
 /* asperity materials: the presets and the user's own, with unit, source, and whether the original
- * was seen. */
+ * was seen.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/law.h"
 
 /* A field in quotes, with quotes inside it doubled. */

@@ -1,4 +1,6 @@
-/* Models against the geometry; see measure.h. */
+/* Models against the geometry; see measure.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/measure.h"
 #include "impact/wall.h"
 #include "surface/closing.h"

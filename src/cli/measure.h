@@ -1,6 +1,8 @@
 /* How far a spread model is from the geometry: rebound angles of an ensemble of generated profiles,
  * none of which has made a model, and of the model; their divergence with its standard error; and
- * what an impact costs. */
+ * what an impact costs.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_MEASURE_H
 #define ASP_CLI_MEASURE_H
 

@@ -1,4 +1,6 @@
-/* Measured coefficients of restitution; see measured.h. */
+/* Measured coefficients of restitution; see measured.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/measured.h"
 #include "base/csv.h"
 #include "base/error.h"

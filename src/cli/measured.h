@@ -1,5 +1,7 @@
 /* Measured coefficients of restitution as people have them: a table, a row for each impact or for
- * the mean of some, in any of several forms. */
+ * the mean of some, in any of several forms.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_MEASURED_H
 #define ASP_CLI_MEASURED_H
 

@@ -1,5 +1,7 @@
 /* NumPy arrays; see npy.h. The header is a Python dictionary as numpy.lib.format writes it:
- * {'descr': [('name', '<f8'), ...], 'fortran_order': False, 'shape': (rows,), } */
+ * {'descr': [('name', '<f8'), ...], 'fortran_order': False, 'shape': (rows,), }
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/npy.h"
 #include "base/error.h"
 

@@ -1,6 +1,8 @@
 /* One-dimensional structured arrays in NumPy's .npy format (versions 1 to 3, little-endian whole
  * numbers and floating-point numbers), read as a stream: the ledger of a wall, or what a script
- * made of it. */
+ * made of it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_NPY_H
 #define ASP_CLI_NPY_H
 

@@ -1,7 +1,9 @@
 /* Pictures by gnuplot: a pipe to it, a terminal chosen by the file's ending, and one look for all.
  * Nothing that a user wrote reaches gnuplot as a command: it draws to its standard output, which is
  * the file, so that no path is told to it; it reads no start-up files; and texts go through
- * cli_plot_label. */
+ * cli_plot_label.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 
 #include <errno.h>

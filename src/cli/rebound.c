@@ -1,6 +1,8 @@
 /* asperity rebound: what a rebound law does on a smooth wall, without an engine: outcome and CoR_N
  * over particle size and speed, the capture speed over particle size, and the coefficients over the
- * impact angle. */
+ * impact angle.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/rebound.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* Samples whose values have weights; see sample.h. */
+/* Samples whose values have weights; see sample.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/sample.h"
 #include "cli/cli.h"
 

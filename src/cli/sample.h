@@ -1,4 +1,6 @@
-/* Samples of a coefficient, whose values may count with different weights, and their comparison. */
+/* Samples of a coefficient, whose values may count with different weights, and their comparison.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SAMPLE_H
 #define ASP_CLI_SAMPLE_H
 

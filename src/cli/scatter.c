@@ -1,4 +1,6 @@
-/* Files of coefficients of restitution; see scatter.h. */
+/* Files of coefficients of restitution; see scatter.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/scatter.h"
 #include "base/csv.h"
 #include "base/error.h"

@@ -1,4 +1,6 @@
-/* Files of impacts, as `asperity cor`, a ledger or `dump local` of one writes them. */
+/* Files of impacts, as `asperity cor`, a ledger or `dump local` of one writes them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SCATTER_H
 #define ASP_CLI_SCATTER_H
 

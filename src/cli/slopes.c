@@ -1,4 +1,6 @@
-/* Rows of slopes, measured on all cores; see slopes.h. */
+/* Rows of slopes, measured on all cores; see slopes.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/slopes.h"
 
 #include <math.h>

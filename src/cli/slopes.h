@@ -1,4 +1,6 @@
-/* What `asperity surface` and `asperity doe` share: the row of one particle size on one profile. */
+/* What `asperity surface` and `asperity doe` share: the row of one particle size on one profile.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SLOPES_H
 #define ASP_CLI_SLOPES_H
 

@@ -1,4 +1,6 @@
-/* asperity spread: the law of the tilt delta_alpha, as samples, as a density, or in numbers. */
+/* asperity spread: the law of the tilt delta_alpha, as samples, as a density, or in numbers.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/spread.h"
 #include "base/running.h"
 #include "cli/walls.h"

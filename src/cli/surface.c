@@ -1,4 +1,6 @@
-/* asperity surface: what a particle of a given size finds on a wall, generated or measured. */
+/* asperity surface: what a particle of a given size finds on a wall, generated or measured.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/surface.h"
 #include "base/units.h"
 #include "cli/walls.h"
@@ -191,7 +193,7 @@ static cli_wall read_wall(const cli_option *o, source *from) {
     cli_fail("%s", error.text);
   if (aspi_profile_describe(profile, level, &from->description, &error))
     cli_fail("%s: %s", o[PROFILE].value, error.text);
-  if (aspi_description_check(&from->description, &error))
+  if (aspi_description_check(&from->description, 1, &error))
     cli_fail("%s: %s", o[PROFILE].value, error.text);
   const aspi_description *d = &from->description;
   return (cli_wall){profile, generate_like(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};

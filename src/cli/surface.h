@@ -1,4 +1,6 @@
-/* What `asperity surface` hands to its picture. */
+/* What `asperity surface` hands to its picture.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SURFACE_H
 #define ASP_CLI_SURFACE_H
 

@@ -1,4 +1,6 @@
-/* The picture of `asperity surface`: the paper's figures 3 to 5 for one wall and one particle. */
+/* The picture of `asperity surface`: the paper's figures 3 to 5 for one wall and one particle.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/surface.h"
 #include "surface/closing.h"
 #include "surface/slopes.h"

@@ -1,6 +1,8 @@
 /* asperity trade: speed against accuracy. Every model on one wall, at several impact angles,
  * against an ensemble of such walls, none of which has made a model: what an impact costs, how far
- * the law of the first hit and that of the final rebound are off. */
+ * the law of the first hit and that of the final rebound are off.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/trade.h"
 #include "cli/grid.h"
 #include "cli/measure.h"

@@ -1,4 +1,6 @@
-/* Options that describe a wall; see walls.h. */
+/* Options that describe a wall; see walls.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/walls.h"
 
 #include <math.h>

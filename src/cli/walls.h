@@ -1,4 +1,6 @@
-/* The options that describe a wall and its particles, shared by the commands that make impacts. */
+/* The options that describe a wall and its particles, shared by the commands that make impacts.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_WALLS_H
 #define ASP_CLI_WALLS_H
 

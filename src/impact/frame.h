@@ -1,4 +1,6 @@
-/* Vectors, and the frame of a contact: the wall's normal, and the velocity along the wall. */
+/* Vectors, and the frame of a contact: the wall's normal, and the velocity along the wall.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_IMPACT_FRAME_H
 #define ASP_IMPACT_FRAME_H
 

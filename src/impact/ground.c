@@ -1,4 +1,6 @@
-/* What a wall is like along one direction; see ground.h. */
+/* What a wall is like along one direction; see ground.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "impact/ground.h"
 #include "surface/size_law.h"
 

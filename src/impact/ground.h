@@ -4,7 +4,9 @@
  * particle in straight flight along t stays in one plane, so that its first hit is that on a
  * profile with the lambda of that direction; and for every autocovariance of elliptic contours the
  * cross slope q is beta p plus a normal number that does not depend on the profile (derived for
- * this project). */
+ * this project).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_IMPACT_GROUND_H
 #define ASP_IMPACT_GROUND_H
 

@@ -6,7 +6,9 @@
  * tan(delta_alpha) along t and q along b has the normal (-p, -q, 1)/sqrt(1 + p^2 + q^2), written
  * with the sine and cosine of delta_alpha so that a face of 90 degrees is no special case. Vectors,
  * not angles, so that it stays right beyond a local impact angle of 90 degrees, where the
- * tangential CoR turns negative. */
+ * tangential CoR turns negative.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "impact/ground.h"
 
 #include <math.h>

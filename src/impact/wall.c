@@ -1,5 +1,7 @@
 /* A wall: surface, spread model and rebound law looked up once and checked, so that a contact reads
- * numbers and follows pointers only. */
+ * numbers and follows pointers only.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "impact/wall.h"
 #include "base/error.h"
 
@@ -191,8 +193,7 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   *data = NULL;
   bool from_map = choice->map && model->prepare_map;
   bool from_profile = !from_map && choice->profile && model->prepare;
-  if (!choice->surface ||
-      !(from_map || from_profile || (!choice->profile && model->generate)))
+  if (!choice->surface || !(from_map || from_profile || (!choice->profile && model->generate)))
     return ASP_OK;
   aspi_sizes sizes = {choice->numbers[ASP_WALL_D_P_LEAST], choice->numbers[ASP_WALL_D_P_MOST],
                       (int)choice->numbers[ASP_WALL_D_P_BINS]};

@@ -1,4 +1,6 @@
-/* What a wall keeps: what was chosen and set, and what its contacts read. */
+/* What a wall keeps: what was chosen and set, and what its contacts read.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_IMPACT_WALL_H
 #define ASP_IMPACT_WALL_H
 

@@ -48,7 +48,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     Keywords own(this);
     wall_.parse(words, geometry, &own);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   scalar_flag = vector_flag = array_flag = 1;
   size_vector = Wall::N_COUNTERS;
@@ -189,7 +189,7 @@ void FixWallRebound::init() {
       region_->init();
     wall_.init(update->ntimestep, update->dt);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
 }
 
@@ -221,7 +221,7 @@ void FixWallRebound::setup(int) {
     }
     wall_.setup(engine_.spheres(), groupbit, engine_.box());
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
 }
 
@@ -246,7 +246,7 @@ void FixWallRebound::post_integrate() {
     }
     Wall::step(walls, engine_.spheres());
   } catch (const std::exception &wrong) {
-    error->one(FLERR, "Fix wall/rebound: " + std::string(wrong.what()));
+    error->one(FLERR, "Fix wall/rebound: " + asperity::told(wrong));
   }
   for (FixWallRebound *fix : siblings_) {
     if (fix->wall_.model().deposit() != Model::DELETE)
@@ -297,7 +297,7 @@ void FixWallRebound::end_of_step() {
       map_.write(world, update->ntimestep, mesh_->triangles(), mesh_->motion().end(),
                  wall_.sums(0));
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   Ledger *ledger = wall_.ledger();
   if (ledger && update->ntimestep % ledger->every() == 0) {
@@ -310,7 +310,7 @@ void FixWallRebound::post_run() {
   try {
     wall_.end_run();
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
 }
 
@@ -342,7 +342,7 @@ void FixWallRebound::write_restart(FILE *file) {
   try {
     record = wall_.save();
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   if (comm->me != 0)
     return;
@@ -356,7 +356,7 @@ void FixWallRebound::restart(char *buffer) {
   try {
     wall_.restore(buffer);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   restarted_ = true;
 }

@@ -49,7 +49,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     check_meshes();
     wall_.parse(words, geometry);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   scalar_flag = vector_flag = array_flag = 1;
   size_vector = Wall::N_COUNTERS;
@@ -363,7 +363,7 @@ void FixWallRebound::init() {
   try {
     wall_.init(update->ntimestep, update->dt);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
 }
 
@@ -414,7 +414,7 @@ void FixWallRebound::setup(int) {
     set_rows();
     wall_.setup(spheres(), groupbit, box);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   show_maps();
 }
@@ -432,7 +432,7 @@ void FixWallRebound::post_integrate() {
     }
     Wall::step(walls, spheres());
   } catch (const std::exception &wrong) {
-    error->one(FLERR, ("Fix wall/rebound: " + std::string(wrong.what())).c_str());
+    error->one(FLERR, ("Fix wall/rebound: " + asperity::told(wrong)).c_str());
   }
   for (FixWallRebound *fix : siblings_) {
     if (fix->wall_.model().deposit() != Model::DELETE)
@@ -496,7 +496,7 @@ void FixWallRebound::end_of_step() {
   try {
     wall_.end_step(update->ntimestep, is_output);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   Ledger *ledger = wall_.ledger();
   if (ledger && update->ntimestep % ledger->every() == 0) {
@@ -510,7 +510,7 @@ void FixWallRebound::post_run() {
   try {
     wall_.end_run();
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
 }
 
@@ -553,7 +553,7 @@ void FixWallRebound::write_restart(FILE *file) {
   try {
     record = wall_.save();
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   if (comm->me != 0)
     return;
@@ -567,7 +567,7 @@ void FixWallRebound::restart(char *buffer) {
   try {
     wall_.restore(buffer);
   } catch (const std::exception &wrong) {
-    fail(wrong.what());
+    fail(asperity::told(wrong));
   }
   restarted_ = true;
 }

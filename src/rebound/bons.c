@@ -23,7 +23,9 @@
  * with its angle in place of alpha', and ends where the surface stops, at (2/7) of its speed.
  *
  * The difference of squares is taken as (v - v_a)(v + v_a), and all of it in long double, so that
- * v_n2 keeps its digits near capture, and v_t2 where friction nearly stops the particle. */
+ * v_n2 keeps its digits near capture, and v_t2 where friction nearly stops the particle.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
 
 #include <math.h>

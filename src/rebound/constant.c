@@ -1,5 +1,7 @@
 /* Two constant coefficients of restitution, about the face that is hit. For comparison, for walls
- * whose coefficients are known, and for tests: (1, 1) is the specular rebound. */
+ * whose coefficients are known, and for tests: (1, 1) is the specular rebound.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
 
 enum { COR_N, COR_T, N_PARAMETERS };

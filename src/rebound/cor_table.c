@@ -1,6 +1,8 @@
 /* Tables of coefficients of restitution: made from points, checked for gaps and double values, read
  * from a file, interpolated. Speed by speed a monotone cubic in the angle (Steffen 1990; a straight
- * line where there are only two angles), and a straight line between speeds. */
+ * line where there are only two angles), and a straight line between speeds.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/cor_table.h"
 #include "base/csv.h"
 #include "base/error.h"

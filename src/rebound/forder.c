@@ -5,7 +5,9 @@
  *   e_t = 1 - 0.78 beta + 0.84 beta^2 - 0.21 beta^3 + 0.028 beta^4 - 0.022 beta^5
  *
  * From one secondary source, which names neither target nor grain; the sign of the last term is
- * inferred there. The law knows neither speed nor material, and nothing sticks. */
+ * inferred there. The law knows neither speed nor material, and nothing sticks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
 
 #include <math.h>

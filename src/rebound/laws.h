@@ -1,5 +1,7 @@
 /* The list of the rebound laws, and what they share. A new law is one file that defines its record,
- * and one line here. */
+ * and one line here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_REBOUND_LAWS_H
 #define ASP_REBOUND_LAWS_H
 

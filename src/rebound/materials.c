@@ -1,7 +1,9 @@
 /* Material presets, and a material of a user's own. The presets are for room temperature. Their
  * values are handbook values and those of open tables, not those of the papers on rebound (which
  * state few); `seen` says whether all four numbers were checked against the source named. All of
- * them are defaults that a user can replace. */
+ * them are defaults that a user can replace.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/materials.h"
 #include "base/error.h"
 

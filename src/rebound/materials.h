@@ -1,4 +1,6 @@
-/* Materials and pairs of them. */
+/* Materials and pairs of them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_REBOUND_MATERIALS_H
 #define ASP_REBOUND_MATERIALS_H
 

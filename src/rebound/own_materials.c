@@ -1,5 +1,7 @@
 /* A user's own materials, read from a text file in columns; they go before the presets of the same
- * name. */
+ * name.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/csv.h"
 #include "base/error.h"
 #include "rebound/materials.h"

@@ -1,4 +1,6 @@
-/* The list of rebound laws, how their parameters are found by name, and what laws share. */
+/* The list of rebound laws, how their parameters are found by name, and what laws share.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/number.h"
 #include "rebound/laws.h"

@@ -1,4 +1,6 @@
-/* What the shear of a flow takes away of what sticks. */
+/* What the shear of a flow takes away of what sticks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_REBOUND_REMOVAL_H
 #define ASP_REBOUND_REMOVAL_H
 

@@ -14,8 +14,10 @@
  * a spring along the face of K times its stiffness (K = 2 (1 - nu)/(2 - nu) for like solids,
  * Mindlin 1949, recalled), which Coulomb's friction cuts and which weakens with the contact's
  * radius on unloading. The result depends on u_t/v_n1, mu, e and K only; it is integrated at each
- * contact, at some 2.6 us more a contact than the plain law. Partial slip is left out, and so a K that
- * is fitted to measurements is less than Mindlin's. */
+ * contact, at some 2.6 us more a contact than the plain law. Partial slip is left out, and so a K
+ * that is fitted to measurements is less than Mindlin's.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
 
 #include <math.h>

@@ -2,7 +2,9 @@
  * model's rebounds are from the geometry was measured on a grid of walls and angles, against
  * ensembles of profiles that made none of the models (measured.csv, made by `asperity trade
  * --grid`). A wall takes the worst of all grid points around it, each with twice its standard
- * error. */
+ * error.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "spread/models.h"
 

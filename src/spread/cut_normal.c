@@ -1,4 +1,6 @@
-/* The normal distribution cut to an interval (eq. 5 to 7); see models.h. */
+/* The normal distribution cut to an interval (eq. 5 to 7); see models.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/gauss.h"
 #include "spread/models.h"
 

@@ -6,7 +6,9 @@
  * In x = delta/sigma, the integral of phi(t) sin(alpha1 + sigma t) over a tail is a series in the
  * tail's moments, quick and without loss for every sigma. For a particle that flies up (alpha1 < 0)
  * all of the law is far tail, and a quadrature with scaled weights takes over, as it does close to
- * the end of the support. */
+ * the end of the support.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/gauss.h"
 #include "spread/invert.h"
 #include "spread/models.h"

@@ -3,7 +3,8 @@
  * tan(alpha1)/s_eff and kappa. Between the nodes a cubic through four of them in z (Catmull & Rom
  * 1974), which is monotone here, and straight lines in a/(1 + a) and log2(1 + 8 kappa). Below the
  * first node x + a falls exponentially with z, above the last one x is linear, as a normal law is.
- */
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/ensemble.h"
 #include "spread/gauss.h"
 

@@ -1,5 +1,7 @@
 /* The law of the first hit on a Gaussian wall, as an ensemble of profiles has it: a table over a =
- * tan(alpha1)/s_eff and kappa, made once (make_first_hits.c). It costs no set-up. */
+ * tan(alpha1)/s_eff and kappa, made once (make_first_hits.c). It costs no set-up.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_ENSEMBLE_H
 #define ASP_SPREAD_ENSEMBLE_H
 

@@ -1,5 +1,6 @@
 # Turns first_hits.csv (the target first_hits) into the table in ensemble.c: the slopes of a row,
 # behind kappa, a, and the mean with its error, for which a reader looks into the CSV.
+# SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { FS = ","; print "static const float slope[] = {" }
 /^#/ || $1 == "kappa" { next }
 {

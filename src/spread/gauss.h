@@ -1,4 +1,6 @@
-/* The standard normal law by the C library. */
+/* The standard normal law by the C library.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_GAUSS_H
 #define ASP_SPREAD_GAUSS_H
 

@@ -1,5 +1,7 @@
 /* Quantiles by Newton's method on the logarithm of a tail; see invert.h. Where the law is cut off
- * above, the logarithm overshoots and the tail itself is the straight one. */
+ * above, the logarithm overshoots and the tail itself is the straight one.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/invert.h"
 
 #include <math.h>

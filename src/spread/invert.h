@@ -1,6 +1,8 @@
 /* The quantile of a log-concave law whose distribution has no inverse in closed form: Newton's
  * method on the logarithm of the nearer tail, which for such a law converges from any start, kept
- * inside a bracket that shrinks with every step. A fixed bound on the steps, and no way to fail. */
+ * inside a bracket that shrinks with every step. A fixed bound on the steps, and no way to fail.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_INVERT_H
 #define ASP_SPREAD_INVERT_H
 

@@ -4,7 +4,8 @@
  * what it adds to the running maximum of the path (aspi_track_first_hit). Slopes are told in units
  * of the size law's s_eff. To be run by `cmake --build build --target first_hits`, which writes the
  * file in its place; takes some ten minutes; the result does not depend on the number of threads.
- */
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
 #include "spread/ensemble.h"
 #include "spread/trace.h"

@@ -1,5 +1,7 @@
 /* What the spread models share, and the list of them. A new model is one file
- * that defines its record, and one line here. */
+ * that defines its record, and one line here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_MODELS_H
 #define ASP_SPREAD_MODELS_H
 

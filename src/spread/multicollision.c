@@ -2,7 +2,9 @@
  * original was not at hand): the first face follows the effective law (eq. 4); a rebound at theta >
  * 0 over the mean wall is the last one with probability tanh(1.5 theta/sigma), otherwise the next
  * face is drawn for the direction that the particle now has. Against ray tracing that is too low
- * for theta under sigma. */
+ * for theta under sigma.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* No spread: the particle meets the mean wall. */
+/* No spread: the particle meets the mean wall.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
 static double quantile(const aspi_view *view, double u) {

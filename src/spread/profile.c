@@ -6,7 +6,9 @@
  * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
  * last cell in u are divided again, for the tails. Whether a particle leaves from a face, and which
  * one it hits next, comes from the profile's own law (law.h); on a wall by its map everything does
- * (area.h). On a Gaussian wall particles that fly up meet the law of `visible`. */
+ * (area.h). On a Gaussian wall particles that fly up meet the law of `visible`.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "spread/area.h"
 #include "spread/ensemble.h"

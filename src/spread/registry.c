@@ -1,4 +1,6 @@
-/* The list of spread models, and what every model has in common. */
+/* The list of spread models, and what every model has in common.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "spread/models.h"
 

@@ -1,7 +1,9 @@
 /* The paper's baseline, routines 1 to 3: draw from the normal distribution until the face neither
  * is in the shadow (delta > -alpha1) nor sends a specular rebound into the wall (delta > -alpha1/2,
  * the stricter of the two). At least every second draw is taken, so the bound is never met in
- * practice. */
+ * practice.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
 static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {

@@ -5,7 +5,9 @@
  * of g and touches where g passes its running maximum, so each face weighs what it adds to that
  * maximum (the second of two periods, when the maximum of the first is known). A single path is
  * followed with a pyramid of block maxima, in steps that grow as long as nothing is in reach. A
- * flight towards smaller x is one towards larger x over the mirror image. */
+ * flight towards smaller x is one towards larger x over the mirror image.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/trace.h"
 #include "base/error.h"
 #include "surface/closing.h"

@@ -1,5 +1,7 @@
 /* The path of a particle's centre over a profile, face by face: what `traced` draws from, and what
- * the tables of `profile` are made of. */
+ * the tables of `profile` are made of.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_TRACE_H
 #define ASP_SPREAD_TRACE_H
 

@@ -4,7 +4,9 @@
  *
  * A Gaussian wall of which there is no profile is given a generated one whose rms slope is the
  * ensemble's, and its negative; half of the particles fly over each of them backwards. So it stands
- * for the ensemble better than one flight over a profile eight times as long would. */
+ * for the ensemble better than one flight over a profile eight times as long would.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "spread/models.h"
 #include "spread/trace.h"

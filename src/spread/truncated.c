@@ -1,5 +1,7 @@
 /* The normal distribution cut at delta_alpha = -alpha1/2 (eq. 5 with mu = 0, b = -alpha1/2), by
- * inverse transform. It is, in law, what the rejection routines sample, without their loop. */
+ * inverse transform. It is, in law, what the rejection routines sample, without their loop.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
 double aspi_truncated_density(const aspi_view *view, double delta) {

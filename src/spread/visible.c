@@ -6,7 +6,9 @@
  * after an earlier hit (a < 0) meets the same law.
  *
  * The integral from the end of the support is a series where its closed form would be a difference
- * of nearly equal numbers. */
+ * of nearly equal numbers.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/gauss.h"
 #include "spread/invert.h"
 #include "spread/models.h"

@@ -1,4 +1,6 @@
-/* The Weibull law of an impact angle; see weibull.c. */
+/* The Weibull law of an impact angle; see weibull.c.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_WEIBULL_H
 #define ASP_SPREAD_WEIBULL_H
 

@@ -2,7 +2,9 @@
  * centre, is the upper envelope of arcs of one radius, each about one point of the profile; erosion
  * is the same upside down. Two such arcs cross at most once, so the envelope of all comes from a
  * stack of arcs, left to right, as the lower envelope of parabolas does in Felzenszwalb &
- * Huttenlocher 2012: O(n), whatever the radius. */
+ * Huttenlocher 2012: O(n), whatever the radius.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/closing.h"
 #include "base/error.h"
 #include "surface/profile.h"

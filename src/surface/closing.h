@@ -1,4 +1,6 @@
-/* Discs on a profile. */
+/* Discs on a profile.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_CLOSING_H
 #define ASP_SURFACE_CLOSING_H
 

@@ -1,6 +1,8 @@
 /* What a profile is: heights, correlation length, slope. The autocorrelation is GSL's FFT of the
  * heights about their mean, circular where the profile is periodic, and padded with zeros where it
- * is not (the sum of the n - k products over n, which damps the lags that few products back). */
+ * is not (the sum of the n - k products over n, which damps the lags that few products back).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/describe.h"
 #include "base/error.h"
 #include "surface/profile.h"
@@ -115,17 +117,17 @@ asp_code aspi_profile_describe(const asp_profile *profile, double level,
   return ASP_OK;
 }
 
-asp_code aspi_description_check(const aspi_description *d, asp_error *error) {
+asp_code aspi_description_check(const aspi_description *d, double phi_r_most, asp_error *error) {
   if (d->lambda_c < SPACINGS_LEAST * d->spacing)
     return aspi_fail(error, ASP_EDATA,
                      "the correlation length, %g, is less than %g spacings of the points: this is "
                      "noise, or sampled too coarsely; take short waves out (asperity surface "
                      "--lambda-s)",
                      d->lambda_c, SPACINGS_LEAST);
-  if (d->phi_r > 1)
+  if (d->phi_r > phi_r_most)
     return aspi_fail(error, ASP_EDATA,
-                     "phi_r = R_q/lambda_c is %g; over 1 is no roughness: are the units of "
+                     "phi_r = R_q/lambda_c is %g; over %g is no roughness: are the units of "
                      "positions and heights right (asperity surface --unit)?",
-                     d->phi_r);
+                     d->phi_r, phi_r_most);
   return ASP_OK;
 }

@@ -1,4 +1,6 @@
-/* A profile in numbers. */
+/* A profile in numbers.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_DESCRIBE_H
 #define ASP_SURFACE_DESCRIBE_H
 
@@ -29,8 +31,9 @@ typedef struct aspi_description {
 asp_code aspi_profile_describe(const asp_profile *profile, double level,
                                aspi_description *description, asp_error *error);
 
-/* ASP_EDATA and a message where that is no roughness: phi_r beyond 1, or neighbouring points that
- * know nothing of each other, as in noise. */
-asp_code aspi_description_check(const aspi_description *description, asp_error *error);
+/* ASP_EDATA and a message where that is no roughness: phi_r beyond the limit, or neighbouring
+ * points that know nothing of each other, as in noise. */
+asp_code aspi_description_check(const aspi_description *description, double phi_r_most,
+                                asp_error *error);
 
 #endif

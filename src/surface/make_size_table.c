@@ -1,7 +1,9 @@
 /* Makes size_table.inc: s_eff/s over (phi_r, d_p/lambda_c) for phi_r beyond the closed form, from
  * generated profiles, each ratio against the same profiles' own unfiltered slope. To be run by
  * `cmake --build build --target size_table`, which writes the file in its place. Takes some
- * minutes; the result does not depend on the number of threads. */
+ * minutes; the result does not depend on the number of threads.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"

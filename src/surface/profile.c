@@ -1,7 +1,9 @@
 /* A profile: equally spaced heights, and how a Gaussian one is made (Garcia & Stoll 1984, secondary
  * source): white noise filtered with exp(-2 x^2/lambda_c^2), whose own autocorrelation is
  * exp(-x^2/lambda_c^2). The filter is applied by GSL's FFT on a power of two that holds the noise
- * and its periodic continuation, so that any number of points costs the same per point. */
+ * and its periodic continuation, so that any number of points costs the same per point.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/profile.h"
 #include "base/error.h"
 #include "base/stream.h"

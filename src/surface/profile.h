@@ -1,4 +1,6 @@
-/* What the files of this room share about profiles. */
+/* What the files of this room share about profiles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_PROFILE_H
 #define ASP_SURFACE_PROFILE_H
 

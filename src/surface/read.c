@@ -1,6 +1,8 @@
 /* Measured profiles: which reader a file needs, and what is done to its heights before they are a
  * profile: a polynomial taken out as form (least squares on Legendre polynomials), spikes marked
- * (far off the median of their neighbours), gaps filled by straight lines or refused. */
+ * (far off the median of their neighbours), gaps filled by straight lines or refused.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/read.h"
 #include "base/error.h"
 #include "base/file.h"

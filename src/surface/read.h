@@ -1,4 +1,6 @@
-/* What the readers of profile files hand to each other. */
+/* What the readers of profile files hand to each other.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_READ_H
 #define ASP_SURFACE_READ_H
 
@@ -41,7 +43,7 @@ typedef struct aspi_profile_report {
   size_t longest_gap; /* most of them in a row */
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
-  char text[480];               /* all of that as a sentence */
+  char text[640];               /* all of that as a sentence */
 } aspi_profile_report;
 
 /* ASP_EARG and a message where one is out of its range. */

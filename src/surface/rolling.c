@@ -3,7 +3,9 @@
  * p, its centre is at x - r sin(atan p), z + r cos(atan p), and has the slope p. The path is the
  * upper envelope of these places. (Dilation, closing.c, takes the points as the whole profile: the
  * slopes that a disc of a few spacings meets then crowd at multiples of the spacing over its
- * radius.) */
+ * radius.)
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/closing.h"
 #include "surface/profile.h"
 

@@ -1,6 +1,8 @@
 /* Profiles and maps in SDF, ASCII (ISO 25178-71, and the older aBCR-1.0 with the same layout): a
  * header of `key = value` lines, a star, the heights of all profiles in turn, a star, a trailer. Of
- * a map one row or one column is kept. The binary form is for maps only (map_read.c). */
+ * a map one row or one column is kept. The binary form is for maps only (map_read.c).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "surface/read.h"
 

@@ -1,4 +1,6 @@
-/* The size law beyond what asperity.h says of it. */
+/* The size law beyond what asperity.h says of it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_SIZE_LAW_H
 #define ASP_SURFACE_SIZE_LAW_H
 

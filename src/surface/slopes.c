@@ -1,6 +1,8 @@
 /* Contact slopes in numbers: differences of the dilated or closed profile, their moments, a kernel
  * density of the angles, and how far a normal law is from it (D_KL, eq. 2, with the sign carried
- * inside the logarithm). */
+ * inside the logarithm).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/slopes.h"
 #include "base/error.h"
 #include "surface/closing.h"

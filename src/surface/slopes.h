@@ -1,4 +1,6 @@
-/* Slopes that particles find on a profile, and their density. */
+/* Slopes that particles find on a profile, and their density.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_SLOPES_H
 #define ASP_SURFACE_SLOPES_H
 

@@ -4,7 +4,9 @@
  * - a Gaussian wall up to phi_r = 0.25: the closed form in kappa, which was derived for this
  *   project; no correction;
  * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
- * - a measured profile: no closed form, its own slopes at the diameters of its bins. */
+ * - a measured profile: no closed form, its own slopes at the diameters of its bins.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/monotone.h"
 #include "surface/describe.h"
@@ -17,6 +19,9 @@
 #include <stdlib.h>
 
 /* Under this kappa the filter takes less than 1e-4 off the slope, and is left out. */
+/* A measured profile of more is no roughness by any reading of its units. */
+#define PHI_R_MOST 100.0
+
 #define KAPPA_NO_FILTER 0.08
 
 /* The closed form has been compared with generated profiles up to here, where it is 5 % high. */
@@ -180,7 +185,8 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
                                         int bins, asp_error *error) {
   aspi_description d;
   if (check_bins(profile, d_min, d_max, bins, error) ||
-      aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, error) || aspi_description_check(&d, error))
+      aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, error) ||
+      aspi_description_check(&d, PHI_R_MOST, error))
     return NULL;
   if (d_min >= d_max)
     bins = 1;

@@ -5,7 +5,9 @@
 #ifndef ASPERITY_WALL_ERROR_H
 #define ASPERITY_WALL_ERROR_H
 
+#include <new>
 #include <stdexcept>
+#include <string>
 
 namespace asperity {
 
@@ -13,6 +15,11 @@ class Error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
+
+/* What to tell a user of it. */
+inline std::string told(const std::exception &wrong) {
+  return dynamic_cast<const std::bad_alloc *>(&wrong) ? "out of memory" : wrong.what();
+}
 
 } // namespace asperity
 

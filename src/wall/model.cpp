@@ -370,6 +370,10 @@ void Model::make_surface() {
                  : map_   ? "map " + map_path_ + ": "
                           : std::string()) +
                 wrong.text);
+  if (profile_ && asp_surface_phi_r(surface_.get()) > 1)
+    throw Error(text("surface profile %s: phi_r = R_q/lambda_c is %g; over 1 is no roughness: are "
+                     "the units of positions and heights right (asperity surface --unit)?",
+                     profile_path_.c_str(), asp_surface_phi_r(surface_.get())));
 }
 
 void Model::make_wall() {

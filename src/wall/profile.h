@@ -1,4 +1,5 @@
-/* A measured profile or map for all ranks: the first one reads the file, the others get the heights.
+/* A measured profile or map for all ranks: the first one reads the file, the others get the
+ * heights.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_PROFILE_H

@@ -1,5 +1,7 @@
 /* What the benchmarks share: works that take turns, so that whatever else the machine does slows
- * all of them alike, and lines of the table that tests/bench/run prints. C11, and C++. */
+ * all of them alike, and lines of the table that tests/bench/run prints. C11, and C++.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BENCH_H
 #define ASP_BENCH_H
 

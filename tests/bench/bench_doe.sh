@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The paper's whole design of experiments, 2952 combinations from 262144 points each, and a part of it on one
 # core and on two, in turn.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=$ASPERITY_BIN/asperity
 result=$(mktemp) rounds=$(mktemp); trap 'rm -f "$result" "$rounds"' EXIT

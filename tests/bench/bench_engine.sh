@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The fix in LIGGGHTS: its share of the flat-plate case, in time and in instructions; its ledger; one rank
 # against two; a whole case against LIGGGHTS's own resolved contact at the real modulus.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
 
 # The flat plate as it comes, rough: with its ledger as CSV and as an array, and without.

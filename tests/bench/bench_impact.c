@@ -1,5 +1,7 @@
 /* One contact, random draws included, with impact angles from 0 to 90 degrees, of 10 um quartz on
- * Hastelloy X, by spread model over no spread. */
+ * Hastelloy X, by spread model over no spread.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench.h"
 #include "rebound/materials.h"
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # One contact in instructions, counted by valgrind inside asp_wall_impact: a number that a noisy machine does
 # not blur. Valgrind knows no AVX-512; the C library's functions are then those for AVX2.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 if ! command -v valgrind > /dev/null; then
   printf 'instructions of one contact: left out, for want of valgrind\t-\t-\t-\n'

@@ -1,6 +1,8 @@
 /* What a tilt costs: every spread model, one quantile at a time, and as a contact draws it, against
  * samplers of other libraries; and how the cost moves with the impact angle. On several walls: from
- * sigma = 5.7 degrees on, `weibull` must reckon with its cut at the steepest face. */
+ * sigma = 5.7 degrees on, `weibull` must reckon with its cut at the steepest face.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
 #include "bench.h"
 #include "peers.h"

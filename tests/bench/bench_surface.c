@@ -1,6 +1,8 @@
 /* What a profile costs: closing over points and diameter, and against dilation and erosion by their
  * definition (on fewer points, whose time per point is the same); the law of the first hit over
- * points and angle; the table of `profile`. */
+ * points and angle; the table of `profile`.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
 #include "bench.h"
 #include "spread/models.h"

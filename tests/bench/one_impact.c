@@ -1,5 +1,7 @@
 /* Contacts for an instruction counter: one_impact MODEL PHI_R CONTACTS, with impact angles from 0
- * to 90 degrees; see bench_instructions.sh. */
+ * to 90 degrees; see bench_instructions.sh.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/materials.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* The C++ standard library's side of bench_spread.c. */
+/* The C++ standard library's side of bench_spread.c.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "peers.h"
 
 #include <random>

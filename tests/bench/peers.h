@@ -1,5 +1,7 @@
 /* Samplers of other libraries as works of bench.h, for bench_spread.c. Each draws with a generator
- * of its own. */
+ * of its own.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BENCH_PEERS_H
 #define ASP_BENCH_PEERS_H
 

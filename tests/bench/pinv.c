@@ -1,4 +1,6 @@
-/* UNU.RAN's side of bench_spread.c; built where the library is. */
+/* UNU.RAN's side of bench_spread.c; built where the library is.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "peers.h"
 
 #include <unuran.h>

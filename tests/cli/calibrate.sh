@@ -2,6 +2,7 @@
 # calibrate: rows, comments, the script's line, the picture; means, polynomials, deposits, noise, walls by rq and
 # lambda_c; what the data cannot tell; and what is wrong. That estimates come back within their standard errors is
 # tests/sweep/calibrate.sh.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # compare: the same model with another seed is taken for the same, as often as chance has it; data in all the forms
 # that people have; deposits; places by angle, speed and size; standard input.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Files that are read: pipes, in place of every kind of file; pipes that nothing writes to, folders and files
 # that are not there, which are told at once and end with status 1.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

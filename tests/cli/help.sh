@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Help in its three forms (text, pages of the manual, words for the shell), lists of numbers, names in
 # any case and with suggestions, endings of pictures.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 bin=${ASPERITY_BIN:-$here/../../build/bin}

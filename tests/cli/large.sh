@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Large files cost as much as they are long, not as their length squared: a limit on memory and one on
 # processor time that leave room for a slow machine.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

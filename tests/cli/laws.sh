@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The commands rebound and compare, and laws, tables and materials of the user's own in all commands.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Walls over an area: surface --map, trade --three-d.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Names that a user or a file gives reach gnuplot, CSV and the file system as text: pictures, data and
 # materials whose names hold quotes, commands, gnuplot's own marks, newlines. Files behind symbolic links.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The commands surface and doe: columns, measured profiles, seeds, threads, messages, files, pictures.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A measured map as the wall: the log states it, impacts are the same on 1 and 2 ranks, a ground wall deflects what
 # flies over it as its lay, in the direction that the script says, would; bad scripts are refused.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 # A ground wall of 0.6 mm squared: grooves 30 um apart, 150 um long, at 30 degrees to the rows.
 awk 'BEGIN { srand(3); n = 200; for (k = 0; k < 120; k++) { a[k] = sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) * 1.41421 / 30

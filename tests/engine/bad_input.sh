@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Bad scripts: one clear message that names the thing, its value and what it must be, on one rank and on
 # two, and a non-zero exit; for a step that is too large a warning with the largest safe one.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 plate 2 1 1.9e-3 > plate.stl
 materials > materials.in

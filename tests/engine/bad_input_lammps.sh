@@ -1,5 +1,6 @@
 # The part of bad_input.sh that is of LAMMPS only: its walls, its units, and what it has and the wall does not take.
 # Sourced by bad_input.sh.
+# SPDX-License-Identifier: GPL-3.0-or-later
 wall='all wall/rebound'
 refuses "$wall" "" "the wall is missing" "zplane" "region stl"
 refuses "$wall box" "" "'box'" "xplane yplane zplane" "region stl"

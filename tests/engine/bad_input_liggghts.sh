@@ -1,4 +1,5 @@
 # The part of bad_input.sh that is of LIGGGHTS only: meshes, constants, templates. Sourced by it.
+# SPDX-License-Identifier: GPL-3.0-or-later
 refuses "all wall/rebound" "" "mesh n_meshes N" "primitive type T"
 refuses "all wall/rebound box" "" "'box'" "'mesh' or 'primitive'"
 refuses "all wall/rebound primitive type 2" "" "type T style args"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # `clear` in a script leaves the fix style known: what is run after it is what a script of its own would run,
 # on a mesh and on a plane, as often as it is cleared.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 200 > grains.data
 grains 100 1 1 1 777 > others.data

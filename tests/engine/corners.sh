@@ -2,6 +2,7 @@
 # Corners and narrow places: nothing leaves a closed box with the shape of a star, also where it moves by several
 # radii in a step; and a grain that walls leave no room for goes with them: it is counted as guarded, is not faster
 # than they are, and writes no rows.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 
 # The star: 7 points, radii 22 and 50 mm, 60 mm high.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A run that is killed at any moment, and continued from its last whole restart file, leaves the ledger of a run
 # that nothing disturbed, byte for byte: 20 kills, CSV and array, 1 and 2 ranks.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 kills=${1:-20}
 bouncing 300 > grains.data

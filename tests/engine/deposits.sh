@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Deposits: frozen ones stay put under gravity and drag whatever the order of the fixes, and move with a
 # moving wall; deleted ones are counted and gone; off means that none stick. No particle is lost otherwise.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 deck() { # wall options, fixes before, fixes after, run
   head_of si

@@ -2,6 +2,7 @@
 # Walls at rest give no energy: elastic grains that touch each other keep theirs between walls of this fix as
 # between those of wall/gran, at any step that resolves their contacts; a bed settles; a grain that bounces
 # under gravity rises as high after 1000 bounces as at first.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 
 # between KIND: planes, as "STYLE POSITION" words, of KIND gran or rebound.

@@ -2,6 +2,7 @@
 # numbers, not log text. ASPERITY_BIN is the folder of the binaries (build/bin where it is not set). A test that is
 # for either engine is called with its name, liggghts (the default) or lammps; its scripts are in LIGGGHTS's language,
 # which to_lammps.awk turns into that of LAMMPS.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${ASPERITY_BIN:-$here/../../build/bin}" && pwd)

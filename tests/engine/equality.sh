@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same case in LIGGGHTS and in LAMMPS: equal to the byte, in free flight, are ledgers, counters, and where particles
 # are at the end; from a restart on another number of ranks too.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 900 > grains.data
 physics='materials quartz hastelloy-x surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple'

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Flights with known answers: where a particle is after a rebound, whatever the step;
 # between two planes with several contacts in one step; inside a cylinder; off an edge of a mesh.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 flight() { # walls, particle (x y z, vx vy vz), step, steps
   head_of si

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Meshes that turn and those that oscillate are of second order in the step: against the exact instants and speeds of
 # impacts on a plate under fix move/mesh, the errors become a quarter at each of five halvings of the step.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 stl <<< "-0.04 -0.04 0  0.04 -0.04 0  0.04 0.04 0  -0.04 0.04 0" > plate.stl
 # Grains of 0.2 mm above a plate in the plane z = 0, which meet it once each, at no time together, within 20 ms.

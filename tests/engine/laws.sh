@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What the engine applies is the law: the smooth wall against `asperity cor`; and the odd cases: `timing
 # overlap`, a centre exactly on the wall, a step that takes the centre across it, a resting contact.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 deck() { # file, wall options, step, steps
   head_of si

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The ledger as a NumPy array: the rows of the CSV, to a float's precision, the same bytes on 1, 2 and 4 ranks
 # and across a restart; `asperity compare` reads both alike, and says what is wrong with a bad file.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 600 > grains.data
 script() { # beginning, end

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A ledger's file after faults: rows that are too many, torn, missing, or another file's; two walls with one file;
 # a wall that is taken away and comes back; a disk that is full, and a folder that is gone.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 400 > grains.data
 head_() { # beginning

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Per triangle: impacts, deposited mass and impact energy in `dump mesh/vtk` are those of the ledger, on 1, 2
 # and 4 ranks, with triangles that lie across ranks, and after a restart; per mesh in the global array.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 400 > grains.data
 plate 15 1 3.9e-3 > low.stl

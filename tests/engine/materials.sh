@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # `materials`: the presets by name, in every system of units, are the same constants that `fix property/global`
 # gives; beside a soft pair style, from a file of the user's own, and with the defaults of the command.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 deck() { # units, length, time, lines with the constants, keywords of the fix
   head_of "$1"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The core's memory runs out while a wall is made: whichever allocation fails, the run ends with one clear error.
 # Usage: memory.sh LIBRARY (fail_memory.c)
+# SPDX-License-Identifier: GPL-3.0-or-later
 library=$1
 source "$(dirname "$0")/engine.sh"
 { echo x_um,z_um; awk 'BEGIN { srand(3); for (i = 0; i < 3000; i++) { z = 0.95 * z + rand() - 0.5; print i + 0.3 * sin(i) "," z } }'; } > profile.csv

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Meshes that measure get the momentum of each impact: force and torque of a jet, per triangle too, Finnie's wear by
 # its law, the weight of grains at rest, and a servo that reaches its force.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 stl << END > plate.stl
 -0.05 -0.05 0  0.01 -0.05 0  0.01 0.05 0  -0.05 0.05 0

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every spread model in the fix, by the registry's list: the ledger's mean and spread of delta_alpha are the
 # command's, the impacts are the same on 1 and 2 ranks; and `spread auto tolerance D` takes and tells.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 awk 'BEGIN { n = 1500; print "g\n\n" n " atoms\n2 atom types\n\n-0.002 0.006 xlo xhi\n-0.002 0.006 ylo yhi\n-0.0005 0.001 zlo zhi\n\nAtoms\n"
   for (i = 1; i <= n; i++) printf "%d 1 2e-5 2650 %.12g %.12g %.12g\n", i, 1e-4 * (i % 40) - 9.396926e-5, 1e-4 * int(i / 40), 1e-5 + 3.420201e-5

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Every command in the Examples of the fix's page runs as it stands there; and LAMMPS's page has every keyword in a table.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 page=$here/../../src/liggghts/fix_wall_rebound.md
 [ $simulator = liggghts ] || page=$here/../../src/lammps/fix_wall_rebound.rst

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Large meshes, of which a rank keeps the triangles that its particles can meet: the same ledger, byte for byte, on 1, 2
 # and 4 ranks, at rest, turning, periodic, as a belt, in steps across half of the box, and after a restart.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 # A closed box of 1200 triangles, -10 to 10 mm along each axis.
 awk -v n=10 'function at(k) { return -0.01 + 0.02 * k / n }

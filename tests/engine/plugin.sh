@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The plugin in the LAMMPS that it was built for: the ledger of lammps-asperity, after `clear` too; and in another version
 # it ends with a message. Skipped where there is no such LAMMPS. Usage: plugin.sh PLUGIN
+# SPDX-License-Identifier: GPL-3.0-or-later
 plugin=$1
 source "$(dirname "$0")/engine.sh"
 lmp=${ASPERITY_LMP:-$(command -v lmp || true)}

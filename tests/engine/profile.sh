@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A measured profile as the wall: the log states it and sigma per diameter, as `asperity surface` has them;
 # the impacts are the same on 1 and 2 ranks, in all units, and after a restart; bad files are refused.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 "$bin/asperity" surface --rq 8um --lambda-c 25um --seed 3 --points 20000 --save wall.csv > made.csv
 deck() { # units, length, time, pressure, energy per area, surface, runs

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same ledger, byte for byte, on 1, 2 and 4 ranks, on a plane and on a mesh; as one run or as two; and
 # the same physics on the mesh as on the plane.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 900 > grains.data
 plate 12 1 > plate.stl

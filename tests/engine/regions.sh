@@ -2,6 +2,7 @@
 # Regions of LAMMPS as walls: where a wall can be said in another way too, as a plane, a cylinder or a mesh, the same
 # impacts; in closed rooms of every style nobody is lost, however long the step is; rooms that move and turn, and what
 # sticks to them; restarts.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 use lammps
 grains 400 > grains.data

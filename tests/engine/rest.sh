@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Grains at rest on a wall that keeps none: they write no rows, stay where they are, slide by Coulomb's friction
 # whatever the step, and a bed of them is as high as on wall/gran's walls and does not creep.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 plate 1 1 0.02 > plate.stl
 floor() { # options

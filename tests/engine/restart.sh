@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A restart in the middle changes nothing: impacts, their numbers and draws, stuck particles, counters; on
 # another number of ranks too. And `dump local` prints each impact once, as the file has it.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 wall='fix plate all mesh/surface file plate.stl type 2
 fix low all wall/rebound mesh n_meshes 1 meshes plate surface rq 10e-6 lambda_c 90e-6 rebound bons deposit freeze seed 4 ledger 60 file ${out}

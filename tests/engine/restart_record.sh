@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What a wall continues from a restart file: of each mesh what it took itself, whatever the order and number of
 # meshes now; nothing of another geometry; and nothing of bytes that are damaged.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 bouncing 200 > grains.data
 plate 4 1 3.9e-3 > plate.stl

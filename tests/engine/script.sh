@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What scripts of a user's own do: they set the step's number anew, in mid-run and after a restart; empty a group; and
 # read in the log, and in messages, what the wall has taken and what it lacks.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 300 > grains.data
 plate 4 1 3.9e-3 > plate.stl

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Spin is read and written: grains that fly and turn meet a plane that moves; their velocities and spins afterwards are
 # those of the hard sphere. A flow takes away what would stick, and what an earlier part of the run has frozen.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 
 plane() { # keywords: a wall of type 2

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What sticks stays on its wall: when a mesh stops, on belts to their end, on turning meshes and cylinders, across
 # periodic edges, at a step of 0; and a run that goes on from a restart file tells it the same way.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 sticky='fix m5 all property/global yieldStress peratomtype 1e6
 fix m6 all property/global surfaceEnergy peratomtypepair 1 1e9'

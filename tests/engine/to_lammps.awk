@@ -2,6 +2,7 @@
 # Meshes become `stl` of their wall, with the motion that `fix move/mesh` gives them; the constants of `fix
 # property/global` become a file of materials, `constants`, in SI units, and numbers of the wall and of the pair style.
 # Usage: awk -v into=constants -f to_lammps.awk SCRIPT
+# SPDX-License-Identifier: GPL-3.0-or-later
 function value(name) { return (name in global) ? global[name] : "" }
 
 # The words after the first n, with blanks between.

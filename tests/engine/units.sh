@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # One case in units si, cgs and micro, and LAMMPS's nano: the same impacts, in each script's own units.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 deck() { # units, length, time, pressure, energy per area
   head_of "$1"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Walls as scenes have them: a concave edge met in one step, a thin wall from both sides, moving and turning
 # meshes (rebound in the wall's frame), several walls beside a resolved one, particles that come and go.
+# SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 mirror='surface smooth rebound constant 1 1 deposit off'
 scene() { # particles (x y z vx vy vz, ...), step, steps, lines

@@ -1,7 +1,9 @@
 /* Fuzzing of the readers of profile and map files: whatever the bytes, a reader returns a profile
  * that can be described and closed, or a map that can be described, or an error with a message, and
  * no sanitizer has anything to say. LLVMFuzzerTestOneInput is for libFuzzer; without it (FUZZ_MAIN)
- * this is a program of its own that mutates made-up files, the same ones every time. */
+ * this is a program of its own that mutates made-up files, the same ones every time.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/stream.h"
 #include "surface/closing.h"
 #include "surface/describe.h"

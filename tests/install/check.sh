@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the build into a folder and uses the library from there as a program outside the project does: by CMake's
 # find_package, and by pkg-config. Usage: check.sh BUILD
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 build=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The configuration: without engines the core and the command build alone; a missing or another LIGGGHTS or LAMMPS
 # stops it with a message that says what to install.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT

@@ -2,6 +2,7 @@
 # The core as a shared library: every symbol that it exports begins with asp_ and is declared in asperity.h, every
 # function declared there is exported, a program outside the project needs nothing but it, and the command runs.
 # In the static library, too, what is not declared there does not begin with asp_.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source_dir=$(cd "$here/../.." && pwd)

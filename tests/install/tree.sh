@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # cmake/liggghts_tree or cmake/lammps_tree on a copy of the engine's headers: every source that it adds compiles there,
 # and remove leaves what was there before. Usage: tree.sh liggghts|lammps BUILD HEADERS...
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 script=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/cmake/$1_tree
 engine=$1 build=$2; shift 2

@@ -2,6 +2,7 @@
 # Which room of src may know which: no file includes a header of a room that its own must not know, no object of the
 # core uses a symbol that such a room defines, and no file lies loose in src.
 # Usage: check.sh SRC [OBJECTS]: the folder of the rooms, and that of the core's object files, in the same rooms.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 src=$1 objects=${2:-}
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT

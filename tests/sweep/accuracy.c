@@ -5,7 +5,9 @@
  * `traced`, with standard errors, and the mean tilt of the first hit of the tables. Then walls that
  * are not in the table of `auto` (12 in the long run): what it takes for a tolerance must be as
  * close as it says. A number is too large where it exceeds its limit by more than three standard
- * errors. The short run looks at a part with small ensembles. */
+ * errors. The short run looks at a part with small ensembles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/measure.h"
 #include "impact/wall.h"
 

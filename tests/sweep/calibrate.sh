@@ -2,6 +2,7 @@
 # Synthetic measurements with known constants through `asperity calibrate`, for three laws and two walls:
 # calibrate.sh [TRIALS [JOBS]]. The 95 % intervals must hold the truth in 90 to 99 % of 100 trials; in the few of a test,
 # no estimate may be farther off than 4.5 standard errors, and 0.75 of them within 1.96. Prints a row for each constant.
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
 asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity

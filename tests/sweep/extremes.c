@@ -7,7 +7,9 @@
  * invalid operation, division by zero or overflow anywhere (they trap), nothing NaN or infinite,
  * energy does not grow, the particle leaves the wall or is deposited, and a small change makes a
  * small change. Where it does not, the jump is put down to the place where the law has one; the
- * table of places is the output, and a jump without a place is a failure. */
+ * table of places is the output, and a jump without a place is a failure.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
 #include "impact/wall.h"
 
@@ -87,13 +89,13 @@ static void on_trap(int number) {
   _exit(1);
 }
 
-/* A Gaussian profile, or for slopes beyond the reach of one a zigzag. */
+/* A Gaussian profile, or for slopes beyond the reach of one a zigzag of 16 points a period. */
 static asp_profile *profile_of(double slope) {
   if (slope <= 1)
     return asp_profile_create(slope / sqrt(2), 1, 1. / 32, 2048, 1, NULL);
   double heights[64];
   for (int i = 0; i < 64; i++)
-    heights[i] = i % 2 ? slope : 0;
+    heights[i] = slope * (i % 16 < 8 ? i % 8 : 8 - i % 8);
   return asp_profile_from_heights(heights, 64, 1, true, NULL);
 }
 

@@ -5,7 +5,9 @@
  * has a row per decade of the distance from there: the largest relative error, the same in ulps,
  * and how often capture was decided otherwise. In the last rows the digits of long double itself
  * run out, of the law's and of this reference. Fails when an error is over 1e-12 beyond a distance
- * of 1e-4, or a capture is wrong beyond 1e-12. */
+ * of 1e-4, or a capture is wrong beyond 1e-12.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
 #include "rebound/laws.h"
 #include "spread/models.h"

@@ -4,7 +4,9 @@
  * the test; `walls 4096 8` judges with maps of 4096 x 4096 points, 200 correlation lengths squared,
  * 8 of them, and `walls 4096 8 55` with particles of 55 um instead of 10.
  *
- * Prints a row per wall and impact angle, and fails where a divergence is above its bound. */
+ * Prints a row per wall and impact angle, and fails where a divergence is above its bound.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/judge_3d.h"
 
 #include <math.h>

@@ -1,5 +1,7 @@
 /* What the unit tests share: cmocka's headers in the order it wants, and a comparison of doubles
- * (its own is of floats). */
+ * (its own is of floats).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_TEST_CHECK_H
 #define ASP_TEST_CHECK_H
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Runs test_locale in a locale with a decimal comma, which is made here. Usage: locale.sh PROGRAM
+# SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 printf 'LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n' > "$work/source"

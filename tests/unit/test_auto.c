@@ -1,4 +1,6 @@
-/* The choice of a model: the cheapest that is good enough, with its reason; and what it refuses. */
+/* The choice of a model: the cheapest that is good enough, with its reason; and what it refuses.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "spread/models.h"
 

@@ -1,6 +1,8 @@
 /* Maps and spheres on them: the search for the contact against brute force, the contact of a known
  * surface, the covariance of a generated one, and its slopes under a sphere against formula (3) of
- * WALLS-3D. */
+ * WALLS-3D.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "surface/ball.h"
 #include "surface/map.h"

@@ -1,4 +1,6 @@
-/* The closing against the definition, point by point, and the law of slopes that comes of it. */
+/* The closing against the definition, point by point, and the law of slopes that comes of it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "base/stream.h"
 #include "surface/closing.h"

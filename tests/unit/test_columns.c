@@ -1,4 +1,6 @@
-/* The table of the ledger's columns in the pages of the fix, row by row. */
+/* The table of the ledger's columns in the pages of the fix, row by row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/ledger_columns.h"
 
 #include <setjmp.h>

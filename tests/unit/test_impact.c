@@ -1,4 +1,6 @@
-/* One contact: exact cases, invariance, and properties over random walls and impacts. */
+/* One contact: exact cases, invariance, and properties over random walls and impacts.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "impact/wall.h"
 

@@ -1,5 +1,7 @@
 /* The laws that come from measurements: Grant & Tabakoff's means and scatter, tables of a user's
- * coefficients; and a user's own materials. */
+ * coefficients; and a user's own materials.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "impact/wall.h"
 

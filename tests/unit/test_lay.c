@@ -1,5 +1,7 @@
 /* Walls with a lay: what theory says of them, and surfaces in three dimensions, none of which made
- * the model. */
+ * the model.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "cli/judge_3d.h"
 #include "surface/size_law.h"

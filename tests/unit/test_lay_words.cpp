@@ -1,4 +1,6 @@
-/* The lay as a script states it, and as shapes that move and turn take it along. */
+/* The lay as a script states it, and as shapes that move and turn take it along.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string>
 

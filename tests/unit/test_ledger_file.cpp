@@ -1,4 +1,6 @@
-/* The file of a ledger: whole windows or nothing of them, whatever the disk does. */
+/* The file of a ledger: whole windows or nothing of them, whatever the disk does.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/ledger_file.h"
 
 #include <setjmp.h>

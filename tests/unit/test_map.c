@@ -1,7 +1,9 @@
 /* Maps from files of every kind, what is done to them, and what they are. The numbers of the
  * description are those of SciPy 1.10.1 for the same heights: numpy's mean and std, scipy.stats
  * skew and kurtosis, scipy.signal.fftconvolve over the number of products for the autocorrelation,
- * and numpy.linalg.lstsq for the ellipse. */
+ * and numpy.linalg.lstsq for the ellipse.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 
 #include <stdlib.h>

@@ -1,4 +1,6 @@
-/* The ledger's numbers against the C library's `%.10g`, to the last character. */
+/* The ledger's numbers against the C library's `%.10g`, to the last character.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/number.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* Profiles that are made, described, and read, with the traps of files that users have. */
+/* Profiles that are made, described, and read, with the traps of files that users have.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "base/units.h"
 #include "surface/describe.h"

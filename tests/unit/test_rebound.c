@@ -1,5 +1,7 @@
 /* The rebound laws against closed forms, an integrated spring, and the numbers of PHYSICS worked
- * out by hand; materials and pairs. */
+ * out by hand; materials and pairs.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "rebound/laws.h"
 

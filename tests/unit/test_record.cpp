@@ -1,6 +1,8 @@
 /* The restart record: what comes back, and what does not, with every byte flipped and cut at every
  * length. Built with the sanitizers of addresses and undefined behaviour; each record lies in
- * memory of just its length. */
+ * memory of just its length.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/record.h"
 
 #include <setjmp.h>
@@ -23,8 +25,9 @@ static WallState example() {
   WallState state = WallState();
   state.settings = {{"geometry", "mesh low high"}, {"seed", "4"}, {"materials", ""}};
   state.counters = {168, 3, 1e-12, 4, 5, 6};
-  state.meshes = {MeshState{"low", 2, {160, 3, 1e-12, 0.5}, {100, 1e-12, 0.25, 60, 0, 0.25}, {1, 2, 3}},
-                  MeshState{"high", 1, {8, 0, 0, 0.125}, {8, 0, 0.125}, {}}};
+  state.meshes = {
+      MeshState{"low", 2, {160, 3, 1e-12, 0.5}, {100, 1e-12, 0.25, 60, 0, 0.25}, {1, 2, 3}},
+      MeshState{"high", 1, {8, 0, 0, 0.125}, {8, 0, 0.125}, {}}};
   state.d_range[0] = 1e-6;
   state.d_range[1] = 1e-4;
   state.clock[1] = 100;

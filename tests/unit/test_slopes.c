@@ -1,4 +1,6 @@
-/* Moments, densities and D_KL against closed forms; the size law against generated geometry. */
+/* Moments, densities and D_KL against closed forms; the size law against generated geometry.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "base/stream.h"
 #include "surface/closing.h"

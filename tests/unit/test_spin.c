@@ -1,6 +1,8 @@
 /* Laws that turn the particle: measured oblique impacts, rolling, sticking, energy; and the law of
  * Thornton & Ning against its limits, an integrated contact and the curve of Johnson, Kendall &
- * Roberts; and what a flow takes away. */
+ * Roberts; and what a flow takes away.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "impact/wall.h"
 

@@ -1,5 +1,7 @@
 /* Every spread model of the registry: density, distribution, quantile and draws against each other,
- * against quadrature, and against other models where theory says that they agree. */
+ * against quadrature, and against other models where theory says that they agree.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 
 #include "spread/models.h"

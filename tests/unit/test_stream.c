@@ -1,4 +1,6 @@
-/* The random numbers of a contact: known answers, and independence of everything but the key. */
+/* The random numbers of a contact: known answers, and independence of everything but the key.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "base/stream.h"
 

@@ -1,4 +1,6 @@
-/* The size law against the numbers it was derived with, and its limits. */
+/* The size law against the numbers it was derived with, and its limits.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* feenableexcept */
 #include <fenv.h>
 

@@ -1,5 +1,7 @@
 /* The geometry: the law of the first hit and the paths against brute force, against each other, and
- * against numbers of an independent ray tracer; the models against the geometry. */
+ * against numbers of an independent ray tracer; the models against the geometry.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "cli/measure.h"
 #include "impact/wall.h"
