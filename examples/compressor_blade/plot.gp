@@ -28,10 +28,12 @@ do for [k=0:1] {
   # deposits
   set lmargin at screen 0.385; set rmargin at screen 0.63
   unset colorbox; set xrange [-0.25:1.06]; set yrange [-0.9:16.9]
-  set title title_of(k).': deposits, size as the grain' offset 0,0.8
+  set title title_of(k).': deposits, size as the grain' offset 0,1.4
   set key at graph 1,1.01 bottom right horizontal samplen 1 width -2 font ',10'
-  plot 'output/'.map_of(k).'.deposits' using ($4 == 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#1f5fa8' title 'first impact', \
-       '' using ($4 > 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#c8501e' title 'later impact'
+  plot 'output/'.map_of(k).'.deposits' using ($4 == 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#0072b2' title 'first impact', \
+       '' using ($4 > 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#d55e00' title 'later impact', \
+       keyentry with points pt 6 ps 0.25 + 0.18 * 2 lc rgb '#666666' title '2 µm', \
+       keyentry with points pt 6 ps 0.25 + 0.18 * 8 lc rgb '#666666' title '8 µm'
   unset key
 }
 
@@ -42,7 +44,7 @@ set view equal xyz
 set xrange [-6.5:6.5]; set yrange [0:16]; set zrange [-4:4]; set cbrange [0:120]
 unset border; unset xtics; unset ytics; unset ztics; unset xlabel; unset ylabel
 set colorbox user origin screen 0.955, screen 0.58 size screen 0.009, screen 0.3
-set title 'rough wall, pressure side: impact energy / µJ per mm^2' offset 0,1
+set title "rough wall, pressure side (span 16 mm, chord 10 mm):\nimpact energy / µJ per mm^2" offset 0,1
 set pm3d depthorder
 splot 'output/rough.map' using ($1 > -0.005 ? $3 : NaN):4:5:8 with pm3d
 unset view
@@ -57,6 +59,6 @@ set xlabel 'position along the chord, pressure side'; unset ylabel
 set title 'pressure side: impacts per 1/20 of the chord'
 set key at graph 0.05,0.97 left top Left reverse font ',10'
 plot 'output/smooth.chord' using 1:2 with lines lw 2 lc rgb '#888888' title 'first impacts, the same on both', \
-     'output/smooth.chord' using 1:3 with linespoints pt 7 ps 0.6 lw 2 lc rgb '#1f5fa8' title 'later impacts, smooth', \
-     'output/rough.chord' using 1:3 with linespoints pt 5 ps 0.6 lw 2 lc rgb '#c8501e' title 'later impacts, rough'
+     'output/smooth.chord' using 1:3 with linespoints pt 7 ps 0.6 lw 2 lc rgb '#0072b2' title 'later impacts, smooth', \
+     'output/rough.chord' using 1:3 with linespoints pt 5 ps 0.6 lw 2 lc rgb '#d55e00' title 'later impacts, rough'
 unset multiplot
