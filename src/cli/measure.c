@@ -30,20 +30,22 @@ asp_surface *measure_surface(const measure_case *subject) {
   return surface;
 }
 
-static asp_wall *wall_of(const measure_case *subject, const asp_surface *surface,
-                         const asp_profile *profile, const char *model, bool multiple) {
+asp_wall *measure_specular(const measure_specular_wall *of, double d_p, const char *model,
+                           bool multiple) {
   asp_error error;
   asp_wall *wall = asp_wall_create(&error);
   if (!wall)
     cli_fail("%s", error.text);
   asp_wall_choose(wall, "rebound", "constant", NULL);
   asp_wall_choose(wall, "spread", model, NULL);
+  asp_wall_choose(wall, "tilt", of->isotropic ? "isotropic" : "plane", NULL);
   asp_wall_choose(wall, "collisions", multiple ? "multiple" : "single", NULL);
   asp_wall_set(wall, "deposit", 0, NULL);
-  asp_wall_set(wall, "d_p_least", subject->d_p, NULL);
-  asp_wall_set(wall, "d_p_most", subject->d_p, NULL);
-  asp_wall_set_surface(wall, surface);
-  asp_wall_set_profile(wall, profile);
+  asp_wall_set(wall, "d_p_least", d_p, NULL);
+  asp_wall_set(wall, "d_p_most", d_p, NULL);
+  asp_wall_set_surface(wall, of->surface);
+  asp_wall_set_profile(wall, of->profile);
+  asp_wall_set_map(wall, of->map);
   if (asp_wall_prepare(wall, &error))
     cli_bad_usage("%s", error.text);
   return wall;
@@ -51,7 +53,8 @@ static asp_wall *wall_of(const measure_case *subject, const asp_surface *surface
 
 asp_wall *measure_wall(const measure_case *subject, const asp_surface *surface, const char *model,
                        bool multiple) {
-  return wall_of(subject, surface, NULL, model, multiple);
+  measure_specular_wall of = {.surface = surface};
+  return measure_specular(&of, subject->d_p, model, multiple);
 }
 
 static const double up[3] = {0, 0, 1};
@@ -154,7 +157,8 @@ static void fly(const measure_case *subject, const asp_surface *surface, int num
     cli_fail("%s", error.text);
   measure_case point = *subject; /* what follows the path of the centre has no size */
   point.d_p = 1e-6 * subject->lambda_c;
-  asp_wall *wall = wall_of(&point, surface, path, "traced", true);
+  measure_specular_wall of = {.surface = surface, .profile = path};
+  asp_wall *wall = measure_specular(&of, point.d_p, "traced", true);
   asp_profile_free(path);
   size_t rays = subject->rays / (size_t)(FLIGHTS * subject->profiles) + 1;
   for (size_t k = 0; k < n; k++) {

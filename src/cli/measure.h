@@ -44,6 +44,19 @@ typedef struct measure_reference {
 measure_reference *measure_references(const measure_case *subject, const double *angles, size_t n);
 void measure_references_free(measure_reference *references, size_t n);
 
+/* What a wall of specular rebounds, on which nothing sticks, is made of; profile and map may be
+ * NULL. */
+typedef struct measure_specular_wall {
+  const asp_surface *surface;
+  const asp_profile *profile;
+  const asp_map *map;
+  bool isotropic; /* tilts all around; false: in the plane of incidence */
+} measure_specular_wall;
+
+/* That wall with one model, for one diameter; exits where it cannot be made. */
+asp_wall *measure_specular(const measure_specular_wall *of, double d_p, const char *model,
+                           bool multiple);
+
 /* The wall with one model on it, as a user has it; every rebound is specular, nothing sticks.
  * surface must outlive it. */
 asp_wall *measure_wall(const measure_case *subject, const asp_surface *surface, const char *model,

@@ -4,6 +4,7 @@
  * numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/measure.h"
 #include "cli/judge_3d.h"
 #include "cli/surface_map.h"
 #include "surface/ball.h"
@@ -74,21 +75,8 @@ static void print_polar(FILE *gp, const cli_map *m, const cli_map_slopes *rows, 
 /* Rebounds across the lay by one model. */
 static judge_angles rebounds(const cli_map *m, const asp_surface *surface, double d_p,
                              const char *model) {
-  asp_error error;
-  asp_wall *wall = asp_wall_create(&error);
-  if (!wall)
-    cli_fail("%s", error.text);
-  asp_wall_choose(wall, "rebound", "constant", NULL);
-  asp_wall_choose(wall, "spread", model, NULL);
-  asp_wall_choose(wall, "tilt", "isotropic", NULL);
-  asp_wall_choose(wall, "collisions", "multiple", NULL);
-  asp_wall_set(wall, "deposit", 0, NULL);
-  asp_wall_set(wall, "d_p_least", d_p, NULL);
-  asp_wall_set(wall, "d_p_most", d_p, NULL);
-  asp_wall_set_surface(wall, surface);
-  asp_wall_set_map(wall, m->map);
-  if (asp_wall_prepare(wall, &error))
-    cli_fail("%s", error.text);
+  measure_specular_wall of = {.surface = surface, .map = m->map, .isotropic = true};
+  asp_wall *wall = measure_specular(&of, d_p, model, true);
   judge_angles all = {0};
   double alpha1 = cli_radians(ALPHA1);
   const double v1[3] = {cos(alpha1), 0, -sin(alpha1)}, up[3] = {0, 0, 1}, lay[3] = {0, 1, 0};

@@ -10,26 +10,6 @@
 
 static const double up[3] = {0, 0, 1};
 
-/* The wall by its numbers, with one model on it; every rebound is specular, nothing sticks. */
-static asp_wall *make_wall(const asp_surface *surface, double d_p, const char *model,
-                           bool multiple) {
-  asp_error error;
-  asp_wall *wall = asp_wall_create(&error);
-  if (!wall)
-    cli_fail("%s", error.text);
-  asp_wall_choose(wall, "rebound", "constant", NULL);
-  asp_wall_choose(wall, "spread", model, NULL);
-  asp_wall_choose(wall, "tilt", "isotropic", NULL);
-  asp_wall_choose(wall, "collisions", multiple ? "multiple" : "single", NULL);
-  asp_wall_set(wall, "deposit", 0, NULL);
-  asp_wall_set(wall, "d_p_least", d_p, NULL);
-  asp_wall_set(wall, "d_p_most", d_p, NULL);
-  asp_wall_set_surface(wall, surface);
-  if (asp_wall_prepare(wall, &error))
-    cli_bad_usage("%s", error.text);
-  return wall;
-}
-
 static void add_all(judge_angles *to, const judge_angles *from) {
   for (int i = 0; i < JUDGE_BINS; i++) {
     to->rebound[i] += from->rebound[i];
@@ -107,7 +87,8 @@ void cli_trade_3d(FILE *out, const judge_case *subject, const cli_list *angles, 
         out);
   for (int k = 0; k < asp_spread_count(); k++) {
     const char *model = asp_spread_name(asp_spread_at(k));
-    asp_wall *wall = make_wall(surface, d_p, model, multiple);
+    measure_specular_wall of = {.surface = surface, .isotropic = true};
+    asp_wall *wall = measure_specular(&of, d_p, model, multiple);
     for (size_t i = 0; i < alpha1.count; i++) {
       judge_angles m =
           rebounds(wall, d_p, lay, alpha1.values[i], rays * subject->surfaces, seed + 1);

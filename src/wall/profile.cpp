@@ -17,9 +17,11 @@ static void broadcast(MPI_Comm world, std::string &text) {
     MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
 }
 
-Profile asperity::read_profile(MPI_Comm world, const std::string &path, double metre,
-                               std::string &report) {
-  Profile profile(NULL, asp_profile_free);
+/* Reads what the first rank is to hand on, and what the reader found; an error is all ranks'. */
+template <class Object, class Owner>
+static void read_first(MPI_Comm world, const std::string &path, double metre,
+                       Object *(*read)(asp_reader *, const char *, asp_error *), Owner &owner,
+                       std::string &report) {
   std::string wrong;
   asp_error error;
   int rank;
@@ -28,8 +30,8 @@ Profile asperity::read_profile(MPI_Comm world, const std::string &path, double m
     std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&error),
                                                                asp_reader_free);
     if (reader && !asp_reader_set(reader.get(), "metre", metre, &error))
-      profile.reset(asp_reader_read(reader.get(), path.c_str(), &error));
-    if (profile)
+      owner.reset(read(reader.get(), path.c_str(), &error));
+    if (owner)
       report = asp_reader_text(reader.get());
     else
       wrong = error.text;
@@ -38,6 +40,13 @@ Profile asperity::read_profile(MPI_Comm world, const std::string &path, double m
   if (!wrong.empty())
     throw Error(wrong);
   broadcast(world, report);
+}
+
+Profile asperity::read_profile(MPI_Comm world, const std::string &path, double metre,
+                               std::string &report) {
+  Profile profile(NULL, asp_profile_free);
+  asp_error error;
+  read_first(world, path, metre, asp_reader_read, profile, report);
 
   double spacing = profile ? asp_profile_spacing(profile.get()) : 0;
   long long points = profile ? static_cast<long long>(asp_profile_points(profile.get())) : 0;
@@ -56,24 +65,8 @@ Profile asperity::read_profile(MPI_Comm world, const std::string &path, double m
 
 Map asperity::read_map(MPI_Comm world, const std::string &path, double metre, std::string &report) {
   Map map(NULL, asp_map_free);
-  std::string wrong;
   asp_error error;
-  int rank;
-  MPI_Comm_rank(world, &rank);
-  if (rank == 0) {
-    std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&error),
-                                                               asp_reader_free);
-    if (reader && !asp_reader_set(reader.get(), "metre", metre, &error))
-      map.reset(asp_reader_read_map(reader.get(), path.c_str(), &error));
-    if (map)
-      report = asp_reader_text(reader.get());
-    else
-      wrong = error.text;
-  }
-  broadcast(world, wrong);
-  if (!wrong.empty())
-    throw Error(wrong);
-  broadcast(world, report);
+  read_first(world, path, metre, asp_reader_read_map, map, report);
 
   double step[2] = {map ? asp_map_step_x(map.get()) : 0, map ? asp_map_step_y(map.get()) : 0};
   unsigned long long side[2] = {map ? asp_map_columns(map.get()) : 0,
