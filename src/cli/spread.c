@@ -92,8 +92,6 @@ static void print_list(FILE *out) {
 }
 
 static void print_density(FILE *out, const asp_spread_model *model, const aspi_view *view) {
-  if (!model->density)
-    cli_bad_usage("--pdf: model '%s' has no density", model->name);
   fputs("delta_alpha_deg,density_per_deg\n", out);
   for (int i = -900; i <= 900; i++) {
     double density = model->density(view, cli_radians(0.1 * i)) * ASP_PI / 180;
@@ -126,9 +124,8 @@ static void fill(double *sample, size_t n, const asp_spread_model *model, const 
 }
 
 static void one_angle(FILE *out, const cli_option *options, const asp_spread_model *model,
-                      aspi_view view, double angle) {
+                      aspi_view view, double angle, size_t n) {
   view.alpha1 = cli_radians(angle);
-  size_t n = cli_whole(&options[SAMPLES], 1, 100000000);
   if (options[PDF].value) {
     print_density(out, model, &view);
     if (!options[PLOT].value)
@@ -176,6 +173,12 @@ static int run(int argc, char **argv) {
   if (angles.count > 1 && (!options[SUMMARY].value || options[PLOT].value))
     cli_bad_usage("--angle is '%s'; more than one angle goes with --summary, without --plot",
                   options[ANGLE].value);
+  if (options[PDF].value && !model->density)
+    cli_bad_usage("--pdf: model '%s' has no density", model->name);
+  size_t samples = cli_whole(&options[SAMPLES], 1, 100000000);
+  aspi_view view = {0};
+  if (!options[LIST].value)
+    view = view_of(options, model);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
   FILE *out = cli_output_stream(output);
   if (options[LIST].value) {
@@ -185,9 +188,8 @@ static int run(int argc, char **argv) {
       fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
     else if (!options[PDF].value)
       fputs("delta_alpha_deg\n", out);
-    aspi_view view = view_of(options, model);
     for (size_t i = 0; i < angles.count; i++)
-      one_angle(out, options, model, view, angles.values[i]);
+      one_angle(out, options, model, view, angles.values[i], samples);
   }
   cli_output_close(output);
   return 0;
