@@ -3,23 +3,10 @@
 # lambda_c; what the data cannot tell; and what is wrong. That estimates come back within their standard errors is
 # tests/sweep/calibrate.sh.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
-rows() { grep -v '^#' "$1" | tail -n +2; }
+source "$(dirname "$0")/cli.sh"
 value() { awk -F, -v name="$1" '$1 == name { print $2 }' "$2"; }
 # near NAME TRUTH ERRORS FILE: the estimate lies within so many of its standard errors.
 near() { awk -F, -v name="$1" -v truth="$2" -v most="$3" '$1 == name { z = ($2 - truth) / $3; found = $3 > 0 && z < most && z > -most } END { exit !found }' "$4" || die "$1 is not $2: $(cat "$4")"; }
-refuses() {
-  local status=$1 words=() got=0; shift
-  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
-  "$asperity" "$@" > out 2> err || got=$?
-  [ $got = "$status" ] || die "exit $got, not $status: asperity $*: $(cat err)"
-  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
-  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
-}
 model='--model visible --tilt isotropic --collisions multiple'
 quick='--samples 1000'
 

@@ -1,22 +1,7 @@
 #!/usr/bin/env bash
 # The commands spread, cor and materials: columns, exit codes, messages, files, pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
-header() { grep -v '^#' "$1" | head -n 1; }
-
-# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, writes nothing.
-refuses() {
-  local status=$1 words=() got=0; shift
-  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
-  "$asperity" "$@" > out 2> err || got=$?
-  [ $got = "$status" ] || die "exit $got, not $status: asperity $*"
-  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
-  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
-}
+source "$(dirname "$0")/cli.sh"
 
 "$asperity" --help > help
 for command in surface spread cor materials; do

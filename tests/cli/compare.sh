@@ -2,14 +2,7 @@
 # compare: the same model with another seed is taken for the same, as often as chance has it; data in all the forms
 # that people have; deposits; places by angle, speed and size; standard input.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-root=$(cd "$(dirname "$0")/../.." && pwd)
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
-rows() { grep -v '^#' "$1" | tail -n +2; }
-column() { awk -F, -v name="$1" '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == name) k = i; next } { print $k }' "$2"; }
+source "$(dirname "$0")/cli.sh"
 wall='--rq 5um --lambda-c 40um --model visible --collisions multiple --tilt isotropic'
 
 # Over 200 pairs of seeds p-values are uniform: their distance from it, by Kolmogorov and Smirnov, is below what one

@@ -2,11 +2,7 @@
 # Files that are read: pipes, in place of every kind of file; pipes that nothing writes to, folders and files
 # that are not there, which are told at once and end with status 1.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
+source "$(dirname "$0")/cli.sh"
 
 { echo x_um,z_um; awk 'BEGIN { srand(1); for (i = 0; i < 400; i++) { z = 0.9 * z + rand() - 0.5; print i "," z } }'; } > profile
 awk 'NR == 1 { print; next } { split($0, f, ","); print f[1] + 0.3 * sin(f[1]) "," f[2] }' profile > uneven

@@ -2,12 +2,7 @@
 # Help in its three forms (text, pages of the manual, words for the shell), lists of numbers, names in
 # any case and with suggestions, endings of pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
-bin=${ASPERITY_BIN:-$here/../../build/bin}
-asperity=$(cd "$bin" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
+source "$(dirname "$0")/cli.sh"
 
 # Every command of the list has text, page and words, and they tell the same options.
 commands=$("$asperity" --help=words | grep -v '^help$\|^--')
@@ -27,7 +22,7 @@ grep -q "man or words" err || die "message: $(cat err)"
 ! "$asperity" help nothing 2> err || die "help nothing"
 
 # Completion.
-source "$here/../../src/cli/asperity.bash"
+source "$root/src/cli/asperity.bash"
 complete_words() { COMP_WORDS=("$asperity" "$@"); COMP_CWORD=$(($#)); _asperity; }
 complete_words tra; [ "${COMPREPLY[*]}" = trade ] || die "completes commands: ${COMPREPLY[*]}"
 complete_words cor --lam; [ "${COMPREPLY[*]}" = --lambda-c ] || die "completes options: ${COMPREPLY[*]}"

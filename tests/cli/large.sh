@@ -2,11 +2,7 @@
 # Large files cost as much as they are long, not as their length squared: a limit on memory and one on
 # processor time that leave room for a slow machine.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
+source "$(dirname "$0")/cli.sh"
 limited() { (ulimit -v 2000000 -t 120; OMP_NUM_THREADS=1 "$asperity" "$@"); }
 
 # compare: a hundred thousand impacts against as many rows of means, and of points. The mean over 4 degrees

@@ -1,26 +1,8 @@
 #!/usr/bin/env bash
 # The commands rebound and compare, and laws, tables and materials of the user's own in all commands.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-data=$(cd "$(dirname "$0")/../../examples/data" && pwd)
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
-rows() { grep -v '^#' "$1" | tail -n +2; }
-header() { grep -v '^#' "$1" | head -n 1; }
-# column NAME FILE: that column of its rows
-column() { awk -F, -v name="$1" '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == name) k = i; next } { print $k }' "$2"; }
-
-# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, writes nothing.
-refuses() {
-  local status=$1 words=() got=0; shift
-  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
-  "$asperity" "$@" > out 2> err || got=$?
-  [ $got = "$status" ] || die "exit $got, not $status: asperity $*: $(cat err)"
-  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
-  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
-}
+source "$(dirname "$0")/cli.sh"
+data=$root/examples/data
 
 # rebound: the regimes of 10 um quartz on Hastelloy X, capture at 5.8 m/s, always under 1.6 um.
 "$asperity" rebound --dp 10um --speed 5.7,5.9,10,100 > r

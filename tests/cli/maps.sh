@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # Walls over an area: surface --map, trade --three-d.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
+source "$(dirname "$0")/cli.sh"
 
 # surface --map: a ground wall of known lay, in three forms that say the same.
 awk 'BEGIN { srand(3); n = 90; for (k = 0; k < 400; k++) { a[k] = sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) * sqrt(2) / 20

@@ -2,11 +2,7 @@
 # Names that a user or a file gives reach gnuplot, CSV and the file system as text: pictures, data and
 # materials whose names hold quotes, commands, gnuplot's own marks, newlines. Files behind symbolic links.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
+source "$(dirname "$0")/cli.sh"
 
 # Nothing but what is asked for may come into being: no file that a name would make if it were run.
 no_more() { [ "$(find . -name '*pwned*' ! -name '*touch*' -printf x)" = "" ] || die "$1: a name was run: $(ls)"; }

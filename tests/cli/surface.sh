@@ -1,24 +1,8 @@
 #!/usr/bin/env bash
 # The commands surface and doe: columns, measured profiles, seeds, threads, messages, files, pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
-rows() { grep -v '^#' "$1" | tail -n +2; }
+source "$(dirname "$0")/cli.sh"
 columns=dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,angle_mean_deg,angle_sd_deg,angle_kurtosis,kl_normal
-
-# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, writes nothing.
-refuses() {
-  local status=$1 words=() got=0; shift
-  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
-  "$asperity" "$@" > out 2> err || got=$?
-  [ $got = "$status" ] || die "exit $got, not $status: asperity $*"
-  [ ! -s out ] || die "wrote something: asperity $*"
-  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
-  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
-}
 
 # A generated wall: its columns, its numbers, its seed.
 "$asperity" surface --rq 5um --lambda-c 40um --dp 10um,55um,400um --save profile.csv -o a

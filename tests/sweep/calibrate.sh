@@ -3,11 +3,8 @@
 # calibrate.sh [TRIALS [JOBS]]. The 95 % intervals must hold the truth in 90 to 99 % of 100 trials; in the few of a test,
 # no estimate may be farther off than 4.5 standard errors, and 0.75 of them within 1.96. Prints a row for each constant.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
+source "$(dirname "$0")/../cli/cli.sh"
 trials=${1:-1} jobs=${2:-1}
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
 export asperity
 
 # trial LAW R_Q SEED: rows LAW,R_Q,NAME,TRUTH,ESTIMATE,ERROR,CHI2_PER_DOF

@@ -1,0 +1,28 @@
+# What the tests of the command share; each sources it. They run the built command, $asperity, in a folder of their
+# own and look at what it writes. ASPERITY_BIN is the folder of the binaries (build/bin where it is not set).
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+asperity=$(cd "${ASPERITY_BIN:-$root/build/bin}" && pwd)/asperity
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+die() { echo "FAILED: $*" >&2; exit 1; }
+
+# Of a table with a header below its comments: its rows, the header, and a column by its name.
+rows() { grep -v '^#' "$1" | tail -n +2; }
+header() { grep -v '^#' "$1" | head -n 1; }
+column() { # NAME FILE
+  awk -F, -v name="$1" '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == name) k = i; next } { print $k }' "$2"
+}
+
+# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, writes nothing.
+refuses() {
+  local status=$1 words=() got=0; shift
+  while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
+  "$asperity" "$@" > out 2> err || got=$?
+  [ $got = "$status" ] || die "exit $got, not $status: asperity $*: $(cat err)"
+  [ ! -s out ] || die "wrote something: asperity $*"
+  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
+  for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
+}
