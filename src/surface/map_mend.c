@@ -5,92 +5,48 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "surface/map_read.h"
+#include "surface/mend.h"
 
-#include <gsl/gsl_linalg.h>
-#include <gsl/gsl_rstat.h>
 #include <gsl/gsl_sf_legendre.h>
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
-enum { TERMS_MOST = (ASP_FORM_MAX + 1) * (ASP_FORM_MAX + 2) / 2, RING = 2 };
-
-#define MAD_TO_SD 1.4826
-
-/* Equations whose triangle has a diagonal of this range fix no polynomial. */
-#define SINGULAR 1e-13
+enum { RING = 2 }; /* of neighbours, for spikes */
 
 /* Less than this part of the heights in the file is rounding: they are single precision. */
 #define ROUNDING 1e-7
-
-/* Heights beyond this (m) are no surface, and could overflow. */
-#define LENGTH_MOST 1e9
-
-/* A polynomial's coefficients, and the normal equations a c = b of its fit. */
-typedef struct fit {
-  int degree;
-  size_t terms;
-  double a[TERMS_MOST * TERMS_MOST], b[TERMS_MOST];
-} fit;
 
 /* The Legendre polynomials at index i of n points, between -1 and 1. */
 static void legendre(int degree, size_t i, size_t n, double *p) {
   gsl_sf_legendre_Pl_array(degree, 2 * (double)i / (double)(n - 1) - 1, p);
 }
 
-/* The products of total degree up to that of the fit. */
-static void products(const fit *f, const double *px, const double *py, double *out) {
+/* The products of total degree up to `degree`. */
+static void products(int degree, const double *px, const double *py, double *out) {
   size_t k = 0;
-  for (int i = 0; i <= f->degree; i++)
-    for (int j = 0; i + j <= f->degree; j++)
+  for (int i = 0; i <= degree; i++)
+    for (int j = 0; i + j <= degree; j++)
       out[k++] = px[i] * py[j];
 }
 
 /* Goes over the good heights: with `subtract` takes the polynomial out of them, else sums the
  * normal equations. */
-static void pass(aspi_raw_map *raw, fit *f, bool subtract) {
-  double px[ASP_FORM_MAX + 1], py[ASP_FORM_MAX + 1], t[TERMS_MOST];
+static void pass(aspi_raw_map *raw, int degree, aspi_fit *fit, bool subtract) {
+  double px[ASP_FORM_MAX + 1], py[ASP_FORM_MAX + 1], t[ASP_FORM_TERMS];
   for (size_t j = 0; j < raw->rows; j++) {
-    legendre(f->degree, j, raw->rows, py);
+    legendre(degree, j, raw->rows, py);
     for (size_t i = 0; i < raw->columns; i++) {
       float *z = &raw->heights[j * raw->columns + i];
       if (isnan(*z))
         continue;
-      legendre(f->degree, i, raw->columns, px);
-      products(f, px, py, t);
-      double out = 0;
-      for (size_t k = 0; k < f->terms; k++) {
-        if (subtract) {
-          out += f->b[k] * t[k];
-          continue;
-        }
-        f->b[k] += t[k] * *z;
-        for (size_t m = 0; m < f->terms; m++)
-          f->a[k * f->terms + m] += t[k] * t[m];
-      }
+      legendre(degree, i, raw->columns, px);
+      products(degree, px, py, t);
       if (subtract)
-        *z = (float)(*z - out);
+        *z = (float)(*z - aspi_fit_value(fit, t));
+      else
+        aspi_fit_add(fit, t, *z);
     }
   }
-}
-
-/* Turns b into the coefficients; false where the heights do not fix them. */
-static bool solve(fit *f) {
-  double tau_of[TERMS_MOST], most = 0, least = INFINITY;
-  gsl_matrix_view a = gsl_matrix_view_array(f->a, f->terms, f->terms);
-  gsl_vector_view b = gsl_vector_view_array(f->b, f->terms);
-  gsl_vector_view tau = gsl_vector_view_array(tau_of, f->terms);
-  gsl_linalg_QR_decomp(&a.matrix, &tau.vector);
-  for (size_t j = 0; j < f->terms; j++) {
-    double diagonal = fabs(f->a[j * (f->terms + 1)]);
-    most = fmax(most, diagonal);
-    least = fmin(least, diagonal);
-  }
-  if (!(least > SINGULAR * most))
-    return false;
-  gsl_linalg_QR_svx(&a.matrix, &tau.vector, &b.vector);
-  return true;
 }
 
 static size_t count_bad(const aspi_raw_map *raw) {
@@ -103,18 +59,21 @@ static size_t count_bad(const aspi_raw_map *raw) {
 static asp_code take_out_form(aspi_raw_map *raw, const char *path, int degree, asp_error *error) {
   if (degree < 0)
     return ASP_OK;
-  fit f = {.degree = degree, .terms = (size_t)((degree + 1) * (degree + 2) / 2)};
-  pass(raw, &f, false);
-  if (!solve(&f))
+  aspi_fit fit = {.terms = (size_t)((degree + 1) * (degree + 2) / 2)};
+  pass(raw, degree, &fit, false);
+  if (!aspi_fit_solve(&fit))
     return aspi_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the map", path,
                      degree);
-  pass(raw, &f, true);
+  pass(raw, degree, &fit, true);
   return ASP_OK;
 }
 
 /* A good point's distance from the median of its neighbours, taken in pairs opposite to each other
  * that are both good, so that a slope does not count; 0 where there is no pair. */
-static double off_neighbours(const aspi_raw_map *raw, size_t at) {
+static double off_neighbours(const void *map, size_t at) {
+  const aspi_raw_map *raw = map;
+  if (isnan(raw->heights[at]))
+    return NAN;
   double window[(2 * RING + 1) * (2 * RING + 1)];
   long columns = (long)raw->columns, rows = (long)raw->rows;
   long i = (long)(at % raw->columns), j = (long)(at / raw->columns);
@@ -130,25 +89,14 @@ static double off_neighbours(const aspi_raw_map *raw, size_t at) {
       window[count++] = one;
       window[count++] = two;
     }
-  if (count == 0)
-    return 0;
-  gsl_sort(window, 1, count);
-  return fabs(raw->heights[at] - gsl_stats_median_from_sorted_data(window, 1, count));
+  return aspi_off_median(raw->heights[at], window, count);
 }
 
-/* Makes spikes bad, in two passes: the usual distance, then what is far beyond it. */
+/* Makes spikes bad. */
 static asp_code mark_spikes(aspi_raw_map *raw, double times, size_t *spikes, asp_error *error) {
-  bool *is_spike = calloc(raw->points, sizeof *is_spike);
+  bool *is_spike = aspi_spikes(raw, raw->points, off_neighbours, times, error);
   if (!is_spike)
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for a map");
-  gsl_rstat_quantile_workspace median = {.p = 0.5};
-  gsl_rstat_quantile_reset(&median);
-  for (size_t i = 0; i < raw->points; i++)
-    if (!isnan(raw->heights[i]))
-      gsl_rstat_quantile_add(off_neighbours(raw, i), &median);
-  double most = times * MAD_TO_SD * gsl_rstat_quantile_get(&median);
-  for (size_t i = 0; i < raw->points; i++)
-    is_spike[i] = !isnan(raw->heights[i]) && off_neighbours(raw, i) > most;
+    return ASP_ENOMEM;
   for (size_t i = 0; i < raw->points; i++)
     if (is_spike[i]) {
       raw->heights[i] = NAN;
@@ -205,7 +153,8 @@ static asp_code check(const aspi_raw_map *raw, const char *path, asp_error *erro
     if (!isnan(raw->heights[i]))
       most = fmax(most, fabs(raw->heights[i]));
   for (int k = 0; k < 2; k++)
-    if (!(raw->step[k] >= 1e-15 && raw->step[k] <= LENGTH_MOST) || !(most <= LENGTH_MOST))
+    if (!(raw->step[k] >= ASP_SPACING_LEAST && raw->step[k] <= ASP_LENGTH_MOST) ||
+        !(most <= ASP_LENGTH_MOST))
       return aspi_fail(
           error, ASP_EDATA,
           "%.200s: heights up to %g m at a spacing of %g m are no surface; is the unit "

@@ -6,29 +6,16 @@
 #include "surface/read.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "surface/mend.h"
 #include "surface/profile.h"
 
-#include <gsl/gsl_linalg.h>
-#include <gsl/gsl_rstat.h>
 #include <gsl/gsl_sf_legendre.h>
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 enum { NEIGHBOURS = 3 }; /* on each side, for spikes */
-
-/* From the median absolute deviation to the sd of a normal law. */
-#define MAD_TO_SD 1.4826
-
-/* Heights and spacings beyond these (m) are no surface, and could overflow. */
-#define LENGTH_MOST 1e9
-#define SPACING_LEAST 1e-15
-
-/* Equations whose triangle has a diagonal of this range fix no polynomial. */
-#define SINGULAR 1e-13
 
 /* Less than this part of the heights in the file is rounding. */
 #define ROUNDING 1e-12
@@ -57,56 +44,18 @@ static double place(const aspi_raw *raw, size_t i) {
   return 2 * (double)i / (double)(raw->points - 1) - 1;
 }
 
-enum { TERMS_MOST = ASP_FORM_MAX + 1 };
-
-/* A polynomial's coefficients c, and the normal equations a c = b of its fit. */
-typedef struct fit {
-  size_t terms;
-  double a[TERMS_MOST * TERMS_MOST], b[TERMS_MOST];
-} fit;
-
-/* Of the points that are not bad; the polynomials are nearly orthogonal on the grid, so that
- * nothing is lost by normal equations. */
-static void sum_normal_equations(const aspi_raw *raw, fit *f) {
-  double p[TERMS_MOST];
+/* With `subtract` takes the polynomial out of the heights, else sums the normal equations of those
+ * that are good. */
+static void pass(aspi_raw *raw, aspi_fit *fit, bool subtract) {
+  double p[ASP_FORM_MAX + 1];
   for (size_t i = 0; i < raw->points; i++) {
     if (isnan(raw->heights[i]))
       continue;
-    gsl_sf_legendre_Pl_array((int)f->terms - 1, place(raw, i), p);
-    for (size_t j = 0; j < f->terms; j++) {
-      f->b[j] += p[j] * raw->heights[i];
-      for (size_t k = 0; k < f->terms; k++)
-        f->a[j * f->terms + k] += p[j] * p[k];
-    }
-  }
-}
-
-/* Turns b into the coefficients; false where the points do not fix them. By QR, which GSL does
- * without memory of its own and without calling its error handler. */
-static bool solve(fit *f) {
-  double tau_of[TERMS_MOST];
-  gsl_matrix_view a = gsl_matrix_view_array(f->a, f->terms, f->terms);
-  gsl_vector_view b = gsl_vector_view_array(f->b, f->terms);
-  gsl_vector_view tau = gsl_vector_view_array(tau_of, f->terms);
-  gsl_linalg_QR_decomp(&a.matrix, &tau.vector);
-  double most = 0, least = INFINITY;
-  for (size_t j = 0; j < f->terms; j++) {
-    double diagonal = fabs(f->a[j * (f->terms + 1)]);
-    most = fmax(most, diagonal);
-    least = fmin(least, diagonal);
-  }
-  if (!(least > SINGULAR * most))
-    return false;
-  gsl_linalg_QR_svx(&a.matrix, &tau.vector, &b.vector);
-  return true;
-}
-
-static void subtract(aspi_raw *raw, const fit *f) {
-  double p[TERMS_MOST];
-  for (size_t i = 0; i < raw->points; i++) {
-    gsl_sf_legendre_Pl_array((int)f->terms - 1, place(raw, i), p);
-    for (size_t j = 0; j < f->terms; j++)
-      raw->heights[i] -= f->b[j] * p[j];
+    gsl_sf_legendre_Pl_array((int)fit->terms - 1, place(raw, i), p);
+    if (subtract)
+      raw->heights[i] -= aspi_fit_value(fit, p);
+    else
+      aspi_fit_add(fit, p, raw->heights[i]);
   }
 }
 
@@ -124,44 +73,36 @@ static asp_code take_out_form(aspi_raw *raw, const char *path, int degree, asp_e
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: %zu points are too few for a polynomial of degree %d as form", path,
                      count_good(raw), degree);
-  fit f = {.terms = (size_t)degree + 1};
-  sum_normal_equations(raw, &f);
-  if (!solve(&f))
+  aspi_fit fit = {.terms = (size_t)degree + 1};
+  pass(raw, &fit, false);
+  if (!aspi_fit_solve(&fit))
     return aspi_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the profile", path,
                      degree);
-  subtract(raw, &f);
+  pass(raw, &fit, true);
   return ASP_OK;
 }
 
 /* A good point's distance from the median of its neighbours, taken in pairs that are good on both
  * sides, so that a slope does not count, nor does the edge of a gap; 0 where there is no pair. */
-static double off_neighbours(const aspi_raw *raw, size_t i) {
+static double off_neighbours(const void *profile, size_t i) {
+  const aspi_raw *raw = profile;
   double window[2 * NEIGHBOURS];
   size_t count = 0;
+  if (isnan(raw->heights[i]))
+    return NAN;
   for (size_t k = 1; k <= NEIGHBOURS && k <= i && i + k < raw->points; k++)
     if (!isnan(raw->heights[i - k]) && !isnan(raw->heights[i + k])) {
       window[count++] = raw->heights[i - k];
       window[count++] = raw->heights[i + k];
     }
-  if (count == 0)
-    return 0;
-  gsl_sort(window, 1, count);
-  return fabs(raw->heights[i] - gsl_stats_median_from_sorted_data(window, 1, count));
+  return aspi_off_median(raw->heights[i], window, count);
 }
 
-/* Makes spikes bad, in two passes: the usual distance, then what is far beyond it. */
+/* Makes spikes bad. */
 static asp_code mark_spikes(aspi_raw *raw, double times, size_t *spikes, asp_error *error) {
-  bool *is_spike = calloc(raw->points, sizeof *is_spike);
+  bool *is_spike = aspi_spikes(raw, raw->points, off_neighbours, times, error);
   if (!is_spike)
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for a profile");
-  gsl_rstat_quantile_workspace median = {.p = 0.5};
-  gsl_rstat_quantile_reset(&median);
-  for (size_t i = 0; i < raw->points; i++)
-    if (!isnan(raw->heights[i]))
-      gsl_rstat_quantile_add(off_neighbours(raw, i), &median);
-  double most = times * MAD_TO_SD * gsl_rstat_quantile_get(&median);
-  for (size_t i = 0; i < raw->points; i++)
-    is_spike[i] = !isnan(raw->heights[i]) && off_neighbours(raw, i) > most;
+    return ASP_ENOMEM;
   for (size_t i = 0; i < raw->points; i++)
     if (is_spike[i]) {
       raw->heights[i] = NAN;
@@ -214,7 +155,8 @@ static bool is_constant(const aspi_raw *raw, double rounding) {
 }
 
 static asp_code check_lengths(const aspi_raw *raw, const char *path, asp_error *error) {
-  if (largest(raw) <= LENGTH_MOST && raw->spacing <= LENGTH_MOST && raw->spacing >= SPACING_LEAST)
+  if (largest(raw) <= ASP_LENGTH_MOST && raw->spacing <= ASP_LENGTH_MOST &&
+      raw->spacing >= ASP_SPACING_LEAST)
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA,
                    "%.200s: heights up to %g m at a spacing of %g m are no surface; is the unit "
