@@ -187,10 +187,11 @@ void RegionShape::set_share(double share) const {
       part.set_share(share);
 }
 
+/* Of the parts that move, for others have no rate. The regions may have been deleted since. */
 std::vector<double> RegionShape::motion_record() const {
   std::vector<double> record;
   for (const RegionPart &part : parts_)
-    if (part.moves() && part.rate()) {
+    if (part.rate()) {
       record.insert(record.end(), part.rate()->shift, part.rate()->shift + 3);
       record.push_back(part.rate()->angle);
     }
