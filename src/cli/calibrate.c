@@ -10,7 +10,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/calibrate.h"
-#include "cli/walls.h"
 #include "rebound/laws.h"
 
 #include <gsl/gsl_blas.h>
@@ -49,6 +48,9 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 
 /* What is taken for the error of a mean of which nothing is known, before the fit tells. */
 #define ERROR_UNKNOWN 0.01
+
+/* Degrees, where the search for sigma begins. */
+#define SIGMA_START 5
 
 static void *allocate(size_t count, size_t size) {
   void *memory = calloc(count + 1, size);
@@ -149,7 +151,10 @@ static void read_unknowns(calibration *c) {
     calibrate_unknown *u = &c->unknown[c->n_unknown++];
     if (!find_unknown(c, word, u))
       fail_unknown(c, word);
-    bool by_sigma = c->sigma >= 0;
+    bool by_sigma = c->sigma >= 0, given = cli_rough_measured(&c->options[ROUGH]);
+    if (u->kind <= OF_LAMBDA_C && given)
+      cli_bad_usage("--fit: '%s' is given by the measured wall; name constants of the law",
+                    u->name);
     if (u->kind <= OF_LAMBDA_C && (c->smooth || (u->kind == OF_SIGMA) != by_sigma))
       cli_bad_usage("--fit: '%s' goes with %s", u->name,
                     u->kind == OF_SIGMA ? "a rough wall (--model) that is not given by --rq"
@@ -463,15 +468,30 @@ static void warn_of_doubt(const calibration *c, const fit *f) {
 }
 
 /* The wall and the law as a script of an engine says them. */
+static void print_surface(FILE *out, const calibration *c) {
+  const cli_option *o = &c->options[ROUGH];
+  if (c->rough.profile || c->rough.map) {
+    fputs(c->rough.map ? "surface map " : "surface profile ", out);
+    cli_print_comment(out, c->rough.map ? o[ROUGH_MAP].value : o[ROUGH_PROFILE].value);
+  } else {
+    fprintf(out, "surface rq %.6g lambda_c %.6g", asp_surface_r_q(c->rough.surface),
+            asp_surface_lambda_c(c->rough.surface));
+    if (c->stretch < 1 || c->stretch > 1)
+      fprintf(out, " %.6g", asp_surface_lambda_along(c->rough.surface));
+  }
+  if (o[ROUGH_LAY].value || c->stretch < 1 || c->stretch > 1)
+    fputs(" lay X Y Z", out);
+  fprintf(out, " spread %s %s collisions %s", asp_spread_name(asp_wall_spread(c->law.wall)),
+          c->options[TILT].value, c->options[COLLISIONS].value);
+}
+
 static void print_script(FILE *out, const calibration *c) {
   const asp_rebound_law *law = asp_wall_rebound(c->law.wall);
   fputs("# script: fix wall all wall/rebound ... ", out);
   if (c->smooth)
     fputs("surface smooth", out);
   else
-    fprintf(out, "surface rq %.6g lambda_c %.6g spread %s %s collisions %s",
-            asp_surface_r_q(c->surface), asp_surface_lambda_c(c->surface), c->options[MODEL].value,
-            c->options[TILT].value, c->options[COLLISIONS].value);
+    print_surface(out, c);
   fprintf(out, " rebound %s", asp_rebound_name(law));
   const char *last = "";
   for (int i = 0; i < asp_rebound_parameters(law); i++) {
@@ -506,7 +526,7 @@ static void print_script(FILE *out, const calibration *c) {
     fprintf(out,
             "# sigma is what the particles meet: any rq and lambda_c with rq/lambda_c = %.6g that "
             "are large against them do\n",
-            asp_surface_phi_r(c->surface));
+            asp_surface_phi_r(c->rough.surface));
 }
 
 static void print_all(FILE *out, const calibration *c, const fit *f) {
@@ -536,9 +556,48 @@ static void print_all(FILE *out, const calibration *c, const fit *f) {
 /* ---- the command ------------------------------------------------------------------------------
  */
 
+/* The wall's numbers, which may be unknown; a measured wall is read when the sizes are known. */
+static void read_rough(calibration *c) {
+  const cli_option *o = &c->options[ROUGH];
+  cli_rough_check(o);
+  c->stretch = 1;
+  c->sigma = cli_rough_measured(o) ? -1 : SIGMA_START;
+  c->rough.lay.vector[0] = 1;
+  if (o[ROUGH_SIGMA].value)
+    c->sigma = cli_number(&o[ROUGH_SIGMA], 0.01, 50);
+  if (!o[ROUGH_RQ].value && !o[ROUGH_LAMBDA_C].value)
+    return;
+  if (!o[ROUGH_RQ].value || !o[ROUGH_LAMBDA_C].value)
+    cli_bad_usage("--rq and --lambda-c go together; one that is fitted is where the search begins");
+  c->sigma = -1;
+  c->r_q = cli_length(&o[ROUGH_RQ]);
+  c->rough.lay = cli_lay_of(&o[ROUGH_LAMBDA_C], &o[ROUGH_LAY]);
+  c->lambda_c = c->rough.lay.lambda[0];
+  c->stretch = c->rough.lay.lambda[1] / c->lambda_c;
+}
+
+/* Reads a measured wall, for the data's diameters, and makes its law, once. */
+static void read_measured_wall(calibration *c) {
+  const cli_option *o = &c->options[ROUGH];
+  if (c->smooth || !cli_rough_measured(o))
+    return;
+  double least = INFINITY, most = 0;
+  for (size_t i = 0; i < c->data.count; i++) {
+    double d_p = isnan(c->data.rows[i].d_p) ? c->d_p : c->data.rows[i].d_p;
+    least = fmin(least, d_p);
+    most = fmax(most, d_p);
+  }
+  c->rough = cli_rough_read(o, least, most);
+  cli_rough_put(&c->rough, c->law.wall, least, most);
+  cli_law_prepare(&c->law);
+}
+
 static void read_wall(calibration *c) {
   cli_option *options = (cli_option *)c->options;
+  bool given = cli_rough_measured(&options[ROUGH]);
   const char *model = options[MODEL].value;
+  if (!model)
+    model = given ? "profile" : "visible";
   asp_error error;
   c->law = cli_law_read(&options[LAW]);
   c->pair = cli_law_pair(&options[LAW], &c->law, options[LAW + LAW_WALL].value);
@@ -548,18 +607,13 @@ static void read_wall(calibration *c) {
                   NULL);
   if (asp_wall_choose(wall, "spread", model, &error))
     cli_bad_usage("%s", error.text);
-  if (asp_spread_needs_profile(asp_wall_spread(wall)))
+  if (!given && asp_spread_needs_profile(asp_wall_spread(wall)))
     cli_bad_usage("--model is '%s', which is made for one wall; it must be one that takes any "
                   "sigma, as visible or weibull",
                   model);
   c->smooth = strcmp(model, "none") == 0;
   c->sticks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && asp_wall_get(wall, "deposit") > 0;
-  bool by_rq = options[RQ].value || options[LAMBDA_C].value;
-  if (by_rq && (!options[RQ].value || !options[LAMBDA_C].value))
-    cli_bad_usage("--rq and --lambda-c go together; one that is fitted is where the search begins");
-  c->sigma = by_rq ? -1 : cli_number(&options[SIGMA], 0.01, 50);
-  c->r_q = by_rq ? cli_length(&options[RQ]) : 0;
-  c->lambda_c = by_rq ? cli_length(&options[LAMBDA_C]) : 0;
+  read_rough(c);
   c->d_p = cli_length(&options[DP]);
   c->speed = cli_number(&options[SPEED], 1e-9, 1e6);
   cli_list noise = cli_numbers(&options[NOISE], 0, 90);
@@ -575,10 +629,10 @@ static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [FIT] = {"fit", "NAME,...", "what to look for: sigma, or rq, lambda_c; constants of the law",
                NULL},
-      [SIGMA] = {"sigma", "DEGREES", "roughness, atan of the rms slope that particles meet", "5"},
-      [RQ] = {"rq", "LENGTH", "or the wall by its rms height", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTH", "and correlation length", NULL},
-      [MODEL] = {"model", "NAME", "spread model; none is the smooth wall", "visible"},
+      CLI_ROUGH_OPTIONS(ROUGH),
+      [MODEL] = {"model", "NAME",
+                 "spread model; none is the smooth wall [visible; of a measured wall profile]",
+                 NULL},
       [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
                 "isotropic"},
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
@@ -603,6 +657,7 @@ static int run(int argc, char **argv) {
   read_wall(&c);
   read_unknowns(&c);
   read_data(&c, argv[first]);
+  read_measured_wall(&c);
   fit f = run_fit(&c);
   warn_of_doubt(&c, &f);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
@@ -621,7 +676,7 @@ static int run(int argc, char **argv) {
   gsl_matrix_free(f.covariance);
   cli_law_free(&c.law);
   asp_pair_free(c.pair);
-  asp_surface_free(c.surface);
+  cli_rough_free(&c.rough);
   measured_free(&c.data);
   free(c.bins);
   return 0;
@@ -633,7 +688,8 @@ const cli_command cli_calibrate = {
     .detail =
         "asperity calibrate DATA --fit NAMES: what is not fitted, and where the search begins, is\n"
         "said by the other options (friction by --mu, yield_stress by --yield, surface_energy by\n"
-        "--gamma, a law's own numbers by --set).\n" MEASURED_FORMS
+        "--gamma, a law's own numbers by --set). Without a wall it begins with --sigma 5; a\n"
+        "measured --profile or --map stays as it is.\n" MEASURED_FORMS
         "\nRows parameter,estimate,standard_error,unit; then, as comments, correlations, chi^2 "
         "per\n"
         "degree of freedom, and the line for a script. A warning tells where the data cannot tell\n"

@@ -7,6 +7,7 @@
 
 #include "cli/law.h"
 #include "cli/measured.h"
+#include "cli/walls.h"
 
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_vector.h>
@@ -14,10 +15,8 @@
 /* The options of the command. */
 enum {
   FIT,
-  SIGMA,
-  RQ,
-  LAMBDA_C,
-  MODEL,
+  ROUGH,
+  MODEL = ROUGH + ROUGH_OPTIONS,
   TILT,
   COLLISIONS,
   DP,
@@ -65,8 +64,9 @@ typedef struct calibration {
   size_t n_unknown;
   cli_law law;
   asp_pair *pair;
-  asp_surface *surface;                                              /* NULL: smooth */
-  double sigma, r_q, lambda_c, d_p, speed, noise_angle, noise_speed; /* sigma < 0: by r_q */
+  cli_rough rough; /* no surface: smooth; no profile or map: made of what follows */
+  double sigma, r_q, lambda_c, stretch; /* of the lay; sigma < 0: by r_q */
+  double d_p, speed, noise_angle, noise_speed;
   size_t samples;
   uint32_t seed;
   bool smooth, sticks, known; /* known: the errors of the data are, and need no scale */

@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/stream.h"
 #include "cli/calibrate.h"
-#include "cli/walls.h"
+#include "impact/wall.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -38,12 +38,12 @@ static bool set_surface(calibration *c) {
     lambda_c = LENGTHS * c->d_p;
     r_q = lambda_c * tan(cli_radians(c->sigma)) / sqrt(2);
   }
-  asp_surface *surface = asp_surface_create(r_q, lambda_c, NULL);
+  asp_surface *surface = asp_surface_create_lay(r_q, lambda_c, c->stretch * lambda_c, NULL);
   if (!surface)
     return false;
   asp_wall_set_surface(c->law.wall, surface);
-  asp_surface_free(c->surface);
-  c->surface = surface;
+  asp_surface_free(c->rough.surface);
+  c->rough.surface = surface;
   return true;
 }
 
@@ -70,6 +70,8 @@ bool calibrate_set(calibration *c, const gsl_vector *scaled) {
         return false;
     }
   }
+  if (c->rough.profile || c->rough.map) /* prepared before the search */
+    return aspi_wall_renew(c->law.wall, NULL) == ASP_OK;
   return set_surface(c) && asp_wall_prepare(c->law.wall, NULL) == ASP_OK;
 }
 
@@ -89,7 +91,7 @@ static bool measure(const calibration *c, const measured_row *row, uint64_t tag,
                            asp_material_get(c->law.particle, "density"),
                            c->pair,
                            {0, 0, 0},
-                           NULL};
+                           c->rough.lay.vector};
   asp_impact impact;
   asp_wall_impact(c->law.wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
   if (impact.outcome == ASP_DEPOSIT)

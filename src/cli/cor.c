@@ -10,9 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Diameters for which a model that looks at a profile prepares, where there is more than one. */
-enum { TABLE_SIZES = 16 };
-
 /* m/s */
 #define SPEED_LEAST 1e-9
 #define SPEED_MOST 1e6
@@ -80,10 +77,9 @@ static double value_of(const cor_values *v, size_t sample, aspi_stream *stream) 
 
 void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
   const char *model = options[MODEL].value;
-  bool own_law = options[PROFILE].value || options[MAP].value; /* of a measured wall */
   asp_error error;
   if (!model)
-    model = own_law ? "profile" : "visible";
+    model = cli_rough_measured(&options[ROUGH]) ? "profile" : "visible";
   s->law = cli_law_read(&options[LAW]);
   s->pair = cli_law_pair(&options[LAW], &s->law, options[LAW + LAW_WALL].value);
   asp_wall *wall = s->law.wall;
@@ -93,15 +89,8 @@ void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
   if (asp_wall_choose(wall, "spread", model, &error))
     cli_bad_usage("%s", error.text);
   if (strcmp(model, "none") != 0) {
-    cli_rough_options rough = {&options[SIGMA], &options[RQ],      &options[LAMBDA_C],
-                               &options[LAY],   &options[PROFILE], &options[MAP]};
-    s->rough = cli_rough_read(&rough, s->sizes.least, s->sizes.most);
-    asp_wall_set_surface(wall, s->rough.surface);
-    asp_wall_set_profile(wall, s->rough.profile);
-    asp_wall_set_map(wall, s->rough.map);
-    asp_wall_set(wall, "d_p_least", s->sizes.least, NULL);
-    asp_wall_set(wall, "d_p_most", s->sizes.most, NULL);
-    asp_wall_set(wall, "d_p_bins", s->sizes.most > s->sizes.least ? TABLE_SIZES : 1, NULL);
+    s->rough = cli_rough_read(&options[ROUGH], s->sizes.least, s->sizes.most);
+    cli_rough_put(&s->rough, wall, s->sizes.least, s->sizes.most);
   }
   cli_law_prepare(&s->law);
   if (s->rough.surface)
@@ -159,12 +148,7 @@ static void make_rows(const cor_scene *s, const cli_list *angles, size_t samples
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      [SIGMA] = CLI_SIGMA_OPTION,
-      [RQ] = {"rq", "LENGTH", "... its rms height,", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTHS", CLI_LAMBDA_HELP, NULL},
-      [LAY] = CLI_LAY_OPTION,
-      [PROFILE] = CLI_PROFILE_OPTION,
-      [MAP] = CLI_MAP_OPTION,
+      CLI_ROUGH_OPTIONS(ROUGH),
       [DP] = {"dp", "SIZES", "diameter, list, or min:max:median of a log-normal", "10um"},
       [SPEED] = {"speed", "SPEEDS", "in m/s: a list or from:to:step, or lognormal:min:max:median",
                  "100"},

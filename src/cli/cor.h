@@ -6,17 +6,11 @@
 
 #include "cli/law.h"
 #include "cli/walls.h"
-#include "cli/walls.h"
 
 /* The options of the command. */
 enum {
-  SIGMA,
-  RQ,
-  LAMBDA_C,
-  LAY,
-  PROFILE,
-  MAP,
-  DP,
+  ROUGH,
+  DP = ROUGH + ROUGH_OPTIONS,
   SPEED,
   ANGLES,
   MODEL,

@@ -25,8 +25,9 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
                        const cor_scene *s) {
   if (!s->rough.surface)
     return;
-  if (options[SIGMA].value)
-    fprintf(gp, "{/Symbol s} = %s°, ", cli_plot_label(picture, options[SIGMA].value).text);
+  if (options[ROUGH + ROUGH_SIGMA].value)
+    fprintf(gp, "{/Symbol s} = %s°, ",
+            cli_plot_label(picture, options[ROUGH + ROUGH_SIGMA].value).text);
   else
     fprintf(gp, "R_q = %.3g µm, {/Symbol l}_c = %.3g µm, {/Symbol F}_R = %.3g, ",
             asp_surface_r_q(s->rough.surface) * 1e6, asp_surface_lambda_c(s->rough.surface) * 1e6,

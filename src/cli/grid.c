@@ -29,15 +29,15 @@ static void print_header(FILE *out) {
 }
 
 static void print_row(FILE *out, const cell *c, const measure_case *subject,
-                      const asp_surface *surface, const measure_reference *references,
-                      const char *model, bool multiple) {
-  asp_wall *wall = measure_wall(subject, surface, model, multiple);
-  fprintf(out, "%s,%s,%g,%g", model, multiple ? "multiple" : "single", c->phi_r, c->kappa);
+                      const measure_wall *wall, const measure_reference *references,
+                      const char *name, bool multiple) {
+  measure_model model = measure_model_create(subject, wall, name, multiple);
+  fprintf(out, "%s,%s,%g,%g", name, multiple ? "multiple" : "single", c->phi_r, c->kappa);
   for (size_t i = 0; i < COUNT(angle); i++) {
-    measure_divergence d = measure_compare(subject, &references[i], wall);
+    measure_divergence d = measure_compare(subject, &references[i], &model);
     fprintf(out, ",%.5f,%.5f", d.kl, d.se);
   }
-  asp_wall_free(wall);
+  measure_model_free(&model);
   fputc('\n', out);
 }
 
@@ -48,13 +48,13 @@ static bool measure_cell(FILE *out, const cell *c, measure_case subject) {
   subject.d_p = c->kappa / (sqrt(3) * c->phi_r);
   if (subject.d_p > D_P_MOST)
     return false;
-  asp_surface *surface = measure_surface(&subject);
-  measure_reference *references = measure_references(&subject, angle, COUNT(angle));
+  measure_wall wall = measure_wall_create(&subject);
+  measure_reference *references = measure_references(&subject, &wall, angle, COUNT(angle));
   for (int m = 0; m < asp_spread_count(); m++)
     for (int multiple = 0; multiple < 2; multiple++)
-      print_row(out, c, &subject, surface, references, asp_spread_name(asp_spread_at(m)), multiple);
+      print_row(out, c, &subject, &wall, references, asp_spread_name(asp_spread_at(m)), multiple);
   measure_references_free(references, COUNT(angle));
-  asp_surface_free(surface);
+  measure_wall_free(&wall);
   fflush(out);
   return true;
 }

@@ -11,8 +11,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { PER_LAMBDA = 20, HITS_MOST = 64 };
+
+/* Rms heights that a beam must pass, so that its first hits lie on many peaks of a piece. */
+#define RISE_LEAST 16
 
 static int bin_of(double degrees) {
   int bin = (int)floor(degrees);
@@ -63,7 +67,7 @@ static void draw_places(aspi_stream *stream, double *share, size_t count) {
     share[k] = ((double)k + aspi_stream_uniform(stream)) / (double)count;
 }
 
-/* All particles of one surface in the direction in which it lies. */
+/* All particles of one surface in the directions in which its rows lie. */
 static void fly(const aspi_field *field, const cli_list *alpha1, size_t rays, uint32_t seed,
                 judge_angles *angles) {
   asp_error error;
@@ -88,18 +92,115 @@ static void fly(const aspi_field *field, const cli_list *alpha1, size_t rays, ui
   aspi_line_free(&line);
 }
 
-/* What one surface says. */
-static void judge(const judge_case *subject, const cli_list *alpha1, size_t rays, uint32_t seed,
-                  judge_angles *angles) {
+/* Horizontal part of a flight that comes straight down: it needs a direction to be followed. */
+#define STEEPEST 1e-6
+
+/* One particle in any direction, from the height of the highest point on. */
+static void fly_one(const aspi_field *field, double alpha1, aspi_stream *stream,
+                    judge_angles *angles) {
+  double x = aspi_stream_uniform(stream) * (double)field->columns * field->step[0];
+  double y = aspi_stream_uniform(stream) * (double)field->rows * field->step[1];
+  double azimuth = 2 * ASP_PI * aspi_stream_uniform(stream), t[2] = {cos(azimuth), sin(azimuth)};
+  double along = fmax(cos(alpha1), STEEPEST), gradient[2], tilt = 0;
+  aspi_flight flight = {{x, y, field->top + 1e-3 * field->step[0]},
+                        {along * t[0], along * t[1], -sin(alpha1)}};
+  int hits = 0;
+  while (hits < HITS_MOST && aspi_field_next(field, &flight, gradient)) {
+    if (hits++ == 0)
+      tilt = atan(gradient[0] * t[0] + gradient[1] * t[1]);
+    reflect(flight.v, gradient);
+  }
+  const double *v = flight.v;
+  judge_add(angles, (double[3]){v[0] * t[0] + v[1] * t[1], v[1] * t[0] - v[0] * t[1], v[2]}, tilt,
+            hits);
+}
+
+static void fly_around(const aspi_field *field, const cli_list *alpha1, size_t rays, uint32_t seed,
+                       judge_angles *angles) {
+  for (size_t i = 0; i < alpha1->count; i++)
+    for (size_t k = 0; k < rays; k++) {
+      aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = seed, .wall = 2, .tag = k});
+      fly_one(field, alpha1->values[i], &stream, &angles[i]);
+    }
+}
+
+/* A rectangle of a map, from a column and a row on. */
+static asp_map *part_of(const asp_map *map, const size_t from[2], const size_t size[2],
+                        asp_error *error) {
+  float *heights = aspi_map_room(size[0], size[1]);
+  for (size_t j = 0; heights && j < size[1]; j++)
+    memcpy(heights + j * size[0], map->heights + (from[1] + j) * map->columns + from[0],
+           size[0] * sizeof *heights);
+  return aspi_map_adopt(heights, size[0], size[1], map->step, false, error);
+}
+
+/* The axis along which a map is longer. */
+static int long_axis(const asp_map *map) {
+  return (double)map->rows * map->step[1] > (double)map->columns * map->step[0];
+}
+
+/* Part `number` of `count` of a map's half: strips along its longer side. */
+static asp_map *piece_of(const asp_map *map, size_t half, size_t number, size_t count,
+                         asp_error *error) {
+  int axis = long_axis(map);
+  size_t whole[2] = {map->columns, map->rows}, from[2], size[2];
+  size[axis] = whole[axis] / 2;
+  from[axis] = half ? whole[axis] - size[axis] : 0;
+  size[!axis] = whole[!axis] / count;
+  from[!axis] = number * size[!axis];
+  if (size[0] < ASP_MAP_SIDE_LEAST || size[1] < ASP_MAP_SIDE_LEAST)
+    cli_bad_usage("--surfaces: %zu pieces of a map of %zu x %zu points are too many; each must "
+                  "have %d points along its sides",
+                  2 * count, map->columns, map->rows, ASP_MAP_SIDE_LEAST);
+  return part_of(map, from, size, error);
+}
+
+asp_map *judge_half(const asp_map *map, size_t half, asp_error *error) {
+  return piece_of(map, half, 0, 1, error);
+}
+
+double judge_angle_least(const judge_case *subject, double s_q, double lambda_c) {
+  const asp_map *map = subject->map;
+  double area = (double)map->columns * map->step[0] * (double)map->rows * map->step[1];
+  return cli_degrees(atan(RISE_LEAST * s_q * lambda_c * (double)subject->surfaces / area));
+}
+
+/* A map and its mirror images, which repeat without a step. */
+static asp_map *mirrored(const asp_map *map, asp_error *error) {
+  size_t columns = 2 * map->columns - 2, rows = 2 * map->rows - 2;
+  float *heights = aspi_map_room(columns, rows);
+  for (size_t j = 0; heights && j < rows; j++)
+    for (size_t i = 0; i < columns; i++) {
+      size_t row = j < map->rows ? j : rows - j, column = i < map->columns ? i : columns - i;
+      heights[j * columns + i] = map->heights[row * map->columns + column];
+    }
+  return aspi_map_adopt(heights, columns, rows, map->step, true, error);
+}
+
+static asp_map *piece(const judge_case *subject, size_t number, asp_error *error) {
+  size_t each = subject->surfaces / 2;
+  asp_map *part = piece_of(subject->map, number / each, number % each, each, error);
+  asp_map *map = part ? mirrored(part, error) : NULL;
+  asp_map_free(part);
+  return map;
+}
+
+static asp_map *generated(const judge_case *subject, uint32_t seed, asp_error *error) {
   const aspi_gauss *wall = &subject->wall;
-  size_t side = subject->points;
-  asp_error error;
   double c = cos(wall->axis), s = sin(wall->axis), a = 1 / (wall->lambda_1 * wall->lambda_1),
          b = 1 / (wall->lambda_2 * wall->lambda_2);
   double step[2] = {1 / (PER_LAMBDA * sqrt(c * c * a + s * s * b)),
                     1 / (PER_LAMBDA * sqrt(s * s * a + c * c * b))};
-  asp_map *map = subject->make ? subject->make(subject, step, side, seed)
-                               : aspi_map_create(wall, step, side, side, seed, &error);
+  return subject->make ? subject->make(subject, step, subject->points, seed)
+                       : aspi_map_create(wall, step, subject->points, subject->points, seed, error);
+}
+
+/* What one surface says. */
+static void judge(const judge_case *subject, const cli_list *alpha1, size_t rays, uint32_t seed,
+                  size_t number, judge_angles *angles) {
+  asp_error error;
+  seed += (uint32_t)number;
+  asp_map *map = subject->map ? piece(subject, number, &error) : generated(subject, seed, &error);
   aspi_ball *ball = map ? aspi_ball_create(map, subject->d_p, &error) : NULL;
   aspi_field field;
   if (!ball || aspi_field_create(&field, map, &error))
@@ -108,23 +209,28 @@ static void judge(const judge_case *subject, const cli_list *alpha1, size_t rays
   aspi_ball_free(ball);
   asp_map_free(map);
   aspi_field_finish(&field);
-  fly(&field, alpha1, rays / 2, seed, angles);
-  aspi_field_turn(&field);
-  fly(&field, alpha1, rays / 2, ~seed, angles);
+  if (subject->map) {
+    fly_around(&field, alpha1, rays, seed, angles);
+  } else {
+    fly(&field, alpha1, rays / 2, seed, angles);
+    aspi_field_turn(&field);
+    fly(&field, alpha1, rays / 2, ~seed, angles);
+  }
   aspi_field_free(&field);
 }
 
 judge_all judge_create(const judge_case *subject, const cli_list *angles, size_t rays,
                        uint32_t seed) {
   size_t surfaces = subject->surfaces;
-  judge_all all = {surfaces, angles->count, calloc(surfaces * angles->count, sizeof(judge_angles))};
+  judge_all all = {surfaces, angles->count, subject->map ? 2 : 1,
+                   calloc(surfaces * angles->count, sizeof(judge_angles))};
   if (!all.angles)
     cli_fail("out of memory");
   cli_progress progress = cli_progress_begin("surfaces", (double)surfaces);
   size_t done = 0;
 #pragma omp parallel for schedule(dynamic)
   for (size_t k = 0; k < surfaces; k++) {
-    judge(subject, angles, rays, seed + (uint32_t)k, all.angles + k * all.count);
+    judge(subject, angles, rays, seed, k, all.angles + k * all.count);
 #pragma omp critical
     cli_progress_show(&progress, (double)++done);
   }
@@ -140,16 +246,18 @@ static const double *histogram_of(const judge_angles *angles, size_t offset) {
   return (const double *)(const void *)((const char *)angles + offset);
 }
 
-/* D_KL of all surfaces but one (`out`; none where it is their number) against the model. */
-static double divergence_without(const judge_all *all, size_t i, const judge_angles *model,
-                                 size_t histogram, size_t out) {
+/* D_KL of all surfaces of a fold but one (`out`; none where it is their number) against the model.
+ */
+static double divergence_of(const judge_all *all, size_t i, size_t fold, const judge_angles *model,
+                            size_t histogram, size_t out) {
   const double *other = histogram_of(model, histogram);
+  size_t first = all->surfaces * fold / all->folds, end = all->surfaces * (fold + 1) / all->folds;
   double n = 0, sum = 0;
-  for (size_t k = 0; k < all->surfaces; k++)
+  for (size_t k = first; k < end; k++)
     n += k == out ? 0 : all->angles[k * all->count + i].n;
   for (int bin = 0; bin < JUDGE_BINS; bin++) {
     double count = 0;
-    for (size_t k = 0; k < all->surfaces; k++)
+    for (size_t k = first; k < end; k++)
       count += k == out ? 0 : histogram_of(&all->angles[k * all->count + i], histogram)[bin];
     if (count > 0)
       sum += count / n * log(count / n * model->n / fmax(other[bin], 0.5));
@@ -157,20 +265,32 @@ static double divergence_without(const judge_all *all, size_t i, const judge_ang
   return sum;
 }
 
-judge_value judge_divergence(const judge_all *all, size_t i, const judge_angles *model,
-                             size_t histogram) {
-  double n = (double)all->surfaces, mean = 0, square = 0, used = 0;
-  const double *other = histogram_of(model, histogram);
-  double whole = divergence_without(all, i, model, histogram, all->surfaces);
-  for (size_t k = 0; k < all->surfaces; k++) {
-    double part = divergence_without(all, i, model, histogram, k);
+/* Of one fold, by the jackknife, less the bias of the model's sampling. */
+static judge_value divergence_of_fold(const judge_all *all, size_t i, size_t fold,
+                                      const judge_angles *model, size_t histogram) {
+  size_t first = all->surfaces * fold / all->folds, end = all->surfaces * (fold + 1) / all->folds;
+  double n = (double)(end - first), mean = 0, square = 0, used = 0;
+  double whole = divergence_of(all, i, fold, model, histogram, all->surfaces);
+  for (size_t k = first; k < end; k++) {
+    double part = divergence_of(all, i, fold, model, histogram, k);
     mean += part / n;
     square += part * part / n;
   }
   for (int bin = 0; bin < JUDGE_BINS; bin++)
-    used += other[bin] > 0;
-  judge_value d = {n * whole - (n - 1) * mean - (used - 1) / (2 * model->n),
-                   sqrt((n - 1) * fmax(0, square - mean * mean))};
+    used += histogram_of(model, histogram)[bin] > 0;
+  return (judge_value){n * whole - (n - 1) * mean - (used - 1) / (2 * model->n),
+                       sqrt((n - 1) * fmax(0, square - mean * mean))};
+}
+
+judge_value judge_divergence(const judge_all *all, size_t i, const judge_angles *models,
+                             size_t histogram) {
+  judge_value d = {0, 0};
+  double folds = (double)all->folds;
+  for (size_t fold = 0; fold < all->folds; fold++) {
+    judge_value of = divergence_of_fold(all, i, fold, &models[fold], histogram);
+    d.value += of.value / folds;
+    d.se = hypot(d.se, of.se / folds);
+  }
   return d;
 }
 

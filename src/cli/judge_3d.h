@@ -1,5 +1,5 @@
-/* Rebounds from many independent surfaces in three dimensions: the judge of models on walls that
- * are no grooves.
+/* Rebounds from many independent surfaces in three dimensions, or from the pieces of a measured
+ * map: the judge of models on walls that are no grooves.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_JUDGE_H
@@ -22,14 +22,15 @@ typedef struct judge_angles {
 /* v2 in (t, b, n), of any length. */
 void judge_add(judge_angles *angles, const double v2[3], double tilt, int hits);
 
-/* What the surfaces say: of each of them, angles[surface * count + i] at alpha1 number i. */
+/* What the surfaces say: of each of them, angles[surface * count + i] at alpha1 number i. There is
+ * one fold, or two: the surfaces of each half judge a model of their own. */
 typedef struct judge_all {
-  size_t surfaces, count;
+  size_t surfaces, count, folds;
   judge_angles *angles;
 } judge_all;
 
 /* What is to be judged: a wall and a diameter, and how large a judge: so many independent surfaces
- * of points x points (a power of two). */
+ * of points x points (a power of two), or an even number of pieces of a map. */
 typedef struct judge_case judge_case;
 struct judge_case {
   aspi_gauss wall;
@@ -37,11 +38,20 @@ struct judge_case {
   size_t surfaces, points;
   /* One of the surfaces, periodic; NULL: a Gaussian one. */
   asp_map *(*make)(const judge_case *subject, const double step[2], size_t points, uint32_t seed);
+  const asp_map *map; /* NULL: generated surfaces */
 };
+
+/* The half of the map, cut across its longer side, that holds the first pieces or the others; NULL
+ * on error. */
+asp_map *judge_half(const asp_map *map, size_t half, asp_error *error);
+
+/* The least impact angle, in degrees, that the pieces of a map with those numbers can tell. */
+double judge_angle_least(const judge_case *subject, double s_q, double lambda_c);
 
 /* Generates the surfaces, with 20 points a correlation length along either side, rolls the sphere
  * over each, and sends `rays` particles a surface at each of the angles (rad) along x, half of them
- * either way, until they leave. Exits on an error. */
+ * either way, until they leave. The pieces of a map go on as their mirror images, and the particles
+ * fly over them in all directions. Exits on an error. */
 judge_all judge_create(const judge_case *subject, const cli_list *angles, size_t rays,
                        uint32_t seed);
 void judge_free(judge_all *all);
@@ -52,9 +62,9 @@ typedef struct judge_value {
 } judge_value;
 
 /* D_KL(surfaces || model) of one of the histograms (its offset in judge_angles) at alpha1 number
- * i, by the jackknife over the surfaces, which takes out the bias of finite samples, less that of
- * the model's. */
-judge_value judge_divergence(const judge_all *all, size_t i, const judge_angles *model,
+ * i, the mean over the folds, each with its model, by the jackknife over the surfaces, which takes
+ * out the bias of finite samples, less that of the model's. */
+judge_value judge_divergence(const judge_all *all, size_t i, const judge_angles *models,
                              size_t histogram);
 
 /* The surfaces' mean of one of the sums, per impact. */

@@ -15,11 +15,8 @@
 
 enum {
   MODEL,
-  SIGMA,
-  RQ,
-  LAMBDA_C,
-  LAY,
-  DP,
+  ROUGH,
+  DP = ROUGH + ROUGH_OPTIONS,
   ANGLE,
   SAMPLES,
   SEED,
@@ -31,56 +28,72 @@ enum {
   N
 };
 
-static aspi_stream stream_of(const cli_option *options, uint64_t sample) {
-  uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
-  return aspi_stream_begin(&(asp_key){seed, asp_key_wall("spread"), sample, 1});
+/* A wall as a model looks at it. */
+typedef struct scene {
+  const asp_spread_model *model;
+  cli_rough rough; /* of no surface where sigma says all */
+  asp_wall *wall;  /* NULL where the model needs no data */
+  aspi_view view;
+  bool shaped; /* the law is there as a density, too */
+} scene;
+
+static bool draw_face(const scene *s, const aspi_view *view, aspi_stream *stream, double *delta) {
+  aspi_path path = {0};
+  if (s->wall && s->wall->follow)
+    return s->wall->follow(view, stream, &path, delta);
+  return aspi_spread_draw(s->model, view, stream, delta);
 }
 
-static double draw(const asp_spread_model *model, const aspi_view *view, const cli_option *options,
-                   uint64_t sample) {
-  aspi_stream stream = stream_of(options, sample);
+static double draw(const scene *s, const aspi_view *view, uint32_t seed, uint64_t sample) {
+  aspi_stream stream = aspi_stream_begin(&(asp_key){seed, asp_key_wall("spread"), sample, 1});
   double delta;
-  if (!aspi_spread_draw(model, view, &stream, &delta))
-    cli_fail("model '%s' found no face for alpha1 = %g degrees", model->name,
+  if (!draw_face(s, view, &stream, &delta))
+    cli_fail("model '%s' found no face for alpha1 = %g degrees", s->model->name,
              cli_degrees(view->alpha1));
   return delta;
 }
 
-/* What the model makes of a profile of the wall; lives as long as the command. */
-static const void *data_of(const char *model, const asp_surface *surface, double d_p) {
-  asp_error error;
-  asp_wall *wall = asp_wall_create(&error);
-  if (!wall)
-    cli_fail("%s", error.text);
-  asp_wall_choose(wall, "spread", model, NULL);
-  asp_wall_set(wall, "d_p_least", d_p, NULL);
-  asp_wall_set(wall, "d_p_most", d_p, NULL);
-  asp_wall_set_surface(wall, surface);
-  if (asp_wall_prepare(wall, &error))
-    cli_bad_usage("%s", error.text);
-  return wall->data;
+static aspi_view view_of(const cli_rough *rough, double d_p) {
+  const asp_surface *surface = rough->surface;
+  double part = rough->lay.part;
+  double slope = part < 1 || part > 1 ? aspi_surface_slope_along(surface, d_p, part)
+                                      : asp_surface_slope(surface, d_p);
+  aspi_view view = aspi_view_of(atan(slope), 0);
+  view.kappa = asp_surface_kappa(surface, d_p) * part;
+  view.d_p = d_p;
+  return view;
 }
 
-/* The wall as the model looks at it; alpha1 is still to come. */
-static aspi_view view_of(const cli_option *options, const asp_spread_model *model) {
-  if (options[SIGMA].value && !model->generate)
-    return aspi_view_of(cli_radians(cli_number(&options[SIGMA], 0, 89)), 0);
-  if (!options[RQ].value || !options[LAMBDA_C].value || !options[DP].value)
-    cli_bad_usage("spread: give %s--rq, --lambda-c and --dp%s",
-                  model->generate ? "" : "--sigma, or ",
-                  model->generate ? "; the model looks at a profile" : "");
-  cli_lay lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
-  asp_surface *surface = cli_surface_of(&options[RQ], &lay);
-  double d_p = cli_length(&options[DP]);
-  cli_check_size(surface, d_p);
-  double slope = lay.part < 1 || lay.part > 1 ? aspi_surface_slope_along(surface, d_p, lay.part)
-                                              : asp_surface_slope(surface, d_p);
-  aspi_view view = aspi_view_of(atan(slope), 0);
-  view.kappa = asp_surface_kappa(surface, d_p) * lay.part;
-  view.d_p = d_p;
-  if (model->generate)
-    view.data = data_of(model->name, surface, d_p);
-  return view;
+/* Exits on a bad wall; the view's impact angle is still to come. */
+static scene scene_of(const cli_option *options, const asp_spread_model *model) {
+  scene s = {.model = model, .shaped = model->density};
+  const cli_option *of = &options[ROUGH];
+  cli_rough_check(of);
+  if (of[ROUGH_SIGMA].value && !model->generate) {
+    s.view = aspi_view_of(cli_radians(cli_number(&of[ROUGH_SIGMA], 0, 89)), 0);
+    return s;
+  }
+  double d_p = cli_rough_size(of, &options[DP]);
+  s.rough = cli_rough_read(of, d_p, d_p);
+  s.view = view_of(&s.rough, d_p);
+  asp_error error;
+  s.wall = asp_wall_create(&error);
+  if (!s.wall)
+    cli_fail("%s", error.text);
+  asp_wall_choose(s.wall, "spread", model->name, NULL);
+  cli_rough_put(&s.rough, s.wall, d_p, d_p);
+  if (asp_wall_prepare(s.wall, &error))
+    cli_bad_usage("%s", error.text);
+  s.view.data = s.wall->data;
+  s.view.has_azimuth = of[ROUGH_LAY].value;
+  s.view.azimuth = ASP_PI / 2 - s.rough.lay.direction;
+  s.shaped = s.shaped && !s.wall->draws_q; /* that of a map is lines over it */
+  return s;
+}
+
+static void scene_free(scene *s) {
+  asp_wall_free(s->wall);
+  cli_rough_free(&s->rough);
 }
 
 static void print_list(FILE *out) {
@@ -112,48 +125,75 @@ static void print_summary(FILE *out, const asp_spread_model *model, const aspi_v
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.95));
 }
 
-static void fill(double *sample, size_t n, const asp_spread_model *model, const aspi_view *view,
-                 const cli_option *options) {
+static void fill(double *sample, size_t n, const scene *s, const aspi_view *view, uint32_t seed) {
   cli_progress progress = cli_progress_begin("sampling", (double)n);
   for (size_t i = 0; i < n; i++) {
-    sample[i] = cli_degrees(draw(model, view, options, i));
+    sample[i] = cli_degrees(draw(s, view, seed, i));
     if (i % 65536 == 0)
       cli_progress_show(&progress, (double)i);
   }
   cli_progress_end(&progress);
 }
 
-static void one_angle(FILE *out, const cli_option *options, const asp_spread_model *model,
-                      aspi_view view, double angle, size_t n) {
+/* How many samples of which seed. */
+typedef struct sampling {
+  size_t n;
+  uint32_t seed;
+} sampling;
+
+static void one_angle(FILE *out, const cli_option *options, const scene *s, double angle,
+                      const sampling *how) {
+  aspi_view view = s->view;
   view.alpha1 = cli_radians(angle);
   if (options[PDF].value) {
-    print_density(out, model, &view);
+    print_density(out, s->model, &view);
     if (!options[PLOT].value)
       return;
   }
-  double *sample = malloc(n * sizeof *sample);
+  double *sample = malloc(how->n * sizeof *sample);
   if (!sample)
-    cli_fail("out of memory for %zu samples", n);
-  fill(sample, n, model, &view, options);
+    cli_fail("out of memory for %zu samples", how->n);
+  fill(sample, how->n, s, &view, how->seed);
   if (options[PLOT].value)
-    cli_spread_plot(&options[PLOT], model, &view, sample, n);
+    cli_spread_plot(&options[PLOT], s->model, s->shaped, &view, sample, how->n);
   if (options[SUMMARY].value)
-    print_summary(out, model, &view, sample, n);
+    print_summary(out, s->model, &view, sample, how->n);
   else if (!options[PDF].value)
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < how->n; i++)
       fprintf(out, "%.8g\n", sample[i]);
   free(sample);
 }
 
+static void print_law(const cli_option *options, const asp_spread_model *model, int argc,
+                      char **argv) {
+  cli_list angles = cli_angles(&options[ANGLE]);
+  if (angles.count > 1 && (!options[SUMMARY].value || options[PLOT].value))
+    cli_bad_usage("--angle is '%s'; more than one angle goes with --summary, without --plot",
+                  options[ANGLE].value);
+  sampling how = {cli_whole(&options[SAMPLES], 1, 100000000),
+                  (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX)};
+  scene s = scene_of(options, model);
+  if (options[PDF].value && !s.shaped)
+    cli_bad_usage("--pdf: model '%s' has no density%s", model->name,
+                  model->density ? " on a map" : "");
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  FILE *out = cli_output_stream(output);
+  if (options[SUMMARY].value)
+    fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
+  else if (!options[PDF].value)
+    fputs("delta_alpha_deg\n", out);
+  for (size_t i = 0; i < angles.count; i++)
+    one_angle(out, options, &s, angles.values[i], &how);
+  cli_output_close(output);
+  scene_free(&s);
+}
+
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      [MODEL] = {"model", "NAME", "spread model; --list shows them", "visible"},
-      [SIGMA] = {"sigma", "DEGREES", "the wall as sigma = atan(s_eff) ...", NULL},
-      [RQ] = {"rq", "LENGTH", "... or by its rms height,", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTHS", "its correlation length; with a lay two: across,along",
-                    NULL},
-      [LAY] = CLI_LAY_OPTION,
-      [DP] = {"dp", "LENGTH", "and the particle's diameter", NULL},
+      [MODEL] = {"model", "NAME",
+                 "spread model; --list shows them [visible; of a measured wall profile]", NULL},
+      CLI_ROUGH_OPTIONS(ROUGH),
+      [DP] = {"dp", "LENGTH", "the particle's diameter; with --sigma of no account", NULL},
       [ANGLE] = {"angle", "DEGREES", "impact angle, 0 to 90; with --summary a list or a range",
                  "30"},
       [SAMPLES] = {"samples", "N", "how many draws", "10000"},
@@ -165,33 +205,20 @@ static int run(int argc, char **argv) {
       [PLOT] = {"plot", "FILE", "draw histogram and density; .png, .svg or .pdf", NULL},
   };
   cli_parse(&cli_spread, argc, argv, options, false);
+  if (options[LIST].value) {
+    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+    print_list(cli_output_stream(output));
+    cli_output_close(output);
+    return 0;
+  }
+  const char *name = options[MODEL].value;
   asp_error error;
-  const asp_spread_model *model = asp_spread_find(options[MODEL].value, &error);
+  if (!name)
+    name = cli_rough_measured(&options[ROUGH]) ? "profile" : "visible";
+  const asp_spread_model *model = asp_spread_find(name, &error);
   if (!model)
     cli_bad_usage("--model: %s", error.text);
-  cli_list angles = cli_angles(&options[ANGLE]);
-  if (angles.count > 1 && (!options[SUMMARY].value || options[PLOT].value))
-    cli_bad_usage("--angle is '%s'; more than one angle goes with --summary, without --plot",
-                  options[ANGLE].value);
-  if (options[PDF].value && !model->density)
-    cli_bad_usage("--pdf: model '%s' has no density", model->name);
-  size_t samples = cli_whole(&options[SAMPLES], 1, 100000000);
-  aspi_view view = {0};
-  if (!options[LIST].value)
-    view = view_of(options, model);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-  FILE *out = cli_output_stream(output);
-  if (options[LIST].value) {
-    print_list(out);
-  } else {
-    if (options[SUMMARY].value)
-      fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
-    else if (!options[PDF].value)
-      fputs("delta_alpha_deg\n", out);
-    for (size_t i = 0; i < angles.count; i++)
-      one_angle(out, options, model, view, angles.values[i], samples);
-  }
-  cli_output_close(output);
+  print_law(options, model, argc, argv);
   return 0;
 }
 
@@ -200,6 +227,8 @@ const cli_command cli_spread = {
     .summary = "how the tilt of the face that a particle hits is distributed",
     .detail =
         "Draws delta_alpha for a wall and an impact angle, or prints its density. The wall is\n"
-        "--sigma, or --rq, --lambda-c and --dp, as a profile along the flight has it.\n",
+        "--sigma, or --rq, --lambda-c and --dp, as a profile along the flight has it, or a "
+        "measured\n"
+        "--profile with --dp, or a --map, over which spheres fly in all directions.\n",
     .run = run,
 };

@@ -7,8 +7,8 @@
 #include "cli/cli.h"
 #include "spread/models.h"
 
-/* A histogram of n samples in degrees, and the model's density over it where it has one. */
-void cli_spread_plot(const cli_option *option, const asp_spread_model *model, const aspi_view *view,
-                     const double *sample, size_t n);
+/* A histogram of n samples in degrees and, where the law is `shaped`, its density over it. */
+void cli_spread_plot(const cli_option *option, const asp_spread_model *model, bool shaped,
+                     const aspi_view *view, const double *sample, size_t n);
 
 #endif

@@ -7,11 +7,11 @@
 
 enum { BARS = 181 };
 
-/* Where the law begins, in degrees: the least angle with a density, to 1e-6; for a model without a
- * density the least sample. */
-static double beginning(const asp_spread_model *model, const aspi_view *view, const double *sample,
-                        size_t n) {
-  if (!model->density) {
+/* Where the law begins, in degrees: the least angle with a density, to 1e-6; of a law without one
+ * the least sample. */
+static double beginning(const asp_spread_model *model, bool shaped, const aspi_view *view,
+                        const double *sample, size_t n) {
+  if (!shaped) {
     double least = sample[0];
     for (size_t i = 1; i < n; i++)
       least = fmin(least, sample[i]);
@@ -41,9 +41,9 @@ static void print_density(FILE *gp, const asp_spread_model *model, const aspi_vi
 
 /* A histogram of the samples, one bar a degree from where the law begins, and the density over it.
  */
-void cli_spread_plot(const cli_option *option, const asp_spread_model *model, const aspi_view *view,
-                     const double *sample, size_t n) {
-  double share[BARS] = {0}, most = -90, from = beginning(model, view, sample, n);
+void cli_spread_plot(const cli_option *option, const asp_spread_model *model, bool shaped,
+                     const aspi_view *view, const double *sample, size_t n) {
+  double share[BARS] = {0}, most = -90, from = beginning(model, shaped, view, sample, n);
   for (size_t i = 0; i < n; i++) {
     int bar = (int)fmax(0, floor(sample[i] - from));
     share[bar < BARS ? bar : BARS - 1] += 1 / (double)n;
@@ -62,10 +62,10 @@ void cli_spread_plot(const cli_option *option, const asp_spread_model *model, co
     if (share[i] > 0)
       fprintf(gp, "%g %g\n", from + i + 0.5, share[i]);
   fputs("EOD\n", gp);
-  if (model->density)
+  if (shaped)
     print_density(gp, model, view, from, most);
   fprintf(gp, "plot $bars with boxes lc rgb '#0072b2' title '%zu samples'", n);
-  if (model->density)
+  if (shaped)
     fputs(", $density with lines ls 2 dt 1 title 'density'", gp);
   fputc('\n', gp);
   cli_plot_close(picture);

@@ -78,7 +78,10 @@ static const cli_option table[N_OPTIONS + 1] = {
     [CUTOFF] = {"cutoff", "LENGTH", "longer waves are taken out, after the form", NULL},
     [ROBUST] = {"robust", NULL, "the cut-off by the robust filter of ISO 16610-31", NULL},
     [LEVEL] = {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
-    [SAVE] = {"save", "FILE", "write the profile's positions and heights there", NULL},
+    [SAVE] =
+        {"save", "FILE",
+         "write the profile there, or the map (SDF), as mended; for --profile and --map elsewhere",
+         NULL},
     [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
     [PLOT] = {"plot", "FILE", "draw the first --dp, of a map two, into a .png, .svg or .pdf", NULL},
 };
@@ -252,28 +255,13 @@ static void check_options(const cli_option *o) {
   enum { GENERATED = 1, BY_PROFILE = 2, BY_MAP = 4, MEASURED = BY_PROFILE | BY_MAP };
   static const struct {
     int option, own;
-  } list[] = {{RQ, GENERATED},
-              {LAMBDA_C, GENERATED},
-              {POINTS, GENERATED},
-              {PROFILE, BY_PROFILE},
-              {SPACING, BY_PROFILE},
-              {ROW, BY_PROFILE},
-              {COLUMN, BY_PROFILE},
-              {X_COLUMN, BY_PROFILE},
-              {Z_COLUMN, BY_PROFILE},
-              {TIP, BY_PROFILE},
-              {LAMBDA_S, BY_PROFILE},
-              {CUTOFF, BY_PROFILE},
-              {ROBUST, BY_PROFILE},
-              {MISSING, BY_PROFILE},
-              {LEVEL, BY_PROFILE},
-              {UNIT, MEASURED},
-              {FORM, MEASURED},
-              {GAPS, MEASURED},
-              {SPIKES, MEASURED},
-              {STEP, MEASURED},
-              {SEED, GENERATED | BY_PROFILE},
-              {SAVE, GENERATED | BY_PROFILE}};
+  } list[] = {{RQ, GENERATED},       {LAMBDA_C, GENERATED},  {POINTS, GENERATED},
+              {PROFILE, BY_PROFILE}, {SPACING, BY_PROFILE},  {ROW, BY_PROFILE},
+              {COLUMN, BY_PROFILE},  {X_COLUMN, BY_PROFILE}, {Z_COLUMN, BY_PROFILE},
+              {TIP, BY_PROFILE},     {LAMBDA_S, BY_PROFILE}, {CUTOFF, BY_PROFILE},
+              {ROBUST, BY_PROFILE},  {MISSING, BY_PROFILE},  {LEVEL, BY_PROFILE},
+              {UNIT, MEASURED},      {FORM, MEASURED},       {GAPS, MEASURED},
+              {SPIKES, MEASURED},    {STEP, MEASURED},       {SEED, GENERATED | BY_PROFILE}};
   int wall = o[MAP].value ? BY_MAP : o[PROFILE].value ? BY_PROFILE : GENERATED;
   for (size_t i = 0; i < sizeof list / sizeof *list; i++)
     if (o[list[i].option].value != table[list[i].option].value && !(list[i].own & wall))
@@ -302,6 +290,8 @@ static void run_map(const cli_option *o, const cli_list *sizes, int argc, char *
   cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
   cli_map_print(cli_output_stream(output), &map, rows, sizes->count);
   cli_output_close(output);
+  if (o[SAVE].value)
+    cli_map_save(&o[SAVE], &map);
   if (o[PLOT].value)
     cli_map_plot(&o[PLOT], &map, rows, sizes->count);
   free(rows);

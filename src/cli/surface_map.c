@@ -145,3 +145,20 @@ void cli_map_print(FILE *out, const cli_map *m, const cli_map_slopes *rows, size
             sqrt(3) * rows[i].d_p * d->s_q / (d->lambda_1 * d->lambda_1), rows[i].rms[0],
             rows[i].rms[1], rows[i].skewness[0], rows[i].skewness[1]);
 }
+
+void cli_map_save(const cli_option *option, const cli_map *m) {
+  const asp_map *map = m->map;
+  cli_file *file = cli_file_open(option->value);
+  FILE *out = cli_file_stream(file);
+  fprintf(out,
+          "aISO-1.0\nManufacID = asperity\nCreateDate = 000000000000\nModDate = 000000000000\n"
+          "NumPoints = %zu\nNumProfiles = %zu\nXscale = %.17g\nYscale = %.17g\nZscale = 1e-6\n"
+          "Zresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n",
+          map->columns, map->rows, map->step[0], map->step[1]);
+  for (size_t j = 0; j < map->rows; j++)
+    for (size_t i = 0; i < map->columns; i++)
+      fprintf(out, "%.9g%c", (double)map->heights[j * map->columns + i] * 1e6,
+              i + 1 < map->columns ? ' ' : '\n');
+  fputs("*\n", out);
+  cli_file_close(file);
+}

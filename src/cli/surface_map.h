@@ -31,6 +31,9 @@ void cli_map_slopes_measure(const cli_map *map, const cli_list *sizes, cli_map_s
 /* What is known of the map, and a row per size. */
 void cli_map_print(FILE *out, const cli_map *map, const cli_map_slopes *rows, size_t count);
 
+/* The heights as SDF in text (ISO 25178-71), for the other commands and the wall's fix. */
+void cli_map_save(const cli_option *option, const cli_map *map);
+
 /* The picture of the first two sizes. */
 void cli_map_plot(const cli_option *option, const cli_map *map, const cli_map_slopes *rows,
                   size_t count);

@@ -12,19 +12,24 @@
 #include <math.h>
 #include <stdlib.h>
 
+enum { PROFILES_MANY = 16, SURFACES_MANY = 8 };
+
+/* Of the pieces of a measured profile, unless they would be too few, in lambda_c. */
+#define PIECE_LENGTH 25.0
+
 /* The rows of one model, one an angle, asp_spread_count() apart. */
-static void judge(const measure_case *subject, const asp_surface *surface,
-                  const asp_spread_model *model, const measure_reference *references,
-                  const cli_list *angles, bool multiple, trade_row *rows) {
-  asp_wall *wall = measure_wall(subject, surface, asp_spread_name(model), multiple);
+static void judge(const measure_case *subject, const measure_wall *wall, const asp_spread_model *of,
+                  const measure_reference *references, const cli_list *angles, bool multiple,
+                  trade_row *rows) {
+  measure_model model = measure_model_create(subject, wall, asp_spread_name(of), multiple);
   for (size_t i = 0; i < angles->count; i++)
     rows[i * (size_t)asp_spread_count()] =
-        (trade_row){.model = model,
+        (trade_row){.model = of,
                     .angle = angles->values[i],
-                    .cost = measure_cost(wall, subject->d_p, references[i].alpha1),
-                    .first_hit = measure_first_hit(subject, &references[i], wall),
-                    .rebound = measure_compare(subject, &references[i], wall)};
-  asp_wall_free(wall);
+                    .cost = measure_cost(model.on[0], subject->d_p, references[i].alpha1),
+                    .first_hit = measure_first_hit(subject, &references[i], &model),
+                    .rebound = measure_compare(subject, &references[i], &model)};
+  measure_model_free(&model);
 }
 
 static void print_row(FILE *out, const trade_row *r) {
@@ -39,17 +44,16 @@ static void print_row(FILE *out, const trade_row *r) {
 static void measure(const cli_option *options, const cli_list *angles, const measure_case *subject,
                     trade_row *rows) {
   bool multiple = cli_is_multiple(&options[COLLISIONS]);
-  asp_surface *surface = measure_surface(subject);
-  cli_check_size(surface, subject->d_p);
-  measure_reference *references = measure_references(subject, angles->values, angles->count);
+  measure_wall wall = measure_wall_create(subject);
+  measure_reference *references = measure_references(subject, &wall, angles->values, angles->count);
   cli_progress progress = cli_progress_begin("models", asp_spread_count());
   for (int m = 0; m < asp_spread_count(); m++) {
-    judge(subject, surface, asp_spread_at(m), references, angles, multiple, rows + m);
+    judge(subject, &wall, asp_spread_at(m), references, angles, multiple, rows + m);
     cli_progress_show(&progress, m + 1);
   }
   cli_progress_end(&progress);
   measure_references_free(references, angles->count);
-  asp_surface_free(surface);
+  measure_wall_free(&wall);
 }
 
 static void print(FILE *out, const trade_row *rows, size_t n) {
@@ -60,77 +64,151 @@ static void print(FILE *out, const trade_row *rows, size_t n) {
     print_row(out, &rows[i]);
 }
 
-/* The rows of --three-d. */
-static void judge_3d(FILE *out, const cli_option *options, const cli_list *angles, size_t rays,
-                     uint32_t seed) {
-  cli_lay lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
-  judge_case subject = {
-      {cli_length(&options[RQ]), lay.lambda[0], lay.lambda[1], lay.direction - ASP_PI / 2},
-      cli_length(&options[DP]),
-      cli_whole(&options[SURFACES], 3, 1000),
-      cli_whole(&options[POINTS], 256, 16384),
-      NULL};
-  cli_trade_3d(out, &subject, angles, rays, cli_is_multiple(&options[COLLISIONS]), seed);
+/* Takes out the angles that pieces of a measured wall are too short for. */
+static void drop_grazing(const cli_option *option, cli_list *angles, double least) {
+  size_t kept = 0;
+  for (size_t i = 0; i < angles->count; i++)
+    if (angles->values[i] >= least)
+      angles->values[kept++] = angles->values[i];
+  if (kept == 0)
+    cli_bad_usage("--%s is '%s'; some must be over %.2g degrees, the least that pieces of this "
+                  "wall can judge",
+                  option->name, option->value, least);
+  if (kept < angles->count)
+    cli_warn("--%s: those under %.2g degrees are left out; the pieces of the measured wall are "
+             "too short to judge there",
+             option->name, least);
+  angles->count = kept;
+}
+
+/* How many pieces, an even number; `most` of them unless the user says. */
+static size_t pieces_of(const cli_option *option, double most) {
+  size_t pieces = option->value ? cli_whole(option, MEASURE_PROFILES_LEAST, MEASURE_PROFILES_MOST)
+                                : MEASURE_PROFILES_LEAST;
+  if (!option->value)
+    pieces = (size_t)fmin(fmax(2 * floor(most / 2), MEASURE_PROFILES_LEAST), PROFILES_MANY);
+  if (pieces % 2)
+    cli_bad_usage("--%s is '%s'; of a measured wall it must be even, half of the pieces in "
+                  "each half of it",
+                  option->name, option->value);
+  return pieces;
+}
+
+static measure_case case_of(const cli_option *options) {
+  bool given = options[PROFILES].value;
+  return (measure_case){.rays = cli_whole(&options[RAYS], 1000, 1000000000),
+                        .profiles = given
+                                        ? (int)cli_whole(&options[PROFILES], MEASURE_PROFILES_LEAST,
+                                                         MEASURE_PROFILES_MOST)
+                                        : PROFILES_MANY,
+                        .seed = (uint32_t)cli_whole(&options[SEED], 0, 1000000)};
+}
+
+/* What is judged in three dimensions; takes out the angles at which it cannot be. */
+static judge_case case_3d(const cli_option *options, const cli_rough *rough, double d_p,
+                          cli_list *angles) {
+  const asp_surface *surface = rough->surface;
+  unsigned long points = cli_whole(&options[POINTS], 256, 16384);
+  if (points & (points - 1))
+    cli_bad_usage("--points is %lu; it must be a power of two", points);
+  judge_case subject = {.wall = {asp_surface_r_q(surface), rough->lay.lambda[0],
+                                 rough->lay.lambda[1], rough->lay.direction - ASP_PI / 2},
+                        .d_p = d_p,
+                        .surfaces = SURFACES_MANY,
+                        .points = points,
+                        .map = rough->map};
+  if (rough->map) {
+    subject.surfaces = pieces_of(&options[SURFACES], 0);
+    drop_grazing(&options[ANGLES], angles,
+                 judge_angle_least(&subject, subject.wall.r_q, asp_surface_lambda_c(surface)));
+  } else if (options[SURFACES].value) {
+    subject.surfaces = cli_whole(&options[SURFACES], 3, 1000);
+  }
+  return subject;
+}
+
+/* The same in the plane of incidence. */
+static measure_case case_2d(const cli_option *options, const cli_rough *rough, double d_p,
+                            cli_list *angles) {
+  const double *lambda = rough->lay.lambda;
+  if (lambda[0] < lambda[1] || lambda[0] > lambda[1])
+    cli_bad_usage("--lambda-c is '%s'; a wall with a lay is judged with --three-d",
+                  options[ROUGH + ROUGH_LAMBDA_C].value);
+  measure_case subject = case_of(options);
+  subject.r_q = asp_surface_r_q(rough->surface);
+  subject.lambda_c = asp_surface_lambda_c(rough->surface);
+  subject.d_p = d_p;
+  subject.profile = rough->profile;
+  if (rough->profile) {
+    double length =
+        (double)asp_profile_points(rough->profile) * asp_profile_spacing(rough->profile);
+    subject.profiles = (int)pieces_of(&options[PROFILES], length / subject.lambda_c / PIECE_LENGTH);
+    drop_grazing(&options[ANGLES], angles, measure_angle_least(&subject));
+  }
+  return subject;
+}
+
+/* One wall. */
+static void judge_wall(const cli_option *options, int argc, char **argv) {
+  double d_p = cli_rough_size(&options[ROUGH], &options[DP]);
+  cli_list angles = cli_angles(&options[ANGLES]);
+  cli_rough rough = cli_rough_read(&options[ROUGH], d_p, d_p);
+  trade_row *rows = calloc(angles.count * (size_t)asp_spread_count(), sizeof *rows);
+  if (!rows)
+    cli_fail("out of memory");
+  cli_output *output;
+  if (options[THREE_D].value || rough.map) {
+    if (rough.map && options[ROUGH + ROUGH_LAY].value)
+      cli_bad_usage("--lay is given with --map, whose judge flies in all directions");
+    if (rough.profile)
+      cli_bad_usage("--three-d is given with --profile; it goes with --map, or a wall's numbers");
+    judge_case subject = case_3d(options, &rough, d_p, &angles);
+    measure_case how = case_of(options);
+    bool multiple = cli_is_multiple(&options[COLLISIONS]);
+    output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+    cli_trade_3d(cli_output_stream(output), &subject, &angles, how.rays, multiple, how.seed, rows);
+  } else {
+    measure_case subject = case_2d(options, &rough, d_p, &angles);
+    measure(options, &angles, &subject, rows);
+    output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+    print(cli_output_stream(output), rows, angles.count * (size_t)asp_spread_count());
+  }
+  cli_output_close(output);
+  if (options[PLOT].value)
+    cli_trade_plot(options, &rough, rows, angles.count * (size_t)asp_spread_count());
+  free(rows);
+  cli_rough_free(&rough);
 }
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      [RQ] = {"rq", "LENGTH", "rms height of the wall", NULL},
-      [LAMBDA_C] = {"lambda-c", "LENGTHS", CLI_LAMBDA_HELP, NULL},
-      [LAY] = CLI_LAY_OPTION,
+      CLI_ROUGH_OPTIONS(ROUGH),
       [DP] = {"dp", "LENGTH", "diameter of the particles", NULL},
       [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "2,5,10,20,45,80"},
       [RAYS] = {"rays", "N", "impacts per model and angle", "200000"},
-      [PROFILES] = {"profiles", "N", "profiles of 2048 lambda_c in the ensemble that judges", "16"},
+      [PROFILES] = {"profiles", "N",
+                    "profiles of 2048 lambda_c that judge [16], or pieces of a measured one", NULL},
       [SEED] = {"seed", "N", "seed of the ensemble and the draws", "1"},
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
                       "multiple"},
-      [GRID] = {"grid", NULL, "measure the grid of walls from which `auto` chooses; an hour", NULL},
+      [GRID] = {"grid", NULL, "measure the grid of walls from which `auto` chooses; half an hour",
+                NULL},
       [THREE_D] = {"three-d", NULL, "isotropic: judged by surfaces in three dimensions", NULL},
-      [SURFACES] = {"surfaces", "N", "of --three-d: independent surfaces that judge", "8"},
+      [SURFACES] = {"surfaces", "N",
+                    "of --three-d: independent surfaces that judge [8]; pieces of a map [4]", NULL},
       [POINTS] = {"points", "N", "of --three-d: points along a side, 20 a lambda_c", "2048"},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw cost against divergence; .png, .svg or .pdf", NULL},
   };
   cli_parse(&cli_trade, argc, argv, options, false);
-  measure_case subject = {
-      .rays = cli_whole(&options[RAYS], 1000, 1000000000),
-      .profiles = (int)cli_whole(&options[PROFILES], MEASURE_PROFILES_LEAST, MEASURE_PROFILES_MOST),
-      .seed = (uint32_t)cli_whole(&options[SEED], 0, 1000000)};
-  if (options[GRID].value) {
-    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-    cli_grid(cli_output_stream(output), &subject);
-    cli_output_close(output);
+  if (!options[GRID].value) {
+    judge_wall(options, argc, argv);
     return 0;
   }
-  cli_list angles = cli_angles(&options[ANGLES]);
-  if (options[THREE_D].value) {
-    unsigned long points = cli_whole(&options[POINTS], 256, 16384);
-    if (points & (points - 1))
-      cli_bad_usage("--points is %lu; it must be a power of two", points);
-    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-    judge_3d(cli_output_stream(output), options, &angles, subject.rays, subject.seed);
-    cli_output_close(output);
-    return 0;
-  }
-  size_t n = angles.count * (size_t)asp_spread_count();
-  trade_row *rows = malloc(n * sizeof *rows);
-  if (!rows)
-    cli_fail("out of memory");
-  subject.r_q = cli_length(&options[RQ]);
-  cli_lay lay = cli_lay_of(&options[LAMBDA_C], &options[LAY]);
-  if (lay.lambda[0] < lay.lambda[1] || lay.lambda[0] > lay.lambda[1])
-    cli_bad_usage("--lambda-c is '%s'; a wall with a lay is judged with --three-d",
-                  options[LAMBDA_C].value);
-  subject.lambda_c = lay.lambda[0];
-  subject.d_p = cli_length(&options[DP]);
-  measure(options, &angles, &subject, rows);
+  measure_case subject = case_of(options);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-  print(cli_output_stream(output), rows, n);
+  cli_grid(cli_output_stream(output), &subject);
   cli_output_close(output);
-  if (options[PLOT].value)
-    cli_trade_plot(options, rows, n);
-  free(rows);
   return 0;
 }
 
@@ -144,8 +222,13 @@ const cli_command cli_trade = {
         "counts as 1e-6, or half an impact. kl_rebound is free of the bias of histograms, and\n"
         "kl_rebound_se is its standard error, by the jackknife over the profiles; more --profiles\n"
         "and --rays make it smaller.\n"
+        "With --profile the pieces of one half of it judge what is made of the other half, and "
+        "the\n"
+        "other way round: so no model is judged by heights that made it.\n"
         "With --three-d the reference are independent Gaussian surfaces on which a sphere rolls,\n"
         "none of which made a model; every model takes `isotropic`. --rays counts per surface.\n"
-        "All D_KL are then sampled, with the standard error over the surfaces (jackknife).\n",
+        "All D_KL are then sampled, with the standard error over the surfaces (jackknife). With "
+        "--map\n"
+        "pieces of one half of the map judge what is made of the other, in all directions.\n",
     .run = run,
 };

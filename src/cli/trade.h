@@ -5,13 +5,12 @@
 #define ASP_CLI_TRADE_H
 
 #include "cli/measure.h"
+#include "cli/walls.h"
 
 /* The options of the command. */
 enum {
-  RQ,
-  LAMBDA_C,
-  LAY,
-  DP,
+  ROUGH,
+  DP = ROUGH + ROUGH_OPTIONS,
   ANGLES,
   RAYS,
   SEED,
@@ -35,6 +34,7 @@ typedef struct trade_row {
 
 /* The cost of every model against its worst divergence; of every angle all models, in their order.
  */
-void cli_trade_plot(const cli_option *options, const trade_row *rows, size_t n);
+void cli_trade_plot(const cli_option *options, const cli_rough *rough, const trade_row *rows,
+                    size_t n);
 
 #endif

@@ -5,9 +5,11 @@
 #define ASP_CLI_TRADE_3D_H
 
 #include "cli/judge_3d.h"
+#include "cli/trade.h"
 
-/* Rows of every model on the wall, in three dimensions, at `angles` (degrees), to `out`. */
+/* Measures every model on the wall, in three dimensions, at `angles` (degrees): rows of CSV to
+ * `out`, and what the picture needs of them, angle by angle, into `rows`. */
 void cli_trade_3d(FILE *out, const judge_case *subject, const cli_list *angles, size_t rays,
-                  bool multiple, uint32_t seed);
+                  bool multiple, uint32_t seed, trade_row *rows);
 
 #endif

@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A model over all angles: its mean cost, and its worst divergence. */
+/* A model over all angles: its mean cost, and its worst divergence with the standard error. */
 typedef struct point {
   const asp_spread_model *model;
-  double cost, worst;
+  double cost, worst, se; /* of the worst */
 } point;
 
 static int by_cost(const void *a, const void *b) {
@@ -23,7 +23,10 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
     points[m] = (point){.model = rows[m].model};
     for (size_t i = m; i < n; i += models) {
       points[m].cost += rows[i].cost * (double)models / (double)n;
-      points[m].worst = fmax(points[m].worst, rows[i].rebound.kl);
+      if (i == m || rows[i].rebound.kl > points[m].worst) {
+        points[m].worst = rows[i].rebound.kl;
+        points[m].se = rows[i].rebound.se;
+      }
     }
   }
   qsort(points, models, sizeof *points, by_cost);
@@ -35,7 +38,23 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
 /* Gnuplot's open point types, which can be told apart when they lie on each other. */
 static const int marks[] = {4, 6, 8, 10, 12, 14, 1, 2, 3, 15};
 
-void cli_trade_plot(const cli_option *options, const trade_row *rows, size_t n) {
+/* The wall in the title. */
+static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *options,
+                       const cli_rough *rough) {
+  const cli_option *o = &options[ROUGH];
+  const char *file = o[ROUGH_PROFILE].value ? o[ROUGH_PROFILE].value : o[ROUGH_MAP].value;
+  if (o[ROUGH_SIGMA].value) {
+    fprintf(gp, "Wall {/Symbol s} %s°", cli_plot_label(picture, o[ROUGH_SIGMA].value).text);
+    return;
+  }
+  fprintf(gp, "Wall %s%sr_q %.3g µm, {/Symbol l}_c %.3g µm; particles %s",
+          file ? cli_plot_label(picture, file).text : "", file ? ", " : "",
+          asp_surface_r_q(rough->surface) * 1e6, asp_surface_lambda_c(rough->surface) * 1e6,
+          cli_plot_label(picture, options[DP].value).text);
+}
+
+void cli_trade_plot(const cli_option *options, const cli_rough *rough, const trade_row *rows,
+                    size_t n) {
   size_t models = (size_t)asp_spread_count();
   point *points = malloc(models * sizeof *points);
   if (!points)
@@ -43,19 +62,26 @@ void cli_trade_plot(const cli_option *options, const trade_row *rows, size_t n) 
   summarise(rows, n, points);
   cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560);
   FILE *gp = cli_plot_stream(picture);
+  fputs("set title '", gp);
+  print_wall(gp, picture, options, rough);
+  fputs("; {/Symbol a}_1 = ", gp);
+  for (size_t i = 0; i < n; i += models)
+    fprintf(gp, "%s%g", i ? ", " : "", rows[i].angle);
+  double least = INFINITY;
+  for (size_t i = 0; i < models; i++)
+    least = fmin(least, fmax(points[i].worst, NOISE));
   fprintf(gp,
-          "set title 'Wall r_q %s, {/Symbol l}_c %s; particles %s; {/Symbol a}_1 %s degrees'\n"
-          "set xlabel 'time per impact / ns (mean over the angles)'\nset logscale xy\n"
-          "set ylabel 'D_{KL} of the rebound angle against the geometry (worst angle)'\n"
+          "°'\nset xlabel 'time per impact / ns (mean over the angles)'\nset logscale xy\n"
+          "set ylabel 'D_{KL} of the rebound angle against the geometry (worst angle, ± standard "
+          "error)'\n"
           "set format y '%%g'\nset yrange [%g:*]\nset offsets graph 0.05, graph 0.05, 0, 0\n"
           "set xtics (20,50,100,200,500,1000,2000,5000)\n"
           "set key outside right center reverse Left samplen 1\n$points << EOD\n",
-          cli_plot_label(picture, options[RQ].value).text,
-          cli_plot_label(picture, options[LAMBDA_C].value).text,
-          cli_plot_label(picture, options[DP].value).text,
-          cli_plot_label(picture, options[ANGLES].value).text, 0.5 * NOISE);
+          0.5 * least);
   for (size_t i = 0; i < models; i++)
-    fprintf(gp, "%g %g\n", points[i].cost, fmax(points[i].worst, NOISE));
+    fprintf(gp, "%g %g %g %g\n", points[i].cost, fmax(points[i].worst, NOISE),
+            fmax(points[i].worst - points[i].se, 0.5 * NOISE),
+            fmax(points[i].worst + points[i].se, NOISE));
   fputs("EOD\n$front << EOD\n", gp);
   double best = INFINITY;
   for (size_t i = 0; i < models; i++)
@@ -65,7 +91,7 @@ void cli_trade_plot(const cli_option *options, const trade_row *rows, size_t n) 
     }
   fputs("EOD\nplot $front with steps lc rgb '#999999' lw 2 dt 2 title 'Pareto front'", gp);
   for (size_t i = 0; i < models; i++)
-    fprintf(gp, ", $points every ::%zu::%zu with points ls %zu pt %d ps 1.8 title '%s'", i, i,
+    fprintf(gp, ", $points every ::%zu::%zu with yerrorbars ls %zu dt 1 pt %d ps 1.8 title '%s'", i, i,
             i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
             cli_plot_label(picture, asp_spread_name(points[i].model)).text);
   fputc('\n', gp);

@@ -204,6 +204,25 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 
+static void take_law(asp_wall *wall) {
+  const aspi_wall_choice *choice = &wall->choice;
+  wall->law = choice->law;
+  memcpy(wall->parameters, choice->parameters, sizeof wall->parameters);
+  wall->table = choice->table;
+  wall->deposit = choice->numbers[ASP_WALL_DEPOSIT] > 0;
+  wall->spins = choice->law->spins && choice->law->spins(choice->parameters);
+  wall->flow = (aspi_flow){
+      choice->numbers[ASP_WALL_REMOVE_U_TAU], choice->numbers[ASP_WALL_REMOVE_GAS_DENSITY],
+      choice->numbers[ASP_WALL_REMOVE_MEAN_FREE_PATH], choice->numbers[ASP_WALL_REMOVE_WORK]};
+}
+
+asp_code aspi_wall_renew(asp_wall *wall, asp_error *error) {
+  asp_code code = check(&wall->choice, error);
+  if (!code)
+    take_law(wall);
+  return code;
+}
+
 asp_code asp_wall_prepare(asp_wall *wall, asp_error *error) {
   const aspi_wall_choice *choice = &wall->choice;
   void *data;
@@ -217,19 +236,12 @@ asp_code asp_wall_prepare(asp_wall *wall, asp_error *error) {
   wall->spread = choice->spread;
   wall->upward = asp_spread_find("visible", NULL);
   wall->data = data;
-  wall->law = choice->law;
-  memcpy(wall->parameters, choice->parameters, sizeof wall->parameters);
-  wall->table = choice->table;
   wall->rough = is_rough(choice);
   wall->follow = data ? choice->spread->follow : NULL;
   wall->draws_q = data && choice->map && choice->spread->prepare_map;
   wall->isotropic = choice->isotropic || wall->draws_q;
   wall->multiple = choice->multiple || choice->spread->escape || wall->draws_q ||
                    (choice->spread->follow && !choice->spread->quantile);
-  wall->deposit = choice->numbers[ASP_WALL_DEPOSIT] > 0;
-  wall->spins = choice->law->spins && choice->law->spins(choice->parameters);
-  wall->flow = (aspi_flow){
-      choice->numbers[ASP_WALL_REMOVE_U_TAU], choice->numbers[ASP_WALL_REMOVE_GAS_DENSITY],
-      choice->numbers[ASP_WALL_REMOVE_MEAN_FREE_PATH], choice->numbers[ASP_WALL_REMOVE_WORK]};
+  take_law(wall);
   return ASP_OK;
 }

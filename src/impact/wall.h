@@ -55,4 +55,8 @@ struct asp_wall {
   aspi_flow flow; /* takes away what sticks */
 };
 
+/* Takes over the law, its parameters and the other numbers as they have been set since
+ * asp_wall_prepare; surface, profile, map and model stay as they were then. */
+asp_code aspi_wall_renew(asp_wall *wall, asp_error *error);
+
 #endif

@@ -13,6 +13,11 @@
 /* Blocks that a flight looks at before it is called lost: of a flight that sinks, never so many. */
 enum { BLOCKS_MOST = 1000000 };
 
+/* The gradient of a contact is not that of the surface between the points: a face may send a
+ * particle a little into its neighbour. One that is still under it after so many cells has hit it.
+ */
+enum { UNDER_MOST = 2 };
+
 asp_code aspi_field_create(aspi_field *f, const asp_map *map, asp_error *error) {
   size_t n = map->columns * map->rows, total = 3 * n, across = map->columns, down = map->rows;
   *f = (aspi_field){
@@ -172,6 +177,16 @@ static double leaves_at(double x, double v, double first, double width) {
   return v < 0 ? (first - x) / v : INFINITY;
 }
 
+/* Whether a flight is under the surface of a cell where it leaves it, and flies on into the wall
+ * there: `gradient`. */
+static bool sinks_in(const aspi_field *f, const ray *r, const cell *c, double i, double j, double t,
+                     const double way[3], double gradient[2]) {
+  if (over(r, c, i, j, t) > 0)
+    return false;
+  gradient_at(f, c, along(r, 0, t) - i, along(r, 1, t) - j, way, gradient);
+  return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
+}
+
 bool aspi_field_next(const aspi_field *f, aspi_flight *flight, double gradient[2]) {
   const double *way = flight->v;
   double speed = hypot(way[0], way[1]);
@@ -183,6 +198,7 @@ bool aspi_field_next(const aspi_field *f, aspi_flight *flight, double gradient[2
   double tiny = 1e-7 * fmin(f->step[0], f->step[1]) / speed;
   int k = 0;
   bool clear = false; /* has been over the surface since it started */
+  int under = 0;      /* cells that it has left under the surface, before that */
   for (int count = 0; count < BLOCKS_MOST; count++) {
     double z = along(&r, 2, t);
     if (way[2] >= 0 && z > f->top)
@@ -215,6 +231,15 @@ bool aspi_field_next(const aspi_field *f, aspi_flight *flight, double gradient[2
       flight->x[1] = wrapped(along(&r, 1, at), n[1]) * f->step[1];
       flight->x[2] = along(&r, 2, at);
       return true;
+    }
+    if (!clear && sinks_in(f, &r, &c, ci, cj, last, way, gradient)) {
+      if (++under == UNDER_MOST) {
+        double x_last = along(&r, 0, last), y_last = along(&r, 1, last);
+        flight->x[0] = wrapped(x_last, n[0]) * f->step[0];
+        flight->x[1] = wrapped(y_last, n[1]) * f->step[1];
+        flight->x[2] = bilinear(&c, x_last - ci, y_last - cj);
+        return true;
+      }
     }
     clear = clear || over(&r, &c, ci, cj, last) > 0;
     t = last + tiny;

@@ -38,13 +38,13 @@ static double tilt_off(const measure_case *subject, const measure_reference *ref
 static void judge_wall(measure_case subject, const double *angles, size_t n) {
   static const char *const names[] = {"visible", "profile", "traced"};
   static const double most[] = {0.0005, 0.001, 0.001};
-  asp_surface *surface = measure_surface(&subject);
-  measure_reference *reference = measure_references(&subject, angles, n);
+  measure_wall wall = measure_wall_create(&subject);
+  measure_reference *reference = measure_references(&subject, &wall, angles, n);
   for (int m = 0; m < 3; m++) {
-    asp_wall *wall = measure_wall(&subject, surface, names[m], true);
+    measure_model model = measure_model_create(&subject, &wall, names[m], true);
     for (size_t k = 0; k < n; k++) {
       char text[200];
-      measure_divergence d = measure_compare(&subject, &reference[k], wall);
+      measure_divergence d = measure_compare(&subject, &reference[k], &model);
       snprintf(text, sizeof text,
                "%s on (%g, %g, %g), alpha1 %g: D_KL %.5f +- %.5f, alpha2 %.3f, ensemble %.3f",
                names[m], subject.r_q, subject.lambda_c, subject.d_p, angles[k], d.kl, d.se, d.mean,
@@ -52,15 +52,15 @@ static void judge_wall(measure_case subject, const double *angles, size_t n) {
       verdict(d.kl < most[m] + 3 * d.se, text);
       if (m != 1)
         continue;
-      double off = tilt_off(&subject, &reference[k], wall);
+      double off = tilt_off(&subject, &reference[k], model.on[0]);
       double noise = 0.005 * sqrt(8. / subject.profiles); /* of 2048 lambda_c each, at 2 degrees */
       snprintf(text, sizeof text, "mean tilt of its first hit: off by %.4f sigma", off);
       verdict(fabs(off) < 0.007 + noise, text);
     }
-    asp_wall_free(wall);
+    measure_model_free(&model);
   }
   measure_references_free(reference, n);
-  asp_surface_free(surface);
+  measure_wall_free(&wall);
 }
 
 /* Takes the model that `auto` takes, at the angles between those of its table. */
@@ -69,21 +69,21 @@ static void judge_auto(measure_case subject, double tolerance) {
   asp_error error;
   double told;
   char why[400], text[600];
-  asp_surface *surface = measure_surface(&subject);
-  const asp_spread_model *model = asp_spread_auto(surface, subject.d_p, subject.d_p, true,
+  measure_wall wall = measure_wall_create(&subject);
+  const asp_spread_model *model = asp_spread_auto(wall.surface[0], subject.d_p, subject.d_p, true,
                                                   tolerance, &told, why, sizeof why, &error);
   if (!model) {
     snprintf(text, sizeof text, "(%g, %g, %g): %s", subject.r_q, subject.lambda_c, subject.d_p,
              error.text);
     verdict(strstr(error.text, "comes closest"), text);
-    asp_surface_free(surface);
+    measure_wall_free(&wall);
     return;
   }
-  measure_reference *reference = measure_references(&subject, angles, 5);
-  asp_wall *wall = measure_wall(&subject, surface, asp_spread_name(model), true);
+  measure_reference *reference = measure_references(&subject, &wall, angles, 5);
+  measure_model taken = measure_model_create(&subject, &wall, asp_spread_name(model), true);
   double worst = -1, se = 0;
   for (int k = 0; k < 5; k++) {
-    measure_divergence d = measure_compare(&subject, &reference[k], wall);
+    measure_divergence d = measure_compare(&subject, &reference[k], &taken);
     if (d.kl > worst)
       worst = d.kl, se = d.se;
   }
@@ -91,9 +91,9 @@ static void judge_auto(measure_case subject, double tolerance) {
            "auto %g on (%g, %g, %g): %s, told %.5f, ensemble %.5f +- %.5f at worst", tolerance,
            subject.r_q, subject.lambda_c, subject.d_p, asp_spread_name(model), told, worst, se);
   verdict(worst < told + 3 * se, text);
-  asp_wall_free(wall);
+  measure_model_free(&taken);
   measure_references_free(reference, 5);
-  asp_surface_free(surface);
+  measure_wall_free(&wall);
 }
 
 int main(int argc, char **argv) {

@@ -149,7 +149,7 @@ static const cli_list list = {angles, 3};
 
 static void judge_map(size_t points, size_t surfaces, double d_p) {
   asp_error error;
-  judge_case subject = {{R_Q, 39, 39, 0}, d_p, surfaces, points, make_wall};
+  judge_case subject = {{R_Q, 39, 39, 0}, d_p, surfaces, points, make_wall, NULL};
   judge_all all = judge_create(&subject, &list, RAYS, 500);
   const double step[2] = {39 / 20., 39 / 20.};
   asp_map *periodic = make_wall(&subject, step, points, 7);
@@ -194,7 +194,7 @@ static asp_profile *profile_of(size_t points, uint32_t seed) {
 
 /* The profile's laws against `traced` on independent profiles, each a realisation of its own. */
 static void judge_profile(size_t points, size_t surfaces, double d_p) {
-  judge_all all = {surfaces, 3, calloc(3 * surfaces, sizeof(judge_angles))};
+  judge_all all = {surfaces, 3, 1, calloc(3 * surfaces, sizeof(judge_angles))};
   asp_profile *own = profile_of(points, 7);
   asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
   asp_wall *wall = wall_of(surface, "profile", d_p);

@@ -70,6 +70,35 @@ static void flights_end_where_small_steps_do(void **state) {
   asp_map_free(map);
 }
 
+/* Where a map is coarse, the gradient of a contact and that of the surface between the points
+ * differ, and a face may send a particle under its neighbour: it hits that, and is not lost. */
+static void no_flight_ends_below_a_coarse_wall(void **state) {
+  (void)state;
+  aspi_gauss wall = {0.2, 1, 1, 0};
+  asp_map *map = aspi_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
+  aspi_field f;
+  field_of(&f, map, 0.1);
+  int hits = 0;
+  for (int k = 0; k < 20000; k++) {
+    double azimuth = 0.7 * k, gradient[2];
+    aspi_flight flight = {{0.31 * k, 0.77 * k, f.top + 1e-4},
+                          {cos(azimuth), sin(azimuth), -0.1 - 1e-4 * k}};
+    while (aspi_field_next(&f, &flight, gradient)) {
+      double *v = flight.v, square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1];
+      double twice = 2 * (v[2] - v[0] * gradient[0] - v[1] * gradient[1]) / square;
+      assert_true(twice < 0);
+      v[0] += twice * gradient[0];
+      v[1] += twice * gradient[1];
+      v[2] -= twice;
+      hits++;
+    }
+    assert_true(flight.v[2] > 0);
+  }
+  assert_true(hits > 21000);
+  aspi_field_free(&f);
+  asp_map_free(map);
+}
+
 /* On one row, weights and places agree, and every one of them is where the beam says. */
 static void first_hits_fill_the_beam(void **state) {
   (void)state;
@@ -124,7 +153,7 @@ static void numbers_agree_with_the_independent_reference(void **state) {
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     const known *c = &cases[k];
     double alpha1 = c->alpha1 * DEGREE;
-    judge_case subject = {{5, 40, 200, c->axis * DEGREE}, c->d_p, SURFACES, POINTS, NULL};
+    judge_case subject = {{5, 40, 200, c->axis * DEGREE}, c->d_p, SURFACES, POINTS, NULL, NULL};
     judge_all all = judge_create(&subject, &(cli_list){&alpha1, 1}, RAYS, 100);
     judge_value mean = judge_mean(&all, 0, offsetof(judge_angles, rebound_sum));
     judge_value side = judge_mean(&all, 0, offsetof(judge_angles, lateral_sum));
@@ -146,8 +175,8 @@ static void divergences_have_no_bias(void **state) {
   (void)state;
   double alpha1 = 10 * DEGREE;
   cli_list angles = {&alpha1, 1};
-  judge_case subject = {{5, 40, 40, 0}, 10, 6, 512, NULL},
-             other = {{5, 40, 40, 0}, 10, 16, 512, NULL};
+  judge_case subject = {{5, 40, 40, 0}, 10, 6, 512, NULL, NULL},
+             other = {{5, 40, 40, 0}, 10, 16, 512, NULL, NULL};
   judge_all all = judge_create(&subject, &angles, 20000, 1);
   judge_all many = judge_create(&other, &angles, 20000, 1000);
   judge_angles model = many.angles[0];
@@ -167,6 +196,7 @@ static void divergences_have_no_bias(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(flights_end_where_small_steps_do),
+      cmocka_unit_test(no_flight_ends_below_a_coarse_wall),
       cmocka_unit_test(first_hits_fill_the_beam),
       cmocka_unit_test(numbers_agree_with_the_independent_reference),
       cmocka_unit_test(divergences_have_no_bias),

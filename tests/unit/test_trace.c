@@ -144,7 +144,8 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   static const double known[][2] = {{25.22, 0.021}, {27.33, 0.073}, {37.31, 0.045}};
   measure_case subject = {
       .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 200000, .profiles = 8, .seed = 2};
-  measure_reference *reference = measure_references(&subject, angle, 3);
+  measure_wall wall = measure_wall_create(&subject);
+  measure_reference *reference = measure_references(&subject, &wall, angle, 3);
   for (int i = 0; i < 3; i++) {
     double mean = 0, later = 0;
     for (int g = 0; g < subject.profiles; g++) {
@@ -157,6 +158,7 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
     assert_near(later, known[i][1], 0.004);
   }
   measure_references_free(reference, 3);
+  measure_wall_free(&wall);
 }
 
 /* At the nodes the table is the exact law; between them it is within 0.002 of it. */
