@@ -1,17 +1,7 @@
 #!/usr/bin/env bash
 # A wall is given the same way to every command: --sigma, --rq with --lambda-c and --lay, --profile, --map with --lay.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-asperity=${ASPERITY_BIN:-$(dirname "$0")/../../build/bin}/asperity
-asperity=$(cd "$(dirname "$asperity")" && pwd)/asperity
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT; cd "$work"
-die() { echo "FAILED: $*" >&2; exit 1; }
-
-refuses() { # STATUS WORDS ARGUMENTS: exits with the status, says one line with the words, writes nothing
-  local got=0
-  "$asperity" "${@:3}" > out 2> err || got=$?
-  [ $got = "$1" ] && [ "$(wc -l < err)" = 1 ] && grep -qF -- "$2" err && [ ! -s out ] || die "${*:3}: exit $got: $(head -n 3 out; cat err)"
-}
+source "$(dirname "$0")/cli.sh"
 
 # A profile with flat peaks and deep valleys, 1000 lambda_c long; the beginning of it; a map made of waves.
 "$asperity" surface --rq 5um --lambda-c 40um --dp 10um --points 131072 --save gauss > /dev/null
@@ -61,21 +51,21 @@ for wall in "--sigma 8" "--rq 5um --lambda-c 40um,90um --lay 20" "--profile plat
   awk -F, -v wall="$wall" '$1 == "friction" { exit !(($2 - 0.17) ^ 2 < (4 * $3) ^ 2 && $3 < 0.02) }' fit || die "calibrate $wall: $(cat fit)"
 done
 grep -q '# script: .* surface map map spread profile ' fit || die "calibrate --map: the script's line: $(cat fit)"
-refuses 2 "'rq' is given by the measured wall" calibrate data --map map --fit rq
+refuses 2 "'rq' is given by the measured wall" -- calibrate data --map map --fit rq
 
 echo 'alpha1_deg,cor_n,cor_t' > data; echo '30,0.5,0.6' >> data
 for command in cor spread trade "calibrate data --fit friction"; do
   for both in "--sigma 3 --rq 1um --lambda-c 9um" "--profile plateau --map map" "--sigma 3 --map map" "--sigma 3 --lay 4"; do
-    refuses 2 'a wall is given by one of' $command --dp 5um $both
+    refuses 2 'a wall is given by one of' -- $command --dp 5um $both
   done
-  refuses 1 "cannot open 'nowhere'" $command --dp 5um --profile nowhere
+  refuses 1 "cannot open 'nowhere'" -- $command --dp 5um --profile nowhere
 done
-for command in cor spread trade; do refuses 2 '--lambda-c' $command --dp 5um --rq 5um; refuses 2 '--profile or --map' $command; done
-refuses 2 'has no density on a map' spread --map map --dp 5um --pdf
-refuses 2 'judged with --three-d' trade --rq 5um --lambda-c 40um,80um --dp 5um
-refuses 2 '--three-d is given with --profile' trade --three-d --profile plateau --dp 5um
-refuses 2 'flies in all directions' trade --map map --lay 3 --dp 5um
-refuses 2 'it must be even' trade --profile plateau --dp 5um --profiles 5
-refuses 2 'the least that pieces of this wall can judge' trade --profile short --dp 5um --angles 1,2
-refuses 2 "--samples is '1.5'" spread --sigma 3 --samples 1.5
+for command in cor spread trade; do refuses 2 '--lambda-c' -- $command --dp 5um --rq 5um; refuses 2 '--profile or --map' -- $command; done
+refuses 2 'has no density on a map' -- spread --map map --dp 5um --pdf
+refuses 2 'judged with --three-d' -- trade --rq 5um --lambda-c 40um,80um --dp 5um
+refuses 2 '--three-d is given with --profile' -- trade --three-d --profile plateau --dp 5um
+refuses 2 'flies in all directions' -- trade --map map --lay 3 --dp 5um
+refuses 2 'it must be even' -- trade --profile plateau --dp 5um --profiles 5
+refuses 2 'the least that pieces of this wall can judge' -- trade --profile short --dp 5um --angles 1,2
+refuses 2 "--samples is '1.5'" -- spread --sigma 3 --samples 1.5
 exit 0
