@@ -161,6 +161,13 @@ char *aspi_text_trim(char *text) {
   return text;
 }
 
+bool aspi_text_holds(const char *text, const char *part) {
+  for (; *text; text++)
+    if (strncasecmp(text, part, strlen(part)) == 0)
+      return true;
+  return false;
+}
+
 /* One pair of quotes off a field, and doubled quotes undoubled; in place. */
 static char *unquote(char *field) {
   size_t length = strlen(field);
@@ -211,7 +218,10 @@ static bool is_missing(const char *text, size_t length) {
   for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
     if (strlen(marks[i]) == length && strncasecmp(text, marks[i], length) == 0)
       return true;
-  return length == 0;
+  size_t stars = strspn(text, "*"); /* Fortran's overflow */
+  bool error = *text == '#' && strspn(text + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ/0!?") == length - 1 &&
+               length > 2; /* a spreadsheet's, as #NUM! or #WERT! */
+  return length == 0 || stars == length || error;
 }
 
 /* Windows' names of what is no number: 1.#INF, -1.#IND, 1.#QNAN. */
@@ -228,7 +238,8 @@ static bool ungroup(char *text, char mark) {
   bool marked = false;
   for (char *c = text; *c; c++) {
     if (*c == mark) {
-      if (digits == 0 || digits > 3 || (marked && digits != 3))
+      bool zero = !marked && digits == 1 && c[-1] == '0'; /* 0,500 has no groups */
+      if (digits == 0 || digits > 3 || (marked && digits != 3) || zero)
         return false;
       marked = true;
       digits = 0;
@@ -247,13 +258,34 @@ static bool ungroup(char *text, char mark) {
   return !marked || digits == 3;
 }
 
+/* Signs that are no ASCII as those that are: the minus, and blanks that hold groups of digits
+ * together as apostrophes; in place. */
+static void plain_signs(char *text) {
+  static const struct {
+    const char *sign;
+    char plain;
+  } signs[] = {{"\xE2\x88\x92", '-'},
+               {"\xC2\xA0", '\''},
+               {"\xE2\x80\xAF", '\''},
+               {"\xE2\x80\x89", '\''},
+               {"\xA0", '\''}};
+  for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+    for (char *at; (at = strstr(text, signs[i].sign)) != NULL;) {
+      *at = signs[i].plain;
+      memmove(at + 1, at + strlen(signs[i].sign), strlen(at + strlen(signs[i].sign)) + 1);
+    }
+}
+
 /* Brings a number into the form that C reads: a decimal point, no groups, an exponent with E. */
 static bool normalise(char *text, bool comma) {
+  plain_signs(text);
   for (char *c = text; *c; c++)
     if ((*c == 'd' || *c == 'D') && c > text && (isdigit((unsigned char)c[-1]) || c[-1] == '.') &&
         (isdigit((unsigned char)c[1]) || c[1] == '+' || c[1] == '-'))
       *c = 'e';
   if (strchr(text, '\'') && !ungroup(text, '\''))
+    return false;
+  if (comma && strchr(text, ' ') && !ungroup(text, ' '))
     return false;
   char *first_comma = strchr(text, ','), *last_comma = strrchr(text, ',');
   char *first_point = strchr(text, '.'), *last_point = strrchr(text, '.');

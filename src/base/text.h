@@ -36,6 +36,9 @@ asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 /* A text without the blanks at both ends; in place. */
 char *aspi_text_trim(char *text);
 
+/* Whether a part stands anywhere in a text, in small letters or large. */
+bool aspi_text_holds(const char *text, const char *part);
+
 /* Cuts a line into at most `most` fields, in place, and takes blanks and one pair of quotes off
  * each; the number of fields. A blank as separator stands for runs of white space. Quotes hold a
  * field together, and a quote in quotes is written twice. */
@@ -54,8 +57,8 @@ typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } asp
 
 /* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. An
  * exponent may begin with D (Fortran), digits may be grouped in threes by the mark that is not the
- * decimal one (1,234.5 or 1.234,5) or by apostrophes, and 1.#INF and the like (Windows) are
- * missing. */
+ * decimal one (1,234.5 or 1.234,5), by apostrophes or by blanks that do not break, with `comma` by
+ * any blank, and 1.#INF and the like (Windows) are missing. */
 aspi_word aspi_text_number(const char *text, bool comma, double *value);
 
 #endif

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
+#include "base/text.h"
 
 #include <ctype.h>
 #include <stdbool.h>
@@ -24,6 +25,8 @@ static const struct {
     {"millimeters", 1e-3},
     {"millimetre", 1e-3},
     {"millimetres", 1e-3},
+    {"millimetro", 1e-3},
+    {"\xE3\x8E\x9C", 1e-3}, /* one character, as in Japan and China */
     {"um", 1e-6},
     {"micrometer", 1e-6},
     {"micrometers", 1e-6},
@@ -31,20 +34,30 @@ static const struct {
     {"micrometres", 1e-6},
     {"micron", 1e-6},
     {"microns", 1e-6},
-    {"\xB5m", 1e-6},     /* micro sign, Latin-1 */
-    {"\xC2\xB5m", 1e-6}, /* micro sign, UTF-8 */
-    {"\xCE\xBCm", 1e-6}, /* Greek mu, UTF-8 */
+    {"\xB5m", 1e-6},        /* micro sign, Latin-1 */
+    {"\xC2\xB5m", 1e-6},    /* micro sign, UTF-8 */
+    {"\xCE\xBCm", 1e-6},    /* Greek mu, UTF-8 */
+    {"\x83\xCAm", 1e-6},    /* Greek mu, Shift JIS */
+    {"\xE3\x8E\x9B", 1e-6}, /* one character */
+    {"mikrometer", 1e-6},
+    {"micrometro", 1e-6},
     {"nm", 1e-9},
     {"nanometer", 1e-9},
     {"nanometers", 1e-9},
     {"nanometre", 1e-9},
     {"nanometres", 1e-9},
+    {"\xE3\x8E\x9A", 1e-9}, /* one character */
     {"in", 25.4e-3},
     {"inch", 25.4e-3},
     {"inches", 25.4e-3},
     {"mil", 25.4e-6},
     {"mils", 25.4e-6},
+    {"thou", 25.4e-6},
     {"uin", 25.4e-9},
+    {"\xB5in", 25.4e-9},
+    {"\xC2\xB5in", 25.4e-9},
+    {"\xCE\xBCin", 25.4e-9},
+    {"uinch", 25.4e-9},
     {"microinch", 25.4e-9},
     {"microinches", 25.4e-9},
     {"A", 1e-10},
@@ -77,7 +90,8 @@ static bool states_unit(const char *line, const char *word, size_t length, bool 
   while (before > line && before[-1] == ' ')
     before--;
   char c = before > line ? before[-1] : '\0';
-  if (c && strchr("([{_/", c))
+  if ((c && strchr("([{_/", c)) ||
+      (before - line >= 3 && strncmp(before - 3, "\xEF\xBC\x88", 3) == 0)) /* a wide bracket */
     return true;
   if (isdigit((unsigned char)c) || c == '.')
     return false;
@@ -85,15 +99,8 @@ static bool states_unit(const char *line, const char *word, size_t length, bool 
   return !preposition && (length > 1 || named);
 }
 
-static bool has_word_unit(const char *line) {
-  for (; *line; line++)
-    if (strncasecmp(line, "unit", 4) == 0)
-      return true;
-  return false;
-}
-
-int aspi_header_units(const char *line, double found[2]) {
-  bool named = has_word_unit(line);
+int aspi_units_in(const char *line, double found[2]) {
+  bool named = aspi_text_holds(line, "unit");
   int count = 0;
   for (const char *c = line; *c;) {
     size_t length = 0;
@@ -107,7 +114,12 @@ int aspi_header_units(const char *line, double found[2]) {
     }
     c += length ? length : 1;
   }
-  if (count == 1 && named) {
+  return count;
+}
+
+int aspi_header_units(const char *line, double found[2]) {
+  int count = aspi_units_in(line, found);
+  if (count == 1 && aspi_text_holds(line, "unit")) {
     found[1] = found[0];
     count = 2;
   }

@@ -93,7 +93,7 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
   read->unit_x = aspi_unit_metres(option->value, length);
   read->unit_z = aspi_unit_metres(second, second == option->value ? length : strlen(second));
   if (!(read->unit_x > 0 && read->unit_z > 0))
-    cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, one, or two for positions and "
+    cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm in mil, one, or two for positions and "
                   "heights",
                   option->name, option->value);
 }

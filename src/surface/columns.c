@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "surface/header.h"
+#include "surface/marks.h"
 
 #include <ctype.h>
 #include <gsl/gsl_rstat.h>
@@ -33,30 +34,17 @@ typedef struct column_layout {
   double step;    /* of heights alone, in units of x */
 } column_layout;
 
-/* Heights that instruments write where they have none, and what a file has of one of them. */
-static const double marks[] = {-9999,  -999,  -999.9, -9999.9, 9999,  99999, -99999, 999999,
-                               -32768, 32767, 65535,  1e10,    -1e10, 1e30,  -1e30,  1e38};
-enum { MARKS = sizeof marks / sizeof *marks };
-
-typedef struct mark {
-  size_t count, line;
-} mark;
-
-/* A mark is one where it lies this many times the range of all other heights outside of it. */
-#define MARK_OFF 10
-
 /* What is known of the positions after one pass. */
 typedef struct scan {
   size_t points;
   double first, last;
   double step_least, step_most, usual; /* usual: mean of the steps that are not gaps */
   size_t usual_count;
-  double sign;            /* -1: positions fall; 0: not known yet */
-  size_t repeats;         /* positions that repeat the one before */
-  size_t end_line;        /* where the data end before the file does; 0: never */
-  double z_least, z_most; /* of heights that are no marks */
-  mark mark[MARKS];
-  bool whole; /* every field of every line so far is a whole number, and there are four */
+  double sign;     /* -1: positions fall; 0: not known yet */
+  size_t repeats;  /* positions that repeat the one before */
+  size_t end_line; /* where the data end before the file does; 0: never */
+  int fields;      /* of the first line, without empty ones at its end */
+  aspi_marks marks;
   double mean_i, mean_x, c_ii, c_ix, c_xx; /* running regression on the index */
   int decimals, digits;                    /* the most that any position is written with */
   gsl_rstat_quantile_workspace median;     /* of the steps */
@@ -87,6 +75,13 @@ static aspi_word pair_of(char **fields, int count, const column_layout *layout, 
   return word;
 }
 
+/* Fields without the empty ones at the line's end. */
+static int used_of(char **fields, int count) {
+  while (count > 0 && !*fields[count - 1])
+    count--;
+  return count;
+}
+
 static bool is_blank(const char *line) {
   return line[strspn(line, " \t\v\f")] == '\0';
 }
@@ -98,7 +93,7 @@ static bool finds_layout(const char *line, const aspi_profile_options *options,
   static const struct {
     char separator;
     bool comma;
-  } layouts[] = {{';', true}, {'\t', true}, {',', false}, {' ', false}, {' ', true}};
+  } layouts[] = {{';', true}, {'\t', true}, {',', false}, {' ', false}, {' ', true}, {',', true}};
   char copy[ASP_TEXT_MOST], *fields[FIELDS_MOST];
   for (size_t i = 0; i < sizeof layouts / sizeof *layouts; i++) {
     if (layouts[i].separator != ' ' && !strchr(line, layouts[i].separator))
@@ -112,8 +107,8 @@ static bool finds_layout(const char *line, const aspi_profile_options *options,
     if (count == 0)
       continue;
     *why = '\0';
-    if (!aspi_choose_columns(header, layouts[i].separator, count, options, &found->columns, why,
-                             size))
+    if (!aspi_choose_columns(header, layouts[i].separator, count, used_of(fields, count), options,
+                             &found->columns, why, size))
       found->columns = (aspi_columns){.x = options->step > 0 ? -1 : 0,
                                       .z = options->step > 0 || count < 2 ? 0 : 1};
     column_pair pair;
@@ -139,10 +134,12 @@ static asp_code skip_header(aspi_text *text, const aspi_profile_options *options
     if (code)
       return code;
   }
-  return aspi_text_fail(text, text->line, error,
-                        options->step > 0
-                            ? "the file ends without a line that begins with a number, a height"
-                            : "the file ends without a line of two numbers, position and height");
+  return aspi_text_fail(
+      text, text->line, error,
+      options->step > 0
+          ? "the file ends without a line that begins with a number, a height"
+          : "the file ends without a line of two numbers, position and height (heights "
+            "alone need the step between them: step)");
 }
 
 /* How finely positions are written: the most decimals and the most digits of any. */
@@ -232,25 +229,6 @@ static bool read_pair(aspi_text *text, const column_layout *layout, size_t index
   return pair_of(fields, *count, layout, index, pair) != ASP_WORD_OTHER;
 }
 
-static void note_height(scan *s, const aspi_text *text, double z) {
-  for (int i = 0; i < MARKS; i++)
-    if (fabs(z - marks[i]) <= 1e-9 * fabs(marks[i])) {
-      s->mark[i].line = s->mark[i].count++ ? s->mark[i].line : text->line;
-      return;
-    }
-  s->z_least = fmin(s->z_least, z);
-  s->z_most = fmax(s->z_most, z);
-}
-
-/* Four fields without a point or a letter in any: they may be two numbers with decimal commas. */
-static bool are_whole(char **fields, int count) {
-  bool whole = count == 4;
-  for (int i = 0; i < count && whole; i++)
-    whole = fields[i][strspn(fields[i], "+-0123456789")] == '\0' && *fields[i] &&
-            (i % 2 == 0 || isdigit((unsigned char)*fields[i]));
-  return whole;
-}
-
 static asp_code note_pair(scan *s, aspi_text *text, const column_layout *layout,
                           const column_pair *pair, aspi_raw *raw, asp_error *error) {
   asp_code code = note_position(s, text, pair->x, error);
@@ -261,7 +239,7 @@ static asp_code note_pair(scan *s, aspi_text *text, const column_layout *layout,
   if (isnan(pair->z) && raw->bad++ == 0)
     raw->bad_line = text->line;
   if (!isnan(pair->z))
-    note_height(s, text, pair->z);
+    aspi_marks_note(&s->marks, pair->z, text->line);
   return aspi_raw_add(raw, pair->z * layout->columns.unit_z, error);
 }
 
@@ -286,6 +264,19 @@ static asp_code check_end(aspi_text *text, const column_layout *layout, size_t l
   return code;
 }
 
+/* Decimal commas beside commas between the fields make lines of different length. */
+static asp_code check_fields(scan *s, const aspi_text *text, const column_layout *layout, int used,
+                             asp_error *error) {
+  if (s->points == 0)
+    s->fields = used;
+  if (layout->separator != ',' || used <= s->fields)
+    return ASP_OK;
+  return aspi_text_fail(text, text->line, error,
+                        "%d fields, the first line of numbers has %d: are there decimal commas? "
+                        "Separate columns by semicolons or tabs, or write decimal points",
+                        used, s->fields);
+}
+
 /* The first pass: heights as they come, and what the positions are like. */
 static asp_code read_all(aspi_text *text, const column_layout *layout, scan *s, aspi_raw *raw,
                          asp_error *error) {
@@ -302,8 +293,9 @@ static asp_code read_all(aspi_text *text, const column_layout *layout, scan *s, 
         s->end_line = text->line;
         return check_end(text, layout, text->line, shown, error);
       }
-      s->whole = s->whole && layout->separator == ',' && are_whole(fields, count);
-      code = note_pair(s, text, layout, &pair, raw, error);
+      code = check_fields(s, text, layout, used_of(fields, count), error);
+      if (!code)
+        code = note_pair(s, text, layout, &pair, raw, error);
     }
     if (!code)
       code = aspi_text_line(text, &found, error);
@@ -311,23 +303,14 @@ static asp_code read_all(aspi_text *text, const column_layout *layout, scan *s, 
   return code;
 }
 
-/* What the numbers themselves say against the way in which they were read. */
-static asp_code check_sense(const aspi_text *text, const scan *s, size_t data_line,
-                            asp_error *error) {
-  if (s->whole && s->points > 1)
-    return aspi_text_fail(text, data_line, error,
-                          "four columns of whole numbers: are they two with decimal commas? "
-                          "Separate columns by semicolons or tabs, or write decimal points; or "
-                          "say which columns (x-column, z-column)");
-  double range = s->z_most - s->z_least;
-  for (int i = 0; i < MARKS; i++)
-    if (s->mark[i].count > 0 && s->z_most >= s->z_least &&
-        (marks[i] < s->z_least - MARK_OFF * range || marks[i] > s->z_most + MARK_OFF * range))
-      return aspi_text_fail(text, s->mark[i].line, error,
-                            "height %g, %zu times, beside heights of %g to %g: does it stand for "
-                            "a missing one? Say so (missing %g), or mend the file",
-                            marks[i], s->mark[i].count, s->z_least, s->z_most, marks[i]);
-  return ASP_OK;
+static asp_code check_marks(const aspi_text *text, const scan *s, asp_error *error) {
+  aspi_suspect found;
+  if (!aspi_marks_find(&s->marks, &found))
+    return ASP_OK;
+  return aspi_text_fail(text, found.met.place, error,
+                        "height %.10g, %zu times, beside heights of %g to %g: does it stand for a "
+                        "missing one? Say so (missing %.10g), or mend the file",
+                        found.value, found.met.count, found.least, found.most, found.value);
 }
 
 /* Whether the positions are equally spaced but for rounding; *spacing is that of the line through
@@ -454,12 +437,14 @@ static asp_code read_data(aspi_text *text, const column_layout *layout, bool all
   double unit_x = layout->columns.unit_x;
   asp_code code = read_all(text, layout, s, raw, error);
   if (!code && !chosen)
-    code = check_sense(text, s, data_line, error);
+    code = check_marks(text, s, error);
   if (code)
     return code;
   raw->read = s->points;
   raw->repeats = s->repeats;
   raw->falls = s->sign < 0;
+  raw->column[0] = s->fields > 2 ? layout->columns.x + 1 : 0;
+  raw->column[1] = s->fields > 2 ? layout->columns.z + 1 : 0;
   raw->end_line = s->end_line;
   raw->step_least = s->step_least * unit_x;
   raw->step_most = s->step_most * unit_x;
@@ -493,7 +478,7 @@ asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options,
   free(header);
   if (code)
     return code;
-  scan s = {.step_least = INFINITY, .z_least = INFINITY, .z_most = -INFINITY, .whole = true};
+  scan s = {.step_least = INFINITY};
   s.median.p = 0.5;
   gsl_rstat_quantile_reset(&s.median);
   bool chosen =

@@ -28,46 +28,27 @@ static const struct {
   const char *word; /* a name's first word, in small letters */
   kind kind;
 } known[] = {
-    {"x", POSITION},
-    {"pos", POSITION},
-    {"position", POSITION},
-    {"positions", POSITION},
-    {"distance", POSITION},
-    {"dist", POSITION},
-    {"lateral", POSITION},
-    {"length", POSITION},
-    {"travel", POSITION},
-    {"scan", POSITION},
-    {"z", HEIGHT},
-    {"height", HEIGHT},
-    {"heights", HEIGHT},
-    {"h", HEIGHT},
-    {"raw", HEIGHT},
-    {"profile", HEIGHT},
-    {"depth", HEIGHT},
-    {"level", HEIGHT},
-    {"amplitude", HEIGHT},
-    {"elevation", HEIGHT},
-    {"point", NO_LENGTH},
-    {"pt", NO_LENGTH},
-    {"points", NO_LENGTH},
-    {"no", NO_LENGTH},
-    {"nr", NO_LENGTH},
-    {"number", NO_LENGTH},
-    {"index", NO_LENGTH},
-    {"idx", NO_LENGTH},
-    {"i", NO_LENGTH},
-    {"n", NO_LENGTH},
-    {"id", NO_LENGTH},
-    {"sample", NO_LENGTH},
-    {"t", NO_LENGTH},
-    {"time", NO_LENGTH},
-    {"intensity", NO_LENGTH},
-    {"force", NO_LENGTH},
-    {"speed", NO_LENGTH},
-    {"line", NO_LENGTH},
-    {"quality", NO_LENGTH},
-    {"valid", NO_LENGTH},
+    {"x", POSITION},          {"pos", POSITION},       {"position", POSITION},
+    {"positions", POSITION},  {"distance", POSITION},  {"dist", POSITION},
+    {"lateral", POSITION},    {"length", POSITION},    {"travel", POSITION},
+    {"scan", POSITION},       {"weg", POSITION},       {"strecke", POSITION},
+    {"abscisse", POSITION},   {"posizione", POSITION}, {"z", HEIGHT},
+    {"height", HEIGHT},       {"heights", HEIGHT},     {"h", HEIGHT},
+    {"raw", HEIGHT},          {"profile", HEIGHT},     {"depth", HEIGHT},
+    {"level", HEIGHT},        {"amplitude", HEIGHT},   {"elevation", HEIGHT},
+    {"hoehe", HEIGHT},        {"tiefe", HEIGHT},       {"profil", HEIGHT},
+    {"hauteur", HEIGHT},      {"altitude", HEIGHT},    {"altezza", HEIGHT},
+    {"altura", HEIGHT},       {"quota", HEIGHT},       {"point", NO_LENGTH},
+    {"pt", NO_LENGTH},        {"points", NO_LENGTH},   {"no", NO_LENGTH},
+    {"nr", NO_LENGTH},        {"number", NO_LENGTH},   {"index", NO_LENGTH},
+    {"idx", NO_LENGTH},       {"i", NO_LENGTH},        {"n", NO_LENGTH},
+    {"id", NO_LENGTH},        {"sample", NO_LENGTH},   {"t", NO_LENGTH},
+    {"time", NO_LENGTH},      {"zeit", NO_LENGTH},     {"temps", NO_LENGTH},
+    {"tempo", NO_LENGTH},     {"tiempo", NO_LENGTH},   {"punkt", NO_LENGTH},
+    {"messpunkt", NO_LENGTH}, {"lfd", NO_LENGTH},      {"pixel", NO_LENGTH},
+    {"px", NO_LENGTH},        {"angle", NO_LENGTH},    {"temperature", NO_LENGTH},
+    {"intensity", NO_LENGTH}, {"force", NO_LENGTH},    {"speed", NO_LENGTH},
+    {"line", NO_LENGTH},      {"quality", NO_LENGTH},  {"valid", NO_LENGTH},
 };
 
 /* Whether a name has a unit in brackets or behind a slash, of length or not. */
@@ -79,6 +60,8 @@ static bool has_unit(const char *name) {
 static kind kind_of(const char *name) {
   char word[16];
   size_t length = 0;
+  if (aspi_text_holds(name, "pixel"))
+    return NO_LENGTH;
   while (isalpha((unsigned char)name[length]))
     length++;
   if (length == 0 || length >= sizeof word)
@@ -91,16 +74,36 @@ static kind kind_of(const char *name) {
   return UNKNOWN;
 }
 
-/* Takes what one line of the header says into the columns; false where it is no line of names. */
-static bool take_names(const char *line, char separator, int fields, column *columns,
-                       bool *has_names) {
-  char copy[ASP_TEXT_MOST], *name[COLUMNS_MOST];
-  strcpy(copy, line + strspn(line, "#%; \t"));
-  int count = aspi_text_split(copy, separator, name, COLUMNS_MOST);
+/* Cuts a line of names, in place, without the marks of a comment before it. Where blanks part them,
+ * a unit in brackets belongs to the name before it. */
+static int split_names(char *line, char separator, char **name) {
+  while (*line && *line != separator && strchr("#%; \t", *line))
+    line++;
+  int count = aspi_text_split(line, separator, name, COLUMNS_MOST);
   while (count > 0 && !*name[count - 1])
     count--;
+  if (separator != ' ')
+    return count;
+  int kept = 0;
+  for (int i = 0; i < count; i++) {
+    if (kept > 0 && strchr("([{", *name[i]))
+      memset(name[kept - 1] + strlen(name[kept - 1]), ' ',
+             (size_t)(name[i] - name[kept - 1]) - strlen(name[kept - 1]));
+    else
+      name[kept++] = name[i];
+  }
+  return kept;
+}
+
+/* Takes what one line of the header says into the columns, and returns how many it names; 0 where
+ * it is no line of names. */
+static int take_names(const char *line, char separator, int fields, column *columns,
+                      bool *has_names) {
+  char copy[ASP_TEXT_MOST], *name[COLUMNS_MOST];
+  strcpy(copy, line);
+  int count = split_names(copy, separator, name);
   if (count < 1 || count > fields || (count < fields && (separator == ' ' || count < 2)))
-    return false;
+    return 0;
   *has_names = false;
   for (int i = 0; i < count; i++) {
     double unit[2];
@@ -118,19 +121,22 @@ static bool take_names(const char *line, char separator, int fields, column *col
     if (units == 0 && has_unit(name[i]))
       columns[i].kind = NO_LENGTH;
   }
-  return true;
+  return count;
 }
 
 /* The lines of names above the data: the last one, or, where that has units only, the one above it
- * too. */
-static bool read_header(const aspi_header *header, char separator, int fields, column *columns) {
-  bool found = false, has_names = false;
-  for (int i = 0; i < ASP_HEADER_KEPT && !has_names; i++) {
-    if (!*header->line[i] || !take_names(header->line[i], separator, fields, columns, &has_names))
+ * too. Returns how many columns they name; 0: there are none. */
+static int read_header(const aspi_header *header, char separator, int fields, column *columns) {
+  int named = 0;
+  bool has_names = false;
+  for (int i = 0; i < ASP_HEADER_NEAR && !has_names; i++) {
+    int count =
+        *header->line[i] ? take_names(header->line[i], separator, fields, columns, &has_names) : 0;
+    if (count == 0)
       break;
-    found = true;
+    named = count > named ? count : named;
   }
-  return found;
+  return named;
 }
 
 /* The name without its unit, for comparing: up to a bracket, a slash, or an underscore. */
@@ -174,25 +180,64 @@ static int first_length(const column *columns, int fields, int other, bool with_
   return -1;
 }
 
-static bool choose_both(const aspi_profile_options *options, const column *columns, int fields,
-                        bool headed, aspi_columns *chosen, char *why, size_t size) {
-  int x = asked_for("positions", options->x_column, columns, fields, why, size);
-  int z = asked_for("heights", options->z_column, columns, fields, why, size);
-  if (options->x_number > 0 && x == -1)
-    x = options->x_number - 1;
-  if (options->column > 0 && z == -1)
-    z = options->column - 1;
-  if (x == -2 || z == -2)
+/* Two columns without units are taken by their names only where both are known; else the first is
+ * that of positions. */
+static bool are_known(const column *columns) {
+  return (columns[0].kind == POSITION && columns[1].kind == HEIGHT) ||
+         (columns[0].kind == HEIGHT && columns[1].kind == POSITION);
+}
+
+#define ASK_COLUMNS                                                                                \
+  "say which columns are positions and heights (x-column, z-column), or the step of heights "      \
+  "alone (step)"
+
+/* Whether names, where there is more than there must be, are as many as columns. */
+static bool are_named(const aspi_profile_options *options, char separator, int used, int fields,
+                      int named, char *why, size_t size) {
+  if (used <= (options->step > 0 ? 1 : 2) || named == used || named == fields)
+    return true;
+  snprintf(why, size, "%d columns under %d names%s; " ASK_COLUMNS, used, named,
+           separator == ','
+               ? " (or are there decimal commas? Those need semicolons or tabs between "
+                 "the columns)"
+               : "");
+  return false;
+}
+
+/* A column that nobody asked for and that is no length by its name or unit. */
+static bool is_none(int found, int asked, const column *columns, int fields, char *why,
+                    size_t size) {
+  if (asked >= 0 || found < 0 || found >= fields || columns[found].kind != NO_LENGTH)
+    return false;
+  snprintf(why, size, "'%.40s' is no length by the header; " ASK_COLUMNS, columns[found].name);
+  return true;
+}
+
+static bool choose_both(const aspi_profile_options *options, const column *columns, char separator,
+                        int fields, int used, int named, aspi_columns *chosen, char *why,
+                        size_t size) {
+  int asked_x = asked_for("positions", options->x_column, columns, fields, why, size);
+  int asked_z = asked_for("heights", options->z_column, columns, fields, why, size);
+  if (options->x_number > 0 && asked_x == -1)
+    asked_x = options->x_number - 1;
+  if (options->column > 0 && asked_z == -1)
+    asked_z = options->column - 1;
+  if (asked_x == -2 || asked_z == -2)
+    return false;
+  if (asked_x >= 0 && asked_x == asked_z) {
+    snprintf(why, size, "column %d is asked for as positions and as heights", asked_x + 1);
+    return false;
+  }
+  if (asked_z < 0 && !are_named(options, separator, used, fields, named, why, size))
     return false;
   int with_unit = 0;
   for (int i = 0; i < fields; i++)
     with_unit += columns[i].unit > 0;
   bool units = with_unit >= (options->step > 0 ? 1 : 2);
-  if (options->step > 0)
-    x = fields; /* no column */
-  if (!headed || (fields <= 2 && !units)) {
+  int x = options->step > 0 ? fields : asked_x, z = asked_z; /* fields: no column */
+  if (named == 0 || (fields <= 2 && !units && !are_known(columns))) {
     x = x >= 0 ? x : z == 0 && fields > 1 ? 1 : 0;
-    z = z >= 0 ? z : options->step > 0 ? 0 : x == 1 ? 0 : 1;
+    z = z >= 0 ? z : options->step > 0 && columns[0].kind != NO_LENGTH ? 0 : x == 1 ? 0 : 1;
   }
   if (z < 0)
     z = first_of(HEIGHT, columns, fields, x, units);
@@ -204,13 +249,14 @@ static bool choose_both(const aspi_profile_options *options, const column *colum
     z = first_length(columns, fields, x, units);
   if (x < 0 || z < 0) {
     int only = x >= 0 ? x : z;
-    snprintf(why, size,
-             "%s%.40s%s a length by the header; say which columns are positions and heights "
-             "(x-column, z-column), or the step of heights alone (step)",
+    snprintf(why, size, "%s%.40s%s a length by the header; " ASK_COLUMNS,
              only < 0 ? "no column is" : "only '", only < 0 ? "" : columns[only].name,
              only < 0 ? "" : "' is");
     return false;
   }
+  if (is_none(x, asked_x, columns, fields, why, size) ||
+      is_none(z, asked_z, columns, fields, why, size))
+    return false;
   *chosen = (aspi_columns){.x = options->step > 0 ? -1 : x,
                            .z = z,
                            .unit_x = x < fields ? columns[x].unit : 1,
@@ -218,14 +264,27 @@ static bool choose_both(const aspi_profile_options *options, const column *colum
   return true;
 }
 
-bool aspi_choose_columns(const aspi_header *header, char separator, int fields,
+bool aspi_choose_columns(const aspi_header *header, char separator, int fields, int used,
                          const aspi_profile_options *options, aspi_columns *chosen, char *why,
                          size_t size) {
   column columns[COLUMNS_MOST] = {{"", 0, UNKNOWN}};
   if (fields > COLUMNS_MOST)
     fields = COLUMNS_MOST;
-  bool headed = read_header(header, separator, fields, columns);
-  return choose_both(options, columns, fields, headed, chosen, why, size);
+  int named = read_header(header, separator, fields, columns);
+  return choose_both(options, columns, separator, fields, used, named, chosen, why, size);
+}
+
+/* A line that states the unit of one axis, as `X unit: mm`; false where it does not. */
+static bool take_axis(const char *line, aspi_columns *columns) {
+  double unit[2];
+  line += strspn(line, "#%; \t\"");
+  kind axis = kind_of(line);
+  if (!aspi_text_holds(line, "unit") || (axis != POSITION && axis != HEIGHT) ||
+      aspi_units_in(line, unit) != 1)
+    return false;
+  double *to = axis == POSITION ? &columns->unit_x : &columns->unit_z;
+  *to = *to > 0 ? *to : unit[0];
+  return true;
 }
 
 asp_code aspi_find_units(const aspi_text *text, const aspi_profile_options *options,
@@ -233,11 +292,16 @@ asp_code aspi_find_units(const aspi_text *text, const aspi_profile_options *opti
   double stated[2] = {0, 0};
   int count = 0;
   bool found = columns->unit_x > 0 && columns->unit_z > 0;
-  for (int i = 0; i < ASP_HEADER_KEPT && count == 0 && !found; i++)
-    count = aspi_header_units(header->line[i], stated);
+  for (int i = 0; i < ASP_HEADER_KEPT && count == 0 && !found; i++) {
+    if (!take_axis(header->line[i], columns) && i < ASP_HEADER_NEAR)
+      count = aspi_header_units(header->line[i], stated);
+    found = columns->unit_x > 0 && columns->unit_z > 0;
+  }
   if (count == 2 && !found) {
     columns->unit_x = columns->x < 0 ? 1 : stated[0];
     columns->unit_z = stated[1];
+  } else if (count == 1 && !found && columns->x < 0) {
+    columns->unit_z = stated[0];
   }
   if (options->unit_x > 0 && columns->x >= 0)
     columns->unit_x = options->unit_x;

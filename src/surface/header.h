@@ -6,9 +6,10 @@
 
 #include "surface/read.h"
 
-enum { ASP_HEADER_KEPT = 3 };
+enum { ASP_HEADER_KEPT = 8, ASP_HEADER_NEAR = 3 };
 
-/* The last lines before the data, the very last first; "" where there are fewer. */
+/* The last lines before the data, the very last first; "" where there are fewer. Units that are
+ * stated of no axis count in those that are near to the data only. */
 typedef struct aspi_header {
   char line[ASP_HEADER_KEPT][ASP_TEXT_MOST];
 } aspi_header;
@@ -19,8 +20,9 @@ typedef struct aspi_columns {
   double unit_x, unit_z;
 } aspi_columns;
 
-/* Chooses the columns of lines with that many fields; false and the reason where it cannot. */
-bool aspi_choose_columns(const aspi_header *header, char separator, int fields,
+/* Chooses the columns of lines with that many fields, `used` of them without empty ones at the end;
+ * false and the reason where it cannot. */
+bool aspi_choose_columns(const aspi_header *header, char separator, int fields, int used,
                          const aspi_profile_options *options, aspi_columns *chosen, char *why,
                          size_t size);
 

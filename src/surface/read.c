@@ -240,16 +240,23 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
   if (r->resampled)
     snprintf(spacing, sizeof spacing, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
              raw->step_least, raw->step_most, raw->spacing);
-  char other[200] = "";
+  char other[260] = "";
   const aspi_filters *f = &options->filters;
+  size_t used = 0;
+  if (raw->column[0] > 0)
+    used += (size_t)snprintf(other, sizeof other, ", of columns %d and %d", raw->column[0],
+                             raw->column[1]);
+  else if (raw->column[1] > 0)
+    used += (size_t)snprintf(other, sizeof other, ", of column %d", raw->column[1]);
   if (raw->repeats)
-    snprintf(other, sizeof other, ", %zu repeated positions averaged", raw->repeats);
+    used += (size_t)snprintf(other + used, sizeof other - used, ", %zu repeated positions averaged",
+                             raw->repeats);
   if (raw->falls)
-    strcat(other, ", positions fall and are reversed");
+    used +=
+        (size_t)snprintf(other + used, sizeof other - used, ", positions fall and are reversed");
   if (raw->end_line)
-    snprintf(other + strlen(other), sizeof other - strlen(other), ", data end before line %zu",
-             raw->end_line);
-  size_t used = strlen(other);
+    used += (size_t)snprintf(other + used, sizeof other - used, ", data end before line %zu",
+                             raw->end_line);
   if (f->tip > 0)
     used += (size_t)snprintf(other + used, sizeof other - used, ", tip %g m", f->tip);
   if (f->lambda_s > 0)

@@ -66,6 +66,7 @@ typedef struct aspi_raw {
   bool resampled;
   size_t repeats;               /* positions that repeat the one before */
   bool falls;                   /* positions fall in the file */
+  int column[2];                /* of positions and heights, from 1, where there are others too */
   size_t end_line;              /* where the data end before the file does; 0: nowhere */
   double step_least, step_most; /* m */
 } aspi_raw;

@@ -270,9 +270,29 @@ static void columns_are_chosen_by_their_header(void **state) {
              .metre = 1, .form = -1, .resample = true, .row = 1, .unit_x = 1e-3, .unit_z = 1e-3},
          3, 2e-3, 4e-3);
   expect_error("Point,Z [um]\n1,0\n2,1\n3,4\n", NULL, ASP_EDATA,
-               "one unit is stated for two columns");
+               "'Point' is no length by the header");
+  expect("Punkt;Weg;Hoehe\n;mm;um\n1;0,0;1\n2;2,0;2\n3;4,0;4\n", NULL, 3, 2e-3, 4e-6);
+  expect("N\tX\tZ\n\tmm\tum\n1\t0\t1\n2\t2\t2\n3\t4\t4\n", NULL, 3, 2e-3, 4e-6);
+  assert_non_null(strstr(report.text, "of columns 2 and 3"));
+  expect("No  x [mm]  z [um]\n1 0 1\n2 2 2\n3 4 4\n", NULL, 3, 2e-3, 4e-6);
   expect_error("Point,t [s],Z [um]\n1,0,4\n2,1,3\n3,4,3\n", NULL, ASP_EDATA,
                "only 'Z [um]' is a length by the header");
+  o.unit_x = o.unit_z = 1e-6;
+  static const char *const no_length[] = {"n,Z [um]", "x [px],z [um]", "X pixel,z", "Time,z"};
+  for (size_t i = 0; i < sizeof no_length / sizeof *no_length; i++) {
+    char file[80];
+    snprintf(file, sizeof file, "%s\n0,1\n1,2\n2,4\n", no_length[i]);
+    expect_error(file, &o, ASP_EDATA, "is no length by the header");
+  }
+  expect("Height,Distance\n1,0\n2,2\n4,4\n", &o, 3, 2e-6, 4e-6);
+  expect_error("1 0 7\n2 1 8\n3 2 9\n", &o, ASP_EDATA, ":1: 3 columns under 0 names");
+  expect_error("\"x\" \"z\"\n\"1\" 0 7\n\"2\" 1 8\n", &o, ASP_EDATA, "3 columns under 0 names");
+  expect_error("x,z\n1,0,7\n2,1,8\n3,2,9\n", &o, ASP_EDATA, "3 columns under 2 names");
+  o.step = 2e-6;
+  expect_error("1,7\n2,8\n3,9\n", &o, ASP_EDATA, "2 columns under 0 names");
+  o.step = o.unit_x = o.unit_z = 0;
+  o.x_column = o.z_column = "1";
+  expect_error("x [um],z [um]\n0,9\n2,9\n4,9\n", &o, ASP_EDATA, "as positions and as heights");
   o.x_column = "b";
   o.z_column = "1";
   expect("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, 3, 2e-6, 4e-6);
@@ -312,7 +332,22 @@ static void files_of_all_kinds(void **state) {
   o.has_missing = false;
   o.step = 2e-6;
   expect("heights in um, unit um\n1\n2\n4\n", &o, 3, 2e-6, 4e-6);
+  expect("Z [um]\n1\n2\n4\n", &o, 3, 2e-6, 4e-6);
   o.step = 0;
+  expect_error("Z [um]\n1\n2\n4\n", &o, ASP_EDATA, "heights alone need the step");
+  expect("X unit = mm\nZ unit = um\nX,Z\n0,1\n1,2\n2,4\n", NULL, 3, 1e-3, 4e-6);
+  expect("X-Unit: mm\nZ-Unit: um\nPoints: 3\n\n[Data]\n0 1\n1 2\n2 4\n", NULL, 3, 1e-3, 4e-6);
+  expect("x [in],z [\xC2\xB5"
+         "in]\n0,1\n1,2\n2,4\n",
+         NULL, 3, 25.4e-3, 4 * 25.4e-9);
+  expect("x \xE3\x8E\x9C,z \xE3\x8E\x9B\n0,1\n1,2\n2,4\n", NULL, 3, 1e-3, 4e-6);
+  expect("x_um;z_um\n0;1 001,5\n1;2\302\240002,5\n2;4\342\200\257004,5\n", NULL, 3, 1e-6,
+         4004.5e-6);
+  expect("x_um;z_um\n0;1\n1;\342\210\2222\n2;\342\210\2224\n", NULL, 3, 1e-6, -4e-6);
+  expect("x_um,z_um\n\"0,000\",\"1,5\"\n\"0,500\",\"2,5\"\n\"1,000\",\"4,5\"\n", NULL, 3, 0.5e-6,
+         4.5e-6);
+  expect("x_um,z_um\n0,1\n1,******\n2,3\n3,#WERT!\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
+  assert_int_equal(report.bad, 2);
   static const char utf16[] = "\xFF\xFEx\0_\0\xB5\0m\0,\0z\0_\0\xB5\0m\0\r\0\n\0"
                               "0\0,\0001\0\r\0\n\0001\0,\0002\0\r\0\n\0002\0,\0004\0";
   p = read_bytes(utf16, sizeof utf16 - 1, &o);
@@ -338,10 +373,39 @@ static void suspicious_numbers_are_refused(void **state) {
   expect(marked, &o, 5, 1e-6, 3e-6);
   expect("x_um,z_um\n0,1000\n1,-999\n2,300\n3,200\n4,500\n", NULL, 5, 1e-6, 300e-6);
   expect_error("x_um,z_um\n0,500,1,234\n0,750,1,334\n1,000,1,224\n", NULL, ASP_EDATA,
-               ":2: four columns of whole numbers: are they two with decimal commas?");
+               ":2: 4 columns under 2 names (or are there decimal commas?");
+  expect_error("x_um,z_um\n0,5\n0,5,1,25\n1,1,25\n", NULL, ASP_EDATA, ":3: 4 fields, the first");
   o.x_column = "1";
   o.z_column = "4";
   expect("x_um,b,c,z_um\n0,500,1,234\n1,750,1,334\n2,000,1,224\n", &o, 3, 1e-6, 224e-6);
+}
+
+/* Values that recur far from all others, and known marks within the range of the others. */
+static void marks_of_missing_heights(void **state) {
+  (void)state;
+  enum { N = 400 };
+  static const struct {
+    double mark, scale;
+    bool refused;
+  } all[] = {{-99, 5, true},      {-1000001, 5, true},
+             {3.4e38, 5, true},   {-9999, 2e4, true}, /* within the range */
+             {-7777, 2e4, false}, {-14, 5, false}};
+  char *text = malloc(N * 40);
+  assert_non_null(text);
+  for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+    char *end = text + sprintf(text, "x_um,z_um\n"), words[40];
+    for (int i = 0; i < N; i++)
+      end += sprintf(end, "%d,%.10g\n", i,
+                     i >= 50 && i < 60 ? all[k].mark : all[k].scale * sin(0.37 * i * i));
+    snprintf(words, sizeof words, ":52: height %.10g, 10 times", all[k].mark);
+    if (all[k].refused)
+      expect_error(text, NULL, ASP_EDATA, words);
+    else
+      asp_profile_free(read_text(text, NULL));
+    if (!all[k].refused)
+      assert_string_equal(error.text, "");
+  }
+  free(text);
 }
 
 /* A parabola with a ripple: degree 2 leaves the ripple. */
@@ -602,6 +666,7 @@ int main(void) {
       cmocka_unit_test(columns_are_chosen_by_their_header),
       cmocka_unit_test(files_of_all_kinds),
       cmocka_unit_test(suspicious_numbers_are_refused),
+      cmocka_unit_test(marks_of_missing_heights),
       cmocka_unit_test(form_is_taken_out),
       cmocka_unit_test(gaps_are_refused_or_filled),
       cmocka_unit_test(missing_rows_are_a_gap),
