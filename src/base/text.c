@@ -89,8 +89,7 @@ static void put_back(aspi_text *text, int byte) {
     ungetc(byte, text->stream);
 }
 
-/* The next character, or EOF. CR LF and CR come out as LF. */
-static int next_character(aspi_text *text) {
+int aspi_text_character(aspi_text *text) {
   int c = next_byte(text);
   if (c == '\r') {
     int after = next_byte(text);
@@ -127,9 +126,9 @@ static asp_code finish(aspi_text *text, size_t length, bool found_any, bool *fou
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error) {
   size_t length = 0;
   text->line = text->next;
-  int c = next_character(text);
+  int c = aspi_text_character(text);
   bool any = c != EOF;
-  for (; c != EOF && c != '\n'; c = next_character(text)) {
+  for (; c != EOF && c != '\n'; c = aspi_text_character(text)) {
     asp_code code = append(text, &length, ASP_TEXT_MOST, c, error);
     if (code)
       return code;
@@ -142,9 +141,9 @@ asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error) {
   int c;
   do {
     text->line = text->next;
-    c = next_character(text);
+    c = aspi_text_character(text);
   } while (c != EOF && isspace(c));
-  for (; c != EOF && !isspace(c); c = next_character(text)) {
+  for (; c != EOF && !isspace(c); c = aspi_text_character(text)) {
     asp_code code = append(text, &length, WORD_MOST, c, error);
     if (code)
       return code;

@@ -27,6 +27,9 @@ aspi_text aspi_text_create(FILE *stream, const char *path);
 /* Back to the beginning; ASP_EFILE where the stream cannot. */
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 
+/* The next character, or EOF; every end of a line is LF. */
+int aspi_text_character(aspi_text *text);
+
 /* Reads the next line (its end is LF, CR LF or CR; UTF-16 with a byte order mark becomes UTF-8) or
  * word (between white space). *found is false at the end of the file. ASP_EDATA for a NUL byte, a
  * line of 4096 characters or more, or a word of 64 or more. */

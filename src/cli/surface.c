@@ -93,9 +93,10 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
   read->unit_x = aspi_unit_metres(option->value, length);
   read->unit_z = aspi_unit_metres(second, second == option->value ? length : strlen(second));
   if (!(read->unit_x > 0 && read->unit_z > 0))
-    cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm in mil, one, or two for positions and "
-                  "heights",
-                  option->name, option->value);
+    cli_bad_usage(
+        "--%s is '%s'; units of length are m cm mm um nm in mil, one, or two for positions and "
+        "heights",
+        option->name, option->value);
 }
 
 static aspi_profile_options read_options(const cli_option *o) {
@@ -172,15 +173,17 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
   }
 }
 
-static void check_sizes(const aspi_description *d, const cli_list *sizes) {
+static void check_sizes(const char *what, double spacing, const cli_list *sizes) {
+  bool map = strcmp(what, "map") == 0;
   for (size_t i = 0; i < sizes->count; i++) {
-    if (sizes->values[i] >= d->spacing && sizes->values[i] < POINTS_PER_PARTICLE * d->spacing)
-      cli_warn("a particle of %g um covers %.2g points of the profile; under %g the noise and the "
-               "rounding of heights pass for roughness (--lambda-s takes short waves out)",
-               sizes->values[i] * 1e6, sizes->values[i] / d->spacing, POINTS_PER_PARTICLE);
-    if (sizes->values[i] < d->spacing)
-      cli_fail("--dp is %gum; the profile's points are %gum apart and do not resolve it",
-               sizes->values[i] * 1e6, d->spacing * 1e6);
+    if (sizes->values[i] >= spacing && sizes->values[i] < POINTS_PER_PARTICLE * spacing)
+      cli_warn("a particle of %g um covers %.2g points of the %s%s; under %g the noise and the "
+               "rounding of heights pass for roughness%s",
+               sizes->values[i] * 1e6, sizes->values[i] / spacing, what, map ? " along a side" : "",
+               POINTS_PER_PARTICLE, map ? "" : " (--lambda-s takes short waves out)");
+    if (sizes->values[i] < spacing)
+      cli_fail("--dp is %gum; the %s's points are %gum apart and do not resolve it",
+               sizes->values[i] * 1e6, what, spacing * 1e6);
   }
 }
 
@@ -259,7 +262,7 @@ static void check_options(const cli_option *o) {
               {PROFILE, BY_PROFILE}, {SPACING, BY_PROFILE},  {ROW, BY_PROFILE},
               {COLUMN, BY_PROFILE},  {X_COLUMN, BY_PROFILE}, {Z_COLUMN, BY_PROFILE},
               {TIP, BY_PROFILE},     {LAMBDA_S, BY_PROFILE}, {CUTOFF, BY_PROFILE},
-              {ROBUST, BY_PROFILE},  {MISSING, BY_PROFILE},  {LEVEL, BY_PROFILE},
+              {ROBUST, BY_PROFILE},  {MISSING, MEASURED},    {LEVEL, BY_PROFILE},
               {UNIT, MEASURED},      {FORM, MEASURED},       {GAPS, MEASURED},
               {SPIKES, MEASURED},    {STEP, MEASURED},       {SEED, GENERATED | BY_PROFILE}};
   int wall = o[MAP].value ? BY_MAP : o[PROFILE].value ? BY_PROFILE : GENERATED;
@@ -283,6 +286,7 @@ static void run_map(const cli_option *o, const cli_list *sizes, int argc, char *
     options.step[1] = steps.values[steps.count - 1];
   }
   cli_map map = cli_map_read(&o[MAP], &options);
+  check_sizes("map", fmax(map.map->step[0], map.map->step[1]), sizes);
   cli_map_slopes *rows = malloc(sizes->count * sizeof *rows);
   if (!rows)
     cli_fail("out of memory");
@@ -312,7 +316,7 @@ static int run(int argc, char **argv) {
   source from;
   cli_wall wall = measured ? read_wall(options, &from) : generate_wall(options);
   if (measured)
-    check_sizes(&from.description, &sizes);
+    check_sizes("profile", from.description.spacing, &sizes);
   cli_slopes *rows = measure(&wall, &sizes);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
   if (measured)

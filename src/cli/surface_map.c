@@ -24,7 +24,8 @@ cli_map cli_map_read(const cli_option *option, const aspi_map_options *options) 
   }
   if (!m.map)
     cli_fail("%s", error.text);
-  if (aspi_map_describe(m.map, &m.description, &error))
+  if (aspi_map_describe(m.map, &m.description, &error) ||
+      aspi_map_check(m.map, &m.description, 1, &error))
     cli_fail("%s: %s", option->value, error.text);
   return m;
 }

@@ -13,9 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
-#define SPACINGS_LEAST 1.5
-
 /* Heights smaller than this part of the largest coordinate are rounding. */
 #define ROUNDING 1e-13
 
@@ -118,12 +115,12 @@ asp_code aspi_profile_describe(const asp_profile *profile, double level,
 }
 
 asp_code aspi_description_check(const aspi_description *d, double phi_r_most, asp_error *error) {
-  if (d->lambda_c < SPACINGS_LEAST * d->spacing)
+  if (d->lambda_c < ASP_SPACINGS_LEAST * d->spacing)
     return aspi_fail(error, ASP_EDATA,
                      "the correlation length, %g, is less than %g spacings of the points: this is "
                      "noise, or sampled too coarsely; take short waves out (asperity surface "
                      "--lambda-s)",
-                     d->lambda_c, SPACINGS_LEAST);
+                     d->lambda_c, ASP_SPACINGS_LEAST);
   if (d->phi_r > phi_r_most)
     return aspi_fail(error, ASP_EDATA,
                      "phi_r = R_q/lambda_c is %g; over %g is no roughness: are the units of "

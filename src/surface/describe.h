@@ -10,6 +10,9 @@
 #define ASP_LEVEL_1_E 0.36787944117144233
 #define ASP_LEVEL_S_AL 0.2 /* S_al of ISO 25178-2 */
 
+/* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
+#define ASP_SPACINGS_LEAST 1.5
+
 /* What one profile leaves open: the mean tilt of the first hits at 2 degrees has a standard error
  * of about 0.11 of sigma where the profile is 100 correlation lengths long, which falls as one over
  * the root of its length (WALLS-3D, section 0: from ensembles of generated profiles). */

@@ -274,6 +274,33 @@ bool aspi_choose_columns(const aspi_header *header, char separator, int fields, 
   return choose_both(options, columns, separator, fields, used, named, chosen, why, size);
 }
 
+static int first_named(char name, const column *columns, int fields) {
+  for (int i = 0; i < fields; i++)
+    if (tolower((unsigned char)*columns[i].name) == name &&
+        !isalpha((unsigned char)columns[i].name[1]))
+      return i;
+  return -1;
+}
+
+bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_axes *axes) {
+  column columns[COLUMNS_MOST] = {{"", 0, UNKNOWN}};
+  *axes = (aspi_axes){{0, 1, 2}, {0}};
+  if (fields > COLUMNS_MOST)
+    return false;
+  read_header(header, separator, fields, columns);
+  int found[3] = {first_named('x', columns, fields), first_named('y', columns, fields),
+                  first_named('z', columns, fields)};
+  if (found[2] < 0)
+    found[2] = first_of(HEIGHT, columns, fields, -1, false);
+  bool named = found[0] >= 0 && found[1] >= 0 && found[2] >= 0;
+  for (int k = 0; k < 3; k++) {
+    if (named)
+      axes->column[k] = found[k];
+    axes->unit[k] = columns[axes->column[k]].unit;
+  }
+  return named;
+}
+
 /* A line that states the unit of one axis, as `X unit: mm`; false where it does not. */
 static bool take_axis(const char *line, aspi_columns *columns) {
   double unit[2];

@@ -26,6 +26,15 @@ bool aspi_choose_columns(const aspi_header *header, char separator, int fields, 
                          const aspi_profile_options *options, aspi_columns *chosen, char *why,
                          size_t size);
 
+/* The columns of x, y and z of a map's points, from 0, and their units in m, 0 where none is
+ * stated. False where the header does not name all three. */
+typedef struct aspi_axes {
+  int column[3];
+  double unit[3];
+} aspi_axes;
+
+bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_axes *axes);
+
 /* Completes the units: the user's, those of the columns, or those of the header as a whole. */
 asp_code aspi_find_units(const aspi_text *text, const aspi_profile_options *options,
                          const aspi_header *header, aspi_columns *columns, asp_error *error);

@@ -241,3 +241,19 @@ asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description
   *description = d;
   return code;
 }
+
+asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
+                        asp_error *error) {
+  double step = fmin(map->step[0], map->step[1]);
+  if (d->lambda_1 < ASP_SPACINGS_LEAST * step)
+    return aspi_fail(error, ASP_EDATA,
+                     "the shorter correlation length, %g, is less than %g spacings of the points: "
+                     "this is noise, or sampled too coarsely",
+                     d->lambda_1, ASP_SPACINGS_LEAST);
+  if (d->phi_r > phi_r_most)
+    return aspi_fail(error, ASP_EDATA,
+                     "phi_r = S_q/lambda_1 is %g; over %g is no roughness: are the units of "
+                     "positions and heights right (asperity surface --unit)?",
+                     d->phi_r, phi_r_most);
+  return ASP_OK;
+}

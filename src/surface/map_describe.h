@@ -24,4 +24,8 @@ typedef struct aspi_map_description {
  * and s_tr is not a number. */
 asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description, asp_error *error);
 
+/* ASP_EDATA for what cannot be roughness: noise, and phi_r over its most. */
+asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
+                        asp_error *error);
+
 #endif

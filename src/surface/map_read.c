@@ -214,6 +214,8 @@ asp_map *aspi_map_read_stream(FILE *stream, const char *path, const aspi_map_opt
   const char *word = begin + strspn(begin, " \t\r\n");
   bool sdf =
       *word && (strncasecmp(word + 1, "ISO-", 4) == 0 || strncasecmp(word + 1, "BCR-", 4) == 0);
+  if (!code && sdf)
+    code = aspi_sdf_check_options(path, options->read, options->step[0], error);
   if (!code)
     code = sdf ? aspi_read_map_sdf(stream, path, &raw, error)
                : aspi_read_map_text(stream, path, options, &raw, error);

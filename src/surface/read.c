@@ -284,8 +284,13 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, a
   const char *name = text->text + strspn(text->text, " \t");
   bool sdf = strncasecmp(name + (*name != '\0'), "ISO-1", 5) == 0 ||
              strncasecmp(name + (*name != '\0'), "BCR-", 4) == 0;
-  return sdf ? aspi_read_sdf(text, options, raw, error)
-             : aspi_read_columns(text, options, raw, error);
+  if (!sdf && options->row != 1)
+    return aspi_fail(error, ASP_EARG, "%.200s: row %d is asked for; text in columns has no rows",
+                     text->path, options->row);
+  if (!sdf)
+    return aspi_read_columns(text, options, raw, error);
+  code = aspi_sdf_check_options(text->path, options, options->step, error);
+  return code ? code : aspi_read_sdf(text, options, raw, error);
 }
 
 asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error) {

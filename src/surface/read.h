@@ -87,6 +87,10 @@ typedef struct aspi_sdf {
   double points, profiles, x_scale, y_scale, z_scale, compression;
 } aspi_sdf;
 
+/* What does not apply to SDF: it states its units, its spacing (`step`) and bad points itself. */
+asp_code aspi_sdf_check_options(const char *path, const aspi_profile_options *options, double step,
+                                asp_error *error);
+
 asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error);
 asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
                          asp_error *error);

@@ -83,6 +83,26 @@ static asp_code check_scales(const aspi_text *text, const aspi_sdf *h, asp_error
   return ASP_OK;
 }
 
+asp_code aspi_sdf_check_options(const char *path, const aspi_profile_options *options, double step,
+                                asp_error *error) {
+  const struct {
+    const char *name;
+    bool given;
+  } all[] = {{"unit", options->unit_x > 0 || options->unit_z > 0},
+             {"step", step > 0},
+             {"missing", options->has_missing},
+             {"x-column", options->x_column || options->x_number > 0},
+             {"z-column", options->z_column != NULL}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (all[i].given)
+      return aspi_fail(
+          error, ASP_EARG,
+          "%.200s: %s is given; a file in SDF states its units, spacing and bad points "
+          "itself",
+          path, all[i].name);
+  return ASP_OK;
+}
+
 asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
   *h = (aspi_sdf){NAN, NAN, NAN, NAN, NAN, 0};
   for (bool ends = false, found; !ends;) {

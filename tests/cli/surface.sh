@@ -70,6 +70,13 @@ refuses 1 noise.csv 'spacings of the points' --lambda-s -- surface --profile noi
 refuses 1 steep.csv 'phi_r' --unit -- surface --profile steep.csv --dp 0.1um
 "$asperity" surface --profile waves.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers 4 points' || die "few points per particle"
 
+refuses 1 map.sdf 'step is given' SDF -- surface --map map.sdf --step 1um
+refuses 1 map.sdf 'unit is given' SDF -- surface --profile map.sdf --unit um
+refuses 1 'row 2 is asked for' -- surface --profile waves.csv --row 2
+refuses 1 --dp "the map's points" -- surface --map map.sdf --dp 1um
+"$asperity" surface --map map.sdf --dp 12um 2> err > /dev/null
+grep -q 'covers 6 points of the map along a side' err || die "few points of a map per particle"
+
 # Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
 refuses 2 --gaps 'of which it says nothing' -- surface --rq 5um --lambda-c 40um --gaps fill
 refuses 2 --points --profile -- surface --profile waves.csv --points 8192

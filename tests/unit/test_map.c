@@ -126,6 +126,87 @@ static void triples_are_read_in_any_order(void **state) {
   }
 }
 
+/* The columns that the header names are taken, each with its unit, in whatever order they stand. */
+static void columns_are_chosen_by_their_names(void **state) {
+  (void)state;
+  static const struct {
+    const char *head, *row; /* %1$ counts, %2$ is x, %3$ y, %4$ z, in um, mm and nm */
+  } all[] = {{"x [um],y [mm],z [nm]\n", "%2$.6g,%3$.9g,%4$.9g\n"},
+             {"Point;Z [nm];X [um];Y [mm]\n", "%1$d;%4$.9g;%2$.6g;%3$.9g\n"},
+             {"X\tY\tHeight\tQuality\num\tmm\tnm\t\n", "%2$.6g\t%3$.9g\t%4$.9g\t%1$d\n"},
+             {"\"X [um]\",\"Y [mm]\",\"Z [nm]\"\n", "\"%2$.6g\",\"%3$.9g\",\"%4$.9g\"\n"},
+             {"\xEF\xBB\xBFx [um] y [mm] z [nm]\r", "%2$.6g %3$.9g %4$.9g\r"}};
+  for (size_t form = 0; form < sizeof all / sizeof *all; form++) {
+    FILE *file = begin("map");
+    fputs(all[form].head, file);
+    for (int k = 0; k < ROWS * COLUMNS; k++)
+      fprintf(file, all[form].row, k + 1, 0.5 * (k % COLUMNS), 0.7e-3 * (k / COLUMNS),
+              1e3 * heights[k / COLUMNS][k % COLUMNS]);
+    fputs("\nend of data\n", file);
+    fclose(file);
+    check_map(read_map("map"), 1e-4);
+  }
+  asp_reader_set(reader, "step_x", 1e-6, NULL);
+  refuse("map", "has the positions of its points");
+}
+
+/* Instruments' marks, positions beside the heights, decimal commas beside commas, noise. */
+static void what_is_no_height_is_refused(void **state) {
+  (void)state;
+  const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
+  static const char *const words[] = {
+      ":1000: height -9999, 12 times", "zero: are there decimal commas",
+      "the first column of the matrix", "the first row of the matrix", "height -770, 12 times"};
+  for (int form = 0; form < 5; form++) {
+    FILE *file = begin("map");
+    fputs(form == 0 ? "x_um,y_um,z_um\n" : head, file);
+    for (int k = 0; k < ROWS * COLUMNS; k++) {
+      int i = k % COLUMNS, j = k / COLUMNS;
+      double z = heights[j][i];
+      if (form == 0)
+        fprintf(file, "%g,%g,%.6f\n", 0.5 * i, 0.7 * j, k >= 998 && k < 1010 ? -9999 : z);
+      else if (form == 1)
+        fprintf(file, "%d,%04d%s", (int)z, (int)fabs(1e4 * (z - (int)z)),
+                i + 1 < COLUMNS ? "," : "\n");
+      else
+        fprintf(file, "%.6f%s",
+                form == 2 && i == 0                 ? 0.7 * j
+                : form == 3 && j == 0               ? 0.5 * i
+                : form == 4 && k >= 998 && k < 1010 ? -770
+                                                    : z,
+                i + 1 < COLUMNS ? "\t" : "\n");
+    }
+    fclose(file);
+    refuse("map", words[form]);
+  }
+  asp_reader_set(reader, "missing", -770, NULL);
+  asp_reader_set(reader, "fill", 1, NULL);
+  FILE *file = begin("map");
+  fputs(head, file);
+  for (int k = 0; k < ROWS * COLUMNS; k++)
+    fprintf(file, "%g%s", k % 700 == 350 ? -770 : heights[k / COLUMNS][k % COLUMNS],
+            k % COLUMNS + 1 < COLUMNS ? "\t" : "\n");
+  fclose(file);
+  asp_map_free(read_map("map"));
+  assert_near(asp_reader_get(reader, "bad"), 11, 0);
+}
+
+static void noise_is_no_wall(void **state) {
+  (void)state;
+  FILE *file = begin("map");
+  fputs("# Width: 96 um\n# Height: 80 um\n# Value units: um\n", file);
+  unsigned r = 7;
+  for (int k = 0; k < ROWS * COLUMNS; k++)
+    fprintf(file, "%u%s", (r = r * 1664525u + 1013904223u) >> 24,
+            k % COLUMNS + 1 < COLUMNS ? " " : "\n");
+  fclose(file);
+  asp_map *map = read_map("map");
+  asp_error error;
+  assert_null(asp_surface_create_map(map, false, &error));
+  assert_non_null(strstr(error.text, "this is noise"));
+  asp_map_free(map);
+}
+
 /* As the standard has it, in little-endian order, whatever this machine has. */
 static void put(FILE *file, uint64_t value, int bytes) {
   for (int k = 0; k < bytes; k++)
@@ -317,6 +398,9 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(matrices_are_read, setup, teardown),
       cmocka_unit_test_setup_teardown(triples_are_read_in_any_order, setup, teardown),
+      cmocka_unit_test_setup_teardown(columns_are_chosen_by_their_names, setup, teardown),
+      cmocka_unit_test_setup_teardown(what_is_no_height_is_refused, setup, teardown),
+      cmocka_unit_test_setup_teardown(noise_is_no_wall, setup, teardown),
       cmocka_unit_test_setup_teardown(binary_files_are_read, setup, teardown),
       cmocka_unit_test_setup_teardown(text_of_the_standard_is_read, setup, teardown),
       cmocka_unit_test_setup_teardown(form_and_spikes_are_taken_out, setup, teardown),
