@@ -495,7 +495,8 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
       code = add_triple(&t, point, error);
       continue;
     }
-    code = check_end(s, fields, "three numbers are expected: x, y, z", error);
+    const char *expected = "three numbers are expected: x, y, z";
+    code = t.count > 0 ? check_end(s, fields, expected, error) : fail_at(s, error, expected);
     break;
   }
   if (!code)

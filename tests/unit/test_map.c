@@ -375,6 +375,7 @@ static void bad_files_are_refused(void **state) {
       {"# Value units: um\n1 2 3 4\n5 6 7 8\n", "does not say how far apart"},
       {"x_um y_um z_um\n0 0 1\n1 0\n", ":3: three numbers"},
       {"x_um y_um z_um\n0 0 1\n1 0 2\n2 0 2\n3.5 0 1\n0 1 2\n1 1 3\n", "off the grid"},
+      {"x_um,y_um,z_um\n,0,1\nend\n", ":2: three numbers"},
       {"x_um y_um z_um\n0 0 1\n0 0 2\n", "on no grid"},
       {"# Width: 9 um\n# Height: 9 um\n# Value units: um\n1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n",
        "the map is constant"},
