@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cor.h"
+#include "base/ledger_columns.h"
 #include "base/stream.h"
 #include "cli/walls.h"
 
@@ -133,6 +134,46 @@ static void print_row(FILE *out, const cor_row *r) {
   fprintf(out, ",%s\n", r->impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound");
 }
 
+#define PRINT_NAME(ID, name, type, text) fputs(LEDGER_##ID ? "," name : name, out);
+
+/* The impact as a wall's ledger has it in `units si`: before a primitive wall, at no time or place.
+ */
+static void print_ledger_row(FILE *out, const cor_row *r, size_t tag) {
+  double of[LEDGER_N_COLUMNS] = {[LEDGER_TAG] = (double)tag,
+                                 [LEDGER_IMPACT] = 1,
+                                 [LEDGER_D_P] = r->d_p,
+                                 [LEDGER_V1] = r->cor.v1,
+                                 [LEDGER_ALPHA1] = cli_degrees(r->cor.alpha1),
+                                 [LEDGER_DELTA_ALPHA] = cli_degrees(r->impact.delta_alpha),
+                                 [LEDGER_TILT_OUT] = cli_degrees(r->impact.tilt_out),
+                                 [LEDGER_HITS] = r->impact.hits,
+                                 [LEDGER_V2] = r->cor.v2,
+                                 [LEDGER_ALPHA2] = cli_degrees(r->cor.alpha2),
+                                 [LEDGER_COR_N] = r->cor.cor_n,
+                                 [LEDGER_COR_T] = r->cor.cor_t,
+                                 [LEDGER_OUTCOME] = r->impact.outcome == ASP_DEPOSIT};
+  for (int i = 0; i < LEDGER_N_COLUMNS; i++) {
+    if (i != LEDGER_COR_T || r->cor.cor_t_defined)
+      fprintf(out, "%.10g", of[i]);
+    fputc(i + 1 < LEDGER_N_COLUMNS ? ',' : '\n', out);
+  }
+}
+
+static void print_all(FILE *out, const cor_row *rows, size_t n, bool as_ledger) {
+  if (as_ledger) {
+    LEDGER_COLUMNS(PRINT_NAME)
+    fputc('\n', out);
+  } else {
+    fputs("dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v,cor_alpha,cor_n,cor_t,outcome\n",
+          out);
+  }
+  for (size_t i = 0; i < n; i++)
+    if (as_ledger)
+      print_ledger_row(out, &rows[i], i + 1);
+    else
+      print_row(out, &rows[i]);
+}
+
 static void make_rows(const cor_scene *s, const cli_list *angles, size_t samples, uint32_t seed,
                       cor_row *rows) {
   cli_progress progress = cli_progress_begin("impacts", (double)(angles->count * samples));
@@ -162,12 +203,14 @@ static int run(int argc, char **argv) {
                 "isotropic"},
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
                       "multiple"},
+      [COLUMNS] = {"columns", "own|ledger", "of the rows: own, or those of a wall's ledger", "own"},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw the scatter; .png, .svg or .pdf", NULL},
       CLI_LAW_OPTIONS(LAW),
   };
   cli_law_add_keywords(&options[LAW]);
   cli_parse(&cli_cor, argc, argv, options, false);
+  bool as_ledger = cli_choice(&options[COLUMNS], "own", "ledger");
   cor_scene s = {0};
   read_sizes(&options[DP], &s.sizes);
   read_speeds(&options[SPEED], &s.speeds);
@@ -184,10 +227,7 @@ static int run(int argc, char **argv) {
     cli_fail("out of memory for %zu impacts", n);
   make_rows(&s, &angles, samples, seed, rows);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-  FILE *out = cli_output_stream(output);
-  fputs("dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v,cor_alpha,cor_n,cor_t,outcome\n", out);
-  for (size_t i = 0; i < n; i++)
-    print_row(out, &rows[i]);
+  print_all(cli_output_stream(output), rows, n, as_ledger);
   cli_output_close(output);
   if (options[PLOT].value)
     cli_cor_plot(options, &s, rows, n);
@@ -199,8 +239,11 @@ static int run(int argc, char **argv) {
 const cli_command cli_cor = {
     .name = "cor",
     .summary = "the scatter of the coefficients of restitution on a rough wall",
-    .detail =
-        "One row an impact. Sizes as min:max:median are a log-normal whose ln has the standard\n"
-        "deviation ln(max/min)/5, cut at both ends. An empty cor_t is undefined (normal impact).\n",
+    .detail = "One row an impact; its outcome is rebound or deposit. With --columns ledger the "
+              "rows are as\n"
+              "in a wall's ledger in `units si` (outcome 0 or 1), for what reads those. Sizes as\n"
+              "min:max:median are a log-normal whose ln has the standard deviation ln(max/min)/5, "
+              "cut at\n"
+              "both ends. An empty cor_t is undefined (normal impact).\n",
     .run = run,
 };

@@ -18,6 +18,7 @@ enum {
   SEED,
   TILT,
   COLLISIONS,
+  COLUMNS,
   OUTPUT,
   PLOT,
   LAW,
