@@ -92,6 +92,21 @@ void calibrate_moments(const calibration *c, double (*moment)[MOMENTS],
 void calibrate_coefficients(const calibration *c, size_t bin, double mean[COR_BOTH],
                             double sd[COR_BOTH]);
 
+/* Room for some things, all zero; exits where there is none. */
+void *calibrate_allocate(size_t count, size_t size);
+
+/* The unknowns on their scale and the covariance of those, both to be freed; the sum of squares and
+ * the degrees of freedom; and whether the model describes the data. */
+typedef struct calibrate_fit {
+  gsl_vector *scaled;
+  gsl_matrix *covariance;
+  double chi2, dof;
+  bool described;
+} calibrate_fit;
+
+/* Finds the values of the unknowns, and puts them into the wall. */
+calibrate_fit calibrate_run(calibration *c);
+
 void cli_calibrate_plot(const cli_option *option, const calibration *c, const char *data,
                         const char *title);
 

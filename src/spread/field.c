@@ -187,6 +187,13 @@ static bool sinks_in(const aspi_field *f, const ray *r, const cell *c, double i,
   return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
 }
 
+/* Where a flight is at a time, at the height z. */
+static void land(const aspi_field *f, const ray *r, double t, double z, aspi_flight *flight) {
+  flight->x[0] = wrapped(along(r, 0, t), (double)f->columns) * f->step[0];
+  flight->x[1] = wrapped(along(r, 1, t), (double)f->rows) * f->step[1];
+  flight->x[2] = z;
+}
+
 bool aspi_field_next(const aspi_field *f, aspi_flight *flight, double gradient[2]) {
   const double *way = flight->v;
   double speed = hypot(way[0], way[1]);
@@ -227,19 +234,12 @@ bool aspi_field_next(const aspi_field *f, aspi_flight *flight, double gradient[2
     double ci = (double)i + (x - u), cj = (double)j + (y - v), span[2] = {t, last}, at;
     if (clear && meets(&r, &c, ci, cj, span, &at)) {
       gradient_at(f, &c, along(&r, 0, at) - ci, along(&r, 1, at) - cj, way, gradient);
-      flight->x[0] = wrapped(along(&r, 0, at), n[0]) * f->step[0];
-      flight->x[1] = wrapped(along(&r, 1, at), n[1]) * f->step[1];
-      flight->x[2] = along(&r, 2, at);
+      land(f, &r, at, along(&r, 2, at), flight);
       return true;
     }
-    if (!clear && sinks_in(f, &r, &c, ci, cj, last, way, gradient)) {
-      if (++under == UNDER_MOST) {
-        double x_last = along(&r, 0, last), y_last = along(&r, 1, last);
-        flight->x[0] = wrapped(x_last, n[0]) * f->step[0];
-        flight->x[1] = wrapped(y_last, n[1]) * f->step[1];
-        flight->x[2] = bilinear(&c, x_last - ci, y_last - cj);
-        return true;
-      }
+    if (!clear && sinks_in(f, &r, &c, ci, cj, last, way, gradient) && ++under == UNDER_MOST) {
+      land(f, &r, last, along(&r, 2, last) - over(&r, &c, ci, cj, last), flight);
+      return true;
     }
     clear = clear || over(&r, &c, ci, cj, last) > 0;
     t = last + tiny;
