@@ -108,9 +108,7 @@ static void read_unknowns(calibration *c) {
   const cli_option *option = &c->options[FIT];
   if (!option->value)
     cli_bad_usage("--fit is missing; it names what to look for, as --fit sigma,friction");
-  char *text = strdup(option->value);
-  if (!text)
-    cli_fail("out of memory");
+  char *text = cli_copy(option->value);
   for (char *word = strtok(text, ","); word; word = strtok(NULL, ",")) {
     if (c->n_unknown == UNKNOWNS_MOST)
       cli_bad_usage("--fit is '%s'; it must be at most %d names", option->value, UNKNOWNS_MOST);
@@ -166,7 +164,7 @@ static void read_data(calibration *c, const char *path) {
   double width = cli_number(bin, 0.1, 90);
   c->data = measured_read(path);
   c->known = true;
-  c->bins = calibrate_allocate(c->data.count, sizeof *c->bins);
+  c->bins = cli_allocate(c->data.count, sizeof *c->bins);
   for (size_t i = 0; i < c->data.count; i++) {
     double degrees = c->data.rows[i].degrees;
     calibrate_bin *last = c->n_bins ? &c->bins[c->n_bins - 1] : NULL;

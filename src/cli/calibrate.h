@@ -92,9 +92,6 @@ void calibrate_moments(const calibration *c, double (*moment)[MOMENTS],
 void calibrate_coefficients(const calibration *c, size_t bin, double mean[COR_BOTH],
                             double sd[COR_BOTH]);
 
-/* Room for some things, all zero; exits where there is none. */
-void *calibrate_allocate(size_t count, size_t size);
-
 /* The unknowns on their scale and the covariance of those, both to be freed; the sum of squares and
  * the degrees of freedom; and whether the model describes the data. */
 typedef struct calibrate_fit {

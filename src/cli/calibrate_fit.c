@@ -35,13 +35,6 @@ enum { FEW = 20 };
 /* Of the variances of a moment, so that one that does not vary can be weighed. */
 #define FLOOR 1e-12
 
-void *calibrate_allocate(size_t count, size_t size) {
-  void *memory = calloc(count + 1, size);
-  if (!memory)
-    cli_fail("out of memory");
-  return memory;
-}
-
 typedef struct work {
   calibration *c;
   double (*moment)[MOMENTS];
@@ -189,9 +182,9 @@ static void look_around(work *w, gsl_vector *scaled) {
 }
 
 calibrate_fit calibrate_run(calibration *c) {
-  work w = {c, calibrate_allocate(c->n_bins, sizeof *w.moment),
-            calibrate_allocate(c->n_bins, sizeof *w.covariance),
-            calibrate_allocate(c->n_bins, sizeof *w.lower), false};
+  work w = {c, cli_allocate(c->n_bins, sizeof *w.moment),
+            cli_allocate(c->n_bins, sizeof *w.covariance), cli_allocate(c->n_bins, sizeof *w.lower),
+            false};
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
   gsl_multifit_nlinear_fdf fdf = {
       .f = residuals, .df = slopes, .n = c->n_moments, .p = c->n_unknown, .params = &w};

@@ -159,9 +159,7 @@ void calibrate_moments(const calibration *c, double (*moment)[MOMENTS],
                        double (*covariance)[MOMENTS][MOMENTS]) {
   for (size_t b = 0; b < c->n_bins; b++) {
     const calibrate_bin *bin = &c->bins[b];
-    collected s = {malloc(c->samples * sizeof *s.xy), 0, 0};
-    if (!s.xy)
-      cli_fail("out of memory");
+    collected s = {cli_allocate(c->samples, sizeof *s.xy), 0, 0};
     for (size_t i = 0; i < c->samples; i++) {
       const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
       double alpha;
@@ -176,9 +174,7 @@ void calibrate_moments(const calibration *c, double (*moment)[MOMENTS],
 }
 
 void calibrate_take_data(calibration *c, calibrate_bin *bin) {
-  collected s = {malloc((bin->end - bin->first) * sizeof *s.xy), 0, 0};
-  if (!s.xy)
-    cli_fail("out of memory");
+  collected s = {cli_allocate(bin->end - bin->first, sizeof *s.xy), 0, 0};
   bool has_x = true, has_y = true;
   for (size_t i = bin->first; i < bin->end; i++) {
     const measured_row *row = &c->data.rows[i];

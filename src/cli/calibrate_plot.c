@@ -45,9 +45,8 @@ static void print_panel(FILE *gp, const point *data, const point *model, const c
 
 void cli_calibrate_plot(const cli_option *option, const calibration *c, const char *data,
                         const char *title) {
-  point *is = calloc(c->n_bins + 1, sizeof *is), *fitted = calloc(c->n_bins + 1, sizeof *fitted);
-  if (!is || !fitted)
-    cli_fail("out of memory");
+  point *is = cli_allocate(c->n_bins, sizeof *is);
+  point *fitted = cli_allocate(c->n_bins, sizeof *fitted);
   bool any[COR_BOTH] = {false, false};
   for (size_t b = 0; b < c->n_bins; b++) {
     is[b] = measured_in(&c->bins[b]);

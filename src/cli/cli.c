@@ -49,6 +49,17 @@ void cli_fail(const char *format, ...) {
   exit(1);
 }
 
+void *cli_allocate(size_t count, size_t size) {
+  void *memory = calloc(count ? count : 1, size);
+  if (!memory)
+    cli_fail("out of memory for %zu numbers or rows of %zu bytes", count, size);
+  return memory;
+}
+
+char *cli_copy(const char *text) {
+  return strcpy(cli_allocate(strlen(text) + 1, 1), text);
+}
+
 void cli_bad_file(const cli_option *option, const asp_error *error) {
   bool unreadable = error->code == ASP_EFILE || error->code == ASP_ENOMEM;
   fputs("asperity: ", stderr);
@@ -210,9 +221,7 @@ static void append_range(cli_list *list, const cli_option *option, char *text, r
 
 /* Numbers and ranges, separated by commas. */
 static cli_list list_of(const cli_option *option, reader read, double least, double most) {
-  char *text = strdup(given(option));
-  if (!text)
-    cli_fail("out of memory");
+  char *text = cli_copy(given(option));
   cli_list list = {NULL, 0};
   for (char *rest = text, *item; rest;) {
     item = rest;

@@ -43,6 +43,10 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
 CLI_PRINTF void cli_bad_usage(const char *format, ...); /* exit 2 */
 CLI_PRINTF void cli_fail(const char *format, ...);      /* exit 1 */
 
+/* Room for some things, all zero, and a copy of a text, to be freed; exit 1 where there is none. */
+void *cli_allocate(size_t count, size_t size);
+char *cli_copy(const char *text);
+
 /* Tells what is wrong with the file that an option (NULL: an argument) names: exit 1 where it
  * cannot be read, 2 where it is not what it must be. */
 #if defined(__GNUC__)

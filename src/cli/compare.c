@@ -39,13 +39,6 @@ typedef struct reach {
   double degrees, speed, size;
 } reach;
 
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count + 1, size);
-  if (!memory)
-    cli_fail("out of memory");
-  return memory;
-}
-
 static int by_angle(const void *left, const void *right) {
   const scatter_point *a = left, *b = right;
   return (a->degrees > b->degrees) - (a->degrees < b->degrees);
@@ -96,7 +89,7 @@ static void make_bins(comparison *c, const cli_option *bin) {
   cli_option width_option = *bin;
   width_option.value = bin->value ? bin->value : WIDTH;
   double width = cli_number(&width_option, 0.1, 90);
-  c->bins = allocate(data->count, sizeof *c->bins);
+  c->bins = cli_allocate(data->count, sizeof *c->bins);
   for (size_t i = 0; i < data->count; i++) {
     const measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
     bool joins =
@@ -188,7 +181,7 @@ static void sample_model(const comparison *c, const reach *far, weights *w, comp
   b->model_deposits = total > 0 ? stuck / total * b->model_all : 0;
   for (int k = 0; k < COR_BOTH; k++) {
     sample *s = &b->model[k];
-    s->values = allocate(w->count, sizeof *s->values);
+    s->values = cli_allocate(w->count, sizeof *s->values);
     for (size_t i = 0; i < w->count; i++)
       if (isfinite(c->impacts.points[w->which[i]].cor[k]))
         s->values[s->count++] =
@@ -206,7 +199,7 @@ static void sample_data(const measured *data, compare_bin *b) {
     *s = (sample){.mean = row->cor[k], .sd = row->sd[k], .median = NAN, .low = NAN, .high = NAN};
     if (data->means)
       continue;
-    s->values = allocate(b->end - b->first, sizeof *s->values);
+    s->values = cli_allocate(b->end - b->first, sizeof *s->values);
     for (size_t i = b->first; i < b->end; i++)
       if (isfinite(data->rows[i].cor[k]))
         s->values[s->count++] = (sample_value){data->rows[i].cor[k], 1};
@@ -283,8 +276,8 @@ static void compare_bin_of(const comparison *c, compare_bin *b) {
 
 static void compare_all(comparison *c, const reach *far) {
   bool by_window = c->data.means && !c->data.has_speed && !c->data.has_size;
-  weights w = {allocate(c->impacts.count, sizeof *w.of),
-               allocate(c->impacts.count, sizeof *w.which), 0};
+  weights w = {cli_allocate(c->impacts.count, sizeof *w.of),
+               cli_allocate(c->impacts.count, sizeof *w.which), 0};
   for (int k = 0; k < COR_BOTH && by_window; k++)
     sample_by_window(c, far->degrees, k);
   for (size_t i = 0; i < c->count; i++) {
@@ -392,7 +385,7 @@ static const char note[] =
     "# roughness of the measured wall already; with a rough wall they count it twice.\n";
 
 static void print_all(FILE *out, const comparison *c) {
-  score s = {.p = allocate(3 * c->count, sizeof *s.p)};
+  score s = {.p = cli_allocate(3 * c->count, sizeof *s.p)};
   double each[3];
   size_t n_each = 0;
   fputs(note, out);

@@ -29,9 +29,7 @@ typedef double (*reader)(const cli_option *option, const char *text);
 /* min:max:median of a log-normal. */
 static void take_log_normal(cor_values *v, const cli_option *option, const char *value,
                             reader read) {
-  char *text = strdup(value);
-  if (!text)
-    cli_fail("out of memory");
+  char *text = cli_copy(value);
   char *second = strchr(text, ':'), *third = second ? strchr(second + 1, ':') : NULL;
   if (!third || strchr(third + 1, ':'))
     cli_bad_usage("--%s is '%s'; a log-normal is min:max:median", option->name, option->value);
@@ -222,9 +220,7 @@ static int run(int argc, char **argv) {
                     options[ANGLES].value);
   size_t samples = cli_whole(&options[SAMPLES], 1, 100000000), n = angles.count * samples;
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
-  cor_row *rows = malloc(n * sizeof *rows);
-  if (!rows)
-    cli_fail("out of memory for %zu impacts", n);
+  cor_row *rows = cli_allocate(n, sizeof *rows);
   make_rows(&s, &angles, samples, seed, rows);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
   print_all(cli_output_stream(output), rows, n, as_ledger);

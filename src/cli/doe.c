@@ -31,9 +31,7 @@ static cli_list sizes_of(const cli_option *option) {
   cli_option paper = *option;
   paper.value = "5um:400um:5um";
   cli_list rest = cli_lengths(&paper);
-  cli_list list = {malloc((rest.count + 2) * sizeof *list.values), rest.count + 2};
-  if (!list.values)
-    cli_fail("out of memory");
+  cli_list list = {cli_allocate(rest.count + 2, sizeof *list.values), rest.count + 2};
   list.values[0] = 1e-6;
   list.values[1] = 2e-6;
   for (size_t i = 0; i < rest.count; i++)
@@ -82,9 +80,7 @@ static void print_row(FILE *out, const cli_slopes *row) {
 }
 
 static double median_kl(const cli_grid *grid) {
-  double *values = malloc(grid->count * sizeof *values);
-  if (!values)
-    cli_fail("out of memory");
+  double *values = cli_allocate(grid->count, sizeof *values);
   for (size_t i = 0; i < grid->count; i++)
     values[i] = grid->rows[i].slopes.kl_normal;
   gsl_sort(values, 1, grid->count);
@@ -127,9 +123,7 @@ static int run(int argc, char **argv) {
   size_t points = cli_whole(&options[POINTS], POINTS_LEAST, POINTS_MOST);
   uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
   grid.count = grid.r_q.count * grid.lambda_c.count * grid.d_p.count;
-  grid.rows = malloc(grid.count * sizeof *grid.rows);
-  if (!grid.rows)
-    cli_fail("out of memory");
+  grid.rows = cli_allocate(grid.count, sizeof *grid.rows);
   measure(&grid, points, seed);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
   print_all(cli_output_stream(output), &grid, points);

@@ -7,7 +7,6 @@
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
-#include <stdlib.h>
 
 enum { QUANTILES = 400, CURVE = 80, CURVES_MOST = 6 };
 

@@ -207,9 +207,7 @@ static int run(int argc, char **argv) {
   cli_list sigmas = cli_numbers(&options[SIGMA], 0.01, 80), angles = cli_angles(&options[ANGLES]);
   int runs = (int)cli_whole(&options[RUNS], 1, 100000);
   size_t samples = cli_whole(&options[SAMPLES], 1000, 100000000), n = sigmas.count * angles.count;
-  angle_fit *fits = calloc(n, sizeof *fits);
-  if (!fits)
-    cli_fail("out of memory");
+  angle_fit *fits = cli_allocate(n, sizeof *fits);
   for (size_t i = 0; i < n; i++) {
     fits[i].sigma = cli_radians(sigmas.values[i / angles.count]);
     fits[i].alpha1 = cli_radians(angles.values[i % angles.count]);

@@ -73,10 +73,10 @@ static void fly(const aspi_field *field, const cli_list *alpha1, size_t rays, ui
   asp_error error;
   aspi_line line;
   size_t per_row = (rays + field->rows - 1) / field->rows;
-  double *share = malloc(per_row * sizeof *share);
-  aspi_spot *spots = malloc(per_row * sizeof *spots);
-  if (!share || !spots || aspi_line_create(&line, field->columns, field->step[0], &error))
-    cli_fail("out of memory");
+  double *share = cli_allocate(per_row, sizeof *share);
+  aspi_spot *spots = cli_allocate(per_row, sizeof *spots);
+  if (aspi_line_create(&line, field->columns, field->step[0], &error))
+    cli_fail("%s", error.text);
   for (size_t row = 0; row < field->rows; row++) {
     aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = seed, .wall = 1, .tag = row});
     aspi_line_set(&line, field->z + row * field->columns, field->p + row * field->columns, 1);
@@ -223,9 +223,7 @@ judge_all judge_create(const judge_case *subject, const cli_list *angles, size_t
                        uint32_t seed) {
   size_t surfaces = subject->surfaces;
   judge_all all = {surfaces, angles->count, subject->map ? 2 : 1,
-                   calloc(surfaces * angles->count, sizeof(judge_angles))};
-  if (!all.angles)
-    cli_fail("out of memory");
+                   cli_allocate(surfaces * angles->count, sizeof(judge_angles))};
   cli_progress progress = cli_progress_begin("surfaces", (double)surfaces);
   size_t done = 0;
 #pragma omp parallel for schedule(dynamic)

@@ -34,9 +34,7 @@ static const asp_material *material_of(const cli_option *option, const asp_mater
 static void set_parameters(const cli_option *option, asp_wall *wall) {
   if (!option->value)
     return;
-  char *text = strdup(option->value);
-  if (!text)
-    cli_fail("out of memory");
+  char *text = cli_copy(option->value);
   asp_error error;
   for (char *item = text, *next; item; item = next) {
     next = strchr(item, ',');
@@ -61,12 +59,6 @@ static void set_parameters(const cli_option *option, asp_wall *wall) {
   free(text);
 }
 
-static void *need(void *memory) {
-  if (!memory)
-    cli_fail("out of memory");
-  return memory;
-}
-
 /* Of the parameters that follow a keyword: how many there are, and their names with commas. */
 static int parameters_of(const asp_rebound_law *law, const char *keyword, char *names,
                          size_t size) {
@@ -88,12 +80,12 @@ static void add_keyword(cli_option *option, const asp_rebound_law *law, const ch
   parameters_of(law, keyword, names, sizeof names);
   snprintf(help, sizeof help, "of --rebound %s: %s; see 'asperity rebound --list'",
            asp_rebound_name(law), names);
-  char *name = need(strdup(keyword)), *argument = need(strdup(names));
+  char *name = cli_copy(keyword), *argument = cli_copy(names);
   for (char *c = name; *c; c++)
     *c = *c == '_' ? '-' : *c;
   for (char *c = argument; *c; c++)
     *c = (char)toupper((unsigned char)*c);
-  *option = (cli_option){name, argument, need(strdup(help)), NULL};
+  *option = (cli_option){name, argument, cli_copy(help), NULL};
 }
 
 /* Whether an option is that of a keyword. */

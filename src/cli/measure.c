@@ -220,9 +220,7 @@ double measure_angle_least(const measure_case *subject) {
 static void add_first_hits(const aspi_track *track, double part, int fold,
                            measure_reference *reference) {
   size_t n = aspi_track_faces(track);
-  double *weight = malloc(n * sizeof *weight);
-  if (!weight)
-    cli_fail("out of memory");
+  double *weight = cli_allocate(n, sizeof *weight);
   aspi_track_first_hit(track, reference->alpha1, weight);
   double share[MEASURE_BINS] = {0}, mean = 0;
   for (size_t i = 0; i < n; i++)
@@ -262,15 +260,11 @@ static void fly(const measure_case *subject, const asp_surface *surface, int num
 
 measure_reference *measure_references(const measure_case *subject, const measure_wall *wall,
                                       const double *angles, size_t n) {
-  measure_reference *references = calloc(n, sizeof *references);
-  for (size_t k = 0; references && k < n; k++) {
+  measure_reference *references = cli_allocate(n, sizeof *references);
+  for (size_t k = 0; k < n; k++) {
     references[k].alpha1 = cli_radians(angles[k]);
-    references[k].profile = calloc((size_t)subject->profiles, sizeof(measure_angles));
-    if (!references[k].profile)
-      cli_fail("out of memory");
+    references[k].profile = cli_allocate((size_t)subject->profiles, sizeof(measure_angles));
   }
-  if (!references)
-    cli_fail("out of memory");
   cli_progress progress = cli_progress_begin("ensemble", subject->profiles);
   int done = 0;
 #pragma omp parallel for schedule(dynamic)
@@ -326,9 +320,8 @@ static void add_fold(const measure_case *subject, const measure_angles *referenc
 measure_divergence measure_compare(const measure_case *subject, const measure_reference *reference,
                                    const measure_model *model) {
   int groups = subject->profiles;
-  measure_angles *mine = calloc((size_t)groups, sizeof *mine), all = {.n = 0}, judge = {.n = 0};
-  if (!mine)
-    cli_fail("out of memory");
+  measure_angles *mine = cli_allocate((size_t)groups, sizeof *mine);
+  measure_angles all = {.n = 0}, judge = {.n = 0};
   for (int g = 0; g < groups; g++) {
     uint32_t seed = ~subject->seed - (uint32_t)g;
     mine[g] = measure_rebounds(model->on[fold_of(subject, g)], subject->d_p, reference->alpha1,

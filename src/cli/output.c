@@ -29,15 +29,9 @@ static void remove_partials(void) {
       unlink(file->partial);
 }
 
-static void *need(void *memory) {
-  if (!memory)
-    cli_fail("out of memory");
-  return memory;
-}
-
 /* Where a symbolic link leads, through as many as there are, also where nothing is there yet. */
 static char *follow_links(const char *path) {
-  char *at = need(strdup(path)), link[4096];
+  char *at = cli_copy(path), link[4096];
   for (int i = 0; i < LINKS_MOST; i++) {
     ssize_t length = readlink(at, link, sizeof link - 1);
     if (length < 0)
@@ -46,7 +40,7 @@ static char *follow_links(const char *path) {
     const char *slash = strrchr(at, '/');
     int folder = *link == '/' || !slash ? 0 : (int)(slash + 1 - at);
     size_t size = (size_t)folder + (size_t)length + 1;
-    char *next = need(malloc(size));
+    char *next = cli_allocate(size, 1);
     snprintf(next, size, "%.*s%s", folder, at, link);
     free(at);
     at = next;
@@ -63,7 +57,7 @@ static bool stays(const struct stat *found) {
 
 static FILE *open_partial(cli_file *file, mode_t mode) {
   size_t size = strlen(file->target) + SUFFIX_MOST;
-  char *partial = need(malloc(size));
+  char *partial = cli_allocate(size, 1);
   snprintf(partial, size, "%s.%ld.partial", file->target, (long)getpid());
   int handle = open(partial, O_WRONLY | O_CREAT | O_EXCL, 0666);
   if (handle < 0)
@@ -78,10 +72,10 @@ cli_file *cli_file_open(const char *path) {
   static bool registered;
   if (!registered)
     registered = atexit(remove_partials) == 0;
-  cli_file *file = need(calloc(1, sizeof *file));
+  cli_file *file = cli_allocate(1, sizeof *file);
   struct stat found;
   bool exists = stat(path, &found) == 0;
-  file->path = need(strdup(path));
+  file->path = cli_copy(path);
   file->target = follow_links(path);
   if (exists && stays(&found))
     file->stream = S_ISREG(found.st_mode) ? stdout : fopen(path, "w");
@@ -156,7 +150,7 @@ void cli_print_field(FILE *out, const char *text) {
 }
 
 cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed) {
-  cli_output *output = need(calloc(1, sizeof *output));
+  cli_output *output = cli_allocate(1, sizeof *output);
   if (path && strcmp(path, "-") != 0)
     output->file = cli_file_open(path);
   FILE *out = output->stream = output->file ? cli_file_stream(output->file) : stdout;

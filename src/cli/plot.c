@@ -89,9 +89,7 @@ void cli_plot_check(const cli_option *option) {
 
 cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
   const char *terminal = terminal_of(option);
-  cli_plot *plot = calloc(1, sizeof *plot);
-  if (!plot)
-    cli_fail("out of memory");
+  cli_plot *plot = cli_allocate(1, sizeof *plot);
   plot->path = option->value;
   plot->svg = strncmp(terminal, "svg", 3) == 0;
   plot->file = cli_file_open(option->value);

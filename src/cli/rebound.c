@@ -46,10 +46,8 @@ static cli_list ratios_of(const cli_option *option, size_t points, bool lengths)
   const char *colon = strchr(option->value, ':');
   if (!colon || strchr(colon + 1, ':'))
     return lengths ? cli_lengths(option) : cli_numbers(option, REBOUND_SLOWEST, REBOUND_FASTEST);
-  char *text = strdup(option->value);
-  cli_list list = {malloc(points * sizeof *list.values), points};
-  if (!text || !list.values)
-    cli_fail("out of memory");
+  char *text = cli_copy(option->value);
+  cli_list list = {cli_allocate(points, sizeof *list.values), points};
   text[colon - option->value] = ',';
   cli_option pair = *option;
   pair.value = text;

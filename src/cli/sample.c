@@ -115,9 +115,7 @@ static double p_of_limit(double distance, double n, double m) {
  * probability u(i, j) to have come to (i, j) inside, which ends with a step along either axis in
  * proportion i to j. */
 static double p_exact(double distance, size_t n, size_t m) {
-  double *u = malloc((m + 1) * sizeof *u), most = distance - 1e-9;
-  if (!u)
-    cli_fail("out of memory");
+  double *u = cli_allocate(m + 1, sizeof *u), most = distance - 1e-9;
   for (size_t i = 0; i <= n; i++)
     for (size_t j = 0; j <= m; j++) {
       double off = fabs((double)i / (double)n - (double)j / (double)m), all = (double)(i + j);

@@ -260,9 +260,7 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
     return code;
   }
   if (is_dump(stream)) {
-    aspi_csv *csv = calloc(1, sizeof *csv);
-    if (!csv)
-      cli_fail("out of memory");
+    aspi_csv *csv = cli_allocate(1, sizeof *csv);
     csv->text = aspi_text_create(stream, path);
     code = read_dump(csv, impacts, error);
     free(csv);

@@ -150,9 +150,7 @@ static void one_angle(FILE *out, const cli_option *options, const scene *s, doub
     if (!options[PLOT].value)
       return;
   }
-  double *sample = malloc(how->n * sizeof *sample);
-  if (!sample)
-    cli_fail("out of memory for %zu samples", how->n);
+  double *sample = cli_allocate(how->n, sizeof *sample);
   fill(sample, how->n, s, &view, how->seed);
   if (options[PLOT].value)
     cli_spread_plot(&options[PLOT], s->model, s->shaped, &view, sample, how->n);

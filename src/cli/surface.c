@@ -229,9 +229,7 @@ static void save(const cli_option *option, int argc, char **argv, const cli_opti
 }
 
 static cli_slopes *measure(const cli_wall *wall, const cli_list *sizes) {
-  cli_slopes *rows = malloc(sizes->count * sizeof *rows);
-  if (!rows)
-    cli_fail("out of memory");
+  cli_slopes *rows = cli_allocate(sizes->count, sizeof *rows);
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
   cli_slopes_measure(wall->profile, wall->r_q, wall->lambda_c, sizes, &progress, 0, rows);
   cli_progress_end(&progress);
@@ -287,9 +285,7 @@ static void run_map(const cli_option *o, const cli_list *sizes, int argc, char *
   }
   cli_map map = cli_map_read(&o[MAP], &options);
   check_sizes("map", fmax(map.map->step[0], map.map->step[1]), sizes);
-  cli_map_slopes *rows = malloc(sizes->count * sizeof *rows);
-  if (!rows)
-    cli_fail("out of memory");
+  cli_map_slopes *rows = cli_allocate(sizes->count, sizeof *rows);
   cli_map_slopes_measure(&map, sizes, rows);
   cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
   cli_map_print(cli_output_stream(output), &map, rows, sizes->count);

@@ -10,7 +10,6 @@
 #include "surface/ball.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { PIXELS = 300, SECTION = 600, IMPACTS = 100000 };
 

@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { GRID = 2000 };
 
@@ -17,15 +16,8 @@ typedef struct angles {
   aspi_moments moments;
 } angles;
 
-static double *allocate(size_t count) {
-  double *values = malloc(count * sizeof *values);
-  if (!values)
-    cli_fail("out of memory");
-  return values;
-}
-
 static angles angles_of(const asp_profile *profile, double d_p) {
-  angles a = {.values = allocate(asp_profile_points(profile))};
+  angles a = {.values = cli_allocate(asp_profile_points(profile), sizeof(double))};
   asp_error error;
   if (aspi_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, a.values, &a.count, &error))
     cli_fail("%s", error.text);
@@ -104,7 +96,8 @@ static void put_profile(FILE *out, const asp_profile *profile, const double *cen
 /* Profile, closing, the path of the centre, and the particle, all to one scale. */
 static void figure_3(FILE *out, const cli_wall *wall, double d_p) {
   size_t points = asp_profile_points(wall->profile);
-  double *centre = allocate(points), *closed = allocate(points);
+  double *centre = cli_allocate(points, sizeof *centre),
+         *closed = cli_allocate(points, sizeof *closed);
   asp_error error;
   if (aspi_profile_dilate(wall->profile, d_p, centre, &error) ||
       aspi_profile_close(wall->profile, d_p, closed, &error))

@@ -153,9 +153,7 @@ static void judge_wall(const cli_option *options, int argc, char **argv) {
   double d_p = cli_rough_size(&options[ROUGH], &options[DP]);
   cli_list angles = cli_angles(&options[ANGLES]);
   cli_rough rough = cli_rough_read(&options[ROUGH], d_p, d_p);
-  trade_row *rows = calloc(angles.count * (size_t)asp_spread_count(), sizeof *rows);
-  if (!rows)
-    cli_fail("out of memory");
+  trade_row *rows = cli_allocate(angles.count * (size_t)asp_spread_count(), sizeof *rows);
   cli_output *output;
   if (options[THREE_D].value || rough.map) {
     if (rough.map && options[ROUGH + ROUGH_LAY].value)

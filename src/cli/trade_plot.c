@@ -56,9 +56,7 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
 void cli_trade_plot(const cli_option *options, const cli_rough *rough, const trade_row *rows,
                     size_t n) {
   size_t models = (size_t)asp_spread_count();
-  point *points = malloc(models * sizeof *points);
-  if (!points)
-    cli_fail("out of memory");
+  point *points = cli_allocate(models, sizeof *points);
   summarise(rows, n, points);
   cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560);
   FILE *gp = cli_plot_stream(picture);
@@ -91,8 +89,8 @@ void cli_trade_plot(const cli_option *options, const cli_rough *rough, const tra
     }
   fputs("EOD\nplot $front with steps lc rgb '#999999' lw 2 dt 2 title 'Pareto front'", gp);
   for (size_t i = 0; i < models; i++)
-    fprintf(gp, ", $points every ::%zu::%zu with yerrorbars ls %zu dt 1 pt %d ps 1.8 title '%s'", i, i,
-            i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
+    fprintf(gp, ", $points every ::%zu::%zu with yerrorbars ls %zu dt 1 pt %d ps 1.8 title '%s'", i,
+            i, i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
             cli_plot_label(picture, asp_spread_name(points[i].model)).text);
   fputc('\n', gp);
   cli_plot_close(picture);

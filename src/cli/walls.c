@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Diameters for which a measured wall is prepared, where there is more than one. */
 enum { CLI_ROUGH_BINS = 16 };

@@ -22,7 +22,10 @@ typedef struct cli_lay {
 /* Reads --lambda-c, one length or two, and --lay, in degrees, which goes with two. */
 cli_lay cli_lay_of(const cli_option *lambda_c, const cli_option *lay);
 #define CLI_LAY_OPTION                                                                             \
-  { "lay", "DEGREES", "of two --lambda-c, or of a --map: from the flight to the lay [90: across it]", NULL }
+  {                                                                                                \
+    "lay", "DEGREES",                                                                              \
+        "of two --lambda-c, or of a --map: from the flight to the lay [90: across it]", NULL       \
+  }
 #define CLI_LAMBDA_HELP "correlation length: autocorrelation 1/e; with a lay two: across,along"
 
 /* The surface of --rq and those. */

@@ -20,13 +20,6 @@ struct cli_window {
   aspi_running *tree;   /* node i holds 2i and 2i + 1; the points are the leaves */
 };
 
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count + 1, size);
-  if (!memory)
-    cli_fail("out of memory for %zu points", count);
-  return memory;
-}
-
 typedef struct valued {
   double value;
   size_t point;
@@ -48,9 +41,9 @@ static void rank(cli_window *w, valued *values) {
 }
 
 cli_window *cli_window_create(const scatter_point *points, size_t count, int which) {
-  cli_window *w = allocate(1, sizeof *w);
-  valued *values = allocate(count, sizeof *values);
-  w->angle = allocate(count, sizeof *w->angle);
+  cli_window *w = cli_allocate(1, sizeof *w);
+  valued *values = cli_allocate(count, sizeof *values);
+  w->angle = cli_allocate(count, sizeof *w->angle);
   for (size_t i = 0; i < count; i++)
     if (isfinite(points[i].cor[which])) {
       values[w->count] = (valued){points[i].cor[which], w->count};
@@ -58,10 +51,10 @@ cli_window *cli_window_create(const scatter_point *points, size_t count, int whi
     }
   for (w->leaves = 1; w->leaves < w->count;)
     w->leaves *= 2;
-  w->rank = allocate(w->count, sizeof *w->rank);
-  w->sorted = allocate(w->count, sizeof *w->sorted);
-  w->inside = allocate(w->leaves, sizeof *w->inside);
-  w->tree = allocate(2 * w->leaves, sizeof *w->tree);
+  w->rank = cli_allocate(w->count, sizeof *w->rank);
+  w->sorted = cli_allocate(w->count, sizeof *w->sorted);
+  w->inside = cli_allocate(w->leaves, sizeof *w->inside);
+  w->tree = cli_allocate(2 * w->leaves, sizeof *w->tree);
   for (size_t i = 0; i < w->count; i++)
     w->tree[w->leaves + i] = (aspi_running){1, values[i].value, 0};
   for (size_t i = w->leaves - 1; i > 0; i--)
