@@ -7,8 +7,9 @@
 enum { COR_N, COR_T, N_PARAMETERS };
 
 static const asp_parameter parameters[N_PARAMETERS] = {
-    [COR_N] = {"cor_n", "", 1, 0, 1, "normal coefficient of restitution of the face"},
-    [COR_T] = {"cor_t", "", 1, 0, 1, "tangential coefficient of restitution of the face"},
+    [COR_N] = {"cor_n", "", 1, 0, 1, "normal coefficient of restitution of the face", NULL, NULL},
+    [COR_T] = {"cor_t", "", 1, 0, 1, "tangential coefficient of restitution of the face", NULL,
+               NULL},
 };
 
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {

@@ -22,7 +22,7 @@ static const asp_parameter parameters[N_PARAMETERS] = {
     [SCATTER] = {"scatter", "", 0, 0, 1,
                  "share of the measured standard deviation that is drawn: 0 the means, 1 all of it "
                  "(polynomials from one secondary source; log-normal law assumed)",
-                 "scatter"},
+                 "scatter", NULL},
 };
 
 static double mean_n(double b) {

@@ -22,7 +22,7 @@ using namespace asperity;
 
 namespace {
 
-const double PI = 3.14159265358979323846, DIAMETER = 1, SPEED = 1;
+const double DIAMETER = 1, SPEED = 1;
 
 double uniform(double lo, double hi) {
   static uint64_t state = 2463534242;

@@ -34,8 +34,10 @@ static double uniform(uint32_t *state) {
 
 static void add_cap(asp_map *m, double x, double y, double r, const caps *c) {
   long columns = (long)m->columns, rows = (long)m->rows;
-  for (long j = (long)floor((y - 1.6 * r) / m->step[1]); j <= (y + 1.6 * r) / m->step[1]; j++)
-    for (long i = (long)floor((x - 1.6 * r) / m->step[0]); i <= (x + 1.6 * r) / m->step[0]; i++) {
+  long last_row = (long)floor((y + 1.6 * r) / m->step[1]);
+  long last_column = (long)floor((x + 1.6 * r) / m->step[0]);
+  for (long j = (long)floor((y - 1.6 * r) / m->step[1]); j <= last_row; j++)
+    for (long i = (long)floor((x - 1.6 * r) / m->step[0]); i <= last_column; i++) {
       double d = hypot((double)i * m->step[0] - x, (double)j * m->step[1] - y) / r;
       double body = d < 1 ? pow(1 - d * d, 1.5) : 0, edge = exp(-20 * (d - 1.15) * (d - 1.15));
       m->heights[(j + rows) % rows * columns + (i + columns) % columns] +=

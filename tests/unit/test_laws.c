@@ -175,8 +175,8 @@ static void tables_are_read(void **state) {
   (void)state;
   static const char *const same[] = {
       "alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n",
-      "\xef\xbb\xbf# rig 3\r\nalpha1_deg;cor_n;cor_t;text\r\n10;0,9;0,8;\"a; "
-      "b\"\r\n80;0,3;0,7;-\r\n",
+      ("\xef\xbb\xbf# rig 3\r\nalpha1_deg;cor_n;cor_t;text\r\n10;0,9;0,8;\"a; "
+       "b\"\r\n80;0,3;0,7;-\r\n"),
       "\nalpha1_deg cor_n cor_t\n  80 0.3 0.7\n  10 0.9 0.8",
       "cor_t\talpha1_deg\tv1_m_s\tcor_n\n0.8\t10\t5\t0.9\n0.7\t80\t5\t0.3\n",
   };

@@ -29,8 +29,8 @@ static void profiles(void **state) {
   (void)state;
   static const char *const files[] = {"x_um,z_um\n0.5,1.5\n1.0,2.5\n1.5,0.5\n",
                                       "x_um;z_um\n0,5;1,5\n1,0;2,5\n1,5;0,5\n",
-                                      "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 0.5e-6\n"
-                                      "Zscale = 1.0e-6\n*\n1.5 2.5\n0.5\n"};
+                                      ("aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 0.5e-6\n"
+                                       "Zscale = 1.0e-6\n*\n1.5 2.5\n0.5\n")};
   aspi_profile_options options = aspi_profile_options_default();
   options.form = -1;
   for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
