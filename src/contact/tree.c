@@ -324,7 +324,10 @@ static bool triangle_overlaps(const ContactTriangle *t, const double lo[3], cons
   return true;
 }
 
-bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]) {
+/* Appends the places of the triangles whose boxes meet the box lo to hi. True when it ended early:
+ * at the first one where there is no list, else when out of memory. */
+static bool meet(const ContactTree *tree, const double lo[3], const double hi[3],
+                 ContactList *list) {
   int stack[DEPTH], top = 0;
   if (tree->count > 0)
     stack[top++] = 0;
@@ -338,10 +341,19 @@ bool contact_tree_meets(const ContactTree *tree, const double lo[3], const doubl
       stack[top++] = at + 1;
     }
     for (int i = node->first; i < node->first + node->count; i++)
-      if (triangle_overlaps(&tree->triangles[i], lo, hi))
+      if (triangle_overlaps(&tree->triangles[i], lo, hi) && (!list || !append(list, i)))
         return true;
   }
   return false;
+}
+
+bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]) {
+  return meet(tree, lo, hi, NULL);
+}
+
+bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
+                       ContactList *list) {
+  return !meet(tree, lo, hi, list);
 }
 
 /* A sphere that moves and grows; see contact_tree_clear(). For boxes, the box around it is taken.
@@ -489,27 +501,6 @@ double contact_tree_clear(const ContactTree *tree, const double x[3], const doub
       first = smaller(first, sweep_meets_triangle(&sweep, &tree->triangles[i], first));
   }
   return first;
-}
-
-bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
-                       ContactList *list) {
-  int stack[DEPTH], top = 0;
-  if (tree->count > 0)
-    stack[top++] = 0;
-  while (top > 0) {
-    const int at = stack[--top];
-    const Node *node = &tree->nodes[at];
-    if (!overlaps(node, lo, hi))
-      continue;
-    if (node->count == 0) {
-      stack[top++] = node->first;
-      stack[top++] = at + 1;
-    }
-    for (int i = node->first; i < node->first + node->count; i++)
-      if (triangle_overlaps(&tree->triangles[i], lo, hi) && !append(list, i))
-        return false;
-  }
-  return true;
 }
 
 /* The square of the distance of x from a node's box. */

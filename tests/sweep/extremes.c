@@ -12,6 +12,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
 #include "impact/wall.h"
+#include "random.h"
 
 #include <fenv.h>
 #include <math.h>
@@ -139,21 +140,8 @@ static bool make_walls(void) {
   return table != NULL;
 }
 
-static double between(aspi_stream *s, double low, double high) {
-  return low + (high - low) * aspi_stream_uniform(s);
-}
-
-static double power_of_ten(aspi_stream *s, double low, double high) {
-  return pow(10, between(s, low, high));
-}
-
 static int one_of(aspi_stream *s, int count) {
   return (int)(aspi_stream_uniform(s) * count);
-}
-
-/* One in ten is 0, the others lie between powers of ten. */
-static double or_zero(aspi_stream *s, double low, double high) {
-  return one_of(s, 10) ? power_of_ten(s, low, high) : 0;
 }
 
 static void choose_law(aspi_stream *s, asp_wall *wall) {
@@ -184,16 +172,7 @@ static void choose_wall(aspi_stream *s, combination *c) {
 }
 
 static void choose_particle(aspi_stream *s, combination *c) {
-  asp_material particle = {.youngs_modulus = power_of_ten(s, 0, 15),
-                           .poissons_ratio = between(s, -0.99, 0.49)};
-  asp_material wall = {.youngs_modulus = power_of_ten(s, 0, 15),
-                       .poissons_ratio = between(s, -0.99, 0.49)};
-  particle.yield_stress = or_zero(s, -3, 13);
-  asp_pair *pair = asp_pair_create(&particle, &wall, NULL);
-  if (!pair)
-    abort();
-  c->pair = *pair;
-  asp_pair_free(pair);
+  c->pair = random_pair(s);
   c->pair.surface_energy = or_zero(s, -12, 6);
   c->pair.friction = or_zero(s, -6, 1);
   c->particle =

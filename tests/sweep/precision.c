@@ -9,6 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
+#include "random.h"
 #include "rebound/laws.h"
 #include "spread/models.h"
 
@@ -33,18 +34,6 @@ typedef struct decade {
 typedef struct table {
   decade rows[DECADES];
 } table;
-
-static double between(aspi_stream *s, double low, double high) {
-  return low + (high - low) * aspi_stream_uniform(s);
-}
-
-static double power_of_ten(aspi_stream *s, double low, double high) {
-  return pow(10, between(s, low, high));
-}
-
-static double or_zero(aspi_stream *s, double low, double high) {
-  return aspi_stream_uniform(s) < 0.1 ? 0 : power_of_ten(s, low, high);
-}
 
 /* The law in long double, and how far the hit is from the places where digits go. */
 typedef struct reference {
@@ -99,20 +88,6 @@ static void note(table *t, double distance, double is, long double should) {
   }
 }
 
-static void choose_pair(aspi_stream *s, asp_pair *pair) {
-  asp_material particle = {.youngs_modulus = power_of_ten(s, 0, 15),
-                           .poissons_ratio = between(s, -0.99, 0.49)};
-  asp_material wall = {.youngs_modulus = power_of_ten(s, 0, 15),
-                       .poissons_ratio = between(s, -0.99, 0.49)};
-  particle.yield_stress = or_zero(s, -3, 13);
-  asp_pair *made = asp_pair_create(&particle, &wall, NULL);
-  if (!made)
-    abort();
-  *pair = *made;
-  pair->friction = or_zero(s, -6, 1);
-  asp_pair_free(made);
-}
-
 /* Nine in ten surface energies are chosen near the capture threshold of the hit. */
 static void choose_energy(aspi_stream *s, const double *p, asp_pair *pair, const aspi_hit *hit) {
   pair->surface_energy = 1;
@@ -157,8 +132,8 @@ static void measure(uint32_t seed, long count, table *normal, table *tangential)
     double p[ASP_PARAMETERS_MAX] = {0};
     choose_parameters(&s, law, p);
     double speed = power_of_ten(&s, -9, 5), alpha = ASP_PI / 2 * power_of_ten(&s, -15, 0);
-    asp_pair pair;
-    choose_pair(&s, &pair);
+    asp_pair pair = random_pair(&s);
+    pair.friction = or_zero(&s, -6, 1);
     aspi_hit hit = {.v_n1 = speed * sin(alpha),
                     .v_t1 = speed * cos(alpha),
                     .d_p = power_of_ten(&s, -9, -1),
