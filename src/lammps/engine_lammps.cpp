@@ -7,7 +7,6 @@
 #include <string.h>
 #include <algorithm>
 
-#include "asperity.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -119,29 +118,10 @@ void EngineOfLammps::diameters(double &least, double &most) const {
 }
 
 std::vector<asperity::Engine::Kind> EngineOfLammps::kinds() const {
-  const Atom *atom = lammps_->atom;
-  const int n = atom->ntypes;
-  /* Of each type: whether there are any, their largest density, and minus their least. */
-  std::vector<double> mine(3 * n, 0.), all(3 * n);
-  for (int t = 0; t < n; t++) {
-    mine[3 * t] = radius_to_come(t + 1) > 0;
-    mine[3 * t + 1] = mine[3 * t + 2] = -HUGE_VAL;
-  }
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & fix_->groupbit))
-      continue;
-    double *of = &mine[3 * (atom->type[i] - 1)];
-    const double r = atom->radius[i], density = atom->rmass[i] / (4 * ASP_PI / 3 * r * r * r);
-    of[0] = 1;
-    of[1] = std::max(of[1], density);
-    of[2] = std::max(of[2], -density);
-  }
-  MPI_Allreduce(mine.data(), all.data(), 3 * n, MPI_DOUBLE, MPI_MAX, lammps_->world);
-  std::vector<Kind> kinds;
-  for (int t = 0; t < n; t++)
-    kinds.push_back(
-        Kind{all[3 * t] > 0, std::max(0., -all[3 * t + 2]), std::max(0., all[3 * t + 1])});
-  return kinds;
+  std::vector<double> present;
+  for (int type = 1; type <= types(); type++)
+    present.push_back(radius_to_come(type));
+  return asperity::kinds_of(spheres(), fix_->groupbit, present, lammps_->world);
 }
 
 asperity::Spheres EngineOfLammps::spheres() const {

@@ -259,29 +259,11 @@ void FixWallRebound::diameters(double &least, double &most) const {
 }
 
 std::vector<asperity::Engine::Kind> FixWallRebound::kinds() const {
-  const int n = atom->ntypes;
-  /* Of each type: whether there are any, their largest density, and minus their least. */
-  std::vector<double> mine(3 * n, 0.), all(3 * n);
-  for (int t = 0; t < n; t++)
-    mine[3 * t + 1] = mine[3 * t + 2] = -HUGE_VAL;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit))
-      continue;
-    double *of = &mine[3 * (atom->type[i] - 1)];
-    const double r = atom->radius[i], density = atom->rmass[i] / (4 * ASP_PI / 3 * r * r * r);
-    of[0] = 1;
-    of[1] = std::max(of[1], density);
-    of[2] = std::max(of[2], -density);
-  }
+  std::vector<double> present(static_cast<size_t>(atom->ntypes), 0.);
   for (int i = 0; i < modify->nfix; i++)
     if (FixTemplateSphere *grain = dynamic_cast<FixTemplateSphere *>(modify->fix[i]))
-      mine[3 * (grain->maxtype() - 1)] = 1;
-  MPI_Allreduce(mine.data(), all.data(), 3 * n, MPI_DOUBLE, MPI_MAX, Fix::world);
-  std::vector<Kind> kinds;
-  for (int t = 0; t < n; t++)
-    kinds.push_back(
-        Kind{all[3 * t] > 0, std::max(0., -all[3 * t + 2]), std::max(0., all[3 * t + 1])});
-  return kinds;
+      present[static_cast<size_t>(grain->maxtype() - 1)] = 1;
+  return asperity::kinds_of(spheres(), groupbit, present, Fix::world);
 }
 
 int FixWallRebound::min_type() {

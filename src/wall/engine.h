@@ -73,6 +73,11 @@ public:
   virtual std::vector<Kind> kinds() const = 0;
 };
 
+/* The kinds of the spheres of a group; `present` has a number over 0 for each type of which there
+ * will be some. Of all ranks of `world`. */
+std::vector<Engine::Kind> kinds_of(const Spheres &spheres, int group,
+                                   const std::vector<double> &present, MPI_Comm world);
+
 } // namespace asperity
 
 #endif
