@@ -20,6 +20,7 @@ _asperity() {
   case $before,$kind in
     --particle,* | --wall,*)
       words=$("$program" materials 2> /dev/null | sed '1,2d; s/,.*//') ;;
+    --rebound,*) words=$("$program" rebound --list 2> /dev/null | sed '1,2d; s/,.*//' | sort -u) ;;
     --model,*) words=$("$program" spread --list 2> /dev/null | sed '1,2d; s/,.*//') ;;
     *,*\|*) words=${kind//|/ } ;;
     *,*FILE* | *,) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;

@@ -448,6 +448,7 @@ static int run(int argc, char **argv) {
 
 const cli_command cli_calibrate = {
     .name = "calibrate",
+    .arguments = "DATA",
     .summary = "the wall's roughness and a law's constants from measured scatter",
     .detail =
         "asperity calibrate DATA --fit NAMES: what is not fitted, and where the search begins, is\n"

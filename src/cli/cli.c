@@ -85,6 +85,27 @@ static int count_options(const cli_option *options) {
   return count;
 }
 
+/* Exits where a file that is to be written cannot be, or two are to be the same. */
+static void check_files(const cli_option *options, int count) {
+  static const char *const written[] = {"output", "save", "plot"};
+  const cli_option *given[3] = {NULL, NULL, NULL};
+  for (int i = 0; i < count; i++)
+    for (int k = 0; k < 3; k++)
+      if (strcmp(options[i].name, written[k]) == 0 && options[i].value)
+        given[k] = &options[i];
+  for (int k = 0; k < 3; k++)
+    for (int m = 0; m < k; m++)
+      if (given[k] && given[m] && strcmp(given[k]->value, given[m]->value) == 0 &&
+          strncmp(given[k]->value, "/dev/", 5) != 0)
+        cli_bad_usage("--%s and --%s are both '%s'", given[m]->name, given[k]->name,
+                      given[k]->value);
+  for (int k = 0; k < 2; k++)
+    if (given[k] && strcmp(given[k]->value, "-") != 0)
+      cli_file_check(given[k]->value);
+  if (given[2])
+    cli_plot_check(given[2]);
+}
+
 int cli_parse(const cli_command *command, int argc, char **argv, cli_option *options,
               bool arguments) {
   struct option table[OPTIONS_MAX + 2] = {{0}};
@@ -115,9 +136,7 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
     }
     options[found].value = options[found].argument ? optarg : "";
   }
-  for (int i = 0; i < count; i++)
-    if (strcmp(options[i].name, "plot") == 0 && options[i].value)
-      cli_plot_check(&options[i]);
+  check_files(options, count);
   if (!arguments && optind < argc)
     cli_bad_usage("%s: argument '%s' is not expected; options begin with --", command->name,
                   argv[optind]);

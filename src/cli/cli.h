@@ -14,8 +14,9 @@
 
 typedef struct cli_command {
   const char *name;
-  const char *summary; /* one line, for the list of commands */
-  const char *detail;  /* more, for --help */
+  const char *summary;   /* one line, for the list of commands */
+  const char *detail;    /* more, for --help */
+  const char *arguments; /* besides options; NULL: none */
   int (*run)(int argc, char **argv);
 } cli_command;
 
@@ -30,7 +31,8 @@ typedef struct cli_option {
   const char *value; /* the default, then what the user gave; NULL: not given. A flag: "" */
 } cli_option;
 
-/* Reads the options of a command into the table; prints help and exits on --help. Returns the index
+/* Reads the options of a command into the table; prints help and exits on --help, and where a file
+ * that is to be written cannot be. Returns the index
  * of the first argument that is not an option; with `arguments` false there must be none. */
 int cli_parse(const cli_command *command, int argc, char **argv, cli_option *options,
               bool arguments);
@@ -89,6 +91,9 @@ void cli_warn(const char *format, ...);
  * it is, and so is the file that is standard output. */
 typedef struct cli_file cli_file;
 cli_file *cli_file_open(const char *path);
+
+/* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
+void cli_file_check(const char *path);
 FILE *cli_file_stream(const cli_file *file);
 void cli_file_close(cli_file *file);
 void cli_file_drop(cli_file *file); /* closes it and leaves what was there */

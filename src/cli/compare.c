@@ -523,6 +523,7 @@ static int run(int argc, char **argv) {
 
 const cli_command cli_compare = {
     .name = "compare",
+    .arguments = "IMPACTS DATA",
     .summary = "impacts of a model or a simulation against measured coefficients",
     .detail =
         "asperity compare IMPACTS DATA: IMPACTS is the output of 'asperity cor', the ledger of a\n"

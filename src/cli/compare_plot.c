@@ -13,7 +13,7 @@
 
 /* The range of a panel: what is measured and the model's band with some room, but no more than
  * CoR_N 0 to 3 and CoR_T -1 to 2; ratios to a vanishing component go far beyond. */
-static void print_range(FILE *gp, const comparison *c, int which) {
+static void print_range(FILE *gp, const comparison *c, int which, double *bottom, double *top) {
   double low = 0, high = 1, least = which ? -1 : 0, most = which ? 2 : 3;
   for (size_t i = 0; i < c->count; i++) {
     const sample *d = &c->bins[i].data[which], *m = &c->bins[i].model[which];
@@ -22,8 +22,24 @@ static void print_range(FILE *gp, const comparison *c, int which) {
     high = fmax(high, fmax(d->mean + sd, m->high));
   }
   double room = 0.25 * (high - low);
-  fprintf(gp, "set yrange [%g:%g]\n", fmax(least, low - (low < 0 ? room : 0)),
-          fmin(most, high + room));
+  *bottom = fmax(least, low - (low < 0 ? room : 0));
+  *top = fmin(most, high + room);
+  fprintf(gp, "set yrange [%g:%g]\n", *bottom, *top);
+}
+
+/* How much of what was measured the axis cuts off, over a panel. */
+static void print_outside(FILE *gp, const comparison *c, int which, double bottom, double top) {
+  size_t points = 0, outside = 0;
+  for (size_t i = 0; i < c->data.count; i++) {
+    double y = c->data.rows[i].cor[which];
+    points += isfinite(y);
+    outside += isfinite(y) && (y < bottom || y > top);
+  }
+  if (outside > 0)
+    fprintf(gp, "set title '{/=9 %zu of %zu measured %s lie outside}'\n", outside, points,
+            c->data.means ? "means" : "impacts");
+  else
+    fputs("unset title\n", gp);
 }
 
 /* The angles of a bin's box: those of its impacts, or around its angle and not over a neighbour. */
@@ -69,7 +85,9 @@ static void print_series(FILE *gp, const comparison *c, int which) {
 
 static void plot_panel(FILE *gp, const comparison *c, int which) {
   print_series(gp, c, which);
-  print_range(gp, c, which);
+  double bottom, top;
+  print_range(gp, c, which, &bottom, &top);
+  print_outside(gp, c, which, bottom, top);
   fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", which ? 'T' : 'N',
           which ? "bottom left" : "top right");
   fprintf(gp,
@@ -90,7 +108,7 @@ void cli_compare_plot(const cli_option *option, const comparison *c) {
   cli_plot *picture = cli_plot_open(option, 1200, 560);
   FILE *gp = cli_plot_stream(picture);
   fprintf(gp,
-          "set multiplot layout 1,2 title 'model: %s        measured: %s' noenhanced\n"
+          "set multiplot layout 1,2 title 'model: %s        measured: %s'\n"
           "set xrange [0:90]\nset xtics 15\n"
           "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
           cli_plot_label(picture, c->names[0]).text, cli_plot_label(picture, c->names[1]).text);

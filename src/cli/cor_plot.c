@@ -35,6 +35,18 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
   fprintf(gp, "%s; ", cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
 }
 
+/* What the axes cut off, over a panel. */
+static void print_outside(FILE *gp, size_t outside, size_t n, size_t means) {
+  if (outside == 0)
+    fputs("unset title\n", gp);
+  else if (means == 0)
+    fprintf(gp, "set title '{/=9 %.1f %% of the impacts lie outside}'\n",
+            100 * (double)outside / (double)n);
+  else
+    fprintf(gp, "set title '{/=9 %.1f %% of the impacts and %zu of the means lie outside}'\n",
+            100 * (double)outside / (double)n, means);
+}
+
 /* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
  */
 void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *rows, size_t n) {
@@ -53,6 +65,9 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
   size_t every = n / 20000 + 1, deposits = 0;
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
+  char thinned[40] = "";
+  if (every > 1)
+    snprintf(thinned, sizeof thinned, ", one of %zu", every);
   fprintf(gp, "set multiplot layout 1,2 title '{/=10 %s on %s, %s; ",
           cli_plot_label(picture, asp_material_name(s->law.particle)).text,
           cli_plot_label(picture, options[LAW + LAW_WALL].value).text,
@@ -68,39 +83,53 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
         "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
         gp);
   for (int t = 0; t < 2; t++) {
-    aspi_running cells[CELLS] = {{0, 0, 0}};
-    size_t outside = 0;
+    aspi_running cells[CELLS] = {{0, 0, 0}}, angles[CELLS] = {{0, 0, 0}};
+    size_t outside = 0, means = 0;
+    bool rebounds = false, every_one_sticks = true;
     fprintf(gp, "$scatter%d << EOD\n", t);
     for (size_t i = 0; i < n; i++) {
       if (rows[i].impact.outcome == ASP_DEPOSIT || (t && !rows[i].cor.cor_t_defined))
         continue;
       double y = t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
       int cell = (int)(rows[i].alpha1 / 90 * CELLS);
-      aspi_running_add(&cells[cell < CELLS ? cell : CELLS - 1], y);
+      cell = cell < CELLS ? cell : CELLS - 1;
+      aspi_running_add(&cells[cell], y);
+      aspi_running_add(&angles[cell], rows[i].alpha1);
+      every_one_sticks = false;
       outside += y < bottom[t] || y > top[t];
       if (i % every == 0)
         fprintf(gp, "%g %g\n", rows[i].alpha1, y);
     }
     fprintf(gp, "EOD\n$mean%d << EOD\n", t);
-    for (int i = 0; i < CELLS; i++)
+    for (int i = 0; i < CELLS; i++) {
       if (cells[i].n > 1)
-        fprintf(gp, "%g %g %g\n", (i + 0.5) * 90 / CELLS, cells[i].mean,
-                aspi_running_sd(&cells[i]));
+        fprintf(gp, "%g %g %g\n", angles[i].mean, cells[i].mean, aspi_running_sd(&cells[i]));
+      means += cells[i].n > 1 && (cells[i].mean < bottom[t] || cells[i].mean > top[t]);
+    }
     fprintf(gp, "EOD\n$smooth%d << EOD\n", t);
     for (int i = 1; i < 180; i++) {
       cor_row r = cli_cor_impact(&smooth, 0.5 * i, 0, 1, 1);
+      rebounds = rebounds || r.impact.outcome == ASP_REBOUND;
       if (r.impact.outcome == ASP_REBOUND)
         fprintf(gp, "%g %g\n", 0.5 * i, t ? r.cor.cor_t : r.cor.cor_n);
     }
-    fprintf(gp,
-            "EOD\nset ylabel '%s'\nset yrange [%g:%g]\nset key %s opaque\n"
-            "set label 1 '%.1f %% of the impacts lie outside' at graph 0.98, graph %g right "
-            "font ',9' tc '#666666'\n"
-            "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fc5dd' title 'impacts', "
-            "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title 'mean ± sd', "
-            "$smooth%d with lines ls 2 dt 1 title 'smooth wall, %.3g µm, %.3g m/s'\n",
-            names[t], bottom[t], top[t], t ? "bottom left" : "top right",
-            100 * (double)outside / (double)n, t ? 0.25 : 0.72, t, t, t, d_p * 1e6, speed);
+    fprintf(gp, "EOD\nset ylabel '%s'\nset yrange [%g:%g]\nset key %s opaque\n", names[t],
+            bottom[t], top[t], t ? "bottom left" : "top right");
+    print_outside(gp, outside, n, means);
+    if (every_one_sticks)
+      fputs("plot NaN notitle, ", gp);
+    else
+      fprintf(
+          gp,
+          "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fc5dd' title 'impacts%s', "
+          "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title 'mean ± sd', ",
+          t, thinned, t);
+    if (rebounds)
+      fprintf(gp, "$smooth%d with lines ls 2 dt 1", t);
+    else
+      fputs("keyentry with lines ls 2 dt 1", gp);
+    fprintf(gp, " title 'smooth wall, %.3g µm, %.3g m/s%s'\n", d_p * 1e6, speed,
+            rebounds ? "" : " (sticks)");
   }
   fputs("unset multiplot\n", gp);
   cli_cor_free_wall(&smooth);

@@ -193,9 +193,8 @@ static void fit_all(angle_fit *fits, size_t n, int runs, size_t samples, uint32_
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      [SIGMA] = {"sigma", "FIT_DEGREES", "walls, as sigma = atan(s_eff): a list or from:to:step",
-                 "10"},
-      [ANGLES] = {"angles", "FIT_DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
+      [SIGMA] = {"sigma", "DEGREES", "walls, as sigma = atan(s_eff): a list or from:to:step", "10"},
+      [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
       [RUNS] = {"runs", "N", "samples per angle that are fitted one by one", "100"},
       [SAMPLES] = {"samples", "N", "draws in each of them", "100000"},
       [SEED] = {"seed", "N", "seed of the draws", "1"},
@@ -203,7 +202,11 @@ static int run(int argc, char **argv) {
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw the figure; .png, .svg or .pdf", NULL},
   };
+  const char *figure = options[FIGURE].value;
   cli_parse(&cli_fit, argc, argv, options, false);
+  cli_whole(&options[FIGURE], 6, 9);
+  if (options[FIGURE].value != figure && !options[PLOT].value)
+    cli_bad_usage("--figure is given without --plot, of which it says what to draw");
   cli_list sigmas = cli_numbers(&options[SIGMA], 0.01, 80), angles = cli_angles(&options[ANGLES]);
   int runs = (int)cli_whole(&options[RUNS], 1, 100000);
   size_t samples = cli_whole(&options[SAMPLES], 1000, 100000000), n = sigmas.count * angles.count;

@@ -90,7 +90,9 @@ static void troff_of_command(const cli_command *command, const cli_option *optio
          "\\- ",
          command->name, asp_version(), command->name);
   troff_line("", command->summary);
-  printf(".SH SYNOPSIS\n\\fBasperity %s\\fR [\\fIoptions\\fR]\n", command->name);
+  printf(".SH SYNOPSIS\n\\fBasperity %s\\fR%s%s%s [\\fIoptions\\fR]\n", command->name,
+         command->arguments ? " \\fI" : "", command->arguments ? command->arguments : "",
+         command->arguments ? "\\fR" : "");
   troff_line(".SH DESCRIPTION\n.nf\n", command->detail);
   puts(".fi\n.SH OPTIONS");
   for (const cli_option *o = options; o->name; o++)

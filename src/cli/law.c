@@ -145,14 +145,25 @@ static void set_keyword(const cli_option *option, const char *keyword, asp_wall 
   free(values.values);
 }
 
+/* The law's keyword that an option stands for; NULL where it has none such. */
+static const char *keyword_of(const cli_option *option, const asp_rebound_law *law) {
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const char *keyword = asp_parameter_keyword(asp_rebound_parameter(law, i));
+    if (is_of(option, keyword))
+      return keyword;
+  }
+  return NULL;
+}
+
+bool cli_law_takes(const cli_option *first, int place, const asp_rebound_law *law) {
+  return place == LAW_TABLE ? asp_rebound_needs_table(law)
+                            : place >= LAW_KEYWORDS && keyword_of(&first[place], law) != NULL;
+}
+
 static void set_keywords(const cli_option *first, asp_wall *wall) {
   const asp_rebound_law *law = asp_wall_rebound(wall);
   for (const cli_option *o = &first[LAW_KEYWORDS]; o->name; o++) {
-    const char *keyword = NULL;
-    for (int i = 0; i < asp_rebound_parameters(law) && !keyword; i++) {
-      keyword = asp_parameter_keyword(asp_rebound_parameter(law, i));
-      keyword = is_of(o, keyword) ? keyword : NULL;
-    }
+    const char *keyword = keyword_of(o, law);
     if (o->value && !keyword)
       cli_bad_usage("--%s is given, but --rebound is '%s', which has no such parameter", o->name,
                     asp_rebound_name(law));

@@ -66,6 +66,10 @@ void cli_law_add_keywords(cli_option *first);
 cli_law cli_law_read(const cli_option *first);
 void cli_law_free(cli_law *law);
 
+/* Whether an option of the table, by its place, is one of this law's own: its table, or the keyword
+ * of a parameter. */
+bool cli_law_takes(const cli_option *first, int place, const asp_rebound_law *law);
+
 /* Prepares its wall for contacts; exits where that fails. */
 void cli_law_prepare(cli_law *law);
 

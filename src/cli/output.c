@@ -88,6 +88,16 @@ cli_file *cli_file_open(const char *path) {
   return file;
 }
 
+void cli_file_check(const char *path) {
+  struct stat found;
+  if (stat(path, &found) != 0 || !stays(&found)) {
+    cli_file_drop(cli_file_open(path));
+    return;
+  }
+  if (access(path, W_OK) != 0) /* a pipe may be opened once only */
+    cli_fail("cannot write '%s': %s", path, strerror(errno));
+}
+
 FILE *cli_file_stream(const cli_file *file) {
   return file->stream;
 }

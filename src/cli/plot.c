@@ -79,7 +79,7 @@ static FILE *start(cli_plot *plot) {
 
 void cli_plot_check(const cli_option *option) {
   terminal_of(option);
-  cli_file_drop(cli_file_open(option->value));
+  cli_file_check(option->value);
   int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nothing < 0)
     cli_fail("cannot open '/dev/null': %s", strerror(errno));

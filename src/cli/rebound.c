@@ -11,29 +11,31 @@
 
 enum { POINTS_MOST = 2000 };
 
-rebound_row cli_rebound_row(const rebound_map *m, const rebound_wall *wall, double d_p,
-                            double speed, double degrees) {
+const char *cli_rebound_law_name(const rebound_wall *wall) {
+  return asp_rebound_name(asp_wall_rebound(wall->law->wall));
+}
+
+rebound_row cli_rebound_row(const rebound_wall *wall, double d_p, double speed, double degrees) {
   static const double n[3] = {0, 0, 1};
   double alpha = cli_radians(degrees), v1[3] = {speed * cos(alpha), 0, -speed * sin(alpha)};
   if (degrees >= 90)
     v1[0] = 0;
   asp_particle particle = {
-      d_p, asp_material_get(m->law.particle, "density"), wall->pair, {0, 0, 0}, NULL};
+      d_p, asp_material_get(wall->law->particle, "density"), wall->pair, {0, 0, 0}, NULL};
   asp_impact impact;
-  asp_wall_impact(m->law.wall, &particle, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(wall->law->wall, &particle, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
   return (rebound_row){asp_impact_coefficients(v1, n, &impact), impact.outcome == ASP_DEPOSIT};
 }
 
-double cli_rebound_capture_speed(const rebound_map *m, const rebound_wall *wall, double d_p,
-                                 double degrees) {
-  if (!cli_rebound_row(m, wall, d_p, REBOUND_SLOWEST, degrees).deposit)
+double cli_rebound_capture_speed(const rebound_wall *wall, double d_p, double degrees) {
+  if (!cli_rebound_row(wall, d_p, REBOUND_SLOWEST, degrees).deposit)
     return 0;
-  if (cli_rebound_row(m, wall, d_p, REBOUND_FASTEST, degrees).deposit)
+  if (cli_rebound_row(wall, d_p, REBOUND_FASTEST, degrees).deposit)
     return INFINITY;
   double low = log(REBOUND_SLOWEST), high = log(REBOUND_FASTEST);
   for (int i = 0; i < 60; i++) {
     double middle = (low + high) / 2;
-    if (cli_rebound_row(m, wall, d_p, exp(middle), degrees).deposit)
+    if (cli_rebound_row(wall, d_p, exp(middle), degrees).deposit)
       low = middle;
     else
       high = middle;
@@ -63,9 +65,9 @@ static cli_list ratios_of(const cli_option *option, size_t points, bool lengths)
   return list;
 }
 
-static void read_walls(rebound_map *m) {
-  const cli_option *option = &m->options[LAW + LAW_WALL];
-  for (const char *rest = option->value; rest; m->n_walls++) {
+/* The walls of one law. */
+static void read_walls(rebound_map *m, const cli_option *first, const cli_law *law) {
+  for (const char *rest = first[LAW_WALL].value; rest; m->n_walls++) {
     const char *comma = strchr(rest, ',');
     rebound_wall *grown = realloc(m->walls, (m->n_walls + 1) * sizeof *grown);
     if (!grown)
@@ -73,9 +75,56 @@ static void read_walls(rebound_map *m) {
     m->walls = grown;
     rebound_wall *wall = &m->walls[m->n_walls];
     snprintf(wall->name, sizeof wall->name, "%.*s", comma ? (int)(comma - rest) : 60, rest);
-    wall->pair = cli_law_pair(&m->options[LAW], &m->law, wall->name);
+    wall->law = law;
+    wall->pair = cli_law_pair(first, law, wall->name);
     rest = comma ? comma + 1 : NULL;
   }
+}
+
+/* One law of several: of the options that belong to laws it gets those that are its own, and
+ * `taken` notes them. */
+static void read_law(rebound_map *m, const cli_option *first, const char *name, bool *taken) {
+  cli_option own[LAW_OPTIONS + 1];
+  memcpy(own, first, sizeof own);
+  own[LAW_REBOUND].value = name;
+  asp_error error;
+  const asp_rebound_law *law = asp_rebound_find(name, &error);
+  if (!law)
+    cli_bad_usage("--%s: %s", first[LAW_REBOUND].name, error.text);
+  for (int i = 0; own[i].name; i++) {
+    bool takes = cli_law_takes(own, i, law);
+    taken[i] = taken[i] || takes;
+    if (!takes && (i == LAW_TABLE || i >= LAW_KEYWORDS))
+      own[i].value = NULL;
+  }
+  m->laws[m->n_laws] = cli_law_read(own);
+  read_walls(m, own, &m->laws[m->n_laws++]);
+}
+
+static void read_laws(rebound_map *m, const cli_option *first) {
+  const char *names = first[LAW_REBOUND].value;
+  if (!strchr(names, ',')) {
+    m->laws[m->n_laws++] = cli_law_read(first);
+    read_walls(m, first, &m->laws[0]);
+    return;
+  }
+  if (first[LAW_SET].value)
+    cli_bad_usage("--set is given, and --%s is '%s'; it goes with one law", first[LAW_REBOUND].name,
+                  names);
+  bool taken[LAW_OPTIONS + 1] = {false};
+  for (const char *rest = names; rest;) {
+    const char *comma = strchr(rest, ',');
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", comma ? (int)(comma - rest) : 60, rest);
+    if (m->n_laws == REBOUND_LAWS_MOST)
+      cli_bad_usage("--%s is '%s'; it must be at most %d laws", first[LAW_REBOUND].name, names,
+                    REBOUND_LAWS_MOST);
+    read_law(m, first, name, taken);
+    rest = comma ? comma + 1 : NULL;
+  }
+  for (int i = 0; first[i].name; i++)
+    if (first[i].value && !taken[i] && (i == LAW_TABLE || i >= LAW_KEYWORDS))
+      cli_bad_usage("--%s is given, which none of --rebound %s has", first[i].name, names);
 }
 
 static void print_regimes(FILE *out, const rebound_map *m) {
@@ -83,8 +132,7 @@ static void print_regimes(FILE *out, const rebound_map *m) {
   for (size_t i = 0; i < m->sizes.count; i++)
     for (size_t k = 0; k < m->speeds.count; k++) {
       double degrees = m->angles.values[0];
-      rebound_row r =
-          cli_rebound_row(m, m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
+      rebound_row r = cli_rebound_row(m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
       fprintf(out, "%.6g,%.6g,%.6g,%.6g,", m->sizes.values[i] * 1e6, m->speeds.values[k], degrees,
               r.cor.cor_n);
       if (r.cor.cor_t_defined)
@@ -95,14 +143,14 @@ static void print_regimes(FILE *out, const rebound_map *m) {
 
 static void print_capture(FILE *out, const rebound_map *m) {
   fputs("# empty: every speed up to 1e5 m/s sticks; 0: none does\n"
-        "wall,dp_um,alpha1_deg,capture_speed_m_s\n",
+        "wall,law,dp_um,alpha1_deg,capture_speed_m_s\n",
         out);
   for (size_t w = 0; w < m->n_walls; w++)
     for (size_t i = 0; i < m->sizes.count; i++) {
       double d_p = m->sizes.values[i], degrees = m->angles.values[0];
-      double speed = cli_rebound_capture_speed(m, &m->walls[w], d_p, degrees);
+      double speed = cli_rebound_capture_speed(&m->walls[w], d_p, degrees);
       cli_print_field(out, m->walls[w].name);
-      fprintf(out, ",%.6g,%.6g,", d_p * 1e6, degrees);
+      fprintf(out, ",%s,%.6g,%.6g,", cli_rebound_law_name(&m->walls[w]), d_p * 1e6, degrees);
       if (isfinite(speed))
         fprintf(out, "%.6g", speed);
       fputc('\n', out);
@@ -110,15 +158,16 @@ static void print_capture(FILE *out, const rebound_map *m) {
 }
 
 static void print_angles(FILE *out, const rebound_map *m) {
-  fputs("wall,dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", out);
+  fputs("wall,law,dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", out);
   for (size_t w = 0; w < m->n_walls; w++)
     for (size_t i = 0; i < m->sizes.count; i++)
       for (size_t k = 0; k < m->speeds.count; k++)
         for (size_t a = 0; a < m->angles.count; a++) {
           double d_p = m->sizes.values[i], speed = m->speeds.values[k];
-          rebound_row r = cli_rebound_row(m, &m->walls[w], d_p, speed, m->angles.values[a]);
+          rebound_row r = cli_rebound_row(&m->walls[w], d_p, speed, m->angles.values[a]);
           cli_print_field(out, m->walls[w].name);
-          fprintf(out, ",%.6g,%.6g,%.6g,%.6g,", d_p * 1e6, speed, m->angles.values[a], r.cor.cor_n);
+          fprintf(out, ",%s,%.6g,%.6g,%.6g,%.6g,", cli_rebound_law_name(&m->walls[w]), d_p * 1e6,
+                  speed, m->angles.values[a], r.cor.cor_n);
           if (r.cor.cor_t_defined)
             fprintf(out, "%.6g", r.cor.cor_t);
           fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
@@ -165,6 +214,8 @@ static void print_list(FILE *out) {
 }
 
 static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) {
+  if (options[SPEED].value && kind->print == print_capture)
+    cli_bad_usage("--speed is given with --map capture, which looks for the speed");
   if (!options[DP].value)
     options[DP].value = kind->sizes;
   if (!options[SPEED].value)
@@ -172,8 +223,8 @@ static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) 
   if (!options[ANGLES].value)
     options[ANGLES].value = kind->angles;
   size_t points = cli_whole(&options[POINTS], 2, POINTS_MOST);
-  *m = (rebound_map){.options = options, .law = cli_law_read(&options[LAW])};
-  read_walls(m);
+  *m = (rebound_map){.walls = NULL};
+  read_laws(m, &options[LAW]);
   m->sizes = ratios_of(&options[DP], points, true);
   m->speeds = ratios_of(&options[SPEED], points, false);
   m->angles = cli_angles(&options[ANGLES]);
@@ -183,13 +234,18 @@ static void read_map(rebound_map *m, cli_option *options, const map_kind *kind) 
                     options[ANGLES].value);
   if (kind->print != print_angles && m->angles.count != 1)
     cli_bad_usage("--angles is '%s'; --map %s takes one angle", options[ANGLES].value, kind->name);
+  if (kind->print == print_regimes && m->n_laws != 1)
+    cli_bad_usage("--rebound is '%s'; --map regimes takes one law",
+                  options[LAW + LAW_REBOUND].value);
   if (kind->print == print_regimes && m->n_walls != 1)
     cli_bad_usage("--wall is '%s'; --map regimes takes one wall", options[LAW + LAW_WALL].value);
-  cli_law_prepare(&m->law);
+  for (size_t l = 0; l < m->n_laws; l++)
+    cli_law_prepare(&m->laws[l]);
 }
 
 static void free_map(rebound_map *m) {
-  cli_law_free(&m->law);
+  for (size_t l = 0; l < m->n_laws; l++)
+    cli_law_free(&m->laws[l]);
   for (size_t i = 0; i < m->n_walls; i++)
     asp_pair_free(m->walls[i].pair);
   free(m->walls);
@@ -241,7 +297,8 @@ const cli_command cli_rebound = {
         "  --map regimes  CoR_N and outcome over diameter and speed, at one angle and wall\n"
         "  --map capture  the speed under which a particle sticks, over the diameter\n"
         "  --map angles   CoR_N and CoR_T over the impact angle\n"
-        "capture and angles take several wall materials: --wall ti-6al-4v,hastelloy-x.\n"
+        "capture and angles take several wall materials and laws: --wall ti-6al-4v,hastelloy-x,\n"
+        "--rebound bons,thornton_ning; a law's own options then go to the laws that have them.\n"
         "Without --dp, --speed, --angles a map has its own ranges.\n"
         "The mu of bons is a constant fitted to its form. Oblique impacts of 5 mm alumina on\n"
         "glass (Kharaz et al. 2001, Coulomb's mu 0.092) follow 1 - mu (1 + e_n) tan alpha1 up\n"

@@ -13,17 +13,19 @@
 /* The options of the command. */
 enum { MAP, LIST, DP, SPEED, ANGLES, POINTS, OUTPUT, PLOT, LAW, N = LAW + LAW_OPTIONS };
 
-/* One wall material: its name and what comes of it. */
+/* One wall material under one law: its name and what comes of it. */
 typedef struct rebound_wall {
   char name[64];
+  const cli_law *law;
   asp_pair *pair;
 } rebound_wall;
 
+enum { REBOUND_LAWS_MOST = 16 };
+
 typedef struct rebound_map {
-  const cli_option *options;
-  cli_law law;
-  rebound_wall *walls;
-  size_t n_walls;
+  cli_law laws[REBOUND_LAWS_MOST];
+  rebound_wall *walls; /* every material under the first law, then under the next one */
+  size_t n_laws, n_walls;
   cli_list sizes, speeds, angles;
 } rebound_map;
 
@@ -33,12 +35,12 @@ typedef struct rebound_row {
 } rebound_row;
 
 /* What comes of one impact. */
-rebound_row cli_rebound_row(const rebound_map *map, const rebound_wall *wall, double d_p,
-                            double speed, double degrees);
+rebound_row cli_rebound_row(const rebound_wall *wall, double d_p, double speed, double degrees);
 
 /* The speed under which a particle sticks: 0 where it never does, INFINITY where it always does. */
-double cli_rebound_capture_speed(const rebound_map *map, const rebound_wall *wall, double d_p,
-                                 double degrees);
+double cli_rebound_capture_speed(const rebound_wall *wall, double d_p, double degrees);
+
+const char *cli_rebound_law_name(const rebound_wall *wall);
 
 void cli_rebound_plot_regimes(cli_plot *picture, const rebound_map *map);
 void cli_rebound_plot_capture(cli_plot *picture, const rebound_map *map);

@@ -24,12 +24,31 @@ static void plot_cells(FILE *gp, const rebound_map *m) {
   fputs("$map << EOD\n", gp);
   for (size_t i = 0; i <= nx; i++, fputc('\n', gp))
     for (size_t k = 0; k <= ny; k++) {
-      rebound_row r = cli_rebound_row(m, m->walls, m->sizes.values[i < nx ? i : nx - 1],
+      rebound_row r = cli_rebound_row(m->walls, m->sizes.values[i < nx ? i : nx - 1],
                                       m->speeds.values[k < ny ? k : ny - 1], m->angles.values[0]);
       fprintf(gp, "%g %g ", edge_of(&m->sizes, i) * 1e6, edge_of(&m->speeds, k));
       fprintf(gp, r.deposit ? "NaN\n" : "%g\n", r.cor.cor_n);
     }
   fputs("EOD\n", gp);
+}
+
+static cli_label particle_of(const cli_plot *picture, const rebound_map *m) {
+  return cli_plot_label(picture, asp_material_name(m->laws[0].particle));
+}
+
+/* The law in the title; where there are several, each curve has its own. */
+static cli_label law_of(const cli_plot *picture, const rebound_map *m) {
+  return cli_plot_label(picture,
+                        m->n_laws > 1 ? "several laws" : cli_rebound_law_name(&m->walls[0]));
+}
+
+/* `on hastelloy-x`, and the law where there are several. */
+static cli_label name_of(const cli_plot *picture, const rebound_map *m, size_t wall) {
+  char text[160];
+  snprintf(text, sizeof text, "%s%son %s",
+           m->n_laws > 1 ? cli_rebound_law_name(&m->walls[wall]) : "", m->n_laws > 1 ? " " : "",
+           m->walls[wall].name);
+  return cli_plot_label(picture, text);
 }
 
 /* The curve, and where a particle sticks at any speed a line up to its end. */
@@ -38,7 +57,7 @@ static double plot_capture_curve(FILE *gp, const rebound_map *m, const rebound_w
   bool always = false;
   for (size_t i = 0; i < m->sizes.count; i++) {
     double d_p = m->sizes.values[i],
-           speed = cli_rebound_capture_speed(m, wall, d_p, m->angles.values[0]);
+           speed = cli_rebound_capture_speed(wall, d_p, m->angles.values[0]);
     if (isfinite(speed) && speed > 0) {
       if (always)
         fprintf(gp, "%g %g 0\n", d_p * 1e6, REBOUND_FASTEST);
@@ -69,11 +88,9 @@ void cli_rebound_plot_regimes(cli_plot *picture, const rebound_map *m) {
           "set tmargin screen 0.92\nset bmargin screen 0.12\n"
           "splot $map using 1:2:(0):3 with pm3d notitle, %s"
           "NaN with points pt 5 ps 2 lc rgb '#bbbbbb' title 'deposit'\n",
-          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
-          cli_plot_label(picture, m->walls[0].name).text,
-          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
-          m->angles.values[0], edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6,
-          edge_of(&m->speeds, 0), edge_of(&m->speeds, ny),
+          particle_of(picture, m).text, cli_plot_label(picture, m->walls[0].name).text,
+          law_of(picture, m).text, m->angles.values[0], edge_of(&m->sizes, 0) * 1e6,
+          edge_of(&m->sizes, nx) * 1e6, edge_of(&m->speeds, 0), edge_of(&m->speeds, ny),
           sticks ? "$capture using 1:2:3 with lines lc rgb '#000000' lw 2 title 'capture speed', "
                  : "");
 }
@@ -92,28 +109,30 @@ void cli_rebound_plot_capture(cli_plot *picture, const rebound_map *m) {
           "set title '%s, %s, {/Symbol a}_1 = %g°: sticks under and left of a curve'\n"
           "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
           "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
-          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
-          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text,
-          m->angles.values[0], m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6,
-          most > 0 ? "*" : "1", most > 0 ? 5 * most : 10);
+          particle_of(picture, m).text, law_of(picture, m).text, m->angles.values[0],
+          m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6, most > 0 ? "*" : "1",
+          most > 0 ? 5 * most : 10);
   for (size_t w = 0; w < m->n_walls; w++)
-    fprintf(gp, "%s$capture%zu with lines ls %zu title 'on %s'", w ? ", " : "", w,
-            w % CURVES_MOST + 1, cli_plot_label(picture, m->walls[w].name).text);
+    fprintf(gp, "%s$capture%zu with lines ls %zu title '%s'", w ? ", " : "", w, w % CURVES_MOST + 1,
+            name_of(picture, m, w).text);
   fputs(", NaN notitle\n", gp);
 }
 
-/* One curve a wall, size and speed, as far as there are styles. */
+/* One curve a wall, size and speed, as far as there are styles; one that sticks at every angle has
+ * its name only. */
 void cli_rebound_plot_angles(cli_plot *picture, const rebound_map *m) {
   FILE *gp = cli_plot_stream(picture);
-  size_t per_wall = m->sizes.count * m->speeds.count, curves = m->n_walls * per_wall;
-  if (curves > CURVES_MOST)
-    curves = CURVES_MOST;
+  size_t per_wall = m->sizes.count * m->speeds.count, all = m->n_walls * per_wall;
+  size_t curves = all < CURVES_MOST ? all : CURVES_MOST;
+  bool rebounds[CURVES_MOST] = {false}, any = false;
   for (size_t c = 0; c < curves; c++) {
     fprintf(gp, "$curve%zu << EOD\n", c);
     for (size_t a = 0; a < m->angles.count; a++) {
-      rebound_row r = cli_rebound_row(m, &m->walls[c / per_wall],
-                                      m->sizes.values[c % per_wall / m->speeds.count],
-                                      m->speeds.values[c % m->speeds.count], m->angles.values[a]);
+      rebound_row r =
+          cli_rebound_row(&m->walls[c / per_wall], m->sizes.values[c % per_wall / m->speeds.count],
+                          m->speeds.values[c % m->speeds.count], m->angles.values[a]);
+      rebounds[c] = rebounds[c] || !r.deposit;
+      any = any || !r.deposit;
       fprintf(gp,
               r.deposit             ? "\n"
               : r.cor.cor_t_defined ? "%g %g %g\n"
@@ -122,22 +141,27 @@ void cli_rebound_plot_angles(cli_plot *picture, const rebound_map *m) {
     }
     fputs("EOD\n", gp);
   }
+  char more[64] = "";
+  if (curves < all)
+    snprintf(more, sizeof more, "; the first %zu of %zu curves", curves, all);
   fprintf(gp,
-          "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks'\n"
-          "set xrange [0:90]\nset xtics 15\nset yrange [0:1]\n"
-          "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
-          cli_plot_label(picture, asp_material_name(m->law.particle)).text,
-          cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(m->law.wall))).text);
+          "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks%s'\n"
+          "set xrange [0:90]\nset xtics 15\nset yrange [%s]\n"
+          "set key below maxrows 3\nset xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+          particle_of(picture, m).text, law_of(picture, m).text, more, any ? "*<0:1<*" : "0:1");
   for (int t = 0; t < 2; t++) {
-    fprintf(gp, "set ylabel 'CoR_%c'\nset key %s opaque\nplot ", t ? 'T' : 'N',
-            t ? "bottom right" : "top right");
-    for (size_t c = 0; c < curves; c++)
-      fprintf(gp, "%s$curve%zu using 1:%d with lines ls %zu title 'on %s, %.3g µm, %.3g m/s'",
-              c ? ", " : "", c, t ? 3 : 2, c + 1,
-              cli_plot_label(picture, m->walls[c / per_wall].name).text,
+    fprintf(gp, "set ylabel 'CoR_%c'\nplot ", t ? 'T' : 'N');
+    for (size_t c = 0; c < curves; c++) {
+      if (rebounds[c])
+        fprintf(gp, "%s$curve%zu using 1:%d with lines", c ? ", " : "", c, t ? 3 : 2);
+      else
+        fprintf(gp, "%skeyentry with lines", c ? ", " : "");
+      fprintf(gp, " ls %zu title '%s, %.3g µm, %.3g m/s%s'", c + 1,
+              name_of(picture, m, c / per_wall).text,
               m->sizes.values[c % per_wall / m->speeds.count] * 1e6,
-              m->speeds.values[c % m->speeds.count]);
-    fputc('\n', gp);
+              m->speeds.values[c % m->speeds.count], rebounds[c] ? "" : " (sticks)");
+    }
+    fputs(", NaN notitle\n", gp);
   }
   fputs("unset multiplot\n", gp);
 }

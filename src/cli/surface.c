@@ -303,6 +303,8 @@ static int run(int argc, char **argv) {
   memcpy(options, table, sizeof options);
   cli_parse(&cli_surface, argc, argv, options, false);
   check_options(options);
+  if (options[SAVE].value && strcmp(options[SAVE].value, "-") == 0 && !options[OUTPUT].value)
+    cli_bad_usage("--save is '-', standard output, where the slopes go; say where else (-o FILE)");
   cli_list sizes = cli_lengths(&options[DP]);
   if (options[MAP].value) {
     run_map(options, &sizes, argc, argv);

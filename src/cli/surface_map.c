@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A map with sides shorter than this says little about its wall, along its lay above all. */
 #define LENGTH_LEAST 20.0 /* correlation lengths */
@@ -149,7 +150,7 @@ void cli_map_print(FILE *out, const cli_map *m, const cli_map_slopes *rows, size
 
 void cli_map_save(const cli_option *option, const cli_map *m) {
   const asp_map *map = m->map;
-  cli_file *file = cli_file_open(option->value);
+  cli_file *file = cli_file_open(strcmp(option->value, "-") == 0 ? "/dev/stdout" : option->value);
   FILE *out = cli_file_stream(file);
   fprintf(out,
           "aISO-1.0\nManufacID = asperity\nCreateDate = 000000000000\nModDate = 000000000000\n"

@@ -117,13 +117,13 @@ void cli_map_plot(const cli_option *option, const cli_map *m, const cli_map_slop
   print_polar(gp, m, rows, count);
   print_angles(gp, m, size[0]);
   fprintf(gp,
-          "set multiplot layout 2,2 title '%s: S_q %.3g um, S_{sk} %.2g, {/Symbol l}_1 %.3g um, "
-          "{/Symbol l}_2 %.3g um'\n",
+          "set multiplot layout 2,2 title '%s: S_q %.3g µm, S_{sk} %.2g, {/Symbol l}_1 %.3g µm, "
+          "{/Symbol l}_2 %.3g µm'\n",
           cli_plot_label(picture, m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6,
           d->lambda_2 * 1e6);
   fprintf(gp,
-          "set title 'heights, lay, and 1/e ellipse (x 3)'\nset xlabel 'x / um'\nset ylabel 'y / "
-          "um'\nset size ratio %g\nset cblabel 'z / um'\nset xrange [0:%g]\nset yrange [0:%g]\n"
+          "set title 'heights, lay, and 1/e ellipse (x 3)'\nset xlabel 'x / µm'\nset ylabel 'y / "
+          "µm'\nset size ratio %g\nset cblabel 'z / µm'\nset xrange [0:%g]\nset yrange [0:%g]\n"
           "set palette defined (0 '#08306b', 0.5 '#f7f7f7', 1 '#7f2704')\nset parametric\n"
           "set trange [0:2*pi]\n",
           height / width, width, height);
@@ -139,22 +139,24 @@ void cli_map_plot(const cli_option *option, const cli_map *m, const cli_map_slop
   fprintf(
       gp,
       "set size noratio\nset autoscale\nset title 'a section along x, and the lowest points of "
-      "spheres on it'\nset xlabel 'x / um'\nset ylabel 'z / um'\n"
+      "spheres on it'\nset xlabel 'x / µm'\nset ylabel 'z / µm'\n"
+      "set offsets 0,0,graph 0.3,0\n"
       "plot $section using 1:2 with lines lc rgb '#888888' title 'wall', '' using 1:3 with lines "
-      "lw 2 lc rgb '#0072b2' title 'd_p %g um', '' using 1:5 with lines lw 2 lc rgb '#d55e00' "
-      "title 'd_p %g um'\n",
+      "lw 2 lc rgb '#0072b2' title 'd_p %g µm', '' using 1:5 with lines lw 2 lc rgb '#d55e00' "
+      "title 'd_p %g µm'\n",
       size[0] * 1e6, size[1] * 1e6);
   fprintf(
       gp,
-      "set title 'rms contact slope by direction'\nset polar\nset size square\nunset xlabel\n"
+      "unset offsets\nset title 'rms contact slope by direction'\nset polar\nset size "
+      "square\nunset xlabel\n"
       "unset ylabel\nset grid polar\nset rrange [0:*]\nset xtics axis\nset ytics axis\nunset "
-      "border\n"
-      "plot $polar using 1:2 with lines lw 2 lc rgb '#0072b2' title 'd_p %g um', '' using 1:3 with "
-      "lines lw 2 lc rgb '#d55e00' title 'd_p %g um'\nunset polar\nset size nosquare\nset border\n"
+      "rtics\nunset raxis\nunset border\n"
+      "plot $polar using 1:2 with lines lw 2 lc rgb '#0072b2' title 'd_p %g µm', '' using 1:3 with "
+      "lines lw 2 lc rgb '#d55e00' title 'd_p %g µm'\nunset polar\nset size nosquare\nset border\n"
       "unset grid\nset xtics border\nset ytics border\n",
       size[0] * 1e6, size[1] * 1e6);
   fprintf(gp,
-          "set title 'across the lay at %g degrees, d_p %g um (dots: Gaussian)'\nset xlabel 'angle "
+          "set title 'across the lay at %g degrees, d_p %g µm (dots: Gaussian)'\nset xlabel 'angle "
           "/ degrees'\nset ylabel 'share per degree'\n"
           "set xrange [-45:120]\nset yrange [0:*]\n"
           "plot $angles using 1:2 with histeps lw 2 lc rgb '#0072b2' title 'rebound angle', "

@@ -109,12 +109,12 @@ static void figure_3(FILE *out, const cli_wall *wall, double d_p) {
           "set title 'Profile, closing and particle where it bridges the most, d_p = %g µm, to "
           "scale (fig. 3)'\n"
           "set xlabel 'x / µm'\nset ylabel 'z / µm'\nset size ratio -1\n"
-          "set object 1 circle at %g,%g size %g front fs empty border lc rgb '#2a8c4a' lw 2\n"
+          "set object 1 circle at %g,%g size %g front fs empty border lc rgb '#009e73' lw 2\n"
           "set key outside right center\n"
           "plot [0:%g] [%g:%g] $profile using 1:3 with lines ls 1 lw 4 title 'closing', "
           "$profile using 1:2 with lines ls 6 lw 1 title 'profile', "
           "$profile using 1:4 with lines ls 2 lw 1 dt 2 title 'path of the centre', "
-          "NaN with lines ls 3 title 'particle'\n"
+          "NaN with lines ls 3 dt 1 title 'particle'\n"
           "unset object 1\nset size noratio\nset key default\nset key font ',10'\n",
           d_p * 1e6, (double)(w.middle - w.first) * spacing * 1e6, centre[w.middle] * 1e6,
           d_p / 2 * 1e6, (double)(w.last - w.first) * spacing * 1e6, (w.lo - margin) * 1e6,
@@ -177,9 +177,10 @@ static void figure_5(FILE *out, const cli_wall *wall, double d_p) {
 void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row) {
   cli_plot *plot = cli_plot_open(option, 1200, 900);
   FILE *out = cli_plot_stream(plot);
-  fprintf(out, "set multiplot title '%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g'\n",
-          wall->name ? "Measured wall" : "Generated wall", wall->r_q * 1e6, wall->lambda_c * 1e6,
-          wall->r_q / wall->lambda_c, cli_kappa(row));
+  fprintf(out, "set multiplot title '%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g'\n",
+          wall->name ? "Measured wall " : "Generated wall",
+          wall->name ? cli_plot_label(plot, wall->name).text : "", wall->r_q * 1e6,
+          wall->lambda_c * 1e6, wall->r_q / wall->lambda_c, cli_kappa(row));
   fputs("set size 1, 0.47\nset origin 0, 0.48\n", out);
   figure_3(out, wall, row->d_p);
   fprintf(out, "set size %g, 0.48\nset origin 0, 0\n", wall->generated ? 0.5 : 1);

@@ -91,5 +91,8 @@ done
 
 # The picture names both files.
 "$asperity" compare quarter half --plot p.svg > got 2> err
+printf 'alpha1_deg,cor_n,cor_t\n5,9,1\n5,1,1\n5,1.2,1\n' > far_off.csv
+"$asperity" compare far_off.csv far_off.csv --plot off_axis.svg > got 2> err
+grep -q '1 of 3 measured impacts lie outside' off_axis.svg && grep -q 'far_off' off_axis.svg || die "compare --plot: what it leaves out"
 grep -q 'quarter' p.svg && grep -q 'half' p.svg || die "compare --plot: no names"
 exit 0

@@ -16,6 +16,7 @@ for command in $commands; do
   [ "$(grep -c '^\.TP$' page)" = "$(($(wc -l < words) - 1))" ] || die "$command: options in the page"
   if grep -n "^[.'][^A-Zn\\f]" page; then die "$command: a line of text begins as a request of troff"; fi
 done
+"$asperity" compare --help=man | grep -q 'IMPACTS DATA' || die "compare: its arguments in the synopsis"
 "$asperity" --help=man | grep -q 'asperity\\-cor (1)' || die "the page of all commands"
 ! "$asperity" cor --help=html 2> err || die "--help=html"
 grep -q "man or words" err || die "message: $(cat err)"
@@ -29,6 +30,7 @@ complete_words cor --lam; [ "${COMPREPLY[*]}" = --lambda-c ] || die "completes o
 complete_words cor --wall hast; [ "${COMPREPLY[*]}" = hastelloy-x ] || die "completes materials: ${COMPREPLY[*]}"
 complete_words cor --model trun; [ "${COMPREPLY[*]}" = truncated ] || die "completes models: ${COMPREPLY[*]}"
 complete_words cor --tilt iso; [ "${COMPREPLY[*]}" = isotropic ] || die "completes choices: ${COMPREPLY[*]}"
+complete_words rebound --rebound thorn; [ "${COMPREPLY[*]}" = thornton_ning ] || die "completes laws: ${COMPREPLY[*]}"
 touch myfile.csv
 complete_words cor -o myf; [ "${COMPREPLY[*]}" = myfile.csv ] || die "completes files: ${COMPREPLY[*]}"
 
@@ -59,3 +61,18 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,
 ! timeout 5 "$asperity" doe --plot x.jpg 2> err || die "doe --plot x.jpg"
 grep -q "'x.jpg'; the file must end in" err || die "doe --plot x.jpg is refused before work begins: $(cat err)"
 echo "passed"
+
+# Files that cannot be written, or are two in one, are told before work begins.
+for option in -o --plot; do
+  ! timeout 5 "$asperity" doe $option /nowhere/x.png 2> err || die "doe $option /nowhere"
+  grep -q "cannot write '/nowhere/x.png'" err || die "doe $option is checked before work begins: $(cat err)"
+done
+refuses 1 "cannot write '/nowhere/p.csv'" -- surface --rq 5um --lambda-c 40um --save /nowhere/p.csv
+refuses 2 "--output and --save are both 'p.csv'" -- surface --rq 5um --lambda-c 40um -o p.csv --save p.csv
+refuses 2 "--save is '-'" -- surface --rq 5um --lambda-c 40um --save -
+"$asperity" surface --rq 5um --lambda-c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface --profile - --dp 10um > piped
+grep -q '8192 points read' piped && [ -s slopes.csv ] || die "surface --save - in a pipe"
+refuses 2 "--figure is '5'" -- fit --figure 5 --plot fit.png
+refuses 2 "--figure is given without --plot" -- fit --figure 6
+mkfifo pipe; cat pipe > through & "$asperity" spread --sigma 10 --samples 10 -o pipe; wait
+[ "$(wc -l < through)" = 12 ] || die "-o PIPE: $(cat through)"

@@ -43,6 +43,26 @@ column cor_t a | awk '{ exit !($1 > 0.714 && $1 < 0.7143) }' || die "walton: $(c
 column cor_t a | awk '{ exit !($1 > 0.7142 && $1 < 0.7143) }' && cmp <(rows a) <(rows b) || die "bons --spin on: $(cat a)"
 "$asperity" rebound --map capture --dp 10um,100um --remove 2,1.2 > c
 [ "$(column capture_speed_m_s c | tail -n 1)" = 0 ] && [ "$(column capture_speed_m_s c | head -n 1)" != 0 ] || die "--remove: $(cat c)"
+# several laws: a law's own options go to the laws that have them; the picture names each
+"$asperity" rebound --map angles --angles 45 --rebound bons,thornton_ning --wall hastelloy-x,quartz --yield-rate 3e6 --plot laws.svg > a 2> err
+[ "$(column law a | paste -sd' ')" = "bons bons thornton_ning thornton_ning" ] || die "several laws: $(cat a)"
+"$asperity" rebound --map angles --angles 45 --yield-rate 3e6 > b
+[ "$(column cor_n a | head -n 1)" = "$(column cor_n b)" ] || die "several laws: --yield-rate"
+"$asperity" rebound --map angles --angles 45 --rebound thornton_ning --wall quartz > b
+[ "$(column cor_n a | tail -n 1)" = "$(column cor_n b)" ] || die "several laws: thornton_ning"
+grep -q 'bons on quartz' laws.svg && grep -q 'several laws' laws.svg || die "several laws: names in the picture"
+"$asperity" rebound --map capture --rebound bons,thornton_ning --dp 10um > c
+[ "$(column law c | paste -sd' ')" = "bons thornton_ning" ] || die "capture by several laws: $(cat c)"
+refuses 2 "--rebound is 'bons,walton'" "one law" -- rebound --rebound bons,walton
+refuses 2 "--compliance" "none of --rebound bons,forder" -- rebound --map angles --rebound bons,forder --compliance 3
+refuses 2 "--set" "goes with one law" -- rebound --map angles --rebound bons,forder --set a=1
+refuses 2 "--speed is given" -- rebound --map capture --speed 5
+"$asperity" rebound --map angles --dp 1um,10um --plot stick.svg > a 2> err
+grep -q '1 µm, 100 m/s (sticks)' stick.svg && ! grep -q warning err || die "a curve that sticks: $(cat err)"
+"$asperity" rebound --map angles --dp 1um --speed 1 --plot stick.svg > a 2> err || die "only curves that stick: $(cat err)"
+printf 'alpha1_deg,cor_n,cor_t\n10,1.5,-0.3\n90,0.4,0.5\n' > beyond.csv
+"$asperity" rebound --map angles --rebound table --table beyond.csv --plot beyond.svg > a 2> err
+grep -q '> *1.6<' beyond.svg && grep -q '> *-0.4<' beyond.svg || die "the axes do not grow"
 refuses 2 "--spin" "'maybe'" "off on" -- rebound --spin maybe
 refuses 2 "--remove is '2'" "GAS_DENSITY" -- rebound --remove 2
 refuses 2 "remove_gas_density" -- rebound --remove 2,0
