@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dlfcn.h>
 #include <mpi.h>
+#include <stdio.h>
 #include <string>
 
 #include "lammps.h"
@@ -55,6 +56,8 @@ void asperity_create_factories(Modify *modify) {
 }
 
 int main(int argc, char **argv) {
+  /* Behind a pipe an error message would stay in this process, which ends when another rank has. */
+  setvbuf(stdout, NULL, _IOLBF, 0);
   MPI_Init(&argc, &argv);
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
   check_library(lammps, PROGRAM);

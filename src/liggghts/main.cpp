@@ -13,6 +13,7 @@
 #include <malloc.h>
 #include <mpi.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <map>
@@ -123,6 +124,8 @@ void asperity_construct_modify(Modify *modify, LAMMPS *lammps) {
 }
 
 int main(int argc, char **argv) {
+  /* Behind a pipe an error message would stay in this process, which ends when another rank has. */
+  setvbuf(stdout, NULL, _IOLBF, 0);
   handle_signals();
   MPI_Init(&argc, &argv);
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);

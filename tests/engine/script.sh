@@ -135,3 +135,8 @@ for word in "type 1 on a wall of type 2" "2e+08" "'materials'"; do
   grep -a 'nothing yields' soft.in.screen | grep -qF -- "$word" || { grep -a 'nothing yields' soft.in.screen; die "'$word' is not in the warning"; }
 done
 [ "$(warned hard.in) $(warned named.in)" = "0 0" ] || die "a warning of moduli that are not soft"
+
+# What is printed is out at once, also into a pipe: mpirun ends a rank soon after another has ended with an error.
+printf 'print "this is out"\nshell "kill -9 $PPID"\nprint "never"\n' > killed.in
+"$program" -in killed.in -log none < /dev/null 2>&1 | cat > killed.screen || true
+grep -q '^this is out' killed.screen && ! grep -q '^never' killed.screen || { cat killed.screen; die "a line that was printed is lost"; }
