@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# What the pages say of files and of the command: every link leads to a file that is there, every option that they name
+# is one of the command that they name it for, what their commands read is there, and their lines of Python run (where
+# there are pandas and numpy).
+# SPDX-License-Identifier: GPL-3.0-or-later
+source "$(dirname "$0")/cli.sh"
+pages=$(cd "$root" && { git ls-files '*.md' 2> /dev/null || find . -name '*.md' -not -path './build*' -printf '%P\n'; })
+[ "$(wc -w <<< "$pages")" -ge 15 ] || die "pages: $pages"
+
+links=0
+for page in $pages; do
+  for link in $(grep -oP '\]\(\K[^)\s]+' "$root/$page" || true); do
+    case $link in http*) continue ;; esac
+    links=$((links + 1))
+    [ -e "$root/$(dirname "$page")/${link%%#*}" ] || die "$page: the link $link leads nowhere"
+  done
+done
+[ "$links" -ge 40 ] || die "only $links links were looked at"
+
+# `asperity COMMAND ... --option`, up to the end of the line, a backtick, or a pipe.
+options=0
+for page in $pages; do
+  while read -r command rest; do
+    "$asperity" "$command" --help=words 2> /dev/null | cut -d ' ' -f 1 > words || continue
+    for option in $(grep -oP '(?<![\w-])--[a-z][a-z-]*' <<< "$rest"); do
+      options=$((options + 1))
+      grep -qxF -- "$option" words || die "$page: asperity $command has no $option"
+    done
+  done < <(grep -ohP '\basperity \K(calibrate|compare|cor|doe|fit|materials|rebound|spread|surface|trade) [^`|]*' "$root/$page")
+done
+[ "$options" -ge 60 ] || die "only $options options were looked at"
+
+# Files that README's commands read are in the tree, or an earlier one writes them.
+written=' '
+while read -r line; do
+  set -f; set -- $line; set +f
+  for word; do
+    case $word in
+      *.csv) case " $line " in
+          *" -o $word "* | *" --save $word "*) written="$written$word " ;;
+          *) [ -e "$root/$word" ] || [[ $written = *" $word "* ]] || die "README: $word is nowhere: $line" ;;
+        esac ;;
+    esac
+  done
+done < <(sed -n 's/^build\/bin\/asperity \([^#]*\).*/\1/p' "$root/README.md")
+[ "$written" != ' ' ] || die "README: no command"
+
+python3 -c 'import numpy, pandas' 2> /dev/null || { echo "no pandas: the lines of Python are not run"; exit 0; }
+"$asperity" surface --rq 5um --lambda-c 40um --points 8192 -o cor.csv
+"$asperity" cor --sigma 10 --angles 20 --samples 3 --columns ledger -o impacts.csv
+for step in 1 2; do printf 'ITEM: TIMESTEP\n\n\n\n\n\n\n\nITEM: ENTRIES \n1 1 20 0.5 \n2 1 30 0.5 \n'; done | split -l 11 -d - rows. --additional-suffix .txt
+{ printf 'import glob, numpy, pandas\nnumpy.save("impacts.npy", numpy.genfromtxt("impacts.csv", delimiter=",", names=True, skip_header=1))\n'
+  for page in README.md src/liggghts/fix_wall_rebound.md src/lammps/fix_wall_rebound.rst; do
+    grep -hE '^ *(table|impacts|rows) += ' "$root/$page" | sed 's/^ *//'
+  done; } > lines.py
+[ "$(grep -c 'pandas\.' lines.py)" -ge 7 ] && [ "$(grep -c 'numpy\.' lines.py)" -ge 7 ] || die "lines of Python: $(cat lines.py)"
+printf 'assert len(rows) == 4\n' >> lines.py
+python3 lines.py || die "lines of Python: $(cat lines.py)"
