@@ -479,6 +479,7 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
   if (options->step[0] > 0)
     return fail_at(s, error,
                    "the spacing is given (step), but the file has the positions of its points");
+  const char *expected = "three numbers are expected: x, y, z";
   asp_code code = find_units(s, h, options->read, axes, error);
   size_t fields = s->count;
   const int *at = axes->column;
@@ -495,12 +496,11 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
       code = add_triple(&t, point, error);
       continue;
     }
-    const char *expected = "three numbers are expected: x, y, z";
     code = t.count > 0 ? check_end(s, fields, expected, error) : fail_at(s, error, expected);
     break;
   }
   if (!code)
-    code = place(s, &t, axes->unit, raw, error);
+    code = t.count > 0 ? place(s, &t, axes->unit, raw, error) : fail_at(s, error, expected);
   free(t.at);
   return code;
 }

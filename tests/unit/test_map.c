@@ -376,6 +376,7 @@ static void bad_files_are_refused(void **state) {
       {"x_um y_um z_um\n0 0 1\n1 0\n", ":3: three numbers"},
       {"x_um y_um z_um\n0 0 1\n1 0 2\n2 0 2\n3.5 0 1\n0 1 2\n1 1 3\n", "off the grid"},
       {"x_um,y_um,z_um\n,0,1\nend\n", ":2: three numbers"},
+      {"x_um\ty_um\tz_um\n\t\t\t", ":2: three numbers"},
       {"x_um y_um z_um\n0 0 1\n0 0 2\n", "on no grid"},
       {"# Width: 9 um\n# Height: 9 um\n# Value units: um\n1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n",
        "the map is constant"},
