@@ -25,11 +25,11 @@ set xlabel 'impact angle / degrees'
 set key top right opaque samplen 2 font ',9'
 set title 'Grant & Tabakoff 1975, sand on Al 2024' noenhanced
 set ylabel 'CoR_N'
-set yrange [0:2]
+set yrange [0:2.5]
 plot file(gt, 'fitted_normal') using 18:(y($8)):(y($9)) with filledcurves fc rgb green notitle, \
   file(gt, 'shipped') using 18:(y($5)) with lines lw 2 dt 2 lc rgb grey title 'bons, as shipped, smooth', \
   file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, σ 0.24° fitted to both', \
-  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, σ 4.9° fitted to CoR_N; 5 to 95 %' noenhanced, \
+  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, σ 4.9° fitted to CoR_N; 5 to 95 %', \
   file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'forder', \
   file(gt, 'thornton_ning') using 18:(y($5)) with lines lw 1.5 dt 3 lc rgb '#b0902a' title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using 18:(y($11)):(y($12)) with yerrorbars pt 7 ps 0.7 lc rgb '#c8501e' title 'measured, mean ± sd', \
@@ -40,15 +40,17 @@ plot file(gt, 'fitted_normal') using 18:(y($8)):(y($9)) with filledcurves fc rgb
 e
 k = 'cor_t'
 set ylabel 'CoR_T'
-set yrange [0.2:2]
+set yrange [-1:2.6]
+set key bottom left
 plot file(gt, 'fitted_normal') using 18:(y($8)):(y($9)) with filledcurves fc rgb green notitle, \
   file(gt, 'shipped') using 18:(y($5)) with lines lw 2 dt 2 lc rgb grey title 'bons, as shipped, smooth', \
   file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, σ 0.24° fitted to both', \
-  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, σ 4.9° fitted to CoR_N; 5 to 95 %' noenhanced, \
+  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, σ 4.9° fitted to CoR_N; 5 to 95 %', \
   file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'forder', \
   file(gt, 'thornton_ning') using 18:(y($5)) with lines lw 1.5 dt 3 lc rgb '#b0902a' title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using 18:(y($11)):(y($12)) with yerrorbars pt 7 ps 0.7 lc rgb '#c8501e' title 'measured, mean ± sd'
 
+set key top right
 set title 'Kharaz et al. 2001, 5 mm alumina on glass' noenhanced
 set yrange [0.4:1.4]
 plot file(kh, 'walton') using 18:(y($5)) with lines lw 2 lc rgb green title 'walton e 0.98, mu 0.092, beta0 0' noenhanced, \
@@ -81,7 +83,7 @@ set ylabel 'share below'
 set xrange [0.6:1.02]
 set xtics 0.1
 set yrange [0:1]
-set key center left Left reverse
+set key top left Left reverse noopaque
 stats 'output/lamarche.measured' nooutput
 n = STATS_records
 stats 'output/lamarche.rough' nooutput

@@ -27,13 +27,11 @@ set multiplot layout 2,3 title 'Quartz dust, 1–100 µm, at 100 m/s on Hastello
 do for [t=0:1] {
   do for [i=1:3] {
     name = 'output/'.word(names, i)
-    set title (t == 0 ? title_of(i) : '')
+    set title (t == 0 ? title_of(i).'{/=9 :  ' : '{/=9 ').sprintf('%.1f %% of the rebounds lie outside}', outside[2 * i - 1 + t])
     set ylabel (t == 0 ? 'CoR_N' : 'CoR_T')
     set xlabel (t == 1 ? 'impact angle {/Symbol a}_1 / degrees' : '')
     set yrange [low(t):high(t)]
     if (t == 0) { set key top right } else { set key bottom left }
-    set label 1 sprintf('%.1f %% lie outside', outside[2 * i - 1 + t]) at graph 0.98, graph (t == 0 ? 0.72 : 0.25) right \
-      font ',9' tc '#666666'
     plot name.'.csv' using (strcol(1)[1:1] eq '#' || column(19) != 0 ? NaN : $11):(column(17 + t)) \
            every ::2 with points pt 7 ps 0.15 lc rgb '#9fc5dd' title 'impacts', \
          name.'.mean' using (real(word(strcol(1), 1))):(real(word(strcol(1), 2 + 2*t))):(real(word(strcol(1), 3 + 2*t))) \

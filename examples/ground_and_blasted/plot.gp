@@ -5,6 +5,16 @@ set output 'output/ground_and_blasted.png'
 set grid lc rgb '#dddddd' lw 0.5
 set border lc rgb '#444444'
 set tics nomirror
+# Of the grains that pass the screen: those that pass it beyond the axes.
+passed = 'ground blasted'
+array beyond[2]
+array all[2]
+do for [i=1:2] {
+  stats 'output/'.word(passed, i).'.foot' using ($1 > 70 || $1 < -10 || $2 > 20 || $2 < -20) nooutput
+  beyond[i] = STATS_sum
+  all[i] = STATS_records
+}
+outside(i) = sprintf('{/=9 :  %d of %d grains pass outside}', beyond[i], all[i])
 set multiplot layout 2,2 title 'The same jet (10 µm quartz, 100 m/s, 10°) on two plates with R_q 5 µm, {/Symbol l}_c 40 µm: where the grains pass a screen 10 mm over them'
 set xlabel 'along the jet / mm'
 set ylabel 'to the side / mm'
@@ -13,10 +23,10 @@ set yrange [-20:20]
 set arrow 1 from graph 0.02, graph 0.5 to graph 0.12, graph 0.5 lw 2 lc rgb '#d55e00' front
 set arrow 2 from graph 0.82, graph 0.08 to graph 0.94, graph 0.28 nohead lw 3 lc rgb '#444444' front
 set label 2 'lay' at graph 0.95, graph 0.30
-set title 'ground, the lay at 45° to the jet'
+set title 'ground, the lay at 45° to the jet'.outside(1)
 plot 'output/ground.foot' using 1:2 with points pt 7 ps 0.2 lc rgb '#0072b2' notitle
 unset arrow 2; unset label 2
-set title 'blasted'
+set title 'blasted'.outside(2)
 plot 'output/blasted.foot' using 1:2 with points pt 7 ps 0.2 lc rgb '#009e73' notitle
 unset arrow 1
 set title ''

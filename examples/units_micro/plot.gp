@@ -9,12 +9,20 @@ set xrange [0:90]
 set xtics 15
 set xlabel 'impact angle {/Symbol a}_1 / degrees'
 set key opaque font ',10'
+# The impacts that lie above or below the axes.
+stats 'output/pairs' using ($2 > 2.5) nooutput
+beyond_n = STATS_sum
+stats 'output/pairs' using ($4 < -1 || $4 > 2) nooutput
+beyond_t = STATS_sum
+outside(beyond) = sprintf('{/=9 %d of %d impacts lie outside}', beyond, STATS_records)
 set multiplot layout 1,2 title 'One case in two systems of units: the same impacts'
+set title outside(beyond_n)
 set ylabel 'CoR_N'
 set yrange [0:2.5]
 set key top right
 plot 'output/pairs' using 1:2 with points pt 6 ps 0.7 lc rgb '#1f5fa8' title 'units si', \
      '' using 1:3 with points pt 7 ps 0.35 lc rgb '#c8501e' title 'units micro'
+set title outside(beyond_t)
 set ylabel 'CoR_T'
 set yrange [-1:2]
 set key bottom left
