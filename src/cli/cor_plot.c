@@ -35,39 +35,109 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
   fprintf(gp, "%s; ", cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
 }
 
-/* What the axes cut off, over a panel. */
-static void print_outside(FILE *gp, size_t outside, size_t n, size_t means) {
-  if (outside == 0)
-    fputs("unset title\n", gp);
-  else if (means == 0)
-    fprintf(gp, "set title '{/=9 %.1f %% of the impacts lie outside}'\n",
-            100 * (double)outside / (double)n);
-  else
-    fprintf(gp, "set title '{/=9 %.1f %% of the impacts and %zu of the means lie outside}'\n",
-            100 * (double)outside / (double)n, means);
+/* A panel: CoR_N over the impact angle, or CoR_T. */
+typedef struct panel {
+  int t;                                    /* 1: CoR_T */
+  size_t drawn, outside;                    /* impacts; those that the axes cut off */
+  size_t means, means_outside;              /* of cells of 2 degrees */
+  bool rebounds;                            /* the smooth wall somewhere */
+  aspi_running cells[CELLS], angles[CELLS]; /* of the impacts */
+} panel;
+
+static const double bottom[] = {0, -1}, top[] = {3, 2};
+
+static bool is_outside(const panel *p, double y) {
+  return y < bottom[p->t] || y > top[p->t];
 }
 
-/* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
- */
-void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *rows, size_t n) {
-  static const char *const names[] = {"CoR_N", "CoR_T"};
-  static const double bottom[] = {0, -1}, top[] = {3, 2};
-  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
-  FILE *gp = cli_plot_stream(picture);
-  double d_p = s->sizes.list.count ? s->sizes.list.values[0] : s->sizes.median;
-  double speed = s->speeds.list.count ? s->speeds.list.values[0] : s->speeds.median;
-  cor_scene smooth = {.speeds = {.list = {&speed, 1}, .least = speed, .most = speed},
-                      .sizes = {.list = {&d_p, 1}, .least = d_p, .most = d_p}};
-  cli_option none[N + 1];
-  memcpy(none, options, sizeof none);
-  none[MODEL].value = "none";
-  cli_cor_read_wall(none, &smooth);
-  size_t every = n / 20000 + 1, deposits = 0;
+static void print_impacts(FILE *gp, panel *p, const cor_row *rows, size_t n, size_t every) {
+  fprintf(gp, "$scatter%d << EOD\n", p->t);
+  for (size_t i = 0; i < n; i++) {
+    if (rows[i].impact.outcome == ASP_DEPOSIT || (p->t && !rows[i].cor.cor_t_defined))
+      continue;
+    double y = p->t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
+    int cell = (int)(rows[i].alpha1 / 90 * CELLS);
+    cell = cell < CELLS ? cell : CELLS - 1;
+    aspi_running_add(&p->cells[cell], y);
+    aspi_running_add(&p->angles[cell], rows[i].alpha1);
+    p->outside += is_outside(p, y);
+    if (p->drawn++ % every == 0)
+      fprintf(gp, "%g %g\n", rows[i].alpha1, y);
+  }
+  fputs("EOD\n", gp);
+}
+
+static void print_means(FILE *gp, panel *p) {
+  fprintf(gp, "$mean%d << EOD\n", p->t);
+  for (int i = 0; i < CELLS; i++) {
+    const aspi_running *c = &p->cells[i];
+    if (c->n < 2)
+      continue;
+    fprintf(gp, "%g %g %g\n", p->angles[i].mean, c->mean, aspi_running_sd(c));
+    p->means++;
+    p->means_outside += is_outside(p, c->mean);
+  }
+  fputs("EOD\n", gp);
+}
+
+static void print_smooth(FILE *gp, panel *p, const cor_scene *smooth) {
+  fprintf(gp, "$smooth%d << EOD\n", p->t);
+  for (int i = 1; i < 180; i++) {
+    cor_row r = cli_cor_impact(smooth, 0.5 * i, 0, 1, 1);
+    if (r.impact.outcome != ASP_REBOUND)
+      continue;
+    p->rebounds = true;
+    fprintf(gp, "%g %g\n", 0.5 * i, p->t ? r.cor.cor_t : r.cor.cor_n);
+  }
+  fputs("EOD\n", gp);
+}
+
+/* What the axes cut off, over a panel. */
+static void print_outside(FILE *gp, const panel *p, size_t n) {
+  fputs("unset title\n", gp);
+  if (p->outside > 0)
+    fprintf(gp, "set title '{/=9 %.1f %% of the impacts", 100 * (double)p->outside / (double)n);
+  if (p->outside > 0 && p->means_outside > 0)
+    fprintf(gp, " and %zu of the means", p->means_outside);
+  if (p->outside > 0)
+    fputs(" lie outside}'\n", gp);
+}
+
+/* One of `every` impacts is drawn; the smooth wall is met by one size at one speed. */
+static void plot_panel(FILE *gp, int t, const cor_row *rows, size_t n, size_t every,
+                       const cor_scene *smooth) {
+  panel p = {.t = t};
+  print_impacts(gp, &p, rows, n, every);
+  print_means(gp, &p);
+  print_smooth(gp, &p, smooth);
+  fprintf(gp, "set ylabel 'CoR_%c'\nset yrange [%g:%g]\nset key %s opaque\n", t ? 'T' : 'N',
+          bottom[t], top[t], t ? "bottom left" : "top right");
+  print_outside(gp, &p, n);
+  fputs("plot NaN notitle", gp);
+  if (p.drawn > 0)
+    fprintf(gp, ", $scatter%d with points pt 7 ps 0.2 lc rgb '#9fc5dd' title 'impacts", t);
+  if (p.drawn > 0 && every > 1)
+    fprintf(gp, ", one of %zu", every);
+  if (p.drawn > 0)
+    fputc('\'', gp);
+  if (p.means > 0)
+    fprintf(gp,
+            ", $mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title "
+            "'mean ± sd'",
+            t);
+  if (p.rebounds)
+    fprintf(gp, ", $smooth%d with lines ls 2 dt 1", t);
+  else
+    fputs(", keyentry with lines ls 2 dt 1", gp);
+  fprintf(gp, " title 'smooth wall, %.3g µm, %.3g m/s%s'\n", smooth->sizes.least * 1e6,
+          smooth->speeds.least, p.rebounds ? "" : " (sticks)");
+}
+
+static void print_title(FILE *gp, const cli_plot *picture, const cli_option *options,
+                        const cor_scene *s, const cor_row *rows, size_t n) {
+  size_t deposits = 0;
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
-  char thinned[40] = "";
-  if (every > 1)
-    snprintf(thinned, sizeof thinned, ", one of %zu", every);
   fprintf(gp, "set multiplot layout 1,2 title '{/=10 %s on %s, %s; ",
           cli_plot_label(picture, asp_material_name(s->law.particle)).text,
           cli_plot_label(picture, options[LAW + LAW_WALL].value).text,
@@ -79,58 +149,27 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
   print_values(gp, &s->sizes, 1e6, "µm");
   fprintf(gp, "%zu impacts, %.1f %% stick and are left out}'\n", n,
           100 * (double)deposits / (double)n);
+}
+
+/* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
+ */
+void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *rows, size_t n) {
+  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
+  FILE *gp = cli_plot_stream(picture);
+  double d_p = s->sizes.list.count ? s->sizes.list.values[0] : s->sizes.median;
+  double speed = s->speeds.list.count ? s->speeds.list.values[0] : s->speeds.median;
+  cor_scene smooth = {.speeds = {.list = {&speed, 1}, .least = speed, .most = speed},
+                      .sizes = {.list = {&d_p, 1}, .least = d_p, .most = d_p}};
+  cli_option none[N + 1];
+  memcpy(none, options, sizeof none);
+  none[MODEL].value = "none";
+  cli_cor_read_wall(none, &smooth);
+  print_title(gp, picture, options, s, rows, n);
   fputs("set xrange [0:90]\nset xtics 15\n"
         "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
         gp);
-  for (int t = 0; t < 2; t++) {
-    aspi_running cells[CELLS] = {{0, 0, 0}}, angles[CELLS] = {{0, 0, 0}};
-    size_t outside = 0, means = 0;
-    bool rebounds = false, every_one_sticks = true;
-    fprintf(gp, "$scatter%d << EOD\n", t);
-    for (size_t i = 0; i < n; i++) {
-      if (rows[i].impact.outcome == ASP_DEPOSIT || (t && !rows[i].cor.cor_t_defined))
-        continue;
-      double y = t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
-      int cell = (int)(rows[i].alpha1 / 90 * CELLS);
-      cell = cell < CELLS ? cell : CELLS - 1;
-      aspi_running_add(&cells[cell], y);
-      aspi_running_add(&angles[cell], rows[i].alpha1);
-      every_one_sticks = false;
-      outside += y < bottom[t] || y > top[t];
-      if (i % every == 0)
-        fprintf(gp, "%g %g\n", rows[i].alpha1, y);
-    }
-    fprintf(gp, "EOD\n$mean%d << EOD\n", t);
-    for (int i = 0; i < CELLS; i++) {
-      if (cells[i].n > 1)
-        fprintf(gp, "%g %g %g\n", angles[i].mean, cells[i].mean, aspi_running_sd(&cells[i]));
-      means += cells[i].n > 1 && (cells[i].mean < bottom[t] || cells[i].mean > top[t]);
-    }
-    fprintf(gp, "EOD\n$smooth%d << EOD\n", t);
-    for (int i = 1; i < 180; i++) {
-      cor_row r = cli_cor_impact(&smooth, 0.5 * i, 0, 1, 1);
-      rebounds = rebounds || r.impact.outcome == ASP_REBOUND;
-      if (r.impact.outcome == ASP_REBOUND)
-        fprintf(gp, "%g %g\n", 0.5 * i, t ? r.cor.cor_t : r.cor.cor_n);
-    }
-    fprintf(gp, "EOD\nset ylabel '%s'\nset yrange [%g:%g]\nset key %s opaque\n", names[t],
-            bottom[t], top[t], t ? "bottom left" : "top right");
-    print_outside(gp, outside, n, means);
-    if (every_one_sticks)
-      fputs("plot NaN notitle, ", gp);
-    else
-      fprintf(
-          gp,
-          "plot $scatter%d with points pt 7 ps 0.2 lc rgb '#9fc5dd' title 'impacts%s', "
-          "$mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title 'mean ± sd', ",
-          t, thinned, t);
-    if (rebounds)
-      fprintf(gp, "$smooth%d with lines ls 2 dt 1", t);
-    else
-      fputs("keyentry with lines ls 2 dt 1", gp);
-    fprintf(gp, " title 'smooth wall, %.3g µm, %.3g m/s%s'\n", d_p * 1e6, speed,
-            rebounds ? "" : " (sticks)");
-  }
+  for (int t = 0; t < 2; t++)
+    plot_panel(gp, t, rows, n, n / 20000 + 1, &smooth);
   fputs("unset multiplot\n", gp);
   cli_cor_free_wall(&smooth);
   cli_plot_close(picture);

@@ -56,6 +56,8 @@ refuses 2 "own or ledger" -- cor --model none --columns both
 head -c 4 cor.png | grep -q PNG || die "cor --plot"
 "$asperity" cor --rq 5um --lambda-c 40um --samples 500 --plot cor.svg -o c 2> err
 grep -q 'of the impacts and .* of the means lie outside' cor.svg && grep -q 'one of 3' cor.svg || die "cor --plot: what it leaves out"
+"$asperity" cor --sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
+! grep -q warning err || die "cor --plot of one impact: $(cat err)"
 "$asperity" cor --sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err
 grep -q 'm/s (sticks)' cor.svg && ! grep -q warning err || die "cor --plot where all stick: $(cat err)"
 "$asperity" spread --sigma 10 --plot spread.svg -o s 2> err
