@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/wall.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,18 +31,15 @@ const double CROWDED = 0.01;
 /* What a sum of rounded numbers may be off where it is compared with another one. */
 const double ROUNDING = 1e-9;
 
-/* Ahead::steps of a particle that is stuck, or not of the group: never near; and of one that rested
+/* Ahead::due of a particle that is stuck, or not of the group: never near; and of one that rested
  * in the last step: near without another look. */
-const float NEVER = 1e30f, AT_REST = -NEVER;
-
-/* What is taken from them where a particle strays more than it may: more than AHEAD_MOST. */
-const float USED_UP = 1e4f;
+const int NEVER = INT_MAX, AT_REST = -1;
 
 /* The sums of so many pieces are told at once. */
 const size_t SHOWN = 32768;
 
-/* So many particles are looked at together, which the compiler makes the most of. */
-const int BLOCK = 128;
+/* Whether any of so many particles must be looked at is found out without looking at each. */
+const int BLOCK = 32;
 
 /* A look ahead is along so many steps. */
 const double AHEAD_MOST = 512;
@@ -50,12 +48,15 @@ const double AHEAD_MOST = 512;
  * the smallest. */
 const double STRAY = 2e-3;
 
+/* Less than 1/sqrt(3): the length of a vector whose components are no larger is below 1. */
+const double COMPONENT = 0.577;
+
 } // namespace
 
 Wall::Wall(const Engine &engine)
     : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
-      box_(), state_(NULL), place_(NULL), travel_(0), stray_(0), counters_(), clock_(), fastest_(),
-      dt_(0), warned_(false), has_doomed_(false) {}
+      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), counters_(), clock_(),
+      fastest_(), dt_(0), warned_(false), has_doomed_(false) {}
 
 Wall::Sums::Sums(size_t count)
     : count_(count), numbers_(static_cast<double *>(calloc(count + 1, sizeof(double))), free) {
@@ -178,7 +179,7 @@ void Wall::reorder(const Spheres &spheres) {
   const size_t n = static_cast<size_t>(spheres.n);
   if (!repeats())
     look_anew();
-  ahead_.steps.resize(n);
+  ahead_.due.resize(n);
   ahead_.v.resize(3 * n);
   ahead_.tag.resize(n, -1);
   for (size_t i = 0; i < n;
@@ -187,7 +188,7 @@ void Wall::reorder(const Spheres &spheres) {
     if (ahead_.tag[i] == tag)
       continue;
     ahead_.tag[i] = tag;
-    ahead_.steps[i] = 0;
+    ahead_.due[i] = 0;
   }
   check_speeds(spheres);
 }
@@ -202,7 +203,8 @@ bool Wall::repeats() const {
 }
 
 void Wall::look_anew() {
-  std::fill(ahead_.steps.begin(), ahead_.steps.end(), 0.f);
+  ahead_.now = 0;
+  std::fill(ahead_.due.begin(), ahead_.due.end(), 0);
 }
 
 /* One formula for the time of a step, whether or not the run was interrupted before it. */
@@ -348,6 +350,22 @@ void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
   }
 }
 
+/* Whether a velocity differs by more than that from the one that was looked ahead along; of n
+ * components. */
+static bool any_strays(const double *v, const float *along, int n, float most) {
+  int over = 0;
+  for (int k = 0; k < n; k++)
+    over += !(fabsf(static_cast<float>(v[k]) - along[k]) <= most);
+  return over > 0;
+}
+
+static bool any_due(const int *due, int n, int now) {
+  int over = 0;
+  for (int i = 0; i < n; i++)
+    over += due[i] <= now;
+  return over > 0;
+}
+
 /* Particles that may touch this wall in this step. Most are known to be too far away: their way was
  * looked ahead on for some steps, in which they may stray from it a little. */
 void Wall::find_near(const Spheres &s, std::vector<int> &near) {
@@ -358,22 +376,17 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
     travel_ = 2 * travel;
     look_anew();
   }
-  const float weight = stray_ > 0 ? static_cast<float>(s.dt / stray_) : 0;
+  ahead_.now++;
+  const float most = static_cast<float>(COMPONENT * stray_ / s.dt);
   for (int first = 0; first < s.n; first += BLOCK) {
     const int count = std::min(BLOCK, s.n - first);
     const double *v = s.v + 3 * static_cast<size_t>(first);
     const float *along = ahead_.v.data() + 3 * static_cast<size_t>(first);
-    float *steps = ahead_.steps.data() + first, off[3 * BLOCK];
-    int over = 0;
-    for (int k = 0; k < 3 * count; k++)
-      off[k] = fabsf(static_cast<float>(v[k]) - along[k]);
-    for (int i = 0; i < count; i++) {
-      const float strays = weight * (off[3 * i] + off[3 * i + 1] + off[3 * i + 2]);
-      steps[i] -= strays > 1 ? USED_UP : 1;
-      over += !(steps[i] > 0);
-    }
-    for (int i = 0; over > 0 && i < count; i++)
-      if (!(steps[i] > 0))
+    const int *due = ahead_.due.data() + first;
+    if (!any_strays(v, along, 3 * count, most) && !any_due(due, count, ahead_.now))
+      continue;
+    for (int i = 0; i < count; i++)
+      if (due[i] <= ahead_.now || any_strays(v + 3 * i, along + 3 * i, 3, most))
         look_ahead(s, first + i, near);
   }
 }
@@ -383,12 +396,13 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
  * thrown back to the wall by another would be there before.) */
 void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
-  float *steps = &ahead_.steps[i], *along = &ahead_.v[3 * static_cast<size_t>(i)];
+  float *along = &ahead_.v[3 * static_cast<size_t>(i)];
+  int *due = &ahead_.due[i];
   const bool out = !(s.mask[i] & groupbit_) || state(i)[STATE] > FREE;
   for (int d = 0; d < 3; d++)
-    along[d] = out ? 0 : static_cast<float>(v[d]);
-  *steps = out ? NEVER : *steps < 0.5f * AT_REST ? 0 : static_cast<float>(steps_clear(s, i));
-  if (!(*steps > 0))
+    along[d] = static_cast<float>(v[d]);
+  *due = out ? NEVER : *due == AT_REST ? 0 : ahead_.now + steps_clear(s, i);
+  if (*due <= ahead_.now)
     near.push_back(i);
 }
 
@@ -492,7 +506,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     event.wall->count(flight, event);
   for (Wall *each : walls)
     if (s.mask[i] & each->groupbit_)
-      each->ahead_.steps[i] = each->is_at_rest(i) ? AT_REST : 0;
+      each->ahead_.due[i] = each->is_at_rest(i) ? AT_REST : 0;
   if (!touched || stuck)
     return;
   vector_copy(flight.half, s.v + 3 * static_cast<size_t>(i));
@@ -884,9 +898,8 @@ void Wall::show_sums(size_t shape,
 }
 
 double Wall::bytes() const {
-  size_t all = stuck_.capacity() * sizeof(int) +
-               (ahead_.steps.capacity() + ahead_.v.capacity()) * sizeof(float) +
-               ahead_.tag.capacity() * sizeof(int64_t);
+  size_t all = stuck_.capacity() * sizeof(int) + ahead_.due.capacity() * sizeof(int) +
+               ahead_.v.capacity() * sizeof(float) + ahead_.tag.capacity() * sizeof(int64_t);
   for (const Member &member : shapes_)
     all += member.shape->bytes() + member.sums.size() * sizeof(double);
   return static_cast<double>(all) + (ledger_ ? ledger_->memory_usage() : 0);

@@ -176,10 +176,12 @@ private:
   /* The contacts of one particle in one step. */
   struct Flight;
 
-  /* Of each particle, for how many steps it cannot touch if it keeps this velocity. */
+  /* Of each particle, until which step it cannot touch if it keeps this velocity. */
   struct Ahead {
-    std::vector<float> steps, v; /* rows of three */
-    std::vector<int64_t> tag;    /* of whom this is */
+    int now; /* steps are counted from the beginning of the run */
+    std::vector<int> due;
+    std::vector<float> v;     /* rows of three */
+    std::vector<int64_t> tag; /* of whom this is */
   };
 
   /* The fastest particle of this rank in this run, by its radii per time. */
