@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/wall.h"
 
+#include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -407,15 +408,17 @@ void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
 }
 
 /* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
- * strays no more than it may; 0 where it may touch in this one. */
+ * strays no more than it may; 0 where it may touch in this one. Straying is told in single
+ * precision only. */
 int Wall::steps_clear(const Spheres &s, int i) const {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
-  const double widen = stray_ + travel_, reach = (1 + ROUNDING) * s.radius[i] + widen;
   double begin[3], by[3], steps = AHEAD_MOST;
   for (int d = 0; d < 3; d++) {
     by[d] = v[d] * s.dt;
     begin[d] = x[d] - by[d];
   }
+  const double widen = stray_ + FLT_EPSILON * vector_length(by) + travel_;
+  const double reach = (1 + ROUNDING) * s.radius[i] + widen;
   for (const Member &member : shapes_)
     steps = std::min(steps, member.shape->clear(begin, by, reach, widen, steps));
   return static_cast<int>((1 - ROUNDING) * steps);
