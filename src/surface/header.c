@@ -191,87 +191,106 @@ static bool are_known(const column *columns) {
   "say which columns are positions and heights (x-column, z-column), or the step of heights "      \
   "alone (step)"
 
+/* What is known of a line's columns, and where a reason goes. */
+typedef struct choice {
+  const aspi_profile_options *options;
+  column columns[COLUMNS_MOST];
+  int fields, used, named; /* fields of a line, those before empty ones, and names above them */
+  char separator;
+  char *why;
+  size_t size;
+} choice;
+
 /* Whether names, where there is more than there must be, are as many as columns. */
-static bool are_named(const aspi_profile_options *options, char separator, int used, int fields,
-                      int named, char *why, size_t size) {
-  if (used <= (options->step > 0 ? 1 : 2) || named == used || named == fields)
+static bool are_named(const choice *c) {
+  if (c->used <= (c->options->step > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
     return true;
-  snprintf(why, size, "%d columns under %d names%s; " ASK_COLUMNS, used, named,
-           separator == ','
-               ? " (or are there decimal commas? Those need semicolons or tabs between "
-                 "the columns)"
+  snprintf(c->why, c->size, "%d columns under %d names%s; " ASK_COLUMNS, c->used, c->named,
+           c->separator == ','
+               ? " (or are there decimal commas? Those need semicolons or tabs between the columns)"
                : "");
   return false;
 }
 
 /* A column that nobody asked for and that is no length by its name or unit. */
-static bool is_none(int found, int asked, const column *columns, int fields, char *why,
-                    size_t size) {
-  if (asked >= 0 || found < 0 || found >= fields || columns[found].kind != NO_LENGTH)
+static bool is_none(const choice *c, int found, int asked) {
+  if (asked >= 0 || found < 0 || found >= c->fields || c->columns[found].kind != NO_LENGTH)
     return false;
-  snprintf(why, size, "'%.40s' is no length by the header; " ASK_COLUMNS, columns[found].name);
+  snprintf(c->why, c->size, "'%.40s' is no length by the header; " ASK_COLUMNS,
+           c->columns[found].name);
   return true;
 }
 
-static bool choose_both(const aspi_profile_options *options, const column *columns, char separator,
-                        int fields, int used, int named, aspi_columns *chosen, char *why,
-                        size_t size) {
-  int asked_x = asked_for("positions", options->x_column, columns, fields, why, size);
-  int asked_z = asked_for("heights", options->z_column, columns, fields, why, size);
-  if (options->x_number > 0 && asked_x == -1)
-    asked_x = options->x_number - 1;
-  if (options->column > 0 && asked_z == -1)
-    asked_z = options->column - 1;
-  if (asked_x == -2 || asked_z == -2)
-    return false;
-  if (asked_x >= 0 && asked_x == asked_z) {
-    snprintf(why, size, "column %d is asked for as positions and as heights", asked_x + 1);
-    return false;
+/* The columns that the user asked for, -1 where none; false where they cannot be meant. */
+static bool find_asked(const choice *c, int *x, int *z) {
+  const aspi_profile_options *o = c->options;
+  *x = asked_for("positions", o->x_column, c->columns, c->fields, c->why, c->size);
+  *z = asked_for("heights", o->z_column, c->columns, c->fields, c->why, c->size);
+  if (o->x_number > 0 && *x == -1)
+    *x = o->x_number - 1;
+  if (o->column > 0 && *z == -1)
+    *z = o->column - 1;
+  bool same = *x >= 0 && *x == *z;
+  if (same)
+    snprintf(c->why, c->size, "column %d is asked for as positions and as heights", *x + 1);
+  return *x != -2 && *z != -2 && !same;
+}
+
+/* Completes the columns, where x = fields stands for none; -1 where there is none. */
+static void complete(const choice *c, int *x, int *z) {
+  int with_unit = 0, n = c->fields;
+  for (int i = 0; i < n; i++)
+    with_unit += c->columns[i].unit > 0;
+  bool heights_alone = c->options->step > 0, units = with_unit >= (heights_alone ? 1 : 2);
+  if (c->named == 0 || (n <= 2 && !units && !are_known(c->columns))) {
+    *x = *x >= 0 ? *x : *z == 0 && n > 1 ? 1 : 0;
+    *z = *z >= 0 ? *z : heights_alone && c->columns[0].kind != NO_LENGTH ? 0 : *x == 1 ? 0 : 1;
   }
-  if (asked_z < 0 && !are_named(options, separator, used, fields, named, why, size))
+  if (*z < 0)
+    *z = first_of(HEIGHT, c->columns, n, *x, units);
+  if (*x < 0)
+    *x = first_of(POSITION, c->columns, n, *z, units);
+  if (*x < 0)
+    *x = first_length(c->columns, n, *z, units);
+  if (*z < 0)
+    *z = first_length(c->columns, n, *x, units);
+}
+
+static bool choose_both(const choice *c, aspi_columns *chosen) {
+  int asked_x, asked_z;
+  if (!find_asked(c, &asked_x, &asked_z) || (asked_z < 0 && !are_named(c)))
     return false;
-  int with_unit = 0;
-  for (int i = 0; i < fields; i++)
-    with_unit += columns[i].unit > 0;
-  bool units = with_unit >= (options->step > 0 ? 1 : 2);
-  int x = options->step > 0 ? fields : asked_x, z = asked_z; /* fields: no column */
-  if (named == 0 || (fields <= 2 && !units && !are_known(columns))) {
-    x = x >= 0 ? x : z == 0 && fields > 1 ? 1 : 0;
-    z = z >= 0 ? z : options->step > 0 && columns[0].kind != NO_LENGTH ? 0 : x == 1 ? 0 : 1;
-  }
-  if (z < 0)
-    z = first_of(HEIGHT, columns, fields, x, units);
-  if (x < 0)
-    x = first_of(POSITION, columns, fields, z, units);
-  if (x < 0)
-    x = first_length(columns, fields, z, units);
-  if (z < 0)
-    z = first_length(columns, fields, x, units);
+  bool heights_alone = c->options->step > 0;
+  int x = heights_alone ? c->fields : asked_x, z = asked_z;
+  complete(c, &x, &z);
   if (x < 0 || z < 0) {
     int only = x >= 0 ? x : z;
-    snprintf(why, size, "%s%.40s%s a length by the header; " ASK_COLUMNS,
-             only < 0 ? "no column is" : "only '", only < 0 ? "" : columns[only].name,
+    snprintf(c->why, c->size, "%s%.40s%s a length by the header; " ASK_COLUMNS,
+             only < 0 ? "no column is" : "only '", only < 0 ? "" : c->columns[only].name,
              only < 0 ? "" : "' is");
     return false;
   }
-  if (is_none(x, asked_x, columns, fields, why, size) ||
-      is_none(z, asked_z, columns, fields, why, size))
+  if (is_none(c, x, asked_x) || is_none(c, z, asked_z))
     return false;
-  *chosen = (aspi_columns){.x = options->step > 0 ? -1 : x,
+  *chosen = (aspi_columns){.x = heights_alone ? -1 : x,
                            .z = z,
-                           .unit_x = x < fields ? columns[x].unit : 1,
-                           .unit_z = columns[z].unit};
+                           .unit_x = x < c->fields ? c->columns[x].unit : 1,
+                           .unit_z = c->columns[z].unit};
   return true;
 }
 
 bool aspi_choose_columns(const aspi_header *header, char separator, int fields, int used,
                          const aspi_profile_options *options, aspi_columns *chosen, char *why,
                          size_t size) {
-  column columns[COLUMNS_MOST] = {{"", 0, UNKNOWN}};
-  if (fields > COLUMNS_MOST)
-    fields = COLUMNS_MOST;
-  int named = read_header(header, separator, fields, columns);
-  return choose_both(options, columns, separator, fields, used, named, chosen, why, size);
+  choice c = {.options = options,
+              .columns = {{"", 0, UNKNOWN}},
+              .fields = fields < COLUMNS_MOST ? fields : COLUMNS_MOST,
+              .used = used,
+              .separator = separator,
+              .why = why,
+              .size = size};
+  c.named = read_header(header, separator, c.fields, c.columns);
+  return choose_both(&c, chosen);
 }
 
 static int first_named(char name, const column *columns, int fields) {
