@@ -101,7 +101,8 @@ void asp_reader_free(asp_reader *reader);
  *   tip, lambda_s, cutoff, robust
  *                   filters, in metres (0: left out): the radius of the stylus whose dilation is
  *                   undone; the wavelengths below and beyond which a Gaussian filter of ISO
- *                   16610-21 takes waves out; robust 1: the latter by ISO 16610-31 */
+ *                   16610-21 takes waves out; robust 1: the latter by ISO 16610-31
+ * What a file in SDF states itself (units, step_x, missing) is refused when it is read. */
 asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
 
 /* The profile of a file; the message names file and line. */
@@ -129,9 +130,10 @@ double asp_map_step_y(const asp_map *map);
 const float *asp_map_heights(const asp_map *map);
 
 /* The map of a file: SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or
- * lines of x, y, z on a grid. The reader's options count as for profiles: form is the degree of a
- * polynomial in x and y, row, column and resample say nothing; besides step_x, step_y  metres
- * between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
+ * lines of x, y, z on a grid, in columns of these names, or where there are three columns. The
+ * reader's options count as for profiles: form is the degree of a polynomial in x and y; row,
+ * column, x_column and the filters are refused, resample says nothing; besides step_x, step_y
+ * metres between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
  * matrices do; step_y: as step_x) Closed formats are refused with the name of a free program that
  * converts them. */
 asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error);

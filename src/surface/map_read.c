@@ -197,13 +197,28 @@ static const struct {
               {"GWYP", "Gwyddion's own"},
               {"\x89HDF", "HDF5"}};
 
+/* What applies to profiles only. */
+static asp_code check_options(const char *path, const aspi_profile_options *o, asp_error *error) {
+  const struct {
+    const char *name;
+    bool given;
+  } all[] = {{"tip", o->filters.tip > 0},       {"lambda_s", o->filters.lambda_s > 0},
+             {"cutoff", o->filters.cutoff > 0}, {"column", o->column > 0},
+             {"x_column", o->x_number > 0},     {"row", o->row != 1}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (all[i].given)
+      return aspi_fail(error, ASP_EARG, "%.200s: %s is given, which is for profiles, not for maps",
+                       path, all[i].name);
+  return ASP_OK;
+}
+
 asp_map *aspi_map_read_stream(FILE *stream, const char *path, const aspi_map_options *options,
                               aspi_profile_report *report, asp_error *error) {
   aspi_raw_map raw = {.zero = NAN};
   char begin[32] = "";
   begin[fread(begin, 1, sizeof begin - 1, stream)] = '\0';
   rewind(stream);
-  asp_code code = ASP_OK;
+  asp_code code = check_options(path, options->read, error);
   for (size_t i = 0; i < sizeof closed / sizeof *closed && !code; i++)
     if (strncmp(begin, closed[i].begins, strlen(closed[i].begins)) == 0)
       code =

@@ -148,6 +148,8 @@ static void columns_are_chosen_by_their_names(void **state) {
   }
   asp_reader_set(reader, "step_x", 1e-6, NULL);
   refuse("map", "has the positions of its points");
+  asp_reader_set(reader, "cutoff", 1e-4, NULL);
+  refuse("map", "cutoff is given, which is for profiles");
 }
 
 /* Instruments' marks, positions beside the heights, decimal commas beside commas, noise. */
