@@ -53,7 +53,7 @@ cli_window *cli_window_create(const scatter_point *points, size_t count, int whi
     w->leaves *= 2;
   w->rank = cli_allocate(w->count, sizeof *w->rank);
   w->sorted = cli_allocate(w->count, sizeof *w->sorted);
-  w->inside = cli_allocate(w->leaves, sizeof *w->inside);
+  w->inside = cli_allocate(w->leaves + 1, sizeof *w->inside); /* from 1 */
   w->tree = cli_allocate(2 * w->leaves, sizeof *w->tree);
   for (size_t i = 0; i < w->count; i++)
     w->tree[w->leaves + i] = (aspi_running){1, values[i].value, 0};
