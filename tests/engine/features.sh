@@ -55,6 +55,14 @@ run 150'
 rm -f rows.csv; engine 2 runs.in
 same <(rows plain.csv) <(rows rows.csv) "reset_timestep"
 
+# A wall that is drawn in other units of length.
+awk '$1 == "vertex" { printf "vertex %.17g %.17g %.17g\n", 1000 * $2, 1000 * $3, 1000 * $4; next } { print }' plate.stl > mm.stl
+in_metres=$wall
+wall=${wall/plate.stl/mm.stl scale 1e-3}
+script scale '' ''
+wall=$in_metres
+unchanged scale 2 1e-9
+
 # Groups, and walls beside each other: each grain is its own group's wall's.
 script groups 'group odd id 1:400:2
 group even subtract all odd' "unfix wall
