@@ -141,16 +141,25 @@ static void print_regimes(FILE *out, const rebound_map *m) {
     }
 }
 
+/* The wall and, where there are several, the law: the first columns. */
+static void print_names(FILE *out, const rebound_map *m, const rebound_wall *wall) {
+  cli_print_field(out, wall->name);
+  if (m->n_laws > 1)
+    fprintf(out, ",%s", cli_rebound_law_name(wall));
+  fputc(',', out);
+}
+
 static void print_capture(FILE *out, const rebound_map *m) {
-  fputs("# empty: every speed up to 1e5 m/s sticks; 0: none does\n"
-        "wall,law,dp_um,alpha1_deg,capture_speed_m_s\n",
-        out);
+  fprintf(out,
+          "# empty: every speed up to 1e5 m/s sticks; 0: none does\n"
+          "wall,%sdp_um,alpha1_deg,capture_speed_m_s\n",
+          m->n_laws > 1 ? "law," : "");
   for (size_t w = 0; w < m->n_walls; w++)
     for (size_t i = 0; i < m->sizes.count; i++) {
       double d_p = m->sizes.values[i], degrees = m->angles.values[0];
       double speed = cli_rebound_capture_speed(&m->walls[w], d_p, degrees);
-      cli_print_field(out, m->walls[w].name);
-      fprintf(out, ",%s,%.6g,%.6g,", cli_rebound_law_name(&m->walls[w]), d_p * 1e6, degrees);
+      print_names(out, m, &m->walls[w]);
+      fprintf(out, "%.6g,%.6g,", d_p * 1e6, degrees);
       if (isfinite(speed))
         fprintf(out, "%.6g", speed);
       fputc('\n', out);
@@ -158,16 +167,15 @@ static void print_capture(FILE *out, const rebound_map *m) {
 }
 
 static void print_angles(FILE *out, const rebound_map *m) {
-  fputs("wall,law,dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", out);
+  fprintf(out, "wall,%sdp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", m->n_laws > 1 ? "law," : "");
   for (size_t w = 0; w < m->n_walls; w++)
     for (size_t i = 0; i < m->sizes.count; i++)
       for (size_t k = 0; k < m->speeds.count; k++)
         for (size_t a = 0; a < m->angles.count; a++) {
           double d_p = m->sizes.values[i], speed = m->speeds.values[k];
           rebound_row r = cli_rebound_row(&m->walls[w], d_p, speed, m->angles.values[a]);
-          cli_print_field(out, m->walls[w].name);
-          fprintf(out, ",%s,%.6g,%.6g,%.6g,%.6g,", cli_rebound_law_name(&m->walls[w]), d_p * 1e6,
-                  speed, m->angles.values[a], r.cor.cor_n);
+          print_names(out, m, &m->walls[w]);
+          fprintf(out, "%.6g,%.6g,%.6g,%.6g,", d_p * 1e6, speed, m->angles.values[a], r.cor.cor_n);
           if (r.cor.cor_t_defined)
             fprintf(out, "%.6g", r.cor.cor_t);
           fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
