@@ -345,6 +345,7 @@ static double share_between(const asp_wall *wall, const measure_case *subject, d
                     .alpha1 = alpha1,
                     .d_p = subject->d_p,
                     .data = wall->data,
+                    .phi_r = asp_surface_phi_r(wall->surface),
                     .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
   return wall->spread->distribution(&view, high) - wall->spread->distribution(&view, low);
 }

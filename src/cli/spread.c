@@ -60,6 +60,7 @@ static aspi_view view_of(const cli_rough *rough, double d_p) {
                                       : asp_surface_slope(surface, d_p);
   aspi_view view = aspi_view_of(atan(slope), 0);
   view.kappa = asp_surface_kappa(surface, d_p) * part;
+  view.phi_r = asp_surface_phi_r(surface) * sqrt(part);
   view.d_p = d_p;
   return view;
 }

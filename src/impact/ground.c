@@ -53,7 +53,8 @@ aspi_slopes_along aspi_ground_slopes(const aspi_ground *ground, aspi_heading hea
   aspi_slopes_along s = {.slope = ground->slope[0],
                          .sd = ground->slope[0],
                          .kappa = ground->kappa * along,
-                         .kappa_across = ground->kappa * across};
+                         .kappa_across = ground->kappa * across,
+                         .phi_r = asp_surface_phi_r(ground->wall->surface) * sqrt(along)};
   if (!ground->wall->isotropic) {
     if (ss > 0) /* a disc on the profile along the flight */
       s.slope = aspi_surface_slope_along(ground->wall->surface, ground->particle->d_p, along);

@@ -41,9 +41,9 @@ aspi_heading aspi_heading_of(const aspi_ground *ground, const frame *f);
 aspi_heading aspi_heading_turned(aspi_heading from, double x, double y);
 
 /* Along a heading: the rms slope along the flight, and q = beta p + sd N(0,1) across it; kappa by
- * the curvatures along and across the flight. */
+ * the curvatures along and across the flight; r_q over the correlation length along it. */
 typedef struct aspi_slopes_along {
-  double slope, beta, sd, kappa, kappa_across;
+  double slope, beta, sd, kappa, kappa_across, phi_r;
 } aspi_slopes_along;
 
 aspi_slopes_along aspi_ground_slopes(const aspi_ground *ground, aspi_heading heading);

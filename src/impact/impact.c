@@ -72,6 +72,7 @@ static outlook look(const aspi_ground *ground, aspi_heading heading, double alph
                          .d_p = ground->particle->d_p,
                          .data = wall->data,
                          .kappa = out.slopes.kappa,
+                         .phi_r = out.slopes.phi_r,
                          .has_azimuth = aspi_ground_has_lay(ground),
                          .azimuth = -atan2(heading.sine, heading.cosine)};
   return out;

@@ -1,8 +1,9 @@
 /* The law of the first hit on a Gaussian wall, from the table of an ensemble (first_hits.csv, made
  * by make_first_hits.c): x = slope/s_eff where the share below is Phi(z), over z, a =
- * tan(alpha1)/s_eff and kappa. Between the nodes a cubic through four of them in z (Catmull & Rom
- * 1974), which is monotone here, and straight lines in a/(1 + a) and log2(1 + 8 kappa). Below the
- * first node x + a falls exponentially with z, above the last one x is linear, as a normal law is.
+ * tan(alpha1)/s_eff, kappa and phi_r. Between the nodes a cubic through four of them in z (Catmull
+ * & Rom 1974), which is monotone here, and straight lines in a/(1 + a), log2(1 + 8 kappa) and
+ * phi_r. Below the first node x + a falls exponentially with z, above the last one x is linear, as
+ * a normal law is.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/ensemble.h"
@@ -13,21 +14,22 @@
 #include "first_hits.inc"
 
 _Static_assert(sizeof slope / sizeof *slope ==
-                   ASP_ENSEMBLE_AS * ASP_ENSEMBLE_KAPPAS * ASP_ENSEMBLE_ZS,
+                   ASP_ENSEMBLE_PHIS * ASP_ENSEMBLE_KAPPAS * ASP_ENSEMBLE_AS * ASP_ENSEMBLE_ZS,
                "first_hits.csv does not have the nodes of ensemble.h");
 
 /* Larger a are normal impact. */
 #define A_MOST 1e6
 
-/* The quantiles of one view: those of the nodes around it in a and kappa, weighted. */
+/* The quantiles of one view: those of the nodes around it in a, kappa and phi_r, weighted. */
 typedef struct law {
-  const float *corner[4];
-  double weight[4], a;
+  int corners; /* 4 where phi_r is that of a node, else 8 */
+  const float *corner[8];
+  double weight[8], a;
 } law;
 
 static double node(const law *w, int i) {
   double sum = 0;
-  for (int k = 0; k < 4; k++)
+  for (int k = 0; k < w->corners; k++)
     sum += w->weight[k] * w->corner[k][i];
   return sum;
 }
@@ -37,15 +39,30 @@ static int step_of(double at, int nodes) {
   return (int)fmin(at, nodes - 2);
 }
 
+/* The node below a phi_r, and the part of the step to the next; those beyond the ends are as there.
+ */
+static int phi_below(double phi_r, double *part) {
+  const double *nodes = aspi_ensemble_phi_r;
+  int last = ASP_ENSEMBLE_PHIS - 1, i = 0;
+  while (i < last && phi_r >= nodes[i + 1])
+    i++;
+  *part = i < last ? fmax(0, (phi_r - nodes[i]) / (nodes[i + 1] - nodes[i])) : 0;
+  return i;
+}
+
 static law law_at(const aspi_view *view) {
   law w = {.a = fmin(tan(view->alpha1) / view->slope, A_MOST)};
   double at_a = (ASP_ENSEMBLE_AS - 1) * (w.a / (1 + w.a));
   double at_kappa = fmin(2 * log2(1 + 8 * view->kappa), ASP_ENSEMBLE_KAPPAS - 1);
   int a = step_of(at_a, ASP_ENSEMBLE_AS), kappa = step_of(at_kappa, ASP_ENSEMBLE_KAPPAS);
-  double part_a = at_a - a, part_kappa = at_kappa - kappa;
-  for (int k = 0; k < 4; k++) {
-    w.corner[k] = slope + ((kappa + k / 2) * ASP_ENSEMBLE_AS + a + k % 2) * ASP_ENSEMBLE_ZS;
-    w.weight[k] = (k / 2 ? part_kappa : 1 - part_kappa) * (k % 2 ? part_a : 1 - part_a);
+  double part_a = at_a - a, part_kappa = at_kappa - kappa, part_phi;
+  int phi = phi_below(view->phi_r, &part_phi);
+  w.corners = part_phi > 0 ? 8 : 4;
+  for (int k = 0; k < w.corners; k++) {
+    int row = (phi + k / 4) * ASP_ENSEMBLE_KAPPAS + kappa + k / 2 % 2;
+    w.corner[k] = slope + (row * ASP_ENSEMBLE_AS + a + k % 2) * ASP_ENSEMBLE_ZS;
+    w.weight[k] = (k / 4 ? part_phi : 1 - part_phi) * (k / 2 % 2 ? part_kappa : 1 - part_kappa) *
+                  (k % 2 ? part_a : 1 - part_a);
   }
   return w;
 }

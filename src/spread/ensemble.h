@@ -1,5 +1,5 @@
 /* The law of the first hit on a Gaussian wall, as an ensemble of profiles has it: a table over a =
- * tan(alpha1)/s_eff and kappa, made once (make_first_hits.c). It costs no set-up.
+ * tan(alpha1)/s_eff, kappa and phi_r, made once (make_first_hits.c). It costs no set-up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_ENSEMBLE_H
@@ -11,7 +11,15 @@
 
 /* The nodes of the table: a/(1 + a) and log2(1 + 8 kappa) at equal steps, and the share below a
  * slope as Phi(z) with z at equal steps. */
-enum { ASP_ENSEMBLE_AS = 33, ASP_ENSEMBLE_KAPPAS = 15, ASP_ENSEMBLE_ZS = 33 };
+enum {
+  ASP_ENSEMBLE_AS = 33,
+  ASP_ENSEMBLE_KAPPAS = 15,
+  ASP_ENSEMBLE_ZS = 33,
+  ASP_ENSEMBLE_PHIS = 4
+};
+
+/* Below the first one, slopes are so small that the law depends on a and kappa only. */
+static const double aspi_ensemble_phi_r[ASP_ENSEMBLE_PHIS] = {0.125, 0.35, 0.65, 1};
 
 /* The last one stands for normal impact. */
 static inline double aspi_ensemble_a(int node) {
@@ -27,7 +35,7 @@ static inline double aspi_ensemble_z(int node) {
   return 0.25 * (node - (ASP_ENSEMBLE_ZS - 1) / 2);
 }
 
-/* Of a view with alpha1 >= 0, by its slope and kappa. */
+/* Of a view with alpha1 >= 0, by its slope, kappa and phi_r. */
 double aspi_ensemble_quantile(const aspi_view *view, double u);
 double aspi_ensemble_distribution(const aspi_view *view, double delta);
 double aspi_ensemble_density(const aspi_view *view, double delta);

@@ -1,11 +1,11 @@
 # Turns first_hits.csv (the target first_hits) into the table in ensemble.c: the slopes of a row,
-# behind kappa, a, and the mean with its error, for which a reader looks into the CSV.
+# behind phi_r, kappa, a, and the mean with its error, for which a reader looks into the CSV.
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { FS = ","; print "static const float slope[] = {" }
-/^#/ || $1 == "kappa" { next }
+/^#/ || $1 == "phi_r" { next }
 {
   printf "    "
-  for (i = 5; i <= NF; i++)
+  for (i = 6; i <= NF; i++)
     printf "%sf,%s", $i ~ /\./ ? $i : $i ".0", i < NF ? " " : "\n"
 }
 END { print "};" }

@@ -1,9 +1,9 @@
 /* Makes first_hits.csv: the law of the first hit of discs on Gaussian profiles, which depends on a
- * = tan(alpha1)/s_eff and kappa only as long as slopes are small; phi_r is 0.125 here. An ensemble
+ * = tan(alpha1)/s_eff and kappa, and where slopes are not small on phi_r. An ensemble
  * of generated profiles, each with its negative and in both directions of flight; each face weighs
  * what it adds to the running maximum of the path (aspi_track_first_hit). Slopes are told in units
  * of the size law's s_eff. To be run by `cmake --build build --target first_hits`, which writes the
- * file in its place; takes some ten minutes; the result does not depend on the number of threads.
+ * file in its place; takes some half an hour; the result does not depend on the number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
@@ -26,8 +26,7 @@ enum {
 };
 
 #define SEED 0x70000000u /* and those behind it, which judge no model */
-#define PHI_R 0.125
-#define X_MOST 10.0 /* the histogram is from -X_MOST to X_MOST */
+#define X_MOST 10.0      /* the histogram is from -X_MOST to X_MOST */
 
 static void fail(const char *text) {
   fprintf(stderr, "make_first_hits: %s\n", text);
@@ -76,11 +75,15 @@ static void add_heights(const asp_profile *profile, double d_p, double s_eff, co
   asp_profile_free(mirror);
 }
 
-static void add_profile(double kappa, uint32_t seed, counts *into) {
+static void add_profile(double phi_r, double kappa, uint32_t seed, counts *into) {
   asp_error error;
-  double d_p = kappa / (sqrt(3) * PHI_R), s_eff = sqrt(2) * PHI_R * aspi_closed_form(kappa);
+  asp_surface *surface = asp_surface_create(phi_r, 1, &error);
+  if (!surface)
+    fail(error.text);
+  double d_p = kappa / (sqrt(3) * phi_r), s_eff = asp_surface_slope(surface, d_p);
+  asp_surface_free(surface);
   for (int sign = -1; sign <= 1; sign += 2) {
-    asp_profile *profile = aspi_profile_create_scaled(PHI_R, 1, 1. / PER_LAMBDA,
+    asp_profile *profile = aspi_profile_create_scaled(phi_r, 1, 1. / PER_LAMBDA,
                                                       LENGTH * PER_LAMBDA, seed, sign, &error);
     if (!profile)
       fail(error.text);
@@ -103,7 +106,7 @@ static double quantile(const double *share, double z) {
   return X_MOST;
 }
 
-static void print_kappa(double kappa, const counts *each) {
+static void print_kappa(double phi_r, double kappa, const counts *each) {
   static counts sum;
   sum = (counts){{{0}}, {0}};
   double square[ASP_ENSEMBLE_AS] = {0};
@@ -117,7 +120,7 @@ static void print_kappa(double kappa, const counts *each) {
   for (int k = 0; k < ASP_ENSEMBLE_AS; k++) {
     double a = aspi_ensemble_a(k);
     double se = sqrt(fmax(0, square[k] - sum.mean[k] * sum.mean[k]) / (PROFILES - 1));
-    printf("%.4g,%.4g,%.5f,%.5f", kappa, a, sum.mean[k], se);
+    printf("%.4g,%.4g,%.4g,%.5f,%.5f", phi_r, kappa, a, sum.mean[k], se);
     for (int i = 0; i < ASP_ENSEMBLE_ZS; i++)
       printf(",%.4f", fmax(-a, quantile(sum.share[k], aspi_ensemble_z(i))));
     putchar('\n');
@@ -127,27 +130,28 @@ static void print_kappa(double kappa, const counts *each) {
 
 int main(void) {
   printf("# first hits of discs on Gaussian profiles; %d profiles of %d lambda_c, %d points a "
-         "lambda_c, seeds %u to %u, each with its negative, both directions; "
-         "phi_r %g\n"
-         "# kappa; a = tan(alpha1)/s_eff; mean of x = slope/s_eff and its standard error; x where "
+         "lambda_c, seeds %u to %u, each with its negative, both directions\n"
+         "# phi_r; kappa; a = tan(alpha1)/s_eff; mean of x = slope/s_eff and its standard error; x "
+         "where "
          "the share below is Phi(z), by z\n"
-         "# made by: cmake --build build --target first_hits\nkappa,a,mean,mean_se",
-         PROFILES, LENGTH, PER_LAMBDA, SEED, SEED + PROFILES - 1, PHI_R);
+         "# made by: cmake --build build --target first_hits\nphi_r,kappa,a,mean,mean_se",
+         PROFILES, LENGTH, PER_LAMBDA, SEED, SEED + PROFILES - 1);
   for (int i = 0; i < ASP_ENSEMBLE_ZS; i++)
     printf(",z_%g", aspi_ensemble_z(i));
   putchar('\n');
   counts *each = malloc(PROFILES * sizeof *each);
   if (!each)
     fail("out of memory");
-  for (int k = 0; k < ASP_ENSEMBLE_KAPPAS; k++) {
-    double kappa = aspi_ensemble_kappa(k);
+  for (int k = 0; k < ASP_ENSEMBLE_PHIS * ASP_ENSEMBLE_KAPPAS; k++) {
+    double phi_r = aspi_ensemble_phi_r[k / ASP_ENSEMBLE_KAPPAS];
+    double kappa = aspi_ensemble_kappa(k % ASP_ENSEMBLE_KAPPAS);
 #pragma omp parallel for schedule(dynamic)
     for (int r = 0; r < PROFILES; r++) {
       each[r] = (counts){{{0}}, {0}};
-      add_profile(kappa, SEED + (uint32_t)r, &each[r]);
+      add_profile(phi_r, kappa, SEED + (uint32_t)r, &each[r]);
     }
-    print_kappa(kappa, each);
-    fprintf(stderr, "kappa %g done\n", kappa);
+    print_kappa(phi_r, kappa, each);
+    fprintf(stderr, "phi_r %g, kappa %g done\n", phi_r, kappa);
   }
   free(each);
   return 0;

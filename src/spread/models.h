@@ -19,6 +19,7 @@ typedef struct aspi_view {
   double d_p;    /* diameter, in the surface's unit; for models that look up the profile itself */
   const void *data; /* what a model that needs more was given when the wall was made, or NULL */
   double kappa;     /* of the particle along its flight; for models that know of geometry */
+  double phi_r;     /* r_q/lambda_c along the flight, for those too */
   bool has_azimuth; /* the wall has a lay, and `azimuth` (rad) is the angle from the axis across it
                        to the flight, counted towards the lay's other side: from n x lay */
   double azimuth;

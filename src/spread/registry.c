@@ -48,7 +48,8 @@ bool asp_spread_needs_profile(const asp_spread_model *model) {
 }
 
 aspi_view aspi_view_of(double sigma, double alpha1) {
-  return (aspi_view){.slope = tan(sigma), .sigma = sigma, .alpha1 = alpha1};
+  return (aspi_view){
+      .slope = tan(sigma), .sigma = sigma, .alpha1 = alpha1, .phi_r = tan(sigma) / sqrt(2)};
 }
 
 bool aspi_spread_draw(const asp_spread_model *model, const aspi_view *view, aspi_stream *stream,
