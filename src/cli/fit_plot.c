@@ -8,7 +8,8 @@
 /* Figure 7: k and lambda over tau, a colour a wall, and the polynomials. */
 static void plot_curves(FILE *gp, const angle_fit *fits, size_t n, const cli_list *sigmas,
                         const double *k, const double *lambda) {
-  fputs("set multiplot layout 1,2\nset xlabel '{/Symbol a}_1 / {/Symbol s}'\nset xrange [0:10]\n"
+  fputs("set multiplot layout 1,2 title 'Weibull fits to the baseline (figure 7 of the paper)'\n"
+        "set xlabel '{/Symbol a}_1 / {/Symbol s}'\nset xrange [0:10]\n"
         "set key bottom right\n",
         gp);
   for (size_t s = 0; s < sigmas->count; s++) {

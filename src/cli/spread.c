@@ -34,7 +34,8 @@ typedef struct scene {
   cli_rough rough; /* of no surface where sigma says all */
   asp_wall *wall;  /* NULL where the model needs no data */
   aspi_view view;
-  bool shaped; /* the law is there as a density, too */
+  bool shaped;  /* the law is there as a density, too */
+  bool by_size; /* the wall is more than a sigma */
 } scene;
 
 static bool draw_face(const scene *s, const aspi_view *view, aspi_stream *stream, double *delta) {
@@ -75,6 +76,7 @@ static scene scene_of(const cli_option *options, const asp_spread_model *model) 
     return s;
   }
   double d_p = cli_rough_size(of, &options[DP]);
+  s.by_size = !of[ROUGH_SIGMA].value;
   s.rough = cli_rough_read(of, d_p, d_p);
   s.view = view_of(&s.rough, d_p);
   asp_error error;
@@ -154,7 +156,8 @@ static void one_angle(FILE *out, const cli_option *options, const scene *s, doub
   double *sample = cli_allocate(how->n, sizeof *sample);
   fill(sample, how->n, s, &view, how->seed);
   if (options[PLOT].value)
-    cli_spread_plot(&options[PLOT], s->model, s->shaped, &view, sample, how->n);
+    cli_spread_plot(&options[PLOT], s->model, s->shaped, s->by_size ? s->rough.surface : NULL,
+                    &view, sample, how->n);
   if (options[SUMMARY].value)
     print_summary(out, s->model, &view, sample, how->n);
   else if (!options[PDF].value)
@@ -171,6 +174,8 @@ static void print_law(const cli_option *options, const asp_spread_model *model, 
                   options[ANGLE].value);
   sampling how = {cli_whole(&options[SAMPLES], 1, 100000000),
                   (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX)};
+  if (options[PDF].value && options[SUMMARY].value)
+    cli_bad_usage("--pdf is given with --summary; it must be one of them");
   scene s = scene_of(options, model);
   if (options[PDF].value && !s.shaped)
     cli_bad_usage("--pdf: model '%s' has no density%s", model->name,

@@ -7,8 +7,10 @@
 #include "cli/cli.h"
 #include "spread/models.h"
 
-/* A histogram of n samples in degrees and, where the law is `shaped`, its density over it. */
+/* A histogram of n samples in degrees and, where the law is `shaped`, its density over it; a title
+ * with the surface's numbers where that is not NULL. */
 void cli_spread_plot(const cli_option *option, const asp_spread_model *model, bool shaped,
-                     const aspi_view *view, const double *sample, size_t n);
+                     const asp_surface *surface, const aspi_view *view, const double *sample,
+                     size_t n);
 
 #endif

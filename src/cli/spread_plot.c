@@ -42,22 +42,30 @@ static void print_density(FILE *gp, const asp_spread_model *model, const aspi_vi
 /* A histogram of the samples, one bar a degree from where the law begins, and the density over it.
  */
 void cli_spread_plot(const cli_option *option, const asp_spread_model *model, bool shaped,
-                     const aspi_view *view, const double *sample, size_t n) {
-  double share[BARS] = {0}, most = -90, from = beginning(model, shaped, view, sample, n);
+                     const asp_surface *surface, const aspi_view *view, const double *sample,
+                     size_t n) {
+  double share[BARS] = {0}, least = 90, most = -90,
+         from = beginning(model, shaped, view, sample, n);
   for (size_t i = 0; i < n; i++) {
     int bar = (int)fmax(0, floor(sample[i] - from));
     share[bar < BARS ? bar : BARS - 1] += 1 / (double)n;
+    least = fmin(least, sample[i]);
     most = fmax(most, sample[i]);
   }
+  char wall[160] = "";
+  if (surface)
+    snprintf(wall, sizeof wall, "; R_q %.3g µm, {/Symbol l}_c %.3g µm, d_p %.3g µm",
+             asp_surface_r_q(surface) * 1e6, asp_surface_lambda_c(surface) * 1e6, view->d_p * 1e6);
   cli_plot *picture = cli_plot_open(option, 800, 500);
   FILE *gp = cli_plot_stream(picture);
   fprintf(gp,
           "set xlabel 'tilt {/Symbol Da} / degrees'\n"
           "set ylabel 'density / (1/degree)'\n"
-          "set title '%s: {/Symbol a}_1 = %g°, {/Symbol s} = %.3g°'\n"
-          "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n$bars << EOD\n",
+          "set title '%s: {/Symbol a}_1 = %g°, {/Symbol s} = %.3g°%s'\n"
+          "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n"
+          "set xrange [%g:%g]\n$bars << EOD\n",
           cli_plot_label(picture, model->name).text, cli_degrees(view->alpha1),
-          cli_degrees(view->sigma));
+          cli_degrees(view->sigma), wall, fmax(from, least - 3) - 2, most + 2);
   for (int i = 0; i < BARS; i++)
     if (share[i] > 0)
       fprintf(gp, "%g %g\n", from + i + 0.5, share[i]);

@@ -47,10 +47,10 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
     fprintf(gp, "Wall {/Symbol s} %s°", cli_plot_label(picture, o[ROUGH_SIGMA].value).text);
     return;
   }
-  fprintf(gp, "Wall %s%sr_q %.3g µm, {/Symbol l}_c %.3g µm; particles %s",
+  fprintf(gp, "Wall %s%sr_q %.3g µm, {/Symbol l}_c %.3g µm; particles %.3g µm",
           file ? cli_plot_label(picture, file).text : "", file ? ", " : "",
           asp_surface_r_q(rough->surface) * 1e6, asp_surface_lambda_c(rough->surface) * 1e6,
-          cli_plot_label(picture, options[DP].value).text);
+          cli_length(&options[DP]) * 1e6);
 }
 
 void cli_trade_plot(const cli_option *options, const cli_rough *rough, const trade_row *rows,

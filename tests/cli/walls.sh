@@ -67,5 +67,6 @@ refuses 2 '--three-d is given with --profile' -- trade --three-d --profile plate
 refuses 2 'flies in all directions' -- trade --map map --lay 3 --dp 5um
 refuses 2 'it must be even' -- trade --profile plateau --dp 5um --profiles 5
 refuses 2 'the least that pieces of this wall can judge' -- trade --profile short --dp 5um --angles 1,2
+refuses 2 '--pdf is given with --summary' -- spread --sigma 3 --pdf --summary
 refuses 2 "--samples is '1.5'" -- spread --sigma 3 --samples 1.5
 exit 0
