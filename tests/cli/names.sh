@@ -60,7 +60,7 @@ for name in "it's" "e'.system('>pwned6').'" "e'.system(\">pwned7\").'" '`>pwned8
   done
   "$asperity" rebound --map capture "${own[@]}" --points 3 -o table
   printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n' > again.csv
-  sed '/^#/d; /^wall,/d; s/,[^,]*,[^,]*,[^,]*,[^,]*$/,7e10,0.2,2000/; q' table >> again.csv
+  sed '/^#/d; /^wall,/d; s/,[^,]*,[^,]*,[^,]*$/,7e10,0.2,2000/; q' table >> again.csv
   "$asperity" cor --materials again.csv --wall "$name" --model none --samples 1 > /dev/null || die "capture: '$name' does not read back: $(cat table)"
   "$asperity" materials --materials own.csv > own2.csv
   "$asperity" cor --materials own2.csv --particle "$name" --model none --samples 1 > /dev/null || die "materials: '$name' does not read back"
