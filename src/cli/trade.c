@@ -7,12 +7,12 @@
 #include "cli/grid.h"
 #include "cli/measure.h"
 #include "cli/trade_3d.h"
-#include "cli/walls.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { PROFILES_MANY = 16, SURFACES_MANY = 8 };
+/* Where the user does not say. */
+enum { PROFILES_MANY = 16, SURFACES_MANY = 8, POINTS_MANY = 2048 };
 
 /* Of the pieces of a measured profile, unless they would be too few, in lambda_c. */
 #define PIECE_LENGTH 25.0
@@ -81,17 +81,33 @@ static void drop_grazing(const cli_option *option, cli_list *angles, double leas
   angles->count = kept;
 }
 
-/* How many pieces, an even number; `most` of them unless the user says. */
-static size_t pieces_of(const cli_option *option, double most) {
-  size_t pieces = option->value ? cli_whole(option, MEASURE_PROFILES_LEAST, MEASURE_PROFILES_MOST)
-                                : MEASURE_PROFILES_LEAST;
+/* How many pieces, an even number; about `usual` of them unless the user says. */
+static size_t pieces_of(const cli_option *option, double usual) {
   if (!option->value)
-    pieces = (size_t)fmin(fmax(2 * floor(most / 2), MEASURE_PROFILES_LEAST), PROFILES_MANY);
+    return (size_t)fmin(fmax(2 * floor(usual / 2), MEASURE_PROFILES_LEAST), PROFILES_MANY);
+  size_t pieces = cli_whole(option, MEASURE_PROFILES_LEAST, MEASURE_PROFILES_MOST);
   if (pieces % 2)
     cli_bad_usage("--%s is '%s'; of a measured wall it must be even, half of the pieces in "
                   "each half of it",
                   option->name, option->value);
   return pieces;
+}
+
+/* Exits where an option is given that says nothing of this judge. */
+static void check_options(const cli_option *o) {
+  bool map = o[ROUGH + ROUGH_MAP].value, solid = map || o[THREE_D].value;
+  if (o[THREE_D].value && o[ROUGH + ROUGH_PROFILE].value)
+    cli_bad_usage("--three-d is given with --profile; it goes with --map, or a wall's numbers");
+  if (map && o[ROUGH + ROUGH_LAY].value)
+    cli_bad_usage("--lay is given with --map, whose judge flies in all directions");
+  if (map && o[POINTS].value)
+    cli_bad_usage("--points is given with --map, which has its own");
+  if (solid && o[PROFILES].value)
+    cli_bad_usage("--profiles is given with %s, which takes --surfaces",
+                  map ? "--map" : "--three-d");
+  if (!solid && (o[SURFACES].value || o[POINTS].value))
+    cli_bad_usage("--%s is given without --three-d or --map",
+                  o[SURFACES].value ? "surfaces" : "points");
 }
 
 static measure_case case_of(const cli_option *options) {
@@ -108,7 +124,8 @@ static measure_case case_of(const cli_option *options) {
 static judge_case case_3d(const cli_option *options, const cli_rough *rough, double d_p,
                           cli_list *angles) {
   const asp_surface *surface = rough->surface;
-  unsigned long points = cli_whole(&options[POINTS], 256, 16384);
+  unsigned long points =
+      options[POINTS].value ? cli_whole(&options[POINTS], 256, 16384) : POINTS_MANY;
   if (points & (points - 1))
     cli_bad_usage("--points is %lu; it must be a power of two", points);
   judge_case subject = {.wall = {asp_surface_r_q(surface), rough->lay.lambda[0],
@@ -150,16 +167,13 @@ static measure_case case_2d(const cli_option *options, const cli_rough *rough, d
 
 /* One wall. */
 static void judge_wall(const cli_option *options, int argc, char **argv) {
+  check_options(options);
   double d_p = cli_rough_size(&options[ROUGH], &options[DP]);
   cli_list angles = cli_angles(&options[ANGLES]);
   cli_rough rough = cli_rough_read(&options[ROUGH], d_p, d_p);
   trade_row *rows = cli_allocate(angles.count * (size_t)asp_spread_count(), sizeof *rows);
   cli_output *output;
   if (options[THREE_D].value || rough.map) {
-    if (rough.map && options[ROUGH + ROUGH_LAY].value)
-      cli_bad_usage("--lay is given with --map, whose judge flies in all directions");
-    if (rough.profile)
-      cli_bad_usage("--three-d is given with --profile; it goes with --map, or a wall's numbers");
     judge_case subject = case_3d(options, &rough, d_p, &angles);
     measure_case how = case_of(options);
     bool multiple = cli_is_multiple(&options[COLLISIONS]);
@@ -194,7 +208,7 @@ static int run(int argc, char **argv) {
       [THREE_D] = {"three-d", NULL, "isotropic: judged by surfaces in three dimensions", NULL},
       [SURFACES] = {"surfaces", "N",
                     "of --three-d: independent surfaces that judge [8]; pieces of a map [4]", NULL},
-      [POINTS] = {"points", "N", "of --three-d: points along a side, 20 a lambda_c", "2048"},
+      [POINTS] = {"points", "N", "of --three-d: points along a side, 20 a lambda_c [2048]", NULL},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw cost against divergence; .png, .svg or .pdf", NULL},
   };

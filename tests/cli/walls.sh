@@ -65,6 +65,9 @@ refuses 2 'has no density on a map' -- spread --map map --dp 5um --pdf
 refuses 2 'judged with --three-d' -- trade --rq 5um --lambda-c 40um,80um --dp 5um
 refuses 2 '--three-d is given with --profile' -- trade --three-d --profile plateau --dp 5um
 refuses 2 'flies in all directions' -- trade --map map --lay 3 --dp 5um
+refuses 2 '--profiles is given with --map' -- trade --map map --dp 5um --profiles 8
+refuses 2 '--points is given with --map' -- trade --map map --dp 5um --points 512
+refuses 2 '--surfaces is given without --three-d' -- trade --rq 5um --lambda-c 40um --dp 5um --surfaces 5
 refuses 2 'it must be even' -- trade --profile plateau --dp 5um --profiles 5
 refuses 2 'the least that pieces of this wall can judge' -- trade --profile short --dp 5um --angles 1,2
 refuses 2 '--pdf is given with --summary' -- spread --sigma 3 --pdf --summary
