@@ -187,6 +187,13 @@ static void check_sizes(const char *what, double spacing, const cli_list *sizes)
   }
 }
 
+static void warn_of_spikes(const aspi_profile_report *report) {
+  if (report->outliers > 0)
+    cli_warn("%zu points of the profile lie over %g robust standard deviations off their "
+             "neighbours, as dust is; --spikes 12 with --gaps fill takes them out",
+             report->outliers, ASP_SPIKES_CLEAR);
+}
+
 static cli_wall read_wall(const cli_option *o, source *from) {
   aspi_profile_options read = read_options(o);
   if (o[STEP].value)
@@ -313,8 +320,10 @@ static int run(int argc, char **argv) {
   bool measured = options[PROFILE].value != NULL;
   source from;
   cli_wall wall = measured ? read_wall(options, &from) : generate_wall(options);
-  if (measured)
+  if (measured) {
     check_sizes("profile", from.description.spacing, &sizes);
+    warn_of_spikes(&from.report);
+  }
   cli_slopes *rows = measure(&wall, &sizes);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
   if (measured)

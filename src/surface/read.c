@@ -196,11 +196,24 @@ static asp_code check_spikes(const aspi_raw *raw, const char *path, size_t spike
   return ASP_OK;
 }
 
+static asp_code count_outliers(const aspi_raw *raw, size_t *outliers, asp_error *error) {
+  bool *clear = aspi_spikes(raw, raw->points, off_neighbours, ASP_SPIKES_CLEAR, error);
+  if (!clear)
+    return ASP_ENOMEM;
+  for (size_t i = 0; i < raw->points; i++)
+    *outliers += clear[i];
+  free(clear);
+  return ASP_OK;
+}
+
 static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_options *options,
-                      size_t *spikes, asp_error *error) {
+                      aspi_profile_report *report, asp_error *error) {
+  size_t *spikes = &report->spikes;
   asp_code code = take_out_form(raw, path, options->form, error);
-  if (code || !(options->spikes > 0))
+  if (code)
     return code;
+  if (!(options->spikes > 0))
+    return count_outliers(raw, &report->outliers, error);
   if ((code = mark_spikes(raw, options->spikes, spikes, error)) || *spikes == 0 ||
       (code = check_spikes(raw, path, *spikes, options->fill, error)))
     return code;
@@ -214,7 +227,7 @@ static asp_code prepare(aspi_raw *raw, const aspi_text *text, const aspi_profile
     code = check_lengths(raw, text->path, error);
   double before = largest(raw);
   if (!code)
-    code = level(raw, text->path, options, &report->spikes, error);
+    code = level(raw, text->path, options, report, error);
   if (code)
     return code;
   fill_gaps(raw, report);

@@ -34,10 +34,14 @@ typedef struct aspi_profile_options {
 aspi_profile_options aspi_profile_options_default(void);
 
 /* What the reader found and did. */
+/* Robust standard deviations off its neighbours at which a point is dust, not roughness. */
+#define ASP_SPIKES_CLEAR 20.0
+
 typedef struct aspi_profile_report {
   size_t points;      /* read from the file */
   size_t bad;         /* bad points among them: not a number, or marked as bad */
   size_t spikes;      /* points taken for spikes */
+  size_t outliers;    /* where none are looked for: points that ASP_SPIKES_CLEAR would take */
   size_t filled;      /* points of the result that were filled in */
   size_t repeats;     /* positions that repeat the one before, whose heights were averaged */
   size_t longest_gap; /* most of them in a row */

@@ -33,6 +33,9 @@ grep -q '1 bad, 1 spikes, 6 points filled in (longest gap 4)' m || die "gaps: $(
 grep -q 'polynomial of degree 2' m || die "form"
 "$asperity" surface --profile raw.txt --unit um,nm --gaps fill --dp 20um | grep -q 'phi_r 0.00' || die "--unit um,nm"
 refuses 1 'the spacing is not equal' -- surface --profile raw.txt --unit um --gaps fill --spacing refuse
+# dust that nobody asks for is told of
+"$asperity" surface --profile raw.txt --unit um --gaps fill --dp 20um 2>&1 > /dev/null | grep -q 'warning: 1 points .* --spikes 12' || die "dust is not told"
+! "$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --dp 20um 2>&1 > /dev/null | grep -q 'warning: 1 points' || die "dust that was taken out is told"
 "$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --level 0.2 | grep -q 'lambda_c (0.2 lag)' || die "--level"
 printf 'aISO-1.0\nNumPoints = 200\nNumProfiles = 40\nXscale = 1e-6\nYscale = 2e-6\nZscale = 1e-6\n*\n' > map.sdf
 awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0.4) + cos(int(i / 200) * 0.4) + 0.1 * rand() } }' >> map.sdf
