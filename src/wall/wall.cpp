@@ -377,6 +377,8 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
     travel_ = 2 * travel;
     look_anew();
   }
+  if (ahead_.now > INT_MAX / 2)
+    look_anew(); /* before the count of steps could overflow */
   ahead_.now++;
   const float most = static_cast<float>(COMPONENT * stray_ / s.dt);
   for (int first = 0; first < s.n; first += BLOCK) {
