@@ -357,21 +357,13 @@ static void read_measured_wall(calibration *c) {
 }
 
 static void read_wall(calibration *c) {
-  cli_option *options = (cli_option *)c->options;
-  bool given = cli_rough_measured(&options[ROUGH]);
-  const char *model = options[MODEL].value;
-  if (!model)
-    model = given ? "profile" : "visible";
-  asp_error error;
+  const cli_option *options = c->options;
+  const char *model = cli_rough_model(&options[ROUGH], &options[MODEL]);
   c->law = cli_law_read(&options[LAW]);
   c->pair = cli_law_pair(&options[LAW], &c->law, options[LAW + LAW_WALL].value);
   asp_wall *wall = c->law.wall;
-  asp_wall_choose(wall, "tilt", cli_tilt(&options[TILT]), NULL);
-  asp_wall_choose(wall, "collisions", cli_is_multiple(&options[COLLISIONS]) ? "multiple" : "single",
-                  NULL);
-  if (asp_wall_choose(wall, "spread", model, &error))
-    cli_bad_usage("%s", error.text);
-  if (!given && asp_spread_needs_profile(asp_wall_spread(wall)))
+  cli_rough_choose(wall, &options[TILT], &options[COLLISIONS], model);
+  if (!cli_rough_measured(&options[ROUGH]) && asp_spread_needs_profile(asp_wall_spread(wall)))
     cli_bad_usage("--model is '%s', which is made for one wall; it must be one that takes any "
                   "sigma, as visible or weibull",
                   model);

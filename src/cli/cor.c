@@ -75,18 +75,11 @@ static double value_of(const cor_values *v, size_t sample, aspi_stream *stream) 
 }
 
 void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
-  const char *model = options[MODEL].value;
-  asp_error error;
-  if (!model)
-    model = cli_rough_measured(&options[ROUGH]) ? "profile" : "visible";
+  const char *model = cli_rough_model(&options[ROUGH], &options[MODEL]);
   s->law = cli_law_read(&options[LAW]);
   s->pair = cli_law_pair(&options[LAW], &s->law, options[LAW + LAW_WALL].value);
   asp_wall *wall = s->law.wall;
-  asp_wall_choose(wall, "tilt", cli_tilt(&options[TILT]), NULL);
-  asp_wall_choose(wall, "collisions", cli_is_multiple(&options[COLLISIONS]) ? "multiple" : "single",
-                  NULL);
-  if (asp_wall_choose(wall, "spread", model, &error))
-    cli_bad_usage("%s", error.text);
+  cli_rough_choose(wall, &options[TILT], &options[COLLISIONS], model);
   if (strcmp(model, "none") != 0) {
     s->rough = cli_rough_read(&options[ROUGH], s->sizes.least, s->sizes.most);
     cli_rough_put(&s->rough, wall, s->sizes.least, s->sizes.most);

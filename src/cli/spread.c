@@ -215,11 +215,9 @@ static int run(int argc, char **argv) {
     cli_output_close(output);
     return 0;
   }
-  const char *name = options[MODEL].value;
   asp_error error;
-  if (!name)
-    name = cli_rough_measured(&options[ROUGH]) ? "profile" : "visible";
-  const asp_spread_model *model = asp_spread_find(name, &error);
+  const asp_spread_model *model =
+      asp_spread_find(cli_rough_model(&options[ROUGH], &options[MODEL]), &error);
   if (!model)
     cli_bad_usage("--model: %s", error.text);
   print_law(options, model, argc, argv);

@@ -117,6 +117,21 @@ bool cli_rough_given(const cli_option *o) {
          cli_rough_measured(o);
 }
 
+const char *cli_rough_model(const cli_option *o, const cli_option *model) {
+  if (model->value)
+    return model->value;
+  return cli_rough_measured(o) ? "profile" : "visible";
+}
+
+void cli_rough_choose(asp_wall *wall, const cli_option *tilt, const cli_option *collisions,
+                      const char *model) {
+  asp_error error;
+  asp_wall_choose(wall, "tilt", cli_tilt(tilt), NULL);
+  asp_wall_choose(wall, "collisions", cli_is_multiple(collisions) ? "multiple" : "single", NULL);
+  if (asp_wall_choose(wall, "spread", model, &error))
+    cli_bad_usage("%s", error.text);
+}
+
 double cli_rough_size(const cli_option *o, const cli_option *dp) {
   bool any = o[ROUGH_SIGMA].value || !cli_rough_given(o); /* which is told when it is read */
   return any && !dp->value ? ANY_SIZE : cli_length(dp);

@@ -62,6 +62,15 @@ typedef struct cli_rough {
 bool cli_rough_given(const cli_option *first);
 bool cli_rough_measured(const cli_option *first);
 
+/* The spread model: that of --model where it is given, `profile` of a measured wall, else
+ * `visible`.
+ */
+const char *cli_rough_model(const cli_option *first, const cli_option *model);
+
+/* Chooses a wall's tilt, collisions and spread model; exits where there are no such. */
+void cli_rough_choose(asp_wall *wall, const cli_option *tilt, const cli_option *collisions,
+                      const char *model);
+
 /* The diameter of --dp; where --sigma gives the wall, any that is not given. */
 double cli_rough_size(const cli_option *first, const cli_option *dp);
 

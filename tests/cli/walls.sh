@@ -7,11 +7,17 @@ source "$(dirname "$0")/cli.sh"
 "$asperity" surface --rq 5um --lambda-c 40um --dp 10um --points 131072 --save gauss > /dev/null
 awk -F, 'NR > 2 && NR % 4 == 0 { if (!n++) print "x_um,z_um"; printf "%.9g,%.7g\n", $1, -6.5 * log(1 + exp(0.6 - 1.4 * $2 / 5)) }' gauss > plateau
 head -n 1921 plateau > short
-awk 'BEGIN { srand(5); n = 160; pi = 3.14159265358979; for (k = 0; k < 300; k++) { r = sqrt(-2 * log(1 - rand())) * sqrt(2) / 12; w = 2 * pi * rand()
-      a[k] = r * cos(w); b[k] = r * sin(w); c[k] = 2 * pi * rand() }
+waves() { # STRETCH along y, FACTOR of the heights of the right half
+  awk -v stretch="$1" -v factor="$2" 'BEGIN { srand(5); n = 160; pi = 3.14159265358979
+    for (k = 0; k < 300; k++) { r = sqrt(-2 * log(1 - rand())) * sqrt(2) / 12; w = 2 * pi * rand()
+      a[k] = r * cos(w); b[k] = r * sin(w) / stretch; c[k] = 2 * pi * rand() }
     print "# Width: 320 um\n# Height: 320 um\n# Value units: um"
     for (j = 0; j < n; j++) for (i = 0; i < n; i++) { z = 0; for (k = 0; k < 300; k++) z += 0.1225 * cos(2 * a[k] * i + 2 * b[k] * j + c[k])
-      printf "%.7g%s", z, i < n - 1 ? " " : "\n" } }' > map
+      printf "%.7g%s", z * (i < n / 2 ? 1 : factor), i < n - 1 ? " " : "\n" } }'
+}
+waves 1 1 > map
+waves 3 1 > laid
+waves 1 0.3 > uneven
 
 # The mean tilt of the first hits by every way to give the wall: slope sqrt(2) rq / lambda_c, small particles.
 mean() { "$asperity" spread "$@" --angle 20 --summary --samples 20000 | awk -F, 'END { print $3 }'; }
@@ -24,6 +30,12 @@ near "--profile, its own law" "$(mean --profile plateau --dp 5um)" "$(mean --pro
 near "--lay" "$(mean --rq 5um --lambda-c 40um,120um --lay 0 --dp 10nm)" "$(mean --rq 5um --lambda-c 120um --dp 10nm)" 0.01
 numbers=$("$asperity" surface --map map --dp 5um | awk -F, 'END { print $2 "um --lambda-c " $3 "um" }')
 near "--map" "$(mean --map map --dp 5um)" "$(mean --rq $numbers --dp 5um)" 0.8
+
+across=$(mean --map laid --dp 5um --lay 90) along=$(mean --map laid --dp 5um --lay 0)
+steeper() { awk -v a="$2" -v b="$3" 'BEGIN { exit !(a > 2 * b && b > 0.2) }' || die "$1: across the lay $2, along it $3"; }
+steeper "--map --lay" "$across" "$along"
+impacts() { "$asperity" cor --map laid --lay "$1" --dp 5um --angles 20 --samples 4000 | column delta_alpha_deg /dev/stdin | awk '{ sum += $1 } END { print sum / NR }'; }
+steeper "cor --map --lay" "$(impacts 90)" "$(impacts 0)"
 
 # What `surface` has mended can be given to the others.
 "$asperity" surface --map map --dp 5um --form 2 --save mended > /dev/null
@@ -43,6 +55,8 @@ awk -F, '$1 == "profile" && $5 > 0.02 && $6 > 0.002 { good++ } END { exit good !
 "$asperity" trade --map map --dp 5um --angles 20 --rays 20000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.05 && $10 < 0.05 && $14 > 5 && $14 / $15 > 0.85 && $14 / $15 < 1.15 { good++ } $1 == "none" && $5 > 1 { good++ } END { exit good != 2 }' rows || die "trade --map: $(cat rows)"
 grep -q '20°' map.svg || die "trade --map --plot"
+
+"$asperity" trade --map uneven --dp 5um --angles 20 --rays 4000 2> err | awk -F, '$1 == "profile" { exit !($5 > 0.3) }' || die "a half of a map judges what it made"
 
 # calibrate finds the friction that cor had, on the same wall.
 for wall in "--sigma 8" "--rq 5um --lambda-c 40um,90um --lay 20" "--profile plateau" "--map map"; do
