@@ -57,8 +57,8 @@ typedef struct ContactCylinder {
   double center[3], radius;
 } ContactCylinder;
 
-/* A sphere that slides along the inside, with next to no normal speed, is turned at the end of its
- * path, where it has left the wall's curve: a touch with time == left and lift > 0. */
+/* A sphere that touches the inside and slides along it, with next to no normal speed, but would
+ * leave the wall's curve by the end of its path, touches at time 0; v.n may be 0 then. */
 bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
                            double latest, ContactTouch *touch);
 

@@ -6,7 +6,8 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 
-/* Inside a cylinder, a sphere slides that approaches with less than this share of its speed. */
+/* Inside a cylinder, a sphere that touches the wall slides along it if its normal speed is a
+ * smaller share of its speed. */
 static const double SLIDES = 1e-6;
 
 /* The part of a vector across the axis. */
@@ -43,22 +44,21 @@ bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *p
   const double touching = inside ? fmax(0.0, cylinder->radius - radius) : cylinder->radius + radius;
   if (!(square > 0))
     return false;
-  double time = chord_time(inside, distance, touching, vector_dot(arm, v), square);
-  double approach, length;
-  bool slides = false;
-  for (;; slides = true, time = path->left) {
-    if (!(time <= latest))
-      return false;
-    vector_add_scaled(arm, time, v, n);
-    if (inside)
-      vector_scale(-1, n);
-    length = vector_length(n);
-    approach = -vector_dot(v, n) / length;
-    if (approach > SLIDES * sqrt(square))
-      break;
-    if (!inside || slides)
-      return false;
-  }
+  const double rate = vector_dot(arm, v), speed = sqrt(square);
+  double time = chord_time(inside, distance, touching, rate, square);
+  if (!(time <= latest))
+    return false;
+  /* One that slides along the inside leaves the curve by its straight path: it touches now. */
+  const bool slides = inside && touching > 0 && distance >= touching - CONTACT_TOLERANCE * radius &&
+                      time < path->left && fabs(rate) <= SLIDES * speed * distance;
+  if (slides)
+    time = 0;
+  vector_add_scaled(arm, time, v, n);
+  if (inside)
+    vector_scale(-1, n);
+  const double length = vector_length(n);
+  if (!slides && !(-vector_dot(v, n) > CONTACT_APPROACH * speed * length))
+    return false;
   touch->time = time;
   vector_copy(n, touch->n);
   vector_scale(1 / length, touch->n);
@@ -66,6 +66,6 @@ bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *p
   if (touch->lift <= CONTACT_TOLERANCE * radius)
     touch->lift = 0;
   touch->slant = 0;
-  touch->guarded = touch->lift > 0 && !slides;
+  touch->guarded = touch->lift > 0;
   return true;
 }

@@ -290,7 +290,14 @@ void FixWallRebound::end_of_step() {
     fail("rerun is not supported: a rebound is an event in time; use run");
   set_rows();
   last_step_ = update->ntimestep;
-  wall_.hold(engine_.spheres());
+  if (siblings_.front() == this) {
+    std::vector<Wall *> walls;
+    for (FixWallRebound *fix : siblings_) {
+      fix->set_rows();
+      walls.push_back(&fix->wall_);
+    }
+    Wall::hold(walls, engine_.spheres());
+  }
   try {
     wall_.end_step(update->ntimestep, output->next == update->ntimestep);
     if (mesh_ && map_.is_due(update->ntimestep))

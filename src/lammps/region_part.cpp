@@ -26,7 +26,7 @@ public:
 
 RegionPart::RegionPart(Region *region)
     : region_(region), origin_(), axis_(), before_(), now_(), rate_(), last_rate_(),
-      has_rate_(false), has_last_(false) {
+      dt_(0), has_rate_(false), has_last_(false) {
   if (region->rotateflag)
     AxisOf::read(region, origin_, axis_);
 }
@@ -41,6 +41,7 @@ void RegionPart::settle() {
 }
 
 void RegionPart::advance(double dt) {
+  dt_ = dt;
   before_ = now_;
   now_ = RegionPose{{region_->dx, region_->dy, region_->dz}, region_->theta};
   last_rate_ = rate_;
@@ -139,19 +140,34 @@ void RegionPart::velocity_by(const RegionPose &rate, double share, const double 
 
 /* A rate is the mean over a step: that of its middle. Within the step it goes on as it has changed
  * since the step before. */
-void RegionPart::velocity(double share, const double x[3], double v[3]) const {
-  RegionPose then;
+RegionPose RegionPart::rate_at(double share) const {
+  RegionPose then = rate_;
   const double on = has_last_ ? share - 0.5 : 0;
   for (int d = 0; d < 3; d++)
-    then.shift[d] = rate_.shift[d] + on * (rate_.shift[d] - last_rate_.shift[d]);
-  then.angle = rate_.angle + on * (rate_.angle - last_rate_.angle);
-  velocity_by(then, share, x, v);
+    then.shift[d] += on * (rate_.shift[d] - last_rate_.shift[d]);
+  then.angle += on * (rate_.angle - last_rate_.angle);
+  return then;
 }
 
-void RegionPart::gain(const double x[3], double dv[3]) const {
-  RegionPose change;
+void RegionPart::velocity(double share, const double x[3], double v[3]) const {
+  velocity_by(rate_at(share), share, x, v);
+}
+
+/* The axis moves with the region, so that dV/dt at a fixed point has the part -omega x shift'. */
+void RegionPart::follow(double share, const double x[3], const double v[3], double a[3]) const {
+  const RegionPose rate = rate_at(share);
+  RegionPose change = RegionPose();
+  for (int d = 0; d < 3 && has_last_; d++)
+    change.shift[d] = (rate_.shift[d] - last_rate_.shift[d]) / dt_;
+  if (has_last_)
+    change.angle = (rate_.angle - last_rate_.angle) / dt_;
+  velocity_by(change, share, x, a);
+  if (!region_->rotateflag)
+    return;
+  double now[3], swept[3], turned[3];
+  velocity_by(rate, share, x, now);
   for (int d = 0; d < 3; d++)
-    change.shift[d] = has_last_ ? rate_.shift[d] - last_rate_.shift[d] : 0;
-  change.angle = has_last_ ? rate_.angle - last_rate_.angle : 0;
-  velocity_by(change, 1, x, dv);
+    swept[d] = 2 * v[d] - now[d] - (region_->moveflag ? rate.shift[d] : 0);
+  vector_cross(axis_, swept, turned);
+  vector_add_scaled(a, rate.angle, turned, a);
 }

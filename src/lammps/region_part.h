@@ -41,9 +41,10 @@ public:
   /* A vector that turns with the region. */
   void turn_vector(double share, double vector[3]) const;
 
-  /* The velocity of a point of the region; and how much it changes within the step. */
+  /* The velocity of a point of the region; and the acceleration that keeps a point which moves
+   * through x with the velocity v at its face (see asperity::Motion). */
   void velocity(double share, const double x[3], double v[3]) const;
-  void gain(const double x[3], double dv[3]) const;
+  void follow(double share, const double x[3], const double v[3], double a[3]) const;
 
   /* The mean velocities of the last step, for a run that continues one. */
   const RegionPose *rate() const {
@@ -53,12 +54,14 @@ public:
 
 private:
   RegionPose at(double share) const;
+  RegionPose rate_at(double share) const;
   void turn(double angle, double x[3]) const;
   void velocity_by(const RegionPose &rate, double share, const double x[3], double v[3]) const;
 
   Region *region_;
   double origin_[3], axis_[3]; /* of its turn: a point and a unit vector */
   RegionPose before_, now_, rate_, last_rate_;
+  double dt_;
   bool has_rate_, has_last_;
 };
 

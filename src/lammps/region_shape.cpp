@@ -32,10 +32,15 @@ namespace {
 
 const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
 
-/* On the inside of a hollow face a sphere slides that approaches with less than this share of its
- * speed: it is put back on the wall at the end of its path (as contact_cylinder_find does), or
- * where it has come off by half its radius. */
+/* A sphere that touches a hollow face slides along it if its normal speed is a smaller share of its
+ * speed (as in contact_cylinder_find). */
 const double SLIDES = 1e-6;
+
+/* A face's curve is measured over this share of the sphere's radius. */
+const double CURVE = 0.01;
+
+/* Faces of one part, at most. */
+const int FACES = 64;
 
 /* Where faces may be hidden, a search looks every so many radii. */
 const double STRIDE = 0.5;
@@ -242,7 +247,11 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
         continue;
       const double hollow =
           c.radius < 0 ? -c.radius / (strcmp(region->style, "sphere") == 0 ? 1 : 2) : 0;
-      feet.push_back(Foot{c.r, {c.delx / c.r, c.dely / c.r, c.delz / c.r}, hollow, node.part});
+      feet.push_back(Foot{c.r,
+                          {c.delx / c.r, c.dely / c.r, c.delz / c.r},
+                          hollow,
+                          node.part,
+                          FACES * node.part + c.iwall});
     }
     return;
   }
@@ -297,12 +306,10 @@ struct RegionShape::Search {
   const Path &path;
   const double radius, tolerance;
   double fastest; /* of the sphere relative to any face */
-  bool slides;    /* along a hollow face, */
-  double slides_until;
 
   Search(const RegionShape &s, const Path &p, double r)
       : shape(s), path(p), radius(r), tolerance(CONTACT_TOLERANCE * r),
-        fastest(vector_length(p.v) + s.speed_), slides(false), slides_until(HUGE_VAL) {}
+        fastest(vector_length(p.v) + s.speed_) {}
   ~Search() {
     shape.set_share(1);
   }
@@ -313,9 +320,10 @@ struct RegionShape::Search {
   void look(double time, Look &l) const;
   void relative(const Look &l, const Foot &foot, double v_wall[3], double v[3]) const;
   double approach(const Look &l, const Foot &foot, bool &counts) const;
+  double curve(const Look &l, const Foot &foot, const double v[3]) const;
   const Foot *touched(const Look &l) const;
-  double reached(const Look &l, const Foot &foot);
-  double next(const Look &l);
+  double reached(const Look &l, const Foot &foot) const;
+  double next(const Look &l) const;
   bool is_too_far(const Look &l, const Foot *foot) const;
   void go_back(Look &good, Look &bad) const;
   void fill(const Look &l, const Foot &foot, Contact &contact) const;
@@ -345,13 +353,35 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
   vector_subtract(path.v, v_wall, v);
 }
 
-/* The speed towards a foot, and whether that is more than rounding, or than sliding. */
+/* The speed towards a foot. It counts where it is more than rounding; along a hollow face, where
+ * that is so of its mean over the rest of the path. */
 double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
   double v_wall[3], v[3];
   relative(l, foot, v_wall, v);
-  const double speed = -vector_dot(v, foot.n);
-  counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * vector_length(v);
+  const double speed = -vector_dot(v, foot.n), all = vector_length(v);
+  double mean = speed;
+  if (foot.hollow > 0 && fabs(speed) <= SLIDES * all)
+    mean += 0.5 * (path.left - l.time) * curve(l, foot, v);
+  counts = mean > CONTACT_APPROACH * all;
   return speed;
+}
+
+/* The acceleration along n that keeps the centre at a face, by the face's curve: from the distance
+ * a little way ahead. */
+double RegionShape::Search::curve(const Look &l, const Foot &foot, const double v[3]) const {
+  double along[3], ahead[3];
+  vector_add_scaled(v, -vector_dot(v, foot.n), foot.n, along);
+  const double speed = vector_length(along), way = CURVE * radius;
+  if (!(speed > 0))
+    return 0;
+  vector_add_scaled(l.x, way / speed, along, ahead);
+  std::vector<Foot> feet;
+  shape.set_share(share(l.time));
+  shape.find_feet(shape.root_, false, ahead, foot.distance + way, feet);
+  for (const Foot &other : feet)
+    if (other.face == foot.face && vector_dot(other.n, foot.n) > 1 - 4 * CURVE)
+      return 2 * (foot.distance - other.distance) * speed * speed / (way * way);
+  return 0;
 }
 
 /* The face that is touched, or NULL: the deepest of those that the sphere approaches. */
@@ -361,8 +391,6 @@ const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
     bool counts;
     if (foot.distance - radius > tolerance || (deepest && foot.distance >= deepest->distance))
       continue;
-    if (slides && foot.hollow > 0 && l.time < slides_until)
-      continue;
     approach(l, foot, counts);
     if (counts)
       deepest = &foot;
@@ -371,17 +399,11 @@ const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
 }
 
 /* How long at least until a face is reached. */
-double RegionShape::Search::reached(const Look &l, const Foot &foot) {
+double RegionShape::Search::reached(const Look &l, const Foot &foot) const {
   bool counts;
   const double speed = approach(l, foot, counts), gap = foot.distance - radius;
   if (!(foot.hollow > 0))
     return counts ? std::max(0.0, gap) / speed : HUGE_VAL;
-  if (!slides && gap <= tolerance && !(speed < -SLIDES * fastest)) {
-    slides = true;
-    slides_until = std::min(path.left, l.time + sqrt(radius * foot.hollow) / fastest);
-  }
-  if (slides)
-    return HUGE_VAL;
   const double from_axis = foot.hollow - foot.distance, beyond = gap * (2 * from_axis + gap);
   if (!(from_axis > 0))
     return std::max(0.0, gap) / fastest;
@@ -391,7 +413,7 @@ double RegionShape::Search::reached(const Look &l, const Foot &foot) {
 }
 
 /* How long at least until any is. Where faces may be hidden, no further than they can tell. */
-double RegionShape::Search::next(const Look &l) {
+double RegionShape::Search::next(const Look &l) const {
   double time = HUGE_VAL, nearest = HUGE_VAL;
   for (const Foot &foot : l.feet) {
     time = std::min(time, reached(l, foot));
@@ -409,7 +431,7 @@ double RegionShape::Search::next(const Look &l) {
 bool RegionShape::Search::is_too_far(const Look &l, const Foot *foot) const {
   if (!l.in_room)
     return true;
-  return foot && foot->distance - radius < -tolerance && !(slides && foot->hollow > 0);
+  return foot && foot->distance - radius < -tolerance;
 }
 
 /* Between a place before the contact and one behind it: both come as near to it as they can. */
@@ -425,21 +447,21 @@ void RegionShape::Search::go_back(Look &good, Look &bad) const {
 }
 
 void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact) const {
-  double v[3], gain[3], point[3];
+  double v[3], follow[3] = {0, 0, 0};
   const double lift = radius - foot.distance;
   contact.time = l.time;
   vector_copy(foot.n, contact.n);
   relative(l, foot, contact.v_wall, v);
-  contact.closing = -vector_dot(v, foot.n);
   contact.piece = 0;
+  contact.face = foot.face;
   vector_add_scaled(l.x, lift > tolerance ? lift : 0, foot.n, contact.x);
-  contact.guarded = lift > tolerance && !(slides && foot.hollow > 0);
-  vector_add_scaled(l.x, -foot.distance, foot.n, point);
-  contact.gain = 0;
-  if (shape.parts_[foot.part].moves()) {
-    shape.parts_[foot.part].gain(point, gain);
-    contact.gain = std::max(0.0, vector_dot(gain, foot.n));
-  }
+  contact.guarded = lift > tolerance;
+  if (shape.parts_[foot.part].moves())
+    shape.parts_[foot.part].follow(share(l.time), l.x, path.v, follow);
+  contact.follow = vector_dot(follow, foot.n);
+  if (foot.hollow > 0)
+    contact.follow += curve(l, foot, v);
+  contact.closing = -vector_dot(v, foot.n) + 0.5 * (path.left - l.time) * contact.follow;
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -470,11 +492,26 @@ bool RegionShape::find(const Path &path, double radius, double latest, Contact &
     double step = search.next(now);
     if (looks > PATIENCE)
       step = std::max(step, HURRY * radius / search.fastest);
-    double to = std::min(end, now.time + step);
-    if (search.slides && to >= search.slides_until)
-      to = std::min(end, search.slides_until);
-    search.look(to, now);
+    search.look(std::min(end, now.time + step), now);
   }
+}
+
+bool RegionShape::under(int face, const double x[3], double reach, double n[3],
+                        double v_wall[3]) const {
+  std::vector<Foot> feet;
+  find_feet(root_, false, x, reach, feet);
+  for (const Foot &foot : feet) {
+    if (foot.face != face)
+      continue;
+    double point[3];
+    vector_copy(foot.n, n);
+    vector_add_scaled(x, -foot.distance, n, point);
+    v_wall[0] = v_wall[1] = v_wall[2] = 0;
+    if (parts_[foot.part].moves())
+      parts_[foot.part].velocity(1, point, v_wall);
+    return true;
+  }
+  return false;
 }
 
 /* ---- what sticks ------------------------------------------------------------------------------

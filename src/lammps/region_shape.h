@@ -36,6 +36,8 @@ public:
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;
+  bool under(int face, const double x[3], double reach, double n[3],
+             double v_wall[3]) const override;
   void stick(const asperity::Path &path, const asperity::Contact &contact,
              asperity::Place &place) const override;
   void carry(asperity::Place &place, double radius, double dt, double x[3],
@@ -58,7 +60,7 @@ private:
   struct Foot {
     double distance, n[3]; /* unit, from the face to the point */
     double hollow;         /* radius of a face that is hollow towards the point; 0 for others */
-    int part;
+    int part, face;
   };
 
   /* What is near a point of the path. */

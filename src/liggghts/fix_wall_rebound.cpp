@@ -471,7 +471,14 @@ void FixWallRebound::pre_force(int) {
 
 void FixWallRebound::end_of_step() {
   set_rows();
-  wall_.hold(spheres());
+  if (siblings_.front() == this) {
+    std::vector<Wall *> walls;
+    for (FixWallRebound *fix : siblings_) {
+      fix->set_rows();
+      walls.push_back(&fix->wall_);
+    }
+    Wall::hold(walls, spheres());
+  }
   const bool is_output = output->next == update->ntimestep;
   if (is_output)
     show_maps();

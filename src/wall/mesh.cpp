@@ -13,14 +13,19 @@ using namespace asperity;
 
 namespace {
 
-/* A long path is searched in pieces of this many radii, the first one first. */
+/* A long path is searched in pieces, the first one first: of this many radii, and longer ones where
+ * they meet no more than so many triangles. */
 const double PIECE = 16;
+const size_t MANY = 64;
 
 /* In radii; see same_instant(). */
 const double GRAZING = 1e-7;
 
 /* How closely a particle that a belt takes along keeps its distance, in radii. */
 const double KEEPS = 1e-6;
+
+/* Sine of the angle to the face from which on a contact is one with an edge or a corner. */
+const double EDGE = 1e-6;
 
 /* Two faces are one where the cosine between their normals differs from 1 by less. */
 const double FLAT = 1e-9;
@@ -204,17 +209,39 @@ const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
   return found_.list;
 }
 
+/* Cuts the times from..to to those at which the sphere may meet the box of the triangles. */
+bool MeshShape::clip(const ContactPath &body, double radius, double &from, double &to) const {
+  const Bounds box = whole();
+  for (int d = 0; d < 3; d++) {
+    const double lo = box.lo[d] - 1.001 * radius - body.x[d];
+    const double hi = box.hi[d] + 1.001 * radius - body.x[d];
+    if (body.v[d] > 0 || body.v[d] < 0) {
+      from = std::max(from, std::min(lo / body.v[d], hi / body.v[d]));
+      to = std::min(to, std::max(lo / body.v[d], hi / body.v[d]));
+    } else if (lo > 0 || hi < 0)
+      return false;
+  }
+  return from <= to;
+}
+
 /* The first triangle on the path. An edge is met at one instant by all of its triangles: the
  * contact is that of the one with the least number, but with the normal that is nearest to that of
  * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
 bool MeshShape::find_image(const ContactPath &body, double radius, double latest,
-                           ContactTouch &touch, int &place) const {
-  const double speed = vector_length(body.v), most = std::min(latest, body.left);
-  const double piece = speed > 0 ? PIECE * radius / speed : INFINITY;
-  for (double from = 0; from <= most; from += piece) {
+                           ContactTouch &touch, Places &place) const {
+  const double speed = vector_length(body.v);
+  const double least = PIECE * radius / speed;
+  double from = 0, most = std::min(latest, body.left), piece = least;
+  if (!(speed > 0) || (piece < most && !clip(body, radius, from, most)))
+    return false;
+  for (;;) {
     const double to = std::min(from + piece, most);
     const ContactList &list = meet(bounds_of(body.x, body.v, from, to, 1.001 * radius),
                                    std::min(speed * (to - from), radius));
+    if (list.count > MANY && piece > least) {
+      piece = std::max(least, piece / 4);
+      continue;
+    }
     const ContactTree *tree = tree_.get();
     bool found = false;
     for (size_t i = 0; i < list.count; i++) {
@@ -225,24 +252,32 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double latest
         continue;
       const bool same = found && other.time >= touch.time - slack;
       if (!same)
-        place = list.item[i];
-      if (!same || other.slant < touch.slant)
+        place.piece = list.item[i];
+      if (!same || other.slant < touch.slant) {
         touch = other;
+        place.face = list.item[i];
+      }
       found = true;
     }
     if (found)
       return true;
+    if (to >= most || !(to > from))
+      return false;
+    piece *= 2;
+    from = to;
   }
-  return false;
 }
 
 void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shift, double radius,
-                     const ContactTouch &touch, int place, Contact &contact) const {
-  double center[3], foot[3], gain[3];
+                     const ContactTouch &touch, const Places &place, Contact &contact) const {
+  double center[3], foot[3], follow[3];
   contact.time = touch.time;
   contact.guarded = touch.guarded;
   contact.closing = -vector_dot(body.v, touch.n);
-  contact.piece = contact_tree_id(tree_.get(), place);
+  contact.piece = contact_tree_id(tree_.get(), place.piece);
+  contact.face = contact_tree_id(tree_.get(), place.face);
+  if (touch.slant > EDGE)
+    contact.face = ~contact.face;
   vector_add_scaled(body.x, touch.time, body.v, center);
   vector_add_scaled(center, touch.lift, touch.n, center);
   vector_add_scaled(center, -radius, touch.n, foot);
@@ -250,7 +285,7 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
     vector_copy(touch.n, contact.n);
     vector_add_scaled(path.x, touch.time, path.v, contact.x);
     vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
-    contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.gain = 0;
+    contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.follow = 0;
     if (runs())
       surface_velocity(contact.piece, foot, contact.v_wall);
     return;
@@ -258,14 +293,56 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
   const double share = path.share() + touch.time / path.dt;
   const Frame frame = motion_.at(share);
   frame.to_world(center, contact.x);
+  motion_.follow(share, contact.x, path.v, follow);
   vector_add_scaled(contact.x, 1, shift.by, contact.x);
   for (int i = 0; i < 3; i++)
     contact.n[i] = vector_dot(frame.turn[i], touch.n);
   double world_foot[3];
   frame.to_world(foot, world_foot);
   motion_.velocity(share, world_foot, contact.v_wall);
-  motion_.gain(world_foot, gain);
-  contact.gain = std::max(0.0, vector_dot(gain, contact.n));
+  contact.follow = vector_dot(follow, contact.n);
+}
+
+/* A face goes on in its plane where the centre has left the triangle: on a flat mesh it is the
+ * next one's, too. An edge or a corner, whose number is the complement of the triangle's, does not.
+ */
+bool MeshShape::under(int face, const double x[3], double reach, double n[3],
+                      double v_wall[3]) const {
+  const bool edge = face < 0;
+  const int piece = edge ? ~face : face;
+  for (const Shift &shift : shifts_) {
+    double at[3], foot[3], arm[3], normal[3];
+    vector_subtract(x, shift.by, at);
+    motion_.end().to_body(at, at);
+    const double still[3] = {0, 0, 0};
+    get_to_know(bounds_of(at, still, 0, 0, reach));
+    const int place = contact_tree_place(tree_.get(), piece);
+    if (place < 0)
+      continue;
+    const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), place);
+    if (!(contact_triangle_nearest(triangle, at, foot) <= 2 * reach))
+      continue;
+    if (!edge) {
+      contact_triangle_normal(triangle, normal);
+      vector_subtract(at, triangle->node[0], arm);
+      vector_add_scaled(at, -vector_dot(arm, normal), normal, foot);
+    }
+    vector_subtract(at, foot, arm);
+    const double distance = vector_length(arm);
+    if (!(distance <= reach && distance > 0))
+      continue;
+    for (int i = 0; i < 3; i++)
+      n[i] = vector_dot(motion_.end().turn[i], arm) / distance;
+    v_wall[0] = v_wall[1] = v_wall[2] = 0;
+    if (runs())
+      surface_velocity(piece, foot, v_wall);
+    else if (motion_.moves()) {
+      motion_.end().to_world(foot, foot);
+      motion_.velocity(1, foot, v_wall);
+    }
+    return true;
+  }
+  return false;
 }
 
 bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -275,7 +352,7 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
   for (const Shift &shift : shifts_) {
     ContactPath body;
     ContactTouch touch;
-    int place = -1;
+    Places place;
     body_path(path, shift, body);
     if (!find_image(body, radius, latest, touch, place))
       continue;

@@ -39,6 +39,8 @@ public:
                double most) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  bool under(int face, const double x[3], double reach, double n[3],
+             double v_wall[3]) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
   size_t bytes() const override;
@@ -79,6 +81,10 @@ private:
   struct Shift {
     double by[3];
   };
+  /* Places in the tree of the triangle that a contact counts for, and of that with its normal. */
+  struct Places {
+    int piece, face;
+  };
   /* The triangles that meet a box, in order of their numbers. */
   struct Meeting {
     ContactList list;
@@ -93,10 +99,11 @@ private:
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
   void get_to_know(const Bounds &box) const;
   const ContactList &meet(const Bounds &box, double margin) const;
+  bool clip(const ContactPath &body, double radius, double &from, double &to) const;
   bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,
-                  int &place) const;
+                  Places &place) const;
   void fill(const Path &path, const ContactPath &body, const Shift &shift, double radius,
-            const ContactTouch &touch, int place, Contact &contact) const;
+            const ContactTouch &touch, const Places &place, Contact &contact) const;
   bool walk(Place &place, double radius, double dt) const;
 
   mutable std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_; /* of what is known */

@@ -121,7 +121,7 @@ void Twist::velocity(const double x[3], double v[3]) const {
   vector_add_scaled(v, 1, linear, v);
 }
 
-Motion::Motion() : moves_(false), has_last_(false), in_world_(true) {}
+Motion::Motion() : dt_(0), moves_(false), has_last_(false), in_world_(true) {}
 
 void Motion::rest() {
   begin_ = end_;
@@ -142,6 +142,7 @@ void Motion::settle(const Frame &frame, bool goes_on) {
 void Motion::advance(const Frame &end, const Twist &twist, double dt) {
   begin_ = end_;
   end_ = end;
+  dt_ = dt;
   screw_ = screw_between(begin_, end_);
   begin_velocity_ = has_last_ ? end_velocity_ : twist;
   end_velocity_ = twist;
@@ -198,12 +199,20 @@ void Motion::velocity(double s, const double x[3], double v[3]) const {
     v[d] = begin[d] + s * (end[d] - begin[d]) + (rounding ? 0 : drift[d]);
 }
 
-void Motion::gain(const double x[3], double dv[3]) const {
-  dv[0] = dv[1] = dv[2] = 0;
+void Motion::follow(double s, const double x[3], const double v[3], double a[3]) const {
+  a[0] = a[1] = a[2] = 0;
   if (!moves_)
     return;
-  double begin[3], end[3];
+  double begin[3], end[3], now[3], angular[3], twice[3], turned[3];
   begin_velocity_.velocity(x, begin);
   end_velocity_.velocity(x, end);
-  vector_subtract(end, begin, dv);
+  velocity(s, x, now);
+  for (int d = 0; d < 3; d++) {
+    angular[d] = begin_velocity_.angular[d] +
+                 s * (end_velocity_.angular[d] - begin_velocity_.angular[d]);
+    twice[d] = 2 * v[d] - now[d];
+  }
+  vector_cross(angular, twice, turned);
+  for (int d = 0; d < 3; d++)
+    a[d] = (end[d] - begin[d]) / dt_ + turned[d];
 }

@@ -63,14 +63,17 @@ public:
   Frame at(double s) const;
   void velocity(double s, const double x[3], double v[3]) const;
 
-  /* How much the velocity of the point x changes within the step. */
-  void gain(const double x[3], double dv[3]) const;
+  /* The acceleration of a point that moves through x with the velocity v and keeps its distance
+   * from a plane of the body, as far as it counts along the plane's normal: with V and omega the
+   * body's velocity at x and its angular velocity, dV/dt + omega x (2 v - V). */
+  void follow(double s, const double x[3], const double v[3], double a[3]) const;
 
 private:
   Frame begin_, end_;
   Twist screw_; /* of the whole step, times its duration */
   Twist begin_velocity_, end_velocity_;
   Twist drift_; /* of the screw, from the mean of these velocities */
+  double dt_;
   bool moves_, has_last_, in_world_;
 };
 

@@ -27,8 +27,8 @@ ContactPath contact_path(const Path &path) {
 void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
   contact.time = touch.time;
   contact.guarded = touch.guarded;
-  contact.piece = 0;
-  contact.gain = 0;
+  contact.piece = contact.face = 0;
+  contact.follow = 0;
   contact.closing = -vector_dot(path.v, touch.n);
   vector_copy(touch.n, contact.n);
   vector_add_scaled(path.x, touch.time, path.v, contact.x);
@@ -66,6 +66,15 @@ bool PlaneShape::find(const Path &path, double radius, double latest, Contact &c
   take_over(touch, path, contact);
   vector_copy(v_, contact.v_wall);
   return true;
+}
+
+bool PlaneShape::under(int, const double x[3], double reach, double n[3],
+                       double v_wall[3]) const {
+  const double off = x[plane_.axis] - plane_.at;
+  for (int d = 0; d < 3; d++)
+    n[d] = d != plane_.axis ? 0 : off < 0 ? -1 : 1;
+  vector_copy(v_, v_wall);
+  return fabs(off) <= reach;
 }
 
 void PlaneShape::stick(const Path &, const Contact &contact, Place &place) const {
@@ -123,10 +132,33 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
   if (!contact_cylinder_find(&cylinder_, &p, radius, latest, &touch))
     return false;
   take_over(touch, path, contact);
-  double touched[3];
-  vector_add_scaled(path.x, touch.time, path.v, touched);
-  velocity(touched, contact.v_wall);
+  velocity(contact.x, contact.v_wall);
+  /* Inside, the wall curves towards the centre, outside away from it. */
+  double axis[3] = {0, 0, 0}, around[3];
+  axis[cylinder_.axis] = 1;
+  vector_cross(axis, contact.n, around);
+  const double distance = axis_distance(contact.x), speed = vector_dot(path.v, around);
+  if (distance > 0)
+    contact.follow = (distance < cylinder_.radius ? 1 : -1) * speed * speed / distance;
+  contact.closing += 0.5 * (path.left - touch.time) * contact.follow;
   return true;
+}
+
+double CylinderShape::axis_distance(const double x[3]) const {
+  double arm[3];
+  vector_subtract(x, cylinder_.center, arm);
+  arm[cylinder_.axis] = 0;
+  return vector_length(arm);
+}
+
+bool CylinderShape::under(int, const double x[3], double reach, double n[3],
+                          double v_wall[3]) const {
+  const double distance = axis_distance(x);
+  vector_subtract(x, cylinder_.center, n);
+  n[cylinder_.axis] = 0;
+  vector_scale((distance < cylinder_.radius ? -1 : 1) / distance, n);
+  velocity(x, v_wall);
+  return distance > 0 && fabs(distance - cylinder_.radius) <= reach;
 }
 
 void CylinderShape::stick(const Path &, const Contact &contact, Place &place) const {

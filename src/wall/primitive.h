@@ -25,6 +25,8 @@ public:
     return axis != plane_.axis;
   }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  bool under(int face, const double x[3], double reach, double n[3],
+             double v_wall[3]) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
 
@@ -43,6 +45,8 @@ public:
     return axis == cylinder_.axis;
   }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  bool under(int face, const double x[3], double reach, double n[3],
+             double v_wall[3]) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
   Lay::Kind lay_kind() const override {
@@ -53,6 +57,7 @@ public:
 
 private:
   void velocity(const double x[3], double v[3]) const;
+  double axis_distance(const double x[3]) const;
 
   ContactCylinder cylinder_;
   double along_, turn_;

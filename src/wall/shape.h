@@ -26,9 +26,11 @@ struct Contact {
   double x[3];      /* of the centre then, moved out of the wall where it overlapped */
   double n[3];      /* outward unit normal, from the wall to the centre */
   double v_wall[3]; /* of the point that is touched */
-  double gain;      /* by how much that point's speed along n grows in a step, >= 0 */
-  double closing;   /* > 0; speed along -n on the path as it was searched: its mean over the step */
+  double follow;    /* acceleration along n that keeps the centre at the wall: that of the wall's
+                       point, of its turn under the centre, and of its curve */
+  double closing;   /* mean speed along -n over the rest of the path as it was searched */
   int piece;        /* number of the triangle; 0 for a shape of one piece */
+  int face;         /* the piece, or where a shape of one piece has several faces, which of them */
   bool guarded;     /* the particle was in the wall already */
 };
 
@@ -74,6 +76,11 @@ public:
 
   /* The first contact of the path at or before `latest`. */
   virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
+
+  /* The wall under a centre that has stayed at a face, at the end of the step: the normal and the
+   * velocity of the wall's point. False where the centre is farther away than `reach`. */
+  virtual bool under(int face, const double x[3], double reach, double n[3],
+                     double v_wall[3]) const = 0;
 
   /* Where a particle is that sticks at this contact of the path; and, after it has been carried for
    * the time dt, its place and velocity at the end of the step. */

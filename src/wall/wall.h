@@ -28,13 +28,13 @@ class Wall {
 public:
   /* Numbers of each particle that the engine keeps and moves between ranks, and writes into restart
    * files; all 0 at first. State: how often the particle has hit this wall, and whether it is free,
-   * rests, or is stuck. Place: where it sticks, and with which velocity. Of one that rests or has
-   * rebounded in this step, NORMAL is the wall's normal instead; and of the latter SQUARE and WORK
-   * tell its energy (see balance()). */
+   * stays at the wall, or is stuck. Place: where it sticks, and with which velocity. Of a particle
+   * that stays at the wall, pairs of a shape (from 1; 0: none) and its face instead; of one that
+   * has rebounded in this step, SQUARE and WORK of its energy (see balance()) and NORMAL. */
   enum { IMPACTS, STATE, N_STATE };
   enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, N_PLACE = VELOCITY + 3 };
   enum { SQUARE = SHAPE, WORK = PIECE, NORMAL = AT };
-  enum State { REBOUNDED = -2, RESTING, FREE, FROZEN, DOOMED };
+  enum State { REBOUNDED = -3, RESTED, RESTING, FREE, FROZEN, DOOMED };
 
   enum Counter {
     N_IMPACTS,
@@ -80,9 +80,8 @@ public:
   /* All contacts of a step of all walls of a run; their rows must be set. */
   static void step(const std::vector<Wall *> &walls, const Spheres &spheres);
 
-  /* Takes from particles that stick or rest the velocity that forces have given them against the
-   * wall, at the end of a step. */
-  void hold(const Spheres &spheres);
+  /* The end of a step, after its forces, for all walls of a run; their rows must be set. */
+  static void hold(const std::vector<Wall *> &walls, const Spheres &spheres);
 
   /* Whether particles of this rank are to be deleted. */
   bool has_doomed() const {
@@ -101,7 +100,7 @@ public:
 
   /* By the wall's own clock, which restarts and reset_step() do not disturb; after init(). */
   bool is_at_rest(int i) const {
-    return state(i)[STATE] > REBOUNDED && state(i)[STATE] < FREE;
+    return status(i) == RESTING;
   }
   double time(double step) const;
 
@@ -192,6 +191,9 @@ private:
   double *state(int i) const {
     return state_ + static_cast<size_t>(i) * N_STATE;
   }
+  State status(int i) const {
+    return static_cast<State>(static_cast<int>(state(i)[STATE]));
+  }
   double *place(int i) const {
     return place_ + static_cast<size_t>(i) * N_PLACE;
   }
@@ -203,18 +205,19 @@ private:
   void find_near(const Spheres &spheres, std::vector<int> &near);
   void look_ahead(const Spheres &spheres, int i, std::vector<int> &near);
   void look_anew();
+  void look_next(int i);
   bool repeats() const;
   int steps_clear(const Spheres &spheres, int i) const;
   static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
                          size_t &shape, Contact &contact);
   static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
-  bool touch(Flight &flight, size_t shape, const Contact &contact);
-  void rest(Flight &flight, size_t shape, const Contact &contact, const double v[3], double push);
-  void hold_resting(const Spheres &spheres, int i);
+  bool touch(Flight &flight, size_t shape, const Contact &contact, bool crowded);
+  void keep_resting(int i, size_t shape, int face);
+  static void hold_resting(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
   static void note_energy(const Flight &flight);
   void balance(const Spheres &spheres, int i);
   void press(const Spheres &spheres, int i, size_t shape, int piece, const double n[3],
-             const double before[3], const double after[3], const double v1[3]);
+             const double impulse[3], const double v1[3]);
   void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
   void count(const Flight &flight, const Event &event);
   void record(const Flight &flight, const Event &event);
@@ -234,7 +237,8 @@ private:
   int groupbit_;
   Box box_;
   double *state_, *place_;
-  std::vector<int> stuck_, touching_; /* those at rest and rebounded: of this step */
+  std::vector<int> stuck_, touching_, rested_; /* touching: those that stay or have rebounded, of
+                                                  this step; rested: of the step before */
   Ahead ahead_;
   double travel_; /* of the wall's fastest point in a step, at most */
   double stray_;  /* how far a particle may leave the way that it was looked ahead on, a step */
@@ -244,7 +248,7 @@ private:
   double dt_;
   std::vector<int>
       shape_now_; /* of a restart: the shape, from 1, that was each of the saved ones */
-  bool warned_, has_doomed_;
+  bool warned_, cut_, has_doomed_; /* cut: a particle had too many contacts in a step */
 };
 
 } // namespace asperity

@@ -192,7 +192,7 @@ bool run(Room &room, double diameters, double impacts) {
     for (int i = 0; i < 3 * n; i++)
       x[i] += v[i] * dt;
     Wall::step(walls, s);
-    wall.hold(s);
+    Wall::hold(walls, s);
     for (int i = 0; i < n; i++) {
       double body[3];
       vector_copy(&x[3 * i], body);

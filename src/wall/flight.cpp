@@ -1,0 +1,597 @@
+/* The contacts of a particle in one step: impacts, by the wall's law, and sustained contacts, by
+ * Moreau's rule (sustained.h).
+ *
+ * One criterion tells them apart, for every kind of wall: a contact is sustained if the particle,
+ * thrown back at the speed of its approach, would return within a step. With the acceleration a of
+ * the particle and the acceleration f that keeps it at the wall (Contact::follow), that is
+ *
+ *   -(v - v_wall).n <= (f - a.n) dt/2
+ *
+ * A sustained contact is no impact: it has no row and is not counted.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/wall.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <algorithm>
+
+#include "contact/contact.h"
+#include "contact/vector.h"
+#include "wall/error.h"
+#include "wall/sustained.h"
+#include "wall/text.h"
+
+using namespace asperity;
+
+namespace {
+
+const double DEGREES = 180 / ASP_PI;
+
+/* Contacts in a row within this share of the radius. After SERIES of them, as between walls that
+ * close, all are taken as sustained; after twice as many the particle is trapped in this step. */
+const int SERIES = 16;
+const double NEAR = 0.01;
+
+/* Contacts of one particle in one step, at most. */
+const int CONTACTS_MOST = 10000;
+
+/* A particle that has stayed at a wall is still there at the end of the step if its centre is
+ * within this many radii. */
+const double REACH = 1.01;
+
+/* Two contacts are one where the cosine between their normals differs from 1 by less. */
+const double SAME = 1e-9;
+
+/* Relative rounding of sums, and of velocities. */
+const double ROUNDING = 1e-9;
+const double EPSILON = 1e-12;
+
+} // namespace
+
+/* One particle on its way through a step. Its path is straight; along it the velocity changes by
+ * what acts on the particle, from `begin`, so that a contact finds the velocity of its own instant.
+ * `half` is what the engine's second half of the step has to begin with. */
+struct Wall::Flight {
+  /* A sustained contact; `keep` is the speed along n that its path needs. */
+  struct Stay {
+    Wall *wall;
+    size_t shape;
+    Contact contact;
+    double keep;
+  };
+
+  const Spheres &spheres;
+  int i;
+  double radius, mass;
+  Path path;
+  double begin[3], acceleration[3], half[3], spin[3];
+  std::vector<Event> events;
+  double x0[3], v0[3], a0[3]; /* at the beginning of the step */
+
+  /* The sustained contacts of one place, and what the particle had before them. */
+  std::vector<Stay> stays;
+  std::vector<Support> supports;
+  double free_half[3], free_spin[3];
+  bool squeezed;
+
+  Flight(const Spheres &s, int particle);
+  asp_particle particle(const asp_pair *pair) const;
+  void velocity(double time, double v[3]) const;
+  void go_on(const double before[3], const double after[3], const double n[3]);
+  void stay(Wall *wall, size_t shape, const Contact &contact);
+  void follow_walls();
+  void settle();
+  double elapsed() const {
+    return spheres.dt - path.left;
+  }
+};
+
+Wall::Flight::Flight(const Spheres &s, int particle)
+    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false) {
+  const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
+  path.left = path.dt = s.dt;
+  vector_copy(v, path.v);
+  vector_copy(v, half);
+  for (int d = 0; d < 3; d++)
+    spin[d] = s.omega ? s.omega[3 * static_cast<size_t>(i) + d] : 0;
+  vector_add_scaled(x, -s.dt, v, path.x);
+  vector_copy(s.f + 3 * static_cast<size_t>(i), acceleration);
+  vector_scale(1 / mass, acceleration);
+  vector_copy(path.x, x0);
+  vector_add_scaled(v, -0.5 * s.dt, acceleration, v0);
+  vector_copy(v0, begin);
+  vector_copy(acceleration, a0);
+}
+
+/* As it comes to a contact. */
+asp_particle Wall::Flight::particle(const asp_pair *pair) const {
+  const double d_p = 2 * radius;
+  return asp_particle{
+      d_p, mass / (ASP_PI / 6 * d_p * d_p * d_p), pair, {spin[0], spin[1], spin[2]}, NULL};
+}
+
+/* At a time since the beginning of the path. */
+void Wall::Flight::velocity(double time, double v[3]) const {
+  vector_add_scaled(begin, time, acceleration, v);
+}
+
+/* The path from where it has come to, by a contact that has changed the velocity there. Its mean
+ * velocity differs from that at its beginning: along n by what acts for the rest of the step, and
+ * across it by as much as before, so that a particle which loses nothing along the wall ends where
+ * it would have without the wall. */
+void Wall::Flight::go_on(const double before[3], const double after[3], const double n[3]) {
+  double ahead[3];
+  vector_subtract(path.v, before, ahead);
+  vector_add_scaled(ahead, 0.5 * path.left * vector_dot(acceleration, n) - vector_dot(ahead, n), n,
+                    ahead);
+  vector_copy(after, begin);
+  vector_add_scaled(after, 1, ahead, path.v);
+}
+
+/* ---- the contacts of a step -------------------------------------------------------------------
+ */
+
+/* What sticks goes with its wall; then, of the others, the few that may touch a wall. */
+void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
+  std::vector<int> near;
+  for (Wall *wall : walls) {
+    for (int i : wall->touching_) /* those that touched it in the step before */
+      if (wall->status(i) < FREE)
+        wall->state(i)[STATE] = wall->is_at_rest(i) ? RESTED : FREE;
+    wall->rested_.swap(wall->touching_);
+    wall->touching_.clear();
+    if (wall->ledger_)
+      wall->ledger_->begin_step(spheres.step);
+    wall->carry(spheres);
+    wall->find_near(spheres, near);
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (int i : near) {
+    bool stuck = false;
+    for (const Wall *wall : walls)
+      stuck = stuck || wall->state(i)[STATE] > FREE;
+    if (!stuck)
+      fly(walls, spheres, i);
+  }
+  for (Wall *wall : walls)
+    for (int i : wall->rested_)
+      if (wall->status(i) == RESTED)
+        wall->state(i)[STATE] = FREE;
+}
+
+/* The first contact of what is left of a path. An edge is met at one instant by all that share it:
+ * the contact is that of the first wall and shape. */
+bool Wall::find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&first,
+                      size_t &shape, Contact &contact) {
+  first = NULL;
+  const double same = 2 * CONTACT_TOLERANCE * flight.radius;
+  for (Wall *wall : walls) {
+    if (!(flight.spheres.mask[flight.i] & wall->groupbit_))
+      continue;
+    for (size_t m = 0; m < wall->shapes_.size(); m++) {
+      Contact other;
+      const double latest = first ? contact.time : flight.path.left;
+      if (!wall->shapes_[m].shape->find(flight.path, flight.radius, latest, other))
+        continue;
+      if (first && !((contact.time - other.time) * other.closing > same))
+        continue;
+      first = wall;
+      shape = m;
+      contact = other;
+    }
+  }
+  return first != NULL;
+}
+
+/* All contacts of one particle in this step. */
+void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
+  Flight flight(s, i);
+  Path &path = flight.path;
+  Wall *wall = NULL, *last = NULL;
+  size_t shape;
+  Contact contact;
+  bool stuck = false;
+  int series = 0, all = 0;
+  while (!stuck && series < 2 * SERIES && all < CONTACTS_MOST &&
+         find_first(walls, flight, wall, shape, contact)) {
+    if (contact.time * vector_length(path.v) > NEAR * flight.radius) {
+      series = 0;
+      flight.settle();
+    }
+    series++;
+    all++;
+    last = wall;
+    stuck = wall->touch(flight, shape, contact, series > SERIES);
+  }
+  flight.settle();
+  if (last && (series == 2 * SERIES || flight.squeezed)) {
+    last->counters_[N_GUARDED]++;
+    if (getenv("DBG")) {
+      fprintf(stderr, "guard step %d tag %d series %d sq %d all %d\n", (int)s.step, (int)s.tag_of(i), series, flight.squeezed, all);
+    }
+  }
+  if (last && all == CONTACTS_MOST)
+    last->cut_ = true;
+  for (const Event &event : flight.events)
+    event.wall->count(flight, event);
+  for (Wall *each : walls)
+    if (s.mask[i] & each->groupbit_)
+      each->look_next(i);
+  if (all == 0 || stuck)
+    return;
+  vector_copy(flight.half, s.v + 3 * static_cast<size_t>(i));
+  if (s.omega)
+    vector_copy(flight.spin, s.omega + 3 * static_cast<size_t>(i));
+  vector_add_scaled(path.x, path.left, path.v, s.x + 3 * static_cast<size_t>(i));
+  note_energy(flight);
+}
+
+/* One contact: moves the flight on to it, and gives it the velocity after it. True where the
+ * particle has stuck. */
+bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crowded) {
+  const bool dbg = getenv("DBG2") && flight.spheres.step == atoi(getenv("DBG2")) && flight.spheres.tag_of(flight.i) == atoi(getenv("DBG3"));
+  const Spheres &s = flight.spheres;
+  const int i = flight.i;
+  const Path before = flight.path;
+  double v[3], v1[3];
+  flight.velocity(contact.time, v);
+  vector_subtract(v, contact.v_wall, v1);
+  vector_copy(contact.x, flight.path.x);
+  flight.path.left = std::max(0.0, before.left - contact.time);
+  vector_copy(v, flight.begin);
+
+  const double approach = -vector_dot(v1, contact.n);
+  const double push = contact.follow - vector_dot(flight.a0, contact.n);
+  const bool sustained =
+      crowded || !(approach > (1 + ROUNDING) * 0.5 * s.dt * std::max(0.0, push));
+  if (dbg) fprintf(stderr, "  t %g left %g piece %d face %d n %g %g %g guarded %d closing %g approach %g push %g follow %g vw %g %g %g v %g %g %g sust %d\n", contact.time, flight.path.left, contact.piece, contact.face, contact.n[0],contact.n[1],contact.n[2],contact.guarded,contact.closing,approach,push,contact.follow,contact.v_wall[0],contact.v_wall[1],contact.v_wall[2],v[0],v[1],v[2],sustained);
+  const bool arrives = approach > 0 && status(i) == FREE;
+  if (sustained && !(arrives && model_.sticks())) {
+    flight.stay(this, shape, contact);
+    return false;
+  }
+  if (!model_.wall())
+    throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
+                     "diameters beforehand; make particles before 'run', or by a fix insert",
+                     static_cast<long long>(s.tag_of(i))));
+  asp_particle particle = flight.particle(model_.pair(s.type[i], shapes_[shape].wall_type));
+  double lay[3];
+  if (model_.lay().kind != Lay::NONE) {
+    shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
+    particle.lay = lay;
+  }
+  Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, 0, 0, {}, {}};
+  event.elapsed = flight.elapsed();
+  event.time = time(static_cast<double>(s.step)) - flight.path.left;
+  event.key.seed = model_.seed();
+  event.key.wall = key_;
+  event.key.tag = static_cast<uint64_t>(s.tag_of(i));
+  event.key.impact = static_cast<uint32_t>(state(i)[IMPACTS]) + 1;
+  asp_wall_impact(model_.wall(), &particle, v1, contact.n, &event.key, &event.impact);
+  const bool sticks = event.impact.outcome == ASP_DEPOSIT;
+  if (sustained && !sticks) {
+    flight.stay(this, shape, contact);
+    return false;
+  }
+  state(i)[IMPACTS]++;
+  flight.events.push_back(event);
+  flight.settle();
+  if (sticks) {
+    stick(flight, shape, before, contact);
+    return true;
+  }
+  double after[3];
+  vector_copy(event.impact.omega, flight.spin);
+  vector_add_scaled(contact.v_wall, 1, event.impact.v2, after);
+  for (int d = 0; d < 3; d++)
+    flight.half[d] = after[d] + (flight.half[d] - v[d]);
+  flight.go_on(v, after, contact.n);
+  return false;
+}
+
+/* ---- sustained contact ------------------------------------------------------------------------
+ */
+
+/* Adds a sustained contact to those of this place, or renews it, and solves all of them. */
+void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
+  if (stays.empty()) {
+    vector_copy(half, free_half);
+    vector_copy(spin, free_spin);
+  }
+  size_t k = 0;
+  while (k < stays.size() &&
+         !(stays[k].wall == wall && stays[k].shape == shape &&
+           vector_dot(stays[k].contact.n, contact.n) > 1 - SAME))
+    k++;
+  if (k == stays.size()) {
+    stays.push_back(Stay());
+    supports.push_back(Support());
+  }
+  const double speed = vector_length(path.v) + vector_length(contact.v_wall);
+  stays[k] = Stay{wall, shape, contact,
+                  vector_dot(path.v, contact.n) + (1 + ROUNDING) * std::max(0.0, contact.closing) +
+                      EPSILON * speed};
+  Support &s = supports[k];
+  vector_copy(contact.n, s.n);
+  vector_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow, contact.n, s.w);
+  s.friction = wall->model_.friction(spheres.type[i], wall->shapes_[shape].wall_type);
+
+  double before[3];
+  vector_copy(half, before);
+  vector_copy(free_half, half);
+  vector_copy(free_spin, spin);
+  squeezed = !solve_supports(supports, radius, half, spin) || squeezed;
+  for (int d = 0; d < 3; d++)
+    path.v[d] += half[d] - before[d];
+  follow_walls();
+}
+
+/* The path keeps along the walls as the search has them, which is not exactly what velocities at an
+ * instant say; and what pushes the particle against them does not speed it up. */
+void Wall::Flight::follow_walls() {
+  std::vector<Support> keep(supports);
+  double none[3] = {0, 0, 0};
+  vector_copy(a0, acceleration);
+  for (size_t k = 0; k < stays.size(); k++) {
+    keep[k].friction = 0;
+    vector_copy(keep[k].n, keep[k].w);
+    vector_scale(stays[k].keep, keep[k].w);
+    const Contact &contact = stays[k].contact;
+    const double push = contact.follow - vector_dot(acceleration, contact.n);
+    vector_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
+  }
+  solve_supports(keep, radius, path.v, none);
+  vector_add_scaled(half, elapsed() - 0.5 * spheres.dt, acceleration, begin);
+}
+
+/* The contacts of this place are over, or the step is: the walls take their impulses, and know of
+ * the particle until the end of the step. */
+void Wall::Flight::settle() {
+  for (size_t k = 0; k < stays.size(); k++) {
+    const Stay &stay = stays[k];
+    Support &s = supports[k];
+    double u[3];
+    vector_subtract(free_half, stay.contact.v_wall, u);
+    vector_scale(-mass, s.p);
+    stay.wall->press(spheres, i, stay.shape, stay.contact.piece, s.n, s.p, u);
+    stay.wall->keep_resting(i, stay.shape, stay.contact.face);
+  }
+  stays.clear();
+  supports.clear();
+}
+
+/* Notes a face at which a particle stays; of more than a row has room for, the last ones. */
+void Wall::keep_resting(int i, size_t shape, int face) {
+  double *row = place(i);
+  if (!is_at_rest(i)) {
+    std::fill(row, row + N_PLACE, 0.0);
+    state(i)[STATE] = RESTING;
+    touching_.push_back(i);
+  }
+  int k = 0;
+  while (k < N_PLACE && row[k] > 0 &&
+         !(static_cast<size_t>(row[k]) == shape + 1 && static_cast<int>(row[k + 1]) == face))
+    k += 2;
+  if (k == N_PLACE) {
+    std::copy(row + 2, row + N_PLACE, row);
+    k = N_PLACE - 2;
+  }
+  row[k] = static_cast<double>(shape) + 1;
+  row[k + 1] = face;
+}
+
+/* The end of a step: what sticks has its wall's velocity; a particle that stays at walls loses what
+ * the second half of the step has given it against them; one that has rebounded gets its energy. */
+void Wall::hold(const std::vector<Wall *> &walls, const Spheres &s) {
+  std::vector<int> resting;
+  for (Wall *wall : walls) {
+    for (int i : wall->stuck_) {
+      vector_copy(wall->place(i) + VELOCITY, s.v + 3 * static_cast<size_t>(i));
+      for (int d = 0; s.omega && d < 3; d++)
+        s.omega[3 * static_cast<size_t>(i) + d] = 0;
+    }
+    for (int i : wall->touching_)
+      if (wall->is_at_rest(i))
+        resting.push_back(i);
+      else if (wall->status(i) == REBOUNDED)
+        wall->balance(s, i);
+  }
+  std::sort(resting.begin(), resting.end());
+  resting.erase(std::unique(resting.begin(), resting.end()), resting.end());
+  for (int i : resting)
+    hold_resting(walls, s, i);
+}
+
+/* By the same rule as within the step, with the walls as they are at its end. */
+void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int i) {
+  struct At {
+    Wall *wall;
+    size_t shape;
+    int face;
+  };
+  std::vector<At> at;
+  std::vector<Support> supports;
+  double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3];
+  const double *x = s.x + 3 * static_cast<size_t>(i);
+  for (Wall *wall : walls) {
+    const double *row = wall->place(i);
+    for (int k = 0; wall->is_at_rest(i) && k < N_PLACE && row[k] > 0; k += 2) {
+      const At here = {wall, static_cast<size_t>(row[k]) - 1, static_cast<int>(row[k + 1])};
+      const Member &member = wall->shapes_[here.shape];
+      Support support;
+      if (!member.shape->under(here.face, x, REACH * s.radius[i], support.n, support.w))
+        continue;
+      support.friction = wall->model_.friction(s.type[i], member.wall_type);
+      at.push_back(here);
+      supports.push_back(support);
+    }
+  }
+  if (supports.empty())
+    return;
+  if (s.omega)
+    vector_copy(s.omega + 3 * static_cast<size_t>(i), spin);
+  vector_copy(v, before);
+  solve_supports(supports, s.radius[i], v, spin);
+  if (s.omega)
+    vector_copy(spin, s.omega + 3 * static_cast<size_t>(i));
+  for (size_t k = 0; k < at.size(); k++) {
+    double u[3];
+    vector_subtract(before, supports[k].w, u);
+    vector_scale(-s.mass[i], supports[k].p);
+    at[k].wall->press(s, i, at[k].shape, at[k].face < 0 ? ~at[k].face : at[k].face, supports[k].n,
+                      supports[k].p, u);
+  }
+}
+
+/* ---- what a wall feels ------------------------------------------------------------------------
+ */
+
+/* An impulse that a particle has given to a shape that measures. v1: relative to the wall. */
+void Wall::press(const Spheres &s, int i, size_t shape, int piece, const double n[3],
+                 const double impulse[3], const double v1[3]) {
+  if (!shapes_[shape].shape->measures())
+    return;
+  Blow blow;
+  blow.piece = piece;
+  blow.type = s.type[i];
+  blow.mask = s.mask[i];
+  vector_copy(impulse, blow.impulse);
+  vector_add_scaled(s.x + 3 * static_cast<size_t>(i), -s.radius[i], n, blow.point);
+  vector_copy(v1, blow.v_before);
+  shapes_[shape].shape->take(blow);
+}
+
+/* ---- impacts and what sticks -------------------------------------------------------------------
+ */
+
+/* A force that changes within a step, as that of another particle, does its work before and after a
+ * rebound on two legs of the path. What it is at the end of the step is not known yet; so the
+ * energy of the normal motion is noted as a linear function of it: v_n^2 = v_n2^2 + e^2 (v_n0^2 + 2
+ * W_1 - v_n1^2) + 2 W_2 = SQUARE + WORK a_n(end), with W_1 and W_2 the works by the trapezoidal
+ * rule before and after the contact, for the acceleration linear in time, and e = v_n2/v_n1, not
+ * above 1. Of a wall with one contact only. */
+void Wall::note_energy(const Flight &flight) {
+  const Spheres &s = flight.spheres;
+  const double *x = s.x + 3 * static_cast<size_t>(flight.i);
+  if (!(vector_dot(flight.a0, flight.a0) > 0))
+    return; /* in free flight velocities stay what they are, to the bit */
+  for (const Event &event : flight.events) {
+    Wall *wall = event.wall;
+    int contacts = 0;
+    for (const Event &other : flight.events)
+      contacts += other.wall == wall;
+    if (contacts > 1 || wall->is_at_rest(flight.i))
+      continue;
+    const double *n = event.contact.n;
+    double relative[3], leg1[3], leg2[3];
+    vector_subtract(flight.v0, event.contact.v_wall, relative);
+    vector_subtract(event.contact.x, flight.x0, leg1);
+    vector_subtract(x, event.contact.x, leg2);
+    const double share = event.elapsed / s.dt, a0 = vector_dot(flight.a0, n);
+    const double d1 = vector_dot(leg1, n) - vector_dot(event.contact.v_wall, n) * event.elapsed;
+    const double d2 =
+        vector_dot(leg2, n) - vector_dot(event.contact.v_wall, n) * (s.dt - event.elapsed);
+    const double v0 = vector_dot(relative, n), v1 = -vector_dot(event.v1, n),
+                 v2 = vector_dot(event.impact.v2, n);
+    const double e = std::min(1.0, v2 / v1);
+    double *row = wall->place(flight.i);
+    row[SQUARE] =
+        v2 * v2 + e * e * (v0 * v0 + (2 - share) * a0 * d1 - v1 * v1) + (1 - share) * a0 * d2;
+    row[WORK] = e * e * share * d1 + (1 + share) * d2;
+    vector_copy(n, row + NORMAL);
+    vector_copy(event.contact.v_wall, row + VELOCITY);
+    wall->state(flight.i)[STATE] = REBOUNDED;
+    wall->touching_.push_back(flight.i);
+  }
+}
+
+/* The end of a step with a rebound: the normal velocity by its energy. Without it, particles that
+ * touch each other at a wall would gain or lose energy at each rebound, in steps that resolve their
+ * contact well. */
+void Wall::balance(const Spheres &s, int i) {
+  const double *row = place(i), *n = row + NORMAL, *f = s.f + 3 * static_cast<size_t>(i);
+  double *v = s.v + 3 * static_cast<size_t>(i), v1[3];
+  vector_subtract(v, row + VELOCITY, v1);
+  const double now = vector_dot(v1, n);
+  const double square = row[SQUARE] + row[WORK] * vector_dot(f, n) / s.mass[i];
+  const double speed = sqrt(std::max(0.0, square));
+  vector_add_scaled(v, (now < 0 ? -speed : speed) - now, n, v);
+}
+
+void Wall::count(const Flight &flight, const Event &event) {
+  const bool stuck = event.impact.outcome == ASP_DEPOSIT;
+  const double stuck_mass = stuck ? flight.mass : 0;
+  const double energy = 0.5 * flight.mass * vector_dot(event.v1, event.v1);
+  counters_[N_IMPACTS]++;
+  counters_[N_DEPOSITS] += stuck;
+  counters_[DEPOSITED_MASS] += stuck_mass;
+  counters_[N_LATER_HITS] += event.impact.hits - 1;
+  counters_[N_CAPPED] += event.impact.capped;
+  counters_[N_GUARDED] += event.contact.guarded;
+  Member &member = shapes_[event.shape];
+  member.totals[SHAPE_IMPACTS]++;
+  member.totals[SHAPE_DEPOSITS] += stuck;
+  member.totals[SHAPE_MASS] += stuck_mass;
+  member.totals[SHAPE_ENERGY] += energy;
+  if (member.sums.size() > 0) {
+    double *sums = member.sums.data() + static_cast<size_t>(event.contact.piece) * N_SUMS;
+    sums[PIECE_IMPACTS]++;
+    sums[PIECE_MASS] += stuck_mass;
+    sums[PIECE_ENERGY] += energy;
+  }
+  double impulse[3];
+  vector_subtract(event.v1, event.impact.v2, impulse);
+  vector_scale(flight.mass, impulse);
+  press(flight.spheres, flight.i, event.shape, event.contact.piece, event.contact.n, impulse,
+        event.v1);
+  if (ledger_)
+    record(flight, event);
+}
+
+void Wall::record(const Flight &flight, const Event &event) {
+  typedef Ledger L;
+  const asp_coefficients c = asp_impact_coefficients(event.v1, event.contact.n, &event.impact);
+  L::Row row;
+  row[L::TAG] = static_cast<double>(event.key.tag);
+  row[L::IMPACT] = event.key.impact;
+  row[L::TIME] = event.time;
+  row[L::MESH] = shapes_[event.shape].sums.size() > 0 ? static_cast<double>(event.shape) + 1 : 0;
+  row[L::TRIANGLE] = event.contact.piece;
+  for (int d = 0; d < 3; d++)
+    row[L::X + d] = event.contact.x[d];
+  row[L::D_P] = 2 * flight.radius;
+  row[L::V1] = c.v1;
+  row[L::ALPHA1] = c.alpha1 * DEGREES;
+  row[L::DELTA_ALPHA] = event.impact.delta_alpha * DEGREES;
+  row[L::TILT_OUT] = event.impact.tilt_out * DEGREES;
+  row[L::HITS] = event.impact.hits;
+  row[L::V2] = c.v2;
+  row[L::ALPHA2] = c.alpha2 * DEGREES;
+  row[L::COR_N] = c.cor_n;
+  row[L::COR_T] = c.cor_t;
+  row[L::OUTCOME] = event.impact.outcome == ASP_REBOUND ? 0
+                    : model_.deposit() == Model::DELETE ? 2
+                                                        : 1;
+  row[L::STEP] = static_cast<double>(flight.spheres.step);
+  row[L::COR_T_DEFINED] = c.cor_t_defined;
+  ledger_->add(row);
+}
+
+/* Notes where the particle has stuck, and takes it along with the wall for the rest of the step. */
+void Wall::stick(Flight &flight, size_t shape, const Path &before, const Contact &contact) {
+  const int i = flight.i;
+  Place at;
+  shapes_[shape].shape->stick(before, contact, at);
+  double *row = place(i);
+  row[SHAPE] = static_cast<double>(shape) + 1;
+  row[PIECE] = at.piece;
+  vector_copy(at.at, row + AT);
+  state(i)[STATE] = model_.deposit() == Model::DELETE ? DOOMED : FROZEN;
+  has_doomed_ = has_doomed_ || model_.deposit() == Model::DELETE;
+  stuck_.push_back(i);
+  vector_copy(contact.x, flight.spheres.x + 3 * static_cast<size_t>(i));
+  carry_one(flight.spheres, i, flight.path.left);
+}
