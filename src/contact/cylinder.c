@@ -45,19 +45,23 @@ bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *p
   if (!(square > 0))
     return false;
   const double rate = vector_dot(arm, v), speed = sqrt(square);
-  double time = chord_time(inside, distance, touching, rate, square);
+  const bool touches = inside && fabs(distance - touching) <= CONTACT_TOLERANCE * radius;
+  const bool wide = inside && !(touching > 0); /* it goes back to the axis at the end */
+  double time =
+      wide ? path->left : chord_time(inside, touches ? touching : distance, touching, rate, square);
   if (!(time <= latest))
     return false;
   /* One that slides along the inside leaves the curve by its straight path: it touches now. */
-  const bool slides = inside && touching > 0 && distance >= touching - CONTACT_TOLERANCE * radius &&
-                      time < path->left && fabs(rate) <= SLIDES * speed * distance;
+  const bool slides =
+      touches && !wide && time < path->left && fabs(rate) <= SLIDES * speed * distance;
   if (slides)
     time = 0;
   vector_add_scaled(arm, time, v, n);
   if (inside)
     vector_scale(-1, n);
   const double length = vector_length(n);
-  if (!slides && !(-vector_dot(v, n) > CONTACT_APPROACH * speed * length))
+  if (!(length > 0) ||
+      (!slides && !wide && !(-vector_dot(v, n) > CONTACT_APPROACH * speed * length)))
     return false;
   touch->time = time;
   vector_copy(n, touch->n);

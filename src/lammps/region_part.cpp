@@ -25,8 +25,8 @@ public:
 } // namespace
 
 RegionPart::RegionPart(Region *region)
-    : region_(region), origin_(), axis_(), before_(), now_(), rate_(), last_rate_(),
-      dt_(0), has_rate_(false), has_last_(false) {
+    : region_(region), origin_(), axis_(), before_(), now_(), rate_(), last_rate_(), dt_(0),
+      has_rate_(false), has_last_(false) {
   if (region->rotateflag)
     AxisOf::read(region, origin_, axis_);
 }

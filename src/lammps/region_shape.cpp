@@ -360,7 +360,7 @@ double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &coun
   relative(l, foot, v_wall, v);
   const double speed = -vector_dot(v, foot.n), all = vector_length(v);
   double mean = speed;
-  if (foot.hollow > 0 && fabs(speed) <= SLIDES * all)
+  if (foot.hollow > 0 && fabs(foot.distance - radius) <= tolerance && fabs(speed) <= SLIDES * all)
     mean += 0.5 * (path.left - l.time) * curve(l, foot, v);
   counts = mean > CONTACT_APPROACH * all;
   return speed;
@@ -459,9 +459,9 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   if (shape.parts_[foot.part].moves())
     shape.parts_[foot.part].follow(share(l.time), l.x, path.v, follow);
   contact.follow = vector_dot(follow, foot.n);
-  if (foot.hollow > 0)
-    contact.follow += curve(l, foot, v);
-  contact.closing = -vector_dot(v, foot.n) + 0.5 * (path.left - l.time) * contact.follow;
+  contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
+  contact.closing =
+      -vector_dot(v, foot.n) + 0.5 * (path.left - l.time) * (contact.follow + contact.curve);
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {

@@ -1,5 +1,5 @@
-/* When a particle can meet a wall at the earliest: most are known to be too far away for many steps,
- * and are not looked at in these.
+/* When a particle can meet a wall at the earliest: most are known to be too far away for many
+ * steps, and are not looked at in these.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/wall.h"

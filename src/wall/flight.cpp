@@ -2,10 +2,13 @@
  * Moreau's rule (sustained.h).
  *
  * One criterion tells them apart, for every kind of wall: a contact is sustained if the particle,
- * thrown back at the speed of its approach, would return within a step. With the acceleration a of
- * the particle and the acceleration f that keeps it at the wall (Contact::follow), that is
+ * thrown back at the speed of its approach, would return within a step by what its straight path
+ * leaves out. With the acceleration a of the particle and f of the wall (Contact::follow), that is
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
+ *
+ * where the curve of the wall joins f if the particle stayed there in the step before; a particle
+ * that flies meets a curved wall again by its straight path. Less than GRAZING is no approach.
  *
  * A sustained contact is no impact: it has no row and is not counted.
  *
@@ -13,8 +16,6 @@
 #include "wall/wall.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <algorithm>
 
 #include "contact/contact.h"
@@ -28,6 +29,9 @@ using namespace asperity;
 namespace {
 
 const double DEGREES = 180 / ASP_PI;
+
+/* Sine of the angle to the wall below which a particle slides. */
+const double GRAZING = 1e-6;
 
 /* Contacts in a row within this share of the radius. After SERIES of them, as between walls that
  * close, all are taken as sustained; after twice as many the particle is trapped in this step. */
@@ -44,7 +48,7 @@ const double REACH = 1.01;
 /* Two contacts are one where the cosine between their normals differs from 1 by less. */
 const double SAME = 1e-9;
 
-/* Relative rounding of sums, and of velocities. */
+/* Relative rounding of sums, and of velocities and times. */
 const double ROUNDING = 1e-9;
 const double EPSILON = 1e-12;
 
@@ -60,6 +64,12 @@ struct Wall::Flight {
     size_t shape;
     Contact contact;
     double keep;
+
+    /* Faces of a flat mesh count as one. */
+    bool is_at(const Wall *other, size_t of, const Contact &now) const {
+      return wall == other && shape == of &&
+             (contact.face == now.face || vector_dot(contact.n, now.n) > 1 - SAME);
+    }
   };
 
   const Spheres &spheres;
@@ -74,7 +84,11 @@ struct Wall::Flight {
   std::vector<Stay> stays;
   std::vector<Support> supports;
   double free_half[3], free_spin[3];
-  bool squeezed;
+  bool squeezed; /* no velocity satisfies all of them */
+
+  /* Contacts in a row: the first impact among them, and the spin before. */
+  size_t series_begin;
+  double series_spin[3];
 
   Flight(const Spheres &s, int particle);
   asp_particle particle(const asp_pair *pair) const;
@@ -83,13 +97,15 @@ struct Wall::Flight {
   void stay(Wall *wall, size_t shape, const Contact &contact);
   void follow_walls();
   void settle();
+  void trap();
   double elapsed() const {
     return spheres.dt - path.left;
   }
 };
 
 Wall::Flight::Flight(const Spheres &s, int particle)
-    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false) {
+    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false),
+      series_begin(0) {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   path.left = path.dt = s.dt;
   vector_copy(v, path.v);
@@ -195,25 +211,25 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   Contact contact;
   bool stuck = false;
   int series = 0, all = 0;
-  while (!stuck && series < 2 * SERIES && all < CONTACTS_MOST &&
-         find_first(walls, flight, wall, shape, contact)) {
-    if (contact.time * vector_length(path.v) > NEAR * flight.radius) {
+  while (path.left > EPSILON * s.dt && !stuck && !flight.squeezed && series < 2 * SERIES &&
+         all < CONTACTS_MOST && find_first(walls, flight, wall, shape, contact)) {
+    if (all == 0 || contact.time * vector_length(path.v) > NEAR * flight.radius) {
       series = 0;
       flight.settle();
+      flight.series_begin = flight.events.size();
+      vector_copy(flight.spin, flight.series_spin);
     }
     series++;
     all++;
     last = wall;
     stuck = wall->touch(flight, shape, contact, series > SERIES);
   }
-  flight.settle();
-  if (last && (series == 2 * SERIES || flight.squeezed)) {
+  if (flight.squeezed || series == 2 * SERIES) {
     last->counters_[N_GUARDED]++;
-    if (getenv("DBG")) {
-      fprintf(stderr, "guard step %d tag %d series %d sq %d all %d\n", (int)s.step, (int)s.tag_of(i), series, flight.squeezed, all);
-    }
+    flight.trap();
   }
-  if (last && all == CONTACTS_MOST)
+  flight.settle();
+  if (all == CONTACTS_MOST)
     last->cut_ = true;
   for (const Event &event : flight.events)
     event.wall->count(flight, event);
@@ -232,7 +248,6 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
 /* One contact: moves the flight on to it, and gives it the velocity after it. True where the
  * particle has stuck. */
 bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crowded) {
-  const bool dbg = getenv("DBG2") && flight.spheres.step == atoi(getenv("DBG2")) && flight.spheres.tag_of(flight.i) == atoi(getenv("DBG3"));
   const Spheres &s = flight.spheres;
   const int i = flight.i;
   const Path before = flight.path;
@@ -244,10 +259,10 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
   vector_copy(v, flight.begin);
 
   const double approach = -vector_dot(v1, contact.n);
-  const double push = contact.follow - vector_dot(flight.a0, contact.n);
-  const bool sustained =
-      crowded || !(approach > (1 + ROUNDING) * 0.5 * s.dt * std::max(0.0, push));
-  if (dbg) fprintf(stderr, "  t %g left %g piece %d face %d n %g %g %g guarded %d closing %g approach %g push %g follow %g vw %g %g %g v %g %g %g sust %d\n", contact.time, flight.path.left, contact.piece, contact.face, contact.n[0],contact.n[1],contact.n[2],contact.guarded,contact.closing,approach,push,contact.follow,contact.v_wall[0],contact.v_wall[1],contact.v_wall[2],v[0],v[1],v[2],sustained);
+  const double push =
+      contact.follow - vector_dot(flight.a0, contact.n) + (status(i) == FREE ? 0 : contact.curve);
+  const double least = std::max((1 + ROUNDING) * 0.5 * s.dt * push, GRAZING * vector_length(v1));
+  const bool sustained = crowded || !(approach > least);
   const bool arrives = approach > 0 && status(i) == FREE;
   if (sustained && !(arrives && model_.sticks())) {
     flight.stay(this, shape, contact);
@@ -302,9 +317,7 @@ void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
     vector_copy(spin, free_spin);
   }
   size_t k = 0;
-  while (k < stays.size() &&
-         !(stays[k].wall == wall && stays[k].shape == shape &&
-           vector_dot(stays[k].contact.n, contact.n) > 1 - SAME))
+  while (k < stays.size() && !stays[k].is_at(wall, shape, contact))
     k++;
   if (k == stays.size()) {
     stays.push_back(Stay());
@@ -316,7 +329,8 @@ void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
                       EPSILON * speed};
   Support &s = supports[k];
   vector_copy(contact.n, s.n);
-  vector_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow, contact.n, s.w);
+  vector_add_scaled(contact.v_wall, 0.5 * path.left * (contact.follow + contact.curve), contact.n,
+                    s.w);
   s.friction = wall->model_.friction(spheres.type[i], wall->shapes_[shape].wall_type);
 
   double before[3];
@@ -340,7 +354,7 @@ void Wall::Flight::follow_walls() {
     vector_copy(keep[k].n, keep[k].w);
     vector_scale(stays[k].keep, keep[k].w);
     const Contact &contact = stays[k].contact;
-    const double push = contact.follow - vector_dot(acceleration, contact.n);
+    const double push = contact.follow + contact.curve - vector_dot(acceleration, contact.n);
     vector_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
   }
   solve_supports(keep, radius, path.v, none);
@@ -361,6 +375,24 @@ void Wall::Flight::settle() {
   }
   stays.clear();
   supports.clear();
+}
+
+/* The walls leave no room: the particle goes with them, in their middle, and none of the impacts in
+ * this place has happened. */
+void Wall::Flight::trap() {
+  const double share = 1.0 / static_cast<double>(stays.size());
+  for (size_t k = series_begin; k < events.size(); k++)
+    events[k].wall->state(i)[IMPACTS]--;
+  events.resize(series_begin);
+  vector_copy(series_spin, spin);
+  for (int d = 0; d < 3; d++) {
+    path.x[d] = path.v[d] = 0;
+    for (const Stay &stay : stays) {
+      path.x[d] += share * stay.contact.x[d];
+      path.v[d] += share * stay.contact.v_wall[d];
+    }
+    half[d] = path.v[d];
+  }
 }
 
 /* Notes a face at which a particle stays; of more than a row has room for, the last ones. */

@@ -273,6 +273,7 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
   double center[3], foot[3], follow[3];
   contact.time = touch.time;
   contact.guarded = touch.guarded;
+  contact.curve = 0;
   contact.closing = -vector_dot(body.v, touch.n);
   contact.piece = contact_tree_id(tree_.get(), place.piece);
   contact.face = contact_tree_id(tree_.get(), place.face);

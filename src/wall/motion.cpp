@@ -208,8 +208,8 @@ void Motion::follow(double s, const double x[3], const double v[3], double a[3])
   end_velocity_.velocity(x, end);
   velocity(s, x, now);
   for (int d = 0; d < 3; d++) {
-    angular[d] = begin_velocity_.angular[d] +
-                 s * (end_velocity_.angular[d] - begin_velocity_.angular[d]);
+    angular[d] =
+        begin_velocity_.angular[d] + s * (end_velocity_.angular[d] - begin_velocity_.angular[d]);
     twice[d] = 2 * v[d] - now[d];
   }
   vector_cross(angular, twice, turned);

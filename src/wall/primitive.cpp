@@ -28,7 +28,7 @@ void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
   contact.time = touch.time;
   contact.guarded = touch.guarded;
   contact.piece = contact.face = 0;
-  contact.follow = 0;
+  contact.follow = contact.curve = 0;
   contact.closing = -vector_dot(path.v, touch.n);
   vector_copy(touch.n, contact.n);
   vector_add_scaled(path.x, touch.time, path.v, contact.x);
@@ -68,8 +68,7 @@ bool PlaneShape::find(const Path &path, double radius, double latest, Contact &c
   return true;
 }
 
-bool PlaneShape::under(int, const double x[3], double reach, double n[3],
-                       double v_wall[3]) const {
+bool PlaneShape::under(int, const double x[3], double reach, double n[3], double v_wall[3]) const {
   const double off = x[plane_.axis] - plane_.at;
   for (int d = 0; d < 3; d++)
     n[d] = d != plane_.axis ? 0 : off < 0 ? -1 : 1;
@@ -139,8 +138,8 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
   vector_cross(axis, contact.n, around);
   const double distance = axis_distance(contact.x), speed = vector_dot(path.v, around);
   if (distance > 0)
-    contact.follow = (distance < cylinder_.radius ? 1 : -1) * speed * speed / distance;
-  contact.closing += 0.5 * (path.left - touch.time) * contact.follow;
+    contact.curve = (distance < cylinder_.radius ? 1 : -1) * speed * speed / distance;
+  contact.closing += 0.5 * (path.left - touch.time) * contact.curve;
   return true;
 }
 

@@ -26,8 +26,9 @@ struct Contact {
   double x[3];      /* of the centre then, moved out of the wall where it overlapped */
   double n[3];      /* outward unit normal, from the wall to the centre */
   double v_wall[3]; /* of the point that is touched */
-  double follow;    /* acceleration along n that keeps the centre at the wall: that of the wall's
-                       point, of its turn under the centre, and of its curve */
+  double follow;    /* acceleration along n that keeps the centre at the wall as that moves: that of
+                       its point, and of its turn under the centre */
+  double curve;     /* the same of the wall's own curve, as the centre moves along it */
   double closing;   /* mean speed along -n over the rest of the path as it was searched */
   int piece;        /* number of the triangle; 0 for a shape of one piece */
   int face;         /* the piece, or where a shape of one piece has several faces, which of them */

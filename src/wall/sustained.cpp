@@ -38,7 +38,8 @@ void slip(const Support &s, double radius, const double v[3], const double omega
 void solve_one(Support &s, double radius, double v[3], double omega[3]) {
   double u[3], p[3], change[3];
   slip(s, radius, v, omega, u);
-  /* Without this contact's own impulse, which moves its surface 7/2 times as much along the wall. */
+  /* Without this contact's own impulse, which moves its surface 7/2 times as much along the wall.
+   */
   const double own = vector_dot(s.p, s.n), normal = vector_dot(u, s.n) - own;
   vector_add_scaled(u, -vector_dot(u, s.n), s.n, u);
   vector_add_scaled(u, -3.5, s.p, u);
@@ -58,7 +59,7 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
     s.p[0] = s.p[1] = s.p[2] = 0;
   double first = 0, left = 0;
   for (int n = 0; n < SWEEPS; n++) {
-    double v_then[3], omega_then[3], dv[3], domega[3], u[3];
+    double v_then[3], omega_then[3], dv[3], domega[3];
     vector_copy(v, v_then);
     vector_copy(omega, omega_then);
     for (Support &s : supports)
@@ -71,14 +72,14 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
     if (n == 0)
       first = change;
     if (!(change > CONVERGED * first))
-      return true;
-    left = 0;
-    for (const Support &s : supports) {
-      slip(s, radius, v, omega, u);
-      left = std::max(left, -vector_dot(u, s.n));
-    }
+      break;
   }
-  return left < DIVERGED * first;
+  for (const Support &s : supports) {
+    double u[3];
+    slip(s, radius, v, omega, u);
+    left = std::max(left, -vector_dot(u, s.n));
+  }
+  return !(left > DIVERGED * first);
 }
 
 } // namespace
