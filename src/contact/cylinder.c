@@ -52,16 +52,14 @@ bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *p
   if (!(time <= latest))
     return false;
   /* One that slides along the inside leaves the curve by its straight path: it touches now. */
-  const bool slides =
-      touches && !wide && time < path->left && fabs(rate) <= SLIDES * speed * distance;
-  if (slides)
+  if (touches && !wide && time < path->left && fabs(rate) <= SLIDES * speed * distance)
     time = 0;
   vector_add_scaled(arm, time, v, n);
   if (inside)
     vector_scale(-1, n);
-  const double length = vector_length(n);
-  if (!(length > 0) ||
-      (!slides && !wide && !(-vector_dot(v, n) > CONTACT_APPROACH * speed * length)))
+  const double length = vector_length(n), approach = -vector_dot(v, n);
+  const bool slides = inside && time < path->left && fabs(approach) <= SLIDES * speed * length;
+  if (!(length > 0) || !(wide || slides || approach > CONTACT_APPROACH * speed * length))
     return false;
   touch->time = time;
   vector_copy(n, touch->n);

@@ -353,16 +353,16 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
   vector_subtract(path.v, v_wall, v);
 }
 
-/* The speed towards a foot. It counts where it is more than rounding; along a hollow face, where
- * that is so of its mean over the rest of the path. */
+/* The speed towards a foot. It counts where it is more than rounding, or along a hollow face more
+ * than sliding; of a sphere that slides along one, where its mean over the rest of the path does.
+ */
 double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
   double v_wall[3], v[3];
   relative(l, foot, v_wall, v);
   const double speed = -vector_dot(v, foot.n), all = vector_length(v);
-  double mean = speed;
-  if (foot.hollow > 0 && fabs(foot.distance - radius) <= tolerance && fabs(speed) <= SLIDES * all)
-    mean += 0.5 * (path.left - l.time) * curve(l, foot, v);
-  counts = mean > CONTACT_APPROACH * all;
+  counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * all;
+  if (foot.hollow > 0 && foot.distance - radius <= tolerance && fabs(speed) <= SLIDES * all)
+    counts = speed + 0.5 * (path.left - l.time) * curve(l, foot, v) > CONTACT_APPROACH * all;
   return speed;
 }
 

@@ -105,7 +105,8 @@ run 40000"; } > bed.$kind.in
   numbers bed.$kind.in.screen | awk '$1 > 36000 && $2 > most { most = $2 } END { print most }' > $kind.kept
 done
 echo "kinetic energy of a bed: wall/gran $(cat gran.kept) J, wall/rebound $(cat rebound.kept) J"
-paste -d' ' gran.kept rebound.kept | awk '{ exit !($2 <= 1.05 * $1) }' || die "a bed does not settle"
+# A grain that rolls on slowly, which nothing but its neighbors stops, makes the last digits of both a matter of chance.
+awk '{ exit !($1 < 1e-9) }' rebound.kept || die "a bed does not settle"
 
 # Single grains that bounce 1000 times on a plane, on a mesh, and between two walls that gravity is aslant to. The
 # path between bounces is exact, so that the energy is the same at every step.
