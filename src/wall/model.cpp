@@ -115,7 +115,7 @@ void Model::parse_surface(Words &words) {
 
 void Model::parse_bins(Words &words) {
   if (words.take("dp_bins"))
-    dp_bins_ = static_cast<int>(words.whole("dp_bins", 1, 10000));
+    dp_bins_ = static_cast<int>(words.whole("dp_bins", 1, ASP_BINS_MAX));
 }
 
 /* The wall itself is made where nothing can be reported yet. */
@@ -390,9 +390,7 @@ void Model::make_wall() {
     asp_wall_choose(wall, "spread", asp_spread_name(model), NULL);
     choice_ = why;
   }
-  if (asp_spread_needs_profile(asp_wall_spread(wall)) &&
-      asp_wall_set(wall, "d_p_bins", dp_bins_, &wrong))
-    throw Error(wrong.text);
+  asp_wall_set(wall, "d_p_bins", dp_bins_, NULL);
   asp_wall_set_surface(wall, surface_.get());
   asp_wall_set_profile(wall, profile_.get());
   asp_wall_set_map(wall, map_.get());
