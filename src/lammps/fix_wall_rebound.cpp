@@ -299,10 +299,10 @@ void FixWallRebound::end_of_step() {
   } catch (const std::exception &wrong) {
     fail(asperity::told(wrong));
   }
-  Ledger *ledger = wall_.ledger();
-  if (ledger && update->ntimestep % ledger->every() == 0) {
-    array_local = ledger->rows();
-    size_local_rows = ledger->size();
+  if (Ledger *ledger = wall_.ledger()) { /* between two windows there are no rows to be read */
+    const bool due = update->ntimestep % ledger->every() == 0;
+    array_local = due ? ledger->rows() : NULL;
+    size_local_rows = due ? ledger->size() : 0;
   }
 }
 
