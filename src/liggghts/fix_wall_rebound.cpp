@@ -212,6 +212,10 @@ int FixWallRebound::types() const {
   return atom->ntypes;
 }
 
+int FixWallRebound::dimension() const {
+  return domain->dimension;
+}
+
 double FixWallRebound::time() const {
   return update->get_cur_time();
 }

@@ -40,8 +40,8 @@ std::string for_types(int n, const char *first, const char *other) {
 
 Model::Model(const Engine &engine)
     : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), lambda_along_(0), dp_bins_(16),
-      tolerance_(0), d_range_(), tilt_("isotropic"), collisions_("multiple"), said_nothing_(false),
-      deposit_(FREEZE), seed_(1), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
+      tolerance_(0), d_range_(), collisions_("multiple"), said_nothing_(false), deposit_(FREEZE),
+      seed_(1), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
       table_(NULL, asp_cor_table_free), own_materials_(NULL, asp_materials_free), units_(NULL),
       surface_(NULL, asp_surface_free), wall_(asp_wall_create(NULL), asp_wall_free),
       is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {
@@ -272,6 +272,7 @@ void Model::finish() {
     spread_ = "none";
   if (spread_ != "auto")
     asp_wall_choose(wall_.get(), "spread", spread_.c_str(), NULL);
+  choose_tilt();
   asp_wall_choose(wall_.get(), "tilt", tilt_.c_str(), NULL);
   asp_wall_choose(wall_.get(), "collisions", collisions_.c_str(), NULL);
   asp_wall_set(wall_.get(), "deposit", deposit_ != OFF, NULL);
@@ -285,6 +286,27 @@ void Model::finish() {
     make_surface();
   if (!needs_sizes())
     make_wall();
+}
+
+/* In two dimensions nothing may leave the plane. The law of a map tilts out of it, whatever the
+ * script says. */
+void Model::choose_tilt() {
+  const bool flat = engine_.dimension() == 2;
+  if (tilt_.empty())
+    tilt_ = flat ? "plane" : "isotropic";
+  if (!flat || smooth_)
+    return;
+  if (tilt_ != "plane")
+    throw Error("spread is 'isotropic', which tilts out of the plane of 'dimension 2'; it must be "
+                "plane");
+  if (!map_path_.empty() && (spread_ == "profile" || spread_ == "auto"))
+    throw Error("spread is '" + spread_ +
+                "', of a map a law in three dimensions; in 'dimension "
+                "2' it must be another model, such as visible");
+  if (lay_.kind != Lay::NONE)
+    throw Error("lay is '" + lay_.text +
+                "'; in 'dimension 2' a wall has none: lambda_c must be "
+                "the length along the plane");
 }
 
 /* ---- set-up -----------------------------------------------------------------------------------

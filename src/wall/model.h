@@ -87,6 +87,7 @@ private:
   void parse_spread(Words &words);
   void parse_rebound(Words &words);
   void parse_removal(Words &words);
+  void choose_tilt();
   void set_number(const std::string &name, double value);
   std::string deposit_text() const;
   void parse_materials(Words &words, const std::string &keywords);
