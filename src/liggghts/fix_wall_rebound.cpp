@@ -395,7 +395,9 @@ void FixWallRebound::setup(int) {
   try {
     for (MeshOfLiggghts *mesh : meshes_) {
       mesh->set_periods(box.period);
-      mesh->setup(here);
+      const std::string report = mesh->setup(here);
+      if (!report.empty())
+        print("fix " + id() + " wall/rebound: " + report);
     }
     set_rows();
     wall_.setup(spheres(), groupbit, box);
