@@ -132,7 +132,7 @@ bool FixWallRebound::Keywords::parse(Words &words) {
 }
 
 int FixWallRebound::setmask() {
-  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP | POST_RUN;
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
 
 /* ---- checks -----------------------------------------------------------------------------------
@@ -162,6 +162,46 @@ void FixWallRebound::check_box() const {
     fail("the box is triclinic and periodic; a periodic box must be orthogonal");
 }
 
+/* True if a particle of any rank is in both groups. */
+bool FixWallRebound::shares_particles(const Fix *fix) const {
+  int mine = 0, any;
+  for (int i = 0; i < atom->nlocal; i++)
+    mine |= (atom->mask[i] & fix->groupbit) && (atom->mask[i] & groupbit);
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  return any;
+}
+
+/* Fixes that put particles where they want would carry them through the wall. They may get
+ * particles during a run, so each neighbor build looks; all ranks call. */
+void FixWallRebound::check_movers() const {
+  if (modify->check_rigid_group_overlap(groupbit))
+    fail("particles that are tied to bodies (fix rigid) cannot rebound one by one");
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix *fix = modify->fix[i];
+    const std::string name = text("fix %s (id %s)", fix->style, fix->id);
+    if (strcmp(fix->style, "move") == 0 && shares_particles(fix))
+      fail(name + " moves particles of this wall's group, which cannot rebound; the groups must "
+                  "have no particle in common");
+    const bool is_deform = strncmp(fix->style, "deform", 6) == 0;
+    if ((fix->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE)) &&
+        !(is_deform && domain->deform_vremap))
+      fail(name + " changes the box and moves particles with it, past the wall; " +
+           (is_deform ? "it must be 'remap v', which leaves them where they are"
+                      : "the box must keep its size"));
+  }
+}
+
+/* True if a fix has changed the size of particles since the contacts of the step before. */
+bool FixWallRebound::grows() const {
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix *fix = modify->fix[i];
+    if (strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0 &&
+        (update->ntimestep - 1) % fix->nevery == 0)
+      return true;
+  }
+  return false;
+}
+
 /* ---- a run ------------------------------------------------------------------------------------
  */
 
@@ -174,8 +214,6 @@ void FixWallRebound::init() {
     fail("run_style respa is not supported; it must be run_style verlet");
   if (update->whichflag == 2)
     fail("minimize is not supported: a rebound is an event in time; use run");
-  if (modify->check_rigid_group_overlap(groupbit))
-    fail("particles that are tied to bodies (fix rigid) cannot rebound one by one");
   check_particles();
   check_box();
   if (from_restart_ && !restarted_)
@@ -211,6 +249,7 @@ void FixWallRebound::setup_pre_exchange() {
 
 void FixWallRebound::setup(int) {
   steps_ = false;
+  check_movers();
   set_rows();
   try {
     if (region_)
@@ -228,10 +267,15 @@ void FixWallRebound::setup(int) {
 void FixWallRebound::begin_step() {
   steps_ = true;
   follow_step(update->ntimestep - 1);
+  wall_.set_box(engine_.box());
+  if (grows())
+    wall_.look_anew();
   if (region_)
     region_->begin_step();
-  if (mesh_)
+  if (mesh_) {
+    mesh_->set_periods(engine_.box().period);
     mesh_->begin_step(wall_.time(static_cast<double>(update->ntimestep)), update->dt);
+  }
 }
 
 void FixWallRebound::post_integrate() {
@@ -283,6 +327,10 @@ void FixWallRebound::pre_exchange() {
 void FixWallRebound::pre_neighbor() {
   set_rows();
   wall_.reorder(engine_.spheres());
+}
+
+void FixWallRebound::post_neighbor() {
+  check_movers();
 }
 
 void FixWallRebound::end_of_step() {

@@ -40,6 +40,7 @@ public:
   void post_integrate() override;
   void pre_exchange() override;
   void pre_neighbor() override;
+  void post_neighbor() override;
   void end_of_step() override;
   void post_run() override;
   void reset_dt() override;
@@ -68,6 +69,9 @@ private:
   void check_units() const;
   void check_particles() const;
   void check_box() const;
+  bool shares_particles(const Fix *fix) const;
+  void check_movers() const;
+  bool grows() const;
   void set_rows();
   void follow_step(bigint last);
 

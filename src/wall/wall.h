@@ -74,6 +74,14 @@ public:
     place_ = place;
   }
 
+  /* Where the box may have changed its size since setup(). */
+  void set_box(const Box &box) {
+    box_ = box;
+  }
+
+  /* Where particles may have grown: what was seen of their ways ahead counts no more. */
+  void look_anew();
+
   /* After particles have moved between ranks, or have been put into another order. */
   void reorder(const Spheres &spheres);
 
@@ -202,7 +210,6 @@ private:
   void carry_one(const Spheres &spheres, int i, double dt);
   void find_near(const Spheres &spheres, std::vector<int> &near);
   void look_ahead(const Spheres &spheres, int i, std::vector<int> &near);
-  void look_anew();
   bool repeats() const;
   int steps_clear(const Spheres &spheres, int i) const;
   static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
