@@ -941,7 +941,11 @@ std::vector<char> Wall::save() {
   state.clock[2] = clock_.dt;
   int rank;
   MPI_Comm_rank(engine_.world(), &rank);
-  return rank == 0 ? pack(state) : std::vector<char>();
+  const std::vector<char> record = rank == 0 ? pack(state) : std::vector<char>();
+  uint64_t size = record.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, engine_.world());
+  check_record_size(size);
+  return record;
 }
 
 /* The script is what counts; but it should not differ unnoticed. */
