@@ -54,7 +54,7 @@ same a.err b.err "compare: warnings"
 
 # Files that are none. bad FILE TEXT
 bad() { ! "$bin/asperity" compare "$1" data.csv > out 2> err || die "$1 was taken"; grep -qF -- "$2" err || { cat err; die "'$2' is not in the message about $1"; }; }
-head -c 5000 1.npy > short.npy;                                  bad short.npy "but it ends in row 36"
+head -c 5000 1.npy > short.npy;                                  bad short.npy "but it ends in row 34"
 head -c 700 1.npy > header.npy;                                  bad header.npy "cut short"
 sed "s/'alpha1_deg'/'alpha9_deg'/" 1.npy > column.npy;           bad column.npy "column 'alpha1_deg' is missing"
 sed "s/('x', '<f8')/('x', '>f8')/" 1.npy > endian.npy;           bad endian.npy "column 'x' is of type '>f8'"

@@ -155,7 +155,8 @@ void two_dimensions_stay_in_their_plane(void **) {
 
 void two_dimensions_refuse_what_leaves_them(void **) {
   const Alone flat(2), space(3);
-  const std::string rough = "surface rq 0.2 lambda_c 1.6 ", lay = "surface rq 0.1 lambda_c 1 2 lay ";
+  const std::string rough = "surface rq 0.2 lambda_c 1.6 ",
+                    lay = "surface rq 0.1 lambda_c 1 2 lay ";
   assert_true(has(message(flat, rough + "spread visible isotropic"), "'isotropic'"));
   assert_true(has(message(flat, rough + "spread visible isotropic"), "'dimension 2'"));
   assert_true(has(message(flat, lay + "0 1 0"), "lay is '0 1 0'"));
