@@ -37,7 +37,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     : Fix(lammps, narg, arg), engine_(lammps, this), wall_(engine_), mesh_(NULL), region_(NULL),
       last_step_(update->ntimestep), steps_(false),
       from_restart_(modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0),
-      restarted_(false) {
+      restarted_(false), stuck_(0) {
   check_units();
   check_particles();
   check_box();
@@ -47,6 +47,10 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     read_geometry(words, geometry);
     Keywords own(this);
     wall_.parse(words, geometry, &own);
+    if (engine_.units() == "lj" && wall_.model().needs_materials())
+      throw asperity::Error("units are 'lj', in which materials have no constants; units must be " +
+                            engine_.known_units() +
+                            ", or the law one without materials, such as rebound constant");
   } catch (const std::exception &wrong) {
     fail(asperity::told(wrong));
   }
@@ -153,8 +157,8 @@ void FixWallRebound::check_particles() const {
 
 void FixWallRebound::check_units() const {
   const std::string units = engine_.units(), known = engine_.known_units();
-  if (units != "si" && units != "cgs" && units != "micro" && units != "nano")
-    fail("units are '" + units + "'; they must be " + known);
+  if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
+    fail("units are '" + units + "'; they must be " + known + ", or lj without materials");
 }
 
 void FixWallRebound::check_box() const {

@@ -595,8 +595,12 @@ bool Model::removes(int type, int wall_type, double d_p) const {
   return wall() && asp_wall_removes(wall(), &particle);
 }
 
+bool Model::needs_materials() const {
+  return asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
+}
+
 bool Model::sticks() const {
-  return deposit_ != OFF && asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
+  return deposit_ != OFF && needs_materials();
 }
 
 /* ---- texts ------------------------------------------------------------------------------------

@@ -61,6 +61,9 @@ public:
     return lay_;
   }
 
+  /* True if the law needs the elastic constants of particle and wall. */
+  bool needs_materials() const;
+
   /* Whether a particle may stick: where it cannot, one that rests needs no look at the law. */
   bool sticks() const;
 
