@@ -61,6 +61,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
   global_freq = 1;
   extscalar = extvector = extarray = 1;
   restart_global = restart_peratom = create_attribute = 1;
+  wd_header = 1;
   maxexchange = ROW;
   nevery = 1;
   force_reneighbor = wall_.model().deposit() == Model::DELETE;
@@ -226,6 +227,7 @@ void FixWallRebound::init() {
         "is stuck to it");
   from_restart_ = false;
   follow_step(update->ntimestep);
+  stuck_ = wall_.stuck();
   try {
     if (region_)
       region_->init();
@@ -359,6 +361,7 @@ void FixWallRebound::end_of_step() {
 }
 
 void FixWallRebound::post_run() {
+  stuck_ = wall_.stuck();
   try {
     wall_.end_run();
   } catch (const std::exception &wrong) {
@@ -411,6 +414,15 @@ void FixWallRebound::restart(char *buffer) {
     fail(asperity::told(wrong));
   }
   restarted_ = true;
+}
+
+/* A data file is read before the wall is there, so that nothing of the wall can be in it. LAMMPS
+ * calls rank 0 only. */
+void FixWallRebound::write_data_header(FILE *, int) {
+  if (stuck_ > 0)
+    engine_.warn(text("%.0f particles are stuck to this wall, which a data file does not keep: a "
+                      "script that reads it has them free; write_restart keeps them",
+                      stuck_));
 }
 
 /* ---- numbers of each atom ---------------------------------------------------------------------

@@ -50,6 +50,7 @@ public:
   double memory_usage() override;
   void write_restart(FILE *file) override;
   void restart(char *buffer) override;
+  void write_data_header(FILE *file, int which) override;
 
   void grow_arrays(int n) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -96,6 +97,7 @@ private:
   bigint last_step_;                       /* that the wall knows of */
   bool steps_;                             /* this run has steps, which a rerun has not */
   bool from_restart_, restarted_;
+  double stuck_; /* particles of all ranks, when a run began or ended */
 };
 
 } // namespace LAMMPS_NS

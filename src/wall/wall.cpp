@@ -877,6 +877,13 @@ double Wall::counter(int k) const {
   return all;
 }
 
+double Wall::stuck() const {
+  const double mine = static_cast<double>(stuck_.size());
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
+  return all;
+}
+
 double Wall::total(size_t shape, int k) const {
   double all;
   MPI_Allreduce(&shapes_[shape].totals[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());

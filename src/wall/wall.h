@@ -126,6 +126,7 @@ public:
   /* Sums over the ranks; collective. */
   double counter(int k) const;
   double total(size_t shape, int k) const;
+  double stuck() const;                         /* how many particles are, now */
   std::vector<double> sums(size_t shape) const; /* N_SUMS each piece, on all ranks */
   /* The same, some pieces at a time: their first one, and theirs. */
   void show_sums(size_t shape,
