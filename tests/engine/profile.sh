@@ -94,4 +94,4 @@ classes() { # surface, options of the command
       { tail -n 1 classes.log; die "tilts of $d_p on a $1"; }
   done
 }
-classes 'profile wall.csv' '--profile wall.csv'
+classes 'profile wall.csv dp_bins 4' '--profile wall.csv'
