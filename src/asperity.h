@@ -40,6 +40,8 @@ const char *asp_version(void);
 
 #define ASP_PI 3.14159265358979323846
 
+enum { ASP_BINS_MAX = 256 }; /* diameters that a measured wall can be prepared for */
+
 /* ---- errors ---------------------------------------------------------------------------------- */
 typedef enum asp_code {
   ASP_OK = 0,
@@ -162,7 +164,7 @@ asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_a
 /* A wall by its measured profile, which need not outlive it: the rms slopes of the profile closed
  * by discs of `bins` diameters from d_min to d_max at equal ratios (one bin: the geometric mean),
  * monotone between them, the end values beyond. r_q and lambda_c are the profile's, by the 1/e lag.
- * spacing <= d_min <= d_max <= length; bins 1 to 10000. */
+ * spacing <= d_min <= d_max <= length; bins 1 to ASP_BINS_MAX. */
 asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
                                         int bins, asp_error *error);
 
@@ -344,8 +346,9 @@ asp_code asp_wall_choose(asp_wall *wall, const char *name, const char *choice, a
  *   scatter_twice       1: allows a law with a scatter of its own on a rough wall, which counts the
  *                       roughness twice (0)
  *   d_p_least, d_p_most, d_p_bins
- *                       the diameters that a model which needs a profile prepares for, at equal
- *                       ratios (one bin: the geometric mean); bins 1 to 256 (1) */
+ *                       the diameters that a model with tables of a measured wall prepares for, at
+ *                       equal ratios (one bin: the geometric mean); bins 1 to ASP_BINS_MAX (1), of
+ *                       which one is made where both diameters are equal */
 asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error);
 double asp_wall_get(const asp_wall *wall, const char *name); /* NaN for another name */
 

@@ -7,7 +7,7 @@
 #define ASP_BASE_LEDGER_COLUMNS_H
 
 #define LEDGER_COLUMNS(COLUMN)                                                                     \
-  COLUMN(TAG, "tag", "i4", "tag of the particle")                                                  \
+  COLUMN(TAG, "tag", "i8", "tag of the particle")                                                  \
   COLUMN(IMPACT, "impact", "i4", "number of its impact on this wall, from 1")                      \
   COLUMN(TIME, "time", "f8", "time of contact")                                                    \
   COLUMN(MESH, "mesh", "i2", "mesh, from 1; 0 for a primitive wall")                               \

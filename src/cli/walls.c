@@ -97,10 +97,10 @@ static void read_measured(const cli_option *o, cli_rough *rough, double d_least,
   asp_reader_free(reader);
   if (!rough->profile && !rough->map)
     cli_bad_file(file, &error);
-  rough->surface = rough->profile
-                       ? asp_surface_create_profile(rough->profile, d_least, d_most,
-                                                    d_most > d_least ? CLI_ROUGH_BINS : 1, &error)
-                       : asp_surface_create_map(rough->map, o[ROUGH_LAY].value != NULL, &error);
+  rough->surface =
+      rough->profile
+          ? asp_surface_create_profile(rough->profile, d_least, d_most, CLI_ROUGH_BINS, &error)
+          : asp_surface_create_map(rough->map, o[ROUGH_LAY].value != NULL, &error);
   if (!rough->surface)
     cli_bad_usage("--%s %s: %s", file->name, file->value, error.text);
   rough->lay.lambda[0] = asp_surface_lambda_c(rough->surface);
@@ -165,7 +165,7 @@ void cli_rough_put(const cli_rough *rough, asp_wall *wall, double d_least, doubl
   asp_wall_set_map(wall, rough->map);
   asp_wall_set(wall, "d_p_least", d_least, NULL);
   asp_wall_set(wall, "d_p_most", d_most, NULL);
-  asp_wall_set(wall, "d_p_bins", d_most > d_least ? CLI_ROUGH_BINS : 1, NULL);
+  asp_wall_set(wall, "d_p_bins", CLI_ROUGH_BINS, NULL);
 }
 
 void cli_rough_free(cli_rough *rough) {

@@ -21,7 +21,7 @@ aspi_ground aspi_ground_of(const asp_wall *wall, const asp_particle *particle, v
     aspi_surface_sphere_slopes(wall->surface, particle->d_p, ground.slope);
   else
     ground.slope[0] = asp_surface_slope(wall->surface, particle->d_p);
-  if (!particle->lay || !(fabs(stretch - 1) > 0))
+  if (!particle->lay)
     return ground;
   vec lay = load(particle->lay), across = cross(lay, n);
   double square = dot(across, across);
@@ -56,7 +56,7 @@ aspi_slopes_along aspi_ground_slopes(const aspi_ground *ground, aspi_heading hea
                          .kappa_across = ground->kappa * across,
                          .phi_r = asp_surface_phi_r(ground->wall->surface) * sqrt(along)};
   if (!ground->wall->isotropic) {
-    if (ss > 0) /* a disc on the profile along the flight */
+    if (ss > 0 && fabs(ground->shrink - 1) > 0) /* a disc on the profile along the flight */
       s.slope = aspi_surface_slope_along(ground->wall->surface, ground->particle->d_p, along);
     s.sd = 0;
   } else if (fabs(ground->shrink - 1) > 0) {

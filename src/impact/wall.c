@@ -195,8 +195,10 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   bool from_profile = !from_map && choice->profile && model->prepare;
   if (!choice->surface || !(from_map || from_profile || (!choice->profile && model->generate)))
     return ASP_OK;
-  aspi_sizes sizes = {choice->numbers[ASP_WALL_D_P_LEAST], choice->numbers[ASP_WALL_D_P_MOST],
-                      (int)choice->numbers[ASP_WALL_D_P_BINS]};
+  const double *n = choice->numbers;
+  bool one = n[ASP_WALL_D_P_LEAST] >= n[ASP_WALL_D_P_MOST];
+  aspi_sizes sizes = {n[ASP_WALL_D_P_LEAST], n[ASP_WALL_D_P_MOST],
+                      one ? 1 : (int)n[ASP_WALL_D_P_BINS]};
   asp_error wrong = {ASP_OK, ""};
   *data = from_map       ? model->prepare_map(choice->map, &sizes, &wrong)
           : from_profile ? model->prepare(choice->profile, &sizes, &wrong)

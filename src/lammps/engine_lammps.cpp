@@ -39,6 +39,10 @@ int EngineOfLammps::types() const {
   return lammps_->atom->ntypes;
 }
 
+int EngineOfLammps::dimension() const {
+  return lammps_->domain->dimension;
+}
+
 double EngineOfLammps::time() const {
   const Update *update = lammps_->update;
   return update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;

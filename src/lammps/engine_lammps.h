@@ -27,6 +27,7 @@ public:
   std::string units() const override;
   std::string known_units() const override;
   int types() const override;
+  int dimension() const override;
   double time() const override;
   void warn(const std::string &what) const override;
   void print(const std::string &what) const override;

@@ -37,7 +37,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     : Fix(lammps, narg, arg), engine_(lammps, this), wall_(engine_), mesh_(NULL), region_(NULL),
       last_step_(update->ntimestep), steps_(false),
       from_restart_(modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0),
-      restarted_(false) {
+      restarted_(false), stuck_(0) {
   check_units();
   check_particles();
   check_box();
@@ -47,6 +47,10 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     read_geometry(words, geometry);
     Keywords own(this);
     wall_.parse(words, geometry, &own);
+    if (engine_.units() == "lj" && wall_.model().needs_materials())
+      throw asperity::Error("units are 'lj', in which materials have no constants; units must be " +
+                            engine_.known_units() +
+                            ", or the law one without materials, such as rebound constant");
   } catch (const std::exception &wrong) {
     fail(asperity::told(wrong));
   }
@@ -57,6 +61,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
   global_freq = 1;
   extscalar = extvector = extarray = 1;
   restart_global = restart_peratom = create_attribute = 1;
+  wd_header = 1;
   maxexchange = ROW;
   nevery = 1;
   force_reneighbor = wall_.model().deposit() == Model::DELETE;
@@ -132,7 +137,7 @@ bool FixWallRebound::Keywords::parse(Words &words) {
 }
 
 int FixWallRebound::setmask() {
-  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP | POST_RUN;
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
 
 /* ---- checks -----------------------------------------------------------------------------------
@@ -153,13 +158,53 @@ void FixWallRebound::check_particles() const {
 
 void FixWallRebound::check_units() const {
   const std::string units = engine_.units(), known = engine_.known_units();
-  if (units != "si" && units != "cgs" && units != "micro" && units != "nano")
-    fail("units are '" + units + "'; they must be " + known);
+  if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
+    fail("units are '" + units + "'; they must be " + known + ", or lj without materials");
 }
 
 void FixWallRebound::check_box() const {
   if (domain->triclinic && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
     fail("the box is triclinic and periodic; a periodic box must be orthogonal");
+}
+
+/* True if a particle of any rank is in both groups. */
+bool FixWallRebound::shares_particles(const Fix *fix) const {
+  int mine = 0, any;
+  for (int i = 0; i < atom->nlocal; i++)
+    mine |= (atom->mask[i] & fix->groupbit) && (atom->mask[i] & groupbit);
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  return any;
+}
+
+/* Fixes that put particles where they want would carry them through the wall. They may get
+ * particles during a run, so each neighbor build looks; all ranks call. */
+void FixWallRebound::check_movers() const {
+  if (modify->check_rigid_group_overlap(groupbit))
+    fail("particles that are tied to bodies (fix rigid) cannot rebound one by one");
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix *fix = modify->fix[i];
+    const std::string name = text("fix %s (id %s)", fix->style, fix->id);
+    if (strcmp(fix->style, "move") == 0 && shares_particles(fix))
+      fail(name + " moves particles of this wall's group, which cannot rebound; the groups must "
+                  "have no particle in common");
+    const bool is_deform = strncmp(fix->style, "deform", 6) == 0;
+    if ((fix->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE)) &&
+        !(is_deform && domain->deform_vremap))
+      fail(name + " changes the box and moves particles with it, past the wall; " +
+           (is_deform ? "it must be 'remap v', which leaves them where they are"
+                      : "the box must keep its size"));
+  }
+}
+
+/* True if a fix has changed the size of particles since the contacts of the step before. */
+bool FixWallRebound::grows() const {
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix *fix = modify->fix[i];
+    if (strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0 &&
+        (update->ntimestep - 1) % fix->nevery == 0)
+      return true;
+  }
+  return false;
 }
 
 /* ---- a run ------------------------------------------------------------------------------------
@@ -174,8 +219,6 @@ void FixWallRebound::init() {
     fail("run_style respa is not supported; it must be run_style verlet");
   if (update->whichflag == 2)
     fail("minimize is not supported: a rebound is an event in time; use run");
-  if (modify->check_rigid_group_overlap(groupbit))
-    fail("particles that are tied to bodies (fix rigid) cannot rebound one by one");
   check_particles();
   check_box();
   if (from_restart_ && !restarted_)
@@ -184,6 +227,7 @@ void FixWallRebound::init() {
         "is stuck to it");
   from_restart_ = false;
   follow_step(update->ntimestep);
+  stuck_ = wall_.stuck();
   try {
     if (region_)
       region_->init();
@@ -211,6 +255,7 @@ void FixWallRebound::setup_pre_exchange() {
 
 void FixWallRebound::setup(int) {
   steps_ = false;
+  check_movers();
   set_rows();
   try {
     if (region_)
@@ -228,10 +273,15 @@ void FixWallRebound::setup(int) {
 void FixWallRebound::begin_step() {
   steps_ = true;
   follow_step(update->ntimestep - 1);
+  wall_.set_box(engine_.box());
+  if (grows())
+    wall_.look_anew();
   if (region_)
     region_->begin_step();
-  if (mesh_)
+  if (mesh_) {
+    mesh_->set_periods(engine_.box().period);
     mesh_->begin_step(wall_.time(static_cast<double>(update->ntimestep)), update->dt);
+  }
 }
 
 void FixWallRebound::post_integrate() {
@@ -285,6 +335,10 @@ void FixWallRebound::pre_neighbor() {
   wall_.reorder(engine_.spheres());
 }
 
+void FixWallRebound::post_neighbor() {
+  check_movers();
+}
+
 void FixWallRebound::end_of_step() {
   if (!steps_)
     fail("rerun is not supported: a rebound is an event in time; use run");
@@ -306,14 +360,15 @@ void FixWallRebound::end_of_step() {
   } catch (const std::exception &wrong) {
     fail(asperity::told(wrong));
   }
-  Ledger *ledger = wall_.ledger();
-  if (ledger && update->ntimestep % ledger->every() == 0) {
-    array_local = ledger->rows();
-    size_local_rows = ledger->size();
+  if (Ledger *ledger = wall_.ledger()) { /* between two windows there are no rows to be read */
+    const bool due = update->ntimestep % ledger->every() == 0;
+    array_local = due ? ledger->rows() : NULL;
+    size_local_rows = due ? ledger->size() : 0;
   }
 }
 
 void FixWallRebound::post_run() {
+  stuck_ = wall_.stuck();
   try {
     wall_.end_run();
   } catch (const std::exception &wrong) {
@@ -366,6 +421,15 @@ void FixWallRebound::restart(char *buffer) {
     fail(asperity::told(wrong));
   }
   restarted_ = true;
+}
+
+/* A data file is read before the wall is there, so that nothing of the wall can be in it. LAMMPS
+ * calls rank 0 only. */
+void FixWallRebound::write_data_header(FILE *, int) {
+  if (stuck_ > 0)
+    engine_.warn(text("%.0f particles are stuck to this wall, which a data file does not keep: a "
+                      "script that reads it has them free; write_restart keeps them",
+                      stuck_));
 }
 
 /* ---- numbers of each atom ---------------------------------------------------------------------

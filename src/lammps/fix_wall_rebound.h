@@ -40,6 +40,7 @@ public:
   void post_integrate() override;
   void pre_exchange() override;
   void pre_neighbor() override;
+  void post_neighbor() override;
   void end_of_step() override;
   void post_run() override;
   void reset_dt() override;
@@ -49,6 +50,7 @@ public:
   double memory_usage() override;
   void write_restart(FILE *file) override;
   void restart(char *buffer) override;
+  void write_data_header(FILE *file, int which) override;
 
   void grow_arrays(int n) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -68,6 +70,9 @@ private:
   void check_units() const;
   void check_particles() const;
   void check_box() const;
+  bool shares_particles(const Fix *fix) const;
+  void check_movers() const;
+  bool grows() const;
   void set_rows();
   void follow_step(bigint last);
 
@@ -92,6 +97,7 @@ private:
   bigint last_step_;                       /* that the wall knows of */
   bool steps_;                             /* this run has steps, which a rerun has not */
   bool from_restart_, restarted_;
+  double stuck_; /* particles of all ranks, when a run began or ended */
 };
 
 } // namespace LAMMPS_NS

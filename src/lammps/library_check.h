@@ -9,12 +9,12 @@
 
 namespace LAMMPS_NS {
 
-/* Ends the program, after a message by rank 0, where it is another. program: who says so. */
-void check_library(class LAMMPS *lammps, const std::string &program);
+/* What is another, as a message; empty if nothing is. */
+std::string check_library(class LAMMPS *lammps);
 
-/* That message, and the end. */
-[[noreturn]] void fail_library(const std::string &program, const std::string &what,
-                               const std::string &found, const std::string &expected);
+/* That message. */
+std::string library_mismatch(const std::string &what, const std::string &found,
+                             const std::string &expected);
 
 } // namespace LAMMPS_NS
 

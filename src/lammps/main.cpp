@@ -10,6 +10,7 @@
 #include <dlfcn.h>
 #include <mpi.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string>
 
 #include "lammps.h"
@@ -22,12 +23,19 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-const char PROGRAM[] = "lammps-asperity";
-
 bool checked = false;
 
 Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg) {
   return new FixWallRebound(lmp, narg, arg);
+}
+
+[[noreturn]] void fail(const std::string &wrong) {
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0)
+    fprintf(stderr, "ERROR: lammps-asperity: %s\n", wrong.c_str());
+  MPI_Finalize();
+  exit(1);
 }
 
 void register_style(Modify *modify) {
@@ -47,8 +55,8 @@ void asperity_create_factories(Modify *modify) {
   typedef void (*Function)(Modify *);
   Function original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, CREATE_FACTORIES));
   if (!original)
-    fail_library(PROGRAM, "the LAMMPS library", "without Modify::create_factories",
-                 std::to_string(ASPERITY_LAMMPS_VERSION));
+    fail(library_mismatch("the LAMMPS library", "without Modify::create_factories",
+                          std::to_string(ASPERITY_LAMMPS_VERSION)));
   original(modify);
   if (checked)
     register_style(modify);
@@ -60,7 +68,9 @@ int main(int argc, char **argv) {
   setvbuf(stdout, NULL, _IOLBF, 0);
   MPI_Init(&argc, &argv);
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
-  check_library(lammps, PROGRAM);
+  const std::string wrong = check_library(lammps);
+  if (!wrong.empty())
+    fail(wrong);
   checked = true;
   register_style(lammps->modify);
   lammps->input->file();

@@ -212,6 +212,10 @@ int FixWallRebound::types() const {
   return atom->ntypes;
 }
 
+int FixWallRebound::dimension() const {
+  return domain->dimension;
+}
+
 double FixWallRebound::time() const {
   return update->get_cur_time();
 }
@@ -391,7 +395,9 @@ void FixWallRebound::setup(int) {
   try {
     for (MeshOfLiggghts *mesh : meshes_) {
       mesh->set_periods(box.period);
-      mesh->setup(here);
+      const std::string report = mesh->setup(here);
+      if (!report.empty())
+        print("fix " + id() + " wall/rebound: " + report);
     }
     set_rows();
     wall_.setup(spheres(), groupbit, box);
@@ -487,10 +493,10 @@ void FixWallRebound::end_of_step() {
   } catch (const std::exception &wrong) {
     fail(asperity::told(wrong));
   }
-  Ledger *ledger = wall_.ledger();
-  if (ledger && update->ntimestep % ledger->every() == 0) {
-    array_local = ledger->rows();
-    size_local_rows = ledger->size();
+  if (Ledger *ledger = wall_.ledger()) { /* between two windows there are no rows to be read */
+    const bool due = update->ntimestep % ledger->every() == 0;
+    array_local = due ? ledger->rows() : NULL;
+    size_local_rows = due ? ledger->size() : 0;
   }
 }
 

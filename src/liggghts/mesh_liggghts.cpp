@@ -70,7 +70,7 @@ void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums) {
 /* ---- where it is ------------------------------------------------------------------------------
  */
 
-void MeshOfLiggghts::setup(const Bounds &here) {
+std::string MeshOfLiggghts::setup(const Bounds &here) {
   if (!triangles())
     gather(here);
   else {
@@ -85,6 +85,9 @@ void MeshOfLiggghts::setup(const Bounds &here) {
   }
   if (runs())
     read_belt();
+  std::string report;
+  report.swap(report_);
+  return report;
 }
 
 /* The triangles as they are now: that is the mesh's own frame. */
@@ -112,7 +115,12 @@ void MeshOfLiggghts::take(std::vector<double> mine) {
   choose_nodes(mine);
   known_.clear();
   parted_.reset(new Parted(world_, std::move(mine)));
-  if (ranks > 1 && pieces_ >= LARGE)
+  const bool large = ranks > 1 && pieces_ >= LARGE;
+  if (large && parted_->is_whole())
+    report_ = text("mesh '%s': this MPI has no one-sided communication, so each rank keeps all of "
+                   "its %d triangles",
+                   fix_->id, static_cast<int>(pieces_));
+  if (large && !parted_->is_whole())
     set_triangles(std::vector<ContactTriangle>(), std::vector<int>());
   else {
     known_.push_back(parted_->whole());

@@ -31,8 +31,9 @@ public:
   }
 
   /* At the beginning of a run, with the box around this rank's particles; collective. Throws an
-   * asperity::Error where the mesh has changed its form since the first run. */
-  void setup(const asperity::Bounds &here);
+   * asperity::Error where the mesh has changed its form since the first run. Returns what the user
+   * should know, or an empty string. */
+  std::string setup(const asperity::Bounds &here);
 
   /* In each step, when the mesh is where it is at the end of it; collective. */
   void begin_step(double dt);
@@ -85,6 +86,7 @@ private:
   FixMeshSurface *fix_;
   size_t pieces_;
   std::unique_ptr<asperity::Parted> parted_;    /* of a large mesh on several ranks */
+  std::string report_;                          /* for the log */
   mutable std::vector<asperity::Bounds> known_; /* of which this rank has the triangles then */
   NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
   double reference_[3][3];

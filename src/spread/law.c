@@ -117,8 +117,9 @@ typedef struct filling {
   int node;
 } filling;
 
-/* Quantiles of a value over the faces of each bin, by their weights: bins with nothing in them take
- * those of the whole. `table` has `nodes` numbers a bin. */
+/* Quantiles of a value over the faces of each bin, by their weights. An empty bin takes those of
+ * the bin before it, and empty bins at the beginning those of the first that is not. `table` has
+ * `nodes` numbers a bin. */
 static void fill(const sorted *by, size_t n, const double *weight, const unsigned char *bin,
                  int bins, const row *r, float *table) {
   int nodes = r->nodes;
@@ -139,9 +140,14 @@ static void fill(const sorted *by, size_t n, const double *weight, const unsigne
   for (int b = 0; b < bins; b++)
     for (; f[b].node < nodes; f[b].node++)
       table[b * nodes + f[b].node] = (float)last[b];
-  for (int b = 0; b < bins; b++) /* nothing there: the neighbour's */
-    if (!(f[b].total > 0) && b > 0)
-      memcpy(table + b * nodes, table + (b - 1) * nodes, (size_t)nodes * sizeof *table);
+  int first = 0;
+  while (first < bins - 1 && !(f[first].total > 0))
+    first++;
+  for (int b = 0; b < bins; b++)
+    if (!(f[b].total > 0)) {
+      int from = b < first ? first : b - 1;
+      memcpy(table + b * nodes, table + from * nodes, (size_t)nodes * sizeof *table);
+    }
 }
 
 /* ---- geometry ---- */

@@ -7,8 +7,6 @@
 
 #include "spread/law.h"
 
-enum { ASP_BINS_MAX = 256 };
-
 /* The diameters that a wall is made for: `bins` of them from least to most at equal ratios; one
  * bin is their geometric mean. 0 < least <= most, bins >= 1. */
 typedef struct aspi_sizes {

@@ -30,8 +30,6 @@
 /* Beyond this phi_r the closed form gives way to the table. */
 #define PHI_R_CLOSED 0.25
 
-enum { BINS_MOST = 10000 };
-
 struct asp_surface {
   double r_q;
   double lambda_c;
@@ -159,8 +157,8 @@ static asp_code check_bins(const asp_profile *profile, double d_min, double d_ma
                      "particles of %g to %g on a profile of spacing %g and length %g; they must be "
                      "from its spacing to its length",
                      d_min, d_max, spacing, length);
-  if (bins < 1 || bins > BINS_MOST)
-    return aspi_fail(error, ASP_EARG, "bins are %d; they must be 1 to %d", bins, BINS_MOST);
+  if (bins < 1 || bins > ASP_BINS_MAX)
+    return aspi_fail(error, ASP_EARG, "bins are %d; they must be 1 to %d", bins, (int)ASP_BINS_MAX);
   return ASP_OK;
 }
 

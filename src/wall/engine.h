@@ -47,6 +47,7 @@ public:
   virtual std::string units() const = 0;       /* the unit style of the script */
   virtual std::string known_units() const = 0; /* "si, cgs or micro": those that are tested */
   virtual int types() const = 0;               /* how many types of atoms there are */
+  virtual int dimension() const = 0;           /* 3, or 2: all in the plane z = 0 */
   virtual double time() const = 0;             /* at the present step */
 
   /* Once, by rank 0; all ranks call. */

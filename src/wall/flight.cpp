@@ -273,8 +273,10 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
                      "diameters beforehand; make particles before 'run', or by a fix insert",
                      static_cast<long long>(s.tag_of(i))));
   asp_particle particle = flight.particle(model_.pair(s.type[i], shapes_[shape].wall_type));
-  double lay[3];
-  if (model_.lay().kind != Lay::NONE) {
+  double lay[3] = {0, 0, 1};
+  if (engine_.dimension() == 2) /* at normal impact, too, the tilt is in the plane */
+    particle.lay = lay;
+  else if (model_.lay().kind != Lay::NONE) {
     shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
     particle.lay = lay;
   }

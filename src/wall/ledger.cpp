@@ -4,6 +4,7 @@
 #include "wall/ledger.h"
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 #include <tuple>
 
@@ -23,7 +24,8 @@ bool Ledger::Key::operator<(const Key &other) const {
 Ledger::Ledger(MPI_Comm world, const std::string &owner, int64_t every, const std::string &path,
                OnError on_error)
     : world_(world), every_(every), path_(path), on_error_(on_error), saved_(), is_open_(false),
-      first_(0), last_(0), lost_(0), size_(0), written_(0) {
+      first_(0), last_(0), lost_(0), columns_(N_COLUMNS), others_(N_FIELDS - N_COLUMNS), size_(0),
+      written_(0) {
   MPI_Comm_rank(world_, &rank_);
   MPI_Comm_size(world_, &ranks_);
   if (rank_ == 0 && !path_.empty())
@@ -63,10 +65,31 @@ std::string Ledger::open(const std::string &heading, int64_t step) {
   return share(report);
 }
 
+void Ledger::Table::make_room(size_t rows) {
+  if (rows <= room_)
+    return;
+  const size_t room = std::max(2 * room_, rows + 255);
+  void *grown = realloc(numbers_.get(), room * columns_ * sizeof(double));
+  if (!grown)
+    throw std::bad_alloc();
+  numbers_.release();
+  numbers_.reset(static_cast<double *>(grown));
+  room_ = room;
+}
+
 void Ledger::add(const Row &added) {
-  if (size_ == blocks_.size() * BLOCK)
-    blocks_.push_back(std::unique_ptr<Row[]>(new Row[BLOCK]));
-  row(size_++) = added;
+  columns_.make_room(size_ + 1);
+  others_.make_room(size_ + 1);
+  std::copy(added.begin(), added.begin() + N_COLUMNS, columns_.row(size_));
+  std::copy(added.begin() + N_COLUMNS, added.end(), others_.row(size_));
+  size_++;
+}
+
+Ledger::Row Ledger::row(size_t i) const {
+  Row whole;
+  std::copy(columns_.row(i), columns_.row(i + 1), whole.begin());
+  std::copy(others_.row(i), others_.row(i + 1), whole.begin() + N_COLUMNS);
+  return whole;
 }
 
 void Ledger::begin_step(int64_t step) {
@@ -81,14 +104,10 @@ std::string Ledger::end_step(int64_t step) {
 
 /* The rows that are not in the file yet. */
 std::vector<size_t> Ledger::sorted() const {
-  auto key = [this](size_t i) {
-    const Row &r = row(i);
-    return Key{r[STEP], r[TIME], r[TAG], r[IMPACT]};
-  };
   std::vector<size_t> order(size_ - written_);
   for (size_t i = 0; i < order.size(); i++)
     order[i] = written_ + i;
-  std::sort(order.begin(), order.end(), [&key](size_t a, size_t b) { return key(a) < key(b); });
+  std::sort(order.begin(), order.end(), [this](size_t a, size_t b) { return key(a) < key(b); });
   return order;
 }
 
@@ -98,13 +117,13 @@ void Ledger::print(const std::vector<size_t> &order, size_t from, Piece &piece) 
   piece.lengths.clear();
   piece.bytes.clear();
   for (size_t i = from; i < std::min(from + PIECE, order.size()); i++) {
-    const Row &r = row(order[i]);
+    const Row r = row(order[i]);
     const size_t before = piece.bytes.size();
     if (is_ledger_array(path_))
       append_record(r, piece.bytes);
     else
       append_line(r, piece.bytes);
-    piece.keys.push_back(Key{r[STEP], r[TIME], r[TAG], r[IMPACT]});
+    piece.keys.push_back(key(order[i]));
     piece.lengths.push_back(static_cast<int>(piece.bytes.size() - before));
   }
 }
@@ -241,13 +260,14 @@ std::string Ledger::save(LedgerState &state) {
 }
 
 double **Ledger::rows() {
-  pointers_.resize(size_);
-  for (size_t i = 0; i < size_; i++)
-    pointers_[i] = row(i).data();
+  columns_.make_room(1); /* an engine may take the address of the first row where there is none */
+  pointers_.resize(std::max(size_, static_cast<size_t>(1)));
+  for (size_t i = 0; i < pointers_.size(); i++)
+    pointers_[i] = columns_.row(i);
   return pointers_.data();
 }
 
 double Ledger::memory_usage() const {
-  return static_cast<double>(blocks_.size() * BLOCK * sizeof(Row) +
+  return static_cast<double>(columns_.bytes() + others_.bytes() +
                              pointers_.capacity() * sizeof(double *));
 }

@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <memory>
 #include <string>
 #include <vector>
@@ -59,6 +60,8 @@ public:
   int size() const {
     return static_cast<int>(size_);
   }
+  /* The columns of all rows, one block of memory as LAMMPS and its Python interface expect it.
+   * Valid until the next row is added. */
   double **rows();
   double memory_usage() const;
 
@@ -76,14 +79,31 @@ private:
     std::vector<char> bytes;
   };
 
-  /* Rows are never moved: growing by copies would touch three times the memory. */
-  static const size_t BLOCK = 256;
-  Row &row(size_t i) {
-    return blocks_[i / BLOCK][i % BLOCK];
+  /* Rows of numbers in one block, which grows by realloc: a large block keeps its pages, where a
+   * copy would touch three times the memory. */
+  class Table {
+  public:
+    explicit Table(int columns) : columns_(columns), room_(0), numbers_(NULL, free) {}
+    double *row(size_t i) const {
+      return numbers_.get() + i * columns_;
+    }
+    void make_room(size_t rows);
+    size_t bytes() const {
+      return room_ * columns_ * sizeof(double);
+    }
+
+  private:
+    size_t columns_, room_;
+    std::unique_ptr<double, void (*)(void *)> numbers_;
+  };
+
+  double at(size_t i, int column) const {
+    return column < N_COLUMNS ? columns_.row(i)[column] : others_.row(i)[column - N_COLUMNS];
   }
-  const Row &row(size_t i) const {
-    return blocks_[i / BLOCK][i % BLOCK];
+  Key key(size_t i) const {
+    return Key{at(i, STEP), at(i, TIME), at(i, TAG), at(i, IMPACT)};
   }
+  Row row(size_t i) const;
 
   class Source;
 
@@ -102,9 +122,9 @@ private:
   LedgerState saved_;
   std::unique_ptr<LedgerFile> file_; /* on rank 0 */
   bool is_open_;
-  double first_, last_; /* steps of the rows that were merged last */
-  int64_t lost_;        /* rows, in all */
-  std::vector<std::unique_ptr<Row[]>> blocks_;
+  double first_, last_;    /* steps of the rows that were merged last */
+  int64_t lost_;           /* rows, in all */
+  Table columns_, others_; /* of each row: what users see, and what goes with it */
   std::vector<double *> pointers_;
   size_t size_, written_; /* of the rows; how many of them are in the file */
 };

@@ -40,8 +40,8 @@ std::string for_types(int n, const char *first, const char *other) {
 
 Model::Model(const Engine &engine)
     : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), lambda_along_(0), dp_bins_(16),
-      tolerance_(0), d_range_(), tilt_("isotropic"), collisions_("multiple"), said_nothing_(false),
-      deposit_(FREEZE), seed_(1), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
+      tolerance_(0), d_range_(), collisions_("multiple"), said_nothing_(false), deposit_(FREEZE),
+      seed_(1), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
       table_(NULL, asp_cor_table_free), own_materials_(NULL, asp_materials_free), units_(NULL),
       surface_(NULL, asp_surface_free), wall_(asp_wall_create(NULL), asp_wall_free),
       is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {
@@ -115,7 +115,7 @@ void Model::parse_surface(Words &words) {
 
 void Model::parse_bins(Words &words) {
   if (words.take("dp_bins"))
-    dp_bins_ = static_cast<int>(words.whole("dp_bins", 1, 10000));
+    dp_bins_ = static_cast<int>(words.whole("dp_bins", 1, ASP_BINS_MAX));
 }
 
 /* The wall itself is made where nothing can be reported yet. */
@@ -272,6 +272,7 @@ void Model::finish() {
     spread_ = "none";
   if (spread_ != "auto")
     asp_wall_choose(wall_.get(), "spread", spread_.c_str(), NULL);
+  choose_tilt();
   asp_wall_choose(wall_.get(), "tilt", tilt_.c_str(), NULL);
   asp_wall_choose(wall_.get(), "collisions", collisions_.c_str(), NULL);
   asp_wall_set(wall_.get(), "deposit", deposit_ != OFF, NULL);
@@ -285,6 +286,27 @@ void Model::finish() {
     make_surface();
   if (!needs_sizes())
     make_wall();
+}
+
+/* In two dimensions nothing may leave the plane. The law of a map tilts out of it, whatever the
+ * script says. */
+void Model::choose_tilt() {
+  const bool flat = engine_.dimension() == 2;
+  if (tilt_.empty())
+    tilt_ = flat ? "plane" : "isotropic";
+  if (!flat || smooth_)
+    return;
+  if (tilt_ != "plane")
+    throw Error("spread is 'isotropic', which tilts out of the plane of 'dimension 2'; it must be "
+                "plane");
+  if (!map_path_.empty() && (spread_ == "profile" || spread_ == "auto"))
+    throw Error("spread is '" + spread_ +
+                "', of a map a law in three dimensions; in 'dimension "
+                "2' it must be another model, such as visible");
+  if (lay_.kind != Lay::NONE)
+    throw Error("lay is '" + lay_.text +
+                "'; in 'dimension 2' a wall has none: lambda_c must be "
+                "the length along the plane");
 }
 
 /* ---- set-up -----------------------------------------------------------------------------------
@@ -390,9 +412,7 @@ void Model::make_wall() {
     asp_wall_choose(wall, "spread", asp_spread_name(model), NULL);
     choice_ = why;
   }
-  if (asp_spread_needs_profile(asp_wall_spread(wall)) &&
-      asp_wall_set(wall, "d_p_bins", dp_bins_, &wrong))
-    throw Error(wrong.text);
+  asp_wall_set(wall, "d_p_bins", dp_bins_, NULL);
   asp_wall_set_surface(wall, surface_.get());
   asp_wall_set_profile(wall, profile_.get());
   asp_wall_set_map(wall, map_.get());
@@ -577,8 +597,12 @@ bool Model::removes(int type, int wall_type, double d_p) const {
   return wall() && asp_wall_removes(wall(), &particle);
 }
 
+bool Model::needs_materials() const {
+  return asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
+}
+
 bool Model::sticks() const {
-  return deposit_ != OFF && asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
+  return deposit_ != OFF && needs_materials();
 }
 
 /* ---- texts ------------------------------------------------------------------------------------

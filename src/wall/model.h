@@ -61,6 +61,9 @@ public:
     return lay_;
   }
 
+  /* True if the law needs the elastic constants of particle and wall. */
+  bool needs_materials() const;
+
   /* Whether a particle may stick: where it cannot, one that rests needs no look at the law. */
   bool sticks() const;
 
@@ -87,6 +90,7 @@ private:
   void parse_spread(Words &words);
   void parse_rebound(Words &words);
   void parse_removal(Words &words);
+  void choose_tilt();
   void set_number(const std::string &name, double value);
   std::string deposit_text() const;
   void parse_materials(Words &words, const std::string &keywords);

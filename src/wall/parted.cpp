@@ -33,9 +33,41 @@ Parted::Parted(MPI_Comm world, std::vector<double> rows)
   MPI_Allgather(&place, sizeof place, MPI_BYTE, places_.data(), sizeof place, MPI_BYTE, world);
   for (const Bounds &each : places_)
     whole_.include(each);
-  if (ranks > 1)
-    MPI_Win_create(mine_.data(), static_cast<MPI_Aint>(mine_.size() * sizeof(double)),
-                   sizeof(double), MPI_INFO_NULL, world, &window_);
+  if (ranks > 1 && !open_window(world))
+    gather(world);
+}
+
+/* False, on all ranks, where MPI refuses: Open MPI without a transport for it does. */
+bool Parted::open_window(MPI_Comm world) {
+  MPI_Errhandler handler;
+  MPI_Comm_get_errhandler(world, &handler);
+  MPI_Comm_set_errhandler(world, MPI_ERRORS_RETURN);
+  int good = MPI_Win_create(mine_.data(), static_cast<MPI_Aint>(mine_.size() * sizeof(double)),
+                            sizeof(double), MPI_INFO_NULL, world, &window_) == MPI_SUCCESS;
+  MPI_Comm_set_errhandler(world, handler);
+  MPI_Errhandler_free(&handler);
+  int all;
+  MPI_Allreduce(&good, &all, 1, MPI_INT, MPI_MIN, world);
+  if (!all)
+    window_ = MPI_WIN_NULL;
+  return all;
+}
+
+void Parted::gather(MPI_Comm world) {
+  MPI_Datatype row;
+  MPI_Type_contiguous(ROW, MPI_DOUBLE, &row);
+  MPI_Type_commit(&row);
+  std::vector<int> first(counts_.size(), 0);
+  for (size_t rank = 1; rank < counts_.size(); rank++)
+    first[rank] = first[rank - 1] + counts_[rank - 1];
+  std::vector<double> all(static_cast<size_t>(first.back() + counts_.back()) * ROW);
+  MPI_Allgatherv(mine_.data(), counts_[rank_], row, all.data(), counts_.data(), first.data(), row,
+                 world);
+  MPI_Type_free(&row);
+  mine_.swap(all);
+  counts_.assign(1, static_cast<int>(mine_.size() / ROW));
+  places_.assign(1, whole_);
+  rank_ = 0;
 }
 
 Parted::~Parted() {

@@ -1,6 +1,7 @@
 /* The triangles of a large mesh, parted among the ranks: each has some of them, where the others
  * can read them at any time, without its doing. So a rank needs only those in its own search that
- * its particles can meet, and can have others when one of them comes to where it has none.
+ * its particles can meet, and can have others when one of them comes to where it has none. Where
+ * MPI has no one-sided communication, each rank has them all.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_PARTED_H
@@ -24,8 +25,9 @@ public:
   Parted(const Parted &) = delete;
   Parted &operator=(const Parted &) = delete;
 
-  const std::vector<double> &mine() const {
-    return mine_;
+  /* True if each rank has all triangles. */
+  bool is_whole() const {
+    return window_ == MPI_WIN_NULL;
   }
   const Bounds &whole() const { /* around all triangles */
     return whole_;
@@ -36,10 +38,12 @@ public:
             const std::function<void(const double *)> &take) const;
 
 private:
+  bool open_window(MPI_Comm world);
+  void gather(MPI_Comm world);
   const double *piece(int rank, int first, int count, std::vector<double> &copy) const;
 
   int rank_;
-  std::vector<double> mine_;
+  std::vector<double> mine_;   /* rows of this rank, or of all, one rank's behind the other's */
   std::vector<int> counts_;    /* rows of each rank */
   std::vector<Bounds> places_; /* around those of each rank */
   Bounds whole_;

@@ -234,6 +234,13 @@ std::string asperity::setting(double value) {
   return text;
 }
 
+void asperity::check_record_size(uint64_t bytes) {
+  if (bytes > INT_MAX)
+    throw Error("the record of this wall in a restart file has " + std::to_string(bytes) +
+                " bytes; an engine takes " + std::to_string(INT_MAX) +
+                " at most: leave out meshes, or triangles of them");
+}
+
 std::vector<char> asperity::pack(const WallState &state) {
   Writer to;
   to.begin("settings");

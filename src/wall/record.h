@@ -45,6 +45,10 @@ struct WallState {
 
 std::vector<char> pack(const WallState &state);
 
+/* Throws an Error for a record of more bytes than the engines' restart files can hold: they state
+ * its length as an int. */
+void check_record_size(uint64_t bytes);
+
 /* Reads a record of which that many bytes may be there; an engine that does not tell how many gives
  * none, and then the length in the head counts, which has its own checksum. Throws an Error for
  * bytes that are damaged, cut short, or of another version. */

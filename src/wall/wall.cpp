@@ -306,6 +306,13 @@ double Wall::counter(int k) const {
   return all;
 }
 
+double Wall::stuck() const {
+  const double mine = static_cast<double>(stuck_.size());
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
+  return all;
+}
+
 double Wall::total(size_t shape, int k) const {
   double all;
   MPI_Allreduce(&shapes_[shape].totals[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
@@ -370,7 +377,11 @@ std::vector<char> Wall::save() {
   state.clock[2] = clock_.dt;
   int rank;
   MPI_Comm_rank(engine_.world(), &rank);
-  return rank == 0 ? pack(state) : std::vector<char>();
+  const std::vector<char> record = rank == 0 ? pack(state) : std::vector<char>();
+  uint64_t size = record.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, engine_.world());
+  check_record_size(size);
+  return record;
 }
 
 /* The script is what counts; but it should not differ unnoticed. */

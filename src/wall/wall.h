@@ -74,6 +74,14 @@ public:
     place_ = place;
   }
 
+  /* Where the box may have changed its size since setup(). */
+  void set_box(const Box &box) {
+    box_ = box;
+  }
+
+  /* Where particles may have grown: what was seen of their ways ahead counts no more. */
+  void look_anew();
+
   /* After particles have moved between ranks, or have been put into another order. */
   void reorder(const Spheres &spheres);
 
@@ -117,6 +125,7 @@ public:
   /* Sums over the ranks; collective. */
   double counter(int k) const;
   double total(size_t shape, int k) const;
+  double stuck() const;                         /* how many particles are, now */
   std::vector<double> sums(size_t shape) const; /* N_SUMS each piece, on all ranks */
   /* The same, some pieces at a time: their first one, and theirs. */
   void show_sums(size_t shape,
@@ -204,7 +213,6 @@ private:
   void carry_one(const Spheres &spheres, int i, double dt);
   void find_near(const Spheres &spheres, std::vector<int> &near);
   void look_ahead(const Spheres &spheres, int i, std::vector<int> &near);
-  void look_anew();
   void look_next(int i);
   bool repeats() const;
   int steps_clear(const Spheres &spheres, int i) const;

@@ -54,7 +54,8 @@ printf 'sphere 1 2 3\n' > other.stl;                       bad_stl other.stl "li
 { head -c 80 /dev/zero; printf '\001\000\000\000'; head -c 12 /dev/zero; printf '\000\000\300\177'; head -c 34 /dev/zero; } > not.stl
 bad_stl not.stl "triangle 1" "finite"
 
-units=lj refuses "$plane rebound constant 1 1" "" "units are 'lj'" "si, cgs, micro or nano"
+units=lj edit='/^include/d' refuses "$plane" "" "units are 'lj'" "si, cgs, micro or nano" "rebound constant"
+units=lj refuses "$plane" "" "materials are in SI units" "'units lj'" "si, cgs, micro or nano"
 units=real refuses "$plane rebound constant 1 1" "" "units are 'real'" "si, cgs, micro or nano"
 edit='/^set group/d; /^fix move/d; s/atom_style granular/atom_style  ellipsoid/' refuses "$plane" "" "atom style is 'ellipsoid'" "atom_style sphere"
 edit='s/^region box.*/region box prism -0.002 0.002 -0.002 0.002 -0.001 0.002 0.001 0 0 units box/; s/boundary.*/boundary p p f/' \

@@ -30,7 +30,9 @@ grains 400 > grains.data
 plate 6 1 3.9e-3 > plate.stl
 
 # Freeze, with a body force far above nature that would carry every grain off in a step.
-deck 'deposit freeze' "$body" 'fix move all nve/sphere' > before.in
+write=''
+[ $simulator = liggghts ] || write='write_data kept.data'
+deck 'deposit freeze' "$body" 'fix move all nve/sphere' "$write" > before.in
 deck 'deposit freeze' 'fix move all nve/sphere' "$body" > after.in
 for order in before after; do
   engine 2 $order.in
@@ -44,6 +46,12 @@ for order in before after; do
   same held.250 held.500 "frozen grains moved"
   awk '$5 != 0 || $6 != 0 || $7 != 0 { bad = 1 } END { exit bad || !NR }' held.500 || die "$order: a frozen grain has a speed"
 done
+
+# A data file keeps nothing of it, and says so.
+if [ $simulator = lammps ]; then
+  set -- $(last_thermo before.in)
+  grep -q "WARNING.* $5 particles are stuck to this wall, which a data file does not keep" before.in.screen || die "no warning of write_data"
+fi
 
 # Each sits with its surface on the wall: z = d/2.
 rows out.csv | awk -F, '$19 == 1 { d = $8 - $9 / 2; if (d < 0) d = -d; if (!(d < 1e-8 * $9)) bad = 1 } END { exit bad }' || die "a deposit is not on the wall"

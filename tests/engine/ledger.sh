@@ -18,10 +18,10 @@ run 250' > whole.in
 script 'read_data grains.data' 'run 150' > first.in
 script 'read_restart half.restart' 'run 250' > rest.in
 
-# text FILE: the rows of an array, read by its layout: 84 bytes each behind a header of 2048.
+# text FILE: the rows of an array, read by its layout: 88 bytes each behind a header of 2048.
 text() {
   perl -e 'open F, "<:raw", $ARGV[0]; read F, $h, 2048; $h =~ /shape.: \((\d+),\)/ or die "no shape"; $n = $1;
-    for (1 .. $n) { read(F, $r, 84) == 84 or die "cut short"; @v = unpack("l l d s l d d d f f f f f c f f f f c", $r);
+    for (1 .. $n) { read(F, $r, 88) == 88 or die "cut short"; @v = unpack("q l d s l d d d f f f f f c f f f f c", $r);
       print join(",", map { my $t = sprintf("%.9g", $_); $t =~ /nan/i ? "" : $t } @v), "\n" } eof F or die "too long"' "$1"
 }
 engine 1 whole.in -var out whole.csv
@@ -54,7 +54,7 @@ same a.err b.err "compare: warnings"
 
 # Files that are none. bad FILE TEXT
 bad() { ! "$bin/asperity" compare "$1" data.csv > out 2> err || die "$1 was taken"; grep -qF -- "$2" err || { cat err; die "'$2' is not in the message about $1"; }; }
-head -c 5000 1.npy > short.npy;                                  bad short.npy "but it ends in row 36"
+head -c 5000 1.npy > short.npy;                                  bad short.npy "but it ends in row 34"
 head -c 700 1.npy > header.npy;                                  bad header.npy "cut short"
 sed "s/'alpha1_deg'/'alpha9_deg'/" 1.npy > column.npy;           bad column.npy "column 'alpha1_deg' is missing"
 sed "s/('x', '<f8')/('x', '>f8')/" 1.npy > endian.npy;           bad endian.npy "column 'x' is of type '>f8'"

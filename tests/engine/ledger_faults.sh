@@ -48,7 +48,7 @@ for kind in csv npy; do
   [ $((kept + cut)) = "$all" ] && [ "$cut" -gt 20 ] || die "$kept rows kept and $cut cut off of $all"
 
   # Rows that are missing, other rows, no file; what is there stays. A file of another name begins anew.
-  row=150; [ $kind = npy ] && row=84
+  row=150; [ $kind = npy ] && row=88
   head -c $((kept / 2 * row)) whole.$kind > rows.$kind; cp rows.$kind before
   ranks=2 set_ refuses rest.in "'rows.$kind' has " "rows, and the restart file tells of $kept: " "are missing" --
   same rows.$kind before "a file that was refused"
@@ -135,7 +135,7 @@ for kind in csv npy; do
     written=$([ $kind = csv ] && count_rows rows.csv || count_array rows.npy)
     [ $((written + lost)) = "$all" ] || die "$written rows written, $lost told as lost, $all in all"
     grep -q " $lost in all" screen || die "the last warning does not have $lost in all"
-    [ $kind = csv ] || [ "$(stat -c %s rows.npy)" = $((2048 + 84 * written)) ] || die "the array has a part of a row"
+    [ $kind = csv ] || [ "$(stat -c %s rows.npy)" = $((2048 + 88 * written)) ] || die "the array has a part of a row"
     [ $kind = npy ] || [ "$(tail -c 1 rows.csv | od -An -tx1 | tr -d ' ')" = 0a ] || die "the file has a part of a row"
   done
 done

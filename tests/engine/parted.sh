@@ -56,3 +56,10 @@ fix top all wall/rebound primitive type 1 zplane 0.013 rebound constant 1 1 depo
   scene periodic "$above" "plate.stl type 1" 2e-5 300
 boundary="p p f" law='rebound bons deposit freeze' gamma=100 motion='fix top all wall/rebound primitive type 1 zplane 0.013 rebound constant 1 1 deposit off' \
   scene belt "$above" "plate.stl type 1 surface_vel 0.5 -1.5 0." 2e-5 300
+
+# Where Open MPI has no transport for one-sided communication, each rank keeps all triangles, and the log says so.
+export OMPI_MCA_btl=self,tcp
+rm -f rows.csv
+engine 2 rest.in
+same rest.1.csv rows.csv "without one-sided communication"
+grep -q "mesh 'mesh'.*no one-sided communication, so each rank keeps all of its 1200 triangles" rest.in.screen || die "no word on one-sided communication"

@@ -36,3 +36,18 @@ rescale cgs.csv 1e2 1e2 1 > cgs.si.csv
 rescale micro.csv 1e6 1 1e6 > micro.si.csv
 [ $simulator = liggghts ] || rescale nano.csv 1e9 1 1e9 > nano.si.csv
 for u in $systems; do near si.csv $u.si.csv "1 2 3 9 10 11 12 14 15 16 17 18 19" 1e-6; done
+
+# Without materials nothing has a unit: lj is what si is.
+if [ $simulator = lammps ]; then
+  for u in si lj; do
+    { head_of $u; echo "read_data si.data
+neighbor 3e-5 bin
+neigh_modify delay 0 exclude group all all
+fix move all nve/sphere
+timestep 1e-8
+fix wall all wall/rebound primitive type 2 zplane 0.0 surface rq 10e-6 lambda_c 90e-6 rebound walton 0.9 0.3 0.1 ledger 400 file plain.$u.csv
+run 400"; } > plain.$u.in
+    engine 1 plain.$u.in
+  done
+  same <(rows plain.si.csv) <(rows plain.lj.csv) "units si and lj"
+fi

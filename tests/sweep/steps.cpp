@@ -47,6 +47,9 @@ public:
   int types() const override {
     return 1;
   }
+  int dimension() const override {
+    return 3;
+  }
   double time() const override {
     return 0;
   }

@@ -202,13 +202,26 @@ static void no_file(void **) {
   assert_says(wrong_of_open(stream, LedgerState(), 0), "cannot write");
 }
 
+/* LAMMPS has tags of 64 bits where it is built for them. */
+static void long_tags(void **) {
+  const int64_t tag = 3000000000;
+  std::vector<char> bytes;
+  LedgerRow row;
+  row.fill(0);
+  row[LedgerColumn::TAG] = static_cast<double>(tag);
+  append_record(row, bytes);
+  assert_memory_equal(bytes.data(), &tag, sizeof tag);
+  assert_true(begin_array("heading").find("'tag'), '<i8')") != std::string::npos);
+}
+
 int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(full_disk), cmocka_unit_test(deleted), cmocka_unit_test(every_length),
-      cmocka_unit_test(two_walls), cmocka_unit_test(no_file), cmocka_unit_test(removed_between)};
+      cmocka_unit_test(two_walls), cmocka_unit_test(no_file), cmocka_unit_test(removed_between),
+      cmocka_unit_test(long_tags)};
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;

@@ -189,11 +189,30 @@ static void check_value(void **) {
   assert_int_equal(checksum("123456789", 9), 0xCBF43926);
 }
 
+/* Engines state the length as an int. */
+void records_too_long_are_refused(void **) {
+  check_record_size(2147483647);
+  std::string said;
+  try {
+    check_record_size(2147483648);
+  } catch (const Error &wrong) {
+    said = wrong.what();
+  }
+  assert_true(said.find("has 2147483648 bytes") != std::string::npos);
+  assert_true(said.find("2147483647 at most") != std::string::npos);
+}
+
 int main() {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(comes_back),    cmocka_unit_test(flipped), cmocka_unit_test(cut),
-      cmocka_unit_test(wrong_inside),  cmocka_unit_test(no_name), cmocka_unit_test(meshes),
-      cmocka_unit_test(other_version), cmocka_unit_test(changes), cmocka_unit_test(plane_and_mesh),
-      cmocka_unit_test(check_value)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(comes_back),
+                                     cmocka_unit_test(flipped),
+                                     cmocka_unit_test(cut),
+                                     cmocka_unit_test(wrong_inside),
+                                     cmocka_unit_test(no_name),
+                                     cmocka_unit_test(meshes),
+                                     cmocka_unit_test(other_version),
+                                     cmocka_unit_test(changes),
+                                     cmocka_unit_test(plane_and_mesh),
+                                     cmocka_unit_test(check_value),
+                                     cmocka_unit_test(records_too_long_are_refused)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -304,6 +304,27 @@ static void measured_profiles(void **state) {
   asp_profile_free(profile);
 }
 
+/* A groove of two faces fills two of the bins of steepness; the empty ones, the first one too, take
+ * their neighbor's horizons, and nothing leaves right against the other face. */
+static void empty_bins_take_their_neighbors(void **state) {
+  (void)state;
+  aspi_line line;
+  assert_int_equal(aspi_line_create(&line, 2, 1, NULL), ASP_OK);
+  for (int i = 0; i < 2; i++) {
+    line.slope[i] = i ? 1 : -1;
+    line.end_x[i] = i + 1;
+    line.end_z[i] = i;
+  }
+  aspi_law *law = aspi_law_create(&line, NULL, NULL);
+  assert_non_null(law);
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 1});
+  aspi_kind kind = aspi_law_kind(80 * DEGREE, &stream);
+  for (int i = 0; i < 100; i++)
+    assert_false(aspi_law_leaves(law, &kind, -1.1, 0.05, false, &stream));
+  aspi_law_free(law);
+  aspi_line_free(&line);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(first_hits_agree_with_brute_force),
@@ -315,6 +336,7 @@ int main(void) {
       cmocka_unit_test(ensembles_agree_with_their_table),
       cmocka_unit_test(bad_sizes_are_named),
       cmocka_unit_test(measured_profiles),
+      cmocka_unit_test(empty_bins_take_their_neighbors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

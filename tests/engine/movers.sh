@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# What moves or grows particles besides their own velocities, in LAMMPS: bodies that come while it runs, and particles
+# that come into the group of fix move, are refused at the step where they show up; a box that only remaps velocities
+# runs; a grain that grows meets the wall in the step in which it reaches it.
+# SPDX-License-Identifier: GPL-3.0-or-later
+source "$(dirname "$0")/engine.sh"
+program=$bin/lammps-asperity
+head='units si
+atom_style sphere 1
+atom_modify map array
+comm_modify vel yes cutoff 1e-4
+neigh_modify delay 0 exclude group all all
+timestep 1e-6'
+box='region box block -1e-3 1e-3 -1e-3 1e-3 -1e-3 1e-3 units box
+create_box 1 box
+neighbor 5e-5 bin'
+wall='fix wall all wall/rebound zplane 0 rebound constant 0.5 1 deposit off ledger 1 file rows.csv'
+grain='create_atoms 1 single 0 0 3e-5 units box
+set group all diameter 1e-5 density 2650
+velocity all set 0 0 -0.1 units box'
+# stops RANKS SCRIPT WORDS: with this message, after the first step.
+stops() {
+  ! mpirun -np "$1" "$program" -in "$2" -log none > "$2.screen" 2>&1 || die "$2 was not refused"
+  [ "$(grep -c '^ERROR' "$2.screen")" = 1 ] && grep '^ERROR' "$2.screen" | grep -qF -- "$3" || { tail "$2.screen"; die "$2: no '$3'"; }
+  grep -q '^ *0 ' "$2.screen" || die "$2 was refused before its first step"
+}
+
+printf '# pair\n\n2 atoms\n\nCoords\n\n1 0 0 0\n2 8e-6 0 0\n\nTypes\n\n1 1\n2 1\n\nDiameters\n\n1 1e-5\n2 1e-5\n\nMasses\n\n1 1.3875e-12\n2 1.3875e-12\n' > pair.txt
+for first in rigid wall; do # whichever comes first
+  rigid='fix bodies all rigid/small molecule mol pair'
+  { echo "$head
+boundary p p f
+$box
+fix tags all property/atom mol ghost yes
+neigh_modify exclude molecule/intra all
+molecule pair pair.txt
+region source block -8e-4 8e-4 -8e-4 8e-4 1e-4 8e-4 side in units box"
+    [ $first = rigid ] && echo "$rigid" && echo "$wall" || { echo "$wall"; echo "$rigid"; }
+    echo "fix weight all gravity 9.81 vector 0 0 -1
+fix in all pour 5 0 4711 region source mol pair rigid bodies
+thermo 1
+run 2000"; } > rigid.in
+  for ranks in 1 2; do stops $ranks rigid.in "tied to bodies (fix rigid)"; done
+done
+
+{ echo "$head
+boundary f f f
+$box
+$grain
+group guided empty
+fix guide guided move linear 0 0 -0.1
+$wall
+thermo 1
+run 1
+group guided id 1
+run 10"; } > move.in
+stops 1 move.in "fix move (id guide)"
+
+{ echo "$head
+boundary p p p
+$box
+$grain
+$wall
+fix move all nve/sphere
+fix strain all deform 1 x erate 1 remap v
+run 10"; } > strain.in
+mv strain.in stretch.in
+engine 1 stretch.in
+sed 's/remap v/remap x/' stretch.in > carry.in
+! mpirun -np 2 "$program" -in carry.in -log none > carry.screen 2>&1 || die "fix deform remap x was not refused"
+grep '^ERROR' carry.screen | grep -qF "fix deform (id strain)" || { tail carry.screen; die "no fix deform in the message"; }
+
+# z = 3e-5 - 0.1 t meets the radius 5e-6 + 2.5e-2 t at t = 2e-4 s.
+for every in 1 10; do
+  { echo "variable d equal 1e-5+5e-8*step
+$head
+boundary f f f
+$box
+$grain
+$wall
+fix move all nve/sphere
+fix grow all adapt $every atom diameter v_d
+run 300"; } > grow.in
+  rm -f rows.csv
+  engine 1 grow.in
+  check_rows rows.csv "NR > 1 || (\$3 >= 1.99e-4 && \$3 <= 1.99e-4 + $every * 1e-6 + 1e-6)" "a grain that grows, each $every steps: $(rows rows.csv | head -n 1)"
+done

@@ -1,0 +1,202 @@
+/* A wall as an engine drives it, without one: walls in two dimensions, and the ledger's rows as
+ * engines read them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <mpi.h>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "contact/vector.h"
+#include "wall/error.h"
+#include "wall/primitive.h"
+#include "wall/wall.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
+#include <cmocka.h>
+}
+
+using namespace asperity;
+
+namespace {
+
+const double DIAMETER = 1, HALF = 5; /* of the grains; of the distance of both planes */
+const int GRAINS = 200;
+
+class Alone : public Engine {
+public:
+  explicit Alone(int dimension) : dimension_(dimension) {}
+  MPI_Comm world() const override {
+    return MPI_COMM_WORLD;
+  }
+  std::string id() const override {
+    return "wall";
+  }
+  std::string units() const override {
+    return "si";
+  }
+  std::string known_units() const override {
+    return "si";
+  }
+  int types() const override {
+    return 1;
+  }
+  int dimension() const override {
+    return dimension_;
+  }
+  double time() const override {
+    return 0;
+  }
+  void warn(const std::string &) const override {}
+  void print(const std::string &) const override {}
+  bool constants(const char *, bool, std::vector<double> &) const override {
+    return false;
+  }
+  std::string how_to_state(const char *, bool, const std::string &) const override {
+    return "";
+  }
+  void diameters(double &least, double &most) const override {
+    least = most = DIAMETER;
+  }
+  std::vector<Kind> kinds() const override {
+    return std::vector<Kind>(1, Kind{true, 1, 1});
+  }
+
+private:
+  int dimension_;
+};
+
+/* The wall of two planes across x that a script would describe so. */
+std::unique_ptr<Wall> wall_of(const Engine &engine, const std::string &description) {
+  std::unique_ptr<Wall> wall(new Wall(engine));
+  const double still[3] = {0, 0, 0};
+  for (int side = -1; side <= 1; side += 2)
+    wall->add_shape(std::unique_ptr<Shape>(new PlaneShape(0, side * HALF, still)), 1, 0, "");
+  std::istringstream text(description);
+  std::vector<std::string> words;
+  for (std::string word; text >> word;)
+    words.push_back(word);
+  std::vector<const char *> each;
+  for (const std::string &word : words)
+    each.push_back(word.c_str());
+  Words command(static_cast<int>(each.size()), each.data());
+  wall->parse(command, "");
+  return wall;
+}
+
+std::string message(const Engine &engine, const std::string &description) {
+  try {
+    wall_of(engine, description);
+  } catch (const Error &wrong) {
+    return wrong.what();
+  }
+  return "";
+}
+
+bool has(const std::string &text, const char *part) {
+  return text.find(part) != std::string::npos;
+}
+
+/* Grains between both planes, each second one straight towards them; after so many steps. */
+struct Grains {
+  std::vector<double> x, v, f, radius, mass, state, place;
+  std::vector<int> mask, type, tag;
+  Grains()
+      : x(3 * GRAINS), v(3 * GRAINS), f(3 * GRAINS), radius(GRAINS, DIAMETER / 2), mass(GRAINS, 1),
+        state(GRAINS * Wall::N_STATE), place(GRAINS * Wall::N_PLACE), mask(GRAINS, 1),
+        type(GRAINS, 1), tag(GRAINS) {
+    for (int i = 0; i < GRAINS; i++) {
+      x[3 * i] = 0.01 * i;
+      v[3 * i] = 1 + 0.01 * i;
+      v[3 * i + 1] = i % 2 ? 0.02 * i : 0;
+      tag[i] = i + 1;
+    }
+  }
+  void fly(Wall &wall, int steps) {
+    Spheres s = {0,        0.5,      GRAINS, mask.data(), type.data(),   tag.data(), 4,
+                 x.data(), v.data(), NULL,   f.data(),    radius.data(), mass.data()};
+    const std::vector<Wall *> walls(1, &wall);
+    wall.init(0, s.dt);
+    wall.set_rows(state.data(), place.data());
+    wall.setup(s, 1, Box{{0, 0, 0}});
+    for (s.step = 1; s.step <= steps; s.step++) {
+      for (int i = 0; i < 3 * GRAINS; i++)
+        x[i] += v[i] * s.dt;
+      Wall::step(walls, s);
+      Wall::hold(walls, s);
+    }
+  }
+};
+
+/* Nothing leaves the plane, neither at an angle nor straight on, and an elastic wall keeps the
+ * energy. */
+void two_dimensions_stay_in_their_plane(void **) {
+  const Alone flat(2);
+  Grains grains;
+  std::unique_ptr<Wall> wall =
+      wall_of(flat, "surface rq 0.2 lambda_c 1.6 rebound constant 1 1 deposit off");
+  grains.fly(*wall, 100);
+  assert_true(wall->counter(Wall::N_IMPACTS) > 5 * GRAINS);
+  int turned = 0;
+  for (int i = 0; i < GRAINS; i++) {
+    const double *v = &grains.v[3 * i], speed = hypot(1 + 0.01 * i, i % 2 ? 0.02 * i : 0);
+    assert_true(fabs(v[2]) < 1e-12);
+    assert_true(fabs(vector_length(v) / speed - 1) < 1e-9);
+    turned += i % 2 == 0 && fabs(v[1]) > 0.1;
+  }
+  assert_true(turned > GRAINS / 4);
+}
+
+void two_dimensions_refuse_what_leaves_them(void **) {
+  const Alone flat(2), space(3);
+  const std::string rough = "surface rq 0.2 lambda_c 1.6 ",
+                    lay = "surface rq 0.1 lambda_c 1 2 lay ";
+  assert_true(has(message(flat, rough + "spread visible isotropic"), "'isotropic'"));
+  assert_true(has(message(flat, rough + "spread visible isotropic"), "'dimension 2'"));
+  assert_true(has(message(flat, lay + "0 1 0"), "lay is '0 1 0'"));
+  assert_string_equal(message(flat, rough + "spread visible plane").c_str(), "");
+  assert_string_equal(message(space, rough + "spread visible isotropic").c_str(), "");
+  assert_string_equal(message(space, lay + "0 1 0").c_str(), "");
+}
+
+/* LAMMPS's fix ave/histo and its Python interface step from the first row by the number of
+ * columns. */
+void ledger_rows_are_one_block(void **) {
+  Ledger ledger(MPI_COMM_WORLD, "fix wall", 10, "", Ledger::STOP);
+  const int n = 20164;
+  assert_non_null(ledger.rows());
+  assert_int_equal(ledger.size(), 0);
+  for (int i = 0; i < n; i++) {
+    Ledger::Row row;
+    for (int k = 0; k < Ledger::N_FIELDS; k++)
+      row[k] = 100. * i + k;
+    ledger.add(row);
+  }
+  double **rows = ledger.rows();
+  assert_int_equal(ledger.size(), n);
+  for (int i = 0; i < n; i++) {
+    assert_ptr_equal(rows[i], rows[0] + static_cast<ptrdiff_t>(i) * Ledger::N_COLUMNS);
+    for (int k = 0; k < Ledger::N_COLUMNS; k++)
+      assert_true(rows[i][k] == 100. * i + k);
+  }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(two_dimensions_stay_in_their_plane),
+      cmocka_unit_test(two_dimensions_refuse_what_leaves_them),
+      cmocka_unit_test(ledger_rows_are_one_block),
+  };
+  MPI_Init(&argc, &argv);
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  MPI_Finalize();
+  return failed;
+}
