@@ -401,6 +401,9 @@ asp_code asp_wall_complete(asp_wall *wall, asp_error *error);
  * without it; 0 for a wall that has no description. */
 size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size);
 
+/* How long the first clause of a canonical text is, with the blank behind it; 0 at its end. */
+size_t asp_wall_clause(const char *text);
+
 /* What a description says: words by name,
  *   surface     smooth, sigma, rq, profile or map
  *   file        of the profile or the map (NULL: neither)
@@ -435,7 +438,8 @@ int asp_wall_materials(const asp_wall *wall);
 const asp_material *asp_wall_material(const asp_wall *wall, int index);
 
 /* A pair of materials that are in the description's units, with its friction, surface energy and
- * yield stress; where it gives none ASP_FRICTION, ASP_SURFACE_ENERGY and the particle's own. */
+ * yield stress; where it gives none ASP_FRICTION, ASP_SURFACE_ENERGY (0 where the units are not
+ * known) and the particle's own. */
 asp_pair *asp_wall_pair(const asp_wall *wall, const asp_material *particle,
                         const asp_material *target, asp_error *error);
 

@@ -6,6 +6,7 @@
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct locales {
   locale_t plain, before;
@@ -33,11 +34,13 @@ double aspi_number(const char *text, char **end) {
 
 void aspi_number_print(double value, char text[32]) {
   locales l = be_plain();
+  char printed[32];
   for (int digits = 15; digits <= 17; digits++) {
-    snprintf(text, 32, "%.*g", digits, value);
-    double read = strtod(text, NULL);
+    snprintf(printed, sizeof printed, "%.*g", digits, value);
+    double read = strtod(printed, NULL);
     if (read >= value && read <= value)
       break;
   }
+  memcpy(text, printed, sizeof printed);
   be_as_before(l);
 }

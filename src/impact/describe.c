@@ -190,3 +190,27 @@ size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size) {
   add_pair(&l, "seed", wall->said->seed);
   return l.length;
 }
+
+/* Behind a word, or a name in quotes, and the blanks that follow. */
+static const char *behind_word(const char *at) {
+  const char *end = *at == '"' || *at == '\'' ? strchr(at + 1, *at) : NULL;
+  at = end ? end + 1 : at + strcspn(at, " ");
+  return at + strspn(at, " ");
+}
+
+static bool begins_clause(const char *at) {
+  size_t length = strcspn(at, " ");
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (!*k->within && strlen(k->name) == length && strncmp(k->name, at, length) == 0)
+      return true;
+  }
+  return false;
+}
+
+size_t asp_wall_clause(const char *text) {
+  const char *at = behind_word(text);
+  while (*at && !begins_clause(at))
+    at = behind_word(at);
+  return (size_t)(at - text);
+}

@@ -102,28 +102,15 @@ const asp_material *asp_wall_material(const asp_wall *wall, int index) {
   return wall->said->materials[index];
 }
 
-/* The surface energy where nobody gives one. */
-static asp_code standard_energy(const asp_wall *wall, double *energy, asp_error *error) {
-  double factor = aspi_quantity_factor("energy/area", &wall->said->units);
-  *energy = ASP_SURFACE_ENERGY * factor;
-  return factor > 0 || !(asp_wall_get(wall, "deposit") > 0)
-             ? ASP_OK
-             : aspi_fail(error, ASP_EARG,
-                         "the default of surface_energy is in SI units, which cannot be converted "
-                         "to %s",
-                         wall->said->units.name);
-}
-
 asp_pair *asp_wall_pair(const asp_wall *wall, const asp_material *particle,
                         const asp_material *target, asp_error *error) {
   const aspi_description *said = wall->said;
-  double energy = said->surface_energy;
-  if (!(energy >= 0) && standard_energy(wall, &energy, error))
-    return NULL;
   asp_pair *pair = asp_pair_create(particle, target, error);
   if (!pair)
     return NULL;
-  asp_pair_set(pair, "surface_energy", energy, NULL);
+  double standard = ASP_SURFACE_ENERGY * aspi_quantity_factor("energy/area", &said->units);
+  asp_pair_set(pair, "surface_energy", said->surface_energy >= 0 ? said->surface_energy : standard,
+               NULL);
   if (said->friction >= 0)
     asp_pair_set(pair, "friction", said->friction, NULL);
   if (said->yield_stress >= 0)

@@ -71,5 +71,5 @@ printf '0 0\n1 1\n2 0\n3 1\n' > nounit.txt
 refused 'profile nounit.txt' nounit.txt unit
 awk 'BEGIN { print "x_um,z_um"; for (i = 0; i < 2000; i++) print 10 * i "," sin(i / 7) + sin(i / 3.1) }' > coarse.csv
 refused "profile coarse.csv" coarse.csv "spacing 1e-05"
-refused 'profile wall.csv dp_bins 0' "dp_bins is 0" "1 to 10000"
+refused 'profile wall.csv dp_bins 0' "dp_bins is 0" "1 to 256"
 refused 'rq 1e-4 lambda_c 4e-5' "phi_r"

@@ -250,6 +250,7 @@ static void bad_values_are_named(void **state) {
   refuses("surface rq 1 lambda_c 10 20 lay diagonal", "lay is 'diagonal'", "axial");
   refuses("surface rq 1 lambda_c 10 20 lay 500", "lay is 500", "-180 to 180");
   refuses("surface profile -", "'-'", "name of a file");
+  refuses("rebound table -", "'-'", "name of a file");
   refuses("surface profile f dp_bins 0", "dp_bins is 0", "1 to 256");
   refuses("surface rq 1 lambda_c 10 spread weibull collisions many", "'many'",
           "single or multiple");
