@@ -16,7 +16,7 @@ function contact(line) {
     (elastic ? " damping velocity" : " damping tsuji")
 }
 
-# The materials of all types, and what belongs to pairs of them, where the law takes them.
+# The materials of all types, and what belongs to pairs of them, where the law takes them and they are not the defaults.
 function physics(line,   words, t, pair) {
   words = ""
   pair = line !~ / rebound / || line ~ / rebound (bons|thornton_ning) /
@@ -25,8 +25,8 @@ function physics(line,   words, t, pair) {
     for (t = 1; t <= n_types; t++) words = words " own" t
     words = words " file constants"
   }
-  if (pair && line !~ / (surface_energy|deposit off) / && value("surfaceEnergy") != "") words = words " surface_energy " value("surfaceEnergy")
-  if (line !~ / (friction|rebound walton) / && value("coefficientFriction") != "") words = words " friction " value("coefficientFriction")
+  if (pair && line !~ / (surface_energy|deposit off) / && value("surfaceEnergy") != "" && value("surfaceEnergy") != 0.8) words = words " surface_energy " value("surfaceEnergy")
+  if (line !~ / (friction|rebound walton) / && value("coefficientFriction") != "" && value("coefficientFriction") != 0.3) words = words " friction " value("coefficientFriction")
   return words
 }
 

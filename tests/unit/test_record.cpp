@@ -182,7 +182,8 @@ static void changes(void **) {
                       "seed 4, was 5; materials none, was quartz");
   const Settings one = {{"geometry", "mesh low"},
                         {"description", "surface profile \"a seed 3.csv\" dp_bins 4 seed 4"}},
-                 two = {{"geometry", "mesh low"}, {"description", "surface smooth friction 1 seed 4"}};
+                 two = {{"geometry", "mesh low"},
+                        {"description", "surface smooth friction 1 seed 4"}};
   assert_string_equal(
       describe_changes(clauses(one), clauses(two)).c_str(),
       "surface profile \"a seed 3.csv\" dp_bins 4, was smooth; friction none, was 1");
