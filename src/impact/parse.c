@@ -210,7 +210,6 @@ static asp_code read_surface(reader *r) {
                               aspi_keyword_find("", "surface")->values);
   }
   for (bool more = true; more && !code;) {
-    more = true;
     if (take(r, "dp_bins")) {
       aspi_set_given(said, "dp_bins");
       code = read_number(r, "surface", "dp_bins", &said->bins);
