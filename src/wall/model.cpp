@@ -176,6 +176,8 @@ void Model::find_materials(const std::vector<int> &wall_types) {
   /* A mirror takes nothing from a particle that slides. */
   const double own = asp_wall_get(wall, "mu");
   default_friction_ = asp_wall_get(wall, "cor_t") >= 1 ? 0 : own >= 0 ? own : ASP_FRICTION;
+  if (own >= 0)
+    friction_.clear(); /* the law's own coefficient counts in sustained contact, too */
   if (asp_rebound_needs_pair(asp_wall_rebound(wall))) {
     if (is_given("materials"))
       take_named();
