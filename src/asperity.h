@@ -58,6 +58,14 @@ typedef struct asp_error {
   char text[480]; /* one line, without a full stop: what, its value, what it must be */
 } asp_error;
 
+/* ---- units ----------------------------------------------------------------------------------- */
+/* The caller's units: how many of them make one of SI, 1 each for SI itself; 0: not known. The name
+ * is for messages, as "'units lj'". */
+typedef struct asp_units {
+  const char *name;
+  double metre, kilogram, second;
+} asp_units;
+
 /* ---- profile --------------------------------------------------------------------------------- */
 /* Heights of a wall along a line, at equal spacing. Lengths are in any one unit. A generated
  * profile is periodic; a measured one continues beyond its ends as its mirror image. */
@@ -263,7 +271,8 @@ const asp_material *asp_materials_find(const asp_materials *own, const char *nam
 /* What a contact between a particle and a wall material needs, worked out once. By name:
  *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
  *   yield_stress    the particle's, >= 0
- *   surface_energy  energy per area, >= 0 (0: no adhesion)
+ *   surface_energy  energy per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY, which is in SI: set
+ *                   it where the materials are in other units)
  *   friction        coefficient of friction, >= 0 (ASP_FRICTION) */
 typedef struct asp_pair asp_pair;
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall, asp_error *error);
@@ -368,6 +377,84 @@ asp_code asp_wall_prepare(asp_wall *wall, asp_error *error);
 const asp_spread_model *asp_wall_spread(const asp_wall *wall);
 const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
 
+typedef struct asp_particle asp_particle;
+
+/* ---- the description of a wall --------------------------------------------------------------- */
+/* A wall in words, the same in a script, in the command and here:
+ *
+ *   surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz hastelloy-x
+ *
+ * `asperity help wall` prints all of them. A number alone is in the caller's units (NULL: SI), one
+ * with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles are degrees. Names
+ * with blanks stand in quotes. What has no effect on the wall at hand is an error. The files of
+ * tables and of materials are read here, those of measured walls by asp_wall_make. */
+asp_wall *asp_wall_parse(const char *text, const asp_units *units, asp_error *error);
+
+/* The same in pieces, for a caller with words of his own in between: begin with asp_wall_parse("").
+ * read takes the clause that the first of the words begins; *taken is the number of words of it, 0
+ * where the first is one of `others`, the caller's own words with blanks between. complete, behind
+ * the last one, checks that all of it goes together; it may be called again after more has been
+ * read, or a map set. */
+asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, const char *others,
+                       int *taken, asp_error *error);
+asp_code asp_wall_complete(asp_wall *wall, asp_error *error);
+
+/* The canonical text of a description, numbers in the caller's units: parsing it gives the same
+ * wall. Writes at most `size` characters with the NUL, and returns how many characters there are
+ * without it; 0 for a wall that has no description. */
+size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size);
+
+/* How long the first clause of a canonical text is, with the blank behind it; 0 at its end. */
+size_t asp_wall_clause(const char *text);
+
+/* What a description says: words by name,
+ *   surface     smooth, sigma, rq, profile or map
+ *   file        of the profile or the map (NULL: neither)
+ *   tilt, collisions, deposit
+ *   choice      which model `spread auto` has taken and why, once the wall is made
+ * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress
+ * (NaN: not given), tolerance and seed. is_given: whether a keyword is given. */
+const char *asp_wall_word(const asp_wall *wall, const char *name);
+bool asp_wall_is_given(const asp_wall *wall, const char *keyword);
+
+/* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle
+ * (rad) from its axis about the outward normal. */
+typedef enum asp_lay_kind { ASP_LAY_NONE, ASP_LAY_VECTOR, ASP_LAY_ANGLE } asp_lay_kind;
+typedef struct asp_lay {
+  asp_lay_kind kind;
+  double vector[3];
+  double angle;
+} asp_lay;
+asp_lay asp_wall_lay(const asp_wall *wall);
+
+/* Makes the wall that a description means, ready for contacts of diameters from d_least to d_most
+ * (which count only where asp_wall_needs_sizes): reads the file of a measured wall, where the
+ * caller has not set the profile or the map himself, makes the surface, chooses the model of
+ * `spread auto`, and prepares. */
+asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error *error);
+bool asp_wall_needs_sizes(const asp_wall *wall);
+const asp_surface *asp_wall_surface(const asp_wall *wall); /* NULL: smooth, or not made yet */
+
+/* The materials of a description, in its units, which live as long as the wall; 0 <= index <
+ * asp_wall_materials(). */
+int asp_wall_materials(const asp_wall *wall);
+const asp_material *asp_wall_material(const asp_wall *wall, int index);
+
+/* A pair of materials that are in the description's units, with its friction, surface energy and
+ * yield stress; where it gives none ASP_FRICTION, ASP_SURFACE_ENERGY (0 where the units are not
+ * known) and the particle's own. */
+asp_pair *asp_wall_pair(const asp_wall *wall, const asp_material *particle,
+                        const asp_material *target, asp_error *error);
+
+/* What looks like a mistake where particles of one material meet a wall of another: the index-th
+ * such sentence, from 0; false where there are no more. Of the particle its density, its pair, and
+ * its diameter, that of the largest, count: a density more than 1 % off that of its material, a
+ * Young's modulus that looks like one in GPa, a yield stress above a tenth of the composite
+ * modulus, adhesion that holds every impact. For a wall that is made. */
+bool asp_wall_doubt(const asp_wall *wall, const asp_particle *particle,
+                    const asp_material *of_particle, const asp_material *of_wall, int index,
+                    char *text, size_t size);
+
 /* What the draws of a contact depend on, and nothing else: so a result does not depend on the
  * number of MPI ranks, on the order of contacts, or on a restart. */
 typedef struct asp_key {
@@ -380,14 +467,14 @@ typedef struct asp_key {
 /* A number for a wall's name (32-bit FNV-1a), so that two walls with one seed draw differently. */
 uint32_t asp_key_wall(const char *name);
 
-typedef struct asp_particle {
+struct asp_particle {
   double d_p;           /* diameter, > 0 */
   double density;       /* > 0 */
   const asp_pair *pair; /* may be NULL when the law needs none */
   double omega[3];      /* angular velocity, rad per time, for laws that turn the particle */
   const double *lay; /* of a wall with a lay, its direction where the particle is: a vector, which
                         is projected on the wall; NULL, or along n: it flies across the lay */
-} asp_particle;
+};
 
 typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;
 

@@ -7,20 +7,16 @@
 int main(void) {
   enum { GRAINS = 10000 };
   asp_error error = {ASP_OK, ""};
-  asp_surface *surface = asp_surface_create(5e-6, 40e-6, &error); /* R_q, lambda_c in m */
-  const asp_material *quartz = asp_materials_find(NULL, "quartz", &error);
-  asp_pair *pair = asp_pair_create(quartz, asp_materials_find(NULL, "304-ss", &error), &error);
-  asp_wall *wall = asp_wall_create(&error);
-  if (!surface || !pair || !wall) {
+  asp_wall *wall = asp_wall_parse("surface rq 5um lambda_c 40um spread visible plane "
+                                  "collisions multiple materials quartz 304-ss",
+                                  NULL, &error);
+  if (!wall) {
     fprintf(stderr, "%s\n", error.text);
     return 1;
   }
-  asp_wall_set_surface(wall, surface);
-  asp_code failed = asp_pair_set(pair, "surface_energy", ASP_SURFACE_ENERGY, &error);
-  failed = failed ? failed : asp_pair_set(pair, "friction", ASP_FRICTION, &error);
-  failed = failed ? failed : asp_wall_choose(wall, "spread", "visible", &error);
-  failed = failed ? failed : asp_wall_choose(wall, "collisions", "multiple", &error);
-  failed = failed ? failed : asp_wall_prepare(wall, &error);
+  const asp_material *quartz = asp_wall_material(wall, 0);
+  asp_pair *pair = asp_wall_pair(wall, quartz, asp_wall_material(wall, 1), &error);
+  asp_code failed = pair ? asp_wall_make(wall, 1e-5, 1e-5, &error) : error.code;
 
   double v1[3] = {93.97, 0, -34.20}, n[3] = {0, 0, 1}, cor_n = 0, cor_t = 0;
   asp_particle grain = {.d_p = 1e-5, .density = asp_material_get(quartz, "density"), .pair = pair};
@@ -37,6 +33,5 @@ int main(void) {
     printf("asperity %s: mean CoR_N %.3f, CoR_T %.3f\n", asp_version(), cor_n, cor_t);
   asp_wall_free(wall);
   asp_pair_free(pair);
-  asp_surface_free(surface);
   return failed ? 1 : 0;
 }

@@ -75,32 +75,40 @@ static int distance(const char *a, const char *b) {
   return row[across];
 }
 
-/* The index of the name that was most likely meant; -1 where none is like it. */
-static int nearest_name(const char *name, int count, const char *(*name_at)(int)) {
-  int nearest = -1, least = (int)strlen(name) / 3 + 1;
-  for (int i = 0; i < count; i++) {
-    int away = distance(name, name_at(i));
-    if (away <= least && (nearest < 0 || away < least)) {
-      nearest = i;
+bool aspi_nearest_name(const char *name, const char *list, char meant[64]) {
+  int least = (int)strlen(name) / 3 + 2;
+  *meant = '\0';
+  for (const char *at = list + strspn(list, " "); *at; at += strspn(at, " ")) {
+    size_t length = strcspn(at, " ");
+    char other[NAME_MOST];
+    snprintf(other, sizeof other, "%.*s", (int)length, at);
+    int away = distance(name, other);
+    if (away < least) {
+      strcpy(meant, other);
       least = away;
     }
+    at += length;
   }
-  return nearest;
+  return *meant != '\0';
+}
+
+asp_code aspi_fail_unknown(asp_error *error, const char *what, const char *name, const char *list) {
+  char near[NAME_MOST], meant[NAME_MOST + 20] = "";
+  if (aspi_nearest_name(name, list, near))
+    snprintf(meant, sizeof meant, " did you mean '%s'?", near);
+  return aspi_fail(error, ASP_ENAME, "%s '%.100s' is unknown;%s there are: %s", what, name, meant,
+                   list);
 }
 
 int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
                    asp_error *error) {
-  char list[400] = "", meant[NAME_MOST + 20] = "";
+  char list[400] = "";
   for (int i = 0; i < count; i++) {
     if (name && strcasecmp(name_at(i), name) == 0)
       return i;
     size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, " %s", name_at(i));
+    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "", name_at(i));
   }
-  int nearest = name ? nearest_name(name, count, name_at) : -1;
-  if (nearest >= 0)
-    snprintf(meant, sizeof meant, " did you mean '%s'?", name_at(nearest));
-  aspi_fail(error, ASP_ENAME, "%s '%.100s' is unknown;%s there are:%s", what, name ? name : "",
-            meant, list);
+  aspi_fail_unknown(error, what, name ? name : "", list);
   return -1;
 }

@@ -24,8 +24,15 @@ asp_code aspi_check_positive(asp_error *error, const char *name, const char *uni
  * overflow or lose digits. */
 asp_code aspi_check_length(asp_error *error, const char *name, double value);
 
-/* The index of a name, in upper or lower case, in a registry of `count` names; -1 and "<what>
- * 'name' is unknown; did you mean 'b'? there are: a b c" where it is not there. */
+/* ASP_ENAME and "<what> 'name' is unknown; did you mean 'b'? there are: a b c", where `list` is the
+ * names that there are, with blanks between. */
+asp_code aspi_fail_unknown(asp_error *error, const char *what, const char *name, const char *list);
+
+/* The name in a list that was most likely meant, into `meant`; false where none is like it. */
+bool aspi_nearest_name(const char *name, const char *list, char meant[64]);
+
+/* The index of a name, in upper or lower case, in a registry of `count` names; -1 and the
+ * message of aspi_fail_unknown where it is not there. */
 int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
                    asp_error *error);
 

@@ -2,8 +2,8 @@
  * numbers and follows pointers only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "impact/wall.h"
 #include "base/error.h"
+#include "impact/description.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -51,8 +51,10 @@ static void release(asp_wall *wall) {
 }
 
 void asp_wall_free(asp_wall *wall) {
-  if (wall)
+  if (wall) {
     release(wall);
+    aspi_description_free(wall->said);
+  }
   free(wall);
 }
 
@@ -108,16 +110,15 @@ static place find(aspi_wall_choice *choice, const char *name) {
 
 /* Those of the law, and of any wall. */
 static asp_code fail_name(const aspi_wall_choice *choice, const char *name, asp_error *error) {
-  char list[420] = "";
+  char list[420] = "", what[100];
   for (int i = 0; i < choice->law->n_parameters + ASP_WALL_NUMBERS; i++) {
     int own = i - choice->law->n_parameters;
     size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, " %s",
+    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "",
              own < 0 ? choice->law->parameters[i].name : numbers[own].name);
   }
-  return aspi_fail(error, ASP_ENAME,
-                   "number '%s' is unknown to a wall with rebound law '%s'; there are:%s", name,
-                   choice->law->name, list);
+  snprintf(what, sizeof what, "of a wall with rebound law '%s', number", choice->law->name);
+  return aspi_fail_unknown(error, what, name, list);
 }
 
 asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error) {
@@ -137,7 +138,7 @@ asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error 
 double asp_wall_get(const asp_wall *wall, const char *name) {
   aspi_wall_choice choice = wall->choice;
   place at = find(&choice, name);
-  return at.of ? *at.value : NAN;
+  return at.of ? *at.value : wall->said ? aspi_description_get(wall->said, name) : NAN;
 }
 
 void asp_wall_set_surface(asp_wall *wall, const asp_surface *surface) {

@@ -35,8 +35,11 @@ typedef struct aspi_wall_choice {
   double numbers[ASP_WALL_NUMBERS];
 } aspi_wall_choice;
 
+typedef struct aspi_description aspi_description;
+
 struct asp_wall {
   aspi_wall_choice choice;
+  aspi_description *said; /* NULL: not made of a description */
   /* What follows is made of it by asp_wall_prepare. */
   const asp_surface *surface;
   const asp_spread_model *spread;

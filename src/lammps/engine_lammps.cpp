@@ -61,24 +61,10 @@ void EngineOfLammps::print(const std::string &what) const {
       fprintf(to, "%s\n", what.c_str());
 }
 
-void EngineOfLammps::set_constant(const std::string &keyword, double value) {
-  if (!(value >= 0) || !(value < HUGE_VAL))
-    throw asperity::Error(
-        asperity::text("%s is %g; it must be a finite number >= 0", keyword.c_str(), value));
-  (keyword == "friction" ? friction_ : surface_energy_) = value;
-}
-
-/* The moduli come with materials, by name. */
-bool EngineOfLammps::constants(const char *name, bool pairs, std::vector<double> &values) const {
-  const std::string which = name;
-  const double value = which == "surfaceEnergy"         ? surface_energy_
-                       : which == "coefficientFriction" ? friction_
-                                                        : -1;
+/* LAMMPS has no constants of a script that other commands can ask for. */
+bool EngineOfLammps::constants(const char *, bool, std::vector<double> &values) const {
   values.clear();
-  if (!pairs || value < 0)
-    return false;
-  values.assign(static_cast<size_t>(types()) * types(), value);
-  return true;
+  return false;
 }
 
 std::string EngineOfLammps::how_to_state(const char *, bool, const std::string &) const {

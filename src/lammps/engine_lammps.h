@@ -15,12 +15,7 @@ namespace LAMMPS_NS {
 
 class EngineOfLammps : public asperity::Engine {
 public:
-  EngineOfLammps(LAMMPS *lammps, const Fix *fix)
-      : lammps_(lammps), fix_(fix), surface_energy_(-1), friction_(-1) {}
-
-  /* LAMMPS has no constants of a script that other commands can ask for; those of a pair of types
-   * are numbers of the wall's own command. Throws an asperity::Error. */
-  void set_constant(const std::string &keyword, double value);
+  EngineOfLammps(LAMMPS *lammps, const Fix *fix) : lammps_(lammps), fix_(fix) {}
 
   MPI_Comm world() const override;
   std::string id() const override;
@@ -45,7 +40,6 @@ private:
 
   LAMMPS *lammps_;
   const Fix *fix_;
-  double surface_energy_, friction_; /* below 0: not given */
 };
 
 } // namespace LAMMPS_NS

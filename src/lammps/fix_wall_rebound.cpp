@@ -122,17 +122,13 @@ int FixWallRebound::read_type(Words &words) const {
 }
 
 std::string FixWallRebound::Keywords::keywords() const {
-  return fix_->mesh_ ? "surface_energy friction map" : "surface_energy friction";
+  return fix_->mesh_ ? "map" : "";
 }
 
 bool FixWallRebound::Keywords::parse(Words &words) {
-  if (!words.is_one_of(keywords()))
+  if (!fix_->mesh_ || !words.take("map"))
     return false;
-  const std::string keyword = words.word("a keyword");
-  if (keyword == "map")
-    fix_->map_.parse(words);
-  else
-    fix_->engine_.set_constant(keyword, words.number(keyword.c_str()));
+  fix_->map_.parse(words);
   return true;
 }
 

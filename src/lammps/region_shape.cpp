@@ -23,7 +23,6 @@
 
 using namespace LAMMPS_NS;
 using asperity::Contact;
-using asperity::Lay;
 using asperity::Path;
 using asperity::Place;
 using asperity::text;
@@ -538,7 +537,7 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
 }
 
 /* The vector is of the part as it is defined; it turns with the part that is touched. */
-void RegionShape::lay(const Lay &lay, const Path &path, const Contact &contact,
+void RegionShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
                       double direction[3]) const {
   vector_copy(lay.vector, direction);
   bool turns = false;

@@ -42,7 +42,7 @@ public:
              asperity::Place &place) const override;
   void carry(asperity::Place &place, double radius, double dt, double x[3],
              double v[3]) const override;
-  void lay(const asperity::Lay &lay, const asperity::Path &path, const asperity::Contact &contact,
+  void lay(const asp_lay &lay, const asperity::Path &path, const asperity::Contact &contact,
            double direction[3]) const override;
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;

@@ -212,17 +212,16 @@ const asp_material *asp_materials_find(const asp_materials *own, const char *nam
   const asp_material *found = find_own(own, name);
   if (found)
     return found;
-  asp_error wrong;
-  found = aspi_material_find(name, &wrong);
+  found = aspi_material_find(name, NULL);
   if (found)
     return found;
-  aspi_fail(error, wrong.code, "%s", wrong.text);
-  size_t used = 0;
-  for (int i = 0; error && own && i < own->count; i++) {
-    used += strlen(error->text + used);
-    if (used + 1 >= sizeof error->text)
-      break;
-    snprintf(error->text + used, sizeof error->text - used, " %s", own->list[i].material.name);
+  char list[2000] = "";
+  for (int i = 0; i < asp_material_count() + (own ? own->count : 0); i++) {
+    int mine = i - asp_material_count();
+    size_t used = strlen(list);
+    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "",
+             mine < 0 ? asp_material_at(i)->name : own->list[mine].material.name);
   }
+  aspi_fail_unknown(error, "material", name, list);
   return NULL;
 }

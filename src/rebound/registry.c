@@ -119,15 +119,15 @@ const char *asp_parameter_keyword(const asp_parameter *parameter) {
 }
 
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error) {
-  char list[200] = "";
+  char list[200] = "", what[100];
   for (int i = 0; i < law->n_parameters; i++) {
     if (strcmp(law->parameters[i].name, name) == 0)
       return i;
     size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, " %s", law->parameters[i].name);
+    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "", law->parameters[i].name);
   }
-  return aspi_fail(error, ASP_ENAME, "parameter '%s' is unknown to rebound law '%s'; there are:%s",
-                   name, law->name, *list ? list : " none");
+  snprintf(what, sizeof what, "of rebound law '%s', parameter", law->name);
+  return aspi_fail_unknown(error, what, name, *list ? list : "none");
 }
 
 aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t) {

@@ -276,7 +276,7 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
   double lay[3] = {0, 0, 1};
   if (engine_.dimension() == 2) /* at normal impact, too, the tilt is in the plane */
     particle.lay = lay;
-  else if (model_.lay().kind != Lay::NONE) {
+  else if (model_.lay().kind != ASP_LAY_NONE) {
     shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
     particle.lay = lay;
   }

@@ -375,7 +375,7 @@ void MeshShape::stick(const Path &path, const Contact &contact, Place &place) co
 }
 
 /* The vector is of the mesh's own frame, which is the world's when the wall is defined. */
-void MeshShape::lay(const Lay &lay, const Path &path, const Contact &contact,
+void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
                     double direction[3]) const {
   vector_copy(lay.vector, direction);
   if (motion_.in_world())

@@ -44,7 +44,7 @@ public:
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
   size_t bytes() const override;
-  void lay(const Lay &lay, const Path &path, const Contact &contact,
+  void lay(const asp_lay &lay, const Path &path, const Contact &contact,
            double direction[3]) const override;
 
   /* The velocity at the end of the last step (6 numbers); then, of each triangle, its number and

@@ -1,20 +1,18 @@
-/* The physics of a rough wall as a script states it: surface, spread, rebound law, materials,
- * deposits and seed; and the core's wall that is made of them. Also the texts that describe it.
+/* The wall that a script describes, as the core makes it; with the materials and the sizes of the
+ * engine's particles, and with what the log says of it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_MODEL_H
 #define ASPERITY_WALL_MODEL_H
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "asperity.h"
 #include "wall/engine.h"
-#include "wall/lay.h"
 #include "wall/profile.h"
-#include "wall/record.h"
-#include "wall/units.h"
 #include "wall/words.h"
 
 namespace asperity {
@@ -25,10 +23,9 @@ public:
 
   explicit Model(const Engine &engine);
 
-  /* Whether the next words are of the model; if so, reads them. others: keywords that are not its
-   * own, which end a list of materials. */
-  bool parse(Words &words, const std::string &others);
-  static const char KEYWORDS[];
+  /* Reads the clause of the description that begins here. others: words of the command that are not
+   * the description's, which end a list of materials. */
+  void parse(Words &words, const std::string &others);
 
   /* When all words are read. */
   void finish();
@@ -43,7 +40,6 @@ public:
   Deposit deposit() const {
     return deposit_;
   }
-  const char *deposit_name() const;
   uint32_t seed() const {
     return seed_;
   }
@@ -56,8 +52,7 @@ public:
   /* The coefficient of friction of a particle that rests, Coulomb's. */
   double friction(int type, int wall_type) const;
 
-  /* Of a wall that has one. */
-  const Lay &lay() const {
+  const asp_lay &lay() const {
     return lay_;
   }
 
@@ -77,72 +72,55 @@ public:
   }
   void set_sizes(const double range[2]);
 
+  /* The canonical text. */
+  std::string description() const;
+
   /* As one line: for the ledger's head. */
   std::string heading() const;
 
-  /* What the script says, for the comparison with a restart file. */
-  Settings settings() const;
-
 private:
-  void check_memory() const;
-  void parse_surface(Words &words);
-  void parse_bins(Words &words);
-  void parse_spread(Words &words);
-  void parse_rebound(Words &words);
-  void parse_removal(Words &words);
-  void choose_tilt();
-  void set_number(const std::string &name, double value);
-  std::string deposit_text() const;
-  void parse_materials(Words &words, const std::string &keywords);
-  void read_table(const std::string &path);
-  bool needs_sizes() const;
+  typedef std::unique_ptr<asp_material, void (*)(asp_material *)> Material;
+  typedef std::unique_ptr<asp_pair, void (*)(asp_pair *)> Pair;
+
+  bool is_given(const char *keyword) const {
+    return asp_wall_is_given(wall_.get(), keyword);
+  }
+  void begin();
+  void check_dimension() const;
+  bool measured() const;
+  void read_measured();
+  void make();
   void fit_sizes();
-  void read_map_file();
-  void make_surface();
-  void make_wall();
-  void find_materials(const std::vector<int> &wall_types);
   void constants(const char *name, bool pairs, bool needed, const char *example,
                  std::vector<double> &values) const;
-  void make_pairs(const std::vector<double> &modulus, const std::vector<double> &poisson,
-                  const std::vector<double> &yield, const std::vector<double> &energy,
-                  const std::vector<double> &friction);
-  void take_materials(std::vector<double> &modulus, std::vector<double> &poisson,
-                      std::vector<double> &yield);
-  void take_defaults(std::vector<double> &energy, std::vector<double> &friction);
-  void check_kinds(bool constant_yield) const;
+  void find_materials(const std::vector<int> &wall_types);
+  void take_named();
+  void take_constants();
+  void make_pairs();
+  void check_kinds() const;
+  void report_constant(const char *keyword, const char *name, bool of_script, double value);
   void report_yield(const std::vector<int> &wall_types);
+  void warn_of_doubts(const std::vector<int> &wall_types) const;
+  void warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
+                      std::set<std::string> &told) const;
   bool draws_from_gaussian() const;
-  std::string surface_text() const;
   std::string describe_surface() const;
 
   const Engine &engine_;
-  bool smooth_;
-  double r_q_, lambda_c_, lambda_along_; /* along the lay; 0 where there is none */
-  Lay lay_;
-  std::string profile_path_, profile_report_; /* empty: no profile */
-  std::string map_path_, map_text_;           /* empty: no map; what it is */
-  int dp_bins_;
-  std::string spread_; /* as the script has it: a model, or auto */
-  double tolerance_;   /* of auto */
-  std::string choice_; /* what auto has chosen, and why */
-  std::string table_path_, rebound_text_, materials_text_, materials_report_, removal_text_;
+  std::string units_name_;
+  asp_units units_;
+  std::string report_, materials_report_; /* what the reader of a file found; the constants */
   double d_range_[2];
-  std::string tilt_, collisions_;
-  bool said_nothing_; /* of the spread of a Gaussian wall */
   Deposit deposit_;
   uint32_t seed_;
+  asp_lay lay_;
   Profile profile_;
   Map map_;
-  std::unique_ptr<asp_cor_table, void (*)(asp_cor_table *)> table_;
-  std::unique_ptr<asp_materials, void (*)(asp_materials *)> own_materials_;
-  std::vector<const asp_material *>
-      materials_;      /* of each atom type; empty: the script's constants */
-  const Units *units_; /* of the script, where there are materials */
-  std::unique_ptr<asp_surface, void (*)(asp_surface *)> surface_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
-  bool is_made_; /* the wall is prepared for contacts */
-  typedef std::unique_ptr<asp_pair, void (*)(asp_pair *)> Pair;
-  std::vector<Pair> pairs_;      /* particle type x wall type */
+  bool is_made_;                                /* the wall is prepared for contacts */
+  std::vector<Material> own_;                   /* of each atom type, by the script's constants */
+  std::vector<const asp_material *> materials_; /* of each atom type */
+  std::vector<Pair> pairs_;                     /* particle type x wall type */
   std::vector<double> friction_; /* the same; empty: neither pairs nor the script have it */
   double default_friction_;
   bool is_new_;

@@ -177,7 +177,7 @@ void CylinderShape::carry(Place &place, double, double dt, double x[3], double v
 }
 
 /* On a cylinder the lay is a helix: it goes with the axis and around it, wherever it turns to. */
-void CylinderShape::lay(const Lay &lay, const Path &, const Contact &contact,
+void CylinderShape::lay(const asp_lay &lay, const Path &, const Contact &contact,
                         double direction[3]) const {
   double axis[3] = {0, 0, 0}, around[3];
   axis[cylinder_.axis] = 1;

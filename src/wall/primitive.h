@@ -49,10 +49,10 @@ public:
              double v_wall[3]) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
-  Lay::Kind lay_kind() const override {
-    return Lay::ANGLE;
+  asp_lay_kind lay_kind() const override {
+    return ASP_LAY_ANGLE;
   }
-  void lay(const Lay &lay, const Path &path, const Contact &contact,
+  void lay(const asp_lay &lay, const Path &path, const Contact &contact,
            double direction[3]) const override;
 
 private:

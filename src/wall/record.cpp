@@ -8,6 +8,7 @@
 #include <string.h>
 #include <algorithm>
 
+#include "asperity.h"
 #include "wall/checksum.h"
 #include "wall/error.h"
 
@@ -217,9 +218,34 @@ std::string triangles(int64_t count) {
 
 } // namespace
 
+Settings asperity::clauses(const Settings &settings) {
+  Settings all;
+  for (const std::pair<std::string, std::string> &entry : settings) {
+    if (entry.first != "description") {
+      all.push_back(entry);
+      continue;
+    }
+    const char *at = entry.second.c_str();
+    for (size_t length; (length = asp_wall_clause(at)) > 0; at += length) {
+      const std::string clause(at, length), name = clause.substr(0, clause.find(' '));
+      const size_t end = clause.find_last_not_of(' ') + 1;
+      all.push_back(std::make_pair(
+          name, end > name.size() ? clause.substr(name.size() + 1, end - name.size() - 1) : ""));
+    }
+  }
+  return all;
+}
+
 std::string asperity::describe_changes(const Settings &now, const Settings &saved) {
   std::string changes;
-  for (const std::pair<std::string, std::string> &entry : now) {
+  Settings both = now;
+  for (const std::pair<std::string, std::string> &entry : saved)
+    if (std::none_of(now.begin(), now.end(),
+                     [&entry](const std::pair<std::string, std::string> &other) {
+                       return other.first == entry.first;
+                     }))
+      both.push_back(entry);
+  for (const std::pair<std::string, std::string> &entry : both) {
     const std::string &name = entry.first;
     const std::string value = value_of(now, name), before = value_of(saved, name);
     if (value != before)

@@ -19,6 +19,9 @@ namespace asperity {
 /* What the script says of the wall: names, and what they are set to. */
 typedef std::vector<std::pair<std::string, std::string>> Settings;
 
+/* The same with the clauses of the description in its place, each by its first word. */
+Settings clauses(const Settings &settings);
+
 /* "name NEW, was OLD; ...", of those that differ; empty where all are the same. */
 std::string describe_changes(const Settings &now, const Settings &saved);
 

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <vector>
 
-#include "wall/lay.h"
+#include "asperity.h"
 
 namespace asperity {
 
@@ -90,10 +90,10 @@ public:
 
   /* The direction of a lay at a contact of the path; it turns with the shape. `lay_kind` is what
    * the shape can have. */
-  virtual Lay::Kind lay_kind() const {
-    return Lay::VECTOR;
+  virtual asp_lay_kind lay_kind() const {
+    return ASP_LAY_VECTOR;
   }
-  virtual void lay(const Lay &lay, const Path &, const Contact &, double direction[3]) const {
+  virtual void lay(const asp_lay &lay, const Path &, const Contact &, double direction[3]) const {
     for (int d = 0; d < 3; d++)
       direction[d] = lay.vector[d];
   }

@@ -6,27 +6,12 @@
 
 #include <string>
 
+#include "asperity.h"
+
 namespace asperity {
 
-/* How many units of a style make one of SI. */
-struct Units {
-  const char *name;
-  double metre, kilogram, second;
-
-  double kilogram_per_m3() const {
-    return kilogram / (metre * metre * metre);
-  }
-  double pascal() const {
-    return kilogram / (metre * second * second);
-  }
-  double joule_per_m2() const {
-    return kilogram / (second * second);
-  }
-};
-
-/* The style of that name. Throws an Error that says `what` (as "materials are") cannot be converted
- * to others, of which `known` lists those of the engine. */
-const Units &units_of(const std::string &name, const char *what, const std::string &known);
+/* The style of that name; one that cannot be converted to others has no name and all 0. */
+asp_units units_of(const std::string &name);
 
 } // namespace asperity
 

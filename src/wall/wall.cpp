@@ -18,7 +18,7 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "timing ledger";
+const char Wall::KEYWORDS[] = "ledger";
 
 namespace {
 
@@ -51,25 +51,20 @@ void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
 void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
   geometry_ = geometry;
   const std::string others = KEYWORDS + (own ? " " + own->keywords() : "");
-  const std::string keywords = std::string(Model::KEYWORDS) + " " + others;
   while (!words.done()) {
-    if (model_.parse(words, others) || (own && own->parse(words)))
+    if (own && own->parse(words))
       continue;
-    if (words.take("timing")) {
-      const std::string value = words.word("the value of 'timing'");
-      if (value != "exact")
-        throw Error("timing is '" + value +
-                    "'; it must be exact: contacts are always found at their instant");
-    } else if (words.take("ledger"))
+    if (words.take("ledger"))
       parse_ledger(words);
     else
-      throw Error("keyword '" + words.word("keyword") + "' is unknown; there are: " + keywords);
+      model_.parse(words, others);
   }
   model_.finish();
   for (const Member &member : shapes_)
-    if (model_.lay().kind != Lay::NONE && model_.lay().kind != member.shape->lay_kind())
-      throw Error("lay is '" + model_.lay().text + "'; of a " +
-                  (member.shape->lay_kind() == Lay::ANGLE
+    if (model_.lay().kind != ASP_LAY_NONE && model_.lay().kind != member.shape->lay_kind())
+      throw Error(std::string("lay is ") +
+                  (model_.lay().kind == ASP_LAY_ANGLE ? "an angle" : "a vector") + "; of a " +
+                  (member.shape->lay_kind() == ASP_LAY_ANGLE
                        ? "cylinder it must be axial, circumferential, or an angle in degrees from "
                          "its axis"
                        : "plane or a mesh it must be a vector, X Y Z"));
@@ -353,8 +348,7 @@ double Wall::bytes() const {
 
 std::vector<char> Wall::save() {
   WallState state = WallState();
-  state.settings = model_.settings();
-  state.settings.insert(state.settings.begin(), std::make_pair("geometry", geometry_));
+  state.settings = settings();
   if (ledger_)
     check_written(ledger_->save(state.ledger));
   for (int k = 0; k < N_COUNTERS; k++)
@@ -384,15 +378,17 @@ std::vector<char> Wall::save() {
   return record;
 }
 
+Settings Wall::settings() const {
+  return Settings{{"geometry", geometry_}, {"description", model_.description()}};
+}
+
 /* The script is what counts; but it should not differ unnoticed. */
 void Wall::restore(const char *record) {
   const WallState saved = unpack(record);
   if (saved.counters.size() != N_COUNTERS)
     throw Error(text("the restart file's record of this wall has %d counters; there must be %d",
                      static_cast<int>(saved.counters.size()), N_COUNTERS));
-  Settings now = model_.settings();
-  now.insert(now.begin(), std::make_pair("geometry", geometry_));
-  const std::string changes = describe_changes(now, saved.settings);
+  const std::string changes = describe_changes(clauses(settings()), clauses(saved.settings));
   if (!changes.empty())
     engine_.warn("the script differs from the restart file, and the script is taken; " + changes);
   model_.set_sizes(saved.d_range);

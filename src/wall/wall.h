@@ -208,6 +208,7 @@ private:
   }
   void set_clock(int64_t step, double dt);
   std::string heading() const;
+  Settings settings() const;
 
   void carry(const Spheres &spheres);
   void carry_one(const Spheres &spheres, int i, double dt);

@@ -15,12 +15,11 @@ bool Words::is_one_of(const std::string &list) const {
   return !done() && (" " + list + " ").find(" " + words_[next_] + " ") != std::string::npos;
 }
 
-bool Words::is_number() const {
-  if (done() || words_[next_].empty())
-    return false;
-  char *end;
-  aspi_number(words_[next_].c_str(), &end);
-  return *end == '\0';
+std::vector<const char *> Words::rest() const {
+  std::vector<const char *> all;
+  for (size_t i = next_; i < words_.size(); i++)
+    all.push_back(words_[i].c_str());
+  return all;
 }
 
 bool Words::take(const char *word) {
@@ -34,13 +33,6 @@ std::string Words::word(const char *what) {
   if (done())
     throw Error(text("%s is missing at the end of the command", what));
   return words_[next_++];
-}
-
-std::string Words::file(const char *what) {
-  const std::string name = word(what);
-  if (name == "-")
-    throw Error(text("%s is '-'; it must be the name of a file", what));
-  return name;
 }
 
 double Words::number(const char *what) {

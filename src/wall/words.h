@@ -25,14 +25,16 @@ public:
   }
   /* Whether the next word is one of those in a list, with blanks between. */
   bool is_one_of(const std::string &list) const;
-  bool is_number() const;
   /* Goes past the next word if it is this one. */
   bool take(const char *word);
   std::string word(const char *what);
-  /* The name of a file; not `-`, for the ranks of a run have no standard input to share. */
-  std::string file(const char *what);
   double number(const char *what);
   double whole(const char *what, double least, double most);
+  /* The words that are left, valid as long as this. */
+  std::vector<const char *> rest() const;
+  void skip(int count) {
+    next_ += static_cast<size_t>(count);
+  }
 
 private:
   std::vector<std::string> words_;

@@ -4,7 +4,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 900 > grains.data
-physics='materials quartz hastelloy-x surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple'
+rough='surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple'
+physics="materials quartz hastelloy-x $rough"
+
+# All that a description has for such a wall, word for word in both, over LIGGGHTS's own constants.
+description='surface sigma 6deg spread truncated plane collisions single rebound bons contact_area 0.1 0.15 0.4
+ temperature 800C soften 1000 0.001/K friction 0.4 surface_energy 100mJ/m2 yield_stress 150MPa
+ materials quartz hastelloy-x deposit delete remove u_tau 2cm/s gas_density 1.2kg/m3 work 0.04J/m2 seed 6'
 
 plane() { # ID, primitive with its numbers, keywords: a wall of type 2
   echo "fix $1 all wall/rebound primitive type 2 $2 $physics $3"
@@ -49,9 +55,9 @@ scene() { # NAME, walls, runs, where particles come from
   deck "${4:-read_data ../grains.data}" "$($2)" "$3" > "$1.in"
 }
 freeze() { plane low 'zplane 0.0' 'deposit freeze seed 5 ledger 100 file low.csv'; }
-delete() { plane low 'zplane 0.0' 'deposit delete seed 6 ledger 70 file low.csv'; }
+delete() { echo "fix low all wall/rebound primitive type 2 zplane 0.0" $description "ledger 70 file low.csv"; }
 two() {
-  plane low 'zplane 0.0 shear x 3.' 'deposit off seed 7 rebound constant 0.95 0.9 ledger 50 file low.csv'
+  echo "fix low all wall/rebound primitive type 2 zplane 0.0 shear x 3. $rough deposit off seed 7 rebound constant 0.95 0.9 ledger 50 file low.csv"
   plane high 'zplane 2e-4' 'deposit off seed 7 ledger 50 file high.csv'
 }
 mesh() { # KEYWORDS: a wall of triangles of type 2

@@ -91,7 +91,7 @@ neigh_modify delay 0 exclude group all all
 comm_modify cutoff 1e-4
 region source block 2e-4 18e-4 2e-4 18e-4 1e-3 18e-4 units box
 $2
-fix low all wall/rebound zplane 0.0 type 2 materials quartz hastelloy-x surface rq 1e-5 lambda_c 9e-5 deposit off rebound constant 0.9 0.9 ledger 100 file rows.csv
+fix low all wall/rebound zplane 0.0 type 2 surface rq 1e-5 lambda_c 9e-5 deposit off rebound constant 0.9 0.9 ledger 100 file rows.csv
 fix high all wall/rebound zplane 19.5e-4 rebound constant 1 1 deposit off
 fix move all nve/sphere
 timestep 2e-7

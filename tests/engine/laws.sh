@@ -57,7 +57,7 @@ Velocities
 1 0 0 -100 0 0 0
 END
 sed -i 's/ 1e-6$/ 0/' one.data
-deck one.data "surface smooth rebound constant 1 1 deposit off timing exact" 1e-8 100 > run.in
+deck one.data "surface smooth rebound constant 1 1 deposit off" 1e-8 100 > run.in
 engine 1 run.in
 check_rows out.csv '$17 > 0.999 && $17 < 1.001 && $8 >= -1e-12' "centre on the wall"
 set -- $(last 100)

@@ -38,20 +38,27 @@ for units in "si 1 1 1 1" "cgs 1e2 1 10 1e3" "micro 1e6 1e6 1e-3 1e3"; do
   run "$1.names" 2 "$1" "$2" "$3" "$(soft "$4" | sed '1i hard_particles no')" 'materials quartz hastelloy-x'
   [ "$(count_rows "$1.names.csv")" -ge 400 ] || die "$1: too few impacts"
   near "$1.numbers.csv" "$1.names.csv" "1 2 3 6 7 8 9 10 11 12 14 15 16 17 18 19" 1e-9
-  says "$1.names" "surfaceEnergy: $(mul 0.8 "$5"), the default"
-  grep -q '^# .*; materials quartz hastelloy-x;' "$1.names.csv" || die "$1: the ledger does not name the materials"
+  says "$1.names" "surface_energy $(mul 0.8 "$5"), the default"
+  grep -q '^# .* materials quartz hastelloy-x deposit freeze seed 1;' "$1.names.csv" || die "$1: the ledger does not name the materials"
   grep -aq 'WARNING.*density' "$1.names.screen" && die "$1: a warning of a density that is the material's"
 done
 same_rows si.numbers si.names
 run frictionless 1 si 1 1 "$(soft 1 | grep -v '^fix m5' | sed 's/tangential history//')" 'materials quartz hastelloy-x'
 same_rows si.names frictionless
-says frictionless 'coefficientFriction: 0.3, the default'
+says frictionless 'friction 0.3, the default'
+[ $simulator = lammps ] || says si.numbers "friction by the script's coefficientFriction"
 
 # What a script gives of a pair counts; of a type the material's does.
 run pair 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/')" ''
 run pair.names 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/; s/200e6/1e6/g; s/2000*\b/1000000/g')" 'materials quartz hastelloy-x'
 same_rows pair pair.names
 cmp -s <(rows pair.csv) <(rows si.names.csv) && die "the constants of a pair are not taken"
+
+# Words go before both, and the log says so.
+run words 1 si 1 1 "$(soft 1)" 'materials quartz hastelloy-x friction 0.5 surface_energy 0.4 yield_stress 150MPa'
+run words.numbers 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/; s/ 200000000 200000000/ 150e6 0/')" ''
+same_rows words words.numbers
+for word in 'friction 0.5' 'surface_energy 0.4' 'yield_stress 1.5e+08'; do says words "$word, by the description"; done
 
 # A file of the user's own, before the presets: a softer quartz, and a name that no preset has.
 cat > own.csv << 'END'
@@ -67,9 +74,5 @@ for word in "type 1" "32.5 %" "'quartz'" "2000"; do grep -qF -- "$word" warning 
 [ "$(wc -l < warning)" = 1 ] || die "the density is warned of more than once"
 cmp -s <(rows own.csv) <(rows si.names.csv) && die "the file is not taken"
 
-# A wall's material has no yield stress: particles of it need a rate; a law without materials, none of it.
+# A wall's material has no yield stress: particles of it need one, or a rate.
 run rate 1 si 1 1 "$(soft 1)" 'materials hastelloy-x hastelloy-x rebound bons yield_rate 3e6'
-run constant 1 si 1 1 "$(soft 1)" 'materials hastelloy-x hastelloy-x rebound constant 0.5 0.9 deposit off'
-run constant.none 1 si 1 1 "$(soft 1)" 'rebound constant 0.5 0.9 deposit off'
-same_rows constant constant.none
-says constant 'rebound constant needs no materials'

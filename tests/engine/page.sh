@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every command in the Examples of the fix's page runs as it stands there; and LAMMPS's page has every keyword in a table.
+# Every command in the Examples of the fix's page runs as it stands there; and the page has every keyword in a table.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 page=$here/../../src/liggghts/fix_wall_rebound.md
@@ -35,18 +35,20 @@ thermo_style custom step f_wall
 run 200"; } > example.in
   engine 2 example.in
   law=$(grep -oE 'rebound (bons|constant|forder|grant_tabakoff|table|thornton_ning|walton)' <<< "$line" || echo "rebound bons")
-  grep -q "fix wall wall/rebound: $law" example.in.screen || die "the log does not name '$law': $line"
+  grep -q "fix wall wall/rebound: surface .* $law" example.in.screen || die "the log does not name '$law': $line"
   if ! grep -q xcylinder <<< "$line"; then
     grep -E '^ +200 ' example.in.screen | awk '{ exit !($2 >= 1) }' || die "no impact: $line"
   fi
 done < examples
-[ $simulator = lammps ] || exit 0
 
 # The words that the fix knows are those of the tables.
-sed 's/^fix wall .*/fix wall all wall\/rebound stl blade.stl nonsense/' example.in > words.in
+wall='mesh n_meshes 1 meshes blade'
+[ $simulator = liggghts ] || wall='stl blade.stl'
+sed "s,^fix wall .*,fix wall all wall/rebound $wall nonsense," example.in > words.in
 if "$program" -in words.in -log none > words.screen 2>&1; then die "nonsense is a keyword"; fi
-words=$(sed -n "s/.*'nonsense' is unknown; there are: \(.*\) (.*/\1/p" words.screen)
+words=$(sed -n "s/.*'nonsense' is unknown; there are: \([a-z_ ]*\).*/\1/p" words.screen)
 [ "$(wc -w <<< "$words")" -ge 10 ] || die "the fix names $words"
-for word in $words shear type scale move; do
-  grep -qF "   * - \`\`$word\`\`" "$page" || die "the page has no table with '$word'"
+[ $simulator = liggghts ] || words+=' shear type scale move'
+for word in $words; do
+  grep -qF -e "   * - \`\`$word\`\`" -e "| \`$word\` |" "$page" || die "the page has no table with '$word'"
 done

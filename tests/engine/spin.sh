@@ -74,15 +74,3 @@ read -r stuck moves <<< "$(pulled)"
 deck "deposit freeze $flow" 'run 400' > run.in
 engine 1 run.in
 grep -E '^ +400 ' run.in.screen | awk '{ exit !($2 == 200 && $3 == 0) }' || die "the flow left deposits: $(grep -E '^ +400 ' run.in.screen)"
-deck "deposit off remove u_tau 1 gas_density 1" 'run 1' > bad.in
-timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 && die "removal without deposits is taken"
-grep -q "freeze or delete" bad.screen || die "removal without deposits: $(tail -n 3 bad.screen)"
-deck "deposit freeze remove u_tau 1" 'run 1' > bad.in
-timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 && die "removal without a gas is taken"
-grep -q "gas_density" bad.screen || die "removal without a gas: $(tail -n 3 bad.screen)"
-deck "rebound table -" 'run 1' > bad.in
-timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 < /dev/null && die "a table from standard input is taken"
-grep -q "must be the name of a file" bad.screen || die "a table from standard input: $(tail -n 3 bad.screen)"
-deck "rebound bons spin maybe" 'run 1' > bad.in
-timeout 60 "$program" -in bad.in -log none > bad.screen 2>&1 && die "spin maybe is taken"
-grep -q "off on" bad.screen || die "spin maybe: $(tail -n 3 bad.screen)"

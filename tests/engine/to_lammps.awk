@@ -16,16 +16,17 @@ function contact(line) {
     (elastic ? " damping velocity" : " damping tsuji")
 }
 
-# The materials of all types, and what belongs to pairs of them.
-function physics(line,   words, t) {
+# The materials of all types, and what belongs to pairs of them, where the law takes them and they are not the defaults.
+function physics(line,   words, t, pair) {
   words = ""
-  if (line !~ / materials / && n_types > 0) {
+  pair = line !~ / rebound / || line ~ / rebound (bons|thornton_ning) /
+  if (pair && line !~ / materials / && n_types > 0) {
     words = " materials"
     for (t = 1; t <= n_types; t++) words = words " own" t
     words = words " file constants"
   }
-  if (value("surfaceEnergy") != "") words = words " surface_energy " value("surfaceEnergy")
-  if (value("coefficientFriction") != "") words = words " friction " value("coefficientFriction")
+  if (pair && line !~ / (surface_energy|deposit off) / && value("surfaceEnergy") != "" && value("surfaceEnergy") != 0.8) words = words " surface_energy " value("surfaceEnergy")
+  if (line !~ / (friction|rebound walton) / && value("coefficientFriction") != "" && value("coefficientFriction") != 0.3) words = words " friction " value("coefficientFriction")
   return words
 }
 

@@ -180,6 +180,13 @@ static void changes(void **) {
   const Settings other = {{"geometry", "mesh low"}, {"seed", "5"}, {"materials", "quartz"}};
   assert_string_equal(describe_changes(now, other).c_str(),
                       "seed 4, was 5; materials none, was quartz");
+  const Settings one = {{"geometry", "mesh low"},
+                        {"description", "surface profile \"a seed 3.csv\" dp_bins 4 seed 4"}},
+                 two = {{"geometry", "mesh low"},
+                        {"description", "surface smooth friction 1 seed 4"}};
+  assert_string_equal(
+      describe_changes(clauses(one), clauses(two)).c_str(),
+      "surface profile \"a seed 3.csv\" dp_bins 4, was smooth; friction none, was 1");
   assert_string_equal(setting(1e-5).c_str(), "1e-05");
   assert_string_not_equal(setting(0.9).c_str(), setting(0.9000000001).c_str());
 }

@@ -1,0 +1,141 @@
+/* Numbers with units; see quantity.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/quantity.h"
+#include "base/error.h"
+#include "base/number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A kind of quantity, and the powers of metre, kilogram and second in its unit. */
+static const struct {
+  const char *name;
+  int metre, kilogram, second;
+} kinds[] = {
+    {"length", 1, 0, 0},       {"speed", 1, 0, -1},
+    {"stress", -1, 1, -2},     {"density", -3, 1, 0},
+    {"energy/area", 0, 1, -2}, {"stress/speed", -2, 1, -1},
+    {"degrees", 0, 0, 0},      {"K", 0, 0, 0},
+    {"1/K", 0, 0, 0},
+};
+
+/* One unit: 10^exponent of SI (or degrees), plus `offset`. Units without a place in lists of them
+ * are other ways to write one. */
+static const struct {
+  const char *kind, *name;
+  int exponent;
+  double offset;
+  bool listed;
+} names[] = {
+    {"length", "m", 0, 0, true},
+    {"length", "cm", -2, 0, true},
+    {"length", "mm", -3, 0, true},
+    {"length", "um", -6, 0, true},
+    {"length", "nm", -9, 0, true},
+    {"length", "\xC2\xB5m", -6, 0, false}, /* micro sign, UTF-8 */
+    {"length", "\xCE\xBCm", -6, 0, false}, /* Greek mu, UTF-8 */
+    {"speed", "m/s", 0, 0, true},
+    {"speed", "cm/s", -2, 0, true},
+    {"speed", "mm/s", -3, 0, true},
+    {"speed", "km/s", 3, 0, true},
+    {"stress", "Pa", 0, 0, true},
+    {"stress", "kPa", 3, 0, true},
+    {"stress", "MPa", 6, 0, true},
+    {"stress", "GPa", 9, 0, true},
+    {"density", "kg/m3", 0, 0, true},
+    {"density", "g/cm3", 3, 0, true},
+    {"density", "kg/m^3", 0, 0, false},
+    {"density", "g/cm^3", 3, 0, false},
+    {"energy/area", "J/m2", 0, 0, true},
+    {"energy/area", "mJ/m2", -3, 0, true},
+    {"energy/area", "J/m^2", 0, 0, false},
+    {"energy/area", "mJ/m^2", -3, 0, false},
+    {"energy/area", "N/m", 0, 0, false},
+    {"stress/speed", "Pa/(m/s)", 0, 0, true},
+    {"stress/speed", "kPa/(m/s)", 3, 0, true},
+    {"stress/speed", "MPa/(m/s)", 6, 0, true},
+    {"degrees", "deg", 0, 0, true},
+    {"degrees", "\xC2\xB0", 0, 0, false}, /* degree sign, UTF-8 */
+    {"K", "K", 0, 0, true},
+    {"K", "C", 0, 273.15, true},
+    {"1/K", "/K", 0, 0, true},
+    {"1/K", "1/K", 0, 0, false},
+};
+
+double aspi_quantity_factor(const char *kind, const asp_units *units) {
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+    if (strcmp(kinds[i].name, kind) != 0)
+      continue;
+    int m = kinds[i].metre, kg = kinds[i].kilogram, s = kinds[i].second;
+    if (m == 0 && kg == 0 && s == 0)
+      return 1;
+    if (!(units->metre > 0 && units->kilogram > 0 && units->second > 0))
+      return 0;
+    double above = 1, below = 1;
+    for (int k = 0; k < abs(kg); k++)
+      *(kg > 0 ? &above : &below) *= units->kilogram;
+    for (int k = 0; k < abs(m); k++)
+      *(m > 0 ? &above : &below) *= units->metre;
+    for (int k = 0; k < abs(s); k++)
+      *(s > 0 ? &above : &below) *= units->second;
+    return above / below;
+  }
+  return 1;
+}
+
+void aspi_quantity_units(const char *kind, char *list, size_t size) {
+  *list = '\0';
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    size_t used = strlen(list);
+    if (names[i].listed && strcmp(names[i].kind, kind) == 0)
+      snprintf(list + used, size - used, "%s%s", used ? " " : "", names[i].name);
+  }
+}
+
+/* The first `length` characters as a number, times 10^exponent, rounded once. */
+static double shifted(const char *text, size_t length, int exponent) {
+  char copy[80], *end;
+  if (length >= 60 || strspn(text, "+-.0123456789eE") < length)
+    return aspi_number(text, &end) * pow(10, exponent);
+  size_t mantissa = strcspn(text, "eE");
+  long own = mantissa < length ? strtol(text + mantissa + 1, NULL, 10) : 0;
+  mantissa = mantissa < length ? mantissa : length;
+  snprintf(copy, sizeof copy, "%.*se%ld", (int)mantissa, text, own + exponent);
+  return aspi_number(copy, &end);
+}
+
+static asp_code fail_unit(const char *name, const char *text, const char *kind, bool is_number,
+                          asp_error *error) {
+  char list[120];
+  aspi_quantity_units(kind, list, sizeof list);
+  if (!*list)
+    return aspi_fail(error, ASP_EARG, "%s is '%.100s'; it must be a number", name, text);
+  if (!is_number)
+    return aspi_fail(error, ASP_EARG,
+                     "%s is '%.100s'; it must be a number, behind which there may be one of: %s",
+                     name, text, list);
+  return aspi_fail(error, ASP_EARG, "%s is '%.100s'; its unit must be one of: %s", name, text,
+                   list);
+}
+
+asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
+                            const asp_units *units, double *value, asp_error *error) {
+  char *end;
+  *value = aspi_number(text, &end);
+  if (end > text && !*end)
+    return ASP_OK;
+  for (size_t i = 0; end > text && i < sizeof names / sizeof *names; i++) {
+    if (strcmp(names[i].kind, kind) != 0 || strcmp(names[i].name, end) != 0)
+      continue;
+    double factor = aspi_quantity_factor(kind, units);
+    if (!(factor > 0))
+      return aspi_fail(error, ASP_EARG, "%s is '%.100s', which cannot be converted to %s", name,
+                       text, units->name);
+    *value = (shifted(text, (size_t)(end - text), names[i].exponent) + names[i].offset) * factor;
+    return ASP_OK;
+  }
+  return fail_unit(name, text, kind, end > text, error);
+}

@@ -1,0 +1,23 @@
+/* Numbers that may carry a unit, as `5um`, `200MPa` or `500C`.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_BASE_QUANTITY_H
+#define ASP_BASE_QUANTITY_H
+
+#include "asperity.h"
+
+/* Reads all of a text as a number of the kind that `kind` names: length, speed, stress,
+ * stress/speed, energy/area, density, degrees, K, 1/K, or "" for one without a unit. A number alone
+ * is in the caller's units; one with a unit behind it is converted to them, exactly where these are
+ * SI and the unit is a power of ten. ASP_EARG and a message that calls it `name` and lists the
+ * units where it is none. */
+asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
+                            const asp_units *units, double *value, asp_error *error);
+
+/* How many of the caller's units make one of SI of that kind; 0 where they are not known. */
+double aspi_quantity_factor(const char *kind, const asp_units *units);
+
+/* The units of a kind, as "m cm mm um nm"; "" where it has none. At most `size` characters. */
+void aspi_quantity_units(const char *kind, char *list, size_t size);
+
+#endif

@@ -1,0 +1,430 @@
+/* The description of a wall: what its words mean, that its canonical text means the same, what is
+ * refused and how, and which constants are doubted.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "check.h"
+#include "impact/description.h"
+
+#include <stdlib.h>
+
+static const asp_units si = {"SI", 1, 1, 1}, micro = {"'units micro'", 1e6, 1e15, 1e6},
+                       lj = {"'units lj'; units must be si", 0, 0, 0};
+
+static asp_wall *parse(const char *text, const asp_units *units) {
+  asp_error error = {ASP_OK, ""};
+  asp_wall *wall = asp_wall_parse(text, units, &error);
+  if (!wall)
+    print_error("%s\n%s\n", text, error.text);
+  assert_non_null(wall);
+  return wall;
+}
+
+static void check_text(const char *text, const char *canonical) {
+  char is[1000];
+  asp_wall *wall = parse(text, &si);
+  assert_int_equal(asp_wall_describe(wall, is, sizeof is), strlen(canonical));
+  assert_string_equal(is, canonical);
+  asp_wall_free(wall);
+}
+
+static void canonical_texts(void **state) {
+  (void)state;
+  check_text("", "surface smooth rebound bons deposit freeze seed 1");
+  check_text("surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz "
+             "hastelloy-x",
+             "surface rq 1.56e-05 lambda_c 0.00012 spread visible isotropic collisions multiple "
+             "rebound bons materials quartz hastelloy-x friction 0.4 deposit freeze seed 1");
+  check_text("rebound constant 0.5 0.25 deposit off surface sigma 8deg spread weibull plane "
+             "collisions single seed 4294967295",
+             "surface sigma 8 spread weibull plane collisions single rebound constant 0.5 0.25 "
+             "deposit off seed 4294967295");
+  check_text("surface rq 1um lambda_c 10um 50um lay axial spread auto tolerance 0.01",
+             "surface rq 1e-06 lambda_c 1e-05 5e-05 lay axial spread auto tolerance 0.01 isotropic "
+             "collisions multiple rebound bons deposit freeze seed 1");
+  check_text("surface profile 'my blade.csv' dp_bins 4 rebound bons soften 500C 0.001/K yield_rate "
+             "3MPa/(m/s) temperature 800 spin on",
+             "surface profile \"my blade.csv\" dp_bins 4 spread profile isotropic collisions "
+             "multiple rebound bons yield_rate 3000000 temperature 800 soften 773.15 0.001 spin on "
+             "deposit freeze seed 1");
+  check_text(
+      "surface map m.sdf lay 3 0 4 deposit delete remove gas_density 1.2 u_tau 2.5 yield_stress "
+      "150MPa",
+      "surface map m.sdf lay 3 0 4 spread profile isotropic collisions multiple rebound bons "
+      "yield_stress 150000000 deposit delete remove u_tau 2.5 gas_density 1.2 seed 1");
+}
+
+/* A text that does not fit is cut, and its length told. */
+static void short_room(void **state) {
+  (void)state;
+  char text[12];
+  asp_wall *wall = parse("", &si);
+  size_t length = asp_wall_describe(wall, NULL, 0);
+  assert_int_equal(length, strlen("surface smooth rebound bons deposit freeze seed 1"));
+  assert_int_equal(asp_wall_describe(wall, text, sizeof text), length);
+  assert_string_equal(text, "surface smo");
+  asp_wall_free(wall);
+}
+
+/* ---- random descriptions ---- */
+
+static double uniform(void) {
+  return rand() / (RAND_MAX + 1.0);
+}
+
+static int whole(int below) {
+  return (int)(uniform() * below);
+}
+
+static void add(char *text, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text + strlen(text), 1500 - strlen(text), format, args);
+  va_end(args);
+}
+
+/* Any number within a range, and now and then its ends. */
+static double within(double least, double most) {
+  double to = most < 1e6 ? most : least + 1e6;
+  return whole(8) == 0 ? least : least + (to - least) * uniform() * uniform();
+}
+
+static void add_surface(char *text, bool *rough, bool *measured) {
+  int kind = whole(6);
+  *rough = kind > 0;
+  *measured = kind > 3;
+  add(text, " surface ");
+  if (kind == 0)
+    add(text, "smooth");
+  else if (kind == 1)
+    add(text, "sigma %.17g", within(0.001, 54));
+  else if (kind == 2)
+    add(text, "rq %.17gum lambda_c %.3gmm", 1e-3 + uniform(), 0.01 + uniform());
+  else if (kind == 3)
+    add(text, "rq %.17g lambda_c 1 %.17g lay %s", 1e-3 + 0.2 * uniform(), 1 + uniform(),
+        whole(2) ? "circumferential" : "-33.3deg");
+  else if (kind == 4)
+    add(text, "profile %s", whole(2) ? "a.csv" : "\"in a 'folder'/a.csv\"");
+  else
+    add(text, "map \"x y.sdf\" lay %.17g %.17g 0", uniform(), 1 + uniform());
+}
+
+static const asp_rebound_law *add_law(char *text) {
+  const asp_rebound_law *law;
+  do
+    law = asp_rebound_at(whole(asp_rebound_count()));
+  while (asp_rebound_needs_table(law)); /* it would need a file */
+  add(text, " rebound %s", asp_rebound_name(law));
+  const char *last = "";
+  bool on = true;
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const asp_parameter *p = asp_rebound_parameter(law, i);
+    const char *keyword = asp_parameter_keyword(p);
+    if (strcmp(keyword, last) != 0) {
+      on = whole(2);
+      if (on)
+        add(text, " %s", keyword);
+    }
+    last = keyword;
+    if (*asp_parameter_words(p) && on)
+      add(text, whole(2) ? " on" : " off");
+    else if (on)
+      add(text, " %.17g", within(asp_parameter_least(p), asp_parameter_most(p)));
+  }
+  return law;
+}
+
+static void add_rest(char *text, const asp_rebound_law *law, bool by_rate) {
+  bool off = whole(3) == 0, pair = asp_rebound_needs_pair(law);
+  if (pair && whole(2))
+    add(text, " materials quartz %s", whole(2) ? "steel" : "304-ss");
+  if (strcmp(asp_rebound_name(law), "walton") != 0 && whole(2))
+    add(text, " friction %.17g", uniform());
+  if (pair && !off && whole(2))
+    add(text, " surface_energy %.17g", uniform());
+  if (pair && !by_rate && whole(2))
+    add(text, " yield_stress %.17gMPa", 1000 * uniform());
+  add(text, off ? " deposit off" : whole(2) ? " deposit delete" : " deposit freeze");
+  if (pair && !off && whole(2))
+    add(text, " remove gas_density %.17g u_tau %.17g", 0.1 + uniform(), 0.1 + uniform());
+  if (whole(2))
+    add(text, " seed %d", rand());
+}
+
+static void random_text(char *text) {
+  bool rough, measured;
+  *text = '\0';
+  add_surface(text, &rough, &measured);
+  if (rough && whole(2)) {
+    const char *model = asp_spread_name(asp_spread_at(1 + whole(asp_spread_count() - 1)));
+    add(text, " spread %s", whole(4) ? model : "auto tolerance 0.3");
+    add(text, "%s%s", whole(2) ? " plane" : "", whole(2) ? " collisions single" : "");
+  }
+  const asp_rebound_law *law = add_law(text);
+  add_rest(text, law, strstr(text, "yield_rate"));
+}
+
+static void check_same(const asp_wall *a, const asp_wall *b) {
+  const aspi_description *x = a->said, *y = b->said;
+  assert_ptr_equal(a->choice.spread, b->choice.spread);
+  assert_ptr_equal(a->choice.law, b->choice.law);
+  assert_int_equal(a->choice.isotropic, b->choice.isotropic);
+  assert_int_equal(a->choice.multiple, b->choice.multiple);
+  assert_memory_equal(a->choice.parameters, b->choice.parameters, sizeof a->choice.parameters);
+  assert_memory_equal(a->choice.numbers, b->choice.numbers, sizeof a->choice.numbers);
+  assert_int_equal(x->kind, y->kind);
+  assert_int_equal(x->lay, y->lay);
+  assert_memory_equal(&x->friction, &y->friction, 3 * sizeof x->friction);
+  assert_true(fabs(x->r_q - y->r_q) <= 0 && fabs(x->lambda_c - y->lambda_c) <= 0 &&
+              fabs(x->lambda_along - y->lambda_along) <= 0 && fabs(x->sigma - y->sigma) <= 0 &&
+              fabs(x->seed - y->seed) <= 0 && fabs(x->tolerance - y->tolerance) <= 0);
+  asp_lay lay_x = asp_wall_lay(a), lay_y = asp_wall_lay(b);
+  assert_memory_equal(lay_x.vector, lay_y.vector, sizeof lay_x.vector);
+  assert_true(fabs(lay_x.angle - lay_y.angle) <= 0);
+  assert_int_equal(x->n_materials, y->n_materials);
+  for (int i = 0; i < x->n_materials; i++)
+    assert_string_equal(x->names[i], y->names[i]);
+  assert_true(!x->file == !y->file && (!x->file || strcmp(x->file, y->file) == 0));
+}
+
+static void texts_go_round(void **state) {
+  (void)state;
+  char text[1500], first[1500], second[1500];
+  srand(1);
+  for (int i = 0; i < 3000; i++) {
+    const asp_units *units = i % 2 ? &si : &micro;
+    random_text(text);
+    asp_wall *a = parse(text, units);
+    assert_true(asp_wall_describe(a, first, sizeof first) < sizeof first);
+    asp_wall *b = parse(first, units);
+    asp_wall_describe(b, second, sizeof second);
+    assert_string_equal(first, second);
+    check_same(a, b);
+    asp_wall_free(a);
+    asp_wall_free(b);
+  }
+}
+
+/* ---- what is refused ---- */
+
+static void refuses(const char *text, const char *first, const char *second) {
+  asp_error error = {ASP_OK, ""};
+  asp_wall *wall = asp_wall_parse(text, &si, &error);
+  if (wall || !strstr(error.text, first) || !strstr(error.text, second))
+    print_error("%s: %s\n", text, wall ? "accepted" : error.text);
+  assert_null(wall);
+  assert_int_not_equal(error.code, ASP_OK);
+  assert_non_null(strstr(error.text, first));
+  assert_non_null(strstr(error.text, second));
+}
+
+static void slips_are_named(void **state) {
+  (void)state;
+  refuses("surfaces smooth", "'surfaces'", "did you mean 'surface'?");
+  refuses("seed 1 fricton 0.3", "'fricton'", "did you mean 'friction'?");
+  refuses("surface rq 1 lambda_c 10 spread wiebull", "'wiebull'", "did you mean 'weibull'?");
+  refuses("surface rq 1 lambda_c 10 spread atuo", "'atuo'", "did you mean 'auto'?");
+  refuses("rebound bonds", "'bonds'", "did you mean 'bons'?");
+  refuses("rebound bons yeild_rate 3", "'yeild_rate'", "did you mean 'yield_rate'?");
+  refuses("rebound walton 0.9 0.3 0 complience 0.7", "'complience'", "did you mean 'compliance'?");
+  refuses("surface profile f dpbins 3", "'dpbins'", "did you mean 'dp_bins'?");
+  refuses("materials quartz hasteloy-x", "'hasteloy-x'", "did you mean 'hastelloy-x'?");
+  refuses("materials quartz 304-ss surfac rq 5e-6", "'surfac'", "did you mean 'surface'?");
+  refuses("materials quartz 304-ss fil own.csv", "'fil'", "did you mean 'file'?");
+}
+
+static void bad_values_are_named(void **state) {
+  (void)state;
+  refuses("surface", "surface", "missing");
+  refuses("surface bumpy", "'bumpy'", "smooth | sigma ANGLE");
+  refuses("surface rq 1e-5", "lambda_c L", "");
+  refuses("surface rq fine lambda_c 1", "rq is 'fine'", "m cm mm um nm");
+  refuses("surface rq 5parsec lambda_c 1", "rq is '5parsec'", "m cm mm um nm");
+  refuses("surface rq 0 lambda_c 1", "rq is 0", "> 0");
+  refuses("surface rq 1 lambda_c nan", "lambda_c is", "> 0");
+  refuses("surface rq 3 lambda_c 1", "phi_r", "reaches to");
+  refuses("surface sigma 60", "sigma is 60", "0.001 to 54");
+  refuses("surface rq 1 lambda_c 10 lay 1 0 0", "'lay' needs two", "");
+  refuses("surface rq 1 lambda_c 10 20", "'lay' and its direction", "");
+  refuses("surface rq 1 lambda_c 10 20 lay 0 0 0", "lay is 0 0 0", "> 0");
+  refuses("surface rq 1 lambda_c 10 20 lay 1 2 up", "third number of the lay", "'up'");
+  refuses("surface rq 1 lambda_c 10 20 lay diagonal", "lay is 'diagonal'", "axial");
+  refuses("surface rq 1 lambda_c 10 20 lay 500", "lay is 500", "-180 to 180");
+  refuses("surface profile -", "'-'", "name of a file");
+  refuses("rebound table -", "'-'", "name of a file");
+  refuses("surface profile f dp_bins 0", "dp_bins is 0", "1 to 256");
+  refuses("surface rq 1 lambda_c 10 spread weibull collisions many", "'many'",
+          "single or multiple");
+  refuses("surface rq 1 lambda_c 10 spread auto", "tolerance D", "");
+  refuses("surface rq 1 lambda_c 10 spread weibull tolerance 1", "tolerance D", "");
+  refuses("rebound constant 1.5 1", "cor_n is 1.5", "0 to 1");
+  refuses("rebound constant 1", "cor_t", "missing");
+  refuses("rebound bons contact_area 1 1", "c is missing", "");
+  refuses("rebound bons spin fast", "spin is 'fast'", "off on");
+  refuses("rebound bons temperature 500F", "'500F'", "K C");
+  refuses("rebound table nowhere.csv", "nowhere.csv", "No such file");
+  refuses("materials quartz steel file nowhere.csv", "nowhere.csv", "No such file");
+  refuses("friction -1", "friction is -1", ">= 0");
+  refuses("surface_energy nan", "surface_energy is", ">= 0");
+  refuses("yield_stress 200bar", "'200bar'", "Pa kPa MPa GPa");
+  refuses("deposit stick", "'stick'", "freeze, delete or off");
+  refuses("deposit freeze remove u_tau 1", "gas_density", "expected");
+  refuses("seed 1.5", "seed is 1.5", "whole number from 0 to 4294967295");
+  refuses("surface smooth surface smooth", "'surface'", "twice");
+  refuses("surface profile 'a", "quote", "no end");
+}
+
+static void what_has_no_effect_is_refused(void **state) {
+  (void)state;
+  refuses("rebound walton 0.9 0.3 0 surface_energy 1", "'surface_energy' has no effect", "walton");
+  refuses("rebound walton 0.9 0.3 0 yield_stress 1", "'yield_stress' has no effect", "walton");
+  refuses("rebound walton 0.9 0.3 0 friction 0.3", "'friction' has no effect", "MU");
+  refuses("materials quartz steel rebound constant 1 1", "'materials' has no effect", "constant");
+  refuses("yield_stress 1e8 rebound bons yield_rate 3e6", "'yield_stress' has no effect",
+          "yield_rate");
+  refuses("deposit off remove u_tau 1 gas_density 1", "'remove' has no effect", "deposit off");
+  refuses("surface_energy 1 deposit off", "'surface_energy' has no effect", "deposit off");
+  refuses("spread none surface sigma 8", "'surface' has no effect", "spread none");
+  refuses("surface rq 1 lambda_c 10 dp_bins 4", "'dp_bins' has no effect", "spread visible");
+}
+
+/* ---- units ---- */
+
+/* A unit of its own, and the caller's: the same wall; what is in SI alone needs units. */
+static void units_are_converted(void **state) {
+  (void)state;
+  asp_wall *a = parse("surface rq 5um lambda_c 40um yield_stress 200MPa surface_energy 0.8J/m2 "
+                      "materials quartz steel deposit freeze remove u_tau 2m/s gas_density 1kg/m3",
+                      &micro);
+  assert_near(a->said->r_q, 5, 0);
+  assert_near(a->said->yield_stress, 2e5, 1e-9);
+  assert_near(a->said->surface_energy, 800, 1e-12);
+  assert_near(asp_wall_get(a, "remove_u_tau"), 2, 0);
+  assert_near(asp_wall_get(a, "remove_gas_density"), 1e-3, 1e-18);
+  assert_near(asp_wall_get(a, "remove_work"), 39, 1e-12);
+  assert_near(asp_material_get(asp_wall_material(a, 0), "youngs_modulus"), 70e6, 1e-6);
+  asp_wall_free(a);
+  a = parse("surface rq 15.6um lambda_c 0.12mm", NULL);
+  assert_near(a->said->r_q, 15.6e-6, 0); /* to the last bit */
+  assert_near(a->said->lambda_c, 120e-6, 0);
+  asp_wall_free(a);
+  asp_error error;
+  assert_null(asp_wall_parse("surface rq 5um lambda_c 1", &lj, &error));
+  assert_non_null(strstr(error.text, "'units lj'"));
+  assert_null(asp_wall_parse("materials quartz steel", &lj, &error));
+  assert_non_null(strstr(error.text, "'units lj'; units must be si"));
+  a = parse("surface rq 0.5 lambda_c 4 rebound constant 1 1", &lj);
+  asp_wall_free(a);
+}
+
+/* A caller's own words end a list of materials, and are left to him. */
+static void own_words_are_left(void **state) {
+  (void)state;
+  static const char *const words[] = {"materials", "quartz", "steel", "ledger", "10"},
+                           *const slip[] = {"leger", "10"};
+  asp_error error;
+  int taken;
+  asp_wall *wall = parse("", &si);
+  assert_int_equal(asp_wall_read(wall, 5, words, "ledger map", &taken, &error), ASP_OK);
+  assert_int_equal(taken, 3);
+  assert_int_equal(asp_wall_read(wall, 2, words + 3, "ledger map", &taken, &error), ASP_OK);
+  assert_int_equal(taken, 0);
+  assert_int_equal(asp_wall_read(wall, 2, slip, "ledger map", &taken, &error), ASP_ENAME);
+  assert_non_null(strstr(error.text, "did you mean 'ledger'?"));
+  asp_wall_free(wall);
+}
+
+/* ---- what is made of it ---- */
+
+/* sigma is that of any particle, and so is the tilt. */
+static void sigma_knows_no_size(void **state) {
+  (void)state;
+  asp_wall *wall = parse("surface sigma 8 rebound constant 1 1", &micro);
+  assert_int_equal(asp_wall_make(wall, 0, 0, NULL), ASP_OK);
+  for (double d = 1e-3; d < 1e5; d *= 10)
+    assert_near(atan(asp_surface_slope(asp_wall_surface(wall), d)), 8 * ASP_PI / 180, 1e-12);
+  asp_wall_free(wall);
+}
+
+/* Defaults of a pair: those of the library are those of the fix. */
+static void pairs_have_defaults(void **state) {
+  (void)state;
+  asp_wall *wall = parse("materials quartz hastelloy-x", &micro);
+  const asp_material *p = asp_wall_material(wall, 0), *w = asp_wall_material(wall, 1);
+  asp_pair *pair = asp_wall_pair(wall, p, w, NULL);
+  assert_near(asp_pair_get(pair, "surface_energy"), 800, 1e-12);
+  assert_near(asp_pair_get(pair, "friction"), 0.3, 0);
+  assert_near(asp_pair_get(pair, "yield_stress"), 2e5, 1e-9);
+  asp_pair_free(pair);
+  asp_wall_free(wall);
+  pair = asp_pair_create(asp_materials_find(NULL, "quartz", NULL),
+                         asp_materials_find(NULL, "steel", NULL), NULL);
+  assert_near(asp_pair_get(pair, "surface_energy"), ASP_SURFACE_ENERGY, 0);
+  asp_pair_free(pair);
+  wall = parse("materials quartz steel friction 0.4 surface_energy 0.1 yield_stress 1e8", &si);
+  pair = asp_wall_pair(wall, asp_wall_material(wall, 0), asp_wall_material(wall, 1), NULL);
+  assert_near(asp_pair_get(pair, "surface_energy"), 0.1, 0);
+  assert_near(asp_pair_get(pair, "friction"), 0.4, 0);
+  assert_near(asp_pair_get(pair, "yield_stress"), 1e8, 0);
+  asp_pair_free(pair);
+  asp_wall_free(wall);
+}
+
+/* All doubts of quartz on steel with these changes, in one text. */
+static void doubts(char text[1500], const char *description, double d_p, double density,
+                   double modulus) {
+  char one[480];
+  asp_wall *wall = parse(description, &si);
+  assert_int_equal(asp_wall_make(wall, 0, 0, NULL), ASP_OK);
+  asp_material *p = asp_material_create("sand", NULL), *w = asp_material_create("iron", NULL);
+  asp_material_set(p, "youngs_modulus", modulus, NULL);
+  asp_material_set(w, "youngs_modulus", modulus, NULL);
+  asp_material_set(p, "density", 2650, NULL);
+  asp_material_set(p, "yield_stress", 200e6, NULL);
+  asp_pair *pair = asp_wall_pair(wall, p, w, NULL);
+  asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
+  *text = '\0';
+  for (int i = 0; asp_wall_doubt(wall, &particle, p, w, i, one, sizeof one); i++)
+    add(text, "%s\n", one);
+  asp_pair_free(pair);
+  asp_material_free(p);
+  asp_material_free(w);
+  asp_wall_free(wall);
+}
+
+static void odd_constants_are_doubted(void **state) {
+  (void)state;
+  char text[1500];
+  doubts(text, "", 20e-6, 2650, 70e9);
+  assert_string_equal(text, "");
+  doubts(text, "", 20e-6, 2750, 70e9);
+  assert_non_null(strstr(text, "3.77 % off that of material 'sand'"));
+  assert_null(strchr(strchr(text, '\n') + 1, '\n'));
+  doubts(text, "", 20e-6, 2650, 5e6);
+  assert_non_null(strstr(text, "so that nothing yields"));
+  doubts(text, "yield_stress 10", 20e-6, 2650, 70);
+  assert_non_null(strstr(text, "Young's modulus of sand is 70"));
+  assert_non_null(strstr(text, "Young's modulus of iron is 70"));
+  doubts(text, "surface_energy 50", 20e-6, 2650, 70e9);
+  assert_non_null(strstr(text, "every impact of particles of diameter 2e-05 and less sticks"));
+  doubts(text, "surface_energy 50", 20e-3, 2650, 70e9);
+  assert_string_equal(text, "");
+  doubts(text, "deposit off", 1e-9, 2650, 70e9);
+  assert_string_equal(text, "");
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(canonical_texts),
+      cmocka_unit_test(short_room),
+      cmocka_unit_test(texts_go_round),
+      cmocka_unit_test(slips_are_named),
+      cmocka_unit_test(bad_values_are_named),
+      cmocka_unit_test(what_has_no_effect_is_refused),
+      cmocka_unit_test(units_are_converted),
+      cmocka_unit_test(own_words_are_left),
+      cmocka_unit_test(sigma_knows_no_size),
+      cmocka_unit_test(pairs_have_defaults),
+      cmocka_unit_test(odd_constants_are_doubted),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
