@@ -424,8 +424,8 @@ bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
 /* The cheapest model whose measured D_KL between its rebound angles and those of the geometry
  * (specular, bins of one degree, all impact angles) stays below the tolerance (> 0), for the
  * surface's phi_r and the kappas of diameters from d_least to d_most; with its worst D_KL and the
- * reason as one line of at most `size` characters in `text`. Measured for Gaussian walls: of a wall
- * by its measured profile only phi_r and kappa are looked at. NULL: the wall is beyond what was
+ * reason as one line of at most `size` characters in `text`. Measured in the plane of incidence, for
+ * Gaussian walls: of a wall by its measured profile only phi_r and kappa are looked at. NULL: the wall is beyond what was
  * measured, or no model stays below the tolerance; the message says which comes closest. */
 const asp_spread_model *asp_spread_auto(const asp_surface *surface, double d_least, double d_most,
                                         bool multiple, double tolerance, double *divergence,

@@ -120,7 +120,7 @@ static asp_code describe(asp_error *error) {
 
 static asp_code describe_slopes(asp_error *error) {
   aspi_slopes slopes;
-  return aspi_profile_describe_slopes(profile, 20, ASP_CONTACT_DILATION, &slopes, error);
+  return aspi_profile_describe_slopes(profile, 20, ASP_CONTACT_ROLLED, &slopes, error);
 }
 
 static double room[4000];
