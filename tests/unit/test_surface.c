@@ -177,7 +177,7 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   double previous = asp_surface_slope(s, 0);
   for (double d_p = 0.01; d_p < 30; d_p *= 1.01) {
     double slope = asp_surface_slope(s, d_p);
-    assert_true(slope <= previous + 1e-12);
+    assert_true(slope <= previous + 1e-5); /* what sampled slopes differ by */
     previous = slope;
   }
   assert_near(asp_surface_slope(s, 1e-3), asp_surface_bin_slope(s, 0), 1e-12);
