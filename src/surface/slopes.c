@@ -184,9 +184,10 @@ double aspi_density_kl(const aspi_density *reference, const aspi_density *other)
 /* The slopes of the path in the middle between the profile's points. */
 static asp_code rolled_slopes(const asp_profile *profile, double d_p, double *out,
                               asp_error *error) {
-  asp_profile *path = aspi_profile_path(profile, d_p, PATH_MOST, error);
+  asp_error wrong;
+  asp_profile *path = aspi_profile_path(profile, d_p, PATH_MOST, &wrong);
   if (!path)
-    return ASP_EARG;
+    return aspi_fail(error, wrong.code, "%s", wrong.text);
   size_t points = asp_profile_points(profile), fine = asp_profile_points(path);
   size_t parts = (size_t)lround(asp_profile_spacing(profile) / asp_profile_spacing(path));
   const double *z = asp_profile_heights(path);
