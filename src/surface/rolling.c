@@ -19,7 +19,8 @@
  * what the roughest generated profile has. */
 #define SHARP 0.75
 
-/* Slopes of fourth and of second order that differ by this show no smooth curve; then the latter. */
+/* Slopes of fourth and of second order that differ by this show no smooth curve; then the latter.
+ */
 #define UNSMOOTH 0.05
 
 /* A cubic is divided until the slope at its middle is this close to the mean of its ends. */
