@@ -15,8 +15,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The bend of two chords, or of a piece of the path, that is sharp: difference of slopes. Twice
- * what the roughest generated profile has. */
+/* The bend of two chords, or of a piece of the path, that is sharp: difference of slopes. None
+ * of the roughest generated profiles has one. */
 #define SHARP 0.75
 
 /* Slopes of fourth and of second order that differ by this show no smooth curve; then the latter.
