@@ -52,8 +52,8 @@ static void measure(const cli_grid *grid, size_t points, uint32_t seed) {
                                               points, seed + (uint32_t)k, &error);
     if (!profile)
       cli_bad_usage("%s", error.text);
-    cli_slopes_measure(profile, r_q, lambda_c, &grid->d_p, &progress, (double)(k * grid->d_p.count),
-                       &grid->rows[k * grid->d_p.count]);
+    cli_slopes_measure(profile, ASP_CONTACT_DILATION, r_q, lambda_c, &grid->d_p, &progress,
+                       (double)(k * grid->d_p.count), &grid->rows[k * grid->d_p.count]);
     asp_profile_free(profile);
   }
   cli_progress_end(&progress);

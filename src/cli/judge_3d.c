@@ -205,6 +205,7 @@ static void judge(const judge_case *subject, const cli_list *alpha1, size_t rays
   aspi_field field;
   if (!ball || aspi_field_create(&field, map, &error))
     cli_fail("%s", error.text);
+  field.crests = subject->map;
   aspi_ball_rows(ball, 0, map->rows, field.z, field.p, field.q);
   aspi_ball_free(ball);
   asp_map_free(map);

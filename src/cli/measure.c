@@ -156,7 +156,7 @@ static asp_profile *path_of(const measure_case *subject, int number, int flight,
   uint32_t seed = SEED_FIRST + subject->seed % 1048576 * MEASURE_PROFILES_MOST + (uint32_t)number;
   asp_profile *profile = aspi_profile_create_scaled(subject->r_q, subject->lambda_c, spacing,
                                                     points, seed, flight % 2 ? -1 : 1, error);
-  asp_profile *path = profile ? aspi_profile_rolled(profile, subject->d_p, error) : NULL;
+  asp_profile *path = profile ? aspi_profile_rolled(profile, subject->d_p, 1, error) : NULL;
   asp_profile_free(profile);
   if (path && flight > 1) {
     asp_profile *mirrored = aspi_profile_mirrored(path, error);

@@ -16,8 +16,8 @@ void cli_slopes_print(FILE *out, const cli_slopes *row) {
           cli_degrees(s->angle.mean), cli_degrees(s->angle.sd), s->angle.kurtosis, s->kl_normal);
 }
 
-void cli_slopes_measure(const asp_profile *profile, double r_q, double lambda_c,
-                        const cli_list *sizes, cli_progress *progress, double done,
+void cli_slopes_measure(const asp_profile *profile, aspi_contact contact, double r_q,
+                        double lambda_c, const cli_list *sizes, cli_progress *progress, double done,
                         cli_slopes *rows) {
   asp_error error = {ASP_OK, ""};
   size_t finished = 0;
@@ -25,7 +25,7 @@ void cli_slopes_measure(const asp_profile *profile, double r_q, double lambda_c,
   for (size_t i = 0; i < sizes->count; i++) {
     asp_error own = {ASP_OK, ""};
     rows[i] = (cli_slopes){.d_p = sizes->values[i], .r_q = r_q, .lambda_c = lambda_c};
-    aspi_profile_describe_slopes(profile, rows[i].d_p, ASP_CONTACT_DILATION, &rows[i].slopes, &own);
+    aspi_profile_describe_slopes(profile, rows[i].d_p, contact, &rows[i].slopes, &own);
 #pragma omp critical
     {
       if (own.code)

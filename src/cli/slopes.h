@@ -25,10 +25,10 @@ double cli_kappa(const cli_slopes *row);
 /* The columns of CLI_SLOPES_HEADER, without the end of the line. */
 void cli_slopes_print(FILE *out, const cli_slopes *row);
 
-/* The slopes of a profile for every size, in order, on all cores; the progress goes on from `done`
- * in steps of one. Exits on an error. */
-void cli_slopes_measure(const asp_profile *profile, double r_q, double lambda_c,
-                        const cli_list *sizes, cli_progress *progress, double done,
+/* The slopes that discs of every size meet on a profile, in order, on all cores; the progress goes
+ * on from `done` in steps of one. Exits on an error. */
+void cli_slopes_measure(const asp_profile *profile, aspi_contact contact, double r_q,
+                        double lambda_c, const cli_list *sizes, cli_progress *progress, double done,
                         cli_slopes *rows);
 
 #endif

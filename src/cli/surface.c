@@ -238,7 +238,8 @@ static void save(const cli_option *option, int argc, char **argv, const cli_opti
 static cli_slopes *measure(const cli_wall *wall, const cli_list *sizes) {
   cli_slopes *rows = cli_allocate(sizes->count, sizeof *rows);
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
-  cli_slopes_measure(wall->profile, wall->r_q, wall->lambda_c, sizes, &progress, 0, rows);
+  cli_slopes_measure(wall->profile, cli_contact(wall), wall->r_q, wall->lambda_c, sizes, &progress,
+                     0, rows);
   cli_progress_end(&progress);
   return rows;
 }

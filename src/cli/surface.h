@@ -15,6 +15,9 @@ typedef struct cli_wall {
   const char *name; /* of the measured file, or NULL */
 } cli_wall;
 
+/* What discs touch on the wall: where its profile is measured, the curve through the points. */
+aspi_contact cli_contact(const cli_wall *wall);
+
 /* D_KL of the measured angles' density against the generated one's, for a particle of size d_p. */
 double cli_generated_kl(const cli_wall *wall, double d_p);
 

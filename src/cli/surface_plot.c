@@ -16,10 +16,14 @@ typedef struct angles {
   aspi_moments moments;
 } angles;
 
-static angles angles_of(const asp_profile *profile, double d_p) {
+aspi_contact cli_contact(const cli_wall *wall) {
+  return wall->name ? ASP_CONTACT_ROLLED : ASP_CONTACT_DILATION;
+}
+
+static angles angles_of(const cli_wall *wall, const asp_profile *profile, double d_p) {
   angles a = {.values = cli_allocate(asp_profile_points(profile), sizeof(double))};
   asp_error error;
-  if (aspi_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, a.values, &a.count, &error))
+  if (aspi_profile_slopes(profile, d_p, cli_contact(wall), a.values, &a.count, &error))
     cli_fail("%s", error.text);
   for (size_t i = 0; i < a.count; i++)
     a.values[i] = cli_degrees(atan(a.values[i]));
@@ -40,7 +44,8 @@ static aspi_density *density_of(const angles *a, const angles *range) {
 }
 
 double cli_generated_kl(const cli_wall *wall, double d_p) {
-  angles measured = angles_of(wall->profile, d_p), generated = angles_of(wall->generated, d_p);
+  angles measured = angles_of(wall, wall->profile, d_p);
+  angles generated = angles_of(wall, wall->generated, d_p);
   aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
   double kl = aspi_density_kl(p, q);
   aspi_density_free(p);
@@ -140,7 +145,7 @@ static void put_density(FILE *out, const char *name, const aspi_density *density
 }
 
 static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
-  angles a = angles_of(wall->profile, row->d_p);
+  angles a = angles_of(wall, wall->profile, row->d_p);
   aspi_density *density = density_of(&a, &a);
   double reach = fmin(4.5 * a.moments.sd, 90);
   put_density(out, "density", density);
@@ -158,7 +163,8 @@ static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
 }
 
 static void figure_5(FILE *out, const cli_wall *wall, double d_p) {
-  angles measured = angles_of(wall->profile, d_p), generated = angles_of(wall->generated, d_p);
+  angles measured = angles_of(wall, wall->profile, d_p);
+  angles generated = angles_of(wall, wall->generated, d_p);
   aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
   put_density(out, "measured", p);
   put_density(out, "generated", q);

@@ -1,8 +1,8 @@
 /* The cheapest model that is good enough, in the fixed order of the models' records. How far each
- * model's rebounds are from the geometry was measured on a grid of walls and angles, against
- * ensembles of profiles that made none of the models (measured.csv, made by `asperity trade
- * --grid`). A wall takes the worst of all grid points around it, each with twice its standard
- * error.
+ * model's rebounds are from the geometry was measured on a grid of walls and angles, in the plane
+ * of incidence, against ensembles of profiles that made none of the models (measured.csv, made by
+ * `asperity trade --grid`). Isotropic tilts on a surface are further from it. A wall takes the
+ * worst of all grid points around it, each with twice its standard error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -129,7 +129,8 @@ const asp_spread_model *asp_spread_auto(const asp_surface *surface, double d_lea
     snprintf(
         text, size,
         "spread auto takes '%s': the cheapest model whose rebounds stay below D_KL %g for "
-        "phi_r %.3g, kappa %.3g to %.3g; measured: %.2g at worst, with twice its standard error",
+        "phi_r %.3g, kappa %.3g to %.3g; measured in the plane of incidence: %.2g at worst, with "
+        "twice its standard error; `asperity trade --three-d` measures isotropic tilts",
         chosen->name, tolerance, w.phi_r, w.kappa[0], w.kappa[1], *divergence);
   return chosen;
 }

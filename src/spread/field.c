@@ -146,11 +146,32 @@ static bool meets(const ray *r, const cell *c, double i, double j, const double 
   return true;
 }
 
+/* The mean of the contacts' gradients at the corners, by how near they are. */
+static void blend(const aspi_field *f, const cell *c, double u, double v, double gradient[2]) {
+  gradient[0] = gradient[1] = 0;
+  for (int k = 0; k < 4; k++) {
+    size_t at = c->j[k / 2] * f->columns + c->i[k % 2];
+    double weight = (k % 2 ? u : 1 - u) * (k / 2 ? v : 1 - v);
+    gradient[0] += weight * f->p[at];
+    gradient[1] += weight * f->q[at];
+  }
+}
+
+static bool approaches(const double way[3], const double gradient[2]) {
+  return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
+}
+
 /* The gradient at a hit: that of the contact at the nearest corner that the particle approaches, or
- * where it grazes all of them, that between the corners. */
+ * where it grazes all of them, that between the corners. On a wall with crests, that of the
+ * contacts between the corners comes first. */
 static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
                         double gradient[2]) {
   double nearest = INFINITY;
+  if (f->crests) {
+    blend(f, c, u, v, gradient);
+    if (approaches(way, gradient))
+      return;
+  }
   gradient[0] = ((1 - v) * (c->z[1] - c->z[0]) + v * (c->z[3] - c->z[2])) / f->step[0];
   gradient[1] = ((1 - u) * (c->z[2] - c->z[0]) + u * (c->z[3] - c->z[1])) / f->step[1];
   for (int k = 0; k < 4; k++) {
@@ -184,7 +205,7 @@ static bool sinks_in(const aspi_field *f, const ray *r, const cell *c, double i,
   if (over(r, c, i, j, t) > 0)
     return false;
   gradient_at(f, c, along(r, 0, t) - i, along(r, 1, t) - j, way, gradient);
-  return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
+  return approaches(way, gradient);
 }
 
 /* Where a flight is at a time, at the height z. */

@@ -14,6 +14,8 @@ typedef struct aspi_field {
   size_t columns, rows;
   double step[2];
   float *z, *p, *q; /* height of the centre; gradient of the contact */
+  bool
+      crests; /* sharp ones, as on a measured map: gradients of hits are taken between the points */
   double top;
   int levels; /* of maxima over blocks of 2^k x 2^k cells between four points */
   size_t across[ASP_FIELD_LEVELS];

@@ -59,7 +59,7 @@ static void add_flights(const aspi_track *track, double s_eff, counts *into) {
 
 static void add_heights(const asp_profile *profile, double d_p, double s_eff, counts *into) {
   asp_error error;
-  asp_profile *path = aspi_profile_rolled(profile, d_p, &error);
+  asp_profile *path = aspi_profile_rolled(profile, d_p, 1, &error);
   asp_profile *mirror = path ? aspi_profile_mirrored(path, &error) : NULL;
   if (!mirror)
     fail(error.text);

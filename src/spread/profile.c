@@ -14,6 +14,7 @@
 #include "spread/ensemble.h"
 #include "spread/models.h"
 #include "spread/trace.h"
+#include "surface/profile.h"
 
 #include <gsl/gsl_interp.h>
 #include <gsl/gsl_sort.h>
@@ -55,7 +56,7 @@ static double u_at(double place) {
 /* What one size needs while the table is made. */
 typedef struct workspace {
   aspi_track *track;
-  size_t n;
+  size_t n, parts; /* faces; those a spacing of the profile */
   double *slope, *weight;
   size_t *order; /* of the faces, by slope */
 } workspace;
@@ -72,7 +73,9 @@ static asp_code workspace_create(workspace *b, const asp_profile *profile, doubl
   *b = (workspace){.track = aspi_track_create(profile, d_p, error)};
   if (!b->track)
     return ASP_EARG;
+  size_t points = asp_profile_points(profile);
   b->n = aspi_track_faces(b->track);
+  b->parts = b->n / (aspi_profile_periodic(profile) ? points : 2 * points - 2);
   b->slope = malloc(b->n * sizeof *b->slope);
   b->weight = malloc(b->n * sizeof *b->weight);
   b->order = malloc(b->n * sizeof *b->order);
@@ -116,17 +119,20 @@ static void release(void *data) {
   free(t);
 }
 
-/* The faces of a track as a line, seen in either way of flight; of a long one its beginning. */
+/* The faces of a track as a line, seen in either way of flight, each as long as a spacing of the
+ * profile; of a long one its beginning. */
 static asp_code make_law(const workspace *b, bool back, aspi_law **law, asp_error *error) {
-  size_t n = b->n < LAW_FACES_MOST ? b->n : LAW_FACES_MOST;
+  size_t n = b->n / b->parts < LAW_FACES_MOST ? b->n / b->parts : LAW_FACES_MOST;
   aspi_line line;
   asp_code code = aspi_line_create(&line, n, 1, error);
   if (code)
     return code;
   double z = 0;
   for (size_t i = 0; i < n; i++) {
-    size_t face = back ? n - 1 - i : i;
-    line.slope[i] = back ? -b->slope[face] : b->slope[face];
+    const double *slope = b->slope + (back ? n - 1 - i : i) * b->parts;
+    line.slope[i] = 0;
+    for (size_t k = 0; k < b->parts; k++)
+      line.slope[i] += (back ? -slope[k] : slope[k]) / (double)b->parts;
     line.end_x[i] = (double)(i + 1);
     line.end_z[i] = z += line.slope[i];
   }

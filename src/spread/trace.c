@@ -39,28 +39,17 @@ struct aspi_track {
   double *memory;
 };
 
-static double *heights_of(const asp_profile *profile, double d_p, size_t *n, asp_error *error) {
-  size_t points = asp_profile_points(profile);
-  bool periodic = aspi_profile_periodic(profile);
-  *n = periodic ? points : 2 * points - 2;
-  double *heights = malloc(*n * sizeof *heights);
-  if (!heights) {
+/* The path of the centre, in units of its spacing; what is not periodic goes on as its mirror
+ * image.
+ */
+static double *heights_of(const asp_profile *path, size_t *n, asp_error *error) {
+  size_t points = asp_profile_points(path);
+  *n = aspi_profile_periodic(path) ? points : 2 * points - 2;
+  double *heights = aspi_allocate(*n), unit = 1 / asp_profile_spacing(path);
+  if (!heights)
     aspi_fail(error, ASP_ENOMEM, "out of memory for a track of %zu points", *n);
-    return NULL;
-  }
-  if (d_p > 0) {
-    if (aspi_profile_dilate(profile, d_p, heights, error)) {
-      free(heights);
-      return NULL;
-    }
-  } else {
-    memcpy(heights, asp_profile_heights(profile), points * sizeof *heights);
-  }
-  double unit = 1 / asp_profile_spacing(profile);
-  for (size_t i = 0; i < points; i++)
-    heights[i] *= unit;
-  for (size_t i = points; i < *n; i++)
-    heights[i] = heights[2 * points - 2 - i];
+  for (size_t i = 0; heights && i < *n; i++)
+    heights[i] = asp_profile_heights(path)[i < points ? i : 2 * points - 2 - i] * unit;
   return heights;
 }
 
@@ -115,8 +104,12 @@ static void measure(aspi_track *track) {
 aspi_track *aspi_track_create(const asp_profile *profile, double d_p, asp_error *error) {
   if (aspi_check_range(error, "d_p", "", d_p, 0, INFINITY))
     return NULL;
+  asp_profile *path = d_p > 0 ? aspi_profile_path(profile, d_p, ASP_TRACK_MOST, error) : NULL;
+  if (d_p > 0 && !path)
+    return NULL;
   aspi_track *track = calloc(1, sizeof *track);
-  double *heights = track ? heights_of(profile, d_p, &track->n, error) : NULL;
+  double *heights = track ? heights_of(path ? path : profile, &track->n, error) : NULL;
+  asp_profile_free(path);
   if (!heights || !allot(track)) {
     if (!track || heights)
       aspi_fail(error, ASP_ENOMEM, "out of memory for a track");

@@ -7,6 +7,9 @@
 
 #include "spread/law.h"
 
+/* Points of the path of one track, unless its profile has more. */
+#define ASP_TRACK_MOST ((size_t)131072)
+
 /* The diameters that a wall is made for: `bins` of them from least to most at equal ratios; one
  * bin is their geometric mean. 0 < least <= most, bins >= 1. */
 typedef struct aspi_sizes {
@@ -42,7 +45,7 @@ typedef struct aspi_path {
   double azimuth, came;
 } aspi_path;
 
-/* The path of the centre of a disc over a profile (aspi_profile_dilate), as straight faces between
+/* The path of the centre of a disc over a profile (aspi_profile_path), as straight faces between
  * its points, periodic (a measured profile goes on as its mirror image): particles that fall on it
  * at an angle, and where they hit it, without a model. */
 typedef struct aspi_track aspi_track;

@@ -65,7 +65,7 @@ static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_er
 
 /* The track of a disc on one of the generated profiles, which are smooth. */
 static aspi_track *rolled(const asp_profile *profile, double d_p, asp_error *error) {
-  asp_profile *path = aspi_profile_rolled(profile, d_p, error);
+  asp_profile *path = aspi_profile_rolled(profile, d_p, 1, error);
   aspi_track *track = path ? aspi_track_create(path, 0, error) : NULL;
   asp_profile_free(path);
   return track;

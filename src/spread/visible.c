@@ -2,8 +2,9 @@
  * with the width that it shows to the particle, which is shadow and flux together. With x = p/s_eff
  * and a = tan(alpha1)/s_eff the density is phi(x) (x + a) / Z over x > -a, Z = phi(a) + a Phi(a).
  * Computer graphics knows it as the distribution of visible normals of a Beckmann surface. It takes
- * height and slope at a hit as independent, which they are not quite. A particle that flies up
- * after an earlier hit (a < 0) meets the same law.
+ * height and slope at a hit as independent, which they are not quite: at grazing incidence it has
+ * too many later hits (choosing.md). A particle that flies up after an earlier hit (a < 0) meets
+ * the same law.
  *
  * The integral from the end of the support is a series where its closed form would be a difference
  * of nearly equal numbers.

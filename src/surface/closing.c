@@ -122,15 +122,22 @@ static void roll(workspace *b, const double *z, double scale, double *out) {
   }
 }
 
-static asp_code filter(const asp_profile *profile, double d_p, bool close, double *out,
-                       asp_error *error) {
-  size_t points = asp_profile_points(profile);
-  double spacing = asp_profile_spacing(profile), length = (double)points * spacing;
+asp_code aspi_profile_check_disc(const asp_profile *profile, double d_p, asp_error *error) {
+  double length = (double)asp_profile_points(profile) * asp_profile_spacing(profile);
   if (aspi_check_positive(error, "d_p", "", d_p))
     return ASP_EARG;
   if (d_p > length)
     return aspi_fail(error, ASP_EARG, "d_p is %g; it must be at most the profile's length of %g",
                      d_p, length);
+  return ASP_OK;
+}
+
+static asp_code filter(const asp_profile *profile, double d_p, bool close, double *out,
+                       asp_error *error) {
+  size_t points = asp_profile_points(profile);
+  double spacing = asp_profile_spacing(profile);
+  if (aspi_profile_check_disc(profile, d_p, error))
+    return ASP_EARG;
   if (points > POINTS_MOST)
     return aspi_fail(error, ASP_EARG, "a profile has %zu points; it must have at most %zu", points,
                      POINTS_MOST);

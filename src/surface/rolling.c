@@ -1,9 +1,12 @@
-/* The path of the centre of a disc over a smooth periodic profile that is known by its points. The
- * disc touches the curve through the points, not only the points: where it touches at x with slope
- * p, its centre is at x - r sin(atan p), z + r cos(atan p), and has the slope p. The path is the
- * upper envelope of these places. (Dilation, closing.c, takes the points as the whole profile: the
- * slopes that a disc of a few spacings meets then crowd at multiples of the spacing over its
- * radius.)
+/* The path of the centre of a disc over the smooth curve through a profile's points. The disc
+ * touches the curve, not only the points: where it touches at x with slope p, its centre is at
+ * x - r sin(atan p), z + r cos(atan p), and has the slope p. The path is the upper envelope of
+ * these places. (Dilation, closing.c, takes the points as the whole profile: the slopes that a disc
+ * of a few spacings meets then crowd at multiples of the spacing over its radius.)
+ *
+ * Between two points the curve is a cubic (Hermite), with slopes by differences of fourth order. A
+ * point at which the chords make a sharp bend, as at dust or the edge of a pore, is a corner: no
+ * curve is laid through it, and the disc turns about it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/closing.h"
@@ -12,46 +15,163 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A place of the centre, in spacings, and the slope there. */
+/* The bend of two chords, or of a piece of the path, that is sharp: difference of slopes. None
+ * of the roughest generated profiles has one. */
+#define SHARP 0.75
+
+/* Slopes of fourth and of second order that differ by this show no smooth curve; then the latter.
+ */
+#define UNSMOOTH 0.05
+
+/* A cubic is divided until the slope at its middle is this close to the mean of its ends. */
+#define EVEN 0.01
+enum { DIVISIONS_MOST = 6 };
+
+/* A curve and a disc; the path has `parts` points a spacing. */
+typedef struct curve {
+  const double *z;
+  size_t points,
+      n; /* n: of the circle; a profile that is not periodic goes on as its mirror image */
+  double spacing, parts, radius; /* the radius is in points of the path */
+  double *path;
+} curve;
+
+/* A place of the centre, in points of the path, and the slope there. */
 typedef struct place {
   double x, z, slope;
 } place;
 
-/* Slopes by differences of fourth order. */
-static place place_at(const double *z, size_t n, double unit, double radius, size_t i) {
-  double near = z[(i + 1) % n] - z[(i + n - 1) % n], far = z[(i + 2) % n] - z[(i + n - 2) % n];
-  double p = (8 * near - far) / 12 * unit, cosine = 1 / sqrt(1 + p * p);
-  return (place){(double)i - radius * p * cosine, z[i] * unit + radius * cosine, p};
+/* The cubic from one point to the next; heights and lengths in spacings. */
+typedef struct cubic {
+  double x, z[2], slope[2];
+} cubic;
+
+static double height(const curve *c, size_t i) {
+  i %= c->n;
+  return c->z[i < c->points ? i : c->n - i];
+}
+
+/* The slopes before and behind point i; they differ at a corner only. */
+static void find_slopes(const curve *c, size_t i, double slope[2]) {
+  double here = height(c, i), last = height(c, i + c->n - 1), next = height(c, i + 1);
+  double near = next - last, far = height(c, i + 2) - height(c, i + c->n - 2);
+  slope[0] = (here - last) / c->spacing;
+  slope[1] = (next - here) / c->spacing;
+  if (fabs(slope[1] - slope[0]) > SHARP)
+    return;
+  double mean = 0.5 * (slope[0] + slope[1]), fine = (8 * near - far) / 12 * (1 / c->spacing);
+  slope[0] = slope[1] = fabs(fine - mean) > UNSMOOTH ? mean : fine;
+}
+
+static place centre(const curve *c, double x, double z, double slope) {
+  double cosine = 1 / sqrt(1 + slope * slope);
+  return (place){x * c->parts - c->radius * slope * cosine, z * c->parts + c->radius * cosine,
+                 slope};
+}
+
+/* How far the arc of a circle between two places is above their chord at the part t of its width;
+ * of a slight bend by the first term of its series. */
+static double rise(double t, const place *from, const place *to) {
+  double width = to->x - from->x;
+  if (fabs(from->slope - to->slope) <= SHARP)
+    return 0.5 * width * t * (1 - t) * (from->slope - to->slope);
+  double first = 1 / sqrt(1 + from->slope * from->slope),
+         last = 1 / sqrt(1 + to->slope * to->slope);
+  double sine = from->slope * first, turn = to->slope * last - sine, at = sine + t * turn;
+  if (fabs(turn) < 1e-9) /* two walls nearly upright */
+    return 0;
+  return width / turn * ((1 - t) * first + t * last - sqrt(fmax(0, 1 - at * at)));
 }
 
 /* Raises the path between two places to the arc that they are on. */
-static void raise(double *path, size_t n, const place *from, const place *to) {
-  double width = to->x - from->x, length = (double)n;
+static void raise(const curve *c, const place *from, const place *to) {
+  if (!(to->x > from->x))
+    return;
+  double width = to->x - from->x, length = (double)c->n * c->parts;
   for (double at = ceil(from->x); at <= to->x; at++) {
     double t = (at - from->x) / width;
-    double z =
-        from->z + t * (to->z - from->z) + 0.5 * width * t * (1 - t) * (from->slope - to->slope);
+    double z = from->z + t * (to->z - from->z) + rise(t, from, to);
     size_t i = (size_t)(at - length * floor(at / length));
-    path[i] = fmax(path[i], z);
+    c->path[i] = fmax(c->path[i], z);
   }
 }
 
-asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, asp_error *error) {
-  size_t n = asp_profile_points(profile);
-  double spacing = asp_profile_spacing(profile), radius = 0.5 * d_p / spacing;
-  const double *z = asp_profile_heights(profile);
-  double *path = aspi_allocate(n);
-  for (size_t i = 0; path && i < n; i++)
-    path[i] = -INFINITY;
-  for (size_t i = 0; path && i < n; i++) {
-    place from = place_at(z, n, 1 / spacing, radius, i);
-    place to = place_at(z, n, 1 / spacing, radius, (i + 1) % n);
-    if (i + 1 == n)
-      to.x += (double)n;
-    if (to.x > from.x)
-      raise(path, n, &from, &to);
+/* Rolls over the part t of a cubic, from one place to another. */
+static void roll(const curve *c, const cubic *over, const double t[2], const place *from,
+                 const place *to, int divisions) {
+  double m = 0.5 * (t[0] + t[1]), w = 1 - m, up = over->z[1] - over->z[0];
+  const double *p = over->slope;
+  double slope = p[0] * w * (1 - 3 * m) + p[1] * m * (3 * m - 2) + 6 * m * w * up;
+  if (divisions == 0 || fabs(slope - 0.5 * (from->slope + to->slope)) <= EVEN) {
+    raise(c, from, to);
+    return;
   }
-  for (size_t i = 0; path && i < n; i++)
-    path[i] *= spacing;
-  return aspi_profile_adopt(path, n, spacing, true, error);
+  double z = over->z[0] + m * m * (3 - 2 * m) * up + m * w * (w * p[0] - m * p[1]);
+  place middle = centre(c, over->x + m, z, slope);
+  roll(c, over, (const double[]){t[0], m}, from, &middle, divisions - 1);
+  roll(c, over, (const double[]){m, t[1]}, &middle, to, divisions - 1);
+}
+
+static void roll_over_all(const curve *c) {
+  double unit = 1 / c->spacing, here[2], next[2];
+  find_slopes(c, 0, here);
+  for (size_t i = 0; i < c->n; i++) {
+    find_slopes(c, i + 1, next);
+    cubic over = {(double)i, {height(c, i) * unit, height(c, i + 1) * unit}, {here[1], next[0]}};
+    place before = centre(c, over.x, over.z[0], here[0]);
+    place from = centre(c, over.x, over.z[0], here[1]);
+    place to = centre(c, over.x + 1, over.z[1], next[0]);
+    raise(c, &before, &from);
+    roll(c, &over, (const double[]){0, 1}, &from, &to, DIVISIONS_MOST);
+    here[0] = next[0];
+    here[1] = next[1];
+  }
+}
+
+asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, int parts,
+                                 asp_error *error) {
+  size_t points = asp_profile_points(profile), fine = (size_t)parts;
+  bool periodic = aspi_profile_periodic(profile);
+  double step = asp_profile_spacing(profile) / parts;
+  curve c = {.z = asp_profile_heights(profile),
+             .points = points,
+             .n = periodic ? points : 2 * points - 2,
+             .spacing = asp_profile_spacing(profile),
+             .parts = parts,
+             .radius = 0.5 * d_p / step};
+  c.path = aspi_allocate(c.n * fine);
+  for (size_t i = 0; c.path && i < c.n * fine; i++)
+    c.path[i] = -INFINITY;
+  if (c.path)
+    roll_over_all(&c);
+  size_t kept = periodic ? points * fine : (points - 1) * fine + 1;
+  for (size_t i = 0; c.path && i < kept; i++)
+    c.path[i] *= step;
+  return aspi_profile_adopt(c.path, kept, step, periodic, error);
+}
+
+/* A path has this many points across the disc, as far as it may. */
+#define ACROSS 128.0
+
+/* Discs with more points across meet slopes so close to each other that the points are the curve,
+ * and the time of their dilation does not grow with them; those less than a spacing wide follow the
+ * points, too. */
+#define ACROSS_MOST 512.0
+
+asp_profile *aspi_profile_path(const asp_profile *profile, double d_p, size_t most,
+                               asp_error *error) {
+  if (aspi_profile_check_disc(profile, d_p, error))
+    return NULL;
+  size_t points = asp_profile_points(profile);
+  double spacing = asp_profile_spacing(profile), across = d_p / spacing;
+  if (across >= 1 && across <= ACROSS_MOST) {
+    double parts = fmin(ceil(ACROSS / across), (double)(most / points));
+    return aspi_profile_rolled(profile, d_p, (int)fmax(1, parts), error);
+  }
+  double *path = aspi_allocate(points);
+  if (path && aspi_profile_dilate(profile, d_p, path, error)) {
+    free(path);
+    return NULL;
+  }
+  return aspi_profile_adopt(path, points, spacing, aspi_profile_periodic(profile), error);
 }

@@ -1,6 +1,6 @@
-/* Contact slopes in numbers: differences of the dilated or closed profile, their moments, a kernel
- * density of the angles, and how far a normal law is from it (D_KL, eq. 2, with the sign carried
- * inside the logarithm).
+/* Contact slopes in numbers: differences of a disc's path or a closed profile, their moments, a
+ * kernel density of the angles, and how far a normal law is from it (D_KL, eq. 2, with the sign
+ * carried inside the logarithm).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/slopes.h"
@@ -178,8 +178,29 @@ double aspi_density_kl(const aspi_density *reference, const aspi_density *other)
   return sum * reference->step;
 }
 
-asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
-                             double *out, size_t *count, asp_error *error) {
+/* Points of a path, unless its profile has more. */
+#define PATH_MOST ((size_t)1 << 21)
+
+/* The slopes of the path in the middle between the profile's points. */
+static asp_code rolled_slopes(const asp_profile *profile, double d_p, double *out,
+                              asp_error *error) {
+  asp_error wrong;
+  asp_profile *path = aspi_profile_path(profile, d_p, PATH_MOST, &wrong);
+  if (!path)
+    return aspi_fail(error, wrong.code, "%s", wrong.text);
+  size_t points = asp_profile_points(profile), fine = asp_profile_points(path);
+  size_t parts = (size_t)lround(asp_profile_spacing(profile) / asp_profile_spacing(path));
+  const double *z = asp_profile_heights(path);
+  for (size_t i = 0; i < points; i++) {
+    size_t at = i * parts + parts / 2;
+    out[i] = (z[(at + 1) % fine] - z[at % fine]) / asp_profile_spacing(path);
+  }
+  asp_profile_free(path);
+  return ASP_OK;
+}
+
+static asp_code point_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+                             double *out, asp_error *error) {
   asp_code code = contact == ASP_CONTACT_DILATION ? aspi_profile_dilate(profile, d_p, out, error)
                                                   : aspi_profile_close(profile, d_p, out, error);
   if (code)
@@ -189,8 +210,15 @@ asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contac
   for (size_t i = 0; i + 1 < points; i++)
     out[i] = (out[i + 1] - out[i]) / spacing;
   out[points - 1] = (first - out[points - 1]) / spacing;
-  *count = aspi_profile_periodic(profile) ? points : points - 1;
   return ASP_OK;
+}
+
+asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+                             double *out, size_t *count, asp_error *error) {
+  size_t points = asp_profile_points(profile);
+  *count = aspi_profile_periodic(profile) ? points : points - 1;
+  return contact == ASP_CONTACT_ROLLED ? rolled_slopes(profile, d_p, out, error)
+                                       : point_slopes(profile, d_p, contact, out, error);
 }
 
 /* The density of the angles, over all of them and the kernel's reach. */

@@ -33,13 +33,15 @@ double aspi_density_bandwidth(const aspi_density *density);
 double aspi_density_kl_normal(const aspi_density *density, double mean, double sd);
 double aspi_density_kl(const aspi_density *reference, const aspi_density *other);
 
+/* Where a disc touches: the first two under a uniformly spread centre. */
 typedef enum aspi_contact {
-  ASP_CONTACT_DILATION, /* where a particle with a uniformly spread centre touches */
-  ASP_CONTACT_CLOSING   /* the filtered profile itself; equal to it in law */
+  ASP_CONTACT_ROLLED,   /* the smooth curve through the points: of a measured profile */
+  ASP_CONTACT_DILATION, /* the points: of a generated profile, which are many */
+  ASP_CONTACT_CLOSING   /* those again, by the slopes of the filtered profile; equal in law */
 } aspi_contact;
 
-/* Slopes of the dilated or closed profile between neighbouring points, into `out`; *count is how
- * many there are: the number of points, one less on a profile that is not periodic. */
+/* Slopes that a disc meets between neighbouring points, into `out`; *count is how many there are:
+ * the number of points, one less on a profile that is not periodic. */
 asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
                              double *out, size_t *count, asp_error *error);
 

@@ -42,6 +42,12 @@ static void check_profile(const asp_profile *profile) {
       (aspi_profile_slopes(profile, d_p, ASP_CONTACT_CLOSING, slopes, &count, &error) != ASP_OK ||
        !isfinite(slopes[0])))
     fail("a profile that cannot be closed");
+  if (slopes && d_p <= spacing * (double)points &&
+      aspi_profile_slopes(profile, d_p, ASP_CONTACT_ROLLED, slopes, &count, &error) != ASP_OK)
+    fail("a profile that no disc rolls over");
+  for (size_t i = 0; slopes && i < count; i++)
+    if (!isfinite(slopes[i]))
+      fail("a slope that is not a number");
   free(slopes);
 }
 

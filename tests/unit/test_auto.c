@@ -32,6 +32,7 @@ static void choices_keep_the_tolerance(void **state) {
         assert_true(made.divergence < tolerance);
         assert_non_null(strstr(made.text, made.model->name));
         assert_non_null(strstr(made.text, "cheapest"));
+        assert_non_null(strstr(made.text, "in the plane of incidence"));
         assert_true(made.model->cost >= last);
         cheaper += chosen > 0 && made.model->cost > last;
         last = made.model->cost;

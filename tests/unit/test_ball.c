@@ -6,6 +6,7 @@
 #include "check.h"
 #include "surface/ball.h"
 #include "surface/map.h"
+#include "surface/size_law.h"
 
 #include <stdlib.h>
 
@@ -140,6 +141,41 @@ static void slopes_follow_the_formula(void **state) {
   }
 }
 
+/* The rms slope that a sphere meets on a map of 512 x 512 points, in any direction. */
+static double slope_under(const asp_map *map, double d_p) {
+  size_t n = 512 * 512;
+  float *z = aspi_map_room(512, 512), *p = aspi_map_room(512, 512), *q = aspi_map_room(512, 512);
+  aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
+  double sum = 0;
+  aspi_ball_rows(ball, 0, 512, z, p, q);
+  for (size_t i = 0; i < n; i++)
+    sum += p[i] * p[i] + q[i] * q[i];
+  aspi_ball_free(ball);
+  free(z);
+  free(p);
+  free(q);
+  return sqrt(sum / (2 * (double)n));
+}
+
+/* How far the law is off where slopes are steep is as the header has it. */
+static void steep_slopes_are_off_the_law_as_stated(void **state) {
+  (void)state;
+  static const double kappa[] = {1, 1.5, 2, 4}, most[] = {-0.03, -0.03, -0.02, 0.02};
+  double phi = 0.25, whole;
+  asp_map *map = gauss(1, 0, 1 / 16., 1 / 16., 512, 512, phi);
+  asp_surface *surface = asp_surface_create(phi, 1, NULL);
+  whole = slope_under(map, 0);
+  for (int i = 0; i < 4; i++) {
+    double d_p = kappa[i] / (sqrt(3) * phi), law[2], ratio = slope_under(map, d_p) / whole;
+    aspi_surface_sphere_slopes(surface, d_p, law);
+    double off = law[0] / asp_surface_slope_rms(surface) / ratio - 1;
+    print_message("phi_r %g, kappa %g: s_eff/s %.3f, law off by %.3f\n", phi, kappa[i], ratio, off);
+    assert_true(off > -0.065 && off < most[i]);
+  }
+  asp_surface_free(surface);
+  asp_map_free(map);
+}
+
 static void bad_maps_are_refused(void **state) {
   (void)state;
   asp_error error;
@@ -160,6 +196,7 @@ int main(void) {
       cmocka_unit_test(contacts_lie_between_the_points),
       cmocka_unit_test(generated_maps_have_their_covariance),
       cmocka_unit_test(slopes_follow_the_formula),
+      cmocka_unit_test(steep_slopes_are_off_the_law_as_stated),
       cmocka_unit_test(bad_maps_are_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

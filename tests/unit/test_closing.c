@@ -68,6 +68,43 @@ static void envelopes_are_those_of_the_definition(void **state) {
   }
 }
 
+/* A disc that rolls over the curve through points of any shape stays near their polygon's dilation:
+ * the curve bulges less than a tenth of a spacing over its chord. */
+static void rolls_over_anything(void **state) {
+  (void)state;
+  enum { FINE = 32 };
+  static double fine[MOST * FINE], path[MOST * FINE];
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 2});
+  for (int round = 0; round < 2000; round++) {
+    double z[MOST], height = pow(10, 2 * noise(&stream) - 1), walk = 0, steepest = 0;
+    size_t n = 3 + (size_t)(60 * aspi_stream_uniform(&stream)), parts = 1 + 3 * (size_t)(round % 2);
+    bool periodic = round % 8 < 4;
+    for (size_t i = 0; i < n; i++) {
+      walk += noise(&stream);
+      double shape[] = {walk, noise(&stream), floor(3 * noise(&stream)),
+                        noise(&stream) > 0.8 ? 1 : 0};
+      z[i] = height * shape[round / 2 % 4];
+    }
+    size_t all = periodic ? n * FINE : (n - 1) * FINE + 1;
+    for (size_t i = 0; i < all; i++) {
+      double t = (double)(i % FINE) / FINE, rise = z[(i / FINE + 1) % n] - z[i / FINE];
+      fine[i] = z[i / FINE] + t * rise;
+      steepest = fmax(steepest, t > 0 ? fabs(rise) : 0);
+    }
+    double d_p = fmax(1, (double)(n - 1) * pow(aspi_stream_uniform(&stream), 2));
+    asp_profile *p = asp_profile_from_heights(z, n, 1, periodic, NULL);
+    asp_profile *polygon = asp_profile_from_heights(fine, all, 1. / FINE, periodic, NULL);
+    asp_profile *rolled = aspi_profile_rolled(p, d_p, (int)parts, NULL);
+    assert_int_equal(aspi_profile_dilate(polygon, d_p, path, NULL), ASP_OK);
+    assert_int_equal(asp_profile_points(rolled), (all - 1) / FINE * parts + (periodic ? parts : 1));
+    for (size_t i = 0; i < asp_profile_points(rolled); i++)
+      assert_near(asp_profile_heights(rolled)[i], path[i * FINE / parts], 0.11 + steepest / FINE);
+    asp_profile_free(rolled);
+    asp_profile_free(polygon);
+    asp_profile_free(p);
+  }
+}
+
 static void ends_wrap_or_mirror(void **state) {
   (void)state;
   double z[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 5}, out[10];
@@ -132,6 +169,7 @@ static void bad_diameters_are_named(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(envelopes_are_those_of_the_definition),
+      cmocka_unit_test(rolls_over_anything),
       cmocka_unit_test(ends_wrap_or_mirror),
       cmocka_unit_test(closing_is_a_closing),
       cmocka_unit_test(dilation_and_closing_have_the_same_slopes),

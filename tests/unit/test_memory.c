@@ -120,7 +120,7 @@ static asp_code describe(asp_error *error) {
 
 static asp_code describe_slopes(asp_error *error) {
   aspi_slopes slopes;
-  return aspi_profile_describe_slopes(profile, 20, ASP_CONTACT_DILATION, &slopes, error);
+  return aspi_profile_describe_slopes(profile, 20, ASP_CONTACT_ROLLED, &slopes, error);
 }
 
 static double room[4000];
@@ -258,7 +258,7 @@ static asp_code sphere(asp_error *error) {
 }
 
 static asp_code measured_surface(asp_error *error) {
-  return give_surface(asp_surface_create_profile(profile, 2, 50, 3, error), error);
+  return give_surface(asp_surface_create_profile(profile, 25, 50, 3, error), error);
 }
 
 static asp_code materials(asp_error *error) {
@@ -288,7 +288,7 @@ static asp_code rough_wall(asp_error *error) {
   if (!wall)
     return error->code;
   asp_wall_choose(wall, "spread", asp_spread_name(asp_spread_at(model)), NULL);
-  asp_wall_set(wall, "d_p_least", 2, NULL);
+  asp_wall_set(wall, "d_p_least", 25, NULL);
   asp_wall_set(wall, "d_p_most", 40, NULL);
   asp_wall_set(wall, "d_p_bins", 2, NULL);
   asp_wall_set_surface(wall, surface);

@@ -170,14 +170,14 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   for (int i = 0; i < BINS; i++) {
     aspi_slopes slopes;
     double d_p = asp_surface_bin_d_p(s, i);
-    aspi_profile_describe_slopes(p, fmin(d_p, 20), ASP_CONTACT_DILATION, &slopes, NULL);
+    aspi_profile_describe_slopes(p, fmin(d_p, 20), ASP_CONTACT_ROLLED, &slopes, NULL);
     assert_near(asp_surface_slope(s, d_p), slopes.slope_rms, 1e-9);
     assert_near(asp_surface_bin_slope(s, i), slopes.slope_rms, 1e-9);
   }
   double previous = asp_surface_slope(s, 0);
   for (double d_p = 0.01; d_p < 30; d_p *= 1.01) {
     double slope = asp_surface_slope(s, d_p);
-    assert_true(slope <= previous + 1e-12);
+    assert_true(slope <= previous + 1e-5); /* what sampled slopes differ by */
     previous = slope;
   }
   assert_near(asp_surface_slope(s, 1e-3), asp_surface_bin_slope(s, 0), 1e-12);

@@ -113,8 +113,7 @@ static void flights_back_are_flights_over_the_mirror_image(void **state) {
   for (int i = 0; i < N; i++)
     mirrored[i] = asp_profile_heights(there)[N - 1 - i];
   asp_profile *back = asp_profile_from_heights(mirrored, N, 1 / 16., true, NULL);
-  aspi_track *one = aspi_track_create(there, 0.2, NULL),
-             *other = aspi_track_create(back, 0.2, NULL);
+  aspi_track *one = aspi_track_create(there, 0, NULL), *other = aspi_track_create(back, 0, NULL);
   for (int i = 0; i < 2000; i++) {
     aspi_path a, b;
     double da, db, alpha = 0.02 + 0.0007 * i;
@@ -210,7 +209,7 @@ static void discs_roll_over_curves(void **state) {
     z[i] = z[i * FINE];
   asp_profile *coarse = asp_profile_from_heights(z, N, 1. / N, true, NULL);
   for (double d_p = 0.002; d_p < 1; d_p *= 3) {
-    asp_profile *rolled = aspi_profile_rolled(coarse, d_p, NULL);
+    asp_profile *rolled = aspi_profile_rolled(coarse, d_p, 1, NULL);
     aspi_profile_dilate(fine, d_p, path, NULL);
     for (int i = 0; i < N; i++)
       off = fmax(off, fabs(asp_profile_heights(rolled)[i] - path[i * FINE]));
@@ -222,6 +221,116 @@ static void discs_roll_over_curves(void **state) {
   asp_profile_free(coarse);
   free(z);
   free(path);
+}
+
+/* A plateau with valleys (heights of a Gaussian profile through a smooth function), measured with
+ * `across` points across a particle of 1; one wall for all of them. */
+enum { ACROSS_FINE = 1024 };
+
+static asp_profile *plateau(double lambda_c, int across) {
+  enum { N = 1 << 19 };
+  double r_q = lambda_c / 8;
+  asp_profile *gauss = asp_profile_create(r_q, lambda_c, 1. / ACROSS_FINE, N, 3, NULL);
+  size_t step = (size_t)(ACROSS_FINE / across), n = N / step;
+  double *z = malloc(n * sizeof *z);
+  for (size_t i = 0; i < n; i++)
+    z[i] = -1.3 * r_q * log1p(exp(0.6 - 1.4 / r_q * asp_profile_heights(gauss)[i * step]));
+  asp_profile *measured = asp_profile_from_heights(z, n, 1. / across, false, NULL);
+  free(z);
+  asp_profile_free(gauss);
+  return measured;
+}
+
+/* Shares of the rebound angle in bins of one degree, by the first hits. */
+static void count_rebounds(const aspi_track *track, double alpha1, double share[180]) {
+  size_t n = aspi_track_faces(track);
+  double *weight = malloc(n * sizeof *weight);
+  memset(share, 0, 180 * sizeof *share);
+  aspi_track_first_hit(track, alpha1, weight);
+  for (size_t i = 0; i < n; i++)
+    if (weight[i] > 0)
+      share[(int)fmax(0, (alpha1 + 2 * atan(aspi_track_face_slope(track, i))) / DEGREE)] +=
+          weight[i];
+  free(weight);
+}
+
+static double divergence(const double *of, const double *from, int bins) {
+  double kl = 0;
+  for (int i = 0; i < bins; i++)
+    kl += of[i] > 0 ? of[i] * log(of[i] / fmax(from[i], 1e-6)) : 0;
+  return kl;
+}
+
+/* Angles at which few points across a particle are compared with many. */
+static const double few[] = {2, 10, 40};
+
+/* Few points across a particle, against the dilation of very many: no comb of tilts, neither where
+ * particles fly nor in the table of `profile`, and the same slope. */
+static void compare_few(double lambda_c, int across, double reference[3][180], double slope) {
+  asp_profile *measured = plateau(lambda_c, across);
+  asp_surface *surface = asp_surface_create_profile(measured, 1, 1, 1, NULL);
+  aspi_track *track = aspi_track_create(measured, 1, NULL);
+  for (int k = 0; k < 3; k++) {
+    double share[180], kl;
+    count_rebounds(track, few[k] * DEGREE, share);
+    kl = divergence(reference[k], share, 180);
+    print_message("lambda_c %g, %d points across, %g deg: D_KL %.5f\n", lambda_c, across, few[k],
+                  kl);
+    assert_true(kl < (across < 16 ? 0.01 : 0.003));
+  }
+  assert_near(aspi_track_slope_rms(track), slope, 0.01 * slope);
+  assert_near(asp_surface_slope(surface, 1), slope, 0.01 * slope);
+  aspi_track_free(track);
+  asp_surface_free(surface);
+  asp_profile_free(measured);
+}
+
+static void few_points_across_are_enough(void **state) {
+  (void)state;
+  for (double lambda_c = 0.5; lambda_c < 3; lambda_c *= 4) {
+    asp_profile *fine = plateau(lambda_c, ACROSS_FINE);
+    size_t n = asp_profile_points(fine);
+    double *path = malloc(n * sizeof *path), reference[3][180];
+    assert_int_equal(aspi_profile_dilate(fine, 1, path, NULL), ASP_OK);
+    asp_profile *dilated = asp_profile_from_heights(path, n, 1. / ACROSS_FINE, false, NULL);
+    aspi_track *track = aspi_track_create(dilated, 0, NULL);
+    for (int k = 0; k < 3; k++)
+      count_rebounds(track, few[k] * DEGREE, reference[k]);
+    for (int across = 8; across <= 16; across *= 2)
+      compare_few(lambda_c, across, reference, aspi_track_slope_rms(track));
+    aspi_track_free(track);
+    asp_profile_free(dilated);
+    asp_profile_free(fine);
+    free(path);
+  }
+}
+
+/* The judge of a measured profile rolls, too: of one wall with few and with many points across, the
+ * latter of which it dilates by points. */
+static void few_points_across_judge_as_many(void **state) {
+  (void)state;
+  double share[2][2][MEASURE_BINS], mean[2];
+  for (int many = 0; many < 2; many++) {
+    asp_profile *measured = plateau(2, many ? ACROSS_FINE : 16);
+    measure_case subject = {.r_q = 0.25,
+                            .lambda_c = 2,
+                            .d_p = 1,
+                            .rays = 1000,
+                            .profiles = 4,
+                            .seed = 2,
+                            .profile = measured};
+    measure_wall wall = measure_wall_create(&subject);
+    measure_reference *reference = measure_references(&subject, &wall, few + 1, 1);
+    memcpy(share[many], reference->first_hit, sizeof share[many]);
+    mean[many] = reference->mean_first / DEGREE;
+    measure_references_free(reference, 1);
+    measure_wall_free(&wall);
+    asp_profile_free(measured);
+  }
+  double kl = divergence(share[1][0], share[0][0], 2 * MEASURE_BINS);
+  print_message("judged: first hits, D_KL %.5f, means %.3f and %.3f deg\n", kl, mean[0], mean[1]);
+  assert_true(kl < 0.002);
+  assert_near(mean[0], mean[1], 0.03);
 }
 
 /* The table of Gaussian walls against an ensemble that did not make it: shares below slopes, and
@@ -239,7 +348,7 @@ static void ensembles_agree_with_their_table(void **state) {
     for (int p = 0; p < 2 * PROFILES; p++) {
       asp_profile *profile = aspi_profile_create_scaled(
           phi_r, 1, 1 / 48., POINTS, 500 + (uint32_t)p / 2, p % 2 ? -1 : 1, NULL);
-      asp_profile *path = aspi_profile_rolled(profile, d_p, NULL);
+      asp_profile *path = aspi_profile_rolled(profile, d_p, 1, NULL);
       aspi_track *track = aspi_track_create(path, 0, NULL);
       for (int a = 0; a < 4; a++) {
         aspi_track_first_hit(track, atan(as[a] * slope), weight);
@@ -333,6 +442,8 @@ int main(void) {
       cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
       cmocka_unit_test(tables_are_the_law_of_the_track),
       cmocka_unit_test(discs_roll_over_curves),
+      cmocka_unit_test(few_points_across_are_enough),
+      cmocka_unit_test(few_points_across_judge_as_many),
       cmocka_unit_test(ensembles_agree_with_their_table),
       cmocka_unit_test(bad_sizes_are_named),
       cmocka_unit_test(measured_profiles),

@@ -159,7 +159,7 @@ void two_dimensions_refuse_what_leaves_them(void **) {
                     lay = "surface rq 0.1 lambda_c 1 2 lay ";
   assert_true(has(message(flat, rough + "spread visible isotropic"), "'isotropic'"));
   assert_true(has(message(flat, rough + "spread visible isotropic"), "'dimension 2'"));
-  assert_true(has(message(flat, lay + "0 1 0"), "lay is '0 1 0'"));
+  assert_true(has(message(flat, lay + "0 1 0"), "the wall has a lay"));
   assert_string_equal(message(flat, rough + "spread visible plane").c_str(), "");
   assert_string_equal(message(space, rough + "spread visible isotropic").c_str(), "");
   assert_string_equal(message(space, lay + "0 1 0").c_str(), "");
