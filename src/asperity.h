@@ -261,7 +261,7 @@ const asp_material *asp_materials_find(const asp_materials *own, const char *nam
 /* What a contact between a particle and a wall material needs, worked out once. By name:
  *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
  *   yield_stress    the particle's, >= 0
- *   surface_energy  energy per area, >= 0 (0: no adhesion)
+ *   surface_energy  energy per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY, as in SI)
  *   friction        coefficient of friction, >= 0 (ASP_FRICTION) */
 typedef struct asp_pair asp_pair;
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall, asp_error *error);

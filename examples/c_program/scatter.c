@@ -16,9 +16,7 @@ int main(void) {
     return 1;
   }
   asp_wall_set_surface(wall, surface);
-  asp_code failed = asp_pair_set(pair, "surface_energy", ASP_SURFACE_ENERGY, &error);
-  failed = failed ? failed : asp_pair_set(pair, "friction", ASP_FRICTION, &error);
-  failed = failed ? failed : asp_wall_choose(wall, "spread", "visible", &error);
+  asp_code failed = asp_wall_choose(wall, "spread", "visible", &error);
   failed = failed ? failed : asp_wall_choose(wall, "collisions", "multiple", &error);
   failed = failed ? failed : asp_wall_prepare(wall, &error);
 

@@ -37,7 +37,7 @@ asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall
   }
   asp_pair *pair = malloc(sizeof *pair);
   if (pair)
-    *pair = (asp_pair){modulus, particle->yield_stress, 0, ASP_FRICTION};
+    *pair = (asp_pair){modulus, particle->yield_stress, ASP_SURFACE_ENERGY, ASP_FRICTION};
   else
     aspi_fail(error, ASP_ENOMEM, "out of memory for a pair of materials");
   return pair;

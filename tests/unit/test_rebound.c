@@ -227,7 +227,7 @@ static void pairs_are_checked(void **state) {
   asp_pair *pair = asp_pair_create(m, quartz, &error);
   assert_non_null(pair);
   assert_near(asp_pair_get(pair, "friction"), ASP_FRICTION, 0);
-  assert_near(asp_pair_get(pair, "surface_energy"), 0, 0);
+  assert_near(asp_pair_get(pair, "surface_energy"), ASP_SURFACE_ENERGY, 0);
   static const char *const names[] = {"yield_stress", "surface_energy", "friction"};
   static const double bad[] = {-1, NAN, INFINITY};
   for (int i = 0; i < 3; i++) {
