@@ -57,6 +57,8 @@ refuses 2 "--rebound is 'bons,walton'" "one law" -- rebound --rebound bons,walto
 refuses 2 "--compliance" "none of --rebound bons,forder" -- rebound --map angles --rebound bons,forder --compliance 3
 refuses 2 "--set" "goes with one law" -- rebound --map angles --rebound bons,forder --set a=1
 refuses 2 "--speed is given" -- rebound --map capture --speed 5
+refuses 2 "--dp is '1um,5um:200um'" "a range is from:to:step" -- rebound --map capture --dp 1um,5um:200um
+refuses 2 "--speed is '1,5:200'" -- rebound --map regimes --speed 1,5:200
 "$asperity" rebound --map angles --dp 1um,10um --plot stick.svg > a 2> err
 grep -q '1 µm, 100 m/s (sticks)' stick.svg && ! grep -q warning err || die "a curve that sticks: $(cat err)"
 "$asperity" rebound --map angles --dp 1um --speed 1 --plot stick.svg > a 2> err || die "only curves that stick: $(cat err)"
