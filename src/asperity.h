@@ -81,7 +81,8 @@ const double *asp_profile_heights(const asp_profile *profile);
  * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
  * um`), or the reader be told; the same lines say which columns are positions and heights, where
  * there are more. Positions may be rounded: the spacing comes from all of them. They may fall, and
- * repeat themselves (heights are averaged); what follows the data is left out. */
+ * repeat themselves (heights are averaged); what follows the data is left out. Columns X and Y
+ * beside the heights give the distance along a straight line. */
 typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);

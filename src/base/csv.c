@@ -16,8 +16,6 @@ static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
     if (code || !*found)
       return code;
     char *text = csv->text.text;
-    if (csv->text.line == 1 && strncmp(text, "\xef\xbb\xbf", 3) == 0)
-      memmove(text, text + 3, strlen(text + 3) + 1);
     const char *first = text + strspn(text, " \t\v\f");
     if (*first == '#' && !*csv->comment)
       strcpy(csv->comment, first);

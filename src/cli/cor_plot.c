@@ -26,8 +26,7 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
   if (!s->rough.surface)
     return;
   if (options[ROUGH + ROUGH_SIGMA].value)
-    fprintf(gp, "σ = %s°, ",
-            cli_plot_label(picture, options[ROUGH + ROUGH_SIGMA].value).text);
+    fprintf(gp, "σ = %s°, ", cli_plot_label(picture, options[ROUGH + ROUGH_SIGMA].value).text);
   else
     fprintf(gp, "R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, ",
             asp_surface_r_q(s->rough.surface) * 1e6, asp_surface_lambda_c(s->rough.surface) * 1e6,

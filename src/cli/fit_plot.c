@@ -22,8 +22,7 @@ static void plot_curves(FILE *gp, const angle_fit *fits, size_t n, const cli_lis
     const double *c = q ? lambda : k;
     fprintf(gp, "set ylabel '%s'\nplot ", q ? "λ / σ" : "k");
     for (size_t s = 0; s < sigmas->count; s++)
-      fprintf(gp,
-              "$wall%zu using 1:%d with points ls %zu pt %zu ps 0.8 title 'σ = %g°', ", s,
+      fprintf(gp, "$wall%zu using 1:%d with points ls %zu pt %zu ps 0.8 title 'σ = %g°', ", s,
               q + 2, s % 6 + 1, 4 + 2 * (s % 5), sigmas->values[s]);
     fprintf(gp, "[0:%g] %.8g+x*(%.8g+x*(%.8g+x*(%.8g+x*%.8g))) lc 'black' lw 1.5 ", FIT_TAU_END,
             c[0], c[1], c[2], c[3], c[4]);

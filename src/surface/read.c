@@ -13,7 +13,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { NEIGHBOURS = 3 }; /* on each side, for spikes */
 
@@ -256,7 +255,11 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
   char other[260] = "";
   const aspi_filters *f = &options->filters;
   size_t used = 0;
-  if (raw->column[0] > 0)
+  if (raw->second_column > 0)
+    used += (size_t)snprintf(other, sizeof other,
+                             ", distances in columns %d and %d, heights of column %d",
+                             raw->column[0], raw->second_column, raw->column[1]);
+  else if (raw->column[0] > 0)
     used += (size_t)snprintf(other, sizeof other, ", of columns %d and %d", raw->column[0],
                              raw->column[1]);
   else if (raw->column[1] > 0)
@@ -284,34 +287,36 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
 static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                          asp_error *error) {
   bool found = true;
-  asp_code code;
+  aspi_format format;
+  asp_code code = aspi_format_find(text->stream, text->path, &format, error);
+  if (code)
+    return code;
+  if (format == ASP_FORMAT_SDF_BINARY)
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: this is SDF in binary, which is read as a map, not as a profile",
+                     text->path);
   do {
     code = aspi_text_line(text, &found, error);
-    if (text->line == 1 && strncmp(text->text, "\xEF\xBB\xBF", 3) == 0)
-      memmove(text->text, text->text + 3, strlen(text->text + 3) + 1);
   } while (!code && found && text->text[strspn(text->text, " \t\v\f")] == '\0');
   if (code)
     return code;
   if (!found)
     return aspi_text_fail(text, text->line, error, "the file is empty");
-  const char *name = text->text + strspn(text->text, " \t");
-  bool sdf = strncasecmp(name + (*name != '\0'), "ISO-1", 5) == 0 ||
-             strncasecmp(name + (*name != '\0'), "BCR-", 4) == 0;
-  if (!sdf && options->row != 1)
+  if (format == ASP_FORMAT_SDF_TEXT) {
+    code = aspi_sdf_check_options(text->path, options, options->step, error);
+    return code ? code : aspi_read_sdf(text, options, raw, error);
+  }
+  if (options->row != 1)
     return aspi_fail(error, ASP_EARG, "%.200s: row %d is asked for; text in columns has no rows",
                      text->path, options->row);
-  if (!sdf)
-    return aspi_read_columns(text, options, raw, error);
-  code = aspi_sdf_check_options(text->path, options, options->step, error);
-  return code ? code : aspi_read_sdf(text, options, raw, error);
+  return aspi_read_columns(text, options, raw, error);
 }
 
 asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error) {
   if (options->form < -1 || options->form > ASP_FORM_MAX)
     return aspi_fail(error, ASP_EARG, "form is %d; it must be a degree of 0 to %d, or -1 for none",
                      options->form, ASP_FORM_MAX);
-  if (options->row < 1 || options->column < 0 || options->column > 64 || options->x_number < 0 ||
-      options->x_number > 64)
+  if (options->row < 1 || options->column < 0 || options->x_number < 0)
     return aspi_fail(error, ASP_EARG,
                      "row is %d, column %d and x_column %d; rows and columns count from 1",
                      options->row, options->column, options->x_number);

@@ -7,7 +7,8 @@
 #include "base/text.h"
 #include "surface/filter.h"
 
-enum { ASP_FORM_MAX = 9 };
+/* Columns of a text file that are looked at, and the highest degree of a form. */
+enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
 
 /* How a measured profile is read. */
 typedef struct aspi_profile_options {
@@ -71,11 +72,21 @@ typedef struct aspi_raw {
   size_t repeats;               /* positions that repeat the one before */
   bool falls;                   /* positions fall in the file */
   int column[2];                /* of positions and heights, from 1, where there are others too */
+  int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
   size_t end_line;              /* where the data end before the file does; 0: nowhere */
   double step_least, step_most; /* m */
 } aspi_raw;
 
 asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
+
+/* What a file is by its beginning; SDF is that of ISO 25178-71. Leaves the stream at its beginning.
+ * ASP_EDATA for closed formats, with the name of a free program that converts them. */
+typedef enum aspi_format {
+  ASP_FORMAT_TEXT,
+  ASP_FORMAT_SDF_TEXT,
+  ASP_FORMAT_SDF_BINARY
+} aspi_format;
+asp_code aspi_format_find(FILE *stream, const char *path, aspi_format *format, asp_error *error);
 
 /* The readers. Each begins with the first line that is not blank already in text->text, and leaves
  * raw->heights to be freed by the caller, on error too. */

@@ -285,7 +285,8 @@ static void text_of_the_standard_is_read(void **state) {
   fclose(file);
   refuse("map", "heights end");
   file = begin("map");
-  fputs("aISO-1.0\n\nNumPoints = 7\nNumProfiles = 4\nXscale = 1.0E-6\nYscale = 2.0E-6\n"
+  fputs("\xEF\xBB\xBF" /* the mark of UTF-8 */
+        "aISO-1.0\n\nNumPoints = 7\nNumProfiles = 4\nXscale = 1.0E-6\nYscale = 2.0E-6\n"
         "Zscale = 1.0E-6\n*\n",
         file);
   for (int k = 0; k < 28; k++)
@@ -368,6 +369,7 @@ static void bad_files_are_refused(void **state) {
   } all[] = {
       {"", "ends without a line"},
       {"DIGITAL SURF", "the free program Gwyddion"},
+      {"PK\x03\x04", "a zip (X3P"},
       {"bISO-1.0 x", "ends within its header"},
       {"aISO-1.0\nNumPoints = 3\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
        "NumPoints is 3; it must be 4"},
