@@ -114,6 +114,17 @@ asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *er
 double asp_reader_get(const asp_reader *reader, const char *name);
 const char *asp_reader_text(const asp_reader *reader);
 
+/* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
+ * off all neighbors, where no spikes were looked for), heights in few levels, or cut off at an end
+ * of their range. For a front end to warn of. */
+asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
+
+/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
+ * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
+ * unit. Of a map, the larger step, the shorter side and lambda_2. */
+asp_code asp_sampling_check(double d_p, double spacing, double length, double lambda,
+                            asp_error *error);
+
 /* ---- map ------------------------------------------------------------------------------------- */
 /* Heights of a wall over an area, row after row, at equal spacing along x, in a row, and along y,
  * from row to row; in single precision, and those of a file from their mean. Lengths are in any one

@@ -98,8 +98,9 @@ static double off_neighbours(const void *profile, size_t i) {
 }
 
 /* Makes spikes bad. */
-static asp_code mark_spikes(aspi_raw *raw, double times, size_t *spikes, asp_error *error) {
-  bool *is_spike = aspi_spikes(raw, raw->points, off_neighbours, times, error);
+static asp_code mark_spikes(aspi_raw *raw, const aspi_steps *steps, double times, size_t *spikes,
+                            asp_error *error) {
+  bool *is_spike = aspi_spikes(raw, steps, raw->points, off_neighbours, times, error);
   if (!is_spike)
     return ASP_ENOMEM;
   for (size_t i = 0; i < raw->points; i++)
@@ -195,25 +196,22 @@ static asp_code check_spikes(const aspi_raw *raw, const char *path, size_t spike
   return ASP_OK;
 }
 
-static asp_code count_outliers(const aspi_raw *raw, size_t *outliers, asp_error *error) {
-  bool *clear = aspi_spikes(raw, raw->points, off_neighbours, ASP_SPIKES_CLEAR, error);
-  if (!clear)
-    return ASP_ENOMEM;
-  for (size_t i = 0; i < raw->points; i++)
-    *outliers += clear[i];
-  free(clear);
-  return ASP_OK;
+static double height_of(const void *profile, size_t i) {
+  return ((const aspi_raw *)profile)->heights[i];
 }
 
 static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_options *options,
                       aspi_profile_report *report, asp_error *error) {
   size_t *spikes = &report->spikes;
+  aspi_steps steps = aspi_steps_find(raw, raw->points, height_of);
   asp_code code = take_out_form(raw, path, options->form, error);
-  if (code)
+  if (!code && !(options->spikes > 0))
+    code = aspi_count_spikes(raw, &steps, raw->points, off_neighbours, ASP_SPIKES_CLEAR,
+                             &report->outliers, error);
+  aspi_doubts_tell(&steps, report->outliers, report->doubts, sizeof report->doubts);
+  if (code || !(options->spikes > 0))
     return code;
-  if (!(options->spikes > 0))
-    return count_outliers(raw, &report->outliers, error);
-  if ((code = mark_spikes(raw, options->spikes, spikes, error)) || *spikes == 0 ||
+  if ((code = mark_spikes(raw, &steps, options->spikes, spikes, error)) || *spikes == 0 ||
       (code = check_spikes(raw, path, *spikes, options->fill, error)))
     return code;
   return take_out_form(raw, path, options->form, error);

@@ -5,6 +5,7 @@
 #define ASP_SURFACE_READ_H
 
 #include "base/text.h"
+#include "surface/doubts.h"
 #include "surface/filter.h"
 
 /* Columns of a text file that are looked at, and the highest degree of a form. */
@@ -35,20 +36,18 @@ typedef struct aspi_profile_options {
 aspi_profile_options aspi_profile_options_default(void);
 
 /* What the reader found and did. */
-/* Robust standard deviations off its neighbours at which a point is dust, not roughness. */
-#define ASP_SPIKES_CLEAR 20.0
-
 typedef struct aspi_profile_report {
   size_t points;      /* read from the file */
   size_t bad;         /* bad points among them: not a number, or marked as bad */
   size_t spikes;      /* points taken for spikes */
-  size_t outliers;    /* where none are looked for: points that ASP_SPIKES_CLEAR would take */
+  size_t outliers;    /* where none are looked for: points that are clearly dust */
   size_t filled;      /* points of the result that were filled in */
   size_t repeats;     /* positions that repeat the one before, whose heights were averaged */
   size_t longest_gap; /* most of them in a row */
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
   char text[640];               /* all of that as a sentence */
+  char doubts[440];             /* what makes the heights doubtful, or "" (doubts.h) */
 } aspi_profile_report;
 
 /* ASP_EARG and a message where one is out of its range. */

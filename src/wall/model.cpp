@@ -40,11 +40,12 @@ std::string for_types(int n, const char *first, const char *other) {
 
 Model::Model(const Engine &engine)
     : engine_(engine), smooth_(true), r_q_(0), lambda_c_(0), lambda_along_(0), dp_bins_(16),
-      tolerance_(0), d_range_(), tilt_("isotropic"), collisions_("multiple"), said_nothing_(false),
-      deposit_(FREEZE), seed_(1), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
-      table_(NULL, asp_cor_table_free), own_materials_(NULL, asp_materials_free), units_(NULL),
-      surface_(NULL, asp_surface_free), wall_(asp_wall_create(NULL), asp_wall_free),
-      is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {
+      tolerance_(0), d_range_(), map_lambda_2_(0), sampled_for_(HUGE_VAL), tilt_("isotropic"),
+      collisions_("multiple"), said_nothing_(false), deposit_(FREEZE), seed_(1),
+      profile_(NULL, asp_profile_free), map_(NULL, asp_map_free), table_(NULL, asp_cor_table_free),
+      own_materials_(NULL, asp_materials_free), units_(NULL), surface_(NULL, asp_surface_free),
+      wall_(asp_wall_create(NULL), asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION),
+      is_new_(true) {
   if (wall_)
     rebound_text_ = asp_rebound_name(asp_wall_rebound(wall_.get()));
 }
@@ -278,9 +279,7 @@ void Model::finish() {
   if (!map_path_.empty() && !smooth_)
     read_map_file();
   else if (!profile_path_.empty() && !smooth_)
-    profile_ = read_profile(engine_.world(), profile_path_,
-                            units_of(engine_.units(), "a profile is", engine_.known_units()).metre,
-                            profile_report_);
+    read_profile_file();
   else if (!smooth_)
     make_surface();
   if (!needs_sizes())
@@ -317,6 +316,7 @@ void Model::fit_sizes() {
   if (!needs_sizes()) {
     if (surface_ && asp_surface_check(surface_.get(), most, &wrong))
       throw Error(wrong.text);
+    check_sampling(least);
     return;
   }
   if (is_made_ && least >= d_range_[0] && most <= d_range_[1])
@@ -328,17 +328,54 @@ void Model::fit_sizes() {
   is_new_ = true;
   make_surface();
   make_wall();
+  check_sampling(least);
+}
+
+void Model::read_profile_file() {
+  Reading reading;
+  profile_ =
+      read_profile(engine_.world(), profile_path_,
+                   units_of(engine_.units(), "a profile is", engine_.known_units()).metre, reading);
+  profile_report_ = reading.report;
+  if (!reading.doubts.empty())
+    engine_.warn("surface profile " + profile_path_ + ": " + reading.doubts);
+}
+
+/* Warns once of a measured wall that tells little about the least of the particles. */
+void Model::check_sampling(double least) {
+  asp_error doubt;
+  asp_code code = ASP_OK;
+  if (!(least < sampled_for_) || smooth_)
+    return;
+  sampled_for_ = least;
+  if (profile_) {
+    const double spacing = asp_profile_spacing(profile_.get());
+    code = asp_sampling_check(least, spacing, asp_profile_points(profile_.get()) * spacing,
+                              asp_surface_lambda_c(surface_.get()), &doubt);
+  } else if (map_) {
+    const double step_x = asp_map_step_x(map_.get()), step_y = asp_map_step_y(map_.get());
+    code = asp_sampling_check(
+        least, std::max(step_x, step_y),
+        std::min(asp_map_columns(map_.get()) * step_x, asp_map_rows(map_.get()) * step_y),
+        map_lambda_2_, &doubt);
+  }
+  if (code)
+    engine_.warn("surface " + (map_ ? "map " + map_path_ : "profile " + profile_path_) + ": " +
+                 doubt.text);
 }
 
 /* The map for all ranks, and its numbers as those of the wall. */
 void Model::read_map_file() {
   asp_error wrong;
-  std::string report;
+  Reading reading;
   map_ = read_map(engine_.world(), map_path_,
-                  units_of(engine_.units(), "a map is", engine_.known_units()).metre, report);
+                  units_of(engine_.units(), "a map is", engine_.known_units()).metre, reading);
+  if (!reading.doubts.empty())
+    engine_.warn("surface map " + map_path_ + ": " + reading.doubts);
   r_q_ = asp_map_get(map_.get(), "s_q", &wrong);
   lambda_c_ = asp_map_get(map_.get(), "lambda_1", &wrong);
   const double along = asp_map_get(map_.get(), "lambda_2", &wrong);
+  map_lambda_2_ = along;
   if (!(r_q_ > 0 && lambda_c_ > 0 && along > 0))
     throw Error("surface map " + map_path_ + ": " + wrong.text);
   if (lay_.kind == Lay::NONE && along > STRETCH_MOST * lambda_c_)
@@ -347,7 +384,7 @@ void Model::read_map_file() {
                      map_path_.c_str(), lambda_c_, along));
   lambda_along_ = lay_.kind == Lay::NONE ? 0 : along;
   map_text_ =
-      text("map %s (%s), S_sk %.3g, S_ku %.3g, ", map_path_.c_str(), report.c_str(),
+      text("map %s (%s), S_sk %.3g, S_ku %.3g, ", map_path_.c_str(), reading.report.c_str(),
            asp_map_get(map_.get(), "s_sk", &wrong), asp_map_get(map_.get(), "s_ku", &wrong));
   make_surface();
 }

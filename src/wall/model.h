@@ -93,7 +93,9 @@ private:
   void read_table(const std::string &path);
   bool needs_sizes() const;
   void fit_sizes();
+  void read_profile_file();
   void read_map_file();
+  void check_sampling(double least);
   void make_surface();
   void make_wall();
   void find_materials(const std::vector<int> &wall_types);
@@ -123,6 +125,7 @@ private:
   std::string choice_; /* what auto has chosen, and why */
   std::string table_path_, rebound_text_, materials_text_, materials_report_, removal_text_;
   double d_range_[2];
+  double map_lambda_2_, sampled_for_; /* the least diameter whose sampling was checked */
   std::string tilt_, collisions_;
   bool said_nothing_; /* of the spread of a Gaussian wall */
   Deposit deposit_;

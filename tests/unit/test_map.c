@@ -309,6 +309,7 @@ static void form_and_spikes_are_taken_out(void **state) {
   asp_reader_set(reader, "form", 2, NULL);
   write_matrix("map", head, ",");
   asp_map *plain = read_map("map");
+  assert_int_equal(asp_reader_check(reader, NULL), ASP_OK);
   for (int j = 0; j < ROWS; j++)
     for (int i = 0; i < COLUMNS; i++)
       heights[j][i] += 300 + 2.5 * i - 1.5 * j + 0.01 * i * j + 0.02 * i * i;
@@ -319,6 +320,10 @@ static void form_and_spikes_are_taken_out(void **state) {
   heights[33][44] += 400;
   heights[70][3] -= 400;
   write_matrix("map", head, ",");
+  asp_error doubt;
+  asp_map_free(read_map("map"));
+  assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
+  assert_non_null(strstr(doubt.text, "2 of 7680 points lie over 20"));
   asp_reader_set(reader, "spikes", 15, NULL);
   refuse("map", "one of 2 spikes");
   asp_reader_set(reader, "fill", 1, NULL);

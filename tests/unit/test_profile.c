@@ -598,6 +598,44 @@ static void spikes_are_marked_where_asked(void **state) {
   asp_profile_free(p);
 }
 
+/* Dust, heights in steps and heights that are cut off are each called what they are. */
+static void doubts_have_their_names(void **state) {
+  (void)state;
+  enum { N = 3000 };
+  static const struct {
+    double quantum, low, high, dust;
+    const char *name; /* NULL: no doubt */
+  } all[] = {{1e-3, -99, 99, 0, NULL},
+             {0.05, -99, 99, 0, NULL}, /* rounded, most neighbours are equal */
+             {1e-3, -99, 99, 30, "of 3000 points lie over 20 robust"},
+             {0.05, -99, 99, 30, "of 3000 points lie over 20 robust"},
+             {0.6, -99, 99, 0, "quantized, 8 levels of 0.6 um"},
+             {1e-3, -99, 1.2, 0, "points have the highest one"},
+             {1e-3, -1.2, 99, 0, "points have the lowest one"}};
+  char *text = malloc(N * 32);
+  assert_non_null(text);
+  asp_profile *p = asp_profile_create(1, 60, 1, N, 3, NULL);
+  for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+    char *end = text + sprintf(text, "x_um,z_um\n");
+    for (int i = 0; i < N; i++) {
+      double z = asp_profile_heights(p)[i] + (i == 1500 ? all[k].dust : 0);
+      z = fmin(fmax(z, all[k].low), all[k].high);
+      end += sprintf(end, "%d,%.6f\n", i, all[k].quantum * round(z / all[k].quantum));
+    }
+    asp_profile_free(read_text(text, NULL));
+    if (all[k].name ? !strstr(report.doubts, all[k].name) : *report.doubts)
+      fail_msg("case %zu: '%s'", k, report.doubts);
+    assert_true(all[k].dust > 0 || !strstr(report.doubts, "dust"));
+  }
+  asp_profile_free(p);
+  free(text);
+  assert_int_equal(asp_sampling_check(10, 1, 20, 1, &error), ASP_OK);
+  assert_int_equal(asp_sampling_check(9.9, 1, 20, 1, &error), ASP_ERANGE);
+  assert_non_null(strstr(error.text, "d_p 9.9 covers 9.9 points"));
+  assert_int_equal(asp_sampling_check(10, 1, 19, 1, &error), ASP_ERANGE);
+  assert_non_null(strstr(error.text, "only 19 correlation lengths long"));
+}
+
 /* Most points are off their neighbours by more than nearly nothing; what is left of them must not
  * be stretched over the others, nor reach GSL's solver and its error handler. */
 static void more_spikes_than_points_are_refused(void **state) {
@@ -769,6 +807,7 @@ int main(void) {
       cmocka_unit_test(missing_rows_are_a_gap),
       cmocka_unit_test(unequal_spacing_is_resampled_or_refused),
       cmocka_unit_test(spikes_are_marked_where_asked),
+      cmocka_unit_test(doubts_have_their_names),
       cmocka_unit_test(more_spikes_than_points_are_refused),
       cmocka_unit_test(bad_files_are_named_with_their_line),
       cmocka_unit_test(sections_of_a_map),
