@@ -100,8 +100,7 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
     cli_fail("cannot start gnuplot: %s", strerror(errno));
   fputs("set term ", plot->pipe);
   fprintf(plot->pipe, terminal, width, height);
-  fputs("\nset encoding utf8\n"
-        "set grid lc rgb '#dddddd' lw 0.5\n"
+  fputs("\nset grid lc rgb '#dddddd' lw 0.5\n"
         "set border lc rgb '#444444'\n"
         "set tics nomirror\n"
         "set key font ',10' spacing 1.1\n"

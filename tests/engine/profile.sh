@@ -38,8 +38,8 @@ grep -E '^  bin [0-9]+: d_p' si.in.screen | tr -d , | awk '{ print $4, $6 }' > b
 # A doubtful profile, and a doubtful map: one warning each, once for all runs.
 awk 'NR == 3000 { sub(/,.*/, ",90") } 1' wall.csv > dusty.csv
 awk -F, '/^#/ || /^x/ { print; next } n++ % 8 == 0 && n < 1200' wall.csv > coarse.csv
-awk 'BEGIN { printf "# Width: 200 um\n# Height: 200 um\n# Value units: um\n"; srand(5); for (k = 0; k < 30; k++) { a[k] = 6.28 * rand(); b[k] = rand() - 0.5; c[k] = rand() - 0.5 }
-  for (j = 0; j < 100; j++) for (i = 0; i < 100; i++) { z = j == 40 && i == 70 ? 50 : 0; for (k = 0; k < 30; k++) z += 0.1 * sin(b[k] * i + c[k] * j + a[k]); printf "%.5f%s", z, i < 99 ? "\t" : "\n" } }' > map.txt
+awk 'BEGIN { printf "# Width: 200 um\n# Height: 200 um\n# Value units: um\n"; srand(5); for (k = 0; k < 30; k++) { a[k] = 6.28 * rand(); b[k] = (0.1 + 0.01 * k) * cos(2.4 * k); c[k] = (0.1 + 0.01 * k) * sin(2.4 * k) }
+  for (j = 0; j < 100; j++) for (i = 0; i < 100; i++) { z = j == 40 && i == 70 ? 8 : 0; for (k = 0; k < 30; k++) z += 0.1 * sin(b[k] * i + c[k] * j + a[k]); printf "%.5f%s", z, i < 99 ? "\t" : "\n" } }' > map.txt
 warns() { # SURFACE WORDS
   deck si 1 1 1 1 "$1" 'run 1\nrun 1' > doubt.in
   engine 2 doubt.in -var out doubt.csv
