@@ -91,7 +91,8 @@ const double *asp_profile_heights(const asp_profile *profile);
  * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
  * um`), or the reader be told; the same lines say which columns are positions and heights, where
  * there are more. Positions may be rounded: the spacing comes from all of them. They may fall, and
- * repeat themselves (heights are averaged); what follows the data is left out. */
+ * repeat themselves (heights are averaged); what follows the data is left out. Columns X and Y
+ * beside the heights give the distance along a straight line. */
 typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);
@@ -122,6 +123,17 @@ asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *er
  * longest_gap (of points filled in), resampled, step_least, step_most. NaN for any other name. */
 double asp_reader_get(const asp_reader *reader, const char *name);
 const char *asp_reader_text(const asp_reader *reader);
+
+/* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
+ * off all neighbors, where no spikes were looked for), heights in few levels, or cut off at an end
+ * of their range. For a front end to warn of. */
+asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
+
+/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
+ * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
+ * unit. Of a map, the larger step, the shorter side and lambda_2. */
+asp_code asp_sampling_check(double d_p, double spacing, double length, double lambda,
+                            asp_error *error);
 
 /* ---- map ------------------------------------------------------------------------------------- */
 /* Heights of a wall over an area, row after row, at equal spacing along x, in a row, and along y,

@@ -10,7 +10,7 @@ set pm3d corners2color c1
 set cblabel font ',10'
 set multiplot title 'Quartz dust, 1–100 µm, at 150 m/s on a compressor blade: two LIGGGHTS runs without the air'
 map_of(k) = k == 0 ? 'smooth' : 'rough'
-title_of(k) = k == 0 ? 'smooth wall' : 'rough wall, R_q 5 µm, {/Symbol l}_c 60 µm'
+title_of(k) = k == 0 ? 'smooth wall' : 'rough wall, R_q 5 µm, λ_c 60 µm'
 
 do for [k=0:1] {
   low = k == 0 ? 0.53 : 0.05
@@ -44,7 +44,7 @@ set view equal xyz
 set xrange [-6.5:6.5]; set yrange [0:16]; set zrange [-4:4]; set cbrange [0:120]
 unset border; unset xtics; unset ytics; unset ztics; unset xlabel; unset ylabel
 set colorbox user origin screen 0.955, screen 0.58 size screen 0.009, screen 0.3
-set title "rough wall, pressure side (span 16 mm, chord 10 mm):\nimpact energy / µJ per mm^2" offset 0,1
+set title "rough wall, pressure side (span 16 mm, chord 12 mm):\nimpact energy / µJ per mm^2" offset 0,1
 set pm3d depthorder
 splot 'output/rough.map' using ($1 > -0.005 ? $3 : NaN):4:5:8 with pm3d
 unset view

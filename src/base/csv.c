@@ -4,10 +4,12 @@
 #include "base/csv.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/units.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* The next line that is neither blank nor a comment. */
 static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
@@ -16,8 +18,6 @@ static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
     if (code || !*found)
       return code;
     char *text = csv->text.text;
-    if (csv->text.line == 1 && strncmp(text, "\xef\xbb\xbf", 3) == 0)
-      memmove(text, text + 3, strlen(text + 3) + 1);
     const char *first = text + strspn(text, " \t\v\f");
     if (*first == '#' && !*csv->comment)
       strcpy(csv->comment, first);
@@ -26,28 +26,159 @@ static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
   }
 }
 
+/* The separator of a line: the first of ; tab , in this order that it has, or blanks. */
+static char separator_of(const char *line) {
+  for (const char *c = ";\t,"; *c; c++)
+    if (strchr(line, *c))
+      return *c;
+  return ' ';
+}
+
+/* Cuts a line of names, in place. Where blanks part them, a unit in brackets belongs to the name
+ * before it. */
+static int split_names(char *line, char separator, char **names) {
+  int count = aspi_text_split(line, separator, names, ASP_CSV_COLUMNS), kept = 0;
+  for (int i = 0; i < count; i++) {
+    if (separator == ' ' && kept > 0 && strchr("([{", *names[i]))
+      names[kept - 1][strlen(names[kept - 1])] = ' ';
+    else
+      names[kept++] = names[i];
+  }
+  return kept;
+}
+
+/* Fields that are numbers; -1 where there are none but empty ones. */
+static int numbers_of(char **fields, int count, char separator) {
+  int numbers = 0;
+  bool any = false;
+  for (int i = 0; i < count; i++) {
+    double value;
+    any = any || *fields[i];
+    numbers += aspi_text_number(fields[i], separator == ';' || separator == '\t', &value) ==
+               ASP_WORD_NUMBER;
+  }
+  return any ? numbers : -1;
+}
+
+/* A unit as a line of units has them, in brackets or bare. */
+static bool is_unit(const char *field) {
+  static const char *const units[] = {"",    "-",    "deg",  "grad", "\xc2\xb0", "\xb0",   "rad",
+                                      "m/s", "cm/s", "mm/s", "km/h", "%",        "degrees"};
+  field += strspn(field, "([{ ");
+  size_t length = strcspn(field, ")]} ");
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (strlen(units[i]) == length && strncasecmp(units[i], field, length) == 0)
+      return true;
+  return aspi_unit_metres(field, length) > 0;
+}
+
+/* Takes a line as that of the names, and puts the units of the line below it, if any, behind them.
+ */
+static void take_names(aspi_csv *csv, const char *line, const char *units) {
+  char copy[ASP_TEXT_MOST], below[ASP_TEXT_MOST], *names[ASP_CSV_COLUMNS], *unit[ASP_CSV_COLUMNS];
+  strcpy(copy, line);
+  strcpy(below, units);
+  csv->columns = split_names(copy, csv->separator, names);
+  int count = *units ? split_names(below, csv->separator, unit) : 0;
+  char *out = csv->header;
+  for (int i = 0; i < csv->columns; i++) {
+    bool has_unit = i < count && *unit[i];
+    csv->names[i] = out;
+    out += sprintf(out, "%s%s%s", names[i], has_unit ? " " : "", has_unit ? unit[i] : "") + 1;
+  }
+}
+
+/* What is known of the lines above the data: the last two without numbers, and the first word that
+ * is a number where names should be. */
+typedef struct above {
+  char line[2][ASP_TEXT_MOST]; /* the very last first */
+  char wrong[240];
+  size_t wrong_line;
+} above;
+
+static int count_names(const char *line, char separator) {
+  char copy[ASP_TEXT_MOST], *names[ASP_CSV_COLUMNS];
+  strcpy(copy, line);
+  return *line ? split_names(copy, separator, names) : 0;
+}
+
+static bool is_units(const char *line, char separator) {
+  char copy[ASP_TEXT_MOST], *fields[ASP_CSV_COLUMNS];
+  strcpy(copy, line);
+  int count = *line ? split_names(copy, separator, fields) : 0;
+  bool all = count > 0;
+  for (int i = 0; i < count; i++)
+    all = all && is_unit(fields[i]);
+  return all;
+}
+
+/* Takes in a line above the data; true where it is the first one of them. */
+static bool is_data(aspi_csv *csv, above *a) {
+  char copy[ASP_TEXT_MOST], *fields[ASP_CSV_COLUMNS];
+  const char *line = csv->text.text;
+  char separator = csv->forced ? csv->separator : separator_of(line);
+  strcpy(copy, line);
+  int count = aspi_text_split(copy, separator, fields, ASP_CSV_COLUMNS);
+  int numbers = numbers_of(fields, count, separator);
+  if (numbers <= 0) {
+    strcpy(a->line[1], a->line[0]);
+    strcpy(a->line[0], numbers < 0 ? "" : line);
+    return false;
+  }
+  bool units = is_units(a->line[0], separator) &&
+               count_names(a->line[1], separator) == count_names(a->line[0], separator);
+  const char *names = a->line[units];
+  int named = count_names(names, separator);
+  csv->separator = separator;
+  if (named == count) {
+    take_names(csv, names, units ? a->line[0] : "");
+    return true;
+  }
+  if (!*a->wrong) {
+    a->wrong_line = csv->text.line;
+    if (named > 0)
+      snprintf(a->wrong, sizeof a->wrong, "%d fields under %d column names%s", count, named,
+               separator == ',' && count > named
+                   ? " (decimal commas need ; or tabs between the fields)"
+                   : "");
+    else
+      snprintf(a->wrong, sizeof a->wrong,
+               "'%.40s' stands where a column name is expected; the line above the first numbers "
+               "must name the columns",
+               fields[0]);
+  }
+  *a->line[0] = *a->line[1] = '\0';
+  return false;
+}
+
+/* `sep=;`, by which spreadsheets are told. */
+static bool take_separator(aspi_csv *csv) {
+  const char *line = csv->text.text;
+  if (csv->text.line != 1 || strncasecmp(line, "sep=", 4) != 0 || !line[4])
+    return false;
+  csv->separator = line[4];
+  return csv->forced = true;
+}
+
+/* Titles, the line of names, and a line of units below it, up to the first row. */
 static asp_code read_header(aspi_csv *csv, asp_error *error) {
-  bool found;
-  asp_code code = next_line(csv, &found, error);
-  if (code)
-    return code;
-  if (!found)
-    return aspi_text_fail(&csv->text, csv->text.line, error, "the file ends without column names");
-  strcpy(csv->header, csv->text.text);
-  const char *separator = strchr(csv->header, ';');
-  separator = separator ? separator : strchr(csv->header, '\t');
-  separator = separator ? separator : strchr(csv->header, ',');
-  csv->separator = separator ? *separator : ' ';
-  csv->columns = aspi_text_split(csv->header, csv->separator, csv->names, ASP_CSV_COLUMNS);
-  double number;
-  for (int i = 0; i < csv->columns; i++)
-    if (aspi_text_number(csv->names[i], false, &number) == ASP_WORD_NUMBER)
-      return aspi_text_fail(
-          &csv->text, csv->text.line, error,
-          "'%s' stands where a column name is expected; the first line that is no "
-          "comment must name the columns",
-          csv->names[i]);
-  return ASP_OK;
+  above *a = calloc(1, sizeof *a);
+  bool found = true, any = false;
+  asp_code code = a ? ASP_OK : aspi_fail(error, ASP_ENOMEM, "out of memory for a table's header");
+  while (!code && !csv->has_row && !(code = next_line(csv, &found, error)) && found) {
+    any = true;
+    csv->has_row = !take_separator(csv) && is_data(csv, a);
+  }
+  if (!code && !any)
+    code = aspi_text_fail(&csv->text, csv->text.line, error, "the file ends without column names");
+  else if (!code && !csv->has_row && *a->wrong)
+    code = aspi_text_fail(&csv->text, a->wrong_line, error, "%s", a->wrong);
+  else if (!code && !csv->has_row) {
+    csv->separator = csv->forced ? csv->separator : separator_of(a->line[0]);
+    take_names(csv, a->line[0], "");
+  }
+  free(a);
+  return code;
 }
 
 aspi_csv *aspi_csv_create(FILE *stream, const char *path, asp_error *error) {
@@ -58,6 +189,7 @@ aspi_csv *aspi_csv_create(FILE *stream, const char *path, asp_error *error) {
     return NULL;
   }
   csv->stream = stream;
+  csv->has_row = csv->forced = false;
   csv->text = aspi_text_create(stream, path);
   *csv->comment = '\0';
   if (read_header(csv, error)) {
@@ -100,7 +232,11 @@ int aspi_csv_need(const aspi_csv *csv, const char *name, asp_error *error) {
 }
 
 asp_code aspi_csv_row(aspi_csv *csv, bool *found, asp_error *error) {
-  asp_code code = next_line(csv, found, error);
+  asp_code code = ASP_OK;
+  *found = true;
+  if (!csv->has_row)
+    code = next_line(csv, found, error);
+  csv->has_row = false;
   if (code || !*found)
     return code;
   int count = aspi_text_split(csv->text.text, csv->separator, csv->fields, ASP_CSV_COLUMNS);

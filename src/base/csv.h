@@ -1,8 +1,9 @@
-/* Tables in text files: lines of fields under a line of column names. Fields are separated by
- * commas, semicolons, tabs or blanks, whichever the line of names has (the first of ; tab , in this
- * order); with semicolons and tabs a comma in a number is a decimal point. Quotes hold a field
- * together, lines that begin with # are comments, blank lines are skipped, and a byte-order mark is
- * left out. The file is read as a stream.
+/* Tables in text files: lines of fields under a line of column names, which is the last one above
+ * the first numbers, or above a line of units that goes between; titles may come before. Fields are
+ * separated by commas, semicolons, tabs or blanks, whichever the first row has (the first of ; tab
+ * , in this order), or by what a first line `sep=` says; with semicolons and tabs a comma in a
+ * number is a decimal point. Quotes hold a field together, lines that begin with # are comments,
+ * blank lines are skipped, and a byte-order mark is left out. The file is read as a stream.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_CSV_H
@@ -16,8 +17,9 @@ typedef struct aspi_csv {
   FILE *stream;
   aspi_text text;
   char separator;
+  bool forced, has_row; /* the separator by `sep=`; the line at hand is a row not taken yet */
   int columns;
-  char header[ASP_TEXT_MOST], comment[ASP_TEXT_MOST]; /* comment: the first one, or "" */
+  char header[2 * ASP_TEXT_MOST], comment[ASP_TEXT_MOST]; /* comment: the first one, or "" */
   char *names[ASP_CSV_COLUMNS], *fields[ASP_CSV_COLUMNS];
 } aspi_csv;
 

@@ -40,27 +40,30 @@ asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, co
   return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
 }
 
-/* A file that begins with FF FE or FE FF is UTF-16. */
+/* A file that begins with FF FE or FE FF is UTF-16; EF BB BF is the mark of UTF-8. What begins like
+ * a mark and is none is read as it is. */
 static void look_at_mark(aspi_text *text) {
+  static const unsigned char marks[3][3] = {{0xEF, 0xBB, 0xBF}, {0xFF, 0xFE}, {0xFE, 0xFF}};
   text->utf16 = 0;
-  int first = getc_unlocked(text->stream);
-  if (first != 0xFF && first != 0xFE) {
-    if (first != EOF)
-      ungetc(first, text->stream);
+  int c = getc_unlocked(text->stream), kind = 0;
+  while (kind < 3 && c != marks[kind][0])
+    kind++;
+  int length = kind == 3 ? 0 : kind == 0 ? 3 : 2, met = 0;
+  while (met < length && c == marks[kind][met] && ++met < length)
+    c = getc_unlocked(text->stream);
+  if (met > 0 && met == length) {
+    text->utf16 = kind;
     return;
   }
-  int second = getc_unlocked(text->stream);
-  if (first + second == 0xFF + 0xFE)
-    text->utf16 = first == 0xFF ? 1 : 2;
-  else if (second != EOF)
-    ungetc(second, text->stream); /* what was first is no part of any name or number */
+  if (c != EOF)
+    ungetc(c, text->stream);
+  while (met > 0)
+    text->pending[text->pending_count++] = (char)marks[kind][--met];
 }
 
 /* The next byte of what UTF-16 says, as UTF-8; half of a pair of surrogates becomes a question
  * mark. */
 static int next_of_utf16(aspi_text *text) {
-  if (text->pending_count > 0)
-    return (unsigned char)text->pending[--text->pending_count];
   int first = getc_unlocked(text->stream), second = getc_unlocked(text->stream);
   if (first == EOF || second == EOF)
     return EOF;
@@ -79,6 +82,8 @@ static int next_of_utf16(aspi_text *text) {
 static int next_byte(aspi_text *text) {
   if (text->utf16 < 0)
     look_at_mark(text);
+  if (text->pending_count > 0)
+    return (unsigned char)text->pending[--text->pending_count];
   return text->utf16 > 0 ? next_of_utf16(text) : getc_unlocked(text->stream);
 }
 

@@ -16,7 +16,7 @@ typedef struct aspi_text {
   size_t line;      /* of the line or word in `text`, from 1 */
   size_t next;      /* of the next character */
   int utf16;        /* 1: little-endian, 2: big-endian, 0: bytes; -1: not looked at yet */
-  char pending[4];  /* the rest of a character of UTF-16, as UTF-8, last byte first */
+  char pending[4];  /* what comes before the next byte of the file, last byte first */
   int pending_count;
   bool after_cr;            /* the last character was a carriage return */
   char text[ASP_TEXT_MOST]; /* without its end */
@@ -30,9 +30,9 @@ asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 /* The next character, or EOF; every end of a line is LF. */
 int aspi_text_character(aspi_text *text);
 
-/* Reads the next line (its end is LF, CR LF or CR; UTF-16 with a byte order mark becomes UTF-8) or
- * word (between white space). *found is false at the end of the file. ASP_EDATA for a NUL byte, a
- * line of 4096 characters or more, or a word of 64 or more. */
+/* Reads the next line (its end is LF, CR LF or CR; UTF-16 with a byte order mark becomes UTF-8,
+ * whose own mark is left out) or word (between white space). *found is false at the end of the
+ * file. ASP_EDATA for a NUL byte, a line of 4096 characters or more, or a word of 64 or more. */
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
 asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 

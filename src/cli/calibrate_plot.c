@@ -58,7 +58,7 @@ void cli_calibrate_plot(const cli_option *option, const calibration *c, const ch
   FILE *gp = cli_plot_stream(picture);
   fprintf(gp,
           "set multiplot layout 1,2 title '%s:  %s'\nset xrange [0:91]\nset xtics 15\n"
-          "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+          "set xlabel 'impact angle α_1 / degrees'\n",
           cli_plot_label(picture, data).text, cli_plot_label(picture, title).text);
   for (int k = 0; k < COR_BOTH; k++)
     if (any[k])

@@ -106,6 +106,14 @@ static void check_files(const cli_option *options, int count) {
     cli_plot_check(given[2]);
 }
 
+/* The word that getopt has just refused. It is still to come where it has more letters than the
+ * one behind a single dash that getopt looked at. */
+static const char *unknown_word(int argc, char **argv) {
+  const char alone[] = {'-', (char)optopt, '\0'};
+  bool done = optopt == 0 || optind >= argc || strcmp(argv[optind - 1], alone) == 0;
+  return argv[done ? optind - 1 : optind];
+}
+
 int cli_parse(const cli_command *command, int argc, char **argv, cli_option *options,
               bool arguments) {
   struct option table[OPTIONS_MAX + 2] = {{0}};
@@ -124,8 +132,8 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
     if (found == ':')
       cli_bad_usage("%s: option '%s' needs a value", command->name, argv[optind - 1]);
     if (found == '?')
-      cli_bad_usage("%s: option '%s' is unknown; see 'asperity %s --help'", command->name,
-                    argv[optind - 1], command->name);
+      cli_bad_usage("%s: option '%s' is unknown; options begin with --; see 'asperity %s --help'",
+                    command->name, unknown_word(argc, argv), command->name);
     if (found == 'o') {
       found = 0;
       while (found < count && strcmp(options[found].name, "output") != 0)

@@ -110,7 +110,7 @@ void cli_compare_plot(const cli_option *option, const comparison *c) {
   fprintf(gp,
           "set multiplot layout 1,2 title 'model: %s        measured: %s'\n"
           "set xrange [0:90]\nset xtics 15\n"
-          "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+          "set xlabel 'impact angle α_1 / degrees'\n",
           cli_plot_label(picture, c->names[0]).text, cli_plot_label(picture, c->names[1]).text);
   for (int which = 0; which < COR_BOTH; which++) {
     bool any = false;

@@ -26,10 +26,9 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
   if (!s->rough.surface)
     return;
   if (options[ROUGH + ROUGH_SIGMA].value)
-    fprintf(gp, "{/Symbol s} = %s°, ",
-            cli_plot_label(picture, options[ROUGH + ROUGH_SIGMA].value).text);
+    fprintf(gp, "σ = %s°, ", cli_plot_label(picture, options[ROUGH + ROUGH_SIGMA].value).text);
   else
-    fprintf(gp, "R_q = %.3g µm, {/Symbol l}_c = %.3g µm, {/Symbol F}_R = %.3g, ",
+    fprintf(gp, "R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, ",
             asp_surface_r_q(s->rough.surface) * 1e6, asp_surface_lambda_c(s->rough.surface) * 1e6,
             asp_surface_phi_r(s->rough.surface));
   fprintf(gp, "%s; ", cli_plot_label(picture, asp_spread_name(asp_wall_spread(s->law.wall))).text);
@@ -166,7 +165,7 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
   cli_cor_read_wall(none, &smooth);
   print_title(gp, picture, options, s, rows, n);
   fputs("set xrange [0:90]\nset xtics 15\n"
-        "set xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+        "set xlabel 'impact angle α_1 / degrees'\n",
         gp);
   for (int t = 0; t < 2; t++)
     plot_panel(gp, t, rows, n, n / 20000 + 1, &smooth);

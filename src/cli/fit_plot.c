@@ -9,7 +9,7 @@
 static void plot_curves(FILE *gp, const angle_fit *fits, size_t n, const cli_list *sigmas,
                         const double *k, const double *lambda) {
   fputs("set multiplot layout 1,2 title 'Weibull fits to the baseline (figure 7 of the paper)'\n"
-        "set xlabel '{/Symbol a}_1 / {/Symbol s}'\nset xrange [0:10]\n"
+        "set xlabel 'α_1 / σ'\nset xrange [0:10]\n"
         "set key bottom right\n",
         gp);
   for (size_t s = 0; s < sigmas->count; s++) {
@@ -20,10 +20,9 @@ static void plot_curves(FILE *gp, const angle_fit *fits, size_t n, const cli_lis
   }
   for (int q = 0; q < 2; q++) {
     const double *c = q ? lambda : k;
-    fprintf(gp, "set ylabel '%s'\nplot ", q ? "{/Symbol l} / {/Symbol s}" : "k");
+    fprintf(gp, "set ylabel '%s'\nplot ", q ? "λ / σ" : "k");
     for (size_t s = 0; s < sigmas->count; s++)
-      fprintf(gp,
-              "$wall%zu using 1:%d with points ls %zu pt %zu ps 0.8 title '{/Symbol s} = %g°', ", s,
+      fprintf(gp, "$wall%zu using 1:%d with points ls %zu pt %zu ps 0.8 title 'σ = %g°', ", s,
               q + 2, s % 6 + 1, 4 + 2 * (s % 5), sigmas->values[s]);
     fprintf(gp, "[0:%g] %.8g+x*(%.8g+x*(%.8g+x*(%.8g+x*%.8g))) lc 'black' lw 1.5 ", FIT_TAU_END,
             c[0], c[1], c[2], c[3], c[4]);
@@ -44,9 +43,9 @@ static void plot_divergences(FILE *gp, const angle_fit *fits, size_t n) {
     fputc('\n', gp);
   }
   fprintf(gp,
-          "EOD\nset xlabel 'impact angle {/Symbol a}_1 / degrees'\nset logscale y\n"
+          "EOD\nset xlabel 'impact angle α_1 / degrees'\nset logscale y\n"
           "set ylabel 'D_{KL} of the baseline against the density'\nset format y '10^{%%T}'\n"
-          "set yrange [%g:10]\nset key top right\nset title '{/Symbol s} = %g°'\nplot ",
+          "set yrange [%g:10]\nset key top right\nset title 'σ = %g°'\nplot ",
           noise / 2, cli_degrees(fits[0].sigma));
   for (int m = 0, column = 2; m < asp_spread_count(); m++)
     if (cli_fit_judges(asp_spread_at(m))) {
@@ -80,13 +79,13 @@ static void plot_panel(FILE *gp, const angle_fit *f, const char *const *names, i
   }
   double sigma = cli_degrees(f->sigma), mark = -cli_degrees(f->alpha1) / 2;
   fprintf(gp,
-          "set title '{/Symbol a}_1 = %g°, {/Symbol s} = %g°'\nset xrange [%g:%g]\n"
+          "set title 'α_1 = %g°, σ = %g°'\nset xrange [%g:%g]\n"
           "unset arrow 1\nunset label 1\n",
           cli_degrees(f->alpha1), sigma, -3.5 * sigma, 4 * sigma);
   if (mark > -3.5 * sigma)
     fprintf(gp,
             "set arrow 1 from %g, graph 0 to %g, graph 1 nohead lc '#999999' dt 3\n"
-            "set label 1 '-{/Symbol a}_1/2' at %g, graph 0.96 right offset -0.3,0 tc '#666666'\n",
+            "set label 1 '-α_1/2' at %g, graph 0.96 right offset -0.3,0 tc '#666666'\n",
             mark, mark, mark);
   fputs("plot $bars with boxes lc rgb '#cccccc' title 'baseline'", gp);
   for (int m = 0; m < count; m++)
@@ -96,7 +95,7 @@ static void plot_panel(FILE *gp, const angle_fit *f, const char *const *names, i
 
 static void plot_densities(FILE *gp, const angle_fit *fits, size_t n, const char *const *names,
                            int count) {
-  fputs("set xlabel 'tilt {/Symbol Da} / degrees'\nset ylabel 'density / (1/degree)'\n"
+  fputs("set xlabel 'tilt Δα / degrees'\nset ylabel 'density / (1/degree)'\n"
         "set style fill solid 1 noborder\nset yrange [0:*]\n"
         "set key left center Left reverse samplen 1.5\n", /* the first panel has room there */
         gp);

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* Degrees below this, all of them, may be radians. */
 #define RADIANS_MOST 1.6
@@ -61,6 +62,7 @@ static const struct {
 } units[] = {
     {"deg", ANGLE, 1},
     {"degrees", ANGLE, 1},
+    {"grad", ANGLE, 1},
     {"rad", ANGLE, 180 / ASP_PI},
     {"radians", ANGLE, 180 / ASP_PI},
     {"m_s", SPEED, 1},
@@ -73,6 +75,39 @@ static const struct {
 };
 enum { N_UNITS = sizeof units / sizeof *units };
 
+/* What the units of a kind are, for messages. */
+static const char *const allowed[] = {
+    [RATIO] = "none, as a coefficient is a number such as 0.5",
+    [ANGLE] = "deg or rad",
+    [SPEED] = "m_s, cm_s or mm_s",
+    [LENGTH] = "m, mm, um or nm",
+    [WORD] = "none",
+};
+
+/* Units that are in use and are none of those. */
+static const char *const foreign[] = {"percent", "pct", "km_h", "kmh", "mph", "ft_s", "in",
+                                      "inch",    "ft",  "cm",   "gon", "h",   "s"};
+
+/* Other beginnings of names. */
+static const struct {
+  const char *other, *name;
+} aliases[] = {{"e_n", "cor_n"},
+               {"e_t", "cor_t"},
+               {"impact_angle", "alpha1"},
+               {"aufprallwinkel", "alpha1"},
+               {"auftreffwinkel", "alpha1"},
+               {"impact_velocity", "v1"},
+               {"impact_speed", "v1"},
+               {"aufprallgeschwindigkeit", "v1"},
+               {"auftreffgeschwindigkeit", "v1"},
+               {"particle_diameter", "dp"},
+               {"diameter", "dp"},
+               {"partikeldurchmesser", "dp"},
+               {"durchmesser", "dp"}};
+
+/* More than half of the coefficients beyond this are per cent. */
+#define RATIO_MOST 5
+
 /* Where the columns stand in the file, -1 where they do not, and their units. */
 typedef struct layout {
   int at[N_COLUMNS];
@@ -82,17 +117,21 @@ typedef struct layout {
 /* A name in small letters, Greek ones and signs written out, all others as single underscores:
  * `α1 [°]` and `alpha_1 (deg)` are alpha1_deg. */
 static void plain(const char *name, char *to, size_t size) {
-  static const char *const written[][2] = {
-      {"\xce\xb1", "alpha"}, {"\xc2\xb0", "_deg"}, {"\xc2\xb5", "u"}, {"\xce\xbc", "u"}};
+  static const char *const written[][2] = {{"\xce\xb1", "alpha"}, {"\xc2\xb0", "_deg"},
+                                           {"\xc2\xb5", "u"},     {"\xce\xbc", "u"},
+                                           {"%", "_percent"},     {"\xb0", "_deg"}};
   size_t n = 0;
   for (const char *c = name; *c && n + 8 < size;) {
     bool found = false;
-    for (int i = 0; i < 4 && !found; i++)
-      if (strncmp(c, written[i][0], 2) == 0) {
-        n += (size_t)snprintf(to + n, size - n, "%s", written[i][1]);
-        c += 2;
-        found = true;
-      }
+    for (size_t i = 0; i < sizeof written / sizeof *written && !found; i++) {
+      size_t length = strlen(written[i][0]);
+      if (strncmp(c, written[i][0], length) != 0)
+        continue;
+      const char *as = written[i][1] + (*written[i][1] == '_' && n > 0 && to[n - 1] == '_');
+      n += (size_t)snprintf(to + n, size - n, "%s", as);
+      c += length;
+      found = true;
+    }
     if (found)
       continue;
     if (isalnum((unsigned char)*c))
@@ -108,40 +147,77 @@ static void plain(const char *name, char *to, size_t size) {
     memmove(to + 5, to + 6, strlen(to + 6) + 1);
   if (strncmp(to, "d_p", 3) == 0)
     memmove(to + 1, to + 2, strlen(to + 2) + 1);
+  for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++) {
+    size_t length = strlen(aliases[i].other), own = strlen(aliases[i].name);
+    if (strncmp(to, aliases[i].other, length) != 0 || (to[length] && to[length] != '_') ||
+        own + strlen(to + length) >= size)
+      continue;
+    memmove(to + own, to + length, strlen(to + length) + 1);
+    memcpy(to, aliases[i].name, own);
+    return;
+  }
 }
 
-/* Whether a name is that of a column, with a unit of its kind or none; factor 0: none. */
-static bool is_column(const char *name, int column, double *factor) {
+/* True if a name is that of a column, with a unit of its kind or none (factor 0); with another unit
+ * factor is below 0. `stated`: the file has a unit in brackets. */
+static bool is_column(const char *name, int column, bool stated, double *factor) {
   size_t length = strlen(columns[column].name);
-  if (strncmp(name, columns[column].name, length) != 0)
+  bool pure = columns[column].kind == RATIO || columns[column].kind == WORD;
+  if (strncmp(name, columns[column].name, length) != 0 || (name[length] && name[length] != '_'))
     return false;
-  *factor = columns[column].kind == RATIO || columns[column].kind == WORD;
-  if (!name[length])
+  *factor = pure;
+  if (!name[length] || (pure && strcmp(name + length, "_1") == 0))
     return true;
-  for (int i = 0; i < N_UNITS && name[length] == '_'; i++)
-    if (units[i].kind == columns[column].kind && strcmp(units[i].name, name + length + 1) == 0) {
+  const char *unit = name + length + 1;
+  for (int i = 0; i < N_UNITS; i++)
+    if (units[i].kind == columns[column].kind && strcmp(units[i].name, unit) == 0) {
       *factor = units[i].factor;
       return true;
     }
-  return false;
+  *factor = -1;
+  if (column == COUNT)
+    return false;
+  for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
+    if (strcmp(foreign[i], unit) == 0)
+      return true;
+  return stated && strncmp(unit, "mean", 4) != 0 && unit[0] != 's';
+}
+
+/* The unit of a column; exits where it is another one than there may be, or one is missing. */
+static void check_unit(const char *path, const char *name, int column, double *factor) {
+  const char *own = columns[column].name;
+  if (*factor < 0)
+    cli_bad_usage("%s: the unit of column '%s' is none that is read; for %s it must be %s", path,
+                  name, own, allowed[columns[column].kind]);
+  if (*factor > 0)
+    return;
+  *factor = 1;
+  if (columns[column].kind == LENGTH)
+    cli_bad_usage("%s: the unit of column '%s' is not stated; name it %s_um, %s_mm or %s_m", path,
+                  name, own, own, own);
+  if (columns[column].kind == ANGLE)
+    cli_warn("%s: the unit of column '%s' is not stated; it is taken as degrees (name it %s_deg "
+             "or %s_rad)",
+             path, name, own, own);
 }
 
 static void find_columns(const aspi_csv *csv, const char *path, layout *l) {
   for (int c = 0; c < N_COLUMNS; c++) {
     l->at[c] = -1;
-    for (int i = 0; i < csv->columns && l->at[c] < 0; i++) {
+    for (int i = 0; i < csv->columns; i++) {
       char name[80];
+      double factor;
       plain(csv->names[i], name, sizeof name);
-      if (is_column(name, c, &l->factor[c]))
-        l->at[c] = i;
+      if (!is_column(name, c, strpbrk(csv->names[i], "[(") != NULL, &factor))
+        continue;
+      if (l->at[c] >= 0)
+        cli_bad_usage("%s: columns %d and %d, '%s' and '%s', are both %s; there must be one", path,
+                      l->at[c] + 1, i + 1, csv->names[l->at[c]], csv->names[i], columns[c].name);
+      l->at[c] = i;
+      l->factor[c] = factor;
     }
-    if (l->at[c] < 0 || l->factor[c] > 0)
-      continue;
-    l->factor[c] = 1;
-    if (columns[c].kind == ANGLE)
-      cli_warn("%s: the unit of column '%s' is not stated; it is taken as degrees (name it %s_deg "
-               "or %s_rad)",
-               path, csv->names[l->at[c]], columns[c].name, columns[c].name);
+    if (l->at[c] >= 0)
+      check_unit(path, csv->names[l->at[c]], c, &l->factor[c]);
   }
 }
 
@@ -221,11 +297,28 @@ static measured_row row_of(const layout *l, const double *v, bool means) {
   return row;
 }
 
-static bool is_deposit(const aspi_csv *csv, const layout *l, const measured_row *row) {
-  if (!has(l, OUTCOME))
-    return !(row->cor[COR_N] > 0) && !isnan(row->cor[COR_N]);
+/* Takes what a row says about its outcome: a word, or a ledger's number. */
+static asp_code read_outcome(const aspi_csv *csv, const layout *l, measured_row *row,
+                             asp_error *error) {
+  static const struct {
+    const char *word;
+    bool deposit;
+  } words[] = {{"rebound", false}, {"rebounded", false}, {"deposit", true}, {"deposited", true},
+               {"deleted", true},  {"stuck", true},      {"sticks", true},  {"0", false},
+               {"1", true},        {"2", true}};
+  if (!has(l, OUTCOME)) {
+    row->deposit = !(row->cor[COR_N] > 0) && !isnan(row->cor[COR_N]);
+    return ASP_OK;
+  }
   const char *word = csv->fields[l->at[OUTCOME]];
-  return strncmp(word, "deposit", 7) == 0 || strcmp(word, "deleted") == 0 || atoi(word) > 0;
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    if (strcasecmp(words[i].word, word) == 0) {
+      row->deposit = words[i].deposit;
+      return ASP_OK;
+    }
+  return aspi_text_fail(&csv->text, csv->text.line, error,
+                        "outcome is '%.40s'; it must be rebound or deposit (or stuck, or 0 or 1)",
+                        word);
 }
 
 static int by_place(const void *left, const void *right) {
@@ -255,7 +348,8 @@ static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, asp_er
         (code = read_numbers(csv, l, value, error)))
       return code;
     measured_row row = row_of(l, value, data->means);
-    row.deposit = !data->means && is_deposit(csv, l, &row);
+    if (!data->means && (code = read_outcome(csv, l, &row, error)))
+      return code;
     if (row.deposit)
       row.cor[COR_N] = row.cor[COR_T] = NAN;
     if (isnan(row.degrees))
@@ -263,6 +357,20 @@ static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, asp_er
                             "the impact angle is missing; v1_n and v1_t, or alpha1, must be there");
     add(data, row);
   }
+}
+
+/* Exits where the coefficients are per cent. */
+static void check_ratios(const measured *data, const char *path) {
+  size_t all = 0, large = 0;
+  for (size_t i = 0; i < data->count; i++)
+    for (int k = 0; k < COR_BOTH; k++) {
+      all += !isnan(data->rows[i].cor[k]);
+      large += fabs(data->rows[i].cor[k]) > RATIO_MOST;
+    }
+  if (2 * large > all)
+    cli_bad_usage("%s: %zu of %zu coefficients are over %d, which look like per cent; they must be "
+                  "numbers such as 0.5",
+                  path, large, all, RATIO_MOST);
 }
 
 measured measured_read(const char *path) {
@@ -281,6 +389,7 @@ measured measured_read(const char *path) {
   aspi_csv_close(csv);
   if (data.count == 0)
     cli_bad_usage("%s: no row of data", path);
+  check_ratios(&data, path);
   double most = 0;
   for (size_t i = 0; i < data.count; i++)
     most = fmax(most, data.rows[i].degrees);

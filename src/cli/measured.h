@@ -34,8 +34,10 @@ void measured_free(measured *data);
 /* The part of a help text that says which columns there may be. */
 #define MEASURED_FORMS                                                                             \
   "DATA is CSV (- is standard input); a name's unit stands behind it: alpha1_deg or alpha1_rad,\n" \
-  "v1_m_s, dp_um (or _mm, _m); without one an angle is in degrees, a speed in m/s, a length in\n"  \
-  "metres, and a warning says so for angles. Columns, of which those that are there are taken:\n"  \
+  "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. "        \
+  "An\nangle without one is in degrees, with a warning, a speed in m/s; a length must have one.\n" \
+  "Titles may stand above the names, and `sep=;`; e_n and e_t are cor_n and cor_t. Columns, of\n"  \
+  "which those that are there are taken:\n"                                                        \
   "  impacts  alpha1, v1, alpha2, v2 | v1_n, v1_t, v2_n, v2_t | alpha1, cor_v, cor_alpha |\n"      \
   "           alpha1, cor_n, cor_t; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
   "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \

@@ -46,7 +46,7 @@ double cli_rebound_capture_speed(const rebound_wall *wall, double d_p, double de
 /* A list, or from:to in equal ratios. */
 static cli_list ratios_of(const cli_option *option, size_t points, bool lengths) {
   const char *colon = strchr(option->value, ':');
-  if (!colon || strchr(colon + 1, ':'))
+  if (!colon || strchr(option->value, ',') || strchr(colon + 1, ':'))
     return lengths ? cli_lengths(option) : cli_numbers(option, REBOUND_SLOWEST, REBOUND_FASTEST);
   char *text = cli_copy(option->value);
   cli_list list = {cli_allocate(points, sizeof *list.values), points};

@@ -77,7 +77,7 @@ void cli_rebound_plot_regimes(cli_plot *picture, const rebound_map *m) {
   fputs("$capture << EOD\n", gp);
   bool sticks = plot_capture_curve(gp, m, m->walls) > 0;
   fprintf(gp,
-          "EOD\nset label '%s on %s, %s, {/Symbol a}_1 = %g°' at screen 0.47,0.96 center\n"
+          "EOD\nset label '%s on %s, %s, α_1 = %g°' at screen 0.47,0.96 center\n"
           "set view map\nset pm3d map corners2color c1\n"
           "set palette defined (0 '#3b0f70', 0.35 '#b63679', 0.7 '#fb8861', 1 '#fcfdbf')\n"
           "set cbrange [0:1]\nset cblabel 'CoR_N'\nset log xy\nset border 15 front\n"
@@ -106,7 +106,7 @@ void cli_rebound_plot_capture(cli_plot *picture, const rebound_map *m) {
   if (!(most > 0))
     fputs("set label 'no particle sticks' at graph 0.5,0.5 center\n", gp);
   fprintf(gp,
-          "set title '%s, %s, {/Symbol a}_1 = %g°: sticks under and left of a curve'\n"
+          "set title '%s, %s, α_1 = %g°: sticks under and left of a curve'\n"
           "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
           "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
           particle_of(picture, m).text, law_of(picture, m).text, m->angles.values[0],
@@ -147,7 +147,7 @@ void cli_rebound_plot_angles(cli_plot *picture, const rebound_map *m) {
   fprintf(gp,
           "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks%s'\n"
           "set xrange [0:90]\nset xtics 15\nset yrange [%s]\n"
-          "set key below maxrows 3\nset xlabel 'impact angle {/Symbol a}_1 / degrees'\n",
+          "set key below maxrows 3\nset xlabel 'impact angle α_1 / degrees'\n",
           particle_of(picture, m).text, law_of(picture, m).text, more, any ? "*<0:1<*" : "0:1");
   for (int t = 0; t < 2; t++) {
     fprintf(gp, "set ylabel 'CoR_%c'\nplot ", t ? 'T' : 'N');

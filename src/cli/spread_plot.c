@@ -54,14 +54,14 @@ void cli_spread_plot(const cli_option *option, const asp_spread_model *model, bo
   }
   char wall[160] = "";
   if (surface)
-    snprintf(wall, sizeof wall, "; R_q %.3g µm, {/Symbol l}_c %.3g µm, d_p %.3g µm",
+    snprintf(wall, sizeof wall, "; R_q %.3g µm, λ_c %.3g µm, d_p %.3g µm",
              asp_surface_r_q(surface) * 1e6, asp_surface_lambda_c(surface) * 1e6, view->d_p * 1e6);
   cli_plot *picture = cli_plot_open(option, 800, 500);
   FILE *gp = cli_plot_stream(picture);
   fprintf(gp,
-          "set xlabel 'tilt {/Symbol Da} / degrees'\n"
+          "set xlabel 'tilt Δα / degrees'\n"
           "set ylabel 'density / (1/degree)'\n"
-          "set title '%s: {/Symbol a}_1 = %g°, {/Symbol s} = %.3g°%s'\n"
+          "set title '%s: α_1 = %g°, σ = %.3g°%s'\n"
           "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n"
           "set xrange [%g:%g]\n$bars << EOD\n",
           cli_plot_label(picture, model->name).text, cli_degrees(view->alpha1),

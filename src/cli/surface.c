@@ -14,10 +14,6 @@
 
 enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28, TWIN_POINTS = 1 << 19 };
 
-/* A measured profile shorter than this says little about its wall. */
-#define LENGTH_LEAST 20.0 /* correlation lengths */
-#define POINTS_PER_PARTICLE 10.0
-
 enum {
   RQ,
   LAMBDA_C,
@@ -161,37 +157,23 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
           "# %.4g lambda_c long: one such profile leaves the mean tilt at 2 deg uncertain by about "
           "%.2g %% of sigma\n",
           d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
-  if (d->length < LENGTH_LEAST * d->lambda_c) {
-    fprintf(out,
-            "# only %.3g lambda_c long: R_q, lambda_c and slopes carry a large sampling error\n",
-            d->length / d->lambda_c);
-    fprintf(
-        stderr,
-        "asperity: '%s' is only %.3g lambda_c long; under %g its numbers carry a large sampling "
-        "error\n",
-        wall->name, d->length / d->lambda_c, LENGTH_LEAST);
-  }
 }
 
-static void check_sizes(const char *what, double spacing, const cli_list *sizes) {
-  bool map = strcmp(what, "map") == 0;
-  for (size_t i = 0; i < sizes->count; i++) {
-    if (sizes->values[i] >= spacing && sizes->values[i] < POINTS_PER_PARTICLE * spacing)
-      cli_warn("a particle of %g um covers %.2g points of the %s%s; under %g the noise and the "
-               "rounding of heights pass for roughness%s",
-               sizes->values[i] * 1e6, sizes->values[i] / spacing, what, map ? " along a side" : "",
-               POINTS_PER_PARTICLE, map ? "" : " (--lambda-s takes short waves out)");
-    if (sizes->values[i] < spacing)
-      cli_fail("--dp is %gum; the %s's points are %gum apart and do not resolve it",
-               sizes->values[i] * 1e6, what, spacing * 1e6);
-  }
-}
-
-static void warn_of_spikes(const aspi_profile_report *report) {
-  if (report->outliers > 0)
-    cli_warn("%zu points of the profile lie over %g robust standard deviations off their "
-             "neighbours, as dust is; --spikes 12 with --gaps fill takes them out",
-             report->outliers, ASP_SPIKES_CLEAR);
+/* What the reader doubts, and what the sampling of a wall leaves open for the least of the sizes;
+ * exits where its points do not resolve one. */
+static void check(const char *name, const char *what, const aspi_profile_report *report,
+                  double spacing, double length, double lambda, const cli_list *sizes) {
+  double least = INFINITY;
+  for (size_t i = 0; i < sizes->count; i++)
+    least = fmin(least, sizes->values[i]);
+  if (least < spacing)
+    cli_fail("--dp is %gum; the %s's points are %gum apart and do not resolve it", least * 1e6,
+             what, spacing * 1e6);
+  if (*report->doubts)
+    cli_warn("%s: %s", name, report->doubts);
+  asp_error doubt;
+  if (asp_sampling_check(least, spacing, length, lambda, &doubt))
+    cli_warn("%s: %s", name, doubt.text);
 }
 
 static cli_wall read_wall(const cli_option *o, source *from) {
@@ -292,7 +274,10 @@ static void run_map(const cli_option *o, const cli_list *sizes, int argc, char *
     options.step[1] = steps.values[steps.count - 1];
   }
   cli_map map = cli_map_read(&o[MAP], &options);
-  check_sizes("map", fmax(map.map->step[0], map.map->step[1]), sizes);
+  const double *step = map.map->step;
+  double sides[2] = {(double)map.map->columns * step[0], (double)map.map->rows * step[1]};
+  check(o[MAP].value, "map", &map.report, fmax(step[0], step[1]), fmin(sides[0], sides[1]),
+        map.description.lambda_2, sizes);
   cli_map_slopes *rows = cli_allocate(sizes->count, sizeof *rows);
   cli_map_slopes_measure(&map, sizes, rows);
   cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
@@ -321,10 +306,9 @@ static int run(int argc, char **argv) {
   bool measured = options[PROFILE].value != NULL;
   source from;
   cli_wall wall = measured ? read_wall(options, &from) : generate_wall(options);
-  if (measured) {
-    check_sizes("profile", from.description.spacing, &sizes);
-    warn_of_spikes(&from.report);
-  }
+  if (measured)
+    check(wall.name, "profile", &from.report, from.description.spacing, from.description.length,
+          from.description.lambda_c, &sizes);
   cli_slopes *rows = measure(&wall, &sizes);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
   if (measured)

@@ -10,9 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A map with sides shorter than this says little about its wall, along its lay above all. */
-#define LENGTH_LEAST 20.0 /* correlation lengths */
-
 enum { ROWS_AT_ONCE = 16 };
 
 cli_map cli_map_read(const cli_option *option, const aspi_map_options *options) {
@@ -104,21 +101,6 @@ static void print_number(FILE *out, const char *name, double value, const char *
     fprintf(out, ", %s beyond the map", name);
 }
 
-static void tell_length(FILE *out, const cli_map *m) {
-  const aspi_map_description *d = &m->description;
-  double side =
-      fmin((double)m->map->columns * m->map->step[0], (double)m->map->rows * m->map->step[1]);
-  if (d->long_enough && side >= LENGTH_LEAST * d->lambda_2)
-    return;
-  fprintf(out,
-          "# only %.3g lambda_2 wide: lambda_2, S_tr and the slopes carry a large sampling error\n",
-          side / d->lambda_2);
-  fprintf(stderr,
-          "asperity: '%s' is only %.3g lambda_2 wide; under %g its numbers carry a large sampling "
-          "error\n",
-          m->name, side / d->lambda_2, LENGTH_LEAST);
-}
-
 void cli_map_print(FILE *out, const cli_map *m, const cli_map_slopes *rows, size_t count) {
   const aspi_map_description *d = &m->description;
   fputs("# map ", out);
@@ -137,7 +119,6 @@ void cli_map_print(FILE *out, const cli_map *m, const cli_map_slopes *rows, size
       "\n# ellipse of the autocorrelation 1/e: lambda_1 %.6g um across the lay, lambda_2 %.6g um "
       "along it, the lay %.4g deg from the rows\n",
       d->lambda_1 * 1e6, d->lambda_2 * 1e6, cli_degrees(d->lay));
-  tell_length(out, m);
   fputs("dp_um,rq_um,lambda_1_um,lambda_2_um,lay_deg,phi_r,kappa,slope_rms_across,slope_rms_along,"
         "slope_skewness_across,slope_skewness_along\n",
         out);

@@ -117,8 +117,8 @@ void cli_map_plot(const cli_option *option, const cli_map *m, const cli_map_slop
   print_polar(gp, m, rows, count);
   print_angles(gp, m, size[0]);
   fprintf(gp,
-          "set multiplot layout 2,2 title '%s: S_q %.3g µm, S_{sk} %.2g, {/Symbol l}_1 %.3g µm, "
-          "{/Symbol l}_2 %.3g µm'\n",
+          "set multiplot layout 2,2 title '%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, "
+          "λ_2 %.3g µm'\n",
           cli_plot_label(picture, m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6,
           d->lambda_2 * 1e6);
   fprintf(gp,

@@ -44,10 +44,10 @@ static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *opti
   const cli_option *o = &options[ROUGH];
   const char *file = o[ROUGH_PROFILE].value ? o[ROUGH_PROFILE].value : o[ROUGH_MAP].value;
   if (o[ROUGH_SIGMA].value) {
-    fprintf(gp, "Wall {/Symbol s} %s°", cli_plot_label(picture, o[ROUGH_SIGMA].value).text);
+    fprintf(gp, "Wall σ %s°", cli_plot_label(picture, o[ROUGH_SIGMA].value).text);
     return;
   }
-  fprintf(gp, "Wall %s%sr_q %.3g µm, {/Symbol l}_c %.3g µm; particles %.3g µm",
+  fprintf(gp, "Wall %s%sr_q %.3g µm, λ_c %.3g µm; particles %.3g µm",
           file ? cli_plot_label(picture, file).text : "", file ? ", " : "",
           asp_surface_r_q(rough->surface) * 1e6, asp_surface_lambda_c(rough->surface) * 1e6,
           cli_length(&options[DP]) * 1e6);
@@ -62,7 +62,7 @@ void cli_trade_plot(const cli_option *options, const cli_rough *rough, const tra
   FILE *gp = cli_plot_stream(picture);
   fputs("set title '", gp);
   print_wall(gp, picture, options, rough);
-  fputs("; {/Symbol a}_1 = ", gp);
+  fputs("; α_1 = ", gp);
   for (size_t i = 0; i < n; i += models)
     fprintf(gp, "%s%g", i ? ", " : "", rows[i].angle);
   double least = INFINITY;

@@ -86,6 +86,20 @@ static void read_numbers(const cli_option *o, cli_rough *rough, double d_most) {
   cli_check_size(rough->surface, d_most);
 }
 
+static asp_code check_sampling(const cli_rough *rough, double d_p, asp_error *doubt) {
+  const asp_profile *profile = rough->profile;
+  const asp_map *map = rough->map;
+  if (profile)
+    return asp_sampling_check(d_p, asp_profile_spacing(profile),
+                              (double)asp_profile_points(profile) * asp_profile_spacing(profile),
+                              asp_surface_lambda_c(rough->surface), doubt);
+  double step[2] = {asp_map_step_x(map), asp_map_step_y(map)};
+  return asp_sampling_check(
+      d_p, fmax(step[0], step[1]),
+      fmin((double)asp_map_columns(map) * step[0], (double)asp_map_rows(map) * step[1]),
+      asp_map_get(map, "lambda_2", NULL), doubt);
+}
+
 static void read_measured(const cli_option *o, cli_rough *rough, double d_least, double d_most) {
   asp_error error;
   asp_reader *reader = asp_reader_create(&error);
@@ -94,9 +108,11 @@ static void read_measured(const cli_option *o, cli_rough *rough, double d_least,
     rough->profile = asp_reader_read(reader, file->value, &error);
   else if (reader)
     rough->map = asp_reader_read_map(reader, file->value, &error);
-  asp_reader_free(reader);
   if (!rough->profile && !rough->map)
     cli_bad_file(file, &error);
+  if (asp_reader_check(reader, &error))
+    cli_warn("--%s %s: %s", file->name, file->value, error.text);
+  asp_reader_free(reader);
   rough->surface =
       rough->profile
           ? asp_surface_create_profile(rough->profile, d_least, d_most, CLI_ROUGH_BINS, &error)
@@ -105,6 +121,8 @@ static void read_measured(const cli_option *o, cli_rough *rough, double d_least,
     cli_bad_usage("--%s %s: %s", file->name, file->value, error.text);
   rough->lay.lambda[0] = asp_surface_lambda_c(rough->surface);
   rough->lay.lambda[1] = asp_surface_lambda_along(rough->surface);
+  if (check_sampling(rough, d_least, &error))
+    cli_warn("--%s %s: %s", file->name, file->value, error.text);
   turn_lay(&rough->lay, lay_degrees(&o[ROUGH_LAY]));
 }
 

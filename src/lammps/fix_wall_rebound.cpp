@@ -104,6 +104,7 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
         asperity::read_driven_mesh(world, words, atom->ntypes, type, geometry);
     mesh_ = mesh.get();
     wall_.add_shape(std::move(mesh), type, mesh_->pieces(), "stl");
+    report_mesh();
   } else if (words.is_one_of(primitives)) {
     std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
     const int type = read_type(words);
@@ -112,6 +113,18 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
   } else
     throw asperity::Error("the wall is '" + words.word("the wall") + "'; it must be one of " +
                           shapes);
+}
+
+void FixWallRebound::report_mesh() const {
+  asperity::Bounds box;
+  for (int d = 0; d < 3; d++) {
+    box.lo[d] = domain->triclinic ? domain->boxlo_bound[d] : domain->boxlo[d];
+    box.hi[d] = domain->triclinic ? domain->boxhi_bound[d] : domain->boxhi[d];
+  }
+  engine_.print("fix " + engine_.id() + " wall/rebound: " + mesh_->describe());
+  const std::string misfit = mesh_->misfit(box, engine_.box().period);
+  if (!misfit.empty())
+    engine_.warn(misfit);
 }
 
 /* The last type where the script names none. */

@@ -65,6 +65,7 @@ public:
 private:
   [[noreturn]] void fail(const std::string &what) const;
   void read_geometry(asperity::Words &words, std::string &geometry);
+  void report_mesh() const; /* to the log, with a warning where it does not fit the box */
   int read_type(asperity::Words &words) const;
   void begin_step();
   void check_units() const;

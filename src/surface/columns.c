@@ -3,6 +3,7 @@
  * kept: whether the positions are equally spaced, and how far apart, comes from a line fitted to
  * all of them, since instruments round them (to 0.1 um at a spacing of 0.156 um). Where they are
  * not, a second pass interpolates between them. Positions that fall are read from the other end.
+ * Where there are X, Y and a height, the position is the distance from the first point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -16,8 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIELDS_MOST = 64 };
-
 /* Positions are equally spaced when they are off a line by no more than rounding can be, and this
  * part of the spacing. */
 #define UNEVEN_RMS 0.01
@@ -25,6 +24,10 @@ enum { FIELDS_MOST = 64 };
 
 /* A step over this many usual ones is a gap. */
 #define GAP_STEPS 2.5
+
+/* Points in X and Y are on a straight line where they scatter about it by no more than this part of
+ * what they scatter along it. */
+#define STRAIGHT 0.01
 
 typedef struct column_layout {
   char separator; /* , ; tab, or a blank for any white space */
@@ -34,9 +37,15 @@ typedef struct column_layout {
   double step;    /* of heights alone, in units of x */
 } column_layout;
 
+/* Points in X and Y: the first one, the last one from there, and their running covariance. */
+typedef struct plane_scan {
+  double first[2], last[2], mean[2], c_xx, c_xy, c_yy;
+} plane_scan;
+
 /* What is known of the positions after one pass. */
 typedef struct scan {
   size_t points;
+  plane_scan plane;
   double first, last;
   double step_least, step_most, usual; /* usual: mean of the steps that are not gaps */
   size_t usual_count;
@@ -47,25 +56,30 @@ typedef struct scan {
   aspi_marks marks;
   double mean_i, mean_x, c_ii, c_ix, c_xx; /* running regression on the index */
   int decimals, digits;                    /* the most that any position is written with */
+  double most;                             /* the largest coordinate that is written */
   gsl_rstat_quantile_workspace median;     /* of the steps */
 } scan;
 
 /* Position and height of a line, as written and as numbers; a missing height is NAN. */
 typedef struct column_pair {
-  const char *position, *height;
-  double x, z;
+  const char *position, *second, *height; /* second: "" where a position is one number */
+  double x, y, z;
 } column_pair;
 
 /* Reads the pair of a line that is cut into fields; `count` is that of the pairs before. */
 static aspi_word pair_of(char **fields, int count, const column_layout *layout, size_t index,
                          column_pair *pair) {
   const aspi_columns *c = &layout->columns;
-  if (count <= c->x || count <= c->z)
+  if (count <= c->x || count <= c->y || count <= c->z)
     return ASP_WORD_OTHER;
+  pair->second = c->y < 0 ? "" : fields[c->y];
+  pair->y = 0;
   pair->position = c->x < 0 ? "" : fields[c->x];
   pair->height = fields[c->z];
   pair->x = (double)index * layout->step;
   if (c->x >= 0 && aspi_text_number(pair->position, layout->comma, &pair->x) != ASP_WORD_NUMBER)
+    return ASP_WORD_OTHER;
+  if (c->y >= 0 && aspi_text_number(pair->second, layout->comma, &pair->y) != ASP_WORD_NUMBER)
     return ASP_WORD_OTHER;
   aspi_word word = aspi_text_number(pair->height, layout->comma, &pair->z);
   if (word == ASP_WORD_NUMBER && fabs(pair->z - layout->missing) <= 1e-9 * fabs(layout->missing)) {
@@ -94,12 +108,12 @@ static bool finds_layout(const char *line, const aspi_profile_options *options,
     char separator;
     bool comma;
   } layouts[] = {{';', true}, {'\t', true}, {',', false}, {' ', false}, {' ', true}, {',', true}};
-  char copy[ASP_TEXT_MOST], *fields[FIELDS_MOST];
+  char copy[ASP_TEXT_MOST], *fields[ASP_COLUMNS_MOST];
   for (size_t i = 0; i < sizeof layouts / sizeof *layouts; i++) {
     if (layouts[i].separator != ' ' && !strchr(line, layouts[i].separator))
       continue;
     strcpy(copy, line);
-    int count = aspi_text_split(copy, layouts[i].separator, fields, FIELDS_MOST);
+    int count = aspi_text_split(copy, layouts[i].separator, fields, ASP_COLUMNS_MOST);
     *found = (column_layout){.separator = layouts[i].separator,
                              .comma = layouts[i].comma,
                              .missing = options->has_missing ? options->missing : NAN,
@@ -109,8 +123,8 @@ static bool finds_layout(const char *line, const aspi_profile_options *options,
     *why = '\0';
     if (!aspi_choose_columns(header, layouts[i].separator, count, used_of(fields, count), options,
                              &found->columns, why, size))
-      found->columns = (aspi_columns){.x = options->step > 0 ? -1 : 0,
-                                      .z = options->step > 0 || count < 2 ? 0 : 1};
+      found->columns = (aspi_columns){
+          .x = options->step > 0 ? -1 : 0, .y = -1, .z = options->step > 0 || count < 2 ? 0 : 1};
     column_pair pair;
     aspi_word word = pair_of(fields, count, found, 0, &pair);
     if (word == ASP_WORD_NUMBER || (word == ASP_WORD_MISSING && !is_blank(pair.height)))
@@ -160,8 +174,7 @@ static void note_precision(scan *s, const char *position, bool comma) {
 
 /* The step in which the largest position can be written. */
 static double rounding(const scan *s) {
-  double most = fmax(fabs(s->first), fabs(s->last));
-  double by_digits = most > 0 ? pow(10, floor(log10(most)) - s->digits + 1) : 0;
+  double by_digits = s->most > 0 ? pow(10, floor(log10(s->most)) - s->digits + 1) : 0;
   return fmax(pow(10, -s->decimals), by_digits);
 }
 
@@ -222,20 +235,63 @@ static asp_code note_position(scan *s, const aspi_text *text, double x, asp_erro
   return ASP_OK;
 }
 
+/* The position of a pair: x, or the distance from the first point in X and Y. */
+static double position_of(const scan *s, const column_layout *layout, const column_pair *pair) {
+  if (layout->columns.y < 0)
+    return pair->x;
+  double ratio = layout->columns.unit_y / layout->columns.unit_x;
+  return hypot(pair->x - s->plane.first[0], ratio * (pair->y - s->plane.first[1]));
+}
+
+static void note_place(scan *s, const column_layout *layout, const column_pair *pair) {
+  plane_scan *p = &s->plane;
+  if (s->points == 0) {
+    p->first[0] = pair->x;
+    p->first[1] = pair->y;
+  }
+  double x = pair->x - p->first[0], n = (double)s->points + 1;
+  double y = layout->columns.unit_y / layout->columns.unit_x * (pair->y - p->first[1]);
+  double dx = x - p->mean[0], dy = y - p->mean[1];
+  p->last[0] = x;
+  p->last[1] = y;
+  p->mean[0] += dx / n;
+  p->mean[1] += dy / n;
+  p->c_xx += dx * (x - p->mean[0]);
+  p->c_xy += dx * (y - p->mean[1]);
+  p->c_yy += dy * (y - p->mean[1]);
+}
+
+/* By the axes of the ellipse of their covariance. */
+static asp_code check_straight(const aspi_text *text, const plane_scan *p, asp_error *error) {
+  double middle = (p->c_xx + p->c_yy) / 2, half = hypot((p->c_xx - p->c_yy) / 2, p->c_xy);
+  double off = sqrt(fmax(0, middle - half) / (middle + half));
+  if (!(off > STRAIGHT))
+    return ASP_OK;
+  return aspi_text_fail(text, text->line, error,
+                        "the points in X and Y scatter across a line by %.2g of what they do along "
+                        "it: no profile; a map is read as one, and x-column takes one column alone "
+                        "for positions",
+                        off);
+}
+
 /* Cuts a line that is not blank into its fields and reads the data in them. */
 static bool read_pair(aspi_text *text, const column_layout *layout, size_t index, char **fields,
                       int *count, column_pair *pair) {
-  *count = aspi_text_split(text->text, layout->separator, fields, FIELDS_MOST);
+  *count = aspi_text_split(text->text, layout->separator, fields, ASP_COLUMNS_MOST);
   return pair_of(fields, *count, layout, index, pair) != ASP_WORD_OTHER;
 }
 
 static asp_code note_pair(scan *s, aspi_text *text, const column_layout *layout,
                           const column_pair *pair, aspi_raw *raw, asp_error *error) {
-  asp_code code = note_position(s, text, pair->x, error);
+  if (layout->columns.y >= 0)
+    note_place(s, layout, pair);
+  asp_code code = note_position(s, text, position_of(s, layout, pair), error);
   if (code)
     return code;
+  s->most = fmax(s->most, fmax(fabs(pair->x), fabs(pair->y)));
   if (layout->columns.x >= 0)
     note_precision(s, pair->position, layout->comma);
+  note_precision(s, pair->second, layout->comma);
   if (isnan(pair->z) && raw->bad++ == 0)
     raw->bad_line = text->line;
   if (!isnan(pair->z))
@@ -254,7 +310,7 @@ static asp_code check_end(aspi_text *text, const column_layout *layout, size_t l
   bool found = true;
   asp_code code;
   while (!(code = aspi_text_line(text, &found, error)) && found) {
-    char *fields[FIELDS_MOST];
+    char *fields[ASP_COLUMNS_MOST];
     int count;
     column_pair pair;
     if (!is_blank(text->text) && read_pair(text, layout, 0, fields, &count, &pair) &&
@@ -282,7 +338,7 @@ static asp_code read_all(aspi_text *text, const column_layout *layout, scan *s, 
                          asp_error *error) {
   asp_code code = ASP_OK;
   for (bool found = true; found && !code;) {
-    char shown[48], *fields[FIELDS_MOST];
+    char shown[48], *fields[ASP_COLUMNS_MOST];
     int count;
     column_pair pair;
     snprintf(shown, sizeof shown, "%.47s", text->text);
@@ -368,7 +424,7 @@ static asp_code next_pair(aspi_text *text, size_t data_line, const column_layout
   size_t good = 0, all = 0;
   for (;;) {
     while (!r->has_ahead) {
-      char *fields[FIELDS_MOST];
+      char *fields[ASP_COLUMNS_MOST];
       int count;
       asp_code code = aspi_text_line(text, found, error);
       if (code)
@@ -379,7 +435,7 @@ static asp_code next_pair(aspi_text *text, size_t data_line, const column_layout
       if (text->line < data_line || is_blank(text->text))
         continue;
       read_pair(text, layout, r->index++, fields, &count, &r->ahead);
-      r->ahead.x *= s->sign < 0 ? -1 : 1;
+      r->ahead.x = (s->sign < 0 ? -1 : 1) * position_of(s, layout, &r->ahead);
       r->has_ahead = true;
     }
     if (!r->has_ahead || (all > 0 && r->ahead.x > pair->x))
@@ -442,8 +498,10 @@ static asp_code read_data(aspi_text *text, const column_layout *layout, bool all
     return code;
   raw->read = s->points;
   raw->repeats = s->repeats;
-  raw->falls = s->sign < 0;
+  const double *last = s->plane.last;
+  raw->falls = s->sign < 0 || last[fabs(last[1]) > fabs(last[0])] < 0;
   raw->column[0] = s->fields > 2 ? layout->columns.x + 1 : 0;
+  raw->second_column = last[1] * last[1] > 0 ? layout->columns.y + 1 : 0;
   raw->column[1] = s->fields > 2 ? layout->columns.z + 1 : 0;
   raw->end_line = s->end_line;
   raw->step_least = s->step_least * unit_x;
@@ -454,6 +512,8 @@ static asp_code read_data(aspi_text *text, const column_layout *layout, bool all
         "the file ends after %zu point%s, from %g to %g; a profile has at least 3 "
         "at increasing positions",
         s->points, s->points == 1 ? "" : "s", s->first, s->last);
+  if (layout->columns.y >= 0 && (code = check_straight(text, &s->plane, error)))
+    return code;
   if (!is_even(s, &raw->spacing)) {
     raw->spacing = s->usual;
     code = check_resampling(text, s, allowed, error);
@@ -475,6 +535,8 @@ asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options,
   asp_code code = skip_header(text, options, &layout, header, error);
   if (!code)
     code = aspi_find_units(text, options, header, &layout.columns, error);
+  if (!code && (!(layout.columns.unit_y > 0) || options->unit_x > 0))
+    layout.columns.unit_y = layout.columns.unit_x;
   free(header);
   if (code)
     return code;

@@ -12,8 +12,6 @@
 #include <string.h>
 #include <strings.h>
 
-enum { COLUMNS_MOST = 64 };
-
 /* What a name says that its column is. */
 typedef enum kind { UNKNOWN, POSITION, HEIGHT, NO_LENGTH } kind;
 
@@ -79,7 +77,7 @@ static kind kind_of(const char *name) {
 static int split_names(char *line, char separator, char **name) {
   while (*line && *line != separator && strchr("#%; \t", *line))
     line++;
-  int count = aspi_text_split(line, separator, name, COLUMNS_MOST);
+  int count = aspi_text_split(line, separator, name, ASP_COLUMNS_MOST);
   while (count > 0 && !*name[count - 1])
     count--;
   if (separator != ' ')
@@ -99,7 +97,7 @@ static int split_names(char *line, char separator, char **name) {
  * it is no line of names. */
 static int take_names(const char *line, char separator, int fields, column *columns,
                       bool *has_names) {
-  char copy[ASP_TEXT_MOST], *name[COLUMNS_MOST];
+  char copy[ASP_TEXT_MOST], *name[ASP_COLUMNS_MOST];
   strcpy(copy, line);
   int count = split_names(copy, separator, name);
   if (count < 1 || count > fields || (count < fields && (separator == ' ' || count < 2)))
@@ -194,7 +192,7 @@ static bool are_known(const column *columns) {
 /* What is known of a line's columns, and where a reason goes. */
 typedef struct choice {
   const aspi_profile_options *options;
-  column columns[COLUMNS_MOST];
+  column columns[ASP_COLUMNS_MOST];
   int fields, used, named; /* fields of a line, those before empty ones, and names above them */
   char separator;
   char *why;
@@ -256,6 +254,20 @@ static void complete(const choice *c, int *x, int *z) {
     *z = first_length(c->columns, n, *x, units);
 }
 
+static int first_named(char name, const column *columns, int fields) {
+  for (int i = 0; i < fields; i++)
+    if (tolower((unsigned char)*columns[i].name) == name &&
+        !isalpha((unsigned char)columns[i].name[1]))
+      return i;
+  return -1;
+}
+
+/* The column Y beside a column X of positions, where both give a place on the wall; -1: none. */
+static int second_axis(const choice *c, int x, int z) {
+  int y = first_named('y', c->columns, c->fields);
+  return first_named('x', c->columns, c->fields) == x && y != z && y != x ? y : -1;
+}
+
 static bool choose_both(const choice *c, aspi_columns *chosen) {
   int asked_x, asked_z;
   if (!find_asked(c, &asked_x, &asked_z) || (asked_z < 0 && !are_named(c)))
@@ -273,38 +285,33 @@ static bool choose_both(const choice *c, aspi_columns *chosen) {
   if (is_none(c, x, asked_x) || is_none(c, z, asked_z))
     return false;
   *chosen = (aspi_columns){.x = heights_alone ? -1 : x,
+                           .y = asked_x < 0 && x < c->fields ? second_axis(c, x, z) : -1,
                            .z = z,
                            .unit_x = x < c->fields ? c->columns[x].unit : 1,
-                           .unit_z = c->columns[z].unit};
+                           .unit_z = z < c->fields ? c->columns[z].unit : 0};
+  chosen->unit_y = chosen->y >= 0 ? c->columns[chosen->y].unit : 0;
   return true;
 }
 
 bool aspi_choose_columns(const aspi_header *header, char separator, int fields, int used,
                          const aspi_profile_options *options, aspi_columns *chosen, char *why,
                          size_t size) {
-  choice c = {.options = options,
-              .columns = {{"", 0, UNKNOWN}},
-              .fields = fields < COLUMNS_MOST ? fields : COLUMNS_MOST,
-              .used = used,
-              .separator = separator,
-              .why = why,
-              .size = size};
+  choice c; /* of its columns those that there are are set, and two at least */
+  c.options = options;
+  c.fields = fields;
+  c.used = used;
+  c.separator = separator;
+  c.why = why;
+  c.size = size;
+  memset(c.columns, 0, (size_t)(fields > 2 ? fields : 2) * sizeof *c.columns);
   c.named = read_header(header, separator, c.fields, c.columns);
   return choose_both(&c, chosen);
 }
 
-static int first_named(char name, const column *columns, int fields) {
-  for (int i = 0; i < fields; i++)
-    if (tolower((unsigned char)*columns[i].name) == name &&
-        !isalpha((unsigned char)columns[i].name[1]))
-      return i;
-  return -1;
-}
-
 bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_axes *axes) {
-  column columns[COLUMNS_MOST] = {{"", 0, UNKNOWN}};
+  column columns[ASP_COLUMNS_MOST] = {{"", 0, UNKNOWN}};
   *axes = (aspi_axes){{0, 1, 2}, {0}};
-  if (fields > COLUMNS_MOST)
+  if (fields > ASP_COLUMNS_MOST)
     return false;
   read_header(header, separator, fields, columns);
   int found[3] = {first_named('x', columns, fields), first_named('y', columns, fields),

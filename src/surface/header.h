@@ -14,10 +14,11 @@ typedef struct aspi_header {
   char line[ASP_HEADER_KEPT][ASP_TEXT_MOST];
 } aspi_header;
 
-/* The columns, from 0; x is -1 where positions are counted. Units in m; 0 where none is stated. */
+/* The columns, from 0; x is -1 where positions are counted, y where a position is x alone. Units in
+ * m; 0 where none is stated. */
 typedef struct aspi_columns {
-  int x, z;
-  double unit_x, unit_z;
+  int x, y, z;
+  double unit_x, unit_y, unit_z;
 } aspi_columns;
 
 /* Chooses the columns of lines with that many fields, `used` of them without empty ones at the end;

@@ -93,8 +93,9 @@ static double off_neighbours(const void *map, size_t at) {
 }
 
 /* Makes spikes bad. */
-static asp_code mark_spikes(aspi_raw_map *raw, double times, size_t *spikes, asp_error *error) {
-  bool *is_spike = aspi_spikes(raw, raw->points, off_neighbours, times, error);
+static asp_code mark_spikes(aspi_raw_map *raw, const aspi_steps *steps, double times,
+                            size_t *spikes, asp_error *error) {
+  bool *is_spike = aspi_spikes(raw, steps, raw->points, off_neighbours, times, error);
   if (!is_spike)
     return ASP_ENOMEM;
   for (size_t i = 0; i < raw->points; i++)
@@ -104,6 +105,10 @@ static asp_code mark_spikes(aspi_raw_map *raw, double times, size_t *spikes, asp
     }
   free(is_spike);
   return ASP_OK;
+}
+
+static double height_of(const void *map, size_t at) {
+  return (double)((const aspi_raw_map *)map)->heights[at];
 }
 
 /* Adds what a line of `n` heights, `stride` apart, says about its gaps: between two good points
@@ -211,10 +216,17 @@ asp_code aspi_map_mend(aspi_raw_map *raw, const char *path, const aspi_profile_o
   if (!code)
     code = check_bad(raw, path, 0, options->fill, error);
   double before = code ? 0 : largest(raw);
-  if (!code)
+  aspi_steps steps = {.points = 0};
+  if (!code) {
+    steps = aspi_steps_find(raw, raw->points, height_of);
     code = take_out_form(raw, path, options->form, error);
+  }
+  if (!code && !(options->spikes > 0))
+    code = aspi_count_spikes(raw, &steps, raw->points, off_neighbours, ASP_SPIKES_CLEAR,
+                             &report->outliers, error);
+  aspi_doubts_tell(&steps, report->outliers, report->doubts, sizeof report->doubts);
   if (!code && options->spikes > 0) {
-    code = mark_spikes(raw, options->spikes, &report->spikes, error);
+    code = mark_spikes(raw, &steps, options->spikes, &report->spikes, error);
     if (!code)
       code = check_bad(raw, path, report->spikes, options->fill, error);
     if (!code && report->spikes > 0)

@@ -12,7 +12,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* Largest side of a map: points are 32-bit numbers to those who read it. */
 #define SIDE_MOST ((double)ASP_MAP_SIDE_MOST)
@@ -176,26 +175,7 @@ static asp_code read_as_text(FILE *stream, const char *path, aspi_raw_map *raw, 
   return code ? code : aspi_sdf_end(&text, &h, error);
 }
 
-asp_code aspi_read_map_sdf(FILE *stream, const char *path, aspi_raw_map *raw, asp_error *error) {
-  int first = getc(stream);
-  if (first != EOF)
-    ungetc(first, stream);
-  return first == 'b' || first == 'B' ? read_binary(stream, path, raw, error)
-                                      : read_as_text(stream, path, raw, error);
-}
-
 /* ---- any file ---- */
-
-/* Formats of instruments that are closed, or that others read better, by how their files begin. */
-static const struct {
-  const char *begins, *name;
-} closed[] = {{"DIGITAL SURF", "Digital Surf SUR"},
-              {"DSCOMPRESSED", "Digital Surf SUR"},
-              {"PK", "a zip (X3P, PLUX, VK6, OPDx)"},
-              {"VK", "Keyence VK"},
-              {"\x01\x1b", "MetroPro"},
-              {"GWYP", "Gwyddion's own"},
-              {"\x89HDF", "HDF5"}};
 
 /* What applies to profiles only. */
 static asp_code check_options(const char *path, const aspi_profile_options *o, asp_error *error) {
@@ -215,25 +195,16 @@ static asp_code check_options(const char *path, const aspi_profile_options *o, a
 asp_map *aspi_map_read_stream(FILE *stream, const char *path, const aspi_map_options *options,
                               aspi_profile_report *report, asp_error *error) {
   aspi_raw_map raw = {.zero = NAN};
-  char begin[32] = "";
-  begin[fread(begin, 1, sizeof begin - 1, stream)] = '\0';
-  rewind(stream);
+  aspi_format format = ASP_FORMAT_TEXT;
   asp_code code = check_options(path, options->read, error);
-  for (size_t i = 0; i < sizeof closed / sizeof *closed && !code; i++)
-    if (strncmp(begin, closed[i].begins, strlen(closed[i].begins)) == 0)
-      code =
-          aspi_fail(error, ASP_EDATA,
-                    "%.200s: the format is %s, which is not read here; the free program Gwyddion "
-                    "(gwyddion.net) opens it and saves it as SDF or as a text matrix",
-                    path, closed[i].name);
-  const char *word = begin + strspn(begin, " \t\r\n");
-  bool sdf =
-      *word && (strncasecmp(word + 1, "ISO-", 4) == 0 || strncasecmp(word + 1, "BCR-", 4) == 0);
-  if (!code && sdf)
+  if (!code)
+    code = aspi_format_find(stream, path, &format, error);
+  if (!code && format != ASP_FORMAT_TEXT)
     code = aspi_sdf_check_options(path, options->read, options->step[0], error);
   if (!code)
-    code = sdf ? aspi_read_map_sdf(stream, path, &raw, error)
-               : aspi_read_map_text(stream, path, options, &raw, error);
+    code = format == ASP_FORMAT_TEXT       ? aspi_read_map_text(stream, path, options, &raw, error)
+           : format == ASP_FORMAT_SDF_TEXT ? read_as_text(stream, path, &raw, error)
+                                           : read_binary(stream, path, &raw, error);
   if (!code)
     code = aspi_map_mend(&raw, path, options->read, report, error);
   if (code) {

@@ -26,9 +26,8 @@ typedef struct aspi_map_options {
 /* Adds a height (m; NAN: bad). */
 asp_code aspi_raw_map_add(aspi_raw_map *raw, double height, asp_error *error);
 
-/* SDF (ISO 25178-71) from a stream at its beginning, text or binary by its first letter; and text,
- * a matrix of heights or lines of x, y, z. raw->heights is for the caller to free, on error too. */
-asp_code aspi_read_map_sdf(FILE *stream, const char *path, aspi_raw_map *raw, asp_error *error);
+/* Text, a matrix of heights or lines of x, y, z, from a stream at its beginning. raw->heights is
+ * for the caller to free, on error too. */
 asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,
                             aspi_raw_map *raw, asp_error *error);
 

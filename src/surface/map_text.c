@@ -101,8 +101,6 @@ static void look_ahead(scanner *s) {
   while (s->ahead_count + 1 < sizeof s->ahead && c != '\n' &&
          (c = aspi_text_character(&s->source)) != EOF)
     s->ahead[s->ahead_count++] = (char)c;
-  if (s->line == 0 && s->ahead_count >= 3 && memcmp(s->ahead, "\xEF\xBB\xBF", 3) == 0)
-    s->ahead_at = 3; /* the mark of UTF-8 */
   memcpy(head, s->ahead, s->ahead_count);
   head[s->ahead_count] = '\0';
   s->separator = separator_of(head);
@@ -514,7 +512,7 @@ static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, 
   heights known = {.missing = read->has_missing ? read->missing : NAN};
   aspi_axes axes = {{0, 1, 2}, {0}};
   char separator = s->separator ? s->separator : ' ';
-  bool named = s->count >= COLUMNS_XYZ && s->count <= 64 &&
+  bool named = s->count >= COLUMNS_XYZ && s->count <= ASP_COLUMNS_MOST &&
                aspi_find_axes(&h->lines, separator, (int)s->count, &axes);
   code = named || s->count == COLUMNS_XYZ ? read_triples(s, h, options, &axes, &known, raw, error)
                                           : read_matrix(s, h, options, &known, raw, error);

@@ -60,8 +60,8 @@ double aspi_off_median(double z, double *window, size_t count) {
 }
 
 /* In two passes: the usual distance, then what is far beyond it. */
-bool *aspi_spikes(const void *raw, size_t points, aspi_off_neighbours *off, double times,
-                  asp_error *error) {
+bool *aspi_spikes(const void *raw, const aspi_steps *steps, size_t points, aspi_off_neighbours *off,
+                  double times, asp_error *error) {
   bool *is_spike = calloc(points, sizeof *is_spike);
   if (!is_spike) {
     aspi_fail(error, ASP_ENOMEM, "out of memory for the spikes of %zu points", points);
@@ -74,8 +74,22 @@ bool *aspi_spikes(const void *raw, size_t points, aspi_off_neighbours *off, doub
     if (!isnan(distance))
       gsl_rstat_quantile_add(distance, &median);
   }
-  double most = times * MAD_TO_SD * gsl_rstat_quantile_get(&median);
+  double sd = MAD_TO_SD * gsl_rstat_quantile_get(&median);
+  double most = times * fmax(sd, isfinite(steps->quantum) ? steps->quantum / 2 : 0);
   for (size_t i = 0; i < points; i++)
     is_spike[i] = off(raw, i) > most;
   return is_spike;
+}
+
+asp_code aspi_count_spikes(const void *raw, const aspi_steps *steps, size_t points,
+                           aspi_off_neighbours *off, double times, size_t *count,
+                           asp_error *error) {
+  bool *is_spike = aspi_spikes(raw, steps, points, off, times, error);
+  if (!is_spike)
+    return ASP_ENOMEM;
+  *count = 0;
+  for (size_t i = 0; i < points; i++)
+    *count += is_spike[i];
+  free(is_spike);
+  return ASP_OK;
 }

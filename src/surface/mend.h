@@ -39,9 +39,14 @@ double aspi_off_median(double z, double *window, size_t count);
 /* How far a point is from its neighbours; NAN where it is bad itself. */
 typedef double aspi_off_neighbours(const void *raw, size_t at);
 
-/* Which of the points are spikes: over `times` robust standard deviations off their neighbours. For
- * the caller to free; NULL where there is no memory. */
-bool *aspi_spikes(const void *raw, size_t points, aspi_off_neighbours *off, double times,
-                  asp_error *error);
+/* Which of the points are spikes: over `times` robust standard deviations off their neighbours. The
+ * deviation is at least half the step in which heights are given, since most points of heights in
+ * steps are off by nothing. For the caller to free; NULL where there is no memory. */
+bool *aspi_spikes(const void *raw, const aspi_steps *steps, size_t points, aspi_off_neighbours *off,
+                  double times, asp_error *error);
+
+/* How many they are. */
+asp_code aspi_count_spikes(const void *raw, const aspi_steps *steps, size_t points,
+                           aspi_off_neighbours *off, double times, size_t *count, asp_error *error);
 
 #endif

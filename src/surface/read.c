@@ -13,7 +13,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { NEIGHBOURS = 3 }; /* on each side, for spikes */
 
@@ -99,8 +98,9 @@ static double off_neighbours(const void *profile, size_t i) {
 }
 
 /* Makes spikes bad. */
-static asp_code mark_spikes(aspi_raw *raw, double times, size_t *spikes, asp_error *error) {
-  bool *is_spike = aspi_spikes(raw, raw->points, off_neighbours, times, error);
+static asp_code mark_spikes(aspi_raw *raw, const aspi_steps *steps, double times, size_t *spikes,
+                            asp_error *error) {
+  bool *is_spike = aspi_spikes(raw, steps, raw->points, off_neighbours, times, error);
   if (!is_spike)
     return ASP_ENOMEM;
   for (size_t i = 0; i < raw->points; i++)
@@ -196,25 +196,22 @@ static asp_code check_spikes(const aspi_raw *raw, const char *path, size_t spike
   return ASP_OK;
 }
 
-static asp_code count_outliers(const aspi_raw *raw, size_t *outliers, asp_error *error) {
-  bool *clear = aspi_spikes(raw, raw->points, off_neighbours, ASP_SPIKES_CLEAR, error);
-  if (!clear)
-    return ASP_ENOMEM;
-  for (size_t i = 0; i < raw->points; i++)
-    *outliers += clear[i];
-  free(clear);
-  return ASP_OK;
+static double height_of(const void *profile, size_t i) {
+  return ((const aspi_raw *)profile)->heights[i];
 }
 
 static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_options *options,
                       aspi_profile_report *report, asp_error *error) {
   size_t *spikes = &report->spikes;
+  aspi_steps steps = aspi_steps_find(raw, raw->points, height_of);
   asp_code code = take_out_form(raw, path, options->form, error);
-  if (code)
+  if (!code && !(options->spikes > 0))
+    code = aspi_count_spikes(raw, &steps, raw->points, off_neighbours, ASP_SPIKES_CLEAR,
+                             &report->outliers, error);
+  aspi_doubts_tell(&steps, report->outliers, report->doubts, sizeof report->doubts);
+  if (code || !(options->spikes > 0))
     return code;
-  if (!(options->spikes > 0))
-    return count_outliers(raw, &report->outliers, error);
-  if ((code = mark_spikes(raw, options->spikes, spikes, error)) || *spikes == 0 ||
+  if ((code = mark_spikes(raw, &steps, options->spikes, spikes, error)) || *spikes == 0 ||
       (code = check_spikes(raw, path, *spikes, options->fill, error)))
     return code;
   return take_out_form(raw, path, options->form, error);
@@ -256,7 +253,11 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
   char other[260] = "";
   const aspi_filters *f = &options->filters;
   size_t used = 0;
-  if (raw->column[0] > 0)
+  if (raw->second_column > 0)
+    used += (size_t)snprintf(other, sizeof other,
+                             ", distances in columns %d and %d, heights of column %d",
+                             raw->column[0], raw->second_column, raw->column[1]);
+  else if (raw->column[0] > 0)
     used += (size_t)snprintf(other, sizeof other, ", of columns %d and %d", raw->column[0],
                              raw->column[1]);
   else if (raw->column[1] > 0)
@@ -284,34 +285,36 @@ static void tell(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
 static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                          asp_error *error) {
   bool found = true;
-  asp_code code;
+  aspi_format format;
+  asp_code code = aspi_format_find(text->stream, text->path, &format, error);
+  if (code)
+    return code;
+  if (format == ASP_FORMAT_SDF_BINARY)
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: this is SDF in binary, which is read as a map, not as a profile",
+                     text->path);
   do {
     code = aspi_text_line(text, &found, error);
-    if (text->line == 1 && strncmp(text->text, "\xEF\xBB\xBF", 3) == 0)
-      memmove(text->text, text->text + 3, strlen(text->text + 3) + 1);
   } while (!code && found && text->text[strspn(text->text, " \t\v\f")] == '\0');
   if (code)
     return code;
   if (!found)
     return aspi_text_fail(text, text->line, error, "the file is empty");
-  const char *name = text->text + strspn(text->text, " \t");
-  bool sdf = strncasecmp(name + (*name != '\0'), "ISO-1", 5) == 0 ||
-             strncasecmp(name + (*name != '\0'), "BCR-", 4) == 0;
-  if (!sdf && options->row != 1)
+  if (format == ASP_FORMAT_SDF_TEXT) {
+    code = aspi_sdf_check_options(text->path, options, options->step, error);
+    return code ? code : aspi_read_sdf(text, options, raw, error);
+  }
+  if (options->row != 1)
     return aspi_fail(error, ASP_EARG, "%.200s: row %d is asked for; text in columns has no rows",
                      text->path, options->row);
-  if (!sdf)
-    return aspi_read_columns(text, options, raw, error);
-  code = aspi_sdf_check_options(text->path, options, options->step, error);
-  return code ? code : aspi_read_sdf(text, options, raw, error);
+  return aspi_read_columns(text, options, raw, error);
 }
 
 asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error) {
   if (options->form < -1 || options->form > ASP_FORM_MAX)
     return aspi_fail(error, ASP_EARG, "form is %d; it must be a degree of 0 to %d, or -1 for none",
                      options->form, ASP_FORM_MAX);
-  if (options->row < 1 || options->column < 0 || options->column > 64 || options->x_number < 0 ||
-      options->x_number > 64)
+  if (options->row < 1 || options->column < 0 || options->x_number < 0)
     return aspi_fail(error, ASP_EARG,
                      "row is %d, column %d and x_column %d; rows and columns count from 1",
                      options->row, options->column, options->x_number);

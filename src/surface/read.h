@@ -5,9 +5,11 @@
 #define ASP_SURFACE_READ_H
 
 #include "base/text.h"
+#include "surface/doubts.h"
 #include "surface/filter.h"
 
-enum { ASP_FORM_MAX = 9 };
+/* Columns of a text file that are looked at, and the highest degree of a form. */
+enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
 
 /* How a measured profile is read. */
 typedef struct aspi_profile_options {
@@ -34,20 +36,18 @@ typedef struct aspi_profile_options {
 aspi_profile_options aspi_profile_options_default(void);
 
 /* What the reader found and did. */
-/* Robust standard deviations off its neighbours at which a point is dust, not roughness. */
-#define ASP_SPIKES_CLEAR 20.0
-
 typedef struct aspi_profile_report {
   size_t points;      /* read from the file */
   size_t bad;         /* bad points among them: not a number, or marked as bad */
   size_t spikes;      /* points taken for spikes */
-  size_t outliers;    /* where none are looked for: points that ASP_SPIKES_CLEAR would take */
+  size_t outliers;    /* where none are looked for: points that are clearly dust */
   size_t filled;      /* points of the result that were filled in */
   size_t repeats;     /* positions that repeat the one before, whose heights were averaged */
   size_t longest_gap; /* most of them in a row */
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
   char text[640];               /* all of that as a sentence */
+  char doubts[440];             /* what makes the heights doubtful, or "" (doubts.h) */
 } aspi_profile_report;
 
 /* ASP_EARG and a message where one is out of its range. */
@@ -71,11 +71,21 @@ typedef struct aspi_raw {
   size_t repeats;               /* positions that repeat the one before */
   bool falls;                   /* positions fall in the file */
   int column[2];                /* of positions and heights, from 1, where there are others too */
+  int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
   size_t end_line;              /* where the data end before the file does; 0: nowhere */
   double step_least, step_most; /* m */
 } aspi_raw;
 
 asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
+
+/* What a file is by its beginning; SDF is that of ISO 25178-71. Leaves the stream at its beginning.
+ * ASP_EDATA for closed formats, with the name of a free program that converts them. */
+typedef enum aspi_format {
+  ASP_FORMAT_TEXT,
+  ASP_FORMAT_SDF_TEXT,
+  ASP_FORMAT_SDF_BINARY
+} aspi_format;
+asp_code aspi_format_find(FILE *stream, const char *path, aspi_format *format, asp_error *error);
 
 /* The readers. Each begins with the first line that is not blank already in text->text, and leaves
  * raw->heights to be freed by the caller, on error too. */

@@ -143,6 +143,10 @@ double asp_reader_get(const asp_reader *reader, const char *name) {
   return NAN;
 }
 
+asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {
+  return *reader->report.doubts ? aspi_fail(error, ASP_EDATA, "%s", reader->report.doubts) : ASP_OK;
+}
+
 const char *asp_reader_text(const asp_reader *reader) {
   return reader->report.text;
 }

@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "surface/read.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -170,11 +169,6 @@ static asp_code read_map(aspi_text *text, const aspi_sdf *h, section kept, aspi_
 
 asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                        asp_error *error) {
-  const char *version = aspi_text_trim(text->text);
-  if (tolower((unsigned char)*version) != 'a')
-    return aspi_text_fail(text, text->line, error,
-                          "'%.20s' is SDF in binary, which is read as a map, not as a profile",
-                          version);
   aspi_sdf h;
   asp_code code = aspi_sdf_header(text, &h, error);
   if (code)

@@ -116,16 +116,75 @@ static std::vector<ContactTriangle> read_for_all(MPI_Comm world, const std::stri
 }
 
 DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive)
-    : drive_(drive), origin_(0), has_begun_(false) {
+    : drive_(drive), path_(path), scale_(scale), extent_(Bounds::none()), origin_(0),
+      has_begun_(false) {
   std::vector<ContactTriangle> triangles = read_for_all(world, path);
   std::vector<int> id(triangles.size());
   pieces_ = triangles.size();
   for (size_t i = 0; i < pieces_; i++) {
     id[i] = static_cast<int>(i);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
       vector_scale(scale, triangles[i].node[k]);
+      extent_.include(triangles[i].node[k]);
+    }
   }
   set_triangles(triangles, id);
+}
+
+static std::string text_of(const Bounds &b) {
+  return text("x %.6g to %.6g, y %.6g to %.6g, z %.6g to %.6g", b.lo[0], b.hi[0], b.lo[1], b.hi[1],
+              b.lo[2], b.hi[2]);
+}
+
+std::string DrivenMesh::describe() const {
+  return text("stl %s: %zu triangles, ", path_.c_str(), pieces_) + text_of(extent_) +
+         text(" (scale %g)", scale_);
+}
+
+static double longest_side(const Bounds &b) {
+  return std::max(std::max(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]), b.hi[2] - b.lo[2]);
+}
+
+/* Between common units of length that a mesh may be in: mm, um, m, cm and nm. */
+static const double SCALES[] = {1e-3, 1e-6, 1e3, 1e6, 1e-2, 1e2, 1e-9, 1e9};
+
+/* A mesh may stand out of its box by this part of it, and is far too large, or too small to be what
+ * was meant, from this many times its size. */
+static const double STANDS_OUT = 0.1, SIZES_APART = 100;
+
+/* The first of the scales that brings a mesh into the box; 0: none does. */
+static double fitting(const Bounds &mesh, const Bounds &box) {
+  Bounds room = box;
+  room.widen(STANDS_OUT * longest_side(box));
+  for (double by : SCALES) {
+    Bounds scaled = mesh;
+    for (int d = 0; d < 3; d++) {
+      scaled.lo[d] *= by;
+      scaled.hi[d] *= by;
+    }
+    if (room.has(scaled) && SIZES_APART * longest_side(scaled) > longest_side(box))
+      return by;
+  }
+  return 0;
+}
+
+std::string DrivenMesh::misfit(const Bounds &box, const double period[3]) const {
+  Bounds images = box;
+  for (int d = 0; d < 3; d++) {
+    images.lo[d] -= period[d];
+    images.hi[d] += period[d];
+  }
+  const bool outside = !drive_.moves() && !extent_.meets(images);
+  const double times = longest_side(extent_) / longest_side(box);
+  if (!outside && !(times > SIZES_APART))
+    return "";
+  const double by = fitting(extent_, box);
+  return describe() +
+         (outside ? ": it lies outside of the box, "
+                  : text(": it is %.3g times as large as the box, ", times)) +
+         text_of(box) +
+         (by > 0 ? text("; 'scale %g' would bring it in", by * scale_)
+                 : "; no scale between m, cm, mm, um and nm would bring it in");
 }
 
 void DrivenMesh::setup(double time) {

@@ -45,6 +45,14 @@ public:
     return pieces_;
   }
 
+  /* How many triangles there are and how far they reach, for the log. */
+  std::string describe() const;
+
+  /* What is wrong where the mesh is at rest outside of the box and its next images (`period` 0
+   * where there are none), or over 100 times as large, and which scale would bring it in; else
+   * empty. */
+  std::string misfit(const Bounds &box, const double period[3]) const;
+
   /* At the beginning of a run, and of each step: the time of the wall's own clock. */
   void setup(double time);
   void begin_step(double time, double dt);
@@ -55,6 +63,9 @@ public:
 
 private:
   Drive drive_;
+  std::string path_;
+  double scale_;
+  Bounds extent_; /* where the motion begins */
   size_t pieces_;
   double origin_;
   bool has_begun_;

@@ -28,9 +28,9 @@ std::string for_types(int n, const char *first, const char *other) {
 } // namespace
 
 Model::Model(const Engine &engine)
-    : engine_(engine), units_(), d_range_(), deposit_(FREEZE), seed_(1), lay_(),
-      profile_(NULL, asp_profile_free), map_(NULL, asp_map_free), wall_(NULL, asp_wall_free),
-      is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {}
+    : engine_(engine), units_(), d_range_(), sampled_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
+      lay_(), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
+      wall_(NULL, asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {}
 
 /* ---- words of the script ----------------------------------------------------------------------
  */
@@ -117,10 +117,15 @@ void Model::read_measured() {
   if (!(units_.metre > 0))
     throw Error(std::string(is_map ? "a map" : "a profile") +
                 " is in SI units, which cannot be converted to " + units_name_);
+  Reading reading;
   if (is_map)
-    map_ = read_map(engine_.world(), path, units_.metre, report_);
+    map_ = read_map(engine_.world(), path, units_.metre, reading);
   else
-    profile_ = read_profile(engine_.world(), path, units_.metre, report_);
+    profile_ = read_profile(engine_.world(), path, units_.metre, reading);
+  report_ = reading.report;
+  if (!reading.doubts.empty())
+    engine_.warn(std::string(is_map ? "surface map " : "surface profile ") + path + ": " +
+                 reading.doubts);
   asp_wall_set_profile(wall_.get(), profile_.get());
   asp_wall_set_map(wall_.get(), map_.get());
   if (asp_wall_complete(wall_.get(), &wrong))
@@ -161,6 +166,7 @@ void Model::fit_sizes() {
     const asp_surface *surface = asp_wall_surface(wall_.get());
     if (surface && asp_surface_check(surface, most, &wrong))
       throw Error(wrong.text);
+    check_sampling(least);
     return;
   }
   if (is_made_ && least >= d_range_[0] && most <= d_range_[1])
@@ -169,6 +175,30 @@ void Model::fit_sizes() {
   d_range_[1] = std::max(d_range_[1], most);
   is_new_ = true;
   make();
+  check_sampling(least);
+}
+
+/* Warns once of a measured wall that tells little about the least of the particles. */
+void Model::check_sampling(double least) {
+  asp_error doubt;
+  asp_code code = ASP_OK;
+  if (!(least < sampled_for_) || !measured())
+    return;
+  sampled_for_ = least;
+  if (profile_) {
+    const double spacing = asp_profile_spacing(profile_.get());
+    code = asp_sampling_check(least, spacing, asp_profile_points(profile_.get()) * spacing,
+                              asp_surface_lambda_c(asp_wall_surface(wall_.get())), &doubt);
+  } else if (map_) {
+    const double step_x = asp_map_step_x(map_.get()), step_y = asp_map_step_y(map_.get());
+    code = asp_sampling_check(
+        least, std::max(step_x, step_y),
+        std::min(asp_map_columns(map_.get()) * step_x, asp_map_rows(map_.get()) * step_y),
+        asp_map_get(map_.get(), "lambda_2", NULL), &doubt);
+  }
+  if (code)
+    engine_.warn(std::string("surface ") + (map_ ? "map " : "profile ") +
+                 asp_wall_word(wall_.get(), "file") + ": " + doubt.text);
 }
 
 /* The values of a constant of the script; empty where there are none and none are needed. */

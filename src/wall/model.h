@@ -91,6 +91,7 @@ private:
   void read_measured();
   void make();
   void fit_sizes();
+  void check_sampling(double least);
   void constants(const char *name, bool pairs, bool needed, const char *example,
                  std::vector<double> &values) const;
   void find_materials(const std::vector<int> &wall_types);
@@ -111,6 +112,7 @@ private:
   asp_units units_;
   std::string report_, materials_report_; /* what the reader of a file found; the constants */
   double d_range_[2];
+  double sampled_for_; /* the least diameter whose sampling was checked */
   Deposit deposit_;
   uint32_t seed_;
   asp_lay lay_;

@@ -21,7 +21,7 @@ static void broadcast(MPI_Comm world, std::string &text) {
 template <class Object, class Owner>
 static void read_first(MPI_Comm world, const std::string &path, double metre,
                        Object *(*read)(asp_reader *, const char *, asp_error *), Owner &owner,
-                       std::string &report) {
+                       Reading &reading) {
   std::string wrong;
   asp_error error;
   int rank;
@@ -31,22 +31,24 @@ static void read_first(MPI_Comm world, const std::string &path, double metre,
                                                                asp_reader_free);
     if (reader && !asp_reader_set(reader.get(), "metre", metre, &error))
       owner.reset(read(reader.get(), path.c_str(), &error));
-    if (owner)
-      report = asp_reader_text(reader.get());
-    else
+    if (owner) {
+      reading.report = asp_reader_text(reader.get());
+      reading.doubts = asp_reader_check(reader.get(), &error) ? error.text : "";
+    } else
       wrong = error.text;
   }
   broadcast(world, wrong);
   if (!wrong.empty())
     throw Error(wrong);
-  broadcast(world, report);
+  broadcast(world, reading.report);
+  broadcast(world, reading.doubts);
 }
 
 Profile asperity::read_profile(MPI_Comm world, const std::string &path, double metre,
-                               std::string &report) {
+                               Reading &reading) {
   Profile profile(NULL, asp_profile_free);
   asp_error error;
-  read_first(world, path, metre, asp_reader_read, profile, report);
+  read_first(world, path, metre, asp_reader_read, profile, reading);
 
   double spacing = profile ? asp_profile_spacing(profile.get()) : 0;
   long long points = profile ? static_cast<long long>(asp_profile_points(profile.get())) : 0;
@@ -63,10 +65,10 @@ Profile asperity::read_profile(MPI_Comm world, const std::string &path, double m
   return profile;
 }
 
-Map asperity::read_map(MPI_Comm world, const std::string &path, double metre, std::string &report) {
+Map asperity::read_map(MPI_Comm world, const std::string &path, double metre, Reading &reading) {
   Map map(NULL, asp_map_free);
   asp_error error;
-  read_first(world, path, metre, asp_reader_read_map, map, report);
+  read_first(world, path, metre, asp_reader_read_map, map, reading);
 
   double step[2] = {map ? asp_map_step_x(map.get()) : 0, map ? asp_map_step_y(map.get()) : 0};
   unsigned long long side[2] = {map ? asp_map_columns(map.get()) : 0,

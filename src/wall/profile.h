@@ -16,12 +16,17 @@ namespace asperity {
 typedef std::unique_ptr<asp_profile, void (*)(asp_profile *)> Profile;
 typedef std::unique_ptr<asp_map, void (*)(asp_map *)> Map;
 
-/* Reads path, with `metre` of the result's units to a metre; collective. `report` becomes what the
- * reader found and did. Throws the reader's message, an Error, on all ranks. */
-Profile read_profile(MPI_Comm world, const std::string &path, double metre, std::string &report);
+/* What the reader found and did, and what it doubts about the heights, or "". */
+struct Reading {
+  std::string report, doubts;
+};
+
+/* Reads path, with `metre` of the result's units to a metre; collective. Throws the reader's
+ * message, an Error, on all ranks. */
+Profile read_profile(MPI_Comm world, const std::string &path, double metre, Reading &reading);
 
 /* The same of a map. */
-Map read_map(MPI_Comm world, const std::string &path, double metre, std::string &report);
+Map read_map(MPI_Comm world, const std::string &path, double metre, Reading &reading);
 
 } // namespace asperity
 

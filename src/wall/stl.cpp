@@ -12,6 +12,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <memory>
 #include <sstream>
@@ -25,6 +26,11 @@ using namespace asperity;
 namespace {
 
 const size_t HEAD = 84, RECORD = 50, NORMAL = 12;
+
+/* A word of the format, in small letters or large. */
+bool is(const std::string &word, const char *name) {
+  return strcasecmp(word.c_str(), name) == 0;
+}
 
 std::string read_all(const std::string &path) {
   std::unique_ptr<FILE, int (*)(FILE *)> file(fopen(path.c_str(), "rb"), fclose);
@@ -118,29 +124,29 @@ void Reader::vertex() {
 
 void Reader::take_line() {
   const std::string &first = words_[0], second = words_.size() > 1 ? words_[1] : "";
-  if (state_ == OUTSIDE && first == "solid")
+  if (state_ == OUTSIDE && is(first, "solid"))
     state_ = SOLID;
   else if (state_ == OUTSIDE)
     fail("it must be 'solid NAME', with which a text begins");
-  else if (state_ == SOLID && first == "endsolid")
+  else if (state_ == SOLID && is(first, "endsolid"))
     state_ = OUTSIDE;
-  else if (state_ == SOLID && first == "facet")
+  else if (state_ == SOLID && is(first, "facet"))
     state_ = FACET;
   else if (state_ == SOLID)
     fail("it must be 'facet normal X Y Z' or 'endsolid'");
-  else if (state_ == FACET && first == "outer" && second == "loop") {
+  else if (state_ == FACET && is(first, "outer") && is(second, "loop")) {
     state_ = LOOP;
     corners_ = 0;
   } else if (state_ == FACET)
     fail("it must be 'outer loop'");
-  else if (state_ == LOOP && first == "vertex")
+  else if (state_ == LOOP && is(first, "vertex"))
     vertex();
-  else if (state_ == LOOP && first == "endloop" && corners_ == 3) {
+  else if (state_ == LOOP && is(first, "endloop") && corners_ == 3) {
     state_ = LOOP_DONE;
     triangles_.push_back(triangle_);
   } else if (state_ == LOOP)
     fail(text("it must be the facet's vertex %d of 3, 'vertex X Y Z'", corners_ + 1));
-  else if (first == "endfacet")
+  else if (is(first, "endfacet"))
     state_ = SOLID;
   else
     fail("it must be 'endfacet'");
@@ -171,7 +177,7 @@ std::vector<ContactTriangle> Reader::read(const std::string &bytes) {
 
 std::vector<ContactTriangle> asperity::read_stl(const std::string &path) {
   const std::string bytes = read_all(path);
-  const bool is_text = bytes.compare(0, 5, "solid") == 0;
+  const bool is_text = strncasecmp(bytes.c_str(), "solid", 5) == 0;
   if (!is_binary(bytes) && !is_text && bytes.size() >= HEAD)
     throw Error(text("STL file '%s' is no text that begins with 'solid', and has %zu bytes; a "
                      "binary one of %u triangles, as it says, must have %.0f",

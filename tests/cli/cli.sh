@@ -16,13 +16,14 @@ column() { # NAME FILE
   awk -F, -v name="$1" '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == name) k = i; next } { print $k }' "$2"
 }
 
-# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, writes nothing.
+# refuses STATUS WORD... -- ARGUMENTS: exits with the status, says one line with the words, besides warnings, writes
+# nothing.
 refuses() {
   local status=$1 words=() got=0; shift
   while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
   "$asperity" "$@" > out 2> err || got=$?
   [ $got = "$status" ] || die "exit $got, not $status: asperity $*: $(cat err)"
   [ ! -s out ] || die "wrote something: asperity $*"
-  [ "$(wc -l < err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
+  [ "$(grep -vc "^asperity: warning: " err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
   for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
 }

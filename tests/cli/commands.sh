@@ -49,6 +49,9 @@ paste -d, <(rows own) <(rows ledger) | awk -F, '{ n++; deposits += $29
     same = ($9 == "") == ($28 == "") && $29 == ($10 == "deposit") && $11 == n
     if (!near || !same) { print; bad = 1 } } END { exit bad || n != 120 || deposits < 20 || deposits > 100 }' || die "cor --columns ledger: other numbers"
 refuses 2 "own or ledger" -- cor --model none --columns both
+refuses 2 "'-sigma'" "begin with --" -- cor -sigma 5
+refuses 2 "'-s'" -- cor --model none -s 5
+refuses 2 "'--gloss'" -- cor --gloss 5
 "$asperity" materials | grep -q '^hastelloy-x,.*handbook values",no$' || die "materials"
 
 # pictures
@@ -56,6 +59,7 @@ refuses 2 "own or ledger" -- cor --model none --columns both
 head -c 4 cor.png | grep -q PNG || die "cor --plot"
 "$asperity" cor --rq 5um --lambda-c 40um --samples 500 --plot cor.svg -o c 2> err
 grep -q 'of the impacts and .* of the means lie outside' cor.svg && grep -q 'one of 3' cor.svg || die "cor --plot: what it leaves out"
+! grep -q Symbol cor.svg && grep -q 'α' cor.svg && grep -q 'λ' cor.svg || die "cor --plot: Greek letters are those of another font"
 "$asperity" cor --sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
 ! grep -q warning err || die "cor --plot of one impact: $(cat err)"
 "$asperity" cor --sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err

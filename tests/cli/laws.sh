@@ -57,6 +57,8 @@ refuses 2 "--rebound is 'bons,walton'" "one law" -- rebound --rebound bons,walto
 refuses 2 "--compliance" "none of --rebound bons,forder" -- rebound --map angles --rebound bons,forder --compliance 3
 refuses 2 "--set" "goes with one law" -- rebound --map angles --rebound bons,forder --set a=1
 refuses 2 "--speed is given" -- rebound --map capture --speed 5
+refuses 2 "--dp is '1um,5um:200um'" "a range is from:to:step" -- rebound --map capture --dp 1um,5um:200um
+refuses 2 "--speed is '1,5:200'" -- rebound --map regimes --speed 1,5:200
 "$asperity" rebound --map angles --dp 1um,10um --plot stick.svg > a 2> err
 grep -q '1 µm, 100 m/s (sticks)' stick.svg && ! grep -q warning err || die "a curve that sticks: $(cat err)"
 "$asperity" rebound --map angles --dp 1um --speed 1 --plot stick.svg > a 2> err || die "only curves that stick: $(cat err)"
@@ -156,10 +158,32 @@ refuses 2 "two files" -- compare gt.csv
 refuses 1 "no.csv" -- compare no.csv d.csv
 refuses 1 "no.csv" -- compare gt.csv no.csv
 printf 'angle,cor_n\n30,0.5\n' > bad.csv; refuses 2 "'alpha1_deg' is missing" "angle cor_n" -- compare gt.csv bad.csv
-printf 'alpha1_deg,e_n\n30,0.5\n' > bad.csv; refuses 2 "neither points nor means" -- compare gt.csv bad.csv
+printf 'alpha1_deg,restitution\n30,0.5\n' > bad.csv; refuses 2 "neither points nor means" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n,cor_n_mean\n30,0.5,0.5\n' > bad.csv; refuses 2 "both points and means" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n\n30,0.5\n40 0.6\n' > bad.csv; refuses 2 "bad.csv:3" "1 fields" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n\n120,0.5\n' > bad.csv; refuses 2 "bad.csv:2" "0 to 90" -- compare gt.csv bad.csv
+bad() { printf '%b' "$1" > bad.csv; shift; refuses 2 bad.csv "$@" -- compare gt.csv bad.csv; }
+bad 'alpha1_deg,cor_n,outcome\n30,0.5,lost\n' bad.csv:2 "outcome is 'lost'" "rebound or deposit"
+bad 'alpha1_deg,cor_n [%]\n30,50\n' "'cor_n [%]'" "a number such as 0.5"
+bad 'alpha1_deg,cor_n\n30,50\n60,40\n' "2 of 2 coefficients" "per cent"
+bad 'alpha1_deg,cor_n,v1 [km/h]\n30,0.5,3\n' "'v1 [km/h]'" "m_s, cm_s or mm_s"
+bad 'alpha1_deg,cor_n,v1_kmh\n30,0.5,3\n' "'v1_kmh'" "m_s, cm_s or mm_s"
+bad 'alpha1_deg,cor_n,dp\n30,0.5,3\n' "'dp' is not stated" dp_um
+bad 'alpha1_deg,cor_n,CoR_N [-]\n30,0.5,0.3\n' "columns 2 and 3, 'cor_n' and 'CoR_N [-]'" "must be one"
+bad 'alpha1_deg,cor_n\n30,0.5,3\n' bad.csv:2 "3 fields under 2"
+bad '1,2\n3,4\n' bad.csv:1 "'1' stands where a column name"
+# the dialects of other people's tables, each with the same rows; what is stuck is a deposit
+printf 'alpha1_deg,cor_n,cor_t,dp_um,v1_m_s,outcome\n30,0.5,0.7,10,20,rebound\n30,,,10,20,deposit\n60,0.25,0.75,10,20,rebound\n' > plain.csv
+"$asperity" cor --model none --angles 30,60 --speed 20 --samples 3 -o ours.csv
+"$asperity" compare ours.csv plain.csv 2> err | grep -v '^#' > wanted
+rows=(30 0,5 0,7 10 20 Rebound 30 '' '' 10 20 stuck 60 0,25 0,75 10 20 0)
+dialect() { # LINES ABOVE, format of a row, mark of decimals
+  { printf '%b' "$1"; printf "$2" "${rows[@]//,/$3}"; } > other.csv
+  "$asperity" compare ours.csv other.csv 2> err | grep -v '^#' | cmp -s - wanted || die "compare: another dialect: $1: $(cat err)"
+}
+dialect 'sep=;\r\nRig 3, 2019\r\nProbe;A12\r\nAufprallwinkel [°];e_n;e_t [-];Durchmesser [µm];Aufprallgeschwindigkeit [m/s];outcome\r\n' '%s;%s;%s;%s;%s;%s\r\n' ,
+dialect '# rig\nα1\te_n\te_t\td_p\tv1\toutcome\n[°]\t-\t-\tum\tm/s\t\n' '%s\t%s\t%s\t%s\t%s\t%s\n' ,
+dialect 'Measured in May\n\nimpact angle (deg),CoR_N,CoR_T,particle diameter (um),impact speed (m/s),outcome\n' '%s,%s,%s,%s,%s,%s\n' .
 printf 'alpha1_deg,cor_n\n' > bad.csv; refuses 2 "no row of data" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n,outcome\n30,0.5,rebound\n' > few.csv; printf 'alpha1_deg,cor_n\n60,0.5\n' > far.csv
 "$asperity" compare few.csv far.csv > s 2> err && die "compare: no overlap"

@@ -34,8 +34,8 @@ grep -q 'polynomial of degree 2' m || die "form"
 "$asperity" surface --profile raw.txt --unit um,nm --gaps fill --dp 20um | grep -q 'phi_r 0.00' || die "--unit um,nm"
 refuses 1 'the spacing is not equal' -- surface --profile raw.txt --unit um --gaps fill --spacing refuse
 # dust that nobody asks for is told of
-"$asperity" surface --profile raw.txt --unit um --gaps fill --dp 20um 2>&1 > /dev/null | grep -q 'warning: 1 points .* --spikes 12' || die "dust is not told"
-! "$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --dp 20um 2>&1 > /dev/null | grep -q 'warning: 1 points' || die "dust that was taken out is told"
+"$asperity" surface --profile raw.txt --unit um --gaps fill --dp 20um 2>&1 > /dev/null | grep -q 'warning: raw.txt: 1 of 2995 points .* --spikes 12' || die "dust is not told"
+! "$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --dp 20um 2>&1 > /dev/null | grep -q 'as dust does' || die "dust that was taken out is told"
 "$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --level 0.2 | grep -q 'lambda_c (0.2 lag)' || die "--level"
 printf 'aISO-1.0\nNumPoints = 200\nNumProfiles = 40\nXscale = 1e-6\nYscale = 2e-6\nZscale = 1e-6\n*\n' > map.sdf
 awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0.4) + cos(int(i / 200) * 0.4) + 0.1 * rand() } }' >> map.sdf
@@ -47,7 +47,14 @@ refuses 1 cut.sdf:3 'within the SDF header' -- surface --profile cut.sdf
 "$asperity" surface --profile short.csv > /dev/null 2> err
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 400; i++) print i "," sin(i / 30) }'; } > short.csv
 "$asperity" surface --profile short.csv > m 2> err
-grep -q 'lambda_c long' err && grep -q '^# only .* lambda_c long' m || die "a short profile is not said"
+grep -q 'short.csv: .*only .* correlation lengths long' err || die "a short profile is not said"
+# every command that reads a wall says what is doubtful about it, of profiles and of maps
+head -n 6000 profile.csv > some.csv
+awk 'NR == 3000 { sub(/,.*/, ",30") } 1' some.csv > dusty.csv
+for command in "cor --samples 2" "spread --angle 20 --samples 2"; do
+  "$asperity" $command --profile dusty.csv --dp 2um 2>&1 > /dev/null | grep 'as dust does' | grep -q 'dusty.csv: ' || die "$command: dust is not told"
+  "$asperity" $command --profile some.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers .* points' || die "$command: few points are not told"
+done
 
 # Filters: a wave of 800 um and one of 8 um; half of a wave passes at the cut-off. The robust filter is not drawn by a
 # deep valley.
@@ -78,7 +85,7 @@ refuses 1 map.sdf 'unit is given' SDF -- surface --profile map.sdf --unit um
 refuses 1 'row 2 is asked for' -- surface --profile waves.csv --row 2
 refuses 1 --dp "the map's points" -- surface --map map.sdf --dp 1um
 "$asperity" surface --map map.sdf --dp 12um 2> err > /dev/null
-grep -q 'covers 6 points of the map along a side' err || die "few points of a map per particle"
+grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"
 
 # Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
 refuses 2 --gaps 'of which it says nothing' -- surface --rq 5um --lambda-c 40um --gaps fill

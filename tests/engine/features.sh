@@ -55,13 +55,29 @@ run 150'
 rm -f rows.csv; engine 2 runs.in
 same <(rows plain.csv) <(rows rows.csv) "reset_timestep"
 
-# A wall that is drawn in other units of length.
-awk '$1 == "vertex" { printf "vertex %.17g %.17g %.17g\n", 1000 * $2, 1000 * $3, 1000 * $4; next } { print }' plate.stl > mm.stl
+# A wall that is drawn in other units of length, in large letters: the log says how far it reaches, and where it misses
+# the box, or is far too large for it, which scale it wants.
+awk '$1 == "vertex" { printf "vertex %.17g %.17g %.17g\n", 1000 * $2, 1000 * $3, 1000 * $4; next } { print }' plate.stl |
+  tr a-z A-Z > mm.stl
+awk '$1 == "vertex" { $4 = "0.05" } { print }' plate.stl > far.stl
 in_metres=$wall
-wall=${wall/plate.stl/mm.stl scale 1e-3}
-script scale '' ''
-wall=$in_metres
-unchanged scale 2 1e-9
+# reports NAME FILE WARNING: one line of what the mesh is; the warning, or none where it is empty.
+reports() {
+  wall=${in_metres/plate.stl/$2}
+  script "$1" '' '' "${4:-run 0}"
+  wall=$in_metres
+  [ "${4:-}" ] || engine 1 "$1.in"
+  [ -z "${4:-}" ] || unchanged "$1" 2 1e-9
+  [ "$(grep -c "^fix wall wall/rebound: stl .*: 72 triangles, x -*[0-9.e-]* to " "$1.in.screen")" = 1 ] || die "$1: the log does not say what the mesh is"
+  if [ "$3" ]; then [ "$(grep -c "WARNING: .*$3" "$1.in.screen")" = 1 ] || die "$1: $(grep WARNING "$1.in.screen")"
+  else ! grep WARNING "$1.in.screen" | grep -q stl || die "$1: $(grep WARNING "$1.in.screen")"; fi
+}
+reports scale 'mm.stl scale 1e-3' '' 'run 400'
+grep -q '72 triangles, x -0.0019 to 0.0039, y -0.0019 to 0.0039, z 0 to 0 (scale 0.001)' scale.in.screen || die "the mesh's extent"
+reports large mm.stl "times as large as the box, x .*'scale 0.001' would bring it in"
+reports half 'mm.stl scale 0.5' "times as large as the box, x .*'scale 0.0005' would bring it in"
+reports far far.stl 'it lies outside of the box, .*no scale between m, cm, mm, um and nm'
+reports coming 'far.stl move linear 0 0 -1' ''
 
 # Groups, and walls beside each other: each grain is its own group's wall's.
 script groups 'group odd id 1:400:2

@@ -33,6 +33,22 @@ grep -q 'profile wall.csv (20000 points read' si.in.screen || die "the log does 
 grep -q 'uncertain by about' si.in.screen || die "the log does not say how uncertain one profile is"
 grep -E '^  bin [0-9]+: d_p' si.in.screen | tr -d , | awk '{ print $4, $6 }' > bins
 [ "$(wc -l < bins)" = 7 ] || die "not 7 bins in the log"
+! grep WARNING si.in.screen | grep -qE 'dust|covers|clipped|correlation lengths' || die "a warning of a good profile: $(grep WARNING si.in.screen)"
+
+# A doubtful profile, and a doubtful map: one warning each, once for all runs.
+awk 'NR == 3000 { sub(/,.*/, ",90") } 1' wall.csv > dusty.csv
+awk -F, '/^#/ || /^x/ { print; next } n++ % 8 == 0 && n < 1200' wall.csv > coarse.csv
+awk 'BEGIN { printf "# Width: 200 um\n# Height: 200 um\n# Value units: um\n"; srand(5); for (k = 0; k < 30; k++) { a[k] = 6.28 * rand(); b[k] = (0.1 + 0.01 * k) * cos(2.4 * k); c[k] = (0.1 + 0.01 * k) * sin(2.4 * k) }
+  for (j = 0; j < 100; j++) for (i = 0; i < 100; i++) { z = j == 40 && i == 70 ? 8 : 0; for (k = 0; k < 30; k++) z += 0.1 * sin(b[k] * i + c[k] * j + a[k]); printf "%.5f%s", z, i < 99 ? "\t" : "\n" } }' > map.txt
+warns() { # SURFACE WORDS
+  deck si 1 1 1 1 "$1" 'run 1\nrun 1' > doubt.in
+  engine 2 doubt.in -var out doubt.csv
+  [ "$(grep -c "WARNING: .*$2" doubt.in.screen)" = 1 ] || die "surface $1: $(grep WARNING doubt.in.screen)"
+}
+warns 'profile dusty.csv dp_bins 2' 'profile dusty.csv: .* of 20000 points .* as dust does'
+warns 'profile coarse.csv dp_bins 2' 'profile coarse.csv: a particle of d_p .* covers .* points .* only .* correlation lengths long'
+warns 'map map.txt' 'map map.txt: .* of 10000 points .* as dust does'
+warns 'map map.txt' 'map map.txt: a particle of d_p .* covers .* points'
 while read -r d_p sigma; do
   "$bin/asperity" surface --profile wall.csv --dp "$d_p" | tail -n 1 |
     awk -F, -v sigma="$sigma" '{ s = atan2($6, 1) * 180 / 3.14159265358979; d = s / sigma - 1; exit !(d < 2e-3 && d > -2e-3) }' ||

@@ -285,7 +285,8 @@ static void text_of_the_standard_is_read(void **state) {
   fclose(file);
   refuse("map", "heights end");
   file = begin("map");
-  fputs("aISO-1.0\n\nNumPoints = 7\nNumProfiles = 4\nXscale = 1.0E-6\nYscale = 2.0E-6\n"
+  fputs("\xEF\xBB\xBF" /* the mark of UTF-8 */
+        "aISO-1.0\n\nNumPoints = 7\nNumProfiles = 4\nXscale = 1.0E-6\nYscale = 2.0E-6\n"
         "Zscale = 1.0E-6\n*\n",
         file);
   for (int k = 0; k < 28; k++)
@@ -308,6 +309,7 @@ static void form_and_spikes_are_taken_out(void **state) {
   asp_reader_set(reader, "form", 2, NULL);
   write_matrix("map", head, ",");
   asp_map *plain = read_map("map");
+  assert_int_equal(asp_reader_check(reader, NULL), ASP_OK);
   for (int j = 0; j < ROWS; j++)
     for (int i = 0; i < COLUMNS; i++)
       heights[j][i] += 300 + 2.5 * i - 1.5 * j + 0.01 * i * j + 0.02 * i * i;
@@ -318,6 +320,10 @@ static void form_and_spikes_are_taken_out(void **state) {
   heights[33][44] += 400;
   heights[70][3] -= 400;
   write_matrix("map", head, ",");
+  asp_error doubt;
+  asp_map_free(read_map("map"));
+  assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
+  assert_non_null(strstr(doubt.text, "2 of 7680 points lie over 20"));
   asp_reader_set(reader, "spikes", 15, NULL);
   refuse("map", "one of 2 spikes");
   asp_reader_set(reader, "fill", 1, NULL);
@@ -368,6 +374,7 @@ static void bad_files_are_refused(void **state) {
   } all[] = {
       {"", "ends without a line"},
       {"DIGITAL SURF", "the free program Gwyddion"},
+      {"PK\x03\x04", "a zip (X3P"},
       {"bISO-1.0 x", "ends within its header"},
       {"aISO-1.0\nNumPoints = 3\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
        "NumPoints is 3; it must be 4"},

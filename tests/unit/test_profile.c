@@ -122,6 +122,10 @@ static void bad_profiles_are_refused(void **state) {
 
 /* ---- read ---- */
 
+#define SDF_HEAD                                                                                   \
+  "\n aISO-1.0\r\nManufacID = X\r\nNumPoints = 4\r\nNumProfiles=3\r\nXscale = 2.0E-6\r\n"          \
+  "Yscale=3.0E-6\r\nZscale = 1.0E-6\r\nCompression = 0\r\n"
+
 static asp_error error;
 static aspi_profile_report report;
 
@@ -254,6 +258,99 @@ static void an_instruments_own_file(void **state) {
   assert_near(d.r_q, sqrt(0.5) * 1e-6, 0.02e-6);
   asp_profile_free(p);
   free(text);
+}
+
+/* Data on the first line behind a mark, read twice for their uneven spacing: a wave keeps its R_q.
+ */
+static void the_mark_of_utf8_is_no_data(void **state) {
+  (void)state;
+  enum { N = 2000 };
+  char *text = malloc(N * 32), *end = text;
+  assert_non_null(text);
+  end += sprintf(end, "\xEF\xBB\xBF");
+  for (int i = 0; i < N; i++)
+    end += sprintf(end, "%.5f;%.6f\n", i + 0.3 * sin(i), sqrt(2) * 0.25 * sin(i / 50.));
+  aspi_profile_options o = aspi_profile_options_default();
+  o.unit_x = o.unit_z = 1e-6;
+  for (int k = 0; k < 2; k++) {
+    asp_profile *p = read_text(text + (k ? 3 : 0), &o);
+    assert_non_null(p);
+    assert_true(report.resampled);
+    assert_int_equal(report.bad, 0);
+    aspi_description d;
+    assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
+    assert_near(d.r_q, 0.25e-6, 0.003e-6);
+    asp_profile_free(p);
+  }
+  free(text);
+  expect("\xEF\xBB\xBF" SDF_HEAD "*\n1 2 3 4 1 2 3 4 1 2 3 4\n*\n", NULL, 4, 2e-6, 3e-6);
+  expect("\xEF\xBBx_um z_um\n0 1\n1 2\n2 4\n", NULL, 3, 1e-6, 4e-6); /* no mark */
+}
+
+/* A profile along a line in X and Y: its position is the distance along the line. */
+static void lines_in_x_and_y(void **state) {
+  (void)state;
+  const char *turned = "X [um],Y [um],Z [um]\n10,7,1\n9,8,2\n8,9,4\n7,10,8\n";
+  expect("X [um],Y [um],Z [um]\n10,7,1\n13,11,2\n16,15,4\n19,19,8\n", NULL, 4, 5e-6, 4e-6);
+  assert_non_null(strstr(report.text, "distances in columns 1 and 2, heights of column 3"));
+  expect("X;Y;Z\nmm;um;um\n0,003;0;1\n0,006;4;2\n0,009;8;4\n", NULL, 3, 5e-6, 4e-6);
+  expect("x_um y_um z_um\n3 0 1\n3 2 2\n3 4 4\n", NULL, 3, 2e-6, 4e-6);
+  expect("x_um y_um z_um\n3 5 1\n2 5 2\n1 5 4\n0 5 8\n", NULL, 4, 1e-6, 2e-6); /* X falls */
+  assert_non_null(strstr(report.text, "positions fall"));
+  expect(turned, NULL, 4, sqrt(2) * 1e-6, 2e-6); /* towards X */
+  expect_error("x_um y_um z_um\n0 0 1\n3 0 2\n3 4 3\n6 8 4\n", NULL, ASP_EDATA,
+               "scatter across a line");
+  aspi_profile_options o = aspi_profile_options_default();
+  o.form = -1;
+  o.x_column = "X";
+  expect(turned, &o, 4, 1e-6, 2e-6);
+  o.x_column = NULL;
+  char uneven[8000] = "x_um,y_um,z_um\n", *end = uneven + strlen(uneven);
+  for (int i = 0; i < 200; i++) {
+    double at = 5 * i + 2 * sin(i);
+    end += sprintf(end, "%.4f,%.4f,%.4f\n", 7 - 0.6 * at, 0.8 * at - 9, at);
+  }
+  asp_profile *p = read_text(uneven, &o);
+  assert_non_null(p);
+  assert_true(report.resampled);
+  for (int i = 0; i < 190; i++)
+    assert_near(asp_profile_heights(p)[i], i * asp_profile_spacing(p), 1e-9);
+  asp_profile_free(p);
+}
+
+/* Of text with more columns than anybody has names for, and of a wide map. */
+static void columns_far_to_the_right(void **state) {
+  (void)state;
+  char text[2000] = "", *end = text;
+  for (int line = 0; line < 4; line++)
+    for (int i = 0; i < 100; i++)
+      end += sprintf(end, "%d%c", i == 80 ? 1 << line : line + 1, i < 99 ? '\t' : '\n');
+  aspi_profile_options o = aspi_profile_options_default();
+  o.form = -1;
+  o.unit_x = o.unit_z = 1e-6;
+  o.column = 81;
+  expect(text, &o, 4, 1e-6, 4e-6);
+  o.column = 101;
+  expect_error(text, &o, ASP_EDATA, "without a line of two numbers");
+  o.column = 0;
+  o.z_column = "81";
+  expect(text, &o, 4, 1e-6, 4e-6);
+  o = (aspi_profile_options){.metre = 1, .form = -1, .row = 1, .column = 81};
+  char map[2000] = "aISO-1.0\nNumPoints = 100\nNumProfiles = 4\nXscale = 1e-6\nYscale = 2e-6\n"
+                   "Zscale = 1e-6\n*\n";
+  strcat(map, text);
+  expect(map, &o, 4, 2e-6, 4e-6);
+}
+
+/* Formats that are no text are named. */
+static void formats_are_named(void **state) {
+  (void)state;
+  static const char binary[] = "bISO-1.0\0\1\2\3\4", zip[] = "PK\3\4\24\0\0\0";
+  assert_null(read_bytes(binary, sizeof binary, NULL));
+  assert_non_null(strstr(error.text, "SDF in binary, which is read as a map"));
+  assert_null(read_bytes(zip, sizeof zip, NULL));
+  assert_non_null(strstr(error.text, "a zip (X3P"));
+  assert_non_null(strstr(error.text, "Gwyddion"));
 }
 
 /* Columns by their header: counters and times are no positions, whatever their place. */
@@ -501,6 +598,44 @@ static void spikes_are_marked_where_asked(void **state) {
   asp_profile_free(p);
 }
 
+/* Dust, heights in steps and heights that are cut off are each called what they are. */
+static void doubts_have_their_names(void **state) {
+  (void)state;
+  enum { N = 3000 };
+  static const struct {
+    double quantum, low, high, dust;
+    const char *name; /* NULL: no doubt */
+  } all[] = {{1e-3, -99, 99, 0, NULL},
+             {0.05, -99, 99, 0, NULL}, /* rounded, most neighbours are equal */
+             {1e-3, -99, 99, 30, "of 3000 points lie over 20 robust"},
+             {0.05, -99, 99, 30, "of 3000 points lie over 20 robust"},
+             {0.6, -99, 99, 0, "quantized, 8 levels of 0.6 um"},
+             {1e-3, -99, 1.2, 0, "points have the highest one"},
+             {1e-3, -1.2, 99, 0, "points have the lowest one"}};
+  char *text = malloc(N * 32);
+  assert_non_null(text);
+  asp_profile *p = asp_profile_create(1, 60, 1, N, 3, NULL);
+  for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+    char *end = text + sprintf(text, "x_um,z_um\n");
+    for (int i = 0; i < N; i++) {
+      double z = asp_profile_heights(p)[i] + (i == 1500 ? all[k].dust : 0);
+      z = fmin(fmax(z, all[k].low), all[k].high);
+      end += sprintf(end, "%d,%.6f\n", i, all[k].quantum * round(z / all[k].quantum));
+    }
+    asp_profile_free(read_text(text, NULL));
+    if (all[k].name ? !strstr(report.doubts, all[k].name) : *report.doubts)
+      fail_msg("case %zu: '%s'", k, report.doubts);
+    assert_true(all[k].dust > 0 || !strstr(report.doubts, "dust"));
+  }
+  asp_profile_free(p);
+  free(text);
+  assert_int_equal(asp_sampling_check(10, 1, 20, 1, &error), ASP_OK);
+  assert_int_equal(asp_sampling_check(9.9, 1, 20, 1, &error), ASP_ERANGE);
+  assert_non_null(strstr(error.text, "d_p 9.9 covers 9.9 points"));
+  assert_int_equal(asp_sampling_check(10, 1, 19, 1, &error), ASP_ERANGE);
+  assert_non_null(strstr(error.text, "only 19 correlation lengths long"));
+}
+
 /* Most points are off their neighbours by more than nearly nothing; what is left of them must not
  * be stretched over the others, nor reach GSL's solver and its error handler. */
 static void more_spikes_than_points_are_refused(void **state) {
@@ -547,10 +682,6 @@ static void bad_files_are_named_with_their_line(void **state) {
 }
 
 /* ---- SDF ---- */
-
-#define SDF_HEAD                                                                                   \
-  "\n aISO-1.0\r\nManufacID = X\r\nNumPoints = 4\r\nNumProfiles=3\r\nXscale = 2.0E-6\r\n"          \
-  "Yscale=3.0E-6\r\nZscale = 1.0E-6\r\nCompression = 0\r\n"
 
 static void sections_of_a_map(void **state) {
   (void)state;
@@ -602,7 +733,7 @@ static void readers_are_set_by_name(void **state) {
     double good, bad;
   } options[] = {{"unit_x", 1e-3, -1}, {"unit_z", 1e-6, NAN}, {"metre", 1e6, 0},
                  {"form", 2, 10},      {"spikes", 8, -1},     {"fill", 1, 0.5},
-                 {"resample", 0, NAN}, {"row", 2, 0},         {"column", 1, 65}};
+                 {"resample", 0, NAN}, {"row", 2, 0},         {"column", 1, -1}};
   asp_reader *reader = asp_reader_create(NULL);
   assert_non_null(reader);
   for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
@@ -664,6 +795,10 @@ int main(void) {
       cmocka_unit_test(units_that_must_be_asked_for),
       cmocka_unit_test(an_instruments_own_file),
       cmocka_unit_test(columns_are_chosen_by_their_header),
+      cmocka_unit_test(the_mark_of_utf8_is_no_data),
+      cmocka_unit_test(lines_in_x_and_y),
+      cmocka_unit_test(columns_far_to_the_right),
+      cmocka_unit_test(formats_are_named),
       cmocka_unit_test(files_of_all_kinds),
       cmocka_unit_test(suspicious_numbers_are_refused),
       cmocka_unit_test(marks_of_missing_heights),
@@ -672,6 +807,7 @@ int main(void) {
       cmocka_unit_test(missing_rows_are_a_gap),
       cmocka_unit_test(unequal_spacing_is_resampled_or_refused),
       cmocka_unit_test(spikes_are_marked_where_asked),
+      cmocka_unit_test(doubts_have_their_names),
       cmocka_unit_test(more_spikes_than_points_are_refused),
       cmocka_unit_test(bad_files_are_named_with_their_line),
       cmocka_unit_test(sections_of_a_map),
