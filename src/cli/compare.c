@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BIN, NEAR, OUTPUT, PLOT, N };
+enum { BIN, NEAR, MEASURED, OUTPUT = MEASURED + MEASURED_OPTION_COUNT, PLOT, N };
 
 static const char *const names[COR_BOTH] = {"cor_n", "cor_t"};
 
@@ -495,6 +495,7 @@ static int run(int argc, char **argv) {
                NULL},
       [NEAR] = {"near", "DEGREES[,SPEED[,SIZE]]",
                 "how far impacts may be from a place that none has: degrees, shares", FAR},
+      MEASURED_OPTIONS(MEASURED),
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw both; .png, .svg or .pdf", NULL},
   };
@@ -505,7 +506,7 @@ static int run(int argc, char **argv) {
   reach far = reach_of(&options[NEAR]);
   comparison c = {.names = {argv[first], argv[first + 1]},
                   .impacts = scatter_read_impacts(argv[first]),
-                  .data = measured_read(argv[first + 1])};
+                  .data = measured_read(argv[first + 1], &options[MEASURED])};
   qsort(c.impacts.points, c.impacts.count, sizeof *c.impacts.points, by_angle);
   leave_out(&c);
   make_bins(&c, &options[BIN]);

@@ -14,6 +14,9 @@
 /* Degrees below this, all of them, may be radians. */
 #define RADIANS_MOST 1.6
 
+/* Noise puts no rebound farther below the wall than so many degrees. */
+#define BELOW_MOST 20
+
 /* What a column can hold. */
 typedef enum kind { RATIO, ANGLE, SPEED, LENGTH, WORD } kind;
 enum {
@@ -73,10 +76,12 @@ static const struct {
 };
 enum { N_UNITS = sizeof units / sizeof *units };
 
-/* Where the columns stand in the file, -1 where they do not, and their units. */
+/* Where the columns stand in the file, -1 where they do not, their units, and what a column of a
+ * rebound is of. */
 typedef struct layout {
   int at[N_COLUMNS];
   double factor[N_COLUMNS];
+  measured_view view[N_COLUMNS];
 } layout;
 
 /* A name in small letters, Greek ones and signs written out, all others as single underscores:
@@ -110,11 +115,21 @@ static void plain(const char *name, char *to, size_t size) {
     memmove(to + 1, to + 2, strlen(to + 2) + 1);
 }
 
-/* Whether a name is that of a column, with a unit of its kind or none; factor 0: none. */
-static bool is_column(const char *name, int column, double *factor) {
+/* True for the name of a column, with a view where it is of a rebound's speed or angle, and with a
+ * unit of its kind or none; factor 0: none. */
+static bool is_column(const char *name, int column, double *factor, measured_view *view) {
+  static const char *const views[] = {"_plane", "_space"};
   size_t length = strlen(columns[column].name);
   if (strncmp(name, columns[column].name, length) != 0)
     return false;
+  *view = MEASURED_EITHER;
+  if (column == ALPHA2 || column == V2 || column == COR_V || column == COR_ALPHA)
+    for (int i = 0; i < 2; i++)
+      if (strncmp(name + length, views[i], strlen(views[i])) == 0) {
+        *view = (measured_view)i;
+        length += strlen(views[i]);
+        break;
+      }
   *factor = columns[column].kind == RATIO || columns[column].kind == WORD;
   if (!name[length])
     return true;
@@ -129,11 +144,16 @@ static bool is_column(const char *name, int column, double *factor) {
 static void find_columns(const aspi_csv *csv, const char *path, layout *l) {
   for (int c = 0; c < N_COLUMNS; c++) {
     l->at[c] = -1;
-    for (int i = 0; i < csv->columns && l->at[c] < 0; i++) {
+    for (int i = 0; i < csv->columns; i++) { /* the first, of those that say most of their view */
       char name[80];
+      double factor;
+      measured_view view;
       plain(csv->names[i], name, sizeof name);
-      if (is_column(name, c, &l->factor[c]))
-        l->at[c] = i;
+      if (!is_column(name, c, &factor, &view) || (l->at[c] >= 0 && l->view[c] <= view))
+        continue;
+      l->at[c] = i;
+      l->factor[c] = factor;
+      l->view[c] = view;
     }
     if (l->at[c] < 0 || l->factor[c] > 0)
       continue;
@@ -175,7 +195,8 @@ static asp_code read_numbers(const aspi_csv *csv, const layout *l, double *value
   for (int c = 0; c < N_COLUMNS; c++) {
     bool missing, angle = columns[c].kind == ANGLE;
     double full = (c == ALPHA2 ? 180 : 90) * (1 + 1e-9) / l->factor[c];
-    double least = angle || c >= SD ? 0 : -1e15;
+    double least = c == ALPHA2 ? -BELOW_MOST / l->factor[c] : angle || c >= SD ? 0 : -1e15;
+    full = c == ALPHA2 && l->view[c] == MEASURED_SPACE ? full / 2 : full;
     value[c] = NAN;
     if (!has(l, c) || columns[c].kind == WORD)
       continue;
@@ -193,7 +214,7 @@ static void of_components(double n1, double t1, double n2, double t2, measured_r
   double n = fabs(n1), t = fabs(t1);
   row->degrees = cli_degrees(atan2(n, t));
   row->v1 = hypot(n, t);
-  row->cor[COR_N] = n > 0 ? fabs(n2) / n : NAN;
+  row->cor[COR_N] = n > 0 ? n2 / n : NAN;
   row->cor[COR_T] = t > 1e-12 * n ? t2 / t1 : NAN;
 }
 
@@ -208,7 +229,7 @@ static measured_row row_of(const layout *l, const double *v, bool means) {
   if (means || has(l, POINT) || has(l, POINT + COR_T))
     return row;
   if (has_components(l))
-    of_components(v[V1_N], v[V1_T], v[V2_N], v[V2_T], &row);
+    of_components(v[V1_N], v[V1_T], fabs(v[V2_N]), v[V2_T], &row);
   else if (has(l, COR_V) && has(l, COR_ALPHA))
     of_components(sin(a1), cos(a1), v[COR_V] * sin(v[COR_ALPHA] * a1),
                   v[COR_V] * cos(v[COR_ALPHA] * a1), &row);
@@ -223,7 +244,7 @@ static measured_row row_of(const layout *l, const double *v, bool means) {
 
 static bool is_deposit(const aspi_csv *csv, const layout *l, const measured_row *row) {
   if (!has(l, OUTCOME))
-    return !(row->cor[COR_N] > 0) && !isnan(row->cor[COR_N]);
+    return !(fabs(row->cor[COR_N]) > 0) && !isnan(row->cor[COR_N]);
   const char *word = csv->fields[l->at[OUTCOME]];
   return strncmp(word, "deposit", 7) == 0 || strcmp(word, "deleted") == 0 || atoi(word) > 0;
 }
@@ -247,7 +268,34 @@ static void add(measured *data, measured_row row) {
   data->rows[data->count++] = row;
 }
 
-static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, asp_error *error) {
+/* What rebounds are of: the velocity in the plane, where coefficients or components are given. */
+static asp_code find_view(const aspi_csv *csv, const layout *l, measured *data, asp_error *error) {
+  bool ratios = has(l, COR_V) && has(l, COR_ALPHA);
+  int speed = ratios ? COR_V : V2, angle = ratios ? COR_ALPHA : ALPHA2;
+  data->view = MEASURED_PLANE;
+  if (data->means || has(l, POINT) || has(l, POINT + COR_T) || has_components(l))
+    return ASP_OK;
+  if (l->view[speed] != l->view[angle])
+    return aspi_text_fail(
+        &csv->text, csv->text.line, error,
+        "columns '%s' and '%s' are not of the same velocity; both must be of that "
+        "in the plane of incidence, or of that in space",
+        csv->names[l->at[speed]], csv->names[l->at[angle]]);
+  data->view = l->view[speed];
+  return ASP_OK;
+}
+
+/* Mirrors a rebound below the wall at it; false: it is left out. */
+static bool keep_above(measured_row *row, bool folds, size_t *below) {
+  if (!(row->cor[COR_N] < 0))
+    return true;
+  row->cor[COR_N] = -row->cor[COR_N];
+  (*below)++;
+  return folds;
+}
+
+static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, size_t *below,
+                          asp_error *error) {
   for (bool found;;) {
     double value[N_COLUMNS];
     asp_code code;
@@ -261,20 +309,33 @@ static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, asp_er
     if (isnan(row.degrees))
       return aspi_text_fail(&csv->text, csv->text.line, error,
                             "the impact angle is missing; v1_n and v1_t, or alpha1, must be there");
-    add(data, row);
+    if (data->means || keep_above(&row, data->folds, below))
+      add(data, row);
   }
 }
 
-measured measured_read(const char *path) {
-  measured data = {0};
+measured measured_read(const char *path, const cli_option *options) {
+  measured data = {.folds = cli_choice(&options[MEASURED_BELOW], "fold", "drop") == 0};
   layout l;
+  size_t below = 0;
   asp_error error;
   aspi_csv *csv = aspi_csv_open(path, &error);
   if (!csv)
     cli_bad_file(NULL, &error);
   find_columns(csv, path, &l);
-  if (find_form(csv, &l, &data.means, &error) || read_rows(csv, &l, &data, &error))
+  if (find_form(csv, &l, &data.means, &error) || find_view(csv, &l, &data, &error) ||
+      read_rows(csv, &l, &data, &below, &error))
     cli_bad_file(NULL, &error);
+  if (options[MEASURED_VIEW].value) {
+    int view = cli_choice(&options[MEASURED_VIEW], "plane", "space");
+    if (data.view != MEASURED_EITHER)
+      cli_bad_usage("--view is '%s'; the columns of %s say it themselves",
+                    options[MEASURED_VIEW].value, path);
+    data.view = view ? MEASURED_SPACE : MEASURED_PLANE;
+  }
+  if (below > 0)
+    cli_warn("%s: %zu rebounds are below the wall, as by noise; they are %s", path, below,
+             data.folds ? "mirrored at it (--below drop leaves them out)" : "left out");
   data.has_speed = has(&l, V1) || has_components(&l);
   data.has_size = has(&l, D_P);
   data.has_outcome = has(&l, OUTCOME);
@@ -289,6 +350,18 @@ measured measured_read(const char *path) {
              RADIANS_MOST);
   qsort(data.rows, data.count, sizeof *data.rows, by_place);
   return data;
+}
+
+void measured_need_view(const char *path, measured *data, bool matters) {
+  if (data->view == MEASURED_EITHER && matters)
+    cli_bad_usage(
+        "%s: are speed and angle of rebounds those in the plane of incidence, as one camera "
+        "sees them, or those in space? Name the columns v2_plane, alpha2_plane or "
+        "v2_space, alpha2_space (cor_v, cor_alpha alike), or give --view plane or --view "
+        "space",
+        path);
+  if (data->view == MEASURED_EITHER)
+    data->view = MEASURED_PLANE;
 }
 
 void measured_free(measured *data) {
