@@ -5,14 +5,18 @@
 #include "analysis/search.h"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_qrng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Points of the design over the bounds; searches from the best of them and from the start;
+/* Points of the design around the start, and how far it reaches and how
+ * far starts are apart, on the scale; searches from the best of them and from the start;
  * simulated impacts of a group in them. */
-enum { PROBES = 96, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
+#define AROUND 2.5
+#define APART 1.0
+enum { PROBES = 128, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
 
 /* Searches that end within this of the best sum of squares agree. */
 #define AGREED 1.0
@@ -50,7 +54,7 @@ static bool describes(double chi2, double dof) {
   return dof <= 0 || chi2 < DESCRIBED * dof || gsl_cdf_chisq_Q(chi2, dof) > CHANCE;
 }
 
-/* A Sobol sequence over the inner part of the bounds. */
+/* A Sobol sequence around the start. */
 static bool design(aspi_search *s, probe *probes) {
   const aspi_fit_problem *p = s->problem;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknowns);
@@ -59,8 +63,10 @@ static bool design(aspi_search *s, probe *probes) {
   for (int i = 0; i < PROBES; i++) {
     double share[FIT_UNKNOWNS_MOST];
     gsl_qrng_get(sequence, share);
-    for (size_t j = 0; j < p->n_unknowns; j++)
-      probes[i].at[j] = p->low[j] + (0.2 + 0.6 * share[j]) * (p->high[j] - p->low[j]);
+    for (size_t j = 0; j < p->n_unknowns; j++) {
+      double low = fmax(p->start[j] - AROUND, p->low[j]);
+      probes[i].at[j] = low + share[j] * (fmin(p->start[j] + AROUND, p->high[j]) - low);
+    }
     probes[i].squares = aspi_search_squares(s, probes[i].at);
     if (p->progress)
       p->progress(p->context, 0.1 * i / PROBES);
@@ -70,19 +76,40 @@ static bool design(aspi_search *s, probe *probes) {
   return true;
 }
 
+static bool is_apart(const aspi_fit_problem *p, const probe *point, const probe *from, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    double square = 0;
+    for (size_t j = 0; j < p->n_unknowns; j++)
+      square += gsl_pow_2(point->at[j] - from[i].at[j]);
+    if (square < APART * APART)
+      return false;
+  }
+  return true;
+}
+
+/* The start, and the best of the points that are not near to one another. */
+static size_t choose_starts(const aspi_fit_problem *p, const probe *probes, probe *starts) {
+  size_t n = 1;
+  memcpy(starts[0].at, p->start, sizeof p->start);
+  for (int i = 0; i < PROBES && n < STARTS; i++)
+    if (is_apart(p, &probes[i], starts, n))
+      starts[n++] = probes[i];
+  return n;
+}
+
 /* The best of many starts. */
 static bool look_around(aspi_search *s, aspi_fit *fit) {
   const aspi_fit_problem *p = s->problem;
-  probe probes[PROBES], ends[STARTS], *best = NULL;
+  probe probes[PROBES], starts[STARTS], ends[STARTS], *best = NULL;
   s->samples = search_samples(p);
   s->kind = p->scatters ? WEIGHTS_BOTH : WEIGHTS_DATA;
   s->fixed = false;
   if (!design(s, probes))
     return false;
-  memcpy(probes[0].at, p->start, sizeof p->start);
-  while (fit->starts < STARTS && fit->agreed < AGREEING) {
+  size_t most = choose_starts(p, probes, starts);
+  while (fit->starts < most && fit->agreed < AGREEING) {
     probe *end = &ends[fit->starts];
-    *end = probes[fit->starts++];
+    *end = starts[fit->starts++];
     end->squares = aspi_search_descend(s, end->at, 20, 5e-3, NULL);
     if (fit->starts == 1 || end->squares < best->squares)
       best = end;
@@ -90,7 +117,7 @@ static bool look_around(aspi_search *s, aspi_fit *fit) {
     for (size_t i = 0; i < fit->starts; i++)
       fit->agreed += ends[i].squares <= best->squares + AGREED;
     if (p->progress)
-      p->progress(p->context, 0.1 + 0.4 * (double)fit->starts / STARTS);
+      p->progress(p->context, 0.1 + 0.4 * (double)fit->starts / (double)most);
   }
   memcpy(fit->at, best->at, sizeof fit->at);
   s->samples = p->samples;
@@ -117,7 +144,7 @@ static void find_intervals(aspi_search *s, aspi_fit *fit, double scale) {
     if (error < VAGUE && fit->at[j] - room > p->low[j] && fit->at[j] + room < p->high[j])
       continue;
     fit->interval[j] = BY_RISE;
-    aspi_interval_by_rise(s, fit->at, fit->chi2, scale, j, &fit->low[j], &fit->high[j]);
+    aspi_interval_by_rise(s, fit->at, scale, j, &fit->low[j], &fit->high[j]);
   }
 }
 

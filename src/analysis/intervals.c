@@ -49,9 +49,10 @@ static double risen(aspi_search *s, const double *at, double wanted, size_t j, d
   return (inner + outer) / 2;
 }
 
-void aspi_interval_by_rise(aspi_search *s, const double *at, double chi2, double scale, size_t j,
-                           double *low, double *high) {
+void aspi_interval_by_rise(aspi_search *s, const double *at, double scale, size_t j, double *low,
+                           double *high) {
   const aspi_fit_problem *p = s->problem;
+  double chi2 = aspi_search_squares(s, at);
   double both = scale * gsl_cdf_chisq_Pinv(0.95, 1), one = scale * gsl_cdf_chisq_Pinv(0.90, 1);
   *low = risen(s, at, chi2 + both, j, p->low[j]);
   *high = risen(s, at, chi2 + both, j, p->high[j]);

@@ -26,7 +26,7 @@ enum { WEIGHING = 4 };
 
 /* Values have settled when a new set of weights moves them by less than this share of their error.
  */
-#define SETTLED 0.03
+#define SETTLED 0.01
 
 /* ---- the data ---------------------------------------------------------------------------------
  */
@@ -129,7 +129,6 @@ static bool differences(aspi_search *s, const double *at, size_t samples, bool w
   double(*off)[MOMENTS] = malloc(groups * sizeof *off);
   fine = fine && off;
   if (fine) {
-#pragma omp parallel for schedule(dynamic) reduction(&& : fine)
     for (size_t g = 0; g < groups; g++) {
       double model[MOMENTS];
       if (weigh) {
@@ -258,14 +257,19 @@ double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
  */
 
 /* A^-1 B A^-1 with A = J'J and B = J'SJ: whitening has a ridge, and S is the covariance of what is
- * whitened. A direction of no influence has a variance without end. */
-static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives, gsl_matrix *out) {
+ * whitened. A direction of no influence has a large variance. Also what chi^2 per degree of freedom
+ * then is on average, below 1 by the ridge (Satorra & Bentler 1994). */
+static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives, gsl_matrix *out,
+                          double *mean_chi2) {
   size_t n = derivatives->size1, p = derivatives->size2, row = 0;
   gsl_matrix *inverse = gsl_matrix_alloc(p, p), *middle = gsl_matrix_alloc(p, p),
              *turned = gsl_matrix_calloc(n, p);
   bool fine = inverse && middle && turned;
+  double trace = 0;
   for (size_t g = 0; fine && g < s->problem->n_groups; g++) {
     const aspi_weights *w = &s->weights[g];
+    for (int i = 0; i < w->n; i++)
+      trace += w->whitened[i][i];
     for (int i = 0; i < w->n; i++)
       for (int j = 0; j < w->n; j++)
         for (size_t k = 0; k < p; k++)
@@ -281,9 +285,11 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives, g
   }
   if (fine) {
     gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, derivatives, turned, 0, middle);
-    gsl_matrix *half = turned; /* p rows of it */
-    gsl_matrix_view top = gsl_matrix_submatrix(half, 0, 0, p, p);
+    gsl_matrix_view top = gsl_matrix_submatrix(turned, 0, 0, p, p); /* room, from here on */
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, inverse, middle, 0, &top.matrix);
+    for (size_t k = 0; k < p; k++)
+      trace -= gsl_matrix_get(&top.matrix, k, k);
+    *mean_chi2 = n > p ? trace / (double)(n - p) : 1;
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, &top.matrix, inverse, 0, out);
   }
   gsl_matrix_free(inverse);
@@ -304,9 +310,11 @@ bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
     memcpy(before, at, sizeof before);
     if (!aspi_search_weigh(s, at))
       break;
+    double mean_chi2;
     *chi2 = aspi_search_descend(s, at, round ? 1 : 3, 1e-4, derivatives);
-    if (!isfinite(*chi2) || !covariance_of(s, derivatives, covariance))
+    if (!isfinite(*chi2) || !covariance_of(s, derivatives, covariance, &mean_chi2))
       break;
+    *chi2 /= mean_chi2;
     settled = true;
     for (size_t j = 0; j < p; j++) {
       double error = sqrt(gsl_matrix_get(covariance, j, j));

@@ -42,8 +42,8 @@ bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
                         gsl_matrix *covariance);
 
 /* The 95 % interval of an unknown by the rise of chi^2, with the weights as they are. */
-void aspi_interval_by_rise(aspi_search *s, const double *at, double chi2, double scale, size_t j,
-                           double *low, double *high);
+void aspi_interval_by_rise(aspi_search *s, const double *at, double scale, size_t j, double *low,
+                           double *high);
 
 /* All of them by refits of synthetic data; false: there is no memory. */
 bool aspi_interval_by_bootstrap(const aspi_fit_problem *problem, aspi_fit *fit);

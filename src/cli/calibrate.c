@@ -90,7 +90,6 @@ static bool find_unknown(const calibration *c, const char *word, calibrate_unkno
                              .least = walls[i].least,
                              .most = walls[i].most};
     snprintf(u->name, sizeof u->name, "%s", walls[i].name);
-    u->bounded = walls[i].kind == OF_SIGMA;
     return true;
   }
   return false;
@@ -231,8 +230,8 @@ static aspi_fit find_unknowns(calibration *c) {
   for (size_t j = 0; j < c->n_unknown; j++) {
     const calibrate_unknown *u = &c->unknown[j];
     double start = calibrate_scaled(u, u->start);
-    p.low[j] = u->bounded ? -LOGISTIC : start - LOG_DOWN;
-    p.high[j] = u->bounded ? LOGISTIC : start + LOG_UP;
+    p.low[j] = u->bounded ? -LOGISTIC : fmax(start - LOG_DOWN, log(u->least));
+    p.high[j] = u->bounded ? LOGISTIC : fmin(start + LOG_UP, log(u->most));
     p.start[j] = fmin(fmax(start, p.low[j]), p.high[j]);
   }
   aspi_fit f;
