@@ -133,8 +133,8 @@ static double impacts_of(const aspi_fit_problem *p) {
 
 static void find_intervals(aspi_search *s, aspi_fit *fit, double scale) {
   const aspi_fit_problem *p = s->problem;
-  double freedom =
-      fmax(1, (p->known ? impacts_of(p) : (double)s->n_moments) - (double)p->n_unknowns);
+  double n = p->known ? impacts_of(p) : (double)s->n_moments;
+  double freedom = fmax(1, n / (double)p->n_unknowns - 1); /* few: second moments have long tails */
   double widths = gsl_cdf_tdist_Pinv(0.975, freedom);
   for (size_t j = 0; j < p->n_unknowns; j++) {
     double error = fit->error[j], room = NEAR * error;

@@ -14,7 +14,7 @@
 enum { HALVINGS = 7 };
 
 /* Synthetic data sets, and rounds of weights and simulated impacts of a group in each refit. */
-enum { REFITS = 200, REFIT_ROUNDS = 3, REFIT_SAMPLES = 300 };
+enum { REFITS = 200, REFIT_ROUNDS = 2, REFIT_SAMPLES = 100 };
 
 /* chi^2 with one unknown held, and the others at their best from where they were. */
 static double held_squares(aspi_search *s, double *others, size_t j, double at) {

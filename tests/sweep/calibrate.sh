@@ -12,7 +12,7 @@ export asperity
 # trial LAW IMPACTS SEED: rows LAW,IMPACTS,NAME,TRUTH,ESTIMATE,ERROR,LOW,HIGH,CHI2_PER_DOF. The search begins at 5 degrees, and
 # at constants half as large again.
 trial() {
-  local law=$1 each=$2 seed=$3 names options truth begin sigma=7.13
+  local law=$1 each=$2 seed=$((20 * $3 + ${#1})) names options truth begin sigma=7.13
   case $law in
     bons) names=sigma,friction,yield_stress options='--speed 60' truth='friction 0.3 yield_stress 2e8' begin='--speed 60 --mu 0.45 --yield 3e8' ;;
     thornton_ning) names=sigma,friction,yield_stress options='--speed 60 --mu 0.2 --yield 3e8' truth='friction 0.2 yield_stress 3e8' begin='--speed 60 --mu 0.3 --yield 2e8' ;;
