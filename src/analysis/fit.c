@@ -110,7 +110,7 @@ static bool look_around(aspi_search *s, aspi_fit *fit) {
   while (fit->starts < most && fit->agreed < AGREEING) {
     probe *end = &ends[fit->starts];
     *end = starts[fit->starts++];
-    end->squares = aspi_search_descend(s, end->at, 20, 5e-3, NULL);
+    end->squares = aspi_search_descend(s, end->at, 20, 5e-3, NULL, NULL);
     if (fit->starts == 1 || end->squares < best->squares)
       best = end;
     fit->agreed = 0;

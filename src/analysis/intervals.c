@@ -20,7 +20,7 @@ enum { REFITS = 200, REFIT_ROUNDS = 2, REFIT_SAMPLES = 100 };
 static double held_squares(aspi_search *s, double *others, size_t j, double at) {
   s->held = (int)j;
   s->held_at = others[j] = at;
-  double squares = aspi_search_descend(s, others, 6, 1e-3, NULL);
+  double squares = aspi_search_descend(s, others, 6, 1e-3, NULL, NULL);
   others[j] = at;
   s->held = -1;
   return squares;

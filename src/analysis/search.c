@@ -24,9 +24,10 @@
  * too small; and derivatives from this many. */
 enum { WEIGHING = 4 };
 
-/* Values have settled when a new set of weights moves them by less than this share of their error.
- */
-#define SETTLED 0.01
+/* Values have settled when new weights, and one more step, move them by less than this share of
+ * their errors; a step is small below the second. */
+#define SETTLED 0.02
+#define SMALL 0.5
 
 /* ---- the data ---------------------------------------------------------------------------------
  */
@@ -221,7 +222,7 @@ double aspi_search_squares(aspi_search *s, const double *at) {
 }
 
 double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
-                           gsl_matrix *derivatives) {
+                           gsl_matrix *derivatives, gsl_vector *gradient) {
   const aspi_fit_problem *p = s->problem;
   size_t unknowns = p->n_unknowns - (s->held >= 0), k = 0;
   if (unknowns == 0)
@@ -242,8 +243,10 @@ double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
     spread_out(s, gsl_multifit_nlinear_position(solver), at);
     gsl_vector *r = gsl_multifit_nlinear_residual(solver);
     gsl_blas_ddot(r, r, &squares);
-    if (derivatives)
+    if (derivatives) {
       gsl_matrix_memcpy(derivatives, gsl_multifit_nlinear_jac(solver));
+      gsl_blas_dgemv(CblasTrans, 1, derivatives, r, 0, gradient);
+    }
   }
   for (size_t j = 0; j < p->n_unknowns; j++)
     at[j] = fmin(fmax(at[j], p->low[j]), p->high[j]);
@@ -258,8 +261,10 @@ double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
 
 /* A^-1 B A^-1 with A = J'J and B = J'SJ: whitening has a ridge, and S is the covariance of what is
  * whitened. A direction of no influence has a large variance. Also what chi^2 per degree of freedom
- * then is on average, below 1 by the ridge (Satorra & Bentler 1994). */
-static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives, gsl_matrix *out,
+ * then is on average, below 1 by the ridge (Satorra & Bentler 1994), and the step that Gauss and
+ * Newton would go on with. */
+static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives,
+                          const gsl_vector *gradient, gsl_matrix *out, gsl_vector *step,
                           double *mean_chi2) {
   size_t n = derivatives->size1, p = derivatives->size2, row = 0;
   gsl_matrix *inverse = gsl_matrix_alloc(p, p), *middle = gsl_matrix_alloc(p, p),
@@ -284,6 +289,7 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives, g
     fine = !gsl_linalg_cholesky_decomp1(inverse) && !gsl_linalg_cholesky_invert(inverse);
   }
   if (fine) {
+    gsl_blas_dgemv(CblasNoTrans, -1, inverse, gradient, 0, step);
     gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, derivatives, turned, 0, middle);
     gsl_matrix_view top = gsl_matrix_submatrix(turned, 0, 0, p, p); /* room, from here on */
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, inverse, middle, 0, &top.matrix);
@@ -298,29 +304,43 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives, g
   return fine;
 }
 
+/* Goes the step where it is a small one: single impacts make the sum of squares too rough for a
+ * descent to end where its derivatives do. True: it is so small that values have settled. */
+static bool go_on(const aspi_search *s, double *at, const gsl_vector *step,
+                  const gsl_matrix *covariance) {
+  double most = 0;
+  for (size_t j = 0; j < step->size; j++)
+    most = fmax(most, fabs(gsl_vector_get(step, j)) / sqrt(gsl_matrix_get(covariance, j, j)));
+  for (size_t j = 0; j < step->size && most < SMALL && most > SETTLED; j++)
+    at[j] = fmin(fmax(at[j] + gsl_vector_get(step, j), s->problem->low[j]), s->problem->high[j]);
+  return most <= SETTLED;
+}
+
 bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
                         gsl_matrix *covariance) {
   size_t p = s->problem->n_unknowns;
   gsl_matrix *derivatives = gsl_matrix_alloc(s->n_moments, p);
-  bool settled = false;
+  gsl_vector *gradient = gsl_vector_alloc(p), *step = gsl_vector_alloc(p);
+  bool fine = derivatives && gradient && step, settled = false;
   s->fixed = true;
   *chi2 = INFINITY;
-  for (int round = 0; derivatives && round < rounds && !settled; round++) {
-    double before[FIT_UNKNOWNS_MOST];
+  for (int round = 0; fine && round < rounds && !settled; round++) {
+    double mean_chi2, before[FIT_UNKNOWNS_MOST];
     memcpy(before, at, sizeof before);
     if (!aspi_search_weigh(s, at))
       break;
-    double mean_chi2;
-    *chi2 = aspi_search_descend(s, at, round ? 1 : 3, 1e-4, derivatives);
-    if (!isfinite(*chi2) || !covariance_of(s, derivatives, covariance, &mean_chi2))
+    *chi2 = aspi_search_descend(s, at, round ? 1 : 3, 1e-4, derivatives, gradient);
+    fine = isfinite(*chi2) && covariance_of(s, derivatives, gradient, covariance, step, &mean_chi2);
+    if (!fine)
       break;
     *chi2 /= mean_chi2;
-    settled = true;
-    for (size_t j = 0; j < p; j++) {
-      double error = sqrt(gsl_matrix_get(covariance, j, j));
-      settled = settled && fabs(at[j] - before[j]) < SETTLED * error + 1e-5;
-    }
+    settled = go_on(s, at, step, covariance);
+    for (size_t j = 0; j < p; j++)
+      settled = settled &&
+                fabs(at[j] - before[j]) < SETTLED * sqrt(gsl_matrix_get(covariance, j, j)) + 1e-5;
   }
   gsl_matrix_free(derivatives);
+  gsl_vector_free(gradient);
+  gsl_vector_free(step);
   return settled;
 }

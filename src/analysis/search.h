@@ -28,10 +28,10 @@ void aspi_search_end(aspi_search *s);
 /* Takes frames, data and weights for these values; false: no such model. */
 bool aspi_search_weigh(aspi_search *s, const double *at);
 
-/* Least squares from there, to within `close` on the scale; the sum of squares, and in the end its
- * derivatives, where they are wanted. INFINITY: no such model. */
+/* Least squares from there, to within `close` on the scale; the sum of squares, and where wanted
+ * the derivatives in the end, and half the gradient of the sum. INFINITY: no such model. */
 double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
-                           gsl_matrix *derivatives);
+                           gsl_matrix *derivatives, gsl_vector *gradient);
 
 /* The sum of squares at some values. */
 double aspi_search_squares(aspi_search *s, const double *at);

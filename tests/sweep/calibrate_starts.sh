@@ -18,7 +18,7 @@ one() {
       if (law == "bons") printf "--speed 60 --mu %.4g --yield %.4g", 0.05 * 20 ^ rand(), 5e7 * 20 ^ rand()
       else printf "--set e=%.4g,mu=%.4g,beta0=0.2", 0.1 + 0.85 * rand(), 0.02 * 30 ^ rand()
       printf " --sigma %.4g\n", 20 ^ rand() }')
-    "$asperity" calibrate "data.$1" --rebound "$law" $begin --samples 400 --fit "$names" 2> /dev/null |
+    "$asperity" calibrate "data.$1" --rebound "$law" $begin --fit "$names" 2> /dev/null |
       awk '/^# the best/ { agreed = $9 "/" $5 } /^# chi/ { sub(/:.*chi.2 /, " ", $0); split($4, w, ","); print w[1], agreed }'
   done > "chi.$1"
   awk -v set="$1" -v law="$law" -v n="$samples" -v starts="$starts" '{ v = $1; if (NR == 1 || v < low) low = v; if (NR == 1 || v > high) high = v }
