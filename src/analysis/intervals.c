@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Halvings of the place where chi^2 has risen. */
-enum { HALVINGS = 7 };
+enum { HALVINGS = 6 };
 
 /* Synthetic data sets, and rounds of weights and simulated impacts of a group in each refit. */
 enum { REFITS = 200, REFIT_ROUNDS = 2, REFIT_SAMPLES = 100 };
@@ -20,7 +20,7 @@ enum { REFITS = 200, REFIT_ROUNDS = 2, REFIT_SAMPLES = 100 };
 static double held_squares(aspi_search *s, double *others, size_t j, double at) {
   s->held = (int)j;
   s->held_at = others[j] = at;
-  double squares = aspi_search_descend(s, others, 6, 1e-3, NULL, NULL);
+  double squares = aspi_search_descend(s, others, 3, 1e-3, NULL, NULL);
   others[j] = at;
   s->held = -1;
   return squares;

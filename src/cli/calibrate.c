@@ -28,6 +28,10 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 /* What is taken for the error of a mean of which nothing is known, before the fit tells. */
 #define ERROR_UNKNOWN 0.01
 
+/* And for the number of impacts where only their scatter is known: that of means and that of
+ * standard deviations then count alike. */
+#define IMPACTS_UNKNOWN 20
+
 /* Degrees, where the search for sigma begins. */
 #define SIGMA_START 5
 
@@ -149,12 +153,12 @@ static void take_means(calibration *c, size_t b) {
   const measured_row *row = &c->data.rows[c->bins[b].first];
   aspi_group *g = &c->groups[b];
   double alpha = cli_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
-  g->n = row->n > 0 ? row->n : 1;
+  bool scatter = row->sd[COR_N] > 0 || row->sd[COR_T] > 0, counted = row->n > 0;
+  g->n = counted ? row->n : scatter && !c->smooth ? IMPACTS_UNKNOWN : 1;
   for (int k = 0; k < COR_BOTH && !(row->n > 0); k++)
-    if (row->se[k] > 0 && row->sd[k] > 0)
+    if (row->se[k] > 0 && row->sd[k] > 0 && (counted = true))
       g->n = fmax(1, row->sd[k] * row->sd[k] / (row->se[k] * row->se[k]));
   for (int k = 0; k < COR_BOTH; k++) {
-    bool is_known = g->n > 1 || row->se[k] > 0;
     g->used[MOMENT_X + k] = isfinite(row->cor[k]) && (k == COR_N || row->degrees < 90);
     g->used[MOMENT_XX + k] = g->used[MOMENT_X + k] && row->sd[k] > 0 && !c->smooth;
     g->mean[k] = row->cor[k] * by[k];
@@ -162,7 +166,7 @@ static void take_means(calibration *c, size_t b) {
     g->se[k] = (row->se[k] > 0 ? row->se[k] : NAN) * by[k];
     if (!(row->sd[k] > 0) && !(row->se[k] > 0))
       g->se[k] = ERROR_UNKNOWN * by[k];
-    c->known = c->known && (is_known || !g->used[MOMENT_X + k]);
+    c->known = c->known && (counted || row->se[k] > 0 || !g->used[MOMENT_X + k]);
     g->by_data = g->by_data || (g->used[MOMENT_X + k] && g->n <= 1);
   }
 }

@@ -4,7 +4,7 @@
 # must lie within 0.1. Prints a row for each set.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/../cli/cli.sh"
-sets=${1:-1} starts=${2:-3} jobs=${3:-1}
+sets=${1:-1} starts=${2:-2} jobs=${3:-1}
 export asperity starts
 
 one() {
