@@ -17,6 +17,9 @@
 /* A model that cannot be is this far off, in each moment. */
 #define NOT_A_MODEL 1e5
 
+/* The least second derivative of the sum of squares, so that it can be inverted. */
+#define LEAST_CURVATURE 1e-8
+
 /* The logarithm of a variance is more than this, less so many. */
 #define LEAST_LOG 80.0
 
@@ -285,7 +288,7 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives,
   if (fine) {
     gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, derivatives, derivatives, 0, inverse);
     for (size_t k = 0; k < p; k++)
-      *gsl_matrix_ptr(inverse, k, k) += 1e-8;
+      *gsl_matrix_ptr(inverse, k, k) += LEAST_CURVATURE;
     fine = !gsl_linalg_cholesky_decomp1(inverse) && !gsl_linalg_cholesky_invert(inverse);
   }
   if (fine) {
@@ -297,6 +300,9 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives,
       trace -= gsl_matrix_get(&top.matrix, k, k);
     *mean_chi2 = n > p ? trace / (double)(n - p) : 1;
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, &top.matrix, inverse, 0, out);
+    for (size_t k = 0; k < p; k++) /* at a bound nothing depends on an unknown */
+      if (!(gsl_matrix_get(out, k, k) > 0))
+        gsl_matrix_set(out, k, k, 1 / LEAST_CURVATURE);
   }
   gsl_matrix_free(inverse);
   gsl_matrix_free(middle);
