@@ -22,8 +22,8 @@
   COLUMN(TILT_OUT, "tilt_out_deg", "f4",                                                           \
          "out-of-plane tilt of the first hit, positive along n × t")                               \
   COLUMN(HITS, "hits", "i1", "hits")                                                               \
-  COLUMN(V2, "v2", "f4", "speed after the impact, relative to the wall")                           \
-  COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle α2, 0 to 180°")                                \
+  COLUMN(V2, "v2", "f4", "speed after the impact, in space, relative to the wall")                 \
+  COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle α2 in the plane of incidence, 0 to 180°")      \
   COLUMN(COR_N, "cor_n", "f4", "CoR_N about the mean wall")                                        \
   COLUMN(COR_T, "cor_t", "f4",                                                                     \
          "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \

@@ -1,5 +1,5 @@
 /* asperity calibrate: the constants of a wall and of a law from measured scatter: which are looked
- * for, where the measurements are put together, and what is told of the result. calibrate_fit.c
+ * for, where the measurements are put together, and what is told of the result. analysis/fit.c
  * finds them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -19,8 +19,18 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 #define CORRELATED 0.95
 #define VAGUE 1.0
 
+/* Bounds of the search for an unknown without bounds of its own, as logarithms of shares of where
+ * it begins; and on the logistic scale of one with bounds. */
+#define LOG_DOWN 6.9
+#define LOG_UP 3.4
+#define LOGISTIC 6.0
+
 /* What is taken for the error of a mean of which nothing is known, before the fit tells. */
 #define ERROR_UNKNOWN 0.01
+
+/* And for the number of impacts where only their scatter is known: that of means and that of
+ * standard deviations then count alike. */
+#define IMPACTS_UNKNOWN 20
 
 /* Degrees, where the search for sigma begins. */
 #define SIGMA_START 5
@@ -84,7 +94,6 @@ static bool find_unknown(const calibration *c, const char *word, calibrate_unkno
                              .least = walls[i].least,
                              .most = walls[i].most};
     snprintf(u->name, sizeof u->name, "%s", walls[i].name);
-    u->bounded = walls[i].kind == OF_SIGMA;
     return true;
   }
   return false;
@@ -110,8 +119,8 @@ static void read_unknowns(calibration *c) {
     cli_bad_usage("--fit is missing; it names what to look for, as --fit sigma,friction");
   char *text = cli_copy(option->value);
   for (char *word = strtok(text, ","); word; word = strtok(NULL, ",")) {
-    if (c->n_unknown == UNKNOWNS_MOST)
-      cli_bad_usage("--fit is '%s'; it must be at most %d names", option->value, UNKNOWNS_MOST);
+    if (c->n_unknown == FIT_UNKNOWNS_MOST)
+      cli_bad_usage("--fit is '%s'; it must be at most %d names", option->value, FIT_UNKNOWNS_MOST);
     calibrate_unknown *u = &c->unknown[c->n_unknown++];
     if (!find_unknown(c, word, u))
       fail_unknown(c, word);
@@ -140,29 +149,33 @@ static void read_unknowns(calibration *c) {
  */
 
 /* A row of means; sd and n where they are known. */
-static void take_means(calibration *c, calibrate_bin *bin) {
-  const measured_row *row = &c->data.rows[bin->first];
+static void take_means(calibration *c, size_t b) {
+  const measured_row *row = &c->data.rows[c->bins[b].first];
+  aspi_group *g = &c->groups[b];
   double alpha = cli_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
-  bin->n = row->n > 0 ? row->n : 1;
+  bool scatter = row->sd[COR_N] > 0 || row->sd[COR_T] > 0, counted = row->n > 0;
+  g->n = counted ? row->n : scatter && !c->smooth ? IMPACTS_UNKNOWN : 1;
+  for (int k = 0; k < COR_BOTH && !(row->n > 0); k++)
+    if (row->se[k] > 0 && row->sd[k] > 0 && (counted = true))
+      g->n = fmax(1, row->sd[k] * row->sd[k] / (row->se[k] * row->se[k]));
   for (int k = 0; k < COR_BOTH; k++) {
-    if (!(row->n > 0) && row->se[k] > 0 && row->sd[k] > 0)
-      bin->n = fmax(1, row->sd[k] * row->sd[k] / (row->se[k] * row->se[k]));
-    c->known = c->known && (bin->n > 1 || row->se[k] > 0);
-    bin->used[MEAN_X + k] = isfinite(row->cor[k]) && (k == COR_N || row->degrees < 90);
-    bin->moment[MEAN_X + k] = row->cor[k] * by[k];
-    bin->used[VAR_X + k] = bin->used[MEAN_X + k] && row->sd[k] > 0 && !c->smooth;
-    bin->moment[VAR_X + k] = row->sd[k] * row->sd[k] * by[k] * by[k];
-    double sd = row->sd[k] > 0 ? row->sd[k] : ERROR_UNKNOWN * sqrt(bin->n);
-    sd = row->se[k] > 0 ? row->se[k] * sqrt(bin->n) : sd;
-    bin->covariance[MEAN_X + k][MEAN_X + k] = sd * sd * by[k] * by[k];
-    bin->covariance[VAR_X + k][VAR_X + k] = 2 * pow(row->sd[k] * by[k], 4); /* of a normal law */
+    g->used[MOMENT_X + k] = isfinite(row->cor[k]) && (k == COR_N || row->degrees < 90);
+    g->used[MOMENT_XX + k] = g->used[MOMENT_X + k] && row->sd[k] > 0 && !c->smooth;
+    g->mean[k] = row->cor[k] * by[k];
+    g->sd[k] = (row->sd[k] > 0 ? row->sd[k] : 0) * by[k];
+    g->se[k] = (row->se[k] > 0 ? row->se[k] : NAN) * by[k];
+    if (!(row->sd[k] > 0) && !(row->se[k] > 0))
+      g->se[k] = ERROR_UNKNOWN * by[k];
+    c->known = c->known && (counted || row->se[k] > 0 || !g->used[MOMENT_X + k]);
+    g->by_data = g->by_data || (g->used[MOMENT_X + k] && g->n <= 1);
   }
 }
 
 static void read_data(calibration *c, const char *path) {
   const cli_option *bin = &c->options[BIN];
   double width = cli_number(bin, 0.1, 90);
-  c->data = measured_read(path);
+  c->data = measured_read(path, &c->options[MEASURED]);
+  measured_need_view(path, &c->data, !c->smooth && strcmp(c->options[TILT].value, "plane") != 0);
   c->known = true;
   c->bins = cli_allocate(c->data.count, sizeof *c->bins);
   for (size_t i = 0; i < c->data.count; i++) {
@@ -175,60 +188,121 @@ static void read_data(calibration *c, const char *path) {
       c->bins[c->n_bins++] = (calibrate_bin){.first = i};
     c->bins[c->n_bins - 1].end = i + 1;
   }
+  c->groups = cli_allocate(c->n_bins, sizeof *c->groups);
   double most = 0;
+  size_t n_moments = 0;
   for (size_t b = 0; b < c->n_bins; b++) {
     calibrate_bin *on = &c->bins[b];
     for (size_t i = on->first; i < on->end; i++)
       on->degrees += c->data.rows[i].degrees / (double)(on->end - on->first);
     if (c->data.means)
-      take_means(c, on);
+      take_means(c, b);
     else
-      calibrate_take_data(c, on);
+      calibrate_take_impacts(c, b);
     for (int k = 0; k < MOMENTS; k++)
-      c->n_moments += on->used[k];
-    most = fmax(most, on->n);
+      n_moments += c->groups[b].used[k];
+    most = fmax(most, c->groups[b].n);
   }
   size_t wanted = (size_t)fmin(fmax(TIMES * most, SAMPLES_LEAST), SAMPLES_MOST);
   c->samples = c->options[SAMPLES].value ? cli_whole(&c->options[SAMPLES], 100, 100000000) : wanted;
-  if (c->n_moments < c->n_unknown)
-    cli_fail("%s: it has %zu moments for %zu unknowns; --fit must name fewer", path, c->n_moments,
+  if (n_moments < c->n_unknown)
+    cli_fail("%s: it has %zu moments for %zu unknowns; --fit must name fewer", path, n_moments,
              c->n_unknown);
+}
+
+/* ---- the fit ----------------------------------------------------------------------------------
+ */
+
+static void show_progress(void *context, double share) {
+  calibration *c = context;
+  cli_progress_show(&c->progress, share);
+}
+
+static aspi_fit find_unknowns(calibration *c) {
+  aspi_fit_problem p = {.context = c,
+                        .set = calibrate_set,
+                        .draw = calibrate_draw,
+                        .groups = c->groups,
+                        .n_groups = c->n_bins,
+                        .n_unknowns = c->n_unknown,
+                        .samples = c->samples,
+                        .huber = c->huber,
+                        .scatters =
+                            !c->smooth || c->noise[0] > 0 || c->noise[1] > 0 || c->noise_speed > 0,
+                        .known = c->known,
+                        .progress = show_progress};
+  for (size_t j = 0; j < c->n_unknown; j++) {
+    const calibrate_unknown *u = &c->unknown[j];
+    double start = calibrate_scaled(u, u->start);
+    p.low[j] = u->bounded ? -LOGISTIC : fmax(start - LOG_DOWN, log(u->least));
+    p.high[j] = u->bounded ? LOGISTIC : fmin(start + LOG_UP, log(u->most));
+    p.start[j] = fmin(fmax(start, p.low[j]), p.high[j]);
+  }
+  aspi_fit f;
+  c->progress = cli_progress_begin("fit", 1);
+  if (!aspi_fit_run(&p, &f))
+    cli_fail("no wall or law has moments like those of the data, or there is no memory; see the "
+             "values that the search begins with");
+  cli_progress_end(&c->progress);
+  return f;
 }
 
 /* ---- output -----------------------------------------------------------------------------------
  */
 
-static double error_of(const calibration *c, const calibrate_fit *f, size_t i) {
-  double slope = calibrate_slope(&c->unknown[i], gsl_vector_get(f->scaled, i));
-  double variance = gsl_matrix_get(f->covariance, i, i);
-  return variance > 0 ? slope * sqrt(variance) : INFINITY; /* of no influence at all */
+static double value_of(const calibration *c, const aspi_fit *f, size_t i) {
+  return calibrate_value(&c->unknown[i], f->at[i]);
 }
 
-static double value_of(const calibration *c, const calibrate_fit *f, size_t i) {
-  return calibrate_value(&c->unknown[i], gsl_vector_get(f->scaled, i));
+static double error_of(const calibration *c, const aspi_fit *f, size_t i) {
+  return calibrate_slope(&c->unknown[i], f->at[i]) * f->error[i];
 }
 
-static double correlation(const calibrate_fit *f, size_t i, size_t k) {
-  return gsl_matrix_get(f->covariance, i, k) /
-         sqrt(gsl_matrix_get(f->covariance, i, i) * gsl_matrix_get(f->covariance, k, k));
+/* The ends of an interval, NAN where there is none but a bound. */
+static double end_of(const calibration *c, size_t i, double scaled) {
+  return isfinite(scaled) ? calibrate_value(&c->unknown[i], scaled) : NAN;
 }
 
-static void warn_of_doubt(const calibration *c, const calibrate_fit *f) {
+/* What the data say of an unknown whose minimum is at a bound, or so near that they cannot tell. */
+static bool bound_of(const calibration *c, const aspi_fit *f, size_t i, char *text, size_t size) {
+  const calibrate_unknown *u = &c->unknown[i];
+  double low = end_of(c, i, f->low[i]), high = end_of(c, i, f->high[i]);
+  const char *space = *u->unit ? " " : "";
+  if (isfinite(low) && isfinite(high))
+    return false;
+  if (isfinite(high))
+    snprintf(text, size, "%s < %.3g%s%s at 95 %%", u->name, high, space, u->unit);
+  else if (isfinite(low))
+    snprintf(text, size, "%s > %.3g%s%s at 95 %%", u->name, low, space, u->unit);
+  else
+    snprintf(text, size, "the data say nothing of %s", u->name);
+  return true;
+}
+
+static void warn_of_doubt(const calibration *c, const aspi_fit *f) {
   for (size_t i = 0; i < c->n_unknown; i++) {
+    char text[120];
     for (size_t k = 0; k < i; k++)
-      if (fabs(correlation(f, i, k)) >= CORRELATED)
+      if (fabs(f->correlation[i][k]) >= CORRELATED)
         cli_warn("the data cannot tell '%s' and '%s' apart (correlation %.3f); fix one of them, or "
                  "measure at other angles, speeds or sizes",
-                 c->unknown[k].name, c->unknown[i].name, correlation(f, i, k));
+                 c->unknown[k].name, c->unknown[i].name, f->correlation[i][k]);
     double value = value_of(c, f, i), error = error_of(c, f, i);
-    if (!(error < VAGUE * value))
-      cli_warn("the data say little of '%s': %g with a standard error of %g", c->unknown[i].name,
-               value, error);
+    if (bound_of(c, f, i, text, sizeof text))
+      cli_warn("%s: the minimum is at a bound, or too near to tell", text);
+    else if (!(error < VAGUE * value))
+      cli_warn("the data say little of '%s': %g, from %g to %g at 95 %%", c->unknown[i].name, value,
+               end_of(c, i, f->low[i]), end_of(c, i, f->high[i]));
   }
   double p = f->dof > 0 ? gsl_cdf_chisq_Q(f->chi2, f->dof) : 1;
   if (c->known && f->dof > 0 && p < 1e-3)
     cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s", f->chi2 / f->dof,
              p, f->described ? "" : "; the standard errors are scaled by its root");
+  if (!f->converged)
+    cli_warn("weights and values have not settled; --samples with more may help");
+  if (f->interval[0] == BY_BOOTSTRAP)
+    cli_warn("impacts are too few for intervals by standard errors; these are from synthetic data "
+             "sets that were fitted anew");
 }
 
 /* The wall and the law as a script of an engine says them. */
@@ -293,18 +367,42 @@ static void print_script(FILE *out, const calibration *c) {
             asp_surface_phi_r(c->rough.surface));
 }
 
-static void print_all(FILE *out, const calibration *c, const calibrate_fit *f) {
+static void print_number(FILE *out, double value) {
+  if (isfinite(value))
+    fprintf(out, ",%.6g", value);
+  else
+    fputc(',', out);
+}
+
+static void print_unknown(FILE *out, const calibration *c, const aspi_fit *f, size_t i) {
+  char text[120];
+  bool bound = bound_of(c, f, i, text, sizeof text);
+  fprintf(out, "%s,%.6g", c->unknown[i].name, value_of(c, f, i));
+  print_number(out, bound ? NAN : error_of(c, f, i));
+  print_number(out, end_of(c, i, f->low[i]));
+  print_number(out, end_of(c, i, f->high[i]));
+  fprintf(out, ",%s\n", c->unknown[i].unit);
+}
+
+static void print_all(FILE *out, const calibration *c, const aspi_fit *f) {
+  static const char *const ways[] = {"", "the rise of chi^2", "synthetic data sets fitted anew"};
   double all = 0;
   for (size_t b = 0; b < c->n_bins; b++)
-    all += c->bins[b].n;
-  fputs("parameter,estimate,standard_error,unit\n", out);
+    all += c->groups[b].n;
+  fputs("parameter,estimate,standard_error,low_95,high_95,unit\n", out);
   for (size_t i = 0; i < c->n_unknown; i++)
-    fprintf(out, "%s,%.6g,%.6g,%s\n", c->unknown[i].name, value_of(c, f, i), error_of(c, f, i),
-            c->unknown[i].unit);
-  for (size_t i = 0; i < c->n_unknown; i++)
+    print_unknown(out, c, f, i);
+  for (size_t i = 0; i < c->n_unknown; i++) {
+    char text[120];
     for (size_t k = 0; k < i; k++)
       fprintf(out, "# correlation of %s and %s: %.3f\n", c->unknown[k].name, c->unknown[i].name,
-              correlation(f, i, k));
+              f->correlation[i][k]);
+    if (bound_of(c, f, i, text, sizeof text))
+      fprintf(out, "# %s\n", text);
+    if (f->interval[i] != BY_ERROR)
+      fprintf(out, "# interval of %s by %s\n", c->unknown[i].name, ways[f->interval[i]]);
+  }
+  fprintf(out, "# the best of %zu starts, of which %zu agree\n", f->starts, f->agreed);
   fprintf(out, "# chi^2/dof %.4g: chi^2 %.6g, %.0f degrees of freedom, %zu bins",
           f->dof > 0 ? f->chi2 / f->dof : 0, f->chi2, f->dof, c->n_bins);
   if (c->known)
@@ -373,11 +471,13 @@ static void read_wall(calibration *c) {
   c->d_p = cli_length(&options[DP]);
   c->speed = cli_number(&options[SPEED], 1e-9, 1e6);
   cli_list noise = cli_numbers(&options[NOISE], 0, 90);
-  if (noise.count < 1 || noise.count > 2)
+  if (noise.count < 1 || noise.count > 3)
     cli_bad_usage("--noise is '%s'; it must be %s", options[NOISE].value, options[NOISE].argument);
-  c->noise_angle = noise.values[0];
-  c->noise_speed = noise.count > 1 ? noise.values[1] : 0;
+  c->noise[0] = noise.values[0];
+  c->noise[1] = noise.values[noise.count > 1];
+  c->noise_speed = noise.count > 2 ? noise.values[2] : 0;
   free(noise.values);
+  c->huber = options[HUBER].value ? cli_number(&options[HUBER], 1, 100) : INFINITY;
   c->seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
 }
 
@@ -395,8 +495,15 @@ static int run(int argc, char **argv) {
                       "multiple"},
       [DP] = {"dp", "LENGTH", "diameter, where the data have none", "10um"},
       [SPEED] = {"speed", "M_PER_S", "impact speed, where the data have none", "100"},
-      [NOISE] = {"noise", "DEGREES[,SHARE]",
-                 "sd of the measured angles, and of the measured speeds as a share of them", "0"},
+      [NOISE] = {"noise", "DEGREES[,DEGREES[,SHARE]]",
+                 "sd of the measured impact angles, of the rebound angles [the same], and of the "
+                 "speeds as a share of them",
+                 "0"},
+      [HUBER] = {"huber", "WIDTHS",
+                 "against outliers: rebounds farther out than this many robust standard deviations "
+                 "count as so far; 2 is usual",
+                 NULL},
+      MEASURED_OPTIONS(MEASURED),
       [BIN] = {"bin", "DEGREES", "width of the bins that impacts are put into", "5"},
       [SAMPLES] = {"samples", "N", "simulated impacts a bin; 10 for a measured one, 2000 to 20000",
                    NULL},
@@ -414,7 +521,7 @@ static int run(int argc, char **argv) {
   read_unknowns(&c);
   read_data(&c, argv[first]);
   read_measured_wall(&c);
-  calibrate_fit f = calibrate_run(&c);
+  aspi_fit f = find_unknowns(&c);
   warn_of_doubt(&c, &f);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
   print_all(cli_output_stream(output), &c, &f);
@@ -428,12 +535,13 @@ static int run(int argc, char **argv) {
     }
     cli_calibrate_plot(&options[PLOT], &c, argv[first], title);
   }
-  gsl_vector_free(f.scaled);
-  gsl_matrix_free(f.covariance);
   cli_law_free(&c.law);
   asp_pair_free(c.pair);
   cli_rough_free(&c.rough);
   measured_free(&c.data);
+  for (size_t b = 0; b < c.n_bins; b++)
+    free(c.groups[b].impacts.xy);
+  free(c.groups);
   free(c.bins);
   return 0;
 }

@@ -1,8 +1,9 @@
-/* What a wall gives for values of the unknowns of `asperity calibrate`: moments of the measured
- * velocities, at the places of the data, by the same random numbers whatever the values; see
+/* What a wall gives for values of the unknowns of `asperity calibrate`: impacts as they would be
+ * measured, at the places of the data, by the same random numbers whatever the values; see
  * calibrate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/running.h"
 #include "base/stream.h"
 #include "cli/calibrate.h"
 #include "impact/wall.h"
@@ -14,8 +15,8 @@
 /* A wall by its sigma has so long a correlation length, in diameters, that size does not matter. */
 #define LENGTHS 1000
 
-/* Fewer rebounds than this have no second moments that count. */
-enum { SPREAD_LEAST = 5 };
+/* Draws of a group have numbers of their own. */
+enum { TAGS_OF_A_BIN = 1 << 30 };
 
 double calibrate_scaled(const calibrate_unknown *u, double value) {
   return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
@@ -47,10 +48,11 @@ static bool set_surface(calibration *c) {
   return true;
 }
 
-bool calibrate_set(calibration *c, const gsl_vector *scaled) {
+bool calibrate_set(void *context, const double *scaled) {
+  calibration *c = context;
   for (size_t i = 0; i < c->n_unknown; i++) {
     const calibrate_unknown *u = &c->unknown[i];
-    double value = calibrate_value(u, gsl_vector_get(scaled, i));
+    double value = calibrate_value(u, scaled[i]);
     switch (u->kind) {
     case OF_SIGMA:
       c->sigma = value;
@@ -75,15 +77,25 @@ bool calibrate_set(calibration *c, const gsl_vector *scaled) {
   return set_surface(c) && asp_wall_prepare(c->law.wall, NULL) == ASP_OK;
 }
 
-/* One impact of the model as it would be measured: x and y; false: a deposit. */
-static bool measure(const calibration *c, const measured_row *row, uint64_t tag, double *x,
-                    double *y, double *alpha) {
+/* Adds noise to what was measured of a rebound: x and y are in shares of v1. */
+static void add_noise(const calibration *c, const double *normal, double *x, double *y) {
+  double angle = atan2(*x, *y) + cli_radians(c->noise[1]) * normal[1];
+  double speed =
+      hypot(*x, *y) * (1 + c->noise_speed * normal[2]) / (1 + c->noise_speed * normal[3]);
+  *x = speed * sin(angle);
+  *y = speed * cos(angle);
+}
+
+/* One impact of the model as it would be measured: x and y; false: no rebound is seen. */
+static bool measure(const calibration *c, const measured_row *row, uint32_t stream, uint64_t tag,
+                    double xy[COR_BOTH], bool *dropped) {
   static const double n[3] = {0, 0, 1};
-  aspi_stream noise = aspi_stream_begin(&(asp_key){c->seed, 1, tag, 2});
-  double error[4] = {0, 0, 0, 0};
-  for (int i = 0; i < 4 && (c->noise_angle > 0 || c->noise_speed > 0); i++)
-    error[i] = aspi_stream_normal(&noise);
-  double degrees = row->degrees + c->noise_angle * error[0];
+  double normal[4] = {0, 0, 0, 0};
+  bool noisy = c->noise[0] > 0 || c->noise[1] > 0 || c->noise_speed > 0;
+  aspi_stream noise = aspi_stream_begin(&(asp_key){c->seed, 1 + stream, tag, 2});
+  for (int i = 0; i < 4 && noisy; i++)
+    normal[i] = aspi_stream_normal(&noise);
+  double degrees = row->degrees + c->noise[0] * normal[0];
   degrees = degrees > 90 ? 180 - degrees : fmax(fabs(degrees), 1e-3);
   double v = isnan(row->v1) ? c->speed : row->v1, a1 = cli_radians(degrees);
   double v1[3] = {degrees < 90 ? v * cos(a1) : 0, 0, -v * sin(a1)};
@@ -93,134 +105,82 @@ static bool measure(const calibration *c, const measured_row *row, uint64_t tag,
                            {0, 0, 0},
                            c->rough.lay.vector};
   asp_impact impact;
-  asp_wall_impact(c->law.wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
+  asp_wall_impact(c->law.wall, &particle, v1, n, &(asp_key){c->seed, 1 + stream, tag, 1}, &impact);
+  *dropped = false;
   if (impact.outcome == ASP_DEPOSIT)
     return false;
-  asp_coefficients cor = asp_impact_coefficients(v1, n, &impact);
-  double a2 = cor.alpha2 + cli_radians(c->noise_angle) * error[1];
-  double share = cor.cor_v * (1 + c->noise_speed * error[2]) / (1 + c->noise_speed * error[3]);
-  double side = degrees < 90 ? impact.v2[1] / v : 0; /* out of the plane: no part of CoR_T */
-  double in_plane = sqrt(fmax(0, cor.cor_v * cor.cor_v - side * side));
-  share *= cor.cor_v > 0 ? in_plane / cor.cor_v : 0;
-  *x = share * sin(a2);
-  *y = share * cos(a2);
-  *alpha = cli_radians(row->degrees);
-  return true;
+  /* With v1 along the normal there is no plane of incidence: what is off the normal is all along.
+   */
+  bool all = c->data.view == MEASURED_SPACE || !(v1[0] > 0);
+  xy[COR_N] = impact.v2[2] / v;
+  xy[COR_T] = (all ? hypot(impact.v2[0], impact.v2[1]) : impact.v2[0]) / v;
+  if (!noisy)
+    return true;
+  add_noise(c, normal, &xy[COR_N], &xy[COR_T]);
+  *dropped = xy[COR_N] < 0 && !c->data.folds;
+  xy[COR_N] = fabs(xy[COR_N]);
+  return !*dropped;
 }
 
-/* The moments of what was collected, and the covariance of their terms. */
-typedef struct collected {
-  double (*xy)[2];
-  size_t count, stuck;
-} collected;
-
-static void moments_of(const collected *s, double moment[MOMENTS],
-                       double covariance[MOMENTS][MOMENTS]) {
-  double n = (double)s->count, all = n + (double)s->stuck;
-  memset(moment, 0, MOMENTS * sizeof *moment);
-  for (size_t i = 0; i < s->count; i++) {
-    moment[MEAN_X] += s->xy[i][0] / n;
-    moment[MEAN_Y] += s->xy[i][1] / n;
-  }
-  moment[STUCK] = (double)s->stuck / all;
-  double term[MOMENTS] = {0};
-  for (int pass = 0; pass < 2; pass++) { /* second moments, then the covariance of all terms */
-    if (pass && covariance)
-      memset(covariance, 0, MOMENTS * sizeof *covariance);
-    for (size_t i = 0; i < s->count; i++) {
-      double x = s->xy[i][0] - moment[MEAN_X], y = s->xy[i][1] - moment[MEAN_Y];
-      if (pass == 0) {
-        moment[VAR_X] += x * x / (n - 1);
-        moment[VAR_Y] += y * y / (n - 1);
-        moment[COV_XY] += x * y / (n - 1);
-        continue;
-      }
-      term[MEAN_X] = x;
-      term[MEAN_Y] = y;
-      term[VAR_X] = x * x - moment[VAR_X];
-      term[VAR_Y] = y * y - moment[VAR_Y];
-      term[COV_XY] = x * y - moment[COV_XY];
-      for (int k = 0; k < STUCK; k++)
-        for (int l = 0; l < STUCK; l++)
-          covariance[k][l] += term[k] * term[l] / (n - 1);
-    }
-    if (!covariance)
-      return;
-  }
-  /* Of one impact: moments of rebounds are of as many as rebound. */
-  for (int k = 0; k < STUCK; k++)
-    for (int l = 0; l < STUCK; l++)
-      covariance[k][l] *= all / n;
-  double share = ((double)s->stuck + 0.5) / (all + 1);
-  covariance[STUCK][STUCK] = share * (1 - share);
-}
-
-void calibrate_moments(const calibration *c, double (*moment)[MOMENTS],
-                       double (*covariance)[MOMENTS][MOMENTS]) {
-  for (size_t b = 0; b < c->n_bins; b++) {
-    const calibrate_bin *bin = &c->bins[b];
-    collected s = {cli_allocate(c->samples, sizeof *s.xy), 0, 0};
-    for (size_t i = 0; i < c->samples; i++) {
-      const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
-      double alpha;
-      if (measure(c, row, b * c->samples + i, &s.xy[s.count][0], &s.xy[s.count][1], &alpha))
-        s.count++;
-      else
-        s.stuck++;
-    }
-    moments_of(&s, moment[b], covariance ? covariance[b] : NULL);
-    free(s.xy);
+void calibrate_draw(void *context, size_t b, size_t samples, uint32_t stream, aspi_cloud *to) {
+  const calibration *c = context;
+  const calibrate_bin *bin = &c->bins[b];
+  for (size_t i = 0; i < samples; i++) {
+    const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
+    bool dropped;
+    if (measure(c, row, stream, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds], &dropped))
+      to->rebounds++;
+    else
+      to->deposits += !dropped;
   }
 }
 
-void calibrate_take_data(calibration *c, calibrate_bin *bin) {
-  collected s = {cli_allocate(bin->end - bin->first, sizeof *s.xy), 0, 0};
-  bool has_x = true, has_y = true;
+void calibrate_take_impacts(const calibration *c, size_t b) {
+  const calibrate_bin *bin = &c->bins[b];
+  aspi_group *g = &c->groups[b];
+  bool has[COR_BOTH] = {true, true};
+  aspi_cloud *to = &g->impacts;
+  to->xy = cli_allocate(bin->end - bin->first, sizeof *to->xy);
+  aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
   for (size_t i = bin->first; i < bin->end; i++) {
     const measured_row *row = &c->data.rows[i];
-    double alpha = cli_radians(row->degrees);
-    if (row->deposit) {
-      s.stuck++;
-      continue;
+    double alpha = cli_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
+    to->deposits += row->deposit;
+    for (int k = 0; k < COR_BOTH && !row->deposit; k++) {
+      has[k] = has[k] && isfinite(row->cor[k]);
+      to->xy[to->rebounds][k] = isfinite(row->cor[k]) ? row->cor[k] * by[k] : 0;
+      aspi_running_add(&both[k], to->xy[to->rebounds][k]);
     }
-    has_x = has_x && isfinite(row->cor[COR_N]);
-    has_y = has_y && isfinite(row->cor[COR_T]);
-    s.xy[s.count][0] = row->cor[COR_N] * sin(alpha);
-    s.xy[s.count++][1] = row->cor[COR_T] * cos(alpha);
+    to->rebounds += !row->deposit;
   }
-  bool spread = s.count >= SPREAD_LEAST && !c->smooth;
-  bin->n = (double)(s.count + s.stuck);
-  bin->used[MEAN_X] = has_x && s.count > 0;
-  bin->used[MEAN_Y] = has_y && s.count > 0;
-  bin->used[VAR_X] = has_x && spread;
-  bin->used[VAR_Y] = has_y && spread;
-  bin->used[COV_XY] = has_x && has_y && spread;
-  bin->used[STUCK] = c->data.has_outcome && c->sticks;
-  moments_of(&s, bin->moment, s.count > 1 ? bin->covariance : NULL);
-  free(s.xy);
+  bool any = to->rebounds > 0, spread = any && !c->smooth;
+  g->n = (double)(to->rebounds + to->deposits);
+  for (int k = 0; k < COR_BOTH; k++) {
+    g->mean[k] = any && has[k] ? both[k].mean : NAN;
+    g->sd[k] = any && has[k] ? aspi_running_sd(&both[k]) : NAN;
+    g->used[MOMENT_X + k] = has[k] && any;
+    g->used[MOMENT_XX + k] = has[k] && spread;
+  }
+  g->used[MOMENT_XY] = has[COR_N] && has[COR_T] && spread;
+  g->used[MOMENT_STUCK] = c->data.has_outcome && c->sticks;
 }
 
 void calibrate_coefficients(const calibration *c, size_t b, double mean[COR_BOTH],
                             double sd[COR_BOTH]) {
   const calibrate_bin *bin = &c->bins[b];
-  double n = 0;
-  for (int k = 0; k < COR_BOTH; k++)
-    mean[k] = sd[k] = 0;
+  aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
   for (size_t i = 0; i < c->samples; i++) {
     const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
-    double xy[2], alpha;
-    if (!measure(c, row, b * c->samples + i, &xy[0], &xy[1], &alpha))
+    double xy[COR_BOTH], alpha = cli_radians(row->degrees);
+    bool dropped;
+    if (!measure(c, row, 0, b * TAGS_OF_A_BIN + i, xy, &dropped))
       continue;
-    double cor[COR_BOTH] = {xy[0] / sin(alpha), row->degrees < 90 ? xy[1] / cos(alpha) : NAN};
-    n++;
-    for (int k = 0; k < COR_BOTH; k++) { /* Welford's running moments */
-      double step = cor[k] - mean[k];
-      mean[k] += step / n;
-      sd[k] += step * (cor[k] - mean[k]);
-    }
+    aspi_running_add(&both[COR_N], xy[COR_N] / sin(alpha));
+    if (row->degrees < 90)
+      aspi_running_add(&both[COR_T], xy[COR_T] / cos(alpha));
   }
   for (int k = 0; k < COR_BOTH; k++) {
-    sd[k] = n > 1 ? sqrt(sd[k] / (n - 1)) : NAN;
-    mean[k] = n > 0 ? mean[k] : NAN;
+    mean[k] = both[k].n > 0 ? both[k].mean : NAN;
+    sd[k] = both[k].n > 1 ? aspi_running_sd(&both[k]) : NAN;
   }
 }

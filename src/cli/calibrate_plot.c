@@ -12,13 +12,13 @@ typedef struct point {
 } point;
 
 /* What was measured in a bin. */
-static point measured_in(const calibrate_bin *b) {
-  double alpha = cli_radians(b->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
+static point measured_in(const calibration *c, size_t b) {
+  double alpha = cli_radians(c->bins[b].degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
+  const aspi_group *g = &c->groups[b];
   point p;
   for (int k = 0; k < COR_BOTH; k++) {
-    p.mean[k] = b->used[MEAN_X + k] ? b->moment[MEAN_X + k] / by[k] : NAN;
-    p.sd[k] =
-        b->used[MEAN_X + k] && b->moment[VAR_X + k] > 0 ? sqrt(b->moment[VAR_X + k]) / by[k] : 0;
+    p.mean[k] = g->used[MOMENT_X + k] ? g->mean[k] / by[k] : NAN;
+    p.sd[k] = g->used[MOMENT_X + k] && g->sd[k] > 0 ? g->sd[k] / by[k] : 0;
   }
   return p;
 }
@@ -49,7 +49,7 @@ void cli_calibrate_plot(const cli_option *option, const calibration *c, const ch
   point *fitted = cli_allocate(c->n_bins, sizeof *fitted);
   bool any[COR_BOTH] = {false, false};
   for (size_t b = 0; b < c->n_bins; b++) {
-    is[b] = measured_in(&c->bins[b]);
+    is[b] = measured_in(c, b);
     calibrate_coefficients(c, b, fitted[b].mean, fitted[b].sd);
     for (int k = 0; k < COR_BOTH; k++)
       any[k] = any[k] || isfinite(is[b].mean[k]);

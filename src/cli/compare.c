@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BIN, NEAR, OUTPUT, PLOT, N };
+enum { BIN, NEAR, MEASURED, OUTPUT = MEASURED + MEASURED_OPTION_COUNT, PLOT, N };
 
 static const char *const names[COR_BOTH] = {"cor_n", "cor_t"};
 
@@ -476,6 +476,23 @@ static reach reach_of(const cli_option *option) {
   return far;
 }
 
+/* Impacts as the data look at them. */
+static void take_view(comparison *c) {
+  measured_need_view(c->names[1], &c->data, c->impacts.sideways);
+  if (c->data.view != MEASURED_SPACE)
+    return;
+  size_t missing = 0;
+  for (size_t i = 0; i < c->impacts.count; i++) {
+    scatter_point *p = &c->impacts.points[i];
+    missing += isfinite(p->cor[COR_T]) && isnan(p->cor_t_space);
+    p->cor[COR_T] = p->cor_t_space;
+  }
+  if (missing > 0)
+    cli_bad_usage("%s: the data are of rebounds in space, and these impacts have no speed v2 or "
+                  "cor_v_space to compare with",
+                  c->names[0]);
+}
+
 static void free_comparison(comparison *c) {
   for (size_t i = 0; i < c->count; i++)
     for (int k = 0; k < COR_BOTH; k++) {
@@ -495,6 +512,7 @@ static int run(int argc, char **argv) {
                NULL},
       [NEAR] = {"near", "DEGREES[,SPEED[,SIZE]]",
                 "how far impacts may be from a place that none has: degrees, shares", FAR},
+      MEASURED_OPTIONS(MEASURED),
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
       [PLOT] = {"plot", "FILE", "draw both; .png, .svg or .pdf", NULL},
   };
@@ -505,9 +523,10 @@ static int run(int argc, char **argv) {
   reach far = reach_of(&options[NEAR]);
   comparison c = {.names = {argv[first], argv[first + 1]},
                   .impacts = scatter_read_impacts(argv[first]),
-                  .data = measured_read(argv[first + 1])};
+                  .data = measured_read(argv[first + 1], &options[MEASURED])};
   qsort(c.impacts.points, c.impacts.count, sizeof *c.impacts.points, by_angle);
   leave_out(&c);
+  take_view(&c);
   make_bins(&c, &options[BIN]);
   compare_all(&c, &far);
   check_bins(&c);

@@ -122,7 +122,8 @@ static void print_row(FILE *out, const cor_row *r) {
           r->cor.cor_n);
   if (r->cor.cor_t_defined)
     fprintf(out, "%.6g", r->cor.cor_t);
-  fprintf(out, ",%s\n", r->impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound");
+  fprintf(out, ",%s,%.6g,%.6g\n", r->impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound",
+          r->cor.cor_v_space, r->cor.cor_alpha_space);
 }
 
 #define PRINT_NAME(ID, name, type, text) fputs(LEDGER_##ID ? "," name : name, out);
@@ -155,7 +156,8 @@ static void print_all(FILE *out, const cor_row *rows, size_t n, bool as_ledger) 
     LEDGER_COLUMNS(PRINT_NAME)
     fputc('\n', out);
   } else {
-    fputs("dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v,cor_alpha,cor_n,cor_t,outcome\n",
+    fputs("dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v_plane,cor_alpha_plane,cor_n,cor_t,"
+          "outcome,cor_v_space,cor_alpha_space\n",
           out);
   }
   for (size_t i = 0; i < n; i++)
@@ -228,11 +230,17 @@ static int run(int argc, char **argv) {
 const cli_command cli_cor = {
     .name = "cor",
     .summary = "the scatter of the coefficients of restitution on a rough wall",
-    .detail = "One row an impact; its outcome is rebound or deposit. With --columns ledger the "
-              "rows are as\n"
-              "in a wall's ledger in `units si` (outcome 0 or 1), for what reads those. Sizes as\n"
-              "min:max:median are a log-normal whose ln has the standard deviation ln(max/min)/5, "
-              "cut at\n"
-              "both ends. An empty cor_t is undefined (normal impact).\n",
+    .detail =
+        "One row an impact; its outcome is rebound or deposit. cor_v_plane and cor_alpha_plane "
+        "are\n"
+        "v2/v1 and alpha2/alpha1 of the velocity in the plane of incidence, as one camera from "
+        "the\n"
+        "side sees it (alpha2 from 0 to 180 degrees), like cor_n and cor_t; cor_v_space and\n"
+        "cor_alpha_space are those of the velocity in space (0 to 90). With --columns ledger the "
+        "rows are as\n"
+        "in a wall's ledger in `units si` (outcome 0 or 1), for what reads those. Sizes as\n"
+        "min:max:median are a log-normal whose ln has the standard deviation ln(max/min)/5, "
+        "cut at\n"
+        "both ends. An empty cor_t is undefined (normal impact).\n",
     .run = run,
 };

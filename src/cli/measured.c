@@ -15,6 +15,9 @@
 /* Degrees below this, all of them, may be radians. */
 #define RADIANS_MOST 1.6
 
+/* Noise puts no rebound farther below the wall than so many degrees. */
+#define BELOW_MOST 20
+
 /* What a column can hold. */
 typedef enum kind { RATIO, ANGLE, SPEED, LENGTH, WORD } kind;
 enum {
@@ -108,10 +111,12 @@ static const struct {
 /* More than half of the coefficients beyond this are per cent. */
 #define RATIO_MOST 5
 
-/* Where the columns stand in the file, -1 where they do not, and their units. */
+/* Where the columns stand in the file, -1 where they do not, their units, and what a column of a
+ * rebound is of. */
 typedef struct layout {
   int at[N_COLUMNS];
   double factor[N_COLUMNS];
+  measured_view view[N_COLUMNS];
 } layout;
 
 /* A name in small letters, Greek ones and signs written out, all others as single underscores:
@@ -158,13 +163,24 @@ static void plain(const char *name, char *to, size_t size) {
   }
 }
 
-/* True if a name is that of a column, with a unit of its kind or none (factor 0); with another unit
- * factor is below 0. `stated`: the file has a unit in brackets. */
-static bool is_column(const char *name, int column, bool stated, double *factor) {
+/* True if a name is that of a column, with a view where it is of a rebound's speed or angle, with a
+ * unit of its kind or none (factor 0); with another unit factor is below 0. `stated`: the file has
+ * a unit in brackets. */
+static bool is_column(const char *name, int column, bool stated, double *factor,
+                      measured_view *view) {
+  static const char *const views[] = {"_plane", "_space"};
   size_t length = strlen(columns[column].name);
   bool pure = columns[column].kind == RATIO || columns[column].kind == WORD;
   if (strncmp(name, columns[column].name, length) != 0 || (name[length] && name[length] != '_'))
     return false;
+  *view = MEASURED_EITHER;
+  if (column == ALPHA2 || column == V2 || column == COR_V || column == COR_ALPHA)
+    for (int i = 0; i < 2; i++)
+      if (strncmp(name + length, views[i], strlen(views[i])) == 0) {
+        *view = (measured_view)i;
+        length += strlen(views[i]);
+        break;
+      }
   *factor = pure;
   if (!name[length] || (pure && strcmp(name + length, "_1") == 0))
     return true;
@@ -204,17 +220,20 @@ static void check_unit(const char *path, const char *name, int column, double *f
 static void find_columns(const aspi_csv *csv, const char *path, layout *l) {
   for (int c = 0; c < N_COLUMNS; c++) {
     l->at[c] = -1;
-    for (int i = 0; i < csv->columns; i++) {
+    for (int i = 0; i < csv->columns; i++) { /* of several, the one that says most of its view */
       char name[80];
       double factor;
+      measured_view view;
       plain(csv->names[i], name, sizeof name);
-      if (!is_column(name, c, strpbrk(csv->names[i], "[(") != NULL, &factor))
+      if (!is_column(name, c, strpbrk(csv->names[i], "[(") != NULL, &factor, &view) ||
+          (l->at[c] >= 0 && l->view[c] < view))
         continue;
-      if (l->at[c] >= 0)
+      if (l->at[c] >= 0 && l->view[c] == view)
         cli_bad_usage("%s: columns %d and %d, '%s' and '%s', are both %s; there must be one", path,
                       l->at[c] + 1, i + 1, csv->names[l->at[c]], csv->names[i], columns[c].name);
       l->at[c] = i;
       l->factor[c] = factor;
+      l->view[c] = view;
     }
     if (l->at[c] >= 0)
       check_unit(path, csv->names[l->at[c]], c, &l->factor[c]);
@@ -251,7 +270,8 @@ static asp_code read_numbers(const aspi_csv *csv, const layout *l, double *value
   for (int c = 0; c < N_COLUMNS; c++) {
     bool missing, angle = columns[c].kind == ANGLE;
     double full = (c == ALPHA2 ? 180 : 90) * (1 + 1e-9) / l->factor[c];
-    double least = angle || c >= SD ? 0 : -1e15;
+    double least = c == ALPHA2 ? -BELOW_MOST / l->factor[c] : angle || c >= SD ? 0 : -1e15;
+    full = c == ALPHA2 && l->view[c] == MEASURED_SPACE ? full / 2 : full;
     value[c] = NAN;
     if (!has(l, c) || columns[c].kind == WORD)
       continue;
@@ -269,7 +289,7 @@ static void of_components(double n1, double t1, double n2, double t2, measured_r
   double n = fabs(n1), t = fabs(t1);
   row->degrees = cli_degrees(atan2(n, t));
   row->v1 = hypot(n, t);
-  row->cor[COR_N] = n > 0 ? fabs(n2) / n : NAN;
+  row->cor[COR_N] = n > 0 ? n2 / n : NAN;
   row->cor[COR_T] = t > 1e-12 * n ? t2 / t1 : NAN;
 }
 
@@ -284,7 +304,7 @@ static measured_row row_of(const layout *l, const double *v, bool means) {
   if (means || has(l, POINT) || has(l, POINT + COR_T))
     return row;
   if (has_components(l))
-    of_components(v[V1_N], v[V1_T], v[V2_N], v[V2_T], &row);
+    of_components(v[V1_N], v[V1_T], fabs(v[V2_N]), v[V2_T], &row);
   else if (has(l, COR_V) && has(l, COR_ALPHA))
     of_components(sin(a1), cos(a1), v[COR_V] * sin(v[COR_ALPHA] * a1),
                   v[COR_V] * cos(v[COR_ALPHA] * a1), &row);
@@ -307,7 +327,7 @@ static asp_code read_outcome(const aspi_csv *csv, const layout *l, measured_row 
                {"deleted", true},  {"stuck", true},      {"sticks", true},  {"0", false},
                {"1", true},        {"2", true}};
   if (!has(l, OUTCOME)) {
-    row->deposit = !(row->cor[COR_N] > 0) && !isnan(row->cor[COR_N]);
+    row->deposit = !(fabs(row->cor[COR_N]) > 0) && !isnan(row->cor[COR_N]);
     return ASP_OK;
   }
   const char *word = csv->fields[l->at[OUTCOME]];
@@ -340,7 +360,34 @@ static void add(measured *data, measured_row row) {
   data->rows[data->count++] = row;
 }
 
-static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, asp_error *error) {
+/* What rebounds are of: the velocity in the plane, where coefficients or components are given. */
+static asp_code find_view(const aspi_csv *csv, const layout *l, measured *data, asp_error *error) {
+  bool ratios = has(l, COR_V) && has(l, COR_ALPHA);
+  int speed = ratios ? COR_V : V2, angle = ratios ? COR_ALPHA : ALPHA2;
+  data->view = MEASURED_PLANE;
+  if (data->means || has(l, POINT) || has(l, POINT + COR_T) || has_components(l))
+    return ASP_OK;
+  if (l->view[speed] != l->view[angle])
+    return aspi_text_fail(
+        &csv->text, csv->text.line, error,
+        "columns '%s' and '%s' are not of the same velocity; both must be of that "
+        "in the plane of incidence, or of that in space",
+        csv->names[l->at[speed]], csv->names[l->at[angle]]);
+  data->view = l->view[speed];
+  return ASP_OK;
+}
+
+/* Mirrors a rebound below the wall at it; false: it is left out. */
+static bool keep_above(measured_row *row, bool folds, size_t *below) {
+  if (!(row->cor[COR_N] < 0))
+    return true;
+  row->cor[COR_N] = -row->cor[COR_N];
+  (*below)++;
+  return folds;
+}
+
+static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, size_t *below,
+                          asp_error *error) {
   for (bool found;;) {
     double value[N_COLUMNS];
     asp_code code;
@@ -355,7 +402,8 @@ static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, asp_er
     if (isnan(row.degrees))
       return aspi_text_fail(&csv->text, csv->text.line, error,
                             "the impact angle is missing; v1_n and v1_t, or alpha1, must be there");
-    add(data, row);
+    if (data->means || keep_above(&row, data->folds, below))
+      add(data, row);
   }
 }
 
@@ -373,16 +421,28 @@ static void check_ratios(const measured *data, const char *path) {
                   path, large, all, RATIO_MOST);
 }
 
-measured measured_read(const char *path) {
-  measured data = {0};
+measured measured_read(const char *path, const cli_option *options) {
+  measured data = {.folds = cli_choice(&options[MEASURED_BELOW], "fold", "drop") == 0};
   layout l;
+  size_t below = 0;
   asp_error error;
   aspi_csv *csv = aspi_csv_open(path, &error);
   if (!csv)
     cli_bad_file(NULL, &error);
   find_columns(csv, path, &l);
-  if (find_form(csv, &l, &data.means, &error) || read_rows(csv, &l, &data, &error))
+  if (find_form(csv, &l, &data.means, &error) || find_view(csv, &l, &data, &error) ||
+      read_rows(csv, &l, &data, &below, &error))
     cli_bad_file(NULL, &error);
+  if (options[MEASURED_VIEW].value) {
+    int view = cli_choice(&options[MEASURED_VIEW], "plane", "space");
+    if (data.view != MEASURED_EITHER)
+      cli_bad_usage("--view is '%s'; the columns of %s say it themselves",
+                    options[MEASURED_VIEW].value, path);
+    data.view = view ? MEASURED_SPACE : MEASURED_PLANE;
+  }
+  if (below > 0)
+    cli_warn("%s: %zu rebounds are below the wall, as by noise; they are %s", path, below,
+             data.folds ? "mirrored at it (--below drop leaves them out)" : "left out");
   data.has_speed = has(&l, V1) || has_components(&l);
   data.has_size = has(&l, D_P);
   data.has_outcome = has(&l, OUTCOME);
@@ -398,6 +458,18 @@ measured measured_read(const char *path) {
              RADIANS_MOST);
   qsort(data.rows, data.count, sizeof *data.rows, by_place);
   return data;
+}
+
+void measured_need_view(const char *path, measured *data, bool matters) {
+  if (data->view == MEASURED_EITHER && matters)
+    cli_bad_usage(
+        "%s: are speed and angle of rebounds those in the plane of incidence, as one camera "
+        "sees them, or those in space? Name the columns v2_plane, alpha2_plane or "
+        "v2_space, alpha2_space (cor_v, cor_alpha alike), or give --view plane or --view "
+        "space",
+        path);
+  if (data->view == MEASURED_EITHER)
+    data->view = MEASURED_PLANE;
 }
 
 void measured_free(measured *data) {

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "cli/cli.h"
 #include "cli/scatter.h"
 
 /* NAN where there is nothing. Of an impact, cor are its coefficients and se their measurement
@@ -19,16 +20,41 @@ typedef struct measured_row {
   bool deposit;
 } measured_row;
 
+/* How rebounds were looked at: in the plane of incidence, as by one camera from the side, so that
+ * CoR_T has a sign; in space, where it is of the whole speed along the wall; or by columns that
+ * mean either. */
+typedef enum measured_view { MEASURED_PLANE, MEASURED_SPACE, MEASURED_EITHER } measured_view;
+
 typedef struct measured {
   measured_row *rows;
   size_t count;
   bool means;                            /* rows are means, not impacts */
   bool has_speed, has_size, has_outcome; /* there are such columns */
+  measured_view view;
+  bool folds; /* rebounds that noise put below the wall are mirrored at it, else left out */
 } measured;
+
+/* The options of what reads such a table. */
+enum { MEASURED_VIEW, MEASURED_BELOW, MEASURED_OPTION_COUNT };
+#define MEASURED_OPTIONS(first)                                                                    \
+  [(first) +                                                                                       \
+      MEASURED_VIEW] = {"view", "plane|space",                                                     \
+                        "what v2, alpha2, cor_v, cor_alpha of the data are of, where their "       \
+                        "names do not say it",                                                     \
+                        NULL},                                                                     \
+      [(first) +                                                                                   \
+          MEASURED_BELOW] = {"below", "fold|drop",                                                 \
+                             "rebounds that noise put below the wall: mirror them at it, or "      \
+                             "leave them out",                                                     \
+                             "fold"}
 
 /* Reads such a table, in order of angle, speed, size; exits on a file that is none. Names and units
  * of its columns: see `asperity compare --help`. */
-measured measured_read(const char *path);
+measured measured_read(const char *path, const cli_option *options);
+
+/* Exits where the data do not say how they look at rebounds, and `matters`: it makes a difference.
+ */
+void measured_need_view(const char *path, measured *data, bool matters);
 void measured_free(measured *data);
 
 /* The part of a help text that says which columns there may be. */
@@ -41,6 +67,9 @@ void measured_free(measured *data);
   "  impacts  alpha1, v1, alpha2, v2 | v1_n, v1_t, v2_n, v2_t | alpha1, cor_v, cor_alpha |\n"      \
   "           alpha1, cor_n, cor_t; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
   "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \
-  "and v1, dp with either. A polynomial is given by its points, as means.\n"
+  "and v1, dp with either. A polynomial is given by its points, as means. A wall that throws to\n" \
+  "the side asks what alpha2 and v2, cor_alpha and cor_v are: of the velocity in the plane of\n"   \
+  "incidence, as one camera sees it (alpha2_plane, v2_plane, cor_alpha_plane, cor_v_plane), or\n"  \
+  "of the velocity in space (alpha2_space, 0 to 90 degrees from the wall, v2_space and so on).\n"
 
 #endif

@@ -16,6 +16,10 @@
 /* An engine's array has 0 where CoR_T is undefined, at normal impact. */
 #define NORMAL_IMPACT (90 - 1e-6)
 
+/* Tangential speeds in space and in the plane that differ by more, as a share of v1, are of a
+ * rebound to the side: a ledger's numbers are rounded. */
+#define SIDEWAYS 1e-3
+
 /* Degrees below this, all of them, are radians. */
 #define RADIANS_MOST 1.6
 
@@ -40,11 +44,22 @@ static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)};
 
 /* What is read of an impact, wherever it comes from. */
 typedef struct impact_row {
-  double degrees, delta, v1, d_p, cor[COR_BOTH];
+  double degrees, delta, v1, d_p, cor[COR_BOTH], v2, cor_v_space; /* the last two: one of them */
   bool deposit;
 } impact_row;
 
+/* CoR_T of the whole speed along the wall. */
+static double cor_t_space(const impact_row *row) {
+  double alpha = row->degrees * (ASP_PI / 180), normal = row->cor[COR_N] * sin(alpha);
+  double ratio = isnan(row->cor_v_space) ? row->v2 / row->v1 : row->cor_v_space;
+  return isnan(row->cor[COR_T]) ? NAN : sqrt(fmax(0, ratio * ratio - normal * normal)) / cos(alpha);
+}
+
 static void add_impact(scatter_impacts *impacts, const impact_row *row) {
+  double whole = row->deposit ? NAN : cor_t_space(row);
+  impacts->sideways =
+      impacts->sideways ||
+      (whole - fabs(row->cor[COR_T])) * cos(row->degrees * (ASP_PI / 180)) > SIDEWAYS;
   impacts->rough = impacts->rough || fabs(row->delta) > 0;
   impacts->deposits += row->deposit;
   impacts->points = grow(impacts->points, impacts->count, sizeof *impacts->points);
@@ -53,11 +68,12 @@ static void add_impact(scatter_impacts *impacts, const impact_row *row) {
                       (float)(row->v1 * impacts->metre_per_second),
                       (float)(row->d_p * impacts->metre),
                       row->deposit,
+                      (float)whole,
                       {row->deposit ? NAN : row->cor[0], row->deposit ? NAN : row->cor[1]}};
 }
 
 typedef struct impact_columns {
-  int degrees, delta, v1, d_p, cor[COR_BOTH], outcome;
+  int degrees, delta, v1, d_p, cor[COR_BOTH], outcome, v2, cor_v_space;
 } impact_columns;
 
 static asp_code read_row(const aspi_csv *csv, const impact_columns *at, impact_row *row,
@@ -70,7 +86,10 @@ static asp_code read_row(const aspi_csv *csv, const impact_columns *at, impact_r
       (code = aspi_csv_number(csv, at->d_p, 0, 1e15, &row->d_p, &missing, error)) ||
       (code =
            aspi_csv_number(csv, at->cor[COR_N], -1e15, 1e15, &row->cor[COR_N], &missing, error)) ||
-      (code = aspi_csv_number(csv, at->cor[COR_T], -1e15, 1e15, &row->cor[COR_T], &missing, error)))
+      (code =
+           aspi_csv_number(csv, at->cor[COR_T], -1e15, 1e15, &row->cor[COR_T], &missing, error)) ||
+      (code = aspi_csv_number(csv, at->v2, 0, 1e15, &row->v2, &missing, error)) ||
+      (code = aspi_csv_number(csv, at->cor_v_space, 0, 1e15, &row->cor_v_space, &missing, error)))
     return code;
   const char *outcome = at->outcome < 0 ? "" : csv->fields[at->outcome];
   row->deposit = at->outcome < 0 ? !(row->cor[COR_N] > 0)
@@ -108,7 +127,9 @@ static asp_code read_csv_rows(aspi_csv *csv, scatter_impacts *impacts, asp_error
                        .delta = aspi_csv_find(csv, ledger_name[LEDGER_DELTA_ALPHA]),
                        .cor = {aspi_csv_find(csv, ledger_name[LEDGER_COR_N]),
                                aspi_csv_find(csv, ledger_name[LEDGER_COR_T])},
-                       .outcome = aspi_csv_find(csv, ledger_name[LEDGER_OUTCOME])};
+                       .outcome = aspi_csv_find(csv, ledger_name[LEDGER_OUTCOME]),
+                       .v2 = aspi_csv_find(csv, ledger_name[LEDGER_V2]),
+                       .cor_v_space = aspi_csv_find(csv, "cor_v_space")};
   if (at.degrees < 0 || (at.cor[0] < 0 && aspi_csv_need(csv, ledger_name[LEDGER_COR_N], error) < 0))
     return ASP_EDATA;
   impact_row row;
@@ -162,7 +183,9 @@ static asp_code read_dump_header(aspi_csv *csv, impact_columns *at, asp_error *e
                          find_entry(csv->names, csv->columns, LEDGER_D_P),
                          {find_entry(csv->names, csv->columns, LEDGER_COR_N),
                           find_entry(csv->names, csv->columns, LEDGER_COR_T)},
-                         find_entry(csv->names, csv->columns, LEDGER_OUTCOME)};
+                         find_entry(csv->names, csv->columns, LEDGER_OUTCOME),
+                         find_entry(csv->names, csv->columns, LEDGER_V2),
+                         -1};
   if (at->degrees >= 0 && (at->cor[0] >= 0 || at->cor[1] >= 0))
     return ASP_OK;
   return aspi_text_fail(&csv->text, csv->text.line, error,
@@ -209,8 +232,10 @@ static asp_code read_array_row(const npy *array, const impact_columns *at, impac
       (code = read_value(array, at->v1, 0, 1e15, true, &row->v1, error)) ||
       (code = read_value(array, at->d_p, 0, 1e15, true, &row->d_p, error)) ||
       (code = read_value(array, at->cor[COR_N], -1e15, 1e15, true, &row->cor[COR_N], error)) ||
-      (code = read_value(array, at->cor[COR_T], -1e15, 1e15, true, &row->cor[COR_T], error)))
+      (code = read_value(array, at->cor[COR_T], -1e15, 1e15, true, &row->cor[COR_T], error)) ||
+      (code = read_value(array, at->v2, 0, 1e15, true, &row->v2, error)))
     return code;
+  row->cor_v_space = NAN;
   row->deposit = at->outcome < 0 ? !(row->cor[COR_N] > 0) : fabs(npy_value(array, at->outcome)) > 0;
   return ASP_OK;
 }
@@ -227,7 +252,9 @@ static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impa
                        .d_p = npy_find(&array, ledger_name[LEDGER_D_P]),
                        .cor = {npy_find(&array, ledger_name[LEDGER_COR_N]),
                                npy_find(&array, ledger_name[LEDGER_COR_T])},
-                       .outcome = npy_find(&array, ledger_name[LEDGER_OUTCOME])};
+                       .outcome = npy_find(&array, ledger_name[LEDGER_OUTCOME]),
+                       .v2 = npy_find(&array, ledger_name[LEDGER_V2]),
+                       .cor_v_space = -1};
   if (at.degrees < 0 || at.cor[COR_N] < 0)
     return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
                      ledger_name[at.degrees < 0 ? LEDGER_ALPHA1 : LEDGER_COR_N]);

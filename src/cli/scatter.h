@@ -13,6 +13,7 @@ typedef struct scatter_point {
   double degrees;       /* impact angle */
   float v1, d_p;        /* SI; NAN where there is none */
   bool deposit;         /* it has no coefficients */
+  float cor_t_space;    /* of the whole speed along the wall, without a sign; NAN alike */
   double cor[COR_BOTH]; /* NAN where there is none */
 } scatter_point;
 
@@ -20,6 +21,7 @@ typedef struct scatter_impacts {
   scatter_point *points;
   size_t count, deposits;         /* deposits: of those */
   bool rough;                     /* some local wall was tilted */
+  bool sideways;                  /* some went out of the plane of incidence */
   char comment[1024];             /* the file's first comment */
   double metre, metre_per_second; /* of the file's units */
 } scatter_impacts;

@@ -396,8 +396,10 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
   if (!directed)
     along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
   c.alpha2 = atan2(n2, along);
-  c.cor_v = ratio(c.v2, c.v1);
+  c.cor_v = ratio(hypot(n2, along), c.v1);
   c.cor_alpha = ratio(c.alpha2, c.alpha1);
+  c.cor_v_space = ratio(c.v2, c.v1);
+  c.cor_alpha_space = ratio(atan2(n2, sqrt(fmax(0, c.v2 * c.v2 - n2 * n2))), c.alpha1);
   c.cor_n = ratio(n2, f.v_n);
   c.cor_t = directed ? along / f.v_t : 0;
   return c;

@@ -13,7 +13,7 @@ quick='--samples 1000'
 # Impacts of 10 um quartz on a wall of sigma 8.05 degrees.
 "$asperity" cor $model --rq 4mm --lambda-c 40mm --angles 20:80:20 --samples 150 -o data
 "$asperity" calibrate data --fit sigma,friction $quick --plot fit.png > fit 2> err
-[ "$(grep -v '^#' fit | head -n 1)" = parameter,estimate,standard_error,unit ] && [ "$(rows fit | wc -l)" = 2 ] || die "rows: $(cat fit)"
+[ "$(grep -v '^#' fit | head -n 1)" = parameter,estimate,standard_error,low_95,high_95,unit ] && [ "$(rows fit | wc -l)" = 2 ] || die "rows: $(cat fit)"
 near sigma 8.05 4 fit; near friction 0.3 4 fit
 grep -q '^# correlation of sigma and friction: ' fit && grep -q '^# chi^2/dof .*22 degrees of freedom, 4 bins, 600 impacts' fit || die "comments: $(cat fit)"
 grep -q '^# script: .*surface rq .* spread visible isotropic collisions multiple rebound bons' fit && grep -q '^# script: .*coefficientFriction 0.[23]' fit || die "script: $(cat fit)"
@@ -47,7 +47,7 @@ for angle in 30 50 70; do # set with an error of 4 degrees, and read with one
   "$asperity" cor $model $law --rq 1.5mm --lambda-c 40mm --speed 1 --angles "$angles" --samples 1 | awk -F, -v OFS=, -v set=$angle -v pi=3.14159265358979 'BEGIN { srand(set + 1) } /^#/ || /^dp/ { next }
     { a = $3 * pi / 180; n2 = $8 * sin(a); t2 = $9 * cos(a); g = sqrt(-2 * log(1 - rand())) * cos(2 * pi * rand())
       print set, 1, atan2(n2, t2) * 180 / pi + 4 * g, sqrt(n2 * n2 + t2 * t2) }'
-done | sed '1i alpha1_deg,v1,alpha2_deg,v2' > noisy
+done | sed '1i alpha1_deg,v1,alpha2_plane_deg,v2_plane' > noisy
 "$asperity" calibrate noisy $law --speed 1 --fit sigma $quick > fit 2> err
 awk -v s="$(value sigma fit)" 'BEGIN { exit !(s > 3.4) }' || die "noise is not seen: $(cat fit)"
 "$asperity" calibrate noisy $law --speed 1 --fit sigma --noise 4 $quick > fit 2> err
@@ -60,7 +60,58 @@ grep -q "cannot tell 'surface_energy' and 'a' apart" err || die "no warning: $(c
 "$asperity" calibrate data --fit friction --sigma 2 $quick > fit 2> err
 grep -q "does not describe the data" err || die "no warning of a bad fit: $(cat err fit)"
 
+# Constants from a start where nearly all of the impacts would stick, in a file of few.
+bons='--speed 60 --samples 400'
+"$asperity" cor --sigma 5 --angles 10,30,60,90 --samples 50 --mu 0.2 --yield 350e6 --speed 60 --seed 12 -o steep
+for start in '--yield 1e8 --mu 0.05 --sigma 15' '--yield 1e9 --mu 0.8 --sigma 2'; do
+  "$asperity" calibrate steep --fit sigma,friction,yield_stress $bons $start > fit
+  near sigma 5 4 fit; near friction 0.2 4 fit; near yield_stress 3.5e8 4 fit
+  grep -q '^# the best of [0-9]* starts, of which [0-9]* agree' fit || die "starts: $(cat fit)"
+  awk '/^# chi/ { sub(/:.*/, "", $3); print $6 + 0 }' fit >> all_chi2
+done
+sort -g all_chi2 | awk '{ v[NR] = $1 } END { exit !(NR == 2 && v[2] - v[1] < 0.1) }' || die "chi^2 of two starts: $(cat all_chi2)"
+
+# A minimum at a bound is named, and no number is inf or nan.
+"$asperity" cor --sigma 5 --angles 20,45,70 --samples 40 --mu 0.0001 --yield 350e6 --speed 60 --seed 13 -o slippery
+"$asperity" calibrate slippery --fit sigma,friction --yield 350e6 $bons > fit 2> err
+grep -qE '^# friction < 0\.00[0-9]+ at 95 %' fit && grep -q 'friction < 0.00' err || die "a minimum at a bound: $(cat fit err)"
+rows fit | grep -qE '^friction,[0-9.e-]+,,,0\.00[0-9]+,$' || die "a bound's row: $(cat fit)"
+! grep -qiE '(^|[^a-z])-?(inf|nan)' fit || die "inf or nan: $(cat fit)"
+
+# Few impacts: intervals by refits, and it is said.
+"$asperity" cor --sigma 5 --angles 20,45,70 --samples 5 --mu 0.2 --yield 350e6 --speed 60 --seed 13 -o few
+"$asperity" calibrate few --fit sigma --mu 0.2 --yield 350e6 --speed 60 --samples 100 > fit 2> err
+grep -q 'impacts are too few' err && grep -q 'interval of sigma by synthetic data' fit || die "few impacts: $(cat fit err)"
+rows fit | awk -F, '{ exit !($4 > 2 && $4 < 5 && $5 > 5 && $5 < 12) }' || die "interval of few impacts: $(cat fit)"
+
+# Outliers: 2 % of the rebounds are four times as fast. Huber's form is not taken in by them.
+awk -F, -v OFS=, '/^#|^dp/ { print; next } { if (++n % 50 == 0) { $8 *= 4; $9 = -1 } print }' data > outliers
+"$asperity" calibrate outliers --fit sigma $quick > plain 2> err
+"$asperity" calibrate outliers --fit sigma --huber 2 $quick > fit
+awk -v p="$(value sigma plain)" -v h="$(value sigma fit)" 'BEGIN { exit !(p > 9 && h > 7.6 && h < 8.5) }' || die "outliers: $(cat plain fit)"
+
+# Rebounds that noise put below the wall; noise of the two angles given apart; and speeds and angles in the plane or in space.
+"$asperity" cor $law --sigma 4 --speed 1 --angles 4,30 --samples 200 --seed 9 | awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
+  { srand(NR); for (i = 0; i < 9; i++) rand(); print $3, 1, $3 * $7 + 3 * sqrt(-2 * log(1 - rand())) * cos(2 * pi * rand()), $6 "," $11 "," $3 * $12 }' OFS=, > shaken
+cut -d, -f1-4 shaken | sed '1i alpha1_deg,v1,alpha2_plane_deg,v2_plane' > below
+below=$(awk -F, '$3 < 0' below | wc -l)
+[ "$below" -gt 3 ] || die "no rebound below the wall"
+for way in fold drop; do
+  "$asperity" calibrate below $law --speed 1 --fit sigma --noise 0,3 --below $way $quick > fit 2> err
+  near sigma 4 4 fit
+  grep -q "below: $below rebounds are below the wall" err || die "rebounds below: $(cat err)"
+done
+for view in plane space; do
+  awk -F, -v view=$view 'BEGIN { print "alpha1_deg,v1,alpha2_" view "_deg,v2_" view } NR > 200 { print $1 "," 1 "," (view == "plane" ? $3 "," $4 : $6 "," $5) }' shaken > seen
+  "$asperity" calibrate seen $law --speed 1 --fit sigma,cor_n,cor_t --noise 0,$([ $view = plane ] && echo 3 || echo 0) $quick > fit 2> err
+  near sigma 4 4 fit; near cor_n 0.8 4 fit; near cor_t 0.9 4 fit
+done
+sed 1s/_space//g seen > unsaid
+
 # Bad usage.
+refuses 2 "unsaid" "v2_plane" "v2_space" "--view" -- calibrate unsaid $law --fit sigma
+refuses 2 "--view is 'space'" "seen" -- calibrate seen $law --fit sigma --view space
+refuses 2 "--huber" -- calibrate data --fit sigma --huber 0.1
 refuses 2 "--fit is missing" -- calibrate data
 refuses 2 "'gloss' is unknown" "sigma" "yield_rate" -- calibrate data --fit gloss
 refuses 2 "'sigma' is there twice" -- calibrate data --fit sigma,sigma
@@ -71,7 +122,7 @@ refuses 2 "--model is 'traced'" -- calibrate data --fit sigma --model traced
 refuses 2 "yield_rate" "must be more than 0" -- calibrate data --fit yield_rate
 refuses 2 "one file" -- calibrate --fit sigma
 refuses 1 "no.csv" -- calibrate no.csv --fit sigma
-refuses 2 "--noise is '1,2,3'" -- calibrate data --fit sigma --noise 1,2,3
+refuses 2 "--noise is '1,2,3,4'" -- calibrate data --fit sigma --noise 1,2,3,4
 printf 'alpha1_deg,cor_n_mean\n30,0.5\n' > one
 refuses 1 "1 moments for 2 unknowns" -- calibrate one --fit sigma,friction
 exit 0

@@ -29,7 +29,7 @@ done
 
 # cor
 "$asperity" cor --rq 15.6um --lambda-c 120um --dp 1um:100um:10um --speed 100 --angles 2,45,88,90 --samples 500 --particle ard --wall hastelloy-x --model truncated > c
-[ "$(header c)" = dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v,cor_alpha,cor_n,cor_t,outcome ] && [ "$(wc -l < c)" = 2002 ] || die "cor: columns or rows"
+[ "$(header c)" = dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v_plane,cor_alpha_plane,cor_n,cor_t,outcome,cor_v_space,cor_alpha_space ] && [ "$(wc -l < c)" = 2002 ] || die "cor: columns or rows"
 awk -F, 'NR > 2 {
     if ($1 < 1 || $1 > 100 || $6 > 1 || ($10 == "deposit" && $8 != 0)) bad = 1
     if ($3 == 90 && $9 != "") bad = 1

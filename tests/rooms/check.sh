@@ -12,6 +12,7 @@ say() { echo "FAILED: $*"; bad=1; }
 # The rooms, and what each may know besides itself and asperity.h. An engine's headers are known to its own room only.
 declare -A knows=(
   [base]=''
+  [analysis]=''
   [surface]='base'
   [spread]='base surface'
   [rebound]='base'
@@ -20,7 +21,7 @@ declare -A knows=(
   [wall]='base contact impact'
   [liggghts]='base contact wall'
   [lammps]='base contact wall'
-  [cli]='base surface spread rebound impact'
+  [cli]='base surface spread rebound impact analysis'
 )
 engines=' liggghts lammps '
 with_mpi=" wall$engines"

@@ -1,0 +1,195 @@
+/* Where a fit begins, and what is made of its end; see fit.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/fit.h"
+#include "analysis/search.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_qrng.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Points of the design around the start, and how far it reaches and how
+ * far starts are apart, on the scale; searches from the best of them and from the start;
+ * simulated impacts of a group in them. */
+#define AROUND 2.5
+#define APART 1.0
+enum { PROBES = 128, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
+
+/* Searches that end within this of the best sum of squares agree. */
+#define AGREED 1.0
+
+/* A model describes the data when chi^2 per degree of freedom is less, or as much happens by chance
+ * once in 10000 times. */
+#define DESCRIBED 3.0
+#define CHANCE 1e-4
+
+/* Rounds of weights and least squares, and those of the first, rough ones. */
+enum { ROUNDS = 16, FIRST_ROUNDS = 3 };
+
+/* The interval of an unknown whose error is larger, on its scale, or that is nearer to a bound than
+ * so many errors, is that of the rise of chi^2. */
+#define VAGUE 0.4
+#define NEAR 3.0
+
+/* With fewer impacts, intervals are by refits. */
+enum { FEW = 20 };
+
+typedef struct probe {
+  double at[FIT_UNKNOWNS_MOST], squares;
+} probe;
+
+static int by_squares(const void *left, const void *right) {
+  const probe *a = left, *b = right;
+  return (a->squares > b->squares) - (a->squares < b->squares);
+}
+
+static size_t search_samples(const aspi_fit_problem *p) {
+  return p->samples < SEARCH_SAMPLES ? p->samples : SEARCH_SAMPLES;
+}
+
+static bool describes(double chi2, double dof) {
+  return dof <= 0 || chi2 < DESCRIBED * dof || gsl_cdf_chisq_Q(chi2, dof) > CHANCE;
+}
+
+/* A Sobol sequence around the start. */
+static bool design(aspi_search *s, probe *probes) {
+  const aspi_fit_problem *p = s->problem;
+  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknowns);
+  if (!sequence)
+    return false;
+  for (int i = 0; i < PROBES; i++) {
+    double share[FIT_UNKNOWNS_MOST];
+    gsl_qrng_get(sequence, share);
+    for (size_t j = 0; j < p->n_unknowns; j++) {
+      double low = fmax(p->start[j] - AROUND, p->low[j]);
+      probes[i].at[j] = low + share[j] * (fmin(p->start[j] + AROUND, p->high[j]) - low);
+    }
+    probes[i].squares = aspi_search_squares(s, probes[i].at);
+    if (p->progress)
+      p->progress(p->context, 0.1 * i / PROBES);
+  }
+  gsl_qrng_free(sequence);
+  qsort(probes, PROBES, sizeof *probes, by_squares);
+  return true;
+}
+
+static bool is_apart(const aspi_fit_problem *p, const probe *point, const probe *from, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    double square = 0;
+    for (size_t j = 0; j < p->n_unknowns; j++)
+      square += gsl_pow_2(point->at[j] - from[i].at[j]);
+    if (square < APART * APART)
+      return false;
+  }
+  return true;
+}
+
+/* The start, and the best of the points that are not near to one another. */
+static size_t choose_starts(const aspi_fit_problem *p, const probe *probes, probe *starts) {
+  size_t n = 1;
+  memcpy(starts[0].at, p->start, sizeof p->start);
+  for (int i = 0; i < PROBES && n < STARTS; i++)
+    if (is_apart(p, &probes[i], starts, n))
+      starts[n++] = probes[i];
+  return n;
+}
+
+/* The best of many starts. */
+static bool look_around(aspi_search *s, aspi_fit *fit) {
+  const aspi_fit_problem *p = s->problem;
+  probe probes[PROBES], starts[STARTS], ends[STARTS], *best = NULL;
+  s->samples = search_samples(p);
+  s->kind = p->scatters ? WEIGHTS_BOTH : WEIGHTS_DATA;
+  s->fixed = false;
+  if (!design(s, probes))
+    return false;
+  size_t most = choose_starts(p, probes, starts);
+  while (fit->starts < most && fit->agreed < AGREEING) {
+    probe *end = &ends[fit->starts];
+    *end = starts[fit->starts++];
+    end->squares = aspi_search_descend(s, end->at, 20, 5e-3, NULL, NULL);
+    if (fit->starts == 1 || end->squares < best->squares)
+      best = end;
+    fit->agreed = 0;
+    for (size_t i = 0; i < fit->starts; i++)
+      fit->agreed += ends[i].squares <= best->squares + AGREED;
+    if (p->progress)
+      p->progress(p->context, 0.1 + 0.4 * (double)fit->starts / (double)most);
+  }
+  memcpy(fit->at, best->at, sizeof fit->at);
+  s->samples = p->samples;
+  return isfinite(best->squares);
+}
+
+static double impacts_of(const aspi_fit_problem *p) {
+  double n = 0;
+  for (size_t g = 0; g < p->n_groups; g++)
+    n += p->groups[g].n;
+  return n;
+}
+
+static void find_intervals(aspi_search *s, aspi_fit *fit, double scale) {
+  const aspi_fit_problem *p = s->problem;
+  double n = p->known ? impacts_of(p) : (double)s->n_moments;
+  double freedom = fmax(1, n / (double)p->n_unknowns - 1); /* few: second moments have long tails */
+  double widths = gsl_cdf_tdist_Pinv(0.975, freedom);
+  for (size_t j = 0; j < p->n_unknowns; j++) {
+    double error = fit->error[j], room = NEAR * error;
+    fit->low[j] = fit->at[j] - widths * error;
+    fit->high[j] = fit->at[j] + widths * error;
+    fit->interval[j] = BY_ERROR;
+    if (error < VAGUE && fit->at[j] - room > p->low[j] && fit->at[j] + room < p->high[j])
+      continue;
+    fit->interval[j] = BY_RISE;
+    aspi_interval_by_rise(s, fit->at, scale, j, &fit->low[j], &fit->high[j]);
+  }
+}
+
+/* Weights by the model where it describes the data, by a few simulated impacts; else by both. */
+static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
+  const aspi_fit_problem *p = s->problem;
+  fit->dof = (double)s->n_moments - (double)p->n_unknowns;
+  if (p->scatters && p->known) {
+    double at[FIT_UNKNOWNS_MOST], chi2;
+    memcpy(at, fit->at, sizeof at);
+    s->samples = search_samples(p);
+    aspi_search_settle(s, at, FIRST_ROUNDS, &chi2, covariance);
+    s->samples = p->samples;
+    if (describes(chi2, fit->dof)) {
+      memcpy(fit->at, at, sizeof at);
+      s->kind = WEIGHTS_MODEL;
+    }
+  }
+  fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
+  fit->described = describes(fit->chi2, fit->dof);
+  return isfinite(fit->chi2);
+}
+
+bool aspi_fit_run(const aspi_fit_problem *p, aspi_fit *fit) {
+  aspi_search s;
+  gsl_matrix *covariance = gsl_matrix_alloc(p->n_unknowns, p->n_unknowns);
+  *fit = (aspi_fit){.starts = 0};
+  bool fine =
+      aspi_search_begin(&s, p) && covariance && look_around(&s, fit) && settle(&s, fit, covariance);
+  if (fine) {
+    bool scaled = (!p->known || !fit->described) && fit->dof > 0;
+    double scale = scaled ? fit->chi2 / fit->dof : 1;
+    for (size_t i = 0; i < p->n_unknowns; i++) {
+      double variance = gsl_matrix_get(covariance, i, i);
+      fit->error[i] = sqrt(scale * variance);
+      for (size_t j = 0; j < p->n_unknowns; j++)
+        fit->correlation[i][j] =
+            gsl_matrix_get(covariance, i, j) / sqrt(variance * gsl_matrix_get(covariance, j, j));
+    }
+    find_intervals(&s, fit, scale);
+    if (p->known && p->scatters && impacts_of(p) < FEW && p->groups[0].impacts.xy)
+      fine = aspi_interval_by_bootstrap(p, fit);
+    fine = p->set(p->context, fit->at) && fine;
+  }
+  aspi_search_end(&s);
+  gsl_matrix_free(covariance);
+  return fine;
+}

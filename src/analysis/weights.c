@@ -1,0 +1,125 @@
+/* Weights of moments; see weights.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/weights.h"
+
+#include <math.h>
+
+/* Where wall and law leave one freedom, moments are nearly functions of each other. So much of each
+ * variance is added to it, so that no combination of them counts beyond what a simulation knows of
+ * it. */
+#define RIDGE 1e-2
+
+/* The least variance, so that a moment that does not vary can be weighed. */
+#define FLOOR 1e-14
+
+/* The covariance of a group is that of its own impacts in the share n/(n + FEW), halved. */
+#define FEW 20.0
+
+aspi_cloud_moments aspi_group_moments(const aspi_group *g, const aspi_cloud_frame *frame) {
+  if (g->impacts.xy)
+    return aspi_cloud_moments_of(&g->impacts, frame);
+  aspi_cloud_moments m = {.rebounds = g->n, .all = g->n};
+  for (int k = 0; k < 2; k++) {
+    double off = g->mean[k] - frame->centre[k], square = g->sd[k] * g->sd[k];
+    double known = g->n > 1 ? (g->n - 1) / g->n : 1;
+    m.of[MOMENT_X + k] = off;
+    m.of[MOMENT_XX + k] = known * square + off * off;
+    m.covariance[MOMENT_X + k][MOMENT_X + k] = g->se[k] >= 0 ? g->se[k] * g->se[k] * g->n : square;
+    m.covariance[MOMENT_XX + k][MOMENT_XX + k] = 2 * square * square + 4 * square * off * off;
+  }
+  return m;
+}
+
+/* The share of deposits is at least that of half a deposit (Wilson 1927), by data and model. */
+static double variance_of_share(double data, double model, double n, aspi_weights_kind kind) {
+  double both = kind == WEIGHTS_MODEL ? model : kind == WEIGHTS_DATA ? data : (data + model) / 2;
+  double share = (n * both + 0.5) / (n + 1);
+  return share * (1 - share);
+}
+
+/* Lower Cholesky factor of a covariance, in place; a direction without a variance of its own gets
+ * the floor. */
+static double factor(double (*a)[MOMENTS], int n, const double *floor) {
+  double log_determinant = 0;
+  for (int k = 0; k < n; k++)
+    for (int l = 0; l <= k; l++) {
+      double sum = a[k][l];
+      for (int i = 0; i < l; i++)
+        sum -= a[k][i] * a[l][i];
+      if (l < k) {
+        a[k][l] = sum / a[l][l];
+        continue;
+      }
+      a[k][k] = sqrt(fmax(sum, floor[k]));
+      log_determinant += 2 * log(a[k][k]);
+    }
+  return log_determinant;
+}
+
+static void solve_columns(const aspi_weights *w, double (*a)[MOMENTS]) {
+  for (int c = 0; c < w->n; c++)
+    for (int k = 0; k < w->n; k++) {
+      for (int l = 0; l < k; l++)
+        a[k][c] -= w->lower[k][l] * a[l][c];
+      a[k][c] /= w->lower[k][k];
+    }
+}
+
+static void transpose(double (*a)[MOMENTS], int n) {
+  for (int k = 0; k < n; k++)
+    for (int l = 0; l < k; l++) {
+      double held = a[k][l];
+      a[k][l] = a[l][k];
+      a[l][k] = held;
+    }
+}
+
+void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_moments *model,
+                      double (*pooled)[MOMENTS], aspi_weights_kind kind) {
+  const aspi_cloud_moments *data = &w->data;
+  double own = data->rebounds / (data->rebounds + FEW), floor[MOMENTS];
+  double share = kind == WEIGHTS_DATA || g->by_data ? 1 : kind == WEIGHTS_BOTH ? own / 2 : 0;
+  double(*exact)[MOMENTS] = w->whitened;
+  w->n = 0;
+  for (int k = 0; k < MOMENTS; k++)
+    if (g->used[k])
+      w->of[w->n++] = k;
+  for (int i = 0; i < w->n; i++)
+    for (int j = 0; j < w->n; j++) {
+      int k = w->of[i], l = w->of[j];
+      exact[i][j] = 0;
+      if (k == MOMENT_STUCK && l == MOMENT_STUCK)
+        exact[i][j] = variance_of_share(data->of[k], model->of[k], data->all, kind) *
+                      (1 / data->all + 1 / model->all);
+      if (k == MOMENT_STUCK || l == MOMENT_STUCK)
+        continue;
+      double of_data = data->covariance[k][l], of_model = model->covariance[k][l];
+      if (kind == WEIGHTS_DATA && g->impacts.xy)
+        of_data = own * of_data + (1 - own) * pooled[k][l];
+      exact[i][j] = (share > 0 ? share * of_data : 0) + (share < 1 ? (1 - share) * of_model : 0);
+      exact[i][j] /= data->rebounds;
+      exact[i][j] += kind == WEIGHTS_DATA ? 0 : of_model / model->rebounds;
+    }
+  for (int i = 0; i < w->n; i++) {
+    for (int j = 0; j < w->n; j++)
+      w->lower[i][j] = exact[i][j];
+    floor[i] = RIDGE * exact[i][i] + FLOOR;
+    w->lower[i][i] += floor[i];
+  }
+  w->log_determinant = factor(w->lower, w->n, floor);
+  for (int turn = 0; turn < 2; turn++) {
+    solve_columns(w, w->whitened);
+    transpose(w->whitened, w->n);
+  }
+}
+
+int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out) {
+  for (int i = 0; i < w->n; i++) {
+    double off = model[w->of[i]] - w->data.of[w->of[i]];
+    for (int j = 0; j < i; j++)
+      off -= w->lower[i][j] * out[j];
+    out[i] = off / w->lower[i][i];
+  }
+  return w->n;
+}

@@ -1,0 +1,45 @@
+/* How the moments of a group of impacts count in a fit: by the covariance of their difference from
+ * simulated ones, which is made of the measured impacts and of the model.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_ANALYSIS_WEIGHTS_H
+#define ASP_ANALYSIS_WEIGHTS_H
+
+#include "analysis/moments.h"
+
+/* Measurements at one place, or at some close ones: impacts, or their means. */
+typedef struct aspi_group {
+  aspi_cloud impacts;           /* xy NULL: means */
+  double mean[2], sd[2], se[2]; /* of means: x and y; NAN where not known. Of impacts, the first two
+                                   are filled in */
+  double n;                     /* impacts; of means 1 where not known */
+  bool used[MOMENTS];
+  bool by_data; /* the errors of the means are given, and count as they are */
+} aspi_group;
+
+/* WEIGHTS_BOTH: a mixture of data and model; WEIGHTS_MODEL: the model alone; WEIGHTS_DATA: the data
+ * alone, for a model that does not scatter. */
+typedef enum aspi_weights_kind { WEIGHTS_BOTH, WEIGHTS_MODEL, WEIGHTS_DATA } aspi_weights_kind;
+
+typedef struct aspi_weights {
+  aspi_cloud_frame frame;
+  aspi_cloud_moments data;        /* in that frame */
+  int n, of[MOMENTS];             /* the moments that are used */
+  double lower[MOMENTS][MOMENTS]; /* Cholesky factor of their covariance */
+  double whitened[MOMENTS]
+                 [MOMENTS]; /* that covariance without its ridge, by the factor: nearly 1 */
+  double log_determinant;
+} aspi_weights;
+
+/* The moments of measured impacts or means in a frame, with the covariance of one impact. */
+aspi_cloud_moments aspi_group_moments(const aspi_group *group, const aspi_cloud_frame *frame);
+
+/* From the frame, the data in it, and simulated moments in it; `pooled` is the covariance of all
+ * groups' impacts, for groups that have few. */
+void aspi_weights_set(aspi_weights *w, const aspi_group *group, const aspi_cloud_moments *model,
+                      double (*pooled)[MOMENTS], aspi_weights_kind kind);
+
+/* The differences of the used moments, made independent and of variance 1; returns how many. */
+int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out);
+
+#endif
