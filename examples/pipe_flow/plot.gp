@@ -17,7 +17,7 @@ profile(i) = 'output/'.name(i).'.profile'
 set xrange [-1:1]
 set xlabel 'height z/R (bottom: -1)'
 set style fill solid 0.18 noborder
-set multiplot layout 2,2 title 'Beads of 40 µm in air at 27 m/s, horizontal pipe of 150 mm: measured (Huber & Sommerfeld 1998) and 20 000 beads in LAMMPS' \
+set multiplot layout 2,2 title 'Beads of 40 µm in air at 27 m/s, horizontal pipe of 150 mm: measured (Huber and Sommerfeld 1998) and 20 000 beads in LAMMPS' \
   margins 0.06,0.985,0.07,0.93 spacing 0.08,0.12
 set key bottom center font ',9' samplen 2
 set ylabel 'mean speed / 27 m s^{-1}'

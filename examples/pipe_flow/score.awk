@@ -5,8 +5,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { GROUPS = 10; R = 0.075; SPEED = 27; SIZE = 40e-6; last = GROUPS }
 FNR == NR {
-  if (split($0, c, ",") != 3 || (c[1] != "u_p" && c[1] != "u_rms" && c[1] != "d")) next
-  rows++; what[rows] = c[1]; at[rows] = c[2]; measured[rows] = c[3]
+  if (split($0, part, ",") != 3 || (part[1] != "u_p" && part[1] != "u_rms" && part[1] != "d")) next
+  rows++; what[rows] = part[1]; at[rows] = part[2]; measured[rows] = part[3]
   half[rows] = 1 - (at[rows] < 0 ? -at[rows] : at[rows]); if (half[rows] > 0.025) half[rows] = 0.025
   next
 }
