@@ -1,6 +1,6 @@
 # Measurements and what the laws make of them, from the tables of `asperity compare`.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set term pngcairo size 1500,900 font 'sans,10'
+set term pngcairo size 1960,900 font 'sans,10'
 set output 'output/against_measurements.png'
 set datafile separator ','
 set grid lc rgb '#dddddd' lw 0.5
@@ -19,7 +19,7 @@ blue = '#1f5fa8'
 green = '#2a8a57'
 violet = '#8a4fa8'
 set style fill transparent solid 0.25 noborder
-set multiplot layout 2,3 title 'Measured coefficients of restitution, and laws with constants as shipped or fitted (see README)' margins 0.045,0.985,0.07,0.92 spacing 0.05,0.12
+set multiplot layout 2,4 title 'Measured coefficients of restitution, and laws with constants as shipped or fitted (see README)' margins 0.035,0.99,0.07,0.92 spacing 0.04,0.12
 
 set xlabel 'impact angle / degrees'
 set key top right opaque samplen 2 font ',9'
@@ -59,6 +59,19 @@ plot file(kh, 'walton') using 18:(y($5)) with lines lw 2 lc rgb green title 'wal
   file(kh, 'bons_fitted') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'bons, mu fitted: 0.29', \
   file(kh, 'walton') using 18:(y($11)) with points pt 7 ps 0.9 lc rgb '#c8501e' title 'measured, means'
 
+spins(model) = 'output/kharaz_spin.'.model.'.csv'
+curve(model) = 'output/kharaz_spin.'.model.'.curve'
+row(kind, quantity, v) = (strcol(1) eq kind && strcol(2) eq quantity) ? v : NaN
+set title 'Kharaz et al. 2001: spin after the impact' noenhanced
+set ylabel 'spin / rad s^{-1}'
+set yrange [0:900]
+set key top left Left reverse
+plot curve('walton') using (90 - $3):(row('curve', 'spin', $5)) with lines lw 2 lc rgb green title 'walton e 0.98, mu 0.092, beta0 0' noenhanced, \
+  curve('walton_compliance') using (90 - $3):(row('curve', 'spin', $5)) with lines lw 2 lc rgb blue title 'the same, compliance 0.7 (fitted to CoR_T)', \
+  spins('walton') using (90 - $3):(row('experiment', 'spin', $4)) with points pt 7 ps 0.9 lc rgb '#c8501e' title 'experiment', \
+  spins('walton') using (90 - $3):(row('reference', 'spin', $4)) with points pt 6 ps 1.1 lc rgb '#c8501e' title 'test 4 of Chung & Ooi; measured or computed not said' noenhanced
+set key top right noreverse Right
+
 set title 'Forder et al. 1998, materials not named' noenhanced
 k = 'cor_n'
 set ylabel 'CoR_N'
@@ -94,4 +107,15 @@ plot 'output/lamarche.measured' using 1:(($0 + 0.5) / n) with steps lw 2 lc rgb 
 0.955,0
 0.955,1
 e
+set title 'Kharaz et al. 2001: rebound of the contact point' noenhanced
+set xlabel 'impact angle / degrees'
+set ylabel 'angle from the normal / degrees'
+set xrange [0:91]
+set xtics 15
+set yrange [-20:100]
+set key top right noreverse Right
+plot curve('walton') using (90 - $3):(row('curve', 'contact_angle_deg', $5)) with lines lw 2 lc rgb green title 'walton e 0.98, mu 0.092, beta0 0' noenhanced, \
+  curve('walton_compliance') using (90 - $3):(row('curve', 'contact_angle_deg', $5)) with lines lw 2 lc rgb blue title 'the same, compliance 0.7', \
+  spins('walton') using (90 - $3):(row('experiment', 'contact_angle_deg', $4)) with points pt 7 ps 0.9 lc rgb '#c8501e' title 'experiment', \
+  spins('walton') using (90 - $3):(row('reference', 'contact_angle_deg', $4)) with points pt 6 ps 1.1 lc rgb '#c8501e' title 'test 4 of Chung & Ooi' noenhanced
 unset multiplot

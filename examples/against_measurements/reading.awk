@@ -1,8 +1,9 @@
-# What the tables say, in words: of the table of models, then of what was fitted.
+# What the tables say, in words: of the table of models, of what was fitted, and of the spins.
 # SPDX-License-Identifier: GPL-3.0-or-later
 FNR == 1 { file++; next }
 file == 1 { rms[$1 "," $2] = $3; ks[$1 "," $2] = $5 }
 file == 2 { value[$1 "," $2] = $3; error[$1 "," $2] = $4 }
+file == 3 { off[$1 "," $2 "," $3] = $5 }
 BEGIN { FS = "," }
 END {
   print "Reading:"
@@ -12,6 +13,8 @@ END {
     value["kharaz_sliding,mu"], error["kharaz_sliding,mu"], value["kharaz_bons,friction"], error["kharaz_bons,friction"]
   printf "  rms difference of CoR_T from Kharaz et al.: walton %s, with compliance 0.7 %s, bons %s, bons fitted %s\n",
     rms["kharaz_2001,walton"], rms["kharaz_2001,walton_compliance"], rms["kharaz_2001,bons"], rms["kharaz_2001,bons_fitted"]
+  printf "  rms difference from the experiment of Kharaz et al.: spin %.0f rad/s, contact angle %.1f degrees by walton; %.0f rad/s, %.1f degrees with compliance 0.7\n",
+    off["experiment,spin,walton"], off["experiment,contact_angle_deg,walton"], off["experiment,spin,walton_compliance"], off["experiment,contact_angle_deg,walton_compliance"]
   printf "  LaMarche et al.: a rough wall with sigma %.1f degrees has their mean and sd, not their law: Kolmogorov-Smirnov distance %s\n",
     value["lamarche,sigma"], ks["lamarche_2022,walton_rough"]
 }
