@@ -37,7 +37,7 @@ awk -F, 'NR > 2 {
   END { exit bad || over < 100 || negative < 50 || deposits < 10 }' c || die "cor: the scatter is not as it should be"
 "$asperity" cor --model none --dp 10um --angles 90 --samples 1 --gamma 0 | awk -F, 'NR == 3 { d = $8 - 0.166; exit !(d < 1e-3 && d > -1e-3) }' || die "cor: CoR_N(90) is not v_y/v1"
 "$asperity" cor --model none --dp 10um --angles 90 --samples 1 --gamma 0 --yield-rate 3.3e6 | awk -F, 'NR == 3 { exit !($8 > 0.25 && $8 < 0.3) }' || die "cor --yield-rate"
-"$asperity" cor --model none --dp 0.5um --angles 30 --samples 1 | grep -q ',deposit$' || die "cor: small ones deposit"
+"$asperity" cor --model none --dp 0.5um --angles 30 --samples 1 | grep -q ',deposit,' || die "cor: small ones deposit"
 "$asperity" cor --model none --dp 0.5um --angles 30 --samples 1 --adhesion off | grep -q ',rebound$' || die "cor --adhesion off"
 "$asperity" cor --rq 5um --lambda-c 40um --model weibull --tilt isotropic --collisions multiple --samples 3 > /dev/null
 # The same impacts as a ledger has them: in SI, outcomes as numbers.
