@@ -45,8 +45,9 @@ const int CONTACTS_MOST = 10000;
  * within this many radii. */
 const double REACH = 1.01;
 
-/* Two contacts are one where the cosine between their normals differs from 1 by less. */
-const double SAME = 1e-9;
+/* Two contacts are one where the cosine between their normals differs from 1 by less; on one face,
+ * which may be curved, by less than TURNED. */
+const double SAME = 1e-9, TURNED = 0.01;
 
 /* Relative rounding of sums, and of velocities and times. */
 const double ROUNDING = 1e-9;
@@ -68,7 +69,7 @@ struct Wall::Flight {
     /* Faces of a flat mesh count as one. */
     bool is_at(const Wall *other, size_t of, const Contact &now) const {
       return wall == other && shape == of &&
-             (contact.face == now.face || vector_dot(contact.n, now.n) > 1 - SAME);
+             vector_dot(contact.n, now.n) > 1 - (contact.face == now.face ? TURNED : SAME);
     }
   };
 
@@ -85,6 +86,8 @@ struct Wall::Flight {
   std::vector<Support> supports;
   double free_half[3], free_spin[3];
   bool squeezed; /* no velocity satisfies all of them */
+
+  bool far; /* from the last contact */
 
   /* Contacts in a row: the first impact among them, and the spin before. */
   size_t series_begin;
@@ -104,7 +107,7 @@ struct Wall::Flight {
 };
 
 Wall::Flight::Flight(const Spheres &s, int particle)
-    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false),
+    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false), far(false),
       series_begin(0) {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   path.left = path.dt = s.dt;
@@ -213,9 +216,9 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   int series = 0, all = 0;
   while (path.left > EPSILON * s.dt && !stuck && !flight.squeezed && series < 2 * SERIES &&
          all < CONTACTS_MOST && find_first(walls, flight, wall, shape, contact)) {
-    if (all == 0 || contact.time * vector_length(path.v) > NEAR * flight.radius) {
+    flight.far = contact.time * vector_length(path.v) > NEAR * flight.radius;
+    if (all == 0 || flight.far) {
       series = 0;
-      flight.settle();
       flight.series_begin = flight.events.size();
       vector_copy(flight.spin, flight.series_spin);
     }
@@ -312,24 +315,28 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
 /* ---- sustained contact ------------------------------------------------------------------------
  */
 
-/* Adds a sustained contact to those of this place, or renews it, and solves all of them. */
+/* Adds a sustained contact to those of this place, and solves all of them. One that is there
+ * already is met again because the path is straight, and only the path changes. */
 void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
+  const double speed = vector_length(path.v) + vector_length(contact.v_wall);
+  const double keep = vector_dot(path.v, contact.n) +
+                      (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
+  for (Stay &stay : stays)
+    if (stay.is_at(wall, shape, contact)) {
+      stay.contact = contact;
+      stay.keep = keep;
+      follow_walls();
+      return;
+    }
+  if (far)
+    settle();
   if (stays.empty()) {
     vector_copy(half, free_half);
     vector_copy(spin, free_spin);
   }
-  size_t k = 0;
-  while (k < stays.size() && !stays[k].is_at(wall, shape, contact))
-    k++;
-  if (k == stays.size()) {
-    stays.push_back(Stay());
-    supports.push_back(Support());
-  }
-  const double speed = vector_length(path.v) + vector_length(contact.v_wall);
-  stays[k] = Stay{wall, shape, contact,
-                  vector_dot(path.v, contact.n) + (1 + ROUNDING) * std::max(0.0, contact.closing) +
-                      EPSILON * speed};
-  Support &s = supports[k];
+  stays.push_back(Stay{wall, shape, contact, keep});
+  supports.push_back(Support());
+  Support &s = supports.back();
   vector_copy(contact.n, s.n);
   vector_add_scaled(contact.v_wall, 0.5 * path.left * (contact.follow + contact.curve), contact.n,
                     s.w);
@@ -353,9 +360,10 @@ void Wall::Flight::follow_walls() {
   vector_copy(a0, acceleration);
   for (size_t k = 0; k < stays.size(); k++) {
     keep[k].friction = 0;
-    vector_copy(keep[k].n, keep[k].w);
-    vector_scale(stays[k].keep, keep[k].w);
     const Contact &contact = stays[k].contact;
+    vector_copy(contact.n, keep[k].n);
+    vector_copy(contact.n, keep[k].w);
+    vector_scale(stays[k].keep, keep[k].w);
     const double push = contact.follow + contact.curve - vector_dot(acceleration, contact.n);
     vector_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
   }
