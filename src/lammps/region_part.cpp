@@ -35,7 +35,7 @@ RegionPart::RegionPart(Region *region)
 void RegionPart::settle() {
   now_ = RegionPose{{region_->dx, region_->dy, region_->dz}, region_->theta};
   before_ = now_;
-  set_share(1);
+  frame_ = begin_ = end_ = frame_at(1);
 }
 
 void RegionPart::advance(double dt) {
@@ -48,7 +48,8 @@ void RegionPart::advance(double dt) {
   for (int d = 0; d < 3; d++)
     rate_.shift[d] = (now_.shift[d] - before_.shift[d]) / dt;
   rate_.angle = (now_.angle - before_.angle) / dt;
-  set_share(1);
+  begin_ = end_;
+  frame_ = end_ = frame_at(1);
 }
 
 void RegionPart::set_rate(const RegionPose &rate) {
@@ -103,9 +104,10 @@ asperity::Frame RegionPart::frame_at(double share) const {
   return frame;
 }
 
+/* Most searches ask for the beginning and the end of the step. */
 void RegionPart::set_share(double share) const {
   if (moves_)
-    frame_ = frame_at(share);
+    frame_ = share >= 1 ? end_ : share > 0 ? frame_at(share) : begin_;
 }
 
 void RegionPart::to_world(double share, double x[3]) const {
@@ -133,29 +135,29 @@ bool RegionPart::has(const double x[3]) const {
   return region_->inside(at[0], at[1], at[2]);
 }
 
-/* On a face, both sides tell of it. */
+/* Of its two sides, a region tells of the one where the point is. */
 void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoot> &feet) const {
   double at[3];
   vector_copy(x, at);
   if (moves_)
     frame_.to_body(x, at);
-  for (int inside = 0; inside < 2; inside++) {
-    const int n =
-        inside ? region_->surface_interior(at, reach) : region_->surface_exterior(at, reach);
-    for (int i = 0; i < n; i++) {
-      const Region::Contact &c = region_->contact[i];
-      RegionFoot foot = RegionFoot();
-      const double away[3] = {c.delx, c.dely, c.delz};
-      foot.distance = c.r;
-      for (int d = 0; d < 3 && c.r > 0; d++)
-        foot.n[d] = (region_->rotateflag ? vector_dot(frame_.turn[d], away) : away[d]) / c.r;
-      if (inside && c.radius < 0)
-        foot.hollow = -c.radius / (strcmp(region_->style, "sphere") == 0 ? 1 : 2);
-      foot.inside = inside;
-      foot.behind = !(foot.hollow > 0) && (inside || !region_->openflag);
-      foot.face = c.iwall;
-      feet.push_back(foot);
-    }
+  int n = region_->surface_interior(at, reach);
+  const bool inside = n > 0;
+  if (!inside)
+    n = region_->surface_exterior(at, reach);
+  for (int i = 0; i < n; i++) {
+    const Region::Contact &c = region_->contact[i];
+    RegionFoot foot = RegionFoot();
+    const double away[3] = {c.delx, c.dely, c.delz};
+    foot.distance = c.r;
+    for (int d = 0; d < 3 && c.r > 0; d++)
+      foot.n[d] = (region_->rotateflag ? vector_dot(frame_.turn[d], away) : away[d]) / c.r;
+    if (inside && c.radius < 0)
+      foot.hollow = -c.radius / (strcmp(region_->style, "sphere") == 0 ? 1 : 2);
+    foot.inside = inside;
+    foot.behind = !(foot.hollow > 0) && (inside || !region_->openflag);
+    foot.face = c.iwall;
+    feet.push_back(foot);
   }
 }
 

@@ -55,8 +55,8 @@ public:
   /* True if a point is within the part, whatever its side. */
   bool has(const double x[3]) const;
 
-  /* Appends the feet of a point that are nearer than `reach`: of all faces, from inside, or of the
-   * whole part, from outside. */
+  /* Appends the feet of a point that are nearer than `reach`: of each face, from inside, or one of
+   * the whole part, from outside. */
   void add_feet(const double x[3], double reach, std::vector<RegionFoot> &feet) const;
 
   /* From the place in the region as it was defined to that at a share of the step, and back. */
@@ -89,6 +89,7 @@ private:
   RegionPose before_, now_, rate_, last_rate_;
   double dt_;
   bool has_rate_, has_last_;
+  asperity::Frame begin_, end_;
   mutable asperity::Frame frame_; /* where it is */
 };
 

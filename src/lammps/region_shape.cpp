@@ -31,6 +31,7 @@ using asperity::text;
 
 namespace {
 
+const char FLAT[] = " block plane prism ";
 const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
 
 /* A sphere that touches a hollow face slides along it if its normal speed is a smaller share of its
@@ -94,7 +95,7 @@ auto region_of(D *domain, const std::string &id, long) ->
  */
 
 RegionShape::RegionShape(LAMMPS *lammps, const std::string &id)
-    : lammps_(lammps), id_(id), open_(false), speed_(0) {
+    : lammps_(lammps), id_(id), open_(false), flat_(true), speed_(0) {
   add_region(find_region(), root_);
 }
 
@@ -127,6 +128,7 @@ void RegionShape::add_region(Region *region, Node &node) {
   }
   node.part = static_cast<int>(parts_.size());
   open_ = open_ || region->openflag;
+  flat_ = flat_ && std::string(FLAT).find(" " + style + " ") != std::string::npos;
   parts_.push_back(RegionPart(region));
 }
 
@@ -151,6 +153,7 @@ void RegionShape::init() {
   parts_.clear();
   root_.of.clear();
   open_ = false;
+  flat_ = true;
   add_region(find_region(), root_);
   restore_motion(record);
 }
@@ -324,6 +327,8 @@ struct RegionShape::Search {
   }
   void relative(const Look &l, const Foot &foot, double v_wall[3], double v[3]) const;
   double approach(const Look &l, const Foot &foot, bool &counts) const;
+  double near(const Look &l, const Foot &foot) const;
+  double follow(const Look &l, const Foot &foot) const;
   double curve(const Look &l, const Foot &foot, const double v[3]) const;
   const Foot *touched(const Look &l) const;
   double reached(const Look &l, const Foot &foot) const;
@@ -358,16 +363,35 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
 }
 
 /* The speed towards a foot. It counts where it is more than rounding, or along a hollow face more
- * than sliding; of a sphere that slides along one, where its mean over the rest of the path does.
- */
+ * than sliding; of a sphere that slides along one, or begins its path at a moving face, where its
+ * mean over the rest of the path does. */
 double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
   double v_wall[3], v[3];
   relative(l, foot, v_wall, v);
   const double speed = -vector_dot(v, foot.n), all = vector_length(v);
+  const bool slides = foot.hollow > 0 && fabs(speed) <= SLIDES * all;
+  const bool rides = shape.parts_[foot.part].moves() && !(l.time > 0);
   counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * all;
-  if (foot.hollow > 0 && foot.distance - radius <= tolerance && fabs(speed) <= SLIDES * all)
-    counts = speed + 0.5 * (path.left - l.time) * curve(l, foot, v) > CONTACT_APPROACH * all;
+  if ((slides || rides) && foot.distance - radius <= near(l, foot)) {
+    const double bend = (rides ? follow(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
+    counts = speed + 0.5 * (path.left - l.time) * bend > CONTACT_APPROACH * all;
+  }
   return speed;
+}
+
+/* How far from a face a sphere is at it: at the beginning of a path, as far as one that rides on a
+ * moving part is off. */
+double RegionShape::Search::near(const Look &l, const Foot &foot) const {
+  return shape.parts_[foot.part].moves() && !(l.time > 0) ? KEEPS * radius : tolerance;
+}
+
+/* The acceleration along n that keeps the center at a face as that moves. */
+double RegionShape::Search::follow(const Look &l, const Foot &foot) const {
+  double a[3];
+  if (!shape.parts_[foot.part].moves())
+    return 0;
+  shape.parts_[foot.part].follow(share(l.time), l.x, path.v, a);
+  return vector_dot(a, foot.n);
 }
 
 /* The acceleration along n that keeps the centre at a face, by the face's curve: from the distance
@@ -396,7 +420,7 @@ const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
   for (const Foot &foot : l.feet) {
     bool counts;
     if (!l.in_room || foot.hidden || foot.across || !(foot.distance > 0) ||
-        foot.distance - radius > tolerance || (deepest && foot.distance >= deepest->distance))
+        foot.distance - radius > near(l, foot) || (deepest && foot.distance >= deepest->distance))
       continue;
     approach(l, foot, counts);
     if (counts)
@@ -454,7 +478,7 @@ bool RegionShape::Search::is_kept(const Look &begin, const Foot &foot) const {
   bool was_there = false;
   for (const Foot &other : begin.feet)
     was_there = was_there || (other.face == foot.face && other.inside == foot.inside &&
-                              other.distance - radius <= tolerance);
+                              other.distance - radius <= near(begin, other));
   return was_there && shape.parts_[foot.part].moves() && radius - foot.distance <= KEEPS * radius;
 }
 
@@ -482,21 +506,18 @@ void RegionShape::Search::go_back(Look &good, Look &bad) const {
 }
 
 void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact) const {
-  double v[3], follow[3] = {0, 0, 0};
-  const double lift = radius - foot.distance;
+  double v[3];
+  const double lift = radius - foot.distance, left = path.left - l.time;
   contact.time = l.time;
   vector_copy(foot.n, contact.n);
   relative(l, foot, contact.v_wall, v);
   contact.piece = 0;
   contact.face = foot.face;
   vector_add_scaled(l.x, lift > tolerance ? lift : 0, foot.n, contact.x);
-  contact.guarded = lift > (shape.parts_[foot.part].moves() ? KEEPS * radius : tolerance);
-  if (shape.parts_[foot.part].moves())
-    shape.parts_[foot.part].follow(share(l.time), l.x, path.v, follow);
-  contact.follow = vector_dot(follow, foot.n);
+  contact.guarded = lift > near(l, foot);
+  contact.follow = follow(l, foot);
   contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
-  contact.closing =
-      -vector_dot(v, foot.n) + 0.5 * (path.left - l.time) * (contact.follow + contact.curve);
+  contact.closing = -vector_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -526,6 +547,8 @@ bool RegionShape::find(const Path &path, double radius, double latest, Contact &
     if (!(now.time < end))
       return false;
     double step = search.next(now);
+    if (flat_ && !open_ && now.in_room && !(speed_ > 0) && now.time + step > end)
+      return false;
     if (looks > PATIENCE)
       step = std::max(step, HURRY * radius / search.fastest);
     std::swap(good, now);

@@ -84,8 +84,8 @@ private:
   std::string id_;
   Node root_;
   std::vector<RegionPart> parts_;
-  bool open_;
-  double speed_; /* of the fastest point in this step */
+  bool open_, flat_; /* any part has an open face; all faces are flat */
+  double speed_;     /* of the fastest point in this step */
   mutable Buffers buffers_;
 };
 
