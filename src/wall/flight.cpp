@@ -7,8 +7,9 @@
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
  *
- * where the curve of the wall joins f if the particle stayed there in the step before; a particle
- * that flies meets a curved wall again by its straight path. Less than GRAZING is no approach.
+ * where the curve of the wall joins f if the particle stayed there before, and turns it by less
+ * than TURN in a step; one that flies meets a curved wall again by its straight path. Less than
+ * GRAZING is no approach.
  *
  * A sustained contact is no impact: it has no row and is not counted.
  *
@@ -32,6 +33,9 @@ const double DEGREES = 180 / ASP_PI;
 
 /* Sine of the angle to the wall below which a particle slides. */
 const double GRAZING = 1e-6;
+
+/* The angle by which a wall's curve may turn a particle that stays at it in a step, rad. */
+const double TURN = 0.1;
 
 /* Contacts in a row within this share of the radius. After SERIES of them, as between walls that
  * close, all are taken as sustained; after twice as many the particle is trapped in this step. */
@@ -98,6 +102,7 @@ struct Wall::Flight {
   void velocity(double time, double v[3]) const;
   void go_on(const double before[3], const double after[3], const double n[3]);
   void stay(Wall *wall, size_t shape, const Contact &contact);
+  double turned_speed(const Contact &contact) const;
   void follow_walls();
   void settle();
   void trap();
@@ -214,8 +219,8 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   Contact contact;
   bool stuck = false;
   int series = 0, all = 0;
-  while (path.left > EPSILON * s.dt && !stuck && !flight.squeezed && series < 2 * SERIES &&
-         all < CONTACTS_MOST && find_first(walls, flight, wall, shape, contact)) {
+  while (!stuck && !flight.squeezed && series < 2 * SERIES && all < CONTACTS_MOST &&
+         find_first(walls, flight, wall, shape, contact)) {
     flight.far = contact.time * vector_length(path.v) > NEAR * flight.radius;
     if (all == 0 || flight.far) {
       series = 0;
@@ -250,7 +255,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
 
 /* One contact: moves the flight on to it, and gives it the velocity after it. True where the
  * particle has stuck. */
-bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crowded) {
+bool Wall::touch(Flight &flight, size_t shape, Contact contact, bool crowded) {
   const Spheres &s = flight.spheres;
   const int i = flight.i;
   const Path before = flight.path;
@@ -262,9 +267,12 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
   vector_copy(v, flight.begin);
 
   const double approach = -vector_dot(v1, contact.n);
+  const double speed = vector_length(v1);
+  if (!(fabs(contact.curve) * s.dt < TURN * speed))
+    contact.curve = 0;
   const double push =
       contact.follow - vector_dot(flight.a0, contact.n) + (status(i) == FREE ? 0 : contact.curve);
-  const double least = std::max((1 + ROUNDING) * 0.5 * s.dt * push, GRAZING * vector_length(v1));
+  const double least = std::max((1 + ROUNDING) * 0.5 * s.dt * push, GRAZING * speed);
   const bool sustained = crowded || !(approach > least);
   const bool arrives = approach > 0 && status(i) == FREE;
   if (sustained && !(arrives && model_.sticks())) {
@@ -315,6 +323,15 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
 /* ---- sustained contact ------------------------------------------------------------------------
  */
 
+/* The speed along n at the beginning of a chord that keeps the speed along a curved wall: u
+ * tan(psi/2) for one that the wall turns by psi, with sin psi = u left/R. */
+double Wall::Flight::turned_speed(const Contact &contact) const {
+  double u[3];
+  vector_subtract(half, contact.v_wall, u);
+  const double speed = vector_length(u);
+  return speed > 0 ? speed * tan(0.5 * asin(contact.curve * path.left / speed)) : 0;
+}
+
 /* Adds a sustained contact to those of this place, and solves all of them. One that is there
  * already is met again because the path is straight, and only the path changes. */
 void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
@@ -338,8 +355,8 @@ void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
   supports.push_back(Support());
   Support &s = supports.back();
   vector_copy(contact.n, s.n);
-  vector_add_scaled(contact.v_wall, 0.5 * path.left * (contact.follow + contact.curve), contact.n,
-                    s.w);
+  vector_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow + turned_speed(contact),
+                    contact.n, s.w);
   s.friction = wall->model_.friction(spheres.type[i], wall->shapes_[shape].wall_type);
 
   double before[3];
