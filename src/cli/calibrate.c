@@ -523,7 +523,7 @@ static int run(int argc, char **argv) {
   read_measured_wall(&c);
   aspi_fit f = find_unknowns(&c);
   warn_of_doubt(&c, &f);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   print_all(cli_output_stream(output), &c, &f);
   cli_output_close(output);
   if (options[PLOT].value) {
