@@ -41,7 +41,7 @@ static void read_words(asp_wall *wall, int count, char **words) {
     all[i] = words[i];
   for (int next = 0, taken; next < count; next += taken)
     if (asp_wall_read(wall, count - next, all + next, "", &taken, &error))
-      cli_bad_usage("%s", error.text);
+      cli_bad_file(NULL, &error);
   if (asp_wall_complete(wall, &error))
     cli_bad_usage("%s", error.text);
   free(all);
@@ -60,6 +60,7 @@ static void read_materials(cli_description *d) {
   int count = asp_wall_materials(d->wall);
   if (count == 0 && asp_rebound_needs_pair(asp_wall_rebound(d->wall))) {
     read_words(d->wall, 3, standard);
+    d->has_standard_materials = true;
     count = 2;
   }
   d->density = asp_material_get(asp_materials_find(NULL, standard[1], NULL), "density");
@@ -113,6 +114,35 @@ void cli_description_free(cli_description *d) {
   free(d->text);
 }
 
+void cli_description_allow(const cli_description *d, const char *allowed, const char *why) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
+    if (!*k->within && is_own && asp_wall_is_given(d->wall, k->name) && !strstr(allowed, k->name))
+      cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
+  }
+}
+
+cli_description cli_description_smooth(const cli_description *d) {
+  char *text = cli_allocate(strlen(d->text) + 20, 1);
+  const char *at = d->text;
+  size_t length = strlen(strcpy(text, "surface smooth "));
+  for (size_t clause; (clause = asp_wall_clause(at)) > 0; at += clause)
+    if (strncmp(at, "surface ", 8) != 0 && strncmp(at, "spread ", 7) != 0) {
+      memcpy(text + length, at, clause);
+      length += clause;
+    }
+  cli_description smooth = {.wall = NULL};
+  asp_error error;
+  smooth.wall = asp_wall_parse(text, NULL, &error);
+  if (!smooth.wall || asp_wall_make(smooth.wall, 1, 1, &error))
+    cli_fail("%s", error.text);
+  free(text);
+  read_materials(&smooth);
+  smooth.text = text_of(smooth.wall);
+  return smooth;
+}
+
 /* The file of a measured wall, which the wall is given to be made of. */
 static void read_file(cli_description *d) {
   const char *kind = asp_wall_word(d->wall, "surface"), *file = asp_wall_word(d->wall, "file");
@@ -126,7 +156,7 @@ static void read_file(cli_description *d) {
   else if (reader)
     d->profile = asp_reader_read(reader, file, &error);
   if (!d->map && !d->profile)
-    cli_bad_usage("surface %s: %s", kind, error.text);
+    cli_bad_file(NULL, &error);
   if (asp_reader_check(reader, &error))
     cli_warn("surface %s %s: %s", kind, file, error.text);
   asp_reader_free(reader);

@@ -18,6 +18,7 @@ typedef struct cli_description {
   const asp_material *particle, *target; /* NULL where the law takes no materials and none are
                                             given */
   asp_pair *pair;                        /* NULL alike */
+  bool has_standard_materials;           /* none are given */
   double density;                        /* of the particles */
   asp_profile *profile;                  /* a measured wall, once it is made; else NULL */
   asp_map *map;                          /* alike */
@@ -33,6 +34,14 @@ cli_description cli_description_read(int count, char **words);
 /* The same where numbers may be unknown; see aspi_description_let_fit. */
 cli_description cli_description_read_fit(int count, char **words);
 void cli_description_free(cli_description *description);
+
+/* Refuses each keyword that is given and is none of `allowed`, which have blanks between; `why` is
+ * a sentence about the command. */
+void cli_description_allow(const cli_description *description, const char *allowed,
+                           const char *why);
+
+/* The same with a smooth surface, ready for impacts and without warnings. */
+cli_description cli_description_smooth(const cli_description *description);
 
 /* Reads a measured wall and prepares for diameters from d_least to d_most, with warnings of what
  * looks like a mistake in the wall, its file, or its constants. */

@@ -31,7 +31,8 @@ static cli_list sizes_of(const cli_option *option) {
   cli_option paper = *option;
   paper.value = "5um:400um:5um";
   cli_list rest = cli_lengths(&paper);
-  cli_list list = {cli_allocate(rest.count + 2, sizeof *list.values), rest.count + 2};
+  cli_list list = {.values = cli_allocate(rest.count + 2, sizeof *list.values),
+                   .count = rest.count + 2};
   list.values[0] = 1e-6;
   list.values[1] = 2e-6;
   for (size_t i = 0; i < rest.count; i++)
@@ -125,7 +126,7 @@ static int run(int argc, char **argv) {
   grid.count = grid.r_q.count * grid.lambda_c.count * grid.d_p.count;
   grid.rows = cli_allocate(grid.count, sizeof *grid.rows);
   measure(&grid, points, seed);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   print_all(cli_output_stream(output), &grid, points);
   cli_output_close(output);
   if (options[PLOT].value)

@@ -219,7 +219,7 @@ static int run(int argc, char **argv) {
   fit_all(fits, n, runs, samples, (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX));
   fit_polynomial(fits, n, false, k);
   fit_polynomial(fits, n, true, lambda);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   print(cli_output_stream(output), fits, n, k, lambda);
   cli_output_close(output);
   if (options[PLOT].value)

@@ -169,7 +169,7 @@ void cli_print_field(FILE *out, const char *text) {
   fputc('"', out);
 }
 
-cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed) {
+cli_output *cli_output_open(const char *path, int argc, char **argv, const char *description) {
   cli_output *output = cli_allocate(1, sizeof *output);
   if (path && strcmp(path, "-") != 0)
     output->file = cli_file_open(path);
@@ -179,8 +179,10 @@ cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_o
     fputc(' ', out);
     cli_print_comment(out, argv[i]);
   }
-  if (seed)
-    fprintf(out, "; seed %s", seed->value);
+  if (description) {
+    fputs("; ", out);
+    cli_print_comment(out, description);
+  }
   fputc('\n', out);
   return output;
 }

@@ -49,7 +49,7 @@ static cli_list ratios_of(const cli_option *option, size_t points, bool lengths)
   if (!colon || strchr(option->value, ',') || strchr(colon + 1, ':'))
     return lengths ? cli_lengths(option) : cli_numbers(option, REBOUND_SLOWEST, REBOUND_FASTEST);
   char *text = cli_copy(option->value);
-  cli_list list = {cli_allocate(points, sizeof *list.values), points};
+  cli_list list = {.values = cli_allocate(points, sizeof *list.values), .count = points};
   text[colon - option->value] = ',';
   cli_option pair = *option;
   pair.value = text;

@@ -206,9 +206,8 @@ static cli_wall generate_wall(const cli_option *o) {
   return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
 }
 
-static void save(const cli_option *option, int argc, char **argv, const cli_option *seed,
-                 const asp_profile *profile) {
-  cli_output *output = cli_output_open(option->value, argc, argv, seed);
+static void save(const cli_option *option, int argc, char **argv, const asp_profile *profile) {
+  cli_output *output = cli_output_open(option->value, argc, argv, NULL);
   FILE *out = cli_output_stream(output);
   fputs("x_um,z_um\n", out);
   for (size_t i = 0; i < asp_profile_points(profile); i++)
@@ -310,13 +309,13 @@ static int run(int argc, char **argv) {
     check(wall.name, "profile", &from.report, from.description.spacing, from.description.length,
           from.description.lambda_c, &sizes);
   cli_slopes *rows = measure(&wall, &sizes);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   if (measured)
     tell(cli_output_stream(output), &wall, &from, options[LEVEL].value);
   print_all(cli_output_stream(output), &wall, rows, sizes.count);
   cli_output_close(output);
   if (options[SAVE].value)
-    save(&options[SAVE], argc, argv, &options[SEED], wall.profile);
+    save(&options[SAVE], argc, argv, wall.profile);
   if (options[PLOT].value)
     cli_surface_plot(&options[PLOT], &wall, &rows[0]);
   asp_profile_free(wall.generated);

@@ -177,12 +177,12 @@ static void judge_wall(const cli_option *options, int argc, char **argv) {
     judge_case subject = case_3d(options, &rough, d_p, &angles);
     measure_case how = case_of(options);
     bool multiple = cli_is_multiple(&options[COLLISIONS]);
-    output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+    output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
     cli_trade_3d(cli_output_stream(output), &subject, &angles, how.rays, multiple, how.seed, rows);
   } else {
     measure_case subject = case_2d(options, &rough, d_p, &angles);
     measure(options, &angles, &subject, rows);
-    output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+    output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
     print(cli_output_stream(output), rows, angles.count * (size_t)asp_spread_count());
   }
   cli_output_close(output);
@@ -218,7 +218,7 @@ static int run(int argc, char **argv) {
     return 0;
   }
   measure_case subject = case_of(options);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   cli_grid(cli_output_stream(output), &subject);
   cli_output_close(output);
   return 0;

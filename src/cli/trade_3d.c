@@ -130,7 +130,7 @@ static void judge_model(FILE *out, const judge_case *subject, const made_of *of,
 
 void cli_trade_3d(FILE *out, const judge_case *subject, const cli_list *angles, size_t rays,
                   bool multiple, uint32_t seed, trade_row *rows) {
-  cli_list alpha1 = {cli_allocate(angles->count, sizeof(double)), angles->count};
+  cli_list alpha1 = {.values = cli_allocate(angles->count, sizeof(double)), .count = angles->count};
   for (size_t i = 0; i < alpha1.count; i++)
     alpha1.values[i] = cli_radians(angles->values[i]);
   const double lay[3] = {-sin(subject->wall.axis), cos(subject->wall.axis), 0};

@@ -9,8 +9,8 @@ wall='--rq 5um --lambda-c 40um --model visible --collisions multiple --tilt isot
 # in a thousand would exceed, 1.95/sqrt(200), for a coefficient at a place, and their mean is for the score; and 90 % of
 # the data lie in the band.
 for seed in $(seq 1 200); do
-  "$asperity" cor $wall --angles 10,30,60 --samples 400 --seed "$seed" -o model
-  "$asperity" cor $wall --angles 10,30,60 --samples 60 --seed $((1000 + seed)) -o data
+  "$asperity" cor $wall seed "$seed" --angles 10,30,60 --samples 400 -o model
+  "$asperity" cor $wall seed $((1000 + seed)) --angles 10,30,60 --samples 60 -o data
   "$asperity" compare model data | awk -F, '/^cor_n,30/ || /^cor_t,10,/ { print $1, $17 > "p." $1; band += $15 } /^overall/ { print $17 > "p.overall"; print $15 > "band" }
     END { close("band") }'
   for k in cor_n cor_t overall; do cat p.$k >> all.$k; done; cat band >> all.band
@@ -24,11 +24,11 @@ awk '{ m += $1 / 200 } END { exit !(m > 0.88 && m < 0.91) }' all.band || die "co
 
 # Another law is told apart, by the score too.
 "$asperity" cor $wall --angles 10,30,60 --samples 400 -o model
-"$asperity" cor $wall --angles 10,30,60 --samples 200 --seed 2 --mu 0.2 -o data
+"$asperity" cor $wall friction 0.2 seed 2 --angles 10,30,60 --samples 200 -o data
 "$asperity" compare model data | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 < 1e-6) }' || die "compare: another law"
 
 # One sample in all the forms: the same numbers come out. At 90 degrees CoR_T is not defined.
-"$asperity" cor $wall --angles 20,50,80 --samples 80 --seed 3 --speed 50 --adhesion off -o cor.csv
+"$asperity" cor $wall deposit off seed 3 --angles 20,50,80 --samples 80 --speed 50 -o cor.csv
 "$asperity" compare model cor.csv --near 90,9,9 | rows /dev/stdin | cut -d, -f1,5,8,11,12,16,17 > wanted
 awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
   { a = $3 * pi / 180; n2 = $8 * 50 * sin(a); t2 = $9 * 50 * cos(a); v2 = sqrt(n2 * n2 + t2 * t2); a2 = atan2(n2, t2); f = "%.12g"
@@ -48,10 +48,10 @@ sed 1s/alpha1_deg/alpha1/ velocities > unnamed
 
 # The true model, of a wall that throws to the side: rebounds as seen in the plane of incidence, and in space, from files that
 # say which, by a ledger too. A mixture of both, as a ledger has it, is not taken without a word, and is no data.
-"$asperity" cor $wall --angles 10,30,60 --samples 2000 --seed 11 -o model
-"$asperity" cor $wall --angles 10,30,60 --samples 2000 --seed 11 --columns ledger -o model.ledger
-"$asperity" cor $wall --angles 10,30,60 --samples 1500 --seed 12 -o truth
-"$asperity" cor $wall --angles 10,30,60 --samples 1500 --seed 12 --columns ledger | awk -F, '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_deg,v2"; next } $19 == 0 { print $11 "," $10 "," $16 "," $15 }' > mixture
+"$asperity" cor $wall seed 11 --angles 10,30,60 --samples 2000 -o model
+"$asperity" cor $wall seed 11 --angles 10,30,60 --samples 2000 --columns ledger -o model.ledger
+"$asperity" cor $wall seed 12 --angles 10,30,60 --samples 1500 -o truth
+"$asperity" cor $wall seed 12 --angles 10,30,60 --samples 1500 --columns ledger | awk -F, '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_deg,v2"; next } $19 == 0 { print $11 "," $10 "," $16 "," $15 }' > mixture
 for view in plane space; do
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_" view "_deg,v2_" view; next } $10 == "rebound" { print $3 "," $2 "," $3 * $(view == "plane" ? 7 : 12) "," $2 * $(view == "plane" ? 6 : 11) }' truth > truth.$view
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,cor_alpha_" view ",cor_v_" view; next } $10 == "rebound" { print $3 "," $(view == "plane" ? 7 : 12) "," $(view == "plane" ? 6 : 11) }' truth > ratio.$view
@@ -73,7 +73,7 @@ rows got | awk -F, '$1 == "cor_n" { exit !($10 == 100 && $17 > 0 && $17 <= 1) }'
 column p_value got | sed -n '2p;4p' | paste -sd, | awk -F, '{ exit !($1 > 0 && $2 == "") }' || die "compare: p of means: $(cat got)"
 
 # Places by speed and size: the model's impacts there, and no others.
-{ "$asperity" cor --model none --angles 30 --speed 20 --samples 30; "$asperity" cor --model none --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --model none --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
+{ "$asperity" cor --angles 30 --speed 20 --samples 30; "$asperity" cor --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
 printf 'alpha1_deg,v1_m_s,dp_um,cor_n\n30,20,10,0.9\n30,80,10,0.4\n30,80,50,0.4\n30,300,50,0.4\n' > data
 "$asperity" compare model data --bin 90 > got 2> err
 "$asperity" compare model <(sed 's/cor_n/cor_n_mean/' data) > got 2> err
@@ -99,12 +99,12 @@ printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "
 # The measurements that ship are read, and the law that was made of one set is that set.
 data=$root/examples/data
 for file in "$data"/grant_tabakoff_1975.csv "$data"/forder_1998.csv "$data"/kharaz_2001.csv "$data"/lamarche_2022.csv; do
-  "$asperity" cor --model none --angles 5:85:5,30.16,40.45,50.7,59.78,69.92,80.37,86.07,87.97,90 --samples 1 -o impacts
+  "$asperity" cor --angles 5:85:5,30.16,40.45,50.7,59.78,69.92,80.37,86.07,87.97,90 --samples 1 -o impacts
   "$asperity" compare impacts "$file" > got 2> err || die "$file: $(cat err)"
   [ "$(grep -vc '1 of .* bins' err)" = 0 ] || die "$file: $(cat err)" # CoR_T at 90 degrees is not defined
 done
 for law in forder grant_tabakoff; do
-  "$asperity" cor --model none --rebound $law --angles 10:85:5 --samples 1 -o impacts
+  "$asperity" cor rebound $law --angles 10:85:5 --samples 1 -o impacts
   "$asperity" compare impacts "$data"/$law*.csv --near 0.1 2> /dev/null | tail -n 1 | awk -F, '{ exit !($21 < 6e-5) }' || die "$law is not its data"
 done
 [ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their licence"

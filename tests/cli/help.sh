@@ -35,11 +35,11 @@ touch myfile.csv
 complete_words cor -o myf; [ "${COMPREPLY[*]}" = myfile.csv ] || die "completes files: ${COMPREPLY[*]}"
 
 # Lists with ranges, whole numbers with exponents.
-angles() { "$asperity" spread --sigma 10 --summary --samples 10 --angle "$1" | awk -F, 'NR > 2 { printf "%s ", $2 }'; }
+angles() { "$asperity" spread surface sigma 10 --summary --samples 10 --angles "$1" | awk -F, 'NR > 2 { printf "%s ", $2 }'; }
 [ "$(angles 5,10:30:10,85)" = "5 10 20 30 85 " ] || die "a list with a range: $(angles 5,10:30:10,85)"
-[ "$("$asperity" spread --sigma 10 --samples 2e3 | wc -l)" = 2002 ] || die "--samples 2e3"
+[ "$("$asperity" spread surface sigma 10 --samples 2e3 | wc -l)" = 2002 ] || die "--samples 2e3"
 for bad in 1.5 -3 1e99 2e-1 1e3x nan ''; do
-  ! "$asperity" spread --sigma 10 --samples "$bad" > /dev/null 2> err || die "--samples '$bad'"
+  ! "$asperity" spread surface sigma 10 --samples "$bad" > /dev/null 2> err || die "--samples '$bad'"
   grep -q "whole number, 1 to" err || die "--samples '$bad': $(cat err)"
 done
 
@@ -57,7 +57,7 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,
 "$asperity" materials | awk -F, 'NR > 2' | grep -c '' | { read -r n; [ "$n" -ge 18 ] || die "$n materials"; }
 
 # Pictures.
-"$asperity" spread --sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
+"$asperity" spread surface sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
 ! timeout 5 "$asperity" doe --plot x.jpg 2> err || die "doe --plot x.jpg"
 grep -q "'x.jpg'; the file must end in" err || die "doe --plot x.jpg is refused before work begins: $(cat err)"
 echo "passed"
@@ -74,5 +74,5 @@ refuses 2 "--save is '-'" -- surface --rq 5um --lambda-c 40um --save -
 grep -q '8192 points read' piped && [ -s slopes.csv ] || die "surface --save - in a pipe"
 refuses 2 "--figure is '5'" -- fit --figure 5 --plot fit.png
 refuses 2 "--figure is given without --plot" -- fit --figure 6
-mkfifo pipe; cat pipe > through & "$asperity" spread --sigma 10 --samples 10 -o pipe; wait
+mkfifo pipe; cat pipe > through & "$asperity" spread surface sigma 10 --samples 10 -o pipe; wait
 [ "$(wc -l < through)" = 12 ] || die "-o PIPE: $(cat through)"

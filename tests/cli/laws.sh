@@ -93,11 +93,11 @@ sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound --rebound t
 (cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- rebound --rebound table --table twice.csv
 
 # Scatter that is counted twice: the means warn, the scatter is refused unless asked for.
-"$asperity" cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --samples 2 -o x 2> err
+"$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff --samples 2 -o x 2> err
 grep -q "warning.*second time" err || die "cor: no warning: $(cat err)"
-refuses 2 "twice" "scatter_twice" -- cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --set scatter=1
-"$asperity" cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --set scatter=1 --scatter-twice --samples 2 -o x 2> err
-"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --samples 2 -o x 2> err
+refuses 2 "twice" "scatter_twice" -- cor surface rq 5um lambda_c 40um rebound grant_tabakoff scatter 1
+"$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff scatter 1 scatter_twice --samples 2 -o x 2> err
+"$asperity" cor rebound grant_tabakoff scatter 1 --samples 2 -o x 2> err
 [ ! -s err ] || die "cor: a warning on a smooth wall: $(cat err)"
 
 # materials: what the command prints can be edited and read again.
@@ -114,7 +114,7 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nchalk,soft,0.2,2000
 refuses 2 "bad.csv:2" "'soft'" -- materials --materials bad.csv
 
 # compare: the law's own scatter against the data that it is made of.
-"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --dp 100um --samples 300 -o gt.csv
+"$asperity" cor rebound grant_tabakoff scatter 1 --dp 100um --samples 300 -o gt.csv
 "$asperity" compare gt.csv "$data/grant_tabakoff_1975.csv" --plot gt.png > g 2> err
 head -c 4 gt.png | grep -q PNG || die "compare --plot"
 [ "$(rows g | wc -l)" = 35 ] && rows g | tail -n 1 | grep -q ^overall || die "compare: rows"
@@ -152,7 +152,7 @@ grep -q "warning: cor_t: 1 of 2 bins" err || die "compare: empty bins: $(cat err
 printf '\xef\xbb\xbfalpha1_deg\tcor_n\r\n30\t0,5\r\n' > bom.csv; "$asperity" compare gt.csv bom.csv > s || die "compare: byte-order mark"
 printf 'alpha1_deg,cor_n\n0.5,0.9\n1.2,0.6\n' > rad.csv; "$asperity" compare gt.csv rad.csv > s 2> err
 grep -q "look like radians" err || die "compare: radians: $(cat err)"
-"$asperity" cor --rq 5um --lambda-c 40um --yield-rate 3e6 --samples 9 -o rough.csv
+"$asperity" cor surface rq 5um lambda_c 40um rebound bons yield_rate 3e6 --samples 9 -o rough.csv
 "$asperity" compare rough.csv d.csv > s 2> err; grep -q "counted twice" err || die "compare: double counting: $(cat err)"
 refuses 2 "two files" -- compare gt.csv
 refuses 1 "no.csv" -- compare no.csv d.csv
@@ -174,7 +174,7 @@ bad 'alpha1_deg,cor_n\n30,0.5,3\n' bad.csv:2 "3 fields under 2"
 bad '1,2\n3,4\n' bad.csv:1 "'1' stands where a column name"
 # the dialects of other people's tables, each with the same rows; what is stuck is a deposit
 printf 'alpha1_deg,cor_n,cor_t,dp_um,v1_m_s,outcome\n30,0.5,0.7,10,20,rebound\n30,,,10,20,deposit\n60,0.25,0.75,10,20,rebound\n' > plain.csv
-"$asperity" cor --model none --angles 30,60 --speed 20 --samples 3 -o ours.csv
+"$asperity" cor --angles 30,60 --speed 20 --samples 3 -o ours.csv
 "$asperity" compare ours.csv plain.csv 2> err | grep -v '^#' > wanted
 rows=(30 0,5 0,7 10 20 Rebound 30 '' '' 10 20 stuck 60 0,25 0,75 10 20 0)
 dialect() { # LINES ABOVE, format of a row, mark of decimals

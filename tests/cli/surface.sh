@@ -118,10 +118,10 @@ refuses 2 --level 0.5 1/e -- surface --profile profile.csv --level 0.5
 refuses 2 --form 12 '0 to 9' -- surface --profile profile.csv --form 12
 refuses 2 --unit furlong nm -- surface --profile profile.csv --unit furlong
 refuses 2 --points 100 4096 -- doe --points 100
-refuses 2 --dp 'reaches to' -- cor --rq 20um --lambda-c 40um --dp 2mm --model truncated
-"$asperity" spread --rq 20um --lambda-c 40um --dp 2mm --angle 20 -o x 2> err && die "spread beyond the table"
+refuses 2 --dp 'reaches to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
+"$asperity" spread surface rq 20um lambda_c 40um --dp 2mm --angles 20 -o x 2> err && die "spread beyond the table"
 grep -q -- '--dp: .* reaches to' err || die "spread beyond the table: $(cat err)"
-refuses 2 phi_r 'reaches to 1' -- cor --rq 50um --lambda-c 40um --model truncated
+refuses 2 phi_r 'reaches to 1' -- cor surface rq 50um lambda_c 40um spread truncated
 refuses 2 --rq furlong nm -- doe --rq 2furlong
 refuses 1 --dp 0.1um 0.3125um -- surface --profile profile.csv --dp 0.1um
 refuses 1 d_p "profile's length" -- surface --profile profile.csv --dp 1m

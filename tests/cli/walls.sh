@@ -20,7 +20,7 @@ waves 3 1 > laid
 waves 1 0.3 > uneven
 
 # The mean tilt of the first hits by every way to give the wall: slope sqrt(2) rq / lambda_c, small particles.
-mean() { "$asperity" spread "$@" --angle 20 --summary --samples 20000 | awk -F, 'END { print $3 }'; }
+mean() { "$asperity" spread "$@" --angles 20 --summary --samples 20000 | awk -F, 'END { print $3 }'; }
 near() { awk -v a="$2" -v b="$3" -v d="$4" 'BEGIN { exit !(a - b < d && b - a < d) }' || die "$1: $2, not $3"; }
 sigma=$(awk 'BEGIN { print atan2(sqrt(2) * 5 / 40, 1) * 57.29577951 }')
 near "--rq" "$(mean --rq 5um --lambda-c 40um --dp 10nm)" "$(mean --sigma "$sigma")" 0.01
@@ -34,7 +34,7 @@ near "--map" "$(mean --map map --dp 5um)" "$(mean --rq $numbers --dp 5um)" 0.8
 across=$(mean --map laid --dp 5um --lay 90) along=$(mean --map laid --dp 5um --lay 0)
 steeper() { awk -v a="$2" -v b="$3" 'BEGIN { exit !(a > 2 * b && b > 0.2) }' || die "$1: across the lay $2, along it $3"; }
 steeper "--map --lay" "$across" "$along"
-impacts() { "$asperity" cor --map laid --lay "$1" --dp 5um --angles 20 --samples 4000 | column delta_alpha_deg /dev/stdin | awk '{ sum += $1 } END { print sum / NR }'; }
+impacts() { "$asperity" cor surface map laid lay "$1" --dp 5um --angles 20 --samples 4000 | column delta_alpha_deg /dev/stdin | awk '{ sum += $1 } END { print sum / NR }'; }
 steeper "cor --map --lay" "$(impacts 90)" "$(impacts 0)"
 
 # What `surface` has mended can be given to the others.
@@ -60,7 +60,7 @@ grep -q '20°' map.svg || die "trade --map --plot"
 
 # calibrate finds the friction that cor had, on the same wall.
 for wall in "--sigma 8" "--rq 5um --lambda-c 40um,90um --lay 20" "--profile plateau" "--map map"; do
-  "$asperity" cor $wall --dp 5um --mu 0.17 --adhesion off --angles 30,60 --samples 300 -o data || die "cor $wall"
+  "$asperity" cor $wall friction 0.17 deposit off --dp 5um --angles 30,60 --samples 300 -o data || die "cor $wall"
   "$asperity" calibrate data $wall --dp 5um --adhesion off --fit friction --samples 1000 > fit || die "calibrate $wall"
   awk -F, -v wall="$wall" '$1 == "friction" { exit !(($2 - 0.17) ^ 2 < (4 * $3) ^ 2 && $3 < 0.02) }' fit || die "calibrate $wall: $(cat fit)"
 done
@@ -75,7 +75,7 @@ for command in cor spread trade "calibrate data --fit friction"; do
   refuses 1 "cannot open 'nowhere'" -- $command --dp 5um --profile nowhere
 done
 for command in cor spread trade; do refuses 2 '--lambda-c' -- $command --dp 5um --rq 5um; refuses 2 '--profile or --map' -- $command; done
-refuses 2 'has no density on a map' -- spread --map map --dp 5um --pdf
+refuses 2 'has no density on a map' -- spread surface map map --dp 5um --pdf
 refuses 2 'judged with --three-d' -- trade --rq 5um --lambda-c 40um,80um --dp 5um
 refuses 2 '--three-d is given with --profile' -- trade --three-d --profile plateau --dp 5um
 refuses 2 'flies in all directions' -- trade --map map --lay 3 --dp 5um
@@ -84,6 +84,6 @@ refuses 2 '--points is given with --map' -- trade --map map --dp 5um --points 51
 refuses 2 '--surfaces is given without --three-d' -- trade --rq 5um --lambda-c 40um --dp 5um --surfaces 5
 refuses 2 'it must be even' -- trade --profile plateau --dp 5um --profiles 5
 refuses 2 'the least that pieces of this wall can judge' -- trade --profile short --dp 5um --angles 1,2
-refuses 2 '--pdf is given with --summary' -- spread --sigma 3 --pdf --summary
-refuses 2 "--samples is '1.5'" -- spread --sigma 3 --samples 1.5
+refuses 2 '--pdf is given with --summary' -- spread surface sigma 3 --pdf --summary
+refuses 2 "--samples is '1.5'" -- spread surface sigma 3 --samples 1.5
 exit 0

@@ -100,7 +100,7 @@ classes() { # surface, options of the command
   rm -f classes.csv
   engine 1 classes.in -var out classes.csv
   for d_p in 5um 60um; do
-    "$bin/asperity" cor $2 --dp $d_p --angles 30 --samples 1500 --rebound constant --set cor_n=1,cor_t=1 > command.csv
+    "$bin/asperity" cor $2 rebound constant 1 1 --dp $d_p --angles 30 --samples 1500 > command.csv
     { awk -F, 'NR == 1 || /^#/ { next } /delta_alpha/ { for (k = 1; k <= NF; k++) if ($k == "delta_alpha_deg") at = k; next } { print "command", $at }' command.csv
       rows classes.csv | awk -F, -v d="${d_p%um}e-6" '$2 == 1 && $9 > 0.9 * d && $9 < 1.1 * d { print "fix", $12 }'; } |
       awk -v of="$1, $d_p" '{ n[$1]++; s[$1] += $2; q[$1] += $2 * $2 } END { for (k in n) { m[k] = s[k] / n[k]; sd[k] = sqrt(q[k] / n[k] - m[k] ^ 2) }
