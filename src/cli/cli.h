@@ -95,6 +95,9 @@ cli_file *cli_file_open(const char *path);
 
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
+
+/* Exits where --output or --plot would replace a file that is read. */
+void cli_keep_input(const cli_option *options, const char *input);
 FILE *cli_file_stream(const cli_file *file);
 void cli_file_close(cli_file *file);
 void cli_file_drop(cli_file *file); /* closes it and leaves what was there */

@@ -76,23 +76,34 @@ static void read_materials(cli_description *d) {
   d->pair = asp_wall_pair(d->wall, d->particle, d->target, &error);
   if (!d->pair)
     cli_bad_usage("%s", error.text);
-  if (!(asp_wall_get(d->wall, "yield_rate") > 0) && !(asp_pair_get(d->pair, "yield_stress") > 0))
+  if (!(asp_wall_get(d->wall, "yield_rate") > 0) && !asp_wall_is_given(d->wall, "yield_stress") &&
+      !(asp_pair_get(d->pair, "yield_stress") > 0))
     cli_bad_usage("material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
                   "'rebound bons'",
                   asp_material_name(d->particle));
 }
 
-cli_description cli_description_read(int count, char **words) {
+static cli_description read_description(int count, char **words, bool may_fit) {
   cli_description d = {.wall = NULL};
   asp_error error;
   d.wall = asp_wall_parse("", NULL, &error);
   if (!d.wall)
     cli_fail("%s", error.text);
+  if (may_fit)
+    aspi_description_let_fit(d.wall->said);
   check_lengths(count, words);
   read_words(d.wall, count, words);
   read_materials(&d);
   d.text = text_of(d.wall);
   return d;
+}
+
+cli_description cli_description_read(int count, char **words) {
+  return read_description(count, words, false);
+}
+
+cli_description cli_description_read_fit(int count, char **words) {
+  return read_description(count, words, true);
 }
 
 void cli_description_free(cli_description *d) {

@@ -30,6 +30,9 @@ typedef struct cli_description {
  * the wall: alumina-rich dust on hastelloy-x where none are given. cli_description_make is still to
  * come. */
 cli_description cli_description_read(int count, char **words);
+
+/* The same where numbers may be unknown; see aspi_description_let_fit. */
+cli_description cli_description_read_fit(int count, char **words);
 void cli_description_free(cli_description *description);
 
 /* Refuses each keyword that is given and is none of `allowed`, which have blanks between; `why` is
