@@ -114,11 +114,20 @@ void cli_description_free(cli_description *d) {
   free(d->text);
 }
 
+static bool is_word_of(const char *word, const char *list) {
+  size_t length = strlen(word);
+  for (const char *at = list; (at = strstr(at, word)); at += length)
+    if ((at == list || at[-1] == ' ') && (at[length] == ' ' || !at[length]))
+      return true;
+  return false;
+}
+
 void cli_description_allow(const cli_description *d, const char *allowed, const char *why) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
     bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
-    if (!*k->within && is_own && asp_wall_is_given(d->wall, k->name) && !strstr(allowed, k->name))
+    if (!*k->within && is_own && asp_wall_is_given(d->wall, k->name) &&
+        !is_word_of(k->name, allowed))
       cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
   }
 }

@@ -22,6 +22,10 @@ int main(int argc, char **argv) {
   if (argc < 2)
     cli_bad_usage("a command is expected; see 'asperity --help'");
   const char *word = argv[1];
+  if (strcmp(word, "help") == 0 && argc > 2 && strcmp(argv[2], "wall") == 0) {
+    cli_help_wall();
+    return 0;
+  }
   if (strcmp(word, "help") == 0 && argc > 2) {
     const cli_command *command = find(argv[2]);
     char *arguments[] = {argv[2], "--help", NULL};

@@ -92,8 +92,8 @@ rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "c
 "$asperity" compare quarter half | grep -v '^#' > wanted
 "$asperity" compare - half < quarter | grep -v '^#' | cmp wanted || die "compare - from a file"
 cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
-"$asperity" materials | "$asperity" rebound --map angles --angles 45 --materials - > got || die "rebound --materials -"
-printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound --map angles --angles 10 --rebound table --table - | grep -q ',0.9,0.8,' || die "rebound --table -"
+"$asperity" materials | "$asperity" rebound materials ard hastelloy-x file /dev/stdin --map angles --angles 45 > got || die "rebound --materials -"
+printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound rebound table /dev/stdin --map angles --angles 10 | grep -q ',0.9,0.8,' || die "rebound --table -"
 printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
 
 # The measurements that ship are read, and the law that was made of one set is that set.

@@ -15,8 +15,8 @@ printf 'ITEM: ENTRIES f_w[11] f_w[17] f_w[18] f_w[19]\n10 0.5 0.5 0\n10 0.4 0.5 
 use() {
   case $1 in
     profile | uneven) "$asperity" surface --profile "$2" --dp 10um ;;
-    materials) "$asperity" rebound --map angles --angles 45 --materials "$2" ;;
-    table) "$asperity" rebound --map angles --angles 45 --rebound table --table "$2" ;;
+    materials) "$asperity" rebound materials ard hastelloy-x file "$2" --map angles --angles 45 ;;
+    table) "$asperity" rebound rebound table "$2" --map angles --angles 45 ;;
     impacts | dump) "$asperity" compare "$2" impacts ;;
     data) "$asperity" compare impacts "$2" ;;
   esac

@@ -51,14 +51,14 @@ for name in "it's" "e'.system('>pwned6').'" "e'.system(\">pwned7\").'" '`>pwned8
     'back\slash' 'back\' 'a_b^c{d}@e~f' '<b>&lt&' '%s%n%d' '$HOME' 'ünï' "''"; do
   quoted=${name//\"/\"\"}
   printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa\n"%s",7e10,0.17,2650,2e8\n' "$quoted" > own.csv
-  own=(--materials own.csv --particle "$name" --wall "$name")
+  own=(materials "$name" "$name" file own.csv)
   "$asperity" cor "${own[@]}" surface rq 5um lambda_c 40um --dp 10um --samples 3 --plot m.svg -o /dev/null 2> err || die "cor of '$name': $(cat err)"
   shown "$name on $name" m.svg || die "cor: '$name' is not in the picture's title"
   for map in regimes capture angles; do
-    "$asperity" rebound --map $map "${own[@]}" --points 3 --plot m.svg -o table 2> err || die "rebound --map $map of '$name': $(cat err)"
+    "$asperity" rebound "${own[@]}" --map $map --points 3 --plot m.svg -o table 2> err || die "rebound --map $map of '$name': $(cat err)"
     shown "$name" m.svg || die "rebound --map $map: '$name' is not in the picture"
   done
-  "$asperity" rebound --map capture "${own[@]}" --points 3 -o table
+  "$asperity" rebound "${own[@]}" --map capture --points 3 -o table
   printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n' > again.csv
   sed '/^#/d; /^wall,/d; s/,[^,]*,[^,]*,[^,]*$/,7e10,0.2,2000/; q' table >> again.csv
   "$asperity" cor materials ard "$name" file again.csv --samples 1 > /dev/null || die "capture: '$name' does not read back: $(cat table)"
@@ -98,7 +98,7 @@ if PATH=/nowhere "$asperity" spread surface sigma 10 --samples 50 --plot none.pn
 grep -q "gnuplot-nox" err || die "no gnuplot: $(cat err)"
 [ ! -e none.png ] || die "an empty picture was left"
 # Which is seen before any work is done: that of these options would take hours.
-work_of_hours=(trade --rq 5um --lambda-c 40um --dp 10um --rays 1000000000)
+work_of_hours=(trade surface rq 5um lambda_c 40um --dp 10um --rays 1000000000)
 for plot in 'PATH=/nowhere none.png gnuplot-nox' 'A=1 /nowhere/none.png No such file' 'A=1 none.bmp .png, .svg or .pdf'; do
   read -r variable file words <<< "$plot"
   timeout 20 env "$variable" "$asperity" "${work_of_hours[@]}" --plot $file > /dev/null 2> err && die "--plot $file"

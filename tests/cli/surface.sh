@@ -51,9 +51,9 @@ grep -q 'short.csv: .*only .* correlation lengths long' err || die "a short prof
 # every command that reads a wall says what is doubtful about it, of profiles and of maps
 head -n 6000 profile.csv > some.csv
 awk 'NR == 3000 { sub(/,.*/, ",30") } 1' some.csv > dusty.csv
-for command in "cor --samples 2" "spread --angle 20 --samples 2"; do
-  "$asperity" $command --profile dusty.csv --dp 2um 2>&1 > /dev/null | grep 'as dust does' | grep -q 'dusty.csv: ' || die "$command: dust is not told"
-  "$asperity" $command --profile some.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers .* points' || die "$command: few points are not told"
+for command in "cor surface" "spread surface"; do
+  "$asperity" $command profile dusty.csv --samples 2 --dp 2um 2>&1 > /dev/null | grep 'as dust does' | grep -q 'dusty.csv: ' || die "$command: dust is not told"
+  "$asperity" $command profile some.csv --samples 2 --dp 2um 2>&1 > /dev/null | grep -q 'covers .* points' || die "$command: few points are not told"
 done
 
 # Filters: a wave of 800 um and one of 8 um; half of a wave passes at the cut-off. The robust filter is not drawn by a
