@@ -59,7 +59,7 @@ void cli_calibrate_plot(const cli_option *option, const calibration *c, const ch
   const char *named = cli_plot_title(picture);
   FILE *gp = cli_plot_stream(picture);
   fprintf(gp,
-          "set multiplot layout 1,2 title '%s%s%s'\nset xrange [-1:91]\nset xtics 15\n"
+          "set multiplot layout 1,2 title '%s%s%s'\nset xrange [-2:92]\nset xtics 15\n"
           "set xlabel 'impact angle α_1 / degrees'\n"
           "set key outside above center horizontal\nset offsets 0,0,graph 0.04,graph 0.04\n",
           named ? named : cli_plot_label(picture, data).text, named ? "" : ":  ",

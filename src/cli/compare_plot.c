@@ -30,8 +30,9 @@ static void print_range(const cli_plot *picture, const comparison *c, int which,
     low = fmin(low, c->data.rows[i].cor[which]);
     high = fmax(high, c->data.rows[i].cor[which]);
   }
-  double room = 0.04 * (high - low);
-  double range[2] = {fmax(least, low - room), fmin(most, high + room)};
+  low = fmax(least, low);
+  high = fmin(most, high);
+  double room = 0.04 * (high - low), range[2] = {low - room, high + room};
   cli_plot_range(picture, range);
   cli_plot_set_range(picture, range[0], range[1]);
   *bottom = range[0];
@@ -129,7 +130,7 @@ static void print_title(cli_plot *picture, const comparison *c) {
   else
     fprintf(gp, "%s: %zu impacts, %zu deposits", cli_plot_label(picture, c->names[0]).text,
             c->impacts.count, c->impacts.deposits);
-  fputs("'\nset xrange [-1:91]\nset xtics 15\nset xlabel 'impact angle α_1 / degrees'\n"
+  fputs("'\nset xrange [-2:92]\nset xtics 15\nset xlabel 'impact angle α_1 / degrees'\n"
         "set key outside above center horizontal maxrows 2\n",
         gp);
 }
