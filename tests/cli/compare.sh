@@ -3,7 +3,7 @@
 # that people have; deposits; places by angle, speed and size; standard input.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
-wall='--rq 5um --lambda-c 40um --model visible --collisions multiple --tilt isotropic'
+wall="surface rq 5um lambda_c 40um"
 
 # Over 200 pairs of seeds p-values are uniform: their distance from it, by Kolmogorov and Smirnov, is below what one
 # in a thousand would exceed, 1.95/sqrt(200), for a coefficient at a place, and their mean is for the score; and 90 % of
@@ -94,7 +94,7 @@ rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "c
 cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
 "$asperity" materials | "$asperity" rebound materials ard hastelloy-x file /dev/stdin --map angles --angles 45 > got || die "rebound --materials -"
 printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound rebound table /dev/stdin --map angles --angles 10 | grep -q ',0.9,0.8,' || die "rebound --table -"
-printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
+printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface surface profile /dev/stdin --dp 10um > got || die "surface --profile -"
 
 # The measurements that ship are read, and the law that was made of one set is that set.
 data=$root/examples/data

@@ -52,7 +52,7 @@ done
 for name in visible weibull bons thornton_ning yield_rate; do grep -qw "$name" wall || die "help wall: $name"; done
 [ "$("$asperity" --help=words | grep -xc wall)" = 0 ] || die "wall is no command"
 # At most fifteen options, besides --help.
-for command in cor spread rebound trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
+for command in surface spread cor rebound trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
 
 # Names.
 one() { "$asperity" cor materials "$@" --samples 1 --angles 30 | tail -n 1; }
@@ -78,10 +78,10 @@ for option in -o --plot; do
   ! timeout 5 "$asperity" doe $option /nowhere/x.png 2> err || die "doe $option /nowhere"
   grep -q "cannot write '/nowhere/x.png'" err || die "doe $option is checked before work begins: $(cat err)"
 done
-refuses 1 "cannot write '/nowhere/p.csv'" -- surface --rq 5um --lambda-c 40um --save /nowhere/p.csv
-refuses 2 "--output and --save are both 'p.csv'" -- surface --rq 5um --lambda-c 40um -o p.csv --save p.csv
-refuses 2 "--save is '-'" -- surface --rq 5um --lambda-c 40um --save -
-"$asperity" surface --rq 5um --lambda-c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface --profile - --dp 10um > piped
+refuses 1 "cannot write '/nowhere/p.csv'" -- surface surface rq 5um lambda_c 40um --save /nowhere/p.csv
+refuses 2 "--output and --save are both 'p.csv'" -- surface surface rq 5um lambda_c 40um -o p.csv --save p.csv
+refuses 2 "--save is '-'" -- surface surface rq 5um lambda_c 40um --save -
+"$asperity" surface surface rq 5um lambda_c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface surface profile /dev/stdin --dp 10um > piped
 grep -q '8192 points read' piped && [ -s slopes.csv ] || die "surface --save - in a pipe"
 refuses 2 "--figure is '5'" -- fit --figure 5 --plot fit.png
 refuses 2 "--figure is given without --plot" -- fit --figure 6
