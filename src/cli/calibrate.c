@@ -411,8 +411,8 @@ static int run(int argc, char **argv) {
       [BIN] = {"bin", "DEGREES", "width of the bins that impacts are put into", "5"},
       [SAMPLES] = {"samples", "N", "simulated impacts a bin; 10 for a measured one, 2000 to 20000",
                    NULL},
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-      [PLOT] = {"plot", "FILE", "draw data and fitted model; .png, .svg or .pdf", NULL},
+      [OUTPUT] = CLI_OUTPUT_OPTION,
+      CLI_PLOT_OPTIONS(PLOT, "draw data and fitted model; .png, .svg or .pdf"),
   };
   int words = cli_words(argc, argv);
   cli_parse(&cli_calibrate, argc - words, argv + words, options, false);

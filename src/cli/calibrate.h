@@ -20,7 +20,7 @@ enum {
   SAMPLES,
   OUTPUT,
   PLOT,
-  N
+  N = PLOT + PLOT_OPTIONS
 };
 
 typedef struct calibrate_unknown {

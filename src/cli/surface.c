@@ -18,7 +18,6 @@ enum {
   DP,
   POINTS,
   UNIT,
-  STEP,
   READ,
   FORM,
   GAPS,
@@ -35,11 +34,11 @@ static const cli_option table[N_OPTIONS + 1] = {
     [DP] = {"dp", "LENGTHS", "particle diameters: a list", "10um"},
     [POINTS] = {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
     [UNIT] = {"unit", "U[,U]", "unit of a file's columns, where it states none", NULL},
-    [STEP] = {"step", "LENGTH[,LENGTH]",
-              "between heights without positions; between a matrix's columns, and its rows", NULL},
     [READ] = {"read", "WORDS",
               "what is in a file: row N of an SDF map, column N (of it, or of a text's heights), "
-              "x_column and z_column N or NAME, missing VALUE, spacing resample or refuse",
+              "x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
+              "LENGTH[,LENGTH] between heights without "
+              "positions, or a matrix's columns and rows",
               NULL},
     [FORM] = {"form", "DEGREE", "polynomial taken out as form: none, or 0 to 9", "1"},
     [GAPS] = {"gaps", "refuse|fill", "what to do about bad and missing points", "refuse"},
@@ -68,7 +67,23 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
         option->name, option->value);
 }
 
-static bool take_layout(const char *word, const cli_option *value, aspi_profile_options *read) {
+/* How a file is read; step: between columns and rows, 0 where it is not given. */
+typedef struct reading {
+  aspi_profile_options file;
+  double step[2];
+} reading;
+
+static void take_steps(const cli_option *value, reading *r) {
+  cli_list steps = cli_lengths(value);
+  if (steps.count > 2)
+    cli_bad_usage("--%s is '%s'; it must be one length, or two", value->name, value->value);
+  r->step[0] = r->file.step = steps.values[0];
+  r->step[1] = steps.values[steps.count - 1];
+  free(steps.values);
+}
+
+static bool take_layout(const char *word, const cli_option *value, reading *r) {
+  aspi_profile_options *read = &r->file;
   if (strcmp(word, "row") == 0)
     read->row = (int)cli_whole(value, 1, 1000000);
   else if (strcmp(word, "column") == 0)
@@ -82,12 +97,15 @@ static bool take_layout(const char *word, const cli_option *value, aspi_profile_
   else if (strcmp(word, "missing") == 0) {
     read->has_missing = true;
     read->missing = cli_number(value, -INFINITY, INFINITY);
-  } else
+  } else if (strcmp(word, "step") == 0)
+    take_steps(value, r);
+  else
     return false;
   return true;
 }
 
-static bool take_filter(const char *word, const cli_option *value, aspi_profile_options *read) {
+static bool take_filter(const char *word, const cli_option *value, reading *r) {
+  aspi_profile_options *read = &r->file;
   if (strcmp(word, "tip") == 0)
     read->filters.tip = cli_length(value);
   else if (strcmp(word, "lambda_s") == 0)
@@ -100,38 +118,38 @@ static bool take_filter(const char *word, const cli_option *value, aspi_profile_
 }
 
 /* Words and their values, with blanks between; the text lives as long as the command. */
-static void take_words(const cli_option *option, aspi_profile_options *read,
-                       bool (*take)(const char *word, const cli_option *value,
-                                    aspi_profile_options *read)) {
+static void take_words(const cli_option *option, reading *r,
+                       bool (*take)(const char *word, const cli_option *value, reading *r)) {
   if (!option->value)
     return;
   char *text = cli_copy(option->value), name[80];
   for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
     if (take == take_filter && strcmp(word, "robust") == 0) {
-      read->filters.robust = true;
+      r->file.filters.robust = true;
       continue;
     }
     snprintf(name, sizeof name, "%s %.40s", option->name, word);
     const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
-    if (!value.value || !take(word, &value, read))
+    if (!value.value || !take(word, &value, r))
       cli_bad_usage("--%s is '%s'; '%s' is unknown or without a value; there are: %s", option->name,
                     option->value, word, option->help);
   }
 }
 
-static aspi_profile_options read_options(const cli_option *o) {
-  aspi_profile_options read = aspi_profile_options_default();
+static reading read_options(const cli_option *o) {
+  reading r = {.file = aspi_profile_options_default()};
+  aspi_profile_options *read = &r.file;
   if (o[UNIT].value)
-    read_unit(&o[UNIT], &read);
-  read.form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
-  read.fill = cli_choice(&o[GAPS], "refuse", "fill");
+    read_unit(&o[UNIT], read);
+  read->form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
+  read->fill = cli_choice(&o[GAPS], "refuse", "fill");
   if (o[SPIKES].value)
-    read.spikes = cli_number(&o[SPIKES], 1, 1e6);
-  take_words(&o[READ], &read, take_layout);
-  take_words(&o[FILTER], &read, take_filter);
-  if (read.filters.robust && !(read.filters.cutoff > 0))
+    read->spikes = cli_number(&o[SPIKES], 1, 1e6);
+  take_words(&o[READ], &r, take_layout);
+  take_words(&o[FILTER], &r, take_filter);
+  if (read->filters.robust && !(read->filters.cutoff > 0))
     cli_bad_usage("--filter is '%s'; robust goes with cutoff", o[FILTER].value);
-  return read;
+  return r;
 }
 
 /* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
@@ -191,12 +209,10 @@ static uint32_t seed_of(const cli_description *d) {
 
 static cli_wall read_wall(const cli_option *o, const cli_description *wall, source *from) {
   const char *file = asp_wall_word(wall->wall, "file");
-  aspi_profile_options read = read_options(o);
-  if (o[STEP].value)
-    read.step = cli_length(&o[STEP]);
+  reading how = read_options(o);
   double level = cli_choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
-  asp_profile *profile = aspi_profile_read(file, &read, &from->report, &error);
+  asp_profile *profile = aspi_profile_read(file, &how.file, &from->report, &error);
   if (!profile)
     cli_bad_file(NULL, &error);
   if (aspi_profile_describe(profile, level, &from->description, &error) ||
@@ -262,9 +278,8 @@ static void check_options(const cli_option *o, const char *kind) {
   enum { GENERATED = 1, BY_PROFILE = 2, BY_MAP = 4, MEASURED = BY_PROFILE | BY_MAP };
   static const struct {
     int option, own;
-  } list[] = {{POINTS, GENERATED}, {FILTER, BY_PROFILE}, {LEVEL, BY_PROFILE},
-              {UNIT, MEASURED},    {FORM, MEASURED},     {GAPS, MEASURED},
-              {SPIKES, MEASURED},  {STEP, MEASURED},     {READ, MEASURED}};
+  } list[] = {{POINTS, GENERATED}, {FILTER, BY_PROFILE}, {LEVEL, BY_PROFILE}, {UNIT, MEASURED},
+              {FORM, MEASURED},    {GAPS, MEASURED},     {SPIKES, MEASURED},  {READ, MEASURED}};
   int wall = strcmp(kind, "map") == 0       ? BY_MAP
              : strcmp(kind, "profile") == 0 ? BY_PROFILE
              : strcmp(kind, "rq") == 0      ? GENERATED
@@ -326,15 +341,9 @@ static cli_description wall_of(const walls *all, size_t index, int count, char *
 static void run_map(const cli_option *o, const cli_description *wall, const cli_list *sizes,
                     int argc, char **argv) {
   const char *file = asp_wall_word(wall->wall, "file");
-  aspi_profile_options read = read_options(o);
-  aspi_map_options options = {&read, {0, 0}};
-  if (o[STEP].value) {
-    cli_list steps = cli_lengths(&o[STEP]);
-    if (steps.count > 2)
-      cli_bad_usage("--step is '%s'; it must be one length, or two", o[STEP].value);
-    options.step[0] = steps.values[0];
-    options.step[1] = steps.values[steps.count - 1];
-  }
+  reading how = read_options(o);
+  how.file.step = 0;
+  aspi_map_options options = {&how.file, {how.step[0], how.step[1]}};
   cli_map map = cli_map_read(file, &options);
   const double *step = map.map->step;
   double sides[2] = {(double)map.map->columns * step[0], (double)map.map->rows * step[1]};

@@ -3,7 +3,7 @@
 # that people have; deposits; places by angle, speed and size; standard input.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
-wall="surface rq 5um lambda_c 40um"
+wall='surface rq 5um lambda_c 40um'
 
 # Over 200 pairs of seeds p-values are uniform: their distance from it, by Kolmogorov and Smirnov, is below what one
 # in a thousand would exceed, 1.95/sqrt(200), for a coefficient at a place, and their mean is for the score; and 90 % of
@@ -94,7 +94,7 @@ rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "c
 cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
 "$asperity" materials | "$asperity" rebound materials ard hastelloy-x file /dev/stdin --map angles --angles 45 > got || die "rebound --materials -"
 printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound rebound table /dev/stdin --map angles --angles 10 | grep -q ',0.9,0.8,' || die "rebound --table -"
-printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface surface profile /dev/stdin --dp 10um > got || die "surface --profile -"
+printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
 
 # The measurements that ship are read, and the law that was made of one set is that set.
 data=$root/examples/data
@@ -115,4 +115,31 @@ printf 'alpha1_deg,cor_n,cor_t\n5,9,1\n5,1,1\n5,1.2,1\n' > far_off.csv
 "$asperity" compare far_off.csv far_off.csv --plot off_axis.svg > got 2> err
 grep -q '1 of 3 measured impacts lie outside' off_axis.svg && grep -q 'far_off' off_axis.svg || die "compare --plot: what it leaves out"
 grep -q 'quarter' p.svg && grep -q 'half' p.svg || die "compare --plot: no names"
+key=$(grep -B 1 -m 1 '>measured<' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
+frame=$(grep "stroke='rgb( 68,  68,  68)'" p.svg | grep -oE "d='M[0-9.]+,[0-9.]+" | cut -d, -f2 | sort -g | head -n 1)
+awk -v key="$key" -v frame="$frame" 'BEGIN { exit !(key > 0 && key < frame) }' || die "compare --plot: the key at $key is within the panel, from $frame on"
+
+# One file of impacts alone: a row for each place, with what `cor --summary` says of it; a ledger by intervals of angle.
+for way in --summary '--columns own' '--columns ledger'; do "$asperity" cor $wall seed 5 --angles 15,40,90 --samples 300 $way -o "alone${way##* }"; done
+"$asperity" compare aloneown --plot alone.svg > got 2> err
+[ "$(column impacts got | paste -sd,)" = 300,300,300 ] && grep -q 'aloneown' alone.svg || die "compare IMPACTS: $(cat got err)"
+for name in alpha1_deg impacts capture_share n cor_n_mean cor_n_sd cor_t_mean cor_t_sd; do
+  paste <(column $name got) <(column $name alone--summary) | awk '{ d = $1 - $2; if (d * d > 1e-9) exit 1 } END { exit NR != 3 }' || die "compare IMPACTS: $name is not that of cor --summary: $(cat got alone--summary)"
+done
+"$asperity" compare aloneledger | rows /dev/stdin | cut -d, -f6- | sed 's/0*\([0-9]e\)/\1/g' | cut -d, -f1-3 | cmp - <(rows got | cut -d, -f6-8) || die "compare LEDGER"
+"$asperity" cor $wall --angles 1:90:0.5 --samples 2 | "$asperity" compare - --bin 30 > got
+[ "$(column impacts got | paste -sd,)" = 116,120,122 ] || die "compare - by intervals: $(cat got)"
+
+# Bad usage; no input is written over.
+refuses 2 "--near has no effect without DATA" -- compare aloneown --near 3
+refuses 2 "--below has no effect without DATA" -- compare aloneown --below drop
+refuses 2 "one file or two" -- compare
+printf 'alpha1_deg,cor_n_mean\n25,0.5\n' > elsewhere
+refuses 2 "no bin has both" -- compare aloneown elsewhere
+cp half kept; ln -s half link
+for output in half ./link; do
+  refuses 2 "is '$output', which is read" -- compare quarter half -o $output
+  refuses 2 "is '$output', which is read" -- compare half -o $output
+done
+cmp -s half kept || die "the data were written over"
 exit 0

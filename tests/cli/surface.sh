@@ -80,7 +80,7 @@ refuses 2 noise.csv 'spacings of the points' --filter -- surface surface profile
 refuses 2 steep.csv 'phi_r' --unit -- surface surface profile steep.csv --dp 0.1um
 "$asperity" surface surface profile waves.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers 4 points' || die "few points per particle"
 
-refuses 2 map.sdf 'step is given' SDF -- surface surface map map.sdf --step 1um
+refuses 2 map.sdf 'step is given' SDF -- surface surface map map.sdf --read 'step 1um'
 refuses 2 map.sdf 'unit is given' SDF -- surface surface profile map.sdf --unit um
 refuses 2 'row 2 is asked for' -- surface surface profile waves.csv --read 'row 2'
 refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
@@ -109,7 +109,7 @@ cmp <(rows d) <(rows e) || die "doe: depends on threads"
 grep -v '^#' d | head -n 1 | grep -qx "$columns,slope_closed_form,slope_law" || die "doe: columns"
 [ "$(rows d | wc -l)" = 8 ] || die "doe: rows"
 grep -q 'paper.*0.0251' d || die "doe: the paper's median"
-rows d | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.08 || d < -0.08 } off($6, $12) { exit 1 }' || die "doe: the size law is off"
+rows d | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.08 || d < -0.08 } off($6, $13) { exit 1 }' || die "doe: the size law is off"
 "$asperity" doe --rq 50um --lambda-c 40um --dp 10um --points 16384 | tail -n 1 | grep -q ',$' || die "doe: a law beyond the table"
 
 # Pictures.
