@@ -94,7 +94,7 @@ rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "c
 cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
 "$asperity" materials | "$asperity" rebound materials ard hastelloy-x file /dev/stdin --map angles --angles 45 > got || die "rebound --materials -"
 printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound rebound table /dev/stdin --map angles --angles 10 | grep -q ',0.9,0.8,' || die "rebound --table -"
-printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
+printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface surface profile /dev/stdin --dp 10um > got || die "surface --profile -"
 
 # The measurements that ship are read, and the law that was made of one set is that set.
 data=$root/examples/data
