@@ -1,4 +1,4 @@
-/* What `asperity surface` and `asperity doe` share: the row of one particle size on one profile.
+/* The row of one particle size on one profile, as `asperity surface` has it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SLOPES_H

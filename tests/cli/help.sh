@@ -69,21 +69,19 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,
 
 # Pictures.
 "$asperity" spread surface sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
-! timeout 5 "$asperity" doe --plot x.jpg 2> err || die "doe --plot x.jpg"
-grep -q "'x.jpg'; the file must end in" err || die "doe --plot x.jpg is refused before work begins: $(cat err)"
+! timeout 5 "$asperity" trade surface sigma 9 --rays 1000000000 --plot x.jpg 2> err || die "trade --plot x.jpg"
+grep -q "'x.jpg'; the file must end in" err || die "trade --plot x.jpg is refused before work begins: $(cat err)"
 echo "passed"
 
 # Files that cannot be written, or are two in one, are told before work begins.
 for option in -o --plot; do
-  ! timeout 5 "$asperity" doe $option /nowhere/x.png 2> err || die "doe $option /nowhere"
-  grep -q "cannot write '/nowhere/x.png'" err || die "doe $option is checked before work begins: $(cat err)"
+  ! timeout 5 "$asperity" trade surface sigma 9 --rays 1000000000 $option /nowhere/x.png 2> err || die "trade $option /nowhere"
+  grep -q "cannot write '/nowhere/x.png'" err || die "trade $option is checked before work begins: $(cat err)"
 done
 refuses 1 "cannot write '/nowhere/p.csv'" -- surface surface rq 5um lambda_c 40um --save /nowhere/p.csv
 refuses 2 "--output and --save are both 'p.csv'" -- surface surface rq 5um lambda_c 40um -o p.csv --save p.csv
 refuses 2 "--save is '-'" -- surface surface rq 5um lambda_c 40um --save -
 "$asperity" surface surface rq 5um lambda_c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface surface profile /dev/stdin --dp 10um > piped
 grep -q '8192 points read' piped && [ -s slopes.csv ] || die "surface --save - in a pipe"
-refuses 2 "--figure is '5'" -- fit --figure 5 --plot fit.png
-refuses 2 "--figure is given without --plot" -- fit --figure 6
 mkfifo pipe; cat pipe > through & "$asperity" spread surface sigma 10 --samples 10 -o pipe; wait
 [ "$(wc -l < through)" = 12 ] || die "-o PIPE: $(cat through)"
