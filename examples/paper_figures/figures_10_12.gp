@@ -15,7 +15,7 @@ set title 'Over d_p (fig. 11)'
 set xlabel 'd_p / µm'
 set logscale y
 set key top right
-plot for [w in "25:40 15:40 15:80 10:120 20:400"] rows using ($2.':'.$3 eq w ? $1 : NaN):($9 ** 2) with points pt 7 ps 0.5 title 'R_q:λ_c = '.w.' µm'
+plot for [w in "'25 40' '15 40' '15 80' '10 120' '20 400'"] rows using (sprintf('%g %g', $2, $3) eq w ? $1 : NaN):($9 ** 2) with points pt 7 ps 0.5 title 'R_q, λ_c = '.w.' µm'
 set title 'Over Φ_R and d_p/λ_c (fig. 12)'
 set xlabel 'Φ_R'
 set ylabel 'd_p / λ_c'

@@ -16,7 +16,7 @@ for command in $commands; do
   [ "$(grep -c '^\.TP$' page)" = "$(($(wc -l < words) - 1))" ] || die "$command: options in the page"
   if grep -n "^[.'][^A-Zn\\f]" page; then die "$command: a line of text begins as a request of troff"; fi
 done
-"$asperity" compare --help=man | grep -q 'IMPACTS DATA' || die "compare: its arguments in the synopsis"
+"$asperity" compare --help=man | grep -q 'IMPACTS \[DATA\]' || die "compare: its arguments in the synopsis"
 "$asperity" --help=man | grep -q 'asperity\\-cor (1)' || die "the page of all commands"
 ! "$asperity" cor --help=html 2> err || die "--help=html"
 grep -q "man or words" err || die "message: $(cat err)"
