@@ -84,7 +84,7 @@ static void read_materials(cli_description *d) {
 }
 
 static cli_description read_description(int count, char **words, bool may_fit) {
-  cli_description d = {.wall = NULL};
+  cli_description d = {.words = words, .n_words = count};
   asp_error error;
   d.wall = asp_wall_parse("", NULL, &error);
   if (!d.wall)
@@ -122,7 +122,8 @@ static bool is_word_of(const char *word, const char *list) {
   return false;
 }
 
-void cli_description_allow(const cli_description *d, const char *allowed, const char *why) {
+void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
+  d->has_no_impact = !is_word_of("rebound", allowed);
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
     bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
@@ -132,23 +133,31 @@ void cli_description_allow(const cli_description *d, const char *allowed, const 
   }
 }
 
+/* Reads the clauses that say nothing of the surface into another wall. */
+static void copy_constants(const cli_description *d, asp_wall *to) {
+  asp_error error;
+  asp_wall *from = asp_wall_parse("", NULL, &error);
+  for (int next = 0, taken = 0; from && next < d->n_words; next += taken) {
+    const char *const *words = (const char *const *)d->words + next;
+    if (asp_wall_read(from, d->n_words - next, words, "", &taken, &error))
+      cli_fail("%s", error.text);
+    if (strcmp(*words, "surface") != 0 && strcmp(*words, "spread") != 0)
+      read_words(to, taken, d->words + next);
+  }
+  asp_wall_free(from);
+}
+
 cli_description cli_description_smooth(const cli_description *d) {
-  char *text = cli_allocate(strlen(d->text) + 20, 1);
-  const char *at = d->text;
-  size_t length = strlen(strcpy(text, "surface smooth "));
-  for (size_t clause; (clause = asp_wall_clause(at)) > 0; at += clause)
-    if (strncmp(at, "surface ", 8) != 0 && strncmp(at, "spread ", 7) != 0) {
-      memcpy(text + length, at, clause);
-      length += clause;
-    }
   cli_description smooth = {.wall = NULL};
   asp_error error;
-  smooth.wall = asp_wall_parse(text, NULL, &error);
-  if (!smooth.wall || asp_wall_make(smooth.wall, 1, 1, &error))
+  smooth.wall = asp_wall_parse("", NULL, &error);
+  if (!smooth.wall)
     cli_fail("%s", error.text);
-  free(text);
+  copy_constants(d, smooth.wall);
   read_materials(&smooth);
   smooth.text = text_of(smooth.wall);
+  if (asp_wall_make(smooth.wall, 1, 1, &error))
+    cli_fail("%s", error.text);
   return smooth;
 }
 
@@ -217,7 +226,8 @@ void cli_description_make(cli_description *d, double d_least, double d_most) {
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);
   check_sampling(d, d_least);
-  check_constants(d, d_most);
+  if (!d->has_no_impact)
+    check_constants(d, d_most);
 }
 
 const double *cli_description_lay(const cli_description *d, double vector[3]) {

@@ -15,15 +15,18 @@ int cli_words(int argc, char **argv);
 
 typedef struct cli_description {
   asp_wall *wall;
+  char **words; /* as given */
+  int n_words;
   const asp_material *particle, *target; /* NULL where the law takes no materials and none are
                                             given */
   asp_pair *pair;                        /* NULL alike */
   bool has_standard_materials;           /* none are given */
-  double density;                        /* of the particles */
-  asp_profile *profile;                  /* a measured wall, once it is made; else NULL */
-  asp_map *map;                          /* alike */
-  char *text;                            /* canonical; with the materials, also where they are the
-                                            default */
+  bool has_no_impact;   /* the command takes no rebound law, so constants do not count */
+  double density;       /* of the particles */
+  asp_profile *profile; /* a measured wall, once it is made; else NULL */
+  asp_map *map;         /* alike */
+  char *text;           /* canonical; with the materials, also where they are the
+                           default */
 } cli_description;
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of
@@ -37,8 +40,7 @@ void cli_description_free(cli_description *description);
 
 /* Refuses each keyword that is given and is none of `allowed`, which have blanks between; `why` is
  * a sentence about the command. */
-void cli_description_allow(const cli_description *description, const char *allowed,
-                           const char *why);
+void cli_description_allow(cli_description *description, const char *allowed, const char *why);
 
 /* The same with a smooth surface, ready for impacts and without warnings. */
 cli_description cli_description_smooth(const cli_description *description);

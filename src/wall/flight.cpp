@@ -7,8 +7,9 @@
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
  *
- * where the curve of the wall joins f if the particle stayed there in the step before; a particle
- * that flies meets a curved wall again by its straight path. Less than GRAZING is no approach.
+ * where the curve of the wall joins f if the particle stayed there before, and turns it by less
+ * than TURN in a step; one that flies meets a curved wall again by its straight path. Less than
+ * GRAZING is no approach.
  *
  * A sustained contact is no impact: it has no row and is not counted.
  *
@@ -33,6 +34,9 @@ const double DEGREES = 180 / ASP_PI;
 /* Sine of the angle to the wall below which a particle slides. */
 const double GRAZING = 1e-6;
 
+/* The angle by which a wall's curve may turn a particle that stays at it in a step, rad. */
+const double TURN = 0.1;
+
 /* Contacts in a row within this share of the radius. After SERIES of them, as between walls that
  * close, all are taken as sustained; after twice as many the particle is trapped in this step. */
 const int SERIES = 16;
@@ -45,8 +49,9 @@ const int CONTACTS_MOST = 10000;
  * within this many radii. */
 const double REACH = 1.01;
 
-/* Two contacts are one where the cosine between their normals differs from 1 by less. */
-const double SAME = 1e-9;
+/* Two contacts are one where the cosine between their normals differs from 1 by less; on one face,
+ * which may be curved, by less than TURNED. */
+const double SAME = 1e-9, TURNED = 0.01;
 
 /* Relative rounding of sums, and of velocities and times. */
 const double ROUNDING = 1e-9;
@@ -68,7 +73,7 @@ struct Wall::Flight {
     /* Faces of a flat mesh count as one. */
     bool is_at(const Wall *other, size_t of, const Contact &now) const {
       return wall == other && shape == of &&
-             (contact.face == now.face || vector_dot(contact.n, now.n) > 1 - SAME);
+             vector_dot(contact.n, now.n) > 1 - (contact.face == now.face ? TURNED : SAME);
     }
   };
 
@@ -86,6 +91,8 @@ struct Wall::Flight {
   double free_half[3], free_spin[3];
   bool squeezed; /* no velocity satisfies all of them */
 
+  bool far; /* from the last contact */
+
   /* Contacts in a row: the first impact among them, and the spin before. */
   size_t series_begin;
   double series_spin[3];
@@ -95,6 +102,7 @@ struct Wall::Flight {
   void velocity(double time, double v[3]) const;
   void go_on(const double before[3], const double after[3], const double n[3]);
   void stay(Wall *wall, size_t shape, const Contact &contact);
+  double turned_speed(const Contact &contact) const;
   void follow_walls();
   void settle();
   void trap();
@@ -104,7 +112,7 @@ struct Wall::Flight {
 };
 
 Wall::Flight::Flight(const Spheres &s, int particle)
-    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false),
+    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false), far(false),
       series_begin(0) {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   path.left = path.dt = s.dt;
@@ -211,11 +219,11 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   Contact contact;
   bool stuck = false;
   int series = 0, all = 0;
-  while (path.left > EPSILON * s.dt && !stuck && !flight.squeezed && series < 2 * SERIES &&
-         all < CONTACTS_MOST && find_first(walls, flight, wall, shape, contact)) {
-    if (all == 0 || contact.time * vector_length(path.v) > NEAR * flight.radius) {
+  while (!stuck && !flight.squeezed && series < 2 * SERIES && all < CONTACTS_MOST &&
+         find_first(walls, flight, wall, shape, contact)) {
+    flight.far = contact.time * vector_length(path.v) > NEAR * flight.radius;
+    if (all == 0 || flight.far) {
       series = 0;
-      flight.settle();
       flight.series_begin = flight.events.size();
       vector_copy(flight.spin, flight.series_spin);
     }
@@ -247,7 +255,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
 
 /* One contact: moves the flight on to it, and gives it the velocity after it. True where the
  * particle has stuck. */
-bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crowded) {
+bool Wall::touch(Flight &flight, size_t shape, Contact contact, bool crowded) {
   const Spheres &s = flight.spheres;
   const int i = flight.i;
   const Path before = flight.path;
@@ -259,9 +267,12 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
   vector_copy(v, flight.begin);
 
   const double approach = -vector_dot(v1, contact.n);
+  const double speed = vector_length(v1);
+  if (!(fabs(contact.curve) * s.dt < TURN * speed))
+    contact.curve = 0;
   const double push =
       contact.follow - vector_dot(flight.a0, contact.n) + (status(i) == FREE ? 0 : contact.curve);
-  const double least = std::max((1 + ROUNDING) * 0.5 * s.dt * push, GRAZING * vector_length(v1));
+  const double least = std::max((1 + ROUNDING) * 0.5 * s.dt * push, GRAZING * speed);
   const bool sustained = crowded || !(approach > least);
   const bool arrives = approach > 0 && status(i) == FREE;
   if (sustained && !(arrives && model_.sticks())) {
@@ -312,27 +323,40 @@ bool Wall::touch(Flight &flight, size_t shape, const Contact &contact, bool crow
 /* ---- sustained contact ------------------------------------------------------------------------
  */
 
-/* Adds a sustained contact to those of this place, or renews it, and solves all of them. */
+/* The speed along n at the beginning of a chord that keeps the speed along a curved wall: u
+ * tan(psi/2) for one that the wall turns by psi, with sin psi = u left/R. */
+double Wall::Flight::turned_speed(const Contact &contact) const {
+  double u[3];
+  vector_subtract(half, contact.v_wall, u);
+  const double speed = vector_length(u);
+  return speed > 0 ? speed * tan(0.5 * asin(contact.curve * path.left / speed)) : 0;
+}
+
+/* Adds a sustained contact to those of this place, and solves all of them. One that is there
+ * already is met again because the path is straight, and only the path changes. */
 void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
+  const double speed = vector_length(path.v) + vector_length(contact.v_wall);
+  const double keep = vector_dot(path.v, contact.n) +
+                      (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
+  for (Stay &stay : stays)
+    if (stay.is_at(wall, shape, contact)) {
+      stay.contact = contact;
+      stay.keep = keep;
+      follow_walls();
+      return;
+    }
+  if (far)
+    settle();
   if (stays.empty()) {
     vector_copy(half, free_half);
     vector_copy(spin, free_spin);
   }
-  size_t k = 0;
-  while (k < stays.size() && !stays[k].is_at(wall, shape, contact))
-    k++;
-  if (k == stays.size()) {
-    stays.push_back(Stay());
-    supports.push_back(Support());
-  }
-  const double speed = vector_length(path.v) + vector_length(contact.v_wall);
-  stays[k] = Stay{wall, shape, contact,
-                  vector_dot(path.v, contact.n) + (1 + ROUNDING) * std::max(0.0, contact.closing) +
-                      EPSILON * speed};
-  Support &s = supports[k];
+  stays.push_back(Stay{wall, shape, contact, keep});
+  supports.push_back(Support());
+  Support &s = supports.back();
   vector_copy(contact.n, s.n);
-  vector_add_scaled(contact.v_wall, 0.5 * path.left * (contact.follow + contact.curve), contact.n,
-                    s.w);
+  vector_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow + turned_speed(contact),
+                    contact.n, s.w);
   s.friction = wall->model_.friction(spheres.type[i], wall->shapes_[shape].wall_type);
 
   double before[3];
@@ -353,9 +377,10 @@ void Wall::Flight::follow_walls() {
   vector_copy(a0, acceleration);
   for (size_t k = 0; k < stays.size(); k++) {
     keep[k].friction = 0;
-    vector_copy(keep[k].n, keep[k].w);
-    vector_scale(stays[k].keep, keep[k].w);
     const Contact &contact = stays[k].contact;
+    vector_copy(contact.n, keep[k].n);
+    vector_copy(contact.n, keep[k].w);
+    vector_scale(stays[k].keep, keep[k].w);
     const double push = contact.follow + contact.curve - vector_dot(acceleration, contact.n);
     vector_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
   }

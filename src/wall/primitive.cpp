@@ -137,9 +137,13 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
   axis[cylinder_.axis] = 1;
   vector_cross(axis, contact.n, around);
   const double distance = axis_distance(contact.x), speed = vector_dot(path.v, around);
+  const double side = distance < cylinder_.radius ? 1 : -1, left = path.left - touch.time;
   if (distance > 0)
-    contact.curve = (distance < cylinder_.radius ? 1 : -1) * speed * speed / distance;
-  contact.closing += 0.5 * (path.left - touch.time) * contact.curve;
+    contact.curve = side * speed * speed / distance;
+  if (left > 0) { /* to the end of a chord that begins and ends at the wall */
+    const double angle = std::min(1.0, fabs(speed) * left / distance);
+    contact.closing += side * distance * angle * angle / (1 + sqrt(1 - angle * angle)) / left;
+  }
   return true;
 }
 

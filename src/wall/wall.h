@@ -220,7 +220,7 @@ private:
   static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
                          size_t &shape, Contact &contact);
   static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
-  bool touch(Flight &flight, size_t shape, const Contact &contact, bool crowded);
+  bool touch(Flight &flight, size_t shape, Contact contact, bool crowded);
   void keep_resting(int i, size_t shape, int face);
   static void hold_resting(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
   static void note_energy(const Flight &flight);

@@ -113,7 +113,7 @@ cor() { "$asperity" cor "$@" --samples 400 --angles 20 | grep -v '^#\|^dp'; }
 mean() { awk -F, -v k="$1" '{ s += $k } END { print s / NR }'; }
 a=$(cor surface sigma 10.026 --dp 4um | mean 8) b=$(cor surface rq 5um lambda_c 40um --dp 4um | mean 8)
 awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || die "sigma: $a, by its numbers $b"
-"$asperity" surface --rq 5um --lambda-c 40um --dp 10um --save level.csv > /dev/null
+"$asperity" surface surface rq 5um lambda_c 40um --dp 10um --save level.csv > /dev/null
 a=$(cor surface profile level.csv | mean 8) b=$(cor surface rq 5um lambda_c 40um spread profile plane | mean 8)
 awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.9 && a / b < 1.1) }' || die "profile: $a, by its numbers $b"
 refuses 2 "'rq' is unknown" -- cor surface sigma 10 rq 5um lambda_c 40um

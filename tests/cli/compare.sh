@@ -94,7 +94,7 @@ rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "c
 cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
 "$asperity" materials | "$asperity" rebound materials ard hastelloy-x file /dev/stdin --map angles --angles 45 > got || die "rebound --materials -"
 printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound rebound table /dev/stdin --map angles --angles 10 | grep -q ',0.9,0.8,' || die "rebound --table -"
-printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
+printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface surface profile /dev/stdin --dp 10um > got || die "surface --profile -"
 
 # The measurements that ship are read, and the law that was made of one set is that set.
 data=$root/examples/data
@@ -115,7 +115,7 @@ printf 'alpha1_deg,cor_n,cor_t\n5,9,1\n5,1,1\n5,1.2,1\n' > far_off.csv
 "$asperity" compare far_off.csv far_off.csv --plot off_axis.svg > got 2> err
 grep -q '1 of 3 measured impacts lie outside' off_axis.svg && grep -q 'far_off' off_axis.svg || die "compare --plot: what it leaves out"
 grep -q 'quarter' p.svg && grep -q 'half' p.svg || die "compare --plot: no names"
-key=$(grep -B 1 -m 1 '>measured<' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
+key=$(grep -B 1 -m 1 '<tspan.*>measured<' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
 frame=$(grep "stroke='rgb( 68,  68,  68)'" p.svg | grep -oE "d='M[0-9.]+,[0-9.]+" | cut -d, -f2 | sort -g | head -n 1)
 awk -v key="$key" -v frame="$frame" 'BEGIN { exit !(key > 0 && key < frame) }' || die "compare --plot: the key at $key is within the panel, from $frame on"
 

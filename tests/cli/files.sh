@@ -14,7 +14,7 @@ printf 'ITEM: ENTRIES f_w[11] f_w[17] f_w[18] f_w[19]\n10 0.5 0.5 0\n10 0.4 0.5 
 # use FILE PIPE: what a command makes of each kind of file.
 use() {
   case $1 in
-    profile | uneven) "$asperity" surface --profile "$2" --dp 10um ;;
+    profile | uneven) "$asperity" surface surface profile "$2" --dp 10um ;;
     materials) "$asperity" rebound materials ard hastelloy-x file "$2" --map angles --angles 45 ;;
     table) "$asperity" rebound rebound table "$2" --map angles --angles 45 ;;
     impacts | dump) "$asperity" compare "$2" impacts ;;

@@ -16,7 +16,7 @@ for command in $commands; do
   [ "$(grep -c '^\.TP$' page)" = "$(($(wc -l < words) - 1))" ] || die "$command: options in the page"
   if grep -n "^[.'][^A-Zn\\f]" page; then die "$command: a line of text begins as a request of troff"; fi
 done
-"$asperity" compare --help=man | grep -q 'IMPACTS DATA' || die "compare: its arguments in the synopsis"
+"$asperity" compare --help=man | grep -q 'IMPACTS \[DATA\]' || die "compare: its arguments in the synopsis"
 "$asperity" --help=man | grep -q 'asperity\\-cor (1)' || die "the page of all commands"
 ! "$asperity" cor --help=html 2> err || die "--help=html"
 grep -q "man or words" err || die "message: $(cat err)"
@@ -52,7 +52,7 @@ done
 for name in visible weibull bons thornton_ning yield_rate; do grep -qw "$name" wall || die "help wall: $name"; done
 [ "$("$asperity" --help=words | grep -xc wall)" = 0 ] || die "wall is no command"
 # At most fifteen options, besides --help.
-for command in cor spread rebound trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
+for command in surface spread cor rebound trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
 
 # Names.
 one() { "$asperity" cor materials "$@" --samples 1 --angles 30 | tail -n 1; }
@@ -69,21 +69,19 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,
 
 # Pictures.
 "$asperity" spread surface sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
-! timeout 5 "$asperity" doe --plot x.jpg 2> err || die "doe --plot x.jpg"
-grep -q "'x.jpg'; the file must end in" err || die "doe --plot x.jpg is refused before work begins: $(cat err)"
+! timeout 5 "$asperity" trade surface sigma 9 --rays 1000000000 --plot x.jpg 2> err || die "trade --plot x.jpg"
+grep -q "'x.jpg'; the file must end in" err || die "trade --plot x.jpg is refused before work begins: $(cat err)"
 echo "passed"
 
 # Files that cannot be written, or are two in one, are told before work begins.
 for option in -o --plot; do
-  ! timeout 5 "$asperity" doe $option /nowhere/x.png 2> err || die "doe $option /nowhere"
-  grep -q "cannot write '/nowhere/x.png'" err || die "doe $option is checked before work begins: $(cat err)"
+  ! timeout 5 "$asperity" trade surface sigma 9 --rays 1000000000 $option /nowhere/x.png 2> err || die "trade $option /nowhere"
+  grep -q "cannot write '/nowhere/x.png'" err || die "trade $option is checked before work begins: $(cat err)"
 done
-refuses 1 "cannot write '/nowhere/p.csv'" -- surface --rq 5um --lambda-c 40um --save /nowhere/p.csv
-refuses 2 "--output and --save are both 'p.csv'" -- surface --rq 5um --lambda-c 40um -o p.csv --save p.csv
-refuses 2 "--save is '-'" -- surface --rq 5um --lambda-c 40um --save -
-"$asperity" surface --rq 5um --lambda-c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface --profile - --dp 10um > piped
+refuses 1 "cannot write '/nowhere/p.csv'" -- surface surface rq 5um lambda_c 40um --save /nowhere/p.csv
+refuses 2 "--output and --save are both 'p.csv'" -- surface surface rq 5um lambda_c 40um -o p.csv --save p.csv
+refuses 2 "--save is '-'" -- surface surface rq 5um lambda_c 40um --save -
+"$asperity" surface surface rq 5um lambda_c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface surface profile /dev/stdin --dp 10um > piped
 grep -q '8192 points read' piped && [ -s slopes.csv ] || die "surface --save - in a pipe"
-refuses 2 "--figure is '5'" -- fit --figure 5 --plot fit.png
-refuses 2 "--figure is given without --plot" -- fit --figure 6
 mkfifo pipe; cat pipe > through & "$asperity" spread surface sigma 10 --samples 10 -o pipe; wait
 [ "$(wc -l < through)" = 12 ] || die "-o PIPE: $(cat through)"

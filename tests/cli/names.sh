@@ -33,7 +33,7 @@ no_more "--plot"
 mkdir data
 for name in "${names[@]}"; do
   cp profile "data/$name"
-  "$asperity" surface --profile "data/$name" --dp 10um --plot p.svg -o table 2> err || die "--profile '$name': $(cat err)"
+  "$asperity" surface surface profile "data/$name" --dp 10um --plot p.svg -o table 2> err || die "--profile '$name': $(cat err)"
   is_picture p.svg || die "--profile '$name': no picture"
   [ "$(grep -vc '^#' table)" = 2 ] || die "--profile '$name': the name is not within its comment: $(cat table)"
   cp impacts "data/$name"

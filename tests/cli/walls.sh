@@ -4,7 +4,7 @@
 source "$(dirname "$0")/cli.sh"
 
 # A profile with flat peaks and deep valleys, 1000 lambda_c long; the beginning of it; a map made of waves.
-"$asperity" surface --rq 5um --lambda-c 40um --dp 10um --points 131072 --save gauss > /dev/null
+"$asperity" surface surface rq 5um lambda_c 40um --dp 10um --points 131072 --save gauss > /dev/null
 awk -F, 'NR > 2 && NR % 4 == 0 { if (!n++) print "x_um,z_um"; printf "%.9g,%.7g\n", $1, -6.5 * log(1 + exp(0.6 - 1.4 * $2 / 5)) }' gauss > plateau
 head -n 1921 plateau > short
 waves() { # STRETCH along y, FACTOR of the heights of the right half
@@ -28,7 +28,7 @@ near "--sigma of a model that looks at a profile" "$(mean surface sigma "$sigma"
 near "--profile" "$(mean surface profile gauss --dp 5um)" "$(mean surface rq 5um lambda_c 40um --dp 5um)" 0.4
 near "--profile, its own law" "$(mean surface profile plateau --dp 5um)" "$(mean surface profile plateau spread traced --dp 5um)" 0.15
 near "--lay" "$(mean surface rq 5um lambda_c 40um 120um lay 0 --dp 10nm)" "$(mean surface rq 5um lambda_c 120um --dp 10nm)" 0.01
-numbers=$("$asperity" surface --map map --dp 5um | awk -F, 'END { print $2 "um lambda_c " $3 "um" }')
+numbers=$("$asperity" surface surface map map --dp 5um | awk -F, 'END { print $2 "um lambda_c " $3 "um" }')
 near "--map" "$(mean surface map map --dp 5um)" "$(mean surface rq $numbers --dp 5um)" 0.8
 
 across=$(mean surface map laid lay 90 --dp 5um) along=$(mean surface map laid lay 0 --dp 5um)
@@ -38,9 +38,9 @@ impacts() { "$asperity" cor surface map laid lay "$1" --dp 5um --angles 20 --sam
 steeper "cor --map --lay" "$(impacts 90)" "$(impacts 0)"
 
 # What `surface` has mended can be given to the others.
-"$asperity" surface --map map --dp 5um --form 2 --save mended > /dev/null
-"$asperity" surface --map mended --dp 5um --form none > again
-[ "$(tail -n 1 again)" = "$("$asperity" surface --map map --dp 5um --form 2 | tail -n 1)" ] || die "surface --map --save: $(cat again)"
+"$asperity" surface surface map map --dp 5um --form 2 --save mended > /dev/null
+"$asperity" surface surface map mended --dp 5um --form none > again
+[ "$(tail -n 1 again)" = "$("$asperity" surface surface map map --dp 5um --form 2 | tail -n 1)" ] || die "surface --map --save: $(cat again)"
 
 # trade by a profile: the plateau's own law is close, that of a Gaussian wall with its numbers is not. No part of the
 # profile judges what it made: a short one says too little of its other half, and that is seen.

@@ -85,7 +85,7 @@ at | awk '{ y = 3e-4; z = -2e-4; u = 30; w = 40; left = 20 * 4e-5; R = 1.95e-3
 
 # A particle that keeps no speed along the normal slides around a cylinder, pressed against it by the curve of its path:
 # friction mu takes speed until it rolls at 5/7 of it, after the angle ln(7/5)/mu.
-flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 surface smooth rebound constant 0 1 deposit off" "0 0 -1.5e-3" "0 50 -1" 1e-6 200 > slide.in
+flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 surface smooth rebound constant 0 1 friction 0.3 deposit off" "0 0 -1.5e-3" "0 50 -1" 1e-6 200 > slide.in
 engine 1 slide.in
 at | awk '{ pi = atan2(0, -1); R = 1.95e-3; mu = 0.3; t = (sqrt(1.5e-3 ^ 2 + 2501 * (R ^ 2 - 1.5e-3 ^ 2)) - 1.5e-3) / 2501
   b = 1.5e-3 + t; begin = 50 * t; u = (50 * b - begin) / R
