@@ -257,7 +257,9 @@ static void warn_of_doubt(const calibration *c, const aspi_fit *f) {
     cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s", f->chi2 / f->dof,
              p, f->described ? "" : "; the standard errors are scaled by its root");
   if (!f->converged)
-    cli_warn("weights and values have not settled; --samples with more may help");
+    cli_warn("weights and values have not settled: they still move by over a quarter of their "
+             "errors; more "
+             "--samples may help");
   if (f->interval[0] == BY_BOOTSTRAP)
     cli_warn("impacts are too few for intervals by standard errors; these are from synthetic data "
              "sets that were fitted anew");
