@@ -1,4 +1,4 @@
-/* asperity surface --map.
+/* asperity surface of a map.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SURFACE_MAP_H

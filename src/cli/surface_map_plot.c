@@ -1,4 +1,4 @@
-/* The picture of `asperity surface --map`: the map with its lay and the ellipse of its
+/* The picture of `asperity surface` of a map: the map with its lay and the ellipse of its
  * autocorrelation, a section with the way of two spheres over it, the rms slopes by direction, and
  * the rebound and lateral angles of the map's own law beside those of a Gaussian wall with its
  * numbers.

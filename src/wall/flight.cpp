@@ -63,17 +63,18 @@ const double EPSILON = 1e-12;
  * what acts on the particle, from `begin`, so that a contact finds the velocity of its own instant.
  * `half` is what the engine's second half of the step has to begin with. */
 struct Wall::Flight {
-  /* A sustained contact; `keep` is the speed along n that its path needs. */
+  /* A sustained contact as it began. The path needs the speed `keep` along `n`, which is the normal
+   * where it met the wall last. */
   struct Stay {
     Wall *wall;
     size_t shape;
     Contact contact;
-    double keep;
+    double keep, n[3];
 
     /* Faces of a flat mesh count as one. */
     bool is_at(const Wall *other, size_t of, const Contact &now) const {
       return wall == other && shape == of &&
-             vector_dot(contact.n, now.n) > 1 - (contact.face == now.face ? TURNED : SAME);
+             vector_dot(n, now.n) > 1 - (contact.face == now.face ? TURNED : SAME);
     }
   };
 
@@ -101,8 +102,8 @@ struct Wall::Flight {
   asp_particle particle(const asp_pair *pair) const;
   void velocity(double time, double v[3]) const;
   void go_on(const double before[3], const double after[3], const double n[3]);
+  Stay *find_stay(const Wall *wall, size_t shape, const Contact &contact);
   void stay(Wall *wall, size_t shape, const Contact &contact);
-  double turned_speed(const Contact &contact) const;
   void follow_walls();
   void settle();
   void trap();
@@ -270,11 +271,12 @@ bool Wall::touch(Flight &flight, size_t shape, Contact contact, bool crowded) {
   const double speed = vector_length(v1);
   if (!(fabs(contact.curve) * s.dt < TURN * speed))
     contact.curve = 0;
+  const bool stays = flight.find_stay(this, shape, contact), stayed = stays || status(i) != FREE;
   const double push =
-      contact.follow - vector_dot(flight.a0, contact.n) + (status(i) == FREE ? 0 : contact.curve);
+      contact.follow - vector_dot(flight.a0, contact.n) + (stayed ? contact.curve : 0);
   const double least = std::max((1 + ROUNDING) * 0.5 * s.dt * push, GRAZING * speed);
-  const bool sustained = crowded || !(approach > least);
-  const bool arrives = approach > 0 && status(i) == FREE;
+  const bool sustained = crowded || stays || !(approach > least);
+  const bool arrives = approach > 0 && !stayed;
   if (sustained && !(arrives && model_.sticks())) {
     flight.stay(this, shape, contact);
     return false;
@@ -323,13 +325,12 @@ bool Wall::touch(Flight &flight, size_t shape, Contact contact, bool crowded) {
 /* ---- sustained contact ------------------------------------------------------------------------
  */
 
-/* The speed along n at the beginning of a chord that keeps the speed along a curved wall: u
- * tan(psi/2) for one that the wall turns by psi, with sin psi = u left/R. */
-double Wall::Flight::turned_speed(const Contact &contact) const {
-  double u[3];
-  vector_subtract(half, contact.v_wall, u);
-  const double speed = vector_length(u);
-  return speed > 0 ? speed * tan(0.5 * asin(contact.curve * path.left / speed)) : 0;
+Wall::Flight::Stay *Wall::Flight::find_stay(const Wall *wall, size_t shape,
+                                            const Contact &contact) {
+  for (Stay &stay : stays)
+    if (stay.is_at(wall, shape, contact))
+      return &stay;
+  return NULL;
 }
 
 /* Adds a sustained contact to those of this place, and solves all of them. One that is there
@@ -338,25 +339,23 @@ void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
   const double speed = vector_length(path.v) + vector_length(contact.v_wall);
   const double keep = vector_dot(path.v, contact.n) +
                       (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
-  for (Stay &stay : stays)
-    if (stay.is_at(wall, shape, contact)) {
-      stay.contact = contact;
-      stay.keep = keep;
-      follow_walls();
-      return;
-    }
+  if (Stay *stay = find_stay(wall, shape, contact)) {
+    stay->keep = keep;
+    vector_copy(contact.n, stay->n);
+    follow_walls();
+    return;
+  }
   if (far)
     settle();
   if (stays.empty()) {
     vector_copy(half, free_half);
     vector_copy(spin, free_spin);
   }
-  stays.push_back(Stay{wall, shape, contact, keep});
+  stays.push_back(Stay{wall, shape, contact, keep, {contact.n[0], contact.n[1], contact.n[2]}});
   supports.push_back(Support());
   Support &s = supports.back();
   vector_copy(contact.n, s.n);
-  vector_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow + turned_speed(contact),
-                    contact.n, s.w);
+  vector_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow, contact.n, s.w);
   s.friction = wall->model_.friction(spheres.type[i], wall->shapes_[shape].wall_type);
 
   double before[3];
@@ -378,8 +377,8 @@ void Wall::Flight::follow_walls() {
   for (size_t k = 0; k < stays.size(); k++) {
     keep[k].friction = 0;
     const Contact &contact = stays[k].contact;
-    vector_copy(contact.n, keep[k].n);
-    vector_copy(contact.n, keep[k].w);
+    vector_copy(stays[k].n, keep[k].n);
+    vector_copy(stays[k].n, keep[k].w);
     vector_scale(stays[k].keep, keep[k].w);
     const double push = contact.follow + contact.curve - vector_dot(acceleration, contact.n);
     vector_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
@@ -398,7 +397,7 @@ void Wall::Flight::settle() {
     vector_subtract(free_half, stay.contact.v_wall, u);
     vector_scale(-mass, s.p);
     stay.wall->press(spheres, i, stay.shape, stay.contact.piece, s.n, s.p, u);
-    stay.wall->keep_resting(i, stay.shape, stay.contact.face);
+    stay.wall->keep_resting(i, stay.shape, stay.contact);
   }
   stays.clear();
   supports.clear();
@@ -423,7 +422,7 @@ void Wall::Flight::trap() {
 }
 
 /* Notes a face at which a particle stays; of more than a row has room for, the last ones. */
-void Wall::keep_resting(int i, size_t shape, int face) {
+void Wall::keep_resting(int i, size_t shape, const Contact &contact) {
   double *row = place(i);
   if (!is_at_rest(i)) {
     std::fill(row, row + N_PLACE, 0.0);
@@ -431,15 +430,32 @@ void Wall::keep_resting(int i, size_t shape, int face) {
     touching_.push_back(i);
   }
   int k = 0;
-  while (k < N_PLACE && row[k] > 0 &&
-         !(static_cast<size_t>(row[k]) == shape + 1 && static_cast<int>(row[k + 1]) == face))
+  while (
+      k < FROM && row[k] > 0 &&
+      !(static_cast<size_t>(row[k]) == shape + 1 && static_cast<int>(row[k + 1]) == contact.face))
     k += 2;
-  if (k == N_PLACE) {
-    std::copy(row + 2, row + N_PLACE, row);
-    k = N_PLACE - 2;
+  if (k == FROM) {
+    std::copy(row + 2, row + FROM, row);
+    k = FROM - 2;
   }
   row[k] = static_cast<double>(shape) + 1;
-  row[k + 1] = face;
+  row[k + 1] = contact.face;
+  for (int d = 0; d < 3; d++)
+    row[FROM + d] = fabs(contact.curve) > 0 ? contact.n[d] : 0;
+}
+
+/* A curved wall only turns a velocity, from the normal that it had to n: gives back what the
+ * projection takes of its tangential part. */
+static void turn_along(const double from[3], const double n[3], const double v_wall[3],
+                       double v[3]) {
+  double across[3], u[3];
+  const double cosine = vector_dot(from, n);
+  vector_add_scaled(from, -cosine, n, across);
+  const double sine = vector_length(across);
+  if (!(cosine > 0 && sine > 0))
+    return;
+  vector_subtract(v, v_wall, u);
+  vector_add_scaled(v, vector_dot(u, across) / (sine * sine) * (1 / cosine - 1), across, v);
 }
 
 /* The end of a step: what sticks has its wall's velocity; a particle that stays at walls loses what
@@ -474,10 +490,12 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   std::vector<At> at;
   std::vector<Support> supports;
   double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3];
-  const double *x = s.x + 3 * static_cast<size_t>(i);
+  const double *x = s.x + 3 * static_cast<size_t>(i), *from = NULL;
   for (Wall *wall : walls) {
     const double *row = wall->place(i);
-    for (int k = 0; wall->is_at_rest(i) && k < N_PLACE && row[k] > 0; k += 2) {
+    if (wall->is_at_rest(i))
+      from = row + FROM;
+    for (int k = 0; wall->is_at_rest(i) && k < FROM && row[k] > 0; k += 2) {
       const At here = {wall, static_cast<size_t>(row[k]) - 1, static_cast<int>(row[k + 1])};
       const Member &member = wall->shapes_[here.shape];
       Support support;
@@ -493,6 +511,8 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   if (s.omega)
     vector_copy(s.omega + 3 * static_cast<size_t>(i), spin);
   vector_copy(v, before);
+  if (supports.size() == 1)
+    turn_along(from, supports[0].n, supports[0].w, v);
   solve_supports(supports, s.radius[i], v, spin);
   if (s.omega)
     vector_copy(spin, s.omega + 3 * static_cast<size_t>(i));

@@ -29,10 +29,11 @@ public:
   /* Numbers of each particle that the engine keeps and moves between ranks, and writes into restart
    * files; all 0 at first. State: how often the particle has hit this wall, and whether it is free,
    * stays at the wall, or is stuck. Place: where it sticks, and with which velocity. Of a particle
-   * that stays at the wall, pairs of a shape (from 1; 0: none) and its face instead; of one that
-   * has rebounded in this step, SQUARE and WORK of its energy (see balance()) and NORMAL. */
+   * that stays at the wall, pairs of a shape (from 1; 0: none) and its face instead, and FROM,
+   * where the wall is curved, its normal as the contact began; of one that has rebounded in this
+   * step, SQUARE and WORK of its energy (see balance()) and NORMAL. */
   enum { IMPACTS, STATE, N_STATE };
-  enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, N_PLACE = VELOCITY + 3 };
+  enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, FROM = 6, N_PLACE = FROM + 3 };
   enum { SQUARE = SHAPE, WORK = PIECE, NORMAL = AT };
   enum State { REBOUNDED = -3, RESTED, RESTING, FREE, FROZEN, DOOMED };
 
@@ -221,7 +222,7 @@ private:
                          size_t &shape, Contact &contact);
   static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
   bool touch(Flight &flight, size_t shape, Contact contact, bool crowded);
-  void keep_resting(int i, size_t shape, int face);
+  void keep_resting(int i, size_t shape, const Contact &contact);
   static void hold_resting(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
   static void note_energy(const Flight &flight);
   void balance(const Spheres &spheres, int i);
