@@ -369,7 +369,11 @@ asp_code asp_wall_choose(asp_wall *wall, const char *name, const char *choice, a
  *   d_p_least, d_p_most, d_p_bins
  *                       the diameters that a model with tables of a measured wall prepares for, at
  *                       equal ratios (one bin: the geometric mean); bins 1 to ASP_BINS_MAX (1), of
- *                       which one is made where both diameters are equal */
+ *                       which one is made where both diameters are equal
+ *
+ * and of a wall that is made of a description (see below) friction, surface_energy, yield_stress,
+ * seed, and sigma, or rq and lambda_c, of a surface that is given by them: behind that
+ * asp_wall_complete makes the surface anew, and asp_wall_pair the pair. */
 asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error);
 double asp_wall_get(const asp_wall *wall, const char *name); /* NaN for another name */
 
@@ -424,8 +428,8 @@ size_t asp_wall_clause(const char *text);
  *   file        of the profile or the map (NULL: neither)
  *   tilt, collisions, deposit
  *   choice      which model `spread auto` has taken and why, once the wall is made
- * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress
- * (NaN: not given), tolerance and seed. is_given: whether a keyword is given. */
+ * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress,
+ * sigma, rq, lambda_c (NaN: not given), tolerance and seed. is_given: whether a keyword is given. */
 const char *asp_wall_word(const asp_wall *wall, const char *name);
 bool asp_wall_is_given(const asp_wall *wall, const char *keyword);
 

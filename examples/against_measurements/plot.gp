@@ -28,8 +28,8 @@ set ylabel 'CoR_N'
 set yrange [0:2.5]
 plot file(gt, 'fitted_normal') using 18:(y($8)):(y($9)) with filledcurves fc rgb green notitle, \
   file(gt, 'shipped') using 18:(y($5)) with lines lw 2 dt 2 lc rgb grey title 'bons, as shipped, smooth', \
-  file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, σ 0.24° fitted to both', \
-  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, σ 4.9° fitted to CoR_N; 5 to 95 %', \
+  file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, fitted to both: σ < 0.17°', \
+  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, fitted to CoR_N: σ < 1.1°; 5 to 95 %', \
   file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'forder', \
   file(gt, 'thornton_ning') using 18:(y($5)) with lines lw 1.5 dt 3 lc rgb '#b0902a' title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using 18:(y($11)):(y($12)) with yerrorbars pt 7 ps 0.7 lc rgb '#c8501e' title 'measured, mean ± sd', \
@@ -44,8 +44,8 @@ set yrange [-1:2.6]
 set key bottom left
 plot file(gt, 'fitted_normal') using 18:(y($8)):(y($9)) with filledcurves fc rgb green notitle, \
   file(gt, 'shipped') using 18:(y($5)) with lines lw 2 dt 2 lc rgb grey title 'bons, as shipped, smooth', \
-  file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, σ 0.24° fitted to both', \
-  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, σ 4.9° fitted to CoR_N; 5 to 95 %', \
+  file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, fitted to both: σ < 0.17°', \
+  file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, fitted to CoR_N: σ < 1.1°; 5 to 95 %', \
   file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'forder', \
   file(gt, 'thornton_ning') using 18:(y($5)) with lines lw 1.5 dt 3 lc rgb '#b0902a' title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using 18:(y($11)):(y($12)) with yerrorbars pt 7 ps 0.7 lc rgb '#c8501e' title 'measured, mean ± sd'

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 FNR == 1 { file++; next }
 file == 1 { rms[$1 "," $2] = $3; ks[$1 "," $2] = $5 }
-file == 2 { value[$1 "," $2] = $3; error[$1 "," $2] = $4 }
+file == 2 { value[$1 "," $2] = $3; error[$1 "," $2] = $4; high[$1 "," $2] = $6 }
 file == 3 { off[$1 "," $2 "," $3] = $5 }
 BEGIN { FS = "," }
 END {
   print "Reading:"
-  printf "  scatter: the wall that gives the sd of CoR_N of Grant & Tabakoff has sigma %.1f ± %.1f degrees, the one that gives those of both %.2f ± %.2f\n",
-    value["normal,sigma"], error["normal,sigma"], value["both,sigma"], error["both,sigma"]
+  printf "  scatter: means and sd of CoR_N of Grant & Tabakoff allow sigma up to %.1f degrees at 95 %%, those of both coefficients up to %.2f\n",
+    high["normal,sigma"], high["both,sigma"]
   printf "  friction: from the sliding angles of Kharaz et al. alone mu is %.4f ± %.4f (measured apart: 0.092); bons needs %.2f ± %.2f over all of them\n",
     value["kharaz_sliding,mu"], error["kharaz_sliding,mu"], value["kharaz_bons,friction"], error["kharaz_bons,friction"]
   printf "  rms difference of CoR_T from Kharaz et al.: walton %s, with compliance 0.7 %s, bons %s, bons fitted %s\n",

@@ -102,7 +102,7 @@ static bool look_around(aspi_search *s, aspi_fit *fit) {
   const aspi_fit_problem *p = s->problem;
   probe probes[PROBES], starts[STARTS], ends[STARTS], *best = NULL;
   s->samples = search_samples(p);
-  s->kind = p->scatters ? WEIGHTS_BOTH : WEIGHTS_DATA;
+  s->kind = p->scatters && p->known ? WEIGHTS_BOTH : WEIGHTS_DATA;
   s->fixed = false;
   if (!design(s, probes))
     return false;

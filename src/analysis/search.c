@@ -32,6 +32,10 @@ enum { WEIGHING = 4 };
 #define SETTLED 0.02
 #define SMALL 0.5
 
+/* Values that single impacts still throw to and fro by less than this share of their errors, when
+ * rounds end, are as good. */
+#define WANDERING 0.25
+
 /* ---- the data ---------------------------------------------------------------------------------
  */
 
@@ -328,6 +332,7 @@ bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
   gsl_matrix *derivatives = gsl_matrix_alloc(s->n_moments, p);
   gsl_vector *gradient = gsl_vector_alloc(p), *step = gsl_vector_alloc(p);
   bool fine = derivatives && gradient && step, settled = false;
+  double moved = INFINITY; /* in the last round, in errors */
   s->fixed = true;
   *chi2 = INFINITY;
   for (int round = 0; fine && round < rounds && !settled; round++) {
@@ -341,12 +346,15 @@ bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
       break;
     *chi2 /= mean_chi2;
     settled = go_on(s, at, step, covariance);
-    for (size_t j = 0; j < p; j++)
-      settled = settled &&
-                fabs(at[j] - before[j]) < SETTLED * sqrt(gsl_matrix_get(covariance, j, j)) + 1e-5;
+    moved = 0;
+    for (size_t j = 0; j < p; j++) {
+      double by = fabs(at[j] - before[j]), error = sqrt(gsl_matrix_get(covariance, j, j));
+      settled = settled && by < SETTLED * error + 1e-5;
+      moved = fmax(moved, by / error);
+    }
   }
   gsl_matrix_free(derivatives);
   gsl_vector_free(gradient);
   gsl_vector_free(step);
-  return settled;
+  return settled || (fine && moved < WANDERING);
 }

@@ -8,6 +8,7 @@ _asperity() {
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ] || { [ "$COMP_CWORD" -eq 2 ] && [ "$command" = help ]; }; then
     words=$("$program" --help=words 2> /dev/null)
+    [ "$command" = help ] && words="$words wall"
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
     return
   fi
@@ -18,13 +19,13 @@ _asperity() {
   case $before in -o) before=--output ;; esac
   kind=$(sed -n "s/^$before //p" <<< "$words")
   case $before,$kind in
-    --particle,* | --wall,*)
-      words=$("$program" materials 2> /dev/null | sed '1,2d; s/,.*//') ;;
-    --rebound,*) words=$("$program" rebound --list 2> /dev/null | sed '1,2d; s/,.*//' | sort -u) ;;
-    --model,*) words=$("$program" spread --list 2> /dev/null | sed '1,2d; s/,.*//') ;;
-    *,*\|*) words=${kind//|/ } ;;
-    *,*FILE* | *,) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
-    *) return ;;
+    --*,*\|*) words=${kind//|/ } ;;
+    *,*FILE* | profile,* | map,* | file,* | table,*)
+      mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
+    --*,?*) return ;;
+    *) # a word of the wall's description: its table, choices and all, and the materials
+      words=$("$program" help wall 2> /dev/null | grep -o '\b[a-z][a-z0-9_]*\b' | sort -u)
+      words="$words $("$program" materials 2> /dev/null | sed '1,2d; s/,.*//')" ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
 }

@@ -4,6 +4,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/calibrate.h"
+#include "base/number.h"
+#include "base/quantity.h"
+#include "impact/description.h"
 #include "rebound/laws.h"
 
 #include <gsl/gsl_cdf.h>
@@ -32,117 +35,71 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
  * standard deviations then count alike. */
 #define IMPACTS_UNKNOWN 20
 
-/* Degrees, where the search for sigma begins. */
-#define SIGMA_START 5
-
 /* ---- what is looked for -----------------------------------------------------------------------
  */
 
-static const struct {
-  const char *word, *name, *unit;
-  int kind;
-  double least, most;
-} walls[] = {
-    {"sigma", "sigma", "deg", OF_SIGMA, 0.01, 50},
-    {"rq", "rq", "um", OF_RQ, 0, INFINITY},
-    {"lambda_c", "lambda_c", "um", OF_LAMBDA_C, 0, INFINITY},
-    {"friction", "friction", "", OF_PAIR, 0, 1e3},
-    {"mu", "friction", "", OF_PAIR, 0, 1e3},
-    {"yield_stress", "yield_stress", "Pa", OF_PAIR, 0, 1e15},
-    {"surface_energy", "surface_energy", "J/m^2", OF_PAIR, 0, 1e9},
-    {"gamma", "surface_energy", "J/m^2", OF_PAIR, 0, 1e9},
-};
-enum { N_WALLS = sizeof walls / sizeof *walls };
+/* What a number of the description is; a law's own go before all others. */
+static calibrate_unknown unknown_of(const calibration *c, const char *name) {
+  static const char *const surface[] = {"sigma", "rq", "lambda_c"};
+  const asp_rebound_law *law = asp_wall_rebound(c->wall.wall);
+  calibrate_unknown u = {.name = name, .kind = OF_PAIR};
+  const char *kind = "";
+  int index = aspi_rebound_parameter_find(law, name, NULL);
+  for (int i = 0; i < 3; i++)
+    if (strcmp(surface[i], name) == 0)
+      u.kind = OF_SURFACE;
+  if (index >= 0) {
+    const asp_parameter *p = asp_rebound_parameter(law, index);
+    u.kind = OF_LAW;
+    u.least = asp_parameter_least(p);
+    u.most = asp_parameter_most(p);
+    u.bounded = u.most - u.least <= 10;
+    kind = asp_parameter_unit(p);
+  } else {
+    const aspi_keyword *k = aspi_keyword_find(u.kind == OF_SURFACE ? "surface" : "", name);
+    u.least = k->least;
+    u.most = k->most;
+    kind = k->unit;
+  }
+  char units[120];
+  aspi_quantity_units(kind, units, sizeof units);
+  snprintf(u.unit, sizeof u.unit, "%.*s", (int)strcspn(units, " "), units);
+  return u;
+}
 
+/* Where the search begins: the number's own start, else that of the materials. */
 static double start_of(const calibration *c, const calibrate_unknown *u) {
-  switch (u->kind) {
-  case OF_SIGMA:
-    return c->sigma;
-  case OF_RQ:
-    return c->r_q * 1e6;
-  case OF_LAMBDA_C:
-    return c->lambda_c * 1e6;
-  case OF_PAIR:
-    return asp_pair_get(c->pair, u->name);
-  default:
-    return asp_wall_get(c->law.wall, u->name);
-  }
-}
-
-/* Whether the wall can have such an unknown; a law's own parameter goes before the pair's number of
- * that name. */
-static bool find_unknown(const calibration *c, const char *word, calibrate_unknown *u) {
-  const asp_rebound_law *law = asp_wall_rebound(c->law.wall);
-  for (int i = 0; i < asp_rebound_parameters(law); i++) {
-    const asp_parameter *p = asp_rebound_parameter(law, i);
-    if (strcmp(asp_parameter_name(p), word) != 0 || *asp_parameter_words(p))
-      continue;
-    *u = (calibrate_unknown){.unit = asp_parameter_unit(p),
-                             .kind = OF_LAW,
-                             .least = asp_parameter_least(p),
-                             .most = asp_parameter_most(p)};
-    snprintf(u->name, sizeof u->name, "%s", word);
-    u->bounded = u->most - u->least <= 10;
-    return true;
-  }
-  for (int i = 0; i < N_WALLS; i++) {
-    bool pair = walls[i].kind == OF_PAIR;
-    if (strcmp(walls[i].word, word) != 0 || (pair && !asp_rebound_needs_pair(law)))
-      continue;
-    *u = (calibrate_unknown){.unit = walls[i].unit,
-                             .kind = walls[i].kind,
-                             .least = walls[i].least,
-                             .most = walls[i].most};
-    snprintf(u->name, sizeof u->name, "%s", walls[i].name);
-    return true;
-  }
-  return false;
-}
-
-static void fail_unknown(const calibration *c, const char *word) {
-  const asp_rebound_law *law = asp_wall_rebound(c->law.wall);
-  char list[300] = "sigma, or rq and lambda_c";
-  if (asp_rebound_needs_pair(law))
-    strcat(list, ", yield_stress surface_energy friction");
-  for (int i = 0; i < asp_rebound_parameters(law); i++) {
-    size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, "%s%s", i ? " " : ", ",
-             asp_parameter_name(asp_rebound_parameter(law, i)));
-  }
-  cli_bad_usage("--fit: '%s' is unknown to a wall with rebound law '%s'; there are: %s", word,
-                asp_rebound_name(law), list);
+  double value = asp_wall_get(c->wall.wall, u->name);
+  double start = isnan(value) && c->wall.pair ? asp_pair_get(c->wall.pair, u->name) : value;
+  double room = u->bounded ? 0.02 * (u->most - u->least) : 0;
+  start = fmin(fmax(start, u->least + room), u->bounded ? u->most - room : start);
+  if (!(start > 0))
+    cli_bad_usage("%s is 'fit', and there is no value above 0 that the search could begin with: "
+                  "say 'fit=VALUE' in its place%s%s",
+                  u->name, *u->unit ? ", in " : "", u->unit);
+  return start;
 }
 
 static void read_unknowns(calibration *c) {
-  const cli_option *option = &c->options[FIT];
-  if (!option->value)
-    cli_bad_usage("--fit is missing; it names what to look for, as --fit sigma,friction");
-  char *text = cli_copy(option->value);
-  for (char *word = strtok(text, ","); word; word = strtok(NULL, ",")) {
-    if (c->n_unknown == FIT_UNKNOWNS_MOST)
-      cli_bad_usage("--fit is '%s'; it must be at most %d names", option->value, FIT_UNKNOWNS_MOST);
+  const aspi_description *said = c->wall.wall->said;
+  for (int i = 0; i < said->n_fits; i++) {
     calibrate_unknown *u = &c->unknown[c->n_unknown++];
-    if (!find_unknown(c, word, u))
-      fail_unknown(c, word);
-    bool by_sigma = c->sigma >= 0, given = cli_rough_measured(&c->options[ROUGH]);
-    if (u->kind <= OF_LAMBDA_C && given)
-      cli_bad_usage("--fit: '%s' is given by the measured wall; name constants of the law",
-                    u->name);
-    if (u->kind <= OF_LAMBDA_C && (c->smooth || (u->kind == OF_SIGMA) != by_sigma))
-      cli_bad_usage("--fit: '%s' goes with %s", u->name,
-                    u->kind == OF_SIGMA ? "a rough wall (--model) that is not given by --rq"
-                                        : "a rough wall given by --rq and --lambda-c");
-    for (size_t k = 0; k + 1 < c->n_unknown; k++)
-      if (strcmp(c->unknown[k].name, u->name) == 0)
-        cli_bad_usage("--fit is '%s'; '%s' is there twice", option->value, u->name);
-    double room = u->bounded ? 0.02 * (u->most - u->least) : 0;
-    u->start = fmin(fmax(start_of(c, u), u->least + room), u->bounded ? u->most - room : 1e300);
-    if (!(u->start > 0))
-      cli_bad_usage("--fit: the value of '%s' that the search begins with is %g; it must be more "
-                    "than 0",
-                    u->name, u->start);
+    *u = unknown_of(c, said->fits[i]);
+    if (u->kind == OF_PAIR && !asp_rebound_needs_pair(asp_wall_rebound(c->wall.wall)))
+      cli_bad_usage("'%s' has no effect on impacts with rebound %s", u->name,
+                    asp_rebound_name(asp_wall_rebound(c->wall.wall)));
+    u->start = start_of(c, u);
+    c->moves = c->moves || u->kind == OF_SURFACE;
   }
-  free(text);
+  if (c->n_unknown == 0)
+    cli_bad_usage("no number of the description is 'fit'; say which to look for, as 'surface sigma "
+                  "fit friction fit'");
+  if (c->moves && asp_wall_needs_sizes(c->wall.wall))
+    cli_bad_usage("spread is '%s', which is made for one surface; where that is fitted it must be "
+                  "a model that takes any, as visible or weibull",
+                  asp_wall_get(c->wall.wall, "tolerance") > 0
+                      ? "auto"
+                      : asp_spread_name(asp_wall_spread(c->wall.wall)));
 }
 
 /* ---- the measurements -------------------------------------------------------------------------
@@ -175,7 +132,8 @@ static void read_data(calibration *c, const char *path) {
   const cli_option *bin = &c->options[BIN];
   double width = cli_number(bin, 0.1, 90);
   c->data = measured_read(path, &c->options[MEASURED]);
-  measured_need_view(path, &c->data, !c->smooth && strcmp(c->options[TILT].value, "plane") != 0);
+  measured_need_view(path, &c->data,
+                     !c->smooth && strcmp(asp_wall_word(c->wall.wall, "tilt"), "plane") != 0);
   c->known = true;
   c->bins = cli_allocate(c->data.count, sizeof *c->bins);
   for (size_t i = 0; i < c->data.count; i++) {
@@ -206,8 +164,8 @@ static void read_data(calibration *c, const char *path) {
   size_t wanted = (size_t)fmin(fmax(TIMES * most, SAMPLES_LEAST), SAMPLES_MOST);
   c->samples = c->options[SAMPLES].value ? cli_whole(&c->options[SAMPLES], 100, 100000000) : wanted;
   if (n_moments < c->n_unknown)
-    cli_fail("%s: it has %zu moments for %zu unknowns; --fit must name fewer", path, n_moments,
-             c->n_unknown);
+    cli_bad_usage("%s: it has %zu moments for %zu unknowns; fewer numbers must be 'fit'", path,
+                  n_moments, c->n_unknown);
 }
 
 /* ---- the fit ----------------------------------------------------------------------------------
@@ -241,8 +199,8 @@ static aspi_fit find_unknowns(calibration *c) {
   aspi_fit f;
   c->progress = cli_progress_begin("fit", 1);
   if (!aspi_fit_run(&p, &f))
-    cli_fail("no wall or law has moments like those of the data, or there is no memory; see the "
-             "values that the search begins with");
+    cli_fail("no wall or law has moments like those of the data, or there is no memory; say by "
+             "fit=VALUE where the search begins");
   cli_progress_end(&c->progress);
   return f;
 }
@@ -299,72 +257,38 @@ static void warn_of_doubt(const calibration *c, const aspi_fit *f) {
     cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s", f->chi2 / f->dof,
              p, f->described ? "" : "; the standard errors are scaled by its root");
   if (!f->converged)
-    cli_warn("weights and values have not settled; --samples with more may help");
+    cli_warn("weights and values have not settled: they still move by over a quarter of their "
+             "errors; more "
+             "--samples may help");
   if (f->interval[0] == BY_BOOTSTRAP)
     cli_warn("impacts are too few for intervals by standard errors; these are from synthetic data "
              "sets that were fitted anew");
 }
 
-/* The wall and the law as a script of an engine says them. */
-static void print_surface(FILE *out, const calibration *c) {
-  const cli_option *o = &c->options[ROUGH];
-  if (c->rough.profile || c->rough.map) {
-    fputs(c->rough.map ? "surface map " : "surface profile ", out);
-    cli_print_comment(out, c->rough.map ? o[ROUGH_MAP].value : o[ROUGH_PROFILE].value);
-  } else {
-    fprintf(out, "surface rq %.6g lambda_c %.6g", asp_surface_r_q(c->rough.surface),
-            asp_surface_lambda_c(c->rough.surface));
-    if (c->stretch < 1 || c->stretch > 1)
-      fprintf(out, " %.6g", asp_surface_lambda_along(c->rough.surface));
-  }
-  if (o[ROUGH_LAY].value || c->stretch < 1 || c->stretch > 1)
-    fputs(" lay X Y Z", out);
-  fprintf(out, " spread %s %s collisions %s", asp_spread_name(asp_wall_spread(c->law.wall)),
-          c->options[TILT].value, c->options[COLLISIONS].value);
+/* A value as the table has it, so that the description holds the same. */
+static double rounded(double value) {
+  char text[32], *end;
+  snprintf(text, sizeof text, "%.6g", value);
+  return aspi_number(text, &end);
 }
 
-static void print_script(FILE *out, const calibration *c) {
-  const asp_rebound_law *law = asp_wall_rebound(c->law.wall);
-  fputs("# script: fix wall all wall/rebound ... ", out);
-  if (c->smooth)
-    fputs("surface smooth", out);
-  else
-    print_surface(out, c);
-  fprintf(out, " rebound %s", asp_rebound_name(law));
-  const char *last = "";
-  for (int i = 0; i < asp_rebound_parameters(law); i++) {
-    const asp_parameter *p = asp_rebound_parameter(law, i);
-    const char *keyword = asp_parameter_keyword(p);
-    double value = asp_wall_get(c->law.wall, asp_parameter_name(p));
-    bool wanted = !*keyword; /* a keyword is said where one of its numbers is not the default */
-    for (int k = 0; k < asp_rebound_parameters(law) && !wanted; k++) {
-      const asp_parameter *other = asp_rebound_parameter(law, k);
-      wanted = strcmp(asp_parameter_keyword(other), keyword) == 0 &&
-               fabs(asp_wall_get(c->law.wall, asp_parameter_name(other)) -
-                    asp_parameter_default(other)) > 0;
-    }
-    if (!wanted)
-      continue;
-    if (*keyword && strcmp(keyword, last) != 0)
-      fprintf(out, " %s", keyword);
-    if (*asp_parameter_words(p))
-      fputs(value > 0 ? " on" : " off", out);
-    else
-      fprintf(out, " %.6g", value);
-    last = keyword;
-  }
+/* All of the wall in words, the estimates in place of `fit`; friction and surface energy also where
+ * they are the default, which a script may have set otherwise. */
+static void print_description(FILE *out, calibration *c, const aspi_fit *f) {
+  static const char *const pair[] = {"friction", "surface_energy"};
+  asp_wall *wall = c->wall.wall;
+  for (size_t i = 0; i < c->n_unknown; i++)
+    asp_wall_set(wall, c->unknown[i].name, rounded(value_of(c, f, i)), NULL);
+  for (int i = 0; i < 2 && asp_rebound_needs_pair(asp_wall_rebound(wall)); i++)
+    if (!asp_wall_is_given(wall, pair[i]) && (i == 0 || c->sticks))
+      asp_wall_set(wall, pair[i], asp_pair_get(c->wall.pair, pair[i]), NULL);
+  size_t size = asp_wall_describe(wall, NULL, 0) + 1;
+  char *text = cli_allocate(size, 1);
+  asp_wall_describe(wall, text, size);
+  fputs("# description, in SI units: ", out);
+  cli_print_comment(out, text);
   fputc('\n', out);
-  if (asp_rebound_needs_pair(law))
-    fprintf(out,
-            "# script: yieldStress of the particle %.6g, surfaceEnergy %.6g, coefficientFriction "
-            "%.6g (fix property/global, SI)\n",
-            asp_pair_get(c->pair, "yield_stress"), asp_pair_get(c->pair, "surface_energy"),
-            asp_pair_get(c->pair, "friction"));
-  if (c->sigma >= 0 && !c->smooth)
-    fprintf(out,
-            "# sigma is what the particles meet: any rq and lambda_c with rq/lambda_c = %.6g that "
-            "are large against them do\n",
-            asp_surface_phi_r(c->rough.surface));
+  free(text);
 }
 
 static void print_number(FILE *out, double value) {
@@ -384,7 +308,7 @@ static void print_unknown(FILE *out, const calibration *c, const aspi_fit *f, si
   fprintf(out, ",%s\n", c->unknown[i].unit);
 }
 
-static void print_all(FILE *out, const calibration *c, const aspi_fit *f) {
+static void print_all(FILE *out, calibration *c, const aspi_fit *f) {
   static const char *const ways[] = {"", "the rise of chi^2", "synthetic data sets fitted anew"};
   double all = 0;
   for (size_t b = 0; b < c->n_bins; b++)
@@ -412,87 +336,69 @@ static void print_all(FILE *out, const calibration *c, const aspi_fit *f) {
     fputs("; the data do not say how sure their means are, so the standard errors are scaled by "
           "its root\n",
           out);
-  print_script(out, c);
+  print_description(out, c, f);
 }
 
 /* ---- the command ------------------------------------------------------------------------------
  */
 
-/* The wall's numbers, which may be unknown; a measured wall is read when the sizes are known. */
-static void read_rough(calibration *c) {
-  const cli_option *o = &c->options[ROUGH];
-  cli_rough_check(o);
-  c->stretch = 1;
-  c->sigma = cli_rough_measured(o) ? -1 : SIGMA_START;
-  c->rough.lay.vector[0] = 1;
-  if (o[ROUGH_SIGMA].value)
-    c->sigma = cli_number(&o[ROUGH_SIGMA], 0.01, 50);
-  if (!o[ROUGH_RQ].value && !o[ROUGH_LAMBDA_C].value)
-    return;
-  if (!o[ROUGH_RQ].value || !o[ROUGH_LAMBDA_C].value)
-    cli_bad_usage("--rq and --lambda-c go together; one that is fitted is where the search begins");
-  c->sigma = -1;
-  c->r_q = cli_length(&o[ROUGH_RQ]);
-  c->rough.lay = cli_lay_of(&o[ROUGH_LAMBDA_C], &o[ROUGH_LAY]);
-  c->lambda_c = c->rough.lay.lambda[0];
-  c->stretch = c->rough.lay.lambda[1] / c->lambda_c;
-}
-
-/* Reads a measured wall, for the data's diameters, and makes its law, once. */
-static void read_measured_wall(calibration *c) {
-  const cli_option *o = &c->options[ROUGH];
-  if (c->smooth || !cli_rough_measured(o))
-    return;
+/* Makes the wall, for the data's diameters. */
+static void make_wall(calibration *c) {
   double least = INFINITY, most = 0;
   for (size_t i = 0; i < c->data.count; i++) {
     double d_p = isnan(c->data.rows[i].d_p) ? c->d_p : c->data.rows[i].d_p;
     least = fmin(least, d_p);
     most = fmax(most, d_p);
   }
-  c->rough = cli_rough_read(o, least, most);
-  cli_rough_put(&c->rough, c->law.wall, least, most);
-  cli_law_prepare(&c->law);
+  cli_description_make(&c->wall, least, most);
+  c->lay = cli_description_lay(&c->wall, c->vector);
 }
 
-static void read_wall(calibration *c) {
-  const cli_option *options = c->options;
-  const char *model = cli_rough_model(&options[ROUGH], &options[MODEL]);
-  c->law = cli_law_read(&options[LAW]);
-  c->pair = cli_law_pair(&options[LAW], &c->law, options[LAW + LAW_WALL].value);
-  asp_wall *wall = c->law.wall;
-  cli_rough_choose(wall, &options[TILT], &options[COLLISIONS], model);
-  if (!cli_rough_measured(&options[ROUGH]) && asp_spread_needs_profile(asp_wall_spread(wall)))
-    cli_bad_usage("--model is '%s', which is made for one wall; it must be one that takes any "
-                  "sigma, as visible or weibull",
-                  model);
-  c->smooth = strcmp(model, "none") == 0;
-  c->sticks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && asp_wall_get(wall, "deposit") > 0;
-  read_rough(c);
-  c->d_p = cli_length(&options[DP]);
-  c->speed = cli_number(&options[SPEED], 1e-9, 1e6);
-  cli_list noise = cli_numbers(&options[NOISE], 0, 90);
+static void read_noise(calibration *c) {
+  const cli_option *option = &c->options[NOISE];
+  cli_list noise = cli_numbers(option, 0, 90);
   if (noise.count < 1 || noise.count > 3)
-    cli_bad_usage("--noise is '%s'; it must be %s", options[NOISE].value, options[NOISE].argument);
+    cli_bad_usage("--noise is '%s'; it must be %s", option->value, option->argument);
   c->noise[0] = noise.values[0];
   c->noise[1] = noise.values[noise.count > 1];
   c->noise_speed = noise.count > 2 ? noise.values[2] : 0;
   free(noise.values);
-  c->huber = options[HUBER].value ? cli_number(&options[HUBER], 1, 100) : INFINITY;
-  c->seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
+}
+
+static void read_wall(calibration *c, int count, char **words) {
+  c->wall = cli_description_read_fit(count, words);
+  const asp_wall *wall = c->wall.wall;
+  c->smooth = strcmp(asp_wall_word(wall, "surface"), "smooth") == 0;
+  c->sticks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && asp_wall_get(wall, "deposit") > 0;
+  c->seed = (uint32_t)asp_wall_get(wall, "seed");
+  c->d_p = cli_length(&c->options[DP]);
+  c->speed = cli_number(&c->options[SPEED], 1e-9, 1e6);
+  c->huber = c->options[HUBER].value ? cli_number(&c->options[HUBER], 1, 100) : INFINITY;
+  read_noise(c);
+  read_unknowns(c);
+}
+
+static void draw_picture(const calibration *c, const aspi_fit *f, const char *path) {
+  char title[300] = "";
+  for (size_t i = 0; i < c->n_unknown; i++) {
+    size_t used = strlen(title);
+    snprintf(title + used, sizeof title - used, "%s%s %.4g ± %.2g %s", i ? ",  " : "",
+             c->unknown[i].name, value_of(c, f, i), error_of(c, f, i), c->unknown[i].unit);
+  }
+  cli_calibrate_plot(&c->options[PLOT], c, path, title);
+}
+
+static void free_calibration(calibration *c) {
+  cli_description_free(&c->wall);
+  measured_free(&c->data);
+  for (size_t b = 0; b < c->n_bins; b++)
+    free(c->groups[b].impacts.xy);
+  free(c->groups);
+  free(c->bins);
 }
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      [FIT] = {"fit", "NAME,...", "what to look for: sigma, or rq, lambda_c; constants of the law",
-               NULL},
-      CLI_ROUGH_OPTIONS(ROUGH),
-      [MODEL] = {"model", "NAME",
-                 "spread model; none is the smooth wall [visible; of a measured wall profile]",
-                 NULL},
-      [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
-                "isotropic"},
-      [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
-                      "multiple"},
       [DP] = {"dp", "LENGTH", "diameter, where the data have none", "10um"},
       [SPEED] = {"speed", "M_PER_S", "impact speed, where the data have none", "100"},
       [NOISE] = {"noise", "DEGREES[,DEGREES[,SHARE]]",
@@ -507,60 +413,46 @@ static int run(int argc, char **argv) {
       [BIN] = {"bin", "DEGREES", "width of the bins that impacts are put into", "5"},
       [SAMPLES] = {"samples", "N", "simulated impacts a bin; 10 for a measured one, 2000 to 20000",
                    NULL},
-      [SEED] = {"seed", "N", "seed of the draws", "1"},
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-      [PLOT] = {"plot", "FILE", "draw data and fitted model; .png, .svg or .pdf", NULL},
-      CLI_LAW_OPTIONS(LAW),
+      [OUTPUT] = CLI_OUTPUT_OPTION,
+      CLI_PLOT_OPTIONS(PLOT, "draw data and fitted model; .png, .svg or .pdf"),
   };
-  cli_law_add_keywords(&options[LAW]);
-  int first = cli_parse(&cli_calibrate, argc, argv, options, true);
-  if (argc - first != 1)
-    cli_bad_usage("calibrate: DATA is expected, one file; see 'asperity calibrate --help'");
+  int words = cli_words(argc, argv);
+  cli_parse(&cli_calibrate, argc - words, argv + words, options, false);
+  if (words < 1)
+    cli_bad_usage("calibrate: DATA is expected, a file, and the description of a wall behind it; "
+                  "see 'asperity calibrate --help'");
+  cli_keep_input(options, argv[1]);
   calibration c = {.options = options};
-  read_wall(&c);
-  read_unknowns(&c);
-  read_data(&c, argv[first]);
-  read_measured_wall(&c);
+  read_wall(&c, words - 1, argv + 2);
+  read_data(&c, argv[1]);
+  make_wall(&c);
   aspi_fit f = find_unknowns(&c);
   warn_of_doubt(&c, &f);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   print_all(cli_output_stream(output), &c, &f);
   cli_output_close(output);
-  if (options[PLOT].value) {
-    char title[300] = "";
-    for (size_t i = 0; i < c.n_unknown; i++) {
-      size_t used = strlen(title);
-      snprintf(title + used, sizeof title - used, "%s%s %.4g ± %.2g %s", i ? ",  " : "",
-               c.unknown[i].name, value_of(&c, &f, i), error_of(&c, &f, i), c.unknown[i].unit);
-    }
-    cli_calibrate_plot(&options[PLOT], &c, argv[first], title);
-  }
-  cli_law_free(&c.law);
-  asp_pair_free(c.pair);
-  cli_rough_free(&c.rough);
-  measured_free(&c.data);
-  for (size_t b = 0; b < c.n_bins; b++)
-    free(c.groups[b].impacts.xy);
-  free(c.groups);
-  free(c.bins);
+  if (options[PLOT].value)
+    draw_picture(&c, &f, argv[1]);
+  free_calibration(&c);
   return 0;
 }
 
 const cli_command cli_calibrate = {
     .name = "calibrate",
-    .arguments = "DATA",
+    .arguments = "DATA DESCRIPTION",
     .summary = "the wall's roughness and a law's constants from measured scatter",
     .detail =
-        "asperity calibrate DATA --fit NAMES: what is not fitted, and where the search begins, is\n"
-        "said by the other options (friction by --mu, yield_stress by --yield, surface_energy by\n"
-        "--gamma, a law's own numbers by --set). Without a wall it begins with --sigma 5; a\n"
-        "measured --profile or --map stays as it is.\n" MEASURED_FORMS
-        "\nRows parameter,estimate,standard_error,unit; then, as comments, correlations, chi^2 "
-        "per\n"
-        "degree of freedom, and the line for a script. A warning tells where the data cannot tell\n"
-        "two constants apart, and where the model does not describe them. Noise of the "
-        "measurement\n"
-        "looks like roughness: state it by --noise. Sizes count only where the wall is given by\n"
-        "--rq and --lambda-c; sigma is the same for all of them.\n",
+        "asperity calibrate DATA surface sigma fit friction fit ...: every number of the wall's\n"
+        "description that is `fit` is looked for: sigma, or rq and lambda_c; friction,\n"
+        "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search there, "
+        "which\n"
+        "rq, lambda_c and numbers whose default is 0 need.\n" MEASURED_FORMS
+        "\nRows parameter,estimate,standard_error,low_95,high_95,unit; then, as comments,\n"
+        "correlations, chi^2 per degree of freedom, and the description with the estimates in it,\n"
+        "for a script or another command. A warning tells where the data cannot tell two "
+        "constants\n"
+        "apart, and where the model does not describe them. Noise of the measurement looks like\n"
+        "roughness: state it by --noise. Sizes count only where the wall is given by rq and\n"
+        "lambda_c; sigma is the same for all of them.\n",
     .run = run,
 };

@@ -6,17 +6,11 @@
 #define ASP_CLI_CALIBRATE_H
 
 #include "analysis/fit.h"
-#include "cli/law.h"
+#include "cli/description.h"
 #include "cli/measured.h"
-#include "cli/walls.h"
 
 /* The options of the command. */
 enum {
-  FIT,
-  ROUGH,
-  MODEL = ROUGH + ROUGH_OPTIONS,
-  TILT,
-  COLLISIONS,
   DP,
   SPEED,
   NOISE,
@@ -24,17 +18,15 @@ enum {
   MEASURED,
   BIN = MEASURED + MEASURED_OPTION_COUNT,
   SAMPLES,
-  SEED,
   OUTPUT,
   PLOT,
-  LAW,
-  N = LAW + LAW_OPTIONS
+  N = PLOT + PLOT_OPTIONS
 };
 
 typedef struct calibrate_unknown {
-  char name[40];
-  const char *unit;
-  enum { OF_SIGMA, OF_RQ, OF_LAMBDA_C, OF_PAIR, OF_LAW } kind;
+  const char *name;
+  char unit[20]; /* of SI, as the description has it, or degrees */
+  enum { OF_SURFACE, OF_PAIR, OF_LAW } kind;
   double start, least, most;
   bool bounded; /* between least and most, both finite and near: a logistic scale, else its log */
 } calibrate_unknown;
@@ -54,16 +46,16 @@ typedef struct calibration {
   size_t n_bins;      /* where CoR_N and CoR_T are not */
   calibrate_unknown unknown[FIT_UNKNOWNS_MOST];
   size_t n_unknown;
-  cli_law law;
-  asp_pair *pair;
-  cli_rough rough; /* no surface: smooth; no profile or map: made of what follows */
-  double sigma, r_q, lambda_c, stretch; /* of the lay; sigma < 0: by r_q */
+  cli_description wall;
+  double vector[3];
+  const double *lay; /* that vector; NULL: none */
   double d_p, speed;
   double noise[COR_BOTH], noise_speed; /* of both angles, degrees; of both speeds, a share */
   double huber;                        /* in robust standard deviations; INFINITY: none */
   size_t samples;
   uint32_t seed;
   bool smooth, sticks, known; /* known: the errors of the data are, and need no scale */
+  bool moves;                 /* the surface is unknown */
   cli_progress progress;
 } calibration;
 

@@ -12,9 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A wall by its sigma has so long a correlation length, in diameters, that size does not matter. */
-#define LENGTHS 1000
-
 /* Draws of a group have numbers of their own. */
 enum { TAGS_OF_A_BIN = 1 << 30 };
 
@@ -31,50 +28,19 @@ double calibrate_slope(const calibrate_unknown *u, double scaled) {
   return u->bounded ? (u->most - u->least) * share * (1 - share) : exp(scaled);
 }
 
-static bool set_surface(calibration *c) {
-  if (c->smooth)
-    return true;
-  double r_q = c->r_q, lambda_c = c->lambda_c;
-  if (c->sigma >= 0) {
-    lambda_c = LENGTHS * c->d_p;
-    r_q = lambda_c * tan(cli_radians(c->sigma)) / sqrt(2);
-  }
-  asp_surface *surface = asp_surface_create_lay(r_q, lambda_c, c->stretch * lambda_c, NULL);
-  if (!surface)
-    return false;
-  asp_wall_set_surface(c->law.wall, surface);
-  asp_surface_free(c->rough.surface);
-  c->rough.surface = surface;
-  return true;
-}
-
 bool calibrate_set(void *context, const double *scaled) {
   calibration *c = context;
+  asp_wall *wall = c->wall.wall;
   for (size_t i = 0; i < c->n_unknown; i++) {
     const calibrate_unknown *u = &c->unknown[i];
     double value = calibrate_value(u, scaled[i]);
-    switch (u->kind) {
-    case OF_SIGMA:
-      c->sigma = value;
-      break;
-    case OF_RQ:
-      c->r_q = value * 1e-6;
-      break;
-    case OF_LAMBDA_C:
-      c->lambda_c = value * 1e-6;
-      break;
-    case OF_PAIR:
-      if (asp_pair_set(c->pair, u->name, value, NULL))
-        return false;
-      break;
-    default:
-      if (asp_wall_set(c->law.wall, u->name, value, NULL))
-        return false;
-    }
+    if (asp_wall_set(wall, u->name, value, NULL) ||
+        (u->kind == OF_PAIR && asp_pair_set(c->wall.pair, u->name, value, NULL)))
+      return false;
   }
-  if (c->rough.profile || c->rough.map) /* prepared before the search */
-    return aspi_wall_renew(c->law.wall, NULL) == ASP_OK;
-  return set_surface(c) && asp_wall_prepare(c->law.wall, NULL) == ASP_OK;
+  if (!c->moves)
+    return aspi_wall_renew(wall, NULL) == ASP_OK;
+  return !asp_wall_complete(wall, NULL) && !asp_wall_prepare(wall, NULL);
 }
 
 /* Adds noise to what was measured of a rebound: x and y are in shares of v1. */
@@ -99,13 +65,10 @@ static bool measure(const calibration *c, const measured_row *row, uint32_t stre
   degrees = degrees > 90 ? 180 - degrees : fmax(fabs(degrees), 1e-3);
   double v = isnan(row->v1) ? c->speed : row->v1, a1 = cli_radians(degrees);
   double v1[3] = {degrees < 90 ? v * cos(a1) : 0, 0, -v * sin(a1)};
-  asp_particle particle = {isnan(row->d_p) ? c->d_p : row->d_p,
-                           asp_material_get(c->law.particle, "density"),
-                           c->pair,
-                           {0, 0, 0},
-                           c->rough.lay.vector};
+  asp_particle particle = {
+      isnan(row->d_p) ? c->d_p : row->d_p, c->wall.density, c->wall.pair, {0, 0, 0}, c->lay};
   asp_impact impact;
-  asp_wall_impact(c->law.wall, &particle, v1, n, &(asp_key){c->seed, 1 + stream, tag, 1}, &impact);
+  asp_wall_impact(c->wall.wall, &particle, v1, n, &(asp_key){c->seed, 1 + stream, tag, 1}, &impact);
   *dropped = false;
   if (impact.outcome == ASP_DEPOSIT)
     return false;

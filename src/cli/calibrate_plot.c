@@ -23,10 +23,11 @@ static point measured_in(const calibration *c, size_t b) {
   return p;
 }
 
-static void print_panel(FILE *gp, const point *data, const point *model, const calibration *c,
-                        int k) {
+static void print_panel(cli_plot *picture, const point *data, const point *model,
+                        const calibration *c, int k) {
   const char *names[] = {"$data", "$model"};
   const point *of[] = {data, model};
+  FILE *gp = cli_plot_stream(picture);
   for (int s = 0; s < 2; s++) {
     fprintf(gp, "%s%d << EOD\nNaN NaN NaN\n", names[s], k);
     for (size_t b = 0; b < c->n_bins; b++)
@@ -36,11 +37,11 @@ static void print_panel(FILE *gp, const point *data, const point *model, const c
     fputs("EOD\n", gp);
   }
   fprintf(gp,
-          "set ylabel 'CoR_%c'\nset key %s opaque\n"
+          "set ylabel 'CoR_%c'\n"
           "plot $data%d using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb '#c8501e' lw 1.5 title "
           "'measured, mean ± sd', "
           "$model%d using 1:2:3 with yerrorbars ls 1 pt 5 ps 0.6 lw 1.5 title 'fitted model'\n",
-          k ? 'T' : 'N', k ? "bottom left" : "top right", k, k);
+          k ? 'T' : 'N', k, k);
 }
 
 void cli_calibrate_plot(const cli_option *option, const calibration *c, const char *data,
@@ -55,14 +56,18 @@ void cli_calibrate_plot(const cli_option *option, const calibration *c, const ch
       any[k] = any[k] || isfinite(is[b].mean[k]);
   }
   cli_plot *picture = cli_plot_open(option, 1200, 560);
+  const char *named = cli_plot_title(picture);
   FILE *gp = cli_plot_stream(picture);
   fprintf(gp,
-          "set multiplot layout 1,2 title '%s:  %s'\nset xrange [0:91]\nset xtics 15\n"
-          "set xlabel 'impact angle α_1 / degrees'\n",
-          cli_plot_label(picture, data).text, cli_plot_label(picture, title).text);
+          "set multiplot layout 1,2 title '%s%s%s'\nset xrange [-2:92]\nset xtics 15\n"
+          "set xlabel 'impact angle α_1 / degrees'\n"
+          "set key outside above center horizontal\nset offsets 0,0,graph 0.04,graph 0.04\n",
+          named ? named : cli_plot_label(picture, data).text, named ? "" : ":  ",
+          named ? "" : cli_plot_label(picture, title).text);
+  cli_plot_set_range(picture, NAN, NAN);
   for (int k = 0; k < COR_BOTH; k++)
     if (any[k])
-      print_panel(gp, is, fitted, c, k);
+      print_panel(picture, is, fitted, c, k);
   fputs("unset multiplot\n", gp);
   cli_plot_close(picture);
   free(is);

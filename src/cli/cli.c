@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/help.h"
 #include "base/number.h"
-#include "base/units.h"
+#include "base/quantity.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -11,6 +11,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -85,6 +86,25 @@ static int count_options(const cli_option *options) {
   return count;
 }
 
+/* A table goes to no file whose name promises an array. */
+static void check_written(const cli_option *option) {
+  const char *ending = strrchr(option->value, '.');
+  if (ending && strcasecmp(ending, ".npy") == 0)
+    cli_bad_usage("--%s is '%s'; it is written as CSV, which numpy.genfromtxt reads: end the name "
+                  "in .csv",
+                  option->name, option->value);
+  cli_file_check(option->value);
+}
+
+/* How a picture looks says nothing where there is none. */
+static void check_look(const cli_option *options, int count) {
+  for (int i = 0; i < count; i++)
+    for (int k = PLOT_TITLE; k < PLOT_OPTIONS && strcmp(options[i].name, "plot") == 0; k++)
+      if (!options[i].value && i + k < count && options[i + k].value &&
+          strcmp(options[i + PLOT_TITLE].name, "title") == 0)
+        cli_bad_usage("--%s is given without --plot", options[i + k].name);
+}
+
 /* Exits where a file that is to be written cannot be, or two are to be the same. */
 static void check_files(const cli_option *options, int count) {
   static const char *const written[] = {"output", "save", "plot"};
@@ -101,7 +121,7 @@ static void check_files(const cli_option *options, int count) {
                       given[k]->value);
   for (int k = 0; k < 2; k++)
     if (given[k] && strcmp(given[k]->value, "-") != 0)
-      cli_file_check(given[k]->value);
+      check_written(given[k]);
   if (given[2])
     cli_plot_check(given[2]);
 }
@@ -145,9 +165,11 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
     options[found].value = options[found].argument ? optarg : "";
   }
   check_files(options, count);
+  check_look(options, count);
   if (!arguments && optind < argc)
-    cli_bad_usage("%s: argument '%s' is not expected; options begin with --", command->name,
-                  argv[optind]);
+    cli_bad_usage("%s: argument '%s' is not expected behind an option; options begin with --, and "
+                  "the words that describe a wall stand before them",
+                  command->name, argv[optind]);
   return optind;
 }
 
@@ -157,18 +179,28 @@ static const char *given(const cli_option *option) {
   return option->value;
 }
 
-static double number_of(const cli_option *option, const char *text, double least, double most) {
-  char *end;
-  double value = aspi_number(text, &end);
-  if (end == text || *end)
-    cli_bad_usage("--%s is '%s'; a number is expected", option->name, text);
+static const asp_units si = {"SI", 1, 1, 1};
+
+/* One number that may have a unit of its kind behind it. */
+static double read_one(const cli_option *option, const char *kind) {
+  char name[80];
+  double value;
+  asp_error error;
+  snprintf(name, sizeof name, "--%s", option->name);
+  if (aspi_quantity_read(name, given(option), kind, &si, &value, &error))
+    cli_bad_usage("%s", error.text);
+  return value;
+}
+
+double cli_quantity(const cli_option *option, const char *kind, double least, double most) {
+  double value = read_one(option, kind);
   if (!(value >= least && value <= most) || !isfinite(value))
-    cli_bad_usage("--%s is %s; it must be %g to %g", option->name, text, least, most);
+    cli_bad_usage("--%s is %s; it must be %g to %g", option->name, option->value, least, most);
   return value;
 }
 
 double cli_number(const cli_option *option, double least, double most) {
-  return number_of(option, given(option), least, most);
+  return cli_quantity(option, "", least, most);
 }
 
 unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most) {
@@ -196,88 +228,58 @@ int cli_choice(const cli_option *option, const char *first, const char *second) 
   cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
 }
 
-double cli_length_of(const cli_option *option, const char *text) {
-  char *end;
-  double value = aspi_number(text, &end);
-  if (end == text)
-    cli_bad_usage("--%s is '%s'; a length such as 5um is expected", option->name, text);
-  double unit = *end ? aspi_unit_metres(end, strlen(end)) : 1;
-  if (!(unit > 0))
-    cli_bad_usage("--%s is '%s'; units of length are m cm mm um nm, and no unit means m",
-                  option->name, text);
-  if (!(value > 0) || !isfinite(value))
-    cli_bad_usage("--%s is '%s'; it must be a length > 0", option->name, text);
-  if (!*end && value > LENGTH_WITHOUT_UNIT)
+/* Refuses `5`, which would be 5 m. */
+static void check_unit(const cli_option *option, double most) {
+  const char *text = option->value;
+  if (most > LENGTH_WITHOUT_UNIT && !strpbrk(text, "mcun\xC2\xCE"))
     cli_bad_usage("--%s is '%s' without a unit; that would be %g m: say %sm, or %sum", option->name,
-                  text, value, text, text);
-  return value * unit;
-}
-
-static void append(cli_list *list, double value) {
-  double *grown = realloc(list->values, (list->count + 1) * sizeof *grown);
-  if (!grown)
-    cli_fail("out of memory");
-  list->values = grown;
-  list->values[list->count++] = value;
-}
-
-typedef double (*reader)(const cli_option *option, const char *text, double least, double most);
-
-static double read_length(const cli_option *option, const char *text, double least, double most) {
-  (void)least;
-  (void)most;
-  return cli_length_of(option, text);
-}
-
-/* Appends from:to:step, both ends included. */
-static void append_range(cli_list *list, const cli_option *option, char *text, reader read,
-                         double least, double most) {
-  char *second = strchr(text, ':'), *third = strchr(second + 1, ':');
-  if (!third || strchr(third + 1, ':'))
-    cli_bad_usage("--%s is '%s'; a range is from:to:step", option->name, given(option));
-  *second = *third = '\0';
-  double from = read(option, text, least, most), to = read(option, second + 1, least, most);
-  double step = read(option, third + 1, 0, INFINITY), steps = floor((to - from) / step + 1e-9);
-  if (!(step > 0) || to < from || steps > 1e6)
-    cli_bad_usage(
-        "--%s is '%s'; a range from:to:step has to >= from, step > 0 and at most 1e6 steps",
-        option->name, given(option));
-  for (double i = 0; i <= steps; i++)
-    append(list, from + i * step);
-}
-
-/* Numbers and ranges, separated by commas. */
-static cli_list list_of(const cli_option *option, reader read, double least, double most) {
-  char *text = cli_copy(given(option));
-  cli_list list = {NULL, 0};
-  for (char *rest = text, *item; rest;) {
-    item = rest;
-    rest = strchr(rest, ',');
-    if (rest)
-      *rest++ = '\0';
-    if (strchr(item, ':'))
-      append_range(&list, option, item, read, least, most);
-    else
-      append(&list, read(option, item, least, most));
-  }
-  free(text);
-  return list;
+                  text, most, text, text);
 }
 
 double cli_length(const cli_option *option) {
-  return cli_length_of(option, given(option));
+  double value = read_one(option, "length");
+  if (!(value > 0) || !isfinite(value))
+    cli_bad_usage("--%s is '%s'; it must be a length > 0", option->name, option->value);
+  check_unit(option, value);
+  return value;
+}
+
+cli_list cli_values(const cli_option *option, const char *kind, double least, double most) {
+  char name[80];
+  cli_list list;
+  asp_error error;
+  snprintf(name, sizeof name, "--%s", option->name);
+  if (aspi_list_read(name, given(option), kind, &si, least, most, &list, &error))
+    cli_bad_usage("%s", error.text);
+  if (strcmp(kind, "length") == 0 && !(list.least > 0))
+    cli_bad_usage("--%s is '%s'; all of it must be > 0", option->name, option->value);
+  if (strcmp(kind, "length") == 0)
+    check_unit(option, list.most);
+  return list;
+}
+
+static cli_list without_law(const cli_option *option, const char *kind, double least, double most) {
+  cli_list list = cli_values(option, kind, least, most);
+  if (list.count == 0)
+    cli_bad_usage("--%s is '%s', a log-normal law; it must be a list: a,b,c or from:to:step",
+                  option->name, option->value);
+  return list;
 }
 
 cli_list cli_numbers(const cli_option *option, double least, double most) {
-  return list_of(option, number_of, least, most);
+  return without_law(option, "", least, most);
+}
+
+cli_list cli_speeds(const cli_option *option, double least, double most) {
+  return without_law(option, "speed", least, most);
 }
 
 cli_list cli_lengths(const cli_option *option) {
-  return list_of(option, read_length, 0, INFINITY);
+  return without_law(option, "length", 0, INFINITY);
 }
 
 cli_list cli_angles(const cli_option *option) {
-  return list_of(option, number_of, 0, 90);
+  return without_law(option, "degrees", 0, 90);
 }
 
 double cli_seconds(void) {

@@ -9,6 +9,7 @@
 #define ASP_CLI_H
 
 #include "asperity.h"
+#include "base/list.h"
 
 #include <stdio.h>
 
@@ -20,7 +21,7 @@ typedef struct cli_command {
   int (*run)(int argc, char **argv);
 } cli_command;
 
-extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_doe, cli_fit, cli_materials,
+extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_materials,
     cli_rebound, cli_spread, cli_surface, cli_trade;
 
 /* One option of a command. A table of them ends with a NULL name. */
@@ -30,6 +31,9 @@ typedef struct cli_option {
   const char *help;
   const char *value; /* the default, then what the user gave; NULL: not given. A flag: "" */
 } cli_option;
+
+#define CLI_OUTPUT_OPTION                                                                          \
+  { "output", "FILE", "write there instead of to the screen", NULL }
 
 /* Reads the options of a command into the table; prints help and exits on --help, and where a file
  * that is to be written cannot be. Returns the index
@@ -56,29 +60,26 @@ __attribute__((noreturn))
 #endif
 void cli_bad_file(const cli_option *option, const asp_error *error);
 
-/* A whole list of numbers; values is allocated and lives as long as the command. */
-typedef struct cli_list {
-  double *values;
-  size_t count;
-} cli_list;
+/* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
+typedef aspi_list cli_list;
 
-/* The option's value, which must have been given. Lengths take a unit (m cm mm um nm) or are
- * metres, and must be > 0. A list is `a,b,c`, where each may be a range `from:to:step` with both
- * ends included. A whole number may be written as 1e6. */
+/* The option's value, which must have been given, as a number of a kind (see base/quantity.h) with
+ * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */
+double cli_quantity(const cli_option *option, const char *kind, double least, double most);
 double cli_number(const cli_option *option, double least, double most);
-unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most);
 double cli_length(const cli_option *option);
+unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most);
+
+/* The same of lists, `a,b,c` and `from:to:step`; cli_values takes `lognormal:min:max:median`, too.
+ * Angles are in degrees, 0 to 90. */
+cli_list cli_values(const cli_option *option, const char *kind, double least, double most);
 cli_list cli_numbers(const cli_option *option, double least, double most);
+cli_list cli_speeds(const cli_option *option, double least, double most);
 cli_list cli_lengths(const cli_option *option);
+cli_list cli_angles(const cli_option *option);
 
 /* 0 or 1: which of two words the value is. */
 int cli_choice(const cli_option *option, const char *first, const char *second);
-
-/* One length out of a text, for options with a format of their own. */
-double cli_length_of(const cli_option *option, const char *text);
-
-/* Impact angles in degrees: a list or a range within 0 ... 90. */
-cli_list cli_angles(const cli_option *option);
 
 /* A line on stderr that something may not be what is wanted. */
 #if defined(__GNUC__)
@@ -94,14 +95,17 @@ cli_file *cli_file_open(const char *path);
 
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
+
+/* Exits where --output or --plot would replace a file that is read. */
+void cli_keep_input(const cli_option *options, const char *input);
 FILE *cli_file_stream(const cli_file *file);
 void cli_file_close(cli_file *file);
 void cli_file_drop(cli_file *file); /* closes it and leaves what was there */
 
 /* The stream to write CSV to: a file, or stdout where path is NULL or "-". Writes the comment line:
- * version, the command as given, the seed where `seed` is not NULL. */
+ * version, the command as given, and the description of the wall where there is one. */
 typedef struct cli_output cli_output;
-cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed);
+cli_output *cli_output_open(const char *path, int argc, char **argv, const char *description);
 FILE *cli_output_stream(cli_output *output);
 void cli_output_close(cli_output *output);
 
@@ -133,8 +137,26 @@ typedef struct cli_plot cli_plot;
  * written. cli_parse asks for the option `plot`, before any work is done. */
 void cli_plot_check(const cli_option *option);
 
+/* The options of a picture, in a row in a command's table. */
+enum { PLOT_FILE, PLOT_TITLE, PLOT_SIZE, PLOT_RANGE, PLOT_OPTIONS };
+#define CLI_PLOT_OPTIONS(first, text)                                                              \
+  [(first) + PLOT_FILE] = {"plot", "FILE", text, NULL},                                            \
+             [(first) +                                                                            \
+                 PLOT_TITLE] = {"title", "TEXT", "of the picture, instead of its own", NULL},      \
+             [(first) + PLOT_SIZE] = {"size", "WIDTHxHEIGHT", "of the picture, in pixels", NULL},  \
+             [(first) + PLOT_RANGE] = {"range", "FROM:TO", "of the vertical axis", NULL}
+
+/* width and height where --size is not given. */
 cli_plot *cli_plot_open(const cli_option *option, int width, int height);
 FILE *cli_plot_stream(cli_plot *plot);
+
+/* What --title says, as text within single quotes of gnuplot; NULL where it is not given. */
+const char *cli_plot_title(const cli_plot *plot);
+
+/* Puts what --range says in place of a picture's own range; and sets the vertical axis to that, NAN
+ * for an end that gnuplot finds. */
+void cli_plot_range(const cli_plot *plot, double range[2]);
+void cli_plot_set_range(const cli_plot *plot, double from, double to);
 void cli_plot_close(cli_plot *plot);
 
 /* A user's text for the inside of a gnuplot string in single quotes: it is shown as it is, cut

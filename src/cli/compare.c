@@ -15,7 +15,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BIN, NEAR, MEASURED, OUTPUT = MEASURED + MEASURED_OPTION_COUNT, PLOT, N };
+enum {
+  BIN,
+  NEAR,
+  MEASURED,
+  OUTPUT = MEASURED + MEASURED_OPTION_COUNT,
+  PLOT,
+  N = PLOT + PLOT_OPTIONS
+};
 
 static const char *const names[COR_BOTH] = {"cor_n", "cor_t"};
 
@@ -246,6 +253,10 @@ bool cli_compare_has_both(const compare_bin *b, int which) {
   return isfinite(b->data[which].mean) && b->model[which].count > 0;
 }
 
+bool cli_compare_is_drawn(const comparison *c, const compare_bin *b, int which) {
+  return c->names[1] ? cli_compare_has_both(b, which) : b->model[which].count > 0;
+}
+
 /* A mean whose standard error is known, against the model's. */
 static double p_of_means(const sample *model, const measured_row *row, int which) {
   double error = isfinite(row->se[which]) ? row->se[which] : row->sd[which] / sqrt(row->n);
@@ -425,8 +436,8 @@ static void check_bins(const comparison *c) {
     both += with_data - no_model;
   }
   if (both == 0)
-    cli_fail("no bin has both impacts and data; the angles%s%s do not overlap",
-             c->data.has_speed ? ", speeds" : "", c->data.has_size ? ", sizes" : "");
+    cli_bad_usage("no bin has both impacts and data; the angles%s%s do not overlap",
+                  c->data.has_speed ? ", speeds" : "", c->data.has_size ? ", sizes" : "");
 }
 
 /* Whether the comment that the impacts begin with names a fitted law or constant. */
@@ -462,6 +473,71 @@ static void leave_out(comparison *c) {
   c->data.has_speed = c->data.has_speed && speeds;
   c->data.has_size = c->data.has_size && sizes;
 }
+
+/* ---- impacts alone ----------------------------------------------------------------------------
+ */
+
+/* Takes the impacts themselves for rows, whose places are those of the table. */
+static void take_impacts(comparison *c) {
+  const scatter_impacts *impacts = &c->impacts;
+  c->data = (measured){.rows = cli_allocate(impacts->count, sizeof *c->data.rows),
+                       .count = impacts->count,
+                       .has_outcome = true};
+  for (size_t i = 0; i < impacts->count; i++) {
+    const scatter_point *p = &impacts->points[i];
+    c->data.rows[i] = (measured_row){.degrees = p->degrees,
+                                     .v1 = p->v1,
+                                     .d_p = p->d_p,
+                                     .cor = {p->cor[COR_N], p->cor[COR_T]},
+                                     .deposit = p->deposit};
+  }
+  measured_sort(&c->data);
+}
+
+/* What is in a bin, in place of the model's sample. */
+static void sample_impacts(comparison *c) {
+  for (size_t i = 0; i < c->count; i++) {
+    compare_bin *b = &c->bins[i];
+    sample_data(&c->data, b);
+    for (int k = 0; k < COR_BOTH; k++) {
+      b->model[k] = b->data[k];
+      b->data[k] = (sample){.mean = NAN, .sd = NAN};
+    }
+    b->from = c->data.rows[b->first].degrees;
+    b->to = c->data.rows[b->end - 1].degrees;
+  }
+}
+
+static void print_impacts(FILE *out, const comparison *c) {
+  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
+          c->impacts.deposits);
+  fputs("alpha1_deg,alpha_from_deg,alpha_to_deg,v1_m_s,dp_um,impacts,capture_share,n,cor_n_mean,"
+        "cor_n_sd,cor_n_median,cor_n_p05,cor_n_p95,cor_t_mean,cor_t_sd,cor_t_median,cor_t_p05,"
+        "cor_t_p95\n",
+        out);
+  for (size_t i = 0; i < c->count; i++) {
+    const compare_bin *b = &c->bins[i];
+    double all = (double)(b->end - b->first);
+    fprintf(out, "%.6g,%.6g,%.6g", b->degrees, b->from, b->to);
+    print(out, b->v1);
+    print(out, b->d_p * 1e6);
+    print(out, all);
+    print(out, b->data_deposits / all);
+    print(out, all - b->data_deposits);
+    for (int k = 0; k < COR_BOTH; k++) {
+      const sample *s = &b->model[k];
+      print(out, s->mean);
+      print(out, s->sd);
+      print(out, s->median);
+      print(out, s->low);
+      print(out, s->high);
+    }
+    fputc('\n', out);
+  }
+}
+
+/* ---- the command ------------------------------------------------------------------------------
+ */
 
 /* DEGREES[,SPEED[,SIZE]] */
 static reach reach_of(const cli_option *option) {
@@ -504,6 +580,24 @@ static void free_comparison(comparison *c) {
   measured_free(&c->data);
 }
 
+static void table_impacts(comparison *c, const cli_option *bin) {
+  take_impacts(c);
+  make_bins(c, bin);
+  sample_impacts(c);
+}
+
+static void compare_with(comparison *c, const cli_option *options) {
+  reach far = reach_of(&options[NEAR]);
+  c->data = measured_read(c->names[1], &options[MEASURED]);
+  qsort(c->impacts.points, c->impacts.count, sizeof *c->impacts.points, by_angle);
+  leave_out(c);
+  take_view(c);
+  make_bins(c, &options[BIN]);
+  compare_all(c, &far);
+  check_bins(c);
+  warn_double(&c->impacts);
+}
+
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
       [BIN] = {"bin", "DEGREES",
@@ -513,26 +607,29 @@ static int run(int argc, char **argv) {
       [NEAR] = {"near", "DEGREES[,SPEED[,SIZE]]",
                 "how far impacts may be from a place that none has: degrees, shares", FAR},
       MEASURED_OPTIONS(MEASURED),
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-      [PLOT] = {"plot", "FILE", "draw both; .png, .svg or .pdf", NULL},
+      [OUTPUT] = CLI_OUTPUT_OPTION,
+      CLI_PLOT_OPTIONS(PLOT, "draw it; .png, .svg or .pdf"),
   };
+  cli_option standard[N];
+  memcpy(standard, options, sizeof standard);
   int first = cli_parse(&cli_compare, argc, argv, options, true);
-  if (argc - first != 2)
-    cli_bad_usage("compare: IMPACTS and DATA are expected, two files; see 'asperity compare "
-                  "--help'");
-  reach far = reach_of(&options[NEAR]);
-  comparison c = {.names = {argv[first], argv[first + 1]},
-                  .impacts = scatter_read_impacts(argv[first]),
-                  .data = measured_read(argv[first + 1], &options[MEASURED])};
-  qsort(c.impacts.points, c.impacts.count, sizeof *c.impacts.points, by_angle);
-  leave_out(&c);
-  take_view(&c);
-  make_bins(&c, &options[BIN]);
-  compare_all(&c, &far);
-  check_bins(&c);
-  warn_double(&c.impacts);
+  bool alone = argc - first == 1;
+  if (argc - first != 2 && !alone)
+    cli_bad_usage("compare: IMPACTS or IMPACTS and DATA are expected, one file or two; see "
+                  "'asperity compare --help'");
+  for (int i = NEAR; i < OUTPUT && alone; i++)
+    if (options[i].value != standard[i].value)
+      cli_bad_usage("--%s has no effect without DATA", options[i].name);
+  for (int i = first; i < argc; i++)
+    cli_keep_input(options, argv[i]);
+  comparison c = {.names = {argv[first], alone ? NULL : argv[first + 1]},
+                  .impacts = scatter_read_impacts(argv[first])};
+  if (alone)
+    table_impacts(&c, &options[BIN]);
+  else
+    compare_with(&c, options);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-  print_all(cli_output_stream(output), &c);
+  (alone ? print_impacts : print_all)(cli_output_stream(output), &c);
   cli_output_close(output);
   if (options[PLOT].value)
     cli_compare_plot(&options[PLOT], &c);
@@ -542,13 +639,17 @@ static int run(int argc, char **argv) {
 
 const cli_command cli_compare = {
     .name = "compare",
-    .arguments = "IMPACTS DATA",
-    .summary = "impacts of a model or a simulation against measured coefficients",
+    .arguments = "IMPACTS [DATA]",
+    .summary = "impacts of a model or a simulation, alone or against measured coefficients",
     .detail =
-        "asperity compare IMPACTS DATA: IMPACTS is the output of 'asperity cor', the ledger of a\n"
+        "asperity compare IMPACTS [DATA]: IMPACTS is the output of 'asperity cor', the ledger of "
+        "a\n"
         "wall (CSV or .npy), or a dump local file of its array (of its columns alpha1, cor_n, "
         "cor_t\n"
-        "and outcome; v1 and d_p where the data have them).\n" MEASURED_FORMS
+        "and outcome; v1 and d_p where the data have them). Alone it is tabled and drawn: for "
+        "each\n"
+        "place, or interval of angle, the share that sticks, and of the n others both "
+        "coefficients.\n" MEASURED_FORMS
         "\nAt the data's own angles, and speeds and sizes where they have them: moments, the "
         "model's\n"
         "5 to 95 % band and the share of the points in it, the two-sample distance of Kolmogorov\n"

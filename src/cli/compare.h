@@ -21,15 +21,18 @@ typedef struct compare_bin {
 } compare_bin;
 
 typedef struct comparison {
-  const char *names[2]; /* of the files: impacts, data */
+  const char *names[2]; /* of the files: impacts, data; no second one: the impacts alone */
   scatter_impacts impacts;
-  measured data;
+  measured data; /* of impacts alone, these */
   compare_bin *bins;
   size_t count;
 } comparison;
 
 /* Whether there are a measured value and impacts in a bin. */
 bool cli_compare_has_both(const compare_bin *bin, int which);
+
+/* And whether it is drawn: of impacts alone, where there are some. */
+bool cli_compare_is_drawn(const comparison *c, const compare_bin *bin, int which);
 
 void cli_compare_plot(const cli_option *option, const comparison *comparison);
 

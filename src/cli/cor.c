@@ -4,8 +4,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cor.h"
 #include "base/ledger_columns.h"
+#include "base/running.h"
 #include "base/stream.h"
-#include "cli/walls.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,58 +15,10 @@
 #define SPEED_LEAST 1e-9
 #define SPEED_MOST 1e6
 
-static void take_list(cor_values *v, cli_list list) {
-  v->list = list;
-  v->least = INFINITY;
-  for (size_t i = 0; i < list.count; i++) {
-    v->least = fmin(v->least, list.values[i]);
-    v->most = fmax(v->most, list.values[i]);
-  }
-}
-
-typedef double (*reader)(const cli_option *option, const char *text);
-
-/* min:max:median of a log-normal. */
-static void take_log_normal(cor_values *v, const cli_option *option, const char *value,
-                            reader read) {
-  char *text = cli_copy(value);
-  char *second = strchr(text, ':'), *third = second ? strchr(second + 1, ':') : NULL;
-  if (!third || strchr(third + 1, ':'))
-    cli_bad_usage("--%s is '%s'; a log-normal is min:max:median", option->name, option->value);
-  *second = *third = '\0';
-  v->least = read(option, text);
-  v->most = read(option, second + 1);
-  v->median = read(option, third + 1);
-  if (!(v->least < v->median && v->median < v->most))
-    cli_bad_usage("--%s is '%s'; a log-normal min:max:median has min < median < max", option->name,
-                  option->value);
-  free(text);
-}
-
-static double read_speed(const cli_option *option, const char *text) {
-  cli_option one = {option->name, option->argument, option->help, text};
-  return cli_number(&one, SPEED_LEAST, SPEED_MOST);
-}
-
-static void read_sizes(const cli_option *option, cor_values *v) {
-  if (strchr(option->value, ':') && !strchr(option->value, ','))
-    take_log_normal(v, option, option->value, cli_length_of);
-  else
-    take_list(v, cli_lengths(option));
-}
-
-static void read_speeds(const cli_option *option, cor_values *v) {
-  static const char word[] = "lognormal:";
-  if (strncmp(option->value, word, sizeof word - 1) == 0)
-    take_log_normal(v, option, option->value + sizeof word - 1, read_speed);
-  else
-    take_list(v, cli_numbers(option, SPEED_LEAST, SPEED_MOST));
-}
-
 /* The value of a sample; of a list they come in turn. */
-static double value_of(const cor_values *v, size_t sample, aspi_stream *stream) {
-  if (v->list.count)
-    return v->list.values[sample % v->list.count];
+static double value_of(const cli_list *v, size_t sample, aspi_stream *stream) {
+  if (v->count)
+    return v->values[sample % v->count];
   for (;;) {
     double d = v->median * exp(log(v->most / v->least) / 5 * aspi_stream_normal(stream));
     if (d >= v->least && d <= v->most)
@@ -74,44 +26,24 @@ static double value_of(const cor_values *v, size_t sample, aspi_stream *stream) 
   }
 }
 
-void cli_cor_read_wall(const cli_option *options, cor_scene *s) {
-  const char *model = cli_rough_model(&options[ROUGH], &options[MODEL]);
-  s->law = cli_law_read(&options[LAW]);
-  s->pair = cli_law_pair(&options[LAW], &s->law, options[LAW + LAW_WALL].value);
-  asp_wall *wall = s->law.wall;
-  cli_rough_choose(wall, &options[TILT], &options[COLLISIONS], model);
-  if (strcmp(model, "none") != 0) {
-    s->rough = cli_rough_read(&options[ROUGH], s->sizes.least, s->sizes.most);
-    cli_rough_put(&s->rough, wall, s->sizes.least, s->sizes.most);
-  }
-  cli_law_prepare(&s->law);
-  if (s->rough.surface)
-    cli_law_warn_double(&s->law);
-}
-
-void cli_cor_free_wall(cor_scene *s) {
-  cli_law_free(&s->law);
-  asp_pair_free(s->pair);
-  cli_rough_free(&s->rough);
-}
-
-cor_row cli_cor_impact(const cor_scene *s, double angle, size_t sample, uint64_t tag,
-                       uint32_t seed) {
+cor_row cli_cor_impact(const cor_scene *s, double angle, size_t sample, uint64_t tag) {
   static const double n[3] = {0, 0, 1};
-  asp_key key = {seed, asp_key_wall("cor"), tag, 0};
+  const cli_description *wall = &s->wall;
+  asp_key key = {(uint32_t)asp_wall_get(wall->wall, "seed"), asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
-  size_t sizes = s->sizes.list.count ? s->sizes.list.count : 1;
+  size_t sizes = s->sizes.count ? s->sizes.count : 1;
+  double lay[3];
   cor_row r = {.d_p = value_of(&s->sizes, sample, &stream), .alpha1 = angle};
   double alpha1 = cli_radians(angle), speed = value_of(&s->speeds, sample / sizes, &stream);
   double v1[3] = {speed * cos(alpha1), 0, -speed * sin(alpha1)};
   if (angle >= 90)
     v1[0] = 0;
   asp_particle particle = {.d_p = r.d_p,
-                           .density = asp_material_get(s->law.particle, "density"),
-                           .pair = s->pair,
-                           .lay = s->rough.lay.vector};
+                           .density = wall->density,
+                           .pair = wall->pair,
+                           .lay = cli_description_lay(wall, lay)};
   key.impact = 1;
-  asp_wall_impact(s->law.wall, &particle, v1, n, &key, &r.impact);
+  asp_wall_impact(wall->wall, &particle, v1, n, &key, &r.impact);
   r.cor = asp_impact_coefficients(v1, n, &r.impact);
   return r;
 }
@@ -167,80 +99,126 @@ static void print_all(FILE *out, const cor_row *rows, size_t n, bool as_ledger) 
       print_row(out, &rows[i]);
 }
 
-static void make_rows(const cor_scene *s, const cli_list *angles, size_t samples, uint32_t seed,
-                      cor_row *rows) {
-  cli_progress progress = cli_progress_begin("impacts", (double)(angles->count * samples));
+/* Mean and sd, empty where there are none. */
+static void print_moments(FILE *out, const aspi_running *r) {
+  if (r->n > 0)
+    fprintf(out, "%.6g", r->mean);
+  fputc(',', out);
+  if (r->n > 1)
+    fprintf(out, "%.6g", aspi_running_sd(r));
+}
+
+/* Per angle: what sticks, and mean and sd of what rebounds. */
+static void print_summary(FILE *out, const cli_list *angles, const size_t *counts,
+                          const cor_row *rows) {
+  fputs("alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd\n", out);
+  for (size_t a = 0; a < angles->count; rows += counts[a++]) {
+    aspi_running cor_n = {0, 0, 0}, cor_t = {0, 0, 0};
+    for (size_t i = 0; i < counts[a]; i++) {
+      if (rows[i].impact.outcome == ASP_DEPOSIT)
+        continue;
+      aspi_running_add(&cor_n, rows[i].cor.cor_n);
+      if (rows[i].cor.cor_t_defined)
+        aspi_running_add(&cor_t, rows[i].cor.cor_t);
+    }
+    fprintf(out, "%.6g,%zu,%.6g,%.0f,", angles->values[a], counts[a],
+            1 - cor_n.n / (double)counts[a], cor_n.n);
+    print_moments(out, &cor_n);
+    fputc(',', out);
+    print_moments(out, &cor_t);
+    fputc('\n', out);
+  }
+}
+
+/* How many impacts there are at each angle: as many, or by flux, of particles that fly alike in all
+ * of these directions, in proportion to sin alpha1. */
+static size_t count_impacts(const cli_list *angles, size_t samples, bool by_flux, size_t *counts) {
+  double sines = 0;
+  size_t all = 0;
   for (size_t a = 0; a < angles->count; a++)
-    for (size_t i = 0; i < samples; i++) {
-      size_t tag = a * samples + i;
-      rows[tag] = cli_cor_impact(s, angles->values[a], i, tag, seed);
+    sines += sin(cli_radians(angles->values[a]));
+  for (size_t a = 0; a < angles->count; a++) {
+    double share = sin(cli_radians(angles->values[a])) / sines * (double)angles->count;
+    counts[a] = by_flux ? (size_t)fmax(1, round((double)samples * share)) : samples;
+    all += counts[a];
+  }
+  return all;
+}
+
+static void make_rows(const cor_scene *s, const cli_list *angles, const size_t *counts,
+                      size_t total, cor_row *rows) {
+  cli_progress progress = cli_progress_begin("impacts", (double)total);
+  size_t tag = 0;
+  for (size_t a = 0; a < angles->count; a++)
+    for (size_t i = 0; i < counts[a]; i++, tag++) {
+      rows[tag] = cli_cor_impact(s, angles->values[a], i, tag);
       if (tag % 65536 == 0)
         cli_progress_show(&progress, (double)tag);
     }
   cli_progress_end(&progress);
 }
 
+static cli_list read_angles(const cli_option *option) {
+  cli_list angles = cli_angles(option);
+  if (!(angles.least > 0))
+    cli_bad_usage("--angles is '%s'; it must be more than 0 and at most 90", option->value);
+  return angles;
+}
+
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      CLI_ROUGH_OPTIONS(ROUGH),
-      [DP] = {"dp", "SIZES", "diameter, list, or min:max:median of a log-normal", "10um"},
-      [SPEED] = {"speed", "SPEEDS", "in m/s: a list or from:to:step, or lognormal:min:max:median",
-                 "100"},
-      [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
-      [MODEL] = {"model", "NAME",
-                 "spread model; none is the smooth wall [visible; of a measured wall profile]",
-                 NULL},
+      [DP] = {"dp", "SIZES", "diameters: a list, or lognormal:min:max:median", "10um"},
+      [SPEED] = {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median", "100"},
+      [ANGLES] = {"angles", "DEGREES", "impact angles: a list", "1:90:1"},
       [SAMPLES] = {"samples", "N", "impacts per angle", "100"},
-      [SEED] = {"seed", "N", "seed of the draws", "1"},
-      [TILT] = {"tilt", "plane|isotropic", "tilt in the plane of incidence, or all around",
-                "isotropic"},
-      [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
-                      "multiple"},
+      [FLUX] = {"flux", NULL, "impacts in proportion to sin alpha1, --samples on the mean", NULL},
+      [SUMMARY] = {"summary", NULL, "per angle mean, sd and capture share, no impacts", NULL},
       [COLUMNS] = {"columns", "own|ledger", "of the rows: own, or those of a wall's ledger", "own"},
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-      [PLOT] = {"plot", "FILE", "draw the scatter; .png, .svg or .pdf", NULL},
-      CLI_LAW_OPTIONS(LAW),
+      [OUTPUT] = CLI_OUTPUT_OPTION,
+      CLI_PLOT_OPTIONS(PLOT, "draw the scatter; .png, .svg or .pdf"),
   };
-  cli_law_add_keywords(&options[LAW]);
-  cli_parse(&cli_cor, argc, argv, options, false);
+  int words = cli_words(argc, argv);
+  cli_parse(&cli_cor, argc - words, argv + words, options, false);
   bool as_ledger = cli_choice(&options[COLUMNS], "own", "ledger");
-  cor_scene s = {0};
-  read_sizes(&options[DP], &s.sizes);
-  read_speeds(&options[SPEED], &s.speeds);
-  cli_cor_read_wall(options, &s);
-  cli_list angles = cli_angles(&options[ANGLES]);
-  for (size_t i = 0; i < angles.count; i++)
-    if (!(angles.values[i] > 0))
-      cli_bad_usage("--angles is '%s'; it must be more than 0 and at most 90",
-                    options[ANGLES].value);
-  size_t samples = cli_whole(&options[SAMPLES], 1, 100000000), n = angles.count * samples;
-  uint32_t seed = (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX);
+  if (as_ledger && options[SUMMARY].value)
+    cli_bad_usage("--columns ledger is given with --summary, which has columns of its own");
+  cor_scene s = {.wall = cli_description_read(words, argv + 1),
+                 .sizes = cli_values(&options[DP], "length", 0, INFINITY),
+                 .speeds = cli_values(&options[SPEED], "speed", SPEED_LEAST, SPEED_MOST)};
+  cli_list angles = read_angles(&options[ANGLES]);
+  size_t samples = cli_whole(&options[SAMPLES], 1, 100000000);
+  cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
+  size_t *counts = cli_allocate(angles.count, sizeof *counts);
+  size_t n = count_impacts(&angles, samples, options[FLUX].value, counts);
   cor_row *rows = cli_allocate(n, sizeof *rows);
-  make_rows(&s, &angles, samples, seed, rows);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-  print_all(cli_output_stream(output), rows, n, as_ledger);
+  make_rows(&s, &angles, counts, n, rows);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, s.wall.text);
+  if (options[SUMMARY].value)
+    print_summary(cli_output_stream(output), &angles, counts, rows);
+  else
+    print_all(cli_output_stream(output), rows, n, as_ledger);
   cli_output_close(output);
   if (options[PLOT].value)
     cli_cor_plot(options, &s, rows, n);
   free(rows);
-  cli_cor_free_wall(&s);
+  free(counts);
+  cli_description_free(&s.wall);
   return 0;
 }
 
 const cli_command cli_cor = {
     .name = "cor",
     .summary = "the scatter of the coefficients of restitution on a rough wall",
+    .arguments = "DESCRIPTION",
     .detail =
-        "One row an impact; its outcome is rebound or deposit. cor_v_plane and cor_alpha_plane "
-        "are\n"
-        "v2/v1 and alpha2/alpha1 of the velocity in the plane of incidence, as one camera from "
-        "the\n"
-        "side sees it (alpha2 from 0 to 180 degrees), like cor_n and cor_t; cor_v_space and\n"
-        "cor_alpha_space are those of the velocity in space (0 to 90). With --columns ledger the "
-        "rows are as\n"
-        "in a wall's ledger in `units si` (outcome 0 or 1), for what reads those. Sizes as\n"
-        "min:max:median are a log-normal whose ln has the standard deviation ln(max/min)/5, "
-        "cut at\n"
-        "both ends. An empty cor_t is undefined (normal impact).\n",
+        "One row an impact; its outcome is rebound or deposit. cor_v_plane and cor_alpha_plane\n"
+        "are v2/v1 and alpha2/alpha1 of the velocity in the plane of incidence, as one camera\n"
+        "from the side sees it (alpha2 from 0 to 180 degrees), like cor_n and cor_t; cor_v_space\n"
+        "and cor_alpha_space are those of the velocity in space (0 to 90). An empty cor_t is\n"
+        "undefined (normal impact). With --columns ledger the rows are as in a wall's ledger in\n"
+        "`units si` (outcome 0 or 1), for what reads those. --summary has a row per angle: the\n"
+        "number of impacts, the share that sticks, and of the n others mean and sd.\n"
+        "A log-normal law has the standard deviation ln(max/min)/5 of its ln, and is cut at\n"
+        "both ends. Particles fly along x over the wall z = 0.\n",
     .run = run,
 };

@@ -3,17 +3,22 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/help.h"
+#include "impact/description.h"
 
+#include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { LEFT = 26 }; /* width of the column of options */
 
 static const char conventions[] =
     "Results are CSV on standard output (-o FILE for a file); --plot FILE.png|svg|pdf draws them.\n"
-    "Lengths take a unit (5um, 0.4mm) or are metres; angles are degrees from the wall plane. A\n"
-    "list is 5,10,20 or from:to:step, or both: 1:9:1,10:90:5. Exit status: 0 done, 1 failed, 2\n"
-    "bad usage.\n";
+    "Numbers may carry a unit (5um, 100m/s, 200MPa, 30deg) or are SI; angles are degrees from the\n"
+    "wall plane. A list is 5,10,20 or from:to:step, or both: 1:9:1,10:90:5; of sizes and speeds\n"
+    "it may be a law, lognormal:min:max:median. DESCRIPTION stands for the words that describe\n"
+    "the wall, as `surface sigma 10 rebound bons friction 0.4`; 'asperity help wall' has them.\n"
+    "Exit status: 0 done, 1 failed, 2 bad usage or bad input.\n";
 
 /* ---- text ---- */
 static void text_of_command(const cli_command *command, const cli_option *options) {
@@ -35,12 +40,74 @@ static void text_of_command(const cli_command *command, const cli_option *option
 
 static void text_of_all(const cli_command *const *commands) {
   printf("asperity %s: rough walls for particle simulation\n\n"
-         "Usage: asperity COMMAND [options]\n\nCommands:\n",
+         "Usage: asperity COMMAND [DESCRIPTION] [options]\n\nCommands:\n",
          asp_version());
   for (; *commands; commands++)
     printf("  %-10s %s\n", (*commands)->name, (*commands)->summary);
-  printf("\nasperity help COMMAND, or asperity COMMAND --help, tells the options.\n%s",
-         conventions);
+  printf(
+      "\nasperity help COMMAND, or asperity COMMAND --help, tells the options; asperity help wall\n"
+      "the words that describe a wall.\n%s",
+      conventions);
+}
+
+/* ---- the words of a description ---- */
+
+static void put_default(FILE *out, const aspi_keyword *k) {
+  if (*k->standard)
+    fprintf(out, " [%s]", k->standard);
+  fputc('\n', out);
+}
+
+/* The words within one, and those within these. */
+static void put_words(FILE *out, const char *within, int depth) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (strcmp(k->within, within) != 0)
+      continue;
+    fprintf(out, "%s%*s%s %s\n%*s%s", depth ? "" : "\n", 2 * depth, "", k->name, k->values,
+            2 * depth + 6, "", k->text);
+    put_default(out, k);
+    put_words(out, k->name, depth + 1);
+  }
+}
+
+/* A law's name with its parameters: those that follow the name, and those with a word of their
+ * own. */
+static void put_law(FILE *out, const asp_rebound_law *law) {
+  const char *last = "";
+  fprintf(out, "  %s", asp_rebound_name(law));
+  if (asp_rebound_needs_table(law))
+    fputs(" FILE", out);
+  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+    const asp_parameter *p = asp_rebound_parameter(law, i);
+    const char *keyword = asp_parameter_keyword(p);
+    if (strcmp(keyword, last) != 0)
+      fprintf(out, "%s [%s", *last ? "]" : "", keyword);
+    fputc(' ', out);
+    for (const char *c = asp_parameter_name(p); *c; c++)
+      fputc(toupper((unsigned char)*c), out);
+    last = keyword;
+  }
+  fprintf(out, "%s\n      %s\n", *last ? "]" : "", asp_rebound_summary(law));
+}
+
+static void put_wall(FILE *out) {
+  fputs("A wall is described by clauses, each at most once and in any order, the same words in\n"
+        "the command and in scripts. What has no effect on the wall at hand is refused. In a\n"
+        "command particles fly along x over the wall z = 0, and an angle of the lay is from x.\n",
+        out);
+  put_words(out, "", 0);
+  fputs("\nMODEL, as 'asperity spread --list' tells more of them:\n", out);
+  for (int i = 0; i < asp_spread_count(); i++)
+    fprintf(out, "  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
+            asp_spread_summary(asp_spread_at(i)));
+  fputs("\nLAW, as 'asperity rebound --list' tells more of them:\n", out);
+  for (int i = 0; i < asp_rebound_count(); i++)
+    put_law(out, asp_rebound_at(i));
+}
+
+void cli_help_wall(void) {
+  put_wall(stdout);
 }
 
 /* ---- page of the manual ---- */
@@ -101,6 +168,19 @@ static void troff_of_command(const cli_command *command, const cli_option *optio
   puts(".SH SEE ALSO\n.BR asperity (1)");
 }
 
+static void troff_of_wall(void) {
+  char *text = NULL;
+  size_t size;
+  FILE *out = open_memstream(&text, &size);
+  if (!out)
+    cli_fail("out of memory");
+  put_wall(out);
+  fclose(out);
+  troff_line(".SH DESCRIPTION OF A WALL\n.nf\n", text);
+  puts(".fi");
+  free(text);
+}
+
 static void troff_of_all(const cli_command *const *commands) {
   printf(".TH ASPERITY 1 \"\" \"asperity %s\" \"User Commands\"\n.SH NAME\n"
          "asperity \\- rough walls for particle simulation\n"
@@ -111,6 +191,7 @@ static void troff_of_all(const cli_command *const *commands) {
     troff_line("", (*c)->summary);
   }
   troff_line(".SH CONVENTIONS\n", conventions);
+  troff_of_wall();
 }
 
 /* ---- words for the shell ---- */

@@ -12,4 +12,7 @@
 void cli_help_command(const cli_command *command, const cli_option *options, const char *form);
 void cli_help_all(const cli_command *const *commands, const char *form);
 
+/* Prints the words that describe a wall, from their table. */
+void cli_help_wall(void);
+
 #endif

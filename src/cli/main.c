@@ -6,9 +6,9 @@
 #include <gsl/gsl_errno.h>
 #include <string.h>
 
-static const cli_command *const commands[] = {
-    &cli_surface,   &cli_doe,   &cli_spread, &cli_cor,       &cli_rebound, &cli_compare,
-    &cli_calibrate, &cli_trade, &cli_fit,    &cli_materials, NULL};
+static const cli_command *const commands[] = {&cli_surface, &cli_spread,    &cli_cor,
+                                              &cli_rebound, &cli_compare,   &cli_calibrate,
+                                              &cli_trade,   &cli_materials, NULL};
 
 static const cli_command *find(const char *name) {
   for (const cli_command *const *c = commands; *c; c++)
@@ -22,6 +22,10 @@ int main(int argc, char **argv) {
   if (argc < 2)
     cli_bad_usage("a command is expected; see 'asperity --help'");
   const char *word = argv[1];
+  if (strcmp(word, "help") == 0 && argc > 2 && strcmp(argv[2], "wall") == 0) {
+    cli_help_wall();
+    return 0;
+  }
   if (strcmp(word, "help") == 0 && argc > 2) {
     const cli_command *command = find(argv[2]);
     char *arguments[] = {argv[2], "--help", NULL};

@@ -2,7 +2,7 @@
  * was seen.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/law.h"
+#include "cli/cli.h"
 
 /* A field in quotes, with quotes inside it doubled. */
 static void print_quoted(FILE *out, const char *text) {
@@ -29,6 +29,16 @@ static void print_row(FILE *out, const asp_material *m) {
   fprintf(out, ",%s\n", asp_material_seen(m) ? "yes" : "no");
 }
 
+static asp_materials *own_of(const cli_option *option) {
+  if (!option->value)
+    return NULL;
+  asp_error error;
+  asp_materials *own = asp_materials_read(option->value, &error);
+  if (!own)
+    cli_bad_file(option, &error);
+  return own;
+}
+
 static int run(int argc, char **argv) {
   enum { MATERIALS, OUTPUT, N };
   cli_option options[N + 1] = {
@@ -36,7 +46,7 @@ static int run(int argc, char **argv) {
                      NULL},
       [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL}};
   cli_parse(&cli_materials, argc, argv, options, false);
-  asp_materials *own = cli_materials_of(&options[MATERIALS]);
+  asp_materials *own = own_of(&options[MATERIALS]);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   FILE *out = cli_output_stream(output);
   fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source,seen\n",

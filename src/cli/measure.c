@@ -44,7 +44,7 @@ measure_wall measure_wall_create(const measure_case *subject) {
             asp_surface_create_profile(wall.profile[i], subject->d_p, subject->d_p, 1, &error);
     }
     if (!wall.surface[i])
-      cli_bad_usage("%s%s", subject->profile ? "--profile: half of it: " : "", error.text);
+      cli_bad_usage("%s%s", subject->profile ? "surface profile: half of it: " : "", error.text);
   }
   return wall;
 }

@@ -456,8 +456,12 @@ measured measured_read(const char *path, const cli_option *options) {
   if (has(&l, ALPHA1) && most < RADIANS_MOST)
     cli_warn("%s: all impact angles are below %g degrees, which look like radians", path,
              RADIANS_MOST);
-  qsort(data.rows, data.count, sizeof *data.rows, by_place);
+  measured_sort(&data);
   return data;
+}
+
+void measured_sort(measured *data) {
+  qsort(data->rows, data->count, sizeof *data->rows, by_place);
 }
 
 void measured_need_view(const char *path, measured *data, bool matters) {

@@ -52,6 +52,9 @@ enum { MEASURED_VIEW, MEASURED_BELOW, MEASURED_OPTION_COUNT };
  * of its columns: see `asperity compare --help`. */
 measured measured_read(const char *path, const cli_option *options);
 
+/* Puts rows in order of angle, speed, size. */
+void measured_sort(measured *data);
+
 /* Exits where the data do not say how they look at rebounds, and `matters`: it makes a difference.
  */
 void measured_need_view(const char *path, measured *data, bool matters);

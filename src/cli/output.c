@@ -98,6 +98,16 @@ void cli_file_check(const char *path) {
     cli_fail("cannot write '%s': %s", path, strerror(errno));
 }
 
+void cli_keep_input(const cli_option *options, const char *input) {
+  struct stat in, out;
+  for (const cli_option *o = options; o->name; o++) {
+    bool written = strcmp(o->name, "output") == 0 || strcmp(o->name, "plot") == 0;
+    if (written && o->value && stat(input, &in) == 0 && S_ISREG(in.st_mode) &&
+        stat(o->value, &out) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+      cli_bad_usage("--%s is '%s', which is read; it must be another file", o->name, o->value);
+  }
+}
+
 FILE *cli_file_stream(const cli_file *file) {
   return file->stream;
 }
@@ -159,7 +169,7 @@ void cli_print_field(FILE *out, const char *text) {
   fputc('"', out);
 }
 
-cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_option *seed) {
+cli_output *cli_output_open(const char *path, int argc, char **argv, const char *description) {
   cli_output *output = cli_allocate(1, sizeof *output);
   if (path && strcmp(path, "-") != 0)
     output->file = cli_file_open(path);
@@ -169,8 +179,10 @@ cli_output *cli_output_open(const char *path, int argc, char **argv, const cli_o
     fputc(' ', out);
     cli_print_comment(out, argv[i]);
   }
-  if (seed)
-    fprintf(out, "; seed %s", seed->value);
+  if (description) {
+    fputs("; ", out);
+    cli_print_comment(out, description);
+  }
   fputc('\n', out);
   return output;
 }

@@ -5,9 +5,11 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
+#include "base/number.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
@@ -25,8 +27,35 @@ struct cli_plot {
   pid_t process;
   cli_file *file;
   const char *path;
-  bool svg;
+  bool svg, titled;
+  cli_label title;
+  double range[2]; /* of the vertical axis; NAN where the picture has its own */
 };
+
+enum { SIDE_LEAST = 100, SIDE_MOST = 10000 };
+
+/* What the options behind --plot say of a picture. */
+static void read_look(const cli_option *option, cli_plot *plot, int size[2]) {
+  plot->range[0] = plot->range[1] = NAN;
+  if (!option[PLOT_TITLE].name || strcmp(option[PLOT_TITLE].name, "title") != 0)
+    return;
+  const char *sides = option[PLOT_SIZE].value, *range = option[PLOT_RANGE].value;
+  char end;
+  if (sides && (sscanf(sides, "%5dx%5d%c", &size[0], &size[1], &end) != 2 || size[0] < SIDE_LEAST ||
+                size[1] < SIDE_LEAST || size[0] > SIDE_MOST || size[1] > SIDE_MOST))
+    cli_bad_usage("--size is '%s'; it must be WIDTHxHEIGHT, each %d to %d pixels", sides,
+                  SIDE_LEAST, SIDE_MOST);
+  if (range) {
+    char *colon, *last = NULL;
+    plot->range[0] = aspi_number(range, &colon);
+    plot->range[1] = *colon == ':' ? aspi_number(colon + 1, &last) : NAN;
+    if (!last || *last || last == colon + 1 || !(plot->range[0] < plot->range[1]))
+      cli_bad_usage("--range is '%s'; it must be FROM:TO, with FROM < TO", range);
+  }
+  plot->titled = option[PLOT_TITLE].value;
+  if (plot->titled)
+    plot->title = cli_plot_label(plot, option[PLOT_TITLE].value);
+}
 
 static const char *terminal_of(const cli_option *option) {
   const char *ending = strrchr(option->value, '.');
@@ -78,7 +107,9 @@ static FILE *start(cli_plot *plot) {
 }
 
 void cli_plot_check(const cli_option *option) {
+  cli_plot look = {.path = NULL};
   terminal_of(option);
+  read_look(option, &look, (int[2]){0, 0});
   cli_file_check(option->value);
   int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nothing < 0)
@@ -92,6 +123,8 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
   cli_plot *plot = cli_allocate(1, sizeof *plot);
   plot->path = option->value;
   plot->svg = strncmp(terminal, "svg", 3) == 0;
+  int size[2] = {width, height};
+  read_look(option, plot, size);
   plot->file = cli_file_open(option->value);
   signal(SIGPIPE, SIG_IGN);
   fflush(NULL);
@@ -99,7 +132,7 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
   if (!plot->pipe)
     cli_fail("cannot start gnuplot: %s", strerror(errno));
   fputs("set term ", plot->pipe);
-  fprintf(plot->pipe, terminal, width, height);
+  fprintf(plot->pipe, terminal, size[0], size[1]);
   fputs("\nset grid lc rgb '#dddddd' lw 0.5\n"
         "set border lc rgb '#444444'\n"
         "set tics nomirror\n"
@@ -117,6 +150,28 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
 
 FILE *cli_plot_stream(cli_plot *plot) {
   return plot->pipe;
+}
+
+const char *cli_plot_title(const cli_plot *plot) {
+  return plot->titled ? plot->title.text : NULL;
+}
+
+void cli_plot_range(const cli_plot *plot, double range[2]) {
+  for (int i = 0; i < 2 && plot->range[1] > plot->range[0]; i++)
+    range[i] = plot->range[i];
+}
+
+void cli_plot_set_range(const cli_plot *plot, double from, double to) {
+  double range[2] = {from, to};
+  cli_plot_range(plot, range);
+  fputs("set yrange [", plot->pipe);
+  for (int i = 0; i < 2; i++) {
+    if (isfinite(range[i]))
+      fprintf(plot->pipe, "%g", range[i]);
+    else
+      fputc('*', plot->pipe);
+    fputs(i ? "]\n" : ":", plot->pipe);
+  }
 }
 
 void cli_plot_close(cli_plot *plot) {

@@ -33,26 +33,37 @@ static void plot_cells(FILE *gp, const rebound_map *m) {
 }
 
 static cli_label particle_of(const cli_plot *picture, const rebound_map *m) {
-  return cli_plot_label(picture, asp_material_name(m->laws[0].particle));
+  const asp_material *particle = m->walls[0].particle;
+  return cli_plot_label(picture, particle ? asp_material_name(particle) : "any material");
 }
 
 /* The law in the title; where there are several, each curve has its own. */
 static cli_label law_of(const cli_plot *picture, const rebound_map *m) {
   return cli_plot_label(picture,
-                        m->n_laws > 1 ? "several laws" : cli_rebound_law_name(&m->walls[0]));
+                        m->several_laws ? "several laws" : cli_rebound_law_name(&m->walls[0]));
 }
 
 /* `on hastelloy-x`, and the law where there are several. */
 static cli_label name_of(const cli_plot *picture, const rebound_map *m, size_t wall) {
+  const char *on = cli_rebound_wall_name(&m->walls[wall]);
+  bool named = m->several_laws || !*on;
   char text[160];
-  snprintf(text, sizeof text, "%s%son %s",
-           m->n_laws > 1 ? cli_rebound_law_name(&m->walls[wall]) : "", m->n_laws > 1 ? " " : "",
-           m->walls[wall].name);
+  snprintf(text, sizeof text, "%s%s%s%s", named ? cli_rebound_law_name(&m->walls[wall]) : "",
+           named && *on ? " " : "", *on ? "on " : "", on);
   return cli_plot_label(picture, text);
 }
 
+/* The user's title, or one of the particle's material, the law, and more. */
+static void put_title(cli_plot *picture, const rebound_map *m, const char *set, const char *more) {
+  FILE *gp = cli_plot_stream(picture);
+  if (cli_plot_title(picture))
+    fprintf(gp, "%s '%s'", set, cli_plot_title(picture));
+  else
+    fprintf(gp, "%s '%s%s'", set, particle_of(picture, m).text, more);
+}
+
 /* The curve, and where a particle sticks at any speed a line up to its end. */
-static double plot_capture_curve(FILE *gp, const rebound_map *m, const rebound_wall *wall) {
+static double plot_capture_curve(FILE *gp, const rebound_map *m, const cli_description *wall) {
   double most = 0;
   bool always = false;
   for (size_t i = 0; i < m->sizes.count; i++) {
@@ -76,21 +87,26 @@ void cli_rebound_plot_regimes(cli_plot *picture, const rebound_map *m) {
   plot_cells(gp, m);
   fputs("$capture << EOD\n", gp);
   bool sticks = plot_capture_curve(gp, m, m->walls) > 0;
+  char title[1400];
+  snprintf(title, sizeof title, " on %s, %s, α_1 = %g°",
+           cli_plot_label(picture, cli_rebound_wall_name(m->walls)).text, law_of(picture, m).text,
+           m->angles.values[0]);
+  fputs("EOD\n", gp);
+  put_title(picture, m, "set label", title);
+  fputs(" at screen 0.47,0.96 center\n", gp);
+  cli_plot_set_range(picture, edge_of(&m->speeds, 0), edge_of(&m->speeds, ny));
   fprintf(gp,
-          "EOD\nset label '%s on %s, %s, α_1 = %g°' at screen 0.47,0.96 center\n"
           "set view map\nset pm3d map corners2color c1\n"
           "set palette defined (0 '#3b0f70', 0.35 '#b63679', 0.7 '#fb8861', 1 '#fcfdbf')\n"
           "set cbrange [0:1]\nset cblabel 'CoR_N'\nset log xy\nset border 15 front\n"
-          "set xrange [%g:%g]\nset yrange [%g:%g]\n"
+          "set xrange [%g:%g]\n"
           "set xlabel 'diameter d_p / µm'\nset ylabel 'impact speed v_1 / (m/s)'\n"
           "set object 1 rectangle from graph 0,0 to graph 1,1 fc rgb '#bbbbbb' behind\n"
           "set key bottom left opaque\nset lmargin screen 0.12\nset rmargin screen 0.82\n"
           "set tmargin screen 0.92\nset bmargin screen 0.12\n"
           "splot $map using 1:2:(0):3 with pm3d notitle, %s"
           "NaN with points pt 5 ps 2 lc rgb '#bbbbbb' title 'deposit'\n",
-          particle_of(picture, m).text, cli_plot_label(picture, m->walls[0].name).text,
-          law_of(picture, m).text, m->angles.values[0], edge_of(&m->sizes, 0) * 1e6,
-          edge_of(&m->sizes, nx) * 1e6, edge_of(&m->speeds, 0), edge_of(&m->speeds, ny),
+          edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6,
           sticks ? "$capture using 1:2:3 with lines lc rgb '#000000' lw 2 title 'capture speed', "
                  : "");
 }
@@ -105,13 +121,16 @@ void cli_rebound_plot_capture(cli_plot *picture, const rebound_map *m) {
   }
   if (!(most > 0))
     fputs("set label 'no particle sticks' at graph 0.5,0.5 center\n", gp);
+  char title[800];
+  snprintf(title, sizeof title, ", %s, α_1 = %g°: sticks under and left of a curve",
+           law_of(picture, m).text, m->angles.values[0]);
+  put_title(picture, m, "set title", title);
+  fputc('\n', gp);
+  cli_plot_set_range(picture, most > 0 ? NAN : 1, most > 0 ? 5 * most : 10);
   fprintf(gp,
-          "set title '%s, %s, α_1 = %g°: sticks under and left of a curve'\n"
-          "set log xy\nset xrange [%g:%g]\nset yrange [%s:%g]\nset xlabel 'diameter d_p / µm'\n"
+          "set log xy\nset xrange [%g:%g]\nset xlabel 'diameter d_p / µm'\n"
           "set ylabel 'capture speed / (m/s)'\nset key top right opaque\nplot ",
-          particle_of(picture, m).text, law_of(picture, m).text, m->angles.values[0],
-          m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6, most > 0 ? "*" : "1",
-          most > 0 ? 5 * most : 10);
+          m->sizes.values[0] * 1e6, m->sizes.values[m->sizes.count - 1] * 1e6);
   for (size_t w = 0; w < m->n_walls; w++)
     fprintf(gp, "%s$capture%zu with lines ls %zu title '%s'", w ? ", " : "", w, w % CURVES_MOST + 1,
             name_of(picture, m, w).text);
@@ -141,14 +160,21 @@ void cli_rebound_plot_angles(cli_plot *picture, const rebound_map *m) {
     }
     fputs("EOD\n", gp);
   }
-  char more[64] = "";
+  char more[64] = "", title[800];
   if (curves < all)
     snprintf(more, sizeof more, "; the first %zu of %zu curves", curves, all);
-  fprintf(gp,
-          "set multiplot layout 1,2 title '%s, %s; nothing is drawn where it sticks%s'\n"
-          "set xrange [0:90]\nset xtics 15\nset yrange [%s]\n"
-          "set key below maxrows 3\nset xlabel 'impact angle α_1 / degrees'\n",
-          particle_of(picture, m).text, law_of(picture, m).text, more, any ? "*<0:1<*" : "0:1");
+  snprintf(title, sizeof title, ", %s; nothing is drawn where it sticks%s", law_of(picture, m).text,
+           more);
+  put_title(picture, m, "set multiplot layout 1,2 title", title);
+  double range[2] = {NAN, 1};
+  cli_plot_range(picture, range);
+  if (any && isnan(range[0]))
+    fputs("\nset yrange [*<0:1<*]\n", gp);
+  else
+    fprintf(gp, "\nset yrange [%g:%g]\n", isnan(range[0]) ? 0 : range[0], range[1]);
+  fputs("set xrange [0:90]\nset xtics 15\n"
+        "set key below maxrows 3\nset xlabel 'impact angle α_1 / degrees'\n",
+        gp);
   for (int t = 0; t < 2; t++) {
     fprintf(gp, "set ylabel 'CoR_%c'\nplot ", t ? 'T' : 'N');
     for (size_t c = 0; c < curves; c++) {

@@ -11,9 +11,10 @@ double cli_kappa(const cli_slopes *row) {
 
 void cli_slopes_print(FILE *out, const cli_slopes *row) {
   const aspi_slopes *s = &row->slopes;
-  fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", row->d_p * 1e6, row->r_q * 1e6,
-          row->lambda_c * 1e6, row->r_q / row->lambda_c, cli_kappa(row), s->slope_rms,
-          cli_degrees(s->angle.mean), cli_degrees(s->angle.sd), s->angle.kurtosis, s->kl_normal);
+  fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", row->d_p * 1e6,
+          row->r_q * 1e6, row->lambda_c * 1e6, row->r_q / row->lambda_c, cli_kappa(row),
+          s->slope_rms, cli_degrees(atan(s->slope_rms)), cli_degrees(s->angle.mean),
+          cli_degrees(s->angle.sd), s->angle.kurtosis, s->kl_normal);
 }
 
 void cli_slopes_measure(const asp_profile *profile, aspi_contact contact, double r_q,
@@ -34,5 +35,5 @@ void cli_slopes_measure(const asp_profile *profile, aspi_contact contact, double
     }
   }
   if (error.code)
-    cli_fail("%s", error.text);
+    cli_bad_file(NULL, &error);
 }

@@ -1,4 +1,4 @@
-/* What `asperity surface` and `asperity doe` share: the row of one particle size on one profile.
+/* The row of one particle size on one profile, as `asperity surface` has it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SLOPES_H
@@ -12,7 +12,8 @@
 #define CLI_POINTS_PER_LAMBDA 128.0
 
 #define CLI_SLOPES_HEADER                                                                          \
-  "dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,angle_mean_deg,angle_sd_deg,angle_kurtosis,"      \
+  "dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,sigma_deg,angle_mean_deg,angle_sd_deg,angle_"     \
+  "kurtosis,"                                                                                      \
   "kl_normal"
 
 typedef struct cli_slopes {

@@ -4,7 +4,7 @@
 #ifndef ASP_CLI_SPREAD_H
 #define ASP_CLI_SPREAD_H
 
-#include "cli/cli.h"
+#include "cli/description.h"
 #include "spread/models.h"
 
 /* A histogram of n samples in degrees and, where the law is `shaped`, its density over it; a title

@@ -58,14 +58,19 @@ void cli_spread_plot(const cli_option *option, const asp_spread_model *model, bo
              asp_surface_r_q(surface) * 1e6, asp_surface_lambda_c(surface) * 1e6, view->d_p * 1e6);
   cli_plot *picture = cli_plot_open(option, 800, 500);
   FILE *gp = cli_plot_stream(picture);
+  if (cli_plot_title(picture))
+    fprintf(gp, "set title '%s'\n", cli_plot_title(picture));
+  else
+    fprintf(gp, "set title '%s: α_1 = %g°, σ = %.3g°%s'\n",
+            cli_plot_label(picture, model->name).text, cli_degrees(view->alpha1),
+            cli_degrees(view->sigma), wall);
+  cli_plot_set_range(picture, 0, NAN);
   fprintf(gp,
           "set xlabel 'tilt Δα / degrees'\n"
           "set ylabel 'density / (1/degree)'\n"
-          "set title '%s: α_1 = %g°, σ = %.3g°%s'\n"
-          "set style fill solid 0.35 noborder\nset boxwidth 1\nset yrange [0:*]\n"
+          "set style fill solid 0.35 noborder\nset boxwidth 1\n"
           "set xrange [%g:%g]\n$bars << EOD\n",
-          cli_plot_label(picture, model->name).text, cli_degrees(view->alpha1),
-          cli_degrees(view->sigma), wall, fmax(from, least - 3) - 2, most + 2);
+          fmax(from, least - 3) - 2, most + 2);
   for (int i = 0; i < BARS; i++)
     if (share[i] > 0)
       fprintf(gp, "%g %g\n", from + i + 0.5, share[i]);

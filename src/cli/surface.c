@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/surface.h"
 #include "base/units.h"
-#include "cli/walls.h"
+#include "cli/description.h"
 #include "cli/surface_map.h"
 #include "surface/describe.h"
 #include "surface/read.h"
@@ -15,71 +15,43 @@
 enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28, TWIN_POINTS = 1 << 19 };
 
 enum {
-  RQ,
-  LAMBDA_C,
-  LAY,
   DP,
-  SEED,
   POINTS,
-  PROFILE,
-  MAP,
-  STEP,
   UNIT,
+  READ,
   FORM,
   GAPS,
-  SPACING,
   SPIKES,
-  ROW,
-  COLUMN,
-  X_COLUMN,
-  Z_COLUMN,
-  MISSING,
-  TIP,
-  LAMBDA_S,
-  CUTOFF,
-  ROBUST,
+  FILTER,
   LEVEL,
   SAVE,
   OUTPUT,
   PLOT,
-  N_OPTIONS
+  N_OPTIONS = PLOT + PLOT_OPTIONS
 };
 
 static const cli_option table[N_OPTIONS + 1] = {
-    [RQ] = {"rq", "LENGTH", "rms height of a generated wall", NULL},
-    [LAMBDA_C] = {"lambda-c", "LENGTHS", CLI_LAMBDA_HELP, NULL},
-    [LAY] = CLI_LAY_OPTION,
-    [DP] = {"dp", "LENGTHS", "particle diameters: a list or from:to:step", "10um"},
-    [SEED] = {"seed", "N",
-              "of the generated profile, or of the one that a measured one is compared with", "1"},
+    [DP] = {"dp", "LENGTHS", "particle diameters: a list", "10um"},
     [POINTS] = {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
-    [PROFILE] = {"profile", "FILE", "a measured profile instead: text in columns, or SDF", NULL},
-    [MAP] = {"map", "FILE", "a measured map: SDF, a matrix of heights, or x, y, z in columns",
-             NULL},
-    [STEP] = {"step", "LENGTH[,LENGTH]",
-              "between heights without positions; between a matrix's columns, and its rows", NULL},
-    [UNIT] = {"unit", "U[,U]", "unit of its columns, where the file states none", NULL},
+    [UNIT] = {"unit", "U[,U]", "unit of a file's columns, where it states none", NULL},
+    [READ] = {"read", "WORDS",
+              "what is in a file: row N of an SDF map, column N (of it, or of a text's heights), "
+              "x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
+              "LENGTH[,LENGTH] between heights without "
+              "positions, or a matrix's columns and rows",
+              NULL},
     [FORM] = {"form", "DEGREE", "polynomial taken out as form: none, or 0 to 9", "1"},
     [GAPS] = {"gaps", "refuse|fill", "what to do about bad and missing points", "refuse"},
-    [SPACING] = {"spacing", "resample|refuse", "what to do about unequal spacing", "resample"},
-    [SPIKES] = {"spikes", "K", "points over K robust sd off their neighbours are bad, too", NULL},
-    [ROW] = {"row", "N", "row of an SDF map", "1"},
-    [COLUMN] = {"column", "N", "column of an SDF map; column of heights in a text", NULL},
-    [X_COLUMN] = {"x-column", "N|NAME", "of positions in a text, by number or by its header", NULL},
-    [Z_COLUMN] = {"z-column", "N|NAME", "of heights", NULL},
-    [MISSING] = {"missing", "VALUE", "a height that stands for a missing one, as -9999", NULL},
-    [TIP] = {"tip", "LENGTH", "radius of the stylus, whose dilation is undone by erosion", NULL},
-    [LAMBDA_S] = {"lambda-s", "LENGTH", "shorter waves are taken out (Gaussian, ISO 16610-21)",
-                  NULL},
-    [CUTOFF] = {"cutoff", "LENGTH", "longer waves are taken out, after the form", NULL},
-    [ROBUST] = {"robust", NULL, "the cut-off by the robust filter of ISO 16610-31", NULL},
+    [SPIKES] = {"spikes", "K", "points over K robust sd off their neighbors are bad, too", NULL},
+    [FILTER] = {"filter", "WORDS",
+                "tip LENGTH (radius of the stylus, whose dilation is undone), lambda_s LENGTH and "
+                "cutoff LENGTH (shorter and longer waves are taken out, ISO 16610-21), robust (the "
+                "cut-off by ISO 16610-31)",
+                NULL},
     [LEVEL] = {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
-    [SAVE] =
-        {"save", "FILE",
-         "write the profile there, or the map (SDF), as mended; for --profile and --map elsewhere",
-         NULL},
-    [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-    [PLOT] = {"plot", "FILE", "draw the first --dp, of a map two, into a .png, .svg or .pdf", NULL},
+    [SAVE] = {"save", "FILE", "write the profile there, or the map (SDF), as mended", NULL},
+    [OUTPUT] = CLI_OUTPUT_OPTION,
+    CLI_PLOT_OPTIONS(PLOT, "draw the first --dp, of a map two, into a .png, .svg or .pdf"),
 };
 
 static void read_unit(const cli_option *option, aspi_profile_options *read) {
@@ -95,34 +67,89 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
         option->name, option->value);
 }
 
-static aspi_profile_options read_options(const cli_option *o) {
-  aspi_profile_options read = aspi_profile_options_default();
-  if (o[UNIT].value)
-    read_unit(&o[UNIT], &read);
-  read.form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
-  read.fill = cli_choice(&o[GAPS], "refuse", "fill");
-  read.resample = !cli_choice(&o[SPACING], "resample", "refuse");
-  if (o[SPIKES].value)
-    read.spikes = cli_number(&o[SPIKES], 1, 1e6);
-  read.row = (int)cli_whole(&o[ROW], 1, 1000000);
-  if (o[COLUMN].value)
-    read.column = (int)cli_whole(&o[COLUMN], 1, 1000000);
-  read.x_column = o[X_COLUMN].value;
-  read.z_column = o[Z_COLUMN].value;
-  if (o[MISSING].value) {
-    read.has_missing = true;
-    read.missing = cli_number(&o[MISSING], -INFINITY, INFINITY);
+/* How a file is read; step: between columns and rows, 0 where it is not given. */
+typedef struct reading {
+  aspi_profile_options file;
+  double step[2];
+} reading;
+
+static void take_steps(const cli_option *value, reading *r) {
+  cli_list steps = cli_lengths(value);
+  if (steps.count > 2)
+    cli_bad_usage("--%s is '%s'; it must be one length, or two", value->name, value->value);
+  r->step[0] = r->file.step = steps.values[0];
+  r->step[1] = steps.values[steps.count - 1];
+  free(steps.values);
+}
+
+static bool take_layout(const char *word, const cli_option *value, reading *r) {
+  aspi_profile_options *read = &r->file;
+  if (strcmp(word, "row") == 0)
+    read->row = (int)cli_whole(value, 1, 1000000);
+  else if (strcmp(word, "column") == 0)
+    read->column = (int)cli_whole(value, 1, 1000000);
+  else if (strcmp(word, "x_column") == 0)
+    read->x_column = value->value;
+  else if (strcmp(word, "z_column") == 0)
+    read->z_column = value->value;
+  else if (strcmp(word, "spacing") == 0)
+    read->resample = !cli_choice(value, "resample", "refuse");
+  else if (strcmp(word, "missing") == 0) {
+    read->has_missing = true;
+    read->missing = cli_number(value, -INFINITY, INFINITY);
+  } else if (strcmp(word, "step") == 0)
+    take_steps(value, r);
+  else
+    return false;
+  return true;
+}
+
+static bool take_filter(const char *word, const cli_option *value, reading *r) {
+  aspi_profile_options *read = &r->file;
+  if (strcmp(word, "tip") == 0)
+    read->filters.tip = cli_length(value);
+  else if (strcmp(word, "lambda_s") == 0)
+    read->filters.lambda_s = cli_length(value);
+  else if (strcmp(word, "cutoff") == 0)
+    read->filters.cutoff = cli_length(value);
+  else
+    return false;
+  return true;
+}
+
+/* Words and their values, with blanks between; the text lives as long as the command. */
+static void take_words(const cli_option *option, reading *r,
+                       bool (*take)(const char *word, const cli_option *value, reading *r)) {
+  if (!option->value)
+    return;
+  char *text = cli_copy(option->value), name[80];
+  for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
+    if (take == take_filter && strcmp(word, "robust") == 0) {
+      r->file.filters.robust = true;
+      continue;
+    }
+    snprintf(name, sizeof name, "%s %.40s", option->name, word);
+    const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
+    if (!value.value || !take(word, &value, r))
+      cli_bad_usage("--%s is '%s'; '%s' is unknown or without a value; there are: %s", option->name,
+                    option->value, word, option->help);
   }
-  if (o[TIP].value)
-    read.filters.tip = cli_length(&o[TIP]);
-  if (o[LAMBDA_S].value)
-    read.filters.lambda_s = cli_length(&o[LAMBDA_S]);
-  if (o[CUTOFF].value)
-    read.filters.cutoff = cli_length(&o[CUTOFF]);
-  else if (o[ROBUST].value)
-    cli_bad_usage("--robust goes with --cutoff");
-  read.filters.robust = o[ROBUST].value != NULL;
-  return read;
+}
+
+static reading read_options(const cli_option *o) {
+  reading r = {.file = aspi_profile_options_default()};
+  aspi_profile_options *read = &r.file;
+  if (o[UNIT].value)
+    read_unit(&o[UNIT], read);
+  read->form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
+  read->fill = cli_choice(&o[GAPS], "refuse", "fill");
+  if (o[SPIKES].value)
+    read->spikes = cli_number(&o[SPIKES], 1, 1e6);
+  take_words(&o[READ], &r, take_layout);
+  take_words(&o[FILTER], &r, take_filter);
+  if (read->filters.robust && !(read->filters.cutoff > 0))
+    cli_bad_usage("--filter is '%s'; robust goes with cutoff", o[FILTER].value);
+  return r;
 }
 
 /* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
@@ -167,8 +194,8 @@ static void check(const char *name, const char *what, const aspi_profile_report 
   for (size_t i = 0; i < sizes->count; i++)
     least = fmin(least, sizes->values[i]);
   if (least < spacing)
-    cli_fail("--dp is %gum; the %s's points are %gum apart and do not resolve it", least * 1e6,
-             what, spacing * 1e6);
+    cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it", least * 1e6,
+                  what, spacing * 1e6);
   if (*report->doubts)
     cli_warn("%s: %s", name, report->doubts);
   asp_error doubt;
@@ -176,39 +203,43 @@ static void check(const char *name, const char *what, const aspi_profile_report 
     cli_warn("%s: %s", name, doubt.text);
 }
 
-static cli_wall read_wall(const cli_option *o, source *from) {
-  aspi_profile_options read = read_options(o);
-  if (o[STEP].value)
-    read.step = cli_length(&o[STEP]);
-  double level = cli_choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
-  uint32_t seed = (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX);
-  asp_error error;
-  asp_profile *profile = aspi_profile_read(o[PROFILE].value, &read, &from->report, &error);
-  if (!profile)
-    cli_fail("%s", error.text);
-  if (aspi_profile_describe(profile, level, &from->description, &error))
-    cli_fail("%s: %s", o[PROFILE].value, error.text);
-  if (aspi_description_check(&from->description, 1, &error))
-    cli_fail("%s: %s", o[PROFILE].value, error.text);
-  const aspi_description *d = &from->description;
-  return (cli_wall){profile, generate_like(d, seed), d->r_q, d->lambda_c, o[PROFILE].value};
+static uint32_t seed_of(const cli_description *d) {
+  return (uint32_t)asp_wall_get(d->wall, "seed");
 }
 
-static cli_wall generate_wall(const cli_option *o) {
-  cli_lay lay = cli_lay_of(&o[LAMBDA_C], &o[LAY]);
-  double r_q = cli_length(&o[RQ]), lambda_c = lay.lambda[0] / sqrt(lay.part);
-  size_t points = cli_whole(&o[POINTS], POINTS_LEAST, POINTS_MOST);
+static cli_wall read_wall(const cli_option *o, const cli_description *wall, source *from) {
+  const char *file = asp_wall_word(wall->wall, "file");
+  reading how = read_options(o);
+  double level = cli_choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
-  asp_profile *profile = asp_profile_create(r_q, lambda_c, lambda_c / CLI_POINTS_PER_LAMBDA, points,
-                                            (uint32_t)cli_whole(&o[SEED], 0, UINT32_MAX), &error);
+  asp_profile *profile = aspi_profile_read(file, &how.file, &from->report, &error);
+  if (!profile)
+    cli_bad_file(NULL, &error);
+  if (aspi_profile_describe(profile, level, &from->description, &error) ||
+      aspi_description_check(&from->description, 1, &error))
+    cli_bad_usage("%s: %s", file, error.text);
+  const aspi_description *d = &from->description;
+  return (cli_wall){profile, generate_like(d, seed_of(wall)), d->r_q, d->lambda_c, file};
+}
+
+/* The profile along the flight; `more` is added to the seed. */
+static cli_wall generate_wall(const cli_option *o, const cli_description *wall, uint32_t more) {
+  const asp_surface *surface = asp_wall_surface(wall->wall);
+  double vector[3], ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
+  const double *lay = cli_description_lay(wall, vector);
+  double part = lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;
+  double r_q = asp_surface_r_q(surface), lambda_c = asp_surface_lambda_c(surface) / sqrt(part);
+  asp_error error;
+  asp_profile *profile = asp_profile_create(r_q, lambda_c, lambda_c / CLI_POINTS_PER_LAMBDA,
+                                            cli_whole(&o[POINTS], POINTS_LEAST, POINTS_MOST),
+                                            seed_of(wall) + more, &error);
   if (!profile)
     cli_bad_usage("%s", error.text);
   return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
 }
 
-static void save(const cli_option *option, int argc, char **argv, const cli_option *seed,
-                 const asp_profile *profile) {
-  cli_output *output = cli_output_open(option->value, argc, argv, seed);
+static void save(const cli_option *option, int argc, char **argv, const asp_profile *profile) {
+  cli_output *output = cli_output_open(option->value, argc, argv, NULL);
   FILE *out = cli_output_stream(output);
   fputs("x_um,z_um\n", out);
   for (size_t i = 0; i < asp_profile_points(profile); i++)
@@ -226,61 +257,101 @@ static cli_slopes *measure(const cli_wall *wall, const cli_list *sizes) {
   return rows;
 }
 
-static void print_all(FILE *out, const cli_wall *wall, const cli_slopes *rows, size_t count) {
+static void print_notes(FILE *out, const cli_wall *wall, const cli_slopes *rows, size_t count) {
   if (!wall->name)
     fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall->profile),
             asp_profile_spacing(wall->profile) * 1e6);
   for (size_t i = 0; wall->generated && i < count; i++)
     fprintf(out, "# d_p %.6g um: D_KL(measured||generated) %.4f\n", rows[i].d_p * 1e6,
             cli_generated_kl(wall, rows[i].d_p));
-  fputs(CLI_SLOPES_HEADER "\n", out);
+}
+
+static void print_rows(FILE *out, const cli_slopes *rows, size_t count) {
   for (size_t i = 0; i < count; i++) {
     cli_slopes_print(out, &rows[i]);
     fputc('\n', out);
   }
 }
 
-/* Exits where an option is given that says nothing of the wall at hand: `own` of a generated one,
- * of one by its profile, of one by its map. */
-static void check_options(const cli_option *o) {
+/* Exits where an option is given that says nothing of the wall at hand. */
+static void check_options(const cli_option *o, const char *kind) {
   enum { GENERATED = 1, BY_PROFILE = 2, BY_MAP = 4, MEASURED = BY_PROFILE | BY_MAP };
   static const struct {
     int option, own;
-  } list[] = {{RQ, GENERATED},       {LAMBDA_C, GENERATED},  {POINTS, GENERATED},
-              {PROFILE, BY_PROFILE}, {SPACING, BY_PROFILE},  {ROW, BY_PROFILE},
-              {COLUMN, BY_PROFILE},  {X_COLUMN, BY_PROFILE}, {Z_COLUMN, BY_PROFILE},
-              {TIP, BY_PROFILE},     {LAMBDA_S, BY_PROFILE}, {CUTOFF, BY_PROFILE},
-              {ROBUST, BY_PROFILE},  {MISSING, MEASURED},    {LEVEL, BY_PROFILE},
-              {UNIT, MEASURED},      {FORM, MEASURED},       {GAPS, MEASURED},
-              {SPIKES, MEASURED},    {STEP, MEASURED},       {SEED, GENERATED | BY_PROFILE}};
-  int wall = o[MAP].value ? BY_MAP : o[PROFILE].value ? BY_PROFILE : GENERATED;
+  } list[] = {{POINTS, GENERATED}, {FILTER, BY_PROFILE}, {LEVEL, BY_PROFILE}, {UNIT, MEASURED},
+              {FORM, MEASURED},    {GAPS, MEASURED},     {SPIKES, MEASURED},  {READ, MEASURED}};
+  int wall = strcmp(kind, "map") == 0       ? BY_MAP
+             : strcmp(kind, "profile") == 0 ? BY_PROFILE
+             : strcmp(kind, "rq") == 0      ? GENERATED
+                                            : 0;
+  if (!wall)
+    cli_bad_usage("surface is '%s'; it must be rq R lambda_c L, profile FILE or map FILE", kind);
   for (size_t i = 0; i < sizeof list / sizeof *list; i++)
     if (o[list[i].option].value != table[list[i].option].value && !(list[i].own & wall))
-      cli_bad_usage("--%s is given with %s, of which it says nothing", o[list[i].option].name,
-                    wall == BY_MAP       ? "--map"
-                    : wall == BY_PROFILE ? "--profile"
-                                         : "a generated wall (no --profile or --map)");
+      cli_bad_usage("--%s is given with 'surface %s', of which it says nothing",
+                    o[list[i].option].name, kind);
+  if (o[SAVE].value && strcmp(o[SAVE].value, "-") == 0 && !o[OUTPUT].value)
+    cli_bad_usage("--save is '-', standard output, where the slopes go; say where else (-o FILE)");
 }
 
-/* Everything with --map. */
-static void run_map(const cli_option *o, const cli_list *sizes, int argc, char **argv) {
-  aspi_profile_options read = read_options(o);
-  aspi_map_options options = {&read, {0, 0}};
-  if (o[STEP].value) {
-    cli_list steps = cli_lengths(&o[STEP]);
-    if (steps.count > 2)
-      cli_bad_usage("--step is '%s'; it must be one length, or two", o[STEP].value);
-    options.step[0] = steps.values[0];
-    options.step[1] = steps.values[steps.count - 1];
-  }
-  cli_map map = cli_map_read(&o[MAP], &options);
+/* The walls that lists of rq and lambda_c make, rq slowest. */
+typedef struct walls {
+  cli_list r_q, lambda_c;
+  int at[2]; /* the words that hold them; 0: a single wall */
+  size_t count;
+} walls;
+
+static cli_list list_at(char **words, int count, const char *name, int *at) {
+  for (int i = 0; i + 1 < count; i++)
+    if (strcmp(words[i], name) == 0 && strpbrk(words[i + 1], ",:")) {
+      const cli_option option = {name, "LENGTHS", name, words[i + 1]};
+      *at = i + 1;
+      return cli_lengths(&option);
+    }
+  return (cli_list){.count = 1};
+}
+
+static walls find_walls(int count, char **words) {
+  walls all = {.at = {0, 0}};
+  all.r_q = list_at(words, count, "rq", &all.at[0]);
+  all.lambda_c = list_at(words, count, "lambda_c", &all.at[1]);
+  all.count = all.r_q.count * all.lambda_c.count;
+  return all;
+}
+
+/* One of them, counted from 0. */
+static cli_description wall_of(const walls *all, size_t index, int count, char **words) {
+  const double value[2] = {all->at[0] ? all->r_q.values[index / all->lambda_c.count] : 0,
+                           all->at[1] ? all->lambda_c.values[index % all->lambda_c.count] : 0};
+  char **own = cli_allocate((size_t)count + 1, sizeof *own), text[2][40];
+  for (int i = 0; i < count; i++)
+    own[i] = words[i];
+  for (int k = 0; k < 2; k++)
+    if (all->at[k]) {
+      snprintf(text[k], sizeof text[k], "%.17gm", value[k]);
+      own[all->at[k]] = text[k];
+    }
+  cli_description wall = cli_description_read(count, own);
+  cli_description_allow(&wall, "surface seed", "a surface makes no impact");
+  free(own);
+  return wall;
+}
+
+/* Everything of a map. */
+static void run_map(const cli_option *o, const cli_description *wall, const cli_list *sizes,
+                    int argc, char **argv) {
+  const char *file = asp_wall_word(wall->wall, "file");
+  reading how = read_options(o);
+  how.file.step = 0;
+  aspi_map_options options = {&how.file, {how.step[0], how.step[1]}};
+  cli_map map = cli_map_read(file, &options);
   const double *step = map.map->step;
   double sides[2] = {(double)map.map->columns * step[0], (double)map.map->rows * step[1]};
-  check(o[MAP].value, "map", &map.report, fmax(step[0], step[1]), fmin(sides[0], sides[1]),
+  check(file, "map", &map.report, fmax(step[0], step[1]), fmin(sides[0], sides[1]),
         map.description.lambda_2, sizes);
   cli_map_slopes *rows = cli_allocate(sizes->count, sizeof *rows);
   cli_map_slopes_measure(&map, sizes, rows);
-  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
+  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, wall->text);
   cli_map_print(cli_output_stream(output), &map, rows, sizes->count);
   cli_output_close(output);
   if (o[SAVE].value)
@@ -291,43 +362,83 @@ static void run_map(const cli_option *o, const cli_list *sizes, int argc, char *
   cli_map_free(&map);
 }
 
-static int run(int argc, char **argv) {
-  cli_option options[N_OPTIONS + 1];
-  memcpy(options, table, sizeof options);
-  cli_parse(&cli_surface, argc, argv, options, false);
-  check_options(options);
-  if (options[SAVE].value && strcmp(options[SAVE].value, "-") == 0 && !options[OUTPUT].value)
-    cli_bad_usage("--save is '-', standard output, where the slopes go; say where else (-o FILE)");
-  cli_list sizes = cli_lengths(&options[DP]);
-  if (options[MAP].value) {
-    run_map(options, &sizes, argc, argv);
-    return 0;
-  }
-  bool measured = options[PROFILE].value != NULL;
+/* A measured profile, or a generated one. */
+static void run_profile(const cli_option *o, const cli_description *d, const cli_list *sizes,
+                        int argc, char **argv) {
+  bool measured = asp_wall_word(d->wall, "file") != NULL;
   source from;
-  cli_wall wall = measured ? read_wall(options, &from) : generate_wall(options);
+  cli_wall wall = measured ? read_wall(o, d, &from) : generate_wall(o, d, 0);
   if (measured)
     check(wall.name, "profile", &from.report, from.description.spacing, from.description.length,
-          from.description.lambda_c, &sizes);
-  cli_slopes *rows = measure(&wall, &sizes);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+          from.description.lambda_c, sizes);
+  cli_slopes *rows = measure(&wall, sizes);
+  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, d->text);
+  FILE *out = cli_output_stream(output);
   if (measured)
-    tell(cli_output_stream(output), &wall, &from, options[LEVEL].value);
-  print_all(cli_output_stream(output), &wall, rows, sizes.count);
+    tell(out, &wall, &from, o[LEVEL].value);
+  print_notes(out, &wall, rows, sizes->count);
+  fputs(CLI_SLOPES_HEADER "\n", out);
+  print_rows(out, rows, sizes->count);
   cli_output_close(output);
-  if (options[SAVE].value)
-    save(&options[SAVE], argc, argv, &options[SEED], wall.profile);
-  if (options[PLOT].value)
-    cli_surface_plot(&options[PLOT], &wall, &rows[0]);
+  if (o[SAVE].value)
+    save(&o[SAVE], argc, argv, wall.profile);
+  if (o[PLOT].value)
+    cli_surface_plot(&o[PLOT], &wall, &rows[0]);
   asp_profile_free(wall.generated);
   asp_profile_free(wall.profile);
   free(rows);
+}
+
+/* Many walls, each by a profile of its own: the seed of each is one more than that before. */
+static void run_walls(const cli_option *o, const walls *all, const cli_list *sizes, int argc,
+                      char **argv) {
+  int words = cli_words(argc, argv);
+  if (o[SAVE].value || o[PLOT].value)
+    cli_bad_usage("--%s is given with a list of walls; it takes one",
+                  o[SAVE].value ? "save" : "plot");
+  cli_slopes *rows = cli_allocate(all->count * sizes->count, sizeof *rows);
+  for (size_t k = 0; k < all->count; k++) {
+    cli_description d = wall_of(all, k, words, argv + 1);
+    cli_wall wall = generate_wall(o, &d, (uint32_t)k);
+    cli_slopes *own = measure(&wall, sizes);
+    memcpy(rows + k * sizes->count, own, sizes->count * sizeof *own);
+    free(own);
+    asp_profile_free(wall.profile);
+    cli_description_free(&d);
+  }
+  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
+  fprintf(cli_output_stream(output), "# generated: %s points a wall, lambda_c/%g apart\n",
+          o[POINTS].value, CLI_POINTS_PER_LAMBDA);
+  fputs(CLI_SLOPES_HEADER "\n", cli_output_stream(output));
+  print_rows(cli_output_stream(output), rows, all->count * sizes->count);
+  cli_output_close(output);
+  free(rows);
+}
+
+static int run(int argc, char **argv) {
+  cli_option options[N_OPTIONS + 1];
+  memcpy(options, table, sizeof options);
+  int words = cli_words(argc, argv);
+  cli_parse(&cli_surface, argc - words, argv + words, options, false);
+  cli_list sizes = cli_lengths(&options[DP]);
+  walls all = find_walls(words, argv + 1);
+  cli_description first = wall_of(&all, 0, words, argv + 1);
+  const char *kind = asp_wall_word(first.wall, "surface");
+  check_options(options, kind);
+  if (all.count > 1)
+    run_walls(options, &all, &sizes, argc, argv);
+  else if (strcmp(kind, "map") == 0)
+    run_map(options, &first, &sizes, argc, argv);
+  else
+    run_profile(options, &first, &sizes, argc, argv);
+  cli_description_free(&first);
   return 0;
 }
 
 const cli_command cli_surface = {
     .name = "surface",
     .summary = "which slopes a particle of a given size finds on a wall",
+    .arguments = "DESCRIPTION",
     .detail =
         "A row per diameter, measured on a generated or a measured profile: the slopes of the "
         "path\n"
@@ -338,7 +449,10 @@ const cli_command cli_surface = {
         "points))^(1/5).\n"
         "A generated profile is periodic, a measured one is mirrored at its ends. A measured one "
         "is\n"
-        "compared with a generated one of the same R_q and lambda_c. Of a map, the parameters of\n"
+        "compared with a generated one of the same R_q and lambda_c. rq and lambda_c may be "
+        "lists:\n"
+        "'surface rq 2um,5um lambda_c 40um:120um:40um' has a row per wall and diameter. Of a map, "
+        "the parameters of\n"
         "ISO 25178-2, the lay, and the contact slopes of a sphere across the lay and along it. "
         "For\n"
         "an instrument's own format that is refused: the free program Gwyddion saves it as SDF.\n",

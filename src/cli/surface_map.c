@@ -1,5 +1,5 @@
-/* asperity surface --map: what a measured map is, and which slopes a sphere of a given size finds
- * on it.
+/* asperity surface of a map: what a measured map is, and which slopes a sphere of a given size
+ * finds on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/surface_map.h"
@@ -12,19 +12,19 @@
 
 enum { ROWS_AT_ONCE = 16 };
 
-cli_map cli_map_read(const cli_option *option, const aspi_map_options *options) {
+cli_map cli_map_read(const char *path, const aspi_map_options *options) {
   asp_error error;
-  cli_map m = {.name = option->value};
-  FILE *stream = aspi_file_open(option->value, &error);
+  cli_map m = {.name = path};
+  FILE *stream = aspi_file_open(path, &error);
   if (stream) {
-    m.map = aspi_map_read_stream(stream, option->value, options, &m.report, &error);
+    m.map = aspi_map_read_stream(stream, path, options, &m.report, &error);
     fclose(stream);
   }
   if (!m.map)
-    cli_fail("%s", error.text);
+    cli_bad_file(NULL, &error);
   if (aspi_map_describe(m.map, &m.description, &error) ||
       aspi_map_check(m.map, &m.description, 1, &error))
-    cli_fail("%s: %s", option->value, error.text);
+    cli_bad_usage("%s: %s", path, error.text);
   return m;
 }
 

@@ -1,4 +1,4 @@
-/* asperity surface --map.
+/* asperity surface of a map.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SURFACE_MAP_H
@@ -17,7 +17,7 @@ typedef struct cli_map {
 } cli_map;
 
 /* Reads and describes a map, in metres; exits on an error. */
-cli_map cli_map_read(const cli_option *option, const aspi_map_options *options);
+cli_map cli_map_read(const char *path, const aspi_map_options *options);
 void cli_map_free(cli_map *map);
 
 /* The contact slopes of a sphere, across the lay and along it; mixed: the mean of their product. */

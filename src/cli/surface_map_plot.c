@@ -1,4 +1,4 @@
-/* The picture of `asperity surface --map`: the map with its lay and the ellipse of its
+/* The picture of `asperity surface` of a map: the map with its lay and the ellipse of its
  * autocorrelation, a section with the way of two spheres over it, the rms slopes by direction, and
  * the rebound and lateral angles of the map's own law beside those of a Gaussian wall with its
  * numbers.
@@ -116,11 +116,14 @@ void cli_map_plot(const cli_option *option, const cli_map *m, const cli_map_slop
   print_section(gp, m, size);
   print_polar(gp, m, rows, count);
   print_angles(gp, m, size[0]);
-  fprintf(gp,
-          "set multiplot layout 2,2 title '%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, "
-          "λ_2 %.3g µm'\n",
-          cli_plot_label(picture, m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6,
-          d->lambda_2 * 1e6);
+  if (cli_plot_title(picture))
+    fprintf(gp, "set multiplot layout 2,2 title '%s'\n", cli_plot_title(picture));
+  else
+    fprintf(gp,
+            "set multiplot layout 2,2 title '%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, "
+            "λ_2 %.3g µm'\n",
+            cli_plot_label(picture, m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6,
+            d->lambda_2 * 1e6);
   fprintf(gp,
           "set title 'heights, lay, and 1/e ellipse (x 3)'\nset xlabel 'x / µm'\nset ylabel 'y / "
           "µm'\nset size ratio %g\nset cblabel 'z / µm'\nset xrange [0:%g]\nset yrange [0:%g]\n"
@@ -155,10 +158,11 @@ void cli_map_plot(const cli_option *option, const cli_map *m, const cli_map_slop
       "lines lw 2 lc rgb '#d55e00' title 'd_p %g µm'\nunset polar\nset size nosquare\nset border\n"
       "unset grid\nset xtics border\nset ytics border\n",
       size[0] * 1e6, size[1] * 1e6);
+  cli_plot_set_range(picture, 0, NAN);
   fprintf(gp,
           "set title 'across the lay at %g degrees, d_p %g µm (dots: Gaussian)'\nset xlabel 'angle "
           "/ degrees'\nset ylabel 'share per degree'\n"
-          "set xrange [-45:120]\nset yrange [0:*]\n"
+          "set xrange [-45:120]\n"
           "plot $angles using 1:2 with histeps lw 2 lc rgb '#0072b2' title 'rebound angle', "
           "'' using 1:3 with points pt 7 ps 0.5 lc rgb '#0072b2' notitle, "
           "'' using 4:5 with histeps lw 2 lc rgb '#009e73' title 'lateral angle', "

@@ -144,36 +144,38 @@ static void put_density(FILE *out, const char *name, const aspi_density *density
   fputs("EOD\n", out);
 }
 
-static void figure_4(FILE *out, const cli_wall *wall, const cli_slopes *row) {
+static void figure_4(cli_plot *plot, const cli_wall *wall, const cli_slopes *row) {
+  FILE *out = cli_plot_stream(plot);
   angles a = angles_of(wall, wall->profile, row->d_p);
   aspi_density *density = density_of(&a, &a);
   double reach = fmin(4.5 * a.moments.sd, 90);
   put_density(out, "density", density);
+  cli_plot_set_range(plot, 0, 1.3 * peak_of(density));
   fprintf(out,
           "set title 'Angles: mean %.2f°, sd %.2f°, D_{KL} of the normal fit %.4f (fig. 4)'\n"
           "set xlabel 'Δα / °'\nset ylabel 'density / (1/°)'\nset xrange [%g:%g]\n"
-          "set yrange [0:%g]\nset samples 500\n"
+          "set samples 500\n"
           "plot $density with lines ls 1 title 'kernel density, bandwidth %.2g°', "
           "exp(-(x - %g)**2/(2*%g**2))/(%g*sqrt(2*pi)) with lines ls 2 dt 2 title 'normal fit'\n",
           a.moments.mean, a.moments.sd, row->slopes.kl_normal, -reach, reach,
-          1.3 * peak_of(density), aspi_density_bandwidth(density), a.moments.mean, a.moments.sd,
-          a.moments.sd);
+          aspi_density_bandwidth(density), a.moments.mean, a.moments.sd, a.moments.sd);
   aspi_density_free(density);
   free(a.values);
 }
 
-static void figure_5(FILE *out, const cli_wall *wall, double d_p) {
+static void figure_5(cli_plot *plot, const cli_wall *wall, double d_p) {
+  FILE *out = cli_plot_stream(plot);
   angles measured = angles_of(wall, wall->profile, d_p);
   angles generated = angles_of(wall, wall->generated, d_p);
   aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
   put_density(out, "measured", p);
   put_density(out, "generated", q);
+  cli_plot_set_range(plot, 0, 1.3 * fmax(peak_of(p), peak_of(q)));
   fprintf(out,
-          "set title 'Measured against generated, D_{KL} %.4f (fig. 5)'\nset yrange [0:%g]\n"
+          "set title 'Measured against generated, D_{KL} %.4f (fig. 5)'\n"
           "plot $measured with lines ls 1 title 'measured, sd %.2f°', "
           "$generated with lines ls 2 dt 2 title 'generated, of the same R_q and λ_c, sd %.2f°'\n",
-          aspi_density_kl(p, q), 1.3 * fmax(peak_of(p), peak_of(q)), measured.moments.sd,
-          generated.moments.sd);
+          aspi_density_kl(p, q), measured.moments.sd, generated.moments.sd);
   aspi_density_free(p);
   aspi_density_free(q);
   free(measured.values);
@@ -183,17 +185,20 @@ static void figure_5(FILE *out, const cli_wall *wall, double d_p) {
 void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row) {
   cli_plot *plot = cli_plot_open(option, 1200, 900);
   FILE *out = cli_plot_stream(plot);
-  fprintf(out, "set multiplot title '%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g'\n",
-          wall->name ? "Measured wall " : "Generated wall",
-          wall->name ? cli_plot_label(plot, wall->name).text : "", wall->r_q * 1e6,
-          wall->lambda_c * 1e6, wall->r_q / wall->lambda_c, cli_kappa(row));
+  if (cli_plot_title(plot))
+    fprintf(out, "set multiplot title '%s'\n", cli_plot_title(plot));
+  else
+    fprintf(out, "set multiplot title '%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g'\n",
+            wall->name ? "Measured wall " : "Generated wall",
+            wall->name ? cli_plot_label(plot, wall->name).text : "", wall->r_q * 1e6,
+            wall->lambda_c * 1e6, wall->r_q / wall->lambda_c, cli_kappa(row));
   fputs("set size 1, 0.47\nset origin 0, 0.48\n", out);
   figure_3(out, wall, row->d_p);
   fprintf(out, "set size %g, 0.48\nset origin 0, 0\n", wall->generated ? 0.5 : 1);
-  figure_4(out, wall, row);
+  figure_4(plot, wall, row);
   if (wall->generated) {
     fputs("set origin 0.5, 0\n", out);
-    figure_5(out, wall, row->d_p);
+    figure_5(plot, wall, row->d_p);
   }
   fputs("unset multiplot\n", out);
   cli_plot_close(plot);

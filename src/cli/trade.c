@@ -4,12 +4,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/trade.h"
-#include "cli/grid.h"
 #include "cli/measure.h"
 #include "cli/trade_3d.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Where the user does not say. */
 enum { PROFILES_MANY = 16, SURFACES_MANY = 8, POINTS_MANY = 2048 };
@@ -43,7 +43,7 @@ static void print_row(FILE *out, const trade_row *r) {
 /* All rows, angle by angle. */
 static void measure(const cli_option *options, const cli_list *angles, const measure_case *subject,
                     trade_row *rows) {
-  bool multiple = cli_is_multiple(&options[COLLISIONS]);
+  bool multiple = cli_choice(&options[COLLISIONS], "single", "multiple");
   measure_wall wall = measure_wall_create(subject);
   measure_reference *references = measure_references(subject, &wall, angles->values, angles->count);
   cli_progress progress = cli_progress_begin("models", asp_spread_count());
@@ -94,47 +94,52 @@ static size_t pieces_of(const cli_option *option, double usual) {
 }
 
 /* Exits where an option is given that says nothing of this judge. */
-static void check_options(const cli_option *o) {
-  bool map = o[ROUGH + ROUGH_MAP].value, solid = map || o[THREE_D].value;
-  if (o[THREE_D].value && o[ROUGH + ROUGH_PROFILE].value)
-    cli_bad_usage("--three-d is given with --profile; it goes with --map, or a wall's numbers");
-  if (map && o[ROUGH + ROUGH_LAY].value)
-    cli_bad_usage("--lay is given with --map, whose judge flies in all directions");
+static void check_options(const cli_option *o, const asp_wall *wall) {
+  const char *kind = asp_wall_word(wall, "surface");
+  bool map = strcmp(kind, "map") == 0, solid = map || o[THREE_D].value;
+  if (strcmp(kind, "smooth") == 0)
+    cli_bad_usage("'surface' is missing; models are judged on a rough wall");
+  if (o[THREE_D].value && strcmp(kind, "profile") == 0)
+    cli_bad_usage("--three-d is given with 'surface profile'; it goes with a map, or a wall's "
+                  "numbers");
   if (map && o[POINTS].value)
-    cli_bad_usage("--points is given with --map, which has its own");
+    cli_bad_usage("--points is given with 'surface map', which has its own");
   if (solid && o[PROFILES].value)
     cli_bad_usage("--profiles is given with %s, which takes --surfaces",
-                  map ? "--map" : "--three-d");
+                  map ? "'surface map'" : "--three-d");
   if (!solid && (o[SURFACES].value || o[POINTS].value))
-    cli_bad_usage("--%s is given without --three-d or --map",
+    cli_bad_usage("--%s is given without --three-d or 'surface map'",
                   o[SURFACES].value ? "surfaces" : "points");
 }
 
-static measure_case case_of(const cli_option *options) {
+static measure_case case_of(const cli_option *options, const asp_wall *wall) {
   bool given = options[PROFILES].value;
   return (measure_case){.rays = cli_whole(&options[RAYS], 1000, 1000000000),
                         .profiles = given
                                         ? (int)cli_whole(&options[PROFILES], MEASURE_PROFILES_LEAST,
                                                          MEASURE_PROFILES_MOST)
                                         : PROFILES_MANY,
-                        .seed = (uint32_t)cli_whole(&options[SEED], 0, 1000000)};
+                        .seed = (uint32_t)asp_wall_get(wall, "seed")};
 }
 
 /* What is judged in three dimensions; takes out the angles at which it cannot be. */
-static judge_case case_3d(const cli_option *options, const cli_rough *rough, double d_p,
+static judge_case case_3d(const cli_option *options, const cli_description *wall, double d_p,
                           cli_list *angles) {
-  const asp_surface *surface = rough->surface;
+  const asp_surface *surface = asp_wall_surface(wall->wall);
+  double vector[3];
+  const double *lay = cli_description_lay(wall, vector);
   unsigned long points =
       options[POINTS].value ? cli_whole(&options[POINTS], 256, 16384) : POINTS_MANY;
   if (points & (points - 1))
     cli_bad_usage("--points is %lu; it must be a power of two", points);
-  judge_case subject = {.wall = {asp_surface_r_q(surface), rough->lay.lambda[0],
-                                 rough->lay.lambda[1], rough->lay.direction - ASP_PI / 2},
+  judge_case subject = {.wall = {asp_surface_r_q(surface), asp_surface_lambda_c(surface),
+                                 asp_surface_lambda_along(surface),
+                                 lay ? atan2(lay[1], lay[0]) - ASP_PI / 2 : 0},
                         .d_p = d_p,
                         .surfaces = SURFACES_MANY,
                         .points = points,
-                        .map = rough->map};
-  if (rough->map) {
+                        .map = wall->map};
+  if (wall->map) {
     subject.surfaces = pieces_of(&options[SURFACES], 0);
     drop_grazing(&options[ANGLES], angles,
                  judge_angle_least(&subject, subject.wall.r_q, asp_surface_lambda_c(surface)));
@@ -145,88 +150,89 @@ static judge_case case_3d(const cli_option *options, const cli_rough *rough, dou
 }
 
 /* The same in the plane of incidence. */
-static measure_case case_2d(const cli_option *options, const cli_rough *rough, double d_p,
+static measure_case case_2d(const cli_option *options, const cli_description *wall, double d_p,
                             cli_list *angles) {
-  const double *lambda = rough->lay.lambda;
-  if (lambda[0] < lambda[1] || lambda[0] > lambda[1])
-    cli_bad_usage("--lambda-c is '%s'; a wall with a lay is judged with --three-d",
-                  options[ROUGH + ROUGH_LAMBDA_C].value);
-  measure_case subject = case_of(options);
-  subject.r_q = asp_surface_r_q(rough->surface);
-  subject.lambda_c = asp_surface_lambda_c(rough->surface);
+  const asp_surface *surface = asp_wall_surface(wall->wall);
+  if (asp_wall_lay(wall->wall).kind != ASP_LAY_NONE)
+    cli_bad_usage("'lay' is given; a wall with a lay is judged with --three-d");
+  measure_case subject = case_of(options, wall->wall);
+  subject.r_q = asp_surface_r_q(surface);
+  subject.lambda_c = asp_surface_lambda_c(surface);
   subject.d_p = d_p;
-  subject.profile = rough->profile;
-  if (rough->profile) {
-    double length =
-        (double)asp_profile_points(rough->profile) * asp_profile_spacing(rough->profile);
+  subject.profile = wall->profile;
+  if (wall->profile) {
+    double length = (double)asp_profile_points(wall->profile) * asp_profile_spacing(wall->profile);
     subject.profiles = (int)pieces_of(&options[PROFILES], length / subject.lambda_c / PIECE_LENGTH);
     drop_grazing(&options[ANGLES], angles, measure_angle_least(&subject));
   }
   return subject;
 }
 
-/* One wall. */
-static void judge_wall(const cli_option *options, int argc, char **argv) {
-  check_options(options);
-  double d_p = cli_rough_size(&options[ROUGH], &options[DP]);
-  cli_list angles = cli_angles(&options[ANGLES]);
-  cli_rough rough = cli_rough_read(&options[ROUGH], d_p, d_p);
-  trade_row *rows = cli_allocate(angles.count * (size_t)asp_spread_count(), sizeof *rows);
-  cli_output *output;
-  if (options[THREE_D].value || rough.map) {
-    judge_case subject = case_3d(options, &rough, d_p, &angles);
-    measure_case how = case_of(options);
-    bool multiple = cli_is_multiple(&options[COLLISIONS]);
-    output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-    cli_trade_3d(cli_output_stream(output), &subject, &angles, how.rays, multiple, how.seed, rows);
-  } else {
-    measure_case subject = case_2d(options, &rough, d_p, &angles);
-    measure(options, &angles, &subject, rows);
-    output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-    print(cli_output_stream(output), rows, angles.count * (size_t)asp_spread_count());
-  }
-  cli_output_close(output);
-  if (options[PLOT].value)
-    cli_trade_plot(options, &rough, rows, angles.count * (size_t)asp_spread_count());
-  free(rows);
-  cli_rough_free(&rough);
+/* A diameter for a wall that is the same for all of them, and the most that the seed may be. */
+#define ANY_SIZE 1e-5
+#define SEED_MOST 1000000
+
+static cli_description read_wall(const cli_option *options, int count, char **words, double *d_p) {
+  cli_description wall = cli_description_read(count, words);
+  cli_description_allow(&wall, "surface seed", "every model is judged, by specular rebounds");
+  check_options(options, wall.wall);
+  bool any = strcmp(asp_wall_word(wall.wall, "surface"), "sigma") == 0 && !options[DP].value;
+  *d_p = any ? ANY_SIZE : cli_length(&options[DP]);
+  if (asp_wall_get(wall.wall, "seed") > SEED_MOST)
+    cli_bad_usage("seed is %.0f; it must be at most %d, as each profile has one of its own",
+                  asp_wall_get(wall.wall, "seed"), SEED_MOST);
+  cli_description_make(&wall, *d_p, *d_p);
+  return wall;
 }
 
 static int run(int argc, char **argv) {
   cli_option options[N + 1] = {
-      CLI_ROUGH_OPTIONS(ROUGH),
       [DP] = {"dp", "LENGTH", "diameter of the particles", NULL},
-      [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "2,5,10,20,45,80"},
+      [ANGLES] = {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
       [RAYS] = {"rays", "N", "impacts per model and angle", "200000"},
       [PROFILES] = {"profiles", "N",
                     "profiles of 2048 lambda_c that judge [16], or pieces of a measured one", NULL},
-      [SEED] = {"seed", "N", "seed of the ensemble and the draws", "1"},
       [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
                       "multiple"},
-      [GRID] = {"grid", NULL, "measure the grid of walls from which `auto` chooses; half an hour",
-                NULL},
       [THREE_D] = {"three-d", NULL, "isotropic: judged by surfaces in three dimensions", NULL},
       [SURFACES] = {"surfaces", "N",
                     "of --three-d: independent surfaces that judge [8]; pieces of a map [4]", NULL},
       [POINTS] = {"points", "N", "of --three-d: points along a side, 20 a lambda_c [2048]", NULL},
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-      [PLOT] = {"plot", "FILE", "draw cost against divergence; .png, .svg or .pdf", NULL},
+      [OUTPUT] = CLI_OUTPUT_OPTION,
+      CLI_PLOT_OPTIONS(PLOT, "draw cost against divergence; .png, .svg or .pdf"),
   };
-  cli_parse(&cli_trade, argc, argv, options, false);
-  if (!options[GRID].value) {
-    judge_wall(options, argc, argv);
-    return 0;
+  int words = cli_words(argc, argv);
+  cli_parse(&cli_trade, argc - words, argv + words, options, false);
+  double d_p;
+  cli_list angles = cli_angles(&options[ANGLES]);
+  cli_description wall = read_wall(options, words, argv + 1, &d_p);
+  size_t most = angles.count * (size_t)asp_spread_count();
+  trade_row *rows = cli_allocate(most, sizeof *rows);
+  cli_output *output;
+  if (options[THREE_D].value || wall.map) {
+    judge_case subject = case_3d(options, &wall, d_p, &angles);
+    measure_case how = case_of(options, wall.wall);
+    bool multiple = cli_choice(&options[COLLISIONS], "single", "multiple");
+    output = cli_output_open(options[OUTPUT].value, argc, argv, wall.text);
+    cli_trade_3d(cli_output_stream(output), &subject, &angles, how.rays, multiple, how.seed, rows);
+  } else {
+    measure_case subject = case_2d(options, &wall, d_p, &angles);
+    measure(options, &angles, &subject, rows);
+    output = cli_output_open(options[OUTPUT].value, argc, argv, wall.text);
+    print(cli_output_stream(output), rows, angles.count * (size_t)asp_spread_count());
   }
-  measure_case subject = case_of(options);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
-  cli_grid(cli_output_stream(output), &subject);
   cli_output_close(output);
+  if (options[PLOT].value)
+    cli_trade_plot(options, &wall, d_p, rows, angles.count * (size_t)asp_spread_count());
+  free(rows);
+  cli_description_free(&wall);
   return 0;
 }
 
 const cli_command cli_trade = {
     .name = "trade",
     .summary = "speed against accuracy: every model against the geometry",
+    .arguments = "DESCRIPTION",
     .detail =
         "A row per model and impact angle. The reference follows specular particles over an\n"
         "ensemble of generated profiles, hit by hit; no model was made from any of them.\n"
@@ -234,13 +240,14 @@ const cli_command cli_trade = {
         "counts as 1e-6, or half an impact. kl_rebound is free of the bias of histograms, and\n"
         "kl_rebound_se is its standard error, by the jackknife over the profiles; more --profiles\n"
         "and --rays make it smaller.\n"
-        "With --profile the pieces of one half of it judge what is made of the other half, and "
+        "Of a measured profile the pieces of one half of it judge what is made of the other half, "
+        "and "
         "the\n"
         "other way round: so no model is judged by heights that made it.\n"
         "With --three-d the reference are independent Gaussian surfaces on which a sphere rolls,\n"
         "none of which made a model; every model takes `isotropic`. --rays counts per surface.\n"
-        "All D_KL are then sampled, with the standard error over the surfaces (jackknife). With "
-        "--map\n"
+        "All D_KL are then sampled, with the standard error over the surfaces (jackknife). Of a "
+        "map\n"
         "pieces of one half of the map judge what is made of the other, in all directions.\n",
     .run = run,
 };

@@ -4,25 +4,22 @@
 #ifndef ASP_CLI_TRADE_H
 #define ASP_CLI_TRADE_H
 
+#include "cli/description.h"
 #include "cli/measure.h"
-#include "cli/walls.h"
 
 /* The options of the command. */
 enum {
-  ROUGH,
-  DP = ROUGH + ROUGH_OPTIONS,
+  DP,
   ANGLES,
   RAYS,
-  SEED,
   PROFILES,
   COLLISIONS,
-  GRID,
   THREE_D,
   SURFACES,
   POINTS,
   OUTPUT,
   PLOT,
-  N
+  N = PLOT + PLOT_OPTIONS
 };
 
 /* A model at one impact angle. */
@@ -34,7 +31,7 @@ typedef struct trade_row {
 
 /* The cost of every model against its worst divergence; of every angle all models, in their order.
  */
-void cli_trade_plot(const cli_option *options, const cli_rough *rough, const trade_row *rows,
-                    size_t n);
+void cli_trade_plot(const cli_option *options, const cli_description *wall, double d_p,
+                    const trade_row *rows, size_t n);
 
 #endif

@@ -1,5 +1,5 @@
 /* asperity trade --three-d: every model, isotropic, against surfaces in three dimensions, none of
- * which made a model; with --map against one half of the map, made of the other.
+ * which made a model; of a map against one half of the map, made of the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/trade_3d.h"
@@ -67,7 +67,7 @@ static made_of made_of_case(const judge_case *subject, const double lay[3]) {
       made.surface[fold] =
           asp_surface_create_lay(numbers->r_q, numbers->lambda_1, numbers->lambda_2, &error);
     if (!made.surface[fold])
-      cli_bad_usage("%s%s", subject->map ? "--map: half of it: " : "", error.text);
+      cli_bad_usage("%s%s", subject->map ? "surface map: half of it: " : "", error.text);
   }
   return made;
 }
@@ -130,7 +130,7 @@ static void judge_model(FILE *out, const judge_case *subject, const made_of *of,
 
 void cli_trade_3d(FILE *out, const judge_case *subject, const cli_list *angles, size_t rays,
                   bool multiple, uint32_t seed, trade_row *rows) {
-  cli_list alpha1 = {cli_allocate(angles->count, sizeof(double)), angles->count};
+  cli_list alpha1 = {.values = cli_allocate(angles->count, sizeof(double)), .count = angles->count};
   for (size_t i = 0; i < alpha1.count; i++)
     alpha1.values[i] = cli_radians(angles->values[i]);
   const double lay[3] = {-sin(subject->wall.axis), cos(subject->wall.axis), 0};

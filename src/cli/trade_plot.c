@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A model over all angles: its mean cost, and its worst divergence with the standard error. */
 typedef struct point {
@@ -39,43 +40,52 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
 static const int marks[] = {4, 6, 8, 10, 12, 14, 1, 2, 3, 15};
 
 /* The wall in the title. */
-static void print_wall(FILE *gp, const cli_plot *picture, const cli_option *options,
-                       const cli_rough *rough) {
-  const cli_option *o = &options[ROUGH];
-  const char *file = o[ROUGH_PROFILE].value ? o[ROUGH_PROFILE].value : o[ROUGH_MAP].value;
-  if (o[ROUGH_SIGMA].value) {
-    fprintf(gp, "Wall σ %s°", cli_plot_label(picture, o[ROUGH_SIGMA].value).text);
+static void print_wall(FILE *gp, const cli_plot *picture, const asp_wall *wall, double d_p) {
+  const asp_surface *surface = asp_wall_surface(wall);
+  const char *file = asp_wall_word(wall, "file");
+  if (strcmp(asp_wall_word(wall, "surface"), "sigma") == 0) {
+    fprintf(gp, "Wall σ %.4g°", cli_degrees(atan(asp_surface_slope_rms(surface))));
     return;
   }
   fprintf(gp, "Wall %s%sr_q %.3g µm, λ_c %.3g µm; particles %.3g µm",
           file ? cli_plot_label(picture, file).text : "", file ? ", " : "",
-          asp_surface_r_q(rough->surface) * 1e6, asp_surface_lambda_c(rough->surface) * 1e6,
-          cli_length(&options[DP]) * 1e6);
+          asp_surface_r_q(surface) * 1e6, asp_surface_lambda_c(surface) * 1e6, d_p * 1e6);
 }
 
-void cli_trade_plot(const cli_option *options, const cli_rough *rough, const trade_row *rows,
-                    size_t n) {
+static void put_title(cli_plot *picture, const asp_wall *wall, double d_p, const trade_row *rows,
+                      size_t n) {
+  FILE *gp = cli_plot_stream(picture);
+  fputs("set title '", gp);
+  if (cli_plot_title(picture)) {
+    fprintf(gp, "%s'\n", cli_plot_title(picture));
+    return;
+  }
+  print_wall(gp, picture, wall, d_p);
+  fputs("; α_1 = ", gp);
+  for (size_t i = 0; i < n; i += (size_t)asp_spread_count())
+    fprintf(gp, "%s%g", i ? ", " : "", rows[i].angle);
+  fputs("°'\n", gp);
+}
+
+void cli_trade_plot(const cli_option *options, const cli_description *wall, double d_p,
+                    const trade_row *rows, size_t n) {
   size_t models = (size_t)asp_spread_count();
   point *points = cli_allocate(models, sizeof *points);
   summarise(rows, n, points);
   cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560);
   FILE *gp = cli_plot_stream(picture);
-  fputs("set title '", gp);
-  print_wall(gp, picture, options, rough);
-  fputs("; α_1 = ", gp);
-  for (size_t i = 0; i < n; i += models)
-    fprintf(gp, "%s%g", i ? ", " : "", rows[i].angle);
+  put_title(picture, wall->wall, d_p, rows, n);
   double least = INFINITY;
   for (size_t i = 0; i < models; i++)
     least = fmin(least, fmax(points[i].worst, NOISE));
-  fprintf(gp,
-          "°'\nset xlabel 'time per impact / ns (mean over the angles)'\nset logscale xy\n"
+  cli_plot_set_range(picture, 0.5 * least, NAN);
+  fprintf(gp, "%s",
+          "set xlabel 'time per impact / ns (mean over the angles)'\nset logscale xy\n"
           "set ylabel 'D_{KL} of the rebound angle against the geometry (worst angle, ± standard "
           "error)'\n"
-          "set format y '%%g'\nset yrange [%g:*]\nset offsets graph 0.05, graph 0.05, 0, 0\n"
+          "set format y '%g'\nset offsets graph 0.05, graph 0.05, 0, 0\n"
           "set xtics (20,50,100,200,500,1000,2000,5000)\n"
-          "set key outside right center reverse Left samplen 1\n$points << EOD\n",
-          0.5 * least);
+          "set key outside right center reverse Left samplen 1\n$points << EOD\n");
   for (size_t i = 0; i < models; i++)
     fprintf(gp, "%g %g %g %g\n", points[i].cost, fmax(points[i].worst, NOISE),
             fmax(points[i].worst - points[i].se, 0.5 * NOISE),

@@ -4,6 +4,7 @@
 #include "base/number.h"
 #include "impact/description.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,9 +33,26 @@ static void add_number(line *l, double value) {
   add(l, text);
 }
 
+/* `fit=START` of an unknown one. */
+static void add_value(line *l, const aspi_description *said, const char *name, double value) {
+  char text[40] = "fit=";
+  if (!aspi_is_fit(said, name)) {
+    add_number(l, value);
+    return;
+  }
+  aspi_number_print(value, text + strlen(text));
+  add(l, isnan(value) ? "fit" : text);
+}
+
 static void add_pair(line *l, const char *name, double value) {
   add(l, name);
   add_number(l, value);
+}
+
+static void add_known_or_fit(line *l, const aspi_description *said, const char *name,
+                             double value) {
+  add(l, name);
+  add_value(l, said, name, value);
 }
 
 /* In quotes where it would not be one word. */
@@ -66,11 +84,11 @@ static void add_surface(line *l, const aspi_description *said) {
     add(l, "smooth");
     break;
   case ASPI_SIGMA:
-    add_pair(l, "sigma", said->sigma);
+    add_known_or_fit(l, said, "sigma", said->sigma);
     break;
   case ASPI_GAUSSIAN:
-    add_pair(l, "rq", said->r_q);
-    add_pair(l, "lambda_c", said->lambda_c);
+    add_known_or_fit(l, said, "rq", said->r_q);
+    add_known_or_fit(l, said, "lambda_c", said->lambda_c);
     if (said->lay != ASP_LAY_NONE)
       add_number(l, said->lambda_along);
     break;
@@ -97,10 +115,11 @@ static void add_spread(line *l, const asp_wall *wall) {
   add(l, wall->choice.multiple ? "multiple" : "single");
 }
 
-static void add_value(line *l, const asp_parameter *p, double value) {
+static void add_parameter(line *l, const aspi_description *said, const asp_parameter *p,
+                          double value) {
   const char *word = asp_parameter_words(p);
   if (!*word) {
-    add_number(l, value);
+    add_value(l, said, p->name, value);
     return;
   }
   for (int i = (int)value; i > 0; i--)
@@ -122,12 +141,13 @@ static int add_group(line *l, const asp_wall *wall, int first) {
          strcmp(asp_parameter_keyword(&law->parameters[first + n]), keyword) == 0;
        n++) {
     double value = values[first + n], standard = law->parameters[first + n].fallback;
-    differs = differs || value < standard || value > standard;
+    differs = differs || value < standard || value > standard ||
+              aspi_is_fit(wall->said, law->parameters[first + n].name);
   }
   if (differs && *keyword)
     add(l, keyword);
   for (int i = first; i < first + n && differs; i++)
-    add_value(l, &law->parameters[i], values[i]);
+    add_parameter(l, wall->said, &law->parameters[i], values[i]);
   return n;
 }
 
@@ -154,11 +174,11 @@ static void add_constants(line *l, const aspi_description *said) {
     }
   }
   if (aspi_is_given(said, "friction"))
-    add_pair(l, "friction", said->friction);
+    add_known_or_fit(l, said, "friction", said->friction);
   if (aspi_is_given(said, "surface_energy"))
-    add_pair(l, "surface_energy", said->surface_energy);
+    add_known_or_fit(l, said, "surface_energy", said->surface_energy);
   if (aspi_is_given(said, "yield_stress"))
-    add_pair(l, "yield_stress", said->yield_stress);
+    add_known_or_fit(l, said, "yield_stress", said->yield_stress);
 }
 
 static void add_deposit(line *l, const asp_wall *wall) {

@@ -14,6 +14,9 @@ typedef enum aspi_surface_kind {
   ASPI_MAP
 } aspi_surface_kind;
 
+/* Numbers of one description that may be unknown. */
+enum { ASPI_FITS_MOST = 8 };
+
 typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_deposit;
 
 struct aspi_description {
@@ -41,6 +44,9 @@ struct aspi_description {
   double friction, surface_energy, yield_stress;
   aspi_deposit deposit;
   double seed;
+  bool may_fit;                     /* numbers may be unknown: `fit` or `fit=START` */
+  const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
+  int n_fits;
   asp_surface *surface; /* what the description makes of it */
   asp_profile *profile; /* read by asp_wall_make; else NULL */
   asp_map *map;
@@ -78,8 +84,24 @@ asp_code aspi_check_effects(const asp_wall *wall, asp_error *error);
 
 void aspi_description_free(aspi_description *said);
 
-/* The number of a description by name; NaN where there is none of that name. */
+/* A number's range, and that it is whole where it must be. */
+asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
+
+/* The number of a description by name; NaN where there is none of that name, or it is not given. */
 double aspi_description_get(const aspi_description *said, const char *name);
+
+/* Sets sigma, or rq and lambda_c, where the surface is given by them; friction, surface_energy,
+ * yield_stress, tolerance or seed. ASP_ENAME without a message for another name. */
+asp_code aspi_description_set(aspi_description *said, const char *name, double value,
+                              asp_error *error);
+
+/* Lets numbers be `fit`, or `fit=START` in place of START, in what is read from here on: sigma, rq,
+ * lambda_c, friction, surface_energy, yield_stress and the numbers of the law. Such a number has
+ * the value START, else that of its default, else it is NaN: that of the materials. It is unknown
+ * until it is set. */
+void aspi_description_let_fit(aspi_description *said);
+void aspi_description_know(aspi_description *said, const char *name); /* no longer */
+bool aspi_is_fit(const aspi_description *said, const char *name);
 
 /* Whether the wall is made of the diameters at hand: a measured one, or one whose model needs it.
  */

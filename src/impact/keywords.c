@@ -214,6 +214,16 @@ const aspi_keyword *aspi_keyword_find(const char *within, const char *name) {
   return &keywords[index_of(within, name)];
 }
 
+asp_code aspi_keyword_check(const aspi_keyword *k, double value, asp_error *error) {
+  if (!k->whole)
+    return k->above ? aspi_check_positive(error, k->name, "", value)
+                    : aspi_check_range(error, k->name, "", value, k->least, k->most);
+  if (value >= k->least && value <= k->most && !(value > floor(value)))
+    return ASP_OK;
+  return aspi_fail(error, ASP_EARG, "%s is %.15g; it must be a whole number from %.0f to %.0f",
+                   k->name, value, k->least, k->most);
+}
+
 void aspi_keyword_names(const char *within, char *list, size_t size) {
   *list = '\0';
   for (int i = 0; i < aspi_keyword_count(); i++) {

@@ -7,6 +7,7 @@
 #include "impact/description.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,13 +43,64 @@ void aspi_description_free(aspi_description *said) {
 
 /* ---- what it says ---- */
 
+/* Its numbers that may be asked for by name, and set. */
+static const struct {
+  const char *within, *name;
+  size_t at;
+} numbers[] = {{"", "seed", offsetof(aspi_description, seed)},
+               {"", "friction", offsetof(aspi_description, friction)},
+               {"", "surface_energy", offsetof(aspi_description, surface_energy)},
+               {"", "yield_stress", offsetof(aspi_description, yield_stress)},
+               {"surface", "sigma", offsetof(aspi_description, sigma)},
+               {"surface", "rq", offsetof(aspi_description, r_q)},
+               {"surface", "lambda_c", offsetof(aspi_description, lambda_c)},
+               {"spread", "tolerance", offsetof(aspi_description, tolerance)}};
+enum { NUMBERS = sizeof numbers / sizeof *numbers };
+
+static int number_find(const char *name) {
+  int i = 0;
+  while (i < NUMBERS && strcmp(numbers[i].name, name) != 0)
+    i++;
+  return i;
+}
+
 double aspi_description_get(const aspi_description *said, const char *name) {
-  return strcmp(name, "seed") == 0             ? said->seed
-         : strcmp(name, "friction") == 0       ? said->friction
-         : strcmp(name, "surface_energy") == 0 ? said->surface_energy
-         : strcmp(name, "yield_stress") == 0   ? said->yield_stress
-         : strcmp(name, "tolerance") == 0      ? said->tolerance
-                                               : NAN;
+  double value = NAN;
+  int i = number_find(name);
+  if (i < NUMBERS)
+    memcpy(&value, (const char *)said + numbers[i].at, sizeof value);
+  return value;
+}
+
+asp_code aspi_description_set(aspi_description *said, const char *name, double value,
+                              asp_error *error) {
+  int i = number_find(name);
+  bool other_surface = i < NUMBERS && strcmp(numbers[i].within, "surface") == 0 &&
+                       isnan(aspi_description_get(said, name));
+  if (i == NUMBERS || other_surface)
+    return ASP_ENAME;
+  asp_code code = aspi_keyword_check(aspi_keyword_find(numbers[i].within, name), value, error);
+  if (code)
+    return code;
+  memcpy((char *)said + numbers[i].at, &value, sizeof value);
+  if (!*numbers[i].within)
+    aspi_set_given(said, name);
+  return ASP_OK;
+}
+
+void aspi_description_know(aspi_description *said, const char *name) {
+  int kept = 0;
+  for (int i = 0; i < said->n_fits; i++)
+    if (strcmp(said->fits[i], name) != 0)
+      said->fits[kept++] = said->fits[i];
+  said->n_fits = kept;
+}
+
+bool aspi_is_fit(const aspi_description *said, const char *name) {
+  for (int i = 0; i < said->n_fits; i++)
+    if (strcmp(said->fits[i], name) == 0)
+      return true;
+  return false;
 }
 
 const char *asp_wall_word(const asp_wall *wall, const char *name) {

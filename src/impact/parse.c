@@ -86,14 +86,42 @@ static asp_code read_file_name(reader *r, const char *what, char **name) {
   return *name ? ASP_OK : ASP_ENOMEM;
 }
 
-static asp_code check_number(const aspi_keyword *k, double value, asp_error *error) {
-  if (!k->whole)
-    return k->above ? aspi_check_positive(error, k->name, "", value)
-                    : aspi_check_range(error, k->name, "", value, k->least, k->most);
-  if (value >= k->least && value <= k->most && !(value > floor(value)))
-    return ASP_OK;
-  return aspi_fail(error, ASP_EARG, "%s is %.15g; it must be a whole number from %.0f to %.0f",
-                   k->name, value, k->least, k->most);
+/* ---- numbers, and those that are unknown ---- */
+
+void aspi_description_let_fit(aspi_description *said) {
+  said->may_fit = true;
+}
+
+/* Takes `fit` or `fit=START` for an unknown number, where the caller lets there be some; *start is
+ * its text, NULL where there is none. */
+static bool is_unknown(const reader *r, const char *given, const char **start) {
+  bool alone = strcmp(given, "fit") == 0, begins = strncmp(given, "fit=", 4) == 0;
+  *start = begins ? given + 4 : NULL;
+  return r->said->may_fit && (alone || begins);
+}
+
+static asp_code add_unknown(reader *r, const char *name) {
+  aspi_description *said = r->said;
+  if (said->n_fits == ASPI_FITS_MOST)
+    return aspi_fail(r->error, ASP_EARG, "%s is one number too many to fit; there may be %d", name,
+                     ASPI_FITS_MOST);
+  said->fits[said->n_fits++] = name;
+  return ASP_OK;
+}
+
+/* Degrees, where a fit of sigma begins that says nothing. */
+#define SIGMA_START 5
+
+/* Where the fit of a keyword's number begins that says nothing. */
+static asp_code standard_start(reader *r, const aspi_keyword *k, double *value) {
+  char units[120];
+  aspi_quantity_units(k->unit, units, sizeof units);
+  if (strcmp(k->unit, "length") == 0)
+    return aspi_fail(r->error, ASP_EARG,
+                     "a fit of %s needs a value to begin with: say '%s fit=VALUE', in one of: %s",
+                     k->name, k->name, units);
+  *value = strcmp(k->name, "sigma") == 0 ? SIGMA_START : NAN;
+  return ASP_OK;
 }
 
 /* The number of a keyword, which may have a unit behind it. */
@@ -103,7 +131,21 @@ static asp_code read_number(reader *r, const char *within, const char *name, dou
   if (!given)
     return ASP_EARG;
   asp_code code = aspi_quantity_read(name, given, k->unit, &r->said->units, value, r->error);
-  return code ? code : check_number(k, *value, r->error);
+  return code ? code : aspi_keyword_check(k, *value, r->error);
+}
+
+/* The same of a number that may be unknown. */
+static asp_code read_or_fit(reader *r, const char *within, const char *name, double *value) {
+  const aspi_keyword *k = aspi_keyword_find(within, name);
+  const char *start;
+  if (r->next == r->count || !is_unknown(r, r->words[r->next], &start))
+    return read_number(r, within, name, value);
+  r->next++;
+  asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->said->units, value, r->error)
+                        : standard_start(r, k, value);
+  if (!code && start)
+    code = aspi_keyword_check(k, *value, r->error);
+  return code ? code : add_unknown(r, k->name);
 }
 
 /* ---- clauses ---- */
@@ -163,11 +205,11 @@ static asp_code read_lay(reader *r) {
 /* lambda_c L [L_along lay DIRECTION] */
 static asp_code read_lengths(reader *r) {
   aspi_description *said = r->said;
-  asp_code code = read_number(r, "surface", "rq", &said->r_q);
+  asp_code code = read_or_fit(r, "surface", "rq", &said->r_q);
   if (!code && !take(r, "lambda_c"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'surface rq R', 'lambda_c L' is expected");
   if (!code)
-    code = read_number(r, "surface", "lambda_c", &said->lambda_c);
+    code = read_or_fit(r, "surface", "lambda_c", &said->lambda_c);
   if (code)
     return code;
   if (is(r, "lay"))
@@ -192,7 +234,7 @@ static asp_code read_surface(reader *r) {
   }
   if (take(r, "sigma")) {
     said->kind = ASPI_SIGMA;
-    return read_number(r, "surface", "sigma", &said->sigma);
+    return read_or_fit(r, "surface", "sigma", &said->sigma);
   }
   if (take(r, "rq")) {
     said->kind = ASPI_GAUSSIAN;
@@ -270,12 +312,19 @@ static asp_code read_parameters(reader *r, const char *keyword) {
     const char *given = word(r, p->name);
     if (!given)
       return ASP_EARG;
-    double value;
-    asp_code code =
-        p->words ? asp_parameter_read(p, given, &value, r->error)
-                 : aspi_quantity_read(p->name, given, p->unit, &r->said->units, &value, r->error);
+    double value = p->fallback;
+    const char *start;
+    bool unknown = !p->words && is_unknown(r, given, &start);
+    asp_code code = ASP_OK;
+    if (p->words)
+      code = asp_parameter_read(p, given, &value, r->error);
+    else if (!unknown || start)
+      code = aspi_quantity_read(p->name, unknown ? start : given, p->unit, &r->said->units, &value,
+                                r->error);
     if (!code)
       code = asp_wall_set(r->wall, p->name, value, r->error);
+    if (!code && unknown)
+      code = add_unknown(r, p->name);
     if (code)
       return code;
   }
@@ -456,15 +505,15 @@ static asp_code read_deposit(reader *r) {
 }
 
 static asp_code read_friction(reader *r) {
-  return read_number(r, "", "friction", &r->said->friction);
+  return read_or_fit(r, "", "friction", &r->said->friction);
 }
 
 static asp_code read_energy(reader *r) {
-  return read_number(r, "", "surface_energy", &r->said->surface_energy);
+  return read_or_fit(r, "", "surface_energy", &r->said->surface_energy);
 }
 
 static asp_code read_yield(reader *r) {
-  return read_number(r, "", "yield_stress", &r->said->yield_stress);
+  return read_or_fit(r, "", "yield_stress", &r->said->yield_stress);
 }
 
 static asp_code read_seed(reader *r) {
@@ -582,6 +631,7 @@ static aspi_description *create_description(const asp_units *units, asp_error *e
   }
   said->units = *units;
   said->last = "";
+  said->sigma = said->r_q = said->lambda_c = NAN;
   said->friction = said->surface_energy = said->yield_stress = NAN;
   said->seed = aspi_keyword_find("", "seed")->fallback;
   return said;

@@ -123,16 +123,23 @@ static asp_code fail_name(const aspi_wall_choice *choice, const char *name, asp_
 
 asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error) {
   place at = find(&wall->choice, name);
-  if (!at.of)
-    return fail_name(&wall->choice, name, error);
+  if (!at.of) {
+    asp_code code = wall->said ? aspi_description_set(wall->said, name, value, error) : ASP_ENAME;
+    if (!code)
+      aspi_description_know(wall->said, name);
+    return code == ASP_ENAME ? fail_name(&wall->choice, name, error) : code;
+  }
   bool whole = at.of >= numbers && at.of < numbers + ASP_WALL_NUMBERS && isfinite(at.of->most);
   const char *unit = at.of->unit ? at.of->unit : "";
   asp_code code = aspi_check_range(error, name, unit, value, at.of->least, at.of->most);
   if (!code && whole && (value > floor(value)))
     code = aspi_fail(error, ASP_EARG, "%s is %g; it must be a whole number", name, value);
-  if (!code)
-    *at.value = value;
-  return code;
+  if (code)
+    return code;
+  *at.value = value;
+  if (wall->said)
+    aspi_description_know(wall->said, name);
+  return ASP_OK;
 }
 
 double asp_wall_get(const asp_wall *wall, const char *name) {

@@ -1,7 +1,7 @@
 /* The cheapest model that is good enough, in the fixed order of the models' records. How far each
  * model's rebounds are from the geometry was measured on a grid of walls and angles, in the plane
  * of incidence, against ensembles of profiles that made none of the models (measured.csv, made by
- * `asperity trade --grid`). Isotropic tilts on a surface are further from it. A wall takes the
+ * tests/sweep/grid.c). Isotropic tilts on a surface are further from it. A wall takes the
  * worst of all grid points around it, each with twice its standard error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

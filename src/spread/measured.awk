@@ -1,4 +1,4 @@
-# Turns measured.csv (asperity trade --grid) into the rows of the table in auto.c.
+# Turns measured.csv (tests/sweep/grid.c) into the rows of the table in auto.c.
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { FS = "," }
 /^#/ { next }

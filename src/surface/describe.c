@@ -119,7 +119,7 @@ asp_code aspi_description_check(const aspi_description *d, double phi_r_most, as
     return aspi_fail(error, ASP_EDATA,
                      "the correlation length, %g, is less than %g spacings of the points: this is "
                      "noise, or sampled too coarsely; take short waves out (asperity surface "
-                     "--lambda-s)",
+                     "--filter)",
                      d->lambda_c, ASP_SPACINGS_LEAST);
   if (d->phi_r > phi_r_most)
     return aspi_fail(error, ASP_EDATA,

@@ -350,7 +350,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
   if (!(raw->step[0] > 0))
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: a matrix of heights does not say how far apart its points are; tell "
-                     "it (step_x, step_y; asperity surface --step)",
+                     "it (step_x, step_y; asperity surface --read 'step L')",
                      s->path);
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
   return check_axes(s, raw, error);

@@ -79,6 +79,6 @@ hertz=$(seconds hertz)
 for round in 1 2 3; do seconds rebound; done > rebound.times
 row "20 000 grains, 60 us: resolved Hertz contact over rebound" "$(calc "$hertz / $(of rebound.times)")" "x" ">=" 20
 energy() { awk '/^ +Step/ { on = 1; next } on && NF > 1 && $1 > 0 && $1 + 0 == $1 { e = $2 } END { print e / (20000 * 2650 * 3.14159265 / 6 * 1e-15 * 5000) }' "$1.in.screen"; }
-row "energy left after the impact: the Bons law" "$("$bin/asperity" cor --model none --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { print $8 * $8 }')" ""
+row "energy left after the impact: the Bons law" "$("$bin/asperity" cor --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { print $8 * $8 }')" ""
 row "... wall/rebound" "$(energy rebound)" ""
 row "... resolved Hertz with e = 0.9" "$(energy hertz)" ""

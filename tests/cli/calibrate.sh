@@ -1,70 +1,67 @@
 #!/usr/bin/env bash
-# calibrate: rows, comments, the script's line, the picture; means, polynomials, deposits, noise, walls by rq and
-# lambda_c; what the data cannot tell; and what is wrong. That estimates come back within their standard errors is
+# calibrate: rows, comments, the description, the picture; means, polynomials, deposits, noise, walls by rq and lambda_c; what the data cannot tell; and what is wrong. That estimates come back within their standard errors is
 # tests/sweep/calibrate.sh.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 value() { awk -F, -v name="$1" '$1 == name { print $2 }' "$2"; }
 # near NAME TRUTH ERRORS FILE: the estimate lies within so many of its standard errors.
 near() { awk -F, -v name="$1" -v truth="$2" -v most="$3" '$1 == name { z = ($2 - truth) / $3; found = $3 > 0 && z < most && z > -most } END { exit !found }' "$4" || die "$1 is not $2: $(cat "$4")"; }
-model='--model visible --tilt isotropic --collisions multiple'
 quick='--samples 1000'
 
 # Impacts of 10 um quartz on a wall of sigma 8.05 degrees.
-"$asperity" cor $model --rq 4mm --lambda-c 40mm --angles 20:80:20 --samples 150 -o data
-"$asperity" calibrate data --fit sigma,friction $quick --plot fit.png > fit 2> err
+"$asperity" cor surface rq 4mm lambda_c 40mm --angles 20:80:20 --samples 150 -o data
+"$asperity" calibrate data surface sigma fit friction fit $quick --plot fit.png > fit 2> err
 [ "$(grep -v '^#' fit | head -n 1)" = parameter,estimate,standard_error,low_95,high_95,unit ] && [ "$(rows fit | wc -l)" = 2 ] || die "rows: $(cat fit)"
 near sigma 8.05 4 fit; near friction 0.3 4 fit
 grep -q '^# correlation of sigma and friction: ' fit && grep -q '^# chi^2/dof .*22 degrees of freedom, 4 bins, 600 impacts' fit || die "comments: $(cat fit)"
-grep -q '^# script: .*surface rq .* spread visible isotropic collisions multiple rebound bons' fit && grep -q '^# script: .*coefficientFriction 0.[23]' fit || die "script: $(cat fit)"
+grep -qE "^# description, in SI units: surface sigma $(value sigma fit) spread visible isotropic collisions multiple rebound bons materials ard hastelloy-x friction $(value friction fit) surface_energy 0.8 deposit freeze seed 1$" fit || die "description: $(cat fit)"
 head -c 4 fit.png | grep -q PNG || die "picture"
-"$asperity" calibrate - --fit sigma,friction $quick < data | rows /dev/stdin | cmp - <(rows fit) || die "standard input"
+"$asperity" calibrate - surface sigma fit friction fit $quick < data | rows /dev/stdin | cmp - <(rows fit) || die "standard input"
 
 # The correlation length at a given rms height: its law of sizes is Phi_R = R_q/lambda_c here.
-"$asperity" calibrate data --fit lambda_c --rq 4mm --lambda-c 20mm $quick > fit
-near lambda_c 40000 4 fit
+"$asperity" calibrate data surface rq 4mm lambda_c fit=20mm $quick > fit
+near lambda_c 0.04 4 fit
 
 # Means with standard deviations and the number of impacts, and without: the errors are then scaled.
 awk -F, '/^#/ || /^dp/ || /deposit/ { next } { n[$3]++; s[$3] += $8; q[$3] += $8 * $8; u[$3] += $9; w[$3] += $9 * $9 }
   END { print "alpha1_deg,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd,n"; for (a in n) { m = s[a] / n[a]; t = u[a] / n[a]
     print a "," m "," sqrt((q[a] - n[a] * m * m) / (n[a] - 1)) "," t "," sqrt((w[a] - n[a] * t * t) / (n[a] - 1)) "," n[a] } }' data > means
-"$asperity" calibrate means --fit sigma,friction $quick > fit
+"$asperity" calibrate means surface sigma fit friction fit $quick > fit
 near sigma 8.05 4 fit; near friction 0.3 4 fit
 cut -d, -f1-5 means > unsure
-"$asperity" calibrate unsure --fit sigma,friction $quick > fit
+"$asperity" calibrate unsure surface sigma fit friction fit $quick > fit
 near sigma 8.05 6 fit; near friction 0.3 6 fit
 grep -q 'scaled by its root' fit || die "means without errors: $(cat fit)"
 
 # Oblique impacts of 5 mm alumina on a smooth glass wall (Kharaz et al. 2001) up to 60 degrees: mu is Coulomb's, 0.092.
 printf 'alpha1_deg,cor_t_mean\n30.16,0.9019\n40.45,0.8469\n50.70,0.7719\n59.78,0.6883\n' > kharaz
-"$asperity" calibrate kharaz --model none --rebound walton --set e=0.98 --mu 0.2 --speed 3.9 --dp 5mm --fit mu > fit
+"$asperity" calibrate kharaz rebound walton 0.98 fit=0.2 0 --speed 3.9 --dp 5mm > fit
 awk -v mu="$(value mu fit)" 'BEGIN { exit !(mu > 0.0895 && mu < 0.0945) }' || die "Kharaz: $(cat fit)"
 
 # Noise of the measured angles looks like roughness; stated, it is not taken for it.
-law='--rebound constant --set cor_n=0.8,cor_t=0.9'
+law='rebound constant 0.8 0.9'
 for angle in 30 50 70; do # set with an error of 4 degrees, and read with one
   angles=$(awk -v a=$angle 'BEGIN { srand(a); for (i = 0; i < 300; i++) printf "%s%.4f", i ? "," : "", a + 4 * sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) }')
-  "$asperity" cor $model $law --rq 1.5mm --lambda-c 40mm --speed 1 --angles "$angles" --samples 1 | awk -F, -v OFS=, -v set=$angle -v pi=3.14159265358979 'BEGIN { srand(set + 1) } /^#/ || /^dp/ { next }
+  "$asperity" cor $law surface rq 1.5mm lambda_c 40mm --speed 1 --angles "$angles" --samples 1 | awk -F, -v OFS=, -v set=$angle -v pi=3.14159265358979 'BEGIN { srand(set + 1) } /^#/ || /^dp/ { next }
     { a = $3 * pi / 180; n2 = $8 * sin(a); t2 = $9 * cos(a); g = sqrt(-2 * log(1 - rand())) * cos(2 * pi * rand())
       print set, 1, atan2(n2, t2) * 180 / pi + 4 * g, sqrt(n2 * n2 + t2 * t2) }'
 done | sed '1i alpha1_deg,v1,alpha2_plane_deg,v2_plane' > noisy
-"$asperity" calibrate noisy $law --speed 1 --fit sigma $quick > fit 2> err
+"$asperity" calibrate noisy $law surface sigma fit --speed 1 $quick > fit 2> err
 awk -v s="$(value sigma fit)" 'BEGIN { exit !(s > 3.4) }' || die "noise is not seen: $(cat fit)"
-"$asperity" calibrate noisy $law --speed 1 --fit sigma --noise 4 $quick > fit 2> err
+"$asperity" calibrate noisy $law surface sigma fit --speed 1 --noise 4 $quick > fit 2> err
 near sigma 3.037 4 fit
 
 # What the data cannot tell is said: gamma and b act alike; and a wall that does not scatter like the data.
-"$asperity" cor --model none --angles 30:90:20 --samples 20 --speed 8 -o slow
-"$asperity" calibrate data --rq 4mm --lambda-c 40mm --fit surface_energy,a $quick > fit 2> err
+"$asperity" calibrate data surface rq 4mm lambda_c 40mm surface_energy fit rebound bons contact_area fit 0.142857 0.5 $quick > fit 2> err
 grep -q "cannot tell 'surface_energy' and 'a' apart" err || die "no warning: $(cat err fit)"
-"$asperity" calibrate data --fit friction --sigma 2 $quick > fit 2> err
+"$asperity" calibrate data friction fit surface sigma 2 $quick > fit 2> err
 grep -q "does not describe the data" err || die "no warning of a bad fit: $(cat err fit)"
 
 # Constants from a start where nearly all of the impacts would stick, in a file of few.
 bons='--speed 60 --samples 400'
-"$asperity" cor --sigma 5 --angles 10,30,60,90 --samples 50 --mu 0.2 --yield 350e6 --speed 60 --seed 12 -o steep
-for start in '--yield 1e8 --mu 0.05 --sigma 15' '--yield 1e9 --mu 0.8 --sigma 2'; do
-  "$asperity" calibrate steep --fit sigma,friction,yield_stress $bons $start > fit
+"$asperity" cor surface sigma 5 friction 0.2 yield_stress 350MPa seed 12 --angles 10,30,60,90 --samples 50 --speed 60 -o steep
+for start in '100MPa friction fit=0.05 surface sigma fit=15' '1GPa friction fit=0.8 surface sigma fit=2'; do
+  "$asperity" calibrate steep yield_stress fit=$start $bons > fit
   near sigma 5 4 fit; near friction 0.2 4 fit; near yield_stress 3.5e8 4 fit
   grep -q '^# the best of [0-9]* starts, of which [0-9]* agree' fit || die "starts: $(cat fit)"
   awk '/^# chi/ { sub(/:.*/, "", $3); print $6 + 0 }' fit >> all_chi2
@@ -72,57 +69,68 @@ done
 sort -g all_chi2 | awk '{ v[NR] = $1 } END { exit !(NR == 2 && v[2] - v[1] < 0.1) }' || die "chi^2 of two starts: $(cat all_chi2)"
 
 # A minimum at a bound is named, and no number is inf or nan.
-"$asperity" cor --sigma 5 --angles 20,45,70 --samples 40 --mu 0.0001 --yield 350e6 --speed 60 --seed 13 -o slippery
-"$asperity" calibrate slippery --fit sigma,friction --yield 350e6 $bons > fit 2> err
+"$asperity" cor surface sigma 5 friction 0.0001 yield_stress 350MPa seed 13 --angles 20,45,70 --samples 40 --speed 60 -o slippery
+"$asperity" calibrate slippery surface sigma fit friction fit yield_stress 350MPa $bons > fit 2> err
 grep -qE '^# friction < 0\.00[0-9]+ at 95 %' fit && grep -q 'friction < 0.00' err || die "a minimum at a bound: $(cat fit err)"
 rows fit | grep -qE '^friction,[0-9.e-]+,,,0\.00[0-9]+,$' || die "a bound's row: $(cat fit)"
 ! grep -qiE '(^|[^a-z])-?(inf|nan)' fit || die "inf or nan: $(cat fit)"
 
 # Few impacts: intervals by refits, and it is said.
-"$asperity" cor --sigma 5 --angles 20,45,70 --samples 5 --mu 0.2 --yield 350e6 --speed 60 --seed 13 -o few
-"$asperity" calibrate few --fit sigma --mu 0.2 --yield 350e6 --speed 60 --samples 100 > fit 2> err
+"$asperity" cor surface sigma 5 friction 0.2 yield_stress 350MPa seed 13 --angles 20,45,70 --samples 5 --speed 60 -o few
+"$asperity" calibrate few surface sigma fit friction 0.2 yield_stress 350MPa --speed 60 --samples 100 > fit 2> err
 grep -q 'impacts are too few' err && grep -q 'interval of sigma by synthetic data' fit || die "few impacts: $(cat fit err)"
 rows fit | awk -F, '{ exit !($4 > 2 && $4 < 5 && $5 > 5 && $5 < 12) }' || die "interval of few impacts: $(cat fit)"
 
 # Outliers: 2 % of the rebounds are four times as fast. Huber's form is not taken in by them.
 awk -F, -v OFS=, '/^#|^dp/ { print; next } { if (++n % 50 == 0) { $8 *= 4; $9 = -1 } print }' data > outliers
-"$asperity" calibrate outliers --fit sigma $quick > plain 2> err
-"$asperity" calibrate outliers --fit sigma --huber 2 $quick > fit
+"$asperity" calibrate outliers surface sigma fit $quick > plain 2> err
+"$asperity" calibrate outliers surface sigma fit --huber 2 $quick > fit
 awk -v p="$(value sigma plain)" -v h="$(value sigma fit)" 'BEGIN { exit !(p > 9 && h > 7.6 && h < 8.5) }' || die "outliers: $(cat plain fit)"
 
 # Rebounds that noise put below the wall; noise of the two angles given apart; and speeds and angles in the plane or in space.
-"$asperity" cor $law --sigma 4 --speed 1 --angles 4,30 --samples 200 --seed 9 | awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
+"$asperity" cor $law surface sigma 4 seed 9 --speed 1 --angles 4,30 --samples 200 | awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
   { srand(NR); for (i = 0; i < 9; i++) rand(); print $3, 1, $3 * $7 + 3 * sqrt(-2 * log(1 - rand())) * cos(2 * pi * rand()), $6 "," $11 "," $3 * $12 }' OFS=, > shaken
 cut -d, -f1-4 shaken | sed '1i alpha1_deg,v1,alpha2_plane_deg,v2_plane' > below
 below=$(awk -F, '$3 < 0' below | wc -l)
 [ "$below" -gt 3 ] || die "no rebound below the wall"
 for way in fold drop; do
-  "$asperity" calibrate below $law --speed 1 --fit sigma --noise 0,3 --below $way $quick > fit 2> err
+  "$asperity" calibrate below $law surface sigma fit --speed 1 --noise 0,3 --below $way $quick > fit 2> err
   near sigma 4 4 fit
   grep -q "below: $below rebounds are below the wall" err || die "rebounds below: $(cat err)"
 done
 for view in plane space; do
   awk -F, -v view=$view 'BEGIN { print "alpha1_deg,v1,alpha2_" view "_deg,v2_" view } NR > 200 { print $1 "," 1 "," (view == "plane" ? $3 "," $4 : $6 "," $5) }' shaken > seen
-  "$asperity" calibrate seen $law --speed 1 --fit sigma,cor_n,cor_t --noise 0,$([ $view = plane ] && echo 3 || echo 0) $quick > fit 2> err
+  "$asperity" calibrate seen rebound constant fit=0.6 fit=0.6 surface sigma fit --speed 1 --noise 0,$([ $view = plane ] && echo 3 || echo 0) $quick > fit 2> err
   near sigma 4 4 fit; near cor_n 0.8 4 fit; near cor_t 0.9 4 fit
 done
 sed 1s/_space//g seen > unsaid
 
+# The description goes anywhere: on the same wall, cor gives the fitted scatter with it.
+"$asperity" cor surface sigma 7 friction 0.2 yield_stress 300MPa materials quartz hastelloy-x seed 4 --angles 20:80:20 --samples 200 --speed 80 -o wanted
+"$asperity" calibrate wanted surface sigma fit friction fit yield_stress fit rebound bons materials quartz hastelloy-x --speed 80 $quick > fit 2> err
+"$asperity" cor $(sed -n 's/^# description, in SI units: //p' fit) --angles 20:80:20 --samples 200 --speed 80 -o again
+"$asperity" compare again wanted | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 > 0.01) }' || die "the fitted scatter: $(cat fit err)"
+
 # Bad usage.
-refuses 2 "unsaid" "v2_plane" "v2_space" "--view" -- calibrate unsaid $law --fit sigma
-refuses 2 "--view is 'space'" "seen" -- calibrate seen $law --fit sigma --view space
-refuses 2 "--huber" -- calibrate data --fit sigma --huber 0.1
-refuses 2 "--fit is missing" -- calibrate data
-refuses 2 "'gloss' is unknown" "sigma" "yield_rate" -- calibrate data --fit gloss
-refuses 2 "'sigma' is there twice" -- calibrate data --fit sigma,sigma
-refuses 2 "'sigma' goes with a rough wall" -- calibrate data --fit sigma --model none
-refuses 2 "'lambda_c' goes with" "--rq" -- calibrate data --fit lambda_c
-refuses 2 "go together" -- calibrate data --fit lambda_c --rq 4mm
-refuses 2 "--model is 'traced'" -- calibrate data --fit sigma --model traced
-refuses 2 "yield_rate" "must be more than 0" -- calibrate data --fit yield_rate
-refuses 2 "one file" -- calibrate --fit sigma
-refuses 1 "no.csv" -- calibrate no.csv --fit sigma
-refuses 2 "--noise is '1,2,3,4'" -- calibrate data --fit sigma --noise 1,2,3,4
+refuses 2 "unsaid" "v2_plane" "v2_space" "--view" -- calibrate unsaid $law surface sigma fit
+refuses 2 "--view is 'space'" "seen" -- calibrate seen $law surface sigma fit --view space
+refuses 2 "--huber" -- calibrate data surface sigma fit --huber 0.1
+refuses 2 "no number of the description is 'fit'" "surface sigma fit" -- calibrate data
+refuses 2 "'fricton'" "did you mean 'friction'" -- calibrate data surface sigma fit fricton fit
+refuses 2 "'friction' is given twice" -- calibrate data friction fit friction fit
+refuses 2 "'rq fit=VALUE'" "m cm mm um nm" -- calibrate data surface rq fit lambda_c 40um
+refuses 2 "'friction' has no effect on impacts with rebound constant" -- calibrate data rebound constant 0.5 0.5 friction fit
+refuses 2 "spread is 'traced'" "visible" -- calibrate data surface sigma fit spread traced
+refuses 2 "spread is 'auto'" -- calibrate data surface sigma fit spread auto tolerance 0.01
+refuses 2 "yield_rate is 'fit'" "fit=VALUE" "Pa/(m/s)" -- calibrate data rebound bons yield_rate fit
+refuses 2 "DATA is expected" -- calibrate --dp 5um
+refuses 2 "not expected behind an option" -- calibrate data --dp 5um surface sigma fit
+refuses 2 "sigma is 'fit'" -- cor surface sigma fit
+refuses 2 "--noise is '1,2,3,4'" -- calibrate data surface sigma fit --noise 1,2,3,4
 printf 'alpha1_deg,cor_n_mean\n30,0.5\n' > one
-refuses 1 "1 moments for 2 unknowns" -- calibrate one --fit sigma,friction
+refuses 2 "1 moments for 2 unknowns" -- calibrate one surface sigma fit friction fit
+refuses 1 "no.csv" -- calibrate no.csv surface sigma fit
+cp data kept; ln -s data link
+for output in data ./link; do refuses 2 "is '$output', which is read" -- calibrate data surface sigma fit -o $output; done
+cmp -s data kept || die "the data were written over"
 exit 0

@@ -11,37 +11,37 @@ done
 "$asperity" --version | grep -qx 'asperity [0-9.]*' || die "--version"
 
 # spread
-"$asperity" spread --sigma 10 --angle 20 --samples 1000 --seed 3 > a
-"$asperity" spread --sigma 10 --angle 20 --samples 1000 --seed 3 -o b
+"$asperity" spread surface sigma 10 seed 3 --angles 20 --samples 1000 > a
+"$asperity" spread surface sigma 10 seed 3 --angles 20 --samples 1000 -o b
 cmp <(tail -n +2 a) <(tail -n +2 b) || die "spread: the same seed, other samples"
-"$asperity" spread --sigma 10 --angle 20 --samples 1000 --seed 4 > b
+"$asperity" spread surface sigma 10 seed 4 --angles 20 --samples 1000 > b
 cmp -s <(tail -n +2 a) <(tail -n +2 b) && die "spread: another seed, the same samples"
 [ "$(header a)" = delta_alpha_deg ] && [ "$(wc -l < a)" = 1002 ] || die "spread: samples"
-head -n 1 a | grep -q '^# asperity [0-9.]*; spread --sigma 10 .*; seed 3$' || die "spread: comment line"
+head -n 1 a | grep -q '^# asperity [0-9.]*; spread surface sigma 10 .*; surface sigma 10 spread visible .* seed 3$' || die "spread: comment line"
 "$asperity" spread --list > list
-for model in none normal rejection truncated weibull; do
+for model in normal rejection truncated weibull; do
   grep -q "^$model," list || die "spread --list: $model"
-  "$asperity" spread --model $model --rq 5um --lambda-c 40um --dp 10um --angle 5:85:20 --summary --samples 2000 > s
+  "$asperity" spread surface rq 5um lambda_c 40um spread $model --dp 10um --angles 5:85:20 --summary --samples 2000 > s
   [ "$(header s)" = model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg ] && [ "$(wc -l < s)" = 7 ] || die "spread --summary: $model"
-  awk -F, -v m=$model 'NR > 2 { if (m == "none" ? $4 != 0 : !($4 > 5 && $4 < 12 && $5 < $6 && $6 < $7)) bad = 1 } END { exit bad }' s || die "spread --summary: $model: $(cat s)"
+  awk -F, 'NR > 2 { if (!($4 > 5 && $4 < 12 && $5 < $6 && $6 < $7)) bad = 1 } END { exit bad }' s || die "spread --summary: $model: $(cat s)"
 done
-"$asperity" spread --pdf --sigma 10 --angle 20 | awk -F, 'NR > 2 { sum += $2 * 0.1 } END { exit !(sum > 0.999 && sum < 1.001) }' || die "spread --pdf does not sum to 1"
+"$asperity" spread surface sigma 10 --pdf --angles 20 | awk -F, 'NR > 2 { sum += $2 * 0.1 } END { exit !(sum > 0.999 && sum < 1.001) }' || die "spread --pdf does not sum to 1"
 
 # cor
-"$asperity" cor --rq 15.6um --lambda-c 120um --dp 1um:100um:10um --speed 100 --angles 2,45,88,90 --samples 500 --particle ard --wall hastelloy-x --model truncated > c
+"$asperity" cor surface rq 15.6um lambda_c 120um spread truncated materials ard hastelloy-x --dp lognormal:1um:100um:10um --speed 100 --angles 2,45,88,90 --samples 500 > c
 [ "$(header c)" = dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v_plane,cor_alpha_plane,cor_n,cor_t,outcome,cor_v_space,cor_alpha_space ] && [ "$(wc -l < c)" = 2002 ] || die "cor: columns or rows"
 awk -F, 'NR > 2 {
     if ($1 < 1 || $1 > 100 || $6 > 1 || ($10 == "deposit" && $8 != 0)) bad = 1
     if ($3 == 90 && $9 != "") bad = 1
     over += $3 == 2 && $8 > 1; negative += $3 == 88 && $9 < 0; deposits += $10 == "deposit" }
   END { exit bad || over < 100 || negative < 50 || deposits < 10 }' c || die "cor: the scatter is not as it should be"
-"$asperity" cor --model none --dp 10um --angles 90 --samples 1 --gamma 0 | awk -F, 'NR == 3 { d = $8 - 0.166; exit !(d < 1e-3 && d > -1e-3) }' || die "cor: CoR_N(90) is not v_y/v1"
-"$asperity" cor --model none --dp 10um --angles 90 --samples 1 --gamma 0 --yield-rate 3.3e6 | awk -F, 'NR == 3 { exit !($8 > 0.25 && $8 < 0.3) }' || die "cor --yield-rate"
-"$asperity" cor --model none --dp 0.5um --angles 30 --samples 1 | grep -q ',deposit,' || die "cor: small ones deposit"
-"$asperity" cor --model none --dp 0.5um --angles 30 --samples 1 --adhesion off | grep -q ',rebound,' || die "cor --adhesion off"
-"$asperity" cor --rq 5um --lambda-c 40um --model weibull --tilt isotropic --collisions multiple --samples 3 > /dev/null
+"$asperity" cor surface_energy 0 --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { d = $8 - 0.166; exit !(d < 1e-3 && d > -1e-3) }' || die "cor: CoR_N(90) is not v_y/v1"
+"$asperity" cor rebound bons yield_rate 3.3e6 surface_energy 0 --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { exit !($8 > 0.25 && $8 < 0.3) }' || die "cor yield_rate"
+"$asperity" cor --dp 0.5um --angles 30 --samples 1 | grep -q ',deposit,' || die "cor: small ones deposit"
+"$asperity" cor deposit off --dp 0.5um --angles 30 --samples 1 | grep -q ',rebound,' || die "cor deposit off"
+"$asperity" cor surface rq 5um lambda_c 40um spread weibull isotropic collisions multiple --samples 3 > /dev/null
 # The same impacts as a ledger has them: in SI, outcomes as numbers.
-many=(cor --rq 5um --lambda-c 40um --dp 1um,20um --angles 5,60,90 --samples 40)
+many=(cor surface rq 5um lambda_c 40um --dp 1um,20um --angles 5,60,90 --samples 40)
 "$asperity" "${many[@]}" > own; "$asperity" "${many[@]}" --columns ledger > ledger
 [ "$(header ledger)" = tag,impact,time,mesh,triangle,x,y,z,d_p,v1,alpha1_deg,delta_alpha_deg,tilt_out_deg,hits,v2,alpha2_deg,cor_n,cor_t,outcome ] || die "cor --columns ledger: columns"
 # cor_v in space is the ledger's v2/v1
@@ -49,66 +49,92 @@ paste -d, <(rows own | awk -F, -v OFS=, '{ $6 = $11; NF = 10; print }') <(rows l
     near = ($1 - $19 * 1e6) ^ 2 < 1e-8 && $2 == $20 && ($4 - $22) ^ 2 < 1e-8 && $5 == $24 && ($6 - $25 / $20) ^ 2 < 1e-9 && ($8 - $27) ^ 2 < 1e-7
     same = ($9 == "") == ($28 == "") && $29 == ($10 == "deposit") && $11 == n
     if (!near || !same) { print; bad = 1 } } END { exit bad || n != 120 || deposits < 20 || deposits > 100 }' || die "cor --columns ledger: other numbers"
-refuses 2 "own or ledger" -- cor --model none --columns both
+refuses 2 "own or ledger" -- cor --columns both
 refuses 2 "'-sigma'" "begin with --" -- cor -sigma 5
-refuses 2 "'-s'" -- cor --model none -s 5
+refuses 2 "'-s'" -- cor -s 5
 refuses 2 "'--gloss'" -- cor --gloss 5
 "$asperity" materials | grep -q '^hastelloy-x,.*handbook values",no$' || die "materials"
 
 # pictures
-"$asperity" cor --rq 5um --lambda-c 40um --samples 20 --plot cor.png -o /dev/null 2> err
+"$asperity" cor surface rq 5um lambda_c 40um --samples 20 --plot cor.png -o /dev/null 2> err
 head -c 4 cor.png | grep -q PNG || die "cor --plot"
-"$asperity" cor --rq 5um --lambda-c 40um --samples 500 --plot cor.svg -o c 2> err
+"$asperity" cor surface rq 5um lambda_c 40um --samples 500 --plot cor.svg -o c 2> err
 grep -q 'of the impacts and .* of the means lie outside' cor.svg && grep -q 'one of 3' cor.svg || die "cor --plot: what it leaves out"
 ! grep -q Symbol cor.svg && grep -q 'α' cor.svg && grep -q 'λ' cor.svg || die "cor --plot: Greek letters are those of another font"
-"$asperity" cor --sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
+"$asperity" cor surface sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
 ! grep -q warning err || die "cor --plot of one impact: $(cat err)"
-"$asperity" cor --sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err
+"$asperity" cor surface sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err
 grep -q 'm/s (sticks)' cor.svg && ! grep -q warning err || die "cor --plot where all stick: $(cat err)"
-"$asperity" spread --sigma 10 --plot spread.svg -o s 2> err
+"$asperity" spread surface sigma 10 --plot spread.svg -o s 2> err
 grep -q '<svg' spread.svg || die "spread --plot"
 
 # bad usage
 refuses 2 "--help" --
 refuses 2 "'sprad'" -- sprad
 refuses 2 "--sgima" "unknown" -- spread --sgima 10
-refuses 2 "needs a value" -- spread --sigma
-refuses 2 "'extra'" -- spread --sigma 10 extra
-refuses 2 "--sigma" "--rq" -- spread
-refuses 2 "'wiebull'" weibull truncated -- spread --sigma 10 --model wiebull
-refuses 2 "--sigma is 95" "0 to 89" -- spread --sigma 95
-refuses 2 "--sigma is nan" -- spread --sigma nan
-refuses 2 "--angle is 91" "0 to 90" -- spread --sigma 10 --angle 91
-refuses 2 "--samples" "whole number" -- spread --sigma 10 --samples -5
-refuses 2 "--rq" "'5ft'" "um" -- spread --rq 5ft --lambda-c 40um --dp 1um
-refuses 2 "--rq" "> 0" -- cor --rq -5um --lambda-c 40um
-refuses 2 "--rq LENGTH is missing" -- cor --lambda-c 40um
-refuses 2 "'unobtainium'" "hastelloy-x" -- cor --model none --wall unobtainium
-refuses 2 "min < median < max" -- cor --model none --dp 1um:10um:100um
-refuses 2 "--rebound" "bons" -- cor --model none --rebound bouncy
-refuses 2 "--tilt is 'round'" "plane or isotropic" -- cor --model none --tilt round
-refuses 2 "--angles" "more than 0" -- cor --model none --angles 0
-refuses 2 "no density" -- spread --model none --sigma 1 --pdf
-refuses 2 ".png, .svg or .pdf" -- spread --sigma 10 --plot picture.bmp
-refuses 1 "/nowhere/x.csv" "No such file" -- spread --sigma 10 -o /nowhere/x.csv
+refuses 2 "'rebound' has no effect" "surface spread seed" -- spread surface sigma 10 rebound bons
+refuses 2 "sigma is missing" -- spread surface sigma
+refuses 2 "needs a value" -- spread --dp
+refuses 2 "'extra'" -- spread surface sigma 10 --samples 9 extra
+refuses 2 "--dp LENGTH is missing" -- spread surface rq 5um lambda_c 40um
+refuses 2 "'wiebull'" weibull truncated -- spread surface sigma 10 spread wiebull
+refuses 2 "sigma is 95" "0.001 to 54" -- spread surface sigma 95
+refuses 2 "sigma is nan" -- spread surface sigma nan
+refuses 2 "--angles is 91" "0 to 90" -- spread surface sigma 10 --angles 91
+refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
+refuses 2 "rq is '5ft'" "um" -- spread surface rq 5ft lambda_c 40um --dp 1um
+refuses 2 "rq is -5e-06" "> 0" -- cor surface rq -5um lambda_c 40um
+refuses 2 "surface is 'lambda_c'" "rq R lambda_c L" -- cor surface lambda_c 40um
+refuses 2 "rq is '5' without a unit" "5um" -- cor surface rq 5 lambda_c 40um
+refuses 2 "'surfac'" "did you mean 'surface'" -- cor materials quartz 304-ss surfac rq 5um
+refuses 2 "materials has 1 name" "two" -- cor materials quartz
+refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 5
+refuses 2 "'unobtainium'" "hastelloy-x" -- cor materials ard unobtainium
+refuses 2 "min < median < max" "from:to:step" -- cor --dp lognormal:1um:10um:100um
+refuses 2 "'bouncy'" "bons" -- cor rebound bouncy
+refuses 2 "unit must be one of: m cm mm um nm" -- cor --dp 5ft
+refuses 2 "a list is a,b,c or from:to:step" -- cor --dp 1um:5um
+refuses 2 "0 to 90" -- cor --angles 5:95:5
+refuses 2 "'surface_energy' has no effect" "walton" -- cor rebound walton 0.9 0.3 0 surface_energy 0.1
+refuses 2 "'x.npy'" ".csv" -- cor -o x.npy
+refuses 2 "--title is given without --plot" -- cor --title A
+refuses 2 "'round'" -- cor surface sigma 3 spread visible round
+refuses 2 "--angles" "more than 0" -- cor --angles 0
+refuses 2 "no density" -- spread --pdf
+refuses 2 ".png, .svg or .pdf" -- spread surface sigma 10 --plot picture.bmp
+refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere/x.csv
 [ ! -e picture.bmp ] || die "half a picture was left"
-"$asperity" cor --model none --samples 100000 -o /dev/full 2> err && die "a full disk went unnoticed"
+"$asperity" cor --samples 100000 -o /dev/full 2> err && die "a full disk went unnoticed"
 grep -q "cannot write" err || die "full disk: $(cat err)"
-ls ./*.partial > /dev/null 2>&1 && die "a partial file was left"
-exit 0
+! ls ./*.partial > /dev/null 2>&1 || die "a partial file was left"
 
 # A wall in every way: sigma, its two numbers, a profile; not in two. Speeds as a list with a range, and log-normal.
-cor() { "$asperity" cor --samples 400 --angles 20 "$@" | grep -v '^#\|^dp'; }
+cor() { "$asperity" cor "$@" --samples 400 --angles 20 | grep -v '^#\|^dp'; }
 mean() { awk -F, -v k="$1" '{ s += $k } END { print s / NR }'; }
-a=$(cor --sigma 10.026 --dp 1um | mean 8) b=$(cor --rq 5um --lambda-c 40um --dp 1um | mean 8)
-awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || die "--sigma: $a, by its numbers $b"
-"$asperity" surface --rq 5um --lambda-c 40um --dp 10um --save level.csv > /dev/null
-a=$(cor --profile level.csv | mean 8) b=$(cor --rq 5um --lambda-c 40um --model profile --tilt plane | mean 8)
-awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.9 && a / b < 1.1) }' || die "--profile: $a, by its numbers $b"
-refuses 2 'not by two' -- cor --sigma 10 --rq 5um --lambda-c 40um
-refuses 1 nowhere.csv -- cor --profile nowhere.csv
-[ "$(cor --sigma 10 --dp 10um,20um --speed 50,100:120:10 | cut -d, -f1,2 | sort -u | wc -l)" = 8 ] || die "sizes x speeds"
-cor --sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"
-refuses 2 --speed 'min < median < max' -- cor --sigma 10 --speed lognormal:10:20:50
-"$asperity" cor --sigma 10 --speed lognormal:10:200:50 --samples 20 --plot cor2.svg -o /dev/null 2> err
+a=$(cor surface sigma 10.026 --dp 4um | mean 8) b=$(cor surface rq 5um lambda_c 40um --dp 4um | mean 8)
+awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || die "sigma: $a, by its numbers $b"
+"$asperity" surface surface rq 5um lambda_c 40um --dp 10um --save level.csv > /dev/null
+a=$(cor surface profile level.csv | mean 8) b=$(cor surface rq 5um lambda_c 40um spread profile plane | mean 8)
+awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.9 && a / b < 1.1) }' || die "profile: $a, by its numbers $b"
+refuses 2 "'rq' is unknown" -- cor surface sigma 10 rq 5um lambda_c 40um
+refuses 1 nowhere.csv -- cor surface profile nowhere.csv
+[ "$(cor surface sigma 10 --dp 10um,20um --speed 50,100:120:10 | cut -d, -f1,2 | sort -u | wc -l)" = 8 ] || die "sizes x speeds"
+cor surface sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"
+refuses 2 --speed 'min < median < max' -- cor surface sigma 10 --speed lognormal:10:20:50
+"$asperity" cor surface sigma 10 --speed lognormal:10:200:50 --samples 20 --plot cor2.svg -o /dev/null 2> err
 grep -q 'log-normal, 10' cor2.svg || die "the picture's title"
+# Per angle mean, sd and capture share, of the same impacts; by flux as many as sin alpha1 has them.
+"$asperity" cor surface rq 5um lambda_c 40um --dp 1.6um --angles 5:85:20 --samples 300 > all
+"$asperity" cor surface rq 5um lambda_c 40um --dp 1.6um --angles 5:85:20 --samples 300 --summary > means
+[ "$(header means)" = alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd ] || die "cor --summary: columns"
+rows all | awk -F, '{ n[$3]++; stuck[$3] += $10 == "deposit" } $10 == "rebound" { k[$3]++; s[$3] += $8; q[$3] += $8 * $8; t[$3] += $9 }
+  END { for (a in n) { m = s[a] / k[a]; printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", a, n[a], stuck[a] / n[a], k[a], m, sqrt((q[a] - k[a] * m * m) / (k[a] - 1)), t[a] / k[a] } }' | sort -g > wanted
+rows means | awk -F, '{ printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", $1, $2, $3, $4, $5, $6, $7 }' | cmp - wanted || die "cor --summary: $(cat means)"
+"$asperity" cor --angles 30,90 --samples 300 --flux --summary | rows /dev/stdin | cut -d, -f1,2 | paste -sd' ' | grep -qx '30,200 90,400' || die "cor --flux"
+[ "$(rows <("$asperity" cor --speed 0.1km/s --angles 30deg --dp 1e4nm --samples 1))" = "$(rows <("$asperity" cor --angles 30 --samples 1))" ] || die "units behind numbers"
+# Constants that look like a mistake, and a picture as the user wants it.
+"$asperity" cor yield_stress 2e10 --samples 1 --angles 45 2>&1 > /dev/null | grep -q 'warning: the yield stress' || die "cor: a yield stress over a tenth of the modulus"
+"$asperity" cor surface_energy 1e3 --samples 1 --angles 45 2>&1 > /dev/null | grep -q 'warning: every impact .* sticks' || die "cor: everything sticks"
+"$asperity" cor surface sigma 5 --samples 20 --plot look.svg --title "it's a_b" --size 640x300 --range -2:7 -o /dev/null 2> err
+grep -q "it's a_b\|it&#39;s a_b\|a_b" look.svg && grep -q 'width="640" height="300"' look.svg && grep -q '> *7<' look.svg && grep -q '> *-2<' look.svg || die "--title, --size, --range"
+for bad in "--size 3x4" "--size 640" "--range 3:1" "--range 3"; do refuses 2 "${bad% *} is '${bad#* }'" -- cor --plot look.svg $bad; done

@@ -3,14 +3,14 @@
 # that people have; deposits; places by angle, speed and size; standard input.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
-wall='--rq 5um --lambda-c 40um --model visible --collisions multiple --tilt isotropic'
+wall='surface rq 5um lambda_c 40um'
 
 # Over 200 pairs of seeds p-values are uniform: their distance from it, by Kolmogorov and Smirnov, is below what one
 # in a thousand would exceed, 1.95/sqrt(200), for a coefficient at a place, and their mean is for the score; and 90 % of
 # the data lie in the band.
 for seed in $(seq 1 200); do
-  "$asperity" cor $wall --angles 10,30,60 --samples 400 --seed "$seed" -o model
-  "$asperity" cor $wall --angles 10,30,60 --samples 60 --seed $((1000 + seed)) -o data
+  "$asperity" cor $wall seed "$seed" --angles 10,30,60 --samples 400 -o model
+  "$asperity" cor $wall seed $((1000 + seed)) --angles 10,30,60 --samples 60 -o data
   "$asperity" compare model data | awk -F, '/^cor_n,30/ || /^cor_t,10,/ { print $1, $17 > "p." $1; band += $15 } /^overall/ { print $17 > "p.overall"; print $15 > "band" }
     END { close("band") }'
   for k in cor_n cor_t overall; do cat p.$k >> all.$k; done; cat band >> all.band
@@ -24,11 +24,11 @@ awk '{ m += $1 / 200 } END { exit !(m > 0.88 && m < 0.91) }' all.band || die "co
 
 # Another law is told apart, by the score too.
 "$asperity" cor $wall --angles 10,30,60 --samples 400 -o model
-"$asperity" cor $wall --angles 10,30,60 --samples 200 --seed 2 --mu 0.2 -o data
+"$asperity" cor $wall friction 0.2 seed 2 --angles 10,30,60 --samples 200 -o data
 "$asperity" compare model data | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 < 1e-6) }' || die "compare: another law"
 
 # One sample in all the forms: the same numbers come out. At 90 degrees CoR_T is not defined.
-"$asperity" cor $wall --angles 20,50,80 --samples 80 --seed 3 --speed 50 --adhesion off -o cor.csv
+"$asperity" cor $wall deposit off seed 3 --angles 20,50,80 --samples 80 --speed 50 -o cor.csv
 "$asperity" compare model cor.csv --near 90,9,9 | rows /dev/stdin | cut -d, -f1,5,8,11,12,16,17 > wanted
 awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
   { a = $3 * pi / 180; n2 = $8 * 50 * sin(a); t2 = $9 * 50 * cos(a); v2 = sqrt(n2 * n2 + t2 * t2); a2 = atan2(n2, t2); f = "%.12g"
@@ -48,10 +48,10 @@ sed 1s/alpha1_deg/alpha1/ velocities > unnamed
 
 # The true model, of a wall that throws to the side: rebounds as seen in the plane of incidence, and in space, from files that
 # say which, by a ledger too. A mixture of both, as a ledger has it, is not taken without a word, and is no data.
-"$asperity" cor $wall --angles 10,30,60 --samples 2000 --seed 11 -o model
-"$asperity" cor $wall --angles 10,30,60 --samples 2000 --seed 11 --columns ledger -o model.ledger
-"$asperity" cor $wall --angles 10,30,60 --samples 1500 --seed 12 -o truth
-"$asperity" cor $wall --angles 10,30,60 --samples 1500 --seed 12 --columns ledger | awk -F, '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_deg,v2"; next } $19 == 0 { print $11 "," $10 "," $16 "," $15 }' > mixture
+"$asperity" cor $wall seed 11 --angles 10,30,60 --samples 2000 -o model
+"$asperity" cor $wall seed 11 --angles 10,30,60 --samples 2000 --columns ledger -o model.ledger
+"$asperity" cor $wall seed 12 --angles 10,30,60 --samples 1500 -o truth
+"$asperity" cor $wall seed 12 --angles 10,30,60 --samples 1500 --columns ledger | awk -F, '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_deg,v2"; next } $19 == 0 { print $11 "," $10 "," $16 "," $15 }' > mixture
 for view in plane space; do
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_" view "_deg,v2_" view; next } $10 == "rebound" { print $3 "," $2 "," $3 * $(view == "plane" ? 7 : 12) "," $2 * $(view == "plane" ? 6 : 11) }' truth > truth.$view
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,cor_alpha_" view ",cor_v_" view; next } $10 == "rebound" { print $3 "," $(view == "plane" ? 7 : 12) "," $(view == "plane" ? 6 : 11) }' truth > ratio.$view
@@ -73,7 +73,7 @@ rows got | awk -F, '$1 == "cor_n" { exit !($10 == 100 && $17 > 0 && $17 <= 1) }'
 column p_value got | sed -n '2p;4p' | paste -sd, | awk -F, '{ exit !($1 > 0 && $2 == "") }' || die "compare: p of means: $(cat got)"
 
 # Places by speed and size: the model's impacts there, and no others.
-{ "$asperity" cor --model none --angles 30 --speed 20 --samples 30; "$asperity" cor --model none --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --model none --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
+{ "$asperity" cor --angles 30 --speed 20 --samples 30; "$asperity" cor --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
 printf 'alpha1_deg,v1_m_s,dp_um,cor_n\n30,20,10,0.9\n30,80,10,0.4\n30,80,50,0.4\n30,300,50,0.4\n' > data
 "$asperity" compare model data --bin 90 > got 2> err
 "$asperity" compare model <(sed 's/cor_n/cor_n_mean/' data) > got 2> err
@@ -92,19 +92,19 @@ rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "c
 "$asperity" compare quarter half | grep -v '^#' > wanted
 "$asperity" compare - half < quarter | grep -v '^#' | cmp wanted || die "compare - from a file"
 cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
-"$asperity" materials | "$asperity" rebound --map angles --angles 45 --materials - > got || die "rebound --materials -"
-printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound --map angles --angles 10 --rebound table --table - | grep -q ',0.9,0.8,' || die "rebound --table -"
-printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface --profile - --dp 10um > got || die "surface --profile -"
+"$asperity" materials | "$asperity" rebound materials ard hastelloy-x file /dev/stdin --map angles --angles 45 > got || die "rebound --materials -"
+printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound rebound table /dev/stdin --map angles --angles 10 | grep -q ',0.9,0.8,' || die "rebound --table -"
+printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface surface profile /dev/stdin --dp 10um > got || die "surface --profile -"
 
 # The measurements that ship are read, and the law that was made of one set is that set.
 data=$root/examples/data
 for file in "$data"/grant_tabakoff_1975.csv "$data"/forder_1998.csv "$data"/kharaz_2001.csv "$data"/lamarche_2022.csv; do
-  "$asperity" cor --model none --angles 5:85:5,30.16,40.45,50.7,59.78,69.92,80.37,86.07,87.97,90 --samples 1 -o impacts
+  "$asperity" cor --angles 5:85:5,30.16,40.45,50.7,59.78,69.92,80.37,86.07,87.97,90 --samples 1 -o impacts
   "$asperity" compare impacts "$file" > got 2> err || die "$file: $(cat err)"
   [ "$(grep -vc '1 of .* bins' err)" = 0 ] || die "$file: $(cat err)" # CoR_T at 90 degrees is not defined
 done
 for law in forder grant_tabakoff; do
-  "$asperity" cor --model none --rebound $law --angles 10:85:5 --samples 1 -o impacts
+  "$asperity" cor rebound $law --angles 10:85:5 --samples 1 -o impacts
   "$asperity" compare impacts "$data"/$law*.csv --near 0.1 2> /dev/null | tail -n 1 | awk -F, '{ exit !($21 < 6e-5) }' || die "$law is not its data"
 done
 [ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their licence"
@@ -115,4 +115,31 @@ printf 'alpha1_deg,cor_n,cor_t\n5,9,1\n5,1,1\n5,1.2,1\n' > far_off.csv
 "$asperity" compare far_off.csv far_off.csv --plot off_axis.svg > got 2> err
 grep -q '1 of 3 measured impacts lie outside' off_axis.svg && grep -q 'far_off' off_axis.svg || die "compare --plot: what it leaves out"
 grep -q 'quarter' p.svg && grep -q 'half' p.svg || die "compare --plot: no names"
+key=$(grep -B 1 -m 1 '<tspan.*>measured<' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
+frame=$(grep "stroke='rgb( 68,  68,  68)'" p.svg | grep -oE "d='M[0-9.]+,[0-9.]+" | cut -d, -f2 | sort -g | head -n 1)
+awk -v key="$key" -v frame="$frame" 'BEGIN { exit !(key > 0 && key < frame) }' || die "compare --plot: the key at $key is within the panel, from $frame on"
+
+# One file of impacts alone: a row for each place, with what `cor --summary` says of it; a ledger by intervals of angle.
+for way in --summary '--columns own' '--columns ledger'; do "$asperity" cor $wall seed 5 --angles 15,40,90 --samples 300 $way -o "alone${way##* }"; done
+"$asperity" compare aloneown --plot alone.svg > got 2> err
+[ "$(column impacts got | paste -sd,)" = 300,300,300 ] && grep -q 'aloneown' alone.svg || die "compare IMPACTS: $(cat got err)"
+for name in alpha1_deg impacts capture_share n cor_n_mean cor_n_sd cor_t_mean cor_t_sd; do
+  paste <(column $name got) <(column $name alone--summary) | awk '{ d = $1 - $2; if (d * d > 1e-9) exit 1 } END { exit NR != 3 }' || die "compare IMPACTS: $name is not that of cor --summary: $(cat got alone--summary)"
+done
+"$asperity" compare aloneledger | rows /dev/stdin | cut -d, -f6- | sed 's/0*\([0-9]e\)/\1/g' | cut -d, -f1-3 | cmp - <(rows got | cut -d, -f6-8) || die "compare LEDGER"
+"$asperity" cor $wall --angles 1:90:0.5 --samples 2 | "$asperity" compare - --bin 30 > got
+[ "$(column impacts got | paste -sd,)" = 116,120,122 ] || die "compare - by intervals: $(cat got)"
+
+# Bad usage; no input is written over.
+refuses 2 "--near has no effect without DATA" -- compare aloneown --near 3
+refuses 2 "--below has no effect without DATA" -- compare aloneown --below drop
+refuses 2 "one file or two" -- compare
+printf 'alpha1_deg,cor_n_mean\n25,0.5\n' > elsewhere
+refuses 2 "no bin has both" -- compare aloneown elsewhere
+cp half kept; ln -s half link
+for output in half ./link; do
+  refuses 2 "is '$output', which is read" -- compare quarter half -o $output
+  refuses 2 "is '$output', which is read" -- compare half -o $output
+done
+cmp -s half kept || die "the data were written over"
 exit 0

@@ -8,15 +8,15 @@ source "$(dirname "$0")/cli.sh"
 awk 'NR == 1 { print; next } { split($0, f, ","); print f[1] + 0.3 * sin(f[1]) "," f[2] }' profile > uneven
 "$asperity" materials > materials
 printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' > table
-"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --dp 100um --angles 10:80:10 --samples 40 -o impacts
+"$asperity" cor rebound grant_tabakoff scatter 1 --dp 100um --angles 10:80:10 --samples 40 -o impacts
 printf 'ITEM: ENTRIES f_w[11] f_w[17] f_w[18] f_w[19]\n10 0.5 0.5 0\n10 0.4 0.5 0\n' > dump
 
 # use FILE PIPE: what a command makes of each kind of file.
 use() {
   case $1 in
-    profile | uneven) "$asperity" surface --profile "$2" --dp 10um ;;
-    materials) "$asperity" rebound --map angles --angles 45 --materials "$2" ;;
-    table) "$asperity" rebound --map angles --angles 45 --rebound table --table "$2" ;;
+    profile | uneven) "$asperity" surface surface profile "$2" --dp 10um ;;
+    materials) "$asperity" rebound materials ard hastelloy-x file "$2" --map angles --angles 45 ;;
+    table) "$asperity" rebound rebound table "$2" --map angles --angles 45 ;;
     impacts | dump) "$asperity" compare "$2" impacts ;;
     data) "$asperity" compare impacts "$2" ;;
   esac

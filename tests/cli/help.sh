@@ -6,7 +6,7 @@ source "$(dirname "$0")/cli.sh"
 
 # Every command of the list has text, page and words, and they tell the same options.
 commands=$("$asperity" --help=words | grep -v '^help$\|^--')
-[ "$(wc -w <<< "$commands")" -ge 9 ] || die "commands: $commands"
+[ "$(wc -w <<< "$commands")" -ge 7 ] || die "commands: $commands"
 for command in $commands; do
   "$asperity" help "$command" > text
   "$asperity" "$command" --help | cmp - text || die "help $command is not $command --help"
@@ -16,7 +16,7 @@ for command in $commands; do
   [ "$(grep -c '^\.TP$' page)" = "$(($(wc -l < words) - 1))" ] || die "$command: options in the page"
   if grep -n "^[.'][^A-Zn\\f]" page; then die "$command: a line of text begins as a request of troff"; fi
 done
-"$asperity" compare --help=man | grep -q 'IMPACTS DATA' || die "compare: its arguments in the synopsis"
+"$asperity" compare --help=man | grep -q 'IMPACTS \[DATA\]' || die "compare: its arguments in the synopsis"
 "$asperity" --help=man | grep -q 'asperity\\-cor (1)' || die "the page of all commands"
 ! "$asperity" cor --help=html 2> err || die "--help=html"
 grep -q "man or words" err || die "message: $(cat err)"
@@ -25,54 +25,63 @@ grep -q "man or words" err || die "message: $(cat err)"
 # Completion.
 source "$root/src/cli/asperity.bash"
 complete_words() { COMP_WORDS=("$asperity" "$@"); COMP_CWORD=$(($#)); _asperity; }
+complete_words help wal; [ "${COMPREPLY[*]}" = wall ] || die "completes help wall: ${COMPREPLY[*]}"
 complete_words tra; [ "${COMPREPLY[*]}" = trade ] || die "completes commands: ${COMPREPLY[*]}"
-complete_words cor --lam; [ "${COMPREPLY[*]}" = --lambda-c ] || die "completes options: ${COMPREPLY[*]}"
-complete_words cor --wall hast; [ "${COMPREPLY[*]}" = hastelloy-x ] || die "completes materials: ${COMPREPLY[*]}"
-complete_words cor --model trun; [ "${COMPREPLY[*]}" = truncated ] || die "completes models: ${COMPREPLY[*]}"
-complete_words cor --tilt iso; [ "${COMPREPLY[*]}" = isotropic ] || die "completes choices: ${COMPREPLY[*]}"
-complete_words rebound --rebound thorn; [ "${COMPREPLY[*]}" = thornton_ning ] || die "completes laws: ${COMPREPLY[*]}"
+complete_words cor --sam; [ "${COMPREPLY[*]}" = --samples ] || die "completes options: ${COMPREPLY[*]}"
+complete_words cor materials ard hast; [ "${COMPREPLY[*]}" = hastelloy-x ] || die "completes materials: ${COMPREPLY[*]}"
+complete_words cor surface sigma 5 spread trun; [ "${COMPREPLY[*]}" = truncated ] || die "completes models: ${COMPREPLY[*]}"
+complete_words cor surface sigma 5 spread visible iso; [ "${COMPREPLY[*]}" = isotropic ] || die "completes choices: ${COMPREPLY[*]}"
+complete_words rebound rebound thorn; [ "${COMPREPLY[*]}" = thornton_ning ] || die "completes laws: ${COMPREPLY[*]}"
 touch myfile.csv
 complete_words cor -o myf; [ "${COMPREPLY[*]}" = myfile.csv ] || die "completes files: ${COMPREPLY[*]}"
 
 # Lists with ranges, whole numbers with exponents.
-angles() { "$asperity" spread --sigma 10 --summary --samples 10 --angle "$1" | awk -F, 'NR > 2 { printf "%s ", $2 }'; }
+angles() { "$asperity" spread surface sigma 10 --summary --samples 10 --angles "$1" | awk -F, 'NR > 2 { printf "%s ", $2 }'; }
 [ "$(angles 5,10:30:10,85)" = "5 10 20 30 85 " ] || die "a list with a range: $(angles 5,10:30:10,85)"
-[ "$("$asperity" spread --sigma 10 --samples 2e3 | wc -l)" = 2002 ] || die "--samples 2e3"
+[ "$("$asperity" spread surface sigma 10 --samples 2e3 | wc -l)" = 2002 ] || die "--samples 2e3"
 for bad in 1.5 -3 1e99 2e-1 1e3x nan ''; do
-  ! "$asperity" spread --sigma 10 --samples "$bad" > /dev/null 2> err || die "--samples '$bad'"
+  ! "$asperity" spread surface sigma 10 --samples "$bad" > /dev/null 2> err || die "--samples '$bad'"
   grep -q "whole number, 1 to" err || die "--samples '$bad': $(cat err)"
 done
 
+# The words of a description, from their table: every clause and every word in it, with its values.
+"$asperity" help wall > wall
+for word in surface spread rebound materials friction surface_energy yield_stress deposit seed rq lambda_c lay dp_bins plane collisions tolerance scatter_twice remove u_tau; do
+  grep -q "^ *$word " wall || die "help wall: $word"
+done
+for name in visible weibull bons thornton_ning yield_rate; do grep -qw "$name" wall || die "help wall: $name"; done
+[ "$("$asperity" --help=words | grep -xc wall)" = 0 ] || die "wall is no command"
+# At most fifteen options, besides --help.
+for command in surface spread cor rebound trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
+
 # Names.
-one() { "$asperity" cor --model none --samples 1 --angles 30 "$@" | tail -n 1; }
-[ "$(one --wall Hastelloy-X)" = "$(one --wall hastelloy-x)" ] || die "names in any case"
-! one --wall hasteloyx 2> err || die "--wall hasteloyx"
+one() { "$asperity" cor materials "$@" --samples 1 --angles 30 | tail -n 1; }
+[ "$(one ard Hastelloy-X)" = "$(one ard hastelloy-x)" ] || die "names in any case"
+! one ard hasteloyx 2> err || die "hasteloyx"
 grep -q "did you mean 'hastelloy-x'?" err || die "suggestion: $(cat err)"
-! one --wall unobtainium 2> err || die "--wall unobtainium"
+! one ard unobtainium 2> err || die "unobtainium"
 ! grep -q "did you mean" err || die "a suggestion that is none: $(cat err)"
 printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nMyAlloy,1e11,0.3,5000\n' > own.csv
-[ "$(one --materials own.csv --wall myalloy)" = "$(one --materials own.csv --wall MyAlloy)" ] || die "own names in any case"
+[ "$(one ard myalloy file own.csv)" = "$(one ard MyAlloy file own.csv)" ] || die "own names in any case"
 printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,1e11,0.3,5000\n' > twice.csv
-! one --materials twice.csv --wall a 2> err || die "the same name twice"
+! one ard a file twice.csv 2> err || die "the same name twice"
 "$asperity" materials | awk -F, 'NR > 2' | grep -c '' | { read -r n; [ "$n" -ge 18 ] || die "$n materials"; }
 
 # Pictures.
-"$asperity" spread --sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
-! timeout 5 "$asperity" doe --plot x.jpg 2> err || die "doe --plot x.jpg"
-grep -q "'x.jpg'; the file must end in" err || die "doe --plot x.jpg is refused before work begins: $(cat err)"
+"$asperity" spread surface sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
+! timeout 5 "$asperity" trade surface sigma 9 --rays 1000000000 --plot x.jpg 2> err || die "trade --plot x.jpg"
+grep -q "'x.jpg'; the file must end in" err || die "trade --plot x.jpg is refused before work begins: $(cat err)"
 echo "passed"
 
 # Files that cannot be written, or are two in one, are told before work begins.
 for option in -o --plot; do
-  ! timeout 5 "$asperity" doe $option /nowhere/x.png 2> err || die "doe $option /nowhere"
-  grep -q "cannot write '/nowhere/x.png'" err || die "doe $option is checked before work begins: $(cat err)"
+  ! timeout 5 "$asperity" trade surface sigma 9 --rays 1000000000 $option /nowhere/x.png 2> err || die "trade $option /nowhere"
+  grep -q "cannot write '/nowhere/x.png'" err || die "trade $option is checked before work begins: $(cat err)"
 done
-refuses 1 "cannot write '/nowhere/p.csv'" -- surface --rq 5um --lambda-c 40um --save /nowhere/p.csv
-refuses 2 "--output and --save are both 'p.csv'" -- surface --rq 5um --lambda-c 40um -o p.csv --save p.csv
-refuses 2 "--save is '-'" -- surface --rq 5um --lambda-c 40um --save -
-"$asperity" surface --rq 5um --lambda-c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface --profile - --dp 10um > piped
+refuses 1 "cannot write '/nowhere/p.csv'" -- surface surface rq 5um lambda_c 40um --save /nowhere/p.csv
+refuses 2 "--output and --save are both 'p.csv'" -- surface surface rq 5um lambda_c 40um -o p.csv --save p.csv
+refuses 2 "--save is '-'" -- surface surface rq 5um lambda_c 40um --save -
+"$asperity" surface surface rq 5um lambda_c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface surface profile /dev/stdin --dp 10um > piped
 grep -q '8192 points read' piped && [ -s slopes.csv ] || die "surface --save - in a pipe"
-refuses 2 "--figure is '5'" -- fit --figure 5 --plot fit.png
-refuses 2 "--figure is given without --plot" -- fit --figure 6
-mkfifo pipe; cat pipe > through & "$asperity" spread --sigma 10 --samples 10 -o pipe; wait
+mkfifo pipe; cat pipe > through & "$asperity" spread surface sigma 10 --samples 10 -o pipe; wait
 [ "$(wc -l < through)" = 12 ] || die "-o PIPE: $(cat through)"

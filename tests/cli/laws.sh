@@ -8,17 +8,17 @@ data=$root/examples/data
 "$asperity" rebound --dp 10um --speed 5.7,5.9,10,100 > r
 [ "$(header r)" = dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome ] || die "rebound: columns"
 [ "$(column outcome r | paste -sd' ')" = "deposit rebound rebound rebound" ] || die "rebound: outcomes: $(cat r)"
-"$asperity" rebound --map capture --dp 1um,10um --wall hastelloy-x,ti-6al-4v > c
+"$asperity" rebound materials ard hastelloy-x vs materials ard ti-6al-4v --map capture --dp 1um,10um > c
 [ "$(column capture_speed_m_s c | head -n 1)" = "" ] || die "capture: 1 um is caught at any speed"
 column capture_speed_m_s c | awk 'NR == 2 { exit !($1 > 5.7 && $1 < 5.9) }' || die "capture: $(cat c)"
-"$asperity" rebound --map capture --dp 10um --gamma 0 > c
+"$asperity" rebound surface_energy 0 --map capture --dp 10um > c
 [ "$(column capture_speed_m_s c)" = 0 ] || die "capture without adhesion: $(cat c)"
-"$asperity" rebound --map capture --dp 0.5um:200um --points 9 > c
+"$asperity" rebound --map capture --points 9 > c
 [ "$(rows c | wc -l)" = 9 ] && [ "$(column dp_um c | sed -n '1p;9p' | paste -sd' ')" = "0.5 200" ] || die "equal ratios: $(cat c)"
-"$asperity" rebound --map angles --angles 30,90 --rebound grant_tabakoff > a
+"$asperity" rebound rebound grant_tabakoff --map angles --angles 30,90 > a
 [ "$(column cor_n a | head -n 1)" = 0.428811 ] && [ "$(column cor_t a | tail -n 1)" = "" ] || die "angles: $(cat a)"
-"$asperity" rebound --map angles --angles 45 --set temperature=1400 --gamma 0 > a
-"$asperity" rebound --map angles --angles 45 --yield 110e6 --gamma 0 > b
+"$asperity" rebound rebound bons temperature 1400 surface_energy 0 --map angles --angles 45 > a
+"$asperity" rebound surface_energy 0 yield_stress 110e6 --map angles --angles 45 > b
 [ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: temperature"
 "$asperity" rebound --list > list
 for law in bons constant forder grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
@@ -27,77 +27,65 @@ for map in regimes capture angles; do
   "$asperity" rebound --map $map --points 5 --plot $map.png -o $map.csv 2> err
   head -c 4 $map.png | grep -q PNG || die "rebound --map $map --plot"
 done
-# every keyword of a law's parameters is an option
-"$asperity" rebound --map angles --angles 45 --temperature 1400 --gamma 0 > a
-[ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: --temperature"
-"$asperity" rebound --map angles --angles 45 --set a=0.2,b=0.1,c=0.3 > a
-"$asperity" rebound --map angles --angles 45 --contact-area 0.2,0.1,0.3 > b
-cmp <(rows a) <(rows b) || die "rebound: --contact-area"
-"$asperity" rebound --help > help
-for option in yield-rate contact-area temperature soften scatter; do grep -q -- "--$option " help || die "rebound --help: --$option"; done
 # spin on, friction of a law's own, and a flow that takes away what sticks
-"$asperity" rebound --map angles --angles 60.55 --rebound walton --set e=0.98 --mu 0.092 > a
+"$asperity" rebound rebound walton 0.98 0.092 0 --map angles --angles 60.55 > a
 column cor_t a | awk '{ exit !($1 > 0.714 && $1 < 0.7143) }' || die "walton: $(cat a)"
-"$asperity" rebound --map angles --angles 20 --spin on --mu 5 --gamma 0 > a
-"$asperity" rebound --map angles --angles 20 --set spin=on --mu 5 --gamma 0 > b
-column cor_t a | awk '{ exit !($1 > 0.7142 && $1 < 0.7143) }' && cmp <(rows a) <(rows b) || die "bons --spin on: $(cat a)"
-"$asperity" rebound --map capture --dp 10um,100um --remove 2,1.2 > c
+"$asperity" rebound rebound bons spin on friction 5 surface_energy 0 --map angles --angles 20 > a
+column cor_t a | awk '{ exit !($1 > 0.7142 && $1 < 0.7143) }' || die "bons spin on: $(cat a)"
+"$asperity" rebound deposit freeze remove u_tau 2 gas_density 1.2 --map capture --dp 10um,100um > c
 [ "$(column capture_speed_m_s c | tail -n 1)" = 0 ] && [ "$(column capture_speed_m_s c | head -n 1)" != 0 ] || die "--remove: $(cat c)"
 # several laws: a law's own options go to the laws that have them; the picture names each
-"$asperity" rebound --map angles --angles 45 --rebound bons,thornton_ning --wall hastelloy-x,quartz --yield-rate 3e6 --plot laws.svg > a 2> err
+"$asperity" rebound rebound bons yield_rate 3e6 vs rebound bons yield_rate 3e6 materials ard quartz vs rebound thornton_ning vs rebound thornton_ning materials ard quartz --map angles --angles 45 --plot laws.svg > a 2> err
 [ "$(column law a | paste -sd' ')" = "bons bons thornton_ning thornton_ning" ] || die "several laws: $(cat a)"
-"$asperity" rebound --map angles --angles 45 --yield-rate 3e6 > b
+"$asperity" rebound rebound bons yield_rate 3e6 --map angles --angles 45 > b
 [ "$(column cor_n a | head -n 1)" = "$(column cor_n b)" ] || die "several laws: --yield-rate"
-"$asperity" rebound --map angles --angles 45 --rebound thornton_ning --wall quartz > b
+"$asperity" rebound rebound thornton_ning materials ard quartz --map angles --angles 45 > b
 [ "$(column cor_n a | tail -n 1)" = "$(column cor_n b)" ] || die "several laws: thornton_ning"
 grep -q 'bons on quartz' laws.svg && grep -q 'several laws' laws.svg || die "several laws: names in the picture"
-"$asperity" rebound --map capture --rebound bons,thornton_ning --dp 10um > c
+"$asperity" rebound rebound bons vs rebound thornton_ning --map capture --dp 10um > c
 [ "$(column law c | paste -sd' ')" = "bons thornton_ning" ] || die "capture by several laws: $(cat c)"
-refuses 2 "--rebound is 'bons,walton'" "one law" -- rebound --rebound bons,walton
-refuses 2 "--compliance" "none of --rebound bons,forder" -- rebound --map angles --rebound bons,forder --compliance 3
-refuses 2 "--set" "goes with one law" -- rebound --map angles --rebound bons,forder --set a=1
+refuses 2 "'vs' is given" "one description" -- rebound vs rebound walton 0.9 0.3 0
+refuses 2 "'compliance' is unknown" -- rebound rebound bons compliance 3
 refuses 2 "--speed is given" -- rebound --map capture --speed 5
-refuses 2 "--dp is '1um,5um:200um'" "a range is from:to:step" -- rebound --map capture --dp 1um,5um:200um
+refuses 2 "--dp is '1um,5um:200um'" "from:to:step" -- rebound --map capture --dp 1um,5um:200um
+refuses 2 "a log-normal law" -- rebound --dp lognormal:1um:9um:3um
 refuses 2 "--speed is '1,5:200'" -- rebound --map regimes --speed 1,5:200
 "$asperity" rebound --map angles --dp 1um,10um --plot stick.svg > a 2> err
 grep -q '1 µm, 100 m/s (sticks)' stick.svg && ! grep -q warning err || die "a curve that sticks: $(cat err)"
 "$asperity" rebound --map angles --dp 1um --speed 1 --plot stick.svg > a 2> err || die "only curves that stick: $(cat err)"
 printf 'alpha1_deg,cor_n,cor_t\n10,1.5,-0.3\n90,0.4,0.5\n' > beyond.csv
-"$asperity" rebound --map angles --rebound table --table beyond.csv --plot beyond.svg > a 2> err
+"$asperity" rebound rebound table beyond.csv --map angles --plot beyond.svg > a 2> err
 grep -q '> *1.6<' beyond.svg && grep -q '> *-0.4<' beyond.svg || die "the axes do not grow"
-refuses 2 "--spin" "'maybe'" "off on" -- rebound --spin maybe
-refuses 2 "--remove is '2'" "GAS_DENSITY" -- rebound --remove 2
-refuses 2 "remove_gas_density" -- rebound --remove 2,0
-refuses 2 "--contact-area" "3 numbers: a,b,c" -- rebound --contact-area 0.2,0.1
-refuses 2 "--contact-area" "c is 11" "0 to 10" -- rebound --contact-area 0.2,0.1,11
-refuses 2 "--scatter" "--rebound is 'bons'" -- rebound --scatter 1
-refuses 2 "--yield-rate is 'soft'" -- rebound --yield-rate soft
+refuses 2 "spin" "'maybe'" "off on" -- rebound rebound bons spin maybe
+refuses 2 "gas_density" -- rebound deposit freeze remove u_tau 2
+refuses 2 "gas_density is 0" -- rebound deposit freeze remove u_tau 2 gas_density 0
+refuses 2 "c is missing" -- rebound rebound bons contact_area 0.2 0.1
+refuses 2 "c is 11" "0 to 10" -- rebound rebound bons contact_area 0.2 0.1 11
+refuses 2 "'scatter' is unknown" -- rebound rebound bons scatter 1
+refuses 2 "yield_rate is 'soft'" -- rebound rebound bons yield_rate soft
 refuses 2 "regimes, capture or angles" -- rebound --map all
-refuses 2 "from < to" -- rebound --dp 2um:1um
+refuses 2 "from <= to" -- rebound --dp 2um:1um:0.1um
 refuses 2 "one angle" -- rebound --map capture --angles 10,20
-refuses 2 "one wall" -- rebound --wall ti-6al-4v,hastelloy-x
-refuses 2 "--set" "NAME=VALUE" -- rebound --set a
-refuses 2 "--set" "'gloss'" "yield_rate" -- rebound --set gloss=1
-refuses 2 "--set" "c is 99" "0 to 10" -- rebound --set c=99
+refuses 2 "'surface' has no effect" "smooth" -- rebound surface sigma 3
 
 # table: a user's coefficients
 printf 'alpha1_deg,v1_m_s,cor_n,cor_t\n10,50,0.9,0.8\n80,50,0.3,0.7\n10,150,0.7,0.6\n80,150,0.1,0.5\n' > law.csv
-"$asperity" rebound --map angles --rebound table --table law.csv --angles 45 --speed 100 > a
+"$asperity" rebound rebound table law.csv --map angles --angles 45 --speed 100 > a
 [ "$(column cor_n a),$(column cor_t a)" = 0.5,0.65 ] || die "table: $(cat a)"
-refuses 2 "needs --table" -- rebound --rebound table
-refuses 2 "--rebound is 'bons'" -- rebound --table law.csv
-refuses 1 "--table: " "no.csv" "No such file" -- rebound --rebound table --table no.csv
-refuses 1 "--materials: " "no.csv" "No such file" -- rebound --materials no.csv
+refuses 2 "'rebound table' is missing" -- rebound rebound table
+refuses 2 "'law.csv' is unknown" -- rebound rebound bons law.csv
+refuses 1 "no.csv" "No such file" -- rebound rebound table no.csv
+refuses 1 "materials: " "no.csv" "No such file" -- rebound materials ard hastelloy-x file no.csv
 refuses 1 "--materials: " "no.csv" "No such file" -- materials --materials no.csv
-sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound --rebound table --table gap.csv
-(cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- rebound --rebound table --table twice.csv
+sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound rebound table gap.csv
+(cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- rebound rebound table twice.csv
 
 # Scatter that is counted twice: the means warn, the scatter is refused unless asked for.
-"$asperity" cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --samples 2 -o x 2> err
+"$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff --samples 2 -o x 2> err
 grep -q "warning.*second time" err || die "cor: no warning: $(cat err)"
-refuses 2 "twice" "scatter_twice" -- cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --set scatter=1
-"$asperity" cor --rq 5um --lambda-c 40um --rebound grant_tabakoff --set scatter=1 --scatter-twice --samples 2 -o x 2> err
-"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --samples 2 -o x 2> err
+refuses 2 "twice" "scatter_twice" -- cor surface rq 5um lambda_c 40um rebound grant_tabakoff scatter 1
+"$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff scatter 1 scatter_twice --samples 2 -o x 2> err
+"$asperity" cor rebound grant_tabakoff scatter 1 --samples 2 -o x 2> err
 [ ! -s err ] || die "cor: a warning on a smooth wall: $(cat err)"
 
 # materials: what the command prints can be edited and read again.
@@ -105,16 +93,16 @@ refuses 2 "twice" "scatter_twice" -- cor --rq 5um --lambda-c 40um --rebound gran
 sed -i 's/^quartz,"quartz",7e+10/quartz,"my ""quartz""",5e+10/; s/^al-2024/alu/' mine.csv
 "$asperity" materials --materials mine.csv > all
 [ "$(rows all | grep -c '^quartz,')" = 1 ] && grep -q '^quartz,"my ""quartz""",5e+10' all && grep -q '^alu,' all && grep -q '^al-2024,' all || die "materials: $(cat all)"
-"$asperity" rebound --map capture --dp 10um --materials mine.csv --particle quartz --wall alu > a
-"$asperity" rebound --map capture --dp 10um --particle quartz --wall al-2024 > b
+"$asperity" rebound materials quartz alu file mine.csv --map capture --dp 10um > a
+"$asperity" rebound materials quartz al-2024 --map capture --dp 10um > b
 [ "$(column capture_speed_m_s a)" != "$(column capture_speed_m_s b)" ] || die "materials: own quartz is not taken"
-refuses 2 "'alu'" -- rebound --wall alu
-refuses 2 "yield stress" -- rebound --particle al-2024
+refuses 2 "'alu'" -- rebound materials ard alu
+refuses 2 "yield stress" -- rebound materials al-2024 hastelloy-x
 printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nchalk,soft,0.2,2000\n' > bad.csv
 refuses 2 "bad.csv:2" "'soft'" -- materials --materials bad.csv
 
 # compare: the law's own scatter against the data that it is made of.
-"$asperity" cor --model none --rebound grant_tabakoff --set scatter=1 --dp 100um --samples 300 -o gt.csv
+"$asperity" cor rebound grant_tabakoff scatter 1 --dp 100um --samples 300 -o gt.csv
 "$asperity" compare gt.csv "$data/grant_tabakoff_1975.csv" --plot gt.png > g 2> err
 head -c 4 gt.png | grep -q PNG || die "compare --plot"
 [ "$(rows g | wc -l)" = 35 ] && rows g | tail -n 1 | grep -q ^overall || die "compare: rows"
@@ -152,7 +140,7 @@ grep -q "warning: cor_t: 1 of 2 bins" err || die "compare: empty bins: $(cat err
 printf '\xef\xbb\xbfalpha1_deg\tcor_n\r\n30\t0,5\r\n' > bom.csv; "$asperity" compare gt.csv bom.csv > s || die "compare: byte-order mark"
 printf 'alpha1_deg,cor_n\n0.5,0.9\n1.2,0.6\n' > rad.csv; "$asperity" compare gt.csv rad.csv > s 2> err
 grep -q "look like radians" err || die "compare: radians: $(cat err)"
-"$asperity" cor --rq 5um --lambda-c 40um --yield-rate 3e6 --samples 9 -o rough.csv
+"$asperity" cor surface rq 5um lambda_c 40um rebound bons yield_rate 3e6 --samples 9 -o rough.csv
 "$asperity" compare rough.csv d.csv > s 2> err; grep -q "counted twice" err || die "compare: double counting: $(cat err)"
 refuses 2 "two files" -- compare gt.csv
 refuses 1 "no.csv" -- compare no.csv d.csv
@@ -174,7 +162,7 @@ bad 'alpha1_deg,cor_n\n30,0.5,3\n' bad.csv:2 "3 fields under 2"
 bad '1,2\n3,4\n' bad.csv:1 "'1' stands where a column name"
 # the dialects of other people's tables, each with the same rows; what is stuck is a deposit
 printf 'alpha1_deg,cor_n,cor_t,dp_um,v1_m_s,outcome\n30,0.5,0.7,10,20,rebound\n30,,,10,20,deposit\n60,0.25,0.75,10,20,rebound\n' > plain.csv
-"$asperity" cor --model none --angles 30,60 --speed 20 --samples 3 -o ours.csv
+"$asperity" cor --angles 30,60 --speed 20 --samples 3 -o ours.csv
 "$asperity" compare ours.csv plain.csv 2> err | grep -v '^#' > wanted
 rows=(30 0,5 0,7 10 20 Rebound 30 '' '' 10 20 stuck 60 0,25 0,75 10 20 0)
 dialect() { # LINES ABOVE, format of a row, mark of decimals

@@ -15,26 +15,24 @@ awk 'BEGIN { srand(3); n = 90; for (k = 0; k < 400; k++) { a[k] = sqrt(-2 * log(
       printf "%.7g%s", z, i < n - 1 ? " " : "\n" > "matrix"; printf "%g,%g,%.7g\n", x, y, z > "triples"; printf "%.7g\n", z > "sdf" }
     print "*" > "sdf" }'
 for file in matrix triples sdf; do
-  "$asperity" surface --map $file --dp 2um,20um > $file.out 2> err || die "surface --map $file: $(cat err)"
+  "$asperity" surface surface map $file --dp 2um,20um > $file.out 2> err || die "surface --map $file: $(cat err)"
   cmp <(sed 1,2d $file.out) <(sed 1,2d matrix.out) || die "surface --map $file: other numbers"
 done
 awk -F, '/^[0-9]/ { if (!($3 > 4 && $3 < 6.5 && $4 > 14 && $4 < 28 && $5 > 23 && $5 < 34 && $8 > 3 * $9)) exit 1; if (n++ && !($8 < last)) exit 1; last = $8 }
   END { if (n != 2) exit 1 }' matrix.out || die "surface --map: $(cat matrix.out)"
-"$asperity" surface --map sdf --dp 2um,20um --plot map.svg > plot.out 2> err || die "surface --map --plot: $(cat err)"
+"$asperity" surface surface map sdf --dp 2um,20um --plot map.svg > plot.out 2> err || die "surface --map --plot: $(cat err)"
 cmp <(sed 1,2d plot.out) <(sed 1,2d matrix.out) && grep -q '<svg' map.svg && grep -q 'rms contact slope' map.svg || die "surface --map --plot"
 grep -q '^# ISO 25178-2, unfiltered: S_q .* S_al .* S_tr ' matrix.out || die "surface --map: parameters"
 printf 'DIGITAL SURF' > closed
-got=0; "$asperity" surface --map closed 2> err || got=$?
-[ $got = 1 ] && grep -q Gwyddion err || die "surface --map: a closed format: $(cat err)"
-got=0; "$asperity" surface --map sdf --rq 1um 2> err || got=$?
-[ $got = 2 ] && grep -q -- '--rq is given with --map' err || die "surface --map --rq"
+got=0; "$asperity" surface surface map closed 2> err || got=$?
+[ $got = 2 ] && grep -q Gwyddion err || die "surface --map: a closed format: $(cat err)"
 
 # trade --three-d: a row per model; `visible` is close in both angles, a cut normal law is not.
-"$asperity" trade --three-d --rq 5um --lambda-c 40um --dp 10um --angles 10 --rays 20000 --surfaces 3 --points 512 > rows
+"$asperity" trade surface rq 5um lambda_c 40um --three-d --dp 10um --angles 10 --rays 20000 --surfaces 3 --points 512 > rows
 [ "$(sed -n 2p rows)" = model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,kl_rebound_se,mean_rebound_deg,mean_rebound_reference_deg,mean_rebound_reference_se_deg,kl_lateral,kl_lateral_se,mean_lateral_deg,mean_lateral_reference_deg,sd_lateral_deg,sd_lateral_reference_deg,later_share,later_share_reference ] ||
   die "trade --three-d: columns"
 [ "$(grep -vc '^#' rows)" = $(($("$asperity" spread --list | grep -vc -e '^#' -e '^name' -e '^model') + 1)) ] || die "trade --three-d: rows"
 awk -F, '$1 == "visible" && $5 < 0.01 && $6 > 0 && $6 < 0.005 && $10 < 0.005 && $15 > 5.7 && $15 < 6.5 && $17 > 0.05 && $17 < 0.1 { good++ }
   $1 == "truncated" && $5 > 0.03 { good++ } END { exit good != 2 }' rows || die "trade --three-d: $(cat rows)"
-got=0; "$asperity" trade --three-d --rq 5um --lambda-c 40um --dp 10um --points 500 > out 2> err || got=$?
+got=0; "$asperity" trade surface rq 5um lambda_c 40um --three-d --dp 10um --points 500 > out 2> err || got=$?
 [ $got = 2 ] && grep -q 'a power of two' err || die "trade --three-d --points 500: $(cat err)"

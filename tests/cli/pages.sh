@@ -26,7 +26,7 @@ for page in $pages; do
       options=$((options + 1))
       grep -qxF -- "$option" words || die "$page: asperity $command has no $option"
     done
-  done < <(grep -ohP '\basperity \K(calibrate|compare|cor|doe|fit|materials|rebound|spread|surface|trade) [^`|]*' "$root/$page")
+  done < <(grep -ohP '\basperity \K(calibrate|compare|cor|materials|rebound|spread|surface|trade) [^`|]*' "$root/$page")
 done
 [ "$options" -ge 60 ] || die "only $options options were looked at"
 
@@ -46,8 +46,8 @@ done < <(sed -n 's/^build\/bin\/asperity \([^#]*\).*/\1/p' "$root/README.md")
 [ "$written" != ' ' ] || die "README: no command"
 
 python3 -c 'import numpy, pandas' 2> /dev/null || { echo "no pandas: the lines of Python are not run"; exit 0; }
-"$asperity" surface --rq 5um --lambda-c 40um --points 8192 -o cor.csv
-"$asperity" cor --sigma 10 --angles 20 --samples 3 --columns ledger -o impacts.csv
+"$asperity" surface surface rq 5um lambda_c 40um --points 8192 -o cor.csv
+"$asperity" cor surface sigma 10 --angles 20 --samples 3 --columns ledger -o impacts.csv
 for step in 1 2; do printf 'ITEM: TIMESTEP\n\n\n\n\n\n\n\nITEM: ENTRIES \n1 1 20 0.5 \n2 1 30 0.5 \n'; done | split -l 11 -d - rows. --additional-suffix .txt
 { printf 'import glob, numpy, pandas\nnumpy.save("impacts.npy", numpy.genfromtxt("impacts.csv", delimiter=",", names=True, skip_header=1))\n'
   for page in README.md src/liggghts/fix_wall_rebound.md src/lammps/fix_wall_rebound.rst; do

@@ -1,24 +1,24 @@
 #!/usr/bin/env bash
-# The commands surface and doe: columns, measured profiles, seeds, threads, messages, files, pictures.
+# The command surface: columns, measured profiles, seeds, threads, messages, files, pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
-columns=dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,angle_mean_deg,angle_sd_deg,angle_kurtosis,kl_normal
+columns=dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,sigma_deg,angle_mean_deg,angle_sd_deg,angle_kurtosis,kl_normal
 
 # A generated wall: its columns, its numbers, its seed.
-"$asperity" surface --rq 5um --lambda-c 40um --dp 10um,55um,400um --save profile.csv -o a
+"$asperity" surface surface rq 5um lambda_c 40um --dp 10um,55um,400um --save profile.csv -o a
 grep -v '^#' a | head -n 1 | grep -qx "$columns" || die "surface: columns"
 rows a | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.03 || d < -0.03 }
-  off($6, $1 < 100 ? 0.1768 : 0.1290) || off($8, $1 < 100 ? 9.835 : 7.29) || off($4, 0.125) { exit 1 }
-  $10 < 0 || $10 > 0.01 || $7 > 0.1 || $7 < -0.1 { exit 1 } END { exit NR != 3 }' || die "surface: numbers: $(cat a)"
-"$asperity" surface --rq 5um --lambda-c 40um --dp 10um,55um,400um > b
+  off($6, $1 < 100 ? 0.1768 : 0.1290) || off($7, $1 < 100 ? 10.03 : 7.35) || off($9, $1 < 100 ? 9.835 : 7.29) || off($4, 0.125) { exit 1 }
+  $11 < 0 || $11 > 0.01 || $8 > 0.1 || $8 < -0.1 { exit 1 } END { exit NR != 3 }' || die "surface: numbers: $(cat a)"
+"$asperity" surface surface rq 5um lambda_c 40um --dp 10um,55um,400um > b
 cmp <(rows a) <(rows b) || die "surface: the same seed, other numbers"
-"$asperity" surface --rq 5um --lambda-c 40um --dp 10um,55um,400um --seed 2 > b
+"$asperity" surface surface rq 5um lambda_c 40um seed 2 --dp 10um,55um,400um > b
 cmp -s <(rows a) <(rows b) && die "surface: another seed, the same numbers"
 
 # What was saved reads back as the same wall, and the generated one is another profile with the same angles.
-"$asperity" surface --profile profile.csv --dp 10um,55um > m
+"$asperity" surface surface profile profile.csv --dp 10um,55um > m
 rows m | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.03 || d < -0.03 }
-  off($2, 5) || off($3, 40) || off($8, 9.835) { exit 1 } END { exit NR != 2 }' || die "surface --profile: $(cat m)"
+  off($2, 5) || off($3, 40) || off($9, 9.835) { exit 1 } END { exit NR != 2 }' || die "surface --profile: $(cat m)"
 grep -q '^# profile profile.csv: 524288 points read, 0 bad' m || die "surface --profile: the file is not described"
 awk '/D_KL\(measured/ { n++; if (!($NF > 1e-5 && $NF < 0.02)) exit 1 } END { exit n != 2 }' m || die "surface --profile: D_KL: $(cat m)"
 
@@ -26,106 +26,114 @@ awk '/D_KL\(measured/ { n++; if (!($NF > 1e-5 && $NF < 0.02)) exit 1 } END { exi
 awk 'BEGIN { srand(1); for (i = 0; i < 3000; i++) { z = z * 0.95 + rand() - 0.5
   if (i >= 500 && i < 504) continue
   printf "%.1f;%s\n", i * 0.5, i == 900 ? "nan" : i == 1500 ? 80 : z + i * 0.02 + 1e-6 * i * i } }' > raw.txt
-refuses 1 raw.txt:1 'no unit of length is stated' -- surface --profile raw.txt
-refuses 1 raw.txt: 'bad or missing points' -- surface --profile raw.txt --unit um
-"$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --form 2 --dp 20um > m
+refuses 2 raw.txt:1 'no unit of length is stated' -- surface surface profile raw.txt
+refuses 2 raw.txt: 'bad or missing points' -- surface surface profile raw.txt --unit um
+"$asperity" surface surface profile raw.txt --unit um --gaps fill --spikes 20 --form 2 --dp 20um > m
 grep -q '1 bad, 1 spikes, 6 points filled in (longest gap 4)' m || die "gaps: $(cat m)"
 grep -q 'polynomial of degree 2' m || die "form"
-"$asperity" surface --profile raw.txt --unit um,nm --gaps fill --dp 20um | grep -q 'phi_r 0.00' || die "--unit um,nm"
-refuses 1 'the spacing is not equal' -- surface --profile raw.txt --unit um --gaps fill --spacing refuse
+"$asperity" surface surface profile raw.txt --unit um,nm --gaps fill --dp 20um | grep -q 'phi_r 0.00' || die "--unit um,nm"
+refuses 2 'the spacing is not equal' -- surface surface profile raw.txt --unit um --gaps fill --read 'spacing refuse'
 # dust that nobody asks for is told of
-"$asperity" surface --profile raw.txt --unit um --gaps fill --dp 20um 2>&1 > /dev/null | grep -q 'warning: raw.txt: 1 of 2995 points .* --spikes 12' || die "dust is not told"
-! "$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --dp 20um 2>&1 > /dev/null | grep -q 'as dust does' || die "dust that was taken out is told"
-"$asperity" surface --profile raw.txt --unit um --gaps fill --spikes 20 --level 0.2 | grep -q 'lambda_c (0.2 lag)' || die "--level"
+"$asperity" surface surface profile raw.txt --unit um --gaps fill --dp 20um 2>&1 > /dev/null | grep -q 'warning: raw.txt: 1 of 2995 points .* --spikes 12' || die "dust is not told"
+! "$asperity" surface surface profile raw.txt --unit um --gaps fill --spikes 20 --dp 20um 2>&1 > /dev/null | grep -q 'as dust does' || die "dust that was taken out is told"
+"$asperity" surface surface profile raw.txt --unit um --gaps fill --spikes 20 --level 0.2 | grep -q 'lambda_c (0.2 lag)' || die "--level"
 printf 'aISO-1.0\nNumPoints = 200\nNumProfiles = 40\nXscale = 1e-6\nYscale = 2e-6\nZscale = 1e-6\n*\n' > map.sdf
 awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0.4) + cos(int(i / 200) * 0.4) + 0.1 * rand() } }' >> map.sdf
-"$asperity" surface --profile map.sdf --row 7 --dp 4um 2>&1 | grep -q '200 points; ' || die "--row"
-"$asperity" surface --profile map.sdf --column 7 --dp 4um 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
+"$asperity" surface surface profile map.sdf --dp 4um --read 'row 7' 2>&1 | grep -q '200 points; ' || die "--row"
+"$asperity" surface surface profile map.sdf --dp 4um --read 'column 7' 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
 head -c 40 map.sdf > cut.sdf
-refuses 1 cut.sdf:3 'within the SDF header' -- surface --profile cut.sdf
+refuses 2 cut.sdf:3 'within the SDF header' -- surface surface profile cut.sdf
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 400; i++) print i "," sin(i / 8) }'; } > short.csv
-"$asperity" surface --profile short.csv > /dev/null 2> err
+"$asperity" surface surface profile short.csv > /dev/null 2> err
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 400; i++) print i "," sin(i / 30) }'; } > short.csv
-"$asperity" surface --profile short.csv > m 2> err
+"$asperity" surface surface profile short.csv > m 2> err
 grep -q 'short.csv: .*only .* correlation lengths long' err || die "a short profile is not said"
 # every command that reads a wall says what is doubtful about it, of profiles and of maps
 head -n 6000 profile.csv > some.csv
 awk 'NR == 3000 { sub(/,.*/, ",30") } 1' some.csv > dusty.csv
-for command in "cor --samples 2" "spread --angle 20 --samples 2"; do
-  "$asperity" $command --profile dusty.csv --dp 2um 2>&1 > /dev/null | grep 'as dust does' | grep -q 'dusty.csv: ' || die "$command: dust is not told"
-  "$asperity" $command --profile some.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers .* points' || die "$command: few points are not told"
+for command in "cor surface" "spread surface"; do
+  "$asperity" $command profile dusty.csv --samples 2 --dp 2um 2>&1 > /dev/null | grep 'as dust does' | grep -q 'dusty.csv: ' || die "$command: dust is not told"
+  "$asperity" $command profile some.csv --samples 2 --dp 2um 2>&1 > /dev/null | grep -q 'covers .* points' || die "$command: few points are not told"
 done
 
 # Filters: a wave of 800 um and one of 8 um; half of a wave passes at the cut-off. The robust filter is not drawn by a
 # deep valley.
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 16000; i++) { x = 0.5 * i; printf "%.1f,%.6f\n", x, sin(x * 6.2831853 / 800) + 0.1 * sin(x * 6.2831853 / 8) } }'; } > waves.csv
-rq_of() { "$asperity" surface --profile waves.csv --dp 20um "$@" 2> err | grep '^# length' | sed 's/.*R_q \([0-9.e-]*\) um.*/\1/'; }
+rq_of() { "$asperity" surface surface profile waves.csv --dp 20um ${1:+--filter "$1"} 2> err | grep '^# length' | sed 's/.*R_q \([0-9.e-]*\) um.*/\1/'; }
 near() { awk -v a="$1" -v b="$2" -v part="$3" 'BEGIN { exit !(a > b * (1 - part) && a < b * (1 + part)) }' || die "$4: $1, not $2"; }
 near "$(rq_of)" 0.7106 0.01 "no filter"
-near "$(rq_of --cutoff 80um)" 0.0707 0.02 "--cutoff 80um leaves the short wave"
-near "$(rq_of --cutoff 800um)" 0.361 0.03 "--cutoff 800um leaves half of the long one"
-near "$(rq_of --lambda-s 80um)" 0.702 0.01 "--lambda-s 80um leaves the long wave"
-near "$(rq_of --lambda-s 8um --cutoff 80um)" 0.0354 0.03 "--lambda-s 8um leaves half of the short one"
+near "$(rq_of "cutoff 80um")" 0.0707 0.02 "--cutoff 80um leaves the short wave"
+near "$(rq_of "cutoff 800um")" 0.361 0.03 "--cutoff 800um leaves half of the long one"
+near "$(rq_of "lambda_s 80um")" 0.702 0.01 "--lambda-s 80um leaves the long wave"
+near "$(rq_of "lambda_s 8um cutoff 80um")" 0.0354 0.03 "--lambda-s 8um leaves half of the short one"
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 16000; i++) { x = 0.5 * i; v = x > 4000 && x < 4060 ? -20 : 0; printf "%.1f,%.6f\n", x, v + 0.5 * sin(x * 6.2831853 / 20) } }'; } > valley.csv
-left() { "$asperity" surface --profile valley.csv --form none --cutoff 400um "$@" --dp 20um --save left.csv > /dev/null 2>&1; awk -F, '$1 > 3900 && $1 < 3980 { s += $2; n++ } END { print s / n }' left.csv; }
-awk -v a="$(left)" -v b="$(left --robust)" 'BEGIN { exit !(a > 1 && b < 0.2 && b > -0.2) }' || die "the robust filter: beside a valley $(left), robust $(left --robust)"
+left() { "$asperity" surface surface profile valley.csv --form none --dp 20um --save left.csv --filter "cutoff 400um $*" > /dev/null 2>&1; awk -F, '$1 > 3900 && $1 < 3980 { s += $2; n++ } END { print s / n }' left.csv; }
+awk -v a="$(left)" -v b="$(left robust)" 'BEGIN { exit !(a > 1 && b < 0.2 && b > -0.2) }' || die "the robust filter: beside a valley $(left), robust $(left robust)"
 # A tip of 50 um leaves the closing's arcs; erosion gives back what it could reach.
-"$asperity" surface --profile waves.csv --tip 50um --dp 20um 2> err | grep -q ', tip 5e-05 m' || die "--tip is not told"
+"$asperity" surface surface profile waves.csv --dp 20um --filter 'tip 50um' 2> err | grep -q ', tip 5e-05 m' || die "--tip is not told"
 
 # What cannot be roughness.
 { echo x_um,z_um; awk 'BEGIN { srand(3); for (i = 0; i < 4000; i++) print i "," rand() }'; } > noise.csv
-refuses 1 noise.csv 'spacings of the points' --lambda-s -- surface --profile noise.csv --dp 20um
-"$asperity" surface --profile noise.csv --lambda-s 20um --dp 20um > /dev/null 2> err || die "noise filtered: $(cat err)"
+refuses 2 noise.csv 'spacings of the points' --filter -- surface surface profile noise.csv --dp 20um
+"$asperity" surface surface profile noise.csv --dp 20um --filter 'lambda_s 20um' > /dev/null 2> err || die "noise filtered: $(cat err)"
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 4000; i++) print i * 0.001 "," 10 * sin(i * 0.01) }'; } > steep.csv
-refuses 1 steep.csv 'phi_r' --unit -- surface --profile steep.csv --dp 0.1um
-"$asperity" surface --profile waves.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers 4 points' || die "few points per particle"
+refuses 2 steep.csv 'phi_r' --unit -- surface surface profile steep.csv --dp 0.1um
+"$asperity" surface surface profile waves.csv --dp 2um 2>&1 > /dev/null | grep -q 'covers 4 points' || die "few points per particle"
 
-refuses 1 map.sdf 'step is given' SDF -- surface --map map.sdf --step 1um
-refuses 1 map.sdf 'unit is given' SDF -- surface --profile map.sdf --unit um
-refuses 1 'row 2 is asked for' -- surface --profile waves.csv --row 2
-refuses 1 --dp "the map's points" -- surface --map map.sdf --dp 1um
-"$asperity" surface --map map.sdf --dp 12um 2> err > /dev/null
+refuses 2 map.sdf 'step is given' SDF -- surface surface map map.sdf --read 'step 1um'
+refuses 2 map.sdf 'unit is given' SDF -- surface surface profile map.sdf --unit um
+refuses 2 'row 2 is asked for' -- surface surface profile waves.csv --read 'row 2'
+refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
+"$asperity" surface surface map map.sdf --dp 12um 2> err > /dev/null
 grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"
 
 # Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
-refuses 2 --gaps 'of which it says nothing' -- surface --rq 5um --lambda-c 40um --gaps fill
-refuses 2 --points --profile -- surface --profile waves.csv --points 8192
-refuses 2 --robust --cutoff -- surface --profile waves.csv --robust
-refuses 2 --rq "'5'" 'without a unit' -- surface --rq 5 --lambda-c 40um
+refuses 2 --gaps 'of which it says nothing' -- surface surface rq 5um lambda_c 40um --gaps fill
+refuses 2 --points "'surface profile'" -- surface surface profile waves.csv --points 8192
+refuses 2 'robust goes with cutoff' -- surface surface profile waves.csv --filter 'robust'
+refuses 2 "rq is '5'" 'without a unit' -- surface surface rq 5 lambda_c 40um
 
-# The design of experiments, on any number of threads.
-"$asperity" doe --rq 2um,25um --lambda-c 40um,400um --dp 40um,200um --points 131072 --plot doe.svg -o d 2> err
-OMP_NUM_THREADS=1 "$asperity" doe --rq 2um,25um --lambda-c 40um,400um --dp 40um,200um --points 131072 > e
-cmp <(rows d) <(rows e) || die "doe: depends on threads"
-grep -v '^#' d | head -n 1 | grep -qx "$columns,slope_closed_form,slope_law" || die "doe: columns"
-[ "$(rows d | wc -l)" = 8 ] || die "doe: rows"
-grep -q 'paper.*0.0251' d || die "doe: the paper's median"
-rows d | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.08 || d < -0.08 } off($6, $12) { exit 1 }' || die "doe: the size law is off"
-"$asperity" doe --rq 50um --lambda-c 40um --dp 10um --points 16384 | tail -n 1 | grep -q ',$' || die "doe: a law beyond the table"
+# Lists of walls: a row per wall and diameter, the seed of each one more than that before.
+"$asperity" surface surface rq 2um,5um lambda_c 40um:80um:40um seed 4 --dp 10um,50um --points 8192 > many
+[ "$(rows many | cut -d, -f1-3 | paste -sd' ')" = "10,2,40 50,2,40 10,2,80 50,2,80 10,5,40 50,5,40 10,5,80 50,5,80" ] || die "lists of walls: $(cat many)"
+"$asperity" surface surface rq 5um lambda_c 80um seed 7 --dp 10um,50um --points 8192 > one
+cmp <(rows many | tail -n 2) <(rows one) || die "a list of walls and one of them"
+refuses 2 '--plot is given' 'it takes one' -- surface surface rq 2um,5um lambda_c 40um --plot m.svg
+"$asperity" surface surface rq 5um lambda_c 40um --points 8192 --plot look.svg --title Mine --range 0:7 -o /dev/null 2> err
+grep -q Mine look.svg && grep -q '> *7<' look.svg || die "surface --title, --range"
+
+# The same on any number of threads, and the slope by the size law, s = sqrt(2) phi_r (1 + 0.92 kappa^3)^(-1/6).
+grid=(surface surface rq 2um,10um lambda_c 40um,400um --dp 40um,200um --points 131072)
+"$asperity" "${grid[@]}" > d
+OMP_NUM_THREADS=1 "$asperity" "${grid[@]}" > e
+cmp <(rows d) <(rows e) || die "surface: depends on threads"
+rows d | awk -F, '{ d = $6 / (sqrt(2) * $4 * (1 + 0.92 * $5 ^ 3) ^ (-1 / 6)) - 1; if (d > 0.08 || d < -0.08) bad = 1 } END { exit bad || NR != 8 }' || die "surface: the size law is off: $(cat d)"
 
 # Pictures.
-"$asperity" surface --profile profile.csv --dp 55um --plot s.png -o /dev/null 2> err
+"$asperity" surface surface profile profile.csv --dp 55um --plot s.png -o /dev/null 2> err
 head -c 8 s.png | grep -q PNG && [ "$(wc -c < s.png)" -gt 10000 ] || die "surface --plot"
-for figure in 'fig. 10' 'fig. 11' 'fig. 12'; do grep -q "$figure" doe.svg || die "doe --plot: $figure"; done
 
 # Bad usage.
-refuses 2 --lambda-c missing -- surface --rq 5um
-refuses 2 --rq -5um '> 0' -- surface --rq -5um --lambda-c 40um
-refuses 2 --dp -10um '> 0' -- surface --rq 5um --lambda-c 40um --dp -10um
-refuses 2 --rq --profile -- surface --rq 5um --profile profile.csv
-refuses 2 --gaps bend refuse fill -- surface --profile profile.csv --gaps bend
-refuses 2 --level 0.5 1/e -- surface --profile profile.csv --level 0.5
-refuses 2 --form 12 '0 to 9' -- surface --profile profile.csv --form 12
-refuses 2 --unit furlong nm -- surface --profile profile.csv --unit furlong
-refuses 2 --points 100 4096 -- doe --points 100
-refuses 2 --dp 'reaches to' -- cor --rq 20um --lambda-c 40um --dp 2mm --model truncated
-"$asperity" spread --rq 20um --lambda-c 40um --dp 2mm --angle 20 -o x 2> err && die "spread beyond the table"
+refuses 2 "'lambda_c L' is expected" -- surface surface rq 5um
+refuses 2 "surface is 'smooth'" -- surface
+refuses 2 "surface is 'sigma'" -- surface surface sigma 10
+refuses 2 "'friction' has no effect" -- surface surface rq 5um lambda_c 40um friction 0.3
+refuses 2 "'bend' is unknown" x_column -- surface surface profile profile.csv --read 'bend 3'
+refuses 2 'rq is -5e-06' '> 0' -- surface surface rq -5um lambda_c 40um
+refuses 2 --dp '-1e-05' -- surface surface rq 5um lambda_c 40um --dp -10um
+refuses 2 --gaps bend refuse fill -- surface surface profile profile.csv --gaps bend
+refuses 2 --level 0.5 1/e -- surface surface profile profile.csv --level 0.5
+refuses 2 --form 12 '0 to 9' -- surface surface profile profile.csv --form 12
+refuses 2 --unit furlong nm -- surface surface profile profile.csv --unit furlong
+refuses 2 --points 100 4096 -- surface surface rq 5um lambda_c 40um --points 100
+refuses 2 --dp 'reaches to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
+"$asperity" spread surface rq 20um lambda_c 40um --dp 2mm --angles 20 -o x 2> err && die "spread beyond the table"
 grep -q -- '--dp: .* reaches to' err || die "spread beyond the table: $(cat err)"
-refuses 2 phi_r 'reaches to 1' -- cor --rq 50um --lambda-c 40um --model truncated
-refuses 2 --rq furlong nm -- doe --rq 2furlong
-refuses 1 --dp 0.1um 0.3125um -- surface --profile profile.csv --dp 0.1um
-refuses 1 d_p "profile's length" -- surface --profile profile.csv --dp 1m
-refuses 1 nowhere.csv 'No such file' -- surface --profile nowhere.csv
+refuses 2 phi_r 'reaches to 1' -- cor surface rq 50um lambda_c 40um spread truncated
+refuses 2 rq furlong nm -- surface surface rq 2furlong lambda_c 40um
+refuses 2 --dp 0.1um 0.3125um -- surface surface profile profile.csv --dp 0.1um
+refuses 2 d_p "profile's length" -- surface surface profile profile.csv --dp 1m
+refuses 1 nowhere.csv 'No such file' -- surface surface profile nowhere.csv
 : > empty.csv
-refuses 1 empty.csv:1 'is empty' -- surface --profile empty.csv
+refuses 2 empty.csv:1 'is empty' -- surface surface profile empty.csv
 [ -z "$(ls ./*.partial 2> /dev/null)" ] || die "a partial file is left"

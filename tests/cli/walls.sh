@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A wall is given the same way to every command: --sigma, --rq with --lambda-c and --lay, --profile, --map with --lay.
+# A wall is described in the same words to every command: sigma, rq with lambda_c and lay, profile, map with lay.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 
 # A profile with flat peaks and deep valleys, 1000 lambda_c long; the beginning of it; a map made of waves.
-"$asperity" surface --rq 5um --lambda-c 40um --dp 10um --points 131072 --save gauss > /dev/null
+"$asperity" surface surface rq 5um lambda_c 40um --dp 10um --points 131072 --save gauss > /dev/null
 awk -F, 'NR > 2 && NR % 4 == 0 { if (!n++) print "x_um,z_um"; printf "%.9g,%.7g\n", $1, -6.5 * log(1 + exp(0.6 - 1.4 * $2 / 5)) }' gauss > plateau
 head -n 1921 plateau > short
 waves() { # STRETCH along y, FACTOR of the heights of the right half
@@ -20,70 +20,69 @@ waves 3 1 > laid
 waves 1 0.3 > uneven
 
 # The mean tilt of the first hits by every way to give the wall: slope sqrt(2) rq / lambda_c, small particles.
-mean() { "$asperity" spread "$@" --angle 20 --summary --samples 20000 | awk -F, 'END { print $3 }'; }
+mean() { "$asperity" spread "$@" --angles 20 --summary --samples 20000 | awk -F, 'END { print $3 }'; }
 near() { awk -v a="$2" -v b="$3" -v d="$4" 'BEGIN { exit !(a - b < d && b - a < d) }' || die "$1: $2, not $3"; }
 sigma=$(awk 'BEGIN { print atan2(sqrt(2) * 5 / 40, 1) * 57.29577951 }')
-near "--rq" "$(mean --rq 5um --lambda-c 40um --dp 10nm)" "$(mean --sigma "$sigma")" 0.01
-near "--sigma of a model that looks at a profile" "$(mean --sigma "$sigma" --model traced)" "$(mean --sigma "$sigma")" 0.3
-near "--profile" "$(mean --profile gauss --dp 5um)" "$(mean --rq 5um --lambda-c 40um --dp 5um)" 0.4
-near "--profile, its own law" "$(mean --profile plateau --dp 5um)" "$(mean --profile plateau --dp 5um --model traced)" 0.15
-near "--lay" "$(mean --rq 5um --lambda-c 40um,120um --lay 0 --dp 10nm)" "$(mean --rq 5um --lambda-c 120um --dp 10nm)" 0.01
-numbers=$("$asperity" surface --map map --dp 5um | awk -F, 'END { print $2 "um --lambda-c " $3 "um" }')
-near "--map" "$(mean --map map --dp 5um)" "$(mean --rq $numbers --dp 5um)" 0.8
+near "--rq" "$(mean surface rq 5um lambda_c 40um --dp 10nm)" "$(mean surface sigma "$sigma")" 0.01
+near "--sigma of a model that looks at a profile" "$(mean surface sigma "$sigma" spread traced)" "$(mean surface sigma "$sigma")" 0.3
+near "--profile" "$(mean surface profile gauss --dp 5um)" "$(mean surface rq 5um lambda_c 40um --dp 5um)" 0.4
+near "--profile, its own law" "$(mean surface profile plateau --dp 5um)" "$(mean surface profile plateau spread traced --dp 5um)" 0.15
+near "--lay" "$(mean surface rq 5um lambda_c 40um 120um lay 0 --dp 10nm)" "$(mean surface rq 5um lambda_c 120um --dp 10nm)" 0.01
+numbers=$("$asperity" surface surface map map --dp 5um | awk -F, 'END { print $2 "um lambda_c " $3 "um" }')
+near "--map" "$(mean surface map map --dp 5um)" "$(mean surface rq $numbers --dp 5um)" 0.8
 
-across=$(mean --map laid --dp 5um --lay 90) along=$(mean --map laid --dp 5um --lay 0)
+across=$(mean surface map laid lay 90 --dp 5um) along=$(mean surface map laid lay 0 --dp 5um)
 steeper() { awk -v a="$2" -v b="$3" 'BEGIN { exit !(a > 2 * b && b > 0.2) }' || die "$1: across the lay $2, along it $3"; }
 steeper "--map --lay" "$across" "$along"
-impacts() { "$asperity" cor --map laid --lay "$1" --dp 5um --angles 20 --samples 4000 | column delta_alpha_deg /dev/stdin | awk '{ sum += $1 } END { print sum / NR }'; }
+impacts() { "$asperity" cor surface map laid lay "$1" --dp 5um --angles 20 --samples 4000 | column delta_alpha_deg /dev/stdin | awk '{ sum += $1 } END { print sum / NR }'; }
 steeper "cor --map --lay" "$(impacts 90)" "$(impacts 0)"
 
 # What `surface` has mended can be given to the others.
-"$asperity" surface --map map --dp 5um --form 2 --save mended > /dev/null
-"$asperity" surface --map mended --dp 5um --form none > again
-[ "$(tail -n 1 again)" = "$("$asperity" surface --map map --dp 5um --form 2 | tail -n 1)" ] || die "surface --map --save: $(cat again)"
+"$asperity" surface surface map map --dp 5um --form 2 --save mended > /dev/null
+"$asperity" surface surface map mended --dp 5um --form none > again
+[ "$(tail -n 1 again)" = "$("$asperity" surface surface map map --dp 5um --form 2 | tail -n 1)" ] || die "surface --map --save: $(cat again)"
 
 # trade by a profile: the plateau's own law is close, that of a Gaussian wall with its numbers is not. No part of the
 # profile judges what it made: a short one says too little of its other half, and that is seen.
-"$asperity" trade --profile plateau --dp 5um --angles 10 --rays 100000 > long 2> err || die "trade --profile: $(cat err)"
+"$asperity" trade surface profile plateau --dp 5um --angles 10 --rays 100000 > long 2> err || die "trade --profile: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.01 && $6 > 0 { good++ } $1 == "visible" && $5 > 0.03 { good++ } END { exit good != 2 }' long || die "trade --profile: $(cat long)"
-"$asperity" trade --profile short --dp 5um --angles 2,20 --rays 20000 > rows 2> err
+"$asperity" trade surface profile short --dp 5um --angles 2,20 --rays 20000 > rows 2> err
 grep -q 'warning: --angles: those under .* degrees are left out' err && ! grep -q '^[a-z]*,2,' rows || die "angles that a short profile cannot judge: $(cat err)"
 awk -F, '$1 == "profile" && $5 > 0.02 && $6 > 0.002 { good++ } END { exit good != 1 }' rows || die "trade by a short profile: $(cat rows)"
-"$asperity" trade --sigma 10 --angles 20 --rays 20000 --profiles 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
+"$asperity" trade surface sigma 10 --angles 20 --rays 20000 --profiles 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
 
 # trade by a map: in three dimensions.
-"$asperity" trade --map map --dp 5um --angles 20 --rays 20000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
+"$asperity" trade surface map map --dp 5um --angles 20 --rays 20000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.05 && $10 < 0.05 && $14 > 5 && $14 / $15 > 0.85 && $14 / $15 < 1.15 { good++ } $1 == "none" && $5 > 1 { good++ } END { exit good != 2 }' rows || die "trade --map: $(cat rows)"
 grep -q '20°' map.svg || die "trade --map --plot"
 
-"$asperity" trade --map uneven --dp 5um --angles 20 --rays 4000 2> err | awk -F, '$1 == "profile" { exit !($5 > 0.3) }' || die "a half of a map judges what it made"
+"$asperity" trade surface map uneven --dp 5um --angles 20 --rays 4000 2> err | awk -F, '$1 == "profile" { exit !($5 > 0.3) }' || die "a half of a map judges what it made"
 
 # calibrate finds the friction that cor had, on the same wall.
-for wall in "--sigma 8" "--rq 5um --lambda-c 40um,90um --lay 20" "--profile plateau" "--map map"; do
-  "$asperity" cor $wall --dp 5um --mu 0.17 --adhesion off --angles 30,60 --samples 300 -o data || die "cor $wall"
-  "$asperity" calibrate data $wall --dp 5um --adhesion off --fit friction --samples 1000 > fit || die "calibrate $wall"
-  awk -F, -v wall="$wall" '$1 == "friction" { exit !(($2 - 0.17) ^ 2 < (4 * $3) ^ 2 && $3 < 0.02) }' fit || die "calibrate $wall: $(cat fit)"
+for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map map"; do
+  "$asperity" cor surface $wall friction 0.17 deposit off --dp 5um --angles 30,60 --samples 300 -o data || die "cor surface $wall"
+  "$asperity" calibrate data surface $wall friction fit deposit off --dp 5um --samples 1000 > fit || die "calibrate surface $wall"
+  awk -F, -v wall="$wall" '$1 == "friction" { exit !(($2 - 0.17) ^ 2 < (4 * $3) ^ 2 && $3 < 0.02) }' fit || die "calibrate surface $wall: $(cat fit)"
 done
-grep -q '# script: .* surface map map spread profile ' fit || die "calibrate --map: the script's line: $(cat fit)"
-refuses 2 "'rq' is given by the measured wall" -- calibrate data --map map --fit rq
+grep -q '# description, .* surface map map spread profile ' fit || die "calibrate surface map: the description: $(cat fit)"
 
 echo 'alpha1_deg,cor_n,cor_t' > data; echo '30,0.5,0.6' >> data
-for command in cor spread trade "calibrate data --fit friction"; do
-  for both in "--sigma 3 --rq 1um --lambda-c 9um" "--profile plateau --map map" "--sigma 3 --map map" "--sigma 3 --lay 4"; do
-    refuses 2 'a wall is given by one of' -- $command --dp 5um $both
-  done
-  refuses 1 "cannot open 'nowhere'" -- $command --dp 5um --profile nowhere
+for both in "sigma 3 rq 1um" "profile plateau map map"; do
+  for command in cor spread trade; do refuses 2 'is unknown' -- $command surface $both --dp 5um; done
 done
-for command in cor spread trade; do refuses 2 '--lambda-c' -- $command --dp 5um --rq 5um; refuses 2 '--profile or --map' -- $command; done
-refuses 2 'has no density on a map' -- spread --map map --dp 5um --pdf
-refuses 2 'judged with --three-d' -- trade --rq 5um --lambda-c 40um,80um --dp 5um
-refuses 2 '--three-d is given with --profile' -- trade --three-d --profile plateau --dp 5um
-refuses 2 'flies in all directions' -- trade --map map --lay 3 --dp 5um
-refuses 2 '--profiles is given with --map' -- trade --map map --dp 5um --profiles 8
-refuses 2 '--points is given with --map' -- trade --map map --dp 5um --points 512
-refuses 2 '--surfaces is given without --three-d' -- trade --rq 5um --lambda-c 40um --dp 5um --surfaces 5
-refuses 2 'it must be even' -- trade --profile plateau --dp 5um --profiles 5
-refuses 2 'the least that pieces of this wall can judge' -- trade --profile short --dp 5um --angles 1,2
-refuses 2 '--pdf is given with --summary' -- spread --sigma 3 --pdf --summary
-refuses 2 "--samples is '1.5'" -- spread --sigma 3 --samples 1.5
+for command in cor spread trade; do
+  refuses 1 "'nowhere'" 'No such file' -- $command surface profile nowhere --dp 5um
+  refuses 2 "'lambda_c L' is expected" -- $command surface rq 5um --dp 5um
+done
+refuses 2 "'surface' is missing" -- trade --dp 5um
+refuses 2 'has no density on a map' -- spread surface map map --dp 5um --pdf
+refuses 2 'judged with --three-d' -- trade surface rq 5um lambda_c 40um 80um lay 90 --dp 5um
+refuses 2 "--three-d is given with 'surface profile'" -- trade surface profile plateau --three-d --dp 5um
+refuses 2 "--profiles is given with 'surface map'" -- trade surface map map --dp 5um --profiles 8
+refuses 2 "--points is given with 'surface map'" -- trade surface map map --dp 5um --points 512
+refuses 2 '--surfaces is given without --three-d' -- trade surface rq 5um lambda_c 40um --dp 5um --surfaces 5
+refuses 2 'it must be even' -- trade surface profile plateau --dp 5um --profiles 5
+refuses 2 'the least that pieces of this wall can judge' -- trade surface profile short --dp 5um --angles 1,2
+refuses 2 '--pdf is given with --summary' -- spread surface sigma 3 --pdf --summary
+refuses 2 "--samples is '1.5'" -- spread surface sigma 3 --samples 1.5
 exit 0

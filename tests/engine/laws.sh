@@ -24,7 +24,7 @@ grains 60 > grains.data
 deck grains.data 'surface smooth' 1e-8 400 > run.in
 engine 2 run.in
 rows out.csv | while IFS=, read -r -a f; do
-  "$bin/asperity" cor --model none --dp "${f[8]}" --speed "${f[9]}" --angles "${f[10]}" --samples 1 | tail -n 1
+  "$bin/asperity" cor --dp "${f[8]}" --speed "${f[9]}" --angles "${f[10]}" --samples 1 | tail -n 1
 done | awk -F, '{ print $8 "," ($10 == "deposit" ? 0 : $9) "," ($10 == "deposit") }' > command.csv
 rows out.csv | awk -F, '{ print $17 "," $18 "," ($19 == 1) }' > ledger.csv
 near ledger.csv command.csv "1 2 3" 2e-5

@@ -3,7 +3,7 @@
 # the impacts are the same on 1 and 2 ranks, in all units, and after a restart; bad files are refused.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
-"$bin/asperity" surface --rq 8um --lambda-c 25um --seed 3 --points 20000 --save wall.csv > made.csv
+"$bin/asperity" surface surface rq 8um lambda_c 25um seed 3 --points 20000 --save wall.csv > made.csv
 deck() { # units, length, time, pressure, energy per area, surface, runs
   head_of "$1"
   echo "read_data $1.data
@@ -50,7 +50,7 @@ warns 'profile coarse.csv dp_bins 2' 'profile coarse.csv: a particle of d_p .* c
 warns 'map map.txt' 'map map.txt: .* of 10000 points .* as dust does'
 warns 'map map.txt' 'map map.txt: a particle of d_p .* covers .* points'
 while read -r d_p sigma; do
-  "$bin/asperity" surface --profile wall.csv --dp "$d_p" | tail -n 1 |
+  "$bin/asperity" surface surface profile wall.csv --dp "$d_p" | tail -n 1 |
     awk -F, -v sigma="$sigma" '{ s = atan2($6, 1) * 180 / 3.14159265358979; d = s / sigma - 1; exit !(d < 2e-3 && d > -2e-3) }' ||
     die "sigma of d_p $d_p is $sigma in the log"
 done < bins
@@ -92,7 +92,7 @@ refused 'rq 1e-4 lambda_c 4e-5' "phi_r"
 
 # The table of each size is its own: sd of the tilts of small and of large grains, and their mean, as the command has
 # them for that size alone. One bin for both is wrong by far.
-classes() { # surface, options of the command
+classes() { # surface
   awk 'BEGIN { n = 1500; print "grains\n\n" 2 * n " atoms\n2 atom types\n\n-1e-3 1.51e-1 xlo xhi\n-1e-3 1e-3 ylo yhi\n-5e-4 1e-3 zlo zhi\n\nAtoms\n"
     for (i = 1; i <= 2 * n; i++) { d = i > n ? 60e-6 : 5e-6; print i, 1, d, 2650, 1e-4 * (i % n), (i > n ? 5e-4 : -5e-4), d / 2 + 5e-6 }
     print "\nVelocities\n"; for (i = 1; i <= 2 * n; i++) print i, 86.60254, 0, -50, 0, 0, 0 }' > si.data
@@ -100,7 +100,7 @@ classes() { # surface, options of the command
   rm -f classes.csv
   engine 1 classes.in -var out classes.csv
   for d_p in 5um 60um; do
-    "$bin/asperity" cor $2 --dp $d_p --angles 30 --samples 1500 --rebound constant --set cor_n=1,cor_t=1 > command.csv
+    "$bin/asperity" cor surface $1 spread profile rebound constant 1 1 --dp $d_p --angles 30 --samples 1500 > command.csv
     { awk -F, 'NR == 1 || /^#/ { next } /delta_alpha/ { for (k = 1; k <= NF; k++) if ($k == "delta_alpha_deg") at = k; next } { print "command", $at }' command.csv
       rows classes.csv | awk -F, -v d="${d_p%um}e-6" '$2 == 1 && $9 > 0.9 * d && $9 < 1.1 * d { print "fix", $12 }'; } |
       awk -v of="$1, $d_p" '{ n[$1]++; s[$1] += $2; q[$1] += $2 * $2 } END { for (k in n) { m[k] = s[k] / n[k]; sd[k] = sqrt(q[k] / n[k] - m[k] ^ 2) }
@@ -110,4 +110,4 @@ classes() { # surface, options of the command
       { tail -n 1 classes.log; die "tilts of $d_p on a $1"; }
   done
 }
-classes 'profile wall.csv dp_bins 4' '--profile wall.csv'
+classes 'profile wall.csv dp_bins 4'

@@ -12,14 +12,14 @@ export asperity
 # trial LAW IMPACTS SEED: rows LAW,IMPACTS,NAME,TRUTH,ESTIMATE,ERROR,LOW,HIGH,CHI2_PER_DOF. The search begins at 5 degrees, and
 # at constants half as large again.
 trial() {
-  local law=$1 each=$2 seed=$((20 * $3 + ${#1})) names options truth begin sigma=7.13
+  local law=$1 each=$2 seed=$((20 * $3 + ${#1})) of begin truth sigma=7.13
   case $law in
-    bons) names=sigma,friction,yield_stress options='--speed 60' truth='friction 0.3 yield_stress 2e8' begin='--speed 60 --mu 0.45 --yield 3e8' ;;
-    thornton_ning) names=sigma,friction,yield_stress options='--speed 60 --mu 0.2 --yield 3e8' truth='friction 0.2 yield_stress 3e8' begin='--speed 60 --mu 0.3 --yield 2e8' ;;
-    walton) names=sigma,e,mu options='--set e=0.7,mu=0.15,beta0=0.2' truth='e 0.7 mu 0.15' begin='--set e=0.8,mu=0.25,beta0=0.2' ;;
+    bons) of='friction 0.3 yield_stress 2e8' begin='friction fit=0.45 yield_stress fit=3e8' truth=$of ;;
+    thornton_ning) of='friction 0.2 yield_stress 3e8' begin='friction fit=0.3 yield_stress fit=2e8' truth=$of ;;
+    walton) of='0.7 0.15 0.2' begin='fit=0.8 fit=0.25 0.2' truth='e 0.7 mu 0.15' ;;
   esac
-  "$asperity" cor --rebound "$law" $options --sigma $sigma --angles 10,20,30,45,60,75,85 --samples "$each" --seed "$seed" -o "data.$law.$each.$seed"
-  "$asperity" calibrate "data.$law.$each.$seed" --rebound "$law" $begin --fit $names --seed $((100000 + seed)) 2> /dev/null |
+  "$asperity" cor rebound "$law" $of surface sigma $sigma seed "$seed" --speed 60 --angles 10,20,30,45,60,75,85 --samples "$each" -o "data.$law.$each.$seed"
+  "$asperity" calibrate "data.$law.$each.$seed" rebound "$law" $begin surface sigma fit seed $((100000 + seed)) --speed 60 2> /dev/null |
     awk -F, -v law="$law" -v each="$each" -v truth="sigma $sigma $truth" '
       BEGIN { n = split(truth, t, " "); for (i = 1; i < n; i += 2) is[t[i]] = t[i + 1] }
       /^# chi/ { split($0, w, " "); chi = w[3]; sub(/:/, "", chi) }

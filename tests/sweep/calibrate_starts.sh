@@ -8,17 +8,17 @@ sets=${1:-1} starts=${2:-2} jobs=${3:-1}
 export asperity starts
 
 one() {
-  read -r law options angles samples names < <(awk -v seed="$1" 'BEGIN { srand(seed); for (i = 0; i < 9; i++) rand()
+  read -r law of angles samples < <(awk -v seed="$1" 'BEGIN { srand(seed); for (i = 0; i < 9; i++) rand()
     law = seed % 2 ? "walton" : "bons"
-    options = law == "bons" ? sprintf("--speed;60;--mu;%.3g;--yield;%.4g", 0.1 + 0.4 * rand(), 1e8 * (1 + 4 * rand())) : sprintf("--set;e=%.3g,mu=%.3g,beta0=0.2", 0.4 + 0.5 * rand(), 0.05 + 0.25 * rand())
-    print law, sprintf("%s;--sigma;%.4g", options, 2 + 8 * rand()), "20,45,70", 40 + int(80 * rand()), law == "bons" ? "sigma,friction,yield_stress" : "sigma,e,mu" }')
-  "$asperity" cor --rebound "$law" ${options//;/ } --angles "$angles" --samples "$samples" --seed "$1" -o "data.$1"
+    of = law == "bons" ? sprintf("friction;%.3g;yield_stress;%.4g", 0.1 + 0.4 * rand(), 1e8 * (1 + 4 * rand())) : sprintf("%.3g;%.3g;0.2", 0.4 + 0.5 * rand(), 0.05 + 0.25 * rand())
+    print law, sprintf("%s;surface;sigma;%.4g", of, 2 + 8 * rand()), "20,45,70", 40 + int(80 * rand()) }')
+  "$asperity" cor rebound "$law" ${of//;/ } seed "$1" --speed 60 --angles "$angles" --samples "$samples" -o "data.$1"
   for start in $(seq 1 "$starts"); do
     begin=$(awk -v law="$law" -v seed="$1$start" 'BEGIN { srand(seed); for (i = 0; i < 9; i++) rand()
-      if (law == "bons") printf "--speed 60 --mu %.4g --yield %.4g", 0.05 * 20 ^ rand(), 5e7 * 20 ^ rand()
-      else printf "--set e=%.4g,mu=%.4g,beta0=0.2", 0.1 + 0.85 * rand(), 0.02 * 30 ^ rand()
-      printf " --sigma %.4g\n", 20 ^ rand() }')
-    "$asperity" calibrate "data.$1" --rebound "$law" $begin --fit "$names" 2> /dev/null |
+      if (law == "bons") printf "friction fit=%.4g yield_stress fit=%.4g", 0.05 * 20 ^ rand(), 5e7 * 20 ^ rand()
+      else printf "fit=%.4g fit=%.4g 0.2", 0.1 + 0.85 * rand(), 0.02 * 30 ^ rand()
+      printf " surface sigma fit=%.4g\n", 20 ^ rand() }')
+    "$asperity" calibrate "data.$1" rebound "$law" $begin --speed 60 2> /dev/null |
       awk '/^# the best/ { agreed = $9 "/" $5 } /^# chi/ { sub(/:.*chi.2 /, " ", $0); split($4, w, ","); print w[1], agreed }'
   done > "chi.$1"
   awk -v set="$1" -v law="$law" -v n="$samples" -v starts="$starts" '{ v = $1; if (NR == 1 || v < low) low = v; if (NR == 1 || v > high) high = v }

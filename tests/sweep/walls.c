@@ -147,7 +147,7 @@ static void tell(const char *what, double alpha1, const judge_all *all, size_t i
 enum { RAYS = 100000, FLOWN = 400000 };
 
 static double angles[] = {2 * DEGREE, 5 * DEGREE, 20 * DEGREE};
-static const cli_list list = {angles, 3};
+static const cli_list list = {.values = angles, .count = 3};
 
 static void judge_map(size_t points, size_t surfaces, double d_p) {
   asp_error error;

@@ -154,7 +154,7 @@ static void numbers_agree_with_the_independent_reference(void **state) {
     const known *c = &cases[k];
     double alpha1 = c->alpha1 * DEGREE;
     judge_case subject = {{5, 40, 200, c->axis * DEGREE}, c->d_p, SURFACES, POINTS, NULL, NULL};
-    judge_all all = judge_create(&subject, &(cli_list){&alpha1, 1}, RAYS, 100);
+    judge_all all = judge_create(&subject, &(cli_list){.values = &alpha1, .count = 1}, RAYS, 100);
     judge_value mean = judge_mean(&all, 0, offsetof(judge_angles, rebound_sum));
     judge_value side = judge_mean(&all, 0, offsetof(judge_angles, lateral_sum));
     judge_value square = judge_mean(&all, 0, offsetof(judge_angles, lateral_square));
@@ -174,7 +174,7 @@ static void numbers_agree_with_the_independent_reference(void **state) {
 static void divergences_have_no_bias(void **state) {
   (void)state;
   double alpha1 = 10 * DEGREE;
-  cli_list angles = {&alpha1, 1};
+  cli_list angles = {.values = &alpha1, .count = 1};
   judge_case subject = {{5, 40, 40, 0}, 10, 6, 512, NULL, NULL},
              other = {{5, 40, 40, 0}, 10, 16, 512, NULL, NULL};
   judge_all all = judge_create(&subject, &angles, 20000, 1);
@@ -204,7 +204,7 @@ static void crests_are_hit_once(void **state) {
     map->heights[i] = -2 * fabsf(map->heights[i]);
   judge_case subject = {.wall = wall, .d_p = 40, .surfaces = 4, .map = map};
   double alpha1 = 2 * DEGREE;
-  judge_all all = judge_create(&subject, &(cli_list){&alpha1, 1}, 4000, 1);
+  judge_all all = judge_create(&subject, &(cli_list){.values = &alpha1, .count = 1}, 4000, 1);
   double later = judge_mean(&all, 0, offsetof(judge_angles, later)).value;
   print_message("ridges, 2 deg: later hits %.4f\n", later);
   assert_true(later > 0.012 && later < 0.025);

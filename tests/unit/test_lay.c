@@ -168,7 +168,7 @@ static void walls_with_a_lay_are_surfaces(void **state) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     double psi = cases[i][0] * DEGREE, d_p = cases[i][1], alpha1 = cases[i][2] * DEGREE;
     judge_case subject = {{5, 40, 200, psi}, d_p, 3, 1024, NULL, NULL};
-    judge_all all = judge_create(&subject, &(cli_list){&alpha1, 1}, 20000, 300);
+    judge_all all = judge_create(&subject, &(cli_list){.values = &alpha1, .count = 1}, 20000, 300);
     judge_angles model = many(&s, d_p, alpha1, psi, N);
     judge_value rebound = judge_divergence(&all, 0, &model, offsetof(judge_angles, rebound));
     judge_value lateral = judge_divergence(&all, 0, &model, offsetof(judge_angles, lateral));

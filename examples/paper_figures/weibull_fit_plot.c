@@ -1,7 +1,7 @@
-/* The pictures of `asperity fit`: figures 6 to 9 of the paper.
+/* The pictures of weibull_fit: figures 6 to 9 of the paper.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/fit.h"
+#include "weibull_fit.h"
 
 #include <math.h>
 

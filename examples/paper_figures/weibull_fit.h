@@ -1,8 +1,8 @@
-/* What `asperity fit` hands to its pictures.
+/* What weibull_fit hands to its pictures.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_CLI_FIT_H
-#define ASP_CLI_FIT_H
+#ifndef ASP_WEIBULL_FIT_H
+#define ASP_WEIBULL_FIT_H
 
 #include "cli/cli.h"
 #include "spread/models.h"

@@ -1,13 +1,14 @@
-/* asperity fit: the paper's own route to its Weibull law. Sample the baseline (routines 1 to 3, the
+/* weibull_fit: the paper's own route to its Weibull law. Sample the baseline (routines 1 to 3, the
  * model `rejection`) many times per impact angle, fit k and lambda to each sample, take means, and
  * lay polynomials of fourth degree through them up to the boundary angle e = 6.48 sigma. Over
  * alpha1/sigma all walls fall on one curve (fig. 7), which the code keeps as ten numbers. The
  * samples also judge every density (fig. 6, 8, 9).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/fit.h"
+#include "weibull_fit.h"
 #include "base/running.h"
 
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
 #include <gsl/gsl_vector.h>
 #include <math.h>
@@ -191,7 +192,18 @@ static void fit_all(angle_fit *fits, size_t n, int runs, size_t samples, uint32_
   cli_progress_end(&progress);
 }
 
-static int run(int argc, char **argv) {
+static const cli_command command = {
+    .name = "weibull_fit",
+    .summary = "the paper's route to its Weibull law, from the sampled baseline",
+    .detail =
+        "Samples the rejection routines, fits k and lambda per angle, and polynomials of fourth\n"
+        "degree in tau = alpha1/sigma up to tau = 6.48 (as comments). A row per wall and angle,\n"
+        "with D_KL of the samples against every density. Figures: 6 the effective law at small\n"
+        "angles, 7 k and lambda, 8 D_KL over the angle, 9 densities at three angles.\n",
+};
+
+int main(int argc, char **argv) {
+  gsl_set_error_handler_off();
   cli_option options[N + 1] = {
       [SIGMA] = {"sigma", "DEGREES", "walls, as sigma = atan(s_eff): a list or from:to:step", "10"},
       [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
@@ -203,7 +215,7 @@ static int run(int argc, char **argv) {
       [PLOT] = {"plot", "FILE", "draw the figure; .png, .svg or .pdf", NULL},
   };
   const char *figure = options[FIGURE].value;
-  cli_parse(&cli_fit, argc, argv, options, false);
+  cli_parse(&command, argc, argv, options, false);
   cli_whole(&options[FIGURE], 6, 9);
   if (options[FIGURE].value != figure && !options[PLOT].value)
     cli_bad_usage("--figure is given without --plot, of which it says what to draw");
@@ -219,7 +231,7 @@ static int run(int argc, char **argv) {
   fit_all(fits, n, runs, samples, (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX));
   fit_polynomial(fits, n, false, k);
   fit_polynomial(fits, n, true, lambda);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, &options[SEED]);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   print(cli_output_stream(output), fits, n, k, lambda);
   cli_output_close(output);
   if (options[PLOT].value)
@@ -227,14 +239,3 @@ static int run(int argc, char **argv) {
   free(fits);
   return 0;
 }
-
-const cli_command cli_fit = {
-    .name = "fit",
-    .summary = "the paper's route to its Weibull law, from the sampled baseline",
-    .detail =
-        "Samples the rejection routines, fits k and lambda per angle, and polynomials of fourth\n"
-        "degree in tau = alpha1/sigma up to tau = 6.48 (as comments). A row per wall and angle,\n"
-        "with D_KL of the samples against every density. Figures: 6 the effective law at small\n"
-        "angles, 7 k and lambda, 8 D_KL over the angle, 9 densities at three angles.\n",
-    .run = run,
-};

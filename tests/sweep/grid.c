@@ -1,9 +1,10 @@
-/* asperity trade --grid: every model on a grid of walls and angles, the measurement from which
- * `auto` chooses. Geometry has no scale, so that a wall and its particles are two numbers, phi_r
- * and kappa. Corners where the disc is as large as a good part of the profile are left out.
+/* Every model on a grid of walls and angles: the measurement from which `spread auto` chooses,
+ * src/spread/measured.csv. Half an hour. Geometry has no scale, so that a wall and its particles
+ * are two numbers, phi_r and kappa. Corners where the disc is as large as a good part of the
+ * profile are left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/grid.h"
+#include "cli/measure.h"
 
 #include <math.h>
 
@@ -59,11 +60,13 @@ static bool measure_cell(FILE *out, const cell *c, measure_case subject) {
   return true;
 }
 
-void cli_grid(FILE *out, const measure_case *subject) {
-  print_header(out);
+int main(void) {
+  static const measure_case subject = {.rays = 100000, .profiles = 16, .seed = 1};
+  print_header(stdout);
   for (size_t i = 0; i < COUNT(phi_r) * COUNT(kappa); i++) {
     cell c = {phi_r[i / COUNT(kappa)], kappa[i % COUNT(kappa)]};
-    if (measure_cell(out, &c, *subject))
-      fprintf(stderr, "asperity: phi_r %g, kappa %g done\n", c.phi_r, c.kappa);
+    if (measure_cell(stdout, &c, subject))
+      fprintf(stderr, "grid: phi_r %g, kappa %g done\n", c.phi_r, c.kappa);
   }
+  return 0;
 }

@@ -1,0 +1,241 @@
+/* The words of a command line that describe a wall; see description.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/description.h"
+#include "base/number.h"
+#include "impact/description.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A longer length (m) without a unit is more likely one whose unit was forgotten. */
+#define LENGTH_WITHOUT_UNIT 1e-3
+
+int cli_words(int argc, char **argv) {
+  int count = 1;
+  while (count < argc && !(argv[count][0] == '-' &&
+                           (isalpha((unsigned char)argv[count][1]) || argv[count][1] == '-')))
+    count++;
+  return count - 1;
+}
+
+/* Refuses `rq 15`, which would be 15 m. */
+static void check_lengths(int count, char **words) {
+  static const char *const lengths[] = {"rq", "lambda_c", "mean_free_path"};
+  for (int i = 0; i + 1 < count; i++)
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+      char *end;
+      double value = strcmp(words[i], lengths[k]) == 0 ? aspi_number(words[i + 1], &end) : 0;
+      if (value > LENGTH_WITHOUT_UNIT && !*end)
+        cli_bad_usage("%s is '%s' without a unit; that would be %g m: say %sm, or %sum", words[i],
+                      words[i + 1], value, words[i + 1], words[i + 1]);
+    }
+}
+
+static void read_words(asp_wall *wall, int count, char **words) {
+  const char **all = cli_allocate((size_t)count, sizeof *all);
+  asp_error error;
+  for (int i = 0; i < count; i++)
+    all[i] = words[i];
+  for (int next = 0, taken; next < count; next += taken)
+    if (asp_wall_read(wall, count - next, all + next, "", &taken, &error))
+      cli_bad_file(NULL, &error);
+  if (asp_wall_complete(wall, &error))
+    cli_bad_usage("%s", error.text);
+  free(all);
+}
+
+static char *text_of(const asp_wall *wall) {
+  size_t size = asp_wall_describe(wall, NULL, 0) + 1;
+  char *text = cli_allocate(size, 1);
+  asp_wall_describe(wall, text, size);
+  return text;
+}
+
+static void read_materials(cli_description *d) {
+  static char *standard[] = {"materials", "ard", "hastelloy-x"};
+  asp_error error;
+  int count = asp_wall_materials(d->wall);
+  if (count == 0 && asp_rebound_needs_pair(asp_wall_rebound(d->wall))) {
+    read_words(d->wall, 3, standard);
+    d->has_standard_materials = true;
+    count = 2;
+  }
+  d->density = asp_material_get(asp_materials_find(NULL, standard[1], NULL), "density");
+  if (count == 0)
+    return;
+  if (count != 2)
+    cli_bad_usage("materials has %d name%s; it must be two, that of the particles and that of the "
+                  "wall",
+                  count, count == 1 ? "" : "s");
+  d->particle = asp_wall_material(d->wall, 0);
+  d->target = asp_wall_material(d->wall, 1);
+  d->density = asp_material_get(d->particle, "density");
+  d->pair = asp_wall_pair(d->wall, d->particle, d->target, &error);
+  if (!d->pair)
+    cli_bad_usage("%s", error.text);
+  if (!(asp_wall_get(d->wall, "yield_rate") > 0) && !asp_wall_is_given(d->wall, "yield_stress") &&
+      !(asp_pair_get(d->pair, "yield_stress") > 0))
+    cli_bad_usage("material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
+                  "'rebound bons'",
+                  asp_material_name(d->particle));
+}
+
+static cli_description read_description(int count, char **words, bool may_fit) {
+  cli_description d = {.words = words, .n_words = count};
+  asp_error error;
+  d.wall = asp_wall_parse("", NULL, &error);
+  if (!d.wall)
+    cli_fail("%s", error.text);
+  if (may_fit)
+    aspi_description_let_fit(d.wall->said);
+  check_lengths(count, words);
+  read_words(d.wall, count, words);
+  read_materials(&d);
+  d.text = text_of(d.wall);
+  return d;
+}
+
+cli_description cli_description_read(int count, char **words) {
+  return read_description(count, words, false);
+}
+
+cli_description cli_description_read_fit(int count, char **words) {
+  return read_description(count, words, true);
+}
+
+void cli_description_free(cli_description *d) {
+  asp_wall_free(d->wall);
+  asp_pair_free(d->pair);
+  asp_profile_free(d->profile);
+  asp_map_free(d->map);
+  free(d->text);
+}
+
+static bool is_word_of(const char *word, const char *list) {
+  size_t length = strlen(word);
+  for (const char *at = list; (at = strstr(at, word)); at += length)
+    if ((at == list || at[-1] == ' ') && (at[length] == ' ' || !at[length]))
+      return true;
+  return false;
+}
+
+void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
+  d->has_no_impact = !is_word_of("rebound", allowed);
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
+    if (!*k->within && is_own && asp_wall_is_given(d->wall, k->name) &&
+        !is_word_of(k->name, allowed))
+      cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
+  }
+}
+
+/* Reads the clauses that say nothing of the surface into another wall. */
+static void copy_constants(const cli_description *d, asp_wall *to) {
+  asp_error error;
+  asp_wall *from = asp_wall_parse("", NULL, &error);
+  for (int next = 0, taken = 0; from && next < d->n_words; next += taken) {
+    const char *const *words = (const char *const *)d->words + next;
+    if (asp_wall_read(from, d->n_words - next, words, "", &taken, &error))
+      cli_fail("%s", error.text);
+    if (strcmp(*words, "surface") != 0 && strcmp(*words, "spread") != 0)
+      read_words(to, taken, d->words + next);
+  }
+  asp_wall_free(from);
+}
+
+cli_description cli_description_smooth(const cli_description *d) {
+  cli_description smooth = {.wall = NULL};
+  asp_error error;
+  smooth.wall = asp_wall_parse("", NULL, &error);
+  if (!smooth.wall)
+    cli_fail("%s", error.text);
+  copy_constants(d, smooth.wall);
+  read_materials(&smooth);
+  smooth.text = text_of(smooth.wall);
+  if (asp_wall_make(smooth.wall, 1, 1, &error))
+    cli_fail("%s", error.text);
+  return smooth;
+}
+
+/* The file of a measured wall, which the wall is given to be made of. */
+static void read_file(cli_description *d) {
+  const char *kind = asp_wall_word(d->wall, "surface"), *file = asp_wall_word(d->wall, "file");
+  if (!file)
+    return;
+  asp_error error;
+  asp_reader *reader = asp_reader_create(&error);
+  bool is_map = strcmp(kind, "map") == 0;
+  if (reader && is_map)
+    d->map = asp_reader_read_map(reader, file, &error);
+  else if (reader)
+    d->profile = asp_reader_read(reader, file, &error);
+  if (!d->map && !d->profile)
+    cli_bad_file(NULL, &error);
+  if (asp_reader_check(reader, &error))
+    cli_warn("surface %s %s: %s", kind, file, error.text);
+  asp_reader_free(reader);
+  asp_wall_set_map(d->wall, d->map);
+  asp_wall_set_profile(d->wall, d->profile);
+  if (asp_wall_complete(d->wall, &error))
+    cli_bad_usage("%s", error.text);
+}
+
+static void check_sampling(const cli_description *d, double d_least) {
+  asp_error doubt;
+  asp_code code = ASP_OK;
+  if (d->profile) {
+    double spacing = asp_profile_spacing(d->profile);
+    code = asp_sampling_check(d_least, spacing, (double)asp_profile_points(d->profile) * spacing,
+                              asp_surface_lambda_c(asp_wall_surface(d->wall)), &doubt);
+  } else if (d->map) {
+    double x = asp_map_step_x(d->map), y = asp_map_step_y(d->map);
+    code = asp_sampling_check(
+        d_least, fmax(x, y),
+        fmin((double)asp_map_columns(d->map) * x, (double)asp_map_rows(d->map) * y),
+        asp_map_get(d->map, "lambda_2", NULL), &doubt);
+  }
+  if (code)
+    cli_warn("surface %s %s: %s", asp_wall_word(d->wall, "surface"), asp_wall_word(d->wall, "file"),
+             doubt.text);
+}
+
+static void check_constants(const cli_description *d, double d_most) {
+  const asp_particle particle = {.d_p = d_most, .density = d->density, .pair = d->pair};
+  char text[500];
+  for (int i = 0;
+       d->pair && asp_wall_doubt(d->wall, &particle, d->particle, d->target, i, text, sizeof text);
+       i++)
+    cli_warn("%s", text);
+  const asp_rebound_law *law = asp_wall_rebound(d->wall);
+  if (asp_rebound_measured(law) && asp_wall_surface(d->wall))
+    cli_warn("rebound law '%s' was measured, and holds the roughness of the measured wall already; "
+             "this rough wall counts it a second time",
+             asp_rebound_name(law));
+}
+
+void cli_description_make(cli_description *d, double d_least, double d_most) {
+  asp_error error;
+  read_file(d);
+  if (asp_wall_make(d->wall, d_least, d_most, &error))
+    cli_bad_usage("%s", error.text);
+  const asp_surface *surface = asp_wall_surface(d->wall);
+  if (surface && asp_surface_check(surface, d_most, &error))
+    cli_bad_usage("--dp: %s", error.text);
+  check_sampling(d, d_least);
+  if (!d->has_no_impact)
+    check_constants(d, d_most);
+}
+
+const double *cli_description_lay(const cli_description *d, double vector[3]) {
+  asp_lay lay = asp_wall_lay(d->wall);
+  if (lay.kind == ASP_LAY_NONE)
+    return NULL;
+  vector[0] = lay.kind == ASP_LAY_ANGLE ? cos(lay.angle) : lay.vector[0];
+  vector[1] = lay.kind == ASP_LAY_ANGLE ? sin(lay.angle) : lay.vector[1];
+  vector[2] = lay.kind == ASP_LAY_ANGLE ? 0 : lay.vector[2];
+  return vector;
+}

@@ -1,0 +1,56 @@
+/* A wall and its particles by the words that stand before the first option of a command line, the
+ * same as in a script; see asp_wall_parse. Numbers are SI, lengths take a unit behind them.
+ *
+ * Everything here exits on bad words, a bad file or a wall that cannot be made: status 2. What only
+ * looks like a mistake is a warning.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_CLI_DESCRIPTION_H
+#define ASP_CLI_DESCRIPTION_H
+
+#include "cli/cli.h"
+
+/* How many words stand before the first option; `-0.5` is a number and no option. */
+int cli_words(int argc, char **argv);
+
+typedef struct cli_description {
+  asp_wall *wall;
+  char **words; /* as given */
+  int n_words;
+  const asp_material *particle, *target; /* NULL where the law takes no materials and none are
+                                            given */
+  asp_pair *pair;                        /* NULL alike */
+  bool has_standard_materials;           /* none are given */
+  bool has_no_impact;   /* the command takes no rebound law, so constants do not count */
+  double density;       /* of the particles */
+  asp_profile *profile; /* a measured wall, once it is made; else NULL */
+  asp_map *map;         /* alike */
+  char *text;           /* canonical; with the materials, also where they are the
+                           default */
+} cli_description;
+
+/* Reads the words, of which there may be none; `materials` are two, those of the particles and of
+ * the wall: alumina-rich dust on hastelloy-x where none are given. cli_description_make is still to
+ * come. */
+cli_description cli_description_read(int count, char **words);
+
+/* The same where numbers may be unknown; see aspi_description_let_fit. */
+cli_description cli_description_read_fit(int count, char **words);
+void cli_description_free(cli_description *description);
+
+/* Refuses each keyword that is given and is none of `allowed`, which have blanks between; `why` is
+ * a sentence about the command. */
+void cli_description_allow(cli_description *description, const char *allowed, const char *why);
+
+/* The same with a smooth surface, ready for impacts and without warnings. */
+cli_description cli_description_smooth(const cli_description *description);
+
+/* Reads a measured wall and prepares for diameters from d_least to d_most, with warnings of what
+ * looks like a mistake in the wall, its file, or its constants. */
+void cli_description_make(cli_description *description, double d_least, double d_most);
+
+/* The direction of the lay where particles fly along x over the wall z = 0; NULL where there is no
+ * lay. An angle is from x towards y. `vector` holds it. */
+const double *cli_description_lay(const cli_description *description, double vector[3]);
+
+#endif
