@@ -4,6 +4,7 @@
 #include "region_part.h"
 
 #include <math.h>
+#include <string.h>
 #include <algorithm>
 
 #include "contact/vector.h"
@@ -25,19 +26,16 @@ public:
 } // namespace
 
 RegionPart::RegionPart(Region *region)
-    : region_(region), origin_(), axis_(), before_(), now_(), rate_(), last_rate_(), dt_(0),
-      has_rate_(false), has_last_(false) {
+    : region_(region), moves_(region->moveflag || region->rotateflag), origin_(), axis_(),
+      before_(), now_(), rate_(), last_rate_(), dt_(0), has_rate_(false), has_last_(false) {
   if (region->rotateflag)
     AxisOf::read(region, origin_, axis_);
-}
-
-bool RegionPart::moves() const {
-  return region_->moveflag || region_->rotateflag;
 }
 
 void RegionPart::settle() {
   now_ = RegionPose{{region_->dx, region_->dy, region_->dz}, region_->theta};
   before_ = now_;
+  frame_ = begin_ = end_ = frame_at(1);
 }
 
 void RegionPart::advance(double dt) {
@@ -50,6 +48,8 @@ void RegionPart::advance(double dt) {
   for (int d = 0; d < 3; d++)
     rate_.shift[d] = (now_.shift[d] - before_.shift[d]) / dt;
   rate_.angle = (now_.angle - before_.angle) / dt;
+  begin_ = end_;
+  frame_ = end_ = frame_at(1);
 }
 
 void RegionPart::set_rate(const RegionPose &rate) {
@@ -70,6 +70,10 @@ double RegionPart::speed(const double lo[3], const double hi[3]) const {
   return (region_->moveflag ? vector_length(rate_.shift) : 0) + fabs(rate_.angle) * farthest;
 }
 
+double RegionPart::turn_speed() const {
+  return region_->rotateflag ? fabs(rate_.angle) : 0;
+}
+
 RegionPose RegionPart::at(double share) const {
   if (share >= 1)
     return now_;
@@ -80,47 +84,81 @@ RegionPose RegionPart::at(double share) const {
   return pose;
 }
 
-void RegionPart::set_share(double share) const {
+/* Rodrigues, about the axis through the origin; then the displacement. */
+asperity::Frame RegionPart::frame_at(double share) const {
+  asperity::Frame frame;
   const RegionPose pose = at(share);
-  region_->dx = pose.shift[0];
-  region_->dy = pose.shift[1];
-  region_->dz = pose.shift[2];
-  region_->theta = pose.angle;
+  if (region_->rotateflag) {
+    const double c = cos(pose.angle), s = sin(pose.angle);
+    for (int i = 0; i < 3; i++) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      frame.turn[i][i] = c + (1 - c) * axis_[i] * axis_[i];
+      frame.turn[i][j] = (1 - c) * axis_[i] * axis_[j] - s * axis_[k];
+      frame.turn[i][k] = (1 - c) * axis_[i] * axis_[k] + s * axis_[j];
+    }
+    for (int i = 0; i < 3; i++)
+      frame.shift[i] = origin_[i] - vector_dot(frame.turn[i], origin_);
+  }
+  if (region_->moveflag)
+    vector_add_scaled(frame.shift, 1, pose.shift, frame.shift);
+  return frame;
 }
 
-/* Rodrigues, about the axis through the origin. */
-void RegionPart::turn(double angle, double x[3]) const {
-  double arm[3], across[3];
-  const double c = cos(angle), s = sin(angle);
-  vector_subtract(x, origin_, arm);
-  vector_cross(axis_, arm, across);
-  const double along = vector_dot(axis_, arm);
-  for (int d = 0; d < 3; d++)
-    x[d] = origin_[d] + c * arm[d] + s * across[d] + (1 - c) * along * axis_[d];
+/* Most searches ask for the beginning and the end of the step. */
+void RegionPart::set_share(double share) const {
+  if (moves_)
+    frame_ = share >= 1 ? end_ : share > 0 ? frame_at(share) : begin_;
 }
 
 void RegionPart::to_world(double share, double x[3]) const {
-  const RegionPose pose = at(share);
-  if (region_->rotateflag)
-    turn(pose.angle, x);
-  if (region_->moveflag)
-    vector_add_scaled(x, 1, pose.shift, x);
+  frame_at(share).to_world(x, x);
 }
 
 void RegionPart::turn_vector(double share, double vector[3]) const {
-  if (!region_->rotateflag)
-    return;
-  vector_add_scaled(origin_, 1, vector, vector);
-  turn(at(share).angle, vector);
-  vector_subtract(vector, origin_, vector);
+  asperity::Frame frame = frame_at(share);
+  frame.shift[0] = frame.shift[1] = frame.shift[2] = 0;
+  frame.to_world(vector, vector);
 }
 
 void RegionPart::to_body(double share, double x[3]) const {
-  const RegionPose pose = at(share);
-  if (region_->moveflag)
-    vector_subtract(x, pose.shift, x);
-  if (region_->rotateflag)
-    turn(-pose.angle, x);
+  frame_at(share).to_body(x, x);
+}
+
+/* ---- faces ------------------------------------------------------------------------------------
+ */
+
+bool RegionPart::has(const double x[3]) const {
+  double at[3];
+  vector_copy(x, at);
+  if (moves_)
+    frame_.to_body(x, at);
+  return region_->inside(at[0], at[1], at[2]);
+}
+
+/* Of its two sides, a region tells of the one where the point is. */
+void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoot> &feet) const {
+  double at[3];
+  vector_copy(x, at);
+  if (moves_)
+    frame_.to_body(x, at);
+  int n = region_->surface_interior(at, reach);
+  const bool inside = n > 0;
+  if (!inside)
+    n = region_->surface_exterior(at, reach);
+  for (int i = 0; i < n; i++) {
+    const Region::Contact &c = region_->contact[i];
+    RegionFoot foot = RegionFoot();
+    const double away[3] = {c.delx, c.dely, c.delz};
+    foot.distance = c.r;
+    for (int d = 0; d < 3 && c.r > 0; d++)
+      foot.n[d] = (region_->rotateflag ? vector_dot(frame_.turn[d], away) : away[d]) / c.r;
+    if (inside && c.radius < 0)
+      foot.hollow = -c.radius / (strcmp(region_->style, "sphere") == 0 ? 1 : 2);
+    foot.inside = inside;
+    foot.behind = !(foot.hollow > 0) && (inside || !region_->openflag);
+    foot.face = c.iwall;
+    feet.push_back(foot);
+  }
 }
 
 void RegionPart::velocity_by(const RegionPose &rate, double share, const double x[3],

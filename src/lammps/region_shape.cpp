@@ -1,13 +1,15 @@
 /* A region as a wall; see region_shape.h. The search goes along the path from one point to the
- * next, each time so far that no face that the region has told of can be reached before: a flat or
- * bulging face lies behind the plane across its nearest point, of a hollow one a chord is known.
- * What that misses has been passed: then the way back is halved until the contact is found.
+ * next, each time so far that no face can be reached before: a flat or bulging face lies behind the
+ * plane across its nearest point, of a hollow one a chord is known. A face is reached by the
+ * sphere, or, from its other side, first by the center. A part of a union may hide the nearest
+ * point of a face and not the next one: where the sphere is at such a face, the next look is a
+ * stride away. What that misses has been passed: then the way back is searched until the contact is
+ * found.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "region_shape.h"
 
 #include <math.h>
-#include <string.h>
 #include <algorithm>
 #include <type_traits>
 
@@ -29,11 +31,15 @@ using asperity::text;
 
 namespace {
 
+const char FLAT[] = " block plane prism ";
 const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
 
 /* A sphere that touches a hollow face slides along it if its normal speed is a smaller share of its
  * speed (as in contact_cylinder_find). */
 const double SLIDES = 1e-6;
+
+/* How closely a sphere that a moving part takes along keeps its distance in a step, in radii. */
+const double KEEPS = 1e-6;
 
 /* A face's curve is measured over this share of the sphere's radius. */
 const double CURVE = 0.01;
@@ -53,6 +59,11 @@ const double BEYOND = 1e-7;
 
 /* Two feet of one place. */
 const double SAME = 1e-6;
+
+/* On the axis of a cylinder a region has no nearest point: in radii, how far beside the place of a
+ * sphere its distance is taken. */
+const double ASIDE[3] = {1e-6, 0.7e-6, 0.3e-6};
+const double ASIDE_LENGTH = 1.3e-6;
 
 /* The parts of a union or an intersection: in LAMMPS since 2022 by their addresses, before by their
  * numbers. */
@@ -84,7 +95,7 @@ auto region_of(D *domain, const std::string &id, long) ->
  */
 
 RegionShape::RegionShape(LAMMPS *lammps, const std::string &id)
-    : lammps_(lammps), id_(id), exact_(true), open_(false), speed_(0) {
+    : lammps_(lammps), id_(id), open_(false), flat_(true), speed_(0) {
   add_region(find_region(), root_);
 }
 
@@ -110,15 +121,14 @@ void RegionShape::add_region(Region *region, Node &node) {
   node.part = -1;
   node.is_union = style == "union";
   if (style == "union" || style == "intersect") {
-    exact_ = false;
     node.of.resize(region->nregion);
     for (int i = 0; i < region->nregion; i++)
       add_region(part_of(region, lammps_->domain, i, 0), node.of[i]);
     return;
   }
   node.part = static_cast<int>(parts_.size());
-  exact_ = exact_ && !region->rotateflag && !region->openflag;
   open_ = open_ || region->openflag;
+  flat_ = flat_ && std::string(FLAT).find(" " + style + " ") != std::string::npos;
   parts_.push_back(RegionPart(region));
 }
 
@@ -142,8 +152,8 @@ void RegionShape::init() {
   const std::vector<double> record = motion_record();
   parts_.clear();
   root_.of.clear();
-  exact_ = true;
   open_ = false;
+  flat_ = true;
   add_region(find_region(), root_);
   restore_motion(record);
 }
@@ -214,86 +224,81 @@ void RegionShape::restore_motion(const std::vector<double> &record) {
 /* ---- faces near a point -----------------------------------------------------------------------
  */
 
-/* Whether a point is in the room of a region, or, with `flip`, of all that is not in it. */
+/* True if a point is in the room of a region, or, with `flip`, of all that is not in it. */
 bool RegionShape::in_room(const Node &node, bool flip, const double x[3]) const {
-  Region *region = node.region;
-  if (node.part >= 0) {
-    region->interior ^= flip;
-    const bool is = region->match(x[0], x[1], x[2]);
-    region->interior ^= flip;
-    return is;
-  }
-  const bool outside = flip != !region->interior;
+  const bool outside = flip != !node.region->interior;
+  if (node.part >= 0)
+    return node.region->openflag || parts_[node.part].has(x) != outside;
   for (const Node &child : node.of)
     if (in_room(child, outside, x) == (node.is_union != outside))
       return node.is_union != outside;
   return node.is_union == outside;
 }
 
-/* The nearest points of all faces, seen from a point of the room. Of a union's parts those points
- * count behind which no other part goes on, of an intersection those before which all others are;
- * seen from outside, it is the other way round. */
+/* The nearest points of all faces. Of a union's parts those are hidden behind which another part
+ * goes on, of an intersection those before which another one is missing; seen from outside, it is
+ * the other way round. */
 void RegionShape::find_feet(const Node &node, bool flip, const double x[3], double reach,
                             std::vector<Foot> &feet) const {
-  Region *region = node.region;
+  const bool outside = flip != !node.region->interior, joins = node.is_union != outside;
   if (node.part >= 0) {
-    region->interior ^= flip;
-    const int n = region->surface(x[0], x[1], x[2], reach);
-    region->interior ^= flip;
-    for (int i = 0; i < n; i++) {
-      const Region::Contact &c = region->contact[i];
-      if (!(c.r > 0))
-        continue;
-      const double hollow =
-          c.radius < 0 ? -c.radius / (strcmp(region->style, "sphere") == 0 ? 1 : 2) : 0;
-      feet.push_back(Foot{c.r,
-                          {c.delx / c.r, c.dely / c.r, c.delz / c.r},
-                          hollow,
-                          node.part,
-                          FACES * node.part + c.iwall});
+    const size_t first = feet.size();
+    parts_[node.part].add_feet(x, reach, feet);
+    for (size_t k = first; k < feet.size(); k++) {
+      feet[k].part = node.part;
+      feet[k].face += FACES * node.part;
+      feet[k].across = !node.region->openflag && feet[k].inside == outside;
     }
     return;
   }
-  const bool outside = flip != !region->interior, joins = node.is_union != outside;
   for (size_t i = 0; i < node.of.size(); i++) {
     const size_t first = feet.size();
     find_feet(node.of[i], outside, x, reach, feet);
-    size_t kept = first;
     for (size_t k = first; k < feet.size(); k++) {
       double point[3];
-      bool hidden = false;
+      if (feet[k].hidden || feet[k].across)
+        continue;
       vector_add_scaled(x, -(1 + (joins ? BEYOND : -BEYOND)) * feet[k].distance, feet[k].n, point);
-      for (size_t j = 0; j < node.of.size() && !hidden; j++)
-        hidden =
+      for (size_t j = 0; j < node.of.size() && !feet[k].hidden; j++)
+        feet[k].hidden =
             j != i && !node.of[j].region->openflag && in_room(node.of[j], outside, point) == joins;
-      if (!hidden)
-        feet[kept++] = feet[k];
     }
-    feet.resize(kept);
   }
 }
 
-/* From either side of each part's faces; not exactly on the axis of a cylinder, where it tells of
- * none. */
-bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
-  const double aside[3] = {1e-6, 0.7e-6, 0.3e-6};
-  double middle[3], half[3];
-  for (int d = 0; d < 3; d++)
-    half[d] = 0.5 * (hi[d] - lo[d]);
-  const double reach = vector_length(half);
-  for (int d = 0; d < 3; d++)
-    middle[d] = 0.5 * (lo[d] + hi[d]) + reach * aside[d];
-  std::vector<Foot> feet;
+/* ---- without contact --------------------------------------------------------------------------
+ */
+
+/* By the nearest point of each part's faces from either side; those that are hidden count, too. */
+double RegionShape::clear(const double x[3], const double v[3], double reach, double widen,
+                          double most) const {
+  std::vector<Foot> &feet = buffers_.feet;
+  const double speed = vector_length(v), wide = (1 + ASIDE_LENGTH) * reach;
+  double steps = most, aside[3];
+  vector_add_scaled(x, reach, ASIDE, aside);
   for (const RegionPart &part : parts_) {
-    Node leaf;
-    leaf.region = part.region();
-    leaf.part = 0;
-    for (int flip = 0; flip < 2; flip++)
-      find_feet(leaf, flip, middle, (1 + 1e-5) * reach, feet);
-    if (!feet.empty())
-      return true;
+    feet.clear();
+    part.add_feet(aside, wide + steps * (speed + widen), feet);
+    for (const Foot &foot : feet) {
+      const double gap = foot.distance - wide;
+      const double closing = widen + (foot.behind ? -vector_dot(v, foot.n) : speed);
+      if (!(gap > 0))
+        return 0;
+      if (closing * steps > gap)
+        steps = gap / closing;
+    }
   }
-  return false;
+  return steps;
+}
+
+bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
+  const double still[3] = {0, 0, 0};
+  double middle[3], half[3];
+  for (int d = 0; d < 3; d++) {
+    half[d] = 0.5 * (hi[d] - lo[d]);
+    middle[d] = lo[d] + half[d];
+  }
+  return clear(middle, still, vector_length(half), 0, 1) < 1;
 }
 
 /* ---- the first contact ------------------------------------------------------------------------
@@ -317,13 +322,19 @@ struct RegionShape::Search {
     return path.share() + time / path.dt;
   }
   void look(double time, Look &l) const;
+  double stride() const {
+    return STRIDE * radius / fastest;
+  }
   void relative(const Look &l, const Foot &foot, double v_wall[3], double v[3]) const;
   double approach(const Look &l, const Foot &foot, bool &counts) const;
+  double near(const Look &l, const Foot &foot) const;
+  double follow(const Look &l, const Foot &foot) const;
   double curve(const Look &l, const Foot &foot, const double v[3]) const;
   const Foot *touched(const Look &l) const;
   double reached(const Look &l, const Foot &foot) const;
   double next(const Look &l) const;
   bool is_too_far(const Look &l, const Foot *foot) const;
+  bool is_kept(const Look &begin, const Foot &foot) const;
   void go_back(Look &good, Look &bad) const;
   void fill(const Look &l, const Foot &foot, Contact &contact) const;
 };
@@ -334,9 +345,8 @@ void RegionShape::Search::look(double time, Look &l) const {
   shape.set_share(share(time));
   l.in_room = shape.open_ || shape.in_room(shape.root_, false, l.x);
   l.feet.clear();
-  if (l.in_room)
-    shape.find_feet(shape.root_, false, l.x,
-                    1.001 * radius + fastest * std::max(0.0, path.left - time), l.feet);
+  shape.find_feet(shape.root_, false, l.x,
+                  1.001 * radius + fastest * std::max(0.0, path.left - time), l.feet);
 }
 
 /* The velocity of the foot, and of the sphere relative to it. */
@@ -353,16 +363,35 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
 }
 
 /* The speed towards a foot. It counts where it is more than rounding, or along a hollow face more
- * than sliding; of a sphere that slides along one, where its mean over the rest of the path does.
- */
+ * than sliding; of a sphere that slides along one, or begins its path at a moving face, where its
+ * mean over the rest of the path does. */
 double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
   double v_wall[3], v[3];
   relative(l, foot, v_wall, v);
   const double speed = -vector_dot(v, foot.n), all = vector_length(v);
+  const bool slides = foot.hollow > 0 && fabs(speed) <= SLIDES * all;
+  const bool rides = shape.parts_[foot.part].moves() && !(l.time > 0);
   counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * all;
-  if (foot.hollow > 0 && foot.distance - radius <= tolerance && fabs(speed) <= SLIDES * all)
-    counts = speed + 0.5 * (path.left - l.time) * curve(l, foot, v) > CONTACT_APPROACH * all;
+  if ((slides || rides) && foot.distance - radius <= near(l, foot)) {
+    const double bend = (rides ? follow(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
+    counts = speed + 0.5 * (path.left - l.time) * bend > CONTACT_APPROACH * all;
+  }
   return speed;
+}
+
+/* How far from a face a sphere is at it: at the beginning of a path, as far as one that rides on a
+ * moving part is off. */
+double RegionShape::Search::near(const Look &l, const Foot &foot) const {
+  return shape.parts_[foot.part].moves() && !(l.time > 0) ? KEEPS * radius : tolerance;
+}
+
+/* The acceleration along n that keeps the center at a face as that moves. */
+double RegionShape::Search::follow(const Look &l, const Foot &foot) const {
+  double a[3];
+  if (!shape.parts_[foot.part].moves())
+    return 0;
+  shape.parts_[foot.part].follow(share(l.time), l.x, path.v, a);
+  return vector_dot(a, foot.n);
 }
 
 /* The acceleration along n that keeps the centre at a face, by the face's curve: from the distance
@@ -374,11 +403,13 @@ double RegionShape::Search::curve(const Look &l, const Foot &foot, const double 
   if (!(speed > 0))
     return 0;
   vector_add_scaled(l.x, way / speed, along, ahead);
-  std::vector<Foot> feet;
+  std::vector<Foot> &feet = shape.buffers_.feet;
+  feet.clear();
   shape.set_share(share(l.time));
   shape.find_feet(shape.root_, false, ahead, foot.distance + way, feet);
   for (const Foot &other : feet)
-    if (other.face == foot.face && vector_dot(other.n, foot.n) > 1 - 4 * CURVE)
+    if (other.face == foot.face && other.inside == foot.inside &&
+        vector_dot(other.n, foot.n) > 1 - 4 * CURVE)
       return 2 * (foot.distance - other.distance) * speed * speed / (way * way);
   return 0;
 }
@@ -388,7 +419,8 @@ const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
   const Foot *deepest = NULL;
   for (const Foot &foot : l.feet) {
     bool counts;
-    if (foot.distance - radius > tolerance || (deepest && foot.distance >= deepest->distance))
+    if (!l.in_room || foot.hidden || foot.across || !(foot.distance > 0) ||
+        foot.distance - radius > near(l, foot) || (deepest && foot.distance >= deepest->distance))
       continue;
     approach(l, foot, counts);
     if (counts)
@@ -397,70 +429,95 @@ const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
   return deepest;
 }
 
-/* How long at least until a face is reached. */
+/* How long at least until a face is reached; where that is not known well, as the path looks bent
+ * from a part that turns, no less than a stride. */
 double RegionShape::Search::reached(const Look &l, const Foot &foot) const {
   bool counts;
-  const double speed = approach(l, foot, counts), gap = foot.distance - radius;
-  if (!(foot.hollow > 0))
-    return counts ? std::max(0.0, gap) / speed : HUGE_VAL;
-  const double from_axis = foot.hollow - foot.distance, beyond = gap * (2 * from_axis + gap);
-  if (!(from_axis > 0))
-    return std::max(0.0, gap) / fastest;
-  const double rate = from_axis * speed, square = fastest * fastest;
-  const double root = sqrt(std::max(0.0, rate * rate + square * beyond));
-  return speed > 0 ? std::max(0.0, beyond) / (rate + root) : (root - rate) / square;
+  const double speed = approach(l, foot, counts);
+  const double gap = std::max(0.0, foot.distance - (foot.across ? 0 : radius));
+  const double straight = counts ? gap / speed : HUGE_VAL;
+  const double bend = 2 * shape.parts_[foot.part].turn_speed() * fastest;
+  const double from_axis = foot.hollow - foot.distance;
+  double sure = gap / fastest;
+  if (from_axis > 0) {
+    const double beyond = (foot.distance - radius) * (2 * from_axis + foot.distance - radius);
+    const double rate = from_axis * speed, square = fastest * fastest + bend * foot.hollow;
+    const double root = sqrt(std::max(0.0, rate * rate + square * beyond));
+    sure = speed > 0 ? std::max(0.0, beyond) / (rate + root) : (root - rate) / square;
+    if (!(bend > 0))
+      return sure;
+  } else if (foot.behind) {
+    if (!(bend > 0))
+      return straight;
+    const double root = sqrt(speed * speed + 2 * bend * gap);
+    sure = speed > 0 ? 2 * gap / (speed + root) : (root - speed) / bend;
+  }
+  return std::max(sure, std::min(straight, stride()));
 }
 
-/* How long at least until any is. Where faces may be hidden, no further than they can tell. */
+/* How long at least until any is. */
 double RegionShape::Search::next(const Look &l) const {
-  double time = HUGE_VAL, nearest = HUGE_VAL;
+  double time = HUGE_VAL;
   for (const Foot &foot : l.feet) {
-    time = std::min(time, reached(l, foot));
-    nearest = std::min(nearest, foot.distance - radius);
-  }
-  if (!shape.exact_ || !l.in_room) {
-    const bool blind = l.feet.empty() || !l.in_room;
-    const double sure = shape.root_.part >= 0 && !blind ? nearest : 0;
-    time = std::min(time, std::max(sure, STRIDE * radius) / fastest);
+    const double least = l.in_room && !foot.hidden ? 0 : stride();
+    time = std::min(time, std::max(least, reached(l, foot)));
   }
   return time;
 }
 
-/* Whether a look has passed a contact: it is out of the room, or deep in a face. */
+/* True if a look has passed a contact: it is out of the room, or deep in a face. */
 bool RegionShape::Search::is_too_far(const Look &l, const Foot *foot) const {
   if (!l.in_room)
     return true;
   return foot && foot->distance - radius < -tolerance;
 }
 
-/* Between a place before the contact and one behind it: both come as near to it as they can. */
+/* True if a sphere that was at a face of a moving part is in it no deeper than one that is taken
+ * along may be: the next step puts it right. */
+bool RegionShape::Search::is_kept(const Look &begin, const Foot &foot) const {
+  bool was_there = false;
+  for (const Foot &other : begin.feet)
+    was_there = was_there || (other.face == foot.face && other.inside == foot.inside &&
+                              other.distance - radius <= near(begin, other));
+  return was_there && shape.parts_[foot.part].moves() && radius - foot.distance <= KEEPS * radius;
+}
+
+/* Between a place before the contact and one behind it, until one is at it. Along a face the
+ * distance is nearly linear in time: the line through the two has its zero near the contact; each
+ * third time the way is halved. */
 void RegionShape::Search::go_back(Look &good, Look &bad) const {
-  Look between;
-  while ((bad.time - good.time) * fastest > 0.5 * tolerance) {
-    const double middle = 0.5 * (good.time + bad.time);
+  Look &between = shape.buffers_.between;
+  for (int looks = 1; (bad.time - good.time) * fastest > 0.5 * tolerance; looks++) {
+    const Foot *foot = touched(bad);
+    if (foot && foot->distance - radius >= -tolerance)
+      break;
+    double share = 0.5;
+    if (foot && looks % 3 > 0)
+      for (const Foot &other : good.feet)
+        if (other.face == foot->face && other.inside == foot->inside &&
+            other.distance - radius > tolerance)
+          share = (other.distance - radius) / (other.distance - foot->distance);
+    const double middle = good.time + share * (bad.time - good.time);
     if (!(middle > good.time && middle < bad.time))
       break;
     look(middle, between);
-    (!between.in_room || touched(between) ? bad : good) = between;
+    std::swap(!between.in_room || touched(between) ? bad : good, between);
   }
 }
 
 void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact) const {
-  double v[3], follow[3] = {0, 0, 0};
-  const double lift = radius - foot.distance;
+  double v[3];
+  const double lift = radius - foot.distance, left = path.left - l.time;
   contact.time = l.time;
   vector_copy(foot.n, contact.n);
   relative(l, foot, contact.v_wall, v);
   contact.piece = 0;
   contact.face = foot.face;
   vector_add_scaled(l.x, lift > tolerance ? lift : 0, foot.n, contact.x);
-  contact.guarded = lift > tolerance;
-  if (shape.parts_[foot.part].moves())
-    shape.parts_[foot.part].follow(share(l.time), l.x, path.v, follow);
-  contact.follow = vector_dot(follow, foot.n);
+  contact.guarded = lift > near(l, foot);
+  contact.follow = follow(l, foot);
   contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
-  contact.closing =
-      -vector_dot(v, foot.n) + 0.5 * (path.left - l.time) * (contact.follow + contact.curve);
+  contact.closing = -vector_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -468,16 +525,18 @@ bool RegionShape::find(const Path &path, double radius, double latest, Contact &
   const double end = std::min(latest, path.left);
   if (!(search.fastest > 0) || !(path.left > 0))
     return false;
-  Look good, now;
+  Look &good = buffers_.good, &now = buffers_.now;
   search.look(0, now);
   for (int looks = 1;; looks++) {
     const Foot *foot = search.touched(now);
+    if (looks == 2 && foot && now.in_room && !(now.time < end) && search.is_kept(good, *foot))
+      return false;
     if (looks > 1 && good.in_room && search.is_too_far(now, foot)) {
-      const Look far = now;
+      const double far = now.time;
       search.go_back(good, now);
       foot = search.touched(now);
       if (!foot) { /* it has left the room where there is no face */
-        now = far;
+        search.look(far, now);
         foot = search.touched(now);
       }
     }
@@ -487,20 +546,23 @@ bool RegionShape::find(const Path &path, double radius, double latest, Contact &
     }
     if (!(now.time < end))
       return false;
-    good = now;
     double step = search.next(now);
+    if (flat_ && !open_ && now.in_room && !(speed_ > 0) && now.time + step > end)
+      return false;
     if (looks > PATIENCE)
       step = std::max(step, HURRY * radius / search.fastest);
-    search.look(std::min(end, now.time + step), now);
+    std::swap(good, now);
+    search.look(std::min(end, good.time + step), now);
   }
 }
 
 bool RegionShape::under(int face, const double x[3], double reach, double n[3],
                         double v_wall[3]) const {
-  std::vector<Foot> feet;
+  std::vector<Foot> &feet = buffers_.feet;
+  feet.clear();
   find_feet(root_, false, x, reach, feet);
   for (const Foot &foot : feet) {
-    if (foot.face != face)
+    if (foot.face != face || foot.hidden || foot.across)
       continue;
     double point[3];
     vector_copy(foot.n, n);
@@ -519,14 +581,16 @@ bool RegionShape::under(int face, const double x[3], double reach, double n[3],
 /* To the part whose face is there. */
 void RegionShape::stick(const Path &path, const Contact &contact, Place &place) const {
   const double share = path.share() + contact.time / path.dt;
-  std::vector<Foot> feet;
+  std::vector<Foot> &feet = buffers_.feet;
+  feet.clear();
   set_share(share);
   find_feet(root_, false, contact.x, HUGE_VAL, feet);
   set_share(1);
   place.piece = 0;
   double nearest = HUGE_VAL;
   for (const Foot &foot : feet)
-    if (vector_dot(foot.n, contact.n) > 1 - SAME && foot.distance < nearest) {
+    if (!foot.hidden && !foot.across && foot.distance < nearest &&
+        vector_dot(foot.n, contact.n) > 1 - SAME) {
       nearest = foot.distance;
       place.piece = foot.part;
     }

@@ -1,14 +1,12 @@
 /* A region of LAMMPS as a wall: block, cone, cylinder, plane, prism, sphere, and unions and
- * intersections of them, at rest, or moved and turned by variables. A region tells, for a point of
- * its room, where the nearest points of its faces are; nothing for a point outside. The rest is
- * worked out here: the first contact along a path, what a union hides of its parts (LAMMPS's own
- * unions turn the contacts of a part that turns twice), and where a part is within a step.
+ * intersections of them, at rest, or moved and turned by variables. A region tells where the
+ * nearest points of its faces are (region_part.h). The rest is worked out here: the first contact
+ * along a path, and what a union hides of its parts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REGION_SHAPE_H
 #define LMP_REGION_SHAPE_H
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +31,8 @@ public:
   void begin_step();
 
   double travel(double dt) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen,
+               double most) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;
@@ -56,17 +56,18 @@ private:
     std::vector<Node> of;
   };
 
-  /* The nearest point of a face. */
-  struct Foot {
-    double distance, n[3]; /* unit, from the face to the point */
-    double hollow;         /* radius of a face that is hollow towards the point; 0 for others */
-    int part, face;
-  };
+  typedef RegionFoot Foot;
 
   /* What is near a point of the path. */
   struct Look {
     double time, x[3];
     bool in_room;
+    std::vector<Foot> feet;
+  };
+
+  /* Of one search at a time; kept for their memory. */
+  struct Buffers {
+    Look good, now, between;
     std::vector<Foot> feet;
   };
 
@@ -83,9 +84,9 @@ private:
   std::string id_;
   Node root_;
   std::vector<RegionPart> parts_;
-  bool exact_; /* no face is missed between the points that a search looks at */
-  bool open_;
-  double speed_; /* of the fastest point in this step */
+  bool open_, flat_; /* any part has an open face; all faces are flat */
+  double speed_;     /* of the fastest point in this step */
+  mutable Buffers buffers_;
 };
 
 } // namespace LAMMPS_NS

@@ -83,12 +83,18 @@ struct Wall::Flight {
   double radius, mass;
   Path path;
   double begin[3], acceleration[3], half[3], spin[3];
-  std::vector<Event> events;
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
 
-  /* The sustained contacts of one place, and what the particle had before them. */
-  std::vector<Stay> stays;
-  std::vector<Support> supports;
+  /* The impacts of the step; the sustained contacts of one place, and what the particle had before
+   * them. Their memory is used again by the next particle. */
+  struct Lists {
+    std::vector<Event> events;
+    std::vector<Stay> stays;
+    std::vector<Support> supports, along;
+  };
+  std::vector<Event> &events;
+  std::vector<Stay> &stays;
+  std::vector<Support> &supports, &along;
   double free_half[3], free_spin[3];
   bool squeezed; /* no velocity satisfies all of them */
 
@@ -98,7 +104,7 @@ struct Wall::Flight {
   size_t series_begin;
   double series_spin[3];
 
-  Flight(const Spheres &s, int particle);
+  Flight(const Spheres &s, int particle, Lists &lists);
   asp_particle particle(const asp_pair *pair) const;
   void velocity(double time, double v[3]) const;
   void go_on(const double before[3], const double after[3], const double n[3]);
@@ -112,9 +118,11 @@ struct Wall::Flight {
   }
 };
 
-Wall::Flight::Flight(const Spheres &s, int particle)
-    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), squeezed(false), far(false),
+Wall::Flight::Flight(const Spheres &s, int particle, Lists &lists)
+    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), events(lists.events),
+      stays(lists.stays), supports(lists.supports), along(lists.along), squeezed(false), far(false),
       series_begin(0) {
+  events.clear();
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   path.left = path.dt = s.dt;
   vector_copy(v, path.v);
@@ -213,7 +221,8 @@ bool Wall::find_first(const std::vector<Wall *> &walls, const Flight &flight, Wa
 
 /* All contacts of one particle in this step. */
 void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
-  Flight flight(s, i);
+  static thread_local Flight::Lists lists;
+  Flight flight(s, i, lists);
   Path &path = flight.path;
   Wall *wall = NULL, *last = NULL;
   size_t shape;
@@ -371,19 +380,19 @@ void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
 /* The path keeps along the walls as the search has them, which is not exactly what velocities at an
  * instant say; and what pushes the particle against them does not speed it up. */
 void Wall::Flight::follow_walls() {
-  std::vector<Support> keep(supports);
   double none[3] = {0, 0, 0};
   vector_copy(a0, acceleration);
+  along = supports;
   for (size_t k = 0; k < stays.size(); k++) {
-    keep[k].friction = 0;
+    along[k].friction = 0;
     const Contact &contact = stays[k].contact;
-    vector_copy(stays[k].n, keep[k].n);
-    vector_copy(stays[k].n, keep[k].w);
-    vector_scale(stays[k].keep, keep[k].w);
+    vector_copy(stays[k].n, along[k].n);
+    vector_copy(stays[k].n, along[k].w);
+    vector_scale(stays[k].keep, along[k].w);
     const double push = contact.follow + contact.curve - vector_dot(acceleration, contact.n);
     vector_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
   }
-  solve_supports(keep, radius, path.v, none);
+  solve_supports(along, radius, path.v, none);
   vector_add_scaled(half, elapsed() - 0.5 * spheres.dt, acceleration, begin);
 }
 
@@ -487,8 +496,10 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
     size_t shape;
     int face;
   };
-  std::vector<At> at;
-  std::vector<Support> supports;
+  static thread_local std::vector<At> at;
+  static thread_local std::vector<Support> supports;
+  at.clear();
+  supports.clear();
   double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3];
   const double *x = s.x + 3 * static_cast<size_t>(i), *from = NULL;
   for (Wall *wall : walls) {

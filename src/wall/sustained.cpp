@@ -16,7 +16,7 @@ namespace {
  * of what the first one did; they have found no solution if more than DIVERGED of it is left as
  * approach. */
 const int SWEEPS = 100;
-const double CONVERGED = 1e-12, DIVERGED = 1e-3;
+const double CONVERGED = 1e-8, DIVERGED = 1e-3;
 
 /* Adds an impulse per mass at the contact with normal n. */
 void push(const double n[3], const double p[3], double radius, double v[3], double omega[3]) {

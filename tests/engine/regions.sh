@@ -101,6 +101,27 @@ for ranks in 1 2; do
   same whole.csv out.csv "a moving region, restarted on $ranks ranks"
   same whole.end <(sed 1,9d end.400.txt) "places, restarted on $ranks ranks"
 done
+# For how many steps a particle is clear of a region is told anew in each run: runs of one step have the impacts of one
+# run. With parts that are hidden, hollow, obstacles, that move and turn, and some that a particle meets from outside.
+anew() { # NAME, REGIONS, LEAST
+  scene one "$2
+fix low all wall/rebound region r $physics deposit off ledger 100 file one.csv" 'run 300'
+  sed 's/^run 300/run 300 every 1 NULL/; s/one\.csv/other.csv/' one.in > other.in
+  engine 1 one.in
+  engine 1 other.in
+  [ "$(count_rows one.csv)" -ge "$3" ] || die "$1: only $(count_rows one.csv) impacts"
+  same <(rows one.csv) <(rows other.csv) "$1 in runs of one step"
+}
+dt=2e-8
+anew 'a union' 'region a cylinder z 1e-3 1e-3 6e-4 -1e-3 2e-5 units box
+region b block EDGE EDGE EDGE EDGE 0 EDGE units box
+region r union 2 a b' 100
+anew 'an obstacle that moves and turns' 'variable a equal 3000*time
+variable z equal 2e-6*sin(2*PI*time/2e-6)
+region a sphere 1e-3 1e-3 -2e-4 4e-4 side out units box move NULL NULL v_z
+region b block 2e-4 18e-4 2e-4 18e-4 INF 0 side out units box rotate v_a 1e-3 1e-3 0 0 0 1
+region r intersect 2 a b' 100
+dt=
 # Closed rooms, a mirror as the wall, steps of half a diameter to fifty: all stay in, at their speed. (One that begins in
 # a hollow wall slides along it, which keeps its energy to the fourth order of the angle that the wall turns it by.)
 room() { # NAME STEPS REGIONS: the last region is r; `stay` counts who is in it
