@@ -17,7 +17,8 @@ for command in $commands; do
   if grep -n "^[.'][^A-Zn\\f]" page; then die "$command: a line of text begins as a request of troff"; fi
 done
 "$asperity" compare --help=man | grep -q 'IMPACTS \[DATA\]' || die "compare: its arguments in the synopsis"
-"$asperity" --help=man | grep -q 'asperity\\-cor (1)' || die "the page of all commands"
+"$asperity" --help=man > page
+grep -q 'asperity\\-cor (1)' page && grep -q 'DESCRIPTION OF A WALL' page || die "the page of all commands"
 ! "$asperity" cor --help=html 2> err || die "--help=html"
 grep -q "man or words" err || die "message: $(cat err)"
 ! "$asperity" help nothing 2> err || die "help nothing"

@@ -23,7 +23,7 @@ for model in $("$bin/asperity" spread --list | tail -n +3 | cut -d, -f1 | grep -
   engine 2 "$model.in" -var out two.csv
   same one.csv two.csv "$model on 1 and 2 ranks"
   [ "$(count_rows one.csv)" -ge 1500 ] || die "$model: $(count_rows one.csv) impacts"
-  read -r mean sd < <("$bin/asperity" cor surface rq 8um lambda_c 60um spread "$model" collisions single friction 0 surface_energy 0 yield_stress 1e15 deposit off --dp 20um --angles 20 --samples 20000 |
+  read -r mean sd < <("$bin/asperity" cor surface rq 8um lambda_c 60um spread "$model" collisions single friction 0 yield_stress 1e15 deposit off --dp 20um --angles 20 --samples 20000 |
     awk -F, 'NR > 2 { n++; s += $4; q += $4 ^ 2 } END { m = s / n; v = q / n - m ^ 2; print m, (v > 0 ? sqrt(v) : 0) }')
   rows one.csv | awk -F, -v mean="$mean" -v sd="$sd" '$2 == 1 { n++; s += $12; q += $12 ^ 2 }
     END { m = s / n; v = q / n - m ^ 2; v = v > 0 ? sqrt(v) : 0; d = m - mean; e = v - sd

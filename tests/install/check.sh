@@ -29,8 +29,8 @@ gcc -std=c11 -Wall -Wextra -Werror "$program/scatter.c" -o "$work/scatter" \
   $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs asperity) -lm
 "$work/scatter" > "$work/found"
 # The same wall by the command: the means of 10 000 impacts agree within four standard errors of both.
-"$work/prefix/bin/asperity" cor surface rq 5um lambda_c 40um materials quartz 304-ss --dp 10um --speed 100 --angles 20 \
-  --model visible --tilt plane --collisions multiple --samples 10000 |
+"$work/prefix/bin/asperity" cor surface rq 5um lambda_c 40um spread visible plane collisions multiple \
+  materials quartz 304-ss --dp 10um --speed 100 --angles 20 --samples 10000 |
   awk -F '[ ,]' 'NR == FNR { n = $5; t = $8; next } /^[0-9]/ { k++; a += $8; b += $9; aa += $8 ^ 2; bb += $9 ^ 2 }
     function far(mean, sum, squares) { return (mean - sum / k) ^ 2 > 16 * 2 * (squares / k - (sum / k) ^ 2) / k + 1e-6 }
     END { exit k != 10000 || far(n, a, aa) || far(t, b, bb) }' "$work/found" - ||
