@@ -44,6 +44,9 @@ const double KEEPS = 1e-6;
 /* A face's curve is measured over this share of the sphere's radius. */
 const double CURVE = 0.01;
 
+/* How well a curve and a motion are known, as shares of what they do to a path. */
+const double MEASURED = 1e-3;
+
 /* Faces of one part, at most. */
 const int FACES = 64;
 
@@ -374,7 +377,8 @@ double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &coun
   counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * all;
   if ((slides || rides) && foot.distance - radius <= near(l, foot)) {
     const double bend = (rides ? follow(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
-    counts = speed + 0.5 * (path.left - l.time) * bend > CONTACT_APPROACH * all;
+    const double mean = 0.5 * (path.left - l.time) * bend;
+    counts = speed + mean > CONTACT_APPROACH * all + MEASURED * fabs(mean);
   }
   return speed;
 }

@@ -38,7 +38,8 @@ const double GRAZING = 1e-6;
 const double TURN = 0.1;
 
 /* Contacts in a row within this share of the radius. After SERIES of them, as between walls that
- * close, all are taken as sustained; after twice as many the particle is trapped in this step. */
+ * close, all are taken as sustained; after twice as many the search ends for this step, and the
+ * particle is trapped if there were impacts among them. */
 const int SERIES = 16;
 const double NEAR = 0.01;
 
@@ -242,7 +243,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     last = wall;
     stuck = wall->touch(flight, shape, contact, series > SERIES);
   }
-  if (flight.squeezed || series == 2 * SERIES) {
+  if (flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin)) {
     last->counters_[N_GUARDED]++;
     flight.trap();
   }

@@ -87,6 +87,35 @@ done
 near plane.csv mesh.csv '1 2 3 6 7 8 10 11 15 16 19' 1e-6
 ! rows mesh.csv | awk -F, '$3 > 0.4' | grep . || die "rows of grains that slide over the edges of a mesh"
 
+# A grain slides around on a cone without friction: it keeps its energy, and is not trapped.
+if [ $simulator = lammps ]; then
+  cat > cone.in << END
+units si
+atom_style sphere
+atom_modify map array
+boundary f f f
+comm_modify vel yes
+region box block -0.05 0.05 -0.05 0.05 -0.01 0.06 units box
+create_box 1 box
+region funnel cone z 0 0 0.001 0.041 0 0.04 units box open 1 open 2
+fix wall all wall/rebound region funnel rebound constant 0.5 1 friction 0 deposit off
+create_atoms 1 single 0.01960 0 0.02001 units box
+set atom 1 diameter 2e-3 density 2500
+velocity all set 0 0.5 0
+fix fall all gravity 9.81 vector 0 0 -1
+fix move all nve/sphere
+timestep 2e-5
+variable e equal 0.5*(vx[1]^2+vy[1]^2+vz[1]^2)+9.81*z[1]
+thermo_style custom step v_e f_wall f_wall[6]
+thermo 100
+run 10000
+END
+  "$bin/lammps-asperity" -in cone.in -log none > cone.screen 2>&1 || { tail cone.screen; die "a grain on a cone"; }
+  awk 'NF == 4 && $1 ~ /^[0-9]+$/ && $1 >= 1000 { n++; if (!e) e = $2; d = ($2 - e) / e; if (d * d > worst * worst) worst = d; hits = $3; guarded = $4 }
+    END { printf "cone: energy off by %.2g, %d impacts, %d guarded\n", worst, hits, guarded; exit !(n > 80 && worst * worst < 1e-6 && guarded == 0) }' cone.screen ||
+    die "a grain that slides around on a cone"
+fi
+
 # A room of LAMMPS that turns with a grain that is pressed against its walls.
 [ $simulator = lammps ] || exit 0
 for wall in "region room" "stl room.stl move rotate 0 0 0 0 0 1 7.5"; do
