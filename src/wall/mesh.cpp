@@ -346,8 +346,11 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
   return false;
 }
 
+/* Of the periodic images, the first one met; at one instant, as at a seam between two of them, the
+ * one whose normal is nearest to that of a face. */
 bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
   bool found = false;
+  ContactTouch first;
   if (!(path.left > 0))
     return false;
   for (const Shift &shift : shifts_) {
@@ -355,13 +358,15 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
     ContactTouch touch;
     Places place;
     body_path(path, shift, body);
-    if (!find_image(body, radius, latest, touch, place))
+    const double slack = found ? same_instant(first, body, radius) : 0;
+    if (!find_image(body, radius, found ? std::min(latest, first.time + slack) : latest, touch,
+                    place))
       continue;
-    if (found && touch.time >= contact.time)
+    if (found && touch.time >= first.time - slack && !(touch.slant < first.slant))
       continue;
     fill(path, body, shift, radius, touch, place, contact);
     found = true;
-    latest = contact.time;
+    first = touch;
   }
   return found;
 }
