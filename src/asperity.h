@@ -429,7 +429,8 @@ size_t asp_wall_clause(const char *text);
  *   tilt, collisions, deposit
  *   choice      which model `spread auto` has taken and why, once the wall is made
  * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress,
- * sigma, rq, lambda_c (NaN: not given), tolerance and seed. is_given: whether a keyword is given. */
+ * sigma, rq, lambda_c (NaN: not given), tolerance and seed. is_given: whether a keyword is given.
+ */
 const char *asp_wall_word(const asp_wall *wall, const char *name);
 bool asp_wall_is_given(const asp_wall *wall, const char *keyword);
 

@@ -4,10 +4,10 @@
  * Shape k and scale lambda/sigma depend on tau = alpha1/sigma alone, because the truncated law
  * does; so ten numbers replace the paper's database of polynomials per roughness and particle size.
  * They were fitted for this project to the pairs of least D_KL(truncated || Weibull), from which
- * they are off by up to 0.022 in k and 0.004 in lambda/sigma, and 3e-5 in D_KL; see examples/paper_figures.
- * Beyond tau = 6.48, the paper's boundary angle e, the law is the normal one, and the Weibull law
- * that is next to it (k = 3.602) is kept; there is no step there. The steepest face cuts off a
- * share of it, as of every law.
+ * they are off by up to 0.022 in k and 0.004 in lambda/sigma, and 3e-5 in D_KL; see
+ * examples/paper_figures. Beyond tau = 6.48, the paper's boundary angle e, the law is the normal
+ * one, and the Weibull law that is next to it (k = 3.602) is kept; there is no step there. The
+ * steepest face cuts off a share of it, as of every law.
  *
  * Eq. 10 of the paper is misprinted: inverting eq. 8 gives delta = b + lambda (-ln(1 - u))^(1/k).
  *
