@@ -62,12 +62,18 @@ char *cli_copy(const char *text) {
 }
 
 void cli_bad_file(const cli_option *option, const asp_error *error) {
-  bool unreadable = error->code == ASP_EFILE || error->code == ASP_ENOMEM;
   fputs("asperity: ", stderr);
   if (option)
     fprintf(stderr, "--%s: ", option->name);
   fprintf(stderr, "%s\n", error->text);
-  exit(unreadable ? 1 : 2);
+  exit(error->code == ASP_ENOMEM ? 1 : 2);
+}
+
+void cli_say(const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  say(format, args);
+  va_end(args);
 }
 
 void cli_warn(const char *format, ...) {

@@ -53,8 +53,8 @@ CLI_PRINTF void cli_fail(const char *format, ...);      /* exit 1 */
 void *cli_allocate(size_t count, size_t size);
 char *cli_copy(const char *text);
 
-/* Tells what is wrong with the file that an option (NULL: an argument) names: exit 1 where it
- * cannot be read, 2 where it is not what it must be. */
+/* Tells what is wrong with the file that an option (NULL: an argument) names: exit 2, 1 where there
+ * is no memory for it. */
 #if defined(__GNUC__)
 __attribute__((noreturn))
 #endif
@@ -81,7 +81,11 @@ cli_list cli_angles(const cli_option *option);
 /* 0 or 1: which of two words the value is. */
 int cli_choice(const cli_option *option, const char *first, const char *second);
 
-/* A line on stderr that something may not be what is wanted. */
+/* A line on stderr; and one that something may not be what is wanted. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+void cli_say(const char *format, ...);
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif

@@ -217,11 +217,27 @@ static void check_constants(const cli_description *d, double d_most) {
              asp_rebound_name(law));
 }
 
+/* What `spread auto` has taken goes behind the description, as in a ledger's heading; why is said.
+ */
+static void tell_choice(cli_description *d) {
+  const char *why = asp_wall_word(d->wall, "choice");
+  const char *name = asp_spread_name(asp_wall_spread(d->wall));
+  if (!why || !*why)
+    return;
+  size_t size = strlen(d->text) + strlen("; auto chose ") + strlen(name) + 1;
+  char *text = cli_allocate(size, 1);
+  snprintf(text, size, "%s; auto chose %s", d->text, name);
+  free(d->text);
+  d->text = text;
+  cli_say("%s", why);
+}
+
 void cli_description_make(cli_description *d, double d_least, double d_most) {
   asp_error error;
   read_file(d);
   if (asp_wall_make(d->wall, d_least, d_most, &error))
     cli_bad_usage("%s", error.text);
+  tell_choice(d);
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);

@@ -26,7 +26,7 @@ typedef struct cli_description {
   asp_profile *profile; /* a measured wall, once it is made; else NULL */
   asp_map *map;         /* alike */
   char *text;           /* canonical; with the materials, also where they are the
-                           default */
+                           default; once it is made, with what `spread auto` chose */
 } cli_description;
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of

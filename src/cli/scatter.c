@@ -311,7 +311,7 @@ scatter_impacts scatter_read_impacts(const char *path) {
   for (size_t i = 0; i < impacts.count; i++)
     most = fmax(most, impacts.points[i].degrees);
   if (impacts.count == impacts.deposits)
-    cli_fail("%s: no rebound in it (%zu deposits)", path, impacts.deposits);
+    cli_bad_usage("%s: no rebound in it (%zu deposits)", path, impacts.deposits);
   warn_radians(path, most, impacts.count);
   return impacts;
 }

@@ -212,10 +212,6 @@ static asp_code read_lengths(reader *r) {
     code = read_or_fit(r, "surface", "lambda_c", &said->lambda_c);
   if (code)
     return code;
-  if (is(r, "lay"))
-    return aspi_fail(r->error, ASP_EARG,
-                     "'lay' needs two correlation lengths, across it and along it: lambda_c L "
-                     "L_along");
   if (!is_number(r))
     return ASP_OK;
   code = read_number(r, "surface", "lambda_c", &said->lambda_along);
@@ -225,7 +221,7 @@ static asp_code read_lengths(reader *r) {
   return code ? code : read_lay(r);
 }
 
-static asp_code read_surface(reader *r) {
+static asp_code read_kind(reader *r) {
   aspi_description *said = r->said;
   asp_code code = ASP_OK;
   if (take(r, "smooth")) {
@@ -261,6 +257,15 @@ static asp_code read_surface(reader *r) {
       more = false;
   }
   return code;
+}
+
+static asp_code read_surface(reader *r) {
+  asp_code code = read_kind(r);
+  if (code || !is(r, "lay") || aspi_is_given(r->said, "lay"))
+    return code;
+  return aspi_fail(r->error, ASP_EARG,
+                   "'lay' needs two correlation lengths, across it and along it, or a map: surface "
+                   "rq R lambda_c L L_along lay DIRECTION");
 }
 
 static asp_code read_model(reader *r) {

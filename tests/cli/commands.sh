@@ -108,6 +108,16 @@ refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere
 grep -q "cannot write" err || die "full disk: $(cat err)"
 ! ls ./*.partial > /dev/null 2>&1 || die "a partial file was left"
 
+# What `spread auto` has chosen goes into the heading, behind the description, as in a ledger; why is said.
+for command in cor spread; do
+  for tolerance in 0.01 0.3; do
+    "$asperity" $command surface rq 5um lambda_c 40um spread auto tolerance $tolerance --dp 10um --angles 20 > auto 2> err || die "$command: $(cat err)"
+    model=$(sed -n "1s/.* tolerance $tolerance .*; auto chose \\([a-z]*\\)$/\\1/p" auto)
+    grep -q "^asperity: spread auto takes '${model:-none}': the cheapest .* below D_KL $tolerance " err || die "$command spread auto: $(head -n 1 auto; cat err)"
+    "$asperity" $command surface rq 5um lambda_c 40um spread "$model" --dp 10um --angles 20 2> /dev/null | grep -v '^#' | cmp - <(grep -v '^#' auto) || die "$command: auto is not $model"
+  done
+done
+
 # A wall in every way: sigma, its two numbers, a profile; not in two. Speeds as a list with a range, and log-normal.
 cor() { "$asperity" cor "$@" --samples 400 --angles 20 | grep -v '^#\|^dp'; }
 mean() { awk -F, -v k="$1" '{ s += $k } END { print s / NR }'; }
@@ -117,7 +127,7 @@ awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || di
 a=$(cor surface profile level.csv | mean 8) b=$(cor surface rq 5um lambda_c 40um spread profile plane | mean 8)
 awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.9 && a / b < 1.1) }' || die "profile: $a, by its numbers $b"
 refuses 2 "'rq' is unknown" -- cor surface sigma 10 rq 5um lambda_c 40um
-refuses 1 nowhere.csv -- cor surface profile nowhere.csv
+refuses 2 nowhere.csv -- cor surface profile nowhere.csv
 [ "$(cor surface sigma 10 --dp 10um,20um --speed 50,100:120:10 | cut -d, -f1,2 | sort -u | wc -l)" = 8 ] || die "sizes x speeds"
 cor surface sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"
 refuses 2 --speed 'min < median < max' -- cor surface sigma 10 --speed lognormal:10:20:50

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Files that are read: pipes, in place of every kind of file; pipes that nothing writes to, folders and files
-# that are not there, which are told at once and end with status 1.
+# that are not there, which are told at once and end with status 2.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 
@@ -33,7 +33,7 @@ for file in profile uneven materials table impacts dump data; do
     status=0
     export asperity; export -f use
     timeout 20 bash -c "use $file $other" > out 2> err || status=$?
-    [ $status = 1 ] && [ "$(wc -l < err)" = 1 ] || die "$file that is '$other': exit $status: $(cat err)"
+    [ $status = 2 ] && [ "$(wc -l < err)" = 1 ] || die "$file that is '$other': exit $status: $(cat err)"
     case $other in pipe) word='pipe that nothing writes to' ;; .) word='directory' ;; *) word='No such file' ;; esac
     grep -q "'$other'.*$word" err || die "$file that is '$other': $(cat err)"
   done

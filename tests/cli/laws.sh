@@ -74,9 +74,9 @@ printf 'alpha1_deg,v1_m_s,cor_n,cor_t\n10,50,0.9,0.8\n80,50,0.3,0.7\n10,150,0.7,
 [ "$(column cor_n a),$(column cor_t a)" = 0.5,0.65 ] || die "table: $(cat a)"
 refuses 2 "'rebound table' is missing" -- rebound rebound table
 refuses 2 "'law.csv' is unknown" -- rebound rebound bons law.csv
-refuses 1 "no.csv" "No such file" -- rebound rebound table no.csv
-refuses 1 "materials: " "no.csv" "No such file" -- rebound materials ard hastelloy-x file no.csv
-refuses 1 "--materials: " "no.csv" "No such file" -- materials --materials no.csv
+refuses 2 "no.csv" "No such file" -- rebound rebound table no.csv
+refuses 2 "materials: " "no.csv" "No such file" -- rebound materials ard hastelloy-x file no.csv
+refuses 2 "--materials: " "no.csv" "No such file" -- materials --materials no.csv
 sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound rebound table gap.csv
 (cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- rebound rebound table twice.csv
 
@@ -143,8 +143,8 @@ grep -q "look like radians" err || die "compare: radians: $(cat err)"
 "$asperity" cor surface rq 5um lambda_c 40um rebound bons yield_rate 3e6 --samples 9 -o rough.csv
 "$asperity" compare rough.csv d.csv > s 2> err; grep -q "counted twice" err || die "compare: double counting: $(cat err)"
 refuses 2 "one file or two" -- compare
-refuses 1 "no.csv" -- compare no.csv d.csv
-refuses 1 "no.csv" -- compare gt.csv no.csv
+refuses 2 "no.csv" -- compare no.csv d.csv
+refuses 2 "no.csv" -- compare gt.csv no.csv
 printf 'angle,cor_n\n30,0.5\n' > bad.csv; refuses 2 "'alpha1_deg' is missing" "angle cor_n" -- compare gt.csv bad.csv
 printf 'alpha1_deg,restitution\n30,0.5\n' > bad.csv; refuses 2 "neither points nor means" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n,cor_n_mean\n30,0.5,0.5\n' > bad.csv; refuses 2 "both points and means" -- compare gt.csv bad.csv

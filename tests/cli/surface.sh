@@ -133,7 +133,7 @@ refuses 2 phi_r 'reaches to 1' -- cor surface rq 50um lambda_c 40um spread trunc
 refuses 2 rq furlong nm -- surface surface rq 2furlong lambda_c 40um
 refuses 2 --dp 0.1um 0.3125um -- surface surface profile profile.csv --dp 0.1um
 refuses 2 d_p "profile's length" -- surface surface profile profile.csv --dp 1m
-refuses 1 nowhere.csv 'No such file' -- surface surface profile nowhere.csv
+refuses 2 nowhere.csv 'No such file' -- surface surface profile nowhere.csv
 : > empty.csv
 refuses 2 empty.csv:1 'is empty' -- surface surface profile empty.csv
 [ -z "$(ls ./*.partial 2> /dev/null)" ] || die "a partial file is left"

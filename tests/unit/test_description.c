@@ -244,6 +244,9 @@ static void bad_values_are_named(void **state) {
   refuses("surface rq 3 lambda_c 1", "phi_r", "reaches to");
   refuses("surface sigma 60", "sigma is 60", "0.001 to 54");
   refuses("surface rq 1 lambda_c 10 lay 1 0 0", "'lay' needs two", "");
+  refuses("surface sigma 10 lay 3", "'lay' needs two correlation lengths", "lambda_c L L_along");
+  refuses("surface rq 1 lambda_c 10 dp_bins 3 lay 3", "'lay' needs two", "");
+  refuses("surface profile FILE lay axial", "'lay' needs two", "a map");
   refuses("surface rq 1 lambda_c 10 20", "'lay' and its direction", "");
   refuses("surface rq 1 lambda_c 10 20 lay 0 0 0", "lay is 0 0 0", "> 0");
   refuses("surface rq 1 lambda_c 10 20 lay 1 2 up", "third number of the lay", "'up'");
