@@ -81,7 +81,7 @@ run $((400 - $1))"
 }
 whole 130
 # Between an impact and the step before it, so that the first step afterwards has one.
-half=$(rows out.csv | awk -F, '$3 > 1.3e-6 && int($3 / 1e-8) % 2 { print int($3 / 1e-8); exit }')
+half=$(rows out.csv | awk -F, '$3 > 1.3e-6 && int($3 / 1e-8) % 2 && !n++ { print int($3 / 1e-8) }')
 whole "$half"
 mv out.csv whole.csv; sed 1,9d end.400.txt > whole.end
 stuck=$(rows whole.csv | awk -F, '$19 == 1 && $3 < 3.9e-6 { print $1 }' | sort)
