@@ -43,9 +43,6 @@ typedef struct ContactPlane {
   double at;
 } ContactPlane;
 
-/* A lower bound of the gap between the surface of a sphere and the wall; negative for an overlap.
- */
-double contact_plane_gap(const ContactPlane *plane, const double x[3], double radius);
 bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
                         double latest, ContactTouch *touch);
 

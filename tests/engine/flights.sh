@@ -83,8 +83,14 @@ at | awk '{ y = 3e-4; z = -2e-4; u = 30; w = 40; left = 20 * 4e-5; R = 1.95e-3
   y += u * left - $2; z += w * left - $3; w -= $5
   exit !(y * y + z * z < 1e-20 && w * w < 1e-10) }' || { at; die "a long step in a cylinder"; }
 
-# A particle that keeps no speed along the normal slides around a cylinder, pressed against it by the curve of its path:
-# friction mu takes speed until it rolls at 5/7 of it, after the angle ln(7/5)/mu.
+# A particle that keeps no speed along the normal slides around a cylinder without friction, and does not stop.
+flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 surface smooth rebound constant 0 1 friction 0 deposit off" "0 0 -1.5e-3" "0 50 -1" 1e-6 200 > slide.in
+engine 1 slide.in
+at | awk '{ exit !($2 * $2 + $3 * $3 < (1.95e-3 * (1 + 1e-9)) ^ 2 && $2 < 0 && atan2($2, -$3) > -2.3 && atan2($2, -$3) < -2.1) }' ||
+  { at; die "slide without friction: not around the cylinder"; }
+
+# With friction it is pressed against the wall by the curve of its path:
+# mu takes speed until it rolls at 5/7 of it, after the angle ln(7/5)/mu.
 flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 surface smooth rebound constant 0 1 friction 0.3 deposit off" "0 0 -1.5e-3" "0 50 -1" 1e-6 200 > slide.in
 engine 1 slide.in
 at | awk '{ pi = atan2(0, -1); R = 1.95e-3; mu = 0.3; t = (sqrt(1.5e-3 ^ 2 + 2501 * (R ^ 2 - 1.5e-3 ^ 2)) - 1.5e-3) / 2501
