@@ -15,10 +15,10 @@ done
 tree=$(cd "$2" && pwd)
 build=${3:-$home/build}
 
-files=(asperity.h base/ledger_columns.h)
+files=(asperity.h base/ledger_columns.h base/number.h)
 for source in "${sources[@]}"; do files+=("${source##*/}"); done
-for source in "$home"/src/{wall,contact}/*.h; do files+=("${source#"$home/src/"}"); done
-libraries=(libasperity_wall.a libasperity.a)
+for source in "$home"/src/{dem,contact}/*.h; do files+=("${source#"$home/src/"}"); done
+libraries=(libasperity_dem.a libasperity.a)
 
 source_of() {
   case $1 in
@@ -32,7 +32,7 @@ install)
   for library in "${libraries[@]}"; do
     [ -f "$build/src/$library" ] || die "there is no $build/src/$library; run cmake/prepare, or name the build folder"
   done
-  mkdir -p "$tree/asperity" "$tree"/{base,contact,wall}
+  mkdir -p "$tree/asperity" "$tree"/{base,contact,dem}
   for file in "${files[@]}"; do
     [ ! -e "$tree/$file" ] || cmp -s "$(source_of "$file")" "$tree/$file" || echo "replaces $file"
     cp "$(source_of "$file")" "$tree/$file"
@@ -50,7 +50,7 @@ diff)
 remove)
   for file in "${files[@]}"; do rm -f "$tree/$file"; done
   rm -rf "$tree/asperity"
-  for folder in base contact wall; do
+  for folder in base contact dem; do
     [ ! -d "$tree/$folder" ] || rmdir --ignore-fail-on-non-empty "$tree/$folder"
   done
   echo "removed from $tree; the style goes with the next build"

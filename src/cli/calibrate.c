@@ -6,7 +6,7 @@
 #include "cli/calibrate.h"
 #include "base/number.h"
 #include "base/quantity.h"
-#include "impact/description.h"
+#include "wall/description.h"
 #include "rebound/laws.h"
 
 #include <gsl/gsl_cdf.h>

@@ -6,7 +6,7 @@
 #include "base/running.h"
 #include "base/stream.h"
 #include "cli/calibrate.h"
-#include "impact/wall.h"
+#include "wall/wall.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
 #include "base/number.h"
-#include "impact/description.h"
+#include "wall/description.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/measure.h"
-#include "impact/wall.h"
+#include "wall/wall.h"
 #include "surface/closing.h"
 #include "surface/profile.h"
 

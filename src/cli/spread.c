@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/spread.h"
 #include "base/running.h"
-#include "impact/wall.h"
+#include "wall/wall.h"
 #include "surface/size_law.h"
 
 #include <gsl/gsl_sort.h>

@@ -6,7 +6,7 @@
 #include "cli/description.h"
 #include "cli/surface_map.h"
 #include "surface/describe.h"
-#include "surface/read.h"
+#include "readers/read.h"
 
 #include <math.h>
 #include <stdlib.h>

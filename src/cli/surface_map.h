@@ -6,7 +6,7 @@
 
 #include "cli/cli.h"
 #include "surface/map_describe.h"
-#include "surface/map_read.h"
+#include "readers/map_read.h"
 
 /* A measured map, what was done to it, and what it is. */
 typedef struct cli_map {

@@ -14,8 +14,8 @@
 #include "lammps.h"
 #include "modify.h"
 #include "update.h"
-#include "wall/error.h"
-#include "wall/text.h"
+#include "dem/error.h"
+#include "dem/text.h"
 
 using namespace LAMMPS_NS;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fix.h"
-#include "wall/engine.h"
+#include "dem/engine.h"
 
 namespace LAMMPS_NS {
 

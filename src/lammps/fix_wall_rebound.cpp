@@ -15,9 +15,9 @@
 #include "modify.h"
 #include "output.h"
 #include "update.h"
-#include "wall/error.h"
-#include "wall/primitive.h"
-#include "wall/text.h"
+#include "dem/error.h"
+#include "dem/primitive.h"
+#include "dem/text.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;

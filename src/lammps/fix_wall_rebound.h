@@ -22,9 +22,9 @@ FixStyle(wall/rebound,FixWallRebound);
 #include "engine_lammps.h"
 #include "fix.h"
 #include "region_shape.h"
-#include "wall/driven_mesh.h"
-#include "wall/map_file.h"
-#include "wall/wall.h"
+#include "driven_mesh.h"
+#include "map_file.h"
+#include "dem/wall.h"
 
 namespace LAMMPS_NS {
 

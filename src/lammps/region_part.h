@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pointers.h"
-#include "wall/motion.h"
+#include "dem/motion.h"
 
 namespace LAMMPS_NS {
 

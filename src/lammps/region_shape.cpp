@@ -19,9 +19,9 @@
 #include "modify.h"
 #include "region.h"
 #include "update.h"
-#include "wall/error.h"
-#include "wall/record.h"
-#include "wall/text.h"
+#include "dem/error.h"
+#include "dem/record.h"
+#include "dem/text.h"
 
 using namespace LAMMPS_NS;
 using asperity::Contact;

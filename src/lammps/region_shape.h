@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "region_part.h"
-#include "wall/shape.h"
+#include "dem/shape.h"
 
 namespace LAMMPS_NS {
 

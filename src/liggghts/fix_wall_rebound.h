@@ -22,7 +22,7 @@ FixStyle(wall/rebound, FixWallRebound)
 
 #include "fix.h"
 #include "mesh_liggghts.h"
-#include "wall/wall.h"
+#include "dem/wall.h"
 
 namespace LAMMPS_NS {
 

@@ -10,9 +10,9 @@
 #include "atom.h"
 #include "contact/vector.h"
 #include "tri_mesh.h"
-#include "wall/error.h"
-#include "wall/text.h"
-#include "wall/wall.h"
+#include "dem/error.h"
+#include "dem/text.h"
+#include "dem/wall.h"
 
 using namespace LAMMPS_NS;
 using asperity::Blow;

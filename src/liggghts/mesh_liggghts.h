@@ -13,8 +13,8 @@
 
 #include "fix_mesh_surface.h"
 #include "mesh_module_stress.h"
-#include "wall/mesh.h"
-#include "wall/parted.h"
+#include "dem/mesh.h"
+#include "parted.h"
 
 namespace LAMMPS_NS {
 

@@ -1,266 +1,65 @@
-/* A rough wall in a simulation: the contacts of its particles in each step, what sticks to it, its
- * counters, its ledger, and what goes into restart files. It knows no engine.
- *
- * A contact is an event on the straight path of a step, found before the forces of that step are
- * worked out: the particle goes on from there with its new velocity for the rest of the step,
- * through as many contacts, on as many walls, as there are. Walls of one run are worked out
- * together.
+/* What a wall keeps: what was chosen and set, and what its contacts read.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_WALL_H
-#define ASPERITY_WALL_WALL_H
+#ifndef ASP_IMPACT_WALL_H
+#define ASP_IMPACT_WALL_H
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
+#include "rebound/laws.h"
+#include "rebound/removal.h"
+#include "spread/models.h"
 
-#include "wall/engine.h"
-#include "wall/ledger.h"
-#include "wall/model.h"
-#include "wall/record.h"
-#include "wall/shape.h"
-#include "wall/words.h"
-
-namespace asperity {
-
-class Wall {
-public:
-  /* Numbers of each particle that the engine keeps and moves between ranks, and writes into restart
-   * files; all 0 at first. State: how often the particle has hit this wall, and whether it is free,
-   * stays at the wall, or is stuck. Place: where it sticks, and with which velocity. Of a particle
-   * that stays at the wall, pairs of a shape (from 1; 0: none) and its face instead, and FROM,
-   * where the wall is curved, its normal as the contact began; of one that has rebounded in this
-   * step, SQUARE and WORK of its energy (see balance()) and NORMAL. */
-  enum { IMPACTS, STATE, N_STATE };
-  enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, FROM = 6, N_PLACE = FROM + 3 };
-  enum { SQUARE = SHAPE, WORK = PIECE, NORMAL = AT };
-  enum State { REBOUNDED = -3, RESTED, RESTING, FREE, FROZEN, DOOMED };
-
-  enum Counter {
-    N_IMPACTS,
-    N_DEPOSITS,
-    DEPOSITED_MASS,
-    N_LATER_HITS,
-    N_CAPPED,
-    N_GUARDED,
-    N_COUNTERS
-  };
-
-  /* Sums of a shape, and of each of its pieces. */
-  enum Total { SHAPE_IMPACTS, SHAPE_DEPOSITS, SHAPE_MASS, SHAPE_ENERGY, N_TOTALS };
-  enum Sum { PIECE_IMPACTS, PIECE_MASS, PIECE_ENERGY, N_SUMS };
-
-  explicit Wall(const Engine &engine);
-
-  /* A shape, of atoms of wall_type, with `pieces` triangles numbered from 0 (0: of one piece), and
-   * a name by which a restart file knows it. */
-  void add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
-                 const std::string &name);
-  size_t shapes() const {
-    return shapes_.size();
-  }
-
-  /* Reads the rest of the command. geometry: what the command says before it, for messages. own:
-   * the engine's own keywords, or NULL. */
-  void parse(Words &words, const std::string &geometry, OwnKeywords *own = NULL);
-
-  /* Before a run, and at its beginning, when all particles are where they belong; collective. */
-  void init(int64_t step, double dt);
-  void setup(const Spheres &spheres, int groupbit, const Box &box);
-
-  /* The rows of this rank's particles, N_STATE and N_PLACE each. */
-  void set_rows(double *state, double *place) {
-    state_ = state;
-    place_ = place;
-  }
-
-  /* Where the box may have changed its size since setup(). */
-  void set_box(const Box &box) {
-    box_ = box;
-  }
-
-  /* Where particles may have grown: what was seen of their ways ahead counts no more. */
-  void look_anew();
-
-  /* After particles have moved between ranks, or have been put into another order. */
-  void reorder(const Spheres &spheres);
-
-  /* All contacts of a step of all walls of a run; their rows must be set. */
-  static void step(const std::vector<Wall *> &walls, const Spheres &spheres);
-
-  /* The end of a step, after its forces, for all walls of a run; their rows must be set. */
-  static void hold(const std::vector<Wall *> &walls, const Spheres &spheres);
-
-  /* Whether particles of this rank are to be deleted. */
-  bool has_doomed() const {
-    return has_doomed_;
-  }
-  bool is_doomed(int i) const {
-    return state_[static_cast<size_t>(i) * N_STATE + STATE] == DOOMED;
-  }
-
-  /* The ledger's windows, and warnings at output; collective. */
-  void end_step(int64_t step, bool output);
-  void end_run();
-
-  void reset_dt(int64_t step, double dt);
-  void reset_step(int64_t now, int64_t before);
-
-  /* By the wall's own clock, which restarts and reset_step() do not disturb; after init(). */
-  bool is_at_rest(int i) const {
-    return status(i) == RESTING;
-  }
-  double time(double step) const;
-
-  const Model &model() const {
-    return model_;
-  }
-  Ledger *ledger() {
-    return ledger_.get();
-  }
-  const std::string &geometry() const {
-    return geometry_;
-  }
-
-  /* Sums over the ranks; collective. */
-  double counter(int k) const;
-  double total(size_t shape, int k) const;
-  double stuck() const;                         /* how many particles are, now */
-  std::vector<double> sums(size_t shape) const; /* N_SUMS each piece, on all ranks */
-  /* The same, some pieces at a time: their first one, and theirs. */
-  void show_sums(size_t shape,
-                 const std::function<void(size_t, const std::vector<double> &)> &show) const;
-
-  double bytes() const;
-
-  /* What goes into a restart file, on rank 0, and back, before init(); collective. Both throw an
-   * Error where that cannot be. */
-  std::vector<char> save();
-  void restore(const char *record);
-
-  static const char KEYWORDS[];
-
-private:
-  /* The time of the ledger: an engine's own may begin anew after a restart. dt 0: not set yet. */
-  struct Clock {
-    double time, step, dt;
-  };
-
-  /* Numbers, 0 at first, that take memory only where one of them has been changed. */
-  class Sums {
-  public:
-    explicit Sums(size_t count);
-    size_t size() const {
-      return count_;
-    }
-    double *data() const {
-      return numbers_.get();
-    }
-
-  private:
-    size_t count_;
-    std::unique_ptr<double[], void (*)(void *)> numbers_;
-  };
-
-  struct Member {
-    std::unique_ptr<Shape> shape;
-    std::string name; /* of a mesh; empty for a shape of one piece */
-    int wall_type;
-    double totals[N_TOTALS];
-    Sums sums;
-  };
-
-  /* A contact that is not counted yet. */
-  struct Event {
-    Wall *wall;
-    size_t shape;
-    Contact contact;
-    double v1[3];         /* relative to the wall */
-    double elapsed, time; /* of the step; of the ledger */
-    asp_key key;
-    asp_impact impact;
-  };
-
-  /* The contacts of one particle in one step. */
-  struct Flight;
-
-  /* Of each particle, until which step it cannot touch if it keeps this velocity. */
-  struct Ahead {
-    int now; /* steps are counted from the beginning of the run */
-    std::vector<int> due;
-    std::vector<float> v;     /* rows of three */
-    std::vector<int64_t> tag; /* of whom this is */
-  };
-
-  /* The fastest particle of this rank in this run, by its radii per time. */
-  struct Fastest {
-    double ratio, d_p, speed;
-  };
-
-  double *state(int i) const {
-    return state_ + static_cast<size_t>(i) * N_STATE;
-  }
-  State status(int i) const {
-    return static_cast<State>(static_cast<int>(state(i)[STATE]));
-  }
-  double *place(int i) const {
-    return place_ + static_cast<size_t>(i) * N_PLACE;
-  }
-  void set_clock(int64_t step, double dt);
-  std::string heading() const;
-  Settings settings() const;
-
-  void carry(const Spheres &spheres);
-  void carry_one(const Spheres &spheres, int i, double dt);
-  void find_near(const Spheres &spheres, std::vector<int> &near);
-  void look_ahead(const Spheres &spheres, int i, std::vector<int> &near);
-  void look_next(int i);
-  bool repeats() const;
-  int steps_clear(const Spheres &spheres, int i) const;
-  static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
-                         size_t &shape, Contact &contact);
-  static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
-  bool touch(Flight &flight, size_t shape, Contact contact, bool crowded);
-  void keep_resting(int i, size_t shape, const Contact &contact);
-  static void hold_resting(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
-  static void note_energy(const Flight &flight);
-  void balance(const Spheres &spheres, int i);
-  void press(const Spheres &spheres, int i, size_t shape, int piece, const double n[3],
-             const double impulse[3], const double v1[3]);
-  void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
-  void count(const Flight &flight, const Event &event);
-  void record(const Flight &flight, const Event &event);
-  void restore_shapes(const WallState &saved);
-  void renumber_stuck(const Spheres &spheres);
-  void parse_ledger(Words &words);
-  void check_written(const std::string &wrong) const;
-  void check_speeds(const Spheres &spheres);
-  void warn_of_speeds();
-
-  const Engine &engine_;
-  Model model_;
-  std::string geometry_;
-  std::vector<Member> shapes_;
-  std::unique_ptr<Ledger> ledger_;
-  uint32_t key_;
-  int groupbit_;
-  Box box_;
-  double *state_, *place_;
-  std::vector<int> stuck_, touching_, rested_; /* touching: those that stay or have rebounded, of
-                                                  this step; rested: of the step before */
-  Ahead ahead_;
-  double travel_; /* of the wall's fastest point in a step, at most */
-  double stray_;  /* how far a particle may leave the way that it was looked ahead on, a step */
-  double counters_[N_COUNTERS];
-  Clock clock_;
-  Fastest fastest_;
-  double dt_;
-  std::vector<int>
-      shape_now_; /* of a restart: the shape, from 1, that was each of the saved ones */
-  bool warned_, cut_, has_doomed_; /* cut: a particle had too many contacts in a step */
+/* Numbers of a wall that are no parameters of its law. */
+enum {
+  ASP_WALL_DEPOSIT,
+  ASP_WALL_SCATTER_TWICE,
+  ASP_WALL_REMOVE_U_TAU,
+  ASP_WALL_REMOVE_GAS_DENSITY,
+  ASP_WALL_REMOVE_MEAN_FREE_PATH,
+  ASP_WALL_REMOVE_WORK,
+  ASP_WALL_D_P_LEAST,
+  ASP_WALL_D_P_MOST,
+  ASP_WALL_D_P_BINS,
+  ASP_WALL_NUMBERS
 };
 
-} // namespace asperity
+/* As the user has it. */
+typedef struct aspi_wall_choice {
+  const asp_surface *surface; /* NULL: smooth */
+  const asp_map *map;         /* goes before the profile */
+  const asp_profile *profile; /* NULL: one is generated where the model needs one */
+  const asp_cor_table *table;
+  const asp_spread_model *spread;
+  const asp_rebound_law *law;
+  bool isotropic, multiple;
+  double parameters[ASP_PARAMETERS_MAX];
+  double numbers[ASP_WALL_NUMBERS];
+} aspi_wall_choice;
+
+typedef struct aspi_description aspi_description;
+
+struct asp_wall {
+  aspi_wall_choice choice;
+  aspi_description *said; /* NULL: not made of a description */
+  /* What follows is made of it by asp_wall_prepare. */
+  const asp_surface *surface;
+  const asp_spread_model *spread;
+  const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
+  void *data;                     /* of the model */
+  bool (*follow)(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta);
+  bool draws_q; /* the model draws the slope across the flight, too */
+  const asp_rebound_law *law;
+  double parameters[ASP_PARAMETERS_MAX];
+  const asp_cor_table *table;
+  bool rough; /* false: smooth, and nothing is drawn */
+  bool isotropic;
+  bool multiple; /* a particle that a face sends into the wall goes on to the next face */
+  bool deposit;
+  bool spins;     /* the law turns the particle */
+  aspi_flow flow; /* takes away what sticks */
+};
+
+/* Takes over the law, its parameters and the other numbers as they have been set since
+ * asp_wall_prepare; surface, profile, map and model stay as they were then. */
+asp_code aspi_wall_renew(asp_wall *wall, asp_error *error);
 
 #endif

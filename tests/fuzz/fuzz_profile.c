@@ -7,8 +7,8 @@
 #include "base/stream.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
-#include "surface/map_read.h"
-#include "surface/read.h"
+#include "readers/map_read.h"
+#include "readers/read.h"
 #include "surface/slopes.h"
 
 #include <math.h>

@@ -15,7 +15,7 @@ touch "$work/src/Make.sh" "$work/src/fix_wall_reflect.h"
 "$script" install "$work/src" "$build" > "$work/how"
 option=-DLAMMPS_SMALLBIG
 [ $engine = lammps ] || option=$(grep -oE -- "-iquote [^\"]+" "$work/how") || die "no -iquote in: $(cat "$work/how")"
-grep -q -- "-L$work/src/asperity -lasperity_wall -lasperity" "$work/how" || die "no libraries in: $(cat "$work/how")"
+grep -q -- "-L$work/src/asperity -lasperity_dem -lasperity" "$work/how" || die "no libraries in: $(cat "$work/how")"
 mapfile -t added < <("$script" diff "$work/src" | sed -n 's/^added: //p')
 sources=0
 for file in "${added[@]}"; do

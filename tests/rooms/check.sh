@@ -12,19 +12,20 @@ say() { echo "FAILED: $*"; bad=1; }
 # The rooms, and what each may know besides itself and asperity.h. An engine's headers are known to its own room only.
 declare -A knows=(
   [base]=''
-  [analysis]=''
+  [analysis]='base surface readers spread rebound wall'
   [surface]='base'
+  [readers]='base surface'
   [spread]='base surface'
   [rebound]='base'
-  [impact]='base surface spread rebound'
+  [wall]='base surface readers spread rebound'
   [contact]='base'
-  [wall]='base contact impact'
-  [liggghts]='base contact wall'
-  [lammps]='base contact wall'
-  [cli]='base surface spread rebound impact analysis'
+  [dem]='base contact wall'
+  [liggghts]='base contact dem'
+  [lammps]='base contact dem'
+  [cli]='base surface readers spread rebound wall analysis'
 )
 engines=' liggghts lammps '
-with_mpi=" wall$engines"
+with_mpi=" dem$engines"
 
 may_know() { # ROOM OTHER
   [ "$1" = "$2" ] || [[ " ${knows[$1]} " == *" $2 "* ]]

@@ -10,7 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/measure.h"
-#include "impact/wall.h"
+#include "wall/wall.h"
 
 #include <math.h>
 #include <string.h>

@@ -11,7 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
-#include "impact/wall.h"
+#include "wall/wall.h"
 #include "random.h"
 
 #include <fenv.h>

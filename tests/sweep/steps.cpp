@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "contact/vector.h"
-#include "wall/mesh.h"
-#include "wall/primitive.h"
-#include "wall/wall.h"
+#include "dem/mesh.h"
+#include "dem/primitive.h"
+#include "dem/wall.h"
 
 using namespace asperity;
 

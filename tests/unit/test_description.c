@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "impact/description.h"
+#include "wall/description.h"
 
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "impact/wall.h"
+#include "wall/wall.h"
 
 #include <stdlib.h>
 #include <unistd.h>

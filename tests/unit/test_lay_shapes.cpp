@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "wall/mesh.h"
-#include "wall/primitive.h"
+#include "dem/mesh.h"
+#include "dem/primitive.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

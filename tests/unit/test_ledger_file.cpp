@@ -1,7 +1,7 @@
 /* The file of a ledger: whole windows or nothing of them, whatever the disk does.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "wall/ledger_file.h"
+#include "dem/ledger_file.h"
 
 #include <setjmp.h>
 #include <signal.h>
@@ -15,8 +15,8 @@
 #include <iterator>
 #include <memory>
 
-#include "wall/error.h"
-#include "wall/ledger_format.h"
+#include "dem/error.h"
+#include "dem/ledger_format.h"
 extern "C" {
 #include <cmocka.h>
 }

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "rebound/cor_table.h"
-#include "surface/read.h"
+#include "readers/read.h"
 
 #include <locale.h>
 #include <stdlib.h>

@@ -14,7 +14,7 @@
 #include "surface/ball.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
-#include "surface/read.h"
+#include "readers/read.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"
 

@@ -13,7 +13,7 @@ extern "C" {
 }
 
 #include "contact/vector.h"
-#include "wall/motion.h"
+#include "dem/motion.h"
 
 using namespace asperity;
 

@@ -1,7 +1,7 @@
 /* The ledger's numbers against the C library's `%.10g`, to the last character.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "wall/number.h"
+#include "dem/number.h"
 
 #include <math.h>
 #include <setjmp.h>

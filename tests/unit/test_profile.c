@@ -5,7 +5,7 @@
 #include "base/units.h"
 #include "surface/describe.h"
 #include "surface/profile.h"
-#include "surface/read.h"
+#include "readers/read.h"
 
 #include <stdlib.h>
 #include <unistd.h>

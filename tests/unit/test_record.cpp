@@ -3,15 +3,15 @@
  * memory of just its length.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "wall/record.h"
+#include "dem/record.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <string.h>
 #include <memory>
 
-#include "wall/checksum.h"
-#include "wall/error.h"
+#include "dem/checksum.h"
+#include "dem/error.h"
 extern "C" {
 #include <cmocka.h>
 }

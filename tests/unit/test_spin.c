@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "impact/wall.h"
+#include "wall/wall.h"
 
 #include <gsl/gsl_rng.h>
 

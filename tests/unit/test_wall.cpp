@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "contact/vector.h"
-#include "wall/error.h"
-#include "wall/primitive.h"
-#include "wall/wall.h"
+#include "dem/error.h"
+#include "dem/primitive.h"
+#include "dem/wall.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,0 +1,118 @@
+/* When a particle can meet a wall at the earliest: most are known to be too far away for many
+ * steps, and are not looked at in these.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/wall.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+/* Ahead::due of a particle that is stuck, or not of the group: never near; and of one that rested
+ * in the last step: near without another look. */
+const int NEVER = INT_MAX, AT_REST = -1;
+
+/* Particles are screened in blocks of this many. */
+const int BLOCK = 32;
+
+/* Longest prediction, in steps. */
+const double AHEAD_MOST = 512;
+
+/* What a sum of rounded numbers may be off where it is compared with another one. */
+const double ROUNDING = 1e-9;
+
+/* Less than 1/sqrt(3): the length of a vector whose components are no larger is below 1. */
+const double COMPONENT = 0.577;
+
+} // namespace
+
+void Wall::look_anew() {
+  ahead_.now = 0;
+  std::fill(ahead_.due.begin(), ahead_.due.end(), 0);
+}
+
+/* After the contacts of a step. */
+void Wall::look_next(int i) {
+  ahead_.due[i] = is_at_rest(i) ? AT_REST : 0;
+}
+
+/* True if one of n components of a velocity differs by more than `most` from the predicted one. */
+static bool any_strays(const double *v, const float *along, int n, float most) {
+  int over = 0;
+  for (int k = 0; k < n; k++)
+    over += !(fabsf(static_cast<float>(v[k]) - along[k]) <= most);
+  return over > 0;
+}
+
+static bool any_due(const int *due, int n, int now) {
+  int over = 0;
+  for (int i = 0; i < n; i++)
+    over += due[i] <= now;
+  return over > 0;
+}
+
+/* Particles that may touch this wall in this step. Most are known to be too far away: their way was
+ * looked ahead on for some steps, in which they may stray from it a little. */
+void Wall::find_near(const Spheres &s, std::vector<int> &near) {
+  double travel = 0;
+  for (const Member &member : shapes_)
+    travel = std::max(travel, member.shape->travel(s.dt));
+  if (travel > travel_) {
+    travel_ = 2 * travel;
+    look_anew();
+  }
+  if (ahead_.now > INT_MAX / 2)
+    look_anew(); /* before the count of steps could overflow */
+  ahead_.now++;
+  const float most = static_cast<float>(COMPONENT * stray_ / s.dt);
+  for (int first = 0; first < s.n; first += BLOCK) {
+    const int count = std::min(BLOCK, s.n - first);
+    const double *v = s.v + 3 * static_cast<size_t>(first);
+    const float *along = ahead_.v.data() + 3 * static_cast<size_t>(first);
+    const int *due = ahead_.due.data() + first;
+    if (!any_strays(v, along, 3 * count, most) && !any_due(due, count, ahead_.now))
+      continue;
+    for (int i = 0; i < count; i++)
+      if (due[i] <= ahead_.now || any_strays(v + 3 * i, along + 3 * i, 3, most))
+        look_ahead(s, first + i, near);
+  }
+}
+
+/* What is known of this particle is used up. (The way that was seen is wider from step to step by
+ * as much as a particle may stray in one; so none may stray more in any of them, for one that is
+ * thrown back to the wall by another would be there before.) */
+void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
+  const double *v = s.v + 3 * static_cast<size_t>(i);
+  float *along = &ahead_.v[3 * static_cast<size_t>(i)];
+  int *due = &ahead_.due[i];
+  const bool out = !(s.mask[i] & groupbit_) || state(i)[STATE] > FREE;
+  for (int d = 0; d < 3; d++)
+    along[d] = static_cast<float>(v[d]);
+  *due = out ? NEVER : *due == AT_REST ? 0 : ahead_.now + steps_clear(s, i);
+  if (*due <= ahead_.now)
+    near.push_back(i);
+}
+
+/* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
+ * strays no more than it may; 0 where it may touch in this one. Straying is told in single
+ * precision only. */
+int Wall::steps_clear(const Spheres &s, int i) const {
+  const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
+  double begin[3], by[3], steps = AHEAD_MOST;
+  for (int d = 0; d < 3; d++) {
+    by[d] = v[d] * s.dt;
+    begin[d] = x[d] - by[d];
+  }
+  const double widen = stray_ + FLT_EPSILON * vector_length(by) + travel_;
+  const double reach = (1 + ROUNDING) * s.radius[i] + widen;
+  for (const Member &member : shapes_)
+    steps = std::min(steps, member.shape->clear(begin, by, reach, widen, steps));
+  return static_cast<int>((1 - ROUNDING) * steps);
+}

@@ -1,0 +1,35 @@
+/* What every engine answers in the same way; see engine.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/engine.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "asperity.h"
+
+using namespace asperity;
+
+std::vector<Engine::Kind> asperity::kinds_of(const Spheres &spheres, int group,
+                                             const std::vector<double> &present, MPI_Comm world) {
+  const size_t n = present.size();
+  /* Of each type: whether there are any, their largest density, and minus their least. */
+  std::vector<double> mine(3 * n, -HUGE_VAL), all(3 * n);
+  for (size_t t = 0; t < n; t++)
+    mine[3 * t] = present[t];
+  for (int i = 0; i < spheres.n; i++) {
+    if (!(spheres.mask[i] & group))
+      continue;
+    double *of = &mine[3 * static_cast<size_t>(spheres.type[i] - 1)];
+    const double r = spheres.radius[i], density = spheres.mass[i] / (4 * ASP_PI / 3 * r * r * r);
+    of[0] = 1;
+    of[1] = std::max(of[1], density);
+    of[2] = std::max(of[2], -density);
+  }
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_MAX, world);
+  std::vector<Engine::Kind> kinds;
+  for (size_t t = 0; t < n; t++)
+    kinds.push_back(
+        Engine::Kind{all[3 * t] > 0, std::max(0., -all[3 * t + 2]), std::max(0., all[3 * t + 1])});
+  return kinds;
+}

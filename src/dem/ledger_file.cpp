@@ -1,0 +1,339 @@
+/* The file of a ledger; see ledger_file.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/ledger_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <algorithm>
+#include <map>
+
+#include "dem/checksum.h"
+#include "dem/error.h"
+#include "dem/ledger_format.h"
+
+using namespace asperity;
+
+/* How many of a file's last bytes tell it from another one; how many bytes are read or written at
+ * once; and where a heading has ended, for certain. */
+static const int64_t TAIL = 4096;
+static const size_t BUFFER = 1 << 18, HEADING_MOST = 1 << 14;
+
+/* A file that a wall of this process has, or had: two walls must not write the same one, and a wall
+ * that is taken away and defined again must not write over its rows. */
+struct LedgerFile::Known {
+  std::string owner, heading;
+  bool is_open;
+  LedgerState state;
+  int64_t step;
+};
+
+LedgerFile::Known &LedgerFile::known() const {
+  static std::map<std::pair<dev_t, ino_t>, Known> files;
+  return files[place_];
+}
+
+static std::string cannot_write(const std::string &path, const std::string &why) {
+  return "cannot write the ledger file '" + path + "': " + why;
+}
+
+static std::string rows_of(int64_t count) {
+  return std::to_string(count) + (count == 1 ? " row" : " rows");
+}
+
+LedgerFile::LedgerFile(const std::string &owner, const std::string &path)
+    : owner_(owner), path_(path), is_array_(is_ledger_array(path)), is_stream_(false), fd_(-1),
+      place_(), rows_(0), bytes_(0), step_(0), pending_(0), torn_(false) {}
+
+LedgerFile::~LedgerFile() {
+  if (fd_ < 0)
+    return;
+  if (!is_stream_)
+    known() = Known{owner_, heading_, false, state(), step_};
+  close(fd_);
+}
+
+/* ---- beginning and continuing ---------------------------------------------------------------- */
+
+std::string LedgerFile::open(const LedgerState &saved, const std::string &heading, int64_t step) {
+  struct stat now;
+  is_stream_ = stat(path_.c_str(), &now) == 0 && !S_ISREG(now.st_mode);
+  bool is_new = true;
+  if (is_stream_)
+    open_stream();
+  else
+    is_new = open_regular(saved);
+  try {
+    if (!is_stream_)
+      lock();
+    const std::string report = begin_or_continue(is_new, saved, heading, step);
+    heading_ = heading;
+    step_ = step;
+    if (!is_stream_)
+      known() = Known{owner_, heading, true, LedgerState(), step};
+    return report;
+  } catch (const Error &) {
+    close(fd_);
+    fd_ = -1;
+    throw;
+  }
+}
+
+/* Without waiting for a reader, which may never come. */
+void LedgerFile::open_stream() {
+  if (is_array_)
+    throw Error("the ledger file '" + path_ + "' must be a regular one for an array");
+  fd_ = ::open(path_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  if (fd_ < 0)
+    throw Error(cannot_write(path_, strerror(errno)));
+  fcntl(fd_, F_SETFL, fcntl(fd_, F_GETFL) & ~O_NONBLOCK);
+}
+
+/* As it is, or, where there is none, a new one; returns whether it is. */
+bool LedgerFile::open_regular(const LedgerState &saved) {
+  const int flags = O_RDWR | O_CLOEXEC;
+  fd_ = ::open(path_.c_str(), flags);
+  const bool is_new = fd_ < 0 && errno == ENOENT;
+  if (is_new && saved.path == path_ && saved.rows > 0)
+    throw Error("the ledger file '" + path_ + "' is gone, and the restart file tells of " +
+                rows_of(saved.rows) +
+                " in it; it must be there, or 'ledger' name another file, which begins anew");
+  if (is_new)
+    fd_ = ::open(path_.c_str(), flags | O_CREAT | O_EXCL, 0666);
+  struct stat is;
+  if (fd_ < 0 || fstat(fd_, &is) != 0)
+    throw Error(cannot_write(path_, strerror(errno)));
+  place_ = std::make_pair(is.st_dev, is.st_ino);
+  if (is_new)
+    known() = Known();
+  return is_new;
+}
+
+/* File systems without locks tell other walls of this process only. */
+void LedgerFile::lock() {
+  if (known().is_open)
+    throw Error("the ledger file '" + path_ + "' is that of " + known().owner +
+                "; each wall must have a file of its own");
+  if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw Error("the ledger file '" + path_ +
+                "' is being written by another run; each must have a file of its own");
+}
+
+std::string LedgerFile::begin_or_continue(bool is_new, const LedgerState &saved,
+                                          const std::string &heading, int64_t step) {
+  const bool same_name = saved.path == path_;
+  if (!is_new && !saved.path.empty() && (same_name || holds(saved)))
+    return continue_at(saved, "the restart file");
+  if (!is_new && known().state.rows > 0) {
+    const Known earlier = known();
+    check_known(earlier, heading, step);
+    return continue_at(earlier.state, earlier.owner);
+  }
+  begin(heading);
+  if (saved.rows == 0 || same_name)
+    return "";
+  return "ledger file '" + path_ + "' begins here; the " + rows_of(saved.rows) + " of '" +
+         saved.path + "' that the restart file tells of are not in it";
+}
+
+void LedgerFile::begin(const std::string &heading) {
+  std::string first = "# " + heading + "\n" + ledger_names() + "\n";
+  if (is_array_) {
+    begin_ = begin_array(heading);
+    first = array_header(begin_, 0);
+  }
+  if (!is_stream_ && ftruncate(fd_, 0) != 0)
+    throw Error(cannot_write(path_, strerror(errno)));
+  write(first.data(), first.size(), 0);
+  if (!why_.empty())
+    throw Error(cannot_write(path_, why_));
+  rows_ = 0;
+  bytes_ = static_cast<int64_t>(first.size());
+}
+
+/* Rows of an earlier wall of this run are neither written over nor mixed with those of another
+ * wall, or of a run that begins again. */
+void LedgerFile::check_known(const Known &earlier, const std::string &heading, int64_t step) const {
+  const std::string holds = "the ledger file '" + path_ + "' holds " + rows_of(earlier.state.rows) +
+                            " that " + earlier.owner + " wrote earlier in this run";
+  if (heading != earlier.heading)
+    throw Error(holds + ", with other settings (" + earlier.heading +
+                "); this wall must have a file of its own");
+  if (step < earlier.step)
+    throw Error(holds + ", up to step " + std::to_string(earlier.step) + ", and now it is step " +
+                std::to_string(step) + "; a run that begins again must have a file of its own");
+}
+
+std::string LedgerFile::continue_at(const LedgerState &state, const std::string &teller) {
+  const std::string advice = "; it must be the file itself, or 'ledger' name another file, which "
+                             "begins anew";
+  bool torn;
+  if (size() < state.bytes) {
+    const int64_t found = count_rows(0, torn);
+    throw Error("the ledger file '" + path_ + "' has " + rows_of(found) + ", and " + teller +
+                " tells of " + std::to_string(state.rows) + ": " +
+                std::to_string(state.rows - found) + " are missing" + advice);
+  }
+  check_columns();
+  if (!holds(state))
+    throw Error("the ledger file '" + path_ + "' is another one than " + teller +
+                " tells of: its rows before number " + std::to_string(state.rows) + " differ" +
+                advice);
+  const int64_t after = count_rows(state.bytes, torn);
+  rows_ = state.rows;
+  bytes_ = state.bytes;
+  take_back();
+  if (torn_)
+    throw Error(cannot_write(path_, why_));
+  std::string report = "ledger file '" + path_ + "' goes on behind the " + rows_of(rows_) +
+                       " that " + teller + " tells of";
+  if (after > 0 || torn)
+    report += "; " + (after > 0 ? rows_of(after) : std::string()) +
+              (after > 0 && torn ? " and " : "") + (torn ? "a part of a row" : "") +
+              " after them cut off";
+  return report;
+}
+
+/* An array's heading stays what it is. */
+void LedgerFile::check_columns() {
+  std::string first(is_array_ ? static_cast<size_t>(LEDGER_HEADER) : HEADING_MOST, '\0');
+  first.resize(std::max<ssize_t>(0, pread(fd_, &first[0], first.size(), 0)));
+  bool good = first.compare(0, 1, "#") == 0;
+  if (is_array_) {
+    begin_ = find_begin(first);
+    good = !begin_.empty();
+  } else {
+    const std::string names = "\n" + ledger_names() + "\n";
+    good =
+        good && first.compare(std::min(first.find('\n'), first.size()), names.size(), names) == 0;
+  }
+  if (!good)
+    throw Error("the ledger file '" + path_ +
+                "' is not one to append to: its columns must be those of this version");
+}
+
+bool LedgerFile::holds(const LedgerState &state) const {
+  return is_ledger_array(state.path) == is_array_ && size() >= state.bytes &&
+         tail_at(state.bytes) == state.tail;
+}
+
+/* Rows only: an array's header changes with their number. */
+uint32_t LedgerFile::tail_at(int64_t bytes) const {
+  const int64_t from = std::max(bytes - TAIL, is_array_ ? static_cast<int64_t>(LEDGER_HEADER) : 0);
+  std::vector<char> tail(static_cast<size_t>(std::max<int64_t>(0, bytes - from)));
+  const ssize_t length = pread(fd_, tail.data(), tail.size(), from);
+  return checksum(tail.data(), static_cast<size_t>(std::max<ssize_t>(0, length)));
+}
+
+int64_t LedgerFile::size() const {
+  struct stat is;
+  return fstat(fd_, &is) == 0 ? static_cast<int64_t>(is.st_size) : 0;
+}
+
+int64_t LedgerFile::count_lines(int64_t from, bool &torn) const {
+  std::vector<char> part(BUFFER);
+  int64_t lines = 0;
+  torn = false;
+  for (ssize_t length; (length = pread(fd_, part.data(), part.size(), from)) > 0; from += length) {
+    lines += std::count(part.begin(), part.begin() + length, '\n');
+    torn = part[length - 1] != '\n';
+  }
+  return lines;
+}
+
+/* From a place between two rows, or from the beginning of the file. */
+int64_t LedgerFile::count_rows(int64_t from, bool &torn) const {
+  if (!is_array_)
+    return std::max<int64_t>(0, count_lines(from, torn) - (from > 0 ? 0 : 2));
+  const int64_t bytes = size() - std::max(from, static_cast<int64_t>(LEDGER_HEADER));
+  torn = bytes > 0 && bytes % bytes_of_record() > 0;
+  return std::max<int64_t>(0, bytes / bytes_of_record());
+}
+
+LedgerState LedgerFile::state() const {
+  if (fd_ < 0 || is_stream_)
+    return LedgerState();
+  return LedgerState{path_, rows_, bytes_, tail_at(bytes_)};
+}
+
+/* ---- writing --------------------------------------------------------------------------------- */
+
+void LedgerFile::add(const char *bytes, size_t length) {
+  buffer_.insert(buffer_.end(), bytes, bytes + length);
+  if (buffer_.size() >= BUFFER)
+    write_buffer();
+}
+
+void LedgerFile::write(const char *bytes, size_t length, int64_t at) {
+  while (why_.empty() && length > 0) {
+    const ssize_t done = is_stream_ ? ::write(fd_, bytes, length) : pwrite(fd_, bytes, length, at);
+    if (done < 0 && errno == EINTR)
+      continue;
+    if (done <= 0) {
+      why_ = done < 0 ? strerror(errno) : "nothing more is taken";
+      return;
+    }
+    bytes += done;
+    at += done;
+    length -= static_cast<size_t>(done);
+  }
+}
+
+void LedgerFile::write_buffer() {
+  if (torn_)
+    take_back();
+  write(buffer_.data(), buffer_.size(), bytes_ + pending_);
+  pending_ += static_cast<int64_t>(buffer_.size());
+  buffer_.clear();
+}
+
+/* Back to the windows that have ended, and an array's header with them. */
+void LedgerFile::take_back() {
+  if (is_stream_)
+    return;
+  why_.clear();
+  if (ftruncate(fd_, bytes_) != 0)
+    why_ = strerror(errno);
+  if (is_array_) {
+    const std::string header = array_header(begin_, rows_);
+    write(header.data(), header.size(), 0);
+  }
+  torn_ = !why_.empty();
+}
+
+/* Rows that go to a file without a name are gone with it. */
+bool LedgerFile::is_deleted() const {
+  struct stat is;
+  return !is_stream_ && fstat(fd_, &is) == 0 && is.st_nlink == 0;
+}
+
+std::string LedgerFile::commit(int64_t rows, int64_t step) {
+  write_buffer();
+  if (is_array_) {
+    const std::string header = array_header(begin_, rows_ + rows);
+    write(header.data(), header.size(), 0);
+  }
+  if (why_.empty() && is_deleted())
+    why_ = "it has been deleted";
+  const std::string why = why_;
+  if (why.empty()) {
+    rows_ += rows;
+    bytes_ += pending_;
+    step_ = step;
+  } else
+    take_back();
+  why_.clear();
+  pending_ = 0;
+  return why;
+}
+
+/* Some file systems cannot be asked. */
+std::string LedgerFile::sync() {
+  if (is_stream_ || fsync(fd_) == 0 || errno == EINVAL || errno == ENOTSUP)
+    return "";
+  return strerror(errno);
+}

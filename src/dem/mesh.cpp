@@ -1,0 +1,493 @@
+/* A mesh as a wall; see mesh.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/mesh.h"
+
+#include <math.h>
+#include <algorithm>
+#include <new>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+/* A long path is searched in pieces, the first one first: of this many radii, and longer ones where
+ * they meet no more than so many triangles. */
+const double PIECE = 16;
+const size_t MANY = 64;
+
+/* In radii; see same_instant(). */
+const double GRAZING = 1e-7;
+
+/* How closely a particle that a belt takes along keeps its distance, in radii. */
+const double KEEPS = 1e-6;
+
+/* Sine of the angle to the face from which on a contact is one with an edge or a corner. */
+const double EDGE = 1e-6;
+
+/* Two faces are one where the cosine between their normals differs from 1 by less. */
+const double FLAT = 1e-9;
+
+/* How much later than `touch` another contact may be to be at the same instant: as far as the
+ * instant is known, which is not well where the sphere grazes the wall, but no more than a small
+ * share of the time in which it moves by its radius. */
+double same_instant(const ContactTouch &touch, const ContactPath &path, double radius) {
+  const double by_gap = 2 * CONTACT_TOLERANCE * radius / -vector_dot(path.v, touch.n);
+  return std::min(by_gap, GRAZING * radius / vector_length(path.v));
+}
+
+} // namespace
+
+MeshShape::MeshShape() : tree_(NULL, contact_tree_free) {
+  const double none[3] = {0, 0, 0};
+  set_periods(none);
+}
+
+void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
+                              const std::vector<int> &id) {
+  put_tree(contact_tree_create(triangles.data(), id.data(), id.size()));
+}
+
+void MeshShape::put_tree(ContactTree *tree) const {
+  if (!tree)
+    throw std::bad_alloc();
+  tree_.reset(tree);
+  found_.is_set = false;
+}
+
+void MeshShape::set_periods(const double period[3]) {
+  shifts_.assign(1, Shift{{0, 0, 0}});
+  for (int d = 0; d < 3; d++)
+    periodic_[d] = period[d] > 0;
+  for (int d = 0; d < 3; d++)
+    for (size_t k = 0, n = shifts_.size(); period[d] > 0 && k < n; k++)
+      for (int side = -1; side <= 1; side += 2) {
+        Shift shift = shifts_[k];
+        shift.by[d] = side * period[d];
+        shifts_.push_back(shift);
+      }
+}
+
+Bounds MeshShape::whole() const {
+  Bounds box;
+  contact_tree_box(tree_.get(), box.lo, box.hi);
+  return box;
+}
+
+double MeshShape::travel(double dt) const {
+  double most = 0;
+  const Bounds box = whole();
+  if (!motion_.moves() || box.lo[0] > box.hi[0])
+    return 0;
+  for (int corner = 0; corner < 8; corner++) {
+    double x[3], begin[3], end[3], v[3], chord[3];
+    for (int d = 0; d < 3; d++)
+      x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
+    motion_.at(0).to_world(x, begin);
+    motion_.end().to_world(x, end);
+    vector_subtract(end, begin, chord);
+    motion_.velocity(1, end, v);
+    most = std::max(most, std::max(vector_length(chord), vector_length(v) * dt));
+  }
+  return 1.5 * most; /* a chord is shorter than its arc */
+}
+
+bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
+  for (const Shift &shift : shifts_) {
+    double low[3], high[3];
+    vector_subtract(lo, shift.by, low);
+    vector_subtract(hi, shift.by, high);
+    if (!motion_.in_world()) { /* the box around the box, in the mesh's frame */
+      double corner[3], body[3];
+      double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+      for (int k = 0; k < 8; k++) {
+        for (int d = 0; d < 3; d++)
+          corner[d] = k >> d & 1 ? high[d] : low[d];
+        motion_.end().to_body(corner, body);
+        for (int d = 0; d < 3; d++) {
+          box[0][d] = std::min(box[0][d], body[d]);
+          box[1][d] = std::max(box[1][d], body[d]);
+        }
+      }
+      vector_copy(box[0], low);
+      vector_copy(box[1], high);
+    }
+    Bounds box;
+    vector_copy(low, box.lo);
+    vector_copy(high, box.hi);
+    get_to_know(box);
+    if (contact_tree_meets(tree_.get(), low, high))
+      return true;
+  }
+  return false;
+}
+
+/* The box of a sphere on its way. */
+static Bounds bounds_of(const double x[3], const double v[3], double from, double to,
+                        double radius) {
+  Bounds box;
+  for (int d = 0; d < 3; d++) {
+    const double a = x[d] + v[d] * from, b = x[d] + v[d] * to;
+    box.lo[d] = std::min(a, b) - radius;
+    box.hi[d] = std::max(a, b) + radius;
+  }
+  return box;
+}
+
+double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
+                        double most) const {
+  double steps = most;
+  for (const Shift &shift : shifts_) {
+    double from[3], at[3], by[3];
+    vector_subtract(x, shift.by, from);
+    vector_copy(from, at);
+    vector_copy(v, by);
+    if (!motion_.in_world()) {
+      const Frame &frame = motion_.end();
+      frame.to_body(from, at);
+      for (int j = 0; j < 3; j++)
+        by[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
+    }
+    /* No farther than the triangles are known, and one step at least. */
+    while (!knows_all() && steps > 1 && !knows(bounds_of(at, by, 0, steps, reach + steps * widen)))
+      steps = std::max(1.0, steps / 4);
+    if (!knows_all())
+      get_to_know(bounds_of(at, by, 0, steps, reach + steps * widen));
+    steps = std::min(steps, contact_tree_clear(tree_.get(), at, by, reach, widen, steps));
+  }
+  return steps;
+}
+
+bool MeshShape::repeats(int axis) const {
+  return periodic_[axis];
+}
+
+/* The path as the mesh sees it: straight between its two ends in the mesh's frame. */
+void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &body) const {
+  double begin[3], end[3], end_in_body[3];
+  body.left = path.left;
+  vector_subtract(path.x, shift.by, begin);
+  if (motion_.in_world()) {
+    vector_copy(begin, body.x);
+    vector_copy(path.v, body.v);
+    return;
+  }
+  vector_add_scaled(begin, path.left, path.v, end);
+  motion_.at(path.share()).to_body(begin, body.x);
+  motion_.end().to_body(end, end_in_body);
+  vector_subtract(end_in_body, body.x, body.v);
+  vector_scale(1 / path.left, body.v);
+}
+
+void MeshShape::get_to_know(const Bounds &box) const {
+  if (!knows_all() && !knows(box))
+    learn(box);
+}
+
+/* All triangles that meet a box, and some that only come near it: those of a box that is wider by
+ * a margin are kept, since a particle that has met one is looked at again from there. */
+const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
+  if (found_.is_set && found_.box.has(box))
+    return found_.list;
+  Bounds wide = box;
+  for (int d = 0; d < 3; d++) {
+    wide.lo[d] -= margin;
+    wide.hi[d] += margin;
+  }
+  get_to_know(wide);
+  const ContactTree *tree = tree_.get();
+  found_.is_set = false;
+  found_.box = wide;
+  found_.list.count = 0;
+  if (!contact_tree_meet(tree, wide.lo, wide.hi, &found_.list))
+    throw std::bad_alloc();
+  std::sort(found_.list.item, found_.list.item + found_.list.count,
+            [tree](int a, int b) { return contact_tree_id(tree, a) < contact_tree_id(tree, b); });
+  found_.is_set = true;
+  return found_.list;
+}
+
+/* Cuts the times from..to to those at which the sphere may meet the box of the triangles. */
+bool MeshShape::clip(const ContactPath &body, double radius, double &from, double &to) const {
+  const Bounds box = whole();
+  for (int d = 0; d < 3; d++) {
+    const double lo = box.lo[d] - 1.001 * radius - body.x[d];
+    const double hi = box.hi[d] + 1.001 * radius - body.x[d];
+    if (body.v[d] > 0 || body.v[d] < 0) {
+      from = std::max(from, std::min(lo / body.v[d], hi / body.v[d]));
+      to = std::min(to, std::max(lo / body.v[d], hi / body.v[d]));
+    } else if (lo > 0 || hi < 0)
+      return false;
+  }
+  return from <= to;
+}
+
+/* The first triangle on the path. An edge is met at one instant by all of its triangles: the
+ * contact is that of the one with the least number, but with the normal that is nearest to that of
+ * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
+bool MeshShape::find_image(const ContactPath &body, double radius, double latest,
+                           ContactTouch &touch, Places &place) const {
+  const double speed = vector_length(body.v);
+  const double least = PIECE * radius / speed;
+  double from = 0, most = std::min(latest, body.left), piece = least;
+  if (!(speed > 0) || (piece < most && !clip(body, radius, from, most)))
+    return false;
+  for (;;) {
+    const double to = std::min(from + piece, most);
+    const ContactList &list = meet(bounds_of(body.x, body.v, from, to, 1.001 * radius),
+                                   std::min(speed * (to - from), radius));
+    if (list.count > MANY && piece > least) {
+      piece = std::max(least, piece / 4);
+      continue;
+    }
+    const ContactTree *tree = tree_.get();
+    bool found = false;
+    for (size_t i = 0; i < list.count; i++) {
+      ContactTouch other;
+      const double slack = found ? same_instant(touch, body, radius) : 0;
+      if (!contact_triangle_find(contact_tree_triangle(tree, list.item[i]), &body, radius,
+                                 found ? touch.time + slack : to, &other))
+        continue;
+      const bool same = found && other.time >= touch.time - slack;
+      if (!same)
+        place.piece = list.item[i];
+      if (!same || other.slant < touch.slant) {
+        touch = other;
+        place.face = list.item[i];
+      }
+      found = true;
+    }
+    if (found)
+      return true;
+    if (to >= most || !(to > from))
+      return false;
+    piece *= 2;
+    from = to;
+  }
+}
+
+void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shift, double radius,
+                     const ContactTouch &touch, const Places &place, Contact &contact) const {
+  double center[3], foot[3], follow[3];
+  contact.time = touch.time;
+  contact.guarded = touch.guarded;
+  contact.curve = 0;
+  contact.closing = -vector_dot(body.v, touch.n);
+  contact.piece = contact_tree_id(tree_.get(), place.piece);
+  contact.face = contact_tree_id(tree_.get(), place.face);
+  if (touch.slant > EDGE)
+    contact.face = ~contact.face;
+  vector_add_scaled(body.x, touch.time, body.v, center);
+  vector_add_scaled(center, touch.lift, touch.n, center);
+  vector_add_scaled(center, -radius, touch.n, foot);
+  if (motion_.in_world()) {
+    vector_copy(touch.n, contact.n);
+    vector_add_scaled(path.x, touch.time, path.v, contact.x);
+    vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
+    contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.follow = 0;
+    if (runs())
+      surface_velocity(contact.piece, foot, contact.v_wall);
+    return;
+  }
+  const double share = path.share() + touch.time / path.dt;
+  const Frame frame = motion_.at(share);
+  frame.to_world(center, contact.x);
+  motion_.follow(share, contact.x, path.v, follow);
+  vector_add_scaled(contact.x, 1, shift.by, contact.x);
+  for (int i = 0; i < 3; i++)
+    contact.n[i] = vector_dot(frame.turn[i], touch.n);
+  double world_foot[3];
+  frame.to_world(foot, world_foot);
+  motion_.velocity(share, world_foot, contact.v_wall);
+  contact.follow = vector_dot(follow, contact.n);
+}
+
+/* A face goes on in its plane where the centre has left the triangle: on a flat mesh it is the
+ * next one's, too. An edge or a corner, whose number is the complement of the triangle's, does not.
+ */
+bool MeshShape::under(int face, const double x[3], double reach, double n[3],
+                      double v_wall[3]) const {
+  const bool edge = face < 0;
+  const int piece = edge ? ~face : face;
+  for (const Shift &shift : shifts_) {
+    double at[3], foot[3], arm[3], normal[3];
+    vector_subtract(x, shift.by, at);
+    motion_.end().to_body(at, at);
+    const double still[3] = {0, 0, 0};
+    get_to_know(bounds_of(at, still, 0, 0, reach));
+    const int place = contact_tree_place(tree_.get(), piece);
+    if (place < 0)
+      continue;
+    const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), place);
+    if (!(contact_triangle_nearest(triangle, at, foot) <= 2 * reach))
+      continue;
+    if (!edge) {
+      contact_triangle_normal(triangle, normal);
+      vector_subtract(at, triangle->node[0], arm);
+      vector_add_scaled(at, -vector_dot(arm, normal), normal, foot);
+    }
+    vector_subtract(at, foot, arm);
+    const double distance = vector_length(arm);
+    if (!(distance <= reach && distance > 0))
+      continue;
+    for (int i = 0; i < 3; i++)
+      n[i] = vector_dot(motion_.end().turn[i], arm) / distance;
+    v_wall[0] = v_wall[1] = v_wall[2] = 0;
+    if (runs())
+      surface_velocity(piece, foot, v_wall);
+    else if (motion_.moves()) {
+      motion_.end().to_world(foot, foot);
+      motion_.velocity(1, foot, v_wall);
+    }
+    return true;
+  }
+  return false;
+}
+
+/* Of the periodic images, the first one met; at one instant, as at a seam between two of them, the
+ * one whose normal is nearest to that of a face. */
+bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  bool found = false;
+  ContactTouch first;
+  if (!(path.left > 0))
+    return false;
+  for (const Shift &shift : shifts_) {
+    ContactPath body;
+    ContactTouch touch;
+    Places place;
+    body_path(path, shift, body);
+    const double slack = found ? same_instant(first, body, radius) : 0;
+    if (!find_image(body, radius, found ? std::min(latest, first.time + slack) : latest, touch,
+                    place))
+      continue;
+    if (found && touch.time >= first.time - slack && !(touch.slant < first.slant))
+      continue;
+    fill(path, body, shift, radius, touch, place, contact);
+    found = true;
+    first = touch;
+  }
+  return found;
+}
+
+void MeshShape::stick(const Path &path, const Contact &contact, Place &place) const {
+  place.piece = contact.piece;
+  if (motion_.in_world())
+    vector_copy(contact.x, place.at);
+  else
+    motion_.at(path.share() + contact.time / path.dt).to_body(contact.x, place.at);
+}
+
+/* The vector is of the mesh's own frame, which is the world's when the wall is defined. */
+void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
+                    double direction[3]) const {
+  vector_copy(lay.vector, direction);
+  if (motion_.in_world())
+    return;
+  const Frame frame = motion_.at(path.share() + contact.time / path.dt);
+  for (int i = 0; i < 3; i++)
+    direction[i] = vector_dot(frame.turn[i], lay.vector);
+}
+
+/* One step along a belt: false where it ends, or runs against something. */
+bool MeshShape::walk(Place &place, double radius, double dt) const {
+  const double still[3] = {0, 0, 0};
+  const Bounds around = bounds_of(place.at, still, 0, 0, 2 * radius);
+  get_to_know(around);
+  const ContactTree *tree = tree_.get();
+  const int from = contact_tree_place(tree, place.piece);
+  if (from < 0)
+    return false;
+  double v[3], foot[3], there[3], arm[3];
+  contact_triangle_nearest(contact_tree_triangle(tree, from), place.at, foot);
+  surface_velocity(place.piece, foot, v);
+  vector_add_scaled(place.at, 0.5 * dt, v, there); /* the midpoint rule, for belts that turn */
+  contact_triangle_nearest(contact_tree_triangle(tree, from), there, foot);
+  surface_velocity(place.piece, foot, v);
+  vector_add_scaled(place.at, dt, v, there);
+  int to;
+  const double reach = radius + vector_length(v) * dt + KEEPS * radius;
+  const Bounds ahead = bounds_of(there, still, 0, 0, 1.01 * reach);
+  get_to_know(ahead);
+  tree = tree_.get();
+  const double distance = contact_tree_distance(tree, there, reach, &to);
+  if (to < 0 || distance < (1 - KEEPS) * radius)
+    return false;
+  contact_triangle_nearest(contact_tree_triangle(tree, to), there, foot);
+  vector_subtract(there, foot, arm);
+  double normal[3];
+  contact_triangle_normal(contact_tree_triangle(tree, to), normal);
+  if (fabs(vector_dot(arm, normal)) < (1 - FLAT) * distance) {
+    /* Over an edge: it goes on only where the mesh does, around the edge. */
+    const ContactList &list = meet(bounds_of(foot, still, 0, 0, KEEPS * radius), 0);
+    bool goes_on = false;
+    for (size_t i = 0; i < list.count; i++) {
+      double other[3], point[3], off[3];
+      const ContactTriangle *triangle = contact_tree_triangle(tree, list.item[i]);
+      contact_triangle_normal(triangle, other);
+      contact_triangle_nearest(triangle, foot, point);
+      vector_subtract(foot, point, off);
+      goes_on = goes_on || (vector_length(off) <= KEEPS * radius &&
+                            fabs(vector_dot(other, normal)) < 1 - FLAT);
+    }
+    if (!goes_on)
+      return false;
+  }
+  place.piece = contact_tree_id(tree, to);
+  vector_add_scaled(foot, radius / distance, arm, place.at);
+  return true;
+}
+
+void MeshShape::carry(Place &place, double radius, double dt, double x[3], double v[3]) const {
+  double before[3];
+  vector_copy(place.at, before);
+  if (runs() && dt > 0 && walk(place, radius, dt)) {
+    vector_copy(place.at, x);
+    vector_subtract(x, before, v);
+    vector_scale(1 / dt, v);
+    return;
+  }
+  if (motion_.in_world())
+    vector_copy(place.at, x);
+  else
+    motion_.end().to_world(place.at, x);
+  motion_.velocity(1, x, v);
+}
+
+std::vector<double> MeshShape::motion_record() const {
+  std::vector<double> record;
+  if (!tree_ || motion_.in_world())
+    return record;
+  const Twist &last = motion_.last();
+  record.insert(record.end(), last.angular, last.angular + 3);
+  record.insert(record.end(), last.linear, last.linear + 3);
+  for (size_t i = 0; i < contact_tree_count(tree_.get()); i++) {
+    const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), static_cast<int>(i));
+    record.push_back(contact_tree_id(tree_.get(), static_cast<int>(i)));
+    record.insert(record.end(), triangle->node[0], triangle->node[0] + 9);
+  }
+  return record;
+}
+
+void MeshShape::restore_motion(const std::vector<double> &record) {
+  const size_t head = 6, row = 10;
+  if (record.size() < head || (record.size() - head) % row != 0)
+    return;
+  Twist last;
+  vector_copy(&record[0], last.angular);
+  vector_copy(&record[3], last.linear);
+  std::vector<ContactTriangle> triangles((record.size() - head) / row);
+  std::vector<int> id(triangles.size());
+  for (size_t i = 0; i < id.size(); i++) {
+    const double *from = &record[head + row * i];
+    id[i] = static_cast<int>(from[0]);
+    std::copy(from + 1, from + row, triangles[i].node[0]);
+  }
+  set_triangles(triangles, id);
+  motion_.set_last(last);
+}
+
+size_t MeshShape::bytes() const {
+  return sizeof *this + (tree_ ? contact_tree_bytes(tree_.get()) : 0);
+}

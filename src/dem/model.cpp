@@ -1,0 +1,479 @@
+/* The wall that a script describes; see model.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/model.h"
+
+#include <math.h>
+#include <string.h>
+#include <algorithm>
+
+#include "dem/error.h"
+#include "dem/text.h"
+#include "dem/units.h"
+
+using namespace asperity;
+
+namespace {
+
+const double DEGREES = 180 / ASP_PI;
+
+/* The first of n words, and the last one of them for all others: "7e10 2.05e11 2.05e11". */
+std::string for_types(int n, const char *first, const char *other) {
+  std::string values = first;
+  for (int i = 1; i < n; i++)
+    values += std::string(" ") + other;
+  return values;
+}
+
+} // namespace
+
+Model::Model(const Engine &engine)
+    : engine_(engine), units_(), d_range_(), sampled_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
+      lay_(), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
+      wall_(NULL, asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {}
+
+/* ---- words of the script ----------------------------------------------------------------------
+ */
+
+/* Not when this is made, for nothing can be reported there. */
+void Model::begin() {
+  asp_error wrong;
+  if (wall_)
+    return;
+  const std::string style = engine_.units();
+  units_ = units_of(style);
+  units_name_ = "'units " + style + "'; units must be " + engine_.known_units();
+  units_.name = units_name_.c_str();
+  wall_.reset(asp_wall_parse("", &units_, &wrong));
+  if (!wall_)
+    throw Error(wrong.text);
+  if (engine_.dimension() == 2)
+    asp_wall_choose(wall_.get(), "tilt", "plane", NULL);
+}
+
+void Model::parse(Words &words, const std::string &others) {
+  asp_error wrong;
+  int taken;
+  const std::vector<const char *> rest = words.rest();
+  begin();
+  if (asp_wall_read(wall_.get(), static_cast<int>(rest.size()), rest.data(), others.c_str(), &taken,
+                    &wrong))
+    throw Error(wrong.text);
+  words.skip(taken);
+}
+
+void Model::finish() {
+  asp_error wrong;
+  begin();
+  if (asp_wall_complete(wall_.get(), &wrong))
+    throw Error(wrong.text);
+  const int names = asp_wall_materials(wall_.get());
+  if (is_given("materials") && names != engine_.types())
+    throw Error(text("materials has %d names, and the script has %d atom types; there must be one "
+                     "name for each type",
+                     names, engine_.types()));
+  const std::string deposit = asp_wall_word(wall_.get(), "deposit");
+  deposit_ = deposit == "freeze" ? FREEZE : deposit == "delete" ? DELETE : OFF;
+  seed_ = static_cast<uint32_t>(asp_wall_get(wall_.get(), "seed"));
+  lay_ = asp_wall_lay(wall_.get());
+  check_dimension();
+  if (measured())
+    read_measured();
+  if (!asp_wall_needs_sizes(wall_.get()))
+    make();
+}
+
+/* In two dimensions nothing may leave the plane. The law of a map tilts out of it, whatever the
+ * script says. */
+void Model::check_dimension() const {
+  if (engine_.dimension() != 2)
+    return;
+  const std::string surface = asp_wall_word(wall_.get(), "surface"),
+                    tilt = asp_wall_word(wall_.get(), "tilt");
+  const std::string spread = asp_spread_name(asp_wall_spread(wall_.get()));
+  if (surface == "smooth")
+    return;
+  if (tilt != "plane")
+    throw Error("spread is 'isotropic', which tilts out of the plane of 'dimension 2'; it must be "
+                "plane");
+  if (surface == "map" && (spread == "profile" || asp_wall_get(wall_.get(), "tolerance") > 0))
+    throw Error("spread is 'profile' or 'auto', of a map a law in three dimensions; in 'dimension "
+                "2' it must be another model, such as visible");
+  if (lay_.kind != ASP_LAY_NONE)
+    throw Error(
+        "the wall has a lay; in 'dimension 2' it must have none: lambda_c must be the length "
+        "along the plane");
+}
+
+bool Model::measured() const {
+  return asp_wall_word(wall_.get(), "file") != NULL;
+}
+
+/* The profile or the map for all ranks. */
+void Model::read_measured() {
+  asp_error wrong;
+  const std::string path = asp_wall_word(wall_.get(), "file");
+  const bool is_map = strcmp(asp_wall_word(wall_.get(), "surface"), "map") == 0;
+  if (!(units_.metre > 0))
+    throw Error(std::string(is_map ? "a map" : "a profile") +
+                " is in SI units, which cannot be converted to " + units_name_);
+  Reading reading;
+  if (is_map)
+    map_ = read_map(engine_.world(), path, units_.metre, reading);
+  else
+    profile_ = read_profile(engine_.world(), path, units_.metre, reading);
+  report_ = reading.report;
+  if (!reading.doubts.empty())
+    engine_.warn(std::string(is_map ? "surface map " : "surface profile ") + path + ": " +
+                 reading.doubts);
+  asp_wall_set_profile(wall_.get(), profile_.get());
+  asp_wall_set_map(wall_.get(), map_.get());
+  if (asp_wall_complete(wall_.get(), &wrong))
+    throw Error(wrong.text);
+}
+
+/* ---- set-up -----------------------------------------------------------------------------------
+ */
+
+void Model::make() {
+  asp_error wrong;
+  is_made_ = false;
+  if (asp_wall_make(wall_.get(), d_range_[0], d_range_[1], &wrong))
+    throw Error(wrong.text);
+  is_made_ = true;
+}
+
+void Model::set_sizes(const double range[2]) {
+  d_range_[0] = range[0];
+  d_range_[1] = range[1];
+}
+
+void Model::prepare(const std::vector<int> &wall_types) {
+  find_materials(wall_types);
+  fit_sizes();
+  warn_of_doubts(wall_types);
+}
+
+/* Bins, tables and the choice of a model span the diameters that there are or will be; the span
+ * never shrinks. */
+void Model::fit_sizes() {
+  asp_error wrong;
+  double least, most;
+  engine_.diameters(least, most);
+  if (!(most > 0))
+    return;
+  if (!asp_wall_needs_sizes(wall_.get())) {
+    const asp_surface *surface = asp_wall_surface(wall_.get());
+    if (surface && asp_surface_check(surface, most, &wrong))
+      throw Error(wrong.text);
+    check_sampling(least);
+    return;
+  }
+  if (is_made_ && least >= d_range_[0] && most <= d_range_[1])
+    return;
+  d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], least) : least;
+  d_range_[1] = std::max(d_range_[1], most);
+  is_new_ = true;
+  make();
+  check_sampling(least);
+}
+
+/* Warns once of a measured wall that tells little about the least of the particles. */
+void Model::check_sampling(double least) {
+  asp_error doubt;
+  asp_code code = ASP_OK;
+  if (!(least < sampled_for_) || !measured())
+    return;
+  sampled_for_ = least;
+  if (profile_) {
+    const double spacing = asp_profile_spacing(profile_.get());
+    code = asp_sampling_check(least, spacing, asp_profile_points(profile_.get()) * spacing,
+                              asp_surface_lambda_c(asp_wall_surface(wall_.get())), &doubt);
+  } else if (map_) {
+    const double step_x = asp_map_step_x(map_.get()), step_y = asp_map_step_y(map_.get());
+    code = asp_sampling_check(
+        least, std::max(step_x, step_y),
+        std::min(asp_map_columns(map_.get()) * step_x, asp_map_rows(map_.get()) * step_y),
+        asp_map_get(map_.get(), "lambda_2", NULL), &doubt);
+  }
+  if (code)
+    engine_.warn(std::string("surface ") + (map_ ? "map " : "profile ") +
+                 asp_wall_word(wall_.get(), "file") + ": " + doubt.text);
+}
+
+/* The values of a constant of the script; empty where there are none and none are needed. */
+void Model::constants(const char *name, bool pairs, bool needed, const char *example,
+                      std::vector<double> &values) const {
+  if (engine_.constants(name, pairs, values))
+    return;
+  values.clear();
+  if (!needed)
+    return;
+  const std::string line = engine_.how_to_state(name, pairs, example);
+  throw Error(text("the script has no %s; name a material for each atom type, as 'materials %s' "
+                   "(the command `asperity materials` lists them)",
+                   name, for_types(engine_.types(), "quartz", "hastelloy-x").c_str()) +
+              (line.empty() ? "" : ", or add a line such as '" + line + "'"));
+}
+
+/* The description's constants go before the script's, which may be soft ones for the pair style. */
+void Model::find_materials(const std::vector<int> &wall_types) {
+  const asp_wall *wall = wall_.get();
+  const int n = engine_.types();
+  pairs_.clear();
+  materials_.clear();
+  own_.clear();
+  materials_report_.clear();
+  constants("coefficientFriction", true, false, "", friction_);
+  const bool of_script = !friction_.empty();
+  if (is_given("friction"))
+    friction_.assign(static_cast<size_t>(n * n), asp_wall_get(wall, "friction"));
+  /* A mirror takes nothing from a particle that slides. */
+  const double own = asp_wall_get(wall, "mu");
+  default_friction_ = asp_wall_get(wall, "cor_t") >= 1 ? 0 : own >= 0 ? own : ASP_FRICTION;
+  if (own >= 0)
+    friction_.clear(); /* the law's own coefficient counts in sustained contact, too */
+  if (asp_rebound_needs_pair(asp_wall_rebound(wall))) {
+    if (is_given("materials"))
+      take_named();
+    else
+      take_constants();
+    make_pairs();
+    report_yield(wall_types);
+  }
+  if (!pairs_.empty() || is_given("friction"))
+    report_constant("friction", "coefficientFriction", of_script, friction(1, 1));
+}
+
+void Model::take_named() {
+  for (int t = 0; t < engine_.types(); t++) {
+    const asp_material *m = asp_wall_material(wall_.get(), t);
+    const double yield = asp_material_get(m, "yield_stress");
+    materials_.push_back(m);
+    materials_report_ +=
+        text("\n  type %d: material %s, E %.6g, nu %.6g, ", t + 1, asp_material_name(m),
+             asp_material_get(m, "youngs_modulus"), asp_material_get(m, "poissons_ratio")) +
+        (yield > 0 ? text("sigma_y %.6g", yield) : "no sigma_y");
+  }
+  check_kinds();
+}
+
+void Model::take_constants() {
+  asp_error wrong;
+  const int n = engine_.types();
+  const bool yields = !(asp_wall_get(wall_.get(), "yield_rate") > 0) && !is_given("yield_stress");
+  std::vector<double> modulus, poisson, yield;
+  constants("youngsModulus", false, true, for_types(n, "7e10", "2.05e11").c_str(), modulus);
+  constants("poissonsRatio", false, true, for_types(n, "0.17", "0.32").c_str(), poisson);
+  constants("yieldStress", false, yields, for_types(n, "2e8", "2e8").c_str(), yield);
+  for (int t = 0; t < n; t++) {
+    own_.push_back(
+        Material(asp_material_create(text("type %d", t + 1).c_str(), &wrong), asp_material_free));
+    asp_material *m = own_.back().get();
+    if (!m || asp_material_set(m, "youngs_modulus", modulus[t], &wrong) ||
+        asp_material_set(m, "poissons_ratio", poisson[t], &wrong) ||
+        asp_material_set(m, "yield_stress", yield.empty() ? 0 : yield[t], &wrong))
+      throw Error(wrong.text);
+    materials_.push_back(m);
+  }
+  materials_report_ += "\n  youngsModulus, poissonsRatio" +
+                       std::string(yield.empty() ? "" : " and yieldStress") + " of the script";
+}
+
+/* The pair of every particle type and every wall type. */
+void Model::make_pairs() {
+  asp_error wrong;
+  const int n = engine_.types();
+  std::vector<double> energy;
+  constants("surfaceEnergy", true,
+            deposit_ != OFF && !is_given("materials") && !is_given("surface_energy"),
+            for_types(n * n, "0.8", "0.8").c_str(), energy);
+  for (int p = 0; p < n; p++)
+    for (int w = 0; w < n; w++) {
+      const size_t k = static_cast<size_t>(p * n + w);
+      pairs_.push_back(
+          Pair(asp_wall_pair(wall_.get(), materials_[p], materials_[w], &wrong), asp_pair_free));
+      asp_pair *pair = pairs_.back().get();
+      if (!pair ||
+          (!energy.empty() && !is_given("surface_energy") &&
+           asp_pair_set(pair, "surface_energy", energy[k], &wrong)) ||
+          (!friction_.empty() && asp_pair_set(pair, "friction", friction_[k], &wrong)))
+        throw Error(text("types %d (particle) and %d (wall): %s", p + 1, w + 1, wrong.text));
+    }
+  if (friction_.empty())
+    friction_.assign(pairs_.size(), ASP_FRICTION);
+  if (deposit_ != OFF)
+    report_constant("surface_energy", "surfaceEnergy", !energy.empty(),
+                    asp_pair_get(pairs_[0].get(), "surface_energy"));
+}
+
+/* Where a constant of the pairs comes from. */
+void Model::report_constant(const char *keyword, const char *name, bool of_script, double value) {
+  materials_report_ += std::string("\n  ") + keyword;
+  if (is_given(keyword))
+    materials_report_ += text(" %g, by the description", value);
+  else if (of_script)
+    materials_report_ += std::string(" by the script's ") + name;
+  else
+    materials_report_ += text(" %g, the default", value);
+}
+
+/* Particles that there are or will be need a yield stress, which a material for walls lacks. */
+void Model::check_kinds() const {
+  if (asp_wall_get(wall_.get(), "yield_rate") > 0 || is_given("yield_stress"))
+    return;
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  for (size_t t = 0; t < kinds.size(); t++)
+    if (kinds[t].present && !(asp_material_get(materials_[t], "yield_stress") > 0))
+      throw Error(text("material '%s' is that of particles (type %d) and has no yield stress; it "
+                       "must be one that has, of your own in a file, or 'yield_stress Y', or "
+                       "'rebound bons yield_rate A'",
+                       asp_material_name(materials_[t]), static_cast<int>(t) + 1));
+}
+
+/* The speed above which a particle yields, v_y = sigma_y/sqrt(rho E_c) (Bons et al. 2017). */
+void Model::report_yield(const std::vector<int> &wall_types) {
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  if (is_given("yield_stress"))
+    materials_report_ +=
+        text("\n  yield_stress %g, by the description", asp_wall_get(wall_.get(), "yield_stress"));
+  const double rate = asp_wall_get(wall_.get(), "yield_rate");
+  if (!(rate >= 0) || rate > 0) /* a law of its own, or no constant */
+    return;
+  for (size_t t = 0; t < kinds.size(); t++)
+    for (int w : wall_types) {
+      const int type = static_cast<int>(t) + 1;
+      const asp_pair *p = pair(type, w);
+      if (kinds[t].present && kinds[t].most > 0)
+        materials_report_ += text(
+            "\n  type %d on a wall of type %d: yields above %.4g along the normal", type, w,
+            asp_pair_get(p, "yield_stress") / sqrt(kinds[t].most * asp_pair_get(p, "modulus")));
+    }
+}
+
+/* Constants that look like a mistake; collective. */
+void Model::warn_of_doubts(const std::vector<int> &wall_types) const {
+  double least, most;
+  engine_.diameters(least, most);
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  if (!is_new_ || !is_made_ || pairs_.empty())
+    return;
+  for (size_t t = 0; t < kinds.size(); t++) {
+    std::set<std::string> told;
+    for (int w : wall_types)
+      if (kinds[t].present)
+        warn_of_doubts(static_cast<int>(t) + 1, w, kinds[t], most, told);
+  }
+}
+
+void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
+                           std::set<std::string> &told) const {
+  const asp_material *of_particle = materials_[type - 1], *of_wall = materials_[wall_type - 1];
+  const double density = asp_material_get(of_particle, "density");
+  const bool least = fabs(kind.least - density) > fabs(kind.most - density);
+  const asp_particle particle = {
+      d_p, least ? kind.least : kind.most, pair(type, wall_type), {0, 0, 0}, NULL};
+  char doubt[480];
+  for (int i = 0;
+       asp_wall_doubt(wall_.get(), &particle, of_particle, of_wall, i, doubt, sizeof doubt); i++)
+    if (told.insert(doubt).second)
+      engine_.warn(text("type %d on a wall of type %d: %s", type, wall_type, doubt));
+}
+
+const asp_pair *Model::pair(int type, int wall_type) const {
+  return pairs_.empty() ? NULL : pairs_[(type - 1) * engine_.types() + wall_type - 1].get();
+}
+
+double Model::friction(int type, int wall_type) const {
+  return friction_.empty() ? default_friction_
+                           : friction_[(type - 1) * engine_.types() + wall_type - 1];
+}
+
+bool Model::removes(int type, int wall_type, double d_p) const {
+  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL};
+  return wall() && asp_wall_removes(wall(), &particle);
+}
+
+bool Model::needs_materials() const {
+  return asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
+}
+
+bool Model::sticks() const {
+  return deposit_ != OFF && needs_materials();
+}
+
+/* ---- texts ------------------------------------------------------------------------------------
+ */
+
+std::string Model::description() const {
+  std::string line(asp_wall_describe(wall_.get(), NULL, 0) + 1, '\0');
+  asp_wall_describe(wall_.get(), &line[0], line.size());
+  line.pop_back();
+  return line;
+}
+
+std::string Model::heading() const {
+  const bool chosen = *asp_wall_word(wall_.get(), "choice") != '\0';
+  return description() +
+         (chosen ? std::string("; auto chose ") + asp_spread_name(asp_wall_spread(wall_.get()))
+                 : "");
+}
+
+std::string Model::describe_surface() const {
+  const asp_wall *wall = wall_.get();
+  const asp_surface *s = asp_wall_surface(wall);
+  const std::string model = asp_spread_name(asp_wall_spread(wall));
+  if (!s || model == "none")
+    return "smooth wall";
+  std::string line;
+  if (measured())
+    line = std::string(asp_wall_word(wall, "surface")) + " " + asp_wall_word(wall, "file") + " (" +
+           report_ + "), ";
+  if (map_)
+    line += text("S_sk %.3g, S_ku %.3g, ", asp_map_get(map_.get(), "s_sk", NULL),
+                 asp_map_get(map_.get(), "s_ku", NULL));
+  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
+               asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
+               atan(asp_surface_slope_rms(s)) * DEGREES);
+  if (lay_.kind != ASP_LAY_NONE)
+    line += text(", lambda_c along the lay %.4g", asp_surface_lambda_along(s));
+  line += ", spread " + model + " " + asp_wall_word(wall, "tilt") + ", collisions " +
+          asp_wall_word(wall, "collisions");
+  if (*asp_wall_word(wall, "choice"))
+    line += std::string("\n  ") + asp_wall_word(wall, "choice");
+  if (asp_surface_uncertainty(s) > 0)
+    line += text("\n  one profile of this length leaves the mean tilt at 2 deg uncertain by about "
+                 "%.2g %% of "
+                 "sigma",
+                 100 * asp_surface_uncertainty(s));
+  if (!measured() && !is_given("spread"))
+    line +=
+        "\n  spread is the default; the choice of Altmeppen et al. 2020 is 'spread weibull plane "
+        "collisions single'";
+  for (int i = 0; i < asp_surface_bins(s); i++)
+    line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
+                 atan(asp_surface_bin_slope(s, i)) * DEGREES);
+  return line;
+}
+
+/* Whether the tilts come from a law of the rms slope alone. */
+bool Model::draws_from_gaussian() const {
+  const std::string model = asp_spread_name(asp_wall_spread(wall_.get()));
+  return model != "none" && model != "profile" && model != "traced";
+}
+
+std::string Model::news() {
+  if (!is_new_ || !is_made_)
+    return "";
+  is_new_ = false;
+  const asp_rebound_law *law = asp_wall_rebound(wall_.get());
+  if (measured() && draws_from_gaussian())
+    engine_.warn(std::string("'spread ") + asp_spread_name(asp_wall_spread(wall_.get())) +
+                 "' draws from a Gaussian wall with the slopes of '" +
+                 asp_wall_word(wall_.get(), "file") + "', whose own law is 'spread profile'");
+  if (asp_rebound_measured(law) && asp_wall_surface(wall_.get()))
+    engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
+                      "own; on a rough wall that counts twice",
+                      asp_rebound_name(law)));
+  return description() + "\n  " + describe_surface() + materials_report_;
+}

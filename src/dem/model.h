@@ -1,0 +1,133 @@
+/* The wall that a script describes, as the core makes it; with the materials and the sizes of the
+ * engine's particles, and with what the log says of it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_MODEL_H
+#define ASPERITY_WALL_MODEL_H
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "asperity.h"
+#include "dem/engine.h"
+#include "dem/profile.h"
+#include "dem/words.h"
+
+namespace asperity {
+
+class Model {
+public:
+  enum Deposit { FREEZE, DELETE, OFF };
+
+  explicit Model(const Engine &engine);
+
+  /* Reads the clause of the description that begins here. others: words of the command that are not
+   * the description's, which end a list of materials. */
+  void parse(Words &words, const std::string &others);
+
+  /* When all words are read. */
+  void finish();
+
+  /* Before a run, when particles and constants are known; collective. wall_types: of the atoms
+   * that the wall's pieces are made of. */
+  void prepare(const std::vector<int> &wall_types);
+
+  /* What is new since it was last printed, for the log; empty if nothing is. */
+  std::string news();
+
+  Deposit deposit() const {
+    return deposit_;
+  }
+  uint32_t seed() const {
+    return seed_;
+  }
+  const asp_wall *wall() const {
+    return is_made_ ? wall_.get() : NULL;
+  }
+  /* Of a particle type on a wall type; NULL where the law knows no materials. */
+  const asp_pair *pair(int type, int wall_type) const;
+
+  /* The coefficient of friction of a particle that rests, Coulomb's. */
+  double friction(int type, int wall_type) const;
+
+  const asp_lay &lay() const {
+    return lay_;
+  }
+
+  /* True if the law needs the elastic constants of particle and wall. */
+  bool needs_materials() const;
+
+  /* Whether a particle may stick: where it cannot, one that rests needs no look at the law. */
+  bool sticks() const;
+
+  /* Whether a flow takes away what would stick. */
+  bool removes(int type, int wall_type, double d_p) const;
+
+  /* The range of diameters that the wall is made for, 0 where it depends on none; it goes into
+   * restart files, so that a continued run has the same tables. */
+  const double *sizes() const {
+    return d_range_;
+  }
+  void set_sizes(const double range[2]);
+
+  /* The canonical text. */
+  std::string description() const;
+
+  /* As one line: for the ledger's head. */
+  std::string heading() const;
+
+private:
+  typedef std::unique_ptr<asp_material, void (*)(asp_material *)> Material;
+  typedef std::unique_ptr<asp_pair, void (*)(asp_pair *)> Pair;
+
+  bool is_given(const char *keyword) const {
+    return asp_wall_is_given(wall_.get(), keyword);
+  }
+  void begin();
+  void check_dimension() const;
+  bool measured() const;
+  void read_measured();
+  void make();
+  void fit_sizes();
+  void check_sampling(double least);
+  void constants(const char *name, bool pairs, bool needed, const char *example,
+                 std::vector<double> &values) const;
+  void find_materials(const std::vector<int> &wall_types);
+  void take_named();
+  void take_constants();
+  void make_pairs();
+  void check_kinds() const;
+  void report_constant(const char *keyword, const char *name, bool of_script, double value);
+  void report_yield(const std::vector<int> &wall_types);
+  void warn_of_doubts(const std::vector<int> &wall_types) const;
+  void warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
+                      std::set<std::string> &told) const;
+  bool draws_from_gaussian() const;
+  std::string describe_surface() const;
+
+  const Engine &engine_;
+  std::string units_name_;
+  asp_units units_;
+  std::string report_, materials_report_; /* what the reader of a file found; the constants */
+  double d_range_[2];
+  double sampled_for_; /* the least diameter whose sampling was checked */
+  Deposit deposit_;
+  uint32_t seed_;
+  asp_lay lay_;
+  Profile profile_;
+  Map map_;
+  std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
+  bool is_made_;                                /* the wall is prepared for contacts */
+  std::vector<Material> own_;                   /* of each atom type, by the script's constants */
+  std::vector<const asp_material *> materials_; /* of each atom type */
+  std::vector<Pair> pairs_;                     /* particle type x wall type */
+  std::vector<double> friction_; /* the same; empty: neither pairs nor the script have it */
+  double default_friction_;
+  bool is_new_;
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,36 @@
+/* Numbers as text; see number.h. std::to_chars is the one part of this room that asks for
+ * C++17; a source tree compiled for less has the same characters from the C library.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/number.h"
+
+#if __cplusplus >= 201703L
+#include <charconv>
+#endif
+#ifndef __cpp_lib_to_chars
+#include <stdio.h>
+#endif
+
+using namespace asperity;
+
+#ifdef __cpp_lib_to_chars
+
+char *asperity::print_count(long long value, char *to) {
+  return std::to_chars(to, to + NUMBER_MOST, value).ptr;
+}
+
+char *asperity::print_number(double value, char *to) {
+  return std::to_chars(to, to + NUMBER_MOST, value, std::chars_format::general, 10).ptr;
+}
+
+#else
+
+char *asperity::print_count(long long value, char *to) {
+  return to + snprintf(to, NUMBER_MOST, "%lld", value);
+}
+
+char *asperity::print_number(double value, char *to) {
+  return to + snprintf(to, NUMBER_MOST, "%.10g", value);
+}
+
+#endif

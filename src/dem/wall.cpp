@@ -1,0 +1,452 @@
+/* A rough wall in a simulation; see wall.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/wall.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <algorithm>
+#include <new>
+
+#include "contact/contact.h"
+#include "contact/vector.h"
+#include "dem/error.h"
+#include "dem/text.h"
+
+using namespace asperity;
+
+const char Wall::KEYWORDS[] = "ledger";
+
+namespace {
+
+/* Triangles per MPI_Allreduce. */
+const size_t SHOWN = 32768;
+
+/* How far a particle may stray from the way that it was looked ahead on, in each step, in radii of
+ * the smallest. */
+const double STRAY = 2e-3;
+
+} // namespace
+
+Wall::Wall(const Engine &engine)
+    : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
+      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), counters_(), clock_(),
+      fastest_(), dt_(0), warned_(false), cut_(false), has_doomed_(false) {}
+
+Wall::Sums::Sums(size_t count)
+    : count_(count), numbers_(static_cast<double *>(calloc(count + 1, sizeof(double))), free) {
+  if (!numbers_)
+    throw std::bad_alloc();
+}
+
+void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
+                     const std::string &name) {
+  Member member = {std::move(shape), name, wall_type, {}, Sums(pieces * N_SUMS)};
+  shapes_.push_back(std::move(member));
+}
+
+void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
+  geometry_ = geometry;
+  const std::string others = KEYWORDS + (own ? " " + own->keywords() : "");
+  while (!words.done()) {
+    if (own && own->parse(words))
+      continue;
+    if (words.take("ledger"))
+      parse_ledger(words);
+    else
+      model_.parse(words, others);
+  }
+  model_.finish();
+  for (const Member &member : shapes_)
+    if (model_.lay().kind != ASP_LAY_NONE && model_.lay().kind != member.shape->lay_kind())
+      throw Error(std::string("lay is ") +
+                  (model_.lay().kind == ASP_LAY_ANGLE ? "an angle" : "a vector") + "; of a " +
+                  (member.shape->lay_kind() == ASP_LAY_ANGLE
+                       ? "cylinder it must be axial, circumferential, or an angle in degrees from "
+                         "its axis"
+                       : "plane or a mesh it must be a vector, X Y Z"));
+}
+
+void Wall::parse_ledger(Words &words) {
+  const int64_t every = static_cast<int64_t>(words.whole("ledger", 1, 2147483647.0));
+  std::string path, on_error;
+  for (bool more = true; more;) {
+    if (words.take("file"))
+      path = words.word("the file of 'ledger'");
+    else if (words.take("on_error"))
+      on_error = words.word("the value of 'on_error'");
+    else
+      more = false;
+  }
+  if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
+    throw Error("on_error is '" + on_error + "'; it must be stop or go_on");
+  if (!on_error.empty() && path.empty())
+    throw Error("on_error is of a ledger's file; 'ledger N file FILE' must come with it");
+  ledger_.reset(new Ledger(engine_.world(), "fix " + engine_.id(), every, path,
+                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP));
+}
+
+/* ---- before a run -----------------------------------------------------------------------------
+ */
+
+void Wall::init(int64_t step, double dt) {
+  std::vector<int> types;
+  for (const Member &member : shapes_)
+    if (std::find(types.begin(), types.end(), member.wall_type) == types.end())
+      types.push_back(member.wall_type);
+  model_.prepare(types);
+  set_clock(step, dt);
+  if (ledger_) {
+    const std::string report = ledger_->open(heading(), step);
+    if (!report.empty())
+      engine_.print(report);
+  }
+  const std::string news = model_.news();
+  if (!news.empty())
+    engine_.print("fix " + engine_.id() + " wall/rebound: " + news);
+}
+
+std::string Wall::heading() const {
+  return text("asperity %s; fix %s wall/rebound; units %s; ", asp_version(), engine_.id().c_str(),
+              engine_.units().c_str()) +
+         model_.heading() + "; angles in degrees";
+}
+
+void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
+  groupbit_ = groupbit;
+  box_ = box;
+  dt_ = spheres.dt;
+  fastest_ = Fastest();
+  travel_ = 0;
+  double least, most;
+  engine_.diameters(least, most);
+  stray_ = STRAY * 0.5 * least;
+  for (int i = 0; i < spheres.n; i++) {
+    if (model_.deposit() == Model::OFF && state(i)[STATE] > FREE)
+      state(i)[STATE] = FREE; /* an earlier part of the run had deposits */
+  }
+  renumber_stuck(spheres);
+  look_anew();
+  for (int i = 0; i < spheres.n; i++) {
+    const size_t shape = static_cast<size_t>(place(i)[SHAPE]) - 1;
+    if (state(i)[STATE] > FREE && shape < shapes_.size() &&
+        model_.removes(spheres.type[i], shapes_[shape].wall_type, 2 * spheres.radius[i]))
+      state(i)[STATE] = FREE; /* it had no such flow */
+  }
+  reorder(spheres);
+  warn_of_speeds();
+}
+
+void Wall::reorder(const Spheres &spheres) {
+  stuck_.clear();
+  touching_.clear();
+  has_doomed_ = false;
+  for (int i = 0; i < spheres.n; i++)
+    if (state(i)[STATE] > FREE)
+      stuck_.push_back(i);
+    else if (state(i)[STATE] < FREE)
+      touching_.push_back(i);
+  const size_t n = static_cast<size_t>(spheres.n);
+  if (!repeats())
+    look_anew();
+  ahead_.due.resize(n);
+  ahead_.v.resize(3 * n);
+  ahead_.tag.resize(n, -1);
+  for (size_t i = 0; i < n;
+       i++) { /* what is known of a particle holds where it is still this one */
+    const int64_t tag = spheres.tag_of(static_cast<int>(i));
+    if (ahead_.tag[i] == tag)
+      continue;
+    ahead_.tag[i] = tag;
+    ahead_.due[i] = 0;
+  }
+  check_speeds(spheres);
+}
+
+/* Whether all shapes look the same to a particle that has come round a periodic box. */
+bool Wall::repeats() const {
+  bool all = true;
+  for (const Member &member : shapes_)
+    for (int d = 0; d < 3; d++)
+      all = all && (!(box_.period[d] > 0) || member.shape->repeats(d));
+  return all;
+}
+
+/* One formula for the time of a step, whether or not the run was interrupted before it. */
+void Wall::set_clock(int64_t step, double dt) {
+  const double now = static_cast<double>(step);
+  dt_ = dt;
+  if (!(clock_.dt > 0))
+    clock_ = Clock{engine_.time(), now, dt};
+  else if (clock_.dt < dt || clock_.dt > dt)
+    clock_ = Clock{time(now), now, dt};
+}
+
+double Wall::time(double step) const {
+  return clock_.time + (step - clock_.step) * clock_.dt;
+}
+
+void Wall::reset_dt(int64_t step, double dt) {
+  set_clock(step, dt);
+  look_anew(); /* it counts steps */
+}
+
+void Wall::reset_step(int64_t now, int64_t before) {
+  clock_.step += static_cast<double>(now - before);
+}
+
+/* Each rank looks where particles are put into a new order; they tell each other when something is
+ * printed, and do not wait for each other in between. */
+void Wall::check_speeds(const Spheres &s) {
+  for (int i = 0; !warned_ && i < s.n; i++) {
+    const double *v = s.v + 3 * static_cast<size_t>(i);
+    const double square = vector_dot(v, v), limit = fastest_.ratio * s.radius[i];
+    if (!(s.mask[i] & groupbit_) || square <= limit * limit)
+      continue;
+    fastest_ = Fastest{sqrt(square) / s.radius[i], 2 * s.radius[i], sqrt(square)};
+  }
+}
+
+void Wall::warn_of_speeds() {
+  int cut = cut_, any_cut;
+  MPI_Allreduce(&cut, &any_cut, 1, MPI_INT, MPI_MAX, engine_.world());
+  cut_ = false;
+  if (any_cut)
+    engine_.warn("a particle had more than 10000 contacts in one step, and stayed where the last "
+                 "one left it; the step is far too long for walls so near to each other");
+  if (warned_)
+    return;
+  int rank;
+  MPI_Comm_rank(engine_.world(), &rank);
+  struct {
+    double ratio;
+    int rank;
+  } mine = {fastest_.ratio, rank}, worst;
+  MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, engine_.world());
+  if (worst.ratio * dt_ <= 1)
+    return;
+  double fastest[2] = {fastest_.d_p, fastest_.speed};
+  MPI_Bcast(fastest, 2, MPI_DOUBLE, worst.rank, engine_.world());
+  warned_ = true;
+  engine_.warn(text("particles move far in a step: one of diameter %g moves at %g, which is %.3g "
+                    "diameters in a step of %g. No contact is missed, but paths that forces bend, "
+                    "and walls that turn, are taken as straight within a step; where that counts, "
+                    "the largest safe step is %g",
+                    fastest[0], fastest[1], 0.5 * worst.ratio * dt_, dt_, 1 / worst.ratio));
+}
+
+/* ---- what sticks ------------------------------------------------------------------------------
+ */
+
+void Wall::carry(const Spheres &spheres) {
+  for (int i : stuck_)
+    carry_one(spheres, i, spheres.dt);
+}
+
+/* Puts a stuck particle where its wall has it at the end of the step: the periodic image of that
+ * place which is nearest to where the particle is. */
+void Wall::carry_one(const Spheres &s, int i, double dt) {
+  double *row = place(i), *x = s.x + 3 * static_cast<size_t>(i), on_wall[3];
+  const size_t shape = static_cast<size_t>(row[SHAPE]) - 1;
+  if (!(row[SHAPE] >= 1) || shape >= shapes_.size())
+    return;
+  Place at = {static_cast<int>(row[PIECE]), {row[AT], row[AT + 1], row[AT + 2]}};
+  shapes_[shape].shape->carry(at, s.radius[i], dt, on_wall, row + VELOCITY);
+  row[PIECE] = at.piece;
+  vector_copy(at.at, row + AT);
+  box_.bring_near(x, on_wall);
+  vector_copy(on_wall, x);
+  vector_copy(row + VELOCITY, s.v + 3 * static_cast<size_t>(i));
+  for (int d = 0; s.omega && d < 3; d++)
+    s.omega[3 * static_cast<size_t>(i) + d] = 0;
+}
+
+void Box::bring_near(const double near[3], double x[3]) const {
+  for (int d = 0; d < 3; d++)
+    if (period[d] > 0)
+      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
+}
+
+/* ---- output -----------------------------------------------------------------------------------
+ */
+
+void Wall::end_step(int64_t step, bool output) {
+  if (output)
+    warn_of_speeds();
+  if (ledger_)
+    check_written(ledger_->end_step(step));
+}
+
+/* Rows that cannot be written end the run, or are told, as the script says. */
+void Wall::check_written(const std::string &wrong) const {
+  if (wrong.empty())
+    return;
+  if (ledger_->on_error() == Ledger::STOP)
+    throw Error(wrong);
+  engine_.warn(wrong);
+}
+
+void Wall::end_run() {
+  warn_of_speeds();
+  if (ledger_)
+    check_written(ledger_->flush());
+}
+
+double Wall::counter(int k) const {
+  double all;
+  MPI_Allreduce(&counters_[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
+  return all;
+}
+
+double Wall::stuck() const {
+  const double mine = static_cast<double>(stuck_.size());
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
+  return all;
+}
+
+double Wall::total(size_t shape, int k) const {
+  double all;
+  MPI_Allreduce(&shapes_[shape].totals[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
+  return all;
+}
+
+std::vector<double> Wall::sums(size_t shape) const {
+  std::vector<double> all;
+  show_sums(shape, [&all](size_t, const std::vector<double> &some) {
+    all.insert(all.end(), some.begin(), some.end());
+  });
+  return all;
+}
+
+void Wall::show_sums(size_t shape,
+                     const std::function<void(size_t, const std::vector<double> &)> &show) const {
+  const Sums &mine = shapes_[shape].sums;
+  const size_t most = SHOWN * N_SUMS;
+  std::vector<double> some;
+  for (size_t first = 0; first < mine.size(); first += most) {
+    some.resize(std::min(most, mine.size() - first));
+    MPI_Allreduce(mine.data() + first, some.data(), static_cast<int>(some.size()), MPI_DOUBLE,
+                  MPI_SUM, engine_.world());
+    show(first / N_SUMS, some);
+  }
+}
+
+double Wall::bytes() const {
+  size_t all = stuck_.capacity() * sizeof(int) + ahead_.due.capacity() * sizeof(int) +
+               ahead_.v.capacity() * sizeof(float) + ahead_.tag.capacity() * sizeof(int64_t);
+  for (const Member &member : shapes_)
+    all += member.shape->bytes() + member.sums.size() * sizeof(double);
+  return static_cast<double>(all) + (ledger_ ? ledger_->memory_usage() : 0);
+}
+
+/* ---- restart ----------------------------------------------------------------------------------
+ */
+
+std::vector<char> Wall::save() {
+  WallState state = WallState();
+  state.settings = settings();
+  if (ledger_)
+    check_written(ledger_->save(state.ledger));
+  for (int k = 0; k < N_COUNTERS; k++)
+    state.counters.push_back(counter(k));
+  for (size_t m = 0; m < shapes_.size(); m++) {
+    std::vector<double> totals;
+    for (int k = 0; k < N_TOTALS; k++)
+      totals.push_back(total(m, k));
+    const Member &member = shapes_[m];
+    if (member.name.empty())
+      state.totals = totals;
+    else
+      state.meshes.push_back(MeshState{member.name,
+                                       static_cast<int64_t>(member.sums.size() / N_SUMS), totals,
+                                       sums(m), member.shape->motion_record()});
+  }
+  std::copy(model_.sizes(), model_.sizes() + 2, state.d_range);
+  state.clock[0] = clock_.time;
+  state.clock[1] = clock_.step;
+  state.clock[2] = clock_.dt;
+  int rank;
+  MPI_Comm_rank(engine_.world(), &rank);
+  const std::vector<char> record = rank == 0 ? pack(state) : std::vector<char>();
+  uint64_t size = record.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, engine_.world());
+  check_record_size(size);
+  return record;
+}
+
+Settings Wall::settings() const {
+  return Settings{{"geometry", geometry_}, {"description", model_.description()}};
+}
+
+/* The script is what counts; but it should not differ unnoticed. */
+void Wall::restore(const char *record) {
+  const WallState saved = unpack(record);
+  if (saved.counters.size() != N_COUNTERS)
+    throw Error(text("the restart file's record of this wall has %d counters; there must be %d",
+                     static_cast<int>(saved.counters.size()), N_COUNTERS));
+  const std::string changes = describe_changes(clauses(settings()), clauses(saved.settings));
+  if (!changes.empty())
+    engine_.warn("the script differs from the restart file, and the script is taken; " + changes);
+  model_.set_sizes(saved.d_range);
+  clock_ = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
+  int rank;
+  MPI_Comm_rank(engine_.world(), &rank);
+  if (rank == 0)
+    std::copy(saved.counters.begin(), saved.counters.end(), counters_);
+  restore_shapes(saved);
+  if (ledger_)
+    ledger_->restore(saved.ledger);
+}
+
+/* Totals and maps, those of a mesh only where it is the same one. */
+void Wall::restore_shapes(const WallState &saved) {
+  std::vector<std::pair<std::string, int64_t>> meshes;
+  std::vector<size_t> member_of;
+  int rank;
+  MPI_Comm_rank(engine_.world(), &rank);
+  for (size_t m = 0; m < shapes_.size(); m++) {
+    Member &member = shapes_[m];
+    if (!member.name.empty()) {
+      meshes.push_back(
+          std::make_pair(member.name, static_cast<int64_t>(member.sums.size() / N_SUMS)));
+      member_of.push_back(m);
+    } else if (rank == 0 && saved.totals.size() == N_TOTALS)
+      std::copy(saved.totals.begin(), saved.totals.end(), member.totals);
+  }
+  std::string lost;
+  const std::vector<int> found = match_meshes(saved, meshes, lost);
+  if (!lost.empty())
+    engine_.warn("not continued by a mesh, but kept in the wall's own counters: " + lost);
+  shape_now_.assign(std::max(saved.meshes.size(), static_cast<size_t>(1)), 0);
+  if (saved.meshes.empty() && meshes.empty())
+    shape_now_[0] = 1;
+  for (size_t k = 0; k < found.size(); k++) {
+    if (found[k] < 0)
+      continue;
+    const MeshState &mesh = saved.meshes[found[k]];
+    Member &member = shapes_[member_of[k]];
+    shape_now_[found[k]] = static_cast<int>(member_of[k]) + 1;
+    if (rank == 0 && mesh.totals.size() == N_TOTALS)
+      std::copy(mesh.totals.begin(), mesh.totals.end(), member.totals);
+    if (rank == 0 && mesh.map.size() == member.sums.size())
+      std::copy(mesh.map.begin(), mesh.map.end(), member.sums.data());
+    member.shape->restore_motion(mesh.motion);
+  }
+}
+
+/* What is stuck knows its mesh by a number, which another script may have changed. What is stuck to
+ * a mesh that is gone stays where it is. */
+void Wall::renumber_stuck(const Spheres &spheres) {
+  for (int i = 0; !shape_now_.empty() && i < spheres.n; i++) {
+    double *row = place(i);
+    const size_t before = static_cast<size_t>(row[SHAPE]);
+    if (!(state(i)[STATE] > FREE) || before < 1 || before > shape_now_.size())
+      continue;
+    row[SHAPE] = shape_now_[before - 1];
+    for (int d = 0; d < 3 && shape_now_[before - 1] == 0; d++)
+      row[VELOCITY + d] = 0;
+  }
+  shape_now_.clear();
+}

@@ -1,0 +1,81 @@
+/* A mesh of triangles from a file, at rest or moved as the script says by a formula in time: for
+ * engines that have no meshes of their own.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_DRIVEN_MESH_H
+#define ASPERITY_WALL_DRIVEN_MESH_H
+
+#include <mpi.h>
+#include <memory>
+#include <string>
+
+#include "dem/mesh.h"
+#include "dem/words.h"
+
+namespace asperity {
+
+/* A motion that is known for all times. Time counts from where it began. */
+class Drive {
+public:
+  Drive() : kind_(REST), a_(), axis_(), period_(0) {}
+
+  /* Reads `linear VX VY VZ`, `wiggle AX AY AZ PERIOD` or `rotate PX PY PZ AX AY AZ PERIOD`.
+   * `geometry` grows by what was read. Throws an Error. */
+  void parse(Words &words, std::string &geometry);
+
+  bool moves() const {
+    return kind_ != REST;
+  }
+  void at(double time, Frame &frame, Twist &twist) const;
+
+private:
+  enum Kind { REST, LINEAR, WIGGLE, ROTATE };
+  Kind kind_;
+  double a_[3];    /* velocity, amplitude, or a point of the axis */
+  double axis_[3]; /* unit vector */
+  double period_;
+};
+
+class DrivenMesh : public MeshShape {
+public:
+  /* All ranks get all triangles, which rank 0 reads. Throws an Error. */
+  DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive);
+
+  size_t pieces() const {
+    return pieces_;
+  }
+
+  /* How many triangles there are and how far they reach, for the log. */
+  std::string describe() const;
+
+  /* What is wrong where the mesh is at rest outside of the box and its next images (`period` 0
+   * where there are none), or over 100 times as large, and which scale would bring it in; else
+   * empty. */
+  std::string misfit(const Bounds &box, const double period[3]) const;
+
+  /* At the beginning of a run, and of each step: the time of the wall's own clock. */
+  void setup(double time);
+  void begin_step(double time, double dt);
+
+  /* The time at which the motion began, and the velocity at the end of the last step. */
+  std::vector<double> motion_record() const override;
+  void restore_motion(const std::vector<double> &record) override;
+
+private:
+  Drive drive_;
+  std::string path_;
+  double scale_;
+  Bounds extent_; /* where the motion begins */
+  size_t pieces_;
+  double origin_;
+  bool has_begun_;
+};
+
+/* Reads `FILE`, and behind it, in any order, `type T`, `scale S`, `move ...` and `map N FILE`.
+ * type: the last of `types` where the words name none. */
+std::unique_ptr<DrivenMesh> read_driven_mesh(MPI_Comm world, Words &words, int types, int &type,
+                                             std::string &geometry);
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,44 @@
+/* The sums of a mesh's triangles as a file that ParaView and its like read: VTK's legacy text
+ * format
+ * (.vtk) or its XML format (.vtp).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_MAP_FILE_H
+#define ASPERITY_WALL_MAP_FILE_H
+
+#include <mpi.h>
+#include <stdint.h>
+#include <string>
+#include <vector>
+
+#include "contact/tree.h"
+#include "dem/motion.h"
+#include "dem/words.h"
+
+namespace asperity {
+
+class MapFile {
+public:
+  MapFile() : every_(0) {}
+
+  /* Reads `N FILE`: a map every N steps; a `*` in FILE becomes the step, without one each map takes
+   * the place of that before. Throws an Error. */
+  void parse(Words &words);
+
+  bool is_due(int64_t step) const {
+    return every_ > 0 && step % every_ == 0;
+  }
+
+  /* The mesh where it is now, with the sums of each triangle by its number, Wall::N_SUMS each.
+   * Collective; rank 0 writes, and all throw an Error where it cannot. */
+  void write(MPI_Comm world, int64_t step, const ContactTree *triangles, const Frame &frame,
+             const std::vector<double> &sums) const;
+
+private:
+  int64_t every_;
+  std::string path_;
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,137 @@
+/* Doubts about measured heights; see doubts.h. And about how they are sampled: points per particle,
+ * and the length in correlation lengths.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "readers/doubts.h"
+#include "base/error.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Heights have steps where they take no more values than this, each of them many times. */
+enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
+
+/* Neighbours whose heights differ by less than this part of the range do so by rounding. */
+#define ROUNDING 1e-9
+
+/* Heights are cut off at an end of their range where this part of the points lies there, and this
+ * many times as many as next to it: within this part of the range, and within as many steps. */
+#define CUT_PART 2e-3
+#define CUT_TIMES 3
+#define CUT_NEXT 1e-2
+#define CUT_STEPS 3.5
+
+/* A measured wall tells little about particles that cover fewer points, and little at all where it
+ * is shorter than this in correlation lengths. */
+#define POINTS_PER_PARTICLE 10.0
+#define LENGTH_LEAST 20.0
+
+/* Puts a height among those that are sorted; false where there are too many. */
+static bool add_level(double *level, size_t *count, double z) {
+  size_t low = 0, high = *count;
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (level[middle] < z)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  if (low < *count && !(level[low] > z))
+    return true;
+  if (*count == LEVELS_MOST)
+    return false;
+  memmove(level + low + 1, level + low, (*count - low) * sizeof *level);
+  level[low] = z;
+  ++*count;
+  return true;
+}
+
+static void find_ends(const void *raw, size_t points, aspi_height *height, aspi_steps *s) {
+  double level[LEVELS_MOST];
+  bool few = true;
+  s->end[0] = INFINITY;
+  s->end[1] = -INFINITY;
+  for (size_t i = 0; i < points; i++) {
+    double z = height(raw, i);
+    if (isnan(z))
+      continue;
+    s->points++;
+    s->end[0] = fmin(s->end[0], z);
+    s->end[1] = fmax(s->end[1], z);
+    few = few && add_level(level, &s->levels, z);
+  }
+  if (!few || s->points < POINTS_PER_LEVEL * s->levels)
+    s->levels = 0;
+}
+
+static void find_cut(const void *raw, size_t points, aspi_height *height, int end, aspi_steps *s) {
+  double at = s->end[end], range = s->end[1] - s->end[0];
+  double next = fmax(CUT_NEXT * range, s->quantum < range ? CUT_STEPS * s->quantum : 0);
+  size_t there = 0, near = 0;
+  bool before = false;
+  for (size_t i = 0; i < points; i++) {
+    double off = fabs(height(raw, i) - at);
+    bool is_there = off <= ROUNDING * range;
+    there += is_there && before;
+    near += !is_there && off <= next;
+    before = is_there;
+  }
+  if ((double)there > CUT_PART * (double)s->points && there > CUT_TIMES * near)
+    s->cut[end] = there;
+}
+
+aspi_steps aspi_steps_find(const void *raw, size_t points, aspi_height *height) {
+  aspi_steps s = {.quantum = INFINITY};
+  find_ends(raw, points, height, &s);
+  double least = ROUNDING * (s.end[1] - s.end[0]);
+  for (size_t i = 1; i < points; i++) {
+    double step = fabs(height(raw, i) - height(raw, i - 1));
+    if (step > least && step < s.quantum)
+      s.quantum = step;
+  }
+  for (int end = 0; end < 2 && s.levels == 0; end++)
+    find_cut(raw, points, height, end, &s);
+  return s;
+}
+
+void aspi_doubts_tell(const aspi_steps *s, size_t outliers, char *text, size_t size) {
+  size_t used = 0;
+  *text = '\0';
+  if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */
+    used += (size_t)snprintf(text, size,
+                             "%zu of %zu points lie over %g robust standard deviations off their "
+                             "neighbors, as dust does; 'asperity surface' with --spikes 12 --gaps "
+                             "fill --save FILE takes them out",
+                             outliers, s->points, ASP_SPIKES_CLEAR);
+  if (s->levels > 0 && used < size)
+    used += (size_t)snprintf(text + used, size - used,
+                             "%sits heights are quantized, %zu levels of %.3g um: slopes at their "
+                             "steps pass for roughness; measure with a finer range",
+                             used ? "; " : "", s->levels, s->quantum * 1e6);
+  for (int end = 0; end < 2 && used < size; end++)
+    if (s->cut[end] > 0)
+      used += (size_t)snprintf(
+          text + used, size - used, "%sits heights are clipped: %zu of %zu points have the %s one",
+          used ? "; " : "", s->cut[end], s->points, end ? "highest" : "lowest");
+}
+
+asp_code asp_sampling_check(double d_p, double spacing, double length, double lambda,
+                            asp_error *error) {
+  char few[200] = "", brief[160] = "";
+  if (d_p < POINTS_PER_PARTICLE * spacing)
+    snprintf(
+        few, sizeof few,
+        "a particle of d_p %g covers %.2g points of the measured wall; under %g the noise and the "
+        "rounding of heights pass for roughness",
+        d_p, d_p / spacing, POINTS_PER_PARTICLE);
+  if (!(length >= LENGTH_LEAST * lambda))
+    snprintf(brief, sizeof brief,
+             "the measured wall is only %.3g correlation lengths long; under %g its numbers carry "
+             "a large sampling error",
+             length / lambda, LENGTH_LEAST);
+  if (!*few && !*brief)
+    return ASP_OK;
+  return aspi_fail(error, ASP_ERANGE, "%s%s%s", few, *few && *brief ? "; " : "", brief);
+}

@@ -1,0 +1,162 @@
+/* What instruments' own software does to a profile before it states a roughness: the stylus tip
+ * taken out, the noise filter lambda_s, and the waviness filter (cut-off), as Gaussian filters of
+ * ISO 16610-21, or for the cut-off the robust one of ISO 16610-31 (weights of degree zero,
+ * bisquare). The weights are those within the profile, normalised, so that its ends are not drawn
+ * to zero. A tip of radius r has left the dilation of the surface; what can be known of it is that
+ * dilation eroded (Villarrubia 1997).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "readers/filter.h"
+#include "base/error.h"
+#include "surface/closing.h"
+#include "surface/profile.h"
+
+#include <gsl/gsl_fft_halfcomplex.h>
+#include <gsl/gsl_fft_real.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* At the cut-off half of an amplitude passes: alpha^2 = ln 2/pi. */
+#define ALPHA_SQUARE 0.22063560015149457
+
+/* The bisquare weights end at this many medians of the distances, three sd of a normal law. */
+#define BISQUARE 4.4478
+enum { ROBUST_TIMES = 20 };
+#define ROBUST_ENOUGH 1e-3
+
+/* Multiplies the spectrum of n = 2^k points by the filter's transmission exp(-pi (alpha f L)^2). */
+static void transmit(double *data, size_t n, double spacing, double cutoff) {
+  gsl_fft_real_radix2_transform(data, 1, n);
+  for (size_t i = 0; i <= n / 2; i++) {
+    double f = (double)i / ((double)n * spacing) * cutoff;
+    double part = exp(-ASP_PI * ALPHA_SQUARE * f * f);
+    data[i] *= part;
+    if (i > 0 && i < n / 2)
+      data[n - i] *= part;
+  }
+  gsl_fft_halfcomplex_radix2_inverse(data, 1, n);
+}
+
+/* What a filter works with: `size` = 2^k points, with room beyond the profile for the weights. */
+typedef struct work {
+  size_t points, size;
+  double spacing, cutoff;
+  double *sum, *weight; /* `size` each */
+  double *line;         /* `points`: the profile's long waves */
+} work;
+
+/* The weighted running mean of the heights; weights NULL: all 1. */
+static void smooth(work *w, const double *heights, const double *weights) {
+  memset(w->sum, 0, w->size * sizeof *w->sum);
+  memset(w->weight, 0, w->size * sizeof *w->weight);
+  for (size_t i = 0; i < w->points; i++) {
+    w->weight[i] = weights ? weights[i] : 1;
+    w->sum[i] = w->weight[i] * heights[i];
+  }
+  transmit(w->sum, w->size, w->spacing, w->cutoff);
+  transmit(w->weight, w->size, w->spacing, w->cutoff);
+  for (size_t i = 0; i < w->points; i++)
+    w->line[i] = w->weight[i] > 1e-9 ? w->sum[i] / w->weight[i] : heights[i];
+}
+
+/* Weights that fall with the distance from the line; returns the distance at which they end. */
+static double weigh(const work *w, const double *heights, double *weights, double *sorted) {
+  for (size_t i = 0; i < w->points; i++)
+    sorted[i] = fabs(heights[i] - w->line[i]);
+  gsl_sort(sorted, 1, w->points);
+  double end = BISQUARE * gsl_stats_median_from_sorted_data(sorted, 1, w->points);
+  for (size_t i = 0; i < w->points; i++) {
+    double part = (heights[i] - w->line[i]) / end;
+    weights[i] = fabs(part) < 1 ? (1 - part * part) * (1 - part * part) : 0;
+  }
+  return end;
+}
+
+static void smooth_robustly(work *w, const double *heights, double *weights, double *sorted) {
+  smooth(w, heights, NULL);
+  double before = INFINITY;
+  for (int i = 0; i < ROBUST_TIMES; i++) {
+    double end = weigh(w, heights, weights, sorted);
+    if (!(end > 0) || fabs(end - before) <= ROBUST_ENOUGH * end)
+      return;
+    before = end;
+    smooth(w, heights, weights);
+  }
+}
+
+/* Takes the waves beyond the cut-off out of the heights, or with `keep` leaves only those. */
+static asp_code filter(double *heights, size_t points, double spacing, double cutoff, bool robust,
+                       bool keep, asp_error *error) {
+  size_t reach = (size_t)fmin(2 * cutoff / spacing + 2, 1e9);
+  work w = {.points = points,
+            .size = aspi_power_of_two(points + reach),
+            .spacing = spacing,
+            .cutoff = cutoff};
+  w.sum = aspi_allocate(w.size);
+  w.weight = aspi_allocate(w.size);
+  w.line = aspi_allocate(points);
+  double *weights = robust ? aspi_allocate(points) : NULL;
+  double *sorted = robust ? aspi_allocate(points) : NULL;
+  bool enough = w.sum && w.weight && w.line && (!robust || (weights && sorted));
+  if (enough && robust)
+    smooth_robustly(&w, heights, weights, sorted);
+  else if (enough)
+    smooth(&w, heights, NULL);
+  for (size_t i = 0; enough && i < points; i++)
+    heights[i] = keep ? w.line[i] : heights[i] - w.line[i];
+  free(w.sum);
+  free(w.weight);
+  free(w.line);
+  free(weights);
+  free(sorted);
+  return enough
+             ? ASP_OK
+             : aspi_fail(error, ASP_ENOMEM, "out of memory for a filter over %zu points", points);
+}
+
+/* Erodes what a tip of radius r has dilated: r minus the dilation of the surface upside down. */
+static asp_code take_out_tip(double *heights, size_t points, double spacing, double radius,
+                             asp_error *error) {
+  for (size_t i = 0; i < points; i++)
+    heights[i] = -heights[i];
+  asp_profile *below = asp_profile_from_heights(heights, points, spacing, false, error);
+  if (!below)
+    return ASP_EDATA;
+  asp_code code = aspi_profile_dilate(below, 2 * radius, heights, error);
+  asp_profile_free(below);
+  for (size_t i = 0; i < points; i++)
+    heights[i] = radius - heights[i];
+  return code;
+}
+
+static asp_code check(const char *name, double length, double least, double most,
+                      asp_error *error) {
+  if (!(length > 0) || (length >= least && length <= most))
+    return ASP_OK;
+  return aspi_fail(error, ASP_EARG,
+                   "%s is %g m; for this profile it must be %g m (two points) to %g m (its length)",
+                   name, length, least, most);
+}
+
+asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_filters *filters,
+                     asp_error *error) {
+  double least = 2 * spacing, most = (double)points * spacing;
+  asp_code code = ASP_OK;
+  if ((code = check("tip", filters->tip, 0.5 * spacing, 0.5 * most, error)) ||
+      (code = check("lambda_s", filters->lambda_s, least, most, error)) ||
+      (code = check("cutoff", filters->cutoff, least, most, error)))
+    return code;
+  if (filters->lambda_s > 0 && filters->cutoff > 0 && filters->lambda_s >= filters->cutoff)
+    return aspi_fail(error, ASP_EARG, "lambda_s is %g m; it must be less than the cutoff, %g m",
+                     filters->lambda_s, filters->cutoff);
+  if (filters->tip > 0)
+    code = take_out_tip(heights, points, spacing, filters->tip, error);
+  if (!code && filters->lambda_s > 0)
+    code = filter(heights, points, spacing, filters->lambda_s, false, true, error);
+  if (!code && filters->cutoff > 0)
+    code = filter(heights, points, spacing, filters->cutoff, filters->robust, false, error);
+  return code;
+}

@@ -1,0 +1,371 @@
+/* Which columns of a text file are positions and heights, and in which units: by the line of names
+ * above them, where there is one. A column that states a unit of length, or is named as a position
+ * or a height, goes before one that states another unit or is named as a counter or a time.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "readers/header.h"
+#include "base/error.h"
+#include "base/units.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* What a name says that its column is. */
+typedef enum kind { UNKNOWN, POSITION, HEIGHT, NO_LENGTH } kind;
+
+/* What the lines of names say of one column. */
+typedef struct column {
+  char name[64];
+  double unit; /* m; 0: none is stated */
+  kind kind;
+} column;
+
+static const struct {
+  const char *word; /* a name's first word, in small letters */
+  kind kind;
+} known[] = {
+    {"x", POSITION},          {"pos", POSITION},       {"position", POSITION},
+    {"positions", POSITION},  {"distance", POSITION},  {"dist", POSITION},
+    {"lateral", POSITION},    {"length", POSITION},    {"travel", POSITION},
+    {"scan", POSITION},       {"weg", POSITION},       {"strecke", POSITION},
+    {"abscisse", POSITION},   {"posizione", POSITION}, {"z", HEIGHT},
+    {"height", HEIGHT},       {"heights", HEIGHT},     {"h", HEIGHT},
+    {"raw", HEIGHT},          {"profile", HEIGHT},     {"depth", HEIGHT},
+    {"level", HEIGHT},        {"amplitude", HEIGHT},   {"elevation", HEIGHT},
+    {"hoehe", HEIGHT},        {"tiefe", HEIGHT},       {"profil", HEIGHT},
+    {"hauteur", HEIGHT},      {"altitude", HEIGHT},    {"altezza", HEIGHT},
+    {"altura", HEIGHT},       {"quota", HEIGHT},       {"point", NO_LENGTH},
+    {"pt", NO_LENGTH},        {"points", NO_LENGTH},   {"no", NO_LENGTH},
+    {"nr", NO_LENGTH},        {"number", NO_LENGTH},   {"index", NO_LENGTH},
+    {"idx", NO_LENGTH},       {"i", NO_LENGTH},        {"n", NO_LENGTH},
+    {"id", NO_LENGTH},        {"sample", NO_LENGTH},   {"t", NO_LENGTH},
+    {"time", NO_LENGTH},      {"zeit", NO_LENGTH},     {"temps", NO_LENGTH},
+    {"tempo", NO_LENGTH},     {"tiempo", NO_LENGTH},   {"punkt", NO_LENGTH},
+    {"messpunkt", NO_LENGTH}, {"lfd", NO_LENGTH},      {"pixel", NO_LENGTH},
+    {"px", NO_LENGTH},        {"angle", NO_LENGTH},    {"temperature", NO_LENGTH},
+    {"intensity", NO_LENGTH}, {"force", NO_LENGTH},    {"speed", NO_LENGTH},
+    {"line", NO_LENGTH},      {"quality", NO_LENGTH},  {"valid", NO_LENGTH},
+};
+
+/* Whether a name has a unit in brackets or behind a slash, of length or not. */
+static bool has_unit(const char *name) {
+  const char *mark = strpbrk(name, "([{/");
+  return mark && isalpha((unsigned char)mark[1]);
+}
+
+static kind kind_of(const char *name) {
+  char word[16];
+  size_t length = 0;
+  if (aspi_text_holds(name, "pixel"))
+    return NO_LENGTH;
+  while (isalpha((unsigned char)name[length]))
+    length++;
+  if (length == 0 || length >= sizeof word)
+    return UNKNOWN;
+  memcpy(word, name, length);
+  word[length] = '\0';
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if (strcasecmp(word, known[i].word) == 0)
+      return known[i].kind;
+  return UNKNOWN;
+}
+
+/* Cuts a line of names, in place, without the marks of a comment before it. Where blanks part them,
+ * a unit in brackets belongs to the name before it. */
+static int split_names(char *line, char separator, char **name) {
+  while (*line && *line != separator && strchr("#%; \t", *line))
+    line++;
+  int count = aspi_text_split(line, separator, name, ASP_COLUMNS_MOST);
+  while (count > 0 && !*name[count - 1])
+    count--;
+  if (separator != ' ')
+    return count;
+  int kept = 0;
+  for (int i = 0; i < count; i++) {
+    if (kept > 0 && strchr("([{", *name[i]))
+      memset(name[kept - 1] + strlen(name[kept - 1]), ' ',
+             (size_t)(name[i] - name[kept - 1]) - strlen(name[kept - 1]));
+    else
+      name[kept++] = name[i];
+  }
+  return kept;
+}
+
+/* Takes what one line of the header says into the columns, and returns how many it names; 0 where
+ * it is no line of names. */
+static int take_names(const char *line, char separator, int fields, column *columns,
+                      bool *has_names) {
+  char copy[ASP_TEXT_MOST], *name[ASP_COLUMNS_MOST];
+  strcpy(copy, line);
+  int count = split_names(copy, separator, name);
+  if (count < 1 || count > fields || (count < fields && (separator == ' ' || count < 2)))
+    return 0;
+  *has_names = false;
+  for (int i = 0; i < count; i++) {
+    double unit[2];
+    bool bare = aspi_unit_metres(name[i], strlen(name[i])) > 0;
+    int units = bare ? 1 : aspi_header_units(name[i], unit);
+    if (bare)
+      unit[0] = aspi_unit_metres(name[i], strlen(name[i]));
+    if (!(columns[i].unit > 0) && units == 1)
+      columns[i].unit = unit[0];
+    if (bare || *columns[i].name)
+      continue;
+    *has_names = *has_names || *name[i];
+    snprintf(columns[i].name, sizeof columns[i].name, "%.63s", name[i]);
+    columns[i].kind = kind_of(name[i]);
+    if (units == 0 && has_unit(name[i]))
+      columns[i].kind = NO_LENGTH;
+  }
+  return count;
+}
+
+/* The lines of names above the data: the last one, or, where that has units only, the one above it
+ * too. Returns how many columns they name; 0: there are none. */
+static int read_header(const aspi_header *header, char separator, int fields, column *columns) {
+  int named = 0;
+  bool has_names = false;
+  for (int i = 0; i < ASP_HEADER_NEAR && !has_names; i++) {
+    int count =
+        *header->line[i] ? take_names(header->line[i], separator, fields, columns, &has_names) : 0;
+    if (count == 0)
+      break;
+    named = count > named ? count : named;
+  }
+  return named;
+}
+
+/* The name without its unit, for comparing: up to a bracket, a slash, or an underscore. */
+static bool same_name(const char *name, const char *asked) {
+  size_t length = strcspn(name, "([{/_");
+  while (length > 0 && isspace((unsigned char)name[length - 1]))
+    length--;
+  return strcasecmp(name, asked) == 0 ||
+         (strlen(asked) == length && strncasecmp(name, asked, length) == 0);
+}
+
+/* A column that was asked for by its number or name, from 0; -1: none was; -2 and a message. */
+static int asked_for(const char *what, const char *asked, const column *columns, int fields,
+                     char *why, size_t size) {
+  if (!asked || !*asked)
+    return -1;
+  char *end;
+  long number = strtol(asked, &end, 10);
+  if (!*end && number >= 1 && number <= fields)
+    return (int)number - 1;
+  for (int i = 0; i < fields && *end; i++)
+    if (same_name(columns[i].name, asked))
+      return i;
+  snprintf(why, size, "column '%.40s' is asked for as %s; the file has %d columns%s", asked, what,
+           fields, *end ? ", none of that name" : "");
+  return -2;
+}
+
+/* The first column of that kind that is not the other one and may be a length; -1: none. */
+static int first_of(kind wanted, const column *columns, int fields, int other, bool with_unit) {
+  for (int i = 0; i < fields; i++)
+    if (i != other && columns[i].kind == wanted && (!with_unit || columns[i].unit > 0))
+      return i;
+  return -1;
+}
+
+static int first_length(const column *columns, int fields, int other, bool with_unit) {
+  for (int i = 0; i < fields; i++)
+    if (i != other && columns[i].kind != NO_LENGTH && (!with_unit || columns[i].unit > 0))
+      return i;
+  return -1;
+}
+
+/* Two columns without units are taken by their names only where both are known; else the first is
+ * that of positions. */
+static bool are_known(const column *columns) {
+  return (columns[0].kind == POSITION && columns[1].kind == HEIGHT) ||
+         (columns[0].kind == HEIGHT && columns[1].kind == POSITION);
+}
+
+#define ASK_COLUMNS                                                                                \
+  "say which columns are positions and heights (x-column, z-column), or the step of heights "      \
+  "alone (step)"
+
+/* What is known of a line's columns, and where a reason goes. */
+typedef struct choice {
+  const aspi_profile_options *options;
+  column columns[ASP_COLUMNS_MOST];
+  int fields, used, named; /* fields of a line, those before empty ones, and names above them */
+  char separator;
+  char *why;
+  size_t size;
+} choice;
+
+/* Whether names, where there is more than there must be, are as many as columns. */
+static bool are_named(const choice *c) {
+  if (c->used <= (c->options->step > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
+    return true;
+  snprintf(c->why, c->size, "%d columns under %d names%s; " ASK_COLUMNS, c->used, c->named,
+           c->separator == ','
+               ? " (or are there decimal commas? Those need semicolons or tabs between the columns)"
+               : "");
+  return false;
+}
+
+/* A column that nobody asked for and that is no length by its name or unit. */
+static bool is_none(const choice *c, int found, int asked) {
+  if (asked >= 0 || found < 0 || found >= c->fields || c->columns[found].kind != NO_LENGTH)
+    return false;
+  snprintf(c->why, c->size, "'%.40s' is no length by the header; " ASK_COLUMNS,
+           c->columns[found].name);
+  return true;
+}
+
+/* The columns that the user asked for, -1 where none; false where they cannot be meant. */
+static bool find_asked(const choice *c, int *x, int *z) {
+  const aspi_profile_options *o = c->options;
+  *x = asked_for("positions", o->x_column, c->columns, c->fields, c->why, c->size);
+  *z = asked_for("heights", o->z_column, c->columns, c->fields, c->why, c->size);
+  if (o->x_number > 0 && *x == -1)
+    *x = o->x_number - 1;
+  if (o->column > 0 && *z == -1)
+    *z = o->column - 1;
+  bool same = *x >= 0 && *x == *z;
+  if (same)
+    snprintf(c->why, c->size, "column %d is asked for as positions and as heights", *x + 1);
+  return *x != -2 && *z != -2 && !same;
+}
+
+/* Completes the columns, where x = fields stands for none; -1 where there is none. */
+static void complete(const choice *c, int *x, int *z) {
+  int with_unit = 0, n = c->fields;
+  for (int i = 0; i < n; i++)
+    with_unit += c->columns[i].unit > 0;
+  bool heights_alone = c->options->step > 0, units = with_unit >= (heights_alone ? 1 : 2);
+  if (c->named == 0 || (n <= 2 && !units && !are_known(c->columns))) {
+    *x = *x >= 0 ? *x : *z == 0 && n > 1 ? 1 : 0;
+    *z = *z >= 0 ? *z : heights_alone && c->columns[0].kind != NO_LENGTH ? 0 : *x == 1 ? 0 : 1;
+  }
+  if (*z < 0)
+    *z = first_of(HEIGHT, c->columns, n, *x, units);
+  if (*x < 0)
+    *x = first_of(POSITION, c->columns, n, *z, units);
+  if (*x < 0)
+    *x = first_length(c->columns, n, *z, units);
+  if (*z < 0)
+    *z = first_length(c->columns, n, *x, units);
+}
+
+static int first_named(char name, const column *columns, int fields) {
+  for (int i = 0; i < fields; i++)
+    if (tolower((unsigned char)*columns[i].name) == name &&
+        !isalpha((unsigned char)columns[i].name[1]))
+      return i;
+  return -1;
+}
+
+/* The column Y beside a column X of positions, where both give a place on the wall; -1: none. */
+static int second_axis(const choice *c, int x, int z) {
+  int y = first_named('y', c->columns, c->fields);
+  return first_named('x', c->columns, c->fields) == x && y != z && y != x ? y : -1;
+}
+
+static bool choose_both(const choice *c, aspi_columns *chosen) {
+  int asked_x, asked_z;
+  if (!find_asked(c, &asked_x, &asked_z) || (asked_z < 0 && !are_named(c)))
+    return false;
+  bool heights_alone = c->options->step > 0;
+  int x = heights_alone ? c->fields : asked_x, z = asked_z;
+  complete(c, &x, &z);
+  if (x < 0 || z < 0) {
+    int only = x >= 0 ? x : z;
+    snprintf(c->why, c->size, "%s%.40s%s a length by the header; " ASK_COLUMNS,
+             only < 0 ? "no column is" : "only '", only < 0 ? "" : c->columns[only].name,
+             only < 0 ? "" : "' is");
+    return false;
+  }
+  if (is_none(c, x, asked_x) || is_none(c, z, asked_z))
+    return false;
+  *chosen = (aspi_columns){.x = heights_alone ? -1 : x,
+                           .y = asked_x < 0 && x < c->fields ? second_axis(c, x, z) : -1,
+                           .z = z,
+                           .unit_x = x < c->fields ? c->columns[x].unit : 1,
+                           .unit_z = z < c->fields ? c->columns[z].unit : 0};
+  chosen->unit_y = chosen->y >= 0 ? c->columns[chosen->y].unit : 0;
+  return true;
+}
+
+bool aspi_choose_columns(const aspi_header *header, char separator, int fields, int used,
+                         const aspi_profile_options *options, aspi_columns *chosen, char *why,
+                         size_t size) {
+  choice c; /* of its columns those that there are are set, and two at least */
+  c.options = options;
+  c.fields = fields;
+  c.used = used;
+  c.separator = separator;
+  c.why = why;
+  c.size = size;
+  memset(c.columns, 0, (size_t)(fields > 2 ? fields : 2) * sizeof *c.columns);
+  c.named = read_header(header, separator, c.fields, c.columns);
+  return choose_both(&c, chosen);
+}
+
+bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_axes *axes) {
+  column columns[ASP_COLUMNS_MOST] = {{"", 0, UNKNOWN}};
+  *axes = (aspi_axes){{0, 1, 2}, {0}};
+  if (fields > ASP_COLUMNS_MOST)
+    return false;
+  read_header(header, separator, fields, columns);
+  int found[3] = {first_named('x', columns, fields), first_named('y', columns, fields),
+                  first_named('z', columns, fields)};
+  if (found[2] < 0)
+    found[2] = first_of(HEIGHT, columns, fields, -1, false);
+  bool named = found[0] >= 0 && found[1] >= 0 && found[2] >= 0;
+  for (int k = 0; k < 3; k++) {
+    if (named)
+      axes->column[k] = found[k];
+    axes->unit[k] = columns[axes->column[k]].unit;
+  }
+  return named;
+}
+
+/* A line that states the unit of one axis, as `X unit: mm`; false where it does not. */
+static bool take_axis(const char *line, aspi_columns *columns) {
+  double unit[2];
+  line += strspn(line, "#%; \t\"");
+  kind axis = kind_of(line);
+  if (!aspi_text_holds(line, "unit") || (axis != POSITION && axis != HEIGHT) ||
+      aspi_units_in(line, unit) != 1)
+    return false;
+  double *to = axis == POSITION ? &columns->unit_x : &columns->unit_z;
+  *to = *to > 0 ? *to : unit[0];
+  return true;
+}
+
+asp_code aspi_find_units(const aspi_text *text, const aspi_profile_options *options,
+                         const aspi_header *header, aspi_columns *columns, asp_error *error) {
+  double stated[2] = {0, 0};
+  int count = 0;
+  bool found = columns->unit_x > 0 && columns->unit_z > 0;
+  for (int i = 0; i < ASP_HEADER_KEPT && count == 0 && !found; i++) {
+    if (!take_axis(header->line[i], columns) && i < ASP_HEADER_NEAR)
+      count = aspi_header_units(header->line[i], stated);
+    found = columns->unit_x > 0 && columns->unit_z > 0;
+  }
+  if (count == 2 && !found) {
+    columns->unit_x = columns->x < 0 ? 1 : stated[0];
+    columns->unit_z = stated[1];
+  } else if (count == 1 && !found && columns->x < 0) {
+    columns->unit_z = stated[0];
+  }
+  if (options->unit_x > 0 && columns->x >= 0)
+    columns->unit_x = options->unit_x;
+  if (options->unit_z > 0)
+    columns->unit_z = options->unit_z;
+  if (columns->unit_x > 0 && columns->unit_z > 0)
+    return ASP_OK;
+  return aspi_text_fail(text, text->line, error,
+                        "%s before the first numbers; say which unit of length the columns are in "
+                        "(asperity surface --unit)",
+                        count == 0   ? "no unit of length is stated"
+                        : count == 1 ? "one unit is stated for two columns"
+                                     : "more than two units are stated");
+}

@@ -1,0 +1,531 @@
+/* Maps as text: a matrix of heights, a line a row, or lines of x, y, z on a grid. Numbers are
+ * parted by blanks, tabs, semicolons, or commas; lines that begin with # and a header of any kind
+ * go before, and lines of another kind may follow. Where the header names x, y and z, these columns
+ * are taken, in any order and beside others. What Gwyddion writes at the head of its matrices (`#
+ * Width: 100 um`, `# Height:`, `# Value units:`) is understood; else the spacing and the unit must
+ * be told. Lines may be of any length.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
+#include "base/number.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "readers/header.h"
+#include "readers/map_read.h"
+#include "readers/marks.h"
+#include "surface/profile.h"
+
+#include <ctype.h>
+#include <gsl/gsl_sort.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WORD_MOST = 64, HEAD_MOST = 256, COLUMNS_XYZ = 3 };
+
+/* x and y of a point of a grid are off it by no more than this part of the spacing. */
+#define OFF_GRID 0.2
+
+/* Numbers are equal steps apart to this part of one, and there are that many to tell by. */
+#define RAMP_OFF 1e-2
+enum { RAMP_LEAST = 8 };
+
+/* One line, cut into fields as it is read. */
+typedef struct scanner {
+  aspi_text source;
+  const char *path;
+  size_t line;
+  char ahead[HEAD_MOST]; /* characters that were read to find the separator */
+  size_t ahead_at, ahead_count;
+  char text[HEAD_MOST]; /* the line's beginning, for the header */
+  double *values;       /* its fields; NAN where one is bad or missing */
+  size_t count, room;
+  char separator; /* of the fields; 0: blanks */
+  bool numbers;   /* all of them are */
+  bool first;     /* the first of them is */
+  bool open;      /* the line ends with a separator */
+  bool decimals;  /* a field is whole and has a zero before other digits, as decimals may */
+  bool ended;     /* at the end of the file */
+} scanner;
+
+static asp_code fail_at(const scanner *s, asp_error *error, const char *what) {
+  return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", s->path, s->line, what);
+}
+
+static asp_code keep_value(scanner *s, double value, asp_error *error) {
+  if (s->count == s->room) {
+    size_t room = s->room ? 2 * s->room : 1024;
+    double *grown = room <= ASP_MAP_SIDE_MOST * 2 ? realloc(s->values, room * sizeof *grown) : NULL;
+    if (!grown)
+      return aspi_fail(error, ASP_ENOMEM,
+                       "%.200s:%zu: out of memory for a line of over %zu numbers", s->path, s->line,
+                       s->count);
+    s->values = grown;
+    s->room = room;
+  }
+  s->values[s->count++] = value;
+  return ASP_OK;
+}
+
+/* Commas are decimal ones where they do not part the fields, or stand in quotes and are no marks
+ * of groups. */
+static asp_code keep(scanner *s, const char *word, asp_error *error) {
+  double value = NAN;
+  bool comma = s->separator != ',' && strchr(word, ',') != NULL;
+  aspi_word kind = aspi_text_number(word, comma, &value);
+  if (kind == ASP_WORD_OTHER && s->separator == ',')
+    kind = aspi_text_number(word, true, &value);
+  s->numbers = s->numbers && kind != ASP_WORD_OTHER;
+  s->first = s->count == 0 ? kind != ASP_WORD_OTHER && *word : s->first;
+  const char *digits = word + strspn(word, " ");
+  s->decimals = s->decimals || (s->separator == ',' && *digits == '0' &&
+                                strspn(digits, "0123456789") == strlen(digits) && digits[1]);
+  return keep_value(s, value, error);
+}
+
+/* The separator of a file's numbers by its first line of data: a semicolon or tab before a comma,
+ * which may be a decimal one; 0 for blanks. */
+static char separator_of(const char *line) {
+  if (strchr(line, ';'))
+    return ';';
+  if (strchr(line, '\t'))
+    return '\t';
+  return strchr(line, ',') && !strchr(line, ' ') ? ',' : strstr(line, ", ") ? ',' : 0;
+}
+
+/* Finds the separator by the beginning of the line that comes next. */
+static void look_ahead(scanner *s) {
+  char head[HEAD_MOST];
+  int c = ' ';
+  s->ahead_at = s->ahead_count = 0;
+  while (s->ahead_count + 1 < sizeof s->ahead && c != '\n' &&
+         (c = aspi_text_character(&s->source)) != EOF)
+    s->ahead[s->ahead_count++] = (char)c;
+  memcpy(head, s->ahead, s->ahead_count);
+  head[s->ahead_count] = '\0';
+  s->separator = separator_of(head);
+}
+
+static int next_character(scanner *s) {
+  return s->ahead_at < s->ahead_count ? (unsigned char)s->ahead[s->ahead_at++]
+                                      : aspi_text_character(&s->source);
+}
+
+/* Reads one line; one that begins with # or is no line of numbers has `numbers` false. Quotes hold
+ * a field together. */
+static asp_code read_line(scanner *s, asp_error *error) {
+  char word[WORD_MOST];
+  size_t length = 0, known = 0;
+  bool comment = false, any = false, quoted = false;
+  asp_code code = ASP_OK;
+  s->count = 0;
+  s->numbers = s->first = true;
+  s->open = s->decimals = false;
+  s->line++;
+  const char by = s->separator;
+  int c;
+  for (c = next_character(s); c != EOF && c != '\n'; c = next_character(s)) {
+    if (c == '\0')
+      return fail_at(s, error,
+                     "a NUL byte: not a text file; Gwyddion reads most formats of "
+                     "instruments and saves them as SDF or as a text matrix");
+    if (known + 1 < sizeof s->text)
+      s->text[known++] = (char)c;
+    comment = comment || (!any && c == '#');
+    any = any || !isspace(c);
+    quoted ^= c == '"';
+    if (comment || c == '"')
+      continue;
+    bool ends = !quoted && (by ? c == by : isspace(c) != 0);
+    if (!ends && (length > 0 || !isspace(c)) && length + 1 < sizeof word) {
+      word[length++] = (char)c;
+    } else if (!ends && length + 1 >= sizeof word) {
+      s->numbers = false;
+    }
+    s->open = ends;
+    if (ends && (length > 0 || by)) {
+      word[length] = '\0';
+      length = 0;
+      if ((code = keep(s, word, error)))
+        return code;
+    }
+  }
+  s->text[known] = '\0';
+  s->ended = c == EOF && !any;
+  if (!comment && any) {
+    word[length] = '\0';
+    bool blank = word[strspn(word, " \t\r")] == '\0';
+    s->open = blank && by;
+    if (!blank) /* a separator at the end of a line ends the last number */
+      code = keep(s, word, error);
+  }
+  s->numbers = s->numbers && s->count > 0 && !comment;
+  return code;
+}
+
+/* A field that is empty at the end of a line is a missing number where one is due. */
+static asp_code complete(scanner *s, size_t due, asp_error *error) {
+  return s->open && s->numbers && s->count + 1 == due ? keep_value(s, NAN, error) : ASP_OK;
+}
+
+static asp_code check_commas(const scanner *s, asp_error *error) {
+  if (!s->decimals)
+    return ASP_OK;
+  return fail_at(s, error,
+                 "whole numbers that begin with a zero: are there decimal commas? Separate numbers "
+                 "by semicolons or tabs, or write decimal points");
+}
+
+/* What is known of a file while its heights are read: heights that may stand for missing ones. */
+typedef struct heights {
+  aspi_marks marks;
+  double missing; /* NAN: none does */
+} heights;
+
+static double noted(heights *h, double z, size_t line) {
+  if (fabs(z - h->missing) <= 1e-9 * fabs(h->missing))
+    return NAN;
+  if (isfinite(z))
+    aspi_marks_note(&h->marks, z, line);
+  return z;
+}
+
+static asp_code check_marks(const scanner *s, const heights *h, asp_error *error) {
+  aspi_suspect found;
+  if (!aspi_marks_find(&h->marks, &found))
+    return ASP_OK;
+  return aspi_fail(error, ASP_EDATA,
+                   "%.200s:%zu: height %.10g, %zu times, beside heights of %g to %g: does it stand "
+                   "for a missing one? Say so (missing %.10g), or mend the file",
+                   s->path, found.met.place, found.value, found.met.count, found.least, found.most,
+                   found.value);
+}
+
+/* A line that does not begin with a number ends the data, where none follow; `what` is the message
+ * where some do. */
+static asp_code check_end(scanner *s, size_t columns, const char *what, asp_error *error) {
+  size_t line = s->line;
+  asp_code code = ASP_OK;
+  bool first = s->first;
+  while (!first && !code && !s->ended) {
+    code = read_line(s, error);
+    first = s->numbers && s->count >= columns;
+  }
+  if (code || !first)
+    return code;
+  s->line = line;
+  return fail_at(s, error, what);
+}
+
+/* What a header says: lengths of the sides and the unit of heights, 0 where nothing. */
+typedef struct head {
+  double side[2], unit_z;
+  double units[2]; /* of the first column and of the last */
+  aspi_header lines;
+} head;
+
+/* `name`, a number and a unit, or only a unit, in m; 0 when the line has no such thing. */
+static double stated(const char *line, const char *name, bool number) {
+  const char *at = strstr(line, name);
+  if (!at)
+    return 0;
+  at += strlen(name);
+  char *end = (char *)at;
+  double value = number ? aspi_number(at, &end) : 1;
+  if (number && end == at)
+    return 0;
+  while (isspace((unsigned char)*end))
+    end++;
+  size_t length = strlen(end);
+  while (length > 0 && isspace((unsigned char)end[length - 1]))
+    length--;
+  return value * aspi_unit_metres(end, length);
+}
+
+static void note_head(head *h, const char *line) {
+  if (line[strspn(line, " \t")]) {
+    memmove(h->lines.line[1], h->lines.line[0], (ASP_HEADER_KEPT - 1) * sizeof *h->lines.line);
+    snprintf(h->lines.line[0], sizeof *h->lines.line, "%s", line);
+  }
+  const char *const sides[2] = {"Width:", "Height:"};
+  for (int k = 0; k < 2; k++)
+    h->side[k] = h->side[k] > 0 ? h->side[k] : stated(line, sides[k], true);
+  h->unit_z = h->unit_z > 0 ? h->unit_z : stated(line, "Value units:", false);
+  double units[2] = {0, 0};
+  int count = aspi_header_units(line, units);
+  if (count == 0)
+    return;
+  h->units[0] = units[0];
+  h->units[1] = count == 2 ? units[1] : units[0];
+  size_t last = strlen(line);
+  while (last > 0 && !strchr(",;\t", line[last - 1]))
+    last--;
+  if (last > 0 && aspi_header_units(line + last, units) > 0)
+    h->units[1] = units[0];
+}
+
+/* Reads on to the first line of two numbers or more. */
+static asp_code skip_head(scanner *s, head *h, asp_error *error) {
+  for (;;) {
+    look_ahead(s);
+    asp_code code = read_line(s, error);
+    if (code)
+      return code;
+    if (s->numbers && s->count > 1)
+      return ASP_OK;
+    if (s->ended)
+      return fail_at(s, error, "the file ends without a line of two numbers or more");
+    note_head(h, s->text);
+  }
+}
+
+static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw_map *raw,
+                        asp_error *error) {
+  asp_code code = ASP_OK;
+  for (size_t i = 0; i < s->count && !code; i++)
+    code = aspi_raw_map_add(raw, unit * noted(h, s->values[i], s->line), error);
+  raw->rows++;
+  return code;
+}
+
+/* Whether heights rise or fall by equal steps; `apart` is the distance between them in memory. */
+static bool is_ramp(const float *z, size_t count, size_t apart) {
+  double step = ((double)z[(count - 1) * apart] - z[0]) / (double)(count - 1);
+  for (size_t i = 0; i < count && step * step > 0; i++)
+    if (!(fabs(z[i * apart] - (z[0] + step * (double)i)) <= RAMP_OFF * fabs(step)))
+      return false;
+  return step * step > 0;
+}
+
+/* Positions along a side of the matrix, in its first row or column, are no heights. */
+static asp_code check_axes(const scanner *s, const aspi_raw_map *raw, asp_error *error) {
+  const float *z = raw->heights;
+  size_t columns = raw->columns, rows = raw->rows;
+  if (columns < RAMP_LEAST || rows < RAMP_LEAST)
+    return ASP_OK;
+  bool row = is_ramp(z + 1, columns - 1, 1) && !is_ramp(z + columns + 1, columns - 1, 1);
+  bool column =
+      is_ramp(z + columns, rows - 1, columns) && !is_ramp(z + columns + 1, rows - 1, columns);
+  if (!row && !column)
+    return ASP_OK;
+  return aspi_fail(error, ASP_EDATA,
+                   "%.200s: the numbers in the first %s of the matrix are equal steps apart: are "
+                   "they positions? Leave heights alone in the file",
+                   s->path,
+                   row && column ? "row and column"
+                   : row         ? "row"
+                                 : "column");
+}
+
+static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *options,
+                            heights *known, aspi_raw_map *raw, asp_error *error) {
+  double unit = options->read->unit_z > 0 ? options->read->unit_z : h->unit_z;
+  if (!(unit > 0))
+    unit = h->units[1];
+  if (!(unit > 0))
+    return fail_at(s, error,
+                   "no unit of the heights is stated before the first numbers; say which "
+                   "unit of length they are in (asperity surface --unit)");
+  raw->columns = s->count;
+  asp_code code = ASP_OK;
+  for (; !s->ended && !code; code = code ? code : read_line(s, error)) {
+    if (s->count == 0)
+      continue;
+    if (!s->numbers) {
+      code = check_end(s, raw->columns, "a word that is no number among the heights", error);
+      break;
+    }
+    if ((code = complete(s, raw->columns, error)) || (code = check_commas(s, error)))
+      return code;
+    if (s->count != raw->columns)
+      return aspi_fail(error, ASP_EDATA, "%.200s:%zu: a row of %zu heights; the first one has %zu",
+                       s->path, s->line, s->count, raw->columns);
+    code = add_row(s, unit, known, raw, error);
+  }
+  if (code)
+    return code;
+  const size_t count[2] = {raw->columns, raw->rows};
+  for (int k = 0; k < 2; k++)
+    raw->step[k] = options->step[k] > 0 ? options->step[k] : h->side[k] / (double)count[k];
+  if (!(raw->step[0] > 0))
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: a matrix of heights does not say how far apart its points are; tell "
+                     "it (step_x, step_y; asperity surface --read 'step L')",
+                     s->path);
+  raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
+  return check_axes(s, raw, error);
+}
+
+/* ---- x, y, z ---- */
+
+typedef struct triples {
+  double (*at)[COLUMNS_XYZ];
+  size_t count, room;
+} triples;
+
+static asp_code add_triple(triples *t, const double *values, asp_error *error) {
+  if (t->count == t->room) {
+    size_t room = t->room ? t->room + t->room / 2 : 65536;
+    double(*grown)[COLUMNS_XYZ] =
+        room <= SIZE_MAX / sizeof *grown ? realloc(t->at, room * sizeof *grown) : NULL;
+    if (!grown)
+      return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of over %zu points", t->count);
+    t->at = grown;
+    t->room = room;
+  }
+  memcpy(t->at[t->count++], values, sizeof *t->at);
+  return ASP_OK;
+}
+
+/* A difference of two coordinates is one of the grid, not of rounding, from this part of the step
+ * of a square grid of as many points on. */
+#define GRID_PART (1 / 32.)
+
+/* The grid along one axis: from the least to the greatest coordinate, by the mean of the steps
+ * between neighbours. `room` is for all coordinates. */
+static bool find_grid(const triples *t, int axis, double *room, double *first, double *step,
+                      size_t *count) {
+  for (size_t i = 0; i < t->count; i++)
+    room[i] = t->at[i][axis];
+  gsl_sort(room, 1, t->count);
+  double range = room[t->count - 1] - room[0], small = INFINITY, sum = 0, used = 0;
+  double none = GRID_PART * range / sqrt((double)t->count);
+  for (size_t i = 1; i < t->count; i++)
+    if (room[i] - room[i - 1] > none)
+      small = fmin(small, room[i] - room[i - 1]);
+  for (size_t i = 1; i < t->count; i++) {
+    double d = room[i] - room[i - 1];
+    if (d > none && d < 1.5 * small) {
+      sum += d;
+      used++;
+    }
+  }
+  if (!(used > 0))
+    return false;
+  double steps = round(range / (sum / used));
+  *first = room[0];
+  *step = range / steps;
+  *count = (size_t)fmin(steps, 1e9) + 1;
+  return true;
+}
+
+static asp_code place(const scanner *s, const triples *t, const double unit[3], aspi_raw_map *raw,
+                      asp_error *error) {
+  double first[2], step[2], *room = aspi_allocate(t->count);
+  size_t side[2] = {0};
+  if (!room)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu points", t->count);
+  bool found[2];
+  for (int k = 0; k < 2; k++)
+    found[k] = find_grid(t, k, room, &first[k], &step[k], &side[k]);
+  free(room);
+  for (int k = 0; k < 2; k++)
+    if (!found[k] || side[k] > ASP_MAP_SIDE_MOST)
+      return aspi_fail(error, ASP_EDATA,
+                       "%.200s: the %s of its points are on no grid of 2 to %d equal steps",
+                       s->path, k ? "y" : "x", ASP_MAP_SIDE_MOST);
+  raw->columns = side[0];
+  raw->rows = side[1];
+  raw->step[0] = step[0] * unit[0];
+  raw->step[1] = step[1] * unit[1];
+  if ((double)side[0] * (double)side[1] > 4 * (double)t->count + 1e4)
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: its %zu points fill less than a quarter of their grid of %zu x %zu",
+                     s->path, t->count, side[0], side[1]);
+  size_t n = side[0] * side[1];
+  raw->heights = aspi_map_room(side[0], side[1]);
+  if (!raw->heights)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu x %zu points", side[0],
+                     side[1]);
+  raw->points = raw->room = n;
+  for (size_t i = 0; i < n; i++)
+    raw->heights[i] = NAN;
+  for (size_t i = 0; i < t->count; i++) {
+    double u = (t->at[i][0] - first[0]) / step[0], v = (t->at[i][1] - first[1]) / step[1];
+    double column = round(u), row = round(v);
+    if (fabs(u - column) > OFF_GRID || fabs(v - row) > OFF_GRID)
+      return aspi_fail(error, ASP_EDATA,
+                       "%.200s: point %zu, at x %g, y %g, is off the grid of %g x %g that the "
+                       "others are on",
+                       s->path, i + 1, t->at[i][0], t->at[i][1], step[0], step[1]);
+    double z = t->at[i][2];
+    if (isfinite(z) && isnan(raw->zero))
+      raw->zero = z * unit[2];
+    raw->heights[(size_t)row * side[0] + (size_t)column] = (float)(z * unit[2] - raw->zero);
+  }
+  for (size_t i = 0; i < n; i++)
+    raw->bad += isnan(raw->heights[i]);
+  return ASP_OK;
+}
+
+/* The units of x, y and z: the user's, those of the columns, or those of the header as a whole. */
+static asp_code find_units(const scanner *s, const head *h, const aspi_profile_options *read,
+                           aspi_axes *axes, asp_error *error) {
+  for (int k = 0; k < COLUMNS_XYZ; k++) {
+    double own = k < 2 ? read->unit_x : read->unit_z, *unit = &axes->unit[k];
+    *unit = own > 0 ? own : *unit > 0 ? *unit : h->units[k / 2];
+    if (!(*unit > 0))
+      return fail_at(s, error,
+                     "no unit of length is stated before the first numbers; say which unit "
+                     "of length the columns are in (asperity surface --unit)");
+  }
+  return ASP_OK;
+}
+
+static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *options,
+                             aspi_axes *axes, heights *known, aspi_raw_map *raw, asp_error *error) {
+  if (options->step[0] > 0)
+    return fail_at(s, error,
+                   "the spacing is given (step), but the file has the positions of its points");
+  const char *expected = "three numbers are expected: x, y, z";
+  asp_code code = find_units(s, h, options->read, axes, error);
+  size_t fields = s->count;
+  const int *at = axes->column;
+  triples t = {0};
+  for (; !s->ended && !code; code = code ? code : read_line(s, error)) {
+    if (s->count == 0)
+      continue;
+    if ((code = complete(s, fields, error)) || (code = check_commas(s, error)))
+      break;
+    if (s->count == fields && s->numbers && isfinite(s->values[at[0]]) &&
+        isfinite(s->values[at[1]])) {
+      double point[COLUMNS_XYZ] = {s->values[at[0]], s->values[at[1]],
+                                   noted(known, s->values[at[2]], s->line)};
+      code = add_triple(&t, point, error);
+      continue;
+    }
+    code = t.count > 0 ? check_end(s, fields, expected, error) : fail_at(s, error, expected);
+    break;
+  }
+  if (!code)
+    code = t.count > 0 ? place(s, &t, axes->unit, raw, error) : fail_at(s, error, expected);
+  free(t.at);
+  return code;
+}
+
+static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, aspi_raw_map *raw,
+                          asp_error *error) {
+  asp_code code = skip_head(s, h, error);
+  if (code)
+    return code;
+  const aspi_profile_options *read = options->read;
+  heights known = {.missing = read->has_missing ? read->missing : NAN};
+  aspi_axes axes = {{0, 1, 2}, {0}};
+  char separator = s->separator ? s->separator : ' ';
+  bool named = s->count >= COLUMNS_XYZ && s->count <= ASP_COLUMNS_MOST &&
+               aspi_find_axes(&h->lines, separator, (int)s->count, &axes);
+  code = named || s->count == COLUMNS_XYZ ? read_triples(s, h, options, &axes, &known, raw, error)
+                                          : read_matrix(s, h, options, &known, raw, error);
+  return code ? code : check_marks(s, &known, error);
+}
+
+asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,
+                            aspi_raw_map *raw, asp_error *error) {
+  scanner s = {.source = aspi_text_create(stream, path), .path = path};
+  head *h = calloc(1, sizeof *h);
+  asp_code code = h ? read_file(&s, h, options, raw, error)
+                    : aspi_fail(error, ASP_ENOMEM, "%.200s: out of memory for its header", path);
+  free(h);
+  free(s.values);
+  return code;
+}

@@ -1,0 +1,118 @@
+/* What the readers of profile files hand to each other.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SURFACE_READ_H
+#define ASP_SURFACE_READ_H
+
+#include "base/text.h"
+#include "readers/doubts.h"
+#include "readers/filter.h"
+
+/* Columns of a text file that are looked at, and the highest degree of a form. */
+enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
+
+/* How a measured profile is read. */
+typedef struct aspi_profile_options {
+  double unit_x, unit_z; /* metres in one unit of a text file's columns; 0: as the file states */
+  double metre;          /* one metre in the unit of the result: 1 for SI, 1e6 for micrometres */
+  int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
+  double spikes;         /* points this many robust sd off their neighbours are bad, and refused or
+                            filled as those are; 0: none are */
+  bool fill;     /* bad points and gaps are filled by straight lines; false: they are refused */
+  bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
+  int row;       /* of an SDF map, from 1 */
+  int column;    /* 0, or: of an SDF map, read that column instead; of a text file, the heights */
+  int x_number;  /* 0, or: of a text file, the column of positions, from 1 */
+  const char *x_column,
+      *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
+  double step;    /* m, of a text file that has heights alone; 0: it has positions */
+  double missing; /* where has_missing: a height that stands for none */
+  bool has_missing;
+  aspi_filters filters;
+} aspi_profile_options;
+
+/* Units as stated, metres, a mean line taken out, gaps refused, unequal spacing resampled, first
+ * row of a map, heights in the second column of a text file. */
+aspi_profile_options aspi_profile_options_default(void);
+
+/* What the reader found and did. */
+typedef struct aspi_profile_report {
+  size_t points;      /* read from the file */
+  size_t bad;         /* bad points among them: not a number, or marked as bad */
+  size_t spikes;      /* points taken for spikes */
+  size_t outliers;    /* where none are looked for: points that are clearly dust */
+  size_t filled;      /* points of the result that were filled in */
+  size_t repeats;     /* positions that repeat the one before, whose heights were averaged */
+  size_t longest_gap; /* most of them in a row */
+  bool resampled;
+  double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
+  char text[640];               /* all of that as a sentence */
+  char doubts[440];             /* what makes the heights doubtful, or "" (doubts.h) */
+} aspi_profile_report;
+
+/* ASP_EARG and a message where one is out of its range. */
+asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error);
+
+/* Reads a measured profile, as a stream; see asp_reader. options NULL: the defaults; report may be
+ * NULL. NULL on error; the message names file and line. */
+asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *options,
+                               aspi_profile_report *report, asp_error *error);
+
+/* Heights as a file has them, equally spaced, in metres; NAN where one is bad or missing. */
+typedef struct aspi_raw {
+  double *heights;
+  size_t points, room;
+  double spacing;
+  size_t read;        /* points in the file */
+  size_t bad;         /* of them */
+  size_t bad_line;    /* where the first bad point or gap is */
+  size_t first_spike; /* the point, from 1 */
+  bool resampled;
+  size_t repeats;               /* positions that repeat the one before */
+  bool falls;                   /* positions fall in the file */
+  int column[2];                /* of positions and heights, from 1, where there are others too */
+  int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
+  size_t end_line;              /* where the data end before the file does; 0: nowhere */
+  double step_least, step_most; /* m */
+} aspi_raw;
+
+asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
+
+/* What a file is by its beginning; SDF is that of ISO 25178-71. Leaves the stream at its beginning.
+ * ASP_EDATA for closed formats, with the name of a free program that converts them. */
+typedef enum aspi_format {
+  ASP_FORMAT_TEXT,
+  ASP_FORMAT_SDF_TEXT,
+  ASP_FORMAT_SDF_BINARY
+} aspi_format;
+asp_code aspi_format_find(FILE *stream, const char *path, aspi_format *format, asp_error *error);
+
+/* The readers. Each begins with the first line that is not blank already in text->text, and leaves
+ * raw->heights to be freed by the caller, on error too. */
+asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                           asp_error *error);
+asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                       asp_error *error);
+
+/* The header of a file in SDF as text; NAN where it says nothing. Then its heights in turn, as many
+ * as points x profiles, before z_scale; NAN where one is marked as bad; and what must follow them.
+ */
+typedef struct aspi_sdf {
+  double points, profiles, x_scale, y_scale, z_scale, compression;
+} aspi_sdf;
+
+/* What does not apply to SDF: it states its units, its spacing (`step`) and bad points itself. */
+asp_code aspi_sdf_check_options(const char *path, const aspi_profile_options *options, double step,
+                                asp_error *error);
+
+asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error);
+asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
+                         asp_error *error);
+asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error);
+
+/* As aspi_profile_read, from an open stream; `path` is for messages only. */
+asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
+                                      const aspi_profile_options *options,
+                                      aspi_profile_report *report, asp_error *error);
+
+#endif

@@ -1,0 +1,152 @@
+/* The reader of measured profiles, set and asked by name.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
+#include "base/file.h"
+#include "surface/map_describe.h"
+#include "readers/map_read.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct asp_reader {
+  aspi_profile_options options;
+  aspi_profile_report report;
+  double step[2]; /* m, of a matrix of heights */
+};
+
+asp_reader *asp_reader_create(asp_error *error) {
+  asp_reader *reader = calloc(1, sizeof *reader);
+  if (reader)
+    reader->options = aspi_profile_options_default();
+  else
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a reader of profiles");
+  return reader;
+}
+
+void asp_reader_free(asp_reader *reader) {
+  free(reader);
+}
+
+/* An option: one of the pointers says where it is kept. */
+typedef struct option {
+  const char *name;
+  double *number;
+  int *whole;
+  bool *flag;
+} option;
+
+asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error) {
+  aspi_profile_options o = reader->options;
+  double step[2] = {reader->step[0], reader->step[1]};
+  const option all[] = {
+      {.name = "unit_x", .number = &o.unit_x},
+      {.name = "unit_z", .number = &o.unit_z},
+      {.name = "metre", .number = &o.metre},
+      {.name = "form", .whole = &o.form},
+      {.name = "spikes", .number = &o.spikes},
+      {.name = "fill", .flag = &o.fill},
+      {.name = "resample", .flag = &o.resample},
+      {.name = "row", .whole = &o.row},
+      {.name = "column", .whole = &o.column},
+      {.name = "step_x", .number = &step[0]},
+      {.name = "step_y", .number = &step[1]},
+      {.name = "tip", .number = &o.filters.tip},
+      {.name = "lambda_s", .number = &o.filters.lambda_s},
+      {.name = "cutoff", .number = &o.filters.cutoff},
+      {.name = "robust", .flag = &o.filters.robust},
+      {.name = "x_column", .whole = &o.x_number},
+      {.name = "missing", .number = &o.missing},
+  };
+  enum { COUNT = sizeof all / sizeof *all };
+  int i = 0;
+  while (i < COUNT && strcmp(all[i].name, name) != 0)
+    i++;
+  if (i == COUNT)
+    return aspi_fail(error, ASP_ENAME,
+                     "option '%s' is unknown to a reader of profiles; there are: unit_x unit_z "
+                     "metre form spikes fill resample row column step_x step_y tip lambda_s cutoff "
+                     "robust x_column missing",
+                     name);
+  if (!all[i].number && !(fabs(value) < INT_MAX && !(value > floor(value))))
+    return aspi_fail(error, ASP_EARG, "%s is %g; it must be a whole number", name, value);
+  if (all[i].number)
+    *all[i].number = value;
+  else if (all[i].whole)
+    *all[i].whole = (int)value;
+  else
+    *all[i].flag = value > 0;
+  asp_code code = aspi_profile_check_options(&o, error);
+  if (all[i].number == &o.missing)
+    o.has_missing = !isnan(value);
+  else if (!code && all[i].number)
+    code = aspi_check_range(error, name, "", value, 0, INFINITY);
+  if (code)
+    return code;
+  reader->options = o;
+  reader->step[0] = step[0];
+  reader->step[1] = step[1];
+  return ASP_OK;
+}
+
+asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error) {
+  reader->options.step = reader->step[0];
+  return aspi_profile_read(path, &reader->options, &reader->report, error);
+}
+
+asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error) {
+  FILE *stream = aspi_file_open(path, error);
+  if (!stream)
+    return NULL;
+  reader->report = (aspi_profile_report){0};
+  aspi_map_options options = {&reader->options, {reader->step[0], reader->step[1]}};
+  asp_map *map = aspi_map_read_stream(stream, path, &options, &reader->report, error);
+  fclose(stream);
+  return map;
+}
+
+double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
+  aspi_map_description d;
+  if (aspi_map_describe(map, &d, error))
+    return NAN;
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"s_q", d.s_q},          {"s_a", d.s_a},   {"s_sk", d.s_sk}, {"s_ku", d.s_ku},
+             {"s_p", d.s_p},          {"s_v", d.s_v},   {"s_z", d.s_z},   {"s_dq", d.s_dq},
+             {"s_al", d.s_al},        {"s_tr", d.s_tr}, {"lay", d.lay},   {"lambda_1", d.lambda_1},
+             {"lambda_2", d.lambda_2}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(all[i].name, name) == 0)
+      return all[i].value;
+  aspi_fail(error, ASP_ENAME,
+            "number '%s' is unknown to a map; there are: s_q s_a s_sk s_ku s_p s_v s_z s_dq s_al "
+            "s_tr lambda_1 lambda_2 lay",
+            name);
+  return NAN;
+}
+
+double asp_reader_get(const asp_reader *reader, const char *name) {
+  const aspi_profile_report *r = &reader->report;
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"points", (double)r->points},           {"bad", (double)r->bad},
+             {"spikes", (double)r->spikes},           {"filled", (double)r->filled},
+             {"longest_gap", (double)r->longest_gap}, {"resampled", r->resampled},
+             {"step_least", r->step_least},           {"step_most", r->step_most}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(all[i].name, name) == 0)
+      return all[i].value;
+  return NAN;
+}
+
+asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {
+  return *reader->report.doubts ? aspi_fail(error, ASP_EDATA, "%s", reader->report.doubts) : ASP_OK;
+}
+
+const char *asp_reader_text(const asp_reader *reader) {
+  return reader->report.text;
+}

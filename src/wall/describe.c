@@ -1,0 +1,236 @@
+/* A wall in the words of its description.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/number.h"
+#include "wall/description.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The text so far; what does not fit is counted only. */
+typedef struct line {
+  char *text;
+  size_t size, length;
+} line;
+
+static void add(line *l, const char *word) {
+  size_t n = strlen(word);
+  if (l->length > 0)
+    l->length++;
+  if (l->length < l->size) {
+    if (l->length > 0)
+      l->text[l->length - 1] = ' ';
+    snprintf(l->text + l->length, l->size - l->length, "%s", word);
+  }
+  l->length += n;
+}
+
+static void add_number(line *l, double value) {
+  char text[32];
+  aspi_number_print(value, text);
+  add(l, text);
+}
+
+/* `fit=START` of an unknown one. */
+static void add_value(line *l, const aspi_description *said, const char *name, double value) {
+  char text[40] = "fit=";
+  if (!aspi_is_fit(said, name)) {
+    add_number(l, value);
+    return;
+  }
+  aspi_number_print(value, text + strlen(text));
+  add(l, isnan(value) ? "fit" : text);
+}
+
+static void add_pair(line *l, const char *name, double value) {
+  add(l, name);
+  add_number(l, value);
+}
+
+static void add_known_or_fit(line *l, const aspi_description *said, const char *name,
+                             double value) {
+  add(l, name);
+  add_value(l, said, name, value);
+}
+
+/* In quotes where it would not be one word. */
+static void add_name(line *l, const char *name) {
+  size_t size = strlen(name) + 3;
+  char *quoted = strpbrk(name, " \t\"'") || !*name ? malloc(size) : NULL;
+  if (quoted) {
+    char quote = strchr(name, '"') ? '\'' : '"';
+    snprintf(quoted, size, "%c%s%c", quote, name, quote);
+  }
+  add(l, quoted ? quoted : name);
+  free(quoted);
+}
+
+static void add_lay(line *l, const aspi_description *said) {
+  if (said->lay == ASP_LAY_NONE)
+    return;
+  add(l, "lay");
+  if (said->lay_word)
+    add(l, said->lay_word);
+  for (int i = 0; i < (said->lay == ASP_LAY_VECTOR ? 3 : 1) && !said->lay_word; i++)
+    add_number(l, said->lay_numbers[i]);
+}
+
+static void add_surface(line *l, const aspi_description *said) {
+  add(l, "surface");
+  switch (said->kind) {
+  case ASPI_SMOOTH:
+    add(l, "smooth");
+    break;
+  case ASPI_SIGMA:
+    add_known_or_fit(l, said, "sigma", said->sigma);
+    break;
+  case ASPI_GAUSSIAN:
+    add_known_or_fit(l, said, "rq", said->r_q);
+    add_known_or_fit(l, said, "lambda_c", said->lambda_c);
+    if (said->lay != ASP_LAY_NONE)
+      add_number(l, said->lambda_along);
+    break;
+  case ASPI_PROFILE:
+  case ASPI_MAP:
+    add(l, said->kind == ASPI_MAP ? "map" : "profile");
+    add_name(l, said->file);
+  }
+  add_lay(l, said);
+  if (aspi_is_given(said, "dp_bins"))
+    add_pair(l, "dp_bins", said->bins);
+}
+
+static void add_spread(line *l, const asp_wall *wall) {
+  const aspi_description *said = wall->said;
+  if (said->kind == ASPI_SMOOTH && !aspi_is_given(said, "spread"))
+    return;
+  add(l, "spread");
+  add(l, said->chooses ? "auto" : wall->choice.spread->name);
+  if (said->chooses)
+    add_pair(l, "tolerance", said->tolerance);
+  add(l, wall->choice.isotropic ? "isotropic" : "plane");
+  add(l, "collisions");
+  add(l, wall->choice.multiple ? "multiple" : "single");
+}
+
+static void add_parameter(line *l, const aspi_description *said, const asp_parameter *p,
+                          double value) {
+  const char *word = asp_parameter_words(p);
+  if (!*word) {
+    add_value(l, said, p->name, value);
+    return;
+  }
+  for (int i = (int)value; i > 0; i--)
+    word += strcspn(word, " ") + 1;
+  char one[40];
+  snprintf(one, sizeof one, "%.*s", (int)strcspn(word, " "), word);
+  add(l, one);
+}
+
+/* Those parameters that follow one word, from the first of them; where all have their defaults they
+ * are left out. The number of them. */
+static int add_group(line *l, const asp_wall *wall, int first) {
+  const asp_rebound_law *law = wall->choice.law;
+  const char *keyword = asp_parameter_keyword(&law->parameters[first]);
+  const double *values = wall->choice.parameters;
+  bool differs = !*keyword;
+  int n = 0;
+  for (; first + n < law->n_parameters &&
+         strcmp(asp_parameter_keyword(&law->parameters[first + n]), keyword) == 0;
+       n++) {
+    double value = values[first + n], standard = law->parameters[first + n].fallback;
+    differs = differs || value < standard || value > standard ||
+              aspi_is_fit(wall->said, law->parameters[first + n].name);
+  }
+  if (differs && *keyword)
+    add(l, keyword);
+  for (int i = first; i < first + n && differs; i++)
+    add_parameter(l, wall->said, &law->parameters[i], values[i]);
+  return n;
+}
+
+static void add_rebound(line *l, const asp_wall *wall) {
+  const asp_rebound_law *law = wall->choice.law;
+  add(l, "rebound");
+  add(l, law->name);
+  if (law->needs_table)
+    add_name(l, wall->said->table);
+  for (int i = 0; i < law->n_parameters;)
+    i += add_group(l, wall, i);
+  if (asp_wall_get(wall, "scatter_twice") > 0)
+    add(l, "scatter_twice");
+}
+
+static void add_constants(line *l, const aspi_description *said) {
+  if (aspi_is_given(said, "materials")) {
+    add(l, "materials");
+    for (int i = 0; i < said->n_materials; i++)
+      add_name(l, said->names[i]);
+    if (said->materials_file) {
+      add(l, "file");
+      add_name(l, said->materials_file);
+    }
+  }
+  if (aspi_is_given(said, "friction"))
+    add_known_or_fit(l, said, "friction", said->friction);
+  if (aspi_is_given(said, "surface_energy"))
+    add_known_or_fit(l, said, "surface_energy", said->surface_energy);
+  if (aspi_is_given(said, "yield_stress"))
+    add_known_or_fit(l, said, "yield_stress", said->yield_stress);
+}
+
+static void add_deposit(line *l, const asp_wall *wall) {
+  static const char *const names[] = {"u_tau", "gas_density", "mean_free_path", "work"};
+  add(l, "deposit");
+  add(l, asp_wall_word(wall, "deposit"));
+  if (!aspi_is_given(wall->said, "remove"))
+    return;
+  add(l, "remove");
+  for (int i = 0; i < 4; i++) {
+    char number[40];
+    snprintf(number, sizeof number, "remove_%s", names[i]);
+    if (aspi_is_given(wall->said, names[i]))
+      add_pair(l, names[i], asp_wall_get(wall, number));
+  }
+}
+
+size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size) {
+  line l = {text, size, 0};
+  if (size > 0)
+    *text = '\0';
+  if (!wall->said)
+    return 0;
+  add_surface(&l, wall->said);
+  add_spread(&l, wall);
+  add_rebound(&l, wall);
+  add_constants(&l, wall->said);
+  add_deposit(&l, wall);
+  add_pair(&l, "seed", wall->said->seed);
+  return l.length;
+}
+
+/* Behind a word, or a name in quotes, and the blanks that follow. */
+static const char *behind_word(const char *at) {
+  const char *end = *at == '"' || *at == '\'' ? strchr(at + 1, *at) : NULL;
+  at = end ? end + 1 : at + strcspn(at, " ");
+  return at + strspn(at, " ");
+}
+
+static bool begins_clause(const char *at) {
+  size_t length = strcspn(at, " ");
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (!*k->within && strlen(k->name) == length && strncmp(k->name, at, length) == 0)
+      return true;
+  }
+  return false;
+}
+
+size_t asp_wall_clause(const char *text) {
+  const char *at = behind_word(text);
+  while (*at && !begins_clause(at))
+    at = behind_word(at);
+  return (size_t)(at - text);
+}

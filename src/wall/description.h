@@ -1,0 +1,113 @@
+/* What a description says of a wall beyond what the wall itself keeps, and the table of its words.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_IMPACT_DESCRIPTION_H
+#define ASP_IMPACT_DESCRIPTION_H
+
+#include "wall/wall.h"
+
+typedef enum aspi_surface_kind {
+  ASPI_SMOOTH,
+  ASPI_SIGMA,
+  ASPI_GAUSSIAN,
+  ASPI_PROFILE,
+  ASPI_MAP
+} aspi_surface_kind;
+
+/* Numbers of one description that may be unknown. */
+enum { ASPI_FITS_MOST = 8 };
+
+typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_deposit;
+
+struct aspi_description {
+  asp_units units;
+  unsigned given;   /* a bit for each keyword of the table */
+  const char *last; /* the clause that was read last */
+  aspi_surface_kind kind;
+  double sigma; /* degrees */
+  double r_q, lambda_c, lambda_along;
+  char *file; /* of the profile or the map */
+  asp_lay_kind lay;
+  const char *lay_word; /* axial or circumferential; else NULL */
+  double lay_numbers[3];
+  double bins;
+  const asp_spread_model *spread; /* NULL: auto, or none is given */
+  bool chooses;                   /* spread auto */
+  double tolerance;
+  char choice[400]; /* of auto, and why */
+  char *table;
+  char **names; /* of the materials */
+  int n_materials;
+  char *materials_file;
+  asp_materials *own;
+  asp_material **materials; /* in the units of the caller */
+  double friction, surface_energy, yield_stress;
+  aspi_deposit deposit;
+  double seed;
+  bool may_fit;                     /* numbers may be unknown: `fit` or `fit=START` */
+  const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
+  int n_fits;
+  asp_surface *surface; /* what the description makes of it */
+  asp_profile *profile; /* read by asp_wall_make; else NULL */
+  asp_map *map;
+  asp_cor_table *cor_table;
+};
+
+/* A word of a description. */
+typedef struct aspi_keyword {
+  const char *name;
+  const char *within; /* the keyword that it belongs to; "" where it begins a clause of its own */
+  const char *values; /* as a syntax shows them; "" for none */
+  const char *unit;   /* of a number: its kind, as aspi_quantity_read has them; NULL: no number */
+  double fallback, least, most;
+  bool above; /* it must be more than `least` */
+  bool whole;
+  const char *standard; /* the default, as text; "" where there is none */
+  const char *text;
+} aspi_keyword;
+
+int aspi_keyword_count(void);
+const aspi_keyword *aspi_keyword_at(int index);
+
+/* The word `name` within another one, which must be there. */
+const aspi_keyword *aspi_keyword_find(const char *within, const char *name);
+
+/* The words within one, with blanks between; `""` for those of clauses. */
+void aspi_keyword_names(const char *within, char *list, size_t size);
+
+/* Whether a word of a clause is given; by the table's own name. */
+bool aspi_is_given(const aspi_description *said, const char *name);
+void aspi_set_given(aspi_description *said, const char *name);
+
+/* Says of the first given word without an effect what it has none with. */
+asp_code aspi_check_effects(const asp_wall *wall, asp_error *error);
+
+void aspi_description_free(aspi_description *said);
+
+/* A number's range, and that it is whole where it must be. */
+asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
+
+/* The number of a description by name; NaN where there is none of that name, or it is not given. */
+double aspi_description_get(const aspi_description *said, const char *name);
+
+/* Sets sigma, or rq and lambda_c, where the surface is given by them; friction, surface_energy,
+ * yield_stress, tolerance or seed. ASP_ENAME without a message for another name. */
+asp_code aspi_description_set(aspi_description *said, const char *name, double value,
+                              asp_error *error);
+
+/* Lets numbers be `fit`, or `fit=START` in place of START, in what is read from here on: sigma, rq,
+ * lambda_c, friction, surface_energy, yield_stress and the numbers of the law. Such a number has
+ * the value START, else that of its default, else it is NaN: that of the materials. It is unknown
+ * until it is set. */
+void aspi_description_let_fit(aspi_description *said);
+void aspi_description_know(aspi_description *said, const char *name); /* no longer */
+bool aspi_is_fit(const aspi_description *said, const char *name);
+
+/* Whether the wall is made of the diameters at hand: a measured one, or one whose model needs it.
+ */
+bool aspi_needs_sizes(const asp_wall *wall);
+
+/* The surface that the numbers of the description, or the wall's map, make. */
+asp_code aspi_make_surface(asp_wall *wall, asp_error *error);
+
+#endif

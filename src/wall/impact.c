@@ -1,0 +1,410 @@
+/* One contact: draw the face, turn the velocity into its frame, let the rebound law act, turn back,
+ * and see to it that the particle leaves the wall or stays on it.
+ *
+ * Everything happens in the frame (t, b, n) of the mean wall: n its normal, t the direction of
+ * flight along it, b = n x t. The particle comes with (v_t, 0, -v_n); a face with slopes p =
+ * tan(delta_alpha) along t and q along b has the normal (-p, -q, 1)/sqrt(1 + p^2 + q^2), written
+ * with the sine and cosine of delta_alpha so that a face of 90 degrees is no special case. Vectors,
+ * not angles, so that it stays right beyond a local impact angle of 90 degrees, where the
+ * tangential CoR turns negative.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/ground.h"
+
+#include <math.h>
+
+/* Larger ratios, at an impact angle of nearly nothing, are told as this. */
+#define RATIO_MOST 1e300
+
+/* Smith's Lambda is below 1e-13 from here on, and beyond all numbers before. */
+#define NU_FREE 5.2
+#define NU_LEAST 1e-150
+
+typedef struct face {
+  vec m; /* its normal in (t, b, n) */
+  double delta, q;
+} face;
+
+static double impact_angle(const frame *f) {
+  return atan2(f->v_n, f->v_t);
+}
+
+/* A direction along the wall for a velocity that has none. */
+static void set_direction(frame *f, double angle) {
+  double x = fabs(f->n.x), y = fabs(f->n.y), z = fabs(f->n.z);
+  vec least = z < fmin(x, y) ? (vec){0, 0, 1} : x <= y ? (vec){1, 0, 0} : (vec){0, 1, 0};
+  vec first = cross(f->n, least);
+  first = scaled(first, 1 / sqrt(dot(first, first)));
+  f->along = plus(scaled(first, cos(angle)), sin(angle), cross(f->n, first));
+  f->per_length = 1;
+  f->v_t = 0;
+}
+
+/* At normal impact the direction of flight is drawn uniformly around n; a wall with a lay has one
+ * of its own. */
+static void choose_direction(const aspi_ground *ground, frame *f, aspi_stream *stream) {
+  set_direction(f, aspi_ground_has_lay(ground) ? 0 : 2 * ASP_PI * aspi_stream_uniform(stream));
+  if (aspi_ground_has_lay(ground))
+    f->along = ground->across;
+}
+
+/* What a flight sees of the wall: the view of the spread models, and the slopes. */
+typedef struct outlook {
+  aspi_view view;
+  aspi_slopes_along slopes;
+} outlook;
+
+/* Along a heading, at an impact angle. A model that does not know of it is told what the first hit
+ * of a sphere at grazing incidence leaves of the slopes. */
+static outlook look(const aspi_ground *ground, aspi_heading heading, double alpha1, bool first) {
+  const asp_wall *wall = ground->wall;
+  outlook out = {.slopes = aspi_ground_slopes(ground, heading)};
+  double slope = out.slopes.slope;
+  if (first && wall->isotropic) {
+    double a = tan(alpha1) / slope;
+    if (!wall->spread->geometry)
+      slope *= aspi_grazing(a, out.slopes.kappa);
+    out.slopes.sd *= aspi_grazing(a, out.slopes.kappa_across);
+  }
+  out.view = (aspi_view){.slope = slope,
+                         .sigma = atan(slope),
+                         .alpha1 = alpha1,
+                         .d_p = ground->particle->d_p,
+                         .data = wall->data,
+                         .kappa = out.slopes.kappa,
+                         .phi_r = out.slopes.phi_r,
+                         .has_azimuth = aspi_ground_has_lay(ground),
+                         .azimuth = -atan2(heading.sine, heading.cosine)};
+  return out;
+}
+
+/* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls,
+ * where the model has not done so itself (`path`, else NULL). */
+static face face_at(const asp_wall *wall, const aspi_slopes_along *slopes, double delta,
+                    const aspi_path *path, aspi_stream *stream) {
+  double sine = sin(delta), cosine = cos(delta);
+  if (!wall->isotropic)
+    return (face){{-sine, 0, cosine}, delta, 0};
+  double q = wall->draws_q && path
+                 ? path->q
+                 : slopes->beta * (sine / cosine) + slopes->sd * aspi_stream_normal(stream),
+         side = q * cosine;
+  return (face){scaled((vec){-sine, -side, cosine}, 1 / sqrt(1 + side * side)), delta, q};
+}
+
+static double tilt_out(const asp_wall *wall, const face *on) {
+  return wall->isotropic ? atan(on->q) : 0;
+}
+
+/* Whether what sticks stays. */
+static bool holds(const asp_wall *wall, const asp_particle *particle) {
+  return wall->deposit && !aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
+}
+
+/* Along a face of normal m, by a law that turns the particle: its surface moves there with
+ * v_t - r omega x m, and gets the law's impulse against that. `spin` in the lab frame. */
+static bool rebound_spinning(const asp_wall *wall, const asp_particle *particle, const frame *f,
+                             vec m, double approach, aspi_stream *stream, vec *spin, vec *out) {
+  double r = particle->d_p / 2;
+  vec t = scaled(f->along, f->per_length),
+      turn = {dot(*spin, t), dot(*spin, cross(f->n, t)), dot(*spin, f->n)};
+  vec along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
+  vec surface = plus(along, -r, cross(turn, m));
+  double u = sqrt(dot(surface, surface));
+  bool holding = holds(wall, particle);
+  aspi_hit hit = {approach,
+                  sqrt(dot(along, along)),
+                  u,
+                  particle->d_p,
+                  particle->density,
+                  particle->pair,
+                  holding,
+                  wall->table,
+                  stream};
+  aspi_bounce bounce = wall->law->rebound(wall->parameters, &hit);
+  if (holding && !(bounce.v_n2 > 0)) {
+    *spin = *out = (vec){0, 0, 0};
+    return true;
+  }
+  double share = u > 0 ? bounce.rub / u : 0;
+  *out = plus(plus(scaled(m, bounce.v_n2), 1, along), -share, surface);
+  *spin = to_lab(f, plus(turn, 2.5 * share / r, cross(m, surface)));
+  return false;
+}
+
+/* The rebound from one face, in (t, b, n). False where the particle cannot hit it. A face that is
+ * tilted in the plane of incidence only keeps the particle in that plane. */
+static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m,
+                    bool in_plane, aspi_stream *stream, vec *spin, vec *out, bool *deposit) {
+  double approach = f->v_n * m.z - f->v_t * m.x, speed;
+  if (!(approach > 0))
+    return false;
+  if (wall->spins) {
+    *deposit = rebound_spinning(wall, particle, f, m, approach, stream, spin, out);
+    return true;
+  }
+  vec along; /* of unit length, or of `speed` */
+  if (in_plane) {
+    speed = f->v_t * m.z + f->v_n * m.x;
+    along = speed < 0 ? (vec){-m.z, 0, m.x} : (vec){m.z, 0, -m.x};
+    speed = fabs(speed);
+  } else {
+    along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
+    speed = sqrt(dot(along, along));
+  }
+  bool holding = holds(wall, particle);
+  aspi_hit hit = {approach,       speed,   speed,       particle->d_p, particle->density,
+                  particle->pair, holding, wall->table, stream};
+  aspi_bounce bounce = wall->law->rebound(wall->parameters, &hit);
+  *deposit = holding && !(bounce.v_n2 > 0);
+  if (*deposit)
+    *spin = (vec){0, 0, 0};
+  double kept = in_plane ? bounce.v_t2 : speed > 0 ? bounce.v_t2 / speed : 0;
+  *out = *deposit ? (vec){0, 0, 0} : plus(scaled(m, bounce.v_n2), kept, along);
+  return true;
+}
+
+/* Takes the last bits that point v into the wall, or along it, from the speed along the wall, so
+ * that no energy is made. */
+static vec turned_off(const frame *f, vec v) {
+  for (int i = 0; i < 8 && !clearly_leaves(v, f->n); i++) {
+    double speed = sqrt(dot(v, v)), step = 4 * (double)(1 << i) * DBL_EPSILON;
+    v = plus(scaled(v, 1 - step), step * speed, f->n);
+  }
+  return v;
+}
+
+/* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
+ * into it in the lab frame. */
+static vec leaving(const frame *f, vec v) {
+  return clearly_leaves(v, f->n) ? v : turned_off(f, v);
+}
+
+static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle,
+                                 const frame *in, aspi_stream *stream, asp_impact *impact) {
+  frame turned = *in, *f = &turned;
+  if (wall->spins && !has_direction(f))
+    set_direction(f, 0);
+  vec local, spin = load(particle->omega);
+  bool deposit,
+      hit = rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &spin, &local, &deposit);
+  store(spin, impact->omega);
+  impact->delta_alpha = impact->tilt_out = 0;
+  impact->hits = 1;
+  if (!hit) { /* it does not approach, and goes on as it came */
+    deposit = false;
+    local = (vec){f->v_t, 0, fmax(-f->v_n, 0)};
+  }
+  vec v2 = to_lab(f, local);
+  impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+  store(!hit || local.z > 0 ? leaving(f, v2) : v2, impact->v2);
+}
+
+/* One hit; a face that would send the particle into the wall is drawn again. */
+static void bounce_once(const aspi_ground *ground, const frame *f, aspi_stream *stream,
+                        asp_impact *impact) {
+  const asp_wall *wall = ground->wall;
+  const asp_particle *particle = ground->particle;
+  outlook now = look(ground, aspi_heading_of(ground, f), impact_angle(f), true);
+  for (int i = 0; i < ASP_HITS_MAX; i++) {
+    double delta;
+    if (!aspi_spread_draw(wall->spread, &now.view, stream, &delta))
+      continue;
+    face on = face_at(wall, &now.slopes, delta, NULL, stream);
+    vec local, spin = load(particle->omega);
+    bool deposit;
+    if (rebound(wall, particle, f, on.m, !wall->isotropic, stream, &spin, &local, &deposit) &&
+        (deposit || local.z > 0)) {
+      impact->delta_alpha = delta;
+      impact->tilt_out = tilt_out(wall, &on);
+      impact->hits = 1;
+      impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+      store(deposit ? local : leaving(f, to_lab(f, local)), impact->v2);
+      store(spin, impact->omega);
+      return;
+    }
+  }
+  impact->capped = true;
+  bounce_off_mean_wall(wall, particle, f, stream, impact);
+}
+
+/* A particle on its way over a rough wall, from its first hit to its last. */
+typedef struct flight {
+  const aspi_ground *ground;
+  aspi_heading heading;
+  outlook now;
+  aspi_stream *stream;
+  bool begun;   /* whether the depth is known */
+  double depth; /* of the particle, see walks_out */
+} flight;
+
+/* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
+static double smith(double nu) {
+  if (nu > NU_FREE)
+    return 0;
+  nu = fmax(nu, NU_LEAST);
+  return 0.5 * (exp(-nu * nu) / (nu * sqrt(ASP_PI)) - erfc(nu));
+}
+
+static double exponential(aspi_stream *stream) {
+  return -log(aspi_stream_uniform(stream));
+}
+
+/* Whether a particle that a face has just sent off at the slope `rise` > 0 leaves, or at rise <= 0
+ * how deep it gets; `slope` is the rms slope of the wall that way. Depth is -ln of the share of the
+ * wall that is lower than the particle: a flight down adds an exponential number over 1 + Lambda to
+ * it, a flight up takes one over Lambda off, and is out when nothing is left (Heitz, Hanika, d'Eon
+ * & Dachsbacher 2016, eq. 17 to 21 in this variable). */
+static bool walks_out(flight *fly, double rise, double slope) {
+  double lambda = smith(fabs(rise) / (sqrt(2) * slope));
+  if (rise > 0 && !(lambda > 0))
+    return true;
+  if (!fly->begun) {
+    double nu = tan(fly->now.view.alpha1) / (sqrt(2) * fly->now.slopes.slope);
+    fly->depth = exponential(fly->stream) / (1 + smith(nu));
+    fly->begun = true;
+  }
+  double step = exponential(fly->stream);
+  if (rise > 0)
+    return (fly->depth -= step / lambda) < 0;
+  fly->depth += step / (1 + lambda);
+  return false;
+}
+
+/* Whether the particle leaves the wall with the velocity that a face has given it, in (t, b, n). */
+static bool leaves(const asp_wall *wall, flight *fly, vec out) {
+  if (wall->follow)
+    return false;
+  double along = hypot(out.x, out.y);
+  if (wall->spread->escape)
+    return out.z > 0 && aspi_stream_uniform(fly->stream) <
+                            wall->spread->escape(&fly->now.view, atan2(out.z, along));
+  bool steep = along <= NO_DIRECTION * fabs(out.z);
+  double slope = fly->now.slopes.slope;
+  if (aspi_ground_has_lay(fly->ground))
+    slope = aspi_ground_slopes(fly->ground, aspi_heading_turned(fly->heading, out.x, out.y)).slope;
+  return walks_out(fly, steep ? copysign(INFINITY, out.z) : out.z / along, slope);
+}
+
+/* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
+ * left. */
+static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, double *delta,
+                      bool *gone) {
+  const asp_spread_model *model = wall->spread;
+  *gone = false;
+  if (wall->follow) {
+    bool drawn = wall->follow(&fly->now.view, fly->stream, path, delta);
+    *gone = !drawn;
+    return drawn;
+  }
+  bool borrows = fly->now.view.alpha1 < 0 && !model->upward;
+  return aspi_spread_draw(borrows ? wall->upward : model, &fly->now.view, fly->stream, delta);
+}
+
+/* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
+static void bounce_on(const aspi_ground *ground, vec v1, frame *now, aspi_stream *stream,
+                      asp_impact *impact) {
+  const asp_wall *wall = ground->wall;
+  const asp_particle *particle = ground->particle;
+  flight fly = {.ground = ground, .heading = aspi_heading_of(ground, now), .stream = stream};
+  fly.now = look(ground, fly.heading, impact_angle(now), true);
+  aspi_path path = {0};
+  vec v2 = {0, 0, 0}, spin = load(particle->omega);
+  impact->hits = 0;
+  for (int i = 0; i < ASP_HITS_MAX; i++) {
+    double delta;
+    vec local;
+    bool deposit, gone;
+    if (!next_tilt(wall, &fly, &path, &delta, &gone)) {
+      if (!gone)
+        continue;
+      if (impact->hits == 0) /* it does not even approach */
+        bounce_off_mean_wall(wall, particle, now, stream, impact);
+      else
+        store(leaving(now, v2), impact->v2);
+      if (impact->hits > 0)
+        store(spin, impact->omega);
+      return;
+    }
+    face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
+    if (!rebound(wall, particle, now, on.m, !wall->isotropic, stream, &spin, &local, &deposit))
+      continue;
+    if (impact->hits++ == 0) {
+      impact->delta_alpha = delta;
+      impact->tilt_out = tilt_out(wall, &on);
+    }
+    v2 = to_lab(now, local);
+    impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+    if (deposit || leaves(wall, &fly, local)) {
+      store(deposit ? v2 : leaving(now, v2), impact->v2);
+      store(spin, impact->omega);
+      return;
+    }
+    frame next = frame_of(v2, now->n);
+    if (has_direction(&next) && dot(next.along, now->along) < 0)
+      path.back = !path.back;
+    path.turn = atan2(local.y, local.x);
+    *now = next;
+    if (!has_direction(now))
+      choose_direction(ground, now, stream);
+    fly.heading = aspi_heading_of(ground, now);
+    fly.now = look(ground, fly.heading, impact_angle(now), false);
+  }
+  frame first = frame_of(v1, now->n);
+  impact->capped = true;
+  bounce_off_mean_wall(wall, particle, &first, stream, impact);
+}
+
+void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                     const double n[3], const asp_key *key, asp_impact *impact) {
+  vec v = load(v1);
+  frame f = frame_of(v, load(n));
+  aspi_stream stream = aspi_stream_begin(key);
+  impact->capped = false;
+  if (!wall->rough) {
+    bounce_off_mean_wall(wall, particle, &f, &stream, impact);
+    return;
+  }
+  aspi_ground ground = aspi_ground_of(wall, particle, f.n);
+  if (!has_direction(&f))
+    choose_direction(&ground, &f, &stream);
+  if (wall->multiple)
+    bounce_on(&ground, v, &f, &stream, impact);
+  else
+    bounce_once(&ground, &f, &stream, impact);
+}
+
+/* a/b, or the largest ratio that is told where b vanishes against a. */
+static double ratio(double a, double b) {
+  if (b > fabs(a) / RATIO_MOST)
+    return a / b;
+  return a > 0 ? RATIO_MOST : 0;
+}
+
+asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
+                                         const asp_impact *impact) {
+  vec before = load(v1), after = load(impact->v2);
+  frame f = frame_of(before, load(n));
+  double n2 = dot(after, f.n), along = dot(after, f.along) * f.per_length;
+  bool directed = has_direction(&f);
+  asp_coefficients c = {.v1 = sqrt(dot(before, before)),
+                        .alpha1 = atan2(fmax(f.v_n, 0), f.v_t),
+                        .v2 = sqrt(dot(after, after)),
+                        .cor_t_defined = directed};
+  if (impact->outcome == ASP_DEPOSIT)
+    return c;
+  if (!directed)
+    along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
+  c.alpha2 = atan2(n2, along);
+  c.cor_v = ratio(hypot(n2, along), c.v1);
+  c.cor_alpha = ratio(c.alpha2, c.alpha1);
+  c.cor_v_space = ratio(c.v2, c.v1);
+  c.cor_alpha_space = ratio(atan2(n2, sqrt(fmax(0, c.v2 * c.v2 - n2 * n2))), c.alpha1);
+  c.cor_n = ratio(n2, f.v_n);
+  c.cor_t = directed ? along / f.v_t : 0;
+  return c;
+}
+
+bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle) {
+  return aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
+}

@@ -1,0 +1,302 @@
+/* The words of a description, as one table: parser, messages, help and pages are made of it. Models
+ * of the tilt, laws and their parameters are records of their own.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/description.h"
+#include "base/error.h"
+#include "spread/trace.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const aspi_keyword keywords[] = {
+    {.name = "surface",
+     .within = "",
+     .values =
+         "smooth | sigma ANGLE | rq R lambda_c L [L_along lay DIRECTION] | profile FILE | map "
+         "FILE [lay DIRECTION]",
+     .standard = "smooth",
+     .text = "how rough the wall is"},
+    {.name = "spread",
+     .within = "",
+     .values = "MODEL | auto tolerance D",
+     .standard = "visible; of a measured wall profile; of a smooth one none",
+     .text = "how the tilt of the face that is hit is distributed"},
+    {.name = "rebound",
+     .within = "",
+     .values = "LAW [PARAMETER VALUE]...",
+     .standard = "bons",
+     .text = "what the material makes of a hit"},
+    {.name = "materials",
+     .within = "",
+     .values = "NAME...",
+     .standard = "",
+     .text = "what particles and walls are made of: one for each atom type of a script, or that of "
+             "the particles and that of the wall"},
+    {.name = "friction",
+     .within = "",
+     .values = "F",
+     .unit = "",
+     .most = INFINITY,
+     .standard = "0.3",
+     .text = "coefficient of friction, in place of the script's"},
+    {.name = "surface_energy",
+     .within = "",
+     .values = "G",
+     .unit = "energy/area",
+     .most = INFINITY,
+     .standard = "0.8 J/m2",
+     .text = "surface energy, in place of the script's"},
+    {.name = "yield_stress",
+     .within = "",
+     .values = "Y",
+     .unit = "stress",
+     .most = INFINITY,
+     .standard = "the material's",
+     .text = "yield stress of the particles, in place of their material's"},
+    {.name = "deposit",
+     .within = "",
+     .values = "freeze | delete | off",
+     .standard = "freeze",
+     .text = "what becomes of particles that stick; off leaves adhesion out"},
+    {.name = "seed",
+     .within = "",
+     .values = "N",
+     .unit = "",
+     .fallback = 1,
+     .most = 4294967295.0,
+     .whole = true,
+     .standard = "1",
+     .text = "which draws"},
+
+    {.name = "sigma",
+     .within = "surface",
+     .values = "ANGLE",
+     .unit = "degrees",
+     .least = 0.001,
+     .most = 54,
+     .standard = "",
+     .text = "atan of the rms slope, for particles of any size"},
+    {.name = "rq",
+     .within = "surface",
+     .values = "R",
+     .unit = "length",
+     .most = INFINITY,
+     .above = true,
+     .standard = "",
+     .text = "rms height"},
+    {.name = "lambda_c",
+     .within = "surface",
+     .values = "L [L_along]",
+     .unit = "length",
+     .most = INFINITY,
+     .above = true,
+     .standard = "",
+     .text = "correlation length, at which the autocorrelation is 1/e; of a wall with a lay that "
+             "across it and that along it"},
+    {.name = "profile",
+     .within = "surface",
+     .values = "FILE",
+     .standard = "",
+     .text = "a measured profile"},
+    {.name = "map",
+     .within = "surface",
+     .values = "FILE",
+     .standard = "",
+     .text = "a measured map"},
+    {.name = "lay",
+     .within = "surface",
+     .values = "X Y Z | axial | circumferential | ANGLE",
+     .unit = "degrees",
+     .least = -180,
+     .most = 180,
+     .standard = "",
+     .text = "direction of the lay: a vector along the wall, or an angle from a cylinder's axis"},
+    {.name = "dp_bins",
+     .within = "surface",
+     .values = "N",
+     .unit = "",
+     .least = 1,
+     .most = ASP_BINS_MAX,
+     .whole = true,
+     .standard = "16; of a map 6",
+     .text = "how many diameters a measured wall is prepared for"},
+
+    {.name = "plane",
+     .within = "spread",
+     .values = "",
+     .standard = "",
+     .text = "faces tilt in the plane of incidence only"},
+    {.name = "isotropic",
+     .within = "spread",
+     .values = "",
+     .standard = "yes",
+     .text = "faces tilt all around"},
+    {.name = "collisions",
+     .within = "spread",
+     .values = "single | multiple",
+     .standard = "multiple",
+     .text = "a rebound into the wall is drawn again, or hits the next face"},
+    {.name = "tolerance",
+     .within = "spread",
+     .values = "D",
+     .unit = "",
+     .most = INFINITY,
+     .above = true,
+     .standard = "",
+     .text = "of auto: the largest divergence (Kullback-Leibler) of the rebound angle"},
+
+    {.name = "scatter_twice",
+     .within = "rebound",
+     .values = "",
+     .standard = "no",
+     .text = "a law's own scatter is drawn on a rough wall too"},
+    {.name = "file",
+     .within = "materials",
+     .values = "FILE",
+     .standard = "",
+     .text = "materials of your own, as `asperity materials` prints them"},
+    {.name = "remove",
+     .within = "deposit",
+     .values = "u_tau U gas_density RHO [mean_free_path L] [work W]",
+     .standard = "no",
+     .text = "a flow along the wall takes away what would stick"},
+    {.name = "u_tau",
+     .within = "remove",
+     .values = "U",
+     .unit = "speed",
+     .most = INFINITY,
+     .above = true,
+     .standard = "",
+     .text = "its friction velocity"},
+    {.name = "gas_density",
+     .within = "remove",
+     .values = "RHO",
+     .unit = "density",
+     .most = INFINITY,
+     .above = true,
+     .standard = "",
+     .text = "its density"},
+    {.name = "mean_free_path",
+     .within = "remove",
+     .values = "L",
+     .unit = "length",
+     .most = INFINITY,
+     .standard = "0",
+     .text = "the mean free path in it"},
+    {.name = "work",
+     .within = "remove",
+     .values = "W",
+     .unit = "energy/area",
+     .fallback = ASPI_REMOVAL_WORK,
+     .most = INFINITY,
+     .standard = "0.039 J/m2",
+     .text = "work of adhesion"},
+};
+
+int aspi_keyword_count(void) {
+  return (int)(sizeof keywords / sizeof *keywords);
+}
+
+const aspi_keyword *aspi_keyword_at(int index) {
+  return &keywords[index];
+}
+
+static int index_of(const char *within, const char *name) {
+  int i = 0;
+  while (strcmp(keywords[i].within, within) != 0 || strcmp(keywords[i].name, name) != 0)
+    i++;
+  return i;
+}
+
+const aspi_keyword *aspi_keyword_find(const char *within, const char *name) {
+  return &keywords[index_of(within, name)];
+}
+
+asp_code aspi_keyword_check(const aspi_keyword *k, double value, asp_error *error) {
+  if (!k->whole)
+    return k->above ? aspi_check_positive(error, k->name, "", value)
+                    : aspi_check_range(error, k->name, "", value, k->least, k->most);
+  if (value >= k->least && value <= k->most && !(value > floor(value)))
+    return ASP_OK;
+  return aspi_fail(error, ASP_EARG, "%s is %.15g; it must be a whole number from %.0f to %.0f",
+                   k->name, value, k->least, k->most);
+}
+
+void aspi_keyword_names(const char *within, char *list, size_t size) {
+  *list = '\0';
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    size_t used = strlen(list);
+    if (strcmp(keywords[i].within, within) == 0)
+      snprintf(list + used, size - used, "%s%s", used ? " " : "", keywords[i].name);
+  }
+}
+
+bool aspi_is_given(const aspi_description *said, const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++)
+    if (strcmp(keywords[i].name, name) == 0 && said->given >> i & 1)
+      return true;
+  return false;
+}
+
+void aspi_set_given(aspi_description *said, const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++)
+    if (strcmp(keywords[i].name, name) == 0)
+      said->given |= 1u << i;
+}
+
+/* ---- what has no effect ---- */
+
+typedef struct against {
+  char text[120];
+} against;
+
+static bool without_pair(const asp_wall *wall, against *with) {
+  snprintf(with->text, sizeof with->text, "rebound %s, which takes no materials",
+           wall->choice.law->name);
+  return !wall->choice.law->needs_pair;
+}
+
+static bool deposits_off(const asp_wall *wall, against *with) {
+  snprintf(with->text, sizeof with->text, "deposit off");
+  return wall->said->deposit == ASPI_DEPOSIT_OFF;
+}
+
+static bool yields_by_rate(const asp_wall *wall, against *with) {
+  snprintf(with->text, sizeof with->text, "yield_rate");
+  return asp_wall_get(wall, "yield_rate") > 0;
+}
+
+static bool has_own_friction(const asp_wall *wall, against *with) {
+  snprintf(with->text, sizeof with->text, "rebound %s, whose MU is one", wall->choice.law->name);
+  return asp_wall_get(wall, "mu") >= 0;
+}
+
+static bool has_no_tilt(const asp_wall *wall, against *with) {
+  snprintf(with->text, sizeof with->text, "spread none");
+  return wall->said->kind != ASPI_SMOOTH && !wall->said->chooses &&
+         strcmp(wall->choice.spread->name, "none") == 0;
+}
+
+static bool has_no_bins(const asp_wall *wall, against *with) {
+  snprintf(with->text, sizeof with->text, "spread %s", wall->choice.spread->name);
+  return !aspi_needs_sizes(wall);
+}
+
+static const struct {
+  const char *name;
+  bool (*idle)(const asp_wall *wall, against *with);
+} rules[] = {{"surface", has_no_tilt},         {"dp_bins", has_no_bins},
+             {"materials", without_pair},      {"friction", has_own_friction},
+             {"surface_energy", without_pair}, {"surface_energy", deposits_off},
+             {"yield_stress", without_pair},   {"yield_stress", yields_by_rate},
+             {"remove", deposits_off},         {"remove", without_pair}};
+
+asp_code aspi_check_effects(const asp_wall *wall, asp_error *error) {
+  against with;
+  for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
+    if (aspi_is_given(wall->said, rules[i].name) && rules[i].idle(wall, &with))
+      return aspi_fail(error, ASP_EARG, "'%s' has no effect with %s", rules[i].name, with.text);
+  return ASP_OK;
+}
