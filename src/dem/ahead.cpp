@@ -15,9 +15,11 @@ using namespace asperity;
 
 namespace {
 
-/* Ahead::due of a particle that is stuck, or not of the group: never near; and of one that rested
- * in the last step: near without another look. */
-const int NEVER = INT_MAX, AT_REST = -1;
+/* Ahead::due of a particle that is stuck, or not of the group: never near. */
+const int NEVER = INT_MAX;
+
+/* A particle that stays at faces and is near others is not looked at for this many steps. */
+const int STAYS_NEAR = 32;
 
 /* Particles are screened in blocks of this many. */
 const int BLOCK = 32;
@@ -38,17 +40,21 @@ void Wall::look_anew() {
   std::fill(ahead_.due.begin(), ahead_.due.end(), 0);
 }
 
-/* After the contacts of a step. */
-void Wall::look_next(int i) {
-  ahead_.due[i] = is_at_rest(i) ? AT_REST : 0;
-}
-
 /* True if one of n components of a velocity differs by more than `most` from the predicted one. */
 static bool any_strays(const double *v, const float *along, int n, float most) {
   int over = 0;
   for (int k = 0; k < n; k++)
     over += !(fabsf(static_cast<float>(v[k]) - along[k]) <= most);
   return over > 0;
+}
+
+/* True if a particle cannot touch the wall on the next leg of its path, with the mean velocity v;
+ * at another face than those at which it stayed in the step before. */
+bool Wall::is_clear(int i, const double v[3]) {
+  int &due = ahead_.due[i];
+  if (due > ahead_.now && any_strays(v, &ahead_.v[3 * static_cast<size_t>(i)], 3, ahead_.most))
+    due = 0;
+  return due > ahead_.now;
 }
 
 static bool any_due(const int *due, int n, int now) {
@@ -71,7 +77,7 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
   if (ahead_.now > INT_MAX / 2)
     look_anew(); /* before the count of steps could overflow */
   ahead_.now++;
-  const float most = static_cast<float>(COMPONENT * stray_ / s.dt);
+  const float most = ahead_.most = static_cast<float>(COMPONENT * stray_ / s.dt);
   for (int first = 0; first < s.n; first += BLOCK) {
     const int count = std::min(BLOCK, s.n - first);
     const double *v = s.v + 3 * static_cast<size_t>(first);
@@ -85,6 +91,16 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
   }
 }
 
+/* The faces of a shape at which a particle stayed in the step before. */
+Faces Wall::faces(int i, size_t shape) const {
+  Faces faces = {0, {0, 0, 0}};
+  const double *row = place(i);
+  for (int k = 0; status(i) == RESTED && k < FROM && row[k] > 0; k += 2)
+    if (static_cast<size_t>(row[k]) == shape + 1)
+      faces.face[faces.count++] = static_cast<int>(row[k + 1]);
+  return faces;
+}
+
 /* What is known of this particle is used up. (The way that was seen is wider from step to step by
  * as much as a particle may stray in one; so none may stray more in any of them, for one that is
  * thrown back to the wall by another would be there before.) */
@@ -92,12 +108,17 @@ void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
   float *along = &ahead_.v[3 * static_cast<size_t>(i)];
   int *due = &ahead_.due[i];
+  if (*due < 0 && ahead_.now < -*due)
+    return;
   const bool out = !(s.mask[i] & groupbit_) || state(i)[STATE] > FREE;
   for (int d = 0; d < 3; d++)
     along[d] = static_cast<float>(v[d]);
-  *due = out ? NEVER : *due == AT_REST ? 0 : ahead_.now + steps_clear(s, i);
-  if (*due <= ahead_.now)
-    near.push_back(i);
+  *due = out ? NEVER : ahead_.now + steps_clear(s, i);
+  if (*due > ahead_.now)
+    return;
+  if (status(i) == RESTED)
+    *due = -(ahead_.now + STAYS_NEAR);
+  near.push_back(i);
 }
 
 /* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
@@ -112,7 +133,7 @@ int Wall::steps_clear(const Spheres &s, int i) const {
   }
   const double widen = stray_ + FLT_EPSILON * vector_length(by) + travel_;
   const double reach = (1 + ROUNDING) * s.radius[i] + widen;
-  for (const Member &member : shapes_)
-    steps = std::min(steps, member.shape->clear(begin, by, reach, widen, steps));
+  for (size_t m = 0; m < shapes_.size(); m++)
+    steps = std::min(steps, shapes_[m].shape->clear(begin, by, reach, widen, steps, faces(i, m)));
   return static_cast<int>((1 - ROUNDING) * steps);
 }

@@ -43,6 +43,10 @@ const double TURN = 0.1;
 const int SERIES = 16;
 const double NEAR = 0.01;
 
+/* A face at which a particle stayed is met at the beginning of a step, if it is within this many
+ * radii. */
+const double KNOWN = 1e-6;
+
 /* Contacts of one particle in one step, at most. */
 const int CONTACTS_MOST = 10000;
 
@@ -79,6 +83,14 @@ struct Wall::Flight {
     }
   };
 
+  /* A face at which the particle stayed in the step before. */
+  struct Known {
+    Wall *wall;
+    size_t shape;
+    int face;
+    bool met;
+  };
+
   const Spheres &spheres;
   int i;
   double radius, mass;
@@ -92,6 +104,7 @@ struct Wall::Flight {
     std::vector<Event> events;
     std::vector<Stay> stays;
     std::vector<Support> supports, along;
+    std::vector<Known> known;
   };
   std::vector<Event> &events;
   std::vector<Stay> &stays;
@@ -100,6 +113,9 @@ struct Wall::Flight {
   bool squeezed; /* no velocity satisfies all of them */
 
   bool far; /* from the last contact */
+
+  std::vector<Known> &known;
+  bool only_known; /* it has met no others so far, and no impact */
 
   /* Contacts in a row: the first impact among them, and the spin before. */
   size_t series_begin;
@@ -114,6 +130,11 @@ struct Wall::Flight {
   void follow_walls();
   void settle();
   void trap();
+  void meet_others() {
+    for (const Known &face : known)
+      face.wall->ahead_.due[i] = 0;
+    only_known = false;
+  }
   double elapsed() const {
     return spheres.dt - path.left;
   }
@@ -122,8 +143,9 @@ struct Wall::Flight {
 Wall::Flight::Flight(const Spheres &s, int particle, Lists &lists)
     : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), events(lists.events),
       stays(lists.stays), supports(lists.supports), along(lists.along), squeezed(false), far(false),
-      series_begin(0) {
+      known(lists.known), only_known(true), series_begin(0) {
   events.clear();
+  known.clear();
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   path.left = path.dt = s.dt;
   vector_copy(v, path.v);
@@ -171,9 +193,12 @@ void Wall::Flight::go_on(const double before[3], const double after[3], const do
 void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
   std::vector<int> near;
   for (Wall *wall : walls) {
-    for (int i : wall->touching_) /* those that touched it in the step before */
+    for (int i : wall->touching_) { /* those that touched it in the step before */
+      if (wall->is_at_rest(i))
+        near.push_back(i);
       if (wall->status(i) < FREE)
         wall->state(i)[STATE] = wall->is_at_rest(i) ? RESTED : FREE;
+    }
     wall->rested_.swap(wall->touching_);
     wall->touching_.clear();
     if (wall->ledger_)
@@ -203,7 +228,8 @@ bool Wall::find_first(const std::vector<Wall *> &walls, const Flight &flight, Wa
   first = NULL;
   const double same = 2 * CONTACT_TOLERANCE * flight.radius;
   for (Wall *wall : walls) {
-    if (!(flight.spheres.mask[flight.i] & wall->groupbit_))
+    if (!(flight.spheres.mask[flight.i] & wall->groupbit_) ||
+        wall->is_clear(flight.i, flight.path.v))
       continue;
     for (size_t m = 0; m < wall->shapes_.size(); m++) {
       Contact other;
@@ -220,6 +246,62 @@ bool Wall::find_first(const std::vector<Wall *> &walls, const Flight &flight, Wa
   return first != NULL;
 }
 
+void Wall::list_known(const std::vector<Wall *> &walls, Flight &flight) {
+  const int i = flight.i;
+  for (Wall *wall : walls) {
+    const double *row = wall->place(i);
+    for (int k = 0; wall->status(i) == RESTED && k < FROM && row[k] > 0; k += 2)
+      if (flight.spheres.mask[i] & wall->groupbit_)
+        flight.known.push_back(Flight::Known{wall, static_cast<size_t>(row[k]) - 1,
+                                             static_cast<int>(row[k + 1]), false});
+  }
+}
+
+/* A face at which the particle stayed and still is: it is met at the beginning of the step, without
+ * a search. */
+bool Wall::find_known(Flight &flight, Wall *&wall, size_t &shape, Contact &contact) {
+  for (Flight::Known &known : flight.known) {
+    if (!flight.only_known || known.met)
+      continue;
+    const Shape &at = *known.wall->shapes_[known.shape].shape;
+    if (!at.find_known(known.face, flight.path, flight.radius, contact))
+      continue;
+    if (contact.guarded || contact.time * vector_length(flight.path.v) > KNOWN * flight.radius) {
+      known.wall->ahead_.due[flight.i] = 0;
+      continue;
+    }
+    known.met = true;
+    wall = known.wall;
+    shape = known.shape;
+    return true;
+  }
+  return false;
+}
+
+/* What is known of the way ahead holds for a wall that the particle kept clear of throughout, but
+ * for the faces at which it stays: if these are the same. */
+void Wall::look_next(const std::vector<Wall *> &walls, const Flight &flight) {
+  const int i = flight.i;
+  for (Wall *wall : walls) {
+    int &due = wall->ahead_.due[i];
+    const double *row = wall->place(i);
+    bool same = flight.only_known && !flight.squeezed;
+    int k = 0;
+    for (const Flight::Known &known : flight.known) {
+      if (known.wall != wall)
+        continue;
+      same = same && wall->is_at_rest(i) && k < FROM &&
+             static_cast<size_t>(row[k]) == known.shape + 1 &&
+             static_cast<int>(row[k + 1]) == known.face;
+      k += 2;
+    }
+    if (wall->is_at_rest(i))
+      same = same && (k == FROM || !(row[k] > 0));
+    if (!same)
+      due = 0;
+  }
+}
+
 /* All contacts of one particle in this step. */
 void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   static thread_local Flight::Lists lists;
@@ -230,8 +312,11 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
   Contact contact;
   bool stuck = false;
   int series = 0, all = 0;
-  while (!stuck && !flight.squeezed && series < 2 * SERIES && all < CONTACTS_MOST &&
-         find_first(walls, flight, wall, shape, contact)) {
+  list_known(walls, flight);
+  while (!stuck && !flight.squeezed && series < 2 * SERIES && all < CONTACTS_MOST) {
+    const bool known = find_known(flight, wall, shape, contact);
+    if (!known && !find_first(walls, flight, wall, shape, contact))
+      break;
     flight.far = contact.time * vector_length(path.v) > NEAR * flight.radius;
     if (all == 0 || flight.far) {
       series = 0;
@@ -242,6 +327,8 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     all++;
     last = wall;
     stuck = wall->touch(flight, shape, contact, series > SERIES);
+    if (!known || flight.stays.empty())
+      flight.meet_others();
   }
   if (flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin)) {
     last->counters_[N_GUARDED]++;
@@ -252,9 +339,7 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     last->cut_ = true;
   for (const Event &event : flight.events)
     event.wall->count(flight, event);
-  for (Wall *each : walls)
-    if (s.mask[i] & each->groupbit_)
-      each->look_next(i);
+  look_next(walls, flight);
   if (all == 0 || stuck)
     return;
   vector_copy(flight.half, s.v + 3 * static_cast<size_t>(i));

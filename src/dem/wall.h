@@ -185,9 +185,11 @@ private:
   /* The contacts of one particle in one step. */
   struct Flight;
 
-  /* Of each particle, until which step it cannot touch if it keeps this velocity. */
+  /* Of each particle, until which step it cannot touch if it keeps this velocity: at another face
+   * than those at which it stays. Less than 0: it stays, and is near others until that step. */
   struct Ahead {
-    int now; /* steps are counted from the beginning of the run */
+    int now;    /* steps are counted from the beginning of the run */
+    float most; /* by how much a component of a velocity may differ */
     std::vector<int> due;
     std::vector<float> v;     /* rows of three */
     std::vector<int64_t> tag; /* of whom this is */
@@ -215,11 +217,15 @@ private:
   void carry_one(const Spheres &spheres, int i, double dt);
   void find_near(const Spheres &spheres, std::vector<int> &near);
   void look_ahead(const Spheres &spheres, int i, std::vector<int> &near);
-  void look_next(int i);
+  bool is_clear(int i, const double v[3]);
+  Faces faces(int i, size_t shape) const;
   bool repeats() const;
   int steps_clear(const Spheres &spheres, int i) const;
   static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
                          size_t &shape, Contact &contact);
+  static void list_known(const std::vector<Wall *> &walls, Flight &flight);
+  static bool find_known(Flight &flight, Wall *&wall, size_t &shape, Contact &contact);
+  static void look_next(const std::vector<Wall *> &walls, const Flight &flight);
   static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
   bool touch(Flight &flight, size_t shape, Contact contact, bool crowded);
   void keep_resting(int i, size_t shape, const Contact &contact);
