@@ -48,15 +48,6 @@ static bool any_strays(const double *v, const float *along, int n, float most) {
   return over > 0;
 }
 
-/* True if a particle cannot touch the wall on the next leg of its path, with the mean velocity v;
- * at another face than those at which it stayed in the step before. */
-bool Wall::is_clear(int i, const double v[3]) {
-  int &due = ahead_.due[i];
-  if (due > ahead_.now && any_strays(v, &ahead_.v[3 * static_cast<size_t>(i)], 3, ahead_.most))
-    due = 0;
-  return due > ahead_.now;
-}
-
 static bool any_due(const int *due, int n, int now) {
   int over = 0;
   for (int i = 0; i < n; i++)
@@ -66,7 +57,7 @@ static bool any_due(const int *due, int n, int now) {
 
 /* Particles that may touch this wall in this step. Most are known to be too far away: their way was
  * looked ahead on for some steps, in which they may stray from it a little. */
-void Wall::find_near(const Spheres &s, std::vector<int> &near) {
+void Wall::find_near(const Spheres &s, int number, std::vector<Near> &near) {
   double travel = 0;
   for (const Member &member : shapes_)
     travel = std::max(travel, member.shape->travel(s.dt));
@@ -77,7 +68,7 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
   if (ahead_.now > INT_MAX / 2)
     look_anew(); /* before the count of steps could overflow */
   ahead_.now++;
-  const float most = ahead_.most = static_cast<float>(COMPONENT * stray_ / s.dt);
+  const float most = static_cast<float>(COMPONENT * stray_ / s.dt);
   for (int first = 0; first < s.n; first += BLOCK) {
     const int count = std::min(BLOCK, s.n - first);
     const double *v = s.v + 3 * static_cast<size_t>(first);
@@ -86,39 +77,40 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
     if (!any_strays(v, along, 3 * count, most) && !any_due(due, count, ahead_.now))
       continue;
     for (int i = 0; i < count; i++)
-      if (due[i] <= ahead_.now || any_strays(v + 3 * i, along + 3 * i, 3, most))
-        look_ahead(s, first + i, near);
+      if ((due[i] <= ahead_.now || any_strays(v + 3 * i, along + 3 * i, 3, most)) &&
+          look_ahead(s, first + i))
+        near.push_back(Near{first + i, number});
   }
 }
 
 /* The faces of a shape at which a particle stayed in the step before. */
 Faces Wall::faces(int i, size_t shape) const {
   Faces faces = {0, {0, 0, 0}};
-  const double *row = place(i);
-  for (int k = 0; status(i) == RESTED && k < FROM && row[k] > 0; k += 2)
-    if (static_cast<size_t>(row[k]) == shape + 1)
-      faces.face[faces.count++] = static_cast<int>(row[k + 1]);
+  const RestingPlace &at = place(i).resting;
+  for (size_t k = 0; status(i) == Status::RESTED && k < at.FACES && at.shape[k] > 0; k++)
+    if (static_cast<size_t>(at.shape[k]) == shape + 1)
+      faces.face[faces.count++] = static_cast<int>(at.face[k]);
   return faces;
 }
 
 /* What is known of this particle is used up. (The way that was seen is wider from step to step by
  * as much as a particle may stray in one; so none may stray more in any of them, for one that is
  * thrown back to the wall by another would be there before.) */
-void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
+bool Wall::look_ahead(const Spheres &s, int i) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
   float *along = &ahead_.v[3 * static_cast<size_t>(i)];
   int *due = &ahead_.due[i];
   if (*due < 0 && ahead_.now < -*due)
-    return;
-  const bool out = !(s.mask[i] & groupbit_) || state(i)[STATE] > FREE;
+    return false;
+  const bool out = !(s.mask[i] & groupbit_) || is_stuck(i);
   for (int d = 0; d < 3; d++)
     along[d] = static_cast<float>(v[d]);
   *due = out ? NEVER : ahead_.now + steps_clear(s, i);
   if (*due > ahead_.now)
-    return;
-  if (status(i) == RESTED)
+    return false;
+  if (status(i) == Status::RESTED)
     *due = -(ahead_.now + STAYS_NEAR);
-  near.push_back(i);
+  return true;
 }
 
 /* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
@@ -131,7 +123,7 @@ int Wall::steps_clear(const Spheres &s, int i) const {
     by[d] = v[d] * s.dt;
     begin[d] = x[d] - by[d];
   }
-  const double widen = stray_ + FLT_EPSILON * vector_length(by) + travel_;
+  const double widen = stray_ + bend_ + FLT_EPSILON * vector_length(by) + travel_;
   const double reach = (1 + ROUNDING) * s.radius[i] + widen;
   for (size_t m = 0; m < shapes_.size(); m++)
     steps = std::min(steps, shapes_[m].shape->clear(begin, by, reach, widen, steps, faces(i, m)));
