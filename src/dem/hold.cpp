@@ -44,9 +44,11 @@ static void turn_along(const double from[3], const double n[3], const double v_w
                        double v[3]) {
   double across[3], u[3];
   const double cosine = vector_dot(from, n);
+  if (!(cosine > 0)) /* not curved */
+    return;
   vector_add_scaled(from, -cosine, n, across);
   const double sine = vector_length(across);
-  if (!(cosine > 0 && sine > 0))
+  if (!(sine > 0))
     return;
   vector_subtract(v, v_wall, u);
   vector_add_scaled(v, vector_dot(u, across) / (sine * sine) * (1 / cosine - 1), across, v);

@@ -322,7 +322,8 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
     if (place < 0)
       continue;
     const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), place);
-    if (!(contact_triangle_nearest(triangle, at, foot) <= 2 * reach))
+    if ((edge || shifts_.size() > 1) &&
+        !(contact_triangle_nearest(triangle, at, foot) <= 2 * reach))
       continue;
     if (!edge) {
       contact_triangle_normal(triangle, normal);
