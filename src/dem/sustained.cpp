@@ -13,10 +13,13 @@ using namespace asperity;
 namespace {
 
 /* Sweeps over several contacts. They end when a sweep changes the velocity by less than CONVERGED
- * of what the first one did; they have found no solution if more than DIVERGED of it is left as
- * approach. */
+ * of what the first one did, or EPSILON of it; they have found no solution if more than DIVERGED of
+ * it is left as approach. */
 const int SWEEPS = 100;
-const double CONVERGED = 1e-6, DIVERGED = 1e-3;
+const double CONVERGED = 1e-6, DIVERGED = 1e-3, EPSILON = 1e-15;
+
+/* The factor by which changes shrink, at most. */
+const double SHRINKS = 0.98;
 
 /* Two contacts are solved directly where the square of half the difference of their normals is
  * larger; and the like. */
@@ -65,24 +68,42 @@ void solve_one(Support &s, double radius, double v[3], double omega[3]) {
   vector_copy(p, s.p);
 }
 
-/* Sweeps from no impulses on. False if an approach is left. */
+/* Sweeps from no impulses on. The changes soon shrink by one factor from sweep to sweep: every
+ * third time, the impulses go on by the sum of what is to come (Aitken). False if an approach is
+ * left. */
 bool sweep(std::vector<Support> &supports, double radius, double v[3], double omega[3]) {
   for (Support &s : supports)
-    s.p[0] = s.p[1] = s.p[2] = 0;
+    for (int d = 0; d < 3; d++)
+      s.p[d] = s.change[d] = 0;
   double first = 0, left = 0;
   for (int n = 0; n < SWEEPS; n++) {
-    double v_then[3], omega_then[3], dv[3], domega[3];
+    double v_then[3], omega_then[3], before = 0, product = 0;
     vector_copy(v, v_then);
     vector_copy(omega, omega_then);
-    for (Support &s : supports)
+    for (Support &s : supports) {
+      double then[3], last[3];
+      vector_copy(s.p, then);
+      vector_copy(s.change, last);
       solve_one(s, radius, v, omega);
-    vector_subtract(v, v_then, dv);
-    vector_subtract(omega, omega_then, domega);
-    const double change = vector_length(dv) + radius * vector_length(domega);
+      vector_subtract(s.p, then, s.change);
+      before += vector_dot(last, last);
+      product += vector_dot(s.change, last);
+    }
+    const double speed = vector_length(v);
+    vector_subtract(v, v_then, v_then);
+    vector_subtract(omega, omega_then, omega_then);
+    const double change = vector_length(v_then) + radius * vector_length(omega_then);
     if (n == 0)
       first = change;
-    if (!(change > CONVERGED * first))
+    if (!(change > CONVERGED * first + EPSILON * speed))
       break;
+    if (n % 3 != 2 || !(product > 0 && product < SHRINKS * before))
+      continue;
+    for (Support &s : supports) {
+      vector_scale(product / (before - product), s.change);
+      vector_add_scaled(s.p, 1, s.change, s.p);
+      push(s.n, s.change, radius, v, omega);
+    }
   }
   for (const Support &s : supports) {
     double u[3];

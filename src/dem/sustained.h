@@ -26,7 +26,8 @@ struct Support {
   double n[3]; /* outward unit normal */
   double w[3]; /* velocity of the wall's point; its part along n is what the sphere must keep */
   double friction;
-  double p[3]; /* impulse per mass on the sphere: the result */
+  double p[3];      /* impulse per mass on the sphere: the result */
+  double change[3]; /* of p, by the last sweep */
 };
 
 /* Changes v and omega of a sphere of this radius. False where no velocity satisfies all contacts,
