@@ -37,8 +37,12 @@ static const double UNITED = 2;
 /* By how much of its size a mesh may have changed its form, by rounding. */
 static const double FORM = 1e-6;
 
+/* A servo gets its force spread over about this many steps, as the contacts of soft grains last: a
+ * rigid wall changes a velocity within one. */
+static const double SPREAD = 100;
+
 MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
-    : world_(world), fix_(fix), pieces_(0), nodes_(), reference_() {
+    : world_(world), fix_(fix), pieces_(0), nodes_(), reference_(), force_(), torque_() {
   /* The mesh's own restart does not know these properties when it reads its triangles, so they stay
    * out of it (restart_no); the fix keeps them. */
   for (int k = 0; k < Wall::N_SUMS; k++) {
@@ -441,6 +445,7 @@ void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
 /* The total goes to this rank's part of the mesh's sums, which LIGGGHTS adds up; the force on a
  * triangle to the triangle, or to its owner where this rank has none. */
 void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
+  const double spread = strcmp(fix_->style, "mesh/surface/stress/servo") == 0 ? SPREAD : 1;
   std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
   double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
                          stress()->compute_vector(8)};
@@ -450,8 +455,8 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
       force[d] = blow.impulse[d] / dt;
     vector_subtract(blow.point, reference, arm);
     vector_cross(arm, force, torque);
-    if (stress()->trackStress())
-      stress()->add_global_external_contribution(force, torque);
+    vector_add_scaled(force_, 1 / spread, force, force_);
+    vector_add_scaled(torque_, 1 / spread, torque, torque_);
     const ContactTriangle *t =
         contact_tree_triangle(triangles(), contact_tree_place(triangles(), blow.piece));
     double turned[3], ab[3], ac[3], area[3];
@@ -475,6 +480,10 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
     }
   }
   blows_.clear();
+  if (stress()->trackStress())
+    stress()->add_global_external_contribution(force_, torque_);
+  vector_scale(1 - 1 / spread, force_);
+  vector_scale(1 - 1 / spread, torque_);
   int ranks, size = static_cast<int>(away.size()), all = 0;
   MPI_Comm_size(world_, &ranks);
   MPI_Allreduce(&size, &all, 1, MPI_INT, MPI_SUM, world_);

@@ -90,6 +90,7 @@ private:
   mutable std::vector<asperity::Bounds> known_; /* of which this rank has the triangles then */
   NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
   double reference_[3][3];
+  double force_[3], torque_[3];             /* handed over in this step; of the next one so far */
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */
   std::vector<asperity::Blow> blows_;       /* of this step */
   ScalarContainer<double> *sums_[3];
