@@ -224,8 +224,10 @@ void Wall::fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near
     search_all(walls, flight);
     flight.trap();
   }
-  if (all == CONTACTS_MOST)
+  if (all == CONTACTS_MOST) {
     last->cut_ = true;
+    flight.path.left = 0;
+  }
   finish(near, flight, all > 0 && !stuck);
 }
 
