@@ -481,9 +481,9 @@ static asp_code resample(aspi_text *text, size_t data_line, const column_layout 
 static void reverse(aspi_raw *raw) {
   for (size_t i = 0, j = raw->points; i + 1 < j; i++) {
     j--;
-    double height = raw->heights[i];
-    raw->heights[i] = raw->heights[j];
-    raw->heights[j] = height;
+    double height = aspi_raw_at(raw, i);
+    aspi_raw_put(raw, i, aspi_raw_at(raw, j));
+    aspi_raw_put(raw, j, height);
   }
 }
 
@@ -514,15 +514,15 @@ static asp_code read_data(aspi_text *text, const column_layout *layout, bool all
         s->points, s->points == 1 ? "" : "s", s->first, s->last);
   if (layout->columns.y >= 0 && (code = check_straight(text, &s->plane, error)))
     return code;
-  if (!is_even(s, &raw->spacing)) {
-    raw->spacing = s->usual;
+  if (!is_even(s, &raw->step[0])) {
+    raw->step[0] = s->usual;
     code = check_resampling(text, s, allowed, error);
     if (!code)
       code = resample(text, data_line, layout, s, raw, error);
   }
   if (raw->falls)
     reverse(raw);
-  raw->spacing *= unit_x;
+  raw->step[0] *= unit_x;
   return code;
 }
 

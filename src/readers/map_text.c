@@ -279,33 +279,34 @@ static asp_code skip_head(scanner *s, head *h, asp_error *error) {
   }
 }
 
-static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw_map *raw,
+static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw *raw,
                         asp_error *error) {
   asp_code code = ASP_OK;
   for (size_t i = 0; i < s->count && !code; i++)
-    code = aspi_raw_map_add(raw, unit * noted(h, s->values[i], s->line), error);
+    code = aspi_raw_add(raw, unit * noted(h, s->values[i], s->line), error);
   raw->rows++;
   return code;
 }
 
 /* Whether heights rise or fall by equal steps; `apart` is the distance between them in memory. */
-static bool is_ramp(const float *z, size_t count, size_t apart) {
-  double step = ((double)z[(count - 1) * apart] - z[0]) / (double)(count - 1);
+static bool is_ramp(const aspi_raw *raw, size_t from, size_t count, size_t apart) {
+  double first = aspi_raw_at(raw, from);
+  double step = (aspi_raw_at(raw, from + (count - 1) * apart) - first) / (double)(count - 1);
   for (size_t i = 0; i < count && step * step > 0; i++)
-    if (!(fabs(z[i * apart] - (z[0] + step * (double)i)) <= RAMP_OFF * fabs(step)))
+    if (!(fabs(aspi_raw_at(raw, from + i * apart) - (first + step * (double)i)) <=
+          RAMP_OFF * fabs(step)))
       return false;
   return step * step > 0;
 }
 
 /* Positions along a side of the matrix, in its first row or column, are no heights. */
-static asp_code check_axes(const scanner *s, const aspi_raw_map *raw, asp_error *error) {
-  const float *z = raw->heights;
+static asp_code check_axes(const scanner *s, const aspi_raw *raw, asp_error *error) {
   size_t columns = raw->columns, rows = raw->rows;
   if (columns < RAMP_LEAST || rows < RAMP_LEAST)
     return ASP_OK;
-  bool row = is_ramp(z + 1, columns - 1, 1) && !is_ramp(z + columns + 1, columns - 1, 1);
+  bool row = is_ramp(raw, 1, columns - 1, 1) && !is_ramp(raw, columns + 1, columns - 1, 1);
   bool column =
-      is_ramp(z + columns, rows - 1, columns) && !is_ramp(z + columns + 1, rows - 1, columns);
+      is_ramp(raw, columns, rows - 1, columns) && !is_ramp(raw, columns + 1, rows - 1, columns);
   if (!row && !column)
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA,
@@ -318,7 +319,7 @@ static asp_code check_axes(const scanner *s, const aspi_raw_map *raw, asp_error 
 }
 
 static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *options,
-                            heights *known, aspi_raw_map *raw, asp_error *error) {
+                            heights *known, aspi_raw *raw, asp_error *error) {
   double unit = options->read->unit_z > 0 ? options->read->unit_z : h->unit_z;
   if (!(unit > 0))
     unit = h->units[1];
@@ -409,7 +410,7 @@ static bool find_grid(const triples *t, int axis, double *room, double *first, d
   return true;
 }
 
-static asp_code place(const scanner *s, const triples *t, const double unit[3], aspi_raw_map *raw,
+static asp_code place(const scanner *s, const triples *t, const double unit[3], aspi_raw *raw,
                       asp_error *error) {
   double first[2], step[2], *room = aspi_allocate(t->count);
   size_t side[2] = {0};
@@ -439,7 +440,7 @@ static asp_code place(const scanner *s, const triples *t, const double unit[3], 
                      side[1]);
   raw->points = raw->room = n;
   for (size_t i = 0; i < n; i++)
-    raw->heights[i] = NAN;
+    aspi_raw_put(raw, i, NAN);
   for (size_t i = 0; i < t->count; i++) {
     double u = (t->at[i][0] - first[0]) / step[0], v = (t->at[i][1] - first[1]) / step[1];
     double column = round(u), row = round(v);
@@ -451,10 +452,8 @@ static asp_code place(const scanner *s, const triples *t, const double unit[3], 
     double z = t->at[i][2];
     if (isfinite(z) && isnan(raw->zero))
       raw->zero = z * unit[2];
-    raw->heights[(size_t)row * side[0] + (size_t)column] = (float)(z * unit[2] - raw->zero);
+    aspi_raw_put(raw, (size_t)row * side[0] + (size_t)column, z * unit[2] - raw->zero);
   }
-  for (size_t i = 0; i < n; i++)
-    raw->bad += isnan(raw->heights[i]);
   return ASP_OK;
 }
 
@@ -473,7 +472,7 @@ static asp_code find_units(const scanner *s, const head *h, const aspi_profile_o
 }
 
 static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *options,
-                             aspi_axes *axes, heights *known, aspi_raw_map *raw, asp_error *error) {
+                             aspi_axes *axes, heights *known, aspi_raw *raw, asp_error *error) {
   if (options->step[0] > 0)
     return fail_at(s, error,
                    "the spacing is given (step), but the file has the positions of its points");
@@ -503,7 +502,7 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
   return code;
 }
 
-static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, aspi_raw_map *raw,
+static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, aspi_raw *raw,
                           asp_error *error) {
   asp_code code = skip_head(s, h, error);
   if (code)
@@ -520,7 +519,7 @@ static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, 
 }
 
 asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,
-                            aspi_raw_map *raw, asp_error *error) {
+                            aspi_raw *raw, asp_error *error) {
   scanner s = {.source = aspi_text_create(stream, path), .path = path};
   head *h = calloc(1, sizeof *h);
   asp_code code = h ? read_file(&s, h, options, raw, error)
