@@ -216,7 +216,7 @@ static char *end_of(char *field, char separator) {
 char *aspi_text_field(char **next, char separator) {
   char *field = *next;
   if (field && separator == ' ')
-    field += strspn(field, " \t");
+    field += strspn(field, " \t\v\f\r");
   if (!field || (separator == ' ' && !*field))
     return NULL;
   char *end = end_of(field, separator);

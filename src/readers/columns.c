@@ -96,10 +96,6 @@ static int used_of(char **fields, int count) {
   return count;
 }
 
-static bool is_blank(const char *line) {
-  return line[strspn(line, " \t\v\f")] == '\0';
-}
-
 /* Whether a line is one of data, and in which layout; *why is not empty where it is, and which
  * columns are meant cannot be told. */
 static bool finds_layout(const char *line, const aspi_profile_options *options,
@@ -127,7 +123,7 @@ static bool finds_layout(const char *line, const aspi_profile_options *options,
           .x = options->step > 0 ? -1 : 0, .y = -1, .z = options->step > 0 || count < 2 ? 0 : 1};
     column_pair pair;
     aspi_word word = pair_of(fields, count, found, 0, &pair);
-    if (word == ASP_WORD_NUMBER || (word == ASP_WORD_MISSING && !is_blank(pair.height)))
+    if (word == ASP_WORD_NUMBER || (word == ASP_WORD_MISSING && !aspi_text_blank(pair.height)))
       return true;
   }
   return false;
@@ -140,10 +136,7 @@ static asp_code skip_header(aspi_text *text, const aspi_profile_options *options
     char why[240] = "";
     if (finds_layout(text->text, options, header, layout, why, sizeof why))
       return *why ? aspi_text_fail(text, text->line, error, "%s", why) : ASP_OK;
-    if (!is_blank(text->text)) {
-      memmove(header->line[1], header->line[0], (ASP_HEADER_KEPT - 1) * sizeof *header->line);
-      strcpy(header->line[0], text->text);
-    }
+    aspi_header_note(header, text->text);
     asp_code code = aspi_text_line(text, &found, error);
     if (code)
       return code;
@@ -313,7 +306,7 @@ static asp_code check_end(aspi_text *text, const column_layout *layout, size_t l
     char *fields[ASP_COLUMNS_MOST];
     int count;
     column_pair pair;
-    if (!is_blank(text->text) && read_pair(text, layout, 0, fields, &count, &pair) &&
+    if (!aspi_text_blank(text->text) && read_pair(text, layout, 0, fields, &count, &pair) &&
         !isnan(pair.z))
       return fail_pair(text, line, shown, error);
   }
@@ -342,7 +335,7 @@ static asp_code read_all(aspi_text *text, const column_layout *layout, scan *s, 
     int count;
     column_pair pair;
     snprintf(shown, sizeof shown, "%.47s", text->text);
-    if (!is_blank(text->text)) {
+    if (!aspi_text_blank(text->text)) {
       if (!read_pair(text, layout, s->points, fields, &count, &pair)) {
         if (s->points < 3)
           return fail_pair(text, text->line, shown, error);
@@ -357,16 +350,6 @@ static asp_code read_all(aspi_text *text, const column_layout *layout, scan *s, 
       code = aspi_text_line(text, &found, error);
   }
   return code;
-}
-
-static asp_code check_marks(const aspi_text *text, const scan *s, asp_error *error) {
-  aspi_suspect found;
-  if (!aspi_marks_find(&s->marks, &found))
-    return ASP_OK;
-  return aspi_text_fail(text, found.met.place, error,
-                        "height %.10g, %zu times, beside heights of %g to %g: does it stand for a "
-                        "missing one? Say so (missing %.10g), or mend the file",
-                        found.value, found.met.count, found.least, found.most, found.value);
 }
 
 /* Whether the positions are equally spaced but for rounding; *spacing is that of the line through
@@ -432,7 +415,7 @@ static asp_code next_pair(aspi_text *text, size_t data_line, const column_layout
       *found = *found && (!s->end_line || text->line < s->end_line);
       if (!*found)
         break;
-      if (text->line < data_line || is_blank(text->text))
+      if (text->line < data_line || aspi_text_blank(text->text))
         continue;
       read_pair(text, layout, r->index++, fields, &count, &r->ahead);
       r->ahead.x = (s->sign < 0 ? -1 : 1) * position_of(s, layout, &r->ahead);
@@ -493,7 +476,7 @@ static asp_code read_data(aspi_text *text, const column_layout *layout, bool all
   double unit_x = layout->columns.unit_x;
   asp_code code = read_all(text, layout, s, raw, error);
   if (!code && !chosen)
-    code = check_marks(text, s, error);
+    code = aspi_marks_check(&s->marks, text->path, error);
   if (code)
     return code;
   raw->read = s->points;

@@ -308,6 +308,13 @@ bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_
   return named;
 }
 
+void aspi_header_note(aspi_header *header, const char *line) {
+  if (aspi_text_blank(line))
+    return;
+  memmove(header->line[1], header->line[0], (ASP_HEADER_KEPT - 1) * sizeof *header->line);
+  snprintf(header->line[0], sizeof *header->line, "%s", line);
+}
+
 /* A line that states the unit of one axis, as `X unit: mm`; false where it does not. */
 static bool take_axis(const char *line, aspi_columns *columns) {
   double unit[2];

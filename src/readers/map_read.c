@@ -134,7 +134,7 @@ static asp_code read_as_text(FILE *stream, const char *path, aspi_raw *raw, asp_
   asp_code code;
   do /* to the version */
     code = aspi_text_line(&text, &found, error);
-  while (!code && found && text.text[strspn(text.text, " \t")] == '\0');
+  while (!code && found && aspi_text_blank(text.text));
   if (!code)
     code = aspi_sdf_header(&text, &h, error);
   if (code)

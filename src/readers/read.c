@@ -83,7 +83,7 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, a
                      text->path);
   do {
     code = aspi_text_line(text, &found, error);
-  } while (!code && found && text->text[strspn(text->text, " \t\v\f")] == '\0');
+  } while (!code && found && aspi_text_blank(text->text));
   if (code)
     return code;
   if (!found)
