@@ -29,8 +29,6 @@ using namespace asperity;
 
 namespace {
 
-const double DEGREES = 180 / ASP_PI;
-
 /* Sine of the angle to the wall below which a particle slides. */
 const double GRAZING = 1e-6;
 
@@ -97,7 +95,8 @@ struct Wall::Flight {
   std::vector<Stay> &stays;
   std::vector<Support> &supports, &along;
   double free_half[3], free_spin[3];
-  bool squeezed; /* no velocity satisfies all of them */
+  double given[3]; /* impulses per mass of those that are over */
+  bool squeezed;   /* no velocity satisfies all of them */
 
   bool far; /* from the last contact */
 
@@ -113,6 +112,7 @@ struct Wall::Flight {
   void stay(Wall *wall, size_t shape, const Contact &contact);
   void follow_walls();
   void settle();
+  void give_rest(Wall *wall, size_t shape, const Contact &contact, const double end[3]) const;
   void trap();
   double elapsed() const {
     return spheres.dt - path.left;
@@ -121,8 +121,8 @@ struct Wall::Flight {
 
 Wall::Flight::Flight(const Spheres &s, int particle, Lists &lists)
     : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), events(lists.events),
-      stays(lists.stays), supports(lists.supports), along(lists.along), squeezed(false), far(false),
-      series_begin(0) {
+      stays(lists.stays), supports(lists.supports), along(lists.along), given(), squeezed(false),
+      far(false), series_begin(0) {
   events.clear();
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   path.left = path.dt = s.dt;
@@ -171,6 +171,7 @@ void Wall::Flight::go_on(const double before[3], const double after[3], const do
 void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
   std::vector<int> near;
   for (Wall *wall : walls) {
+    std::fill(wall->counters_ + FORCE, wall->counters_ + TORQUE + 3, 0.0);
     for (int i : wall->touching_) /* those that touched it in the step before */
       if (wall->status(i) < FREE)
         wall->state(i)[STATE] = wall->is_at_rest(i) ? RESTED : FREE;
@@ -243,15 +244,19 @@ void Wall::fly(const std::vector<Wall *> &walls, const Spheres &s, int i) {
     last = wall;
     stuck = wall->touch(flight, shape, contact, series > SERIES);
   }
-  if (flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin)) {
+  const bool trapped =
+      flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin);
+  if (trapped) {
     last->counters_[N_GUARDED]++;
     flight.trap();
   }
   flight.settle();
+  if (stuck || trapped)
+    flight.give_rest(last, shape, contact, stuck ? s.v + 3 * static_cast<size_t>(i) : flight.half);
   if (all == CONTACTS_MOST)
     last->cut_ = true;
   for (const Event &event : flight.events)
-    event.wall->count(flight, event);
+    event.wall->count(s, i, event);
   for (Wall *each : walls)
     if (s.mask[i] & each->groupbit_)
       each->look_next(i);
@@ -303,7 +308,8 @@ bool Wall::touch(Flight &flight, size_t shape, Contact contact, bool crowded) {
     shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
     particle.lay = lay;
   }
-  Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, 0, 0, {}, {}};
+  Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, {}, 0, 0, {}, {}};
+  vector_copy(flight.spin, event.omega1);
   event.elapsed = flight.elapsed();
   event.time = time(static_cast<double>(s.step)) - flight.path.left;
   event.key.seed = model_.seed();
@@ -402,15 +408,32 @@ void Wall::Flight::follow_walls() {
 void Wall::Flight::settle() {
   for (size_t k = 0; k < stays.size(); k++) {
     const Stay &stay = stays[k];
-    Support &s = supports[k];
+    const Support &s = supports[k];
     double u[3];
     vector_subtract(free_half, stay.contact.v_wall, u);
-    vector_scale(-mass, s.p);
-    stay.wall->press(spheres, i, stay.shape, stay.contact.piece, s.n, s.p, u);
+    ContactLoad load(spheres, i, stay.contact.piece, stay.contact.x, s.n, s.p, u);
+    load.dissipated = mass * slide_work(s, radius, half, spin);
+    stay.wall->add(stay.shape, load);
+    vector_add_scaled(given, 1, s.p, given);
     stay.wall->keep_resting(i, stay.shape, stay.contact);
   }
   stays.clear();
   supports.clear();
+}
+
+/* What the contacts of a particle that has stuck or was trapped leave of the change from its
+ * velocity at the beginning to the one at the end: what acts on it until it moves with its wall. */
+void Wall::Flight::give_rest(Wall *wall, size_t shape, const Contact &contact,
+                             const double end[3]) const {
+  const double none[3] = {0, 0, 0};
+  double rest[3];
+  vector_subtract(end, v0, rest);
+  vector_add_scaled(rest, -0.5 * spheres.dt, a0, rest);
+  vector_subtract(rest, given, rest);
+  for (const Event &event : events)
+    for (int d = 0; d < 3; d++)
+      rest[d] -= event.impact.v2[d] - event.v1[d];
+  wall->add(shape, ContactLoad(spheres, i, contact.piece, contact.x, none, rest, none));
 }
 
 /* The walls leave no room: the particle goes with them, in their middle, and none of the impacts in
@@ -474,7 +497,10 @@ void Wall::hold(const std::vector<Wall *> &walls, const Spheres &s) {
   std::vector<int> resting;
   for (Wall *wall : walls) {
     for (int i : wall->stuck_) {
+      double before[3];
+      vector_copy(s.v + 3 * static_cast<size_t>(i), before);
       vector_copy(wall->place(i) + VELOCITY, s.v + 3 * static_cast<size_t>(i));
+      wall->add_held(s, i, before);
       for (int d = 0; s.omega && d < 3; d++)
         s.omega[3 * static_cast<size_t>(i) + d] = 0;
     }
@@ -501,7 +527,7 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   static thread_local std::vector<Support> supports;
   at.clear();
   supports.clear();
-  double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3];
+  double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3], turned[3];
   const double *x = s.x + 3 * static_cast<size_t>(i), *from = NULL;
   for (Wall *wall : walls) {
     const double *row = wall->place(i);
@@ -525,34 +551,21 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   vector_copy(v, before);
   if (supports.size() == 1)
     turn_along(from, supports[0].n, supports[0].w, v);
+  vector_subtract(v, before, turned);
   solve_supports(supports, s.radius[i], v, spin);
   if (s.omega)
     vector_copy(spin, s.omega + 3 * static_cast<size_t>(i));
   for (size_t k = 0; k < at.size(); k++) {
     double u[3];
     vector_subtract(before, supports[k].w, u);
-    vector_scale(-s.mass[i], supports[k].p);
-    at[k].wall->press(s, i, at[k].shape, at[k].face < 0 ? ~at[k].face : at[k].face, supports[k].n,
-                      supports[k].p, u);
+    const double slid = slide_work(supports[k], s.radius[i], v, spin);
+    if (k == 0)
+      vector_add_scaled(supports[0].p, 1, turned, supports[0].p);
+    ContactLoad load(s, i, at[k].face < 0 ? ~at[k].face : at[k].face, x, supports[k].n,
+                     supports[k].p, u);
+    load.dissipated = s.mass[i] * slid;
+    at[k].wall->add(at[k].shape, load);
   }
-}
-
-/* ---- what a wall feels ------------------------------------------------------------------------
- */
-
-/* An impulse that a particle has given to a shape that measures. v1: relative to the wall. */
-void Wall::press(const Spheres &s, int i, size_t shape, int piece, const double n[3],
-                 const double impulse[3], const double v1[3]) {
-  if (!shapes_[shape].shape->measures())
-    return;
-  Blow blow;
-  blow.piece = piece;
-  blow.type = s.type[i];
-  blow.mask = s.mask[i];
-  vector_copy(impulse, blow.impulse);
-  vector_add_scaled(s.x + 3 * static_cast<size_t>(i), -s.radius[i], n, blow.point);
-  vector_copy(v1, blow.v_before);
-  shapes_[shape].shape->take(blow);
 }
 
 /* ---- impacts and what sticks -------------------------------------------------------------------
@@ -594,6 +607,8 @@ void Wall::note_energy(const Flight &flight) {
     row[WORK] = e * e * share * d1 + (1 + share) * d2;
     vector_copy(n, row + NORMAL);
     vector_copy(event.contact.v_wall, row + VELOCITY);
+    row[HIT] = static_cast<double>(event.shape);
+    row[HIT + 1] = event.contact.piece;
     wall->state(flight.i)[STATE] = REBOUNDED;
     wall->touching_.push_back(flight.i);
   }
@@ -609,66 +624,11 @@ void Wall::balance(const Spheres &s, int i) {
   const double now = vector_dot(v1, n);
   const double square = row[SQUARE] + row[WORK] * vector_dot(f, n) / s.mass[i];
   const double speed = sqrt(std::max(0.0, square));
-  vector_add_scaled(v, (now < 0 ? -speed : speed) - now, n, v);
-}
-
-void Wall::count(const Flight &flight, const Event &event) {
-  const bool stuck = event.impact.outcome == ASP_DEPOSIT;
-  const double stuck_mass = stuck ? flight.mass : 0;
-  const double energy = 0.5 * flight.mass * vector_dot(event.v1, event.v1);
-  counters_[N_IMPACTS]++;
-  counters_[N_DEPOSITS] += stuck;
-  counters_[DEPOSITED_MASS] += stuck_mass;
-  counters_[N_LATER_HITS] += event.impact.hits - 1;
-  counters_[N_CAPPED] += event.impact.capped;
-  counters_[N_GUARDED] += event.contact.guarded;
-  Member &member = shapes_[event.shape];
-  member.totals[SHAPE_IMPACTS]++;
-  member.totals[SHAPE_DEPOSITS] += stuck;
-  member.totals[SHAPE_MASS] += stuck_mass;
-  member.totals[SHAPE_ENERGY] += energy;
-  if (member.sums.size() > 0) {
-    double *sums = member.sums.data() + static_cast<size_t>(event.contact.piece) * N_SUMS;
-    sums[PIECE_IMPACTS]++;
-    sums[PIECE_MASS] += stuck_mass;
-    sums[PIECE_ENERGY] += energy;
-  }
-  double impulse[3];
-  vector_subtract(event.v1, event.impact.v2, impulse);
-  vector_scale(flight.mass, impulse);
-  press(flight.spheres, flight.i, event.shape, event.contact.piece, event.contact.n, impulse,
-        event.v1);
-  if (ledger_)
-    record(flight, event);
-}
-
-void Wall::record(const Flight &flight, const Event &event) {
-  typedef Ledger L;
-  const asp_coefficients c = asp_impact_coefficients(event.v1, event.contact.n, &event.impact);
-  L::Row row;
-  row[L::TAG] = static_cast<double>(event.key.tag);
-  row[L::IMPACT] = event.key.impact;
-  row[L::TIME] = event.time;
-  row[L::MESH] = shapes_[event.shape].sums.size() > 0 ? static_cast<double>(event.shape) + 1 : 0;
-  row[L::TRIANGLE] = event.contact.piece;
-  for (int d = 0; d < 3; d++)
-    row[L::X + d] = event.contact.x[d];
-  row[L::D_P] = 2 * flight.radius;
-  row[L::V1] = c.v1;
-  row[L::ALPHA1] = c.alpha1 * DEGREES;
-  row[L::DELTA_ALPHA] = event.impact.delta_alpha * DEGREES;
-  row[L::TILT_OUT] = event.impact.tilt_out * DEGREES;
-  row[L::HITS] = event.impact.hits;
-  row[L::V2] = c.v2;
-  row[L::ALPHA2] = c.alpha2 * DEGREES;
-  row[L::COR_N] = c.cor_n;
-  row[L::COR_T] = c.cor_t;
-  row[L::OUTCOME] = event.impact.outcome == ASP_REBOUND ? 0
-                    : model_.deposit() == Model::DELETE ? 2
-                                                        : 1;
-  row[L::STEP] = static_cast<double>(flight.spheres.step);
-  row[L::COR_T_DEFINED] = c.cor_t_defined;
-  ledger_->add(row);
+  const double change = (now < 0 ? -speed : speed) - now, none[3] = {0, 0, 0};
+  double p[3] = {change * n[0], change * n[1], change * n[2]};
+  vector_add_scaled(v, 1, p, v);
+  add(static_cast<size_t>(row[HIT]), ContactLoad(s, i, static_cast<int>(row[HIT + 1]),
+                                                 s.x + 3 * static_cast<size_t>(i), n, p, none));
 }
 
 /* Notes where the particle has stuck, and takes it along with the wall for the rest of the step. */

@@ -16,7 +16,9 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "ledger";
+const char Wall::KEYWORDS[] = "ledger torque_about";
+const char *const Wall::SUM_NAMES[] = {"impacts",        "deposited_mass",     "impact_energy",
+                                       "normal_impulse", "tangential_impulse", "dissipated_energy"};
 
 namespace {
 
@@ -31,8 +33,9 @@ const double STRAY = 2e-3;
 
 Wall::Wall(const Engine &engine)
     : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
-      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), counters_(), clock_(),
-      fastest_(), dt_(0), warned_(false), cut_(false), has_doomed_(false) {}
+      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), counters_(),
+      torque_about_(), clock_(), fastest_(), dt_(0), warned_(false), cut_(false),
+      has_doomed_(false) {}
 
 Wall::Sums::Sums(size_t count)
     : count_(count), numbers_(static_cast<double *>(calloc(count + 1, sizeof(double))), free) {
@@ -54,6 +57,9 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
       continue;
     if (words.take("ledger"))
       parse_ledger(words);
+    else if (words.take("torque_about"))
+      for (int d = 0; d < 3; d++)
+        torque_about_[d] = words.number("a coordinate of 'torque_about'");
     else
       model_.parse(words, others);
   }
@@ -240,8 +246,12 @@ void Wall::warn_of_speeds() {
  */
 
 void Wall::carry(const Spheres &spheres) {
-  for (int i : stuck_)
+  for (int i : stuck_) {
+    double before[3];
+    vector_copy(spheres.v + 3 * static_cast<size_t>(i), before);
     carry_one(spheres, i, spheres.dt);
+    add_held(spheres, i, before);
+  }
 }
 
 /* Puts a stuck particle where its wall has it at the end of the step: the periodic image of that
@@ -293,23 +303,23 @@ void Wall::end_run() {
     check_written(ledger_->flush());
 }
 
-double Wall::counter(int k) const {
-  double all;
-  MPI_Allreduce(&counters_[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
-  return all;
-}
-
-double Wall::stuck() const {
-  const double mine = static_cast<double>(stuck_.size());
+double Wall::sum_of(double mine) const {
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
   return all;
 }
 
+double Wall::counter(int k) const {
+  const double sum = sum_of(counters_[k]);
+  return k >= FORCE && k < TORQUE + 3 && dt_ > 0 ? sum / dt_ : sum;
+}
+
+double Wall::stuck() const {
+  return sum_of(static_cast<double>(stuck_.size()));
+}
+
 double Wall::total(size_t shape, int k) const {
-  double all;
-  MPI_Allreduce(&shapes_[shape].totals[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
-  return all;
+  return sum_of(shapes_[shape].totals[k]);
 }
 
 std::vector<double> Wall::sums(size_t shape) const {
@@ -350,7 +360,7 @@ std::vector<char> Wall::save() {
   if (ledger_)
     check_written(ledger_->save(state.ledger));
   for (int k = 0; k < N_COUNTERS; k++)
-    state.counters.push_back(counter(k));
+    state.counters.push_back(sum_of(counters_[k]));
   for (size_t m = 0; m < shapes_.size(); m++) {
     std::vector<double> totals;
     for (int k = 0; k < N_TOTALS; k++)
@@ -377,7 +387,10 @@ std::vector<char> Wall::save() {
 }
 
 Settings Wall::settings() const {
-  return Settings{{"geometry", geometry_}, {"description", model_.description()}};
+  const double *at = torque_about_;
+  return Settings{{"geometry", geometry_},
+                  {"description", model_.description()},
+                  {"torque_about", text("%.15g %.15g %.15g", at[0], at[1], at[2])}};
 }
 
 /* The script is what counts; but it should not differ unnoticed. */

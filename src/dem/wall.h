@@ -31,9 +31,10 @@ public:
    * stays at the wall, or is stuck. Place: where it sticks, and with which velocity. Of a particle
    * that stays at the wall, pairs of a shape (from 1; 0: none) and its face instead, and FROM,
    * where the wall is curved, its normal as the contact began; of one that has rebounded in this
-   * step, SQUARE and WORK of its energy (see balance()) and NORMAL. */
+   * step, SQUARE and WORK of its energy (see balance()), NORMAL, and shape (from 0) and piece from
+   * HIT on. */
   enum { IMPACTS, STATE, N_STATE };
-  enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, FROM = 6, N_PLACE = FROM + 3 };
+  enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, FROM = 6, HIT = 8, N_PLACE = 10 };
   enum { SQUARE = SHAPE, WORK = PIECE, NORMAL = AT };
   enum State { REBOUNDED = -3, RESTED, RESTING, FREE, FROZEN, DOOMED };
 
@@ -44,12 +45,24 @@ public:
     N_LATER_HITS,
     N_CAPPED,
     N_GUARDED,
+    FORCE,              /* on the wall, in the last step: three numbers */
+    TORQUE = FORCE + 3, /* the same about the point of `torque_about` */
+    DISSIPATED = TORQUE + 3,
     N_COUNTERS
   };
 
-  /* Sums of a shape, and of each of its pieces. */
-  enum Total { SHAPE_IMPACTS, SHAPE_DEPOSITS, SHAPE_MASS, SHAPE_ENERGY, N_TOTALS };
-  enum Sum { PIECE_IMPACTS, PIECE_MASS, PIECE_ENERGY, N_SUMS };
+  /* Sums of each piece of a shape. A shape has the same, with its deposits as the second number. */
+  enum Sum {
+    SUM_IMPACTS,
+    SUM_MASS,
+    SUM_ENERGY,
+    SUM_NORMAL,     /* impulses on the wall along the normal */
+    SUM_TANGENTIAL, /* and the lengths of those across it */
+    SUM_DISSIPATED,
+    N_SUMS
+  };
+  static const char *const SUM_NAMES[N_SUMS];
+  enum Total { SHAPE_DEPOSITS = 1, N_TOTALS = N_SUMS + 1 };
 
   explicit Wall(const Engine &engine);
 
@@ -169,6 +182,7 @@ private:
     int wall_type;
     double totals[N_TOTALS];
     Sums sums;
+    void add(int piece, Sum sum, double value);
   };
 
   /* A contact that is not counted yet. */
@@ -177,6 +191,7 @@ private:
     size_t shape;
     Contact contact;
     double v1[3];         /* relative to the wall */
+    double omega1[3];     /* before the impact */
     double elapsed, time; /* of the step; of the ledger */
     asp_key key;
     asp_impact impact;
@@ -226,14 +241,15 @@ private:
   static void hold_resting(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
   static void note_energy(const Flight &flight);
   void balance(const Spheres &spheres, int i);
-  void press(const Spheres &spheres, int i, size_t shape, int piece, const double n[3],
-             const double impulse[3], const double v1[3]);
+  void add(size_t shape, const ContactLoad &load);
+  void add_held(const Spheres &spheres, int i, const double before[3]);
   void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
-  void count(const Flight &flight, const Event &event);
-  void record(const Flight &flight, const Event &event);
+  void count(const Spheres &spheres, int i, const Event &event);
+  void record(const Spheres &spheres, int i, const Event &event);
   void restore_shapes(const WallState &saved);
   void renumber_stuck(const Spheres &spheres);
   void parse_ledger(Words &words);
+  double sum_of(double mine) const;
   void check_written(const std::string &wrong) const;
   void check_speeds(const Spheres &spheres);
   void warn_of_speeds();
@@ -252,7 +268,8 @@ private:
   Ahead ahead_;
   double travel_; /* of the wall's fastest point in a step, at most */
   double stray_;  /* how far a particle may leave the way that it was looked ahead on, a step */
-  double counters_[N_COUNTERS];
+  double counters_[N_COUNTERS]; /* force and torque as impulses */
+  double torque_about_[3];
   Clock clock_;
   Fastest fastest_;
   double dt_;
