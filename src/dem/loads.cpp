@@ -86,10 +86,10 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
           (vector_dot(event.omega1, event.omega1) - vector_dot(impact.omega, impact.omega));
   add(event.shape, load);
   if (ledger_)
-    record(s, i, event);
+    record(s, i, event, load);
 }
 
-void Wall::record(const Spheres &s, int i, const Event &event) {
+void Wall::record(const Spheres &s, int i, const Event &event, const ContactLoad &load) {
   typedef Ledger L;
   const asp_coefficients c = asp_impact_coefficients(event.v1, event.contact.n, &event.impact);
   L::Row row;
@@ -115,5 +115,12 @@ void Wall::record(const Spheres &s, int i, const Event &event) {
                                                         : 1;
   row[L::STEP] = static_cast<double>(s.step);
   row[L::COR_T_DEFINED] = c.cor_t_defined;
+  row[L::MASS] = s.mass[i];
+  vector_copy(load.n, &row[L::NX]);
+  vector_copy(event.v1, &row[L::V1X]);
+  vector_copy(event.impact.v2, &row[L::V2X]);
+  vector_copy(event.omega1, &row[L::OMEGA1X]);
+  vector_copy(event.impact.omega, &row[L::OMEGA2X]);
+  vector_copy(load.impulse, &row[L::IMPULSE_X]);
   ledger_->add(row);
 }

@@ -76,21 +76,26 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
 
 void Wall::parse_ledger(Words &words) {
   const int64_t every = static_cast<int64_t>(words.whole("ledger", 1, 2147483647.0));
-  std::string path, on_error;
+  std::string path, on_error, columns;
   for (bool more = true; more;) {
     if (words.take("file"))
       path = words.word("the file of 'ledger'");
     else if (words.take("on_error"))
       on_error = words.word("the value of 'on_error'");
+    else if (words.take("columns"))
+      columns = words.word("the value of 'columns'");
     else
       more = false;
   }
   if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
     throw Error("on_error is '" + on_error + "'; it must be stop or go_on");
+  if (!columns.empty() && columns != "full")
+    throw Error("columns is '" + columns + "'; it must be full");
   if (!on_error.empty() && path.empty())
     throw Error("on_error is of a ledger's file; 'ledger N file FILE' must come with it");
   ledger_.reset(new Ledger(engine_.world(), "fix " + engine_.id(), every, path,
-                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP));
+                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP,
+                           columns.empty() ? Ledger::N_COLUMNS : Ledger::N_FULL));
 }
 
 /* ---- before a run -----------------------------------------------------------------------------

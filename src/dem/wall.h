@@ -245,7 +245,7 @@ private:
   void add_held(const Spheres &spheres, int i, const double before[3]);
   void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
   void count(const Spheres &spheres, int i, const Event &event);
-  void record(const Spheres &spheres, int i, const Event &event);
+  void record(const Spheres &spheres, int i, const Event &event, const ContactLoad &load);
   void restore_shapes(const WallState &saved);
   void renumber_stuck(const Spheres &spheres);
   void parse_ledger(Words &words);

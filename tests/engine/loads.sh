@@ -26,7 +26,7 @@ scene() { # law
 fix m6 all property/global surfaceEnergy peratomtypepair 1 5
 fix box all mesh/surface file box.stl type 1
 fix turn all move/mesh mesh box rotate origin 0.01 0.0 0.0 axis 0.2 0.3 1. period 1.7
-fix wall all wall/rebound mesh n_meshes 1 meshes box $1 torque_about 0.1 0.2 -0.1
+fix wall all wall/rebound mesh n_meshes 1 meshes box $1 torque_about 0.1 0.2 -0.1 ledger 500 file rows.csv columns full
 fix fall all gravity 9.81 vector 0 0 -1
 fix move all nve/sphere
 timestep 2e-4
@@ -47,6 +47,7 @@ for law in "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off
       [ $ranks = 1 ] || [ $engine = liggghts ] || continue
       engine $ranks $name.in
       numbers $name.in.screen > $name.$engine.$ranks
+      mv rows.csv $name.$engine.$ranks.csv
       awk -v m="$mass" -v n="$grains" -v steps="$steps" 'NF == 4 && $1 ~ /^[0-9]+$/ { seen[$1]++
             for (k = 2; k <= 4; k++) p[k] += (seen[$1] == 1 ? m : -m) * $k }
           END { printf "%.17g %.17g %.17g\n", p[2], p[3], p[4] - n * m * 9.81 * steps * 2e-4 }' at.txt > lost
@@ -67,6 +68,20 @@ for name in walton bons; do
   done
   awk '{ if ($9 != $10 || ($8 - $11) ^ 2 > 1e-24 * $8 ^ 2) exit 1 } END { exit !($8 > 0) }' $name.liggghts.1 || die "$name: the array and the vector differ"
 done
+
+# The dissipated energy, and the impulses, are those of the rows. Where grains only hit, they are all.
+energies() { # ledger
+  rows "$1" | awk -F, '{ n++; e += 0.5 * $20 * ($24 ^ 2 + $25 ^ 2 + $26 ^ 2 - $27 ^ 2 - $28 ^ 2 - $29 ^ 2) + $20 * $9 ^ 2 / 20 * ($30 ^ 2 + $31 ^ 2 + $32 ^ 2 - $33 ^ 2 - $34 ^ 2 - $35 ^ 2)
+      for (k = 0; k < 3; k++) { d = $(36 + k) - $20 * ($(24 + k) - $(27 + k)); if (d * d > 1e-16) exit 1 }
+      normal -= $36 * $21 + $37 * $22 + $38 * $23 } END { printf "%.12g %.12g %d\n", e, normal, n }'
+}
+scene "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off" |
+  sed '/^fix fall/d; s/ f_wall.2.$/ f_wall[1][5]/; s/rows.csv/free.csv/' > free.in
+engine 2 free.in
+numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s\n", $8, $13, $12, $14
+  exit !($15 == $9 && $8 > 0 && ($8 / $13 - 1) ^ 2 < 1e-16 && ($12 / $14 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
+same walton.liggghts.1.csv walton.liggghts.2.csv "full rows on two ranks"
+"$bin/asperity" compare free.csv -o free.txt > compare.out 2>&1 || die "compare does not read a full ledger: $(cat compare.out)"
 
 # A bed presses with its weight on all of its walls together.
 soft "-0.031 0.031 -0.031 0.031 -0.001 0.2" 0.3 0.5 > bed.in
