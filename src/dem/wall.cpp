@@ -29,13 +29,16 @@ const size_t SHOWN = 32768;
  * the smallest. */
 const double STRAY = 2e-3;
 
+/* How far sustained contacts may bend its path within a step, as a share of that. */
+const double BEND = 0.25;
+
 } // namespace
 
 Wall::Wall(const Engine &engine)
     : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
-      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), counters_(),
+      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), bend_(0), counters_(),
       torque_about_(), clock_(), fastest_(), dt_(0), warned_(false), cut_(false),
-      has_doomed_(false) {}
+      has_to_delete_(false) {}
 
 Wall::Sums::Sums(size_t count)
     : count_(count), numbers_(static_cast<double *>(calloc(count + 1, sizeof(double))), free) {
@@ -45,7 +48,7 @@ Wall::Sums::Sums(size_t count)
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
-  Member member = {std::move(shape), name, wall_type, {}, Sums(pieces * N_SUMS)};
+  Member member = {std::move(shape), name, wall_type, false, {}, Sums(pieces * N_SUMS)};
   shapes_.push_back(std::move(member));
 }
 
@@ -133,17 +136,20 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
   double least, most;
   engine_.diameters(least, most);
   stray_ = STRAY * 0.5 * least;
+  bend_ = BEND * stray_;
+  for (Member &member : shapes_)
+    member.measures = member.shape->measures();
   for (int i = 0; i < spheres.n; i++) {
-    if (model_.deposit() == Model::OFF && state(i)[STATE] > FREE)
-      state(i)[STATE] = FREE; /* an earlier part of the run had deposits */
+    if (model_.deposit() == Model::OFF && is_stuck(i))
+      set_status(i, Status::FREE); /* an earlier part of the run had deposits */
   }
   renumber_stuck(spheres);
   look_anew();
   for (int i = 0; i < spheres.n; i++) {
-    const size_t shape = static_cast<size_t>(place(i)[SHAPE]) - 1;
-    if (state(i)[STATE] > FREE && shape < shapes_.size() &&
+    const size_t shape = static_cast<size_t>(place(i).stuck.shape) - 1;
+    if (is_stuck(i) && shape < shapes_.size() &&
         model_.removes(spheres.type[i], shapes_[shape].wall_type, 2 * spheres.radius[i]))
-      state(i)[STATE] = FREE; /* it had no such flow */
+      set_status(i, Status::FREE); /* it had no such flow */
   }
   reorder(spheres);
   warn_of_speeds();
@@ -152,11 +158,11 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
 void Wall::reorder(const Spheres &spheres) {
   stuck_.clear();
   touching_.clear();
-  has_doomed_ = false;
+  has_to_delete_ = false;
   for (int i = 0; i < spheres.n; i++)
-    if (state(i)[STATE] > FREE)
+    if (is_stuck(i))
       stuck_.push_back(i);
-    else if (state(i)[STATE] < FREE)
+    else if (status(i) != Status::FREE)
       touching_.push_back(i);
   const size_t n = static_cast<size_t>(spheres.n);
   if (!repeats())
@@ -245,42 +251,6 @@ void Wall::warn_of_speeds() {
                     "and walls that turn, are taken as straight within a step; where that counts, "
                     "the largest safe step is %g",
                     fastest[0], fastest[1], 0.5 * worst.ratio * dt_, dt_, 1 / worst.ratio));
-}
-
-/* ---- what sticks ------------------------------------------------------------------------------
- */
-
-void Wall::carry(const Spheres &spheres) {
-  for (int i : stuck_) {
-    double before[3];
-    vector_copy(spheres.v + 3 * static_cast<size_t>(i), before);
-    carry_one(spheres, i, spheres.dt);
-    add_held(spheres, i, before);
-  }
-}
-
-/* Puts a stuck particle where its wall has it at the end of the step: the periodic image of that
- * place which is nearest to where the particle is. */
-void Wall::carry_one(const Spheres &s, int i, double dt) {
-  double *row = place(i), *x = s.x + 3 * static_cast<size_t>(i), on_wall[3];
-  const size_t shape = static_cast<size_t>(row[SHAPE]) - 1;
-  if (!(row[SHAPE] >= 1) || shape >= shapes_.size())
-    return;
-  Place at = {static_cast<int>(row[PIECE]), {row[AT], row[AT + 1], row[AT + 2]}};
-  shapes_[shape].shape->carry(at, s.radius[i], dt, on_wall, row + VELOCITY);
-  row[PIECE] = at.piece;
-  vector_copy(at.at, row + AT);
-  box_.bring_near(x, on_wall);
-  vector_copy(on_wall, x);
-  vector_copy(row + VELOCITY, s.v + 3 * static_cast<size_t>(i));
-  for (int d = 0; s.omega && d < 3; d++)
-    s.omega[3 * static_cast<size_t>(i) + d] = 0;
-}
-
-void Box::bring_near(const double near[3], double x[3]) const {
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0)
-      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
 }
 
 /* ---- output -----------------------------------------------------------------------------------
@@ -452,19 +422,4 @@ void Wall::restore_shapes(const WallState &saved) {
       std::copy(mesh.map.begin(), mesh.map.end(), member.sums.data());
     member.shape->restore_motion(mesh.motion);
   }
-}
-
-/* What is stuck knows its mesh by a number, which another script may have changed. What is stuck to
- * a mesh that is gone stays where it is. */
-void Wall::renumber_stuck(const Spheres &spheres) {
-  for (int i = 0; !shape_now_.empty() && i < spheres.n; i++) {
-    double *row = place(i);
-    const size_t before = static_cast<size_t>(row[SHAPE]);
-    if (!(state(i)[STATE] > FREE) || before < 1 || before > shape_now_.size())
-      continue;
-    row[SHAPE] = shape_now_[before - 1];
-    for (int d = 0; d < 3 && shape_now_[before - 1] == 0; d++)
-      row[VELOCITY + d] = 0;
-  }
-  shape_now_.clear();
 }

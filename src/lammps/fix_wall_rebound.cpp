@@ -310,7 +310,7 @@ void FixWallRebound::post_integrate() {
   for (FixWallRebound *fix : siblings_) {
     if (fix->wall_.model().deposit() != Model::DELETE)
       continue;
-    int mine = fix->wall_.has_doomed(), any; /* all ranks must agree to build lists anew */
+    int mine = fix->wall_.has_to_delete(), any; /* all ranks must agree to build lists anew */
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
     if (any)
       fix->next_reneighbor = update->ntimestep;
@@ -323,7 +323,7 @@ void FixWallRebound::pre_exchange() {
   set_rows();
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (wall_.is_doomed(i)) {
+    if (wall_.is_to_delete(i)) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;

@@ -4,8 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/wall.h"
 
-#include <math.h>
-
 #include "contact/vector.h"
 
 using namespace asperity;
@@ -46,18 +44,19 @@ void Wall::add(size_t shape, const ContactLoad &load) {
     member.add(load.piece, SUM_DISSIPATED, load.dissipated);
     counters_[DISSIPATED] += load.dissipated;
   }
-  if (member.shape->measures())
+  if (member.measures)
     member.shape->take(load);
 }
 
 /* What holds a stuck particle, which had the velocity `before` and has now that of its wall. */
 void Wall::add_held(const Spheres &s, int i, const double before[3]) {
-  const double none[3] = {0, 0, 0}, *row = place(i);
-  const size_t at = 3 * static_cast<size_t>(i), shape = static_cast<size_t>(row[SHAPE]) - 1;
+  const StuckPlace &stuck = place(i).stuck;
+  const double none[3] = {0, 0, 0};
+  const size_t at = 3 * static_cast<size_t>(i), shape = static_cast<size_t>(stuck.shape) - 1;
   double p[3];
   vector_subtract(s.v + at, before, p);
-  if (vector_dot(p, p) > 0 && row[SHAPE] >= 1 && shape < shapes_.size())
-    add(shape, ContactLoad(s, i, static_cast<int>(row[PIECE]), s.x + at, none, p, none));
+  if (vector_dot(p, p) > 0 && stuck.shape >= 1 && shape < shapes_.size())
+    add(shape, ContactLoad(s, i, static_cast<int>(stuck.piece), s.x + at, none, p, none));
 }
 
 void Wall::count(const Spheres &s, int i, const Event &event) {
