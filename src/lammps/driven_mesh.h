@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "node_tree.h"
 #include "dem/mesh.h"
 #include "dem/words.h"
 
@@ -38,7 +39,7 @@ private:
 
 class DrivenMesh : public MeshShape {
 public:
-  /* All ranks get all triangles, which rank 0 reads. Throws an Error. */
+  /* Rank 0 reads the triangles; see NodeTree for who keeps them. Collective. Throws an Error. */
   DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive);
 
   size_t pieces() const {
@@ -60,8 +61,12 @@ public:
   /* The time at which the motion began, and the velocity at the end of the last step. */
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
+  size_t bytes() const override;
 
 private:
+  ContactTree *read_tree();
+
+  NodeTree shared_;
   Drive drive_;
   std::string path_;
   double scale_;
