@@ -84,12 +84,26 @@ void Drive::at(double time, Frame &frame, Twist &twist) const {
   vector_copy(speed, twist.linear);
 }
 
+void Drive::save(double numbers[NUMBERS]) const {
+  numbers[0] = kind_;
+  numbers[1] = period_;
+  vector_copy(a_, numbers + 2);
+  vector_copy(axis_, numbers + 5);
+}
+
+void Drive::restore(const double numbers[NUMBERS]) {
+  kind_ = static_cast<Kind>(static_cast<int>(numbers[0]));
+  period_ = numbers[1];
+  vector_copy(numbers + 2, a_);
+  vector_copy(numbers + 5, axis_);
+}
+
 /* ---- the mesh ---------------------------------------------------------------------------------
  */
 
 DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive)
     : drive_(drive), path_(path), scale_(scale), extent_(Bounds::none()), pieces_(0), origin_(0),
-      has_begun_(false) {
+      has_begun_(false), redirected_(false) {
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, contact_tree_free);
   std::string wrong;
   int rank;
@@ -190,6 +204,25 @@ std::string DrivenMesh::misfit(const Bounds &box, const double period[3]) const 
                  : "; no scale between m, cm, mm, um and nm would bring it in");
 }
 
+void DrivenMesh::redirect(const Drive &drive) {
+  if (has_begun_)
+    base_ = motion().end();
+  drive_ = drive;
+  has_begun_ = false;
+  redirected_ = true;
+}
+
+void DrivenMesh::at(double time, Frame &frame, Twist &twist) const {
+  Frame drive;
+  drive_.at(time - origin_, drive, twist);
+  drive.to_world(base_.shift, frame.shift);
+  for (int j = 0; j < 3; j++) {
+    const double column[3] = {base_.turn[0][j], base_.turn[1][j], base_.turn[2][j]};
+    for (int i = 0; i < 3; i++)
+      frame.turn[i][j] = vector_dot(drive.turn[i], column);
+  }
+}
+
 void DrivenMesh::setup(double time) {
   if (!drive_.moves())
     return;
@@ -197,7 +230,7 @@ void DrivenMesh::setup(double time) {
     origin_ = time;
   Frame frame;
   Twist twist;
-  drive_.at(time - origin_, frame, twist);
+  at(time, frame, twist);
   motion().settle(frame, false);
   motion().set_last(twist);
   has_begun_ = true;
@@ -206,21 +239,39 @@ void DrivenMesh::setup(double time) {
 void DrivenMesh::begin_step(double time, double dt) {
   if (!drive_.moves())
     return;
+  if (!has_begun_) /* redirected before a run without a set-up */
+    setup(time - dt);
   Frame frame;
   Twist twist;
-  drive_.at(time - origin_, frame, twist);
+  at(time, frame, twist);
   motion().advance(frame, twist, dt);
 }
 
 std::vector<double> DrivenMesh::motion_record() const {
-  return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
+  if (!redirected_)
+    return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
+  double drive[Drive::NUMBERS];
+  drive_.save(drive);
+  std::vector<double> record = {origin_, has_begun_ ? 1.0 : 0.0};
+  record.insert(record.end(), drive, drive + Drive::NUMBERS);
+  record.insert(record.end(), base_.turn[0], base_.turn[0] + 9);
+  record.insert(record.end(), base_.shift, base_.shift + 3);
+  return record;
 }
 
 void DrivenMesh::restore_motion(const std::vector<double> &record) {
-  if (record.size() != 1)
+  if (record.empty())
     return;
   origin_ = record[0];
   has_begun_ = true;
+  redirected_ = record.size() == 2 + Drive::NUMBERS + 12;
+  if (!redirected_)
+    return;
+  has_begun_ = record[1] > 0;
+  drive_.restore(&record[2]);
+  std::copy(&record[2 + Drive::NUMBERS], &record[2 + Drive::NUMBERS] + 9, base_.turn[0]);
+  vector_copy(&record[2 + Drive::NUMBERS + 9], base_.shift);
+  motion().settle(base_, false);
 }
 
 std::unique_ptr<DrivenMesh> asperity::read_driven_mesh(MPI_Comm world, Words &words, int types,
