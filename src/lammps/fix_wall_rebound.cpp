@@ -43,6 +43,7 @@
 #include "dem/wall.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -191,6 +192,10 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
     std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
     p_->type = read_type(words);
     geometry += text(" type %d", p_->type);
+    if (!words.done() && (words.is("NULL") || isdigit(words.rest()[0][0])))
+      throw asperity::Error("'" + words.word("") + "' stands behind '" + geometry +
+                            "'; a fix of this style is one plane, so that a second one needs a fix "
+                            "of its own, and NULL is left out");
     p_->wall.add_shape(std::move(shape), p_->type, 0, "");
   } else
     throw asperity::Error("the wall is '" + words.word("the wall") + "'; it must be one of " +

@@ -74,6 +74,10 @@ refuses "$stl
 fix_modify wall energy yes" "fix_modify"
 refuses "fix wall all wall/rebound zplane 0 rebound constant 1 1
 $up" "for the wall 'stl'" "'shear'"
+# As the planes of fix wall/gran are written.
+for second in NULL 100; do
+  refuses "fix wall all wall/rebound zplane 0 $second rebound constant 1 1" "'$second' stands behind 'zplane 0 type 2'" "a fix of its own"
+done
 
 # A picture: the same with and without the plate differ, on one rank or two.
 for ranks in 1 2; do
