@@ -24,7 +24,7 @@ const double EPSILON = 1e-12;
 
 Wall::Flight::Flight(const Spheres &s, int particle, Lists &lists)
     : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), events(lists.events),
-      stays(lists.stays), supports(lists.supports), along(lists.along), squeezed(false),
+      stays(lists.stays), supports(lists.supports), along(lists.along), given(), squeezed(false),
       known(lists.known), searches_all(false), far(false), series_begin(0) {
   events.clear();
   known.clear();
@@ -170,15 +170,32 @@ void Wall::Flight::follow_walls() {
 void Wall::Flight::settle() {
   for (size_t k = 0; k < stays.size(); k++) {
     const Stay &stay = stays[k];
-    Support &s = supports[k];
+    const Support &s = supports[k];
     double u[3];
     vector_subtract(free_half, stay.contact.v_wall, u);
-    vector_scale(-mass, s.p);
-    stay.wall->press(spheres, i, stay.shape, stay.contact.piece, s.n, s.p, u);
+    ContactLoad load(spheres, i, stay.contact.piece, stay.contact.x, s.n, s.p, u);
+    load.dissipated = mass * slide_work(s, radius, half, spin);
+    stay.wall->add(stay.shape, load);
+    vector_add_scaled(given, 1, s.p, given);
     stay.wall->keep_resting(i, stay.shape, stay.contact);
   }
   stays.clear();
   supports.clear();
+}
+
+/* What the contacts of a particle that has stuck or was trapped leave of the change from its
+ * velocity at the beginning to the one at the end: what acts on it until it moves with its wall. */
+void Wall::Flight::give_rest(Wall *wall, size_t shape, const Contact &contact,
+                             const double end[3]) const {
+  const double none[3] = {0, 0, 0};
+  double rest[3];
+  vector_subtract(end, v0, rest);
+  vector_add_scaled(rest, -0.5 * spheres.dt, a0, rest);
+  vector_subtract(rest, given, rest);
+  for (const Event &event : events)
+    for (int d = 0; d < 3; d++)
+      rest[d] -= event.impact.v2[d] - event.v1[d];
+  wall->add(shape, ContactLoad(spheres, i, contact.piece, contact.x, none, rest, none));
 }
 
 /* The walls leave no room: the particle goes with them, in their middle, and none of the impacts in

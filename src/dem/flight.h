@@ -54,7 +54,8 @@ struct Wall::Flight {
   std::vector<Stay> &stays;
   std::vector<Support> &supports, &along;
   double free_half[3], free_spin[3];
-  bool squeezed; /* no velocity satisfies all of them */
+  double given[3]; /* impulses per mass of those that are over */
+  bool squeezed;   /* no velocity satisfies all of them */
 
   std::vector<Known> &known;
   bool searches_all; /* false as long as the particle meets known faces only, on its known way */
@@ -76,6 +77,7 @@ struct Wall::Flight {
   Stay *find_stay(const Wall *wall, size_t shape, const Contact &contact);
   void stay(Wall *wall, size_t shape, const Contact &contact);
   void settle();
+  void give_rest(Wall *wall, size_t shape, const Contact &contact, const double end[3]) const;
   void trap();
 
 private:

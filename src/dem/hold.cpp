@@ -63,9 +63,12 @@ void Wall::hold(const std::vector<Wall *> &walls, const Spheres &s) {
   for (size_t w = 0; w < walls.size(); w++) {
     Wall *wall = walls[w];
     for (int i : wall->stuck_) {
+      double before[3];
+      vector_copy(s.v + 3 * static_cast<size_t>(i), before);
       vector_copy(wall->place(i).stuck.velocity, s.v + 3 * static_cast<size_t>(i));
       for (int d = 0; s.omega && d < 3; d++)
         s.omega[3 * static_cast<size_t>(i) + d] = 0;
+      wall->add_held(s, i, before);
     }
     for (int i : wall->touching_)
       if (wall->is_at_rest(i))
@@ -94,7 +97,7 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   static thread_local std::vector<Support> supports;
   at.clear();
   supports.clear();
-  double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3];
+  double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3], turned[3];
   const double *x = s.x + 3 * static_cast<size_t>(i), *from = NULL;
   for (Wall *wall : walls) {
     const RestingPlace &resting = wall->place(i).resting;
@@ -118,15 +121,20 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   vector_copy(v, before);
   if (supports.size() == 1)
     turn_along(from, supports[0].n, supports[0].w, v);
+  vector_subtract(v, before, turned);
   solve_supports(supports, s.radius[i], v, spin);
   if (s.omega)
     vector_copy(spin, s.omega + 3 * static_cast<size_t>(i));
   for (size_t k = 0; k < at.size(); k++) {
     double u[3];
     vector_subtract(before, supports[k].w, u);
-    vector_scale(-s.mass[i], supports[k].p);
-    at[k].wall->press(s, i, at[k].shape, at[k].face < 0 ? ~at[k].face : at[k].face, supports[k].n,
-                      supports[k].p, u);
+    const double slid = slide_work(supports[k], s.radius[i], v, spin);
+    if (k == 0)
+      vector_add_scaled(supports[0].p, 1, turned, supports[0].p);
+    ContactLoad load(s, i, at[k].face < 0 ? ~at[k].face : at[k].face, x, supports[k].n,
+                     supports[k].p, u);
+    load.dissipated = s.mass[i] * slid;
+    at[k].wall->add(at[k].shape, load);
   }
 }
 
@@ -169,6 +177,8 @@ void Wall::note_energy(const Flight &flight) {
     rebound.work = e * e * share * d1 + (1 + share) * d2;
     vector_copy(n, rebound.normal);
     vector_copy(event.contact.v_wall, rebound.v_wall);
+    rebound.shape = static_cast<double>(event.shape);
+    rebound.piece = event.contact.piece;
     wall->set_status(flight.i, Status::REBOUNDED);
     wall->touching_.push_back(flight.i);
   }
@@ -185,5 +195,10 @@ void Wall::balance(const Spheres &s, int i) {
   const double now = vector_dot(v1, n);
   const double square = rebound.square + rebound.work * vector_dot(f, n) / s.mass[i];
   const double speed = sqrt(std::max(0.0, square));
-  vector_add_scaled(v, (now < 0 ? -speed : speed) - now, n, v);
+  const double change = (now < 0 ? -speed : speed) - now, none[3] = {0, 0, 0};
+  const double p[3] = {change * n[0], change * n[1], change * n[2]};
+  vector_add_scaled(v, 1, p, v);
+  add(static_cast<size_t>(rebound.shape),
+      ContactLoad(s, i, static_cast<int>(rebound.piece), s.x + 3 * static_cast<size_t>(i), n, p,
+                  none));
 }

@@ -37,9 +37,10 @@ struct RestingPlace {
   double normal[3];
 };
 
-/* The energy of a rebound: v_n^2 at the end of the step is square + work a_n. */
+/* The energy of a rebound, at a piece of a shape (from 0): v_n^2 at the end of the step is square +
+ * work a_n. */
 struct ReboundPlace {
-  double square, work, normal[3], v_wall[3];
+  double square, work, normal[3], v_wall[3], shape, piece;
 };
 
 /* By the status, one of the three. */

@@ -53,14 +53,22 @@ struct Faces {
   }
 };
 
-/* What a contact has given to a piece of a shape: for maps, and for meshes that measure. */
-struct Blow {
+struct Spheres;
+
+/* What the contact of one particle does to a piece of a wall. */
+struct ContactLoad {
   int piece;
-  int type; /* of the particle, from 1 */
-  int mask; /* of its groups */
-  double impulse[3];
-  double point[3];    /* where it acted */
+  int type;           /* of the particle, from 1 */
+  int mask;           /* of its groups */
+  double n[3];        /* outward unit normal; 0 for what is stuck, which is held in any direction */
+  double point[3];    /* where it acts */
+  double impulse[3];  /* on the wall */
   double v_before[3]; /* of the particle, relative to the wall */
+  double dissipated;  /* energy */
+
+  /* That of particle i with its center at `center`, with an impulse per mass on the particle. */
+  ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
+              const double impulse_per_mass[3], const double v_before[3]);
 };
 
 class Shape {
@@ -118,7 +126,7 @@ public:
   virtual bool measures() const {
     return false;
   }
-  virtual void take(const Blow &) {}
+  virtual void take(const ContactLoad &) {}
 
   /* What a continued run has to know of a shape that has moved; none where it has not. */
   virtual std::vector<double> motion_record() const {

@@ -83,6 +83,7 @@ void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
 
 /* Of one wall: what it knows of the step before, what sticks to it, and what may touch it. */
 void Wall::begin_step(const Spheres &spheres, int number, std::vector<Near> &near) {
+  std::fill(counters_ + FORCE, counters_ + TORQUE + 3, 0.0);
   for (int i : touching_) {
     if (status(i) == Status::RESTING) {
       set_status(i, Status::RESTED);
@@ -219,7 +220,9 @@ void Wall::fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near
     if (!known || flight.stays.empty() || flight.has_strayed(most))
       search_all(walls, flight);
   }
-  if (flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin)) {
+  const bool trapped =
+      flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin);
+  if (trapped) {
     last->counters_[N_GUARDED]++;
     search_all(walls, flight);
     flight.trap();
@@ -228,6 +231,9 @@ void Wall::fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near
     last->cut_ = true;
     flight.path.left = 0;
   }
+  flight.settle();
+  if (stuck || trapped)
+    flight.give_rest(last, shape, contact, stuck ? s.v + 3 * static_cast<size_t>(i) : flight.half);
   finish(near, flight, all > 0 && !stuck);
 }
 
@@ -235,9 +241,8 @@ void Wall::fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near
 void Wall::finish(const std::vector<Wall *> &near, Flight &flight, bool moved) {
   const Spheres &s = flight.spheres;
   const size_t at = 3 * static_cast<size_t>(flight.i);
-  flight.settle();
   for (const Event &event : flight.events)
-    event.wall->count(flight, event);
+    event.wall->count(s, flight.i, event);
   if (!flight.searches_all)
     look_next(near, flight);
   if (!moved)
@@ -318,7 +323,8 @@ Wall::Event Wall::hit(const Flight &flight, size_t shape, const Path &before,
     shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
     particle.lay = lay;
   }
-  Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, 0, 0, {}, {}};
+  Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, {}, 0, 0, {}, {}};
+  vector_copy(flight.spin, event.omega1);
   event.elapsed = flight.elapsed();
   event.time = time(static_cast<double>(s.step)) - flight.path.left;
   event.key.seed = model_.seed();

@@ -27,8 +27,12 @@ void Wall::stick(Flight &flight, size_t shape, const Path &before, const Contact
 }
 
 void Wall::carry(const Spheres &spheres) {
-  for (int i : stuck_)
+  for (int i : stuck_) {
+    double before[3];
+    vector_copy(spheres.v + 3 * static_cast<size_t>(i), before);
     carry_one(spheres, i, spheres.dt);
+    add_held(spheres, i, before);
+  }
 }
 
 /* Puts a stuck particle where its wall has it at the end of the step: the periodic image of that

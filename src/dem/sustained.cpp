@@ -276,3 +276,11 @@ bool asperity::solve_supports(std::vector<Support> &supports, double radius, dou
   vector_copy(omega_free, omega);
   return false;
 }
+
+double asperity::slide_work(const Support &support, double radius, const double v[3],
+                            const double omega[3]) {
+  double u[3];
+  slip(support, radius, v, omega, u);
+  vector_add_scaled(u, -vector_dot(u, support.n), support.n, u);
+  return std::max(0.0, -vector_dot(support.p, u));
+}

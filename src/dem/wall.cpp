@@ -16,7 +16,9 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "ledger";
+const char Wall::KEYWORDS[] = "ledger torque_about";
+const char *const Wall::SUM_NAMES[] = {"impacts",        "deposited_mass",     "impact_energy",
+                                       "normal_impulse", "tangential_impulse", "dissipated_energy"};
 
 namespace {
 
@@ -35,7 +37,8 @@ const double BEND = 0.25;
 Wall::Wall(const Engine &engine)
     : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
       box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), bend_(0), counters_(),
-      clock_(), fastest_(), dt_(0), warned_(false), cut_(false), has_to_delete_(false) {}
+      torque_about_(), clock_(), fastest_(), dt_(0), warned_(false), cut_(false),
+      has_to_delete_(false) {}
 
 Wall::Sums::Sums(size_t count)
     : count_(count), numbers_(static_cast<double *>(calloc(count + 1, sizeof(double))), free) {
@@ -57,6 +60,9 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
       continue;
     if (words.take("ledger"))
       parse_ledger(words);
+    else if (words.take("torque_about"))
+      for (int d = 0; d < 3; d++)
+        torque_about_[d] = words.number("a coordinate of 'torque_about'");
     else
       model_.parse(words, others);
   }
@@ -73,21 +79,26 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
 
 void Wall::parse_ledger(Words &words) {
   const int64_t every = static_cast<int64_t>(words.whole("ledger", 1, 2147483647.0));
-  std::string path, on_error;
+  std::string path, on_error, columns;
   for (bool more = true; more;) {
     if (words.take("file"))
       path = words.word("the file of 'ledger'");
     else if (words.take("on_error"))
       on_error = words.word("the value of 'on_error'");
+    else if (words.take("columns"))
+      columns = words.word("the value of 'columns'");
     else
       more = false;
   }
   if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
     throw Error("on_error is '" + on_error + "'; it must be stop or go_on");
+  if (!columns.empty() && columns != "full")
+    throw Error("columns is '" + columns + "'; it must be full");
   if (!on_error.empty() && path.empty())
     throw Error("on_error is of a ledger's file; 'ledger N file FILE' must come with it");
   ledger_.reset(new Ledger(engine_.world(), "fix " + engine_.id(), every, path,
-                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP));
+                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP,
+                           columns.empty() ? Ledger::N_COLUMNS : Ledger::N_FULL));
 }
 
 /* ---- before a run -----------------------------------------------------------------------------
@@ -267,23 +278,23 @@ void Wall::end_run() {
     check_written(ledger_->flush());
 }
 
-double Wall::counter(int k) const {
-  double all;
-  MPI_Allreduce(&counters_[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
-  return all;
-}
-
-double Wall::stuck() const {
-  const double mine = static_cast<double>(stuck_.size());
+double Wall::sum_of(double mine) const {
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
   return all;
 }
 
+double Wall::counter(int k) const {
+  const double sum = sum_of(counters_[k]);
+  return k >= FORCE && k < TORQUE + 3 && dt_ > 0 ? sum / dt_ : sum;
+}
+
+double Wall::stuck() const {
+  return sum_of(static_cast<double>(stuck_.size()));
+}
+
 double Wall::total(size_t shape, int k) const {
-  double all;
-  MPI_Allreduce(&shapes_[shape].totals[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
-  return all;
+  return sum_of(shapes_[shape].totals[k]);
 }
 
 std::vector<double> Wall::sums(size_t shape) const {
@@ -324,7 +335,7 @@ std::vector<char> Wall::save() {
   if (ledger_)
     check_written(ledger_->save(state.ledger));
   for (int k = 0; k < N_COUNTERS; k++)
-    state.counters.push_back(counter(k));
+    state.counters.push_back(sum_of(counters_[k]));
   for (size_t m = 0; m < shapes_.size(); m++) {
     std::vector<double> totals;
     for (int k = 0; k < N_TOTALS; k++)
@@ -351,7 +362,10 @@ std::vector<char> Wall::save() {
 }
 
 Settings Wall::settings() const {
-  return Settings{{"geometry", geometry_}, {"description", model_.description()}};
+  const double *at = torque_about_;
+  return Settings{{"geometry", geometry_},
+                  {"description", model_.description()},
+                  {"torque_about", text("%.15g %.15g %.15g", at[0], at[1], at[2])}};
 }
 
 /* The script is what counts; but it should not differ unnoticed. */

@@ -38,12 +38,24 @@ public:
     N_LATER_HITS,
     N_CAPPED,
     N_GUARDED,
+    FORCE,              /* on the wall, in the last step: three numbers */
+    TORQUE = FORCE + 3, /* the same about the point of `torque_about` */
+    DISSIPATED = TORQUE + 3,
     N_COUNTERS
   };
 
-  /* Sums of a shape, and of each of its pieces. */
-  enum Total { SHAPE_IMPACTS, SHAPE_DEPOSITS, SHAPE_MASS, SHAPE_ENERGY, N_TOTALS };
-  enum Sum { PIECE_IMPACTS, PIECE_MASS, PIECE_ENERGY, N_SUMS };
+  /* Sums of each piece of a shape. A shape has the same, with its deposits as the second number. */
+  enum Sum {
+    SUM_IMPACTS,
+    SUM_MASS,
+    SUM_ENERGY,
+    SUM_NORMAL,     /* impulses on the wall along the normal */
+    SUM_TANGENTIAL, /* and the lengths of those across it */
+    SUM_DISSIPATED,
+    N_SUMS
+  };
+  static const char *const SUM_NAMES[N_SUMS];
+  enum Total { SHAPE_DEPOSITS = 1, N_TOTALS = N_SUMS + 1 };
 
   explicit Wall(const Engine &engine);
 
@@ -164,6 +176,7 @@ private:
     bool measures;
     double totals[N_TOTALS];
     Sums sums;
+    void add(int piece, Sum sum, double value);
   };
 
   /* A contact that is not counted yet. */
@@ -172,6 +185,7 @@ private:
     size_t shape;
     Contact contact;
     double v1[3];         /* relative to the wall */
+    double omega1[3];     /* before the impact */
     double elapsed, time; /* of the step; of the ledger */
     asp_key key;
     asp_impact impact;
@@ -252,10 +266,10 @@ private:
   void balance(const Spheres &spheres, int i);
 
   /* tally.cpp */
-  void press(const Spheres &spheres, int i, size_t shape, int piece, const double n[3],
-             const double impulse[3], const double v1[3]);
-  void count(const Flight &flight, const Event &event);
-  void record(const Flight &flight, const Event &event);
+  void add(size_t shape, const ContactLoad &load);
+  void add_held(const Spheres &spheres, int i, const double before[3]);
+  void count(const Spheres &spheres, int i, const Event &event);
+  void record(const Spheres &spheres, int i, const Event &event, const ContactLoad &load);
 
   /* stick.cpp */
   void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
@@ -265,6 +279,7 @@ private:
 
   void restore_shapes(const WallState &saved);
   void parse_ledger(Words &words);
+  double sum_of(double mine) const;
   void check_written(const std::string &wrong) const;
   void check_speeds(const Spheres &spheres);
   void warn_of_speeds();
@@ -286,7 +301,8 @@ private:
   double travel_; /* of the wall's fastest point in a step, at most */
   double stray_;  /* how far a particle may leave the way that it was looked ahead on, a step */
   double bend_;   /* how far sustained contacts may bend its way within a step */
-  double counters_[N_COUNTERS];
+  double counters_[N_COUNTERS]; /* force and torque as impulses */
+  double torque_about_[3];
   Clock clock_;
   Fastest fastest_;
   double dt_;

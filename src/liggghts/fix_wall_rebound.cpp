@@ -65,7 +65,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     local_flag = 1;
     local_freq = static_cast<int>(ledger->every());
     size_local_rows = 0;
-    size_local_cols = Ledger::N_COLUMNS;
+    size_local_cols = ledger->columns();
   }
 }
 
