@@ -29,12 +29,12 @@ typedef struct ContactPath {
 } ContactPath;
 
 typedef struct ContactTouch {
-  double time;  /* since the beginning of the path, 0 to left */
-  double n[3];  /* unit normal from the wall to the centre, v.n < 0 */
-  double lift;  /* >= 0; how far along n the sphere has to be moved out: it overlapped already */
-  bool guarded; /* it overlapped, or its centre lay on the wall, where the side is a guess */
-  double slant; /* sine between n and the normal of what is touched: 0 for a face, more for an edge
-                   or a corner */
+  double time;      /* since the beginning of the path, 0 to left */
+  double n[3];      /* unit normal from the wall to the centre, v.n < 0 */
+  double push_out;  /* >= 0; how far along n the sphere has to be moved where it overlapped */
+  bool overlapped;  /* it was in the wall already, or its center on it, where the side is a guess */
+  double edge_sine; /* sine between n and the normal of what is touched: 0 for a face, more for an
+                   edge or a corner */
 } ContactTouch;
 
 /* The plane x[axis] = at, met from both sides. axis 0 to 2. */

@@ -64,10 +64,10 @@ bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *p
   touch->time = time;
   vector_copy(n, touch->n);
   vector_scale(1 / length, touch->n);
-  touch->lift = inside ? length - touching : touching - length;
-  if (touch->lift <= CONTACT_TOLERANCE * radius)
-    touch->lift = 0;
-  touch->slant = 0;
-  touch->guarded = touch->lift > 0;
+  touch->push_out = inside ? length - touching : touching - length;
+  if (touch->push_out <= CONTACT_TOLERANCE * radius)
+    touch->push_out = 0;
+  touch->edge_sine = 0;
+  touch->overlapped = touch->push_out > 0;
   return true;
 }

@@ -18,9 +18,9 @@ bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, doub
   touch->time = gap > 0 ? gap / approach : 0;
   if (!(touch->time <= latest))
     return false;
-  touch->lift = gap < -CONTACT_TOLERANCE * radius ? -gap : 0;
-  touch->slant = 0;
-  touch->guarded = centred || touch->lift > 0;
+  touch->push_out = gap < -CONTACT_TOLERANCE * radius ? -gap : 0;
+  touch->edge_sine = 0;
+  touch->overlapped = centred || touch->push_out > 0;
   for (int d = 0; d < 3; d++)
     touch->n[d] = d == axis ? side : 0;
   return true;

@@ -111,7 +111,7 @@ static void normal_at(const ContactTriangle *triangle, const ContactPath *path, 
     vector_scale(1 / distance, touch->n);
     return;
   }
-  touch->guarded = true;
+  touch->overlapped = true;
   contact_triangle_normal(triangle, touch->n);
   const double along = vector_dot(path->v, touch->n);
   if (along > 0)
@@ -133,8 +133,8 @@ bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *p
   vector_copy(across, normal);
   vector_scale(flat ? 1 / length : 0, normal);
   double time = time_to_plane(normal, triangle, path, radius);
-  touch->guarded = false;
-  touch->lift = 0;
+  touch->overlapped = false;
+  touch->push_out = 0;
   for (int i = 0; i < NEWTON_MAX; i++) {
     if (!(time <= latest))
       return false;
@@ -148,14 +148,14 @@ bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *p
     if (fabs(gap) <= CONTACT_TOLERANCE * radius)
       break;
     if (gap < 0 && time <= 0) {
-      touch->guarded = true;
-      touch->lift = -gap;
+      touch->overlapped = true;
+      touch->push_out = -gap;
       break;
     }
     time = fmax(0, time + gap / approach);
   }
   touch->time = time;
   vector_cross(touch->n, normal, arm);
-  touch->slant = vector_length(arm);
+  touch->edge_sine = vector_length(arm);
   return time <= latest;
 }

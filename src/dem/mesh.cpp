@@ -254,7 +254,7 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double latest
       const bool same = found && other.time >= touch.time - slack;
       if (!same)
         place.piece = list.item[i];
-      if (!same || other.slant < touch.slant) {
+      if (!same || other.edge_sine < touch.edge_sine) {
         touch = other;
         place.face = list.item[i];
       }
@@ -273,20 +273,20 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
                      const ContactTouch &touch, const Places &place, Contact &contact) const {
   double center[3], foot[3], follow[3];
   contact.time = touch.time;
-  contact.guarded = touch.guarded;
+  contact.overlapped = touch.overlapped;
   contact.curve = 0;
   contact.closing = -vector_dot(body.v, touch.n);
   contact.piece = contact_tree_id(tree_.get(), place.piece);
   contact.face = contact_tree_id(tree_.get(), place.face);
-  if (touch.slant > EDGE)
+  if (touch.edge_sine > EDGE)
     contact.face = ~contact.face;
   vector_add_scaled(body.x, touch.time, body.v, center);
-  vector_add_scaled(center, touch.lift, touch.n, center);
+  vector_add_scaled(center, touch.push_out, touch.n, center);
   vector_add_scaled(center, -radius, touch.n, foot);
   if (motion_.in_world()) {
     vector_copy(touch.n, contact.n);
     vector_add_scaled(path.x, touch.time, path.v, contact.x);
-    vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
+    vector_add_scaled(contact.x, touch.push_out, touch.n, contact.x);
     contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.follow = 0;
     if (runs())
       surface_velocity(contact.piece, foot, contact.v_wall);
@@ -364,7 +364,7 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
     if (!find_image(body, radius, found ? std::min(latest, first.time + slack) : latest, touch,
                     place))
       continue;
-    if (found && touch.time >= first.time - slack && !(touch.slant < first.slant))
+    if (found && touch.time >= first.time - slack && !(touch.edge_sine < first.edge_sine))
       continue;
     fill(path, body, shift, radius, touch, place, contact);
     found = true;

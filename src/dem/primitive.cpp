@@ -26,13 +26,13 @@ ContactPath contact_path(const Path &path) {
 
 void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
   contact.time = touch.time;
-  contact.guarded = touch.guarded;
+  contact.overlapped = touch.overlapped;
   contact.piece = contact.face = 0;
   contact.follow = contact.curve = 0;
   contact.closing = -vector_dot(path.v, touch.n);
   vector_copy(touch.n, contact.n);
   vector_add_scaled(path.x, touch.time, path.v, contact.x);
-  vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
+  vector_add_scaled(contact.x, touch.push_out, touch.n, contact.x);
 }
 
 } // namespace

@@ -149,7 +149,7 @@ bool Wall::find_known(Flight &flight, Wall *&wall, size_t &shape, Contact &conta
     const Shape &at = *known.wall->shapes_[known.shape].shape;
     if (!at.find_known(known.face, flight.path, flight.radius, contact))
       continue;
-    if (contact.guarded || contact.time * vector_length(flight.path.v) > KNOWN * flight.radius) {
+    if (contact.overlapped || contact.time * vector_length(flight.path.v) > KNOWN * flight.radius) {
       known.wall->ahead_.due[flight.i] = 0;
       continue;
     }

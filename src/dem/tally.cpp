@@ -70,7 +70,7 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
   counters_[DEPOSITED_MASS] += stuck_mass;
   counters_[N_LATER_HITS] += impact.hits - 1;
   counters_[N_CAPPED] += impact.capped;
-  counters_[N_GUARDED] += contact.guarded;
+  counters_[N_GUARDED] += contact.overlapped;
   Member &member = shapes_[event.shape];
   member.totals[SHAPE_DEPOSITS] += stuck;
   member.add(contact.piece, SUM_IMPACTS, 1);

@@ -514,14 +514,14 @@ void RegionShape::Search::go_back(Look &good, Look &bad) const {
 
 void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact) const {
   double v[3];
-  const double lift = radius - foot.distance, left = path.left - l.time;
+  const double push_out = radius - foot.distance, left = path.left - l.time;
   contact.time = l.time;
   vector_copy(foot.n, contact.n);
   relative(l, foot, contact.v_wall, v);
   contact.piece = 0;
   contact.face = foot.face;
-  vector_add_scaled(l.x, lift > tolerance ? lift : 0, foot.n, contact.x);
-  contact.guarded = lift > near(l, foot);
+  vector_add_scaled(l.x, push_out > tolerance ? push_out : 0, foot.n, contact.x);
+  contact.overlapped = push_out > near(l, foot);
   contact.follow = follow(l, foot);
   contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
   contact.closing = -vector_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);

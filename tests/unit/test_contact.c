@@ -137,7 +137,7 @@ static void check_path(const Wall *w, const ContactPath *path, double radius) {
   assert_true(first == INFINITY || touch.time >= first - 1.001 * step || least > -1e-3);
   assert_true(vector_dot(touch.n, path->v) < 0);
   assert_true(fabs(vector_length(touch.n) - 1) < 1e-12);
-  assert_true(touch.lift == 0 && !touch.guarded);
+  assert_true(touch.push_out == 0 && !touch.overlapped);
   /* The normal leads from the wall to the centre. */
   double foot[3];
   vector_add_scaled(x, -radius, touch.n, foot);
@@ -260,8 +260,8 @@ static void test_overlap(void **unused) {
       assert_int_equal(found, rate < 0);
       if (!found)
         continue;
-      assert_true(touch.guarded && touch.time == 0);
-      vector_add_scaled(path.x, touch.lift, touch.n, later);
+      assert_true(touch.overlapped && touch.time == 0);
+      vector_add_scaled(path.x, touch.push_out, touch.n, later);
       assert_true(fabs(gap_of(&w, later, radius)) < 1e-5);
     }
 }
@@ -275,9 +275,9 @@ static void test_centred(void **unused) {
     const ContactPath path = {{0, 0, 0}, {1, 0.5, 2.0 * side}, 1};
     ContactTouch touch;
     assert_true(contact_triangle_find(&triangle, &path, 0.1, 1, &touch));
-    assert_true(touch.guarded && touch.n[2] * side < 0);
+    assert_true(touch.overlapped && touch.n[2] * side < 0);
     assert_true(contact_plane_find(&plane, &path, 0.1, 1, &touch));
-    assert_true(touch.guarded && touch.n[2] * side < 0);
+    assert_true(touch.overlapped && touch.n[2] * side < 0);
   }
 }
 
@@ -312,7 +312,7 @@ static void test_wide(void **unused) {
   double x[3];
   assert_true(contact_cylinder_find(&tube, &path, 1.5, 2, &touch));
   at(&path, touch.time, x);
-  vector_add_scaled(x, touch.lift, touch.n, x);
+  vector_add_scaled(x, touch.push_out, touch.n, x);
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
