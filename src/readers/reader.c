@@ -128,21 +128,6 @@ double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
   return NAN;
 }
 
-double asp_reader_get(const asp_reader *reader, const char *name) {
-  const aspi_profile_report *r = &reader->report;
-  const struct {
-    const char *name;
-    double value;
-  } all[] = {{"points", (double)r->points},           {"bad", (double)r->bad},
-             {"spikes", (double)r->spikes},           {"filled", (double)r->filled},
-             {"longest_gap", (double)r->longest_gap}, {"resampled", r->resampled},
-             {"step_least", r->step_least},           {"step_most", r->step_most}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (strcmp(all[i].name, name) == 0)
-      return all[i].value;
-  return NAN;
-}
-
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {
   return *reader->report.doubts ? aspi_fail(error, ASP_EDATA, "%s", reader->report.doubts) : ASP_OK;
 }

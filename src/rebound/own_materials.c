@@ -25,7 +25,7 @@ struct asp_materials {
 };
 
 typedef struct columns {
-  int name, title, modulus, poisson, density, yield, source, seen;
+  int name, title, modulus, poisson, density, yield, source;
 } columns;
 
 /* Where the columns are; -1 and a message where one that must be there is not. */
@@ -36,8 +36,7 @@ static columns columns_of(const aspi_csv *csv, asp_error *error) {
                    .poisson = aspi_csv_need(csv, "poissons_ratio", error),
                    .density = aspi_csv_need(csv, "density_kg_m3", error),
                    .yield = aspi_csv_find(csv, "yield_stress_pa"),
-                   .source = aspi_csv_find(csv, "source"),
-                   .seen = aspi_csv_find(csv, "seen")};
+                   .source = aspi_csv_find(csv, "source")};
 }
 
 static const char *field_of(const aspi_csv *csv, int column) {
@@ -64,15 +63,12 @@ static asp_code copy_words(const aspi_csv *csv, const columns *at, asp_material 
 
 static asp_code read_material(const aspi_csv *csv, const columns *at, asp_material *m,
                               asp_error *error) {
-  const char *name = field_of(csv, at->name), *seen = field_of(csv, at->seen);
+  const char *name = field_of(csv, at->name);
   bool no_yield;
   asp_code code;
   if (!*name || strpbrk(name, " \t,;"))
     return aspi_text_fail(&csv->text, csv->text.line, error,
                           "the name '%s'; it must be one word without commas", name);
-  if (*seen && strcasecmp(seen, "yes") != 0 && strcasecmp(seen, "no") != 0)
-    return aspi_text_fail(&csv->text, csv->text.line, error, "seen is '%s'; it must be yes or no",
-                          seen);
   if ((code = aspi_csv_number(csv, at->modulus, 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
       (code = aspi_csv_number(csv, at->poisson, -1, 0.5, &m->poissons_ratio, NULL, error)) ||
       (code = aspi_csv_number(csv, at->density, 1e-300, 1e300, &m->density, NULL, error)) ||
@@ -80,7 +76,6 @@ static asp_code read_material(const aspi_csv *csv, const columns *at, asp_materi
     return code;
   if (no_yield)
     m->yield_stress = 0;
-  m->seen = strcasecmp(seen, "yes") == 0;
   return copy_words(csv, at, m, error);
 }
 
