@@ -130,7 +130,7 @@ static bool is_data(aspi_csv *csv, above *a) {
   return false;
 }
 
-/* `sep=;`, by which spreadsheets are told. */
+/* `sep=;`, as spreadsheets understand it. */
 static bool take_separator(aspi_csv *csv) {
   const char *line = csv->text.text;
   if (csv->text.line != 1 || strncasecmp(line, "sep=", 4) != 0 || !line[4])

@@ -15,7 +15,7 @@
 /* Degrees below this, all of them, may be radians. */
 #define RADIANS_MOST 1.6
 
-/* Noise puts no rebound farther below the wall than so many degrees. */
+/* Noise puts no rebound farther below the wall than this, in degrees. */
 #define BELOW_MOST 20
 
 /* What a column can hold. */
@@ -248,7 +248,7 @@ static bool has_components(const layout *l) {
   return has(l, V1_N) && has(l, V1_T) && has(l, V2_N) && has(l, V2_T);
 }
 
-/* Whether the columns are those of impacts or of means. */
+/* Finds out if the columns are those of impacts or of means. */
 static asp_code find_form(const aspi_csv *csv, const layout *l, bool *means, asp_error *error) {
   bool points = has(l, POINT) || has(l, POINT + COR_T) || has_components(l) ||
                 (has(l, COR_V) && has(l, COR_ALPHA)) ||

@@ -196,8 +196,8 @@ static void check(const char *name, const char *what, const aspi_profile_report 
   if (least < spacing)
     cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it", least * 1e6,
                   what, spacing * 1e6);
-  if (*report->doubts)
-    cli_warn("%s: %s", name, report->doubts);
+  if (*report->warnings)
+    cli_warn("%s: %s", name, report->warnings);
   asp_error doubt;
   if (asp_sampling_check(least, spacing, length, lambda, &doubt))
     cli_warn("%s: %s", name, doubt.text);

@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/header.h"
-#include "readers/marks.h"
+#include "readers/missing.h"
 #include "readers/positions.h"
 
 #include <math.h>
@@ -25,7 +25,7 @@ typedef struct scan {
   aspi_positions positions;
   size_t end_line; /* where the data end before the file does; 0: never */
   int fields;      /* of the first line, without empty ones at its end */
-  aspi_marks marks;
+  aspi_missing marks;
 } scan;
 
 /* Position and height of a line, as written and as numbers; a missing height is NAN. */
@@ -64,8 +64,8 @@ static int used_of(char **fields, int count) {
   return count;
 }
 
-/* Whether a line is one of data, and in which layout; *why is not empty where it is, and which
- * columns are meant cannot be told. */
+/* True if a line is one of data, and its layout; *why is not empty where the columns that are meant
+ * are not clear. */
 static bool finds_layout(const char *line, const aspi_profile_options *options,
                          const aspi_header *header, column_layout *found, char *why, size_t size) {
   static const struct {
@@ -136,7 +136,7 @@ static asp_code note_pair(scan *s, const aspi_text *text, const column_layout *l
   if (isnan(pair->z) && raw->bad++ == 0)
     raw->bad_line = text->line;
   if (!isnan(pair->z))
-    aspi_marks_note(&s->marks, pair->z, text->line);
+    aspi_missing_note(&s->marks, pair->z, text->line);
   return ASP_OK;
 }
 
@@ -209,7 +209,7 @@ static asp_code read_data(aspi_text *text, const column_layout *layout,
     s->positions.ratio = c->unit_y / c->unit_x;
   asp_code code = read_all(text, layout, s, raw, error);
   if (!code && !chosen)
-    code = aspi_marks_check(&s->marks, text->path, error);
+    code = aspi_missing_check(&s->marks, text->path, error);
   if (!code)
     code = aspi_positions_space(&s->positions, text, options->resample, raw, error);
   const double *last = s->positions.plane.last;

@@ -49,7 +49,7 @@ static const struct {
     {"line", NO_LENGTH},      {"quality", NO_LENGTH},  {"valid", NO_LENGTH},
 };
 
-/* Whether a name has a unit in brackets or behind a slash, of length or not. */
+/* True if a name has a unit in brackets or behind a slash, of length or not. */
 static bool has_unit(const char *name) {
   const char *mark = strpbrk(name, "([{/");
   return mark && isalpha((unsigned char)mark[1]);
@@ -180,7 +180,7 @@ typedef struct choice {
   size_t size;
 } choice;
 
-/* Whether names, where there is more than there must be, are as many as columns. */
+/* Names must be as many as columns where there are more columns than needed. */
 static bool are_named(const choice *c) {
   if (c->used <= (c->options->step > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
     return true;

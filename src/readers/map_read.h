@@ -1,8 +1,8 @@
 /* What the readers of maps hand to each other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_MAP_READ_H
-#define ASP_SURFACE_MAP_READ_H
+#ifndef ASP_READERS_MAP_READ_H
+#define ASP_READERS_MAP_READ_H
 
 #include "surface/map.h"
 #include "readers/read.h"

@@ -3,7 +3,7 @@
  * go before, and lines of another kind may follow. Where the header names x, y and z, these columns
  * are taken, in any order and beside others. What Gwyddion writes at the head of its matrices (`#
  * Width: 100 um`, `# Height:`, `# Value units:`) is understood; else the spacing and the unit must
- * be told. Lines may be of any length.
+ * be given.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -12,7 +12,7 @@
 #include "base/units.h"
 #include "readers/header.h"
 #include "readers/map_read.h"
-#include "readers/marks.h"
+#include "readers/missing.h"
 #include "surface/profile.h"
 
 #include <ctype.h>
@@ -130,7 +130,7 @@ static asp_code check_commas(const scanner *s, asp_error *error) {
 
 /* What is known of a file while its heights are read: heights that may stand for missing ones. */
 typedef struct heights {
-  aspi_marks marks;
+  aspi_missing marks;
   double missing; /* NAN: none does */
 } heights;
 
@@ -138,7 +138,7 @@ static double noted(heights *h, double z, size_t line) {
   if (fabs(z - h->missing) <= 1e-9 * fabs(h->missing))
     return NAN;
   if (isfinite(z))
-    aspi_marks_note(&h->marks, z, line);
+    aspi_missing_note(&h->marks, z, line);
   return z;
 }
 
@@ -228,7 +228,7 @@ static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw *raw
   return code;
 }
 
-/* Whether heights rise or fall by equal steps; `apart` is the distance between them in memory. */
+/* True if heights rise or fall by equal steps; `apart` is their distance in memory. */
 static bool is_ramp(const aspi_raw *raw, size_t from, size_t count, size_t apart) {
   double first = aspi_raw_at(raw, from);
   double step = (aspi_raw_at(raw, from + (count - 1) * apart) - first) / (double)(count - 1);
@@ -454,7 +454,7 @@ static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, 
                aspi_find_axes(&h->lines, s->separator, (int)s->count, &axes);
   code = named || s->count == COLUMNS_XYZ ? read_triples(s, h, options, &axes, &known, raw, error)
                                           : read_matrix(s, h, options, &known, raw, error);
-  return code ? code : aspi_marks_check(&known.marks, s->source.path, error);
+  return code ? code : aspi_missing_check(&known.marks, s->source.path, error);
 }
 
 asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,

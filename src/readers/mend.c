@@ -261,7 +261,7 @@ static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_option
   if (!code)
     code = find_spikes(raw, &steps, mark ? options->spikes : ASP_SPIKES_CLEAR, mark,
                        mark ? &report->spikes : &report->outliers, &first, error);
-  aspi_doubts_tell(&steps, report->outliers, report->doubts, sizeof report->doubts);
+  aspi_warnings_write(&steps, report->outliers, report->warnings, sizeof report->warnings);
   if (code || report->spikes == 0 ||
       (code = check_bad(raw, path, report->spikes, first, options->fill, error)))
     return code;

@@ -1,11 +1,11 @@
 /* What the readers of profile files hand to each other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_READ_H
-#define ASP_SURFACE_READ_H
+#ifndef ASP_READERS_READ_H
+#define ASP_READERS_READ_H
 
 #include "base/text.h"
-#include "readers/doubts.h"
+#include "readers/warnings.h"
 #include "readers/filter.h"
 #include "readers/raw.h"
 
@@ -48,7 +48,7 @@ typedef struct aspi_profile_report {
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
   char text[700];               /* all of that as a sentence */
-  char doubts[440];             /* what makes the heights doubtful, or "" (doubts.h) */
+  char warnings[440];           /* what makes the heights doubtful, or "" (warnings.h) */
 } aspi_profile_report;
 
 /* ASP_EARG and a message where one is out of its range. */

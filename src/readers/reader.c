@@ -129,7 +129,8 @@ double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
 }
 
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {
-  return *reader->report.doubts ? aspi_fail(error, ASP_EDATA, "%s", reader->report.doubts) : ASP_OK;
+  return *reader->report.warnings ? aspi_fail(error, ASP_EDATA, "%s", reader->report.warnings)
+                                  : ASP_OK;
 }
 
 const char *asp_reader_text(const asp_reader *reader) {

@@ -599,7 +599,7 @@ static void spikes_are_marked_where_asked(void **state) {
 }
 
 /* Dust, heights in steps and heights that are cut off are each called what they are. */
-static void doubts_have_their_names(void **state) {
+static void warnings_have_their_names(void **state) {
   (void)state;
   enum { N = 3000 };
   static const struct {
@@ -623,9 +623,9 @@ static void doubts_have_their_names(void **state) {
       end += sprintf(end, "%d,%.6f\n", i, all[k].quantum * round(z / all[k].quantum));
     }
     asp_profile_free(read_text(text, NULL));
-    if (all[k].name ? !strstr(report.doubts, all[k].name) : *report.doubts)
-      fail_msg("case %zu: '%s'", k, report.doubts);
-    assert_true(all[k].dust > 0 || !strstr(report.doubts, "dust"));
+    if (all[k].name ? !strstr(report.warnings, all[k].name) : *report.warnings)
+      fail_msg("case %zu: '%s'", k, report.warnings);
+    assert_true(all[k].dust > 0 || !strstr(report.warnings, "dust"));
   }
   asp_profile_free(p);
   free(text);
@@ -799,7 +799,7 @@ int main(void) {
       cmocka_unit_test(missing_rows_are_a_gap),
       cmocka_unit_test(unequal_spacing_is_resampled_or_refused),
       cmocka_unit_test(spikes_are_marked_where_asked),
-      cmocka_unit_test(doubts_have_their_names),
+      cmocka_unit_test(warnings_have_their_names),
       cmocka_unit_test(more_spikes_than_points_are_refused),
       cmocka_unit_test(bad_files_are_named_with_their_line),
       cmocka_unit_test(sections_of_a_map),

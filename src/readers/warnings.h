@@ -1,8 +1,8 @@
 /* What makes measured heights doubtful: dust, heights in a few steps, heights that are cut off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_DOUBTS_H
-#define ASP_SURFACE_DOUBTS_H
+#ifndef ASP_READERS_WARNINGS_H
+#define ASP_READERS_WARNINGS_H
 
 #include "readers/raw.h"
 
@@ -21,6 +21,6 @@ aspi_steps aspi_steps_find(const aspi_raw *raw);
 
 /* The sentences, "" where there is no doubt; heights in m. `outliers`: points that lie
  * ASP_SPIKES_CLEAR off their neighbours. */
-void aspi_doubts_tell(const aspi_steps *steps, size_t outliers, char *text, size_t size);
+void aspi_warnings_write(const aspi_steps *steps, size_t outliers, char *text, size_t size);
 
 #endif
