@@ -128,20 +128,6 @@ static asp_code check_commas(const scanner *s, asp_error *error) {
                  "by semicolons or tabs, or write decimal points");
 }
 
-/* What is known of a file while its heights are read: heights that may stand for missing ones. */
-typedef struct heights {
-  aspi_missing marks;
-  double missing; /* NAN: none does */
-} heights;
-
-static double noted(heights *h, double z, size_t line) {
-  if (fabs(z - h->missing) <= 1e-9 * fabs(h->missing))
-    return NAN;
-  if (isfinite(z))
-    aspi_missing_note(&h->marks, z, line);
-  return z;
-}
-
 /* A line that does not begin with a number ends the data, where none follow; `what` is the message
  * where some do. */
 static asp_code check_end(scanner *s, size_t columns, const char *what, asp_error *error) {
@@ -219,11 +205,12 @@ static asp_code skip_head(scanner *s, head *h, asp_error *error) {
   }
 }
 
-static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw *raw,
+static asp_code add_row(const scanner *s, double unit, aspi_missing *missing, aspi_raw *raw,
                         asp_error *error) {
   asp_code code = ASP_OK;
   for (size_t i = 0; i < s->count && !code; i++)
-    code = aspi_raw_add(raw, unit * noted(h, s->values[i], s->source.line), error);
+    code =
+        aspi_raw_add(raw, unit * aspi_missing_note(missing, s->values[i], s->source.line), error);
   raw->rows++;
   return code;
 }
@@ -259,7 +246,7 @@ static asp_code check_axes(const scanner *s, const aspi_raw *raw, asp_error *err
 }
 
 static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *options,
-                            heights *known, aspi_raw *raw, asp_error *error) {
+                            aspi_missing *missing, aspi_raw *raw, asp_error *error) {
   double unit = options->read->unit_z > 0 ? options->read->unit_z : h->unit_z;
   if (!(unit > 0))
     unit = h->units[1];
@@ -281,7 +268,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
     if (s->count != raw->columns)
       return aspi_text_fail(&s->source, s->source.line, error,
                             "a row of %zu heights; the first one has %zu", s->count, raw->columns);
-    code = add_row(s, unit, known, raw, error);
+    code = add_row(s, unit, missing, raw, error);
   }
   if (code)
     return code;
@@ -412,7 +399,8 @@ static asp_code find_units(const scanner *s, const head *h, const aspi_profile_o
 }
 
 static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *options,
-                             aspi_axes *axes, heights *known, aspi_raw *raw, asp_error *error) {
+                             aspi_axes *axes, aspi_missing *missing, aspi_raw *raw,
+                             asp_error *error) {
   if (options->step[0] > 0)
     return fail_at(s, error,
                    "the spacing is given (step), but the file has the positions of its points");
@@ -429,7 +417,7 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
     if (s->count == fields && s->numbers && isfinite(s->values[at[0]]) &&
         isfinite(s->values[at[1]])) {
       double point[COLUMNS_XYZ] = {s->values[at[0]], s->values[at[1]],
-                                   noted(known, s->values[at[2]], s->source.line)};
+                                   aspi_missing_note(missing, s->values[at[2]], s->source.line)};
       code = add_triple(&t, point, error);
       continue;
     }
@@ -448,13 +436,13 @@ static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, 
   if (code)
     return code;
   const aspi_profile_options *read = options->read;
-  heights known = {.missing = read->has_missing ? read->missing : NAN};
+  aspi_missing missing = {.stated = read->has_missing ? read->missing : NAN};
   aspi_axes axes = {{0, 1, 2}, {0}};
   bool named = s->count >= COLUMNS_XYZ && s->count <= ASP_COLUMNS_MOST &&
                aspi_find_axes(&h->lines, s->separator, (int)s->count, &axes);
-  code = named || s->count == COLUMNS_XYZ ? read_triples(s, h, options, &axes, &known, raw, error)
-                                          : read_matrix(s, h, options, &known, raw, error);
-  return code ? code : aspi_missing_check(&known.marks, s->source.path, error);
+  code = named || s->count == COLUMNS_XYZ ? read_triples(s, h, options, &axes, &missing, raw, error)
+                                          : read_matrix(s, h, options, &missing, raw, error);
+  return code ? code : aspi_missing_check(&missing, s->source.path, error);
 }
 
 asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,

@@ -34,18 +34,21 @@ static void note_end(aspi_range_end *end, double height, double sign, size_t pla
   }
 }
 
-void aspi_missing_note(aspi_missing *marks, double height, size_t place) {
+double aspi_missing_note(aspi_missing *marks, double height, size_t place) {
+  if (!isfinite(height) || fabs(height - marks->stated) <= 1e-9 * fabs(marks->stated))
+    return NAN;
   for (int i = 0; i < ASP_MISSING_KNOWN; i++) {
     double off = fabs(height - known[i]), size = fabs(known[i]);
     if (off <= 1e-7 * size) { /* as single precision has it, too */
       marks->known[i].place = marks->known[i].count++ ? marks->known[i].place : place;
-      return;
+      return height;
     }
     marks->near[i] += off <= 0.01 * size;
   }
   marks->count++;
   note_end(&marks->low, height, 1, place);
   note_end(&marks->high, height, -1, place);
+  return height;
 }
 
 /* A value at an end of the range that recurs; the others reach from its neighbour to the far end.

@@ -20,16 +20,17 @@ typedef struct aspi_range_end {
   aspi_missing_value met;
 } aspi_range_end;
 
-/* Begins as {0}. */
+/* Begins as {.stated = NAN}, or a height that the user says stands for none. */
 typedef struct aspi_missing {
+  double stated;
   size_t count; /* of heights that are none of the known marks */
   aspi_range_end low, high;
   aspi_missing_value known[ASP_MISSING_KNOWN];
   size_t near[ASP_MISSING_KNOWN]; /* heights within one hundredth of a mark */
 } aspi_missing;
 
-/* Takes in one height, as the file has it. */
-void aspi_missing_note(aspi_missing *marks, double height, size_t place);
+/* Takes in one height, as the file has it, and returns it; NAN where it is the stated one. */
+double aspi_missing_note(aspi_missing *marks, double height, size_t place);
 
 /* ASP_EDATA where a value most likely stands for a missing height: a known mark far out of the
  * range of the others, or that recurs more often than all that is near to it; any other value,
