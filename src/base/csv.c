@@ -41,14 +41,13 @@ static int numbers_of(char **fields, int count, char separator) {
 
 /* A unit as a line of units has them, in brackets or bare. */
 static bool is_unit(const char *field) {
-  static const char *const units[] = {"",    "-",    "deg",  "grad", "\xc2\xb0", "\xb0",   "rad",
-                                      "m/s", "cm/s", "mm/s", "km/h", "%",        "degrees"};
+  const aspi_unit *u;
   field += strspn(field, "([{ ");
   size_t length = strcspn(field, ")]} ");
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (strlen(units[i]) == length && strncasecmp(units[i], field, length) == 0)
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
+    if (strlen(u->name) == length && strncasecmp(u->name, field, length) == 0)
       return true;
-  return aspi_unit_metres(field, length) > 0;
+  return length == 0 || strncmp(field, "-", length) == 0;
 }
 
 /* Takes a line as that of the names, and puts the units of the line below it, if any, behind them.

@@ -1,80 +1,125 @@
-/* Units of length by the names that people and instruments give them, and where the header of a
- * text file states them.
+/* Units by the names that people and instruments give them, and where the header of a text file
+ * states those of length.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
 #include "base/text.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdbool.h>
 #include <string.h>
 #include <strings.h>
 
-static const struct {
-  const char *name;
-  double metres;
-} units[] = {
-    {"m", 1},
-    {"meter", 1},
-    {"meters", 1},
-    {"metre", 1},
-    {"metres", 1},
-    {"cm", 1e-2},
-    {"mm", 1e-3},
-    {"millimeter", 1e-3},
-    {"millimeters", 1e-3},
-    {"millimetre", 1e-3},
-    {"millimetres", 1e-3},
-    {"millimetro", 1e-3},
-    {"\xE3\x8E\x9C", 1e-3}, /* one character, as in Japan and China */
-    {"um", 1e-6},
-    {"micrometer", 1e-6},
-    {"micrometers", 1e-6},
-    {"micrometre", 1e-6},
-    {"micrometres", 1e-6},
-    {"micron", 1e-6},
-    {"microns", 1e-6},
-    {"\xB5m", 1e-6},        /* micro sign, Latin-1 */
-    {"\xC2\xB5m", 1e-6},    /* micro sign, UTF-8 */
-    {"\xCE\xBCm", 1e-6},    /* Greek mu, UTF-8 */
-    {"\x83\xCAm", 1e-6},    /* Greek mu, Shift JIS */
-    {"\xE3\x8E\x9B", 1e-6}, /* one character */
-    {"mikrometer", 1e-6},
-    {"micrometro", 1e-6},
-    {"nm", 1e-9},
-    {"nanometer", 1e-9},
-    {"nanometers", 1e-9},
-    {"nanometre", 1e-9},
-    {"nanometres", 1e-9},
-    {"\xE3\x8E\x9A", 1e-9}, /* one character */
-    {"in", 25.4e-3},
-    {"inch", 25.4e-3},
-    {"inches", 25.4e-3},
-    {"mil", 25.4e-6},
-    {"mils", 25.4e-6},
-    {"thou", 25.4e-6},
-    {"uin", 25.4e-9},
-    {"\xB5in", 25.4e-9},
-    {"\xC2\xB5in", 25.4e-9},
-    {"\xCE\xBCin", 25.4e-9},
-    {"uinch", 25.4e-9},
-    {"microinch", 25.4e-9},
-    {"microinches", 25.4e-9},
-    {"A", 1e-10},
-    {"Angstrom", 1e-10},
-    {"Angstroms", 1e-10},
-    {"\xC5", 1e-10},         /* Latin-1 */
-    {"\xC3\x85", 1e-10},     /* UTF-8 */
-    {"\xE2\x84\xAB", 1e-10}, /* the sign of its own, UTF-8 */
+static const aspi_unit units[] = {
+    {"length", "m", 0, 1, 0, true},
+    {"length", "cm", -2, 1, 0, true},
+    {"length", "mm", -3, 1, 0, true},
+    {"length", "um", -6, 1, 0, true},
+    {"length", "nm", -9, 1, 0, true},
+    {"length", "meter", 0, 1, 0, false},
+    {"length", "meters", 0, 1, 0, false},
+    {"length", "metre", 0, 1, 0, false},
+    {"length", "metres", 0, 1, 0, false},
+    {"length", "millimeter", -3, 1, 0, false},
+    {"length", "millimeters", -3, 1, 0, false},
+    {"length", "millimetre", -3, 1, 0, false},
+    {"length", "millimetres", -3, 1, 0, false},
+    {"length", "millimetro", -3, 1, 0, false},
+    {"length", "\xE3\x8E\x9C", -3, 1, 0, false}, /* one character, as in Japan and China */
+    {"length", "micrometer", -6, 1, 0, false},
+    {"length", "micrometers", -6, 1, 0, false},
+    {"length", "micrometre", -6, 1, 0, false},
+    {"length", "micrometres", -6, 1, 0, false},
+    {"length", "micron", -6, 1, 0, false},
+    {"length", "microns", -6, 1, 0, false},
+    {"length", "\xB5m", -6, 1, 0, false},        /* micro sign, Latin-1 */
+    {"length", "\xC2\xB5m", -6, 1, 0, false},    /* micro sign, UTF-8 */
+    {"length", "\xCE\xBCm", -6, 1, 0, false},    /* Greek mu, UTF-8 */
+    {"length", "\x83\xCAm", -6, 1, 0, false},    /* Greek mu, Shift JIS */
+    {"length", "\xE3\x8E\x9B", -6, 1, 0, false}, /* one character */
+    {"length", "mikrometer", -6, 1, 0, false},
+    {"length", "micrometro", -6, 1, 0, false},
+    {"length", "nanometer", -9, 1, 0, false},
+    {"length", "nanometers", -9, 1, 0, false},
+    {"length", "nanometre", -9, 1, 0, false},
+    {"length", "nanometres", -9, 1, 0, false},
+    {"length", "\xE3\x8E\x9A", -9, 1, 0, false}, /* one character */
+    {"length", "in", -3, 25.4, 0, false},
+    {"length", "inch", -3, 25.4, 0, false},
+    {"length", "inches", -3, 25.4, 0, false},
+    {"length", "mil", -6, 25.4, 0, false},
+    {"length", "mils", -6, 25.4, 0, false},
+    {"length", "thou", -6, 25.4, 0, false},
+    {"length", "uin", -9, 25.4, 0, false},
+    {"length", "\xB5in", -9, 25.4, 0, false},
+    {"length", "\xC2\xB5in", -9, 25.4, 0, false},
+    {"length", "\xCE\xBCin", -9, 25.4, 0, false},
+    {"length", "uinch", -9, 25.4, 0, false},
+    {"length", "microinch", -9, 25.4, 0, false},
+    {"length", "microinches", -9, 25.4, 0, false},
+    {"length", "A", -10, 1, 0, false},
+    {"length", "Angstrom", -10, 1, 0, false},
+    {"length", "Angstroms", -10, 1, 0, false},
+    {"length", "\xC5", -10, 1, 0, false},         /* Latin-1 */
+    {"length", "\xC3\x85", -10, 1, 0, false},     /* UTF-8 */
+    {"length", "\xE2\x84\xAB", -10, 1, 0, false}, /* the sign of its own, UTF-8 */
+    {"speed", "m/s", 0, 1, 0, true},
+    {"speed", "cm/s", -2, 1, 0, true},
+    {"speed", "mm/s", -3, 1, 0, true},
+    {"speed", "km/s", 3, 1, 0, true},
+    {"stress", "Pa", 0, 1, 0, true},
+    {"stress", "kPa", 3, 1, 0, true},
+    {"stress", "MPa", 6, 1, 0, true},
+    {"stress", "GPa", 9, 1, 0, true},
+    {"density", "kg/m3", 0, 1, 0, true},
+    {"density", "g/cm3", 3, 1, 0, true},
+    {"density", "kg/m^3", 0, 1, 0, false},
+    {"density", "g/cm^3", 3, 1, 0, false},
+    {"energy/area", "J/m2", 0, 1, 0, true},
+    {"energy/area", "mJ/m2", -3, 1, 0, true},
+    {"energy/area", "J/m^2", 0, 1, 0, false},
+    {"energy/area", "mJ/m^2", -3, 1, 0, false},
+    {"energy/area", "N/m", 0, 1, 0, false},
+    {"stress/speed", "Pa/(m/s)", 0, 1, 0, true},
+    {"stress/speed", "kPa/(m/s)", 3, 1, 0, true},
+    {"stress/speed", "MPa/(m/s)", 6, 1, 0, true},
+    {"degrees", "deg", 0, 1, 0, true},
+    {"degrees", "degrees", 0, 1, 0, false},
+    {"degrees", "grad", 0, 1, 0, false},
+    {"degrees", "\xC2\xB0", 0, 1, 0, false}, /* degree sign, UTF-8 */
+    {"degrees", "\xB0", 0, 1, 0, false},     /* degree sign, Latin-1 */
+    {"degrees", "rad", 0, 180 / ASP_PI, 0, true},
+    {"degrees", "radians", 0, 180 / ASP_PI, 0, false},
+    {"K", "K", 0, 1, 0, true},
+    {"K", "C", 0, 1, 273.15, true},
+    {"1/K", "/K", 0, 1, 0, true},
+    {"1/K", "1/K", 0, 1, 0, false},
+    /* in use, and not read */
+    {"", "%", 0, 0, 0, false},
+    {"", "percent", 0, 0, 0, false},
+    {"", "pct", 0, 0, 0, false},
+    {"", "km/h", 0, 0, 0, false},
+    {"", "kmh", 0, 0, 0, false},
+    {"", "mph", 0, 0, 0, false},
+    {"", "ft/s", 0, 0, 0, false},
+    {"", "ft", 0, 0, 0, false},
+    {"", "gon", 0, 0, 0, false},
+    {"", "h", 0, 0, 0, false},
+    {"", "s", 0, 0, 0, false},
 };
 
+const aspi_unit *aspi_unit_at(size_t index) {
+  return index < sizeof units / sizeof *units ? &units[index] : NULL;
+}
+
 double aspi_unit_metres(const char *name, size_t length) {
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
-    const char *known = units[i].name;
-    if (strlen(known) != length)
+  const aspi_unit *u;
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++) {
+    if (strcmp(u->kind, "length") != 0 || strlen(u->name) != length)
       continue;
-    if (length == 1 ? *known == *name : strncasecmp(known, name, length) == 0)
-      return units[i].metres;
+    if (length == 1 ? *u->name == *name : strncasecmp(u->name, name, length) == 0)
+      return u->factor * pow(10, u->exponent);
   }
   return 0;
 }

@@ -1,10 +1,23 @@
-/* Units of length by name, and in the header of a text file.
+/* Units by name, and in the header of a text file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_UNITS_H
 #define ASP_BASE_UNITS_H
 
-#include <stddef.h>
+#include "asperity.h"
+
+/* One unit: factor 10^exponent of SI (or degrees), plus `offset`; factor 0: it is not read. Kinds
+ * are those of quantity.h, "" of units that are not read. Those that are listed are shown to the
+ * user; the others are other ways to write one. */
+typedef struct aspi_unit {
+  const char *kind, *name;
+  int exponent;
+  double factor, offset;
+  bool listed;
+} aspi_unit;
+
+/* The units in turn; NULL behind the last one. */
+const aspi_unit *aspi_unit_at(size_t index);
 
 /* Metres in a unit of length by its name (m cm mm um nm, or as instruments write them:
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */
