@@ -34,7 +34,7 @@ do for [name in "cor_n cor_t"] {
     law("thornton_ning".pair) u "alpha1_deg":name w l lw 2 lc rgb "#56b4e9" t "thornton_ning", \
     law("walton 0.9 0.3 0")   u "alpha1_deg":name w l lw 2 lc rgb "#d55e00" t "walton 0.9 0.3 0", \
     law("grant_tabakoff")     u "alpha1_deg":name w l lw 2 lc rgb "#009e73" t "grant_tabakoff", \
-    law("forder")             u "alpha1_deg":name w l lw 2 lc rgb "#cc79a7" t "forder"
+    law("table examples/data/forder_1998.csv") u "alpha1_deg":name w l lw 2 lc rgb "#cc79a7" t "table forder_1998.csv"
   set key bottom right noenhanced
   set title " "
 }
