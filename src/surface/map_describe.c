@@ -54,6 +54,24 @@ static double gradient_rms(const asp_map *map) {
   return sqrt(sum);
 }
 
+void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],
+                            double skewness[2], double *mixed) {
+  double c = cos(lay), s = sin(lay), square[2] = {0}, cube[2] = {0};
+  *mixed = 0;
+  for (size_t i = 0; i < n; i++) {
+    double slope[2] = {s * p[i] - c * q[i], c * p[i] + s * q[i]};
+    for (int axis = 0; axis < 2; axis++) {
+      square[axis] += slope[axis] * slope[axis] / (double)n;
+      cube[axis] += slope[axis] * slope[axis] * slope[axis] / (double)n;
+    }
+    *mixed -= slope[0] * slope[1] / (double)n;
+  }
+  for (int axis = 0; axis < 2; axis++) {
+    rms[axis] = sqrt(square[axis]);
+    skewness[axis] = cube[axis] / (square[axis] * rms[axis]);
+  }
+}
+
 /* The autocorrelation at lags up to half a tile either way, row after row, lag 0 in the middle. */
 typedef struct correlation {
   size_t reach[2];
