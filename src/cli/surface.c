@@ -442,7 +442,7 @@ const cli_command cli_surface = {
     .detail =
         "A row per diameter, measured on a generated or a measured profile: the slopes of the "
         "path\n"
-        "of the particle's centre (dilation) under a uniform centre. kappa = sqrt(3) dp rq /\n"
+        "of the particle's center (dilation) under a uniform centre. kappa = sqrt(3) dp rq /\n"
         "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural "
         "logarithm)\n"
         "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 "

@@ -39,7 +39,7 @@ typedef struct grid {
 #define GRID_PART (1 / 32.)
 
 /* The grid along one axis: from the least to the greatest coordinate, by the mean of the steps
- * between neighbours. `room` is for all coordinates. */
+ * between neighbors. `room` is for all coordinates. */
 static bool find_grid(const aspi_map_points *t, int axis, double *room, grid *g) {
   for (size_t i = 0; i < t->count; i++)
     room[i] = t->at[i][axis];

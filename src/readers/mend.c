@@ -31,6 +31,9 @@ enum { REACH = 3, REACH_MAP = 2, WINDOW = (2 * REACH_MAP + 1) * (2 * REACH_MAP +
 /* From the median absolute deviation to the sd of a normal distribution. */
 #define MAD_TO_SD 1.4826
 
+_Static_assert((ASP_FORM_MAX + 1) * (ASP_FORM_MAX + 2) / 2 <= ASP_TERMS_MOST,
+               "the largest form has more terms than a fit");
+
 static const char *name_of(const aspi_raw *raw) {
   return raw->is_map ? "map" : "profile";
 }

@@ -51,7 +51,7 @@ double aspi_missing_note(aspi_missing *marks, double height, size_t place) {
   return height;
 }
 
-/* A value at an end of the range that recurs; the others reach from its neighbour to the far end.
+/* A value at an end of the range that recurs; the others reach from its neighbor to the far end.
  */
 static bool is_off(const aspi_missing *m, const aspi_range_end *end, double far) {
   double gap = fabs(end->value - end->next), range = fabs(far - end->next);

@@ -17,7 +17,7 @@ typedef struct aspi_profile_options {
   double unit_x, unit_z; /* metres in one unit of a text file's columns; 0: as the file states */
   double metre;          /* one metre in the unit of the result: 1 for SI, 1e6 for micrometres */
   int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
-  double spikes;         /* points this many robust sd off their neighbours are bad, and refused or
+  double spikes;         /* points this many robust sd off their neighbors are bad, and refused or
                             filled as those are; 0: none are */
   bool fill;     /* bad points and gaps are filled by straight lines; false: they are refused */
   bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */

@@ -13,7 +13,7 @@
 /* Heights have steps where they take no more values than this, each of them many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 
-/* Neighbours whose heights differ by less than this part of the range do so by rounding. */
+/* Neighbors whose heights differ by less than this part of the range do so by rounding. */
 #define ROUNDING 1e-9
 
 /* Heights are cut off at an end of their range where this part of the points lies there, and this

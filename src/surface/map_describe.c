@@ -235,6 +235,27 @@ asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description
   return code;
 }
 
+double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
+  aspi_map_description d;
+  if (aspi_map_describe(map, &d, error))
+    return NAN;
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"s_q", d.s_q},          {"s_a", d.s_a},   {"s_sk", d.s_sk}, {"s_ku", d.s_ku},
+             {"s_p", d.s_p},          {"s_v", d.s_v},   {"s_z", d.s_z},   {"s_dq", d.s_dq},
+             {"s_al", d.s_al},        {"s_tr", d.s_tr}, {"lay", d.lay},   {"lambda_1", d.lambda_1},
+             {"lambda_2", d.lambda_2}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(all[i].name, name) == 0)
+      return all[i].value;
+  aspi_fail(error, ASP_ENAME,
+            "number '%s' is unknown to a map; there are: s_q s_a s_sk s_ku s_p s_v s_z s_dq s_al "
+            "s_tr lambda_1 lambda_2 lay",
+            name);
+  return NAN;
+}
+
 asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
                         asp_error *error) {
   double step = fmin(map->step[0], map->step[1]);

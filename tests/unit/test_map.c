@@ -367,6 +367,24 @@ static void numbers_agree_with_scipy(void **state) {
   asp_map_free(map);
 }
 
+/* A line of any length is one row. */
+static void long_lines_are_read(void **state) {
+  (void)state;
+  enum { LONG = 3000 };
+  FILE *file = begin("map");
+  fputs("# Width: 3 mm\n# Height: 4 um\n# Value units: um\n", file);
+  for (int k = 0; k < 4 * LONG; k++)
+    fprintf(file, "%.5f%s", sin(k), (k + 1) % LONG ? " " : "\n");
+  fclose(file);
+  asp_reader_set(reader, "form", -1, NULL);
+  asp_map *map = read_map("map");
+  assert_int_equal(asp_map_columns(map), LONG);
+  assert_int_equal(asp_map_rows(map), 4);
+  const float *z = asp_map_heights(map);
+  assert_near(z[4 * LONG - 1] - z[0], sin(4 * LONG - 1), 1e-4);
+  asp_map_free(map);
+}
+
 static void bad_files_are_refused(void **state) {
   (void)state;
   const struct {
@@ -416,6 +434,7 @@ int main(void) {
       cmocka_unit_test_setup_teardown(text_of_the_standard_is_read, setup, teardown),
       cmocka_unit_test_setup_teardown(form_and_spikes_are_taken_out, setup, teardown),
       cmocka_unit_test(numbers_agree_with_scipy),
+      cmocka_unit_test_setup_teardown(long_lines_are_read, setup, teardown),
       cmocka_unit_test_setup_teardown(bad_files_are_refused, setup, teardown),
   };
   int failed = cmocka_run_group_tests(tests, NULL, NULL);
