@@ -45,7 +45,7 @@ static bool is_unit(const char *field) {
   field += strspn(field, "([{ ");
   size_t length = strcspn(field, ")]} ");
   for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
-    if (strlen(u->name) == length && strncasecmp(u->name, field, length) == 0)
+    if (aspi_unit_is(u, field, length, false))
       return true;
   return length == 0 || strncmp(field, "-", length) == 0;
 }

@@ -50,7 +50,8 @@ void aspi_quantity_units(const char *kind, char *list, size_t size) {
   for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++) {
     size_t used = strlen(list);
     if (u->listed && strcmp(u->kind, kind) == 0)
-      snprintf(list + used, size - used, "%s%s", used ? " " : "", u->name);
+      snprintf(list + used, size - used, "%s%.*s", used ? " " : "", (int)strcspn(u->names, " "),
+               u->names);
   }
 }
 
@@ -88,7 +89,7 @@ asp_code aspi_quantity_read(const char *name, const char *text, const char *kind
     return ASP_OK;
   const aspi_unit *u;
   for (size_t i = 0; end > text && (u = aspi_unit_at(i)) != NULL; i++) {
-    if (strcmp(u->kind, kind) != 0 || strcmp(u->name, end) != 0)
+    if (strcmp(u->kind, kind) != 0 || !aspi_unit_is(u, end, strlen(end), true))
       continue;
     double factor = aspi_quantity_factor(kind, units);
     if (!(factor > 0))

@@ -11,59 +11,24 @@
 #include <string.h>
 #include <strings.h>
 
+/* Behind the Latin names those in UTF-8 and Latin-1, with a micro sign or a Greek mu, and the
+ * single characters of Japan and China. */
 static const aspi_unit units[] = {
-    {"length", "m", 0, 1, 0, true},
+    {"length", "m meter meters metre metres", 0, 1, 0, true},
     {"length", "cm", -2, 1, 0, true},
-    {"length", "mm", -3, 1, 0, true},
-    {"length", "um", -6, 1, 0, true},
-    {"length", "nm", -9, 1, 0, true},
-    {"length", "meter", 0, 1, 0, false},
-    {"length", "meters", 0, 1, 0, false},
-    {"length", "metre", 0, 1, 0, false},
-    {"length", "metres", 0, 1, 0, false},
-    {"length", "millimeter", -3, 1, 0, false},
-    {"length", "millimeters", -3, 1, 0, false},
-    {"length", "millimetre", -3, 1, 0, false},
-    {"length", "millimetres", -3, 1, 0, false},
-    {"length", "millimetro", -3, 1, 0, false},
-    {"length", "\xE3\x8E\x9C", -3, 1, 0, false}, /* one character, as in Japan and China */
-    {"length", "micrometer", -6, 1, 0, false},
-    {"length", "micrometers", -6, 1, 0, false},
-    {"length", "micrometre", -6, 1, 0, false},
-    {"length", "micrometres", -6, 1, 0, false},
-    {"length", "micron", -6, 1, 0, false},
-    {"length", "microns", -6, 1, 0, false},
-    {"length", "\xB5m", -6, 1, 0, false},        /* micro sign, Latin-1 */
-    {"length", "\xC2\xB5m", -6, 1, 0, false},    /* micro sign, UTF-8 */
-    {"length", "\xCE\xBCm", -6, 1, 0, false},    /* Greek mu, UTF-8 */
-    {"length", "\x83\xCAm", -6, 1, 0, false},    /* Greek mu, Shift JIS */
-    {"length", "\xE3\x8E\x9B", -6, 1, 0, false}, /* one character */
-    {"length", "mikrometer", -6, 1, 0, false},
-    {"length", "micrometro", -6, 1, 0, false},
-    {"length", "nanometer", -9, 1, 0, false},
-    {"length", "nanometers", -9, 1, 0, false},
-    {"length", "nanometre", -9, 1, 0, false},
-    {"length", "nanometres", -9, 1, 0, false},
-    {"length", "\xE3\x8E\x9A", -9, 1, 0, false}, /* one character */
-    {"length", "in", -3, 25.4, 0, false},
-    {"length", "inch", -3, 25.4, 0, false},
-    {"length", "inches", -3, 25.4, 0, false},
-    {"length", "mil", -6, 25.4, 0, false},
-    {"length", "mils", -6, 25.4, 0, false},
-    {"length", "thou", -6, 25.4, 0, false},
-    {"length", "uin", -9, 25.4, 0, false},
-    {"length", "\xB5in", -9, 25.4, 0, false},
-    {"length", "\xC2\xB5in", -9, 25.4, 0, false},
-    {"length", "\xCE\xBCin", -9, 25.4, 0, false},
-    {"length", "uinch", -9, 25.4, 0, false},
-    {"length", "microinch", -9, 25.4, 0, false},
-    {"length", "microinches", -9, 25.4, 0, false},
-    {"length", "A", -10, 1, 0, false},
-    {"length", "Angstrom", -10, 1, 0, false},
-    {"length", "Angstroms", -10, 1, 0, false},
-    {"length", "\xC5", -10, 1, 0, false},         /* Latin-1 */
-    {"length", "\xC3\x85", -10, 1, 0, false},     /* UTF-8 */
-    {"length", "\xE2\x84\xAB", -10, 1, 0, false}, /* the sign of its own, UTF-8 */
+    {"length",
+     "mm millimeter millimeters millimetre millimetres millimetro "
+     "\xE3\x8E\x9C",
+     -3, 1, 0, true},
+    {"length",
+     "um micrometer micrometers micrometre micrometres micron microns mikrometer micrometro "
+     "\xB5m \xC2\xB5m \xCE\xBCm \x83\xCAm \xE3\x8E\x9B", /* the last but one: Shift JIS */
+     -6, 1, 0, true},
+    {"length", "nm nanometer nanometers nanometre nanometres \xE3\x8E\x9A", -9, 1, 0, true},
+    {"length", "in inch inches", -3, 25.4, 0, false},
+    {"length", "mil mils thou", -6, 25.4, 0, false},
+    {"length", "uin \xB5in \xC2\xB5in \xCE\xBCin uinch microinch microinches", -9, 25.4, 0, false},
+    {"length", "A Angstrom Angstroms \xC5 \xC3\x85 \xE2\x84\xAB", -10, 1, 0, false},
     {"speed", "m/s", 0, 1, 0, true},
     {"speed", "cm/s", -2, 1, 0, true},
     {"speed", "mm/s", -3, 1, 0, true},
@@ -72,55 +37,40 @@ static const aspi_unit units[] = {
     {"stress", "kPa", 3, 1, 0, true},
     {"stress", "MPa", 6, 1, 0, true},
     {"stress", "GPa", 9, 1, 0, true},
-    {"density", "kg/m3", 0, 1, 0, true},
-    {"density", "g/cm3", 3, 1, 0, true},
-    {"density", "kg/m^3", 0, 1, 0, false},
-    {"density", "g/cm^3", 3, 1, 0, false},
-    {"energy/area", "J/m2", 0, 1, 0, true},
-    {"energy/area", "mJ/m2", -3, 1, 0, true},
-    {"energy/area", "J/m^2", 0, 1, 0, false},
-    {"energy/area", "mJ/m^2", -3, 1, 0, false},
-    {"energy/area", "N/m", 0, 1, 0, false},
+    {"density", "kg/m3 kg/m^3", 0, 1, 0, true},
+    {"density", "g/cm3 g/cm^3", 3, 1, 0, true},
+    {"energy/area", "J/m2 J/m^2 N/m", 0, 1, 0, true},
+    {"energy/area", "mJ/m2 mJ/m^2", -3, 1, 0, true},
     {"stress/speed", "Pa/(m/s)", 0, 1, 0, true},
     {"stress/speed", "kPa/(m/s)", 3, 1, 0, true},
     {"stress/speed", "MPa/(m/s)", 6, 1, 0, true},
-    {"degrees", "deg", 0, 1, 0, true},
-    {"degrees", "degrees", 0, 1, 0, false},
-    {"degrees", "grad", 0, 1, 0, false},
-    {"degrees", "\xC2\xB0", 0, 1, 0, false}, /* degree sign, UTF-8 */
-    {"degrees", "\xB0", 0, 1, 0, false},     /* degree sign, Latin-1 */
-    {"degrees", "rad", 0, 180 / ASP_PI, 0, true},
-    {"degrees", "radians", 0, 180 / ASP_PI, 0, false},
+    {"degrees", "deg degrees grad \xC2\xB0 \xB0", 0, 1, 0, true},
+    {"degrees", "rad radians", 0, 180 / ASP_PI, 0, true},
     {"K", "K", 0, 1, 0, true},
     {"K", "C", 0, 1, 273.15, true},
-    {"1/K", "/K", 0, 1, 0, true},
-    {"1/K", "1/K", 0, 1, 0, false},
-    /* in use, and not read */
-    {"", "%", 0, 0, 0, false},
-    {"", "percent", 0, 0, 0, false},
-    {"", "pct", 0, 0, 0, false},
-    {"", "km/h", 0, 0, 0, false},
-    {"", "kmh", 0, 0, 0, false},
-    {"", "mph", 0, 0, 0, false},
-    {"", "ft/s", 0, 0, 0, false},
-    {"", "ft", 0, 0, 0, false},
-    {"", "gon", 0, 0, 0, false},
-    {"", "h", 0, 0, 0, false},
-    {"", "s", 0, 0, 0, false},
+    {"1/K", "/K 1/K", 0, 1, 0, true},
+    {"", "% percent pct km/h kmh mph ft/s ft gon h s", 0, 0, 0, false},
 };
 
 const aspi_unit *aspi_unit_at(size_t index) {
   return index < sizeof units / sizeof *units ? &units[index] : NULL;
 }
 
+bool aspi_unit_is(const aspi_unit *unit, const char *name, size_t length, bool exact) {
+  for (const char *at = unit->names; *at; at += *at == ' ') {
+    size_t own = strcspn(at, " ");
+    if (own == length && (exact || own == 1 ? strncmp : strncasecmp)(at, name, own) == 0)
+      return true;
+    at += own;
+  }
+  return false;
+}
+
 double aspi_unit_metres(const char *name, size_t length) {
   const aspi_unit *u;
-  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++) {
-    if (strcmp(u->kind, "length") != 0 || strlen(u->name) != length)
-      continue;
-    if (length == 1 ? *u->name == *name : strncasecmp(u->name, name, length) == 0)
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
+    if (strcmp(u->kind, "length") == 0 && aspi_unit_is(u, name, length, false))
       return u->factor * pow(10, u->exponent);
-  }
   return 0;
 }
 

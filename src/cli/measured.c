@@ -139,16 +139,17 @@ static bool is_kind(int column, const char *kind) {
   return strcmp(columns[column].kind, kind) == 0;
 }
 
-/* The factor of a column's unit, which is written as `plain` does: -1 for one that is not read, 0
- * for no unit. */
+/* The factor of a column's unit, which is written as `plain` does, m/s as m_s: -1 for one that is
+ * not read, 0 for no unit. */
 static double factor_of(int column, const char *unit) {
   const aspi_unit *u;
-  char name[40];
-  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++) {
-    plain(u->name, name, sizeof name);
-    if (strcmp(name, unit) == 0 && (!(u->factor > 0) || is_kind(column, u->kind)))
+  char name[80];
+  size_t n = 0;
+  for (; unit[n] && n + 1 < sizeof name; n++)
+    name[n] = (char)(unit[n] == '_' ? '/' : unit[n]);
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
+    if ((!(u->factor > 0) || is_kind(column, u->kind)) && aspi_unit_is(u, name, n, false))
       return u->factor > 0 ? u->factor * pow(10, u->exponent) : -1;
-  }
   return 0;
 }
 
