@@ -257,7 +257,7 @@ static bool choose_both(const choice *c, aspi_columns *chosen) {
   int x = heights_alone ? c->fields : asked_x, z = asked_z;
   complete(c, &x, &z);
   if (x < 0 || z < 0) {
-    int only = x >= 0 ? x : z;
+    int only = x >= 0 && x < c->fields ? x : z;
     snprintf(c->why, c->size, "%s%.40s%s a length by the header; " ASK_COLUMNS,
              only < 0 ? "no column is" : "only '", only < 0 ? "" : c->columns[only].name,
              only < 0 ? "" : "' is");

@@ -387,6 +387,7 @@ static void columns_are_chosen_by_their_header(void **state) {
   expect_error("x,z\n1,0,7\n2,1,8\n3,2,9\n", &o, ASP_EDATA, "3 columns under 2 names");
   o.step = 2e-6;
   expect_error("1,7\n2,8\n3,9\n", &o, ASP_EDATA, "2 columns under 0 names");
+  expect_error("time [s],angle [deg],n\n1,7,1\n2,8,2\n", &o, ASP_EDATA, "no column is a length");
   o.step = o.unit_x = o.unit_z = 0;
   o.x_column = o.z_column = "1";
   expect_error("x [um],z [um]\n0,9\n2,9\n4,9\n", &o, ASP_EDATA, "as positions and as heights");
@@ -547,7 +548,8 @@ static void gaps_are_refused_or_filled(void **state) {
     assert_non_null(strstr(report.text, "1 points filled in"));
   }
   expect("x_m,z_m\n0,nan\n1,1\n2,2\n3,4\n4,nan\n", &o, 3, 1, 4);
-  expect_error("x_m,z_m\n0,1\n1,nan\n2,nan\n3,nan\n4,5\n", &o, ASP_EDATA, "more than half of 5 points");
+  expect_error("x_m,z_m\n0,1\n1,nan\n2,nan\n3,nan\n4,5\n", &o, ASP_EDATA,
+               "more than half of 5 points");
 }
 
 /* Rows that are not there are a gap, too. */
