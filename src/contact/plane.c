@@ -6,14 +6,14 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 
-bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
-                        double latest, ContactTouch *touch) {
+bool aspi_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
+                     double latest, ContactTouch *touch) {
   const int axis = plane->axis;
   const double off = path->x[axis] - plane->at, v = path->v[axis];
   const bool centred = fabs(off) <= 1e-12 * radius;
   const double side = centred ? (v > 0 ? -1 : 1) : off > 0 ? 1 : -1;
   const double approach = -side * v, gap = fabs(off) - radius;
-  if (!(approach > CONTACT_APPROACH * vector_length(path->v)))
+  if (!(approach > CONTACT_APPROACH * aspi_length(path->v)))
     return false;
   touch->time = gap > 0 ? gap / approach : 0;
   if (!(touch->time <= latest))

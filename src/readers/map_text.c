@@ -1,9 +1,9 @@
 /* Maps as text: a matrix of heights, a line a row, or lines of x, y, z on a grid. Numbers are
- * separated by blanks, tabs, semicolons, or commas; lines that begin with # and a header of any kind
- * go before, and lines of another kind may follow. Where the header names x, y and z, these columns
- * are taken, in any order and beside others. What Gwyddion writes at the head of its matrices (`#
- * Width: 100 um`, `# Height:`, `# Value units:`) is understood; else the spacing and the unit must
- * be given.
+ * separated by blanks, tabs, semicolons, or commas; lines that begin with # and a header of any
+ * kind go before, and lines of another kind may follow. Where the header names x, y and z, these
+ * columns are taken, in any order and beside others. What Gwyddion writes at the head of its
+ * matrices (`# Width: 100 um`, `# Height:`, `# Value units:`) is understood; else the spacing and
+ * the unit must be given.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"

@@ -232,11 +232,11 @@ static void bad_tables_are_named(void **state) {
 static void own_materials(void **state) {
   (void)state;
   asp_error error = {0};
-  const char *path = file_of(
-      "# our own\n"
-      "name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n"
-      "fly-ash,\"Fly ash, plant \"\"B\"\"\",5e10,0.2,2100,1.5e8,\"Smith 1999, table 2\"\n"
-      "quartz,,7.2e10,0.17,2650,,\n");
+  const char *path =
+      file_of("# our own\n"
+              "name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n"
+              "fly-ash,\"Fly ash, plant \"\"B\"\"\",5e10,0.2,2100,1.5e8,\"Smith 1999, table 2\"\n"
+              "quartz,,7.2e10,0.17,2650,,\n");
   asp_materials *own = asp_materials_read(path, &error);
   assert_string_equal(error.text, "");
   assert_non_null(own);

@@ -347,8 +347,9 @@ static int outcome_of(entry call, long first, long last) {
 /* Most allocations of one entry point that are made to fail: all, or that many spread evenly. */
 enum { TRIED = 12 };
 
-/* How often a failing allocation was reported; exits where it was not as it must be. Every second one
- * of a sample, and each of a few, fails alone; the others, and each of a few, with all after it. */
+/* How often a failing allocation was reported; exits where it was not as it must be. Every second
+ * one of a sample, and each of a few, fails alone; the others, and each of a few, with all after
+ * it. */
 static long try_all(const char *name, entry call, bool allocates) {
   if (outcome_of(call, NEVER, NEVER) != SUCCEEDED) {
     fprintf(stderr, "%s: does not work with all its memory\n", name);
