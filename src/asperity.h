@@ -415,8 +415,8 @@ asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, cons
                        int *taken, asp_error *error);
 asp_code asp_wall_complete(asp_wall *wall, asp_error *error);
 
-/* The canonical text of a description, numbers in the caller's units: parsing it gives the same
- * wall. Writes at most `size` characters with the NUL, and returns how many characters there are
+/* The canonical text of a description, numbers in the caller's units, in SI lengths with their unit
+ * (um or m): parsing it gives the same wall. Writes at most `size` characters with the NUL, and returns how many characters there are
  * without it; 0 for a wall that has no description. */
 size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size);
 

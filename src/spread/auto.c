@@ -100,8 +100,7 @@ static const asp_spread_model *choose(const wall *w, const query *q, double tole
   }
   if (!nearest || isinf(q->phi_r.most) || isinf(q->kappa.most)) {
     aspi_fail(error, ASP_ERANGE,
-              "spread auto: phi_r %g with kappa %g to %g is beyond what was measured; name a model "
-              "instead",
+              "phi_r %g with kappa %g to %g is beyond what was measured; name a model instead",
               w->phi_r, w->kappa[0], w->kappa[1]);
     return NULL;
   }

@@ -87,7 +87,10 @@ void aspi_description_free(aspi_description *said);
 /* A number's range, and that it is whole where it must be. */
 asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
 
-/* The number of a description by name; NaN where there is none of that name, or it is not given. */
+/* A number of the description by name; NULL for another name. */
+double *aspi_description_number(aspi_description *said, const char *name);
+
+/* The value of such a number; NaN for another name, or if it is not given. */
 double aspi_description_get(const aspi_description *said, const char *name);
 
 /* Sets sigma, or rq and lambda_c, where the surface is given by them; friction, surface_energy,
