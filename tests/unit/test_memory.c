@@ -344,16 +344,20 @@ static int outcome_of(entry call, long first, long last) {
   return *error.text ? NO_MEMORY : NO_MESSAGE;
 }
 
-/* How often a failing allocation was told; exits where it was not as it must be. Each fails alone,
- * and together with all after it. */
+/* Most allocations of one entry point that are made to fail: all, or that many spread evenly. */
+enum { TRIED = 12 };
+
+/* How often a failing allocation was reported; exits where it was not as it must be. Every second one
+ * of a sample, and each of a few, fails alone; the others, and each of a few, with all after it. */
 static long try_all(const char *name, entry call, bool allocates) {
   if (outcome_of(call, NEVER, NEVER) != SUCCEEDED) {
     fprintf(stderr, "%s: does not work with all its memory\n", name);
     exit(1);
   }
   long total = seen, told = 0;
-  for (long k = 0; k < 2 * total; k++) {
-    long at = k / 2 + 1;
+  long tries = total > TRIED ? TRIED : 2 * total;
+  for (long k = 0; k < tries; k++) {
+    long at = 1 + k * total / tries;
     fflush(NULL);
     pid_t child = fork();
     if (child == 0)
