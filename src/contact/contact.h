@@ -29,12 +29,12 @@ typedef struct ContactPath {
 } ContactPath;
 
 typedef struct ContactTouch {
-  double time;  /* since the beginning of the path, 0 to left */
-  double n[3];  /* unit normal from the wall to the centre, v.n < 0 */
-  double lift;  /* >= 0; how far along n the sphere has to be moved out: it overlapped already */
-  bool guarded; /* it overlapped, or its centre lay on the wall, where the side is a guess */
-  double slant; /* sine between n and the normal of what is touched: 0 for a face, more for an edge
-                   or a corner */
+  double time;     /* since the beginning of the path, 0 to left */
+  double n[3];     /* unit normal from the wall to the centre, v.n < 0 */
+  double overlap;  /* >= 0; how far along n the sphere has to be moved out: it overlapped already */
+  bool overlapped; /* it overlapped, or its centre lay on the wall, where the side is a guess */
+  double edge_sine; /* sine between n and the normal of what is touched: 0 for a face, more for an
+                   edge or a corner */
 } ContactTouch;
 
 /* The plane x[axis] = at, met from both sides. axis 0 to 2. */
@@ -43,8 +43,8 @@ typedef struct ContactPlane {
   double at;
 } ContactPlane;
 
-bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
-                        double latest, ContactTouch *touch);
+bool aspi_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
+                     double latest, ContactTouch *touch);
 
 /* A cylinder of infinite length around an axis parallel to a coordinate axis, through `center`
  * (whose component along the axis is not used), met from inside or outside. A sphere inside that is
@@ -56,8 +56,8 @@ typedef struct ContactCylinder {
 
 /* A sphere that touches the inside and slides along it, with next to no normal speed, but would
  * leave the wall's curve by the end of its path, touches at time 0; v.n may be 0 then. */
-bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
-                           double latest, ContactTouch *touch);
+bool aspi_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
+                        double latest, ContactTouch *touch);
 
 /* A triangle, met from both sides, at its edges and corners too. A degenerate one is its edges. */
 typedef struct ContactTriangle {
@@ -65,14 +65,13 @@ typedef struct ContactTriangle {
 } ContactTriangle;
 
 /* The point of the triangle that is nearest to x; returns its distance. */
-double contact_triangle_nearest(const ContactTriangle *triangle, const double x[3],
-                                double nearest[3]);
+double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3], double nearest[3]);
 
 /* The unit normal by the right-hand rule; zero for a degenerate triangle. */
-void contact_triangle_normal(const ContactTriangle *triangle, double normal[3]);
+void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]);
 
-bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
-                           double latest, ContactTouch *touch);
+bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
+                        double latest, ContactTouch *touch);
 
 #ifdef __cplusplus
 }

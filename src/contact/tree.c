@@ -52,7 +52,7 @@ typedef struct Item {
   int from;
 } Item;
 
-void contact_list_free(ContactList *list) {
+void aspi_places_free(ContactList *list) {
   free(list->item);
   list->item = NULL;
   list->count = list->room = 0;
@@ -180,11 +180,11 @@ static bool number(ContactTree *tree) {
   return true;
 }
 
-ContactTree *contact_tree_begin(void) {
+ContactTree *aspi_tree_begin(void) {
   return calloc(1, sizeof(ContactTree));
 }
 
-bool contact_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id) {
+bool aspi_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id) {
   if (tree->count == tree->room) {
     const size_t room = tree->room ? tree->room + tree->room / 2 : 64;
     ContactTriangle *triangles = realloc(tree->triangles, room * sizeof *triangles);
@@ -227,7 +227,7 @@ static void *shrink(void *list, size_t bytes) {
   return shrunk ? shrunk : list;
 }
 
-bool contact_tree_finish(ContactTree *tree) {
+bool aspi_tree_finish(ContactTree *tree) {
   const size_t count = tree->count;
   Item *items = malloc((count + 1) * sizeof *items);
   tree->triangles = shrink(tree->triangles, (count + 1) * sizeof *tree->triangles);
@@ -252,18 +252,18 @@ bool contact_tree_finish(ContactTree *tree) {
   return tree->by_id && number(tree);
 }
 
-ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id, size_t count) {
-  ContactTree *tree = contact_tree_begin();
+ContactTree *aspi_tree_create(const ContactTriangle *triangles, const int *id, size_t count) {
+  ContactTree *tree = aspi_tree_begin();
   bool good = tree != NULL;
   for (size_t i = 0; good && i < count; i++)
-    good = contact_tree_add(tree, &triangles[i], id[i]);
-  if (good && contact_tree_finish(tree))
+    good = aspi_tree_add(tree, &triangles[i], id[i]);
+  if (good && aspi_tree_finish(tree))
     return tree;
-  contact_tree_free(tree);
+  aspi_tree_free(tree);
   return NULL;
 }
 
-void contact_tree_free(ContactTree *tree) {
+void aspi_tree_free(ContactTree *tree) {
   if (!tree)
     return;
   free(tree->triangles);
@@ -273,15 +273,15 @@ void contact_tree_free(ContactTree *tree) {
   free(tree);
 }
 
-size_t contact_tree_count(const ContactTree *tree) {
+size_t aspi_tree_count(const ContactTree *tree) {
   return tree->count;
 }
 
-size_t contact_tree_bytes(const ContactTree *tree) {
+size_t aspi_tree_bytes(const ContactTree *tree) {
   return tree->count * (sizeof(ContactTriangle) + 2 * sizeof(int)) + tree->n_nodes * sizeof(Node);
 }
 
-void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]) {
+void aspi_tree_box(const ContactTree *tree, double lo[3], double hi[3]) {
   const Node *root = tree->count > 0 ? tree->nodes : &EMPTY;
   for (int d = 0; d < 3; d++) {
     lo[d] = root->lo[d];
@@ -289,15 +289,15 @@ void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]) {
   }
 }
 
-const ContactTriangle *contact_tree_triangle(const ContactTree *tree, int place) {
+const ContactTriangle *aspi_tree_triangle(const ContactTree *tree, int place) {
   return &tree->triangles[place];
 }
 
-int contact_tree_id(const ContactTree *tree, int place) {
+int aspi_tree_id(const ContactTree *tree, int place) {
   return tree->id[place];
 }
 
-int contact_tree_place(const ContactTree *tree, int id) {
+int aspi_tree_place(const ContactTree *tree, int id) {
   size_t lo = 0, hi = tree->count;
   while (lo < hi) {
     const size_t middle = lo + (hi - lo) / 2;
@@ -347,16 +347,16 @@ static bool meet(const ContactTree *tree, const double lo[3], const double hi[3]
   return false;
 }
 
-bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]) {
+bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]) {
   return meet(tree, lo, hi, NULL);
 }
 
-bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
-                       ContactList *list) {
+bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
+                    ContactList *list) {
   return !meet(tree, lo, hi, list);
 }
 
-/* A sphere that moves and grows; see contact_tree_clear(). For boxes, the box around it is taken.
+/* A sphere that moves and grows; see aspi_tree_clear(). For boxes, the box around it is taken.
  */
 typedef struct Sweep {
   double x[3], v[3], reach, widen;
@@ -367,8 +367,8 @@ typedef struct Sweep {
 
 static Sweep sweep_of(const double x[3], const double v[3], double reach, double widen) {
   Sweep sweep = {.reach = reach, .widen = widen};
-  vector_copy(x, sweep.x);
-  vector_copy(v, sweep.v);
+  aspi_copy(x, sweep.x);
+  aspi_copy(v, sweep.v);
   for (int d = 0; d < 3; d++) {
     const double up = widen + v[d], down = widen - v[d];
     sweep.lo[d] = x[d] - reach;
@@ -420,9 +420,9 @@ static inline double sweep_meets_node(const Sweep *sweep, const Node *node, doub
 static bool sweep_is_within(const Sweep *sweep, const double n[3], double length,
                             const double on[3], double *begin, double *end) {
   double arm[3];
-  vector_subtract(sweep->x, on, arm);
-  const double gap = vector_dot(n, arm) - sweep->reach * length;
-  const double closing = sweep->widen * length - vector_dot(n, sweep->v);
+  aspi_subtract(sweep->x, on, arm);
+  const double gap = aspi_dot(n, arm) - sweep->reach * length;
+  const double closing = sweep->widen * length - aspi_dot(n, sweep->v);
   if (gap > 0) {
     if (!(closing * *end > gap))
       return false;
@@ -445,13 +445,13 @@ static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t,
     return most;
   double edge[3][3], n[3], back[3];
   for (int k = 0; k < 3; k++)
-    vector_subtract(t->node[(k + 1) % 3], t->node[k], edge[k]);
-  vector_cross(edge[0], edge[1], n);
-  vector_copy(n, back);
-  vector_scale(-1, back);
-  const double length = vector_length(n);
-  const double longest = larger(vector_dot(edge[0], edge[0]),
-                                larger(vector_dot(edge[1], edge[1]), vector_dot(edge[2], edge[2])));
+    aspi_subtract(t->node[(k + 1) % 3], t->node[k], edge[k]);
+  aspi_cross(edge[0], edge[1], n);
+  aspi_copy(n, back);
+  aspi_scale(-1, back);
+  const double length = aspi_length(n);
+  const double longest = larger(aspi_dot(edge[0], edge[0]),
+                                larger(aspi_dot(edge[1], edge[1]), aspi_dot(edge[2], edge[2])));
   if (!(length > SLIVER * longest))
     return begin;
   if (!sweep_is_within(sweep, n, length, t->node[0], &begin, &end) ||
@@ -459,8 +459,8 @@ static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t,
     return most;
   for (int k = 0; k < 3; k++) {
     double outward[3];
-    vector_cross(edge[k], n, outward);
-    if (!sweep_is_within(sweep, outward, vector_length(outward), t->node[k], &begin, &end))
+    aspi_cross(edge[k], n, outward);
+    if (!sweep_is_within(sweep, outward, aspi_length(outward), t->node[k], &begin, &end))
       return most;
   }
   return smaller(begin, most);
@@ -473,8 +473,8 @@ static bool has(const int *list, int count, int number) {
   return false;
 }
 
-double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],
-                          double reach, double widen, double most, const int *skip, int skipped) {
+double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
+                       double widen, double most, const int *skip, int skipped) {
   const Sweep sweep = sweep_of(x, v, reach, widen);
   struct {
     int at;
@@ -521,7 +521,7 @@ static double box_square(const Node *node, const double x[3]) {
   return square;
 }
 
-double contact_tree_distance(const ContactTree *tree, const double x[3], double most, int *place) {
+double aspi_tree_distance(const ContactTree *tree, const double x[3], double most, int *place) {
   struct {
     int at;
     double square;
@@ -549,7 +549,7 @@ double contact_tree_distance(const ContactTree *tree, const double x[3], double 
       continue;
     }
     for (int i = node->first; i < node->first + node->count; i++) {
-      const double distance = contact_triangle_nearest(&tree->triangles[i], x, nearest);
+      const double distance = aspi_triangle_nearest(&tree->triangles[i], x, nearest);
       if (distance < least ||
           (found >= 0 && !(distance > least) && tree->id[i] < tree->id[found])) {
         least = distance;

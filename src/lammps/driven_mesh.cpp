@@ -35,10 +35,10 @@ void Drive::parse(Words &words, std::string &geometry) {
       geometry += " " + setting(group[d]);
     }
   if (kind_ == ROTATE) {
-    const double length = vector_length(axis_);
+    const double length = aspi_length(axis_);
     if (!(length > 0))
       throw Error("the axis of 'move rotate' is 0 0 0; it must have a direction");
-    vector_scale(1 / length, axis_);
+    aspi_scale(1 / length, axis_);
   }
   if (kind_ == LINEAR)
     return;
@@ -70,18 +70,18 @@ void Drive::at(double time, Frame &frame, Twist &twist) const {
   for (int j = 0; j < 3; j++) {
     const double e[3] = {j == 0 ? 1. : 0., j == 1 ? 1. : 0., j == 2 ? 1. : 0.};
     double across[3];
-    vector_cross(axis_, e, across);
+    aspi_cross(axis_, e, across);
     for (int i = 0; i < 3; i++)
       frame.turn[i][j] = c * e[i] + s * across[i] + (1 - c) * axis_[i] * axis_[j];
   }
   for (int i = 0; i < 3; i++)
-    turned[i] = vector_dot(frame.turn[i], a_);
-  vector_subtract(a_, turned, frame.shift);
-  vector_copy(axis_, twist.angular);
-  vector_scale(rate, twist.angular);
-  vector_cross(twist.angular, a_, speed);
-  vector_scale(-1, speed);
-  vector_copy(speed, twist.linear);
+    turned[i] = aspi_dot(frame.turn[i], a_);
+  aspi_subtract(a_, turned, frame.shift);
+  aspi_copy(axis_, twist.angular);
+  aspi_scale(rate, twist.angular);
+  aspi_cross(twist.angular, a_, speed);
+  aspi_scale(-1, speed);
+  aspi_copy(speed, twist.linear);
 }
 
 /* ---- the mesh ---------------------------------------------------------------------------------
@@ -124,7 +124,7 @@ DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, co
   for (size_t i = 0; i < pieces_; i++) {
     id[i] = static_cast<int>(i);
     for (int k = 0; k < 3; k++) {
-      vector_scale(scale, triangles[i].node[k]);
+      aspi_scale(scale, triangles[i].node[k]);
       extent_.include(triangles[i].node[k]);
     }
   }
