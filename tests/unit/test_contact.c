@@ -396,6 +396,14 @@ static void test_tree(void **unused) {
     }
     ContactTree *tree = aspi_tree_create(triangles, id, (size_t)count);
     assert_non_null(tree);
+    void *block = malloc(aspi_tree_bytes(tree));
+    assert_non_null(block);
+    if (count % 2) { /* the same tree over a block */
+      aspi_tree_pack(tree, block);
+      aspi_tree_free(tree);
+      tree = aspi_tree_over(block);
+      assert_non_null(tree);
+    }
     assert_int_equal(aspi_tree_count(tree), count);
     for (int i = 0; i < count; i++) {
       const int place = aspi_tree_place(tree, id[i]);
@@ -435,6 +443,7 @@ static void test_tree(void **unused) {
     }
     aspi_places_free(&list);
     aspi_tree_free(tree);
+    free(block);
     free(triangles);
     free(id);
   }
