@@ -89,10 +89,10 @@ const double *asp_profile_heights(const asp_profile *profile);
 /* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
  * or spaces; after any header), or SDF in ASCII (ISO 25178-71). A text file must state its unit in
  * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
- * um`), or the reader be told; the same lines say which columns are positions and heights, where
- * there are more. Positions may be rounded: the spacing comes from all of them. They may fall, and
- * repeat themselves (heights are averaged); what follows the data is left out. Columns X and Y
- * beside the heights give the distance along a straight line. */
+ * um`), or the reader must be given it; the same lines say which columns are positions and heights,
+ * where there are more. Positions may be rounded: the spacing comes from all of them. They may
+ * fall, and repeat themselves (heights are averaged); what follows the data is left out. Columns X
+ * and Y beside the heights give the distance along a straight line. */
 typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);
@@ -416,8 +416,8 @@ asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, cons
 asp_code asp_wall_complete(asp_wall *wall, asp_error *error);
 
 /* The canonical text of a description, numbers in the caller's units, in SI lengths with their unit
- * (um or m): parsing it gives the same wall. Writes at most `size` characters with the NUL, and returns how many characters there are
- * without it; 0 for a wall that has no description. */
+ * (um or m): parsing it gives the same wall. Writes at most `size` characters with the NUL, and
+ * returns how many characters there are without it; 0 for a wall that has no description. */
 size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size);
 
 /* How long the first clause of a canonical text is, with the blank behind it; 0 at its end. */
@@ -528,7 +528,7 @@ typedef struct asp_coefficients {
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
 
-/* Whether the shear of a flow takes away what this wall would hold of such a particle; see
+/* True if the shear of a flow removes a particle that this wall would hold; see
  * remove_u_tau. */
 bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
 

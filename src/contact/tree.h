@@ -53,7 +53,7 @@ int aspi_tree_id(const ContactTree *tree, int place);
 /* The place of the triangle of a number, or -1. */
 int aspi_tree_place(const ContactTree *tree, int id);
 
-/* Whether any of the boxes around its triangles meets the box lo to hi. */
+/* True if any of the boxes around its triangles meets the box lo to hi. */
 bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
 /* How long a sphere of radius `reach`, which grows by `widen` per time, keeps clear of all

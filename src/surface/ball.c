@@ -114,7 +114,7 @@ static double outside(double x, double first, double last) {
   return x < first ? first - x : x > last ? x - last : 0;
 }
 
-/* Whether a height at that squared distance could lift the sphere. */
+/* True if a height at this squared distance could lift the sphere. */
 static bool lifts(const search *s, double height, double square) {
   double room = s->ball->radius * s->ball->radius - square, gap = s->best - height;
   return room >= 0 && (gap < 0 || gap * gap < room);

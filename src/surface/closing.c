@@ -43,7 +43,7 @@ static double height(const disc *arc, const double *z, ptrdiff_t j, ptrdiff_t i)
   return z[j] + arc->rise[i < j ? j - i : i - j];
 }
 
-/* Whether the arc about b is above the arc about a at the point where that one becomes the highest:
+/* True if the arc about b is above the arc about a at the point where that one becomes the highest:
  * then it is nowhere. */
 static bool hides(const disc *arc, const double *z, ptrdiff_t b, ptrdiff_t a, ptrdiff_t from) {
   return from >= b - arc->reach && height(arc, z, b, from) > height(arc, z, a, from);

@@ -8,7 +8,7 @@
 
 enum { ASP_POINTS_LEAST = 3 };
 
-/* Whether it repeats, or goes on beyond its ends as its mirror image. */
+/* True if it repeats; false if it continues beyond its ends as its mirror image. */
 bool aspi_profile_periodic(const asp_profile *profile);
 
 /* The most numbers that GSL's FFT by powers of two takes: it shifts an int. */

@@ -31,7 +31,7 @@ enum { DIVISIONS_MOST = 6 };
 typedef struct curve {
   const double *z;
   size_t points,
-      n; /* n: of the circle; a profile that is not periodic goes on as its mirror image */
+      n; /* n: of the period; a profile that is not periodic continues as its mirror image */
   double spacing, parts, radius; /* the radius is in points of the path */
   double *path;
 } curve;

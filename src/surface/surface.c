@@ -18,10 +18,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Under this kappa the filter takes less than 1e-4 off the slope, and is left out. */
-/* A measured profile of more is no roughness by any reading of its units. */
+/* A measured profile with a larger phi_r has wrong units. */
 #define PHI_R_MOST 100.0
 
+/* Below this kappa the filter reduces the slope by less than 1e-4 and is left out. */
 #define KAPPA_NO_FILTER 0.08
 
 /* The closed form has been compared with generated profiles up to here, where it is 5 % high. */

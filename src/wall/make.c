@@ -16,7 +16,7 @@ enum { PROFILE_BINS = 16, MAP_BINS = 6 };
 /* The correlation length of a wall by its sigma alone, in metres: beyond all particles. */
 #define SIGMA_LAMBDA 1e6
 
-/* A map whose lengths differ by more than this has a lay, and must be told which way it lies. */
+/* A map whose lambda_2/lambda_1 is larger has a lay, whose direction must be given. */
 #define STRETCH_MOST 1.5
 
 void aspi_description_free(aspi_description *said) {
