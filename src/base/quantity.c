@@ -107,7 +107,7 @@ static double shifted(const char *text, size_t length, int exponent) {
   return aspi_number(copy, &end);
 }
 
-void aspi_quantity_print_metres(double metres, char text[32]) {
+void aspi_quantity_print_length(double metres, char text[32]) {
   char um[32];
   aspi_number_print(metres, text);
   double value = shifted(text, strlen(text), 6), again;

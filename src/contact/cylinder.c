@@ -16,9 +16,9 @@ static void across(int axis, const double a[3], double c[3]) {
   c[axis] = 0;
 }
 
-/* When the distance from the axis, `distance` at first and the square root of a quadratic in time
- * on a straight path, is `touching`: 0 for what is beyond it already and goes on, infinite for
- * never. rate: half the growth of the square at first; square: of the speed, > 0. */
+/* The time at which the distance from the axis is `touching`. It is `distance` at first and the
+ * square root of a quadratic in time; 0 if it is beyond already and moves on, infinite for never.
+ * rate: half the initial growth of its square; square: of the speed, > 0. */
 static double chord_time(bool inside, double distance, double touching, double rate,
                          double square) {
   const double beyond = (distance - touching) * (distance + touching);

@@ -1,4 +1,4 @@
-/* A tree of boxes over triangles, split at the median of their centres along the longest side; see
+/* A tree of boxes over triangles, split at the median of their centers along the longest side; see
  * tree.h. Boxes are in single precision, rounded outwards.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -11,7 +11,7 @@
 
 enum { LEAF = 4, DEPTH = 64 };
 
-/* Of two numbers; where one of them is no number, `b`. fmax and fmin are calls. */
+/* b if one of them is NaN. Unlike fmax and fmin these are inlined. */
 static double larger(double a, double b) {
   return a > b ? a : b;
 }
@@ -28,8 +28,7 @@ static float smaller_f(float a, float b) {
   return a < b ? a : b;
 }
 
-/* A triangle whose height is less than this share of its longest edge has a plane that is not well
- * known. */
+/* A flatter triangle, by height over longest edge, has no well-defined plane. */
 static const double SLIVER = 1e-3;
 
 /* A leaf has `count` triangles from `first` on; an inner node has count 0, its one child right
@@ -48,7 +47,7 @@ struct ContactTree {
   bool borrows; /* the lists are parts of a block that somebody else frees */
 };
 
-/* What building needs of a triangle. */
+/* A triangle while the tree is built. */
 typedef struct Item {
   float center[3];
   int from;
@@ -84,7 +83,7 @@ static void wrap(const ContactTriangle *triangle, Node *node) {
 
 static const Node EMPTY = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0, 0};
 
-/* Reorders items so that those from `middle` on have centres along d that are not smaller than
+/* Reorders items so that those from `middle` on have centers along d that are not smaller than
  * those before it (Hoare's selection). */
 static void select_median(Item *items, size_t count, size_t middle, int d) {
   size_t lo = 0, hi = count - 1;
@@ -136,7 +135,7 @@ static void unite(Node *node, const Node *child) {
   }
 }
 
-/* Makes the node of some items, and those below it; its place. */
+/* Makes the node of some items, and those below it; returns its place. */
 static size_t build(ContactTree *tree, const ContactTriangle *triangles, Item *items, size_t first,
                     size_t count) {
   const size_t at = tree->n_nodes++;
@@ -223,7 +222,7 @@ static void put_in_order(ContactTree *tree, Item *items) {
   }
 }
 
-/* Gives back what was taken too much of. */
+/* Gives back memory that is not needed. */
 static void *shrink(void *list, size_t bytes) {
   void *shrunk = realloc(list, bytes);
   return shrunk ? shrunk : list;
@@ -281,7 +280,7 @@ size_t aspi_tree_count(const ContactTree *tree) {
   return tree->count;
 }
 
-/* What a block begins with; the lists follow, those that need the widest alignment first. */
+/* The head of a block; the lists follow, those that need the widest alignment first. */
 typedef struct Head {
   size_t count, n_nodes;
 } Head;
@@ -401,7 +400,7 @@ typedef struct Sweep {
   double x[3], v[3], reach, widen;
   double lo[3], hi[3];       /* sides of its box at the beginning */
   double rises[3], falls[3]; /* times in which the upper side goes up by 1, the lower one down */
-  bool leaves_up[3], leaves_down[3]; /* whether the other side goes that way too */
+  bool leaves_up[3], leaves_down[3]; /* the other side moves that way, too */
 } Sweep;
 
 static Sweep sweep_of(const double x[3], const double v[3], double reach, double widen) {
@@ -420,9 +419,7 @@ static Sweep sweep_of(const double x[3], const double v[3], double reach, double
   return sweep;
 }
 
-/* When it first meets the box lo to hi; `most` where it does not before. Until *end it may be
- * there.
- */
+/* The time at which it first meets the box lo to hi, at most `most`; it leaves the box by *end. */
 static inline double sweep_meets(const Sweep *sweep, const double lo[3], const double hi[3],
                                  double most, double *end) {
   double begin = 0;
@@ -471,8 +468,8 @@ static bool sweep_is_within(const Sweep *sweep, const double n[3], double length
   return *begin <= *end;
 }
 
-/* Not before it is at the triangle's box, at its plane, and on the inner side of its edges: what
- * flies along a wall that is aslant to the axes is in the boxes of its triangles for long. */
+/* Lower bound by the triangle's box, its plane, and the inner sides of its edges: a sphere that
+ * flies along a wall oblique to the axes stays in the boxes of its triangles for long. */
 static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t, double most) {
   double lo[3], hi[3], end;
   for (int d = 0; d < 3; d++) {
@@ -530,7 +527,7 @@ double aspi_tree_clear(const ContactTree *tree, const double x[3], const double 
     if (!(stack[top].time < first))
       continue;
     const Node *node = &tree->nodes[at];
-    if (node->count == 0) { /* the child that is met first, first */
+    if (node->count == 0) { /* the nearer child first */
       const int child[2] = {at + 1, node->first};
       const double time[2] = {sweep_meets_node(&sweep, &tree->nodes[child[0]], first),
                               sweep_meets_node(&sweep, &tree->nodes[child[1]], first)};

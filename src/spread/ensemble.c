@@ -66,7 +66,7 @@ static variate variate_at(const aspi_view *view) {
   return w;
 }
 
-/* A cubic piece from y[1] to y[2], with the tangents of its neighbours' chords; *rise: per z. */
+/* A cubic piece from y[1] to y[2], with the tangents of its neighbors' chords; *rise: per z. */
 static double cubic(const double y[4], double part, double *rise) {
   double b = 0.5 * (y[2] - y[0]), end = 0.5 * (y[3] - y[1]), chord = y[2] - y[1];
   double c = 3 * chord - 2 * b - end, d = b + end - 2 * chord;

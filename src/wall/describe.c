@@ -31,7 +31,7 @@ static void add(line *l, const char *word) {
 /* Of a length in SI with its unit, since the command refuses large ones without. */
 static void print_value(const aspi_description *said, double value, bool length, char *text) {
   bool metres = !(said->units.metre < 1) && !(said->units.metre > 1);
-  (length && metres && isfinite(value) ? aspi_quantity_print_metres : aspi_number_print)(value,
+  (length && metres && isfinite(value) ? aspi_quantity_print_length : aspi_number_print)(value,
                                                                                          text);
 }
 

@@ -13,7 +13,7 @@
 /* Diameters that a measured wall is prepared for, where the description has no number. */
 enum { PROFILE_BINS = 16, MAP_BINS = 6 };
 
-/* The correlation length of a wall by its sigma alone, in metres: beyond all particles. */
+/* Correlation length of a wall by its sigma alone, in meters: larger than all particles. */
 #define SIGMA_LAMBDA 1e6
 
 /* A map whose lambda_2/lambda_1 is larger has a lay, whose direction must be given. */

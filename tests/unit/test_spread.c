@@ -460,10 +460,7 @@ static void models_describe_themselves(void **state) {
     assert_ptr_equal(asp_spread_find(asp_spread_name(model), NULL), model);
     assert_string_equal(asp_spread_summary(model), model->summary);
     assert_string_equal(asp_spread_source(model), model->source);
-    assert_int_equal(asp_spread_cost(model), model->cost);
-    assert_true(asp_spread_needs_profile(model) == (model->generate != NULL));
   }
-  assert_true(asp_spread_needs_profile(asp_spread_find("traced", NULL)));
 }
 
 int main(void) {
