@@ -29,9 +29,35 @@
          "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \
   COLUMN(OUTCOME, "outcome", "i1", "0 rebound, 1 deposited, 2 deleted")
 
+/* Those behind them in a ledger with `columns full`. */
+#define LEDGER_MORE_COLUMNS(COLUMN)                                                                \
+  COLUMN(MASS, "mass", "f8", "mass of the particle")                                               \
+  COLUMN(NX, "nx", "f8", "outward normal of the mean wall, x")                                     \
+  COLUMN(NY, "ny", "f8", "the same, y")                                                            \
+  COLUMN(NZ, "nz", "f8", "the same, z")                                                            \
+  COLUMN(V1X, "v1x", "f8", "velocity before the impact, relative to the wall, x")                  \
+  COLUMN(V1Y, "v1y", "f8", "the same, y")                                                          \
+  COLUMN(V1Z, "v1z", "f8", "the same, z")                                                          \
+  COLUMN(V2X, "v2x", "f8", "velocity after the impact, relative to the wall, x")                   \
+  COLUMN(V2Y, "v2y", "f8", "the same, y")                                                          \
+  COLUMN(V2Z, "v2z", "f8", "the same, z")                                                          \
+  COLUMN(OMEGA1X, "omega1x", "f8", "angular velocity before the impact, x")                        \
+  COLUMN(OMEGA1Y, "omega1y", "f8", "the same, y")                                                  \
+  COLUMN(OMEGA1Z, "omega1z", "f8", "the same, z")                                                  \
+  COLUMN(OMEGA2X, "omega2x", "f8", "angular velocity after the impact, x")                         \
+  COLUMN(OMEGA2Y, "omega2y", "f8", "the same, y")                                                  \
+  COLUMN(OMEGA2Z, "omega2z", "f8", "the same, z")                                                  \
+  COLUMN(IMPULSE_X, "impulse_x", "f8", "impulse on the wall, x")                                   \
+  COLUMN(IMPULSE_Y, "impulse_y", "f8", "the same, y")                                              \
+  COLUMN(IMPULSE_Z, "impulse_z", "f8", "the same, z")
+
 /* Places in a row, from 0: LEDGER_TAG, ... */
 #define LEDGER_PLACE(ID, name, type, text) LEDGER_##ID,
-enum { LEDGER_COLUMNS(LEDGER_PLACE) LEDGER_N_COLUMNS };
+enum {
+  LEDGER_COLUMNS(LEDGER_PLACE) LEDGER_N_COLUMNS,
+  LEDGER_LAST = LEDGER_N_COLUMNS - 1,
+  LEDGER_MORE_COLUMNS(LEDGER_PLACE) LEDGER_N_FULL
+};
 #undef LEDGER_PLACE
 
 #endif

@@ -505,8 +505,15 @@ static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t,
   return smaller(begin, most);
 }
 
+static bool has(const int *list, int count, int number) {
+  for (int k = 0; k < count; k++)
+    if (list[k] == number)
+      return true;
+  return false;
+}
+
 double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],
-                          double reach, double widen, double most) {
+                          double reach, double widen, double most, const int *skip, int skipped) {
   const Sweep sweep = sweep_of(x, v, reach, widen);
   struct {
     int at;
@@ -537,7 +544,8 @@ double contact_tree_clear(const ContactTree *tree, const double x[3], const doub
       }
     }
     for (int i = node->first; i < node->first + node->count; i++)
-      first = smaller(first, sweep_meets_triangle(&sweep, &tree->triangles[i], first));
+      if (!has(skip, skipped, tree->id[i]))
+        first = smaller(first, sweep_meets_triangle(&sweep, &tree->triangles[i], first));
   }
   return first;
 }

@@ -57,9 +57,10 @@ int contact_tree_place(const ContactTree *tree, int id);
 bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
 /* How long a sphere of radius `reach`, which grows by `widen` per time, keeps clear of all
- * triangles while its centre moves along x + v t: a lower bound, at most `most`. */
+ * triangles but `skipped` ones, whose numbers are in `skip`, while its centre moves along x + v t:
+ * a lower bound, at most `most`. */
 double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],
-                          double reach, double widen, double most);
+                          double reach, double widen, double most, const int *skip, int skipped);
 
 /* Appends the places of all triangles whose boxes meet the box lo to hi. False when out of memory.
  */

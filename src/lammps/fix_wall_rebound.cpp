@@ -152,7 +152,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     local_flag = 1;
     local_freq = static_cast<int>(ledger->every());
     size_local_rows = 0;
-    size_local_cols = Ledger::N_COLUMNS;
+    size_local_cols = ledger->columns();
   }
   FixWallRebound::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
@@ -389,7 +389,7 @@ void FixWallRebound::post_integrate() {
   for (FixWallRebound *fix : p_->siblings) {
     if (fix->p_->wall.model().deposit() != Model::DELETE)
       continue;
-    int mine = fix->p_->wall.has_doomed(), any; /* all ranks must agree to build lists anew */
+    int mine = fix->p_->wall.has_to_delete(), any; /* all ranks must agree to build lists anew */
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
     if (any)
       fix->next_reneighbor = update->ntimestep;
@@ -402,7 +402,7 @@ void FixWallRebound::pre_exchange() {
   set_rows();
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (p_->wall.is_doomed(i)) {
+    if (p_->wall.is_to_delete(i)) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;
