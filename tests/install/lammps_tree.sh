@@ -10,9 +10,9 @@ build=$1; shift
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 die() { echo "FAILED: $*" >&2; exit 1; }
 tree=$work/lammps
-mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config,unittest/force-styles/tests}
+mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config}
 if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
-  for folder in src cmake doc unittest; do cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree"; done
+  for folder in src cmake doc; do cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree"; done
 else
   for folder in "$@"; do cp -r "$folder/." "$tree/src"; done
   printf 'set(STANDARD_PACKAGES\n  ADIOS\n  ASPHERE\n  ATC)\nforeach(PKG_WITH_INCL KSPACE PYTHON)\nendforeach()\n' > "$tree/cmake/CMakeLists.txt"
