@@ -59,11 +59,12 @@ using asperity::Wall;
 using asperity::Words;
 
 static const char CITE[] =
-    "fix wall/rebound command:\n\n"
+    "fix wall/rebound command: doi:10.33737/jgpps/118624\n\n"
     "@Article{Altmeppen2020,\n"
     " author = {J. Altmeppen and H. Sommerfeld and C. Koch and S. Staudacher},\n"
     " title = {An analytical approach to estimate the effect of surface roughness on particle "
     "rebound},\n"
+    " journal = {Journal of the Global Power and Propulsion Society},\n"
     " year = 2020\n"
     "}\n\n"
     "@Misc{asperity,\n"
