@@ -4,8 +4,7 @@
  * numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/measure.h"
-#include "cli/judge_3d.h"
+#include "analysis/judge.h"
 #include "cli/surface_map.h"
 #include "surface/ball.h"
 
@@ -72,19 +71,14 @@ static void print_polar(FILE *gp, const cli_map *m, const cli_map_slopes *rows, 
 }
 
 /* Rebounds across the lay by one model. */
-static judge_angles rebounds(const cli_map *m, const asp_surface *surface, double d_p,
-                             const char *model) {
-  measure_specular_wall of = {.surface = surface, .map = m->map, .isotropic = true};
-  asp_wall *wall = measure_specular(&of, d_p, model, true);
-  judge_angles all = {0};
-  double alpha1 = cli_radians(ALPHA1);
-  const double v1[3] = {cos(alpha1), 0, -sin(alpha1)}, up[3] = {0, 0, 1}, lay[3] = {0, 1, 0};
-  for (uint64_t i = 0; i < IMPACTS; i++) {
-    asp_particle particle = {.d_p = d_p, .density = 1, .lay = lay};
-    asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, i, 1}, &impact);
-    judge_add(&all, impact.v2, impact.delta_alpha, impact.hits);
-  }
+static aspi_angles rebounds(const cli_map *m, asp_surface *surface, double d_p, const char *model) {
+  static const double lay[3] = {0, 1, 0};
+  aspi_judge_walls of = {.folds = 1, .surface = {surface}, .map = {m->map}, .in_space = true};
+  asp_error error;
+  asp_wall *wall = aspi_judge_wall(&of, 0, d_p, model, true, &error);
+  if (!wall)
+    cli_bad_file(NULL, &error);
+  aspi_angles all = aspi_judge_rebounds(wall, d_p, lay, ALPHA1, IMPACTS, 1);
   asp_wall_free(wall);
   return all;
 }
@@ -94,10 +88,10 @@ static void print_angles(FILE *gp, const cli_map *m, double d_p) {
   asp_surface *surface = asp_surface_create_map(m->map, true, &error);
   if (!surface)
     cli_fail("%s", error.text);
-  judge_angles own = rebounds(m, surface, d_p, "profile"),
-               gauss = rebounds(m, surface, d_p, "visible");
+  aspi_angles own = rebounds(m, surface, d_p, "profile"),
+              gauss = rebounds(m, surface, d_p, "visible");
   fputs("$angles << EOD\n", gp);
-  for (int i = 0; i < JUDGE_BINS; i++)
+  for (int i = 0; i < ASPI_ANGLE_BINS; i++)
     fprintf(gp, "%g %g %g %g %g %g\n", i + 0.5, own.rebound[i] / own.n, gauss.rebound[i] / gauss.n,
             i - 89.5, own.lateral[i] / own.n, gauss.lateral[i] / gauss.n);
   fputs("EOD\n", gp);
