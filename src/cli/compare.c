@@ -9,7 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/compare.h"
-#include "cli/window.h"
+#include "analysis/window.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -187,13 +187,13 @@ static void sample_model(const comparison *c, const reach *far, weights *w, comp
   b->model_all = total > 0 ? total * total / squares : 0;
   b->model_deposits = total > 0 ? stuck / total * b->model_all : 0;
   for (int k = 0; k < COR_BOTH; k++) {
-    sample *s = &b->model[k];
+    aspi_sample *s = &b->model[k];
     s->values = cli_allocate(w->count, sizeof *s->values);
     for (size_t i = 0; i < w->count; i++)
       if (isfinite(c->impacts.points[w->which[i]].cor[k]))
         s->values[s->count++] =
-            (sample_value){c->impacts.points[w->which[i]].cor[k], w->of[w->which[i]]};
-    sample_describe(s);
+            (aspi_weighted){c->impacts.points[w->which[i]].cor[k], w->of[w->which[i]]};
+    aspi_sample_describe(s);
   }
   while (w->count > 0)
     w->of[w->which[--w->count]] = 0;
@@ -201,23 +201,28 @@ static void sample_model(const comparison *c, const reach *far, weights *w, comp
 
 static void sample_data(const measured *data, compare_bin *b) {
   for (int k = 0; k < COR_BOTH; k++) {
-    sample *s = &b->data[k];
+    aspi_sample *s = &b->data[k];
     const measured_row *row = &data->rows[b->first];
-    *s = (sample){.mean = row->cor[k], .sd = row->sd[k], .median = NAN, .low = NAN, .high = NAN};
+    *s = (aspi_sample){
+        .mean = row->cor[k], .sd = row->sd[k], .median = NAN, .low = NAN, .high = NAN};
     if (data->means)
       continue;
     s->values = cli_allocate(b->end - b->first, sizeof *s->values);
     for (size_t i = b->first; i < b->end; i++)
       if (isfinite(data->rows[i].cor[k]))
-        s->values[s->count++] = (sample_value){data->rows[i].cor[k], 1};
-    sample_describe(s);
+        s->values[s->count++] = (aspi_weighted){data->rows[i].cor[k], 1};
+    aspi_sample_describe(s);
   }
 }
 
 /* Rows of means without speeds and sizes, as many as there may be, by a window that moves over the
  * impacts. */
 static void sample_by_window(comparison *c, double far, int which) {
-  cli_window *window = cli_window_create(c->impacts.points, c->impacts.count, which);
+  const scatter_point *points = c->impacts.points;
+  aspi_window *window =
+      aspi_window_create(&points->degrees, &points->cor[which], sizeof *points, c->impacts.count);
+  if (!window)
+    cli_fail("out of memory for %zu impacts", c->impacts.count);
   for (size_t i = 0; i < c->count; i++) {
     compare_bin *b = &c->bins[i];
     size_t at = count_below(&c->impacts, b->degrees + SAME_ANGLE) -
@@ -228,22 +233,22 @@ static void sample_by_window(comparison *c, double far, int which) {
     double wide = exact ? 0 : far, slack = exact ? SAME_ANGLE : 0;
     b->from = fmax(0, b->degrees - wide);
     b->to = fmin(90, b->degrees + wide);
-    cli_window_move(window, b->from - slack, b->to + slack);
-    sample *s = &b->model[which];
-    *s = (sample){.count = cli_window_count(window)};
+    aspi_window_move(window, b->from - slack, b->to + slack);
+    aspi_sample *s = &b->model[which];
+    *s = (aspi_sample){.count = aspi_window_count(window)};
     s->mean = s->sd = s->median = s->low = s->high = NAN;
     s->size = (double)s->count;
     if (s->count > 0) {
-      cli_window_moments(window, &s->mean, &s->sd);
+      aspi_window_moments(window, &s->mean, &s->sd);
       s->sd = s->count > 1 ? s->sd : NAN;
-      s->median = cli_window_quantile(window, 0.5);
+      s->median = aspi_window_quantile(window, 0.5);
     }
     if (s->count >= 20) {
-      s->low = cli_window_quantile(window, 0.05);
-      s->high = cli_window_quantile(window, 0.95);
+      s->low = aspi_window_quantile(window, 0.05);
+      s->high = aspi_window_quantile(window, 0.95);
     }
   }
-  cli_window_free(window);
+  aspi_window_free(window);
 }
 
 /* ---- one bin ----------------------------------------------------------------------------------
@@ -258,7 +263,7 @@ bool cli_compare_is_drawn(const comparison *c, const compare_bin *b, int which) 
 }
 
 /* A mean whose standard error is known, against the model's. */
-static double p_of_means(const sample *model, const measured_row *row, int which) {
+static double p_of_means(const aspi_sample *model, const measured_row *row, int which) {
   double error = isfinite(row->se[which]) ? row->se[which] : row->sd[which] / sqrt(row->n);
   double own = model->sd / sqrt(model->size);
   double z = fabs(model->mean - row->cor[which]) / hypot(error, isfinite(own) ? own : 0);
@@ -268,7 +273,7 @@ static double p_of_means(const sample *model, const measured_row *row, int which
 static void compare_bin_of(const comparison *c, compare_bin *b) {
   size_t rows = b->end - b->first;
   for (int k = 0; k < COR_BOTH; k++) {
-    const sample *m = &b->model[k], *d = &b->data[k];
+    const aspi_sample *m = &b->model[k], *d = &b->data[k];
     if (!cli_compare_has_both(b, k))
       continue;
     if (c->data.means) {
@@ -276,13 +281,14 @@ static void compare_bin_of(const comparison *c, compare_bin *b) {
       continue;
     }
     if (isfinite(m->low))
-      b->in_band[k] = sample_within(d, m->low, m->high);
-    b->distance[k] = sample_distance(m, d);
-    b->p[k] = sample_p_value(m, d, b->distance[k]);
+      b->in_band[k] = aspi_sample_within(d, m->low, m->high);
+    b->distance[k] = aspi_sample_distance(m, d);
+    b->p[k] = aspi_sample_p_value(m, d, b->distance[k]);
   }
   if (c->data.has_outcome && b->model_all >= 1 && b->model_deposits + b->data_deposits > 0)
-    b->deposits_p = shares_p_value((size_t)(b->model_deposits + 0.5), (size_t)(b->model_all + 0.5),
-                                   (size_t)b->data_deposits, rows);
+    b->deposits_p =
+        aspi_shares_p_value((size_t)(b->model_deposits + 0.5), (size_t)(b->model_all + 0.5),
+                            (size_t)b->data_deposits, rows);
 }
 
 static void compare_all(comparison *c, const reach *far) {
@@ -326,7 +332,7 @@ static void add(double value, double *sum, size_t *count) {
 }
 
 static void print_bin(FILE *out, const comparison *c, const compare_bin *b, int k, score *s) {
-  const sample *m = &b->model[k], *d = &b->data[k];
+  const aspi_sample *m = &b->model[k], *d = &b->data[k];
   double off = m->mean - d->mean, in_sd = off / (d->sd > 0 ? d->sd : NAN);
   fprintf(out, "%s,%g,%g,%zu", names[k], b->from, b->to, m->count);
   print(out, m->mean);
@@ -414,9 +420,9 @@ static void print_all(FILE *out, const comparison *c) {
       else if (c->data.has_outcome)
         print_deposits(out, c, &c->bins[i], &s);
     if (s.ps > 0)
-      each[n_each++] = combine_independent(s.p, s.ps);
+      each[n_each++] = aspi_combine_independent(s.p, s.ps);
   }
-  print_overall(out, &s, combine_dependent(each, n_each));
+  print_overall(out, &s, aspi_combine_dependent(each, n_each));
   free(s.p);
 }
 
@@ -501,7 +507,7 @@ static void sample_impacts(comparison *c) {
     sample_data(&c->data, b);
     for (int k = 0; k < COR_BOTH; k++) {
       b->model[k] = b->data[k];
-      b->data[k] = (sample){.mean = NAN, .sd = NAN};
+      b->data[k] = (aspi_sample){.mean = NAN, .sd = NAN};
     }
     b->from = c->data.rows[b->first].degrees;
     b->to = c->data.rows[b->end - 1].degrees;
@@ -525,7 +531,7 @@ static void print_impacts(FILE *out, const comparison *c) {
     print(out, b->data_deposits / all);
     print(out, all - b->data_deposits);
     for (int k = 0; k < COR_BOTH; k++) {
-      const sample *s = &b->model[k];
+      const aspi_sample *s = &b->model[k];
       print(out, s->mean);
       print(out, s->sd);
       print(out, s->median);

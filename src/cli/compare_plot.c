@@ -21,7 +21,7 @@ static void print_range(const cli_plot *picture, const comparison *c, int which,
                         double *top) {
   double low = 0, high = 1, least = which ? -1 : 0, most = which ? 2 : 3;
   for (size_t i = 0; i < c->count; i++) {
-    const sample *d = &c->bins[i].data[which], *m = &c->bins[i].model[which];
+    const aspi_sample *d = &c->bins[i].data[which], *m = &c->bins[i].model[which];
     double sd = isfinite(d->sd) ? d->sd : 0;
     low = fmin(low, fmin(d->mean - sd, m->low));
     high = fmax(high, fmax(d->mean + sd, m->high));
@@ -73,7 +73,7 @@ static void print_series(FILE *gp, const comparison *c, int which) {
   fprintf(gp, "$model%d << EOD\nNaN NaN NaN NaN NaN NaN NaN\n", which);
   for (size_t i = 0; i < c->count; i++) {
     const compare_bin *b = &c->bins[i];
-    const sample *m = &b->model[which];
+    const aspi_sample *m = &b->model[which];
     double left, right;
     edges_of(c, i, &left, &right);
     if (cli_compare_is_drawn(c, b, which))
@@ -89,7 +89,7 @@ static void print_series(FILE *gp, const comparison *c, int which) {
   fprintf(gp, "EOD\n$data%d << EOD\nNaN NaN NaN\n", which);
   for (size_t i = 0; i < c->count; i++) {
     const compare_bin *b = &c->bins[i];
-    const sample *d = &b->data[which];
+    const aspi_sample *d = &b->data[which];
     if (isfinite(d->mean))
       fprintf(gp, "%g %g %g\n", b->degrees, d->mean, isfinite(d->sd) ? d->sd : 0);
   }
