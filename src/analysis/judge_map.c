@@ -3,10 +3,10 @@
  * surface. Nothing of a model is in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/dilated_map.h"
 #include "analysis/judge_flights.h"
 #include "base/error.h"
 #include "base/stream.h"
-#include "spread/field.h"
 #include "spread/line.h"
 #include "surface/ball.h"
 
@@ -29,7 +29,7 @@ static void reflect(double v[3], const double gradient[2]) {
 }
 
 /* One particle from its first hit on. */
-static void follow(const aspi_field *field, size_t row, const aspi_spot *spot, double alpha1,
+static void follow(const aspi_dilated_map *field, size_t row, const aspi_spot *spot, double alpha1,
                    aspi_angles *angles) {
   size_t at = row * field->columns + spot->face;
   double gradient[2] = {field->p[at], field->q[at]}, tilt = atan(gradient[0]);
@@ -37,7 +37,7 @@ static void follow(const aspi_field *field, size_t row, const aspi_spot *spot, d
                         {cos(alpha1), 0, -sin(alpha1)}};
   int hits = 1;
   reflect(flight.v, gradient);
-  while (hits < HITS_MOST && aspi_field_next(field, &flight, gradient)) {
+  while (hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient)) {
     reflect(flight.v, gradient);
     hits++;
   }
@@ -51,7 +51,7 @@ static void draw_places(aspi_stream *stream, double *share, size_t count) {
 }
 
 /* All particles of one surface in the directions in which its rows lie. */
-static asp_code fly(const aspi_field *field, const double *degrees, size_t count, size_t rays,
+static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t count, size_t rays,
                     uint32_t seed, aspi_angles *angles, asp_error *error) {
   aspi_line line;
   size_t per_row = (rays + field->rows - 1) / field->rows;
@@ -83,7 +83,7 @@ static asp_code fly(const aspi_field *field, const double *degrees, size_t count
 #define STEEPEST 1e-6
 
 /* One particle in any direction, from the height of the highest point on. */
-static void fly_one(const aspi_field *field, double alpha1, aspi_stream *stream,
+static void fly_one(const aspi_dilated_map *field, double alpha1, aspi_stream *stream,
                     aspi_angles *angles) {
   double x = aspi_stream_uniform(stream) * (double)field->columns * field->step[0];
   double y = aspi_stream_uniform(stream) * (double)field->rows * field->step[1];
@@ -92,7 +92,7 @@ static void fly_one(const aspi_field *field, double alpha1, aspi_stream *stream,
   aspi_flight flight = {{x, y, field->top + 1e-3 * field->step[0]},
                         {along * t[0], along * t[1], -sin(alpha1)}};
   int hits = 0;
-  while (hits < HITS_MOST && aspi_field_next(field, &flight, gradient)) {
+  while (hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient)) {
     if (hits++ == 0)
       tilt = atan(gradient[0] * t[0] + gradient[1] * t[1]);
     reflect(flight.v, gradient);
@@ -102,8 +102,8 @@ static void fly_one(const aspi_field *field, double alpha1, aspi_stream *stream,
                   tilt, hits);
 }
 
-static void fly_around(const aspi_field *field, const double *degrees, size_t count, size_t rays,
-                       uint32_t seed, aspi_angles *angles) {
+static void fly_around(const aspi_dilated_map *field, const double *degrees, size_t count,
+                       size_t rays, uint32_t seed, aspi_angles *angles) {
   for (size_t i = 0; i < count; i++)
     for (size_t k = 0; k < rays; k++) {
       aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = seed, .wall = 2, .tag = k});
@@ -187,15 +187,15 @@ static asp_map *generated(const aspi_judge_case *subject, uint32_t seed, asp_err
 }
 
 /* The path of the sphere's center over one of the surfaces. */
-static asp_code make_field(aspi_field *field, const aspi_judge_case *subject, uint32_t seed,
+static asp_code make_field(aspi_dilated_map *field, const aspi_judge_case *subject, uint32_t seed,
                            size_t number, asp_error *error) {
   asp_map *map = subject->map ? piece(subject, number, error) : generated(subject, seed, error);
   aspi_ball *ball = map ? aspi_ball_create(map, subject->d_p, error) : NULL;
-  asp_code code = ball ? aspi_field_create(field, map, error) : error->code;
+  asp_code code = ball ? aspi_dilated_map_create(field, map, error) : error->code;
   if (!code) {
     field->crests = subject->map;
     aspi_ball_rows(ball, 0, map->rows, field->z, field->p, field->q);
-    aspi_field_finish(field);
+    aspi_dilated_map_finish(field);
   }
   aspi_ball_free(ball);
   asp_map_free(map);
@@ -207,7 +207,7 @@ asp_code aspi_judge_fly_surface(aspi_judge *judge, const aspi_judge_case *subjec
   uint32_t seed = subject->seed + (uint32_t)number;
   size_t rays = subject->rays, count = judge->count;
   aspi_angles *angles = judge->angles + number * count;
-  aspi_field field;
+  aspi_dilated_map field;
   asp_code code = make_field(&field, subject, seed, number, error);
   if (code)
     return code;
@@ -215,10 +215,10 @@ asp_code aspi_judge_fly_surface(aspi_judge *judge, const aspi_judge_case *subjec
     fly_around(&field, degrees, count, rays, seed, angles);
   } else {
     code = fly(&field, degrees, count, rays / 2, seed, angles, error);
-    aspi_field_turn(&field);
+    aspi_dilated_map_turn(&field);
     if (!code)
       code = fly(&field, degrees, count, rays / 2, ~seed, angles, error);
   }
-  aspi_field_free(&field);
+  aspi_dilated_map_free(&field);
   return code;
 }

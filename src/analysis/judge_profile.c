@@ -5,6 +5,7 @@
 #include "analysis/judge_flights.h"
 #include "base/error.h"
 #include "surface/closing.h"
+#include "spread/line.h"
 #include "surface/profile.h"
 #include "wall/wall.h"
 
@@ -58,11 +59,11 @@ static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int f
   return path;
 }
 
-/* What a flight goes over, as a wall and a track, and the diameter of what flies: of a path of the
+/* What a flight goes over, as a wall and a line, and the diameter of what flies: of a path of the
  * center nearly nothing. */
 typedef struct course {
   asp_wall *wall;
-  aspi_track *track;
+  aspi_line line;
   double d_p;
 } course;
 
@@ -73,15 +74,17 @@ static asp_code course_create(course *made, const aspi_judge_case *subject, asp_
       measured ? piece_of(subject, number, error) : path_of(subject, number, flight, error);
   aspi_judge_walls of = {.folds = 1, .surface = {surface}, .profile = {profile}};
   *made = (course){.d_p = measured ? subject->d_p : 1e-6 * subject->wall.lambda_1};
-  made->track = profile ? aspi_track_create(profile, measured ? made->d_p : 0, error) : NULL;
-  if (made->track && surface)
-    made->wall = aspi_judge_wall(&of, 0, made->d_p, "traced", true, error);
+  asp_code code =
+      profile ? aspi_line_over_profile(&made->line, profile, measured ? made->d_p : 0, error)
+              : error->code;
+  if (!code && surface && !(made->wall = aspi_judge_wall(&of, 0, made->d_p, "traced", true, error)))
+    code = error->code;
   asp_profile_free(profile);
-  return made->track && (made->wall || !surface) ? ASP_OK : error->code;
+  return code;
 }
 
 static void course_free(course *over) {
-  aspi_track_free(over->track);
+  aspi_line_free(&over->line);
   asp_wall_free(over->wall);
 }
 
@@ -92,7 +95,7 @@ asp_code aspi_judge_profile_angle_least(const aspi_judge_case *subject, double *
     course over;
     asp_code code = course_create(&over, subject, NULL, number, 0, error);
     if (!code)
-      *degrees = fmax(*degrees, aspi_degrees(aspi_track_alpha_least(over.track)));
+      *degrees = fmax(*degrees, aspi_degrees(atan(over.line.fall_least)));
     course_free(&over);
     if (code)
       return code;
@@ -100,18 +103,18 @@ asp_code aspi_judge_profile_angle_least(const aspi_judge_case *subject, double *
   return ASP_OK;
 }
 
-/* Adds the shares of the track's first hits in bins of one degree, from -90 to 90. */
-static asp_code add_first_hits(const aspi_track *track, double degrees, double part, size_t fold,
+/* Adds the shares of the line's first hits in bins of one degree, from -90 to 90. */
+static asp_code add_first_hits(const aspi_line *line, double degrees, double part, size_t fold,
                                aspi_first_hits *first, asp_error *error) {
-  size_t n = aspi_track_faces(track);
+  size_t n = line->n;
   double *weight = calloc(n, sizeof *weight);
   if (!weight)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu faces", n);
-  aspi_track_first_hit(track, aspi_radians(degrees), weight);
+  aspi_line_first_hits(line, aspi_line_fall(line, aspi_radians(degrees)), weight);
   double share[ASPI_ANGLE_BINS] = {0}, mean = 0;
   for (size_t i = 0; i < n; i++)
     if (weight[i] > 0) {
-      double delta = atan(aspi_track_face_slope(track, i));
+      double delta = atan(line->slope[i]);
       share[(int)floor(aspi_degrees(delta)) + 90] += weight[i];
       mean += weight[i] * delta;
     }
@@ -140,7 +143,7 @@ asp_code aspi_judge_fly_profile(aspi_judge *judge, const aspi_judge_case *subjec
       aspi_angles found = aspi_judge_rebounds(over.wall, over.d_p, NULL, degrees[k], rays, seed);
       aspi_angles_merge(&judge->angles[number * judge->count + k], &found);
       code =
-          add_first_hits(over.track, degrees[k], 1. / (double)all, fold, &judge->first[k], error);
+          add_first_hits(&over.line, degrees[k], 1. / (double)all, fold, &judge->first[k], error);
     }
     course_free(&over);
   }
