@@ -1,9 +1,9 @@
-/* Where a sphere on a straight path first touches a plane, a cylinder or a triangle. Pure geometry:
- * no engine, no roughness, no physics. Lengths and times are in any consistent units. A wall piece
- * is at rest; for a moving one the caller passes the path relative to it.
+/* The first contact of a sphere on a straight path with a plane, a cylinder or a triangle. Pure
+ * geometry: no engine, no roughness, no physics. Lengths and times are in any consistent units. A
+ * wall piece is at rest; for a moving one the caller passes the path relative to it.
  *
- * All functions take the same arguments: the path, the sphere's radius, and the latest time that is
- * of interest. They return whether there is a contact at or before it, and fill `touch` if so.
+ * All functions take the path, the sphere's radius, and the latest time of interest. They return
+ * true if there is a contact at or before it, and fill `touch` then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_CONTACT_H
@@ -15,24 +15,23 @@
 extern "C" {
 #endif
 
-/* How closely the instant of contact is found, in radii of the sphere: distances within it are
- * touching. */
+/* Tolerance of contact, in radii of the sphere. */
 #define CONTACT_TOLERANCE 1e-10
 
-/* A sphere approaches a wall where the normal part of its velocity is a larger share of its speed
- * than this; less is rounding. */
+/* A sphere approaches a wall if its normal speed is a larger share of its speed; less is rounding.
+ */
 #define CONTACT_APPROACH 1e-13
 
-/* The centre of a sphere moves from x with velocity v for the time `left`. */
+/* The center of a sphere moves from x with velocity v for the time `left`. */
 typedef struct ContactPath {
   double x[3], v[3], left;
 } ContactPath;
 
 typedef struct ContactTouch {
   double time;      /* since the beginning of the path, 0 to left */
-  double n[3];      /* unit normal from the wall to the centre, v.n < 0 */
-  double push_out;  /* >= 0; how far along n the sphere has to be moved where it overlapped */
-  bool overlapped;  /* it was in the wall already, or its center on it, where the side is a guess */
+  double n[3];      /* unit normal from the wall to the center, v.n < 0 */
+  double overlap;   /* >= 0: overlap at the beginning, along n */
+  bool overlapped;  /* it overlapped, or its center lay on the wall, where the side is a guess */
   double edge_sine; /* sine between n and the normal of what is touched: 0 for a face, more for an
                    edge or a corner */
 } ContactTouch;

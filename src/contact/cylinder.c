@@ -16,9 +16,9 @@ static void across(int axis, const double a[3], double c[3]) {
   c[axis] = 0;
 }
 
-/* When the distance from the axis, `distance` at first and the square root of a quadratic in time
- * on a straight path, is `touching`: 0 for what is beyond it already and goes on, infinite for
- * never. rate: half the growth of the square at first; square: of the speed, > 0. */
+/* The time at which the distance from the axis is `touching`. It is `distance` at first and the
+ * square root of a quadratic in time; 0 if it is beyond already and moves on, infinite for never.
+ * rate: half the initial growth of its square; square: of the speed, > 0. */
 static double chord_time(bool inside, double distance, double touching, double rate,
                          double square) {
   const double beyond = (distance - touching) * (distance + touching);
@@ -64,10 +64,10 @@ bool aspi_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path
   touch->time = time;
   aspi_copy(n, touch->n);
   aspi_scale(1 / length, touch->n);
-  touch->push_out = inside ? length - touching : touching - length;
-  if (touch->push_out <= CONTACT_TOLERANCE * radius)
-    touch->push_out = 0;
+  touch->overlap = inside ? length - touching : touching - length;
+  if (touch->overlap <= CONTACT_TOLERANCE * radius)
+    touch->overlap = 0;
   touch->edge_sine = 0;
-  touch->overlapped = touch->push_out > 0;
+  touch->overlapped = touch->overlap > 0;
   return true;
 }

@@ -1,5 +1,5 @@
-/* Many triangles in a tree of boxes: which of them a box meets, and how far a point is from the
- * nearest. 72 bytes a triangle for its nodes and about 30 for its number and the tree.
+/* Triangles in a tree of boxes: finds those that a box meets, and the nearest to a point. 72 bytes
+ * a triangle for its nodes and about 30 for its number and the tree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_TREE_H
@@ -53,11 +53,11 @@ int aspi_tree_id(const ContactTree *tree, int place);
 /* The place of the triangle of a number, or -1. */
 int aspi_tree_place(const ContactTree *tree, int id);
 
-/* Whether any of the boxes around its triangles meets the box lo to hi. */
+/* True if any of the boxes around its triangles meets the box lo to hi. */
 bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
 /* How long a sphere of radius `reach`, which grows by `widen` per time, keeps clear of all
- * triangles but `skipped` ones, whose numbers are in `skip`, while its centre moves along x + v t:
+ * triangles but `skipped` ones, whose numbers are in `skip`, while its center moves along x + v t:
  * a lower bound, at most `most`. */
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
                        double widen, double most, const int *skip, int skipped);

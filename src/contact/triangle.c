@@ -1,7 +1,7 @@
 /* A sphere and a triangle; see contact.h. The distance of a point that moves on a straight line
- * from a triangle, which is convex, is a convex function of time: so Newton's method from the
- * beginning of the path comes to the instant of contact from below, and a sphere that moves away at
- * the beginning never comes back.
+ * from a triangle is a convex function of time, so Newton's method from the beginning of the path
+ * approaches the instant of contact from below, and a sphere that moves away at first never
+ * returns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
@@ -43,7 +43,7 @@ void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
   aspi_scale(flat ? 1 / aspi_length(normal) : 0, normal);
 }
 
-/* Whether the foot of x on the triangle's plane lies within it: on the inner side of each edge. */
+/* True if the foot of x on the triangle's plane lies within it: on the inner side of each edge. */
 static bool above_face(const ContactTriangle *triangle, const double normal[3], const double x[3]) {
   for (int k = 0; k < 3; k++) {
     double edge[3], inward[3], arm[3];
@@ -89,8 +89,8 @@ double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3],
   return nearest_point(triangle, normal, flat, aspi_length(normal), x, nearest);
 }
 
-/* When a path comes within the sphere's radius of the triangle's plane, before which it cannot
- * touch; 0 where it begins there, infinite where it never does. */
+/* The time at which a path comes within the sphere's radius of the triangle's plane: a lower bound
+ * of the contact; 0 if it begins there, infinite for never. */
 static double time_to_plane(const double normal[3], const ContactTriangle *triangle,
                             const ContactPath *path, double radius) {
   double arm[3];
@@ -102,8 +102,8 @@ static double time_to_plane(const double normal[3], const ContactTriangle *trian
   return from * rate < 0 ? gap / fabs(rate) : INFINITY;
 }
 
-/* The normal from the triangle to the centre. A centre on the triangle has none: then that side is
- * taken which it comes from. */
+/* The normal from the triangle to the center. For a center on the triangle it is the side
+ * that it comes from. */
 static void normal_at(const ContactTriangle *triangle, const ContactPath *path, double radius,
                       const double arm[3], double distance, ContactTouch *touch) {
   if (distance > 1e-12 * radius) {
@@ -134,7 +134,7 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
   aspi_scale(flat ? 1 / length : 0, normal);
   double time = time_to_plane(normal, triangle, path, radius);
   touch->overlapped = false;
-  touch->push_out = 0;
+  touch->overlap = 0;
   for (int i = 0; i < NEWTON_MAX; i++) {
     if (!(time <= latest))
       return false;
@@ -149,7 +149,7 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
       break;
     if (gap < 0 && time <= 0) {
       touch->overlapped = true;
-      touch->push_out = -gap;
+      touch->overlap = -gap;
       break;
     }
     time = fmax(0, time + gap / approach);

@@ -281,12 +281,12 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
   if (touch.edge_sine > EDGE)
     contact.face = ~contact.face;
   aspi_add_scaled(body.x, touch.time, body.v, center);
-  aspi_add_scaled(center, touch.push_out, touch.n, center);
+  aspi_add_scaled(center, touch.overlap, touch.n, center);
   aspi_add_scaled(center, -radius, touch.n, foot);
   if (motion_.in_world()) {
     aspi_copy(touch.n, contact.n);
     aspi_add_scaled(path.x, touch.time, path.v, contact.x);
-    aspi_add_scaled(contact.x, touch.push_out, touch.n, contact.x);
+    aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
     contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.follow = 0;
     if (runs())
       surface_velocity(contact.piece, foot, contact.v_wall);

@@ -137,7 +137,7 @@ static void check_path(const Wall *w, const ContactPath *path, double radius) {
   assert_true(first == INFINITY || touch.time >= first - 1.001 * step || least > -1e-3);
   assert_true(aspi_dot(touch.n, path->v) < 0);
   assert_true(fabs(aspi_length(touch.n) - 1) < 1e-12);
-  assert_true(touch.push_out == 0 && !touch.overlapped);
+  assert_true(touch.overlap == 0 && !touch.overlapped);
   /* The normal leads from the wall to the centre. */
   double foot[3];
   aspi_add_scaled(x, -radius, touch.n, foot);
@@ -261,7 +261,7 @@ static void test_overlap(void **unused) {
       if (!found)
         continue;
       assert_true(touch.overlapped && touch.time == 0);
-      aspi_add_scaled(path.x, touch.push_out, touch.n, later);
+      aspi_add_scaled(path.x, touch.overlap, touch.n, later);
       assert_true(fabs(gap_of(&w, later, radius)) < 1e-5);
     }
 }
@@ -312,7 +312,7 @@ static void test_wide(void **unused) {
   double x[3];
   assert_true(aspi_cylinder_find(&tube, &path, 1.5, 2, &touch));
   at(&path, touch.time, x);
-  aspi_add_scaled(x, touch.push_out, touch.n, x);
+  aspi_add_scaled(x, touch.overlap, touch.n, x);
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
