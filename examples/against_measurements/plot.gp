@@ -26,7 +26,7 @@ plot file(gt, 'fitted_normal') using angle:(y(column(mean) - column(sd))):(y(col
   file(gt, 'shipped') using angle:(y(column(mean))) with lines ls law_bons dt 3 title 'bons, as shipped, smooth', \
   file(gt, 'fitted_both') using angle:(y(column(mean))) with lines ls law_bons dt 2 title 'bons, fitted to both: σ < 0.17°', \
   file(gt, 'fitted_normal') using angle:(y(column(mean))) with lines ls law_bons title 'bons, fitted to CoR_N: σ < 1.1°; ± sd', \
-  file(gt, 'forder') using angle:(y(column(mean))) with lines ls law_forder title 'forder', \
+  file(gt, 'forder') using angle:(y(column(mean))) with lines ls law_table title 'Forder et al. 1998', \
   file(gt, 'thornton_ning') using angle:(y(column(mean))) with lines ls law_thornton_ning title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using angle:(y(column(measured))):(y(column(measured_sd))) with yerrorbars ls data title 'measured, mean ± sd', \
   '-' using 1:2 with points ls data pt 2 ps 1.6 lw 2 title 'three published sets at 30°'
@@ -41,7 +41,7 @@ plot file(gt, 'fitted_normal') using angle:(y(column(mean) - column(sd))):(y(col
   file(gt, 'shipped') using angle:(y(column(mean))) with lines ls law_bons dt 3 title 'bons, as shipped, smooth', \
   file(gt, 'fitted_both') using angle:(y(column(mean))) with lines ls law_bons dt 2 title 'bons, fitted to both: σ < 0.17°', \
   file(gt, 'fitted_normal') using angle:(y(column(mean))) with lines ls law_bons title 'bons, fitted to CoR_N: σ < 1.1°; ± sd', \
-  file(gt, 'forder') using angle:(y(column(mean))) with lines ls law_forder title 'forder', \
+  file(gt, 'forder') using angle:(y(column(mean))) with lines ls law_table title 'Forder et al. 1998', \
   file(gt, 'thornton_ning') using angle:(y(column(mean))) with lines ls law_thornton_ning title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using angle:(y(column(measured))):(y(column(measured_sd))) with yerrorbars ls data title 'measured, mean ± sd'
 

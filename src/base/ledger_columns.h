@@ -12,26 +12,52 @@
   COLUMN(TIME, "time", "f8", "time of contact")                                                    \
   COLUMN(MESH, "mesh", "i2", "mesh, from 1; 0 for a primitive wall")                               \
   COLUMN(TRIANGLE, "triangle", "i4", "triangle id, on an edge the least; 0 for a primitive wall")  \
-  COLUMN(X, "x", "f8", "x of the centre at contact")                                               \
-  COLUMN(Y, "y", "f8", "y of the centre at contact")                                               \
-  COLUMN(Z, "z", "f8", "z of the centre at contact")                                               \
+  COLUMN(X, "x", "f8", "x of the center at contact")                                               \
+  COLUMN(Y, "y", "f8", "y of the center at contact")                                               \
+  COLUMN(Z, "z", "f8", "z of the center at contact")                                               \
   COLUMN(D_P, "d_p", "f4", "diameter")                                                             \
   COLUMN(V1, "v1", "f4", "speed before the impact, relative to the wall")                          \
-  COLUMN(ALPHA1, "alpha1_deg", "f4", "impact angle α1, 0 to 90°")                                  \
-  COLUMN(DELTA_ALPHA, "delta_alpha_deg", "f4", "tilt Δα of the first hit")                         \
+  COLUMN(ALPHA1, "alpha1_deg", "f4", "impact angle, 0 to 90 degrees")                              \
+  COLUMN(DELTA_ALPHA, "delta_alpha_deg", "f4", "tilt of the first hit")                            \
   COLUMN(TILT_OUT, "tilt_out_deg", "f4",                                                           \
-         "out-of-plane tilt of the first hit, positive along n × t")                               \
+         "out-of-plane tilt of the first hit, positive along n x t")                               \
   COLUMN(HITS, "hits", "i1", "hits")                                                               \
   COLUMN(V2, "v2", "f4", "speed after the impact, in space, relative to the wall")                 \
-  COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle α2 in the plane of incidence, 0 to 180°")      \
+  COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle in the plane of incidence, 0 to 180 degrees")  \
   COLUMN(COR_N, "cor_n", "f4", "CoR_N about the mean wall")                                        \
   COLUMN(COR_T, "cor_t", "f4",                                                                     \
          "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \
   COLUMN(OUTCOME, "outcome", "i1", "0 rebound, 1 deposited, 2 deleted")
 
+/* Those behind them in a ledger with `columns full`. */
+#define LEDGER_MORE_COLUMNS(COLUMN)                                                                \
+  COLUMN(MASS, "mass", "f8", "mass of the particle")                                               \
+  COLUMN(NX, "nx", "f8", "outward normal of the mean wall, x")                                     \
+  COLUMN(NY, "ny", "f8", "the same, y")                                                            \
+  COLUMN(NZ, "nz", "f8", "the same, z")                                                            \
+  COLUMN(V1X, "v1x", "f8", "velocity before the impact, relative to the wall, x")                  \
+  COLUMN(V1Y, "v1y", "f8", "the same, y")                                                          \
+  COLUMN(V1Z, "v1z", "f8", "the same, z")                                                          \
+  COLUMN(V2X, "v2x", "f8", "velocity after the impact, relative to the wall, x")                   \
+  COLUMN(V2Y, "v2y", "f8", "the same, y")                                                          \
+  COLUMN(V2Z, "v2z", "f8", "the same, z")                                                          \
+  COLUMN(OMEGA1X, "omega1x", "f8", "angular velocity before the impact, x")                        \
+  COLUMN(OMEGA1Y, "omega1y", "f8", "the same, y")                                                  \
+  COLUMN(OMEGA1Z, "omega1z", "f8", "the same, z")                                                  \
+  COLUMN(OMEGA2X, "omega2x", "f8", "angular velocity after the impact, x")                         \
+  COLUMN(OMEGA2Y, "omega2y", "f8", "the same, y")                                                  \
+  COLUMN(OMEGA2Z, "omega2z", "f8", "the same, z")                                                  \
+  COLUMN(IMPULSE_X, "impulse_x", "f8", "impulse on the wall, x")                                   \
+  COLUMN(IMPULSE_Y, "impulse_y", "f8", "the same, y")                                              \
+  COLUMN(IMPULSE_Z, "impulse_z", "f8", "the same, z")
+
 /* Places in a row, from 0: LEDGER_TAG, ... */
 #define LEDGER_PLACE(ID, name, type, text) LEDGER_##ID,
-enum { LEDGER_COLUMNS(LEDGER_PLACE) LEDGER_N_COLUMNS };
+enum {
+  LEDGER_COLUMNS(LEDGER_PLACE) LEDGER_N_COLUMNS,
+  LEDGER_LAST = LEDGER_N_COLUMNS - 1,
+  LEDGER_MORE_COLUMNS(LEDGER_PLACE) LEDGER_N_FULL
+};
 #undef LEDGER_PLACE
 
 #endif

@@ -37,6 +37,12 @@ void contact_tree_free(ContactTree *tree);
 size_t contact_tree_count(const ContactTree *tree);
 size_t contact_tree_bytes(const ContactTree *tree);
 
+/* A tree as a block of contact_tree_bytes(), aligned as malloc's; it holds no addresses, so that
+ * processes can share one. The tree over a block copies nothing: the block must outlive it. NULL
+ * when out of memory. */
+void contact_tree_pack(const ContactTree *tree, void *block);
+ContactTree *contact_tree_over(void *block);
+
 /* The box around all triangles; lo > hi where there are none. */
 void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]);
 
@@ -51,9 +57,10 @@ int contact_tree_place(const ContactTree *tree, int id);
 bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
 /* How long a sphere of radius `reach`, which grows by `widen` per time, keeps clear of all
- * triangles while its centre moves along x + v t: a lower bound, at most `most`. */
+ * triangles but `skipped` ones, whose numbers are in `skip`, while its centre moves along x + v t:
+ * a lower bound, at most `most`. */
 double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],
-                          double reach, double widen, double most);
+                          double reach, double widen, double most, const int *skip, int skipped);
 
 /* Appends the places of all triangles whose boxes meet the box lo to hi. False when out of memory.
  */

@@ -56,14 +56,17 @@ static bool above_face(const ContactTriangle *triangle, const double normal[3], 
   return true;
 }
 
-double contact_triangle_nearest(const ContactTriangle *triangle, const double x[3],
-                                double nearest[3]) {
-  double normal[3], arm[3];
-  if (face_normal(triangle, normal) && above_face(triangle, normal, x)) {
-    vector_scale(1 / vector_length(normal), normal);
+/* The point of the triangle that is nearest to x, and its distance. normal: from face_normal(),
+ * with its result and its length. */
+static double nearest_point(const ContactTriangle *triangle, const double normal[3], bool flat,
+                            double length, const double x[3], double nearest[3]) {
+  if (flat && above_face(triangle, normal, x)) {
+    double arm[3], unit[3];
+    vector_copy(normal, unit);
+    vector_scale(1 / length, unit);
     vector_subtract(x, triangle->node[0], arm);
-    const double height = vector_dot(arm, normal);
-    vector_add_scaled(x, -height, normal, nearest);
+    const double height = vector_dot(arm, unit);
+    vector_add_scaled(x, -height, unit, nearest);
     return fabs(height);
   }
   double least = INFINITY;
@@ -77,6 +80,13 @@ double contact_triangle_nearest(const ContactTriangle *triangle, const double x[
     }
   }
   return least;
+}
+
+double contact_triangle_nearest(const ContactTriangle *triangle, const double x[3],
+                                double nearest[3]) {
+  double normal[3];
+  const bool flat = face_normal(triangle, normal);
+  return nearest_point(triangle, normal, flat, vector_length(normal), x, nearest);
 }
 
 /* When a path comes within the sphere's radius of the triangle's plane, before which it cannot
@@ -117,8 +127,11 @@ bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *p
   const double speed = vector_length(path->v);
   if (!(speed > 0))
     return false;
-  double normal[3], x[3], nearest[3], arm[3];
-  contact_triangle_normal(triangle, normal);
+  double across[3], normal[3], x[3], nearest[3], arm[3];
+  const bool flat = face_normal(triangle, across);
+  const double length = vector_length(across);
+  vector_copy(across, normal);
+  vector_scale(flat ? 1 / length : 0, normal);
   double time = time_to_plane(normal, triangle, path, radius);
   touch->guarded = false;
   touch->lift = 0;
@@ -126,7 +139,7 @@ bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *p
     if (!(time <= latest))
       return false;
     vector_add_scaled(path->x, time, path->v, x);
-    const double distance = contact_triangle_nearest(triangle, x, nearest);
+    const double distance = nearest_point(triangle, across, flat, length, x, nearest);
     vector_subtract(x, nearest, arm);
     normal_at(triangle, path, radius, arm, distance, touch);
     const double gap = distance - radius, approach = -vector_dot(path->v, touch->n);

@@ -15,9 +15,11 @@ using namespace asperity;
 
 namespace {
 
-/* Ahead::due of a particle that is stuck, or not of the group: never near; and of one that rested
- * in the last step: near without another look. */
-const int NEVER = INT_MAX, AT_REST = -1;
+/* Ahead::due of a particle that is stuck, or not of the group: never near. */
+const int NEVER = INT_MAX;
+
+/* A particle that stays at faces and is near others is not looked at for this many steps. */
+const int STAYS_NEAR = 32;
 
 /* Particles are screened in blocks of this many. */
 const int BLOCK = 32;
@@ -38,11 +40,6 @@ void Wall::look_anew() {
   std::fill(ahead_.due.begin(), ahead_.due.end(), 0);
 }
 
-/* After the contacts of a step. */
-void Wall::look_next(int i) {
-  ahead_.due[i] = is_at_rest(i) ? AT_REST : 0;
-}
-
 /* True if one of n components of a velocity differs by more than `most` from the predicted one. */
 static bool any_strays(const double *v, const float *along, int n, float most) {
   int over = 0;
@@ -60,7 +57,7 @@ static bool any_due(const int *due, int n, int now) {
 
 /* Particles that may touch this wall in this step. Most are known to be too far away: their way was
  * looked ahead on for some steps, in which they may stray from it a little. */
-void Wall::find_near(const Spheres &s, std::vector<int> &near) {
+void Wall::find_near(const Spheres &s, int number, std::vector<Near> &near) {
   double travel = 0;
   for (const Member &member : shapes_)
     travel = std::max(travel, member.shape->travel(s.dt));
@@ -80,24 +77,40 @@ void Wall::find_near(const Spheres &s, std::vector<int> &near) {
     if (!any_strays(v, along, 3 * count, most) && !any_due(due, count, ahead_.now))
       continue;
     for (int i = 0; i < count; i++)
-      if (due[i] <= ahead_.now || any_strays(v + 3 * i, along + 3 * i, 3, most))
-        look_ahead(s, first + i, near);
+      if ((due[i] <= ahead_.now || any_strays(v + 3 * i, along + 3 * i, 3, most)) &&
+          look_ahead(s, first + i))
+        near.push_back(Near{first + i, number});
   }
+}
+
+/* The faces of a shape at which a particle stayed in the step before. */
+Faces Wall::faces(int i, size_t shape) const {
+  Faces faces = {0, {0, 0, 0}};
+  const RestingPlace &at = place(i).resting;
+  for (size_t k = 0; status(i) == Status::RESTED && k < at.FACES && at.shape[k] > 0; k++)
+    if (static_cast<size_t>(at.shape[k]) == shape + 1)
+      faces.face[faces.count++] = static_cast<int>(at.face[k]);
+  return faces;
 }
 
 /* What is known of this particle is used up. (The way that was seen is wider from step to step by
  * as much as a particle may stray in one; so none may stray more in any of them, for one that is
  * thrown back to the wall by another would be there before.) */
-void Wall::look_ahead(const Spheres &s, int i, std::vector<int> &near) {
+bool Wall::look_ahead(const Spheres &s, int i) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
   float *along = &ahead_.v[3 * static_cast<size_t>(i)];
   int *due = &ahead_.due[i];
-  const bool out = !(s.mask[i] & groupbit_) || state(i)[STATE] > FREE;
+  if (*due < 0 && ahead_.now < -*due)
+    return false;
+  const bool out = !(s.mask[i] & groupbit_) || is_stuck(i);
   for (int d = 0; d < 3; d++)
     along[d] = static_cast<float>(v[d]);
-  *due = out ? NEVER : *due == AT_REST ? 0 : ahead_.now + steps_clear(s, i);
-  if (*due <= ahead_.now)
-    near.push_back(i);
+  *due = out ? NEVER : ahead_.now + steps_clear(s, i);
+  if (*due > ahead_.now)
+    return false;
+  if (status(i) == Status::RESTED)
+    *due = -(ahead_.now + STAYS_NEAR);
+  return true;
 }
 
 /* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
@@ -110,9 +123,9 @@ int Wall::steps_clear(const Spheres &s, int i) const {
     by[d] = v[d] * s.dt;
     begin[d] = x[d] - by[d];
   }
-  const double widen = stray_ + FLT_EPSILON * vector_length(by) + travel_;
+  const double widen = stray_ + bend_ + FLT_EPSILON * vector_length(by) + travel_;
   const double reach = (1 + ROUNDING) * s.radius[i] + widen;
-  for (const Member &member : shapes_)
-    steps = std::min(steps, member.shape->clear(begin, by, reach, widen, steps));
+  for (size_t m = 0; m < shapes_.size(); m++)
+    steps = std::min(steps, shapes_[m].shape->clear(begin, by, reach, widen, steps, faces(i, m)));
   return static_cast<int>((1 - ROUNDING) * steps);
 }

@@ -22,14 +22,14 @@ bool Ledger::Key::operator<(const Key &other) const {
 }
 
 Ledger::Ledger(MPI_Comm world, const std::string &owner, int64_t every, const std::string &path,
-               OnError on_error)
-    : world_(world), every_(every), path_(path), on_error_(on_error), saved_(), is_open_(false),
-      first_(0), last_(0), lost_(0), columns_(N_COLUMNS), others_(N_FIELDS - N_COLUMNS), size_(0),
-      written_(0) {
+               OnError on_error, int columns)
+    : world_(world), every_(every), path_(path), on_error_(on_error), n_columns_(columns), saved_(),
+      is_open_(false), first_(0), last_(0), lost_(0), columns_(columns), others_(N_FIELDS - N_FULL),
+      size_(0), written_(0) {
   MPI_Comm_rank(world_, &rank_);
   MPI_Comm_size(world_, &ranks_);
   if (rank_ == 0 && !path_.empty())
-    file_.reset(new LedgerFile(owner, path));
+    file_.reset(new LedgerFile(owner, path, columns));
 }
 
 Ledger::~Ledger() {}
@@ -80,15 +80,15 @@ void Ledger::Table::make_room(size_t rows) {
 void Ledger::add(const Row &added) {
   columns_.make_room(size_ + 1);
   others_.make_room(size_ + 1);
-  std::copy(added.begin(), added.begin() + N_COLUMNS, columns_.row(size_));
-  std::copy(added.begin() + N_COLUMNS, added.end(), others_.row(size_));
+  std::copy(added.begin(), added.begin() + n_columns_, columns_.row(size_));
+  std::copy(added.begin() + N_FULL, added.end(), others_.row(size_));
   size_++;
 }
 
 Ledger::Row Ledger::row(size_t i) const {
   Row whole;
   std::copy(columns_.row(i), columns_.row(i + 1), whole.begin());
-  std::copy(others_.row(i), others_.row(i + 1), whole.begin() + N_COLUMNS);
+  std::copy(others_.row(i), others_.row(i + 1), whole.begin() + N_FULL);
   return whole;
 }
 
@@ -120,9 +120,9 @@ void Ledger::print(const std::vector<size_t> &order, size_t from, Piece &piece) 
     const Row r = row(order[i]);
     const size_t before = piece.bytes.size();
     if (is_ledger_array(path_))
-      append_record(r, piece.bytes);
+      append_record(r, n_columns_, piece.bytes);
     else
-      append_line(r, piece.bytes);
+      append_line(r, n_columns_, piece.bytes);
     piece.keys.push_back(key(order[i]));
     piece.lengths.push_back(static_cast<int>(piece.bytes.size() - before));
   }

@@ -25,9 +25,10 @@ public:
   /* What the engine has to do where rows cannot be written. */
   enum OnError { STOP, GO_ON };
 
-  /* Without a path there is no file. `owner` is what messages call the wall. */
+  /* Without a path there is no file. `owner` is what messages call the wall. columns: N_COLUMNS or
+   * N_FULL. */
   Ledger(MPI_Comm world, const std::string &owner, int64_t every, const std::string &path,
-         OnError on_error);
+         OnError on_error, int columns);
   ~Ledger();
 
   /* What a restart file tells of the file; before open(). */
@@ -56,6 +57,9 @@ public:
   }
   int64_t every() const {
     return every_;
+  }
+  int columns() const {
+    return n_columns_;
   }
   int size() const {
     return static_cast<int>(size_);
@@ -98,7 +102,7 @@ private:
   };
 
   double at(size_t i, int column) const {
-    return column < N_COLUMNS ? columns_.row(i)[column] : others_.row(i)[column - N_COLUMNS];
+    return column < n_columns_ ? columns_.row(i)[column] : others_.row(i)[column - N_FULL];
   }
   Key key(size_t i) const {
     return Key{at(i, STEP), at(i, TIME), at(i, TAG), at(i, IMPACT)};
@@ -119,6 +123,7 @@ private:
   int64_t every_;
   std::string path_;
   OnError on_error_;
+  int n_columns_;
   LedgerState saved_;
   std::unique_ptr<LedgerFile> file_; /* on rank 0 */
   bool is_open_;

@@ -45,9 +45,10 @@ static std::string rows_of(int64_t count) {
   return std::to_string(count) + (count == 1 ? " row" : " rows");
 }
 
-LedgerFile::LedgerFile(const std::string &owner, const std::string &path)
-    : owner_(owner), path_(path), is_array_(is_ledger_array(path)), is_stream_(false), fd_(-1),
-      place_(), rows_(0), bytes_(0), step_(0), pending_(0), torn_(false) {}
+LedgerFile::LedgerFile(const std::string &owner, const std::string &path, int columns)
+    : owner_(owner), path_(path), columns_(columns), is_array_(is_ledger_array(path)),
+      is_stream_(false), fd_(-1), place_(), rows_(0), bytes_(0), step_(0), pending_(0),
+      torn_(false) {}
 
 LedgerFile::~LedgerFile() {
   if (fd_ < 0)
@@ -141,9 +142,9 @@ std::string LedgerFile::begin_or_continue(bool is_new, const LedgerState &saved,
 }
 
 void LedgerFile::begin(const std::string &heading) {
-  std::string first = "# " + heading + "\n" + ledger_names() + "\n";
+  std::string first = "# " + heading + "\n" + ledger_names(columns_) + "\n";
   if (is_array_) {
-    begin_ = begin_array(heading);
+    begin_ = begin_array(heading, columns_);
     first = array_header(begin_, 0);
   }
   if (!is_stream_ && ftruncate(fd_, 0) != 0)
@@ -204,16 +205,17 @@ void LedgerFile::check_columns() {
   first.resize(std::max<ssize_t>(0, pread(fd_, &first[0], first.size(), 0)));
   bool good = first.compare(0, 1, "#") == 0;
   if (is_array_) {
-    begin_ = find_begin(first);
+    begin_ = find_begin(first, columns_);
     good = !begin_.empty();
   } else {
-    const std::string names = "\n" + ledger_names() + "\n";
+    const std::string names = "\n" + ledger_names(columns_) + "\n";
     good =
         good && first.compare(std::min(first.find('\n'), first.size()), names.size(), names) == 0;
   }
   if (!good)
-    throw Error("the ledger file '" + path_ +
-                "' is not one to append to: its columns must be those of this version");
+    throw Error(
+        "the ledger file '" + path_ +
+        "' is not one to append to: its columns must be those of this version and of this ledger");
 }
 
 bool LedgerFile::holds(const LedgerState &state) const {
@@ -250,8 +252,8 @@ int64_t LedgerFile::count_rows(int64_t from, bool &torn) const {
   if (!is_array_)
     return std::max<int64_t>(0, count_lines(from, torn) - (from > 0 ? 0 : 2));
   const int64_t bytes = size() - std::max(from, static_cast<int64_t>(LEDGER_HEADER));
-  torn = bytes > 0 && bytes % bytes_of_record() > 0;
-  return std::max<int64_t>(0, bytes / bytes_of_record());
+  torn = bytes > 0 && bytes % bytes_of_record(columns_) > 0;
+  return std::max<int64_t>(0, bytes / bytes_of_record(columns_));
 }
 
 LedgerState LedgerFile::state() const {

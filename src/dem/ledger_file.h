@@ -28,8 +28,8 @@ struct LedgerState {
 
 class LedgerFile {
 public:
-  /* `owner` is what messages call the wall. */
-  LedgerFile(const std::string &owner, const std::string &path);
+  /* `owner` is what messages call the wall. columns: see ledger_format.h. */
+  LedgerFile(const std::string &owner, const std::string &path, int columns);
   ~LedgerFile();
   LedgerFile(const LedgerFile &) = delete;
   LedgerFile &operator=(const LedgerFile &) = delete;
@@ -81,6 +81,7 @@ private:
   bool is_deleted() const;
 
   std::string owner_, path_, heading_;
+  int columns_;
   bool is_array_, is_stream_; /* a pipe or a device */
   std::string begin_;         /* of an array's header, up to the number of its rows */
   int fd_;

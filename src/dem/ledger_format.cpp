@@ -16,7 +16,9 @@ using namespace asperity;
 
 /* Whole numbers (i) are printed as such in CSV. */
 #define LEDGER_NAMED(ID, name, type, text) {name, type},
-static const struct { const char *name, *type; } COLUMNS[] = {LEDGER_COLUMNS(LEDGER_NAMED)};
+static const struct {
+  const char *name, *type;
+} COLUMNS[] = {LEDGER_COLUMNS(LEDGER_NAMED) LEDGER_MORE_COLUMNS(LEDGER_NAMED)};
 #undef LEDGER_NAMED
 
 /* An array's header: magic, version, length, a Python dictionary. */
@@ -32,16 +34,16 @@ static int bytes_of(int column) {
   return COLUMNS[column].type[1] - '0';
 }
 
-int64_t asperity::bytes_of_record() {
+int64_t asperity::bytes_of_record(int columns) {
   int64_t bytes = 0;
-  for (int i = 0; i < LedgerColumn::N_COLUMNS; i++)
+  for (int i = 0; i < columns; i++)
     bytes += bytes_of(i);
   return bytes;
 }
 
-std::string asperity::ledger_names() {
+std::string asperity::ledger_names(int columns) {
   std::string names;
-  for (int i = 0; i < LedgerColumn::N_COLUMNS; i++)
+  for (int i = 0; i < columns; i++)
     names += (i > 0 ? "," : "") + std::string(COLUMNS[i].name);
   return names;
 }
@@ -50,9 +52,9 @@ static bool is_missing(const LedgerRow &row, int column) {
   return column == LedgerColumn::COR_T && !(row[LedgerColumn::COR_T_DEFINED] > 0);
 }
 
-void asperity::append_line(const LedgerRow &row, std::vector<char> &bytes) {
-  char line[(NUMBER_MOST + 1) * LedgerColumn::N_COLUMNS], *end = line;
-  for (int i = 0; i < LedgerColumn::N_COLUMNS; i++) {
+void asperity::append_line(const LedgerRow &row, int columns, std::vector<char> &bytes) {
+  char line[(NUMBER_MOST + 1) * LedgerColumn::N_FULL], *end = line;
+  for (int i = 0; i < columns; i++) {
     if (i > 0)
       *end++ = ',';
     if (!is_missing(row, i))
@@ -63,9 +65,9 @@ void asperity::append_line(const LedgerRow &row, std::vector<char> &bytes) {
   bytes.insert(bytes.end(), line, end);
 }
 
-void asperity::append_record(const LedgerRow &row, std::vector<char> &bytes) {
-  char record[sizeof(int64_t) * LedgerColumn::N_COLUMNS], *end = record;
-  for (int i = 0; i < LedgerColumn::N_COLUMNS; i++) {
+void asperity::append_record(const LedgerRow &row, int columns, std::vector<char> &bytes) {
+  char record[sizeof(int64_t) * LedgerColumn::N_FULL], *end = record;
+  for (int i = 0; i < columns; i++) {
     const double value = is_missing(row, i) ? NAN : row[i];
     if (COLUMNS[i].type[0] == 'i') {
       const int64_t whole = static_cast<int64_t>(value); /* its first bytes: the same in fewer */
@@ -82,20 +84,20 @@ void asperity::append_record(const LedgerRow &row, std::vector<char> &bytes) {
 
 /* The columns behind the first one, whose title is the heading: the one place that the format has
  * for a text. */
-static std::string other_columns() {
+static std::string other_columns(int columns) {
   std::string text;
-  for (int i = 1; i < LedgerColumn::N_COLUMNS; i++)
+  for (int i = 1; i < columns; i++)
     text += std::string(", ('") + COLUMNS[i].name + "', '" + (bytes_of(i) > 1 ? "<" : "|") +
             COLUMNS[i].type + "')";
   return text + "], 'fortran_order': False, " + SHAPE;
 }
 
-std::string asperity::begin_array(const std::string &heading) {
+std::string asperity::begin_array(const std::string &heading, int columns) {
   std::string title;
   for (char c : heading.substr(0, TITLE_MOST))
     title += c == '\'' || c == '\\' ? ' ' : c;
   return "{'descr': [(('" + title + "', '" + COLUMNS[0].name + "'), '<" + COLUMNS[0].type + "')" +
-         other_columns();
+         other_columns(columns);
 }
 
 std::string asperity::array_header(const std::string &begin, int64_t rows) {
@@ -108,10 +110,10 @@ std::string asperity::array_header(const std::string &begin, int64_t rows) {
   return text + '\n';
 }
 
-std::string asperity::find_begin(const std::string &header) {
-  const std::string columns = other_columns();
-  const size_t at = header.find(columns);
+std::string asperity::find_begin(const std::string &header, int columns) {
+  const std::string others = other_columns(columns);
+  const size_t at = header.find(others);
   if (header.size() != LEDGER_HEADER || at == std::string::npos || at < PREAMBLE)
     return "";
-  return header.substr(PREAMBLE, at + columns.size() - PREAMBLE);
+  return header.substr(PREAMBLE, at + others.size() - PREAMBLE);
 }

@@ -137,7 +137,7 @@ static Bounds bounds_of(const double x[3], const double v[3], double from, doubl
 }
 
 double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
-                        double most) const {
+                        double most, const Faces &stays) const {
   double steps = most;
   for (const Shift &shift : shifts_) {
     double from[3], at[3], by[3];
@@ -155,7 +155,8 @@ double MeshShape::clear(const double x[3], const double v[3], double reach, doub
       steps = std::max(1.0, steps / 4);
     if (!knows_all())
       get_to_know(bounds_of(at, by, 0, steps, reach + steps * widen));
-    steps = std::min(steps, contact_tree_clear(tree_.get(), at, by, reach, widen, steps));
+    steps = std::min(steps, contact_tree_clear(tree_.get(), at, by, reach, widen, steps, stays.face,
+                                               stays.count));
   }
   return steps;
 }
@@ -321,7 +322,8 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
     if (place < 0)
       continue;
     const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), place);
-    if (!(contact_triangle_nearest(triangle, at, foot) <= 2 * reach))
+    if ((edge || shifts_.size() > 1) &&
+        !(contact_triangle_nearest(triangle, at, foot) <= 2 * reach))
       continue;
     if (!edge) {
       contact_triangle_normal(triangle, normal);
@@ -369,6 +371,24 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
     first = touch;
   }
   return found;
+}
+
+/* A face goes on to be one where the path leads over its edge. */
+bool MeshShape::find_known(int face, const Path &path, double radius, Contact &contact) const {
+  if (!(path.left > 0))
+    return false;
+  for (const Shift &shift : shifts_) {
+    ContactPath body;
+    ContactTouch touch;
+    body_path(path, shift, body);
+    const int place = contact_tree_place(tree_.get(), face < 0 ? ~face : face);
+    if (place < 0 || !contact_triangle_find(contact_tree_triangle(tree_.get(), place), &body,
+                                            radius, path.left, &touch))
+      continue;
+    fill(path, body, shift, radius, touch, Places{place, place}, contact);
+    return true;
+  }
+  return false;
 }
 
 void MeshShape::stick(const Path &path, const Contact &contact, Place &place) const {

@@ -29,16 +29,20 @@ public:
   Motion &motion() {
     return motion_;
   }
+  const Motion &motion() const {
+    return motion_;
+  }
   const ContactTree *triangles() const {
     return tree_.get();
   }
 
   double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
-  double clear(const double x[3], const double v[3], double reach, double widen,
-               double most) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen, double most,
+               const Faces &stays) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  bool find_known(int face, const Path &path, double radius, Contact &contact) const override;
   bool under(int face, const double x[3], double reach, double n[3],
              double v_wall[3]) const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;

@@ -52,7 +52,9 @@ bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
 }
 
 double PlaneShape::clear(const double x[3], const double v[3], double reach, double widen,
-                         double most) const {
+                         double most, const Faces &stays) const {
+  if (stays.count > 0)
+    return most;
   const double off = x[plane_.axis] - plane_.at, gap = fabs(off) - reach;
   const double closing = widen + (off > 0 ? -v[plane_.axis] : v[plane_.axis]);
   return !(gap > 0) ? 0 : closing * most > gap ? gap / closing : most;

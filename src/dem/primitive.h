@@ -19,8 +19,8 @@ public:
   PlaneShape(int axis, double at, const double velocity[3]);
   double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
-  double clear(const double x[3], const double v[3], double reach, double widen,
-               double most) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen, double most,
+               const Faces &stays) const override;
   bool repeats(int axis) const override {
     return axis != plane_.axis;
   }

@@ -10,8 +10,8 @@ using namespace asperity;
 /* Each try is of so many times fewer steps. */
 static const double FEWER = 4;
 
-double Shape::clear(const double x[3], const double v[3], double reach, double widen,
-                    double most) const {
+double Shape::clear(const double x[3], const double v[3], double reach, double widen, double most,
+                    const Faces &) const {
   for (double steps = most; steps >= 1; steps /= FEWER) {
     const double wide = reach + steps * widen;
     double lo[3], hi[3];

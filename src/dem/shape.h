@@ -42,14 +42,33 @@ struct Place {
   double at[3];
 };
 
-/* What a contact has given to a piece of a shape: for maps, and for meshes that measure. */
-struct Blow {
+/* Faces of a shape. */
+struct Faces {
+  int count, face[3];
+  bool has(int other) const {
+    for (int k = 0; k < count; k++)
+      if (face[k] == other)
+        return true;
+    return false;
+  }
+};
+
+struct Spheres;
+
+/* What the contact of one particle does to a piece of a wall. */
+struct ContactLoad {
   int piece;
-  int type; /* of the particle, from 1 */
-  int mask; /* of its groups */
-  double impulse[3];
-  double point[3];    /* where it acted */
+  int type;           /* of the particle, from 1 */
+  int mask;           /* of its groups */
+  double n[3];        /* outward unit normal; 0 for what is stuck, which is held in any direction */
+  double point[3];    /* where it acts */
+  double impulse[3];  /* on the wall */
   double v_before[3]; /* of the particle, relative to the wall */
+  double dissipated;  /* energy */
+
+  /* That of particle i with its center at `center`, with an impulse per mass on the particle. */
+  ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
+              const double impulse_per_mass[3], const double v_before[3]);
 };
 
 class Shape {
@@ -64,10 +83,10 @@ public:
   virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
 
   /* For how many steps a sphere of radius `reach`, which grows by `widen` a step, cannot meet the
-   * shape as it is at the end of this step while its centre goes on from x by v a step: a lower
-   * bound, at most `most`. */
+   * shape as it is at the end of this step, but for the faces at which it stays, while its centre
+   * goes on from x by v a step: a lower bound, at most `most`. */
   virtual double clear(const double x[3], const double v[3], double reach, double widen,
-                       double most) const;
+                       double most, const Faces &stays) const;
 
   /* Whether a particle that has crossed the edge of the box along an axis, where that is periodic,
    * has the same shape before it as if it had gone on. */
@@ -77,6 +96,11 @@ public:
 
   /* The first contact of the path at or before `latest`. */
   virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
+
+  /* The same of a face at which the particle has stayed; it may look at other faces, too. */
+  virtual bool find_known(int, const Path &path, double radius, Contact &contact) const {
+    return find(path, radius, path.left, contact);
+  }
 
   /* The wall under a centre that has stayed at a face, at the end of the step: the normal and the
    * velocity of the wall's point. False where the centre is farther away than `reach`. */
@@ -102,7 +126,7 @@ public:
   virtual bool measures() const {
     return false;
   }
-  virtual void take(const Blow &) {}
+  virtual void take(const ContactLoad &) {}
 
   /* What a continued run has to know of a shape that has moved; none where it has not. */
   virtual std::vector<double> motion_record() const {

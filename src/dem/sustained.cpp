@@ -18,6 +18,10 @@ namespace {
 const int SWEEPS = 100;
 const double CONVERGED = 1e-6, DIVERGED = 1e-3;
 
+/* Two contacts are solved directly where the square of half the difference of their normals is
+ * larger; and the like. */
+const double REGULAR = 1e-6;
+
 /* Adds an impulse per mass at the contact with normal n. */
 void push(const double n[3], const double p[3], double radius, double v[3], double omega[3]) {
   double across[3];
@@ -34,20 +38,28 @@ void slip(const Support &s, double radius, const double v[3], const double omega
   vector_add_scaled(u, -radius, across, u);
 }
 
+/* The impulse that one contact needs where its surface has the velocity u without it. */
+void impulse(const Support &s, const double u[3], double p[3]) {
+  const double normal = vector_dot(u, s.n), p_n = std::max(0.0, -normal), most = s.friction * p_n;
+  double along[3];
+  vector_add_scaled(u, -normal, s.n, along);
+  const double square = vector_dot(along, along);
+  const double share = 4.0 / 49 * square > most * most ? most / sqrt(square) : 2.0 / 7;
+  for (int d = 0; d < 3; d++)
+    p[d] = p_n * s.n[d] - share * along[d];
+}
+
+/* ---- contacts one after another ---------------------------------------------------------------
+ */
+
 /* Solves one contact for the present impulses of the others. */
 void solve_one(Support &s, double radius, double v[3], double omega[3]) {
   double u[3], p[3], change[3];
   slip(s, radius, v, omega, u);
-  /* Without this contact's own impulse, which moves its surface 7/2 times as much along the wall.
-   */
-  const double own = vector_dot(s.p, s.n), normal = vector_dot(u, s.n) - own;
-  vector_add_scaled(u, -vector_dot(u, s.n), s.n, u);
+  /* Its own impulse moves its surface 7/2 times as much along the wall. */
   vector_add_scaled(u, -3.5, s.p, u);
-  vector_add_scaled(u, 3.5 * own, s.n, u);
-  const double p_n = std::max(0.0, -normal), stop = 2.0 / 7 * vector_length(u);
-  const double most = s.friction * p_n;
-  for (int d = 0; d < 3; d++)
-    p[d] = p_n * s.n[d] - (stop > most ? most / stop : 1) * 2.0 / 7 * u[d];
+  vector_add_scaled(u, 2.5 * vector_dot(s.p, s.n), s.n, u);
+  impulse(s, u, p);
   vector_subtract(p, s.p, change);
   push(s.n, change, radius, v, omega);
   vector_copy(p, s.p);
@@ -64,8 +76,6 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
     vector_copy(omega, omega_then);
     for (Support &s : supports)
       solve_one(s, radius, v, omega);
-    if (supports.size() == 1)
-      return true;
     vector_subtract(v, v_then, dv);
     vector_subtract(omega, omega_then, domega);
     const double change = vector_length(dv) + radius * vector_length(domega);
@@ -82,10 +92,145 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
   return !(left > DIVERGED * first);
 }
 
+/* ---- two contacts -----------------------------------------------------------------------------
+ */
+
+/* One contact as if it were alone. False if the other one would be approached then. */
+bool solve_alone(Support &s, Support &other, double radius, double v[3], double omega[3]) {
+  double u[3], v_after[3], omega_after[3];
+  slip(s, radius, v, omega, u);
+  impulse(s, u, s.p);
+  vector_copy(v, v_after);
+  vector_copy(omega, omega_after);
+  push(s.n, s.p, radius, v_after, omega_after);
+  vector_subtract(v_after, other.w, u);
+  if (-vector_dot(u, other.n) > CONVERGED * vector_length(s.p))
+    return false;
+  vector_copy(v_after, v);
+  vector_copy(omega_after, omega);
+  other.p[0] = other.p[1] = other.p[2] = 0;
+  return true;
+}
+
+/* Two contacts without friction. */
+bool solve_smooth(Support &a, Support &b, double v[3]) {
+  double u[3];
+  const double cosine = vector_dot(a.n, b.n), det = 1 - cosine * cosine;
+  vector_subtract(v, a.w, u);
+  const double approach_a = -vector_dot(u, a.n);
+  vector_subtract(v, b.w, u);
+  const double approach_b = -vector_dot(u, b.n);
+  const double p_a = approach_a - cosine * approach_b, p_b = approach_b - cosine * approach_a;
+  if (a.friction > 0 || b.friction > 0 || !(det > REGULAR) || p_a < 0 || p_b < 0)
+    return false;
+  for (int d = 0; d < 3; d++) {
+    a.p[d] = p_a / det * a.n[d];
+    b.p[d] = p_b / det * b.n[d];
+    v[d] += a.p[d] + b.p[d];
+  }
+  return true;
+}
+
+/* Narrows the numbers lo to hi to those for which the impulse p + number * by at this contact is
+ * within the cone of friction. by.n must be positive. */
+bool narrow(const Support &s, const double p[3], const double by[3], double &lo, double &hi) {
+  const double p_n = vector_dot(p, s.n), by_n = vector_dot(by, s.n);
+  const double factor = 1 + s.friction * s.friction;
+  const double a = vector_dot(by, by) - factor * by_n * by_n,
+               b = vector_dot(p, by) - factor * p_n * by_n,
+               c = vector_dot(p, p) - factor * p_n * p_n;
+  const double square = b * b - a * c;
+  if (!(square > 0) || !(fabs(a) > REGULAR))
+    return false;
+  const double root = sqrt(square), one = (-b - root) / a, two = (-b + root) / a;
+  if (a < 0) /* beyond the larger root, where the normal impulse is positive */
+    lo = std::max(lo, std::max(one, two));
+  else {
+    if (p_n + 0.5 * (one + two) * by_n < 0)
+      return false;
+    lo = std::max(lo, one);
+    hi = std::min(hi, two);
+  }
+  return lo <= hi;
+}
+
+/* Two contacts where the sphere slides at neither. Its surface has the wall's velocity at both, so
+ * that it can only turn about the line through them. Of impulses that push both contacts apart
+ * along that line there may be any number: the least that friction allows are taken. With s = r
+ * omega, m and h half the sum and half the difference of the normals, P the sum of the impulses and
+ * D half their difference, the two conditions on the surface and the balances are
+ *
+ *   v' = (w1 + w2)/2 + s' x m,   h x s' = (w1 - w2)/2,   P = v' - v,   s' - s = -5/2 (m x P + 2 h x
+ * D)
+ */
+bool solve_sticking(Support &a, Support &b, double radius, double v[3], double omega[3]) {
+  double m[3], h[3], w[3], dw[3], s[3], e[3], after[3], p[3], turn[3], across[3], apart[3];
+  for (int d = 0; d < 3; d++) {
+    m[d] = 0.5 * (a.n[d] + b.n[d]);
+    h[d] = 0.5 * (a.n[d] - b.n[d]);
+    w[d] = 0.5 * (a.w[d] + b.w[d]);
+    dw[d] = 0.5 * (a.w[d] - b.w[d]);
+  }
+  const double square = vector_dot(h, h), half = sqrt(square);
+  if (!(square > REGULAR))
+    return false;
+  vector_cross(dw, h, s);
+  vector_scale(1 / square, s); /* across h; the part along it, by the balance along h: */
+  vector_cross(h, m, e);
+  vector_scale(1 / half, e);
+  vector_cross(s, m, after);
+  vector_add_scaled(after, 1, w, after);
+  vector_subtract(after, v, p);
+  const double spin = (radius * vector_dot(omega, h) / half - 2.5 * vector_dot(e, p)) /
+                      (1 + 2.5 * vector_dot(m, m));
+  vector_add_scaled(s, spin / half, h, s);
+  vector_add_scaled(p, spin, e, p);
+  vector_add_scaled(s, -radius, omega, turn);
+  vector_cross(m, p, across);
+  vector_add_scaled(across, 0.4, turn, across);
+  vector_cross(across, h, apart);
+  vector_scale(-0.5 / square, apart);
+  double p_a[3], p_b[3], back[3], lo = -HUGE_VAL, hi = HUGE_VAL;
+  for (int d = 0; d < 3; d++) {
+    p_a[d] = 0.5 * p[d] + apart[d];
+    p_b[d] = 0.5 * p[d] - apart[d];
+    back[d] = -h[d];
+  }
+  if (!narrow(a, p_a, h, lo, hi) || !narrow(b, p_b, back, lo, hi))
+    return false;
+  vector_add_scaled(p_a, lo, h, a.p);
+  vector_add_scaled(p_b, lo, back, b.p);
+  /* Walls that part or close along the line, too, leave no such solution. */
+  double u_a[3], u_b[3], v_after[3], omega_after[3];
+  vector_add_scaled(v, 1, p, v_after);
+  vector_copy(s, omega_after);
+  vector_scale(1 / radius, omega_after);
+  slip(a, radius, v_after, omega_after, u_a);
+  slip(b, radius, v_after, omega_after, u_b);
+  if (vector_dot(u_a, u_a) + vector_dot(u_b, u_b) > CONVERGED * CONVERGED * vector_dot(p, p))
+    return false;
+  vector_copy(v_after, v);
+  vector_copy(omega_after, omega);
+  return true;
+}
+
 } // namespace
 
 bool asperity::solve_supports(std::vector<Support> &supports, double radius, double v[3],
                               double omega[3]) {
+  if (supports.size() == 1) {
+    double u[3];
+    slip(supports[0], radius, v, omega, u);
+    impulse(supports[0], u, supports[0].p);
+    push(supports[0].n, supports[0].p, radius, v, omega);
+    return true;
+  }
+  if (supports.size() == 2) {
+    Support &a = supports[0], &b = supports[1];
+    if (solve_alone(a, b, radius, v, omega) || solve_alone(b, a, radius, v, omega) ||
+        solve_smooth(a, b, v) || solve_sticking(a, b, radius, v, omega))
+      return true;
+  }
   double v_free[3], omega_free[3];
   vector_copy(v, v_free);
   vector_copy(omega, omega_free);
@@ -109,4 +254,12 @@ bool asperity::solve_supports(std::vector<Support> &supports, double radius, dou
   vector_copy(mean, v);
   vector_copy(omega_free, omega);
   return false;
+}
+
+double asperity::slide_work(const Support &support, double radius, const double v[3],
+                            const double omega[3]) {
+  double u[3];
+  slip(support, radius, v, omega, u);
+  vector_add_scaled(u, -vector_dot(u, support.n), support.n, u);
+  return std::max(0.0, -vector_dot(support.p, u));
 }

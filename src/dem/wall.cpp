@@ -16,7 +16,9 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "ledger";
+const char Wall::KEYWORDS[] = "ledger torque_about";
+const char *const Wall::SUM_NAMES[] = {"impacts",        "deposited_mass",     "impact_energy",
+                                       "normal_impulse", "tangential_impulse", "dissipated_energy"};
 
 namespace {
 
@@ -27,12 +29,16 @@ const size_t SHOWN = 32768;
  * the smallest. */
 const double STRAY = 2e-3;
 
+/* How far sustained contacts may bend its path within a step, as a share of that. */
+const double BEND = 0.25;
+
 } // namespace
 
 Wall::Wall(const Engine &engine)
     : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
-      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), counters_(), clock_(),
-      fastest_(), dt_(0), warned_(false), cut_(false), has_doomed_(false) {}
+      box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), bend_(0), counters_(),
+      torque_about_(), clock_(), fastest_(), dt_(0), warned_(false), cut_(false),
+      has_to_delete_(false) {}
 
 Wall::Sums::Sums(size_t count)
     : count_(count), numbers_(static_cast<double *>(calloc(count + 1, sizeof(double))), free) {
@@ -42,7 +48,7 @@ Wall::Sums::Sums(size_t count)
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
-  Member member = {std::move(shape), name, wall_type, {}, Sums(pieces * N_SUMS)};
+  Member member = {std::move(shape), name, wall_type, false, {}, Sums(pieces * N_SUMS)};
   shapes_.push_back(std::move(member));
 }
 
@@ -54,6 +60,9 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
       continue;
     if (words.take("ledger"))
       parse_ledger(words);
+    else if (words.take("torque_about"))
+      for (int d = 0; d < 3; d++)
+        torque_about_[d] = words.number("a coordinate of 'torque_about'");
     else
       model_.parse(words, others);
   }
@@ -70,21 +79,26 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
 
 void Wall::parse_ledger(Words &words) {
   const int64_t every = static_cast<int64_t>(words.whole("ledger", 1, 2147483647.0));
-  std::string path, on_error;
+  std::string path, on_error, columns;
   for (bool more = true; more;) {
     if (words.take("file"))
       path = words.word("the file of 'ledger'");
     else if (words.take("on_error"))
       on_error = words.word("the value of 'on_error'");
+    else if (words.take("columns"))
+      columns = words.word("the value of 'columns'");
     else
       more = false;
   }
   if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
     throw Error("on_error is '" + on_error + "'; it must be stop or go_on");
+  if (!columns.empty() && columns != "full")
+    throw Error("columns is '" + columns + "'; it must be full");
   if (!on_error.empty() && path.empty())
     throw Error("on_error is of a ledger's file; 'ledger N file FILE' must come with it");
   ledger_.reset(new Ledger(engine_.world(), "fix " + engine_.id(), every, path,
-                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP));
+                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP,
+                           columns.empty() ? Ledger::N_COLUMNS : Ledger::N_FULL));
 }
 
 /* ---- before a run -----------------------------------------------------------------------------
@@ -122,17 +136,20 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
   double least, most;
   engine_.diameters(least, most);
   stray_ = STRAY * 0.5 * least;
+  bend_ = BEND * stray_;
+  for (Member &member : shapes_)
+    member.measures = member.shape->measures();
   for (int i = 0; i < spheres.n; i++) {
-    if (model_.deposit() == Model::OFF && state(i)[STATE] > FREE)
-      state(i)[STATE] = FREE; /* an earlier part of the run had deposits */
+    if (model_.deposit() == Model::OFF && is_stuck(i))
+      set_status(i, Status::FREE); /* an earlier part of the run had deposits */
   }
   renumber_stuck(spheres);
   look_anew();
   for (int i = 0; i < spheres.n; i++) {
-    const size_t shape = static_cast<size_t>(place(i)[SHAPE]) - 1;
-    if (state(i)[STATE] > FREE && shape < shapes_.size() &&
+    const size_t shape = static_cast<size_t>(place(i).stuck.shape) - 1;
+    if (is_stuck(i) && shape < shapes_.size() &&
         model_.removes(spheres.type[i], shapes_[shape].wall_type, 2 * spheres.radius[i]))
-      state(i)[STATE] = FREE; /* it had no such flow */
+      set_status(i, Status::FREE); /* it had no such flow */
   }
   reorder(spheres);
   warn_of_speeds();
@@ -141,11 +158,11 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
 void Wall::reorder(const Spheres &spheres) {
   stuck_.clear();
   touching_.clear();
-  has_doomed_ = false;
+  has_to_delete_ = false;
   for (int i = 0; i < spheres.n; i++)
-    if (state(i)[STATE] > FREE)
+    if (is_stuck(i))
       stuck_.push_back(i);
-    else if (state(i)[STATE] < FREE)
+    else if (status(i) != Status::FREE)
       touching_.push_back(i);
   const size_t n = static_cast<size_t>(spheres.n);
   if (!repeats())
@@ -236,38 +253,6 @@ void Wall::warn_of_speeds() {
                     fastest[0], fastest[1], 0.5 * worst.ratio * dt_, dt_, 1 / worst.ratio));
 }
 
-/* ---- what sticks ------------------------------------------------------------------------------
- */
-
-void Wall::carry(const Spheres &spheres) {
-  for (int i : stuck_)
-    carry_one(spheres, i, spheres.dt);
-}
-
-/* Puts a stuck particle where its wall has it at the end of the step: the periodic image of that
- * place which is nearest to where the particle is. */
-void Wall::carry_one(const Spheres &s, int i, double dt) {
-  double *row = place(i), *x = s.x + 3 * static_cast<size_t>(i), on_wall[3];
-  const size_t shape = static_cast<size_t>(row[SHAPE]) - 1;
-  if (!(row[SHAPE] >= 1) || shape >= shapes_.size())
-    return;
-  Place at = {static_cast<int>(row[PIECE]), {row[AT], row[AT + 1], row[AT + 2]}};
-  shapes_[shape].shape->carry(at, s.radius[i], dt, on_wall, row + VELOCITY);
-  row[PIECE] = at.piece;
-  vector_copy(at.at, row + AT);
-  box_.bring_near(x, on_wall);
-  vector_copy(on_wall, x);
-  vector_copy(row + VELOCITY, s.v + 3 * static_cast<size_t>(i));
-  for (int d = 0; s.omega && d < 3; d++)
-    s.omega[3 * static_cast<size_t>(i) + d] = 0;
-}
-
-void Box::bring_near(const double near[3], double x[3]) const {
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0)
-      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
-}
-
 /* ---- output -----------------------------------------------------------------------------------
  */
 
@@ -293,23 +278,23 @@ void Wall::end_run() {
     check_written(ledger_->flush());
 }
 
-double Wall::counter(int k) const {
-  double all;
-  MPI_Allreduce(&counters_[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
-  return all;
-}
-
-double Wall::stuck() const {
-  const double mine = static_cast<double>(stuck_.size());
+double Wall::sum_of(double mine) const {
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
   return all;
 }
 
+double Wall::counter(int k) const {
+  const double sum = sum_of(counters_[k]);
+  return k >= FORCE && k < TORQUE + 3 && dt_ > 0 ? sum / dt_ : sum;
+}
+
+double Wall::stuck() const {
+  return sum_of(static_cast<double>(stuck_.size()));
+}
+
 double Wall::total(size_t shape, int k) const {
-  double all;
-  MPI_Allreduce(&shapes_[shape].totals[k], &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
-  return all;
+  return sum_of(shapes_[shape].totals[k]);
 }
 
 std::vector<double> Wall::sums(size_t shape) const {
@@ -350,7 +335,7 @@ std::vector<char> Wall::save() {
   if (ledger_)
     check_written(ledger_->save(state.ledger));
   for (int k = 0; k < N_COUNTERS; k++)
-    state.counters.push_back(counter(k));
+    state.counters.push_back(sum_of(counters_[k]));
   for (size_t m = 0; m < shapes_.size(); m++) {
     std::vector<double> totals;
     for (int k = 0; k < N_TOTALS; k++)
@@ -377,7 +362,10 @@ std::vector<char> Wall::save() {
 }
 
 Settings Wall::settings() const {
-  return Settings{{"geometry", geometry_}, {"description", model_.description()}};
+  const double *at = torque_about_;
+  return Settings{{"geometry", geometry_},
+                  {"description", model_.description()},
+                  {"torque_about", text("%.15g %.15g %.15g", at[0], at[1], at[2])}};
 }
 
 /* The script is what counts; but it should not differ unnoticed. */
@@ -434,19 +422,4 @@ void Wall::restore_shapes(const WallState &saved) {
       std::copy(mesh.map.begin(), mesh.map.end(), member.sums.data());
     member.shape->restore_motion(mesh.motion);
   }
-}
-
-/* What is stuck knows its mesh by a number, which another script may have changed. What is stuck to
- * a mesh that is gone stays where it is. */
-void Wall::renumber_stuck(const Spheres &spheres) {
-  for (int i = 0; !shape_now_.empty() && i < spheres.n; i++) {
-    double *row = place(i);
-    const size_t before = static_cast<size_t>(row[SHAPE]);
-    if (!(state(i)[STATE] > FREE) || before < 1 || before > shape_now_.size())
-      continue;
-    row[SHAPE] = shape_now_[before - 1];
-    for (int d = 0; d < 3 && shape_now_[before - 1] == 0; d++)
-      row[VELOCITY + d] = 0;
-  }
-  shape_now_.clear();
 }

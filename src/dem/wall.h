@@ -18,6 +18,7 @@
 #include "dem/engine.h"
 #include "dem/ledger.h"
 #include "dem/model.h"
+#include "dem/particle_state.h"
 #include "dem/record.h"
 #include "dem/shape.h"
 #include "dem/words.h"
@@ -26,16 +27,9 @@ namespace asperity {
 
 class Wall {
 public:
-  /* Numbers of each particle that the engine keeps and moves between ranks, and writes into restart
-   * files; all 0 at first. State: how often the particle has hit this wall, and whether it is free,
-   * stays at the wall, or is stuck. Place: where it sticks, and with which velocity. Of a particle
-   * that stays at the wall, pairs of a shape (from 1; 0: none) and its face instead, and FROM,
-   * where the wall is curved, its normal as the contact began; of one that has rebounded in this
-   * step, SQUARE and WORK of its energy (see balance()) and NORMAL. */
-  enum { IMPACTS, STATE, N_STATE };
-  enum { SHAPE, PIECE, AT, VELOCITY = AT + 3, FROM = 6, N_PLACE = FROM + 3 };
-  enum { SQUARE = SHAPE, WORK = PIECE, NORMAL = AT };
-  enum State { REBOUNDED = -3, RESTED, RESTING, FREE, FROZEN, DOOMED };
+  /* Numbers of each particle that the engine keeps: a ParticleState and a ParticlePlace. */
+  static const int N_STATE = sizeof(ParticleState) / sizeof(double);
+  static const int N_PLACE = sizeof(ParticlePlace) / sizeof(double);
 
   enum Counter {
     N_IMPACTS,
@@ -44,12 +38,24 @@ public:
     N_LATER_HITS,
     N_CAPPED,
     N_GUARDED,
+    FORCE,              /* on the wall, in the last step: three numbers */
+    TORQUE = FORCE + 3, /* the same about the point of `torque_about` */
+    DISSIPATED = TORQUE + 3,
     N_COUNTERS
   };
 
-  /* Sums of a shape, and of each of its pieces. */
-  enum Total { SHAPE_IMPACTS, SHAPE_DEPOSITS, SHAPE_MASS, SHAPE_ENERGY, N_TOTALS };
-  enum Sum { PIECE_IMPACTS, PIECE_MASS, PIECE_ENERGY, N_SUMS };
+  /* Sums of each piece of a shape. A shape has the same, with its deposits as the second number. */
+  enum Sum {
+    SUM_IMPACTS,
+    SUM_MASS,
+    SUM_ENERGY,
+    SUM_NORMAL,     /* impulses on the wall along the normal */
+    SUM_TANGENTIAL, /* and the lengths of those across it */
+    SUM_DISSIPATED,
+    N_SUMS
+  };
+  static const char *const SUM_NAMES[N_SUMS];
+  enum Total { SHAPE_DEPOSITS = 1, N_TOTALS = N_SUMS + 1 };
 
   explicit Wall(const Engine &engine);
 
@@ -71,8 +77,8 @@ public:
 
   /* The rows of this rank's particles, N_STATE and N_PLACE each. */
   void set_rows(double *state, double *place) {
-    state_ = state;
-    place_ = place;
+    state_ = reinterpret_cast<ParticleState *>(state);
+    place_ = reinterpret_cast<ParticlePlace *>(place);
   }
 
   /* Where the box may have changed its size since setup(). */
@@ -93,11 +99,11 @@ public:
   static void hold(const std::vector<Wall *> &walls, const Spheres &spheres);
 
   /* Whether particles of this rank are to be deleted. */
-  bool has_doomed() const {
-    return has_doomed_;
+  bool has_to_delete() const {
+    return has_to_delete_;
   }
-  bool is_doomed(int i) const {
-    return state_[static_cast<size_t>(i) * N_STATE + STATE] == DOOMED;
+  bool is_to_delete(int i) const {
+    return status(i) == Status::TO_DELETE;
   }
 
   /* The ledger's windows, and warnings at output; collective. */
@@ -109,7 +115,7 @@ public:
 
   /* By the wall's own clock, which restarts and reset_step() do not disturb; after init(). */
   bool is_at_rest(int i) const {
-    return status(i) == RESTING;
+    return status(i) == Status::RESTING;
   }
   double time(double step) const;
 
@@ -167,8 +173,10 @@ private:
     std::unique_ptr<Shape> shape;
     std::string name; /* of a mesh; empty for a shape of one piece */
     int wall_type;
+    bool measures;
     double totals[N_TOTALS];
     Sums sums;
+    void add(int piece, Sum sum, double value);
   };
 
   /* A contact that is not counted yet. */
@@ -177,6 +185,7 @@ private:
     size_t shape;
     Contact contact;
     double v1[3];         /* relative to the wall */
+    double omega1[3];     /* before the impact */
     double elapsed, time; /* of the step; of the ledger */
     asp_key key;
     asp_impact impact;
@@ -185,7 +194,8 @@ private:
   /* The contacts of one particle in one step. */
   struct Flight;
 
-  /* Of each particle, until which step it cannot touch if it keeps this velocity. */
+  /* Of each particle, until which step it cannot touch if it keeps this velocity: at another face
+   * than those at which it stays. Less than 0: it stays, and is near others until that step. */
   struct Ahead {
     int now; /* steps are counted from the beginning of the run */
     std::vector<int> due;
@@ -193,47 +203,83 @@ private:
     std::vector<int64_t> tag; /* of whom this is */
   };
 
+  /* A particle that may touch a wall in this step, which has this number among those of the run. */
+  struct Near {
+    int i, wall;
+    bool operator<(const Near &other) const {
+      return i < other.i || (i == other.i && wall < other.wall);
+    }
+  };
+
   /* The fastest particle of this rank in this run, by its radii per time. */
   struct Fastest {
     double ratio, d_p, speed;
   };
 
-  double *state(int i) const {
-    return state_ + static_cast<size_t>(i) * N_STATE;
+  ParticleState &state(int i) const {
+    return state_[i];
   }
-  State status(int i) const {
-    return static_cast<State>(static_cast<int>(state(i)[STATE]));
+  ParticlePlace &place(int i) const {
+    return place_[i];
   }
-  double *place(int i) const {
-    return place_ + static_cast<size_t>(i) * N_PLACE;
+  Status status(int i) const {
+    return static_cast<Status>(static_cast<int>(state_[i].status));
+  }
+  void set_status(int i, Status now) {
+    state_[i].status = static_cast<double>(now);
+  }
+  bool is_stuck(int i) const {
+    return status(i) == Status::STUCK || status(i) == Status::TO_DELETE;
   }
   void set_clock(int64_t step, double dt);
   std::string heading() const;
   Settings settings() const;
 
-  void carry(const Spheres &spheres);
-  void carry_one(const Spheres &spheres, int i, double dt);
-  void find_near(const Spheres &spheres, std::vector<int> &near);
-  void look_ahead(const Spheres &spheres, int i, std::vector<int> &near);
-  void look_next(int i);
+  /* ahead.cpp */
+  void find_near(const Spheres &spheres, int number, std::vector<Near> &near);
+  bool look_ahead(const Spheres &spheres, int i);
   bool repeats() const;
+  Faces faces(int i, size_t shape) const;
   int steps_clear(const Spheres &spheres, int i) const;
+
+  /* step.cpp */
+  void begin_step(const Spheres &spheres, int number, std::vector<Near> &near);
   static bool find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&wall,
                          size_t &shape, Contact &contact);
-  static void fly(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
-  bool touch(Flight &flight, size_t shape, Contact contact, bool crowded);
+  static void list_known(const std::vector<Wall *> &walls, Flight &flight);
+  static bool find_known(Flight &flight, Wall *&wall, size_t &shape, Contact &contact);
+  static void search_all(const std::vector<Wall *> &walls, Flight &flight);
+  static void look_next(const std::vector<Wall *> &near, const Flight &flight);
+  static void fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near,
+                  const Spheres &spheres, int i);
+  static void finish(const std::vector<Wall *> &near, Flight &flight, bool moved);
+  bool touch(Flight &flight, size_t shape, Contact &contact, bool trapped);
+  bool is_sustained(Flight &flight, size_t shape, Contact &contact, const double v1[3],
+                    bool &arrives) const;
+  Event hit(const Flight &flight, size_t shape, const Path &before, const Contact &contact,
+            const double v1[3]);
+
+  /* hold.cpp */
   void keep_resting(int i, size_t shape, const Contact &contact);
   static void hold_resting(const std::vector<Wall *> &walls, const Spheres &spheres, int i);
   static void note_energy(const Flight &flight);
   void balance(const Spheres &spheres, int i);
-  void press(const Spheres &spheres, int i, size_t shape, int piece, const double n[3],
-             const double impulse[3], const double v1[3]);
+
+  /* tally.cpp */
+  void add(size_t shape, const ContactLoad &load);
+  void add_held(const Spheres &spheres, int i, const double before[3]);
+  void count(const Spheres &spheres, int i, const Event &event);
+  void record(const Spheres &spheres, int i, const Event &event, const ContactLoad &load);
+
+  /* stick.cpp */
   void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
-  void count(const Flight &flight, const Event &event);
-  void record(const Flight &flight, const Event &event);
-  void restore_shapes(const WallState &saved);
+  void carry(const Spheres &spheres);
+  void carry_one(const Spheres &spheres, int i, double dt);
   void renumber_stuck(const Spheres &spheres);
+
+  void restore_shapes(const WallState &saved);
   void parse_ledger(Words &words);
+  double sum_of(double mine) const;
   void check_written(const std::string &wrong) const;
   void check_speeds(const Spheres &spheres);
   void warn_of_speeds();
@@ -246,19 +292,23 @@ private:
   uint32_t key_;
   int groupbit_;
   Box box_;
-  double *state_, *place_;
-  std::vector<int> stuck_, touching_, rested_; /* touching: those that stay or have rebounded, of
-                                                  this step; rested: of the step before */
+  ParticleState *state_;
+  ParticlePlace *place_;
+  std::vector<int> stuck_;
+  std::vector<int> touching_; /* those that stay or have rebounded in this step */
+  std::vector<int> rested_;   /* the same of the step before */
   Ahead ahead_;
   double travel_; /* of the wall's fastest point in a step, at most */
   double stray_;  /* how far a particle may leave the way that it was looked ahead on, a step */
-  double counters_[N_COUNTERS];
+  double bend_;   /* how far sustained contacts may bend its way within a step */
+  double counters_[N_COUNTERS]; /* force and torque as impulses */
+  double torque_about_[3];
   Clock clock_;
   Fastest fastest_;
   double dt_;
   std::vector<int>
       shape_now_; /* of a restart: the shape, from 1, that was each of the saved ones */
-  bool warned_, cut_, has_doomed_; /* cut: a particle had too many contacts in a step */
+  bool warned_, cut_, has_to_delete_; /* cut: a particle had too many contacts in a step */
 };
 
 } // namespace asperity

@@ -15,8 +15,6 @@ using namespace asperity;
 
 namespace {
 
-const char *const NAMES[Wall::N_SUMS] = {"impacts", "deposited_mass", "impact_energy"};
-
 bool ends_with(const std::string &path, const std::string &end) {
   return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
@@ -77,7 +75,7 @@ void write_legacy(FILE *file, int64_t step, const Rows &rows) {
   fprintf(file, "CELL_DATA %d\nSCALARS id int 1\nLOOKUP_TABLE default\n", n);
   rows.whole(0, 1);
   for (int k = 0; k < Wall::N_SUMS; k++) {
-    fprintf(file, "SCALARS %s double 1\nLOOKUP_TABLE default\n", NAMES[k]);
+    fprintf(file, "SCALARS %s double 1\nLOOKUP_TABLE default\n", Wall::SUM_NAMES[k]);
     rows.sum(k);
   }
 }
@@ -102,7 +100,7 @@ void write_xml(FILE *file, const Rows &rows) {
   rows.whole(0, 1);
   fprintf(file, "%s", end);
   for (int k = 0; k < Wall::N_SUMS; k++) {
-    fprintf(file, array, "Float64", NAMES[k]);
+    fprintf(file, array, "Float64", Wall::SUM_NAMES[k]);
     rows.sum(k);
     fprintf(file, "%s", end);
   }

@@ -25,6 +25,7 @@
 
 using namespace LAMMPS_NS;
 using asperity::Contact;
+using asperity::Faces;
 using asperity::Path;
 using asperity::Place;
 using asperity::text;
@@ -274,7 +275,7 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
 
 /* By the nearest point of each part's faces from either side; those that are hidden count, too. */
 double RegionShape::clear(const double x[3], const double v[3], double reach, double widen,
-                          double most) const {
+                          double most, const Faces &stays) const {
   std::vector<Foot> &feet = buffers_.feet;
   const double speed = vector_length(v), wide = (1 + ASIDE_LENGTH) * reach;
   double steps = most, aside[3];
@@ -283,6 +284,8 @@ double RegionShape::clear(const double x[3], const double v[3], double reach, do
     feet.clear();
     part.add_feet(aside, wide + steps * (speed + widen), feet);
     for (const Foot &foot : feet) {
+      if (stays.has(foot.face))
+        continue;
       const double gap = foot.distance - wide;
       const double closing = widen + (foot.behind ? -vector_dot(v, foot.n) : speed);
       if (!(gap > 0))
@@ -301,7 +304,7 @@ bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
     half[d] = 0.5 * (hi[d] - lo[d]);
     middle[d] = lo[d] + half[d];
   }
-  return clear(middle, still, vector_length(half), 0, 1) < 1;
+  return clear(middle, still, vector_length(half), 0, 1, Faces()) < 1;
 }
 
 /* ---- the first contact ------------------------------------------------------------------------

@@ -31,8 +31,8 @@ public:
   void begin_step();
 
   double travel(double dt) const override;
-  double clear(const double x[3], const double v[3], double reach, double widen,
-               double most) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen, double most,
+               const asperity::Faces &stays) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;

@@ -65,7 +65,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     local_flag = 1;
     local_freq = static_cast<int>(ledger->every());
     size_local_rows = 0;
-    size_local_cols = Ledger::N_COLUMNS;
+    size_local_cols = ledger->columns();
   }
 }
 
@@ -425,7 +425,7 @@ void FixWallRebound::post_integrate() {
   for (FixWallRebound *fix : siblings_) {
     if (fix->wall_.model().deposit() != Model::DELETE)
       continue;
-    int mine = fix->wall_.has_doomed(), any; /* all ranks must agree to build lists anew */
+    int mine = fix->wall_.has_to_delete(), any; /* all ranks must agree to build lists anew */
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, Fix::world);
     if (any)
       fix->next_reneighbor = update->ntimestep;
@@ -439,7 +439,7 @@ void FixWallRebound::pre_exchange() {
   set_rows();
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (wall_.is_doomed(i)) {
+    if (wall_.is_to_delete(i)) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;

@@ -12,18 +12,15 @@
 #include "tri_mesh.h"
 #include "dem/error.h"
 #include "dem/text.h"
-#include "dem/wall.h"
 
 using namespace LAMMPS_NS;
-using asperity::Blow;
 using asperity::Bounds;
+using asperity::ContactLoad;
 using asperity::Frame;
 using asperity::Parted;
 using asperity::text;
 using asperity::Twist;
 using asperity::Wall;
-
-static const char *const SUMS[Wall::N_SUMS] = {"impacts", "deposited_mass", "impact_energy"};
 
 /* A mesh of fewer triangles is kept whole by each rank. */
 static const size_t LARGE = 1000;
@@ -43,7 +40,7 @@ MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
    * out of it (restart_no); the fix keeps them. */
   for (int k = 0; k < Wall::N_SUMS; k++) {
     sums_[k] = mesh()->prop().addElementProperty<ScalarContainer<double>>(
-        SUMS[k], "comm_exchange_borders", "frame_invariant", "restart_no");
+        Wall::SUM_NAMES[k], "comm_exchange_borders", "frame_invariant", "restart_no");
     sums_[k]->setAll(0.);
   }
   int mine = -1, most;
@@ -55,7 +52,7 @@ MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
 
 void MeshOfLiggghts::remove_sums() {
   for (int k = 0; k < Wall::N_SUMS; k++)
-    mesh()->prop().removeElementProperty(SUMS[k]);
+    mesh()->prop().removeElementProperty(Wall::SUM_NAMES[k]);
 }
 
 void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums) {
@@ -409,24 +406,24 @@ bool MeshOfLiggghts::wears() const {
   return module && module->trackWear();
 }
 
-void MeshOfLiggghts::take(const Blow &blow) {
-  if (blow.mask & fix_->get_groupbit())
-    blows_.push_back(blow);
+void MeshOfLiggghts::take(const ContactLoad &load) {
+  if (load.mask & fix_->get_groupbit())
+    loads_.push_back(load);
 }
 
-/* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one blow: E k |v| |F| dt/area, with the
- * blow's impulse for |F| dt. */
-static double finnie(const Blow &blow, const double normal[3], double k, double area) {
-  const double speed = vector_length(blow.v_before);
+/* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one load: E k |v| |F| dt/area, with the
+ * load's impulse for |F| dt. */
+static double finnie(const ContactLoad &load, const double normal[3], double k, double area) {
+  const double speed = vector_length(load.v_before);
   if (!(speed > 0))
     return 0;
   double across[3];
-  vector_cross(blow.v_before, normal, across);
-  const double sine = std::min(1.0, fabs(vector_dot(blow.v_before, normal)) / speed);
+  vector_cross(load.v_before, normal, across);
+  const double sine = std::min(1.0, fabs(vector_dot(load.v_before, normal)) / speed);
   const double cosine = std::min(1.0, vector_length(across) / speed);
   const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
                                                           : 2 * sine * cosine - 3 * sine * sine;
-  return 2 * share * k * speed * vector_length(blow.impulse) / area;
+  return 2 * share * k * speed * vector_length(load.impulse) / area;
 }
 
 void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
@@ -444,16 +441,16 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
   std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
   double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
                          stress()->compute_vector(8)};
-  for (const Blow &blow : blows_) {
+  for (const ContactLoad &load : loads_) {
     double force[3], arm[3], torque[3], normal[3];
     for (int d = 0; d < 3; d++)
-      force[d] = blow.impulse[d] / dt;
-    vector_subtract(blow.point, reference, arm);
+      force[d] = load.impulse[d] / dt;
+    vector_subtract(load.point, reference, arm);
     vector_cross(arm, force, torque);
     if (stress()->trackStress())
       stress()->add_global_external_contribution(force, torque);
     const ContactTriangle *t =
-        contact_tree_triangle(triangles(), contact_tree_place(triangles(), blow.piece));
+        contact_tree_triangle(triangles(), contact_tree_place(triangles(), load.piece));
     double turned[3], ab[3], ac[3], area[3];
     contact_triangle_normal(t, normal);
     for (int i = 0; i < 3; i++)
@@ -462,19 +459,19 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
     vector_subtract(t->node[2], t->node[0], ac);
     vector_cross(ab, ac, area);
     const double wear =
-        k_finnie ? finnie(blow, turned, k_finnie[fix_->atomTypeWall() - 1][blow.type - 1],
+        k_finnie ? finnie(load, turned, k_finnie[fix_->atomTypeWall() - 1][load.type - 1],
                           0.5 * vector_length(area))
                  : 0;
-    const int local = mesh()->map_size(blow.piece) > 0 ? mesh()->map(blow.piece, 0) : -1;
+    const int local = mesh()->map_size(load.piece) > 0 ? mesh()->map(load.piece, 0) : -1;
     if (local >= 0)
       add_force(local, force, wear);
     else {
-      away.push_back(blow.piece);
+      away.push_back(load.piece);
       away.insert(away.end(), force, force + 3);
       away.push_back(wear);
     }
   }
-  blows_.clear();
+  loads_.clear();
   int ranks, size = static_cast<int>(away.size()), all = 0;
   MPI_Comm_size(world_, &ranks);
   MPI_Allreduce(&size, &all, 1, MPI_INT, MPI_SUM, world_);

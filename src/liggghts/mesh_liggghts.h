@@ -14,6 +14,7 @@
 #include "fix_mesh_surface.h"
 #include "mesh_module_stress.h"
 #include "dem/mesh.h"
+#include "dem/wall.h"
 #include "parted.h"
 
 namespace LAMMPS_NS {
@@ -51,7 +52,7 @@ public:
   void restore_motion(const std::vector<double> &record) override;
   bool measures() const override;
   bool wears() const;
-  void take(const asperity::Blow &blow) override;
+  void take(const asperity::ContactLoad &load) override;
 
 protected:
   bool knows_all() const override;
@@ -91,8 +92,8 @@ private:
   NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
   double reference_[3][3];
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */
-  std::vector<asperity::Blow> blows_;       /* of this step */
-  ScalarContainer<double> *sums_[3];
+  std::vector<asperity::ContactLoad> loads_; /* of this step */
+  ScalarContainer<double> *sums_[asperity::Wall::N_SUMS];
 };
 
 } // namespace LAMMPS_NS

@@ -104,7 +104,7 @@ refuses 2 "no density" -- spread --pdf
 refuses 2 ".png, .svg or .pdf" -- spread surface sigma 10 --plot picture.bmp
 refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere/x.csv
 [ ! -e picture.bmp ] || die "half a picture was left"
-"$asperity" cor --samples 100000 -o /dev/full 2> err && die "a full disk went unnoticed"
+"$asperity" cor --samples 5000 -o /dev/full 2> err && die "a full disk went unnoticed"
 grep -q "cannot write" err || die "full disk: $(cat err)"
 ! ls ./*.partial > /dev/null 2>&1 || die "a partial file was left"
 

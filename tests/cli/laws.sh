@@ -21,7 +21,7 @@ column capture_speed_m_s c | awk 'NR == 2 { exit !($1 > 5.7 && $1 < 5.9) }' || d
 "$asperity" rebound surface_energy 0 yield_stress 110e6 --map angles --angles 45 > b
 [ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: temperature"
 "$asperity" rebound --list > list
-for law in bons constant forder grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
+for law in bons constant grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
 grep -q '^bons,temperature,K,0,' list || die "rebound --list: parameters"
 for map in regimes capture angles; do
   "$asperity" rebound --map $map --points 5 --plot $map.png -o $map.csv 2> err

@@ -325,7 +325,7 @@ static void check_clear(const ContactTree *tree, int round) {
   if (round % 5 == 0)
     path.v[round % 3] = 0;
   const double reach = uniform(0, 0.5), widen = round % 4 ? uniform(0, 0.2) : 0;
-  const double time = contact_tree_clear(tree, path.x, path.v, reach, widen, path.left);
+  const double time = contact_tree_clear(tree, path.x, path.v, reach, widen, path.left, NULL, 0);
   assert_true(time >= 0 && time <= path.left);
   double x[3], n[3], arm[3];
   for (int k = 0; k < 40 && time > 0; k++) {
@@ -367,12 +367,12 @@ static void test_along(void **unused) {
   const double reach = 0.01, widen = 1e-3;
   for (int side = -1; side <= 1; side += 2) { /* 0.02 over its face */
     vector_add_scaled(triangle.node[0], side * 0.02, n, x);
-    assert_true(contact_tree_clear(tree, x, ab, reach, widen, 1) >= 1);
-    assert_true(contact_tree_clear(tree, x, ab, 0.0195, widen, 1) < 1);
+    assert_true(contact_tree_clear(tree, x, ab, reach, widen, 1, NULL, 0) >= 1);
+    assert_true(contact_tree_clear(tree, x, ab, 0.0195, widen, 1, NULL, 0) < 1);
   }
   vector_add_scaled(triangle.node[1], 0.02, outward, x);
-  assert_true(contact_tree_clear(tree, x, bc, reach, widen, 1) >= 1);
-  assert_true(contact_tree_clear(tree, x, bc, 0.0195, widen, 1) < 1);
+  assert_true(contact_tree_clear(tree, x, bc, reach, widen, 1, NULL, 0) >= 1);
+  assert_true(contact_tree_clear(tree, x, bc, 0.0195, widen, 1, NULL, 0) < 1);
   contact_tree_free(tree);
 }
 
@@ -396,6 +396,14 @@ static void test_tree(void **unused) {
     }
     ContactTree *tree = contact_tree_create(triangles, id, (size_t)count);
     assert_non_null(tree);
+    void *block = malloc(contact_tree_bytes(tree));
+    assert_non_null(block);
+    if (count % 2) { /* the same tree over a block */
+      contact_tree_pack(tree, block);
+      contact_tree_free(tree);
+      tree = contact_tree_over(block);
+      assert_non_null(tree);
+    }
     assert_int_equal(contact_tree_count(tree), count);
     for (int i = 0; i < count; i++) {
       const int place = contact_tree_place(tree, id[i]);
@@ -435,6 +443,7 @@ static void test_tree(void **unused) {
     }
     contact_list_free(&list);
     contact_tree_free(tree);
+    free(block);
     free(triangles);
     free(id);
   }

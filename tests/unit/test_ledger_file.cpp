@@ -43,9 +43,9 @@ static std::string add_rows(LedgerFile &file, const std::string &path, int step,
     row[LedgerColumn::TAG] = i;
     row[LedgerColumn::TIME] = step;
     if (is_ledger_array(path))
-      append_record(row, bytes);
+      append_record(row, LedgerColumn::N_COLUMNS, bytes);
     else
-      append_line(row, bytes);
+      append_line(row, LedgerColumn::N_COLUMNS, bytes);
   }
   file.add(bytes.data(), bytes.size());
   return file.commit(count, step);
@@ -79,7 +79,7 @@ static void limit(rlim_t bytes) {
 static void full_disk(void **) {
   for (const char *name : {"/full.csv", "/full.npy"}) {
     const std::string path = folder + name;
-    LedgerFile file("fix w", path);
+    LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
     file.open(LedgerState(), "heading", 0);
     assert_written(add_rows(file, path, 1, 300));
     const std::string good = contents(path);
@@ -95,7 +95,7 @@ static void full_disk(void **) {
     const std::string after = contents(path);
     assert_int_equal(file.state().bytes, after.size());
     const std::string other = folder + "/twin-of-" + (name + 1);
-    LedgerFile twin("fix v", other);
+    LedgerFile twin("fix v", other, LedgerColumn::N_COLUMNS);
     twin.open(LedgerState(), "heading", 0);
     add_rows(twin, other, 1, 300);
     add_rows(twin, other, 3, 10);
@@ -105,7 +105,7 @@ static void full_disk(void **) {
 
 static void deleted(void **) {
   const std::string path = folder + "/deleted.csv";
-  LedgerFile file("fix w", path);
+  LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
   file.open(LedgerState(), "heading", 0);
   assert_written(add_rows(file, path, 1, 3));
   unlink(path.c_str());
@@ -127,14 +127,14 @@ static void every_length(void **) {
     const std::string path = folder + name;
     LedgerState state;
     {
-      LedgerFile file("fix w", path);
+      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
       file.open(LedgerState(), "heading", 0);
       assert_written(add_rows(file, path, 1, 3));
       state = file.state();
     }
     const std::string good = contents(path);
     {
-      LedgerFile file("fix w", path);
+      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
       file.open(state, "heading", 1);
       assert_written(add_rows(file, path, 2, 2));
     }
@@ -142,7 +142,7 @@ static void every_length(void **) {
     for (size_t length = good.size(); length <= longer.size(); length++) {
       set_contents(path, longer.substr(0, length));
       forget(path);
-      LedgerFile file("fix w", path);
+      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
       const std::string report = file.open(state, "heading", 1);
       assert_true(contents(path) == good);
       assert_true((report.find("cut off") != std::string::npos) == (length > good.size()));
@@ -152,7 +152,7 @@ static void every_length(void **) {
     for (size_t length = 0; length < good.size(); length++) {
       set_contents(path, longer.substr(0, length));
       forget(path);
-      LedgerFile file("fix w", path);
+      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
       assert_says(wrong_of_open(file, state, 1), "are missing");
       assert_int_equal(contents(path).size(), length);
     }
@@ -161,17 +161,17 @@ static void every_length(void **) {
 
 static void two_walls(void **) {
   const std::string path = folder + "/two.csv", link_path = folder + "/link.csv";
-  std::unique_ptr<LedgerFile> first(new LedgerFile("fix first", path));
+  std::unique_ptr<LedgerFile> first(new LedgerFile("fix first", path, LedgerColumn::N_COLUMNS));
   first->open(LedgerState(), "heading", 0);
   assert_written(add_rows(*first, path, 5, 3));
   const std::string rows = contents(path);
   assert_int_equal(symlink(path.c_str(), link_path.c_str()), 0);
   for (const std::string &name : {path, link_path}) {
-    LedgerFile second("fix second", name);
+    LedgerFile second("fix second", name, LedgerColumn::N_COLUMNS);
     assert_says(wrong_of_open(second, LedgerState(), 5), "is that of fix first");
   }
   first.reset();
-  LedgerFile back("fix first", path);
+  LedgerFile back("fix first", path, LedgerColumn::N_COLUMNS);
   assert_says(wrong_of_open(back, LedgerState(), 4), "up to step 5, and now it is step 4");
   assert_true(contents(path) == rows);
   assert_says(back.open(LedgerState(), "heading", 5), "behind the 3 rows that fix first tells of");
@@ -183,7 +183,7 @@ static void two_walls(void **) {
 static void removed_between(void **) {
   const std::string path = folder + "/removed.csv";
   for (int i = 0; i < 3; i++) {
-    LedgerFile file("fix w", path);
+    LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
     assert_string_equal(file.open(LedgerState(), "heading", 0).c_str(), "");
     assert_written(add_rows(file, path, 1, 3));
     unlink(path.c_str());
@@ -192,13 +192,14 @@ static void removed_between(void **) {
 
 static void no_file(void **) {
   const std::string path = folder + "/nowhere/rows.csv";
-  LedgerFile file("fix w", path);
+  LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
   assert_says(wrong_of_open(file, LedgerState(), 0), "No such file");
-  LedgerFile full("fix w", "/dev/full");
+  LedgerFile full("fix w", "/dev/full", LedgerColumn::N_COLUMNS);
   assert_says(wrong_of_open(full, LedgerState(), 0), "No space left");
   const std::string fifo = folder + "/fifo.csv";
   assert_int_equal(mkfifo(fifo.c_str(), 0600), 0);
-  LedgerFile stream("fix w", fifo); /* nobody reads, and it does not wait for somebody */
+  LedgerFile stream("fix w", fifo,
+                    LedgerColumn::N_COLUMNS); /* nobody reads, and it does not wait for somebody */
   assert_says(wrong_of_open(stream, LedgerState(), 0), "cannot write");
 }
 
@@ -209,9 +210,16 @@ static void long_tags(void **) {
   LedgerRow row;
   row.fill(0);
   row[LedgerColumn::TAG] = static_cast<double>(tag);
-  append_record(row, bytes);
+  append_record(row, LedgerColumn::N_COLUMNS, bytes);
   assert_memory_equal(bytes.data(), &tag, sizeof tag);
-  assert_true(begin_array("heading").find("'tag'), '<i8')") != std::string::npos);
+  const std::string full =
+      array_header(begin_array(std::string(2000, 'h'), LedgerColumn::N_FULL), INT64_MAX);
+  assert_int_equal(full.size(), LEDGER_HEADER);
+  assert_true(full.find(",), }") != std::string::npos &&
+              !find_begin(full, LedgerColumn::N_FULL).empty());
+  assert_true(find_begin(full, LedgerColumn::N_COLUMNS).empty());
+  assert_true(begin_array("heading", LedgerColumn::N_COLUMNS).find("'tag'), '<i8')") !=
+              std::string::npos);
 }
 
 int main() {

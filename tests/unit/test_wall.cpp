@@ -168,22 +168,24 @@ void two_dimensions_refuse_what_leaves_them(void **) {
 /* LAMMPS's fix ave/histo and its Python interface step from the first row by the number of
  * columns. */
 void ledger_rows_are_one_block(void **) {
-  Ledger ledger(MPI_COMM_WORLD, "fix wall", 10, "", Ledger::STOP);
-  const int n = 20164;
-  assert_non_null(ledger.rows());
-  assert_int_equal(ledger.size(), 0);
-  for (int i = 0; i < n; i++) {
-    Ledger::Row row;
-    for (int k = 0; k < Ledger::N_FIELDS; k++)
-      row[k] = 100. * i + k;
-    ledger.add(row);
-  }
-  double **rows = ledger.rows();
-  assert_int_equal(ledger.size(), n);
-  for (int i = 0; i < n; i++) {
-    assert_ptr_equal(rows[i], rows[0] + static_cast<ptrdiff_t>(i) * Ledger::N_COLUMNS);
-    for (int k = 0; k < Ledger::N_COLUMNS; k++)
-      assert_true(rows[i][k] == 100. * i + k);
+  for (int columns : {+Ledger::N_COLUMNS, +Ledger::N_FULL}) {
+    Ledger ledger(MPI_COMM_WORLD, "fix wall", 10, "", Ledger::STOP, columns);
+    const int n = 20164;
+    assert_non_null(ledger.rows());
+    assert_int_equal(ledger.size(), 0);
+    for (int i = 0; i < n; i++) {
+      Ledger::Row row;
+      for (int k = 0; k < Ledger::N_FIELDS; k++)
+        row[k] = 100. * i + k;
+      ledger.add(row);
+    }
+    double **rows = ledger.rows();
+    assert_int_equal(ledger.size(), n);
+    for (int i = 0; i < n; i++) {
+      assert_ptr_equal(rows[i], rows[0] + static_cast<ptrdiff_t>(i) * columns);
+      for (int k = 0; k < columns; k++)
+        assert_true(rows[i][k] == 100. * i + k);
+    }
   }
 }
 

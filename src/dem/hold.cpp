@@ -1,0 +1,204 @@
+/* The end of a step, after its forces: what stays at a wall, and the energy of what has rebounded.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/flight.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+/* A particle that has stayed at a wall is still there at the end of the step if its center is
+ * within this many radii. */
+static const double REACH = 1.01;
+
+/* Notes a face at which a particle stays; of more than there is room for, the last ones. */
+void Wall::keep_resting(int i, size_t shape, const Contact &contact) {
+  RestingPlace &at = place(i).resting;
+  if (!is_at_rest(i)) {
+    at = RestingPlace();
+    set_status(i, Status::RESTING);
+    touching_.push_back(i);
+  }
+  size_t k = 0;
+  while (k < at.FACES && at.shape[k] > 0 &&
+         !(static_cast<size_t>(at.shape[k]) == shape + 1 &&
+           static_cast<int>(at.face[k]) == contact.face))
+    k++;
+  if (k == at.FACES) {
+    std::copy(at.shape + 1, at.shape + k, at.shape);
+    std::copy(at.face + 1, at.face + k, at.face);
+    k--;
+  }
+  at.shape[k] = static_cast<double>(shape) + 1;
+  at.face[k] = contact.face;
+  for (int d = 0; d < 3; d++)
+    at.normal[d] = fabs(contact.curve) > 0 ? contact.n[d] : 0;
+}
+
+/* A curved wall only turns a velocity, from the normal that it had to n: gives back what the
+ * projection takes of its tangential part. */
+static void turn_along(const double from[3], const double n[3], const double v_wall[3],
+                       double v[3]) {
+  double across[3], u[3];
+  const double cosine = vector_dot(from, n);
+  if (!(cosine > 0)) /* not curved */
+    return;
+  vector_add_scaled(from, -cosine, n, across);
+  const double sine = vector_length(across);
+  if (!(sine > 0))
+    return;
+  vector_subtract(v, v_wall, u);
+  vector_add_scaled(v, vector_dot(u, across) / (sine * sine) * (1 / cosine - 1), across, v);
+}
+
+/* What sticks has its wall's velocity; a particle that stays at walls loses what the second half of
+ * the step has given it against them; one that has rebounded gets its energy. */
+void Wall::hold(const std::vector<Wall *> &walls, const Spheres &s) {
+  static thread_local std::vector<Near> resting;
+  static thread_local std::vector<Wall *> held_by;
+  resting.clear();
+  for (size_t w = 0; w < walls.size(); w++) {
+    Wall *wall = walls[w];
+    for (int i : wall->stuck_) {
+      double before[3];
+      vector_copy(s.v + 3 * static_cast<size_t>(i), before);
+      vector_copy(wall->place(i).stuck.velocity, s.v + 3 * static_cast<size_t>(i));
+      for (int d = 0; s.omega && d < 3; d++)
+        s.omega[3 * static_cast<size_t>(i) + d] = 0;
+      wall->add_held(s, i, before);
+    }
+    for (int i : wall->touching_)
+      if (wall->is_at_rest(i))
+        resting.push_back(Near{i, static_cast<int>(w)});
+      else if (wall->status(i) == Status::REBOUNDED)
+        wall->balance(s, i);
+  }
+  std::sort(resting.begin(), resting.end());
+  for (size_t k = 0; k < resting.size();) {
+    const int i = resting[k].i;
+    held_by.clear();
+    for (; k < resting.size() && resting[k].i == i; k++)
+      held_by.push_back(walls[resting[k].wall]);
+    hold_resting(held_by, s, i);
+  }
+}
+
+/* By the same rule as within the step, with the walls as they are at its end. */
+void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int i) {
+  struct At {
+    Wall *wall;
+    size_t shape;
+    int face;
+  };
+  static thread_local std::vector<At> at;
+  static thread_local std::vector<Support> supports;
+  at.clear();
+  supports.clear();
+  double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3], turned[3];
+  const double *x = s.x + 3 * static_cast<size_t>(i), *from = NULL;
+  for (Wall *wall : walls) {
+    const RestingPlace &resting = wall->place(i).resting;
+    from = resting.normal;
+    for (size_t k = 0; k < resting.FACES && resting.shape[k] > 0; k++) {
+      const At here = {wall, static_cast<size_t>(resting.shape[k]) - 1,
+                       static_cast<int>(resting.face[k])};
+      const Member &member = wall->shapes_[here.shape];
+      Support support;
+      if (!member.shape->under(here.face, x, REACH * s.radius[i], support.n, support.w))
+        continue;
+      support.friction = wall->model_.friction(s.type[i], member.wall_type);
+      at.push_back(here);
+      supports.push_back(support);
+    }
+  }
+  if (supports.empty())
+    return;
+  if (s.omega)
+    vector_copy(s.omega + 3 * static_cast<size_t>(i), spin);
+  vector_copy(v, before);
+  if (supports.size() == 1)
+    turn_along(from, supports[0].n, supports[0].w, v);
+  vector_subtract(v, before, turned);
+  solve_supports(supports, s.radius[i], v, spin);
+  if (s.omega)
+    vector_copy(spin, s.omega + 3 * static_cast<size_t>(i));
+  for (size_t k = 0; k < at.size(); k++) {
+    double u[3];
+    vector_subtract(before, supports[k].w, u);
+    const double slid = slide_work(supports[k], s.radius[i], v, spin);
+    if (k == 0)
+      vector_add_scaled(supports[0].p, 1, turned, supports[0].p);
+    ContactLoad load(s, i, at[k].face < 0 ? ~at[k].face : at[k].face, x, supports[k].n,
+                     supports[k].p, u);
+    load.dissipated = s.mass[i] * slid;
+    at[k].wall->add(at[k].shape, load);
+  }
+}
+
+/* ---- the energy of a rebound ------------------------------------------------------------------
+ */
+
+/* A force that changes within a step, as that of another particle, does its work before and after a
+ * rebound on two legs of the path. What it is at the end of the step is not known yet; so the
+ * energy of the normal motion is noted as a linear function of it: v_n^2 = v_n2^2 + e^2 (v_n0^2 + 2
+ * W_1 - v_n1^2) + 2 W_2 = SQUARE + WORK a_n(end), with W_1 and W_2 the works by the trapezoidal
+ * rule before and after the contact, for the acceleration linear in time, and e = v_n2/v_n1, not
+ * above 1. Of a wall with one contact only. */
+void Wall::note_energy(const Flight &flight) {
+  const Spheres &s = flight.spheres;
+  const double *x = s.x + 3 * static_cast<size_t>(flight.i);
+  if (!(vector_dot(flight.a0, flight.a0) > 0))
+    return; /* in free flight velocities stay what they are, to the bit */
+  for (const Event &event : flight.events) {
+    Wall *wall = event.wall;
+    int contacts = 0;
+    for (const Event &other : flight.events)
+      contacts += other.wall == wall;
+    if (contacts > 1 || wall->is_at_rest(flight.i))
+      continue;
+    const double *n = event.contact.n;
+    double relative[3], leg1[3], leg2[3];
+    vector_subtract(flight.v0, event.contact.v_wall, relative);
+    vector_subtract(event.contact.x, flight.x0, leg1);
+    vector_subtract(x, event.contact.x, leg2);
+    const double share = event.elapsed / s.dt, a0 = vector_dot(flight.a0, n);
+    const double d1 = vector_dot(leg1, n) - vector_dot(event.contact.v_wall, n) * event.elapsed;
+    const double d2 =
+        vector_dot(leg2, n) - vector_dot(event.contact.v_wall, n) * (s.dt - event.elapsed);
+    const double v0 = vector_dot(relative, n), v1 = -vector_dot(event.v1, n),
+                 v2 = vector_dot(event.impact.v2, n);
+    const double e = std::min(1.0, v2 / v1);
+    ReboundPlace &rebound = wall->place(flight.i).rebound;
+    rebound.square =
+        v2 * v2 + e * e * (v0 * v0 + (2 - share) * a0 * d1 - v1 * v1) + (1 - share) * a0 * d2;
+    rebound.work = e * e * share * d1 + (1 + share) * d2;
+    vector_copy(n, rebound.normal);
+    vector_copy(event.contact.v_wall, rebound.v_wall);
+    rebound.shape = static_cast<double>(event.shape);
+    rebound.piece = event.contact.piece;
+    wall->set_status(flight.i, Status::REBOUNDED);
+    wall->touching_.push_back(flight.i);
+  }
+}
+
+/* The end of a step with a rebound: the normal velocity by its energy. Without it, particles that
+ * touch each other at a wall would gain or lose energy at each rebound, in steps that resolve their
+ * contact well. */
+void Wall::balance(const Spheres &s, int i) {
+  const ReboundPlace &rebound = place(i).rebound;
+  const double *n = rebound.normal, *f = s.f + 3 * static_cast<size_t>(i);
+  double *v = s.v + 3 * static_cast<size_t>(i), v1[3];
+  vector_subtract(v, rebound.v_wall, v1);
+  const double now = vector_dot(v1, n);
+  const double square = rebound.square + rebound.work * vector_dot(f, n) / s.mass[i];
+  const double speed = sqrt(std::max(0.0, square));
+  const double change = (now < 0 ? -speed : speed) - now, none[3] = {0, 0, 0};
+  const double p[3] = {change * n[0], change * n[1], change * n[2]};
+  vector_add_scaled(v, 1, p, v);
+  add(static_cast<size_t>(rebound.shape),
+      ContactLoad(s, i, static_cast<int>(rebound.piece), s.x + 3 * static_cast<size_t>(i), n, p,
+                  none));
+}

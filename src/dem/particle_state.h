@@ -1,0 +1,55 @@
+/* What a wall keeps of each particle: two rows of numbers that the engine stores, moves between
+ * ranks, and writes into restart files; all 0 at first.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_PARTICLE_STATE_H
+#define ASPERITY_DEM_PARTICLE_STATE_H
+
+#include <stddef.h>
+
+namespace asperity {
+
+enum class Status {
+  FREE,
+  RESTING,   /* stays at the wall, in this step */
+  RESTED,    /* stayed at it in the step before; not known yet of this one */
+  REBOUNDED, /* has rebounded in this step */
+  STUCK,
+  TO_DELETE /* stuck, and to be deleted */
+};
+
+struct ParticleState {
+  double impacts; /* on this wall */
+  double status;  /* a Status */
+};
+
+/* Where a stuck particle is, in the frame of its shape, and its velocity. */
+struct StuckPlace {
+  double shape; /* from 1; 0: gone */
+  double piece, at[3], velocity[3];
+};
+
+/* The faces at which a particle stays. Of a curved one also its normal as the contact began. */
+struct RestingPlace {
+  static const size_t FACES = 3;
+  double shape[FACES]; /* from 1; 0: none, and none behind it */
+  double face[FACES];
+  double normal[3];
+};
+
+/* The energy of a rebound, at a piece of a shape (from 0): v_n^2 at the end of the step is square +
+ * work a_n. */
+struct ReboundPlace {
+  double square, work, normal[3], v_wall[3], shape, piece;
+};
+
+/* By the status, one of the three. */
+union ParticlePlace {
+  StuckPlace stuck;
+  RestingPlace resting;
+  ReboundPlace rebound;
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,334 @@
+/* The contacts of a particle in one step: impacts, by the wall's law, and sustained contacts, by
+ * Moreau's rule (sustained.h).
+ *
+ * One criterion tells them apart, for every kind of wall: a contact is sustained if the particle,
+ * thrown back at the speed of its approach, would return within a step by what its straight path
+ * leaves out. With the acceleration a of the particle and f of the wall (Contact::follow), that is
+ *
+ *   -(v - v_wall).n <= (f - a.n) dt/2
+ *
+ * where the curve of the wall joins f if the particle stayed there before, and turns it by less
+ * than TURN in a step; one that flies meets a curved wall again by its straight path. Less than
+ * GRAZING is no approach.
+ *
+ * A sustained contact is no impact: it has no row and is not counted.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/flight.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "contact/contact.h"
+#include "contact/vector.h"
+#include "dem/error.h"
+#include "dem/text.h"
+
+using namespace asperity;
+
+namespace {
+
+/* Sine of the angle to the wall below which a particle slides. */
+const double GRAZING = 1e-6;
+
+/* The angle by which a wall's curve may turn a particle that stays at it in a step, rad. */
+const double TURN = 0.1;
+
+/* Contacts in a row within this share of the radius. After SERIES of them, as between walls that
+ * close, all are taken as sustained; after twice as many the search ends for this step, and the
+ * particle is trapped if there were impacts among them. */
+const int SERIES = 16;
+const double NEAR = 0.01;
+
+/* A face at which a particle stayed is met at the beginning of a step if it is within this many
+ * radii. */
+const double KNOWN = 1e-6;
+
+/* Contacts of one particle in one step, at most. */
+const int CONTACTS_MOST = 10000;
+
+/* Relative rounding of velocities and times. */
+const double ROUNDING = 1e-9;
+
+} // namespace
+
+/* What sticks goes with its wall; then, of the others, the few that may touch a wall. */
+void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
+  static thread_local std::vector<Near> near;
+  static thread_local std::vector<Wall *> near_walls;
+  near.clear();
+  bool any_stuck = false;
+  for (size_t w = 0; w < walls.size(); w++) {
+    walls[w]->begin_step(spheres, static_cast<int>(w), near);
+    any_stuck = any_stuck || !walls[w]->stuck_.empty();
+  }
+  std::sort(near.begin(), near.end());
+  for (size_t k = 0; k < near.size();) {
+    const int i = near[k].i;
+    near_walls.clear();
+    for (; k < near.size() && near[k].i == i; k++)
+      if (near_walls.empty() || near_walls.back() != walls[near[k].wall])
+        near_walls.push_back(walls[near[k].wall]);
+    bool stuck = false;
+    for (size_t w = 0; any_stuck && w < walls.size(); w++)
+      stuck = stuck || walls[w]->is_stuck(i);
+    if (!stuck)
+      fly(walls, near_walls, spheres, i);
+  }
+  for (Wall *wall : walls)
+    for (int i : wall->rested_)
+      if (wall->status(i) == Status::RESTED)
+        wall->set_status(i, Status::FREE);
+}
+
+/* Of one wall: what it knows of the step before, what sticks to it, and what may touch it. */
+void Wall::begin_step(const Spheres &spheres, int number, std::vector<Near> &near) {
+  std::fill(counters_ + FORCE, counters_ + TORQUE + 3, 0.0);
+  for (int i : touching_) {
+    if (status(i) == Status::RESTING) {
+      set_status(i, Status::RESTED);
+      near.push_back(Near{i, number});
+    } else if (!is_stuck(i))
+      set_status(i, Status::FREE);
+  }
+  rested_.swap(touching_);
+  touching_.clear();
+  if (ledger_)
+    ledger_->begin_step(spheres.step);
+  carry(spheres);
+  find_near(spheres, number, near);
+}
+
+/* ---- the search -------------------------------------------------------------------------------
+ */
+
+/* The first contact of what is left of a path. An edge is met at one instant by all that share it:
+ * the contact is that of the first wall and shape. */
+bool Wall::find_first(const std::vector<Wall *> &walls, const Flight &flight, Wall *&first,
+                      size_t &shape, Contact &contact) {
+  first = NULL;
+  const double same = 2 * CONTACT_TOLERANCE * flight.radius;
+  for (Wall *wall : walls) {
+    if (!(flight.spheres.mask[flight.i] & wall->groupbit_) ||
+        (!flight.searches_all && wall->ahead_.due[flight.i] > wall->ahead_.now))
+      continue;
+    for (size_t m = 0; m < wall->shapes_.size(); m++) {
+      Contact other;
+      const double latest = first ? contact.time : flight.path.left;
+      if (!wall->shapes_[m].shape->find(flight.path, flight.radius, latest, other))
+        continue;
+      if (first && !((contact.time - other.time) * other.closing > same))
+        continue;
+      first = wall;
+      shape = m;
+      contact = other;
+    }
+  }
+  return first != NULL;
+}
+
+/* The faces at which the particle stayed in the step before. */
+void Wall::list_known(const std::vector<Wall *> &walls, Flight &flight) {
+  const int i = flight.i;
+  for (Wall *wall : walls) {
+    if (wall->status(i) != Status::RESTED || !(flight.spheres.mask[i] & wall->groupbit_))
+      continue;
+    const RestingPlace &at = wall->place(i).resting;
+    for (size_t k = 0; k < RestingPlace::FACES && at.shape[k] > 0; k++)
+      flight.known.push_back(Flight::Known{wall, static_cast<size_t>(at.shape[k]) - 1,
+                                           static_cast<int>(at.face[k]), false});
+  }
+}
+
+/* One of these where the particle still is: it is met at the beginning of the step, without a
+ * search. */
+bool Wall::find_known(Flight &flight, Wall *&wall, size_t &shape, Contact &contact) {
+  for (Flight::Known &known : flight.known) {
+    if (flight.searches_all || known.met)
+      continue;
+    const Shape &at = *known.wall->shapes_[known.shape].shape;
+    if (!at.find_known(known.face, flight.path, flight.radius, contact))
+      continue;
+    if (contact.guarded || contact.time * vector_length(flight.path.v) > KNOWN * flight.radius) {
+      known.wall->ahead_.due[flight.i] = 0;
+      continue;
+    }
+    known.met = true;
+    wall = known.wall;
+    shape = known.shape;
+    return true;
+  }
+  return false;
+}
+
+/* From here on all walls are searched; what was known of the way ahead holds no more. */
+void Wall::search_all(const std::vector<Wall *> &walls, Flight &flight) {
+  if (flight.searches_all)
+    return;
+  flight.searches_all = true;
+  for (Wall *wall : walls)
+    wall->ahead_.due[flight.i] = 0;
+}
+
+/* What is known of the way ahead holds on if the particle has met the faces at which it stayed
+ * before, and no others. */
+void Wall::look_next(const std::vector<Wall *> &near, const Flight &flight) {
+  const int i = flight.i;
+  for (Wall *wall : near) {
+    const RestingPlace &at = wall->place(i).resting;
+    const bool rests = wall->is_at_rest(i);
+    bool same = true;
+    size_t k = 0;
+    for (const Flight::Known &known : flight.known)
+      if (known.wall == wall) {
+        same = same && rests && k < RestingPlace::FACES &&
+               static_cast<size_t>(at.shape[k]) == known.shape + 1 &&
+               static_cast<int>(at.face[k]) == known.face;
+        k++;
+      }
+    if (!same || (rests && k < RestingPlace::FACES && at.shape[k] > 0))
+      wall->ahead_.due[i] = 0;
+  }
+}
+
+/* All contacts of one particle in this step. near: the walls that it may touch on its known way. */
+void Wall::fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near, const Spheres &s,
+               int i) {
+  static thread_local Flight::Lists lists;
+  Flight flight(s, i, lists);
+  Wall *wall = NULL, *last = NULL;
+  size_t shape;
+  Contact contact;
+  bool stuck = false;
+  int series = 0, all = 0;
+  const double most = near[0]->bend_ / s.dt;
+  list_known(near, flight);
+  while (!stuck && !flight.squeezed && series < 2 * SERIES && all < CONTACTS_MOST) {
+    const bool known = find_known(flight, wall, shape, contact);
+    if (!known && !find_first(flight.searches_all ? walls : near, flight, wall, shape, contact))
+      break;
+    flight.far = contact.time * vector_length(flight.path.v) > NEAR * flight.radius;
+    if (all == 0 || flight.far) {
+      series = 0;
+      flight.series_begin = flight.events.size();
+      vector_copy(flight.spin, flight.series_spin);
+    }
+    series++;
+    all++;
+    last = wall;
+    stuck = wall->touch(flight, shape, contact, series > SERIES);
+    if (!known || flight.stays.empty() || flight.has_strayed(most))
+      search_all(walls, flight);
+  }
+  const bool trapped =
+      flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin);
+  if (trapped) {
+    last->counters_[N_GUARDED]++;
+    search_all(walls, flight);
+    flight.trap();
+  }
+  if (all == CONTACTS_MOST)
+    last->cut_ = true;
+  flight.settle();
+  if (stuck || trapped)
+    flight.give_rest(last, shape, contact, stuck ? s.v + 3 * static_cast<size_t>(i) : flight.half);
+  finish(near, flight, all > 0 && !stuck);
+}
+
+/* The end of a flight. moved: contacts have changed the particle's path. */
+void Wall::finish(const std::vector<Wall *> &near, Flight &flight, bool moved) {
+  const Spheres &s = flight.spheres;
+  const size_t at = 3 * static_cast<size_t>(flight.i);
+  for (const Event &event : flight.events)
+    event.wall->count(s, flight.i, event);
+  if (!flight.searches_all)
+    look_next(near, flight);
+  if (!moved)
+    return;
+  vector_copy(flight.half, s.v + at);
+  if (s.omega)
+    vector_copy(flight.spin, s.omega + at);
+  vector_add_scaled(flight.path.x, flight.path.left, flight.path.v, s.x + at);
+  note_energy(flight);
+}
+
+/* ---- one contact ------------------------------------------------------------------------------
+ */
+
+/* Moves the flight on to a contact, and gives it the velocity after it. True where the particle has
+ * stuck. trapped: the contact is taken as sustained. */
+bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
+  const Path before = flight.path;
+  double v[3], v1[3];
+  flight.advance(contact, v);
+  vector_subtract(v, contact.v_wall, v1);
+  bool arrives;
+  const bool sustained = is_sustained(flight, shape, contact, v1, arrives) || trapped;
+  if (sustained && !(arrives && model_.sticks())) {
+    flight.stay(this, shape, contact);
+    return false;
+  }
+  const Event event = hit(flight, shape, before, contact, v1);
+  const bool sticks = event.impact.outcome == ASP_DEPOSIT;
+  if (sustained && !sticks) {
+    flight.stay(this, shape, contact);
+    return false;
+  }
+  state(flight.i).impacts++;
+  flight.events.push_back(event);
+  flight.settle();
+  if (sticks) {
+    stick(flight, shape, before, contact);
+    return true;
+  }
+  double after[3];
+  vector_copy(event.impact.omega, flight.spin);
+  vector_add_scaled(contact.v_wall, 1, event.impact.v2, after);
+  flight.turn(v, after, contact.n);
+  return false;
+}
+
+/* The criterion at the top of this file. v1: relative to the wall. arrives: the particle comes from
+ * elsewhere. */
+bool Wall::is_sustained(Flight &flight, size_t shape, Contact &contact, const double v1[3],
+                        bool &arrives) const {
+  const double dt = flight.spheres.dt, approach = -vector_dot(v1, contact.n);
+  const double speed = vector_length(v1);
+  if (!(fabs(contact.curve) * dt < TURN * speed))
+    contact.curve = 0;
+  const bool stays = flight.find_stay(this, shape, contact);
+  const bool stayed = stays || status(flight.i) != Status::FREE;
+  const double push =
+      contact.follow - vector_dot(flight.a0, contact.n) + (stayed ? contact.curve : 0);
+  arrives = approach > 0 && !stayed;
+  return stays || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * push, GRAZING * speed));
+}
+
+/* What the wall's law makes of a contact. */
+Wall::Event Wall::hit(const Flight &flight, size_t shape, const Path &before,
+                      const Contact &contact, const double v1[3]) {
+  const Spheres &s = flight.spheres;
+  const int i = flight.i;
+  if (!model_.wall())
+    throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
+                     "diameters beforehand; make particles before 'run', or by a fix insert",
+                     static_cast<long long>(s.tag_of(i))));
+  asp_particle particle = flight.particle(model_.pair(s.type[i], shapes_[shape].wall_type));
+  double lay[3] = {0, 0, 1};
+  if (engine_.dimension() == 2) /* at normal impact, too, the tilt is in the plane */
+    particle.lay = lay;
+  else if (model_.lay().kind != ASP_LAY_NONE) {
+    shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
+    particle.lay = lay;
+  }
+  Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, {}, 0, 0, {}, {}};
+  vector_copy(flight.spin, event.omega1);
+  event.elapsed = flight.elapsed();
+  event.time = time(static_cast<double>(s.step)) - flight.path.left;
+  event.key.seed = model_.seed();
+  event.key.wall = key_;
+  event.key.tag = static_cast<uint64_t>(s.tag_of(i));
+  event.key.impact = static_cast<uint32_t>(state(i).impacts) + 1;
+  asp_wall_impact(model_.wall(), &particle, v1, contact.n, &event.key, &event.impact);
+  return event;
+}

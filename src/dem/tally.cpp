@@ -1,0 +1,125 @@
+/* What contacts do to a wall: its counters, force and torque, the sums of its shapes and triangles,
+ * and the rows of its ledger. All loads come through Wall::add().
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/wall.h"
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+static const double DEGREES = 180 / ASP_PI;
+
+ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3],
+                         const double normal[3], const double impulse_per_mass[3],
+                         const double v1[3])
+    : piece(of), type(s.type[i]), mask(s.mask[i]), dissipated(0) {
+  vector_copy(normal, n);
+  vector_add_scaled(center, -s.radius[i], normal, point);
+  vector_copy(impulse_per_mass, impulse);
+  vector_scale(-s.mass[i], impulse);
+  vector_copy(v1, v_before);
+}
+
+void Wall::Member::add(int piece, Sum sum, double value) {
+  totals[sum == SUM_IMPACTS ? SUM_IMPACTS : sum + 1] += value;
+  if (sums.size() > 0)
+    sums.data()[static_cast<size_t>(piece) * N_SUMS + sum] += value;
+}
+
+void Wall::add(size_t shape, const ContactLoad &load) {
+  Member &member = shapes_[shape];
+  double arm[3], torque[3], along[3];
+  vector_subtract(load.point, torque_about_, arm);
+  vector_cross(arm, load.impulse, torque);
+  for (int d = 0; d < 3; d++) {
+    counters_[FORCE + d] += load.impulse[d];
+    counters_[TORQUE + d] += torque[d];
+  }
+  if (vector_dot(load.n, load.n) > 0) {
+    const double normal = -vector_dot(load.impulse, load.n);
+    vector_add_scaled(load.impulse, normal, load.n, along);
+    member.add(load.piece, SUM_NORMAL, normal);
+    member.add(load.piece, SUM_TANGENTIAL, vector_length(along));
+    member.add(load.piece, SUM_DISSIPATED, load.dissipated);
+    counters_[DISSIPATED] += load.dissipated;
+  }
+  if (member.measures)
+    member.shape->take(load);
+}
+
+/* What holds a stuck particle, which had the velocity `before` and has now that of its wall. */
+void Wall::add_held(const Spheres &s, int i, const double before[3]) {
+  const StuckPlace &stuck = place(i).stuck;
+  const double none[3] = {0, 0, 0};
+  const size_t at = 3 * static_cast<size_t>(i), shape = static_cast<size_t>(stuck.shape) - 1;
+  double p[3];
+  vector_subtract(s.v + at, before, p);
+  if (vector_dot(p, p) > 0 && stuck.shape >= 1 && shape < shapes_.size())
+    add(shape, ContactLoad(s, i, static_cast<int>(stuck.piece), s.x + at, none, p, none));
+}
+
+void Wall::count(const Spheres &s, int i, const Event &event) {
+  const asp_impact &impact = event.impact;
+  const Contact &contact = event.contact;
+  const bool stuck = impact.outcome == ASP_DEPOSIT;
+  const double mass = s.mass[i], stuck_mass = stuck ? mass : 0;
+  const double energy = 0.5 * mass * vector_dot(event.v1, event.v1);
+  counters_[N_IMPACTS]++;
+  counters_[N_DEPOSITS] += stuck;
+  counters_[DEPOSITED_MASS] += stuck_mass;
+  counters_[N_LATER_HITS] += impact.hits - 1;
+  counters_[N_CAPPED] += impact.capped;
+  counters_[N_GUARDED] += contact.guarded;
+  Member &member = shapes_[event.shape];
+  member.totals[SHAPE_DEPOSITS] += stuck;
+  member.add(contact.piece, SUM_IMPACTS, 1);
+  member.add(contact.piece, SUM_MASS, stuck_mass);
+  member.add(contact.piece, SUM_ENERGY, energy);
+  double p[3];
+  vector_subtract(impact.v2, event.v1, p);
+  ContactLoad load(s, i, contact.piece, contact.x, contact.n, p, event.v1);
+  load.dissipated =
+      energy - 0.5 * mass * vector_dot(impact.v2, impact.v2) +
+      0.2 * mass * s.radius[i] * s.radius[i] *
+          (vector_dot(event.omega1, event.omega1) - vector_dot(impact.omega, impact.omega));
+  add(event.shape, load);
+  if (ledger_)
+    record(s, i, event, load);
+}
+
+void Wall::record(const Spheres &s, int i, const Event &event, const ContactLoad &load) {
+  typedef Ledger L;
+  const asp_coefficients c = asp_impact_coefficients(event.v1, event.contact.n, &event.impact);
+  L::Row row;
+  row[L::TAG] = static_cast<double>(event.key.tag);
+  row[L::IMPACT] = event.key.impact;
+  row[L::TIME] = event.time;
+  row[L::MESH] = shapes_[event.shape].sums.size() > 0 ? static_cast<double>(event.shape) + 1 : 0;
+  row[L::TRIANGLE] = event.contact.piece;
+  for (int d = 0; d < 3; d++)
+    row[L::X + d] = event.contact.x[d];
+  row[L::D_P] = 2 * s.radius[i];
+  row[L::V1] = c.v1;
+  row[L::ALPHA1] = c.alpha1 * DEGREES;
+  row[L::DELTA_ALPHA] = event.impact.delta_alpha * DEGREES;
+  row[L::TILT_OUT] = event.impact.tilt_out * DEGREES;
+  row[L::HITS] = event.impact.hits;
+  row[L::V2] = c.v2;
+  row[L::ALPHA2] = c.alpha2 * DEGREES;
+  row[L::COR_N] = c.cor_n;
+  row[L::COR_T] = c.cor_t;
+  row[L::OUTCOME] = event.impact.outcome == ASP_REBOUND ? 0
+                    : model_.deposit() == Model::DELETE ? 2
+                                                        : 1;
+  row[L::STEP] = static_cast<double>(s.step);
+  row[L::COR_T_DEFINED] = c.cor_t_defined;
+  row[L::MASS] = s.mass[i];
+  vector_copy(load.n, &row[L::NX]);
+  vector_copy(event.v1, &row[L::V1X]);
+  vector_copy(event.impact.v2, &row[L::V2X]);
+  vector_copy(event.omega1, &row[L::OMEGA1X]);
+  vector_copy(event.impact.omega, &row[L::OMEGA2X]);
+  vector_copy(load.impulse, &row[L::IMPULSE_X]);
+  ledger_->add(row);
+}

@@ -1,0 +1,114 @@
+/* Sustained contacts of a sphere: for any normals, walls' velocities and friction, what the solver
+ * finds is a solution, by the conditions of contact and of Coulomb's friction at each contact.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+extern "C" {
+#include <cmocka.h>
+}
+
+#include "contact/vector.h"
+#include "dem/sustained.h"
+
+using namespace asperity;
+
+namespace {
+
+uint32_t state = 4711;
+
+/* Uniform in -1 to 1. */
+double uniform() {
+  state = 1664525 * state + 1013904223;
+  return state / 2147483648.0 - 1;
+}
+
+void draw(double most, double a[3]) {
+  for (int d = 0; d < 3; d++)
+    a[d] = most * uniform();
+}
+
+/* How far the velocities are from a solution at one contact, in parts of the impulses. */
+double off_by(const Support &s, double friction, double radius, const double v[3],
+              const double omega[3]) {
+  double across[3], u[3], along[3], p_t[3], worst = 0;
+  vector_cross(omega, s.n, across);
+  vector_subtract(v, s.w, u);
+  vector_add_scaled(u, -radius, across, u);
+  const double u_n = vector_dot(u, s.n), p_n = vector_dot(s.p, s.n);
+  vector_add_scaled(u, -u_n, s.n, along);
+  vector_add_scaled(s.p, -p_n, s.n, p_t);
+  const double slide = vector_length(along), limit = friction * p_n;
+  worst = fmax(worst, fmax(-u_n, -p_n));
+  worst = fmax(worst, fmin(u_n, p_n));
+  worst = fmax(worst, vector_length(p_t) - limit);
+  /* Where it slides, friction is at its limit and against the slide. */
+  vector_add_scaled(p_t, slide > 0 ? limit / slide : 0, along, p_t);
+  return fmax(worst, fmin(slide, vector_length(p_t)));
+}
+
+int run(int contacts, bool moving, double friction) {
+  const double radius = 0.3;
+  int solved = 0;
+  for (int trial = 0; trial < 2000; trial++) {
+    std::vector<Support> supports(static_cast<size_t>(contacts));
+    double v[3], omega[3], sum[3], turn[3], scale = 0;
+    draw(1, v);
+    draw(trial % 3 == 0 ? 0 : 1 / radius, omega);
+    for (Support &s : supports) {
+      do
+        draw(1, s.n);
+      while (!(vector_length(s.n) > 0.1 && s.n[2] > -0.5));
+      vector_scale(1 / vector_length(s.n), s.n);
+      draw(moving ? 0.3 : 0, s.w);
+      s.friction = friction;
+    }
+    vector_copy(v, sum);
+    vector_copy(omega, turn);
+    const bool possible = solve_supports(supports, radius, v, omega);
+    double worst = 0;
+    for (const Support &s : supports) {
+      double across[3];
+      vector_cross(s.n, s.p, across);
+      vector_add_scaled(sum, 1, s.p, sum);
+      vector_add_scaled(turn, -2.5 / radius, across, turn);
+      scale += vector_length(s.p);
+      if (friction > 0 && !(s.friction > 0)) /* the sweeps went round in a circle */
+        worst = HUGE_VAL;
+    }
+    for (int d = 0; d < 3 && possible; d++) {
+      assert_true(fabs(sum[d] - v[d]) <= 1e-9 * (1 + scale));
+      assert_true(fabs(turn[d] - omega[d]) <= 1e-9 * (1 + scale) / radius);
+    }
+    for (const Support &s : supports)
+      worst = fmax(worst, off_by(s, friction, radius, v, omega));
+    solved += possible && worst <= 1e-4 * scale + 1e-9;
+  }
+  return solved;
+}
+
+/* One contact: always; two and three: nearly always, where the walls leave room. */
+void is_a_solution(void **) {
+  for (int moving = 0; moving < 2; moving++)
+    for (int k = 0; k < 4; k++) {
+      const double friction[4] = {0, 0.1, 0.5, 2};
+      const int one = run(1, moving, friction[k]), two = run(2, moving, friction[k]),
+                three = run(3, moving, friction[k]);
+      print_message("moving %d, friction %g: solved %d, %d, %d of 2000\n", moving, friction[k], one,
+                    two, three);
+      assert_int_equal(one, 2000);
+      assert_true(two >= (!(friction[k] > 0) ? 2000 : moving ? 1500 : 1980));
+      assert_true(three >= (moving ? 1200 : 1800));
+    }
+}
+
+} // namespace
+
+int main() {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(is_a_solution)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
