@@ -1,5 +1,5 @@
-# Takes away what the last `cmake --install` of a build folder put in place, and the package's own folders
-# where nothing else is in them. Usage: cmake -DMANIFEST=<build>/install_manifest.txt -P uninstall.cmake
+# Takes away what the last `cmake --install` of a build folder put in place, and the folders that are empty
+# then; in /usr and /opt only those of asperity. Usage: cmake -DMANIFEST=<build>/install_manifest.txt -P uninstall.cmake
 # SPDX-License-Identifier: GPL-3.0-or-later
 if(NOT EXISTS ${MANIFEST})
   message(FATAL_ERROR "${MANIFEST} is not there: nothing is installed from this build folder")
@@ -14,10 +14,13 @@ foreach(_file IN LISTS _installed)
     message(STATUS "Not there: ${_file}")
   endif()
   get_filename_component(_folder "${_file}" DIRECTORY)
-  get_filename_component(_name "${_folder}" NAME)
-  file(GLOB _left LIST_DIRECTORIES true "${_folder}/*")
-  if(_name STREQUAL asperity AND IS_DIRECTORY "${_folder}" AND NOT _left)
+  while(IS_DIRECTORY "${_folder}")
+    file(GLOB _left LIST_DIRECTORIES true "${_folder}/*" "${_folder}/.*")
+    if(_left OR (_folder MATCHES "^/(usr|opt)(/|$)" AND NOT _folder MATCHES "/asperity(/|$)"))
+      break()
+    endif()
     file(REMOVE_RECURSE "${_folder}")
-  endif()
+    get_filename_component(_folder "${_folder}" DIRECTORY)
+  endwhile()
 endforeach()
 file(REMOVE ${MANIFEST})

@@ -69,5 +69,7 @@ const cli_command cli_materials = {
         "material is meant for walls. seen: whether the original of the source was seen for\n"
         "this. Your own materials are a file with the same columns, of which title,\n"
         "yield_stress_pa, source and seen may be left out; edit the output of this command.\n",
+    .examples = "  $ asperity materials\n"
+                "  $ asperity materials | cut -d, -f1\n",
     .run = run,
 };

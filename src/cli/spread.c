@@ -205,5 +205,7 @@ const cli_command cli_spread = {
         "its density. Of the description 'surface', 'spread' and 'seed' count: a wall by its\n"
         "numbers is as a profile along the flight has it, over a map spheres fly in all\n"
         "directions.\n",
+    .examples = "  $ asperity spread surface sigma 10 --angles 20 --plot spread.png -o spread.csv\n"
+                "  $ asperity spread --list\n",
     .run = run,
 };
