@@ -8,18 +8,13 @@
 #include "base/number.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-extern char **environ;
 
 enum { LABEL_MOST = 300, TITLE_MOST = 2000, SIDE_LEAST = 100, SIDE_MOST = 10000 };
 
@@ -41,7 +36,6 @@ typedef struct axis {
 
 struct cli_plot {
   FILE *pipe;
-  pid_t process;
   cli_file *file;
   const char *path;
   double range[2]; /* of --range; NAN: not given */
@@ -89,41 +83,15 @@ static const char *terminal_of(const cli_option *option) {
                 option->value);
 }
 
-/* Gnuplot with one argument, its input and its output. */
-static pid_t spawn(char *argument, int input, int output) {
-  posix_spawn_file_actions_t actions;
-  char *arguments[] = {"gnuplot", argument, NULL};
-  pid_t process;
-  if (posix_spawn_file_actions_init(&actions) != 0)
+/* A gnuplot that reads from the returned stream and writes to a file. */
+static FILE *start(int file) {
+  fflush(NULL);
+  int out = dup(STDOUT_FILENO);
+  FILE *stream = dup2(file, STDOUT_FILENO) < 0 ? NULL : popen("exec gnuplot -d", "w");
+  if (!stream || dup2(out, STDOUT_FILENO) < 0)
     cli_fail("cannot start gnuplot: %s", strerror(errno));
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  int status = posix_spawnp(&process, "gnuplot", &actions, NULL, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (status != 0)
-    cli_fail("cannot start gnuplot: %s; is it installed? Debian: apt-get install gnuplot-nox",
-             strerror(status));
-  return process;
-}
-
-/* Waits for gnuplot, and exits where it failed. */
-static void finish(pid_t process, const char *path) {
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status != 0)
-    cli_fail("gnuplot failed (status %d); no picture '%s' is drawn",
-             WIFEXITED(status) ? WEXITSTATUS(status) : status, path);
-}
-
-/* A gnuplot that reads from the returned stream and writes to the plot's file. */
-static FILE *start(cli_plot *plot) {
-  int ends[2];
-  if (pipe(ends) != 0 || fcntl(ends[1], F_SETFD, FD_CLOEXEC) != 0)
-    cli_fail("cannot start gnuplot: %s", strerror(errno));
-  plot->process = spawn("-d", ends[0], fileno(cli_file_stream(plot->file)));
-  close(ends[0]);
-  return fdopen(ends[1], "w");
+  close(out);
+  return stream;
 }
 
 void cli_plot_check(const cli_option *option) {
@@ -131,11 +99,8 @@ void cli_plot_check(const cli_option *option) {
   terminal_of(option);
   read_look(option, &plot, (int[2]){0, 0});
   cli_file_check(option->value);
-  int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (nothing < 0)
-    cli_fail("cannot open '/dev/null': %s", strerror(errno));
-  finish(spawn("--version", nothing, nothing), option->value);
-  close(nothing);
+  if (system("exec gnuplot --version > /dev/null 2>&1") != 0)
+    cli_fail("cannot run gnuplot; is it installed? Debian: apt-get install gnuplot-nox");
 }
 
 /* A title as a gnuplot string, broken at spaces into lines of so many letters. */
@@ -164,10 +129,7 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height, const c
   read_look(option, plot, size);
   plot->file = cli_file_open(option->value);
   signal(SIGPIPE, SIG_IGN);
-  fflush(NULL);
-  plot->pipe = start(plot);
-  if (!plot->pipe)
-    cli_fail("cannot start gnuplot: %s", strerror(errno));
+  plot->pipe = start(fileno(cli_file_stream(plot->file)));
   fputs("set term ", plot->pipe);
   fprintf(plot->pipe, terminal, size[0], size[1]);
   fputc('\n', plot->pipe);
@@ -381,8 +343,8 @@ void cli_plot_end(cli_plot *plot, const char *format, ...) {
 void cli_plot_close(cli_plot *plot) {
   finish_panel(plot);
   fputs("unset multiplot\n", plot->pipe);
-  fclose(plot->pipe);
-  finish(plot->process, plot->path);
+  if (pclose(plot->pipe) != 0)
+    cli_fail("gnuplot failed; no picture '%s' is drawn", plot->path);
   cli_file_close(plot->file);
   fprintf(stderr, "picture: %s\n", plot->path);
   free(plot);
@@ -444,5 +406,19 @@ cli_label cli_plot_file(const char *path) {
       *c = ' ';
   cli_label label = cli_plot_label(words);
   free(words);
+  return label;
+}
+
+cli_label cli_plot_wall(const asp_wall *wall) {
+  const asp_surface *surface = asp_wall_surface(wall);
+  const char *file = asp_wall_word(wall, "file");
+  cli_label label = {"smooth wall"};
+  if (surface && strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
+    snprintf(label.text, sizeof label.text, "σ = %.4g°",
+             cli_degrees(atan(asp_surface_slope_rms(surface))));
+  else if (surface)
+    snprintf(label.text, sizeof label.text, "%.1400s%sR_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g",
+             file ? cli_plot_file(file).text : "", file ? ", " : "", asp_surface_r_q(surface) * 1e6,
+             asp_surface_lambda_c(surface) * 1e6, asp_surface_phi_r(surface));
   return label;
 }

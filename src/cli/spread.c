@@ -135,8 +135,8 @@ static void one_angle(FILE *out, const cli_option *options, const scene *s, doub
   double *sample = cli_allocate(n, sizeof *sample);
   fill(sample, n, s, &view);
   if (options[PLOT].value)
-    cli_spread_plot(&options[PLOT], s->model, s->shaped,
-                    s->by_size ? asp_wall_surface(s->wall.wall) : NULL, &view, sample, n);
+    cli_spread_plot(&options[PLOT], s->model, s->shaped, s->wall.wall, s->by_size, &view, sample,
+                    n);
   if (options[SUMMARY].value)
     print_summary(out, s->model, &view, sample, n);
   else if (!options[PDF].value)
