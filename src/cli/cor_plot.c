@@ -65,10 +65,9 @@ static void plot_impacts(cli_plot *picture, int t, const cor_row *rows, size_t n
     cli_plot_end(picture, "impacts");
 }
 
-/* The mean as a line, or mean ± sd as a band, where impacts at one angle differ. */
-static void plot_means(cli_plot *picture, int t, const cor_row *rows, size_t n, bool line,
-                       const char *style) {
-  cli_plot_series(picture, line ? CLI_LINE : CLI_BAND, "%s", style);
+/* Mean and sd by angle. */
+static void plot_means(cli_plot *picture, int t, const cor_row *rows, size_t n, const char *style) {
+  cli_plot_series(picture, CLI_BAND, "%s", style);
   for (size_t i = 0, next; i < n; i = next) {
     aspi_running y = {0, 0, 0}, angle = {0, 0, 0};
     for (next = i; next < n; next++) {
@@ -80,12 +79,10 @@ static void plot_means(cli_plot *picture, int t, const cor_row *rows, size_t n, 
       aspi_running_add(&y, value_of(&rows[next], t));
       aspi_running_add(&angle, rows[next].alpha1);
     }
-    if (y.n > 1) {
-      double sd = line ? 0 : aspi_running_sd(&y);
-      cli_plot_row(picture, angle.mean, y.mean - sd, y.mean + sd);
-    }
+    if (y.n > 1)
+      cli_plot_row(picture, angle.mean, y.mean, aspi_running_sd(&y));
   }
-  cli_plot_end(picture, line ? "mean" : "± sd");
+  cli_plot_end(picture, "mean ± sd");
 }
 
 /* True if impacts at one angle differ at all. */
@@ -130,8 +127,8 @@ void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *
   for (int t = 0; t < 2; t++) {
     cli_plot_coefficient(picture, t);
     plot_impacts(picture, t, rows, n);
-    for (int line = 0; line < 2 && varies(rows, n); line++)
-      plot_means(picture, t, rows, n, line, style);
+    if (varies(rows, n))
+      plot_means(picture, t, rows, n, style);
     plot_smooth(picture, t, &smooth);
   }
   cli_plot_close(picture);

@@ -253,24 +253,27 @@ FILE *cli_plot_stream(cli_plot *plot) {
 
 /* ---- series ---- */
 
-/* How gnuplot draws a shape, and the columns of a row where it lies: left, right, low, high. */
+/* How gnuplot draws a shape, and what it draws under it without a name; the columns of a row that
+ * say where it lies: left, right, y, low, high. Low and high are y - sd and y + sd where the
+ * caller's row has an sd at `low`. */
 static const struct {
   int columns;
-  const char *using, *with;
-  int left, right, low, high;
+  const char *draw, *under;
+  int left, right, y, low, high;
 } shapes[] = {
-    [CLI_LINE] = {2, "1:2", "lines ls %s", 0, 0, 1, 1},
-    [CLI_HISTO] = {2, "1:2", "histeps ls %s", 0, 0, 1, 1},
-    [CLI_STAIRS] = {2, "1:2", "steps ls %s", 0, 0, 1, 1},
-    [CLI_BARS] = {2, "1:2", "boxes ls %s fs solid 0.35 noborder", 0, 0, 1, 1},
-    [CLI_MARKS] = {2, "1:2", "points ls %s", 0, 0, 1, 1},
-    [CLI_ERRORS] = {4, "1:2:3:4", "yerrorbars ls %s dt 1", 0, 0, 2, 3},
-    [CLI_BAND] = {3, "1:2:3", "filledcurves ls %s fs transparent solid 0.2 noborder", 0, 0, 1, 2},
-    [CLI_BOX] = {4, "1:3:1:2:3:4", "boxxyerror ls %s fs transparent solid 0.25 noborder", 0, 1, 2,
-                 3},
-    [CLI_LEVEL] = {3, "1:3:($2-$1):(0)", "vectors nohead ls %s", 0, 1, 2, 2},
-    [CLI_CELLS] = {5, "1:3:1:2:3:4:5", "boxxyerror fs solid noborder lc %s", 0, 1, 2, 3},
-    [CLI_IMAGE] = {3, "1:2:3", "image", 0, 0, 1, 1},
+    [CLI_LINE] = {2, "1:2 with lines ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_HISTO] = {2, "1:2 with histeps ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_STAIRS] = {2, "1:2 with steps ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_BARS] = {2, "1:2 with boxes ls %s fs solid 0.35 noborder", "", 0, 0, 1, 1, 1},
+    [CLI_MARKS] = {2, "1:2 with points ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_ERRORS] = {4, "1:2:3:4 with yerrorbars ls %s dt 1", "", 0, 0, 1, 2, 3},
+    [CLI_BAND] = {4, "1:2 with lines ls %s",
+                  "1:3:4 with filledcurves ls %s fs transparent solid 0.2 noborder", 0, 0, 1, 2, 3},
+    [CLI_BOX] = {5, "1:3:($2-$1):(0) with vectors nohead ls %s",
+                 "1:3:1:2:4:5 with boxxyerror ls %s fs transparent solid 0.25 noborder", 0, 1, 2, 3,
+                 4},
+    [CLI_CELLS] = {5, "1:3:1:2:3:4:5 with boxxyerror fs solid noborder lc %s", "", 0, 1, 2, 2, 3},
+    [CLI_IMAGE] = {3, "1:2:3 with image", "", 0, 0, 1, 1, 1},
 };
 
 void cli_plot_series(cli_plot *plot, cli_shape shape, const char *style, ...) {
@@ -293,10 +296,12 @@ void cli_plot_put(cli_plot *plot, const double *row) {
   cli_shape shape = plot->shape;
   double all[5];
   memcpy(all, row, sizeof all);
-  if (shape == CLI_ERRORS) {
-    double sd = isfinite(row[2]) ? row[2] : 0;
-    all[2] = plot->y.log ? fmax(row[1] - sd, plot->y.least) : row[1] - sd;
-    all[3] = row[1] + sd;
+  int low = shapes[shape].low, high = shapes[shape].high;
+  double y = row[shapes[shape].y];
+  if (shape == CLI_ERRORS || shape == CLI_BAND || shape == CLI_BOX) {
+    double sd = isfinite(row[low]) ? row[low] : 0;
+    all[low] = plot->y.log ? fmax(y - sd, plot->y.least) : y - sd;
+    all[high] = y + sd;
   }
   bool whole = true;
   for (int i = 0; i < shapes[shape].columns; i++) {
@@ -306,11 +311,10 @@ void cli_plot_put(cli_plot *plot, const double *row) {
   fputc('\n', plot->pipe);
   if (!whole)
     return;
-  double y = all[shape == CLI_ERRORS ? 1 : shapes[shape].low];
   plot->rows++;
   plot->outside += y < plot->y.least || y > plot->y.most;
   widen(&plot->x, all[shapes[shape].left], all[shapes[shape].right]);
-  widen(&plot->y, all[shapes[shape].low], all[shapes[shape].high]);
+  widen(&plot->y, all[low], all[high]);
 }
 
 /* Marks that the frame cuts off are counted in the caption. */
@@ -332,11 +336,17 @@ void cli_plot_end(cli_plot *plot, const char *format, ...) {
   int number = plot->series++;
   if (plot->rows == 0 && !*name)
     return;
+  const char *draw = shapes[plot->shape].draw, *under = shapes[plot->shape].under;
+  if (plot->rows > 0 && *under) {
+    fprintf(plot->command, ", $s%d using ", number);
+    fprintf(plot->command, under, plot->style);
+    fputs(" notitle", plot->command);
+  }
   if (plot->rows > 0)
-    fprintf(plot->command, ", $s%d using %s with ", number, shapes[plot->shape].using);
+    fprintf(plot->command, ", $s%d using ", number);
   else
-    fputs(", keyentry with ", plot->command);
-  fprintf(plot->command, shapes[plot->shape].with, plot->style);
+    fputs(", keyentry", plot->command);
+  fprintf(plot->command, plot->rows > 0 ? draw : strchr(draw, ' '), plot->style);
   fprintf(plot->command, *name ? " title '%s'" : " notitle", name);
 }
 

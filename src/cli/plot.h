@@ -57,9 +57,8 @@ typedef enum cli_shape {
   CLI_BARS,   /* x, y */
   CLI_MARKS,  /* x, y */
   CLI_ERRORS, /* x, y, sd */
-  CLI_BAND,   /* x, low, high */
-  CLI_BOX,    /* left, right, low, high */
-  CLI_LEVEL,  /* left, right, y */
+  CLI_BAND,   /* x, y, sd: a line in a band */
+  CLI_BOX,    /* left, right, y, sd: a level in a box */
   CLI_CELLS,  /* left, right, low, high, value of the palette */
   CLI_IMAGE   /* x, y, value of the palette */
 } cli_shape;

@@ -163,4 +163,4 @@ long='a long title of many short words that does not fit on one line of a small 
 "$asperity" compare measured_scatter.csv --plot words.svg -o c 2> err
 grep -q 'measured scatter: 3 impacts' words.svg || die "compare: the title is no words"
 "$asperity" cor --samples 3 --angles 20:40:1 --plot smooth.svg -o c 2> err
-! grep -q '± sd' smooth.svg && grep -q 'smooth wall' smooth.svg || die "cor: a band on a smooth wall, where impacts do not differ"
+! grep -q 'mean ± sd' smooth.svg && grep -q 'smooth wall' smooth.svg || die "cor: a band on a smooth wall, where impacts do not differ"
