@@ -15,20 +15,20 @@ title_of(k) = k == 0 ? 'smooth wall' : 'rough wall, R_q 5 µm, λ_c 60 µm'
 do for [k=0:1] {
   low = k == 0 ? 0.53 : 0.05
   # impacts, unrolled
-  set lmargin at screen 0.045; set rmargin at screen 0.29; set bmargin at screen low + 0.03; set tmargin at screen low + 0.355
+  set lmargin at screen 0.045; set rmargin at screen 0.29; set bmargin at screen low + 0.03; set tmargin at screen low + 0.315
   set xrange [-0.25:1]; set yrange [0:16]; set cbrange [0:240]
   set xtics 0.25; set ytics 4
   set xlabel '{/*0.9 suction side ←}  position along the chord  {/*0.9 → pressure side}' offset 0,0.4
   set ylabel 'span / mm' offset 1,0
-  set title title_of(k).":\nimpacts per mm^2" offset 0,-0.3
+  set title title_of(k).":\nimpacts per mm^2" offset 0,0.6
   set view map
-  set colorbox user origin screen 0.298, screen low + 0.03 size screen 0.009, screen 0.325
+  set colorbox user origin screen 0.298, screen low + 0.03 size screen 0.009, screen 0.285
   unset key
   splot 'output/'.map_of(k).'.map' using 1:2:6 with pm3d
   # deposits
   set lmargin at screen 0.385; set rmargin at screen 0.63
   unset colorbox; set xrange [-0.25:1.06]; set yrange [-0.9:16.9]
-  set title title_of(k).":\ndeposits, size as the grain" offset 0,1.1
+  set title title_of(k).":\ndeposits, size as the grain" offset 0,0.6
   set key at graph 1,1.01 bottom right horizontal samplen 1 width -2 font ',10'
   plot 'output/'.map_of(k).'.deposits' using ($4 == 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#0072b2' title 'first impact', \
        '' using ($4 > 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#d55e00' title 'later impact', \
