@@ -28,7 +28,7 @@ do for [k=0:1] {
   # deposits
   set lmargin at screen 0.385; set rmargin at screen 0.63
   unset colorbox; set xrange [-0.25:1.06]; set yrange [-0.9:16.9]
-  set title title_of(k).":\ndeposits, size as the grain" offset 0,0.6
+  set title title_of(k).":\ndeposits, size as the grain" offset 0,1.7
   set key at graph 1,1.01 bottom right horizontal samplen 1 width -2 font ',10'
   plot 'output/'.map_of(k).'.deposits' using ($4 == 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#0072b2' title 'first impact', \
        '' using ($4 > 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#d55e00' title 'later impact', \
