@@ -119,9 +119,8 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
 /* The profile of a file; the message names file and line. */
 asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error);
 
-/* What was found in the file read last, by name, and as a sentence: points, bad, spikes, filled,
- * longest_gap (of points filled in), resampled, step_least, step_most. NaN for any other name. */
-double asp_reader_get(const asp_reader *reader, const char *name);
+/* What was found in the file read last, as a sentence: points, bad ones, spikes, points filled in,
+ * the form taken out, and how positions and columns were taken. */
 const char *asp_reader_text(const asp_reader *reader);
 
 /* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
@@ -263,12 +262,11 @@ double asp_material_get(const asp_material *material, const char *name); /* NaN 
 const char *asp_material_name(const asp_material *material);
 const char *asp_material_title(const asp_material *material);
 const char *asp_material_source(const asp_material *material);
-bool asp_material_seen(const asp_material *material); /* whether the source's original was seen */
 
 /* Materials from a text file in columns, a row a material, as `asperity materials` prints them:
  * under a line of column names name, youngs_modulus_pa, poissons_ratio, density_kg_m3, and where
- * wanted title, yield_stress_pa (empty: none), source, and seen (yes or no). Columns are separated
- * by commas, semicolons, tabs or blanks; # begins a comment. The message names file and line. */
+ * wanted title, yield_stress_pa (empty: none) and source. Columns are separated by commas,
+ * semicolons, tabs or blanks; # begins a comment. The message names file and line. */
 typedef struct asp_materials asp_materials;
 asp_materials *asp_materials_read(const char *path, asp_error *error);
 void asp_materials_free(asp_materials *materials);
