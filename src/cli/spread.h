@@ -7,8 +7,8 @@
 #include "cli/description.h"
 #include "spread/models.h"
 
-/* A histogram of n samples in degrees and, where the law is `shaped`, its density over it; the title
- * has the wall's numbers where it is `sized`, more than a sigma. */
+/* A histogram of n samples in degrees and, where the law is `shaped`, its density over it; the
+ * title has the wall's numbers where it is `sized`, more than a sigma. */
 void cli_spread_plot(const cli_option *option, const asp_spread_model *model, bool shaped,
                      const asp_wall *wall, bool sized, const aspi_view *view, const double *sample,
                      size_t n);
