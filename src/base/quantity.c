@@ -67,6 +67,18 @@ static double shifted(const char *text, size_t length, int exponent) {
   return aspi_number(copy, &end);
 }
 
+void aspi_quantity_print_length(double metres, char text[32]) {
+  char um[32];
+  aspi_number_print(metres, text);
+  double value = shifted(text, strlen(text), 6), again;
+  aspi_number_print(value, um);
+  again = shifted(um, strlen(um), -6);
+  bool same = again >= metres && again <= metres && value >= 1e-3 && strlen(um) < 24;
+  if (same)
+    memcpy(text, um, sizeof um);
+  strcat(text, same ? "um" : "m");
+}
+
 static asp_code fail_unit(const char *name, const char *text, const char *kind, bool is_number,
                           asp_error *error) {
   char list[120];

@@ -1,4 +1,4 @@
-/* The judge in three dimensions; see judge_3d.h. Generated surfaces (WALLS-3D, section 7), exact
+/* The judge in three dimensions; see judge_3d.h. Generated surfaces, exact
  * dilation, exact first hits along the rows, later hits by following each particle over the
  * surface. Nothing of a model is in it.
  *

@@ -38,7 +38,7 @@ static void canonical_texts(void **state) {
              "collisions single seed 4294967295",
              "surface sigma 8 spread weibull plane collisions single rebound constant 0.5 0.25 "
              "deposit off seed 4294967295");
-  check_text("surface rq 1um lambda_c 10um 50um lay axial spread auto tolerance 0.01",
+  check_text("surface rq 1e-06 lambda_c 1e-05 5e-05 lay axial spread auto tolerance 0.01",
              "surface rq 1e-06 lambda_c 1e-05 5e-05 lay axial spread auto tolerance 0.01 isotropic "
              "collisions multiple rebound bons deposit freeze seed 1");
   check_text("surface profile 'my blade.csv' dp_bins 4 rebound bons soften 500C 0.001/K yield_rate "
@@ -455,7 +455,7 @@ static void numbers_may_be_unknown(void **state) {
   check_fit("surface sigma fit friction fit yield_stress fit=200MPa",
             "surface sigma fit=5 spread visible isotropic collisions multiple rebound bons "
             "friction fit yield_stress fit=200000000 deposit freeze seed 1");
-  check_fit("surface rq fit=4um lambda_c fit=40um 80um lay axial rebound bons contact_area 0.1 fit "
+  check_fit("surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial rebound bons contact_area 0.1 fit "
             "fit=0.6",
             "surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial spread visible isotropic "
             "collisions multiple rebound bons contact_area 0.1 fit=0.14285714285714285 fit=0.6 "
