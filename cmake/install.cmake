@@ -1,5 +1,5 @@
 # What `cmake --install` puts in place: library, header, command, launchers, the library and headers of the
-# engines' side, and the files by which CMake and pkg-config find the libraries.
+# engines' side, the files by which CMake and pkg-config find the libraries, pages and examples.
 # SPDX-License-Identifier: GPL-3.0-or-later
 install(TARGETS asperity EXPORT asperityTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -22,9 +22,19 @@ if(TARGET asperity_dem)
 endif()
 
 install(DIRECTORY ${CMAKE_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-  FILES_MATCHING PATTERN "*.1")
+  OPTIONAL FILES_MATCHING PATTERN "*.1")
 install(FILES src/cli/asperity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME asperity)
+
+# Pages and examples in the folders that they have here, so that their links hold.
+file(GLOB_RECURSE _pages RELATIVE ${PROJECT_SOURCE_DIR} src/*.md src/*.rst src/*.png cmake/*.md
+  .github/*.md tests/bench/*.md)
+foreach(_page IN LISTS _pages ITEMS README.md LICENSE CITATION.cff)
+  get_filename_component(_folder ${_page} DIRECTORY)
+  install(FILES ${_page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${_folder})
+endforeach()
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS
+  PATTERN output EXCLUDE)
 
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/asperity)
 install(EXPORT asperityTargets NAMESPACE asperity:: DESTINATION ${_package})

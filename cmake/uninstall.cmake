@@ -1,5 +1,5 @@
-# Takes away what the last `cmake --install` of a build folder put in place, and the package's own folders
-# where nothing else is in them. Usage: cmake -DMANIFEST=<build>/install_manifest.txt -P uninstall.cmake
+# Takes away what the last `cmake --install` of a build folder put in place, and the folders that are empty
+# then; in /usr and /opt only those of asperity. Usage: cmake -DMANIFEST=<build>/install_manifest.txt -P uninstall.cmake
 # SPDX-License-Identifier: GPL-3.0-or-later
 if(NOT EXISTS ${MANIFEST})
   message(FATAL_ERROR "${MANIFEST} is not there: nothing is installed from this build folder")
@@ -13,15 +13,14 @@ foreach(_file IN LISTS _installed)
   else()
     message(STATUS "Not there: ${_file}")
   endif()
-  # Folders that are empty now, up to the one named asperity.
-  set(_folder "${_file}")
-  while(_folder MATCHES "/asperity/")
-    get_filename_component(_folder "${_folder}" DIRECTORY)
-    file(GLOB _left LIST_DIRECTORIES true "${_folder}/*")
-    if(_left OR NOT IS_DIRECTORY "${_folder}")
+  get_filename_component(_folder "${_file}" DIRECTORY)
+  while(IS_DIRECTORY "${_folder}")
+    file(GLOB _left LIST_DIRECTORIES true "${_folder}/*" "${_folder}/.*")
+    if(_left OR (_folder MATCHES "^/(usr|opt)(/|$)" AND NOT _folder MATCHES "/asperity(/|$)"))
       break()
     endif()
     file(REMOVE_RECURSE "${_folder}")
+    get_filename_component(_folder "${_folder}" DIRECTORY)
   endwhile()
 endforeach()
 file(REMOVE ${MANIFEST})

@@ -1,13 +1,12 @@
 # The hopper: where the grains are 0.12 s after it was opened, in a view along y, and how many are out over time.
 # SPDX-License-Identifier: GPL-3.0-or-later
+load '../look.gp'
 set term pngcairo size 1340,430 font 'sans,11'
 set output 'output/hopper.png'
-set border lc rgb '#444444'
-set tics nomirror
 set palette defined (0 '#c6dbef', 0.4 '#4292c6', 0.7 '#f16913', 1 '#7f2704')
 set cbrange [0:0.8]
-unset key
-set multiplot layout 1,4 title '500 grains of 2 mm leave a hopper whose wall is a region: three LAMMPS runs; colour: speed in m/s'
+unset key; unset grid
+set multiplot layout 1,4 title '500 grains of 2 mm leave a hopper whose wall is a region: three LAMMPS runs; color: speed in m/s'
 set size ratio -1
 set xtics 10
 set xrange [-22:22]; set yrange [-30:32]
@@ -19,21 +18,20 @@ set arrow 4 from -20,20 to -20,32 nohead lc rgb '#444444' lw 2
 set style fill solid 0.9 border rgb '#ffffff'
 unset colorbox
 set title 'smooth, no friction'
-plot 'output/smooth.at' using 1:2:(1.0):3 with circles lc palette
+plot 'output/smooth.at' using 1:($2 > -29 ? $2 : NaN):(1.0):3 with circles lc palette
 set title 'smooth, friction 0.3'
-plot 'output/friction.at' using 1:2:(1.0):3 with circles lc palette
+plot 'output/friction.at' using 1:($2 > -29 ? $2 : NaN):(1.0):3 with circles lc palette
 set title 'rough, friction 0.3'
 set colorbox user origin 0.728,0.3 size 0.008,0.42
-plot 'output/rough.at' using 1:2:(1.0):3 with circles lc palette
+plot 'output/rough.at' using 1:($2 > -29 ? $2 : NaN):(1.0):3 with circles lc palette
 unset arrow 1; unset arrow 2; unset arrow 3; unset arrow 4; unset colorbox
 set size noratio
 set xtics 0.1
-set grid lc rgb '#dddddd' lw 0.5
-set key bottom right font ',10'
+load '../look.gp'
 set xrange [0:0.27]; set yrange [0:520]
 set xlabel 'time / s'; unset ylabel
 set title 'grains out'
-plot 'output/smooth.out' using 1:2 with lines lw 2 lc rgb '#888888' title 'smooth, no friction', \
-     'output/friction.out' using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'smooth, friction 0.3', \
-     'output/rough.out' using 1:2 with lines lw 2 lc rgb '#c8501e' title 'rough, friction 0.3'
+plot 'output/smooth.out' using 1:2 with lines ls wall_smooth dt 2 title 'smooth, no friction', \
+     'output/friction.out' using 1:2 with lines ls wall_smooth title 'smooth, friction 0.3', \
+     'output/rough.out' using 1:2 with lines ls wall_rough title 'rough, friction 0.3'
 unset multiplot

@@ -392,5 +392,7 @@ const cli_command cli_calibrate = {
         "apart, and where the model does not describe them. Noise of the measurement looks like\n"
         "roughness: state it by --noise. Sizes count only where the wall is given by rq and\n"
         "lambda_c; sigma is the same for all of them.\n",
+    .examples = "  $ asperity calibrate examples/data/grant_tabakoff_1975.csv surface sigma fit "
+                "friction fit --dp 100um --plot fit.png\n",
     .run = run,
 };

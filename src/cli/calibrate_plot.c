@@ -22,22 +22,19 @@ static point measured_in(const aspi_calibration *c, size_t b, int k) {
 static point fitted_in(const aspi_calibration *c, size_t b, int k) {
   double mean[COR_BOTH], sd[COR_BOTH];
   aspi_calibration_coefficients(c, b, mean, sd);
-  return (point){c->bins[b].degrees, mean[k], isfinite(sd[k]) ? sd[k] : 0};
+  return (point){c->bins[b].degrees, mean[k], sd[k]};
 }
 
 static void plot_panel(cli_plot *picture, const aspi_calibration *c, int k) {
   const char *law = asp_rebound_name(asp_wall_rebound(c->wall));
   cli_plot_coefficient(picture, k);
-  for (int line = 0; line < 2; line++) {
-    cli_plot_series(picture, line ? CLI_LINE : CLI_BAND, "law_%s", law);
-    for (size_t b = 0; b < c->n_bins; b++) {
-      point p = fitted_in(c, b, k);
-      double below = line ? p.mean : p.mean - p.sd;
-      if (isfinite(measured_in(c, b, k).mean))
-        cli_plot_row(picture, p.degrees, below, p.mean + p.sd);
-    }
-    cli_plot_end(picture, line ? "fitted model, mean" : "fitted model, ± sd");
+  cli_plot_series(picture, CLI_BAND, "law_%s", law);
+  for (size_t b = 0; b < c->n_bins; b++) {
+    point p = fitted_in(c, b, k);
+    if (isfinite(measured_in(c, b, k).mean))
+      cli_plot_row(picture, p.degrees, p.mean, p.sd);
   }
+  cli_plot_end(picture, "fitted model, mean ± sd");
   cli_plot_series(picture, CLI_ERRORS, "data");
   for (size_t b = 0; b < c->n_bins; b++) {
     point p = measured_in(c, b, k);

@@ -18,6 +18,7 @@ typedef struct cli_command {
   const char *summary;   /* one line, for the list of commands */
   const char *detail;    /* more, for --help */
   const char *arguments; /* besides options; NULL: none */
+  const char *examples;  /* command lines, each behind "  $ " */
   int (*run)(int argc, char **argv);
 } cli_command;
 

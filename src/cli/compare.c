@@ -377,5 +377,8 @@ const cli_command cli_compare = {
         "the\n"
         "differences of means (absolute, and in the data's sd), the mean share in the band, the\n"
         "mean distance, and one p-value (Fisher's over the places, Cauchy's over the kinds).\n",
+    .examples =
+        "  $ asperity compare cor.csv examples/data/grant_tabakoff_1975.csv --plot compare.png\n"
+        "  $ asperity compare impacts.npy\n",
     .run = run,
 };

@@ -35,16 +35,16 @@ static void edges_of(const aspi_comparison *c, size_t i, double *left, double *r
   *right = wide ? b->to : b->degrees + half;
 }
 
-static void plot_model(cli_plot *picture, const aspi_comparison *c, int which, bool line) {
-  cli_plot_series(picture, line ? CLI_LEVEL : CLI_BOX, "simulated");
+static void plot_model(cli_plot *picture, const aspi_comparison *c, int which) {
+  cli_plot_series(picture, CLI_BOX, "simulated");
   for (size_t i = 0; i < c->count; i++) {
     const aspi_sample *m = &c->bins[i].model[which];
-    double left, right, sd = isfinite(m->sd) ? m->sd : 0;
+    double left, right;
     edges_of(c, i, &left, &right);
     if (is_drawn(c, &c->bins[i], which))
-      cli_plot_row(picture, left, right, line ? m->mean : m->mean - sd, m->mean + sd);
+      cli_plot_row(picture, left, right, m->mean, m->sd);
   }
-  cli_plot_end(picture, "%s, %s", c->names[1] ? "model" : "impacts", line ? "mean" : "± sd");
+  cli_plot_end(picture, "%s, mean ± sd", c->names[1] ? "model" : "impacts");
 }
 
 static void plot_data(cli_plot *picture, const aspi_comparison *c, int which) {
@@ -81,8 +81,7 @@ void cli_compare_plot(const cli_option *option, const aspi_comparison *c) {
     cli_plot_coefficient(picture, which);
     if (!c->names[1])
       plot_data(picture, c, which);
-    plot_model(picture, c, which, false);
-    plot_model(picture, c, which, true);
+    plot_model(picture, c, which);
     if (c->names[1])
       plot_data(picture, c, which);
   }

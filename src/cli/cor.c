@@ -220,5 +220,8 @@ const cli_command cli_cor = {
         "number of impacts, the share that sticks, and of the n others mean and sd.\n"
         "A log-normal law has the standard deviation ln(max/min)/5 of its ln, and is cut at\n"
         "both ends. Particles fly along x over the wall z = 0.\n",
+    .examples = "  $ asperity cor surface rq 15.6um lambda_c 120um --dp lognormal:1um:100um:10um "
+                "--plot cor.png -o cor.csv\n"
+                "  $ asperity cor surface profile blade.csv --dp 20um --angles 5:85:5 --summary\n",
     .run = run,
 };

@@ -7,7 +7,6 @@
 #include "cli/plot.h"
 
 #include <math.h>
-#include <string.h>
 
 /* An angle with fewer impacts than this goes together with others, over at most so many degrees. */
 #define IMPACTS_LEAST 30
@@ -16,45 +15,36 @@
 enum { DOTS_MOST = 20000 };
 
 /* A list or a log-normal, times a factor, with its unit. */
-static void put_values(FILE *out, const char *name, const cli_list *v, double factor,
-                       const char *unit) {
-  fprintf(out, "%s = %.3g", name, v->least * factor);
+static cli_label values_of(const cli_list *v, double factor, const char *unit) {
+  cli_label label;
+  int used = snprintf(label.text, sizeof label.text, "%.3g", v->least * factor);
   if (v->most > v->least)
-    fprintf(out, " … %.3g", v->most * factor);
-  fprintf(out, " %s", unit);
+    used += snprintf(label.text + used, 99, " … %.3g", v->most * factor);
+  used += snprintf(label.text + used, 99, " %s", unit);
   if (v->count == 0)
-    fprintf(out, " (log-normal, median %.3g)", v->median * factor);
-  fputs("; ", out);
+    snprintf(label.text + used, 99, " (log-normal, median %.3g)", v->median * factor);
+  return label;
 }
 
-static void put_wall(FILE *out, const asp_wall *wall) {
-  const asp_surface *surface = asp_wall_surface(wall);
-  if (!surface)
-    fputs("smooth wall; ", out);
-  else if (strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
-    fprintf(out, "σ = %.4g°, ", cli_degrees(atan(asp_surface_slope_rms(surface))));
-  else
-    fprintf(out, "R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, ", asp_surface_r_q(surface) * 1e6,
-            asp_surface_lambda_c(surface) * 1e6, asp_surface_phi_r(surface));
-  if (surface)
-    fprintf(out, "%s; ", cli_plot_label(asp_spread_name(asp_wall_spread(wall))).text);
-}
-
-static void put_title(FILE *out, const cor_scene *s, const cor_row *rows, size_t n) {
+static cli_plot *open_picture(const cli_option *option, const cor_scene *s, const cor_row *rows,
+                              size_t n) {
   const cli_description *wall = &s->wall;
   size_t deposits = 0;
+  char pair[2 * sizeof(cli_label) + 10] = "";
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
-  if (wall->particle) {
-    fprintf(out, "%s on ", cli_plot_label(asp_material_name(wall->particle)).text);
-    fprintf(out, "%s; ", cli_plot_label(asp_material_name(wall->target)).text);
-  }
-  fprintf(out, "%s; ", cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text);
-  put_wall(out, wall->wall);
-  put_values(out, "v_1", &s->speeds, 1, "m/s");
-  put_values(out, "d_p", &s->sizes, 1e6, "µm");
-  fprintf(out, "%zu impacts, %.1f %% stick and are left out", n,
-          100 * (double)deposits / (double)n);
+  if (wall->particle)
+    snprintf(pair, sizeof pair, "%s on %s; ",
+             cli_plot_label(asp_material_name(wall->particle)).text,
+             cli_plot_label(asp_material_name(wall->target)).text);
+  return cli_plot_open(
+      option, 1200, 520, "1,2",
+      "%s%s; %s, %s; v_1 = %s; d_p = %s; %zu impacts, %.1f %% stick and are left out", pair,
+      cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text,
+      cli_plot_wall(wall->wall).text,
+      cli_plot_label(asp_spread_name(asp_wall_spread(wall->wall))).text,
+      values_of(&s->speeds, 1, "m/s").text, values_of(&s->sizes, 1e6, "µm").text, n,
+      100 * (double)deposits / (double)n);
 }
 
 /* CoR_N, or CoR_T of t; NAN where there is none. */
@@ -75,10 +65,9 @@ static void plot_impacts(cli_plot *picture, int t, const cor_row *rows, size_t n
     cli_plot_end(picture, "impacts");
 }
 
-/* The mean as a line, or mean ± sd as a band, where impacts at one angle differ. */
-static void plot_means(cli_plot *picture, int t, const cor_row *rows, size_t n, bool line,
-                       const char *style) {
-  cli_plot_series(picture, line ? CLI_LINE : CLI_BAND, "%s", style);
+/* Mean and sd by angle. */
+static void plot_means(cli_plot *picture, int t, const cor_row *rows, size_t n, const char *style) {
+  cli_plot_series(picture, CLI_BAND, "%s", style);
   for (size_t i = 0, next; i < n; i = next) {
     aspi_running y = {0, 0, 0}, angle = {0, 0, 0};
     for (next = i; next < n; next++) {
@@ -90,12 +79,10 @@ static void plot_means(cli_plot *picture, int t, const cor_row *rows, size_t n, 
       aspi_running_add(&y, value_of(&rows[next], t));
       aspi_running_add(&angle, rows[next].alpha1);
     }
-    if (y.n > 1) {
-      double sd = line ? 0 : aspi_running_sd(&y);
-      cli_plot_row(picture, angle.mean, y.mean - sd, y.mean + sd);
-    }
+    if (y.n > 1)
+      cli_plot_row(picture, angle.mean, y.mean, aspi_running_sd(&y));
   }
-  cli_plot_end(picture, line ? "mean" : "± sd");
+  cli_plot_end(picture, "mean ± sd");
 }
 
 /* True if impacts at one angle differ at all. */
@@ -126,27 +113,22 @@ static void plot_smooth(cli_plot *picture, int t, const cor_scene *smooth) {
 }
 
 void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *rows, size_t n) {
-  char title[1600] = "", style[80];
+  char style[80];
   double d_p, speed;
   cor_scene smooth = {.wall = cli_description_smooth(&s->wall),
                       .speeds = one_of(&s->speeds, &speed),
                       .sizes = one_of(&s->sizes, &d_p)};
-  FILE *out = fmemopen(title, sizeof title, "w");
-  if (!out)
-    cli_fail("out of memory");
-  put_title(out, s, rows, n);
-  fclose(out);
   const asp_wall *wall = s->wall.wall;
   if (asp_wall_surface(wall))
     snprintf(style, sizeof style, "model_%s", asp_spread_name(asp_wall_spread(wall)));
   else
     snprintf(style, sizeof style, "law_%s", asp_rebound_name(asp_wall_rebound(wall)));
-  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520, "1,2", "%s", title);
+  cli_plot *picture = open_picture(&options[PLOT], s, rows, n);
   for (int t = 0; t < 2; t++) {
     cli_plot_coefficient(picture, t);
     plot_impacts(picture, t, rows, n);
-    for (int line = 0; line < 2 && varies(rows, n); line++)
-      plot_means(picture, t, rows, n, line, style);
+    if (varies(rows, n))
+      plot_means(picture, t, rows, n, style);
     plot_smooth(picture, t, &smooth);
   }
   cli_plot_close(picture);

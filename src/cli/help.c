@@ -1,5 +1,5 @@
-/* The help of the commands, made from their tables of options in three forms: text for a terminal,
- * a page of the manual (man 7 man), and a list of words for the shell's completion.
+/* The help of the commands, made from their tables of options in two forms: text for a terminal, in
+ * the form that help2man makes a page of the manual from, and words for the shell's completion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/help.h"
@@ -22,7 +22,9 @@ static const char conventions[] =
 
 /* ---- text ---- */
 static void text_of_command(const cli_command *command, const cli_option *options) {
-  printf("asperity %s: %s\n\n%s\nOptions:\n", command->name, command->summary, command->detail);
+  printf("Usage: asperity %s%s%s [options]\n\n%c%s.\n\n%s\nOptions:\n", command->name,
+         command->arguments ? " " : "", command->arguments ? command->arguments : "",
+         toupper((unsigned char)*command->summary), command->summary + 1, command->detail);
   for (const cli_option *o = options; o->name; o++) {
     char left[64];
     snprintf(left, sizeof left, "--%s%s%s", o->name, o->argument ? " " : "",
@@ -36,162 +38,71 @@ static void text_of_command(const cli_command *command, const cli_option *option
     putchar('\n');
   }
   printf("  %-*s %s\n", LEFT, "--help", "this text");
+  if (command->examples)
+    printf("\nExamples:\n%s", command->examples);
 }
 
 static void text_of_all(const cli_command *const *commands) {
-  printf("asperity %s: rough walls for particle simulation\n\n"
-         "Usage: asperity COMMAND [DESCRIPTION] [options]\n\nCommands:\n",
-         asp_version());
+  puts("Usage: asperity COMMAND [DESCRIPTION] [options]\n\n"
+       "Rough walls for particle simulation.\n\nCommands:");
   for (; *commands; commands++)
     printf("  %-10s %s\n", (*commands)->name, (*commands)->summary);
   printf(
-      "\nasperity help COMMAND, or asperity COMMAND --help, tells the options; asperity help wall\n"
-      "the words that describe a wall.\n%s",
+      "\nasperity help COMMAND, or asperity COMMAND --help, lists the options; asperity help wall\n"
+      "the words that describe a wall.\n\n%s\nExamples:\n"
+      "  $ asperity help cor\n"
+      "  $ asperity cor surface rq 5um lambda_c 40um --dp 10um --plot cor.png -o cor.csv\n",
       conventions);
 }
 
 /* ---- the words of a description ---- */
 
-static void put_default(FILE *out, const aspi_keyword *k) {
-  if (*k->standard)
-    fprintf(out, " [%s]", k->standard);
-  fputc('\n', out);
-}
-
 /* The words within one, and those within these. */
-static void put_words(FILE *out, const char *within, int depth) {
+static void put_words(const char *within, int depth) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
     if (strcmp(k->within, within) != 0)
       continue;
-    fprintf(out, "%s%*s%s %s\n%*s%s", depth ? "" : "\n", 2 * depth, "", k->name, k->values,
-            2 * depth + 6, "", k->text);
-    put_default(out, k);
-    put_words(out, k->name, depth + 1);
+    printf("%s%*s%s %s\n%*s%s", depth ? "" : "\n", 2 * depth, "", k->name, k->values, 2 * depth + 6,
+           "", k->text);
+    printf(*k->standard ? " [%s]\n" : "\n", k->standard);
+    put_words(k->name, depth + 1);
   }
 }
 
 /* A law's name with its parameters: those that follow the name, and those with a word of their
  * own. */
-static void put_law(FILE *out, const asp_rebound_law *law) {
+static void put_law(const asp_rebound_law *law) {
   const char *last = "";
-  fprintf(out, "  %s", asp_rebound_name(law));
+  printf("  %s", asp_rebound_name(law));
   if (asp_rebound_needs_table(law))
-    fputs(" FILE", out);
+    fputs(" FILE", stdout);
   for (int i = 0; i < asp_rebound_parameters(law); i++) {
     const asp_parameter *p = asp_rebound_parameter(law, i);
     const char *keyword = asp_parameter_keyword(p);
     if (strcmp(keyword, last) != 0)
-      fprintf(out, "%s [%s", *last ? "]" : "", keyword);
-    fputc(' ', out);
+      printf("%s [%s", *last ? "]" : "", keyword);
+    putchar(' ');
     for (const char *c = asp_parameter_name(p); *c; c++)
-      fputc(toupper((unsigned char)*c), out);
+      putchar(toupper((unsigned char)*c));
     last = keyword;
   }
-  fprintf(out, "%s\n      %s\n", *last ? "]" : "", asp_rebound_summary(law));
-}
-
-static void put_wall(FILE *out) {
-  fputs("A wall is described by clauses, each at most once and in any order, the same words in\n"
-        "the command and in scripts. What has no effect on the wall at hand is refused. In a\n"
-        "command particles fly along x over the wall z = 0, and an angle of the lay is from x.\n",
-        out);
-  put_words(out, "", 0);
-  fputs("\nMODEL, as 'asperity spread --list' tells more of them:\n", out);
-  for (int i = 0; i < asp_spread_count(); i++)
-    fprintf(out, "  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
-            asp_spread_summary(asp_spread_at(i)));
-  fputs("\nLAW, as 'asperity rebound --list' tells more of them:\n", out);
-  for (int i = 0; i < asp_rebound_count(); i++)
-    put_law(out, asp_rebound_at(i));
+  printf("%s\n      %s\n", *last ? "]" : "", asp_rebound_summary(law));
 }
 
 void cli_help_wall(void) {
-  put_wall(stdout);
-}
-
-/* ---- page of the manual ---- */
-
-/* A text as troff has it: backslashes and dashes are marked, and no line begins with a mark. */
-static void print_troff(const char *text) {
-  for (bool begins = true; *text; begins = *text == '\n', text++) {
-    if (begins && (*text == '.' || *text == '\''))
-      fputs("\\&", stdout);
-    if (*text == '\\')
-      fputs("\\e", stdout);
-    else if (*text == '-')
-      fputs("\\-", stdout);
-    else
-      putchar(*text);
-  }
-}
-
-static void troff_line(const char *before, const char *text) {
-  fputs(before, stdout);
-  print_troff(text);
-  if (!*text || text[strlen(text) - 1] != '\n')
-    putchar('\n');
-}
-
-static void troff_of_option(const cli_option *option) {
-  fputs(".TP\n\\fB\\-\\-", stdout);
-  print_troff(option->name);
-  fputs("\\fR", stdout);
-  if (option->argument) {
-    fputs(" \\fI", stdout);
-    print_troff(option->argument);
-    fputs("\\fR", stdout);
-  }
-  putchar('\n');
-  print_troff(option->help);
-  if (option->argument && option->value) {
-    fputs(" [default: ", stdout);
-    print_troff(option->value);
-    putchar(']');
-  }
-  putchar('\n');
-}
-
-static void troff_of_command(const cli_command *command, const cli_option *options) {
-  printf(".TH \"ASPERITY\\-%s\" 1 \"\" \"asperity %s\" \"User Commands\"\n.SH NAME\nasperity\\-%s "
-         "\\- ",
-         command->name, asp_version(), command->name);
-  troff_line("", command->summary);
-  printf(".SH SYNOPSIS\n\\fBasperity %s\\fR%s%s%s [\\fIoptions\\fR]\n", command->name,
-         command->arguments ? " \\fI" : "", command->arguments ? command->arguments : "",
-         command->arguments ? "\\fR" : "");
-  troff_line(".SH DESCRIPTION\n.nf\n", command->detail);
-  puts(".fi\n.SH OPTIONS");
-  for (const cli_option *o = options; o->name; o++)
-    troff_of_option(o);
-  troff_line(".SH CONVENTIONS\n", conventions);
-  puts(".SH SEE ALSO\n.BR asperity (1)");
-}
-
-static void troff_of_wall(void) {
-  char *text = NULL;
-  size_t size;
-  FILE *out = open_memstream(&text, &size);
-  if (!out)
-    cli_fail("out of memory");
-  put_wall(out);
-  fclose(out);
-  troff_line(".SH DESCRIPTION OF A WALL\n.nf\n", text);
-  puts(".fi");
-  free(text);
-}
-
-static void troff_of_all(const cli_command *const *commands) {
-  printf(".TH ASPERITY 1 \"\" \"asperity %s\" \"User Commands\"\n.SH NAME\n"
-         "asperity \\- rough walls for particle simulation\n"
-         ".SH SYNOPSIS\n\\fBasperity\\fR \\fICOMMAND\\fR [\\fIoptions\\fR]\n.SH COMMANDS\n",
-         asp_version());
-  for (const cli_command *const *c = commands; *c; c++) {
-    printf(".TP\n.BR asperity\\-%s (1)\n", (*c)->name);
-    troff_line("", (*c)->summary);
-  }
-  troff_line(".SH CONVENTIONS\n", conventions);
-  troff_of_wall();
+  fputs("A wall is described by clauses, each at most once and in any order, the same words in\n"
+        "the command and in scripts. What has no effect on the wall at hand is refused. In a\n"
+        "command particles fly along x over the wall z = 0, and an angle of the lay is from x.\n",
+        stdout);
+  put_words("", 0);
+  fputs("\nMODEL, as 'asperity spread --list' lists them with their sources:\n", stdout);
+  for (int i = 0; i < asp_spread_count(); i++)
+    printf("  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
+           asp_spread_summary(asp_spread_at(i)));
+  fputs("\nLAW, as 'asperity rebound --list' lists them with their sources:\n", stdout);
+  for (int i = 0; i < asp_rebound_count(); i++)
+    put_law(asp_rebound_at(i));
 }
 
 /* ---- words for the shell ---- */
@@ -207,24 +118,24 @@ static void words_of_all(const cli_command *const *commands) {
   puts("help\n--help\n--version");
 }
 
+static bool wants_words(const char *before, const char *form) {
+  if (form && strcmp(form, "words") != 0)
+    cli_bad_usage("%s--help is '%s'; it must be words", before, form);
+  return form;
+}
+
 void cli_help_command(const cli_command *command, const cli_option *options, const char *form) {
-  if (!form)
-    text_of_command(command, options);
-  else if (strcmp(form, "man") == 0)
-    troff_of_command(command, options);
-  else if (strcmp(form, "words") == 0)
+  char before[40];
+  snprintf(before, sizeof before, "%s: ", command->name);
+  if (wants_words(before, form))
     words_of_command(options);
   else
-    cli_bad_usage("%s: --help is '%s'; it must be man or words", command->name, form);
+    text_of_command(command, options);
 }
 
 void cli_help_all(const cli_command *const *commands, const char *form) {
-  if (!form)
-    text_of_all(commands);
-  else if (strcmp(form, "man") == 0)
-    troff_of_all(commands);
-  else if (strcmp(form, "words") == 0)
+  if (wants_words("", form))
     words_of_all(commands);
   else
-    cli_bad_usage("--help is '%s'; it must be man or words", form);
+    text_of_all(commands);
 }

@@ -68,5 +68,7 @@ const cli_command cli_materials = {
         "originals of their sources. Your own materials are a file with the same columns, of\n"
         "which title, yield_stress_pa and source may be left out; edit the output of this\n"
         "command.\n",
+    .examples = "  $ asperity materials\n"
+                "  $ asperity materials | cut -d, -f1\n",
     .run = run,
 };

@@ -18,7 +18,7 @@
 static const char MAGIC[] = "\x93NUMPY";
 enum { MAGIC_SIZE = 6, HEADER_MOST = 1 << 16 };
 
-bool npy_is(FILE *stream) {
+bool cli_npy_is(FILE *stream) {
   char first[MAGIC_SIZE];
   bool is =
       fread(first, 1, MAGIC_SIZE, stream) == MAGIC_SIZE && memcmp(first, MAGIC, MAGIC_SIZE) == 0;
@@ -26,13 +26,9 @@ bool npy_is(FILE *stream) {
   return is;
 }
 
-static void skip_blanks(const char **text) {
-  while (isspace((unsigned char)**text))
-    ++*text;
-}
-
+/* Steps over a character and the blanks before it, if it is there. */
 static bool take(const char **text, char c) {
-  skip_blanks(text);
+  *text += strspn(*text, " \t\n");
   if (**text != c)
     return false;
   ++*text;
@@ -41,25 +37,23 @@ static bool take(const char **text, char c) {
 
 /* 'text' or "text", as much of it as there is room for. */
 static bool take_string(const char **text, char *to, size_t room) {
-  skip_blanks(text);
-  char quote = **text;
-  if (quote != '\'' && quote != '"')
+  char quote = '\'';
+  if (!take(text, quote) && !take(text, quote = '"'))
     return false;
-  const char *begin = *text + 1, *end = strchr(begin, quote);
+  const char *end = strchr(*text, quote);
   if (!end)
     return false;
-  snprintf(to, room, "%.*s", (int)(end - begin), begin);
+  snprintf(to, room, "%.*s", (int)(end - *text), *text);
   *text = end + 1;
   return true;
 }
 
 static bool read_type(npy_column *column, const char *type) {
   column->kind = type[1];
-  column->size = atoi(type + 2);
+  column->size = type[1] ? atoi(type + 2) : 0;
   int size = column->size;
-  bool known = column->kind == 'f' ? size == 4 || size == 8
-                                   : (column->kind == 'i' || column->kind == 'u') &&
-                                         (size == 1 || size == 2 || size == 4 || size == 8);
+  bool known = (size == 4 || size == 8) && strchr("fiu", type[1]);
+  known = known || ((size == 1 || size == 2) && strchr("iu", type[1]));
   return known && (*type == '<' || (*type == '|' && size == 1));
 }
 
@@ -120,7 +114,7 @@ static asp_code read_shape(npy *array, const char *header, asp_error *error) {
                    array->path);
 }
 
-asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error) {
+asp_code cli_npy_open(npy *array, FILE *stream, const char *path, asp_error *error) {
   *array = (npy){.stream = stream, .path = path};
   unsigned char first[MAGIC_SIZE + 2] = {0}, length[4] = {0};
   char *header = calloc(1, HEADER_MOST + 1);
@@ -145,14 +139,14 @@ asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error) 
   return code;
 }
 
-int npy_find(const npy *array, const char *name) {
+int cli_npy_find(const npy *array, const char *name) {
   for (int i = 0; i < array->columns; i++)
     if (strcmp(array->column[i].name, name) == 0)
       return i;
   return -1;
 }
 
-asp_code npy_next(npy *array, bool *found, asp_error *error) {
+asp_code cli_npy_next(npy *array, bool *found, asp_error *error) {
   *found = array->row < array->rows;
   if (!*found)
     return ASP_OK;
@@ -163,32 +157,21 @@ asp_code npy_next(npy *array, bool *found, asp_error *error) {
   return ASP_OK;
 }
 
-double npy_value(const npy *array, int index) {
+double cli_npy_value(const npy *array, int index) {
   if (index < 0)
     return NAN;
   const npy_column *column = &array->column[index];
-  union {
-    uint64_t u8;
-    uint32_t u4;
-    uint16_t u2;
-    uint8_t u1;
-    int64_t i8;
-    int32_t i4;
-    int16_t i2;
-    int8_t i1;
-    float f4;
-    double f8;
-  } value;
-  memcpy(&value, array->bytes + column->offset, (size_t)column->size);
+  const unsigned char *bytes = array->bytes + column->offset;
+  uint64_t whole = 0;
+  float f4;
+  double f8;
+  memcpy(&f4, bytes, sizeof f4);
+  memcpy(&f8, bytes, sizeof f8);
+  memcpy(&whole, bytes, (size_t)column->size);
   if (column->kind == 'f')
-    return column->size == 4 ? (double)value.f4 : value.f8;
+    return column->size == 4 ? (double)f4 : f8;
   if (column->kind == 'u')
-    return column->size == 8   ? (double)value.u8
-           : column->size == 4 ? (double)value.u4
-           : column->size == 2 ? (double)value.u2
-                               : (double)value.u1;
-  return column->size == 8   ? (double)value.i8
-         : column->size == 4 ? (double)value.i4
-         : column->size == 2 ? (double)value.i2
-                             : (double)value.i1;
+    return (double)whole;
+  int unused = 64 - 8 * column->size; /* bits above the sign */
+  return (double)((int64_t)(whole << unused) / ((int64_t)1 << unused));
 }

@@ -25,21 +25,21 @@ typedef struct npy {
   int columns, row_size;
   npy_column column[NPY_COLUMNS];
   char title[NPY_TITLE]; /* the first title of a column, or "" */
-  unsigned char bytes[NPY_ROW_MOST];
+  unsigned char bytes[NPY_ROW_MOST + 8];
 } npy;
 
-/* Whether a file begins as one; the stream is back at its beginning then. */
-bool npy_is(FILE *stream);
+/* True if a file begins as one; the stream is back at its beginning then. */
+bool cli_npy_is(FILE *stream);
 
-asp_code npy_open(npy *array, FILE *stream, const char *path, asp_error *error);
+asp_code cli_npy_open(npy *array, FILE *stream, const char *path, asp_error *error);
 
 /* Index of a column, or -1. */
-int npy_find(const npy *array, const char *name);
+int cli_npy_find(const npy *array, const char *name);
 
 /* The next row; *found is false at the end. ASP_EDATA where the file ends before its rows do. */
-asp_code npy_next(npy *array, bool *found, asp_error *error);
+asp_code cli_npy_next(npy *array, bool *found, asp_error *error);
 
 /* A number of the row; NAN for column -1. */
-double npy_value(const npy *array, int column);
+double cli_npy_value(const npy *array, int column);
 
 #endif

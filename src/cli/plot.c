@@ -8,18 +8,13 @@
 #include "base/number.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-extern char **environ;
 
 enum { LABEL_MOST = 300, TITLE_MOST = 2000, SIDE_LEAST = 100, SIDE_MOST = 10000 };
 
@@ -41,7 +36,6 @@ typedef struct axis {
 
 struct cli_plot {
   FILE *pipe;
-  pid_t process;
   cli_file *file;
   const char *path;
   double range[2]; /* of --range; NAN: not given */
@@ -89,41 +83,15 @@ static const char *terminal_of(const cli_option *option) {
                 option->value);
 }
 
-/* Gnuplot with one argument, its input and its output. */
-static pid_t spawn(char *argument, int input, int output) {
-  posix_spawn_file_actions_t actions;
-  char *arguments[] = {"gnuplot", argument, NULL};
-  pid_t process;
-  if (posix_spawn_file_actions_init(&actions) != 0)
+/* A gnuplot that reads from the returned stream and writes to a file. */
+static FILE *start(int file) {
+  fflush(NULL);
+  int out = dup(STDOUT_FILENO);
+  FILE *stream = dup2(file, STDOUT_FILENO) < 0 ? NULL : popen("exec gnuplot -d", "w");
+  if (!stream || dup2(out, STDOUT_FILENO) < 0)
     cli_fail("cannot start gnuplot: %s", strerror(errno));
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  int status = posix_spawnp(&process, "gnuplot", &actions, NULL, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (status != 0)
-    cli_fail("cannot start gnuplot: %s; is it installed? Debian: apt-get install gnuplot-nox",
-             strerror(status));
-  return process;
-}
-
-/* Waits for gnuplot, and exits where it failed. */
-static void finish(pid_t process, const char *path) {
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status != 0)
-    cli_fail("gnuplot failed (status %d); no picture '%s' is drawn",
-             WIFEXITED(status) ? WEXITSTATUS(status) : status, path);
-}
-
-/* A gnuplot that reads from the returned stream and writes to the plot's file. */
-static FILE *start(cli_plot *plot) {
-  int ends[2];
-  if (pipe(ends) != 0 || fcntl(ends[1], F_SETFD, FD_CLOEXEC) != 0)
-    cli_fail("cannot start gnuplot: %s", strerror(errno));
-  plot->process = spawn("-d", ends[0], fileno(cli_file_stream(plot->file)));
-  close(ends[0]);
-  return fdopen(ends[1], "w");
+  close(out);
+  return stream;
 }
 
 void cli_plot_check(const cli_option *option) {
@@ -131,11 +99,8 @@ void cli_plot_check(const cli_option *option) {
   terminal_of(option);
   read_look(option, &plot, (int[2]){0, 0});
   cli_file_check(option->value);
-  int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (nothing < 0)
-    cli_fail("cannot open '/dev/null': %s", strerror(errno));
-  finish(spawn("--version", nothing, nothing), option->value);
-  close(nothing);
+  if (system("exec gnuplot --version > /dev/null 2>&1") != 0)
+    cli_fail("cannot run gnuplot; is it installed? Debian: apt-get install gnuplot-nox");
 }
 
 /* A title as a gnuplot string, broken at spaces into lines of so many letters. */
@@ -164,10 +129,7 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height, const c
   read_look(option, plot, size);
   plot->file = cli_file_open(option->value);
   signal(SIGPIPE, SIG_IGN);
-  fflush(NULL);
-  plot->pipe = start(plot);
-  if (!plot->pipe)
-    cli_fail("cannot start gnuplot: %s", strerror(errno));
+  plot->pipe = start(fileno(cli_file_stream(plot->file)));
   fputs("set term ", plot->pipe);
   fprintf(plot->pipe, terminal, size[0], size[1]);
   fputc('\n', plot->pipe);
@@ -291,24 +253,27 @@ FILE *cli_plot_stream(cli_plot *plot) {
 
 /* ---- series ---- */
 
-/* How gnuplot draws a shape, and the columns of a row where it lies: left, right, low, high. */
+/* How gnuplot draws a shape, and what it draws under it without a name; the columns of a row that
+ * say where it lies: left, right, y, low, high. Low and high are y - sd and y + sd where the
+ * caller's row has an sd at `low`. */
 static const struct {
   int columns;
-  const char *using, *with;
-  int left, right, low, high;
+  const char *draw, *under;
+  int left, right, y, low, high;
 } shapes[] = {
-    [CLI_LINE] = {2, "1:2", "lines ls %s", 0, 0, 1, 1},
-    [CLI_HISTO] = {2, "1:2", "histeps ls %s", 0, 0, 1, 1},
-    [CLI_STAIRS] = {2, "1:2", "steps ls %s", 0, 0, 1, 1},
-    [CLI_BARS] = {2, "1:2", "boxes ls %s fs solid 0.35 noborder", 0, 0, 1, 1},
-    [CLI_MARKS] = {2, "1:2", "points ls %s", 0, 0, 1, 1},
-    [CLI_ERRORS] = {4, "1:2:3:4", "yerrorbars ls %s dt 1", 0, 0, 2, 3},
-    [CLI_BAND] = {3, "1:2:3", "filledcurves ls %s fs transparent solid 0.2 noborder", 0, 0, 1, 2},
-    [CLI_BOX] = {4, "1:3:1:2:3:4", "boxxyerror ls %s fs transparent solid 0.25 noborder", 0, 1, 2,
-                 3},
-    [CLI_LEVEL] = {3, "1:3:($2-$1):(0)", "vectors nohead ls %s", 0, 1, 2, 2},
-    [CLI_CELLS] = {5, "1:3:1:2:3:4:5", "boxxyerror fs solid noborder lc %s", 0, 1, 2, 3},
-    [CLI_IMAGE] = {3, "1:2:3", "image", 0, 0, 1, 1},
+    [CLI_LINE] = {2, "1:2 with lines ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_HISTO] = {2, "1:2 with histeps ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_STAIRS] = {2, "1:2 with steps ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_BARS] = {2, "1:2 with boxes ls %s fs solid 0.35 noborder", "", 0, 0, 1, 1, 1},
+    [CLI_MARKS] = {2, "1:2 with points ls %s", "", 0, 0, 1, 1, 1},
+    [CLI_ERRORS] = {4, "1:2:3:4 with yerrorbars ls %s dt 1", "", 0, 0, 1, 2, 3},
+    [CLI_BAND] = {4, "1:2 with lines ls %s",
+                  "1:3:4 with filledcurves ls %s fs transparent solid 0.2 noborder", 0, 0, 1, 2, 3},
+    [CLI_BOX] = {5, "1:3:($2-$1):(0) with vectors nohead ls %s",
+                 "1:3:1:2:4:5 with boxxyerror ls %s fs transparent solid 0.25 noborder", 0, 1, 2, 3,
+                 4},
+    [CLI_CELLS] = {5, "1:3:1:2:3:4:5 with boxxyerror fs solid noborder lc %s", "", 0, 1, 2, 2, 3},
+    [CLI_IMAGE] = {3, "1:2:3 with image", "", 0, 0, 1, 1, 1},
 };
 
 void cli_plot_series(cli_plot *plot, cli_shape shape, const char *style, ...) {
@@ -331,10 +296,12 @@ void cli_plot_put(cli_plot *plot, const double *row) {
   cli_shape shape = plot->shape;
   double all[5];
   memcpy(all, row, sizeof all);
-  if (shape == CLI_ERRORS) {
-    double sd = isfinite(row[2]) ? row[2] : 0;
-    all[2] = plot->y.log ? fmax(row[1] - sd, plot->y.least) : row[1] - sd;
-    all[3] = row[1] + sd;
+  int low = shapes[shape].low, high = shapes[shape].high;
+  double y = row[shapes[shape].y];
+  if (shape == CLI_ERRORS || shape == CLI_BAND || shape == CLI_BOX) {
+    double sd = isfinite(row[low]) ? row[low] : 0;
+    all[low] = plot->y.log ? fmax(y - sd, plot->y.least) : y - sd;
+    all[high] = y + sd;
   }
   bool whole = true;
   for (int i = 0; i < shapes[shape].columns; i++) {
@@ -344,11 +311,10 @@ void cli_plot_put(cli_plot *plot, const double *row) {
   fputc('\n', plot->pipe);
   if (!whole)
     return;
-  double y = all[shape == CLI_ERRORS ? 1 : shapes[shape].low];
   plot->rows++;
   plot->outside += y < plot->y.least || y > plot->y.most;
   widen(&plot->x, all[shapes[shape].left], all[shapes[shape].right]);
-  widen(&plot->y, all[shapes[shape].low], all[shapes[shape].high]);
+  widen(&plot->y, all[low], all[high]);
 }
 
 /* Marks that the frame cuts off are counted in the caption. */
@@ -370,19 +336,25 @@ void cli_plot_end(cli_plot *plot, const char *format, ...) {
   int number = plot->series++;
   if (plot->rows == 0 && !*name)
     return;
+  const char *draw = shapes[plot->shape].draw, *under = shapes[plot->shape].under;
+  if (plot->rows > 0 && *under) {
+    fprintf(plot->command, ", $s%d using ", number);
+    fprintf(plot->command, under, plot->style);
+    fputs(" notitle", plot->command);
+  }
   if (plot->rows > 0)
-    fprintf(plot->command, ", $s%d using %s with ", number, shapes[plot->shape].using);
+    fprintf(plot->command, ", $s%d using ", number);
   else
-    fputs(", keyentry with ", plot->command);
-  fprintf(plot->command, shapes[plot->shape].with, plot->style);
+    fputs(", keyentry", plot->command);
+  fprintf(plot->command, plot->rows > 0 ? draw : strchr(draw, ' '), plot->style);
   fprintf(plot->command, *name ? " title '%s'" : " notitle", name);
 }
 
 void cli_plot_close(cli_plot *plot) {
   finish_panel(plot);
   fputs("unset multiplot\n", plot->pipe);
-  fclose(plot->pipe);
-  finish(plot->process, plot->path);
+  if (pclose(plot->pipe) != 0)
+    cli_fail("gnuplot failed; no picture '%s' is drawn", plot->path);
   cli_file_close(plot->file);
   fprintf(stderr, "picture: %s\n", plot->path);
   free(plot);
@@ -444,5 +416,19 @@ cli_label cli_plot_file(const char *path) {
       *c = ' ';
   cli_label label = cli_plot_label(words);
   free(words);
+  return label;
+}
+
+cli_label cli_plot_wall(const asp_wall *wall) {
+  const asp_surface *surface = asp_wall_surface(wall);
+  const char *file = asp_wall_word(wall, "file");
+  cli_label label = {"smooth wall"};
+  if (surface && strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
+    snprintf(label.text, sizeof label.text, "σ = %.4g°",
+             cli_degrees(atan(asp_surface_slope_rms(surface))));
+  else if (surface)
+    snprintf(label.text, sizeof label.text, "%.1400s%sR_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g",
+             file ? cli_plot_file(file).text : "", file ? ", " : "", asp_surface_r_q(surface) * 1e6,
+             asp_surface_lambda_c(surface) * 1e6, asp_surface_phi_r(surface));
   return label;
 }

@@ -29,6 +29,9 @@ cli_label cli_plot_label(const char *text);
 /* The name of a file in words: without folders and ending. */
 cli_label cli_plot_file(const char *path);
 
+/* A wall in numbers: its file's name, R_q, lambda_c and Phi_R, or sigma. */
+cli_label cli_plot_wall(const asp_wall *wall);
+
 /* Begins a panel; both labels may hold gnuplot's markup. */
 void cli_plot_panel(cli_plot *plot, const char *x, const char *y);
 /* A panel of CoR_N (t 0) or CoR_T (t 1) over the impact angle. The axis shows 0 to 1, and of what
@@ -54,9 +57,8 @@ typedef enum cli_shape {
   CLI_BARS,   /* x, y */
   CLI_MARKS,  /* x, y */
   CLI_ERRORS, /* x, y, sd */
-  CLI_BAND,   /* x, low, high */
-  CLI_BOX,    /* left, right, low, high */
-  CLI_LEVEL,  /* left, right, y */
+  CLI_BAND,   /* x, y, sd: a line in a band */
+  CLI_BOX,    /* left, right, y, sd: a level in a box */
   CLI_CELLS,  /* left, right, low, high, value of the palette */
   CLI_IMAGE   /* x, y, value of the palette */
 } cli_shape;

@@ -277,5 +277,9 @@ const cli_command cli_rebound = {
         "glass (Kharaz et al. 2001, Coulomb's mu 0.092) follow 1 - mu (1 + e_n) tan alpha1 up\n"
         "to 60 degrees within 0.008, with the least CoR_T, 0.596, at 70 degrees; bons with that\n"
         "mu has its least, 0.91, at 45 degrees. walton is the law for such impacts.\n",
+    .examples =
+        "  $ asperity rebound materials ard ti-6al-4v vs materials ard hastelloy-x --map capture "
+        "--plot capture.png\n"
+        "  $ asperity rebound rebound bons vs rebound thornton_ning --map angles --plot laws.png\n",
     .run = run,
 };

@@ -217,7 +217,7 @@ static asp_code read_dump(aspi_csv *csv, scatter_impacts *impacts, asp_error *er
 /* A number of the row within its bounds; NAN is a missing one, where that may be. */
 static asp_code read_value(const npy *array, int column, double least, double most,
                            bool may_be_missing, double *value, asp_error *error) {
-  *value = npy_value(array, column);
+  *value = cli_npy_value(array, column);
   if ((*value >= least && *value <= most) || (may_be_missing && isnan(*value)))
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
@@ -236,24 +236,25 @@ static asp_code read_array_row(const npy *array, const impact_columns *at, impac
       (code = read_value(array, at->v2, 0, 1e15, true, &row->v2, error)))
     return code;
   row->cor_v_space = NAN;
-  row->deposit = at->outcome < 0 ? !(row->cor[COR_N] > 0) : fabs(npy_value(array, at->outcome)) > 0;
+  row->deposit =
+      at->outcome < 0 ? !(row->cor[COR_N] > 0) : fabs(cli_npy_value(array, at->outcome)) > 0;
   return ASP_OK;
 }
 
 static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impacts,
                            asp_error *error) {
   npy array;
-  asp_code code = npy_open(&array, stream, path, error);
+  asp_code code = cli_npy_open(&array, stream, path, error);
   if (code)
     return code;
-  impact_columns at = {.degrees = npy_find(&array, ledger_name[LEDGER_ALPHA1]),
-                       .delta = npy_find(&array, ledger_name[LEDGER_DELTA_ALPHA]),
-                       .v1 = npy_find(&array, ledger_name[LEDGER_V1]),
-                       .d_p = npy_find(&array, ledger_name[LEDGER_D_P]),
-                       .cor = {npy_find(&array, ledger_name[LEDGER_COR_N]),
-                               npy_find(&array, ledger_name[LEDGER_COR_T])},
-                       .outcome = npy_find(&array, ledger_name[LEDGER_OUTCOME]),
-                       .v2 = npy_find(&array, ledger_name[LEDGER_V2]),
+  impact_columns at = {.degrees = cli_npy_find(&array, ledger_name[LEDGER_ALPHA1]),
+                       .delta = cli_npy_find(&array, ledger_name[LEDGER_DELTA_ALPHA]),
+                       .v1 = cli_npy_find(&array, ledger_name[LEDGER_V1]),
+                       .d_p = cli_npy_find(&array, ledger_name[LEDGER_D_P]),
+                       .cor = {cli_npy_find(&array, ledger_name[LEDGER_COR_N]),
+                               cli_npy_find(&array, ledger_name[LEDGER_COR_T])},
+                       .outcome = cli_npy_find(&array, ledger_name[LEDGER_OUTCOME]),
+                       .v2 = cli_npy_find(&array, ledger_name[LEDGER_V2]),
                        .cor_v_space = -1};
   if (at.degrees < 0 || at.cor[COR_N] < 0)
     return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
@@ -262,7 +263,7 @@ static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impa
   read_units(impacts, false);
   impact_row row;
   for (bool found;;) {
-    if ((code = npy_next(&array, &found, error)) || !found ||
+    if ((code = cli_npy_next(&array, &found, error)) || !found ||
         (code = read_array_row(&array, &at, &row, error)))
       return code;
     add_impact(impacts, &row);
@@ -281,7 +282,7 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
   if (!stream)
     return error->code;
   asp_code code;
-  if (npy_is(stream)) {
+  if (cli_npy_is(stream)) {
     code = read_array(stream, path, impacts, error);
     fclose(stream);
     return code;

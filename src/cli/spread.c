@@ -135,8 +135,8 @@ static void one_angle(FILE *out, const cli_option *options, const scene *s, doub
   double *sample = cli_allocate(n, sizeof *sample);
   fill(sample, n, s, &view);
   if (options[PLOT].value)
-    cli_spread_plot(&options[PLOT], s->model, s->shaped,
-                    s->by_size ? asp_wall_surface(s->wall.wall) : NULL, &view, sample, n);
+    cli_spread_plot(&options[PLOT], s->model, s->shaped, s->wall.wall, s->by_size, &view, sample,
+                    n);
   if (options[SUMMARY].value)
     print_summary(out, s->model, &view, sample, n);
   else if (!options[PDF].value)
@@ -205,5 +205,7 @@ const cli_command cli_spread = {
         "its density. Of the description 'surface', 'spread' and 'seed' count: a wall by its\n"
         "numbers is as a profile along the flight has it, over a map spheres fly in all\n"
         "directions.\n",
+    .examples = "  $ asperity spread surface sigma 10 --angles 20 --plot spread.png -o spread.csv\n"
+                "  $ asperity spread --list\n",
     .run = run,
 };

@@ -456,5 +456,9 @@ const cli_command cli_surface = {
         "ISO 25178-2, the lay, and the contact slopes of a sphere across the lay and along it. "
         "For\n"
         "an instrument's own format that is refused: the free program Gwyddion saves it as SDF.\n",
+    .examples =
+        "  $ asperity surface surface rq 5um lambda_c 40um --dp 5um,55um --plot surface.png\n"
+        "  $ asperity surface surface profile raw.csv --gaps fill --form 2 --dp 20um --save "
+        "mended.csv\n",
     .run = run,
 };

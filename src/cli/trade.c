@@ -307,5 +307,6 @@ const cli_command cli_trade = {
         "All D_KL are then sampled, with the standard error over the surfaces (jackknife). Of a "
         "map\n"
         "pieces of one half of the map judge what is made of the other, in all directions.\n",
+    .examples = "  $ asperity trade surface rq 5um lambda_c 40um --dp 10um --plot trade.png\n",
     .run = run,
 };

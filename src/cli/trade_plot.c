@@ -37,35 +37,18 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
 /* Divergences below what the rays can tell are drawn at that. */
 #define NOISE 1e-4
 
-/* The wall and the angles in the title. */
-static void put_title(FILE *out, const asp_wall *wall, double d_p, const trade_row *rows,
-                      size_t n) {
-  const asp_surface *surface = asp_wall_surface(wall);
-  const char *file = asp_wall_word(wall, "file");
-  if (strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
-    fprintf(out, "Wall of σ %.4g°", cli_degrees(atan(asp_surface_slope_rms(surface))));
-  else
-    fprintf(out, "Wall %s%sR_q %.3g µm, λ_c %.3g µm; d_p %.3g µm",
-            file ? cli_plot_file(file).text : "", file ? ", " : "", asp_surface_r_q(surface) * 1e6,
-            asp_surface_lambda_c(surface) * 1e6, d_p * 1e6);
-  fputs("; α_1 = ", out);
-  for (size_t i = 0; i < n; i += (size_t)asp_spread_count())
-    fprintf(out, "%s%g", i ? ", " : "", rows[i].angle);
-  fputs("°", out);
-}
-
 void cli_trade_plot(const cli_option *options, const cli_description *wall, double d_p,
                     const trade_row *rows, size_t n) {
   size_t models = (size_t)asp_spread_count();
   point *points = cli_allocate(models, sizeof *points);
   summarise(rows, n, points);
-  char title[1200] = "";
-  FILE *out = fmemopen(title, sizeof title, "w");
-  if (!out)
-    cli_fail("out of memory");
-  put_title(out, wall->wall, d_p, rows, n);
-  fclose(out);
-  cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560, "1,1", "%s", title);
+  char most[40] = "", size[40] = "";
+  if (n > models)
+    snprintf(most, sizeof most, " … %g", rows[n - 1].angle);
+  if (strcmp(asp_wall_word(wall->wall, "surface"), "sigma") != 0)
+    snprintf(size, sizeof size, "; d_p = %.3g µm", d_p * 1e6);
+  cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560, "1,1", "%s%s; α_1 = %g%s°",
+                                    cli_plot_wall(wall->wall).text, size, rows[0].angle, most);
   cli_plot_panel(picture, "mean time per impact / ns", "worst D_{KL} of the rebound angle, ± s.e.");
   cli_plot_log(picture, "xy");
   double least = INFINITY, best = INFINITY;

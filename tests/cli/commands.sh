@@ -157,3 +157,19 @@ rows means | awk -F, '{ printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", $1, $2, $3, $4,
 "$asperity" cor surface sigma 5 --samples 20 --plot look.svg --title "it's a_b" --size 640x300 --range -2:7 -o /dev/null 2> err
 grep -q "it's a_b\|it&#39;s a_b\|a_b" look.svg && grep -q 'width="640" height="300"' look.svg && grep -q '> *7<' look.svg && grep -q '> *-2<' look.svg || die "--title, --size, --range"
 for bad in "--size 3x4" "--size 640" "--range 3:1" "--range 3"; do refuses 2 "${bad% *} is '${bad#* }'" -- cor --plot look.svg $bad; done
+
+# One color for each model and for each law, and titles that fit, in words.
+look=$root/examples/look.gp
+for kind in "model spread" "law rebound"; do
+  read -r kind command <<< "$kind"
+  names=$("$asperity" $command --list | awk -F, 'NR > 2 { print $1 }' | sort -u)
+  for name in $names; do grep -q "^${kind}_$name = " "$look" || die "$kind $name has no style"; done
+  [ "$(grep "^${kind}_" "$look" | grep -o "rgb '[^']*'" | sort -u | wc -l)" = "$(wc -w <<< "$names")" ] || die "two of kind $kind have one color"
+done
+long='a long title of many short words that does not fit on one line of a small picture'
+"$asperity" cor surface sigma 5 --samples 3 --angles 45 --plot long.svg --title "$long" --size 400x300 -o measured_scatter.csv 2> err
+[ "$(grep -c 'a long title\|small picture' long.svg)" = 2 ] || die "a long title stays on one line"
+"$asperity" compare measured_scatter.csv --plot words.svg -o c 2> err
+grep -q 'measured scatter: 3 impacts' words.svg || die "compare: the title is no words"
+"$asperity" cor --samples 3 --angles 20:40:1 --plot smooth.svg -o c 2> err
+! grep -q 'mean ± sd' smooth.svg && grep -q 'smooth wall' smooth.svg || die "cor: a band on a smooth wall, where impacts do not differ"

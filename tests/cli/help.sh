@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Help in its three forms (text, pages of the manual, words for the shell), lists of numbers, names in
+# Help in its forms (text, pages of the manual made from it, words for the shell), lists of numbers, names in
 # any case and with suggestions, endings of pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 
-# Every command of the list has text, page and words, and they tell the same options.
+# Every command of the list has text and words, and they tell the same options.
 commands=$("$asperity" --help=words | grep -v '^help$\|^--')
 [ "$(wc -w <<< "$commands")" -ge 7 ] || die "commands: $commands"
 for command in $commands; do
@@ -12,16 +12,24 @@ for command in $commands; do
   "$asperity" "$command" --help | cmp - text || die "help $command is not $command --help"
   "$asperity" "$command" --help=words | cut -d ' ' -f 1 | sort > words
   sed -n '/^Options:/,$p' text | grep -o '^  --[a-z-]*' | tr -d ' ' | sort | cmp - words || die "$command: other words than help has"
-  "$asperity" "$command" --help=man > page
-  [ "$(grep -c '^\.TP$' page)" = "$(($(wc -l < words) - 1))" ] || die "$command: options in the page"
-  if grep -n "^[.'][^A-Zn\\f]" page; then die "$command: a line of text begins as a request of troff"; fi
+  grep -q '^Examples:' text && grep -q "^  \$ asperity $command" text || die "$command: no examples"
 done
-"$asperity" compare --help=man | grep -q 'IMPACTS \[DATA\]' || die "compare: its arguments in the synopsis"
-"$asperity" --help=man > page
-grep -q 'asperity\\-cor (1)' page && grep -q 'DESCRIPTION OF A WALL' page || die "the page of all commands"
+"$asperity" compare --help | grep -qx 'Usage: asperity compare IMPACTS \[DATA\] \[options\]' || die "compare: its arguments in the synopsis"
 ! "$asperity" cor --help=html 2> err || die "--help=html"
-grep -q "man or words" err || die "message: $(cat err)"
+grep -q "must be words" err || die "message: $(cat err)"
 ! "$asperity" help nothing 2> err || die "help nothing"
+
+# The pages of the manual tell the same, and no line of them begins as a request that is none.
+if command -v help2man > /dev/null; then
+  sh "$root/src/cli/man_pages.sh" man "$asperity"
+  for command in $commands; do
+    page=man/asperity-$command.1
+    for section in NAME SYNOPSIS DESCRIPTION OPTIONS EXAMPLES '"SEE ALSO"'; do grep -qx ".SH $section" "$page" || die "$page: no $section"; done
+    [ "$(grep -c '^\\fB\\-\\-' "$page")" -ge "$("$asperity" "$command" --help=words | wc -l)" ] || die "$page: options are missing"
+  done
+  grep -qx '.SH "DESCRIPTION OF A WALL"' man/asperity.1 && grep -q 'lambda_c' man/asperity.1 || die "the page of all commands"
+  ! grep -nP "^['.](?!\\\\|[A-Z]|(br|nf|fi)$)" man/*.1 || die "a line of text begins as a request of troff"
+fi
 
 # Completion.
 source "$root/src/cli/asperity.bash"

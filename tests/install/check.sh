@@ -51,6 +51,16 @@ fi
 # The manual's pages, one of the command and one of each of its eight, and the shell's completion.
 [ "$(find "$work/prefix" -path '*/man/man1/*.1' | wc -l)" -ge 9 ] || { echo "the manual's pages are not installed"; exit 1; }
 [ -n "$(find "$work/prefix" -path '*/bash-completion/completions/asperity')" ] || { echo "no completion is installed"; exit 1; }
+# Pages and examples, whose links lead to what is installed.
+doc=$work/prefix/share/doc/asperity
+[ -x "$doc/examples/flat_plate/run" ] && [ -e "$doc/examples/look.gp" ] || { echo "no examples are installed"; exit 1; }
+[ ! -e "$doc/examples/flat_plate/output" ] || { echo "an example's output is installed"; exit 1; }
+while read -r page; do
+  for link in $(grep -oP '\]\(\K[^)\s#]+' "$page" | grep -v '^http'); do
+    case $link in *.h | *.c | *.cpp | *.gp | *tests/* | *.awk) continue ;; esac
+    [ -e "$(dirname "$page")/$link" ] || { echo "$page: the link $link leads nowhere"; exit 1; }
+  done
+done < <(find "$doc" -name '*.md')
 # The header is C++11 too.
 g++ -std=c++11 -pedantic -Wall -Werror -fsyntax-only -x c++ "$work"/prefix/include/asperity.h
 
@@ -60,6 +70,6 @@ installed=$(find "$work/prefix" -type f | wc -l)
 touch "$work/prefix/bin/another"
 cmake --build "$build" --target uninstall > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 [ "$(find "$work/prefix" -type f -printf '%P ')" = 'bin/another ' ] || { echo "left: $(find "$work/prefix" -type f)"; exit 1; }
-[ -z "$(find "$work/prefix" -type d -name asperity)" ] || { echo "an empty folder is left"; exit 1; }
+[ -z "$(find "$work/prefix" -type d -empty)" ] || { echo "empty folders are left: $(find "$work/prefix" -type d -empty)"; exit 1; }
 if cmake --build "$build" --target uninstall > "$work/log" 2>&1; then echo "uninstalled twice"; exit 1; fi
 tr -s " \n" " " < "$work/log" | grep -q "nothing is installed" || { cat "$work/log"; exit 1; }
