@@ -2,6 +2,7 @@
  * a page of the manual (man 7 man), and a list of words for the shell's completion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "erosion/laws.h"
 #include "cli/help.h"
 #include "wall/description.h"
 
@@ -73,13 +74,12 @@ static void put_words(FILE *out, const char *within, int depth) {
 
 /* A law's name with its parameters: those that follow the name, and those with a word of their
  * own. */
-static void put_law(FILE *out, const asp_rebound_law *law) {
+static void put_law(FILE *out, const char *name, const asp_parameter *parameters, int count,
+                    const char *summary) {
   const char *last = "";
-  fprintf(out, "  %s", asp_rebound_name(law));
-  if (asp_rebound_needs_table(law))
-    fputs(" FILE", out);
-  for (int i = 0; i < asp_rebound_parameters(law); i++) {
-    const asp_parameter *p = asp_rebound_parameter(law, i);
+  fprintf(out, "  %s", name);
+  for (int i = 0; i < count; i++) {
+    const asp_parameter *p = &parameters[i];
     const char *keyword = asp_parameter_keyword(p);
     if (strcmp(keyword, last) != 0)
       fprintf(out, "%s [%s", *last ? "]" : "", keyword);
@@ -88,7 +88,7 @@ static void put_law(FILE *out, const asp_rebound_law *law) {
       fputc(toupper((unsigned char)*c), out);
     last = keyword;
   }
-  fprintf(out, "%s\n      %s\n", *last ? "]" : "", asp_rebound_summary(law));
+  fprintf(out, "%s\n      %s\n", *last ? "]" : "", summary);
 }
 
 static void put_wall(FILE *out) {
@@ -102,8 +102,17 @@ static void put_wall(FILE *out) {
     fprintf(out, "  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
             asp_spread_summary(asp_spread_at(i)));
   fputs("\nLAW, as 'asperity rebound --list' tells more of them:\n", out);
-  for (int i = 0; i < asp_rebound_count(); i++)
-    put_law(out, asp_rebound_at(i));
+  for (int i = 0; i < asp_rebound_count(); i++) {
+    const asp_rebound_law *law = asp_rebound_at(i);
+    put_law(out, law->needs_table ? "table FILE" : law->name, law->parameters, law->n_parameters,
+            law->summary);
+  }
+  fputs("\nLAW of erosion:\n", out);
+  for (int i = 0; i < aspi_erosion_count(); i++) {
+    const aspi_erosion_law *law = aspi_erosion_at(i);
+    put_law(out, law->name, law->parameters, law->n_parameters, law->summary);
+    fprintf(out, "      %s\n", law->source);
+  }
 }
 
 void cli_help_wall(void) {

@@ -70,6 +70,7 @@ double contact_triangle_nearest(const ContactTriangle *triangle, const double x[
 
 /* The unit normal by the right-hand rule; zero for a degenerate triangle. */
 void contact_triangle_normal(const ContactTriangle *triangle, double normal[3]);
+double contact_triangle_area(const ContactTriangle *triangle);
 
 bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
                            double latest, ContactTouch *touch);

@@ -43,6 +43,12 @@ void contact_triangle_normal(const ContactTriangle *triangle, double normal[3]) 
   vector_scale(flat ? 1 / vector_length(normal) : 0, normal);
 }
 
+double contact_triangle_area(const ContactTriangle *triangle) {
+  double normal[3];
+  face_normal(triangle, normal);
+  return 0.5 * vector_length(normal);
+}
+
 /* Whether the foot of x on the triangle's plane lies within it: on the inner side of each edge. */
 static bool above_face(const ContactTriangle *triangle, const double normal[3], const double x[3]) {
   for (int k = 0; k < 3; k++) {

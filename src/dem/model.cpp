@@ -389,6 +389,13 @@ double Model::friction(int type, int wall_type) const {
                            : friction_[(type - 1) * engine_.types() + wall_type - 1];
 }
 
+double Model::worn_density(int wall_type) const {
+  const double own = asp_wall_get(wall_.get(), "erosion_density");
+  if (own > 0 || !is_given("erosion") || materials_.empty())
+    return own > 0 ? own : 0;
+  return asp_material_get(materials_[wall_type - 1], "density");
+}
+
 bool Model::removes(int type, int wall_type, double d_p) const {
   const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL};
   return wall() && asp_wall_removes(wall(), &particle);

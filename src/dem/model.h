@@ -56,6 +56,9 @@ public:
     return lay_;
   }
 
+  /* The density of a wall that is worn; 0 where nothing is. */
+  double worn_density(int wall_type) const;
+
   /* True if the law needs the elastic constants of particle and wall. */
   bool needs_materials() const;
 

@@ -18,7 +18,8 @@ using namespace asperity;
 
 const char Wall::KEYWORDS[] = "ledger torque_about";
 const char *const Wall::SUM_NAMES[] = {"impacts",        "deposited_mass",     "impact_energy",
-                                       "normal_impulse", "tangential_impulse", "dissipated_energy"};
+                                       "normal_impulse", "tangential_impulse", "dissipated_energy",
+                                       "eroded_mass"};
 
 namespace {
 

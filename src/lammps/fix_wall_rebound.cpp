@@ -365,7 +365,7 @@ void FixWallRebound::end_of_step() {
     wall_.end_step(update->ntimestep, output->next == update->ntimestep);
     if (mesh_ && map_.is_due(update->ntimestep))
       map_.write(world, update->ntimestep, mesh_->triangles(), mesh_->motion().end(),
-                 wall_.sums(0));
+                 wall_.sums(0), wall_.worn_density(0));
   } catch (const std::exception &wrong) {
     fail(asperity::told(wrong));
   }

@@ -36,32 +36,12 @@ static const double FORM = 1e-6;
 
 MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
     : world_(world), fix_(fix), pieces_(0), nodes_(), reference_() {
-  /* The mesh's own restart does not know these properties when it reads its triangles, so they stay
-   * out of it (restart_no); the fix keeps them. */
-  for (int k = 0; k < Wall::N_SUMS; k++) {
-    sums_[k] = mesh()->prop().addElementProperty<ScalarContainer<double>>(
-        Wall::SUM_NAMES[k], "comm_exchange_borders", "frame_invariant", "restart_no");
-    sums_[k]->setAll(0.);
-  }
+  add_sums();
   int mine = -1, most;
   for (int t = 0; t < mesh()->sizeLocal(); t++)
     mine = std::max(mine, mesh()->id(t));
   MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world_);
   pieces_ = static_cast<size_t>(most) + 1;
-}
-
-void MeshOfLiggghts::remove_sums() {
-  for (int k = 0; k < Wall::N_SUMS; k++)
-    mesh()->prop().removeElementProperty(Wall::SUM_NAMES[k]);
-}
-
-void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums) {
-  const size_t count = sums.size() / Wall::N_SUMS;
-  for (int t = 0; t < mesh()->sizeLocal(); t++) {
-    const size_t at = static_cast<size_t>(mesh()->id(t)) - first;
-    for (int k = 0; at < count && k < Wall::N_SUMS; k++)
-      (*sums_[k])(t) = sums[at * Wall::N_SUMS + k];
-  }
 }
 
 /* ---- where it is ------------------------------------------------------------------------------
@@ -387,107 +367,4 @@ void MeshOfLiggghts::surface_velocity(int piece, const double foot[3], double v[
   const double to_c = square > 0 ? vector_dot(part, n) / square : 0;
   for (int d = 0; d < 3; d++)
     v[d] = of[d] + to_b * (of[3 + d] - of[d]) + to_c * (of[6 + d] - of[d]);
-}
-
-/* ---- what it measures -------------------------------------------------------------------------
- */
-
-MeshModuleStress *MeshOfLiggghts::stress() const {
-  return dynamic_cast<MeshModuleStress *>(fix_->get_module("stress"));
-}
-
-bool MeshOfLiggghts::measures() const {
-  MeshModuleStress *module = stress();
-  return module && (module->trackStress() || module->trackWear());
-}
-
-bool MeshOfLiggghts::wears() const {
-  MeshModuleStress *module = stress();
-  return module && module->trackWear();
-}
-
-void MeshOfLiggghts::take(const ContactLoad &load) {
-  if (load.mask & fix_->get_groupbit())
-    loads_.push_back(load);
-}
-
-/* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one load: E k |v| |F| dt/area, with the
- * load's impulse for |F| dt. */
-static double finnie(const ContactLoad &load, const double normal[3], double k, double area) {
-  const double speed = vector_length(load.v_before);
-  if (!(speed > 0))
-    return 0;
-  double across[3];
-  vector_cross(load.v_before, normal, across);
-  const double sine = std::min(1.0, fabs(vector_dot(load.v_before, normal)) / speed);
-  const double cosine = std::min(1.0, vector_length(across) / speed);
-  const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
-                                                          : 2 * sine * cosine - 3 * sine * sine;
-  return 2 * share * k * speed * vector_length(load.impulse) / area;
-}
-
-void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
-  if (stress()->trackStress()) {
-    double *f = (*mesh()->prop().getElementProperty<VectorContainer<double, 3>>("f"))(local);
-    vector_add_scaled(f, 1, force, f);
-  }
-  if (stress()->trackWear())
-    (*mesh()->prop().getElementProperty<ScalarContainer<double>>("wear_step"))(local) += wear;
-}
-
-/* The total goes to this rank's part of the mesh's sums, which LIGGGHTS adds up; the force on a
- * triangle to the triangle, or to its owner where this rank has none. */
-void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
-  std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
-  double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
-                         stress()->compute_vector(8)};
-  for (const ContactLoad &load : loads_) {
-    double force[3], arm[3], torque[3], normal[3];
-    for (int d = 0; d < 3; d++)
-      force[d] = load.impulse[d] / dt;
-    vector_subtract(load.point, reference, arm);
-    vector_cross(arm, force, torque);
-    if (stress()->trackStress())
-      stress()->add_global_external_contribution(force, torque);
-    const ContactTriangle *t =
-        contact_tree_triangle(triangles(), contact_tree_place(triangles(), load.piece));
-    double turned[3], ab[3], ac[3], area[3];
-    contact_triangle_normal(t, normal);
-    for (int i = 0; i < 3; i++)
-      turned[i] = vector_dot(motion().end().turn[i], normal);
-    vector_subtract(t->node[1], t->node[0], ab);
-    vector_subtract(t->node[2], t->node[0], ac);
-    vector_cross(ab, ac, area);
-    const double wear =
-        k_finnie ? finnie(load, turned, k_finnie[fix_->atomTypeWall() - 1][load.type - 1],
-                          0.5 * vector_length(area))
-                 : 0;
-    const int local = mesh()->map_size(load.piece) > 0 ? mesh()->map(load.piece, 0) : -1;
-    if (local >= 0)
-      add_force(local, force, wear);
-    else {
-      away.push_back(load.piece);
-      away.insert(away.end(), force, force + 3);
-      away.push_back(wear);
-    }
-  }
-  loads_.clear();
-  int ranks, size = static_cast<int>(away.size()), all = 0;
-  MPI_Comm_size(world_, &ranks);
-  MPI_Allreduce(&size, &all, 1, MPI_INT, MPI_SUM, world_);
-  if (all == 0)
-    return;
-  std::vector<int> sizes(ranks), starts(ranks, 0);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world_);
-  for (int r = 1; r < ranks; r++)
-    starts[r] = starts[r - 1] + sizes[r - 1];
-  std::vector<double> theirs(all);
-  MPI_Allgatherv(away.data(), size, MPI_DOUBLE, theirs.data(), sizes.data(), starts.data(),
-                 MPI_DOUBLE, world_);
-  for (int at = 0; at < all; at += 5) {
-    const int piece = static_cast<int>(theirs[at]);
-    for (int k = 0; k < mesh()->map_size(piece); k++)
-      if (mesh()->map(piece, k) < mesh()->sizeLocal())
-        add_force(mesh()->map(piece, k), &theirs[at + 1], theirs[at + 4]);
-  }
 }

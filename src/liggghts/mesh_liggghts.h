@@ -43,9 +43,9 @@ public:
    * collective. k_finnie: of wear, mesh type x particle type, or NULL. */
   void hand_over(double dt, const double *const *k_finnie);
 
-  /* Writes sums of pieces from `first` on (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds
-   * them. */
-  void show(size_t first, const std::vector<double> &sums);
+  /* worn_density: of a wall with erosion, else 0. Writes sums of pieces from `first` on
+   * (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds them. */
+  void show(size_t first, const std::vector<double> &sums, double worn_density);
   void remove_sums();
 
   std::vector<double> motion_record() const override;
@@ -81,6 +81,8 @@ private:
   asperity::Frame look(asperity::Twist &twist) const;
   void check_form() const;
   void read_belt();
+  void add_sums();
+  void give_away(const std::vector<double> &away);
   void add_force(int local, const double force[3], double wear);
 
   MPI_Comm world_;
@@ -92,8 +94,8 @@ private:
   NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
   double reference_[3][3];
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */
-  std::vector<asperity::ContactLoad> loads_; /* of this step */
-  ScalarContainer<double> *sums_[asperity::Wall::N_SUMS];
+  std::vector<asperity::ContactLoad> loads_;                  /* of this step */
+  ScalarContainer<double> *sums_[asperity::Wall::N_SUMS + 1]; /* the last one: depth of erosion */
 };
 
 } // namespace LAMMPS_NS

@@ -525,13 +525,18 @@ static asp_code read_seed(reader *r) {
   return read_number(r, "", "seed", &r->said->seed);
 }
 
+static asp_code read_erosion(reader *r) {
+  return aspi_wall_read_erosion(r->wall, r->count, r->words, &r->next, r->error);
+}
+
 static const struct {
   const char *name;
   asp_code (*read)(reader *r);
-} clauses[] = {
-    {"surface", read_surface},     {"spread", read_spread},     {"rebound", read_rebound},
-    {"materials", read_materials}, {"friction", read_friction}, {"surface_energy", read_energy},
-    {"yield_stress", read_yield},  {"deposit", read_deposit},   {"seed", read_seed}};
+} clauses[] = {{"surface", read_surface},    {"spread", read_spread},
+               {"rebound", read_rebound},    {"materials", read_materials},
+               {"friction", read_friction},  {"surface_energy", read_energy},
+               {"yield_stress", read_yield}, {"deposit", read_deposit},
+               {"erosion", read_erosion},    {"seed", read_seed}};
 enum { CLAUSES = sizeof clauses / sizeof *clauses };
 
 /* ---- all of it ---- */
@@ -589,6 +594,8 @@ asp_code asp_wall_complete(asp_wall *wall, asp_error *error) {
   aspi_description *said = wall->said;
   wall->choice.spread = said->spread ? said->spread : asp_spread_find(standard_model(said), NULL);
   asp_code code = aspi_check_effects(wall, error);
+  if (!code)
+    code = aspi_wall_check_erosion(wall, error);
   return code ? code : aspi_make_surface(wall, error);
 }
 
