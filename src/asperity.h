@@ -332,8 +332,8 @@ const char *asp_parameter_keyword(const asp_parameter *parameter);
 /* Coefficients of restitution over impact angle and speed, as measured or computed by a user: on a
  * full grid of angles and speeds. Between angles a monotone cubic (Steffen 1990), between speeds a
  * straight line, so that nothing overshoots; beyond the ends the end values. From a text file with
- * the columns alpha1_deg, cor_n, cor_t, and v1_m_s where it depends on speed. metre_per_second is
- * one m/s in the unit of the speeds of the contacts: 1 for SI. */
+ * the columns alpha1_deg, cor_n, cor_t (or cor_n_mean, cor_t_mean), and v1_m_s where it depends on
+ * speed. metre_per_second is one m/s in the unit of the speeds of the contacts: 1 for SI. */
 typedef struct asp_cor_table asp_cor_table;
 asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp_error *error);
 void asp_cor_table_free(asp_cor_table *table);

@@ -30,7 +30,7 @@ plot file(gt, 'fitted_normal') using 18:(y($8)):(y($9)) with filledcurves fc rgb
   file(gt, 'shipped') using 18:(y($5)) with lines lw 2 dt 2 lc rgb grey title 'bons, as shipped, smooth', \
   file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, fitted to both: σ < 0.17°', \
   file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, fitted to CoR_N: σ < 1.1°; 5 to 95 %', \
-  file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'forder', \
+  file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'Forder et al. 1998', \
   file(gt, 'thornton_ning') using 18:(y($5)) with lines lw 1.5 dt 3 lc rgb '#b0902a' title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using 18:(y($11)):(y($12)) with yerrorbars pt 7 ps 0.7 lc rgb '#c8501e' title 'measured, mean ± sd', \
   '-' using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb '#aa3333' title 'three published sets at 30°'
@@ -46,7 +46,7 @@ plot file(gt, 'fitted_normal') using 18:(y($8)):(y($9)) with filledcurves fc rgb
   file(gt, 'shipped') using 18:(y($5)) with lines lw 2 dt 2 lc rgb grey title 'bons, as shipped, smooth', \
   file(gt, 'fitted_both') using 18:(y($5)) with lines lw 2 lc rgb blue title 'bons, fitted to both: σ < 0.17°', \
   file(gt, 'fitted_normal') using 18:(y($5)) with lines lw 2 lc rgb green title 'bons, fitted to CoR_N: σ < 1.1°; 5 to 95 %', \
-  file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'forder', \
+  file(gt, 'forder') using 18:(y($5)) with lines lw 1.5 dt 4 lc rgb violet title 'Forder et al. 1998', \
   file(gt, 'thornton_ning') using 18:(y($5)) with lines lw 1.5 dt 3 lc rgb '#b0902a' title 'thornton_ning, as shipped, smooth' noenhanced, \
   file(gt, 'shipped') using 18:(y($11)):(y($12)) with yerrorbars pt 7 ps 0.7 lc rgb '#c8501e' title 'measured, mean ± sd'
 

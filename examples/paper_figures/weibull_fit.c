@@ -211,8 +211,8 @@ int main(int argc, char **argv) {
       [SAMPLES] = {"samples", "N", "draws in each of them", "100000"},
       [SEED] = {"seed", "N", "seed of the draws", "1"},
       [FIGURE] = {"figure", "6|7|8|9", "which of the paper's figures --plot draws", "7"},
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL},
-      [PLOT] = {"plot", "FILE", "draw the figure; .png, .svg or .pdf", NULL},
+      [OUTPUT] = CLI_OUTPUT_OPTION,
+      CLI_PLOT_OPTIONS(PLOT, "draw the figure; .png, .svg or .pdf"),
   };
   const char *figure = options[FIGURE].value;
   cli_parse(&command, argc, argv, options, false);

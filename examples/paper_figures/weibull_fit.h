@@ -8,7 +8,7 @@
 #include "spread/models.h"
 
 /* The options of the command. */
-enum { SIGMA, ANGLES, RUNS, SAMPLES, SEED, FIGURE, OUTPUT, PLOT, N };
+enum { SIGMA, ANGLES, RUNS, SAMPLES, SEED, FIGURE, OUTPUT, PLOT, N = PLOT + PLOT_OPTIONS };
 
 enum { FIT_BINS = 600, FIT_DEGREE = 4 };
 

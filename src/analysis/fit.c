@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/fit.h"
 #include "analysis/search.h"
+#include "base/error.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_math.h>
@@ -11,15 +12,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Points of the design around the start, and how far it reaches and how
- * far starts are apart, on the scale; searches from the best of them and from the start;
- * simulated impacts of a group in them. */
-#define AROUND 2.5
+/* Points of the design, and how far those are apart, on the scale, from which searches begin; how
+ * many searches, and how many that agree are enough; simulated impacts of a group in them. */
 #define APART 1.0
-enum { PROBES = 128, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
+enum { PROBES = 256, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
 
 /* Searches that end within this of the best sum of squares agree. */
 #define AGREED 1.0
+
+/* A value this near to a bound is at it, on the scale. */
+#define AT_BOUND 0.01
 
 /* A model describes the data when chi^2 per degree of freedom is less, or as much happens by chance
  * once in 10000 times. */
@@ -54,7 +56,7 @@ static bool describes(double chi2, double dof) {
   return dof <= 0 || chi2 < DESCRIBED * dof || gsl_cdf_chisq_Q(chi2, dof) > CHANCE;
 }
 
-/* A Sobol sequence around the start. */
+/* A Sobol sequence, the best first. */
 static bool design(aspi_search *s, probe *probes) {
   const aspi_fit_problem *p = s->problem;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknowns);
@@ -63,10 +65,8 @@ static bool design(aspi_search *s, probe *probes) {
   for (int i = 0; i < PROBES; i++) {
     double share[FIT_UNKNOWNS_MOST];
     gsl_qrng_get(sequence, share);
-    for (size_t j = 0; j < p->n_unknowns; j++) {
-      double low = fmax(p->start[j] - AROUND, p->low[j]);
-      probes[i].at[j] = low + share[j] * (fmin(p->start[j] + AROUND, p->high[j]) - low);
-    }
+    for (size_t j = 0; j < p->n_unknowns; j++)
+      probes[i].at[j] = p->from[j] + share[j] * (p->to[j] - p->from[j]);
     probes[i].squares = aspi_search_squares(s, probes[i].at);
     if (p->progress)
       p->progress(p->context, 0.1 * i / PROBES);
@@ -87,41 +87,57 @@ static bool is_apart(const aspi_fit_problem *p, const probe *point, const probe 
   return true;
 }
 
-/* The start, and the best of the points that are not near to one another. */
+/* The best of the points that are not near to one another. */
 static size_t choose_starts(const aspi_fit_problem *p, const probe *probes, probe *starts) {
-  size_t n = 1;
-  memcpy(starts[0].at, p->start, sizeof p->start);
+  size_t n = 0;
   for (int i = 0; i < PROBES && n < STARTS; i++)
     if (is_apart(p, &probes[i], starts, n))
       starts[n++] = probes[i];
   return n;
 }
 
-/* The best of many starts. */
-static bool look_around(aspi_search *s, aspi_fit *fit) {
+static void descend(aspi_search *s, probe *at) {
+  at->squares = aspi_search_descend(s, at->at, 20, 5e-3, NULL, NULL);
+}
+
+/* Searches that end at a bound may have been lost on a plateau, and agree there. */
+static bool is_at_bound(const aspi_fit_problem *p, const probe *end) {
+  for (size_t j = 0; j < p->n_unknowns; j++)
+    if (end->at[j] < p->low[j] + AT_BOUND || end->at[j] > p->high[j] - AT_BOUND)
+      return true;
+  return false;
+}
+
+/* The best end of many searches; that from the caller's start comes last, and must be better. */
+static asp_code look_around(aspi_search *s, aspi_fit *fit) {
   const aspi_fit_problem *p = s->problem;
-  probe probes[PROBES], starts[STARTS], ends[STARTS], *best = NULL;
+  probe probes[PROBES], ends[STARTS + 1];
+  size_t best = 0;
   s->samples = search_samples(p);
   s->kind = p->scatters && p->known ? WEIGHTS_BOTH : WEIGHTS_DATA;
   s->fixed = false;
   if (!design(s, probes))
-    return false;
-  size_t most = choose_starts(p, probes, starts);
-  while (fit->starts < most && fit->agreed < AGREEING) {
-    probe *end = &ends[fit->starts];
-    *end = starts[fit->starts++];
-    end->squares = aspi_search_descend(s, end->at, 20, 5e-3, NULL, NULL);
-    if (fit->starts == 1 || end->squares < best->squares)
-      best = end;
+    return ASP_ENOMEM;
+  size_t most = choose_starts(p, probes, ends);
+  while (fit->starts < most && (fit->agreed < AGREEING || is_at_bound(p, &ends[best]))) {
+    size_t last = fit->starts++;
+    descend(s, &ends[last]);
+    best = ends[last].squares < ends[best].squares ? last : best;
     fit->agreed = 0;
-    for (size_t i = 0; i < fit->starts; i++)
-      fit->agreed += ends[i].squares <= best->squares + AGREED;
+    for (size_t i = 0; i <= last; i++)
+      fit->agreed += ends[i].squares <= ends[best].squares + AGREED;
     if (p->progress)
       p->progress(p->context, 0.1 + 0.4 * (double)fit->starts / (double)most);
   }
-  memcpy(fit->at, best->at, sizeof fit->at);
+  probe *start = &ends[fit->starts++];
+  memcpy(start->at, p->start, sizeof start->at);
+  descend(s, start);
+  bool better = start->squares < ends[best].squares - AGREED;
+  fit->agreed = better ? 1 : fit->agreed + (start->squares <= ends[best].squares + AGREED);
+  start = better ? start : &ends[best];
+  memcpy(fit->at, start->at, sizeof fit->at);
   s->samples = p->samples;
-  return isfinite(best->squares);
+  return isfinite(start->squares) ? ASP_OK : ASP_EDATA;
 }
 
 static double impacts_of(const aspi_fit_problem *p) {
@@ -165,31 +181,48 @@ static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
   }
   fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
   fit->described = describes(fit->chi2, fit->dof);
+  if (s->kind == WEIGHTS_BOTH && fit->described) { /* the few impacts were too few to tell */
+    s->kind = WEIGHTS_MODEL;
+    fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
+    fit->described = describes(fit->chi2, fit->dof);
+  }
   return isfinite(fit->chi2);
 }
 
-bool aspi_fit_run(const aspi_fit_problem *p, aspi_fit *fit) {
+/* Errors and correlations from the covariance, and intervals. */
+static asp_code find_errors(aspi_search *s, aspi_fit *fit, const gsl_matrix *covariance) {
+  const aspi_fit_problem *p = s->problem;
+  bool scaled = (!p->known || !fit->described) && fit->dof > 0;
+  double scale = scaled ? fit->chi2 / fit->dof : 1;
+  for (size_t i = 0; i < p->n_unknowns; i++) {
+    double variance = gsl_matrix_get(covariance, i, i);
+    fit->error[i] = sqrt(scale * variance);
+    for (size_t j = 0; j < p->n_unknowns; j++)
+      fit->correlation[i][j] =
+          gsl_matrix_get(covariance, i, j) / sqrt(variance * gsl_matrix_get(covariance, j, j));
+  }
+  find_intervals(s, fit, scale);
+  bool few = p->known && p->scatters && impacts_of(p) < FEW && p->groups[0].impacts.xy;
+  return !few || aspi_interval_by_bootstrap(p, fit) ? ASP_OK : ASP_ENOMEM;
+}
+
+asp_code aspi_fit_run(const aspi_fit_problem *p, aspi_fit *fit, asp_error *error) {
   aspi_search s;
   gsl_matrix *covariance = gsl_matrix_alloc(p->n_unknowns, p->n_unknowns);
   *fit = (aspi_fit){.starts = 0};
-  bool fine =
-      aspi_search_begin(&s, p) && covariance && look_around(&s, fit) && settle(&s, fit, covariance);
-  if (fine) {
-    bool scaled = (!p->known || !fit->described) && fit->dof > 0;
-    double scale = scaled ? fit->chi2 / fit->dof : 1;
-    for (size_t i = 0; i < p->n_unknowns; i++) {
-      double variance = gsl_matrix_get(covariance, i, i);
-      fit->error[i] = sqrt(scale * variance);
-      for (size_t j = 0; j < p->n_unknowns; j++)
-        fit->correlation[i][j] =
-            gsl_matrix_get(covariance, i, j) / sqrt(variance * gsl_matrix_get(covariance, j, j));
-    }
-    find_intervals(&s, fit, scale);
-    if (p->known && p->scatters && impacts_of(p) < FEW && p->groups[0].impacts.xy)
-      fine = aspi_interval_by_bootstrap(p, fit);
-    fine = p->set(p->context, fit->at) && fine;
-  }
+  asp_code code = aspi_search_begin(&s, p) && covariance ? look_around(&s, fit) : ASP_ENOMEM;
+  if (!code && !settle(&s, fit, covariance))
+    code = ASP_EDATA;
+  if (!code)
+    code = find_errors(&s, fit, covariance);
+  if (!code && !p->set(p->context, fit->at))
+    code = ASP_EDATA;
   aspi_search_end(&s);
   gsl_matrix_free(covariance);
-  return fine;
+  if (code)
+    aspi_fail(error, code,
+              code == ASP_ENOMEM ? "out of memory for a fit"
+                                 : "no wall or law has moments like those of the data; say by "
+                                   "fit=VALUE where the search begins");
+  return code;
 }

@@ -2,16 +2,19 @@
  * same random numbers whatever the values of its unknowns, so that the differences of moments are
  * smooth in them.
  *
- * The minimum is looked for from many starts, by the likelihood that the moments would have if they
- * were normal with the covariance of data and model together. At the best of them, weights are
- * taken from the model, and least squares and weights take turns until neither changes
- * (quasi-likelihood, Wedderburn 1974).
+ * The minimum is looked for from the best points of a design that does not depend on the caller's
+ * start, by the likelihood that the moments would have if they were normal with the covariance of
+ * data and model together. The start is one more point; its end counts only where it is better by
+ * more than noise, so that all starts have the same result. At the best end, weights are taken from
+ * the model, and least squares and weights take turns until neither changes (quasi-likelihood,
+ * Wedderburn 1974).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_FIT_H
 #define ASP_ANALYSIS_FIT_H
 
 #include "analysis/weights.h"
+#include "asperity.h"
 
 #include <stdint.h>
 
@@ -27,6 +30,7 @@ typedef struct aspi_fit_problem {
   size_t n_groups, n_unknowns, samples;
   double start[FIT_UNKNOWNS_MOST];                        /* each on a scale of its own, on which */
   double low[FIT_UNKNOWNS_MOST], high[FIT_UNKNOWNS_MOST]; /* 1 is a big change; its bounds */
+  double from[FIT_UNKNOWNS_MOST], to[FIT_UNKNOWNS_MOST];  /* the box of the design */
   double huber;  /* rebounds farther out than this many robust sd are pulled in; INFINITY: none */
   bool scatters; /* the model's impacts at one place differ */
   bool known;    /* the data say how sure they are */
@@ -48,7 +52,7 @@ typedef struct aspi_fit {
   bool described, converged;
 } aspi_fit;
 
-/* Leaves the model at the values found. False: no memory, or no values that make a model. */
-bool aspi_fit_run(const aspi_fit_problem *problem, aspi_fit *fit);
+/* Leaves the model at the values found. ASP_ENOMEM, or ASP_EDATA: no values make a model. */
+asp_code aspi_fit_run(const aspi_fit_problem *problem, aspi_fit *fit, asp_error *error);
 
 #endif

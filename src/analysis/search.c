@@ -36,6 +36,9 @@ enum { WEIGHING = 4 };
  * rounds end, are as good. */
 #define WANDERING 0.25
 
+/* From this round on, values go half of the way only: weights and values may take turns. */
+enum { HALF_WAY_FROM = 4 };
+
 /* ---- the data ---------------------------------------------------------------------------------
  */
 
@@ -346,6 +349,8 @@ bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
       break;
     *chi2 /= mean_chi2;
     settled = go_on(s, at, step, covariance);
+    for (size_t j = 0; j < p && round >= HALF_WAY_FROM; j++)
+      at[j] = (at[j] + before[j]) / 2;
     moved = 0;
     for (size_t j = 0; j < p; j++) {
       double by = fabs(at[j] - before[j]), error = sqrt(gsl_matrix_get(covariance, j, j));

@@ -26,27 +26,6 @@ static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
   }
 }
 
-/* The separator of a line: the first of ; tab , in this order that it has, or blanks. */
-static char separator_of(const char *line) {
-  for (const char *c = ";\t,"; *c; c++)
-    if (strchr(line, *c))
-      return *c;
-  return ' ';
-}
-
-/* Cuts a line of names, in place. Where blanks part them, a unit in brackets belongs to the name
- * before it. */
-static int split_names(char *line, char separator, char **names) {
-  int count = aspi_text_split(line, separator, names, ASP_CSV_COLUMNS), kept = 0;
-  for (int i = 0; i < count; i++) {
-    if (separator == ' ' && kept > 0 && strchr("([{", *names[i]))
-      names[kept - 1][strlen(names[kept - 1])] = ' ';
-    else
-      names[kept++] = names[i];
-  }
-  return kept;
-}
-
 /* Fields that are numbers; -1 where there are none but empty ones. */
 static int numbers_of(char **fields, int count, char separator) {
   int numbers = 0;
@@ -78,8 +57,8 @@ static void take_names(aspi_csv *csv, const char *line, const char *units) {
   char copy[ASP_TEXT_MOST], below[ASP_TEXT_MOST], *names[ASP_CSV_COLUMNS], *unit[ASP_CSV_COLUMNS];
   strcpy(copy, line);
   strcpy(below, units);
-  csv->columns = split_names(copy, csv->separator, names);
-  int count = *units ? split_names(below, csv->separator, unit) : 0;
+  csv->columns = aspi_text_names(copy, csv->separator, names, ASP_CSV_COLUMNS);
+  int count = *units ? aspi_text_names(below, csv->separator, unit, ASP_CSV_COLUMNS) : 0;
   char *out = csv->header;
   for (int i = 0; i < csv->columns; i++) {
     bool has_unit = i < count && *unit[i];
@@ -99,13 +78,13 @@ typedef struct above {
 static int count_names(const char *line, char separator) {
   char copy[ASP_TEXT_MOST], *names[ASP_CSV_COLUMNS];
   strcpy(copy, line);
-  return *line ? split_names(copy, separator, names) : 0;
+  return *line ? aspi_text_names(copy, separator, names, ASP_CSV_COLUMNS) : 0;
 }
 
 static bool is_units(const char *line, char separator) {
   char copy[ASP_TEXT_MOST], *fields[ASP_CSV_COLUMNS];
   strcpy(copy, line);
-  int count = *line ? split_names(copy, separator, fields) : 0;
+  int count = *line ? aspi_text_names(copy, separator, fields, ASP_CSV_COLUMNS) : 0;
   bool all = count > 0;
   for (int i = 0; i < count; i++)
     all = all && is_unit(fields[i]);
@@ -116,7 +95,7 @@ static bool is_units(const char *line, char separator) {
 static bool is_data(aspi_csv *csv, above *a) {
   char copy[ASP_TEXT_MOST], *fields[ASP_CSV_COLUMNS];
   const char *line = csv->text.text;
-  char separator = csv->forced ? csv->separator : separator_of(line);
+  char separator = csv->forced ? csv->separator : aspi_text_separator(line);
   strcpy(copy, line);
   int count = aspi_text_split(copy, separator, fields, ASP_CSV_COLUMNS);
   int numbers = numbers_of(fields, count, separator);
@@ -174,7 +153,7 @@ static asp_code read_header(aspi_csv *csv, asp_error *error) {
   else if (!code && !csv->has_row && *a->wrong)
     code = aspi_text_fail(&csv->text, a->wrong_line, error, "%s", a->wrong);
   else if (!code && !csv->has_row) {
-    csv->separator = csv->forced ? csv->separator : separator_of(a->line[0]);
+    csv->separator = csv->forced ? csv->separator : aspi_text_separator(a->line[0]);
     take_names(csv, a->line[0], "");
   }
   free(a);

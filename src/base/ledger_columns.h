@@ -12,18 +12,18 @@
   COLUMN(TIME, "time", "f8", "time of contact")                                                    \
   COLUMN(MESH, "mesh", "i2", "mesh, from 1; 0 for a primitive wall")                               \
   COLUMN(TRIANGLE, "triangle", "i4", "triangle id, on an edge the least; 0 for a primitive wall")  \
-  COLUMN(X, "x", "f8", "x of the centre at contact")                                               \
-  COLUMN(Y, "y", "f8", "y of the centre at contact")                                               \
-  COLUMN(Z, "z", "f8", "z of the centre at contact")                                               \
+  COLUMN(X, "x", "f8", "x of the center at contact")                                               \
+  COLUMN(Y, "y", "f8", "y of the center at contact")                                               \
+  COLUMN(Z, "z", "f8", "z of the center at contact")                                               \
   COLUMN(D_P, "d_p", "f4", "diameter")                                                             \
   COLUMN(V1, "v1", "f4", "speed before the impact, relative to the wall")                          \
-  COLUMN(ALPHA1, "alpha1_deg", "f4", "impact angle α1, 0 to 90°")                                  \
-  COLUMN(DELTA_ALPHA, "delta_alpha_deg", "f4", "tilt Δα of the first hit")                         \
+  COLUMN(ALPHA1, "alpha1_deg", "f4", "impact angle, 0 to 90 degrees")                              \
+  COLUMN(DELTA_ALPHA, "delta_alpha_deg", "f4", "tilt of the first hit")                            \
   COLUMN(TILT_OUT, "tilt_out_deg", "f4",                                                           \
-         "out-of-plane tilt of the first hit, positive along n × t")                               \
+         "out-of-plane tilt of the first hit, positive along n x t")                               \
   COLUMN(HITS, "hits", "i1", "hits")                                                               \
   COLUMN(V2, "v2", "f4", "speed after the impact, in space, relative to the wall")                 \
-  COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle α2 in the plane of incidence, 0 to 180°")      \
+  COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle in the plane of incidence, 0 to 180 degrees")  \
   COLUMN(COR_N, "cor_n", "f4", "CoR_N about the mean wall")                                        \
   COLUMN(COR_T, "cor_t", "f4",                                                                     \
          "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \

@@ -107,53 +107,68 @@ int aspi_text_character(aspi_text *text) {
   return c;
 }
 
-static asp_code append(aspi_text *text, size_t *length, size_t most, int c, asp_error *error) {
+/* Appends a character, or with EOF the end, to a buffer that grows up to `most`. */
+static asp_code append(aspi_text *text, char **buffer, size_t *room, size_t most, size_t *length,
+                       int c, asp_error *error) {
+  size_t need = *length + (c == EOF ? 1 : 2);
   if (c == '\0')
     return aspi_text_fail(text, text->line, error,
                           "a NUL byte: not a text file, or one in UTF-16 without a byte order mark "
                           "(save it as plain text)");
-  if (*length + 1 >= most)
+  if (need > most)
     return aspi_text_fail(text, text->line, error, "a %s of %zu characters or more",
                           most == WORD_MOST ? "word" : "line", most);
-  text->text[(*length)++] = (char)c;
-  return ASP_OK;
-}
-
-static asp_code finish(aspi_text *text, size_t length, bool found_any, bool *found,
-                       asp_error *error) {
-  text->text[length] = '\0';
-  *found = found_any;
-  if (ferror(text->stream))
+  if (need > *room) {
+    size_t larger = 2 * need < most ? 2 * need : most;
+    char *grown = realloc(*buffer, larger);
+    if (!grown)
+      return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", text->path,
+                       text->line);
+    *buffer = grown;
+    *room = larger;
+  }
+  (*buffer)[*length] = (char)(c == EOF ? '\0' : c);
+  *length += c != EOF;
+  if (c == EOF && ferror(text->stream))
     return aspi_fail(error, ASP_EFILE, "%s: cannot be read: %s", text->path, strerror(errno));
   return ASP_OK;
 }
 
-asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error) {
+asp_code aspi_text_long_line(aspi_text *text, char **line, size_t *room, size_t most, bool *found,
+                             asp_error *error) {
   size_t length = 0;
   text->line = text->next;
   int c = aspi_text_character(text);
-  bool any = c != EOF;
+  *found = c != EOF;
   for (; c != EOF && c != '\n'; c = aspi_text_character(text)) {
-    asp_code code = append(text, &length, ASP_TEXT_MOST, c, error);
+    asp_code code = append(text, line, room, most, &length, c, error);
     if (code)
       return code;
   }
-  return finish(text, length, any, found, error);
+  return append(text, line, room, most, &length, EOF, error);
+}
+
+asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error) {
+  char *line = text->text;
+  size_t room = sizeof text->text;
+  return aspi_text_long_line(text, &line, &room, room, found, error);
 }
 
 asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error) {
-  size_t length = 0;
+  char *word = text->text;
+  size_t length = 0, room = WORD_MOST;
   int c;
   do {
     text->line = text->next;
     c = aspi_text_character(text);
   } while (c != EOF && isspace(c));
   for (; c != EOF && !isspace(c); c = aspi_text_character(text)) {
-    asp_code code = append(text, &length, WORD_MOST, c, error);
+    asp_code code = append(text, &word, &room, WORD_MOST, &length, c, error);
     if (code)
       return code;
   }
-  return finish(text, length, length > 0, found, error);
+  *found = length > 0;
+  return append(text, &word, &room, WORD_MOST, &length, EOF, error);
 }
 
 char *aspi_text_trim(char *text) {
@@ -198,22 +213,49 @@ static char *end_of(char *field, char separator) {
   return field;
 }
 
+char *aspi_text_field(char **next, char separator) {
+  char *field = *next;
+  if (field && separator == ' ')
+    field += strspn(field, " \t\v\f\r");
+  if (!field || (separator == ' ' && !*field))
+    return NULL;
+  char *end = end_of(field, separator);
+  *next = *end ? end + 1 : NULL;
+  *end = '\0';
+  return unquote(aspi_text_trim(field));
+}
+
 int aspi_text_split(char *line, char separator, char *fields[], int most) {
   int count = 0;
-  for (char *next = line; count < most;) {
-    if (separator == ' ')
-      next += strspn(next, " \t");
-    if (separator == ' ' && !*next)
-      break;
-    char *end = end_of(next, separator);
-    bool last = !*end;
-    *end = '\0';
-    fields[count++] = unquote(aspi_text_trim(next));
-    if (last)
-      break;
-    next = end + 1;
-  }
+  while (count < most && (fields[count] = aspi_text_field(&line, separator)) != NULL)
+    count++;
   return count;
+}
+
+int aspi_text_names(char *line, char separator, char *names[], int most) {
+  while (*line && *line != separator && strchr("#%; \t", *line))
+    line++;
+  int count = aspi_text_split(line, separator, names, most), kept = 0;
+  for (int i = 0; i < count; i++) {
+    if (separator == ' ' && kept > 0 && strchr("([{", *names[i])) {
+      char *end = names[kept - 1] + strlen(names[kept - 1]);
+      memset(end, ' ', (size_t)(names[i] - end));
+    } else {
+      names[kept++] = names[i];
+    }
+  }
+  return kept;
+}
+
+char aspi_text_separator(const char *line) {
+  const char *first = strpbrk(line, ";");
+  first = first ? first : strpbrk(line, "\t");
+  first = first ? first : strpbrk(line, ",");
+  return first ? *first : ' ';
+}
+
+bool aspi_text_blank(const char *line) {
+  return line[strspn(line, " \t\v\f")] == '\0';
 }
 
 static bool is_missing(const char *text, size_t length) {

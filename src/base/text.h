@@ -36,16 +36,33 @@ int aspi_text_character(aspi_text *text);
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
 asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 
+/* As aspi_text_line, into a buffer of *room characters that grows up to `most` by realloc. */
+asp_code aspi_text_long_line(aspi_text *text, char **line, size_t *room, size_t most, bool *found,
+                             asp_error *error);
+
+/* True if there is nothing but white space. */
+bool aspi_text_blank(const char *line);
+
 /* A text without the blanks at both ends; in place. */
 char *aspi_text_trim(char *text);
 
-/* Whether a part stands anywhere in a text, in small letters or large. */
+/* True if a part stands anywhere in a text, in small letters or large. */
 bool aspi_text_holds(const char *text, const char *part);
 
-/* Cuts a line into at most `most` fields, in place, and takes blanks and one pair of quotes off
- * each; the number of fields. A blank as separator stands for runs of white space. Quotes hold a
- * field together, and a quote in quotes is written twice. */
+/* The separator of a line's fields: the first of ; tab , in this order that it has, or a blank for
+ * runs of white space. */
+char aspi_text_separator(const char *line);
+
+/* Cuts the next field off a line, in place, without blanks and one pair of quotes around it; NULL
+ * at the end. Quotes hold a field together, and a quote in quotes is written twice. */
+char *aspi_text_field(char **next, char separator);
+
+/* Cuts a line into at most `most` fields; the number of fields. */
 int aspi_text_split(char *line, char separator, char *fields[], int most);
+
+/* The same of a line of names, without the marks of a comment before it. Where blanks separate
+ * them, a unit in brackets belongs to the name before it. */
+int aspi_text_names(char *line, char separator, char *names[], int most);
 
 /* ASP_EDATA and "<path>:<line>: <message>". */
 #if defined(__GNUC__)

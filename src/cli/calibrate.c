@@ -22,10 +22,13 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 #define CORRELATED 0.95
 #define VAGUE 1.0
 
-/* Bounds of the search for an unknown without bounds of its own, as logarithms of shares of where
- * it begins; and on the logistic scale of one with bounds. */
+/* The box in which the search looks for starts, and bounds of the search, of an unknown without
+ * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
+ * one with bounds. */
+#define LOG_AROUND 2.5
 #define LOG_DOWN 6.9
 #define LOG_UP 3.4
+#define LOGISTIC_AROUND 3.5
 #define LOGISTIC 6.0
 
 /* What is taken for the error of a mean of which nothing is known, before the fit tells. */
@@ -37,6 +40,19 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 
 /* ---- what is looked for -----------------------------------------------------------------------
  */
+
+/* The value of a number that the description does not give; NAN: there is none. Of sigma, in
+ * degrees, one that most walls are near. */
+static double standard_of(const calibration *c, const calibrate_unknown *u) {
+  if (u->kind == OF_SURFACE)
+    return strcmp(u->name, "sigma") == 0 ? 5 : NAN;
+  asp_pair *pair = u->kind == OF_PAIR && c->wall.particle
+                       ? asp_pair_create(c->wall.particle, c->wall.target, NULL)
+                       : NULL;
+  double value = pair ? asp_pair_get(pair, u->name) : NAN;
+  asp_pair_free(pair);
+  return value;
+}
 
 /* What a number of the description is; a law's own go before all others. */
 static calibrate_unknown unknown_of(const calibration *c, const char *name) {
@@ -54,11 +70,13 @@ static calibrate_unknown unknown_of(const calibration *c, const char *name) {
     u.least = asp_parameter_least(p);
     u.most = asp_parameter_most(p);
     u.bounded = u.most - u.least <= 10;
+    u.standard = asp_parameter_default(p);
     kind = asp_parameter_unit(p);
   } else {
     const aspi_keyword *k = aspi_keyword_find(u.kind == OF_SURFACE ? "surface" : "", name);
     u.least = k->least;
     u.most = k->most;
+    u.standard = standard_of(c, &u);
     kind = k->unit;
   }
   char units[120];
@@ -89,6 +107,7 @@ static void read_unknowns(calibration *c) {
       cli_bad_usage("'%s' has no effect on impacts with rebound %s", u->name,
                     asp_rebound_name(asp_wall_rebound(c->wall.wall)));
     u->start = start_of(c, u);
+    u->standard = u->standard > 0 ? u->standard : u->start;
     c->moves = c->moves || u->kind == OF_SURFACE;
   }
   if (c->n_unknown == 0)
@@ -176,6 +195,19 @@ static void show_progress(void *context, double share) {
   cli_progress_show(&c->progress, share);
 }
 
+/* Where number j is looked for: around its standard value, or a start that is far from that. */
+static void bound_search(const calibrate_unknown *u, size_t j, aspi_fit_problem *p) {
+  double start = calibrate_scaled(u, u->start), around = u->bounded ? LOGISTIC_AROUND : LOG_AROUND;
+  double centre = u->bounded ? 0 : log(u->standard);
+  if (!(fabs(start - centre) < around) && !u->bounded)
+    centre = start;
+  p->low[j] = u->bounded ? -LOGISTIC : fmax(centre - LOG_DOWN, log(u->least));
+  p->high[j] = u->bounded ? LOGISTIC : fmin(centre + LOG_UP, log(u->most));
+  p->from[j] = fmax(centre - around, p->low[j]);
+  p->to[j] = fmin(centre + around, p->high[j]);
+  p->start[j] = fmin(fmax(start, p->low[j]), p->high[j]);
+}
+
 static aspi_fit find_unknowns(calibration *c) {
   aspi_fit_problem p = {.context = c,
                         .set = calibrate_set,
@@ -189,18 +221,13 @@ static aspi_fit find_unknowns(calibration *c) {
                             !c->smooth || c->noise[0] > 0 || c->noise[1] > 0 || c->noise_speed > 0,
                         .known = c->known,
                         .progress = show_progress};
-  for (size_t j = 0; j < c->n_unknown; j++) {
-    const calibrate_unknown *u = &c->unknown[j];
-    double start = calibrate_scaled(u, u->start);
-    p.low[j] = u->bounded ? -LOGISTIC : fmax(start - LOG_DOWN, log(u->least));
-    p.high[j] = u->bounded ? LOGISTIC : fmin(start + LOG_UP, log(u->most));
-    p.start[j] = fmin(fmax(start, p.low[j]), p.high[j]);
-  }
+  for (size_t j = 0; j < c->n_unknown; j++)
+    bound_search(&c->unknown[j], j, &p);
   aspi_fit f;
   c->progress = cli_progress_begin("fit", 1);
-  if (!aspi_fit_run(&p, &f))
-    cli_fail("no wall or law has moments like those of the data, or there is no memory; say by "
-             "fit=VALUE where the search begins");
+  asp_error error;
+  if (aspi_fit_run(&p, &f, &error))
+    cli_bad_file(NULL, &error);
   cli_progress_end(&c->progress);
   return f;
 }

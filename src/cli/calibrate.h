@@ -27,6 +27,7 @@ typedef struct calibrate_unknown {
   const char *name;
   char unit[20]; /* of SI, as the description has it, or degrees */
   enum { OF_SURFACE, OF_PAIR, OF_LAW } kind;
+  double standard; /* the design of the search is around it, whatever the start */
   double start, least, most;
   bool bounded; /* between least and most, both finite and near: a logistic scale, else its log */
 } calibrate_unknown;

@@ -106,8 +106,7 @@ static void check_written(const cli_option *option) {
 static void check_look(const cli_option *options, int count) {
   for (int i = 0; i < count; i++)
     for (int k = PLOT_TITLE; k < PLOT_OPTIONS && strcmp(options[i].name, "plot") == 0; k++)
-      if (!options[i].value && i + k < count && options[i + k].value &&
-          strcmp(options[i + PLOT_TITLE].name, "title") == 0)
+      if (!options[i].value && options[i + k].value)
         cli_bad_usage("--%s is given without --plot", options[i + k].name);
 }
 

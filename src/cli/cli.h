@@ -42,12 +42,12 @@ int cli_parse(const cli_command *command, int argc, char **argv, cli_option *opt
               bool arguments);
 
 #if defined(__GNUC__)
-#define CLI_PRINTF __attribute__((format(printf, 1, 2), noreturn))
+#define CLI_FORMAT(text, first) __attribute__((format(printf, text, first)))
 #else
-#define CLI_PRINTF
+#define CLI_FORMAT(text, first)
 #endif
-CLI_PRINTF void cli_bad_usage(const char *format, ...); /* exit 2 */
-CLI_PRINTF void cli_fail(const char *format, ...);      /* exit 1 */
+CLI_FORMAT(1, 2) _Noreturn void cli_bad_usage(const char *format, ...); /* exit 2 */
+CLI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 1 */
 
 /* Room for some things, all zero, and a copy of a text, to be freed; exit 1 where there is none. */
 void *cli_allocate(size_t count, size_t size);
@@ -55,10 +55,7 @@ char *cli_copy(const char *text);
 
 /* Tells what is wrong with the file that an option (NULL: an argument) names: exit 2, 1 where there
  * is no memory for it. */
-#if defined(__GNUC__)
-__attribute__((noreturn))
-#endif
-void cli_bad_file(const cli_option *option, const asp_error *error);
+_Noreturn void cli_bad_file(const cli_option *option, const asp_error *error);
 
 /* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
 typedef aspi_list cli_list;
@@ -82,14 +79,8 @@ cli_list cli_angles(const cli_option *option);
 int cli_choice(const cli_option *option, const char *first, const char *second);
 
 /* A line on stderr; and one that something may not be what is wanted. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 1, 2)))
-#endif
-void cli_say(const char *format, ...);
-#if defined(__GNUC__)
-__attribute__((format(printf, 1, 2)))
-#endif
-void cli_warn(const char *format, ...);
+CLI_FORMAT(1, 2) void cli_say(const char *format, ...);
+CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
 /* A file that appears under its name, whole, when it is closed; an exit before that leaves what was
  * there. A symbolic link is followed and its target replaced. A device or a pipe is written to as
@@ -133,15 +124,11 @@ cli_progress cli_progress_begin(const char *what, double total);
 void cli_progress_show(cli_progress *progress, double done);
 void cli_progress_end(cli_progress *progress);
 
-/* A gnuplot that draws into a .png, .svg or .pdf of width x height pixels; commands and data go to
- * the stream. close waits for it, reports failure, and says on stderr where the picture is. */
-typedef struct cli_plot cli_plot;
-
-/* Exits where such a picture could not be drawn: another ending, no gnuplot, a file that cannot be
- * written. cli_parse asks for the option `plot`, before any work is done. */
+/* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
+ * file that cannot be written. cli_parse asks for the option `plot`, before any work is done. */
 void cli_plot_check(const cli_option *option);
 
-/* The options of a picture, in a row in a command's table. */
+/* The options of a picture, in a row in a command's table; see plot.h. */
 enum { PLOT_FILE, PLOT_TITLE, PLOT_SIZE, PLOT_RANGE, PLOT_OPTIONS };
 #define CLI_PLOT_OPTIONS(first, text)                                                              \
   [(first) + PLOT_FILE] = {"plot", "FILE", text, NULL},                                            \
@@ -149,26 +136,6 @@ enum { PLOT_FILE, PLOT_TITLE, PLOT_SIZE, PLOT_RANGE, PLOT_OPTIONS };
                  PLOT_TITLE] = {"title", "TEXT", "of the picture, instead of its own", NULL},      \
              [(first) + PLOT_SIZE] = {"size", "WIDTHxHEIGHT", "of the picture, in pixels", NULL},  \
              [(first) + PLOT_RANGE] = {"range", "FROM:TO", "of the vertical axis", NULL}
-
-/* width and height where --size is not given. */
-cli_plot *cli_plot_open(const cli_option *option, int width, int height);
-FILE *cli_plot_stream(cli_plot *plot);
-
-/* What --title says, as text within single quotes of gnuplot; NULL where it is not given. */
-const char *cli_plot_title(const cli_plot *plot);
-
-/* Puts what --range says in place of a picture's own range; and sets the vertical axis to that, NAN
- * for an end that gnuplot finds. */
-void cli_plot_range(const cli_plot *plot, double range[2]);
-void cli_plot_set_range(const cli_plot *plot, double from, double to);
-void cli_plot_close(cli_plot *plot);
-
-/* A user's text for the inside of a gnuplot string in single quotes: it is shown as it is, cut
- * after some 90 bytes. Every text that is not a constant of this program must go through it. */
-typedef struct cli_label {
-  char text[600];
-} cli_label;
-cli_label cli_plot_label(const cli_plot *plot, const char *text);
 
 double cli_degrees(double radians);
 double cli_radians(double degrees);

@@ -442,8 +442,7 @@ static void check_bins(const comparison *c) {
 
 /* Whether the comment that the impacts begin with names a fitted law or constant. */
 static void warn_double(const scatter_impacts *impacts) {
-  static const char *const fitted[] = {"grant_tabakoff", "forder",     "--rebound table",
-                                       "rebound table",  "yield-rate", "yield_rate"};
+  static const char *const fitted[] = {"grant_tabakoff", "rebound table", "yield_rate"};
   for (size_t i = 0; impacts->rough && i < sizeof fitted / sizeof *fitted; i++)
     if (strstr(impacts->comment, fitted[i])) {
       cli_warn("the impacts are from a rough wall with '%s', which was fitted to measurements: "

@@ -1,160 +1,110 @@
-/* The picture of `asperity cor`.
+/* The picture of `asperity cor`: impacts, their mean and sd over the impact angle, and the smooth
+ * wall at the median diameter.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/running.h"
 #include "cli/cor.h"
+#include "cli/plot.h"
 
-#include <string.h>
 #include <math.h>
+#include <string.h>
 
-enum { CELLS = 45 };
+/* An angle with fewer impacts than this goes together with others, over at most so many degrees. */
+#define IMPACTS_LEAST 30
+#define CELL_MOST 2.0
+
+enum { DOTS_MOST = 20000 };
 
 /* A list or a log-normal, times a factor, with its unit. */
-static void print_values(FILE *gp, const cli_list *v, double factor, const char *unit) {
-  if (v->count == 1)
-    fprintf(gp, "%.3g %s; ", v->least * factor, unit);
-  else if (v->count > 1)
-    fprintf(gp, "%.3g … %.3g %s; ", v->least * factor, v->most * factor, unit);
-  else
-    fprintf(gp, "log-normal, %.3g … %.3g %s, median %.3g; ", v->least * factor, v->most * factor,
-            unit, v->median * factor);
+static void put_values(FILE *out, const char *name, const cli_list *v, double factor,
+                       const char *unit) {
+  fprintf(out, "%s = %.3g", name, v->least * factor);
+  if (v->most > v->least)
+    fprintf(out, " … %.3g", v->most * factor);
+  fprintf(out, " %s", unit);
+  if (v->count == 0)
+    fprintf(out, " (log-normal, median %.3g)", v->median * factor);
+  fputs("; ", out);
 }
 
-/* The wall in the title. */
-static void print_wall(FILE *gp, const cli_plot *picture, const asp_wall *wall) {
+static void put_wall(FILE *out, const asp_wall *wall) {
   const asp_surface *surface = asp_wall_surface(wall);
   if (!surface)
-    return;
-  if (strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
-    fprintf(gp, "σ = %.4g°, ", cli_degrees(atan(asp_surface_slope_rms(surface))));
+    fputs("smooth wall; ", out);
+  else if (strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
+    fprintf(out, "σ = %.4g°, ", cli_degrees(atan(asp_surface_slope_rms(surface))));
   else
-    fprintf(gp, "R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, ", asp_surface_r_q(surface) * 1e6,
+    fprintf(out, "R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, ", asp_surface_r_q(surface) * 1e6,
             asp_surface_lambda_c(surface) * 1e6, asp_surface_phi_r(surface));
-  fprintf(gp, "%s; ", cli_plot_label(picture, asp_spread_name(asp_wall_spread(wall))).text);
+  if (surface)
+    fprintf(out, "%s; ", cli_plot_label(asp_spread_name(asp_wall_spread(wall))).text);
 }
 
-/* A panel: CoR_N over the impact angle, or CoR_T. */
-typedef struct panel {
-  int t;                                    /* 1: CoR_T */
-  double range[2];                          /* of the axis */
-  size_t drawn, outside;                    /* impacts; those that the axes cut off */
-  size_t means, means_outside;              /* of cells of 2 degrees */
-  bool rebounds;                            /* the smooth wall somewhere */
-  aspi_running cells[CELLS], angles[CELLS]; /* of the impacts */
-} panel;
-
-static bool is_outside(const panel *p, double y) {
-  return y < p->range[0] || y > p->range[1];
-}
-
-static void print_impacts(FILE *gp, panel *p, const cor_row *rows, size_t n, size_t every) {
-  fprintf(gp, "$scatter%d << EOD\n", p->t);
-  for (size_t i = 0; i < n; i++) {
-    if (rows[i].impact.outcome == ASP_DEPOSIT || (p->t && !rows[i].cor.cor_t_defined))
-      continue;
-    double y = p->t ? rows[i].cor.cor_t : rows[i].cor.cor_n;
-    int cell = (int)(rows[i].alpha1 / 90 * CELLS);
-    cell = cell < CELLS ? cell : CELLS - 1;
-    aspi_running_add(&p->cells[cell], y);
-    aspi_running_add(&p->angles[cell], rows[i].alpha1);
-    p->outside += is_outside(p, y);
-    if (p->drawn++ % every == 0)
-      fprintf(gp, "%g %g\n", rows[i].alpha1, y);
-  }
-  fputs("EOD\n", gp);
-}
-
-static void print_means(FILE *gp, panel *p) {
-  fprintf(gp, "$mean%d << EOD\n", p->t);
-  for (int i = 0; i < CELLS; i++) {
-    const aspi_running *c = &p->cells[i];
-    if (c->n < 2)
-      continue;
-    fprintf(gp, "%g %g %g\n", p->angles[i].mean, c->mean, aspi_running_sd(c));
-    p->means++;
-    p->means_outside += is_outside(p, c->mean);
-  }
-  fputs("EOD\n", gp);
-}
-
-static void print_smooth(FILE *gp, panel *p, const cor_scene *smooth) {
-  fprintf(gp, "$smooth%d << EOD\n", p->t);
-  for (int i = 1; i < 180; i++) {
-    cor_row r = cli_cor_impact(smooth, 0.5 * i, 0, 1);
-    if (r.impact.outcome != ASP_REBOUND)
-      continue;
-    p->rebounds = true;
-    fprintf(gp, "%g %g\n", 0.5 * i, p->t ? r.cor.cor_t : r.cor.cor_n);
-  }
-  fputs("EOD\n", gp);
-}
-
-/* What the axes cut off, over a panel. */
-static void print_outside(FILE *gp, const panel *p, size_t n) {
-  fputs("unset title\n", gp);
-  if (p->outside > 0)
-    fprintf(gp, "set title '{/=9 %.1f %% of the impacts", 100 * (double)p->outside / (double)n);
-  if (p->outside > 0 && p->means_outside > 0)
-    fprintf(gp, " and %zu of the means", p->means_outside);
-  if (p->outside > 0)
-    fputs(" lie outside}'\n", gp);
-}
-
-/* One of `every` impacts is drawn; the smooth wall is met by one size at one speed. */
-static void plot_panel(cli_plot *picture, int t, const cor_row *rows, size_t n, size_t every,
-                       const cor_scene *smooth) {
-  FILE *gp = cli_plot_stream(picture);
-  panel p = {.t = t, .range = {t ? -1 : 0, t ? 2 : 3}};
-  cli_plot_range(picture, p.range);
-  print_impacts(gp, &p, rows, n, every);
-  print_means(gp, &p);
-  print_smooth(gp, &p, smooth);
-  fprintf(gp, "set ylabel 'CoR_%c'\nset yrange [%g:%g]\nset key %s opaque\n", t ? 'T' : 'N',
-          p.range[0], p.range[1], t ? "bottom left" : "top right");
-  print_outside(gp, &p, n);
-  fputs("plot NaN notitle", gp);
-  if (p.drawn > 0)
-    fprintf(gp, ", $scatter%d with points pt 7 ps 0.2 lc rgb '#9fc5dd' title 'impacts", t);
-  if (p.drawn > 0 && every > 1)
-    fprintf(gp, ", one of %zu", every);
-  if (p.drawn > 0)
-    fputc('\'', gp);
-  if (p.means > 0)
-    fprintf(gp,
-            ", $mean%d using 1:2:3 with yerrorbars pt 7 ps 0.5 lc rgb '#0072b2' title "
-            "'mean ± sd'",
-            t);
-  if (p.rebounds)
-    fprintf(gp, ", $smooth%d with lines ls 2 dt 1", t);
-  else
-    fputs(", keyentry with lines ls 2 dt 1", gp);
-  fprintf(gp, " title 'smooth wall, %.3g µm, %.3g m/s%s'\n", smooth->sizes.least * 1e6,
-          smooth->speeds.least, p.rebounds ? "" : " (sticks)");
-}
-
-static void print_title(FILE *gp, const cli_plot *picture, const cor_scene *s, const cor_row *rows,
-                        size_t n) {
+static void put_title(FILE *out, const cor_scene *s, const cor_row *rows, size_t n) {
   const cli_description *wall = &s->wall;
   size_t deposits = 0;
-  if (cli_plot_title(picture)) {
-    fprintf(gp, "set multiplot layout 1,2 title '%s'\n", cli_plot_title(picture));
-    return;
-  }
   for (size_t i = 0; i < n; i++)
     deposits += rows[i].impact.outcome == ASP_DEPOSIT;
-  fputs("set multiplot layout 1,2 title '{/=10 ", gp);
   if (wall->particle) {
-    fprintf(gp, "%s on ", cli_plot_label(picture, asp_material_name(wall->particle)).text);
-    fprintf(gp, "%s, ", cli_plot_label(picture, asp_material_name(wall->target)).text);
+    fprintf(out, "%s on ", cli_plot_label(asp_material_name(wall->particle)).text);
+    fprintf(out, "%s; ", cli_plot_label(asp_material_name(wall->target)).text);
   }
-  fprintf(gp, "%s; ", cli_plot_label(picture, asp_rebound_name(asp_wall_rebound(wall->wall))).text);
-  print_wall(gp, picture, wall->wall);
-  fputs("v_1 = ", gp);
-  print_values(gp, &s->speeds, 1, "m/s");
-  fputs("d_p = ", gp);
-  print_values(gp, &s->sizes, 1e6, "µm");
-  fprintf(gp, "%zu impacts, %.1f %% stick and are left out}'\n", n,
+  fprintf(out, "%s; ", cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text);
+  put_wall(out, wall->wall);
+  put_values(out, "v_1", &s->speeds, 1, "m/s");
+  put_values(out, "d_p", &s->sizes, 1e6, "µm");
+  fprintf(out, "%zu impacts, %.1f %% stick and are left out", n,
           100 * (double)deposits / (double)n);
+}
+
+/* CoR_N, or CoR_T of t; NAN where there is none. */
+static double value_of(const cor_row *r, int t) {
+  if (r->impact.outcome == ASP_DEPOSIT || (t && !r->cor.cor_t_defined))
+    return NAN;
+  return t ? r->cor.cor_t : r->cor.cor_n;
+}
+
+static void plot_impacts(cli_plot *picture, int t, const cor_row *rows, size_t n) {
+  size_t every = n / DOTS_MOST + 1;
+  cli_plot_series(picture, CLI_MARKS, "impacts");
+  for (size_t i = 0; i < n; i += every)
+    cli_plot_row(picture, rows[i].alpha1, value_of(&rows[i], t));
+  if (every > 1)
+    cli_plot_end(picture, "impacts, one of %zu", every);
+  else
+    cli_plot_end(picture, "impacts");
+}
+
+/* The mean as a line, or mean ± sd as a band, where impacts at one angle differ. */
+static void plot_means(cli_plot *picture, int t, const cor_row *rows, size_t n, bool line,
+                       const char *style) {
+  cli_plot_series(picture, line ? CLI_LINE : CLI_BAND, "%s", style);
+  for (size_t i = 0, next; i < n; i = next) {
+    aspi_running y = {0, 0, 0}, angle = {0, 0, 0};
+    for (next = i; next < n; next++) {
+      if (rows[next].alpha1 > rows[i].alpha1 &&
+          (next - i >= IMPACTS_LEAST || rows[next].alpha1 >= rows[i].alpha1 + CELL_MOST))
+        break;
+      if (!isfinite(value_of(&rows[next], t)))
+        continue;
+      aspi_running_add(&y, value_of(&rows[next], t));
+      aspi_running_add(&angle, rows[next].alpha1);
+    }
+    if (y.n > 1) {
+      double sd = line ? 0 : aspi_running_sd(&y);
+      cli_plot_row(picture, angle.mean, y.mean - sd, y.mean + sd);
+    }
+  }
+  cli_plot_end(picture, line ? "mean" : "± sd");
+}
+
+/* True if impacts at one angle differ at all. */
+static bool varies(const cor_row *rows, size_t n) {
+  for (size_t i = 1; i < n; i++)
+    if (rows[i].alpha1 <= rows[i - 1].alpha1 && rows[i].cor.cor_n != rows[i - 1].cor.cor_n &&
+        rows[i].impact.outcome == rows[i - 1].impact.outcome)
+      return true;
+  return false;
 }
 
 /* The first of a list, or the median of a law. */
@@ -163,22 +113,42 @@ static cli_list one_of(const cli_list *list, double *value) {
   return (cli_list){.values = value, .count = 1, .least = *value, .most = *value};
 }
 
-/* The scatter, its running mean and sd over 2 degrees, and the smooth wall at the median diameter.
- */
+static void plot_smooth(cli_plot *picture, int t, const cor_scene *smooth) {
+  size_t rebounds = 0;
+  cli_plot_series(picture, CLI_LINE, "model_none");
+  for (int i = 1; i < 180; i++) {
+    cor_row r = cli_cor_impact(smooth, 0.5 * i, 0, 1);
+    rebounds += r.impact.outcome == ASP_REBOUND;
+    cli_plot_row(picture, 0.5 * i, value_of(&r, t));
+  }
+  cli_plot_end(picture, "smooth wall, %.3g µm, %.3g m/s%s", smooth->sizes.least * 1e6,
+               smooth->speeds.least, rebounds ? "" : " (sticks)");
+}
+
 void cli_cor_plot(const cli_option *options, const cor_scene *s, const cor_row *rows, size_t n) {
-  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520);
-  FILE *gp = cli_plot_stream(picture);
+  char title[1600] = "", style[80];
   double d_p, speed;
   cor_scene smooth = {.wall = cli_description_smooth(&s->wall),
                       .speeds = one_of(&s->speeds, &speed),
                       .sizes = one_of(&s->sizes, &d_p)};
-  print_title(gp, picture, s, rows, n);
-  fputs("set xrange [0:90]\nset xtics 15\n"
-        "set xlabel 'impact angle α_1 / degrees'\n",
-        gp);
-  for (int t = 0; t < 2; t++)
-    plot_panel(picture, t, rows, n, n / 20000 + 1, &smooth);
-  fputs("unset multiplot\n", gp);
-  cli_description_free(&smooth.wall);
+  FILE *out = fmemopen(title, sizeof title, "w");
+  if (!out)
+    cli_fail("out of memory");
+  put_title(out, s, rows, n);
+  fclose(out);
+  const asp_wall *wall = s->wall.wall;
+  if (asp_wall_surface(wall))
+    snprintf(style, sizeof style, "model_%s", asp_spread_name(asp_wall_spread(wall)));
+  else
+    snprintf(style, sizeof style, "law_%s", asp_rebound_name(asp_wall_rebound(wall)));
+  cli_plot *picture = cli_plot_open(&options[PLOT], 1200, 520, "1,2", "%s", title);
+  for (int t = 0; t < 2; t++) {
+    cli_plot_coefficient(picture, t);
+    plot_impacts(picture, t, rows, n);
+    for (int line = 0; line < 2 && varies(rows, n); line++)
+      plot_means(picture, t, rows, n, line, style);
+    plot_smooth(picture, t, &smooth);
+  }
   cli_plot_close(picture);
+  cli_description_free(&smooth.wall);
 }

@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/judge_3d.h"
 #include "base/stream.h"
-#include "spread/field.h"
+#include "analysis/dilated_map.h"
 #include "spread/line.h"
 #include "surface/ball.h"
 
@@ -46,7 +46,7 @@ static void reflect(double v[3], const double gradient[2]) {
 }
 
 /* One particle from its first hit on. */
-static void follow(const aspi_field *field, size_t row, const aspi_spot *spot, double alpha1,
+static void follow(const aspi_dilated_map *field, size_t row, const aspi_spot *spot, double alpha1,
                    judge_angles *angles) {
   size_t at = row * field->columns + spot->face;
   double gradient[2] = {field->p[at], field->q[at]}, tilt = atan(gradient[0]);
@@ -54,7 +54,7 @@ static void follow(const aspi_field *field, size_t row, const aspi_spot *spot, d
                         {cos(alpha1), 0, -sin(alpha1)}};
   int hits = 1;
   reflect(flight.v, gradient);
-  while (hits < HITS_MOST && aspi_field_next(field, &flight, gradient)) {
+  while (hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient)) {
     reflect(flight.v, gradient);
     hits++;
   }
@@ -68,7 +68,7 @@ static void draw_places(aspi_stream *stream, double *share, size_t count) {
 }
 
 /* All particles of one surface in the directions in which its rows lie. */
-static void fly(const aspi_field *field, const cli_list *alpha1, size_t rays, uint32_t seed,
+static void fly(const aspi_dilated_map *field, const cli_list *alpha1, size_t rays, uint32_t seed,
                 judge_angles *angles) {
   asp_error error;
   aspi_line line;
@@ -96,7 +96,7 @@ static void fly(const aspi_field *field, const cli_list *alpha1, size_t rays, ui
 #define STEEPEST 1e-6
 
 /* One particle in any direction, from the height of the highest point on. */
-static void fly_one(const aspi_field *field, double alpha1, aspi_stream *stream,
+static void fly_one(const aspi_dilated_map *field, double alpha1, aspi_stream *stream,
                     judge_angles *angles) {
   double x = aspi_stream_uniform(stream) * (double)field->columns * field->step[0];
   double y = aspi_stream_uniform(stream) * (double)field->rows * field->step[1];
@@ -105,7 +105,7 @@ static void fly_one(const aspi_field *field, double alpha1, aspi_stream *stream,
   aspi_flight flight = {{x, y, field->top + 1e-3 * field->step[0]},
                         {along * t[0], along * t[1], -sin(alpha1)}};
   int hits = 0;
-  while (hits < HITS_MOST && aspi_field_next(field, &flight, gradient)) {
+  while (hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient)) {
     if (hits++ == 0)
       tilt = atan(gradient[0] * t[0] + gradient[1] * t[1]);
     reflect(flight.v, gradient);
@@ -115,7 +115,7 @@ static void fly_one(const aspi_field *field, double alpha1, aspi_stream *stream,
             hits);
 }
 
-static void fly_around(const aspi_field *field, const cli_list *alpha1, size_t rays, uint32_t seed,
+static void fly_around(const aspi_dilated_map *field, const cli_list *alpha1, size_t rays, uint32_t seed,
                        judge_angles *angles) {
   for (size_t i = 0; i < alpha1->count; i++)
     for (size_t k = 0; k < rays; k++) {
@@ -202,22 +202,22 @@ static void judge(const judge_case *subject, const cli_list *alpha1, size_t rays
   seed += (uint32_t)number;
   asp_map *map = subject->map ? piece(subject, number, &error) : generated(subject, seed, &error);
   aspi_ball *ball = map ? aspi_ball_create(map, subject->d_p, &error) : NULL;
-  aspi_field field;
-  if (!ball || aspi_field_create(&field, map, &error))
+  aspi_dilated_map field;
+  if (!ball || aspi_dilated_map_create(&field, map, &error))
     cli_fail("%s", error.text);
   field.crests = subject->map;
   aspi_ball_rows(ball, 0, map->rows, field.z, field.p, field.q);
   aspi_ball_free(ball);
   asp_map_free(map);
-  aspi_field_finish(&field);
+  aspi_dilated_map_finish(&field);
   if (subject->map) {
     fly_around(&field, alpha1, rays, seed, angles);
   } else {
     fly(&field, alpha1, rays / 2, seed, angles);
-    aspi_field_turn(&field);
+    aspi_dilated_map_turn(&field);
     fly(&field, alpha1, rays / 2, ~seed, angles);
   }
-  aspi_field_free(&field);
+  aspi_dilated_map_free(&field);
 }
 
 judge_all judge_create(const judge_case *subject, const cli_list *angles, size_t rays,

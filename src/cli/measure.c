@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/measure.h"
+#include "spread/line.h"
 #include "wall/wall.h"
 #include "surface/closing.h"
 #include "surface/profile.h"
@@ -196,36 +197,35 @@ static int flights_of(const measure_case *subject) {
   return subject->profile ? 1 : FLIGHTS;
 }
 
-static aspi_track *track_of(const course *over, bool measured) {
+static aspi_line line_of(const course *over, bool measured) {
   asp_error error;
-  aspi_track *track = aspi_track_create(over->profile, measured ? over->d_p : 0, &error);
-  if (!track)
+  aspi_line line;
+  if (aspi_line_over_profile(&line, over->profile, measured ? over->d_p : 0, &error))
     cli_fail("%s", error.text);
-  return track;
+  return line;
 }
 
 double measure_angle_least(const measure_case *subject) {
   double least = 0;
   for (int number = 0; subject->profile && number < subject->profiles; number++) {
     course over = course_of(subject, number, 0);
-    aspi_track *track = track_of(&over, true);
-    least = fmax(least, cli_degrees(aspi_track_alpha_least(track)));
-    aspi_track_free(track);
+    aspi_line line = line_of(&over, true);
+    least = fmax(least, cli_degrees(atan(line.fall_least)));
+    aspi_line_free(&line);
     asp_profile_free(over.profile);
   }
   return least;
 }
 
-/* Adds the shares of the track's first hits in bins of one degree, from -90 to 90. */
-static void add_first_hits(const aspi_track *track, double part, int fold,
+/* Adds the shares of the line's first hits in bins of one degree, from -90 to 90. */
+static void add_first_hits(const aspi_line *line, double part, int fold,
                            measure_reference *reference) {
-  size_t n = aspi_track_faces(track);
-  double *weight = cli_allocate(n, sizeof *weight);
-  aspi_track_first_hit(track, reference->alpha1, weight);
+  double *weight = cli_allocate(line->n, sizeof *weight);
+  aspi_line_first_hits(line, aspi_line_fall(line, reference->alpha1), weight);
   double share[MEASURE_BINS] = {0}, mean = 0;
-  for (size_t i = 0; i < n; i++)
+  for (size_t i = 0; i < line->n; i++)
     if (weight[i] > 0) {
-      double delta = atan(aspi_track_face_slope(track, i));
+      double delta = atan(line->slope[i]);
       share[(int)floor(cli_degrees(delta)) + 90] += weight[i];
       mean += weight[i] * delta;
     }
@@ -242,7 +242,7 @@ static void add_first_hits(const aspi_track *track, double part, int fold,
 static void fly(const measure_case *subject, const asp_surface *surface, int number, int flight,
                 measure_reference *references, size_t n) {
   course over = course_of(subject, number, flight);
-  aspi_track *track = track_of(&over, subject->profile);
+  aspi_line line = line_of(&over, subject->profile);
   measure_specular_wall of = {.surface = surface, .profile = over.profile};
   asp_wall *wall = measure_specular(&of, over.d_p, "traced", true);
   asp_profile_free(over.profile);
@@ -252,9 +252,9 @@ static void fly(const measure_case *subject, const asp_surface *surface, int num
     uint32_t seed = subject->seed + (uint32_t)(number * flights + flight);
     measure_angles found = measure_rebounds(wall, over.d_p, references[k].alpha1, rays, seed);
     add(&references[k].profile[number], &found);
-    add_first_hits(track, 1. / all, fold_of(subject, number), &references[k]);
+    add_first_hits(&line, 1. / all, fold_of(subject, number), &references[k]);
   }
-  aspi_track_free(track);
+  aspi_line_free(&line);
   asp_wall_free(wall);
 }
 

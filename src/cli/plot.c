@@ -1,10 +1,10 @@
-/* Pictures by gnuplot: a pipe to it, a terminal chosen by the file's ending, and one look for all.
- * Nothing that a user wrote reaches gnuplot as a command: it draws to its standard output, which is
- * the file, so that no path is told to it; it reads no start-up files; and texts go through
- * cli_plot_label.
+/* Pictures by gnuplot: a pipe to it, a terminal chosen by the file's ending, and one template for
+ * all; see plot.h. Nothing that a user wrote reaches gnuplot as a command: it draws to its standard
+ * output, which is the file, so that it gets no path; it reads no start-up files; and texts go
+ * through cli_plot_label.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/cli.h"
+#include "cli/plot.h"
 #include "base/number.h"
 
 #include <errno.h>
@@ -12,6 +12,7 @@
 #include <math.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -20,41 +21,60 @@
 
 extern char **environ;
 
-enum { LABEL_MOST = 90 };
+enum { LABEL_MOST = 300, TITLE_MOST = 2000, SIDE_LEAST = 100, SIDE_MOST = 10000 };
+
+/* Mean width of a letter of a title in pixels, and the share of the range beyond the outermost
+ * mark. */
+#define LETTER 8.0
+#define ROOM 0.04
+
+/* examples/look.gp, line by line. */
+static const char *const look[] = {
+#include "look.inc"
+};
+
+/* An axis: ends that are given, the range of the rows, and the bounds of that. */
+typedef struct axis {
+  double from, to, low, high, least, most;
+  bool log;
+} axis;
 
 struct cli_plot {
   FILE *pipe;
   pid_t process;
   cli_file *file;
   const char *path;
-  bool svg, titled;
-  cli_label title;
-  double range[2]; /* of the vertical axis; NAN where the picture has its own */
+  double range[2]; /* of --range; NAN: not given */
+  int series;      /* of the picture so far */
+  /* The panel. */
+  bool has_panel, own_range, equal;
+  axis x, y;
+  FILE *command; /* its plot command, as it grows */
+  char *text;
+  size_t size;
+  char caption[TITLE_MOST];
+  /* The series. */
+  cli_shape shape;
+  char style[80];
+  size_t rows, outside;
 };
 
-enum { SIDE_LEAST = 100, SIDE_MOST = 10000 };
-
-/* What the options behind --plot say of a picture. */
+/* Reads --size and --range. */
 static void read_look(const cli_option *option, cli_plot *plot, int size[2]) {
-  plot->range[0] = plot->range[1] = NAN;
-  if (!option[PLOT_TITLE].name || strcmp(option[PLOT_TITLE].name, "title") != 0)
-    return;
   const char *sides = option[PLOT_SIZE].value, *range = option[PLOT_RANGE].value;
   char end;
+  plot->range[0] = plot->range[1] = NAN;
   if (sides && (sscanf(sides, "%5dx%5d%c", &size[0], &size[1], &end) != 2 || size[0] < SIDE_LEAST ||
                 size[1] < SIDE_LEAST || size[0] > SIDE_MOST || size[1] > SIDE_MOST))
     cli_bad_usage("--size is '%s'; it must be WIDTHxHEIGHT, each %d to %d pixels", sides,
                   SIDE_LEAST, SIDE_MOST);
-  if (range) {
-    char *colon, *last = NULL;
-    plot->range[0] = aspi_number(range, &colon);
-    plot->range[1] = *colon == ':' ? aspi_number(colon + 1, &last) : NAN;
-    if (!last || *last || last == colon + 1 || !(plot->range[0] < plot->range[1]))
-      cli_bad_usage("--range is '%s'; it must be FROM:TO, with FROM < TO", range);
-  }
-  plot->titled = option[PLOT_TITLE].value;
-  if (plot->titled)
-    plot->title = cli_plot_label(plot, option[PLOT_TITLE].value);
+  if (!range)
+    return;
+  char *colon, *last = NULL;
+  plot->range[0] = aspi_number(range, &colon);
+  plot->range[1] = *colon == ':' ? aspi_number(colon + 1, &last) : NAN;
+  if (!last || *last || last == colon + 1 || !(plot->range[0] < plot->range[1]))
+    cli_bad_usage("--range is '%s'; it must be FROM:TO, with FROM < TO", range);
 }
 
 static const char *terminal_of(const cli_option *option) {
@@ -107,9 +127,9 @@ static FILE *start(cli_plot *plot) {
 }
 
 void cli_plot_check(const cli_option *option) {
-  cli_plot look = {.path = NULL};
+  cli_plot plot;
   terminal_of(option);
-  read_look(option, &look, (int[2]){0, 0});
+  read_look(option, &plot, (int[2]){0, 0});
   cli_file_check(option->value);
   int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nothing < 0)
@@ -118,11 +138,28 @@ void cli_plot_check(const cli_option *option) {
   close(nothing);
 }
 
-cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
+/* A title as a gnuplot string, broken at spaces into lines of so many letters. */
+static void put_title(FILE *out, const char *text, double letters) {
+  double used = 0;
+  fputc('\'', out);
+  for (const char *word = text; *word;) {
+    size_t length = strcspn(word, " ");
+    if (used > 0 && used + (double)length > letters) {
+      fputs("'.\"\\n\".'", out);
+      used = 0;
+    }
+    fprintf(out, "%s%.*s", used > 0 ? " " : "", (int)length, word);
+    used += (double)length + 1;
+    word += length + (word[length] == ' ');
+  }
+  fputs("'.\"\\n\"", out); /* some room above the keys */
+}
+
+cli_plot *cli_plot_open(const cli_option *option, int width, int height, const char *layout,
+                        const char *format, ...) {
   const char *terminal = terminal_of(option);
   cli_plot *plot = cli_allocate(1, sizeof *plot);
   plot->path = option->value;
-  plot->svg = strncmp(terminal, "svg", 3) == 0;
   int size[2] = {width, height};
   read_look(option, plot, size);
   plot->file = cli_file_open(option->value);
@@ -133,54 +170,225 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height) {
     cli_fail("cannot start gnuplot: %s", strerror(errno));
   fputs("set term ", plot->pipe);
   fprintf(plot->pipe, terminal, size[0], size[1]);
-  fputs("\nset grid lc rgb '#dddddd' lw 0.5\n"
-        "set border lc rgb '#444444'\n"
-        "set tics nomirror\n"
-        "set key font ',10' spacing 1.1\n"
-        /* Okabe & Ito's colours, which the colour-blind can tell apart; dashes for print. */
-        "set style line 1 lc rgb '#0072b2' lw 2 dt 1\n"
-        "set style line 2 lc rgb '#d55e00' lw 2 dt (12,3)\n"
-        "set style line 3 lc rgb '#009e73' lw 2 dt (6,3)\n"
-        "set style line 4 lc rgb '#cc79a7' lw 2 dt (12,3,3,3)\n"
-        "set style line 5 lc rgb '#e69f00' lw 2 dt (3,3)\n"
-        "set style line 6 lc rgb '#000000' lw 2 dt (18,3,3,3,3,3)\n",
-        plot->pipe);
+  fputc('\n', plot->pipe);
+  for (size_t i = 0; i < sizeof look / sizeof *look; i++)
+    fputs(look[i], plot->pipe);
+  char title[TITLE_MOST];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(title, sizeof title, format, args);
+  va_end(args);
+  if (option[PLOT_TITLE].value)
+    strcpy(title, cli_plot_label(option[PLOT_TITLE].value).text);
+  fprintf(plot->pipe, "set multiplot %s%s title ", layout ? "layout " : "", layout ? layout : "");
+  put_title(plot->pipe, title, size[0] / LETTER);
+  fputc('\n', plot->pipe);
   return plot;
+}
+
+/* ---- panels ---- */
+
+static axis new_axis(void) {
+  return (axis){NAN, NAN, INFINITY, -INFINITY, -INFINITY, INFINITY, false};
+}
+
+/* Prints the range of an axis: its given ends, or those of the rows with some room. */
+static void put_axis(const cli_plot *plot, char name, const axis *a) {
+  double low = fmax(a->low, a->least), high = fmin(a->high, a->most);
+  if (!(low <= high))
+    low = a->log ? 1 : 0, high = a->log ? 10 : 1;
+  double room = ROOM * (high - low), factor = a->log ? pow(high / low, ROOM) : 1;
+  if (low == high) {
+    room = fabs(low) > 0 ? 0.1 * fabs(low) : 1;
+    factor = 2;
+  }
+  low = isfinite(a->from) ? a->from : a->log ? low / factor : low - room;
+  high = isfinite(a->to) ? a->to : a->log ? high * factor : high + room;
+  if (a->log)
+    fprintf(plot->pipe, "set logscale %c\n", name);
+  fprintf(plot->pipe, "set %crange [%.10g:%.10g]\n", name, low, high);
+}
+
+static void finish_panel(cli_plot *plot) {
+  if (!plot->has_panel)
+    return;
+  plot->has_panel = false;
+  put_axis(plot, 'x', &plot->x);
+  put_axis(plot, 'y', &plot->y);
+  if (plot->equal)
+    fputs("set size ratio -1\n", plot->pipe);
+  fclose(plot->command);
+  fprintf(plot->pipe, "set title '%s'\nplot NaN notitle%s\n", plot->caption, plot->text);
+  free(plot->text);
+}
+
+void cli_plot_panel(cli_plot *plot, const char *x, const char *y) {
+  finish_panel(plot);
+  plot->has_panel = true;
+  plot->own_range = plot->equal = false;
+  plot->x = plot->y = new_axis();
+  if (plot->range[0] < plot->range[1]) {
+    plot->y.from = plot->y.least = plot->range[0];
+    plot->y.to = plot->y.most = plot->range[1];
+  }
+  plot->command = open_memstream(&plot->text, &plot->size);
+  if (!plot->command)
+    cli_fail("out of memory");
+  *plot->caption = '\0';
+  fprintf(plot->pipe,
+          "unset logscale\nunset arrow\nunset object\nunset label\nset size noratio\n"
+          "set xtics autofreq\nset format '%%g'\nset xlabel '%s'\nset ylabel '%s'\n",
+          x, y);
+}
+
+void cli_plot_coefficient(cli_plot *plot, int t) {
+  cli_plot_panel(plot, "impact angle α_1 / degrees", t ? "CoR_T" : "CoR_N");
+  cli_plot_axis(plot, 'x', -3, 93);
+  fputs("set xtics 15\n", plot->pipe);
+  plot->y.low = 0;
+  plot->y.high = 1;
+  if (isnan(plot->y.from)) {
+    plot->y.least = t ? -1 : 0;
+    plot->y.most = t ? 2 : 3;
+  }
+}
+
+void cli_plot_place(cli_plot *plot, double left, double bottom, double width, double height) {
+  fprintf(plot->pipe, "set origin %g,%g\nset size %g,%g\n", left, bottom, width, height);
+}
+
+void cli_plot_caption(cli_plot *plot, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  vsnprintf(plot->caption, sizeof plot->caption, format, args);
+  va_end(args);
+}
+
+void cli_plot_axis(cli_plot *plot, char name, double from, double to) {
+  axis *a = name == 'x' ? &plot->x : &plot->y;
+  if (name == 'y' && plot->range[0] < plot->range[1] && !plot->own_range)
+    return;
+  a->from = from;
+  a->to = to;
+  a->least = isfinite(from) ? from : -INFINITY;
+  a->most = isfinite(to) ? to : INFINITY;
+}
+
+void cli_plot_log(cli_plot *plot, const char *axes) {
+  plot->x.log = strchr(axes, 'x');
+  plot->y.log = strchr(axes, 'y');
+}
+
+void cli_plot_scale(cli_plot *plot, bool equal) {
+  plot->own_range = true;
+  plot->equal = equal;
+  plot->y = new_axis();
 }
 
 FILE *cli_plot_stream(cli_plot *plot) {
   return plot->pipe;
 }
 
-const char *cli_plot_title(const cli_plot *plot) {
-  return plot->titled ? plot->title.text : NULL;
+/* ---- series ---- */
+
+/* How gnuplot draws a shape, and the columns of a row where it lies: left, right, low, high. */
+static const struct {
+  int columns;
+  const char *using, *with;
+  int left, right, low, high;
+} shapes[] = {
+    [CLI_LINE] = {2, "1:2", "lines ls %s", 0, 0, 1, 1},
+    [CLI_HISTO] = {2, "1:2", "histeps ls %s", 0, 0, 1, 1},
+    [CLI_STAIRS] = {2, "1:2", "steps ls %s", 0, 0, 1, 1},
+    [CLI_BARS] = {2, "1:2", "boxes ls %s fs solid 0.35 noborder", 0, 0, 1, 1},
+    [CLI_MARKS] = {2, "1:2", "points ls %s", 0, 0, 1, 1},
+    [CLI_ERRORS] = {4, "1:2:3:4", "yerrorbars ls %s dt 1", 0, 0, 2, 3},
+    [CLI_BAND] = {3, "1:2:3", "filledcurves ls %s fs transparent solid 0.2 noborder", 0, 0, 1, 2},
+    [CLI_BOX] = {4, "1:3:1:2:3:4", "boxxyerror ls %s fs transparent solid 0.25 noborder", 0, 1, 2,
+                 3},
+    [CLI_LEVEL] = {3, "1:3:($2-$1):(0)", "vectors nohead ls %s", 0, 1, 2, 2},
+    [CLI_CELLS] = {5, "1:3:1:2:3:4:5", "boxxyerror fs solid noborder lc %s", 0, 1, 2, 3},
+    [CLI_IMAGE] = {3, "1:2:3", "image", 0, 0, 1, 1},
+};
+
+void cli_plot_series(cli_plot *plot, cli_shape shape, const char *style, ...) {
+  va_list args;
+  va_start(args, style);
+  vsnprintf(plot->style, sizeof plot->style, style, args);
+  va_end(args);
+  plot->shape = shape;
+  plot->rows = plot->outside = 0;
+  fprintf(plot->pipe, "$s%d << EOD\n", plot->series);
 }
 
-void cli_plot_range(const cli_plot *plot, double range[2]) {
-  for (int i = 0; i < 2 && plot->range[1] > plot->range[0]; i++)
-    range[i] = plot->range[i];
+static void widen(axis *a, double low, double high) {
+  if (!(a->log && !(low > 0)))
+    a->low = fmin(a->low, low);
+  a->high = fmax(a->high, high);
 }
 
-void cli_plot_set_range(const cli_plot *plot, double from, double to) {
-  double range[2] = {from, to};
-  cli_plot_range(plot, range);
-  fputs("set yrange [", plot->pipe);
-  for (int i = 0; i < 2; i++) {
-    if (isfinite(range[i]))
-      fprintf(plot->pipe, "%g", range[i]);
-    else
-      fputc('*', plot->pipe);
-    fputs(i ? "]\n" : ":", plot->pipe);
+void cli_plot_put(cli_plot *plot, const double *row) {
+  cli_shape shape = plot->shape;
+  double all[5];
+  memcpy(all, row, sizeof all);
+  if (shape == CLI_ERRORS) {
+    double sd = isfinite(row[2]) ? row[2] : 0;
+    all[2] = plot->y.log ? fmax(row[1] - sd, plot->y.least) : row[1] - sd;
+    all[3] = row[1] + sd;
   }
+  bool whole = true;
+  for (int i = 0; i < shapes[shape].columns; i++) {
+    whole = whole && isfinite(all[i]);
+    fprintf(plot->pipe, "%.8g ", all[i]);
+  }
+  fputc('\n', plot->pipe);
+  if (!whole)
+    return;
+  double y = all[shape == CLI_ERRORS ? 1 : shapes[shape].low];
+  plot->rows++;
+  plot->outside += y < plot->y.least || y > plot->y.most;
+  widen(&plot->x, all[shapes[shape].left], all[shapes[shape].right]);
+  widen(&plot->y, all[shapes[shape].low], all[shapes[shape].high]);
+}
+
+/* Marks that the frame cuts off are counted in the caption. */
+static void count_outside(cli_plot *plot, const char *name) {
+  size_t used = strlen(plot->caption);
+  if (plot->outside > 0 && (plot->shape == CLI_MARKS || plot->shape == CLI_ERRORS))
+    snprintf(plot->caption + used, sizeof plot->caption - used, "%s{/=9 outside: %zu of %zu %s}",
+             used ? "; " : "", plot->outside, plot->rows, name);
+}
+
+void cli_plot_end(cli_plot *plot, const char *format, ...) {
+  char name[TITLE_MOST];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(name, sizeof name, format, args);
+  va_end(args);
+  fprintf(plot->pipe, "%sEOD\n", plot->rows ? "" : "NaN NaN NaN NaN NaN\n");
+  count_outside(plot, name);
+  int number = plot->series++;
+  if (plot->rows == 0 && !*name)
+    return;
+  if (plot->rows > 0)
+    fprintf(plot->command, ", $s%d using %s with ", number, shapes[plot->shape].using);
+  else
+    fputs(", keyentry with ", plot->command);
+  fprintf(plot->command, shapes[plot->shape].with, plot->style);
+  fprintf(plot->command, *name ? " title '%s'" : " notitle", name);
 }
 
 void cli_plot_close(cli_plot *plot) {
+  finish_panel(plot);
+  fputs("unset multiplot\n", plot->pipe);
   fclose(plot->pipe);
   finish(plot->process, plot->path);
   cli_file_close(plot->file);
   fprintf(stderr, "picture: %s\n", plot->path);
   free(plot);
 }
+
+/* ---- texts ---- */
 
 /* The bytes of the UTF-8 character that a text begins with; 0 where it is none. */
 static size_t character_length(const char *text) {
@@ -196,28 +404,26 @@ static size_t character_length(const char *text) {
 
 /* What stands for a character in a string of gnuplot's enhanced text in single quotes: its marks
  * get a backslash; quotes are written by their codes, so that no text can end the string. */
-static const char *replacement(const cli_plot *plot, char c) {
+static const char *replacement(char c) {
   static const struct {
     char from;
     const char *to;
   } list[] = {{'\'', "\\047"}, {'`', "\\140"}, {'\\', "\\\\"}, {'^', "\\^"}, {'_', "\\_"},
-              {'{', "\\{"},    {'}', "\\}"},   {'@', "\\@"},   {'~', "\\~"}};
-  if (c == '&')
-    return plot->svg ? "\\&amp;" : "\\&";
+              {'{', "\\{"},    {'}', "\\}"},   {'@', "\\@"},   {'~', "\\~"}, {'&', "\\046"}};
   for (size_t i = 0; i < sizeof list / sizeof *list; i++)
     if (list[i].from == c)
       return list[i].to;
   return NULL;
 }
 
-cli_label cli_plot_label(const cli_plot *plot, const char *text) {
+cli_label cli_plot_label(const char *text) {
   cli_label label = {""};
   char *out = label.text;
   const char *end = text + strlen(text), *cut = end - text > LABEL_MOST ? text + LABEL_MOST : end;
   while (text < cut) {
     size_t length = character_length(text);
     bool control = length == 1 && ((unsigned char)*text < 0x20 || *text == 0x7f);
-    const char *other = length == 0 ? "?" : control ? " " : replacement(plot, *text);
+    const char *other = length == 0 ? "?" : control ? " " : replacement(*text);
     length += length == 0;
     size_t put = other ? strlen(other) : length;
     memcpy(out, other ? other : text, put);
@@ -225,5 +431,18 @@ cli_label cli_plot_label(const cli_plot *plot, const char *text) {
     text += length;
   }
   strcpy(out, text < end ? "..." : "");
+  return label;
+}
+
+cli_label cli_plot_file(const char *path) {
+  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+  char *words = cli_copy(name), *ending = strrchr(words, '.');
+  if (ending && ending > words)
+    *ending = '\0';
+  for (char *c = words; *c; c++)
+    if (*c == '_')
+      *c = ' ';
+  cli_label label = cli_plot_label(words);
+  free(words);
   return label;
 }

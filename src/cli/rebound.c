@@ -136,19 +136,13 @@ static void print_angles(FILE *out, const rebound_map *m) {
         }
 }
 
-/* A kind of map: its rows, its picture. */
-typedef struct map_kind {
+/* The maps by their names, and their rows. */
+static const struct {
   const char *name;
   void (*print)(FILE *out, const rebound_map *m);
-  void (*plot)(cli_plot *picture, const rebound_map *m);
-  int width, height;
-} map_kind;
-
-static const map_kind kinds[] = {
-    {"regimes", print_regimes, cli_rebound_plot_regimes, 800, 600},
-    {"capture", print_capture, cli_rebound_plot_capture, 800, 560},
-    {"angles", print_angles, cli_rebound_plot_angles, 1200, 520},
-};
+} kinds[] = {[REBOUND_REGIMES] = {"regimes", print_regimes},
+             [REBOUND_CAPTURE] = {"capture", print_capture},
+             [REBOUND_ANGLES] = {"angles", print_angles}};
 enum { N_KINDS = sizeof kinds / sizeof *kinds };
 
 /* The ranges of a map over sizes and speeds, where none are given. */
@@ -157,10 +151,10 @@ enum { N_KINDS = sizeof kinds / sizeof *kinds };
 #define SPEED_LEAST 0.1
 #define SPEED_MOST 1000
 
-static const map_kind *kind_of(const cli_option *option) {
+static rebound_kind kind_of(const cli_option *option) {
   for (int i = 0; i < N_KINDS; i++)
     if (strcmp(kinds[i].name, option->value) == 0)
-      return &kinds[i];
+      return (rebound_kind)i;
   cli_bad_usage("--map is '%s'; it must be regimes, capture or angles", option->value);
 }
 
@@ -182,8 +176,8 @@ static void print_list(FILE *out) {
 }
 
 /* What is not given gets the ranges of the map. */
-static void read_ranges(rebound_map *m, cli_option *o, const map_kind *kind) {
-  bool over_angles = kind->print == print_angles;
+static void read_ranges(rebound_map *m, cli_option *o) {
+  bool over_angles = m->kind == REBOUND_ANGLES;
   size_t points = cli_whole(&o[POINTS], 2, POINTS_MOST);
   if (over_angles && !o[DP].value)
     o[DP].value = "10um";
@@ -198,17 +192,16 @@ static void read_ranges(rebound_map *m, cli_option *o, const map_kind *kind) {
   if (!(m->angles.least > 0))
     cli_bad_usage("--angles is '%s'; it must be more than 0 and at most 90", o[ANGLES].value);
   if (!over_angles && m->angles.count != 1)
-    cli_bad_usage("--angles is '%s'; --map %s takes one angle", o[ANGLES].value, kind->name);
+    cli_bad_usage("--angles is '%s'; --map %s takes one angle", o[ANGLES].value,
+                  kinds[m->kind].name);
 }
 
-static void read_map(rebound_map *m, cli_option *options, const map_kind *kind, int count,
-                     char **words) {
-  if (options[SPEED].value && kind->print == print_capture)
+static void read_map(rebound_map *m, cli_option *options, int count, char **words) {
+  if (options[SPEED].value && m->kind == REBOUND_CAPTURE)
     cli_bad_usage("--speed is given with --map capture, which looks for the speed");
-  *m = (rebound_map){.walls = NULL};
-  read_ranges(m, options, kind);
+  read_ranges(m, options);
   read_walls(m, count, words);
-  if (kind->print == print_regimes && m->n_walls != 1)
+  if (m->kind == REBOUND_REGIMES && m->n_walls != 1)
     cli_bad_usage("'" BETWEEN "' is given; --map regimes takes one description");
   for (size_t w = 0; w < m->n_walls; w++)
     cli_description_make(&m->walls[w], m->sizes.least, m->sizes.most);
@@ -249,25 +242,21 @@ static int run(int argc, char **argv) {
   };
   int words = cli_words(argc, argv);
   cli_parse(&cli_rebound, argc - words, argv + words, options, false);
-  const map_kind *kind = kind_of(&options[MAP]);
+  rebound_map m = {.kind = kind_of(&options[MAP])};
   if (options[LIST].value) {
     cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
     print_list(cli_output_stream(output));
     cli_output_close(output);
     return 0;
   }
-  rebound_map m;
-  read_map(&m, options, kind, words, argv + 1);
+  read_map(&m, options, words, argv + 1);
   char *text = text_of(&m);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, text);
-  kind->print(cli_output_stream(output), &m);
+  kinds[m.kind].print(cli_output_stream(output), &m);
   cli_output_close(output);
   free(text);
-  if (options[PLOT].value) {
-    cli_plot *picture = cli_plot_open(&options[PLOT], kind->width, kind->height);
-    kind->plot(picture, &m);
-    cli_plot_close(picture);
-  }
+  if (options[PLOT].value)
+    cli_rebound_plot(&options[PLOT], &m);
   free_map(&m);
   return 0;
 }

@@ -13,7 +13,11 @@
 /* The options of the command. */
 enum { MAP, LIST, DP, SPEED, ANGLES, POINTS, OUTPUT, PLOT, N = PLOT + PLOT_OPTIONS };
 
+/* What a map shows over what. */
+typedef enum rebound_kind { REBOUND_REGIMES, REBOUND_CAPTURE, REBOUND_ANGLES } rebound_kind;
+
 typedef struct rebound_map {
+  rebound_kind kind;
   cli_description *walls;
   size_t n_walls;
   bool several_laws;
@@ -35,8 +39,6 @@ double cli_rebound_capture_speed(const cli_description *wall, double d_p, double
 const char *cli_rebound_law_name(const cli_description *wall);
 const char *cli_rebound_wall_name(const cli_description *wall);
 
-void cli_rebound_plot_regimes(cli_plot *picture, const rebound_map *map);
-void cli_rebound_plot_capture(cli_plot *picture, const rebound_map *map);
-void cli_rebound_plot_angles(cli_plot *picture, const rebound_map *map);
+void cli_rebound_plot(const cli_option *option, const rebound_map *map);
 
 #endif

@@ -21,8 +21,8 @@ aspi_contact cli_contact(const cli_wall *wall);
 /* D_KL of the measured angles' density against the generated one's, for a particle of size d_p. */
 double cli_generated_kl(const cli_wall *wall, double d_p);
 
-/* The profile with its closing and the particle (figure 3), the density of the angles with its
- * normal fit (figure 4), and with a generated one its density, too (figure 5). */
+/* The profile, the particle on it, and the density of the angles with its normal fit, beside that of
+ * the generated profile where there is one. */
 void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row);
 
 #endif

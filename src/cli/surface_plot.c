@@ -1,6 +1,9 @@
-/* The picture of `asperity surface`: the paper's figures 3 to 5 for one wall and one particle.
+/* The picture of `asperity surface` for one wall and one particle: the whole profile, the part
+ * where the particle bridges the most, and the density of its angles (Altmeppen et al. 2020,
+ * figures 3 to 5).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/plot.h"
 #include "cli/surface.h"
 #include "surface/closing.h"
 #include "surface/slopes.h"
@@ -87,19 +90,41 @@ static window window_of(const asp_profile *profile, const double *centre, const 
   return w;
 }
 
-static void put_profile(FILE *out, const asp_profile *profile, const double *centre,
-                        const double *closed, const window *w) {
+/* The whole profile, the least and the greatest height of each of so many parts. */
+static void plot_all(cli_plot *plot, const asp_profile *profile) {
+  enum { PARTS = 1500 };
+  size_t points = asp_profile_points(profile), step = points / PARTS + 1;
   const double *z = asp_profile_heights(profile);
-  double spacing = asp_profile_spacing(profile);
-  fputs("$profile << EOD\n", out);
-  for (size_t i = w->first; i <= w->last; i += 1 + (w->last - w->first) / 4000)
-    fprintf(out, "%.8g %.8g %.8g %.8g\n", (double)(i - w->first) * spacing * 1e6, z[i] * 1e6,
-            closed[i] * 1e6, centre[i] * 1e6);
-  fputs("EOD\n", out);
+  cli_plot_panel(plot, "x / mm", "z / µm");
+  cli_plot_place(plot, 0, 0.72, 1, 0.24);
+  cli_plot_caption(plot, "whole profile, heights stretched");
+  cli_plot_scale(plot, false);
+  double length = asp_profile_spacing(profile) * (double)points * 1e3;
+  cli_plot_axis(plot, 'x', 0, length);
+  cli_plot_series(plot, CLI_LINE, "reference lw 0.7");
+  for (size_t i = 0; i < points; i += step) {
+    double x = asp_profile_spacing(profile) * (double)i * 1e3, low = z[i], high = z[i];
+    for (size_t k = i; k < i + step && k < points; k++) {
+      low = fmin(low, z[k]);
+      high = fmax(high, z[k]);
+    }
+    cli_plot_row(plot, x, low * 1e6);
+    if (step > 1)
+      cli_plot_row(plot, x, high * 1e6);
+  }
+  cli_plot_end(plot, "%s", "");
 }
 
-/* Profile, closing, the path of the centre, and the particle, all to one scale. */
-static void figure_3(FILE *out, const cli_wall *wall, double d_p) {
+static void plot_heights(cli_plot *plot, const char *style, const char *name, const double *z,
+                         const window *w, double spacing) {
+  cli_plot_series(plot, CLI_LINE, "%s", style);
+  for (size_t i = w->first; i <= w->last; i += 1 + (w->last - w->first) / 4000)
+    cli_plot_row(plot, (double)(i - w->first) * spacing * 1e6, z[i] * 1e6);
+  cli_plot_end(plot, "%s", name);
+}
+
+/* Profile, closing, the path of the center, and the particle, all to one scale. */
+static void plot_bridge(cli_plot *plot, const cli_wall *wall, double d_p) {
   size_t points = asp_profile_points(wall->profile);
   double *centre = cli_allocate(points, sizeof *centre),
          *closed = cli_allocate(points, sizeof *closed);
@@ -109,97 +134,86 @@ static void figure_3(FILE *out, const cli_wall *wall, double d_p) {
     cli_fail("%s", error.text);
   window w = window_of(wall->profile, centre, closed, d_p);
   double spacing = asp_profile_spacing(wall->profile), margin = 0.05 * (w.hi - w.lo);
-  put_profile(out, wall->profile, centre, closed, &w);
-  fprintf(out,
-          "set title 'Profile, closing and particle where it bridges the most, d_p = %g µm, to "
-          "scale (fig. 3)'\n"
-          "set xlabel 'x / µm'\nset ylabel 'z / µm'\nset size ratio -1\n"
-          "set object 1 circle at %g,%g size %g front fs empty border lc rgb '#009e73' lw 2\n"
-          "set key outside right center\n"
-          "plot [0:%g] [%g:%g] $profile using 1:3 with lines ls 1 lw 4 title 'closing', "
-          "$profile using 1:2 with lines ls 6 lw 1 title 'profile', "
-          "$profile using 1:4 with lines ls 2 lw 1 dt 2 title 'path of the centre', "
-          "NaN with lines ls 3 dt 1 title 'particle'\n"
-          "unset object 1\nset size noratio\nset key default\nset key font ',10'\n",
-          d_p * 1e6, (double)(w.middle - w.first) * spacing * 1e6, centre[w.middle] * 1e6,
-          d_p / 2 * 1e6, (double)(w.last - w.first) * spacing * 1e6, (w.lo - margin) * 1e6,
-          (w.hi + margin) * 1e6);
+  cli_plot_panel(plot, "x / µm", "z / µm");
+  cli_plot_place(plot, 0, 0.38, 1, 0.34);
+  cli_plot_caption(plot, "where a particle of %g µm bridges the most, to scale", d_p * 1e6);
+  cli_plot_scale(plot, true);
+  cli_plot_axis(plot, 'x', 0, (double)(w.last - w.first) * spacing * 1e6);
+  cli_plot_axis(plot, 'y', (w.lo - margin) * 1e6, (w.hi + margin) * 1e6);
+  fprintf(cli_plot_stream(plot),
+          "set object 1 circle at %g,%g size %g front fs empty border lc rgb '#009e73' lw 2\n",
+          (double)(w.middle - w.first) * spacing * 1e6, centre[w.middle] * 1e6, d_p / 2 * 1e6);
+  plot_heights(plot, "1 lw 4", "closing", closed, &w, spacing);
+  plot_heights(plot, "reference", "profile", asp_profile_heights(wall->profile), &w, spacing);
+  plot_heights(plot, "2 lw 1", "path of the center", centre, &w, spacing);
+  cli_plot_series(plot, CLI_LINE, "3 dt 1");
+  cli_plot_end(plot, "particle");
   free(centre);
   free(closed);
 }
 
-static double peak_of(const aspi_density *density) {
-  double most = 0;
-  for (size_t i = 0; i < aspi_density_points(density); i++)
-    most = fmax(most, aspi_density_at(density, i, NULL));
-  return most;
-}
-
-static void put_density(FILE *out, const char *name, const aspi_density *density) {
-  fprintf(out, "$%s << EOD\n", name);
+static void plot_density(cli_plot *plot, const char *style, const aspi_density *density) {
+  cli_plot_series(plot, CLI_LINE, "%s", style);
   for (size_t i = 0; i < aspi_density_points(density); i++) {
     double x, y = aspi_density_at(density, i, &x);
-    fprintf(out, "%g %g\n", x, y);
+    cli_plot_row(plot, x, y);
   }
-  fputs("EOD\n", out);
 }
 
-static void figure_4(cli_plot *plot, const cli_wall *wall, const cli_slopes *row) {
-  FILE *out = cli_plot_stream(plot);
-  angles a = angles_of(wall, wall->profile, row->d_p);
-  aspi_density *density = density_of(&a, &a);
-  double reach = fmin(4.5 * a.moments.sd, 90);
-  put_density(out, "density", density);
-  cli_plot_set_range(plot, 0, 1.3 * peak_of(density));
-  fprintf(out,
-          "set title 'Angles: mean %.2f°, sd %.2f°, D_{KL} of the normal fit %.4f (fig. 4)'\n"
-          "set xlabel 'Δα / °'\nset ylabel 'density / (1/°)'\nset xrange [%g:%g]\n"
-          "set samples 500\n"
-          "plot $density with lines ls 1 title 'kernel density, bandwidth %.2g°', "
-          "exp(-(x - %g)**2/(2*%g**2))/(%g*sqrt(2*pi)) with lines ls 2 dt 2 title 'normal fit'\n",
-          a.moments.mean, a.moments.sd, row->slopes.kl_normal, -reach, reach,
-          aspi_density_bandwidth(density), a.moments.mean, a.moments.sd, a.moments.sd);
+static void begin_angles(cli_plot *plot, double reach, double left, double width) {
+  cli_plot_panel(plot, "Δα / degrees", "density / (1/degree)");
+  cli_plot_place(plot, left, 0, width, 0.37);
+  cli_plot_axis(plot, 'x', -reach, reach);
+  cli_plot_axis(plot, 'y', 0, NAN);
+}
+
+static void plot_angles(cli_plot *plot, const angles *a, double reach, double kl_normal,
+                        double width) {
+  aspi_density *density = density_of(a, a);
+  double mean = a->moments.mean, sd = a->moments.sd;
+  begin_angles(plot, reach, 0, width);
+  cli_plot_caption(plot, "angles: mean %.2f°, sd %.2f°; normal fit: D_{KL} %.4f", mean, sd,
+                   kl_normal);
+  plot_density(plot, "1", density);
+  cli_plot_end(plot, "kernel density, bandwidth %.2g°", aspi_density_bandwidth(density));
+  cli_plot_series(plot, CLI_LINE, "2");
+  for (int i = -200; i <= 200; i++) {
+    double x = reach * i / 200, t = (x - mean) / sd;
+    cli_plot_row(plot, x, exp(-t * t / 2) / (sd * sqrt(2 * ASP_PI)));
+  }
+  cli_plot_end(plot, "normal fit");
   aspi_density_free(density);
-  free(a.values);
 }
 
-static void figure_5(cli_plot *plot, const cli_wall *wall, double d_p) {
-  FILE *out = cli_plot_stream(plot);
-  angles measured = angles_of(wall, wall->profile, d_p);
-  angles generated = angles_of(wall, wall->generated, d_p);
-  aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
-  put_density(out, "measured", p);
-  put_density(out, "generated", q);
-  cli_plot_set_range(plot, 0, 1.3 * fmax(peak_of(p), peak_of(q)));
-  fprintf(out,
-          "set title 'Measured against generated, D_{KL} %.4f (fig. 5)'\n"
-          "plot $measured with lines ls 1 title 'measured, sd %.2f°', "
-          "$generated with lines ls 2 dt 2 title 'generated, of the same R_q and λ_c, sd %.2f°'\n",
-          aspi_density_kl(p, q), measured.moments.sd, generated.moments.sd);
+static void plot_generated(cli_plot *plot, const angles *measured, const angles *generated,
+                           double reach) {
+  aspi_density *p = density_of(measured, measured), *q = density_of(generated, measured);
+  begin_angles(plot, reach, 0.5, 0.5);
+  cli_plot_caption(plot, "measured against generated: D_{KL} %.4f", aspi_density_kl(p, q));
+  plot_density(plot, "1", p);
+  cli_plot_end(plot, "measured, sd %.2f°", measured->moments.sd);
+  plot_density(plot, "2", q);
+  cli_plot_end(plot, "generated of its R_q and λ_c, sd %.2f°", generated->moments.sd);
   aspi_density_free(p);
   aspi_density_free(q);
-  free(measured.values);
-  free(generated.values);
 }
 
 void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row) {
-  cli_plot *plot = cli_plot_open(option, 1200, 900);
-  FILE *out = cli_plot_stream(plot);
-  if (cli_plot_title(plot))
-    fprintf(out, "set multiplot title '%s'\n", cli_plot_title(plot));
-  else
-    fprintf(out, "set multiplot title '%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g'\n",
-            wall->name ? "Measured wall " : "Generated wall",
-            wall->name ? cli_plot_label(plot, wall->name).text : "", wall->r_q * 1e6,
-            wall->lambda_c * 1e6, wall->r_q / wall->lambda_c, cli_kappa(row));
-  fputs("set size 1, 0.47\nset origin 0, 0.48\n", out);
-  figure_3(out, wall, row->d_p);
-  fprintf(out, "set size %g, 0.48\nset origin 0, 0\n", wall->generated ? 0.5 : 1);
-  figure_4(plot, wall, row);
+  cli_plot *plot = cli_plot_open(option, 1200, 1100, NULL,
+                                 "%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g",
+                                 wall->name ? "Measured wall " : "Generated wall",
+                                 wall->name ? cli_plot_file(wall->name).text : "", wall->r_q * 1e6,
+                                 wall->lambda_c * 1e6, wall->r_q / wall->lambda_c, cli_kappa(row));
+  angles measured = angles_of(wall, wall->profile, row->d_p);
+  double reach = fmin(4.5 * measured.moments.sd, 90);
+  plot_all(plot, wall->profile);
+  plot_bridge(plot, wall, row->d_p);
+  plot_angles(plot, &measured, reach, row->slopes.kl_normal, wall->generated ? 0.5 : 1);
   if (wall->generated) {
-    fputs("set origin 0.5, 0\n", out);
-    figure_5(plot, wall, row->d_p);
+    angles generated = angles_of(wall, wall->generated, row->d_p);
+    plot_generated(plot, &measured, &generated, reach);
+    free(generated.values);
   }
-  fputs("unset multiplot\n", out);
+  free(measured.values);
   cli_plot_close(plot);
 }

@@ -1,6 +1,7 @@
 /* The picture of `asperity trade`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/plot.h"
 #include "cli/trade.h"
 
 #include <math.h>
@@ -36,35 +37,21 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
 /* Divergences below what the rays can tell are drawn at that. */
 #define NOISE 1e-4
 
-/* Gnuplot's open point types, which can be told apart when they lie on each other. */
-static const int marks[] = {4, 6, 8, 10, 12, 14, 1, 2, 3, 15};
-
-/* The wall in the title. */
-static void print_wall(FILE *gp, const cli_plot *picture, const asp_wall *wall, double d_p) {
+/* The wall and the angles in the title. */
+static void put_title(FILE *out, const asp_wall *wall, double d_p, const trade_row *rows,
+                      size_t n) {
   const asp_surface *surface = asp_wall_surface(wall);
   const char *file = asp_wall_word(wall, "file");
-  if (strcmp(asp_wall_word(wall, "surface"), "sigma") == 0) {
-    fprintf(gp, "Wall σ %.4g°", cli_degrees(atan(asp_surface_slope_rms(surface))));
-    return;
-  }
-  fprintf(gp, "Wall %s%sr_q %.3g µm, λ_c %.3g µm; particles %.3g µm",
-          file ? cli_plot_label(picture, file).text : "", file ? ", " : "",
-          asp_surface_r_q(surface) * 1e6, asp_surface_lambda_c(surface) * 1e6, d_p * 1e6);
-}
-
-static void put_title(cli_plot *picture, const asp_wall *wall, double d_p, const trade_row *rows,
-                      size_t n) {
-  FILE *gp = cli_plot_stream(picture);
-  fputs("set title '", gp);
-  if (cli_plot_title(picture)) {
-    fprintf(gp, "%s'\n", cli_plot_title(picture));
-    return;
-  }
-  print_wall(gp, picture, wall, d_p);
-  fputs("; α_1 = ", gp);
+  if (strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
+    fprintf(out, "Wall of σ %.4g°", cli_degrees(atan(asp_surface_slope_rms(surface))));
+  else
+    fprintf(out, "Wall %s%sR_q %.3g µm, λ_c %.3g µm; d_p %.3g µm",
+            file ? cli_plot_file(file).text : "", file ? ", " : "", asp_surface_r_q(surface) * 1e6,
+            asp_surface_lambda_c(surface) * 1e6, d_p * 1e6);
+  fputs("; α_1 = ", out);
   for (size_t i = 0; i < n; i += (size_t)asp_spread_count())
-    fprintf(gp, "%s%g", i ? ", " : "", rows[i].angle);
-  fputs("°'\n", gp);
+    fprintf(out, "%s%g", i ? ", " : "", rows[i].angle);
+  fputs("°", out);
 }
 
 void cli_trade_plot(const cli_option *options, const cli_description *wall, double d_p,
@@ -72,37 +59,34 @@ void cli_trade_plot(const cli_option *options, const cli_description *wall, doub
   size_t models = (size_t)asp_spread_count();
   point *points = cli_allocate(models, sizeof *points);
   summarise(rows, n, points);
-  cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560);
-  FILE *gp = cli_plot_stream(picture);
-  put_title(picture, wall->wall, d_p, rows, n);
-  double least = INFINITY;
+  char title[1200] = "";
+  FILE *out = fmemopen(title, sizeof title, "w");
+  if (!out)
+    cli_fail("out of memory");
+  put_title(out, wall->wall, d_p, rows, n);
+  fclose(out);
+  cli_plot *picture = cli_plot_open(&options[PLOT], 900, 560, "1,1", "%s", title);
+  cli_plot_panel(picture, "mean time per impact / ns", "worst D_{KL} of the rebound angle, ± s.e.");
+  cli_plot_log(picture, "xy");
+  double least = INFINITY, best = INFINITY;
   for (size_t i = 0; i < models; i++)
     least = fmin(least, fmax(points[i].worst, NOISE));
-  cli_plot_set_range(picture, 0.5 * least, NAN);
-  fprintf(gp, "%s",
-          "set xlabel 'time per impact / ns (mean over the angles)'\nset logscale xy\n"
-          "set ylabel 'D_{KL} of the rebound angle against the geometry (worst angle, ± standard "
-          "error)'\n"
-          "set format y '%g'\nset offsets graph 0.05, graph 0.05, 0, 0\n"
-          "set xtics (20,50,100,200,500,1000,2000,5000)\n"
-          "set key outside right center reverse Left samplen 1\n$points << EOD\n");
-  for (size_t i = 0; i < models; i++)
-    fprintf(gp, "%g %g %g %g\n", points[i].cost, fmax(points[i].worst, NOISE),
-            fmax(points[i].worst - points[i].se, 0.5 * NOISE),
-            fmax(points[i].worst + points[i].se, NOISE));
-  fputs("EOD\n$front << EOD\n", gp);
-  double best = INFINITY;
+  cli_plot_axis(picture, 'y', 0.5 * least, NAN);
+  fputs("set xtics (20,50,100,200,500,1000,2000,5000,10000,20000,50000,100000)\n",
+        cli_plot_stream(picture));
+  cli_plot_series(picture, CLI_STAIRS, "guide");
   for (size_t i = 0; i < models; i++)
     if (fmax(points[i].worst, NOISE) < best) {
       best = fmax(points[i].worst, NOISE);
-      fprintf(gp, "%g %g\n", points[i].cost, best);
+      cli_plot_row(picture, points[i].cost, best);
     }
-  fputs("EOD\nplot $front with steps lc rgb '#999999' lw 2 dt 2 title 'Pareto front'", gp);
-  for (size_t i = 0; i < models; i++)
-    fprintf(gp, ", $points every ::%zu::%zu with yerrorbars ls %zu dt 1 pt %d ps 1.8 title '%s'", i,
-            i, i % 6 + 1, marks[i % (sizeof marks / sizeof *marks)],
-            cli_plot_label(picture, asp_spread_name(points[i].model)).text);
-  fputc('\n', gp);
+  cli_plot_end(picture, "Pareto front");
+  for (size_t i = 0; i < models; i++) {
+    const char *name = asp_spread_name(points[i].model);
+    cli_plot_series(picture, CLI_ERRORS, "model_%s", name);
+    cli_plot_row(picture, points[i].cost, fmax(points[i].worst, NOISE), points[i].se);
+    cli_plot_end(picture, "%s", cli_plot_label(name).text);
+  }
   cli_plot_close(picture);
   free(points);
 }

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "contact/tree.h"
 #include "contact/vector.h"
@@ -44,6 +45,7 @@ struct ContactTree {
   int *by_id; /* places in order of their numbers */
   Node *nodes;
   size_t count, n_nodes, room;
+  bool borrows; /* the lists are parts of a block that somebody else frees */
 };
 
 /* What building needs of a triangle. */
@@ -266,10 +268,12 @@ ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id
 void contact_tree_free(ContactTree *tree) {
   if (!tree)
     return;
-  free(tree->triangles);
-  free(tree->id);
-  free(tree->by_id);
-  free(tree->nodes);
+  if (!tree->borrows) {
+    free(tree->triangles);
+    free(tree->id);
+    free(tree->by_id);
+    free(tree->nodes);
+  }
   free(tree);
 }
 
@@ -277,8 +281,43 @@ size_t contact_tree_count(const ContactTree *tree) {
   return tree->count;
 }
 
+/* What a block begins with; the lists follow, those that need the widest alignment first. */
+typedef struct Head {
+  size_t count, n_nodes;
+} Head;
+
 size_t contact_tree_bytes(const ContactTree *tree) {
-  return tree->count * (sizeof(ContactTriangle) + 2 * sizeof(int)) + tree->n_nodes * sizeof(Node);
+  return sizeof(Head) + tree->count * (sizeof(ContactTriangle) + 2 * sizeof(int)) +
+         tree->n_nodes * sizeof(Node);
+}
+
+static char *put(char *to, const void *list, size_t bytes) {
+  memcpy(to, list, bytes);
+  return to + bytes;
+}
+
+void contact_tree_pack(const ContactTree *tree, void *block) {
+  const Head head = {tree->count, tree->n_nodes};
+  char *to = put(block, &head, sizeof head);
+  to = put(to, tree->triangles, tree->count * sizeof *tree->triangles);
+  to = put(to, tree->nodes, tree->n_nodes * sizeof *tree->nodes);
+  to = put(to, tree->id, tree->count * sizeof *tree->id);
+  put(to, tree->by_id, tree->count * sizeof *tree->by_id);
+}
+
+ContactTree *contact_tree_over(void *block) {
+  ContactTree *tree = contact_tree_begin();
+  if (!tree)
+    return NULL;
+  const Head *head = block;
+  tree->count = head->count;
+  tree->n_nodes = head->n_nodes;
+  tree->borrows = true;
+  tree->triangles = (ContactTriangle *)(head + 1);
+  tree->nodes = (Node *)(tree->triangles + tree->count);
+  tree->id = (int *)(tree->nodes + tree->n_nodes);
+  tree->by_id = tree->id + tree->count;
+  return tree;
 }
 
 void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]) {

@@ -37,6 +37,12 @@ void contact_tree_free(ContactTree *tree);
 size_t contact_tree_count(const ContactTree *tree);
 size_t contact_tree_bytes(const ContactTree *tree);
 
+/* A tree as a block of contact_tree_bytes(), aligned as malloc's; it holds no addresses, so that
+ * processes can share one. The tree over a block copies nothing: the block must outlive it. NULL
+ * when out of memory. */
+void contact_tree_pack(const ContactTree *tree, void *block);
+ContactTree *contact_tree_over(void *block);
+
 /* The box around all triangles; lo > hi where there are none. */
 void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]);
 

@@ -29,6 +29,9 @@ public:
   Motion &motion() {
     return motion_;
   }
+  const Motion &motion() const {
+    return motion_;
+  }
   const ContactTree *triangles() const {
     return tree_.get();
   }

@@ -9,6 +9,8 @@
 #endif
 #ifndef __cpp_lib_to_chars
 #include <stdio.h>
+#include <string>
+#include "base/number.h"
 #endif
 
 using namespace asperity;
@@ -23,6 +25,11 @@ char *asperity::print_number(double value, char *to) {
   return std::to_chars(to, to + NUMBER_MOST, value, std::chars_format::general, 10).ptr;
 }
 
+bool asperity::read_number(const char *from, const char *end, double &value) {
+  from += from < end && *from == '+';
+  return from < end && std::from_chars(from, end, value).ptr == end;
+}
+
 #else
 
 char *asperity::print_count(long long value, char *to) {
@@ -31,6 +38,13 @@ char *asperity::print_count(long long value, char *to) {
 
 char *asperity::print_number(double value, char *to) {
   return to + snprintf(to, NUMBER_MOST, "%.10g", value);
+}
+
+bool asperity::read_number(const char *from, const char *end, double &value) {
+  const std::string number(from, end);
+  char *stop;
+  value = aspi_number(number.c_str(), &stop);
+  return stop > number.c_str() && stop == number.c_str() + number.size();
 }
 
 #endif

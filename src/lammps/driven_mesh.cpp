@@ -84,51 +84,67 @@ void Drive::at(double time, Frame &frame, Twist &twist) const {
   vector_copy(speed, twist.linear);
 }
 
+void Drive::save(double numbers[NUMBERS]) const {
+  numbers[0] = kind_;
+  numbers[1] = period_;
+  vector_copy(a_, numbers + 2);
+  vector_copy(axis_, numbers + 5);
+}
+
+void Drive::restore(const double numbers[NUMBERS]) {
+  kind_ = static_cast<Kind>(static_cast<int>(numbers[0]));
+  period_ = numbers[1];
+  vector_copy(numbers + 2, a_);
+  vector_copy(numbers + 5, axis_);
+}
+
 /* ---- the mesh ---------------------------------------------------------------------------------
  */
 
-/* What rank 0 has read, or why it could not, for all ranks. */
-static std::vector<ContactTriangle> read_for_all(MPI_Comm world, const std::string &path) {
-  std::vector<ContactTriangle> triangles;
+DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive)
+    : drive_(drive), path_(path), scale_(scale), extent_(Bounds::none()), pieces_(0), origin_(0),
+      has_begun_(false), redirected_(false) {
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, contact_tree_free);
   std::string wrong;
   int rank;
   MPI_Comm_rank(world, &rank);
   if (rank == 0)
     try {
-      triangles = read_stl(path);
-    } catch (const Error &error) {
-      wrong = error.what();
+      tree.reset(read_tree());
+    } catch (const std::exception &error) {
+      wrong = told(error);
     }
-  long long sizes[2] = {static_cast<long long>(wrong.size()),
-                        static_cast<long long>(triangles.size())};
+  long long sizes[2] = {static_cast<long long>(wrong.size()), static_cast<long long>(pieces_)};
   MPI_Bcast(sizes, 2, MPI_LONG_LONG, 0, world);
   wrong.resize(sizes[0]);
-  triangles.resize(sizes[1]);
   MPI_Bcast(&wrong[0], static_cast<int>(sizes[0]), MPI_CHAR, 0, world);
   if (!wrong.empty())
     throw Error(wrong);
-  const size_t most = 1 << 24; /* triangles a message: less than 2^31 bytes */
-  for (size_t at = 0; at < triangles.size(); at += most) {
-    const size_t n = std::min(most, triangles.size() - at);
-    MPI_Bcast(&triangles[at], static_cast<int>(9 * n), MPI_DOUBLE, 0, world);
-  }
-  return triangles;
+  pieces_ = sizes[1];
+  MPI_Bcast(&extent_, sizeof extent_, MPI_BYTE, 0, world);
+  put_tree(shared_.spread(world, tree.release()));
 }
 
-DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive)
-    : drive_(drive), path_(path), scale_(scale), extent_(Bounds::none()), origin_(0),
-      has_begun_(false) {
-  std::vector<ContactTriangle> triangles = read_for_all(world, path);
-  std::vector<int> id(triangles.size());
-  pieces_ = triangles.size();
-  for (size_t i = 0; i < pieces_; i++) {
-    id[i] = static_cast<int>(i);
-    for (int k = 0; k < 3; k++) {
-      vector_scale(scale, triangles[i].node[k]);
-      extent_.include(triangles[i].node[k]);
+/* On rank 0. */
+ContactTree *DrivenMesh::read_tree() {
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(contact_tree_begin(),
+                                                             contact_tree_free);
+  bool good = tree != NULL;
+  read_stl(path_, [&](const ContactTriangle &read) {
+    ContactTriangle triangle = read;
+    for (double *node : triangle.node) {
+      vector_scale(scale_, node);
+      extent_.include(node);
     }
-  }
-  set_triangles(triangles, id);
+    good = good && contact_tree_add(tree.get(), &triangle, static_cast<int>(pieces_++));
+  });
+  if (!good || !contact_tree_finish(tree.get()))
+    throw std::bad_alloc();
+  return tree.release();
+}
+
+size_t DrivenMesh::bytes() const {
+  return shared_.keeps() ? MeshShape::bytes() : sizeof *this;
 }
 
 static std::string text_of(const Bounds &b) {
@@ -138,7 +154,8 @@ static std::string text_of(const Bounds &b) {
 
 std::string DrivenMesh::describe() const {
   return text("stl %s: %zu triangles, ", path_.c_str(), pieces_) + text_of(extent_) +
-         text(" (scale %g)", scale_);
+         text(" (scale %g)", scale_) +
+         (shared_.each_keeps() ? "; MPI shares no memory here, so each rank keeps a copy" : "");
 }
 
 static double longest_side(const Bounds &b) {
@@ -187,6 +204,25 @@ std::string DrivenMesh::misfit(const Bounds &box, const double period[3]) const 
                  : "; no scale between m, cm, mm, um and nm would bring it in");
 }
 
+void DrivenMesh::redirect(const Drive &drive) {
+  if (has_begun_)
+    base_ = motion().end();
+  drive_ = drive;
+  has_begun_ = false;
+  redirected_ = true;
+}
+
+void DrivenMesh::at(double time, Frame &frame, Twist &twist) const {
+  Frame drive;
+  drive_.at(time - origin_, drive, twist);
+  drive.to_world(base_.shift, frame.shift);
+  for (int j = 0; j < 3; j++) {
+    const double column[3] = {base_.turn[0][j], base_.turn[1][j], base_.turn[2][j]};
+    for (int i = 0; i < 3; i++)
+      frame.turn[i][j] = vector_dot(drive.turn[i], column);
+  }
+}
+
 void DrivenMesh::setup(double time) {
   if (!drive_.moves())
     return;
@@ -194,7 +230,7 @@ void DrivenMesh::setup(double time) {
     origin_ = time;
   Frame frame;
   Twist twist;
-  drive_.at(time - origin_, frame, twist);
+  at(time, frame, twist);
   motion().settle(frame, false);
   motion().set_last(twist);
   has_begun_ = true;
@@ -203,21 +239,39 @@ void DrivenMesh::setup(double time) {
 void DrivenMesh::begin_step(double time, double dt) {
   if (!drive_.moves())
     return;
+  if (!has_begun_) /* redirected before a run without a set-up */
+    setup(time - dt);
   Frame frame;
   Twist twist;
-  drive_.at(time - origin_, frame, twist);
+  at(time, frame, twist);
   motion().advance(frame, twist, dt);
 }
 
 std::vector<double> DrivenMesh::motion_record() const {
-  return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
+  if (!redirected_)
+    return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
+  double drive[Drive::NUMBERS];
+  drive_.save(drive);
+  std::vector<double> record = {origin_, has_begun_ ? 1.0 : 0.0};
+  record.insert(record.end(), drive, drive + Drive::NUMBERS);
+  record.insert(record.end(), base_.turn[0], base_.turn[0] + 9);
+  record.insert(record.end(), base_.shift, base_.shift + 3);
+  return record;
 }
 
 void DrivenMesh::restore_motion(const std::vector<double> &record) {
-  if (record.size() != 1)
+  if (record.empty())
     return;
   origin_ = record[0];
   has_begun_ = true;
+  redirected_ = record.size() == 2 + Drive::NUMBERS + 12;
+  if (!redirected_)
+    return;
+  has_begun_ = record[1] > 0;
+  drive_.restore(&record[2]);
+  std::copy(&record[2 + Drive::NUMBERS], &record[2 + Drive::NUMBERS] + 9, base_.turn[0]);
+  vector_copy(&record[2 + Drive::NUMBERS + 9], base_.shift);
+  motion().settle(base_, false);
 }
 
 std::unique_ptr<DrivenMesh> asperity::read_driven_mesh(MPI_Comm world, Words &words, int types,

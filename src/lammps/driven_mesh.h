@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "node_tree.h"
 #include "dem/mesh.h"
 #include "dem/words.h"
 
@@ -28,6 +29,11 @@ public:
   }
   void at(double time, Frame &frame, Twist &twist) const;
 
+  /* As numbers, for a restart file. */
+  enum { NUMBERS = 8 };
+  void save(double numbers[NUMBERS]) const;
+  void restore(const double numbers[NUMBERS]);
+
 private:
   enum Kind { REST, LINEAR, WIGGLE, ROTATE };
   Kind kind_;
@@ -38,7 +44,7 @@ private:
 
 class DrivenMesh : public MeshShape {
 public:
-  /* All ranks get all triangles, which rank 0 reads. Throws an Error. */
+  /* Rank 0 reads the triangles; see NodeTree for who keeps them. Collective. Throws an Error. */
   DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive);
 
   size_t pieces() const {
@@ -53,22 +59,32 @@ public:
    * empty. */
   std::string misfit(const Bounds &box, const double period[3]) const;
 
+  /* Another motion, from where the mesh is now; it begins with the next step. */
+  void redirect(const Drive &drive);
+
   /* At the beginning of a run, and of each step: the time of the wall's own clock. */
   void setup(double time);
   void begin_step(double time, double dt);
 
-  /* The time at which the motion began, and the velocity at the end of the last step. */
+  /* The time at which the motion began; where redirect() has set it, also the motion itself and
+   * where the mesh was then. */
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
+  size_t bytes() const override;
 
 private:
+  ContactTree *read_tree();
+  void at(double time, Frame &frame, Twist &twist) const;
+
+  NodeTree shared_;
   Drive drive_;
   std::string path_;
   double scale_;
   Bounds extent_; /* where the motion begins */
   size_t pieces_;
   double origin_;
-  bool has_begun_;
+  Frame base_; /* where it was then */
+  bool has_begun_, redirected_;
 };
 
 /* Reads `FILE`, and behind it, in any order, `type T`, `scale S`, `move ...` and `map N FILE`.

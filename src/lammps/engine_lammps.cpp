@@ -3,10 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "engine_lammps.h"
 
-#include <math.h>
-#include <string.h>
-#include <algorithm>
-
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -16,6 +12,10 @@
 #include "update.h"
 #include "dem/error.h"
 #include "dem/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -54,11 +54,8 @@ void EngineOfLammps::warn(const std::string &what) const {
 }
 
 void EngineOfLammps::print(const std::string &what) const {
-  if (lammps_->comm->me != 0)
-    return;
-  for (FILE *to : {lammps_->screen, lammps_->logfile})
-    if (to)
-      fprintf(to, "%s\n", what.c_str());
+  if (lammps_->comm->me == 0)
+    utils::logmesg(lammps_, what + "\n");
 }
 
 /* LAMMPS has no constants of a script that other commands can ask for. */

@@ -1,43 +1,123 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+/* ----------------------------------------------------------------------
+   Contributing author: the asperity developers
+------------------------------------------------------------------------- */
+
 /* fix wall/rebound; see fix_wall_rebound.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fix_wall_rebound.h"
 
-#include <stdio.h>
-#include <string.h>
-#include <algorithm>
-
 #include "atom.h"
 #include "atom_vec.h"
+#include "citeme.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "modify.h"
 #include "output.h"
 #include "update.h"
+
+#include "atom_rows.h"
+#include "driven_mesh.h"
+#include "engine_lammps.h"
+#include "map_file.h"
+#include "mesh_image.h"
+#include "region_shape.h"
+
 #include "dem/error.h"
 #include "dem/primitive.h"
 #include "dem/text.h"
+#include "dem/wall.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using asperity::AtomRows;
 using asperity::Ledger;
 using asperity::Model;
 using asperity::text;
 using asperity::Wall;
 using asperity::Words;
 
-/* How many numbers an atom takes along. */
-static const int ROW = Wall::N_STATE + Wall::N_PLACE;
+static const char CITE[] =
+    "fix wall/rebound command:\n\n"
+    "@Article{Altmeppen2020,\n"
+    " author = {J. Altmeppen and H. Sommerfeld and C. Koch and S. Staudacher},\n"
+    " title = {An analytical approach to estimate the effect of surface roughness on particle "
+    "rebound},\n"
+    " year = 2020\n"
+    "}\n\n"
+    "@Misc{asperity,\n"
+    " author = {{The asperity developers}},\n"
+    " title = {asperity: rough walls for particle simulation}\n"
+    "}\n\n";
+
+struct FixWallRebound::Parts {
+  EngineOfLammps engine;
+  Wall wall;
+  asperity::MapFile map;
+  asperity::DrivenMesh *mesh; /* the wall's shape, or NULL */
+  RegionShape *region;        /* the same */
+  AtomRows rows;
+  MeshImage image;
+  std::vector<FixWallRebound *> siblings; /* all walls of this style, the first one leads */
+  bigint last_step;                       /* that the wall knows of */
+  bool steps;                             /* this run has steps, which a rerun has not */
+  bool from_restart, restarted;
+  double stuck; /* particles of all ranks, when a run began or ended */
+  int type;     /* of the wall */
+
+  Parts(LAMMPS *lammps, const FixWallRebound *fix)
+      : engine(lammps, fix), wall(engine), mesh(NULL), region(NULL), last_step(0), steps(false),
+        from_restart(false), restarted(false), stuck(0), type(0) {}
+};
+
+/* The keywords that LIGGGHTS's wall does not have. */
+class FixWallRebound::Keywords : public asperity::OwnKeywords {
+public:
+  explicit Keywords(Parts *parts) : p_(parts) {}
+  std::string keywords() const override {
+    return p_->mesh ? "map" : "";
+  }
+  bool parse(Words &words) override {
+    if (!p_->mesh || !words.take("map"))
+      return false;
+    p_->map.parse(words);
+    return true;
+  }
+
+private:
+  Parts *p_;
+};
 
 /* ---- making -----------------------------------------------------------------------------------
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
-    : Fix(lammps, narg, arg), engine_(lammps, this), wall_(engine_), mesh_(NULL), region_(NULL),
-      last_step_(update->ntimestep), steps_(false),
-      from_restart_(modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0),
-      restarted_(false), stuck_(0) {
+    : Fix(lammps, narg, arg), p_(new Parts(lammps, this)) {
+  if (lammps->citeme)
+    lammps->citeme->add(CITE);
+  p_->last_step = update->ntimestep;
+  p_->from_restart = modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0;
   check_units();
   check_particles();
   check_box();
@@ -45,28 +125,30 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     std::string geometry;
     Words words(narg - 3, arg + 3);
     read_geometry(words, geometry);
-    Keywords own(this);
-    wall_.parse(words, geometry, &own);
-    if (engine_.units() == "lj" && wall_.model().needs_materials())
+    Keywords own(p_);
+    p_->wall.parse(words, geometry, &own);
+    if (p_->engine.units() == "lj" && p_->wall.model().needs_materials())
       throw asperity::Error("units are 'lj', in which materials have no constants; units must be " +
-                            engine_.known_units() +
+                            p_->engine.known_units() +
                             ", or the law one without materials, such as rebound constant");
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(FLERR, asperity::told(wrong));
   }
   scalar_flag = vector_flag = array_flag = 1;
   size_vector = Wall::N_COUNTERS;
-  size_array_rows = static_cast<int>(wall_.shapes());
+  size_array_rows = static_cast<int>(p_->wall.shapes());
   size_array_cols = Wall::N_TOTALS;
   global_freq = 1;
   extscalar = extvector = extarray = 1;
   restart_global = restart_peratom = create_attribute = 1;
   wd_header = 1;
-  maxexchange = ROW;
+  maxexchange = AtomRows::ALL;
+  peratom_flag = peratom_freq = 1;
+  size_peratom_cols = AtomRows::STATE;
   nevery = 1;
-  force_reneighbor = wall_.model().deposit() == Model::DELETE;
+  force_reneighbor = p_->wall.model().deposit() == Model::DELETE;
   next_reneighbor = -1;
-  if (Ledger *ledger = wall_.ledger()) {
+  if (Ledger *ledger = p_->wall.ledger()) {
     local_flag = 1;
     local_freq = static_cast<int>(ledger->every());
     size_local_rows = 0;
@@ -80,10 +162,11 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
 FixWallRebound::~FixWallRebound() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
+  delete p_;
 }
 
-void FixWallRebound::fail(const std::string &what) const {
-  error->all(FLERR, "Fix wall/rebound (id " + engine_.id() + "): " + what);
+void FixWallRebound::fail(const std::string &file, int line, const std::string &what) const {
+  error->all(file, line, "Fix wall/rebound (id " + p_->engine.id() + "): " + what);
 }
 
 void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
@@ -93,23 +176,27 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
     throw asperity::Error("the wall is missing; it must be one of " + shapes);
   if (words.take("region")) {
     const std::string name = words.word("the ID of a region");
-    region_ = new RegionShape(lmp, name);
-    std::unique_ptr<asperity::Shape> shape(region_);
-    const int type = read_type(words);
-    geometry = region_->description() + text(" type %d", type);
-    wall_.add_shape(std::move(shape), type, 0, name); /* by name, so that its motion is saved */
+    p_->region = new RegionShape(lmp, name);
+    std::unique_ptr<asperity::Shape> shape(p_->region);
+    p_->type = read_type(words);
+    geometry = p_->region->description() + text(" type %d", p_->type);
+    p_->wall.add_shape(std::move(shape), p_->type, 0,
+                       name); /* by name, so that its motion is saved */
   } else if (words.take("stl")) {
-    int type;
     std::unique_ptr<asperity::DrivenMesh> mesh =
-        asperity::read_driven_mesh(world, words, atom->ntypes, type, geometry);
-    mesh_ = mesh.get();
-    wall_.add_shape(std::move(mesh), type, mesh_->pieces(), "stl");
+        asperity::read_driven_mesh(world, words, atom->ntypes, p_->type, geometry);
+    p_->mesh = mesh.get();
+    p_->wall.add_shape(std::move(mesh), p_->type, p_->mesh->pieces(), "stl");
     report_mesh();
   } else if (words.is_one_of(primitives)) {
     std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
-    const int type = read_type(words);
-    geometry += text(" type %d", type);
-    wall_.add_shape(std::move(shape), type, 0, "");
+    p_->type = read_type(words);
+    geometry += text(" type %d", p_->type);
+    if (!words.done() && (words.is("NULL") || isdigit(words.rest()[0][0])))
+      throw asperity::Error("'" + words.word("") + "' stands behind '" + geometry +
+                            "'; a fix of this style is one plane, so that a second one needs a fix "
+                            "of its own, and NULL is left out");
+    p_->wall.add_shape(std::move(shape), p_->type, 0, "");
   } else
     throw asperity::Error("the wall is '" + words.word("the wall") + "'; it must be one of " +
                           shapes);
@@ -121,10 +208,10 @@ void FixWallRebound::report_mesh() const {
     box.lo[d] = domain->triclinic ? domain->boxlo_bound[d] : domain->boxlo[d];
     box.hi[d] = domain->triclinic ? domain->boxhi_bound[d] : domain->boxhi[d];
   }
-  engine_.print("fix " + engine_.id() + " wall/rebound: " + mesh_->describe());
-  const std::string misfit = mesh_->misfit(box, engine_.box().period);
+  p_->engine.print("fix " + p_->engine.id() + " wall/rebound: " + p_->mesh->describe());
+  const std::string misfit = p_->mesh->misfit(box, p_->engine.box().period);
   if (!misfit.empty())
-    engine_.warn(misfit);
+    p_->engine.warn(misfit);
 }
 
 /* The last type where the script names none. */
@@ -132,17 +219,6 @@ int FixWallRebound::read_type(Words &words) const {
   if (!words.take("type"))
     return atom->ntypes;
   return static_cast<int>(words.whole("the wall's type", 1, atom->ntypes));
-}
-
-std::string FixWallRebound::Keywords::keywords() const {
-  return fix_->mesh_ ? "map" : "";
-}
-
-bool FixWallRebound::Keywords::parse(Words &words) {
-  if (!fix_->mesh_ || !words.take("map"))
-    return false;
-  fix_->map_.parse(words);
-  return true;
 }
 
 int FixWallRebound::setmask() {
@@ -155,25 +231,27 @@ int FixWallRebound::setmask() {
 void FixWallRebound::check_particles() const {
   if (!atom->radius_flag || !atom->rmass_flag || atom->ellipsoid_flag || atom->line_flag ||
       atom->tri_flag || atom->body_flag)
-    fail(text("the atom style is '%s'; particles must be spheres with a radius and a density, by "
+    fail(FLERR,
+         text("the atom style is '%s'; particles must be spheres with a radius and a density, by "
               "'atom_style sphere'",
               atom->atom_style));
   if (!atom->tag_enable)
-    fail("particles have no tags, which the draws depend on; use 'atom_modify id yes'");
+    fail(FLERR, "particles have no tags, which the draws depend on; use 'atom_modify id yes'");
   if (lmp->kokkos)
-    fail("the package KOKKOS is on; it keeps particles where this fix cannot reach them, so it "
+    fail(FLERR,
+         "the package KOKKOS is on; it keeps particles where this fix cannot reach them, so it "
          "must be off");
 }
 
 void FixWallRebound::check_units() const {
-  const std::string units = engine_.units(), known = engine_.known_units();
+  const std::string units = p_->engine.units(), known = p_->engine.known_units();
   if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
-    fail("units are '" + units + "'; they must be " + known + ", or lj without materials");
+    fail(FLERR, "units are '" + units + "'; they must be " + known + ", or lj without materials");
 }
 
 void FixWallRebound::check_box() const {
   if (domain->triclinic && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
-    fail("the box is triclinic and periodic; a periodic box must be orthogonal");
+    fail(FLERR, "the box is triclinic and periodic; a periodic box must be orthogonal");
 }
 
 /* True if a particle of any rank is in both groups. */
@@ -189,19 +267,20 @@ bool FixWallRebound::shares_particles(const Fix *fix) const {
  * particles during a run, so each neighbor build looks; all ranks call. */
 void FixWallRebound::check_movers() const {
   if (modify->check_rigid_group_overlap(groupbit))
-    fail("particles that are tied to bodies (fix rigid) cannot rebound one by one");
+    fail(FLERR, "particles that are tied to bodies (fix rigid) cannot rebound one by one");
   for (int i = 0; i < modify->nfix; i++) {
     const Fix *fix = modify->fix[i];
     const std::string name = text("fix %s (id %s)", fix->style, fix->id);
     if (strcmp(fix->style, "move") == 0 && shares_particles(fix))
-      fail(name + " moves particles of this wall's group, which cannot rebound; the groups must "
+      fail(FLERR,
+           name + " moves particles of this wall's group, which cannot rebound; the groups must "
                   "have no particle in common");
     const bool is_deform = strncmp(fix->style, "deform", 6) == 0;
     if ((fix->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE)) &&
         !(is_deform && domain->deform_vremap))
-      fail(name + " changes the box and moves particles with it, past the wall; " +
-           (is_deform ? "it must be 'remap v', which leaves them where they are"
-                      : "the box must keep its size"));
+      fail(FLERR, name + " changes the box and moves particles with it, past the wall; " +
+                      (is_deform ? "it must be 'remap v', which leaves them where they are"
+                                 : "the box must keep its size"));
   }
 }
 
@@ -220,42 +299,42 @@ bool FixWallRebound::grows() const {
  */
 
 void FixWallRebound::init() {
-  siblings_.clear();
+  p_->siblings.clear();
   for (int i = 0; i < modify->nfix; i++)
     if (FixWallRebound *wall = dynamic_cast<FixWallRebound *>(modify->fix[i]))
-      siblings_.push_back(wall);
+      p_->siblings.push_back(wall);
   if (strstr(update->integrate_style, "respa"))
-    fail("run_style respa is not supported; it must be run_style verlet");
+    fail(FLERR, "run_style respa is not supported; it must be run_style verlet");
   if (update->whichflag == 2)
-    fail("minimize is not supported: a rebound is an event in time; use run");
+    fail(FLERR, "minimize is not supported: a rebound is an event in time; use run");
   check_particles();
   check_box();
-  if (from_restart_ && !restarted_)
-    engine_.warn(
+  if (p_->from_restart && !p_->restarted)
+    p_->engine.warn(
         "the restart file has no data of this wall; its impact numbers begin at 1, and no particle "
         "is stuck to it");
-  from_restart_ = false;
+  p_->from_restart = false;
   follow_step(update->ntimestep);
-  stuck_ = wall_.stuck();
+  p_->stuck = p_->wall.stuck();
   try {
-    if (region_)
-      region_->init();
-    wall_.init(update->ntimestep, update->dt);
+    if (p_->region)
+      p_->region->init();
+    p_->wall.init(update->ntimestep, update->dt);
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(FLERR, asperity::told(wrong));
   }
 }
 
 /* The command reset_timestep tells no fix, and a `run pre no` may follow it. */
 void FixWallRebound::follow_step(bigint last) {
-  if (last != last_step_)
-    wall_.reset_step(last, last_step_);
-  last_step_ = last;
+  if (last != p_->last_step)
+    p_->wall.reset_step(last, p_->last_step);
+  p_->last_step = last;
 }
 
 /* Arrays of the atoms may have moved since the last step. */
 void FixWallRebound::set_rows() {
-  wall_.set_rows(state_.data(), place_.data());
+  p_->wall.set_rows(p_->rows.state(), p_->rows.place());
 }
 
 void FixWallRebound::setup_pre_exchange() {
@@ -263,54 +342,54 @@ void FixWallRebound::setup_pre_exchange() {
 }
 
 void FixWallRebound::setup(int) {
-  steps_ = false;
+  p_->steps = false;
   check_movers();
   set_rows();
   try {
-    if (region_)
-      region_->setup();
-    if (mesh_) {
-      mesh_->set_periods(engine_.box().period);
-      mesh_->setup(wall_.time(static_cast<double>(update->ntimestep)));
+    if (p_->region)
+      p_->region->setup();
+    if (p_->mesh) {
+      p_->mesh->set_periods(p_->engine.box().period);
+      p_->mesh->setup(p_->wall.time(static_cast<double>(update->ntimestep)));
     }
-    wall_.setup(engine_.spheres(), groupbit, engine_.box());
+    p_->wall.setup(p_->engine.spheres(), groupbit, p_->engine.box());
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(FLERR, asperity::told(wrong));
   }
 }
 
 void FixWallRebound::begin_step() {
-  steps_ = true;
+  p_->steps = true;
   follow_step(update->ntimestep - 1);
-  wall_.set_box(engine_.box());
+  p_->wall.set_box(p_->engine.box());
   if (grows())
-    wall_.look_anew();
-  if (region_)
-    region_->begin_step();
-  if (mesh_) {
-    mesh_->set_periods(engine_.box().period);
-    mesh_->begin_step(wall_.time(static_cast<double>(update->ntimestep)), update->dt);
+    p_->wall.look_anew();
+  if (p_->region)
+    p_->region->begin_step();
+  if (p_->mesh) {
+    p_->mesh->set_periods(p_->engine.box().period);
+    p_->mesh->begin_step(p_->wall.time(static_cast<double>(update->ntimestep)), update->dt);
   }
 }
 
 void FixWallRebound::post_integrate() {
-  if (siblings_.front() != this)
+  if (p_->siblings.front() != this)
     return;
   try {
     std::vector<Wall *> walls;
-    for (FixWallRebound *fix : siblings_) {
+    for (FixWallRebound *fix : p_->siblings) {
       fix->set_rows();
       fix->begin_step();
-      walls.push_back(&fix->wall_);
+      walls.push_back(&fix->p_->wall);
     }
-    Wall::step(walls, engine_.spheres());
+    Wall::step(walls, p_->engine.spheres());
   } catch (const std::exception &wrong) {
     error->one(FLERR, "Fix wall/rebound: " + asperity::told(wrong));
   }
-  for (FixWallRebound *fix : siblings_) {
-    if (fix->wall_.model().deposit() != Model::DELETE)
+  for (FixWallRebound *fix : p_->siblings) {
+    if (fix->p_->wall.model().deposit() != Model::DELETE)
       continue;
-    int mine = fix->wall_.has_to_delete(), any; /* all ranks must agree to build lists anew */
+    int mine = fix->p_->wall.has_to_delete(), any; /* all ranks must agree to build lists anew */
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
     if (any)
       fix->next_reneighbor = update->ntimestep;
@@ -318,12 +397,12 @@ void FixWallRebound::post_integrate() {
 }
 
 void FixWallRebound::pre_exchange() {
-  if (wall_.model().deposit() != Model::DELETE)
+  if (p_->wall.model().deposit() != Model::DELETE)
     return;
   set_rows();
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal;) {
-    if (wall_.is_to_delete(i)) {
+    if (p_->wall.is_to_delete(i)) {
       atom->avec->copy(atom->nlocal - 1, i, 1);
       atom->nlocal--;
       mine++;
@@ -341,7 +420,7 @@ void FixWallRebound::pre_exchange() {
 
 void FixWallRebound::pre_neighbor() {
   set_rows();
-  wall_.reorder(engine_.spheres());
+  p_->wall.reorder(p_->engine.spheres());
 }
 
 void FixWallRebound::post_neighbor() {
@@ -349,27 +428,27 @@ void FixWallRebound::post_neighbor() {
 }
 
 void FixWallRebound::end_of_step() {
-  if (!steps_)
-    fail("rerun is not supported: a rebound is an event in time; use run");
+  if (!p_->steps)
+    fail(FLERR, "rerun is not supported: a rebound is an event in time; use run");
   set_rows();
-  last_step_ = update->ntimestep;
-  if (siblings_.front() == this) {
+  p_->last_step = update->ntimestep;
+  if (p_->siblings.front() == this) {
     std::vector<Wall *> walls;
-    for (FixWallRebound *fix : siblings_) {
+    for (FixWallRebound *fix : p_->siblings) {
       fix->set_rows();
-      walls.push_back(&fix->wall_);
+      walls.push_back(&fix->p_->wall);
     }
-    Wall::hold(walls, engine_.spheres());
+    Wall::hold(walls, p_->engine.spheres());
   }
   try {
-    wall_.end_step(update->ntimestep, output->next == update->ntimestep);
-    if (mesh_ && map_.is_due(update->ntimestep))
-      map_.write(world, update->ntimestep, mesh_->triangles(), mesh_->motion().end(),
-                 wall_.sums(0), wall_.worn_density(0));
+    p_->wall.end_step(update->ntimestep, output->next == update->ntimestep);
+    if (p_->mesh && p_->map.is_due(update->ntimestep))
+      p_->map.write(world, update->ntimestep, p_->mesh->triangles(), p_->mesh->motion().end(),
+                    p_->wall.sums(0), p_->wall.worn_density(0));
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(FLERR, asperity::told(wrong));
   }
-  if (Ledger *ledger = wall_.ledger()) { /* between two windows there are no rows to be read */
+  if (Ledger *ledger = p_->wall.ledger()) { /* between two windows there are no rows to be read */
     const bool due = update->ntimestep % ledger->every() == 0;
     array_local = due ? ledger->rows() : NULL;
     size_local_rows = due ? ledger->size() : 0;
@@ -377,43 +456,43 @@ void FixWallRebound::end_of_step() {
 }
 
 void FixWallRebound::post_run() {
-  stuck_ = wall_.stuck();
+  p_->stuck = p_->wall.stuck();
   try {
-    wall_.end_run();
+    p_->wall.end_run();
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(FLERR, asperity::told(wrong));
   }
 }
 
 void FixWallRebound::reset_dt() {
-  wall_.reset_dt(update->ntimestep, update->dt);
+  p_->wall.reset_dt(update->ntimestep, update->dt);
 }
 
 /* ---- output and restart -----------------------------------------------------------------------
  */
 
 double FixWallRebound::compute_scalar() {
-  return wall_.counter(Wall::N_IMPACTS);
+  return p_->wall.counter(Wall::N_IMPACTS);
 }
 
 double FixWallRebound::compute_vector(int n) {
-  return wall_.counter(n);
+  return p_->wall.counter(n);
 }
 
 double FixWallRebound::compute_array(int row, int column) {
-  return wall_.total(row, column);
+  return p_->wall.total(row, column);
 }
 
 double FixWallRebound::memory_usage() {
-  return wall_.bytes() + (state_.capacity() + place_.capacity()) * sizeof(double);
+  return p_->wall.bytes() + p_->rows.bytes();
 }
 
 void FixWallRebound::write_restart(FILE *file) {
   std::vector<char> record;
   try {
-    record = wall_.save();
+    record = p_->wall.save();
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(FLERR, asperity::told(wrong));
   }
   if (comm->me != 0)
     return;
@@ -425,78 +504,82 @@ void FixWallRebound::write_restart(FILE *file) {
 /* LAMMPS does not tell how long the buffer is; the record does. */
 void FixWallRebound::restart(char *buffer) {
   try {
-    wall_.restore(buffer);
+    p_->wall.restore(buffer);
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(FLERR, asperity::told(wrong));
   }
-  restarted_ = true;
+  p_->restarted = true;
 }
 
 /* A data file is read before the wall is there, so that nothing of the wall can be in it. LAMMPS
  * calls rank 0 only. */
 void FixWallRebound::write_data_header(FILE *, int) {
-  if (stuck_ > 0)
-    engine_.warn(text("%.0f particles are stuck to this wall, which a data file does not keep: a "
-                      "script that reads it has them free; write_restart keeps them",
-                      stuck_));
+  if (p_->stuck > 0)
+    p_->engine.warn(
+        text("%.0f particles are stuck to this wall, which a data file does not keep: a "
+             "script that reads it has them free; write_restart keeps them",
+             p_->stuck));
+}
+
+/* `fix_modify ID move ...`: how many words it takes. */
+int FixWallRebound::modify_param(int narg, char **arg) {
+  Words words(narg, arg);
+  if (!words.take("move"))
+    return 0;
+  if (!p_->mesh)
+    fail(FLERR, "'fix_modify move' is for the wall 'stl'; a region moves by its own words, and a "
+                "plane or cylinder by 'shear'");
+  asperity::Drive drive;
+  std::string read;
+  try {
+    drive.parse(words, read);
+  } catch (const std::exception &wrong) {
+    fail(FLERR, asperity::told(wrong));
+  }
+  p_->mesh->redirect(drive);
+  return narg - static_cast<int>(words.left());
+}
+
+int FixWallRebound::image(int *&kinds, double **&rows) {
+  return p_->mesh ? p_->image.draw(*p_->mesh, p_->type, comm->me, comm->nprocs, kinds, rows) : 0;
 }
 
 /* ---- numbers of each atom ---------------------------------------------------------------------
  */
 
 void FixWallRebound::grow_arrays(int n) {
-  const size_t atoms = static_cast<size_t>(n);
-  state_.reserve(atoms * Wall::N_STATE); /* no more than that */
-  place_.reserve(atoms * Wall::N_PLACE);
-  state_.resize(atoms * Wall::N_STATE);
-  place_.resize(atoms * Wall::N_PLACE);
+  p_->rows.grow(n);
+  array_atom = p_->rows.states();
 }
 
 void FixWallRebound::copy_arrays(int from, int to, int) {
-  double row[ROW];
-  pack_exchange(from, row);
-  unpack_exchange(to, row);
+  p_->rows.copy(from, to);
 }
 
 void FixWallRebound::set_arrays(int i) {
-  double none[ROW] = {0};
-  unpack_exchange(i, none);
+  p_->rows.clear(i);
 }
 
 int FixWallRebound::pack_exchange(int i, double *buffer) {
-  const double *state = &state_[static_cast<size_t>(i) * Wall::N_STATE];
-  const double *place = &place_[static_cast<size_t>(i) * Wall::N_PLACE];
-  std::copy(state, state + Wall::N_STATE, buffer);
-  std::copy(place, place + Wall::N_PLACE, buffer + Wall::N_STATE);
-  return ROW;
+  return p_->rows.pack(i, buffer);
 }
 
 int FixWallRebound::unpack_exchange(int i, double *buffer) {
-  std::copy(buffer, buffer + Wall::N_STATE, &state_[static_cast<size_t>(i) * Wall::N_STATE]);
-  std::copy(buffer + Wall::N_STATE, buffer + ROW, &place_[static_cast<size_t>(i) * Wall::N_PLACE]);
-  return ROW;
+  return p_->rows.unpack(i, buffer);
 }
 
-/* The first number is how many there are, with itself. */
 int FixWallRebound::pack_restart(int i, double *buffer) {
-  buffer[0] = ROW + 1;
-  return pack_exchange(i, buffer + 1) + 1;
+  return p_->rows.save(i, buffer);
 }
 
 void FixWallRebound::unpack_restart(int i, int nth) {
-  double *all = atom->extra[i];
-  for (int before = 0; before < nth; before++)
-    all += static_cast<int>(*all);
-  if (static_cast<int>(*all) == ROW + 1)
-    unpack_exchange(i, all + 1);
-  else
-    set_arrays(i);
+  p_->rows.restore(i, atom->extra[i], nth);
 }
 
 int FixWallRebound::size_restart(int) {
-  return ROW + 1;
+  return AtomRows::SAVED;
 }
 
 int FixWallRebound::maxsize_restart() {
-  return ROW + 1;
+  return AtomRows::SAVED;
 }

@@ -1,8 +1,21 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
 /* fix wall/rebound: rough walls for LAMMPS. This is LAMMPS's side only: its hooks and the numbers
- * of each atom. What a wall does is in src/wall, where nothing knows LAMMPS.
+ * of each atom. What a wall does is in the library asperity_dem, which knows no engine.
  *
  * Contacts are worked out in post_integrate, when particles are where the step has taken them and
- * before the forces are computed there: so that forces, ghosts and neighbour lists see where
+ * before the forces are computed there: so that forces, ghosts and neighbor lists see where
  * particles are after their rebounds. The first fix of the style does it for all of them, for a
  * particle may meet two walls in one step.
  *
@@ -16,15 +29,11 @@ FixStyle(wall/rebound,FixWallRebound);
 #ifndef LMP_FIX_WALL_REBOUND_H
 #define LMP_FIX_WALL_REBOUND_H
 
-#include <string>
-#include <vector>
-
-#include "engine_lammps.h"
 #include "fix.h"
-#include "region_shape.h"
-#include "driven_mesh.h"
-#include "map_file.h"
-#include "dem/wall.h"
+
+namespace asperity {
+class Words;
+}
 
 namespace LAMMPS_NS {
 
@@ -62,8 +71,14 @@ public:
   int size_restart(int i) override;
   int maxsize_restart() override;
 
+  int modify_param(int narg, char **arg) override;
+  int image(int *&kinds, double **&rows) override;
+
 private:
-  [[noreturn]] void fail(const std::string &what) const;
+  class Keywords;
+  struct Parts;
+
+  [[noreturn]] void fail(const std::string &file, int line, const std::string &what) const;
   void read_geometry(asperity::Words &words, std::string &geometry);
   void report_mesh() const; /* to the log, with a warning where it does not fit the box */
   int read_type(asperity::Words &words) const;
@@ -77,28 +92,7 @@ private:
   void set_rows();
   void follow_step(bigint last);
 
-  /* The keywords that LIGGGHTS's wall does not have. */
-  class Keywords : public asperity::OwnKeywords {
-  public:
-    explicit Keywords(FixWallRebound *fix) : fix_(fix) {}
-    std::string keywords() const override;
-    bool parse(asperity::Words &words) override;
-
-  private:
-    FixWallRebound *fix_;
-  };
-
-  EngineOfLammps engine_;
-  asperity::Wall wall_;
-  asperity::MapFile map_;
-  asperity::DrivenMesh *mesh_;             /* the wall's shape, or NULL */
-  RegionShape *region_;                    /* the same */
-  std::vector<double> state_, place_;      /* rows of the atoms; see asperity::Wall */
-  std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
-  bigint last_step_;                       /* that the wall knows of */
-  bool steps_;                             /* this run has steps, which a rerun has not */
-  bool from_restart_, restarted_;
-  double stuck_; /* particles of all ranks, when a run began or ended */
+  Parts *p_; /* what the wall is made of, with the numbers of each atom */
 };
 
 } // namespace LAMMPS_NS

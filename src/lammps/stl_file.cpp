@@ -1,7 +1,7 @@
-/* An STL file; see stl.h. The format is that of 3D Systems' StereoLithography Interface
- * Specification (1988): text in words, or 80 bytes of any text, the number of triangles, and 50
- * bytes for each. Either may begin with the word `solid`; a file is binary whose length is what its
- * number of triangles says.
+/* An STL file, read as a stream; see stl_file.h. The format is that of 3D Systems'
+ * StereoLithography Interface Specification (1988): text in words, or 80 bytes of any text, the
+ * number of triangles, and 50 bytes for each. Either may begin with the word `solid`; a file is
+ * binary whose length is what its number of triangles says.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stl_file.h"
@@ -11,184 +11,202 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 #include <memory>
-#include <sstream>
+#include <vector>
 
-#include "base/number.h"
 #include "dem/error.h"
+#include "dem/number.h"
 #include "dem/text.h"
 
 using namespace asperity;
 
 namespace {
 
-const size_t HEAD = 84, RECORD = 50, NORMAL = 12;
+const size_t HEAD = 84, RECORD = 50, NORMAL = 12, MOST = INT_MAX / 2;
 
-/* A word of the format, in small letters or large. */
-bool is(const std::string &word, const char *name) {
-  return strcasecmp(word.c_str(), name) == 0;
-}
-
-std::string read_all(const std::string &path) {
-  std::unique_ptr<FILE, int (*)(FILE *)> file(fopen(path.c_str(), "rb"), fclose);
-  struct stat is;
-  if (!file || fstat(fileno(file.get()), &is) != 0)
-    throw Error("STL file '" + path + "' cannot be read: " + strerror(errno));
-  if (S_ISDIR(is.st_mode))
-    throw Error("STL file '" + path + "' is a folder; it must be a file");
-  std::string bytes;
-  char block[1 << 16];
-  for (size_t n; (n = fread(block, 1, sizeof block, file.get())) > 0;)
-    bytes.append(block, n);
-  if (ferror(file.get()))
-    throw Error("STL file '" + path + "' cannot be read: " + strerror(errno));
-  return bytes;
-}
-
-/* Little-endian, whatever the machine is. */
-uint32_t number_at(const char *at) {
-  uint32_t value = 0;
-  for (int k = 3; k >= 0; k--)
-    value = value << 8 | static_cast<unsigned char>(at[k]);
-  return value;
-}
-
-bool is_binary(const std::string &bytes) {
-  return bytes.size() >= HEAD &&
-         (bytes.size() - HEAD) / RECORD == number_at(bytes.data() + HEAD - 4) &&
-         (bytes.size() - HEAD) % RECORD == 0;
-}
-
-std::vector<ContactTriangle> read_binary(const std::string &path, const std::string &bytes) {
-  std::vector<ContactTriangle> triangles((bytes.size() - HEAD) / RECORD);
-  for (size_t i = 0; i < triangles.size(); i++)
-    for (int k = 0; k < 9; k++) {
-      const uint32_t bits = number_at(&bytes[HEAD + i * RECORD + NORMAL + 4 * k]);
-      float value;
-      memcpy(&value, &bits, sizeof value);
-      if (!std::isfinite(value))
-        throw Error(text("STL file '%s', triangle %zu: a coordinate is %g; it must be finite",
-                         path.c_str(), i + 1, static_cast<double>(value)));
-      triangles[i].node[k / 3][k % 3] = static_cast<double>(value);
-    }
-  return triangles;
-}
-
-/* A text, line by line: a line may follow those in `may_follow` only. */
-class Reader {
+class Stl {
 public:
-  explicit Reader(const std::string &path)
-      : path_(path), number_(0), triangle_(), corners_(0), state_(OUTSIDE) {}
-  std::vector<ContactTriangle> read(const std::string &bytes);
+  Stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take);
+  void read();
 
 private:
   enum State { OUTSIDE, SOLID, FACET, LOOP, LOOP_DONE };
+  struct Word { /* of a line */
+    const char *begin, *end;
+    bool is(const char *name) const { /* in small letters or large */
+      return strlen(name) == static_cast<size_t>(end - begin) &&
+             strncasecmp(begin, name, end - begin) == 0;
+    }
+  };
 
   [[noreturn]] void fail(const std::string &must) const;
+  void give();
+  void read_binary(size_t count);
+  void read_text();
+  void split_line(ssize_t length);
   void take_line();
   void vertex();
 
   const std::string &path_;
+  const std::function<void(const ContactTriangle &)> &take_;
+  std::unique_ptr<FILE, int (*)(FILE *)> file_;
+  std::unique_ptr<char, void (*)(void *)> line_; /* of a text */
+  std::vector<Word> words_;
   int number_; /* of the line */
-  std::string line_;
-  std::vector<std::string> words_;
+  State state_;
   ContactTriangle triangle_;
   int corners_;
-  State state_;
-  std::vector<ContactTriangle> triangles_;
+  size_t triangles_;
 };
 
-void Reader::fail(const std::string &must) const {
+Stl::Stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take)
+    : path_(path), take_(take), file_(fopen(path.c_str(), "rb"), fclose), line_(NULL, free),
+      number_(0), state_(OUTSIDE), triangle_(), corners_(0), triangles_(0) {}
+
+void Stl::fail(const std::string &must) const {
   throw Error(
-      text("STL file '%s', line %d: it says '%.80s'; ", path_.c_str(), number_, line_.c_str()) +
+      text("STL file '%s', line %d: it says '%.80s'; ", path_.c_str(), number_, line_.get()) +
       must);
 }
 
-void Reader::vertex() {
+void Stl::give() {
+  if (++triangles_ > MOST)
+    throw Error(
+        text("STL file '%s' has more than %zu triangles; it must have fewer", path_.c_str(), MOST));
+  take_(triangle_);
+}
+
+/* Little-endian, whatever the machine is. */
+uint32_t number_at(const unsigned char *at) {
+  return at[0] | at[1] << 8 | at[2] << 16 | static_cast<uint32_t>(at[3]) << 24;
+}
+
+void Stl::read_binary(size_t count) {
+  unsigned char record[RECORD];
+  while (triangles_ < count && fread(record, RECORD, 1, file_.get()) == 1) {
+    for (int k = 0; k < 9; k++) {
+      const uint32_t bits = number_at(record + NORMAL + 4 * k);
+      float value;
+      memcpy(&value, &bits, sizeof value);
+      if (!std::isfinite(value))
+        throw Error(text("STL file '%s', triangle %zu: a coordinate is %g; it must be finite",
+                         path_.c_str(), triangles_ + 1, static_cast<double>(value)));
+      triangle_.node[k / 3][k % 3] = static_cast<double>(value);
+    }
+    give();
+  }
+}
+
+void Stl::vertex() {
   if (words_.size() != 4)
     fail("it must be 'vertex X Y Z'");
   if (corners_ == 3)
     fail("a facet must have three vertices, and this is its fourth");
   for (int d = 0; d < 3; d++) {
-    char *end;
-    const double value = aspi_number(words_[d + 1].c_str(), &end);
-    if (*end || !std::isfinite(value))
+    double value = HUGE_VAL;
+    if (!read_number(words_[d + 1].begin, words_[d + 1].end, value) || !std::isfinite(value))
       fail("the coordinates of a vertex must be finite numbers");
     triangle_.node[corners_][d] = value;
   }
   corners_++;
 }
 
-void Reader::take_line() {
-  const std::string &first = words_[0], second = words_.size() > 1 ? words_[1] : "";
-  if (state_ == OUTSIDE && is(first, "solid"))
+/* A line may follow some others only. */
+void Stl::take_line() {
+  const Word &first = words_[0];
+  if (state_ == OUTSIDE && first.is("solid"))
     state_ = SOLID;
   else if (state_ == OUTSIDE)
     fail("it must be 'solid NAME', with which a text begins");
-  else if (state_ == SOLID && is(first, "endsolid"))
+  else if (state_ == SOLID && first.is("endsolid"))
     state_ = OUTSIDE;
-  else if (state_ == SOLID && is(first, "facet"))
+  else if (state_ == SOLID && first.is("facet"))
     state_ = FACET;
   else if (state_ == SOLID)
     fail("it must be 'facet normal X Y Z' or 'endsolid'");
-  else if (state_ == FACET && is(first, "outer") && is(second, "loop")) {
+  else if (state_ == FACET && words_.size() > 1 && first.is("outer") && words_[1].is("loop")) {
     state_ = LOOP;
     corners_ = 0;
   } else if (state_ == FACET)
     fail("it must be 'outer loop'");
-  else if (state_ == LOOP && is(first, "vertex"))
+  else if (state_ == LOOP && first.is("vertex"))
     vertex();
-  else if (state_ == LOOP && is(first, "endloop") && corners_ == 3) {
+  else if (state_ == LOOP && first.is("endloop") && corners_ == 3) {
     state_ = LOOP_DONE;
-    triangles_.push_back(triangle_);
+    give();
   } else if (state_ == LOOP)
     fail(text("it must be the facet's vertex %d of 3, 'vertex X Y Z'", corners_ + 1));
-  else if (is(first, "endfacet"))
+  else if (first.is("endfacet"))
     state_ = SOLID;
   else
     fail("it must be 'endfacet'");
 }
 
-std::vector<ContactTriangle> Reader::read(const std::string &bytes) {
-  std::istringstream lines(bytes);
-  while (std::getline(lines, line_)) {
+void Stl::split_line(ssize_t length) {
+  const char *at = line_.get(), *end = at + length;
+  words_.clear();
+  for (const char *from;; words_.push_back({from, at})) {
+    at += strspn(at, " \t\r\n\v\f");
+    if (at >= end || !*at)
+      return;
+    from = at;
+    at += strcspn(at, " \t\r\n\v\f");
+  }
+}
+
+void Stl::read_text() {
+  size_t room = 0;
+  for (;;) {
+    char *line = line_.release();
+    const ssize_t length = getline(&line, &room, file_.get());
+    line_.reset(line);
+    if (length < 0)
+      break;
     number_++;
-    if (!line_.empty() && line_.back() == '\r')
-      line_.pop_back();
-    std::istringstream line(line_);
-    words_.clear();
-    for (std::string word; line >> word;)
-      words_.push_back(word);
+    split_line(length);
+    line[strcspn(line, "\r\n")] = '\0'; /* for messages */
     if (!words_.empty())
       take_line();
   }
-  line_ = "";
-  number_++;
   if (state_ != OUTSIDE)
     throw Error(text("STL file '%s' ends at line %d within a %s; it must end with 'endsolid'",
-                     path_.c_str(), number_ - 1, state_ == SOLID ? "solid" : "facet"));
-  return triangles_;
+                     path_.c_str(), number_, state_ == SOLID ? "solid" : "facet"));
+}
+
+void Stl::read() {
+  struct stat is;
+  if (!file_ || fstat(fileno(file_.get()), &is) != 0)
+    throw Error("STL file '" + path_ + "' cannot be read: " + strerror(errno));
+  if (S_ISDIR(is.st_mode))
+    throw Error("STL file '" + path_ + "' is a folder; it must be a file");
+  unsigned char head[HEAD];
+  const bool has_head = fread(head, HEAD, 1, file_.get()) == 1;
+  const size_t count = has_head ? number_at(head + HEAD - 4) : 0;
+  const double bytes = static_cast<double>(HEAD) + RECORD * static_cast<double>(count);
+  if (has_head && !(bytes > static_cast<double>(is.st_size)) &&
+      !(bytes < static_cast<double>(is.st_size)))
+    read_binary(count);
+  else if (has_head && strncasecmp(reinterpret_cast<char *>(head), "solid", 5) != 0)
+    throw Error(text("STL file '%s' is no text that begins with 'solid', and has %lld bytes; a "
+                     "binary one of %zu triangles, as it says, must have %.0f",
+                     path_.c_str(), static_cast<long long>(is.st_size), count, bytes));
+  else {
+    rewind(file_.get());
+    read_text();
+  }
+  if (ferror(file_.get()))
+    throw Error("STL file '" + path_ + "' cannot be read: " + strerror(errno));
+  if (triangles_ == 0)
+    throw Error("STL file '" + path_ + "' has no triangles; it must have one or more");
 }
 
 } // namespace
 
-std::vector<ContactTriangle> asperity::read_stl(const std::string &path) {
-  const std::string bytes = read_all(path);
-  const bool is_text = strncasecmp(bytes.c_str(), "solid", 5) == 0;
-  if (!is_binary(bytes) && !is_text && bytes.size() >= HEAD)
-    throw Error(text("STL file '%s' is no text that begins with 'solid', and has %zu bytes; a "
-                     "binary one of %u triangles, as it says, must have %.0f",
-                     path.c_str(), bytes.size(), number_at(bytes.data() + HEAD - 4),
-                     HEAD + RECORD * static_cast<double>(number_at(bytes.data() + HEAD - 4))));
-  const std::vector<ContactTriangle> triangles =
-      is_binary(bytes) ? read_binary(path, bytes) : Reader(path).read(bytes);
-  if (triangles.empty())
-    throw Error("STL file '" + path + "' has no triangles; it must have one or more");
-  if (triangles.size() > INT_MAX / 2)
-    throw Error(text("STL file '%s' has %zu triangles; there must be no more than %d", path.c_str(),
-                     triangles.size(), INT_MAX / 2));
-  return triangles;
+void asperity::read_stl(const std::string &path,
+                        const std::function<void(const ContactTriangle &)> &take) {
+  Stl(path, take).read();
 }

@@ -4,17 +4,17 @@
 #ifndef ASPERITY_WALL_STL_H
 #define ASPERITY_WALL_STL_H
 
+#include <functional>
 #include <string>
-#include <vector>
 
 #include "contact/contact.h"
 
 namespace asperity {
 
-/* All triangles of the file, in its order; those of several solids one after the other. The normals
- * that a file states are not used. Throws an Error that names the file, the line (or, of a binary
- * file, the triangle), what stands there, and what must. */
-std::vector<ContactTriangle> read_stl(const std::string &path);
+/* Calls `take` for each triangle of the file, in its order; those of several solids one after the
+ * other. The normals that a file states are not used. Throws an Error that names the file, the line
+ * (or, of a binary file, the triangle), what stands there, and what must. */
+void read_stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take);
 
 } // namespace asperity
 

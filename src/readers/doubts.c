@@ -48,31 +48,26 @@ static bool add_level(double *level, size_t *count, double z) {
   return true;
 }
 
-static void find_ends(const void *raw, size_t points, aspi_height *height, aspi_steps *s) {
+static void find_ends(const aspi_raw *raw, aspi_steps *s) {
   double level[LEVELS_MOST];
   bool few = true;
-  s->end[0] = INFINITY;
-  s->end[1] = -INFINITY;
-  for (size_t i = 0; i < points; i++) {
-    double z = height(raw, i);
-    if (isnan(z))
-      continue;
-    s->points++;
-    s->end[0] = fmin(s->end[0], z);
-    s->end[1] = fmax(s->end[1], z);
-    few = few && add_level(level, &s->levels, z);
+  aspi_raw_range(raw, &s->end[0], &s->end[1]);
+  for (size_t i = 0; i < raw->points; i++) {
+    double z = aspi_raw_at(raw, i);
+    s->points += !isnan(z);
+    few = few && (isnan(z) || add_level(level, &s->levels, z));
   }
   if (!few || s->points < POINTS_PER_LEVEL * s->levels)
     s->levels = 0;
 }
 
-static void find_cut(const void *raw, size_t points, aspi_height *height, int end, aspi_steps *s) {
+static void find_cut(const aspi_raw *raw, int end, aspi_steps *s) {
   double at = s->end[end], range = s->end[1] - s->end[0];
   double next = fmax(CUT_NEXT * range, s->quantum < range ? CUT_STEPS * s->quantum : 0);
   size_t there = 0, near = 0;
   bool before = false;
-  for (size_t i = 0; i < points; i++) {
-    double off = fabs(height(raw, i) - at);
+  for (size_t i = 0; i < raw->points; i++) {
+    double off = fabs(aspi_raw_at(raw, i) - at);
     bool is_there = off <= ROUNDING * range;
     there += is_there && before;
     near += !is_there && off <= next;
@@ -82,17 +77,17 @@ static void find_cut(const void *raw, size_t points, aspi_height *height, int en
     s->cut[end] = there;
 }
 
-aspi_steps aspi_steps_find(const void *raw, size_t points, aspi_height *height) {
+aspi_steps aspi_steps_find(const aspi_raw *raw) {
   aspi_steps s = {.quantum = INFINITY};
-  find_ends(raw, points, height, &s);
+  find_ends(raw, &s);
   double least = ROUNDING * (s.end[1] - s.end[0]);
-  for (size_t i = 1; i < points; i++) {
-    double step = fabs(height(raw, i) - height(raw, i - 1));
+  for (size_t i = 1; i < raw->points; i++) {
+    double step = fabs(aspi_raw_at(raw, i) - aspi_raw_at(raw, i - 1));
     if (step > least && step < s.quantum)
       s.quantum = step;
   }
   for (int end = 0; end < 2 && s.levels == 0; end++)
-    find_cut(raw, points, height, end, &s);
+    find_cut(raw, end, &s);
   return s;
 }
 

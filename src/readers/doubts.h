@@ -4,7 +4,7 @@
 #ifndef ASP_SURFACE_DOUBTS_H
 #define ASP_SURFACE_DOUBTS_H
 
-#include "asperity.h"
+#include "readers/raw.h"
 
 /* Robust standard deviations off its neighbours at which a point is dust, not roughness. */
 #define ASP_SPIKES_CLEAR 20.0
@@ -17,10 +17,7 @@ typedef struct aspi_steps {
   size_t cut[2];         /* points that lie there side by side, where they are many; else 0 */
 } aspi_steps;
 
-/* A height of a profile or a map; NAN where it is bad. */
-typedef double aspi_height(const void *raw, size_t at);
-
-aspi_steps aspi_steps_find(const void *raw, size_t points, aspi_height *height);
+aspi_steps aspi_steps_find(const aspi_raw *raw);
 
 /* The sentences, "" where there is no doubt; heights in m. `outliers`: points that lie
  * ASP_SPIKES_CLEAR off their neighbours. */

@@ -72,34 +72,15 @@ static kind kind_of(const char *name) {
   return UNKNOWN;
 }
 
-/* Cuts a line of names, in place, without the marks of a comment before it. Where blanks part them,
- * a unit in brackets belongs to the name before it. */
-static int split_names(char *line, char separator, char **name) {
-  while (*line && *line != separator && strchr("#%; \t", *line))
-    line++;
-  int count = aspi_text_split(line, separator, name, ASP_COLUMNS_MOST);
-  while (count > 0 && !*name[count - 1])
-    count--;
-  if (separator != ' ')
-    return count;
-  int kept = 0;
-  for (int i = 0; i < count; i++) {
-    if (kept > 0 && strchr("([{", *name[i]))
-      memset(name[kept - 1] + strlen(name[kept - 1]), ' ',
-             (size_t)(name[i] - name[kept - 1]) - strlen(name[kept - 1]));
-    else
-      name[kept++] = name[i];
-  }
-  return kept;
-}
-
 /* Takes what one line of the header says into the columns, and returns how many it names; 0 where
  * it is no line of names. */
 static int take_names(const char *line, char separator, int fields, column *columns,
                       bool *has_names) {
   char copy[ASP_TEXT_MOST], *name[ASP_COLUMNS_MOST];
   strcpy(copy, line);
-  int count = split_names(copy, separator, name);
+  int count = aspi_text_names(copy, separator, name, ASP_COLUMNS_MOST);
+  while (count > 0 && !*name[count - 1])
+    count--;
   if (count < 1 || count > fields || (count < fields && (separator == ' ' || count < 2)))
     return 0;
   *has_names = false;
@@ -325,6 +306,13 @@ bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_
     axes->unit[k] = columns[axes->column[k]].unit;
   }
   return named;
+}
+
+void aspi_header_note(aspi_header *header, const char *line) {
+  if (aspi_text_blank(line))
+    return;
+  memmove(header->line[1], header->line[0], (ASP_HEADER_KEPT - 1) * sizeof *header->line);
+  snprintf(header->line[0], sizeof *header->line, "%s", line);
 }
 
 /* A line that states the unit of one axis, as `X unit: mm`; false where it does not. */

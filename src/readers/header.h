@@ -14,6 +14,9 @@ typedef struct aspi_header {
   char line[ASP_HEADER_KEPT][ASP_TEXT_MOST];
 } aspi_header;
 
+/* Takes a line that is not blank in. */
+void aspi_header_note(aspi_header *header, const char *line);
+
 /* The columns, from 0; x is -1 where positions are counted, y where a position is x alone. Units in
  * m; 0 where none is stated. */
 typedef struct aspi_columns {

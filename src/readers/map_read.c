@@ -6,7 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/map_read.h"
 #include "base/error.h"
-#include "base/file.h"
+#include "readers/mend.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -15,27 +15,6 @@
 
 /* Largest side of a map: points are 32-bit numbers to those who read it. */
 #define SIDE_MOST ((double)ASP_MAP_SIDE_MOST)
-
-asp_code aspi_raw_map_add(aspi_raw_map *raw, double height, asp_error *error) {
-  if (raw->points == raw->room) {
-    size_t room = raw->room ? raw->room + raw->room / 2 : 65536;
-    float *grown =
-        room <= SIZE_MAX / sizeof *grown ? realloc(raw->heights, room * sizeof *grown) : NULL;
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of over %zu points",
-                       raw->points);
-    raw->heights = grown;
-    raw->room = room;
-  }
-  if (!isfinite(height)) {
-    raw->bad++;
-    height = NAN;
-  } else if (isnan(raw->zero)) {
-    raw->zero = height;
-  }
-  raw->heights[raw->points++] = (float)(height - raw->zero);
-  return ASP_OK;
-}
 
 /* ---- SDF in binary ---- */
 
@@ -93,7 +72,7 @@ static asp_code cut_short(const char *path, const char *what, asp_error *error) 
   return aspi_fail(error, ASP_EDATA, "%.200s: the file ends within its %s", path, what);
 }
 
-static asp_code check_sizes(const char *path, const aspi_raw_map *raw, double points, double rows,
+static asp_code check_sizes(const char *path, const aspi_raw *raw, double points, double rows,
                             double z_scale, asp_error *error) {
   const struct {
     const char *name;
@@ -110,7 +89,7 @@ static asp_code check_sizes(const char *path, const aspi_raw_map *raw, double po
   return ASP_OK;
 }
 
-static asp_code read_binary(FILE *stream, const char *path, aspi_raw_map *raw, asp_error *error) {
+static asp_code read_binary(FILE *stream, const char *path, aspi_raw *raw, asp_error *error) {
   unsigned char head[96];
   size_t width = 2, at = 8 + 10 + 12 + 12;
   if (fread(head, 1, 8, stream) != 8)
@@ -141,21 +120,21 @@ static asp_code read_binary(FILE *stream, const char *path, aspi_raw_map *raw, a
   for (size_t i = 0; i < raw->columns * raw->rows && !code; i++) {
     if (fread(bytes, 1, (size_t)size_of[type], stream) != (size_t)size_of[type])
       return cut_short(path, "heights", error);
-    code = aspi_raw_map_add(raw, z_scale * height_of(bytes, type), error);
+    code = aspi_raw_add(raw, z_scale * height_of(bytes, type), error);
   }
   return code;
 }
 
 /* ---- SDF as text ---- */
 
-static asp_code read_as_text(FILE *stream, const char *path, aspi_raw_map *raw, asp_error *error) {
+static asp_code read_as_text(FILE *stream, const char *path, aspi_raw *raw, asp_error *error) {
   aspi_text text = aspi_text_create(stream, path);
   aspi_sdf h;
   bool found = true;
   asp_code code;
   do /* to the version */
     code = aspi_text_line(&text, &found, error);
-  while (!code && found && text.text[strspn(text.text, " \t")] == '\0');
+  while (!code && found && aspi_text_blank(text.text));
   if (!code)
     code = aspi_sdf_header(&text, &h, error);
   if (code)
@@ -170,7 +149,7 @@ static asp_code read_as_text(FILE *stream, const char *path, aspi_raw_map *raw, 
     double height;
     code = aspi_sdf_height(&text, &h, i, &height, error);
     if (!code)
-      code = aspi_raw_map_add(raw, height * h.z_scale, error);
+      code = aspi_raw_add(raw, height * h.z_scale, error);
   }
   return code ? code : aspi_sdf_end(&text, &h, error);
 }
@@ -194,7 +173,7 @@ static asp_code check_options(const char *path, const aspi_profile_options *o, a
 
 asp_map *aspi_map_read_stream(FILE *stream, const char *path, const aspi_map_options *options,
                               aspi_profile_report *report, asp_error *error) {
-  aspi_raw_map raw = {.zero = NAN};
+  aspi_raw raw = {.is_map = true, .zero = NAN};
   aspi_format format = ASP_FORMAT_TEXT;
   asp_code code = check_options(path, options->read, error);
   if (!code)
@@ -205,17 +184,22 @@ asp_map *aspi_map_read_stream(FILE *stream, const char *path, const aspi_map_opt
     code = format == ASP_FORMAT_TEXT       ? aspi_read_map_text(stream, path, options, &raw, error)
            : format == ASP_FORMAT_SDF_TEXT ? read_as_text(stream, path, &raw, error)
                                            : read_binary(stream, path, &raw, error);
+  raw.read = raw.points;
+  raw.bad = aspi_raw_count_bad(&raw);
+  raw.step_least = raw.step[0];
+  raw.step_most = raw.step[1];
   if (!code)
-    code = aspi_map_mend(&raw, path, options->read, report, error);
+    code = aspi_mend(&raw, path, options->read, report, error);
   if (code) {
     free(raw.heights);
     return NULL;
   }
+  aspi_report(report, &raw, options->read);
   double metre = options->read->metre, step[2] = {raw.step[0] * metre, raw.step[1] * metre};
   double mean = 0;
   for (size_t i = 0; i < raw.points; i++)
-    mean += raw.heights[i] / (double)raw.points;
+    mean += aspi_raw_at(&raw, i) / (double)raw.points;
   for (size_t i = 0; i < raw.points; i++)
-    raw.heights[i] = (float)((raw.heights[i] - mean) * metre);
+    aspi_raw_put(&raw, i, (aspi_raw_at(&raw, i) - mean) * metre);
   return aspi_map_adopt(raw.heights, raw.columns, raw.rows, step, false, error);
 }

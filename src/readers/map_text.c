@@ -21,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORD_MOST = 64, HEAD_MOST = 256, COLUMNS_XYZ = 3 };
+enum { LINE_MOST = 1 << 22, COLUMNS_XYZ = 3 };
 
 /* x and y of a point of a grid are off it by no more than this part of the spacing. */
 #define OFF_GRID 0.2
@@ -30,17 +30,14 @@ enum { WORD_MOST = 64, HEAD_MOST = 256, COLUMNS_XYZ = 3 };
 #define RAMP_OFF 1e-2
 enum { RAMP_LEAST = 8 };
 
-/* One line, cut into fields as it is read. */
+/* One line and the numbers in it. */
 typedef struct scanner {
   aspi_text source;
-  const char *path;
-  size_t line;
-  char ahead[HEAD_MOST]; /* characters that were read to find the separator */
-  size_t ahead_at, ahead_count;
-  char text[HEAD_MOST]; /* the line's beginning, for the header */
-  double *values;       /* its fields; NAN where one is bad or missing */
+  char *line;
+  size_t line_room;
+  double *values; /* its fields; NAN where one is bad or missing */
   size_t count, room;
-  char separator; /* of the fields; 0: blanks */
+  char separator; /* of the fields; blank: white space */
   bool numbers;   /* all of them are */
   bool first;     /* the first of them is */
   bool open;      /* the line ends with a separator */
@@ -49,17 +46,17 @@ typedef struct scanner {
 } scanner;
 
 static asp_code fail_at(const scanner *s, asp_error *error, const char *what) {
-  return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", s->path, s->line, what);
+  return aspi_text_fail(&s->source, s->source.line, error, "%s", what);
 }
 
 static asp_code keep_value(scanner *s, double value, asp_error *error) {
   if (s->count == s->room) {
     size_t room = s->room ? 2 * s->room : 1024;
-    double *grown = room <= ASP_MAP_SIDE_MOST * 2 ? realloc(s->values, room * sizeof *grown) : NULL;
+    double *grown = realloc(s->values, room * sizeof *grown);
     if (!grown)
       return aspi_fail(error, ASP_ENOMEM,
-                       "%.200s:%zu: out of memory for a line of over %zu numbers", s->path, s->line,
-                       s->count);
+                       "%.200s:%zu: out of memory for a line of over %zu numbers", s->source.path,
+                       s->source.line, s->count);
     s->values = grown;
     s->room = room;
   }
@@ -77,90 +74,45 @@ static asp_code keep(scanner *s, const char *word, asp_error *error) {
     kind = aspi_text_number(word, true, &value);
   s->numbers = s->numbers && kind != ASP_WORD_OTHER;
   s->first = s->count == 0 ? kind != ASP_WORD_OTHER && *word : s->first;
-  const char *digits = word + strspn(word, " ");
-  s->decimals = s->decimals || (s->separator == ',' && *digits == '0' &&
-                                strspn(digits, "0123456789") == strlen(digits) && digits[1]);
+  s->decimals = s->decimals || (s->separator == ',' && *word == '0' && word[1] &&
+                                strspn(word, "0123456789") == strlen(word));
   return keep_value(s, value, error);
 }
 
-/* The separator of a file's numbers by its first line of data: a semicolon or tab before a comma,
- * which may be a decimal one; 0 for blanks. */
+/* Decimal commas go before commas between fields where there are blanks, too. */
 static char separator_of(const char *line) {
-  if (strchr(line, ';'))
-    return ';';
-  if (strchr(line, '\t'))
-    return '\t';
-  return strchr(line, ',') && !strchr(line, ' ') ? ',' : strstr(line, ", ") ? ',' : 0;
+  char separator = aspi_text_separator(line);
+  return separator == ',' && strchr(line, ' ') && !strstr(line, ", ") ? ' ' : separator;
 }
 
-/* Finds the separator by the beginning of the line that comes next. */
-static void look_ahead(scanner *s) {
-  char head[HEAD_MOST];
-  int c = ' ';
-  s->ahead_at = s->ahead_count = 0;
-  while (s->ahead_count + 1 < sizeof s->ahead && c != '\n' &&
-         (c = aspi_text_character(&s->source)) != EOF)
-    s->ahead[s->ahead_count++] = (char)c;
-  memcpy(head, s->ahead, s->ahead_count);
-  head[s->ahead_count] = '\0';
-  s->separator = separator_of(head);
-}
-
-static int next_character(scanner *s) {
-  return s->ahead_at < s->ahead_count ? (unsigned char)s->ahead[s->ahead_at++]
-                                      : aspi_text_character(&s->source);
-}
-
-/* Reads one line; one that begins with # or is no line of numbers has `numbers` false. Quotes hold
- * a field together. */
 static asp_code read_line(scanner *s, asp_error *error) {
-  char word[WORD_MOST];
-  size_t length = 0, known = 0;
-  bool comment = false, any = false, quoted = false;
-  asp_code code = ASP_OK;
-  s->count = 0;
-  s->numbers = s->first = true;
-  s->open = s->decimals = false;
-  s->line++;
-  const char by = s->separator;
-  int c;
-  for (c = next_character(s); c != EOF && c != '\n'; c = next_character(s)) {
-    if (c == '\0')
-      return fail_at(s, error,
-                     "a NUL byte: not a text file; Gwyddion reads most formats of "
-                     "instruments and saves them as SDF or as a text matrix");
-    if (known + 1 < sizeof s->text)
-      s->text[known++] = (char)c;
-    comment = comment || (!any && c == '#');
-    any = any || !isspace(c);
-    quoted ^= c == '"';
-    if (comment || c == '"')
-      continue;
-    bool ends = !quoted && (by ? c == by : isspace(c) != 0);
-    if (!ends && (length > 0 || !isspace(c)) && length + 1 < sizeof word) {
-      word[length++] = (char)c;
-    } else if (!ends && length + 1 >= sizeof word) {
-      s->numbers = false;
-    }
-    s->open = ends;
-    if (ends && (length > 0 || by)) {
-      word[length] = '\0';
-      length = 0;
-      if ((code = keep(s, word, error)))
-        return code;
-    }
-  }
-  s->text[known] = '\0';
-  s->ended = c == EOF && !any;
-  if (!comment && any) {
-    word[length] = '\0';
-    bool blank = word[strspn(word, " \t\r")] == '\0';
-    s->open = blank && by;
-    if (!blank) /* a separator at the end of a line ends the last number */
-      code = keep(s, word, error);
-  }
-  s->numbers = s->numbers && s->count > 0 && !comment;
+  bool found;
+  asp_code code =
+      aspi_text_long_line(&s->source, &s->line, &s->line_room, LINE_MOST, &found, error);
+  s->ended = !found;
   return code;
+}
+
+/* Cuts the line; one that begins with # or is no line of numbers has `numbers` false. */
+static asp_code cut_line(scanner *s, asp_error *error) {
+  asp_code code = ASP_OK;
+  bool comment = s->line[strspn(s->line, " \t\v\f")] == '#';
+  bool blank = aspi_text_blank(s->line) && (s->separator == ' ' || !strchr(s->line, s->separator));
+  char *next = blank || comment ? NULL : s->line, *word;
+  s->count = 0;
+  s->numbers = s->first = next != NULL;
+  s->open = s->decimals = false;
+  while (!code && !s->open && (word = aspi_text_field(&next, s->separator)) != NULL) {
+    s->open = !next && !*word && s->separator != ' '; /* the last separator ends a number */
+    code = s->open ? ASP_OK : keep(s, word, error);
+  }
+  s->numbers = s->numbers && s->count > 0;
+  return code;
+}
+
+static asp_code next_line(scanner *s, asp_error *error) {
+  asp_code code = read_line(s, error);
+  return code ? code : cut_line(s, error);
 }
 
 /* A field that is empty at the end of a line is a missing number where one is due. */
@@ -190,30 +142,19 @@ static double noted(heights *h, double z, size_t line) {
   return z;
 }
 
-static asp_code check_marks(const scanner *s, const heights *h, asp_error *error) {
-  aspi_suspect found;
-  if (!aspi_marks_find(&h->marks, &found))
-    return ASP_OK;
-  return aspi_fail(error, ASP_EDATA,
-                   "%.200s:%zu: height %.10g, %zu times, beside heights of %g to %g: does it stand "
-                   "for a missing one? Say so (missing %.10g), or mend the file",
-                   s->path, found.met.place, found.value, found.met.count, found.least, found.most,
-                   found.value);
-}
-
 /* A line that does not begin with a number ends the data, where none follow; `what` is the message
  * where some do. */
 static asp_code check_end(scanner *s, size_t columns, const char *what, asp_error *error) {
-  size_t line = s->line;
+  size_t line = s->source.line;
   asp_code code = ASP_OK;
   bool first = s->first;
   while (!first && !code && !s->ended) {
-    code = read_line(s, error);
+    code = next_line(s, error);
     first = s->numbers && s->count >= columns;
   }
   if (code || !first)
     return code;
-  s->line = line;
+  s->source.line = line;
   return fail_at(s, error, what);
 }
 
@@ -243,10 +184,7 @@ static double stated(const char *line, const char *name, bool number) {
 }
 
 static void note_head(head *h, const char *line) {
-  if (line[strspn(line, " \t")]) {
-    memmove(h->lines.line[1], h->lines.line[0], (ASP_HEADER_KEPT - 1) * sizeof *h->lines.line);
-    snprintf(h->lines.line[0], sizeof *h->lines.line, "%s", line);
-  }
+  aspi_header_note(&h->lines, line);
   const char *const sides[2] = {"Width:", "Height:"};
   for (int k = 0; k < 2; k++)
     h->side[k] = h->side[k] > 0 ? h->side[k] : stated(line, sides[k], true);
@@ -267,58 +205,61 @@ static void note_head(head *h, const char *line) {
 /* Reads on to the first line of two numbers or more. */
 static asp_code skip_head(scanner *s, head *h, asp_error *error) {
   for (;;) {
-    look_ahead(s);
+    char line[ASP_TEXT_MOST];
     asp_code code = read_line(s, error);
     if (code)
       return code;
-    if (s->numbers && s->count > 1)
-      return ASP_OK;
+    s->separator = separator_of(s->line);
+    snprintf(line, sizeof line, "%s", s->line);
+    if ((code = cut_line(s, error)) || (s->numbers && s->count > 1))
+      return code;
     if (s->ended)
       return fail_at(s, error, "the file ends without a line of two numbers or more");
-    note_head(h, s->text);
+    note_head(h, line);
   }
 }
 
-static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw_map *raw,
+static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw *raw,
                         asp_error *error) {
   asp_code code = ASP_OK;
   for (size_t i = 0; i < s->count && !code; i++)
-    code = aspi_raw_map_add(raw, unit * noted(h, s->values[i], s->line), error);
+    code = aspi_raw_add(raw, unit * noted(h, s->values[i], s->source.line), error);
   raw->rows++;
   return code;
 }
 
 /* Whether heights rise or fall by equal steps; `apart` is the distance between them in memory. */
-static bool is_ramp(const float *z, size_t count, size_t apart) {
-  double step = ((double)z[(count - 1) * apart] - z[0]) / (double)(count - 1);
+static bool is_ramp(const aspi_raw *raw, size_t from, size_t count, size_t apart) {
+  double first = aspi_raw_at(raw, from);
+  double step = (aspi_raw_at(raw, from + (count - 1) * apart) - first) / (double)(count - 1);
   for (size_t i = 0; i < count && step * step > 0; i++)
-    if (!(fabs(z[i * apart] - (z[0] + step * (double)i)) <= RAMP_OFF * fabs(step)))
+    if (!(fabs(aspi_raw_at(raw, from + i * apart) - (first + step * (double)i)) <=
+          RAMP_OFF * fabs(step)))
       return false;
   return step * step > 0;
 }
 
 /* Positions along a side of the matrix, in its first row or column, are no heights. */
-static asp_code check_axes(const scanner *s, const aspi_raw_map *raw, asp_error *error) {
-  const float *z = raw->heights;
+static asp_code check_axes(const scanner *s, const aspi_raw *raw, asp_error *error) {
   size_t columns = raw->columns, rows = raw->rows;
   if (columns < RAMP_LEAST || rows < RAMP_LEAST)
     return ASP_OK;
-  bool row = is_ramp(z + 1, columns - 1, 1) && !is_ramp(z + columns + 1, columns - 1, 1);
+  bool row = is_ramp(raw, 1, columns - 1, 1) && !is_ramp(raw, columns + 1, columns - 1, 1);
   bool column =
-      is_ramp(z + columns, rows - 1, columns) && !is_ramp(z + columns + 1, rows - 1, columns);
+      is_ramp(raw, columns, rows - 1, columns) && !is_ramp(raw, columns + 1, rows - 1, columns);
   if (!row && !column)
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA,
                    "%.200s: the numbers in the first %s of the matrix are equal steps apart: are "
                    "they positions? Leave heights alone in the file",
-                   s->path,
+                   s->source.path,
                    row && column ? "row and column"
                    : row         ? "row"
                                  : "column");
 }
 
 static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *options,
-                            heights *known, aspi_raw_map *raw, asp_error *error) {
+                            heights *known, aspi_raw *raw, asp_error *error) {
   double unit = options->read->unit_z > 0 ? options->read->unit_z : h->unit_z;
   if (!(unit > 0))
     unit = h->units[1];
@@ -328,7 +269,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
                    "unit of length they are in (asperity surface --unit)");
   raw->columns = s->count;
   asp_code code = ASP_OK;
-  for (; !s->ended && !code; code = code ? code : read_line(s, error)) {
+  for (; !s->ended && !code; code = code ? code : next_line(s, error)) {
     if (s->count == 0)
       continue;
     if (!s->numbers) {
@@ -338,8 +279,8 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
     if ((code = complete(s, raw->columns, error)) || (code = check_commas(s, error)))
       return code;
     if (s->count != raw->columns)
-      return aspi_fail(error, ASP_EDATA, "%.200s:%zu: a row of %zu heights; the first one has %zu",
-                       s->path, s->line, s->count, raw->columns);
+      return aspi_text_fail(&s->source, s->source.line, error,
+                            "a row of %zu heights; the first one has %zu", s->count, raw->columns);
     code = add_row(s, unit, known, raw, error);
   }
   if (code)
@@ -351,7 +292,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: a matrix of heights does not say how far apart its points are; tell "
                      "it (step_x, step_y; asperity surface --read 'step L')",
-                     s->path);
+                     s->source.path);
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
   return check_axes(s, raw, error);
 }
@@ -409,7 +350,7 @@ static bool find_grid(const triples *t, int axis, double *room, double *first, d
   return true;
 }
 
-static asp_code place(const scanner *s, const triples *t, const double unit[3], aspi_raw_map *raw,
+static asp_code place(const scanner *s, const triples *t, const double unit[3], aspi_raw *raw,
                       asp_error *error) {
   double first[2], step[2], *room = aspi_allocate(t->count);
   size_t side[2] = {0};
@@ -423,7 +364,7 @@ static asp_code place(const scanner *s, const triples *t, const double unit[3], 
     if (!found[k] || side[k] > ASP_MAP_SIDE_MOST)
       return aspi_fail(error, ASP_EDATA,
                        "%.200s: the %s of its points are on no grid of 2 to %d equal steps",
-                       s->path, k ? "y" : "x", ASP_MAP_SIDE_MOST);
+                       s->source.path, k ? "y" : "x", ASP_MAP_SIDE_MOST);
   raw->columns = side[0];
   raw->rows = side[1];
   raw->step[0] = step[0] * unit[0];
@@ -431,7 +372,7 @@ static asp_code place(const scanner *s, const triples *t, const double unit[3], 
   if ((double)side[0] * (double)side[1] > 4 * (double)t->count + 1e4)
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: its %zu points fill less than a quarter of their grid of %zu x %zu",
-                     s->path, t->count, side[0], side[1]);
+                     s->source.path, t->count, side[0], side[1]);
   size_t n = side[0] * side[1];
   raw->heights = aspi_map_room(side[0], side[1]);
   if (!raw->heights)
@@ -439,7 +380,7 @@ static asp_code place(const scanner *s, const triples *t, const double unit[3], 
                      side[1]);
   raw->points = raw->room = n;
   for (size_t i = 0; i < n; i++)
-    raw->heights[i] = NAN;
+    aspi_raw_put(raw, i, NAN);
   for (size_t i = 0; i < t->count; i++) {
     double u = (t->at[i][0] - first[0]) / step[0], v = (t->at[i][1] - first[1]) / step[1];
     double column = round(u), row = round(v);
@@ -447,14 +388,12 @@ static asp_code place(const scanner *s, const triples *t, const double unit[3], 
       return aspi_fail(error, ASP_EDATA,
                        "%.200s: point %zu, at x %g, y %g, is off the grid of %g x %g that the "
                        "others are on",
-                       s->path, i + 1, t->at[i][0], t->at[i][1], step[0], step[1]);
+                       s->source.path, i + 1, t->at[i][0], t->at[i][1], step[0], step[1]);
     double z = t->at[i][2];
     if (isfinite(z) && isnan(raw->zero))
       raw->zero = z * unit[2];
-    raw->heights[(size_t)row * side[0] + (size_t)column] = (float)(z * unit[2] - raw->zero);
+    aspi_raw_put(raw, (size_t)row * side[0] + (size_t)column, z * unit[2] - raw->zero);
   }
-  for (size_t i = 0; i < n; i++)
-    raw->bad += isnan(raw->heights[i]);
   return ASP_OK;
 }
 
@@ -473,7 +412,7 @@ static asp_code find_units(const scanner *s, const head *h, const aspi_profile_o
 }
 
 static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *options,
-                             aspi_axes *axes, heights *known, aspi_raw_map *raw, asp_error *error) {
+                             aspi_axes *axes, heights *known, aspi_raw *raw, asp_error *error) {
   if (options->step[0] > 0)
     return fail_at(s, error,
                    "the spacing is given (step), but the file has the positions of its points");
@@ -482,7 +421,7 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
   size_t fields = s->count;
   const int *at = axes->column;
   triples t = {0};
-  for (; !s->ended && !code; code = code ? code : read_line(s, error)) {
+  for (; !s->ended && !code; code = code ? code : next_line(s, error)) {
     if (s->count == 0)
       continue;
     if ((code = complete(s, fields, error)) || (code = check_commas(s, error)))
@@ -490,7 +429,7 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
     if (s->count == fields && s->numbers && isfinite(s->values[at[0]]) &&
         isfinite(s->values[at[1]])) {
       double point[COLUMNS_XYZ] = {s->values[at[0]], s->values[at[1]],
-                                   noted(known, s->values[at[2]], s->line)};
+                                   noted(known, s->values[at[2]], s->source.line)};
       code = add_triple(&t, point, error);
       continue;
     }
@@ -503,7 +442,7 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
   return code;
 }
 
-static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, aspi_raw_map *raw,
+static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, aspi_raw *raw,
                           asp_error *error) {
   asp_code code = skip_head(s, h, error);
   if (code)
@@ -511,21 +450,21 @@ static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, 
   const aspi_profile_options *read = options->read;
   heights known = {.missing = read->has_missing ? read->missing : NAN};
   aspi_axes axes = {{0, 1, 2}, {0}};
-  char separator = s->separator ? s->separator : ' ';
   bool named = s->count >= COLUMNS_XYZ && s->count <= ASP_COLUMNS_MOST &&
-               aspi_find_axes(&h->lines, separator, (int)s->count, &axes);
+               aspi_find_axes(&h->lines, s->separator, (int)s->count, &axes);
   code = named || s->count == COLUMNS_XYZ ? read_triples(s, h, options, &axes, &known, raw, error)
                                           : read_matrix(s, h, options, &known, raw, error);
-  return code ? code : check_marks(s, &known, error);
+  return code ? code : aspi_marks_check(&known.marks, s->source.path, error);
 }
 
 asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,
-                            aspi_raw_map *raw, asp_error *error) {
-  scanner s = {.source = aspi_text_create(stream, path), .path = path};
+                            aspi_raw *raw, asp_error *error) {
+  scanner s = {.source = aspi_text_create(stream, path)};
   head *h = calloc(1, sizeof *h);
   asp_code code = h ? read_file(&s, h, options, raw, error)
                     : aspi_fail(error, ASP_ENOMEM, "%.200s: out of memory for its header", path);
   free(h);
+  free(s.line);
   free(s.values);
   return code;
 }

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/marks.h"
+#include "base/error.h"
 
 #include <math.h>
 
@@ -55,22 +56,25 @@ static bool is_off(const aspi_marks *m, const aspi_range_end *end, double far) {
          isfinite(gap) && range > 0 && gap > OTHER_OFF * range;
 }
 
-bool aspi_marks_find(const aspi_marks *m, aspi_suspect *suspect) {
+static asp_code fail(const char *path, aspi_mark met, double value, double least, double most,
+                     asp_error *error) {
+  return aspi_fail(error, ASP_EDATA,
+                   "%.200s:%zu: height %.10g, %zu times, beside heights of %g to %g: does it stand "
+                   "for a missing one? Say so (missing %.10g), or mend the file",
+                   path, met.place, value, met.count, least, most, value);
+}
+
+asp_code aspi_marks_check(const aspi_marks *m, const char *path, asp_error *error) {
   double least = m->low.value, most = m->high.value, range = most - least;
   for (int i = 0; i < ASP_MARKS && m->count > 0; i++) {
     bool off = known[i] < least - KNOWN_OFF * range || known[i] > most + KNOWN_OFF * range;
     bool often = m->known[i].count >= RECURS && m->known[i].count > m->near[i];
-    if (m->known[i].count > 0 && (off || often)) {
-      *suspect = (aspi_suspect){known[i], least, most, m->known[i]};
-      return true;
-    }
+    if (m->known[i].count > 0 && (off || often))
+      return fail(path, m->known[i], known[i], least, most, error);
   }
-  if (is_off(m, &m->low, most)) {
-    *suspect = (aspi_suspect){m->low.value, m->low.next, most, m->low.met};
-    return true;
-  }
-  if (!is_off(m, &m->high, least))
-    return false;
-  *suspect = (aspi_suspect){m->high.value, least, m->high.next, m->high.met};
-  return true;
+  if (is_off(m, &m->low, most))
+    return fail(path, m->low.met, m->low.value, m->low.next, most, error);
+  if (is_off(m, &m->high, least))
+    return fail(path, m->high.met, m->high.value, least, m->high.next, error);
+  return ASP_OK;
 }

@@ -5,8 +5,7 @@
 #ifndef ASP_SURFACE_MARKS_H
 #define ASP_SURFACE_MARKS_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "asperity.h"
 
 enum { ASP_MARKS = 16 };
 
@@ -32,15 +31,9 @@ typedef struct aspi_marks {
 /* Takes in one height, as the file has it. */
 void aspi_marks_note(aspi_marks *marks, double height, size_t place);
 
-/* The value that most likely stands for a missing height, and the range of all others. */
-typedef struct aspi_suspect {
-  double value, least, most;
-  aspi_mark met;
-} aspi_suspect;
-
-/* False where there is none: a known mark is suspect far out of the range of the others, or where
- * it recurs more often than all that is near to it; any other value, where it recurs, further off
- * the others than they are from each other. */
-bool aspi_marks_find(const aspi_marks *marks, aspi_suspect *suspect);
+/* ASP_EDATA where a value most likely stands for a missing height: a known mark far out of the
+ * range of the others, or that recurs more often than all that is near to it; any other value,
+ * where it recurs, further off the others than they are from each other. */
+asp_code aspi_marks_check(const aspi_marks *marks, const char *path, asp_error *error);
 
 #endif

@@ -1,95 +1,294 @@
-/* What the menders of profiles and of maps have in common: least squares, and points far off the
- * median of their neighbours.
+/* Mending of measured heights, a profile being a map of one row: a polynomial taken out as form
+ * (least squares on products of Legendre polynomials), spikes marked (far off the median of their
+ * neighbors), gaps filled by straight lines or refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/mend.h"
 #include "base/error.h"
+#include "base/least_squares.h"
+#include "surface/map.h"
+#include "surface/profile.h"
 
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_rstat.h>
+#include <gsl/gsl_sf_legendre.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* From the median absolute deviation to the sd of a normal law. */
+/* Heights and spacings beyond these (m) are no surface, and could overflow. */
+#define LENGTH_MOST 1e9
+#define SPACING_LEAST 1e-15
+
+/* Less than this part of the heights in the file is rounding; maps are single precision. */
+#define ROUNDING 1e-12
+#define ROUNDING_MAP 1e-7
+
+/* Neighbors on each side for spikes, of a profile and of a map. */
+enum { REACH = 3, REACH_MAP = 2, WINDOW = (2 * REACH_MAP + 1) * (2 * REACH_MAP + 1) };
+
+/* From the median absolute deviation to the sd of a normal distribution. */
 #define MAD_TO_SD 1.4826
 
-/* Equations whose triangle has a diagonal of this range fix no polynomial. */
-#define SINGULAR 1e-13
+static const char *name_of(const aspi_raw *raw) {
+  return raw->is_map ? "map" : "profile";
+}
 
-/* The terms are nearly orthogonal on the grid, so that nothing is lost by normal equations. */
-void aspi_fit_add(aspi_fit *fit, const double *t, double z) {
-  for (size_t j = 0; j < fit->terms; j++) {
-    fit->b[j] += t[j] * z;
-    for (size_t k = 0; k < fit->terms; k++)
-      fit->a[j * fit->terms + k] += t[j] * t[k];
+/* ---- form ---- */
+
+/* The Legendre polynomials at index i of n points, between -1 and 1. */
+static void legendre(int degree, size_t i, size_t n, double *p) {
+  gsl_sf_legendre_Pl_array(degree, n > 1 ? 2 * (double)i / (double)(n - 1) - 1 : 0, p);
+}
+
+/* Over the good heights: with `subtract` takes the polynomial out of them, else adds them to the
+ * normal equations. The terms are all products of that total degree. */
+static void pass(aspi_raw *raw, int degree, aspi_least_squares *fit, bool subtract) {
+  double px[ASP_FORM_MAX + 1], py[ASP_FORM_MAX + 1], t[ASP_TERMS_MOST];
+  int most_y = raw->is_map ? degree : 0;
+  for (size_t at = 0; at < raw->points; at++) {
+    double z = aspi_raw_at(raw, at);
+    if (at % raw->columns == 0)
+      legendre(degree, at / raw->columns, raw->rows, py);
+    if (isnan(z))
+      continue;
+    legendre(degree, at % raw->columns, raw->columns, px);
+    size_t k = 0;
+    for (int i = 0; i <= degree; i++)
+      for (int j = 0; j <= most_y && i + j <= degree; j++)
+        t[k++] = px[i] * py[j];
+    if (subtract)
+      aspi_raw_put(raw, at, z - aspi_least_squares_value(fit, t));
+    else
+      aspi_least_squares_add(fit, t, z);
   }
 }
 
-/* By QR, which GSL does without memory of its own and without calling its error handler. */
-bool aspi_fit_solve(aspi_fit *fit) {
-  double tau_of[ASP_FORM_TERMS], most = 0, least = INFINITY;
-  gsl_matrix_view a = gsl_matrix_view_array(fit->a, fit->terms, fit->terms);
-  gsl_vector_view b = gsl_vector_view_array(fit->b, fit->terms);
-  gsl_vector_view tau = gsl_vector_view_array(tau_of, fit->terms);
-  gsl_linalg_QR_decomp(&a.matrix, &tau.vector);
-  for (size_t j = 0; j < fit->terms; j++) {
-    double diagonal = fabs(fit->a[j * (fit->terms + 1)]);
-    most = fmax(most, diagonal);
-    least = fmin(least, diagonal);
-  }
-  if (!(least > SINGULAR * most))
-    return false;
-  gsl_linalg_QR_svx(&a.matrix, &tau.vector, &b.vector);
-  return true;
+static asp_code take_out_form(aspi_raw *raw, const char *path, int degree, asp_error *error) {
+  if (degree < 0)
+    return ASP_OK;
+  size_t n = (size_t)degree + 1, good = raw->points - aspi_raw_count_bad(raw);
+  aspi_least_squares fit = {.terms = raw->is_map ? n * (n + 1) / 2 : n};
+  if (good <= fit.terms)
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: %zu points are too few for a polynomial of degree %d as form", path,
+                     good, degree);
+  pass(raw, degree, &fit, false);
+  if (!aspi_least_squares_solve(&fit))
+    return aspi_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the %s", path,
+                     degree, name_of(raw));
+  pass(raw, degree, &fit, true);
+  return ASP_OK;
 }
 
-double aspi_fit_value(const aspi_fit *fit, const double *t) {
-  double value = 0;
-  for (size_t j = 0; j < fit->terms; j++)
-    value += fit->b[j] * t[j];
-  return value;
-}
+/* ---- spikes ---- */
 
-double aspi_off_median(double z, double *window, size_t count) {
+/* A good point's distance from the median of its neighbors, taken in pairs opposite to each other
+ * that are both good, so that a slope does not count, nor does the edge of a gap; 0 where there is
+ * no pair, NAN where the point is bad. */
+static double off_neighbors(const aspi_raw *raw, size_t at) {
+  double window[WINDOW], z = aspi_raw_at(raw, at);
+  if (isnan(z))
+    return NAN;
+  long reach = raw->is_map ? REACH_MAP : REACH, columns = (long)raw->columns;
+  long i = (long)at % columns, j = (long)at / columns;
+  size_t count = 0;
+  for (long b = 0; b <= reach && j - b >= 0 && j + b < (long)raw->rows; b++)
+    for (long a = b ? -reach : 1; a <= reach; a++) {
+      if (i - labs(a) < 0 || i + labs(a) >= columns)
+        continue;
+      double one = aspi_raw_at(raw, (size_t)((j + b) * columns + i + a));
+      double two = aspi_raw_at(raw, (size_t)((j - b) * columns + i - a));
+      if (isnan(one) || isnan(two))
+        continue;
+      window[count++] = one;
+      window[count++] = two;
+    }
   if (count == 0)
     return 0;
   gsl_sort(window, 1, count);
   return fabs(z - gsl_stats_median_from_sorted_data(window, 1, count));
 }
 
-/* In two passes: the usual distance, then what is far beyond it. */
-bool *aspi_spikes(const void *raw, const aspi_steps *steps, size_t points, aspi_off_neighbours *off,
-                  double times, asp_error *error) {
-  bool *is_spike = calloc(points, sizeof *is_spike);
-  if (!is_spike) {
-    aspi_fail(error, ASP_ENOMEM, "out of memory for the spikes of %zu points", points);
-    return NULL;
-  }
+/* The points over `times` robust standard deviations off their neighbors, *first of them first,
+ * which `mark` makes bad. The deviation is at least half the step in which heights are given, since
+ * most points of heights in steps are off by nothing. */
+static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times, bool mark,
+                            size_t *count, size_t *first, asp_error *error) {
+  bool *is_spike = malloc(raw->points * sizeof *is_spike);
+  if (!is_spike)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for the spikes of %zu points", raw->points);
   gsl_rstat_quantile_workspace median = {.p = 0.5};
   gsl_rstat_quantile_reset(&median);
-  for (size_t i = 0; i < points; i++) {
-    double distance = off(raw, i);
-    if (!isnan(distance))
-      gsl_rstat_quantile_add(distance, &median);
+  for (size_t i = 0; i < raw->points; i++) {
+    double off = off_neighbors(raw, i);
+    if (!isnan(off))
+      gsl_rstat_quantile_add(off, &median);
   }
   double sd = MAD_TO_SD * gsl_rstat_quantile_get(&median);
   double most = times * fmax(sd, isfinite(steps->quantum) ? steps->quantum / 2 : 0);
-  for (size_t i = 0; i < points; i++)
-    is_spike[i] = off(raw, i) > most;
-  return is_spike;
-}
-
-asp_code aspi_count_spikes(const void *raw, const aspi_steps *steps, size_t points,
-                           aspi_off_neighbours *off, double times, size_t *count,
-                           asp_error *error) {
-  bool *is_spike = aspi_spikes(raw, steps, points, off, times, error);
-  if (!is_spike)
-    return ASP_ENOMEM;
+  for (size_t i = 0; i < raw->points; i++)
+    is_spike[i] = off_neighbors(raw, i) > most;
   *count = 0;
-  for (size_t i = 0; i < points; i++)
-    *count += is_spike[i];
+  for (size_t i = 0; i < raw->points; i++)
+    if (is_spike[i]) {
+      *first = *count ? *first : i;
+      ++*count;
+      if (mark)
+        aspi_raw_put(raw, i, NAN);
+    }
   free(is_spike);
   return ASP_OK;
+}
+
+/* ---- gaps ---- */
+
+/* Bad points are filled where they are no more than half; spikes count as bad. */
+static asp_code check_bad(const aspi_raw *raw, const char *path, size_t spikes, size_t first,
+                          bool fill, asp_error *error) {
+  size_t bad = aspi_raw_count_bad(raw);
+  char must[80] = "fill the gaps, or mend the file";
+  if (fill ? 2 * bad <= raw->points : bad == 0)
+    return ASP_OK;
+  if (fill)
+    snprintf(must, sizeof must, "more than half of %zu points cannot be filled", raw->points);
+  if (spikes > 0)
+    return aspi_fail(error, ASP_EDATA, "%.200s: point %zu is the first of %zu spikes; %s", path,
+                     first + 1, spikes, must);
+  if (raw->bad_line > 0)
+    return aspi_fail(error, ASP_EDATA, "%.200s:%zu: the first of %zu bad or missing points; %s",
+                     path, raw->bad_line, bad, must);
+  return aspi_fail(error, ASP_EDATA, "%.200s: %zu of %zu points are bad or missing; %s", path, bad,
+                   raw->points, must);
+}
+
+/* Cuts the bad ends of a profile off. */
+static void cut_ends(aspi_raw *raw) {
+  double *z = raw->heights;
+  size_t first = 0;
+  while (raw->points > 0 && isnan(z[raw->points - 1]))
+    raw->points--;
+  while (first < raw->points && isnan(z[first]))
+    first++;
+  raw->columns = raw->points -= first;
+  memmove(z, z + first, raw->points * sizeof *z);
+}
+
+/* What fills the gaps: a weighted mean of what the lines through a point say. */
+typedef struct filling {
+  double *sum, *weight;
+  size_t longest;
+} filling;
+
+/* Adds what a line of `n` heights, `stride` apart, says about its gaps: between two good points
+ * those on a straight line, beyond the last one its height; a short gap counts more. */
+static void bridge(const aspi_raw *raw, size_t from, size_t n, size_t stride, filling *f) {
+  size_t before = n; /* the last good point; n: none */
+  for (size_t i = 0; i <= n; i++) {
+    double z = i < n ? aspi_raw_at(raw, from + i * stride) : NAN;
+    if (i < n && isnan(z))
+      continue;
+    size_t first = before < n ? before + 1 : 0;
+    bool inside = before < n && i < n;
+    double low = before < n ? aspi_raw_at(raw, from + before * stride) : z, high = i < n ? z : low;
+    double weight = 1 / (double)(i - first + (inside ? 0 : n));
+    for (size_t k = first; k < i && (before < n || i < n); k++) {
+      double share = inside ? (double)(k - before) / (double)(i - before) : 0;
+      f->sum[from + k * stride] += weight * (low + share * (high - low));
+      f->weight[from + k * stride] += weight;
+    }
+    f->longest = i - first > f->longest ? i - first : f->longest;
+    before = i;
+  }
+}
+
+static asp_code fill_gaps(aspi_raw *raw, aspi_profile_report *report, asp_error *error) {
+  if (!raw->is_map)
+    cut_ends(raw);
+  if (aspi_raw_count_bad(raw) == 0)
+    return ASP_OK;
+  filling f = {calloc(raw->points, sizeof *f.sum), calloc(raw->points, sizeof *f.weight), 0};
+  bool made = f.sum && f.weight;
+  for (size_t j = 0; made && j < raw->rows; j++)
+    bridge(raw, j * raw->columns, raw->columns, 1, &f);
+  for (size_t i = 0; made && raw->is_map && i < raw->columns; i++)
+    bridge(raw, i, raw->rows, raw->columns, &f);
+  for (size_t i = 0; made && i < raw->points; i++)
+    if (isnan(aspi_raw_at(raw, i))) {
+      aspi_raw_put(raw, i, f.weight[i] > 0 ? f.sum[i] / f.weight[i] : 0);
+      report->filled++;
+    }
+  report->longest_gap = f.longest;
+  free(f.sum);
+  free(f.weight);
+  return made ? ASP_OK
+              : aspi_fail(error, ASP_ENOMEM, "out of memory for the gaps of a %s", name_of(raw));
+}
+
+/* ---- all of it ---- */
+
+static double largest(const aspi_raw *raw) {
+  double least, most;
+  aspi_raw_range(raw, &least, &most);
+  return least <= most ? fmax(fabs(least), fabs(most)) : 0;
+}
+
+static asp_code check_lengths(const aspi_raw *raw, const char *path, asp_error *error) {
+  double most = largest(raw);
+  for (int k = 0; k < 1 + raw->is_map; k++)
+    if (!(raw->step[k] >= SPACING_LEAST && raw->step[k] <= LENGTH_MOST && most <= LENGTH_MOST))
+      return aspi_fail(error, ASP_EDATA,
+                       "%.200s: heights up to %g m at a spacing of %g m are no surface; is the "
+                       "unit right?",
+                       path, most, raw->step[k]);
+  bool fits = raw->columns >= ASP_MAP_SIDE_LEAST && raw->rows >= ASP_MAP_SIDE_LEAST &&
+              raw->columns <= ASP_MAP_SIDE_MOST && raw->rows <= ASP_MAP_SIDE_MOST;
+  if (!raw->is_map || fits)
+    return ASP_OK;
+  return aspi_fail(error, ASP_EDATA,
+                   "%.200s: a map of %zu x %zu points; its sides must have %d to %d", path,
+                   raw->columns, raw->rows, ASP_MAP_SIDE_LEAST, ASP_MAP_SIDE_MOST);
+}
+
+/* Takes the form out, and again where spikes were in it. */
+static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_options *options,
+                      aspi_profile_report *report, asp_error *error) {
+  bool mark = options->spikes > 0;
+  size_t first = 0;
+  aspi_steps steps = aspi_steps_find(raw);
+  asp_code code = take_out_form(raw, path, options->form, error);
+  if (!code)
+    code = find_spikes(raw, &steps, mark ? options->spikes : ASP_SPIKES_CLEAR, mark,
+                       mark ? &report->spikes : &report->outliers, &first, error);
+  aspi_doubts_tell(&steps, report->outliers, report->doubts, sizeof report->doubts);
+  if (code || report->spikes == 0 ||
+      (code = check_bad(raw, path, report->spikes, first, options->fill, error)))
+    return code;
+  return take_out_form(raw, path, options->form, error);
+}
+
+asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *options,
+                   aspi_profile_report *report, asp_error *error) {
+  if (!raw->is_map) {
+    raw->columns = raw->points;
+    raw->rows = 1;
+  }
+  asp_code code = check_lengths(raw, path, error);
+  if (!code)
+    code = check_bad(raw, path, 0, 0, options->fill, error);
+  double least, most, rounding = (raw->is_map ? ROUNDING_MAP : ROUNDING) * largest(raw);
+  if (!code)
+    code = level(raw, path, options, report, error);
+  if (!code)
+    code = fill_gaps(raw, report, error);
+  if (!code && !raw->is_map)
+    code = aspi_filter(raw->heights, raw->points, raw->step[0], &options->filters, error);
+  if (code)
+    return code;
+  aspi_raw_range(raw, &least, &most);
+  if (raw->points >= ASP_POINTS_LEAST && most - least > rounding)
+    return ASP_OK;
+  return aspi_fail(error, ASP_EDATA, "%.200s: the %s is constant%s", path, name_of(raw),
+                   options->form > 0 ? " but for its form" : "");
 }

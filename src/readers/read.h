@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "readers/doubts.h"
 #include "readers/filter.h"
+#include "readers/raw.h"
 
 /* Columns of a text file that are looked at, and the highest degree of a form. */
 enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
@@ -46,7 +47,7 @@ typedef struct aspi_profile_report {
   size_t longest_gap; /* most of them in a row */
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
-  char text[640];               /* all of that as a sentence */
+  char text[700];               /* all of that as a sentence */
   char doubts[440];             /* what makes the heights doubtful, or "" (doubts.h) */
 } aspi_profile_report;
 
@@ -58,25 +59,9 @@ asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_err
 asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *options,
                                aspi_profile_report *report, asp_error *error);
 
-/* Heights as a file has them, equally spaced, in metres; NAN where one is bad or missing. */
-typedef struct aspi_raw {
-  double *heights;
-  size_t points, room;
-  double spacing;
-  size_t read;        /* points in the file */
-  size_t bad;         /* of them */
-  size_t bad_line;    /* where the first bad point or gap is */
-  size_t first_spike; /* the point, from 1 */
-  bool resampled;
-  size_t repeats;               /* positions that repeat the one before */
-  bool falls;                   /* positions fall in the file */
-  int column[2];                /* of positions and heights, from 1, where there are others too */
-  int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
-  size_t end_line;              /* where the data end before the file does; 0: nowhere */
-  double step_least, step_most; /* m */
-} aspi_raw;
-
-asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
+/* Writes what was read into a report, which has what was mended already. */
+void aspi_report(aspi_profile_report *report, const aspi_raw *raw,
+                 const aspi_profile_options *options);
 
 /* What a file is by its beginning; SDF is that of ISO 25178-71. Leaves the stream at its beginning.
  * ASP_EDATA for closed formats, with the name of a free program that converts them. */

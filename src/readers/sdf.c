@@ -179,10 +179,10 @@ asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, asp
   if (chosen > most)
     return aspi_text_fail(text, text->line, error, "%s %d is asked for; the map has %.0f",
                           by_column ? "column" : "row", chosen, most);
-  raw->spacing = by_column ? h.y_scale : h.x_scale;
+  raw->step[0] = by_column ? h.y_scale : h.x_scale;
   section kept = {by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0};
   code = read_map(text, &h, kept, raw, error);
   raw->read = raw->points;
-  raw->step_least = raw->step_most = raw->spacing;
+  raw->step_least = raw->step_most = raw->step[0];
   return code;
 }

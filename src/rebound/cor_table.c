@@ -177,8 +177,10 @@ static asp_code read_point(const aspi_csv *csv, const columns *at, double metre_
 /* All points of the file, to be freed by the caller; NULL on error. */
 static aspi_cor_point *read_points(aspi_csv *csv, double metre_per_second, size_t *count,
                                    asp_error *error) {
+  bool means = aspi_csv_find(csv, "cor_n_mean") >= 0; /* as those of a publication are called */
   columns at = {aspi_csv_need(csv, "alpha1_deg", error), aspi_csv_find(csv, "v1_m_s"),
-                aspi_csv_need(csv, "cor_n", error), aspi_csv_need(csv, "cor_t", error)};
+                aspi_csv_need(csv, means ? "cor_n_mean" : "cor_n", error),
+                aspi_csv_need(csv, means ? "cor_t_mean" : "cor_t", error)};
   aspi_cor_point *points = NULL;
   asp_code code = at.angle < 0 || at.cor_n < 0 || at.cor_t < 0 ? ASP_EDATA : ASP_OK;
   bool found = !code;

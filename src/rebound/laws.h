@@ -70,7 +70,7 @@ int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, as
 
 #define ASP_REBOUND_LAWS(X)                                                                        \
   X(bons)                                                                                          \
-  X(constant) X(forder) X(grant_tabakoff) X(table) X(thornton_ning) X(walton)
+  X(constant) X(grant_tabakoff) X(table) X(thornton_ning) X(walton)
 
 #define ASP_REBOUND_DECLARE(name) extern const asp_rebound_law aspi_rebound_##name;
 ASP_REBOUND_LAWS(ASP_REBOUND_DECLARE)

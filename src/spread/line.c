@@ -6,12 +6,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/line.h"
 #include "base/error.h"
+#include "surface/closing.h"
+#include "surface/profile.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Rms heights that a beam must pass over a period, so that its first hits lie on many peaks. */
+/* Rms heights that a beam must fall over a period, so that its first hits lie on many peaks. */
 #define RISE_LEAST 16
+
+/* A steeper beam is vertical. */
+#define FALL_MOST 1e12
 
 asp_code aspi_line_create(aspi_line *line, size_t n, double step, asp_error *error) {
   *line = (aspi_line){.n = n, .step = step};
@@ -26,6 +31,15 @@ asp_code aspi_line_create(aspi_line *line, size_t n, double step, asp_error *err
 
 void aspi_line_free(aspi_line *line) {
   free(line->memory);
+}
+
+static void set_fall_least(aspi_line *line) {
+  double mean = 0, square = 0, n = (double)line->n;
+  for (size_t i = 0; i < line->n; i++)
+    mean += line->end_z[i] / n;
+  for (size_t i = 0; i < line->n; i++)
+    square += (line->end_z[i] - mean) * (line->end_z[i] - mean) / n;
+  line->fall_least = RISE_LEAST * sqrt(square) / (n * line->step);
 }
 
 void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t stride) {
@@ -49,41 +63,89 @@ void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t st
     line->end_x[i] = (double)i * step + at;
     line->end_z[i] = height;
   }
+  set_fall_least(line);
 }
 
-double aspi_line_rise(const aspi_line *line, double fall) {
-  return fall * line->step * (double)line->n;
+/* The path of the centre over a profile: the profile itself for a point. */
+static asp_profile *path_of(const asp_profile *profile, double d_p, asp_error *error) {
+  if (d_p > 0)
+    return aspi_profile_path(profile, d_p, ASP_LINE_POINTS_MOST, error);
+  return asp_profile_from_heights(asp_profile_heights(profile), asp_profile_points(profile),
+                                  asp_profile_spacing(profile), aspi_profile_periodic(profile),
+                                  error);
 }
 
-double aspi_line_fall_least(const aspi_line *line) {
-  double mean = 0, square = 0, n = (double)line->n;
-  for (size_t i = 0; i < line->n; i++)
-    mean += line->end_z[i] / n;
-  for (size_t i = 0; i < line->n; i++)
-    square += (line->end_z[i] - mean) * (line->end_z[i] - mean) / n;
-  return RISE_LEAST * sqrt(square) / (n * line->step);
+asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, double d_p,
+                                asp_error *error) {
+  asp_error own;
+  error = error ? error : &own;
+  *line = (aspi_line){0};
+  if (aspi_check_range(error, "d_p", "", d_p, 0, INFINITY))
+    return error->code;
+  asp_profile *path = path_of(profile, d_p, error);
+  if (!path)
+    return error->code;
+  size_t points = asp_profile_points(path);
+  size_t n = aspi_profile_periodic(path) ? points : 2 * points - 2;
+  asp_code code = aspi_line_create(line, n, 1, error);
+  const double *z = asp_profile_heights(path);
+  double unit = 1 / asp_profile_spacing(path);
+  for (size_t i = 0; !code && i < n; i++) {
+    size_t k = i + 1 < n ? i + 1 : 0;
+    double begin = z[i < points ? i : 2 * points - 2 - i] * unit;
+    line->end_x[i] = (double)(i + 1);
+    line->end_z[i] = z[k < points ? k : 2 * points - 2 - k] * unit;
+    line->slope[i] = line->end_z[i] - begin;
+  }
+  asp_profile_free(path);
+  if (!code)
+    set_fall_least(line);
+  return code;
+}
+
+asp_code aspi_line_coarsen(aspi_line *line, const aspi_line *fine, size_t parts, size_t most,
+                           bool back, asp_error *error) {
+  size_t n = fine->n / parts < most ? fine->n / parts : most;
+  asp_code code = aspi_line_create(line, n, 1, error);
+  if (code)
+    return code;
+  double z = 0;
+  for (size_t i = 0; i < n; i++) {
+    const double *slope = fine->slope + (back ? n - 1 - i : i) * parts;
+    line->slope[i] = 0;
+    for (size_t k = 0; k < parts; k++)
+      line->slope[i] += (back ? -slope[k] : slope[k]) / (double)parts;
+    line->end_x[i] = (double)(i + 1);
+    line->end_z[i] = z += line->slope[i];
+  }
+  set_fall_least(line);
+  return ASP_OK;
+}
+
+double aspi_line_fall(const aspi_line *line, double alpha1) {
+  return fmin(fmax(tan(alpha1), line->fall_least), FALL_MOST);
 }
 
 /* The maximum of g over the period before the one that begins with face 0. */
 static double highest_before(const aspi_line *line, double fall) {
-  double highest = -INFINITY;
+  double highest = -INFINITY, period = line->step * (double)line->n;
   for (size_t i = 0; i < line->n; i++)
-    highest = fmax(highest, line->end_z[i] + fall * line->end_x[i]);
-  return highest - aspi_line_rise(line, fall);
+    highest = fmax(highest, line->end_z[i] + fall * (line->end_x[i] - period));
+  return highest;
 }
 
-void aspi_line_first_hit(const aspi_line *line, double fall, double *weight) {
-  double highest = highest_before(line, fall);
+void aspi_line_first_hits(const aspi_line *line, double fall, double *weight) {
+  double highest = highest_before(line, fall), rise = fall * line->step * (double)line->n;
   for (size_t i = 0; i < line->n; i++) {
     double g = line->end_z[i] + fall * line->end_x[i];
-    weight[i] = fmax(0, g - highest);
+    weight[i] = fmax(0, g - highest) / rise;
     highest = fmax(highest, g);
   }
 }
 
 void aspi_line_hits(const aspi_line *line, double fall, const double *share, size_t count,
                     aspi_spot *spots) {
-  double rise = aspi_line_rise(line, fall), first = highest_before(line, fall);
+  double rise = fall * line->step * (double)line->n, first = highest_before(line, fall);
   size_t k = 0, n = line->n;
   for (size_t i = 0; i < n && k < count; i++) {
     double g = line->end_z[i] + fall * line->end_x[i];

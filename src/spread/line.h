@@ -7,11 +7,15 @@
 
 #include "asperity.h"
 
+/* Points of the path over a profile, unless the profile has more. */
+#define ASP_LINE_POINTS_MOST ((size_t)131072)
+
 /* Faces over a period: face i is straight, has the slope[i] of the contact at point i, and ends at
  * (end_x, end_z)[i], between the points i and i + 1. Flight is towards larger x. */
 typedef struct aspi_line {
   size_t n;
-  double step; /* between points */
+  double step;       /* between points */
+  double fall_least; /* least slope of a beam that the line resolves */
   double *slope, *end_x, *end_z;
   double *memory; /* that of all three */
 } aspi_line;
@@ -24,17 +28,23 @@ void aspi_line_free(aspi_line *line);
  * way, in which slopes change their sign). Two neighbours meet where their tangents do. */
 void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t stride);
 
-/* The height that the line rises against a beam that falls by `fall` > 0 a length, over a period.
- */
-double aspi_line_rise(const aspi_line *line, double fall);
+/* The path of the centre of a disc of diameter 0 <= d_p <= length over a profile, in units of its
+ * spacing (aspi_profile_path); a measured profile continues as its mirror image. To be freed. */
+asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, double d_p,
+                                asp_error *error);
 
-/* The least fall of a beam that this line can tell: below it the first hits would be a handful of
- * its peaks, and it stands for every smaller one. */
-double aspi_line_fall_least(const aspi_line *line);
+/* The line with `parts` faces of `fine` joined to one of length 1, up to `most` of them; with
+ * `back` as a flight the other way meets them. To be freed. */
+asp_code aspi_line_coarsen(aspi_line *line, const aspi_line *fine, size_t parts, size_t most,
+                           bool back, asp_error *error);
 
-/* The first hits of a beam: what each face adds to the running maximum of g = z + x fall, the
- * second of two periods; the sum over the faces is aspi_line_rise. */
-void aspi_line_first_hit(const aspi_line *line, double fall, double *weight);
+/* The slope tan(alpha1) at which a beam falls, within what the line resolves: a flatter beam would
+ * meet a handful of its peaks only. */
+double aspi_line_fall(const aspi_line *line, double alpha1);
+
+/* The share of a beam that first hits each face, into weight[n], sum 1: what the face adds to the
+ * running maximum of g = z + x fall, in the second of two periods. */
+void aspi_line_first_hits(const aspi_line *line, double fall, double *weight);
 
 /* A place on a line. */
 typedef struct aspi_spot {
@@ -42,9 +52,8 @@ typedef struct aspi_spot {
   double x, z;
 } aspi_spot;
 
-/* Where the particles at these places in the beam, rising shares of a period from 0 to 1, first
- * hit.
- */
+/* Where particles first hit that have these places in the beam: shares of a period from 0 to 1,
+ * ascending. */
 void aspi_line_hits(const aspi_line *line, double fall, const double *share, size_t count,
                     aspi_spot *spots);
 

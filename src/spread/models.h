@@ -6,6 +6,7 @@
 #define ASP_SPREAD_MODELS_H
 
 #include "base/stream.h"
+#include "spread/sizes.h"
 #include "spread/trace.h"
 
 enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called capped */

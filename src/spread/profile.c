@@ -1,19 +1,16 @@
-/* The first-hit law of the geometry, as a table. On a Gaussian wall that of an ensemble
- * (ensemble.h); on a wall by its profile the exact law of that profile: quantiles over impact angle
- * and particle size, each the law that aspi_track_first_hit gives there. Between the nodes
- * quantiles are interpolated linearly, which keeps them monotone in u and above -alpha1.
- *
- * Angles stand closer where the law changes fast: at 90 degrees times (k/63)^2. The first and the
- * last cell in u are divided again, for the tails. Whether a particle leaves from a face, and which
- * one it hits next, comes from the profile's own law (law.h); on a wall by its map everything does
- * (area.h). On a Gaussian wall particles that fly up meet the law of `visible`.
+/* First hits of the geometry, from a table. On a Gaussian wall that of an ensemble (ensemble.h); on
+ * a wall by its profile quantiles of the tilt over impact angle and particle size, each the exact
+ * first hits of the profile there. Linear interpolation keeps them monotone in u and above -alpha1.
+ * Escape and later hits come from the tables of the profile's line (line_table.h); on a wall by its
+ * map everything does (map_table.h). On a Gaussian wall particles that fly up follow `visible`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "spread/area.h"
 #include "spread/ensemble.h"
+#include "spread/line_table.h"
+#include "spread/map_table.h"
 #include "spread/models.h"
-#include "spread/trace.h"
+#include "spread/quantiles.h"
 #include "surface/profile.h"
 
 #include <gsl/gsl_interp.h>
@@ -21,124 +18,77 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum {
-  ANGLES = 64,
-  CELLS = 512, /* of equal width in u */
-  PARTS = 32,  /* of the first and of the last of them */
-  NODES = CELLS - 2 + 2 * PARTS + 1,
-  SIZE = NODES * ANGLES /* numbers a diameter */
-};
+enum { ANGLES = 64, NODES = ASPI_SHARES_NODES(512, 32), SIZE = ANGLES * NODES };
 
-/* Later hits are tabled from as many faces at most. */
-#define LAW_FACES_MOST ((size_t)131072)
+static const aspi_shares shares = {512, 32, NODES};
 
-/* The angles are this times k^2. */
-#define WIDTH (ASP_PI / 2 / ((ANGLES - 1.) * (ANGLES - 1.)))
+/* Later hits are tabled from this many faces at most. */
+#define LATER_FACES_MOST ((size_t)131072)
 
 typedef struct table {
-  aspi_area *area; /* the laws of a map; then nothing else is in it */
+  aspi_map_table *map; /* of a wall by its map; then nothing else is in it */
   int bins;
   double d_p[ASP_BINS_MAX];
-  aspi_law *law[ASP_BINS_MAX][2]; /* later hits, of flights both ways */
-  float delta[];                  /* by size, u, angle; rad */
+  aspi_line_table *later[ASP_BINS_MAX][2]; /* of flights both ways */
+  float delta[];                           /* by size, angle, u; rad */
 } table;
-
-/* u at a node, or between two. */
-static double u_at(double place) {
-  if (place < PARTS)
-    return place / (PARTS * (double)CELLS);
-  double last = PARTS + CELLS - 2;
-  if (place > last)
-    return ((place - last) / PARTS + CELLS - 1) / CELLS;
-  return (place - (PARTS - 1)) / CELLS;
-}
-
-/* What one size needs while the table is made. */
-typedef struct workspace {
-  aspi_track *track;
-  size_t n, parts; /* faces; those a spacing of the profile */
-  double *slope, *weight;
-  size_t *order; /* of the faces, by slope */
-} workspace;
-
-static void workspace_free(workspace *b) {
-  aspi_track_free(b->track);
-  free(b->slope);
-  free(b->weight);
-  free(b->order);
-}
-
-static asp_code workspace_create(workspace *b, const asp_profile *profile, double d_p,
-                                 asp_error *error) {
-  *b = (workspace){.track = aspi_track_create(profile, d_p, error)};
-  if (!b->track)
-    return ASP_EARG;
-  size_t points = asp_profile_points(profile);
-  b->n = aspi_track_faces(b->track);
-  b->parts = b->n / (aspi_profile_periodic(profile) ? points : 2 * points - 2);
-  b->slope = malloc(b->n * sizeof *b->slope);
-  b->weight = malloc(b->n * sizeof *b->weight);
-  b->order = malloc(b->n * sizeof *b->order);
-  if (!b->slope || !b->weight || !b->order) {
-    workspace_free(b);
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for the slopes of %zu faces", b->n);
-  }
-  for (size_t i = 0; i < b->n; i++)
-    b->slope[i] = aspi_track_face_slope(b->track, i);
-  gsl_sort_index(b->order, b->slope, 1, b->n);
-  return ASP_OK;
-}
-
-/* The quantiles of one angle, ANGLES numbers apart: the slopes at which the sum of the weights
- * passes each node. */
-static void fill(workspace *b, double alpha1, float *delta) {
-  aspi_track_first_hit(b->track, alpha1, b->weight);
-  double sum = 0;
-  size_t last = 0;
-  int node = 0;
-  for (size_t i = 0; i < b->n && node < NODES; i++) {
-    size_t face = b->order[i];
-    if (!(b->weight[face] > 0))
-      continue;
-    last = face;
-    sum += b->weight[face];
-    for (; node < NODES && u_at(node) <= sum; node++)
-      delta[node * ANGLES] = (float)atan(b->slope[face]);
-  }
-  for (; node < NODES; node++)
-    delta[node * ANGLES] = (float)atan(b->slope[last]);
-}
 
 static void release(void *data) {
   table *t = data;
-  aspi_area_free(t->area);
+  aspi_map_table_free(t->map);
   for (int i = 0; i < t->bins; i++) {
-    aspi_law_free(t->law[i][0]);
-    aspi_law_free(t->law[i][1]);
+    aspi_line_table_free(t->later[i][0]);
+    aspi_line_table_free(t->later[i][1]);
   }
   free(t);
 }
 
-/* The faces of a track as a line, seen in either way of flight, each as long as a spacing of the
- * profile; of a long one its beginning. */
-static asp_code make_law(const workspace *b, bool back, aspi_law **law, asp_error *error) {
-  size_t n = b->n / b->parts < LAW_FACES_MOST ? b->n / b->parts : LAW_FACES_MOST;
-  aspi_line line;
-  asp_code code = aspi_line_create(&line, n, 1, error);
+/* Quantiles of the first hits at all angles. */
+static asp_code fill_first(const aspi_line *line, float *delta, asp_error *error) {
+  double *weight = malloc(line->n * sizeof *weight), *tilt = malloc(line->n * sizeof *tilt);
+  size_t *order = malloc(line->n * sizeof *order);
+  bool made = weight && tilt && order;
+  if (made) {
+    gsl_sort_index(order, line->slope, 1, line->n);
+    for (size_t i = 0; i < line->n; i++)
+      tilt[i] = atan(line->slope[i]);
+  }
+  const aspi_sample sample = {tilt, weight, order, NULL, line->n};
+  for (int k = 0; made && k < ANGLES; k++) {
+    aspi_line_first_hits(line, aspi_line_fall(line, aspi_angle_at(ANGLES, k)), weight);
+    aspi_quantiles_fill(&shares, &sample, 1, delta + k * NODES);
+  }
+  free(weight);
+  free(tilt);
+  free(order);
+  return made ? ASP_OK
+              : aspi_fail(error, ASP_ENOMEM, "out of memory for the slopes of %zu faces", line->n);
+}
+
+/* Tables of later hits in one direction, from faces one spacing of the profile long. */
+static asp_code fill_later(const aspi_line *line, size_t parts, bool back, aspi_line_table **later,
+                           asp_error *error) {
+  aspi_line coarse;
+  asp_code code = aspi_line_coarsen(&coarse, line, parts, LATER_FACES_MOST, back, error);
   if (code)
     return code;
-  double z = 0;
-  for (size_t i = 0; i < n; i++) {
-    const double *slope = b->slope + (back ? n - 1 - i : i) * b->parts;
-    line.slope[i] = 0;
-    for (size_t k = 0; k < b->parts; k++)
-      line.slope[i] += (back ? -slope[k] : slope[k]) / (double)b->parts;
-    line.end_x[i] = (double)(i + 1);
-    line.end_z[i] = z += line.slope[i];
-  }
-  *law = aspi_law_create(&line, NULL, error);
+  *later = aspi_line_table_create(&coarse, NULL, error);
+  aspi_line_free(&coarse);
+  return *later ? ASP_OK : ASP_ENOMEM;
+}
+
+static asp_code fill_size(table *t, int size, const asp_profile *profile, asp_error *error) {
+  aspi_line line;
+  asp_code code = aspi_line_over_profile(&line, profile, t->d_p[size], error);
+  if (code)
+    return code;
+  size_t points = asp_profile_points(profile);
+  size_t parts = line.n / (aspi_profile_periodic(profile) ? points : 2 * points - 2);
+  code = fill_first(&line, t->delta + size * SIZE, error);
+  for (int way = 0; way < 2 && !code; way++)
+    code = fill_later(&line, parts, way, &t->later[size][way], error);
   aspi_line_free(&line);
-  return *law ? ASP_OK : ASP_ENOMEM;
+  return code;
 }
 
 static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error) {
@@ -151,20 +101,8 @@ static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_er
   }
   t->bins = sizes->bins;
   for (int i = 0; i < t->bins; i++) {
-    workspace b;
     t->d_p[i] = aspi_sizes_at(sizes, i);
-    asp_code code = workspace_create(&b, profile, t->d_p[i], error);
-    if (code) {
-      release(t);
-      return NULL;
-    }
-    for (int k = 0; k < ANGLES; k++)
-      fill(&b, WIDTH * k * k, t->delta + i * SIZE + k);
-    code = make_law(&b, false, &t->law[i][0], error);
-    if (!code)
-      code = make_law(&b, true, &t->law[i][1], error);
-    workspace_free(&b);
-    if (code) {
+    if (fill_size(t, i, profile, error)) {
       release(t);
       return NULL;
     }
@@ -175,79 +113,55 @@ static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_er
 static void *prepare_map(const asp_map *map, const aspi_sizes *sizes, asp_error *error) {
   table *t = calloc(1, sizeof *t);
   if (t)
-    t->area = aspi_area_create(map, sizes, error);
+    t->map = aspi_map_table_create(map, sizes, error);
   else
-    aspi_fail(error, ASP_ENOMEM, "out of memory for the laws of a map");
-  if (t && t->area)
+    aspi_fail(error, ASP_ENOMEM, "out of memory for the tables of a map");
+  if (t && t->map)
     return t;
   free(t);
   return NULL;
 }
 
-/* A place along one of the table's three ways: the node before it, and the share of the step to the
- * next. */
-typedef struct place {
-  int step;
-  double share;
-} place;
-
-static place place_of_u(double u) {
-  double cell = u * CELLS, last = cell - (CELLS - 1), at = cell + (PARTS - 1);
-  if (cell < 1)
-    at = cell * PARTS;
-  if (last > 0)
-    at = last * PARTS + (CELLS + PARTS - 2);
-  int node = (int)fmin(at, NODES - 2);
-  return (place){node, at - node};
-}
-
-static place place_of_angle(double alpha1) {
-  int k = (int)fmin(sqrt(alpha1 / WIDTH), ANGLES - 2);
-  return (place){k, (alpha1 - WIDTH * k * k) / (WIDTH * (2 * k + 1))};
-}
-
-static place place_of_size(const table *t, double d_p) {
+static aspi_place place_of_size(const table *t, double d_p) {
   if (t->bins < 2)
-    return (place){0, 0};
+    return (aspi_place){0, 0};
   size_t last = (size_t)t->bins - 1;
   d_p = fmin(fmax(d_p, t->d_p[0]), t->d_p[last]);
   size_t i = gsl_interp_bsearch(t->d_p, d_p, 0, last);
   double step = t->d_p[i + 1] - t->d_p[i]; /* 0 where all are of one size */
-  return (place){(int)i, step > 0 ? (d_p - t->d_p[i]) / step : 0};
+  return (aspi_place){(int)i, step > 0 ? (d_p - t->d_p[i]) / step : 0};
 }
 
-/* Between which sizes and angles a view lies: where their numbers begin, how far those of the next
- * size are, and the shares. */
+/* The four rows of quantiles around a view: those of two angles, at two sizes. */
 typedef struct cell {
-  const float *delta;
-  int next;
-  double size, angle;
+  const float *row[2][2];
+  double size, angle; /* parts of the step */
 } cell;
 
 static cell cell_of(const aspi_view *view) {
   const table *t = view->data;
-  place size = place_of_size(t, view->d_p), angle = place_of_angle(view->alpha1);
-  return (cell){t->delta + size.step * SIZE + angle.step, t->bins > 1 ? SIZE : 0, size.share,
-                angle.share};
+  aspi_place size = place_of_size(t, view->d_p), angle = aspi_angle_place(ANGLES, view->alpha1);
+  const float *first = t->delta + size.node * SIZE + angle.node * NODES;
+  int next = t->bins > 1 ? SIZE : 0;
+  return (cell){
+      {{first, first + next}, {first + NODES, first + NODES + next}}, size.part, angle.part};
 }
 
-static double mix(double from, double to, double share) {
-  return from + share * (to - from);
+static double mix(double from, double to, double part) {
+  return from + part * (to - from);
 }
 
-static double delta_at(const cell *c, place u) {
+static double delta_at(const cell *c, aspi_place u) {
   double at[2];
-  for (int k = 0; k < 2; k++) { /* at the angle below and above */
-    const float *first = c->delta + u.step * ANGLES + k, *second = first + c->next;
-    at[k] = mix(mix(first[0], first[ANGLES], u.share), mix(second[0], second[ANGLES], u.share),
+  for (int k = 0; k < 2; k++) /* at the angle below and above */
+    at[k] = mix(aspi_quantiles_between(c->row[k][0], u), aspi_quantiles_between(c->row[k][1], u),
                 c->size);
-  }
   return mix(at[0], at[1], c->angle);
 }
 
 static double node_at(const cell *c, int node) {
   bool last = node == NODES - 1;
-  return delta_at(c, (place){last ? node - 1 : node, last ? 1 : 0});
+  return delta_at(c, (aspi_place){last ? node - 1 : node, last ? 1 : 0});
 }
 
 static double quantile(const aspi_view *view, double u) {
@@ -256,7 +170,7 @@ static double quantile(const aspi_view *view, double u) {
   if (!view->data)
     return aspi_ensemble_quantile(view, u);
   cell c = cell_of(view);
-  double delta = delta_at(&c, place_of_u(u));
+  double delta = delta_at(&c, aspi_shares_place(&shares, u));
   return delta > -view->alpha1 ? delta : -view->alpha1;
 }
 
@@ -280,7 +194,7 @@ static double distribution(const aspi_view *view, double delta) {
   if (node < 0 || node >= NODES - 1)
     return node < 0 ? 0 : 1;
   double low = node_at(&c, node), high = node_at(&c, node + 1);
-  return u_at(node + (delta - low) / (high - low));
+  return aspi_shares_at(&shares, node + (delta - low) / (high - low));
 }
 
 static double density(const aspi_view *view, double delta) {
@@ -292,32 +206,34 @@ static double density(const aspi_view *view, double delta) {
   int node = node_below(&c, delta);
   if (node < 0 || node >= NODES - 1)
     return 0;
-  return (u_at(node + 1) - u_at(node)) / (node_at(&c, node + 1) - node_at(&c, node));
+  return (aspi_shares_at(&shares, node + 1) - aspi_shares_at(&shares, node)) /
+         (node_at(&c, node + 1) - node_at(&c, node));
 }
 
-/* Hit after hit over a profile; the first from the table, the others from the law. */
+/* Hit after hit over a profile: the first from the quantiles, the others from the line tables. */
 static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
   const table *t = view->data;
-  if (t->area)
-    return aspi_area_follow(t->area, view, stream, path, delta);
+  if (t->map)
+    return aspi_map_table_follow(t->map, view, stream, path, delta);
   if (!path->begun) {
     path->begun = true;
     path->size =
         aspi_sizes_nearest(&(aspi_sizes){t->d_p[0], t->d_p[t->bins - 1], t->bins}, view->d_p);
-    path->came = view->alpha1;
-    path->kind = aspi_law_kind(view->alpha1, stream);
+    path->alpha_in = view->alpha1;
+    path->face_class = aspi_line_table_class(view->alpha1, stream);
     *delta = quantile(view, aspi_stream_uniform(stream));
     path->p = tan(*delta);
     return true;
   }
-  bool turned = path->back != path->came_back;
-  if (view->alpha1 < 0 && aspi_law_leaves(t->law[path->size][path->came_back], &path->kind, path->p,
-                                          tan(-view->alpha1), turned, stream))
+  aspi_line_table *const *later = t->later[path->size];
+  if (view->alpha1 < 0 &&
+      aspi_line_table_escapes(later[path->back_in], path->face_class, path->p, tan(-view->alpha1),
+                              path->back != path->back_in, stream))
     return false;
-  path->kind = aspi_law_next(t->law[path->size][path->back], path->came, -view->alpha1, stream,
-                             &path->p, &path->q);
-  path->came_back = path->back;
-  path->came = fmax(path->came, view->alpha1);
+  path->face_class = aspi_line_table_next(later[path->back], path->alpha_in, -view->alpha1, stream,
+                                          &path->p, &path->q);
+  path->back_in = path->back;
+  path->alpha_in = fmax(path->alpha_in, view->alpha1);
   *delta = atan(path->p);
   return true;
 }

@@ -9,6 +9,7 @@
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,27 +17,16 @@
 /* Heights smaller than this part of the largest coordinate are rounding. */
 #define ROUNDING 1e-13
 
-static double mean_of(const double *z, size_t points) {
-  double mean = 0;
-  for (size_t i = 0; i < points; i++)
-    mean += (z[i] - mean) / (double)(i + 1);
-  return mean;
-}
-
 static void describe_heights(const asp_profile *profile, aspi_description *d) {
   const double *z = asp_profile_heights(profile);
-  double mean = mean_of(z, d->points), square = 0, absolute = 0, step = 0;
-  for (size_t i = 0; i < d->points; i++) {
-    square += (z[i] - mean) * (z[i] - mean);
-    absolute += fabs(z[i] - mean);
-  }
+  double mean = gsl_stats_mean(z, 1, d->points), step = 0;
   size_t steps = aspi_profile_periodic(profile) ? d->points : d->points - 1;
   for (size_t i = 0; i < steps; i++) {
     double rise = (z[(i + 1) % d->points] - z[i]) / d->spacing;
     step += rise * rise;
   }
-  d->r_q = sqrt(square / (double)d->points);
-  d->r_a = absolute / (double)d->points;
+  d->r_q = sqrt(gsl_stats_variance_with_fixed_mean(z, 1, d->points, mean));
+  d->r_a = gsl_stats_absdev_m(z, 1, d->points, mean);
   d->slope_rms = sqrt(step / (double)steps);
 }
 
@@ -57,7 +47,7 @@ static void correlate(double *data, size_t n) {
 static double *autocovariance(const asp_profile *profile, double scale) {
   size_t points = asp_profile_points(profile), n = aspi_power_of_two(2 * points);
   const double *z = asp_profile_heights(profile);
-  double *data = aspi_allocate(n), mean = mean_of(z, points);
+  double *data = aspi_allocate(n), mean = gsl_stats_mean(z, 1, points);
   if (!data)
     return NULL;
   for (size_t i = 0; i < points; i++)

@@ -6,9 +6,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/map_describe.h"
 #include "base/error.h"
+#include "base/least_squares.h"
 #include "surface/describe.h"
 #include "surface/profile.h"
 
+#include <gsl/gsl_statistics_float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,29 +21,18 @@ enum { TILE_MOST = 1024, DIRECTIONS = 180 };
 #define ROUNDING 1e-6
 
 static void describe_heights(const asp_map *map, aspi_map_description *d) {
+  const float *z = map->heights;
   size_t n = map->columns * map->rows;
-  double mean = 0, m2 = 0, m3 = 0, m4 = 0, absolute = 0, lo = INFINITY, hi = -INFINITY;
-  for (size_t i = 0; i < n; i++)
-    mean += map->heights[i] / (double)n;
-  for (size_t i = 0; i < n; i++) {
-    double z = map->heights[i] - mean;
-    m2 += z * z / (double)n;
-    absolute += fabs(z) / (double)n;
-    lo = fmin(lo, z);
-    hi = fmax(hi, z);
-  }
-  d->s_q = sqrt(m2);
-  for (size_t i = 0; i < n; i++) {
-    double z = (map->heights[i] - mean) / d->s_q;
-    m3 += z * z * z / (double)n;
-    m4 += z * z * z * z / (double)n;
-  }
-  d->s_a = absolute;
-  d->s_sk = m3;
-  d->s_ku = m4;
-  d->s_p = hi;
-  d->s_v = -lo;
-  d->s_z = hi - lo;
+  double mean = gsl_stats_float_mean(z, 1, n);
+  float lo, hi;
+  gsl_stats_float_minmax(&lo, &hi, z, 1, n);
+  d->s_q = sqrt(gsl_stats_float_variance_with_fixed_mean(z, 1, n, mean));
+  d->s_a = gsl_stats_float_absdev_m(z, 1, n, mean);
+  d->s_sk = gsl_stats_float_skew_m_sd(z, 1, n, mean, d->s_q);
+  d->s_ku = gsl_stats_float_kurtosis_m_sd(z, 1, n, mean, d->s_q) + 3; /* GSL's is the excess */
+  d->s_p = (double)hi - mean;
+  d->s_v = mean - (double)lo;
+  d->s_z = d->s_p + d->s_v;
 }
 
 /* The rms gradient, by differences of neighbours along either way. */
@@ -160,30 +151,14 @@ static double contour(const asp_map *map, const correlation *c, double angle, do
 /* The symmetric M with r' M r = 1 nearest to the points, by least squares; false where they do not
  * fix it. */
 static bool fit_ellipse(const double (*point)[2], size_t count, double m[3]) {
-  double a[3][4] = {{0}}; /* normal equations and their right side */
+  aspi_least_squares fit = {.terms = 3};
   for (size_t i = 0; i < count; i++) {
-    double x = point[i][0], y = point[i][1], t[3] = {x * x, 2 * x * y, y * y};
-    for (int j = 0; j < 3; j++) {
-      for (int k = 0; k < 3; k++)
-        a[j][k] += t[j] * t[k];
-      a[j][3] += t[j];
-    }
+    double x = point[i][0], y = point[i][1];
+    aspi_least_squares_add(&fit, (const double[3]){x * x, 2 * x * y, y * y}, 1);
   }
-  for (int k = 0; k < 3; k++) {
-    for (int j = k + 1; j < 3; j++) {
-      double f = a[j][k] / a[k][k];
-      for (int i = k; i < 4; i++)
-        a[j][i] -= f * a[k][i];
-    }
-    if (!(fabs(a[k][k]) > 0))
-      return false;
-  }
-  for (int k = 2; k >= 0; k--) {
-    m[k] = a[k][3];
-    for (int j = k + 1; j < 3; j++)
-      m[k] -= a[k][j] * m[j];
-    m[k] /= a[k][k];
-  }
+  if (!aspi_least_squares_solve(&fit))
+    return false;
+  memcpy(m, fit.b, 3 * sizeof *m);
   return m[0] > 0 && m[2] > 0 && m[0] * m[2] > m[1] * m[1];
 }
 

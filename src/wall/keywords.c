@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/description.h"
 #include "base/error.h"
-#include "spread/trace.h"
+#include "spread/sizes.h"
 
 #include <math.h>
 #include <stdio.h>

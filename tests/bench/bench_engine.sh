@@ -10,7 +10,7 @@ awk -f "$home/examples/flat_plate/make_plate.awk" > output/plate.stl
 awk -f "$home/examples/flat_plate/make_jet.awk" > output/jet.data
 sed 's/^run /modify_timing on\nrun /' "$home/examples/flat_plate/in.flat_plate" > csv.in
 sed 's/\.csv$/.npy/' csv.in > npy.in
-sed '/ ledger 2000/d; s/seed 1 &$/seed 1/' csv.in > quiet.in
+sed 's/ ledger 2000.*//' csv.in > quiet.in
 rough=(-var name plate -var surface "rq 15.6e-6 lambda_c 120e-6")
 for round in 1 2 3; do
   for ranks in 2 1; do
@@ -30,6 +30,16 @@ row "flat plate: the fix, ledger and all, of a step, 2 ranks" "$(of csv.2.share)
 row "... 1 rank" "$(of csv.1.share)" "%"
 row "flat plate: the fix without a ledger, of a step, 2 ranks" "$(of quiet.2.share)" "%" "<=" 5
 row "... 1 rank" "$(of quiet.1.share)" "%"
+
+# The same run with no wall at all, and with the engine's own contact model at the same step.
+sed '/^modify_timing/d' quiet.in > plain.in
+sed '/^fix wall all/,/surface/d; s/ f_wall.*//' plain.in > none.in
+sed 's/^timestep/fix wall all wall\/gran model hertz tangential history mesh n_meshes 1 meshes plate\n&/' none.in > gran.in
+for round in 1 2 3 4 5; do
+  for deck in plain none gran; do engine 1 $deck.in "${rough[@]}"; loop_seconds $deck.in >> $deck.peer; done
+done
+row "flat plate: the loop with a rough wall over that without a wall" "$(calc "$(of plain.peer) / $(of none.peer)")" "x"
+row "... with wall/gran over that with a rough wall" "$(calc "$(of gran.peer) / $(of plain.peer)")" "x"
 if command -v valgrind > /dev/null; then
   valgrind --tool=callgrind --callgrind-out-file=counts "$bin/liggghts-asperity" -in csv.in -log none "${rough[@]}" > valgrind.screen 2>&1 || { tail -n 5 valgrind.screen >&2; exit 1; }
   callgrind_annotate --inclusive=yes --threshold=100 counts | awk '

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the fix costs a particle and step, a contact, and in memory, from 10^4 to 10^6 particles on two ranks; and
-# on a mesh of 10^5 triangles against one of 200. src/liggghts/scale.md goes on from these.
+# on a mesh of 10^5 triangles against one of 200. tests/bench/scale.md goes on from these.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
 plane='wall/rebound primitive type 2 zplane 0.0 surface rq 5e-6 lambda_c 40e-6'

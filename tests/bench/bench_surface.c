@@ -115,14 +115,14 @@ static void compare_closings(void) {
 /* ---- first hit ---- */
 
 typedef struct first_hit {
-  aspi_track *track;
+  aspi_line *line;
   double alpha1, *weight;
 } first_hit;
 
 static void first_hits(void *context, size_t n) {
   first_hit *f = context;
   for (size_t i = 0; i < n; i++)
-    aspi_track_first_hit(f->track, f->alpha1, f->weight);
+    aspi_line_first_hits(f->line, aspi_line_fall(f->line, f->alpha1), f->weight);
 }
 
 static void compare_first_hits(void) {
@@ -130,16 +130,15 @@ static void compare_first_hits(void) {
   const double degrees[ANGLES] = {2, 20, 80};
   asp_profile *profiles[] = {wall_of(SMALL), wall_of(LARGE)};
   double *weight = room_for(LARGE);
+  aspi_line line[2];
   first_hit f[2][ANGLES];
   bench_work w[2][ANGLES];
   for (int i = 0; i < 2; i++) {
-    aspi_track *track = aspi_track_create(profiles[i], 80, NULL);
-    if (!track)
+    if (aspi_line_over_profile(&line[i], profiles[i], 80, NULL))
       abort();
     for (int k = 0; k < ANGLES; k++) {
-      f[i][k] = (first_hit){track, degrees[k] * ASP_PI / 180, weight};
-      w[i][k] = (bench_work){
-          .run = first_hits, .context = &f[i][k], .each = (double)aspi_track_faces(track)};
+      f[i][k] = (first_hit){&line[i], degrees[k] * ASP_PI / 180, weight};
+      w[i][k] = (bench_work){.run = first_hits, .context = &f[i][k], .each = (double)line[i].n};
     }
   }
   bench_run(w[0], 2 * ANGLES, 5 * ROUNDS);
@@ -152,7 +151,7 @@ static void compare_first_hits(void) {
   bench_ratio_row("first-hit law of 2^20 points, 2 over 80 deg, a point", &w[1][0], &w[1][2],
                   "<=", 2);
   for (int i = 0; i < 2; i++) {
-    aspi_track_free(f[i][0].track);
+    aspi_line_free(&line[i]);
     asp_profile_free(profiles[i]);
   }
   free(weight);

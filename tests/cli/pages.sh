@@ -30,7 +30,7 @@ for page in $pages; do
 done
 [ "$options" -ge 60 ] || die "only $options options were looked at"
 
-# Files that README's commands read are in the tree, or an earlier one writes them.
+# Files that the commands of the command's page read are in the tree, or an earlier one writes them.
 written=' '
 while read -r line; do
   set -f; set -- $line; set +f
@@ -38,19 +38,19 @@ while read -r line; do
     case $word in
       *.csv) case " $line " in
           *" -o $word "* | *" --save $word "*) written="$written$word " ;;
-          *) [ -e "$root/$word" ] || [[ $written = *" $word "* ]] || die "README: $word is nowhere: $line" ;;
+          *) [ -e "$root/$word" ] || [[ $written = *" $word "* ]] || die "src/cli/README.md: $word is nowhere: $line" ;;
         esac ;;
     esac
   done
-done < <(sed -n 's/^build\/bin\/asperity \([^#]*\).*/\1/p' "$root/README.md")
-[ "$written" != ' ' ] || die "README: no command"
+done < <(sed -n 's/^build\/bin\/asperity \([^#]*\).*/\1/p' "$root/src/cli/README.md")
+[ "$written" != ' ' ] || die "src/cli/README.md: no command"
 
 python3 -c 'import numpy, pandas' 2> /dev/null || { echo "no pandas: the lines of Python are not run"; exit 0; }
 "$asperity" surface surface rq 5um lambda_c 40um --points 8192 -o cor.csv
 "$asperity" cor surface sigma 10 --angles 20 --samples 3 --columns ledger -o impacts.csv
 for step in 1 2; do printf 'ITEM: TIMESTEP\n\n\n\n\n\n\n\nITEM: ENTRIES \n1 1 20 0.5 \n2 1 30 0.5 \n'; done | split -l 11 -d - rows. --additional-suffix .txt
 { printf 'import glob, numpy, pandas\nnumpy.save("impacts.npy", numpy.genfromtxt("impacts.csv", delimiter=",", names=True, skip_header=1))\n'
-  for page in README.md src/liggghts/fix_wall_rebound.md src/lammps/fix_wall_rebound.rst; do
+  for page in src/cli/README.md src/liggghts/fix_wall_rebound.md src/lammps/fix_wall_rebound.rst; do
     grep -hE '^ *(table|impacts|rows) += ' "$root/$page" | sed 's/^ *//'
   done; } > lines.py
 [ "$(grep -c 'pandas\.' lines.py)" -ge 7 ] && [ "$(grep -c 'numpy\.' lines.py)" -ge 7 ] || die "lines of Python: $(cat lines.py)"

@@ -7,17 +7,17 @@ source "$(dirname "$0")/cli.sh"
 "$asperity" surface surface rq 5um lambda_c 40um --dp 10um --points 131072 --save gauss > /dev/null
 awk -F, 'NR > 2 && NR % 4 == 0 { if (!n++) print "x_um,z_um"; printf "%.9g,%.7g\n", $1, -6.5 * log(1 + exp(0.6 - 1.4 * $2 / 5)) }' gauss > plateau
 head -n 1921 plateau > short
-waves() { # STRETCH along y, FACTOR of the heights of the right half
-  awk -v stretch="$1" -v factor="$2" 'BEGIN { srand(5); n = 160; pi = 3.14159265358979
+waves() { # POINTS along each side, STRETCH along y, FACTOR of the heights of the right half
+  awk -v n="$1" -v stretch="$2" -v factor="$3" 'BEGIN { srand(5); pi = 3.14159265358979
     for (k = 0; k < 300; k++) { r = sqrt(-2 * log(1 - rand())) * sqrt(2) / 12; w = 2 * pi * rand()
       a[k] = r * cos(w); b[k] = r * sin(w) / stretch; c[k] = 2 * pi * rand() }
-    print "# Width: 320 um\n# Height: 320 um\n# Value units: um"
+    print "# Width: " 2 * n " um\n# Height: " 2 * n " um\n# Value units: um"
     for (j = 0; j < n; j++) for (i = 0; i < n; i++) { z = 0; for (k = 0; k < 300; k++) z += 0.1225 * cos(2 * a[k] * i + 2 * b[k] * j + c[k])
       printf "%.7g%s", z * (i < n / 2 ? 1 : factor), i < n - 1 ? " " : "\n" } }'
 }
-waves 1 1 > map
-waves 3 1 > laid
-waves 1 0.3 > uneven
+waves 160 1 1 > map
+waves 96 3 1 > laid
+waves 96 1 0.3 > uneven
 
 # The mean tilt of the first hits by every way to give the wall: slope sqrt(2) rq / lambda_c, small particles.
 mean() { "$asperity" spread "$@" --angles 20 --summary --samples 20000 | awk -F, 'END { print $3 }'; }
@@ -44,7 +44,7 @@ steeper "cor --map --lay" "$(impacts 90)" "$(impacts 0)"
 
 # trade by a profile: the plateau's own law is close, that of a Gaussian wall with its numbers is not. No part of the
 # profile judges what it made: a short one says too little of its other half, and that is seen.
-"$asperity" trade surface profile plateau --dp 5um --angles 10 --rays 100000 > long 2> err || die "trade --profile: $(cat err)"
+"$asperity" trade surface profile plateau --dp 5um --angles 10 --rays 50000 > long 2> err || die "trade --profile: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.01 && $6 > 0 { good++ } $1 == "visible" && $5 > 0.03 { good++ } END { exit good != 2 }' long || die "trade --profile: $(cat long)"
 "$asperity" trade surface profile short --dp 5um --angles 2,20 --rays 20000 > rows 2> err
 grep -q 'warning: --angles: those under .* degrees are left out' err && ! grep -q '^[a-z]*,2,' rows || die "angles that a short profile cannot judge: $(cat err)"
@@ -52,7 +52,7 @@ awk -F, '$1 == "profile" && $5 > 0.02 && $6 > 0.002 { good++ } END { exit good !
 "$asperity" trade surface sigma 10 --angles 20 --rays 20000 --profiles 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
 
 # trade by a map: in three dimensions.
-"$asperity" trade surface map map --dp 5um --angles 20 --rays 20000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
+"$asperity" trade surface map map --dp 5um --angles 20 --rays 10000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.05 && $10 < 0.05 && $14 > 5 && $14 / $15 > 0.85 && $14 / $15 < 1.15 { good++ } $1 == "none" && $5 > 1 { good++ } END { exit good != 2 }' rows || die "trade --map: $(cat rows)"
 grep -q '20°' map.svg || die "trade --map --plot"
 

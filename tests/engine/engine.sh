@@ -10,6 +10,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+# One process without mpirun starts no daemon, and ranks of one machine look for no network: twice as fast a start.
+export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
 
 # use ENGINE: its launcher, as $program. That of LAMMPS gets the script in its own language: a copy for each rank, of
 # which the first one's counts.
@@ -40,7 +42,9 @@ die() { echo "FAILED: $*" >&2; exit 1; }
 # engine RANKS SCRIPT [options]: runs a script; the screen goes to SCRIPT.screen.
 engine() {
   local ranks=$1 script=$2; shift 2
-  timeout 300 mpirun -np "$ranks" "$program" -in "$script" -log none "$@" < /dev/null > "$script.screen" 2>&1 ||
+  local launch=()
+  [ "$ranks" = 1 ] || launch=(mpirun -np "$ranks")
+  timeout 300 "${launch[@]}" "$program" -in "$script" -log none "$@" < /dev/null > "$script.screen" 2>&1 ||
     { tail -n 15 "$script.screen" >&2; die "$script on $ranks ranks"; }
 }
 

@@ -1,14 +1,14 @@
 /* Makes first_hits.csv: the law of the first hit of discs on Gaussian profiles, which depends on a
  * = tan(alpha1)/s_eff and kappa, and where slopes are not small on phi_r. An ensemble
  * of generated profiles, each with its negative and in both directions of flight; each face weighs
- * what it adds to the running maximum of the path (aspi_track_first_hit). Slopes are told in units
+ * what it adds to the running maximum of the path (aspi_line_first_hits). Slopes are in units
  * of the size law's s_eff. To be run by `cmake --build build --target first_hits`, which writes the
  * file in its place; takes some half an hour; the result does not depend on the number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
 #include "spread/ensemble.h"
-#include "spread/trace.h"
+#include "spread/line.h"
 #include "surface/closing.h"
 #include "surface/profile.h"
 #include "surface/size_law.h"
@@ -38,17 +38,17 @@ typedef struct counts {
   double share[ASP_ENSEMBLE_AS][CELLS], mean[ASP_ENSEMBLE_AS];
 } counts;
 
-static void add_flights(const aspi_track *track, double s_eff, counts *into) {
-  size_t faces = aspi_track_faces(track);
+static void add_flights(const aspi_line *line, double s_eff, counts *into) {
+  size_t faces = line->n;
   double *weight = malloc(faces * sizeof *weight);
   if (!weight)
     fail("out of memory");
   for (int k = 0; k < ASP_ENSEMBLE_AS; k++) {
-    aspi_track_first_hit(track, atan(aspi_ensemble_a(k) * s_eff), weight);
+    aspi_line_first_hits(line, aspi_line_fall(line, atan(aspi_ensemble_a(k) * s_eff)), weight);
     for (size_t i = 0; i < faces; i++) {
       if (!(weight[i] > 0))
         continue;
-      double x = aspi_track_face_slope(track, i) / s_eff;
+      double x = line->slope[i] / s_eff;
       int cell = (int)((x + X_MOST) * (CELLS / (2 * X_MOST)));
       into->share[k][cell < 0 ? 0 : cell < CELLS ? cell : CELLS - 1] += weight[i] / 4;
       into->mean[k] += weight[i] * x / 4;
@@ -65,11 +65,11 @@ static void add_heights(const asp_profile *profile, double d_p, double s_eff, co
     fail(error.text);
   const asp_profile *both[] = {path, mirror};
   for (int i = 0; i < 2; i++) {
-    aspi_track *track = aspi_track_create(both[i], 0, &error);
-    if (!track)
+    aspi_line line;
+    if (aspi_line_over_profile(&line, both[i], 0, &error))
       fail(error.text);
-    add_flights(track, s_eff, into);
-    aspi_track_free(track);
+    add_flights(&line, s_eff, into);
+    aspi_line_free(&line);
   }
   asp_profile_free(path);
   asp_profile_free(mirror);

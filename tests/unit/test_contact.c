@@ -396,6 +396,14 @@ static void test_tree(void **unused) {
     }
     ContactTree *tree = contact_tree_create(triangles, id, (size_t)count);
     assert_non_null(tree);
+    void *block = malloc(contact_tree_bytes(tree));
+    assert_non_null(block);
+    if (count % 2) { /* the same tree over a block */
+      contact_tree_pack(tree, block);
+      contact_tree_free(tree);
+      tree = contact_tree_over(block);
+      assert_non_null(tree);
+    }
     assert_int_equal(contact_tree_count(tree), count);
     for (int i = 0; i < count; i++) {
       const int place = contact_tree_place(tree, id[i]);
@@ -435,6 +443,7 @@ static void test_tree(void **unused) {
     }
     contact_list_free(&list);
     contact_tree_free(tree);
+    free(block);
     free(triangles);
     free(id);
   }

@@ -320,7 +320,7 @@ static void properties(void **state) {
   int models = asp_spread_count(), laws = asp_rebound_count();
   asp_cor_table *table = aspi_cor_table_create(coefficients, 4, NULL);
   assert_non_null(table);
-  for (int i = 0; i < 10 * models * laws; i++) {
+  for (int i = 0; i < 2 * models * laws; i++) {
     const asp_spread_model *model = asp_spread_at(i % models);
     double slope = pow(10, -6 + 7 * gsl_rng_uniform(rng));
     setup s = setup_create(model->name, "bons", slope);

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "cli/judge_3d.h"
-#include "spread/field.h"
+#include "analysis/dilated_map.h"
 #include "spread/line.h"
 #include "surface/ball.h"
 
@@ -13,7 +13,7 @@
 #define DEGREE (ASP_PI / 180)
 
 /* Bilinear, anywhere on the plane. */
-static double height_at(const aspi_field *f, double x, double y) {
+static double height_at(const aspi_dilated_map *f, double x, double y) {
   double u = x / f->step[0], v = y / f->step[1], n = (double)f->columns, m = (double)f->rows;
   u -= n * floor(u / n);
   v -= m * floor(v / m);
@@ -25,11 +25,11 @@ static double height_at(const aspi_field *f, double x, double y) {
          v * ((1 - u) * f->z[l * f->columns + i] + u * f->z[l * f->columns + k]);
 }
 
-static void field_of(aspi_field *f, asp_map *map, double d_p) {
+static void field_of(aspi_dilated_map *f, asp_map *map, double d_p) {
   aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
-  assert_int_equal(aspi_field_create(f, map, NULL), ASP_OK);
+  assert_int_equal(aspi_dilated_map_create(f, map, NULL), ASP_OK);
   aspi_ball_rows(ball, 0, map->rows, f->z, f->p, f->q);
-  aspi_field_finish(f);
+  aspi_dilated_map_finish(f);
   aspi_ball_free(ball);
 }
 
@@ -43,7 +43,7 @@ static void flights_end_where_small_steps_do(void **state) {
   map->rows = 97;
   for (size_t j = 0; j < map->rows; j++)
     memmove(map->heights + j * 101, map->heights + j * 128, 101 * sizeof *map->heights);
-  aspi_field f;
+  aspi_dilated_map f;
   field_of(&f, map, 0.4);
   int hits = 0;
   for (int k = 0; k < 400; k++) {
@@ -51,7 +51,7 @@ static void flights_end_where_small_steps_do(void **state) {
     aspi_flight flight = {{0.31 * k, 0.77 * k, 0}, {cos(azimuth), sin(azimuth), rise}}, begin;
     flight.x[2] = height_at(&f, flight.x[0], flight.x[1]) + 0.15;
     begin = flight;
-    bool found = aspi_field_next(&f, &flight, gradient);
+    bool found = aspi_dilated_map_next(&f, &flight, gradient);
     double t = 0, step = 2e-4;
     bool met = false;
     for (; !met && t < 60; t += met ? 0 : step)
@@ -66,7 +66,7 @@ static void flights_end_where_small_steps_do(void **state) {
     assert_true(flight.v[2] - gradient[0] * flight.v[0] - gradient[1] * flight.v[1] < 0);
   }
   assert_true(hits > 100 && hits < 390);
-  aspi_field_free(&f);
+  aspi_dilated_map_free(&f);
   asp_map_free(map);
 }
 
@@ -76,14 +76,14 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
   (void)state;
   aspi_gauss wall = {0.2, 1, 1, 0};
   asp_map *map = aspi_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
-  aspi_field f;
+  aspi_dilated_map f;
   field_of(&f, map, 0.1);
   int hits = 0;
   for (int k = 0; k < 20000; k++) {
     double azimuth = 0.7 * k, gradient[2];
     aspi_flight flight = {{0.31 * k, 0.77 * k, f.top + 1e-4},
                           {cos(azimuth), sin(azimuth), -0.1 - 1e-4 * k}};
-    while (aspi_field_next(&f, &flight, gradient)) {
+    while (aspi_dilated_map_next(&f, &flight, gradient)) {
       double *v = flight.v, square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1];
       double twice = 2 * (v[2] - v[0] * gradient[0] - v[1] * gradient[1]) / square;
       assert_true(twice < 0);
@@ -95,7 +95,7 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
     assert_true(flight.v[2] > 0);
   }
   assert_true(hits > 21000);
-  aspi_field_free(&f);
+  aspi_dilated_map_free(&f);
   asp_map_free(map);
 }
 
@@ -104,7 +104,7 @@ static void first_hits_fill_the_beam(void **state) {
   (void)state;
   aspi_gauss wall = {0.2, 1, 1, 0};
   asp_map *map = aspi_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
-  aspi_field f;
+  aspi_dilated_map f;
   field_of(&f, map, 2);
   aspi_line line;
   assert_int_equal(aspi_line_create(&line, f.columns, f.step[0], NULL), ASP_OK);
@@ -117,10 +117,10 @@ static void first_hits_fill_the_beam(void **state) {
     double fall = 0.1, sum = 0, off = 0;
     memset(count, 0, sizeof count);
     aspi_line_set(&line, f.z + 3 * 1024, f.p + 3 * 1024, way);
-    aspi_line_first_hit(&line, fall, weight);
+    aspi_line_first_hits(&line, fall, weight);
     aspi_line_hits(&line, fall, share, COUNT, spots);
     for (int k = 0; k < COUNT; k++) {
-      count[spots[k].face] += aspi_line_rise(&line, fall) / COUNT;
+      count[spots[k].face] += 1. / COUNT;
       double x = way > 0 ? spots[k].x : 1023 * f.step[0] - spots[k].x;
       assert_near(spots[k].z, height_at(&f, x, 3 * f.step[1]), 2e-3);
       assert_true(line.slope[spots[k].face] > -fall);
@@ -129,11 +129,11 @@ static void first_hits_fill_the_beam(void **state) {
       sum += weight[i];
       off = fmax(off, fabs(count[i] - weight[i]));
     }
-    assert_near(sum, aspi_line_rise(&line, fall), 1e-9);
-    assert_true(off < 2 * aspi_line_rise(&line, fall) / COUNT);
+    assert_near(sum, 1, 1e-9);
+    assert_true(off < 2. / COUNT);
   }
   aspi_line_free(&line);
-  aspi_field_free(&f);
+  aspi_dilated_map_free(&f);
   asp_map_free(map);
 }
 

@@ -7,8 +7,8 @@
  * those of GSL and of stdio fail, too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spread/courses.h"
-#include "spread/field.h"
+#include "spread/map_lines.h"
+#include "analysis/dilated_map.h"
 #include "spread/line.h"
 #include "spread/trace.h"
 #include "surface/ball.h"
@@ -204,24 +204,24 @@ static asp_code ball(asp_error *error) {
 }
 
 static asp_code field(asp_error *error) {
-  aspi_field made;
-  asp_code code = aspi_field_create(&made, gauss, error);
+  aspi_dilated_map made;
+  asp_code code = aspi_dilated_map_create(&made, gauss, error);
   if (!code)
-    aspi_field_free(&made);
+    aspi_dilated_map_free(&made);
   return code;
 }
 
 /* Of a map, and all of it: lines over it and their laws. */
 static asp_code laws(asp_error *error) {
-  aspi_law *both[2];
+  aspi_line_table *both[2];
   aspi_ball *made = aspi_ball_create(gauss, 10, error);
   if (!made)
     return error->code;
-  asp_code code = aspi_courses_laws(made, gauss, 0.3, 1, 500, both, error);
+  asp_code code = aspi_map_line_tables(made, gauss, 0.3, 1, 500, both, error);
   aspi_ball_free(made);
   if (!code) {
-    aspi_law_free(both[0]);
-    aspi_law_free(both[1]);
+    aspi_line_table_free(both[0]);
+    aspi_line_table_free(both[1]);
   }
   return code;
 }
@@ -344,16 +344,20 @@ static int outcome_of(entry call, long first, long last) {
   return *error.text ? NO_MEMORY : NO_MESSAGE;
 }
 
-/* How often a failing allocation was told; exits where it was not as it must be. Each fails alone,
- * and together with all after it. */
+/* Most allocations of one entry point that are made to fail: all, or that many spread evenly. */
+enum { TRIED = 12 };
+
+/* How often a failing allocation was reported; exits where it was not as it must be. Every second one
+ * of a sample, and each of a few, fails alone; the others, and each of a few, with all after it. */
 static long try_all(const char *name, entry call, bool allocates) {
   if (outcome_of(call, NEVER, NEVER) != SUCCEEDED) {
     fprintf(stderr, "%s: does not work with all its memory\n", name);
     exit(1);
   }
   long total = seen, told = 0;
-  for (long k = 0; k < 2 * total; k++) {
-    long at = k / 2 + 1;
+  long tries = total > TRIED ? TRIED : 2 * total;
+  for (long k = 0; k < tries; k++) {
+    long at = 1 + k * total / tries;
     fflush(NULL);
     pid_t child = fork();
     if (child == 0)

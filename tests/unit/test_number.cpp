@@ -78,9 +78,23 @@ static void counts(void **) {
   }
 }
 
+static void reading(void **) {
+  for (const char *number :
+       {"0", "-0.1", "+2.5e-3", "1E5", "5e-324", "0.30000000000000004", "nan"}) {
+    double value = 7;
+    assert_true(read_number(number, number + strlen(number), value));
+    const double theirs = strtod(number, NULL);
+    assert_true(value == theirs || (isnan(value) && isnan(theirs)));
+  }
+  for (const char *other : {"", "1,5", "here", "1.0x", "--1"}) {
+    double value;
+    assert_false(read_number(other, other + strlen(other), value));
+  }
+}
+
 int main() {
   const struct CMUnitTest tests[] = {cmocka_unit_test(any_bits), cmocka_unit_test(usual_magnitudes),
-                                     cmocka_unit_test(ties), cmocka_unit_test(special),
-                                     cmocka_unit_test(counts)};
+                                     cmocka_unit_test(ties),     cmocka_unit_test(special),
+                                     cmocka_unit_test(counts),   cmocka_unit_test(reading)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

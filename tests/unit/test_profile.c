@@ -547,7 +547,7 @@ static void gaps_are_refused_or_filled(void **state) {
     assert_non_null(strstr(report.text, "1 points filled in"));
   }
   expect("x_m,z_m\n0,nan\n1,1\n2,2\n3,4\n4,nan\n", &o, 3, 1, 4);
-  expect_error("x_m,z_m\n0,1\n1,nan\n2,nan\n3,nan\n4,5\n", &o, ASP_EDATA, "more than half");
+  expect_error("x_m,z_m\n0,1\n1,nan\n2,nan\n3,nan\n4,5\n", &o, ASP_EDATA, "more than half of 5 points");
 }
 
 /* Rows that are not there are a gap, too. */
@@ -649,7 +649,7 @@ static void more_spikes_than_points_are_refused(void **state) {
   o.fill = true;
   for (o.form = -1; o.form <= ASP_FORM_MAX; o.form++)
     for (o.spikes = 1e-9; o.spikes < 1e-3; o.spikes *= 100)
-      expect_error(text, &o, ASP_EDATA, "more than half cannot be filled");
+      expect_error(text, &o, ASP_EDATA, "more than half of");
   free(text);
 }
 

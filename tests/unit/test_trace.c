@@ -4,6 +4,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "cli/measure.h"
+#include "spread/line.h"
+#include "spread/line_table.h"
 #include "wall/wall.h"
 #include "surface/closing.h"
 #include "surface/profile.h"
@@ -15,22 +17,22 @@
 
 #define DEGREE (ASP_PI / 180)
 
-static double heights_of_one(const aspi_track *track, size_t i) {
+static double heights_of_one(const aspi_line *line, size_t i) {
   double z = 0;
   for (size_t k = 0; k < i; k++)
-    z += aspi_track_face_slope(track, k);
+    z += line->slope[k];
   return z;
 }
 
 /* The first face that a ray from (x, z) with slope m meets beyond face `own` (none: n), by asking
  * every face; n when there is none within two periods. Heights in points, over point 0. */
-static size_t brute(const aspi_track *track, const double *h, double x, double z, double m,
+static size_t brute(const aspi_line *line, const double *h, double x, double z, double m,
                     size_t own) {
-  size_t n = aspi_track_faces(track), begin = (size_t)x;
+  size_t n = line->n, begin = (size_t)x;
   for (size_t k = begin; k < begin + 2 * n; k++) {
     if (k % n == own && k < begin + n)
       continue;
-    double from = fmax((double)k, x), p = aspi_track_face_slope(track, k % n);
+    double from = fmax((double)k, x), p = line->slope[k % n];
     double low = h[k % n] + p * (from - (double)k), high = h[k % n] + p;
     if (z + m * (from - x) >= low - 1e-12 && z + m * ((double)k + 1 - x) <= high + 1e-12)
       return k % n;
@@ -38,32 +40,43 @@ static size_t brute(const aspi_track *track, const double *h, double x, double z
   return n;
 }
 
-static aspi_track *track_of(size_t points, double r_q, double d_p, uint32_t seed) {
-  asp_profile *profile = asp_profile_create(r_q, 1, 1 / 16., points, seed, NULL);
-  aspi_track *track = aspi_track_create(profile, d_p, NULL);
-  assert_non_null(track);
-  asp_profile_free(profile);
-  return track;
+static aspi_line line_over(const asp_profile *profile, double d_p) {
+  aspi_line line;
+  assert_int_equal(aspi_line_over_profile(&line, profile, d_p, NULL), ASP_OK);
+  return line;
+}
+
+/* The shares of the first hits at alpha1. */
+static void weigh(const aspi_line *line, double alpha1, double *weight) {
+  aspi_line_first_hits(line, aspi_line_fall(line, alpha1), weight);
+}
+
+static double slope_rms(const aspi_line *line) {
+  double square = 0;
+  for (size_t i = 0; i < line->n; i++)
+    square += line->slope[i] * line->slope[i] / (double)line->n;
+  return sqrt(square);
 }
 
 static void first_hits_agree_with_brute_force(void **state) {
   (void)state;
-  aspi_track *track = track_of(512, 0.2, 0.5, 5); /* alpha_least is 5 degrees */
-  size_t n = aspi_track_faces(track);
+  asp_profile *profile = asp_profile_create(0.2, 1, 1 / 16., 512, 5, NULL);
+  aspi_line line = line_over(profile, 0.5); /* resolves 5 degrees */
+  size_t n = line.n;
   double *weight = malloc(n * sizeof *weight), *h = malloc(n * sizeof *h);
   for (size_t i = 0; i < n; i++)
-    h[i] = heights_of_one(track, i);
+    h[i] = heights_of_one(&line, i);
   for (double angle = 8; angle < 90; angle += 16.3) {
     enum { RAYS = 20000 };
     double sum = 0, *count = calloc(n, sizeof *count), off = 0, top = 0;
-    aspi_track_first_hit(track, angle * DEGREE, weight);
+    weigh(&line, angle * DEGREE, weight);
     for (size_t i = 0; i < n; i++) {
       sum += weight[i];
       top = fmax(top, h[i]);
     }
     assert_near(sum, 1, 1e-9);
     for (int i = 0; i < RAYS; i++)
-      count[brute(track, h, (i + 0.5) / RAYS * (double)n, top + 1e-9, -tan(angle * DEGREE), n)]++;
+      count[brute(&line, h, (i + 0.5) / RAYS * (double)n, top + 1e-9, -tan(angle * DEGREE), n)]++;
     for (size_t i = 0; i < n; i++)
       off = fmax(off, fabs(count[i] / RAYS - weight[i]));
     assert_true(off < 3. / RAYS); /* a regular beam counts a face's width to one ray at each end */
@@ -71,22 +84,24 @@ static void first_hits_agree_with_brute_force(void **state) {
   }
   free(weight);
   free(h);
-  aspi_track_free(track);
+  aspi_line_free(&line);
+  asp_profile_free(profile);
 }
 
 static void paths_agree_with_brute_force(void **state) {
   (void)state;
-  aspi_track *track = track_of(512, 0.3, 0.3, 6);
-  size_t n = aspi_track_faces(track);
+  asp_profile *profile = asp_profile_create(0.3, 1, 1 / 16., 512, 6, NULL);
+  aspi_track *track = aspi_track_create(profile, 0.3, NULL);
+  aspi_line line = line_over(profile, 0.3);
+  size_t n = line.n;
   double *h = malloc(n * sizeof *h), zero;
   for (size_t i = 0; i < n; i++)
-    h[i] = heights_of_one(track, i);
+    h[i] = heights_of_one(&line, i);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   aspi_path path;
   aspi_track_enter(track, 0.5, &path);
   aspi_track_next(track, ASP_PI / 2, &path, &zero);
-  double shift = path.z - h[path.face] -
-                 (path.x - (double)path.face) * aspi_track_face_slope(track, path.face);
+  double shift = path.z - h[path.face] - (path.x - (double)path.face) * line.slope[path.face];
   for (int i = 0; i < 20000; i++) {
     double delta, alpha = 0.2 + 1.3 * gsl_rng_uniform(rng);
     aspi_track_enter(track, gsl_rng_uniform_pos(rng), &path);
@@ -96,12 +111,14 @@ static void paths_agree_with_brute_force(void **state) {
     if (!(fabs(rise) < 1.5))
       continue; /* flies back, which the mirror image covers below */
     bool hits = aspi_track_next(track, -rise, &path, &delta);
-    size_t should = brute(track, h, x, z, tan(rise), own);
+    size_t should = brute(&line, h, x, z, tan(rise), own);
     assert_int_equal(hits ? path.face : n, should);
   }
   gsl_rng_free(rng);
   free(h);
   aspi_track_free(track);
+  aspi_line_free(&line);
+  asp_profile_free(profile);
 }
 
 /* A profile and its mirror image are the same wall for a particle that flies the other way. */
@@ -160,23 +177,23 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   measure_wall_free(&wall);
 }
 
-/* At the nodes the table is the exact law; between them it is within 0.002 of it. */
-static void tables_are_the_law_of_the_track(void **state) {
+/* At the nodes the table is exact; between them its D_KL is below 0.002. */
+static void tables_are_the_first_hits_of_the_line(void **state) {
   (void)state;
   const asp_spread_model *model = asp_spread_find("profile", NULL);
   asp_profile *profile = asp_profile_create(0.125, 1, 1 / 128., 131072, 1, NULL);
   aspi_sizes sizes = {0.25, 0.25, 1};
   void *table = model->prepare(profile, &sizes, NULL);
-  aspi_track *track = aspi_track_create(profile, 0.25, NULL);
-  size_t n = aspi_track_faces(track);
+  aspi_line line = line_over(profile, 0.25);
+  size_t n = line.n;
   double *weight = malloc(n * sizeof *weight);
   for (double k = 10; k < 63; k += 2.25) { /* nodes, and a quarter, half, three quarters between */
     double alpha1 = ASP_PI / 2 * k * k / (63 * 63), kl = 0, most = 0, share[181] = {0};
     aspi_view view = {
         .slope = 0.17, .sigma = atan(0.17), .alpha1 = alpha1, .d_p = 0.25, .data = table};
-    aspi_track_first_hit(track, alpha1, weight);
+    weigh(&line, alpha1, weight);
     for (size_t i = 0; i < n; i++)
-      share[(int)floor(atan(aspi_track_face_slope(track, i)) / DEGREE) + 90] += weight[i];
+      share[(int)floor(atan(line.slope[i]) / DEGREE) + 90] += weight[i];
     for (int i = 0; i < 180; i++) {
       double p = model->distribution(&view, (i - 89) * DEGREE) -
                  model->distribution(&view, (i - 90) * DEGREE);
@@ -189,7 +206,7 @@ static void tables_are_the_law_of_the_track(void **state) {
       assert_true(most < 2. / 512);
   }
   free(weight);
-  aspi_track_free(track);
+  aspi_line_free(&line);
   model->release(table);
   asp_profile_free(profile);
 }
@@ -242,15 +259,14 @@ static asp_profile *plateau(double lambda_c, int across) {
 }
 
 /* Shares of the rebound angle in bins of one degree, by the first hits. */
-static void count_rebounds(const aspi_track *track, double alpha1, double share[180]) {
-  size_t n = aspi_track_faces(track);
+static void count_rebounds(const aspi_line *line, double alpha1, double share[180]) {
+  size_t n = line->n;
   double *weight = malloc(n * sizeof *weight);
   memset(share, 0, 180 * sizeof *share);
-  aspi_track_first_hit(track, alpha1, weight);
+  weigh(line, alpha1, weight);
   for (size_t i = 0; i < n; i++)
     if (weight[i] > 0)
-      share[(int)fmax(0, (alpha1 + 2 * atan(aspi_track_face_slope(track, i))) / DEGREE)] +=
-          weight[i];
+      share[(int)fmax(0, (alpha1 + 2 * atan(line->slope[i])) / DEGREE)] += weight[i];
   free(weight);
 }
 
@@ -269,18 +285,18 @@ static const double few[] = {2, 10, 40};
 static void compare_few(double lambda_c, int across, double reference[3][180], double slope) {
   asp_profile *measured = plateau(lambda_c, across);
   asp_surface *surface = asp_surface_create_profile(measured, 1, 1, 1, NULL);
-  aspi_track *track = aspi_track_create(measured, 1, NULL);
+  aspi_line line = line_over(measured, 1);
   for (int k = 0; k < 3; k++) {
     double share[180], kl;
-    count_rebounds(track, few[k] * DEGREE, share);
+    count_rebounds(&line, few[k] * DEGREE, share);
     kl = divergence(reference[k], share, 180);
     print_message("lambda_c %g, %d points across, %g deg: D_KL %.5f\n", lambda_c, across, few[k],
                   kl);
     assert_true(kl < (across < 16 ? 0.01 : 0.003));
   }
-  assert_near(aspi_track_slope_rms(track), slope, 0.01 * slope);
+  assert_near(slope_rms(&line), slope, 0.01 * slope);
   assert_near(asp_surface_slope(surface, 1), slope, 0.01 * slope);
-  aspi_track_free(track);
+  aspi_line_free(&line);
   asp_surface_free(surface);
   asp_profile_free(measured);
 }
@@ -293,12 +309,12 @@ static void few_points_across_are_enough(void **state) {
     double *path = malloc(n * sizeof *path), reference[3][180];
     assert_int_equal(aspi_profile_dilate(fine, 1, path, NULL), ASP_OK);
     asp_profile *dilated = asp_profile_from_heights(path, n, 1. / ACROSS_FINE, false, NULL);
-    aspi_track *track = aspi_track_create(dilated, 0, NULL);
+    aspi_line line = line_over(dilated, 0);
     for (int k = 0; k < 3; k++)
-      count_rebounds(track, few[k] * DEGREE, reference[k]);
+      count_rebounds(&line, few[k] * DEGREE, reference[k]);
     for (int across = 8; across <= 16; across *= 2)
-      compare_few(lambda_c, across, reference, aspi_track_slope_rms(track));
-    aspi_track_free(track);
+      compare_few(lambda_c, across, reference, slope_rms(&line));
+    aspi_line_free(&line);
     asp_profile_free(dilated);
     asp_profile_free(fine);
     free(path);
@@ -349,17 +365,17 @@ static void ensembles_agree_with_their_table(void **state) {
       asp_profile *profile = aspi_profile_create_scaled(
           phi_r, 1, 1 / 48., POINTS, 500 + (uint32_t)p / 2, p % 2 ? -1 : 1, NULL);
       asp_profile *path = aspi_profile_rolled(profile, d_p, 1, NULL);
-      aspi_track *track = aspi_track_create(path, 0, NULL);
+      aspi_line line = line_over(path, 0);
       for (int a = 0; a < 4; a++) {
-        aspi_track_first_hit(track, atan(as[a] * slope), weight);
+        weigh(&line, atan(as[a] * slope), weight);
         for (size_t i = 0; i < POINTS; i++) {
-          double x = aspi_track_face_slope(track, i) / slope;
+          double x = line.slope[i] / slope;
           mean[a] += weight[i] * x / (2 * PROFILES);
           for (int n = 0; n < SLOPES && weight[i] > 0; n++)
             below[a][n] += x < 0.5 * n - 1 ? weight[i] / (2 * PROFILES) : 0;
         }
       }
-      aspi_track_free(track);
+      aspi_line_free(&line);
       asp_profile_free(path);
       asp_profile_free(profile);
     }
@@ -403,13 +419,13 @@ static void measured_profiles(void **state) {
   (void)state;
   static const double heights[] = {0, 1, 3, 2, 5, 4, 4.5, 1, 0.5, 2};
   asp_profile *profile = asp_profile_from_heights(heights, 10, 1, false, NULL);
-  aspi_track *track = aspi_track_create(profile, 0, NULL);
-  assert_int_equal(aspi_track_faces(track), 18);
+  aspi_line line = line_over(profile, 0);
+  assert_int_equal(line.n, 18);
   for (size_t i = 0; i < 9; i++) {
-    assert_near(aspi_track_face_slope(track, i), heights[i + 1] - heights[i], 1e-12);
-    assert_near(aspi_track_face_slope(track, 17 - i), heights[i] - heights[i + 1], 1e-12);
+    assert_near(line.slope[i], heights[i + 1] - heights[i], 1e-12);
+    assert_near(line.slope[17 - i], heights[i] - heights[i + 1], 1e-12);
   }
-  aspi_track_free(track);
+  aspi_line_free(&line);
   asp_profile_free(profile);
 }
 
@@ -424,13 +440,13 @@ static void empty_bins_take_their_neighbors(void **state) {
     line.end_x[i] = i + 1;
     line.end_z[i] = i;
   }
-  aspi_law *law = aspi_law_create(&line, NULL, NULL);
-  assert_non_null(law);
+  aspi_line_table *table = aspi_line_table_create(&line, NULL, NULL);
+  assert_non_null(table);
   aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 1});
-  aspi_kind kind = aspi_law_kind(80 * DEGREE, &stream);
+  int face_class = aspi_line_table_class(80 * DEGREE, &stream);
   for (int i = 0; i < 100; i++)
-    assert_false(aspi_law_leaves(law, &kind, -1.1, 0.05, false, &stream));
-  aspi_law_free(law);
+    assert_false(aspi_line_table_escapes(table, face_class, -1.1, 0.05, false, &stream));
+  aspi_line_table_free(table);
   aspi_line_free(&line);
 }
 
@@ -440,7 +456,7 @@ int main(void) {
       cmocka_unit_test(paths_agree_with_brute_force),
       cmocka_unit_test(flights_back_are_flights_over_the_mirror_image),
       cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
-      cmocka_unit_test(tables_are_the_law_of_the_track),
+      cmocka_unit_test(tables_are_the_first_hits_of_the_line),
       cmocka_unit_test(discs_roll_over_curves),
       cmocka_unit_test(few_points_across_are_enough),
       cmocka_unit_test(few_points_across_judge_as_many),

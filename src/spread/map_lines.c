@@ -1,11 +1,10 @@
 /* Straight lines over a map at one azimuth. A particle in straight flight stays in a vertical
- * plane, so that its first hit, whether it leaves, and its next hit in the same direction depend on
- * the line under it only; lines of one azimuth, joined end to end, make a long line whose law is
- * that of the map. Where two lines join there is no face, only a step that the running maximum
- * passes as it would any other.
+ * plane, so its first hit, its escape and its next hit in the same direction depend only on the
+ * line under it. Lines of one azimuth, joined end to end, make a long line with the statistics of
+ * the map.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spread/courses.h"
+#include "spread/map_lines.h"
 #include "base/error.h"
 #include "surface/map.h"
 
@@ -13,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The golden section: parts of it spread evenly, however many there are. */
+/* The golden section: its multiples modulo 1 spread evenly, for any number of them. */
 #define GOLDEN 0.6180339887498949
 
-/* The piece of a straight line through (x, y) within the map: t from [0] to [1]. */
+/* Clips the straight line through (x, y) to the map: t from [0] to [1]. False: it passes by. */
 static bool clip(const asp_map *map, double x, double y, double ex, double ey, double t[2]) {
   const double at[2] = {x, y}, way[2] = {ex, ey};
   const double side[2] = {(double)(map->columns - 1) * map->step[0],
@@ -36,14 +35,14 @@ static bool clip(const asp_map *map, double x, double y, double ex, double ey, d
   return t[1] > t[0];
 }
 
-/* Room for the points of the lines. */
-typedef struct course {
+/* Points of the lines so far. */
+typedef struct joined {
   float *z, *p, *q;
   size_t count, room;
   double height, slope; /* rms of the map, to compare by */
-} course;
+} joined;
 
-static void measure(const asp_map *map, course *c) {
+static void measure(const asp_map *map, joined *c) {
   double mean = 0, height = 0, slope = 0, n = (double)map->columns * (double)map->rows;
   for (size_t i = 0; i < map->columns * map->rows; i++)
     mean += map->heights[i] / n;
@@ -56,13 +55,12 @@ static void measure(const asp_map *map, course *c) {
   c->slope = sqrt(slope);
 }
 
-/* So many points at both ends are looked at for a place to join two lines. */
+/* Points at both ends that are searched for the best place to join two lines. */
 enum { JOINT = 64 };
 
-/* Cuts the end of the last line and the beginning of the one that begins at `first` where they are
- * most alike in height and slope, so that a flight from one to the other finds the wall going on.
- */
-static void join(course *c, size_t first, double height, double slope) {
+/* Cuts the end of the last line and the beginning of the one at `first` where they agree best in
+ * height and slope, so that a flight from one to the other meets no step. */
+static void join(joined *c, size_t first, double height, double slope) {
   size_t ahead = c->count - first < JOINT ? c->count - first : JOINT, end = first, begin = first;
   size_t behind = first < JOINT ? first : JOINT;
   double least = INFINITY;
@@ -82,16 +80,16 @@ static void join(course *c, size_t first, double height, double slope) {
   c->count = end + kept;
 }
 
-/* Fills one line after the other, until there is no more room. */
+/* Fills one line after the other, until the room is full. */
 static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, double step,
-                double apart, course *c) {
+                double apart, joined *c) {
   double ex = cos(azimuth), ey = sin(azimuth);
   double width = (double)(map->columns - 1) * map->step[0];
   double height = (double)(map->rows - 1) * map->step[1];
   double half = 0.5 * (fabs(ey) * width + fabs(ex) * height);
   size_t lines = (size_t)ceil(2 * half / apart);
   for (size_t k = 0; k < lines; k++) {
-    /* Away from the middle along b, each within its own part of the width. */
+    /* Offset from the middle, each line within its own strip of the width. */
     double part = fmod(GOLDEN * (double)(k + 1), 1);
     double off = -half + apart * ((double)k + part), t[2];
     double x = 0.5 * width - off * ey, y = 0.5 * height + off * ex;
@@ -110,7 +108,7 @@ static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, doubl
   }
 }
 
-/* The slopes across the line, for a flight the other way. */
+/* Turns the slopes across the line, for a flight the other way. */
 static void turn(float *q, size_t n) {
   for (size_t i = 0; i < (n + 1) / 2; i++) {
     float keep = q[i];
@@ -119,17 +117,18 @@ static void turn(float *q, size_t n) {
   }
 }
 
-asp_code aspi_courses_laws(const aspi_ball *ball, const asp_map *map, double azimuth, double step,
-                           size_t points, aspi_law *laws[2], asp_error *error) {
+asp_code aspi_map_line_tables(const aspi_ball *ball, const asp_map *map, double azimuth,
+                              double step, size_t points, aspi_line_table *tables[2],
+                              asp_error *error) {
   double area = (double)(map->columns - 1) * map->step[0] * (double)(map->rows - 1) * map->step[1];
   double apart = area / (step * (double)points);
-  course c = {.room = points + points / 4};
+  joined c = {.room = points + points / 4};
   c.z = malloc(c.room * sizeof *c.z);
   c.p = malloc(c.room * sizeof *c.p);
   c.q = malloc(c.room * sizeof *c.q);
   measure(map, &c);
   asp_code code = ASP_OK;
-  laws[0] = laws[1] = NULL;
+  tables[0] = tables[1] = NULL;
   if (!c.z || !c.p || !c.q)
     code = aspi_fail(error, ASP_ENOMEM, "out of memory for lines of %zu points over a map", points);
   if (!code)
@@ -142,13 +141,13 @@ asp_code aspi_courses_laws(const aspi_ball *ball, const asp_map *map, double azi
     aspi_line_set(&line, c.z, c.p, way ? -1 : 1);
     if (way)
       turn(c.q, c.count);
-    laws[way] = aspi_law_create(&line, c.q, error);
-    code = laws[way] ? ASP_OK : ASP_ENOMEM;
+    tables[way] = aspi_line_table_create(&line, c.q, error);
+    code = tables[way] ? ASP_OK : ASP_ENOMEM;
     aspi_line_free(&line);
   }
   if (code) {
-    aspi_law_free(laws[0]);
-    laws[0] = NULL;
+    aspi_line_table_free(tables[0]);
+    tables[0] = NULL;
   }
   free(c.z);
   free(c.p);

@@ -1,31 +1,31 @@
-/* Flights over a dilated map: the path of the centre is a straight line, the wall is bilinear
- * between four points, and the gradient of a hit is that of the contact at the nearest of them that
+/* Flights over a dilated map: the path of the center is a straight line, the wall is bilinear
+ * between four points, and the gradient at a hit is that of the contact at the nearest of them that
  * faces the particle. A flight skips blocks of cells whose maximum it passes over, in steps that
  * grow as long as nothing is in reach.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spread/field.h"
+#include "analysis/dilated_map.h"
 #include "base/error.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Blocks that a flight looks at before it is called lost: of a flight that sinks, never so many. */
+/* A flight is lost after this many blocks; a sinking flight meets far fewer. */
 enum { BLOCKS_MOST = 1000000 };
 
 /* The gradient of a contact is not that of the surface between the points: a face may send a
- * particle a little into its neighbour. One that is still under it after so many cells has hit it.
+ * particle slightly into its neighbor. A particle that is still under it after 2 cells has hit it.
  */
 enum { UNDER_MOST = 2 };
 
-asp_code aspi_field_create(aspi_field *f, const asp_map *map, asp_error *error) {
+asp_code aspi_dilated_map_create(aspi_dilated_map *f, const asp_map *map, asp_error *error) {
   size_t n = map->columns * map->rows, total = 3 * n, across = map->columns, down = map->rows;
-  *f = (aspi_field){
+  *f = (aspi_dilated_map){
       .columns = map->columns, .rows = map->rows, .step = {map->step[0], map->step[1]}};
   for (;; across = (across + 1) / 2, down = (down + 1) / 2) {
     f->across[f->levels++] = across;
     total += across * down;
-    if ((across == 1 && down == 1) || f->levels == ASP_FIELD_LEVELS)
+    if ((across == 1 && down == 1) || f->levels == ASPI_DILATED_LEVELS)
       break;
   }
   f->memory = malloc(total * sizeof *f->memory);
@@ -44,7 +44,7 @@ asp_code aspi_field_create(aspi_field *f, const asp_map *map, asp_error *error) 
   return ASP_OK;
 }
 
-void aspi_field_free(aspi_field *f) {
+void aspi_dilated_map_free(aspi_dilated_map *f) {
   free(f->memory);
 }
 
@@ -52,7 +52,7 @@ static float larger(float a, float b) {
   return a > b ? a : b;
 }
 
-void aspi_field_finish(aspi_field *f) {
+void aspi_dilated_map_finish(aspi_dilated_map *f) {
   size_t columns = f->columns, rows = f->rows;
   for (size_t j = 0; j < rows; j++) {
     const float *one = f->z + j * columns, *two = f->z + (j + 1 < rows ? j + 1 : 0) * columns;
@@ -86,21 +86,21 @@ static void reverse(float *values, size_t n, float sign) {
     values[n / 2] *= sign;
 }
 
-void aspi_field_turn(aspi_field *f) {
+void aspi_dilated_map_turn(aspi_dilated_map *f) {
   size_t n = f->columns * f->rows;
   reverse(f->z, n, 1);
   reverse(f->p, n, -1);
   reverse(f->q, n, -1);
-  aspi_field_finish(f);
+  aspi_dilated_map_finish(f);
 }
 
-/* A cell that the flight is in, and its corners. */
+/* A cell and its corners. */
 typedef struct cell {
   size_t i[2], j[2]; /* columns and rows */
   double z[4];
 } cell;
 
-static cell cell_at(const aspi_field *f, size_t i, size_t j) {
+static cell cell_at(const aspi_dilated_map *f, size_t i, size_t j) {
   cell c = {{i, i + 1 < f->columns ? i + 1 : 0}, {j, j + 1 < f->rows ? j + 1 : 0}, {0}};
   for (int k = 0; k < 4; k++)
     c.z[k] = f->z[c.j[k / 2] * f->columns + c.i[k % 2]];
@@ -120,13 +120,13 @@ static double along(const ray *r, int axis, double t) {
   return r->x[axis] + t * r->v[axis];
 }
 
-/* How far the flight is over the cell's surface; (i, j) is its corner on the unwrapped map. */
+/* Height of the flight over the cell's surface; (i, j) is its corner on the unwrapped map. */
 static double over(const ray *r, const cell *c, double i, double j, double t) {
   return along(r, 2, t) - bilinear(c, along(r, 0, t) - i, along(r, 1, t) - j);
 }
 
-/* The time at which the flight meets the surface of a cell between two times, exactly: over() is
- * a parabola. False when it does not come from above. */
+/* The exact time at which the flight meets the surface of a cell between two times: over() is a
+ * parabola. False if it does not come from above. */
 static bool meets(const ray *r, const cell *c, double i, double j, const double t[2], double *at) {
   double a = over(r, c, i, j, t[0]), b = over(r, c, i, j, t[1]);
   double m = over(r, c, i, j, 0.5 * (t[0] + t[1]));
@@ -146,8 +146,9 @@ static bool meets(const ray *r, const cell *c, double i, double j, const double 
   return true;
 }
 
-/* The mean of the contacts' gradients at the corners, by how near they are. */
-static void blend(const aspi_field *f, const cell *c, double u, double v, double gradient[2]) {
+/* Bilinear interpolation of the contact gradients at the corners. */
+static void blend(const aspi_dilated_map *f, const cell *c, double u, double v,
+                  double gradient[2]) {
   gradient[0] = gradient[1] = 0;
   for (int k = 0; k < 4; k++) {
     size_t at = c->j[k / 2] * f->columns + c->i[k % 2];
@@ -164,8 +165,8 @@ static bool approaches(const double way[3], const double gradient[2]) {
 /* The gradient at a hit: that of the contact at the nearest corner that the particle approaches, or
  * where it grazes all of them, that between the corners. On a wall with crests, that of the
  * contacts between the corners comes first. */
-static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
-                        double gradient[2]) {
+static void gradient_at(const aspi_dilated_map *f, const cell *c, double u, double v,
+                        const double way[3], double gradient[2]) {
   double nearest = INFINITY;
   if (f->crests) {
     blend(f, c, u, v, gradient);
@@ -198,10 +199,10 @@ static double leaves_at(double x, double v, double first, double width) {
   return v < 0 ? (first - x) / v : INFINITY;
 }
 
-/* Whether a flight is under the surface of a cell where it leaves it, and flies on into the wall
- * there: `gradient`. */
-static bool sinks_in(const aspi_field *f, const ray *r, const cell *c, double i, double j, double t,
-                     const double way[3], double gradient[2]) {
+/* True if a flight leaves a cell below its surface and approaches the wall there, whose gradient
+ * goes to `gradient`. */
+static bool sinks_in(const aspi_dilated_map *f, const ray *r, const cell *c, double i, double j,
+                     double t, const double way[3], double gradient[2]) {
   if (over(r, c, i, j, t) > 0)
     return false;
   gradient_at(f, c, along(r, 0, t) - i, along(r, 1, t) - j, way, gradient);
@@ -209,13 +210,13 @@ static bool sinks_in(const aspi_field *f, const ray *r, const cell *c, double i,
 }
 
 /* Where a flight is at a time, at the height z. */
-static void land(const aspi_field *f, const ray *r, double t, double z, aspi_flight *flight) {
+static void land(const aspi_dilated_map *f, const ray *r, double t, double z, aspi_flight *flight) {
   flight->x[0] = wrapped(along(r, 0, t), (double)f->columns) * f->step[0];
   flight->x[1] = wrapped(along(r, 1, t), (double)f->rows) * f->step[1];
   flight->x[2] = z;
 }
 
-bool aspi_field_next(const aspi_field *f, aspi_flight *flight, double gradient[2]) {
+bool aspi_dilated_map_next(const aspi_dilated_map *f, aspi_flight *flight, double gradient[2]) {
   const double *way = flight->v;
   double speed = hypot(way[0], way[1]);
   ray r = {{flight->x[0] / f->step[0], flight->x[1] / f->step[1], flight->x[2]},

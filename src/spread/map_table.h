@@ -1,0 +1,21 @@
+/* First-hit and shadowing tables of a map, by size and direction.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SPREAD_MAP_TABLE_H
+#define ASP_SPREAD_MAP_TABLE_H
+
+#include "spread/models.h"
+
+typedef struct aspi_map_table aspi_map_table;
+
+/* For spheres of the sizes; the map need not outlive it. NULL on error. */
+aspi_map_table *aspi_map_table_create(const asp_map *map, const aspi_sizes *sizes,
+                                      asp_error *error);
+void aspi_map_table_free(aspi_map_table *tables);
+
+/* The next face of a particle, first or later, as asp_spread_model.follow; path->q is the slope
+ * across the flight. */
+bool aspi_map_table_follow(const aspi_map_table *tables, const aspi_view *view, aspi_stream *stream,
+                           aspi_path *path, double *delta);
+
+#endif
