@@ -35,7 +35,7 @@ public:
   void prepare(const std::vector<int> &wall_types);
 
   /* What is new since it was last printed, for the log; empty if nothing is. */
-  std::string news();
+  std::string take_report();
 
   Deposit deposit() const {
     return deposit_;
@@ -106,7 +106,7 @@ private:
   void report_yield(const std::vector<int> &wall_types);
   void warn_of_doubts(const std::vector<int> &wall_types) const;
   void warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
-                      std::set<std::string> &told) const;
+                      std::set<std::string> &said) const;
   bool draws_from_gaussian() const;
   std::string describe_surface() const;
 

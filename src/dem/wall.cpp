@@ -117,9 +117,9 @@ void Wall::init(int64_t step, double dt) {
     if (!report.empty())
       engine_.print(report);
   }
-  const std::string news = model_.news();
-  if (!news.empty())
-    engine_.print("fix " + engine_.id() + " wall/rebound: " + news);
+  const std::string report = model_.take_report();
+  if (!report.empty())
+    engine_.print("fix " + engine_.id() + " wall/rebound: " + report);
 }
 
 std::string Wall::heading() const {

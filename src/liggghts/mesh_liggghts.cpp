@@ -17,7 +17,7 @@ using namespace LAMMPS_NS;
 using asperity::Bounds;
 using asperity::ContactLoad;
 using asperity::Frame;
-using asperity::Parted;
+using asperity::SharedTriangles;
 using asperity::text;
 using asperity::Twist;
 using asperity::Wall;
@@ -71,7 +71,7 @@ std::string MeshOfLiggghts::setup(const Bounds &here) {
 void MeshOfLiggghts::gather(const Bounds &here) {
   std::vector<double> mine;
   const int n = mesh()->sizeLocal();
-  mine.reserve(static_cast<size_t>(n) * Parted::ROW);
+  mine.reserve(static_cast<size_t>(n) * SharedTriangles::ROW);
   for (int t = 0; t < n; t++) {
     mine.push_back(mesh()->id(t));
     for (int k = 0; k < 3; k++) {
@@ -81,8 +81,8 @@ void MeshOfLiggghts::gather(const Bounds &here) {
     }
   }
   take(std::move(mine));
-  if (parted_)
-    add_known(here);
+  if (shared_)
+    add_fetched(here);
 }
 
 /* Rows of triangles, of which each rank brings some. */
@@ -90,75 +90,75 @@ void MeshOfLiggghts::take(std::vector<double> mine) {
   int ranks;
   MPI_Comm_size(world_, &ranks);
   choose_nodes(mine);
-  known_.clear();
-  parted_.reset(new Parted(world_, std::move(mine)));
+  fetched_.clear();
+  shared_.reset(new SharedTriangles(world_, std::move(mine)));
   const bool large = ranks > 1 && pieces_ >= LARGE;
-  if (large && parted_->is_whole())
+  if (large && shared_->is_whole())
     report_ = text("mesh '%s': this MPI has no one-sided communication, so each rank keeps all of "
                    "its %d triangles",
                    fix_->id, static_cast<int>(pieces_));
-  if (large && !parted_->is_whole())
+  if (large && !shared_->is_whole())
     set_triangles(std::vector<ContactTriangle>(), std::vector<int>());
   else {
-    known_.push_back(parted_->whole());
-    put_known();
-    parted_.reset();
+    fetched_.push_back(shared_->whole());
+    put_fetched();
+    shared_.reset();
   }
 }
 
-bool MeshOfLiggghts::knows_all() const {
-  return !parted_;
+bool MeshOfLiggghts::has_all() const {
+  return !shared_;
 }
 
 Bounds MeshOfLiggghts::whole() const {
-  return parted_ ? parted_->whole() : MeshShape::whole();
+  return shared_ ? shared_->whole() : MeshShape::whole();
 }
 
-bool MeshOfLiggghts::knows(const Bounds &box) const {
-  if (!parted_ || !box.meets(parted_->whole()))
+bool MeshOfLiggghts::has(const Bounds &box) const {
+  if (!shared_ || !box.meets(shared_->whole()))
     return true;
   Bounds inner = box;
   for (int d = 0; d < 3; d++) {
-    inner.lo[d] = std::max(inner.lo[d], parted_->whole().lo[d]);
-    inner.hi[d] = std::min(inner.hi[d], parted_->whole().hi[d]);
+    inner.lo[d] = std::max(inner.lo[d], shared_->whole().lo[d]);
+    inner.hi[d] = std::min(inner.hi[d], shared_->whole().hi[d]);
   }
-  for (const Bounds &known : known_)
+  for (const Bounds &known : fetched_)
     if (known.has(inner))
       return true;
   return false;
 }
 
-void MeshOfLiggghts::learn(const Bounds &box) const {
+void MeshOfLiggghts::fetch(const Bounds &box) const {
   Bounds wide = box;
   double longest = 0;
   for (int d = 0; d < 3; d++)
     longest = std::max(longest, box.hi[d] - box.lo[d]);
   wide.widen(WIDER * longest);
-  add_known(wide);
+  add_fetched(wide);
 }
 
 /* What is known never shrinks. */
-void MeshOfLiggghts::add_known(Bounds wide) const {
-  for (size_t k = 0; k < known_.size();) { /* one that is near becomes a part of it */
-    Bounds both = known_[k];
+void MeshOfLiggghts::add_fetched(Bounds wide) const {
+  for (size_t k = 0; k < fetched_.size();) { /* one that is near becomes a part of it */
+    Bounds both = fetched_[k];
     both.include(wide);
-    if (both.size() > UNITED * (known_[k].size() + wide.size())) {
+    if (both.size() > UNITED * (fetched_[k].size() + wide.size())) {
       k++;
       continue;
     }
     wide = both;
-    known_.erase(known_.begin() + k);
+    fetched_.erase(fetched_.begin() + k);
     k = 0;
   }
-  known_.push_back(wide);
-  put_known();
+  fetched_.push_back(wide);
+  put_fetched();
 }
 
-void MeshOfLiggghts::put_known() const {
+void MeshOfLiggghts::put_fetched() const {
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(contact_tree_begin(),
                                                              contact_tree_free);
   bool good = tree != NULL;
-  parted_->read(known_, [&](const double *row) {
+  shared_->read(fetched_, [&](const double *row) {
     ContactTriangle triangle;
     memcpy(triangle.node, row + 1, sizeof triangle.node);
     good = good && contact_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
@@ -168,11 +168,11 @@ void MeshOfLiggghts::put_known() const {
 
 std::vector<double> MeshOfLiggghts::motion_record() const {
   std::vector<double> record = MeshShape::motion_record();
-  if (!parted_ || record.empty())
+  if (!shared_ || record.empty())
     return record;
   record.resize(6); /* the velocity; then all triangles, of this rank or not */
-  parted_->read(std::vector<Bounds>(1, parted_->whole()), [&record](const double *row) {
-    record.insert(record.end(), row, row + Parted::ROW);
+  shared_->read(std::vector<Bounds>(1, shared_->whole()), [&record](const double *row) {
+    record.insert(record.end(), row, row + SharedTriangles::ROW);
   });
   return record;
 }
@@ -185,8 +185,10 @@ void MeshOfLiggghts::restore_motion(const std::vector<double> &record) {
   int rank, ranks;
   MPI_Comm_rank(world_, &rank);
   MPI_Comm_size(world_, &ranks);
-  const size_t rows = (record.size() - head) / Parted::ROW;
-  const auto from = [&](int of) { return record.begin() + head + rows * of / ranks * Parted::ROW; };
+  const size_t rows = (record.size() - head) / SharedTriangles::ROW;
+  const auto from = [&](int of) {
+    return record.begin() + head + rows * of / ranks * SharedTriangles::ROW;
+  };
   take(std::vector<double>(from(rank), from(rank + 1)));
 }
 
@@ -205,7 +207,7 @@ void MeshOfLiggghts::choose_nodes(const std::vector<double> &mine) {
   std::vector<Pick> all(ranks);
   for (int pick = 0; pick < 3; pick++) {
     Pick best = {-1, static_cast<double>(pieces_), 0, {0, 0, 0}};
-    for (size_t row = 0; row < mine.size(); row += Parted::ROW)
+    for (size_t row = 0; row < mine.size(); row += SharedTriangles::ROW)
       for (int k = 0; k < 3; k++) {
         Pick other = {0, mine[row], static_cast<double>(k), {0, 0, 0}};
         double arm[3], line[3], across[3];

@@ -15,7 +15,7 @@
 #include "mesh_module_stress.h"
 #include "dem/mesh.h"
 #include "dem/wall.h"
-#include "parted.h"
+#include "shared_triangles.h"
 
 namespace LAMMPS_NS {
 
@@ -55,10 +55,10 @@ public:
   void take(const asperity::ContactLoad &load) override;
 
 protected:
-  bool knows_all() const override;
-  bool knows(const asperity::Bounds &box) const override;
+  bool has_all() const override;
+  bool has(const asperity::Bounds &box) const override;
   asperity::Bounds whole() const override;
-  void learn(const asperity::Bounds &box) const override;
+  void fetch(const asperity::Bounds &box) const override;
   bool runs() const override;
   void surface_velocity(int piece, const double foot[3], double v[3]) const override;
 
@@ -75,8 +75,8 @@ private:
   MeshModuleStress *stress() const;
   void gather(const asperity::Bounds &here);
   void take(std::vector<double> mine);
-  void add_known(asperity::Bounds box) const;
-  void put_known() const;
+  void add_fetched(asperity::Bounds box) const;
+  void put_fetched() const;
   void choose_nodes(const std::vector<double> &mine);
   asperity::Frame look(asperity::Twist &twist) const;
   void check_form() const;
@@ -88,9 +88,9 @@ private:
   MPI_Comm world_;
   FixMeshSurface *fix_;
   size_t pieces_;
-  std::unique_ptr<asperity::Parted> parted_;    /* of a large mesh on several ranks */
-  std::string report_;                          /* for the log */
-  mutable std::vector<asperity::Bounds> known_; /* of which this rank has the triangles then */
+  std::unique_ptr<asperity::SharedTriangles> shared_; /* of a large mesh on several ranks */
+  std::string report_;                                /* for the log */
+  mutable std::vector<asperity::Bounds> fetched_; /* of which this rank has the triangles then */
   NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
   double reference_[3][3];
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */
