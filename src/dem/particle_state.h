@@ -9,13 +9,15 @@
 
 namespace asperity {
 
+/* The values are in restart files, and per-atom output shows them: 1 is stuck, less than 0 is at
+ * the wall in this step. */
 enum class Status {
-  FREE,
-  RESTING,   /* stays at the wall, in this step */
-  RESTED,    /* stayed at it in the step before; not known yet of this one */
-  REBOUNDED, /* has rebounded in this step */
-  STUCK,
-  TO_DELETE /* stuck, and to be deleted */
+  FREE = 0,
+  STUCK = 1,
+  TO_DELETE = 2,  /* stuck, and to be deleted */
+  RESTING = -1,   /* stays at the wall, in this step */
+  RESTED = -2,    /* stayed at it in the step before; not known yet of this one */
+  REBOUNDED = -3, /* has rebounded in this step */
 };
 
 struct ParticleState {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The version of the header is that of the newest part of the change log, and that by which pages say to cite it.
+# The version of src/asperity.h is that of the change log and of the citations; the date of CITATION.cff that of the
+# other citations. A release changes these two, and this test names what else is left.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -12,4 +13,11 @@ says() { # FILE VERSION
 says .github/CHANGELOG.md "$(sed -n 's/^## //p' .github/CHANGELOG.md | head -n 1)"
 says CITATION.cff "$(sed -n 's/^version: //p' CITATION.cff)"
 says README.md "$(sed -n 's/^ *version *= {\(.*\)},$/\1/p' README.md)"
+released=$(sed -n 's/^date-released: //p' CITATION.cff)
+dated() { # FILE DATE FORMAT
+  local wanted; wanted=$(LC_ALL=C date -d "$released" "+$3")
+  [ "$2" = "$wanted" ] || { echo "FAILED: $1 is dated '$2'; by CITATION.cff it is '$wanted'"; bad=1; }
+}
+dated README.md "$(sed -n '/^@software/,/^}/s/^ *year *= {\(.*\)}.*/\1/p' README.md)" %Y
+dated .github/paper.md "$(sed -n 's/^date: //p' .github/paper.md)" '%-d %B %Y'
 exit $bad
