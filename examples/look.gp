@@ -39,7 +39,6 @@ model_traced = 30; set style line model_traced lc rgb '#5e3c99' lw 2 dt (18,3,3,
 # Laws of the rebound.
 law_bons = 31; set style line law_bons lc rgb '#0072b2' lw 2 dt 1 pt 5
 law_constant = 32; set style line law_constant lc rgb '#777777' lw 2 dt (6,3) pt 2
-law_forder = 33; set style line law_forder lc rgb '#8c5a2b' lw 2 dt (12,3,3,3) pt 12
 law_grant_tabakoff = 34; set style line law_grant_tabakoff lc rgb '#cc79a7' lw 2 dt (12,3) pt 10
 law_table = 35; set style line law_table lc rgb '#e69f00' lw 2 dt 1 pt 6
 law_thornton_ning = 36; set style line law_thornton_ning lc rgb '#009e73' lw 2 dt (6,3) pt 8

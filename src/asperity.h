@@ -1,18 +1,18 @@
 /* asperity: rough walls for particle simulation. The one public header of the core.
  *
- * A wall is a surface (how rough), a spread model (which face a particle meets at a given impact
- * angle), and a rebound law (what the material makes of the hit). asp_wall_impact() joins the three
- * for one contact. All of it works in any consistent set of units; angles are radians, measured
- * from the wall plane (90 degrees is normal impact); velocities are relative to the wall. A
- * positive tilt delta_alpha turns the wall towards the particle (luff), so that the local impact
+ * A wall is a surface (its roughness), a spread model (the distribution of the face that a particle
+ * hits at an impact angle), and a rebound law (velocity after the hit). asp_wall_impact() combines
+ * the three for one contact. All of it works in any consistent set of units; angles are radians,
+ * measured from the wall plane (90 degrees is normal impact); velocities are relative to the wall.
+ * A positive tilt delta_alpha turns the wall towards the particle (luff), so that the local impact
  * angle is alpha1 + delta_alpha.
  *
- * What ..._create makes, ..._free frees (NULL is allowed). An object may be shared by threads as
+ * Objects from ..._create are freed by ..._free (NULL is allowed). Threads may share an object as
  * long as none of them changes it. Setup allocates, a contact does not. The library prints nothing,
- * never exits, and keeps no state of its own. A call that can fail takes an asp_error, or NULL, and
- * says there what was wrong; it returns a code, or NULL for an object. Strings that are returned
- * live as long as what they were asked of. The few structs that a program holds itself change with
- * the major version only.
+ * never exits, and keeps no state of its own. A call that can fail takes an asp_error, or NULL, for
+ * the message; it returns a code, or NULL for an object. Returned strings live as long as the
+ * object that they belong to. The few structs that a program holds itself change with the major
+ * version only.
  *
  * The numbered equations are those of Altmeppen, Sommerfeld, Koch & Staudacher (2020), "An
  * analytical approach to estimate the effect of surface roughness on particle rebound".
@@ -55,12 +55,12 @@ typedef enum asp_code {
 
 typedef struct asp_error {
   asp_code code;
-  char text[480]; /* one line, without a full stop: what, its value, what it must be */
+  char text[480]; /* one line without a full stop: name, value, and what it must be */
 } asp_error;
 
 /* ---- units ----------------------------------------------------------------------------------- */
-/* The caller's units: how many of them make one of SI, 1 each for SI itself; 0: not known. The name
- * is for messages, as "'units lj'". */
+/* The caller's units: the number of them in one SI unit (1 for SI, 1e6 for micrometers; 0: not
+ * known). The name is for messages, as "'units lj'". */
 typedef struct asp_units {
   const char *name;
   double metre, kilogram, second;
@@ -78,7 +78,7 @@ typedef struct asp_profile asp_profile;
 asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, size_t points,
                                 uint32_t seed, asp_error *error);
 
-/* A profile of given heights, which are copied: at least three, all finite. */
+/* A profile from heights[points], which are copied: at least three, all finite. */
 asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
                                       bool periodic, asp_error *error);
 void asp_profile_free(asp_profile *profile);
@@ -89,10 +89,10 @@ const double *asp_profile_heights(const asp_profile *profile);
 /* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
  * or spaces; after any header), or SDF in ASCII (ISO 25178-71). A text file must state its unit in
  * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
- * um`), or the reader be told; the same lines say which columns are positions and heights, where
- * there are more. Positions may be rounded: the spacing comes from all of them. They may fall, and
- * repeat themselves (heights are averaged); what follows the data is left out. Columns X and Y
- * beside the heights give the distance along a straight line. */
+ * um`), or the reader must be given it; the same lines say which columns are positions and heights,
+ * where there are more. Positions may be rounded: the spacing comes from all of them. They may
+ * fall, and repeat themselves (heights are averaged); what follows the data is left out. Columns X
+ * and Y beside the heights give the distance along a straight line. */
 typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);
@@ -101,7 +101,7 @@ void asp_reader_free(asp_reader *reader);
  *   unit_x, unit_z  metres in one unit of a text file's columns (0: as the file states)
  *   metre           one metre in the unit of the result (1; 1e6 for micrometres)
  *   form            degree of the polynomial that is taken out as form, 0 to 9 (1); -1: none
- *   spikes          points this many robust sd off their neighbours are bad (0: none are)
+ *   spikes          points this many robust sd off their neighbors are bad (0: none are)
  *   fill            1: bad points and gaps are filled by straight lines (0: they are refused)
  *   resample        1: unequal spacing is resampled by straight lines (1); 0: it is refused
  *   row, column     of an SDF map, from 1: the row (1), or where column > 0 that column instead; of
@@ -119,9 +119,8 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
 /* The profile of a file; the message names file and line. */
 asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error);
 
-/* What was found in the file read last, by name, and as a sentence: points, bad, spikes, filled,
- * longest_gap (of points filled in), resampled, step_least, step_most. NaN for any other name. */
-double asp_reader_get(const asp_reader *reader, const char *name);
+/* What was found in the file read last, as a sentence: points, bad ones, spikes, points filled in,
+ * the form taken out, and how positions and columns were taken. */
 const char *asp_reader_text(const asp_reader *reader);
 
 /* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
@@ -136,12 +135,13 @@ asp_code asp_sampling_check(double d_p, double spacing, double length, double la
                             asp_error *error);
 
 /* ---- map ------------------------------------------------------------------------------------- */
-/* Heights of a wall over an area, row after row, at equal spacing along x, in a row, and along y,
- * from row to row; in single precision, and those of a file from their mean. Lengths are in any one
- * unit. */
+/* Heights of a wall over an area, row after row, at equal spacing along x (in a row) and along y
+ * (from row to row), in single precision. Heights of a file are relative to their mean. Lengths are
+ * in any one unit. */
 typedef struct asp_map asp_map;
 
-/* A map of given heights, which are copied: 4 to 65536 columns and rows, all finite. */
+/* A map from heights[rows * columns], row after row, which are copied: 4 to 65536 columns and rows,
+ * all finite. */
 asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows, double step_x,
                               double step_y, bool periodic, asp_error *error);
 void asp_map_free(asp_map *map);
@@ -167,7 +167,7 @@ asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *er
 double asp_map_get(const asp_map *map, const char *name, asp_error *error);
 
 /* ---- surface --------------------------------------------------------------------------------- */
-/* The size law of a rough wall: which rms slope a sphere of diameter d_p meets on it. */
+/* The rms slope of a rough wall as a sphere of diameter d_p meets it. */
 typedef struct asp_surface asp_surface;
 
 /* A Gaussian wall by its two numbers, both in one unit of length and both greater than zero: r_q,
@@ -198,13 +198,13 @@ int asp_surface_bins(const asp_surface *surface);
 double asp_surface_bin_d_p(const asp_surface *surface, int bin);
 double asp_surface_bin_slope(const asp_surface *surface, int bin);
 
-/* Of a wall by its profile, 0 for others: the standard error that one profile of that length leaves
- * in the mean tilt at an impact angle of 2 degrees, as a part of sigma: about 1.1 over the root of
- * the length in correlation lengths. */
+/* The standard error of the mean tilt at an impact angle of 2 degrees that comes from the length of
+ * the profile, as a part of sigma: about 1.1 over the root of the length in correlation lengths. 0
+ * for walls without a profile. */
 double asp_surface_uncertainty(const asp_surface *surface);
 
-/* ASP_ERANGE and a message when d_p is beyond what the size law has been checked for: for setup to
- * call before the contacts begin. */
+/* ASP_ERANGE and a message when d_p is beyond the range in which the slope was checked: to be
+ * called at setup, before the contacts begin. */
 asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error);
 
 /* The wall's own numbers: phi_r (eq. 9), and the unfiltered rms slope: sqrt(2) phi_r of a Gaussian
@@ -229,22 +229,19 @@ double asp_surface_kappa(const asp_surface *surface, double d_p);
 double asp_surface_slope(const asp_surface *surface, double d_p);
 
 /* ---- spread models --------------------------------------------------------------------------- */
-/* How the tilt delta_alpha of the face that is hit is distributed. Every law is cut to
- * |delta_alpha| < 90 degrees (a height function has no overhangs, and a particle hits only faces
- * turned towards it) and normalised over what is left. */
+/* The distribution of the tilt delta_alpha of the face that is hit, cut to |delta_alpha| < 90
+ * degrees (a height function has no overhangs, and a particle hits only faces turned towards it)
+ * and normalized. */
 typedef struct asp_spread_model asp_spread_model;
 
-/* All models, in a fixed order: 0 <= index < asp_spread_count(). find: NULL and a message that
- * lists the names, when there is none of that name. */
+/* All models, in a fixed order: 0 <= index < asp_spread_count(). find: by name; NULL and a message
+ * that lists the names if there is none. */
 int asp_spread_count(void);
 const asp_spread_model *asp_spread_at(int index);
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error);
 const char *asp_spread_name(const asp_spread_model *model);
 const char *asp_spread_summary(const asp_spread_model *model);
 const char *asp_spread_source(const asp_spread_model *model);
-int asp_spread_cost(const asp_spread_model *model); /* place in the order of cost, from 0 */
-bool asp_spread_needs_profile(const asp_spread_model *model); /* one is generated where none is
-                                                                 given, for a range of diameters */
 
 /* ---- materials ------------------------------------------------------------------------------- */
 /* A material. Its numbers, by name: youngs_modulus (Pa, > 0), poissons_ratio (more than -1, less
@@ -263,12 +260,11 @@ double asp_material_get(const asp_material *material, const char *name); /* NaN 
 const char *asp_material_name(const asp_material *material);
 const char *asp_material_title(const asp_material *material);
 const char *asp_material_source(const asp_material *material);
-bool asp_material_seen(const asp_material *material); /* whether the source's original was seen */
 
 /* Materials from a text file in columns, a row a material, as `asperity materials` prints them:
  * under a line of column names name, youngs_modulus_pa, poissons_ratio, density_kg_m3, and where
- * wanted title, yield_stress_pa (empty: none), source, and seen (yes or no). Columns are separated
- * by commas, semicolons, tabs or blanks; # begins a comment. The message names file and line. */
+ * wanted title, yield_stress_pa (empty: none) and source. Columns are separated by commas,
+ * semicolons, tabs or blanks; # begins a comment. The message names file and line. */
 typedef struct asp_materials asp_materials;
 asp_materials *asp_materials_read(const char *path, asp_error *error);
 void asp_materials_free(asp_materials *materials);
@@ -280,7 +276,7 @@ const asp_material *asp_materials_at(const asp_materials *materials, int index);
 const asp_material *asp_materials_find(const asp_materials *own, const char *name,
                                        asp_error *error);
 
-/* What a contact between a particle and a wall material needs, worked out once. By name:
+/* Constants of a contact between a particle and a wall material. By name:
  *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
  *   yield_stress    the particle's, >= 0
  *   surface_energy  energy per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY, which is in SI: set
@@ -387,8 +383,8 @@ void asp_wall_set_map(asp_wall *wall, const asp_map *map);
 void asp_wall_set_profile(asp_wall *wall, const asp_profile *profile);
 void asp_wall_set_table(asp_wall *wall, const asp_cor_table *table);
 
-/* Checks all of it together and makes the tables that a contact reads. Contacts see what was chosen
- * and set when it last succeeded: before that, a smooth wall with `bons`. */
+/* Checks the choices together and makes the tables that a contact reads. Contacts use the choices
+ * of the last call that succeeded; before the first one, a smooth wall with `bons`. */
 asp_code asp_wall_prepare(asp_wall *wall, asp_error *error);
 const asp_spread_model *asp_wall_spread(const asp_wall *wall);
 const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
@@ -396,38 +392,38 @@ const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
 typedef struct asp_particle asp_particle;
 
 /* ---- the description of a wall --------------------------------------------------------------- */
-/* A wall in words, the same in a script, in the command and here:
+/* A wall in words, as in a script and in the command:
  *
  *   surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz hastelloy-x
  *
  * `asperity help wall` prints all of them. A number alone is in the caller's units (NULL: SI), one
  * with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles are degrees. Names
- * with blanks stand in quotes. What has no effect on the wall at hand is an error. The files of
- * tables and of materials are read here, those of measured walls by asp_wall_make. */
+ * with blanks stand in quotes. A word without an effect on the wall is an error. Files of tables
+ * and materials are read here, files of measured walls by asp_wall_make. */
 asp_wall *asp_wall_parse(const char *text, const asp_units *units, asp_error *error);
 
-/* The same in pieces, for a caller with words of his own in between: begin with asp_wall_parse("").
- * read takes the clause that the first of the words begins; *taken is the number of words of it, 0
- * where the first is one of `others`, the caller's own words with blanks between. complete, behind
- * the last one, checks that all of it goes together; it may be called again after more has been
- * read, or a map set. */
+/* The same clause by clause, for a caller with other words in between: begin with
+ * asp_wall_parse(""). read takes the clause at the beginning of words[count]; *taken is its number
+ * of words, 0 if the first one is in `others`, the caller's own words with blanks between.
+ * complete, after the last clause, checks them together; it may be called again after more clauses,
+ * or after a map was set. */
 asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, const char *others,
                        int *taken, asp_error *error);
 asp_code asp_wall_complete(asp_wall *wall, asp_error *error);
 
-/* The canonical text of a description, numbers in the caller's units: parsing it gives the same
- * wall. Writes at most `size` characters with the NUL, and returns how many characters there are
- * without it; 0 for a wall that has no description. */
+/* The canonical text of a description, numbers in the caller's units, in SI lengths with their unit
+ * (um or m): parsing it gives the same wall. Writes at most `size` characters with the NUL, and
+ * returns how many characters there are without it; 0 for a wall that has no description. */
 size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size);
 
-/* How long the first clause of a canonical text is, with the blank behind it; 0 at its end. */
+/* The length of the first clause of a canonical text with the blank behind it; 0 at its end. */
 size_t asp_wall_clause(const char *text);
 
-/* What a description says: words by name,
+/* Words of a description by name,
  *   surface     smooth, sigma, rq, profile or map
  *   file        of the profile or the map (NULL: neither)
  *   tilt, collisions, deposit
- *   choice      which model `spread auto` has taken and why, once the wall is made
+ *   choice      the model that `spread auto` took and why, once the wall is made
  * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress,
  * sigma, rq, lambda_c (NaN: not given), tolerance, seed and erosion_density (0: that of the
  * material). is_given: whether a keyword is given.
@@ -445,10 +441,9 @@ typedef struct asp_lay {
 } asp_lay;
 asp_lay asp_wall_lay(const asp_wall *wall);
 
-/* Makes the wall that a description means, ready for contacts of diameters from d_least to d_most
- * (which count only where asp_wall_needs_sizes): reads the file of a measured wall, where the
- * caller has not set the profile or the map himself, makes the surface, chooses the model of
- * `spread auto`, and prepares. */
+/* Prepares the wall of a description for contacts of diameters from d_least to d_most (used only if
+ * asp_wall_needs_sizes): reads the file of a measured wall unless the caller has set the profile or
+ * the map, makes the surface, chooses the model of `spread auto`, and calls asp_wall_prepare. */
 asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error *error);
 bool asp_wall_needs_sizes(const asp_wall *wall);
 const asp_surface *asp_wall_surface(const asp_wall *wall); /* NULL: smooth, or not made yet */
@@ -464,17 +459,17 @@ const asp_material *asp_wall_material(const asp_wall *wall, int index);
 asp_pair *asp_wall_pair(const asp_wall *wall, const asp_material *particle,
                         const asp_material *target, asp_error *error);
 
-/* What looks like a mistake where particles of one material meet a wall of another: the index-th
- * such sentence, from 0; false where there are no more. Of the particle its density, its pair, and
- * its diameter, that of the largest, count: a density more than 1 % off that of its material, a
- * Young's modulus that looks like one in GPa, a yield stress above a tenth of the composite
- * modulus, adhesion that holds every impact. For a wall that is made. */
+/* Doubtful constants of particles and a wall: writes the index-th warning, from 0, to `text`, at
+ * most `size` characters; false if there are no more. Warns of a density more than 1 % off that of
+ * the particle's material, a Young's modulus that looks like one in GPa, a yield stress above a
+ * tenth of the composite modulus, and adhesion that holds every impact. `particle` has the density,
+ * the pair, and the largest diameter. For a wall that is made. */
 bool asp_wall_doubt(const asp_wall *wall, const asp_particle *particle,
                     const asp_material *of_particle, const asp_material *of_wall, int index,
                     char *text, size_t size);
 
-/* What the draws of a contact depend on, and nothing else: so a result does not depend on the
- * number of MPI ranks, on the order of contacts, or on a restart. */
+/* The draws of a contact depend on this key alone, so results do not depend on the number of MPI
+ * ranks, the order of contacts, or a restart. */
 typedef struct asp_key {
   uint32_t seed;   /* the user's */
   uint32_t wall;   /* which wall, see asp_key_wall */
@@ -482,7 +477,7 @@ typedef struct asp_key {
   uint32_t impact; /* which impact of that particle, from 1 */
 } asp_key;
 
-/* A number for a wall's name (32-bit FNV-1a), so that two walls with one seed draw differently. */
+/* A number from a wall's name (32-bit FNV-1a): two walls with one seed draw differently. */
 uint32_t asp_key_wall(const char *name);
 
 struct asp_particle {
@@ -507,11 +502,11 @@ typedef struct asp_impact {
   double eroded; /* mass of the wall that is worn off, per mass of the particle */
 } asp_impact;
 
-/* One contact. v1 is the velocity relative to the wall and n the outward unit normal of the mean
- * wall, with v1.n < 0; the caller sees to that. Afterwards v2.n > 0, or the particle is deposited
- * (v2 = 0), or, on a wall without deposits whose law leaves no normal speed, it slides (v2.n = 0).
- * Kinetic energy never grows: that of the flight, and where the law turns the particle that of
- * flight and spin together, of a solid sphere. No allocation, no failure. */
+/* One contact. v1: velocity relative to the wall; n: outward unit normal of the mean wall. The
+ * caller ensures v1.n < 0. Afterwards v2.n > 0, or the particle is deposited (v2 = 0), or, on a
+ * wall without deposits whose law leaves no normal speed, it slides (v2.n = 0). Kinetic energy
+ * never grows; with a law that turns the particle that includes the spin of a solid sphere. No
+ * allocation, no failure. */
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], const asp_key *key, asp_impact *impact);
 
@@ -530,17 +525,17 @@ typedef struct asp_coefficients {
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
 
-/* Whether the shear of a flow takes away what this wall would hold of such a particle; see
+/* True if the shear of a flow removes a particle that this wall would hold; see
  * remove_u_tau. */
 bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
 
-/* The cheapest model whose measured D_KL between its rebound angles and those of the geometry
- * (specular, bins of one degree, all impact angles) stays below the tolerance (> 0), for the
- * surface's phi_r and the kappas of diameters from d_least to d_most; with its worst D_KL and the
- * reason as one line of at most `size` characters in `text`. Measured in the plane of incidence,
- * for Gaussian walls: of a wall by its measured profile only phi_r and kappa are looked at. NULL:
- * the wall is beyond what was measured, or no model stays below the tolerance; the message says
- * which comes closest. */
+/* The cheapest model whose D_KL (Kullback-Leibler divergence of the rebound angles from those of
+ * the geometry; specular, bins of one degree, all impact angles) stays below the tolerance (> 0)
+ * for the surface's phi_r and diameters from d_least to d_most. *divergence gets its worst D_KL,
+ * `text` the reason as one line of at most `size` characters (NULL: none). The D_KL were measured
+ * in the plane of incidence on Gaussian walls; of a measured profile only phi_r and kappa count.
+ * NULL and a message if the wall is beyond what was measured, or no model stays below the
+ * tolerance; then it names the closest. */
 const asp_spread_model *asp_spread_auto(const asp_surface *surface, double d_least, double d_most,
                                         bool multiple, double tolerance, double *divergence,
                                         char *text, size_t size, asp_error *error);

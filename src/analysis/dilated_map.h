@@ -13,7 +13,7 @@ enum { ASPI_DILATED_LEVELS = 20 };
 typedef struct aspi_dilated_map {
   size_t columns, rows;
   double step[2];
-  float *z, *p, *q; /* height of the centre; gradient of the contact */
+  float *z, *p, *q; /* height of the center; gradient of the contact */
   bool crests;      /* has sharp crests, as measured maps do: interpolate the gradient at a hit */
   double top;
   int levels; /* of maxima over blocks of 2^k x 2^k cells between four points */

@@ -41,14 +41,13 @@ static int numbers_of(char **fields, int count, char separator) {
 
 /* A unit as a line of units has them, in brackets or bare. */
 static bool is_unit(const char *field) {
-  static const char *const units[] = {"",    "-",    "deg",  "grad", "\xc2\xb0", "\xb0",   "rad",
-                                      "m/s", "cm/s", "mm/s", "km/h", "%",        "degrees"};
+  const aspi_unit *u;
   field += strspn(field, "([{ ");
   size_t length = strcspn(field, ")]} ");
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (strlen(units[i]) == length && strncasecmp(units[i], field, length) == 0)
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
+    if (aspi_unit_is(u, field, length, false))
       return true;
-  return aspi_unit_metres(field, length) > 0;
+  return length == 0 || strncmp(field, "-", length) == 0;
 }
 
 /* Takes a line as that of the names, and puts the units of the line below it, if any, behind them.
@@ -130,7 +129,7 @@ static bool is_data(aspi_csv *csv, above *a) {
   return false;
 }
 
-/* `sep=;`, by which spreadsheets are told. */
+/* `sep=;`, as spreadsheets understand it. */
 static bool take_separator(aspi_csv *csv) {
   const char *line = csv->text.text;
   if (csv->text.line != 1 || strncasecmp(line, "sep=", 4) != 0 || !line[4])

@@ -4,6 +4,7 @@
 #include "base/quantity.h"
 #include "base/error.h"
 #include "base/number.h"
+#include "base/units.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,49 +21,6 @@ static const struct {
     {"energy/area", 0, 1, -2}, {"stress/speed", -2, 1, -1},
     {"degrees", 0, 0, 0},      {"K", 0, 0, 0},
     {"1/K", 0, 0, 0},
-};
-
-/* One unit: 10^exponent of SI (or degrees), plus `offset`. Units without a place in lists of them
- * are other ways to write one. */
-static const struct {
-  const char *kind, *name;
-  int exponent;
-  double offset;
-  bool listed;
-} names[] = {
-    {"length", "m", 0, 0, true},
-    {"length", "cm", -2, 0, true},
-    {"length", "mm", -3, 0, true},
-    {"length", "um", -6, 0, true},
-    {"length", "nm", -9, 0, true},
-    {"length", "\xC2\xB5m", -6, 0, false}, /* micro sign, UTF-8 */
-    {"length", "\xCE\xBCm", -6, 0, false}, /* Greek mu, UTF-8 */
-    {"speed", "m/s", 0, 0, true},
-    {"speed", "cm/s", -2, 0, true},
-    {"speed", "mm/s", -3, 0, true},
-    {"speed", "km/s", 3, 0, true},
-    {"stress", "Pa", 0, 0, true},
-    {"stress", "kPa", 3, 0, true},
-    {"stress", "MPa", 6, 0, true},
-    {"stress", "GPa", 9, 0, true},
-    {"density", "kg/m3", 0, 0, true},
-    {"density", "g/cm3", 3, 0, true},
-    {"density", "kg/m^3", 0, 0, false},
-    {"density", "g/cm^3", 3, 0, false},
-    {"energy/area", "J/m2", 0, 0, true},
-    {"energy/area", "mJ/m2", -3, 0, true},
-    {"energy/area", "J/m^2", 0, 0, false},
-    {"energy/area", "mJ/m^2", -3, 0, false},
-    {"energy/area", "N/m", 0, 0, false},
-    {"stress/speed", "Pa/(m/s)", 0, 0, true},
-    {"stress/speed", "kPa/(m/s)", 3, 0, true},
-    {"stress/speed", "MPa/(m/s)", 6, 0, true},
-    {"degrees", "deg", 0, 0, true},
-    {"degrees", "\xC2\xB0", 0, 0, false}, /* degree sign, UTF-8 */
-    {"K", "K", 0, 0, true},
-    {"K", "C", 0, 273.15, true},
-    {"1/K", "/K", 0, 0, true},
-    {"1/K", "1/K", 0, 0, false},
 };
 
 double aspi_quantity_factor(const char *kind, const asp_units *units) {
@@ -87,11 +45,13 @@ double aspi_quantity_factor(const char *kind, const asp_units *units) {
 }
 
 void aspi_quantity_units(const char *kind, char *list, size_t size) {
+  const aspi_unit *u;
   *list = '\0';
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++) {
     size_t used = strlen(list);
-    if (names[i].listed && strcmp(names[i].kind, kind) == 0)
-      snprintf(list + used, size - used, "%s%s", used ? " " : "", names[i].name);
+    if (u->listed && strcmp(u->kind, kind) == 0)
+      snprintf(list + used, size - used, "%s%.*s", used ? " " : "", (int)strcspn(u->names, " "),
+               u->names);
   }
 }
 
@@ -105,6 +65,18 @@ static double shifted(const char *text, size_t length, int exponent) {
   mantissa = mantissa < length ? mantissa : length;
   snprintf(copy, sizeof copy, "%.*se%ld", (int)mantissa, text, own + exponent);
   return aspi_number(copy, &end);
+}
+
+void aspi_quantity_print_length(double metres, char text[32]) {
+  char um[32];
+  aspi_number_print(metres, text);
+  double value = shifted(text, strlen(text), 6), again;
+  aspi_number_print(value, um);
+  again = shifted(um, strlen(um), -6);
+  bool same = again >= metres && again <= metres && value >= 1e-3 && strlen(um) < 24;
+  if (same)
+    memcpy(text, um, sizeof um);
+  strcat(text, same ? "um" : "m");
 }
 
 static asp_code fail_unit(const char *name, const char *text, const char *kind, bool is_number,
@@ -127,14 +99,15 @@ asp_code aspi_quantity_read(const char *name, const char *text, const char *kind
   *value = aspi_number(text, &end);
   if (end > text && !*end)
     return ASP_OK;
-  for (size_t i = 0; end > text && i < sizeof names / sizeof *names; i++) {
-    if (strcmp(names[i].kind, kind) != 0 || strcmp(names[i].name, end) != 0)
+  const aspi_unit *u;
+  for (size_t i = 0; end > text && (u = aspi_unit_at(i)) != NULL; i++) {
+    if (strcmp(u->kind, kind) != 0 || !aspi_unit_is(u, end, strlen(end), true))
       continue;
     double factor = aspi_quantity_factor(kind, units);
     if (!(factor > 0))
       return aspi_fail(error, ASP_EARG, "%s is '%.100s', which cannot be converted to %s", name,
                        text, units->name);
-    *value = (shifted(text, (size_t)(end - text), names[i].exponent) + names[i].offset) * factor;
+    *value = (shifted(text, (size_t)(end - text), u->exponent) * u->factor + u->offset) * factor;
     return ASP_OK;
   }
   return fail_unit(name, text, kind, end > text, error);

@@ -323,7 +323,7 @@ static void plain_signs(char *text) {
 }
 
 /* Brings a number into the form that C reads: a decimal point, no groups, an exponent with E. */
-static bool normalise(char *text, bool comma) {
+static bool normalize(char *text, bool comma) {
   plain_signs(text);
   for (char *c = text; *c; c++)
     if ((*c == 'd' || *c == 'D') && c > text && (isdigit((unsigned char)c[-1]) || c[-1] == '.') &&
@@ -366,7 +366,7 @@ aspi_word aspi_text_number(const char *text, bool comma, double *value) {
   copy[length] = '\0';
   if (is_windows_nan(copy))
     return ASP_WORD_MISSING;
-  if (!normalise(copy, comma))
+  if (!normalize(copy, comma))
     return ASP_WORD_OTHER;
   double read = aspi_number(copy, &end);
   if (end == copy || *end)

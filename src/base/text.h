@@ -18,7 +18,6 @@ typedef struct aspi_text {
   int utf16;        /* 1: little-endian, 2: big-endian, 0: bytes; -1: not looked at yet */
   char pending[4];  /* what comes before the next byte of the file, last byte first */
   int pending_count;
-  bool after_cr;            /* the last character was a carriage return */
   char text[ASP_TEXT_MOST]; /* without its end */
 } aspi_text;
 

@@ -1,81 +1,76 @@
-/* Units of length by the names that people and instruments give them, and where the header of a
- * text file states them.
+/* Units by the names that people and instruments give them, and where the header of a text file
+ * states those of length.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
 #include "base/text.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdbool.h>
 #include <string.h>
 #include <strings.h>
 
-static const struct {
-  const char *name;
-  double metres;
-} units[] = {
-    {"m", 1},
-    {"meter", 1},
-    {"meters", 1},
-    {"metre", 1},
-    {"metres", 1},
-    {"cm", 1e-2},
-    {"mm", 1e-3},
-    {"millimeter", 1e-3},
-    {"millimeters", 1e-3},
-    {"millimetre", 1e-3},
-    {"millimetres", 1e-3},
-    {"millimetro", 1e-3},
-    {"\xE3\x8E\x9C", 1e-3}, /* one character, as in Japan and China */
-    {"um", 1e-6},
-    {"micrometer", 1e-6},
-    {"micrometers", 1e-6},
-    {"micrometre", 1e-6},
-    {"micrometres", 1e-6},
-    {"micron", 1e-6},
-    {"microns", 1e-6},
-    {"\xB5m", 1e-6},        /* micro sign, Latin-1 */
-    {"\xC2\xB5m", 1e-6},    /* micro sign, UTF-8 */
-    {"\xCE\xBCm", 1e-6},    /* Greek mu, UTF-8 */
-    {"\x83\xCAm", 1e-6},    /* Greek mu, Shift JIS */
-    {"\xE3\x8E\x9B", 1e-6}, /* one character */
-    {"mikrometer", 1e-6},
-    {"micrometro", 1e-6},
-    {"nm", 1e-9},
-    {"nanometer", 1e-9},
-    {"nanometers", 1e-9},
-    {"nanometre", 1e-9},
-    {"nanometres", 1e-9},
-    {"\xE3\x8E\x9A", 1e-9}, /* one character */
-    {"in", 25.4e-3},
-    {"inch", 25.4e-3},
-    {"inches", 25.4e-3},
-    {"mil", 25.4e-6},
-    {"mils", 25.4e-6},
-    {"thou", 25.4e-6},
-    {"uin", 25.4e-9},
-    {"\xB5in", 25.4e-9},
-    {"\xC2\xB5in", 25.4e-9},
-    {"\xCE\xBCin", 25.4e-9},
-    {"uinch", 25.4e-9},
-    {"microinch", 25.4e-9},
-    {"microinches", 25.4e-9},
-    {"A", 1e-10},
-    {"Angstrom", 1e-10},
-    {"Angstroms", 1e-10},
-    {"\xC5", 1e-10},         /* Latin-1 */
-    {"\xC3\x85", 1e-10},     /* UTF-8 */
-    {"\xE2\x84\xAB", 1e-10}, /* the sign of its own, UTF-8 */
+/* Behind the Latin names those in UTF-8 and Latin-1, with a micro sign or a Greek mu, and the
+ * single characters of Japan and China. */
+static const aspi_unit units[] = {
+    {"length", "m meter meters metre metres", 0, 1, 0, true},
+    {"length", "cm", -2, 1, 0, true},
+    {"length",
+     "mm millimeter millimeters millimetre millimetres millimetro "
+     "\xE3\x8E\x9C",
+     -3, 1, 0, true},
+    {"length",
+     "um micrometer micrometers micrometre micrometres micron microns mikrometer micrometro "
+     "\xB5m \xC2\xB5m \xCE\xBCm \x83\xCAm \xE3\x8E\x9B", /* the last but one: Shift JIS */
+     -6, 1, 0, true},
+    {"length", "nm nanometer nanometers nanometre nanometres \xE3\x8E\x9A", -9, 1, 0, true},
+    {"length", "in inch inches", -3, 25.4, 0, false},
+    {"length", "mil mils thou", -6, 25.4, 0, false},
+    {"length", "uin \xB5in \xC2\xB5in \xCE\xBCin uinch microinch microinches", -9, 25.4, 0, false},
+    {"length", "A Angstrom Angstroms \xC5 \xC3\x85 \xE2\x84\xAB", -10, 1, 0, false},
+    {"speed", "m/s", 0, 1, 0, true},
+    {"speed", "cm/s", -2, 1, 0, true},
+    {"speed", "mm/s", -3, 1, 0, true},
+    {"speed", "km/s", 3, 1, 0, true},
+    {"stress", "Pa", 0, 1, 0, true},
+    {"stress", "kPa", 3, 1, 0, true},
+    {"stress", "MPa", 6, 1, 0, true},
+    {"stress", "GPa", 9, 1, 0, true},
+    {"density", "kg/m3 kg/m^3", 0, 1, 0, true},
+    {"density", "g/cm3 g/cm^3", 3, 1, 0, true},
+    {"energy/area", "J/m2 J/m^2 N/m", 0, 1, 0, true},
+    {"energy/area", "mJ/m2 mJ/m^2", -3, 1, 0, true},
+    {"stress/speed", "Pa/(m/s)", 0, 1, 0, true},
+    {"stress/speed", "kPa/(m/s)", 3, 1, 0, true},
+    {"stress/speed", "MPa/(m/s)", 6, 1, 0, true},
+    {"degrees", "deg degrees grad \xC2\xB0 \xB0", 0, 1, 0, true},
+    {"degrees", "rad radians", 0, 180 / ASP_PI, 0, true},
+    {"K", "K", 0, 1, 0, true},
+    {"K", "C", 0, 1, 273.15, true},
+    {"1/K", "/K 1/K", 0, 1, 0, true},
+    {"", "% percent pct km/h kmh mph ft/s ft gon h s", 0, 0, 0, false},
 };
 
-double aspi_unit_metres(const char *name, size_t length) {
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
-    const char *known = units[i].name;
-    if (strlen(known) != length)
-      continue;
-    if (length == 1 ? *known == *name : strncasecmp(known, name, length) == 0)
-      return units[i].metres;
+const aspi_unit *aspi_unit_at(size_t index) {
+  return index < sizeof units / sizeof *units ? &units[index] : NULL;
+}
+
+bool aspi_unit_is(const aspi_unit *unit, const char *name, size_t length, bool exact) {
+  for (const char *at = unit->names; *at; at += *at == ' ') {
+    size_t own = strcspn(at, " ");
+    if (own == length && (exact || own == 1 ? strncmp : strncasecmp)(at, name, own) == 0)
+      return true;
+    at += own;
   }
+  return false;
+}
+
+double aspi_unit_metres(const char *name, size_t length) {
+  const aspi_unit *u;
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
+    if (strcmp(u->kind, "length") == 0 && aspi_unit_is(u, name, length, false))
+      return u->factor * pow(10, u->exponent);
   return 0;
 }
 

@@ -1,10 +1,27 @@
-/* Units of length by name, and in the header of a text file.
+/* Units by name, and in the header of a text file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_UNITS_H
 #define ASP_BASE_UNITS_H
 
-#include <stddef.h>
+#include "asperity.h"
+
+/* One unit: factor 10^exponent of SI (or degrees), plus `offset`; factor 0: it is not read. Kinds
+ * are those of quantity.h, "" of units that are not read. Names have blanks between; the first one
+ * of units that are listed is shown to the user. */
+typedef struct aspi_unit {
+  const char *kind, *names;
+  int exponent;
+  double factor, offset;
+  bool listed;
+} aspi_unit;
+
+/* The units in turn; NULL behind the last one. */
+const aspi_unit *aspi_unit_at(size_t index);
+
+/* True if a unit has that name; where it need not be exact, in upper or lower case (but for names
+ * of one letter). */
+bool aspi_unit_is(const aspi_unit *unit, const char *name, size_t length, bool exact);
 
 /* Metres in a unit of length by its name (m cm mm um nm, or as instruments write them:
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */

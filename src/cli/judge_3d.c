@@ -1,4 +1,4 @@
-/* The judge in three dimensions; see judge_3d.h. Generated surfaces (WALLS-3D, section 7), exact
+/* The judge in three dimensions; see judge_3d.h. Generated surfaces, exact
  * dilation, exact first hits along the rows, later hits by following each particle over the
  * surface. Nothing of a model is in it.
  *
@@ -115,8 +115,8 @@ static void fly_one(const aspi_dilated_map *field, double alpha1, aspi_stream *s
             hits);
 }
 
-static void fly_around(const aspi_dilated_map *field, const cli_list *alpha1, size_t rays, uint32_t seed,
-                       judge_angles *angles) {
+static void fly_around(const aspi_dilated_map *field, const cli_list *alpha1, size_t rays,
+                       uint32_t seed, judge_angles *angles) {
   for (size_t i = 0; i < alpha1->count; i++)
     for (size_t k = 0; k < rays; k++) {
       aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = seed, .wall = 2, .tag = k});

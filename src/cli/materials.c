@@ -1,5 +1,4 @@
-/* asperity materials: the presets and the user's own, with unit, source, and whether the original
- * was seen.
+/* asperity materials: the presets and the user's own, with unit and source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
@@ -26,7 +25,7 @@ static void print_row(FILE *out, const asp_material *m) {
     fprintf(out, "%.10g", yield_stress);
   putc(',', out);
   print_quoted(out, asp_material_source(m));
-  fprintf(out, ",%s\n", asp_material_seen(m) ? "yes" : "no");
+  putc('\n', out);
 }
 
 static asp_materials *own_of(const cli_option *option) {
@@ -49,8 +48,7 @@ static int run(int argc, char **argv) {
   asp_materials *own = own_of(&options[MATERIALS]);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   FILE *out = cli_output_stream(output);
-  fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source,seen\n",
-        out);
+  fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n", out);
   for (int i = 0; own && i < asp_materials_count(own); i++)
     print_row(out, asp_materials_at(own, i));
   for (int i = 0; i < asp_material_count(); i++)
@@ -66,8 +64,9 @@ const cli_command cli_materials = {
     .summary = "the material presets and your own: values, units, sources",
     .detail =
         "One row a material. The yield stress counts for particles; where it is empty the\n"
-        "material is meant for walls. seen: whether the original of the source was seen for\n"
-        "this. Your own materials are a file with the same columns, of which title,\n"
-        "yield_stress_pa, source and seen may be left out; edit the output of this command.\n",
+        "material is meant for walls. The presets' numbers were not checked against the\n"
+        "originals of their sources. Your own materials are a file with the same columns, of\n"
+        "which title, yield_stress_pa and source may be left out; edit the output of this\n"
+        "command.\n",
     .run = run,
 };

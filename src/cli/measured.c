@@ -4,6 +4,8 @@
 #include "cli/measured.h"
 #include "base/csv.h"
 #include "base/error.h"
+#include "base/quantity.h"
+#include "base/units.h"
 #include "cli/cli.h"
 
 #include <ctype.h>
@@ -15,11 +17,15 @@
 /* Degrees below this, all of them, may be radians. */
 #define RADIANS_MOST 1.6
 
-/* Noise puts no rebound farther below the wall than so many degrees. */
+/* Noise puts no rebound farther below the wall than this, in degrees. */
 #define BELOW_MOST 20
 
-/* What a column can hold. */
-typedef enum kind { RATIO, ANGLE, SPEED, LENGTH, WORD } kind;
+/* What a column can hold: a kind of quantity, "" for a coefficient. */
+#define RATIO ""
+#define ANGLE "degrees"
+#define SPEED "speed"
+#define LENGTH "length"
+#define WORD "word"
 enum {
   ALPHA1,
   V1,
@@ -42,8 +48,7 @@ enum {
 };
 
 static const struct {
-  const char *name;
-  kind kind;
+  const char *name, *kind;
 } columns[N_COLUMNS] = {
     [ALPHA1] = {"alpha1", ANGLE},   [V1] = {"v1", SPEED},
     [ALPHA2] = {"alpha2", ANGLE},   [V2] = {"v2", SPEED},
@@ -57,39 +62,6 @@ static const struct {
     [COUNT] = {"n", RATIO},         [D_P] = {"dp", LENGTH},
     [OUTCOME] = {"outcome", WORD},
 };
-
-static const struct {
-  const char *name;
-  kind kind;
-  double factor;
-} units[] = {
-    {"deg", ANGLE, 1},
-    {"degrees", ANGLE, 1},
-    {"grad", ANGLE, 1},
-    {"rad", ANGLE, 180 / ASP_PI},
-    {"radians", ANGLE, 180 / ASP_PI},
-    {"m_s", SPEED, 1},
-    {"cm_s", SPEED, 1e-2},
-    {"mm_s", SPEED, 1e-3},
-    {"m", LENGTH, 1},
-    {"mm", LENGTH, 1e-3},
-    {"um", LENGTH, 1e-6},
-    {"nm", LENGTH, 1e-9},
-};
-enum { N_UNITS = sizeof units / sizeof *units };
-
-/* What the units of a kind are, for messages. */
-static const char *const allowed[] = {
-    [RATIO] = "none, as a coefficient is a number such as 0.5",
-    [ANGLE] = "deg or rad",
-    [SPEED] = "m_s, cm_s or mm_s",
-    [LENGTH] = "m, mm, um or nm",
-    [WORD] = "none",
-};
-
-/* Units that are in use and are none of those. */
-static const char *const foreign[] = {"percent", "pct", "km_h", "kmh", "mph", "ft_s", "in",
-                                      "inch",    "ft",  "cm",   "gon", "h",   "s"};
 
 /* Other beginnings of names. */
 static const struct {
@@ -163,6 +135,24 @@ static void plain(const char *name, char *to, size_t size) {
   }
 }
 
+static bool is_kind(int column, const char *kind) {
+  return strcmp(columns[column].kind, kind) == 0;
+}
+
+/* The factor of a column's unit, which is written as `plain` does, m/s as m_s: -1 for one that is
+ * not read, 0 for no unit. */
+static double factor_of(int column, const char *unit) {
+  const aspi_unit *u;
+  char name[80];
+  size_t n = 0;
+  for (; unit[n] && n + 1 < sizeof name; n++)
+    name[n] = (char)(unit[n] == '_' ? '/' : unit[n]);
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
+    if ((!(u->factor > 0) || is_kind(column, u->kind)) && aspi_unit_is(u, name, n, false))
+      return u->factor > 0 ? u->factor * pow(10, u->exponent) : -1;
+  return 0;
+}
+
 /* True if a name is that of a column, with a view where it is of a rebound's speed or angle, with a
  * unit of its kind or none (factor 0); with another unit factor is below 0. `stated`: the file has
  * a unit in brackets. */
@@ -170,7 +160,7 @@ static bool is_column(const char *name, int column, bool stated, double *factor,
                       measured_view *view) {
   static const char *const views[] = {"_plane", "_space"};
   size_t length = strlen(columns[column].name);
-  bool pure = columns[column].kind == RATIO || columns[column].kind == WORD;
+  bool pure = is_kind(column, RATIO) || is_kind(column, WORD);
   if (strncmp(name, columns[column].name, length) != 0 || (name[length] && name[length] != '_'))
     return false;
   *view = MEASURED_EITHER;
@@ -185,33 +175,30 @@ static bool is_column(const char *name, int column, bool stated, double *factor,
   if (!name[length] || (pure && strcmp(name + length, "_1") == 0))
     return true;
   const char *unit = name + length + 1;
-  for (int i = 0; i < N_UNITS; i++)
-    if (units[i].kind == columns[column].kind && strcmp(units[i].name, unit) == 0) {
-      *factor = units[i].factor;
-      return true;
-    }
+  *factor = factor_of(column, unit);
+  if (*factor > 0 || column == COUNT)
+    return *factor > 0;
+  if (*factor < 0)
+    return true;
   *factor = -1;
-  if (column == COUNT)
-    return false;
-  for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
-    if (strcmp(foreign[i], unit) == 0)
-      return true;
   return stated && strncmp(unit, "mean", 4) != 0 && unit[0] != 's';
 }
 
 /* The unit of a column; exits where it is another one than there may be, or one is missing. */
 static void check_unit(const char *path, const char *name, int column, double *factor) {
   const char *own = columns[column].name;
+  char list[120];
+  aspi_quantity_units(columns[column].kind, list, sizeof list);
   if (*factor < 0)
     cli_bad_usage("%s: the unit of column '%s' is none that is read; for %s it must be %s", path,
-                  name, own, allowed[columns[column].kind]);
+                  name, own, *list ? list : "none, as a coefficient is a number such as 0.5");
   if (*factor > 0)
     return;
   *factor = 1;
-  if (columns[column].kind == LENGTH)
+  if (is_kind(column, LENGTH))
     cli_bad_usage("%s: the unit of column '%s' is not stated; name it %s_um, %s_mm or %s_m", path,
                   name, own, own, own);
-  if (columns[column].kind == ANGLE)
+  if (is_kind(column, ANGLE))
     cli_warn("%s: the unit of column '%s' is not stated; it is taken as degrees (name it %s_deg "
              "or %s_rad)",
              path, name, own, own);
@@ -248,7 +235,7 @@ static bool has_components(const layout *l) {
   return has(l, V1_N) && has(l, V1_T) && has(l, V2_N) && has(l, V2_T);
 }
 
-/* Whether the columns are those of impacts or of means. */
+/* Finds out if the columns are those of impacts or of means. */
 static asp_code find_form(const aspi_csv *csv, const layout *l, bool *means, asp_error *error) {
   bool points = has(l, POINT) || has(l, POINT + COR_T) || has_components(l) ||
                 (has(l, COR_V) && has(l, COR_ALPHA)) ||
@@ -268,12 +255,12 @@ static asp_code find_form(const aspi_csv *csv, const layout *l, bool *means, asp
 static asp_code read_numbers(const aspi_csv *csv, const layout *l, double *value,
                              asp_error *error) {
   for (int c = 0; c < N_COLUMNS; c++) {
-    bool missing, angle = columns[c].kind == ANGLE;
+    bool missing, angle = is_kind(c, ANGLE);
     double full = (c == ALPHA2 ? 180 : 90) * (1 + 1e-9) / l->factor[c];
     double least = c == ALPHA2 ? -BELOW_MOST / l->factor[c] : angle || c >= SD ? 0 : -1e15;
     full = c == ALPHA2 && l->view[c] == MEASURED_SPACE ? full / 2 : full;
     value[c] = NAN;
-    if (!has(l, c) || columns[c].kind == WORD)
+    if (!has(l, c) || is_kind(c, WORD))
       continue;
     asp_code code = aspi_csv_number(csv, l->at[c], least, angle ? full : 1e15, &value[c],
                                     c == ALPHA1 ? NULL : &missing, error);

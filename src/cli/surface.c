@@ -196,8 +196,8 @@ static void check(const char *name, const char *what, const aspi_profile_report 
   if (least < spacing)
     cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it", least * 1e6,
                   what, spacing * 1e6);
-  if (*report->doubts)
-    cli_warn("%s: %s", name, report->doubts);
+  if (*report->warnings)
+    cli_warn("%s: %s", name, report->warnings);
   asp_error doubt;
   if (asp_sampling_check(least, spacing, length, lambda, &doubt))
     cli_warn("%s: %s", name, doubt.text);
@@ -442,7 +442,7 @@ const cli_command cli_surface = {
     .detail =
         "A row per diameter, measured on a generated or a measured profile: the slopes of the "
         "path\n"
-        "of the particle's centre (dilation) under a uniform centre. kappa = sqrt(3) dp rq /\n"
+        "of the particle's center (dilation) under a uniform centre. kappa = sqrt(3) dp rq /\n"
         "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural "
         "logarithm)\n"
         "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 "

@@ -37,28 +37,6 @@ typedef struct room {
   float *z, *p, *q;
 } room;
 
-static void moments(const float *p, const float *q, size_t n, double lay, cli_map_slopes *row) {
-  for (int axis = 0; axis < 2; axis++) { /* across the lay, along it */
-    double c = cos(lay - (axis ? 0 : ASP_PI / 2)), s = sin(lay - (axis ? 0 : ASP_PI / 2));
-    double square = 0, cube = 0;
-    for (size_t i = 0; i < n; i++) {
-      double slope = c * p[i] + s * q[i];
-      square += slope * slope / (double)n;
-      cube += slope * slope * slope / (double)n;
-    }
-    row->rms[axis] = sqrt(square);
-    row->skewness[axis] = cube / (square * row->rms[axis]);
-  }
-}
-
-/* Along the lay and across it: at right angles to the left of the lay. */
-static double mixed_of(const float *p, const float *q, size_t n, double lay) {
-  double c = cos(lay), s = sin(lay), sum = 0;
-  for (size_t i = 0; i < n; i++)
-    sum += (c * p[i] + s * q[i]) * (c * q[i] - s * p[i]) / (double)n;
-  return sum;
-}
-
 static void measure_one(const cli_map *m, const room *r, double d_p, cli_map_slopes *row,
                         cli_progress *progress, double done) {
   asp_error error;
@@ -75,8 +53,8 @@ static void measure_one(const cli_map *m, const room *r, double d_p, cli_map_slo
   }
   aspi_ball_free(ball);
   row->d_p = d_p;
-  moments(r->p, r->q, m->map->columns * rows, m->description.lay, row);
-  row->mixed = mixed_of(r->p, r->q, m->map->columns * rows, m->description.lay);
+  aspi_gradient_describe(r->p, r->q, m->map->columns * rows, m->description.lay, row->rms,
+                         row->skewness, &row->mixed);
 }
 
 void cli_map_slopes_measure(const cli_map *m, const cli_list *sizes, cli_map_slopes *rows) {

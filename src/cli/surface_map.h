@@ -20,7 +20,7 @@ typedef struct cli_map {
 cli_map cli_map_read(const char *path, const aspi_map_options *options);
 void cli_map_free(cli_map *map);
 
-/* The contact slopes of a sphere, across the lay and along it; mixed: the mean of their product. */
+/* The contact slopes of a sphere; see aspi_gradient_describe. */
 typedef struct cli_map_slopes {
   double d_p, rms[2], skewness[2], mixed;
 } cli_map_slopes;

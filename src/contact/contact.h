@@ -1,9 +1,9 @@
-/* Where a sphere on a straight path first touches a plane, a cylinder or a triangle. Pure geometry:
- * no engine, no roughness, no physics. Lengths and times are in any consistent units. A wall piece
- * is at rest; for a moving one the caller passes the path relative to it.
+/* The first contact of a sphere on a straight path with a plane, a cylinder or a triangle. Pure
+ * geometry: no engine, no roughness, no physics. Lengths and times are in any consistent units. A
+ * wall piece is at rest; for a moving one the caller passes the path relative to it.
  *
- * All functions take the same arguments: the path, the sphere's radius, and the latest time that is
- * of interest. They return whether there is a contact at or before it, and fill `touch` if so.
+ * All functions take the path, the sphere's radius, and the latest time of interest. They return
+ * true if there is a contact at or before it, and fill `touch` then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_CONTACT_H
@@ -15,26 +15,25 @@
 extern "C" {
 #endif
 
-/* How closely the instant of contact is found, in radii of the sphere: distances within it are
- * touching. */
+/* Tolerance of contact, in radii of the sphere. */
 #define CONTACT_TOLERANCE 1e-10
 
-/* A sphere approaches a wall where the normal part of its velocity is a larger share of its speed
- * than this; less is rounding. */
+/* A sphere approaches a wall if its normal speed is a larger share of its speed; less is rounding.
+ */
 #define CONTACT_APPROACH 1e-13
 
-/* The centre of a sphere moves from x with velocity v for the time `left`. */
+/* The center of a sphere moves from x with velocity v for the time `left`. */
 typedef struct ContactPath {
   double x[3], v[3], left;
 } ContactPath;
 
 typedef struct ContactTouch {
-  double time;  /* since the beginning of the path, 0 to left */
-  double n[3];  /* unit normal from the wall to the centre, v.n < 0 */
-  double lift;  /* >= 0; how far along n the sphere has to be moved out: it overlapped already */
-  bool guarded; /* it overlapped, or its centre lay on the wall, where the side is a guess */
-  double slant; /* sine between n and the normal of what is touched: 0 for a face, more for an edge
-                   or a corner */
+  double time;      /* since the beginning of the path, 0 to left */
+  double n[3];      /* unit normal from the wall to the center, v.n < 0 */
+  double overlap;   /* >= 0: overlap at the beginning, along n */
+  bool overlapped;  /* it overlapped, or its center lay on the wall, where the side is a guess */
+  double edge_sine; /* sine between n and the normal of what is touched: 0 for a face, more for an
+                   edge or a corner */
 } ContactTouch;
 
 /* The plane x[axis] = at, met from both sides. axis 0 to 2. */
@@ -43,8 +42,8 @@ typedef struct ContactPlane {
   double at;
 } ContactPlane;
 
-bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
-                        double latest, ContactTouch *touch);
+bool aspi_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
+                     double latest, ContactTouch *touch);
 
 /* A cylinder of infinite length around an axis parallel to a coordinate axis, through `center`
  * (whose component along the axis is not used), met from inside or outside. A sphere inside that is
@@ -56,8 +55,8 @@ typedef struct ContactCylinder {
 
 /* A sphere that touches the inside and slides along it, with next to no normal speed, but would
  * leave the wall's curve by the end of its path, touches at time 0; v.n may be 0 then. */
-bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
-                           double latest, ContactTouch *touch);
+bool aspi_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
+                        double latest, ContactTouch *touch);
 
 /* A triangle, met from both sides, at its edges and corners too. A degenerate one is its edges. */
 typedef struct ContactTriangle {
@@ -65,15 +64,14 @@ typedef struct ContactTriangle {
 } ContactTriangle;
 
 /* The point of the triangle that is nearest to x; returns its distance. */
-double contact_triangle_nearest(const ContactTriangle *triangle, const double x[3],
-                                double nearest[3]);
+double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3], double nearest[3]);
 
 /* The unit normal by the right-hand rule; zero for a degenerate triangle. */
-void contact_triangle_normal(const ContactTriangle *triangle, double normal[3]);
-double contact_triangle_area(const ContactTriangle *triangle);
+void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]);
+double aspi_triangle_area(const ContactTriangle *triangle);
 
-bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
-                           double latest, ContactTouch *touch);
+bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
+                        double latest, ContactTouch *touch);
 
 #ifdef __cplusplus
 }

@@ -12,13 +12,13 @@ static const double SLIDES = 1e-6;
 
 /* The part of a vector across the axis. */
 static void across(int axis, const double a[3], double c[3]) {
-  vector_copy(a, c);
+  aspi_copy(a, c);
   c[axis] = 0;
 }
 
-/* When the distance from the axis, `distance` at first and the square root of a quadratic in time
- * on a straight path, is `touching`: 0 for what is beyond it already and goes on, infinite for
- * never. rate: half the growth of the square at first; square: of the speed, > 0. */
+/* The time at which the distance from the axis is `touching`. It is `distance` at first and the
+ * square root of a quadratic in time; 0 if it is beyond already and moves on, infinite for never.
+ * rate: half the initial growth of its square; square: of the speed, > 0. */
 static double chord_time(bool inside, double distance, double touching, double rate,
                          double square) {
   const double beyond = (distance - touching) * (distance + touching);
@@ -33,18 +33,18 @@ static double chord_time(bool inside, double distance, double touching, double r
   return beyond > 0 ? beyond / (root - rate) : 0;
 }
 
-bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
-                           double latest, ContactTouch *touch) {
+bool aspi_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
+                        double latest, ContactTouch *touch) {
   double v[3], arm[3], n[3];
   across(cylinder->axis, path->v, v);
-  vector_subtract(path->x, cylinder->center, arm);
+  aspi_subtract(path->x, cylinder->center, arm);
   across(cylinder->axis, arm, arm);
-  const double distance = vector_length(arm), square = vector_dot(v, v);
+  const double distance = aspi_length(arm), square = aspi_dot(v, v);
   const bool inside = distance < cylinder->radius;
   const double touching = inside ? fmax(0.0, cylinder->radius - radius) : cylinder->radius + radius;
   if (!(square > 0))
     return false;
-  const double rate = vector_dot(arm, v), speed = sqrt(square);
+  const double rate = aspi_dot(arm, v), speed = sqrt(square);
   const bool touches = inside && fabs(distance - touching) <= CONTACT_TOLERANCE * radius;
   const bool wide = inside && !(touching > 0); /* it goes back to the axis at the end */
   double time =
@@ -54,20 +54,20 @@ bool contact_cylinder_find(const ContactCylinder *cylinder, const ContactPath *p
   /* One that slides along the inside leaves the curve by its straight path: it touches now. */
   if (touches && !wide && time < path->left && fabs(rate) <= SLIDES * speed * distance)
     time = 0;
-  vector_add_scaled(arm, time, v, n);
+  aspi_add_scaled(arm, time, v, n);
   if (inside)
-    vector_scale(-1, n);
-  const double length = vector_length(n), approach = -vector_dot(v, n);
+    aspi_scale(-1, n);
+  const double length = aspi_length(n), approach = -aspi_dot(v, n);
   const bool slides = inside && time < path->left && fabs(approach) <= SLIDES * speed * length;
   if (!(length > 0) || !(wide || slides || approach > CONTACT_APPROACH * speed * length))
     return false;
   touch->time = time;
-  vector_copy(n, touch->n);
-  vector_scale(1 / length, touch->n);
-  touch->lift = inside ? length - touching : touching - length;
-  if (touch->lift <= CONTACT_TOLERANCE * radius)
-    touch->lift = 0;
-  touch->slant = 0;
-  touch->guarded = touch->lift > 0;
+  aspi_copy(n, touch->n);
+  aspi_scale(1 / length, touch->n);
+  touch->overlap = inside ? length - touching : touching - length;
+  if (touch->overlap <= CONTACT_TOLERANCE * radius)
+    touch->overlap = 0;
+  touch->edge_sine = 0;
+  touch->overlapped = touch->overlap > 0;
   return true;
 }

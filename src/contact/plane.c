@@ -6,21 +6,21 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 
-bool contact_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
-                        double latest, ContactTouch *touch) {
+bool aspi_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
+                     double latest, ContactTouch *touch) {
   const int axis = plane->axis;
   const double off = path->x[axis] - plane->at, v = path->v[axis];
-  const bool centred = fabs(off) <= 1e-12 * radius;
-  const double side = centred ? (v > 0 ? -1 : 1) : off > 0 ? 1 : -1;
+  const bool centered = fabs(off) <= 1e-12 * radius;
+  const double side = centered ? (v > 0 ? -1 : 1) : off > 0 ? 1 : -1;
   const double approach = -side * v, gap = fabs(off) - radius;
-  if (!(approach > CONTACT_APPROACH * vector_length(path->v)))
+  if (!(approach > CONTACT_APPROACH * aspi_length(path->v)))
     return false;
   touch->time = gap > 0 ? gap / approach : 0;
   if (!(touch->time <= latest))
     return false;
-  touch->lift = gap < -CONTACT_TOLERANCE * radius ? -gap : 0;
-  touch->slant = 0;
-  touch->guarded = centred || touch->lift > 0;
+  touch->overlap = gap < -CONTACT_TOLERANCE * radius ? -gap : 0;
+  touch->edge_sine = 0;
+  touch->overlapped = centered || touch->overlap > 0;
   for (int d = 0; d < 3; d++)
     touch->n[d] = d == axis ? side : 0;
   return true;

@@ -1,5 +1,5 @@
-/* Many triangles in a tree of boxes: which of them a box meets, and how far a point is from the
- * nearest. 72 bytes a triangle for its nodes and about 30 for its number and the tree.
+/* Triangles in a tree of boxes: finds those that a box meets, and the nearest to a point. 72 bytes
+ * a triangle for its nodes and about 30 for its number and the tree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_TREE_H
@@ -15,61 +15,61 @@ extern "C" {
 
 typedef struct ContactTree ContactTree;
 
-/* A growing list of numbers of triangles; all zero when empty, freed by contact_list_free. */
+/* A growing list of numbers of triangles; all zero when empty, freed by aspi_places_free. */
 typedef struct ContactList {
   int *item;
   size_t count, room;
 } ContactList;
 
-void contact_list_free(ContactList *list);
+void aspi_places_free(ContactList *list);
 
 /* Takes a copy of the triangles and of their numbers, `id` (any, each once). NULL when out of
  * memory; count may be 0. */
-ContactTree *contact_tree_create(const ContactTriangle *triangles, const int *id, size_t count);
+ContactTree *aspi_tree_create(const ContactTriangle *triangles, const int *id, size_t count);
 
 /* The same triangle by triangle, with less memory in between: begin, add, and finish before
  * anything else. NULL and false when out of memory; the tree is to be freed all the same. */
-ContactTree *contact_tree_begin(void);
-bool contact_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id);
-bool contact_tree_finish(ContactTree *tree);
-void contact_tree_free(ContactTree *tree);
+ContactTree *aspi_tree_begin(void);
+bool aspi_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id);
+bool aspi_tree_finish(ContactTree *tree);
+void aspi_tree_free(ContactTree *tree);
 
-size_t contact_tree_count(const ContactTree *tree);
-size_t contact_tree_bytes(const ContactTree *tree);
+size_t aspi_tree_count(const ContactTree *tree);
+size_t aspi_tree_bytes(const ContactTree *tree);
 
-/* A tree as a block of contact_tree_bytes(), aligned as malloc's; it holds no addresses, so that
+/* A tree as a block of aspi_tree_bytes(), aligned as malloc's; it holds no addresses, so that
  * processes can share one. The tree over a block copies nothing: the block must outlive it. NULL
  * when out of memory. */
-void contact_tree_pack(const ContactTree *tree, void *block);
-ContactTree *contact_tree_over(void *block);
+void aspi_tree_pack(const ContactTree *tree, void *block);
+ContactTree *aspi_tree_over(void *block);
 
 /* The box around all triangles; lo > hi where there are none. */
-void contact_tree_box(const ContactTree *tree, double lo[3], double hi[3]);
+void aspi_tree_box(const ContactTree *tree, double lo[3], double hi[3]);
 
 /* A triangle by its place in the tree, 0 to count - 1, and its number. */
-const ContactTriangle *contact_tree_triangle(const ContactTree *tree, int place);
-int contact_tree_id(const ContactTree *tree, int place);
+const ContactTriangle *aspi_tree_triangle(const ContactTree *tree, int place);
+int aspi_tree_id(const ContactTree *tree, int place);
 
 /* The place of the triangle of a number, or -1. */
-int contact_tree_place(const ContactTree *tree, int id);
+int aspi_tree_place(const ContactTree *tree, int id);
 
-/* Whether any of the boxes around its triangles meets the box lo to hi. */
-bool contact_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
+/* True if any of the boxes around its triangles meets the box lo to hi. */
+bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
 /* How long a sphere of radius `reach`, which grows by `widen` per time, keeps clear of all
- * triangles but `skipped` ones, whose numbers are in `skip`, while its centre moves along x + v t:
+ * triangles but `skipped` ones, whose numbers are in `skip`, while its center moves along x + v t:
  * a lower bound, at most `most`. */
-double contact_tree_clear(const ContactTree *tree, const double x[3], const double v[3],
-                          double reach, double widen, double most, const int *skip, int skipped);
+double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
+                       double widen, double most, const int *skip, int skipped);
 
 /* Appends the places of all triangles whose boxes meet the box lo to hi. False when out of memory.
  */
-bool contact_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
-                       ContactList *list);
+bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
+                    ContactList *list);
 
 /* The distance of x from the nearest triangle, or `most` if none is nearer; its place in *place
  * (may be NULL), -1 if none. Of triangles at one distance, that with the least number. */
-double contact_tree_distance(const ContactTree *tree, const double x[3], double most, int *place);
+double aspi_tree_distance(const ContactTree *tree, const double x[3], double most, int *place);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /* A sphere and a triangle; see contact.h. The distance of a point that moves on a straight line
- * from a triangle, which is convex, is a convex function of time: so Newton's method from the
- * beginning of the path comes to the instant of contact from below, and a sphere that moves away at
- * the beginning never comes back.
+ * from a triangle is a convex function of time, so Newton's method from the beginning of the path
+ * approaches the instant of contact from below, and a sphere that moves away at first never
+ * returns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
@@ -18,45 +18,45 @@ static const double DEGENERATE = 1e-12;
 static double nearest_on_edge(const double a[3], const double b[3], const double x[3],
                               double nearest[3]) {
   double edge[3], arm[3];
-  vector_subtract(b, a, edge);
-  vector_subtract(x, a, arm);
-  const double square = vector_dot(edge, edge);
-  const double share = square > 0 ? vector_dot(arm, edge) / square : 0;
-  vector_add_scaled(a, fmin(1, fmax(0, share)), edge, nearest);
-  vector_subtract(x, nearest, arm);
-  return vector_length(arm);
+  aspi_subtract(b, a, edge);
+  aspi_subtract(x, a, arm);
+  const double square = aspi_dot(edge, edge);
+  const double share = square > 0 ? aspi_dot(arm, edge) / square : 0;
+  aspi_add_scaled(a, fmin(1, fmax(0, share)), edge, nearest);
+  aspi_subtract(x, nearest, arm);
+  return aspi_length(arm);
 }
 
 /* The normal, not of unit length; false where the triangle is degenerate. */
 static bool face_normal(const ContactTriangle *triangle, double normal[3]) {
   double ab[3], ac[3], bc[3];
-  vector_subtract(triangle->node[1], triangle->node[0], ab);
-  vector_subtract(triangle->node[2], triangle->node[0], ac);
-  vector_subtract(triangle->node[2], triangle->node[1], bc);
-  vector_cross(ab, ac, normal);
-  const double longest = fmax(vector_dot(ab, ab), fmax(vector_dot(ac, ac), vector_dot(bc, bc)));
-  return vector_length(normal) > DEGENERATE * longest;
+  aspi_subtract(triangle->node[1], triangle->node[0], ab);
+  aspi_subtract(triangle->node[2], triangle->node[0], ac);
+  aspi_subtract(triangle->node[2], triangle->node[1], bc);
+  aspi_cross(ab, ac, normal);
+  const double longest = fmax(aspi_dot(ab, ab), fmax(aspi_dot(ac, ac), aspi_dot(bc, bc)));
+  return aspi_length(normal) > DEGENERATE * longest;
 }
 
-void contact_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
+void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
   const bool flat = face_normal(triangle, normal);
-  vector_scale(flat ? 1 / vector_length(normal) : 0, normal);
+  aspi_scale(flat ? 1 / aspi_length(normal) : 0, normal);
 }
 
-double contact_triangle_area(const ContactTriangle *triangle) {
+double aspi_triangle_area(const ContactTriangle *triangle) {
   double normal[3];
   face_normal(triangle, normal);
-  return 0.5 * vector_length(normal);
+  return 0.5 * aspi_length(normal);
 }
 
 /* Whether the foot of x on the triangle's plane lies within it: on the inner side of each edge. */
 static bool above_face(const ContactTriangle *triangle, const double normal[3], const double x[3]) {
   for (int k = 0; k < 3; k++) {
     double edge[3], inward[3], arm[3];
-    vector_subtract(triangle->node[(k + 1) % 3], triangle->node[k], edge);
-    vector_cross(normal, edge, inward);
-    vector_subtract(x, triangle->node[k], arm);
-    if (vector_dot(arm, inward) < 0)
+    aspi_subtract(triangle->node[(k + 1) % 3], triangle->node[k], edge);
+    aspi_cross(normal, edge, inward);
+    aspi_subtract(x, triangle->node[k], arm);
+    if (aspi_dot(arm, inward) < 0)
       return false;
   }
   return true;
@@ -68,11 +68,11 @@ static double nearest_point(const ContactTriangle *triangle, const double normal
                             double length, const double x[3], double nearest[3]) {
   if (flat && above_face(triangle, normal, x)) {
     double arm[3], unit[3];
-    vector_copy(normal, unit);
-    vector_scale(1 / length, unit);
-    vector_subtract(x, triangle->node[0], arm);
-    const double height = vector_dot(arm, unit);
-    vector_add_scaled(x, -height, unit, nearest);
+    aspi_copy(normal, unit);
+    aspi_scale(1 / length, unit);
+    aspi_subtract(x, triangle->node[0], arm);
+    const double height = aspi_dot(arm, unit);
+    aspi_add_scaled(x, -height, unit, nearest);
     return fabs(height);
   }
   double least = INFINITY;
@@ -82,86 +82,86 @@ static double nearest_point(const ContactTriangle *triangle, const double normal
         nearest_on_edge(triangle->node[k], triangle->node[(k + 1) % 3], x, point);
     if (distance < least) {
       least = distance;
-      vector_copy(point, nearest);
+      aspi_copy(point, nearest);
     }
   }
   return least;
 }
 
-double contact_triangle_nearest(const ContactTriangle *triangle, const double x[3],
-                                double nearest[3]) {
+double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3],
+                             double nearest[3]) {
   double normal[3];
   const bool flat = face_normal(triangle, normal);
-  return nearest_point(triangle, normal, flat, vector_length(normal), x, nearest);
+  return nearest_point(triangle, normal, flat, aspi_length(normal), x, nearest);
 }
 
-/* When a path comes within the sphere's radius of the triangle's plane, before which it cannot
- * touch; 0 where it begins there, infinite where it never does. */
+/* The time at which a path comes within the sphere's radius of the triangle's plane: a lower bound
+ * of the contact; 0 if it begins there, infinite for never. */
 static double time_to_plane(const double normal[3], const ContactTriangle *triangle,
                             const ContactPath *path, double radius) {
   double arm[3];
-  vector_subtract(path->x, triangle->node[0], arm);
-  const double from = vector_dot(normal, arm), rate = vector_dot(normal, path->v);
+  aspi_subtract(path->x, triangle->node[0], arm);
+  const double from = aspi_dot(normal, arm), rate = aspi_dot(normal, path->v);
   const double gap = fabs(from) - radius;
   if (gap <= 0)
     return 0;
   return from * rate < 0 ? gap / fabs(rate) : INFINITY;
 }
 
-/* The normal from the triangle to the centre. A centre on the triangle has none: then that side is
- * taken which it comes from. */
+/* The normal from the triangle to the center. For a center on the triangle it is the side
+ * that it comes from. */
 static void normal_at(const ContactTriangle *triangle, const ContactPath *path, double radius,
                       const double arm[3], double distance, ContactTouch *touch) {
   if (distance > 1e-12 * radius) {
-    vector_copy(arm, touch->n);
-    vector_scale(1 / distance, touch->n);
+    aspi_copy(arm, touch->n);
+    aspi_scale(1 / distance, touch->n);
     return;
   }
-  touch->guarded = true;
-  contact_triangle_normal(triangle, touch->n);
-  const double along = vector_dot(path->v, touch->n);
+  touch->overlapped = true;
+  aspi_triangle_normal(triangle, touch->n);
+  const double along = aspi_dot(path->v, touch->n);
   if (along > 0)
-    vector_scale(-1, touch->n);
+    aspi_scale(-1, touch->n);
   else if (!(along < 0)) {
-    vector_copy(path->v, touch->n);
-    vector_scale(-1 / vector_length(path->v), touch->n);
+    aspi_copy(path->v, touch->n);
+    aspi_scale(-1 / aspi_length(path->v), touch->n);
   }
 }
 
-bool contact_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
-                           double latest, ContactTouch *touch) {
-  const double speed = vector_length(path->v);
+bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
+                        double latest, ContactTouch *touch) {
+  const double speed = aspi_length(path->v);
   if (!(speed > 0))
     return false;
   double across[3], normal[3], x[3], nearest[3], arm[3];
   const bool flat = face_normal(triangle, across);
-  const double length = vector_length(across);
-  vector_copy(across, normal);
-  vector_scale(flat ? 1 / length : 0, normal);
+  const double length = aspi_length(across);
+  aspi_copy(across, normal);
+  aspi_scale(flat ? 1 / length : 0, normal);
   double time = time_to_plane(normal, triangle, path, radius);
-  touch->guarded = false;
-  touch->lift = 0;
+  touch->overlapped = false;
+  touch->overlap = 0;
   for (int i = 0; i < NEWTON_MAX; i++) {
     if (!(time <= latest))
       return false;
-    vector_add_scaled(path->x, time, path->v, x);
+    aspi_add_scaled(path->x, time, path->v, x);
     const double distance = nearest_point(triangle, across, flat, length, x, nearest);
-    vector_subtract(x, nearest, arm);
+    aspi_subtract(x, nearest, arm);
     normal_at(triangle, path, radius, arm, distance, touch);
-    const double gap = distance - radius, approach = -vector_dot(path->v, touch->n);
+    const double gap = distance - radius, approach = -aspi_dot(path->v, touch->n);
     if (!(approach > CONTACT_APPROACH * speed))
       return false;
     if (fabs(gap) <= CONTACT_TOLERANCE * radius)
       break;
     if (gap < 0 && time <= 0) {
-      touch->guarded = true;
-      touch->lift = -gap;
+      touch->overlapped = true;
+      touch->overlap = -gap;
       break;
     }
     time = fmax(0, time + gap / approach);
   }
   touch->time = time;
-  vector_cross(touch->n, normal, arm);
-  touch->slant = vector_length(arm);
+  aspi_cross(touch->n, normal, arm);
+  touch->edge_sine = aspi_length(arm);
   return time <= latest;
 }

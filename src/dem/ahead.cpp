@@ -123,7 +123,7 @@ int Wall::steps_clear(const Spheres &s, int i) const {
     by[d] = v[d] * s.dt;
     begin[d] = x[d] - by[d];
   }
-  const double widen = stray_ + bend_ + FLT_EPSILON * vector_length(by) + travel_;
+  const double widen = stray_ + bend_ + FLT_EPSILON * aspi_length(by) + travel_;
   const double reach = (1 + ROUNDING) * s.radius[i] + widen;
   for (size_t m = 0; m < shapes_.size(); m++)
     steps = std::min(steps, shapes_[m].shape->clear(begin, by, reach, widen, steps, faces(i, m)));

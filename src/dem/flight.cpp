@@ -30,17 +30,17 @@ Wall::Flight::Flight(const Spheres &s, int particle, Lists &lists)
   known.clear();
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   path.left = path.dt = s.dt;
-  vector_copy(v, path.v);
-  vector_copy(v, half);
+  aspi_copy(v, path.v);
+  aspi_copy(v, half);
   for (int d = 0; d < 3; d++)
     spin[d] = s.omega ? s.omega[3 * static_cast<size_t>(i) + d] : 0;
-  vector_add_scaled(x, -s.dt, v, path.x);
-  vector_copy(s.f + 3 * static_cast<size_t>(i), acceleration);
-  vector_scale(1 / mass, acceleration);
-  vector_copy(path.x, x0);
-  vector_add_scaled(v, -0.5 * s.dt, acceleration, v0);
-  vector_copy(v0, begin);
-  vector_copy(acceleration, a0);
+  aspi_add_scaled(x, -s.dt, v, path.x);
+  aspi_copy(s.f + 3 * static_cast<size_t>(i), acceleration);
+  aspi_scale(1 / mass, acceleration);
+  aspi_copy(path.x, x0);
+  aspi_add_scaled(v, -0.5 * s.dt, acceleration, v0);
+  aspi_copy(v0, begin);
+  aspi_copy(acceleration, a0);
 }
 
 /* The particle as it comes to a contact. */
@@ -52,15 +52,15 @@ asp_particle Wall::Flight::particle(const asp_pair *pair) const {
 
 /* At a time since the beginning of the path. */
 void Wall::Flight::velocity(double time, double v[3]) const {
-  vector_add_scaled(begin, time, acceleration, v);
+  aspi_add_scaled(begin, time, acceleration, v);
 }
 
 /* Moves the particle on to a contact. v: its velocity there. */
 void Wall::Flight::advance(const Contact &contact, double v[3]) {
   velocity(contact.time, v);
-  vector_copy(contact.x, path.x);
+  aspi_copy(contact.x, path.x);
   path.left = std::max(0.0, path.left - contact.time);
-  vector_copy(v, begin);
+  aspi_copy(v, begin);
 }
 
 /* The path from where it has come to, by a contact that has changed the velocity there. Its mean
@@ -69,20 +69,20 @@ void Wall::Flight::advance(const Contact &contact, double v[3]) {
  * it would have without the wall. */
 void Wall::Flight::turn(const double before[3], const double after[3], const double n[3]) {
   double ahead[3];
-  vector_subtract(path.v, before, ahead);
-  vector_add_scaled(ahead, 0.5 * path.left * vector_dot(acceleration, n) - vector_dot(ahead, n), n,
-                    ahead);
+  aspi_subtract(path.v, before, ahead);
+  aspi_add_scaled(ahead, 0.5 * path.left * aspi_dot(acceleration, n) - aspi_dot(ahead, n), n,
+                  ahead);
   for (int d = 0; d < 3; d++)
     half[d] = after[d] + (half[d] - before[d]);
-  vector_copy(after, begin);
-  vector_add_scaled(after, 1, ahead, path.v);
+  aspi_copy(after, begin);
+  aspi_add_scaled(after, 1, ahead, path.v);
 }
 
 /* True if the path differs from that at the beginning of the step by more than this velocity. */
 bool Wall::Flight::has_strayed(double most) const {
   double change[3];
-  vector_subtract(path.v, spheres.v + 3 * static_cast<size_t>(i), change);
-  return !(vector_dot(change, change) <= most * most);
+  aspi_subtract(path.v, spheres.v + 3 * static_cast<size_t>(i), change);
+  return !(aspi_dot(change, change) <= most * most);
 }
 
 /* ---- sustained contacts -----------------------------------------------------------------------
@@ -91,7 +91,7 @@ bool Wall::Flight::has_strayed(double most) const {
 /* Faces of a flat mesh count as one. */
 bool Wall::Flight::Stay::is_at(const Wall *other, size_t of, const Contact &now) const {
   return wall == other && shape == of &&
-         vector_dot(n, now.n) > 1 - (contact.face == now.face ? TURNED : SAME);
+         aspi_dot(n, now.n) > 1 - (contact.face == now.face ? TURNED : SAME);
 }
 
 Wall::Flight::Stay *Wall::Flight::find_stay(const Wall *wall, size_t shape,
@@ -105,12 +105,12 @@ Wall::Flight::Stay *Wall::Flight::find_stay(const Wall *wall, size_t shape,
 /* Adds a sustained contact to those of this place, and solves all of them. One that is there
  * already is met again because the path is straight, and only the path changes. */
 void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
-  const double speed = vector_length(path.v) + vector_length(contact.v_wall);
-  const double keep = vector_dot(path.v, contact.n) +
+  const double speed = aspi_length(path.v) + aspi_length(contact.v_wall);
+  const double keep = aspi_dot(path.v, contact.n) +
                       (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
   if (Stay *stay = find_stay(wall, shape, contact)) {
     stay->keep = keep;
-    vector_copy(contact.n, stay->n);
+    aspi_copy(contact.n, stay->n);
   } else
     add_stay(wall, shape, contact, keep);
   follow_walls();
@@ -120,20 +120,20 @@ void Wall::Flight::add_stay(Wall *wall, size_t shape, const Contact &contact, do
   if (far)
     settle();
   if (stays.empty()) {
-    vector_copy(half, free_half);
-    vector_copy(spin, free_spin);
+    aspi_copy(half, free_half);
+    aspi_copy(spin, free_spin);
   }
   stays.push_back(Stay{wall, shape, contact, keep, {contact.n[0], contact.n[1], contact.n[2]}});
   supports.push_back(Support());
   Support &s = supports.back();
-  vector_copy(contact.n, s.n);
-  vector_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow, contact.n, s.w);
+  aspi_copy(contact.n, s.n);
+  aspi_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow, contact.n, s.w);
   s.friction = wall->model_.friction(spheres.type[i], wall->shapes_[shape].wall_type);
 
   double before[3];
-  vector_copy(half, before);
-  vector_copy(free_half, half);
-  vector_copy(free_spin, spin);
+  aspi_copy(half, before);
+  aspi_copy(free_half, half);
+  aspi_copy(free_spin, spin);
   squeezed = !solve_supports(supports, radius, half, spin) || squeezed;
   for (int d = 0; d < 3; d++)
     path.v[d] += half[d] - before[d];
@@ -142,27 +142,27 @@ void Wall::Flight::add_stay(Wall *wall, size_t shape, const Contact &contact, do
 /* The path keeps along the walls as the search has them, which is not exactly what velocities at an
  * instant say; and what pushes the particle against them does not speed it up. */
 void Wall::Flight::follow_walls() {
-  vector_copy(a0, acceleration);
+  aspi_copy(a0, acceleration);
   for (const Stay &stay : stays) {
     const Contact &contact = stay.contact;
-    const double push = contact.follow + contact.curve - vector_dot(acceleration, contact.n);
-    vector_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
+    const double push = contact.follow + contact.curve - aspi_dot(acceleration, contact.n);
+    aspi_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
   }
   if (stays.size() == 1) {
-    const double *n = stays[0].n, less = stays[0].keep - vector_dot(path.v, n);
-    vector_add_scaled(path.v, std::max(0.0, less), n, path.v);
+    const double *n = stays[0].n, less = stays[0].keep - aspi_dot(path.v, n);
+    aspi_add_scaled(path.v, std::max(0.0, less), n, path.v);
   } else {
     double none[3] = {0, 0, 0};
     along.resize(stays.size());
     for (size_t k = 0; k < stays.size(); k++) {
       along[k].friction = 0;
-      vector_copy(stays[k].n, along[k].n);
-      vector_copy(stays[k].n, along[k].w);
-      vector_scale(stays[k].keep, along[k].w);
+      aspi_copy(stays[k].n, along[k].n);
+      aspi_copy(stays[k].n, along[k].w);
+      aspi_scale(stays[k].keep, along[k].w);
     }
     solve_supports(along, radius, path.v, none);
   }
-  vector_add_scaled(half, elapsed() - 0.5 * spheres.dt, acceleration, begin);
+  aspi_add_scaled(half, elapsed() - 0.5 * spheres.dt, acceleration, begin);
 }
 
 /* The contacts of this place are over, or the step is: the walls take their impulses, and know of
@@ -172,11 +172,11 @@ void Wall::Flight::settle() {
     const Stay &stay = stays[k];
     const Support &s = supports[k];
     double u[3];
-    vector_subtract(free_half, stay.contact.v_wall, u);
+    aspi_subtract(free_half, stay.contact.v_wall, u);
     ContactLoad load(spheres, i, stay.contact.piece, stay.contact.x, s.n, s.p, u);
     load.dissipated = mass * slide_work(s, radius, half, spin);
     stay.wall->add(stay.shape, load);
-    vector_add_scaled(given, 1, s.p, given);
+    aspi_add_scaled(given, 1, s.p, given);
     stay.wall->keep_resting(i, stay.shape, stay.contact);
   }
   stays.clear();
@@ -189,9 +189,9 @@ void Wall::Flight::give_rest(Wall *wall, size_t shape, const Contact &contact,
                              const double end[3]) const {
   const double none[3] = {0, 0, 0};
   double rest[3];
-  vector_subtract(end, v0, rest);
-  vector_add_scaled(rest, -0.5 * spheres.dt, a0, rest);
-  vector_subtract(rest, given, rest);
+  aspi_subtract(end, v0, rest);
+  aspi_add_scaled(rest, -0.5 * spheres.dt, a0, rest);
+  aspi_subtract(rest, given, rest);
   for (const Event &event : events)
     for (int d = 0; d < 3; d++)
       rest[d] -= event.impact.v2[d] - event.v1[d];
@@ -205,7 +205,7 @@ void Wall::Flight::trap() {
   for (size_t k = series_begin; k < events.size(); k++)
     events[k].wall->state(i).impacts--;
   events.resize(series_begin);
-  vector_copy(series_spin, spin);
+  aspi_copy(series_spin, spin);
   for (int d = 0; d < 3; d++) {
     path.x[d] = path.v[d] = 0;
     for (const Stay &stay : stays) {

@@ -43,15 +43,15 @@ void Wall::keep_resting(int i, size_t shape, const Contact &contact) {
 static void turn_along(const double from[3], const double n[3], const double v_wall[3],
                        double v[3]) {
   double across[3], u[3];
-  const double cosine = vector_dot(from, n);
+  const double cosine = aspi_dot(from, n);
   if (!(cosine > 0)) /* not curved */
     return;
-  vector_add_scaled(from, -cosine, n, across);
-  const double sine = vector_length(across);
+  aspi_add_scaled(from, -cosine, n, across);
+  const double sine = aspi_length(across);
   if (!(sine > 0))
     return;
-  vector_subtract(v, v_wall, u);
-  vector_add_scaled(v, vector_dot(u, across) / (sine * sine) * (1 / cosine - 1), across, v);
+  aspi_subtract(v, v_wall, u);
+  aspi_add_scaled(v, aspi_dot(u, across) / (sine * sine) * (1 / cosine - 1), across, v);
 }
 
 /* What sticks has its wall's velocity; a particle that stays at walls loses what the second half of
@@ -64,8 +64,8 @@ void Wall::hold(const std::vector<Wall *> &walls, const Spheres &s) {
     Wall *wall = walls[w];
     for (int i : wall->stuck_) {
       double before[3];
-      vector_copy(s.v + 3 * static_cast<size_t>(i), before);
-      vector_copy(wall->place(i).stuck.velocity, s.v + 3 * static_cast<size_t>(i));
+      aspi_copy(s.v + 3 * static_cast<size_t>(i), before);
+      aspi_copy(wall->place(i).stuck.velocity, s.v + 3 * static_cast<size_t>(i));
       for (int d = 0; s.omega && d < 3; d++)
         s.omega[3 * static_cast<size_t>(i) + d] = 0;
       wall->add_held(s, i, before);
@@ -117,20 +117,20 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   if (supports.empty())
     return;
   if (s.omega)
-    vector_copy(s.omega + 3 * static_cast<size_t>(i), spin);
-  vector_copy(v, before);
+    aspi_copy(s.omega + 3 * static_cast<size_t>(i), spin);
+  aspi_copy(v, before);
   if (supports.size() == 1)
     turn_along(from, supports[0].n, supports[0].w, v);
-  vector_subtract(v, before, turned);
+  aspi_subtract(v, before, turned);
   solve_supports(supports, s.radius[i], v, spin);
   if (s.omega)
-    vector_copy(spin, s.omega + 3 * static_cast<size_t>(i));
+    aspi_copy(spin, s.omega + 3 * static_cast<size_t>(i));
   for (size_t k = 0; k < at.size(); k++) {
     double u[3];
-    vector_subtract(before, supports[k].w, u);
+    aspi_subtract(before, supports[k].w, u);
     const double slid = slide_work(supports[k], s.radius[i], v, spin);
     if (k == 0)
-      vector_add_scaled(supports[0].p, 1, turned, supports[0].p);
+      aspi_add_scaled(supports[0].p, 1, turned, supports[0].p);
     ContactLoad load(s, i, at[k].face < 0 ? ~at[k].face : at[k].face, x, supports[k].n,
                      supports[k].p, u);
     load.dissipated = s.mass[i] * slid;
@@ -150,7 +150,7 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
 void Wall::note_energy(const Flight &flight) {
   const Spheres &s = flight.spheres;
   const double *x = s.x + 3 * static_cast<size_t>(flight.i);
-  if (!(vector_dot(flight.a0, flight.a0) > 0))
+  if (!(aspi_dot(flight.a0, flight.a0) > 0))
     return; /* in free flight velocities stay what they are, to the bit */
   for (const Event &event : flight.events) {
     Wall *wall = event.wall;
@@ -161,22 +161,22 @@ void Wall::note_energy(const Flight &flight) {
       continue;
     const double *n = event.contact.n;
     double relative[3], leg1[3], leg2[3];
-    vector_subtract(flight.v0, event.contact.v_wall, relative);
-    vector_subtract(event.contact.x, flight.x0, leg1);
-    vector_subtract(x, event.contact.x, leg2);
-    const double share = event.elapsed / s.dt, a0 = vector_dot(flight.a0, n);
-    const double d1 = vector_dot(leg1, n) - vector_dot(event.contact.v_wall, n) * event.elapsed;
+    aspi_subtract(flight.v0, event.contact.v_wall, relative);
+    aspi_subtract(event.contact.x, flight.x0, leg1);
+    aspi_subtract(x, event.contact.x, leg2);
+    const double share = event.elapsed / s.dt, a0 = aspi_dot(flight.a0, n);
+    const double d1 = aspi_dot(leg1, n) - aspi_dot(event.contact.v_wall, n) * event.elapsed;
     const double d2 =
-        vector_dot(leg2, n) - vector_dot(event.contact.v_wall, n) * (s.dt - event.elapsed);
-    const double v0 = vector_dot(relative, n), v1 = -vector_dot(event.v1, n),
-                 v2 = vector_dot(event.impact.v2, n);
+        aspi_dot(leg2, n) - aspi_dot(event.contact.v_wall, n) * (s.dt - event.elapsed);
+    const double v0 = aspi_dot(relative, n), v1 = -aspi_dot(event.v1, n),
+                 v2 = aspi_dot(event.impact.v2, n);
     const double e = std::min(1.0, v2 / v1);
     ReboundPlace &rebound = wall->place(flight.i).rebound;
     rebound.square =
         v2 * v2 + e * e * (v0 * v0 + (2 - share) * a0 * d1 - v1 * v1) + (1 - share) * a0 * d2;
     rebound.work = e * e * share * d1 + (1 + share) * d2;
-    vector_copy(n, rebound.normal);
-    vector_copy(event.contact.v_wall, rebound.v_wall);
+    aspi_copy(n, rebound.normal);
+    aspi_copy(event.contact.v_wall, rebound.v_wall);
     rebound.shape = static_cast<double>(event.shape);
     rebound.piece = event.contact.piece;
     wall->set_status(flight.i, Status::REBOUNDED);
@@ -191,13 +191,13 @@ void Wall::balance(const Spheres &s, int i) {
   const ReboundPlace &rebound = place(i).rebound;
   const double *n = rebound.normal, *f = s.f + 3 * static_cast<size_t>(i);
   double *v = s.v + 3 * static_cast<size_t>(i), v1[3];
-  vector_subtract(v, rebound.v_wall, v1);
-  const double now = vector_dot(v1, n);
-  const double square = rebound.square + rebound.work * vector_dot(f, n) / s.mass[i];
+  aspi_subtract(v, rebound.v_wall, v1);
+  const double now = aspi_dot(v1, n);
+  const double square = rebound.square + rebound.work * aspi_dot(f, n) / s.mass[i];
   const double speed = sqrt(std::max(0.0, square));
   const double change = (now < 0 ? -speed : speed) - now, none[3] = {0, 0, 0};
   const double p[3] = {change * n[0], change * n[1], change * n[2]};
-  vector_add_scaled(v, 1, p, v);
+  aspi_add_scaled(v, 1, p, v);
   add(static_cast<size_t>(rebound.shape),
       ContactLoad(s, i, static_cast<int>(rebound.piece), s.x + 3 * static_cast<size_t>(i), n, p,
                   none));

@@ -34,20 +34,20 @@ const double FLAT = 1e-9;
  * instant is known, which is not well where the sphere grazes the wall, but no more than a small
  * share of the time in which it moves by its radius. */
 double same_instant(const ContactTouch &touch, const ContactPath &path, double radius) {
-  const double by_gap = 2 * CONTACT_TOLERANCE * radius / -vector_dot(path.v, touch.n);
-  return std::min(by_gap, GRAZING * radius / vector_length(path.v));
+  const double by_gap = 2 * CONTACT_TOLERANCE * radius / -aspi_dot(path.v, touch.n);
+  return std::min(by_gap, GRAZING * radius / aspi_length(path.v));
 }
 
 } // namespace
 
-MeshShape::MeshShape() : tree_(NULL, contact_tree_free) {
+MeshShape::MeshShape() : tree_(NULL, aspi_tree_free) {
   const double none[3] = {0, 0, 0};
   set_periods(none);
 }
 
 void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
                               const std::vector<int> &id) {
-  put_tree(contact_tree_create(triangles.data(), id.data(), id.size()));
+  put_tree(aspi_tree_create(triangles.data(), id.data(), id.size()));
 }
 
 void MeshShape::put_tree(ContactTree *tree) const {
@@ -72,7 +72,7 @@ void MeshShape::set_periods(const double period[3]) {
 
 Bounds MeshShape::whole() const {
   Bounds box;
-  contact_tree_box(tree_.get(), box.lo, box.hi);
+  aspi_tree_box(tree_.get(), box.lo, box.hi);
   return box;
 }
 
@@ -87,9 +87,9 @@ double MeshShape::travel(double dt) const {
       x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
     motion_.at(0).to_world(x, begin);
     motion_.end().to_world(x, end);
-    vector_subtract(end, begin, chord);
+    aspi_subtract(end, begin, chord);
     motion_.velocity(1, end, v);
-    most = std::max(most, std::max(vector_length(chord), vector_length(v) * dt));
+    most = std::max(most, std::max(aspi_length(chord), aspi_length(v) * dt));
   }
   return 1.5 * most; /* a chord is shorter than its arc */
 }
@@ -97,8 +97,8 @@ double MeshShape::travel(double dt) const {
 bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
   for (const Shift &shift : shifts_) {
     double low[3], high[3];
-    vector_subtract(lo, shift.by, low);
-    vector_subtract(hi, shift.by, high);
+    aspi_subtract(lo, shift.by, low);
+    aspi_subtract(hi, shift.by, high);
     if (!motion_.in_world()) { /* the box around the box, in the mesh's frame */
       double corner[3], body[3];
       double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
@@ -111,14 +111,14 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
           box[1][d] = std::max(box[1][d], body[d]);
         }
       }
-      vector_copy(box[0], low);
-      vector_copy(box[1], high);
+      aspi_copy(box[0], low);
+      aspi_copy(box[1], high);
     }
     Bounds box;
-    vector_copy(low, box.lo);
-    vector_copy(high, box.hi);
+    aspi_copy(low, box.lo);
+    aspi_copy(high, box.hi);
     fetch_missing(box);
-    if (contact_tree_meets(tree_.get(), low, high))
+    if (aspi_tree_meets(tree_.get(), low, high))
       return true;
   }
   return false;
@@ -141,9 +141,9 @@ double MeshShape::clear(const double x[3], const double v[3], double reach, doub
   double steps = most;
   for (const Shift &shift : shifts_) {
     double from[3], at[3], by[3];
-    vector_subtract(x, shift.by, from);
-    vector_copy(from, at);
-    vector_copy(v, by);
+    aspi_subtract(x, shift.by, from);
+    aspi_copy(from, at);
+    aspi_copy(v, by);
     if (!motion_.in_world()) {
       const Frame &frame = motion_.end();
       frame.to_body(from, at);
@@ -155,8 +155,8 @@ double MeshShape::clear(const double x[3], const double v[3], double reach, doub
       steps = std::max(1.0, steps / 4);
     if (!has_all())
       fetch_missing(bounds_of(at, by, 0, steps, reach + steps * widen));
-    steps = std::min(steps, contact_tree_clear(tree_.get(), at, by, reach, widen, steps, stays.face,
-                                               stays.count));
+    steps = std::min(
+        steps, aspi_tree_clear(tree_.get(), at, by, reach, widen, steps, stays.face, stays.count));
   }
   return steps;
 }
@@ -169,17 +169,17 @@ bool MeshShape::repeats(int axis) const {
 void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &body) const {
   double begin[3], end[3], end_in_body[3];
   body.left = path.left;
-  vector_subtract(path.x, shift.by, begin);
+  aspi_subtract(path.x, shift.by, begin);
   if (motion_.in_world()) {
-    vector_copy(begin, body.x);
-    vector_copy(path.v, body.v);
+    aspi_copy(begin, body.x);
+    aspi_copy(path.v, body.v);
     return;
   }
-  vector_add_scaled(begin, path.left, path.v, end);
+  aspi_add_scaled(begin, path.left, path.v, end);
   motion_.at(path.share()).to_body(begin, body.x);
   motion_.end().to_body(end, end_in_body);
-  vector_subtract(end_in_body, body.x, body.v);
-  vector_scale(1 / path.left, body.v);
+  aspi_subtract(end_in_body, body.x, body.v);
+  aspi_scale(1 / path.left, body.v);
 }
 
 void MeshShape::fetch_missing(const Bounds &box) const {
@@ -202,10 +202,10 @@ const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
   found_.is_set = false;
   found_.box = wide;
   found_.list.count = 0;
-  if (!contact_tree_meet(tree, wide.lo, wide.hi, &found_.list))
+  if (!aspi_tree_meet(tree, wide.lo, wide.hi, &found_.list))
     throw std::bad_alloc();
   std::sort(found_.list.item, found_.list.item + found_.list.count,
-            [tree](int a, int b) { return contact_tree_id(tree, a) < contact_tree_id(tree, b); });
+            [tree](int a, int b) { return aspi_tree_id(tree, a) < aspi_tree_id(tree, b); });
   found_.is_set = true;
   return found_.list;
 }
@@ -230,7 +230,7 @@ bool MeshShape::clip(const ContactPath &body, double radius, double &from, doubl
  * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
 bool MeshShape::find_image(const ContactPath &body, double radius, double latest,
                            ContactTouch &touch, Places &place) const {
-  const double speed = vector_length(body.v);
+  const double speed = aspi_length(body.v);
   const double least = PIECE * radius / speed;
   double from = 0, most = std::min(latest, body.left), piece = least;
   if (!(speed > 0) || (piece < most && !clip(body, radius, from, most)))
@@ -248,13 +248,13 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double latest
     for (size_t i = 0; i < list.count; i++) {
       ContactTouch other;
       const double slack = found ? same_instant(touch, body, radius) : 0;
-      if (!contact_triangle_find(contact_tree_triangle(tree, list.item[i]), &body, radius,
-                                 found ? touch.time + slack : to, &other))
+      if (!aspi_triangle_find(aspi_tree_triangle(tree, list.item[i]), &body, radius,
+                              found ? touch.time + slack : to, &other))
         continue;
       const bool same = found && other.time >= touch.time - slack;
       if (!same)
         place.piece = list.item[i];
-      if (!same || other.slant < touch.slant) {
+      if (!same || other.edge_sine < touch.edge_sine) {
         touch = other;
         place.face = list.item[i];
       }
@@ -273,20 +273,20 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
                      const ContactTouch &touch, const Places &place, Contact &contact) const {
   double center[3], foot[3], follow[3];
   contact.time = touch.time;
-  contact.guarded = touch.guarded;
+  contact.overlapped = touch.overlapped;
   contact.curve = 0;
-  contact.closing = -vector_dot(body.v, touch.n);
-  contact.piece = contact_tree_id(tree_.get(), place.piece);
-  contact.face = contact_tree_id(tree_.get(), place.face);
-  if (touch.slant > EDGE)
+  contact.closing = -aspi_dot(body.v, touch.n);
+  contact.piece = aspi_tree_id(tree_.get(), place.piece);
+  contact.face = aspi_tree_id(tree_.get(), place.face);
+  if (touch.edge_sine > EDGE)
     contact.face = ~contact.face;
-  vector_add_scaled(body.x, touch.time, body.v, center);
-  vector_add_scaled(center, touch.lift, touch.n, center);
-  vector_add_scaled(center, -radius, touch.n, foot);
+  aspi_add_scaled(body.x, touch.time, body.v, center);
+  aspi_add_scaled(center, touch.overlap, touch.n, center);
+  aspi_add_scaled(center, -radius, touch.n, foot);
   if (motion_.in_world()) {
-    vector_copy(touch.n, contact.n);
-    vector_add_scaled(path.x, touch.time, path.v, contact.x);
-    vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
+    aspi_copy(touch.n, contact.n);
+    aspi_add_scaled(path.x, touch.time, path.v, contact.x);
+    aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
     contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.follow = 0;
     if (runs())
       surface_velocity(contact.piece, foot, contact.v_wall);
@@ -296,13 +296,13 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
   const Frame frame = motion_.at(share);
   frame.to_world(center, contact.x);
   motion_.follow(share, contact.x, path.v, follow);
-  vector_add_scaled(contact.x, 1, shift.by, contact.x);
+  aspi_add_scaled(contact.x, 1, shift.by, contact.x);
   for (int i = 0; i < 3; i++)
-    contact.n[i] = vector_dot(frame.turn[i], touch.n);
+    contact.n[i] = aspi_dot(frame.turn[i], touch.n);
   double world_foot[3];
   frame.to_world(foot, world_foot);
   motion_.velocity(share, world_foot, contact.v_wall);
-  contact.follow = vector_dot(follow, contact.n);
+  contact.follow = aspi_dot(follow, contact.n);
 }
 
 /* A face goes on in its plane where the centre has left the triangle: on a flat mesh it is the
@@ -314,28 +314,27 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
   const int piece = edge ? ~face : face;
   for (const Shift &shift : shifts_) {
     double at[3], foot[3], arm[3], normal[3];
-    vector_subtract(x, shift.by, at);
+    aspi_subtract(x, shift.by, at);
     motion_.end().to_body(at, at);
     const double still[3] = {0, 0, 0};
     fetch_missing(bounds_of(at, still, 0, 0, reach));
-    const int place = contact_tree_place(tree_.get(), piece);
+    const int place = aspi_tree_place(tree_.get(), piece);
     if (place < 0)
       continue;
-    const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), place);
-    if ((edge || shifts_.size() > 1) &&
-        !(contact_triangle_nearest(triangle, at, foot) <= 2 * reach))
+    const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), place);
+    if ((edge || shifts_.size() > 1) && !(aspi_triangle_nearest(triangle, at, foot) <= 2 * reach))
       continue;
     if (!edge) {
-      contact_triangle_normal(triangle, normal);
-      vector_subtract(at, triangle->node[0], arm);
-      vector_add_scaled(at, -vector_dot(arm, normal), normal, foot);
+      aspi_triangle_normal(triangle, normal);
+      aspi_subtract(at, triangle->node[0], arm);
+      aspi_add_scaled(at, -aspi_dot(arm, normal), normal, foot);
     }
-    vector_subtract(at, foot, arm);
-    const double distance = vector_length(arm);
+    aspi_subtract(at, foot, arm);
+    const double distance = aspi_length(arm);
     if (!(distance <= reach && distance > 0))
       continue;
     for (int i = 0; i < 3; i++)
-      n[i] = vector_dot(motion_.end().turn[i], arm) / distance;
+      n[i] = aspi_dot(motion_.end().turn[i], arm) / distance;
     v_wall[0] = v_wall[1] = v_wall[2] = 0;
     if (runs())
       surface_velocity(piece, foot, v_wall);
@@ -364,7 +363,7 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
     if (!find_image(body, radius, found ? std::min(latest, first.time + slack) : latest, touch,
                     place))
       continue;
-    if (found && touch.time >= first.time - slack && !(touch.slant < first.slant))
+    if (found && touch.time >= first.time - slack && !(touch.edge_sine < first.edge_sine))
       continue;
     fill(path, body, shift, radius, touch, place, contact);
     found = true;
@@ -381,9 +380,9 @@ bool MeshShape::find_known(int face, const Path &path, double radius, Contact &c
     ContactPath body;
     ContactTouch touch;
     body_path(path, shift, body);
-    const int place = contact_tree_place(tree_.get(), face < 0 ? ~face : face);
-    if (place < 0 || !contact_triangle_find(contact_tree_triangle(tree_.get(), place), &body,
-                                            radius, path.left, &touch))
+    const int place = aspi_tree_place(tree_.get(), face < 0 ? ~face : face);
+    if (place < 0 || !aspi_triangle_find(aspi_tree_triangle(tree_.get(), place), &body, radius,
+                                         path.left, &touch))
       continue;
     fill(path, body, shift, radius, touch, Places{place, place}, contact);
     return true;
@@ -394,7 +393,7 @@ bool MeshShape::find_known(int face, const Path &path, double radius, Contact &c
 void MeshShape::stick(const Path &path, const Contact &contact, Place &place) const {
   place.piece = contact.piece;
   if (motion_.in_world())
-    vector_copy(contact.x, place.at);
+    aspi_copy(contact.x, place.at);
   else
     motion_.at(path.share() + contact.time / path.dt).to_body(contact.x, place.at);
 }
@@ -402,12 +401,12 @@ void MeshShape::stick(const Path &path, const Contact &contact, Place &place) co
 /* The vector is of the mesh's own frame, which is the world's when the wall is defined. */
 void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
                     double direction[3]) const {
-  vector_copy(lay.vector, direction);
+  aspi_copy(lay.vector, direction);
   if (motion_.in_world())
     return;
   const Frame frame = motion_.at(path.share() + contact.time / path.dt);
   for (int i = 0; i < 3; i++)
-    direction[i] = vector_dot(frame.turn[i], lay.vector);
+    direction[i] = aspi_dot(frame.turn[i], lay.vector);
 }
 
 /* One step along a belt: false where it ends, or runs against something. */
@@ -416,60 +415,60 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   const Bounds around = bounds_of(place.at, still, 0, 0, 2 * radius);
   fetch_missing(around);
   const ContactTree *tree = tree_.get();
-  const int from = contact_tree_place(tree, place.piece);
+  const int from = aspi_tree_place(tree, place.piece);
   if (from < 0)
     return false;
   double v[3], foot[3], there[3], arm[3];
-  contact_triangle_nearest(contact_tree_triangle(tree, from), place.at, foot);
+  aspi_triangle_nearest(aspi_tree_triangle(tree, from), place.at, foot);
   surface_velocity(place.piece, foot, v);
-  vector_add_scaled(place.at, 0.5 * dt, v, there); /* the midpoint rule, for belts that turn */
-  contact_triangle_nearest(contact_tree_triangle(tree, from), there, foot);
+  aspi_add_scaled(place.at, 0.5 * dt, v, there); /* the midpoint rule, for belts that turn */
+  aspi_triangle_nearest(aspi_tree_triangle(tree, from), there, foot);
   surface_velocity(place.piece, foot, v);
-  vector_add_scaled(place.at, dt, v, there);
+  aspi_add_scaled(place.at, dt, v, there);
   int to;
-  const double reach = radius + vector_length(v) * dt + KEEPS * radius;
+  const double reach = radius + aspi_length(v) * dt + KEEPS * radius;
   const Bounds ahead = bounds_of(there, still, 0, 0, 1.01 * reach);
   fetch_missing(ahead);
   tree = tree_.get();
-  const double distance = contact_tree_distance(tree, there, reach, &to);
+  const double distance = aspi_tree_distance(tree, there, reach, &to);
   if (to < 0 || distance < (1 - KEEPS) * radius)
     return false;
-  contact_triangle_nearest(contact_tree_triangle(tree, to), there, foot);
-  vector_subtract(there, foot, arm);
+  aspi_triangle_nearest(aspi_tree_triangle(tree, to), there, foot);
+  aspi_subtract(there, foot, arm);
   double normal[3];
-  contact_triangle_normal(contact_tree_triangle(tree, to), normal);
-  if (fabs(vector_dot(arm, normal)) < (1 - FLAT) * distance) {
+  aspi_triangle_normal(aspi_tree_triangle(tree, to), normal);
+  if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) {
     /* Over an edge: it goes on only where the mesh does, around the edge. */
     const ContactList &list = meet(bounds_of(foot, still, 0, 0, KEEPS * radius), 0);
     bool goes_on = false;
     for (size_t i = 0; i < list.count; i++) {
       double other[3], point[3], off[3];
-      const ContactTriangle *triangle = contact_tree_triangle(tree, list.item[i]);
-      contact_triangle_normal(triangle, other);
-      contact_triangle_nearest(triangle, foot, point);
-      vector_subtract(foot, point, off);
-      goes_on = goes_on || (vector_length(off) <= KEEPS * radius &&
-                            fabs(vector_dot(other, normal)) < 1 - FLAT);
+      const ContactTriangle *triangle = aspi_tree_triangle(tree, list.item[i]);
+      aspi_triangle_normal(triangle, other);
+      aspi_triangle_nearest(triangle, foot, point);
+      aspi_subtract(foot, point, off);
+      goes_on = goes_on ||
+                (aspi_length(off) <= KEEPS * radius && fabs(aspi_dot(other, normal)) < 1 - FLAT);
     }
     if (!goes_on)
       return false;
   }
-  place.piece = contact_tree_id(tree, to);
-  vector_add_scaled(foot, radius / distance, arm, place.at);
+  place.piece = aspi_tree_id(tree, to);
+  aspi_add_scaled(foot, radius / distance, arm, place.at);
   return true;
 }
 
 void MeshShape::carry(Place &place, double radius, double dt, double x[3], double v[3]) const {
   double before[3];
-  vector_copy(place.at, before);
+  aspi_copy(place.at, before);
   if (runs() && dt > 0 && walk(place, radius, dt)) {
-    vector_copy(place.at, x);
-    vector_subtract(x, before, v);
-    vector_scale(1 / dt, v);
+    aspi_copy(place.at, x);
+    aspi_subtract(x, before, v);
+    aspi_scale(1 / dt, v);
     return;
   }
   if (motion_.in_world())
-    vector_copy(place.at, x);
+    aspi_copy(place.at, x);
   else
     motion_.end().to_world(place.at, x);
   motion_.velocity(1, x, v);
@@ -482,9 +481,9 @@ std::vector<double> MeshShape::motion_record() const {
   const Twist &last = motion_.last();
   record.insert(record.end(), last.angular, last.angular + 3);
   record.insert(record.end(), last.linear, last.linear + 3);
-  for (size_t i = 0; i < contact_tree_count(tree_.get()); i++) {
-    const ContactTriangle *triangle = contact_tree_triangle(tree_.get(), static_cast<int>(i));
-    record.push_back(contact_tree_id(tree_.get(), static_cast<int>(i)));
+  for (size_t i = 0; i < aspi_tree_count(tree_.get()); i++) {
+    const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), static_cast<int>(i));
+    record.push_back(aspi_tree_id(tree_.get(), static_cast<int>(i)));
     record.insert(record.end(), triangle->node[0], triangle->node[0] + 9);
   }
   return record;
@@ -495,8 +494,8 @@ void MeshShape::restore_motion(const std::vector<double> &record) {
   if (record.size() < head || (record.size() - head) % row != 0)
     return;
   Twist last;
-  vector_copy(&record[0], last.angular);
-  vector_copy(&record[3], last.linear);
+  aspi_copy(&record[0], last.angular);
+  aspi_copy(&record[3], last.linear);
   std::vector<ContactTriangle> triangles((record.size() - head) / row);
   std::vector<int> id(triangles.size());
   for (size_t i = 0; i < id.size(); i++) {
@@ -509,5 +508,5 @@ void MeshShape::restore_motion(const std::vector<double> &record) {
 }
 
 size_t MeshShape::bytes() const {
-  return sizeof *this + (tree_ ? contact_tree_bytes(tree_.get()) : 0);
+  return sizeof *this + (tree_ ? aspi_tree_bytes(tree_.get()) : 0);
 }

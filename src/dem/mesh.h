@@ -96,7 +96,7 @@ private:
     bool is_set;
     Meeting() : list(), box(), is_set(false) {}
     ~Meeting() {
-      contact_list_free(&list);
+      aspi_places_free(&list);
     }
   };
 

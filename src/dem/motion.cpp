@@ -43,33 +43,33 @@ double inverse_rest(double a) {
 /* w + p (phi x w) + q (phi x (phi x w)) */
 void combine(const double phi[3], double p, double q, const double w[3], double out[3]) {
   double once[3], twice[3];
-  vector_cross(phi, w, once);
-  vector_cross(phi, once, twice);
-  vector_add_scaled(w, p, once, out);
-  vector_add_scaled(out, q, twice, out);
+  aspi_cross(phi, w, once);
+  aspi_cross(phi, once, twice);
+  aspi_add_scaled(w, p, once, out);
+  aspi_add_scaled(out, q, twice, out);
 }
 
 /* The vector turned by the rotation vector phi (Rodrigues). */
 void rotate(const double phi[3], const double w[3], double out[3]) {
-  const double angle = vector_length(phi);
+  const double angle = aspi_length(phi);
   const double sinc = angle < SMALL ? 1 - angle * angle * sine_rest(angle) : sin(angle) / angle;
   combine(phi, sinc, cosine_rest(angle), w, out);
 }
 
 void times(const double turn[3][3], const double v[3], double out[3]) {
   for (int i = 0; i < 3; i++)
-    out[i] = vector_dot(turn[i], v);
+    out[i] = aspi_dot(turn[i], v);
 }
 
 /* The rotation vector of a matrix. */
 void rotation_vector(const double turn[3][3], double phi[3]) {
   const double w[3] = {0.5 * (turn[2][1] - turn[1][2]), 0.5 * (turn[0][2] - turn[2][0]),
                        0.5 * (turn[1][0] - turn[0][1])};
-  const double sine = vector_length(w), cosine = 0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1);
+  const double sine = aspi_length(w), cosine = 0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1);
   const double angle = atan2(sine, cosine);
-  vector_copy(w, phi);
+  aspi_copy(w, phi);
   if (sine > 0)
-    vector_scale(angle / sine, phi);
+    aspi_scale(angle / sine, phi);
 }
 
 /* The screw from one frame to another. */
@@ -77,12 +77,12 @@ Twist screw_between(const Frame &from, const Frame &to) {
   double turn[3][3], moved[3], d[3];
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
-      turn[i][j] = vector_dot(to.turn[i], from.turn[j]);
+      turn[i][j] = aspi_dot(to.turn[i], from.turn[j]);
   times(turn, from.shift, moved);
-  vector_subtract(to.shift, moved, d);
+  aspi_subtract(to.shift, moved, d);
   Twist screw;
   rotation_vector(turn, screw.angular);
-  combine(screw.angular, -0.5, inverse_rest(vector_length(screw.angular)), d, screw.linear);
+  combine(screw.angular, -0.5, inverse_rest(aspi_length(screw.angular)), d, screw.linear);
   return screw;
 }
 
@@ -93,12 +93,12 @@ Frame::Frame() : turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, shift{0, 0, 0} {}
 void Frame::to_world(const double body[3], double world[3]) const {
   double turned[3];
   times(turn, body, turned);
-  vector_add_scaled(turned, 1, shift, world);
+  aspi_add_scaled(turned, 1, shift, world);
 }
 
 void Frame::to_body(const double world[3], double body[3]) const {
   double arm[3];
-  vector_subtract(world, shift, arm);
+  aspi_subtract(world, shift, arm);
   for (int j = 0; j < 3; j++)
     body[j] = turn[0][j] * arm[0] + turn[1][j] * arm[1] + turn[2][j] * arm[2];
 }
@@ -117,8 +117,8 @@ bool Frame::is_world() const {
 Twist::Twist() : angular{0, 0, 0}, linear{0, 0, 0} {}
 
 void Twist::velocity(const double x[3], double v[3]) const {
-  vector_cross(angular, x, v);
-  vector_add_scaled(v, 1, linear, v);
+  aspi_cross(angular, x, v);
+  aspi_add_scaled(v, 1, linear, v);
 }
 
 Motion::Motion() : dt_(0), moves_(false), has_last_(false), in_world_(true) {}
@@ -170,7 +170,7 @@ Frame Motion::at(double s) const {
     phi[d] = s * screw_.angular[d];
     along[d] = s * screw_.linear[d];
   }
-  const double angle = vector_length(phi);
+  const double angle = aspi_length(phi);
   Frame frame;
   for (int j = 0; j < 3; j++) {
     const double column[3] = {begin_.turn[0][j], begin_.turn[1][j], begin_.turn[2][j]};
@@ -181,7 +181,7 @@ Frame Motion::at(double s) const {
   }
   rotate(phi, begin_.shift, moved);
   combine(phi, cosine_rest(angle), sine_rest(angle), along, frame.shift);
-  vector_add_scaled(frame.shift, 1, moved, frame.shift);
+  aspi_add_scaled(frame.shift, 1, moved, frame.shift);
   return frame;
 }
 
@@ -193,8 +193,7 @@ void Motion::velocity(double s, const double x[3], double v[3]) const {
   begin_velocity_.velocity(x, begin);
   end_velocity_.velocity(x, end);
   drift_.velocity(x, drift);
-  const bool rounding =
-      vector_length(drift) < DRIFT_LEAST * (vector_length(begin) + vector_length(end));
+  const bool rounding = aspi_length(drift) < DRIFT_LEAST * (aspi_length(begin) + aspi_length(end));
   for (int d = 0; d < 3; d++)
     v[d] = begin[d] + s * (end[d] - begin[d]) + (rounding ? 0 : drift[d]);
 }
@@ -212,7 +211,7 @@ void Motion::follow(double s, const double x[3], const double v[3], double a[3])
         begin_velocity_.angular[d] + s * (end_velocity_.angular[d] - begin_velocity_.angular[d]);
     twice[d] = 2 * v[d] - now[d];
   }
-  vector_cross(angular, twice, turned);
+  aspi_cross(angular, twice, turned);
   for (int d = 0; d < 3; d++)
     a[d] = (end[d] - begin[d]) / dt_ + turned[d];
 }

@@ -18,21 +18,21 @@ namespace {
 
 ContactPath contact_path(const Path &path) {
   ContactPath p;
-  vector_copy(path.x, p.x);
-  vector_copy(path.v, p.v);
+  aspi_copy(path.x, p.x);
+  aspi_copy(path.v, p.v);
   p.left = path.left;
   return p;
 }
 
 void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
   contact.time = touch.time;
-  contact.guarded = touch.guarded;
+  contact.overlapped = touch.overlapped;
   contact.piece = contact.face = 0;
   contact.follow = contact.curve = 0;
-  contact.closing = -vector_dot(path.v, touch.n);
-  vector_copy(touch.n, contact.n);
-  vector_add_scaled(path.x, touch.time, path.v, contact.x);
-  vector_add_scaled(contact.x, touch.lift, touch.n, contact.x);
+  contact.closing = -aspi_dot(path.v, touch.n);
+  aspi_copy(touch.n, contact.n);
+  aspi_add_scaled(path.x, touch.time, path.v, contact.x);
+  aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
 }
 
 } // namespace
@@ -40,11 +40,11 @@ void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
 PlaneShape::PlaneShape(int axis, double at, const double velocity[3]) {
   plane_.axis = axis;
   plane_.at = at;
-  vector_copy(velocity, v_);
+  aspi_copy(velocity, v_);
 }
 
 double PlaneShape::travel(double dt) const {
-  return vector_length(v_) * dt;
+  return aspi_length(v_) * dt;
 }
 
 bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
@@ -63,10 +63,10 @@ double PlaneShape::clear(const double x[3], const double v[3], double reach, dou
 bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
   ContactTouch touch;
   const ContactPath p = contact_path(path);
-  if (!contact_plane_find(&plane_, &p, radius, latest, &touch))
+  if (!aspi_plane_find(&plane_, &p, radius, latest, &touch))
     return false;
   take_over(touch, path, contact);
-  vector_copy(v_, contact.v_wall);
+  aspi_copy(v_, contact.v_wall);
   return true;
 }
 
@@ -74,19 +74,19 @@ bool PlaneShape::under(int, const double x[3], double reach, double n[3], double
   const double off = x[plane_.axis] - plane_.at;
   for (int d = 0; d < 3; d++)
     n[d] = d != plane_.axis ? 0 : off < 0 ? -1 : 1;
-  vector_copy(v_, v_wall);
+  aspi_copy(v_, v_wall);
   return fabs(off) <= reach;
 }
 
 void PlaneShape::stick(const Path &, const Contact &contact, Place &place) const {
   place.piece = 0;
-  vector_copy(contact.x, place.at);
+  aspi_copy(contact.x, place.at);
 }
 
 void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
-  vector_add_scaled(place.at, dt, v_, place.at);
-  vector_copy(place.at, x);
-  vector_copy(v_, v);
+  aspi_add_scaled(place.at, dt, v_, place.at);
+  aspi_copy(place.at, x);
+  aspi_copy(v_, v);
 }
 
 CylinderShape::CylinderShape(int axis, const double center[3], double radius, double along,
@@ -94,7 +94,7 @@ CylinderShape::CylinderShape(int axis, const double center[3], double radius, do
     : along_(along), turn_(turn) {
   cylinder_.axis = axis;
   cylinder_.radius = radius;
-  vector_copy(center, cylinder_.center);
+  aspi_copy(center, cylinder_.center);
   cylinder_.center[axis] = 0;
 }
 
@@ -121,24 +121,24 @@ bool CylinderShape::may_meet(const double lo[3], const double hi[3]) const {
 void CylinderShape::velocity(const double x[3], double v[3]) const {
   double axis[3] = {0, 0, 0}, arm[3];
   axis[cylinder_.axis] = 1;
-  vector_subtract(x, cylinder_.center, arm);
-  vector_cross(axis, arm, v);
-  vector_scale(turn_, v);
+  aspi_subtract(x, cylinder_.center, arm);
+  aspi_cross(axis, arm, v);
+  aspi_scale(turn_, v);
   v[cylinder_.axis] = along_;
 }
 
 bool CylinderShape::find(const Path &path, double radius, double latest, Contact &contact) const {
   ContactTouch touch;
   const ContactPath p = contact_path(path);
-  if (!contact_cylinder_find(&cylinder_, &p, radius, latest, &touch))
+  if (!aspi_cylinder_find(&cylinder_, &p, radius, latest, &touch))
     return false;
   take_over(touch, path, contact);
   velocity(contact.x, contact.v_wall);
   /* Inside, the wall curves towards the centre, outside away from it. */
   double axis[3] = {0, 0, 0}, around[3];
   axis[cylinder_.axis] = 1;
-  vector_cross(axis, contact.n, around);
-  const double distance = axis_distance(contact.x), speed = vector_dot(path.v, around);
+  aspi_cross(axis, contact.n, around);
+  const double distance = axis_distance(contact.x), speed = aspi_dot(path.v, around);
   const double side = distance < cylinder_.radius ? 1 : -1, left = path.left - touch.time;
   if (distance > 0)
     contact.curve = side * speed * speed / distance;
@@ -151,24 +151,24 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
 
 double CylinderShape::axis_distance(const double x[3]) const {
   double arm[3];
-  vector_subtract(x, cylinder_.center, arm);
+  aspi_subtract(x, cylinder_.center, arm);
   arm[cylinder_.axis] = 0;
-  return vector_length(arm);
+  return aspi_length(arm);
 }
 
 bool CylinderShape::under(int, const double x[3], double reach, double n[3],
                           double v_wall[3]) const {
   const double distance = axis_distance(x);
-  vector_subtract(x, cylinder_.center, n);
+  aspi_subtract(x, cylinder_.center, n);
   n[cylinder_.axis] = 0;
-  vector_scale((distance < cylinder_.radius ? -1 : 1) / distance, n);
+  aspi_scale((distance < cylinder_.radius ? -1 : 1) / distance, n);
   velocity(x, v_wall);
   return distance > 0 && fabs(distance - cylinder_.radius) <= reach;
 }
 
 void CylinderShape::stick(const Path &, const Contact &contact, Place &place) const {
   place.piece = 0;
-  vector_copy(contact.x, place.at);
+  aspi_copy(contact.x, place.at);
 }
 
 void CylinderShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
@@ -178,7 +178,7 @@ void CylinderShape::carry(Place &place, double, double dt, double x[3], double v
   place.at[a] = cylinder_.center[a] + (c * p - s * q);
   place.at[b] = cylinder_.center[b] + (s * p + c * q);
   place.at[cylinder_.axis] += along_ * dt;
-  vector_copy(place.at, x);
+  aspi_copy(place.at, x);
   velocity(x, v);
 }
 
@@ -187,7 +187,7 @@ void CylinderShape::lay(const asp_lay &lay, const Path &, const Contact &contact
                         double direction[3]) const {
   double axis[3] = {0, 0, 0}, around[3];
   axis[cylinder_.axis] = 1;
-  vector_cross(contact.n, axis, around);
+  aspi_cross(contact.n, axis, around);
   for (int d = 0; d < 3; d++)
     direction[d] = cos(lay.angle) * axis[d] + sin(lay.angle) * around[d];
 }

@@ -32,7 +32,7 @@ struct Contact {
   double closing;   /* mean speed along -n over the rest of the path as it was searched */
   int piece;        /* number of the triangle; 0 for a shape of one piece */
   int face;         /* the piece, or where a shape of one piece has several faces, which of them */
-  bool guarded;     /* the particle was in the wall already */
+  bool overlapped;  /* the particle was in the wall already */
 };
 
 /* Where a particle has stuck: all that a shape needs to find it again, as numbers that go into

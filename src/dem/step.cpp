@@ -149,7 +149,7 @@ bool Wall::find_known(Flight &flight, Wall *&wall, size_t &shape, Contact &conta
     const Shape &at = *known.wall->shapes_[known.shape].shape;
     if (!at.find_known(known.face, flight.path, flight.radius, contact))
       continue;
-    if (contact.guarded || contact.time * vector_length(flight.path.v) > KNOWN * flight.radius) {
+    if (contact.overlapped || contact.time * aspi_length(flight.path.v) > KNOWN * flight.radius) {
       known.wall->ahead_.due[flight.i] = 0;
       continue;
     }
@@ -207,11 +207,11 @@ void Wall::fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near
     const bool known = find_known(flight, wall, shape, contact);
     if (!known && !find_first(flight.searches_all ? walls : near, flight, wall, shape, contact))
       break;
-    flight.far = contact.time * vector_length(flight.path.v) > NEAR * flight.radius;
+    flight.far = contact.time * aspi_length(flight.path.v) > NEAR * flight.radius;
     if (all == 0 || flight.far) {
       series = 0;
       flight.series_begin = flight.events.size();
-      vector_copy(flight.spin, flight.series_spin);
+      aspi_copy(flight.spin, flight.series_spin);
     }
     series++;
     all++;
@@ -245,10 +245,10 @@ void Wall::finish(const std::vector<Wall *> &near, Flight &flight, bool moved) {
     look_next(near, flight);
   if (!moved)
     return;
-  vector_copy(flight.half, s.v + at);
+  aspi_copy(flight.half, s.v + at);
   if (s.omega)
-    vector_copy(flight.spin, s.omega + at);
-  vector_add_scaled(flight.path.x, flight.path.left, flight.path.v, s.x + at);
+    aspi_copy(flight.spin, s.omega + at);
+  aspi_add_scaled(flight.path.x, flight.path.left, flight.path.v, s.x + at);
   note_energy(flight);
 }
 
@@ -261,7 +261,7 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
   const Path before = flight.path;
   double v[3], v1[3];
   flight.advance(contact, v);
-  vector_subtract(v, contact.v_wall, v1);
+  aspi_subtract(v, contact.v_wall, v1);
   bool arrives;
   const bool sustained = is_sustained(flight, shape, contact, v1, arrives) || trapped;
   if (sustained && !(arrives && model_.sticks())) {
@@ -282,8 +282,8 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
     return true;
   }
   double after[3];
-  vector_copy(event.impact.omega, flight.spin);
-  vector_add_scaled(contact.v_wall, 1, event.impact.v2, after);
+  aspi_copy(event.impact.omega, flight.spin);
+  aspi_add_scaled(contact.v_wall, 1, event.impact.v2, after);
   flight.turn(v, after, contact.n);
   return false;
 }
@@ -292,14 +292,14 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
  * elsewhere. */
 bool Wall::is_sustained(Flight &flight, size_t shape, Contact &contact, const double v1[3],
                         bool &arrives) const {
-  const double dt = flight.spheres.dt, approach = -vector_dot(v1, contact.n);
-  const double speed = vector_length(v1);
+  const double dt = flight.spheres.dt, approach = -aspi_dot(v1, contact.n);
+  const double speed = aspi_length(v1);
   if (!(fabs(contact.curve) * dt < TURN * speed))
     contact.curve = 0;
   const bool stays = flight.find_stay(this, shape, contact);
   const bool stayed = stays || status(flight.i) != Status::FREE;
   const double push =
-      contact.follow - vector_dot(flight.a0, contact.n) + (stayed ? contact.curve : 0);
+      contact.follow - aspi_dot(flight.a0, contact.n) + (stayed ? contact.curve : 0);
   arrives = approach > 0 && !stayed;
   return stays || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * push, GRAZING * speed));
 }
@@ -322,7 +322,7 @@ Wall::Event Wall::hit(const Flight &flight, size_t shape, const Path &before,
     particle.lay = lay;
   }
   Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, {}, 0, 0, {}, {}};
-  vector_copy(flight.spin, event.omega1);
+  aspi_copy(flight.spin, event.omega1);
   event.elapsed = flight.elapsed();
   event.time = time(static_cast<double>(s.step)) - flight.path.left;
   event.key.seed = model_.seed();

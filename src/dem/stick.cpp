@@ -17,19 +17,19 @@ void Wall::stick(Flight &flight, size_t shape, const Path &before, const Contact
   StuckPlace &stuck = place(i).stuck;
   stuck.shape = static_cast<double>(shape) + 1;
   stuck.piece = at.piece;
-  vector_copy(at.at, stuck.at);
+  aspi_copy(at.at, stuck.at);
   const bool deletes = model_.deposit() == Model::DELETE;
   set_status(i, deletes ? Status::TO_DELETE : Status::STUCK);
   has_to_delete_ = has_to_delete_ || deletes;
   stuck_.push_back(i);
-  vector_copy(contact.x, flight.spheres.x + 3 * static_cast<size_t>(i));
+  aspi_copy(contact.x, flight.spheres.x + 3 * static_cast<size_t>(i));
   carry_one(flight.spheres, i, flight.path.left);
 }
 
 void Wall::carry(const Spheres &spheres) {
   for (int i : stuck_) {
     double before[3];
-    vector_copy(spheres.v + 3 * static_cast<size_t>(i), before);
+    aspi_copy(spheres.v + 3 * static_cast<size_t>(i), before);
     carry_one(spheres, i, spheres.dt);
     add_held(spheres, i, before);
   }
@@ -46,10 +46,10 @@ void Wall::carry_one(const Spheres &s, int i, double dt) {
   Place at = {static_cast<int>(stuck.piece), {stuck.at[0], stuck.at[1], stuck.at[2]}};
   shapes_[shape].shape->carry(at, s.radius[i], dt, on_wall, stuck.velocity);
   stuck.piece = at.piece;
-  vector_copy(at.at, stuck.at);
+  aspi_copy(at.at, stuck.at);
   box_.bring_near(x, on_wall);
-  vector_copy(on_wall, x);
-  vector_copy(stuck.velocity, s.v + 3 * static_cast<size_t>(i));
+  aspi_copy(on_wall, x);
+  aspi_copy(stuck.velocity, s.v + 3 * static_cast<size_t>(i));
   for (int d = 0; s.omega && d < 3; d++)
     s.omega[3 * static_cast<size_t>(i) + d] = 0;
 }

@@ -25,25 +25,25 @@ const double REGULAR = 1e-6;
 /* Adds an impulse per mass at the contact with normal n. */
 void push(const double n[3], const double p[3], double radius, double v[3], double omega[3]) {
   double across[3];
-  vector_cross(n, p, across);
-  vector_add_scaled(v, 1, p, v);
-  vector_add_scaled(omega, -2.5 / radius, across, omega);
+  aspi_cross(n, p, across);
+  aspi_add_scaled(v, 1, p, v);
+  aspi_add_scaled(omega, -2.5 / radius, across, omega);
 }
 
 /* The velocity of the sphere's surface at a contact, relative to the wall. */
 void slip(const Support &s, double radius, const double v[3], const double omega[3], double u[3]) {
   double across[3];
-  vector_cross(omega, s.n, across);
-  vector_subtract(v, s.w, u);
-  vector_add_scaled(u, -radius, across, u);
+  aspi_cross(omega, s.n, across);
+  aspi_subtract(v, s.w, u);
+  aspi_add_scaled(u, -radius, across, u);
 }
 
 /* The impulse that one contact needs where its surface has the velocity u without it. */
 void impulse(const Support &s, const double u[3], double p[3]) {
-  const double normal = vector_dot(u, s.n), p_n = std::max(0.0, -normal), most = s.friction * p_n;
+  const double normal = aspi_dot(u, s.n), p_n = std::max(0.0, -normal), most = s.friction * p_n;
   double along[3];
-  vector_add_scaled(u, -normal, s.n, along);
-  const double square = vector_dot(along, along);
+  aspi_add_scaled(u, -normal, s.n, along);
+  const double square = aspi_dot(along, along);
   const double share = 4.0 / 49 * square > most * most ? most / sqrt(square) : 2.0 / 7;
   for (int d = 0; d < 3; d++)
     p[d] = p_n * s.n[d] - share * along[d];
@@ -57,12 +57,12 @@ void solve_one(Support &s, double radius, double v[3], double omega[3]) {
   double u[3], p[3], change[3];
   slip(s, radius, v, omega, u);
   /* Its own impulse moves its surface 7/2 times as much along the wall. */
-  vector_add_scaled(u, -3.5, s.p, u);
-  vector_add_scaled(u, 2.5 * vector_dot(s.p, s.n), s.n, u);
+  aspi_add_scaled(u, -3.5, s.p, u);
+  aspi_add_scaled(u, 2.5 * aspi_dot(s.p, s.n), s.n, u);
   impulse(s, u, p);
-  vector_subtract(p, s.p, change);
+  aspi_subtract(p, s.p, change);
   push(s.n, change, radius, v, omega);
-  vector_copy(p, s.p);
+  aspi_copy(p, s.p);
 }
 
 /* Sweeps from no impulses on. False if an approach is left. */
@@ -72,13 +72,13 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
   double first = 0, left = 0;
   for (int n = 0; n < SWEEPS; n++) {
     double v_then[3], omega_then[3], dv[3], domega[3];
-    vector_copy(v, v_then);
-    vector_copy(omega, omega_then);
+    aspi_copy(v, v_then);
+    aspi_copy(omega, omega_then);
     for (Support &s : supports)
       solve_one(s, radius, v, omega);
-    vector_subtract(v, v_then, dv);
-    vector_subtract(omega, omega_then, domega);
-    const double change = vector_length(dv) + radius * vector_length(domega);
+    aspi_subtract(v, v_then, dv);
+    aspi_subtract(omega, omega_then, domega);
+    const double change = aspi_length(dv) + radius * aspi_length(domega);
     if (n == 0)
       first = change;
     if (!(change > CONVERGED * first))
@@ -87,7 +87,7 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
   for (const Support &s : supports) {
     double u[3];
     slip(s, radius, v, omega, u);
-    left = std::max(left, -vector_dot(u, s.n));
+    left = std::max(left, -aspi_dot(u, s.n));
   }
   return !(left > DIVERGED * first);
 }
@@ -100,14 +100,14 @@ bool solve_alone(Support &s, Support &other, double radius, double v[3], double 
   double u[3], v_after[3], omega_after[3];
   slip(s, radius, v, omega, u);
   impulse(s, u, s.p);
-  vector_copy(v, v_after);
-  vector_copy(omega, omega_after);
+  aspi_copy(v, v_after);
+  aspi_copy(omega, omega_after);
   push(s.n, s.p, radius, v_after, omega_after);
-  vector_subtract(v_after, other.w, u);
-  if (-vector_dot(u, other.n) > CONVERGED * vector_length(s.p))
+  aspi_subtract(v_after, other.w, u);
+  if (-aspi_dot(u, other.n) > CONVERGED * aspi_length(s.p))
     return false;
-  vector_copy(v_after, v);
-  vector_copy(omega_after, omega);
+  aspi_copy(v_after, v);
+  aspi_copy(omega_after, omega);
   other.p[0] = other.p[1] = other.p[2] = 0;
   return true;
 }
@@ -115,11 +115,11 @@ bool solve_alone(Support &s, Support &other, double radius, double v[3], double 
 /* Two contacts without friction. */
 bool solve_smooth(Support &a, Support &b, double v[3]) {
   double u[3];
-  const double cosine = vector_dot(a.n, b.n), det = 1 - cosine * cosine;
-  vector_subtract(v, a.w, u);
-  const double approach_a = -vector_dot(u, a.n);
-  vector_subtract(v, b.w, u);
-  const double approach_b = -vector_dot(u, b.n);
+  const double cosine = aspi_dot(a.n, b.n), det = 1 - cosine * cosine;
+  aspi_subtract(v, a.w, u);
+  const double approach_a = -aspi_dot(u, a.n);
+  aspi_subtract(v, b.w, u);
+  const double approach_b = -aspi_dot(u, b.n);
   const double p_a = approach_a - cosine * approach_b, p_b = approach_b - cosine * approach_a;
   if (a.friction > 0 || b.friction > 0 || !(det > REGULAR) || p_a < 0 || p_b < 0)
     return false;
@@ -134,11 +134,10 @@ bool solve_smooth(Support &a, Support &b, double v[3]) {
 /* Narrows the numbers lo to hi to those for which the impulse p + number * by at this contact is
  * within the cone of friction. by.n must be positive. */
 bool narrow(const Support &s, const double p[3], const double by[3], double &lo, double &hi) {
-  const double p_n = vector_dot(p, s.n), by_n = vector_dot(by, s.n);
+  const double p_n = aspi_dot(p, s.n), by_n = aspi_dot(by, s.n);
   const double factor = 1 + s.friction * s.friction;
-  const double a = vector_dot(by, by) - factor * by_n * by_n,
-               b = vector_dot(p, by) - factor * p_n * by_n,
-               c = vector_dot(p, p) - factor * p_n * p_n;
+  const double a = aspi_dot(by, by) - factor * by_n * by_n,
+               b = aspi_dot(p, by) - factor * p_n * by_n, c = aspi_dot(p, p) - factor * p_n * p_n;
   const double square = b * b - a * c;
   if (!(square > 0) || !(fabs(a) > REGULAR))
     return false;
@@ -171,25 +170,25 @@ bool solve_sticking(Support &a, Support &b, double radius, double v[3], double o
     w[d] = 0.5 * (a.w[d] + b.w[d]);
     dw[d] = 0.5 * (a.w[d] - b.w[d]);
   }
-  const double square = vector_dot(h, h), half = sqrt(square);
+  const double square = aspi_dot(h, h), half = sqrt(square);
   if (!(square > REGULAR))
     return false;
-  vector_cross(dw, h, s);
-  vector_scale(1 / square, s); /* across h; the part along it, by the balance along h: */
-  vector_cross(h, m, e);
-  vector_scale(1 / half, e);
-  vector_cross(s, m, after);
-  vector_add_scaled(after, 1, w, after);
-  vector_subtract(after, v, p);
-  const double spin = (radius * vector_dot(omega, h) / half - 2.5 * vector_dot(e, p)) /
-                      (1 + 2.5 * vector_dot(m, m));
-  vector_add_scaled(s, spin / half, h, s);
-  vector_add_scaled(p, spin, e, p);
-  vector_add_scaled(s, -radius, omega, turn);
-  vector_cross(m, p, across);
-  vector_add_scaled(across, 0.4, turn, across);
-  vector_cross(across, h, apart);
-  vector_scale(-0.5 / square, apart);
+  aspi_cross(dw, h, s);
+  aspi_scale(1 / square, s); /* across h; the part along it, by the balance along h: */
+  aspi_cross(h, m, e);
+  aspi_scale(1 / half, e);
+  aspi_cross(s, m, after);
+  aspi_add_scaled(after, 1, w, after);
+  aspi_subtract(after, v, p);
+  const double spin =
+      (radius * aspi_dot(omega, h) / half - 2.5 * aspi_dot(e, p)) / (1 + 2.5 * aspi_dot(m, m));
+  aspi_add_scaled(s, spin / half, h, s);
+  aspi_add_scaled(p, spin, e, p);
+  aspi_add_scaled(s, -radius, omega, turn);
+  aspi_cross(m, p, across);
+  aspi_add_scaled(across, 0.4, turn, across);
+  aspi_cross(across, h, apart);
+  aspi_scale(-0.5 / square, apart);
   double p_a[3], p_b[3], back[3], lo = -HUGE_VAL, hi = HUGE_VAL;
   for (int d = 0; d < 3; d++) {
     p_a[d] = 0.5 * p[d] + apart[d];
@@ -198,19 +197,19 @@ bool solve_sticking(Support &a, Support &b, double radius, double v[3], double o
   }
   if (!narrow(a, p_a, h, lo, hi) || !narrow(b, p_b, back, lo, hi))
     return false;
-  vector_add_scaled(p_a, lo, h, a.p);
-  vector_add_scaled(p_b, lo, back, b.p);
+  aspi_add_scaled(p_a, lo, h, a.p);
+  aspi_add_scaled(p_b, lo, back, b.p);
   /* Walls that part or close along the line, too, leave no such solution. */
   double u_a[3], u_b[3], v_after[3], omega_after[3];
-  vector_add_scaled(v, 1, p, v_after);
-  vector_copy(s, omega_after);
-  vector_scale(1 / radius, omega_after);
+  aspi_add_scaled(v, 1, p, v_after);
+  aspi_copy(s, omega_after);
+  aspi_scale(1 / radius, omega_after);
   slip(a, radius, v_after, omega_after, u_a);
   slip(b, radius, v_after, omega_after, u_b);
-  if (vector_dot(u_a, u_a) + vector_dot(u_b, u_b) > CONVERGED * CONVERGED * vector_dot(p, p))
+  if (aspi_dot(u_a, u_a) + aspi_dot(u_b, u_b) > CONVERGED * CONVERGED * aspi_dot(p, p))
     return false;
-  vector_copy(v_after, v);
-  vector_copy(omega_after, omega);
+  aspi_copy(v_after, v);
+  aspi_copy(omega_after, omega);
   return true;
 }
 
@@ -232,27 +231,27 @@ bool asperity::solve_supports(std::vector<Support> &supports, double radius, dou
       return true;
   }
   double v_free[3], omega_free[3];
-  vector_copy(v, v_free);
-  vector_copy(omega, omega_free);
+  aspi_copy(v, v_free);
+  aspi_copy(omega, omega_free);
   if (sweep(supports, radius, v, omega))
     return true;
   /* Sweeps with friction may go round in a circle. */
   for (Support &s : supports)
     s.friction = 0;
-  vector_copy(v_free, v);
-  vector_copy(omega_free, omega);
+  aspi_copy(v_free, v);
+  aspi_copy(omega_free, omega);
   if (sweep(supports, radius, v, omega))
     return true;
   const double share = 1.0 / static_cast<double>(supports.size());
   double mean[3] = {0, 0, 0};
   for (const Support &s : supports)
-    vector_add_scaled(mean, share, s.w, mean);
+    aspi_add_scaled(mean, share, s.w, mean);
   for (Support &s : supports) {
-    vector_subtract(mean, v_free, s.p);
-    vector_scale(share, s.p);
+    aspi_subtract(mean, v_free, s.p);
+    aspi_scale(share, s.p);
   }
-  vector_copy(mean, v);
-  vector_copy(omega_free, omega);
+  aspi_copy(mean, v);
+  aspi_copy(omega_free, omega);
   return false;
 }
 
@@ -260,6 +259,6 @@ double asperity::slide_work(const Support &support, double radius, const double 
                             const double omega[3]) {
   double u[3];
   slip(support, radius, v, omega, u);
-  vector_add_scaled(u, -vector_dot(u, support.n), support.n, u);
-  return std::max(0.0, -vector_dot(support.p, u));
+  aspi_add_scaled(u, -aspi_dot(u, support.n), support.n, u);
+  return std::max(0.0, -aspi_dot(support.p, u));
 }

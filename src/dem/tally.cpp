@@ -14,11 +14,11 @@ ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3]
                          const double normal[3], const double impulse_per_mass[3],
                          const double v1[3])
     : piece(of), type(s.type[i]), mask(s.mask[i]), dissipated(0), eroded(0) {
-  vector_copy(normal, n);
-  vector_add_scaled(center, -s.radius[i], normal, point);
-  vector_copy(impulse_per_mass, impulse);
-  vector_scale(-s.mass[i], impulse);
-  vector_copy(v1, v_before);
+  aspi_copy(normal, n);
+  aspi_add_scaled(center, -s.radius[i], normal, point);
+  aspi_copy(impulse_per_mass, impulse);
+  aspi_scale(-s.mass[i], impulse);
+  aspi_copy(v1, v_before);
 }
 
 void Wall::Member::add(int piece, Sum sum, double value) {
@@ -30,17 +30,17 @@ void Wall::Member::add(int piece, Sum sum, double value) {
 void Wall::add(size_t shape, const ContactLoad &load) {
   Member &member = shapes_[shape];
   double arm[3], torque[3], along[3];
-  vector_subtract(load.point, torque_about_, arm);
-  vector_cross(arm, load.impulse, torque);
+  aspi_subtract(load.point, torque_about_, arm);
+  aspi_cross(arm, load.impulse, torque);
   for (int d = 0; d < 3; d++) {
     counters_[FORCE + d] += load.impulse[d];
     counters_[TORQUE + d] += torque[d];
   }
-  if (vector_dot(load.n, load.n) > 0) {
-    const double normal = -vector_dot(load.impulse, load.n);
-    vector_add_scaled(load.impulse, normal, load.n, along);
+  if (aspi_dot(load.n, load.n) > 0) {
+    const double normal = -aspi_dot(load.impulse, load.n);
+    aspi_add_scaled(load.impulse, normal, load.n, along);
     member.add(load.piece, SUM_NORMAL, normal);
-    member.add(load.piece, SUM_TANGENTIAL, vector_length(along));
+    member.add(load.piece, SUM_TANGENTIAL, aspi_length(along));
     member.add(load.piece, SUM_DISSIPATED, load.dissipated);
     member.add(load.piece, SUM_ERODED, load.eroded);
     counters_[DISSIPATED] += load.dissipated;
@@ -56,8 +56,8 @@ void Wall::add_held(const Spheres &s, int i, const double before[3]) {
   const double none[3] = {0, 0, 0};
   const size_t at = 3 * static_cast<size_t>(i), shape = static_cast<size_t>(stuck.shape) - 1;
   double p[3];
-  vector_subtract(s.v + at, before, p);
-  if (vector_dot(p, p) > 0 && stuck.shape >= 1 && shape < shapes_.size())
+  aspi_subtract(s.v + at, before, p);
+  if (aspi_dot(p, p) > 0 && stuck.shape >= 1 && shape < shapes_.size())
     add(shape, ContactLoad(s, i, static_cast<int>(stuck.piece), s.x + at, none, p, none));
 }
 
@@ -66,25 +66,25 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
   const Contact &contact = event.contact;
   const bool stuck = impact.outcome == ASP_DEPOSIT;
   const double mass = s.mass[i], stuck_mass = stuck ? mass : 0;
-  const double energy = 0.5 * mass * vector_dot(event.v1, event.v1);
+  const double energy = 0.5 * mass * aspi_dot(event.v1, event.v1);
   counters_[N_IMPACTS]++;
   counters_[N_DEPOSITS] += stuck;
   counters_[DEPOSITED_MASS] += stuck_mass;
   counters_[N_LATER_HITS] += impact.hits - 1;
   counters_[N_CAPPED] += impact.capped;
-  counters_[N_GUARDED] += contact.guarded;
+  counters_[N_GUARDED] += contact.overlapped;
   Member &member = shapes_[event.shape];
   member.totals[SHAPE_DEPOSITS] += stuck;
   member.add(contact.piece, SUM_IMPACTS, 1);
   member.add(contact.piece, SUM_MASS, stuck_mass);
   member.add(contact.piece, SUM_ENERGY, energy);
   double p[3];
-  vector_subtract(impact.v2, event.v1, p);
+  aspi_subtract(impact.v2, event.v1, p);
   ContactLoad load(s, i, contact.piece, contact.x, contact.n, p, event.v1);
   load.dissipated =
-      energy - 0.5 * mass * vector_dot(impact.v2, impact.v2) +
+      energy - 0.5 * mass * aspi_dot(impact.v2, impact.v2) +
       0.2 * mass * s.radius[i] * s.radius[i] *
-          (vector_dot(event.omega1, event.omega1) - vector_dot(impact.omega, impact.omega));
+          (aspi_dot(event.omega1, event.omega1) - aspi_dot(impact.omega, impact.omega));
   load.eroded = mass * impact.eroded;
   add(event.shape, load);
   if (ledger_)
@@ -118,12 +118,12 @@ void Wall::record(const Spheres &s, int i, const Event &event, const ContactLoad
   row[L::STEP] = static_cast<double>(s.step);
   row[L::COR_T_DEFINED] = c.cor_t_defined;
   row[L::MASS] = s.mass[i];
-  vector_copy(load.n, &row[L::NX]);
-  vector_copy(event.v1, &row[L::V1X]);
-  vector_copy(event.impact.v2, &row[L::V2X]);
-  vector_copy(event.omega1, &row[L::OMEGA1X]);
-  vector_copy(event.impact.omega, &row[L::OMEGA2X]);
-  vector_copy(load.impulse, &row[L::IMPULSE_X]);
+  aspi_copy(load.n, &row[L::NX]);
+  aspi_copy(event.v1, &row[L::V1X]);
+  aspi_copy(event.impact.v2, &row[L::V2X]);
+  aspi_copy(event.omega1, &row[L::OMEGA1X]);
+  aspi_copy(event.impact.omega, &row[L::OMEGA2X]);
+  aspi_copy(load.impulse, &row[L::IMPULSE_X]);
   row[L::ERODED_MASS] = load.eroded;
   ledger_->add(row);
 }

@@ -219,7 +219,7 @@ void Wall::reset_step(int64_t now, int64_t before) {
 void Wall::check_speeds(const Spheres &s) {
   for (int i = 0; !warned_ && i < s.n; i++) {
     const double *v = s.v + 3 * static_cast<size_t>(i);
-    const double square = vector_dot(v, v), limit = fastest_.ratio * s.radius[i];
+    const double square = aspi_dot(v, v), limit = fastest_.ratio * s.radius[i];
     if (!(s.mask[i] & groupbit_) || square <= limit * limit)
       continue;
     fastest_ = Fastest{sqrt(square) / s.radius[i], 2 * s.radius[i], sqrt(square)};

@@ -35,10 +35,10 @@ void Drive::parse(Words &words, std::string &geometry) {
       geometry += " " + setting(group[d]);
     }
   if (kind_ == ROTATE) {
-    const double length = vector_length(axis_);
+    const double length = aspi_length(axis_);
     if (!(length > 0))
       throw Error("the axis of 'move rotate' is 0 0 0; it must have a direction");
-    vector_scale(1 / length, axis_);
+    aspi_scale(1 / length, axis_);
   }
   if (kind_ == LINEAR)
     return;
@@ -70,32 +70,32 @@ void Drive::at(double time, Frame &frame, Twist &twist) const {
   for (int j = 0; j < 3; j++) {
     const double e[3] = {j == 0 ? 1. : 0., j == 1 ? 1. : 0., j == 2 ? 1. : 0.};
     double across[3];
-    vector_cross(axis_, e, across);
+    aspi_cross(axis_, e, across);
     for (int i = 0; i < 3; i++)
       frame.turn[i][j] = c * e[i] + s * across[i] + (1 - c) * axis_[i] * axis_[j];
   }
   for (int i = 0; i < 3; i++)
-    turned[i] = vector_dot(frame.turn[i], a_);
-  vector_subtract(a_, turned, frame.shift);
-  vector_copy(axis_, twist.angular);
-  vector_scale(rate, twist.angular);
-  vector_cross(twist.angular, a_, speed);
-  vector_scale(-1, speed);
-  vector_copy(speed, twist.linear);
+    turned[i] = aspi_dot(frame.turn[i], a_);
+  aspi_subtract(a_, turned, frame.shift);
+  aspi_copy(axis_, twist.angular);
+  aspi_scale(rate, twist.angular);
+  aspi_cross(twist.angular, a_, speed);
+  aspi_scale(-1, speed);
+  aspi_copy(speed, twist.linear);
 }
 
 void Drive::save(double numbers[NUMBERS]) const {
   numbers[0] = kind_;
   numbers[1] = period_;
-  vector_copy(a_, numbers + 2);
-  vector_copy(axis_, numbers + 5);
+  aspi_copy(a_, numbers + 2);
+  aspi_copy(axis_, numbers + 5);
 }
 
 void Drive::restore(const double numbers[NUMBERS]) {
   kind_ = static_cast<Kind>(static_cast<int>(numbers[0]));
   period_ = numbers[1];
-  vector_copy(numbers + 2, a_);
-  vector_copy(numbers + 5, axis_);
+  aspi_copy(numbers + 2, a_);
+  aspi_copy(numbers + 5, axis_);
 }
 
 /* ---- the mesh ---------------------------------------------------------------------------------
@@ -104,7 +104,7 @@ void Drive::restore(const double numbers[NUMBERS]) {
 DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive)
     : drive_(drive), path_(path), scale_(scale), extent_(Bounds::none()), pieces_(0), origin_(0),
       has_begun_(false), redirected_(false) {
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, contact_tree_free);
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, aspi_tree_free);
   std::string wrong;
   int rank;
   MPI_Comm_rank(world, &rank);
@@ -127,18 +127,17 @@ DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, co
 
 /* On rank 0. */
 ContactTree *DrivenMesh::read_tree() {
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(contact_tree_begin(),
-                                                             contact_tree_free);
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(aspi_tree_begin(), aspi_tree_free);
   bool good = tree != NULL;
   read_stl(path_, [&](const ContactTriangle &read) {
     ContactTriangle triangle = read;
     for (double *node : triangle.node) {
-      vector_scale(scale_, node);
+      aspi_scale(scale_, node);
       extent_.include(node);
     }
-    good = good && contact_tree_add(tree.get(), &triangle, static_cast<int>(pieces_++));
+    good = good && aspi_tree_add(tree.get(), &triangle, static_cast<int>(pieces_++));
   });
-  if (!good || !contact_tree_finish(tree.get()))
+  if (!good || !aspi_tree_finish(tree.get()))
     throw std::bad_alloc();
   return tree.release();
 }
@@ -219,7 +218,7 @@ void DrivenMesh::at(double time, Frame &frame, Twist &twist) const {
   for (int j = 0; j < 3; j++) {
     const double column[3] = {base_.turn[0][j], base_.turn[1][j], base_.turn[2][j]};
     for (int i = 0; i < 3; i++)
-      frame.turn[i][j] = vector_dot(drive.turn[i], column);
+      frame.turn[i][j] = aspi_dot(drive.turn[i], column);
   }
 }
 
@@ -270,7 +269,7 @@ void DrivenMesh::restore_motion(const std::vector<double> &record) {
   has_begun_ = record[1] > 0;
   drive_.restore(&record[2]);
   std::copy(&record[2 + Drive::NUMBERS], &record[2 + Drive::NUMBERS] + 9, base_.turn[0]);
-  vector_copy(&record[2 + Drive::NUMBERS + 9], base_.shift);
+  aspi_copy(&record[2 + Drive::NUMBERS + 9], base_.shift);
   motion().settle(base_, false);
 }
 

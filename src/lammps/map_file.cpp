@@ -25,10 +25,10 @@ public:
   Rows(FILE *file, const ContactTree *triangles, const Frame &frame,
        const std::vector<double> &sums, double worn_density)
       : file_(file), tree_(triangles), frame_(frame), sums_(sums), density_(worn_density),
-        n_(static_cast<int>(contact_tree_count(triangles))) {
+        n_(static_cast<int>(aspi_tree_count(triangles))) {
     place_.resize(n_);
     for (int i = 0; i < n_; i++)
-      place_[contact_tree_id(tree_, i)] = i;
+      place_[aspi_tree_id(tree_, i)] = i;
   }
   int count() const {
     return n_;
@@ -37,7 +37,7 @@ public:
     for (int i = 0; i < n_; i++)
       for (int k = 0; k < 3; k++) {
         double x[3];
-        frame_.to_world(contact_tree_triangle(tree_, place_[i])->node[k], x);
+        frame_.to_world(aspi_tree_triangle(tree_, place_[i])->node[k], x);
         fprintf(file_, "%.9g %.9g %.9g\n", x[0], x[1], x[2]);
       }
   }
@@ -59,11 +59,11 @@ public:
   void array(int k) const {
     for (int i = 0; i < n_; i++) {
       const double *sums = &sums_[static_cast<size_t>(i) * Wall::N_SUMS];
-      const ContactTriangle *triangle = contact_tree_triangle(tree_, place_[i]);
+      const ContactTriangle *triangle = aspi_tree_triangle(tree_, place_[i]);
       fprintf(file_, "%.9g\n",
               k < Wall::N_SUMS
                   ? sums[k]
-                  : sums[Wall::SUM_ERODED] / (density_ * contact_triangle_area(triangle)));
+                  : sums[Wall::SUM_ERODED] / (density_ * aspi_triangle_area(triangle)));
     }
   }
 

@@ -19,7 +19,7 @@ static const int TRIANGLE = 2;
 int MeshImage::draw(const asperity::MeshShape &mesh, int type, int rank, int ranks, int *&kinds,
                     double **&rows) {
   enum { ROW = 10 };
-  const size_t all = contact_tree_count(mesh.triangles());
+  const size_t all = aspi_tree_count(mesh.triangles());
   const size_t first = all * rank / ranks, count = all * (rank + 1) / ranks - first;
   kinds_.assign(count, TRIANGLE);
   numbers_.resize(count * ROW);
@@ -29,7 +29,7 @@ int MeshImage::draw(const asperity::MeshShape &mesh, int type, int rank, int ran
     double *row = rows_[i] = &numbers_[i * ROW];
     row[0] = type;
     for (int k = 0; k < 3; k++)
-      mesh.motion().end().to_world(contact_tree_triangle(mesh.triangles(), place)->node[k],
+      mesh.motion().end().to_world(aspi_tree_triangle(mesh.triangles(), place)->node[k],
                                    row + 1 + 3 * k);
   }
   kinds = kinds_.data();

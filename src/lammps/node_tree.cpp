@@ -46,15 +46,15 @@ ContactTree *NodeTree::spread(MPI_Comm world, ContactTree *tree) {
   MPI_Comm_size(world, &ranks);
   if (ranks == 1)
     return tree;
-  unsigned long long bytes = tree ? contact_tree_bytes(tree) : 0;
+  unsigned long long bytes = tree ? aspi_tree_bytes(tree) : 0;
   MPI_Bcast(&bytes, 1, MPI_UNSIGNED_LONG_LONG, 0, world);
   MPI_Comm node, keepers;
   MPI_Comm_split_type(world, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &node);
   char *block = static_cast<char *>(open_block(world, node, bytes));
   MPI_Comm_split(world, keeps_ ? 0 : MPI_UNDEFINED, rank, &keepers);
   if (rank == 0) {
-    contact_tree_pack(tree, block);
-    contact_tree_free(tree);
+    aspi_tree_pack(tree, block);
+    aspi_tree_free(tree);
   }
   if (keepers != MPI_COMM_NULL) {
     for (size_t at = 0; at < bytes; at += MESSAGE)
@@ -65,5 +65,5 @@ ContactTree *NodeTree::spread(MPI_Comm world, ContactTree *tree) {
   if (window_ != MPI_WIN_NULL)
     MPI_Win_fence(0, window_); /* the others see what is written */
   MPI_Comm_free(&node);
-  return contact_tree_over(block);
+  return aspi_tree_over(block);
 }

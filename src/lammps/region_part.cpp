@@ -18,8 +18,8 @@ namespace {
 class AxisOf : public Region {
 public:
   static void read(const Region *region, double origin[3], double axis[3]) {
-    vector_copy(region->*(&AxisOf::point), origin);
-    vector_copy(region->*(&AxisOf::runit), axis);
+    aspi_copy(region->*(&AxisOf::point), origin);
+    aspi_copy(region->*(&AxisOf::runit), axis);
   }
 };
 
@@ -64,10 +64,10 @@ double RegionPart::speed(const double lo[3], const double hi[3]) const {
     for (int d = 0; d < 3; d++)
       arm[d] = (corner >> d & 1 ? hi[d] : lo[d]) - origin_[d];
     if (region_->moveflag)
-      vector_subtract(arm, now_.shift, arm);
-    farthest = std::max(farthest, vector_length(arm));
+      aspi_subtract(arm, now_.shift, arm);
+    farthest = std::max(farthest, aspi_length(arm));
   }
-  return (region_->moveflag ? vector_length(rate_.shift) : 0) + fabs(rate_.angle) * farthest;
+  return (region_->moveflag ? aspi_length(rate_.shift) : 0) + fabs(rate_.angle) * farthest;
 }
 
 double RegionPart::turn_speed() const {
@@ -97,10 +97,10 @@ asperity::Frame RegionPart::frame_at(double share) const {
       frame.turn[i][k] = (1 - c) * axis_[i] * axis_[k] + s * axis_[j];
     }
     for (int i = 0; i < 3; i++)
-      frame.shift[i] = origin_[i] - vector_dot(frame.turn[i], origin_);
+      frame.shift[i] = origin_[i] - aspi_dot(frame.turn[i], origin_);
   }
   if (region_->moveflag)
-    vector_add_scaled(frame.shift, 1, pose.shift, frame.shift);
+    aspi_add_scaled(frame.shift, 1, pose.shift, frame.shift);
   return frame;
 }
 
@@ -129,7 +129,7 @@ void RegionPart::to_body(double share, double x[3]) const {
 
 bool RegionPart::has(const double x[3]) const {
   double at[3];
-  vector_copy(x, at);
+  aspi_copy(x, at);
   if (moves_)
     frame_.to_body(x, at);
   return region_->inside(at[0], at[1], at[2]);
@@ -138,7 +138,7 @@ bool RegionPart::has(const double x[3]) const {
 /* Of its two sides, a region tells of the one where the point is. */
 void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoot> &feet) const {
   double at[3];
-  vector_copy(x, at);
+  aspi_copy(x, at);
   if (moves_)
     frame_.to_body(x, at);
   int n = region_->surface_interior(at, reach);
@@ -151,7 +151,7 @@ void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoo
     const double away[3] = {c.delx, c.dely, c.delz};
     foot.distance = c.r;
     for (int d = 0; d < 3 && c.r > 0; d++)
-      foot.n[d] = (region_->rotateflag ? vector_dot(frame_.turn[d], away) : away[d]) / c.r;
+      foot.n[d] = (region_->rotateflag ? aspi_dot(frame_.turn[d], away) : away[d]) / c.r;
     if (inside && c.radius < 0)
       foot.hollow = -c.radius / (strcmp(region_->style, "sphere") == 0 ? 1 : 2);
     foot.inside = inside;
@@ -166,14 +166,14 @@ void RegionPart::velocity_by(const RegionPose &rate, double share, const double 
   v[0] = v[1] = v[2] = 0;
   if (region_->rotateflag) {
     double arm[3];
-    vector_subtract(x, origin_, arm);
+    aspi_subtract(x, origin_, arm);
     if (region_->moveflag)
-      vector_subtract(arm, at(share).shift, arm);
-    vector_cross(axis_, arm, v);
-    vector_scale(rate.angle, v);
+      aspi_subtract(arm, at(share).shift, arm);
+    aspi_cross(axis_, arm, v);
+    aspi_scale(rate.angle, v);
   }
   if (region_->moveflag)
-    vector_add_scaled(v, 1, rate.shift, v);
+    aspi_add_scaled(v, 1, rate.shift, v);
 }
 
 /* A rate is the mean over a step: that of its middle. Within the step it goes on as it has changed
@@ -206,6 +206,6 @@ void RegionPart::follow(double share, const double x[3], const double v[3], doub
   velocity_by(rate, share, x, now);
   for (int d = 0; d < 3; d++)
     swept[d] = 2 * v[d] - now[d] - (region_->moveflag ? rate.shift[d] : 0);
-  vector_cross(axis_, swept, turned);
-  vector_add_scaled(a, rate.angle, turned, a);
+  aspi_cross(axis_, swept, turned);
+  aspi_add_scaled(a, rate.angle, turned, a);
 }

@@ -36,7 +36,7 @@ const char FLAT[] = " block plane prism ";
 const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
 
 /* A sphere that touches a hollow face slides along it if its normal speed is a smaller share of its
- * speed (as in contact_cylinder_find). */
+ * speed (as in aspi_cylinder_find). */
 const double SLIDES = 1e-6;
 
 /* How closely a sphere that a moving part takes along keeps its distance in a step, in radii. */
@@ -262,7 +262,7 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
       double point[3];
       if (feet[k].hidden || feet[k].across)
         continue;
-      vector_add_scaled(x, -(1 + (joins ? BEYOND : -BEYOND)) * feet[k].distance, feet[k].n, point);
+      aspi_add_scaled(x, -(1 + (joins ? BEYOND : -BEYOND)) * feet[k].distance, feet[k].n, point);
       for (size_t j = 0; j < node.of.size() && !feet[k].hidden; j++)
         feet[k].hidden =
             j != i && !node.of[j].region->openflag && in_room(node.of[j], outside, point) == joins;
@@ -277,9 +277,9 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
 double RegionShape::clear(const double x[3], const double v[3], double reach, double widen,
                           double most, const Faces &stays) const {
   std::vector<Foot> &feet = buffers_.feet;
-  const double speed = vector_length(v), wide = (1 + ASIDE_LENGTH) * reach;
+  const double speed = aspi_length(v), wide = (1 + ASIDE_LENGTH) * reach;
   double steps = most, aside[3];
-  vector_add_scaled(x, reach, ASIDE, aside);
+  aspi_add_scaled(x, reach, ASIDE, aside);
   for (const RegionPart &part : parts_) {
     feet.clear();
     part.add_feet(aside, wide + steps * (speed + widen), feet);
@@ -287,7 +287,7 @@ double RegionShape::clear(const double x[3], const double v[3], double reach, do
       if (stays.has(foot.face))
         continue;
       const double gap = foot.distance - wide;
-      const double closing = widen + (foot.behind ? -vector_dot(v, foot.n) : speed);
+      const double closing = widen + (foot.behind ? -aspi_dot(v, foot.n) : speed);
       if (!(gap > 0))
         return 0;
       if (closing * steps > gap)
@@ -304,7 +304,7 @@ bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
     half[d] = 0.5 * (hi[d] - lo[d]);
     middle[d] = lo[d] + half[d];
   }
-  return clear(middle, still, vector_length(half), 0, 1, Faces()) < 1;
+  return clear(middle, still, aspi_length(half), 0, 1, Faces()) < 1;
 }
 
 /* ---- the first contact ------------------------------------------------------------------------
@@ -319,7 +319,7 @@ struct RegionShape::Search {
 
   Search(const RegionShape &s, const Path &p, double r)
       : shape(s), path(p), radius(r), tolerance(CONTACT_TOLERANCE * r),
-        fastest(vector_length(p.v) + s.speed_) {}
+        fastest(aspi_length(p.v) + s.speed_) {}
   ~Search() {
     shape.set_share(1);
   }
@@ -347,7 +347,7 @@ struct RegionShape::Search {
 
 void RegionShape::Search::look(double time, Look &l) const {
   l.time = time;
-  vector_add_scaled(path.x, time, path.v, l.x);
+  aspi_add_scaled(path.x, time, path.v, l.x);
   shape.set_share(share(time));
   l.in_room = shape.open_ || shape.in_room(shape.root_, false, l.x);
   l.feet.clear();
@@ -362,10 +362,10 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
   double point[3];
   v_wall[0] = v_wall[1] = v_wall[2] = 0;
   if (part.moves()) {
-    vector_add_scaled(l.x, -foot.distance, foot.n, point);
+    aspi_add_scaled(l.x, -foot.distance, foot.n, point);
     part.velocity(share(l.time), point, v_wall);
   }
-  vector_subtract(path.v, v_wall, v);
+  aspi_subtract(path.v, v_wall, v);
 }
 
 /* The speed towards a foot. It counts where it is more than rounding, or along a hollow face more
@@ -374,7 +374,7 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
 double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
   double v_wall[3], v[3];
   relative(l, foot, v_wall, v);
-  const double speed = -vector_dot(v, foot.n), all = vector_length(v);
+  const double speed = -aspi_dot(v, foot.n), all = aspi_length(v);
   const bool slides = foot.hollow > 0 && fabs(speed) <= SLIDES * all;
   const bool rides = shape.parts_[foot.part].moves() && !(l.time > 0);
   counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * all;
@@ -398,25 +398,25 @@ double RegionShape::Search::follow(const Look &l, const Foot &foot) const {
   if (!shape.parts_[foot.part].moves())
     return 0;
   shape.parts_[foot.part].follow(share(l.time), l.x, path.v, a);
-  return vector_dot(a, foot.n);
+  return aspi_dot(a, foot.n);
 }
 
 /* The acceleration along n that keeps the centre at a face, by the face's curve: from the distance
  * a little way ahead. */
 double RegionShape::Search::curve(const Look &l, const Foot &foot, const double v[3]) const {
   double along[3], ahead[3];
-  vector_add_scaled(v, -vector_dot(v, foot.n), foot.n, along);
-  const double speed = vector_length(along), way = CURVE * radius;
+  aspi_add_scaled(v, -aspi_dot(v, foot.n), foot.n, along);
+  const double speed = aspi_length(along), way = CURVE * radius;
   if (!(speed > 0))
     return 0;
-  vector_add_scaled(l.x, way / speed, along, ahead);
+  aspi_add_scaled(l.x, way / speed, along, ahead);
   std::vector<Foot> &feet = shape.buffers_.feet;
   feet.clear();
   shape.set_share(share(l.time));
   shape.find_feet(shape.root_, false, ahead, foot.distance + way, feet);
   for (const Foot &other : feet)
     if (other.face == foot.face && other.inside == foot.inside &&
-        vector_dot(other.n, foot.n) > 1 - 4 * CURVE)
+        aspi_dot(other.n, foot.n) > 1 - 4 * CURVE)
       return 2 * (foot.distance - other.distance) * speed * speed / (way * way);
   return 0;
 }
@@ -516,15 +516,15 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   double v[3];
   const double lift = radius - foot.distance, left = path.left - l.time;
   contact.time = l.time;
-  vector_copy(foot.n, contact.n);
+  aspi_copy(foot.n, contact.n);
   relative(l, foot, contact.v_wall, v);
   contact.piece = 0;
   contact.face = foot.face;
-  vector_add_scaled(l.x, lift > tolerance ? lift : 0, foot.n, contact.x);
-  contact.guarded = lift > near(l, foot);
+  aspi_add_scaled(l.x, lift > tolerance ? lift : 0, foot.n, contact.x);
+  contact.overlapped = lift > near(l, foot);
   contact.follow = follow(l, foot);
   contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
-  contact.closing = -vector_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);
+  contact.closing = -aspi_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -572,8 +572,8 @@ bool RegionShape::under(int face, const double x[3], double reach, double n[3],
     if (foot.face != face || foot.hidden || foot.across)
       continue;
     double point[3];
-    vector_copy(foot.n, n);
-    vector_add_scaled(x, -foot.distance, n, point);
+    aspi_copy(foot.n, n);
+    aspi_add_scaled(x, -foot.distance, n, point);
     v_wall[0] = v_wall[1] = v_wall[2] = 0;
     if (parts_[foot.part].moves())
       parts_[foot.part].velocity(1, point, v_wall);
@@ -597,11 +597,11 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
   double nearest = HUGE_VAL;
   for (const Foot &foot : feet)
     if (!foot.hidden && !foot.across && foot.distance < nearest &&
-        vector_dot(foot.n, contact.n) > 1 - SAME) {
+        aspi_dot(foot.n, contact.n) > 1 - SAME) {
       nearest = foot.distance;
       place.piece = foot.part;
     }
-  vector_copy(contact.x, place.at);
+  aspi_copy(contact.x, place.at);
   const RegionPart &part = parts_[place.piece];
   if (part.moves())
     part.to_body(share, place.at);
@@ -610,7 +610,7 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
 /* The vector is of the part as it is defined; it turns with the part that is touched. */
 void RegionShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
                       double direction[3]) const {
-  vector_copy(lay.vector, direction);
+  aspi_copy(lay.vector, direction);
   bool turns = false;
   for (const RegionPart &part : parts_)
     turns = turns || part.region()->rotateflag;
@@ -622,7 +622,7 @@ void RegionShape::lay(const asp_lay &lay, const Path &path, const Contact &conta
 }
 
 void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) const {
-  vector_copy(place.at, x);
+  aspi_copy(place.at, x);
   v[0] = v[1] = v[2] = 0;
   if (place.piece < 0 || place.piece >= static_cast<int>(parts_.size()))
     return;

@@ -155,15 +155,14 @@ void MeshOfLiggghts::add_fetched(Bounds wide) const {
 }
 
 void MeshOfLiggghts::put_fetched() const {
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(contact_tree_begin(),
-                                                             contact_tree_free);
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(aspi_tree_begin(), aspi_tree_free);
   bool good = tree != NULL;
   shared_->read(fetched_, [&](const double *row) {
     ContactTriangle triangle;
     memcpy(triangle.node, row + 1, sizeof triangle.node);
-    good = good && contact_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
+    good = good && aspi_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
   });
-  put_tree(good && contact_tree_finish(tree.get()) ? tree.release() : NULL);
+  put_tree(good && aspi_tree_finish(tree.get()) ? tree.release() : NULL);
 }
 
 std::vector<double> MeshOfLiggghts::motion_record() const {
@@ -211,12 +210,12 @@ void MeshOfLiggghts::choose_nodes(const std::vector<double> &mine) {
       for (int k = 0; k < 3; k++) {
         Pick other = {0, mine[row], static_cast<double>(k), {0, 0, 0}};
         double arm[3], line[3], across[3];
-        vector_copy(&mine[row + 1 + 3 * k], other.x);
-        vector_subtract(other.x, reference_[0], arm);
-        vector_subtract(reference_[1], reference_[0], line);
-        vector_cross(line, arm, across);
+        aspi_copy(&mine[row + 1 + 3 * k], other.x);
+        aspi_subtract(other.x, reference_[0], arm);
+        aspi_subtract(reference_[1], reference_[0], line);
+        aspi_cross(line, arm, across);
         if (pick > 0)
-          other.far = pick == 1 ? vector_length(arm) : vector_length(across);
+          other.far = pick == 1 ? aspi_length(arm) : aspi_length(across);
         if (other.before(best))
           best = other;
       }
@@ -225,7 +224,7 @@ void MeshOfLiggghts::choose_nodes(const std::vector<double> &mine) {
       if (other.before(best))
         best = other;
     nodes_[pick] = NodeName{static_cast<int>(best.id), static_cast<int>(best.node)};
-    vector_copy(best.x, reference_[pick]);
+    aspi_copy(best.x, reference_[pick]);
   }
 }
 
@@ -233,17 +232,17 @@ void MeshOfLiggghts::choose_nodes(const std::vector<double> &mine) {
  * the normal of their plane. */
 static Frame frame_of(const double a[3], const double b[3], const double c[3]) {
   double e[3][3], arm[3];
-  vector_subtract(b, a, e[0]);
-  vector_subtract(c, a, arm);
-  vector_cross(e[0], arm, e[2]);
-  vector_scale(1 / vector_length(e[0]), e[0]);
-  vector_scale(1 / vector_length(e[2]), e[2]);
-  vector_cross(e[2], e[0], e[1]);
+  aspi_subtract(b, a, e[0]);
+  aspi_subtract(c, a, arm);
+  aspi_cross(e[0], arm, e[2]);
+  aspi_scale(1 / aspi_length(e[0]), e[0]);
+  aspi_scale(1 / aspi_length(e[2]), e[2]);
+  aspi_cross(e[2], e[0], e[1]);
   Frame frame;
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
       frame.turn[i][j] = e[j][i];
-  vector_copy(a, frame.shift);
+  aspi_copy(a, frame.shift);
   return frame;
 }
 
@@ -258,7 +257,7 @@ Frame MeshOfLiggghts::look(Twist &twist) const {
         continue;
       mesh()->node(t, nodes_[k].node, mine + 6 * k);
       if (moving)
-        vector_copy(moving->begin()[t][nodes_[k].node], mine + 6 * k + 3);
+        aspi_copy(moving->begin()[t][nodes_[k].node], mine + 6 * k + 3);
     }
   MPI_Allreduce(mine, all, 18, MPI_DOUBLE, MPI_SUM, world_);
   const double *x[3] = {all, all + 6, all + 12}, *v[3] = {all + 3, all + 9, all + 15};
@@ -269,30 +268,30 @@ Frame MeshOfLiggghts::look(Twist &twist) const {
   bool same = true;
   for (int i = 0; i < 3; i++) {
     for (int j = 0; j < 3; j++) {
-      frame.turn[i][j] = vector_dot(now.turn[i], then.turn[j]);
+      frame.turn[i][j] = aspi_dot(now.turn[i], then.turn[j]);
       same = same && !(x[i][j] < reference_[i][j] || x[i][j] > reference_[i][j]);
     }
   }
   for (int i = 0; i < 3; i++)
-    frame.shift[i] = x[0][i] - vector_dot(frame.turn[i], reference_[0]);
+    frame.shift[i] = x[0][i] - aspi_dot(frame.turn[i], reference_[0]);
   if (same)
     frame = Frame();
 
   /* Of two arms a and b and their velocities: the part of the rotation across a, and the rest from
    * b. */
   double a[3], b[3], va[3], vb[3], n[3], w[3], rest[3];
-  vector_subtract(x[1], x[0], a);
-  vector_subtract(x[2], x[0], b);
-  vector_subtract(v[1], v[0], va);
-  vector_subtract(v[2], v[0], vb);
-  vector_cross(a, va, w);
-  vector_scale(1 / vector_dot(a, a), w);
-  vector_cross(w, b, rest);
-  vector_subtract(vb, rest, rest);
-  vector_cross(a, b, n);
-  vector_add_scaled(w, vector_dot(rest, n) / vector_dot(n, n), a, twist.angular);
-  vector_cross(twist.angular, x[0], rest);
-  vector_subtract(v[0], rest, twist.linear);
+  aspi_subtract(x[1], x[0], a);
+  aspi_subtract(x[2], x[0], b);
+  aspi_subtract(v[1], v[0], va);
+  aspi_subtract(v[2], v[0], vb);
+  aspi_cross(a, va, w);
+  aspi_scale(1 / aspi_dot(a, a), w);
+  aspi_cross(w, b, rest);
+  aspi_subtract(vb, rest, rest);
+  aspi_cross(a, b, n);
+  aspi_add_scaled(w, aspi_dot(rest, n) / aspi_dot(n, n), a, twist.angular);
+  aspi_cross(twist.angular, x[0], rest);
+  aspi_subtract(v[0], rest, twist.linear);
   return frame;
 }
 
@@ -309,21 +308,21 @@ void MeshOfLiggghts::begin_step(double dt) {
 
 void MeshOfLiggghts::check_form() const {
   double size[3], worst = 0;
-  vector_subtract(whole().hi, whole().lo, size);
+  aspi_subtract(whole().hi, whole().lo, size);
   for (int t = 0; t < mesh()->sizeLocal(); t++) {
-    const int place = contact_tree_place(triangles(), mesh()->id(t));
+    const int place = aspi_tree_place(triangles(), mesh()->id(t));
     for (int k = 0; place >= 0 && k < 3; k++) {
       double node[3], there[3];
       mesh()->node(t, k, node);
       const Frame &end = const_cast<MeshOfLiggghts *>(this)->motion().end();
-      end.to_world(contact_tree_triangle(triangles(), place)->node[k], there);
-      vector_subtract(there, node, there);
-      worst = std::max(worst, vector_length(there));
+      end.to_world(aspi_tree_triangle(triangles(), place)->node[k], there);
+      aspi_subtract(there, node, there);
+      worst = std::max(worst, aspi_length(there));
     }
   }
   double all;
   MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE, MPI_MAX, world_);
-  if (all > FORM * vector_length(size))
+  if (all > FORM * aspi_length(size))
     throw asperity::Error(
         text("mesh '%s' has changed its form or size since this wall took it over (by %g); "
              "meshes must be rigid: unfix the wall and define it again",
@@ -346,7 +345,7 @@ void MeshOfLiggghts::read_belt() {
   const int n = mesh()->sizeLocal() + (first ? 0 : mesh()->sizeGhost());
   for (int t = 0; v && t < n; t++)
     for (int k = 0; k < 3; k++)
-      vector_copy(v->begin()[t][k], &belt_[mesh()->id(t)][3 * k]);
+      aspi_copy(v->begin()[t][k], &belt_[mesh()->id(t)][3 * k]);
   if (first)
     MPI_Allreduce(MPI_IN_PLACE, belt_.data(), static_cast<int>(9 * pieces_), MPI_DOUBLE, MPI_SUM,
                   world_);
@@ -354,19 +353,18 @@ void MeshOfLiggghts::read_belt() {
 
 /* Linear between the nodes. */
 void MeshOfLiggghts::surface_velocity(int piece, const double foot[3], double v[3]) const {
-  const ContactTriangle *t =
-      contact_tree_triangle(triangles(), contact_tree_place(triangles(), piece));
+  const ContactTriangle *t = aspi_tree_triangle(triangles(), aspi_tree_place(triangles(), piece));
   const std::array<double, 9> &of = belt_[piece];
   double ab[3], ac[3], at[3], n[3], part[3];
-  vector_subtract(t->node[1], t->node[0], ab);
-  vector_subtract(t->node[2], t->node[0], ac);
-  vector_subtract(foot, t->node[0], at);
-  vector_cross(ab, ac, n);
-  const double square = vector_dot(n, n);
-  vector_cross(at, ac, part);
-  const double to_b = square > 0 ? vector_dot(part, n) / square : 0;
-  vector_cross(ab, at, part);
-  const double to_c = square > 0 ? vector_dot(part, n) / square : 0;
+  aspi_subtract(t->node[1], t->node[0], ab);
+  aspi_subtract(t->node[2], t->node[0], ac);
+  aspi_subtract(foot, t->node[0], at);
+  aspi_cross(ab, ac, n);
+  const double square = aspi_dot(n, n);
+  aspi_cross(at, ac, part);
+  const double to_b = square > 0 ? aspi_dot(part, n) / square : 0;
+  aspi_cross(ab, at, part);
+  const double to_c = square > 0 ? aspi_dot(part, n) / square : 0;
   for (int d = 0; d < 3; d++)
     v[d] = of[d] + to_b * (of[3 + d] - of[d]) + to_c * (of[6 + d] - of[d]);
 }

@@ -74,22 +74,22 @@ void MeshOfLiggghts::take(const ContactLoad &load) {
 /* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one load: E k |v| |F| dt/area, with the
  * load's impulse for |F| dt. */
 static double finnie(const ContactLoad &load, const double normal[3], double k, double area) {
-  const double speed = vector_length(load.v_before);
+  const double speed = aspi_length(load.v_before);
   if (!(speed > 0))
     return 0;
   double across[3];
-  vector_cross(load.v_before, normal, across);
-  const double sine = std::min(1.0, fabs(vector_dot(load.v_before, normal)) / speed);
-  const double cosine = std::min(1.0, vector_length(across) / speed);
+  aspi_cross(load.v_before, normal, across);
+  const double sine = std::min(1.0, fabs(aspi_dot(load.v_before, normal)) / speed);
+  const double cosine = std::min(1.0, aspi_length(across) / speed);
   const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
                                                           : 2 * sine * cosine - 3 * sine * sine;
-  return 2 * share * k * speed * vector_length(load.impulse) / area;
+  return 2 * share * k * speed * aspi_length(load.impulse) / area;
 }
 
 void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
   if (stress()->trackStress()) {
     double *f = (*mesh()->prop().getElementProperty<VectorContainer<double, 3>>("f"))(local);
-    vector_add_scaled(f, 1, force, f);
+    aspi_add_scaled(f, 1, force, f);
   }
   if (stress()->trackWear())
     (*mesh()->prop().getElementProperty<ScalarContainer<double>>("wear_step"))(local) += wear;
@@ -105,19 +105,19 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
     double force[3], arm[3], torque[3], normal[3];
     for (int d = 0; d < 3; d++)
       force[d] = load.impulse[d] / dt;
-    vector_subtract(load.point, reference, arm);
-    vector_cross(arm, force, torque);
+    aspi_subtract(load.point, reference, arm);
+    aspi_cross(arm, force, torque);
     if (stress()->trackStress())
       stress()->add_global_external_contribution(force, torque);
     const ContactTriangle *t =
-        contact_tree_triangle(triangles(), contact_tree_place(triangles(), load.piece));
+        aspi_tree_triangle(triangles(), aspi_tree_place(triangles(), load.piece));
     double turned[3];
-    contact_triangle_normal(t, normal);
+    aspi_triangle_normal(t, normal);
     for (int i = 0; i < 3; i++)
-      turned[i] = vector_dot(motion().end().turn[i], normal);
+      turned[i] = aspi_dot(motion().end().turn[i], normal);
     const double wear =
         k_finnie ? finnie(load, turned, k_finnie[fix_->atomTypeWall() - 1][load.type - 1],
-                          contact_triangle_area(t))
+                          aspi_triangle_area(t))
                  : 0;
     const int local = mesh()->map_size(load.piece) > 0 ? mesh()->map(load.piece, 0) : -1;
     if (local >= 0)

@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/header.h"
-#include "readers/marks.h"
+#include "readers/missing.h"
 #include "readers/positions.h"
 
 #include <math.h>
@@ -16,8 +16,7 @@ typedef struct column_layout {
   char separator; /* , ; tab, or a blank for any white space */
   bool comma;     /* decimal */
   aspi_columns columns;
-  double missing; /* a height that stands for none; NAN: no such */
-  double step;    /* of heights alone, in units of x */
+  double step; /* of heights alone, in units of x */
 } column_layout;
 
 /* What is read into. */
@@ -25,7 +24,7 @@ typedef struct scan {
   aspi_positions positions;
   size_t end_line; /* where the data end before the file does; 0: never */
   int fields;      /* of the first line, without empty ones at its end */
-  aspi_marks marks;
+  aspi_missing missing;
 } scan;
 
 /* Position and height of a line, as written and as numbers; a missing height is NAN. */
@@ -49,12 +48,7 @@ static aspi_word pair_of(char **fields, int count, const column_layout *layout, 
     return ASP_WORD_OTHER;
   if (c->y >= 0 && aspi_text_number(pair->second, layout->comma, &pair->y) != ASP_WORD_NUMBER)
     return ASP_WORD_OTHER;
-  aspi_word word = aspi_text_number(pair->height, layout->comma, &pair->z);
-  if (word == ASP_WORD_NUMBER && fabs(pair->z - layout->missing) <= 1e-9 * fabs(layout->missing)) {
-    pair->z = NAN;
-    word = ASP_WORD_MISSING;
-  }
-  return word;
+  return aspi_text_number(pair->height, layout->comma, &pair->z);
 }
 
 /* Fields without the empty ones at the line's end. */
@@ -64,8 +58,8 @@ static int used_of(char **fields, int count) {
   return count;
 }
 
-/* Whether a line is one of data, and in which layout; *why is not empty where it is, and which
- * columns are meant cannot be told. */
+/* True if a line is one of data, and its layout; *why is not empty where the columns that are meant
+ * are not clear. */
 static bool finds_layout(const char *line, const aspi_profile_options *options,
                          const aspi_header *header, column_layout *found, char *why, size_t size) {
   static const struct {
@@ -80,7 +74,6 @@ static bool finds_layout(const char *line, const aspi_profile_options *options,
     int count = aspi_text_split(copy, layouts[i].separator, fields, ASP_COLUMNS_MOST);
     *found = (column_layout){.separator = layouts[i].separator,
                              .comma = layouts[i].comma,
-                             .missing = options->has_missing ? options->missing : NAN,
                              .step = options->step > 0 ? options->step : 1};
     if (count == 0)
       continue;
@@ -129,15 +122,11 @@ static asp_code note_pair(scan *s, const aspi_text *text, const column_layout *l
   if (layout->columns.x >= 0)
     aspi_positions_precision(&s->positions, pair->position, layout->comma);
   aspi_positions_precision(&s->positions, pair->second, layout->comma);
-  asp_code code = aspi_positions_add(&s->positions, text, pair->x, pair->y,
-                                     pair->z * layout->columns.unit_z, error);
-  if (code)
-    return code;
-  if (isnan(pair->z) && raw->bad++ == 0)
+  double z = aspi_missing_note(&s->missing, pair->z, text->line);
+  if (isnan(z) && raw->bad++ == 0)
     raw->bad_line = text->line;
-  if (!isnan(pair->z))
-    aspi_marks_note(&s->marks, pair->z, text->line);
-  return ASP_OK;
+  return aspi_positions_add(&s->positions, text, pair->x, pair->y, z * layout->columns.unit_z,
+                            error);
 }
 
 static asp_code fail_pair(const aspi_text *text, size_t line, const char *shown, asp_error *error) {
@@ -209,7 +198,7 @@ static asp_code read_data(aspi_text *text, const column_layout *layout,
     s->positions.ratio = c->unit_y / c->unit_x;
   asp_code code = read_all(text, layout, s, raw, error);
   if (!code && !chosen)
-    code = aspi_marks_check(&s->marks, text->path, error);
+    code = aspi_missing_check(&s->missing, text->path, error);
   if (!code)
     code = aspi_positions_space(&s->positions, text, options->resample, raw, error);
   const double *last = s->positions.plane.last;
@@ -237,7 +226,7 @@ asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options,
   free(header);
   if (code)
     return code;
-  scan s = {.fields = 0};
+  scan s = {.missing.stated = options->has_missing ? options->missing : NAN};
   aspi_positions_begin(&s.positions);
   code = read_data(text, &layout, options, &s, raw, error);
   free(s.positions.list);

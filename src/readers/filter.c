@@ -1,7 +1,7 @@
 /* What instruments' own software does to a profile before it states a roughness: the stylus tip
  * taken out, the noise filter lambda_s, and the waviness filter (cut-off), as Gaussian filters of
  * ISO 16610-21, or for the cut-off the robust one of ISO 16610-31 (weights of degree zero,
- * bisquare). The weights are those within the profile, normalised, so that its ends are not drawn
+ * bisquare). The weights are those within the profile, normalized, so that its ends are not drawn
  * to zero. A tip of radius r has left the dilation of the surface; what can be known of it is that
  * dilation eroded (Villarrubia 1997).
  *

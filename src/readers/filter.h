@@ -1,8 +1,8 @@
 /* The filters of instruments; see filter.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_FILTER_H
-#define ASP_SURFACE_FILTER_H
+#ifndef ASP_READERS_FILTER_H
+#define ASP_READERS_FILTER_H
 
 #include "asperity.h"
 

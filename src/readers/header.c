@@ -49,7 +49,7 @@ static const struct {
     {"line", NO_LENGTH},      {"quality", NO_LENGTH},  {"valid", NO_LENGTH},
 };
 
-/* Whether a name has a unit in brackets or behind a slash, of length or not. */
+/* True if a name has a unit in brackets or behind a slash, of length or not. */
 static bool has_unit(const char *name) {
   const char *mark = strpbrk(name, "([{/");
   return mark && isalpha((unsigned char)mark[1]);
@@ -180,7 +180,7 @@ typedef struct choice {
   size_t size;
 } choice;
 
-/* Whether names, where there is more than there must be, are as many as columns. */
+/* Names must be as many as columns where there are more columns than needed. */
 static bool are_named(const choice *c) {
   if (c->used <= (c->options->step > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
     return true;
@@ -257,7 +257,7 @@ static bool choose_both(const choice *c, aspi_columns *chosen) {
   int x = heights_alone ? c->fields : asked_x, z = asked_z;
   complete(c, &x, &z);
   if (x < 0 || z < 0) {
-    int only = x >= 0 ? x : z;
+    int only = x >= 0 && x < c->fields ? x : z;
     snprintf(c->why, c->size, "%s%.40s%s a length by the header; " ASK_COLUMNS,
              only < 0 ? "no column is" : "only '", only < 0 ? "" : c->columns[only].name,
              only < 0 ? "" : "' is");

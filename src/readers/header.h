@@ -1,8 +1,8 @@
 /* Which columns of a text file are positions and heights; see header.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_HEADER_H
-#define ASP_SURFACE_HEADER_H
+#ifndef ASP_READERS_HEADER_H
+#define ASP_READERS_HEADER_H
 
 #include "readers/read.h"
 

@@ -1,9 +1,9 @@
 /* Maps as text: a matrix of heights, a line a row, or lines of x, y, z on a grid. Numbers are
- * parted by blanks, tabs, semicolons, or commas; lines that begin with # and a header of any kind
+ * separated by blanks, tabs, semicolons, or commas; lines that begin with # and a header of any kind
  * go before, and lines of another kind may follow. Where the header names x, y and z, these columns
  * are taken, in any order and beside others. What Gwyddion writes at the head of its matrices (`#
  * Width: 100 um`, `# Height:`, `# Value units:`) is understood; else the spacing and the unit must
- * be told. Lines may be of any length.
+ * be given.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -12,19 +12,14 @@
 #include "base/units.h"
 #include "readers/header.h"
 #include "readers/map_read.h"
-#include "readers/marks.h"
-#include "surface/profile.h"
+#include "readers/missing.h"
 
 #include <ctype.h>
-#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE_MOST = 1 << 22, COLUMNS_XYZ = 3 };
-
-/* x and y of a point of a grid are off it by no more than this part of the spacing. */
-#define OFF_GRID 0.2
+enum { LINE_MOST = 1 << 22 };
 
 /* Numbers are equal steps apart to this part of one, and there are that many to tell by. */
 #define RAMP_OFF 1e-2
@@ -128,20 +123,6 @@ static asp_code check_commas(const scanner *s, asp_error *error) {
                  "by semicolons or tabs, or write decimal points");
 }
 
-/* What is known of a file while its heights are read: heights that may stand for missing ones. */
-typedef struct heights {
-  aspi_marks marks;
-  double missing; /* NAN: none does */
-} heights;
-
-static double noted(heights *h, double z, size_t line) {
-  if (fabs(z - h->missing) <= 1e-9 * fabs(h->missing))
-    return NAN;
-  if (isfinite(z))
-    aspi_marks_note(&h->marks, z, line);
-  return z;
-}
-
 /* A line that does not begin with a number ends the data, where none follow; `what` is the message
  * where some do. */
 static asp_code check_end(scanner *s, size_t columns, const char *what, asp_error *error) {
@@ -219,16 +200,17 @@ static asp_code skip_head(scanner *s, head *h, asp_error *error) {
   }
 }
 
-static asp_code add_row(const scanner *s, double unit, heights *h, aspi_raw *raw,
+static asp_code add_row(const scanner *s, double unit, aspi_missing *missing, aspi_raw *raw,
                         asp_error *error) {
   asp_code code = ASP_OK;
   for (size_t i = 0; i < s->count && !code; i++)
-    code = aspi_raw_add(raw, unit * noted(h, s->values[i], s->source.line), error);
+    code =
+        aspi_raw_add(raw, unit * aspi_missing_note(missing, s->values[i], s->source.line), error);
   raw->rows++;
   return code;
 }
 
-/* Whether heights rise or fall by equal steps; `apart` is the distance between them in memory. */
+/* True if heights rise or fall by equal steps; `apart` is their distance in memory. */
 static bool is_ramp(const aspi_raw *raw, size_t from, size_t count, size_t apart) {
   double first = aspi_raw_at(raw, from);
   double step = (aspi_raw_at(raw, from + (count - 1) * apart) - first) / (double)(count - 1);
@@ -259,7 +241,7 @@ static asp_code check_axes(const scanner *s, const aspi_raw *raw, asp_error *err
 }
 
 static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *options,
-                            heights *known, aspi_raw *raw, asp_error *error) {
+                            aspi_missing *missing, aspi_raw *raw, asp_error *error) {
   double unit = options->read->unit_z > 0 ? options->read->unit_z : h->unit_z;
   if (!(unit > 0))
     unit = h->units[1];
@@ -281,7 +263,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
     if (s->count != raw->columns)
       return aspi_text_fail(&s->source, s->source.line, error,
                             "a row of %zu heights; the first one has %zu", s->count, raw->columns);
-    code = add_row(s, unit, known, raw, error);
+    code = add_row(s, unit, missing, raw, error);
   }
   if (code)
     return code;
@@ -299,108 +281,10 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
 
 /* ---- x, y, z ---- */
 
-typedef struct triples {
-  double (*at)[COLUMNS_XYZ];
-  size_t count, room;
-} triples;
-
-static asp_code add_triple(triples *t, const double *values, asp_error *error) {
-  if (t->count == t->room) {
-    size_t room = t->room ? t->room + t->room / 2 : 65536;
-    double(*grown)[COLUMNS_XYZ] =
-        room <= SIZE_MAX / sizeof *grown ? realloc(t->at, room * sizeof *grown) : NULL;
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of over %zu points", t->count);
-    t->at = grown;
-    t->room = room;
-  }
-  memcpy(t->at[t->count++], values, sizeof *t->at);
-  return ASP_OK;
-}
-
-/* A difference of two coordinates is one of the grid, not of rounding, from this part of the step
- * of a square grid of as many points on. */
-#define GRID_PART (1 / 32.)
-
-/* The grid along one axis: from the least to the greatest coordinate, by the mean of the steps
- * between neighbours. `room` is for all coordinates. */
-static bool find_grid(const triples *t, int axis, double *room, double *first, double *step,
-                      size_t *count) {
-  for (size_t i = 0; i < t->count; i++)
-    room[i] = t->at[i][axis];
-  gsl_sort(room, 1, t->count);
-  double range = room[t->count - 1] - room[0], small = INFINITY, sum = 0, used = 0;
-  double none = GRID_PART * range / sqrt((double)t->count);
-  for (size_t i = 1; i < t->count; i++)
-    if (room[i] - room[i - 1] > none)
-      small = fmin(small, room[i] - room[i - 1]);
-  for (size_t i = 1; i < t->count; i++) {
-    double d = room[i] - room[i - 1];
-    if (d > none && d < 1.5 * small) {
-      sum += d;
-      used++;
-    }
-  }
-  if (!(used > 0))
-    return false;
-  double steps = round(range / (sum / used));
-  *first = room[0];
-  *step = range / steps;
-  *count = (size_t)fmin(steps, 1e9) + 1;
-  return true;
-}
-
-static asp_code place(const scanner *s, const triples *t, const double unit[3], aspi_raw *raw,
-                      asp_error *error) {
-  double first[2], step[2], *room = aspi_allocate(t->count);
-  size_t side[2] = {0};
-  if (!room)
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu points", t->count);
-  bool found[2];
-  for (int k = 0; k < 2; k++)
-    found[k] = find_grid(t, k, room, &first[k], &step[k], &side[k]);
-  free(room);
-  for (int k = 0; k < 2; k++)
-    if (!found[k] || side[k] > ASP_MAP_SIDE_MOST)
-      return aspi_fail(error, ASP_EDATA,
-                       "%.200s: the %s of its points are on no grid of 2 to %d equal steps",
-                       s->source.path, k ? "y" : "x", ASP_MAP_SIDE_MOST);
-  raw->columns = side[0];
-  raw->rows = side[1];
-  raw->step[0] = step[0] * unit[0];
-  raw->step[1] = step[1] * unit[1];
-  if ((double)side[0] * (double)side[1] > 4 * (double)t->count + 1e4)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: its %zu points fill less than a quarter of their grid of %zu x %zu",
-                     s->source.path, t->count, side[0], side[1]);
-  size_t n = side[0] * side[1];
-  raw->heights = aspi_map_room(side[0], side[1]);
-  if (!raw->heights)
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu x %zu points", side[0],
-                     side[1]);
-  raw->points = raw->room = n;
-  for (size_t i = 0; i < n; i++)
-    aspi_raw_put(raw, i, NAN);
-  for (size_t i = 0; i < t->count; i++) {
-    double u = (t->at[i][0] - first[0]) / step[0], v = (t->at[i][1] - first[1]) / step[1];
-    double column = round(u), row = round(v);
-    if (fabs(u - column) > OFF_GRID || fabs(v - row) > OFF_GRID)
-      return aspi_fail(error, ASP_EDATA,
-                       "%.200s: point %zu, at x %g, y %g, is off the grid of %g x %g that the "
-                       "others are on",
-                       s->source.path, i + 1, t->at[i][0], t->at[i][1], step[0], step[1]);
-    double z = t->at[i][2];
-    if (isfinite(z) && isnan(raw->zero))
-      raw->zero = z * unit[2];
-    aspi_raw_put(raw, (size_t)row * side[0] + (size_t)column, z * unit[2] - raw->zero);
-  }
-  return ASP_OK;
-}
-
 /* The units of x, y and z: the user's, those of the columns, or those of the header as a whole. */
 static asp_code find_units(const scanner *s, const head *h, const aspi_profile_options *read,
                            aspi_axes *axes, asp_error *error) {
-  for (int k = 0; k < COLUMNS_XYZ; k++) {
+  for (int k = 0; k < ASP_MAP_AXES; k++) {
     double own = k < 2 ? read->unit_x : read->unit_z, *unit = &axes->unit[k];
     *unit = own > 0 ? own : *unit > 0 ? *unit : h->units[k / 2];
     if (!(*unit > 0))
@@ -412,7 +296,8 @@ static asp_code find_units(const scanner *s, const head *h, const aspi_profile_o
 }
 
 static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *options,
-                             aspi_axes *axes, heights *known, aspi_raw *raw, asp_error *error) {
+                             aspi_axes *axes, aspi_missing *missing, aspi_raw *raw,
+                             asp_error *error) {
   if (options->step[0] > 0)
     return fail_at(s, error,
                    "the spacing is given (step), but the file has the positions of its points");
@@ -420,7 +305,7 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
   asp_code code = find_units(s, h, options->read, axes, error);
   size_t fields = s->count;
   const int *at = axes->column;
-  triples t = {0};
+  aspi_map_points t = {0};
   for (; !s->ended && !code; code = code ? code : next_line(s, error)) {
     if (s->count == 0)
       continue;
@@ -428,16 +313,17 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
       break;
     if (s->count == fields && s->numbers && isfinite(s->values[at[0]]) &&
         isfinite(s->values[at[1]])) {
-      double point[COLUMNS_XYZ] = {s->values[at[0]], s->values[at[1]],
-                                   noted(known, s->values[at[2]], s->source.line)};
-      code = add_triple(&t, point, error);
+      double point[ASP_MAP_AXES] = {s->values[at[0]], s->values[at[1]],
+                                    aspi_missing_note(missing, s->values[at[2]], s->source.line)};
+      code = aspi_map_points_add(&t, point, error);
       continue;
     }
     code = t.count > 0 ? check_end(s, fields, expected, error) : fail_at(s, error, expected);
     break;
   }
   if (!code)
-    code = t.count > 0 ? place(s, &t, axes->unit, raw, error) : fail_at(s, error, expected);
+    code = t.count > 0 ? aspi_map_points_place(&t, s->source.path, axes->unit, raw, error)
+                       : fail_at(s, error, expected);
   free(t.at);
   return code;
 }
@@ -448,13 +334,14 @@ static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, 
   if (code)
     return code;
   const aspi_profile_options *read = options->read;
-  heights known = {.missing = read->has_missing ? read->missing : NAN};
+  aspi_missing missing = {.stated = read->has_missing ? read->missing : NAN};
   aspi_axes axes = {{0, 1, 2}, {0}};
-  bool named = s->count >= COLUMNS_XYZ && s->count <= ASP_COLUMNS_MOST &&
+  bool named = s->count >= ASP_MAP_AXES && s->count <= ASP_COLUMNS_MOST &&
                aspi_find_axes(&h->lines, s->separator, (int)s->count, &axes);
-  code = named || s->count == COLUMNS_XYZ ? read_triples(s, h, options, &axes, &known, raw, error)
-                                          : read_matrix(s, h, options, &known, raw, error);
-  return code ? code : aspi_marks_check(&known.marks, s->source.path, error);
+  code = named || s->count == ASP_MAP_AXES
+             ? read_triples(s, h, options, &axes, &missing, raw, error)
+             : read_matrix(s, h, options, &missing, raw, error);
+  return code ? code : aspi_missing_check(&missing, s->source.path, error);
 }
 
 asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,

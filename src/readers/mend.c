@@ -31,6 +31,9 @@ enum { REACH = 3, REACH_MAP = 2, WINDOW = (2 * REACH_MAP + 1) * (2 * REACH_MAP +
 /* From the median absolute deviation to the sd of a normal distribution. */
 #define MAD_TO_SD 1.4826
 
+_Static_assert((ASP_FORM_MAX + 1) * (ASP_FORM_MAX + 2) / 2 <= ASP_TERMS_MOST,
+               "the largest form has more terms than a fit");
+
 static const char *name_of(const aspi_raw *raw) {
   return raw->is_map ? "map" : "profile";
 }
@@ -261,7 +264,7 @@ static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_option
   if (!code)
     code = find_spikes(raw, &steps, mark ? options->spikes : ASP_SPIKES_CLEAR, mark,
                        mark ? &report->spikes : &report->outliers, &first, error);
-  aspi_doubts_tell(&steps, report->outliers, report->doubts, sizeof report->doubts);
+  aspi_warnings_write(&steps, report->outliers, report->warnings, sizeof report->warnings);
   if (code || report->spikes == 0 ||
       (code = check_bad(raw, path, report->spikes, first, options->fill, error)))
     return code;

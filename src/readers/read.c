@@ -8,6 +8,8 @@
 #include "surface/profile.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,59 +17,62 @@ aspi_profile_options aspi_profile_options_default(void) {
   return (aspi_profile_options){.metre = 1, .form = 1, .resample = true, .row = 1};
 }
 
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+static void
+append(aspi_profile_report *r, const char *format, ...) {
+  size_t used = strlen(r->text);
+  va_list args;
+  va_start(args, format);
+  vsnprintf(r->text + used, sizeof r->text - used, format, args);
+  va_end(args);
+}
+
 void aspi_report(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile_options *options) {
+  const aspi_filters *f = &options->filters;
+  *r->text = '\0';
   r->points = raw->read;
   r->bad = raw->bad;
   r->resampled = raw->resampled;
   r->repeats = raw->repeats;
   r->step_least = raw->step_least * options->metre;
   r->step_most = raw->step_most * options->metre;
-  char form[64] = "form left in", gaps[96] = "", spacing[96] = "", spikes[48] = "";
-  if (options->form >= 0)
-    snprintf(form, sizeof form, "polynomial of degree %d taken out", options->form);
-  if (r->filled)
-    snprintf(gaps, sizeof gaps, ", %zu points filled in (longest gap %zu)", r->filled,
-             r->longest_gap);
-  if (r->spikes)
-    snprintf(spikes, sizeof spikes, ", %zu spikes", r->spikes);
-  if (r->resampled)
-    snprintf(spacing, sizeof spacing, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
-             raw->step_least, raw->step_most, raw->step[0]);
-  char other[260] = "";
-  const aspi_filters *f = &options->filters;
-  size_t used = 0;
-  if (raw->second_column > 0)
-    used += (size_t)snprintf(other, sizeof other,
-                             ", distances in columns %d and %d, heights of column %d",
-                             raw->column[0], raw->second_column, raw->column[1]);
-  else if (raw->column[0] > 0)
-    used += (size_t)snprintf(other, sizeof other, ", of columns %d and %d", raw->column[0],
-                             raw->column[1]);
-  else if (raw->column[1] > 0)
-    used += (size_t)snprintf(other, sizeof other, ", of column %d", raw->column[1]);
-  if (raw->repeats)
-    used += (size_t)snprintf(other + used, sizeof other - used, ", %zu repeated positions averaged",
-                             raw->repeats);
-  if (raw->falls)
-    used +=
-        (size_t)snprintf(other + used, sizeof other - used, ", positions fall and are reversed");
-  if (raw->end_line)
-    used += (size_t)snprintf(other + used, sizeof other - used, ", data end before line %zu",
-                             raw->end_line);
-  if (f->tip > 0)
-    used += (size_t)snprintf(other + used, sizeof other - used, ", tip %g m", f->tip);
-  if (f->lambda_s > 0)
-    used += (size_t)snprintf(other + used, sizeof other - used, ", lambda_s %g m", f->lambda_s);
-  if (f->cutoff > 0)
-    snprintf(other + used, sizeof other - used, ", cutoff %g m%s", f->cutoff,
-             f->robust ? " (robust)" : "");
-  char size[64];
   if (raw->is_map)
-    snprintf(size, sizeof size, "%zu x %zu", raw->columns, raw->rows);
+    append(r, "%zu x %zu", raw->columns, raw->rows);
   else
-    snprintf(size, sizeof size, "%zu", r->points);
-  snprintf(r->text, sizeof r->text, "%s points read, %zu bad%s%s%s%s, %s", size, r->bad, spikes,
-           gaps, spacing, other, form);
+    append(r, "%zu", r->points);
+  append(r, " points read, %zu bad", r->bad);
+  if (r->spikes)
+    append(r, ", %zu spikes", r->spikes);
+  if (r->filled)
+    append(r, ", %zu points filled in (longest gap %zu)", r->filled, r->longest_gap);
+  if (r->resampled)
+    append(r, ", unequal spacing of %.4g to %.4g m resampled to %.4g m", raw->step_least,
+           raw->step_most, raw->step[0]);
+  if (raw->second_column > 0)
+    append(r, ", distances in columns %d and %d, heights of column %d", raw->column[0],
+           raw->second_column, raw->column[1]);
+  else if (raw->column[0] > 0)
+    append(r, ", of columns %d and %d", raw->column[0], raw->column[1]);
+  else if (raw->column[1] > 0)
+    append(r, ", of column %d", raw->column[1]);
+  if (raw->repeats)
+    append(r, ", %zu repeated positions averaged", raw->repeats);
+  if (raw->falls)
+    append(r, ", positions fall and are reversed");
+  if (raw->end_line)
+    append(r, ", data end before line %zu", raw->end_line);
+  if (f->tip > 0)
+    append(r, ", tip %g m", f->tip);
+  if (f->lambda_s > 0)
+    append(r, ", lambda_s %g m", f->lambda_s);
+  if (f->cutoff > 0)
+    append(r, ", cutoff %g m%s", f->cutoff, f->robust ? " (robust)" : "");
+  if (options->form >= 0)
+    append(r, ", polynomial of degree %d taken out", options->form);
+  else
+    append(r, ", form left in");
 }
 
 static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,

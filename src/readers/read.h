@@ -1,11 +1,11 @@
 /* What the readers of profile files hand to each other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_READ_H
-#define ASP_SURFACE_READ_H
+#ifndef ASP_READERS_READ_H
+#define ASP_READERS_READ_H
 
 #include "base/text.h"
-#include "readers/doubts.h"
+#include "readers/warnings.h"
 #include "readers/filter.h"
 #include "readers/raw.h"
 
@@ -17,7 +17,7 @@ typedef struct aspi_profile_options {
   double unit_x, unit_z; /* metres in one unit of a text file's columns; 0: as the file states */
   double metre;          /* one metre in the unit of the result: 1 for SI, 1e6 for micrometres */
   int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
-  double spikes;         /* points this many robust sd off their neighbours are bad, and refused or
+  double spikes;         /* points this many robust sd off their neighbors are bad, and refused or
                             filled as those are; 0: none are */
   bool fill;     /* bad points and gaps are filled by straight lines; false: they are refused */
   bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
@@ -48,7 +48,7 @@ typedef struct aspi_profile_report {
   bool resampled;
   double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
   char text[700];               /* all of that as a sentence */
-  char doubts[440];             /* what makes the heights doubtful, or "" (doubts.h) */
+  char warnings[440];           /* what makes the heights doubtful, or "" (warnings.h) */
 } aspi_profile_report;
 
 /* ASP_EARG and a message where one is out of its range. */

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/file.h"
-#include "surface/map_describe.h"
 #include "readers/map_read.h"
 
 #include <limits.h>
@@ -107,44 +106,9 @@ asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *er
   return map;
 }
 
-double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
-  aspi_map_description d;
-  if (aspi_map_describe(map, &d, error))
-    return NAN;
-  const struct {
-    const char *name;
-    double value;
-  } all[] = {{"s_q", d.s_q},          {"s_a", d.s_a},   {"s_sk", d.s_sk}, {"s_ku", d.s_ku},
-             {"s_p", d.s_p},          {"s_v", d.s_v},   {"s_z", d.s_z},   {"s_dq", d.s_dq},
-             {"s_al", d.s_al},        {"s_tr", d.s_tr}, {"lay", d.lay},   {"lambda_1", d.lambda_1},
-             {"lambda_2", d.lambda_2}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (strcmp(all[i].name, name) == 0)
-      return all[i].value;
-  aspi_fail(error, ASP_ENAME,
-            "number '%s' is unknown to a map; there are: s_q s_a s_sk s_ku s_p s_v s_z s_dq s_al "
-            "s_tr lambda_1 lambda_2 lay",
-            name);
-  return NAN;
-}
-
-double asp_reader_get(const asp_reader *reader, const char *name) {
-  const aspi_profile_report *r = &reader->report;
-  const struct {
-    const char *name;
-    double value;
-  } all[] = {{"points", (double)r->points},           {"bad", (double)r->bad},
-             {"spikes", (double)r->spikes},           {"filled", (double)r->filled},
-             {"longest_gap", (double)r->longest_gap}, {"resampled", r->resampled},
-             {"step_least", r->step_least},           {"step_most", r->step_most}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (strcmp(all[i].name, name) == 0)
-      return all[i].value;
-  return NAN;
-}
-
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {
-  return *reader->report.doubts ? aspi_fail(error, ASP_EDATA, "%s", reader->report.doubts) : ASP_OK;
+  return *reader->report.warnings ? aspi_fail(error, ASP_EDATA, "%s", reader->report.warnings)
+                                  : ASP_OK;
 }
 
 const char *asp_reader_text(const asp_reader *reader) {

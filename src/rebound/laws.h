@@ -59,9 +59,9 @@ struct asp_rebound_law {
   int n_parameters;
   const asp_parameter *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
-  /* Whether it draws a scatter of its own with these parameters; NULL: never. */
+  /* True if it draws a scatter of its own with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
-  /* Whether it turns the particle with these parameters; NULL: never. */
+  /* True if it turns the particle with these parameters; NULL: never. */
   bool (*spins)(const double *parameters);
 };
 

@@ -1,7 +1,7 @@
 /* Material presets, and a material of a user's own. The presets are for room temperature. Their
  * values are handbook values and those of open tables, not those of the papers on rebound (which
- * state few); `seen` says whether all four numbers were checked against the source named. All of
- * them are defaults that a user can replace.
+ * state few); of none were all four numbers checked against the source named. All of them are
+ * defaults that a user can replace.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/materials.h"
@@ -20,29 +20,29 @@
 
 static const asp_material presets[] = {
     /* particles */
-    {"ard", "Arizona Road Dust, as quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK, false},
-    {"quartz", "quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK, false},
+    {"ard", "Arizona Road Dust, as quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK},
+    {"quartz", "quartz", 70e9, 0.17, 2650, 200e6, HANDBOOK},
     /* metals */
-    {"ti-6al-4v", "titanium alloy Ti-6Al-4V", 114e9, 0.34, 4430, 0, HANDBOOK, false},
-    {"ti-48al-2cr-2nb", "gamma titanium aluminide", 170e9, 0.24, 3970, 0, HANDBOOK, false},
-    {"hastelloy-x", "nickel alloy Hastelloy X", 205e9, 0.32, 8220, 0, HANDBOOK, false},
-    {"inconel-718", "nickel alloy 718", 200e9, 0.29, 8220, 0, SMC_045, false},
-    {"inconel-625", "nickel alloy 625", 208e9, 0.28, 8440, 0, HANDBOOK, false},
-    {"304-ss", "stainless steel 304", 193e9, 0.29, 8000, 0, HANDBOOK, false},
-    {"316-ss", "stainless steel 316", 193e9, 0.29, 8000, 0, HANDBOOK, false},
-    {"steel", "mild steel", 212e9, 0.293, 7850, 0, DOWLING, false},
-    {"al-2024", "aluminium alloy 2024", 73e9, 0.33, 2780, 0, HANDBOOK, false},
-    {"copper", "copper", 130e9, 0.343, 8930, 0, DOWLING, false},
+    {"ti-6al-4v", "titanium alloy Ti-6Al-4V", 114e9, 0.34, 4430, 0, HANDBOOK},
+    {"ti-48al-2cr-2nb", "gamma titanium aluminide", 170e9, 0.24, 3970, 0, HANDBOOK},
+    {"hastelloy-x", "nickel alloy Hastelloy X", 205e9, 0.32, 8220, 0, HANDBOOK},
+    {"inconel-718", "nickel alloy 718", 200e9, 0.29, 8220, 0, SMC_045},
+    {"inconel-625", "nickel alloy 625", 208e9, 0.28, 8440, 0, HANDBOOK},
+    {"304-ss", "stainless steel 304", 193e9, 0.29, 8000, 0, HANDBOOK},
+    {"316-ss", "stainless steel 316", 193e9, 0.29, 8000, 0, HANDBOOK},
+    {"steel", "mild steel", 212e9, 0.293, 7850, 0, DOWLING},
+    {"al-2024", "aluminium alloy 2024", 73e9, 0.33, 2780, 0, HANDBOOK},
+    {"copper", "copper", 130e9, 0.343, 8930, 0, DOWLING},
     /* ceramics and glasses */
-    {"alumina", "aluminium oxide, dense", 400e9, 0.22, 3900, 0, DOWLING, false},
-    {"zirconia", "yttria-stabilised zirconia, dense", 205e9, 0.31, 6050, 0, HANDBOOK, false},
-    {"silicon-carbide", "silicon carbide", 396e9, 0.22, 3150, 0, DOWLING, false},
-    {"glass", "soda-lime glass", 69e9, 0.20, 2500, 0, DOWLING, false},
-    {"fused-silica", "fused silica glass", 70e9, 0.18, 2200, 0, DOWLING, false},
+    {"alumina", "aluminium oxide, dense", 400e9, 0.22, 3900, 0, DOWLING},
+    {"zirconia", "yttria-stabilised zirconia, dense", 205e9, 0.31, 6050, 0, HANDBOOK},
+    {"silicon-carbide", "silicon carbide", 396e9, 0.22, 3150, 0, DOWLING},
+    {"glass", "soda-lime glass", 69e9, 0.20, 2500, 0, DOWLING},
+    {"fused-silica", "fused silica glass", 70e9, 0.18, 2200, 0, DOWLING},
     /* polymers */
-    {"acrylic", "acrylic glass (PMMA)", 2.7e9, 0.35, 1180, 0, DOWLING, false},
-    {"polycarbonate", "polycarbonate", 2.4e9, 0.38, 1200, 0, DOWLING, false},
-    {"rubber", "natural rubber, small strains", 5e6, 0.49, 1100, 0, HANDBOOK, false},
+    {"acrylic", "acrylic glass (PMMA)", 2.7e9, 0.35, 1180, 0, DOWLING},
+    {"polycarbonate", "polycarbonate", 2.4e9, 0.38, 1200, 0, DOWLING},
+    {"rubber", "natural rubber, small strains", 5e6, 0.49, 1100, 0, HANDBOOK},
 };
 
 int asp_material_count(void) {
@@ -72,10 +72,6 @@ const char *asp_material_title(const asp_material *material) {
 
 const char *asp_material_source(const asp_material *material) {
   return material->source;
-}
-
-bool asp_material_seen(const asp_material *material) {
-  return material->seen;
 }
 
 asp_material *asp_material_create(const char *name, asp_error *error) {

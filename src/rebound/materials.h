@@ -15,7 +15,6 @@ struct asp_material {
   double density;      /* kg/m^3 */
   double yield_stress; /* Pa; 0 where no value is given: it counts for the particle only */
   const char *source;
-  bool seen; /* whether the original of that source was seen for this */
 };
 
 /* What a contact between one particle material and one wall material needs, worked out once. */

@@ -21,11 +21,11 @@ typedef struct own_material {
 struct asp_materials {
   int count, room;
   own_material *list;
-  int *by_name; /* places in the list in order of the names, then as in the file */
+  const own_material **by_name; /* in order of the names, then as in the file */
 };
 
 typedef struct columns {
-  int name, title, modulus, poisson, density, yield, source, seen;
+  int name, title, modulus, poisson, density, yield, source;
 } columns;
 
 /* Where the columns are; -1 and a message where one that must be there is not. */
@@ -36,8 +36,7 @@ static columns columns_of(const aspi_csv *csv, asp_error *error) {
                    .poisson = aspi_csv_need(csv, "poissons_ratio", error),
                    .density = aspi_csv_need(csv, "density_kg_m3", error),
                    .yield = aspi_csv_find(csv, "yield_stress_pa"),
-                   .source = aspi_csv_find(csv, "source"),
-                   .seen = aspi_csv_find(csv, "seen")};
+                   .source = aspi_csv_find(csv, "source")};
 }
 
 static const char *field_of(const aspi_csv *csv, int column) {
@@ -64,15 +63,12 @@ static asp_code copy_words(const aspi_csv *csv, const columns *at, asp_material 
 
 static asp_code read_material(const aspi_csv *csv, const columns *at, asp_material *m,
                               asp_error *error) {
-  const char *name = field_of(csv, at->name), *seen = field_of(csv, at->seen);
+  const char *name = field_of(csv, at->name);
   bool no_yield;
   asp_code code;
   if (!*name || strpbrk(name, " \t,;"))
     return aspi_text_fail(&csv->text, csv->text.line, error,
                           "the name '%s'; it must be one word without commas", name);
-  if (*seen && strcasecmp(seen, "yes") != 0 && strcasecmp(seen, "no") != 0)
-    return aspi_text_fail(&csv->text, csv->text.line, error, "seen is '%s'; it must be yes or no",
-                          seen);
   if ((code = aspi_csv_number(csv, at->modulus, 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
       (code = aspi_csv_number(csv, at->poisson, -1, 0.5, &m->poissons_ratio, NULL, error)) ||
       (code = aspi_csv_number(csv, at->density, 1e-300, 1e300, &m->density, NULL, error)) ||
@@ -80,29 +76,27 @@ static asp_code read_material(const aspi_csv *csv, const columns *at, asp_materi
     return code;
   if (no_yield)
     m->yield_stress = 0;
-  m->seen = strcasecmp(seen, "yes") == 0;
   return copy_words(csv, at, m, error);
 }
 
-/* The first place in the order of names whose name is not before this one. */
-static int place_of(const asp_materials *own, const char *name) {
-  int low = 0, high = own->count;
-  while (low < high) {
-    int middle = low + (high - low) / 2;
-    if (strcasecmp(own->list[own->by_name[middle]].material.name, name) < 0)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low;
+static int compare_names(const void *left, const void *right) {
+  const own_material *const *a = left, *const *b = right;
+  return strcasecmp((*a)->material.name, (*b)->material.name);
+}
+
+static int compare(const void *left, const void *right) {
+  const own_material *const *a = left, *const *b = right;
+  int order = compare_names(left, right);
+  return order ? order : (*a > *b) - (*a < *b);
 }
 
 static const asp_material *find_own(const asp_materials *own, const char *name) {
   if (!own || !name)
     return NULL;
-  int place = place_of(own, name);
-  const asp_material *found = place < own->count ? &own->list[own->by_name[place]].material : NULL;
-  return found && strcasecmp(found->name, name) == 0 ? found : NULL;
+  const own_material wanted = {.material.name = name}, *key = &wanted;
+  const own_material **found =
+      bsearch(&key, own->by_name, (size_t)own->count, sizeof *own->by_name, compare_names);
+  return found ? &(*found)->material : NULL;
 }
 
 static asp_code add_material(asp_materials *own, const aspi_csv *csv, const columns *at,
@@ -135,42 +129,24 @@ static asp_code read_all(asp_materials *own, aspi_csv *csv, asp_error *error) {
   return code;
 }
 
-/* A material while the order of names is made. */
-typedef struct named {
-  const char *name;
-  int place;
-} named;
-
-static int compare(const void *left, const void *right) {
-  const named *a = left, *b = right;
-  int order = strcasecmp(a->name, b->name);
-  return order ? order : (a->place > b->place) - (a->place < b->place);
-}
-
 /* Puts the names in order; of those that are there twice, the first in the file is an error. */
 static asp_code sort_names(asp_materials *own, const char *path, asp_error *error) {
   size_t count = (size_t)own->count;
-  named *names = malloc((count + 1) * sizeof *names);
+  const own_material *again = NULL;
   own->by_name = malloc((count + 1) * sizeof *own->by_name);
-  int again = own->count;
-  if (names && own->by_name) {
-    for (int i = 0; i < own->count; i++)
-      names[i] = (named){own->list[i].material.name, i};
-    qsort(names, count, sizeof *names, compare);
-    for (size_t i = 0; i < count; i++) {
-      own->by_name[i] = names[i].place;
-      if (i > 0 && strcasecmp(names[i].name, names[i - 1].name) == 0 && names[i].place < again)
-        again = names[i].place;
-    }
-  }
-  bool enough = names && own->by_name;
-  free(names);
-  if (!enough)
+  if (!own->by_name)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %d materials", own->count);
-  if (again == own->count)
+  for (size_t i = 0; i < count; i++)
+    own->by_name[i] = &own->list[i];
+  qsort(own->by_name, count, sizeof *own->by_name, compare);
+  for (size_t i = 1; i < count; i++)
+    if (compare_names(&own->by_name[i - 1], &own->by_name[i]) == 0 &&
+        (!again || own->by_name[i] < again))
+      again = own->by_name[i];
+  if (!again)
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA, "%.200s:%zu: material '%.100s' a second time", path,
-                   own->list[again].line, own->list[again].material.name);
+                   again->line, again->material.name);
 }
 
 asp_materials *asp_materials_read(const char *path, asp_error *error) {

@@ -17,7 +17,7 @@ typedef struct aspi_flow {
   double work;           /* of adhesion, per area */
 } aspi_flow;
 
-/* Whether it takes a particle away. */
+/* True if it takes a particle away. */
 bool aspi_flow_removes(const aspi_flow *flow, const asp_pair *pair, double d_p);
 
 #endif

@@ -1,8 +1,8 @@
-/* The cheapest model that is good enough, in the fixed order of the models' records. How far each
- * model's rebounds are from the geometry was measured on a grid of walls and angles, in the plane
+/* The cheapest model that is good enough, by the cost in the models' records. The divergence of
+ * each model's rebounds from the geometry was measured on a grid of walls and angles, in the plane
  * of incidence, against ensembles of profiles that made none of the models (measured.csv, made by
- * tests/sweep/grid.c). Isotropic tilts on a surface are further from it. A wall takes the
- * worst of all grid points around it, each with twice its standard error.
+ * tests/sweep/grid.c); that of isotropic tilts is larger. A wall gets the worst of all grid points
+ * around it, each with twice its standard error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -16,7 +16,7 @@
 
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* How many standard errors a divergence may be larger than it was measured. */
+/* Standard errors added to a measured divergence. */
 #define ERRORS 2
 
 /* An interval with the grid points around it. */
@@ -49,7 +49,7 @@ static bool within(span s, double value) {
   return value >= s.least && value <= s.most;
 }
 
-/* What the grid says about one model on a wall. */
+/* The worst divergence of a model over grid points. */
 typedef struct result {
   double worst;
   int points;
@@ -74,7 +74,7 @@ static result evaluate(const query *q, const char *model) {
   return v;
 }
 
-/* The same in the numbers that messages name. */
+/* The wall in the numbers that messages name. */
 typedef struct wall {
   double phi_r, kappa[2]; /* least and most */
 } wall;
@@ -100,8 +100,7 @@ static const asp_spread_model *choose(const wall *w, const query *q, double tole
   }
   if (!nearest || isinf(q->phi_r.most) || isinf(q->kappa.most)) {
     aspi_fail(error, ASP_ERANGE,
-              "spread auto: phi_r %g with kappa %g to %g is beyond what was measured; name a model "
-              "instead",
+              "phi_r %g with kappa %g to %g is beyond what was measured; name a model instead",
               w->phi_r, w->kappa[0], w->kappa[1]);
     return NULL;
   }

@@ -38,6 +38,6 @@ double aspi_cut_normal_distribution(double sigma, double lo, double hi, double d
 
 double aspi_cut_normal_quantile(double sigma, double lo, double hi, double u) {
   double below = tail(-lo / sigma), above = tail(hi / sigma), rest = 1 - u;
-  double moved = rest * below - u * above; /* what the cuts make of u in the whole law */
+  double moved = rest * below - u * above; /* from u to the share of the uncut distribution */
   return fmin(fmax(sigma * normal_quantile(u + moved, rest - moved), lo), hi);
 }

@@ -1,12 +1,12 @@
-/* The effective law (eq. 4): the normal distribution times the flux onto the face, sin(alpha1 +
- * delta)/sin(alpha1), cut at delta = -alpha1, where it would turn negative. It reaches below
- * -alpha1/2, so that a specular rebound may go into the wall: the contact draws again, or the
+/* The effective distribution (eq. 4): the normal distribution times the flux onto the face,
+ * sin(alpha1 + delta)/sin(alpha1), cut at delta = -alpha1, where it would turn negative. It extends
+ * below -alpha1/2, where a specular rebound goes into the wall: the contact draws again, or the
  * particle hits once more.
  *
  * In x = delta/sigma, the integral of phi(t) sin(alpha1 + sigma t) over a tail is a series in the
- * tail's moments, quick and without loss for every sigma. For a particle that flies up (alpha1 < 0)
- * all of the law is far tail, and a quadrature with scaled weights takes over, as it does close to
- * the end of the support.
+ * tail's moments, fast and without cancellation for every sigma. For a particle that flies up
+ * (alpha1 < 0) all of it is far tail: there, as close to the end of the support, a quadrature with
+ * scaled weights is used.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/gauss.h"
@@ -17,18 +17,17 @@
 
 enum { TERMS = 60 };
 
-/* Nothing of the normal law is left from here on. */
+/* The normal density underflows from here on. */
 #define FAR 38.6
 
-/* So close to the end of the support, in its own length, the difference of tails has lost digits.
- */
+/* This close to the end of the support, in its own length, the difference of tails loses digits. */
 #define NEAR_END 0.05
 
-typedef struct law {
+typedef struct variate {
   double alpha, sigma;
   double lo, hi; /* support in x */
-  double mass;   /* of the unnormalised law; for alpha < 0 over phi(lo) */
-} law;
+  double mass;   /* before normalization; for alpha < 0 over phi(lo) */
+} variate;
 
 /* The integral of phi(t) sin(alpha + sigma t) from x >= 0 to infinity: the Taylor series of the
  * sine, term by term, with J_k the integral of t^k phi(t), J_k = x^(k-1) phi(x) + (k-1) J_(k-2). */
@@ -55,7 +54,7 @@ static double tail(double alpha, double sigma, double x) {
 
 /* The same between two points: a difference of tails on one side of the middle, and otherwise the
  * whole, exp(-sigma^2/2) sin(alpha), less both tails. */
-static double between(const law *w, double from, double to) {
+static double between(const variate *w, double from, double to) {
   if (from >= 0)
     return tail(w->alpha, w->sigma, from) - tail(w->alpha, w->sigma, to);
   if (to <= 0)
@@ -65,23 +64,23 @@ static double between(const law *w, double from, double to) {
 }
 
 static double integrand(double t, void *of) {
-  const law *w = of;
+  const variate *w = of;
   double y = t - w->lo;
   return exp(-y * (w->lo + 0.5 * y)) * sin(w->sigma * y);
 }
 
-/* The integral of the law over phi(lo), from x to x + width. */
-static double quadrature(const law *w, double from, double to) {
-  law copy = *w;
+/* The integral of the density over phi(lo) between two points. */
+static double quadrature(const variate *w, double from, double to) {
+  variate copy = *w;
   gsl_function f = {integrand, &copy};
   double result, error, absolute, deviation;
   gsl_integration_qk41(&f, from, to, &result, &error, &absolute, &deviation);
   return result;
 }
 
-static law law_at(const aspi_view *view) {
+static variate variate_at(const aspi_view *view) {
   double sigma = view->sigma, lo = -view->alpha1 / sigma, hi = ASP_DELTA_MOST / sigma;
-  law w = {view->alpha1, sigma, lo, hi, 0};
+  variate w = {view->alpha1, sigma, lo, hi, 0};
   if (view->alpha1 < 0) {
     w.hi = fmin(hi, lo + 76 / (sqrt(lo * lo + 76) + lo));
     w.mass = quadrature(&w, lo, w.hi);
@@ -92,7 +91,7 @@ static law law_at(const aspi_view *view) {
 }
 
 static aspi_point at(const void *of, double x) {
-  const law *w = of;
+  const variate *w = of;
   double y = x - w->lo;
   aspi_point p;
   if (w->alpha < 0) {
@@ -114,24 +113,24 @@ static aspi_point at(const void *of, double x) {
 }
 
 double aspi_effective_density(const aspi_view *view, double delta) {
-  law w = law_at(view);
+  variate w = variate_at(view);
   double x = delta / w.sigma;
   return x > w.lo && x < w.hi ? at(&w, x).density / w.sigma : 0;
 }
 
 double aspi_effective_distribution(const aspi_view *view, double delta) {
-  law w = law_at(view);
+  variate w = variate_at(view);
   double x = delta / w.sigma;
   if (!(x > w.lo))
     return 0;
   return x < w.hi ? at(&w, x).below : 1;
 }
 
-/* Starts from the law of the visible slopes, which is the limit for small sigma. */
+/* Starts from the quantile of `visible`, which is the limit for small sigma. */
 double aspi_effective_quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  law w = law_at(view);
+  variate w = variate_at(view);
   double guess = aspi_spread_visible.quantile(view, u) / w.sigma;
   double x = aspi_invert(at, &w, fmax(w.lo, -FAR), fmin(w.hi, fmax(w.lo, 0) + FAR), guess, u);
   return fmin(fmax(x * w.sigma, -view->alpha1), ASP_DELTA_MOST);

@@ -1,9 +1,9 @@
-/* The law of the first hit on a Gaussian wall, from the table of an ensemble (first_hits.csv, made
- * by make_first_hits.c): x = slope/s_eff where the share below is Phi(z), over z, a =
- * tan(alpha1)/s_eff, kappa and phi_r. Between the nodes a cubic through four of them in z (Catmull
- * & Rom 1974), which is monotone here, and straight lines in a/(1 + a), log2(1 + 8 kappa) and
- * phi_r. Below the first node x + a falls exponentially with z, above the last one x is linear, as
- * a normal law is.
+/* First hits on a Gaussian wall, from the table of an ensemble (first_hits.csv, made by
+ * tests/sweep/make_first_hits.c): x = slope/s_eff where the share below is Phi(z), over z, a =
+ * tan(alpha1)/s_eff, kappa and phi_r. Interpolation is by a cubic through four nodes in z (Catmull
+ * & Rom 1974), which is monotone here, and linear in a/(1 + a), log2(1 + 8 kappa) and phi_r. Below
+ * the first node x + a falls exponentially with z; above the last one x is linear in z, as for a
+ * normal distribution.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/ensemble.h"
@@ -21,26 +21,25 @@ _Static_assert(sizeof slope / sizeof *slope ==
 #define A_MOST 1e6
 
 /* The quantiles of one view: those of the nodes around it in a, kappa and phi_r, weighted. */
-typedef struct law {
+typedef struct variate {
   int corners; /* 4 where phi_r is that of a node, else 8 */
   const float *corner[8];
   double weight[8], a;
-} law;
+} variate;
 
-static double node(const law *w, int i) {
+static double node(const variate *w, int i) {
   double sum = 0;
   for (int k = 0; k < w->corners; k++)
     sum += w->weight[k] * w->corner[k][i];
   return sum;
 }
 
-/* The whole part of `at`, so that it and the next are nodes. */
+/* The node below a place; the next one is a node, too. */
 static int step_of(double at, int nodes) {
   return (int)fmin(at, nodes - 2);
 }
 
-/* The node below a phi_r, and the part of the step to the next; those beyond the ends are as there.
- */
+/* The node below a phi_r, and the part of the step to the next; clamped at the ends. */
 static int phi_below(double phi_r, double *part) {
   const double *nodes = aspi_ensemble_phi_r;
   int last = ASP_ENSEMBLE_PHIS - 1, i = 0;
@@ -50,8 +49,8 @@ static int phi_below(double phi_r, double *part) {
   return i;
 }
 
-static law law_at(const aspi_view *view) {
-  law w = {.a = fmin(tan(view->alpha1) / view->slope, A_MOST)};
+static variate variate_at(const aspi_view *view) {
+  variate w = {.a = fmin(tan(view->alpha1) / view->slope, A_MOST)};
   double at_a = (ASP_ENSEMBLE_AS - 1) * (w.a / (1 + w.a));
   double at_kappa = fmin(2 * log2(1 + 8 * view->kappa), ASP_ENSEMBLE_KAPPAS - 1);
   int a = step_of(at_a, ASP_ENSEMBLE_AS), kappa = step_of(at_kappa, ASP_ENSEMBLE_KAPPAS);
@@ -67,7 +66,7 @@ static law law_at(const aspi_view *view) {
   return w;
 }
 
-/* A cubic piece from y[1] to y[2], with the tangents of its neighbours' chords; *rise: per z. */
+/* A cubic piece from y[1] to y[2], with the tangents of its neighbors' chords; *rise: per z. */
 static double cubic(const double y[4], double part, double *rise) {
   double b = 0.5 * (y[2] - y[0]), end = 0.5 * (y[3] - y[1]), chord = y[2] - y[1];
   double c = 3 * chord - 2 * b - end, d = b + end - 2 * chord;
@@ -76,7 +75,7 @@ static double cubic(const double y[4], double part, double *rise) {
 }
 
 /* x at z, and dx/dz. */
-static double slope_at(const law *w, double z, double *rise) {
+static double slope_at(const variate *w, double z, double *rise) {
   enum { LAST = ASP_ENSEMBLE_ZS - 1 };
   double at = 4 * z + LAST / 2;
   if (at < 0) {
@@ -104,13 +103,13 @@ static double slope_at(const law *w, double z, double *rise) {
 double aspi_ensemble_quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  law w = law_at(view);
+  variate w = variate_at(view);
   double rise, x = slope_at(&w, gsl_cdf_ugaussian_Pinv(u), &rise);
   return fmax(atan(x * view->slope), -view->alpha1);
 }
 
 /* The z at which the quantile is x. */
-static double z_of(const law *w, double x) {
+static double z_of(const variate *w, double x) {
   double low = -40, high = 40, rise;
   for (int i = 0; i < 60; i++) {
     double middle = 0.5 * (low + high);
@@ -124,14 +123,14 @@ double aspi_ensemble_distribution(const aspi_view *view, double delta) {
     return 0;
   if (delta >= ASP_DELTA_MOST)
     return 1;
-  law w = law_at(view);
+  variate w = variate_at(view);
   return aspi_gauss_below(z_of(&w, tan(delta) / view->slope));
 }
 
 double aspi_ensemble_density(const aspi_view *view, double delta) {
   if (delta <= -view->alpha1 || fabs(delta) >= ASP_DELTA_MOST)
     return 0;
-  law w = law_at(view);
+  variate w = variate_at(view);
   double p = tan(delta), rise, z = z_of(&w, p / view->slope);
   slope_at(&w, z, &rise);
   return rise > 0 ? aspi_gauss_density(z) / rise * (1 + p * p) / view->slope : 0;

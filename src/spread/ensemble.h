@@ -1,5 +1,5 @@
-/* The law of the first hit on a Gaussian wall, as an ensemble of profiles has it: a table over a =
- * tan(alpha1)/s_eff, kappa and phi_r, made once (make_first_hits.c). It costs no set-up.
+/* First hits on a Gaussian wall: a table over a = tan(alpha1)/s_eff, kappa and phi_r from an
+ * ensemble of profiles (tests/sweep/make_first_hits.c). Needs no set-up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_ENSEMBLE_H
@@ -18,7 +18,7 @@ enum {
   ASP_ENSEMBLE_PHIS = 4
 };
 
-/* Below the first one, slopes are so small that the law depends on a and kappa only. */
+/* Below the first one slopes are small, and the first hits depend on a and kappa only. */
 static const double aspi_ensemble_phi_r[ASP_ENSEMBLE_PHIS] = {0.125, 0.35, 0.65, 1};
 
 /* The last one stands for normal impact. */

@@ -1,4 +1,4 @@
-/* The standard normal law by the C library.
+/* The standard normal distribution by the C library.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_GAUSS_H

@@ -1,5 +1,5 @@
-/* Quantiles by Newton's method on the logarithm of a tail; see invert.h. Where the law is cut off
- * above, the logarithm overshoots and the tail itself is the straight one.
+/* Quantiles by Newton's method on the logarithm of a tail; see invert.h. Where the support ends
+ * above, the logarithm overshoots, and the step is in the tail itself.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/invert.h"
@@ -30,15 +30,15 @@ static double straight_step(aspi_point p, double u) {
   return p.density > LEAST * fabs(missing) ? missing / p.density : INFINITY;
 }
 
-double aspi_invert(aspi_point (*at)(const void *law, double x), const void *law, double lo,
-                   double hi, double guess, double u) {
+double aspi_invert(aspi_point (*at)(const void *parameters, double x), const void *parameters,
+                   double lo, double hi, double guess, double u) {
   const double begin = lo, end = hi;
   u = fmax(u, LEAST);
   double x = guess < hi ? guess : 0.5 * (lo + hi);
   if (!(x > lo))
     return lo;
   for (int i = 0; i < STEPS; i++) {
-    aspi_point p = at(law, x);
+    aspi_point p = at(parameters, x);
     double next = x + step(p, u);
     if (fabs(next - x) <= SMALL * fmin(x - begin, end - x))
       return fmin(fmax(next, lo), hi);

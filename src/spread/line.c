@@ -1,6 +1,6 @@
 /* First hits along a line over a dilated wall: a path is a constant value of g = z + x tan(alpha1),
  * and touches where g passes its running maximum. The faces have the slopes of the contacts, not of
- * the differences between points: two neighbours' tangents cross in between, on a smooth piece in
+ * the differences between points: two neighbors' tangents cross in between, on a smooth piece in
  * the middle and at a kink where the kink is.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -66,7 +66,7 @@ void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t st
   set_fall_least(line);
 }
 
-/* The path of the centre over a profile: the profile itself for a point. */
+/* The path of the center over a profile: the profile itself for a point. */
 static asp_profile *path_of(const asp_profile *profile, double d_p, asp_error *error) {
   if (d_p > 0)
     return aspi_profile_path(profile, d_p, ASP_LINE_POINTS_MOST, error);

@@ -1,4 +1,4 @@
-/* A line over a wall, along which a particle flies: heights of its centre, and the slope of the
+/* A line over a wall, along which a particle flies: heights of its center, and the slope of the
  * contact at each of them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -25,10 +25,10 @@ asp_code aspi_line_create(aspi_line *line, size_t n, double step, asp_error *err
 void aspi_line_free(aspi_line *line);
 
 /* Takes heights and slopes, each `stride` apart (negative: from the far end, and flight the other
- * way, in which slopes change their sign). Two neighbours meet where their tangents do. */
+ * way, in which slopes change their sign). Two neighbors meet where their tangents do. */
 void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t stride);
 
-/* The path of the centre of a disc of diameter 0 <= d_p <= length over a profile, in units of its
+/* The path of the center of a disc of diameter 0 <= d_p <= length over a profile, in units of its
  * spacing (aspi_profile_path); a measured profile continues as its mirror image. To be freed. */
 asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, double d_p,
                                 asp_error *error);

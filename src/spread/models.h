@@ -1,5 +1,5 @@
-/* What the spread models share, and the list of them. A new model is one file
- * that defines its record, and one line here.
+/* The record of a spread model, and the list of models. A new model is one file that defines its
+ * record, and one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_MODELS_H
@@ -11,46 +11,46 @@
 
 enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called capped */
 
-/* What a spread model looks at: one particle coming to one wall. */
+/* The input of a spread model: one particle that approaches one wall. */
 typedef struct aspi_view {
   double slope;  /* s_eff, the rms slope that a particle of this size meets */
   double sigma;  /* atan(s_eff), the one number that describes the wall to the paper's models */
   double alpha1; /* impact angle, 0 <= alpha1 <= pi/2; negative, down to -pi/2, for a particle that
                     flies up after an earlier hit (models with `upward` only) */
-  double d_p;    /* diameter, in the surface's unit; for models that look up the profile itself */
-  const void *data; /* what a model that needs more was given when the wall was made, or NULL */
-  double kappa;     /* of the particle along its flight; for models that know of geometry */
+  double d_p;    /* diameter, in the surface's unit; for models of a measured wall */
+  const void *data; /* made by the model when the wall was prepared, or NULL */
+  double kappa;     /* of the particle along its flight; for models with geometry */
   double phi_r;     /* r_q/lambda_c along the flight, for those too */
   bool has_azimuth; /* the wall has a lay, and `azimuth` (rad) is the angle from the axis across it
                        to the flight, counted towards the lay's other side: from n x lay */
   double azimuth;
 } aspi_view;
 
-/* A view for laws that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
+/* A view for models that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
 aspi_view aspi_view_of(double sigma, double alpha1);
 
-/* A spread model as data: how the tilt delta_alpha of the face that is hit is distributed. Every
- * law is cut to |delta_alpha| < 90 degrees and alpha1 + delta_alpha < 180 degrees (a height
- * function has no overhangs, and a particle hits only faces turned towards it) and normalised over
- * what is left. At sigma = 0 every law is delta_alpha = 0. */
+/* A spread model: the distribution of the tilt delta_alpha of the face that is hit. Each is cut to
+ * |delta_alpha| < 90 degrees and alpha1 + delta_alpha < 180 degrees (a height function has no
+ * overhangs, and a particle hits only faces turned towards it) and normalized. At sigma = 0
+ * delta_alpha = 0. */
 struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
   int cost;            /* place in the order of what a contact costs, from 0; each its own */
-  bool geometry;       /* knows how particles that graze rest on summits */
-  bool upward;         /* has a law for particles that fly up, too: faces with delta > -alpha1;
-                          others borrow that of `visible` */
+  bool geometry;       /* has the smaller slopes of summits at grazing incidence */
+  bool upward;         /* covers particles that fly up, too: faces with delta > -alpha1; for other
+                          models `visible` does */
   /* The probability that a particle that a face has sent up at theta > 0 over the mean wall leaves;
    * NULL: by the heights of a Gaussian wall. A model with a rule of its own always uses it. */
   double (*escape)(const aspi_view *view, double theta);
-  /* Density in 1/rad and distribution at delta; NULL where the law has none (`none`). */
+  /* Density in 1/rad and distribution at delta; NULL for `none`. */
   double (*density)(const aspi_view *view, double delta);
   double (*distribution)(const aspi_view *view, double delta);
-  /* The delta at which the distribution is u, 0 < u < 1; NULL where the law is only a loop. */
+  /* The delta at which the distribution is u, 0 < u < 1; NULL if the model is a loop only. */
   double (*quantile)(const aspi_view *view, double u);
-  /* One delta by a loop, for laws that are one; NULL where the quantile is the draw. False when the
-   * loop reached its bound (delta is then 0, the mean wall). */
+  /* Draws one delta by a loop; NULL: by the quantile. False when the loop reached its bound (delta
+   * is then 0, the mean wall). */
   bool (*loop)(const aspi_view *view, aspi_stream *stream, double *delta);
   /* Makes aspi_view.data out of a profile, out of a map, or for a Gaussian wall of which there is
    * none, NULL on error, and frees it; NULL where none is needed. */
@@ -59,7 +59,7 @@ struct asp_spread_model {
   void *(*generate)(const asp_surface *surface, const aspi_sizes *sizes, asp_error *error);
   void (*release)(void *data);
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
-   * false when it leaves the wall. NULL where the model knows of no places. */
+   * false when it leaves the wall. NULL for models without positions. */
   bool (*follow)(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta);
 };
 
@@ -91,14 +91,14 @@ ASP_SPREAD_MODELS(ASP_SPREAD_DECLARE)
 #define ASP_DELTA_MOST (ASP_PI / 2)
 
 /* The normal distribution with mean 0 and sd sigma > 0, cut to lo <= delta <= hi with lo <= 0 < hi,
- * and normalised (eq. 5). The quantile uses the complementary form in the upper half, so that it
+ * and normalized (eq. 5). The quantile uses the complementary form in the upper half, so that it
  * keeps its digits for u near 1, and never leaves [lo, hi]. */
 double aspi_cut_normal_density(double sigma, double lo, double hi, double delta);
 double aspi_cut_normal_distribution(double sigma, double lo, double hi, double delta);
 double aspi_cut_normal_quantile(double sigma, double lo, double hi, double u);
 
-/* Laws that more than one model has: the first face of `multicollision` follows the effective law,
- * and the rejection loop samples the truncated one. */
+/* Distributions that two models share: the first face of `multicollision` follows `effective`, and
+ * the loop of `rejection` samples `truncated`. */
 double aspi_effective_density(const aspi_view *view, double delta);
 double aspi_effective_distribution(const aspi_view *view, double delta);
 double aspi_effective_quantile(const aspi_view *view, double u);

@@ -1,5 +1,5 @@
 /* The rough wall multi-collision model of Konan, Kannengieser & Simonin 2009, as recalled (the
- * original was not at hand): the first face follows the effective law (eq. 4); a rebound at theta >
+ * original was not at hand): the first face follows `effective` (eq. 4); a rebound at theta >
  * 0 over the mean wall is the last one with probability tanh(1.5 theta/sigma), otherwise the next
  * face is drawn for the direction that the particle now has. Against ray tracing that is too low
  * for theta under sigma.
@@ -15,7 +15,7 @@ static double escape(const aspi_view *view, double theta) {
 
 const asp_spread_model aspi_spread_multicollision = {
     .name = "multicollision",
-    .summary = "effective law, and further faces until the particle leaves",
+    .summary = "as effective, and further faces until the particle leaves",
     .source = "Konan, Kannengieser & Simonin 2009 (recalled, original not seen)",
     .cost = 9,
     .upward = true,

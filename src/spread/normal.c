@@ -1,6 +1,6 @@
 /* The slope angles of the wall as a particle at normal impact sees them: a normal distribution with
- * sd sigma (eq. 3), for every impact angle. It knows no shadow; where it draws a face that the
- * particle cannot hit, the contact draws again.
+ * sd sigma (eq. 3), for every impact angle. It has no shadow; if it draws a face that the particle
+ * cannot hit, the contact draws again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"

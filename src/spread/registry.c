@@ -39,14 +39,6 @@ const char *asp_spread_source(const asp_spread_model *model) {
   return model->source;
 }
 
-int asp_spread_cost(const asp_spread_model *model) {
-  return model->cost;
-}
-
-bool asp_spread_needs_profile(const asp_spread_model *model) {
-  return model->generate;
-}
-
 aspi_view aspi_view_of(double sigma, double alpha1) {
   return (aspi_view){
       .slope = tan(sigma), .sigma = sigma, .alpha1 = alpha1, .phi_r = tan(sigma) / sqrt(2)};

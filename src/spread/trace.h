@@ -1,4 +1,4 @@
-/* The path of a particle's centre over a profile, hit by hit: what `traced` draws from.
+/* The path of a particle's center over a profile, hit by hit: what `traced` draws from.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_TRACE_H

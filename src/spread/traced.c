@@ -1,10 +1,10 @@
-/* The geometry itself, hit by hit: every particle falls on the profile at a place of its own and is
- * followed over it until it leaves. Nothing is modelled but the profile, whose faces are those of
- * the disc nearest in size among the bins. Slow, and exact for its profile.
+/* The geometry itself, hit by hit: every particle falls on the profile at a random place and is
+ * followed over it until it leaves. Faces are those of the disc nearest in size among the bins.
+ * Slow, and exact for its profile.
  *
- * A Gaussian wall of which there is no profile is given a generated one whose rms slope is the
- * ensemble's, and its negative; half of the particles fly over each of them backwards. So it stands
- * for the ensemble better than one flight over a profile eight times as long would.
+ * A Gaussian wall without a profile gets a generated one with the rms slope of the ensemble, and
+ * its negative; half of the particles fly over each of them backwards. This represents the ensemble
+ * better than one flight over a profile eight times as long.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -71,7 +71,7 @@ static aspi_track *rolled(const asp_profile *profile, double d_p, asp_error *err
   return track;
 }
 
-/* Fills in the tracks of the profile itself, or of its negative. */
+/* Makes the tracks of the generated profile (sign 1), or of its negative (-1). */
 static bool fill(tracks *t, const asp_surface *surface, int sign, asp_error *error) {
   double lambda_c = asp_surface_lambda_c(surface);
   asp_profile *profile = aspi_profile_create_scaled(

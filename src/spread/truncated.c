@@ -1,5 +1,5 @@
 /* The normal distribution cut at delta_alpha = -alpha1/2 (eq. 5 with mu = 0, b = -alpha1/2), by
- * inverse transform. It is, in law, what the rejection routines sample, without their loop.
+ * inverse transform. It is the distribution that the rejection routines sample, without their loop.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
@@ -20,7 +20,7 @@ static double quantile(const aspi_view *view, double u) {
 
 const asp_spread_model aspi_spread_truncated = {
     .name = "truncated",
-    .summary = "normal distribution cut at -alpha1/2: the rejection loop's law in one step",
+    .summary = "normal distribution cut at -alpha1/2: the rejection loop in one step",
     .source = "Altmeppen et al. 2020, eq. 5",
     .cost = 4,
     .density = aspi_truncated_density,

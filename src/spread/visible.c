@@ -1,10 +1,9 @@
-/* The slopes of a Gaussian wall as a particle that comes in at alpha1 sees them: each face counts
- * with the width that it shows to the particle, which is shadow and flux together. With x = p/s_eff
- * and a = tan(alpha1)/s_eff the density is phi(x) (x + a) / Z over x > -a, Z = phi(a) + a Phi(a).
- * Computer graphics knows it as the distribution of visible normals of a Beckmann surface. It takes
- * height and slope at a hit as independent, which they are not quite: at grazing incidence it has
- * too many later hits (choosing.md). A particle that flies up after an earlier hit (a < 0) meets
- * the same law.
+/* The slopes of a Gaussian wall, each weighted by the width that its face shows to a particle at
+ * alpha1, which includes shadow and flux. With x = p/s_eff and a = tan(alpha1)/s_eff the density is
+ * phi(x) (x + a) / Z over x > -a, Z = phi(a) + a Phi(a): in computer graphics the distribution of
+ * visible normals of a Beckmann surface. It neglects the correlation of height and slope at a hit,
+ * so that it has too many later hits at grazing incidence (choosing.md). The same distribution
+ * serves a particle that flies up after an earlier hit (a < 0).
  *
  * The integral from the end of the support is a series where its closed form would be a difference
  * of nearly equal numbers.
@@ -16,18 +15,18 @@
 
 #include <gsl/gsl_cdf.h>
 
-/* From this a on the law is the normal one, to 1e-10 in u. */
+/* Beyond this a the distribution is normal to 1e-10 in u. */
 #define A_MOST 1e10
 
-/* Beyond this a particle that flies up meets practically nothing, and the law there is taken for
- * that of the limit, a gamma law in a (x + a). */
+/* Steeper upward flights meet practically nothing; they get the limit, a gamma distribution of
+ * a (x + a). */
 #define A_LEAST (-1e8)
 
-typedef struct law {
+typedef struct variate {
   double a;
   double z;       /* the norm; over phi(a) where a < 0 */
   double density; /* phi(a) */
-} law;
+} variate;
 
 /* 1 - t M(t) for t > 0, M = Q/phi: the norm for a = -t over phi(t), about 1/t^2 for large t. There
  * by the asymptotic series 1/t^2 - 3/t^4 + 15/t^6 - ... */
@@ -42,12 +41,12 @@ static double mills_gap(double t) {
   return sum;
 }
 
-static law law_at(const aspi_view *view) {
+static variate variate_at(const aspi_view *view) {
   double a = tan(view->alpha1) / view->slope;
   a = fmin(fmax(a, A_LEAST), A_MOST);
   double density = aspi_gauss_density(a);
   double z = a < 0 ? mills_gap(-a) : density + a * aspi_gauss_below(a);
-  return (law){a, z, density};
+  return (variate){a, z, density};
 }
 
 /* The integral of t exp(a t - t^2/2) from 0 to a small y, by its series. */
@@ -64,7 +63,7 @@ static double near_end(double a, double y) {
 }
 
 static aspi_point down_at(const void *of, double x) {
-  const law *w = of;
+  const variate *w = of;
   double a = w->a, y = x + a, phi = aspi_gauss_density(x);
   aspi_point p = {.density = phi * y / w->z};
   p.above = (phi + a * aspi_gauss_below(-x)) / w->z;
@@ -77,7 +76,7 @@ static aspi_point down_at(const void *of, double x) {
 
 /* For a < 0, counted from the end of the support: y = x + a. */
 static aspi_point up_at(const void *of, double y) {
-  const law *w = of;
+  const variate *w = of;
   double t = -w->a, x = y + t, decay = exp(-y * (t + 0.5 * y));
   aspi_point p = {.density = decay * y / w->z};
   p.above = decay * (y + t * mills_gap(x)) / x / w->z;
@@ -85,25 +84,25 @@ static aspi_point up_at(const void *of, double y) {
   return p;
 }
 
-static aspi_point at(const law *w, double x) {
+static aspi_point at(const variate *w, double x) {
   return w->a < 0 ? up_at(w, x + w->a) : down_at(w, x);
 }
 
 /* The start is exact at the end of the support, and far from it for a large a. */
-static double down_quantile(const law *w, double u) {
+static double down_quantile(const variate *w, double u) {
   double far = gsl_cdf_ugaussian_Pinv(u), most = sqrt(-2 * log1p(-u)) + 1;
   double end = w->density > 1e-300 ? sqrt(2 * u * w->z / w->density) : INFINITY;
   return aspi_invert(down_at, w, -w->a, most, fmax(far, fmin(end, 1) - w->a), u);
 }
 
-/* The start lies between the laws for a = 0 (Rayleigh) and a large negative one (gamma). */
-static double up_quantile(const law *w, double u) {
+/* The start lies between the distributions for a = 0 (Rayleigh) and large negative a (gamma). */
+static double up_quantile(const variate *w, double u) {
   double r2 = -2 * log1p(-u), t = -w->a, length = 1 / (sqrt(t * t + r2) + t);
   return t + aspi_invert(up_at, w, 0, (r2 + 16) * length, r2 * length * (1 + t / (1 + t)), u);
 }
 
 static double density(const aspi_view *view, double delta) {
-  law w = law_at(view);
+  variate w = variate_at(view);
   double p = tan(delta), y = p / view->slope + w.a;
   if (!(y > 0) || delta >= ASP_DELTA_MOST)
     return 0;
@@ -111,7 +110,7 @@ static double density(const aspi_view *view, double delta) {
 }
 
 static double distribution(const aspi_view *view, double delta) {
-  law w = law_at(view);
+  variate w = variate_at(view);
   double x = tan(delta) / view->slope;
   if (delta <= -ASP_DELTA_MOST || !(x > -w.a))
     return 0;
@@ -121,7 +120,7 @@ static double distribution(const aspi_view *view, double delta) {
 static double quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  law w = law_at(view);
+  variate w = variate_at(view);
   double x = w.a < 0 ? up_quantile(&w, u) : down_quantile(&w, u);
   return fmax(atan(x * view->slope), -view->alpha1);
 }
@@ -129,7 +128,8 @@ static double quantile(const aspi_view *view, double u) {
 const asp_spread_model aspi_spread_visible = {
     .name = "visible",
     .summary = "slopes of a Gaussian wall as the particle sees them: shadow and flux exactly",
-    .source = "derived for this project; Heitz & d'Eon 2014 (visible normals) has the same law",
+    .source =
+        "derived for this project; Heitz & d'Eon 2014 (visible normals), the same distribution",
     .cost = 6,
     .upward = true,
     .density = density,

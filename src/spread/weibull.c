@@ -1,13 +1,13 @@
 /* The paper's choice: a Weibull distribution from b = -alpha1/2 on (eq. 8), fitted to the truncated
  * normal one, with no density at b, where the particle would slide along the wall.
  *
- * Shape k and scale lambda/sigma depend on tau = alpha1/sigma alone, because the truncated law
- * does; so ten numbers replace the paper's database of polynomials per roughness and particle size.
- * They were fitted for this project to the pairs of least D_KL(truncated || Weibull), from which
- * they are off by up to 0.022 in k and 0.004 in lambda/sigma, and 3e-5 in D_KL; see
- * examples/paper_figures. Beyond tau = 6.48, the paper's boundary angle e, the law is the normal
- * one, and the Weibull law that is next to it (k = 3.602) is kept; there is no step there. The
- * steepest face cuts off a share of it, as of every law.
+ * Shape k and scale lambda/sigma depend on tau = alpha1/sigma alone, because those of
+ * `truncated` do; so ten numbers replace the paper's database of polynomials per roughness and
+ * particle size. They were fitted for this project to the pairs of least D_KL(truncated ||
+ * Weibull), from which they are off by up to 0.022 in k and 0.004 in lambda/sigma, and 3e-5 in
+ * D_KL; see examples/paper_figures. Beyond tau = 6.48, the paper's boundary angle e, the
+ * distribution is normal, and the closest Weibull distribution (k = 3.602) is kept, without a step.
+ * It is cut at the steepest face, as all are.
  *
  * Eq. 10 of the paper is misprinted: inverting eq. 8 gives delta = b + lambda (-ln(1 - u))^(1/k).
  *
@@ -23,21 +23,21 @@
 /* Shape and scale as polynomials of fourth degree in tau = alpha1/sigma, written around the end so
  * that they arrive there at the values that hold beyond it: k = 3.602, and the lambda that makes
  * the mean zero, 3.24/Gamma(1 + 1/3.602) (sd 0.9991). */
-aspi_weibull_law aspi_weibull_at(double sigma, double alpha1) {
+aspi_weibull aspi_weibull_at(double sigma, double alpha1) {
   double tau = fmin(alpha1 / sigma, TAU_END), ahead = tau - TAU_END, tau2 = tau * tau;
   double k = (0.3607531 + tau * 0.0404840) + tau2 * (0.0037227 - tau * 0.0007002);
   double scale = (0.4221985 + tau * 0.0357573) - tau2 * (0.0019619 + tau * 0.0002228);
-  return (aspi_weibull_law){-0.5 * tau * sigma, 3.602 + ahead * k,
-                            (3.595474673403 + ahead * scale) * sigma};
+  return (aspi_weibull){-0.5 * tau * sigma, 3.602 + ahead * k,
+                        (3.595474673403 + ahead * scale) * sigma};
 }
 
-/* The share of the uncut law beyond the steepest face. */
-static double lost_beyond(aspi_weibull_law w) {
+/* The share of the uncut distribution beyond the steepest face. */
+static double lost_beyond(aspi_weibull w) {
   return exp(-pow((ASP_DELTA_MOST - w.b) / w.lambda, w.k));
 }
 
 static double density(const aspi_view *view, double delta) {
-  aspi_weibull_law w = aspi_weibull_at(view->sigma, view->alpha1);
+  aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
   if (delta <= w.b || delta > ASP_DELTA_MOST)
     return 0;
   double y = (delta - w.b) / w.lambda;
@@ -45,7 +45,7 @@ static double density(const aspi_view *view, double delta) {
 }
 
 static double distribution(const aspi_view *view, double delta) {
-  aspi_weibull_law w = aspi_weibull_at(view->sigma, view->alpha1);
+  aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
   if (delta <= w.b)
     return 0;
   if (delta >= ASP_DELTA_MOST)
@@ -57,7 +57,7 @@ static double distribution(const aspi_view *view, double delta) {
 static double quantile(const aspi_view *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
-  aspi_weibull_law w = aspi_weibull_at(view->sigma, view->alpha1);
+  aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
   double lost = lost_beyond(w);
   double power = u < 0.5 ? -log1p(u * (lost - 1)) : -log((1 - u) + u * lost);
   return fmin(w.b + w.lambda * pow(power, 1 / w.k), ASP_DELTA_MOST);

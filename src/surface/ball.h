@@ -6,8 +6,8 @@
 
 #include "asperity.h"
 
-/* Where the centre of a sphere that rests on the map is, and the gradient of the surface where it
- * touches: that of the centre's height, too. */
+/* Where the center of a sphere that rests on the map is, and the gradient of the surface where it
+ * touches: that of the center's height, too. */
 typedef struct aspi_touch {
   double height, p, q;
 } aspi_touch;
@@ -25,17 +25,17 @@ void aspi_ball_free(aspi_ball *ball);
 void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *height, float *p,
                     float *q);
 
-/* Centres anywhere over the map, each best near the one before; by lengths from the first point,
+/* Centers anywhere over the map, each best near the one before; by lengths from the first point,
  * within a periodic map's first period. */
 typedef struct aspi_ball_search {
   const aspi_ball *ball;
-  ptrdiff_t from[2]; /* from the last centre to what it rested on */
+  ptrdiff_t from[2]; /* from the last center to what it rested on */
 } aspi_ball_search;
 
 aspi_ball_search aspi_ball_begin(const aspi_ball *ball);
 aspi_touch aspi_ball_at(aspi_ball_search *search, double x, double y);
 
-/* One centre, at the point in that column and row; `sampled`: on the points alone, without what is
+/* One center, at the point in that column and row; `sampled`: on the points alone, without what is
  * between them. */
 aspi_touch aspi_ball_touch(const aspi_ball *ball, size_t column, size_t row, bool sampled);
 

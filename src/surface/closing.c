@@ -1,5 +1,5 @@
 /* Closing of a sampled profile by a disc (Serra & Vincent 1992): dilation, the path of the disc's
- * centre, is the upper envelope of arcs of one radius, each about one point of the profile; erosion
+ * center, is the upper envelope of arcs of one radius, each about one point of the profile; erosion
  * is the same upside down. Two such arcs cross at most once, so the envelope of all comes from a
  * stack of arcs, left to right, as the lower envelope of parabolas does in Felzenszwalb &
  * Huttenlocher 2012: O(n), whatever the radius.
@@ -12,7 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* So that points are 32-bit numbers, with those that continue the profile at both ends. */
+/* Indices are 32-bit numbers, with the points that continue the profile at both ends. */
 #define POINTS_MOST ((size_t)1 << 30)
 
 /* The arcs of one radius over points one unit apart; heights are in that unit, too. */
@@ -43,8 +43,8 @@ static double height(const disc *arc, const double *z, ptrdiff_t j, ptrdiff_t i)
   return z[j] + arc->rise[i < j ? j - i : i - j];
 }
 
-/* Whether the arc about b is above the arc about a at the point where that one becomes the highest:
- * then it is nowhere. */
+/* True if the arc about b is above the arc about a where a enters the envelope: then a has no part
+ * of it. */
 static bool hides(const disc *arc, const double *z, ptrdiff_t b, ptrdiff_t a, ptrdiff_t from) {
   return from >= b - arc->reach && height(arc, z, b, from) > height(arc, z, a, from);
 }
@@ -72,7 +72,7 @@ static ptrdiff_t envelope(const disc *shape, const double *z, ptrdiff_t n, piece
   return depth;
 }
 
-/* Room for one profile and what continues it at both ends. */
+/* Memory for one profile and its continuation at both ends. */
 typedef struct workspace {
   disc disc;
   double *rise, *padded;
@@ -106,8 +106,8 @@ static asp_code workspace_create(workspace *b, size_t points, double radius, boo
 }
 
 /* out(i) := the envelope of scale * z, over scale. A periodic profile is continued at both ends by
- * what an arc can reach over. The mirror image of the others changes nothing: its points are never
- * nearer than those that they are images of. */
+ * the reach of an arc. The mirror image of other profiles has no effect: its points are never
+ * nearer than their originals. */
 static void roll(workspace *b, const double *z, double scale, double *out) {
   ptrdiff_t all = b->points + 2 * b->pad;
   for (ptrdiff_t i = 0; i < all; i++)

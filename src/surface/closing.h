@@ -6,7 +6,7 @@
 
 #include "asperity.h"
 
-/* The path of the centre of a disc of diameter d_p that rolls over the profile (dilation), and the
+/* The path of the center of a disc of diameter d_p that rolls over the profile (dilation), and the
  * deepest that its edge reaches (closing: dilation, then erosion); exact for the sampled points, in
  * a time that does not depend on d_p. `out` has asp_profile_points values. 0 < d_p <= length. */
 asp_code aspi_profile_dilate(const asp_profile *profile, double d_p, double *out, asp_error *error);
@@ -17,7 +17,7 @@ asp_code aspi_profile_close(const asp_profile *profile, double d_p, double *out,
  */
 asp_code aspi_profile_check_disc(const asp_profile *profile, double d_p, asp_error *error);
 
-/* The path of the centre over the smooth curve that goes through the points, `parts` (>= 1) points
+/* The path of the center over the smooth curve that goes through the points, `parts` (>= 1) points
  * of it a spacing. 0 <= d_p, of a periodic profile well below the length. */
 asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, int parts,
                                  asp_error *error);

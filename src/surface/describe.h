@@ -13,9 +13,9 @@
 /* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
 #define ASP_SPACINGS_LEAST 1.5
 
-/* What one profile leaves open: the mean tilt of the first hits at 2 degrees has a standard error
- * of about 0.11 of sigma where the profile is 100 correlation lengths long, which falls as one over
- * the root of its length (WALLS-3D, section 0: from ensembles of generated profiles). */
+/* Standard error of the mean tilt of first hits at 2 degrees, as a part of sigma: 0.11 for a
+ * profile of 100 correlation lengths, proportional to 1/sqrt(length) (from ensembles of generated
+ * profiles). */
 #define ASP_LENGTH_ERROR(lengths) (1.1 / sqrt(lengths))
 
 typedef struct aspi_description {
@@ -25,7 +25,7 @@ typedef struct aspi_description {
   double lambda_c;   /* the lag at which the autocorrelation falls to the level */
   double lambda_1_e; /* lambda_c / sqrt(-ln(level)): the 1/e lag of a Gaussian profile with it */
   double phi_r;      /* r_q/lambda_c */
-  double slope_rms;  /* of the differences between neighbours */
+  double slope_rms;  /* of the differences between neighbors */
 } aspi_description;
 
 /* Describes a profile; 0 < level < 1. ASP_EDATA when it is constant, or too short for its
@@ -34,8 +34,8 @@ typedef struct aspi_description {
 asp_code aspi_profile_describe(const asp_profile *profile, double level,
                                aspi_description *description, asp_error *error);
 
-/* ASP_EDATA and a message where that is no roughness: phi_r beyond the limit, or neighbouring
- * points that know nothing of each other, as in noise. */
+/* ASP_EDATA and a message for heights that are no roughness: phi_r beyond the limit, or
+ * uncorrelated neighboring points, as in noise. */
 asp_code aspi_description_check(const aspi_description *description, double phi_r_most,
                                 asp_error *error);
 

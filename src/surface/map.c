@@ -1,4 +1,4 @@
-/* A map: equally spaced heights over an area, and how a Gaussian one is made: white noise with the
+/* A map: equally spaced heights over an area. A Gaussian one is made from white noise with the
  * square root of the spectrum of r_q^2 exp(-r' M r), which is proportional to exp(-k' M^-1 k / 8),
  * by GSL's FFT over the rows and then over the columns. The noise is drawn in Fourier space,
  * complex and without symmetry; the real part of its transform is the map.
@@ -32,7 +32,7 @@ asp_map *aspi_map_adopt(float *heights, size_t columns, size_t rows, const doubl
   return map;
 }
 
-/* So many columns at a time are gathered, transformed and put back: those are a cache line. */
+/* Columns that are gathered, transformed and put back at a time: a cache line. */
 enum { GATHERED = 4 };
 
 size_t aspi_fft2_room(size_t rows) {

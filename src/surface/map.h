@@ -1,4 +1,4 @@
-/* Heights of a wall over an area, as this room and its neighbours see them.
+/* Maps inside the core.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_MAP_H
@@ -38,7 +38,7 @@ asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t co
 size_t aspi_fft2_room(size_t rows);
 void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double *room);
 
-/* Uninitialised room for as many numbers as a map of that size has points, or NULL. */
+/* Uninitialized room for as many numbers as a map of that size has points, or NULL. */
 float *aspi_map_room(size_t columns, size_t rows);
 
 #endif

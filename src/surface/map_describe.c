@@ -54,6 +54,24 @@ static double gradient_rms(const asp_map *map) {
   return sqrt(sum);
 }
 
+void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],
+                            double skewness[2], double *mixed) {
+  double c = cos(lay), s = sin(lay), square[2] = {0}, cube[2] = {0};
+  *mixed = 0;
+  for (size_t i = 0; i < n; i++) {
+    double slope[2] = {s * p[i] - c * q[i], c * p[i] + s * q[i]};
+    for (int axis = 0; axis < 2; axis++) {
+      square[axis] += slope[axis] * slope[axis] / (double)n;
+      cube[axis] += slope[axis] * slope[axis] * slope[axis] / (double)n;
+    }
+    *mixed -= slope[0] * slope[1] / (double)n;
+  }
+  for (int axis = 0; axis < 2; axis++) {
+    rms[axis] = sqrt(square[axis]);
+    skewness[axis] = cube[axis] / (square[axis] * rms[axis]);
+  }
+}
+
 /* The autocorrelation at lags up to half a tile either way, row after row, lag 0 in the middle. */
 typedef struct correlation {
   size_t reach[2];
@@ -215,6 +233,27 @@ asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description
   asp_code code = describe_lengths(map, &d, error);
   *description = d;
   return code;
+}
+
+double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
+  aspi_map_description d;
+  if (aspi_map_describe(map, &d, error))
+    return NAN;
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"s_q", d.s_q},          {"s_a", d.s_a},   {"s_sk", d.s_sk}, {"s_ku", d.s_ku},
+             {"s_p", d.s_p},          {"s_v", d.s_v},   {"s_z", d.s_z},   {"s_dq", d.s_dq},
+             {"s_al", d.s_al},        {"s_tr", d.s_tr}, {"lay", d.lay},   {"lambda_1", d.lambda_1},
+             {"lambda_2", d.lambda_2}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(all[i].name, name) == 0)
+      return all[i].value;
+  aspi_fail(error, ASP_ENAME,
+            "number '%s' is unknown to a map; there are: s_q s_a s_sk s_ku s_p s_v s_z s_dq s_al "
+            "s_tr lambda_1 lambda_2 lay",
+            name);
+  return NAN;
 }
 
 asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,

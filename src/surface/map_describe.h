@@ -24,6 +24,11 @@ typedef struct aspi_map_description {
  * and s_tr is not a number. */
 asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description, asp_error *error);
 
+/* The rms and the skewness of n gradients p, q to the right of the lay and along it; mixed: the
+ * mean of the product of the slopes to the left of it and along it. */
+void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],
+                            double skewness[2], double *mixed);
+
 /* ASP_EDATA for what cannot be roughness: noise, and phi_r over its most. */
 asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
                         asp_error *error);

@@ -1,5 +1,5 @@
-/* A profile: equally spaced heights, and how a Gaussian one is made (Garcia & Stoll 1984, secondary
- * source): white noise filtered with exp(-2 x^2/lambda_c^2), whose own autocorrelation is
+/* A profile: equally spaced heights. A Gaussian one is made (Garcia & Stoll 1984, secondary source)
+ * from white noise filtered with exp(-2 x^2/lambda_c^2), whose own autocorrelation is
  * exp(-x^2/lambda_c^2). The filter is applied by GSL's FFT on a power of two that holds the noise
  * and its periodic continuation, so that any number of points costs the same per point.
  *

@@ -1,5 +1,5 @@
-/* The path of the centre of a disc over the smooth curve through a profile's points. The disc
- * touches the curve, not only the points: where it touches at x with slope p, its centre is at
+/* The path of the center of a disc over the smooth curve through a profile's points. The disc
+ * touches the curve, not only the points: where it touches at x with slope p, its center is at
  * x - r sin(atan p), z + r cos(atan p), and has the slope p. The path is the upper envelope of
  * these places. (Dilation, closing.c, takes the points as the whole profile: the slopes that a disc
  * of a few spacings meets then crowd at multiples of the spacing over its radius.)
@@ -19,8 +19,7 @@
  * of the roughest generated profiles has one. */
 #define SHARP 0.75
 
-/* Slopes of fourth and of second order that differ by this show no smooth curve; then the latter.
- */
+/* Where slopes of fourth and second order differ by more, the curve is not smooth: second order. */
 #define UNSMOOTH 0.05
 
 /* A cubic is divided until the slope at its middle is this close to the mean of its ends. */
@@ -31,12 +30,12 @@ enum { DIVISIONS_MOST = 6 };
 typedef struct curve {
   const double *z;
   size_t points,
-      n; /* n: of the circle; a profile that is not periodic goes on as its mirror image */
+      n; /* n: of the period; a profile that is not periodic continues as its mirror image */
   double spacing, parts, radius; /* the radius is in points of the path */
   double *path;
 } curve;
 
-/* A place of the centre, in points of the path, and the slope there. */
+/* A place of the center, in points of the path, and the slope there. */
 typedef struct place {
   double x, z, slope;
 } place;
@@ -63,14 +62,14 @@ static void find_slopes(const curve *c, size_t i, double slope[2]) {
   slope[0] = slope[1] = fabs(fine - mean) > UNSMOOTH ? mean : fine;
 }
 
-static place centre(const curve *c, double x, double z, double slope) {
+static place center(const curve *c, double x, double z, double slope) {
   double cosine = 1 / sqrt(1 + slope * slope);
   return (place){x * c->parts - c->radius * slope * cosine, z * c->parts + c->radius * cosine,
                  slope};
 }
 
-/* How far the arc of a circle between two places is above their chord at the part t of its width;
- * of a slight bend by the first term of its series. */
+/* Height of the circular arc between two places above their chord at the part t of its width; for a
+ * slight bend the first term of its series. */
 static double rise(double t, const place *from, const place *to) {
   double width = to->x - from->x;
   if (fabs(from->slope - to->slope) <= SHARP)
@@ -83,7 +82,7 @@ static double rise(double t, const place *from, const place *to) {
   return width / turn * ((1 - t) * first + t * last - sqrt(fmax(0, 1 - at * at)));
 }
 
-/* Raises the path between two places to the arc that they are on. */
+/* Raises the path between two places to the arc through them. */
 static void raise(const curve *c, const place *from, const place *to) {
   if (!(to->x > from->x))
     return;
@@ -107,7 +106,7 @@ static void roll(const curve *c, const cubic *over, const double t[2], const pla
     return;
   }
   double z = over->z[0] + m * m * (3 - 2 * m) * up + m * w * (w * p[0] - m * p[1]);
-  place middle = centre(c, over->x + m, z, slope);
+  place middle = center(c, over->x + m, z, slope);
   roll(c, over, (const double[]){t[0], m}, from, &middle, divisions - 1);
   roll(c, over, (const double[]){m, t[1]}, &middle, to, divisions - 1);
 }
@@ -118,9 +117,9 @@ static void roll_over_all(const curve *c) {
   for (size_t i = 0; i < c->n; i++) {
     find_slopes(c, i + 1, next);
     cubic over = {(double)i, {height(c, i) * unit, height(c, i + 1) * unit}, {here[1], next[0]}};
-    place before = centre(c, over.x, over.z[0], here[0]);
-    place from = centre(c, over.x, over.z[0], here[1]);
-    place to = centre(c, over.x + 1, over.z[1], next[0]);
+    place before = center(c, over.x, over.z[0], here[0]);
+    place from = center(c, over.x, over.z[0], here[1]);
+    place to = center(c, over.x + 1, over.z[1], next[0]);
     raise(c, &before, &from);
     roll(c, &over, (const double[]){0, 1}, &from, &to, DIVISIONS_MOST);
     here[0] = next[0];
@@ -150,12 +149,11 @@ asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, int par
   return aspi_profile_adopt(c.path, kept, step, periodic, error);
 }
 
-/* A path has this many points across the disc, as far as it may. */
+/* Points of a path across the disc, up to the limit of points. */
 #define ACROSS 128.0
 
-/* Discs with more points across meet slopes so close to each other that the points are the curve,
- * and the time of their dilation does not grow with them; those less than a spacing wide follow the
- * points, too. */
+/* With more points across the disc, the dilation of the points is as good as that of the curve, and
+ * faster; a disc narrower than a spacing follows the points, too. */
 #define ACROSS_MOST 512.0
 
 asp_profile *aspi_profile_path(const asp_profile *profile, double d_p, size_t most,

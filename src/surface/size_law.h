@@ -1,4 +1,4 @@
-/* The size law beyond what asperity.h says of it.
+/* The slope of a wall over particle size and direction, for the core.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_SIZE_LAW_H
@@ -18,9 +18,6 @@ void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double s
 /* s_eff of a disc on the profile along a direction in which the autocorrelation falls to 1/e at
  * lambda_c/sqrt(part), 0 < part <= 1 where the lay is the longer way. */
 double aspi_surface_slope_along(const asp_surface *surface, double d_p, double part);
-
-/* The largest d_p that the size law has been checked for. */
-double aspi_surface_d_p_most(const asp_surface *surface);
 
 /* s_eff/s of a Gaussian profile closed by a disc, kappa >= 0: 1 when nothing is filtered,
  *   s_eff = s (1 + 0.92 kappa^3)^(-1/6).

@@ -1,6 +1,6 @@
 /* Contact slopes in numbers: differences of a disc's path or a closed profile, their moments, a
- * kernel density of the angles, and how far a normal law is from it (D_KL, eq. 2, with the sign
- * carried inside the logarithm).
+ * kernel density of the angles, and the D_KL of a normal distribution from it (eq. 2, with the sign
+ * inside the logarithm).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/slopes.h"
@@ -16,7 +16,7 @@ enum { GRID_MOST = 65536, GRID = 1024 };
 
 #define KERNEL_REACH 5.0 /* bandwidths */
 
-/* Interquartile range of a normal law of unit sd. */
+/* Interquartile range of a normal distribution of unit sd. */
 #define QUARTILES_TO_SD 1.3489795003921634
 
 aspi_moments aspi_moments_of(const double *values, size_t count) {
@@ -46,7 +46,7 @@ struct aspi_density {
   double value[];
 };
 
-/* Each value shared between the two points next to it. Returns how many lie within. */
+/* Splits each value between the two points next to it. Returns the number of values within. */
 static double share(const double *values, size_t count, const aspi_density *d, double *share) {
   double within = 0, last = (double)(d->points - 1);
   memset(share, 0, d->points * sizeof *share);
@@ -93,7 +93,7 @@ static double quantile(const double *share, size_t points, double part) {
 }
 
 /* The normal reference rule on the smaller of sd and interquartile range (Silverman 1986), which
- * keeps the peak of a law with long tails. */
+ * keeps the peak of a distribution with long tails. */
 static double bandwidth_of(const double *share, const aspi_density *d, size_t count, double sd) {
   double width = quantile(share, d->points, 0.75) - quantile(share, d->points, 0.25);
   double robust = width * d->step / QUARTILES_TO_SD;

@@ -6,7 +6,7 @@
 
 #include "asperity.h"
 
-/* Mean, standard deviation, skewness, and excess kurtosis (0 for a normal law). */
+/* Mean, standard deviation, skewness, and excess kurtosis (0 for a normal distribution). */
 typedef struct aspi_moments {
   double mean, sd, skewness, kurtosis;
 } aspi_moments;
@@ -17,7 +17,7 @@ aspi_moments aspi_moments_of(const double *values, size_t count);
 typedef struct aspi_density aspi_density;
 
 /* Kernel density estimate of at least two values, not all equal, at `points` (2 to 65536) points
- * from lo to hi. Bandwidth min(sd, quartile distance/1.349) (4/(3 count))^(1/5). Normalised over lo
+ * from lo to hi. Bandwidth min(sd, quartile distance/1.349) (4/(3 count))^(1/5). Normalized over lo
  * to hi; values outside are left out. NULL on error. */
 aspi_density *aspi_density_create(const double *values, size_t count, double lo, double hi,
                                   size_t points, asp_error *error);
@@ -26,21 +26,21 @@ size_t aspi_density_points(const aspi_density *density);
 double aspi_density_at(const aspi_density *density, size_t index, double *x);
 double aspi_density_bandwidth(const aspi_density *density);
 
-/* D_KL (eq. 2, natural logarithm) of the density against a normal law, and against another density
- * on the same points. Where the other density is less than one of its values spread over the range,
- * that least is taken instead. An estimate from N independent values is about B/(2N) too high, B
- * the number of bins that the kernel is worth over 8 sd: 8 sd/(2 sqrt(pi) bandwidth). */
+/* D_KL (eq. 2, natural logarithm) of the density against a normal distribution, and against another
+ * density on the same points. Where the other density is less than one of its values spread over
+ * the range, that least is taken instead. An estimate from N independent values is about B/(2N) too
+ * high, B the number of bins that the kernel is worth over 8 sd: 8 sd/(2 sqrt(pi) bandwidth). */
 double aspi_density_kl_normal(const aspi_density *density, double mean, double sd);
 double aspi_density_kl(const aspi_density *reference, const aspi_density *other);
 
-/* Where a disc touches: the first two under a uniformly spread centre. */
+/* Where a disc touches: the first two under a uniformly spread center. */
 typedef enum aspi_contact {
   ASP_CONTACT_ROLLED,   /* the smooth curve through the points: of a measured profile */
   ASP_CONTACT_DILATION, /* the points: of a generated profile, which are many */
   ASP_CONTACT_CLOSING   /* those again, by the slopes of the filtered profile; equal in law */
 } aspi_contact;
 
-/* Slopes that a disc meets between neighbouring points, into `out`; *count is how many there are:
+/* Slopes that a disc meets between neighboring points, into `out`; *count is how many there are:
  * the number of points, one less on a profile that is not periodic. */
 asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
                              double *out, size_t *count, asp_error *error);
@@ -50,7 +50,7 @@ typedef struct aspi_slopes {
   double slope_rms;          /* s_eff */
   aspi_moments slope, angle; /* angle in rad */
   double bandwidth;          /* of the density of the angles, rad */
-  double kl_normal;          /* D_KL of the normal law with the angles' mean and sd */
+  double kl_normal;          /* D_KL of the normal distribution with the angles' mean and sd */
 } aspi_slopes;
 
 asp_code aspi_profile_describe_slopes(const asp_profile *profile, double d_p, aspi_contact contact,

@@ -1,6 +1,5 @@
-/* The size law of a rough wall: from the particle's diameter to the rms slope that it meets. Three
- * kinds of wall share one form, a closed form times a correction over log2(d_p) that is worked out
- * once, when the wall is made:
+/* The rms slope of a rough wall over the particle's diameter. Three
+ * kinds of wall share one form, a closed form times a correction over log2(d_p), made once:
  * - a Gaussian wall up to phi_r = 0.25: the closed form in kappa, which was derived for this
  *   project; no correction;
  * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
@@ -18,10 +17,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Under this kappa the filter takes less than 1e-4 off the slope, and is left out. */
-/* A measured profile of more is no roughness by any reading of its units. */
+/* A measured profile with a larger phi_r has wrong units. */
 #define PHI_R_MOST 100.0
 
+/* Below this kappa the filter reduces the slope by less than 1e-4 and is left out. */
 #define KAPPA_NO_FILTER 0.08
 
 /* The closed form has been compared with generated profiles up to here, where it is 5 % high. */
@@ -80,7 +79,7 @@ static void set_range(asp_surface *surface, double d_least, double d_most) {
 }
 
 /* Corrections for a phi_r between two rows of the table, linear between them. The row before the
- * first one is the closed form itself, so that the law has no step where the table takes over. */
+ * first one is the closed form itself, so that there is no step where the table takes over. */
 static void set_by_table(asp_surface *surface, double phi_r) {
   double at = (phi_r - PHI_R_CLOSED) / SIZE_TABLE_PHI_STEP;
   int below = (int)fmin(at, SIZE_TABLE_ROWS - 1);
@@ -226,10 +225,6 @@ double asp_surface_uncertainty(const asp_surface *surface) {
   return surface->uncertainty;
 }
 
-double aspi_surface_d_p_most(const asp_surface *surface) {
-  return surface->d_p_most;
-}
-
 asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error) {
   if (d_p >= 0 && d_p <= surface->d_p_most * (1 + 1e-12))
     return ASP_OK;
@@ -303,7 +298,7 @@ void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double s
     return;
   }
   slope[0] = asp_surface_slope(surface, d_p);
-  if (kappa >= KAPPA_NO_FILTER) /* the ratio of both laws, without numbers that overflow */
+  if (kappa >= KAPPA_NO_FILTER) /* the ratio of both formulas, without overflow */
     slope[0] /= sqrt(cbrt(1 + 0.37 / (0.92 + 1 / (kappa * kappa * kappa))));
   slope[1] = slope[0];
 }

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number.h"
+#include "base/quantity.h"
 #include "wall/description.h"
 
 #include <math.h>
@@ -27,21 +28,31 @@ static void add(line *l, const char *word) {
   l->length += n;
 }
 
+/* Of a length in SI with its unit, since the command refuses large ones without. */
+static void print_value(const aspi_description *said, double value, bool length, char *text) {
+  bool metres = !(said->units.metre < 1) && !(said->units.metre > 1);
+  (length && metres && isfinite(value) ? aspi_quantity_print_length : aspi_number_print)(value,
+                                                                                         text);
+}
+
 static void add_number(line *l, double value) {
   char text[32];
   aspi_number_print(value, text);
   add(l, text);
 }
 
+static void add_length(line *l, const aspi_description *said, double value) {
+  char text[32];
+  print_value(said, value, true, text);
+  add(l, text);
+}
+
 /* `fit=START` of an unknown one. */
-static void add_value(line *l, const aspi_description *said, const char *name, double value) {
-  char text[40] = "fit=";
-  if (!aspi_is_fit(said, name)) {
-    add_number(l, value);
-    return;
-  }
-  aspi_number_print(value, text + strlen(text));
-  add(l, isnan(value) ? "fit" : text);
+static void add_value(line *l, const aspi_description *said, const char *name, bool length,
+                      double value) {
+  char text[48] = "fit=";
+  print_value(said, value, length, text + strlen(text));
+  add(l, !aspi_is_fit(said, name) ? text + strlen("fit=") : isnan(value) ? "fit" : text);
 }
 
 static void add_pair(line *l, const char *name, double value) {
@@ -49,10 +60,11 @@ static void add_pair(line *l, const char *name, double value) {
   add_number(l, value);
 }
 
-static void add_known_or_fit(line *l, const aspi_description *said, const char *name,
-                             double value) {
+/* A number of the description with its name. */
+static void add_known_or_fit(line *l, const aspi_description *said, const char *name) {
   add(l, name);
-  add_value(l, said, name, value);
+  add_value(l, said, name, strcmp(name, "rq") == 0 || strcmp(name, "lambda_c") == 0,
+            aspi_description_get(said, name));
 }
 
 /* In quotes where it would not be one word. */
@@ -84,13 +96,13 @@ static void add_surface(line *l, const aspi_description *said) {
     add(l, "smooth");
     break;
   case ASPI_SIGMA:
-    add_known_or_fit(l, said, "sigma", said->sigma);
+    add_known_or_fit(l, said, "sigma");
     break;
   case ASPI_GAUSSIAN:
-    add_known_or_fit(l, said, "rq", said->r_q);
-    add_known_or_fit(l, said, "lambda_c", said->lambda_c);
+    add_known_or_fit(l, said, "rq");
+    add_known_or_fit(l, said, "lambda_c");
     if (said->lay != ASP_LAY_NONE)
-      add_number(l, said->lambda_along);
+      add_length(l, said, said->lambda_along);
     break;
   case ASPI_PROFILE:
   case ASPI_MAP:
@@ -119,7 +131,7 @@ static void add_parameter(line *l, const aspi_description *said, const asp_param
                           double value) {
   const char *word = asp_parameter_words(p);
   if (!*word) {
-    add_value(l, said, p->name, value);
+    add_value(l, said, p->name, false, value);
     return;
   }
   for (int i = (int)value; i > 0; i--)
@@ -173,12 +185,10 @@ static void add_constants(line *l, const aspi_description *said) {
       add_name(l, said->materials_file);
     }
   }
-  if (aspi_is_given(said, "friction"))
-    add_known_or_fit(l, said, "friction", said->friction);
-  if (aspi_is_given(said, "surface_energy"))
-    add_known_or_fit(l, said, "surface_energy", said->surface_energy);
-  if (aspi_is_given(said, "yield_stress"))
-    add_known_or_fit(l, said, "yield_stress", said->yield_stress);
+  static const char *const numbers[] = {"friction", "surface_energy", "yield_stress"};
+  for (int i = 0; i < 3; i++)
+    if (aspi_is_given(said, numbers[i]))
+      add_known_or_fit(l, said, numbers[i]);
 }
 
 static void add_deposit(line *l, const asp_wall *wall) {
@@ -191,8 +201,11 @@ static void add_deposit(line *l, const asp_wall *wall) {
   for (int i = 0; i < 4; i++) {
     char number[40];
     snprintf(number, sizeof number, "remove_%s", names[i]);
-    if (aspi_is_given(wall->said, names[i]))
-      add_pair(l, names[i], asp_wall_get(wall, number));
+    if (!aspi_is_given(wall->said, names[i]))
+      continue;
+    add(l, names[i]);
+    add_value(l, wall->said, names[i], strcmp(names[i], "mean_free_path") == 0,
+              asp_wall_get(wall, number));
   }
 }
 

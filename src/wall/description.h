@@ -1,8 +1,8 @@
-/* What a description says of a wall beyond what the wall itself keeps, and the table of its words.
+/* The words of a description that the wall itself does not keep, and the table of keywords.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_IMPACT_DESCRIPTION_H
-#define ASP_IMPACT_DESCRIPTION_H
+#ifndef ASP_WALL_DESCRIPTION_H
+#define ASP_WALL_DESCRIPTION_H
 
 #include "wall/wall.h"
 
@@ -75,7 +75,7 @@ const aspi_keyword *aspi_keyword_find(const char *within, const char *name);
 /* The words within one, with blanks between; `""` for those of clauses. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 
-/* Whether a word of a clause is given; by the table's own name. */
+/* True if a word of a clause is given, by its name in the table. */
 bool aspi_is_given(const aspi_description *said, const char *name);
 void aspi_set_given(aspi_description *said, const char *name);
 
@@ -94,7 +94,10 @@ void aspi_description_free(aspi_description *said);
 /* A number's range, and that it is whole where it must be. */
 asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
 
-/* The number of a description by name; NaN where there is none of that name, or it is not given. */
+/* A number of the description by name; NULL for another name. */
+double *aspi_description_number(aspi_description *said, const char *name);
+
+/* The value of such a number; NaN for another name, or if it is not given. */
 double aspi_description_get(const aspi_description *said, const char *name);
 
 /* Sets sigma, or rq and lambda_c, where the surface is given by them; friction, surface_energy,
@@ -110,7 +113,7 @@ void aspi_description_let_fit(aspi_description *said);
 void aspi_description_know(aspi_description *said, const char *name); /* no longer */
 bool aspi_is_fit(const aspi_description *said, const char *name);
 
-/* Whether the wall is made of the diameters at hand: a measured one, or one whose model needs it.
+/* True if the wall is prepared for a range of diameters: it is measured, or its model needs them.
  */
 bool aspi_needs_sizes(const asp_wall *wall);
 

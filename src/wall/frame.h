@@ -1,8 +1,8 @@
 /* Vectors, and the frame of a contact: the wall's normal, and the velocity along the wall.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_IMPACT_FRAME_H
-#define ASP_IMPACT_FRAME_H
+#ifndef ASP_WALL_FRAME_H
+#define ASP_WALL_FRAME_H
 
 #include <float.h>
 #include <math.h>
@@ -74,8 +74,7 @@ static inline vec to_lab(const frame *f, vec local) {
   return plus(v, local.y * f->per_length, cross(f->n, f->along));
 }
 
-/* Whether v leaves the wall beyond doubt: with a normal that is off by its last bits, too, v.n
- * comes out positive. */
+/* True if v.n > 0 even with a normal that is off by its last bits. */
 static inline bool clearly_leaves(vec v, vec n) {
   double sum = fabs(v.x * n.x) + fabs(v.y * n.y) + fabs(v.z * n.z);
   return dot(v, n) > 4 * DBL_EPSILON * sum;

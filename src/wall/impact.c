@@ -9,14 +9,14 @@
  * tangential CoR turns negative.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "wall/ground.h"
+#include "wall/roughness.h"
 
 #include <math.h>
 
-/* Larger ratios, at an impact angle of nearly nothing, are told as this. */
+/* Limit of the ratios, for impact angles near zero. */
 #define RATIO_MOST 1e300
 
-/* Smith's Lambda is below 1e-13 from here on, and beyond all numbers before. */
+/* Smith's Lambda is below 1e-13 above the first, and overflows below the second. */
 #define NU_FREE 5.2
 #define NU_LEAST 1e-150
 
@@ -42,23 +42,24 @@ static void set_direction(frame *f, double angle) {
 
 /* At normal impact the direction of flight is drawn uniformly around n; a wall with a lay has one
  * of its own. */
-static void choose_direction(const aspi_ground *ground, frame *f, aspi_stream *stream) {
-  set_direction(f, aspi_ground_has_lay(ground) ? 0 : 2 * ASP_PI * aspi_stream_uniform(stream));
-  if (aspi_ground_has_lay(ground))
-    f->along = ground->across;
+static void choose_direction(const aspi_roughness *rough, frame *f, aspi_stream *stream) {
+  set_direction(f, aspi_roughness_has_lay(rough) ? 0 : 2 * ASP_PI * aspi_stream_uniform(stream));
+  if (aspi_roughness_has_lay(rough))
+    f->along = rough->across;
 }
 
-/* What a flight sees of the wall: the view of the spread models, and the slopes. */
-typedef struct outlook {
+/* Local roughness at this incidence: the view of the spread models, and the slopes. */
+typedef struct incidence {
   aspi_view view;
   aspi_slopes_along slopes;
-} outlook;
+} incidence;
 
-/* Along a heading, at an impact angle. A model that does not know of it is told what the first hit
- * of a sphere at grazing incidence leaves of the slopes. */
-static outlook look(const aspi_ground *ground, aspi_heading heading, double alpha1, bool first) {
-  const asp_wall *wall = ground->wall;
-  outlook out = {.slopes = aspi_ground_slopes(ground, heading)};
+/* The first hits of a sphere at grazing incidence have smaller slopes (aspi_grazing); models
+ * without geometry get them reduced. */
+static incidence incidence_at(const aspi_roughness *rough, aspi_heading heading, double alpha1,
+                              bool first) {
+  const asp_wall *wall = rough->wall;
+  incidence out = {.slopes = aspi_roughness_along(rough, heading)};
   double slope = out.slopes.slope;
   if (first && wall->isotropic) {
     double a = tan(alpha1) / slope;
@@ -69,17 +70,17 @@ static outlook look(const aspi_ground *ground, aspi_heading heading, double alph
   out.view = (aspi_view){.slope = slope,
                          .sigma = atan(slope),
                          .alpha1 = alpha1,
-                         .d_p = ground->particle->d_p,
+                         .d_p = rough->particle->d_p,
                          .data = wall->data,
                          .kappa = out.slopes.kappa,
                          .phi_r = out.slopes.phi_r,
-                         .has_azimuth = aspi_ground_has_lay(ground),
+                         .has_azimuth = aspi_roughness_has_lay(rough),
                          .azimuth = -atan2(heading.sine, heading.cosine)};
   return out;
 }
 
-/* The face whose slope angle is `delta` along the flight, and drawn out of it on isotropic walls,
- * where the model has not done so itself (`path`, else NULL). */
+/* The face of slope angle `delta` along the flight. On isotropic walls its slope across the flight
+ * is drawn, unless the model has done so (`path`, else NULL). */
 static face face_at(const asp_wall *wall, const aspi_slopes_along *slopes, double delta,
                     const aspi_path *path, aspi_stream *stream) {
   double sine = sin(delta), cosine = cos(delta);
@@ -96,13 +97,20 @@ static double tilt_out(const asp_wall *wall, const face *on) {
   return wall->isotropic ? atan(on->q) : 0;
 }
 
-/* Whether what sticks stays. */
-static bool holds(const asp_wall *wall, const asp_particle *particle) {
-  return wall->deposit && !aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
+/* Applies the rebound law to the speeds of approach, of the center along the face, and of the
+ * surface along it; true if the particle deposits. */
+static bool sticks(const asp_wall *wall, const asp_particle *particle, const double speed[3],
+                   aspi_stream *stream, aspi_bounce *bounce) {
+  bool holding = wall->deposit && !aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
+  aspi_hit hit = {speed[0],       speed[1], speed[2],    particle->d_p, particle->density,
+                  particle->pair, holding,  wall->table, stream};
+  *bounce = wall->law->rebound(wall->parameters, &hit);
+  return holding && !(bounce->v_n2 > 0);
 }
 
-/* Along a face of normal m, by a law that turns the particle: its surface moves there with
- * v_t - r omega x m, and gets the law's impulse against that. `spin` in the lab frame. */
+/* The rebound by a law that turns the particle, along a face of normal m: the particle's surface
+ * moves there with v_t - r omega x m, and the law's impulse acts against that. `spin` in the lab
+ * frame. */
 static bool rebound_spinning(const asp_wall *wall, const asp_particle *particle, const frame *f,
                              vec m, double approach, aspi_stream *stream, vec *spin, vec *out) {
   double r = particle->d_p / 2;
@@ -111,18 +119,8 @@ static bool rebound_spinning(const asp_wall *wall, const asp_particle *particle,
   vec along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
   vec surface = plus(along, -r, cross(turn, m));
   double u = sqrt(dot(surface, surface));
-  bool holding = holds(wall, particle);
-  aspi_hit hit = {approach,
-                  sqrt(dot(along, along)),
-                  u,
-                  particle->d_p,
-                  particle->density,
-                  particle->pair,
-                  holding,
-                  wall->table,
-                  stream};
-  aspi_bounce bounce = wall->law->rebound(wall->parameters, &hit);
-  if (holding && !(bounce.v_n2 > 0)) {
+  aspi_bounce bounce;
+  if (sticks(wall, particle, (double[]){approach, sqrt(dot(along, along)), u}, stream, &bounce)) {
     *spin = *out = (vec){0, 0, 0};
     return true;
   }
@@ -152,11 +150,8 @@ static bool rebound(const asp_wall *wall, const asp_particle *particle, const fr
     along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
     speed = sqrt(dot(along, along));
   }
-  bool holding = holds(wall, particle);
-  aspi_hit hit = {approach,       speed,   speed,       particle->d_p, particle->density,
-                  particle->pair, holding, wall->table, stream};
-  aspi_bounce bounce = wall->law->rebound(wall->parameters, &hit);
-  *deposit = holding && !(bounce.v_n2 > 0);
+  aspi_bounce bounce;
+  *deposit = sticks(wall, particle, (double[]){approach, speed, speed}, stream, &bounce);
   if (*deposit)
     *spin = (vec){0, 0, 0};
   double kept = in_plane ? bounce.v_t2 : speed > 0 ? bounce.v_t2 / speed : 0;
@@ -164,8 +159,8 @@ static bool rebound(const asp_wall *wall, const asp_particle *particle, const fr
   return true;
 }
 
-/* Takes the last bits that point v into the wall, or along it, from the speed along the wall, so
- * that no energy is made. */
+/* Turns v off the wall by some last bits, taken from the speed along the wall, so that the kinetic
+ * energy does not grow. */
 static vec turned_off(const frame *f, vec v) {
   for (int i = 0; i < 8 && !clearly_leaves(v, f->n); i++) {
     double speed = sqrt(dot(v, v)), step = 4 * (double)(1 << i) * DBL_EPSILON;
@@ -216,11 +211,11 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
 }
 
 /* One hit; a face that would send the particle into the wall is drawn again. */
-static void bounce_once(const aspi_ground *ground, const frame *f, aspi_stream *stream,
+static void bounce_once(const aspi_roughness *rough, const frame *f, aspi_stream *stream,
                         asp_impact *impact) {
-  const asp_wall *wall = ground->wall;
-  const asp_particle *particle = ground->particle;
-  outlook now = look(ground, aspi_heading_of(ground, f), impact_angle(f), true);
+  const asp_wall *wall = rough->wall;
+  const asp_particle *particle = rough->particle;
+  incidence now = incidence_at(rough, aspi_heading_of(rough, f), impact_angle(f), true);
   for (int i = 0; i < ASP_HITS_MAX; i++) {
     double delta;
     if (!aspi_spread_draw(wall->spread, &now.view, stream, &delta))
@@ -246,12 +241,12 @@ static void bounce_once(const aspi_ground *ground, const frame *f, aspi_stream *
 
 /* A particle on its way over a rough wall, from its first hit to its last. */
 typedef struct flight {
-  const aspi_ground *ground;
+  const aspi_roughness *rough;
   aspi_heading heading;
-  outlook now;
+  incidence now;
   aspi_stream *stream;
-  bool begun;   /* whether the depth is known */
-  double depth; /* of the particle, see walks_out */
+  bool begun;   /* the depth is known */
+  double depth; /* of the particle, see walk_escapes */
 } flight;
 
 /* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
@@ -266,12 +261,12 @@ static double exponential(aspi_stream *stream) {
   return -log(aspi_stream_uniform(stream));
 }
 
-/* Whether a particle that a face has just sent off at the slope `rise` > 0 leaves, or at rise <= 0
- * how deep it gets; `slope` is the rms slope of the wall that way. Depth is -ln of the share of the
- * wall that is lower than the particle: a flight down adds an exponential number over 1 + Lambda to
- * it, a flight up takes one over Lambda off, and is out when nothing is left (Heitz, Hanika, d'Eon
- * & Dachsbacher 2016, eq. 17 to 21 in this variable). */
-static bool walks_out(flight *fly, double rise, double slope) {
+/* Random walk in height (Heitz, Hanika, d'Eon & Dachsbacher 2016, eq. 17 to 21), in the depth -ln
+ * of the share of the wall that is lower than the particle. A flight down adds an exponential
+ * number over 1 + Lambda to the depth, a flight up subtracts one over Lambda; the particle escapes
+ * when nothing is left. `rise` is the slope of its flight, `slope` the rms slope of the wall along
+ * it. */
+static bool walk_escapes(flight *fly, double rise, double slope) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope));
   if (rise > 0 && !(lambda > 0))
     return true;
@@ -287,8 +282,8 @@ static bool walks_out(flight *fly, double rise, double slope) {
   return false;
 }
 
-/* Whether the particle leaves the wall with the velocity that a face has given it, in (t, b, n). */
-static bool leaves(const asp_wall *wall, flight *fly, vec out) {
+/* True if the particle escapes with the velocity `out` that a face has given it, in (t, b, n). */
+static bool escapes(const asp_wall *wall, flight *fly, vec out) {
   if (wall->follow)
     return false;
   double along = hypot(out.x, out.y);
@@ -297,9 +292,9 @@ static bool leaves(const asp_wall *wall, flight *fly, vec out) {
                             wall->spread->escape(&fly->now.view, atan2(out.z, along));
   bool steep = along <= NO_DIRECTION * fabs(out.z);
   double slope = fly->now.slopes.slope;
-  if (aspi_ground_has_lay(fly->ground))
-    slope = aspi_ground_slopes(fly->ground, aspi_heading_turned(fly->heading, out.x, out.y)).slope;
-  return walks_out(fly, steep ? copysign(INFINITY, out.z) : out.z / along, slope);
+  if (aspi_roughness_has_lay(fly->rough))
+    slope = aspi_roughness_along(fly->rough, aspi_heading_turned(fly->heading, out.x, out.y)).slope;
+  return walk_escapes(fly, steep ? copysign(INFINITY, out.z) : out.z / along, slope);
 }
 
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
@@ -318,12 +313,12 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
 }
 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
-static void bounce_on(const aspi_ground *ground, vec v1, frame *now, aspi_stream *stream,
+static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stream *stream,
                       asp_impact *impact) {
-  const asp_wall *wall = ground->wall;
-  const asp_particle *particle = ground->particle;
-  flight fly = {.ground = ground, .heading = aspi_heading_of(ground, now), .stream = stream};
-  fly.now = look(ground, fly.heading, impact_angle(now), true);
+  const asp_wall *wall = rough->wall;
+  const asp_particle *particle = rough->particle;
+  flight fly = {.rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream};
+  fly.now = incidence_at(rough, fly.heading, impact_angle(now), true);
   aspi_path path = {0};
   vec v2 = {0, 0, 0}, spin = load(particle->omega);
   impact->hits = 0;
@@ -352,7 +347,7 @@ static void bounce_on(const aspi_ground *ground, vec v1, frame *now, aspi_stream
     impact->eroded += eroded_there(wall, particle, now, on.m);
     v2 = to_lab(now, local);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-    if (deposit || leaves(wall, &fly, local)) {
+    if (deposit || escapes(wall, &fly, local)) {
       store(deposit ? v2 : leaving(now, v2), impact->v2);
       store(spin, impact->omega);
       return;
@@ -363,9 +358,9 @@ static void bounce_on(const aspi_ground *ground, vec v1, frame *now, aspi_stream
     path.turn = atan2(local.y, local.x);
     *now = next;
     if (!has_direction(now))
-      choose_direction(ground, now, stream);
-    fly.heading = aspi_heading_of(ground, now);
-    fly.now = look(ground, fly.heading, impact_angle(now), false);
+      choose_direction(rough, now, stream);
+    fly.heading = aspi_heading_of(rough, now);
+    fly.now = incidence_at(rough, fly.heading, impact_angle(now), false);
   }
   frame first = frame_of(v1, now->n);
   impact->capped = true;
@@ -378,13 +373,13 @@ static void bounce(const asp_wall *wall, const asp_particle *particle, vec v, fr
     bounce_off_mean_wall(wall, particle, f, stream, impact);
     return;
   }
-  aspi_ground ground = aspi_ground_of(wall, particle, f->n);
+  aspi_roughness rough = aspi_roughness_of(wall, particle, f->n);
   if (!has_direction(f))
-    choose_direction(&ground, f, stream);
+    choose_direction(&rough, f, stream);
   if (wall->multiple)
-    bounce_on(&ground, v, f, stream, impact);
+    bounce_on(&rough, v, f, stream, impact);
   else
-    bounce_once(&ground, f, stream, impact);
+    bounce_once(&rough, f, stream, impact);
 }
 
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
@@ -400,7 +395,7 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
   impact->eroded += on_mean;
 }
 
-/* a/b, or the largest ratio that is told where b vanishes against a. */
+/* a/b, limited to RATIO_MOST. */
 static double ratio(double a, double b) {
   if (b > fabs(a) / RATIO_MOST)
     return a / b;

@@ -1,5 +1,4 @@
-/* The wall that a description means: its surface, the choice of a model, and its pairs of
- * materials.
+/* The wall that a description means: its numbers, its surface, and the choice of a model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -14,10 +13,10 @@
 /* Diameters that a measured wall is prepared for, where the description has no number. */
 enum { PROFILE_BINS = 16, MAP_BINS = 6 };
 
-/* The correlation length of a wall by its sigma alone, in metres: beyond all particles. */
+/* Correlation length of a wall by its sigma alone, in meters: larger than all particles. */
 #define SIGMA_LAMBDA 1e6
 
-/* A map whose lengths differ by more than this has a lay, and must be told which way it lies. */
+/* A map whose lambda_2/lambda_1 is larger has a lay, whose direction must be given. */
 #define STRETCH_MOST 1.5
 
 void aspi_description_free(aspi_description *said) {
@@ -64,6 +63,11 @@ static int number_find(const char *name) {
   return i;
 }
 
+double *aspi_description_number(aspi_description *said, const char *name) {
+  int i = number_find(name);
+  return i < NUMBERS ? (double *)((char *)said + numbers[i].at) : NULL;
+}
+
 double aspi_description_get(const aspi_description *said, const char *name) {
   double value = NAN;
   int i = number_find(name);
@@ -82,7 +86,7 @@ asp_code aspi_description_set(aspi_description *said, const char *name, double v
   asp_code code = aspi_keyword_check(aspi_keyword_find(numbers[i].within, name), value, error);
   if (code)
     return code;
-  memcpy((char *)said + numbers[i].at, &value, sizeof value);
+  *aspi_description_number(said, name) = value;
   if (!*numbers[i].within)
     aspi_set_given(said, name);
   return ASP_OK;
@@ -142,32 +146,6 @@ asp_lay asp_wall_lay(const asp_wall *wall) {
 
 const asp_surface *asp_wall_surface(const asp_wall *wall) {
   return wall->choice.surface;
-}
-
-/* ---- materials ---- */
-
-int asp_wall_materials(const asp_wall *wall) {
-  return wall->said ? wall->said->n_materials : 0;
-}
-
-const asp_material *asp_wall_material(const asp_wall *wall, int index) {
-  return wall->said->materials[index];
-}
-
-asp_pair *asp_wall_pair(const asp_wall *wall, const asp_material *particle,
-                        const asp_material *target, asp_error *error) {
-  const aspi_description *said = wall->said;
-  asp_pair *pair = asp_pair_create(particle, target, error);
-  if (!pair)
-    return NULL;
-  double standard = ASP_SURFACE_ENERGY * aspi_quantity_factor("energy/area", &said->units);
-  asp_pair_set(pair, "surface_energy", said->surface_energy >= 0 ? said->surface_energy : standard,
-               NULL);
-  if (said->friction >= 0)
-    asp_pair_set(pair, "friction", said->friction, NULL);
-  if (said->yield_stress >= 0)
-    asp_pair_set(pair, "yield_stress", said->yield_stress, NULL);
-  return pair;
 }
 
 /* ---- surface ---- */

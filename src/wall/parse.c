@@ -4,153 +4,14 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
-#include "wall/description.h"
+#include "wall/words.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* All the words that there may be at one place. */
-enum { LIST_MOST = 1000 };
-
-typedef struct reader {
-  asp_wall *wall;
-  aspi_description *said;
-  const char *const *words;
-  int count, next;
-  const char *others; /* words of the caller that end a list of names */
-  asp_error *error;
-} reader;
-
-/* ---- words ---- */
-
-static bool is(const reader *r, const char *word) {
-  return r->next < r->count && strcmp(r->words[r->next], word) == 0;
-}
-
-static bool take(reader *r, const char *word) {
-  bool here = is(r, word);
-  r->next += here;
-  return here;
-}
-
-/* The next word; NULL and a message where there is none. */
-static const char *word(reader *r, const char *what) {
-  if (r->next < r->count)
-    return r->words[r->next++];
-  aspi_fail(r->error, ASP_EARG, "%s is missing", what);
-  return NULL;
-}
-
-static bool in_list(const char *name, const char *list) {
-  size_t length = strlen(name);
-  for (const char *at = list + strspn(list, " "); *at; at += strspn(at, " ")) {
-    size_t n = strcspn(at, " ");
-    if (n == length && strncmp(at, name, n) == 0)
-      return true;
-    at += n;
-  }
-  return false;
-}
-
-/* Whether the next word begins like a number. */
-static bool is_number(const reader *r) {
-  if (r->next >= r->count)
-    return false;
-  char *end;
-  aspi_number(r->words[r->next], &end);
-  return end > r->words[r->next];
-}
-
-static char *copy(const char *text, asp_error *error) {
-  size_t size = strlen(text) + 1;
-  char *made = malloc(size);
-  if (made)
-    memcpy(made, text, size);
-  else
-    aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
-  return made;
-}
-
-/* The name of a file; a description that says `-` could not be read again. */
-static asp_code read_file_name(reader *r, const char *what, char **name) {
-  const char *given = word(r, what);
-  if (!given)
-    return ASP_EARG;
-  if (strcmp(given, "-") == 0)
-    return aspi_fail(r->error, ASP_EARG, "%s is '-'; it must be the name of a file", what);
-  free(*name);
-  *name = copy(given, r->error);
-  return *name ? ASP_OK : ASP_ENOMEM;
-}
-
-/* ---- numbers, and those that are unknown ---- */
-
-void aspi_description_let_fit(aspi_description *said) {
-  said->may_fit = true;
-}
-
-/* Takes `fit` or `fit=START` for an unknown number, where the caller lets there be some; *start is
- * its text, NULL where there is none. */
-static bool is_unknown(const reader *r, const char *given, const char **start) {
-  bool alone = strcmp(given, "fit") == 0, begins = strncmp(given, "fit=", 4) == 0;
-  *start = begins ? given + 4 : NULL;
-  return r->said->may_fit && (alone || begins);
-}
-
-static asp_code add_unknown(reader *r, const char *name) {
-  aspi_description *said = r->said;
-  if (said->n_fits == ASPI_FITS_MOST)
-    return aspi_fail(r->error, ASP_EARG, "%s is one number too many to fit; there may be %d", name,
-                     ASPI_FITS_MOST);
-  said->fits[said->n_fits++] = name;
-  return ASP_OK;
-}
-
-/* Degrees, where a fit of sigma begins that says nothing. */
-#define SIGMA_START 5
-
-/* Where the fit of a keyword's number begins that says nothing. */
-static asp_code standard_start(reader *r, const aspi_keyword *k, double *value) {
-  char units[120];
-  aspi_quantity_units(k->unit, units, sizeof units);
-  if (strcmp(k->unit, "length") == 0)
-    return aspi_fail(r->error, ASP_EARG,
-                     "a fit of %s needs a value to begin with: say '%s fit=VALUE', in one of: %s",
-                     k->name, k->name, units);
-  *value = strcmp(k->name, "sigma") == 0 ? SIGMA_START : NAN;
-  return ASP_OK;
-}
-
-/* The number of a keyword, which may have a unit behind it. */
-static asp_code read_number(reader *r, const char *within, const char *name, double *value) {
-  const aspi_keyword *k = aspi_keyword_find(within, name);
-  const char *given = word(r, name);
-  if (!given)
-    return ASP_EARG;
-  asp_code code = aspi_quantity_read(name, given, k->unit, &r->said->units, value, r->error);
-  return code ? code : aspi_keyword_check(k, *value, r->error);
-}
-
-/* The same of a number that may be unknown. */
-static asp_code read_or_fit(reader *r, const char *within, const char *name, double *value) {
-  const aspi_keyword *k = aspi_keyword_find(within, name);
-  const char *start;
-  if (r->next == r->count || !is_unknown(r, r->words[r->next], &start))
-    return read_number(r, within, name, value);
-  r->next++;
-  asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->said->units, value, r->error)
-                        : standard_start(r, k, value);
-  if (!code && start)
-    code = aspi_keyword_check(k, *value, r->error);
-  return code ? code : add_unknown(r, k->name);
-}
-
-/* ---- clauses ---- */
-
-static asp_code read_angle(reader *r, const char *first) {
+static asp_code read_angle(aspi_words *r, const char *first) {
   aspi_description *said = r->said;
   const aspi_keyword *k = aspi_keyword_find("surface", "lay");
   asp_code code =
@@ -161,14 +22,14 @@ static asp_code read_angle(reader *r, const char *first) {
                                  k->most);
 }
 
-static asp_code read_vector(reader *r, const char *first) {
+static asp_code read_vector(aspi_words *r, const char *first) {
   aspi_description *said = r->said;
   double *v = said->lay_numbers;
   asp_code code = aspi_quantity_read("lay", first, "", &said->units, &v[0], r->error);
   for (int i = 1; i < 3 && !code; i++) {
     const char *what =
         i == 1 ? "the second number of the lay's vector" : "the third number of the lay's vector";
-    const char *given = word(r, what);
+    const char *given = aspi_words_word(r, what);
     code = given ? aspi_quantity_read(what, given, "", &said->units, &v[i], r->error) : ASP_EARG;
   }
   if (code)
@@ -181,17 +42,17 @@ static asp_code read_vector(reader *r, const char *first) {
                    "lay is %g %g %g; it must be a vector of a finite length > 0", v[0], v[1], v[2]);
 }
 
-static asp_code read_lay(reader *r) {
+static asp_code read_lay(aspi_words *r) {
   static const char *const directions[] = {"axial", "circumferential"};
   aspi_description *said = r->said;
   aspi_set_given(said, "lay");
   for (int i = 0; i < 2; i++)
-    if (take(r, directions[i])) {
+    if (aspi_words_take(r, directions[i])) {
       said->lay = ASP_LAY_ANGLE;
       said->lay_word = directions[i];
       return ASP_OK;
     }
-  const char *first = word(r, "lay");
+  const char *first = aspi_words_word(r, "lay");
   if (!first)
     return ASP_EARG;
   char *end;
@@ -199,59 +60,59 @@ static asp_code read_lay(reader *r) {
   if (end == first)
     return aspi_fail(r->error, ASP_EARG, "lay is '%.100s'; it must be %s", first,
                      aspi_keyword_find("surface", "lay")->values);
-  return is_number(r) ? read_vector(r, first) : read_angle(r, first);
+  return aspi_words_number_next(r) ? read_vector(r, first) : read_angle(r, first);
 }
 
 /* lambda_c L [L_along lay DIRECTION] */
-static asp_code read_lengths(reader *r) {
+static asp_code read_lengths(aspi_words *r) {
   aspi_description *said = r->said;
-  asp_code code = read_or_fit(r, "surface", "rq", &said->r_q);
-  if (!code && !take(r, "lambda_c"))
+  asp_code code = aspi_words_number_or_fit(r, "surface", "rq", &said->r_q);
+  if (!code && !aspi_words_take(r, "lambda_c"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'surface rq R', 'lambda_c L' is expected");
   if (!code)
-    code = read_or_fit(r, "surface", "lambda_c", &said->lambda_c);
+    code = aspi_words_number_or_fit(r, "surface", "lambda_c", &said->lambda_c);
   if (code)
     return code;
-  if (!is_number(r))
+  if (!aspi_words_number_next(r))
     return ASP_OK;
-  code = read_number(r, "surface", "lambda_c", &said->lambda_along);
-  if (!code && !take(r, "lay"))
+  code = aspi_words_number(r, "surface", "lambda_c", &said->lambda_along);
+  if (!code && !aspi_words_take(r, "lay"))
     code = aspi_fail(r->error, ASP_EARG,
                      "behind 'lambda_c L L_along', 'lay' and its direction are expected");
   return code ? code : read_lay(r);
 }
 
-static asp_code read_kind(reader *r) {
+static asp_code read_kind(aspi_words *r) {
   aspi_description *said = r->said;
   asp_code code = ASP_OK;
-  if (take(r, "smooth")) {
+  if (aspi_words_take(r, "smooth")) {
     said->kind = ASPI_SMOOTH;
     return ASP_OK;
   }
-  if (take(r, "sigma")) {
+  if (aspi_words_take(r, "sigma")) {
     said->kind = ASPI_SIGMA;
-    return read_or_fit(r, "surface", "sigma", &said->sigma);
+    return aspi_words_number_or_fit(r, "surface", "sigma", &said->sigma);
   }
-  if (take(r, "rq")) {
+  if (aspi_words_take(r, "rq")) {
     said->kind = ASPI_GAUSSIAN;
     code = read_lengths(r);
-  } else if (take(r, "profile")) {
+  } else if (aspi_words_take(r, "profile")) {
     said->kind = ASPI_PROFILE;
-    code = read_file_name(r, "the file of 'surface profile'", &said->file);
-  } else if (take(r, "map")) {
+    code = aspi_words_file(r, "the file of 'surface profile'", &said->file);
+  } else if (aspi_words_take(r, "map")) {
     said->kind = ASPI_MAP;
-    code = read_file_name(r, "the file of 'surface map'", &said->file);
+    code = aspi_words_file(r, "the file of 'surface map'", &said->file);
   } else {
-    const char *given = word(r, "the value of 'surface'");
+    const char *given = aspi_words_word(r, "the value of 'surface'");
     return !given ? ASP_EARG
                   : aspi_fail(r->error, ASP_ENAME, "surface is '%.100s'; it must be %s", given,
                               aspi_keyword_find("", "surface")->values);
   }
   for (bool more = true; more && !code;) {
-    if (take(r, "dp_bins")) {
+    if (aspi_words_take(r, "dp_bins")) {
       aspi_set_given(said, "dp_bins");
-      code = read_number(r, "surface", "dp_bins", &said->bins);
-    } else if (said->kind == ASPI_MAP && take(r, "lay"))
+      code = aspi_words_number(r, "surface", "dp_bins", &said->bins);
+    } else if (said->kind == ASPI_MAP && aspi_words_take(r, "lay"))
       code = read_lay(r);
     else
       more = false;
@@ -259,23 +120,23 @@ static asp_code read_kind(reader *r) {
   return code;
 }
 
-static asp_code read_surface(reader *r) {
+static asp_code read_surface(aspi_words *r) {
   asp_code code = read_kind(r);
-  if (code || !is(r, "lay") || aspi_is_given(r->said, "lay"))
+  if (code || !aspi_words_next_is(r, "lay") || aspi_is_given(r->said, "lay"))
     return code;
   return aspi_fail(r->error, ASP_EARG,
                    "'lay' needs two correlation lengths, across it and along it, or a map: surface "
                    "rq R lambda_c L L_along lay DIRECTION");
 }
 
-static asp_code read_model(reader *r) {
-  const char *name = word(r, "the spread model");
+static asp_code read_model(aspi_words *r) {
+  const char *name = aspi_words_word(r, "the spread model");
   if (!name)
     return ASP_EARG;
   r->said->chooses = strcmp(name, "auto") == 0;
   if (r->said->chooses)
     return ASP_OK;
-  char list[LIST_MOST] = "auto";
+  char list[ASPI_LIST_MOST] = "auto";
   for (int i = 0; i < asp_spread_count(); i++) {
     size_t used = strlen(list);
     snprintf(list + used, sizeof list - used, " %s", asp_spread_name(asp_spread_at(i)));
@@ -284,20 +145,20 @@ static asp_code read_model(reader *r) {
   return r->said->spread ? ASP_OK : aspi_fail_unknown(r->error, "spread model", name, list);
 }
 
-static asp_code read_spread(reader *r) {
+static asp_code read_spread(aspi_words *r) {
   aspi_description *said = r->said;
   asp_code code = read_model(r);
   for (bool more = true; more && !code;) {
-    if (take(r, "plane"))
+    if (aspi_words_take(r, "plane"))
       code = asp_wall_choose(r->wall, "tilt", "plane", r->error);
-    else if (take(r, "isotropic"))
+    else if (aspi_words_take(r, "isotropic"))
       code = asp_wall_choose(r->wall, "tilt", "isotropic", r->error);
-    else if (take(r, "collisions")) {
-      const char *given = word(r, "the value of 'collisions'");
+    else if (aspi_words_take(r, "collisions")) {
+      const char *given = aspi_words_word(r, "the value of 'collisions'");
       code = given ? asp_wall_choose(r->wall, "collisions", given, r->error) : ASP_EARG;
-    } else if (take(r, "tolerance")) {
+    } else if (aspi_words_take(r, "tolerance")) {
       aspi_set_given(said, "tolerance");
-      code = read_number(r, "spread", "tolerance", &said->tolerance);
+      code = aspi_words_number(r, "spread", "tolerance", &said->tolerance);
     } else
       more = false;
   }
@@ -308,18 +169,18 @@ static asp_code read_spread(reader *r) {
 }
 
 /* The values of all parameters of the law that follow one word. */
-static asp_code read_parameters(reader *r, const char *keyword) {
+static asp_code read_parameters(aspi_words *r, const char *keyword) {
   const asp_rebound_law *law = r->wall->choice.law;
   for (int i = 0; i < law->n_parameters; i++) {
     const asp_parameter *p = &law->parameters[i];
     if (strcmp(asp_parameter_keyword(p), keyword) != 0)
       continue;
-    const char *given = word(r, p->name);
+    const char *given = aspi_words_word(r, p->name);
     if (!given)
       return ASP_EARG;
     double value = p->fallback;
     const char *start;
-    bool unknown = !p->words && is_unknown(r, given, &start);
+    bool unknown = !p->words && aspi_words_unknown(r, given, &start);
     asp_code code = ASP_OK;
     if (p->words)
       code = asp_parameter_read(p, given, &value, r->error);
@@ -329,26 +190,18 @@ static asp_code read_parameters(reader *r, const char *keyword) {
     if (!code)
       code = asp_wall_set(r->wall, p->name, value, r->error);
     if (!code && unknown)
-      code = add_unknown(r, p->name);
+      code = aspi_words_add_unknown(r, p->name);
     if (code)
       return code;
   }
   return ASP_OK;
 }
 
-/* ASP_EARG where the caller's units are not known. */
-static asp_code check_units(const reader *r, const char *what) {
-  if (aspi_quantity_factor("stress", &r->said->units) > 0)
-    return ASP_OK;
-  return aspi_fail(r->error, ASP_EARG, "%s in SI units, which cannot be converted to %s", what,
-                   r->said->units.name);
-}
-
-static asp_code read_table(reader *r) {
+static asp_code read_table(aspi_words *r) {
   aspi_description *said = r->said;
-  asp_code code = read_file_name(r, "the file of 'rebound table'", &said->table);
+  asp_code code = aspi_words_file(r, "the file of 'rebound table'", &said->table);
   if (!code)
-    code = check_units(r, "a table is");
+    code = aspi_words_check_units(r, "a table is");
   if (code)
     return code;
   asp_cor_table_free(said->cor_table);
@@ -359,19 +212,19 @@ static asp_code read_table(reader *r) {
 }
 
 /* The parameter of the law that the next word begins; NULL: none. */
-static const char *next_parameter(const reader *r) {
+static const char *next_parameter(const aspi_words *r) {
   const asp_rebound_law *law = r->wall->choice.law;
   for (int i = 0; i < law->n_parameters; i++) {
     const char *keyword = asp_parameter_keyword(&law->parameters[i]);
-    if (*keyword && is(r, keyword))
+    if (*keyword && aspi_words_next_is(r, keyword))
       return keyword;
   }
   return NULL;
 }
 
 /* A law's parameters follow its name, or words of their own, some of them one for several. */
-static asp_code read_rebound(reader *r) {
-  const char *name = word(r, "the rebound law");
+static asp_code read_rebound(aspi_words *r) {
+  const char *name = aspi_words_word(r, "the rebound law");
   asp_code code = name ? asp_wall_choose(r->wall, "rebound", name, r->error) : ASP_EARG;
   if (!code)
     code = read_parameters(r, "");
@@ -379,7 +232,7 @@ static asp_code read_rebound(reader *r) {
     code = read_table(r);
   for (bool more = true; more && !code;) {
     const char *keyword = next_parameter(r);
-    more = keyword || is(r, "scatter_twice");
+    more = keyword || aspi_words_next_is(r, "scatter_twice");
     r->next += more;
     if (keyword)
       code = read_parameters(r, keyword);
@@ -389,101 +242,24 @@ static asp_code read_rebound(reader *r) {
   return code;
 }
 
-/* A name that is no material may be a keyword with a slip. */
-static asp_code fail_material(reader *r, const char *name) {
-  char keywords[LIST_MOST], all[2 * LIST_MOST], meant[64];
-  aspi_keyword_names("", keywords, sizeof keywords);
-  size_t used = strlen(keywords);
-  snprintf(keywords + used, sizeof keywords - used, " file %s", r->others);
-  snprintf(all, sizeof all, "%s", keywords);
-  for (int i = 0; i < asp_material_count(); i++) {
-    used = strlen(all);
-    snprintf(all + used, sizeof all - used, " %s", asp_material_name(asp_material_at(i)));
-  }
-  if (aspi_nearest_name(name, all, meant) && in_list(meant, keywords))
-    return aspi_fail(r->error, ASP_ENAME,
-                     "'%.100s' is neither a material nor a keyword; did you mean '%s'?", name,
-                     meant);
-  asp_materials_find(r->said->own, name, r->error);
-  return ASP_ENAME;
-}
-
-/* A material with the numbers of another one, in the caller's units. */
-static asp_material *converted(const asp_material *m, const asp_units *units, asp_error *error) {
-  double pascal = aspi_quantity_factor("stress", units);
-  asp_material *made = asp_material_create(m->name, error);
-  if (!made)
-    return NULL;
-  made->youngs_modulus = m->youngs_modulus * pascal;
-  made->poissons_ratio = m->poissons_ratio;
-  made->density = m->density * aspi_quantity_factor("density", units);
-  made->yield_stress = m->yield_stress * pascal;
-  return made;
-}
-
-/* Names end where the file or another keyword begins. */
-static asp_code read_names(reader *r) {
-  aspi_description *said = r->said;
-  char keywords[LIST_MOST];
-  aspi_keyword_names("", keywords, sizeof keywords);
-  while (r->next < r->count && !is(r, "file") && !in_list(r->words[r->next], keywords) &&
-         !in_list(r->words[r->next], r->others)) {
-    char **grown = realloc(said->names, (size_t)(said->n_materials + 1) * sizeof *grown);
-    char *name = grown ? copy(r->words[r->next++], r->error) : NULL;
-    said->names = grown ? grown : said->names;
-    if (!name)
-      return aspi_fail(r->error, ASP_ENOMEM, "out of memory for a description");
-    said->names[said->n_materials++] = name;
-  }
-  return ASP_OK;
-}
-
-static asp_code read_materials(reader *r) {
-  aspi_description *said = r->said;
-  asp_code code = read_names(r);
-  if (!code && take(r, "file")) {
-    code = read_file_name(r, "the file of 'materials'", &said->materials_file);
-    asp_error wrong;
-    said->own = code ? NULL : asp_materials_read(said->materials_file, &wrong);
-    if (!code && !said->own)
-      code = aspi_fail(r->error, wrong.code, "materials: %s", wrong.text);
-  }
-  if (!code)
-    code = check_units(r, "materials are");
-  if (code)
-    return code;
-  said->materials = calloc((size_t)said->n_materials + 1, sizeof *said->materials);
-  if (!said->materials)
-    return aspi_fail(r->error, ASP_ENOMEM, "out of memory for a description");
-  for (int i = 0; i < said->n_materials; i++) {
-    const asp_material *m = asp_materials_find(said->own, said->names[i], NULL);
-    if (!m)
-      return fail_material(r, said->names[i]);
-    said->materials[i] = converted(m, &said->units, r->error);
-    if (!said->materials[i])
-      return ASP_ENOMEM;
-  }
-  return ASP_OK;
-}
-
-static asp_code read_removal(reader *r) {
+static asp_code read_removal(aspi_words *r) {
   static const char *const names[] = {"u_tau", "gas_density", "mean_free_path", "work"};
   aspi_set_given(r->said, "remove");
-  asp_code code = check_units(r, "removal is");
+  asp_code code = aspi_words_check_units(r, "removal is");
   double joule = aspi_quantity_factor("energy/area", &r->said->units);
   if (!code)
     code = asp_wall_set(r->wall, "remove_work", ASPI_REMOVAL_WORK * joule, r->error);
   for (bool more = true; more && !code;) {
     more = false;
     for (int i = 0; i < 4 && !code; i++) {
-      if (!take(r, names[i]))
+      if (!aspi_words_take(r, names[i]))
         continue;
       char number[40];
       double value = 0;
       snprintf(number, sizeof number, "remove_%s", names[i]);
       more = true;
       aspi_set_given(r->said, names[i]);
-      code = read_number(r, "remove", names[i], &value);
+      code = aspi_words_number(r, "remove", names[i], &value);
       if (!code)
         code = asp_wall_set(r->wall, number, value, r->error);
     }
@@ -493,9 +269,9 @@ static asp_code read_removal(reader *r) {
   return code;
 }
 
-static asp_code read_deposit(reader *r) {
+static asp_code read_deposit(aspi_words *r) {
   static const char *const kinds[] = {"freeze", "delete", "off"};
-  const char *given = word(r, "the value of 'deposit'");
+  const char *given = aspi_words_word(r, "the value of 'deposit'");
   if (!given)
     return ASP_EARG;
   int kind = 0;
@@ -506,44 +282,35 @@ static asp_code read_deposit(reader *r) {
                      given);
   r->said->deposit = (aspi_deposit)kind;
   asp_code code = asp_wall_set(r->wall, "deposit", r->said->deposit != ASPI_DEPOSIT_OFF, r->error);
-  return !code && take(r, "remove") ? read_removal(r) : code;
+  return !code && aspi_words_take(r, "remove") ? read_removal(r) : code;
 }
 
-static asp_code read_friction(reader *r) {
-  return read_or_fit(r, "", "friction", &r->said->friction);
-}
-
-static asp_code read_energy(reader *r) {
-  return read_or_fit(r, "", "surface_energy", &r->said->surface_energy);
-}
-
-static asp_code read_yield(reader *r) {
-  return read_or_fit(r, "", "yield_stress", &r->said->yield_stress);
-}
-
-static asp_code read_seed(reader *r) {
-  return read_number(r, "", "seed", &r->said->seed);
-}
-
-static asp_code read_erosion(reader *r) {
+static asp_code read_erosion(aspi_words *r) {
   return aspi_wall_read_erosion(r->wall, r->count, r->words, &r->next, r->error);
 }
 
 static const struct {
   const char *name;
-  asp_code (*read)(reader *r);
-} clauses[] = {{"surface", read_surface},    {"spread", read_spread},
-               {"rebound", read_rebound},    {"materials", read_materials},
-               {"friction", read_friction},  {"surface_energy", read_energy},
-               {"yield_stress", read_yield}, {"deposit", read_deposit},
-               {"erosion", read_erosion},    {"seed", read_seed}};
+  asp_code (*read)(aspi_words *r); /* NULL: a number */
+} clauses[] = {{"surface", read_surface}, {"spread", read_spread},
+               {"rebound", read_rebound}, {"materials", aspi_words_materials},
+               {"friction", NULL},        {"surface_energy", NULL},
+               {"yield_stress", NULL},    {"deposit", read_deposit},
+               {"erosion", read_erosion}, {"seed", NULL}};
 enum { CLAUSES = sizeof clauses / sizeof *clauses };
 
-/* ---- all of it ---- */
+static asp_code read_clause(aspi_words *r, int clause) {
+  const char *name = clauses[clause].name;
+  if (clauses[clause].read)
+    return clauses[clause].read(r);
+  double *value = aspi_description_number(r->said, name);
+  return strcmp(name, "seed") == 0 ? aspi_words_number(r, "", name, value)
+                                   : aspi_words_number_or_fit(r, "", name, value);
+}
 
 /* What may stand where a clause begins: those of all clauses, of the last one, and the caller's. */
-static asp_code fail_keyword(const reader *r, const char *name) {
-  char list[LIST_MOST];
+static asp_code fail_keyword(const aspi_words *r, const char *name) {
+  char list[ASPI_LIST_MOST];
   aspi_keyword_names("", list, sizeof list);
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
@@ -555,7 +322,7 @@ static asp_code fail_keyword(const reader *r, const char *name) {
   for (int i = 0; i < law->n_parameters && strcmp(r->said->last, "rebound") == 0; i++) {
     const char *keyword = asp_parameter_keyword(&law->parameters[i]);
     size_t used = strlen(list);
-    if (!in_list(keyword, list))
+    if (!aspi_words_in_list(keyword, list))
       snprintf(list + used, sizeof list - used, " %s", keyword);
   }
   size_t used = strlen(list);
@@ -565,9 +332,9 @@ static asp_code fail_keyword(const reader *r, const char *name) {
 
 asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, const char *others,
                        int *taken, asp_error *error) {
-  reader r = {wall, wall->said, words, count, 1, others, error};
+  aspi_words r = {wall, wall->said, words, count, 1, others, error};
   *taken = 0;
-  if (count == 0 || in_list(words[0], others))
+  if (count == 0 || aspi_words_in_list(words[0], others))
     return ASP_OK;
   int i = 0;
   while (i < CLAUSES && strcmp(words[0], clauses[i].name) != 0)
@@ -578,7 +345,7 @@ asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, cons
     return aspi_fail(error, ASP_EARG, "'%s' is given twice", words[0]);
   aspi_set_given(wall->said, words[0]);
   wall->said->last = clauses[i].name;
-  asp_code code = clauses[i].read(&r);
+  asp_code code = read_clause(&r, i);
   *taken = r.next;
   return code;
 }
@@ -656,7 +423,7 @@ asp_wall *asp_wall_parse(const char *text, const asp_units *units, asp_error *er
     return NULL;
   wall->said = create_description(units ? units : &si, error);
   wall->choice.isotropic = wall->choice.multiple = true;
-  char *words = wall->said ? copy(text, error) : NULL;
+  char *words = wall->said ? aspi_words_copy(text, error) : NULL;
   asp_code code = words ? parse(wall, words, error) : ASP_ENOMEM;
   free(words);
   if (!code)

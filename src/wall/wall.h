@@ -1,8 +1,8 @@
-/* What a wall keeps: what was chosen and set, and what its contacts read.
+/* The state of a wall: what was chosen and set, and what its contacts read.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_IMPACT_WALL_H
-#define ASP_IMPACT_WALL_H
+#ifndef ASP_WALL_WALL_H
+#define ASP_WALL_WALL_H
 
 #include "erosion/laws.h"
 #include "rebound/laws.h"
@@ -54,7 +54,7 @@ struct asp_wall {
   const asp_cor_table *table;
   bool rough; /* false: smooth, and nothing is drawn */
   bool isotropic;
-  bool multiple; /* a particle that a face sends into the wall goes on to the next face */
+  bool multiple; /* a particle that a face sends into the wall flies on to the next face */
   bool deposit;
   bool spins;     /* the law turns the particle */
   aspi_flow flow; /* takes away what sticks */

@@ -53,7 +53,7 @@ refuses 2 "own or ledger" -- cor --columns both
 refuses 2 "'-sigma'" "begin with --" -- cor -sigma 5
 refuses 2 "'-s'" -- cor -s 5
 refuses 2 "'--gloss'" -- cor --gloss 5
-"$asperity" materials | grep -q '^hastelloy-x,.*handbook values",no$' || die "materials"
+"$asperity" materials | grep -q '^hastelloy-x,.*handbook values"$' || die "materials"
 
 # pictures
 "$asperity" cor surface rq 5um lambda_c 40um --samples 20 --plot cor.png -o /dev/null 2> err
@@ -67,6 +67,14 @@ grep -q 'outside: .* of .* impacts' cor.svg && grep -q 'one of 3' cor.svg || die
 grep -q 'm/s (sticks)' cor.svg && ! grep -q warning err || die "cor --plot where all stick: $(cat err)"
 "$asperity" spread surface sigma 10 --plot spread.svg -o s 2> err
 grep -q '<svg' spread.svg || die "spread --plot"
+
+# the canonical text that stands in the heading is a description of the same wall
+for surface in "rq 5mm lambda_c 40mm" "rq 3.3um lambda_c 25.2um 131um lay axial" "rq 2.5e-10 lambda_c 3e-9"; do
+  "$asperity" cor surface $surface rebound walton 0.9 0.3 0.1 --dp 1nm --samples 5 --angles 20 > once.csv
+  again=$(sed -n '1s/.*; //p' once.csv)
+  "$asperity" cor $again --dp 1nm --samples 5 --angles 20 > twice.csv || die "the canonical text is refused: $again"
+  cmp <(tail -n +2 once.csv) <(tail -n +2 twice.csv) || die "the canonical text means another wall: $again"
+done
 
 # bad usage
 refuses 2 "--help" --
@@ -82,6 +90,7 @@ refuses 2 "sigma is 95" "0.001 to 54" -- spread surface sigma 95
 refuses 2 "sigma is nan" -- spread surface sigma nan
 refuses 2 "--angles is 91" "0 to 90" -- spread surface sigma 10 --angles 91
 refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
+refuses 2 "asperity: spread auto: phi_r 1" -- spread surface rq 20um lambda_c 20um spread auto tolerance 0.1 --dp 300um --angles 3
 refuses 2 "rq is '5ft'" "um" -- spread surface rq 5ft lambda_c 40um --dp 1um
 refuses 2 "rq is -5e-06" "> 0" -- cor surface rq -5um lambda_c 40um
 refuses 2 "surface is 'lambda_c'" "rq R lambda_c L" -- cor surface lambda_c 40um

@@ -154,8 +154,8 @@ bad() { printf '%b' "$1" > bad.csv; shift; refuses 2 bad.csv "$@" -- compare gt.
 bad 'alpha1_deg,cor_n,outcome\n30,0.5,lost\n' bad.csv:2 "outcome is 'lost'" "rebound or deposit"
 bad 'alpha1_deg,cor_n [%]\n30,50\n' "'cor_n [%]'" "a number such as 0.5"
 bad 'alpha1_deg,cor_n\n30,50\n60,40\n' "2 of 2 coefficients" "per cent"
-bad 'alpha1_deg,cor_n,v1 [km/h]\n30,0.5,3\n' "'v1 [km/h]'" "m_s, cm_s or mm_s"
-bad 'alpha1_deg,cor_n,v1_kmh\n30,0.5,3\n' "'v1_kmh'" "m_s, cm_s or mm_s"
+bad 'alpha1_deg,cor_n,v1 [km/h]\n30,0.5,3\n' "'v1 [km/h]'" "m/s cm/s mm/s"
+bad 'alpha1_deg,cor_n,v1_kmh\n30,0.5,3\n' "'v1_kmh'" "m/s cm/s mm/s"
 bad 'alpha1_deg,cor_n,dp\n30,0.5,3\n' "'dp' is not stated" dp_um
 bad 'alpha1_deg,cor_n,CoR_N [-]\n30,0.5,0.3\n' "columns 2 and 3, 'cor_n' and 'CoR_N [-]'" "must be one"
 bad 'alpha1_deg,cor_n\n30,0.5,3\n' bad.csv:2 "3 fields under 2"

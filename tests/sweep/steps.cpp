@@ -77,9 +77,9 @@ std::vector<ContactTriangle> ball(int levels, double least, double most) {
     for (int y = 2; y < 4; y++)
       for (int z = 4; z < 6; z++) {
         ContactTriangle t;
-        vector_copy(o[x], t.node[0]);
-        vector_copy(o[y], t.node[1]);
-        vector_copy(o[z], t.node[2]);
+        aspi_copy(o[x], t.node[0]);
+        aspi_copy(o[y], t.node[1]);
+        aspi_copy(o[z], t.node[2]);
         triangles.push_back(t);
       }
   for (int level = 0; level < levels; level++) {
@@ -89,14 +89,14 @@ std::vector<ContactTriangle> ball(int levels, double least, double most) {
       for (int k = 0; k < 3; k++) {
         for (int d = 0; d < 3; d++)
           mid[k][d] = t.node[k][d] + t.node[(k + 1) % 3][d];
-        vector_scale(1 / vector_length(mid[k]), mid[k]);
+        aspi_scale(1 / aspi_length(mid[k]), mid[k]);
       }
       ContactTriangle parts[4];
       for (int k = 0; k < 3; k++) {
-        vector_copy(t.node[k], parts[k].node[0]);
-        vector_copy(mid[k], parts[k].node[1]);
-        vector_copy(mid[(k + 2) % 3], parts[k].node[2]);
-        vector_copy(mid[k], parts[3].node[k]);
+        aspi_copy(t.node[k], parts[k].node[0]);
+        aspi_copy(mid[k], parts[k].node[1]);
+        aspi_copy(mid[(k + 2) % 3], parts[k].node[2]);
+        aspi_copy(mid[k], parts[3].node[k]);
       }
       finer.insert(finer.end(), parts, parts + 4);
     }
@@ -106,7 +106,7 @@ std::vector<ContactTriangle> ball(int levels, double least, double most) {
     for (int k = 0; k < 3; k++) { /* of equal nodes the same number */
       double *n = t.node[k];
       const double mixed = sin(1e4 * (n[0] + 1.7 * n[1] + 2.3 * n[2])) * 43758.5453;
-      vector_scale(least + (most - least) * (mixed - floor(mixed)), n);
+      aspi_scale(least + (most - least) * (mixed - floor(mixed)), n);
     }
   return triangles;
 }
@@ -118,19 +118,19 @@ bool inside(const std::vector<ContactTriangle> &triangles, const double x[3]) {
     double normal[3], edge[3], side[3];
     bool through = true;
     for (int k = 0; k < 3 && through; k++) {
-      vector_cross(t.node[k], t.node[(k + 1) % 3], side);
-      const double third = vector_dot(side, t.node[(k + 2) % 3]);
-      through = vector_dot(side, x) * (third < 0 ? -1 : 1) >= -1e-12;
+      aspi_cross(t.node[k], t.node[(k + 1) % 3], side);
+      const double third = aspi_dot(side, t.node[(k + 2) % 3]);
+      through = aspi_dot(side, x) * (third < 0 ? -1 : 1) >= -1e-12;
     }
     if (!through)
       continue;
-    vector_subtract(t.node[1], t.node[0], normal);
-    vector_subtract(t.node[2], t.node[0], edge);
-    vector_cross(normal, edge, side);
-    const double level = vector_dot(side, t.node[0]);
-    return vector_dot(side, x) * (level < 0 ? -1 : 1) < fabs(level);
+    aspi_subtract(t.node[1], t.node[0], normal);
+    aspi_subtract(t.node[2], t.node[0], edge);
+    aspi_cross(normal, edge, side);
+    const double level = aspi_dot(side, t.node[0]);
+    return aspi_dot(side, x) * (level < 0 ? -1 : 1) < fabs(level);
   }
-  return vector_length(x) < 1e-9;
+  return aspi_length(x) < 1e-9;
 }
 
 Frame turned(double angle, double along) {
@@ -171,7 +171,7 @@ bool run(Room &room, double diameters, double impacts) {
       x[3 * i + d] = uniform(-0.5, 0.5);
       at[d] = uniform(-1, 1);
     }
-    vector_scale(SPEED / vector_length(at), at);
+    aspi_scale(SPEED / aspi_length(at), at);
     tag[i] = i + 1;
   }
   Spheres s = {0,        dt,       n,    mask.data(), type.data(),   tag.data(), 4,
@@ -198,19 +198,19 @@ bool run(Room &room, double diameters, double impacts) {
     Wall::hold(walls, s);
     for (int i = 0; i < n; i++) {
       double body[3];
-      vector_copy(&x[3 * i], body);
+      aspi_copy(&x[3 * i], body);
       if (room.mesh) {
         room.mesh->motion().end().to_body(&x[3 * i], body);
         lost += s.step % 16 == 0 && !inside(room.triangles, body);
       } else if (room.half > 0)
-        lost += !(vector_dot(body, body) < 1e30) || std::max(hypot(body[0], body[1]), 0.0) > 1e30 ||
+        lost += !(aspi_dot(body, body) < 1e30) || std::max(hypot(body[0], body[1]), 0.0) > 1e30 ||
                 (room.shapes.size() == 1 ? hypot(body[0], body[1]) > room.half
                                          : fabs(body[2]) > room.half);
-      worst = std::max(worst, fabs(vector_length(&v[3 * i]) / SPEED - 1));
+      worst = std::max(worst, fabs(aspi_length(&v[3 * i]) / SPEED - 1));
     }
     /* Moving walls heat what they hold: keep the speeds, so that a step stays what it is. */
     for (int i = 0; i < n && (room.turn > 0 || room.swing > 0); i++)
-      vector_scale(SPEED / vector_length(&v[3 * i]), &v[3 * i]);
+      aspi_scale(SPEED / aspi_length(&v[3 * i]), &v[3 * i]);
   }
   const bool moves = room.turn > 0 || room.swing > 0;
   const bool good = lost == 0 && (moves || worst < 1e-9);

@@ -1,6 +1,6 @@
 /* Maps and spheres on them: the search for the contact against brute force, the contact of a known
- * surface, the covariance of a generated one, and its slopes under a sphere against formula (3) of
- * WALLS-3D.
+ * surface, the covariance of a generated one, and its slopes under a sphere against the closed
+ * form.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"

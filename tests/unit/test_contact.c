@@ -30,7 +30,7 @@ static void random_vector(double size, double v[3]) {
 }
 
 static void at(const ContactPath *path, double time, double x[3]) {
-  vector_add_scaled(path->x, time, path->v, x);
+  aspi_add_scaled(path->x, time, path->v, x);
 }
 
 /* The distance of x from a triangle by a search over its barycentric coordinates, finer and finer:
@@ -51,9 +51,9 @@ static double brute_distance(const ContactTriangle *t, const double x[3]) {
         double p[3], off[3];
         for (int d = 0; d < 3; d++)
           p[d] = (1 - a - b) * t->node[0][d] + a * t->node[1][d] + b * t->node[2][d];
-        vector_subtract(x, p, off);
-        if (vector_length(off) < best) {
-          best = vector_length(off);
+        aspi_subtract(x, p, off);
+        if (aspi_length(off) < best) {
+          best = aspi_length(off);
           next_a = a;
           next_b = b;
         }
@@ -70,14 +70,14 @@ static double plane_gap(const ContactPlane *plane, const double x[3], double rad
 
 static double cylinder_gap(const ContactCylinder *c, const double x[3], double radius) {
   double arm[3];
-  vector_subtract(x, c->center, arm);
+  aspi_subtract(x, c->center, arm);
   arm[c->axis] = 0;
-  return fabs(vector_length(arm) - c->radius) - radius;
+  return fabs(aspi_length(arm) - c->radius) - radius;
 }
 
 static double triangle_gap(const ContactTriangle *t, const double x[3], double radius) {
   double nearest[3];
-  return contact_triangle_nearest(t, x, nearest) - radius;
+  return aspi_triangle_nearest(t, x, nearest) - radius;
 }
 
 typedef struct Wall {
@@ -95,9 +95,9 @@ static double gap_of(const Wall *w, const double x[3], double radius) {
 
 static bool find(const Wall *w, const ContactPath *path, double radius, double latest,
                  ContactTouch *touch) {
-  return w->kind == PLANE      ? contact_plane_find(&w->plane, path, radius, latest, touch)
-         : w->kind == CYLINDER ? contact_cylinder_find(&w->cylinder, path, radius, latest, touch)
-                               : contact_triangle_find(&w->triangle, path, radius, latest, touch);
+  return w->kind == PLANE      ? aspi_plane_find(&w->plane, path, radius, latest, touch)
+         : w->kind == CYLINDER ? aspi_cylinder_find(&w->cylinder, path, radius, latest, touch)
+                               : aspi_triangle_find(&w->triangle, path, radius, latest, touch);
 }
 
 static void random_wall(int kind, Wall *w) {
@@ -135,12 +135,12 @@ static void check_path(const Wall *w, const ContactPath *path, double radius) {
   assert_true(fabs(gap_of(w, x, radius)) <= 2e-9 * radius);
   assert_true(touch.time >= 0 && touch.time <= path->left && touch.time <= first);
   assert_true(first == INFINITY || touch.time >= first - 1.001 * step || least > -1e-3);
-  assert_true(vector_dot(touch.n, path->v) < 0);
-  assert_true(fabs(vector_length(touch.n) - 1) < 1e-12);
-  assert_true(touch.lift == 0 && !touch.guarded);
+  assert_true(aspi_dot(touch.n, path->v) < 0);
+  assert_true(fabs(aspi_length(touch.n) - 1) < 1e-12);
+  assert_true(touch.overlap == 0 && !touch.overlapped);
   /* The normal leads from the wall to the centre. */
   double foot[3];
-  vector_add_scaled(x, -radius, touch.n, foot);
+  aspi_add_scaled(x, -radius, touch.n, foot);
   assert_true(fabs(gap_of(w, foot, 0)) < 1e-7);
 }
 
@@ -171,19 +171,19 @@ static void test_grazing(void **unused) {
     double along[3], out[3], normal[3], edge[3];
     const double radius = uniform(0.05, 0.2);
     random_wall(TRIANGLE, &w);
-    contact_triangle_normal(&w.triangle, normal);
-    vector_subtract(w.triangle.node[1], w.triangle.node[0], edge);
-    vector_cross(edge, normal, out);
-    vector_scale(1 / vector_length(out), out);
-    vector_cross(out, edge, along);
-    vector_scale(1 / vector_length(along), along);
+    aspi_triangle_normal(&w.triangle, normal);
+    aspi_subtract(w.triangle.node[1], w.triangle.node[0], edge);
+    aspi_cross(edge, normal, out);
+    aspi_scale(1 / aspi_length(out), out);
+    aspi_cross(out, edge, along);
+    aspi_scale(1 / aspi_length(along), along);
     /* A sphere whose centre passes the edge's middle at a radius, within 1e-7 of it. */
     double center[3];
     for (int d = 0; d < 3; d++)
       center[d] = 0.5 * (w.triangle.node[0][d] + w.triangle.node[1][d]);
-    vector_add_scaled(center, radius * (1 + uniform(-1e-7, 1e-7)), out, center);
-    vector_copy(along, path.v);
-    vector_add_scaled(center, -1, along, path.x);
+    aspi_add_scaled(center, radius * (1 + uniform(-1e-7, 1e-7)), out, center);
+    aspi_copy(along, path.v);
+    aspi_add_scaled(center, -1, along, path.x);
     path.left = 2;
     if (gap_of(&w, path.x, radius) > 1e-6)
       check_path(&w, &path, radius);
@@ -197,16 +197,16 @@ static void test_nearest(void **unused) {
     double x[3], nearest[3];
     random_wall(TRIANGLE, &w);
     if (i % 3 == 1) /* two nodes in one place */
-      vector_copy(w.triangle.node[0], w.triangle.node[1]);
+      aspi_copy(w.triangle.node[0], w.triangle.node[1]);
     if (i % 3 == 2) /* three in a line */
       for (int d = 0; d < 3; d++)
         w.triangle.node[2][d] = 0.3 * w.triangle.node[0][d] + 0.7 * w.triangle.node[1][d];
     random_vector(2, x);
-    const double distance = contact_triangle_nearest(&w.triangle, x, nearest);
+    const double distance = aspi_triangle_nearest(&w.triangle, x, nearest);
     assert_true(fabs(distance - brute_distance(&w.triangle, x)) < 1e-5);
     double off[3];
-    vector_subtract(x, nearest, off);
-    assert_true(fabs(vector_length(off) - distance) < 1e-12);
+    aspi_subtract(x, nearest, off);
+    assert_true(fabs(aspi_length(off) - distance) < 1e-12);
     assert_true(brute_distance(&w.triangle, nearest) < 1e-5);
   }
 }
@@ -220,7 +220,7 @@ static void test_degenerate(void **unused) {
     const double radius = uniform(0.05, 0.3);
     random_wall(TRIANGLE, &w);
     if (i % 2)
-      vector_copy(w.triangle.node[0], w.triangle.node[2]);
+      aspi_copy(w.triangle.node[0], w.triangle.node[2]);
     else
       for (int d = 0; d < 3; d++)
         w.triangle.node[2][d] = 0.5 * (w.triangle.node[0][d] + w.triangle.node[1][d]);
@@ -260,8 +260,8 @@ static void test_overlap(void **unused) {
       assert_int_equal(found, rate < 0);
       if (!found)
         continue;
-      assert_true(touch.guarded && touch.time == 0);
-      vector_add_scaled(path.x, touch.lift, touch.n, later);
+      assert_true(touch.overlapped && touch.time == 0);
+      aspi_add_scaled(path.x, touch.overlap, touch.n, later);
       assert_true(fabs(gap_of(&w, later, radius)) < 1e-5);
     }
 }
@@ -274,10 +274,10 @@ static void test_centred(void **unused) {
   for (int side = -1; side <= 1; side += 2) {
     const ContactPath path = {{0, 0, 0}, {1, 0.5, 2.0 * side}, 1};
     ContactTouch touch;
-    assert_true(contact_triangle_find(&triangle, &path, 0.1, 1, &touch));
-    assert_true(touch.guarded && touch.n[2] * side < 0);
-    assert_true(contact_plane_find(&plane, &path, 0.1, 1, &touch));
-    assert_true(touch.guarded && touch.n[2] * side < 0);
+    assert_true(aspi_triangle_find(&triangle, &path, 0.1, 1, &touch));
+    assert_true(touch.overlapped && touch.n[2] * side < 0);
+    assert_true(aspi_plane_find(&plane, &path, 0.1, 1, &touch));
+    assert_true(touch.overlapped && touch.n[2] * side < 0);
   }
 }
 
@@ -288,19 +288,19 @@ static void test_none(void **unused) {
   const ContactPlane plane = {2, 0};
   ContactPath path = {{0, 0, 0.1}, {0, 0, 0}, 1};
   ContactTouch touch;
-  assert_false(contact_triangle_find(&triangle, &path, 0.1, 1, &touch));
-  assert_false(contact_plane_find(&plane, &path, 0.1, 1, &touch));
+  assert_false(aspi_triangle_find(&triangle, &path, 0.1, 1, &touch));
+  assert_false(aspi_plane_find(&plane, &path, 0.1, 1, &touch));
   path.v[0] = 5;
-  assert_false(contact_triangle_find(&triangle, &path, 0.1, 1, &touch));
-  assert_false(contact_plane_find(&plane, &path, 0.1, 1, &touch));
+  assert_false(aspi_triangle_find(&triangle, &path, 0.1, 1, &touch));
+  assert_false(aspi_plane_find(&plane, &path, 0.1, 1, &touch));
   path.x[2] = 1.1;
   path.v[2] = -1;
   path.left = 3;
-  assert_false(contact_plane_find(&plane, &path, 0.1, 0.99, &touch));
-  assert_true(contact_plane_find(&plane, &path, 0.1, 1.01, &touch));
+  assert_false(aspi_plane_find(&plane, &path, 0.1, 0.99, &touch));
+  assert_true(aspi_plane_find(&plane, &path, 0.1, 1.01, &touch));
   path.v[0] = 0;
-  assert_false(contact_triangle_find(&triangle, &path, 0.1, 0.99, &touch));
-  assert_true(contact_triangle_find(&triangle, &path, 0.1, 1.01, &touch));
+  assert_false(aspi_triangle_find(&triangle, &path, 0.1, 0.99, &touch));
+  assert_true(aspi_triangle_find(&triangle, &path, 0.1, 1.01, &touch));
 }
 
 /* A sphere wider than its cylinder is put back on the axis at the end of its path. */
@@ -310,9 +310,9 @@ static void test_wide(void **unused) {
   const ContactPath path = {{0, 0.5, 0.1}, {1, -1, 0}, 2};
   ContactTouch touch;
   double x[3];
-  assert_true(contact_cylinder_find(&tube, &path, 1.5, 2, &touch));
+  assert_true(aspi_cylinder_find(&tube, &path, 1.5, 2, &touch));
   at(&path, touch.time, x);
-  vector_add_scaled(x, touch.lift, touch.n, x);
+  aspi_add_scaled(x, touch.overlap, touch.n, x);
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
@@ -325,28 +325,28 @@ static void check_clear(const ContactTree *tree, int round) {
   if (round % 5 == 0)
     path.v[round % 3] = 0;
   const double reach = uniform(0, 0.5), widen = round % 4 ? uniform(0, 0.2) : 0;
-  const double time = contact_tree_clear(tree, path.x, path.v, reach, widen, path.left, NULL, 0);
+  const double time = aspi_tree_clear(tree, path.x, path.v, reach, widen, path.left, NULL, 0);
   assert_true(time >= 0 && time <= path.left);
   double x[3], n[3], arm[3];
   for (int k = 0; k < 40 && time > 0; k++) {
     const double now = time * k / 40;
     at(&path, now, x);
-    assert_true(contact_tree_distance(tree, x, 10, NULL) > (reach + widen * now) * (1 - 1e-12));
+    assert_true(aspi_tree_distance(tree, x, 10, NULL) > (reach + widen * now) * (1 - 1e-12));
   }
   if (!(time < path.left))
     return;
   const double now = time + 1e-9, wide = reach + widen * now;
   at(&path, now, x);
   bool there = false;
-  for (size_t i = 0; i < contact_tree_count(tree); i++) {
-    const ContactTriangle *t = contact_tree_triangle(tree, (int)i);
+  for (size_t i = 0; i < aspi_tree_count(tree); i++) {
+    const ContactTriangle *t = aspi_tree_triangle(tree, (int)i);
     bool meets = true;
     for (int d = 0; d < 3; d++)
       meets = meets && fmax(t->node[0][d], fmax(t->node[1][d], t->node[2][d])) >= x[d] - wide &&
               fmin(t->node[0][d], fmin(t->node[1][d], t->node[2][d])) <= x[d] + wide;
-    contact_triangle_normal(t, n);
-    vector_subtract(x, t->node[0], arm);
-    there = there || (meets && fabs(vector_dot(n, arm)) <= wide);
+    aspi_triangle_normal(t, n);
+    aspi_subtract(x, t->node[0], arm);
+    there = there || (meets && fabs(aspi_dot(n, arm)) <= wide);
   }
   assert_true(there);
 }
@@ -357,23 +357,23 @@ static void test_along(void **unused) {
   (void)unused;
   const ContactTriangle triangle = {{{0, 0, 0}, {3, 1, 2}, {-1, 4, 3}}};
   const int id = 0;
-  ContactTree *tree = contact_tree_create(&triangle, &id, 1);
+  ContactTree *tree = aspi_tree_create(&triangle, &id, 1);
   double n[3], ab[3], bc[3], outward[3], x[3];
-  contact_triangle_normal(&triangle, n);
-  vector_subtract(triangle.node[1], triangle.node[0], ab);
-  vector_subtract(triangle.node[2], triangle.node[1], bc);
-  vector_cross(bc, n, outward);
-  vector_scale(1 / vector_length(outward), outward);
+  aspi_triangle_normal(&triangle, n);
+  aspi_subtract(triangle.node[1], triangle.node[0], ab);
+  aspi_subtract(triangle.node[2], triangle.node[1], bc);
+  aspi_cross(bc, n, outward);
+  aspi_scale(1 / aspi_length(outward), outward);
   const double reach = 0.01, widen = 1e-3;
   for (int side = -1; side <= 1; side += 2) { /* 0.02 over its face */
-    vector_add_scaled(triangle.node[0], side * 0.02, n, x);
-    assert_true(contact_tree_clear(tree, x, ab, reach, widen, 1, NULL, 0) >= 1);
-    assert_true(contact_tree_clear(tree, x, ab, 0.0195, widen, 1, NULL, 0) < 1);
+    aspi_add_scaled(triangle.node[0], side * 0.02, n, x);
+    assert_true(aspi_tree_clear(tree, x, ab, reach, widen, 1, NULL, 0) >= 1);
+    assert_true(aspi_tree_clear(tree, x, ab, 0.0195, widen, 1, NULL, 0) < 1);
   }
-  vector_add_scaled(triangle.node[1], 0.02, outward, x);
-  assert_true(contact_tree_clear(tree, x, bc, reach, widen, 1, NULL, 0) >= 1);
-  assert_true(contact_tree_clear(tree, x, bc, 0.0195, widen, 1, NULL, 0) < 1);
-  contact_tree_free(tree);
+  aspi_add_scaled(triangle.node[1], 0.02, outward, x);
+  assert_true(aspi_tree_clear(tree, x, bc, reach, widen, 1, NULL, 0) >= 1);
+  assert_true(aspi_tree_clear(tree, x, bc, 0.0195, widen, 1, NULL, 0) < 1);
+  aspi_tree_free(tree);
 }
 
 static void test_tree(void **unused) {
@@ -387,30 +387,30 @@ static void test_tree(void **unused) {
       double center[3];
       random_vector(5, center);
       if (i % 5 == 4)
-        vector_copy(triangles[0].node[0], center); /* many in one place */
+        aspi_copy(triangles[0].node[0], center); /* many in one place */
       for (int k = 0; k < 3; k++) {
         random_vector(0.3, triangles[i].node[k]);
-        vector_add_scaled(triangles[i].node[k], 1, center, triangles[i].node[k]);
+        aspi_add_scaled(triangles[i].node[k], 1, center, triangles[i].node[k]);
       }
       id[i] = 7 * count - 3 * i;
     }
-    ContactTree *tree = contact_tree_create(triangles, id, (size_t)count);
+    ContactTree *tree = aspi_tree_create(triangles, id, (size_t)count);
     assert_non_null(tree);
-    void *block = malloc(contact_tree_bytes(tree));
+    void *block = malloc(aspi_tree_bytes(tree));
     assert_non_null(block);
     if (count % 2) { /* the same tree over a block */
-      contact_tree_pack(tree, block);
-      contact_tree_free(tree);
-      tree = contact_tree_over(block);
+      aspi_tree_pack(tree, block);
+      aspi_tree_free(tree);
+      tree = aspi_tree_over(block);
       assert_non_null(tree);
     }
-    assert_int_equal(contact_tree_count(tree), count);
+    assert_int_equal(aspi_tree_count(tree), count);
     for (int i = 0; i < count; i++) {
-      const int place = contact_tree_place(tree, id[i]);
-      assert_true(place >= 0 && contact_tree_id(tree, place) == id[i]);
-      assert_memory_equal(contact_tree_triangle(tree, place), &triangles[i], sizeof triangles[i]);
+      const int place = aspi_tree_place(tree, id[i]);
+      assert_true(place >= 0 && aspi_tree_id(tree, place) == id[i]);
+      assert_memory_equal(aspi_tree_triangle(tree, place), &triangles[i], sizeof triangles[i]);
     }
-    assert_int_equal(contact_tree_place(tree, 7 * count + 1), -1);
+    assert_int_equal(aspi_tree_place(tree, 7 * count + 1), -1);
     ContactList list = {0};
     for (int round = 0; round < 50; round++) {
       double x[3], lo[3], hi[3], nearest[3], least = 2;
@@ -420,7 +420,7 @@ static void test_tree(void **unused) {
         hi[d] = x[d] + uniform(0, 1);
       }
       list.count = 0;
-      assert_true(contact_tree_meet(tree, lo, hi, &list));
+      assert_true(aspi_tree_meet(tree, lo, hi, &list));
       size_t meet = 0;
       for (int i = 0; i < count; i++) {
         bool meets = true;
@@ -431,18 +431,18 @@ static void test_tree(void **unused) {
                   fmin(a[d], fmin(b[d], c[d])) <= hi[d];
         }
         meet += meets;
-        least = fmin(least, contact_triangle_nearest(&triangles[i], x, nearest));
+        least = fmin(least, aspi_triangle_nearest(&triangles[i], x, nearest));
       }
       assert_int_equal(list.count, meet);
-      assert_int_equal(contact_tree_meets(tree, lo, hi), meet > 0);
+      assert_int_equal(aspi_tree_meets(tree, lo, hi), meet > 0);
       int place;
-      const double distance = contact_tree_distance(tree, x, 2, &place);
+      const double distance = aspi_tree_distance(tree, x, 2, &place);
       assert_true(fabs(distance - least) < 1e-12);
       assert_int_equal(place >= 0, least < 2);
       check_clear(tree, round);
     }
-    contact_list_free(&list);
-    contact_tree_free(tree);
+    aspi_places_free(&list);
+    aspi_tree_free(tree);
     free(block);
     free(triangles);
     free(id);

@@ -1,5 +1,5 @@
 /* The judge in three dimensions: flights over the wall against brute force, and the numbers of an
- * independent reference (WALLS-3D, section 7: 2048 x 2048 points, 8 to 12 surfaces).
+ * independent reference (2048 x 2048 points, 8 to 12 surfaces).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"

@@ -234,9 +234,9 @@ static void own_materials(void **state) {
   asp_error error = {0};
   const char *path = file_of(
       "# our own\n"
-      "name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source,seen\n"
-      "fly-ash,\"Fly ash, plant \"\"B\"\"\",5e10,0.2,2100,1.5e8,\"Smith 1999, table 2\",yes\n"
-      "quartz,,7.2e10,0.17,2650,,,\n");
+      "name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n"
+      "fly-ash,\"Fly ash, plant \"\"B\"\"\",5e10,0.2,2100,1.5e8,\"Smith 1999, table 2\"\n"
+      "quartz,,7.2e10,0.17,2650,,\n");
   asp_materials *own = asp_materials_read(path, &error);
   assert_string_equal(error.text, "");
   assert_non_null(own);
@@ -245,7 +245,6 @@ static void own_materials(void **state) {
   const asp_material *ash = asp_materials_find(own, "fly-ash", NULL);
   assert_string_equal(ash->title, "Fly ash, plant \"B\"");
   assert_string_equal(ash->source, "Smith 1999, table 2");
-  assert_true(ash->seen);
   assert_near(ash->youngs_modulus, 5e10, 0);
   assert_near(ash->yield_stress, 1.5e8, 0);
   assert_near(asp_materials_find(own, "quartz", NULL)->youngs_modulus, 7.2e10, 0);

@@ -33,6 +33,8 @@ static void units_are_powers_of_ten(void **state) {
   assert_near(read("100mJ/m2", "energy/area", &si), 0.1, 0);
   assert_near(read("1.2g/cm3", "density", &cgs), 1.2, 1e-15);
   assert_near(read("30deg", "degrees", &si), 30, 0);
+  assert_near(read("0.5rad", "degrees", &si), 90 / ASP_PI, 1e-13);
+  assert_near(read("5mil", "length", &si), 127e-6, 1e-18); /* as a file's header may state it */
   assert_near(read("500C", "K", &si), 773.15, 0);
   assert_near(read("0.001/K", "1/K", &si), 1e-3, 0);
 }

@@ -36,18 +36,18 @@ Twist twist_of(double rate, double speed) {
   Twist twist;
   const double axis[3] = {2, -1, 0}, w[3] = {0, 0, rate};
   double turned[3];
-  vector_copy(w, twist.angular);
-  vector_cross(w, axis, turned);
-  vector_scale(-1, turned);
-  vector_copy(turned, twist.linear);
+  aspi_copy(w, twist.angular);
+  aspi_cross(w, axis, turned);
+  aspi_scale(-1, turned);
+  aspi_copy(turned, twist.linear);
   twist.linear[2] += speed;
   return twist;
 }
 
 double distance(const double a[3], const double b[3]) {
   double off[3];
-  vector_subtract(a, b, off);
-  return vector_length(off);
+  aspi_subtract(a, b, off);
+  return aspi_length(off);
 }
 
 const double BODY[3] = {0.3, 0.7, -0.2};
@@ -147,7 +147,7 @@ void test_rest(void **) {
   assert_true(!motion.in_world() && motion.moves());
   motion.rest();
   motion.velocity(0.5, BODY, v);
-  assert_true(vector_length(v) == 0 && !motion.moves() && !motion.in_world());
+  assert_true(aspi_length(v) == 0 && !motion.moves() && !motion.in_world());
   double begin[3], end[3];
   motion.at(0).to_world(BODY, begin);
   frame_at(0.1, 0).to_world(BODY, end);

@@ -36,19 +36,19 @@ void draw(double most, double a[3]) {
 double off_by(const Support &s, double friction, double radius, const double v[3],
               const double omega[3]) {
   double across[3], u[3], along[3], p_t[3], worst = 0;
-  vector_cross(omega, s.n, across);
-  vector_subtract(v, s.w, u);
-  vector_add_scaled(u, -radius, across, u);
-  const double u_n = vector_dot(u, s.n), p_n = vector_dot(s.p, s.n);
-  vector_add_scaled(u, -u_n, s.n, along);
-  vector_add_scaled(s.p, -p_n, s.n, p_t);
-  const double slide = vector_length(along), limit = friction * p_n;
+  aspi_cross(omega, s.n, across);
+  aspi_subtract(v, s.w, u);
+  aspi_add_scaled(u, -radius, across, u);
+  const double u_n = aspi_dot(u, s.n), p_n = aspi_dot(s.p, s.n);
+  aspi_add_scaled(u, -u_n, s.n, along);
+  aspi_add_scaled(s.p, -p_n, s.n, p_t);
+  const double slide = aspi_length(along), limit = friction * p_n;
   worst = fmax(worst, fmax(-u_n, -p_n));
   worst = fmax(worst, fmin(u_n, p_n));
-  worst = fmax(worst, vector_length(p_t) - limit);
+  worst = fmax(worst, aspi_length(p_t) - limit);
   /* Where it slides, friction is at its limit and against the slide. */
-  vector_add_scaled(p_t, slide > 0 ? limit / slide : 0, along, p_t);
-  return fmax(worst, fmin(slide, vector_length(p_t)));
+  aspi_add_scaled(p_t, slide > 0 ? limit / slide : 0, along, p_t);
+  return fmax(worst, fmin(slide, aspi_length(p_t)));
 }
 
 int run(int contacts, bool moving, double friction) {
@@ -62,21 +62,21 @@ int run(int contacts, bool moving, double friction) {
     for (Support &s : supports) {
       do
         draw(1, s.n);
-      while (!(vector_length(s.n) > 0.1 && s.n[2] > -0.5));
-      vector_scale(1 / vector_length(s.n), s.n);
+      while (!(aspi_length(s.n) > 0.1 && s.n[2] > -0.5));
+      aspi_scale(1 / aspi_length(s.n), s.n);
       draw(moving ? 0.3 : 0, s.w);
       s.friction = friction;
     }
-    vector_copy(v, sum);
-    vector_copy(omega, turn);
+    aspi_copy(v, sum);
+    aspi_copy(omega, turn);
     const bool possible = solve_supports(supports, radius, v, omega);
     double worst = 0;
     for (const Support &s : supports) {
       double across[3];
-      vector_cross(s.n, s.p, across);
-      vector_add_scaled(sum, 1, s.p, sum);
-      vector_add_scaled(turn, -2.5 / radius, across, turn);
-      scale += vector_length(s.p);
+      aspi_cross(s.n, s.p, across);
+      aspi_add_scaled(sum, 1, s.p, sum);
+      aspi_add_scaled(turn, -2.5 / radius, across, turn);
+      scale += aspi_length(s.p);
       if (friction > 0 && !(s.friction > 0)) /* the sweeps went round in a circle */
         worst = HUGE_VAL;
     }

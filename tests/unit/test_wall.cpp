@@ -147,7 +147,7 @@ void two_dimensions_stay_in_their_plane(void **) {
   for (int i = 0; i < GRAINS; i++) {
     const double *v = &grains.v[3 * i], speed = hypot(1 + 0.01 * i, i % 2 ? 0.02 * i : 0);
     assert_true(fabs(v[2]) < 1e-12);
-    assert_true(fabs(vector_length(v) / speed - 1) < 1e-9);
+    assert_true(fabs(aspi_length(v) / speed - 1) < 1e-9);
     turned += i % 2 == 0 && fabs(v[1]) > 0.1;
   }
   assert_true(turned > GRAINS / 4);

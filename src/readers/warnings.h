@@ -1,18 +1,18 @@
 /* What makes measured heights doubtful: dust, heights in a few steps, heights that are cut off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_DOUBTS_H
-#define ASP_SURFACE_DOUBTS_H
+#ifndef ASP_READERS_WARNINGS_H
+#define ASP_READERS_WARNINGS_H
 
 #include "readers/raw.h"
 
-/* Robust standard deviations off its neighbours at which a point is dust, not roughness. */
+/* Robust standard deviations off its neighbors at which a point is dust, not roughness. */
 #define ASP_SPIKES_CLEAR 20.0
 
 /* Heights as a file has them, before the form is taken out. */
 typedef struct aspi_steps {
   size_t points, levels; /* levels: 0 where there are too many to tell */
-  double quantum;        /* the least distance between neighbours of different height */
+  double quantum;        /* the least distance between neighbors of different height */
   double end[2];         /* the lowest and the highest one */
   size_t cut[2];         /* points that lie there side by side, where they are many; else 0 */
 } aspi_steps;
@@ -20,7 +20,7 @@ typedef struct aspi_steps {
 aspi_steps aspi_steps_find(const aspi_raw *raw);
 
 /* The sentences, "" where there is no doubt; heights in m. `outliers`: points that lie
- * ASP_SPIKES_CLEAR off their neighbours. */
-void aspi_doubts_tell(const aspi_steps *steps, size_t outliers, char *text, size_t size);
+ * ASP_SPIKES_CLEAR off their neighbors. */
+void aspi_warnings_write(const aspi_steps *steps, size_t outliers, char *text, size_t size);
 
 #endif

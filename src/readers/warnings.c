@@ -1,8 +1,8 @@
-/* Doubts about measured heights; see doubts.h. And about how they are sampled: points per particle,
- * and the length in correlation lengths.
+/* Doubts about measured heights; see warnings.h. And about how they are sampled: points per
+ * particle, and the length in correlation lengths.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "readers/doubts.h"
+#include "readers/warnings.h"
 #include "base/error.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 /* Heights have steps where they take no more values than this, each of them many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 
-/* Neighbours whose heights differ by less than this part of the range do so by rounding. */
+/* Neighbors whose heights differ by less than this part of the range do so by rounding. */
 #define ROUNDING 1e-9
 
 /* Heights are cut off at an end of their range where this part of the points lies there, and this
@@ -91,7 +91,7 @@ aspi_steps aspi_steps_find(const aspi_raw *raw) {
   return s;
 }
 
-void aspi_doubts_tell(const aspi_steps *s, size_t outliers, char *text, size_t size) {
+void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_t size) {
   size_t used = 0;
   *text = '\0';
   if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */

@@ -1,0 +1,36 @@
+/* The nodes of a tree of boxes, for the files that walk through it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_TREE_NODES_H
+#define ASPERITY_TREE_NODES_H
+
+#include "contact/tree.h"
+
+enum { CONTACT_TREE_DEPTH = 64 };
+
+/* b if one of them is NaN. Unlike fmax and fmin these are inlined. */
+static inline double aspi_larger(double a, double b) {
+  return a > b ? a : b;
+}
+
+static inline double aspi_smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+/* A leaf has `count` triangles from `first` on; an inner node has count 0, its one child right
+ * behind it, and the other at `first`. */
+typedef struct ContactNode {
+  float lo[3], hi[3];
+  int first, count;
+} ContactNode;
+
+struct ContactTree {
+  ContactTriangle *triangles;
+  int *id;
+  int *by_id; /* places in order of their numbers */
+  ContactNode *nodes;
+  size_t count, n_nodes, room;
+  bool borrows; /* the lists are parts of a block that somebody else frees */
+};
+
+#endif

@@ -1,0 +1,163 @@
+/* A sphere that moves and grows against a tree of triangles; see aspi_tree_clear().
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+
+#include "contact/tree_nodes.h"
+#include "contact/vector.h"
+
+/* A flatter triangle, by height over longest edge, has no well-defined plane. */
+static const double SLIVER = 1e-3;
+
+/* The sphere, and the box around it. */
+typedef struct Sweep {
+  double x[3], v[3], reach, widen;
+  double lo[3], hi[3];       /* sides of its box at the beginning */
+  double rises[3], falls[3]; /* times in which the upper side goes up by 1, the lower one down */
+  bool leaves_up[3], leaves_down[3]; /* the other side moves that way, too */
+} Sweep;
+
+static Sweep sweep_of(const double x[3], const double v[3], double reach, double widen) {
+  Sweep sweep = {.reach = reach, .widen = widen};
+  aspi_copy(x, sweep.x);
+  aspi_copy(v, sweep.v);
+  for (int d = 0; d < 3; d++) {
+    const double up = widen + v[d], down = widen - v[d];
+    sweep.lo[d] = x[d] - reach;
+    sweep.hi[d] = x[d] + reach;
+    sweep.rises[d] = up > 0 || up < 0 ? 1 / up : INFINITY;
+    sweep.falls[d] = down > 0 || down < 0 ? 1 / down : INFINITY;
+    sweep.leaves_up[d] = down < 0;
+    sweep.leaves_down[d] = up < 0;
+  }
+  return sweep;
+}
+
+/* The time at which it first meets the box lo to hi, at most `most`; it leaves the box by *end. */
+static inline double sweep_meets(const Sweep *sweep, const double lo[3], const double hi[3],
+                                 double most, double *end) {
+  double begin = 0;
+  *end = most;
+  for (int d = 0; d < 3; d++) {
+    const double above = lo[d] - sweep->hi[d], below = sweep->lo[d] - hi[d];
+    if (above > 0) {
+      if (sweep->leaves_down[d])
+        return most;
+      begin = aspi_larger(begin, above * sweep->rises[d]);
+    } else if (sweep->leaves_down[d])
+      *end = aspi_smaller(*end, above * sweep->rises[d]);
+    if (below > 0) {
+      if (sweep->leaves_up[d])
+        return most;
+      begin = aspi_larger(begin, below * sweep->falls[d]);
+    } else if (sweep->leaves_up[d])
+      *end = aspi_smaller(*end, below * sweep->falls[d]);
+    if (begin > *end)
+      return most;
+  }
+  return begin;
+}
+
+static inline double sweep_meets_node(const Sweep *sweep, const ContactNode *node, double most) {
+  const double lo[3] = {node->lo[0], node->lo[1], node->lo[2]};
+  const double hi[3] = {node->hi[0], node->hi[1], node->hi[2]};
+  double end;
+  return sweep_meets(sweep, lo, hi, most, &end);
+}
+
+/* Narrows the times in which it is not beyond a plane: where n.(center - on) is at most the radius
+ * times `length`, that of n. False where it is beyond it throughout. */
+static bool sweep_is_within(const Sweep *sweep, const double n[3], double length,
+                            const double on[3], double *begin, double *end) {
+  double arm[3];
+  aspi_subtract(sweep->x, on, arm);
+  const double gap = aspi_dot(n, arm) - sweep->reach * length;
+  const double closing = sweep->widen * length - aspi_dot(n, sweep->v);
+  if (gap > 0) {
+    if (!(closing * *end > gap))
+      return false;
+    *begin = aspi_larger(*begin, gap / closing);
+  } else if (closing < 0)
+    *end = aspi_smaller(*end, gap / closing);
+  return *begin <= *end;
+}
+
+/* Lower bound by the triangle's box, its plane, and the inner sides of its edges: a sphere that
+ * flies along a wall oblique to the axes stays in the boxes of its triangles for long. */
+static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t, double most) {
+  double lo[3], hi[3], end;
+  for (int d = 0; d < 3; d++) {
+    lo[d] = aspi_smaller(t->node[0][d], aspi_smaller(t->node[1][d], t->node[2][d]));
+    hi[d] = aspi_larger(t->node[0][d], aspi_larger(t->node[1][d], t->node[2][d]));
+  }
+  double begin = sweep_meets(sweep, lo, hi, most, &end);
+  if (!(begin < most))
+    return most;
+  double edge[3][3], n[3], back[3];
+  for (int k = 0; k < 3; k++)
+    aspi_subtract(t->node[(k + 1) % 3], t->node[k], edge[k]);
+  aspi_cross(edge[0], edge[1], n);
+  aspi_copy(n, back);
+  aspi_scale(-1, back);
+  const double length = aspi_length(n);
+  const double longest =
+      aspi_larger(aspi_dot(edge[0], edge[0]),
+                  aspi_larger(aspi_dot(edge[1], edge[1]), aspi_dot(edge[2], edge[2])));
+  if (!(length > SLIVER * longest))
+    return begin;
+  if (!sweep_is_within(sweep, n, length, t->node[0], &begin, &end) ||
+      !sweep_is_within(sweep, back, length, t->node[0], &begin, &end))
+    return most;
+  for (int k = 0; k < 3; k++) {
+    double outward[3];
+    aspi_cross(edge[k], n, outward);
+    if (!sweep_is_within(sweep, outward, aspi_length(outward), t->node[k], &begin, &end))
+      return most;
+  }
+  return aspi_smaller(begin, most);
+}
+
+static bool has(const int *list, int count, int number) {
+  for (int k = 0; k < count; k++)
+    if (list[k] == number)
+      return true;
+  return false;
+}
+
+double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
+                       double widen, double most, const int *skip, int skipped) {
+  const Sweep sweep = sweep_of(x, v, reach, widen);
+  struct {
+    int at;
+    double time;
+  } stack[CONTACT_TREE_DEPTH];
+  int top = 0;
+  double first = most;
+  if (tree->count > 0) {
+    stack[top].at = 0;
+    stack[top++].time = sweep_meets_node(&sweep, tree->nodes, most);
+  }
+  while (top > 0 && first > 0) {
+    const int at = stack[--top].at;
+    if (!(stack[top].time < first))
+      continue;
+    const ContactNode *node = &tree->nodes[at];
+    if (node->count == 0) { /* the nearer child first */
+      const int child[2] = {at + 1, node->first};
+      const double time[2] = {sweep_meets_node(&sweep, &tree->nodes[child[0]], first),
+                              sweep_meets_node(&sweep, &tree->nodes[child[1]], first)};
+      const int sooner = time[1] < time[0];
+      for (int k = 0; k < 2; k++) {
+        const int which = k == 0 ? !sooner : sooner;
+        if (!(time[which] < first))
+          continue;
+        stack[top].at = child[which];
+        stack[top++].time = time[which];
+      }
+    }
+    for (int i = node->first; i < node->first + node->count; i++)
+      if (!has(skip, skipped, tree->id[i]))
+        first = aspi_smaller(first, sweep_meets_triangle(&sweep, &tree->triangles[i], first));
+  }
+  return first;
+}

@@ -1,0 +1,132 @@
+/* The words of a description, one after the other, and the numbers among them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/words.h"
+#include "base/error.h"
+#include "base/number.h"
+#include "base/quantity.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool aspi_words_next_is(const aspi_words *r, const char *word) {
+  return r->next < r->count && strcmp(r->words[r->next], word) == 0;
+}
+
+bool aspi_words_take(aspi_words *r, const char *word) {
+  bool here = aspi_words_next_is(r, word);
+  r->next += here;
+  return here;
+}
+
+const char *aspi_words_word(aspi_words *r, const char *what) {
+  if (r->next < r->count)
+    return r->words[r->next++];
+  aspi_fail(r->error, ASP_EARG, "%s is missing", what);
+  return NULL;
+}
+
+bool aspi_words_in_list(const char *name, const char *list) {
+  size_t length = strlen(name);
+  for (const char *at = list + strspn(list, " "); *at; at += strspn(at, " ")) {
+    size_t n = strcspn(at, " ");
+    if (n == length && strncmp(at, name, n) == 0)
+      return true;
+    at += n;
+  }
+  return false;
+}
+
+bool aspi_words_number_next(const aspi_words *r) {
+  if (r->next >= r->count)
+    return false;
+  char *end;
+  aspi_number(r->words[r->next], &end);
+  return end > r->words[r->next];
+}
+
+char *aspi_words_copy(const char *text, asp_error *error) {
+  size_t size = strlen(text) + 1;
+  char *made = malloc(size);
+  if (made)
+    memcpy(made, text, size);
+  else
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
+  return made;
+}
+
+asp_code aspi_words_file(aspi_words *r, const char *what, char **name) {
+  const char *given = aspi_words_word(r, what);
+  if (!given)
+    return ASP_EARG;
+  if (strcmp(given, "-") == 0)
+    return aspi_fail(r->error, ASP_EARG, "%s is '-'; it must be the name of a file", what);
+  free(*name);
+  *name = aspi_words_copy(given, r->error);
+  return *name ? ASP_OK : ASP_ENOMEM;
+}
+
+void aspi_description_let_fit(aspi_description *said) {
+  said->may_fit = true;
+}
+
+bool aspi_words_unknown(const aspi_words *r, const char *given, const char **start) {
+  bool alone = strcmp(given, "fit") == 0, begins = strncmp(given, "fit=", 4) == 0;
+  *start = begins ? given + 4 : NULL;
+  return r->said->may_fit && (alone || begins);
+}
+
+asp_code aspi_words_add_unknown(aspi_words *r, const char *name) {
+  aspi_description *said = r->said;
+  if (said->n_fits == ASPI_FITS_MOST)
+    return aspi_fail(r->error, ASP_EARG, "%s is one number too many to fit; there may be %d", name,
+                     ASPI_FITS_MOST);
+  said->fits[said->n_fits++] = name;
+  return ASP_OK;
+}
+
+/* Degrees: default start of a fit of sigma. */
+#define SIGMA_START 5
+
+/* The default start of a fit. */
+static asp_code standard_start(aspi_words *r, const aspi_keyword *k, double *value) {
+  char units[120];
+  aspi_quantity_units(k->unit, units, sizeof units);
+  if (strcmp(k->unit, "length") == 0)
+    return aspi_fail(r->error, ASP_EARG,
+                     "a fit of %s needs a value to begin with: say '%s fit=VALUE', in one of: %s",
+                     k->name, k->name, units);
+  *value = strcmp(k->name, "sigma") == 0 ? SIGMA_START : NAN;
+  return ASP_OK;
+}
+
+asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, double *value) {
+  const aspi_keyword *k = aspi_keyword_find(within, name);
+  const char *given = aspi_words_word(r, name);
+  if (!given)
+    return ASP_EARG;
+  asp_code code = aspi_quantity_read(name, given, k->unit, &r->said->units, value, r->error);
+  return code ? code : aspi_keyword_check(k, *value, r->error);
+}
+
+asp_code aspi_words_number_or_fit(aspi_words *r, const char *within, const char *name,
+                                  double *value) {
+  const aspi_keyword *k = aspi_keyword_find(within, name);
+  const char *start;
+  if (r->next == r->count || !aspi_words_unknown(r, r->words[r->next], &start))
+    return aspi_words_number(r, within, name, value);
+  r->next++;
+  asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->said->units, value, r->error)
+                        : standard_start(r, k, value);
+  if (!code && start)
+    code = aspi_keyword_check(k, *value, r->error);
+  return code ? code : aspi_words_add_unknown(r, k->name);
+}
+
+asp_code aspi_words_check_units(const aspi_words *r, const char *what) {
+  if (aspi_quantity_factor("stress", &r->said->units) > 0)
+    return ASP_OK;
+  return aspi_fail(r->error, ASP_EARG, "%s in SI units, which cannot be converted to %s", what,
+                   r->said->units.name);
+}

@@ -1,0 +1,54 @@
+/* The words of a description, one after the other, and the numbers among them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_WALL_WORDS_H
+#define ASP_WALL_WORDS_H
+
+#include "wall/description.h"
+
+/* The words of a clause, of which `next` comes next, and the wall that they describe. */
+typedef struct aspi_words {
+  asp_wall *wall;
+  aspi_description *said;
+  const char *const *words;
+  int count, next;
+  const char *others; /* words of the caller that end a list of names */
+  asp_error *error;
+} aspi_words;
+
+/* True if the next word is this one, or begins with a number; take: and goes past it. */
+bool aspi_words_next_is(const aspi_words *words, const char *word);
+bool aspi_words_take(aspi_words *words, const char *word);
+bool aspi_words_number_next(const aspi_words *words);
+
+/* Takes the next word; NULL and a message that names `what` where there is none. */
+const char *aspi_words_word(aspi_words *words, const char *what);
+
+/* Takes the name of a file into *name, from malloc. `-`, which cannot be read again, is refused. */
+asp_code aspi_words_file(aspi_words *words, const char *what, char **name);
+
+/* Takes the number of a keyword, with its unit if it has one; or_fit: it may be `fit`. */
+asp_code aspi_words_number(aspi_words *words, const char *within, const char *name, double *value);
+asp_code aspi_words_number_or_fit(aspi_words *words, const char *within, const char *name,
+                                  double *value);
+
+/* True if the word given is `fit` or `fit=START` and unknown numbers are allowed; *start is the
+ * text of START, NULL for none. add_unknown: notes the number of that name as unknown. */
+bool aspi_words_unknown(const aspi_words *words, const char *given, const char **start);
+asp_code aspi_words_add_unknown(aspi_words *words, const char *name);
+
+/* ASP_EARG if the caller's units are not known: "<what> in SI units, which cannot be ...". */
+asp_code aspi_words_check_units(const aspi_words *words, const char *what);
+
+/* The clause `materials` (materials.c). */
+asp_code aspi_words_materials(aspi_words *words);
+
+enum { ASPI_LIST_MOST = 1000 }; /* characters of all words that may stand at one place */
+
+/* True if a list of words with blanks between has the word. */
+bool aspi_words_in_list(const char *word, const char *list);
+
+/* A copy from malloc; NULL and a message when out of memory. */
+char *aspi_words_copy(const char *text, asp_error *error);
+
+#endif
