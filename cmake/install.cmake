@@ -1,5 +1,5 @@
-# What `cmake --install` puts in place: library, header, command, launchers, and the files by which CMake
-# and pkg-config find the library.
+# What `cmake --install` puts in place: library, header, command, launchers, the library and headers of the
+# engines' side, and the files by which CMake and pkg-config find the libraries.
 # SPDX-License-Identifier: GPL-3.0-or-later
 install(TARGETS asperity EXPORT asperityTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -13,6 +13,14 @@ if(ASPERITY_LAMMPS)
   install(TARGETS lammps-asperity RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
+if(TARGET asperity_dem)
+  install(TARGETS asperity_dem EXPORT asperityDemTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY src/contact src/dem DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity
+    FILES_MATCHING PATTERN "*.h")
+  install(FILES src/base/ledger_columns.h src/base/number.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity/base)
+endif()
+
 install(DIRECTORY ${CMAKE_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
   FILES_MATCHING PATTERN "*.1")
 install(FILES src/cli/asperity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
@@ -20,6 +28,9 @@ install(FILES src/cli/asperity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-co
 
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/asperity)
 install(EXPORT asperityTargets NAMESPACE asperity:: DESTINATION ${_package})
+if(TARGET asperity_dem)
+  install(EXPORT asperityDemTargets NAMESPACE asperity:: DESTINATION ${_package})
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/asperityConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/asperityConfig.cmake INSTALL_DESTINATION ${_package})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/asperityConfigVersion.cmake

@@ -14,51 +14,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Simulated impacts for each measured one, where --samples does not say. */
-enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
-
 /* Unknowns whose estimates hang together by more than this, or that are known worse than this share
  * of their value, cannot be told from the data. */
 #define CORRELATED 0.95
 #define VAGUE 1.0
-
-/* The box in which the search looks for starts, and bounds of the search, of an unknown without
- * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
- * one with bounds. */
-#define LOG_AROUND 2.5
-#define LOG_DOWN 6.9
-#define LOG_UP 3.4
-#define LOGISTIC_AROUND 3.5
-#define LOGISTIC 6.0
-
-/* What is taken for the error of a mean of which nothing is known, before the fit tells. */
-#define ERROR_UNKNOWN 0.01
-
-/* And for the number of impacts where only their scatter is known: that of means and that of
- * standard deviations then count alike. */
-#define IMPACTS_UNKNOWN 20
 
 /* ---- what is looked for -----------------------------------------------------------------------
  */
 
 /* The value of a number that the description does not give; NAN: there is none. Of sigma, in
  * degrees, one that most walls are near. */
-static double standard_of(const calibration *c, const calibrate_unknown *u) {
+static double standard_of(const aspi_calibration *c, const aspi_unknown *u) {
   if (u->kind == OF_SURFACE)
     return strcmp(u->name, "sigma") == 0 ? 5 : NAN;
-  asp_pair *pair = u->kind == OF_PAIR && c->wall.particle
-                       ? asp_pair_create(c->wall.particle, c->wall.target, NULL)
-                       : NULL;
+  asp_pair *pair =
+      u->kind == OF_PAIR && c->particle ? asp_pair_create(c->particle, c->target, NULL) : NULL;
   double value = pair ? asp_pair_get(pair, u->name) : NAN;
   asp_pair_free(pair);
   return value;
 }
 
 /* What a number of the description is; a law's own go before all others. */
-static calibrate_unknown unknown_of(const calibration *c, const char *name) {
+static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
   static const char *const surface[] = {"sigma", "rq", "lambda_c"};
-  const asp_rebound_law *law = asp_wall_rebound(c->wall.wall);
-  calibrate_unknown u = {.name = name, .kind = OF_PAIR};
+  const asp_rebound_law *law = asp_wall_rebound(c->wall);
+  aspi_unknown u = {.name = name, .kind = OF_PAIR};
   const char *kind = "";
   int index = aspi_rebound_parameter_find(law, name, NULL);
   for (int i = 0; i < 3; i++)
@@ -86,9 +66,9 @@ static calibrate_unknown unknown_of(const calibration *c, const char *name) {
 }
 
 /* Where the search begins: the number's own start, else that of the materials. */
-static double start_of(const calibration *c, const calibrate_unknown *u) {
-  double value = asp_wall_get(c->wall.wall, u->name);
-  double start = isnan(value) && c->wall.pair ? asp_pair_get(c->wall.pair, u->name) : value;
+static double start_of(const aspi_calibration *c, const aspi_unknown *u) {
+  double value = asp_wall_get(c->wall, u->name);
+  double start = isnan(value) && c->pair ? asp_pair_get(c->pair, u->name) : value;
   double room = u->bounded ? 0.02 * (u->most - u->least) : 0;
   start = fmin(fmax(start, u->least + room), u->bounded ? u->most - room : start);
   if (!(start > 0))
@@ -98,14 +78,14 @@ static double start_of(const calibration *c, const calibrate_unknown *u) {
   return start;
 }
 
-static void read_unknowns(calibration *c) {
-  const aspi_description *said = c->wall.wall->said;
+static void read_unknowns(aspi_calibration *c) {
+  const aspi_description *said = c->wall->said;
   for (int i = 0; i < said->n_fits; i++) {
-    calibrate_unknown *u = &c->unknown[c->n_unknown++];
+    aspi_unknown *u = &c->unknown[c->n_unknown++];
     *u = unknown_of(c, said->fits[i]);
-    if (u->kind == OF_PAIR && !asp_rebound_needs_pair(asp_wall_rebound(c->wall.wall)))
+    if (u->kind == OF_PAIR && !asp_rebound_needs_pair(asp_wall_rebound(c->wall)))
       cli_bad_usage("'%s' has no effect on impacts with rebound %s", u->name,
-                    asp_rebound_name(asp_wall_rebound(c->wall.wall)));
+                    asp_rebound_name(asp_wall_rebound(c->wall)));
     u->start = start_of(c, u);
     u->standard = u->standard > 0 ? u->standard : u->start;
     c->moves = c->moves || u->kind == OF_SURFACE;
@@ -113,144 +93,70 @@ static void read_unknowns(calibration *c) {
   if (c->n_unknown == 0)
     cli_bad_usage("no number of the description is 'fit'; say which to look for, as 'surface sigma "
                   "fit friction fit'");
-  if (c->moves && asp_wall_needs_sizes(c->wall.wall))
+  if (c->moves && asp_wall_needs_sizes(c->wall))
     cli_bad_usage("spread is '%s', which is made for one surface; where that is fitted it must be "
                   "a model that takes any, as visible or weibull",
-                  asp_wall_get(c->wall.wall, "tolerance") > 0
+                  asp_wall_get(c->wall, "tolerance") > 0
                       ? "auto"
-                      : asp_spread_name(asp_wall_spread(c->wall.wall)));
+                      : asp_spread_name(asp_wall_spread(c->wall)));
 }
 
 /* ---- the measurements -------------------------------------------------------------------------
  */
 
-/* A row of means; sd and n where they are known. */
-static void take_means(calibration *c, size_t b) {
-  const measured_row *row = &c->data.rows[c->bins[b].first];
-  aspi_group *g = &c->groups[b];
-  double alpha = cli_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
-  bool scatter = row->sd[COR_N] > 0 || row->sd[COR_T] > 0, counted = row->n > 0;
-  g->n = counted ? row->n : scatter && !c->smooth ? IMPACTS_UNKNOWN : 1;
-  for (int k = 0; k < COR_BOTH && !(row->n > 0); k++)
-    if (row->se[k] > 0 && row->sd[k] > 0 && (counted = true))
-      g->n = fmax(1, row->sd[k] * row->sd[k] / (row->se[k] * row->se[k]));
-  for (int k = 0; k < COR_BOTH; k++) {
-    g->used[MOMENT_X + k] = isfinite(row->cor[k]) && (k == COR_N || row->degrees < 90);
-    g->used[MOMENT_XX + k] = g->used[MOMENT_X + k] && row->sd[k] > 0 && !c->smooth;
-    g->mean[k] = row->cor[k] * by[k];
-    g->sd[k] = (row->sd[k] > 0 ? row->sd[k] : 0) * by[k];
-    g->se[k] = (row->se[k] > 0 ? row->se[k] : NAN) * by[k];
-    if (!(row->sd[k] > 0) && !(row->se[k] > 0))
-      g->se[k] = ERROR_UNKNOWN * by[k];
-    c->known = c->known && (counted || row->se[k] > 0 || !g->used[MOMENT_X + k]);
-    g->by_data = g->by_data || (g->used[MOMENT_X + k] && g->n <= 1);
-  }
-}
-
-static void read_data(calibration *c, const char *path) {
-  const cli_option *bin = &c->options[BIN];
-  double width = cli_number(bin, 0.1, 90);
-  c->data = measured_read(path, &c->options[MEASURED]);
+static void read_data(const cli_option *options, aspi_calibration *c, const char *path) {
+  asp_error error;
+  double width = cli_number(&options[BIN], 0.1, 90);
+  c->data = measured_read(path, &options[MEASURED]);
   measured_need_view(path, &c->data,
-                     !c->smooth && strcmp(asp_wall_word(c->wall.wall, "tilt"), "plane") != 0);
-  c->known = true;
-  c->bins = cli_allocate(c->data.count, sizeof *c->bins);
-  for (size_t i = 0; i < c->data.count; i++) {
-    double degrees = c->data.rows[i].degrees;
-    calibrate_bin *last = c->n_bins ? &c->bins[c->n_bins - 1] : NULL;
-    bool joins = last && !c->data.means &&
-                 floor(fmin(degrees, 90 - 1e-6) / width + 1e-9) <=
-                     floor(fmin(c->data.rows[last->first].degrees, 90 - 1e-6) / width + 1e-9);
-    if (!joins)
-      c->bins[c->n_bins++] = (calibrate_bin){.first = i};
-    c->bins[c->n_bins - 1].end = i + 1;
-  }
-  c->groups = cli_allocate(c->n_bins, sizeof *c->groups);
-  double most = 0;
-  size_t n_moments = 0;
-  for (size_t b = 0; b < c->n_bins; b++) {
-    calibrate_bin *on = &c->bins[b];
-    for (size_t i = on->first; i < on->end; i++)
-      on->degrees += c->data.rows[i].degrees / (double)(on->end - on->first);
-    if (c->data.means)
-      take_means(c, b);
-    else
-      calibrate_take_impacts(c, b);
-    for (int k = 0; k < MOMENTS; k++)
-      n_moments += c->groups[b].used[k];
-    most = fmax(most, c->groups[b].n);
-  }
-  size_t wanted = (size_t)fmin(fmax(TIMES * most, SAMPLES_LEAST), SAMPLES_MOST);
-  c->samples = c->options[SAMPLES].value ? cli_whole(&c->options[SAMPLES], 100, 100000000) : wanted;
-  if (n_moments < c->n_unknown)
-    cli_bad_usage("%s: it has %zu moments for %zu unknowns; fewer numbers must be 'fit'", path,
-                  n_moments, c->n_unknown);
+                     !c->smooth && strcmp(asp_wall_word(c->wall, "tilt"), "plane") != 0);
+  c->samples = options[SAMPLES].value ? cli_whole(&options[SAMPLES], 100, 100000000) : 0;
+  asp_code code = aspi_calibration_take_data(c, width, &error);
+  if (code == ASP_EARG)
+    cli_bad_usage("%s: %s", path, error.text);
+  else if (code)
+    cli_bad_file(NULL, &error);
 }
 
 /* ---- the fit ----------------------------------------------------------------------------------
  */
 
 static void show_progress(void *context, double share) {
-  calibration *c = context;
-  cli_progress_show(&c->progress, share);
+  cli_progress_show(context, share);
 }
 
-/* Where number j is looked for: around its standard value, or a start that is far from that. */
-static void bound_search(const calibrate_unknown *u, size_t j, aspi_fit_problem *p) {
-  double start = calibrate_scaled(u, u->start), around = u->bounded ? LOGISTIC_AROUND : LOG_AROUND;
-  double centre = u->bounded ? 0 : log(u->standard);
-  if (!(fabs(start - centre) < around) && !u->bounded)
-    centre = start;
-  p->low[j] = u->bounded ? -LOGISTIC : fmax(centre - LOG_DOWN, log(u->least));
-  p->high[j] = u->bounded ? LOGISTIC : fmin(centre + LOG_UP, log(u->most));
-  p->from[j] = fmax(centre - around, p->low[j]);
-  p->to[j] = fmin(centre + around, p->high[j]);
-  p->start[j] = fmin(fmax(start, p->low[j]), p->high[j]);
-}
-
-static aspi_fit find_unknowns(calibration *c) {
-  aspi_fit_problem p = {.context = c,
-                        .set = calibrate_set,
-                        .draw = calibrate_draw,
-                        .groups = c->groups,
-                        .n_groups = c->n_bins,
-                        .n_unknowns = c->n_unknown,
-                        .samples = c->samples,
-                        .huber = c->huber,
-                        .scatters =
-                            !c->smooth || c->noise[0] > 0 || c->noise[1] > 0 || c->noise_speed > 0,
-                        .known = c->known,
-                        .progress = show_progress};
-  for (size_t j = 0; j < c->n_unknown; j++)
-    bound_search(&c->unknown[j], j, &p);
+static aspi_fit find_unknowns(aspi_calibration *c) {
+  cli_progress progress = cli_progress_begin("fit", 1);
   aspi_fit f;
-  c->progress = cli_progress_begin("fit", 1);
   asp_error error;
-  if (aspi_fit_run(&p, &f, &error))
+  c->progress = show_progress;
+  c->progress_context = &progress;
+  if (aspi_calibration_find(c, &f, &error))
     cli_bad_file(NULL, &error);
-  cli_progress_end(&c->progress);
+  cli_progress_end(&progress);
   return f;
 }
 
 /* ---- output -----------------------------------------------------------------------------------
  */
 
-static double value_of(const calibration *c, const aspi_fit *f, size_t i) {
-  return calibrate_value(&c->unknown[i], f->at[i]);
+static double value_of(const aspi_calibration *c, const aspi_fit *f, size_t i) {
+  return aspi_unknown_value(&c->unknown[i], f->at[i]);
 }
 
-static double error_of(const calibration *c, const aspi_fit *f, size_t i) {
-  return calibrate_slope(&c->unknown[i], f->at[i]) * f->error[i];
+static double error_of(const aspi_calibration *c, const aspi_fit *f, size_t i) {
+  return aspi_unknown_slope(&c->unknown[i], f->at[i]) * f->error[i];
 }
 
 /* The ends of an interval, NAN where there is none but a bound. */
-static double end_of(const calibration *c, size_t i, double scaled) {
-  return isfinite(scaled) ? calibrate_value(&c->unknown[i], scaled) : NAN;
+static double end_of(const aspi_calibration *c, size_t i, double scaled) {
+  return isfinite(scaled) ? aspi_unknown_value(&c->unknown[i], scaled) : NAN;
 }
 
 /* What the data say of an unknown whose minimum is at a bound, or so near that they cannot tell. */
-static bool bound_of(const calibration *c, const aspi_fit *f, size_t i, char *text, size_t size) {
-  const calibrate_unknown *u = &c->unknown[i];
+static bool bound_of(const aspi_calibration *c, const aspi_fit *f, size_t i, char *text,
+                     size_t size) {
+  const aspi_unknown *u = &c->unknown[i];
   double low = end_of(c, i, f->low[i]), high = end_of(c, i, f->high[i]);
   const char *space = *u->unit ? " " : "";
   if (isfinite(low) && isfinite(high))
@@ -264,7 +170,7 @@ static bool bound_of(const calibration *c, const aspi_fit *f, size_t i, char *te
   return true;
 }
 
-static void warn_of_doubt(const calibration *c, const aspi_fit *f) {
+static void warn_of_doubt(const aspi_calibration *c, const aspi_fit *f) {
   for (size_t i = 0; i < c->n_unknown; i++) {
     char text[120];
     for (size_t k = 0; k < i; k++)
@@ -301,14 +207,14 @@ static double rounded(double value) {
 
 /* All of the wall in words, the estimates in place of `fit`; friction and surface energy also where
  * they are the default, which a script may have set otherwise. */
-static void print_description(FILE *out, calibration *c, const aspi_fit *f) {
+static void print_description(FILE *out, aspi_calibration *c, const aspi_fit *f) {
   static const char *const pair[] = {"friction", "surface_energy"};
-  asp_wall *wall = c->wall.wall;
+  asp_wall *wall = c->wall;
   for (size_t i = 0; i < c->n_unknown; i++)
     asp_wall_set(wall, c->unknown[i].name, rounded(value_of(c, f, i)), NULL);
   for (int i = 0; i < 2 && asp_rebound_needs_pair(asp_wall_rebound(wall)); i++)
     if (!asp_wall_is_given(wall, pair[i]) && (i == 0 || c->sticks))
-      asp_wall_set(wall, pair[i], asp_pair_get(c->wall.pair, pair[i]), NULL);
+      asp_wall_set(wall, pair[i], asp_pair_get(c->pair, pair[i]), NULL);
   size_t size = asp_wall_describe(wall, NULL, 0) + 1;
   char *text = cli_allocate(size, 1);
   asp_wall_describe(wall, text, size);
@@ -325,7 +231,7 @@ static void print_number(FILE *out, double value) {
     fputc(',', out);
 }
 
-static void print_unknown(FILE *out, const calibration *c, const aspi_fit *f, size_t i) {
+static void print_unknown(FILE *out, const aspi_calibration *c, const aspi_fit *f, size_t i) {
   char text[120];
   bool bound = bound_of(c, f, i, text, sizeof text);
   fprintf(out, "%s,%.6g", c->unknown[i].name, value_of(c, f, i));
@@ -335,7 +241,7 @@ static void print_unknown(FILE *out, const calibration *c, const aspi_fit *f, si
   fprintf(out, ",%s\n", c->unknown[i].unit);
 }
 
-static void print_all(FILE *out, calibration *c, const aspi_fit *f) {
+static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
   static const char *const ways[] = {"", "the rise of chi^2", "synthetic data sets fitted anew"};
   double all = 0;
   for (size_t b = 0; b < c->n_bins; b++)
@@ -369,20 +275,28 @@ static void print_all(FILE *out, calibration *c, const aspi_fit *f) {
 /* ---- the command ------------------------------------------------------------------------------
  */
 
+static void take_wall(aspi_calibration *c, const cli_description *wall) {
+  c->wall = wall->wall;
+  c->pair = wall->pair;
+  c->particle = wall->particle;
+  c->target = wall->target;
+  c->density = wall->density;
+}
+
 /* Makes the wall, for the data's diameters. */
-static void make_wall(calibration *c) {
+static void make_wall(aspi_calibration *c, cli_description *wall, double vector[3]) {
   double least = INFINITY, most = 0;
   for (size_t i = 0; i < c->data.count; i++) {
     double d_p = isnan(c->data.rows[i].d_p) ? c->d_p : c->data.rows[i].d_p;
     least = fmin(least, d_p);
     most = fmax(most, d_p);
   }
-  cli_description_make(&c->wall, least, most);
-  c->lay = cli_description_lay(&c->wall, c->vector);
+  cli_description_make(wall, least, most);
+  c->lay = cli_description_lay(wall, vector);
+  take_wall(c, wall);
 }
 
-static void read_noise(calibration *c) {
-  const cli_option *option = &c->options[NOISE];
+static void read_noise(aspi_calibration *c, const cli_option *option) {
   cli_list noise = cli_numbers(option, 0, 90);
   if (noise.count < 1 || noise.count > 3)
     cli_bad_usage("--noise is '%s'; it must be %s", option->value, option->argument);
@@ -392,36 +306,29 @@ static void read_noise(calibration *c) {
   free(noise.values);
 }
 
-static void read_wall(calibration *c, int count, char **words) {
-  c->wall = cli_description_read_fit(count, words);
-  const asp_wall *wall = c->wall.wall;
+static void read_wall(aspi_calibration *c, const cli_option *options,
+                      const cli_description *description) {
+  take_wall(c, description);
+  const asp_wall *wall = c->wall;
   c->smooth = strcmp(asp_wall_word(wall, "surface"), "smooth") == 0;
   c->sticks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && asp_wall_get(wall, "deposit") > 0;
   c->seed = (uint32_t)asp_wall_get(wall, "seed");
-  c->d_p = cli_length(&c->options[DP]);
-  c->speed = cli_number(&c->options[SPEED], 1e-9, 1e6);
-  c->huber = c->options[HUBER].value ? cli_number(&c->options[HUBER], 1, 100) : INFINITY;
-  read_noise(c);
+  c->d_p = cli_length(&options[DP]);
+  c->speed = cli_number(&options[SPEED], 1e-9, 1e6);
+  c->huber = options[HUBER].value ? cli_number(&options[HUBER], 1, 100) : INFINITY;
+  read_noise(c, &options[NOISE]);
   read_unknowns(c);
 }
 
-static void draw_picture(const calibration *c, const aspi_fit *f, const char *path) {
+static void draw_picture(const cli_option *option, const aspi_calibration *c, const aspi_fit *f,
+                         const char *path) {
   char title[300] = "";
   for (size_t i = 0; i < c->n_unknown; i++) {
     size_t used = strlen(title);
     snprintf(title + used, sizeof title - used, "%s%s %.4g ± %.2g %s", i ? ",  " : "",
              c->unknown[i].name, value_of(c, f, i), error_of(c, f, i), c->unknown[i].unit);
   }
-  cli_calibrate_plot(&c->options[PLOT], c, path, title);
-}
-
-static void free_calibration(calibration *c) {
-  cli_description_free(&c->wall);
-  measured_free(&c->data);
-  for (size_t b = 0; b < c->n_bins; b++)
-    free(c->groups[b].impacts.xy);
-  free(c->groups);
-  free(c->bins);
+  cli_calibrate_plot(option, c, path, title);
 }
 
 static int run(int argc, char **argv) {
@@ -449,18 +356,22 @@ static int run(int argc, char **argv) {
     cli_bad_usage("calibrate: DATA is expected, a file, and the description of a wall behind it; "
                   "see 'asperity calibrate --help'");
   cli_keep_input(options, argv[1]);
-  calibration c = {.options = options};
-  read_wall(&c, words - 1, argv + 2);
-  read_data(&c, argv[1]);
-  make_wall(&c);
+  cli_description wall = cli_description_read_fit(words - 1, argv + 2);
+  aspi_calibration c = {.samples = 0};
+  double vector[3];
+  read_wall(&c, options, &wall);
+  read_data(options, &c, argv[1]);
+  make_wall(&c, &wall, vector);
   aspi_fit f = find_unknowns(&c);
   warn_of_doubt(&c, &f);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
   print_all(cli_output_stream(output), &c, &f);
   cli_output_close(output);
   if (options[PLOT].value)
-    draw_picture(&c, &f, argv[1]);
-  free_calibration(&c);
+    draw_picture(&options[PLOT], &c, &f, argv[1]);
+  cli_description_free(&wall);
+  measured_free(&c.data);
+  aspi_calibration_free(&c);
   return 0;
 }
 

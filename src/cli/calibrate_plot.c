@@ -12,21 +12,21 @@ typedef struct point {
   double degrees, mean, sd;
 } point;
 
-static point measured_in(const calibration *c, size_t b, int k) {
+static point measured_in(const aspi_calibration *c, size_t b, int k) {
   double alpha = cli_radians(c->bins[b].degrees), by = k == COR_N ? sin(alpha) : cos(alpha);
   const aspi_group *g = &c->groups[b];
   bool used = g->used[MOMENT_X + k];
   return (point){c->bins[b].degrees, used ? g->mean[k] / by : NAN, used ? g->sd[k] / by : NAN};
 }
 
-static point fitted_in(const calibration *c, size_t b, int k) {
+static point fitted_in(const aspi_calibration *c, size_t b, int k) {
   double mean[COR_BOTH], sd[COR_BOTH];
-  calibrate_coefficients(c, b, mean, sd);
+  aspi_calibration_coefficients(c, b, mean, sd);
   return (point){c->bins[b].degrees, mean[k], isfinite(sd[k]) ? sd[k] : 0};
 }
 
-static void plot_panel(cli_plot *picture, const calibration *c, int k) {
-  const char *law = asp_rebound_name(asp_wall_rebound(c->wall.wall));
+static void plot_panel(cli_plot *picture, const aspi_calibration *c, int k) {
+  const char *law = asp_rebound_name(asp_wall_rebound(c->wall));
   cli_plot_coefficient(picture, k);
   for (int line = 0; line < 2; line++) {
     cli_plot_series(picture, line ? CLI_LINE : CLI_BAND, "law_%s", law);
@@ -46,7 +46,7 @@ static void plot_panel(cli_plot *picture, const calibration *c, int k) {
   cli_plot_end(picture, "measured, mean ± sd");
 }
 
-void cli_calibrate_plot(const cli_option *option, const calibration *c, const char *data,
+void cli_calibrate_plot(const cli_option *option, const aspi_calibration *c, const char *data,
                         const char *title) {
   cli_plot *picture = cli_plot_open(option, 1200, 520, "1,2", "%s and the fitted model: %s",
                                     cli_plot_file(data).text, cli_plot_label(title).text);

@@ -15,9 +15,14 @@
 /* Marks of single impacts, at most. */
 enum { POINTS_MOST = 5000 };
 
+/* True if a bin is drawn: if it has both, or, of impacts alone, some. */
+static bool is_drawn(const aspi_comparison *c, const aspi_compare_bin *b, int which) {
+  return c->names[1] ? aspi_compare_has_both(b, which) : b->model[which].count > 0;
+}
+
 /* The angles of a bin's box: those of its impacts, or around its angle and not over a neighbor. */
-static void edges_of(const comparison *c, size_t i, double *left, double *right) {
-  const compare_bin *b = &c->bins[i];
+static void edges_of(const aspi_comparison *c, size_t i, double *left, double *right) {
+  const aspi_compare_bin *b = &c->bins[i];
   double half = HALF_MOST;
   for (size_t k = i ? i - 1 : i; k <= i + 1 && k < c->count; k++) {
     double apart = fabs(c->bins[k].degrees - b->degrees);
@@ -30,19 +35,19 @@ static void edges_of(const comparison *c, size_t i, double *left, double *right)
   *right = wide ? b->to : b->degrees + half;
 }
 
-static void plot_model(cli_plot *picture, const comparison *c, int which, bool line) {
+static void plot_model(cli_plot *picture, const aspi_comparison *c, int which, bool line) {
   cli_plot_series(picture, line ? CLI_LEVEL : CLI_BOX, "simulated");
   for (size_t i = 0; i < c->count; i++) {
-    const sample *m = &c->bins[i].model[which];
+    const aspi_sample *m = &c->bins[i].model[which];
     double left, right, sd = isfinite(m->sd) ? m->sd : 0;
     edges_of(c, i, &left, &right);
-    if (cli_compare_is_drawn(c, &c->bins[i], which))
+    if (is_drawn(c, &c->bins[i], which))
       cli_plot_row(picture, left, right, line ? m->mean : m->mean - sd, m->mean + sd);
   }
   cli_plot_end(picture, "%s, %s", c->names[1] ? "model" : "impacts", line ? "mean" : "± sd");
 }
 
-static void plot_data(cli_plot *picture, const comparison *c, int which) {
+static void plot_data(cli_plot *picture, const aspi_comparison *c, int which) {
   size_t every = c->names[1] ? 1 : 1 + c->data.count / POINTS_MOST;
   cli_plot_series(picture, CLI_MARKS, c->names[1] ? "data_each" : "impacts");
   for (size_t i = 0; i < c->data.count && !c->data.means; i += every)
@@ -57,7 +62,7 @@ static void plot_data(cli_plot *picture, const comparison *c, int which) {
   cli_plot_end(picture, "measured, mean ± sd");
 }
 
-static cli_plot *open_picture(const cli_option *option, const comparison *c) {
+static cli_plot *open_picture(const cli_option *option, const aspi_comparison *c) {
   if (c->names[1])
     return cli_plot_open(option, 1200, 520, "1,2", "Model: %s; measured: %s",
                          cli_plot_file(c->names[0]).text, cli_plot_file(c->names[1]).text);
@@ -65,12 +70,12 @@ static cli_plot *open_picture(const cli_option *option, const comparison *c) {
                        cli_plot_file(c->names[0]).text, c->impacts.count, c->impacts.deposits);
 }
 
-void cli_compare_plot(const cli_option *option, const comparison *c) {
+void cli_compare_plot(const cli_option *option, const aspi_comparison *c) {
   cli_plot *picture = open_picture(option, c);
   for (int which = 0; which < COR_BOTH; which++) {
     bool any = false;
     for (size_t i = 0; i < c->count; i++)
-      any = any || cli_compare_is_drawn(c, &c->bins[i], which);
+      any = any || is_drawn(c, &c->bins[i], which);
     if (!any)
       continue;
     cli_plot_coefficient(picture, which);

@@ -5,34 +5,8 @@
 #ifndef ASP_CLI_MEASURED_H
 #define ASP_CLI_MEASURED_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
+#include "analysis/impacts.h"
 #include "cli/cli.h"
-#include "cli/scatter.h"
-
-/* NAN where there is nothing. Of an impact, cor are its coefficients and se their measurement
- * errors; of a mean, cor are means, sd standard deviations, se standard errors and n the number of
- * impacts. */
-typedef struct measured_row {
-  double degrees, v1, d_p; /* SI */
-  double cor[COR_BOTH], sd[COR_BOTH], se[COR_BOTH], n;
-  bool deposit;
-} measured_row;
-
-/* How rebounds were looked at: in the plane of incidence, as by one camera from the side, so that
- * CoR_T has a sign; in space, where it is of the whole speed along the wall; or by columns that
- * mean either. */
-typedef enum measured_view { MEASURED_PLANE, MEASURED_SPACE, MEASURED_EITHER } measured_view;
-
-typedef struct measured {
-  measured_row *rows;
-  size_t count;
-  bool means;                            /* rows are means, not impacts */
-  bool has_speed, has_size, has_outcome; /* there are such columns */
-  measured_view view;
-  bool folds; /* rebounds that noise put below the wall are mirrored at it, else left out */
-} measured;
 
 /* The options of what reads such a table. */
 enum { MEASURED_VIEW, MEASURED_BELOW, MEASURED_OPTION_COUNT };

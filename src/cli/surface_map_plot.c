@@ -3,8 +3,7 @@
  * and rebound and lateral angles by the map's own table and by a Gaussian wall with its numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/judge_3d.h"
-#include "cli/measure.h"
+#include "analysis/judge.h"
 #include "cli/plot.h"
 #include "cli/surface_map.h"
 #include "surface/ball.h"
@@ -119,19 +118,14 @@ static void plot_directions(cli_plot *plot, const cli_map *m, const cli_map_slop
 }
 
 /* Rebounds across the lay by one model. */
-static judge_angles rebounds(const cli_map *m, const asp_surface *surface, double d_p,
-                             const char *model) {
-  measure_specular_wall of = {.surface = surface, .map = m->map, .isotropic = true};
-  asp_wall *wall = measure_specular(&of, d_p, model, true);
-  judge_angles all = {0};
-  double alpha1 = cli_radians(ALPHA1);
-  const double v1[3] = {cos(alpha1), 0, -sin(alpha1)}, up[3] = {0, 0, 1}, lay[3] = {0, 1, 0};
-  for (uint64_t i = 0; i < IMPACTS; i++) {
-    asp_particle particle = {.d_p = d_p, .density = 1, .lay = lay};
-    asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, i, 1}, &impact);
-    judge_add(&all, impact.v2, impact.delta_alpha, impact.hits);
-  }
+static aspi_angles rebounds(const cli_map *m, asp_surface *surface, double d_p, const char *model) {
+  static const double lay[3] = {0, 1, 0};
+  aspi_judge_walls of = {.folds = 1, .surface = {surface}, .map = {m->map}, .in_space = true};
+  asp_error error;
+  asp_wall *wall = aspi_judge_wall(&of, 0, d_p, model, true, &error);
+  if (!wall)
+    cli_bad_file(NULL, &error);
+  aspi_angles all = aspi_judge_rebounds(wall, d_p, lay, ALPHA1, IMPACTS, 1);
   asp_wall_free(wall);
   return all;
 }
@@ -146,7 +140,7 @@ static void plot_angles(cli_plot *plot, const char *x, double first, const doubl
   cli_plot_caption(plot, "across the lay at %g degrees", ALPHA1);
   for (int model = 0; model < 2; model++) {
     cli_plot_series(plot, CLI_HISTO, model ? "model_visible" : "model_profile");
-    for (int i = 0; i < JUDGE_BINS; i++)
+    for (int i = 0; i < ASPI_ANGLE_BINS; i++)
       cli_plot_row(plot, first + i + 0.5, (model ? gauss : own)[i] / IMPACTS);
     cli_plot_end(plot, model ? "Gaussian (visible)" : "this map (profile)");
   }
@@ -160,7 +154,7 @@ void cli_map_plot(const cli_option *option, const cli_map *m, const cli_map_slop
   asp_surface *surface = asp_surface_create_map(m->map, true, &error);
   if (!surface)
     cli_fail("%s", error.text);
-  judge_angles own = rebounds(m, surface, size[0], "profile"),
+  aspi_angles own = rebounds(m, surface, size[0], "profile"),
                gauss = rebounds(m, surface, size[0], "visible");
   cli_plot *plot = cli_plot_open(
       option, 1300, 980, NULL, "%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, λ_2 %.3g µm",

@@ -4,8 +4,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/trade.h"
-#include "cli/measure.h"
-#include "cli/trade_3d.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,51 +15,117 @@ enum { PROFILES_MANY = 16, SURFACES_MANY = 8, POINTS_MANY = 2048 };
 /* Of the pieces of a measured profile, unless they would be too few, in lambda_c. */
 #define PIECE_LENGTH 25.0
 
-/* The rows of one model, one an angle, asp_spread_count() apart. */
-static void judge(const measure_case *subject, const measure_wall *wall, const asp_spread_model *of,
-                  const measure_reference *references, const cli_list *angles, bool multiple,
-                  trade_row *rows) {
-  measure_model model = measure_model_create(subject, wall, asp_spread_name(of), multiple);
-  for (size_t i = 0; i < angles->count; i++)
-    rows[i * (size_t)asp_spread_count()] =
-        (trade_row){.model = of,
-                    .angle = angles->values[i],
-                    .cost = measure_cost(model.on[0], subject->d_p, references[i].alpha1),
-                    .first_hit = measure_first_hit(subject, &references[i], &model),
-                    .rebound = measure_compare(subject, &references[i], &model)};
-  measure_model_free(&model);
+static double sd_of(double square, double mean) {
+  return sqrt(fmax(0, square - mean * mean));
+}
+
+/* What three dimensions add to a row. */
+static void add_lateral(const aspi_judge *judge, size_t i, const aspi_angles *model, size_t groups,
+                        const aspi_angles *sum, trade_row *row) {
+  aspi_angle_groups all = aspi_judge_groups(judge, i);
+  double own = sum->lateral_sum / sum->n;
+  double side = aspi_angles_mean(all, offsetof(aspi_angles, lateral_sum)).value;
+  double square = aspi_angles_mean(all, offsetof(aspi_angles, lateral_square)).value;
+  row->first_hit =
+      aspi_judge_divergence(judge, i, model, groups, offsetof(aspi_angles, tilt)).value;
+  row->lateral = aspi_judge_divergence(judge, i, model, groups, offsetof(aspi_angles, lateral));
+  row->lateral_mean = (trade_pair){own, side};
+  row->lateral_sd = (trade_pair){sd_of(sum->lateral_square / sum->n, own), sd_of(square, side)};
+  row->later =
+      (trade_pair){sum->later / sum->n, aspi_angles_mean(all, offsetof(aspi_angles, later)).value};
+}
+
+/* One row: a model at one angle. */
+static trade_row judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
+                          const aspi_judge_model *model, double angle, size_t i) {
+  size_t groups;
+  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle, &groups), sum = {0};
+  if (!angles)
+    cli_fail("out of memory for %zu groups of rebounds", groups);
+  for (size_t g = 0; g < groups; g++)
+    aspi_angles_merge(&sum, &angles[g]);
+  aspi_estimate kl =
+      aspi_judge_divergence(judge, i, angles, groups, offsetof(aspi_angles, rebound));
+  aspi_estimate mean =
+      aspi_angles_mean(aspi_judge_groups(judge, i), offsetof(aspi_angles, rebound_sum));
+  trade_row row = {.angle = angle,
+                   .cost = aspi_judge_cost(model->on[0], subject->d_p, angle),
+                   .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value},
+                   .space = !judge->first,
+                   .reference_se = mean.se};
+  if (judge->first)
+    row.first_hit = aspi_judge_first_hit(&judge->first[i], model, subject->d_p, angle);
+  else
+    add_lateral(judge, i, angles, groups, &sum, &row);
+  free(angles);
+  return row;
+}
+
+static void show_progress(void *context, double share) {
+  cli_progress_show(context, share);
+}
+
+/* All rows, angle by angle. */
+static void judge_all(const cli_option *options, const cli_list *angles, aspi_judge_case *subject,
+                      trade_row *rows) {
+  bool multiple = cli_choice(&options[COLLISIONS], "single", "multiple");
+  size_t models = (size_t)asp_spread_count();
+  aspi_judge_walls walls;
+  aspi_judge judge;
+  asp_error error;
+  cli_progress progress = cli_progress_begin("ensemble", 1);
+  subject->progress = show_progress;
+  subject->context = &progress;
+  if (aspi_judge_walls_create(&walls, subject, &error) ||
+      aspi_judge_create(&judge, subject, &walls, angles->values, angles->count, &error))
+    cli_bad_file(NULL, &error);
+  cli_progress_end(&progress);
+  progress = cli_progress_begin("models", (double)models);
+  for (size_t m = 0; m < models; m++) {
+    const asp_spread_model *of = asp_spread_at((int)m);
+    aspi_judge_model model;
+    if (aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of), multiple,
+                                &error))
+      cli_bad_file(NULL, &error);
+    for (size_t i = 0; i < angles->count; i++) {
+      trade_row *row = &rows[i * models + m];
+      *row = judge_at(subject, &judge, &model, angles->values[i], i);
+      row->model = of;
+    }
+    aspi_judge_model_free(&model);
+    cli_progress_show(&progress, (double)m + 1);
+  }
+  cli_progress_end(&progress);
+  aspi_judge_free(&judge);
+  aspi_judge_walls_free(&walls);
 }
 
 static void print_row(FILE *out, const trade_row *r) {
   fprintf(out, "%s,%g,%.1f,", asp_spread_name(r->model), r->angle, r->cost);
   if (isfinite(r->first_hit))
     fprintf(out, "%.5f", r->first_hit);
-  fprintf(out, ",%.5f,%.5f,%.4f,%.4f\n", r->rebound.kl, r->rebound.se, r->rebound.mean,
+  fprintf(out, ",%.5f,%.5f,%.4f,%.4f", r->rebound.kl, r->rebound.se, r->rebound.mean,
           r->rebound.reference_mean);
+  if (r->space)
+    fprintf(out, ",%.4f,%.5f,%.5f,%.4f,%.4f,%.4f,%.4f,%.5f,%.5f", r->reference_se, r->lateral.value,
+            r->lateral.se, r->lateral_mean.model, r->lateral_mean.judge, r->lateral_sd.model,
+            r->lateral_sd.judge, r->later.model, r->later.judge);
+  fputc('\n', out);
 }
 
-/* All rows, angle by angle. */
-static void measure(const cli_option *options, const cli_list *angles, const measure_case *subject,
-                    trade_row *rows) {
-  bool multiple = cli_choice(&options[COLLISIONS], "single", "multiple");
-  measure_wall wall = measure_wall_create(subject);
-  measure_reference *references = measure_references(subject, &wall, angles->values, angles->count);
-  cli_progress progress = cli_progress_begin("models", asp_spread_count());
-  for (int m = 0; m < asp_spread_count(); m++) {
-    judge(subject, &wall, asp_spread_at(m), references, angles, multiple, rows + m);
-    cli_progress_show(&progress, m + 1);
-  }
-  cli_progress_end(&progress);
-  measure_references_free(references, angles->count);
-  measure_wall_free(&wall);
-}
-
+/* In three dimensions model by model, else angle by angle. */
 static void print(FILE *out, const trade_row *rows, size_t n) {
-  fputs("model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,kl_rebound_se,mean_rebound_deg,"
-        "mean_rebound_reference_deg\n",
-        out);
+  size_t models = (size_t)asp_spread_count(), angles = n / models;
+  bool space = rows->space;
+  fprintf(out,
+          "model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,kl_rebound_se,mean_rebound_deg,"
+          "mean_rebound_reference_deg%s\n",
+          space ? ",mean_rebound_reference_se_deg,kl_lateral,kl_lateral_se,mean_lateral_deg,"
+                  "mean_lateral_reference_deg,sd_lateral_deg,sd_lateral_reference_deg,later_share,"
+                  "later_share_reference"
+                : "");
   for (size_t i = 0; i < n; i++)
-    print_row(out, &rows[i]);
+    print_row(out, &rows[space ? i % angles * models + i / angles : i]);
 }
 
 /* Takes out the angles that pieces of a measured wall are too short for. */
@@ -84,8 +148,8 @@ static void drop_grazing(const cli_option *option, cli_list *angles, double leas
 /* How many pieces, an even number; about `usual` of them unless the user says. */
 static size_t pieces_of(const cli_option *option, double usual) {
   if (!option->value)
-    return (size_t)fmin(fmax(2 * floor(usual / 2), MEASURE_PROFILES_LEAST), PROFILES_MANY);
-  size_t pieces = cli_whole(option, MEASURE_PROFILES_LEAST, MEASURE_PROFILES_MOST);
+    return (size_t)fmin(fmax(2 * floor(usual / 2), ASPI_JUDGES_LEAST), PROFILES_MANY);
+  size_t pieces = cli_whole(option, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST);
   if (pieces % 2)
     cli_bad_usage("--%s is '%s'; of a measured wall it must be even, half of the pieces in "
                   "each half of it",
@@ -112,59 +176,61 @@ static void check_options(const cli_option *o, const asp_wall *wall) {
                   o[SURFACES].value ? "surfaces" : "points");
 }
 
-static measure_case case_of(const cli_option *options, const asp_wall *wall) {
-  bool given = options[PROFILES].value;
-  return (measure_case){.rays = cli_whole(&options[RAYS], 1000, 1000000000),
-                        .profiles = given
-                                        ? (int)cli_whole(&options[PROFILES], MEASURE_PROFILES_LEAST,
-                                                         MEASURE_PROFILES_MOST)
-                                        : PROFILES_MANY,
-                        .seed = (uint32_t)asp_wall_get(wall, "seed")};
+static void drop_grazing_of(const cli_option *options, const aspi_judge_case *subject,
+                            cli_list *angles) {
+  double least;
+  asp_error error;
+  if (aspi_judge_angle_least(subject, &least, &error))
+    cli_bad_file(NULL, &error);
+  drop_grazing(&options[ANGLES], angles, least);
 }
 
 /* What is judged in three dimensions; takes out the angles at which it cannot be. */
-static judge_case case_3d(const cli_option *options, const cli_description *wall, double d_p,
-                          cli_list *angles) {
+static void set_case_3d(const cli_option *options, const cli_description *wall, cli_list *angles,
+                        aspi_judge_case *subject) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   double vector[3];
   const double *lay = cli_description_lay(wall, vector);
-  unsigned long points =
-      options[POINTS].value ? cli_whole(&options[POINTS], 256, 16384) : POINTS_MANY;
-  if (points & (points - 1))
-    cli_bad_usage("--points is %lu; it must be a power of two", points);
-  judge_case subject = {.wall = {asp_surface_r_q(surface), asp_surface_lambda_c(surface),
-                                 asp_surface_lambda_along(surface),
-                                 lay ? atan2(lay[1], lay[0]) - ASP_PI / 2 : 0},
-                        .d_p = d_p,
-                        .surfaces = SURFACES_MANY,
-                        .points = points,
-                        .map = wall->map};
-  if (wall->map) {
-    subject.surfaces = pieces_of(&options[SURFACES], 0);
-    drop_grazing(&options[ANGLES], angles,
-                 judge_angle_least(&subject, subject.wall.r_q, asp_surface_lambda_c(surface)));
-  } else if (options[SURFACES].value) {
-    subject.surfaces = cli_whole(&options[SURFACES], 3, 1000);
-  }
-  return subject;
+  subject->points = options[POINTS].value ? cli_whole(&options[POINTS], 256, 16384) : POINTS_MANY;
+  if (subject->points & (subject->points - 1))
+    cli_bad_usage("--points is %zu; it must be a power of two", subject->points);
+  subject->wall.lambda_2 = asp_surface_lambda_along(surface);
+  subject->wall.axis = lay ? atan2(lay[1], lay[0]) - ASP_PI / 2 : 0;
+  subject->map = wall->map;
+  subject->groups =
+      options[SURFACES].value ? cli_whole(&options[SURFACES], 3, 1000) : SURFACES_MANY;
+  if (!wall->map)
+    return;
+  subject->groups = pieces_of(&options[SURFACES], 0);
+  drop_grazing_of(options, subject, angles);
 }
 
 /* The same in the plane of incidence. */
-static measure_case case_2d(const cli_option *options, const cli_description *wall, double d_p,
-                            cli_list *angles) {
-  const asp_surface *surface = asp_wall_surface(wall->wall);
+static void set_case_2d(const cli_option *options, const cli_description *wall, cli_list *angles,
+                        aspi_judge_case *subject) {
   if (asp_wall_lay(wall->wall).kind != ASP_LAY_NONE)
     cli_bad_usage("'lay' is given; a wall with a lay is judged with --three-d");
-  measure_case subject = case_of(options, wall->wall);
-  subject.r_q = asp_surface_r_q(surface);
-  subject.lambda_c = asp_surface_lambda_c(surface);
-  subject.d_p = d_p;
-  subject.profile = wall->profile;
-  if (wall->profile) {
-    double length = (double)asp_profile_points(wall->profile) * asp_profile_spacing(wall->profile);
-    subject.profiles = (int)pieces_of(&options[PROFILES], length / subject.lambda_c / PIECE_LENGTH);
-    drop_grazing(&options[ANGLES], angles, measure_angle_least(&subject));
-  }
+  subject->groups = options[PROFILES].value
+                        ? cli_whole(&options[PROFILES], ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST)
+                        : PROFILES_MANY;
+  subject->profile = wall->profile;
+  if (!wall->profile)
+    return;
+  double length = (double)asp_profile_points(wall->profile) * asp_profile_spacing(wall->profile);
+  subject->groups = pieces_of(&options[PROFILES], length / subject->wall.lambda_1 / PIECE_LENGTH);
+  drop_grazing_of(options, subject, angles);
+}
+
+static aspi_judge_case case_of(const cli_option *options, const cli_description *wall, double d_p,
+                               cli_list *angles) {
+  const asp_surface *surface = asp_wall_surface(wall->wall);
+  aspi_judge_case subject = {
+      .wall = {.r_q = asp_surface_r_q(surface), .lambda_1 = asp_surface_lambda_c(surface)},
+      .d_p = d_p,
+      .rays = cli_whole(&options[RAYS], 1000, 1000000000),
+      .seed = (uint32_t)asp_wall_get(wall->wall, "seed")};
+  (options[THREE_D].value || wall->map ? set_case_3d : set_case_2d)(options, wall, angles,
+                                                                    &subject);
   return subject;
 }
 
@@ -208,22 +274,14 @@ static int run(int argc, char **argv) {
   cli_description wall = read_wall(options, words, argv + 1, &d_p);
   size_t most = angles.count * (size_t)asp_spread_count();
   trade_row *rows = cli_allocate(most, sizeof *rows);
-  cli_output *output;
-  if (options[THREE_D].value || wall.map) {
-    judge_case subject = case_3d(options, &wall, d_p, &angles);
-    measure_case how = case_of(options, wall.wall);
-    bool multiple = cli_choice(&options[COLLISIONS], "single", "multiple");
-    output = cli_output_open(options[OUTPUT].value, argc, argv, wall.text);
-    cli_trade_3d(cli_output_stream(output), &subject, &angles, how.rays, multiple, how.seed, rows);
-  } else {
-    measure_case subject = case_2d(options, &wall, d_p, &angles);
-    measure(options, &angles, &subject, rows);
-    output = cli_output_open(options[OUTPUT].value, argc, argv, wall.text);
-    print(cli_output_stream(output), rows, angles.count * (size_t)asp_spread_count());
-  }
+  aspi_judge_case subject = case_of(options, &wall, d_p, &angles);
+  judge_all(options, &angles, &subject, rows);
+  most = angles.count * (size_t)asp_spread_count();
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, wall.text);
+  print(cli_output_stream(output), rows, most);
   cli_output_close(output);
   if (options[PLOT].value)
-    cli_trade_plot(options, &wall, d_p, rows, angles.count * (size_t)asp_spread_count());
+    cli_trade_plot(options, &wall, d_p, rows, most);
   free(rows);
   cli_description_free(&wall);
   return 0;

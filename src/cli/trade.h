@@ -4,8 +4,8 @@
 #ifndef ASP_CLI_TRADE_H
 #define ASP_CLI_TRADE_H
 
+#include "analysis/judge.h"
 #include "cli/description.h"
-#include "cli/measure.h"
 
 /* The options of the command. */
 enum {
@@ -22,11 +22,22 @@ enum {
   N = PLOT + PLOT_OPTIONS
 };
 
-/* A model at one impact angle. */
+/* A number of the model and of the judge. */
+typedef struct trade_pair {
+  double model, judge;
+} trade_pair;
+
+/* A model at one impact angle; degrees. What stands below `space` is of three dimensions only. */
 typedef struct trade_row {
   const asp_spread_model *model;
   double angle, cost, first_hit;
-  measure_divergence rebound;
+  struct {
+    double kl, se, mean, reference_mean;
+  } rebound;
+  bool space;
+  double reference_se;
+  aspi_estimate lateral;
+  trade_pair lateral_mean, lateral_sd, later;
 } trade_row;
 
 /* The cost of every model against its worst divergence; of every angle all models, in their order.

@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "driven_mesh.h"
 
-#include <math.h>
+#include <cmath>
 #include <algorithm>
 
 #include "asperity.h"

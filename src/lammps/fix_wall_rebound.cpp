@@ -32,7 +32,7 @@
 
 #include "atom_rows.h"
 #include "driven_mesh.h"
-#include "engine_lammps.h"
+#include "engine_checks.h"
 #include "map_file.h"
 #include "mesh_image.h"
 #include "region_shape.h"
@@ -59,11 +59,12 @@ using asperity::Wall;
 using asperity::Words;
 
 static const char CITE[] =
-    "fix wall/rebound command:\n\n"
+    "fix wall/rebound command: doi:10.33737/jgpps/118624\n\n"
     "@Article{Altmeppen2020,\n"
     " author = {J. Altmeppen and H. Sommerfeld and C. Koch and S. Staudacher},\n"
     " title = {An analytical approach to estimate the effect of surface roughness on particle "
     "rebound},\n"
+    " journal = {Journal of the Global Power and Propulsion Society},\n"
     " year = 2020\n"
     "}\n\n"
     "@Misc{asperity,\n"
@@ -118,9 +119,9 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     lammps->citeme->add(CITE);
   p_->last_step = update->ntimestep;
   p_->from_restart = modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0;
-  check_units();
-  check_particles();
-  check_box();
+  check(FLERR, units_error(p_->engine));
+  check(FLERR, particles_error(lmp));
+  check(FLERR, box_error(lmp));
   try {
     std::string geometry;
     Words words(narg - 3, arg + 3);
@@ -167,6 +168,11 @@ FixWallRebound::~FixWallRebound() {
 
 void FixWallRebound::fail(const std::string &file, int line, const std::string &what) const {
   error->all(file, line, "Fix wall/rebound (id " + p_->engine.id() + "): " + what);
+}
+
+void FixWallRebound::check(const std::string &file, int line, const std::string &wrong) const {
+  if (!wrong.empty())
+    fail(file, line, wrong);
 }
 
 void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
@@ -225,76 +231,6 @@ int FixWallRebound::setmask() {
   return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
 
-/* ---- checks -----------------------------------------------------------------------------------
- */
-
-void FixWallRebound::check_particles() const {
-  if (!atom->radius_flag || !atom->rmass_flag || atom->ellipsoid_flag || atom->line_flag ||
-      atom->tri_flag || atom->body_flag)
-    fail(FLERR,
-         text("the atom style is '%s'; particles must be spheres with a radius and a density, by "
-              "'atom_style sphere'",
-              atom->atom_style));
-  if (!atom->tag_enable)
-    fail(FLERR, "particles have no tags, which the draws depend on; use 'atom_modify id yes'");
-  if (lmp->kokkos)
-    fail(FLERR,
-         "the package KOKKOS is on; it keeps particles where this fix cannot reach them, so it "
-         "must be off");
-}
-
-void FixWallRebound::check_units() const {
-  const std::string units = p_->engine.units(), known = p_->engine.known_units();
-  if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
-    fail(FLERR, "units are '" + units + "'; they must be " + known + ", or lj without materials");
-}
-
-void FixWallRebound::check_box() const {
-  if (domain->triclinic && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
-    fail(FLERR, "the box is triclinic and periodic; a periodic box must be orthogonal");
-}
-
-/* True if a particle of any rank is in both groups. */
-bool FixWallRebound::shares_particles(const Fix *fix) const {
-  int mine = 0, any;
-  for (int i = 0; i < atom->nlocal; i++)
-    mine |= (atom->mask[i] & fix->groupbit) && (atom->mask[i] & groupbit);
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  return any;
-}
-
-/* Fixes that put particles where they want would carry them through the wall. They may get
- * particles during a run, so each neighbor build looks; all ranks call. */
-void FixWallRebound::check_movers() const {
-  if (modify->check_rigid_group_overlap(groupbit))
-    fail(FLERR, "particles that are tied to bodies (fix rigid) cannot rebound one by one");
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix *fix = modify->fix[i];
-    const std::string name = text("fix %s (id %s)", fix->style, fix->id);
-    if (strcmp(fix->style, "move") == 0 && shares_particles(fix))
-      fail(FLERR,
-           name + " moves particles of this wall's group, which cannot rebound; the groups must "
-                  "have no particle in common");
-    const bool is_deform = strncmp(fix->style, "deform", 6) == 0;
-    if ((fix->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE)) &&
-        !(is_deform && domain->deform_vremap))
-      fail(FLERR, name + " changes the box and moves particles with it, past the wall; " +
-                      (is_deform ? "it must be 'remap v', which leaves them where they are"
-                                 : "the box must keep its size"));
-  }
-}
-
-/* True if a fix has changed the size of particles since the contacts of the step before. */
-bool FixWallRebound::grows() const {
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix *fix = modify->fix[i];
-    if (strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0 &&
-        (update->ntimestep - 1) % fix->nevery == 0)
-      return true;
-  }
-  return false;
-}
-
 /* ---- a run ------------------------------------------------------------------------------------
  */
 
@@ -307,8 +243,8 @@ void FixWallRebound::init() {
     fail(FLERR, "run_style respa is not supported; it must be run_style verlet");
   if (update->whichflag == 2)
     fail(FLERR, "minimize is not supported: a rebound is an event in time; use run");
-  check_particles();
-  check_box();
+  check(FLERR, particles_error(lmp));
+  check(FLERR, box_error(lmp));
   if (p_->from_restart && !p_->restarted)
     p_->engine.warn(
         "the restart file has no data of this wall; its impact numbers begin at 1, and no particle "
@@ -343,7 +279,7 @@ void FixWallRebound::setup_pre_exchange() {
 
 void FixWallRebound::setup(int) {
   p_->steps = false;
-  check_movers();
+  check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
   set_rows();
   try {
     if (p_->region)
@@ -362,7 +298,7 @@ void FixWallRebound::begin_step() {
   p_->steps = true;
   follow_step(update->ntimestep - 1);
   p_->wall.set_box(p_->engine.box());
-  if (grows())
+  if (particles_grow(lmp))
     p_->wall.look_anew();
   if (p_->region)
     p_->region->begin_step();
@@ -424,7 +360,7 @@ void FixWallRebound::pre_neighbor() {
 }
 
 void FixWallRebound::post_neighbor() {
-  check_movers();
+  check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
 }
 
 void FixWallRebound::end_of_step() {

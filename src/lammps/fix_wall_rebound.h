@@ -79,16 +79,11 @@ private:
   struct Parts;
 
   [[noreturn]] void fail(const std::string &file, int line, const std::string &what) const;
+  void check(const std::string &file, int line, const std::string &wrong) const; /* fails, or not */
   void read_geometry(asperity::Words &words, std::string &geometry);
   void report_mesh() const; /* to the log, with a warning where it does not fit the box */
   int read_type(asperity::Words &words) const;
   void begin_step();
-  void check_units() const;
-  void check_particles() const;
-  void check_box() const;
-  bool shares_particles(const Fix *fix) const;
-  void check_movers() const;
-  bool grows() const;
   void set_rows();
   void follow_step(bigint last);
 

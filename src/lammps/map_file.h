@@ -7,7 +7,7 @@
 #define ASPERITY_WALL_MAP_FILE_H
 
 #include <mpi.h>
-#include <stdint.h>
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -28,11 +28,11 @@ static void add(line *l, const char *word) {
   l->length += n;
 }
 
-/* Of a length in SI with its unit, since the command refuses large ones without. */
+/* A length over 1 mm in SI gets its unit, since the command refuses it without one. */
 static void print_value(const aspi_description *said, double value, bool length, char *text) {
   bool metres = !(said->units.metre < 1) && !(said->units.metre > 1);
-  (length && metres && isfinite(value) ? aspi_quantity_print_length : aspi_number_print)(value,
-                                                                                         text);
+  bool needs_unit = length && metres && isfinite(value) && value > 1e-3;
+  (needs_unit ? aspi_quantity_print_length : aspi_number_print)(value, text);
 }
 
 static void add_number(line *l, double value) {

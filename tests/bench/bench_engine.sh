@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The fix in LIGGGHTS: its share of the flat-plate case, in time and in instructions; its ledger; one rank
+# The fix in LIGGGHTS: its share of the flat-plate case's instructions; its ledger; one rank
 # against two; a whole case against LIGGGHTS's own resolved contact at the real modulus.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
@@ -18,7 +18,6 @@ for round in 1 2 3; do
       begun=$(date +%s.%N)
       engine $ranks $deck.in "${rough[@]}"
       calc "$(date +%s.%N) - $begun" >> $deck.$ranks.whole
-      share $deck.in >> $deck.$ranks.share
       fix_seconds $deck.in >> $deck.$ranks.fix
       loop_seconds $deck.in >> $deck.$ranks.loop
     done
@@ -26,20 +25,6 @@ for round in 1 2 3; do
 done
 of() { median < "$1"; }
 row "flat plate: the fix, ledger and all, of the run" "$(calc "100 * $(of csv.2.fix) / $(of csv.2.whole)")" "%" "<=" 10
-row "flat plate: the fix, ledger and all, of a step, 2 ranks" "$(of csv.2.share)" "%" "<=" 5
-row "... 1 rank" "$(of csv.1.share)" "%"
-row "flat plate: the fix without a ledger, of a step, 2 ranks" "$(of quiet.2.share)" "%" "<=" 5
-row "... 1 rank" "$(of quiet.1.share)" "%"
-
-# The same run with no wall at all, and with the engine's own contact model at the same step.
-sed '/^modify_timing/d' quiet.in > plain.in
-sed '/^fix wall all/,/surface/d; s/ f_wall.*//' plain.in > none.in
-sed 's/^timestep/fix wall all wall\/gran model hertz tangential history mesh n_meshes 1 meshes plate\n&/' none.in > gran.in
-for round in 1 2 3 4 5; do
-  for deck in plain none gran; do engine 1 $deck.in "${rough[@]}"; loop_seconds $deck.in >> $deck.peer; done
-done
-row "flat plate: the loop with a rough wall over that without a wall" "$(calc "$(of plain.peer) / $(of none.peer)")" "x"
-row "... with wall/gran over that with a rough wall" "$(calc "$(of gran.peer) / $(of plain.peer)")" "x"
 if command -v valgrind > /dev/null; then
   valgrind --tool=callgrind --callgrind-out-file=counts "$bin/liggghts-asperity" -in csv.in -log none "${rough[@]}" > valgrind.screen 2>&1 || { tail -n 5 valgrind.screen >&2; exit 1; }
   callgrind_annotate --inclusive=yes --threshold=100 counts | awk '

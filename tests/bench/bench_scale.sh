@@ -15,11 +15,9 @@ for n in 10000 100000 1000000; do
       deck "$plane" 4e-8 50 > $n.$hits.in
       if [ "$n.$hits" = 1000000.0.5 ]; then with=$(peak 2 $n.$hits.in); else engine 2 $n.$hits.in; fi
       fix_seconds $n.$hits.in >> $n.$hits.fix
-      share $n.$hits.in >> $n.$hits.share
     done
   done
   contact=$(calc "2e6 * ($(of $n.0.5.fix) - $(of $n.0.1.fix)) / ($(contacts $n.0.5.in) - $(contacts $n.0.1.in))")
-  row "$n grains, 2 ranks: the fix, of a step" "$(of $n.0.5.share)" "%" "<=" 10
   row "... a contact, with its way there, costs the fix" "$contact" "us"
   row "... any other particle, a step" "$(calc "1e9 * (2 * $(of $n.0.1.fix) - 1e-6 * $contact * $(contacts $n.0.1.in)) / ($n * 50)")" "ns"
 done
@@ -45,12 +43,10 @@ for cells in 10 224; do
       deck "$mesh" 4e-8 50 $cells.stl > $cells.$hits.in
       if [ "$round$hits" = 10.5 ]; then peak 2 $cells.$hits.in > $cells.with; else engine 2 $cells.$hits.in; fi
       fix_seconds $cells.$hits.in >> $cells.$hits.fix
-      share $cells.$hits.in >> $cells.$hits.share
     done
   done
   deck "" 4e-8 50 $cells.stl > $cells.free.in
   peak 2 $cells.free.in > $cells.without
-  row "20 000 grains on $((2 * cells * cells)) triangles: the fix, of a step" "$(of $cells.0.5.share)" "%"
   row "... a contact, with its way there, costs the fix" "$(calc "2e6 * ($(of $cells.0.5.fix) - $(of $cells.0.1.fix)) / ($(contacts $cells.0.5.in) - $(contacts $cells.0.1.in))")" "us"
 done
 more() { calc "$(cat $1.with) - $(cat $1.without)"; }

@@ -20,7 +20,6 @@ engine() { mpirun -np "$1" "$bin/liggghts-asperity" -in "$2" -log none "${@:3}" 
 # Seconds of a run's loop and, with modify_timing, of the fix in it: summed over its hooks, mean of the ranks.
 loop_seconds() { awk '/^Loop time/ { print $4 }' "$1.screen"; }
 fix_seconds() { awk '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print $1 }' "$1.screen"; }
-share() { awk -v fix="$(fix_seconds "$1")" -v loop="$(loop_seconds "$1")" 'BEGIN { print 100 * fix / loop }'; }
 
 median() { sort -g | awk '{ x[NR] = $1 } END { print x[int((NR + 1) / 2)] }'; }
 calc() { awk "BEGIN { printf \"%.12g\n\", $1 }"; }

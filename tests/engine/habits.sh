@@ -6,7 +6,7 @@ source "$(dirname "$0")/engine.sh"
 use lammps
 lammps() { # RANKS SCRIPT: a script in LAMMPS's own language
   timeout 100 mpirun -np "$1" "$bin/lammps-asperity" -in "$2" -log none < /dev/null > "$2.screen" 2>&1 ||
-    { grep -a ERROR "$2.screen" >&2; die "$2 on $1 ranks"; }
+    { grep -a ERROR "$2.screen" >&2 || tail -n 3 "$2.screen" >&2; die "$2 on $1 ranks"; }
 }
 plate 2 1 2e-3 > plate.stl
 head=$(cat << 'END'

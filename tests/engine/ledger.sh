@@ -34,7 +34,7 @@ text 1.npy > rows.csv
 [ "$(wc -l < rows.csv)" = "$(count_rows whole.csv)" ] || die "another number of rows than the CSV"
 near whole.csv rows.csv "1 2 3 4 5 6 7 8 14 19" 1e-8
 near whole.csv rows.csv "9 10 11 12 13 15 16 17 18" 1e-7
-head -c 300 1.npy | grep -aq "; surface rq 10um lambda_c 90um spread visible isotropic collisions multiple rebound bons yield_rate 3000000" || die "no heading"
+head -c 300 1.npy | grep -aq "; surface rq 1e-05 lambda_c 9e-05 spread visible isotropic collisions multiple rebound bons yield_rate 3000000" || die "no heading"
 
 # A restart goes on where its file has the ledger, whatever the file is called by now, and cuts off the rest.
 engine 2 first.in -var out part.npy

@@ -107,7 +107,7 @@ for kind in csv npy; do
     [ "$(count_array rows.npy)" = "$(count_array whole.npy)" ] || die "rows after unfix: $(count_array rows.npy)"
   fi
   again "fix w all wall/rebound primitive type 2 zplane 0.0 ledger 70 file rows.$kind"
-  refuses again.in "rows that fix w wrote earlier in this run, with other settings" "surface rq 10um"
+  refuses again.in "rows that fix w wrote earlier in this run, with other settings" "surface rq 1e-05"
   again "clear
 $(head_ 'read_data grains.data')
 $wall ledger 70 file rows.$kind"

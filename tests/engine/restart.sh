@@ -65,7 +65,7 @@ differs() { # WALL WORD...
     grep -qF -- "$word" warning || { cat warning; die "'$word' is not in the warning"; }
   done
 }
-differs low "seed 5, was 4" "rq 12um lambda_c 90um, was rq 10um" "materials quartz hastelloy-x, was $([ $simulator = liggghts ] && echo none || echo own1)" \
+differs low "seed 5, was 4" "rq 1.2e-05 lambda_c 9e-05, was rq 1e-05" "materials quartz hastelloy-x, was $([ $simulator = liggghts ] && echo none || echo own1)" \
   "spread truncated isotropic collisions multiple, was visible isotropic collisions multiple" "deposit delete, was freeze" \
   "rebound bons yield_rate 3000000, was bons"
 differs high "geometry " "zplane 0.00039" ", was " "zplane 0.00038" \

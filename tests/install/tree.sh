@@ -1,20 +1,19 @@
 #!/usr/bin/env bash
-# cmake/liggghts_tree or cmake/lammps_tree on a copy of the engine's headers: every source that it adds compiles there,
-# and remove leaves what was there before. Usage: tree.sh liggghts|lammps BUILD HEADERS...
+# cmake/liggghts_tree on a copy of the engine's headers: every source that it adds compiles there, and remove leaves what
+# was there before. Usage: tree.sh BUILD HEADERS...
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
-script=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/cmake/$1_tree
-engine=$1 build=$2; shift 2
+script=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/cmake/liggghts_tree
+build=$1; shift
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 die() { echo "FAILED: $*" >&2; exit 1; }
 
 mkdir "$work/src"
 for folder in "$@"; do cp -r "$folder/." "$work/src"; done
-touch "$work/src/Make.sh" "$work/src/fix_wall_reflect.h"
+touch "$work/src/Make.sh"
 (cd "$work/src" && find . | sort) > "$work/before"
 "$script" install "$work/src" "$build" > "$work/how"
-option=-DLAMMPS_SMALLBIG
-[ $engine = lammps ] || option=$(grep -oE -- "-iquote [^\"]+" "$work/how") || die "no -iquote in: $(cat "$work/how")"
+option=$(grep -oE -- "-iquote [^\"]+" "$work/how") || die "no -iquote in: $(cat "$work/how")"
 grep -q -- "-L$work/src/asperity -lasperity_dem -lasperity" "$work/how" || die "no libraries in: $(cat "$work/how")"
 mapfile -t added < <("$script" diff "$work/src" | sed -n 's/^added: //p')
 sources=0

@@ -9,10 +9,12 @@
  * errors. The short run looks at a part with small ensembles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/measure.h"
+#include "analysis/judge.h"
 #include "wall/wall.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int failures;
@@ -23,81 +25,113 @@ static void verdict(bool good, const char *what) {
 }
 
 /* The mean tilt of the first hits of a model of tables, in sigma, over that of the ensemble. */
-static double tilt_off(const measure_case *subject, const measure_reference *reference,
+static double tilt_off(const aspi_judge_case *subject, const aspi_first_hits *first, double degrees,
                        const asp_wall *wall) {
   double slope = asp_surface_slope(wall->surface, subject->d_p), sum = 0;
   aspi_view view = {.slope = slope,
                     .sigma = atan(slope),
-                    .alpha1 = reference->alpha1,
+                    .alpha1 = aspi_radians(degrees),
                     .d_p = subject->d_p,
                     .phi_r = asp_surface_phi_r(wall->surface),
                     .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
   for (int i = 0; i < 4000; i++)
     sum += wall->spread->quantile(&view, (i + 0.5) / 4000) / 4000;
-  return (sum - reference->mean_first) / atan(slope);
+  return (sum - first->mean) / atan(slope);
+}
+
+static asp_error error;
+
+/* What comes out of setting up is no failure of a model. */
+static void must(asp_code code) {
+  if (code)
+    fprintf(stderr, "%s\n", error.text), exit(2);
+}
+
+/* The divergence of a model; the means of both into `mean`. */
+static aspi_estimate compare(const aspi_judge_case *subject, const aspi_judge *judge,
+                             const aspi_judge_model *model, double degrees, size_t k,
+                             double mean[2]) {
+  size_t groups;
+  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, degrees, &groups);
+  aspi_angle_groups own = {angles, groups, 1};
+  size_t rebound = offsetof(aspi_angles, rebound), sum = offsetof(aspi_angles, rebound_sum);
+  aspi_estimate d = aspi_judge_divergence(judge, k, angles, groups, rebound);
+  mean[0] = aspi_angles_mean(own, sum).value;
+  mean[1] = aspi_angles_mean(aspi_judge_groups(judge, k), sum).value;
+  free(angles);
+  return d;
 }
 
 /* Up to `most` of each of three models; one with 0 is not judged. */
-static void judge_wall(measure_case subject, const double *angles, size_t n, const double *most) {
+static void judge_wall(aspi_judge_case subject, const double *angles, size_t n,
+                       const double *most) {
   static const char *const names[] = {"visible", "profile", "traced"};
-  measure_wall wall = measure_wall_create(&subject);
-  measure_reference *reference = measure_references(&subject, &wall, angles, n);
+  aspi_judge_walls walls;
+  aspi_judge judge;
+  must(aspi_judge_walls_create(&walls, &subject, &error));
+  must(aspi_judge_create(&judge, &subject, &walls, angles, n, &error));
   for (int m = 0; m < 3; m++) {
     if (!(most[m] > 0))
       continue;
-    measure_model model = measure_model_create(&subject, &wall, names[m], true);
+    aspi_judge_model model;
+    must(aspi_judge_model_create(&model, &walls, subject.d_p, names[m], true, &error));
     for (size_t k = 0; k < n; k++) {
       char text[200];
-      measure_divergence d = measure_compare(&subject, &reference[k], &model);
+      double mean[2];
+      aspi_estimate d = compare(&subject, &judge, &model, angles[k], k, mean);
       snprintf(text, sizeof text,
                "%s on (%g, %g, %g), alpha1 %g: D_KL %.5f +- %.5f, alpha2 %.3f, ensemble %.3f",
-               names[m], subject.r_q, subject.lambda_c, subject.d_p, angles[k], d.kl, d.se, d.mean,
-               d.reference_mean);
-      verdict(d.kl < most[m] + 3 * d.se, text);
+               names[m], subject.wall.r_q, subject.wall.lambda_1, subject.d_p, angles[k], d.value,
+               d.se, mean[0], mean[1]);
+      verdict(d.value < most[m] + 3 * d.se, text);
       if (m != 1)
         continue;
-      double off = tilt_off(&subject, &reference[k], model.on[0]);
-      double noise = 0.005 * sqrt(8. / subject.profiles); /* of 2048 lambda_c each, at 2 degrees */
+      double off = tilt_off(&subject, &judge.first[k], angles[k], model.on[0]);
+      double noise = 0.005 * sqrt(8. / (double)subject.groups); /* of 2048 lambda_c, at 2 degrees */
       snprintf(text, sizeof text, "mean tilt of its first hit: off by %.4f sigma", off);
       verdict(fabs(off) < 0.007 + noise, text);
     }
-    measure_model_free(&model);
+    aspi_judge_model_free(&model);
   }
-  measure_references_free(reference, n);
-  measure_wall_free(&wall);
+  aspi_judge_free(&judge);
+  aspi_judge_walls_free(&walls);
 }
 
 /* Takes the model that `auto` takes, at the angles between those of its table. */
-static void judge_auto(measure_case subject, double tolerance) {
+static void judge_auto(aspi_judge_case subject, double tolerance) {
   static const double angles[] = {1.5, 3, 9, 27, 50};
-  asp_error error;
   double told;
   char why[400], text[600];
-  measure_wall wall = measure_wall_create(&subject);
+  aspi_judge_walls wall;
+  must(aspi_judge_walls_create(&wall, &subject, &error));
   const asp_spread_model *model = asp_spread_auto(wall.surface[0], subject.d_p, subject.d_p, true,
                                                   tolerance, &told, why, sizeof why, &error);
   if (!model) {
-    snprintf(text, sizeof text, "(%g, %g, %g): %s", subject.r_q, subject.lambda_c, subject.d_p,
-             error.text);
+    snprintf(text, sizeof text, "(%g, %g, %g): %s", subject.wall.r_q, subject.wall.lambda_1,
+             subject.d_p, error.text);
     verdict(strstr(error.text, "comes closest"), text);
-    measure_wall_free(&wall);
+    aspi_judge_walls_free(&wall);
     return;
   }
-  measure_reference *reference = measure_references(&subject, &wall, angles, 5);
-  measure_model taken = measure_model_create(&subject, &wall, asp_spread_name(model), true);
+  aspi_judge judge;
+  aspi_judge_model taken;
+  must(aspi_judge_create(&judge, &subject, &wall, angles, 5, &error));
+  must(aspi_judge_model_create(&taken, &wall, subject.d_p, asp_spread_name(model), true, &error));
   double worst = -1, se = 0;
-  for (int k = 0; k < 5; k++) {
-    measure_divergence d = measure_compare(&subject, &reference[k], &taken);
-    if (d.kl > worst)
-      worst = d.kl, se = d.se;
+  for (size_t k = 0; k < 5; k++) {
+    double mean[2];
+    aspi_estimate d = compare(&subject, &judge, &taken, angles[k], k, mean);
+    if (d.value > worst)
+      worst = d.value, se = d.se;
   }
   snprintf(text, sizeof text,
            "auto %g on (%g, %g, %g): %s, told %.5f, ensemble %.5f +- %.5f at worst", tolerance,
-           subject.r_q, subject.lambda_c, subject.d_p, asp_spread_name(model), told, worst, se);
+           subject.wall.r_q, subject.wall.lambda_1, subject.d_p, asp_spread_name(model), told,
+           worst, se);
   verdict(worst < told + 3 * se, text);
-  measure_model_free(&taken);
-  measure_references_free(reference, 5);
-  measure_wall_free(&wall);
+  aspi_judge_model_free(&taken);
+  aspi_judge_free(&judge);
+  aspi_judge_walls_free(&wall);
 }
 
 int main(int argc, char **argv) {
@@ -109,15 +143,16 @@ int main(int argc, char **argv) {
                                      {1, 33, 5, 0.002},   {25, 85, 120, 0.05},  {3, 300, 400, 0.2},
                                      {10, 66, 20, 0.001}, {5, 60, 150, 0.01},   {16, 40, 12, 0.2}};
   static const double gentle[] = {0.0005, 0.001, 0.001}, steep[] = {0, 0.003, 0.004};
-  measure_case subject = {.rays = whole ? 1000000 : 60000, .profiles = whole ? 32 : 4, .seed = 9};
+  aspi_judge_case subject = {.rays = whole ? 1000000 : 60000, .groups = whole ? 32 : 4, .seed = 9};
   for (int w = 0; w < (whole ? 4 : 1); w++) {
-    subject.r_q = walls[w][0], subject.lambda_c = walls[w][1], subject.d_p = walls[w][2];
+    subject.wall.r_q = walls[w][0], subject.wall.lambda_1 = walls[w][1], subject.d_p = walls[w][2];
     judge_wall(subject, angles, whole ? 6 : 2, gentle);
   }
-  subject.r_q = 20, subject.lambda_c = 40, subject.d_p = 23; /* phi_r 0.5 */
+  subject.wall.r_q = 20, subject.wall.lambda_1 = 40, subject.d_p = 23; /* phi_r 0.5 */
   judge_wall(subject, angles, whole ? 6 : 2, steep);
   for (int w = 0; w < (whole ? 12 : 2); w++) {
-    subject.r_q = others[w][0], subject.lambda_c = others[w][1], subject.d_p = others[w][2];
+    subject.wall.r_q = others[w][0], subject.wall.lambda_1 = others[w][1],
+    subject.d_p = others[w][2];
     judge_auto(subject, others[w][3]);
   }
   return failures > 0;

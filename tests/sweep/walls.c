@@ -7,7 +7,7 @@
  * Prints a row per wall and impact angle, and fails where a divergence is above its bound.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/judge_3d.h"
+#include "analysis/judge.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -62,14 +62,19 @@ static double plateau(double height) {
   return -log1p(exp(0.6 - 1.4 * height / 5));
 }
 
-static asp_map *make_wall(const judge_case *subject, const double step[2], size_t points,
+static void fail(const asp_error *error) {
+  fprintf(stderr, "walls: %s\n", error->text);
+  exit(2);
+}
+
+static asp_map *make_wall(const aspi_judge_case *subject, const double step[2], size_t points,
                           uint32_t seed) {
   (void)subject;
   asp_error error;
   aspi_gauss gauss = {kind == GAUSS || kind == PLATEAU ? 5 : 3, lambda_c[kind], lambda_c[kind], 0};
   asp_map *m = aspi_map_create(&gauss, step, points, points, seed, &error);
   if (!m)
-    cli_fail("%s", error.text);
+    fail(&error);
   size_t n = points * points;
   if (kind == PLATEAU)
     for (size_t i = 0; i < n; i++)
@@ -107,17 +112,17 @@ static asp_wall *wall_of(const asp_surface *surface, const char *model, double d
 static void prepare(asp_wall *wall) {
   asp_error error;
   if (asp_wall_prepare(wall, &error))
-    cli_fail("%s", error.text);
+    fail(&error);
 }
 
-static judge_angles fly(const asp_wall *wall, double d_p, double alpha1, size_t n) {
-  judge_angles all = {0};
-  const double v1[3] = {cos(alpha1), 0, -sin(alpha1)}, up[3] = {0, 0, 1};
+static aspi_angles fly(const asp_wall *wall, double d_p, double alpha1, size_t n) {
+  aspi_angles all = {0};
+  const double a = alpha1 * DEGREE, v1[3] = {cos(a), 0, -sin(a)}, up[3] = {0, 0, 1};
   for (size_t i = 0; i < n; i++) {
     asp_particle particle = {.d_p = d_p, .density = 1};
     asp_impact impact;
     asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, i, 1}, &impact);
-    judge_add(&all, impact.v2, impact.delta_alpha, impact.hits);
+    aspi_angles_add(&all, impact.v2, impact.delta_alpha, impact.hits);
   }
   return all;
 }
@@ -125,17 +130,17 @@ static judge_angles fly(const asp_wall *wall, double d_p, double alpha1, size_t 
 static int failures;
 
 /* A row; of the later hits, how far their share is off. */
-static void tell(const char *what, double alpha1, const judge_all *all, size_t i,
-                 const judge_angles *m, bool lateral) {
-  judge_value first = judge_divergence(all, i, m, offsetof(judge_angles, tilt));
-  judge_value rebound = judge_divergence(all, i, m, offsetof(judge_angles, rebound));
-  judge_value side = judge_divergence(all, i, m, offsetof(judge_angles, lateral));
-  judge_value mean = judge_mean(all, i, offsetof(judge_angles, rebound_sum));
-  judge_value later = judge_mean(all, i, offsetof(judge_angles, later));
+static void tell(const char *what, double alpha1, const aspi_judge *all, size_t i,
+                 const aspi_angles *m, bool lateral) {
+  aspi_estimate first = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, tilt));
+  aspi_estimate rebound = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, rebound));
+  aspi_estimate side = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, lateral));
+  aspi_estimate mean =
+      aspi_angles_mean(aspi_judge_groups(all, i), offsetof(aspi_angles, rebound_sum));
+  aspi_estimate later = aspi_angles_mean(aspi_judge_groups(all, i), offsetof(aspi_angles, later));
   printf("%s,%s,%.2f,%g,%.5f,%.5f,%.5f,%.5f,%.3f,%.3f,%.3f,%.5f,%.5f\n", names[kind], what,
-         skewness, alpha1 / DEGREE, first.value, rebound.value, rebound.se,
-         lateral ? side.value : 0, mean.value, mean.se, m->rebound_sum / m->n, later.value,
-         m->later / m->n);
+         skewness, alpha1, first.value, rebound.value, rebound.se, lateral ? side.value : 0,
+         mean.value, mean.se, m->rebound_sum / m->n, later.value, m->later / m->n);
   fflush(stdout);
   bool good =
       rebound.value - 2 * rebound.se < 0.01 && (!lateral || side.value - 2 * side.se < 0.01);
@@ -146,13 +151,20 @@ static void tell(const char *what, double alpha1, const judge_all *all, size_t i
 
 enum { RAYS = 100000, FLOWN = 400000 };
 
-static double angles[] = {2 * DEGREE, 5 * DEGREE, 20 * DEGREE};
-static const cli_list list = {.values = angles, .count = 3};
+static const double angles[] = {2, 5, 20};
 
 static void judge_map(size_t points, size_t surfaces, double d_p) {
   asp_error error;
-  judge_case subject = {{R_Q, 39, 39, 0}, d_p, surfaces, points, make_wall, NULL};
-  judge_all all = judge_create(&subject, &list, RAYS, 500);
+  aspi_judge_case subject = {.wall = {R_Q, 39, 39, 0},
+                             .d_p = d_p,
+                             .groups = surfaces,
+                             .rays = RAYS,
+                             .seed = 500,
+                             .points = points,
+                             .make = make_wall};
+  aspi_judge all;
+  if (aspi_judge_create(&all, &subject, NULL, angles, 3, &error))
+    fail(&error);
   const double step[2] = {39 / 20., 39 / 20.};
   asp_map *periodic = make_wall(&subject, step, points, 7);
   asp_map *map = asp_map_from_heights(asp_map_heights(periodic), points, points, step[0], step[1],
@@ -160,18 +172,16 @@ static void judge_map(size_t points, size_t surfaces, double d_p) {
   asp_surface *surface = asp_surface_create(R_Q, 39, &error);
   asp_wall *wall = wall_of(surface, "profile", d_p);
   asp_wall_set_map(wall, map);
-  double begun = cli_seconds();
   prepare(wall);
-  fprintf(stderr, "%s: %.1f s for the laws of the map\n", names[kind], cli_seconds() - begun);
   for (size_t i = 0; i < 3; i++) {
-    judge_angles m = fly(wall, d_p, angles[i], FLOWN);
+    aspi_angles m = fly(wall, d_p, angles[i], FLOWN);
     tell("map", angles[i], &all, i, &m, true);
   }
   asp_wall_free(wall);
   asp_surface_free(surface);
   asp_map_free(map);
   asp_map_free(periodic);
-  judge_free(&all);
+  aspi_judge_free(&all);
 }
 
 /* A long profile of a wall whose heights come from Gaussian ones point by point. */
@@ -196,7 +206,7 @@ static asp_profile *profile_of(size_t points, uint32_t seed) {
 
 /* The profile's laws against `traced` on independent profiles, each a realisation of its own. */
 static void judge_profile(size_t points, size_t surfaces, double d_p) {
-  judge_all all = {surfaces, 3, 1, calloc(3 * surfaces, sizeof(judge_angles))};
+  aspi_judge all = {surfaces, 3, 1, calloc(3 * surfaces, sizeof(aspi_angles)), NULL};
   asp_profile *own = profile_of(points, 7);
   asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
   asp_wall *wall = wall_of(surface, "profile", d_p);
@@ -213,13 +223,13 @@ static void judge_profile(size_t points, size_t surfaces, double d_p) {
     asp_profile_free(other);
   }
   for (size_t i = 0; i < 3; i++) {
-    judge_angles m = fly(wall, d_p, angles[i], FLOWN);
+    aspi_angles m = fly(wall, d_p, angles[i], FLOWN);
     tell("profile", angles[i], &all, i, &m, false);
   }
   asp_wall_free(wall);
   asp_surface_free(surface);
   asp_profile_free(own);
-  judge_free(&all);
+  aspi_judge_free(&all);
 }
 
 int main(int argc, char **argv) {

@@ -32,14 +32,14 @@ static void canonical_texts(void **state) {
   check_text("", "surface smooth rebound bons deposit freeze seed 1");
   check_text("surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz "
              "hastelloy-x",
-             "surface rq 15.6um lambda_c 120um spread visible isotropic collisions multiple "
+             "surface rq 1.56e-05 lambda_c 0.00012 spread visible isotropic collisions multiple "
              "rebound bons materials quartz hastelloy-x friction 0.4 deposit freeze seed 1");
   check_text("rebound constant 0.5 0.25 deposit off surface sigma 8deg spread weibull plane "
              "collisions single seed 4294967295",
              "surface sigma 8 spread weibull plane collisions single rebound constant 0.5 0.25 "
              "deposit off seed 4294967295");
-  check_text("surface rq 1um lambda_c 10um 50um lay axial spread auto tolerance 0.01",
-             "surface rq 1um lambda_c 10um 50um lay axial spread auto tolerance 0.01 isotropic "
+  check_text("surface rq 1e-06 lambda_c 1e-05 5e-05 lay axial spread auto tolerance 0.01",
+             "surface rq 1e-06 lambda_c 1e-05 5e-05 lay axial spread auto tolerance 0.01 isotropic "
              "collisions multiple rebound bons deposit freeze seed 1");
   check_text("surface profile 'my blade.csv' dp_bins 4 rebound bons soften 500C 0.001/K yield_rate "
              "3MPa/(m/s) temperature 800 spin on",
@@ -455,9 +455,9 @@ static void numbers_may_be_unknown(void **state) {
   check_fit("surface sigma fit friction fit yield_stress fit=200MPa",
             "surface sigma fit=5 spread visible isotropic collisions multiple rebound bons "
             "friction fit yield_stress fit=200000000 deposit freeze seed 1");
-  check_fit("surface rq fit=4um lambda_c fit=40um 80um lay axial rebound bons contact_area 0.1 fit "
+  check_fit("surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial rebound bons contact_area 0.1 fit "
             "fit=0.6",
-            "surface rq fit=4um lambda_c fit=40um 80um lay axial spread visible isotropic "
+            "surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial spread visible isotropic "
             "collisions multiple rebound bons contact_area 0.1 fit=0.14285714285714285 fit=0.6 "
             "deposit freeze seed 1");
   check_fit("rebound bons yield_rate fit", "surface smooth rebound bons yield_rate fit=0 deposit "

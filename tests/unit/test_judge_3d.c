@@ -2,8 +2,8 @@
  * independent reference (2048 x 2048 points, 8 to 12 surfaces).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/judge.h"
 #include "check.h"
-#include "cli/judge_3d.h"
 #include "analysis/dilated_map.h"
 #include "spread/line.h"
 #include "surface/ball.h"
@@ -142,6 +142,16 @@ typedef struct known {
   double axis, d_p, alpha1, rebound, rebound_se, lateral;
 } known;
 
+static aspi_judge judge_of(const aspi_judge_case *subject, double degrees) {
+  aspi_judge judge;
+  assert_int_equal(aspi_judge_create(&judge, subject, NULL, &degrees, 1, NULL), ASP_OK);
+  return judge;
+}
+
+static aspi_estimate mean_of(const aspi_judge *judge, size_t sum) {
+  return aspi_angles_mean(aspi_judge_groups(judge, 0), sum);
+}
+
 static void numbers_agree_with_the_independent_reference(void **state) {
   (void)state;
   const known cases[] = {
@@ -152,12 +162,16 @@ static void numbers_agree_with_the_independent_reference(void **state) {
   enum { SURFACES = 3, POINTS = 1024, RAYS = 40000 };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     const known *c = &cases[k];
-    double alpha1 = c->alpha1 * DEGREE;
-    judge_case subject = {{5, 40, 200, c->axis * DEGREE}, c->d_p, SURFACES, POINTS, NULL, NULL};
-    judge_all all = judge_create(&subject, &(cli_list){.values = &alpha1, .count = 1}, RAYS, 100);
-    judge_value mean = judge_mean(&all, 0, offsetof(judge_angles, rebound_sum));
-    judge_value side = judge_mean(&all, 0, offsetof(judge_angles, lateral_sum));
-    judge_value square = judge_mean(&all, 0, offsetof(judge_angles, lateral_square));
+    aspi_judge_case subject = {.wall = {5, 40, 200, c->axis * DEGREE},
+                               .d_p = c->d_p,
+                               .groups = SURFACES,
+                               .rays = RAYS,
+                               .seed = 100,
+                               .points = POINTS};
+    aspi_judge all = judge_of(&subject, c->alpha1);
+    aspi_estimate mean = mean_of(&all, offsetof(aspi_angles, rebound_sum));
+    aspi_estimate side = mean_of(&all, offsetof(aspi_angles, lateral_sum));
+    aspi_estimate square = mean_of(&all, offsetof(aspi_angles, lateral_square));
     double error = 4 * hypot(fmax(mean.se, 0.003 * c->rebound), c->rebound_se);
     print_message("axis %g, d_p %g, alpha1 %g: %.3f +- %.3f (%.2f), lateral %.3f, sd %.3f (%.2f)\n",
                   c->axis, c->d_p, c->alpha1, mean.value, mean.se, c->rebound, side.value,
@@ -166,31 +180,31 @@ static void numbers_agree_with_the_independent_reference(void **state) {
     assert_near(sqrt(square.value - side.value * side.value), c->lateral, 0.03 * c->lateral);
     if (c->axis == 45 && c->d_p == 10) /* to the side on which the lay lies */
       assert_near(side.value, -3.30, 0.15);
-    judge_free(&all);
+    aspi_judge_free(&all);
   }
 }
 
 /* The divergence of a sample of the same law is nothing, within its own error. */
 static void divergences_have_no_bias(void **state) {
   (void)state;
-  double alpha1 = 10 * DEGREE;
-  cli_list angles = {.values = &alpha1, .count = 1};
-  judge_case subject = {{5, 40, 40, 0}, 10, 6, 512, NULL, NULL},
-             other = {{5, 40, 40, 0}, 10, 16, 512, NULL, NULL};
-  judge_all all = judge_create(&subject, &angles, 20000, 1);
-  judge_all many = judge_create(&other, &angles, 20000, 1000);
-  judge_angles model = many.angles[0];
-  for (size_t k = 1; k < other.surfaces; k++) {
-    const judge_angles *a = &many.angles[k];
-    model.n += a->n;
-    for (int i = 0; i < JUDGE_BINS; i++)
-      model.rebound[i] += a->rebound[i];
-  }
-  judge_value d = judge_divergence(&all, 0, &model, offsetof(judge_angles, rebound));
+  aspi_judge_case subject = {.wall = {5, 40, 40, 0},
+                             .d_p = 10,
+                             .groups = 6,
+                             .rays = 20000,
+                             .seed = 1,
+                             .points = 512},
+                  other = subject;
+  other.groups = 16;
+  other.seed = 1000;
+  aspi_judge all = judge_of(&subject, 10), many = judge_of(&other, 10);
+  aspi_angles model = {0};
+  for (size_t k = 0; k < other.groups; k++)
+    aspi_angles_merge(&model, &many.angles[k]);
+  aspi_estimate d = aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, rebound));
   print_message("D_KL %.5f +- %.5f\n", d.value, d.se);
   assert_near(d.value, 0, 0.002);
-  judge_free(&all);
-  judge_free(&many);
+  aspi_judge_free(&all);
+  aspi_judge_free(&many);
 }
 
 /* A map of ridges: a grazing particle that has hit a crest does not hit it again. With steps of the
@@ -202,13 +216,13 @@ static void crests_are_hit_once(void **state) {
   asp_map *map = aspi_map_create(&wall, (const double[2]){2.5, 2.5}, N, N, 7, NULL);
   for (size_t i = 0; i < N * N; i++)
     map->heights[i] = -2 * fabsf(map->heights[i]);
-  judge_case subject = {.wall = wall, .d_p = 40, .surfaces = 4, .map = map};
-  double alpha1 = 2 * DEGREE;
-  judge_all all = judge_create(&subject, &(cli_list){.values = &alpha1, .count = 1}, 4000, 1);
-  double later = judge_mean(&all, 0, offsetof(judge_angles, later)).value;
+  aspi_judge_case subject = {
+      .wall = wall, .d_p = 40, .groups = 4, .rays = 4000, .seed = 1, .map = map};
+  aspi_judge all = judge_of(&subject, 2);
+  double later = mean_of(&all, offsetof(aspi_angles, later)).value;
   print_message("ridges, 2 deg: later hits %.4f\n", later);
   assert_true(later > 0.012 && later < 0.025);
-  judge_free(&all);
+  aspi_judge_free(&all);
   asp_map_free(map);
 }
 

@@ -2,8 +2,8 @@
  * the model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/judge.h"
 #include "check.h"
-#include "cli/judge_3d.h"
 #include "surface/size_law.h"
 
 #include <stdlib.h>
@@ -43,11 +43,11 @@ static asp_impact meet(const setup *s, double d_p, double alpha1, double psi, ui
   return impact;
 }
 
-static judge_angles many(const setup *s, double d_p, double alpha1, double psi, size_t n) {
-  judge_angles all = {0};
+static aspi_angles many(const setup *s, double d_p, double alpha1, double psi, size_t n) {
+  aspi_angles all = {0};
   for (size_t i = 0; i < n; i++) {
     asp_impact impact = meet(s, d_p, alpha1, psi, i);
-    judge_add(&all, impact.v2, impact.delta_alpha, impact.hits);
+    aspi_angles_add(&all, impact.v2, impact.delta_alpha, impact.hits);
   }
   return all;
 }
@@ -75,7 +75,7 @@ static void mirrored_lays_mirror_the_law(void **state) {
   (void)state;
   enum { N = 100000 };
   setup s = setup_create(40, 200, "isotropic");
-  judge_angles left = many(&s, 10, 0.1, 0.6, N), right = many(&s, 10, 0.1, -0.6, N);
+  aspi_angles left = many(&s, 10, 0.1, 0.6, N), right = many(&s, 10, 0.1, -0.6, N);
   double error = 5 * sqrt(2 * left.lateral_square / N / N);
   assert_true(left.lateral_sum / N < -1);
   assert_near(left.lateral_sum / N, -right.lateral_sum / N, error);
@@ -151,7 +151,7 @@ static void lays_steer(void **state) {
   static const double known[][2] = {{2, -3.17}, {5, -3.30}, {10, -3.29}, {30, -2.81}};
   setup s = setup_create(40, 200, "isotropic");
   for (int i = 0; i < 4; i++) {
-    judge_angles a = many(&s, 10, known[i][0] * DEGREE, ASP_PI / 4, N);
+    aspi_angles a = many(&s, 10, known[i][0] * DEGREE, ASP_PI / 4, N);
     print_message("alpha1 %g: lateral %.3f (%.2f)\n", known[i][0], a.lateral_sum / N, known[i][1]);
     assert_near(a.lateral_sum / N, known[i][1], 0.15);
   }
@@ -167,17 +167,25 @@ static void walls_with_a_lay_are_surfaces(void **state) {
   setup s = setup_create(40, 200, "isotropic");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     double psi = cases[i][0] * DEGREE, d_p = cases[i][1], alpha1 = cases[i][2] * DEGREE;
-    judge_case subject = {{5, 40, 200, psi}, d_p, 3, 1024, NULL, NULL};
-    judge_all all = judge_create(&subject, &(cli_list){.values = &alpha1, .count = 1}, 20000, 300);
-    judge_angles model = many(&s, d_p, alpha1, psi, N);
-    judge_value rebound = judge_divergence(&all, 0, &model, offsetof(judge_angles, rebound));
-    judge_value lateral = judge_divergence(&all, 0, &model, offsetof(judge_angles, lateral));
+    aspi_judge_case subject = {.wall = {5, 40, 200, psi},
+                               .d_p = d_p,
+                               .groups = 3,
+                               .rays = 20000,
+                               .seed = 300,
+                               .points = 1024};
+    aspi_judge all;
+    assert_int_equal(aspi_judge_create(&all, &subject, NULL, &cases[i][2], 1, NULL), ASP_OK);
+    aspi_angles model = many(&s, d_p, alpha1, psi, N);
+    aspi_estimate rebound =
+        aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, rebound));
+    aspi_estimate lateral =
+        aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, lateral));
     print_message("psi %g, d_p %g, alpha1 %g: D_KL %.4f +- %.4f, lateral %.4f +- %.4f\n",
                   cases[i][0], d_p, cases[i][2], rebound.value, rebound.se, lateral.value,
                   lateral.se);
     assert_true(rebound.value < 0.006 + 3 * rebound.se);
     assert_true(lateral.value < 0.006 + 3 * lateral.se);
-    judge_free(&all);
+    aspi_judge_free(&all);
   }
   setup_free(&s);
 }

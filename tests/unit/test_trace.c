@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "cli/measure.h"
+#include "analysis/judge.h"
 #include "spread/line.h"
 #include "spread/line_table.h"
 #include "wall/wall.h"
@@ -158,23 +158,23 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   (void)state;
   static const double angle[] = {2, 10, 30};
   static const double known[][2] = {{25.22, 0.021}, {27.33, 0.073}, {37.31, 0.045}};
-  measure_case subject = {
-      .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 200000, .profiles = 8, .seed = 2};
-  measure_wall wall = measure_wall_create(&subject);
-  measure_reference *reference = measure_references(&subject, &wall, angle, 3);
-  for (int i = 0; i < 3; i++) {
-    double mean = 0, later = 0;
-    for (int g = 0; g < subject.profiles; g++) {
-      mean += reference[i].profile[g].mean / subject.profiles;
-      later += reference[i].profile[g].later / subject.profiles;
-    }
+  aspi_judge_case subject = {
+      .wall = {0.125, 1, 1, 0}, .d_p = 0.25, .rays = 200000, .groups = 8, .seed = 2};
+  aspi_judge_walls walls;
+  aspi_judge judge;
+  assert_int_equal(aspi_judge_walls_create(&walls, &subject, NULL), ASP_OK);
+  assert_int_equal(aspi_judge_create(&judge, &subject, &walls, angle, 3, NULL), ASP_OK);
+  for (size_t i = 0; i < 3; i++) {
+    aspi_angle_groups groups = aspi_judge_groups(&judge, i);
+    double mean = aspi_angles_mean(groups, offsetof(aspi_angles, rebound_sum)).value;
+    double later = aspi_angles_mean(groups, offsetof(aspi_angles, later)).value;
     print_message("alpha1 %g: mean %.2f (%.2f), later hits %.4f (%.3f)\n", angle[i], mean,
                   known[i][0], later, known[i][1]);
     assert_near(mean, known[i][0], 0.2);
     assert_near(later, known[i][1], 0.004);
   }
-  measure_references_free(reference, 3);
-  measure_wall_free(&wall);
+  aspi_judge_free(&judge);
+  aspi_judge_walls_free(&walls);
 }
 
 /* At the nodes the table is exact; between them its D_KL is below 0.002. */
@@ -325,25 +325,26 @@ static void few_points_across_are_enough(void **state) {
  * latter of which it dilates by points. */
 static void few_points_across_judge_as_many(void **state) {
   (void)state;
-  double share[2][2][MEASURE_BINS], mean[2];
+  double share[2][2][ASPI_ANGLE_BINS], mean[2];
   for (int many = 0; many < 2; many++) {
     asp_profile *measured = plateau(2, many ? ACROSS_FINE : 16);
-    measure_case subject = {.r_q = 0.25,
-                            .lambda_c = 2,
-                            .d_p = 1,
-                            .rays = 1000,
-                            .profiles = 4,
-                            .seed = 2,
-                            .profile = measured};
-    measure_wall wall = measure_wall_create(&subject);
-    measure_reference *reference = measure_references(&subject, &wall, few + 1, 1);
-    memcpy(share[many], reference->first_hit, sizeof share[many]);
-    mean[many] = reference->mean_first / DEGREE;
-    measure_references_free(reference, 1);
-    measure_wall_free(&wall);
+    aspi_judge_case subject = {.wall = {0.25, 2, 2, 0},
+                               .d_p = 1,
+                               .rays = 1000,
+                               .groups = 4,
+                               .seed = 2,
+                               .profile = measured};
+    aspi_judge_walls walls;
+    aspi_judge judge;
+    assert_int_equal(aspi_judge_walls_create(&walls, &subject, NULL), ASP_OK);
+    assert_int_equal(aspi_judge_create(&judge, &subject, &walls, few + 1, 1, NULL), ASP_OK);
+    memcpy(share[many], judge.first->share, sizeof share[many]);
+    mean[many] = judge.first->mean / DEGREE;
+    aspi_judge_free(&judge);
+    aspi_judge_walls_free(&walls);
     asp_profile_free(measured);
   }
-  double kl = divergence(share[1][0], share[0][0], 2 * MEASURE_BINS);
+  double kl = divergence(share[1][0], share[0][0], 2 * ASPI_ANGLE_BINS);
   print_message("judged: first hits, D_KL %.5f, means %.3f and %.3f deg\n", kl, mean[0], mean[1]);
   assert_true(kl < 0.002);
   assert_near(mean[0], mean[1], 0.03);

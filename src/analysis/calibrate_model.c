@@ -3,9 +3,10 @@
  * calibrate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/calibrate.h"
+#include "analysis/angles.h"
 #include "base/running.h"
 #include "base/stream.h"
-#include "cli/calibrate.h"
 #include "wall/wall.h"
 
 #include <math.h>
@@ -15,27 +16,14 @@
 /* Draws of a group have numbers of their own. */
 enum { TAGS_OF_A_BIN = 1 << 30 };
 
-double calibrate_scaled(const calibrate_unknown *u, double value) {
-  return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
-}
-
-double calibrate_value(const calibrate_unknown *u, double scaled) {
-  return u->bounded ? u->least + (u->most - u->least) / (1 + exp(-scaled)) : exp(scaled);
-}
-
-double calibrate_slope(const calibrate_unknown *u, double scaled) {
-  double share = 1 / (1 + exp(-scaled));
-  return u->bounded ? (u->most - u->least) * share * (1 - share) : exp(scaled);
-}
-
-bool calibrate_set(void *context, const double *scaled) {
-  calibration *c = context;
-  asp_wall *wall = c->wall.wall;
+bool aspi_calibration_set(void *context, const double *scaled) {
+  aspi_calibration *c = context;
+  asp_wall *wall = c->wall;
   for (size_t i = 0; i < c->n_unknown; i++) {
-    const calibrate_unknown *u = &c->unknown[i];
-    double value = calibrate_value(u, scaled[i]);
+    const aspi_unknown *u = &c->unknown[i];
+    double value = aspi_unknown_value(u, scaled[i]);
     if (asp_wall_set(wall, u->name, value, NULL) ||
-        (u->kind == OF_PAIR && asp_pair_set(c->wall.pair, u->name, value, NULL)))
+        (u->kind == OF_PAIR && asp_pair_set(c->pair, u->name, value, NULL)))
       return false;
   }
   if (!c->moves)
@@ -44,8 +32,8 @@ bool calibrate_set(void *context, const double *scaled) {
 }
 
 /* Adds noise to what was measured of a rebound: x and y are in shares of v1. */
-static void add_noise(const calibration *c, const double *normal, double *x, double *y) {
-  double angle = atan2(*x, *y) + cli_radians(c->noise[1]) * normal[1];
+static void add_noise(const aspi_calibration *c, const double *normal, double *x, double *y) {
+  double angle = atan2(*x, *y) + aspi_radians(c->noise[1]) * normal[1];
   double speed =
       hypot(*x, *y) * (1 + c->noise_speed * normal[2]) / (1 + c->noise_speed * normal[3]);
   *x = speed * sin(angle);
@@ -53,8 +41,8 @@ static void add_noise(const calibration *c, const double *normal, double *x, dou
 }
 
 /* One impact of the model as it would be measured: x and y; false: no rebound is seen. */
-static bool measure(const calibration *c, const measured_row *row, uint32_t stream, uint64_t tag,
-                    double xy[COR_BOTH], bool *dropped) {
+static bool see_rebound(const aspi_calibration *c, const measured_row *row, uint32_t stream,
+                        uint64_t tag, double xy[COR_BOTH], bool *dropped) {
   static const double n[3] = {0, 0, 1};
   double normal[4] = {0, 0, 0, 0};
   bool noisy = c->noise[0] > 0 || c->noise[1] > 0 || c->noise_speed > 0;
@@ -63,12 +51,12 @@ static bool measure(const calibration *c, const measured_row *row, uint32_t stre
     normal[i] = aspi_stream_normal(&noise);
   double degrees = row->degrees + c->noise[0] * normal[0];
   degrees = degrees > 90 ? 180 - degrees : fmax(fabs(degrees), 1e-3);
-  double v = isnan(row->v1) ? c->speed : row->v1, a1 = cli_radians(degrees);
+  double v = isnan(row->v1) ? c->speed : row->v1, a1 = aspi_radians(degrees);
   double v1[3] = {degrees < 90 ? v * cos(a1) : 0, 0, -v * sin(a1)};
   asp_particle particle = {
-      isnan(row->d_p) ? c->d_p : row->d_p, c->wall.density, c->wall.pair, {0, 0, 0}, c->lay};
+      isnan(row->d_p) ? c->d_p : row->d_p, c->density, c->pair, {0, 0, 0}, c->lay};
   asp_impact impact;
-  asp_wall_impact(c->wall.wall, &particle, v1, n, &(asp_key){c->seed, 1 + stream, tag, 1}, &impact);
+  asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1 + stream, tag, 1}, &impact);
   *dropped = false;
   if (impact.outcome == ASP_DEPOSIT)
     return false;
@@ -85,29 +73,31 @@ static bool measure(const calibration *c, const measured_row *row, uint32_t stre
   return !*dropped;
 }
 
-void calibrate_draw(void *context, size_t b, size_t samples, uint32_t stream, aspi_cloud *to) {
-  const calibration *c = context;
-  const calibrate_bin *bin = &c->bins[b];
+void aspi_calibration_draw(void *context, size_t b, size_t samples, uint32_t stream,
+                           aspi_cloud *to) {
+  const aspi_calibration *c = context;
+  const aspi_calibration_bin *bin = &c->bins[b];
   for (size_t i = 0; i < samples; i++) {
     const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
     bool dropped;
-    if (measure(c, row, stream, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds], &dropped))
+    if (see_rebound(c, row, stream, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds], &dropped))
       to->rebounds++;
     else
       to->deposits += !dropped;
   }
 }
 
-void calibrate_take_impacts(const calibration *c, size_t b) {
-  const calibrate_bin *bin = &c->bins[b];
+bool aspi_calibration_take_impacts(const aspi_calibration *c, size_t b) {
+  const aspi_calibration_bin *bin = &c->bins[b];
   aspi_group *g = &c->groups[b];
   bool has[COR_BOTH] = {true, true};
   aspi_cloud *to = &g->impacts;
-  to->xy = cli_allocate(bin->end - bin->first, sizeof *to->xy);
+  if (!(to->xy = calloc(bin->end - bin->first, sizeof *to->xy)))
+    return false;
   aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
   for (size_t i = bin->first; i < bin->end; i++) {
     const measured_row *row = &c->data.rows[i];
-    double alpha = cli_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
+    double alpha = aspi_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
     to->deposits += row->deposit;
     for (int k = 0; k < COR_BOTH && !row->deposit; k++) {
       has[k] = has[k] && isfinite(row->cor[k]);
@@ -126,17 +116,18 @@ void calibrate_take_impacts(const calibration *c, size_t b) {
   }
   g->used[MOMENT_XY] = has[COR_N] && has[COR_T] && spread;
   g->used[MOMENT_STUCK] = c->data.has_outcome && c->sticks;
+  return true;
 }
 
-void calibrate_coefficients(const calibration *c, size_t b, double mean[COR_BOTH],
-                            double sd[COR_BOTH]) {
-  const calibrate_bin *bin = &c->bins[b];
+void aspi_calibration_coefficients(const aspi_calibration *c, size_t b, double mean[COR_BOTH],
+                                   double sd[COR_BOTH]) {
+  const aspi_calibration_bin *bin = &c->bins[b];
   aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
   for (size_t i = 0; i < c->samples; i++) {
     const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
-    double xy[COR_BOTH], alpha = cli_radians(row->degrees);
+    double xy[COR_BOTH], alpha = aspi_radians(row->degrees);
     bool dropped;
-    if (!measure(c, row, 0, b * TAGS_OF_A_BIN + i, xy, &dropped))
+    if (!see_rebound(c, row, 0, b * TAGS_OF_A_BIN + i, xy, &dropped))
       continue;
     aspi_running_add(&both[COR_N], xy[COR_N] / sin(alpha));
     if (row->degrees < 90)

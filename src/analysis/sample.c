@@ -1,8 +1,8 @@
 /* Samples whose values have weights; see sample.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/sample.h"
-#include "cli/cli.h"
+#include "analysis/sample.h"
+#include "asperity.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -17,13 +17,13 @@ enum { BAND_LEAST = 20 };
 #define SHARES_MOST 100000
 
 static int by_value(const void *left, const void *right) {
-  const sample_value *a = left, *b = right;
+  const aspi_weighted *a = left, *b = right;
   return (a->value > b->value) - (a->value < b->value);
 }
 
 /* Straight between two values, each at the middle of its weight; of equal weights as
  * gsl_stats_quantile_from_sorted_data. */
-static double quantile(const sample *s, double total, double share) {
+static double quantile(const aspi_sample *s, double total, double share) {
   double ends = 0.5 * (s->values[0].weight + s->values[s->count - 1].weight);
   double place = share * (total - ends), at = 0;
   for (size_t i = 0; i + 1 < s->count; i++) {
@@ -37,7 +37,7 @@ static double quantile(const sample *s, double total, double share) {
   return s->values[s->count - 1].value;
 }
 
-void sample_describe(sample *s) {
+void aspi_sample_describe(aspi_sample *s) {
   s->mean = s->sd = s->median = s->low = s->high = NAN;
   s->size = 0;
   s->equal = true;
@@ -65,7 +65,7 @@ void sample_describe(sample *s) {
   s->high = quantile(s, total, 0.95);
 }
 
-double sample_within(const sample *s, double low, double high) {
+double aspi_sample_within(const aspi_sample *s, double low, double high) {
   double within = 0, total = 0;
   for (size_t i = 0; i < s->count; i++) {
     total += s->values[i].weight;
@@ -74,7 +74,7 @@ double sample_within(const sample *s, double low, double high) {
   return within / total;
 }
 
-static double total_of(const sample *s) {
+static double total_of(const aspi_sample *s) {
   double total = 0;
   for (size_t i = 0; i < s->count; i++)
     total += s->values[i].weight;
@@ -82,7 +82,7 @@ static double total_of(const sample *s) {
 }
 
 /* Equal values are passed together. */
-double sample_distance(const sample *a, const sample *b) {
+double aspi_sample_distance(const aspi_sample *a, const aspi_sample *b) {
   double most = 0, at_a = 0, at_b = 0, all_a = total_of(a), all_b = total_of(b);
   for (size_t i = 0, k = 0; i < a->count && k < b->count;) {
     double x = fmin(a->values[i].value, b->values[k].value);
@@ -115,7 +115,9 @@ static double p_of_limit(double distance, double n, double m) {
  * probability u(i, j) to have come to (i, j) inside, which ends with a step along either axis in
  * proportion i to j. */
 static double p_exact(double distance, size_t n, size_t m) {
-  double *u = cli_allocate(m + 1, sizeof *u), most = distance - 1e-9;
+  double *u = calloc(m + 1, sizeof *u), most = distance - 1e-9;
+  if (!u)
+    return NAN;
   for (size_t i = 0; i <= n; i++)
     for (size_t j = 0; j <= m; j++) {
       double off = fabs((double)i / (double)n - (double)j / (double)m), all = (double)(i + j);
@@ -131,14 +133,14 @@ static double p_exact(double distance, size_t n, size_t m) {
   return fmin(1, fmax(0, p));
 }
 
-double sample_p_value(const sample *a, const sample *b, double distance) {
+double aspi_sample_p_value(const aspi_sample *a, const aspi_sample *b, double distance) {
   bool exact = a->equal && b->equal && (double)a->count * (double)b->count <= EXACT_MOST;
   if (!(distance > 0))
     return 1;
   return exact ? p_exact(distance, a->count, b->count) : p_of_limit(distance, a->size, b->size);
 }
 
-double shares_p_value(size_t k1, size_t n1, size_t k2, size_t n2) {
+double aspi_shares_p_value(size_t k1, size_t n1, size_t k2, size_t n2) {
   if (n1 > SHARES_MOST || n2 > SHARES_MOST) {
     double share = (double)(k1 + k2) / (double)(n1 + n2);
     double sd = sqrt(share * (1 - share) * (1 / (double)n1 + 1 / (double)n2));
@@ -155,14 +157,14 @@ double shares_p_value(size_t k1, size_t n1, size_t k2, size_t n2) {
   return p;
 }
 
-double combine_independent(const double *p, size_t count) {
+double aspi_combine_independent(const double *p, size_t count) {
   double sum = 0;
   for (size_t i = 0; i < count; i++)
     sum -= 2 * log(fmax(p[i], 1e-300));
   return count ? gsl_cdf_chisq_Q(sum, 2 * (double)count) : NAN;
 }
 
-double combine_dependent(const double *p, size_t count) {
+double aspi_combine_dependent(const double *p, size_t count) {
   double sum = 0;
   for (size_t i = 0; i < count; i++)
     sum += tan((0.5 - fmin(fmax(p[i], 1e-15), 1 - 1e-3)) * ASP_PI) / (double)count;

@@ -3,14 +3,14 @@
  * order statistics from counts in a Fenwick tree over the values.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/window.h"
+#include "analysis/window.h"
 #include "base/running.h"
-#include "cli/cli.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
-struct cli_window {
+struct aspi_window {
   size_t count, leaves; /* leaves: the least power of two that is at least count */
   size_t first, end;    /* of the points within */
   double *angle;        /* of each point */
@@ -32,7 +32,7 @@ static int by_value(const void *left, const void *right) {
   return (a->point > b->point) - (a->point < b->point);
 }
 
-static void rank(cli_window *w, valued *values) {
+static void rank(aspi_window *w, valued *values) {
   qsort(values, w->count, sizeof *values, by_value);
   for (size_t i = 0; i < w->count; i++) {
     w->sorted[i] = values[i].value;
@@ -40,31 +40,52 @@ static void rank(cli_window *w, valued *values) {
   }
 }
 
-cli_window *cli_window_create(const scatter_point *points, size_t count, int which) {
-  cli_window *w = cli_allocate(1, sizeof *w);
-  valued *values = cli_allocate(count, sizeof *values);
-  w->angle = cli_allocate(count, sizeof *w->angle);
-  for (size_t i = 0; i < count; i++)
-    if (isfinite(points[i].cor[which])) {
-      values[w->count] = (valued){points[i].cor[which], w->count};
-      w->angle[w->count++] = points[i].degrees;
-    }
-  for (w->leaves = 1; w->leaves < w->count;)
-    w->leaves *= 2;
-  w->rank = cli_allocate(w->count, sizeof *w->rank);
-  w->sorted = cli_allocate(w->count, sizeof *w->sorted);
-  w->inside = cli_allocate(w->leaves + 1, sizeof *w->inside); /* from 1 */
-  w->tree = cli_allocate(2 * w->leaves, sizeof *w->tree);
+static double at(const double *first, size_t stride, size_t i) {
+  return *(const double *)(const void *)((const char *)first + i * stride);
+}
+
+static void grow_tree(aspi_window *w, const valued *values) {
   for (size_t i = 0; i < w->count; i++)
     w->tree[w->leaves + i] = (aspi_running){1, values[i].value, 0};
   for (size_t i = w->leaves - 1; i > 0; i--)
     w->tree[i] = aspi_running_merge(w->tree[2 * i], w->tree[2 * i + 1]);
-  rank(w, values);
-  free(values);
-  return w;
 }
 
-void cli_window_free(cli_window *w) {
+aspi_window *aspi_window_create(const double *angles, const double *values, size_t stride,
+                                size_t count) {
+  aspi_window *w = calloc(1, sizeof *w);
+  valued *all = calloc(count + 1, sizeof *all);
+  if (!w || !all || !(w->angle = calloc(count + 1, sizeof *w->angle))) {
+    free(all);
+    aspi_window_free(w);
+    return NULL;
+  }
+  for (size_t i = 0; i < count; i++)
+    if (isfinite(at(values, stride, i))) {
+      all[w->count] = (valued){at(values, stride, i), w->count};
+      w->angle[w->count++] = at(angles, stride, i);
+    }
+  for (w->leaves = 1; w->leaves < w->count;)
+    w->leaves *= 2;
+  w->rank = calloc(w->count + 1, sizeof *w->rank);
+  w->sorted = calloc(w->count + 1, sizeof *w->sorted);
+  w->inside = calloc(w->leaves + 1, sizeof *w->inside); /* from 1 */
+  w->tree = calloc(2 * w->leaves, sizeof *w->tree);
+  bool fine = w->rank && w->sorted && w->inside && w->tree;
+  if (fine) {
+    grow_tree(w, all);
+    rank(w, all);
+  }
+  free(all);
+  if (fine)
+    return w;
+  aspi_window_free(w);
+  return NULL;
+}
+
+void aspi_window_free(aspi_window *w) {
+  if (!w)
+    return;
   free(w->angle);
   free(w->rank);
   free(w->sorted);
@@ -74,23 +95,23 @@ void cli_window_free(cli_window *w) {
 }
 
 /* Counts a point in or, with step -1 as an unsigned number, out. */
-static void note(cli_window *w, size_t point, size_t step) {
+static void note(aspi_window *w, size_t point, size_t step) {
   for (size_t i = w->rank[point]; i <= w->leaves; i += i & -i)
     w->inside[i] += step;
 }
 
-void cli_window_move(cli_window *w, double from, double to) {
+void aspi_window_move(aspi_window *w, double from, double to) {
   for (; w->end < w->count && w->angle[w->end] <= to; w->end++)
     note(w, w->end, 1);
   for (; w->first < w->end && w->angle[w->first] < from; w->first++)
     note(w, w->first, (size_t)-1);
 }
 
-size_t cli_window_count(const cli_window *w) {
+size_t aspi_window_count(const aspi_window *w) {
   return w->end - w->first;
 }
 
-void cli_window_moments(const cli_window *w, double *mean, double *sd) {
+void aspi_window_moments(const aspi_window *w, double *mean, double *sd) {
   aspi_running left = {0, 0, 0}, right = {0, 0, 0};
   for (size_t i = w->first + w->leaves, end = w->end + w->leaves; i < end; i /= 2, end /= 2) {
     if (i % 2)
@@ -104,7 +125,7 @@ void cli_window_moments(const cli_window *w, double *mean, double *sd) {
 }
 
 /* The value of the point number k within, from 0, in order of values. */
-static double ordered(const cli_window *w, size_t k) {
+static double ordered(const aspi_window *w, size_t k) {
   size_t at = 0;
   for (size_t step = w->leaves; step > 0; step /= 2)
     if (at + step <= w->leaves && w->inside[at + step] <= k) {
@@ -114,8 +135,8 @@ static double ordered(const cli_window *w, size_t k) {
   return w->sorted[at < w->count ? at : w->count - 1];
 }
 
-double cli_window_quantile(const cli_window *w, double share) {
-  size_t count = cli_window_count(w);
+double aspi_window_quantile(const aspi_window *w, double share) {
+  size_t count = aspi_window_count(w);
   double place = share * (double)(count - 1), below = floor(place), part = place - below;
   double value = ordered(w, (size_t)below);
   return part > 0 ? (1 - part) * value + part * ordered(w, (size_t)below + 1) : value;

@@ -1,0 +1,58 @@
+/* Impacts of a model or a simulation at the places (angle, speed, size) of measurements, and how
+ * far apart both are: moments, the share of measured points within the model's 5 to 95 % band, the
+ * two-sample distance of Kolmogorov and Smirnov, and shares of deposits.
+ *
+ * Each measured impact is compared with the model's impacts at its own place: those that have its
+ * angle (and speed, and size), or else those near it, which together weigh as much as it does. So
+ * a bin of measurements at different angles has a model sample of the same angles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_ANALYSIS_COMPARE_H
+#define ASP_ANALYSIS_COMPARE_H
+
+#include "analysis/impacts.h"
+#include "analysis/sample.h"
+#include "asperity.h"
+
+/* The measurements at one angle, speed and size, or those of some such places together; and the
+ * impacts there. */
+typedef struct aspi_compare_bin {
+  size_t first, end;       /* rows of the data */
+  double degrees, v1, d_p; /* their mean place; NAN where there is none */
+  double from, to;         /* the angles that impacts were taken from */
+  aspi_sample model[COR_BOTH], data[COR_BOTH];
+  double in_band[COR_BOTH], distance[COR_BOTH], p[COR_BOTH];
+  double model_all, model_deposits, data_deposits, deposits_p; /* counts; of all of either kind */
+} aspi_compare_bin;
+
+typedef struct aspi_comparison {
+  const char *names[2]; /* of the files: impacts, data; no second one: the impacts alone */
+  scatter_impacts impacts;
+  measured data; /* of impacts alone, these */
+  aspi_compare_bin *bins;
+  size_t count;
+} aspi_comparison;
+
+/* How far impacts of the model may be from a place where none has it: degrees, and shares. */
+typedef struct aspi_compare_reach {
+  double degrees, speed, size;
+} aspi_compare_reach;
+
+/* A bin for each row of means; of impacts for each interval of angles of that width in degrees. Not
+ * `given` by the user, the width does not count where many impacts were measured at each place:
+ * each place is a bin then. */
+asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error);
+
+/* Fills the bins; puts the impacts in order of their angle. */
+asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error);
+
+/* Fills them with the impacts themselves, as the model's sample; the data are these impacts. */
+asp_code aspi_compare_fill_alone(aspi_comparison *c, asp_error *error);
+
+/* True if a bin has a measured value and impacts. */
+bool aspi_compare_has_both(const aspi_compare_bin *bin, int which);
+
+/* Frees the bins. */
+void aspi_compare_free_bins(aspi_comparison *c);
+
+#endif

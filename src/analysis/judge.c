@@ -1,0 +1,277 @@
+/* Models against the geometry; see judge.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/judge.h"
+#include "analysis/judge_flights.h"
+#include "base/error.h"
+#include "wall/wall.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+/* Probability of a bin that a model leaves empty, in a comparison without sampling. */
+#define LEAST_SHARE 1e-6
+
+static bool is_in_space(const aspi_judge_case *subject) {
+  return subject->points > 0 || subject->map;
+}
+
+size_t aspi_judge_folds(const aspi_judge_case *subject) {
+  return subject->profile || subject->map ? 2 : 1;
+}
+
+asp_code aspi_judge_angle_least(const aspi_judge_case *subject, double *degrees, asp_error *error) {
+  *degrees = subject->map ? aspi_judge_map_angle_least(subject) : 0;
+  return subject->profile ? aspi_judge_profile_angle_least(subject, degrees, error) : ASP_OK;
+}
+
+/* ---- what models are made of ---- */
+
+static asp_code make_fold(aspi_judge_walls *w, const aspi_judge_case *subject, size_t fold,
+                          asp_error *error) {
+  const aspi_gauss *g = &subject->wall;
+  double d_p = subject->d_p;
+  if (subject->map) {
+    w->map[fold] = aspi_judge_map_half(subject->map, 1 - fold, error);
+    w->surface[fold] = w->map[fold] ? asp_surface_create_map(w->map[fold], false, error) : NULL;
+  } else if (subject->profile) {
+    w->profile[fold] = aspi_judge_profile_half(subject->profile, 1 - fold, error);
+    w->surface[fold] =
+        w->profile[fold] ? asp_surface_create_profile(w->profile[fold], d_p, d_p, 1, error) : NULL;
+  } else {
+    w->surface[fold] = w->in_space ? asp_surface_create_lay(g->r_q, g->lambda_1, g->lambda_2, error)
+                                   : asp_surface_create(g->r_q, g->lambda_1, error);
+  }
+  return w->surface[fold] ? ASP_OK : error->code;
+}
+
+asp_code aspi_judge_walls_create(aspi_judge_walls *w, const aspi_judge_case *subject,
+                                 asp_error *error) {
+  double axis = subject->wall.axis;
+  asp_error own;
+  *w = (aspi_judge_walls){.folds = aspi_judge_folds(subject),
+                          .lay = {-sin(axis), cos(axis), 0},
+                          .in_space = is_in_space(subject),
+                          .has_lay = is_in_space(subject) && !subject->map};
+  for (size_t fold = 0; fold < w->folds; fold++)
+    if (make_fold(w, subject, fold, &own)) {
+      aspi_judge_walls_free(w);
+      const char *of = subject->map       ? "surface map: half of it: "
+                       : subject->profile ? "surface profile: half of it: "
+                                          : "";
+      return aspi_fail(error, own.code, "%s%.400s", of, own.text);
+    }
+  return ASP_OK;
+}
+
+void aspi_judge_walls_free(aspi_judge_walls *w) {
+  for (size_t fold = 0; fold < 2; fold++) {
+    asp_surface_free(w->surface[fold]);
+    asp_profile_free(w->profile[fold]);
+    asp_map_free(w->map[fold]);
+  }
+  *w = (aspi_judge_walls){.folds = 0};
+}
+
+asp_wall *aspi_judge_wall(const aspi_judge_walls *walls, size_t fold, double d_p, const char *name,
+                          bool multiple, asp_error *error) {
+  asp_wall *wall = asp_wall_create(error);
+  if (!wall)
+    return NULL;
+  asp_wall_choose(wall, "rebound", "constant", NULL);
+  asp_wall_choose(wall, "spread", name, NULL);
+  asp_wall_choose(wall, "tilt", walls->in_space ? "isotropic" : "plane", NULL);
+  asp_wall_choose(wall, "collisions", multiple ? "multiple" : "single", NULL);
+  asp_wall_set(wall, "deposit", 0, NULL);
+  asp_wall_set(wall, "d_p_least", d_p, NULL);
+  asp_wall_set(wall, "d_p_most", d_p, NULL);
+  asp_wall_set_surface(wall, walls->surface[fold]);
+  asp_wall_set_profile(wall, walls->profile[fold]);
+  asp_wall_set_map(wall, walls->map[fold]);
+  if (asp_wall_prepare(wall, error)) {
+    asp_wall_free(wall);
+    return NULL;
+  }
+  return wall;
+}
+
+asp_code aspi_judge_model_create(aspi_judge_model *model, const aspi_judge_walls *walls, double d_p,
+                                 const char *name, bool multiple, asp_error *error) {
+  *model = (aspi_judge_model){.lay = walls->has_lay ? walls->lay : NULL, .folds = walls->folds};
+  for (size_t fold = 0; fold < walls->folds; fold++) {
+    model->on[fold] = aspi_judge_wall(walls, fold, d_p, name, multiple, error);
+    if (!model->on[fold]) {
+      aspi_judge_model_free(model);
+      return error->code;
+    }
+  }
+  return ASP_OK;
+}
+
+void aspi_judge_model_free(aspi_judge_model *model) {
+  asp_wall_free(model->on[0]);
+  asp_wall_free(model->on[1]);
+}
+
+/* ---- the ensemble ---- */
+
+asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
+                           const aspi_judge_walls *walls, const double *degrees, size_t count,
+                           asp_error *error) {
+  size_t groups = subject->groups, done = 0;
+  bool space = is_in_space(subject);
+  *judge = (aspi_judge){.groups = groups, .count = count, .folds = aspi_judge_folds(subject)};
+  judge->angles = calloc(groups * count, sizeof *judge->angles);
+  judge->first = space ? NULL : calloc(count, sizeof *judge->first);
+  asp_error worst = {ASP_OK, ""};
+  if (!judge->angles || (!space && !judge->first))
+    aspi_fail(&worst, ASP_ENOMEM, "out of memory for a judge of %zu groups", groups);
+#pragma omp parallel for schedule(dynamic)
+  for (size_t g = 0; g < groups; g++) {
+    asp_error own = {ASP_OK, ""};
+    if (!worst.code && space)
+      aspi_judge_fly_surface(judge, subject, degrees, g, &own);
+    else if (!worst.code)
+      aspi_judge_fly_profile(judge, subject, walls, degrees, g, &own);
+#pragma omp critical
+    {
+      worst = own.code ? own : worst;
+      done++;
+      if (subject->progress)
+        subject->progress(subject->context, (double)done / (double)groups);
+    }
+  }
+  if (worst.code) {
+    aspi_judge_free(judge);
+    *error = worst;
+  }
+  return worst.code;
+}
+
+void aspi_judge_free(aspi_judge *judge) {
+  free(judge->angles);
+  free(judge->first);
+  *judge = (aspi_judge){.groups = 0};
+}
+
+aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle) {
+  return (aspi_angle_groups){judge->angles + angle, judge->groups, judge->count};
+}
+
+aspi_angle_groups aspi_judge_fold(const aspi_judge *judge, size_t angle, size_t fold) {
+  size_t first = judge->groups * fold / judge->folds;
+  size_t end = judge->groups * (fold + 1) / judge->folds;
+  return (aspi_angle_groups){judge->angles + first * judge->count + angle, end - first,
+                             judge->count};
+}
+
+aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const aspi_angles *model,
+                                    size_t groups, size_t histogram) {
+  aspi_estimate d = {0, 0};
+  double folds = (double)judge->folds;
+  for (size_t fold = 0; fold < judge->folds; fold++) {
+    size_t first = groups * fold / judge->folds, end = groups * (fold + 1) / judge->folds;
+    aspi_angle_groups own = {model + first, end - first, 1};
+    aspi_estimate of = aspi_angles_divergence(aspi_judge_fold(judge, angle, fold), own, histogram);
+    d.value += of.value / folds;
+    d.se = hypot(d.se, of.se / folds);
+  }
+  return d;
+}
+
+/* ---- the model ---- */
+
+static const double up[3] = {0, 0, 1};
+
+static void hit(const asp_wall *wall, double d_p, const double *lay, const double v1[3],
+                const asp_key *key, asp_impact *impact) {
+  asp_particle particle = {.d_p = d_p, .density = 1, .lay = lay};
+  asp_wall_impact(wall, &particle, v1, up, key, impact);
+}
+
+aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, const double *lay, double degrees,
+                                size_t n, uint32_t seed) {
+  aspi_angles all = {0};
+  double alpha1 = aspi_radians(degrees), v1[3] = {cos(alpha1), 0, -sin(alpha1)};
+#pragma omp parallel
+  {
+    aspi_angles mine = {0};
+#pragma omp for schedule(static)
+    for (size_t i = 0; i < n; i++) {
+      asp_impact impact;
+      hit(wall, d_p, lay, v1, &(asp_key){seed, 1, i, 1}, &impact);
+      aspi_angles_add(&mine, impact.v2, impact.delta_alpha, impact.hits);
+    }
+#pragma omp critical
+    aspi_angles_merge(&all, &mine);
+  }
+  return all;
+}
+
+/* In the plane in as many groups as there are profiles; else one for each fold. */
+aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject,
+                                       const aspi_judge_model *model, double degrees,
+                                       size_t *groups) {
+  bool space = is_in_space(subject);
+  *groups = space ? model->folds : subject->groups;
+  size_t rays =
+      space ? subject->rays * subject->groups / model->folds : subject->rays / subject->groups + 1;
+  aspi_angles *angles = calloc(*groups, sizeof *angles);
+  for (size_t g = 0; angles && g < *groups; g++) {
+    uint32_t seed = space ? subject->seed + 1 : ~subject->seed - (uint32_t)g;
+    angles[g] = aspi_judge_rebounds(model->on[model->folds * g / *groups], subject->d_p, model->lay,
+                                    degrees, rays, seed);
+  }
+  return angles;
+}
+
+/* The share of first hits between two tilts. */
+static double share_between(const asp_wall *wall, double d_p, double alpha1, double low,
+                            double high) {
+  double slope = asp_surface_slope(wall->surface, d_p);
+  aspi_view view = {.slope = slope,
+                    .sigma = atan(slope),
+                    .alpha1 = alpha1,
+                    .d_p = d_p,
+                    .data = wall->data,
+                    .phi_r = asp_surface_phi_r(wall->surface),
+                    .kappa = asp_surface_kappa(wall->surface, d_p)};
+  return wall->spread->distribution(&view, high) - wall->spread->distribution(&view, low);
+}
+
+double aspi_judge_first_hit(const aspi_first_hits *first, const aspi_judge_model *model, double d_p,
+                            double degrees) {
+  if (!model->on[0]->spread->distribution)
+    return NAN;
+  double sum = 0, folds = (double)model->folds;
+  for (size_t fold = 0; fold < model->folds; fold++)
+    for (int i = 0; i < ASPI_ANGLE_BINS; i++) {
+      double share = first->share[fold][i];
+      if (!(share > 0))
+        continue;
+      double p = share_between(model->on[fold], d_p, aspi_radians(degrees), aspi_radians(i - 90),
+                               aspi_radians(i - 89));
+      sum += share * log(folds * share / fmax(p, LEAST_SHARE));
+    }
+  return sum;
+}
+
+static double seconds(void) {
+  struct timespec now;
+  timespec_get(&now, TIME_UTC);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double aspi_judge_cost(const asp_wall *wall, double d_p, double degrees) {
+  enum { RUNS = 12, IMPACTS = 2000 };
+  double alpha1 = aspi_radians(degrees), v1[3] = {cos(alpha1), 0, -sin(alpha1)}, least = INFINITY;
+  for (int run = 0; run < RUNS; run++) {
+    double begun = seconds();
+    asp_impact impact;
+    for (uint64_t i = 0; i < IMPACTS; i++)
+      hit(wall, d_p, NULL, v1, &(asp_key){77, 1, i, 1}, &impact);
+    least = fmin(least, seconds() - begun);
+  }
+  return 1e9 * least / IMPACTS;
+}

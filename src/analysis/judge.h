@@ -1,0 +1,120 @@
+/* How far a spread model is from the geometry: rebound angles of an ensemble of generated profiles
+ * or surfaces, or of the pieces of a measured one, none of which has made the model; those of the
+ * model; their divergence; and what an impact costs. Every rebound is specular, nothing sticks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_ANALYSIS_JUDGE_H
+#define ASP_ANALYSIS_JUDGE_H
+
+#include "analysis/angles.h"
+#include "surface/map.h"
+
+enum { ASPI_JUDGES_LEAST = 4, ASPI_JUDGES_MOST = 1024 };
+
+/* What is judged: a wall and particles of one size. Of a measured profile or map the pieces of one
+ * half judge what is made of the other half, and the other way round: two folds. */
+typedef struct aspi_judge_case aspi_judge_case;
+struct aspi_judge_case {
+  aspi_gauss wall; /* of a profile the first two numbers count */
+  double d_p;
+  size_t groups; /* profiles or surfaces of the ensemble, or pieces of a measured one */
+  size_t rays;   /* impacts at an angle: of all profiles, or of each surface */
+  uint32_t seed;
+  size_t points; /* along the sides of surfaces, a power of two; 0: in the plane of incidence */
+  const asp_profile *profile; /* measured; NULL: none */
+  const asp_map *map;         /* alike */
+  /* One of the surfaces, periodic; NULL: a Gaussian one. */
+  asp_map *(*make)(const aspi_judge_case *subject, const double step[2], size_t points,
+                   uint32_t seed);
+  void (*progress)(void *context, double share); /* of the ensemble; may be NULL */
+  void *context;
+};
+
+size_t aspi_judge_folds(const aspi_judge_case *subject);
+
+/* The least impact angle, in degrees, that the pieces of a measured wall can tell, into *degrees; 0
+ * of a generated one. */
+asp_code aspi_judge_angle_least(const aspi_judge_case *subject, double *degrees, asp_error *error);
+
+/* What the models are made of in each fold: the other half, or numbers. */
+typedef struct aspi_judge_walls {
+  size_t folds;
+  asp_surface *surface[2];
+  asp_profile *profile[2];
+  asp_map *map[2];
+  double lay[3];
+  bool in_space, has_lay; /* tilts all around; the flight has a direction along the wall */
+} aspi_judge_walls;
+asp_code aspi_judge_walls_create(aspi_judge_walls *walls, const aspi_judge_case *subject,
+                                 asp_error *error);
+void aspi_judge_walls_free(aspi_judge_walls *walls);
+
+/* First hits of an ensemble of profiles at one angle: shares in bins of one degree from -90, for
+ * each fold, and the mean tilt of all, rad. */
+typedef struct aspi_first_hits {
+  double share[2][ASPI_ANGLE_BINS], mean;
+} aspi_first_hits;
+
+/* What the ensemble says at `count` impact angles (degrees): of group g at angle k
+ * angles[g * count + k]. */
+typedef struct aspi_judge {
+  size_t groups, count, folds;
+  aspi_angles *angles;
+  aspi_first_hits *first; /* at each angle; NULL in three dimensions */
+} aspi_judge;
+
+/* In the plane: rebounds over profiles of 2048 lambda_c, each with its negative and in both
+ * directions of flight, whose rms slope is that of the ensemble; no model has these seeds. Or over
+ * the pieces of a measured profile, each of which goes on as its mirror image.
+ *
+ * In three dimensions: surfaces with 20 points a correlation length along either side, over each of
+ * which the sphere is rolled; the particles fly along x, half of them either way, until they leave.
+ * The pieces of a map go on as their mirror images, and the particles fly in all directions.
+ * `walls` is needed in the plane only. */
+asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
+                           const aspi_judge_walls *walls, const double *degrees, size_t count,
+                           asp_error *error);
+void aspi_judge_free(aspi_judge *judge);
+
+/* All groups at an angle, and those of one fold. */
+aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle);
+aspi_angle_groups aspi_judge_fold(const aspi_judge *judge, size_t angle, size_t fold);
+
+/* The divergence of a model, in groups one after the other: as many as the judge has, or one for
+ * each fold; the mean over the folds. */
+aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const aspi_angles *model,
+                                    size_t groups, size_t histogram);
+
+/* One model on what it is made of, as a user has it; the walls must outlive it. */
+typedef struct aspi_judge_model {
+  asp_wall *on[2];
+  const double *lay; /* NULL: none */
+  size_t folds;
+} aspi_judge_model;
+asp_code aspi_judge_model_create(aspi_judge_model *model, const aspi_judge_walls *walls, double d_p,
+                                 const char *name, bool multiple, asp_error *error);
+void aspi_judge_model_free(aspi_judge_model *model);
+
+/* One wall with one model and specular rebounds, of that fold. */
+asp_wall *aspi_judge_wall(const aspi_judge_walls *walls, size_t fold, double d_p, const char *name,
+                          bool multiple, asp_error *error);
+
+/* n rebounds at an impact angle (degrees), by all threads; lay may be NULL. */
+aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, const double *lay, double degrees,
+                                size_t n, uint32_t seed);
+
+/* The model's rebounds at one angle, in groups to compare with the judge's: *groups of them, to be
+ * freed; NULL: out of memory. */
+aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject,
+                                       const aspi_judge_model *model, double degrees,
+                                       size_t *groups);
+
+/* D_KL of a model's law of the first hit against the ensemble's, in bins of one degree; a bin that
+ * the model cannot fill counts as 1e-6. NAN where the model has no distribution. */
+double aspi_judge_first_hit(const aspi_first_hits *first, const aspi_judge_model *model, double d_p,
+                            double degrees);
+
+/* Nanoseconds per impact, on one thread. */
+double aspi_judge_cost(const asp_wall *wall, double d_p, double degrees);
+
+#endif
