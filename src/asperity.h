@@ -425,7 +425,8 @@ size_t asp_wall_clause(const char *text);
  *   tilt, collisions, deposit
  *   choice      the model that `spread auto` took and why, once the wall is made
  * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress,
- * sigma, rq, lambda_c (NaN: not given), tolerance and seed. is_given: true if a keyword is given.
+ * sigma, rq, lambda_c (NaN: not given), tolerance, seed and erosion_density (0: that of the
+ * material). is_given: whether a keyword is given.
  */
 const char *asp_wall_word(const asp_wall *wall, const char *name);
 bool asp_wall_is_given(const asp_wall *wall, const char *keyword);
@@ -498,6 +499,7 @@ typedef struct asp_impact {
   int hits;           /* 1, or more with later hits */
   bool capped;        /* after 64 draws or hits without an end the mean wall was taken instead */
   asp_outcome outcome;
+  double eroded; /* mass of the wall that is worn off, per mass of the particle */
 } asp_impact;
 
 /* One contact. v1: velocity relative to the wall; n: outward unit normal of the mean wall. The

@@ -49,7 +49,8 @@
   COLUMN(OMEGA2Z, "omega2z", "f8", "the same, z")                                                  \
   COLUMN(IMPULSE_X, "impulse_x", "f8", "impulse on the wall, x")                                   \
   COLUMN(IMPULSE_Y, "impulse_y", "f8", "the same, y")                                              \
-  COLUMN(IMPULSE_Z, "impulse_z", "f8", "the same, z")
+  COLUMN(IMPULSE_Z, "impulse_z", "f8", "the same, z")                                              \
+  COLUMN(ERODED_MASS, "eroded_mass", "f8", "mass that the impact wears off the wall")
 
 /* Places in a row, from 0: LEDGER_TAG, ... */
 #define LEDGER_PLACE(ID, name, type, text) LEDGER_##ID,

@@ -110,11 +110,13 @@ static void print_moments(FILE *out, const aspi_running *r) {
 
 /* Per angle: what sticks, and mean and sd of what rebounds. */
 static void print_summary(FILE *out, const cli_list *angles, const size_t *counts,
-                          const cor_row *rows) {
-  fputs("alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd\n", out);
+                          const cor_row *rows, bool erodes) {
+  fprintf(out, "alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd%s\n",
+          erodes ? ",eroded_mean,eroded_sd" : "");
   for (size_t a = 0; a < angles->count; rows += counts[a++]) {
-    aspi_running cor_n = {0, 0, 0}, cor_t = {0, 0, 0};
+    aspi_running cor_n = {0, 0, 0}, cor_t = {0, 0, 0}, eroded = {0, 0, 0};
     for (size_t i = 0; i < counts[a]; i++) {
+      aspi_running_add(&eroded, rows[i].impact.eroded);
       if (rows[i].impact.outcome == ASP_DEPOSIT)
         continue;
       aspi_running_add(&cor_n, rows[i].cor.cor_n);
@@ -126,6 +128,10 @@ static void print_summary(FILE *out, const cli_list *angles, const size_t *count
     print_moments(out, &cor_n);
     fputc(',', out);
     print_moments(out, &cor_t);
+    if (erodes) {
+      fputc(',', out);
+      print_moments(out, &eroded);
+    }
     fputc('\n', out);
   }
 }
@@ -194,7 +200,8 @@ static int run(int argc, char **argv) {
   make_rows(&s, &angles, counts, n, rows);
   cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, s.wall.text);
   if (options[SUMMARY].value)
-    print_summary(cli_output_stream(output), &angles, counts, rows);
+    print_summary(cli_output_stream(output), &angles, counts, rows,
+                  asp_wall_is_given(s.wall.wall, "erosion"));
   else
     print_all(cli_output_stream(output), rows, n, as_ledger);
   cli_output_close(output);
@@ -217,7 +224,9 @@ const cli_command cli_cor = {
         "and cor_alpha_space are those of the velocity in space (0 to 90). An empty cor_t is\n"
         "undefined (normal impact). With --columns ledger the rows are as in a wall's ledger in\n"
         "`units si` (outcome 0 or 1), for what reads those. --summary has a row per angle: the\n"
-        "number of impacts, the share that sticks, and of the n others mean and sd.\n"
+        "number of impacts, the share that sticks, and of the n others mean and sd; with "
+        "`erosion`\n"
+        "of all impacts the mass of the wall that is worn off per mass of particles.\n"
         "A log-normal law has the standard deviation ln(max/min)/5 of its ln, and is cut at\n"
         "both ends. Particles fly along x over the wall z = 0.\n",
     .examples = "  $ asperity cor surface rq 15.6um lambda_c 120um --dp lognormal:1um:100um:10um "

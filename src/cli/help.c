@@ -2,6 +2,7 @@
  * the form that help2man makes a page of the manual from, and words for the shell's completion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "erosion/laws.h"
 #include "cli/help.h"
 #include "wall/description.h"
 
@@ -72,13 +73,12 @@ static void put_words(const char *within, int depth) {
 
 /* A law's name with its parameters: those that follow the name, and those with a word of their
  * own. */
-static void put_law(const asp_rebound_law *law) {
+static void put_law(const char *name, const asp_parameter *parameters, int count,
+                    const char *summary) {
   const char *last = "";
-  printf("  %s", asp_rebound_name(law));
-  if (asp_rebound_needs_table(law))
-    fputs(" FILE", stdout);
-  for (int i = 0; i < asp_rebound_parameters(law); i++) {
-    const asp_parameter *p = asp_rebound_parameter(law, i);
+  printf("  %s", name);
+  for (int i = 0; i < count; i++) {
+    const asp_parameter *p = &parameters[i];
     const char *keyword = asp_parameter_keyword(p);
     if (strcmp(keyword, last) != 0)
       printf("%s [%s", *last ? "]" : "", keyword);
@@ -87,7 +87,7 @@ static void put_law(const asp_rebound_law *law) {
       putchar(toupper((unsigned char)*c));
     last = keyword;
   }
-  printf("%s\n      %s\n", *last ? "]" : "", asp_rebound_summary(law));
+  printf("%s\n      %s\n", *last ? "]" : "", summary);
 }
 
 void cli_help_wall(void) {
@@ -101,8 +101,17 @@ void cli_help_wall(void) {
     printf("  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
            asp_spread_summary(asp_spread_at(i)));
   fputs("\nLAW, as 'asperity rebound --list' lists them with their sources:\n", stdout);
-  for (int i = 0; i < asp_rebound_count(); i++)
-    put_law(asp_rebound_at(i));
+  for (int i = 0; i < asp_rebound_count(); i++) {
+    const asp_rebound_law *law = asp_rebound_at(i);
+    put_law(law->needs_table ? "table FILE" : law->name, law->parameters, law->n_parameters,
+            law->summary);
+  }
+  fputs("\nLAW of erosion:\n", stdout);
+  for (int i = 0; i < aspi_erosion_count(); i++) {
+    const aspi_erosion_law *law = aspi_erosion_at(i);
+    put_law(law->name, law->parameters, law->n_parameters, law->summary);
+    printf("      %s\n", law->source);
+  }
 }
 
 /* ---- words for the shell ---- */

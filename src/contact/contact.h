@@ -68,6 +68,7 @@ double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3],
 
 /* The unit normal by the right-hand rule; zero for a degenerate triangle. */
 void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]);
+double aspi_triangle_area(const ContactTriangle *triangle);
 
 bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
                         double latest, ContactTouch *touch);

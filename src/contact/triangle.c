@@ -43,7 +43,13 @@ void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
   aspi_scale(flat ? 1 / aspi_length(normal) : 0, normal);
 }
 
-/* True if the foot of x on the triangle's plane lies within it: on the inner side of each edge. */
+double aspi_triangle_area(const ContactTriangle *triangle) {
+  double normal[3];
+  face_normal(triangle, normal);
+  return 0.5 * aspi_length(normal);
+}
+
+/* Whether the foot of x on the triangle's plane lies within it: on the inner side of each edge. */
 static bool above_face(const ContactTriangle *triangle, const double normal[3], const double x[3]) {
   for (int k = 0; k < 3; k++) {
     double edge[3], inward[3], arm[3];

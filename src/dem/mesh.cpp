@@ -117,7 +117,7 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
     Bounds box;
     aspi_copy(low, box.lo);
     aspi_copy(high, box.hi);
-    get_to_know(box);
+    fetch_missing(box);
     if (aspi_tree_meets(tree_.get(), low, high))
       return true;
   }
@@ -151,10 +151,10 @@ double MeshShape::clear(const double x[3], const double v[3], double reach, doub
         by[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
     /* No farther than the triangles are known, and one step at least. */
-    while (!knows_all() && steps > 1 && !knows(bounds_of(at, by, 0, steps, reach + steps * widen)))
+    while (!has_all() && steps > 1 && !has(bounds_of(at, by, 0, steps, reach + steps * widen)))
       steps = std::max(1.0, steps / 4);
-    if (!knows_all())
-      get_to_know(bounds_of(at, by, 0, steps, reach + steps * widen));
+    if (!has_all())
+      fetch_missing(bounds_of(at, by, 0, steps, reach + steps * widen));
     steps = std::min(
         steps, aspi_tree_clear(tree_.get(), at, by, reach, widen, steps, stays.face, stays.count));
   }
@@ -182,9 +182,9 @@ void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &bod
   aspi_scale(1 / path.left, body.v);
 }
 
-void MeshShape::get_to_know(const Bounds &box) const {
-  if (!knows_all() && !knows(box))
-    learn(box);
+void MeshShape::fetch_missing(const Bounds &box) const {
+  if (!has_all() && !has(box))
+    fetch(box);
 }
 
 /* All triangles that meet a box, and some that only come near it: those of a box that is wider by
@@ -197,7 +197,7 @@ const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
     wide.lo[d] -= margin;
     wide.hi[d] += margin;
   }
-  get_to_know(wide);
+  fetch_missing(wide);
   const ContactTree *tree = tree_.get();
   found_.is_set = false;
   found_.box = wide;
@@ -317,7 +317,7 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
     aspi_subtract(x, shift.by, at);
     motion_.end().to_body(at, at);
     const double still[3] = {0, 0, 0};
-    get_to_know(bounds_of(at, still, 0, 0, reach));
+    fetch_missing(bounds_of(at, still, 0, 0, reach));
     const int place = aspi_tree_place(tree_.get(), piece);
     if (place < 0)
       continue;
@@ -413,7 +413,7 @@ void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact
 bool MeshShape::walk(Place &place, double radius, double dt) const {
   const double still[3] = {0, 0, 0};
   const Bounds around = bounds_of(place.at, still, 0, 0, 2 * radius);
-  get_to_know(around);
+  fetch_missing(around);
   const ContactTree *tree = tree_.get();
   const int from = aspi_tree_place(tree, place.piece);
   if (from < 0)
@@ -428,7 +428,7 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   int to;
   const double reach = radius + aspi_length(v) * dt + KEEPS * radius;
   const Bounds ahead = bounds_of(there, still, 0, 0, 1.01 * reach);
-  get_to_know(ahead);
+  fetch_missing(ahead);
   tree = tree_.get();
   const double distance = aspi_tree_distance(tree, there, reach, &to);
   if (to < 0 || distance < (1 - KEEPS) * radius)

@@ -60,13 +60,13 @@ public:
 protected:
   /* A mesh of which this rank has the triangles of some boxes only says so, and can have those of
    * another one too, at any time and without the other ranks' doing. */
-  virtual bool knows_all() const {
+  virtual bool has_all() const {
     return true;
   }
-  virtual bool knows(const Bounds &) const {
+  virtual bool has(const Bounds &) const {
     return true;
   }
-  virtual void learn(const Bounds &) const {}
+  virtual void fetch(const Bounds &) const {}
   virtual Bounds whole() const; /* around all triangles */
 
   /* The triangles, as a tree that is now the shape's; also where a search has come to a place that
@@ -101,7 +101,7 @@ private:
   };
 
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
-  void get_to_know(const Bounds &box) const;
+  void fetch_missing(const Bounds &box) const;
   const ContactList &meet(const Bounds &box, double margin) const;
   bool clip(const ContactPath &body, double radius, double &from, double &to) const;
   bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,

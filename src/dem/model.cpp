@@ -359,15 +359,15 @@ void Model::warn_of_doubts(const std::vector<int> &wall_types) const {
   if (!is_new_ || !is_made_ || pairs_.empty())
     return;
   for (size_t t = 0; t < kinds.size(); t++) {
-    std::set<std::string> told;
+    std::set<std::string> said;
     for (int w : wall_types)
       if (kinds[t].present)
-        warn_of_doubts(static_cast<int>(t) + 1, w, kinds[t], most, told);
+        warn_of_doubts(static_cast<int>(t) + 1, w, kinds[t], most, said);
   }
 }
 
 void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
-                           std::set<std::string> &told) const {
+                           std::set<std::string> &said) const {
   const asp_material *of_particle = materials_[type - 1], *of_wall = materials_[wall_type - 1];
   const double density = asp_material_get(of_particle, "density");
   const bool least = fabs(kind.least - density) > fabs(kind.most - density);
@@ -376,7 +376,7 @@ void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, do
   char doubt[480];
   for (int i = 0;
        asp_wall_doubt(wall_.get(), &particle, of_particle, of_wall, i, doubt, sizeof doubt); i++)
-    if (told.insert(doubt).second)
+    if (said.insert(doubt).second)
       engine_.warn(text("type %d on a wall of type %d: %s", type, wall_type, doubt));
 }
 
@@ -387,6 +387,13 @@ const asp_pair *Model::pair(int type, int wall_type) const {
 double Model::friction(int type, int wall_type) const {
   return friction_.empty() ? default_friction_
                            : friction_[(type - 1) * engine_.types() + wall_type - 1];
+}
+
+double Model::worn_density(int wall_type) const {
+  const double own = asp_wall_get(wall_.get(), "erosion_density");
+  if (own > 0 || !is_given("erosion") || materials_.empty())
+    return own > 0 ? own : 0;
+  return asp_material_get(materials_[wall_type - 1], "density");
 }
 
 bool Model::removes(int type, int wall_type, double d_p) const {
@@ -462,7 +469,7 @@ bool Model::draws_from_gaussian() const {
   return model != "none" && model != "profile" && model != "traced";
 }
 
-std::string Model::news() {
+std::string Model::take_report() {
   if (!is_new_ || !is_made_)
     return "";
   is_new_ = false;

@@ -35,7 +35,7 @@ public:
   void prepare(const std::vector<int> &wall_types);
 
   /* What is new since it was last printed, for the log; empty if nothing is. */
-  std::string news();
+  std::string take_report();
 
   Deposit deposit() const {
     return deposit_;
@@ -55,6 +55,9 @@ public:
   const asp_lay &lay() const {
     return lay_;
   }
+
+  /* The density of a wall that is worn; 0 where nothing is. */
+  double worn_density(int wall_type) const;
 
   /* True if the law needs the elastic constants of particle and wall. */
   bool needs_materials() const;
@@ -103,7 +106,7 @@ private:
   void report_yield(const std::vector<int> &wall_types);
   void warn_of_doubts(const std::vector<int> &wall_types) const;
   void warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
-                      std::set<std::string> &told) const;
+                      std::set<std::string> &said) const;
   bool draws_from_gaussian() const;
   std::string describe_surface() const;
 

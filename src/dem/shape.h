@@ -65,6 +65,7 @@ struct ContactLoad {
   double impulse[3];  /* on the wall */
   double v_before[3]; /* of the particle, relative to the wall */
   double dissipated;  /* energy */
+  double eroded;      /* mass of the wall */
 
   /* That of particle i with its center at `center`, with an impulse per mass on the particle. */
   ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],

@@ -13,7 +13,7 @@ static const double DEGREES = 180 / ASP_PI;
 ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3],
                          const double normal[3], const double impulse_per_mass[3],
                          const double v1[3])
-    : piece(of), type(s.type[i]), mask(s.mask[i]), dissipated(0) {
+    : piece(of), type(s.type[i]), mask(s.mask[i]), dissipated(0), eroded(0) {
   aspi_copy(normal, n);
   aspi_add_scaled(center, -s.radius[i], normal, point);
   aspi_copy(impulse_per_mass, impulse);
@@ -42,7 +42,9 @@ void Wall::add(size_t shape, const ContactLoad &load) {
     member.add(load.piece, SUM_NORMAL, normal);
     member.add(load.piece, SUM_TANGENTIAL, aspi_length(along));
     member.add(load.piece, SUM_DISSIPATED, load.dissipated);
+    member.add(load.piece, SUM_ERODED, load.eroded);
     counters_[DISSIPATED] += load.dissipated;
+    counters_[ERODED] += load.eroded;
   }
   if (member.measures)
     member.shape->take(load);
@@ -83,6 +85,7 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
       energy - 0.5 * mass * aspi_dot(impact.v2, impact.v2) +
       0.2 * mass * s.radius[i] * s.radius[i] *
           (aspi_dot(event.omega1, event.omega1) - aspi_dot(impact.omega, impact.omega));
+  load.eroded = mass * impact.eroded;
   add(event.shape, load);
   if (ledger_)
     record(s, i, event, load);
@@ -121,5 +124,6 @@ void Wall::record(const Spheres &s, int i, const Event &event, const ContactLoad
   aspi_copy(event.omega1, &row[L::OMEGA1X]);
   aspi_copy(event.impact.omega, &row[L::OMEGA2X]);
   aspi_copy(load.impulse, &row[L::IMPULSE_X]);
+  row[L::ERODED_MASS] = load.eroded;
   ledger_->add(row);
 }

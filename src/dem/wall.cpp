@@ -18,7 +18,8 @@ using namespace asperity;
 
 const char Wall::KEYWORDS[] = "ledger torque_about";
 const char *const Wall::SUM_NAMES[] = {"impacts",        "deposited_mass",     "impact_energy",
-                                       "normal_impulse", "tangential_impulse", "dissipated_energy"};
+                                       "normal_impulse", "tangential_impulse", "dissipated_energy",
+                                       "eroded_mass"};
 
 namespace {
 
@@ -116,9 +117,9 @@ void Wall::init(int64_t step, double dt) {
     if (!report.empty())
       engine_.print(report);
   }
-  const std::string news = model_.news();
-  if (!news.empty())
-    engine_.print("fix " + engine_.id() + " wall/rebound: " + news);
+  const std::string report = model_.take_report();
+  if (!report.empty())
+    engine_.print("fix " + engine_.id() + " wall/rebound: " + report);
 }
 
 std::string Wall::heading() const {

@@ -41,6 +41,7 @@ public:
     FORCE,              /* on the wall, in the last step: three numbers */
     TORQUE = FORCE + 3, /* the same about the point of `torque_about` */
     DISSIPATED = TORQUE + 3,
+    ERODED,
     N_COUNTERS
   };
 
@@ -52,6 +53,7 @@ public:
     SUM_NORMAL,     /* impulses on the wall along the normal */
     SUM_TANGENTIAL, /* and the lengths of those across it */
     SUM_DISSIPATED,
+    SUM_ERODED, /* mass of the wall */
     N_SUMS
   };
   static const char *const SUM_NAMES[N_SUMS];
@@ -132,6 +134,9 @@ public:
   /* Sums over the ranks; collective. */
   double counter(int k) const;
   double total(size_t shape, int k) const;
+  double worn_density(size_t shape) const {
+    return model_.worn_density(shapes_[shape].wall_type);
+  }
   double stuck() const;                         /* how many particles are, now */
   std::vector<double> sums(size_t shape) const; /* N_SUMS each piece, on all ranks */
   /* The same, some pieces at a time: their first one, and theirs. */

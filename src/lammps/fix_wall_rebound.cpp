@@ -380,7 +380,7 @@ void FixWallRebound::end_of_step() {
     p_->wall.end_step(update->ntimestep, output->next == update->ntimestep);
     if (p_->mesh && p_->map.is_due(update->ntimestep))
       p_->map.write(world, update->ntimestep, p_->mesh->triangles(), p_->mesh->motion().end(),
-                    p_->wall.sums(0));
+                    p_->wall.sums(0), p_->wall.worn_density(0));
   } catch (const std::exception &wrong) {
     fail(FLERR, asperity::told(wrong));
   }

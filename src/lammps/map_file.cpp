@@ -23,8 +23,8 @@ bool ends_with(const std::string &path, const std::string &end) {
 class Rows {
 public:
   Rows(FILE *file, const ContactTree *triangles, const Frame &frame,
-       const std::vector<double> &sums)
-      : file_(file), tree_(triangles), frame_(frame), sums_(sums),
+       const std::vector<double> &sums, double worn_density)
+      : file_(file), tree_(triangles), frame_(frame), sums_(sums), density_(worn_density),
         n_(static_cast<int>(aspi_tree_count(triangles))) {
     place_.resize(n_);
     for (int i = 0; i < n_; i++)
@@ -49,9 +49,22 @@ public:
     for (int i = 0; i < n_; i++)
       fprintf(file_, "%d\n", first + step * i);
   }
-  void sum(int k) const {
-    for (int i = 0; i < n_; i++)
-      fprintf(file_, "%.9g\n", sums_[static_cast<size_t>(i) * Wall::N_SUMS + k]);
+  /* The sums, and behind them the depth of erosion. */
+  int arrays() const {
+    return Wall::N_SUMS + (density_ > 0);
+  }
+  const char *name(int k) const {
+    return k < Wall::N_SUMS ? Wall::SUM_NAMES[k] : "erosion_depth";
+  }
+  void array(int k) const {
+    for (int i = 0; i < n_; i++) {
+      const double *sums = &sums_[static_cast<size_t>(i) * Wall::N_SUMS];
+      const ContactTriangle *triangle = aspi_tree_triangle(tree_, place_[i]);
+      fprintf(file_, "%.9g\n",
+              k < Wall::N_SUMS
+                  ? sums[k]
+                  : sums[Wall::SUM_ERODED] / (density_ * aspi_triangle_area(triangle)));
+    }
   }
 
 private:
@@ -59,6 +72,7 @@ private:
   const ContactTree *tree_;
   const Frame &frame_;
   const std::vector<double> &sums_;
+  double density_;
   int n_;
   std::vector<int> place_; /* in the tree, of each number */
 };
@@ -74,9 +88,9 @@ void write_legacy(FILE *file, int64_t step, const Rows &rows) {
   rows.corners("3 ");
   fprintf(file, "CELL_DATA %d\nSCALARS id int 1\nLOOKUP_TABLE default\n", n);
   rows.whole(0, 1);
-  for (int k = 0; k < Wall::N_SUMS; k++) {
-    fprintf(file, "SCALARS %s double 1\nLOOKUP_TABLE default\n", Wall::SUM_NAMES[k]);
-    rows.sum(k);
+  for (int k = 0; k < rows.arrays(); k++) {
+    fprintf(file, "SCALARS %s double 1\nLOOKUP_TABLE default\n", rows.name(k));
+    rows.array(k);
   }
 }
 
@@ -99,9 +113,9 @@ void write_xml(FILE *file, const Rows &rows) {
   fprintf(file, array, "Int32", "id");
   rows.whole(0, 1);
   fprintf(file, "%s", end);
-  for (int k = 0; k < Wall::N_SUMS; k++) {
-    fprintf(file, array, "Float64", Wall::SUM_NAMES[k]);
-    rows.sum(k);
+  for (int k = 0; k < rows.arrays(); k++) {
+    fprintf(file, array, "Float64", rows.name(k));
+    rows.array(k);
     fprintf(file, "%s", end);
   }
   fprintf(file, "</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n");
@@ -117,7 +131,7 @@ void MapFile::parse(Words &words) {
 }
 
 void MapFile::write(MPI_Comm world, int64_t step, const ContactTree *triangles, const Frame &frame,
-                    const std::vector<double> &sums) const {
+                    const std::vector<double> &sums, double worn_density) const {
   int rank, wrong = 0;
   std::string path = path_;
   const size_t star = path.find('*');
@@ -128,7 +142,7 @@ void MapFile::write(MPI_Comm world, int64_t step, const ContactTree *triangles, 
     errno = 0;
     FILE *file = fopen(path.c_str(), "w");
     if (file) {
-      const Rows rows(file, triangles, frame, sums);
+      const Rows rows(file, triangles, frame, sums, worn_density);
       if (ends_with(path, ".vtk"))
         write_legacy(file, step, rows);
       else

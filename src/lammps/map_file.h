@@ -29,10 +29,11 @@ public:
     return every_ > 0 && step % every_ == 0;
   }
 
-  /* The mesh where it is now, with the sums of each triangle by its number, Wall::N_SUMS each.
-   * Collective; rank 0 writes, and all throw an Error where it cannot. */
+  /* worn_density: of the wall, for the depth of erosion; 0: none. The mesh where it is now, with
+   * the sums of each triangle by its number, Wall::N_SUMS each. Collective; rank 0 writes, and all
+   * throw an Error where it cannot. */
   void write(MPI_Comm world, int64_t step, const ContactTree *triangles, const Frame &frame,
-             const std::vector<double> &sums) const;
+             const std::vector<double> &sums, double worn_density) const;
 
 private:
   int64_t every_;

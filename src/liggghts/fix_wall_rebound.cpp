@@ -512,7 +512,7 @@ void FixWallRebound::post_run() {
 void FixWallRebound::show_maps() {
   for (size_t m = 0; m < meshes_.size(); m++)
     wall_.show_sums(m, [this, m](size_t first, const std::vector<double> &sums) {
-      meshes_[m]->show(first, sums);
+      meshes_[m]->show(first, sums, wall_.worn_density(m));
     });
 }
 

@@ -1,5 +1,5 @@
 /* fix wall/rebound: rough walls for LIGGGHTS. This is LIGGGHTS's side only: its hooks, meshes,
- * constants and per-atom numbers. What a wall does is in src/wall, where nothing knows LIGGGHTS.
+ * constants and per-atom numbers. What a wall does is in src/wall, where nothing has LIGGGHTS.
  *
  * Contacts are worked out in post_integrate, when particles and meshes are where the step has taken
  * them and before the forces are computed there: so that forces, ghosts and neighbour lists see

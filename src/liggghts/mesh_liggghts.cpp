@@ -17,7 +17,7 @@ using namespace LAMMPS_NS;
 using asperity::Bounds;
 using asperity::ContactLoad;
 using asperity::Frame;
-using asperity::Parted;
+using asperity::SharedTriangles;
 using asperity::text;
 using asperity::Twist;
 using asperity::Wall;
@@ -34,38 +34,14 @@ static const double UNITED = 2;
 /* By how much of its size a mesh may have changed its form, by rounding. */
 static const double FORM = 1e-6;
 
-/* A servo gets its force spread over about this many steps, as the contacts of soft grains last: a
- * rigid wall changes a velocity within one. */
-static const double SPREAD = 100;
-
 MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
     : world_(world), fix_(fix), pieces_(0), nodes_(), reference_(), force_(), torque_() {
-  /* The mesh's own restart does not know these properties when it reads its triangles, so they stay
-   * out of it (restart_no); the fix keeps them. */
-  for (int k = 0; k < Wall::N_SUMS; k++) {
-    sums_[k] = mesh()->prop().addElementProperty<ScalarContainer<double>>(
-        Wall::SUM_NAMES[k], "comm_exchange_borders", "frame_invariant", "restart_no");
-    sums_[k]->setAll(0.);
-  }
+  add_sums();
   int mine = -1, most;
   for (int t = 0; t < mesh()->sizeLocal(); t++)
     mine = std::max(mine, mesh()->id(t));
   MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world_);
   pieces_ = static_cast<size_t>(most) + 1;
-}
-
-void MeshOfLiggghts::remove_sums() {
-  for (int k = 0; k < Wall::N_SUMS; k++)
-    mesh()->prop().removeElementProperty(Wall::SUM_NAMES[k]);
-}
-
-void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums) {
-  const size_t count = sums.size() / Wall::N_SUMS;
-  for (int t = 0; t < mesh()->sizeLocal(); t++) {
-    const size_t at = static_cast<size_t>(mesh()->id(t)) - first;
-    for (int k = 0; at < count && k < Wall::N_SUMS; k++)
-      (*sums_[k])(t) = sums[at * Wall::N_SUMS + k];
-  }
 }
 
 /* ---- where it is ------------------------------------------------------------------------------
@@ -95,7 +71,7 @@ std::string MeshOfLiggghts::setup(const Bounds &here) {
 void MeshOfLiggghts::gather(const Bounds &here) {
   std::vector<double> mine;
   const int n = mesh()->sizeLocal();
-  mine.reserve(static_cast<size_t>(n) * Parted::ROW);
+  mine.reserve(static_cast<size_t>(n) * SharedTriangles::ROW);
   for (int t = 0; t < n; t++) {
     mine.push_back(mesh()->id(t));
     for (int k = 0; k < 3; k++) {
@@ -105,8 +81,8 @@ void MeshOfLiggghts::gather(const Bounds &here) {
     }
   }
   take(std::move(mine));
-  if (parted_)
-    add_known(here);
+  if (shared_)
+    add_fetched(here);
 }
 
 /* Rows of triangles, of which each rank brings some. */
@@ -114,74 +90,74 @@ void MeshOfLiggghts::take(std::vector<double> mine) {
   int ranks;
   MPI_Comm_size(world_, &ranks);
   choose_nodes(mine);
-  known_.clear();
-  parted_.reset(new Parted(world_, std::move(mine)));
+  fetched_.clear();
+  shared_.reset(new SharedTriangles(world_, std::move(mine)));
   const bool large = ranks > 1 && pieces_ >= LARGE;
-  if (large && parted_->is_whole())
+  if (large && shared_->is_whole())
     report_ = text("mesh '%s': this MPI has no one-sided communication, so each rank keeps all of "
                    "its %d triangles",
                    fix_->id, static_cast<int>(pieces_));
-  if (large && !parted_->is_whole())
+  if (large && !shared_->is_whole())
     set_triangles(std::vector<ContactTriangle>(), std::vector<int>());
   else {
-    known_.push_back(parted_->whole());
-    put_known();
-    parted_.reset();
+    fetched_.push_back(shared_->whole());
+    put_fetched();
+    shared_.reset();
   }
 }
 
-bool MeshOfLiggghts::knows_all() const {
-  return !parted_;
+bool MeshOfLiggghts::has_all() const {
+  return !shared_;
 }
 
 Bounds MeshOfLiggghts::whole() const {
-  return parted_ ? parted_->whole() : MeshShape::whole();
+  return shared_ ? shared_->whole() : MeshShape::whole();
 }
 
-bool MeshOfLiggghts::knows(const Bounds &box) const {
-  if (!parted_ || !box.meets(parted_->whole()))
+bool MeshOfLiggghts::has(const Bounds &box) const {
+  if (!shared_ || !box.meets(shared_->whole()))
     return true;
   Bounds inner = box;
   for (int d = 0; d < 3; d++) {
-    inner.lo[d] = std::max(inner.lo[d], parted_->whole().lo[d]);
-    inner.hi[d] = std::min(inner.hi[d], parted_->whole().hi[d]);
+    inner.lo[d] = std::max(inner.lo[d], shared_->whole().lo[d]);
+    inner.hi[d] = std::min(inner.hi[d], shared_->whole().hi[d]);
   }
-  for (const Bounds &known : known_)
+  for (const Bounds &known : fetched_)
     if (known.has(inner))
       return true;
   return false;
 }
 
-void MeshOfLiggghts::learn(const Bounds &box) const {
+void MeshOfLiggghts::fetch(const Bounds &box) const {
   Bounds wide = box;
   double longest = 0;
   for (int d = 0; d < 3; d++)
     longest = std::max(longest, box.hi[d] - box.lo[d]);
   wide.widen(WIDER * longest);
-  add_known(wide);
+  add_fetched(wide);
 }
 
 /* What is known never shrinks. */
-void MeshOfLiggghts::add_known(Bounds wide) const {
-  for (size_t k = 0; k < known_.size();) { /* one that is near becomes a part of it */
-    Bounds both = known_[k];
+void MeshOfLiggghts::add_fetched(Bounds wide) const {
+  for (size_t k = 0; k < fetched_.size();) { /* one that is near becomes a part of it */
+    Bounds both = fetched_[k];
     both.include(wide);
-    if (both.size() > UNITED * (known_[k].size() + wide.size())) {
+    if (both.size() > UNITED * (fetched_[k].size() + wide.size())) {
       k++;
       continue;
     }
     wide = both;
-    known_.erase(known_.begin() + k);
+    fetched_.erase(fetched_.begin() + k);
     k = 0;
   }
-  known_.push_back(wide);
-  put_known();
+  fetched_.push_back(wide);
+  put_fetched();
 }
 
-void MeshOfLiggghts::put_known() const {
+void MeshOfLiggghts::put_fetched() const {
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(aspi_tree_begin(), aspi_tree_free);
   bool good = tree != NULL;
-  parted_->read(known_, [&](const double *row) {
+  shared_->read(fetched_, [&](const double *row) {
     ContactTriangle triangle;
     memcpy(triangle.node, row + 1, sizeof triangle.node);
     good = good && aspi_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
@@ -191,11 +167,11 @@ void MeshOfLiggghts::put_known() const {
 
 std::vector<double> MeshOfLiggghts::motion_record() const {
   std::vector<double> record = MeshShape::motion_record();
-  if (!parted_ || record.empty())
+  if (!shared_ || record.empty())
     return record;
   record.resize(6); /* the velocity; then all triangles, of this rank or not */
-  parted_->read(std::vector<Bounds>(1, parted_->whole()), [&record](const double *row) {
-    record.insert(record.end(), row, row + Parted::ROW);
+  shared_->read(std::vector<Bounds>(1, shared_->whole()), [&record](const double *row) {
+    record.insert(record.end(), row, row + SharedTriangles::ROW);
   });
   return record;
 }
@@ -208,8 +184,10 @@ void MeshOfLiggghts::restore_motion(const std::vector<double> &record) {
   int rank, ranks;
   MPI_Comm_rank(world_, &rank);
   MPI_Comm_size(world_, &ranks);
-  const size_t rows = (record.size() - head) / Parted::ROW;
-  const auto from = [&](int of) { return record.begin() + head + rows * of / ranks * Parted::ROW; };
+  const size_t rows = (record.size() - head) / SharedTriangles::ROW;
+  const auto from = [&](int of) {
+    return record.begin() + head + rows * of / ranks * SharedTriangles::ROW;
+  };
   take(std::vector<double>(from(rank), from(rank + 1)));
 }
 
@@ -228,7 +206,7 @@ void MeshOfLiggghts::choose_nodes(const std::vector<double> &mine) {
   std::vector<Pick> all(ranks);
   for (int pick = 0; pick < 3; pick++) {
     Pick best = {-1, static_cast<double>(pieces_), 0, {0, 0, 0}};
-    for (size_t row = 0; row < mine.size(); row += Parted::ROW)
+    for (size_t row = 0; row < mine.size(); row += SharedTriangles::ROW)
       for (int k = 0; k < 3; k++) {
         Pick other = {0, mine[row], static_cast<double>(k), {0, 0, 0}};
         double arm[3], line[3], across[3];
@@ -389,112 +367,4 @@ void MeshOfLiggghts::surface_velocity(int piece, const double foot[3], double v[
   const double to_c = square > 0 ? aspi_dot(part, n) / square : 0;
   for (int d = 0; d < 3; d++)
     v[d] = of[d] + to_b * (of[3 + d] - of[d]) + to_c * (of[6 + d] - of[d]);
-}
-
-/* ---- what it measures -------------------------------------------------------------------------
- */
-
-MeshModuleStress *MeshOfLiggghts::stress() const {
-  return dynamic_cast<MeshModuleStress *>(fix_->get_module("stress"));
-}
-
-bool MeshOfLiggghts::measures() const {
-  MeshModuleStress *module = stress();
-  return module && (module->trackStress() || module->trackWear());
-}
-
-bool MeshOfLiggghts::wears() const {
-  MeshModuleStress *module = stress();
-  return module && module->trackWear();
-}
-
-void MeshOfLiggghts::take(const ContactLoad &load) {
-  if (load.mask & fix_->get_groupbit())
-    loads_.push_back(load);
-}
-
-/* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one load: E k |v| |F| dt/area, with the
- * load's impulse for |F| dt. */
-static double finnie(const ContactLoad &load, const double normal[3], double k, double area) {
-  const double speed = aspi_length(load.v_before);
-  if (!(speed > 0))
-    return 0;
-  double across[3];
-  aspi_cross(load.v_before, normal, across);
-  const double sine = std::min(1.0, fabs(aspi_dot(load.v_before, normal)) / speed);
-  const double cosine = std::min(1.0, aspi_length(across) / speed);
-  const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
-                                                          : 2 * sine * cosine - 3 * sine * sine;
-  return 2 * share * k * speed * aspi_length(load.impulse) / area;
-}
-
-void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
-  if (stress()->trackStress()) {
-    double *f = (*mesh()->prop().getElementProperty<VectorContainer<double, 3>>("f"))(local);
-    aspi_add_scaled(f, 1, force, f);
-  }
-  if (stress()->trackWear())
-    (*mesh()->prop().getElementProperty<ScalarContainer<double>>("wear_step"))(local) += wear;
-}
-
-/* The total goes to this rank's part of the mesh's sums, which LIGGGHTS adds up; the force on a
- * triangle to the triangle, or to its owner where this rank has none. */
-void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
-  const double spread = strcmp(fix_->style, "mesh/surface/stress/servo") == 0 ? SPREAD : 1;
-  std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
-  double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
-                         stress()->compute_vector(8)};
-  for (const ContactLoad &load : loads_) {
-    double force[3], arm[3], torque[3], normal[3];
-    for (int d = 0; d < 3; d++)
-      force[d] = load.impulse[d] / dt;
-    aspi_subtract(load.point, reference, arm);
-    aspi_cross(arm, force, torque);
-    aspi_add_scaled(force_, 1 / spread, force, force_);
-    aspi_add_scaled(torque_, 1 / spread, torque, torque_);
-    const ContactTriangle *t =
-        aspi_tree_triangle(triangles(), aspi_tree_place(triangles(), load.piece));
-    double turned[3], ab[3], ac[3], area[3];
-    aspi_triangle_normal(t, normal);
-    for (int i = 0; i < 3; i++)
-      turned[i] = aspi_dot(motion().end().turn[i], normal);
-    aspi_subtract(t->node[1], t->node[0], ab);
-    aspi_subtract(t->node[2], t->node[0], ac);
-    aspi_cross(ab, ac, area);
-    const double wear =
-        k_finnie ? finnie(load, turned, k_finnie[fix_->atomTypeWall() - 1][load.type - 1],
-                          0.5 * aspi_length(area))
-                 : 0;
-    const int local = mesh()->map_size(load.piece) > 0 ? mesh()->map(load.piece, 0) : -1;
-    if (local >= 0)
-      add_force(local, force, wear);
-    else {
-      away.push_back(load.piece);
-      away.insert(away.end(), force, force + 3);
-      away.push_back(wear);
-    }
-  }
-  loads_.clear();
-  if (stress()->trackStress())
-    stress()->add_global_external_contribution(force_, torque_);
-  aspi_scale(1 - 1 / spread, force_);
-  aspi_scale(1 - 1 / spread, torque_);
-  int ranks, size = static_cast<int>(away.size()), all = 0;
-  MPI_Comm_size(world_, &ranks);
-  MPI_Allreduce(&size, &all, 1, MPI_INT, MPI_SUM, world_);
-  if (all == 0)
-    return;
-  std::vector<int> sizes(ranks), starts(ranks, 0);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world_);
-  for (int r = 1; r < ranks; r++)
-    starts[r] = starts[r - 1] + sizes[r - 1];
-  std::vector<double> theirs(all);
-  MPI_Allgatherv(away.data(), size, MPI_DOUBLE, theirs.data(), sizes.data(), starts.data(),
-                 MPI_DOUBLE, world_);
-  for (int at = 0; at < all; at += 5) {
-    const int piece = static_cast<int>(theirs[at]);
-    for (int k = 0; k < mesh()->map_size(piece); k++)
-      if (mesh()->map(piece, k) < mesh()->sizeLocal())
-        add_force(mesh()->map(piece, k), &theirs[at + 1], theirs[at + 4]);
-  }
 }

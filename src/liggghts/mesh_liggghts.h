@@ -15,7 +15,7 @@
 #include "mesh_module_stress.h"
 #include "dem/mesh.h"
 #include "dem/wall.h"
-#include "parted.h"
+#include "shared_triangles.h"
 
 namespace LAMMPS_NS {
 
@@ -43,9 +43,9 @@ public:
    * collective. k_finnie: of wear, mesh type x particle type, or NULL. */
   void hand_over(double dt, const double *const *k_finnie);
 
-  /* Writes sums of pieces from `first` on (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds
-   * them. */
-  void show(size_t first, const std::vector<double> &sums);
+  /* worn_density: of a wall with erosion, else 0. Writes sums of pieces from `first` on
+   * (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds them. */
+  void show(size_t first, const std::vector<double> &sums, double worn_density);
   void remove_sums();
 
   std::vector<double> motion_record() const override;
@@ -55,10 +55,10 @@ public:
   void take(const asperity::ContactLoad &load) override;
 
 protected:
-  bool knows_all() const override;
-  bool knows(const asperity::Bounds &box) const override;
+  bool has_all() const override;
+  bool has(const asperity::Bounds &box) const override;
   asperity::Bounds whole() const override;
-  void learn(const asperity::Bounds &box) const override;
+  void fetch(const asperity::Bounds &box) const override;
   bool runs() const override;
   void surface_velocity(int piece, const double foot[3], double v[3]) const override;
 
@@ -75,26 +75,28 @@ private:
   MeshModuleStress *stress() const;
   void gather(const asperity::Bounds &here);
   void take(std::vector<double> mine);
-  void add_known(asperity::Bounds box) const;
-  void put_known() const;
+  void add_fetched(asperity::Bounds box) const;
+  void put_fetched() const;
   void choose_nodes(const std::vector<double> &mine);
   asperity::Frame look(asperity::Twist &twist) const;
   void check_form() const;
   void read_belt();
+  void add_sums();
+  void give_away(const std::vector<double> &away);
   void add_force(int local, const double force[3], double wear);
 
   MPI_Comm world_;
   FixMeshSurface *fix_;
   size_t pieces_;
-  std::unique_ptr<asperity::Parted> parted_;    /* of a large mesh on several ranks */
-  std::string report_;                          /* for the log */
-  mutable std::vector<asperity::Bounds> known_; /* of which this rank has the triangles then */
+  std::unique_ptr<asperity::SharedTriangles> shared_; /* of a large mesh on several ranks */
+  std::string report_;                                /* for the log */
+  mutable std::vector<asperity::Bounds> fetched_; /* of which this rank has the triangles then */
   NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
   double reference_[3][3];
   double force_[3], torque_[3];             /* handed over in this step; of the next one so far */
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */
-  std::vector<asperity::ContactLoad> loads_; /* of this step */
-  ScalarContainer<double> *sums_[asperity::Wall::N_SUMS];
+  std::vector<asperity::ContactLoad> loads_;                  /* of this step */
+  ScalarContainer<double> *sums_[asperity::Wall::N_SUMS + 1]; /* the last one: depth of erosion */
 };
 
 } // namespace LAMMPS_NS

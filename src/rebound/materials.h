@@ -23,6 +23,7 @@ struct asp_pair {
   double yield_stress;   /* of the particle, >= 0 */
   double surface_energy; /* gamma, energy per area, >= 0; 0 switches adhesion off */
   double friction;       /* mu, >= 0 */
+  double wall_density;
 };
 
 /* The preset of that name. */

@@ -220,6 +220,10 @@ size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size) {
   add_rebound(&l, wall);
   add_constants(&l, wall->said);
   add_deposit(&l, wall);
+  char erosion[400];
+  aspi_wall_describe_erosion(wall, erosion, sizeof erosion);
+  if (*erosion)
+    add(&l, erosion);
   add_pair(&l, "seed", wall->said->seed);
   return l.length;
 }

@@ -79,7 +79,14 @@ void aspi_keyword_names(const char *within, char *list, size_t size);
 bool aspi_is_given(const aspi_description *said, const char *name);
 void aspi_set_given(aspi_description *said, const char *name);
 
-/* ASP_EARG and a message for the first word that has no effect on the wall. */
+/* The clause `erosion`: reads the words from *next on; checks that the wall has a density; prints
+ * it, nothing where there is none. */
+asp_code aspi_wall_read_erosion(asp_wall *wall, int count, const char *const *words, int *next,
+                                asp_error *error);
+asp_code aspi_wall_check_erosion(const asp_wall *wall, asp_error *error);
+void aspi_wall_describe_erosion(const asp_wall *wall, char *text, size_t size);
+
+/* Says of the first given word without an effect what it has none with. */
 asp_code aspi_check_effects(const asp_wall *wall, asp_error *error);
 
 void aspi_description_free(aspi_description *said);

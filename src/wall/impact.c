@@ -175,6 +175,20 @@ static vec leaving(const frame *f, vec v) {
   return clearly_leaves(v, f->n) ? v : turned_off(f, v);
 }
 
+/* What a hit on a face of normal m wears off. */
+static double eroded(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m) {
+  double approach = f->v_n * m.z - f->v_t * m.x, v = hypot(f->v_t, f->v_n);
+  double sine = v > 0 ? fmin(1, fmax(0, approach / v)) : 0;
+  return aspi_erosion_ratio(&wall->erosion, particle->pair ? particle->pair->wall_density : 0, v,
+                            sine, sqrt((1 - sine) * (1 + sine)), particle->d_p);
+}
+
+/* The same where the faces count. */
+static double eroded_there(const asp_wall *wall, const asp_particle *particle, const frame *f,
+                           vec m) {
+  return wall->erosion.tilted ? eroded(wall, particle, f, m) : 0;
+}
+
 static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle,
                                  const frame *in, aspi_stream *stream, asp_impact *impact) {
   frame turned = *in, *f = &turned;
@@ -186,7 +200,8 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
   store(spin, impact->omega);
   impact->delta_alpha = impact->tilt_out = 0;
   impact->hits = 1;
-  if (!hit) { /* it does not approach the wall and keeps its velocity */
+  impact->eroded = eroded_there(wall, particle, f, (vec){0, 0, 1});
+  if (!hit) { /* it does not approach, and goes on as it came */
     deposit = false;
     local = (vec){f->v_t, 0, fmax(-f->v_n, 0)};
   }
@@ -213,6 +228,7 @@ static void bounce_once(const aspi_roughness *rough, const frame *f, aspi_stream
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
       impact->hits = 1;
+      impact->eroded = eroded_there(wall, particle, f, on.m);
       impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
       store(deposit ? local : leaving(f, to_lab(f, local)), impact->v2);
       store(spin, impact->omega);
@@ -328,6 +344,7 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
     }
+    impact->eroded += eroded_there(wall, particle, now, on.m);
     v2 = to_lab(now, local);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
     if (deposit || escapes(wall, &fly, local)) {
@@ -350,23 +367,32 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
   bounce_off_mean_wall(wall, particle, &first, stream, impact);
 }
 
+static void bounce(const asp_wall *wall, const asp_particle *particle, vec v, frame *f,
+                   aspi_stream *stream, asp_impact *impact) {
+  if (!wall->rough) {
+    bounce_off_mean_wall(wall, particle, f, stream, impact);
+    return;
+  }
+  aspi_roughness rough = aspi_roughness_of(wall, particle, f->n);
+  if (!has_direction(f))
+    choose_direction(&rough, f, stream);
+  if (wall->multiple)
+    bounce_on(&rough, v, f, stream, impact);
+  else
+    bounce_once(&rough, f, stream, impact);
+}
+
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], const asp_key *key, asp_impact *impact) {
   vec v = load(v1);
   frame f = frame_of(v, load(n));
   aspi_stream stream = aspi_stream_begin(key);
   impact->capped = false;
-  if (!wall->rough) {
-    bounce_off_mean_wall(wall, particle, &f, &stream, impact);
-    return;
-  }
-  aspi_roughness rough = aspi_roughness_of(wall, particle, f.n);
-  if (!has_direction(&f))
-    choose_direction(&rough, &f, &stream);
-  if (wall->multiple)
-    bounce_on(&rough, v, &f, &stream, impact);
-  else
-    bounce_once(&rough, &f, &stream, impact);
+  impact->eroded = 0;
+  double on_mean =
+      wall->erosion.law && !wall->erosion.tilted ? eroded(wall, particle, &f, (vec){0, 0, 1}) : 0;
+  bounce(wall, particle, v, &f, &stream, impact);
+  impact->eroded += on_mean;
 }
 
 /* a/b, limited to RATIO_MOST. */

@@ -285,18 +285,18 @@ static asp_code read_deposit(aspi_words *r) {
   return !code && aspi_words_take(r, "remove") ? read_removal(r) : code;
 }
 
+static asp_code read_erosion(aspi_words *r) {
+  return aspi_wall_read_erosion(r->wall, r->count, r->words, &r->next, r->error);
+}
+
 static const struct {
   const char *name;
   asp_code (*read)(aspi_words *r); /* NULL: a number */
-} clauses[] = {{"surface", read_surface},
-               {"spread", read_spread},
-               {"rebound", read_rebound},
-               {"materials", aspi_words_materials},
-               {"friction", NULL},
-               {"surface_energy", NULL},
-               {"yield_stress", NULL},
-               {"deposit", read_deposit},
-               {"seed", NULL}};
+} clauses[] = {{"surface", read_surface}, {"spread", read_spread},
+               {"rebound", read_rebound}, {"materials", aspi_words_materials},
+               {"friction", NULL},        {"surface_energy", NULL},
+               {"yield_stress", NULL},    {"deposit", read_deposit},
+               {"erosion", read_erosion}, {"seed", NULL}};
 enum { CLAUSES = sizeof clauses / sizeof *clauses };
 
 static asp_code read_clause(aspi_words *r, int clause) {
@@ -361,6 +361,8 @@ asp_code asp_wall_complete(asp_wall *wall, asp_error *error) {
   aspi_description *said = wall->said;
   wall->choice.spread = said->spread ? said->spread : asp_spread_find(standard_model(said), NULL);
   asp_code code = aspi_check_effects(wall, error);
+  if (!code)
+    code = aspi_wall_check_erosion(wall, error);
   return code ? code : aspi_make_surface(wall, error);
 }
 

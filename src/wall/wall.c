@@ -145,6 +145,8 @@ asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error 
 double asp_wall_get(const asp_wall *wall, const char *name) {
   aspi_wall_choice choice = wall->choice;
   place at = find(&choice, name);
+  if (strcmp(name, "erosion_density") == 0)
+    return choice.erosion.density;
   return at.of ? *at.value : wall->said ? aspi_description_get(wall->said, name) : NAN;
 }
 
@@ -224,6 +226,7 @@ static void take_law(asp_wall *wall) {
   wall->flow = (aspi_flow){
       choice->numbers[ASP_WALL_REMOVE_U_TAU], choice->numbers[ASP_WALL_REMOVE_GAS_DENSITY],
       choice->numbers[ASP_WALL_REMOVE_MEAN_FREE_PATH], choice->numbers[ASP_WALL_REMOVE_WORK]};
+  wall->erosion = choice->erosion;
 }
 
 asp_code aspi_wall_renew(asp_wall *wall, asp_error *error) {

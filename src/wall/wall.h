@@ -4,6 +4,7 @@
 #ifndef ASP_WALL_WALL_H
 #define ASP_WALL_WALL_H
 
+#include "erosion/laws.h"
 #include "rebound/laws.h"
 #include "rebound/removal.h"
 #include "spread/models.h"
@@ -33,6 +34,7 @@ typedef struct aspi_wall_choice {
   bool isotropic, multiple;
   double parameters[ASP_PARAMETERS_MAX];
   double numbers[ASP_WALL_NUMBERS];
+  aspi_erosion erosion;
 } aspi_wall_choice;
 
 typedef struct aspi_description aspi_description;
@@ -56,6 +58,7 @@ struct asp_wall {
   bool deposit;
   bool spins;     /* the law turns the particle */
   aspi_flow flow; /* takes away what sticks */
+  aspi_erosion erosion;
 };
 
 /* Takes over the law, its parameters and the other numbers as they have been set since

@@ -26,13 +26,13 @@ scene() { # law
 fix m6 all property/global surfaceEnergy peratomtypepair 1 5
 fix box all mesh/surface file box.stl type 1
 fix turn all move/mesh mesh box rotate origin 0.01 0.0 0.0 axis 0.2 0.3 1. period 1.7
-fix wall all wall/rebound mesh n_meshes 1 meshes box $1 torque_about 0.1 0.2 -0.1 ledger 500 file rows.csv columns full
+fix wall all wall/rebound mesh n_meshes 1 meshes box $1 erosion dnv density 7800 face tilted torque_about 0.1 0.2 -0.1 ledger 500 file rows.csv columns full
 fix fall all gravity 9.81 vector 0 0 -1
 fix move all nve/sphere
 timestep 2e-4
 dump at all custom $steps at.txt id vx vy vz
 dump_modify at sort id format \"%d %.17g %.17g %.17g\"
-thermo_style custom step f_wall[7] f_wall[8] f_wall[9] f_wall[10] f_wall[11] f_wall[12] f_wall[13] f_wall[1] f_wall[1][1] f_wall[1][7] f_wall[2]
+thermo_style custom step f_wall[7] f_wall[8] f_wall[9] f_wall[10] f_wall[11] f_wall[12] f_wall[13] f_wall[1] f_wall[1][1] f_wall[1][7] f_wall[2] f_wall[14] f_wall[1][8]
 thermo_modify format float %.17g
 thermo 1
 run $steps"
@@ -63,23 +63,23 @@ done
 # Both engines, and ranks, have the same numbers; those of the mesh are those of the wall.
 for name in walton bons; do
   for other in liggghts.2 lammps.1; do
-    paste -d' ' $name.liggghts.1 $name.$other | awk 'NR <= 500 { for (k = 2; k <= 11; k++) { d = $k - $(k + 12); s = $k * $k; if (k < 8) s += $4 * $4 + $5 * $5 + 1; if (d * d > 1e-16 * s) { print k, $0; exit 1 } } }' ||
+    paste -d' ' $name.liggghts.1 $name.$other | awk 'NR <= 500 { for (k = 2; k <= 11; k++) { d = $k - $(k + 14); s = $k * $k; if (k < 8) s += $4 * $4 + $5 * $5 + 1; if (d * d > 1e-16 * s) { print k, $0; exit 1 } } }' ||
       die "$name: liggghts.1 and $other differ"
   done
-  awk '{ if ($9 != $10 || ($8 - $11) ^ 2 > 1e-24 * $8 ^ 2) exit 1 } END { exit !($8 > 0) }' $name.liggghts.1 || die "$name: the array and the vector differ"
+  awk '{ if ($9 != $10 || $13 != $14 || ($8 - $11) ^ 2 > 1e-24 * $8 ^ 2) exit 1 } END { exit !($8 > 0) }' $name.liggghts.1 || die "$name: the array and the vector differ"
 done
 
 # The dissipated energy, and the impulses, are those of the rows. Where grains only hit, they are all.
 energies() { # ledger
-  rows "$1" | awk -F, '{ n++; e += 0.5 * $20 * ($24 ^ 2 + $25 ^ 2 + $26 ^ 2 - $27 ^ 2 - $28 ^ 2 - $29 ^ 2) + $20 * $9 ^ 2 / 20 * ($30 ^ 2 + $31 ^ 2 + $32 ^ 2 - $33 ^ 2 - $34 ^ 2 - $35 ^ 2)
+  rows "$1" | awk -F, '{ n++; worn += $39; e += 0.5 * $20 * ($24 ^ 2 + $25 ^ 2 + $26 ^ 2 - $27 ^ 2 - $28 ^ 2 - $29 ^ 2) + $20 * $9 ^ 2 / 20 * ($30 ^ 2 + $31 ^ 2 + $32 ^ 2 - $33 ^ 2 - $34 ^ 2 - $35 ^ 2)
       for (k = 0; k < 3; k++) { d = $(36 + k) - $20 * ($(24 + k) - $(27 + k)); if (d * d > 1e-16) exit 1 }
-      normal -= $36 * $21 + $37 * $22 + $38 * $23 } END { printf "%.12g %.12g %d\n", e, normal, n }'
+      normal -= $36 * $21 + $37 * $22 + $38 * $23 } END { printf "%.12g %.12g %d %.12g\n", e, normal, n, worn }'
 }
 scene "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off" |
-  sed '/^fix fall/d; s/ f_wall.2.$/ f_wall[1][5]/; s/rows.csv/free.csv/' > free.in
+  sed '/^fix fall/d; s/ f_wall.2. / f_wall[1][5] /; s/rows.csv/free.csv/' > free.in
 engine 2 free.in
-numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s\n", $8, $13, $12, $14
-  exit !($15 == $9 && $8 > 0 && ($8 / $13 - 1) ^ 2 < 1e-16 && ($12 / $14 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
+numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s; eroded %s, %s\n", $8, $15, $12, $16, $13, $18
+  exit !($17 == $9 && $8 > 0 && ($8 / $15 - 1) ^ 2 < 1e-16 && ($12 / $16 - 1) ^ 2 < 1e-16 && $13 > 0 && ($13 / $18 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
 same walton.liggghts.1.csv walton.liggghts.2.csv "full rows on two ranks"
 "$bin/asperity" compare free.csv -o free.txt > compare.out 2>&1 || die "compare does not read a full ledger: $(cat compare.out)"
 

@@ -12,17 +12,18 @@ say() { echo "FAILED: $*"; bad=1; }
 # The rooms, and what each may know besides itself and asperity.h. An engine's headers are known to its own room only.
 declare -A knows=(
   [base]=''
-  [analysis]='base surface readers spread rebound wall'
+  [analysis]='base surface readers spread rebound erosion wall'
   [surface]='base'
   [readers]='base surface'
   [spread]='base surface'
   [rebound]='base'
-  [wall]='base surface readers spread rebound'
+  [erosion]='base rebound'
+  [wall]='base surface readers spread rebound erosion'
   [contact]='base'
   [dem]='base contact wall'
   [liggghts]='base contact dem'
   [lammps]='base contact dem'
-  [cli]='base surface readers spread rebound wall analysis'
+  [cli]='base surface readers spread rebound erosion wall analysis'
 )
 engines=' liggghts lammps '
 with_mpi=" dem$engines"

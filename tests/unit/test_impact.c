@@ -52,7 +52,7 @@ static double dot(const double *a, const double *b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3};
+static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0};
 static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel, {0, 0, 0}, NULL};
 static const double up[3] = {0, 0, 1};
 

@@ -83,7 +83,7 @@ static void sticks_and_rolls(void **state) {
 /* Bons with spin: the law's own impulse as long as it is small, rolling where it is large. */
 static void bons_takes_part(void **state) {
   (void)state;
-  static const asp_pair pair = {50e9, 2e9, 0, 0.1};
+  static const asp_pair pair = {50e9, 2e9, 0, 0.1, 0};
   asp_wall *off = smooth("bons"), *on = smooth("bons");
   set(on, "spin", 1);
   for (double alpha = 0.05; alpha < 1.5; alpha += 0.05) {
@@ -108,7 +108,7 @@ static double energy(const double v[3], const double w[3], double r) {
 static void energy_with_spin_never_grows(void **state) {
   (void)state;
   static const char *const laws[] = {"walton", "bons", "thornton_ning"};
-  static const asp_pair pair = {50e9, 2e8, 0, 0.4};
+  static const asp_pair pair = {50e9, 2e8, 0, 0.4, 0};
   asp_surface *surface = asp_surface_create(0.15, 1, NULL);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   for (uint64_t tag = 1; tag <= 20000; tag++) {
@@ -148,7 +148,7 @@ static void energy_with_spin_never_grows(void **state) {
 static const double E = 50e9, RHO = 2500, R = 2.5e-3;
 
 static double restitution(double speed, double pressure, double gamma) {
-  asp_pair pair = {E, pressure, gamma, 0};
+  asp_pair pair = {E, pressure, gamma, 0, 0};
   asp_wall *wall = smooth("thornton_ning");
   set(wall, "pressure_ratio", 1);
   asp_particle particle = {2 * R, RHO, &pair, {0, 0, 0}, NULL};
@@ -239,7 +239,7 @@ static void parting_costs_what_the_curve_says(void **state) {
 /* El-Batsh's threshold, worked out by hand: d 10 um, W 0.039, rho_g 1.2, K_c = 4/3 50 GPa. */
 static void a_flow_takes_away(void **state) {
   (void)state;
-  static const asp_pair pair = {50e9, 2e8, 0.8, 0.3};
+  static const asp_pair pair = {50e9, 2e8, 0.8, 0.3, 0};
   asp_particle particle = {10e-6, 2650, &pair, {0, 0, 0}, NULL};
   double critical = sqrt(0.039 / (1.2 * 10e-6) * cbrt(0.039 / (10e-6 * 4. / 3 * 50e9)));
   double v1[3] = {0, 0, -1};

@@ -1,8 +1,8 @@
-/* Triangles parted among ranks; see parted.h. A rank reads those of another one by one-sided
- * communication (MPI_Get).
+/* Triangles shared among ranks; see shared_triangles.h. A rank reads those of another one by
+ * one-sided communication (MPI_Get).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "parted.h"
+#include "shared_triangles.h"
 
 #include <algorithm>
 
@@ -11,14 +11,14 @@ using namespace asperity;
 /* So many rows are read at once. */
 static const int PIECE = 2048;
 
-Bounds asperity::bounds_of_row(const double row[Parted::ROW]) {
+Bounds asperity::bounds_of_row(const double row[SharedTriangles::ROW]) {
   Bounds box = Bounds::none();
   for (int k = 0; k < 3; k++)
     box.include(row + 1 + 3 * k);
   return box;
 }
 
-Parted::Parted(MPI_Comm world, std::vector<double> rows)
+SharedTriangles::SharedTriangles(MPI_Comm world, std::vector<double> rows)
     : rank_(0), mine_(std::move(rows)), whole_(Bounds::none()), window_(MPI_WIN_NULL) {
   int ranks;
   MPI_Comm_size(world, &ranks);
@@ -38,7 +38,7 @@ Parted::Parted(MPI_Comm world, std::vector<double> rows)
 }
 
 /* False, on all ranks, where MPI refuses: Open MPI without a transport for it does. */
-bool Parted::open_window(MPI_Comm world) {
+bool SharedTriangles::open_window(MPI_Comm world) {
   MPI_Errhandler handler;
   MPI_Comm_get_errhandler(world, &handler);
   MPI_Comm_set_errhandler(world, MPI_ERRORS_RETURN);
@@ -53,7 +53,7 @@ bool Parted::open_window(MPI_Comm world) {
   return all;
 }
 
-void Parted::gather(MPI_Comm world) {
+void SharedTriangles::gather(MPI_Comm world) {
   MPI_Datatype row;
   MPI_Type_contiguous(ROW, MPI_DOUBLE, &row);
   MPI_Type_commit(&row);
@@ -70,13 +70,14 @@ void Parted::gather(MPI_Comm world) {
   rank_ = 0;
 }
 
-Parted::~Parted() {
+SharedTriangles::~SharedTriangles() {
   if (window_ != MPI_WIN_NULL)
     MPI_Win_free(&window_);
 }
 
 /* Some rows of a rank: its own, or copies. */
-const double *Parted::piece(int rank, int first, int count, std::vector<double> &copy) const {
+const double *SharedTriangles::piece(int rank, int first, int count,
+                                     std::vector<double> &copy) const {
   const size_t at = static_cast<size_t>(first) * ROW;
   if (rank == rank_)
     return &mine_[at];
@@ -87,8 +88,8 @@ const double *Parted::piece(int rank, int first, int count, std::vector<double> 
   return copy.data();
 }
 
-void Parted::read(const std::vector<Bounds> &boxes,
-                  const std::function<void(const double *)> &take) const {
+void SharedTriangles::read(const std::vector<Bounds> &boxes,
+                           const std::function<void(const double *)> &take) const {
   std::vector<double> copy(static_cast<size_t>(PIECE) * ROW);
   const auto met = [&boxes](const Bounds &box) {
     for (const Bounds &each : boxes)

@@ -1,11 +1,11 @@
-/* The triangles of a large mesh, parted among the ranks: each has some of them, where the others
+/* The triangles of a large mesh, shared among the ranks: each has some of them, where the others
  * can read them at any time, without its doing. So a rank needs only those in its own search that
  * its particles can meet, and can have others when one of them comes to where it has none. Where
  * MPI has no one-sided communication, each rank has them all.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_PARTED_H
-#define ASPERITY_WALL_PARTED_H
+#ifndef ASPERITY_WALL_SHARED_TRIANGLES_H
+#define ASPERITY_WALL_SHARED_TRIANGLES_H
 
 #include <mpi.h>
 #include <functional>
@@ -15,15 +15,15 @@
 
 namespace asperity {
 
-class Parted {
+class SharedTriangles {
 public:
   enum { ROW = 10 }; /* number of the triangle, and its nodes */
 
   /* Both are collective. */
-  Parted(MPI_Comm world, std::vector<double> rows);
-  ~Parted();
-  Parted(const Parted &) = delete;
-  Parted &operator=(const Parted &) = delete;
+  SharedTriangles(MPI_Comm world, std::vector<double> rows);
+  ~SharedTriangles();
+  SharedTriangles(const SharedTriangles &) = delete;
+  SharedTriangles &operator=(const SharedTriangles &) = delete;
 
   /* True if each rank has all triangles. */
   bool is_whole() const {
@@ -51,7 +51,7 @@ private:
 };
 
 /* Around the triangle of a row. */
-Bounds bounds_of_row(const double row[Parted::ROW]);
+Bounds bounds_of_row(const double row[SharedTriangles::ROW]);
 
 } // namespace asperity
 

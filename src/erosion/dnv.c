@@ -1,0 +1,41 @@
+/* Steel worn by sand (DNV RP-O501): E = K v^n F(alpha), mass of the wall per mass of sand, with
+ *
+ *   F = 0.6 (sin alpha + 7.2 (sin alpha - sin^2 alpha))^0.6 (1 - exp(-20 alpha))
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "erosion/laws.h"
+
+#include <math.h>
+
+enum { K, N, N_PARAMETERS };
+
+static const asp_parameter parameters[N_PARAMETERS] = {
+    [K] = {.name = "k",
+           .unit = "",
+           .fallback = 2e-9,
+           .most = INFINITY,
+           .text = "factor at 1 m/s; steel 2e-9",
+           .keyword = "k"},
+    [N] = {.name = "n",
+           .unit = "",
+           .fallback = 2.6,
+           .most = 10,
+           .text = "exponent of the speed; steel 2.6",
+           .keyword = "n"},
+};
+
+static double rate(const double *p, double v, double sine, double cosine, double d_p) {
+  (void)d_p;
+  double f = 0.6 * pow(sine + 7.2 * (sine - sine * sine), 0.6) * -expm1(-20 * atan2(sine, cosine));
+  return p[K] * pow(v, p[N]) * f;
+}
+
+const aspi_erosion_law aspi_erosion_dnv = {
+    .name = "dnv",
+    .summary = "steel and other ductile walls, worn by sand",
+    .source = "DNV RP-O501 (K and n as one published code has them; the angle's function is "
+              "recalled; the original was not seen)",
+    .n_parameters = N_PARAMETERS,
+    .parameters = parameters,
+    .rate = rate,
+};

@@ -1,0 +1,51 @@
+/* Carbon steel worn by sand (Erosion/Corrosion Research Center of Tulsa; Zhang et al. 2007): E = C
+ * B^-0.59 F_s v^n F(alpha), mass of the wall per mass of sand, with
+ *
+ *   F = 5.4 alpha - 10.11 alpha^2 + 10.93 alpha^3 - 6.33 alpha^4 + 1.42 alpha^5
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "erosion/laws.h"
+
+#include <math.h>
+
+enum { BRINELL, GRAINS, C, N, N_PARAMETERS };
+
+static const asp_parameter parameters[N_PARAMETERS] = {
+    [BRINELL] = {.name = "brinell", .unit = "", .most = INFINITY, .text = "hardness of the wall"},
+    [GRAINS] = {.name = "grains",
+                .unit = "",
+                .most = 2,
+                .text = "their form: F_s 1, 0.53 and 0.2",
+                .keyword = "grains",
+                .words = "sharp semi_rounded round"},
+    [C] = {.name = "c",
+           .unit = "",
+           .fallback = 2.17e-7,
+           .most = INFINITY,
+           .text = "factor at 1 m/s",
+           .keyword = "c"},
+    [N] = {.name = "n",
+           .unit = "",
+           .fallback = 2.41,
+           .most = 10,
+           .text = "exponent of the speed",
+           .keyword = "n"},
+};
+
+static double rate(const double *p, double v, double sine, double cosine, double d_p) {
+  static const double sharpness[] = {1, 0.53, 0.2};
+  (void)d_p;
+  double a = atan2(sine, cosine);
+  double f = a * (5.4 + a * (-10.11 + a * (10.93 + a * (-6.33 + a * 1.42))));
+  return p[C] * pow(p[BRINELL], -0.59) * sharpness[(int)p[GRAINS]] * pow(v, p[N]) * f;
+}
+
+const aspi_erosion_law aspi_erosion_ecrc = {
+    .name = "ecrc",
+    .summary = "carbon steel worn by sand, by the form of the grains",
+    .source = "Zhang, Reuterfors, McLaury, Shirazi & Rybicki 2007 (recalled, the original was not "
+              "seen)",
+    .n_parameters = N_PARAMETERS,
+    .parameters = parameters,
+    .rate = rate,
+};

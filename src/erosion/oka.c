@@ -1,0 +1,76 @@
+/* Metals of any hardness (Oka, Okamura & Yoshida 2005; Oka & Yoshida 2005): the volume in mm^3 per
+ * kg
+ *
+ *   E = K H^k1 (v/v')^k2 (d/d')^k3 (sin alpha)^n1 (1 + H (1 - sin alpha))^n2
+ *
+ * with the Vickers hardness H in GPa, k2 = a H^b, n1 = a H^b, n2 = a H^b, and constants of the
+ * particles' kind.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "erosion/laws.h"
+
+#include <math.h>
+
+enum { HARDNESS, PARTICLES, K, K1, K2, K3, SPEED, DIAMETER, N1, N2, N_PARAMETERS };
+
+#define OKA(NAME, UNIT, TEXT)                                                                      \
+  {                                                                                                \
+    .name = NAME, .unit = UNIT, .fallback = NAN, .least = -INFINITY, .most = INFINITY,             \
+    .text = TEXT ", where it is not that of the particles' kind", .keyword = NAME                  \
+  }
+
+static const asp_parameter parameters[N_PARAMETERS] = {
+    [HARDNESS] = {.name = "hardness",
+                  .unit = "stress",
+                  .most = INFINITY,
+                  .text = "Vickers hardness of the wall"},
+    [PARTICLES] = {.name = "particles",
+                   .unit = "",
+                   .most = 2,
+                   .text = "what they are of",
+                   .keyword = "particles",
+                   .words = "sio2 sic glass"},
+    [K] = OKA("k", "", "K"),
+    [K1] = OKA("k1", "", "exponent of the hardness"),
+    [K2] = OKA("k2", "", "exponent of the speed"),
+    [K3] = OKA("k3", "", "exponent of the diameter"),
+    [SPEED] = OKA("speed", "speed", "v'"),
+    [DIAMETER] = OKA("diameter", "length", "d'"),
+    [N1] = OKA("n1", "", "exponent of sin alpha"),
+    [N2] = OKA("n2", "", "exponent of the hardness's part"),
+};
+
+static const struct {
+  double k, k1, k2[2], k3, speed, diameter, n1[2], n2[2];
+} kinds[] = {
+    {65, -0.12, {2.3, 0.038}, 0.19, 104, 326e-6, {0.71, 0.14}, {2.4, -0.94}},
+    {45, -0.05, {3, 0.085}, 0.19, 99, 326e-6, {0.71, 0.14}, {2.8, -1}},
+    {27, -0.16, {2.1, 0}, 0.19, 100, 200e-6, {2.8, 0.41}, {2.6, -1.46}},
+};
+
+static double or (double given, double standard) {
+  return isnan(given) ? standard : given;
+}
+
+static double rate(const double *p, double v, double sine, double cosine, double d_p) {
+  (void)cosine;
+  int kind = (int)p[PARTICLES];
+  double h = p[HARDNESS] * 1e-9;
+  const double *k2 = kinds[kind].k2, *n1 = kinds[kind].n1, *n2 = kinds[kind].n2;
+  double e90 = or (p[K], kinds[kind].k) * pow(h, or (p[K1], kinds[kind].k1)) *
+                      pow(v / or (p[SPEED], kinds[kind].speed), or (p[K2], k2[0] * pow(h, k2[1]))) *
+                      pow(d_p / or (p[DIAMETER], kinds[kind].diameter), or (p[K3], kinds[kind].k3));
+  return 1e-9 * e90 * pow(sine, or (p[N1], n1[0] * pow(h, n1[1]))) *
+         pow(1 + h * (1 - sine), or (p[N2], n2[0] * pow(h, n2[1])));
+}
+
+const aspi_erosion_law aspi_erosion_oka = {
+    .name = "oka",
+    .summary = "metals of any hardness, worn by sand, silicon carbide or glass",
+    .source = "Oka, Okamura & Yoshida 2005; Oka & Yoshida 2005 (recalled, the originals were not "
+              "seen)",
+    .is_volume = true,
+    .n_parameters = N_PARAMETERS,
+    .parameters = parameters,
+    .rate = rate,
+};

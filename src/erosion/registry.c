@@ -1,0 +1,46 @@
+/* The list of erosion laws, and what a wall does with one.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "erosion/laws.h"
+#include "base/error.h"
+#include "base/quantity.h"
+
+#define ADDRESS(name) &aspi_erosion_##name,
+static const aspi_erosion_law *const laws[] = {ASPI_EROSION_LAWS(ADDRESS)};
+
+int aspi_erosion_count(void) {
+  return (int)(sizeof laws / sizeof *laws);
+}
+
+const aspi_erosion_law *aspi_erosion_at(int index) {
+  return laws[index];
+}
+
+static const char *name_at(int index) {
+  return laws[index]->name;
+}
+
+const aspi_erosion_law *aspi_erosion_find(const char *name, asp_error *error) {
+  int index = aspi_find_name("erosion law", name, aspi_erosion_count(), name_at, error);
+  return index < 0 ? NULL : laws[index];
+}
+
+void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const asp_units *units) {
+  *erosion = (aspi_erosion){.law = law,
+                            .metre = aspi_quantity_factor("length", units),
+                            .metre_per_second = aspi_quantity_factor("speed", units),
+                            .density_unit = aspi_quantity_factor("density", units)};
+  for (int i = 0; i < law->n_parameters; i++) {
+    erosion->si[i] = law->parameters[i].fallback;
+    erosion->given[i] = erosion->si[i] * aspi_quantity_factor(law->parameters[i].unit, units);
+  }
+}
+
+double aspi_erosion_ratio(const aspi_erosion *erosion, double wall_density, double v, double sine,
+                          double cosine, double d_p) {
+  const aspi_erosion_law *law = erosion->law;
+  double rate =
+      law->rate(erosion->si, v / erosion->metre_per_second, sine, cosine, d_p / erosion->metre);
+  double density = erosion->density > 0 ? erosion->density : wall_density;
+  return law->is_volume ? rate * density / erosion->density_unit : rate;
+}

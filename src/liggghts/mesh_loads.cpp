@@ -1,0 +1,165 @@
+/* What a mesh of LIGGGHTS measures and shows: sums of its triangles, and force, torque and wear for
+ * its stress module; see mesh_liggghts.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh_liggghts.h"
+
+#include <math.h>
+#include <string.h>
+#include <algorithm>
+
+#include "atom.h"
+#include "contact/vector.h"
+#include "tri_mesh.h"
+
+using namespace LAMMPS_NS;
+using asperity::ContactLoad;
+using asperity::Wall;
+
+/* A servo gets its force spread over about this many steps, as the contacts of soft grains last: a
+ * rigid wall changes a velocity within one. */
+static const double SPREAD = 100;
+
+/* The sums, and behind them the depth of erosion. */
+static const char *name_of(int k) {
+  return k < Wall::N_SUMS ? Wall::SUM_NAMES[k] : "erosion_depth";
+}
+
+/* The mesh's own restart does not know these properties when it reads its triangles, so they stay
+ * out of it (restart_no); the fix keeps them. */
+void MeshOfLiggghts::add_sums() {
+  for (int k = 0; k <= Wall::N_SUMS; k++) {
+    sums_[k] = mesh()->prop().addElementProperty<ScalarContainer<double>>(
+        name_of(k), "comm_exchange_borders", "frame_invariant", "restart_no");
+    sums_[k]->setAll(0.);
+  }
+}
+
+void MeshOfLiggghts::remove_sums() {
+  for (int k = 0; k <= Wall::N_SUMS; k++)
+    mesh()->prop().removeElementProperty(name_of(k));
+}
+
+void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums, double worn_density) {
+  const size_t count = sums.size() / Wall::N_SUMS;
+  for (int t = 0; t < mesh()->sizeLocal(); t++) {
+    const size_t at = static_cast<size_t>(mesh()->id(t)) - first;
+    if (at >= count)
+      continue;
+    const double *of = &sums[at * Wall::N_SUMS];
+    for (int k = 0; k < Wall::N_SUMS; k++)
+      (*sums_[k])(t) = of[k];
+    if (worn_density > 0)
+      (*sums_[Wall::N_SUMS])(t) = of[Wall::SUM_ERODED] / (worn_density * mesh()->areaElem(t));
+  }
+}
+
+/* ---- for the stress module --------------------------------------------------------------------
+ */
+
+MeshModuleStress *MeshOfLiggghts::stress() const {
+  return dynamic_cast<MeshModuleStress *>(fix_->get_module("stress"));
+}
+
+bool MeshOfLiggghts::measures() const {
+  MeshModuleStress *module = stress();
+  return module && (module->trackStress() || module->trackWear());
+}
+
+bool MeshOfLiggghts::wears() const {
+  MeshModuleStress *module = stress();
+  return module && module->trackWear();
+}
+
+void MeshOfLiggghts::take(const ContactLoad &load) {
+  if (load.mask & fix_->get_groupbit())
+    loads_.push_back(load);
+}
+
+/* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one load: E k |v| |F| dt/area, with the
+ * load's impulse for |F| dt. */
+static double finnie(const ContactLoad &load, const double normal[3], double k, double area) {
+  const double speed = aspi_length(load.v_before);
+  if (!(speed > 0))
+    return 0;
+  double across[3];
+  aspi_cross(load.v_before, normal, across);
+  const double sine = std::min(1.0, fabs(aspi_dot(load.v_before, normal)) / speed);
+  const double cosine = std::min(1.0, aspi_length(across) / speed);
+  const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
+                                                          : 2 * sine * cosine - 3 * sine * sine;
+  return 2 * share * k * speed * aspi_length(load.impulse) / area;
+}
+
+void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
+  if (stress()->trackStress()) {
+    double *f = (*mesh()->prop().getElementProperty<VectorContainer<double, 3>>("f"))(local);
+    aspi_add_scaled(f, 1, force, f);
+  }
+  if (stress()->trackWear())
+    (*mesh()->prop().getElementProperty<ScalarContainer<double>>("wear_step"))(local) += wear;
+}
+
+/* The total goes to this rank's part of the mesh's sums, which LIGGGHTS adds up; the force on a
+ * triangle to the triangle, or to its owner where this rank has none. */
+void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
+  const double spread = strcmp(fix_->style, "mesh/surface/stress/servo") == 0 ? SPREAD : 1;
+  std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
+  double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
+                         stress()->compute_vector(8)};
+  for (const ContactLoad &load : loads_) {
+    double force[3], arm[3], torque[3], normal[3];
+    for (int d = 0; d < 3; d++)
+      force[d] = load.impulse[d] / dt;
+    aspi_subtract(load.point, reference, arm);
+    aspi_cross(arm, force, torque);
+    aspi_add_scaled(force_, 1 / spread, force, force_);
+    aspi_add_scaled(torque_, 1 / spread, torque, torque_);
+    const ContactTriangle *t =
+        aspi_tree_triangle(triangles(), aspi_tree_place(triangles(), load.piece));
+    double turned[3];
+    aspi_triangle_normal(t, normal);
+    for (int i = 0; i < 3; i++)
+      turned[i] = aspi_dot(motion().end().turn[i], normal);
+    const double wear =
+        k_finnie ? finnie(load, turned, k_finnie[fix_->atomTypeWall() - 1][load.type - 1],
+                          aspi_triangle_area(t))
+                 : 0;
+    const int local = mesh()->map_size(load.piece) > 0 ? mesh()->map(load.piece, 0) : -1;
+    if (local >= 0)
+      add_force(local, force, wear);
+    else {
+      away.push_back(load.piece);
+      away.insert(away.end(), force, force + 3);
+      away.push_back(wear);
+    }
+  }
+  loads_.clear();
+  if (stress()->trackStress())
+    stress()->add_global_external_contribution(force_, torque_);
+  aspi_scale(1 - 1 / spread, force_);
+  aspi_scale(1 - 1 / spread, torque_);
+  give_away(away);
+}
+
+/* Rows of number, force and wear to the ranks that have these triangles. */
+void MeshOfLiggghts::give_away(const std::vector<double> &away) {
+  int ranks, size = static_cast<int>(away.size()), all = 0;
+  MPI_Comm_size(world_, &ranks);
+  MPI_Allreduce(&size, &all, 1, MPI_INT, MPI_SUM, world_);
+  if (all == 0)
+    return;
+  std::vector<int> sizes(ranks), starts(ranks, 0);
+  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world_);
+  for (int r = 1; r < ranks; r++)
+    starts[r] = starts[r - 1] + sizes[r - 1];
+  std::vector<double> theirs(all);
+  MPI_Allgatherv(away.data(), size, MPI_DOUBLE, theirs.data(), sizes.data(), starts.data(),
+                 MPI_DOUBLE, world_);
+  for (int at = 0; at < all; at += 5) {
+    const int piece = static_cast<int>(theirs[at]);
+    for (int k = 0; k < mesh()->map_size(piece); k++)
+      if (mesh()->map(piece, k) < mesh()->sizeLocal())
+        add_force(mesh()->map(piece, k), &theirs[at + 1], theirs[at + 4]);
+  }
+}
