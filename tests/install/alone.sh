@@ -48,7 +48,7 @@ cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; die "build 
 stops() {
   local words=()
   while [ "$1" != -- ]; do words+=("$1"); shift; done; shift
-  if cmake -S "$source_dir" -B "$work/build" -U 'LIGGGHTS_*' -U 'LAMMPS_*' -DASPERITY_LIGGGHTS=ON -DASPERITY_LAMMPS=OFF "$@" > "$work/log" 2>&1; then die "configured with $*"; fi
+  if cmake -S "$source_dir" -B "$work/build" -U 'LIGGGHTS_*' -U 'LAMMPS_*' -DASPERITY_LIGGGHTS=ON -DASPERITY_LAMMPS=ON "$@" > "$work/log" 2>&1; then die "configured with $*"; fi
   for word in "${words[@]}"; do tr -s ' \n' ' ' < "$work/log" | grep -qF -- "$word" || { cat "$work/log"; die "'$word' is not in the message for $*"; }; done
 }
 stops "apt-get install liggghts libliggghts-dev" "ASPERITY_LIGGGHTS=OFF" -- -DLIGGGHTS_LIBRARY=0

@@ -42,7 +42,7 @@ if [ -n "$(find "$work/prefix" -name libasperity_dem.a)" ]; then
   printf '%s\n' 'cmake_minimum_required(VERSION 3.16)' 'project(dem CXX)' 'find_package(asperity REQUIRED COMPONENTS dem)' \
     'add_executable(dem dem.cpp)' 'target_link_libraries(dem asperity::asperity_dem)' > "$work/dem/CMakeLists.txt"
   printf '%s\n' '#include "dem/wall.h"' '#include "contact/tree.h"' \
-    'int main() { ContactTree *tree = contact_tree_begin(); contact_tree_free(tree); return !asperity::Wall::KEYWORDS[0]; }' > "$work/dem/dem.cpp"
+    'int main() { ContactTree *tree = aspi_tree_begin(); aspi_tree_free(tree); return !asperity::Wall::KEYWORDS[0]; }' > "$work/dem/dem.cpp"
   cmake -S "$work/dem" -B "$work/dem/build" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
   cmake --build "$work/dem/build" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
   "$work/dem/build/dem"
