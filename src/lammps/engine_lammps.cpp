@@ -3,8 +3,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "engine_lammps.h"
 
-#include "dem/error.h"
-#include "dem/text.h"
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "lammps.h"
+#include "modify.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,16 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "atom.h"
-#include "atom_vec.h"
-#include "comm.h"
-#include "domain.h"
-#include "error.h"
 #include "fix.h"
-#include "lammps.h"
-#include "modify.h"
-#include "output.h"
-#include "update.h"
 #include "dem/wall_fix.h"
 
 namespace LAMMPS_NS {

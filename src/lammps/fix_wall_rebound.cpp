@@ -20,7 +20,15 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fix_wall_rebound.h"
 
+#include "atom.h"
+#include "atom_vec.h"
 #include "citeme.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "modify.h"
+#include "output.h"
+#include "update.h"
 
 #include "atom_rows.h"
 #include "driven_mesh.h"

@@ -8,11 +8,19 @@
 #include <string.h>
 #include <algorithm>
 
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
 #include "fix_template_sphere.h"
 #include "fix_wall_gran.h"
+#include "modify.h"
 #include "neighbor.h"
+#include "output.h"
+#include "update.h"
 #include "dem/error.h"
 #include "dem/primitive.h"
 #include "dem/text.h"

@@ -1,8 +1,8 @@
 /* fix wall/rebound: rough walls for LIGGGHTS. This is LIGGGHTS's side only: its hooks, meshes,
- * constants and per-atom numbers. What a wall does is in src/wall, where nothing has LIGGGHTS.
+ * constants and per-atom numbers. What a wall does is in src/dem, which knows no engine.
  *
  * Contacts are worked out in post_integrate, when particles and meshes are where the step has taken
- * them and before the forces are computed there: so that forces, ghosts and neighbour lists see
+ * them and before the forces are computed there: so that forces, ghosts and neighbor lists see
  * where particles are after their rebounds. The first fix of the style does it for all of them, for
  * a particle may meet two walls in one step.
  *
@@ -20,16 +20,7 @@ FixStyle(wall/rebound, FixWallRebound)
 #include <string>
 #include <vector>
 
-#include "atom.h"
-#include "atom_vec.h"
-#include "comm.h"
-#include "domain.h"
-#include "error.h"
 #include "fix.h"
-#include "lammps.h"
-#include "modify.h"
-#include "output.h"
-#include "update.h"
 #include "mesh_liggghts.h"
 #include "dem/wall_fix.h"
 
