@@ -152,10 +152,12 @@ static int run(int argc, char **argv) {
     d = cli_description_read(words - 1, argv + 2);
     take_law(&w, &d);
   }
-  unsigned by_law = 1 << IMPACT_ALPHA1 | 1 << IMPACT_V1 | 1 << IMPACT_D_P;
+  unsigned needs =
+      1 << IMPACT_MESH | 1 << IMPACT_TRIANGLE |
+      (has_law ? 1 << IMPACT_ALPHA1 | 1 << IMPACT_V1 | 1 << IMPACT_D_P : 1 << IMPACT_ERODED);
   impact_file ledger = {.path = w.path,
-                        .needs = 1 << IMPACT_MESH | 1 << IMPACT_TRIANGLE |
-                                 (has_law ? by_law : 1 << IMPACT_ERODED),
+                        .uses = needs | 1 << IMPACT_MASS,
+                        .needs = needs,
                         .take = add_row,
                         .taker = &w};
   scatter_read_rows(&ledger);

@@ -84,10 +84,13 @@ static bool is_needed(const file *f, int column) {
   return f->to->needs >> column & 1;
 }
 
-/* A column that the file needs and has not; -1: none. CoR_T stands for CoR_N. */
-static int find_missing(const file *f) {
+/* Leaves out columns that are of no use, and returns one that is needed and not there; -1: none.
+ * CoR_T stands for CoR_N. */
+static int find_missing(file *f) {
   for (int k = 0; k < IMPACT_COLUMNS; k++)
-    if (is_needed(f, k) && f->at[k] < 0 && !(k == IMPACT_COR_N && f->at[IMPACT_COR_T] >= 0))
+    if (!(f->to->uses >> k & 1))
+      f->at[k] = -1;
+    else if (is_needed(f, k) && f->at[k] < 0 && !(k == IMPACT_COR_N && f->at[IMPACT_COR_T] >= 0))
       return k;
   return -1;
 }
@@ -312,6 +315,8 @@ static asp_code add_impact(void *taker, const double of[], asp_error *error) {
 scatter_impacts scatter_read_impacts(const char *path) {
   scatter_impacts impacts = {.count = 0};
   impact_file from = {.path = path,
+                      .uses = ~(1u << IMPACT_MESH | 1u << IMPACT_TRIANGLE | 1u << IMPACT_MASS |
+                                1u << IMPACT_ERODED),
                       .needs = 1 << IMPACT_ALPHA1 | 1 << IMPACT_COR_N,
                       .take = add_impact,
                       .taker = &impacts};

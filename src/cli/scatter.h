@@ -27,6 +27,7 @@ enum {
 
 typedef struct impact_file {
   const char *path;
+  unsigned uses;  /* 1 << column: those that are read where they are there */
   unsigned needs; /* 1 << column: those that must be there */
   asp_code (*take)(void *taker, const double of[], asp_error *error); /* a row */
   void *taker;
