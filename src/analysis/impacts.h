@@ -19,11 +19,10 @@ typedef struct scatter_point {
 
 typedef struct scatter_impacts {
   scatter_point *points;
-  size_t count, deposits;         /* deposits: of those */
-  bool rough;                     /* some local wall was tilted */
-  bool sideways;                  /* some went out of the plane of incidence */
-  char comment[1024];             /* the file's first comment */
-  double metre, metre_per_second; /* of the file's units */
+  size_t count, deposits; /* deposits: of those */
+  bool rough;             /* some local wall was tilted */
+  bool sideways;          /* some went out of the plane of incidence */
+  char comment[1024];     /* the file's first comment */
 } scatter_impacts;
 
 /* NAN where there is nothing. Of an impact, cor are its coefficients and se their measurement
