@@ -18,7 +18,7 @@ enum { ENOUGH = 20 };
 enum { ROWS_EACH = 4 };
 
 /* How many of the points, which are in order of their angle, lie below it. */
-static size_t count_below(const scatter_impacts *impacts, double angle) {
+static size_t count_below(const aspi_scatter_impacts *impacts, double angle) {
   size_t low = 0, high = impacts->count;
   while (low < high) {
     size_t middle = low + (high - low) / 2;
@@ -34,7 +34,7 @@ static bool is_near(double is, double wanted, double share) {
   return isnan(wanted) || fabs(is - wanted) <= share * wanted;
 }
 
-static bool same_place(const measured_row *a, const measured_row *b) {
+static bool same_place(const aspi_measured_row *a, const aspi_measured_row *b) {
   return fabs(a->degrees - b->degrees) <= SAME_ANGLE &&
          (isnan(a->v1) || is_near(a->v1, b->v1, SAME_SHARE)) &&
          (isnan(a->d_p) || is_near(a->d_p, b->d_p, SAME_SHARE));
@@ -43,7 +43,7 @@ static bool same_place(const measured_row *a, const measured_row *b) {
 /* ---- the bins' rows ---------------------------------------------------------------------------
  */
 
-static size_t count_places(const measured *data) {
+static size_t count_places(const aspi_measured *data) {
   size_t places = 0;
   for (size_t i = 0; i < data->count; i++)
     places += i == 0 || !same_place(&data->rows[i], &data->rows[i - 1]);
@@ -51,7 +51,7 @@ static size_t count_places(const measured *data) {
 }
 
 /* Which interval of that width an angle is in; the last one ends with 90 degrees. */
-static double interval_of(const measured_row *row, double width) {
+static double interval_of(const aspi_measured_row *row, double width) {
   return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
 }
 
@@ -59,7 +59,7 @@ static asp_code no_memory(size_t count, asp_error *error) {
   return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
 }
 
-static void describe_place(const measured *data, aspi_compare_bin *on) {
+static void describe_place(const aspi_measured *data, aspi_compare_bin *on) {
   double n = (double)(on->end - on->first);
   for (size_t i = on->first; i < on->end; i++) {
     on->degrees += data->rows[i].degrees / n;
@@ -69,13 +69,13 @@ static void describe_place(const measured *data, aspi_compare_bin *on) {
 }
 
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error) {
-  const measured *data = &c->data;
+  const aspi_measured *data = &c->data;
   bool places = !data->means && !given && data->count >= ROWS_EACH * count_places(data);
   c->bins = calloc(data->count + 1, sizeof *c->bins);
   if (!c->bins)
     return no_memory(data->count, error);
   for (size_t i = 0; i < data->count; i++) {
-    const measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
+    const aspi_measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
     bool joins =
         i > 0 && !data->means &&
         (places ? same_place(row, last) : interval_of(row, width) <= interval_of(last, width));
@@ -98,15 +98,15 @@ typedef struct weights {
   size_t count;
 } weights;
 
-static bool is_around(const scatter_point *p, const measured_row *at,
+static bool is_around(const aspi_scatter_point *p, const aspi_measured_row *at,
                       const aspi_compare_reach *far) {
   return is_near(p->v1, at->v1, far->speed) && is_near(p->d_p, at->d_p, far->size);
 }
 
-static size_t count_near(const scatter_impacts *impacts, const measured_row *at,
+static size_t count_near(const aspi_scatter_impacts *impacts, const aspi_measured_row *at,
                          const aspi_compare_reach *far) {
   size_t found = 0;
-  const scatter_point *p = impacts->points;
+  const aspi_scatter_point *p = impacts->points;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++)
     found += is_around(&p[i], at, far);
@@ -114,10 +114,10 @@ static size_t count_near(const scatter_impacts *impacts, const measured_row *at,
 }
 
 /* Gives the impacts around a place, no farther than that, a weight of `rows` together. */
-static void weigh(const scatter_impacts *impacts, const measured_row *at,
+static void weigh(const aspi_scatter_impacts *impacts, const aspi_measured_row *at,
                   const aspi_compare_reach *far, double rows, weights *w) {
   double each = rows / (double)count_near(impacts, at, far);
-  const scatter_point *p = impacts->points;
+  const aspi_scatter_point *p = impacts->points;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++) {
     if (!is_around(&p[i], at, far))
@@ -132,7 +132,7 @@ static void weigh(const scatter_impacts *impacts, const measured_row *at,
 static void weigh_bin(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
                       aspi_compare_bin *b) {
   static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
-  const measured_row *rows = c->data.rows;
+  const aspi_measured_row *rows = c->data.rows;
   b->from = 90;
   b->to = 0;
   w->count = 0;
@@ -158,7 +158,7 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
     return false;
   for (; w->count > 0; w->of[w->which[w->count]] = 0) {
     size_t i = w->which[--w->count];
-    const scatter_point *p = &c->impacts.points[i];
+    const aspi_scatter_point *p = &c->impacts.points[i];
     side->impacts[side->count++] =
         (aspi_impact){{p->cor[COR_N], p->cor[COR_T], p->deposit}, w->of[i]};
   }
@@ -166,8 +166,8 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
 }
 
 /* The measured impacts, or means. An sd without the number of impacts counts as of one. */
-static bool take_data(const measured *data, aspi_compare_bin *b) {
-  const measured_row *row = &data->rows[b->first];
+static bool take_data(const aspi_measured *data, aspi_compare_bin *b) {
+  const aspi_measured_row *row = &data->rows[b->first];
   aspi_side *side = &b->data;
   for (int k = 0; k < ASPI_QUANTITIES; k++)
     side->of[k] = aspi_sample_none;
@@ -203,7 +203,7 @@ typedef struct running {
 /* Rows of means without speeds and sizes, as many as there may be, by sums over all impacts before
  * an angle. */
 static bool take_intervals(aspi_comparison *c, double far, int which) {
-  const scatter_point *points = c->impacts.points;
+  const aspi_scatter_point *points = c->impacts.points;
   running *before = calloc(c->impacts.count + 1, sizeof *before);
   if (!before)
     return false;
@@ -277,7 +277,7 @@ static void free_impacts(aspi_side *side) {
 }
 
 static int by_angle(const void *left, const void *right) {
-  const scatter_point *a = left, *b = right;
+  const aspi_scatter_point *a = left, *b = right;
   return (a->degrees > b->degrees) - (a->degrees < b->degrees);
 }
 

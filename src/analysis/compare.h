@@ -26,8 +26,8 @@ typedef struct aspi_compare_bin {
 
 typedef struct aspi_comparison {
   const char *names[2]; /* of the files: impacts, data; no second one: the impacts alone */
-  scatter_impacts impacts;
-  measured data; /* of impacts alone, these */
+  aspi_scatter_impacts impacts;
+  aspi_measured data; /* of impacts alone, these */
   aspi_compare_bin *bins;
   size_t count;
   aspi_estimate score;

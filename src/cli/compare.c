@@ -100,7 +100,7 @@ static void check_bins(const aspi_comparison *c) {
 }
 
 /* Warns if the comment that the impacts begin with names a fitted law or constant. */
-static void warn_double(const scatter_impacts *impacts) {
+static void warn_double(const aspi_scatter_impacts *impacts) {
   static const char *const fitted[] = {"grant_tabakoff", "rebound table", "yield_rate"};
   for (size_t i = 0; impacts->rough && i < sizeof fitted / sizeof *fitted; i++)
     if (strstr(impacts->comment, fitted[i])) {
@@ -137,19 +137,19 @@ static void leave_out(aspi_comparison *c) {
 
 /* Takes the impacts themselves for rows, whose places are those of the table. */
 static void take_impacts(aspi_comparison *c) {
-  const scatter_impacts *impacts = &c->impacts;
-  c->data = (measured){.rows = cli_allocate(impacts->count, sizeof *c->data.rows),
-                       .count = impacts->count,
-                       .has_outcome = true};
+  const aspi_scatter_impacts *impacts = &c->impacts;
+  c->data = (aspi_measured){.rows = cli_allocate(impacts->count, sizeof *c->data.rows),
+                            .count = impacts->count,
+                            .has_outcome = true};
   for (size_t i = 0; i < impacts->count; i++) {
-    const scatter_point *p = &impacts->points[i];
-    c->data.rows[i] = (measured_row){.degrees = p->degrees,
-                                     .v1 = p->v1,
-                                     .d_p = p->d_p,
-                                     .cor = {p->cor[COR_N], p->cor[COR_T]},
-                                     .deposit = p->deposit};
+    const aspi_scatter_point *p = &impacts->points[i];
+    c->data.rows[i] = (aspi_measured_row){.degrees = p->degrees,
+                                          .v1 = p->v1,
+                                          .d_p = p->d_p,
+                                          .cor = {p->cor[COR_N], p->cor[COR_T]},
+                                          .deposit = p->deposit};
   }
-  measured_sort(&c->data);
+  cli_measured_sort(&c->data);
 }
 
 static void print_impacts(FILE *out, const aspi_comparison *c) {
@@ -199,12 +199,12 @@ static aspi_compare_reach reach_of(const cli_option *option) {
 
 /* Impacts as the data look at them. */
 static void take_view(aspi_comparison *c) {
-  measured_need_view(c->names[1], &c->data, c->impacts.sideways);
-  if (c->data.view != MEASURED_SPACE)
+  cli_measured_need_view(c->names[1], &c->data, c->impacts.sideways);
+  if (c->data.view != ASPI_MEASURED_SPACE)
     return;
   size_t missing = 0;
   for (size_t i = 0; i < c->impacts.count; i++) {
-    scatter_point *p = &c->impacts.points[i];
+    aspi_scatter_point *p = &c->impacts.points[i];
     missing += isfinite(p->cor[COR_T]) && isnan(p->cor_t_space);
     p->cor[COR_T] = p->cor_t_space;
   }
@@ -216,8 +216,8 @@ static void take_view(aspi_comparison *c) {
 
 static void free_comparison(aspi_comparison *c) {
   aspi_compare_free_bins(c);
-  scatter_free_impacts(&c->impacts);
-  measured_free(&c->data);
+  cli_scatter_free_impacts(&c->impacts);
+  cli_measured_free(&c->data);
 }
 
 static void must(asp_code code, const asp_error *error) {
@@ -242,7 +242,7 @@ static void table_impacts(aspi_comparison *c, const cli_option *bin) {
 static void compare_with(aspi_comparison *c, const cli_option *options) {
   aspi_compare_reach far = reach_of(&options[NEAR]);
   asp_error error;
-  c->data = measured_read(c->names[1], &options[MEASURED]);
+  c->data = cli_measured_read(c->names[1], &options[MEASURED]);
   leave_out(c);
   take_view(c);
   make_bins(c, &options[BIN]);
@@ -276,7 +276,7 @@ static int run(int argc, char **argv) {
   for (int i = first; i < argc; i++)
     cli_keep_input(options, argv[i]);
   aspi_comparison c = {.names = {argv[first], alone ? NULL : argv[first + 1]},
-                       .impacts = scatter_read_impacts(argv[first])};
+                       .impacts = cli_scatter_read_impacts(argv[first])};
   if (alone)
     table_impacts(&c, &options[BIN]);
   else

@@ -55,7 +55,7 @@ static double cor_t_space(const impact_row *row) {
   return isnan(row->cor[COR_T]) ? NAN : sqrt(fmax(0, ratio * ratio - normal * normal)) / cos(alpha);
 }
 
-static void add_impact(scatter_impacts *impacts, const impact_row *row) {
+static void add_impact(aspi_scatter_impacts *impacts, const impact_row *row) {
   double whole = row->deposit ? NAN : cor_t_space(row);
   impacts->sideways =
       impacts->sideways ||
@@ -64,12 +64,12 @@ static void add_impact(scatter_impacts *impacts, const impact_row *row) {
   impacts->deposits += row->deposit;
   impacts->points = grow(impacts->points, impacts->count, sizeof *impacts->points);
   impacts->points[impacts->count++] =
-      (scatter_point){row->degrees,
-                      (float)(row->v1 * impacts->metre_per_second),
-                      (float)(row->d_p * impacts->metre),
-                      row->deposit,
-                      (float)whole,
-                      {row->deposit ? NAN : row->cor[0], row->deposit ? NAN : row->cor[1]}};
+      (aspi_scatter_point){row->degrees,
+                           (float)(row->v1 * impacts->metre_per_second),
+                           (float)(row->d_p * impacts->metre),
+                           row->deposit,
+                           (float)whole,
+                           {row->deposit ? NAN : row->cor[0], row->deposit ? NAN : row->cor[1]}};
 }
 
 typedef struct impact_columns {
@@ -105,7 +105,7 @@ static int find_either(const aspi_csv *csv, const char *first, const char *secon
 
 /* The units of a ledger, from its comment, as metres and metres per second; else SI. The command
  * writes diameters in micrometres. */
-static void read_units(scatter_impacts *impacts, bool micrometres) {
+static void read_units(aspi_scatter_impacts *impacts, bool micrometres) {
   static const struct {
     const char *words;
     double metre, metre_per_second;
@@ -118,7 +118,7 @@ static void read_units(scatter_impacts *impacts, bool micrometres) {
     }
 }
 
-static asp_code read_csv_rows(aspi_csv *csv, scatter_impacts *impacts, asp_error *error) {
+static asp_code read_csv_rows(aspi_csv *csv, aspi_scatter_impacts *impacts, asp_error *error) {
   snprintf(impacts->comment, sizeof impacts->comment, "%.1000s", csv->comment);
   read_units(impacts, aspi_csv_find(csv, "dp_um") >= 0);
   impact_columns at = {.v1 = find_either(csv, ledger_name[LEDGER_V1], "v1_m_s"),
@@ -157,8 +157,8 @@ static int find_entry(char *const names[], int count, int column) {
   return -1;
 }
 
-static asp_code read_dump_row(aspi_csv *csv, const impact_columns *at, scatter_impacts *impacts,
-                              asp_error *error) {
+static asp_code read_dump_row(aspi_csv *csv, const impact_columns *at,
+                              aspi_scatter_impacts *impacts, asp_error *error) {
   int count = aspi_text_split(csv->text.text, ' ', csv->fields, ASP_CSV_COLUMNS);
   if (count != csv->columns)
     return aspi_text_fail(&csv->text, csv->text.line, error, "%d numbers under %d columns", count,
@@ -196,7 +196,7 @@ static asp_code read_dump_header(aspi_csv *csv, impact_columns *at, asp_error *e
 }
 
 /* A `dump local` file: blocks of a header of ITEM lines, then rows. */
-static asp_code read_dump(aspi_csv *csv, scatter_impacts *impacts, asp_error *error) {
+static asp_code read_dump(aspi_csv *csv, aspi_scatter_impacts *impacts, asp_error *error) {
   impact_columns at;
   bool in_rows = false, found;
   asp_code code = ASP_OK;
@@ -241,7 +241,7 @@ static asp_code read_array_row(const npy *array, const impact_columns *at, impac
   return ASP_OK;
 }
 
-static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impacts,
+static asp_code read_array(FILE *stream, const char *path, aspi_scatter_impacts *impacts,
                            asp_error *error) {
   npy array;
   asp_code code = cli_npy_open(&array, stream, path, error);
@@ -277,7 +277,7 @@ static bool is_dump(FILE *stream) {
   return dump;
 }
 
-static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_error *error) {
+static asp_code read_impacts(const char *path, aspi_scatter_impacts *impacts, asp_error *error) {
   FILE *stream = aspi_file_open(path, error);
   if (!stream)
     return error->code;
@@ -303,8 +303,8 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
   return code;
 }
 
-scatter_impacts scatter_read_impacts(const char *path) {
-  scatter_impacts impacts = {.metre = 1, .metre_per_second = 1};
+aspi_scatter_impacts cli_scatter_read_impacts(const char *path) {
+  aspi_scatter_impacts impacts = {.metre = 1, .metre_per_second = 1};
   asp_error error;
   if (read_impacts(path, &impacts, &error))
     cli_bad_file(NULL, &error);
@@ -317,6 +317,6 @@ scatter_impacts scatter_read_impacts(const char *path) {
   return impacts;
 }
 
-void scatter_free_impacts(scatter_impacts *impacts) {
+void cli_scatter_free_impacts(aspi_scatter_impacts *impacts) {
   free(impacts->points);
 }

@@ -7,7 +7,7 @@
 #include "analysis/impacts.h"
 
 /* Exits on a file that is not one of these, and warns where angles look like radians. */
-scatter_impacts scatter_read_impacts(const char *path);
-void scatter_free_impacts(scatter_impacts *impacts);
+aspi_scatter_impacts cli_scatter_read_impacts(const char *path);
+void cli_scatter_free_impacts(aspi_scatter_impacts *impacts);
 
 #endif
