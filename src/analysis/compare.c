@@ -192,7 +192,7 @@ static bool take_data(const aspi_measured *data, aspi_compare_bin *b) {
  */
 
 /* Of the impacts before each, which are in order of their angle: how many have a coefficient, and
- * the sums of it and of its square, from a middle value on. */
+ * the sums of its difference from 0.5 and of that squared. */
 typedef struct running {
   double n, sum, squares;
 } running;
@@ -207,9 +207,8 @@ static bool take_intervals(aspi_comparison *c, double far, int which) {
   running *before = calloc(c->impacts.count + 1, sizeof *before);
   if (!before)
     return false;
-  double middle = 0.5;
   for (size_t i = 0; i < c->impacts.count; i++) {
-    double u = points[i].cor[which] - middle;
+    double u = points[i].cor[which] - 0.5;
     bool is = isfinite(u);
     before[i + 1] = (running){before[i].n + is, before[i].sum + (is ? u : 0),
                               before[i].squares + (is ? u * u : 0)};
@@ -233,7 +232,7 @@ static bool take_intervals(aspi_comparison *c, double far, int which) {
     *s = aspi_sample_none;
     s->count = (size_t)n;
     s->size = n;
-    s->mean = middle + sum / n;
+    s->mean = 0.5 + sum / n;
     if (n > 1) {
       double spread = squares - sum * sum / n;
       s->sd = spread > ROUNDING * before[end].squares ? sqrt(spread / (n - 1)) : 0;
