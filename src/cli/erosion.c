@@ -160,7 +160,7 @@ static int run(int argc, char **argv) {
                         .needs = needs,
                         .take = add_row,
                         .taker = &w};
-  scatter_read_rows(&ledger);
+  cli_scatter_read_rows(&ledger);
   if (!has_law && *ledger.comment && !strstr(ledger.comment, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w.path);

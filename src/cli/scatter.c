@@ -276,7 +276,7 @@ static asp_code read_file(file *f, asp_error *error) {
   return code;
 }
 
-void scatter_read_rows(impact_file *to) {
+void cli_scatter_read_rows(impact_file *to) {
   file f = {.to = to, .unit = {1, 1, 1, 1}};
   asp_error error;
   if (read_file(&f, &error))
@@ -296,7 +296,7 @@ static double cor_t_space(const double of[]) {
 
 static asp_code add_impact(void *taker, const double of[], asp_error *error) {
   (void)error;
-  scatter_impacts *impacts = taker;
+  aspi_scatter_impacts *impacts = taker;
   bool deposit = of[IMPACT_OUTCOME] > 0;
   double whole = deposit ? NAN : cor_t_space(of);
   impacts->sideways =
@@ -305,22 +305,22 @@ static asp_code add_impact(void *taker, const double of[], asp_error *error) {
   impacts->rough = impacts->rough || fabs(of[IMPACT_DELTA]) > 0;
   impacts->deposits += deposit;
   impacts->points = grow(impacts->points, impacts->count, sizeof *impacts->points);
-  impacts->points[impacts->count++] = (scatter_point){
+  impacts->points[impacts->count++] = (aspi_scatter_point){
       of[IMPACT_ALPHA1],     (float)of[IMPACT_V1],
       (float)of[IMPACT_D_P], deposit,
       (float)whole,          {deposit ? NAN : of[IMPACT_COR_N], deposit ? NAN : of[IMPACT_COR_T]}};
   return ASP_OK;
 }
 
-scatter_impacts scatter_read_impacts(const char *path) {
-  scatter_impacts impacts = {.count = 0};
+aspi_scatter_impacts cli_scatter_read_impacts(const char *path) {
+  aspi_scatter_impacts impacts = {.count = 0};
   impact_file from = {.path = path,
                       .uses = ~(1u << IMPACT_MESH | 1u << IMPACT_TRIANGLE | 1u << IMPACT_MASS |
                                 1u << IMPACT_ERODED),
                       .needs = 1 << IMPACT_ALPHA1 | 1 << IMPACT_COR_N,
                       .take = add_impact,
                       .taker = &impacts};
-  scatter_read_rows(&from);
+  cli_scatter_read_rows(&from);
   memcpy(impacts.comment, from.comment, sizeof impacts.comment);
   double most = 0;
   for (size_t i = 0; i < impacts.count; i++)
@@ -331,6 +331,6 @@ scatter_impacts scatter_read_impacts(const char *path) {
   return impacts;
 }
 
-void scatter_free_impacts(scatter_impacts *impacts) {
+void cli_scatter_free_impacts(aspi_scatter_impacts *impacts) {
   free(impacts->points);
 }

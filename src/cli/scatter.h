@@ -35,10 +35,10 @@ typedef struct impact_file {
 } impact_file;
 
 /* Hands over the rows of a file one by one. Exits on a file that is not one of these. */
-void scatter_read_rows(impact_file *file);
+void cli_scatter_read_rows(impact_file *file);
 
 /* All of them. Exits alike, and warns where angles look like radians. */
-scatter_impacts scatter_read_impacts(const char *path);
-void scatter_free_impacts(scatter_impacts *impacts);
+aspi_scatter_impacts cli_scatter_read_impacts(const char *path);
+void cli_scatter_free_impacts(aspi_scatter_impacts *impacts);
 
 #endif
