@@ -76,21 +76,18 @@ if [ -n "$objects" ]; then
   # in namespace asperity.
   # An engine's classes and the functions that it calls are named as it wants them.
   build=${objects%/src/CMakeFiles/*}
-  own=" analysis $(cd "$src" && grep -L 'int main(' ./*/*.c | cut -d/ -f2 | sort -u | tr '\n' ' ')"
-  while read -r object; do
-    path=${object##*.dir/}; path=${path#__/src/}
-    [[ $own == *" ${path%%/*} "* ]] && [ -e "$src/${path%.o}" ] || continue
-    nm --defined-only -g "$object" | awk -v file="$path" 'NF == 3 && $3 !~ (file ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_") { print file, $3 }'
-    echo "$path" >> "$work/named"
-  done < <(find "$build/src/CMakeFiles" "$build/tests/CMakeFiles" -name '*.c.o') | sort -u > "$work/astray"
-  [ "$(sort -u "$work/named" | wc -l)" -gt 60 ] || say "few objects were found in $build"
-  while read -r object; do
-    path=${object##*.dir/}
-    [ -e "$src/${path%.o}" ] || continue
-    nm --defined-only -g -C "$object" | awk -v file="$path" '{ kind = $2; sub(/^[^ ]* [^ ]* /, "") }
-      kind ~ /[TDBR]/ && !/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS)::/ && !/^(main|lammpsplugin_init)$/ {
-        print file, $0 }'
-  done < <(find "$build/src/CMakeFiles" -path '*.dir/*' -name '*.cpp.o') | sort -u >> "$work/astray"
+  objects_of() { # SUFFIX: of files that are there
+    find "$build/src/CMakeFiles" -path '*.dir/*' -name "*.$1.o" | while read -r object; do
+      path=${object##*.dir/}
+      [ ! -e "$src/${path%.o}" ] || echo "$object"
+    done
+  }
+  [ "$(objects_of c | wc -l)" -gt 60 ] || say "few objects were found in $build"
+  objects_of c | xargs nm -A --defined-only -g | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); name = $NF
+      if (name !~ (file ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_")) print file, name }' | sort -u > "$work/astray"
+  objects_of cpp | xargs nm -A --defined-only -g -C | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); kind = $2; sub(/^[^ ]* [^ ]* /, "")
+      if (kind ~ /[TDBR]/ && !/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS)::/ && !/^(main|lammpsplugin_init)$/) print file, $0 }' |
+    sort -u >> "$work/astray"
   while read -r file symbol; do
     say "$file defines $symbol, which is neither asp_, aspi_ or cli_ as its room has it nor in namespace asperity"
   done < "$work/astray"
