@@ -1,4 +1,4 @@
-/* Where a fit begins, and what is made of its end; see fit.h.
+/* Starting points and results of a fit; see fit.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/fit.h"
@@ -31,8 +31,8 @@ enum { PROBES = 256, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
 /* Rounds of weights and least squares, and those of the first, rough ones. */
 enum { ROUNDS = 16, FIRST_ROUNDS = 3 };
 
-/* The interval of an unknown whose error is larger, on its scale, or that is nearer to a bound than
- * so many errors, is that of the rise of chi^2. */
+/* The interval of an unknown comes from the rise of chi^2 if its error is above VAGUE on its scale,
+ * or a bound is nearer than NEAR errors. */
 #define VAGUE 0.4
 #define NEAR 3.0
 

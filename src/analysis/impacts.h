@@ -35,9 +35,9 @@ typedef struct measured_row {
   bool deposit;
 } measured_row;
 
-/* How rebounds were looked at: in the plane of incidence, as by one camera from the side, so that
- * CoR_T has a sign; in space, where it is of the whole speed along the wall; or by columns that
- * mean either. */
+/* View of the measured rebounds: in the plane of incidence, as one camera sees them from the side,
+ * so that CoR_T has a sign; in space, with CoR_T of the whole speed along the wall; or columns that
+ * can mean either. */
 typedef enum measured_view { MEASURED_PLANE, MEASURED_SPACE, MEASURED_EITHER } measured_view;
 
 typedef struct measured {

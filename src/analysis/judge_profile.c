@@ -1,5 +1,5 @@
-/* The judge in the plane of incidence: generated profiles, or the pieces of a measured one; see
- * judge.h. Later hits are followed over the path of the particle's centre.
+/* Reference in the plane of incidence: generated profiles, or the pieces of a measured one; see
+ * judge.h. Later hits are followed along the path of the particle's center.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge_flights.h"
@@ -41,7 +41,7 @@ static asp_profile *piece_of(const aspi_judge_case *subject, size_t number, asp_
   return part_of(subject->profile, first, end - first, error);
 }
 
-/* The path of the particle's centre over a realization, as one of the flights sees it. */
+/* The path of the particle's center over a realization, as one of the flights meets it. */
 static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int flight,
                             asp_error *error) {
   double r_q = subject->wall.r_q, lambda_c = subject->wall.lambda_1;
@@ -59,8 +59,8 @@ static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int f
   return path;
 }
 
-/* What a flight goes over, as a wall and a line, and the diameter of what flies: of a path of the
- * center nearly nothing. */
+/* The line that a flight passes over, as a wall and as segments, and the diameter of the flying
+ * particle: nearly 0 over the path of the center. */
 typedef struct course {
   asp_wall *wall;
   aspi_line line;

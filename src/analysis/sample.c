@@ -12,7 +12,7 @@
 /* Fewer values than this have no 5 to 95 % band. */
 enum { BAND_LEAST = 20 };
 
-/* Up to so many pairs of values the p-value is exact; and so many for Fisher's exact test. */
+/* The p-value is exact up to EXACT_MOST pairs of values, Fisher's test up to SHARES_MOST values. */
 #define EXACT_MOST 4e6
 #define SHARES_MOST 100000
 

@@ -11,8 +11,8 @@ typedef struct aspi_weighted {
   double value, weight;
 } aspi_weighted;
 
-/* A sample; NAN where it is too small for a number. size: how many equal weights would know as
- * much (Kish). low and high are the quantiles 0.05 and 0.95. */
+/* A sample; NAN where it is too small for a number. size: effective sample size (Kish). low and
+ * high are the quantiles 0.05 and 0.95. */
 typedef struct aspi_sample {
   aspi_weighted *values; /* in order; NULL where they are not kept */
   size_t count;

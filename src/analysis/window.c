@@ -1,6 +1,6 @@
 /* Statistics of a window that moves over points; see window.h. Moments come from a tree of the
- * moments of 2, 4, 8 ... points, which are merged, so that nothing is taken away from a sum again;
- * order statistics from counts in a Fenwick tree over the values.
+ * moments of 2, 4, 8 ... points. They are only merged, never subtracted, so no digits are lost.
+ * Order statistics come from counts in a Fenwick tree over the values.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/window.h"
@@ -94,7 +94,7 @@ void aspi_window_free(aspi_window *w) {
   free(w);
 }
 
-/* Counts a point in or, with step -1 as an unsigned number, out. */
+/* Adds a point to the window; with step -1 (as an unsigned number) removes it. */
 static void note(aspi_window *w, size_t point, size_t step) {
   for (size_t i = w->rank[point]; i <= w->leaves; i += i & -i)
     w->inside[i] += step;
@@ -124,7 +124,7 @@ void aspi_window_moments(const aspi_window *w, double *mean, double *sd) {
   *sd = aspi_running_sd(&all);
 }
 
-/* The value of the point number k within, from 0, in order of values. */
+/* The k-th smallest value in the window, from 0. */
 static double ordered(const aspi_window *w, size_t k) {
   size_t at = 0;
   for (size_t step = w->leaves; step > 0; step /= 2)

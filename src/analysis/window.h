@@ -9,8 +9,8 @@
 
 typedef struct aspi_window aspi_window;
 
-/* Of `count` points in order of their angle; those whose value is NAN are left out. Angles and
- * values are `stride` bytes apart. NULL: out of memory. */
+/* A window over `count` points in order of their angle; points whose value is NAN are left out.
+ * Angles and values are `stride` bytes apart. NULL: out of memory. */
 aspi_window *aspi_window_create(const double *angles, const double *values, size_t stride,
                                 size_t count);
 void aspi_window_free(aspi_window *window);

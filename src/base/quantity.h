@@ -14,10 +14,10 @@
 asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
                             const asp_units *units, double *value, asp_error *error);
 
-/* A length with its unit, um from 1e-9 m on, that reads as the same number of metres. */
+/* A length with its unit, um from 1e-9 m on, that reads as the same number of meters. */
 void aspi_quantity_print_length(double metres, char text[32]);
 
-/* How many of the caller's units make one of SI of that kind; 0 where they are not known. */
+/* Number of the caller's units in one SI unit of that kind; 0 if the units are unknown. */
 double aspi_quantity_factor(const char *kind, const asp_units *units);
 
 /* The units of a kind, as "m cm mm um nm"; "" where it has none. At most `size` characters. */

@@ -29,12 +29,11 @@ measured measured_read(const char *path, const cli_option *options);
 /* Puts rows in order of angle, speed, size. */
 void measured_sort(measured *data);
 
-/* Exits where the data do not say how they look at rebounds, and `matters`: it makes a difference.
- */
+/* Exits if the data do not state their view of rebounds, and `matters`: it makes a difference. */
 void measured_need_view(const char *path, measured *data, bool matters);
 void measured_free(measured *data);
 
-/* The part of a help text that says which columns there may be. */
+/* The part of a help text about the possible columns. */
 #define MEASURED_FORMS                                                                             \
   "DATA is CSV (- is standard input); a name's unit stands behind it: alpha1_deg or alpha1_rad,\n" \
   "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. "        \

@@ -38,11 +38,11 @@ static void warn_radians(const char *path, double most, size_t count) {
              path, RADIANS_MOST);
 }
 
-/* What the ledger's files call its columns. */
+/* Names of the columns in a ledger's file. */
 #define LEDGER_NAMED(ID, name, type, text) name,
 static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)};
 
-/* What is read of an impact, wherever it comes from. */
+/* The values of one impact, from any kind of file. */
 typedef struct impact_row {
   double degrees, delta, v1, d_p, cor[COR_BOTH], v2, cor_v_space; /* the last two: one of them */
   bool deposit;
@@ -103,8 +103,8 @@ static int find_either(const aspi_csv *csv, const char *first, const char *secon
   return index >= 0 ? index : aspi_csv_find(csv, second);
 }
 
-/* The units of a ledger, from its comment, as metres and metres per second; else SI. The command
- * writes diameters in micrometres. */
+/* The units of a ledger, from its comment, as meters and meters per second; else SI. The command
+ * writes diameters in micrometers. */
 static void read_units(scatter_impacts *impacts, bool micrometres) {
   static const struct {
     const char *words;

@@ -22,7 +22,7 @@ class Ledger : public LedgerColumn {
 public:
   typedef LedgerRow Row;
 
-  /* What the engine has to do where rows cannot be written. */
+  /* Reaction of the engine if rows cannot be written. */
   enum OnError { STOP, GO_ON };
 
   /* Without a path there is no file. `owner` is what messages call the wall. columns: N_COLUMNS or
@@ -31,7 +31,7 @@ public:
          OnError on_error, int columns);
   ~Ledger();
 
-  /* What a restart file tells of the file; before open(). */
+  /* Takes the file's state from a restart file; before open(). */
   void restore(const LedgerState &saved);
 
   /* Opens the file, on rank 0, with a heading, for rows from `step` on; once, whenever a run
@@ -70,7 +70,7 @@ public:
   double memory_usage() const;
 
 private:
-  /* Where a row belongs. */
+  /* Sort key of a row. */
   struct Key {
     double step, time, tag, impact;
     bool operator<(const Key &other) const;

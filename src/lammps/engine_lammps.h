@@ -31,7 +31,7 @@ public:
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;
 
-  /* What the steps need. */
+  /* The particles of this rank, for a step. */
   asperity::Spheres spheres() const;
   asperity::Box box() const;
 

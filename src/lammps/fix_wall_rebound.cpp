@@ -133,7 +133,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
                             p_->engine.known_units() +
                             ", or the law one without materials, such as rebound constant");
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
   scalar_flag = vector_flag = array_flag = 1;
   size_vector = Wall::N_COUNTERS;
@@ -257,7 +257,7 @@ void FixWallRebound::init() {
       p_->region->init();
     p_->wall.init(update->ntimestep, update->dt);
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
 }
 
@@ -290,7 +290,7 @@ void FixWallRebound::setup(int) {
     }
     p_->wall.setup(p_->engine.spheres(), groupbit, p_->engine.box());
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
 }
 
@@ -320,7 +320,7 @@ void FixWallRebound::post_integrate() {
     }
     Wall::step(walls, p_->engine.spheres());
   } catch (const std::exception &wrong) {
-    error->one(FLERR, "Fix wall/rebound: " + asperity::told(wrong));
+    error->one(FLERR, "Fix wall/rebound: " + asperity::message_of(wrong));
   }
   for (FixWallRebound *fix : p_->siblings) {
     if (fix->p_->wall.model().deposit() != Model::DELETE)
@@ -382,7 +382,7 @@ void FixWallRebound::end_of_step() {
       p_->map.write(world, update->ntimestep, p_->mesh->triangles(), p_->mesh->motion().end(),
                     p_->wall.sums(0), p_->wall.worn_density(0));
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
   if (Ledger *ledger = p_->wall.ledger()) { /* between two windows there are no rows to be read */
     const bool due = update->ntimestep % ledger->every() == 0;
@@ -396,7 +396,7 @@ void FixWallRebound::post_run() {
   try {
     p_->wall.end_run();
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
 }
 
@@ -428,7 +428,7 @@ void FixWallRebound::write_restart(FILE *file) {
   try {
     record = p_->wall.save();
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
   if (comm->me != 0)
     return;
@@ -442,7 +442,7 @@ void FixWallRebound::restart(char *buffer) {
   try {
     p_->wall.restore(buffer);
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
   p_->restarted = true;
 }
@@ -470,7 +470,7 @@ int FixWallRebound::modify_param(int narg, char **arg) {
   try {
     drive.parse(words, read);
   } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::told(wrong));
+    fail(FLERR, asperity::message_of(wrong));
   }
   p_->mesh->redirect(drive);
   return narg - static_cast<int>(words.left());

@@ -49,7 +49,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     check_meshes();
     wall_.parse(words, geometry);
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(asperity::message_of(wrong));
   }
   scalar_flag = vector_flag = array_flag = 1;
   size_vector = Wall::N_COUNTERS;
@@ -349,7 +349,7 @@ void FixWallRebound::init() {
   try {
     wall_.init(update->ntimestep, update->dt);
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(asperity::message_of(wrong));
   }
 }
 
@@ -402,7 +402,7 @@ void FixWallRebound::setup(int) {
     set_rows();
     wall_.setup(spheres(), groupbit, box);
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(asperity::message_of(wrong));
   }
   show_maps();
 }
@@ -420,7 +420,7 @@ void FixWallRebound::post_integrate() {
     }
     Wall::step(walls, spheres());
   } catch (const std::exception &wrong) {
-    error->one(FLERR, ("Fix wall/rebound: " + asperity::told(wrong)).c_str());
+    error->one(FLERR, ("Fix wall/rebound: " + asperity::message_of(wrong)).c_str());
   }
   for (FixWallRebound *fix : siblings_) {
     if (fix->wall_.model().deposit() != Model::DELETE)
@@ -491,7 +491,7 @@ void FixWallRebound::end_of_step() {
   try {
     wall_.end_step(update->ntimestep, is_output);
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(asperity::message_of(wrong));
   }
   if (Ledger *ledger = wall_.ledger()) { /* between two windows there are no rows to be read */
     const bool due = update->ntimestep % ledger->every() == 0;
@@ -505,7 +505,7 @@ void FixWallRebound::post_run() {
   try {
     wall_.end_run();
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(asperity::message_of(wrong));
   }
 }
 
@@ -548,7 +548,7 @@ void FixWallRebound::write_restart(FILE *file) {
   try {
     record = wall_.save();
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(asperity::message_of(wrong));
   }
   if (comm->me != 0)
     return;
@@ -562,7 +562,7 @@ void FixWallRebound::restart(char *buffer) {
   try {
     wall_.restore(buffer);
   } catch (const std::exception &wrong) {
-    fail(asperity::told(wrong));
+    fail(asperity::message_of(wrong));
   }
   restarted_ = true;
 }

@@ -2,7 +2,7 @@
  * constants and per-atom numbers. What a wall does is in src/wall, where nothing has LIGGGHTS.
  *
  * Contacts are worked out in post_integrate, when particles and meshes are where the step has taken
- * them and before the forces are computed there: so that forces, ghosts and neighbour lists see
+ * them and before the forces are computed there: so that forces, ghosts and neighbor lists see
  * where particles are after their rebounds. The first fix of the style does it for all of them, for
  * a particle may meet two walls in one step.
  *

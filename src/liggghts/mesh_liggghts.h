@@ -91,7 +91,7 @@ private:
   std::unique_ptr<asperity::SharedTriangles> shared_; /* of a large mesh on several ranks */
   std::string report_;                                /* for the log */
   mutable std::vector<asperity::Bounds> fetched_; /* of which this rank has the triangles then */
-  NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
+  NodeName nodes_[3]; /* far from each other: they fix the position of the mesh */
   double reference_[3][3];
   double force_[3], torque_[3];             /* handed over in this step; of the next one so far */
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */

@@ -80,7 +80,7 @@ static long double softened(const double *p) {
   return fmaxl(0, 1 - p[SOFTEN_RATE] * over);
 }
 
-/* Where nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
+/* If nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1, density = hit->density;

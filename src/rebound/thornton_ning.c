@@ -36,7 +36,7 @@ static const asp_parameter parameters[N_PARAMETERS] = {
                   .keyword = "pressure_ratio"},
 };
 
-/* What the spring returns of an approach speed, and the radius of its dent per R. */
+/* Speed after unloading for a given approach speed, and the dent's radius per R. */
 static long double unload(long double n1, long double v_y, long double *radius) {
   *radius = 1;
   if (n1 <= v_y)

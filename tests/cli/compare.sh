@@ -108,7 +108,7 @@ for set in grant_tabakoff_1975:grant_tabakoff "forder_1998:table $data/forder_19
   "$asperity" cor rebound ${set#*:} --angles 10:85:5 --samples 1 -o impacts
   "$asperity" compare impacts "$data/${set%%:*}.csv" --near 0.1 2> /dev/null | tail -n 1 | awk -F, '{ exit !($21 < 6e-5) }' || die "${set#*:} is not its data"
 done
-[ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their licence"
+[ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their license"
 
 # The picture names both files.
 "$asperity" compare quarter half --plot p.svg > got 2> err

@@ -88,7 +88,7 @@ refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
 grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"
 
 # Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
-refuses 2 --gaps 'of which it says nothing' -- surface surface rq 5um lambda_c 40um --gaps fill
+refuses 2 --gaps 'does not apply to' -- surface surface rq 5um lambda_c 40um --gaps fill
 refuses 2 --points "'surface profile'" -- surface surface profile waves.csv --points 8192
 refuses 2 'robust goes with cutoff' -- surface surface profile waves.csv --filter 'robust'
 refuses 2 "rq is '5'" 'without a unit' -- surface surface rq 5 lambda_c 40um

@@ -34,7 +34,7 @@ static void setup_free(setup *s) {
   asp_surface_free(s->surface);
 }
 
-/* An impact along x; psi is the angle from x to the axis across the lay, towards n x t = y. */
+/* An impact along x; psi is the angle from x to the axis across the lay, toward n x t = y. */
 static asp_impact meet(const setup *s, double d_p, double alpha1, double psi, uint64_t tag) {
   double lay[3] = {-sin(psi), cos(psi), 0.3}, v1[3] = {cos(alpha1), 0, -sin(alpha1)};
   asp_particle grain = {.d_p = d_p, .density = 1, .lay = lay};
