@@ -181,7 +181,7 @@ static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
   }
   fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
   fit->described = describes(fit->chi2, fit->dof);
-  if (s->kind == WEIGHTS_BOTH && fit->described) { /* the few impacts were too few to tell */
+  if (s->kind == WEIGHTS_BOTH && fit->described) { /* the model fits: use its weights alone */
     s->kind = WEIGHTS_MODEL;
     fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
     fit->described = describes(fit->chi2, fit->dof);

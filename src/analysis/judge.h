@@ -70,7 +70,7 @@ typedef struct aspi_judge {
  *
  * In three dimensions: surfaces with 20 points a correlation length along either side, over each of
  * which the sphere is rolled; the particles fly along x, half of them either way, until they leave.
- * The pieces of a map go on as their mirror images, and the particles fly in all directions.
+ * Mirror images continue the pieces of a map, and the particles fly in all directions.
  * `walls` is needed in the plane only. */
 asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
                            const aspi_judge_walls *walls, const double *degrees, size_t count,

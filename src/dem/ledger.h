@@ -36,7 +36,7 @@ public:
 
   /* Opens the file, on rank 0, with a heading, for rows from `step` on; once, whenever a run
    * begins. Collective. Throws an Error on all ranks where it cannot be written or continued.
-   * Returns what the user should know, or an empty string. */
+   * Returns a note for the user, or an empty string. */
   std::string open(const std::string &heading, int64_t step);
 
   void add(const Row &row);

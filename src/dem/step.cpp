@@ -1,14 +1,14 @@
 /* The contacts of a particle in one step: impacts, by the wall's law, and sustained contacts, by
  * Moreau's rule (sustained.h).
  *
- * One criterion tells them apart, for every kind of wall: a contact is sustained if the particle,
- * thrown back at the speed of its approach, would return within a step by what its straight path
- * leaves out. With the acceleration a of the particle and f of the wall (Contact::follow), that is
+ * One criterion separates them, for every kind of wall. A contact is sustained if a particle that
+ * rebounds at the speed of its approach would be pushed back to the wall within one step. With the
+ * acceleration a of the particle and f of the wall (Contact::follow), that is
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
  *
- * where the curve of the wall joins f if the particle stayed there before, and turns it by less
- * than TURN in a step; one that flies meets a curved wall again by its straight path. Less than
+ * f includes the curvature of the wall if the particle stayed there before and turns by less than
+ * TURN in a step; a free particle meets a curved wall again on its straight path. A speed below
  * GRAZING is no approach.
  *
  * A sustained contact is no impact: it has no row and is not counted.

@@ -2,9 +2,8 @@
  * counters, ledger, and restart data. It does not depend on an engine.
  *
  * A contact is an event on the straight path of a step, found before the forces of that step are
- * worked out: the particle goes on from there with its new velocity for the rest of the step,
- * through as many contacts, on as many walls, as there are. Walls of one run are worked out
- * together.
+ * computed. The particle continues from there with its new velocity for the rest of the step,
+ * through any number of contacts on any number of walls. All walls of a run are computed together.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_WALL_H

@@ -32,8 +32,8 @@ public:
   }
 
   /* At the beginning of a run, with the box around this rank's particles; collective. Throws an
-   * asperity::Error where the mesh has changed its form since the first run. Returns what the user
-   * should know, or an empty string. */
+   * asperity::Error where the mesh has changed its form since the first run. Returns a note for
+   * the user, or an empty string. */
   std::string setup(const asperity::Bounds &here);
 
   /* In each step, when the mesh is where it is at the end of it; collective. */

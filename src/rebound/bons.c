@@ -18,7 +18,7 @@
  * within 0.008 up to 60 degrees and has its least CoR_T at 70 degrees; this form with that mu has
  * it at 45 degrees and lies up to 0.35 higher.
  *
- * The form knows no spin. `spin on` lets the particle take part, as an extension of this project:
+ * The form has no spin. `spin on` lets the particle take part, as an extension of this project:
  * the impulse that the law takes from v_t1 is taken from the velocity of the particle's surface,
  * with its angle in place of alpha', and ends where the surface stops, at (2/7) of its speed.
  *

@@ -9,7 +9,7 @@
  * All from one secondary source; a negative sd is taken as 0. The scatter is drawn from a
  * log-normal law with that mean and sd: the source does not say which law it is, and a normal one
  * would throw particles into the wall (e_n < 0). It is the scatter of a real wall, roughness
- * included. The law knows neither speed nor material, and nothing sticks.
+ * included. The law depends on neither speed nor material, and nothing sticks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"

@@ -14,8 +14,8 @@
  *
  * Gamma = 2 gamma is the work of adhesion, gamma the pair's surface energy, as in `bons`. Their
  * adhesive and plastic parts are joined here by the radius R_p; adhesion is left out of the
- * loading. They say nothing of what happens along the face: there it is the hard sphere of `walton`
- * with the pair's friction, Coulomb's, and beta0 = 0.
+ * loading. The motion along the face is not part of their law; it is the hard sphere of `walton`
+ * with the pair's Coulomb friction and beta0 = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
