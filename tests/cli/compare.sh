@@ -22,7 +22,7 @@ done
 awk '{ n += $1 < 0.05; m += $1 } END { if (NR != 200 || n > 20 || m / NR < 0.44 || m / NR > 0.58) { print n " of 200 scores below 0.05, mean " m / NR; exit 1 } }' all.overall || die "compare: score"
 awk '{ m += $1 / 200 } END { exit !(m > 0.88 && m < 0.91) }' all.band || die "compare: band"
 
-# Another law is told apart, by the score too.
+# Another law differs, by the score too.
 "$asperity" cor $wall --angles 10,30,60 --samples 400 -o model
 "$asperity" cor $wall friction 0.2 seed 2 --angles 10,30,60 --samples 200 -o data
 "$asperity" compare model data | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 < 1e-6) }' || die "compare: another law"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the engine applies is the law: the smooth wall against `asperity cor`; and the odd cases: `timing
+# The engine applies the law: the smooth wall against `asperity cor`; and the odd cases: `timing
 # overlap`, a center exactly on the wall, a step that takes the center across it, a resting contact.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"

@@ -316,7 +316,7 @@ static void test_wide(void **unused) {
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
-/* It is clear until the time that is told; and that is no time much too early: the sphere is then
+/* It is clear until the predicted time, which is not much too early: the sphere is then
  * at the box and at the plane of a triangle. */
 static void check_clear(const ContactTree *tree, int round) {
   ContactPath path = {{0}, {0}, 3};

@@ -53,7 +53,7 @@ static void canonical_texts(void **state) {
       "yield_stress 150000000 deposit delete remove u_tau 2.5 gas_density 1.2 seed 1");
 }
 
-/* A text that does not fit is cut, and its length told. */
+/* A text that does not fit is cut, and its length returned. */
 static void short_room(void **state) {
   (void)state;
   char text[12];
