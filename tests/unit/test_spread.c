@@ -33,7 +33,7 @@ typedef struct subject {
 static void *prepare(const asp_spread_model *model, double slope) {
   if (!model->prepare)
     return NULL;
-  asp_profile *profile = asp_profile_create(slope / sqrt(2), 1, 1 / 32., 16384, 3, NULL);
+  asp_profile *profile = asp_profile_create(slope / sqrt(2), 1, 1 / 32., 8192, 3, NULL);
   aspi_sizes sizes = {0.1, 0.4, 3};
   void *data = model->prepare(profile, &sizes, NULL);
   asp_profile_free(profile);
@@ -384,7 +384,7 @@ static void tables_know_sizes(void **state) {
   (void)state;
   const asp_spread_model *model = asp_spread_find("profile", NULL);
   asp_profile *profile = asp_profile_create(0.5, 1, 1 / 32., 4096, 3, NULL);
-  for (int bins = 1; bins <= 32; bins = bins < 4 ? bins + 1 : 2 * bins) {
+  for (int bins = 1; bins <= 8; bins = bins < 4 ? bins + 1 : 2 * bins) {
     const aspi_sizes sizes = {0.05 * bins, 4, bins}; /* few an octave, and many */
     void *table = model->prepare(profile, &sizes, NULL);
     double last = 0, last_d_p = 0;
