@@ -12,11 +12,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Points per lambda_c of a profile that judges, and its length in lambda_c. */
+/* Points per lambda_c of a reference profile, and its length in lambda_c. */
 #define RESOLUTION 64
 #define LENGTH 2048
 
-/* Those that make models have seeds above 2^30 (first_hits.csv), or below 2^10 (traced). */
+/* Seeds of reference profiles. Profiles behind models have seeds above 2^30 (first_hits.csv) or
+ * below 2^10 (traced). */
 #define SEED_FIRST 1024
 
 /* Flights over a generated profile: over itself and its negative, and in both directions. */

@@ -8,9 +8,9 @@
 
 /* Reads all of a text as a number of the kind that `kind` names: length, speed, stress,
  * stress/speed, energy/area, density, degrees, K, 1/K, or "" for one without a unit. A number alone
- * is in the caller's units; one with a unit behind it is converted to them, exactly where these are
- * SI and the unit is a power of ten. ASP_EARG and a message that calls it `name` and lists the
- * units where it is none. */
+ * is in the caller's units; one with a unit is converted to them, exactly if these are SI and the
+ * unit is a power of ten. ASP_EARG if it is no such number; the message calls it `name` and lists
+ * the units. */
 asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
                             const asp_units *units, double *value, asp_error *error);
 
