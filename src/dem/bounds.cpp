@@ -15,6 +15,17 @@ Bounds Bounds::none() {
   return Bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
 }
 
+Bounds Bounds::of_path(const double x[3], const double v[3], double from, double to,
+                       double radius) {
+  Bounds box;
+  for (int d = 0; d < 3; d++) {
+    const double a = x[d] + v[d] * from, b = x[d] + v[d] * to;
+    box.lo[d] = std::min(a, b) - radius;
+    box.hi[d] = std::max(a, b) + radius;
+  }
+  return box;
+}
+
 bool Bounds::has(const Bounds &inner) const {
   bool all = true;
   for (int d = 0; d < 3; d++)

@@ -15,6 +15,9 @@ struct Bounds {
   void widen(double by);
   double size() const; /* its volume, with each side at least a little long */
   static Bounds none();
+  /* Of a sphere that moves from x by v, between two times. */
+  static Bounds of_path(const double x[3], const double v[3], double from, double to,
+                        double radius);
 };
 
 } // namespace asperity

@@ -1,4 +1,4 @@
-/* A mesh as a wall; see mesh.h.
+/* A mesh as a wall: its contacts; see mesh.h. What it takes along is in mesh_carry.cpp.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/mesh.h"
@@ -21,14 +21,8 @@ const size_t MANY = 64;
 /* In radii; see same_instant(). */
 const double GRAZING = 1e-7;
 
-/* How closely a particle that a belt takes along keeps its distance, in radii. */
-const double KEEPS = 1e-6;
-
 /* Sine of the angle to the face from which on a contact is one with an edge or a corner. */
 const double EDGE = 1e-6;
-
-/* Two faces are one where the cosine between their normals differs from 1 by less. */
-const double FLAT = 1e-9;
 
 /* How much later than `touch` another contact may be to be at the same instant: as far as the
  * instant is known, which is not well where the sphere grazes the wall, but no more than a small
@@ -124,18 +118,6 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
   return false;
 }
 
-/* The box of a sphere on its way. */
-static Bounds bounds_of(const double x[3], const double v[3], double from, double to,
-                        double radius) {
-  Bounds box;
-  for (int d = 0; d < 3; d++) {
-    const double a = x[d] + v[d] * from, b = x[d] + v[d] * to;
-    box.lo[d] = std::min(a, b) - radius;
-    box.hi[d] = std::max(a, b) + radius;
-  }
-  return box;
-}
-
 double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
                         double most, const Faces &stays) const {
   double steps = most;
@@ -151,10 +133,11 @@ double MeshShape::clear(const double x[3], const double v[3], double reach, doub
         by[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
     /* No farther than the triangles are known, and one step at least. */
-    while (!has_all() && steps > 1 && !has(bounds_of(at, by, 0, steps, reach + steps * widen)))
+    while (!has_all() && steps > 1 &&
+           !has(Bounds::of_path(at, by, 0, steps, reach + steps * widen)))
       steps = std::max(1.0, steps / 4);
     if (!has_all())
-      fetch_missing(bounds_of(at, by, 0, steps, reach + steps * widen));
+      fetch_missing(Bounds::of_path(at, by, 0, steps, reach + steps * widen));
     steps = std::min(
         steps, aspi_tree_clear(tree_.get(), at, by, reach, widen, steps, stays.face, stays.count));
   }
@@ -237,7 +220,7 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double latest
     return false;
   for (;;) {
     const double to = std::min(from + piece, most);
-    const ContactList &list = meet(bounds_of(body.x, body.v, from, to, 1.001 * radius),
+    const ContactList &list = meet(Bounds::of_path(body.x, body.v, from, to, 1.001 * radius),
                                    std::min(speed * (to - from), radius));
     if (list.count > MANY && piece > least) {
       piece = std::max(least, piece / 4);
@@ -317,7 +300,7 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
     aspi_subtract(x, shift.by, at);
     motion_.end().to_body(at, at);
     const double still[3] = {0, 0, 0};
-    fetch_missing(bounds_of(at, still, 0, 0, reach));
+    fetch_missing(Bounds::of_path(at, still, 0, 0, reach));
     const int place = aspi_tree_place(tree_.get(), piece);
     if (place < 0)
       continue;
@@ -388,123 +371,6 @@ bool MeshShape::find_known(int face, const Path &path, double radius, Contact &c
     return true;
   }
   return false;
-}
-
-void MeshShape::stick(const Path &path, const Contact &contact, Place &place) const {
-  place.piece = contact.piece;
-  if (motion_.in_world())
-    aspi_copy(contact.x, place.at);
-  else
-    motion_.at(path.share() + contact.time / path.dt).to_body(contact.x, place.at);
-}
-
-/* The vector is of the mesh's own frame, which is the world's when the wall is defined. */
-void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
-                    double direction[3]) const {
-  aspi_copy(lay.vector, direction);
-  if (motion_.in_world())
-    return;
-  const Frame frame = motion_.at(path.share() + contact.time / path.dt);
-  for (int i = 0; i < 3; i++)
-    direction[i] = aspi_dot(frame.turn[i], lay.vector);
-}
-
-/* One step along a belt: false where it ends, or runs against something. */
-bool MeshShape::walk(Place &place, double radius, double dt) const {
-  const double still[3] = {0, 0, 0};
-  const Bounds around = bounds_of(place.at, still, 0, 0, 2 * radius);
-  fetch_missing(around);
-  const ContactTree *tree = tree_.get();
-  const int from = aspi_tree_place(tree, place.piece);
-  if (from < 0)
-    return false;
-  double v[3], foot[3], there[3], arm[3];
-  aspi_triangle_nearest(aspi_tree_triangle(tree, from), place.at, foot);
-  surface_velocity(place.piece, foot, v);
-  aspi_add_scaled(place.at, 0.5 * dt, v, there); /* the midpoint rule, for belts that turn */
-  aspi_triangle_nearest(aspi_tree_triangle(tree, from), there, foot);
-  surface_velocity(place.piece, foot, v);
-  aspi_add_scaled(place.at, dt, v, there);
-  int to;
-  const double reach = radius + aspi_length(v) * dt + KEEPS * radius;
-  const Bounds ahead = bounds_of(there, still, 0, 0, 1.01 * reach);
-  fetch_missing(ahead);
-  tree = tree_.get();
-  const double distance = aspi_tree_distance(tree, there, reach, &to);
-  if (to < 0 || distance < (1 - KEEPS) * radius)
-    return false;
-  aspi_triangle_nearest(aspi_tree_triangle(tree, to), there, foot);
-  aspi_subtract(there, foot, arm);
-  double normal[3];
-  aspi_triangle_normal(aspi_tree_triangle(tree, to), normal);
-  if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) {
-    /* Over an edge: it goes on only where the mesh does, around the edge. */
-    const ContactList &list = meet(bounds_of(foot, still, 0, 0, KEEPS * radius), 0);
-    bool goes_on = false;
-    for (size_t i = 0; i < list.count; i++) {
-      double other[3], point[3], off[3];
-      const ContactTriangle *triangle = aspi_tree_triangle(tree, list.item[i]);
-      aspi_triangle_normal(triangle, other);
-      aspi_triangle_nearest(triangle, foot, point);
-      aspi_subtract(foot, point, off);
-      goes_on = goes_on ||
-                (aspi_length(off) <= KEEPS * radius && fabs(aspi_dot(other, normal)) < 1 - FLAT);
-    }
-    if (!goes_on)
-      return false;
-  }
-  place.piece = aspi_tree_id(tree, to);
-  aspi_add_scaled(foot, radius / distance, arm, place.at);
-  return true;
-}
-
-void MeshShape::carry(Place &place, double radius, double dt, double x[3], double v[3]) const {
-  double before[3];
-  aspi_copy(place.at, before);
-  if (runs() && dt > 0 && walk(place, radius, dt)) {
-    aspi_copy(place.at, x);
-    aspi_subtract(x, before, v);
-    aspi_scale(1 / dt, v);
-    return;
-  }
-  if (motion_.in_world())
-    aspi_copy(place.at, x);
-  else
-    motion_.end().to_world(place.at, x);
-  motion_.velocity(1, x, v);
-}
-
-std::vector<double> MeshShape::motion_record() const {
-  std::vector<double> record;
-  if (!tree_ || motion_.in_world())
-    return record;
-  const Twist &last = motion_.last();
-  record.insert(record.end(), last.angular, last.angular + 3);
-  record.insert(record.end(), last.linear, last.linear + 3);
-  for (size_t i = 0; i < aspi_tree_count(tree_.get()); i++) {
-    const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), static_cast<int>(i));
-    record.push_back(aspi_tree_id(tree_.get(), static_cast<int>(i)));
-    record.insert(record.end(), triangle->node[0], triangle->node[0] + 9);
-  }
-  return record;
-}
-
-void MeshShape::restore_motion(const std::vector<double> &record) {
-  const size_t head = 6, row = 10;
-  if (record.size() < head || (record.size() - head) % row != 0)
-    return;
-  Twist last;
-  aspi_copy(&record[0], last.angular);
-  aspi_copy(&record[3], last.linear);
-  std::vector<ContactTriangle> triangles((record.size() - head) / row);
-  std::vector<int> id(triangles.size());
-  for (size_t i = 0; i < id.size(); i++) {
-    const double *from = &record[head + row * i];
-    id[i] = static_cast<int>(from[0]);
-    std::copy(from + 1, from + row, triangles[i].node[0]);
-  }
-  set_triangles(triangles, id);
-  motion_.set_last(last);
 }
 
 size_t MeshShape::bytes() const {

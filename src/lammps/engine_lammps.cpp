@@ -10,8 +10,6 @@
 #include "lammps.h"
 #include "modify.h"
 #include "update.h"
-#include "dem/error.h"
-#include "dem/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,43 +17,23 @@
 
 using namespace LAMMPS_NS;
 
-MPI_Comm EngineOfLammps::world() const {
-  return lammps_->world;
-}
-
-std::string EngineOfLammps::id() const {
-  return fix_->id;
-}
-
-std::string EngineOfLammps::units() const {
-  return lammps_->update->unit_style;
-}
-
 std::string EngineOfLammps::known_units() const {
   return "si, cgs, micro or nano";
 }
 
-int EngineOfLammps::types() const {
-  return lammps_->atom->ntypes;
-}
-
-int EngineOfLammps::dimension() const {
-  return lammps_->domain->dimension;
-}
-
 double EngineOfLammps::time() const {
-  const Update *update = lammps_->update;
+  const Update *update = program_->update;
   return update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
 }
 
 void EngineOfLammps::warn(const std::string &what) const {
-  if (lammps_->comm->me == 0)
-    lammps_->error->warning(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
+  if (program_->comm->me == 0)
+    program_->error->warning(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
 }
 
 void EngineOfLammps::print(const std::string &what) const {
-  if (lammps_->comm->me == 0)
-    utils::logmesg(lammps_, what + "\n");
+  if (program_->comm->me == 0)
+    utils::logmesg(program_, what + "\n");
 }
 
 /* LAMMPS has no constants of a script that other commands can ask for. */
@@ -72,8 +50,8 @@ std::string EngineOfLammps::how_to_state(const char *, bool, const std::string &
  * none. */
 double EngineOfLammps::radius_to_come(int type) const {
   double most = 0;
-  for (int i = 0; i < lammps_->modify->nfix; i++) {
-    Fix *fix = lammps_->modify->fix[i];
+  for (int i = 0; i < program_->modify->nfix; i++) {
+    Fix *fix = program_->modify->fix[i];
     if (strncmp(fix->style, "pour", 4) != 0 && strncmp(fix->style, "deposit", 7) != 0)
       continue;
     int asked = type;
@@ -87,7 +65,7 @@ double EngineOfLammps::radius_to_come(int type) const {
 /* For particles still to come, LAMMPS gives only the largest diameter of each type. */
 void EngineOfLammps::diameters(double &least, double &most) const {
   double mine[2] = {-HUGE_VAL, 0}, all[2];
-  const Atom *atom = lammps_->atom;
+  const Atom *atom = program_->atom;
   for (int i = 0; i < atom->nlocal; i++) {
     mine[0] = std::max(mine[0], -2 * atom->radius[i]);
     mine[1] = std::max(mine[1], 2 * atom->radius[i]);
@@ -99,7 +77,7 @@ void EngineOfLammps::diameters(double &least, double &most) const {
       mine[1] = std::max(mine[1], 2 * radius);
     }
   }
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, lammps_->world);
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, program_->world);
   least = all[1] > 0 ? -all[0] : 0;
   most = all[1];
 }
@@ -108,32 +86,5 @@ std::vector<asperity::Engine::Kind> EngineOfLammps::kinds() const {
   std::vector<double> present;
   for (int type = 1; type <= types(); type++)
     present.push_back(radius_to_come(type));
-  return asperity::kinds_of(spheres(), fix_->groupbit, present, lammps_->world);
-}
-
-asperity::Spheres EngineOfLammps::spheres() const {
-  const Atom *atom = lammps_->atom;
-  asperity::Spheres s;
-  s.step = lammps_->update->ntimestep;
-  s.dt = lammps_->update->dt;
-  s.n = atom->nlocal;
-  s.mask = atom->mask;
-  s.type = atom->type;
-  s.tag = atom->tag;
-  s.tag_bytes = sizeof *atom->tag;
-  s.x = atom->x ? atom->x[0] : NULL;
-  s.v = atom->v ? atom->v[0] : NULL;
-  s.omega = atom->omega_flag && atom->omega ? atom->omega[0] : NULL;
-  s.f = atom->f ? atom->f[0] : NULL;
-  s.radius = atom->radius;
-  s.mass = atom->rmass;
-  return s;
-}
-
-asperity::Box EngineOfLammps::box() const {
-  const Domain *domain = lammps_->domain;
-  asperity::Box box;
-  for (int d = 0; d < 3; d++)
-    box.period[d] = domain->periodicity[d] ? domain->prd[d] : 0;
-  return box;
+  return asperity::kinds_of(spheres(), fix_->groupbit, present, program_->world);
 }

@@ -1,5 +1,5 @@
-/* LAMMPS as the wall asks it: see asperity::Engine. It is an object of its own, and no base of the
- * fix: in LAMMPS since 2022 a fix's destructor may throw, which forbids a second virtual one.
+/* LAMMPS as the wall asks it: see asperity::Engine. It is no base of the fix: in LAMMPS since 2022
+ * a fix's destructor may throw, which forbids a second virtual one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_ENGINE_LAMMPS_H
@@ -9,20 +9,15 @@
 #include <vector>
 
 #include "fix.h"
-#include "dem/engine.h"
+#include "dem/wall_fix.h"
 
 namespace LAMMPS_NS {
 
-class EngineOfLammps : public asperity::Engine {
+class EngineOfLammps : public asperity::EngineOf<LAMMPS, Fix> {
 public:
-  EngineOfLammps(LAMMPS *lammps, const Fix *fix) : lammps_(lammps), fix_(fix) {}
+  using EngineOf::EngineOf;
 
-  MPI_Comm world() const override;
-  std::string id() const override;
-  std::string units() const override;
   std::string known_units() const override;
-  int types() const override;
-  int dimension() const override;
   double time() const override;
   void warn(const std::string &what) const override;
   void print(const std::string &what) const override;
@@ -31,15 +26,8 @@ public:
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;
 
-  /* The particles of this rank, for a step. */
-  asperity::Spheres spheres() const;
-  asperity::Box box() const;
-
 private:
   double radius_to_come(int type) const;
-
-  LAMMPS *lammps_;
-  const Fix *fix_;
 };
 
 } // namespace LAMMPS_NS

@@ -40,20 +40,16 @@
 #include "dem/error.h"
 #include "dem/primitive.h"
 #include "dem/text.h"
-#include "dem/wall.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using asperity::AtomRows;
-using asperity::Ledger;
-using asperity::Model;
 using asperity::text;
 using asperity::Wall;
 using asperity::Words;
@@ -72,24 +68,37 @@ static const char CITE[] =
     " title = {asperity: rough walls for particle simulation}\n"
     "}\n\n";
 
-struct FixWallRebound::Parts {
-  EngineOfLammps engine;
-  Wall wall;
+struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   asperity::MapFile map;
   asperity::DrivenMesh *mesh; /* the wall's shape, or NULL */
   RegionShape *region;        /* the same */
   AtomRows rows;
   MeshImage image;
-  std::vector<FixWallRebound *> siblings; /* all walls of this style, the first one leads */
-  bigint last_step;                       /* that the wall knows of */
-  bool steps;                             /* this run has steps, which a rerun has not */
+  bigint last_step; /* that the wall knows of */
+  bool steps;       /* this run has steps, which a rerun has not */
   bool from_restart, restarted;
   double stuck; /* particles of all ranks, when a run began or ended */
   int type;     /* of the wall */
 
-  Parts(LAMMPS *lammps, const FixWallRebound *fix)
-      : engine(lammps, fix), wall(engine), mesh(NULL), region(NULL), last_step(0), steps(false),
+  Parts(LAMMPS *lammps, Fix *fix)
+      : WallFix(lammps, fix), mesh(NULL), region(NULL), last_step(0), steps(false),
         from_restart(false), restarted(false), stuck(0), type(0) {}
+
+  void fail(const std::string &what) const override {
+    program_->error->all(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
+  }
+  void fail_alone(const std::string &what) const override {
+    program_->error->one(FLERR, what);
+  }
+  void check(const std::string &wrong) const {
+    if (!wrong.empty())
+      fail(wrong);
+  }
+  void set_rows() override {
+    wall.set_rows(rows.state(), rows.place());
+  }
+  void begin_step() override;
+  void follow_step(bigint last);
 };
 
 /* The keywords that LIGGGHTS's wall does not have. */
@@ -119,42 +128,26 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     lammps->citeme->add(CITE);
   p_->last_step = update->ntimestep;
   p_->from_restart = modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0;
-  check(FLERR, units_error(p_->engine));
-  check(FLERR, particles_error(lmp));
-  check(FLERR, box_error(lmp));
-  try {
+  p_->check(units_error(*p_));
+  p_->check(particles_error(lmp));
+  p_->check(box_error(lmp));
+  p_->attempt([&] {
     std::string geometry;
     Words words(narg - 3, arg + 3);
     read_geometry(words, geometry);
     Keywords own(p_);
     p_->wall.parse(words, geometry, &own);
-    if (p_->engine.units() == "lj" && p_->wall.model().needs_materials())
+    if (p_->units() == "lj" && p_->wall.model().needs_materials())
       throw asperity::Error("units are 'lj', in which materials have no constants; units must be " +
-                            p_->engine.known_units() +
+                            p_->known_units() +
                             ", or the law one without materials, such as rebound constant");
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
-  scalar_flag = vector_flag = array_flag = 1;
-  size_vector = Wall::N_COUNTERS;
-  size_array_rows = static_cast<int>(p_->wall.shapes());
-  size_array_cols = Wall::N_TOTALS;
-  global_freq = 1;
-  extscalar = extvector = extarray = 1;
-  restart_global = restart_peratom = create_attribute = 1;
+  });
+  p_->set_flags();
+  restart_peratom = create_attribute = 1;
   wd_header = 1;
   maxexchange = AtomRows::ALL;
   peratom_flag = peratom_freq = 1;
   size_peratom_cols = AtomRows::STATE;
-  nevery = 1;
-  force_reneighbor = p_->wall.model().deposit() == Model::DELETE;
-  next_reneighbor = -1;
-  if (Ledger *ledger = p_->wall.ledger()) {
-    local_flag = 1;
-    local_freq = static_cast<int>(ledger->every());
-    size_local_rows = 0;
-    size_local_cols = ledger->columns();
-  }
   FixWallRebound::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
@@ -164,15 +157,6 @@ FixWallRebound::~FixWallRebound() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   delete p_;
-}
-
-void FixWallRebound::fail(const std::string &file, int line, const std::string &what) const {
-  error->all(file, line, "Fix wall/rebound (id " + p_->engine.id() + "): " + what);
-}
-
-void FixWallRebound::check(const std::string &file, int line, const std::string &wrong) const {
-  if (!wrong.empty())
-    fail(file, line, wrong);
 }
 
 void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
@@ -214,10 +198,10 @@ void FixWallRebound::report_mesh() const {
     box.lo[d] = domain->triclinic ? domain->boxlo_bound[d] : domain->boxlo[d];
     box.hi[d] = domain->triclinic ? domain->boxhi_bound[d] : domain->boxhi[d];
   }
-  p_->engine.print("fix " + p_->engine.id() + " wall/rebound: " + p_->mesh->describe());
-  const std::string misfit = p_->mesh->misfit(box, p_->engine.box().period);
+  p_->print("fix " + p_->id() + " wall/rebound: " + p_->mesh->describe());
+  const std::string misfit = p_->mesh->misfit(box, p_->box().period);
   if (!misfit.empty())
-    p_->engine.warn(misfit);
+    p_->warn(misfit);
 }
 
 /* The last type where the script names none. */
@@ -235,42 +219,30 @@ int FixWallRebound::setmask() {
  */
 
 void FixWallRebound::init() {
-  p_->siblings.clear();
-  for (int i = 0; i < modify->nfix; i++)
-    if (FixWallRebound *wall = dynamic_cast<FixWallRebound *>(modify->fix[i]))
-      p_->siblings.push_back(wall);
-  if (strstr(update->integrate_style, "respa"))
-    fail(FLERR, "run_style respa is not supported; it must be run_style verlet");
-  if (update->whichflag == 2)
-    fail(FLERR, "minimize is not supported: a rebound is an event in time; use run");
-  check(FLERR, particles_error(lmp));
-  check(FLERR, box_error(lmp));
+  p_->find_siblings([](Fix *fix) {
+    FixWallRebound *sibling = dynamic_cast<FixWallRebound *>(fix);
+    return sibling ? sibling->p_ : NULL;
+  });
+  p_->check_run();
+  p_->check(particles_error(lmp));
+  p_->check(box_error(lmp));
   if (p_->from_restart && !p_->restarted)
-    p_->engine.warn(
-        "the restart file has no data of this wall; its impact numbers begin at 1, and no particle "
-        "is stuck to it");
+    p_->warn_of_no_restart();
   p_->from_restart = false;
-  follow_step(update->ntimestep);
+  p_->follow_step(update->ntimestep);
   p_->stuck = p_->wall.stuck();
-  try {
+  p_->attempt([this] {
     if (p_->region)
       p_->region->init();
     p_->wall.init(update->ntimestep, update->dt);
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
+  });
 }
 
 /* The command reset_timestep tells no fix, and a `run pre no` may follow it. */
-void FixWallRebound::follow_step(bigint last) {
-  if (last != p_->last_step)
-    p_->wall.reset_step(last, p_->last_step);
-  p_->last_step = last;
-}
-
-/* Arrays of the atoms may have moved since the last step. */
-void FixWallRebound::set_rows() {
-  p_->wall.set_rows(p_->rows.state(), p_->rows.place());
+void FixWallRebound::Parts::follow_step(bigint last) {
+  if (last != last_step)
+    wall.reset_step(last, last_step);
+  last_step = last;
 }
 
 void FixWallRebound::setup_pre_exchange() {
@@ -279,125 +251,67 @@ void FixWallRebound::setup_pre_exchange() {
 
 void FixWallRebound::setup(int) {
   p_->steps = false;
-  check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
-  set_rows();
-  try {
+  p_->check(movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
+  p_->set_rows();
+  p_->attempt([this] {
     if (p_->region)
       p_->region->setup();
     if (p_->mesh) {
-      p_->mesh->set_periods(p_->engine.box().period);
+      p_->mesh->set_periods(p_->box().period);
       p_->mesh->setup(p_->wall.time(static_cast<double>(update->ntimestep)));
     }
-    p_->wall.setup(p_->engine.spheres(), groupbit, p_->engine.box());
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
+    p_->wall.setup(p_->spheres(), groupbit, p_->box());
+  });
 }
 
-void FixWallRebound::begin_step() {
-  p_->steps = true;
+void FixWallRebound::Parts::begin_step() {
+  const Update *update = program_->update;
+  steps = true;
   follow_step(update->ntimestep - 1);
-  p_->wall.set_box(p_->engine.box());
-  if (particles_grow(lmp))
-    p_->wall.look_anew();
-  if (p_->region)
-    p_->region->begin_step();
-  if (p_->mesh) {
-    p_->mesh->set_periods(p_->engine.box().period);
-    p_->mesh->begin_step(p_->wall.time(static_cast<double>(update->ntimestep)), update->dt);
+  wall.set_box(box());
+  if (particles_grow(program_))
+    wall.look_anew();
+  if (region)
+    region->begin_step();
+  if (mesh) {
+    mesh->set_periods(box().period);
+    mesh->begin_step(wall.time(static_cast<double>(update->ntimestep)), update->dt);
   }
 }
 
 void FixWallRebound::post_integrate() {
-  if (p_->siblings.front() != this)
-    return;
-  try {
-    std::vector<Wall *> walls;
-    for (FixWallRebound *fix : p_->siblings) {
-      fix->set_rows();
-      fix->begin_step();
-      walls.push_back(&fix->p_->wall);
-    }
-    Wall::step(walls, p_->engine.spheres());
-  } catch (const std::exception &wrong) {
-    error->one(FLERR, "Fix wall/rebound: " + asperity::message_of(wrong));
-  }
-  for (FixWallRebound *fix : p_->siblings) {
-    if (fix->p_->wall.model().deposit() != Model::DELETE)
-      continue;
-    int mine = fix->p_->wall.has_to_delete(), any; /* all ranks must agree to build lists anew */
-    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-    if (any)
-      fix->next_reneighbor = update->ntimestep;
-  }
+  p_->step();
 }
 
 void FixWallRebound::pre_exchange() {
-  if (p_->wall.model().deposit() != Model::DELETE)
-    return;
-  set_rows();
-  bigint mine = 0, all;
-  for (int i = 0; i < atom->nlocal;) {
-    if (p_->wall.is_to_delete(i)) {
-      atom->avec->copy(atom->nlocal - 1, i, 1);
-      atom->nlocal--;
-      mine++;
-    } else
-      i++;
-  }
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  atom->natoms -= all;
-  if (all > 0 && atom->map_style) {
-    atom->nghost = 0;
-    atom->map_init();
-    atom->map_set();
-  }
+  atom->natoms -= p_->delete_particles();
 }
 
 void FixWallRebound::pre_neighbor() {
-  set_rows();
-  p_->wall.reorder(p_->engine.spheres());
+  p_->set_rows();
+  p_->wall.reorder(p_->spheres());
 }
 
 void FixWallRebound::post_neighbor() {
-  check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
+  p_->check(movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
 }
 
 void FixWallRebound::end_of_step() {
   if (!p_->steps)
-    fail(FLERR, "rerun is not supported: a rebound is an event in time; use run");
-  set_rows();
+    p_->fail("rerun is not supported: a rebound is an event in time; use run");
   p_->last_step = update->ntimestep;
-  if (p_->siblings.front() == this) {
-    std::vector<Wall *> walls;
-    for (FixWallRebound *fix : p_->siblings) {
-      fix->set_rows();
-      walls.push_back(&fix->p_->wall);
-    }
-    Wall::hold(walls, p_->engine.spheres());
-  }
-  try {
-    p_->wall.end_step(update->ntimestep, output->next == update->ntimestep);
-    if (p_->mesh && p_->map.is_due(update->ntimestep))
+  p_->hold();
+  p_->end_step();
+  if (p_->mesh && p_->map.is_due(update->ntimestep))
+    p_->attempt([this] {
       p_->map.write(world, update->ntimestep, p_->mesh->triangles(), p_->mesh->motion().end(),
                     p_->wall.sums(0), p_->wall.worn_density(0));
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
-  if (Ledger *ledger = p_->wall.ledger()) { /* between two windows there are no rows to be read */
-    const bool due = update->ntimestep % ledger->every() == 0;
-    array_local = due ? ledger->rows() : NULL;
-    size_local_rows = due ? ledger->size() : 0;
-  }
+    });
 }
 
 void FixWallRebound::post_run() {
   p_->stuck = p_->wall.stuck();
-  try {
-    p_->wall.end_run();
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
+  p_->attempt([this] { p_->wall.end_run(); });
 }
 
 void FixWallRebound::reset_dt() {
@@ -424,26 +338,11 @@ double FixWallRebound::memory_usage() {
 }
 
 void FixWallRebound::write_restart(FILE *file) {
-  std::vector<char> record;
-  try {
-    record = p_->wall.save();
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
-  if (comm->me != 0)
-    return;
-  const int size = static_cast<int>(record.size());
-  fwrite(&size, sizeof size, 1, file);
-  fwrite(record.data(), 1, record.size(), file);
+  p_->write_record(file);
 }
 
-/* LAMMPS does not tell how long the buffer is; the record does. */
 void FixWallRebound::restart(char *buffer) {
-  try {
-    p_->wall.restore(buffer);
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
+  p_->attempt([&] { p_->wall.restore(buffer); });
   p_->restarted = true;
 }
 
@@ -451,10 +350,9 @@ void FixWallRebound::restart(char *buffer) {
  * calls rank 0 only. */
 void FixWallRebound::write_data_header(FILE *, int) {
   if (p_->stuck > 0)
-    p_->engine.warn(
-        text("%.0f particles are stuck to this wall, which a data file does not keep: a "
-             "script that reads it has them free; write_restart keeps them",
-             p_->stuck));
+    p_->warn(text("%.0f particles are stuck to this wall, which a data file does not keep: a "
+                  "script that reads it has them free; write_restart keeps them",
+                  p_->stuck));
 }
 
 /* `fix_modify ID move ...`: how many words it takes. */
@@ -463,15 +361,11 @@ int FixWallRebound::modify_param(int narg, char **arg) {
   if (!words.take("move"))
     return 0;
   if (!p_->mesh)
-    fail(FLERR, "'fix_modify move' is for the wall 'stl'; a region moves by its own words, and a "
-                "plane or cylinder by 'shear'");
+    p_->fail("'fix_modify move' is for the wall 'stl'; a region moves by its own words, and a "
+             "plane or cylinder by 'shear'");
   asperity::Drive drive;
   std::string read;
-  try {
-    drive.parse(words, read);
-  } catch (const std::exception &wrong) {
-    fail(FLERR, asperity::message_of(wrong));
-  }
+  p_->attempt([&] { drive.parse(words, read); });
   p_->mesh->redirect(drive);
   return narg - static_cast<int>(words.left());
 }

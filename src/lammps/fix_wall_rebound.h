@@ -78,14 +78,9 @@ private:
   class Keywords;
   struct Parts;
 
-  [[noreturn]] void fail(const std::string &file, int line, const std::string &what) const;
-  void check(const std::string &file, int line, const std::string &wrong) const; /* fails, or not */
   void read_geometry(asperity::Words &words, std::string &geometry);
   void report_mesh() const; /* to the log, with a warning where it does not fit the box */
   int read_type(asperity::Words &words) const;
-  void begin_step();
-  void set_rows();
-  void follow_step(bigint last);
 
   Parts *p_; /* what the wall is made of, with the numbers of each atom */
 };

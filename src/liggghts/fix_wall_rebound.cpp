@@ -27,9 +27,6 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using asperity::Ledger;
-using asperity::Model;
-using asperity::Spheres;
 using asperity::text;
 using asperity::Wall;
 using asperity::Words;
@@ -38,41 +35,28 @@ using asperity::Words;
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
-    : Fix(engine, narg, arg), wall_(*this), wall_type_(), fix_state_(NULL), fix_place_(NULL),
-      restarted_(false) {
+    : Fix(engine, narg, arg), WallFix(engine, this), wall_type_(), fix_state_(NULL),
+      fix_place_(NULL), restarted_(false) {
   check_particles();
   check_box();
-  try {
+  attempt([&] {
     std::string geometry;
     Words words(narg - 3, arg + 3);
     read_geometry(words, geometry);
     check_meshes();
-    wall_.parse(words, geometry);
-  } catch (const std::exception &wrong) {
-    fail(asperity::message_of(wrong));
-  }
-  scalar_flag = vector_flag = array_flag = 1;
-  size_vector = Wall::N_COUNTERS;
-  size_array_rows = static_cast<int>(wall_.shapes());
-  size_array_cols = Wall::N_TOTALS;
-  global_freq = 1;
-  extscalar = extvector = extarray = 1;
-  restart_global = 1;
-  nevery = 1;
-  force_reneighbor = wall_.model().deposit() == Model::DELETE;
-  next_reneighbor = -1;
-  if (Ledger *ledger = wall_.ledger()) {
-    local_flag = 1;
-    local_freq = static_cast<int>(ledger->every());
-    size_local_rows = 0;
-    size_local_cols = ledger->columns();
-  }
+    wall.parse(words, geometry);
+  });
+  set_flags();
 }
 
 FixWallRebound::~FixWallRebound() {}
 
 void FixWallRebound::fail(const std::string &what) const {
   error->fix_error(FLERR, const_cast<FixWallRebound *>(this), what.c_str());
+}
+
+void FixWallRebound::fail_alone(const std::string &what) const {
+  error->one(FLERR, what.c_str());
 }
 
 void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
@@ -88,7 +72,7 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
       throw asperity::Error("behind 'primitive', 'type T style args' is expected");
     const int type = static_cast<int>(words.whole("the wall's type", 1, atom->ntypes));
     std::string shape;
-    wall_.add_shape(asperity::read_primitive(words, shape), type, 0, "");
+    wall.add_shape(asperity::read_primitive(words, shape), type, 0, "");
     geometry = text("primitive type %d ", type) + shape;
     wall_type_[0] = wall_type_[1] = type;
   } else if (words.take("mesh"))
@@ -132,8 +116,8 @@ std::string FixWallRebound::read_meshes(Words &words) {
     check_owner(mesh);
     const int type = mesh->atomTypeWall();
     meshes_.push_back(new MeshOfLiggghts(Fix::world, mesh));
-    wall_.add_shape(std::unique_ptr<asperity::Shape>(meshes_.back()), type,
-                    meshes_.back()->pieces(), name);
+    wall.add_shape(std::unique_ptr<asperity::Shape>(meshes_.back()), type, meshes_.back()->pieces(),
+                   name);
     mesh_ids_.push_back(name);
     wall_type_[0] = m == 0 ? type : std::min(wall_type_[0], type);
     wall_type_[1] = std::max(wall_type_[1], type);
@@ -167,9 +151,7 @@ FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int colum
 
 void FixWallRebound::post_create() {
   if (modify->fix_restart_in_progress() && !restarted_)
-    warn(
-        "the restart file has no data of this wall; its impact numbers begin at 1, and no particle "
-        "is stuck to it");
+    warn_of_no_restart();
   fix_state_ = add_property(state_id(), Wall::N_STATE);
   fix_place_ = add_property(place_id(), Wall::N_PLACE);
   for (MeshOfLiggghts *mesh : meshes_)
@@ -192,28 +174,8 @@ void FixWallRebound::pre_delete(bool unfixflag) {
 /* ---- what the wall asks -----------------------------------------------------------------------
  */
 
-MPI_Comm FixWallRebound::world() const {
-  return Fix::world;
-}
-
-std::string FixWallRebound::id() const {
-  return Fix::id;
-}
-
-std::string FixWallRebound::units() const {
-  return update->unit_style;
-}
-
 std::string FixWallRebound::known_units() const {
   return "si, cgs or micro";
-}
-
-int FixWallRebound::types() const {
-  return atom->ntypes;
-}
-
-int FixWallRebound::dimension() const {
-  return domain->dimension;
 }
 
 double FixWallRebound::time() const {
@@ -316,11 +278,11 @@ void FixWallRebound::check_meshes() const {
 void FixWallRebound::check_owner(const FixMeshSurface *mesh) const {
   for (int i = 0; i < modify->nfix; i++) {
     std::vector<FixMeshSurface *> theirs;
-    if (FixWallRebound *wall = dynamic_cast<FixWallRebound *>(modify->fix[i]))
-      for (size_t k = 0; wall != this && k < wall->meshes_.size(); k++)
-        theirs.push_back(wall->meshes_[k]->fix());
-    if (FixWallGran *wall = dynamic_cast<FixWallGran *>(modify->fix[i]))
-      theirs.assign(wall->mesh_list(), wall->mesh_list() + wall->n_meshes());
+    if (FixWallRebound *other = dynamic_cast<FixWallRebound *>(modify->fix[i]))
+      for (size_t k = 0; other != this && k < other->meshes_.size(); k++)
+        theirs.push_back(other->meshes_[k]->fix());
+    if (FixWallGran *other = dynamic_cast<FixWallGran *>(modify->fix[i]))
+      theirs.assign(other->mesh_list(), other->mesh_list() + other->n_meshes());
     if (std::find(theirs.begin(), theirs.end(), mesh) != theirs.end())
       fail("mesh '" + std::string(mesh->id) + "' is already used by fix '" + modify->fix[i]->id +
            "'; there must be one wall for each mesh");
@@ -331,14 +293,8 @@ void FixWallRebound::check_owner(const FixMeshSurface *mesh) const {
  */
 
 void FixWallRebound::init() {
-  siblings_.clear();
-  for (int i = 0; i < modify->nfix; i++)
-    if (FixWallRebound *wall = dynamic_cast<FixWallRebound *>(modify->fix[i]))
-      siblings_.push_back(wall);
-  if (strstr(update->integrate_style, "respa"))
-    fail("run_style respa is not supported; it must be run_style verlet");
-  if (update->whichflag == 2)
-    fail("minimize is not supported: a rebound is an event in time; use run");
+  find_siblings([](Fix *fix) -> WallFix * { return dynamic_cast<FixWallRebound *>(fix); });
+  check_run();
   check_particles();
   check_box();
   check_meshes();
@@ -346,35 +302,12 @@ void FixWallRebound::init() {
     if (mesh->fix()->triMesh()->prop().getGlobalProperty<ScalarContainer<double>>("Temp"))
       warn("mesh '" + std::string(mesh->fix()->id) +
            "' has a temperature; this wall conducts no heat, by 'fix heat/gran' or otherwise");
-  try {
-    wall_.init(update->ntimestep, update->dt);
-  } catch (const std::exception &wrong) {
-    fail(asperity::message_of(wrong));
-  }
+  attempt([this] { wall.init(update->ntimestep, update->dt); });
 }
 
-Spheres FixWallRebound::spheres() const {
-  Spheres s;
-  s.step = update->ntimestep;
-  s.dt = update->dt;
-  s.n = atom->nlocal;
-  s.mask = atom->mask;
-  s.type = atom->type;
-  s.tag = atom->tag;
-  s.tag_bytes = sizeof *atom->tag;
-  s.x = atom->x ? atom->x[0] : NULL;
-  s.v = atom->v ? atom->v[0] : NULL;
-  s.omega = atom->omega_flag && atom->omega ? atom->omega[0] : NULL;
-  s.f = atom->f ? atom->f[0] : NULL;
-  s.radius = atom->radius;
-  s.mass = atom->rmass;
-  return s;
-}
-
-/* Arrays of the atoms may have moved since the last step. */
 void FixWallRebound::set_rows() {
   double **state = fix_state_->array_atom, **place = fix_place_->array_atom;
-  wall_.set_rows(state ? state[0] : NULL, place ? place[0] : NULL);
+  wall.set_rows(state ? state[0] : NULL, place ? place[0] : NULL);
 }
 
 void FixWallRebound::setup_pre_exchange() {
@@ -382,81 +315,42 @@ void FixWallRebound::setup_pre_exchange() {
 }
 
 void FixWallRebound::setup(int) {
-  asperity::Box box;
-  const int periodic[3] = {domain->xperiodic, domain->yperiodic, domain->zperiodic};
-  for (int d = 0; d < 3; d++)
-    box.period[d] = periodic[d] ? domain->prd[d] : 0;
   asperity::Bounds here;
   for (int d = 0; d < 3; d++) {
     here.lo[d] = domain->triclinic ? domain->boxlo[d] : domain->sublo[d];
     here.hi[d] = domain->triclinic ? domain->boxhi[d] : domain->subhi[d];
   }
   here.widen(neighbor->cutneighmax);
-  try {
+  attempt([&] {
     for (MeshOfLiggghts *mesh : meshes_) {
-      mesh->set_periods(box.period);
+      mesh->set_periods(box().period);
       const std::string report = mesh->setup(here);
       if (!report.empty())
         print("fix " + id() + " wall/rebound: " + report);
     }
     set_rows();
-    wall_.setup(spheres(), groupbit, box);
-  } catch (const std::exception &wrong) {
-    fail(asperity::message_of(wrong));
-  }
+    wall.setup(spheres(), groupbit, box());
+  });
   show_maps();
 }
 
+void FixWallRebound::begin_step() {
+  for (MeshOfLiggghts *mesh : meshes_)
+    mesh->begin_step(update->dt);
+}
+
 void FixWallRebound::post_integrate() {
-  if (siblings_.front() != this)
-    return;
-  try {
-    std::vector<Wall *> walls;
-    for (FixWallRebound *fix : siblings_) {
-      fix->set_rows();
-      for (MeshOfLiggghts *mesh : fix->meshes_)
-        mesh->begin_step(update->dt);
-      walls.push_back(&fix->wall_);
-    }
-    Wall::step(walls, spheres());
-  } catch (const std::exception &wrong) {
-    error->one(FLERR, ("Fix wall/rebound: " + asperity::message_of(wrong)).c_str());
-  }
-  for (FixWallRebound *fix : siblings_) {
-    if (fix->wall_.model().deposit() != Model::DELETE)
-      continue;
-    int mine = fix->wall_.has_to_delete(), any; /* all ranks must agree to build lists anew */
-    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, Fix::world);
-    if (any)
-      fix->next_reneighbor = update->ntimestep;
-  }
+  step();
 }
 
 /* Comm::exchange, which follows, counts the atoms anew. */
 void FixWallRebound::pre_exchange() {
-  if (wall_.model().deposit() != Model::DELETE)
-    return;
-  set_rows();
-  bigint mine = 0, all;
-  for (int i = 0; i < atom->nlocal;) {
-    if (wall_.is_to_delete(i)) {
-      atom->avec->copy(atom->nlocal - 1, i, 1);
-      atom->nlocal--;
-      mine++;
-    } else
-      i++;
-  }
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, Fix::world);
-  if (all > 0 && atom->tag_enable && atom->map_style) {
-    atom->nghost = 0;
-    atom->map_init();
-    atom->map_set();
-  }
+  delete_particles();
 }
 
 void FixWallRebound::pre_neighbor() {
   set_rows();
-  wall_.reorder(spheres());
+  wall.reorder(spheres());
 }
 
 /* Meshes that measure: LIGGGHTS has cleared their sums by now, and will use them after the forces.
@@ -476,93 +370,56 @@ void FixWallRebound::pre_force(int) {
 }
 
 void FixWallRebound::end_of_step() {
-  set_rows();
-  if (siblings_.front() == this) {
-    std::vector<Wall *> walls;
-    for (FixWallRebound *fix : siblings_) {
-      fix->set_rows();
-      walls.push_back(&fix->wall_);
-    }
-    Wall::hold(walls, spheres());
-  }
-  const bool is_output = output->next == update->ntimestep;
-  if (is_output)
+  hold();
+  if (is_output())
     show_maps();
-  try {
-    wall_.end_step(update->ntimestep, is_output);
-  } catch (const std::exception &wrong) {
-    fail(asperity::message_of(wrong));
-  }
-  if (Ledger *ledger = wall_.ledger()) { /* between two windows there are no rows to be read */
-    const bool due = update->ntimestep % ledger->every() == 0;
-    array_local = due ? ledger->rows() : NULL;
-    size_local_rows = due ? ledger->size() : 0;
-  }
+  end_step();
 }
 
 void FixWallRebound::post_run() {
   show_maps();
-  try {
-    wall_.end_run();
-  } catch (const std::exception &wrong) {
-    fail(asperity::message_of(wrong));
-  }
+  attempt([this] { wall.end_run(); });
 }
 
 void FixWallRebound::show_maps() {
   for (size_t m = 0; m < meshes_.size(); m++)
-    wall_.show_sums(m, [this, m](size_t first, const std::vector<double> &sums) {
-      meshes_[m]->show(first, sums, wall_.worn_density(m));
+    wall.show_sums(m, [this, m](size_t first, const std::vector<double> &sums) {
+      meshes_[m]->show(first, sums, wall.worn_density(m));
     });
 }
 
 void FixWallRebound::reset_dt() {
-  wall_.reset_dt(update->ntimestep, update->dt);
+  wall.reset_dt(update->ntimestep, update->dt);
 }
 
 void FixWallRebound::reset_timestep(bigint now, bigint before) {
-  wall_.reset_step(now, before);
+  wall.reset_step(now, before);
 }
 
 /* ---- output and restart -----------------------------------------------------------------------
  */
 
 double FixWallRebound::compute_scalar() {
-  return wall_.counter(Wall::N_IMPACTS);
+  return wall.counter(Wall::N_IMPACTS);
 }
 
 double FixWallRebound::compute_vector(int n) {
-  return wall_.counter(n);
+  return wall.counter(n);
 }
 
 double FixWallRebound::compute_array(int row, int column) {
-  return wall_.total(row, column);
+  return wall.total(row, column);
 }
 
 double FixWallRebound::memory_usage() {
-  return wall_.bytes();
+  return wall.bytes();
 }
 
 void FixWallRebound::write_restart(FILE *file) {
-  std::vector<char> record;
-  try {
-    record = wall_.save();
-  } catch (const std::exception &wrong) {
-    fail(asperity::message_of(wrong));
-  }
-  if (comm->me != 0)
-    return;
-  const int size = static_cast<int>(record.size());
-  fwrite(&size, sizeof size, 1, file);
-  fwrite(record.data(), 1, record.size(), file);
+  write_record(file);
 }
 
-/* LIGGGHTS does not tell how long the buffer is; the record does. */
 void FixWallRebound::restart(char *buffer) {
-  try {
-    wall_.restore(buffer);
-  } catch (const std::exception &wrong) {
-    fail(asperity::message_of(wrong));
-  }
+  attempt([&] { wall.restore(buffer); });
   restarted_ = true;
 }

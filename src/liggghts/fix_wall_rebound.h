@@ -1,5 +1,5 @@
 /* fix wall/rebound: rough walls for LIGGGHTS. This is LIGGGHTS's side only: its hooks, meshes,
- * constants and per-atom numbers. What a wall does is in src/wall, where nothing has LIGGGHTS.
+ * constants and per-atom numbers. What a wall does is in src/dem, which knows no engine.
  *
  * Contacts are worked out in post_integrate, when particles and meshes are where the step has taken
  * them and before the forces are computed there: so that forces, ghosts and neighbor lists see
@@ -22,11 +22,11 @@ FixStyle(wall/rebound, FixWallRebound)
 
 #include "fix.h"
 #include "mesh_liggghts.h"
-#include "dem/wall.h"
+#include "dem/wall_fix.h"
 
 namespace LAMMPS_NS {
 
-class FixWallRebound : public Fix, private asperity::Engine {
+class FixWallRebound : public Fix, private asperity::WallFix<asperity::EngineOf<LAMMPS, Fix>> {
 public:
   FixWallRebound(class LAMMPS *, int, char **);
   ~FixWallRebound();
@@ -55,13 +55,9 @@ public:
   void restart(char *buffer) override;
 
 private:
-  /* asperity::Engine */
-  MPI_Comm world() const override;
-  std::string id() const override;
-  std::string units() const override;
+  /* asperity::Engine, and asperity::WallFix */
+  using EngineOf::id;
   std::string known_units() const override;
-  int types() const override;
-  int dimension() const override;
   double time() const override;
   void warn(const std::string &what) const override;
   void print(const std::string &what) const override;
@@ -69,8 +65,11 @@ private:
   std::string how_to_state(const char *name, bool pairs, const std::string &values) const override;
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;
+  void fail(const std::string &what) const override;
+  void fail_alone(const std::string &what) const override;
+  void set_rows() override;
+  void begin_step() override;
 
-  void fail(const std::string &what) const;
   void read_geometry(asperity::Words &words, std::string &geometry);
   std::string read_meshes(asperity::Words &words);
   class FixPropertyAtom *add_property(const std::string &name, int columns);
@@ -80,16 +79,12 @@ private:
   void check_meshes() const;
   void check_owner(const FixMeshSurface *mesh) const;
   void check_box() const;
-  asperity::Spheres spheres() const;
-  void set_rows();
   void show_maps();
 
-  asperity::Wall wall_;
   std::vector<std::string> mesh_ids_;
   std::vector<MeshOfLiggghts *> meshes_; /* the wall's shapes; empty: a primitive wall */
   int wall_type_[2];                     /* least and largest */
   class FixPropertyAtom *fix_state_, *fix_place_;
-  std::vector<FixWallRebound *> siblings_; /* all walls of this style, the first one leads */
   bool restarted_;
 };
 

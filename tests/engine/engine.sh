@@ -118,7 +118,7 @@ put() {
 
 # stack NX NY NZ PITCH SPEED: grains on a lattice about the z axis, above z = 0, with speeds below SPEED, for put.
 stack() {
-  awk -v nx="$1" -v ny="$2" -v nz="$3" -v pitch="$4" -v speed="$5" -v state=4711 '
+  awk -v nx="$1" -v ny="$2" -v nz="$3" -v pitch="$4" -v speed="$5" -v state="$((4710 + ${6:-1}))" '
     function speeds() { state = (16807 * state) % 2147483647; return (2 * state / 2147483647 - 1) * speed }
     BEGIN { for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++)
       printf "%d %.9g %.9g %.9g %.9g %.9g %.9g\n", ++id, (i - (nx - 1) / 2) * pitch, (j - (ny - 1) / 2) * pitch, (k + 0.55) * pitch, speeds(), speeds(), speeds() }'

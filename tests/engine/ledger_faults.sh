@@ -43,7 +43,7 @@ for kind in csv npy; do
   set_ engine 2 rest.in
   same rows.$kind whole.$kind "after too many rows"
   says rest.in.screen 'cut off' "ledger file 'rows.$kind' continues after the " " rows and a part of a row after them cut off"
-  kept=$(grep -oE 'behind the [0-9]+' rest.in.screen | grep -oE '[0-9]+'); cut=$(grep -oE '[0-9]+ rows and a part' rest.in.screen | grep -oE '^[0-9]+')
+  kept=$(grep -oE 'after the [0-9]+' rest.in.screen | grep -oE '[0-9]+'); cut=$(grep -oE '[0-9]+ rows and a part' rest.in.screen | grep -oE '^[0-9]+')
   all=$([ $kind = csv ] && count_rows whole.csv || count_array whole.npy)
   [ $((kept + cut)) = "$all" ] && [ "$cut" -gt 20 ] || die "$kept rows kept and $cut cut off of $all"
 
@@ -100,7 +100,7 @@ for kind in csv npy; do
   says again.in.screen 'continues after' "rows that fix w counts"
   if [ $kind = csv ]; then
     # Impacts are counted anew, so that their numbers and draws are others; those of the first part are the same.
-    n=$(grep -oE 'behind the [0-9]+' again.in.screen | grep -oE '[0-9]+')
+    n=$(grep -oE 'after the [0-9]+' again.in.screen | grep -oE '[0-9]+')
     head -n $((n + 2)) rows.csv > a; head -n $((n + 2)) whole.csv > b; same a b "the rows before unfix"
     [ "$(count_rows rows.csv)" = "$(count_rows whole.csv)" ] || die "rows after unfix: $(count_rows rows.csv)"
   else

@@ -1,0 +1,241 @@
+/* The fix of a wall, as far as it is the same in engines whose classes have members of the same
+ * names. Program is the engine's class that has all others, Fix the base class of its fixes. What
+ * an engine has of its own is in its room.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_WALL_WALL_FIX_H
+#define ASPERITY_WALL_WALL_FIX_H
+
+#include <stdio.h>
+#include <string.h>
+#include <string>
+#include <vector>
+
+#include "dem/engine.h"
+#include "dem/error.h"
+#include "dem/wall.h"
+
+namespace asperity {
+
+/* What a wall asks its engine, where all of them answer alike. */
+template <class Program, class Fix> class EngineOf : public Engine {
+public:
+  EngineOf(Program *program, Fix *fix) : program_(program), fix_(fix) {}
+
+  MPI_Comm world() const override {
+    return program_->world;
+  }
+  std::string id() const override {
+    return fix_->id;
+  }
+  std::string units() const override {
+    return program_->update->unit_style;
+  }
+  int types() const override {
+    return program_->atom->ntypes;
+  }
+  int dimension() const override {
+    return program_->domain->dimension;
+  }
+
+  Spheres spheres() const {
+    const auto *atom = program_->atom;
+    Spheres s;
+    s.step = program_->update->ntimestep;
+    s.dt = program_->update->dt;
+    s.n = atom->nlocal;
+    s.mask = atom->mask;
+    s.type = atom->type;
+    s.tag = atom->tag;
+    s.tag_bytes = sizeof *atom->tag;
+    s.x = atom->x ? atom->x[0] : NULL;
+    s.v = atom->v ? atom->v[0] : NULL;
+    s.omega = atom->omega_flag && atom->omega ? atom->omega[0] : NULL;
+    s.f = atom->f ? atom->f[0] : NULL;
+    s.radius = atom->radius;
+    s.mass = atom->rmass;
+    return s;
+  }
+
+  Box box() const {
+    const auto *domain = program_->domain;
+    Box box;
+    for (int d = 0; d < 3; d++)
+      box.period[d] = domain->periodicity[d] ? domain->prd[d] : 0;
+    return box;
+  }
+
+protected:
+  Program *program_;
+  Fix *fix_;
+};
+
+/* The hooks of the fix. Host is an EngineOf, or a class derived from one. */
+template <class Host> class WallFix : public Host {
+public:
+  template <class Program, class Fix>
+  WallFix(Program *program, Fix *fix) : Host(program, fix), wall(*this) {}
+
+  Wall wall;
+
+  /* Ends the run with an error: of all ranks, or of this one alone in a step. */
+  virtual void fail(const std::string &what) const = 0;
+  virtual void fail_alone(const std::string &what) const = 0;
+  /* Gives the wall the rows of this rank's particles, which may have moved since the last step. */
+  virtual void set_rows() = 0;
+  /* Moves the wall to the end of the step. */
+  virtual void begin_step() = 0;
+
+  template <class Action> void attempt(Action action) const {
+    try {
+      action();
+    } catch (const std::exception &wrong) {
+      fail(message_of(wrong));
+    }
+  }
+
+  /* What the fix computes, once its wall is known. */
+  void set_flags() {
+    auto *fix = this->fix_;
+    fix->scalar_flag = fix->vector_flag = fix->array_flag = 1;
+    fix->size_vector = Wall::N_COUNTERS;
+    fix->size_array_rows = static_cast<int>(wall.shapes());
+    fix->size_array_cols = Wall::N_TOTALS;
+    fix->global_freq = 1;
+    fix->extscalar = fix->extvector = fix->extarray = 1;
+    fix->restart_global = 1;
+    fix->nevery = 1;
+    fix->force_reneighbor = deletes();
+    fix->next_reneighbor = -1;
+    if (Ledger *ledger = wall.ledger()) {
+      fix->local_flag = 1;
+      fix->local_freq = static_cast<int>(ledger->every());
+      fix->size_local_rows = 0;
+      fix->size_local_cols = ledger->columns();
+    }
+  }
+
+  /* Before a run. of: a WallFix of a fix, or NULL where that is no wall of this style. */
+  template <class Of> void find_siblings(Of of) {
+    const auto *modify = this->program_->modify;
+    siblings_.clear();
+    for (int i = 0; i < modify->nfix; i++)
+      if (WallFix *fix = of(modify->fix[i]))
+        siblings_.push_back(fix);
+  }
+
+  void check_run() const {
+    const auto *update = this->program_->update;
+    if (strstr(update->integrate_style, "respa"))
+      fail("run_style respa is not supported; it must be run_style verlet");
+    if (update->whichflag == 2)
+      fail("minimize is not supported: a rebound is an event in time; use run");
+  }
+
+  void warn_of_no_restart() const {
+    this->warn("the restart file has no data of this wall; its impact numbers begin at 1, and no "
+               "particle is stuck to it");
+  }
+
+  /* All contacts of a step; the first wall works them out for all of them. */
+  void step() {
+    if (!leads())
+      return;
+    try {
+      std::vector<Wall *> walls;
+      for (WallFix *fix : siblings_) {
+        fix->set_rows();
+        fix->begin_step();
+        walls.push_back(&fix->wall);
+      }
+      Wall::step(walls, this->spheres());
+    } catch (const std::exception &wrong) {
+      fail_alone("Fix wall/rebound: " + message_of(wrong));
+    }
+    for (WallFix *fix : siblings_) {
+      if (!fix->deletes())
+        continue;
+      int mine = fix->wall.has_to_delete(), any; /* all ranks must agree to build lists anew */
+      MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, this->program_->world);
+      if (any)
+        fix->fix_->next_reneighbor = this->program_->update->ntimestep;
+    }
+  }
+
+  /* Takes away what the wall deletes; returns how many particles, of all ranks. */
+  int64_t delete_particles() {
+    auto *atom = this->program_->atom;
+    if (!deletes())
+      return 0;
+    set_rows();
+    long long mine = 0, all;
+    for (int i = 0; i < atom->nlocal;) {
+      if (wall.is_to_delete(i)) {
+        atom->avec->copy(atom->nlocal - 1, i, 1);
+        atom->nlocal--;
+        mine++;
+      } else
+        i++;
+    }
+    MPI_Allreduce(&mine, &all, 1, MPI_LONG_LONG, MPI_SUM, this->program_->world);
+    if (all > 0 && atom->map_style) {
+      atom->nghost = 0;
+      atom->map_init();
+      atom->map_set();
+    }
+    return all;
+  }
+
+  void hold() {
+    set_rows();
+    if (!leads())
+      return;
+    std::vector<Wall *> walls;
+    for (WallFix *fix : siblings_) {
+      fix->set_rows();
+      walls.push_back(&fix->wall);
+    }
+    Wall::hold(walls, this->spheres());
+  }
+
+  bool is_output() const {
+    return this->program_->output->next == this->program_->update->ntimestep;
+  }
+
+  /* Between two windows of the ledger there are no rows to be read. */
+  void end_step() {
+    const int64_t now = this->program_->update->ntimestep;
+    attempt([&] { wall.end_step(now, is_output()); });
+    if (Ledger *ledger = wall.ledger()) {
+      const bool due = now % ledger->every() == 0;
+      this->fix_->array_local = due ? ledger->rows() : NULL;
+      this->fix_->size_local_rows = due ? ledger->size() : 0;
+    }
+  }
+
+  /* The record that an engine gives back does not say how long it is: its first bytes do. */
+  void write_record(FILE *file) {
+    std::vector<char> record;
+    attempt([&] { record = wall.save(); });
+    if (this->program_->comm->me != 0)
+      return;
+    const int size = static_cast<int>(record.size());
+    fwrite(&size, sizeof size, 1, file);
+    fwrite(record.data(), 1, record.size(), file);
+  }
+
+  bool deletes() const {
+    return wall.model().deposit() == Model::DELETE;
+  }
+
+private:
+  bool leads() const {
+    return siblings_.front() == this;
+  }
+
+  std::vector<WallFix *> siblings_; /* all walls of this style, the first one leads */
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,297 @@
+/* The first contact with a region along a path; see region_shape.h. The search goes along the
+ * path from one point to the next, each time so far that no face can be reached before: a flat or
+ * bulging face lies behind the plane across its nearest point, of a hollow one a chord is known. A
+ * face is reached by the sphere, or, from its other side, first by the center. A part of a union
+ * may hide the nearest point of a face and not the next one: where the sphere is at such a face,
+ * the next look is a stride away. What that misses has been passed: then the way back is searched
+ * until the contact is found.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "region_shape.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "contact/contact.h"
+#include "contact/vector.h"
+
+using namespace LAMMPS_NS;
+using asperity::Contact;
+using asperity::Path;
+
+namespace {
+
+/* A sphere that touches a hollow face slides along it if its normal speed is a smaller share of its
+ * speed (as in aspi_cylinder_find). */
+const double SLIDES = 1e-6;
+
+/* How closely a sphere that a moving part takes along keeps its distance in a step, in radii. */
+const double KEEPS = 1e-6;
+
+/* A face's curve is measured over this share of the sphere's radius. */
+const double CURVE = 0.01;
+
+/* How well a curve and a motion are known, as shares of what they do to a path. */
+const double MEASURED = 1e-3;
+
+/* Where faces may be hidden, a search looks every so many radii. */
+const double STRIDE = 0.5;
+
+/* A search that has looked so often goes on by larger steps, of so many radii. */
+const int PATIENCE = 1000;
+const double HURRY = 1e-3;
+
+} // namespace
+
+/* One search along one path. */
+struct RegionShape::Search {
+  const RegionShape &shape;
+  const Path &path;
+  const double radius, tolerance;
+  double fastest; /* of the sphere relative to any face */
+
+  Search(const RegionShape &s, const Path &p, double r)
+      : shape(s), path(p), radius(r), tolerance(CONTACT_TOLERANCE * r),
+        fastest(aspi_length(p.v) + s.speed_) {}
+  ~Search() {
+    shape.set_share(1);
+  }
+
+  double share(double time) const {
+    return path.share() + time / path.dt;
+  }
+  void look(double time, Look &l) const;
+  double stride() const {
+    return STRIDE * radius / fastest;
+  }
+  void relative(const Look &l, const Foot &foot, double v_wall[3], double v[3]) const;
+  double approach(const Look &l, const Foot &foot, bool &counts) const;
+  double near(const Look &l, const Foot &foot) const;
+  double follow(const Look &l, const Foot &foot) const;
+  double curve(const Look &l, const Foot &foot, const double v[3]) const;
+  const Foot *touched(const Look &l) const;
+  double reached(const Look &l, const Foot &foot) const;
+  double next(const Look &l) const;
+  bool is_too_far(const Look &l, const Foot *foot) const;
+  bool is_kept(const Look &begin, const Foot &foot) const;
+  void go_back(Look &good, Look &bad) const;
+  void fill(const Look &l, const Foot &foot, Contact &contact) const;
+};
+
+void RegionShape::Search::look(double time, Look &l) const {
+  l.time = time;
+  aspi_add_scaled(path.x, time, path.v, l.x);
+  shape.set_share(share(time));
+  l.in_room = shape.open_ || shape.in_room(shape.root_, false, l.x);
+  l.feet.clear();
+  shape.find_feet(shape.root_, false, l.x,
+                  1.001 * radius + fastest * std::max(0.0, path.left - time), l.feet);
+}
+
+/* The velocity of the foot, and of the sphere relative to it. */
+void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wall[3],
+                                   double v[3]) const {
+  const RegionPart &part = shape.parts_[foot.part];
+  double point[3];
+  v_wall[0] = v_wall[1] = v_wall[2] = 0;
+  if (part.moves()) {
+    aspi_add_scaled(l.x, -foot.distance, foot.n, point);
+    part.velocity(share(l.time), point, v_wall);
+  }
+  aspi_subtract(path.v, v_wall, v);
+}
+
+/* The speed towards a foot. It counts where it is more than rounding, or along a hollow face more
+ * than sliding; of a sphere that slides along one, or begins its path at a moving face, where its
+ * mean over the rest of the path does. */
+double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
+  double v_wall[3], v[3];
+  relative(l, foot, v_wall, v);
+  const double speed = -aspi_dot(v, foot.n), all = aspi_length(v);
+  const bool slides = foot.hollow > 0 && fabs(speed) <= SLIDES * all;
+  const bool rides = shape.parts_[foot.part].moves() && !(l.time > 0);
+  counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * all;
+  if ((slides || rides) && foot.distance - radius <= near(l, foot)) {
+    const double bend = (rides ? follow(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
+    const double mean = 0.5 * (path.left - l.time) * bend;
+    counts = speed + mean > CONTACT_APPROACH * all + MEASURED * fabs(mean);
+  }
+  return speed;
+}
+
+/* How far from a face a sphere is at it: at the beginning of a path, as far as one that rides on a
+ * moving part is off. */
+double RegionShape::Search::near(const Look &l, const Foot &foot) const {
+  return shape.parts_[foot.part].moves() && !(l.time > 0) ? KEEPS * radius : tolerance;
+}
+
+/* The acceleration along n that keeps the center at a face as that moves. */
+double RegionShape::Search::follow(const Look &l, const Foot &foot) const {
+  double a[3];
+  if (!shape.parts_[foot.part].moves())
+    return 0;
+  shape.parts_[foot.part].follow(share(l.time), l.x, path.v, a);
+  return aspi_dot(a, foot.n);
+}
+
+/* The acceleration along n that keeps the centre at a face, by the face's curve: from the distance
+ * a little way ahead. */
+double RegionShape::Search::curve(const Look &l, const Foot &foot, const double v[3]) const {
+  double along[3], ahead[3];
+  aspi_add_scaled(v, -aspi_dot(v, foot.n), foot.n, along);
+  const double speed = aspi_length(along), way = CURVE * radius;
+  if (!(speed > 0))
+    return 0;
+  aspi_add_scaled(l.x, way / speed, along, ahead);
+  std::vector<Foot> &feet = shape.buffers_.feet;
+  feet.clear();
+  shape.set_share(share(l.time));
+  shape.find_feet(shape.root_, false, ahead, foot.distance + way, feet);
+  for (const Foot &other : feet)
+    if (other.face == foot.face && other.inside == foot.inside &&
+        aspi_dot(other.n, foot.n) > 1 - 4 * CURVE)
+      return 2 * (foot.distance - other.distance) * speed * speed / (way * way);
+  return 0;
+}
+
+/* The face that is touched, or NULL: the deepest of those that the sphere approaches. */
+const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
+  const Foot *deepest = NULL;
+  for (const Foot &foot : l.feet) {
+    bool counts;
+    if (!l.in_room || foot.hidden || foot.across || !(foot.distance > 0) ||
+        foot.distance - radius > near(l, foot) || (deepest && foot.distance >= deepest->distance))
+      continue;
+    approach(l, foot, counts);
+    if (counts)
+      deepest = &foot;
+  }
+  return deepest;
+}
+
+/* How long at least until a face is reached; where that is not known well, as the path looks bent
+ * from a part that turns, no less than a stride. */
+double RegionShape::Search::reached(const Look &l, const Foot &foot) const {
+  bool counts;
+  const double speed = approach(l, foot, counts);
+  const double gap = std::max(0.0, foot.distance - (foot.across ? 0 : radius));
+  const double straight = counts ? gap / speed : HUGE_VAL;
+  const double bend = 2 * shape.parts_[foot.part].turn_speed() * fastest;
+  const double from_axis = foot.hollow - foot.distance;
+  double sure = gap / fastest;
+  if (from_axis > 0) {
+    const double beyond = (foot.distance - radius) * (2 * from_axis + foot.distance - radius);
+    const double rate = from_axis * speed, square = fastest * fastest + bend * foot.hollow;
+    const double root = sqrt(std::max(0.0, rate * rate + square * beyond));
+    sure = speed > 0 ? std::max(0.0, beyond) / (rate + root) : (root - rate) / square;
+    if (!(bend > 0))
+      return sure;
+  } else if (foot.behind) {
+    if (!(bend > 0))
+      return straight;
+    const double root = sqrt(speed * speed + 2 * bend * gap);
+    sure = speed > 0 ? 2 * gap / (speed + root) : (root - speed) / bend;
+  }
+  return std::max(sure, std::min(straight, stride()));
+}
+
+/* How long at least until any is. */
+double RegionShape::Search::next(const Look &l) const {
+  double time = HUGE_VAL;
+  for (const Foot &foot : l.feet) {
+    const double least = l.in_room && !foot.hidden ? 0 : stride();
+    time = std::min(time, std::max(least, reached(l, foot)));
+  }
+  return time;
+}
+
+/* True if a look has passed a contact: it is out of the room, or deep in a face. */
+bool RegionShape::Search::is_too_far(const Look &l, const Foot *foot) const {
+  if (!l.in_room)
+    return true;
+  return foot && foot->distance - radius < -tolerance;
+}
+
+/* True if a sphere that was at a face of a moving part is in it no deeper than one that is taken
+ * along may be: the next step puts it right. */
+bool RegionShape::Search::is_kept(const Look &begin, const Foot &foot) const {
+  bool was_there = false;
+  for (const Foot &other : begin.feet)
+    was_there = was_there || (other.face == foot.face && other.inside == foot.inside &&
+                              other.distance - radius <= near(begin, other));
+  return was_there && shape.parts_[foot.part].moves() && radius - foot.distance <= KEEPS * radius;
+}
+
+/* Between a place before the contact and one behind it, until one is at it. Along a face the
+ * distance is nearly linear in time: the line through the two has its zero near the contact; each
+ * third time the way is halved. */
+void RegionShape::Search::go_back(Look &good, Look &bad) const {
+  Look &between = shape.buffers_.between;
+  for (int looks = 1; (bad.time - good.time) * fastest > 0.5 * tolerance; looks++) {
+    const Foot *foot = touched(bad);
+    if (foot && foot->distance - radius >= -tolerance)
+      break;
+    double share = 0.5;
+    if (foot && looks % 3 > 0)
+      for (const Foot &other : good.feet)
+        if (other.face == foot->face && other.inside == foot->inside &&
+            other.distance - radius > tolerance)
+          share = (other.distance - radius) / (other.distance - foot->distance);
+    const double middle = good.time + share * (bad.time - good.time);
+    if (!(middle > good.time && middle < bad.time))
+      break;
+    look(middle, between);
+    std::swap(!between.in_room || touched(between) ? bad : good, between);
+  }
+}
+
+void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact) const {
+  double v[3];
+  const double push_out = radius - foot.distance, left = path.left - l.time;
+  contact.time = l.time;
+  aspi_copy(foot.n, contact.n);
+  relative(l, foot, contact.v_wall, v);
+  contact.piece = 0;
+  contact.face = foot.face;
+  aspi_add_scaled(l.x, push_out > tolerance ? push_out : 0, foot.n, contact.x);
+  contact.overlapped = push_out > near(l, foot);
+  contact.follow = follow(l, foot);
+  contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
+  contact.closing = -aspi_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);
+}
+
+bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  Search search(*this, path, radius);
+  const double end = std::min(latest, path.left);
+  if (!(search.fastest > 0) || !(path.left > 0))
+    return false;
+  Look &good = buffers_.good, &now = buffers_.now;
+  search.look(0, now);
+  for (int looks = 1;; looks++) {
+    const Foot *foot = search.touched(now);
+    if (looks == 2 && foot && now.in_room && !(now.time < end) && search.is_kept(good, *foot))
+      return false;
+    if (looks > 1 && good.in_room && search.is_too_far(now, foot)) {
+      const double far = now.time;
+      search.go_back(good, now);
+      foot = search.touched(now);
+      if (!foot) { /* it has left the room where there is no face */
+        search.look(far, now);
+        foot = search.touched(now);
+      }
+    }
+    if (foot) {
+      search.fill(now, *foot, contact);
+      return true;
+    }
+    if (!(now.time < end))
+      return false;
+    double step = search.next(now);
+    if (flat_ && !open_ && now.in_room && !(speed_ > 0) && now.time + step > end)
+      return false;
+    if (looks > PATIENCE)
+      step = std::max(step, HURRY * radius / search.fastest);
+    std::swap(good, now);
+    search.look(std::min(end, good.time + step), now);
+  }
+}
