@@ -13,7 +13,7 @@ gt = 'grant_tabakoff_1975'
 fo = 'forder_1998'
 kh = 'kharaz_2001'
 # Columns of asperity compare.
-angle = 18; mean = 5; sd = 6; measured = 11; measured_sd = 12
+angle = 2; mean = 8; sd = 10; measured = 13; measured_sd = 15
 set style fill transparent solid 0.2 noborder
 set multiplot layout 2,4 title 'Measured coefficients of restitution, and laws with constants as shipped or fitted (see README)'."\n"
 

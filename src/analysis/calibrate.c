@@ -42,7 +42,7 @@ double aspi_unknown_slope(const aspi_unknown *u, double scaled) {
 
 /* A row of means; sd and n where they are known. */
 static void take_means(aspi_calibration *c, size_t b) {
-  const measured_row *row = &c->data.rows[c->bins[b].first];
+  const aspi_measured_row *row = &c->data.rows[c->bins[b].first];
   aspi_group *g = &c->groups[b];
   double alpha = aspi_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
   bool scatter = row->sd[COR_N] > 0 || row->sd[COR_T] > 0, counted = row->n > 0;
@@ -63,12 +63,12 @@ static void take_means(aspi_calibration *c, size_t b) {
   }
 }
 
-static double interval_of(const measured_row *row, double width) {
+static double interval_of(const aspi_measured_row *row, double width) {
   return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
 }
 
 static void make_bins(aspi_calibration *c, double width) {
-  const measured_row *rows = c->data.rows;
+  const aspi_measured_row *rows = c->data.rows;
   for (size_t i = 0; i < c->data.count; i++) {
     aspi_calibration_bin *last = c->n_bins ? &c->bins[c->n_bins - 1] : NULL;
     bool joins = last && !c->data.means &&

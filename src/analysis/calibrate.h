@@ -25,7 +25,7 @@ typedef struct aspi_calibration_bin {
 } aspi_calibration_bin;
 
 typedef struct aspi_calibration {
-  measured data;
+  aspi_measured data;
   aspi_calibration_bin *bins;
   aspi_group *groups; /* of each bin: x = v_N2/v1 and y = v_T2/v1 of rebounds, which are bounded */
   size_t n_bins;      /* where CoR_N and CoR_T are not */

@@ -40,7 +40,7 @@ static void add_noise(const aspi_calibration *c, const double *normal, double *x
 }
 
 /* One impact of the model as it would be measured: x and y; false: no rebound is seen. */
-static bool see_rebound(const aspi_calibration *c, const measured_row *row, uint32_t stream,
+static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row, uint32_t stream,
                         uint64_t tag, double xy[COR_BOTH], bool *dropped) {
   static const double n[3] = {0, 0, 1};
   double normal[4] = {0, 0, 0, 0};
@@ -61,7 +61,7 @@ static bool see_rebound(const aspi_calibration *c, const measured_row *row, uint
     return false;
   /* With v1 along the normal there is no plane of incidence: what is off the normal is all along.
    */
-  bool all = c->data.view == MEASURED_SPACE || !(v1[0] > 0);
+  bool all = c->data.view == ASPI_MEASURED_SPACE || !(v1[0] > 0);
   xy[COR_N] = impact.v2[2] / v;
   xy[COR_T] = (all ? hypot(impact.v2[0], impact.v2[1]) : impact.v2[0]) / v;
   if (!noisy)
@@ -77,7 +77,7 @@ void aspi_calibration_draw(void *context, size_t b, size_t samples, uint32_t str
   const aspi_calibration *c = context;
   const aspi_calibration_bin *bin = &c->bins[b];
   for (size_t i = 0; i < samples; i++) {
-    const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
+    const aspi_measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
     bool dropped;
     if (see_rebound(c, row, stream, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds], &dropped))
       to->rebounds++;
@@ -95,7 +95,7 @@ bool aspi_calibration_take_impacts(const aspi_calibration *c, size_t b) {
     return false;
   aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
   for (size_t i = bin->first; i < bin->end; i++) {
-    const measured_row *row = &c->data.rows[i];
+    const aspi_measured_row *row = &c->data.rows[i];
     double alpha = aspi_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
     to->deposits += row->deposit;
     for (int k = 0; k < COR_BOTH && !row->deposit; k++) {
@@ -123,7 +123,7 @@ void aspi_calibration_coefficients(const aspi_calibration *c, size_t b, double m
   const aspi_calibration_bin *bin = &c->bins[b];
   aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
   for (size_t i = 0; i < c->samples; i++) {
-    const measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
+    const aspi_measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
     double xy[COR_BOTH], alpha = aspi_radians(row->degrees);
     bool dropped;
     if (!see_rebound(c, row, 0, b * TAGS_OF_A_BIN + i, xy, &dropped))

@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/compare.h"
-#include "analysis/window.h"
 #include "base/error.h"
 
 #include <math.h>
@@ -19,7 +18,7 @@ enum { ENOUGH = 20 };
 enum { ROWS_EACH = 4 };
 
 /* How many of the points, which are in order of their angle, lie below it. */
-static size_t count_below(const scatter_impacts *impacts, double angle) {
+static size_t count_below(const aspi_scatter_impacts *impacts, double angle) {
   size_t low = 0, high = impacts->count;
   while (low < high) {
     size_t middle = low + (high - low) / 2;
@@ -35,7 +34,7 @@ static bool is_near(double is, double wanted, double share) {
   return isnan(wanted) || fabs(is - wanted) <= share * wanted;
 }
 
-static bool same_place(const measured_row *a, const measured_row *b) {
+static bool same_place(const aspi_measured_row *a, const aspi_measured_row *b) {
   return fabs(a->degrees - b->degrees) <= SAME_ANGLE &&
          (isnan(a->v1) || is_near(a->v1, b->v1, SAME_SHARE)) &&
          (isnan(a->d_p) || is_near(a->d_p, b->d_p, SAME_SHARE));
@@ -44,7 +43,7 @@ static bool same_place(const measured_row *a, const measured_row *b) {
 /* ---- the bins' rows ---------------------------------------------------------------------------
  */
 
-static size_t count_places(const measured *data) {
+static size_t count_places(const aspi_measured *data) {
   size_t places = 0;
   for (size_t i = 0; i < data->count; i++)
     places += i == 0 || !same_place(&data->rows[i], &data->rows[i - 1]);
@@ -52,7 +51,7 @@ static size_t count_places(const measured *data) {
 }
 
 /* Which interval of that width an angle is in; the last one ends with 90 degrees. */
-static double interval_of(const measured_row *row, double width) {
+static double interval_of(const aspi_measured_row *row, double width) {
   return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
 }
 
@@ -60,27 +59,23 @@ static asp_code no_memory(size_t count, asp_error *error) {
   return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
 }
 
-static void describe_place(const measured *data, aspi_compare_bin *on) {
+static void describe_place(const aspi_measured *data, aspi_compare_bin *on) {
   double n = (double)(on->end - on->first);
   for (size_t i = on->first; i < on->end; i++) {
     on->degrees += data->rows[i].degrees / n;
     on->v1 += data->rows[i].v1 / n;
     on->d_p += data->rows[i].d_p / n;
-    on->data_deposits += data->rows[i].deposit;
   }
-  on->deposits_p = NAN;
-  for (int k = 0; k < COR_BOTH; k++)
-    on->in_band[k] = on->distance[k] = on->p[k] = NAN;
 }
 
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error) {
-  const measured *data = &c->data;
+  const aspi_measured *data = &c->data;
   bool places = !data->means && !given && data->count >= ROWS_EACH * count_places(data);
   c->bins = calloc(data->count + 1, sizeof *c->bins);
   if (!c->bins)
     return no_memory(data->count, error);
   for (size_t i = 0; i < data->count; i++) {
-    const measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
+    const aspi_measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
     bool joins =
         i > 0 && !data->means &&
         (places ? same_place(row, last) : interval_of(row, width) <= interval_of(last, width));
@@ -103,15 +98,15 @@ typedef struct weights {
   size_t count;
 } weights;
 
-static bool is_around(const scatter_point *p, const measured_row *at,
+static bool is_around(const aspi_scatter_point *p, const aspi_measured_row *at,
                       const aspi_compare_reach *far) {
   return is_near(p->v1, at->v1, far->speed) && is_near(p->d_p, at->d_p, far->size);
 }
 
-static size_t count_near(const scatter_impacts *impacts, const measured_row *at,
+static size_t count_near(const aspi_scatter_impacts *impacts, const aspi_measured_row *at,
                          const aspi_compare_reach *far) {
   size_t found = 0;
-  const scatter_point *p = impacts->points;
+  const aspi_scatter_point *p = impacts->points;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++)
     found += is_around(&p[i], at, far);
@@ -119,10 +114,10 @@ static size_t count_near(const scatter_impacts *impacts, const measured_row *at,
 }
 
 /* Gives the impacts around a place, no farther than that, a weight of `rows` together. */
-static void weigh(const scatter_impacts *impacts, const measured_row *at,
+static void weigh(const aspi_scatter_impacts *impacts, const aspi_measured_row *at,
                   const aspi_compare_reach *far, double rows, weights *w) {
   double each = rows / (double)count_near(impacts, at, far);
-  const scatter_point *p = impacts->points;
+  const aspi_scatter_point *p = impacts->points;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++) {
     if (!is_around(&p[i], at, far))
@@ -137,7 +132,7 @@ static void weigh(const scatter_impacts *impacts, const measured_row *at,
 static void weigh_bin(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
                       aspi_compare_bin *b) {
   static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
-  const measured_row *rows = c->data.rows;
+  const aspi_measured_row *rows = c->data.rows;
   b->from = 90;
   b->to = 0;
   w->count = 0;
@@ -154,87 +149,97 @@ static void weigh_bin(const aspi_comparison *c, const aspi_compare_reach *far, w
   }
 }
 
-/* The model's sample in a bin, and its deposits. False: out of memory. */
-static bool sample_model(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
-                         aspi_compare_bin *b) {
+/* The model's impacts in a bin. False: out of memory. */
+static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
+                       aspi_compare_bin *b) {
   weigh_bin(c, far, w, b);
-  double total = 0, stuck = 0, squares = 0;
-  for (size_t i = 0; i < w->count; i++) {
-    double weight = w->of[w->which[i]];
-    total += weight;
-    squares += weight * weight;
-    stuck += c->impacts.points[w->which[i]].deposit ? weight : 0;
-  }
-  b->model_all = total > 0 ? total * total / squares : 0;
-  b->model_deposits = total > 0 ? stuck / total * b->model_all : 0;
-  for (int k = 0; k < COR_BOTH; k++) {
-    aspi_sample *s = &b->model[k];
-    if (!(s->values = calloc(w->count + 1, sizeof *s->values)))
-      return false;
-    for (size_t i = 0; i < w->count; i++)
-      if (isfinite(c->impacts.points[w->which[i]].cor[k]))
-        s->values[s->count++] =
-            (aspi_weighted){c->impacts.points[w->which[i]].cor[k], w->of[w->which[i]]};
-    aspi_sample_describe(s);
-  }
-  while (w->count > 0)
-    w->of[w->which[--w->count]] = 0;
-  return true;
-}
-
-/* False: out of memory. */
-static bool sample_data(const measured *data, aspi_compare_bin *b) {
-  for (int k = 0; k < COR_BOTH; k++) {
-    aspi_sample *s = &b->data[k];
-    const measured_row *row = &data->rows[b->first];
-    *s = (aspi_sample){
-        .mean = row->cor[k], .sd = row->sd[k], .median = NAN, .low = NAN, .high = NAN};
-    if (data->means)
-      continue;
-    if (!(s->values = calloc(b->end - b->first, sizeof *s->values)))
-      return false;
-    for (size_t i = b->first; i < b->end; i++)
-      if (isfinite(data->rows[i].cor[k]))
-        s->values[s->count++] = (aspi_weighted){data->rows[i].cor[k], 1};
-    aspi_sample_describe(s);
-  }
-  return true;
-}
-
-/* Rows of means without speeds and sizes, as many as there may be, by a window that moves over the
- * impacts. */
-static bool sample_by_window(aspi_comparison *c, double far, int which) {
-  const scatter_point *points = c->impacts.points;
-  aspi_window *window =
-      aspi_window_create(&points->degrees, &points->cor[which], sizeof *points, c->impacts.count);
-  if (!window)
+  aspi_side *side = &b->model;
+  if (!(side->impacts = malloc((w->count + 1) * sizeof *side->impacts)))
     return false;
+  for (; w->count > 0; w->of[w->which[w->count]] = 0) {
+    size_t i = w->which[--w->count];
+    const aspi_scatter_point *p = &c->impacts.points[i];
+    side->impacts[side->count++] =
+        (aspi_impact){{p->cor[COR_N], p->cor[COR_T], p->deposit}, w->of[i]};
+  }
+  return true;
+}
+
+/* The measured impacts, or means. An sd without the number of impacts counts as of one. */
+static bool take_data(const aspi_measured *data, aspi_compare_bin *b) {
+  const aspi_measured_row *row = &data->rows[b->first];
+  aspi_side *side = &b->data;
+  for (int k = 0; k < ASPI_QUANTITIES; k++)
+    side->of[k] = aspi_sample_none;
+  for (int k = 0; k < COR_BOTH && data->means; k++) {
+    aspi_sample *s = &side->of[k];
+    s->mean = row->cor[k];
+    s->sd = row->sd[k];
+    s->size = row->n;
+    s->mean_se = isfinite(row->se[k]) ? row->se[k] : s->sd / sqrt(isfinite(row->n) ? row->n : 1);
+  }
+  if (data->means)
+    return true;
+  if (!(side->impacts = malloc((b->end - b->first) * sizeof *side->impacts)))
+    return false;
+  for (; side->count < b->end - b->first; row++)
+    side->impacts[side->count++] =
+        (aspi_impact){{row->cor[COR_N], row->cor[COR_T], row->deposit}, 1};
+  return true;
+}
+
+/* ---- means over intervals of angles -----------------------------------------------------------
+ */
+
+/* Of the impacts before each, which are in order of their angle: how many have a coefficient, and
+ * the sums of its difference from 0.5 and of that squared. */
+typedef struct running {
+  double n, sum, squares;
+} running;
+
+/* As large a share of a sum of squares may be rounding. */
+#define ROUNDING 1e-12
+
+/* Rows of means without speeds and sizes, as many as there may be, by sums over all impacts before
+ * an angle. */
+static bool take_intervals(aspi_comparison *c, double far, int which) {
+  const aspi_scatter_point *points = c->impacts.points;
+  running *before = calloc(c->impacts.count + 1, sizeof *before);
+  if (!before)
+    return false;
+  for (size_t i = 0; i < c->impacts.count; i++) {
+    double u = points[i].cor[which] - 0.5;
+    bool is = isfinite(u);
+    before[i + 1] = (running){before[i].n + is, before[i].sum + (is ? u : 0),
+                              before[i].squares + (is ? u * u : 0)};
+  }
   for (size_t i = 0; i < c->count; i++) {
     aspi_compare_bin *b = &c->bins[i];
-    size_t at = count_below(&c->impacts, b->degrees + SAME_ANGLE) -
-                count_below(&c->impacts, b->degrees - SAME_ANGLE);
-    size_t around =
-        count_below(&c->impacts, b->degrees + far) - count_below(&c->impacts, b->degrees - far);
-    bool exact = at >= ENOUGH || (at > 0 && at >= around);
-    double wide = exact ? 0 : far, slack = exact ? SAME_ANGLE : 0;
-    b->from = fmax(0, b->degrees - wide);
-    b->to = fmin(90, b->degrees + wide);
-    aspi_window_move(window, b->from - slack, b->to + slack);
-    aspi_sample *s = &b->model[which];
-    *s = (aspi_sample){.count = aspi_window_count(window)};
-    s->mean = s->sd = s->median = s->low = s->high = NAN;
-    s->size = (double)s->count;
-    if (s->count > 0) {
-      aspi_window_moments(window, &s->mean, &s->sd);
-      s->sd = s->count > 1 ? s->sd : NAN;
-      s->median = aspi_window_quantile(window, 0.5);
+    size_t first = count_below(&c->impacts, b->degrees - SAME_ANGLE);
+    size_t end = count_below(&c->impacts, b->degrees + SAME_ANGLE);
+    size_t far_first = count_below(&c->impacts, b->degrees - far);
+    size_t far_end = count_below(&c->impacts, b->degrees + far);
+    bool exact = end - first >= ENOUGH || (end > first && end - first >= far_end - far_first);
+    if (!exact) {
+      first = far_first;
+      end = far_end;
     }
-    if (s->count >= 20) {
-      s->low = aspi_window_quantile(window, 0.05);
-      s->high = aspi_window_quantile(window, 0.95);
+    b->from = exact ? b->degrees : fmax(0, b->degrees - far);
+    b->to = exact ? b->degrees : fmin(90, b->degrees + far);
+    double n = before[end].n - before[first].n, sum = before[end].sum - before[first].sum;
+    double squares = before[end].squares - before[first].squares;
+    aspi_sample *s = &b->model.of[which];
+    *s = aspi_sample_none;
+    s->count = (size_t)n;
+    s->size = n;
+    s->mean = 0.5 + sum / n;
+    if (n > 1) {
+      double spread = squares - sum * sum / n;
+      s->sd = spread > ROUNDING * before[end].squares ? sqrt(spread / (n - 1)) : 0;
+      s->mean_se = s->sd / sqrt(n);
     }
   }
-  aspi_window_free(window);
+  free(before);
   return true;
 }
 
@@ -242,57 +247,56 @@ static bool sample_by_window(aspi_comparison *c, double far, int which) {
  */
 
 bool aspi_compare_has_both(const aspi_compare_bin *b, int which) {
-  return isfinite(b->data[which].mean) && b->model[which].count > 0;
+  return isfinite(b->data.of[which].mean) && b->model.of[which].count > 0;
 }
 
-/* A mean whose standard error is known, against the model's. */
-static double p_of_means(const aspi_sample *model, const measured_row *row, int which) {
-  double error = isfinite(row->se[which]) ? row->se[which] : row->sd[which] / sqrt(row->n);
-  double own = model->sd / sqrt(model->size);
-  double z = fabs(model->mean - row->cor[which]) / hypot(error, isfinite(own) ? own : 0);
-  return isfinite(z) ? erfc(z / sqrt(2)) : NAN;
-}
-
-static void compare_bin_of(const aspi_comparison *c, aspi_compare_bin *b) {
-  size_t rows = b->end - b->first;
-  for (int k = 0; k < COR_BOTH; k++) {
-    const aspi_sample *m = &b->model[k], *d = &b->data[k];
-    if (!aspi_compare_has_both(b, k))
-      continue;
-    if (c->data.means) {
-      b->p[k] = p_of_means(m, &c->data.rows[b->first], k);
-      continue;
-    }
-    if (isfinite(m->low))
-      b->in_band[k] = aspi_sample_within(d, m->low, m->high);
-    b->distance[k] = aspi_sample_distance(m, d);
-    b->p[k] = aspi_sample_p_value(m, d, b->distance[k]);
+/* False: out of memory. */
+static bool compare_bin(aspi_comparison *c, aspi_compare_bin *b, aspi_score *score) {
+  for (int k = 0; k < ASPI_QUANTITIES; k++) {
+    if (b->model.impacts)
+      aspi_sample_describe(&b->model, k);
+    if (b->data.impacts)
+      aspi_sample_describe(&b->data, k);
+    if (k < COR_BOTH)
+      b->distance[k] = b->data.impacts && aspi_compare_has_both(b, k)
+                           ? aspi_sample_distance(&b->model, &b->data, k)
+                           : NAN;
   }
-  if (c->data.has_outcome && b->model_all >= 1 && b->model_deposits + b->data_deposits > 0)
-    b->deposits_p =
-        aspi_shares_p_value((size_t)(b->model_deposits + 0.5), (size_t)(b->model_all + 0.5),
-                            (size_t)b->data_deposits, rows);
+  if (!c->data.has_outcome)
+    b->data.of[ASPI_DEPOSITS].mean = NAN;
+  if (b->data.impacts)
+    return aspi_score_add_impacts(score, &b->model, &b->data);
+  aspi_score_add_means(score, &b->model, &b->data);
+  return true;
+}
+
+static void free_impacts(aspi_side *side) {
+  free(side->impacts);
+  side->impacts = NULL;
 }
 
 static int by_angle(const void *left, const void *right) {
-  const scatter_point *a = left, *b = right;
+  const aspi_scatter_point *a = left, *b = right;
   return (a->degrees > b->degrees) - (a->degrees < b->degrees);
 }
 
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error) {
-  bool by_window = c->data.means && !c->data.has_speed && !c->data.has_size;
+  bool by_interval = c->data.means && !c->data.has_speed && !c->data.has_size;
   weights w = {calloc(c->impacts.count + 1, sizeof *w.of),
                calloc(c->impacts.count + 1, sizeof *w.which), 0};
-  bool fine = w.of && w.which;
+  aspi_score score;
+  bool fine = aspi_score_begin(&score) && w.of && w.which;
   qsort(c->impacts.points, c->impacts.count, sizeof *c->impacts.points, by_angle);
-  for (int k = 0; k < COR_BOTH && by_window && fine; k++)
-    fine = sample_by_window(c, far->degrees, k);
+  for (int k = 0; k < COR_BOTH && by_interval && fine; k++)
+    fine = take_intervals(c, far->degrees, k);
   for (size_t i = 0; i < c->count && fine; i++) {
     aspi_compare_bin *b = &c->bins[i];
-    fine = (by_window || sample_model(c, far, &w, b)) && sample_data(&c->data, b);
-    if (fine)
-      compare_bin_of(c, b);
+    fine = (by_interval || take_model(c, far, &w, b)) && take_data(&c->data, b) &&
+           compare_bin(c, b, &score);
+    free_impacts(&b->model);
+    free_impacts(&b->data);
   }
+  c->score = aspi_score_end(&score);
   free(w.of);
   free(w.which);
   return fine ? ASP_OK : no_memory(c->impacts.count, error);
@@ -301,12 +305,13 @@ asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, as
 asp_code aspi_compare_fill_alone(aspi_comparison *c, asp_error *error) {
   for (size_t i = 0; i < c->count; i++) {
     aspi_compare_bin *b = &c->bins[i];
-    if (!sample_data(&c->data, b))
+    if (!take_data(&c->data, b))
       return no_memory(c->data.count, error);
-    for (int k = 0; k < COR_BOTH; k++) {
-      b->model[k] = b->data[k];
-      b->data[k] = (aspi_sample){.mean = NAN, .sd = NAN};
-    }
+    for (int k = 0; k < ASPI_QUANTITIES; k++)
+      aspi_sample_describe(&b->data, k);
+    free_impacts(&b->data);
+    b->model = b->data;
+    b->data = (aspi_side){.of = {aspi_sample_none, aspi_sample_none, aspi_sample_none}};
     b->from = c->data.rows[b->first].degrees;
     b->to = c->data.rows[b->end - 1].degrees;
   }
@@ -314,10 +319,5 @@ asp_code aspi_compare_fill_alone(aspi_comparison *c, asp_error *error) {
 }
 
 void aspi_compare_free_bins(aspi_comparison *c) {
-  for (size_t i = 0; i < c->count; i++)
-    for (int k = 0; k < COR_BOTH; k++) {
-      free(c->bins[i].model[k].values);
-      free(c->bins[i].data[k].values);
-    }
   free(c->bins);
 }

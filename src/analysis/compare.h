@@ -1,6 +1,6 @@
 /* Impacts of a model or a simulation at the places (angle, speed, size) of measurements, and how
- * far apart both are: moments, the share of measured points within the model's 5 to 95 % band, the
- * two-sample distance of Kolmogorov and Smirnov, and shares of deposits.
+ * far apart both are: means, standard deviations, shares of deposits, the two-sample distance of
+ * Kolmogorov and Smirnov, and one score of them all.
  *
  * Each measured impact is compared with the model's impacts at its own place: those that have its
  * angle (and speed, and size), or else those near it, which together weigh as much as it does. So
@@ -11,7 +11,7 @@
 #define ASP_ANALYSIS_COMPARE_H
 
 #include "analysis/impacts.h"
-#include "analysis/sample.h"
+#include "analysis/score.h"
 #include "asperity.h"
 
 /* The measurements at one angle, speed and size, or those of some such places together; and the
@@ -20,17 +20,17 @@ typedef struct aspi_compare_bin {
   size_t first, end;       /* rows of the data */
   double degrees, v1, d_p; /* their mean place; NAN where there is none */
   double from, to;         /* the angles that impacts were taken from */
-  aspi_sample model[COR_BOTH], data[COR_BOTH];
-  double in_band[COR_BOTH], distance[COR_BOTH], p[COR_BOTH];
-  double model_all, model_deposits, data_deposits, deposits_p; /* counts; of all of either kind */
+  aspi_side model, data;
+  double distance[COR_BOTH]; /* of Kolmogorov and Smirnov; NAN without single impacts */
 } aspi_compare_bin;
 
 typedef struct aspi_comparison {
   const char *names[2]; /* of the files: impacts, data; no second one: the impacts alone */
-  scatter_impacts impacts;
-  measured data; /* of impacts alone, these */
+  aspi_scatter_impacts impacts;
+  aspi_measured data; /* of impacts alone, these */
   aspi_compare_bin *bins;
   size_t count;
+  aspi_estimate score;
 } aspi_comparison;
 
 /* How far impacts of the model may be from a place where none has it: degrees, and shares. */

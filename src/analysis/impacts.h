@@ -9,44 +9,47 @@
 
 enum { COR_N, COR_T, COR_BOTH };
 
-typedef struct scatter_point {
+typedef struct aspi_scatter_point {
   double degrees;       /* impact angle */
   float v1, d_p;        /* SI; NAN where there is none */
   bool deposit;         /* it has no coefficients */
   float cor_t_space;    /* of the whole speed along the wall, without a sign; NAN alike */
   double cor[COR_BOTH]; /* NAN where there is none */
-} scatter_point;
+} aspi_scatter_point;
 
-typedef struct scatter_impacts {
-  scatter_point *points;
-  size_t count, deposits;         /* deposits: of those */
-  bool rough;                     /* some local wall was tilted */
-  bool sideways;                  /* some went out of the plane of incidence */
-  char comment[1024];             /* the file's first comment */
-  double metre, metre_per_second; /* of the file's units */
-} scatter_impacts;
+typedef struct aspi_scatter_impacts {
+  aspi_scatter_point *points;
+  size_t count, deposits; /* deposits: of those */
+  bool rough;             /* some local wall was tilted */
+  bool sideways;          /* some went out of the plane of incidence */
+  char comment[1024];     /* the file's first comment */
+} aspi_scatter_impacts;
 
 /* NAN where there is nothing. Of an impact, cor are its coefficients and se their measurement
  * errors; of a mean, cor are means, sd standard deviations, se standard errors and n the number of
  * impacts. */
-typedef struct measured_row {
+typedef struct aspi_measured_row {
   double degrees, v1, d_p; /* SI */
   double cor[COR_BOTH], sd[COR_BOTH], se[COR_BOTH], n;
   bool deposit;
-} measured_row;
+} aspi_measured_row;
 
-/* View of the measured rebounds: in the plane of incidence, as one camera sees them from the side,
- * so that CoR_T has a sign; in space, with CoR_T of the whole speed along the wall; or columns that
- * can mean either. */
-typedef enum measured_view { MEASURED_PLANE, MEASURED_SPACE, MEASURED_EITHER } measured_view;
+/* How rebounds were looked at: in the plane of incidence, as by one camera from the side, so that
+ * CoR_T has a sign; in space, where it is of the whole speed along the wall; or by columns that
+ * mean either. */
+typedef enum aspi_measured_view {
+  ASPI_MEASURED_PLANE,
+  ASPI_MEASURED_SPACE,
+  ASPI_MEASURED_EITHER
+} aspi_measured_view;
 
-typedef struct measured {
-  measured_row *rows;
+typedef struct aspi_measured {
+  aspi_measured_row *rows;
   size_t count;
   bool means;                            /* rows are means, not impacts */
   bool has_speed, has_size, has_outcome; /* there are such columns */
-  measured_view view;
+  aspi_measured_view view;
   bool folds; /* rebounds that noise put below the wall are mirrored at it, else left out */
-} measured;
+} aspi_measured;
 
 #endif

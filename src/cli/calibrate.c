@@ -107,9 +107,9 @@ static void read_unknowns(aspi_calibration *c) {
 static void read_data(const cli_option *options, aspi_calibration *c, const char *path) {
   asp_error error;
   double width = cli_number(&options[BIN], 0.1, 90);
-  c->data = measured_read(path, &options[MEASURED]);
-  measured_need_view(path, &c->data,
-                     !c->smooth && strcmp(asp_wall_word(c->wall, "tilt"), "plane") != 0);
+  c->data = cli_measured_read(path, &options[MEASURED]);
+  cli_measured_need_view(path, &c->data,
+                         !c->smooth && strcmp(asp_wall_word(c->wall, "tilt"), "plane") != 0);
   c->samples = options[SAMPLES].value ? cli_whole(&options[SAMPLES], 100, 100000000) : 0;
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)
@@ -371,7 +371,7 @@ static int run(int argc, char **argv) {
   if (options[PLOT].value)
     draw_picture(&options[PLOT], &c, &f, argv[1]);
   cli_description_free(&wall);
-  measured_free(&c.data);
+  cli_measured_free(&c.data);
   aspi_calibration_free(&c);
   return 0;
 }

@@ -22,8 +22,8 @@ typedef struct cli_command {
   int (*run)(int argc, char **argv);
 } cli_command;
 
-extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_materials, cli_rebound,
-    cli_spread, cli_surface, cli_trade;
+extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_erosion, cli_materials,
+    cli_rebound, cli_spread, cli_surface, cli_trade;
 
 /* One option of a command. A table of them ends with a NULL name. */
 typedef struct cli_option {

@@ -17,7 +17,7 @@ enum {
   N = PLOT + PLOT_OPTIONS
 };
 
-static const char *const names[COR_BOTH] = {"cor_n", "cor_t"};
+static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"};
 
 /* Width of bins in degrees, for impacts that were not measured again and again at some places; and
  * how far impacts of the model may be from a place where none has it: degrees, and shares of speed
@@ -36,113 +36,47 @@ static void print(FILE *out, double value) {
     fputc(',', out);
 }
 
-typedef struct score {
-  double difference2, in_sd2, in_band, distance, *p;
-  size_t differences, in_sds, bands, distances, ps, model_n, data_n;
-} score;
-
-static void add(double value, double *sum, size_t *count) {
-  if (!isfinite(value))
-    return;
-  *sum += value;
-  (*count)++;
+static void print_side(FILE *out, const aspi_sample *s, double n, bool has_sd) {
+  print(out, n);
+  print(out, s->mean);
+  print(out, s->mean_se);
+  print(out, has_sd ? s->sd : NAN);
+  print(out, has_sd ? s->sd_se : NAN);
 }
 
-static void print_bin(FILE *out, const aspi_comparison *c, const aspi_compare_bin *b, int k,
-                      score *s) {
-  const aspi_sample *m = &b->model[k], *d = &b->data[k];
-  double off = m->mean - d->mean, in_sd = off / (d->sd > 0 ? d->sd : NAN);
-  fprintf(out, "%s,%g,%g,%zu", names[k], b->from, b->to, m->count);
-  print(out, m->mean);
-  print(out, m->sd);
-  print(out, m->median);
-  print(out, m->low);
-  print(out, m->high);
-  print(out, c->data.means ? c->data.rows[b->first].n : (double)d->count);
-  print(out, d->mean);
-  print(out, d->sd);
-  print(out, d->median);
-  print(out, in_sd);
-  print(out, b->in_band[k]);
-  print(out, b->distance[k]);
-  print(out, b->p[k]);
-  print(out, b->degrees);
+static void print_bin(FILE *out, const aspi_comparison *c, const aspi_compare_bin *b, int k) {
+  const aspi_sample *m = &b->model.of[k], *d = &b->data.of[k];
+  fprintf(out, "%s,%.6g,%g,%g", names[k], b->degrees, b->from, b->to);
   print(out, b->v1);
   print(out, b->d_p * 1e6);
-  print(out, off);
-  fputc('\n', out);
-  s->model_n += m->count;
-  s->data_n += d->count;
-  add(off * off, &s->difference2, &s->differences);
-  add(in_sd * in_sd, &s->in_sd2, &s->in_sds);
-  add(b->in_band[k], &s->in_band, &s->bands);
-  add(b->distance[k], &s->distance, &s->distances);
-  if (isfinite(b->p[k]))
-    s->p[s->ps++] = b->p[k];
-}
-
-/* Shares of deposits, as means. */
-static void print_deposits(FILE *out, const aspi_comparison *c, const aspi_compare_bin *b,
-                           score *s) {
-  double rows = (double)(b->end - b->first), share = b->model_deposits / b->model_all;
-  double data = c->data.has_outcome ? b->data_deposits / rows : NAN;
-  fprintf(out, "deposits,%g,%g,%.0f", b->from, b->to, b->model_all);
-  print(out, share);
-  fputs(",,,,", out);
-  print(out, c->data.has_outcome ? rows : NAN);
-  print(out, data);
-  fputs(",,,,,", out);
-  print(out, b->deposits_p);
-  print(out, b->degrees);
-  print(out, b->v1);
-  print(out, b->d_p * 1e6);
-  print(out, share - data);
-  fputc('\n', out);
-  if (isfinite(b->deposits_p))
-    s->p[s->ps++] = b->deposits_p;
-}
-
-static void print_overall(FILE *out, const score *s, double p) {
-  fprintf(out, "overall,,,%zu,,,,,,%zu,,,", s->model_n, s->data_n);
-  print(out, sqrt(s->in_sd2 / (double)s->in_sds));
-  print(out, s->in_band / (double)s->bands);
-  print(out, s->distance / (double)s->distances);
-  print(out, p);
-  fputs(",,,", out);
-  print(out, sqrt(s->difference2 / (double)s->differences));
-  fputc('\n', out);
+  print_side(out, m, (double)m->count, k < COR_BOTH);
+  print_side(out, d, c->data.means ? c->data.rows[b->first].n : (double)d->count, k < COR_BOTH);
+  print(out, k < COR_BOTH ? b->distance[k] : NAN);
+  fputs(",,\n", out);
 }
 
 static const char note[] =
-    "# note: deposits have no coefficients and are left out of means and bands; their shares are "
+    "# note: deposits have no coefficients and are left out of their means; their shares are "
     "compared\n"
     "# where the data tell outcomes. Coefficients and constants that were fitted to measurements "
     "hold the\n"
     "# roughness of the measured wall already; with a rough wall they count it twice.\n";
 
 static void print_all(FILE *out, const aspi_comparison *c) {
-  score s = {.p = cli_allocate(3 * c->count, sizeof *s.p)};
-  double each[3];
-  size_t n_each = 0;
   fputs(note, out);
   fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
           c->impacts.deposits);
-  fputs("coefficient,alpha_from_deg,alpha_to_deg,model_n,model_mean,model_sd,model_median,"
-        "model_p05,model_p95,data_n,data_mean,data_sd,data_median,mean_difference_in_data_sd,"
-        "data_in_model_band,ks_distance,p_value,alpha1_deg,v1_m_s,dp_um,mean_difference\n",
+  fputs("quantity,alpha1_deg,alpha_from_deg,alpha_to_deg,v1_m_s,dp_um,model_n,model_mean,"
+        "model_mean_se,model_sd,model_sd_se,data_n,data_mean,data_mean_se,data_sd,data_sd_se,"
+        "ks_distance,score,score_se\n",
         out);
-  for (int k = 0; k < 3; k++) {
-    s.ps = 0;
+  for (int k = 0; k < (c->data.has_outcome ? ASPI_QUANTITIES : COR_BOTH); k++)
     for (size_t i = 0; i < c->count; i++)
-      if (k < COR_BOTH)
-        print_bin(out, c, &c->bins[i], k, &s);
-      else if (c->data.has_outcome)
-        print_deposits(out, c, &c->bins[i], &s);
-    if (s.ps > 0)
-      each[n_each++] = aspi_combine_independent(s.p, s.ps);
-  }
-  print_overall(out, &s, aspi_combine_dependent(each, n_each));
-  free(s.p);
+      print_bin(out, c, &c->bins[i], k);
+  fputs("score,,,,,,,,,,,,,,,,", out);
+  print(out, c->score.value);
+  print(out, c->score.se);
+  fputc('\n', out);
 }
 
 /* Warns of bins that have only one of both, and fails where there is none with both. */
@@ -151,9 +85,9 @@ static void check_bins(const aspi_comparison *c) {
   for (int k = 0; k < COR_BOTH; k++) {
     size_t no_model = 0, with_data = 0;
     for (size_t i = 0; i < c->count; i++) {
-      bool data = isfinite(c->bins[i].data[k].mean);
+      bool data = isfinite(c->bins[i].data.of[k].mean);
       with_data += data;
-      no_model += data && c->bins[i].model[k].count == 0;
+      no_model += data && c->bins[i].model.of[k].count == 0;
     }
     if (no_model > 0)
       cli_warn("%s: %zu of %zu bins with data are empty of impacts near them (see --near)",
@@ -166,7 +100,7 @@ static void check_bins(const aspi_comparison *c) {
 }
 
 /* Warns if the comment that the impacts begin with names a fitted law or constant. */
-static void warn_double(const scatter_impacts *impacts) {
+static void warn_double(const aspi_scatter_impacts *impacts) {
   static const char *const fitted[] = {"grant_tabakoff", "rebound table", "yield_rate"};
   for (size_t i = 0; impacts->rough && i < sizeof fitted / sizeof *fitted; i++)
     if (strstr(impacts->comment, fitted[i])) {
@@ -203,19 +137,19 @@ static void leave_out(aspi_comparison *c) {
 
 /* Takes the impacts themselves for rows, whose places are those of the table. */
 static void take_impacts(aspi_comparison *c) {
-  const scatter_impacts *impacts = &c->impacts;
-  c->data = (measured){.rows = cli_allocate(impacts->count, sizeof *c->data.rows),
-                       .count = impacts->count,
-                       .has_outcome = true};
+  const aspi_scatter_impacts *impacts = &c->impacts;
+  c->data = (aspi_measured){.rows = cli_allocate(impacts->count, sizeof *c->data.rows),
+                            .count = impacts->count,
+                            .has_outcome = true};
   for (size_t i = 0; i < impacts->count; i++) {
-    const scatter_point *p = &impacts->points[i];
-    c->data.rows[i] = (measured_row){.degrees = p->degrees,
-                                     .v1 = p->v1,
-                                     .d_p = p->d_p,
-                                     .cor = {p->cor[COR_N], p->cor[COR_T]},
-                                     .deposit = p->deposit};
+    const aspi_scatter_point *p = &impacts->points[i];
+    c->data.rows[i] = (aspi_measured_row){.degrees = p->degrees,
+                                          .v1 = p->v1,
+                                          .d_p = p->d_p,
+                                          .cor = {p->cor[COR_N], p->cor[COR_T]},
+                                          .deposit = p->deposit};
   }
-  measured_sort(&c->data);
+  cli_measured_sort(&c->data);
 }
 
 static void print_impacts(FILE *out, const aspi_comparison *c) {
@@ -227,15 +161,16 @@ static void print_impacts(FILE *out, const aspi_comparison *c) {
         out);
   for (size_t i = 0; i < c->count; i++) {
     const aspi_compare_bin *b = &c->bins[i];
-    double all = (double)(b->end - b->first);
+    const aspi_sample *deposits = &b->model.of[ASPI_DEPOSITS];
+    double all = (double)deposits->count;
     fprintf(out, "%.6g,%.6g,%.6g", b->degrees, b->from, b->to);
     print(out, b->v1);
     print(out, b->d_p * 1e6);
     print(out, all);
-    print(out, b->data_deposits / all);
-    print(out, all - b->data_deposits);
+    print(out, deposits->mean);
+    print(out, all - round(deposits->mean * all));
     for (int k = 0; k < COR_BOTH; k++) {
-      const aspi_sample *s = &b->model[k];
+      const aspi_sample *s = &b->model.of[k];
       print(out, s->mean);
       print(out, s->sd);
       print(out, s->median);
@@ -264,12 +199,12 @@ static aspi_compare_reach reach_of(const cli_option *option) {
 
 /* Impacts as the data look at them. */
 static void take_view(aspi_comparison *c) {
-  measured_need_view(c->names[1], &c->data, c->impacts.sideways);
-  if (c->data.view != MEASURED_SPACE)
+  cli_measured_need_view(c->names[1], &c->data, c->impacts.sideways);
+  if (c->data.view != ASPI_MEASURED_SPACE)
     return;
   size_t missing = 0;
   for (size_t i = 0; i < c->impacts.count; i++) {
-    scatter_point *p = &c->impacts.points[i];
+    aspi_scatter_point *p = &c->impacts.points[i];
     missing += isfinite(p->cor[COR_T]) && isnan(p->cor_t_space);
     p->cor[COR_T] = p->cor_t_space;
   }
@@ -281,8 +216,8 @@ static void take_view(aspi_comparison *c) {
 
 static void free_comparison(aspi_comparison *c) {
   aspi_compare_free_bins(c);
-  scatter_free_impacts(&c->impacts);
-  measured_free(&c->data);
+  cli_scatter_free_impacts(&c->impacts);
+  cli_measured_free(&c->data);
 }
 
 static void must(asp_code code, const asp_error *error) {
@@ -307,7 +242,7 @@ static void table_impacts(aspi_comparison *c, const cli_option *bin) {
 static void compare_with(aspi_comparison *c, const cli_option *options) {
   aspi_compare_reach far = reach_of(&options[NEAR]);
   asp_error error;
-  c->data = measured_read(c->names[1], &options[MEASURED]);
+  c->data = cli_measured_read(c->names[1], &options[MEASURED]);
   leave_out(c);
   take_view(c);
   make_bins(c, &options[BIN]);
@@ -341,7 +276,7 @@ static int run(int argc, char **argv) {
   for (int i = first; i < argc; i++)
     cli_keep_input(options, argv[i]);
   aspi_comparison c = {.names = {argv[first], alone ? NULL : argv[first + 1]},
-                       .impacts = scatter_read_impacts(argv[first])};
+                       .impacts = cli_scatter_read_impacts(argv[first])};
   if (alone)
     table_impacts(&c, &options[BIN]);
   else
@@ -368,15 +303,13 @@ const cli_command cli_compare = {
         "each\n"
         "place, or interval of angle, the share that sticks, and of the n others both "
         "coefficients.\n" MEASURED_FORMS
-        "\nAt the data's own angles, and speeds and sizes where they have them: moments, the "
-        "model's\n"
-        "5 to 95 % band and the share of the points in it, the two-sample distance of Kolmogorov\n"
-        "and Smirnov and its p-value (of means: by their standard errors, where they have them).\n"
-        "Deposits have no coefficients; where the data tell outcomes, their shares are compared\n"
-        "(Fisher's exact test). The last row, `overall`, is the score: the root mean square of "
-        "the\n"
-        "differences of means (absolute, and in the data's sd), the mean share in the band, the\n"
-        "mean distance, and one p-value (Fisher's over the places, Cauchy's over the kinds).\n",
+        "\nAt the data's own angles, and speeds and sizes where they have them: mean and standard\n"
+        "deviation of either coefficient, the share of deposits where the data tell outcomes, all\n"
+        "with standard errors, and of single impacts the two-sample distance of Kolmogorov and\n"
+        "Smirnov. The last row is the score: the mean square of all differences, each in its\n"
+        "standard error (reduced chi-square), with the score's own standard error by resampled\n"
+        "impacts. The true model's is 1. Of means, only the means count, by cor_n_se, or cor_n_sd\n"
+        "and n; where n is missing, by cor_n_sd itself.\n",
     .examples =
         "  $ asperity compare cor.csv examples/data/grant_tabakoff_1975.csv --plot compare.png\n"
         "  $ asperity compare impacts.npy\n",

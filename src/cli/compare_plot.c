@@ -17,7 +17,7 @@ enum { POINTS_MOST = 5000 };
 
 /* True if a bin is drawn: if it has both, or, of impacts alone, some. */
 static bool is_drawn(const aspi_comparison *c, const aspi_compare_bin *b, int which) {
-  return c->names[1] ? aspi_compare_has_both(b, which) : b->model[which].count > 0;
+  return c->names[1] ? aspi_compare_has_both(b, which) : b->model.of[which].count > 0;
 }
 
 /* The angles of a bin's box: those of its impacts, or around its angle and not over a neighbor. */
@@ -38,7 +38,7 @@ static void edges_of(const aspi_comparison *c, size_t i, double *left, double *r
 static void plot_model(cli_plot *picture, const aspi_comparison *c, int which) {
   cli_plot_series(picture, CLI_BOX, "simulated");
   for (size_t i = 0; i < c->count; i++) {
-    const aspi_sample *m = &c->bins[i].model[which];
+    const aspi_sample *m = &c->bins[i].model.of[which];
     double left, right;
     edges_of(c, i, &left, &right);
     if (is_drawn(c, &c->bins[i], which))
@@ -57,8 +57,8 @@ static void plot_data(cli_plot *picture, const aspi_comparison *c, int which) {
     return;
   cli_plot_series(picture, CLI_ERRORS, "data");
   for (size_t i = 0; i < c->count; i++)
-    cli_plot_row(picture, c->bins[i].degrees, c->bins[i].data[which].mean,
-                 c->bins[i].data[which].sd);
+    cli_plot_row(picture, c->bins[i].degrees, c->bins[i].data.of[which].mean,
+                 c->bins[i].data.of[which].sd);
   cli_plot_end(picture, "measured, mean ± sd");
 }
 

@@ -226,7 +226,9 @@ const cli_command cli_cor = {
         "`units si` (outcome 0 or 1), for what reads those. --summary has a row per angle: the\n"
         "number of impacts, the share that sticks, and of the n others mean and sd; with "
         "`erosion`\n"
-        "of all impacts the mass of the wall that is worn off per mass of particles.\n"
+        "also eroded_mean and eroded_sd of all impacts: mass that is worn off the wall per mass "
+        "of\n"
+        "particles.\n"
         "A log-normal law has the standard deviation ln(max/min)/5 of its ln, and is cut at\n"
         "both ends. Particles fly along x over the wall z = 0.\n",
     .examples = "  $ asperity cor surface rq 15.6um lambda_c 120um --dp lognormal:1um:100um:10um "

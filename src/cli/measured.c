@@ -88,7 +88,7 @@ static const struct {
 typedef struct layout {
   int at[N_COLUMNS];
   double factor[N_COLUMNS];
-  measured_view view[N_COLUMNS];
+  aspi_measured_view view[N_COLUMNS];
 } layout;
 
 /* A name in small letters, Greek ones and signs written out, all others as single underscores:
@@ -157,17 +157,17 @@ static double factor_of(int column, const char *unit) {
  * unit of its kind or none (factor 0); with another unit factor is below 0. `stated`: the file has
  * a unit in brackets. */
 static bool is_column(const char *name, int column, bool stated, double *factor,
-                      measured_view *view) {
+                      aspi_measured_view *view) {
   static const char *const views[] = {"_plane", "_space"};
   size_t length = strlen(columns[column].name);
   bool pure = is_kind(column, RATIO) || is_kind(column, WORD);
   if (strncmp(name, columns[column].name, length) != 0 || (name[length] && name[length] != '_'))
     return false;
-  *view = MEASURED_EITHER;
+  *view = ASPI_MEASURED_EITHER;
   if (column == ALPHA2 || column == V2 || column == COR_V || column == COR_ALPHA)
     for (int i = 0; i < 2; i++)
       if (strncmp(name + length, views[i], strlen(views[i])) == 0) {
-        *view = (measured_view)i;
+        *view = (aspi_measured_view)i;
         length += strlen(views[i]);
         break;
       }
@@ -210,7 +210,7 @@ static void find_columns(const aspi_csv *csv, const char *path, layout *l) {
     for (int i = 0; i < csv->columns; i++) { /* of several, the most specific one */
       char name[80];
       double factor;
-      measured_view view;
+      aspi_measured_view view;
       plain(csv->names[i], name, sizeof name);
       if (!is_column(name, c, strpbrk(csv->names[i], "[(") != NULL, &factor, &view) ||
           (l->at[c] >= 0 && l->view[c] < view))
@@ -258,7 +258,7 @@ static asp_code read_numbers(const aspi_csv *csv, const layout *l, double *value
     bool missing, angle = is_kind(c, ANGLE);
     double full = (c == ALPHA2 ? 180 : 90) * (1 + 1e-9) / l->factor[c];
     double least = c == ALPHA2 ? -BELOW_MOST / l->factor[c] : angle || c >= SD ? 0 : -1e15;
-    full = c == ALPHA2 && l->view[c] == MEASURED_SPACE ? full / 2 : full;
+    full = c == ALPHA2 && l->view[c] == ASPI_MEASURED_SPACE ? full / 2 : full;
     value[c] = NAN;
     if (!has(l, c) || is_kind(c, WORD))
       continue;
@@ -272,7 +272,7 @@ static asp_code read_numbers(const aspi_csv *csv, const layout *l, double *value
 }
 
 /* The coefficients of the components of both velocities. */
-static void of_components(double n1, double t1, double n2, double t2, measured_row *row) {
+static void of_components(double n1, double t1, double n2, double t2, aspi_measured_row *row) {
   double n = fabs(n1), t = fabs(t1);
   row->degrees = cli_degrees(atan2(n, t));
   row->v1 = hypot(n, t);
@@ -280,9 +280,10 @@ static void of_components(double n1, double t1, double n2, double t2, measured_r
   row->cor[COR_T] = t > 1e-12 * n ? t2 / t1 : NAN;
 }
 
-static measured_row row_of(const layout *l, const double *v, bool means) {
+static aspi_measured_row row_of(const layout *l, const double *v, bool means) {
   double a1 = cli_radians(v[ALPHA1]), a2 = cli_radians(v[ALPHA2]);
-  measured_row row = {.degrees = fmin(90, v[ALPHA1]), .v1 = v[V1], .d_p = v[D_P], .n = v[COUNT]};
+  aspi_measured_row row = {
+      .degrees = fmin(90, v[ALPHA1]), .v1 = v[V1], .d_p = v[D_P], .n = v[COUNT]};
   for (int k = 0; k < COR_BOTH; k++) {
     row.cor[k] = means ? v[MEAN + k] : v[POINT + k];
     row.sd[k] = v[SD + k];
@@ -305,7 +306,7 @@ static measured_row row_of(const layout *l, const double *v, bool means) {
 }
 
 /* Reads the outcome of a row: a word, or a ledger's number. */
-static asp_code read_outcome(const aspi_csv *csv, const layout *l, measured_row *row,
+static asp_code read_outcome(const aspi_csv *csv, const layout *l, aspi_measured_row *row,
                              asp_error *error) {
   static const struct {
     const char *word;
@@ -329,7 +330,7 @@ static asp_code read_outcome(const aspi_csv *csv, const layout *l, measured_row 
 }
 
 static int by_place(const void *left, const void *right) {
-  const measured_row *a = left, *b = right;
+  const aspi_measured_row *a = left, *b = right;
   if (a->degrees < b->degrees || a->degrees > b->degrees)
     return a->degrees < b->degrees ? -1 : 1;
   if (a->v1 < b->v1 || a->v1 > b->v1)
@@ -337,7 +338,7 @@ static int by_place(const void *left, const void *right) {
   return (a->d_p > b->d_p) - (a->d_p < b->d_p);
 }
 
-static void add(measured *data, measured_row row) {
+static void add(aspi_measured *data, aspi_measured_row row) {
   if ((data->count & (data->count - 1)) == 0) {
     size_t room = data->count ? 2 * data->count : 1;
     data->rows = realloc(data->rows, room * sizeof *data->rows);
@@ -347,12 +348,12 @@ static void add(measured *data, measured_row row) {
   data->rows[data->count++] = row;
 }
 
-/* Sets the view of the rebounds: the velocity in the plane, if coefficients or components are
- * given. */
-static asp_code find_view(const aspi_csv *csv, const layout *l, measured *data, asp_error *error) {
+/* Sets the view: the velocity in the plane, if coefficients or components are given. */
+static asp_code find_view(const aspi_csv *csv, const layout *l, aspi_measured *data,
+                          asp_error *error) {
   bool ratios = has(l, COR_V) && has(l, COR_ALPHA);
   int speed = ratios ? COR_V : V2, angle = ratios ? COR_ALPHA : ALPHA2;
-  data->view = MEASURED_PLANE;
+  data->view = ASPI_MEASURED_PLANE;
   if (data->means || has(l, POINT) || has(l, POINT + COR_T) || has_components(l))
     return ASP_OK;
   if (l->view[speed] != l->view[angle])
@@ -366,7 +367,7 @@ static asp_code find_view(const aspi_csv *csv, const layout *l, measured *data, 
 }
 
 /* Mirrors a rebound below the wall at it; false: it is left out. */
-static bool keep_above(measured_row *row, bool folds, size_t *below) {
+static bool keep_above(aspi_measured_row *row, bool folds, size_t *below) {
   if (!(row->cor[COR_N] < 0))
     return true;
   row->cor[COR_N] = -row->cor[COR_N];
@@ -374,7 +375,7 @@ static bool keep_above(measured_row *row, bool folds, size_t *below) {
   return folds;
 }
 
-static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, size_t *below,
+static asp_code read_rows(aspi_csv *csv, const layout *l, aspi_measured *data, size_t *below,
                           asp_error *error) {
   for (bool found;;) {
     double value[N_COLUMNS];
@@ -382,7 +383,7 @@ static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, size_t
     if ((code = aspi_csv_row(csv, &found, error)) || !found ||
         (code = read_numbers(csv, l, value, error)))
       return code;
-    measured_row row = row_of(l, value, data->means);
+    aspi_measured_row row = row_of(l, value, data->means);
     if (!data->means && (code = read_outcome(csv, l, &row, error)))
       return code;
     if (row.deposit)
@@ -396,7 +397,7 @@ static asp_code read_rows(aspi_csv *csv, const layout *l, measured *data, size_t
 }
 
 /* Exits where the coefficients are per cent. */
-static void check_ratios(const measured *data, const char *path) {
+static void check_ratios(const aspi_measured *data, const char *path) {
   size_t all = 0, large = 0;
   for (size_t i = 0; i < data->count; i++)
     for (int k = 0; k < COR_BOTH; k++) {
@@ -409,8 +410,8 @@ static void check_ratios(const measured *data, const char *path) {
                   path, large, all, RATIO_MOST);
 }
 
-measured measured_read(const char *path, const cli_option *options) {
-  measured data = {.folds = cli_choice(&options[MEASURED_BELOW], "fold", "drop") == 0};
+aspi_measured cli_measured_read(const char *path, const cli_option *options) {
+  aspi_measured data = {.folds = cli_choice(&options[MEASURED_BELOW], "fold", "drop") == 0};
   layout l;
   size_t below = 0;
   asp_error error;
@@ -423,10 +424,10 @@ measured measured_read(const char *path, const cli_option *options) {
     cli_bad_file(NULL, &error);
   if (options[MEASURED_VIEW].value) {
     int view = cli_choice(&options[MEASURED_VIEW], "plane", "space");
-    if (data.view != MEASURED_EITHER)
+    if (data.view != ASPI_MEASURED_EITHER)
       cli_bad_usage("--view is '%s'; the columns of %s say it themselves",
                     options[MEASURED_VIEW].value, path);
-    data.view = view ? MEASURED_SPACE : MEASURED_PLANE;
+    data.view = view ? ASPI_MEASURED_SPACE : ASPI_MEASURED_PLANE;
   }
   if (below > 0)
     cli_warn("%s: %zu rebounds are below the wall, as by noise; they are %s", path, below,
@@ -444,26 +445,26 @@ measured measured_read(const char *path, const cli_option *options) {
   if (has(&l, ALPHA1) && most < RADIANS_MOST)
     cli_warn("%s: all impact angles are below %g degrees, which look like radians", path,
              RADIANS_MOST);
-  measured_sort(&data);
+  cli_measured_sort(&data);
   return data;
 }
 
-void measured_sort(measured *data) {
+void cli_measured_sort(aspi_measured *data) {
   qsort(data->rows, data->count, sizeof *data->rows, by_place);
 }
 
-void measured_need_view(const char *path, measured *data, bool matters) {
-  if (data->view == MEASURED_EITHER && matters)
+void cli_measured_need_view(const char *path, aspi_measured *data, bool matters) {
+  if (data->view == ASPI_MEASURED_EITHER && matters)
     cli_bad_usage(
         "%s: are speed and angle of rebounds those in the plane of incidence, as one camera "
         "sees them, or those in space? Name the columns v2_plane, alpha2_plane or "
         "v2_space, alpha2_space (cor_v, cor_alpha alike), or give --view plane or --view "
         "space",
         path);
-  if (data->view == MEASURED_EITHER)
-    data->view = MEASURED_PLANE;
+  if (data->view == ASPI_MEASURED_EITHER)
+    data->view = ASPI_MEASURED_PLANE;
 }
 
-void measured_free(measured *data) {
+void cli_measured_free(aspi_measured *data) {
   free(data->rows);
 }

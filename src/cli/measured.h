@@ -24,14 +24,15 @@ enum { MEASURED_VIEW, MEASURED_BELOW, MEASURED_OPTION_COUNT };
 
 /* Reads such a table, in order of angle, speed, size; exits on a file that is none. Names and units
  * of its columns: see `asperity compare --help`. */
-measured measured_read(const char *path, const cli_option *options);
+aspi_measured cli_measured_read(const char *path, const cli_option *options);
 
 /* Puts rows in order of angle, speed, size. */
-void measured_sort(measured *data);
+void cli_measured_sort(aspi_measured *data);
 
-/* Exits if the data do not state their view of rebounds, and `matters`: it makes a difference. */
-void measured_need_view(const char *path, measured *data, bool matters);
-void measured_free(measured *data);
+/* Exits where the data do not say how they look at rebounds, and `matters`: it makes a difference.
+ */
+void cli_measured_need_view(const char *path, aspi_measured *data, bool matters);
+void cli_measured_free(aspi_measured *data);
 
 /* The part of a help text about the possible columns. */
 #define MEASURED_FORMS                                                                             \

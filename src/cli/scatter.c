@@ -9,6 +9,7 @@
 #include "cli/cli.h"
 #include "cli/npy.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,234 +41,205 @@ static void warn_radians(const char *path, double most, size_t count) {
 
 /* Names of the columns in a ledger's file. */
 #define LEDGER_NAMED(ID, name, type, text) name,
-static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)};
+static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)
+                                              LEDGER_MORE_COLUMNS(LEDGER_NAMED)};
 
-/* The values of one impact, from any kind of file. */
-typedef struct impact_row {
-  double degrees, delta, v1, d_p, cor[COR_BOTH], v2, cor_v_space; /* the last two: one of them */
-  bool deposit;
-} impact_row;
+/* The columns of an impact: where a ledger has them, their names in the output of `asperity cor`
+ * where those differ, and their range. */
+enum { NUMBER, LENGTH, SPEED, MASS };
+static const struct {
+  int place;
+  const char *other;
+  int kind;
+  double least, most;
+} columns[IMPACT_COLUMNS] = {
+    [IMPACT_ALPHA1] = {LEDGER_ALPHA1, NULL, NUMBER, 0, 90},
+    [IMPACT_DELTA] = {LEDGER_DELTA_ALPHA, NULL, NUMBER, -90, 90},
+    [IMPACT_V1] = {LEDGER_V1, "v1_m_s", SPEED, 0, 1e15},
+    [IMPACT_D_P] = {LEDGER_D_P, "dp_um", LENGTH, 0, 1e15},
+    [IMPACT_COR_N] = {LEDGER_COR_N, NULL, NUMBER, -1e15, 1e15},
+    [IMPACT_COR_T] = {LEDGER_COR_T, NULL, NUMBER, -1e15, 1e15},
+    [IMPACT_V2] = {LEDGER_V2, NULL, SPEED, 0, 1e15},
+    [IMPACT_COR_V_SPACE] = {-1, "cor_v_space", NUMBER, 0, 1e15},
+    [IMPACT_MESH] = {LEDGER_MESH, NULL, NUMBER, 0, INT_MAX},
+    [IMPACT_TRIANGLE] = {LEDGER_TRIANGLE, NULL, NUMBER, 0, INT_MAX},
+    [IMPACT_MASS] = {LEDGER_MASS, NULL, MASS, 0, INFINITY},
+    [IMPACT_ERODED] = {LEDGER_ERODED_MASS, NULL, MASS, 0, INFINITY},
+    [IMPACT_OUTCOME] = {LEDGER_OUTCOME, NULL, NUMBER, 0, 2},
+};
 
-/* CoR_T of the whole speed along the wall. */
-static double cor_t_space(const impact_row *row) {
-  double alpha = row->degrees * (ASP_PI / 180), normal = row->cor[COR_N] * sin(alpha);
-  double ratio = isnan(row->cor_v_space) ? row->v2 / row->v1 : row->cor_v_space;
-  return isnan(row->cor[COR_T]) ? NAN : sqrt(fmax(0, ratio * ratio - normal * normal)) / cos(alpha);
+static const char *name_of(int column) {
+  return columns[column].place < 0 ? columns[column].other : ledger_name[columns[column].place];
 }
 
-static void add_impact(scatter_impacts *impacts, const impact_row *row) {
-  double whole = row->deposit ? NAN : cor_t_space(row);
-  impacts->sideways =
-      impacts->sideways ||
-      (whole - fabs(row->cor[COR_T])) * cos(row->degrees * (ASP_PI / 180)) > SIDEWAYS;
-  impacts->rough = impacts->rough || fabs(row->delta) > 0;
-  impacts->deposits += row->deposit;
-  impacts->points = grow(impacts->points, impacts->count, sizeof *impacts->points);
-  impacts->points[impacts->count++] =
-      (scatter_point){row->degrees,
-                      (float)(row->v1 * impacts->metre_per_second),
-                      (float)(row->d_p * impacts->metre),
-                      row->deposit,
-                      (float)whole,
-                      {row->deposit ? NAN : row->cor[0], row->deposit ? NAN : row->cor[1]}};
+/* A file as it is read. */
+typedef struct file {
+  impact_file *to;
+  int at[IMPACT_COLUMNS]; /* -1: there is none */
+  double unit[MASS + 1];  /* in SI, of each kind */
+  double of[IMPACT_COLUMNS];
+} file;
+
+static bool is_needed(const file *f, int column) {
+  return f->to->needs >> column & 1;
 }
 
-typedef struct impact_columns {
-  int degrees, delta, v1, d_p, cor[COR_BOTH], outcome, v2, cor_v_space;
-} impact_columns;
+/* Leaves out columns that are of no use, and returns one that is needed and not there; -1: none.
+ * CoR_T stands for CoR_N. */
+static int find_missing(file *f) {
+  for (int k = 0; k < IMPACT_COLUMNS; k++)
+    if (!(f->to->uses >> k & 1))
+      f->at[k] = -1;
+    else if (is_needed(f, k) && f->at[k] < 0 && !(k == IMPACT_COR_N && f->at[IMPACT_COR_T] >= 0))
+      return k;
+  return -1;
+}
 
-static asp_code read_row(const aspi_csv *csv, const impact_columns *at, impact_row *row,
-                         asp_error *error) {
+/* Only coefficients may lack in a row of a column that is needed: deposits have none. */
+static bool may_lack(const file *f, int column) {
+  return !is_needed(f, column) || column == IMPACT_COR_N;
+}
+
+/* Hands a row over, in SI. */
+static asp_code take_row(file *f, asp_error *error) {
+  for (int k = 0; k < IMPACT_COLUMNS; k++)
+    f->of[k] *= f->unit[columns[k].kind];
+  return f->to->take(f->to->taker, f->of, error);
+}
+
+static asp_code read_row(file *f, const aspi_csv *csv, asp_error *error) {
   bool missing;
-  asp_code code;
-  if ((code = aspi_csv_number(csv, at->degrees, 0, 90, &row->degrees, NULL, error)) ||
-      (code = aspi_csv_number(csv, at->delta, -90, 90, &row->delta, &missing, error)) ||
-      (code = aspi_csv_number(csv, at->v1, 0, 1e15, &row->v1, &missing, error)) ||
-      (code = aspi_csv_number(csv, at->d_p, 0, 1e15, &row->d_p, &missing, error)) ||
-      (code =
-           aspi_csv_number(csv, at->cor[COR_N], -1e15, 1e15, &row->cor[COR_N], &missing, error)) ||
-      (code =
-           aspi_csv_number(csv, at->cor[COR_T], -1e15, 1e15, &row->cor[COR_T], &missing, error)) ||
-      (code = aspi_csv_number(csv, at->v2, 0, 1e15, &row->v2, &missing, error)) ||
-      (code = aspi_csv_number(csv, at->cor_v_space, 0, 1e15, &row->cor_v_space, &missing, error)))
-    return code;
-  const char *outcome = at->outcome < 0 ? "" : csv->fields[at->outcome];
-  row->deposit = at->outcome < 0 ? !(row->cor[COR_N] > 0)
+  for (int k = 0; k < IMPACT_OUTCOME; k++) {
+    asp_code code = aspi_csv_number(csv, f->at[k], columns[k].least, columns[k].most, &f->of[k],
+                                    may_lack(f, k) ? &missing : NULL, error);
+    if (code)
+      return code;
+  }
+  int at = f->at[IMPACT_OUTCOME];
+  const char *outcome = at < 0 ? "" : csv->fields[at];
+  f->of[IMPACT_OUTCOME] = at < 0 ? !(f->of[IMPACT_COR_N] > 0)
                                  : strcmp(outcome, "rebound") != 0 && strcmp(outcome, "0") != 0;
   return ASP_OK;
 }
 
-/* The first of two columns that is there. */
-static int find_either(const aspi_csv *csv, const char *first, const char *second) {
-  int index = aspi_csv_find(csv, first);
-  return index >= 0 ? index : aspi_csv_find(csv, second);
-}
-
-/* The units of a ledger, from its comment, as meters and meters per second; else SI. The command
- * writes diameters in micrometers. */
-static void read_units(scatter_impacts *impacts, bool micrometres) {
+/* The units of a ledger, from its comment; else SI. The command writes diameters in micrometres. */
+static void read_units(file *f, bool micrometres) {
   static const struct {
     const char *words;
-    double metre, metre_per_second;
-  } units[] = {{"units cgs;", 1e-2, 1e-2}, {"units micro;", 1e-6, 1}, {"units nano;", 1e-9, 1}};
-  impacts->metre = micrometres ? 1e-6 : 1;
+    double unit[MASS + 1];
+  } units[] = {{"units cgs;", {1, 1e-2, 1e-2, 1e-3}},
+               {"units micro;", {1, 1e-6, 1, 1e-15}},
+               {"units nano;", {1, 1e-9, 1, 1e-21}}};
+  if (micrometres)
+    f->unit[LENGTH] = 1e-6;
   for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (strstr(impacts->comment, units[i].words)) {
-      impacts->metre = units[i].metre;
-      impacts->metre_per_second = units[i].metre_per_second;
-    }
+    if (strstr(f->to->comment, units[i].words))
+      memcpy(f->unit, units[i].unit, sizeof f->unit);
 }
 
-static asp_code read_csv_rows(aspi_csv *csv, scatter_impacts *impacts, asp_error *error) {
-  snprintf(impacts->comment, sizeof impacts->comment, "%.1000s", csv->comment);
-  read_units(impacts, aspi_csv_find(csv, "dp_um") >= 0);
-  impact_columns at = {.v1 = find_either(csv, ledger_name[LEDGER_V1], "v1_m_s"),
-                       .d_p = find_either(csv, ledger_name[LEDGER_D_P], "dp_um"),
-                       .degrees = aspi_csv_need(csv, ledger_name[LEDGER_ALPHA1], error),
-                       .delta = aspi_csv_find(csv, ledger_name[LEDGER_DELTA_ALPHA]),
-                       .cor = {aspi_csv_find(csv, ledger_name[LEDGER_COR_N]),
-                               aspi_csv_find(csv, ledger_name[LEDGER_COR_T])},
-                       .outcome = aspi_csv_find(csv, ledger_name[LEDGER_OUTCOME]),
-                       .v2 = aspi_csv_find(csv, ledger_name[LEDGER_V2]),
-                       .cor_v_space = aspi_csv_find(csv, "cor_v_space")};
-  if (at.degrees < 0 || (at.cor[0] < 0 && aspi_csv_need(csv, ledger_name[LEDGER_COR_N], error) < 0))
-    return ASP_EDATA;
-  impact_row row;
-  asp_code code;
-  for (bool found;;) {
-    if ((code = aspi_csv_row(csv, &found, error)) || !found ||
-        (code = read_row(csv, &at, &row, error)))
-      return code;
-    add_impact(impacts, &row);
+static asp_code read_csv_rows(file *f, aspi_csv *csv, asp_error *error) {
+  snprintf(f->to->comment, sizeof f->to->comment, "%.1000s", csv->comment);
+  read_units(f, aspi_csv_find(csv, "dp_um") >= 0);
+  for (int k = 0; k < IMPACT_COLUMNS; k++) {
+    f->at[k] = aspi_csv_find(csv, name_of(k));
+    if (f->at[k] < 0 && columns[k].other)
+      f->at[k] = aspi_csv_find(csv, columns[k].other);
   }
+  int missing = find_missing(f);
+  if (missing >= 0) {
+    aspi_csv_need(csv, name_of(missing), error);
+    return ASP_EDATA;
+  }
+  asp_code code;
+  for (bool found;;)
+    if ((code = aspi_csv_row(csv, &found, error)) || !found || (code = read_row(f, csv, error)) ||
+        (code = take_row(f, error)))
+      return code;
 }
 
-/* The number of a column in the local array, from 1. */
-static int number_of(int column) {
-  return column + 1;
-}
-
-/* `ITEM: ENTRIES f_wall[11] f_wall[17] ...`: where a column of the ledger stands, or -1. */
-static int find_entry(char *const names[], int count, int column) {
+/* `ITEM: ENTRIES f_wall[11] f_wall[17] ...`: where a column of the ledger's array, whose columns
+ * are numbered from 1, stands, or -1. */
+static int find_entry(char *const names[], int count, int place) {
   for (int i = 0; i < count; i++) {
     const char *bracket = strrchr(names[i], '[');
-    if (strncmp(names[i], "f_", 2) == 0 && bracket && atoi(bracket + 1) == number_of(column))
+    if (strncmp(names[i], "f_", 2) == 0 && bracket && atoi(bracket + 1) == place + 1)
       return i;
   }
   return -1;
 }
 
-static asp_code read_dump_row(aspi_csv *csv, const impact_columns *at, scatter_impacts *impacts,
-                              asp_error *error) {
+static asp_code read_dump_row(file *f, aspi_csv *csv, asp_error *error) {
   int count = aspi_text_split(csv->text.text, ' ', csv->fields, ASP_CSV_COLUMNS);
   if (count != csv->columns)
     return aspi_text_fail(&csv->text, csv->text.line, error, "%d numbers under %d columns", count,
                           csv->columns);
-  impact_row row;
-  asp_code code = read_row(csv, at, &row, error);
-  if (code)
-    return code;
-  if (row.degrees > NORMAL_IMPACT && !(fabs(row.cor[COR_T]) > 0))
-    row.cor[COR_T] = NAN;
-  add_impact(impacts, &row);
-  return ASP_OK;
+  asp_code code = read_row(f, csv, error);
+  if (f->of[IMPACT_ALPHA1] > NORMAL_IMPACT && !(fabs(f->of[IMPACT_COR_T]) > 0))
+    f->of[IMPACT_COR_T] = NAN;
+  return code ? code : take_row(f, error);
 }
 
-static asp_code read_dump_header(aspi_csv *csv, impact_columns *at, asp_error *error) {
+static asp_code read_dump_header(file *f, aspi_csv *csv, asp_error *error) {
   strcpy(csv->header, csv->text.text + strlen("ITEM: ENTRIES"));
   csv->separator = ' ';
   csv->columns = aspi_text_split(csv->header, ' ', csv->names, ASP_CSV_COLUMNS);
-  *at = (impact_columns){find_entry(csv->names, csv->columns, LEDGER_ALPHA1),
-                         find_entry(csv->names, csv->columns, LEDGER_DELTA_ALPHA),
-                         find_entry(csv->names, csv->columns, LEDGER_V1),
-                         find_entry(csv->names, csv->columns, LEDGER_D_P),
-                         {find_entry(csv->names, csv->columns, LEDGER_COR_N),
-                          find_entry(csv->names, csv->columns, LEDGER_COR_T)},
-                         find_entry(csv->names, csv->columns, LEDGER_OUTCOME),
-                         find_entry(csv->names, csv->columns, LEDGER_V2),
-                         -1};
-  if (at->degrees >= 0 && (at->cor[0] >= 0 || at->cor[1] >= 0))
+  for (int k = 0; k < IMPACT_COLUMNS; k++)
+    f->at[k] = columns[k].place < 0 ? -1 : find_entry(csv->names, csv->columns, columns[k].place);
+  int missing = find_missing(f);
+  if (missing < 0)
     return ASP_OK;
   return aspi_text_fail(&csv->text, csv->text.line, error,
-                        "the dump needs column %d (alpha1), and %d or %d (cor_n, cor_t), of the "
-                        "wall's array: f_ID[%d] f_ID[%d] f_ID[%d]",
-                        number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T),
-                        number_of(LEDGER_ALPHA1), number_of(LEDGER_COR_N), number_of(LEDGER_COR_T));
+                        "the dump needs column %d (%s) of the wall's array: f_ID[%d]",
+                        columns[missing].place + 1, name_of(missing), columns[missing].place + 1);
 }
 
 /* A `dump local` file: blocks of a header of ITEM lines, then rows. */
-static asp_code read_dump(aspi_csv *csv, scatter_impacts *impacts, asp_error *error) {
-  impact_columns at;
+static asp_code read_dump(file *f, aspi_csv *csv, asp_error *error) {
   bool in_rows = false, found;
   asp_code code = ASP_OK;
   while (!code && !(code = aspi_text_line(&csv->text, &found, error)) && found) {
     const char *line = csv->text.text;
     if (strncmp(line, "ITEM: ENTRIES", 13) == 0) {
       in_rows = true;
-      code = read_dump_header(csv, &at, error);
+      code = read_dump_header(f, csv, error);
     } else if (strncmp(line, "ITEM:", 5) == 0) {
       in_rows = false;
     } else if (in_rows && line[strspn(line, " ")]) {
-      code = read_dump_row(csv, &at, impacts, error);
+      code = read_dump_row(f, csv, error);
     }
   }
   return code;
 }
 
-/* A number of the row within its bounds; NAN is a missing one, where that may be. */
-static asp_code read_value(const npy *array, int column, double least, double most,
-                           bool may_be_missing, double *value, asp_error *error) {
-  *value = cli_npy_value(array, column);
-  if ((*value >= least && *value <= most) || (may_be_missing && isnan(*value)))
-    return ASP_OK;
-  return aspi_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
-                   array->row, array->column[column].name, *value, least, most);
+static asp_code read_array_row(file *f, const npy *array, asp_error *error) {
+  for (int k = 0; k < IMPACT_COLUMNS; k++) {
+    double value = f->of[k] = cli_npy_value(array, f->at[k]);
+    if (!(value >= columns[k].least && value <= columns[k].most) &&
+        !(may_lack(f, k) && isnan(value)))
+      return aspi_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
+                       array->row, name_of(k), value, columns[k].least, columns[k].most);
+  }
+  f->of[IMPACT_OUTCOME] =
+      f->at[IMPACT_OUTCOME] < 0 ? !(f->of[IMPACT_COR_N] > 0) : fabs(f->of[IMPACT_OUTCOME]) > 0;
+  return take_row(f, error);
 }
 
-static asp_code read_array_row(const npy *array, const impact_columns *at, impact_row *row,
-                               asp_error *error) {
-  asp_code code;
-  if ((code = read_value(array, at->degrees, 0, 90, false, &row->degrees, error)) ||
-      (code = read_value(array, at->delta, -90, 90, true, &row->delta, error)) ||
-      (code = read_value(array, at->v1, 0, 1e15, true, &row->v1, error)) ||
-      (code = read_value(array, at->d_p, 0, 1e15, true, &row->d_p, error)) ||
-      (code = read_value(array, at->cor[COR_N], -1e15, 1e15, true, &row->cor[COR_N], error)) ||
-      (code = read_value(array, at->cor[COR_T], -1e15, 1e15, true, &row->cor[COR_T], error)) ||
-      (code = read_value(array, at->v2, 0, 1e15, true, &row->v2, error)))
-    return code;
-  row->cor_v_space = NAN;
-  row->deposit =
-      at->outcome < 0 ? !(row->cor[COR_N] > 0) : fabs(cli_npy_value(array, at->outcome)) > 0;
-  return ASP_OK;
-}
-
-static asp_code read_array(FILE *stream, const char *path, scatter_impacts *impacts,
-                           asp_error *error) {
+static asp_code read_array(file *f, FILE *stream, asp_error *error) {
   npy array;
-  asp_code code = cli_npy_open(&array, stream, path, error);
+  asp_code code = cli_npy_open(&array, stream, f->to->path, error);
   if (code)
     return code;
-  impact_columns at = {.degrees = cli_npy_find(&array, ledger_name[LEDGER_ALPHA1]),
-                       .delta = cli_npy_find(&array, ledger_name[LEDGER_DELTA_ALPHA]),
-                       .v1 = cli_npy_find(&array, ledger_name[LEDGER_V1]),
-                       .d_p = cli_npy_find(&array, ledger_name[LEDGER_D_P]),
-                       .cor = {cli_npy_find(&array, ledger_name[LEDGER_COR_N]),
-                               cli_npy_find(&array, ledger_name[LEDGER_COR_T])},
-                       .outcome = cli_npy_find(&array, ledger_name[LEDGER_OUTCOME]),
-                       .v2 = cli_npy_find(&array, ledger_name[LEDGER_V2]),
-                       .cor_v_space = -1};
-  if (at.degrees < 0 || at.cor[COR_N] < 0)
-    return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", path,
-                     ledger_name[at.degrees < 0 ? LEDGER_ALPHA1 : LEDGER_COR_N]);
-  snprintf(impacts->comment, sizeof impacts->comment, "%s", array.title);
-  read_units(impacts, false);
-  impact_row row;
-  for (bool found;;) {
+  for (int k = 0; k < IMPACT_COLUMNS; k++)
+    f->at[k] = cli_npy_find(&array, name_of(k));
+  int missing = find_missing(f);
+  if (missing >= 0)
+    return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", f->to->path, name_of(missing));
+  snprintf(f->to->comment, sizeof f->to->comment, "%s", array.title);
+  read_units(f, false);
+  for (bool found;;)
     if ((code = cli_npy_next(&array, &found, error)) || !found ||
-        (code = read_array_row(&array, &at, &row, error)))
+        (code = read_array_row(f, &array, error)))
       return code;
-    add_impact(impacts, &row);
-  }
 }
 
 static bool is_dump(FILE *stream) {
@@ -277,20 +249,21 @@ static bool is_dump(FILE *stream) {
   return dump;
 }
 
-static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_error *error) {
+static asp_code read_file(file *f, asp_error *error) {
+  const char *path = f->to->path;
   FILE *stream = aspi_file_open(path, error);
   if (!stream)
     return error->code;
   asp_code code;
   if (cli_npy_is(stream)) {
-    code = read_array(stream, path, impacts, error);
+    code = read_array(f, stream, error);
     fclose(stream);
     return code;
   }
   if (is_dump(stream)) {
     aspi_csv *csv = cli_allocate(1, sizeof *csv);
     csv->text = aspi_text_create(stream, path);
-    code = read_dump(csv, impacts, error);
+    code = read_dump(f, csv, error);
     free(csv);
     fclose(stream);
     return code;
@@ -298,16 +271,57 @@ static asp_code read_impacts(const char *path, scatter_impacts *impacts, asp_err
   aspi_csv *csv = aspi_csv_create(stream, path, error);
   if (!csv)
     return error->code;
-  code = read_csv_rows(csv, impacts, error);
+  code = read_csv_rows(f, csv, error);
   aspi_csv_close(csv);
   return code;
 }
 
-scatter_impacts scatter_read_impacts(const char *path) {
-  scatter_impacts impacts = {.metre = 1, .metre_per_second = 1};
+void cli_scatter_read_rows(impact_file *to) {
+  file f = {.to = to, .unit = {1, 1, 1, 1}};
   asp_error error;
-  if (read_impacts(path, &impacts, &error))
+  if (read_file(&f, &error))
     cli_bad_file(NULL, &error);
+}
+
+/* ---- all impacts of a file ---- */
+
+/* CoR_T of the whole speed along the wall. */
+static double cor_t_space(const double of[]) {
+  double alpha = cli_radians(of[IMPACT_ALPHA1]), normal = of[IMPACT_COR_N] * sin(alpha);
+  double ratio =
+      isnan(of[IMPACT_COR_V_SPACE]) ? of[IMPACT_V2] / of[IMPACT_V1] : of[IMPACT_COR_V_SPACE];
+  return isnan(of[IMPACT_COR_T]) ? NAN
+                                 : sqrt(fmax(0, ratio * ratio - normal * normal)) / cos(alpha);
+}
+
+static asp_code add_impact(void *taker, const double of[], asp_error *error) {
+  (void)error;
+  aspi_scatter_impacts *impacts = taker;
+  bool deposit = of[IMPACT_OUTCOME] > 0;
+  double whole = deposit ? NAN : cor_t_space(of);
+  impacts->sideways =
+      impacts->sideways ||
+      (whole - fabs(of[IMPACT_COR_T])) * cos(cli_radians(of[IMPACT_ALPHA1])) > SIDEWAYS;
+  impacts->rough = impacts->rough || fabs(of[IMPACT_DELTA]) > 0;
+  impacts->deposits += deposit;
+  impacts->points = grow(impacts->points, impacts->count, sizeof *impacts->points);
+  impacts->points[impacts->count++] = (aspi_scatter_point){
+      of[IMPACT_ALPHA1],     (float)of[IMPACT_V1],
+      (float)of[IMPACT_D_P], deposit,
+      (float)whole,          {deposit ? NAN : of[IMPACT_COR_N], deposit ? NAN : of[IMPACT_COR_T]}};
+  return ASP_OK;
+}
+
+aspi_scatter_impacts cli_scatter_read_impacts(const char *path) {
+  aspi_scatter_impacts impacts = {.count = 0};
+  impact_file from = {.path = path,
+                      .uses = ~(1u << IMPACT_MESH | 1u << IMPACT_TRIANGLE | 1u << IMPACT_MASS |
+                                1u << IMPACT_ERODED),
+                      .needs = 1 << IMPACT_ALPHA1 | 1 << IMPACT_COR_N,
+                      .take = add_impact,
+                      .taker = &impacts};
+  cli_scatter_read_rows(&from);
+  memcpy(impacts.comment, from.comment, sizeof impacts.comment);
   double most = 0;
   for (size_t i = 0; i < impacts.count; i++)
     most = fmax(most, impacts.points[i].degrees);
@@ -317,6 +331,6 @@ scatter_impacts scatter_read_impacts(const char *path) {
   return impacts;
 }
 
-void scatter_free_impacts(scatter_impacts *impacts) {
+void cli_scatter_free_impacts(aspi_scatter_impacts *impacts) {
   free(impacts->points);
 }

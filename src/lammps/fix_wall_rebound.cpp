@@ -84,15 +84,18 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
       : WallFix(lammps, fix), mesh(NULL), region(NULL), last_step(0), steps(false),
         from_restart(false), restarted(false), stuck(0), type(0) {}
 
+  void fail_at(const std::string &file, int line, const std::string &what) const {
+    program_->error->all(file, line, "Fix wall/rebound (id " + id() + "): " + what);
+  }
   void fail(const std::string &what) const override {
-    program_->error->all(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
+    fail_at(FLERR, what);
   }
   void fail_alone(const std::string &what) const override {
     program_->error->one(FLERR, what);
   }
-  void check(const std::string &wrong) const {
+  void check(const std::string &file, int line, const std::string &wrong) const {
     if (!wrong.empty())
-      fail(wrong);
+      fail_at(file, line, wrong);
   }
   void set_rows() override {
     wall.set_rows(rows.state(), rows.place());
@@ -128,9 +131,9 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     lammps->citeme->add(CITE);
   p_->last_step = update->ntimestep;
   p_->from_restart = modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0;
-  p_->check(units_error(*p_));
-  p_->check(particles_error(lmp));
-  p_->check(box_error(lmp));
+  p_->check(FLERR, units_error(*p_));
+  p_->check(FLERR, particles_error(lmp));
+  p_->check(FLERR, box_error(lmp));
   p_->attempt([&] {
     std::string geometry;
     Words words(narg - 3, arg + 3);
@@ -224,8 +227,8 @@ void FixWallRebound::init() {
     return sibling ? sibling->p_ : NULL;
   });
   p_->check_run();
-  p_->check(particles_error(lmp));
-  p_->check(box_error(lmp));
+  p_->check(FLERR, particles_error(lmp));
+  p_->check(FLERR, box_error(lmp));
   if (p_->from_restart && !p_->restarted)
     p_->warn_of_no_restart();
   p_->from_restart = false;
@@ -251,7 +254,7 @@ void FixWallRebound::setup_pre_exchange() {
 
 void FixWallRebound::setup(int) {
   p_->steps = false;
-  p_->check(movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
+  p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
   p_->set_rows();
   p_->attempt([this] {
     if (p_->region)
@@ -293,12 +296,12 @@ void FixWallRebound::pre_neighbor() {
 }
 
 void FixWallRebound::post_neighbor() {
-  p_->check(movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
+  p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
 }
 
 void FixWallRebound::end_of_step() {
   if (!p_->steps)
-    p_->fail("rerun is not supported: a rebound is an event in time; use run");
+    p_->fail_at(FLERR, "rerun is not supported: a rebound is an event in time; use run");
   p_->last_step = update->ntimestep;
   p_->hold();
   p_->end_step();
@@ -361,8 +364,9 @@ int FixWallRebound::modify_param(int narg, char **arg) {
   if (!words.take("move"))
     return 0;
   if (!p_->mesh)
-    p_->fail("'fix_modify move' is for the wall 'stl'; a region moves by its own words, and a "
-             "plane or cylinder by 'shear'");
+    p_->fail_at(FLERR,
+                "'fix_modify move' is for the wall 'stl'; a region moves by its own words, and a "
+                "plane or cylinder by 'shear'");
   asperity::Drive drive;
   std::string read;
   p_->attempt([&] { drive.parse(words, read); });

@@ -1,6 +1,5 @@
 /* The sums of a mesh's triangles as a file that ParaView and its like read: VTK's legacy text
- * format
- * (.vtk) or its XML format (.vtp).
+ * format (.vtk) or its XML format (.vtp).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_MAP_FILE_H
@@ -29,9 +28,10 @@ public:
     return every_ > 0 && step % every_ == 0;
   }
 
-  /* worn_density: of the wall, for the depth of erosion; 0: none. The mesh where it is now, with
-   * the sums of each triangle by its number, Wall::N_SUMS each. Collective; rank 0 writes, and all
-   * throw an Error where it cannot. */
+  /* Writes the mesh where it is now, with the sums of each triangle by its number, Wall::N_SUMS
+   * each, and the depth of erosion: eroded mass over worn_density, that of the wall, and the
+   * triangle's area; with worn_density 0 the wall has no erosion, and the map no depth. Collective;
+   * rank 0 writes, and all throw an Error where it cannot. */
   void write(MPI_Comm world, int64_t step, const ContactTree *triangles, const Frame &frame,
              const std::vector<double> &sums, double worn_density) const;
 

@@ -109,7 +109,7 @@ sed 1s/_space//g seen > unsaid
 "$asperity" cor surface sigma 7 friction 0.2 yield_stress 300MPa materials quartz hastelloy-x seed 4 --angles 20:80:20 --samples 200 --speed 80 -o wanted
 "$asperity" calibrate wanted surface sigma fit friction fit yield_stress fit rebound bons materials quartz hastelloy-x --speed 80 $quick > fit 2> err
 "$asperity" cor $(sed -n 's/^# description, in SI units: //p' fit) --angles 20:80:20 --samples 200 --speed 80 -o again
-"$asperity" compare again wanted | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 > 0.01) }' || die "the fitted scatter: $(cat fit err)"
+"$asperity" compare again wanted | tail -n 1 | awk -F, '{ exit !($1 == "score" && $18 < 1 + 3 * $19) }' || die "the fitted scatter: $(cat fit err)"
 
 # Bad usage.
 refuses 2 "unsaid" "v2_plane" "v2_space" "--view" -- calibrate unsaid $law surface sigma fit

@@ -1,35 +1,35 @@
 #!/usr/bin/env bash
-# compare: the same model with another seed is taken for the same, as often as chance has it; data in all the forms
+# compare: the same model with another seed scores 1; data in all the forms
 # that people have; deposits; places by angle, speed and size; standard input.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 wall='surface rq 5um lambda_c 40um'
 
-# Over 200 pairs of seeds p-values are uniform: their distance from it, by Kolmogorov and Smirnov, is below what one
-# in a thousand would exceed, 1.95/sqrt(200), for a coefficient at a place, and their mean is for the score; and 90 % of
-# the data lie in the band.
+# The score of a file of comparison: of the same law (near 1, by its error), or of another one.
+fits() { tail -n 1 "$1" | awk -F, '{ exit !($1 == "score" && $19 > 0 && $18 < 1 + 3 * $19) }'; }
+differs() { tail -n 1 "$1" | awk -F, '{ exit !($1 == "score" && $19 > 0 && $18 > 1 + 3 * $19) }'; }
+
+# Over 200 pairs of seeds the score is 1 on average, and scatters as its standard error says.
 for seed in $(seq 1 200); do
   "$asperity" cor $wall seed "$seed" --angles 10,30,60 --samples 400 -o model
-  "$asperity" cor $wall seed $((1000 + seed)) --angles 10,30,60 --samples 60 -o data
-  "$asperity" compare model data | awk -F, '/^cor_n,30/ || /^cor_t,10,/ { print $1, $17 > "p." $1; band += $15 } /^overall/ { print $17 > "p.overall"; print $15 > "band" }
-    END { close("band") }'
-  for k in cor_n cor_t overall; do cat p.$k >> all.$k; done; cat band >> all.band
+  "$asperity" cor $wall seed $((1000 + seed)) --angles 10,30,60 --samples 200 -o data
+  "$asperity" compare model data | tail -n 1 >> scores
 done
-for k in cor_n cor_t; do
-  awk '{ print $NF }' all.$k | sort -g | awk -v k=$k '{ up = NR / 200 - $1; down = $1 - (NR - 1) / 200; d = up > d ? up : d; d = down > d ? down : d }
-    END { if (NR != 200 || d > 0.138) { print k, "p-values are", d, "off uniform"; exit 1 } }' || die "compare: p-values"
-done
-awk '{ n += $1 < 0.05; m += $1 } END { if (NR != 200 || n > 20 || m / NR < 0.44 || m / NR > 0.58) { print n " of 200 scores below 0.05, mean " m / NR; exit 1 } }' all.overall || die "compare: score"
-awk '{ m += $1 / 200 } END { exit !(m > 0.88 && m < 0.91) }' all.band || die "compare: band"
+awk -F, '{ n++; s += $18; q += $18 ^ 2; e += $19 / 200; out += ($18 - 1) ^ 2 > 4 * $19 ^ 2 }
+  END { m = s / n; sd = sqrt(q / n - m * m); print n, m, sd, e, out; exit !(n == 200 && m > 0.9 && m < 1.1 && e > 0.8 * sd && e < 1.25 * sd && out < 10) }' scores > verdict || die "compare: scores of the true model: $(cat verdict)"
 
-# Another law differs, by the score too.
+# Another law differs; so does one with the same means and no scatter.
 "$asperity" cor $wall --angles 10,30,60 --samples 400 -o model
 "$asperity" cor $wall friction 0.2 seed 2 --angles 10,30,60 --samples 200 -o data
-"$asperity" compare model data | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 < 1e-6) }' || die "compare: another law"
+"$asperity" compare model data > got; differs got || die "compare: another law: $(cat got)"
+"$asperity" compare model data | cmp - got || die "compare: the score is not the same again"
+awk 'BEGIN { print "alpha1_deg,cor_n"; for (i = 0; i < 50; i++) print "30," 0.5 + (i - 24.5) / 100 }' > scatters
+awk 'BEGIN { print "alpha1_deg,cor_n"; for (i = 0; i < 50; i++) print "30,0.5" }' > smooth
+"$asperity" compare smooth scatters > got; differs got || die "compare: no scatter: $(cat got)"
 
 # One sample in all the forms: the same numbers come out. At 90 degrees CoR_T is not defined.
 "$asperity" cor $wall deposit off seed 3 --angles 20,50,80 --samples 80 --speed 50 -o cor.csv
-"$asperity" compare model cor.csv --near 90,9,9 | rows /dev/stdin | cut -d, -f1,5,8,11,12,16,17 > wanted
+"$asperity" compare model cor.csv --near 90,9,9 | rows /dev/stdin | cut -d, -f1,8-11,13-17 > wanted
 awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
   { a = $3 * pi / 180; n2 = $8 * 50 * sin(a); t2 = $9 * 50 * cos(a); v2 = sqrt(n2 * n2 + t2 * t2); a2 = atan2(n2, t2); f = "%.12g"
     if (!n++) { print "alpha1_deg,v1,alpha2_plane_deg,v2_plane" > "velocities"; print "α1 [rad];v1 [mm/s];alpha_2_plane (rad);v2_plane (mm/s)" > "radians"; print "v1_n_m_s,v1_t_m_s,v2_n_m_s,v2_t_m_s" > "components"; print "alpha1_deg,cor_v_plane,cor_alpha_plane,v1" > "ratios"; print "alpha1_deg,cor_n,cor_t,outcome,v1_m_s,d_p [um]" > "pairs" }
@@ -41,7 +41,7 @@ awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
 for form in velocities radians components ratios pairs; do
   "$asperity" compare model $form --near 90,9,9 2> err | grep -v '^deposits' > got || die "compare: $form: $(cat err)"
   [ ! -s err ] || die "compare: $form: a warning: $(cat err)"
-  paste -d, wanted <(rows got | cut -d, -f1,5,8,11,12,16,17) | grep -v '^overall' | awk -F, '{ for (i = 2; i <= 7; i++) { d = $i - $(i + 7); if (d > 2e-5 || d < -2e-5) exit 1 } if ($1 != $8) exit 1; n++ } END { exit n != 6 }' || die "compare: $form gives other numbers"
+  paste -d, wanted <(rows got | cut -d, -f1,8-11,13-17) | grep -v '^score' | awk -F, '{ for (i = 2; i <= 10; i++) { d = $i - $(i + 10); if (d > 2e-5 || d < -2e-5) exit 1 } if ($1 != $11) exit 1; n++ } END { exit n != 6 }' || die "compare: $form gives other numbers"
 done
 sed 1s/alpha1_deg/alpha1/ velocities > unnamed
 "$asperity" compare model unnamed --near 90,9,9 2>&1 > /dev/null | grep -q "unit of column 'alpha1' is not stated.*degrees" || die "compare: an angle without a unit"
@@ -56,21 +56,21 @@ for view in plane space; do
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_" view "_deg,v2_" view; next } $10 == "rebound" { print $3 "," $2 "," $3 * $(view == "plane" ? 7 : 12) "," $2 * $(view == "plane" ? 6 : 11) }' truth > truth.$view
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,cor_alpha_" view ",cor_v_" view; next } $10 == "rebound" { print $3 "," $(view == "plane" ? 7 : 12) "," $(view == "plane" ? 6 : 11) }' truth > ratio.$view
   for data in truth.$view ratio.$view; do for of in model model.ledger; do
-    "$asperity" compare $of $data | tail -n 1 | awk -F, '{ exit !($1 == "overall" && $17 > 1e-3) }' || die "compare: the true model, $data by $of"
+    "$asperity" compare $of $data > got; fits got || die "compare: the true model, $data by $of"
   done; done
 done
 refuses 2 "mixture" "v2_plane, alpha2_plane" "--view" -- compare model mixture
-"$asperity" compare model mixture --view plane | tail -n 1 | awk -F, '{ exit !($17 < 1e-6) }' || die "compare: a mixture of plane and space passes"
+"$asperity" compare model mixture --view plane > got; differs got || die "compare: a mixture of plane and space passes"
 sed 's/_plane//g' truth.plane > unsaid
 "$asperity" compare model unsaid --view plane | grep -v '^#' | cmp <("$asperity" compare model truth.plane | grep -v '^#') || die "compare --view"
 sed '1s/v2_plane/v2_space/' truth.plane > crossed
 refuses 2 "alpha2_plane_deg" "v2_space" "not of the same velocity" -- compare model crossed
 
-# Means with and without standard errors; what was not measured stays empty.
-printf 'alpha1_deg,cor_n_mean,cor_n_sd,cor_n_se,cor_t_mean,n\n30,0.33,0.15,,,100\n60,0.165,0.1,0.004,0.79,\n' > means
+# Means count by their standard errors, else by sd and n, else by the sd; what was not measured stays empty.
+printf 'alpha1_deg,cor_n_mean,cor_n_sd,cor_n_se,cor_t_mean,n\n30,0.33,0.15,,,100\n60,0.165,0.1,0.004,0.79,\n60,0.165,0.1,,,\n' > means
 "$asperity" compare model means > got
-rows got | awk -F, '$1 == "cor_n" { exit !($10 == 100 && $17 > 0 && $17 <= 1) }' || die "compare: means: $(cat got)"
-column p_value got | sed -n '2p;4p' | paste -sd, | awk -F, '{ exit !($1 > 0 && $2 == "") }' || die "compare: p of means: $(cat got)"
+[ "$(column data_mean_se got | paste -sd,)" = 0.015,0.004,0.1,,,, ] || die "compare: means: $(cat got)"
+rows got | awk -F, '$1 == "cor_n" { chi2 += ($8 - $13) ^ 2 / ($9 ^ 2 + $14 ^ 2) / 3 } $1 == "score" { d = $18 / chi2 - 1; exit !(d * d < 1e-8 && $19 > 0) }' || die "compare: the score of means: $(cat got)"
 
 # Places by speed and size: the model's impacts there, and no others.
 { "$asperity" cor --angles 30 --speed 20 --samples 30; "$asperity" cor --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
@@ -84,9 +84,10 @@ printf 'alpha1_deg,v1_m_s,dp_um,cor_n\n30,20,10,0.9\n30,80,10,0.4\n30,80,50,0.4\
 awk 'BEGIN { print "alpha1_deg,cor_n,cor_t,outcome"; for (i = 0; i < 200; i++) print "30,0.5,0.7," (i % 4 ? "rebound" : "deposit") }' > quarter
 awk 'BEGIN { print "alpha1_deg,cor_n,cor_t,outcome"; for (i = 0; i < 200; i++) print "30,0.5,0.7," (i % 2 ? "rebound" : "deposit") }' > half
 "$asperity" compare quarter half > got
-rows got | awk -F, '$1 == "deposits" { exit !($5 == 0.25 && $11 == 0.5 && $17 < 1e-5) }' || die "compare: deposits: $(cat got)"
-rows got | awk -F, '$1 == "cor_n" { exit !($4 == 150 && $10 == 100) }' || die "compare: deposits in means: $(cat got)"
-"$asperity" compare quarter quarter | awk -F, '$1 == "deposits" { exit !($17 > 0.4) }' || die "compare: the same deposits"
+rows got | awk -F, '$1 == "deposits" { exit !($8 == 0.25 && $13 == 0.5 && $14 > 0) }' || die "compare: deposits: $(cat got)"
+rows got | awk -F, '$1 == "cor_n" { exit !($7 == 150 && $12 == 100) }' || die "compare: deposits in means: $(cat got)"
+awk -F, '$1 == "score" { d = $18 - 0.25 ^ 2 / (0.375 * 0.625 / 100); exit !(d * d < 1e-6) }' got || die "compare: Pearson's chi-square: $(cat got)"
+"$asperity" compare quarter quarter | awk -F, '$1 == "score" { exit !($18 == 0 && $19 > 0) }' || die "compare: the same deposits"
 
 # Standard input in place of either, and of any file of any command.
 "$asperity" compare quarter half | grep -v '^#' > wanted
@@ -106,7 +107,7 @@ done
 for set in grant_tabakoff_1975:grant_tabakoff "forder_1998:table $data/forder_1998.csv"; do
   # shellcheck disable=SC2086
   "$asperity" cor rebound ${set#*:} --angles 10:85:5 --samples 1 -o impacts
-  "$asperity" compare impacts "$data/${set%%:*}.csv" --near 0.1 2> /dev/null | tail -n 1 | awk -F, '{ exit !($21 < 6e-5) }' || die "${set#*:} is not its data"
+  "$asperity" compare impacts "$data/${set%%:*}.csv" --near 0.1 2> /dev/null | rows /dev/stdin | awk -F, '/^cor/ && $8 != "" && $13 != "" { s += ($8 - $13) ^ 2; n++ } END { exit !(n && sqrt(s / n) < 6e-5) }' || die "${set#*:} is not its data"
 done
 [ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their license"
 

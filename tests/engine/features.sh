@@ -131,7 +131,8 @@ fix in all pour 200 1 4711 region source diam one 1e-5 dens 2650 2650 vol 0.1 50
 
 # Maps: every triangle with its sums, those of the wall; in both formats the same numbers.
 script maps '' '' 'run 400'
-sed -i 's/^fix wall.*/& map 200 map.*.vtk/' maps.in
+sed -i 's/^fix wall.*/& columns full erosion dnv density 7800 face tilted map 200 map.*.vtk/' maps.in
+echo 'print "worn $(f_wall[14]:%.17g)"' >> maps.in
 sed 's/map\.\*\.vtk/map.*.vtp/' maps.in > maps_xml.in
 for ranks in 1 2; do
   engine $ranks maps.in; engine $ranks maps_xml.in
@@ -146,6 +147,11 @@ for ranks in 1 2; do
   rows rows.csv | awk -F, '{ n[$5]++ } END { for (t = 0; t < 72; t++) print n[t] + 0 }' > of_rows
   awk '/^SCALARS impacts/ { getline; on = 1; next } /^SCALARS/ { on = 0 } on' map.400.vtk > of_map
   same of_rows of_map "impacts of each triangle"
+  # What is worn off each triangle, and how deep: the command has the same by the rows, the fix in all.
+  "$bin/asperity" erosion rows.csv | awk -F, '$2 ~ /^[0-9]+$/ { m[$2] = $4 } END { for (t = 0; t < 72; t++) printf "%.10g\n", m[t] }' > of_rows
+  awk '/^SCALARS/ { name = $2; getline; next } name == "eroded_mass" { m[++n] = $1 } name == "erosion_depth" { print m[++k], $1 }' map.400.vtk | paste -d' ' - of_rows |
+    awk -v all="$(awk '$1 == "worn" { print $2 }' maps.in.screen)" '{ sum += $1; if (($1 - $3) ^ 2 > 1e-14 * $3 ^ 2 || ($2 * 7800 * 0.5 * (5.8e-3 / 6) ^ 2 - $1) ^ 2 > 1e-14 * $1 ^ 2) { print; exit 1 } } END { exit !(NR == 72 && sum > 0 && (sum / all - 1) ^ 2 < 1e-10) }' ||
+    die "eroded mass and depth of each triangle"
 done
 # One that cannot be written ends the run.
 sed 's/map\.\*\.vtk/folder\/map.vtk/' maps.in > nowhere.in

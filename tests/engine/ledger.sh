@@ -51,6 +51,9 @@ printf 'alpha1_deg,cor_n,cor_t\n20,0.5,0.6\n40,0.4,0.5\n60,0.3,0.4\n' > data.csv
 paste -d, <(grep '^cor_' a) <(grep '^cor_' b) | awk -F, '{ n = NF / 2; for (i = 2; i <= n; i++) { d = $i - $(i + n); if (d < 0) d = -d; m = $i < 0 ? -$i : $i; if (d > 2e-5 * m || ($i == "") != ($(i + n) == "")) { print; bad = 1 } } } END { exit bad }' || die "compare: CSV and array differ"
 grep -q yield_rate a.err || die "compare: no warning"
 same a.err b.err "compare: warnings"
+# asperity erosion: alike.
+for of in whole.csv 1.npy; do "$bin/asperity" erosion $of erosion dnv density 7800 --density 2650 | tail -n 1; done | paste -sd, |
+  awk -F, '{ exit !($3 > 500 && $3 == $7 && $4 > 0 && ($4 / $8 - 1) ^ 2 < 1e-12) }' || die "erosion: CSV and array differ"
 
 # Files that are none. bad FILE TEXT
 bad() { ! "$bin/asperity" compare "$1" data.csv > out 2> err || die "$1 was taken"; grep -qF -- "$2" err || { cat err; die "'$2' is not in the message about $1"; }; }

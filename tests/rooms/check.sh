@@ -72,14 +72,15 @@ if [ -n "$objects" ]; then
     may_know "$room" "$other" || say "$file uses $symbol: $room must not know $other"
   done < <(join <(sort "$work/used") <(sort "$work/defined"))
 
-  # Prefixes: what an object of C defines begins with asp_ or aspi_, what one of C++ defines is in namespace asperity.
+  # Prefixes: what an object of C defines begins with asp_ or aspi_, in the command with cli_; what one of C++ defines is
+  # in namespace asperity.
   # An engine's classes and the functions that it calls are named as it wants them.
   build=${objects%/src/CMakeFiles/*}
-  own=" analysis $(cd "$src" && grep -L 'int main(' ./*/*.c | cut -d/ -f2 | grep -vx cli | sort -u | tr '\n' ' ')"
+  own=" analysis $(cd "$src" && grep -L 'int main(' ./*/*.c | cut -d/ -f2 | sort -u | tr '\n' ' ')"
   while read -r object; do
     path=${object##*.dir/}; path=${path#__/src/}
     [[ $own == *" ${path%%/*} "* ]] && [ -e "$src/${path%.o}" ] || continue
-    nm --defined-only -g "$object" | awk -v file="$path" 'NF == 3 && $3 !~ /^aspi?_/ { print file, $3 }'
+    nm --defined-only -g "$object" | awk -v file="$path" 'NF == 3 && $3 !~ (file ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_") { print file, $3 }'
     echo "$path" >> "$work/named"
   done < <(find "$build/src/CMakeFiles" "$build/tests/CMakeFiles" -name '*.c.o') | sort -u > "$work/astray"
   [ "$(sort -u "$work/named" | wc -l)" -gt 60 ] || say "few objects were found in $build"
@@ -91,7 +92,7 @@ if [ -n "$objects" ]; then
         print file, $0 }'
   done < <(find "$build/src/CMakeFiles" -path '*.dir/*' -name '*.cpp.o') | sort -u >> "$work/astray"
   while read -r file symbol; do
-    say "$file defines $symbol, which is neither asp_ nor aspi_ nor in namespace asperity"
+    say "$file defines $symbol, which is neither asp_, aspi_ or cli_ as its room has it nor in namespace asperity"
   done < "$work/astray"
 fi
 exit $bad

@@ -1,0 +1,195 @@
+/* asperity erosion: what the impacts of a ledger wore off the wall, per triangle, per mesh and in
+ * all: its own column added up, or a law applied to its rows.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/description.h"
+#include "cli/scatter.h"
+#include "base/error.h"
+#include "wall/wall.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DENSITY, OUTPUT, N };
+
+/* A triangle and its sums. */
+typedef struct cell {
+  int mesh, triangle;
+  double impacts, mass;
+} cell;
+
+typedef struct wear {
+  cell *cells;
+  size_t count, room;
+  const char *path;
+  const aspi_erosion *law; /* NULL: the ledger's own column */
+  double wall_density;     /* 0: the law has it */
+  double density;          /* of the particles; NAN: the ledger has their mass */
+  bool has_mass;
+} wear;
+
+static int by_place(const void *left, const void *right) {
+  const cell *a = left, *b = right;
+  return a->mesh != b->mesh ? (a->mesh > b->mesh) - (a->mesh < b->mesh)
+                            : (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+/* Sorts the cells and makes one of those of a triangle. */
+static void merge(wear *w) {
+  size_t last = 0;
+  if (w->count == 0)
+    return;
+  qsort(w->cells, w->count, sizeof *w->cells, by_place);
+  for (size_t i = 1; i < w->count; i++)
+    if (by_place(&w->cells[last], &w->cells[i]) == 0) {
+      w->cells[last].impacts += w->cells[i].impacts;
+      w->cells[last].mass += w->cells[i].mass;
+    } else {
+      w->cells[++last] = w->cells[i];
+    }
+  w->count = last + 1;
+}
+
+/* Room for one more cell: by merging, and twice as much where that frees less than half. */
+static void make_room(wear *w) {
+  if (w->count < w->room)
+    return;
+  merge(w);
+  if (2 * w->count < w->room)
+    return;
+  size_t room = w->room ? 2 * w->room : 4096;
+  cell *cells = cli_allocate(room, sizeof *cells);
+  if (w->count)
+    memcpy(cells, w->cells, w->count * sizeof *cells);
+  free(w->cells);
+  w->cells = cells;
+  w->room = room;
+}
+
+static double worn_by_law(const wear *w, const double of[], double mass) {
+  double alpha = cli_radians(of[IMPACT_ALPHA1]);
+  return mass * aspi_erosion_ratio(w->law, w->wall_density, of[IMPACT_V1], sin(alpha), cos(alpha),
+                                   of[IMPACT_D_P]);
+}
+
+static asp_code add_row(void *taker, const double of[], asp_error *error) {
+  wear *w = taker;
+  double mass = of[IMPACT_MASS], d = of[IMPACT_D_P];
+  w->has_mass = !isnan(mass);
+  if (!w->has_mass)
+    mass = w->density * ASP_PI / 6 * d * d * d;
+  if (w->law && isnan(mass))
+    return aspi_fail(error, ASP_EDATA,
+                     "%s: no column 'mass', which 'columns full' has: give the density of the "
+                     "particles by --density or 'materials'",
+                     w->path);
+  double worn = w->law ? worn_by_law(w, of, mass) : of[IMPACT_ERODED];
+  make_room(w);
+  w->cells[w->count++] = (cell){(int)of[IMPACT_MESH], (int)of[IMPACT_TRIANGLE], 1, worn};
+  return ASP_OK;
+}
+
+static void print_sum(FILE *out, const cell *sum) {
+  fprintf(out, "%.0f,%.10g\n", sum->impacts, sum->mass);
+}
+
+static void print_all(FILE *out, const wear *w) {
+  cell mesh = {.mesh = 0}, all = {.mesh = 0};
+  fputs("mesh,triangle,impacts,eroded_mass_kg\n", out);
+  for (size_t i = 0; i < w->count; i++) {
+    const cell *c = &w->cells[i];
+    fprintf(out, "%d,%d,", c->mesh, c->triangle);
+    print_sum(out, c);
+    mesh.impacts += c->impacts;
+    mesh.mass += c->mass;
+    if (i + 1 < w->count && c[1].mesh == c->mesh)
+      continue;
+    fprintf(out, "%d,all,", c->mesh);
+    print_sum(out, &mesh);
+    all.impacts += mesh.impacts;
+    all.mass += mesh.mass;
+    mesh = (cell){.mesh = 0};
+  }
+  fputs("all,all,", out);
+  print_sum(out, &all);
+}
+
+/* The law, and what it needs besides the rows. */
+static void take_law(wear *w, cli_description *d) {
+  cli_description_allow(d, "erosion materials", "the law of erosion is applied to a ledger's rows");
+  w->law = &d->wall->choice.erosion;
+  if (!w->law->law)
+    cli_bad_usage("erosion: 'erosion LAW' is expected among the words behind LEDGER; see 'asperity "
+                  "help wall'");
+  if (w->law->tilted)
+    cli_bad_usage("face is 'tilted'; it must be mean: a ledger does not have every face that was "
+                  "hit, but in its column 'eroded_mass'");
+  w->wall_density = asp_material_get(d->target, "density");
+  if (isnan(w->density) && !d->has_standard_materials)
+    w->density = d->density;
+}
+
+static int run(int argc, char **argv) {
+  cli_option options[N + 1] = {
+      [DENSITY] = {"density", "DENSITY",
+                   "of the particles, where the ledger lacks their mass; else that of 'materials'",
+                   NULL},
+      [OUTPUT] = CLI_OUTPUT_OPTION,
+  };
+  int words = cli_words(argc, argv);
+  cli_parse(&cli_erosion, argc - words, argv + words, options, false);
+  if (words < 1)
+    cli_bad_usage("erosion: LEDGER is expected, a file; see 'asperity erosion --help'");
+  cli_keep_input(options, argv[1]);
+  bool has_law = words > 1, has_density = options[DENSITY].value;
+  if (has_density && !has_law)
+    cli_bad_usage("--density has no effect without 'erosion LAW'");
+  wear w = {.path = argv[1],
+            .density = has_density ? cli_quantity(&options[DENSITY], "density", 1e-9, 1e9) : NAN};
+  cli_description d = {.wall = NULL};
+  if (has_law) {
+    d = cli_description_read(words - 1, argv + 2);
+    take_law(&w, &d);
+  }
+  unsigned needs =
+      1 << IMPACT_MESH | 1 << IMPACT_TRIANGLE |
+      (has_law ? 1 << IMPACT_ALPHA1 | 1 << IMPACT_V1 | 1 << IMPACT_D_P : 1 << IMPACT_ERODED);
+  impact_file ledger = {.path = w.path,
+                        .uses = needs | 1 << IMPACT_MASS,
+                        .needs = needs,
+                        .take = add_row,
+                        .taker = &w};
+  cli_scatter_read_rows(&ledger);
+  if (!has_law && *ledger.comment && !strstr(ledger.comment, " erosion "))
+    cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
+                  w.path);
+  if (has_density && w.has_mass)
+    cli_bad_usage("--density has no effect: %s has the particles' mass", w.path);
+  merge(&w);
+  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, d.text);
+  print_all(cli_output_stream(output), &w);
+  cli_output_close(output);
+  free(w.cells);
+  cli_description_free(&d);
+  return 0;
+}
+
+const cli_command cli_erosion = {
+    .name = "erosion",
+    .arguments = "LEDGER [DESCRIPTION]",
+    .summary = "what the impacts of a ledger wore off the wall, per triangle",
+    .detail =
+        "LEDGER is the ledger of a wall (CSV, .npy), or a dump local file of its array with the\n"
+        "columns that are used. A row per triangle that was hit, one per mesh (triangle `all`),\n"
+        "one for all; a primitive wall is mesh 0. Without a description the ledger's column\n"
+        "eroded_mass is added up, which `columns full` has where the wall has `erosion`. With\n"
+        "`erosion LAW ...` the law is applied to impact angle, speed and diameter of the rows, on\n"
+        "the mean wall: a ledger has only the first of the faces of `face tilted`. The particles'\n"
+        "mass is the column mass, else that of a sphere of --density. Ledgers are converted from\n"
+        "their units to SI; dumps must be SI.\n",
+    .examples = "  $ asperity erosion impacts.csv -o eroded.csv\n"
+                "  $ asperity erosion impacts.npy erosion oka 1.8GPa density 7850kg/m3 "
+                "--density 2650kg/m3\n",
+    .run = run,
+};

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# erosion: the law on a ledger's rows wears off what the impacts of `cor` do; sums of triangles, meshes and all of more
+# rows than it holds at once, in a ledger's units; what is refused.
+# SPDX-License-Identifier: GPL-3.0-or-later
+source "$(dirname "$0")/cli.sh"
+
+# Each law, at two sizes, against what `cor` has of the same impacts per mass of particles.
+for law in "dnv k 3e-9" "oka 1.8GPa particles glass" "finnie 1GPa" "ecrc 120"; do
+  for d in 10 40; do
+    of=(surface sigma 5 erosion $law density 7800kg/m3 --dp ${d}um --angles 20,50 --samples 30)
+    "$asperity" cor "${of[@]}" --summary -o summary
+    "$asperity" cor "${of[@]}" --columns ledger -o ledger
+    "$asperity" erosion ledger erosion $law density 7800kg/m3 --density 2500kg/m3 -o worn
+    column eroded_mean summary | awk -v worn="$(column eroded_mass_kg worn | tail -n 1)" -v d=${d}e-6 '{ sum += 30 * $1 * 2500 * 3.14159265358979 / 6 * d ^ 3 }
+      END { exit !(NR == 2 && sum > 0 && (worn / sum - 1) ^ 2 < 1e-10) }' || die "$law, $d um: $(cat summary worn)"
+  done
+done
+
+# 30 000 rows of 10 000 triangles, in grams.
+awk 'BEGIN { print "# asperity 1.0.0; fix wall wall/rebound; units cgs; surface smooth erosion dnv face mean seed 1\ntag,mesh,triangle,eroded_mass"
+  for (i = 0; i < 30000; i++) print i "," 1 + i % 2 "," i % 10000 "," 1 + i % 10000 }' > many
+"$asperity" erosion many -o sums
+rows sums | awk -F, '$2 != "all" { n++; if ($1 != 1 + $2 % 2 || $3 != 3 || ($4 - 3e-3 * (1 + $2)) ^ 2 > 1e-16 || ($1 == last && $2 <= id)) exit 1; last = $1; id = $2 }
+  END { exit n != 10000 }' || die "sums of triangles: $(head sums)"
+[ "$(header sums)" = mesh,triangle,impacts,eroded_mass_kg ] || die "header: $(header sums)"
+[ "$(grep all sums | paste -sd' ')" = "1,all,15000,75000 2,all,15000,75015 all,all,30000,150015" ] || die "sums: $(grep all sums)"
+[ "$("$asperity" erosion - < many | grep all)" = "$(grep all sums)" ] || die "a ledger in a pipe"
+
+# A column that compare does not read may hold anything.
+sed 's/^tag,/mass,/; s/^[0-9]*,/light,/' ledger > light
+"$asperity" compare light | rows /dev/stdin | cmp - <("$asperity" compare ledger | rows /dev/stdin) || die "compare reads the mass"
+
+# What a ledger, or the description, lacks.
+refuses 2 "'eroded_mass' is missing" -- erosion ledger
+refuses 2 "no column 'mass'" "--density" -- erosion ledger erosion dnv density 7800
+refuses 2 "'alpha1_deg' is missing" -- erosion many erosion dnv density 7800
+cut -d, -f2- many > no_mesh; sed -i 's/^mesh/of/' no_mesh
+refuses 2 "'mesh' is missing" -- erosion no_mesh
+sed '1s/ erosion dnv face mean//' many > unworn
+refuses 2 "no 'erosion'" -- erosion unworn
+printf 'mesh,triangle,eroded_mass\n1,2,\n' > empty
+refuses 2 "empty:2" "eroded_mass" -- erosion empty
+refuses 2 "face is 'tilted'" "eroded_mass" -- erosion ledger erosion dnv density 7800 face tilted --density 2500
+refuses 2 "'erosion LAW' is expected" -- erosion ledger materials quartz steel
+refuses 2 "'surface' has no effect" -- erosion ledger surface sigma 5 erosion dnv density 7800 --density 2500
+refuses 2 "--density has no effect" -- erosion many --density 2500
+refuses 2 "LEDGER is expected" -- erosion
+refuses 2 "which is read" -- erosion many -o many
