@@ -1,4 +1,4 @@
-# What `cmake --install` puts in place: library, header, command, launchers, the library and headers of the
+# Files of `cmake --install`: library, header, command, launchers, the library and headers of the
 # engines' side, the files by which CMake and pkg-config find the libraries, pages and examples.
 # SPDX-License-Identifier: GPL-3.0-or-later
 install(TARGETS asperity EXPORT asperityTargets

@@ -4,7 +4,7 @@
  * hits at an impact angle), and a rebound law (velocity after the hit). asp_wall_impact() combines
  * the three for one contact. All of it works in any consistent set of units; angles are radians,
  * measured from the wall plane (90 degrees is normal impact); velocities are relative to the wall.
- * A positive tilt delta_alpha turns the wall towards the particle (luff), so that the local impact
+ * A positive tilt delta_alpha turns the wall toward the particle (luff), so that the local impact
  * angle is alpha1 + delta_alpha.
  *
  * Objects from ..._create are freed by ..._free (NULL is allowed). Threads may share an object as
@@ -97,9 +97,9 @@ typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);
 
-/* How to read, by name, with the value where nothing is set:
- *   unit_x, unit_z  metres in one unit of a text file's columns (0: as the file states)
- *   metre           one metre in the unit of the result (1; 1e6 for micrometres)
+/* Sets an option of reading by name; the default is in brackets:
+ *   unit_x, unit_z  meters in one unit of a text file's columns (0: as the file states)
+ *   metre           one meter in the unit of the result (1; 1e6 for micrometers)
  *   form            degree of the polynomial that is taken out as form, 0 to 9 (1); -1: none
  *   spikes          points this many robust sd off their neighbors are bad (0: none are)
  *   fill            1: bad points and gaps are filled by straight lines (0: they are refused)
@@ -107,20 +107,20 @@ void asp_reader_free(asp_reader *reader);
  *   row, column     of an SDF map, from 1: the row (1), or where column > 0 that column instead; of
  *                   a text file, column is that of the heights (0: by the header)
  *   x_column        of a text file: that of the positions (0: by the header)
- *   step_x          metres between heights of a text file that has no positions (0: it has some)
+ *   step_x          meters between heights of a text file that has no positions (0: it has some)
  *   missing         a height that stands for a missing one, in the file's unit (NaN: there is none)
  *   tip, lambda_s, cutoff, robust
- *                   filters, in metres (0: left out): the radius of the stylus whose dilation is
+ *                   filters, in meters (0: left out): the radius of the stylus whose dilation is
  *                   undone; the wavelengths below and beyond which a Gaussian filter of ISO
  *                   16610-21 takes waves out; robust 1: the latter by ISO 16610-31
- * What a file in SDF states itself (units, step_x, missing) is refused when it is read. */
+ * Units, step_x and missing are refused for SDF files, which state them. */
 asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
 
 /* The profile of a file; the message names file and line. */
 asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error);
 
-/* What was found in the file read last, as a sentence: points, bad ones, spikes, points filled in,
- * the form taken out, and how positions and columns were taken. */
+/* One sentence about the file read last: points, bad ones, spikes, points filled in, the form taken
+ * out, and how positions and columns were taken. */
 const char *asp_reader_text(const asp_reader *reader);
 
 /* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
@@ -155,14 +155,14 @@ const float *asp_map_heights(const asp_map *map);
  * lines of x, y, z on a grid, in columns of these names, or where there are three columns. The
  * reader's options count as for profiles: form is the degree of a polynomial in x and y; row,
  * column, x_column and the filters are refused, resample says nothing; besides step_x, step_y
- * metres between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
+ * meters between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
  * matrices do; step_y: as step_x) Closed formats are refused with the name of a free program that
  * converts them. */
 asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error);
 
 /* A map in numbers by name (ISO 25178-2), each worked out anew: s_q, s_a, s_sk, s_ku, s_p, s_v,
  * s_z, s_dq, s_al, s_tr; and by the ellipse that fits the 1/e contour of the autocorrelation best:
- * lambda_1 <= lambda_2, its half axes, and lay, the direction of the longer one from x towards y
+ * lambda_1 <= lambda_2, its half axes, and lay, the direction of the longer one from x toward y
  * (rad). NaN and a message where there is none. */
 double asp_map_get(const asp_map *map, const char *name, asp_error *error);
 
@@ -230,7 +230,7 @@ double asp_surface_slope(const asp_surface *surface, double d_p);
 
 /* ---- spread models --------------------------------------------------------------------------- */
 /* The distribution of the tilt delta_alpha of the face that is hit, cut to |delta_alpha| < 90
- * degrees (a height function has no overhangs, and a particle hits only faces turned towards it)
+ * degrees (a height function has no overhangs, and a particle hits only faces turned toward it)
  * and normalized. */
 typedef struct asp_spread_model asp_spread_model;
 
@@ -315,8 +315,8 @@ double asp_parameter_default(const asp_parameter *parameter);
 double asp_parameter_least(const asp_parameter *parameter);
 double asp_parameter_most(const asp_parameter *parameter);
 
-/* Where its value is a word, those that there are, separated by blanks, for 0, 1 ...; "" where it
- * is a number. read: the value of a text, a number or one of the words. */
+/* The words for the values 0, 1 ..., separated by blanks; "" if the value is a number. read: the
+ * value of a text, a number or one of the words. */
 const char *asp_parameter_words(const asp_parameter *parameter);
 asp_code asp_parameter_read(const asp_parameter *parameter, const char *text, double *value,
                             asp_error *error);
@@ -373,7 +373,7 @@ asp_code asp_wall_choose(asp_wall *wall, const char *name, const char *choice, a
 asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error);
 double asp_wall_get(const asp_wall *wall, const char *name); /* NaN for another name */
 
-/* What the wall is made of; NULL: none. The surface and the table must outlive the wall, the
+/* The parts of the wall; NULL: none. The surface and the table must outlive the wall, the
  * profile and the map only asp_wall_prepare. Of a wall with a map the model `profile` takes the law
  * of the map itself, in three dimensions and with its own later hits, whatever tilt and collisions
  * say; every other model that of the surface. Without a surface the wall is smooth; a model that

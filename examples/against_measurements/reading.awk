@@ -1,4 +1,4 @@
-# What the tables say, in words: of the table of models, of what was fitted, and of the spins.
+# The results in words: the table of models, the fits, and the spins.
 # SPDX-License-Identifier: GPL-3.0-or-later
 FNR == 1 { file++; next }
 file == 1 { rms[$1 "," $2] = $3; ks[$1 "," $2] = $5 }

@@ -1,4 +1,4 @@
-# What the roughness of its walls does to a channel: concentration, fluctuation and speed over the height, and
+# The effect of rough walls on a channel: concentration, fluctuation and speed over the height, and
 # the mean height over time.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load '../look.gp'

@@ -1,4 +1,4 @@
-# What the picture shows, in numbers: from the mean heights and the profiles, both over the second half.
+# The results of the picture, in numbers: from the mean heights and the profiles, both over the second half.
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { printf "%-9s %12s %10s %10s %22s %20s\n", "", "mean height", "rms v_z", "mean v_x", "in the lowest fourth", "in the highest fourth" }
 FNR == 1 { if (name && FILENAME ~ /heights/) show(); if (FILENAME ~ /heights/) { name = FILENAME; sub(/.*\//, "", name); sub(/\.heights/, "", name); n = z = w = u = all = low = high = 0 } }

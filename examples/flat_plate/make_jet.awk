@@ -1,5 +1,5 @@
 # Writes the dust as a LIGGGHTS data file: N particles of quartz, diameters log-normal from 1 to 100 um
-# with median 10 um, 100 m/s, impact angles evenly spread from 2 to 88 degrees. Each flies towards a
+# with median 10 um, 100 m/s, impact angles evenly spread from 2 to 88 degrees. Each flies toward a
 # place of its own on the plate, so that no two meet, and reaches it after 5 to 75 % of the run.
 #   awk -f make_jet.awk > jet.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for

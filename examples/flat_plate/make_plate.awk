@@ -1,4 +1,4 @@
-# Writes the plate as an STL mesh: a square of SIDE metres in the plane z = 0, normal +z, cut into
+# Writes the plate as an STL mesh: a square of SIDE meters in the plane z = 0, normal +z, cut into
 # 2 CELLS^2 triangles.   awk -f make_plate.awk > plate.stl
 # SPDX-License-Identifier: GPL-3.0-or-later
 function vertex(i, j) { printf "vertex %.9g %.9g 0\n", i * SIDE / CELLS, j * SIDE / CELLS }

@@ -1,4 +1,4 @@
-# What the picture shows, in numbers, from the three ledgers.
+# The results of the picture, in numbers, from the three ledgers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN {
   FS = ","

@@ -3,7 +3,7 @@
 load '../look.gp'
 set term pngcairo size 1300,780 font 'sans,11'
 set output 'output/ground_and_blasted.png'
-# Of the grains that pass the screen: those that pass it beyond the axes.
+# Grains that pass the screen beyond the axes.
 passed = 'ground blasted'
 array beyond[2]
 array all[2]

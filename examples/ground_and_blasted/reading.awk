@@ -1,4 +1,4 @@
-# What the picture shows, in numbers: mean and sd of the rebound angle and of the lateral angle, and the width of the footprint.
+# The results of the picture, in numbers: mean and sd of the rebound angle and of the lateral angle, and the width of the footprint.
 # SPDX-License-Identifier: GPL-3.0-or-later
 FNR == 1 { if (name) show(); name = FILENAME; sub(/.*\//, "", name); sub(/\.foot/, "", name); n = a = aa = l = ll = y = yy = 0 }
 { n++; a += $3; aa += $3 * $3; l += $4; ll += $4 * $4; if ($1 > 0 && $1 < 60) { m++; y += $2; yy += $2 * $2 } }

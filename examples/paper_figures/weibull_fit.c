@@ -218,7 +218,7 @@ int main(int argc, char **argv) {
   cli_parse(&command, argc, argv, options, false);
   cli_whole(&options[FIGURE], 6, 9);
   if (options[FIGURE].value != figure && !options[PLOT].value)
-    cli_bad_usage("--figure is given without --plot, of which it says what to draw");
+    cli_bad_usage("--figure is given without --plot");
   cli_list sigmas = cli_numbers(&options[SIGMA], 0.01, 80), angles = cli_angles(&options[ANGLES]);
   int runs = (int)cli_whole(&options[RUNS], 1, 100000);
   size_t samples = cli_whole(&options[SAMPLES], 1000, 100000000), n = sigmas.count * angles.count;

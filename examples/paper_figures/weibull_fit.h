@@ -29,7 +29,7 @@ typedef struct angle_fit {
 /* The wall as a model looks at it. */
 aspi_view cli_fit_view(const angle_fit *fit);
 
-/* Whether a model is a density over delta of its own, one that the baseline's samples can judge. */
+/* True if a model has its own density over delta, so that the baseline's samples can judge it. */
 bool cli_fit_judges(const asp_spread_model *model);
 
 /* D_KL of the samples against a model's law, less the samples' bias. A bin that the model does not

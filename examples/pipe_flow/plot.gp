@@ -8,7 +8,7 @@ set output 'output/pipe_flow.png'
 measured(what) = '< grep ^'.what.', ../data/huber_sommerfeld_1998.csv | tr "," " " | sort -k2g'
 name(i) = word('smooth sigma_2.5 sigma_5 sigma_10 weibull_5 rq_0.5um table_gas', i)
 title_of(i) = word('smooth σ_2.5° σ_5° σ_10° σ_5°,_weibull_plane_single R_q_0.5_µm,_λ_c_4_µm σ_5°,_gas_of_a_table', i)
-colour(i) = word('#777777 #9cc3e6 #0072b2 #0b2a55 #cc79a7 #882255 #009e73', i)
+color(i) = word('#777777 #9cc3e6 #0072b2 #0b2a55 #cc79a7 #882255 #009e73', i)
 dash(i) = i == 5 || i == 6 ? 2 : i == 7 ? 4 : 1
 label(i) = system("echo '".title_of(i)."' | sed 's/\\([Rλ]\\)_\\([qc]\\)/\\1~\\2/g; s/_/ /g; s/~\\(.\\)/_\\1/g'")
 profile(i) = 'output/'.name(i).'.profile'
@@ -21,7 +21,7 @@ set key inside bottom center vertical font ',9' samplen 2
 set ylabel 'mean speed / 27 m s^{-1}'
 set yrange [0.3:1.3]
 plot measured('u_p') using 2:($3 - 0.038):($3 + 0.038) with filledcurves ls data title 'measured ± 0.038, the best published simulation', \
-  for [i=1:7] profile(i) using 1:3 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb colour(i) title label(i), \
+  for [i=1:7] profile(i) using 1:3 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) title label(i), \
   measured('u_gas_rsm') using 2:3 with lines ls reference dt 3 title 'gas of a published simulation', \
   measured('u_p') using 2:3 with points ls data title 'measured'
 unset key
@@ -29,17 +29,17 @@ set label 1 'band: ± 0.085' at graph 0.5,0.93 center tc rgb '#d55e00' font ',9'
 set ylabel 'root mean square of the speed / 27 m s^{-1}'
 set yrange [0:0.42]
 plot measured('u_rms') using 2:($3 - 0.085):($3 + 0.085) with filledcurves ls data notitle, \
-  for [i=1:7] profile(i) using 1:5 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb colour(i) notitle, \
+  for [i=1:7] profile(i) using 1:5 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle, \
   measured('u_rms') using 2:3 with points ls data notitle
 set label 1 'band: ± 0.043' at graph 0.5,0.93 center tc rgb '#d55e00' font ',9'
 set ylabel 'mean diameter / 40 µm'
 set yrange [0.75:1.35]
 plot measured('d') using 2:($3 - 0.043):($3 + 0.043) with filledcurves ls data notitle, \
-  for [i=1:7] profile(i) using 1:7 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb colour(i) notitle, \
+  for [i=1:7] profile(i) using 1:7 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle, \
   measured('d') using 2:3 with points ls data notitle
 unset label 1
 set ylabel 'concentration / mean over the slice (not measured)'
 set logscale y
 set yrange [0.05:30]
-plot for [i=1:7] profile(i) using 1:9 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb colour(i) notitle
+plot for [i=1:7] profile(i) using 1:9 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle
 unset multiplot

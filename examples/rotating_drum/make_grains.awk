@@ -1,4 +1,4 @@
-# Writes the grains as a LIGGGHTS data file: N of quartz, D metres in diameter, on a grid inside the drum (apart, so that none
+# Writes the grains as a LIGGGHTS data file: N of quartz, D meters in diameter, on a grid inside the drum (apart, so that none
 # touch), each with SPEED m/s in a random direction.
 #   awk -v D=1e-3 -v SPEED=0.3 -f make_grains.awk > grains.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for

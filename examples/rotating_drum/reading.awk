@@ -1,4 +1,4 @@
-# What the picture shows, in numbers: the two drums over the second half of the run, and the check of the frame.
+# The results of the picture, in numbers: the two drums over the second half of the run, and the check of the frame.
 # SPDX-License-Identifier: GPL-3.0-or-later
 FNR == 1 && FILENAME ~ /heights/ { if (name) show(); name = FILENAME; sub(/.*\//, "", name); sub(/\.heights/, "", name); n = e = z = 0 }
 FILENAME ~ /heights/ { if ($1 > 0.45) { n++; e += $2; z += $3 } next }

@@ -34,9 +34,9 @@ typedef struct aspi_angle_groups {
 } aspi_angle_groups;
 
 /* D_KL(reference || model) of a histogram (its offset in aspi_angles), by the jackknife over the
- * reference's groups, which takes out the bias of histograms (Quenouille 1956). A model in as many
- * groups is left out group by group, too; of a model in one group the bias is (bins - 1)/2n. A bin
- * that the model never fills counts as half an impact there. */
+ * reference's groups, which takes out the bias of histograms (Quenouille 1956). For a model with
+ * the same number of groups, its groups are left out too; for a model in one group the bias is
+ * (bins - 1)/2n. A bin that the model never fills counts as half an impact there. */
 aspi_estimate aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_groups model,
                                      size_t histogram);
 

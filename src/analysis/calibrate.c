@@ -1,4 +1,4 @@
-/* Where measurements are put together, and unknowns are looked for; see calibrate.h.
+/* Groups measurements and searches for the unknowns; see calibrate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/calibrate.h"
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Simulated impacts for each measured one, where --samples does not say. */
+/* Simulated impacts for each measured one, unless --samples is given. */
 enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 
 /* The box in which the search looks for starts, and bounds of the search, of an unknown without
@@ -20,7 +20,7 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 #define LOGISTIC_AROUND 3.5
 #define LOGISTIC 6.0
 
-/* What is taken for the error of a mean of which nothing is known, before the fit tells. */
+/* Assumed error of a mean whose error is unknown, until the fit estimates it. */
 #define ERROR_UNKNOWN 0.01
 
 /* And for the number of impacts where only their scatter is known: that of means and that of
@@ -117,17 +117,17 @@ static void show_progress(void *context, double share) {
     c->progress(c->progress_context, share);
 }
 
-/* Where number j is looked for: around its standard value, or a start that is far from that. */
+/* Sets the search range of number j: around its standard value, or around a start far from that. */
 static void bound_search(const aspi_unknown *u, size_t j, aspi_fit_problem *p) {
   double start = aspi_unknown_scaled(u, u->start),
          around = u->bounded ? LOGISTIC_AROUND : LOG_AROUND;
-  double centre = u->bounded ? 0 : log(u->standard);
-  if (!(fabs(start - centre) < around) && !u->bounded)
-    centre = start;
-  p->low[j] = u->bounded ? -LOGISTIC : fmax(centre - LOG_DOWN, log(u->least));
-  p->high[j] = u->bounded ? LOGISTIC : fmin(centre + LOG_UP, log(u->most));
-  p->from[j] = fmax(centre - around, p->low[j]);
-  p->to[j] = fmin(centre + around, p->high[j]);
+  double center = u->bounded ? 0 : log(u->standard);
+  if (!(fabs(start - center) < around) && !u->bounded)
+    center = start;
+  p->low[j] = u->bounded ? -LOGISTIC : fmax(center - LOG_DOWN, log(u->least));
+  p->high[j] = u->bounded ? LOGISTIC : fmin(center + LOG_UP, log(u->most));
+  p->from[j] = fmax(center - around, p->low[j]);
+  p->to[j] = fmin(center + around, p->high[j]);
   p->start[j] = fmin(fmax(start, p->low[j]), p->high[j]);
 }
 

@@ -1,6 +1,5 @@
-/* What a wall gives for values of the unknowns of `asperity calibrate`: impacts as they would be
- * measured, at the places of the data, by the same random numbers whatever the values; see
- * calibrate.h.
+/* The model of a calibration: impacts simulated for given values of the unknowns, at the places of
+ * the data, with the same random numbers for all values; see calibrate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/calibrate.h"

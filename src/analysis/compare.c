@@ -11,10 +11,10 @@
 #define SAME_ANGLE 1e-4
 #define SAME_SHARE 1e-4
 
-/* So many impacts at a place itself are enough; with fewer, those near it count. */
+/* With fewer impacts than this at a place, those near it count too. */
 enum { ENOUGH = 20 };
 
-/* With so many measurements at each place, on average, every place is a bin of its own. */
+/* With this many measurements per place on average, every place is a bin of its own. */
 enum { ROWS_EACH = 4 };
 
 /* How many of the points, which are in order of their angle, lie below it. */

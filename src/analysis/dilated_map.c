@@ -1,7 +1,7 @@
-/* Flights over a dilated map: the path of the center is a straight line, the wall is bilinear
- * between four points, and the gradient at a hit is that of the contact at the nearest of them that
- * faces the particle. A flight skips blocks of cells whose maximum it passes over, in steps that
- * grow as long as nothing is in reach.
+/* Flights over a dilated map. The center of the particle flies straight; the dilated wall is
+ * bilinear between four points. The gradient at a hit is that of the contact at the nearest corner
+ * that faces the particle. A flight skips blocks of cells whose maximum lies below it, in growing
+ * steps while nothing is in reach.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/dilated_map.h"
@@ -10,12 +10,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A flight is lost after this many blocks; a sinking flight meets far fewer. */
+/* A flight that has passed this many blocks is lost; a sinking flight passes far fewer. */
 enum { BLOCKS_MOST = 1000000 };
 
-/* The gradient of a contact is not that of the surface between the points: a face may send a
- * particle slightly into its neighbor. A particle that is still under it after 2 cells has hit it.
- */
+/* The gradient of a contact differs from that of the surface between the points, so a face may send
+ * a particle slightly into its neighbor. After 2 cells below the surface it counts as a hit. */
 enum { UNDER_MOST = 2 };
 
 asp_code aspi_dilated_map_create(aspi_dilated_map *f, const asp_map *map, asp_error *error) {
@@ -111,7 +110,7 @@ static double bilinear(const cell *c, double u, double v) {
   return (1 - v) * ((1 - u) * c->z[0] + u * c->z[1]) + v * ((1 - u) * c->z[2] + u * c->z[3]);
 }
 
-/* A flight in units of cells along the map: place on it is the time t. */
+/* A flight in units of cells along the map: its parameter is the time t. */
 typedef struct ray {
   double x[3], v[3];
 } ray;
@@ -120,22 +119,22 @@ static double along(const ray *r, int axis, double t) {
   return r->x[axis] + t * r->v[axis];
 }
 
-/* Height of the flight over the cell's surface; (i, j) is its corner on the unwrapped map. */
+/* Height of the flight over the surface of a cell whose corner is (i, j) on the unwrapped map. */
 static double over(const ray *r, const cell *c, double i, double j, double t) {
   return along(r, 2, t) - bilinear(c, along(r, 0, t) - i, along(r, 1, t) - j);
 }
 
-/* The exact time at which the flight meets the surface of a cell between two times: over() is a
+/* The exact time between t[0] and t[1] at which the flight meets the surface of a cell: over() is a
  * parabola. False if it does not come from above. */
 static bool meets(const ray *r, const cell *c, double i, double j, const double t[2], double *at) {
   double a = over(r, c, i, j, t[0]), b = over(r, c, i, j, t[1]);
   double m = over(r, c, i, j, 0.5 * (t[0] + t[1]));
   double curve = 2 * (a + b - 2 * m), slope = b - a - curve;
-  if (a <= 0) { /* it has come below between the cells: a hit at the edge, if it goes on down */
+  if (a <= 0) { /* below the surface already: a hit at the edge if it still sinks */
     *at = t[0];
     return slope < 0;
   }
-  /* a + slope s + curve s^2 = 0, the smaller root in 0 to 1. */
+  /* a + slope s + curve s^2 = 0, the smaller root between 0 and 1. */
   double square = slope * slope - 4 * a * curve;
   if (b > 0 && !(curve > 0 && slope < 0 && slope > -2 * curve && square > 0))
     return false;
@@ -162,9 +161,9 @@ static bool approaches(const double way[3], const double gradient[2]) {
   return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
 }
 
-/* The gradient at a hit: that of the contact at the nearest corner that the particle approaches, or
- * where it grazes all of them, that between the corners. On a wall with crests, that of the
- * contacts between the corners comes first. */
+/* The gradient at a hit: that of the contact at the nearest corner that the particle approaches. If
+ * the particle approaches none, the gradient between the corners. On a wall with crests, the
+ * contacts between the corners come first. */
 static void gradient_at(const aspi_dilated_map *f, const cell *c, double u, double v,
                         const double way[3], double gradient[2]) {
   double nearest = INFINITY;
@@ -192,15 +191,15 @@ static double wrapped(double x, double n) {
   return x < n ? x : 0;
 }
 
-/* The time at which a flight leaves an interval that it is in. */
+/* The time at which a flight leaves the interval that it is in. */
 static double leaves_at(double x, double v, double first, double width) {
   if (v > 0)
     return (first + width - x) / v;
   return v < 0 ? (first - x) / v : INFINITY;
 }
 
-/* True if a flight leaves a cell below its surface and approaches the wall there, whose gradient
- * goes to `gradient`. */
+/* True if a flight leaves a cell below its surface while it approaches the wall there; sets
+ * `gradient` to that of the wall. */
 static bool sinks_in(const aspi_dilated_map *f, const ray *r, const cell *c, double i, double j,
                      double t, const double way[3], double gradient[2]) {
   if (over(r, c, i, j, t) > 0)
@@ -209,7 +208,7 @@ static bool sinks_in(const aspi_dilated_map *f, const ray *r, const cell *c, dou
   return approaches(way, gradient);
 }
 
-/* Where a flight is at a time, at the height z. */
+/* Position of a flight at time t and height z. */
 static void land(const aspi_dilated_map *f, const ray *r, double t, double z, aspi_flight *flight) {
   flight->x[0] = wrapped(along(r, 0, t), (double)f->columns) * f->step[0];
   flight->x[1] = wrapped(along(r, 1, t), (double)f->rows) * f->step[1];
@@ -227,7 +226,7 @@ bool aspi_dilated_map_next(const aspi_dilated_map *f, aspi_flight *flight, doubl
   double tiny = 1e-7 * fmin(f->step[0], f->step[1]) / speed;
   int k = 0;
   bool clear = false; /* has been over the surface since it started */
-  int under = 0;      /* cells that it has left under the surface, before that */
+  int under = 0;      /* cells left below the surface until then */
   for (int count = 0; count < BLOCKS_MOST; count++) {
     double z = along(&r, 2, t);
     if (way[2] >= 0 && z > f->top)

@@ -1,4 +1,4 @@
-/* Where a fit begins, and what is made of its end; see fit.h.
+/* Starting points and results of a fit; see fit.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/fit.h"
@@ -12,31 +12,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Points of the design, and how far those are apart, on the scale, from which searches begin; how
- * many searches, and how many that agree are enough; simulated impacts of a group in them. */
+/* Searches for the start: the points of the design, the least distance of two starts on the scale,
+ * the number of searches, the number that must agree, and the simulated impacts per group. */
 #define APART 1.0
 enum { PROBES = 256, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
 
 /* Searches that end within this of the best sum of squares agree. */
 #define AGREED 1.0
 
-/* A value this near to a bound is at it, on the scale. */
+/* A value within this distance of a bound, on the scale, counts as at the bound. */
 #define AT_BOUND 0.01
 
-/* A model describes the data when chi^2 per degree of freedom is less, or as much happens by chance
- * once in 10000 times. */
+/* A model describes the data if chi^2 per degree of freedom is below DESCRIBED, or so large a chi^2
+ * has a probability above 1e-4. */
 #define DESCRIBED 3.0
 #define CHANCE 1e-4
 
 /* Rounds of weights and least squares, and those of the first, rough ones. */
 enum { ROUNDS = 16, FIRST_ROUNDS = 3 };
 
-/* The interval of an unknown whose error is larger, on its scale, or that is nearer to a bound than
- * so many errors, is that of the rise of chi^2. */
+/* The interval of an unknown comes from the rise of chi^2 if its error is above VAGUE on its scale,
+ * or a bound is nearer than NEAR errors. */
 #define VAGUE 0.4
 #define NEAR 3.0
 
-/* With fewer impacts, intervals are by refits. */
+/* With fewer impacts, intervals come from refits. */
 enum { FEW = 20 };
 
 typedef struct probe {
@@ -56,7 +56,7 @@ static bool describes(double chi2, double dof) {
   return dof <= 0 || chi2 < DESCRIBED * dof || gsl_cdf_chisq_Q(chi2, dof) > CHANCE;
 }
 
-/* A Sobol sequence, the best first. */
+/* Evaluates the points of a Sobol sequence and sorts them, the best first. */
 static bool design(aspi_search *s, probe *probes) {
   const aspi_fit_problem *p = s->problem;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknowns);
@@ -87,7 +87,7 @@ static bool is_apart(const aspi_fit_problem *p, const probe *point, const probe 
   return true;
 }
 
-/* The best of the points that are not near to one another. */
+/* Chooses the best points that are not near each other. */
 static size_t choose_starts(const aspi_fit_problem *p, const probe *probes, probe *starts) {
   size_t n = 0;
   for (int i = 0; i < PROBES && n < STARTS; i++)
@@ -100,7 +100,8 @@ static void descend(aspi_search *s, probe *at) {
   at->squares = aspi_search_descend(s, at->at, 20, 5e-3, NULL, NULL);
 }
 
-/* Searches that end at a bound may have been lost on a plateau, and agree there. */
+/* True if a search ended at a bound. It may be lost on a plateau, so its agreement does not count.
+ */
 static bool is_at_bound(const aspi_fit_problem *p, const probe *end) {
   for (size_t j = 0; j < p->n_unknowns; j++)
     if (end->at[j] < p->low[j] + AT_BOUND || end->at[j] > p->high[j] - AT_BOUND)
@@ -108,7 +109,8 @@ static bool is_at_bound(const aspi_fit_problem *p, const probe *end) {
   return false;
 }
 
-/* The best end of many searches; that from the caller's start comes last, and must be better. */
+/* Finds the best end of many searches. The one from the caller's start comes last, and counts only
+ * if it is better. */
 static asp_code look_around(aspi_search *s, aspi_fit *fit) {
   const aspi_fit_problem *p = s->problem;
   probe probes[PROBES], ends[STARTS + 1];
@@ -164,7 +166,7 @@ static void find_intervals(aspi_search *s, aspi_fit *fit, double scale) {
   }
 }
 
-/* Weights by the model where it describes the data, by a few simulated impacts; else by both. */
+/* Fits with weights of the model if it describes the data, else with weights of both. */
 static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
   const aspi_fit_problem *p = s->problem;
   fit->dof = (double)s->n_moments - (double)p->n_unknowns;
@@ -181,7 +183,7 @@ static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
   }
   fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
   fit->described = describes(fit->chi2, fit->dof);
-  if (s->kind == WEIGHTS_BOTH && fit->described) { /* the few impacts were too few to tell */
+  if (s->kind == WEIGHTS_BOTH && fit->described) { /* the model fits: use its weights alone */
     s->kind = WEIGHTS_MODEL;
     fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
     fit->described = describes(fit->chi2, fit->dof);

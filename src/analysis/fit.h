@@ -33,13 +33,13 @@ typedef struct aspi_fit_problem {
   double from[FIT_UNKNOWNS_MOST], to[FIT_UNKNOWNS_MOST];  /* the box of the design */
   double huber;  /* rebounds farther out than this many robust sd are pulled in; INFINITY: none */
   bool scatters; /* the model's impacts at one place differ */
-  bool known;    /* the data say how sure they are */
+  bool known;    /* the data state their errors */
   void (*progress)(void *context, double share); /* may be NULL */
 } aspi_fit_problem;
 
-/* Where the 95 % interval of an unknown comes from: its standard error; the rise of chi^2, where
- * the error is large or a bound is near, with an end that may lie at a bound; or refits of
- * synthetic data, where impacts are few. */
+/* Source of an unknown's 95 % interval: its standard error; the rise of chi^2 if the error is large
+ * or a bound is near (an end may then lie at the bound); or refits of synthetic data if impacts are
+ * few. */
 typedef enum aspi_interval { BY_ERROR, BY_RISE, BY_BOOTSTRAP } aspi_interval;
 
 typedef struct aspi_fit {

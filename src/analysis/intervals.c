@@ -26,8 +26,8 @@ static double held_squares(aspi_search *s, double *others, size_t j, double at) 
   return squares;
 }
 
-/* Where chi^2 is by `rise` more than at its minimum, on one side; without end where it is not so up
- * to the bound. */
+/* The value at which chi^2 is `rise` above its minimum, on one side; infinite if it stays below
+ * that up to the bound. */
 static double risen(aspi_search *s, const double *at, double wanted, size_t j, double bound) {
   double others[FIT_UNKNOWNS_MOST], inner = at[j], outer = at[j], side = bound < at[j] ? -1 : 1;
   memcpy(others, at, sizeof others);
@@ -62,7 +62,7 @@ void aspi_interval_by_rise(aspi_search *s, const double *at, double scale, size_
     *low = risen(s, at, chi2 + one, j, p->low[j]);
 }
 
-/* One data set of the fitted model, with as many impacts as the data have. */
+/* One data set of the fitted model, with the data's number of impacts. */
 static void synthesize(const aspi_fit_problem *p, uint32_t stream, aspi_group *groups) {
   for (size_t g = 0; g < p->n_groups; g++) {
     aspi_cloud *to = &groups[g].impacts;

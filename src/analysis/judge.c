@@ -209,7 +209,7 @@ aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, const double *
   return all;
 }
 
-/* In the plane in as many groups as there are profiles; else one for each fold. */
+/* In the plane, one group per profile; in three dimensions, one per fold. */
 aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject,
                                        const aspi_judge_model *model, double degrees,
                                        size_t *groups) {

@@ -1,6 +1,7 @@
-/* How far a spread model is from the geometry: rebound angles of an ensemble of generated profiles
- * or surfaces, or of the pieces of a measured one, none of which has made the model; those of the
- * model; their divergence; and what an impact costs. Every rebound is specular, nothing sticks.
+/* Distance of a spread model from the geometry. Reference: rebound angles of generated profiles or
+ * surfaces, or of the pieces of a measured one, none of which made the model. Against it: the
+ * model's rebound angles, their divergence, and the cost of an impact. Every rebound is specular,
+ * nothing sticks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_JUDGE_H
@@ -11,8 +12,8 @@
 
 enum { ASPI_JUDGES_LEAST = 4, ASPI_JUDGES_MOST = 1024 };
 
-/* What is judged: a wall and particles of one size. Of a measured profile or map the pieces of one
- * half judge what is made of the other half, and the other way round: two folds. */
+/* The case that is judged: a wall and particles of one size. The pieces of one half of a measured
+ * profile or map judge models made of the other half, and vice versa: two folds. */
 typedef struct aspi_judge_case aspi_judge_case;
 struct aspi_judge_case {
   aspi_gauss wall; /* of a profile the first two numbers count */
@@ -32,11 +33,11 @@ struct aspi_judge_case {
 
 size_t aspi_judge_folds(const aspi_judge_case *subject);
 
-/* The least impact angle, in degrees, that the pieces of a measured wall can tell, into *degrees; 0
- * of a generated one. */
+/* Least impact angle, in degrees, that the pieces of a measured wall resolve, into *degrees; 0 for
+ * a generated wall. */
 asp_code aspi_judge_angle_least(const aspi_judge_case *subject, double *degrees, asp_error *error);
 
-/* What the models are made of in each fold: the other half, or numbers. */
+/* Source of the models in each fold: the other half, or numbers. */
 typedef struct aspi_judge_walls {
   size_t folds;
   asp_surface *surface[2];
@@ -55,8 +56,8 @@ typedef struct aspi_first_hits {
   double share[2][ASPI_ANGLE_BINS], mean;
 } aspi_first_hits;
 
-/* What the ensemble says at `count` impact angles (degrees): of group g at angle k
- * angles[g * count + k]. */
+/* Reference results at `count` impact angles (degrees): group g at angle k is angles[g * count +
+ * k]. */
 typedef struct aspi_judge {
   size_t groups, count, folds;
   aspi_angles *angles;
@@ -65,11 +66,11 @@ typedef struct aspi_judge {
 
 /* In the plane: rebounds over profiles of 2048 lambda_c, each with its negative and in both
  * directions of flight, whose rms slope is that of the ensemble; no model has these seeds. Or over
- * the pieces of a measured profile, each of which goes on as its mirror image.
+ * the pieces of a measured profile, each continued by its mirror image.
  *
  * In three dimensions: surfaces with 20 points a correlation length along either side, over each of
  * which the sphere is rolled; the particles fly along x, half of them either way, until they leave.
- * The pieces of a map go on as their mirror images, and the particles fly in all directions.
+ * Mirror images continue the pieces of a map, and the particles fly in all directions.
  * `walls` is needed in the plane only. */
 asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
                            const aspi_judge_walls *walls, const double *degrees, size_t count,
@@ -80,8 +81,8 @@ void aspi_judge_free(aspi_judge *judge);
 aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle);
 aspi_angle_groups aspi_judge_fold(const aspi_judge *judge, size_t angle, size_t fold);
 
-/* The divergence of a model, in groups one after the other: as many as the judge has, or one for
- * each fold; the mean over the folds. */
+/* The divergence of a model, averaged over the folds. Its groups follow each other: as many as the
+ * reference has, or one per fold. */
 aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const aspi_angles *model,
                                     size_t groups, size_t histogram);
 

@@ -1,5 +1,5 @@
-/* The judge in the plane of incidence: generated profiles, or the pieces of a measured one; see
- * judge.h. Later hits are followed over the path of the particle's centre.
+/* Reference in the plane of incidence: generated profiles, or the pieces of a measured one; see
+ * judge.h. Later hits are followed along the path of the particle's center.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge_flights.h"
@@ -12,11 +12,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Points per lambda_c of a profile that judges, and its length in lambda_c. */
+/* Points per lambda_c of a reference profile, and its length in lambda_c. */
 #define RESOLUTION 64
 #define LENGTH 2048
 
-/* Those that make models have seeds above 2^30 (first_hits.csv), or below 2^10 (traced). */
+/* Seeds of reference profiles. Profiles behind models have seeds above 2^30 (first_hits.csv) or
+ * below 2^10 (traced). */
 #define SEED_FIRST 1024
 
 /* Flights over a generated profile: over itself and its negative, and in both directions. */
@@ -41,7 +42,7 @@ static asp_profile *piece_of(const aspi_judge_case *subject, size_t number, asp_
   return part_of(subject->profile, first, end - first, error);
 }
 
-/* The path of the particle's centre over a realization, as one of the flights sees it. */
+/* The path of the particle's center over a realization, as one of the flights meets it. */
 static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int flight,
                             asp_error *error) {
   double r_q = subject->wall.r_q, lambda_c = subject->wall.lambda_1;
@@ -59,8 +60,8 @@ static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int f
   return path;
 }
 
-/* What a flight goes over, as a wall and a line, and the diameter of what flies: of a path of the
- * center nearly nothing. */
+/* The line that a flight passes over, as a wall and as segments, and the diameter of the flying
+ * particle: nearly 0 over the path of the center. */
 typedef struct course {
   asp_wall *wall;
   aspi_line line;

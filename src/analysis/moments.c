@@ -35,7 +35,7 @@ aspi_cloud_moments aspi_cloud_moments_of(const aspi_cloud *cloud, const aspi_clo
   for (size_t i = 0; i < cloud->rebounds; i++) {
     double u[2];
     for (int k = 0; k < 2; k++)
-      u[k] = fmin(fmax(cloud->xy[i][k], frame->low[k]), frame->high[k]) - frame->centre[k];
+      u[k] = fmin(fmax(cloud->xy[i][k], frame->low[k]), frame->high[k]) - frame->center[k];
     double term[MOMENT_STUCK] = {u[0], u[1], u[0] * u[0], u[1] * u[1], u[0] * u[1]};
     for (int k = 0; k < MOMENT_STUCK; k++) {
       m.of[k] += term[k];

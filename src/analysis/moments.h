@@ -1,6 +1,6 @@
-/* Moments of impacts: each rebound is a pair of numbers (x, y), and a deposit has none. Means and
- * second moments are taken about a fixed centre, so that measured and simulated ones have the same
- * expectation however few impacts there are; values far out may be cut (Huber 1964).
+/* Moments of impacts: each rebound is a pair of numbers (x, y); a deposit has none. Means and
+ * second moments are taken about a fixed center, so that measured and simulated moments have the
+ * same expectation however few impacts there are. Outliers may be cut (Huber 1964).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_MOMENTS_H
@@ -16,9 +16,9 @@ typedef struct aspi_cloud {
   size_t rebounds, deposits;
 } aspi_cloud;
 
-/* Where moments are taken from; values below low or above high count as low or high. */
+/* Center of the moments; values below low or above high count as low or high. */
 typedef struct aspi_cloud_frame {
-  double centre[2], low[2], high[2];
+  double center[2], low[2], high[2];
 } aspi_cloud_frame;
 
 typedef struct aspi_cloud_moments {
@@ -27,7 +27,7 @@ typedef struct aspi_cloud_moments {
   double covariance[MOMENTS][MOMENTS]; /* of one rebound's terms; nothing of the deposits */
 } aspi_cloud_moments;
 
-/* About that centre, with nothing cut. */
+/* A frame about that center, with nothing cut. */
 aspi_cloud_frame aspi_cloud_frame_at(double x, double y);
 
 /* Cuts at the median plus and minus `widths` robust standard deviations (1.4826 of the median

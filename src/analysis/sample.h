@@ -14,8 +14,8 @@ typedef struct aspi_impact {
   double of[ASPI_QUANTITIES], weight;
 } aspi_impact;
 
-/* A sample; NAN where it is too small for a number. size: how many equal weights would know as
- * much (Kish). low and high are the quantiles 0.05 and 0.95; _se are standard errors. */
+/* A sample; NAN where it is too small for a number. size: effective sample size
+ * (Kish). low and high are the quantiles 0.05 and 0.95; _se are standard errors. */
 typedef struct aspi_sample {
   size_t count;
   double size, mean, sd, median, low, high, mean_se, sd_se;

@@ -1,4 +1,4 @@
-/* Least squares of whitened moments, by GSL's nonlinear fit (Levenberg & Marquardt); see search.h.
+/* Least squares of whitened moments by GSL's nonlinear fit (Levenberg-Marquardt); see search.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/search.h"
@@ -10,33 +10,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far unknowns are moved for a derivative: wide enough to pass over the steps that single
- * impacts make. */
+/* Step of the unknowns for a derivative, wide enough to pass over the jumps that single impacts
+ * make. */
 #define TURN 0.04
 
-/* A model that cannot be is this far off, in each moment. */
+/* Residual of each moment if the model rejects the values of the unknowns. */
 #define NOT_A_MODEL 1e5
 
-/* The least second derivative of the sum of squares, so that it can be inverted. */
+/* Least second derivative of the sum of squares; keeps the matrix invertible. */
 #define LEAST_CURVATURE 1e-8
 
-/* The logarithm of a variance is more than this, less so many. */
+/* Offset per moment that keeps the sum of log-variances positive. */
 #define LEAST_LOG 80.0
 
-/* Weights are taken from so many times the impacts of a fit, since what they are off makes errors
- * too small; and derivatives from this many. */
+/* Impacts for the weights, and for the derivatives, as multiples of those of a fit: noise in the
+ * weights makes errors too small. */
 enum { WEIGHING = 4 };
 
-/* Values have settled when new weights, and one more step, move them by less than this share of
- * their errors; a step is small below the second. */
+/* The values have settled if new weights and one more step move them by less than this share of
+ * their errors. A step is small if it is below the second share. */
 #define SETTLED 0.02
 #define SMALL 0.5
 
-/* Values that single impacts still throw to and fro by less than this share of their errors, when
- * rounds end, are as good. */
+/* Values also count as settled if they still vary by less than this share of their errors when the
+ * rounds end: single impacts cause that. */
 #define WANDERING 0.25
 
-/* From this round on, values go half of the way only: weights and values may take turns. */
+/* From this round on, values move only half of the step: weights and values could alternate
+ * forever. */
 enum { HALF_WAY_FROM = 4 };
 
 /* ---- the data ---------------------------------------------------------------------------------
@@ -47,7 +48,7 @@ static aspi_cloud_frame frame_of(const aspi_group *g) {
   return aspi_cloud_frame_at(x, y);
 }
 
-/* The covariance of impacts about the mean of their group, of all groups. */
+/* Pooled covariance of impacts about the means of their groups. */
 static void pool(aspi_search *s) {
   double freedom = 0;
   for (size_t g = 0; g < s->problem->n_groups; g++) {
@@ -114,7 +115,7 @@ static aspi_cloud draw(const aspi_search *s, size_t group, size_t samples) {
   return cloud;
 }
 
-/* Moments of the model, and weights of both. */
+/* Simulates the moments of a group, and computes its weights from the data and the model. */
 static bool weigh_group(aspi_search *s, size_t g, size_t samples, double *model) {
   const aspi_fit_problem *p = s->problem;
   aspi_weights *w = &s->weights[g];
@@ -131,7 +132,7 @@ static bool weigh_group(aspi_search *s, size_t g, size_t samples, double *model)
   return true;
 }
 
-/* The whitened differences of all groups; false: no such model. */
+/* The whitened differences of all groups; false if the model rejects these values. */
 static bool differences(aspi_search *s, const double *at, size_t samples, bool weigh,
                         gsl_vector *out) {
   size_t groups = s->problem->n_groups;
@@ -175,7 +176,7 @@ bool aspi_search_weigh(aspi_search *s, const double *at) {
 /* ---- descent ----------------------------------------------------------------------------------
  */
 
-/* All unknowns, of those that are free. */
+/* Copies the free unknowns into the vector of all unknowns. */
 static void spread_out(const aspi_search *s, const gsl_vector *x, double *at) {
   size_t k = 0;
   for (size_t j = 0; j < s->problem->n_unknowns; j++)
@@ -191,7 +192,7 @@ static int residuals(const gsl_vector *x, void *data, gsl_vector *out) {
   return GSL_SUCCESS;
 }
 
-/* By central differences; in a rough search by one-sided ones. */
+/* Derivatives by central differences; one-sided ones in a rough search. */
 static int slopes(const gsl_vector *x, void *data, gsl_matrix *out) {
   const aspi_search *s = data;
   double back = s->fixed ? -TURN : 0;
@@ -269,10 +270,10 @@ double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
 /* ---- weights and least squares in turn --------------------------------------------------------
  */
 
-/* A^-1 B A^-1 with A = J'J and B = J'SJ: whitening has a ridge, and S is the covariance of what is
- * whitened. A direction of no influence has a large variance. Also what chi^2 per degree of freedom
- * then is on average, below 1 by the ridge (Satorra & Bentler 1994), and the step that Gauss and
- * Newton would go on with. */
+/* Covariance of the unknowns, A^-1 B A^-1 with A = J'J and B = J'SJ: the whitening has a ridge, and
+ * S is the covariance of the whitened moments. A direction without influence has a large variance.
+ * Also returns the expected chi^2 per degree of freedom, below 1 because of the ridge (Satorra &
+ * Bentler 1994), and the next Gauss-Newton step. */
 static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives,
                           const gsl_vector *gradient, gsl_matrix *out, gsl_vector *step,
                           double *mean_chi2) {
@@ -301,13 +302,13 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives,
   if (fine) {
     gsl_blas_dgemv(CblasNoTrans, -1, inverse, gradient, 0, step);
     gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, derivatives, turned, 0, middle);
-    gsl_matrix_view top = gsl_matrix_submatrix(turned, 0, 0, p, p); /* room, from here on */
+    gsl_matrix_view top = gsl_matrix_submatrix(turned, 0, 0, p, p); /* scratch from here on */
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, inverse, middle, 0, &top.matrix);
     for (size_t k = 0; k < p; k++)
       trace -= gsl_matrix_get(&top.matrix, k, k);
     *mean_chi2 = n > p ? trace / (double)(n - p) : 1;
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, &top.matrix, inverse, 0, out);
-    for (size_t k = 0; k < p; k++) /* at a bound nothing depends on an unknown */
+    for (size_t k = 0; k < p; k++) /* at a bound the fit does not depend on the unknown */
       if (!(gsl_matrix_get(out, k, k) > 0))
         gsl_matrix_set(out, k, k, 1 / LEAST_CURVATURE);
   }
@@ -317,8 +318,9 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives,
   return fine;
 }
 
-/* Goes the step where it is a small one: single impacts make the sum of squares too rough for a
- * descent to end where its derivatives do. True: it is so small that values have settled. */
+/* Takes the Gauss-Newton step if it is small: single impacts make the sum of squares too rough for
+ * a descent to end where its derivatives vanish. True if the step is so small that the values have
+ * settled. */
 static bool go_on(const aspi_search *s, double *at, const gsl_vector *step,
                   const gsl_matrix *covariance) {
   double most = 0;

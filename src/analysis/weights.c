@@ -5,9 +5,9 @@
 
 #include <math.h>
 
-/* Where wall and law leave one freedom, moments are nearly functions of each other. So much of each
- * variance is added to it, so that no combination of them counts beyond what a simulation knows of
- * it. */
+/* Share of each variance that is added to it. If wall and law leave one freedom, moments are nearly
+ * functions of each other; the ridge keeps any combination of them from counting for more than a
+ * simulation resolves. */
 #define RIDGE 1e-2
 
 /* The least variance, so that a moment that does not vary can be weighed. */
@@ -21,7 +21,7 @@ aspi_cloud_moments aspi_group_moments(const aspi_group *g, const aspi_cloud_fram
     return aspi_cloud_moments_of(&g->impacts, frame);
   aspi_cloud_moments m = {.rebounds = g->n, .all = g->n};
   for (int k = 0; k < 2; k++) {
-    double off = g->mean[k] - frame->centre[k], square = g->sd[k] * g->sd[k];
+    double off = g->mean[k] - frame->center[k], square = g->sd[k] * g->sd[k];
     double known = g->n > 1 ? (g->n - 1) / g->n : 1;
     m.of[MOMENT_X + k] = off;
     m.of[MOMENT_XX + k] = known * square + off * off;

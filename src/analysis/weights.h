@@ -1,5 +1,5 @@
-/* How the moments of a group of impacts count in a fit: by the covariance of their difference from
- * simulated ones, which is made of the measured impacts and of the model.
+/* Weights of the moments of a group of impacts in a fit: the inverse covariance of measured minus
+ * simulated moments, estimated from the measured impacts and the model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_WEIGHTS_H
@@ -7,14 +7,14 @@
 
 #include "analysis/moments.h"
 
-/* Measurements at one place, or at some close ones: impacts, or their means. */
+/* Measurements at one place or at several close ones: single impacts, or their means. */
 typedef struct aspi_group {
   aspi_cloud impacts;           /* xy NULL: means */
   double mean[2], sd[2], se[2]; /* of means: x and y; NAN where not known. Of impacts, the first two
                                    are filled in */
   double n;                     /* impacts; of means 1 where not known */
   bool used[MOMENTS];
-  bool by_data; /* the errors of the means are given, and count as they are */
+  bool by_data; /* the errors of the means are given and taken as they are */
 } aspi_group;
 
 /* WEIGHTS_BOTH: a mixture of data and model; WEIGHTS_MODEL: the model alone; WEIGHTS_DATA: the data
@@ -31,15 +31,15 @@ typedef struct aspi_weights {
   double log_determinant;
 } aspi_weights;
 
-/* The moments of measured impacts or means in a frame, with the covariance of one impact. */
+/* Moments of measured impacts or means in a frame, with the covariance of one impact. */
 aspi_cloud_moments aspi_group_moments(const aspi_group *group, const aspi_cloud_frame *frame);
 
-/* From the frame, the data in it, and simulated moments in it; `pooled` is the covariance of all
- * groups' impacts, for groups that have few. */
+/* Sets the weights from the frame and the measured and simulated moments in it; `pooled` is the
+ * covariance of all groups' impacts, for groups with few of them. */
 void aspi_weights_set(aspi_weights *w, const aspi_group *group, const aspi_cloud_moments *model,
                       double (*pooled)[MOMENTS], aspi_weights_kind kind);
 
-/* The differences of the used moments, made independent and of variance 1; returns how many. */
+/* Whitens the differences of the used moments: independent, variance 1. Returns their number. */
 int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out);
 
 #endif

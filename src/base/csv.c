@@ -66,8 +66,8 @@ static void take_names(aspi_csv *csv, const char *line, const char *units) {
   }
 }
 
-/* What is known of the lines above the data: the last two without numbers, and the first word that
- * is a number where names should be. */
+/* State of the lines above the data: the last two without numbers, and the first number found where
+ * a column name should be. */
 typedef struct above {
   char line[2][ASP_TEXT_MOST]; /* the very last first */
   char wrong[240];

@@ -1,9 +1,9 @@
-/* Tables in text files: lines of fields under a line of column names, which is the last one above
- * the first numbers, or above a line of units that goes between; titles may come before. Fields are
- * separated by commas, semicolons, tabs or blanks, whichever the first row has (the first of ; tab
- * , in this order), or by what a first line `sep=` says; with semicolons and tabs a comma in a
- * number is a decimal point. Quotes hold a field together, lines that begin with # are comments,
- * blank lines are skipped, and a byte-order mark is left out. The file is read as a stream.
+/* Tables in text files: lines of fields under a line of column names. That line is the last one
+ * above the first numbers; a line of units may stand between, and titles above. The separator is
+ * the one that a first line `sep=` names; otherwise the first of semicolon, tab, comma and blank
+ * that the first row has. With semicolons and tabs, a comma in a number is a decimal point. Quotes
+ * hold a field together, lines that begin with # are comments, blank lines are skipped, and a
+ * byte-order mark is left out. The file is read as a stream.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_CSV_H
@@ -36,8 +36,8 @@ int aspi_csv_find(const aspi_csv *csv, const char *name);
 /* Index of a column, or -1 with a message that lists the columns there are. */
 int aspi_csv_need(const aspi_csv *csv, const char *name, asp_error *error);
 
-/* Reads the next row into csv->fields; *found is false at the end of the file. ASP_EDATA when the
- * row has not as many fields as there are names. */
+/* Reads the next row into csv->fields; *found is false at the end of the file. ASP_EDATA if the
+ * number of fields differs from the number of names. */
 asp_code aspi_csv_row(aspi_csv *csv, bool *found, asp_error *error);
 
 /* The number in a column of the row, least <= value <= most; *missing where it is empty or a mark

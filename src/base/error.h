@@ -1,4 +1,5 @@
-/* How the core reports: a code, and one line that names the thing, its value and what it must be.
+/* Error reports of the core: a code, and one line that names the thing, its value and what it must
+ * be.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_ERROR_H
@@ -17,11 +18,11 @@ aspi_fail(asp_error *error, asp_code code, const char *format, ...);
 asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, double value,
                           double least, double most);
 
-/* As above for value > 0, finite. */
+/* The same for value > 0, finite. */
 asp_code aspi_check_positive(asp_error *error, const char *name, const char *unit, double value);
 
-/* As above for a length from 1e-100 to 1e100, in any unit: ratios and squares of such do not
- * overflow or lose digits. */
+/* The same for a length from 1e-100 to 1e100 in any unit: its ratios and squares neither overflow
+ * nor lose digits. */
 asp_code aspi_check_length(asp_error *error, const char *name, double value);
 
 /* ASP_ENAME and "<what> 'name' is unknown; did you mean 'b'? there are: a b c", where `list` is the

@@ -11,10 +11,10 @@
 
 #define LAW "lognormal:"
 
-/* A range of more steps is a slip. */
+/* A range with more steps is taken for a typing error. */
 #define STEPS_MOST 1e6
 
-/* What a range may be off its last step by rounding, in steps. */
+/* Largest rounding error of a range's last step, in steps. */
 #define ROUNDING 1e-9
 
 enum { WORD_MOST = 80 };
@@ -33,7 +33,8 @@ static asp_code fail_form(const reader *r, const char *why) {
                    r->name, r->text, why);
 }
 
-/* The number in the first `length` characters; a step may be any. */
+/* Reads the number in the first `length` characters. A step is not checked against the list's
+ * limits. */
 static asp_code read_one(const reader *r, const char *text, size_t length, bool is_step,
                          double *value) {
   char word[WORD_MOST];
@@ -46,7 +47,8 @@ static asp_code read_one(const reader *r, const char *text, size_t length, bool 
                          : aspi_check_range(r->error, r->name, r->kind, *value, r->least, r->most);
 }
 
-/* Numbers with colons between, up to a comma or the end; *count of them, of at most three. */
+/* Reads up to three numbers with colons between them, up to a comma or the end; *count is their
+ * number. */
 static asp_code read_item(const reader *r, const char **at, double values[3], int *count) {
   asp_code code = ASP_OK;
   for (*count = 0; !code; (*at)++) {

@@ -12,7 +12,8 @@ typedef struct locales {
   locale_t plain, before;
 } locales;
 
-/* The locale is that of the thread for the length of a call; glibc's "C" takes no memory. */
+/* Sets the "C" locale for this thread, for the length of one call. glibc's "C" allocates no
+ * memory. */
 static locales be_plain(void) {
   locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
   return (locales){plain, plain ? uselocale(plain) : (locale_t)0};

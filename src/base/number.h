@@ -8,11 +8,11 @@
 extern "C" {
 #endif
 
-/* As C's strtod in its "C" locale, with a decimal point, whatever locale the program has set. */
+/* C's strtod in the "C" locale: a decimal point, whatever locale the program has set. */
 double aspi_number(const char *text, char **end);
 
-/* The shortest text that aspi_number reads as the same number, of at least 15 digits where it needs
- * as many; at most 32 characters with the NUL. */
+/* The shortest text that aspi_number reads back as the same number, with at least 15 digits if 15
+ * are needed; at most 32 characters with the NUL. */
 void aspi_number_print(double value, char text[32]);
 
 #ifdef __cplusplus

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A kind of quantity, and the powers of metre, kilogram and second in its unit. */
+/* A kind of quantity, and the powers of meter, kilogram and second in its unit. */
 static const struct {
   const char *name;
   int metre, kilogram, second;

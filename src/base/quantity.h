@@ -8,16 +8,16 @@
 
 /* Reads all of a text as a number of the kind that `kind` names: length, speed, stress,
  * stress/speed, energy/area, density, degrees, K, 1/K, or "" for one without a unit. A number alone
- * is in the caller's units; one with a unit behind it is converted to them, exactly where these are
- * SI and the unit is a power of ten. ASP_EARG and a message that calls it `name` and lists the
- * units where it is none. */
+ * is in the caller's units; one with a unit is converted to them, exactly if these are SI and the
+ * unit is a power of ten. ASP_EARG if it is no such number; the message calls it `name` and lists
+ * the units. */
 asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
                             const asp_units *units, double *value, asp_error *error);
 
-/* A length with its unit, um from 1e-9 m on, that reads as the same number of metres. */
+/* A length with its unit, um from 1e-9 m on, that reads as the same number of meters. */
 void aspi_quantity_print_length(double metres, char text[32]);
 
-/* How many of the caller's units make one of SI of that kind; 0 where they are not known. */
+/* Number of the caller's units in one SI unit of that kind; 0 if the units are unknown. */
 double aspi_quantity_factor(const char *kind, const asp_units *units);
 
 /* The units of a kind, as "m cm mm um nm"; "" where it has none. At most `size` characters. */

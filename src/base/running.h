@@ -1,4 +1,4 @@
-/* Running mean and variance (Welford 1962), and how two of them are merged (Chan, Golub & LeVeque
+/* Running mean and variance (Welford 1962), and the merger of two of them (Chan, Golub & LeVeque
  * 1983).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -26,7 +26,7 @@ static inline aspi_running aspi_running_merge(aspi_running a, aspi_running b) {
                         a.square + b.square + apart * apart * (a.n * b.n / n)};
 }
 
-/* The standard deviation, over n - 1; 0 of fewer than two. */
+/* Standard deviation, with n - 1 in the denominator; 0 for fewer than two values. */
 static inline double aspi_running_sd(const aspi_running *r) {
   return r->n > 1 ? sqrt(r->square / (r->n - 1)) : 0;
 }

@@ -40,8 +40,8 @@ asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, co
   return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
 }
 
-/* A file that begins with FF FE or FE FF is UTF-16; EF BB BF is the mark of UTF-8. What begins like
- * a mark and is none is read as it is. */
+/* Byte-order marks: FF FE and FE FF mark UTF-16, EF BB BF marks UTF-8. Other first bytes are
+ * text. */
 static void look_at_mark(aspi_text *text) {
   static const unsigned char marks[3][3] = {{0xEF, 0xBB, 0xBF}, {0xFF, 0xFE}, {0xFE, 0xFF}};
   text->utf16 = 0;
@@ -61,7 +61,7 @@ static void look_at_mark(aspi_text *text) {
     text->pending[text->pending_count++] = (char)marks[kind][--met];
 }
 
-/* The next byte of what UTF-16 says, as UTF-8; half of a pair of surrogates becomes a question
+/* Converts UTF-16 and returns the next byte as UTF-8; half of a surrogate pair becomes a question
  * mark. */
 static int next_of_utf16(aspi_text *text) {
   int first = getc_unlocked(text->stream), second = getc_unlocked(text->stream);
@@ -107,7 +107,7 @@ int aspi_text_character(aspi_text *text) {
   return c;
 }
 
-/* Appends a character, or with EOF the end, to a buffer that grows up to `most`. */
+/* Appends a character, or the end (EOF), to a buffer that grows up to `most`. */
 static asp_code append(aspi_text *text, char **buffer, size_t *room, size_t most, size_t *length,
                        int c, asp_error *error) {
   size_t need = *length + (c == EOF ? 1 : 2);
@@ -187,7 +187,7 @@ bool aspi_text_holds(const char *text, const char *part) {
   return false;
 }
 
-/* One pair of quotes off a field, and doubled quotes undoubled; in place. */
+/* Strips one pair of quotes off a field and halves doubled quotes, in place. */
 static char *unquote(char *field) {
   size_t length = strlen(field);
   if (length < 2 || field[0] != '"' || field[length - 1] != '"')
@@ -264,34 +264,33 @@ static bool is_missing(const char *text, size_t length) {
   for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
     if (strlen(marks[i]) == length && strncasecmp(text, marks[i], length) == 0)
       return true;
-  size_t stars = strspn(text, "*"); /* Fortran's overflow */
+  size_t stars = strspn(text, "*"); /* overflow marks of Fortran */
   bool error = *text == '#' && strspn(text + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ/0!?") == length - 1 &&
-               length > 2; /* a spreadsheet's, as #NUM! or #WERT! */
+               length > 2; /* error marks of a spreadsheet, such as #NUM! or #WERT! */
   return length == 0 || stars == length || error;
 }
 
-/* Windows' names of what is no number: 1.#INF, -1.#IND, 1.#QNAN. */
+/* Windows' names of infinity and NaN: 1.#INF, -1.#IND, 1.#QNAN. */
 static bool is_windows_nan(const char *text) {
   const char *mark = strchr(text, '#');
   return mark && mark > text && mark[-1] == '.' && isalpha((unsigned char)mark[1]);
 }
 
-/* Takes the marks between groups of three digits out, in place; false where they stand elsewhere.
- */
+/* Removes the marks between groups of three digits, in place; false if a mark stands elsewhere. */
 static bool ungroup(char *text, char mark) {
   char *out = text;
   int digits = 0; /* since the last mark; -1: no mark yet */
   bool marked = false;
   for (char *c = text; *c; c++) {
     if (*c == mark) {
-      bool zero = !marked && digits == 1 && c[-1] == '0'; /* 0,500 has no groups */
+      bool zero = !marked && digits == 1 && c[-1] == '0'; /* as in 0,500: no first group */
       if (digits == 0 || digits > 3 || (marked && digits != 3) || zero)
         return false;
       marked = true;
       digits = 0;
       continue;
     }
-    if (!isdigit((unsigned char)*c) && marked) { /* the groups are over */
+    if (!isdigit((unsigned char)*c) && marked) { /* after the last group */
       if (digits != 3 || !strchr(".,eE", *c))
         return false;
       memmove(out, c, strlen(c) + 1);
@@ -304,8 +303,8 @@ static bool ungroup(char *text, char mark) {
   return !marked || digits == 3;
 }
 
-/* Signs that are no ASCII as those that are: the minus, and blanks that hold groups of digits
- * together as apostrophes; in place. */
+/* Replaces signs outside ASCII by their ASCII forms, in place: a Unicode minus by -, and blanks
+ * between groups of digits by apostrophes. */
 static void plain_signs(char *text) {
   static const struct {
     const char *sign;
@@ -322,7 +321,7 @@ static void plain_signs(char *text) {
     }
 }
 
-/* Brings a number into the form that C reads: a decimal point, no groups, an exponent with E. */
+/* Converts a number to C's form: a decimal point, no groups, an exponent with E. */
 static bool normalize(char *text, bool comma) {
   plain_signs(text);
   for (char *c = text; *c; c++)

@@ -35,7 +35,7 @@ int aspi_text_character(aspi_text *text);
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
 asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 
-/* As aspi_text_line, into a buffer of *room characters that grows up to `most` by realloc. */
+/* Like aspi_text_line, into a buffer of *room characters that grows up to `most` by realloc. */
 asp_code aspi_text_long_line(aspi_text *text, char **line, size_t *room, size_t most, bool *found,
                              asp_error *error);
 
@@ -70,8 +70,8 @@ __attribute__((format(printf, 4, 5)))
 asp_code
 aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char *format, ...);
 
-/* What a text says: a number, a mark for a missing one (empty, nan, inf, bad, ---, ...), or else.
- */
+/* Kind of a word: a number, a mark for a missing one (empty, nan, inf, bad, ---, ...), or other
+ * text. */
 typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } aspi_word;
 
 /* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. An

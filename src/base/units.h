@@ -23,16 +23,16 @@ const aspi_unit *aspi_unit_at(size_t index);
  * of one letter). */
 bool aspi_unit_is(const aspi_unit *unit, const char *name, size_t length, bool exact);
 
-/* Metres in a unit of length by its name (m cm mm um nm, or as instruments write them:
+/* Meters in a unit of length by its name (m cm mm um nm, or as instruments write them:
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */
 double aspi_unit_metres(const char *name, size_t length);
 
-/* The units of length in a line of a header, in metres: how many there are, and the first two. A
+/* The units of length in a line of a header, in meters: how many there are, and the first two. A
  * number before a unit makes it a value, not the unit of a column. A line with `unit` in it states
  * one for both. */
 int aspi_header_units(const char *line, double units[2]);
 
-/* The same, but one that stands for both columns is counted once. */
+/* The same, but a unit that covers both columns is counted once. */
 int aspi_units_in(const char *line, double units[2]);
 
 #endif

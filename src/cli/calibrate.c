@@ -1,6 +1,6 @@
-/* asperity calibrate: the constants of a wall and of a law from measured scatter: which are looked
- * for, where the measurements are put together, and what is told of the result. analysis/fit.c
- * finds them.
+/* asperity calibrate: fits the constants of a wall and of a law to measured scatter. This file
+ * selects the unknowns, combines the measurements, and prints the result. analysis/fit.c does the
+ * fit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/calibrate.h"
@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Unknowns whose estimates hang together by more than this, or that are known worse than this share
- * of their value, cannot be told from the data. */
+/* The data do not determine unknowns whose estimates are correlated by more than CORRELATED, or
+ * whose relative error is above VAGUE. */
 #define CORRELATED 0.95
 #define VAGUE 1.0
 
@@ -34,7 +34,7 @@ static double standard_of(const aspi_calibration *c, const aspi_unknown *u) {
   return value;
 }
 
-/* What a number of the description is; a law's own go before all others. */
+/* Properties of a number of the description; a law's own numbers go before all others. */
 static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
   static const char *const surface[] = {"sigma", "rq", "lambda_c"};
   const asp_rebound_law *law = asp_wall_rebound(c->wall);
@@ -65,7 +65,7 @@ static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
   return u;
 }
 
-/* Where the search begins: the number's own start, else that of the materials. */
+/* Start of the search: the number's own start, else that of the materials. */
 static double start_of(const aspi_calibration *c, const aspi_unknown *u) {
   double value = asp_wall_get(c->wall, u->name);
   double start = isnan(value) && c->pair ? asp_pair_get(c->pair, u->name) : value;
@@ -153,7 +153,8 @@ static double end_of(const aspi_calibration *c, size_t i, double scaled) {
   return isfinite(scaled) ? aspi_unknown_value(&c->unknown[i], scaled) : NAN;
 }
 
-/* What the data say of an unknown whose minimum is at a bound, or so near that they cannot tell. */
+/* The bound that the data give for an unknown whose minimum is at a limit, or too near to exclude
+ * it. */
 static bool bound_of(const aspi_calibration *c, const aspi_fit *f, size_t i, char *text,
                      size_t size) {
   const aspi_unknown *u = &c->unknown[i];
@@ -387,9 +388,9 @@ const cli_command cli_calibrate = {
         "rq, lambda_c and numbers whose default is 0 need.\n" MEASURED_FORMS
         "\nRows parameter,estimate,standard_error,low_95,high_95,unit; then, as comments,\n"
         "correlations, chi^2 per degree of freedom, and the description with the estimates in it,\n"
-        "for a script or another command. A warning tells where the data cannot tell two "
-        "constants\n"
-        "apart, and where the model does not describe them. Noise of the measurement looks like\n"
+        "for a script or another command. A warning names constants that the data cannot "
+        "separate,\n"
+        "and data that the model does not describe. Noise of the measurement looks like\n"
         "roughness: state it by --noise. Sizes count only where the wall is given by rq and\n"
         "lambda_c; sigma is the same for all of them.\n",
     .examples = "  $ asperity calibrate examples/data/grant_tabakoff_1975.csv surface sigma fit "

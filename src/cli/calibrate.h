@@ -1,4 +1,4 @@
-/* What `asperity calibrate` hands to its picture.
+/* Data that `asperity calibrate` hands to its picture.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_CALIBRATE_H

@@ -1,5 +1,5 @@
 /* The picture of `asperity calibrate`: means and standard deviations of both coefficients over the
- * impact angle, measured as marks and of the fitted model as a line in a band.
+ * impact angle. Marks are measured; the line in a band is the fitted model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/calibrate.h"
@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-/* One coefficient of one bin; the mean is NAN where there is none. */
+/* One coefficient of one bin; the mean is NAN if there is none. */
 typedef struct point {
   double degrees, mean, sd;
 } point;

@@ -102,7 +102,7 @@ static void check_written(const cli_option *option) {
   cli_file_check(option->value);
 }
 
-/* How a picture looks says nothing where there is none. */
+/* Refuses options for the look of a picture if no picture is drawn. */
 static void check_look(const cli_option *options, int count) {
   for (int i = 0; i < count; i++)
     for (int k = PLOT_TITLE; k < PLOT_OPTIONS && strcmp(options[i].name, "plot") == 0; k++)
@@ -131,8 +131,8 @@ static void check_files(const cli_option *options, int count) {
     cli_plot_check(given[2]);
 }
 
-/* The word that getopt has just refused. It is still to come where it has more letters than the
- * one behind a single dash that getopt looked at. */
+/* The word that getopt has just refused. getopt may have refused one letter of a longer word; then
+ * the word is still the next one. */
 static const char *unknown_word(int argc, char **argv) {
   const char alone[] = {'-', (char)optopt, '\0'};
   bool done = optopt == 0 || optind >= argc || strcmp(argv[optind - 1], alone) == 0;

@@ -1,4 +1,4 @@
-/* What the subcommands of `asperity` share: options with help from one table, numbers with units,
+/* Shared by the subcommands of `asperity`: options with help from one table, numbers with units,
  * CSV output that is written whole or not at all, a progress bar, and pictures by gnuplot.
  *
  * Everything here exits on bad input: status 2 for bad usage, 1 for a failure, with one line on
@@ -111,7 +111,7 @@ void cli_print_comment(FILE *out, const char *text);
 /* A user's text as a field of CSV: in quotes where it holds a comma, a quote or a #. */
 void cli_print_field(FILE *out, const char *text);
 
-/* Seconds on a clock that only goes on. */
+/* Seconds on a monotonic clock. */
 double cli_seconds(void);
 
 /* A bar on stderr when that is a terminal and the work takes over a second; done counts up to

@@ -136,8 +136,8 @@ static void print_summary(FILE *out, const cli_list *angles, const size_t *count
   }
 }
 
-/* How many impacts there are at each angle: as many, or by flux, of particles that fly alike in all
- * of these directions, in proportion to sin alpha1. */
+/* Number of impacts at each angle: equal, or by flux: particles that fly in all of these directions
+ * alike hit in proportion to sin alpha1. */
 static size_t count_impacts(const cli_list *angles, size_t samples, bool by_flux, size_t *counts) {
   double sines = 0;
   size_t all = 0;

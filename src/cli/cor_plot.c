@@ -8,7 +8,8 @@
 
 #include <math.h>
 
-/* An angle with fewer impacts than this goes together with others, over at most so many degrees. */
+/* An angle with fewer impacts than IMPACTS_LEAST is merged with its neighbors, over at most
+ * CELL_MOST degrees. */
 #define IMPACTS_LEAST 30
 #define CELL_MOST 2.0
 

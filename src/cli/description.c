@@ -133,7 +133,7 @@ void cli_description_allow(cli_description *d, const char *allowed, const char *
   }
 }
 
-/* Reads the clauses that say nothing of the surface into another wall. */
+/* Copies the clauses other than the surface's into another wall. */
 static void copy_constants(const cli_description *d, asp_wall *to) {
   asp_error error;
   asp_wall *from = asp_wall_parse("", NULL, &error);
@@ -217,8 +217,8 @@ static void check_constants(const cli_description *d, double d_most) {
              asp_rebound_name(law));
 }
 
-/* What `spread auto` has taken goes behind the description, as in a ledger's heading; why is said.
- */
+/* Appends the choice of `spread auto` to the description, as in a ledger's heading, and prints its
+ * reason. */
 static void tell_choice(cli_description *d) {
   const char *why = asp_wall_word(d->wall, "choice");
   const char *name = asp_spread_name(asp_wall_spread(d->wall));

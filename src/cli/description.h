@@ -10,7 +10,7 @@
 
 #include "cli/cli.h"
 
-/* How many words stand before the first option; `-0.5` is a number and no option. */
+/* Number of words before the first option; `-0.5` is a number and no option. */
 int cli_words(int argc, char **argv);
 
 typedef struct cli_description {
@@ -50,7 +50,7 @@ cli_description cli_description_smooth(const cli_description *description);
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
 /* The direction of the lay where particles fly along x over the wall z = 0; NULL where there is no
- * lay. An angle is from x towards y. `vector` holds it. */
+ * lay. An angle is from x toward y. `vector` holds it. */
 const double *cli_description_lay(const cli_description *description, double vector[3]);
 
 #endif

@@ -20,7 +20,7 @@
 /* Noise puts no rebound farther below the wall than this, in degrees. */
 #define BELOW_MOST 20
 
-/* What a column can hold: a kind of quantity, "" for a coefficient. */
+/* Kind of quantity in a column; "" is a coefficient. */
 #define RATIO ""
 #define ANGLE "degrees"
 #define SPEED "speed"
@@ -83,8 +83,8 @@ static const struct {
 /* More than half of the coefficients beyond this are per cent. */
 #define RATIO_MOST 5
 
-/* Where the columns stand in the file, -1 where they do not, their units, and what a column of a
- * rebound is of. */
+/* Positions of the columns in the file, -1 if absent; their units; and, for columns of a rebound,
+ * the view that they are of. */
 typedef struct layout {
   int at[N_COLUMNS];
   double factor[N_COLUMNS];
@@ -207,7 +207,7 @@ static void check_unit(const char *path, const char *name, int column, double *f
 static void find_columns(const aspi_csv *csv, const char *path, layout *l) {
   for (int c = 0; c < N_COLUMNS; c++) {
     l->at[c] = -1;
-    for (int i = 0; i < csv->columns; i++) { /* of several, the one that says most of its view */
+    for (int i = 0; i < csv->columns; i++) { /* of several, the most specific one */
       char name[80];
       double factor;
       aspi_measured_view view;
@@ -305,7 +305,7 @@ static aspi_measured_row row_of(const layout *l, const double *v, bool means) {
   return row;
 }
 
-/* Takes what a row says about its outcome: a word, or a ledger's number. */
+/* Reads the outcome of a row: a word, or a ledger's number. */
 static asp_code read_outcome(const aspi_csv *csv, const layout *l, aspi_measured_row *row,
                              asp_error *error) {
   static const struct {
@@ -348,7 +348,7 @@ static void add(aspi_measured *data, aspi_measured_row row) {
   data->rows[data->count++] = row;
 }
 
-/* What rebounds are of: the velocity in the plane, where coefficients or components are given. */
+/* Sets the view: the velocity in the plane, if coefficients or components are given. */
 static asp_code find_view(const aspi_csv *csv, const layout *l, aspi_measured *data,
                           asp_error *error) {
   bool ratios = has(l, COR_V) && has(l, COR_ALPHA);

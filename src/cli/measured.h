@@ -34,7 +34,7 @@ void cli_measured_sort(aspi_measured *data);
 void cli_measured_need_view(const char *path, aspi_measured *data, bool matters);
 void cli_measured_free(aspi_measured *data);
 
-/* The part of a help text that says which columns there may be. */
+/* The part of a help text about the possible columns. */
 #define MEASURED_FORMS                                                                             \
   "DATA is CSV (- is standard input); a name's unit stands behind it: alpha1_deg or alpha1_rad,\n" \
   "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. "        \

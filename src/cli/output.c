@@ -29,7 +29,7 @@ static void remove_partials(void) {
       unlink(file->partial);
 }
 
-/* Where a symbolic link leads, through as many as there are, also where nothing is there yet. */
+/* Target of a symbolic link, through any chain of links, even if nothing exists there yet. */
 static char *follow_links(const char *path) {
   char *at = cli_copy(path), link[4096];
   for (int i = 0; i < LINKS_MOST; i++) {
@@ -48,7 +48,7 @@ static char *follow_links(const char *path) {
   cli_fail("cannot write '%s': %s", path, strerror(ELOOP));
 }
 
-/* Whether a file must not be replaced by another one: a device, a pipe, standard output. */
+/* True if a file must not be replaced by another one: a device, a pipe, standard output. */
 static bool stays(const struct stat *found) {
   struct stat out;
   return !S_ISREG(found->st_mode) || (fstat(STDOUT_FILENO, &out) == 0 && S_ISREG(out.st_mode) &&

@@ -103,7 +103,7 @@ void cli_plot_check(const cli_option *option) {
     cli_fail("cannot run gnuplot; is it installed? Debian: apt-get install gnuplot-nox");
 }
 
-/* A title as a gnuplot string, broken at spaces into lines of so many letters. */
+/* Writes a title as a gnuplot string, broken at spaces into lines of at most `letters` letters. */
 static void put_title(FILE *out, const char *text, double letters) {
   double used = 0;
   fputc('\'', out);
@@ -253,8 +253,8 @@ FILE *cli_plot_stream(cli_plot *plot) {
 
 /* ---- series ---- */
 
-/* How gnuplot draws a shape, and what it draws under it without a name; the columns of a row that
- * say where it lies: left, right, y, low, high. Low and high are y - sd and y + sd where the
+/* gnuplot's style for each shape, and the one drawn under it without a name; then the columns of a
+ * row that hold its extent: left, right, y, low, high. Low and high are y - sd and y + sd if the
  * caller's row has an sd at `low`. */
 static const struct {
   int columns;
@@ -374,8 +374,8 @@ static size_t character_length(const char *text) {
   return length;
 }
 
-/* What stands for a character in a string of gnuplot's enhanced text in single quotes: its marks
- * get a backslash; quotes are written by their codes, so that no text can end the string. */
+/* Replacement of a character in a string of gnuplot's enhanced text in single quotes: its marks get
+ * a backslash; quotes are written by their codes, so that no text can end the string. */
 static const char *replacement(char c) {
   static const struct {
     char from;

@@ -10,14 +10,14 @@
 
 typedef struct cli_plot cli_plot;
 
-/* Opens a picture of `width` x `height` pixels unless --size says otherwise. `option` is that of
- * --plot, with the others of CLI_PLOT_OPTIONS behind it. The layout is "rows,columns" of panels;
- * NULL where the panels are placed by cli_plot_place. The title gives way to that of --title, and
- * is broken into lines that fit. */
+/* Opens a picture of `width` x `height` pixels, or of --size if given. `option` is that of --plot,
+ * with the others of CLI_PLOT_OPTIONS behind it. The layout is "rows,columns" of panels; NULL if
+ * the panels are placed by cli_plot_place. --title replaces the title, which is broken into lines
+ * that fit. */
 CLI_FORMAT(5, 6)
 cli_plot *cli_plot_open(const cli_option *option, int width, int height, const char *layout,
                         const char *title, ...);
-/* Draws the picture, and says on stderr where it is. */
+/* Draws the picture, and prints its path on stderr. */
 void cli_plot_close(cli_plot *plot);
 
 /* A user's text as gnuplot shows it letter by letter, cut after some 300 bytes. Every text in a
@@ -38,18 +38,18 @@ void cli_plot_panel(cli_plot *plot, const char *x, const char *y);
  * lies beyond at most 0 to 3 or -1 to 2: ratios to a vanishing component have no bounds. */
 void cli_plot_coefficient(cli_plot *plot, int t);
 
-/* What may be said of a panel before its series: its place, in shares of the picture; a caption. */
+/* Settings of a panel before its series: its place, in shares of the picture; a caption. */
 void cli_plot_place(cli_plot *plot, double left, double bottom, double width, double height);
 CLI_FORMAT(2, 3) void cli_plot_caption(cli_plot *plot, const char *format, ...);
 /* Ends of an axis, 'x' or 'y'; NAN: as the series have it. */
 void cli_plot_axis(cli_plot *plot, char axis, double from, double to);
 void cli_plot_log(cli_plot *plot, const char *axes);
-/* A panel with ranges of its own, whatever --range says; `equal`: one scale for both axes. */
+/* A panel with ranges of its own, also with --range; `equal`: one scale for both axes. */
 void cli_plot_scale(cli_plot *plot, bool equal);
 /* For gnuplot's own commands, between series only. */
 FILE *cli_plot_stream(cli_plot *plot);
 
-/* What is drawn of a row. */
+/* Shape that is drawn for each row. */
 typedef enum cli_shape {
   CLI_LINE,   /* x, y */
   CLI_HISTO,  /* x, y: steps about each x */

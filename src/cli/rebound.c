@@ -47,7 +47,7 @@ double cli_rebound_capture_speed(const cli_description *wall, double d_p, double
   return exp(high);
 }
 
-/* So many values from one to another, in equal ratios. */
+/* `count` values between two ends, in equal ratios. */
 static cli_list ratios(double from, double to, size_t count) {
   cli_list list = {.values = cli_allocate(count, sizeof *list.values),
                    .count = count,
@@ -175,7 +175,7 @@ static void print_list(FILE *out) {
   }
 }
 
-/* What is not given gets the ranges of the map. */
+/* Reads the ranges of the map, or sets their defaults. */
 static void read_ranges(rebound_map *m, cli_option *o) {
   bool over_angles = m->kind == REBOUND_ANGLES;
   size_t points = cli_whole(&o[POINTS], 2, POINTS_MOST);

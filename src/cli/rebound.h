@@ -1,4 +1,4 @@
-/* What `asperity rebound` hands to its pictures.
+/* Data that `asperity rebound` hands to its pictures.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_REBOUND_H
@@ -13,7 +13,7 @@
 /* The options of the command. */
 enum { MAP, LIST, DP, SPEED, ANGLES, POINTS, OUTPUT, PLOT, N = PLOT + PLOT_OPTIONS };
 
-/* What a map shows over what. */
+/* Kind of map: its quantity and axes. */
 typedef enum rebound_kind { REBOUND_REGIMES, REBOUND_CAPTURE, REBOUND_ANGLES } rebound_kind;
 
 typedef struct rebound_map {
@@ -29,7 +29,7 @@ typedef struct rebound_row {
   bool deposit;
 } rebound_row;
 
-/* What comes of one impact. */
+/* Result of one impact. */
 rebound_row cli_rebound_row(const cli_description *wall, double d_p, double speed, double degrees);
 
 /* The speed under which a particle sticks: 0 where it never does, INFINITY where it always does. */

@@ -39,7 +39,7 @@ static void warn_radians(const char *path, double most, size_t count) {
              path, RADIANS_MOST);
 }
 
-/* What the ledger's files call its columns. */
+/* Names of the columns in a ledger's file. */
 #define LEDGER_NAMED(ID, name, type, text) name,
 static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)
                                               LEDGER_MORE_COLUMNS(LEDGER_NAMED)};

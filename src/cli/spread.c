@@ -71,7 +71,7 @@ static aspi_view view_of(const cli_description *wall, double d_p) {
 static scene scene_of(const cli_option *dp, int count, char **words) {
   static const char allowed[] = "surface spread seed";
   scene s = {.wall = cli_description_read(count, words)};
-  cli_description_allow(&s.wall, allowed, "spread looks at no impact");
+  cli_description_allow(&s.wall, allowed, "spread simulates no impact");
   const char *kind = asp_wall_word(s.wall.wall, "surface");
   s.by_size = strcmp(kind, "smooth") != 0 && strcmp(kind, "sigma") != 0;
   double d_p = s.by_size || dp->value ? cli_length(dp) : ANY_SIZE;

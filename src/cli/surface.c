@@ -67,7 +67,7 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
         option->name, option->value);
 }
 
-/* How a file is read; step: between columns and rows, 0 where it is not given. */
+/* Options of reading a file; step: between columns and rows, 0 if it is not given. */
 typedef struct reading {
   aspi_profile_options file;
   double step[2];
@@ -164,7 +164,7 @@ static asp_profile *generate_like(const aspi_description *d, uint32_t seed) {
   return generated;
 }
 
-/* What is known of a measured profile. */
+/* Report and description of a measured profile. */
 typedef struct source {
   aspi_profile_report report;
   aspi_description description;
@@ -186,8 +186,8 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
           d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
 }
 
-/* What the reader doubts, and what the sampling of a wall leaves open for the least of the sizes;
- * exits where its points do not resolve one. */
+/* Warns of the reader's doubts, and of a sampling that is too coarse for the smallest size; exits
+ * if the points do not resolve a particle. */
 static void check(const char *name, const char *what, const aspi_profile_report *report,
                   double spacing, double length, double lambda, const cli_list *sizes) {
   double least = INFINITY;
@@ -273,7 +273,7 @@ static void print_rows(FILE *out, const cli_slopes *rows, size_t count) {
   }
 }
 
-/* Exits where an option is given that says nothing of the wall at hand. */
+/* Exits if an option is given that does not apply to the wall at hand. */
 static void check_options(const cli_option *o, const char *kind) {
   enum { GENERATED = 1, BY_PROFILE = 2, BY_MAP = 4, MEASURED = BY_PROFILE | BY_MAP };
   static const struct {
@@ -288,8 +288,7 @@ static void check_options(const cli_option *o, const char *kind) {
     cli_bad_usage("surface is '%s'; it must be rq R lambda_c L, profile FILE or map FILE", kind);
   for (size_t i = 0; i < sizeof list / sizeof *list; i++)
     if (o[list[i].option].value != table[list[i].option].value && !(list[i].own & wall))
-      cli_bad_usage("--%s is given with 'surface %s', of which it says nothing",
-                    o[list[i].option].name, kind);
+      cli_bad_usage("--%s does not apply to 'surface %s'", o[list[i].option].name, kind);
   if (o[SAVE].value && strcmp(o[SAVE].value, "-") == 0 && !o[OUTPUT].value)
     cli_bad_usage("--save is '-', standard output, where the slopes go; say where else (-o FILE)");
 }
@@ -442,7 +441,7 @@ const cli_command cli_surface = {
     .detail =
         "A row per diameter, measured on a generated or a measured profile: the slopes of the "
         "path\n"
-        "of the particle's center (dilation) under a uniform centre. kappa = sqrt(3) dp rq /\n"
+        "of the particle's center (dilation) under a uniform center. kappa = sqrt(3) dp rq /\n"
         "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural "
         "logarithm)\n"
         "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 "

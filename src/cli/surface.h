@@ -1,4 +1,4 @@
-/* What `asperity surface` hands to its picture.
+/* Data that `asperity surface` hands to its picture.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SURFACE_H
@@ -15,7 +15,7 @@ typedef struct cli_wall {
   const char *name; /* of the measured file, or NULL */
 } cli_wall;
 
-/* What discs touch on the wall: where its profile is measured, the curve through the points. */
+/* The curve on which discs roll: through the points if the profile is measured, else the points. */
 aspi_contact cli_contact(const cli_wall *wall);
 
 /* D_KL of the measured angles' density against the generated one's, for a particle of size d_p. */

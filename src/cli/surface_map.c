@@ -32,7 +32,7 @@ void cli_map_free(cli_map *m) {
   asp_map_free(m->map);
 }
 
-/* Where the contacts of one size go. */
+/* Buffers for the contacts of one size. */
 typedef struct room {
   float *z, *p, *q;
 } room;

@@ -16,7 +16,7 @@ typedef struct cli_map {
   const char *name;
 } cli_map;
 
-/* Reads and describes a map, in metres; exits on an error. */
+/* Reads and describes a map, in meters; exits on an error. */
 cli_map cli_map_read(const char *path, const aspi_map_options *options);
 void cli_map_free(cli_map *map);
 
@@ -28,7 +28,7 @@ typedef struct cli_map_slopes {
 /* The dilation of the map by a sphere of each size, all of its points on all cores. */
 void cli_map_slopes_measure(const cli_map *map, const cli_list *sizes, cli_map_slopes *rows);
 
-/* What is known of the map, and a row per size. */
+/* Prints the description of the map, and a row per size. */
 void cli_map_print(FILE *out, const cli_map *map, const cli_map_slopes *rows, size_t count);
 
 /* The heights as SDF in text (ISO 25178-71), for the other commands and the wall's fix. */

@@ -155,7 +155,7 @@ void cli_map_plot(const cli_option *option, const cli_map *m, const cli_map_slop
   if (!surface)
     cli_fail("%s", error.text);
   aspi_angles own = rebounds(m, surface, size[0], "profile"),
-               gauss = rebounds(m, surface, size[0], "visible");
+              gauss = rebounds(m, surface, size[0], "visible");
   cli_plot *plot = cli_plot_open(
       option, 1300, 980, NULL, "%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, λ_2 %.3g µm",
       cli_plot_file(m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6, d->lambda_2 * 1e6);

@@ -65,7 +65,7 @@ typedef struct window {
   double lo, hi;
 } window;
 
-static window window_of(const asp_profile *profile, const double *centre, const double *closed,
+static window window_of(const asp_profile *profile, const double *center, const double *closed,
                         double d_p) {
   size_t points = asp_profile_points(profile);
   const double *z = asp_profile_heights(profile);
@@ -80,17 +80,17 @@ static window window_of(const asp_profile *profile, const double *centre, const 
     w.first = w.middle > half ? w.middle - half : 0;
     w.last = w.middle + half < points ? w.middle + half : points - 1;
     w.lo = z[w.middle];
-    w.hi = centre[w.middle] + d_p / 2;
+    w.hi = center[w.middle] + d_p / 2;
     for (size_t i = w.first; i <= w.last; i++) {
       w.lo = fmin(w.lo, z[i]);
-      w.hi = fmax(w.hi, centre[i]);
+      w.hi = fmax(w.hi, center[i]);
     }
     width = fmax(width, 3 * (w.hi - w.lo));
   }
   return w;
 }
 
-/* The whole profile, the least and the greatest height of each of so many parts. */
+/* Draws the whole profile: the least and the greatest height of each of many parts. */
 static void plot_all(cli_plot *plot, const asp_profile *profile) {
   enum { PARTS = 1500 };
   size_t points = asp_profile_points(profile), step = points / PARTS + 1;
@@ -126,13 +126,13 @@ static void plot_heights(cli_plot *plot, const char *style, const char *name, co
 /* Profile, closing, the path of the center, and the particle, all to one scale. */
 static void plot_bridge(cli_plot *plot, const cli_wall *wall, double d_p) {
   size_t points = asp_profile_points(wall->profile);
-  double *centre = cli_allocate(points, sizeof *centre),
+  double *center = cli_allocate(points, sizeof *center),
          *closed = cli_allocate(points, sizeof *closed);
   asp_error error;
-  if (aspi_profile_dilate(wall->profile, d_p, centre, &error) ||
+  if (aspi_profile_dilate(wall->profile, d_p, center, &error) ||
       aspi_profile_close(wall->profile, d_p, closed, &error))
     cli_fail("%s", error.text);
-  window w = window_of(wall->profile, centre, closed, d_p);
+  window w = window_of(wall->profile, center, closed, d_p);
   double spacing = asp_profile_spacing(wall->profile), margin = 0.05 * (w.hi - w.lo);
   cli_plot_panel(plot, "x / µm", "z / µm");
   cli_plot_place(plot, 0, 0.38, 1, 0.34);
@@ -142,13 +142,13 @@ static void plot_bridge(cli_plot *plot, const cli_wall *wall, double d_p) {
   cli_plot_axis(plot, 'y', (w.lo - margin) * 1e6, (w.hi + margin) * 1e6);
   fprintf(cli_plot_stream(plot),
           "set object 1 circle at %g,%g size %g front fs empty border lc rgb '#009e73' lw 2\n",
-          (double)(w.middle - w.first) * spacing * 1e6, centre[w.middle] * 1e6, d_p / 2 * 1e6);
+          (double)(w.middle - w.first) * spacing * 1e6, center[w.middle] * 1e6, d_p / 2 * 1e6);
   plot_heights(plot, "1 lw 4", "closing", closed, &w, spacing);
   plot_heights(plot, "reference", "profile", asp_profile_heights(wall->profile), &w, spacing);
-  plot_heights(plot, "2 lw 1", "path of the center", centre, &w, spacing);
+  plot_heights(plot, "2 lw 1", "path of the center", center, &w, spacing);
   cli_plot_series(plot, CLI_LINE, "3 dt 1");
   cli_plot_end(plot, "particle");
-  free(centre);
+  free(center);
   free(closed);
 }
 

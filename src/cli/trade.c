@@ -9,17 +9,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where the user does not say. */
+/* Defaults. */
 enum { PROFILES_MANY = 16, SURFACES_MANY = 8, POINTS_MANY = 2048 };
 
-/* Of the pieces of a measured profile, unless they would be too few, in lambda_c. */
+/* Length of a piece of a measured profile in lambda_c, unless there would be too few pieces. */
 #define PIECE_LENGTH 25.0
 
 static double sd_of(double square, double mean) {
   return sqrt(fmax(0, square - mean * mean));
 }
 
-/* What three dimensions add to a row. */
+/* Adds the columns of three dimensions to a row. */
 static void add_lateral(const aspi_judge *judge, size_t i, const aspi_angles *model, size_t groups,
                         const aspi_angles *sum, trade_row *row) {
   aspi_angle_groups all = aspi_judge_groups(judge, i);
@@ -145,7 +145,7 @@ static void drop_grazing(const cli_option *option, cli_list *angles, double leas
   angles->count = kept;
 }
 
-/* How many pieces, an even number; about `usual` of them unless the user says. */
+/* Number of pieces, an even one; about `usual` of them by default. */
 static size_t pieces_of(const cli_option *option, double usual) {
   if (!option->value)
     return (size_t)fmin(fmax(2 * floor(usual / 2), ASPI_JUDGES_LEAST), PROFILES_MANY);
@@ -157,7 +157,7 @@ static size_t pieces_of(const cli_option *option, double usual) {
   return pieces;
 }
 
-/* Exits where an option is given that says nothing of this judge. */
+/* Exits if an option is given that does not apply to this judge. */
 static void check_options(const cli_option *o, const asp_wall *wall) {
   const char *kind = asp_wall_word(wall, "surface");
   bool map = strcmp(kind, "map") == 0, solid = map || o[THREE_D].value;
@@ -185,7 +185,7 @@ static void drop_grazing_of(const cli_option *options, const aspi_judge_case *su
   drop_grazing(&options[ANGLES], angles, least);
 }
 
-/* What is judged in three dimensions; takes out the angles at which it cannot be. */
+/* Sets the case in three dimensions; takes out the angles at which it cannot be judged. */
 static void set_case_3d(const cli_option *options, const cli_description *wall, cli_list *angles,
                         aspi_judge_case *subject) {
   const asp_surface *surface = asp_wall_surface(wall->wall);

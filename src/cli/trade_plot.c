@@ -19,7 +19,7 @@ static int by_cost(const void *a, const void *b) {
   return (x->cost > y->cost) - (x->cost < y->cost);
 }
 
-static void summarise(const trade_row *rows, size_t n, point *points) {
+static void summarize(const trade_row *rows, size_t n, point *points) {
   size_t models = (size_t)asp_spread_count();
   for (size_t m = 0; m < models; m++) {
     points[m] = (point){.model = rows[m].model};
@@ -34,14 +34,14 @@ static void summarise(const trade_row *rows, size_t n, point *points) {
   qsort(points, models, sizeof *points, by_cost);
 }
 
-/* Divergences below what the rays can tell are drawn at that. */
+/* Divergences below this are drawn at this value: the rays resolve no less. */
 #define NOISE 1e-4
 
 void cli_trade_plot(const cli_option *options, const cli_description *wall, double d_p,
                     const trade_row *rows, size_t n) {
   size_t models = (size_t)asp_spread_count();
   point *points = cli_allocate(models, sizeof *points);
-  summarise(rows, n, points);
+  summarize(rows, n, points);
   char most[40] = "", size[40] = "";
   if (n > models)
     snprintf(most, sizeof most, " … %g", rows[n - 1].angle);

@@ -56,9 +56,9 @@ int aspi_tree_place(const ContactTree *tree, int id);
 /* True if any of the boxes around its triangles meets the box lo to hi. */
 bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
-/* How long a sphere of radius `reach`, which grows by `widen` per time, keeps clear of all
- * triangles but `skipped` ones, whose numbers are in `skip`, while its center moves along x + v t:
- * a lower bound, at most `most`. */
+/* Lower bound of the time for which a sphere of radius `reach`, growing by `widen` per time, stays
+ * clear of all triangles except the `skipped` ones listed in `skip`, while its center moves along x
+ * + v t; at most `most`. */
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
                        double widen, double most, const int *skip, int skipped);
 

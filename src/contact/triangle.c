@@ -49,7 +49,7 @@ double aspi_triangle_area(const ContactTriangle *triangle) {
   return 0.5 * aspi_length(normal);
 }
 
-/* Whether the foot of x on the triangle's plane lies within it: on the inner side of each edge. */
+/* True if the foot of x on the triangle's plane lies inside all three edges. */
 static bool above_face(const ContactTriangle *triangle, const double normal[3], const double x[3]) {
   for (int k = 0; k < 3; k++) {
     double edge[3], inward[3], arm[3];

@@ -1,5 +1,5 @@
-/* When a particle can meet a wall at the earliest: most are known to be too far away for many
- * steps, and are not looked at in these.
+/* Predicts the earliest step in which a particle can meet a wall. Most particles are too far away
+ * for many steps and are skipped until then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/wall.h"
@@ -18,7 +18,7 @@ namespace {
 /* Ahead::due of a particle that is stuck, or not of the group: never near. */
 const int NEVER = INT_MAX;
 
-/* A particle that stays at faces and is near others is not looked at for this many steps. */
+/* A particle that stays at faces and is near others counts as near for this many steps. */
 const int STAYS_NEAR = 32;
 
 /* Particles are screened in blocks of this many. */
@@ -27,7 +27,7 @@ const int BLOCK = 32;
 /* Longest prediction, in steps. */
 const double AHEAD_MOST = 512;
 
-/* What a sum of rounded numbers may be off where it is compared with another one. */
+/* Relative error of sums that are compared. */
 const double ROUNDING = 1e-9;
 
 /* Less than 1/sqrt(3): the length of a vector whose components are no larger is below 1. */
@@ -93,9 +93,9 @@ Faces Wall::faces(int i, size_t shape) const {
   return faces;
 }
 
-/* What is known of this particle is used up. (The way that was seen is wider from step to step by
- * as much as a particle may stray in one; so none may stray more in any of them, for one that is
- * thrown back to the wall by another would be there before.) */
+/* Makes a new prediction when the old one has expired; true if the particle may touch in this step.
+ * (A prediction widens by the allowed stray distance in every step, so no particle may stray
+ * farther in any of them: another particle could throw it back to the wall earlier.) */
 bool Wall::look_ahead(const Spheres &s, int i) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
   float *along = &ahead_.v[3 * static_cast<size_t>(i)];
@@ -113,9 +113,9 @@ bool Wall::look_ahead(const Spheres &s, int i) {
   return true;
 }
 
-/* For how many steps, with this one, a particle cannot touch the wall if it keeps its velocity and
- * strays no more than it may; 0 where it may touch in this one. Straying is told in single
- * precision only. */
+/* Number of steps, with this one, in which a particle cannot touch the wall if it keeps its
+ * velocity within the allowed stray distance; 0 if it may touch in this one. Straying is measured
+ * in single precision. */
 int Wall::steps_clear(const Spheres &s, int i) const {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   double begin[3], by[3], steps = AHEAD_MOST;

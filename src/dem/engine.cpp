@@ -1,4 +1,4 @@
-/* What every engine answers in the same way; see engine.h.
+/* Functions that are the same for all engines; see engine.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/engine.h"
@@ -13,7 +13,7 @@ using namespace asperity;
 std::vector<Engine::Kind> asperity::kinds_of(const Spheres &spheres, int group,
                                              const std::vector<double> &present, MPI_Comm world) {
   const size_t n = present.size();
-  /* Of each type: whether there are any, their largest density, and minus their least. */
+  /* For each type: whether it has particles, their largest density, and minus their least. */
   std::vector<double> mine(3 * n, -HUGE_VAL), all(3 * n);
   for (size_t t = 0; t < n; t++)
     mine[3 * t] = present[t];

@@ -1,4 +1,4 @@
-/* What a wall asks its engine: at set-up, and for each step.
+/* Interface to an engine: the functions that a wall calls at set-up and in each step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_ENGINE_H
@@ -58,7 +58,8 @@ public:
    * false where the script has none. */
   virtual bool constants(const char *name, bool pairs, std::vector<double> &values) const = 0;
 
-  /* How a script states such a constant, for an error message; empty where it cannot. */
+  /* The command that states such a constant in a script, for an error message; empty if there is
+   * none. */
   virtual std::string how_to_state(const char *name, bool pairs,
                                    const std::string &values) const = 0;
 

@@ -1,5 +1,5 @@
-/* What is wrong with a script, a file or a record: thrown in this room, and shown by the engine's
- * own means where it is caught.
+/* A fault in a script, a file or a record. Code in dem throws it; the engine's adapter catches it
+ * and shows it as an error of the engine.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_ERROR_H
@@ -16,8 +16,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/* What to tell a user of it. */
-inline std::string told(const std::exception &wrong) {
+/* The text for the user. */
+inline std::string message_of(const std::exception &wrong) {
   return dynamic_cast<const std::bad_alloc *>(&wrong) ? "out of memory" : wrong.what();
 }
 

@@ -139,8 +139,9 @@ void Wall::Flight::add_stay(Wall *wall, size_t shape, const Contact &contact, do
     path.v[d] += half[d] - before[d];
 }
 
-/* The path keeps along the walls as the search has them, which is not exactly what velocities at an
- * instant say; and what pushes the particle against them does not speed it up. */
+/* Makes the path follow the walls as the search finds them, which differs slightly from the
+ * velocities at one instant. The push against the walls must not speed the particle up along
+ * them. */
 void Wall::Flight::follow_walls() {
   aspi_copy(a0, acceleration);
   for (const Stay &stay : stays) {
@@ -165,8 +166,8 @@ void Wall::Flight::follow_walls() {
   aspi_add_scaled(half, elapsed() - 0.5 * spheres.dt, acceleration, begin);
 }
 
-/* The contacts of this place are over, or the step is: the walls take their impulses, and know of
- * the particle until the end of the step. */
+/* Ends the contacts of this place: the walls take their impulses, and remember that the particle
+ * rests on them until the end of the step. */
 void Wall::Flight::settle() {
   for (size_t k = 0; k < stays.size(); k++) {
     const Stay &stay = stays[k];
@@ -183,8 +184,8 @@ void Wall::Flight::settle() {
   supports.clear();
 }
 
-/* What the contacts of a particle that has stuck or was trapped leave of the change from its
- * velocity at the beginning to the one at the end: what acts on it until it moves with its wall. */
+/* Load of a particle that has stuck or was trapped: its change of velocity over the step, less the
+ * part of its other contacts. This is the load until it moves with its wall. */
 void Wall::Flight::give_rest(Wall *wall, size_t shape, const Contact &contact,
                              const double end[3]) const {
   const double none[3] = {0, 0, 0};

@@ -54,8 +54,8 @@ static void turn_along(const double from[3], const double n[3], const double v_w
   aspi_add_scaled(v, aspi_dot(u, across) / (sine * sine) * (1 / cosine - 1), across, v);
 }
 
-/* What sticks has its wall's velocity; a particle that stays at walls loses what the second half of
- * the step has given it against them; one that has rebounded gets its energy. */
+/* Ends a step. A stuck particle gets its wall's velocity; a resting one loses the velocity into its
+ * walls that the second half of the step has added; one that has rebounded gets its energy. */
 void Wall::hold(const std::vector<Wall *> &walls, const Spheres &s) {
   static thread_local std::vector<Near> resting;
   static thread_local std::vector<Wall *> held_by;

@@ -12,7 +12,7 @@
 
 using namespace asperity;
 
-/* How many rows a rank sends at once: the first rank holds as many of each. */
+/* Rows per message: the first rank holds this many of each rank. */
 static const size_t PIECE = 256;
 static const int TAG_OF_MESSAGES = 7301;
 
@@ -255,7 +255,7 @@ std::string Ledger::save(LedgerState &state) {
   late = share(late);
   if (!late.empty())
     why += (why.empty() ? "" : "; ") + ("the disk does not have all of the ledger file '" + path_ +
-                                        "' that this restart file tells of: " + late);
+                                        "' that this restart file counts: " + late);
   return why;
 }
 

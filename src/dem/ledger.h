@@ -22,7 +22,7 @@ class Ledger : public LedgerColumn {
 public:
   typedef LedgerRow Row;
 
-  /* What the engine has to do where rows cannot be written. */
+  /* Reaction of the engine if rows cannot be written. */
   enum OnError { STOP, GO_ON };
 
   /* Without a path there is no file. `owner` is what messages call the wall. columns: N_COLUMNS or
@@ -31,12 +31,12 @@ public:
          OnError on_error, int columns);
   ~Ledger();
 
-  /* What a restart file tells of the file; before open(). */
+  /* Takes the file's state from a restart file; before open(). */
   void restore(const LedgerState &saved);
 
   /* Opens the file, on rank 0, with a heading, for rows from `step` on; once, whenever a run
    * begins. Collective. Throws an Error on all ranks where it cannot be written or continued.
-   * Returns what the user should know, or an empty string. */
+   * Returns a note for the user, or an empty string. */
   std::string open(const std::string &heading, int64_t step);
 
   void add(const Row &row);
@@ -70,7 +70,7 @@ public:
   double memory_usage() const;
 
 private:
-  /* Where a row belongs. */
+  /* Sort key of a row. */
   struct Key {
     double step, time, tag, impact;
     bool operator<(const Key &other) const;

@@ -18,8 +18,8 @@
 
 using namespace asperity;
 
-/* How many of a file's last bytes tell it from another one; how many bytes are read or written at
- * once; and where a heading has ended, for certain. */
+/* Bytes at the end of a file that identify it; bytes per read or write; largest length of a
+ * heading. */
 static const int64_t TAIL = 4096;
 static const size_t BUFFER = 1 << 18, HEADING_MOST = 1 << 14;
 
@@ -94,13 +94,13 @@ void LedgerFile::open_stream() {
   fcntl(fd_, F_SETFL, fcntl(fd_, F_GETFL) & ~O_NONBLOCK);
 }
 
-/* As it is, or, where there is none, a new one; returns whether it is. */
+/* Opens an existing file, or creates it; returns true for a new one. */
 bool LedgerFile::open_regular(const LedgerState &saved) {
   const int flags = O_RDWR | O_CLOEXEC;
   fd_ = ::open(path_.c_str(), flags);
   const bool is_new = fd_ < 0 && errno == ENOENT;
   if (is_new && saved.path == path_ && saved.rows > 0)
-    throw Error("the ledger file '" + path_ + "' is gone, and the restart file tells of " +
+    throw Error("the ledger file '" + path_ + "' is gone, and the restart file counts " +
                 rows_of(saved.rows) +
                 " in it; it must be there, or 'ledger' name another file, which begins anew");
   if (is_new)
@@ -114,7 +114,7 @@ bool LedgerFile::open_regular(const LedgerState &saved) {
   return is_new;
 }
 
-/* File systems without locks tell other walls of this process only. */
+/* On file systems without locks, only the walls of this process exclude each other. */
 void LedgerFile::lock() {
   if (known().is_open)
     throw Error("the ledger file '" + path_ + "' is that of " + known().owner +
@@ -138,7 +138,7 @@ std::string LedgerFile::begin_or_continue(bool is_new, const LedgerState &saved,
   if (saved.rows == 0 || same_name)
     return "";
   return "ledger file '" + path_ + "' begins here; the " + rows_of(saved.rows) + " of '" +
-         saved.path + "' that the restart file tells of are not in it";
+         saved.path + "' that the restart file counts are not in it";
 }
 
 void LedgerFile::begin(const std::string &heading) {
@@ -176,22 +176,21 @@ std::string LedgerFile::continue_at(const LedgerState &state, const std::string 
   if (size() < state.bytes) {
     const int64_t found = count_rows(0, torn);
     throw Error("the ledger file '" + path_ + "' has " + rows_of(found) + ", and " + teller +
-                " tells of " + std::to_string(state.rows) + ": " +
+                " counts " + std::to_string(state.rows) + ": " +
                 std::to_string(state.rows - found) + " are missing" + advice);
   }
   check_columns();
   if (!holds(state))
-    throw Error("the ledger file '" + path_ + "' is another one than " + teller +
-                " tells of: its rows before number " + std::to_string(state.rows) + " differ" +
-                advice);
+    throw Error("the ledger file '" + path_ + "' is not that of " + teller +
+                ": its rows before number " + std::to_string(state.rows) + " differ" + advice);
   const int64_t after = count_rows(state.bytes, torn);
   rows_ = state.rows;
   bytes_ = state.bytes;
   take_back();
   if (torn_)
     throw Error(cannot_write(path_, why_));
-  std::string report = "ledger file '" + path_ + "' goes on behind the " + rows_of(rows_) +
-                       " that " + teller + " tells of";
+  std::string report = "ledger file '" + path_ + "' continues after the " + rows_of(rows_) +
+                       " that " + teller + " counts";
   if (after > 0 || torn)
     report += "; " + (after > 0 ? rows_of(after) : std::string()) +
               (after > 0 && torn ? " and " : "") + (torn ? "a part of a row" : "") +

@@ -1,9 +1,9 @@
-/* The file of a ledger, on the one rank that writes it: begun by a run, continued after a restart
- * or by a later wall of the same run, and whole rows in it whenever a window of rows has ended.
- * What cannot be written is taken back to the last row before the window. A file whose name ends
- * with .npy is a one-dimensional structured array in NumPy's format, version 1.0, any other one is
- * CSV. An array's header says how many rows there are and is written after them, so that a run
- * which dies leaves a whole file.
+/* The file of a ledger, on the one rank that writes it. A run begins it; a restart or a later wall
+ * of the same run continues it. Rows are added when a window of rows ends. If a write fails, the
+ * file is cut back to the last row before the window. A file whose name ends with .npy is a
+ * one-dimensional structured array in NumPy's format, version 1.0; any other one is CSV. The number
+ * of rows in an array's header is updated after the rows are written, so a run that dies leaves a
+ * valid file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_LEDGER_FILE_H
@@ -18,8 +18,7 @@
 
 namespace asperity {
 
-/* What a restart file says of a ledger's file: enough to cut the file back to it, and to tell it
- * from another one. */
+/* State of a ledger's file in a restart file: enough to recognize the file and cut it back. */
 struct LedgerState {
   std::string path; /* as the script has it; empty: there is nothing to continue */
   int64_t rows, bytes;
@@ -34,10 +33,10 @@ public:
   LedgerFile(const LedgerFile &) = delete;
   LedgerFile &operator=(const LedgerFile &) = delete;
 
-  /* Opens the file for rows from `step` on. It is continued where `saved`, of a restart file, tells
-   * of it, or where another wall of this run wrote it, and begun anew otherwise. Throws an Error
-   * where it cannot be written or continued, or is open already. Returns what the user should know,
-   * or an empty string. */
+  /* Opens the file for rows from `step` on. Continues it if `saved`, of a restart file, describes
+   * it, or if another wall of this run wrote it; begins it anew otherwise. Throws an Error if it
+   * cannot be written or continued, or is open already. Returns a note for the user, or an empty
+   * string. */
   std::string open(const LedgerState &saved, const std::string &heading, int64_t step);
 
   bool is_open() const {
@@ -85,7 +84,7 @@ private:
   bool is_array_, is_stream_; /* a pipe or a device */
   std::string begin_;         /* of an array's header, up to the number of its rows */
   int fd_;
-  std::pair<dev_t, ino_t> place_; /* tells the file from others, whatever they are called */
+  std::pair<dev_t, ino_t> place_; /* identify the file, whatever its name */
   int64_t rows_, bytes_;          /* of the windows that have ended */
   int64_t step_;                  /* of their last row */
   int64_t pending_;               /* bytes of this window that have been written */

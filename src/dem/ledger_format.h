@@ -29,7 +29,7 @@ struct LedgerColumn {
 };
 typedef std::array<double, LedgerColumn::N_FIELDS> LedgerRow;
 
-/* Whether a file of that name is an array. */
+/* True if a file of that name is an array. */
 bool is_ledger_array(const std::string &path);
 
 /* columns: how many of them a file has, N_COLUMNS or N_FULL; here and below. */
@@ -47,7 +47,8 @@ enum { LEDGER_HEADER = 2048 };
 std::string begin_array(const std::string &heading, int columns);
 std::string array_header(const std::string &begin, int64_t rows);
 
-/* What begin_array() made for a file of these columns, from its header; empty for other files. */
+/* Finds the text of begin_array() in the header of a file with these columns; empty for other
+ * files. */
 std::string find_begin(const std::string &header, int columns);
 
 } // namespace asperity

@@ -13,8 +13,8 @@ using namespace asperity;
 
 namespace {
 
-/* A long path is searched in pieces, the first one first: of this many radii, and longer ones where
- * they meet no more than so many triangles. */
+/* A long path is searched in pieces, the first one first: PIECE radii, and longer while a piece
+ * meets at most MANY triangles. */
 const double PIECE = 16;
 const size_t MANY = 64;
 
@@ -288,7 +288,7 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
   contact.follow = aspi_dot(follow, contact.n);
 }
 
-/* A face goes on in its plane where the centre has left the triangle: on a flat mesh it is the
+/* A face goes on in its plane where the center has left the triangle: on a flat mesh it is the
  * next one's, too. An edge or a corner, whose number is the complement of the triangle's, does not.
  */
 bool MeshShape::under(int face, const double x[3], double reach, double n[3],

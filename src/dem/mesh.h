@@ -58,8 +58,8 @@ public:
   void restore_motion(const std::vector<double> &record) override;
 
 protected:
-  /* A mesh of which this rank has the triangles of some boxes only says so, and can have those of
-   * another one too, at any time and without the other ranks' doing. */
+  /* True if this rank has all triangles. Otherwise it has those in some boxes, and can fetch
+   * another box's at any time without the other ranks. */
   virtual bool has_all() const {
     return true;
   }

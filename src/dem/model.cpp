@@ -83,8 +83,8 @@ void Model::finish() {
     make();
 }
 
-/* In two dimensions nothing may leave the plane. The law of a map tilts out of it, whatever the
- * script says. */
+/* Refuses spreads that leave the plane in two dimensions. The law of a map does, whatever the
+ * script's words. */
 void Model::check_dimension() const {
   if (engine_.dimension() != 2)
     return;
@@ -178,7 +178,7 @@ void Model::fit_sizes() {
   check_sampling(least);
 }
 
-/* Warns once of a measured wall that tells little about the least of the particles. */
+/* Warns once if the sampling of a measured wall is too coarse for the smallest particles. */
 void Model::check_sampling(double least) {
   asp_error doubt;
   asp_code code = ASP_OK;
@@ -307,7 +307,7 @@ void Model::make_pairs() {
                     asp_pair_get(pairs_[0].get(), "surface_energy"));
 }
 
-/* Where a constant of the pairs comes from. */
+/* Reports the source of a constant of the pairs. */
 void Model::report_constant(const char *keyword, const char *name, bool of_script, double value) {
   materials_report_ += std::string("\n  ") + keyword;
   if (is_given(keyword))
@@ -463,7 +463,7 @@ std::string Model::describe_surface() const {
   return line;
 }
 
-/* Whether the tilts come from a law of the rms slope alone. */
+/* True if the spread needs only s_eff. */
 bool Model::draws_from_gaussian() const {
   const std::string model = asp_spread_name(asp_wall_spread(wall_.get()));
   return model != "none" && model != "profile" && model != "traced";

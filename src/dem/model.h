@@ -1,5 +1,5 @@
-/* The wall that a script describes, as the core makes it; with the materials and the sizes of the
- * engine's particles, and with what the log says of it.
+/* The wall that a script describes, created by the core, with the materials and sizes of the
+ * engine's particles and the lines for the log.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_MODEL_H
@@ -34,7 +34,7 @@ public:
    * that the wall's pieces are made of. */
   void prepare(const std::vector<int> &wall_types);
 
-  /* What is new since it was last printed, for the log; empty if nothing is. */
+  /* Report for the log since the last call; empty if nothing is new. */
   std::string take_report();
 
   Deposit deposit() const {
@@ -46,7 +46,7 @@ public:
   const asp_wall *wall() const {
     return is_made_ ? wall_.get() : NULL;
   }
-  /* Of a particle type on a wall type; NULL where the law knows no materials. */
+  /* Pair of a particle type and a wall type; NULL if the law uses no materials. */
   const asp_pair *pair(int type, int wall_type) const;
 
   /* The coefficient of friction of a particle that rests, Coulomb's. */
@@ -62,10 +62,10 @@ public:
   /* True if the law needs the elastic constants of particle and wall. */
   bool needs_materials() const;
 
-  /* Whether a particle may stick: where it cannot, one that rests needs no look at the law. */
+  /* True if a particle may stick. If not, the law is skipped for a particle at rest. */
   bool sticks() const;
 
-  /* Whether a flow takes away what would stick. */
+  /* True if the flow removes a particle of this size that would stick. */
   bool removes(int type, int wall_type, double d_p) const;
 
   /* The range of diameters that the wall is made for, 0 where it depends on none; it goes into
@@ -78,7 +78,7 @@ public:
   /* The canonical text. */
   std::string description() const;
 
-  /* As one line: for the ledger's head. */
+  /* Description on one line, for the head of the ledger. */
   std::string heading() const;
 
 private:

@@ -51,7 +51,7 @@ public:
     return moves_;
   }
 
-  /* Whether the body's frame is the world's, to the bit, throughout the step. */
+  /* True if the body's frame equals the world's, to the bit, throughout the step. */
   bool in_world() const {
     return in_world_;
   }

@@ -1,4 +1,4 @@
-/* What a wall keeps of each particle: two rows of numbers that the engine stores, moves between
+/* State of each particle at a wall: two rows of numbers that the engine stores, moves between
  * ranks, and writes into restart files; all 0 at first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -25,7 +25,7 @@ struct ParticleState {
   double status;  /* a Status */
 };
 
-/* Where a stuck particle is, in the frame of its shape, and its velocity. */
+/* Position of a stuck particle in the frame of its shape, and its velocity. */
 struct StuckPlace {
   double shape; /* from 1; 0: gone */
   double piece, at[3], velocity[3];

@@ -1,5 +1,5 @@
-/* Planes and cylinders as walls; see primitive.h. A wall that moves only along itself stays where
- * it is, so that paths are looked at as they are.
+/* Planes and cylinders as walls; see primitive.h. A wall moves only along itself, so its surface
+ * stays in place and paths are searched without a moving frame.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/primitive.h"
@@ -116,8 +116,8 @@ bool CylinderShape::may_meet(const double lo[3], const double hi[3]) const {
   return nearest <= square && square <= farthest;
 }
 
-/* Of the wall's point under x, or rather of x turning with it: a wall that turns takes particles of
- * all sizes along at one angular speed. */
+/* Velocity of the wall under x, for a wall that turns: that of a point which turns with it at x
+ * itself, so that particles of all sizes are carried at one angular speed. */
 void CylinderShape::velocity(const double x[3], double v[3]) const {
   double axis[3] = {0, 0, 0}, arm[3];
   axis[cylinder_.axis] = 1;
@@ -134,7 +134,7 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
     return false;
   take_over(touch, path, contact);
   velocity(contact.x, contact.v_wall);
-  /* Inside, the wall curves towards the centre, outside away from it. */
+  /* Inside, the wall curves toward the center, outside away from it. */
   double axis[3] = {0, 0, 0}, around[3];
   axis[cylinder_.axis] = 1;
   aspi_cross(axis, contact.n, around);
@@ -142,7 +142,7 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
   const double side = distance < cylinder_.radius ? 1 : -1, left = path.left - touch.time;
   if (distance > 0)
     contact.curve = side * speed * speed / distance;
-  if (left > 0) { /* to the end of a chord that begins and ends at the wall */
+  if (left > 0) { /* angle to the end of a chord between two points of the wall */
     const double angle = std::min(1.0, fabs(speed) * left / distance);
     contact.closing += side * distance * angle * angle / (1 + sqrt(1 - angle * angle)) / left;
   }
@@ -182,7 +182,8 @@ void CylinderShape::carry(Place &place, double, double dt, double x[3], double v
   velocity(x, v);
 }
 
-/* On a cylinder the lay is a helix: it goes with the axis and around it, wherever it turns to. */
+/* On a cylinder the lay is a helix with a fixed angle to the axis, so a turning wall does not
+ * change it. */
 void CylinderShape::lay(const asp_lay &lay, const Path &, const Contact &contact,
                         double direction[3]) const {
   double axis[3] = {0, 0, 0}, around[3];

@@ -16,12 +16,12 @@ namespace asperity {
 typedef std::unique_ptr<asp_profile, void (*)(asp_profile *)> Profile;
 typedef std::unique_ptr<asp_map, void (*)(asp_map *)> Map;
 
-/* What the reader found and did, and what it doubts about the heights, or "". */
+/* Findings, repairs and doubts of the reader, or "". */
 struct Reading {
   std::string report, doubts;
 };
 
-/* Reads path, with `metre` of the result's units to a metre; collective. Throws the reader's
+/* Reads path, with `metre` of the result's units to a meter; collective. Throws the reader's
  * message, an Error, on all ranks. */
 Profile read_profile(MPI_Comm world, const std::string &path, double metre, Reading &reading);
 

@@ -1,4 +1,4 @@
-/* What a wall leaves in a restart file; see record.h.
+/* Packs and unpacks a wall's part of a restart file; see record.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/record.h"
@@ -88,7 +88,7 @@ private:
   size_t length_at_;
 };
 
-/* Takes no more than is there, whatever the lengths in it say. */
+/* Reads a record and never past its end, whatever lengths it contains. */
 class Reader {
 public:
   Reader(const std::string &name, const char *begin, size_t length)

@@ -1,6 +1,6 @@
-/* What a wall leaves in a restart file, and its form there: a head with a magic number, a version,
- * the length, and checksums, then sections, each with a name and a length. Numbers are in the
- * machine's own form, as in the engines' restart files.
+/* A wall's part of a restart file: a head with a magic number, a version, the length, and
+ * checksums, then sections, each with a name and a length. Numbers are in the machine's own form,
+ * as in the engines' restart files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_RECORD_H
@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/* What the script says of the wall: names, and what they are set to. */
+/* Settings of the wall in the script: names and values. */
 typedef std::vector<std::pair<std::string, std::string>> Settings;
 
 /* The same with the clauses of the description in its place, each by its first word. */
@@ -52,13 +52,14 @@ std::vector<char> pack(const WallState &state);
  * its length as an int. */
 void check_record_size(uint64_t bytes);
 
-/* Reads a record of which that many bytes may be there; an engine that does not tell how many gives
- * none, and then the length in the head counts, which has its own checksum. Throws an Error for
- * bytes that are damaged, cut short, or of another version. */
+/* Reads a record from at most `available` bytes. An engine that does not know this number leaves it
+ * out; then the length in the head counts, which has its own checksum. Throws an Error if bytes are
+ * damaged, cut short, or of another version. */
 WallState unpack(const char *bytes, size_t available = SIZE_MAX);
 
-/* Which saved mesh each of a wall's meshes (ID and number of triangles; none for a primitive wall)
- * continues: its index, or -1. `report` says what is not continued; empty where all is. */
+/* For each mesh of a wall (ID and number of triangles; none for a primitive wall), the index of the
+ * saved mesh that it continues, or -1. `report` lists the saved data that is dropped; empty if
+ * none. */
 std::vector<int> match_meshes(const WallState &saved,
                               const std::vector<std::pair<std::string, int64_t>> &now,
                               std::string &report);

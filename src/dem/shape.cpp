@@ -1,4 +1,4 @@
-/* What a shape can do by its boxes alone; see shape.h.
+/* Default functions of a shape, from its boxes alone; see shape.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/shape.h"
@@ -7,7 +7,7 @@
 
 using namespace asperity;
 
-/* Each try is of so many times fewer steps. */
+/* Each try divides the number of steps by this. */
 static const double FEWER = 4;
 
 double Shape::clear(const double x[3], const double v[3], double reach, double widen, double most,

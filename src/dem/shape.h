@@ -1,5 +1,5 @@
-/* What a wall is made of, as the contacts of a step see it: a plane, a cylinder, a mesh. An engine
- * may add shapes of its own.
+/* A part of a wall for the contact search: a plane, a cylinder, a mesh. An engine may add shapes of
+ * its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_SHAPE_H
@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/* What is left of a particle's step: from x, with v, for the time `left` of the step dt. */
+/* Rest of a particle's step: from x, with v, for the time `left` of the step dt. */
 struct Path {
   double x[3], v[3], left, dt;
   double share() const { /* of the step that is over */
@@ -23,20 +23,19 @@ struct Path {
 /* The first contact of a path with a shape. */
 struct Contact {
   double time;      /* since the beginning of the path */
-  double x[3];      /* of the centre then, moved out of the wall where it overlapped */
-  double n[3];      /* outward unit normal, from the wall to the centre */
+  double x[3];      /* of the center then, moved out of the wall where it overlapped */
+  double n[3];      /* outward unit normal, from the wall to the center */
   double v_wall[3]; /* of the point that is touched */
-  double follow;    /* acceleration along n that keeps the centre at the wall as that moves: that of
-                       its point, and of its turn under the centre */
-  double curve;     /* the same of the wall's own curve, as the centre moves along it */
+  double follow;    /* acceleration along n that keeps the center at the moving wall */
+  double curve;     /* the same due to the wall's curvature, as the center moves along it */
   double closing;   /* mean speed along -n over the rest of the path as it was searched */
   int piece;        /* number of the triangle; 0 for a shape of one piece */
   int face;         /* the piece, or where a shape of one piece has several faces, which of them */
   bool overlapped;  /* the particle was in the wall already */
 };
 
-/* Where a particle has stuck: all that a shape needs to find it again, as numbers that go into
- * restart files. `at` is the centre in the frame of the shape. */
+/* Position of a stuck particle, as numbers for restart files from which the shape can find it
+ * again. `at` is the center in the frame of the shape. */
 struct Place {
   int piece;
   double at[3];
@@ -55,7 +54,7 @@ struct Faces {
 
 struct Spheres;
 
-/* What the contact of one particle does to a piece of a wall. */
+/* Impulse of one contact on one piece of a wall. */
 struct ContactLoad {
   int piece;
   int type;           /* of the particle, from 1 */
@@ -67,7 +66,7 @@ struct ContactLoad {
   double dissipated;  /* energy */
   double eroded;      /* mass of the wall */
 
-  /* That of particle i with its center at `center`, with an impulse per mass on the particle. */
+  /* Load of particle i with its center at `center`, from an impulse per mass on the particle. */
   ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
               const double impulse_per_mass[3], const double v_before[3]);
 };
@@ -76,21 +75,20 @@ class Shape {
 public:
   virtual ~Shape() {}
 
-  /* How far the fastest point of the shape moves in this step. */
+  /* Distance that the fastest point of the shape moves in this step. */
   virtual double travel(double dt) const = 0;
 
-  /* Whether a box may meet the shape as it is at the end of the step; false only where it does not.
-   */
+  /* False only if a box cannot meet the shape in its position at the end of the step. */
   virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
 
-  /* For how many steps a sphere of radius `reach`, which grows by `widen` a step, cannot meet the
-   * shape as it is at the end of this step, but for the faces at which it stays, while its centre
-   * goes on from x by v a step: a lower bound, at most `most`. */
+  /* Lower bound of the number of steps in which a sphere of radius `reach`, growing by `widen` a
+   * step, cannot meet the shape in its position at the end of this step, while its center moves
+   * from x by v a step; at most `most`. The faces at which it stays do not count. */
   virtual double clear(const double x[3], const double v[3], double reach, double widen,
                        double most, const Faces &stays) const;
 
-  /* Whether a particle that has crossed the edge of the box along an axis, where that is periodic,
-   * has the same shape before it as if it had gone on. */
+  /* True if the shape looks the same to a particle before and after it crosses the periodic edge of
+   * the box along an axis. */
   virtual bool repeats(int) const {
     return false;
   }
@@ -103,13 +101,13 @@ public:
     return find(path, radius, path.left, contact);
   }
 
-  /* The wall under a centre that has stayed at a face, at the end of the step: the normal and the
-   * velocity of the wall's point. False where the centre is farther away than `reach`. */
+  /* The wall under a center that has stayed at a face, at the end of the step: the normal and the
+   * velocity of the wall's point. False if the center is farther away than `reach`. */
   virtual bool under(int face, const double x[3], double reach, double n[3],
                      double v_wall[3]) const = 0;
 
-  /* Where a particle is that sticks at this contact of the path; and, after it has been carried for
-   * the time dt, its place and velocity at the end of the step. */
+  /* Stores the position of a particle that sticks at this contact of the path; and, after it has
+   * been carried for the time dt, gives its place and velocity at the end of the step. */
   virtual void stick(const Path &path, const Contact &contact, Place &place) const = 0;
   virtual void carry(Place &place, double radius, double dt, double x[3], double v[3]) const = 0;
 
@@ -129,7 +127,7 @@ public:
   }
   virtual void take(const ContactLoad &) {}
 
-  /* What a continued run has to know of a shape that has moved; none where it has not. */
+  /* State that a continued run needs of a shape that has moved; empty if it has not. */
   virtual std::vector<double> motion_record() const {
     return std::vector<double>();
   }

@@ -1,14 +1,14 @@
 /* The contacts of a particle in one step: impacts, by the wall's law, and sustained contacts, by
  * Moreau's rule (sustained.h).
  *
- * One criterion tells them apart, for every kind of wall: a contact is sustained if the particle,
- * thrown back at the speed of its approach, would return within a step by what its straight path
- * leaves out. With the acceleration a of the particle and f of the wall (Contact::follow), that is
+ * One criterion separates them, for every kind of wall. A contact is sustained if a particle that
+ * rebounds at the speed of its approach would be pushed back to the wall within one step. With the
+ * acceleration a of the particle and f of the wall (Contact::follow), that is
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
  *
- * where the curve of the wall joins f if the particle stayed there before, and turns it by less
- * than TURN in a step; one that flies meets a curved wall again by its straight path. Less than
+ * f includes the curvature of the wall if the particle stayed there before and turns by less than
+ * TURN in a step; a free particle meets a curved wall again on its straight path. A speed below
  * GRAZING is no approach.
  *
  * A sustained contact is no impact: it has no row and is not counted.
@@ -34,9 +34,9 @@ const double GRAZING = 1e-6;
 /* The angle by which a wall's curve may turn a particle that stays at it in a step, rad. */
 const double TURN = 0.1;
 
-/* Contacts in a row within this share of the radius. After SERIES of them, as between walls that
- * close, all are taken as sustained; after twice as many the search ends for this step, and the
- * particle is trapped if there were impacts among them. */
+/* Contacts are in a row if they are within this share of the radius. After SERIES of them, as
+ * between closing walls, all are taken as sustained. After twice as many the search ends for this
+ * step; the particle is trapped if there were impacts among them. */
 const int SERIES = 16;
 const double NEAR = 0.01;
 
@@ -52,7 +52,8 @@ const double ROUNDING = 1e-9;
 
 } // namespace
 
-/* What sticks goes with its wall; then, of the others, the few that may touch a wall. */
+/* Computes all contacts of a step: stuck particles move with their wall, then the few others that
+ * may touch a wall are searched. */
 void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
   static thread_local std::vector<Near> near;
   static thread_local std::vector<Wall *> near_walls;
@@ -81,7 +82,8 @@ void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
         wall->set_status(i, Status::FREE);
 }
 
-/* Of one wall: what it knows of the step before, what sticks to it, and what may touch it. */
+/* Prepares one wall for a step: resets the states of the last step, moves stuck particles, and
+ * lists the particles that may touch it. */
 void Wall::begin_step(const Spheres &spheres, int number, std::vector<Near> &near) {
   std::fill(counters_ + FORCE, counters_ + TORQUE + 3, 0.0);
   for (int i : touching_) {
@@ -170,8 +172,7 @@ void Wall::search_all(const std::vector<Wall *> &walls, Flight &flight) {
     wall->ahead_.due[flight.i] = 0;
 }
 
-/* What is known of the way ahead holds on if the particle has met the faces at which it stayed
- * before, and no others. */
+/* A prediction stays valid if the particle has met exactly the faces at which it stayed before. */
 void Wall::look_next(const std::vector<Wall *> &near, const Flight &flight) {
   const int i = flight.i;
   for (Wall *wall : near) {
@@ -306,7 +307,7 @@ bool Wall::is_sustained(Flight &flight, size_t shape, Contact &contact, const do
   return stays || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * push, GRAZING * speed));
 }
 
-/* What the wall's law makes of a contact. */
+/* Applies the wall's law to a contact. */
 Wall::Event Wall::hit(const Flight &flight, size_t shape, const Path &before,
                       const Contact &contact, const double v1[3]) {
   const Spheres &s = flight.spheres;

@@ -1,4 +1,4 @@
-/* What sticks to a wall, and goes with it.
+/* Particles stuck to a wall, and how they move with it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/flight.h"
@@ -60,8 +60,8 @@ void Box::bring_near(const double near[3], double x[3]) const {
       x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
 }
 
-/* What is stuck knows its mesh by a number, which another script may have changed. What is stuck to
- * a mesh that is gone stays where it is. */
+/* A stuck particle refers to its mesh by a number, which may differ in another script. One that is
+ * stuck to a removed mesh stays in place. */
 void Wall::renumber_stuck(const Spheres &spheres) {
   for (int i = 0; !shape_now_.empty() && i < spheres.n; i++) {
     StuckPlace &stuck = place(i).stuck;

@@ -68,9 +68,9 @@ void solve_one(Support &s, double radius, double v[3], double omega[3]) {
   aspi_copy(p, s.p);
 }
 
-/* Sweeps from no impulses on. The changes soon shrink by one factor from sweep to sweep: every
- * third time, the impulses go on by the sum of what is to come (Aitken). False if an approach is
- * left. */
+/* Gauss-Seidel sweeps over the supports, from zero impulses. The changes soon shrink by one factor
+ * from sweep to sweep: every third sweep, the impulses jump by the sum of the remaining series
+ * (Aitken). False if an approach is left. */
 bool sweep(std::vector<Support> &supports, double radius, double v[3], double omega[3]) {
   for (Support &s : supports)
     for (int d = 0; d < 3; d++)

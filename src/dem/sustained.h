@@ -35,8 +35,8 @@ struct Support {
  * the impulses are those that bring it there, shared equally. */
 bool solve_supports(std::vector<Support> &supports, double radius, double v[3], double omega[3]);
 
-/* What the friction of a solved contact takes from the sphere, as energy per mass: where it slides,
- * with the impulse times the speed. */
+/* Energy per mass that friction of a solved contact takes from the sphere: impulse times sliding
+ * speed. */
 double slide_work(const Support &support, double radius, const double v[3], const double omega[3]);
 
 } // namespace asperity

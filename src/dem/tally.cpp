@@ -1,5 +1,5 @@
-/* What contacts do to a wall: its counters, force and torque, the sums of its shapes and triangles,
- * and the rows of its ledger. All loads come through Wall::add().
+/* Results of contacts at a wall: its counters, force and torque, the sums of its shapes and
+ * triangles, and the rows of its ledger. All loads come through Wall::add().
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/wall.h"
@@ -50,7 +50,7 @@ void Wall::add(size_t shape, const ContactLoad &load) {
     member.shape->take(load);
 }
 
-/* What holds a stuck particle, which had the velocity `before` and has now that of its wall. */
+/* Load that holds a stuck particle: it had the velocity `before` and now has that of its wall. */
 void Wall::add_held(const Spheres &s, int i, const double before[3]) {
   const StuckPlace &stuck = place(i).stuck;
   const double none[3] = {0, 0, 0};

@@ -26,11 +26,11 @@ namespace {
 /* Triangles per MPI_Allreduce. */
 const size_t SHOWN = 32768;
 
-/* How far a particle may stray from the way that it was looked ahead on, in each step, in radii of
- * the smallest. */
+/* Distance per step by which a particle may stray from its predicted path, in radii of the smallest
+ * particle. */
 const double STRAY = 2e-3;
 
-/* How far sustained contacts may bend its path within a step, as a share of that. */
+/* Largest bend of the path by sustained contacts within a step, as a share of that distance. */
 const double BEND = 0.25;
 
 } // namespace
@@ -171,8 +171,7 @@ void Wall::reorder(const Spheres &spheres) {
   ahead_.due.resize(n);
   ahead_.v.resize(3 * n);
   ahead_.tag.resize(n, -1);
-  for (size_t i = 0; i < n;
-       i++) { /* what is known of a particle holds where it is still this one */
+  for (size_t i = 0; i < n; i++) { /* predictions of other particles are void */
     const int64_t tag = spheres.tag_of(static_cast<int>(i));
     if (ahead_.tag[i] == tag)
       continue;
@@ -182,7 +181,7 @@ void Wall::reorder(const Spheres &spheres) {
   check_speeds(spheres);
 }
 
-/* Whether all shapes look the same to a particle that has come round a periodic box. */
+/* True if all shapes look the same to a particle that has crossed a periodic edge of the box. */
 bool Wall::repeats() const {
   bool all = true;
   for (const Member &member : shapes_)
@@ -214,8 +213,8 @@ void Wall::reset_step(int64_t now, int64_t before) {
   clock_.step += static_cast<double>(now - before);
 }
 
-/* Each rank looks where particles are put into a new order; they tell each other when something is
- * printed, and do not wait for each other in between. */
+/* Each rank checks its own particles at every neighbor build. The ranks exchange results only when
+ * something is printed, so none waits for another in between. */
 void Wall::check_speeds(const Spheres &s) {
   for (int i = 0; !warned_ && i < s.n; i++) {
     const double *v = s.v + 3 * static_cast<size_t>(i);
@@ -264,7 +263,7 @@ void Wall::end_step(int64_t step, bool output) {
     check_written(ledger_->end_step(step));
 }
 
-/* Rows that cannot be written end the run, or are told, as the script says. */
+/* If rows cannot be written, ends the run or warns, as the script chooses. */
 void Wall::check_written(const std::string &wrong) const {
   if (wrong.empty())
     return;

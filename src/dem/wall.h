@@ -1,10 +1,9 @@
-/* A rough wall in a simulation: the contacts of its particles in each step, what sticks to it, its
- * counters, its ledger, and what goes into restart files. It knows no engine.
+/* A rough wall in a simulation: the contacts of its particles in each step, its stuck particles,
+ * counters, ledger, and restart data. It does not depend on an engine.
  *
  * A contact is an event on the straight path of a step, found before the forces of that step are
- * worked out: the particle goes on from there with its new velocity for the rest of the step,
- * through as many contacts, on as many walls, as there are. Walls of one run are worked out
- * together.
+ * computed. The particle continues from there with its new velocity for the rest of the step,
+ * through any number of contacts on any number of walls. All walls of a run are computed together.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_WALL_H
@@ -61,16 +60,16 @@ public:
 
   explicit Wall(const Engine &engine);
 
-  /* A shape, of atoms of wall_type, with `pieces` triangles numbered from 0 (0: of one piece), and
-   * a name by which a restart file knows it. */
+  /* Adds a shape, of atoms of wall_type, with `pieces` triangles numbered from 0 (0: one piece),
+   * and a name by which restart files refer to it. */
   void add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                  const std::string &name);
   size_t shapes() const {
     return shapes_.size();
   }
 
-  /* Reads the rest of the command. geometry: what the command says before it, for messages. own:
-   * the engine's own keywords, or NULL. */
+  /* Reads the rest of the command. geometry: the words before it, for messages. own: the engine's
+   * own keywords, or NULL. */
   void parse(Words &words, const std::string &geometry, OwnKeywords *own = NULL);
 
   /* Before a run, and at its beginning, when all particles are where they belong; collective. */
@@ -83,12 +82,12 @@ public:
     place_ = reinterpret_cast<ParticlePlace *>(place);
   }
 
-  /* Where the box may have changed its size since setup(). */
+  /* Call when the box may have changed its size since setup(). */
   void set_box(const Box &box) {
     box_ = box;
   }
 
-  /* Where particles may have grown: what was seen of their ways ahead counts no more. */
+  /* Discards all predictions; call when particles may have grown. */
   void look_anew();
 
   /* After particles have moved between ranks, or have been put into another order. */
@@ -100,7 +99,7 @@ public:
   /* The end of a step, after its forces, for all walls of a run; their rows must be set. */
   static void hold(const std::vector<Wall *> &walls, const Spheres &spheres);
 
-  /* Whether particles of this rank are to be deleted. */
+  /* True if particles of this rank are to be deleted. */
   bool has_to_delete() const {
     return has_to_delete_;
   }
@@ -145,8 +144,8 @@ public:
 
   double bytes() const;
 
-  /* What goes into a restart file, on rank 0, and back, before init(); collective. Both throw an
-   * Error where that cannot be. */
+  /* Saves and restores the wall's restart data, on rank 0; restore before init(). Collective. Both
+   * throw an Error if they fail. */
   std::vector<char> save();
   void restore(const char *record);
 
@@ -199,8 +198,8 @@ private:
   /* The contacts of one particle in one step. */
   struct Flight;
 
-  /* Of each particle, until which step it cannot touch if it keeps this velocity: at another face
-   * than those at which it stays. Less than 0: it stays, and is near others until that step. */
+  /* For each particle, the first step in which it may touch if it keeps this velocity, not counting
+   * faces at which it stays. Negative: it stays, and is near others until that step. */
   struct Ahead {
     int now; /* steps are counted from the beginning of the run */
     std::vector<int> due;

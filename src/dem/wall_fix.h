@@ -90,7 +90,7 @@ public:
     try {
       action();
     } catch (const std::exception &wrong) {
-      fail(told(wrong));
+      fail(message_of(wrong));
     }
   }
 
@@ -150,7 +150,7 @@ public:
       }
       Wall::step(walls, this->spheres());
     } catch (const std::exception &wrong) {
-      fail_alone("Fix wall/rebound: " + told(wrong));
+      fail_alone("Fix wall/rebound: " + message_of(wrong));
     }
     for (WallFix *fix : siblings_) {
       if (!fix->deletes())

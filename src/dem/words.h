@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/* All functions throw an Error that says what is missing or wrong; `what` names the value in it. */
+/* All functions throw an Error that names what is missing or wrong; `what` names the value in
+ * it. */
 class Words {
 public:
   Words(int count, const char *const *words) : words_(words, words + count), next_(0) {}
@@ -23,7 +24,7 @@ public:
   bool is(const char *word) const {
     return !done() && words_[next_] == word;
   }
-  /* Whether the next word is one of those in a list, with blanks between. */
+  /* True if the next word is in a list of words separated by blanks. */
   bool is_one_of(const std::string &list) const;
   /* Goes past the next word if it is this one. */
   bool take(const char *word);

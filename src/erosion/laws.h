@@ -1,4 +1,4 @@
-/* The list of the erosion laws. A law says how much of a wall one impact wears off, by speed,
+/* The list of the erosion laws. A law gives the mass that one impact wears off, by speed,
  * impact angle and diameter. A new law is one file that defines its record, and one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

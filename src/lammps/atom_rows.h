@@ -33,8 +33,8 @@ public:
   int pack(int i, double *to) const; /* these two: how many numbers there are */
   int unpack(int i, const double *from);
 
-  /* The first number says how many there are, with itself; `all` has those of other fixes before
-   * the wall's, which are number `nth`. */
+  /* The first number is the count, including itself; `all` has those of other fixes before the
+   * wall's, which are number `nth`. */
   int save(int i, double *to) const;
   void restore(int i, const double *all, int nth);
 

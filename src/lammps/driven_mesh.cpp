@@ -112,7 +112,7 @@ DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, co
     try {
       tree.reset(read_tree());
     } catch (const std::exception &error) {
-      wrong = told(error);
+      wrong = message_of(error);
     }
   long long sizes[2] = {static_cast<long long>(wrong.size()), static_cast<long long>(pieces_)};
   MPI_Bcast(sizes, 2, MPI_LONG_LONG, 0, world);

@@ -1,5 +1,5 @@
-/* A mesh of triangles from a file, at rest or moved as the script says by a formula in time: for
- * engines that have no meshes of their own.
+/* A mesh of triangles from a file, at rest or moved by a formula in time: for engines that have no
+ * meshes of their own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_DRIVEN_MESH_H
@@ -29,7 +29,7 @@ public:
   }
   void at(double time, Frame &frame, Twist &twist) const;
 
-  /* As numbers, for a restart file. */
+  /* The motion as numbers, for a restart file. */
   enum { NUMBERS = 8 };
   void save(double numbers[NUMBERS]) const;
   void restore(const double numbers[NUMBERS]);
@@ -51,12 +51,11 @@ public:
     return pieces_;
   }
 
-  /* How many triangles there are and how far they reach, for the log. */
+  /* Number of triangles and their extent, for the log. */
   std::string describe() const;
 
-  /* What is wrong where the mesh is at rest outside of the box and its next images (`period` 0
-   * where there are none), or over 100 times as large, and which scale would bring it in; else
-   * empty. */
+  /* Warning about a mesh at rest outside of the box and its next images (`period` 0 where there are
+   * none), or over 100 times as large, with the scale that would bring it in; else empty. */
   std::string misfit(const Bounds &box, const double period[3]) const;
 
   /* Another motion, from where the mesh is now; it begins with the next step. */

@@ -1,4 +1,4 @@
-/* What a script must not have; see engine_checks.h.
+/* Checks for commands that a script must not have; see engine_checks.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "engine_checks.h"

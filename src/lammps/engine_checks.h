@@ -1,4 +1,5 @@
-/* What a script must not have beside a wall: each function returns an error message, or "".
+/* Checks for commands that a script must not have beside a wall: each function returns an error
+ * message, or "".
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_ENGINE_CHECKS_H

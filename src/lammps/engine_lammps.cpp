@@ -62,7 +62,7 @@ double EngineOfLammps::radius_to_come(int type) const {
   return most;
 }
 
-/* Of those that are to come, LAMMPS tells the largest of each type only. */
+/* For particles still to come, LAMMPS gives only the largest diameter of each type. */
 void EngineOfLammps::diameters(double &least, double &most) const {
   double mine[2] = {-HUGE_VAL, 0}, all[2];
   const Atom *atom = program_->atom;

@@ -1,5 +1,5 @@
-/* Whether a LAMMPS that runs is the one whose headers this was compiled with. Another version, or
- * another layout of its classes, would crash later and elsewhere.
+/* Checks that the running LAMMPS is the one whose headers this was compiled with. Another version,
+ * or another layout of its classes, would crash later and elsewhere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_LIBRARY_CHECK_H
@@ -9,10 +9,10 @@
 
 namespace LAMMPS_NS {
 
-/* What is another, as a message; empty if nothing is. */
+/* A message about the first difference; empty if there is none. */
 std::string check_library(class LAMMPS *lammps);
 
-/* That message. */
+/* The text of that message. */
 std::string library_mismatch(const std::string &what, const std::string &found,
                              const std::string &expected);
 

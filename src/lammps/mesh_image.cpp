@@ -9,7 +9,8 @@
 
 using namespace LAMMPS_NS;
 
-/* What dump image calls a triangle, in a header since LAMMPS draws more than three kinds. */
+/* Codes of dump image for a triangle; they are in a header since LAMMPS draws more than three
+ * kinds. */
 #if __has_include("graphics.h")
 static const int TRIANGLE = Graphics::TRI;
 #else

@@ -12,7 +12,7 @@
 
 namespace {
 
-/* Of LAMMPS's library interface. */
+/* Functions of LAMMPS's library interface. */
 typedef int (*Version)(void *lammps);
 typedef int (*Setting)(void *lammps, const char *name);
 typedef void (*Report)(void *lammps, int kind, const char *text);
@@ -44,7 +44,7 @@ std::string mismatch(const std::string &what, int theirs, int ours) {
          "; build asperity again against this LAMMPS";
 }
 
-/* What forbids the style in this LAMMPS; empty if nothing does. */
+/* Reason why this LAMMPS cannot have the style; empty if there is none. */
 std::string check(void *lammps) {
   const Version version = find<Version>("lammps_version");
   const Setting setting = find<Setting>("lammps_extract_setting");
@@ -73,7 +73,7 @@ Register load_style(std::string &wrong) {
   return function;
 }
 
-/* As an error of LAMMPS, which a Python session survives; LAMMPS before November 2022 has no
+/* Reports an error of LAMMPS, which a Python session survives; LAMMPS before November 2022 has no
  * function for it. */
 void report(void *lammps, const std::string &wrong) {
   const std::string message = std::string(NAME) + ": " + wrong;

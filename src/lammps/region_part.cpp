@@ -135,7 +135,7 @@ bool RegionPart::has(const double x[3]) const {
   return region_->inside(at[0], at[1], at[2]);
 }
 
-/* Of its two sides, a region tells of the one where the point is. */
+/* LAMMPS reports only the side of a region on which the point is. */
 void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoot> &feet) const {
   double at[3];
   aspi_copy(x, at);
@@ -176,8 +176,8 @@ void RegionPart::velocity_by(const RegionPose &rate, double share, const double 
     aspi_add_scaled(v, 1, rate.shift, v);
 }
 
-/* A rate is the mean over a step: that of its middle. Within the step it goes on as it has changed
- * since the step before. */
+/* A stored rate is the mean over a step, valid at its middle. Within the step it is extrapolated
+ * from the last change. */
 RegionPose RegionPart::rate_at(double share) const {
   RegionPose then = rate_;
   const double on = has_last_ ? share - 0.5 : 0;

@@ -1,6 +1,6 @@
-/* A region of LAMMPS that is no union or intersection, as a rigid body: where it is within a step,
- * how fast, and where the nearest points of its faces are. LAMMPS knows its displacement and its
- * angle at the end of each step, by variables; in between they are taken as linear in time.
+/* A region of LAMMPS that is no union or intersection, as a rigid body: its position and velocity
+ * within a step, and the nearest points of its faces. LAMMPS has its displacement and its angle at
+ * the end of each step, by variables; in between they are taken as linear in time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REGION_PART_H
@@ -21,7 +21,7 @@ struct RegionPose {
 /* The nearest point of a face. */
 struct RegionFoot {
   double distance, n[3]; /* unit, from the face to the point */
-  double hollow;         /* radius of a face that is hollow towards the point; 0 for others */
+  double hollow;         /* radius of a face that is hollow toward the point; 0 for others */
   bool inside;           /* seen from inside of the part */
   bool behind;           /* all of the face is behind the plane across the foot */
   bool across;           /* seen from the side from which it is not touched */

@@ -34,10 +34,10 @@ const double CURVE = 0.01;
 /* How well a curve and a motion are known, as shares of what they do to a path. */
 const double MEASURED = 1e-3;
 
-/* Where faces may be hidden, a search looks every so many radii. */
+/* Step of a search among faces that may be hidden, in radii. */
 const double STRIDE = 0.5;
 
-/* A search that has looked so often goes on by larger steps, of so many radii. */
+/* After PATIENCE steps a search takes larger ones, of HURRY radii. */
 const int PATIENCE = 1000;
 const double HURRY = 1e-3;
 
@@ -101,7 +101,7 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
   aspi_subtract(path.v, v_wall, v);
 }
 
-/* The speed towards a foot. It counts where it is more than rounding, or along a hollow face more
+/* The speed toward a foot. It counts where it is more than rounding, or along a hollow face more
  * than sliding; of a sphere that slides along one, or begins its path at a moving face, where its
  * mean over the rest of the path does. */
 double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &counts) const {
@@ -134,7 +134,7 @@ double RegionShape::Search::follow(const Look &l, const Foot &foot) const {
   return aspi_dot(a, foot.n);
 }
 
-/* The acceleration along n that keeps the centre at a face, by the face's curve: from the distance
+/* The acceleration along n that keeps the center at a face, by the face's curve: from the distance
  * a little way ahead. */
 double RegionShape::Search::curve(const Look &l, const Foot &foot, const double v[3]) const {
   double along[3], ahead[3];

@@ -1,7 +1,7 @@
 /* A region of LAMMPS as a wall: block, cone, cylinder, plane, prism, sphere, and unions and
- * intersections of them, at rest, or moved and turned by variables. A region tells where the
- * nearest points of its faces are (region_part.h). The rest is worked out here: the first contact
- * along a path, and what a union hides of its parts.
+ * intersections of them, at rest, or moved and turned by variables. The nearest points of its faces
+ * come from region_part.h. Computed here: the first contact along a path, and the faces of its
+ * parts that a union hides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_REGION_SHAPE_H
@@ -20,7 +20,7 @@ public:
   /* Throws an asperity::Error. */
   RegionShape(LAMMPS *lammps, const std::string &id);
 
-  /* What the script says of it, equal for equal regions. */
+  /* Description of the region, equal for equal regions. */
   std::string description() const;
 
   /* Before a run: it may have been deleted, or defined anew. Throws an asperity::Error. */
@@ -58,14 +58,14 @@ private:
 
   typedef RegionFoot Foot;
 
-  /* What is near a point of the path. */
+  /* Faces near a point of the path. */
   struct Look {
     double time, x[3];
     bool in_room;
     std::vector<Foot> feet;
   };
 
-  /* Of one search at a time; kept for their memory. */
+  /* Buffers of one search at a time, kept to reuse their memory. */
   struct Buffers {
     Look good, now, between;
     std::vector<Foot> feet;

@@ -1,7 +1,7 @@
 /* An STL file, read as a stream; see stl_file.h. The format is that of 3D Systems'
  * StereoLithography Interface Specification (1988): text in words, or 80 bytes of any text, the
  * number of triangles, and 50 bytes for each. Either may begin with the word `solid`; a file is
- * binary whose length is what its number of triangles says.
+ * binary if its length fits its number of triangles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stl_file.h"

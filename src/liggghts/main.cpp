@@ -76,7 +76,7 @@ template <class T> void check_layout(const char *name, T *object) {
        (std::to_string(sizeof(T)) + " bytes").c_str());
 }
 
-/* Of a Modify that may be under construction, before the rest of LAMMPS is made. */
+/* Adds the style to a Modify that may be under construction, before the rest of LAMMPS exists. */
 void register_style(LAMMPS *lammps, Modify *modify) {
   if (!strstr(lammps->universe->version, ASPERITY_LIGGGHTS_VERSION))
     fail("the LIGGGHTS library", lammps->universe->version, ASPERITY_LIGGGHTS_VERSION);

@@ -25,10 +25,10 @@ using asperity::Wall;
 /* A mesh of fewer triangles is kept whole by each rank. */
 static const size_t LARGE = 1000;
 
-/* What is read for a place that is not known is wider on each side by this share of its longest. */
+/* A box of triangles that is fetched is widened on each side by this share of its longest side. */
 static const double WIDER = 0.5;
 
-/* Two boxes are put into one where that is no more than so many times larger than both. */
+/* Two boxes are merged if the union is at most this many times larger than both. */
 static const double UNITED = 2;
 
 /* By how much of its size a mesh may have changed its form, by rounding. */
@@ -137,7 +137,7 @@ void MeshOfLiggghts::fetch(const Bounds &box) const {
   add_fetched(wide);
 }
 
-/* What is known never shrinks. */
+/* Adds a box to those with fetched triangles; they never shrink. */
 void MeshOfLiggghts::add_fetched(Bounds wide) const {
   for (size_t k = 0; k < fetched_.size();) { /* one that is near becomes a part of it */
     Bounds both = fetched_[k];
@@ -246,7 +246,7 @@ static Frame frame_of(const double a[3], const double b[3], const double c[3]) {
   return frame;
 }
 
-/* Where the mesh is, and how it moves, by its three nodes, each of the rank that owns it. */
+/* Position and motion of the mesh from three of its nodes, each read on the rank that owns it. */
 Frame MeshOfLiggghts::look(Twist &twist) const {
   double mine[18] = {0}, all[18];
   Nodes *moving = mesh()->isMoving() ? mesh()->prop().getElementProperty<Nodes>("v") : NULL;
@@ -277,8 +277,8 @@ Frame MeshOfLiggghts::look(Twist &twist) const {
   if (same)
     frame = Frame();
 
-  /* Of two arms a and b and their velocities: the part of the rotation across a, and the rest from
-   * b. */
+  /* From two arms a and b and their velocities: the part of the rotation across a, and the rest
+   * from b. */
   double a[3], b[3], va[3], vb[3], n[3], w[3], rest[3];
   aspi_subtract(x[1], x[0], a);
   aspi_subtract(x[2], x[0], b);
@@ -336,7 +336,8 @@ bool MeshOfLiggghts::runs() const {
   return fix_->surfaceVel();
 }
 
-/* Of the triangles of this rank; the others keep what they had, where that does not change. */
+/* Reads the belt velocities of this rank's triangles; the others keep theirs, which do not
+ * change. */
 void MeshOfLiggghts::read_belt() {
   const bool first = belt_.empty();
   if (first)

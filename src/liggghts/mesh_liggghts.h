@@ -32,8 +32,8 @@ public:
   }
 
   /* At the beginning of a run, with the box around this rank's particles; collective. Throws an
-   * asperity::Error where the mesh has changed its form since the first run. Returns what the user
-   * should know, or an empty string. */
+   * asperity::Error where the mesh has changed its form since the first run. Returns a note for
+   * the user, or an empty string. */
   std::string setup(const asperity::Bounds &here);
 
   /* In each step, when the mesh is where it is at the end of it; collective. */
@@ -91,7 +91,7 @@ private:
   std::unique_ptr<asperity::SharedTriangles> shared_; /* of a large mesh on several ranks */
   std::string report_;                                /* for the log */
   mutable std::vector<asperity::Bounds> fetched_; /* of which this rank has the triangles then */
-  NodeName nodes_[3]; /* far from each other: they tell where the mesh is */
+  NodeName nodes_[3]; /* far from each other: they fix the position of the mesh */
   double reference_[3][3];
   double force_[3], torque_[3];             /* handed over in this step; of the next one so far */
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */

@@ -1,5 +1,5 @@
-/* What a mesh of LIGGGHTS measures and shows: sums of its triangles, and force, torque and wear for
- * its stress module; see mesh_liggghts.h.
+/* Sums of a mesh of LIGGGHTS over its triangles, and force, torque and wear for its stress module;
+ * see mesh_liggghts.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh_liggghts.h"
@@ -25,8 +25,8 @@ static const char *name_of(int k) {
   return k < Wall::N_SUMS ? Wall::SUM_NAMES[k] : "erosion_depth";
 }
 
-/* The mesh's own restart does not know these properties when it reads its triangles, so they stay
- * out of it (restart_no); the fix keeps them. */
+/* The mesh's own restart reads its triangles before these properties exist, so they stay out of it
+ * (restart_no); the fix keeps them. */
 void MeshOfLiggghts::add_sums() {
   for (int k = 0; k <= Wall::N_SUMS; k++) {
     sums_[k] = mesh()->prop().addElementProperty<ScalarContainer<double>>(

@@ -8,7 +8,7 @@
 
 using namespace asperity;
 
-/* So many rows are read at once. */
+/* Rows per read. */
 static const int PIECE = 2048;
 
 Bounds asperity::bounds_of_row(const double row[SharedTriangles::ROW]) {

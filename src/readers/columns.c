@@ -19,7 +19,7 @@ typedef struct column_layout {
   double step; /* of heights alone, in units of x */
 } column_layout;
 
-/* What is read into. */
+/* State of reading the rows. */
 typedef struct scan {
   aspi_positions positions;
   size_t end_line; /* where the data end before the file does; 0: never */

@@ -1,9 +1,9 @@
-/* What instruments' own software does to a profile before it states a roughness: the stylus tip
- * taken out, the noise filter lambda_s, and the waviness filter (cut-off), as Gaussian filters of
+/* Filters that instruments apply to a profile before they state a roughness: the stylus tip taken
+ * out, the noise filter lambda_s, and the waviness filter (cut-off). They are Gaussian filters of
  * ISO 16610-21, or for the cut-off the robust one of ISO 16610-31 (weights of degree zero,
- * bisquare). The weights are those within the profile, normalized, so that its ends are not drawn
- * to zero. A tip of radius r has left the dilation of the surface; what can be known of it is that
- * dilation eroded (Villarrubia 1997).
+ * bisquare). Weights are normalized over the part within the profile, so that its ends are not
+ * drawn to zero. A tip of radius r has measured the dilation of the surface; the best estimate of
+ * the surface is the erosion of that dilation (Villarrubia 1997).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/filter.h"
@@ -40,7 +40,7 @@ static void transmit(double *data, size_t n, double spacing, double cutoff) {
   gsl_fft_halfcomplex_radix2_inverse(data, 1, n);
 }
 
-/* What a filter works with: `size` = 2^k points, with room beyond the profile for the weights. */
+/* Buffers of a filter: `size` = 2^k points, with room beyond the profile for the weights. */
 typedef struct work {
   size_t points, size;
   double spacing, cutoff;

@@ -11,7 +11,7 @@ typedef struct aspi_filters {
   double tip;      /* radius of the stylus */
   double lambda_s; /* shorter waves are taken out, */
   double cutoff;   /* and longer ones (lambda_c of ISO 21920-3, not the correlation length) */
-  bool robust;     /* the cut-off is not drawn towards deep valleys and high peaks */
+  bool robust;     /* the cut-off is not drawn toward deep valleys and high peaks */
 } aspi_filters;
 
 /* Filters heights at equal spacing, in place. ASP_EARG where a length does not fit the profile. */

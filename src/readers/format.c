@@ -1,4 +1,4 @@
-/* Which format a measured file is in, by how it begins.
+/* Detects the format of a measured file by its first bytes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"

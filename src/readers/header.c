@@ -1,6 +1,6 @@
-/* Which columns of a text file are positions and heights, and in which units: by the line of names
- * above them, where there is one. A column that states a unit of length, or is named as a position
- * or a height, goes before one that states another unit or is named as a counter or a time.
+/* Finds the columns of positions and heights in a text file, and their units, from the line of
+ * names above them, if there is one. A column that states a unit of length, or is named as a
+ * position or a height, is preferred to one with another unit or one named as a counter or a time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/header.h"
@@ -12,10 +12,10 @@
 #include <string.h>
 #include <strings.h>
 
-/* What a name says that its column is. */
+/* Quantity that a column's name stands for. */
 typedef enum kind { UNKNOWN, POSITION, HEIGHT, NO_LENGTH } kind;
 
-/* What the lines of names say of one column. */
+/* A column according to the lines of names. */
 typedef struct column {
   char name[64];
   double unit; /* m; 0: none is stated */
@@ -72,7 +72,7 @@ static kind kind_of(const char *name) {
   return UNKNOWN;
 }
 
-/* Takes what one line of the header says into the columns, and returns how many it names; 0 where
+/* Adds one line of the header to the columns, and returns the number of columns that it names; 0 if
  * it is no line of names. */
 static int take_names(const char *line, char separator, int fields, column *columns,
                       bool *has_names) {
@@ -170,7 +170,7 @@ static bool are_known(const column *columns) {
   "say which columns are positions and heights (x-column, z-column), or the step of heights "      \
   "alone (step)"
 
-/* What is known of a line's columns, and where a reason goes. */
+/* Facts about a file's columns, and a buffer for the reason of a failure. */
 typedef struct choice {
   const aspi_profile_options *options;
   column columns[ASP_COLUMNS_MOST];
@@ -180,7 +180,7 @@ typedef struct choice {
   size_t size;
 } choice;
 
-/* Names must be as many as columns where there are more columns than needed. */
+/* True if every column has a name, or there are no more columns than needed. */
 static bool are_named(const choice *c) {
   if (c->used <= (c->options->step > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
     return true;
@@ -215,7 +215,7 @@ static bool find_asked(const choice *c, int *x, int *z) {
   return *x != -2 && *z != -2 && !same;
 }
 
-/* Completes the columns, where x = fields stands for none; -1 where there is none. */
+/* Fills in a missing x or z column; x = fields means no x column, -1 means none was found. */
 static void complete(const choice *c, int *x, int *z) {
   int with_unit = 0, n = c->fields;
   for (int i = 0; i < n; i++)

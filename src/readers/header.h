@@ -1,4 +1,4 @@
-/* Which columns of a text file are positions and heights; see header.c.
+/* Finds the columns of positions and heights in a text file; see header.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_HEADER_H

@@ -34,8 +34,8 @@ typedef struct grid {
   size_t count;
 } grid;
 
-/* A difference of two coordinates is one of the grid, not of rounding, from this part of the step
- * of a square grid of as many points on. */
+/* Differences of two coordinates below this part of the step (of a square grid with the same number
+ * of points) are rounding, not a step of the grid. */
 #define GRID_PART (1 / 32.)
 
 /* The grid along one axis: from the least to the greatest coordinate, by the mean of the steps

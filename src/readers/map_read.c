@@ -156,7 +156,7 @@ static asp_code read_as_text(FILE *stream, const char *path, aspi_raw *raw, asp_
 
 /* ---- any file ---- */
 
-/* What applies to profiles only. */
+/* Rejects options that apply to profiles only. */
 static asp_code check_options(const char *path, const aspi_profile_options *o, asp_error *error) {
   const struct {
     const char *name;

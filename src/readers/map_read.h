@@ -1,4 +1,4 @@
-/* What the readers of maps hand to each other.
+/* Shared by the readers of maps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_MAP_READ_H
@@ -7,7 +7,7 @@
 #include "surface/map.h"
 #include "readers/read.h"
 
-/* How a map is read besides what it has in common with a profile. */
+/* Options of a map beyond those that it shares with a profile. */
 typedef struct aspi_map_options {
   const aspi_profile_options *read;
   double step[2]; /* m between the columns and the rows of a matrix; 0: as the file states */
@@ -28,11 +28,12 @@ typedef struct aspi_map_points {
 asp_code aspi_map_points_add(aspi_map_points *points, const double point[ASP_MAP_AXES],
                              asp_error *error);
 
-/* Puts them on their grid; unit: metres in one of each axis. ASP_EDATA where there is none. */
+/* Puts them on their grid; unit: meters in one of each axis. ASP_EDATA where there is none. */
 asp_code aspi_map_points_place(const aspi_map_points *points, const char *path,
                                const double unit[ASP_MAP_AXES], aspi_raw *raw, asp_error *error);
 
-/* A map from an open stream, levelled and mended as the options say. `path` is for messages. */
+/* Reads a map from an open stream, levels and repairs it as the options ask. `path` is for
+ * messages. */
 asp_map *aspi_map_read_stream(FILE *stream, const char *path, const aspi_map_options *options,
                               aspi_profile_report *report, asp_error *error);
 

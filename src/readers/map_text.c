@@ -21,7 +21,8 @@
 
 enum { LINE_MOST = 1 << 22 };
 
-/* Numbers are equal steps apart to this part of one, and there are that many to tell by. */
+/* Numbers form a ramp if their steps are equal to this part of a step, over at least RAMP_LEAST
+ * numbers. */
 #define RAMP_OFF 1e-2
 enum { RAMP_LEAST = 8 };
 
@@ -139,7 +140,7 @@ static asp_code check_end(scanner *s, size_t columns, const char *what, asp_erro
   return fail_at(s, error, what);
 }
 
-/* What a header says: lengths of the sides and the unit of heights, 0 where nothing. */
+/* Data of a header: lengths of the sides and the unit of heights; 0 if absent. */
 typedef struct head {
   double side[2], unit_z;
   double units[2]; /* of the first column and of the last */

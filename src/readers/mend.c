@@ -178,14 +178,14 @@ static void cut_ends(aspi_raw *raw) {
   memmove(z, z + first, raw->points * sizeof *z);
 }
 
-/* What fills the gaps: a weighted mean of what the lines through a point say. */
+/* Sums that fill the gaps: a weighted mean over the lines through a point. */
 typedef struct filling {
   double *sum, *weight;
   size_t longest;
 } filling;
 
-/* Adds what a line of `n` heights, `stride` apart, says about its gaps: between two good points
- * those on a straight line, beyond the last one its height; a short gap counts more. */
+/* Adds the estimates of a line of `n` heights, `stride` apart, for its gaps: a straight line
+ * between two good points, the last good height beyond them. A short gap has a larger weight. */
 static void bridge(const aspi_raw *raw, size_t from, size_t n, size_t stride, filling *f) {
   size_t before = n; /* the last good point; n: none */
   for (size_t i = 0; i <= n; i++) {

@@ -1,4 +1,4 @@
-/* What is done to heights as a file has them before they are a profile or a map; see mend.c.
+/* Repairs of raw heights, before they become a profile or a map; see mend.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_MEND_H

@@ -9,7 +9,7 @@
 
 enum { ASP_MISSING_KNOWN = 16 };
 
-/* How often a value was met, and where first: a line, or the number of a point. */
+/* A value, its number of occurrences, and the first place: a line, or the number of a point. */
 typedef struct aspi_missing_value {
   size_t count, place;
 } aspi_missing_value;
@@ -20,7 +20,7 @@ typedef struct aspi_range_end {
   aspi_missing_value met;
 } aspi_range_end;
 
-/* Begins as {.stated = NAN}, or a height that the user says stands for none. */
+/* Starts as {.stated = NAN}, or with the height that the user declares as missing. */
 typedef struct aspi_missing {
   double stated;
   size_t count; /* of heights that are none of the known marks */
@@ -32,9 +32,9 @@ typedef struct aspi_missing {
 /* Takes in one height, as the file has it, and returns it; NAN where it is the stated one. */
 double aspi_missing_note(aspi_missing *marks, double height, size_t place);
 
-/* ASP_EDATA where a value most likely stands for a missing height: a known mark far out of the
- * range of the others, or that recurs more often than all that is near to it; any other value,
- * where it recurs, further off the others than they are from each other. */
+/* ASP_EDATA if a value most likely marks missing heights. A known mark does if it is far outside
+ * the range of the others, or recurs more often than all values near it. Any other value does if it
+ * recurs and is farther from the others than they are from each other. */
 asp_code aspi_missing_check(const aspi_missing *marks, const char *path, asp_error *error);
 
 #endif

@@ -113,7 +113,7 @@ asp_code aspi_positions_add(aspi_positions *p, const aspi_text *text, double x, 
     x = distance(p, x, y);
   if (p->points > 0) {
     double last = p->list[p->points - 1].x;
-    if (!(fabs(p->sign) > 0)) /* the first step that is none of zero tells */
+    if (!(fabs(p->sign) > 0)) /* the first step other than 0 decides */
       p->sign = x < last ? -1 : x > last;
     asp_code code = add_step(p, text, x, error);
     if (code)

@@ -1,4 +1,4 @@
-/* What the readers of profile files hand to each other.
+/* Shared by the readers of profile files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_READ_H
@@ -9,13 +9,13 @@
 #include "readers/filter.h"
 #include "readers/raw.h"
 
-/* Columns of a text file that are looked at, and the highest degree of a form. */
+/* Largest number of columns that a text file may use, and the highest degree of a form. */
 enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
 
-/* How a measured profile is read. */
+/* Options of reading a measured profile. */
 typedef struct aspi_profile_options {
-  double unit_x, unit_z; /* metres in one unit of a text file's columns; 0: as the file states */
-  double metre;          /* one metre in the unit of the result: 1 for SI, 1e6 for micrometres */
+  double unit_x, unit_z; /* meters in one unit of a text file's columns; 0: as the file states */
+  double metre;          /* one meter in the unit of the result: 1 for SI, 1e6 for micrometers */
   int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
   double spikes;         /* points this many robust sd off their neighbors are bad, and refused or
                             filled as those are; 0: none are */
@@ -27,16 +27,16 @@ typedef struct aspi_profile_options {
   const char *x_column,
       *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
   double step;    /* m, of a text file that has heights alone; 0: it has positions */
-  double missing; /* where has_missing: a height that stands for none */
+  double missing; /* if has_missing: the height that marks a missing one */
   bool has_missing;
   aspi_filters filters;
 } aspi_profile_options;
 
-/* Units as stated, metres, a mean line taken out, gaps refused, unequal spacing resampled, first
+/* Units as stated, meters, a mean line taken out, gaps refused, unequal spacing resampled, first
  * row of a map, heights in the second column of a text file. */
 aspi_profile_options aspi_profile_options_default(void);
 
-/* What the reader found and did. */
+/* Findings and repairs of the reader. */
 typedef struct aspi_profile_report {
   size_t points;      /* read from the file */
   size_t bad;         /* bad points among them: not a number, or marked as bad */
@@ -63,7 +63,7 @@ asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *opt
 void aspi_report(aspi_profile_report *report, const aspi_raw *raw,
                  const aspi_profile_options *options);
 
-/* What a file is by its beginning; SDF is that of ISO 25178-71. Leaves the stream at its beginning.
+/* Formats, detected by the first bytes; SDF is that of ISO 25178-71. Detection rewinds the stream.
  * ASP_EDATA for closed formats, with the name of a free program that converts them. */
 typedef enum aspi_format {
   ASP_FORMAT_TEXT,
@@ -79,14 +79,13 @@ asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options,
 asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                        asp_error *error);
 
-/* The header of a file in SDF as text; NAN where it says nothing. Then its heights in turn, as many
- * as points x profiles, before z_scale; NAN where one is marked as bad; and what must follow them.
- */
+/* The header of an SDF text file, NAN for absent keys. Then its points x profiles heights in turn,
+ * before z_scale, NAN for bad points; and the trailer that must follow them. */
 typedef struct aspi_sdf {
   double points, profiles, x_scale, y_scale, z_scale, compression;
 } aspi_sdf;
 
-/* What does not apply to SDF: it states its units, its spacing (`step`) and bad points itself. */
+/* Rejects options that SDF files do not need: they state units, spacing (`step`) and bad points. */
 asp_code aspi_sdf_check_options(const char *path, const aspi_profile_options *options, double step,
                                 asp_error *error);
 
@@ -95,7 +94,7 @@ asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, doubl
                          asp_error *error);
 asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error);
 
-/* As aspi_profile_read, from an open stream; `path` is for messages only. */
+/* Like aspi_profile_read, from an open stream; `path` is for messages only. */
 asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
                                       const aspi_profile_options *options,
                                       aspi_profile_report *report, asp_error *error);

@@ -29,7 +29,7 @@ void asp_reader_free(asp_reader *reader) {
   free(reader);
 }
 
-/* An option: one of the pointers says where it is kept. */
+/* An option; one of the pointers names its variable. */
 typedef struct option {
   const char *name;
   double *number;

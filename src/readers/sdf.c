@@ -11,7 +11,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Where a key's value goes; NULL for keys that do not matter here. */
+/* The variable of a key; NULL for keys that do not matter here. */
 static double *place_of(aspi_sdf *h, const char *key) {
   const struct {
     const char *key;
@@ -144,7 +144,7 @@ asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error) {
   return code;
 }
 
-/* Which row or column of a map to keep, from 1; the other is 0. */
+/* Row or column of a map to keep, from 1; the other is 0. */
 typedef struct section {
   size_t row, column;
 } section;

@@ -16,15 +16,15 @@ enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 /* Neighbors whose heights differ by less than this part of the range do so by rounding. */
 #define ROUNDING 1e-9
 
-/* Heights are cut off at an end of their range where this part of the points lies there, and this
- * many times as many as next to it: within this part of the range, and within as many steps. */
+/* Heights are clipped if this share of all points is at one end of their range, and this many times
+ * the number of the points next to it: within this part of the range, and this many steps. */
 #define CUT_PART 2e-3
 #define CUT_TIMES 3
 #define CUT_NEXT 1e-2
 #define CUT_STEPS 3.5
 
-/* A measured wall tells little about particles that cover fewer points, and little at all where it
- * is shorter than this in correlation lengths. */
+/* Below this many points per particle a measured wall resolves little, and also if it is shorter
+ * than this many correlation lengths. */
 #define POINTS_PER_PARTICLE 10.0
 #define LENGTH_LEAST 20.0
 

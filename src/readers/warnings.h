@@ -1,4 +1,4 @@
-/* What makes measured heights doubtful: dust, heights in a few steps, heights that are cut off.
+/* Warnings about measured heights: dust, heights in a few steps, clipped heights.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_WARNINGS_H
@@ -11,7 +11,7 @@
 
 /* Heights as a file has them, before the form is taken out. */
 typedef struct aspi_steps {
-  size_t points, levels; /* levels: 0 where there are too many to tell */
+  size_t points, levels; /* levels: 0 if there are too many to count */
   double quantum;        /* the least distance between neighbors of different height */
   double end[2];         /* the lowest and the highest one */
   size_t cut[2];         /* points that lie there side by side, where they are many; else 0 */

@@ -18,7 +18,7 @@
  * within 0.008 up to 60 degrees and has its least CoR_T at 70 degrees; this form with that mu has
  * it at 45 degrees and lies up to 0.35 higher.
  *
- * The form knows no spin. `spin on` lets the particle take part, as an extension of this project:
+ * The form has no spin. `spin on` lets the particle take part, as an extension of this project:
  * the impulse that the law takes from v_t1 is taken from the velocity of the particle's surface,
  * with its angle in place of alpha', and ends where the surface stops, at (2/7) of its speed.
  *
@@ -80,7 +80,7 @@ static long double softened(const double *p) {
   return fmaxl(0, 1 - p[SOFTEN_RATE] * over);
 }
 
-/* Where nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
+/* If nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1, density = hit->density;

@@ -1,4 +1,4 @@
-/* Tables of coefficients of restitution beyond what asperity.h says of them.
+/* Tables of coefficients of restitution: internals beyond those in asperity.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_REBOUND_COR_TABLE_H

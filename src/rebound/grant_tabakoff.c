@@ -1,4 +1,4 @@
-/* Grant & Tabakoff 1975: sand on aluminium 2024, mean coefficients and their standard deviations as
+/* Grant & Tabakoff 1975: sand on aluminum 2024, mean coefficients and their standard deviations as
  * polynomials in the impact angle beta (rad) at the face that is hit:
  *
  *   e_n  = 0.993 - 1.76 beta + 1.56 beta^2 - 0.49 beta^3
@@ -9,7 +9,7 @@
  * All from one secondary source; a negative sd is taken as 0. The scatter is drawn from a
  * log-normal law with that mean and sd: the source does not say which law it is, and a normal one
  * would throw particles into the wall (e_n < 0). It is the scatter of a real wall, roughness
- * included. The law knows neither speed nor material, and nothing sticks.
+ * included. The law depends on neither speed nor material, and nothing sticks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
@@ -62,7 +62,7 @@ static bool scatters(const double *p) {
 
 const asp_rebound_law aspi_rebound_grant_tabakoff = {
     .name = "grant_tabakoff",
-    .summary = "measured means over impact angle, sand on aluminium 2024, with or without scatter",
+    .summary = "measured means over impact angle, sand on aluminum 2024, with or without scatter",
     .source = "Grant & Tabakoff 1975 (by one secondary source, original not seen)",
     .measured = true,
     .n_parameters = N_PARAMETERS,

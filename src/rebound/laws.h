@@ -35,10 +35,10 @@ typedef struct aspi_hit {
   aspi_stream *stream;        /* for laws that draw */
 } aspi_hit;
 
-/* What is left of it: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit, where
- * the wall takes deposits. A law that turns the particle gives, instead of v_t2, the impulse along
- * the face per mass, against the velocity of the particle's surface: 0 <= rub <= (4/7) u_t1, where
- * the energy of flight and spin together does not grow. */
+/* Velocities after a hit: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit,
+ * where the wall takes deposits. A law that turns the particle gives, instead of v_t2, the impulse
+ * along the face per mass, against the velocity of the particle's surface: 0 <= rub <= (4/7) u_t1,
+ * where the energy of flight and spin together does not grow. */
 typedef struct aspi_bounce {
   double v_n2;
   double v_t2;

@@ -17,7 +17,7 @@ struct asp_material {
   const char *source;
 };
 
-/* What a contact between one particle material and one wall material needs, worked out once. */
+/* Constants of a contact between one particle material and one wall material, computed once. */
 struct asp_pair {
   double modulus;        /* composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w) */
   double yield_stress;   /* of the particle, >= 0 */

@@ -28,7 +28,7 @@ typedef struct columns {
   int name, title, modulus, poisson, density, yield, source;
 } columns;
 
-/* Where the columns are; -1 and a message where one that must be there is not. */
+/* Positions of the columns; -1 and a message if a required one is missing. */
 static columns columns_of(const aspi_csv *csv, asp_error *error) {
   return (columns){.name = aspi_csv_need(csv, "name", error),
                    .title = aspi_csv_find(csv, "title"),

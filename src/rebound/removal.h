@@ -1,4 +1,4 @@
-/* What the shear of a flow takes away of what sticks.
+/* Removal of deposits by the shear of a flow.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_REBOUND_REMOVAL_H

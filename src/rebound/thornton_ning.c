@@ -14,8 +14,8 @@
  *
  * Gamma = 2 gamma is the work of adhesion, gamma the pair's surface energy, as in `bons`. Their
  * adhesive and plastic parts are joined here by the radius R_p; adhesion is left out of the
- * loading. They say nothing of what happens along the face: there it is the hard sphere of `walton`
- * with the pair's friction, Coulomb's, and beta0 = 0.
+ * loading. The motion along the face is not part of their law; it is the hard sphere of `walton`
+ * with the pair's Coulomb friction and beta0 = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
@@ -36,7 +36,7 @@ static const asp_parameter parameters[N_PARAMETERS] = {
                   .keyword = "pressure_ratio"},
 };
 
-/* What the spring returns of an approach speed, and the radius of its dent per R. */
+/* Speed after unloading for a given approach speed, and the dent's radius per R. */
 static long double unload(long double n1, long double v_y, long double *radius) {
   *radius = 1;
   if (n1 <= v_y)

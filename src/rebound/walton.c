@@ -43,7 +43,7 @@ static const asp_parameter parameters[N_PARAMETERS] = {
                .unit = "",
                .fallback = 0,
                .most = 1,
-               .text = "rotational restitution of a contact that sticks: its surface goes on with "
+               .text = "rotational restitution of a contact that sticks: its surface leaves with "
                        "-beta0 times its speed; 0: it rolls"},
     [COMPLIANCE] = {.name = "compliance",
                     .unit = "",

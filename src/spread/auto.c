@@ -32,7 +32,7 @@ static double kappa_of(int i) {
   return rows[i].kappa;
 }
 
-/* Where the grid has nothing on one side, that side of the span is infinite. */
+/* A side of the span without grid points is infinite. */
 static span widen(double least, double most, int n, double (*value)(int)) {
   span wide = {-INFINITY, INFINITY};
   for (int i = 0; i < n; i++) {

@@ -16,7 +16,7 @@ static double normal_quantile(double p, double q) {
   return p < q ? gsl_cdf_ugaussian_Pinv(p) : gsl_cdf_ugaussian_Qinv(q);
 }
 
-/* What the cuts leave of the whole. */
+/* Probability left after both cuts. */
 static double mass(double sigma, double lo, double hi) {
   return 1 - tail(-lo / sigma) - tail(hi / sigma);
 }

@@ -21,7 +21,7 @@ enum {
 /* Below the first one slopes are small, and the first hits depend on a and kappa only. */
 static const double aspi_ensemble_phi_r[ASP_ENSEMBLE_PHIS] = {0.125, 0.35, 0.65, 1};
 
-/* The last one stands for normal impact. */
+/* The last node is normal impact. */
 static inline double aspi_ensemble_a(int node) {
   double part = node / (ASP_ENSEMBLE_AS - 1.);
   return part < 1 ? part / (1 - part) : 1e6;
@@ -35,7 +35,7 @@ static inline double aspi_ensemble_z(int node) {
   return 0.25 * (node - (ASP_ENSEMBLE_ZS - 1) / 2);
 }
 
-/* Of a view with alpha1 >= 0, by its slope, kappa and phi_r. */
+/* Quantile for a view with alpha1 >= 0, by its slope, kappa and phi_r. */
 double aspi_ensemble_quantile(const aspi_view *view, double u);
 double aspi_ensemble_distribution(const aspi_view *view, double delta);
 double aspi_ensemble_density(const aspi_view *view, double delta);

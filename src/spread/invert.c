@@ -15,14 +15,14 @@ enum { STEPS = 24 };
  * below rounding: the error squares. */
 #define SMALL 1e-8
 
-/* Newton's step from x towards a share u below, in the logarithm of the tail that is the smaller
+/* Newton's step from x toward a share u below, in the logarithm of the tail that is the smaller
  * one at the root. Infinite where the tail or the density has run out: no quotient overflows. */
 static double step(aspi_point p, double u) {
   double tail = u < 0.5 ? p.below : p.above, share = u < 0.5 ? u : 1 - u;
   if (!(tail > 1e-300 * share && p.density > LEAST * tail))
     return INFINITY;
-  double towards = tail / p.density * log(share / tail);
-  return u < 0.5 ? towards : -towards;
+  double toward = tail / p.density * log(share / tail);
+  return u < 0.5 ? toward : -toward;
 }
 
 static double straight_step(aspi_point p, double u) {

@@ -11,7 +11,7 @@
 #define ASP_LINE_POINTS_MOST ((size_t)131072)
 
 /* Faces over a period: face i is straight, has the slope[i] of the contact at point i, and ends at
- * (end_x, end_z)[i], between the points i and i + 1. Flight is towards larger x. */
+ * (end_x, end_z)[i], between the points i and i + 1. Flight is toward larger x. */
 typedef struct aspi_line {
   size_t n;
   double step;       /* between points */
@@ -52,7 +52,7 @@ typedef struct aspi_spot {
   double x, z;
 } aspi_spot;
 
-/* Where particles first hit that have these places in the beam: shares of a period from 0 to 1,
+/* Points of first hit for the given places in the beam: shares of a period from 0 to 1,
  * ascending. */
 void aspi_line_hits(const aspi_line *line, double fall, const double *share, size_t count,
                     aspi_spot *spots);

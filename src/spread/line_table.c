@@ -39,7 +39,7 @@ static const aspi_shares of_first = {96, 16, FIRST_NODES}, of_later = {24, 4, LA
 /* Elevations are this times k |k|. */
 #define ELEVATION_MOST (89.5 * ASP_PI / 180)
 
-/* The impact angle that stands for each range, and where the range begins. */
+/* Representative impact angle of each range, and the start of the range. */
 static const double incoming_at[INCOMING] = {0.05, 0.2, 0.7};
 static const double incoming_from[INCOMING] = {0, 0.1, 0.4};
 

@@ -7,7 +7,7 @@
 #include "spread/line_table.h"
 #include "surface/ball.h"
 
-/* The tables of flights along an azimuth (rad, from x towards y), [0], and against it, [1], from
+/* The tables of flights along an azimuth (rad, from x toward y), [0], and against it, [1], from
  * lines across the whole map with about `points` points in all, `step` apart, joined to one line.
  * The sphere touches the map only, not what is beyond its edges. ASP_ENOMEM. */
 asp_code aspi_map_line_tables(const aspi_ball *ball, const asp_map *map, double azimuth,

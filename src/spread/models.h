@@ -22,7 +22,7 @@ typedef struct aspi_view {
   double kappa;     /* of the particle along its flight; for models with geometry */
   double phi_r;     /* r_q/lambda_c along the flight, for those too */
   bool has_azimuth; /* the wall has a lay, and `azimuth` (rad) is the angle from the axis across it
-                       to the flight, counted towards the lay's other side: from n x lay */
+                       to the flight, counted toward the lay's other side: from n x lay */
   double azimuth;
 } aspi_view;
 
@@ -31,7 +31,7 @@ aspi_view aspi_view_of(double sigma, double alpha1);
 
 /* A spread model: the distribution of the tilt delta_alpha of the face that is hit. Each is cut to
  * |delta_alpha| < 90 degrees and alpha1 + delta_alpha < 180 degrees (a height function has no
- * overhangs, and a particle hits only faces turned towards it) and normalized. At sigma = 0
+ * overhangs, and a particle hits only faces turned toward it) and normalized. At sigma = 0
  * delta_alpha = 0. */
 struct asp_spread_model {
   const char *name;

@@ -1,8 +1,9 @@
-/* First hits of the geometry, from a table. On a Gaussian wall that of an ensemble (ensemble.h); on
- * a wall by its profile quantiles of the tilt over impact angle and particle size, each the exact
- * first hits of the profile there. Linear interpolation keeps them monotone in u and above -alpha1.
- * Escape and later hits come from the tables of the profile's line (line_table.h); on a wall by its
- * map everything does (map_table.h). On a Gaussian wall particles that fly up follow `visible`.
+/* First hits of the geometry, from a table. On a Gaussian wall the table is that of an ensemble
+ * (ensemble.h). On a measured profile it has quantiles of the tilt over impact angle and particle
+ * size, from the exact first hits of the profile. Linear interpolation keeps them monotone in u and
+ * above -alpha1. Escape and later hits come from the tables of the profile's line (line_table.h);
+ * on a measured map everything comes from map_table.h. On a Gaussian wall particles that fly up
+ * follow `visible`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -22,11 +23,11 @@ enum { ANGLES = 64, NODES = ASPI_SHARES_NODES(512, 32), SIZE = ANGLES * NODES };
 
 static const aspi_shares shares = {512, 32, NODES};
 
-/* Later hits are tabled from this many faces at most. */
+/* Largest number of faces for the tables of later hits. */
 #define LATER_FACES_MOST ((size_t)131072)
 
 typedef struct table {
-  aspi_map_table *map; /* of a wall by its map; then nothing else is in it */
+  aspi_map_table *map; /* of a measured map; then all else is empty */
   int bins;
   double d_p[ASP_BINS_MAX];
   aspi_line_table *later[ASP_BINS_MAX][2]; /* of flights both ways */
@@ -210,7 +211,8 @@ static double density(const aspi_view *view, double delta) {
          (node_at(&c, node + 1) - node_at(&c, node));
 }
 
-/* Hit after hit over a profile: the first from the quantiles, the others from the line tables. */
+/* Follows a particle over a profile: the first hit from the quantiles, the others from the line
+ * tables. */
 static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
   const table *t = view->data;
   if (t->map)

@@ -17,8 +17,8 @@ typedef struct aspi_shares {
 /* The share at a place along a row, from 0 to nodes - 1. */
 double aspi_shares_at(const aspi_shares *shares, double place);
 
-/* Where a share u lies: the node before it, 0 to nodes - 2, and the part of the step to the next.
- */
+/* Position of a share u: the node before it, 0 to nodes - 2, and the fraction of the step to the
+ * next. */
 typedef struct aspi_place {
   int node;
   double part;

@@ -1,7 +1,7 @@
 /* Particles over a profile, by geometry alone: the dilated profile is a chain of straight faces,
  * and a particle is a point that flies straight from one to the next. A path is followed with a
- * pyramid of block maxima, in steps that grow as long as nothing is in reach. A flight towards
- * smaller x is one towards larger x over the mirror image.
+ * pyramid of block maxima, in steps that grow as long as nothing is in reach. A flight toward
+ * smaller x is one toward larger x over the mirror image.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/trace.h"

@@ -10,16 +10,16 @@
  * face. */
 typedef struct aspi_path {
   bool begun;
-  bool back;   /* flies towards smaller x of the profile */
-  double turn; /* from the flight before to this one, from t towards b */
-  /* Of `traced`: */
+  bool back;   /* flies toward smaller x of the profile */
+  double turn; /* from the flight before to this one, from t toward b */
+  /* For `traced`: */
   double x, z; /* place along the profile and height, in points */
   size_t face; /* last hit */
   int hits;    /* until now */
   int profile; /* index among those of the model */
-  /* Of `profile`: the class of the face (line_table.h), its slopes along and across the flight that
-   * hit it, and that flight: direction, azimuth, and impact angle, or where it flew up the steepest
-   * before it. */
+  /* For `profile`: the class of the face (line_table.h), its slopes along and across the flight
+   * that hit it, and that flight: direction, azimuth, and impact angle, or the steepest upward
+   * angle before it. */
   int face_class;
   double p, q;
   int size;

@@ -6,8 +6,8 @@
 
 #include "asperity.h"
 
-/* Where the center of a sphere that rests on the map is, and the gradient of the surface where it
- * touches: that of the center's height, too. */
+/* Center height of a sphere that rests on the map, and the gradient of the surface where it
+ * touches; the center's height has the same gradient. */
 typedef struct aspi_touch {
   double height, p, q;
 } aspi_touch;

@@ -22,8 +22,8 @@ asp_code aspi_profile_check_disc(const asp_profile *profile, double d_p, asp_err
 asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, int parts,
                                  asp_error *error);
 
-/* The path over a measured profile, with as many points between the profile's own, up to `most` in
- * all, that the disc's width is many of them. 0 < d_p <= length; NULL on error. */
+/* The path over a measured profile. Points are added between the profile's own, up to `most` in
+ * all, until the disc's width spans many of them. 0 < d_p <= length; NULL on error. */
 asp_profile *aspi_profile_path(const asp_profile *profile, double d_p, size_t most,
                                asp_error *error);
 

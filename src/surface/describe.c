@@ -1,6 +1,6 @@
-/* What a profile is: heights, correlation length, slope. The autocorrelation is GSL's FFT of the
- * heights about their mean, circular where the profile is periodic, and padded with zeros where it
- * is not (the sum of the n - k products over n, which damps the lags that few products back).
+/* Numbers of a profile: heights, correlation length, slope. The autocorrelation is GSL's FFT of the
+ * heights about their mean: circular if the profile is periodic, else padded with zeros (the sum of
+ * n - k products over n, which damps lags with few products).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/describe.h"

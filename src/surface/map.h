@@ -38,7 +38,7 @@ asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t co
 size_t aspi_fft2_room(size_t rows);
 void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double *room);
 
-/* Uninitialized room for as many numbers as a map of that size has points, or NULL. */
+/* Uninitialized room for the points of a map of that size, or NULL. */
 float *aspi_map_room(size_t columns, size_t rows);
 
 #endif

@@ -1,7 +1,7 @@
-/* What a map is: heights, slopes, correlation lengths, lay. The autocorrelation comes from tiles of
- * the map padded with zeros (so that a large map costs no more memory than a tile), each lag over
- * the number of products that it has. Its 1/e contour is an ellipse where the wall is Gaussian with
- * the autocovariance exp(-r' M r); M is fitted to the contour by least squares.
+/* Numbers of a map: heights, slopes, correlation lengths, lay. The autocorrelation comes from tiles
+ * padded with zeros (a large map costs no more memory than a tile); each lag is divided by its
+ * number of products. On a Gaussian wall with the autocovariance exp(-r' M r) its 1/e contour is an
+ * ellipse; M is fitted to the contour by least squares.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/map_describe.h"
@@ -35,7 +35,7 @@ static void describe_heights(const asp_map *map, aspi_map_description *d) {
   d->s_z = d->s_p + d->s_v;
 }
 
-/* The rms gradient, by differences of neighbours along either way. */
+/* The rms gradient, by differences of neighbors along both axes. */
 static double gradient_rms(const asp_map *map) {
   double sum = 0;
   for (int axis = 0; axis < 2; axis++) {

@@ -14,7 +14,7 @@ typedef struct aspi_map_description {
   double s_dq;               /* rms gradient */
   double s_al, s_tr;         /* shortest way to the autocorrelation 0.2; that over the longest */
   double lambda_1, lambda_2; /* the half axes of the 1/e contour, lambda_1 <= lambda_2 */
-  double lay;                /* the direction of the longer one, from x towards y, 0 to pi */
+  double lay;                /* the direction of the longer one, from x toward y, 0 to pi */
   double phi_r;              /* s_q / lambda_1 */
   bool long_enough;          /* the contours close within the map */
 } aspi_map_description;

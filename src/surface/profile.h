@@ -20,7 +20,7 @@ asp_profile *aspi_profile_adopt(double *heights, size_t points, double spacing, 
                                 asp_error *error);
 
 /* asp_profile_create with its heights scaled so that the mean square of the differences between
- * neighbors is that of the ensemble, times `sign`, 1 or -1: the negative of a realisation is
+ * neighbors is that of the ensemble, times `sign`, 1 or -1: the negative of a realization is
  * another one. With flights in both directions, these take most of the sampling error of a short
  * profile out of the law of the first hit. */
 asp_profile *aspi_profile_create_scaled(double r_q, double lambda_c, double spacing, size_t points,

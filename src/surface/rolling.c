@@ -19,7 +19,8 @@
  * of the roughest generated profiles has one. */
 #define SHARP 0.75
 
-/* Where slopes of fourth and second order differ by more, the curve is not smooth: second order. */
+/* If slopes of fourth and second order differ by more than this, the curve is not smooth and second
+ * order is used. */
 #define UNSMOOTH 0.05
 
 /* A cubic is divided until the slope at its middle is this close to the mean of its ends. */

@@ -33,7 +33,7 @@ double aspi_density_bandwidth(const aspi_density *density);
 double aspi_density_kl_normal(const aspi_density *density, double mean, double sd);
 double aspi_density_kl(const aspi_density *reference, const aspi_density *other);
 
-/* Where a disc touches: the first two under a uniformly spread center. */
+/* Points of contact that are averaged over: the first two are for a uniformly spread center. */
 typedef enum aspi_contact {
   ASP_CONTACT_ROLLED,   /* the smooth curve through the points: of a measured profile */
   ASP_CONTACT_DILATION, /* the points: of a generated profile, which are many */

@@ -110,7 +110,7 @@ static void add(char *text, size_t size, const char *name, const char *value) {
   snprintf(text + used, size - used, " %s%s%s", name, *name ? " " : "", value);
 }
 
-/* A parameter's value; of words, the one that it stands for. */
+/* Prints a parameter's value; for a choice of words, the chosen word. */
 static void print_value(const asp_parameter *p, double value, char text[40]) {
   const char *one = asp_parameter_words(p);
   if (!*one) {

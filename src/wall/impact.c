@@ -175,7 +175,7 @@ static vec leaving(const frame *f, vec v) {
   return clearly_leaves(v, f->n) ? v : turned_off(f, v);
 }
 
-/* What a hit on a face of normal m wears off. */
+/* Mass that a hit on a face of normal m wears off. */
 static double eroded(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m) {
   double approach = f->v_n * m.z - f->v_t * m.x, v = hypot(f->v_t, f->v_n);
   double sine = v > 0 ? fmin(1, fmax(0, approach / v)) : 0;
@@ -201,7 +201,7 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
   impact->delta_alpha = impact->tilt_out = 0;
   impact->hits = 1;
   impact->eroded = eroded_there(wall, particle, f, (vec){0, 0, 1});
-  if (!hit) { /* it does not approach, and goes on as it came */
+  if (!hit) { /* it does not approach the face and keeps its velocity */
     deposit = false;
     local = (vec){f->v_t, 0, fmax(-f->v_n, 0)};
   }

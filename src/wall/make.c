@@ -40,7 +40,7 @@ void aspi_description_free(aspi_description *said) {
   free(said);
 }
 
-/* ---- what it says ---- */
+/* ---- statements of the script ---- */
 
 /* Its numbers that may be asked for by name, and set. */
 static const struct {

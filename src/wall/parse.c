@@ -308,7 +308,8 @@ static asp_code read_clause(aspi_words *r, int clause) {
                                    : aspi_words_number_or_fit(r, "", name, value);
 }
 
-/* What may stand where a clause begins: those of all clauses, of the last one, and the caller's. */
+/* Lists the words allowed at the start of a clause: those of all clauses, of the last one, and the
+ * caller's. */
 static asp_code fail_keyword(const aspi_words *r, const char *name) {
   char list[ASPI_LIST_MOST];
   aspi_keyword_names("", list, sizeof list);

@@ -28,7 +28,7 @@ static inline bool aspi_roughness_has_lay(const aspi_roughness *rough) {
   return dot(rough->across, rough->across) > 0;
 }
 
-/* A direction of flight by its angle psi from t to the axis across the lay, counted towards b. */
+/* A direction of flight by its angle psi from t to the axis across the lay, counted toward b. */
 typedef struct aspi_heading {
   double cosine, sine;
 } aspi_heading;

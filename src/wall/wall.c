@@ -197,7 +197,7 @@ static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
   return ASP_OK;
 }
 
-/* What the model keeps of the profile, or of one that it generates. */
+/* Creates the model's data from the profile, or from one that the model generates. */
 static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error *error) {
   const asp_spread_model *model = choice->spread;
   *data = NULL;

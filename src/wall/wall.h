@@ -23,7 +23,7 @@ enum {
   ASP_WALL_NUMBERS
 };
 
-/* As the user has it. */
+/* The wall as the user states it. */
 typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
   const asp_map *map;         /* goes before the profile */
@@ -42,7 +42,7 @@ typedef struct aspi_description aspi_description;
 struct asp_wall {
   aspi_wall_choice choice;
   aspi_description *said; /* NULL: not made of a description */
-  /* What follows is made of it by asp_wall_prepare. */
+  /* asp_wall_prepare derives the members below. */
   const asp_surface *surface;
   const asp_spread_model *spread;
   const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */

@@ -99,7 +99,7 @@ static inline double bench_time(const bench_work *work) {
   return bench_median(work->seconds, work->rounds);
 }
 
-/* The same at best: for limits in seconds, which mean a machine without neighbours. */
+/* The same at best: for limits in seconds, which mean a machine without neighbors. */
 static inline double bench_least(const bench_work *work) {
   double least = work->seconds[0];
   for (int i = 1; i < work->rounds; i++)
@@ -108,7 +108,7 @@ static inline double bench_least(const bench_work *work) {
 }
 
 /* What a work costs in units of another one of the same bench_run: the median of the ratios of
- * every round, whose runs are milliseconds apart and have met the same neighbours. In sixty repeats
+ * every round, whose runs are milliseconds apart and have met the same neighbors. In sixty repeats
  * beside three busy programs on two cores its sd was 3.0 %, that of the ratio of medians 3.5 %;
  * with wall-clock time it was 9 and 10 %. */
 static inline double bench_ratio(const bench_work *work, const bench_work *unit) {

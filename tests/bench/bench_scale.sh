@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the fix costs a particle and step, a contact, and in memory, from 10^4 to 10^6 particles on two ranks; and
+# The cost of the fix per particle and step, per contact, and in memory, from 10^4 to 10^6 particles on two ranks; and
 # on a mesh of 10^5 triangles against one of 200. tests/bench/scale.md goes on from these.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"

@@ -1,4 +1,4 @@
-# What the benchmarks of the engine share; each sources it, and then works in a folder of its own.
+# Shared by the benchmarks of the engine: each sources it, and then works in a folder of its own.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 bin=$ASPERITY_BIN

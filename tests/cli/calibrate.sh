@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 value() { awk -F, -v name="$1" '$1 == name { print $2 }' "$2"; }
-# near NAME TRUTH ERRORS FILE: the estimate lies within so many of its standard errors.
+# near NAME TRUTH ERRORS FILE: the estimate lies within ERRORS of its standard errors.
 near() { awk -F, -v name="$1" -v truth="$2" -v most="$3" '$1 == name { z = ($2 - truth) / $3; found = $3 > 0 && z < most && z > -most } END { exit !found }' "$4" || die "$1 is not $2: $(cat "$4")"; }
 quick='--samples 1000'
 
@@ -51,7 +51,7 @@ awk -v s="$(value sigma fit)" 'BEGIN { exit !(s > 3.4) }' || die "noise is not s
 "$asperity" calibrate noisy $law surface sigma fit --speed 1 --noise 4 $quick > fit 2> err
 near sigma 3.037 4 fit
 
-# What the data cannot tell is said: gamma and b act alike; and a wall that does not scatter like the data.
+# Warnings about constants that the data do not determine: gamma and b act alike; and a wall that does not scatter like the data.
 "$asperity" calibrate data surface rq 4mm lambda_c 40mm surface_energy fit rebound bons contact_area fit 0.142857 0.5 $quick > fit 2> err
 grep -q "cannot tell 'surface_energy' and 'a' apart" err || die "no warning: $(cat err fit)"
 "$asperity" calibrate data friction fit surface sigma 2 $quick > fit 2> err

@@ -1,4 +1,4 @@
-# What the tests of the command share; each sources it. They run the built command, $asperity, in a folder of their
+# Shared by the tests of the command: each sources it. They run the built command, $asperity, in a folder of their
 # own and look at what it writes. ASPERITY_BIN is the folder of the binaries (build/bin where it is not set).
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -9,7 +9,7 @@ cd "$work"
 
 die() { echo "FAILED: $*" >&2; exit 1; }
 
-# Of a table with a header below its comments: its rows, the header, and a column by its name.
+# For a table with a header below its comments: its rows, the header, and a column by its name.
 rows() { grep -v '^#' "$1" | tail -n +2; }
 header() { grep -v '^#' "$1" | head -n 1; }
 column() { # NAME FILE

@@ -117,7 +117,7 @@ refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere
 grep -q "cannot write" err || die "full disk: $(cat err)"
 ! ls ./*.partial > /dev/null 2>&1 || die "a partial file was left"
 
-# What `spread auto` has chosen goes into the heading, behind the description, as in a ledger; why is said.
+# The heading has the choice of `spread auto`, after the description, as in a ledger; the reason is printed.
 for command in cor spread; do
   for tolerance in 0.01 0.3; do
     "$asperity" $command surface rq 5um lambda_c 40um spread auto tolerance $tolerance --dp 10um --angles 20 > auto 2> err || die "$command: $(cat err)"

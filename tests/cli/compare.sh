@@ -18,7 +18,7 @@ done
 awk -F, '{ n++; s += $18; q += $18 ^ 2; e += $19 / 200; out += ($18 - 1) ^ 2 > 4 * $19 ^ 2 }
   END { m = s / n; sd = sqrt(q / n - m * m); print n, m, sd, e, out; exit !(n == 200 && m > 0.9 && m < 1.1 && e > 0.8 * sd && e < 1.25 * sd && out < 10) }' scores > verdict || die "compare: scores of the true model: $(cat verdict)"
 
-# Another law is told apart; so is one with the same means and no scatter.
+# Another law differs; so does one with the same means and no scatter.
 "$asperity" cor $wall --angles 10,30,60 --samples 400 -o model
 "$asperity" cor $wall friction 0.2 seed 2 --angles 10,30,60 --samples 200 -o data
 "$asperity" compare model data > got; differs got || die "compare: another law: $(cat got)"
@@ -109,7 +109,7 @@ for set in grant_tabakoff_1975:grant_tabakoff "forder_1998:table $data/forder_19
   "$asperity" cor rebound ${set#*:} --angles 10:85:5 --samples 1 -o impacts
   "$asperity" compare impacts "$data/${set%%:*}.csv" --near 0.1 2> /dev/null | rows /dev/stdin | awk -F, '/^cor/ && $8 != "" && $13 != "" { s += ($8 - $13) ^ 2; n++ } END { exit !(n && sqrt(s / n) < 6e-5) }' || die "${set#*:} is not its data"
 done
-[ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their licence"
+[ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their license"
 
 # The picture names both files.
 "$asperity" compare quarter half --plot p.svg > got 2> err

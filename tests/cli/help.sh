@@ -82,7 +82,7 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,
 grep -q "'x.jpg'; the file must end in" err || die "trade --plot x.jpg is refused before work begins: $(cat err)"
 echo "passed"
 
-# Files that cannot be written, or are two in one, are told before work begins.
+# Files that cannot be written, or are two in one, are refused before work begins.
 for option in -o --plot; do
   ! timeout 5 "$asperity" trade surface sigma 9 --rays 1000000000 $option /nowhere/x.png 2> err || die "trade $option /nowhere"
   grep -q "cannot write '/nowhere/x.png'" err || die "trade $option is checked before work begins: $(cat err)"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the pages say of files and of the command: every link leads to a file that is there, every option that they name
+# The pages against the files and the command: every link leads to a file that is there, every option that they name
 # is one of the command that they name it for, what their commands read is there, and their lines of Python run (where
 # there are pandas and numpy).
 # SPDX-License-Identifier: GPL-3.0-or-later

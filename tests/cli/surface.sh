@@ -15,7 +15,7 @@ cmp <(rows a) <(rows b) || die "surface: the same seed, other numbers"
 "$asperity" surface surface rq 5um lambda_c 40um seed 2 --dp 10um,55um,400um > b
 cmp -s <(rows a) <(rows b) && die "surface: another seed, the same numbers"
 
-# What was saved reads back as the same wall, and the generated one is another profile with the same angles.
+# A saved wall reads back as the same wall, and the generated one is another profile with the same angles.
 "$asperity" surface surface profile profile.csv --dp 10um,55um > m
 rows m | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.03 || d < -0.03 }
   off($2, 5) || off($3, 40) || off($9, 9.835) { exit 1 } END { exit NR != 2 }' || die "surface --profile: $(cat m)"
@@ -33,7 +33,7 @@ grep -q '1 bad, 1 spikes, 6 points filled in (longest gap 4)' m || die "gaps: $(
 grep -q 'polynomial of degree 2' m || die "form"
 "$asperity" surface surface profile raw.txt --unit um,nm --gaps fill --dp 20um | grep -q 'phi_r 0.00' || die "--unit um,nm"
 refuses 2 'the spacing is not equal' -- surface surface profile raw.txt --unit um --gaps fill --read 'spacing refuse'
-# dust that nobody asks for is told of
+# dust gives a warning without --spikes
 "$asperity" surface surface profile raw.txt --unit um --gaps fill --dp 20um 2>&1 > /dev/null | grep -q 'warning: raw.txt: 1 of 2995 points .* --spikes 12' || die "dust is not told"
 ! "$asperity" surface surface profile raw.txt --unit um --gaps fill --spikes 20 --dp 20um 2>&1 > /dev/null | grep -q 'as dust does' || die "dust that was taken out is told"
 "$asperity" surface surface profile raw.txt --unit um --gaps fill --spikes 20 --level 0.2 | grep -q 'lambda_c (0.2 lag)' || die "--level"
@@ -72,7 +72,7 @@ awk -v a="$(left)" -v b="$(left robust)" 'BEGIN { exit !(a > 1 && b < 0.2 && b >
 # A tip of 50 um leaves the closing's arcs; erosion gives back what it could reach.
 "$asperity" surface surface profile waves.csv --dp 20um --filter 'tip 50um' 2> err | grep -q ', tip 5e-05 m' || die "--tip is not told"
 
-# What cannot be roughness.
+# Heights that cannot be roughness.
 { echo x_um,z_um; awk 'BEGIN { srand(3); for (i = 0; i < 4000; i++) print i "," rand() }'; } > noise.csv
 refuses 2 noise.csv 'spacings of the points' --filter -- surface surface profile noise.csv --dp 20um
 "$asperity" surface surface profile noise.csv --dp 20um --filter 'lambda_s 20um' > /dev/null 2> err || die "noise filtered: $(cat err)"
@@ -88,7 +88,7 @@ refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
 grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"
 
 # Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
-refuses 2 --gaps 'of which it says nothing' -- surface surface rq 5um lambda_c 40um --gaps fill
+refuses 2 --gaps 'does not apply to' -- surface surface rq 5um lambda_c 40um --gaps fill
 refuses 2 --points "'surface profile'" -- surface surface profile waves.csv --points 8192
 refuses 2 'robust goes with cutoff' -- surface surface profile waves.csv --filter 'robust'
 refuses 2 "rq is '5'" 'without a unit' -- surface surface rq 5 lambda_c 40um

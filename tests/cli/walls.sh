@@ -37,7 +37,7 @@ steeper "--map --lay" "$across" "$along"
 impacts() { "$asperity" cor surface map laid lay "$1" --dp 5um --angles 20 --samples 4000 | column delta_alpha_deg /dev/stdin | awk '{ sum += $1 } END { print sum / NR }'; }
 steeper "cor --map --lay" "$(impacts 90)" "$(impacts 0)"
 
-# What `surface` has mended can be given to the others.
+# The other commands take a wall that `surface` has repaired.
 "$asperity" surface surface map map --dp 5um --form 2 --save mended > /dev/null
 "$asperity" surface surface map mended --dp 5um --form none > again
 [ "$(tail -n 1 again)" = "$("$asperity" surface surface map map --dp 5um --form 2 | tail -n 1)" ] || die "surface --map --save: $(cat again)"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Test 4 of Chung & Ooi 2011 in the engine: spheres of aluminium oxide (5 mm, e 0.98, mu 0.092) hit glass at 3.9 m/s
+# Test 4 of Chung & Ooi 2011 in the engine: spheres of aluminum oxide (5 mm, e 0.98, mu 0.092) hit glass at 3.9 m/s
 # and 5 to 85 degrees from the normal. CoR_T as the reference has it (see tests/unit/test_chung_ooi.c).
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"

@@ -1,4 +1,4 @@
-# What the engine tests share; each sources it. They run the real launchers in a folder of their own and compare
+# Shared by the engine tests: each sources it. They run the real launchers in a folder of their own and compare
 # numbers, not log text. ASPERITY_BIN is the folder of the binaries (build/bin where it is not set). A test that is
 # for either engine is called with its name, liggghts (the default) or lammps; its scripts are in LIGGGHTS's language,
 # which to_lammps.awk turns into that of LAMMPS.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What scripts of LAMMPS do besides, each with a wall of this fix: the borders between ranks move, atoms are sorted, lists
+# Other commands of LAMMPS scripts, each with a wall of this fix: the borders between ranks move, atoms are sorted, lists
 # are built anew at will, particles come by `fix deposit` and `fix pour`, walls have groups, steps get other numbers,
 # partitions run at once. Nothing of it changes an impact of a grain that flies alone. Maps of triangles can be read.
 # SPDX-License-Identifier: GPL-3.0-or-later

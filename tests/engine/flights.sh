@@ -58,7 +58,7 @@ fix w all wall/rebound mesh n_meshes 1 meshes plates $mirror" "0 0 7e-5" "1 0 -5
 ends facets "$bounced"
 
 # Inside a cylinder of radius 2 mm along x: a chord at 45 degrees to the wall, four contacts a turn. The
-# centre moves on a square of half diagonal 1.95 mm.
+# center moves on a square of half diagonal 1.95 mm.
 flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 $mirror" "0 0 -1.94e-3" "0 50 50" 1e-6 100 > tube.in
 engine 1 tube.in
 at | awk '{ r = sqrt($2 * $2 + $3 * $3); exit !(r <= 1.95e-3 * (1 + 1e-9) && r >= 1.95e-3 / sqrt(2) * 0.98) }' ||
@@ -100,7 +100,7 @@ at | awk '{ pi = atan2(0, -1); R = 1.95e-3; mu = 0.3; t = (sqrt(1.5e-3 ^ 2 + 250
   exit !($2 * $2 + $3 * $3 < (R * (1 + 1e-9)) ^ 2 && d < 3e-3 && d > -3e-3) }' ||
   { at; die "slide: not around the cylinder"; }
 
-# The edge x = 0 of a plate at z = 0, x > 0, met by a centre 30 um outside it.
+# The edge x = 0 of a plate at z = 0, x > 0, met by a center 30 um outside it.
 cat > edge.stl << 'END'
 solid e
 facet normal 0 0 1

@@ -99,7 +99,7 @@ stl > box.stl << END
 -0.025 0.025 0  0.025 0.025 0  0.025 0.025 0.2  -0.025 0.025 0.2
 END
 lines() { grep -E '^[ 0-9.e+-]+$' "$1" | awk 'NF == 8'; }
-# What of a scene is compared: means over its last two thirds.
+# Compared numbers of a scene: means over its last two thirds.
 mean='{ row[NR] = $0 } END { for (k = int(NR / 3) + 1; k <= NR; k++) { split(row[k], c, " "); n++; e += c[3] + c[4]; z += c[5]; x += c[6] }
     print "energy", e / n; print "height", z / n; print "speed", x / n }'
 flow='$1 >= 6000 { n++; out[n] = $8; t[n] = $1 * 2e-5; all = $2 } END { while (out[++a] < 0.1 * all); b = a; while (out[++b] < 0.5 * all && b < n); print "grains/s", (out[b] - out[a]) / (t[b] - t[a]); print "left", all - out[n] }'

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What users of LAMMPS's walls are used to: numbers of each atom for dumps and other fixes, a mesh that fix_modify moves
+# Habits of users of LAMMPS's walls: numbers of each atom for dumps and other fixes, a mesh that fix_modify moves
 # and dump image draws, across a restart; LAMMPS's own examples with one line exchanged.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
@@ -74,7 +74,7 @@ refuses "$stl
 fix_modify wall energy yes" "fix_modify"
 refuses "fix wall all wall/rebound zplane 0 rebound constant 1 1
 $up" "for the wall 'stl'" "'shear'"
-# As the planes of fix wall/gran are written.
+# Planes in the words of fix wall/gran.
 for second in NULL 100; do
   refuses "fix wall all wall/rebound zplane 0 $second rebound constant 1 1" "'$second' stands behind 'zplane 0 type 2'" "a fix of its own"
 done

@@ -6,7 +6,7 @@ source "$(dirname "$0")/engine.sh"
 examples=${ASPERITY_LAMMPS_EXAMPLES:-/usr/share/lammps/examples}
 [ -f "$examples/granregion/in.granregion.box" ] || { echo "no LAMMPS examples in $examples"; exit 77; }
 words='rebound constant 0.5 0.8 deposit off'
-exchange() { # FILE STEPS: the script with its walls exchanged and its runs cut to so many steps
+exchange() { # FILE STEPS: the script with its walls exchanged and its runs cut to STEPS steps
   sed -e ':a' -e '/&[ \t]*$/N; s/&[ \t]*\n/ /; ta' "$examples/$1" |
     sed -E "s#wall/gran(/region)? .*region ([a-z_]+) *\$#wall/rebound region \2 $words#
       s#wall/gran .*zplane (0\.?[0-9]*) .*#wall/rebound zplane \1 $words#

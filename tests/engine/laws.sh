@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the engine applies is the law: the smooth wall against `asperity cor`; and the odd cases: `timing
-# overlap`, a centre exactly on the wall, a step that takes the centre across it, a resting contact.
+# The engine applies the law: the smooth wall against `asperity cor`; and the odd cases: `timing
+# overlap`, a center exactly on the wall, a step that takes the center across it, a resting contact.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 deck() { # file, wall options, step, steps
@@ -37,7 +37,7 @@ engine 2 run.in
 set -- $(last 20)
 [ "$5" = 0 ] || die "$5 guarded contacts"
 
-# A centre exactly on the wall, moving on: it came from above, goes back there, and is a number all the way.
+# A center exactly on the wall, moving on: it came from above, goes back there, and is a number all the way.
 cat > one.data << 'END'
 one
 
@@ -59,9 +59,9 @@ END
 sed -i 's/ 1e-6$/ 0/' one.data
 deck one.data "surface smooth rebound constant 1 1 deposit off" 1e-8 100 > run.in
 engine 1 run.in
-check_rows out.csv '$17 > 0.999 && $17 < 1.001 && $8 >= -1e-12' "centre on the wall"
+check_rows out.csv '$17 > 0.999 && $17 < 1.001 && $8 >= -1e-12' "center on the wall"
 set -- $(last 100)
-[ "$3" = 1 ] && [ "$5" = 1 ] || die "centre on the wall: impacts $3, guarded $5"
+[ "$3" = 1 ] && [ "$5" = 1 ] || die "center on the wall: impacts $3, guarded $5"
 
 # Gravity presses a grain on a wall that takes no deposits: it bounces lower and lower and stays above.
 deck one.data 'surface smooth rebound constant 0.2 1 deposit off' 1e-7 3000 | sed 's/^fix move/fix g all gravity 1e5 vector 0 0 -1\nfix move/' > run.in

@@ -42,25 +42,25 @@ for kind in csv npy; do
   { cat whole.$kind; head -c $bytes whole.$kind; } > rows.$kind
   set_ engine 2 rest.in
   same rows.$kind whole.$kind "after too many rows"
-  says rest.in.screen 'cut off' "ledger file 'rows.$kind' goes on behind the " " rows and a part of a row after them cut off"
-  kept=$(grep -oE 'behind the [0-9]+' rest.in.screen | grep -oE '[0-9]+'); cut=$(grep -oE '[0-9]+ rows and a part' rest.in.screen | grep -oE '^[0-9]+')
+  says rest.in.screen 'cut off' "ledger file 'rows.$kind' continues after the " " rows and a part of a row after them cut off"
+  kept=$(grep -oE 'after the [0-9]+' rest.in.screen | grep -oE '[0-9]+'); cut=$(grep -oE '[0-9]+ rows and a part' rest.in.screen | grep -oE '^[0-9]+')
   all=$([ $kind = csv ] && count_rows whole.csv || count_array whole.npy)
   [ $((kept + cut)) = "$all" ] && [ "$cut" -gt 20 ] || die "$kept rows kept and $cut cut off of $all"
 
   # Rows that are missing, other rows, no file; what is there stays. A file of another name begins anew.
   row=150; [ $kind = npy ] && row=88
   head -c $((kept / 2 * row)) whole.$kind > rows.$kind; cp rows.$kind before
-  ranks=2 set_ refuses rest.in "'rows.$kind' has " "rows, and the restart file tells of $kept: " "are missing" --
+  ranks=2 set_ refuses rest.in "'rows.$kind' has " "rows, and the restart file counts $kept: " "are missing" --
   same rows.$kind before "a file that was refused"
   found=$(grep -oE "has [0-9]+ rows" screen | grep -oE '[0-9]+'); missing=$(grep -oE "[0-9]+ are missing" screen | grep -oE '^[0-9]+')
   [ $((found + missing)) = "$kept" ] && [ "$found" -gt 20 ] || die "$found found, $missing missing, $kept wanted"
   [ $kind = npy ] || [ "$found" = "$(count_rows rows.csv | awk '{ print $1 - 1 }')" ] || [ "$found" = "$(count_rows rows.csv)" ] || die "$found rows are said to be there"
   at=$(stat -c %s whole.$kind); at=$((at * kept / all - 300))
   { head -c $at whole.$kind; printf '9'; tail -c +$((at + 2)) whole.$kind; } > rows.$kind; cp rows.$kind before
-  set_ refuses rest.in "'rows.$kind' is another one than the restart file tells of" --
+  set_ refuses rest.in "'rows.$kind' is not that of the restart file" --
   same rows.$kind before "a file that was refused"
   rm rows.$kind
-  set_ refuses rest.in "'rows.$kind' is gone, and the restart file tells of $kept rows" --
+  set_ refuses rest.in "'rows.$kind' is gone, and the restart file counts $kept rows" --
   [ ! -e rows.$kind ] || die "rows.$kind was made by a run that was refused"
   rm -f new.$kind
   engine 1 rest.in -var kind $kind -var out new.$kind
@@ -97,10 +97,10 @@ run 100"; } > again.in; }
 for kind in csv npy; do
   again "$wall ledger 70 file rows.$kind"
   engine 1 again.in
-  says again.in.screen 'goes on behind' "rows that fix w tells of"
+  says again.in.screen 'continues after' "rows that fix w counts"
   if [ $kind = csv ]; then
     # Impacts are counted anew, so that their numbers and draws are others; those of the first part are the same.
-    n=$(grep -oE 'behind the [0-9]+' again.in.screen | grep -oE '[0-9]+')
+    n=$(grep -oE 'after the [0-9]+' again.in.screen | grep -oE '[0-9]+')
     head -n $((n + 2)) rows.csv > a; head -n $((n + 2)) whole.csv > b; same a b "the rows before unfix"
     [ "$(count_rows rows.csv)" = "$(count_rows whole.csv)" ] || die "rows after unfix: $(count_rows rows.csv)"
   else

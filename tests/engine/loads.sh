@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a wall feels: the momentum that it takes is that which the particles lose, to rounding, on a mesh that turns,
+# Loads on a wall: its momentum is the one that the particles lose, to rounding, on a mesh that turns,
 # with particles that fall, rebound, roll and stick; a bed at rest presses with its weight; the same force and torque
 # in both engines and on any number of ranks; the sums of meshes and triangles are those of the whole wall.
 # GRAINS=2500 STEPS=8000 loads.sh makes over 10^5 impacts.

@@ -48,7 +48,7 @@ same_rows si.names frictionless
 says frictionless 'friction 0.3, the default'
 [ $simulator = lammps ] || says si.numbers "friction by the script's coefficientFriction"
 
-# What a script gives of a pair counts; of a type the material's does.
+# Constants of a pair come from the script, those of a type from the material.
 run pair 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/')" ''
 run pair.names 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/; s/200e6/1e6/g; s/2000*\b/1000000/g')" 'materials quartz hastelloy-x'
 same_rows pair pair.names

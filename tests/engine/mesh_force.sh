@@ -124,7 +124,7 @@ numbers servo.in.screen | awk '$1 > 20000 { n++; f += $4; if (n == 1) first = $7
 echo "piston: mean force, first and last height: $(cat servo.now)"
 awk '{ exit !($1 > 4.95 && $1 < 5.05 && $4 > 1000 && $3 > 0.02 && $2 - $3 < 1e-3) }' servo.now || die "the piston's force or height"
 
-# What it cannot give is named.
+# The fix names the loads that it cannot give.
 jet="1 0 0 0.01 0 0 0"
 scene "fix plate all mesh/surface file plate.stl type 1 temperature 300.
 fix wall all wall/rebound mesh n_meshes 1 meshes plate rebound constant 0.5 0.5 deposit off

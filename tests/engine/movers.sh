@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What moves or grows particles besides their own velocities, in LAMMPS: bodies that come while it runs, and particles
+# Commands of LAMMPS that move or grow particles: bodies that come while it runs, and particles
 # that come into the group of fix move, are refused at the step where they show up; a box that only remaps velocities
 # runs; a grain that grows meets the wall in the step in which it reaches it.
 # SPDX-License-Identifier: GPL-3.0-or-later

@@ -65,7 +65,7 @@ moves 'a plate that turns' 'variable a equal 2000*time' 'rotate v_a 0 0 0 0 1 0'
 moves 'a plate that is defined late' 'run 100
 variable z equal 3*time' 'move NULL NULL v_z' 'linear 0 0 3' 1e-6 -3e-6 'run 100'
 
-# What sticks goes along, and a run that goes on from a restart file has the ledger of one that nothing disturbed.
+# Stuck particles move along, and a run continued from a restart file has the ledger of an undisturbed one.
 turning='variable a equal 0.02*sin(2*PI*step*dt/1e-5)
 variable z equal 2e-6*sin(2*PI*step*dt/2e-6)
 region r plane 0 0 0 0 0 1 move NULL NULL v_z rotate v_a 0 0 0 0 1 0
@@ -101,7 +101,7 @@ for ranks in 1 2; do
   same whole.csv out.csv "a moving region, restarted on $ranks ranks"
   same whole.end <(sed 1,9d end.400.txt) "places, restarted on $ranks ranks"
 done
-# For how many steps a particle is clear of a region is told anew in each run: runs of one step have the impacts of one
+# Each run predicts anew for how many steps a particle is clear of a region: runs of one step have the impacts of one
 # run. With parts that are hidden, hollow, obstacles, that move and turn, and some that a particle meets from outside.
 anew() { # NAME, REGIONS, LEAST
   scene one "$2

@@ -103,7 +103,7 @@ run 20000"
 for of in gran:plane smooth:plane "rq 4e-5 lambda_c 4e-4:mesh"; do
   bed "${of%:*}" "${of#*:}" > bed.in
   engine 1 bed.in
-  # of the pictures at 0.8 and 1 s: mean heights, the farthest way in between, the lowest centre, number
+  # of the pictures at 0.8 and 1 s: mean heights, the farthest way in between, the lowest center, number
   awk 'NF == 7 && $1 == 1 { n++ }
     NF == 7 && n == 5 && $1 ~ /^[0-9]+$/ { x[$1] = $2; y[$1] = $3; z[$1] = $4; before += $4 }
     NF == 7 && n == 6 && $1 ~ /^[0-9]+$/ {
@@ -111,7 +111,7 @@ for of in gran:plane smooth:plane "rq 4e-5 lambda_c 4e-4:mesh"; do
       if (d > most) most = d
       if (all == 1 || $4 < least) least = $4 }
     END { printf "%.9g %.9g %.3g %.17g %d\n", before / all, high / all, most, least, all }' at.txt > bed.now
-  echo "bed, $of: mean heights at 0.8 and 1 s, farthest way in between, lowest centre, grains: $(cat bed.now)"
+  echo "bed, $of: mean heights at 0.8 and 1 s, farthest way in between, lowest center, grains: $(cat bed.now)"
   [ "$of" != gran:plane ] || { cp bed.now bed.gran; continue; }
   paste -d' ' bed.gran bed.now | awk '{ d = $7 / $2 - 1; creep = $7 / $6 - 1
     exit !($10 == 180 && d < 0.03 && d > -0.03 && creep < 1e-3 && creep > -1e-3 && $8 < 4e-4 && $9 > 4e-3 * (1 - 1e-9)) }' ||

@@ -43,7 +43,7 @@ paste -d' ' before after | awk '
   END { exit bad || NR != 200 || stuck < 10 || stuck > 190 }' || die "velocities and spins are not those of the hard sphere"
 
 shear=''
-# The law of Bons leaves spins alone, unless told otherwise.
+# The law of Bons leaves spins alone by default.
 for spin in off on; do
   deck "rebound bons spin $spin deposit off" 'run 400' > run.in
   engine 1 run.in

@@ -3,7 +3,7 @@
  *
  * Each of COUNT random combinations of particle, material, law, wall, velocity and normal is one
  * contact, and one more with an input changed by 1e-8 of itself; for one in four by 1e-2, and where
- * that makes a large change, the interval is halved towards it until it is as short. Checked: no
+ * that makes a large change, the interval is halved toward it until it is as short. Checked: no
  * invalid operation, division by zero or overflow anywhere (they trap), nothing NaN or infinite,
  * energy does not grow, the particle leaves the wall or is deposited, and a small change makes a
  * small change. Where it does not, the jump is put down to the place where the law has one; the
@@ -293,7 +293,7 @@ static double jump_of(const combination *c, const asp_impact *x, const asp_impac
   return length_of(apart) / energy_of(c, c->v1, c->particle.omega);
 }
 
-/* Halves the way from a to b, towards the larger part of the change. */
+/* Halves the way from a to b, toward the larger part of the change. */
 static void close_in(combination *a, asp_impact *x, combination *b, asp_impact *y) {
   for (int k = 0; k < HALVINGS; k++) {
     combination middle = *a;

@@ -111,8 +111,8 @@ std::vector<ContactTriangle> ball(int levels, double least, double most) {
   return triangles;
 }
 
-/* Whether a point is inside a star-shaped mesh around the origin: the triangle that it is seen
- * through lies farther out. */
+/* True if a point is inside a star-shaped mesh around the origin: the triangle on its ray from the
+ * origin lies farther out. */
 bool inside(const std::vector<ContactTriangle> &triangles, const double x[3]) {
   for (const ContactTriangle &t : triangles) {
     double normal[3], edge[3], side[3];

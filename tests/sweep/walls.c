@@ -204,7 +204,7 @@ static asp_profile *profile_of(size_t points, uint32_t seed) {
   return profile;
 }
 
-/* The profile's laws against `traced` on independent profiles, each a realisation of its own. */
+/* The profile's laws against `traced` on independent profiles, each a realization of its own. */
 static void judge_profile(size_t points, size_t surfaces, double d_p) {
   aspi_judge all = {surfaces, 3, 1, calloc(3 * surfaces, sizeof(aspi_angles)), NULL};
   asp_profile *own = profile_of(points, 7);

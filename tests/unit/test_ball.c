@@ -21,7 +21,7 @@ static asp_map *gauss(double lambda_2, double axis, double step_x, double step_y
   return map;
 }
 
-/* The height of the centre over a point, by asking every point of the map and its images. */
+/* The height of the center over a point, by asking every point of the map and its images. */
 static double brute(const asp_map *map, double radius, size_t i, size_t j) {
   long columns = (long)map->columns, rows = (long)map->rows, images = map->periodic;
   double best = -INFINITY;
@@ -53,7 +53,7 @@ static void spheres_rest_where_brute_force_says(void **state) {
 }
 
 /* A sphere on waves of small slope whose crests are wider than it: the contact is where the normal
- * through the centre meets the wave. */
+ * through the center meets the wave. */
 static void contacts_lie_between_the_points(void **state) {
   (void)state;
   enum { N = 64 };

@@ -29,7 +29,7 @@ static asp_wall *wall_of(const char *law) {
   return wall;
 }
 
-/* A sphere of radius 1 on the plane z = 0: with the speed v_t along it, v_n towards it, and such a
+/* A sphere of radius 1 on the plane z = 0: with the speed v_t along it, v_n toward it, and such a
  * spin that its surface moves with `spin` more. */
 static asp_impact impact_of(const asp_wall *wall, double v_t, double v_n, double spin) {
   asp_particle sphere = {.d_p = 2, .density = 1, .omega = {0, -spin, 0}};
@@ -67,7 +67,7 @@ static double cor_t(const asp_wall *wall, double degrees) {
   return impact_of(wall, 3.9 * sin(a), 3.9 * cos(a), 0).v2[0] / (3.9 * sin(a));
 }
 
-/* Test 4: 3.9 m/s at angles from the normal, aluminium oxide on glass (e 0.98, mu 0.092): CoR_T and
+/* Test 4: 3.9 m/s at angles from the normal, aluminum oxide on glass (e 0.98, mu 0.092): CoR_T and
  * the recoil angle of the contact point. Of all contact laws here, `compliance 0.8`, close to
  * Mindlin's 0.87, is that of the reference from 10 degrees on; 0.7 follows the experiment. */
 static void test_4_oblique_impact(void **state) {
@@ -124,7 +124,7 @@ static void test_5_oblique_elastic(void **state) {
   asp_wall_free(wall);
 }
 
-/* Test 6: a spinning sphere falls at 0.2 m/s (e 0.5, mu 0.4, aluminium alloy): the tangent of the
+/* Test 6: a spinning sphere falls at 0.2 m/s (e 0.5, mu 0.4, aluminum alloy): the tangent of the
  * recoil angle against that of the incident angle of its surface. From 2.1 = 7/2 mu (1 + e) on it
  * slides, whatever the contact law; below, laws differ, and so does ours, by up to 0.52. */
 static void test_6_spinning_impact(void **state) {

@@ -135,7 +135,7 @@ static void closing_is_a_closing(void **state) {
   asp_profile_free(closed);
 }
 
-/* The slopes of the dilation under a uniform centre and those of the closing are one law. */
+/* The slopes of the dilation under a uniform center and those of the closing are one law. */
 static void dilation_and_closing_have_the_same_slopes(void **state) {
   (void)state;
   static const double cases[][2] = {{0.1, 1}, {0.2, 1}, {0.2, 4}};

@@ -138,7 +138,7 @@ static void check_path(const Wall *w, const ContactPath *path, double radius) {
   assert_true(aspi_dot(touch.n, path->v) < 0);
   assert_true(fabs(aspi_length(touch.n) - 1) < 1e-12);
   assert_true(touch.overlap == 0 && !touch.overlapped);
-  /* The normal leads from the wall to the centre. */
+  /* The normal leads from the wall to the center. */
   double foot[3];
   aspi_add_scaled(x, -radius, touch.n, foot);
   assert_true(fabs(gap_of(w, foot, 0)) < 1e-7);
@@ -177,7 +177,7 @@ static void test_grazing(void **unused) {
     aspi_scale(1 / aspi_length(out), out);
     aspi_cross(out, edge, along);
     aspi_scale(1 / aspi_length(along), along);
-    /* A sphere whose centre passes the edge's middle at a radius, within 1e-7 of it. */
+    /* A sphere whose center passes the edge's middle at a radius, within 1e-7 of it. */
     double center[3];
     for (int d = 0; d < 3; d++)
       center[d] = 0.5 * (w.triangle.node[0][d] + w.triangle.node[1][d]);
@@ -266,8 +266,8 @@ static void test_overlap(void **unused) {
     }
 }
 
-/* A centre on the wall goes back to the side that it comes from. */
-static void test_centred(void **unused) {
+/* A center on the wall goes back to the side that it comes from. */
+static void test_centered(void **unused) {
   (void)unused;
   const ContactTriangle triangle = {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}};
   const ContactPlane plane = {2, 0};
@@ -316,7 +316,7 @@ static void test_wide(void **unused) {
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
-/* It is clear until the time that is told; and that is no time much too early: the sphere is then
+/* It is clear until the predicted time, which is not much too early: the sphere is then
  * at the box and at the plane of a triangle. */
 static void check_clear(const ContactTree *tree, int round) {
   ContactPath path = {{0}, {0}, 3};
@@ -453,7 +453,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_paths),   cmocka_unit_test(test_grazing),
       cmocka_unit_test(test_nearest), cmocka_unit_test(test_degenerate),
-      cmocka_unit_test(test_overlap), cmocka_unit_test(test_centred),
+      cmocka_unit_test(test_overlap), cmocka_unit_test(test_centered),
       cmocka_unit_test(test_none),    cmocka_unit_test(test_wide),
       cmocka_unit_test(test_along),   cmocka_unit_test(test_tree),
   };

@@ -53,7 +53,7 @@ static void canonical_texts(void **state) {
       "yield_stress 150000000 deposit delete remove u_tau 2.5 gas_density 1.2 seed 1");
 }
 
-/* A text that does not fit is cut, and its length told. */
+/* A text that does not fit is cut, and its length returned. */
 static void short_room(void **state) {
   (void)state;
   char text[12];
@@ -455,11 +455,12 @@ static void numbers_may_be_unknown(void **state) {
   check_fit("surface sigma fit friction fit yield_stress fit=200MPa",
             "surface sigma fit=5 spread visible isotropic collisions multiple rebound bons "
             "friction fit yield_stress fit=200000000 deposit freeze seed 1");
-  check_fit("surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial rebound bons contact_area 0.1 fit "
-            "fit=0.6",
-            "surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial spread visible isotropic "
-            "collisions multiple rebound bons contact_area 0.1 fit=0.14285714285714285 fit=0.6 "
-            "deposit freeze seed 1");
+  check_fit(
+      "surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial rebound bons contact_area 0.1 fit "
+      "fit=0.6",
+      "surface rq fit=4e-06 lambda_c fit=4e-05 8e-05 lay axial spread visible isotropic "
+      "collisions multiple rebound bons contact_area 0.1 fit=0.14285714285714285 fit=0.6 "
+      "deposit freeze seed 1");
   check_fit("rebound bons yield_rate fit", "surface smooth rebound bons yield_rate fit=0 deposit "
                                            "freeze seed 1");
   static const struct {

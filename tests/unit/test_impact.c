@@ -272,7 +272,7 @@ static void choices_are_checked(void **state) {
                                        {"rebound", "bonds", "bonds", "bons"},
                                        {"tilt", "sideways", "sideways", "plane or isotropic"},
                                        {"collisions", "", "collisions is ''", "single or multiple"},
-                                       {"colour", "red", "colour", "spread rebound tilt"}};
+                                       {"color", "red", "color", "spread rebound tilt"}};
   for (int i = 0; i < 5; i++) {
     assert_int_not_equal(asp_wall_choose(s.wall, bad[i][0], bad[i][1], &error), ASP_OK);
     assert_non_null(strstr(error.text, bad[i][2]));

@@ -71,7 +71,7 @@ static void flights_end_where_small_steps_do(void **state) {
 }
 
 /* Where a map is coarse, the gradient of a contact and that of the surface between the points
- * differ, and a face may send a particle under its neighbour: it hits that, and is not lost. */
+ * differ, and a face may send a particle under its neighbor: it hits that, and is not lost. */
 static void no_flight_ends_below_a_coarse_wall(void **state) {
   (void)state;
   aspi_gauss wall = {0.2, 1, 1, 0};

@@ -34,7 +34,7 @@ static void setup_free(setup *s) {
   asp_surface_free(s->surface);
 }
 
-/* An impact along x; psi is the angle from x to the axis across the lay, towards n x t = y. */
+/* An impact along x; psi is the angle from x to the axis across the lay, toward n x t = y. */
 static asp_impact meet(const setup *s, double d_p, double alpha1, double psi, uint64_t tag) {
   double lay[3] = {-sin(psi), cos(psi), 0.3}, v1[3] = {cos(alpha1), 0, -sin(alpha1)};
   asp_particle grain = {.d_p = d_p, .density = 1, .lay = lay};
@@ -161,8 +161,7 @@ static void lays_steer(void **state) {
 /* psi, d_p, alpha1 (degrees): the rebound angle and the lateral one, against surfaces. */
 static void walls_with_a_lay_are_surfaces(void **state) {
   (void)state;
-  static const double cases[][3] = {
-      {0, 10, 2}, {90, 10, 30}, {45, 10, 5}};
+  static const double cases[][3] = {{0, 10, 2}, {90, 10, 30}, {45, 10, 5}};
   enum { N = 200000 };
   setup s = setup_create(40, 200, "isotropic");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

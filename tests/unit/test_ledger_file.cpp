@@ -147,7 +147,7 @@ static void every_length(void **) {
       assert_true(contents(path) == good);
       assert_true((report.find("cut off") != std::string::npos) == (length > good.size()));
       if (length == longer.size())
-        assert_says(report, "behind the 3 rows that the restart file tells of; 2 rows after");
+        assert_says(report, "after the 3 rows that the restart file counts; 2 rows after");
     }
     for (size_t length = 0; length < good.size(); length++) {
       set_contents(path, longer.substr(0, length));
@@ -174,7 +174,7 @@ static void two_walls(void **) {
   LedgerFile back("fix first", path, LedgerColumn::N_COLUMNS);
   assert_says(wrong_of_open(back, LedgerState(), 4), "up to step 5, and now it is step 4");
   assert_true(contents(path) == rows);
-  assert_says(back.open(LedgerState(), "heading", 5), "behind the 3 rows that fix first tells of");
+  assert_says(back.open(LedgerState(), "heading", 5), "after the 3 rows that fix first counts");
   assert_written(add_rows(back, path, 6, 1));
   assert_true(contents(path).compare(0, rows.size(), rows) == 0);
 }

@@ -44,7 +44,7 @@ static void usual_magnitudes(void **) {
   }
 }
 
-/* Decimals of ten digits, those half-way between two, and their neighbours. */
+/* Decimals of ten digits, those half-way between two, and their neighbors. */
 static void ties(void **) {
   std::mt19937_64 random(3);
   for (int exponent = -30; exponent <= 30; exponent++)

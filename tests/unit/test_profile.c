@@ -297,7 +297,7 @@ static void lines_in_x_and_y(void **state) {
   expect("x_um y_um z_um\n3 0 1\n3 2 2\n3 4 4\n", NULL, 3, 2e-6, 4e-6);
   expect("x_um y_um z_um\n3 5 1\n2 5 2\n1 5 4\n0 5 8\n", NULL, 4, 1e-6, 2e-6); /* X falls */
   assert_non_null(strstr(report.text, "positions fall"));
-  expect(turned, NULL, 4, sqrt(2) * 1e-6, 2e-6); /* towards X */
+  expect(turned, NULL, 4, sqrt(2) * 1e-6, 2e-6); /* toward X */
   expect_error("x_um y_um z_um\n0 0 1\n3 0 2\n3 4 3\n6 8 4\n", NULL, ASP_EDATA,
                "scatter across a line");
   aspi_profile_options o = aspi_profile_options_default();
@@ -608,7 +608,7 @@ static void warnings_have_their_names(void **state) {
     double quantum, low, high, dust;
     const char *name; /* NULL: no doubt */
   } all[] = {{1e-3, -99, 99, 0, NULL},
-             {0.05, -99, 99, 0, NULL}, /* rounded, most neighbours are equal */
+             {0.05, -99, 99, 0, NULL}, /* rounded, most neighbors are equal */
              {1e-3, -99, 99, 30, "of 3000 points lie over 20 robust"},
              {0.05, -99, 99, 30, "of 3000 points lie over 20 robust"},
              {0.6, -99, 99, 0, "quantized, 8 levels of 0.6 um"},
@@ -638,7 +638,7 @@ static void warnings_have_their_names(void **state) {
   assert_non_null(strstr(error.text, "only 19 correlation lengths long"));
 }
 
-/* Most points are off their neighbours by more than nearly nothing; what is left of them must not
+/* Most points are off their neighbors by more than nearly nothing; what is left of them must not
  * be stretched over the others, nor reach GSL's solver and its error handler. */
 static void more_spikes_than_points_are_refused(void **state) {
   (void)state;
@@ -743,8 +743,8 @@ static void readers_are_set_by_name(void **state) {
     assert_non_null(strstr(error.text, options[i].name));
     assert_int_equal(asp_reader_set(reader, options[i].name, options[i].good, NULL), ASP_OK);
   }
-  assert_int_equal(asp_reader_set(reader, "colour", 1, &error), ASP_ENAME);
-  assert_non_null(strstr(error.text, "'colour'"));
+  assert_int_equal(asp_reader_set(reader, "color", 1, &error), ASP_ENAME);
+  assert_non_null(strstr(error.text, "'color'"));
   assert_non_null(strstr(error.text, "resample"));
   asp_reader_free(reader);
 

@@ -204,9 +204,9 @@ static void materials_of_ones_own(void **state) {
     assert_non_null(strstr(error.text, bad[i].range));
     assert_near(asp_material_get(m, bad[i].name), 0, 0);
   }
-  assert_int_equal(asp_material_set(m, "colour", 1, &error), ASP_ENAME);
+  assert_int_equal(asp_material_set(m, "color", 1, &error), ASP_ENAME);
   assert_non_null(strstr(error.text, "yield_stress"));
-  assert_true(isnan(asp_material_get(m, "colour")));
+  assert_true(isnan(asp_material_get(m, "color")));
   assert_int_equal(asp_material_set(m, "density", 8500, NULL), ASP_OK);
   assert_near(asp_material_get(m, "density"), 8500, 0);
   assert_string_equal(asp_material_name(m), "brass");

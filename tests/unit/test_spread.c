@@ -315,7 +315,7 @@ static void weibull_is_the_best_of_its_kind(void **state) {
   }
 }
 
-/* A number of 0 to 1, every third crowded towards 0, every third towards 1. */
+/* A number of 0 to 1, every third crowded toward 0, every third toward 1. */
 static double crowded(gsl_rng *rng, int i) {
   double u = gsl_rng_uniform_pos(rng), tail = pow(u, 8);
   return i % 3 == 0 ? u : i % 3 == 1 ? tail : 1 - tail;

@@ -211,7 +211,7 @@ static void tables_are_the_first_hits_of_the_line(void **state) {
   asp_profile_free(profile);
 }
 
-/* The path of a disc's centre over a smooth profile, from few points, against the dilation of the
+/* The path of a disc's center over a smooth profile, from few points, against the dilation of the
  * same profile by many: no slopes that crowd at multiples of the spacing. */
 static void discs_roll_over_curves(void **state) {
   (void)state;

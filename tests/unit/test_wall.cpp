@@ -103,7 +103,7 @@ bool has(const std::string &text, const char *part) {
   return text.find(part) != std::string::npos;
 }
 
-/* Grains between both planes, each second one straight towards them; after so many steps. */
+/* Grains between both planes, each second one straight toward them, after a number of steps. */
 struct Grains {
   std::vector<double> x, v, f, radius, mass, state, place;
   std::vector<int> mask, type, tag;

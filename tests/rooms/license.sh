@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every source file says its licence in one of its first lines (SPDX); pages, data and pictures, which have
+# Every source file says its license in one of its first lines (SPDX); pages, data and pictures, which have
 # no room for it, are named in .reuse/dep5.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -20,7 +20,7 @@ files() { git ls-files 2> /dev/null || find . -type f -not -path './.git*' -not 
 while read -r file; do
   stated "$file" && continue
   looked=$((looked + 1))
-  head -n 40 "$file" | grep -q 'SPDX-License-Identifier: ' || { echo "FAILED: $file does not say its licence"; bad=1; }
+  head -n 40 "$file" | grep -q 'SPDX-License-Identifier: ' || { echo "FAILED: $file does not say its license"; bad=1; }
 done < <(files)
 [ "$looked" -gt 100 ] || { echo "FAILED: only $looked files were looked at"; bad=1; }
 exit $bad
