@@ -32,7 +32,7 @@ run $5"; } > "$1.in"
   sed "s/^run .*/run $(($5 * 2 / 5))\nwrite_restart half.restart/" "$1.in" > "$1.first.in"
   { sed 's/^region .*/read_restart half.restart/; /^create_box/d' soft; echo "$after
 run $5 upto"; } > "$1.rest.in"
-  for ranks in 1 4; do
+  for ranks in 1 $many; do
     rm -f rows.csv
     engine $ranks "$1.in"
     cp rows.csv "$1.$ranks.csv"
@@ -43,9 +43,9 @@ run $5 upto"; } > "$1.rest.in"
   engine 2 "$1.first.in"
   engine "$again" "$1.rest.in"
   same "$1.1.csv" rows.csv "$1 after a restart from 2 ranks on $again"
-  again=$((5 - again)) # in turn on 4 ranks and on 1
+  many=$((6 - many)) again=$((5 - again)) # in turn 4 ranks and 2, and on from 2 with 4 and 1
 }
-again=4
+many=4 again=1
 inside=$(cloud -0.009 0.009) above=$(cloud 0.001 0.012 0.019)
 scene rest "$inside" "box.stl type 1" 2e-5 200
 scene long "$inside" "box.stl type 1" 1e-3 20
