@@ -233,19 +233,23 @@ int cli_choice(const cli_option *option, const char *first, const char *second) 
   cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
 }
 
-/* Refuses `5`, which would be 5 m. */
-static void check_unit(const cli_option *option, double most) {
-  const char *text = option->value;
+void cli_check_unit(const char *name, const char *text, double most) {
   if (most > LENGTH_WITHOUT_UNIT && !strpbrk(text, "mcun\xC2\xCE"))
-    cli_bad_usage("--%s is '%s' without a unit; that would be %g m: say %sm, or %sum", option->name,
-                  text, most, text, text);
+    cli_bad_usage("%s is '%s' without a unit; that would be %g m: say %sm, or %sum", name, text,
+                  most, text, text);
+}
+
+static void check_option_unit(const cli_option *option, double most) {
+  char name[64];
+  snprintf(name, sizeof name, "--%s", option->name);
+  cli_check_unit(name, option->value, most);
 }
 
 double cli_length(const cli_option *option) {
   double value = read_one(option, "length");
   if (!(value > 0) || !isfinite(value))
     cli_bad_usage("--%s is '%s'; it must be a length > 0", option->name, option->value);
-  check_unit(option, value);
+  check_option_unit(option, value);
   return value;
 }
 
@@ -259,7 +263,7 @@ cli_list cli_values(const cli_option *option, const char *kind, double least, do
   if (strcmp(kind, "length") == 0 && !(list.least > 0))
     cli_bad_usage("--%s is '%s'; all of it must be > 0", option->name, option->value);
   if (strcmp(kind, "length") == 0)
-    check_unit(option, list.most);
+    check_option_unit(option, list.most);
   return list;
 }
 

@@ -61,6 +61,9 @@ _Noreturn void cli_bad_file(const cli_option *option, const asp_error *error);
 /* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
 typedef aspi_list cli_list;
 
+/* Bad usage if a length (m) over 1 mm has no unit: `5` would be 5 m, and its unit was forgotten. */
+void cli_check_unit(const char *name, const char *text, double most);
+
 /* The option's value, which must have been given, as a number of a kind (see base/quantity.h) with
  * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */
 double cli_quantity(const cli_option *option, const char *kind, double least, double most);

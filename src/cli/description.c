@@ -10,9 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A longer length (m) without a unit is more likely one whose unit was forgotten. */
-#define LENGTH_WITHOUT_UNIT 1e-3
-
 int cli_words(int argc, char **argv) {
   int count = 1;
   while (count < argc && !(argv[count][0] == '-' &&
@@ -28,9 +25,7 @@ static void check_lengths(int count, char **words) {
     for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
       char *end;
       double value = strcmp(words[i], lengths[k]) == 0 ? aspi_number(words[i + 1], &end) : 0;
-      if (value > LENGTH_WITHOUT_UNIT && !*end)
-        cli_bad_usage("%s is '%s' without a unit; that would be %g m: say %sm, or %sum", words[i],
-                      words[i + 1], value, words[i + 1], words[i + 1]);
+      cli_check_unit(words[i], words[i + 1], value);
     }
 }
 

@@ -35,7 +35,8 @@ static const double UNITED = 2;
 static const double FORM = 1e-6;
 
 MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
-    : world_(world), fix_(fix), pieces_(0), nodes_(), reference_(), force_(), torque_() {
+    : world_(world), fix_(fix), is_servo_(strcmp(fix->style, "mesh/surface/stress/servo") == 0),
+      pieces_(0), nodes_(), reference_(), force_(), torque_() {
   add_sums();
   int mine = -1, most;
   for (int t = 0; t < mesh()->sizeLocal(); t++)

@@ -87,6 +87,7 @@ private:
 
   MPI_Comm world_;
   FixMeshSurface *fix_;
+  bool is_servo_;
   size_t pieces_;
   std::unique_ptr<asperity::SharedTriangles> shared_; /* of a large mesh on several ranks */
   std::string report_;                                /* for the log */

@@ -5,7 +5,6 @@
 #include "mesh_liggghts.h"
 
 #include <math.h>
-#include <string.h>
 #include <algorithm>
 
 #include "atom.h"
@@ -103,7 +102,7 @@ void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
 /* The total goes to this rank's part of the mesh's sums, which LIGGGHTS adds up; the force on a
  * triangle to the triangle, or to its owner where this rank has none. */
 void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
-  const double spread = strcmp(fix_->style, "mesh/surface/stress/servo") == 0 ? SPREAD : 1;
+  const double spread = is_servo_ ? SPREAD : 1;
   std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
   double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
                          stress()->compute_vector(8)};

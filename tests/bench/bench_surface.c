@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity.h"
 #include "bench.h"
+#include "spread/line.h"
 #include "spread/models.h"
 #include "surface/closing.h"
 

@@ -28,7 +28,7 @@ int main(int argc, char **argv) {
     fprintf(stderr, "one_impact: %s\n", error.text);
     return 1;
   }
-  asp_pair pair = {54.8e9, 200e6, 0.8, 0.3};
+  asp_pair pair = {54.8e9, 200e6, 0.8, 0.3, 7800};
   asp_particle grain = {10e-6, 2650, &pair, {0, 0, 0}, NULL};
   unsigned contacts = (unsigned)strtoul(argv[3], NULL, 10);
   double n[3] = {0, 0, 1}, sum = 0;
