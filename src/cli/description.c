@@ -5,18 +5,9 @@
 #include "base/number.h"
 #include "wall/description.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-int cli_words(int argc, char **argv) {
-  int count = 1;
-  while (count < argc && !(argv[count][0] == '-' &&
-                           (isalpha((unsigned char)argv[count][1]) || argv[count][1] == '-')))
-    count++;
-  return count - 1;
-}
 
 /* Refuses `rq 15`, which would be 15 m. */
 static void check_lengths(int count, char **words) {
@@ -42,7 +33,7 @@ static void read_words(asp_wall *wall, int count, char **words) {
   free(all);
 }
 
-static char *text_of(const asp_wall *wall) {
+char *cli_description_text(const asp_wall *wall) {
   size_t size = asp_wall_describe(wall, NULL, 0) + 1;
   char *text = cli_allocate(size, 1);
   asp_wall_describe(wall, text, size);
@@ -89,7 +80,7 @@ static cli_description read_description(int count, char **words, bool may_fit) {
   check_lengths(count, words);
   read_words(d.wall, count, words);
   read_materials(&d);
-  d.text = text_of(d.wall);
+  d.text = cli_description_text(d.wall);
   return d;
 }
 
@@ -99,14 +90,6 @@ cli_description cli_description_read(int count, char **words) {
 
 cli_description cli_description_read_fit(int count, char **words) {
   return read_description(count, words, true);
-}
-
-void cli_description_free(cli_description *d) {
-  asp_wall_free(d->wall);
-  asp_pair_free(d->pair);
-  asp_profile_free(d->profile);
-  asp_map_free(d->map);
-  free(d->text);
 }
 
 static bool is_word_of(const char *word, const char *list) {
@@ -126,34 +109,6 @@ void cli_description_allow(cli_description *d, const char *allowed, const char *
         !is_word_of(k->name, allowed))
       cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
   }
-}
-
-/* Copies the clauses other than the surface's into another wall. */
-static void copy_constants(const cli_description *d, asp_wall *to) {
-  asp_error error;
-  asp_wall *from = asp_wall_parse("", NULL, &error);
-  for (int next = 0, taken = 0; from && next < d->n_words; next += taken) {
-    const char *const *words = (const char *const *)d->words + next;
-    if (asp_wall_read(from, d->n_words - next, words, "", &taken, &error))
-      cli_fail("%s", error.text);
-    if (strcmp(*words, "surface") != 0 && strcmp(*words, "spread") != 0)
-      read_words(to, taken, d->words + next);
-  }
-  asp_wall_free(from);
-}
-
-cli_description cli_description_smooth(const cli_description *d) {
-  cli_description smooth = {.wall = NULL};
-  asp_error error;
-  smooth.wall = asp_wall_parse("", NULL, &error);
-  if (!smooth.wall)
-    cli_fail("%s", error.text);
-  copy_constants(d, smooth.wall);
-  read_materials(&smooth);
-  smooth.text = text_of(smooth.wall);
-  if (asp_wall_make(smooth.wall, 1, 1, &error))
-    cli_fail("%s", error.text);
-  return smooth;
 }
 
 /* The file of a measured wall, which the wall is given to be made of. */
@@ -249,4 +204,11 @@ const double *cli_description_lay(const cli_description *d, double vector[3]) {
   vector[1] = lay.kind == ASP_LAY_ANGLE ? sin(lay.angle) : lay.vector[1];
   vector[2] = lay.kind == ASP_LAY_ANGLE ? 0 : lay.vector[2];
   return vector;
+}
+
+double cli_description_shrink(const cli_description *d) {
+  const asp_surface *surface = asp_wall_surface(d->wall);
+  double vector[3], ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
+  const double *lay = cli_description_lay(d, vector);
+  return lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;
 }

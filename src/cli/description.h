@@ -10,9 +10,6 @@
 
 #include "cli/cli.h"
 
-/* Number of words before the first option; `-0.5` is a number and no option. */
-int cli_words(int argc, char **argv);
-
 typedef struct cli_description {
   asp_wall *wall;
   char **words; /* as given */
@@ -36,14 +33,13 @@ cli_description cli_description_read(int count, char **words);
 
 /* The same where numbers may be unknown; see aspi_description_let_fit. */
 cli_description cli_description_read_fit(int count, char **words);
-void cli_description_free(cli_description *description);
+
+/* The canonical text of a wall. */
+char *cli_description_text(const asp_wall *wall);
 
 /* Refuses each keyword that is given and is none of `allowed`, which have blanks between; `why` is
  * a sentence about the command. */
 void cli_description_allow(cli_description *description, const char *allowed, const char *why);
-
-/* The same with a smooth surface, ready for impacts and without warnings. */
-cli_description cli_description_smooth(const cli_description *description);
 
 /* Reads a measured wall and prepares for diameters from d_least to d_most, with warnings of what
  * looks like a mistake in the wall, its file, or its constants. */
@@ -52,5 +48,9 @@ void cli_description_make(cli_description *description, double d_least, double d
 /* The direction of the lay where particles fly along x over the wall z = 0; NULL where there is no
  * lay. An angle is from x toward y. `vector` holds it. */
 const double *cli_description_lay(const cli_description *description, double vector[3]);
+
+/* The square of lambda_c across the lay over the correlation length along the flight; 1 where there
+ * is no lay. */
+double cli_description_shrink(const cli_description *description);
 
 #endif
