@@ -76,7 +76,7 @@ static cli_description read_description(int count, char **words, bool may_fit) {
   if (!d.wall)
     cli_fail("%s", error.text);
   if (may_fit)
-    aspi_description_let_fit(d.wall->said);
+    d.wall->said->may_fit = true;
   check_lengths(count, words);
   read_words(d.wall, count, words);
   read_materials(&d);

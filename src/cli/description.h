@@ -31,7 +31,7 @@ typedef struct cli_description {
  * come. */
 cli_description cli_description_read(int count, char **words);
 
-/* The same where numbers may be unknown; see aspi_description_let_fit. */
+/* The same where numbers may be unknown: see aspi_description. */
 cli_description cli_description_read_fit(int count, char **words);
 
 /* The canonical text of a wall. */

@@ -150,16 +150,12 @@ const asp_surface *asp_wall_surface(const asp_wall *wall) {
 
 /* ---- surface ---- */
 
-bool aspi_needs_sizes(const asp_wall *wall) {
+bool asp_wall_needs_sizes(const asp_wall *wall) {
   const aspi_description *said = wall->said;
   if (said->kind == ASPI_SMOOTH)
     return false;
   return said->kind == ASPI_PROFILE || said->chooses || wall->choice.spread->generate ||
          (said->kind == ASPI_MAP && wall->choice.spread->prepare_map);
-}
-
-bool asp_wall_needs_sizes(const asp_wall *wall) {
-  return aspi_needs_sizes(wall);
 }
 
 static asp_code take_surface(asp_wall *wall, asp_surface *made, const asp_error *wrong,
@@ -286,7 +282,7 @@ asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error 
     code = choose_model(wall, d_least, d_most, error);
   if (code)
     return code;
-  if (aspi_needs_sizes(wall)) {
+  if (asp_wall_needs_sizes(wall)) {
     wall->choice.numbers[ASP_WALL_D_P_LEAST] = d_least;
     wall->choice.numbers[ASP_WALL_D_P_MOST] = d_most;
   }

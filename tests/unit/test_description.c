@@ -423,7 +423,7 @@ static asp_wall *parse_fit(const char *text, asp_error *error) {
   const char *words[50];
   int count = 0, taken;
   asp_wall *wall = parse("", &si);
-  aspi_description_let_fit(wall->said);
+  wall->said->may_fit = true;
   snprintf(copy, sizeof copy, "%s", text);
   for (char *word = strtok(copy, " "); word; word = strtok(NULL, " "))
     words[count++] = word;
