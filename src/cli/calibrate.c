@@ -50,11 +50,11 @@ static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
   if (index >= 0) {
     const asp_parameter *p = asp_rebound_parameter(law, index);
     u.kind = OF_LAW;
-    u.least = asp_parameter_least(p);
-    u.most = asp_parameter_most(p);
+    u.least = p->least;
+    u.most = p->most;
     u.bounded = u.most - u.least <= 10;
-    u.standard = asp_parameter_default(p);
-    kind = asp_parameter_unit(p);
+    u.standard = p->fallback;
+    kind = p->unit;
   } else {
     const aspi_keyword *k = aspi_keyword_find(u.kind == OF_SURFACE ? "surface" : "", name);
     u.least = k->least;
@@ -118,8 +118,7 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)
     cli_bad_usage("%s: %s", path, error.text);
-  else if (code)
-    cli_bad_file(NULL, &error);
+  cli_must(!code, &error);
 }
 
 /* ---- the fit ----------------------------------------------------------------------------------
@@ -131,8 +130,7 @@ static aspi_fit find_unknowns(aspi_calibration *c) {
   asp_error error;
   c->progress = cli_progress_show;
   c->progress_context = &progress;
-  if (aspi_calibration_find(c, &f, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!aspi_calibration_find(c, &f, &error), &error);
   cli_progress_end(&progress);
   return f;
 }

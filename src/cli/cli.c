@@ -60,11 +60,10 @@ char *cli_copy(const char *text) {
   return strcpy(cli_allocate(strlen(text) + 1, 1), text);
 }
 
-void cli_bad_file(const cli_option *option, const asp_error *error) {
-  fputs("asperity: ", stderr);
-  if (option)
-    fprintf(stderr, "--%s: ", option->name);
-  fprintf(stderr, "%s\n", error->text);
+void cli_must(bool good, const asp_error *error) {
+  if (good)
+    return;
+  fprintf(stderr, "asperity: %s\n", error->text);
   exit(error->code == ASP_ENOMEM ? 1 : 2);
 }
 
@@ -238,8 +237,7 @@ static double read_one(const cli_option *option, const char *kind) {
   double value;
   asp_error error;
   snprintf(name, sizeof name, "--%s", option->name);
-  if (aspi_quantity_read(name, given(option), kind, &si, &value, &error))
-    cli_bad_usage("%s", error.text);
+  cli_must(!aspi_quantity_read(name, given(option), kind, &si, &value, &error), &error);
   return value;
 }
 
@@ -304,8 +302,7 @@ cli_list cli_values(const cli_option *option, const char *kind, double least, do
   cli_list list;
   asp_error error;
   snprintf(name, sizeof name, "--%s", option->name);
-  if (aspi_list_read(name, given(option), kind, &si, least, most, &list, &error))
-    cli_bad_usage("%s", error.text);
+  cli_must(!aspi_list_read(name, given(option), kind, &si, least, most, &list, &error), &error);
   if (strcmp(kind, "length") == 0 && !(list.least > 0))
     cli_bad_usage("--%s is '%s'; all of it must be > 0", option->name, option->value);
   if (strcmp(kind, "length") == 0)

@@ -71,9 +71,9 @@ CLI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 
 void *cli_allocate(size_t count, size_t size);
 char *cli_copy(const char *text);
 
-/* Tells what is wrong with the file that an option (NULL: an argument) names: exit 2, 1 where there
- * is no memory for it. */
-_Noreturn void cli_bad_file(const cli_option *option, const asp_error *error);
+/* Exits where something that a library call gave is not good, with its message: exit 2, 1 where
+ * there is no memory for it. */
+void cli_must(bool good, const asp_error *error);
 
 /* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
 typedef aspi_list cli_list;

@@ -187,16 +187,12 @@ static void take_view(aspi_comparison *c) {
                   c->names[0]);
 }
 
-static void must(asp_code code, const asp_error *error) {
-  if (code)
-    cli_bad_file(NULL, error);
-}
-
 static void make_bins(aspi_comparison *c, cli_call *call) {
   bool given = cli_value(call, "bin");
   asp_error error;
   cli_default(call, "bin", WIDTH);
-  must(aspi_compare_make_bins(c, cli_number(cli_get(call, "bin"), 0.1, 90), given, &error), &error);
+  cli_must(!aspi_compare_make_bins(c, cli_number(cli_get(call, "bin"), 0.1, 90), given, &error),
+           &error);
 }
 
 static void table_impacts(aspi_comparison *c, cli_call *call) {
@@ -208,7 +204,7 @@ static void table_impacts(aspi_comparison *c, cli_call *call) {
   c->impacts = cli_scatter_read_impacts(c->names[0]);
   take_impacts(c);
   make_bins(c, call);
-  must(aspi_compare_fill_alone(c, &error), &error);
+  cli_must(!aspi_compare_fill_alone(c, &error), &error);
 }
 
 static void compare_with(aspi_comparison *c, cli_call *call) {
@@ -219,7 +215,7 @@ static void compare_with(aspi_comparison *c, cli_call *call) {
   leave_out(c);
   take_view(c);
   make_bins(c, call);
-  must(aspi_compare_fill(c, &far, &error), &error);
+  cli_must(!aspi_compare_fill(c, &far, &error), &error);
   check_bins(c);
   warn_double(&c->impacts);
 }

@@ -285,8 +285,7 @@ static void plot(const cli_call *call, const scene *s, const row *rows, size_t n
     snprintf(style, sizeof style, "law_%s", asp_rebound_name(asp_wall_rebound(wall)));
   cli_plot *picture = open_picture(call, s, rows, n);
   asp_wall_set_surface(wall, NULL);
-  if (asp_wall_prepare(wall, &error))
-    cli_fail("%s", error.text);
+  cli_must(!asp_wall_prepare(wall, &error), &error);
   for (int t = 0; t < 2; t++) {
     cli_plot_coefficient(picture, t);
     plot_impacts(picture, t, rows, n);

@@ -26,10 +26,8 @@ static void read_words(asp_wall *wall, int count, char **words) {
   for (int i = 0; i < count; i++)
     all[i] = words[i];
   for (int next = 0, taken; next < count; next += taken)
-    if (asp_wall_read(wall, count - next, all + next, "", &taken, &error))
-      cli_bad_file(NULL, &error);
-  if (asp_wall_complete(wall, &error))
-    cli_bad_usage("%s", error.text);
+    cli_must(!asp_wall_read(wall, count - next, all + next, "", &taken, &error), &error);
+  cli_must(!asp_wall_complete(wall, &error), &error);
   free(all);
 }
 
@@ -49,7 +47,7 @@ static void read_materials(cli_description *d) {
     d->has_standard_materials = true;
     count = 2;
   }
-  d->density = asp_material_get(asp_materials_find(NULL, standard[1], NULL), "density");
+  d->density = asp_material_get(aspi_materials_find(NULL, standard[1], NULL), "density");
   if (count == 0)
     return;
   if (count != 2)
@@ -60,8 +58,7 @@ static void read_materials(cli_description *d) {
   d->target = asp_wall_material(d->wall, 1);
   d->density = asp_material_get(d->particle, "density");
   d->pair = asp_wall_pair(d->wall, d->particle, d->target, &error);
-  if (!d->pair)
-    cli_bad_usage("%s", error.text);
+  cli_must(d->pair, &error);
   if (!(asp_wall_get(d->wall, "yield_rate") > 0) && !asp_wall_is_given(d->wall, "yield_stress") &&
       !(asp_pair_get(d->pair, "yield_stress") > 0))
     cli_bad_usage("material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
@@ -123,15 +120,13 @@ static void read_file(cli_description *d) {
     d->map = asp_reader_read_map(reader, file, &error);
   else if (reader)
     d->profile = asp_reader_read(reader, file, &error);
-  if (!d->map && !d->profile)
-    cli_bad_file(NULL, &error);
+  cli_must(d->map || d->profile, &error);
   if (asp_reader_check(reader, &error))
     cli_warn("surface %s %s: %s", kind, file, error.text);
   asp_reader_free(reader);
   asp_wall_set_map(d->wall, d->map);
   asp_wall_set_profile(d->wall, d->profile);
-  if (asp_wall_complete(d->wall, &error))
-    cli_bad_usage("%s", error.text);
+  cli_must(!asp_wall_complete(d->wall, &error), &error);
 }
 
 static void check_sampling(const cli_description *d, double d_least) {
@@ -185,8 +180,7 @@ static void tell_choice(cli_description *d) {
 void cli_description_make(cli_description *d, double d_least, double d_most) {
   asp_error error;
   read_file(d);
-  if (asp_wall_make(d->wall, d_least, d_most, &error))
-    cli_bad_usage("%s", error.text);
+  cli_must(!asp_wall_make(d->wall, d_least, d_most, &error), &error);
   tell_choice(d);
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))

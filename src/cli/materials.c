@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
+#include "rebound/materials.h"
 
 #include <math.h>
 
@@ -14,34 +15,26 @@ static void print_quoted(FILE *out, const char *text) {
 }
 
 static void print_row(FILE *out, const asp_material *m) {
-  double yield_stress = asp_material_get(m, "yield_stress");
-  cli_row(out, "%s,", asp_material_name(m));
-  print_quoted(out, asp_material_title(m));
-  cli_row(out, ",%.10g,%.10g,%.10g,%.10g,", asp_material_get(m, "youngs_modulus"),
-          asp_material_get(m, "poissons_ratio"), asp_material_get(m, "density"),
-          yield_stress > 0 ? yield_stress : NAN);
-  print_quoted(out, asp_material_source(m));
+  cli_row(out, "%s,", m->name);
+  print_quoted(out, m->title);
+  cli_row(out, ",%.10g,%.10g,%.10g,%.10g,", m->youngs_modulus, m->poissons_ratio, m->density,
+          m->yield_stress > 0 ? m->yield_stress : NAN);
+  print_quoted(out, m->source);
   putc('\n', out);
 }
 
-static asp_materials *own_of(const cli_option *option) {
-  if (!option->value)
-    return NULL;
-  asp_error error;
-  asp_materials *own = asp_materials_read(option->value, &error);
-  if (!own)
-    cli_bad_file(option, &error);
-  return own;
-}
-
 static void run(cli_call *call) {
-  asp_materials *own = own_of(cli_get(call, "materials"));
+  const char *path = cli_value(call, "materials");
+  asp_error error;
+  aspi_materials *own = path ? aspi_materials_read(path, &error) : NULL;
+  if (path && !own)
+    cli_bad_usage("--materials: %s", error.text);
   FILE *out = cli_output_open(call, "output", NULL);
   fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n", out);
-  for (int i = 0; own && i < asp_materials_count(own); i++)
-    print_row(out, asp_materials_at(own, i));
+  for (int i = 0; own && i < aspi_materials_count(own); i++)
+    print_row(out, aspi_materials_at(own, i));
   for (int i = 0; i < asp_material_count(); i++)
-    if (asp_materials_find(own, asp_material_name(asp_material_at(i)), NULL) == asp_material_at(i))
+    if (aspi_materials_find(own, asp_material_name(asp_material_at(i)), NULL) == asp_material_at(i))
       print_row(out, asp_material_at(i));
   cli_file_close(out);
 }

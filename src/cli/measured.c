@@ -416,12 +416,11 @@ aspi_measured cli_measured_read(const char *path, const cli_option *options) {
   size_t below = 0;
   asp_error error;
   aspi_csv *csv = aspi_csv_open(path, &error);
-  if (!csv)
-    cli_bad_file(NULL, &error);
+  cli_must(csv, &error);
   find_columns(csv, path, &l);
-  if (find_form(csv, &l, &data.means, &error) || find_view(csv, &l, &data, &error) ||
-      read_rows(csv, &l, &data, &below, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!find_form(csv, &l, &data.means, &error) && !find_view(csv, &l, &data, &error) &&
+               !read_rows(csv, &l, &data, &below, &error),
+           &error);
   if (options[MEASURED_VIEW].value) {
     int view = cli_choice(&options[MEASURED_VIEW], "plane", "space");
     if (data.view != ASPI_MEASURED_EITHER)

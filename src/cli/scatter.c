@@ -279,8 +279,7 @@ static asp_code read_file(file *f, asp_error *error) {
 void cli_scatter_read_rows(impact_file *to) {
   file f = {.to = to, .unit = {1, 1, 1, 1}};
   asp_error error;
-  if (read_file(&f, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!read_file(&f, &error), &error);
 }
 
 /* ---- all impacts of a file ---- */

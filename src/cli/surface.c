@@ -179,8 +179,7 @@ static cli_wall read_wall(const cli_call *call, const cli_description *wall, con
   double level = cli_choice(cli_get(call, "level"), "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
   asp_profile *profile = aspi_profile_read(file, &how.file, &from->report, &error);
-  if (!profile)
-    cli_bad_file(NULL, &error);
+  cli_must(profile, &error);
   if (aspi_profile_describe(profile, level, &from->description, &error) ||
       aspi_description_check(&from->description, 1, &error))
     cli_bad_usage("%s: %s", file, error.text);
@@ -198,8 +197,7 @@ static cli_wall generate_wall(const cli_call *call, const cli_description *wall,
   asp_profile *profile = asp_profile_create(
       r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
       cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST), seed_of(wall) + more, &error);
-  if (!profile)
-    cli_bad_usage("%s", error.text);
+  cli_must(profile, &error);
   return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
 }
 
@@ -236,8 +234,7 @@ static void measure(const cli_wall *wall, const cli_list *sizes, cli_slopes *row
       cli_progress_show(&progress, (double)++finished);
     }
   }
-  if (error.code)
-    cli_bad_file(NULL, &error);
+  cli_must(!error.code, &error);
   cli_progress_end(&progress);
 }
 

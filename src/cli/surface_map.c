@@ -37,8 +37,7 @@ static measured read_map(const char *path, const aspi_map_options *options) {
     m.map = aspi_map_read_stream(stream, path, options, &m.report, &error);
     fclose(stream);
   }
-  if (!m.map)
-    cli_bad_file(NULL, &error);
+  cli_must(m.map, &error);
   if (aspi_map_describe(m.map, &m.description, &error) ||
       aspi_map_check(m.map, &m.description, 1, &error))
     cli_bad_usage("%s: %s", path, error.text);
@@ -254,8 +253,7 @@ static aspi_angles rebounds(const measured *m, asp_surface *surface, double d_p,
   aspi_judge_walls of = {.folds = 1, .surface = {surface}, .map = {m->map}, .in_space = true};
   asp_error error;
   asp_wall *wall = aspi_judge_wall(&of, 0, d_p, model, true, &error);
-  if (!wall)
-    cli_bad_file(NULL, &error);
+  cli_must(wall, &error);
   aspi_angles all = aspi_judge_rebounds(wall, d_p, lay, ALPHA1, IMPACTS, 1);
   asp_wall_free(wall);
   return all;

@@ -92,17 +92,17 @@ static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_c
   cli_progress progress = cli_progress_begin("ensemble", 1);
   subject->progress = cli_progress_show;
   subject->context = &progress;
-  if (aspi_judge_walls_create(&walls, subject, &error) ||
-      aspi_judge_create(&judge, subject, &walls, angles->values, angles->count, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!aspi_judge_walls_create(&walls, subject, &error), &error);
+  cli_must(!aspi_judge_create(&judge, subject, &walls, angles->values, angles->count, &error),
+           &error);
   cli_progress_end(&progress);
   progress = cli_progress_begin("models", (double)models);
   for (size_t m = 0; m < models; m++) {
     const asp_spread_model *of = asp_spread_at((int)m);
     aspi_judge_model model;
-    if (aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of), multiple,
-                                &error))
-      cli_bad_file(NULL, &error);
+    cli_must(!aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of), multiple,
+                                      &error),
+             &error);
     for (size_t i = 0; i < angles->count; i++) {
       judged *row = &rows[i * models + m];
       *row = judge_at(subject, &judge, &model, angles->values[i], i);
@@ -217,8 +217,7 @@ static void drop_grazing(const aspi_judge_case *subject, const char *given, cli_
   size_t kept = 0;
   double least;
   asp_error error;
-  if (aspi_judge_angle_least(subject, &least, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!aspi_judge_angle_least(subject, &least, &error), &error);
   for (size_t i = 0; i < angles->count; i++)
     if (angles->values[i] >= least)
       angles->values[kept++] = angles->values[i];

@@ -129,8 +129,8 @@ static void add_spread(line *l, const asp_wall *wall) {
 
 static void add_parameter(line *l, const aspi_description *said, const asp_parameter *p,
                           double value) {
-  const char *word = asp_parameter_words(p);
-  if (!*word) {
+  const char *word = p->words;
+  if (!word) {
     add_value(l, said, p->name, false, value);
     return;
   }
@@ -158,10 +158,10 @@ static bool differs(const aspi_description *said, const law *l, int i) {
 /* Those that follow one word are left out where all have their defaults. */
 static void add_parameters(line *l, const aspi_description *said, const law *of) {
   for (int i = 0, next; i < of->count; i = next) {
-    const char *keyword = asp_parameter_keyword(&of->parameters[i]);
+    const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
     bool any = !*keyword;
     for (next = i;
-         next < of->count && strcmp(asp_parameter_keyword(&of->parameters[next]), keyword) == 0;
+         next < of->count && strcmp(aspi_parameter_keyword(&of->parameters[next]), keyword) == 0;
          next++)
       any = any || differs(said, of, next);
     if (any && *keyword)

@@ -39,7 +39,7 @@ struct aspi_description {
   char **names; /* of the materials */
   int n_materials;
   char *materials_file;
-  asp_materials *own;
+  aspi_materials *own;
   asp_material **materials; /* in the units of the caller */
   double friction, surface_energy, yield_stress;
   aspi_deposit deposit;
@@ -53,7 +53,7 @@ struct aspi_description {
   asp_surface *surface; /* what the description makes of it */
   asp_profile *profile; /* read by asp_wall_make; else NULL */
   asp_map *map;
-  asp_cor_table *cor_table;
+  aspi_cor_table *cor_table;
 };
 
 /* A word of a description. */

@@ -32,11 +32,11 @@ void aspi_description_free(aspi_description *said) {
   free(said->file);
   free(said->table);
   free(said->materials_file);
-  asp_materials_free(said->own);
+  aspi_materials_free(said->own);
   asp_surface_free(said->surface);
   asp_profile_free(said->profile);
   asp_map_free(said->map);
-  asp_cor_table_free(said->cor_table);
+  aspi_cor_table_free(said->cor_table);
   free(said);
 }
 
@@ -262,8 +262,8 @@ static asp_code choose_model(asp_wall *wall, double d_least, double d_most, asp_
   asp_error wrong;
   double divergence;
   const asp_spread_model *model =
-      asp_spread_auto(wall->choice.surface, d_least, d_most, wall->choice.multiple, said->tolerance,
-                      &divergence, said->choice, sizeof said->choice, &wrong);
+      aspi_spread_auto(wall->choice.surface, d_least, d_most, wall->choice.multiple,
+                       said->tolerance, &divergence, said->choice, sizeof said->choice, &wrong);
   if (!model)
     return aspi_fail(error, wrong.code, "spread auto: %s", wrong.text);
   wall->choice.spread = model;

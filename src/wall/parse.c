@@ -181,7 +181,7 @@ static asp_code read_parameter(aspi_words *r, const law *l, int index) {
   bool unknown = l->may_fit && !p->words && aspi_words_unknown(r, given, &start);
   asp_code code = ASP_OK;
   if (p->words)
-    code = asp_parameter_read(p, given, &value, r->error);
+    code = aspi_parameter_read(p, given, &value, r->error);
   else if (start)
     code = aspi_quantity_read(p->name, start, p->unit, &r->said->units, &value, r->error);
   if (!code)
@@ -193,7 +193,7 @@ static asp_code read_parameter(aspi_words *r, const law *l, int index) {
 static asp_code read_parameters(aspi_words *r, const law *l, const char *keyword) {
   asp_code code = ASP_OK;
   for (int i = 0; i < l->count && !code; i++)
-    if (strcmp(asp_parameter_keyword(&l->parameters[i]), keyword) == 0)
+    if (strcmp(aspi_parameter_keyword(&l->parameters[i]), keyword) == 0)
       code = read_parameter(r, l, i);
   return code;
 }
@@ -201,7 +201,7 @@ static asp_code read_parameters(aspi_words *r, const law *l, const char *keyword
 /* The parameters of the next word; *more is false where it has none. */
 static asp_code read_more(aspi_words *r, const law *l, bool *more) {
   for (int i = 0; i < l->count; i++) {
-    const char *keyword = asp_parameter_keyword(&l->parameters[i]);
+    const char *keyword = aspi_parameter_keyword(&l->parameters[i]);
     if (*keyword && aspi_words_take(r, keyword))
       return read_parameters(r, l, keyword);
   }
@@ -216,10 +216,10 @@ static asp_code read_table(aspi_words *r) {
     code = aspi_words_check_units(r, "a table is");
   if (code)
     return code;
-  asp_cor_table_free(said->cor_table);
+  aspi_cor_table_free(said->cor_table);
   said->cor_table =
-      asp_cor_table_read(said->table, said->units.metre / said->units.second, r->error);
-  asp_wall_set_table(r->wall, said->cor_table);
+      aspi_cor_table_read(said->table, said->units.metre / said->units.second, r->error);
+  r->wall->choice.table = said->cor_table;
   return said->cor_table ? ASP_OK : ASP_EDATA;
 }
 
@@ -363,7 +363,7 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
   }
   const asp_rebound_law *of = r->wall->choice.law;
   for (int i = 0; i < of->n_parameters && strcmp(r->said->last, "rebound") == 0; i++) {
-    const char *keyword = asp_parameter_keyword(&of->parameters[i]);
+    const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
     size_t used = strlen(list);
     if (!aspi_words_in_list(keyword, list))
       snprintf(list + used, sizeof list - used, " %s", keyword);

@@ -112,23 +112,23 @@ static const asp_rebound_law *add_law(char *text) {
   const asp_rebound_law *law;
   do
     law = asp_rebound_at(whole(asp_rebound_count()));
-  while (asp_rebound_needs_table(law)); /* it would need a file */
+  while (law->needs_table); /* it would need a file */
   add(text, " rebound %s", asp_rebound_name(law));
   const char *last = "";
   bool on = true;
-  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+  for (int i = 0; i < law->n_parameters; i++) {
     const asp_parameter *p = asp_rebound_parameter(law, i);
-    const char *keyword = asp_parameter_keyword(p);
+    const char *keyword = aspi_parameter_keyword(p);
     if (strcmp(keyword, last) != 0) {
       on = whole(2);
       if (on)
         add(text, " %s", keyword);
     }
     last = keyword;
-    if (*asp_parameter_words(p) && on)
+    if (p->words && on)
       add(text, whole(2) ? " on" : " off");
     else if (on)
-      add(text, " %.17g", within(asp_parameter_least(p), asp_parameter_most(p)));
+      add(text, " %.17g", within(p->least, p->most));
   }
   return law;
 }
@@ -359,8 +359,8 @@ static void pairs_have_defaults(void **state) {
   assert_near(asp_pair_get(pair, "yield_stress"), 2e5, 1e-9);
   asp_pair_free(pair);
   asp_wall_free(wall);
-  pair = asp_pair_create(asp_materials_find(NULL, "quartz", NULL),
-                         asp_materials_find(NULL, "steel", NULL), NULL);
+  pair = asp_pair_create(aspi_materials_find(NULL, "quartz", NULL),
+                         aspi_materials_find(NULL, "steel", NULL), NULL);
   assert_near(asp_pair_get(pair, "surface_energy"), ASP_SURFACE_ENERGY, 0);
   asp_pair_free(pair);
   wall = parse("materials quartz steel friction 0.4 surface_energy 0.1 yield_stress 1e8", &si);
