@@ -128,12 +128,6 @@ const char *asp_reader_text(const asp_reader *reader);
  * of their range. For a front end to warn of. */
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
 
-/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
- * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
- * unit. Of a map, the larger step, the shorter side and lambda_2. */
-asp_code asp_sampling_check(double d_p, double spacing, double length, double lambda,
-                            asp_error *error);
-
 /* ---- map ------------------------------------------------------------------------------------- */
 /* Heights of a wall over an area, row after row, at equal spacing along x (in a row) and along y
  * (from row to row), in single precision. Heights of a file are relative to their mean. Lengths are
@@ -409,6 +403,10 @@ asp_lay asp_wall_lay(const asp_wall *wall);
 asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error *error);
 bool asp_wall_needs_sizes(const asp_wall *wall);
 const asp_surface *asp_wall_surface(const asp_wall *wall); /* NULL: smooth, or not made yet */
+
+/* ASP_ERANGE and a message where the file of a wall that is made tells little about spheres of
+ * diameter d_p: where they cover under 10 points, or it is under 20 correlation lengths long. */
+asp_code asp_wall_check_sampling(const asp_wall *wall, double d_p, asp_error *error);
 
 /* The materials of a description, in its units, which live as long as the wall; 0 <= index <
  * asp_wall_materials(). */

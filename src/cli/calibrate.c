@@ -39,31 +39,22 @@ static double standard_of(const aspi_calibration *c, const aspi_unknown *u) {
 
 /* Properties of a number of the description; a law's own numbers go before all others. */
 static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
-  static const char *const surface[] = {"sigma", "rq", "lambda_c"};
   const asp_rebound_law *law = asp_wall_rebound(c->wall);
-  aspi_unknown u = {.name = name, .kind = OF_PAIR};
-  const char *kind = "";
-  int index = aspi_rebound_parameter_find(law, name, NULL);
-  for (int i = 0; i < 3; i++)
-    if (strcmp(surface[i], name) == 0)
-      u.kind = OF_SURFACE;
-  if (index >= 0) {
-    const asp_parameter *p = asp_rebound_parameter(law, index);
-    u.kind = OF_LAW;
-    u.least = p->least;
-    u.most = p->most;
-    u.bounded = u.most - u.least <= 10;
-    u.standard = p->fallback;
-    kind = p->unit;
-  } else {
-    const aspi_keyword *k = aspi_keyword_find(u.kind == OF_SURFACE ? "surface" : "", name);
-    u.least = k->least;
-    u.most = k->most;
-    u.standard = standard_of(c, &u);
-    kind = k->unit;
-  }
+  int index = aspi_rebound_parameter_find(law, name, NULL), i = 0;
+  const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
+  while (!p && !(aspi_keyword_at(i)->may_fit && strcmp(aspi_keyword_at(i)->name, name) == 0))
+    i++;
+  const aspi_keyword *k = aspi_keyword_at(i);
+  aspi_unknown u = {.name = name,
+                    .kind = p            ? OF_LAW
+                            : *k->within ? OF_SURFACE
+                                         : OF_PAIR,
+                    .least = p ? p->least : k->least,
+                    .most = p ? p->most : k->most};
+  u.bounded = p && u.most - u.least <= 10;
+  u.standard = p ? p->fallback : standard_of(c, &u);
   char units[120];
-  aspi_quantity_units(kind, units, sizeof units);
+  aspi_quantity_units(p ? p->unit : k->unit, units, sizeof units);
   snprintf(u.unit, sizeof u.unit, "%.*s", (int)strcspn(units, " "), units);
   return u;
 }

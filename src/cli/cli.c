@@ -269,12 +269,21 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
   return value;
 }
 
-int cli_choice(const cli_option *option, const char *first, const char *second) {
-  if (strcmp(option->value, first) == 0)
-    return 0;
-  if (strcmp(option->value, second) == 0)
-    return 1;
-  cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
+int cli_choice(const cli_option *option) {
+  char list[80] = "";
+  int index = 0;
+  for (const char *word = option->argument; *word; index++) {
+    size_t length = strcspn(word, "|"), used = strlen(list);
+    if (strlen(option->value) == length && strncmp(option->value, word, length) == 0)
+      return index;
+    snprintf(list + used, sizeof list - used, "%s%.*s",
+             index == 0     ? ""
+             : word[length] ? ", "
+                            : " or ",
+             (int)length, word);
+    word += length + (word[length] == '|');
+  }
+  cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, list);
 }
 
 void cli_check_unit(const char *name, const char *text, double most) {

@@ -97,8 +97,8 @@ cli_list cli_lengths(const cli_option *option);
 cli_list cli_angles(const cli_option *option);
 cli_list cli_impact_angles(const cli_call *call); /* of the option `angles`; over 0 */
 
-/* 0 or 1: which of two words the value is. */
-int cli_choice(const cli_option *option, const char *first, const char *second);
+/* Index of the value among the words of the option's argument, `own|ledger`. */
+int cli_choice(const cli_option *option);
 
 /* A line on stderr; and one that something may not be what is wanted. */
 CLI_FORMAT(1, 2) void cli_say(const char *format, ...);
@@ -127,8 +127,8 @@ CLI_FORMAT(2, 3) void cli_row(FILE *out, const char *format, ...);
 /* A user's text within a comment line: control characters as \xNN. */
 void cli_print_comment(FILE *out, const char *text);
 
-/* A user's text as a field of CSV: in quotes where it holds a comma, a quote or a #. */
-void cli_print_field(FILE *out, const char *text);
+/* A text in quotes, with quotes inside it doubled. */
+void cli_print_quoted(FILE *out, const char *text);
 
 /* Seconds on a monotonic clock. */
 double cli_seconds(void);

@@ -299,7 +299,7 @@ static void plot(const cli_call *call, const scene *s, const row *rows, size_t n
 /* ---- the command ---- */
 
 static void run(cli_call *call) {
-  bool as_ledger = cli_choice(cli_get(call, "columns"), "own", "ledger");
+  bool as_ledger = cli_choice(cli_get(call, "columns"));
   bool summary = cli_value(call, "summary");
   if (as_ledger && summary)
     cli_bad_usage("--columns ledger is given with --summary, which has columns of its own");

@@ -129,25 +129,6 @@ static void read_file(cli_description *d) {
   cli_must(!asp_wall_complete(d->wall, &error), &error);
 }
 
-static void check_sampling(const cli_description *d, double d_least) {
-  asp_error doubt;
-  asp_code code = ASP_OK;
-  if (d->profile) {
-    double spacing = asp_profile_spacing(d->profile);
-    code = asp_sampling_check(d_least, spacing, (double)asp_profile_points(d->profile) * spacing,
-                              asp_surface_lambda_c(asp_wall_surface(d->wall)), &doubt);
-  } else if (d->map) {
-    double x = asp_map_step_x(d->map), y = asp_map_step_y(d->map);
-    code = asp_sampling_check(
-        d_least, fmax(x, y),
-        fmin((double)asp_map_columns(d->map) * x, (double)asp_map_rows(d->map) * y),
-        asp_map_get(d->map, "lambda_2", NULL), &doubt);
-  }
-  if (code)
-    cli_warn("surface %s %s: %s", asp_wall_word(d->wall, "surface"), asp_wall_word(d->wall, "file"),
-             doubt.text);
-}
-
 static void check_constants(const cli_description *d, double d_most) {
   const asp_particle particle = {.d_p = d_most, .density = d->density, .pair = d->pair};
   char text[500];
@@ -185,7 +166,8 @@ void cli_description_make(cli_description *d, double d_least, double d_most) {
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);
-  check_sampling(d, d_least);
+  if (asp_wall_check_sampling(d->wall, d_least, &error))
+    cli_warn("%s", error.text);
   if (!d->has_no_impact)
     check_constants(d, d_most);
 }

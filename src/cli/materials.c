@@ -6,20 +6,12 @@
 
 #include <math.h>
 
-/* A field in quotes, with quotes inside it doubled. */
-static void print_quoted(FILE *out, const char *text) {
-  putc('"', out);
-  for (; *text; text++)
-    fputs(*text == '"' ? "\"\"" : (const char[]){*text, '\0'}, out);
-  putc('"', out);
-}
-
 static void print_row(FILE *out, const asp_material *m) {
   cli_row(out, "%s,", m->name);
-  print_quoted(out, m->title);
+  cli_print_quoted(out, m->title);
   cli_row(out, ",%.10g,%.10g,%.10g,%.10g,", m->youngs_modulus, m->poissons_ratio, m->density,
           m->yield_stress > 0 ? m->yield_stress : NAN);
-  print_quoted(out, m->source);
+  cli_print_quoted(out, m->source);
   putc('\n', out);
 }
 

@@ -411,7 +411,7 @@ static void check_ratios(const aspi_measured *data, const char *path) {
 }
 
 aspi_measured cli_measured_read(const char *path, const cli_option *options) {
-  aspi_measured data = {.folds = cli_choice(&options[MEASURED_BELOW], "fold", "drop") == 0};
+  aspi_measured data = {.folds = cli_choice(&options[MEASURED_BELOW]) == 0};
   layout l;
   size_t below = 0;
   asp_error error;
@@ -422,7 +422,7 @@ aspi_measured cli_measured_read(const char *path, const cli_option *options) {
                !read_rows(csv, &l, &data, &below, &error),
            &error);
   if (options[MEASURED_VIEW].value) {
-    int view = cli_choice(&options[MEASURED_VIEW], "plane", "space");
+    int view = cli_choice(&options[MEASURED_VIEW]);
     if (data.view != ASPI_MEASURED_EITHER)
       cli_bad_usage("--view is '%s'; the columns of %s say it themselves",
                     options[MEASURED_VIEW].value, path);

@@ -136,11 +136,7 @@ void cli_print_comment(FILE *out, const char *text) {
       fputc(*text, out);
 }
 
-void cli_print_field(FILE *out, const char *text) {
-  if (!strpbrk(text, ",;#\" \t")) {
-    fputs(text, out);
-    return;
-  }
+void cli_print_quoted(FILE *out, const char *text) {
   fputc('"', out);
   for (; *text; text++) {
     if (*text == '"')
@@ -174,7 +170,11 @@ void cli_row(FILE *out, const char *format, ...) {
     snprintf(one, sizeof one, "%.*s", (int)length, format);
     char kind = *one == '%' ? one[length - 1] : '\0';
     if (kind == 's') {
-      cli_print_field(out, va_arg(args, const char *));
+      const char *text = va_arg(args, const char *);
+      if (strpbrk(text, ",;#\" \t"))
+        cli_print_quoted(out, text);
+      else
+        fputs(text, out);
     } else if (kind == 'd') {
       fprintf(out, one, va_arg(args, int));
     } else if (kind == 'u') {

@@ -18,11 +18,10 @@ enum { POINTS_MOST = 2000, CURVES_MOST = 6 };
 #define FASTEST 1e5
 
 /* Kind of map: its quantity and axes. */
-typedef enum kind { REGIMES, CAPTURE, ANGLES, N_KINDS } kind;
-static const char *const kinds[N_KINDS] = {"regimes", "capture", "angles"};
+enum { REGIMES, CAPTURE, ANGLES, N_KINDS };
 
 typedef struct map {
-  kind kind;
+  int kind;
   cli_description *walls;
   size_t n_walls;
   bool several_laws;
@@ -152,13 +151,6 @@ static void print_impacts(FILE *out, const map *m) {
 #define SPEED_LEAST 0.1
 #define SPEED_MOST 1000
 
-static kind kind_of(const char *name) {
-  for (int i = 0; i < N_KINDS; i++)
-    if (strcmp(kinds[i], name) == 0)
-      return (kind)i;
-  cli_bad_usage("--map is '%s'; it must be regimes, capture or angles", name);
-}
-
 static void print_list(FILE *out) {
   fputs("law,parameter,unit,default,least,most,text\n", out);
   for (int i = 0; i < asp_rebound_count(); i++) {
@@ -187,7 +179,7 @@ static void read_ranges(map *m, cli_call *call) {
   m->angles = cli_impact_angles(call);
   if (!over_angles && m->angles.count != 1)
     cli_bad_usage("--angles is '%s'; --map %s takes one angle", cli_value(call, "angles"),
-                  kinds[m->kind]);
+                  cli_value(call, "map"));
 }
 
 static void read_map(map *m, cli_call *call) {
@@ -374,7 +366,7 @@ static void run(cli_call *call) {
                                                               print_impacts};
   static cli_plot *(*const plot[N_KINDS])(const cli_call *,
                                           const map *) = {plot_regimes, plot_capture, plot_angles};
-  map m = {.kind = kind_of(cli_value(call, "map"))};
+  map m = {.kind = cli_choice(cli_get(call, "map"))};
   bool list = cli_value(call, "list");
   if (!list)
     read_map(&m, call);

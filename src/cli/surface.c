@@ -74,7 +74,7 @@ static bool take_word(const char *word, bool filters, const cli_option *value, r
   if (filters)
     return false;
   if (strcmp(word, "spacing") == 0)
-    read->resample = !cli_choice(value, "resample", "refuse");
+    read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
   else if (strcmp(word, "step") == 0)
     take_steps(value, r);
   else if (strcmp(word, "missing") == 0)
@@ -110,7 +110,7 @@ static reading read_options(const cli_call *call) {
   if (cli_value(call, "unit"))
     read_unit(cli_get(call, "unit"), read);
   read->form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
-  read->fill = cli_choice(cli_get(call, "gaps"), "refuse", "fill");
+  read->fill = cli_choice(cli_get(call, "gaps"));
   if (cli_value(call, "spikes"))
     read->spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
   take_words(cli_get(call, "read"), false, &r);
@@ -164,7 +164,7 @@ void cli_surface_check(const char *name, const char *what, const aspi_profile_re
   if (*report->warnings)
     cli_warn("%s: %s", name, report->warnings);
   asp_error doubt;
-  if (asp_sampling_check(sizes->least, spacing, length, lambda, &doubt))
+  if (aspi_sampling_check(sizes->least, spacing, length, lambda, &doubt))
     cli_warn("%s: %s", name, doubt.text);
 }
 
@@ -176,7 +176,7 @@ static cli_wall read_wall(const cli_call *call, const cli_description *wall, con
                           source *from) {
   const char *file = asp_wall_word(wall->wall, "file");
   reading how = read_options(call);
-  double level = cli_choice(cli_get(call, "level"), "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
+  double level = cli_choice(cli_get(call, "level")) ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
   asp_profile *profile = aspi_profile_read(file, &how.file, &from->report, &error);
   cli_must(profile, &error);

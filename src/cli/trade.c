@@ -84,7 +84,7 @@ static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
 /* All rows, angle by angle. */
 static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_case *subject,
                       judged *rows) {
-  bool multiple = cli_choice(cli_get(call, "collisions"), "single", "multiple");
+  bool multiple = cli_choice(cli_get(call, "collisions"));
   size_t models = (size_t)asp_spread_count();
   aspi_judge_walls walls;
   aspi_judge judge;

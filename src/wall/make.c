@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/quantity.h"
+#include "readers/warnings.h"
 #include "wall/description.h"
 
 #include <math.h>
@@ -288,4 +289,24 @@ asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error 
   }
   wall->choice.numbers[ASP_WALL_D_P_BINS] = bins;
   return asp_wall_prepare(wall, error);
+}
+
+asp_code asp_wall_check_sampling(const asp_wall *wall, double d_p, asp_error *error) {
+  const asp_profile *profile = wall->choice.profile;
+  const asp_map *map = wall->choice.map;
+  asp_error doubt = {ASP_OK, ""};
+  if (profile) {
+    double spacing = asp_profile_spacing(profile);
+    aspi_sampling_check(d_p, spacing, (double)asp_profile_points(profile) * spacing,
+                        asp_surface_lambda_c(wall->choice.surface), &doubt);
+  } else if (map) {
+    double x = asp_map_step_x(map), y = asp_map_step_y(map);
+    aspi_sampling_check(d_p, fmax(x, y),
+                        fmin((double)asp_map_columns(map) * x, (double)asp_map_rows(map) * y),
+                        asp_map_get(map, "lambda_2", NULL), &doubt);
+  }
+  return doubt.code
+             ? aspi_fail(error, doubt.code, "surface %s %s: %s", asp_wall_word(wall, "surface"),
+                         asp_wall_word(wall, "file"), doubt.text)
+             : ASP_OK;
 }
