@@ -3,7 +3,7 @@
 # chute, a shaken box, a conveyor; in LAMMPS a box that turns. Heights and speeds agree within 5 %, energies within 10 %;
 # nothing is lost, and nothing is faster than the energy at hand allows. The discharge of one filling has a standard
 # deviation of 4 %, so one filling agrees within 15 %; FILLINGS=12 takes the mean of twelve, within 5 %. LONG=K runs the
-# scenes K times as long: LONG=40 gives the drum 1.3e6 steps.
+# scenes K times as long: LONG=40 TIMEOUT=3600 gives the drum 1.3e6 steps.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 long=${LONG:-1} fillings=${FILLINGS:-1}
