@@ -380,6 +380,7 @@ size_t asp_wall_clause(const char *text);
  *   file        of the profile or the map (NULL: neither)
  *   tilt, collisions, deposit
  *   choice      the model that `spread auto` took and why, once the wall is made
+ *   doubt       what is doubtful about the heights of the file, once asp_wall_make has read it
  * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress,
  * sigma, rq, lambda_c (NaN: not given), tolerance, seed and erosion_density (0: that of the
  * material). is_given: whether a keyword is given.

@@ -108,27 +108,6 @@ void cli_description_allow(cli_description *d, const char *allowed, const char *
   }
 }
 
-/* The file of a measured wall, which the wall is given to be made of. */
-static void read_file(cli_description *d) {
-  const char *kind = asp_wall_word(d->wall, "surface"), *file = asp_wall_word(d->wall, "file");
-  if (!file)
-    return;
-  asp_error error;
-  asp_reader *reader = asp_reader_create(&error);
-  bool is_map = strcmp(kind, "map") == 0;
-  if (reader && is_map)
-    d->map = asp_reader_read_map(reader, file, &error);
-  else if (reader)
-    d->profile = asp_reader_read(reader, file, &error);
-  cli_must(d->map || d->profile, &error);
-  if (asp_reader_check(reader, &error))
-    cli_warn("surface %s %s: %s", kind, file, error.text);
-  asp_reader_free(reader);
-  asp_wall_set_map(d->wall, d->map);
-  asp_wall_set_profile(d->wall, d->profile);
-  cli_must(!asp_wall_complete(d->wall, &error), &error);
-}
-
 static void check_constants(const cli_description *d, double d_most) {
   const asp_particle particle = {.d_p = d_most, .density = d->density, .pair = d->pair};
   char text[500];
@@ -160,8 +139,12 @@ static void tell_choice(cli_description *d) {
 
 void cli_description_make(cli_description *d, double d_least, double d_most) {
   asp_error error;
-  read_file(d);
   cli_must(!asp_wall_make(d->wall, d_least, d_most, &error), &error);
+  d->profile = d->wall->choice.profile;
+  d->map = d->wall->choice.map;
+  if (*asp_wall_word(d->wall, "doubt"))
+    cli_warn("surface %s %s: %s", asp_wall_word(d->wall, "surface"), asp_wall_word(d->wall, "file"),
+             asp_wall_word(d->wall, "doubt"));
   tell_choice(d);
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))

@@ -18,12 +18,12 @@ typedef struct cli_description {
                                             given */
   asp_pair *pair;                        /* NULL alike */
   bool has_standard_materials;           /* none are given */
-  bool has_no_impact;   /* the command takes no rebound law, so constants do not count */
-  double density;       /* of the particles */
-  asp_profile *profile; /* a measured wall, once it is made; else NULL */
-  asp_map *map;         /* alike */
-  char *text;           /* canonical; with the materials, also where they are the
-                           default; once it is made, with what `spread auto` chose */
+  bool has_no_impact;         /* the command takes no rebound law, so constants do not count */
+  double density;             /* of the particles */
+  const asp_profile *profile; /* a measured wall, once it is made; else NULL */
+  const asp_map *map;         /* alike */
+  char *text;                 /* canonical; with the materials, also where they are the
+                                 default; once it is made, with what `spread auto` chose */
 } cli_description;
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of

@@ -35,6 +35,7 @@ struct aspi_description {
   bool chooses;                   /* spread auto */
   double tolerance;
   char choice[400]; /* of auto, and why */
+  asp_error doubt;  /* about the file, once asp_wall_make has read it */
   char *table;
   char **names; /* of the materials */
   int n_materials;

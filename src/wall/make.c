@@ -122,6 +122,7 @@ const char *asp_wall_word(const asp_wall *wall, const char *name) {
          : strcmp(name, "file") == 0    ? said->file
          : strcmp(name, "deposit") == 0 ? deposits[said->deposit]
          : strcmp(name, "choice") == 0  ? said->choice
+         : strcmp(name, "doubt") == 0   ? said->doubt.text
                                         : NULL;
 }
 
@@ -250,6 +251,8 @@ static asp_code read_file(asp_wall *wall, asp_error *error) {
     said->profile = asp_reader_read(reader, said->file, error);
   if (!code && is_map)
     said->map = asp_reader_read_map(reader, said->file, error);
+  if (reader)
+    asp_reader_check(reader, &said->doubt);
   asp_reader_free(reader);
   wall->choice.profile = is_profile ? said->profile : wall->choice.profile;
   wall->choice.map = is_map ? said->map : wall->choice.map;
