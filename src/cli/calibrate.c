@@ -274,13 +274,11 @@ static void make_wall(aspi_calibration *c, cli_description *wall, double vector[
 }
 
 static void read_noise(aspi_calibration *c, const cli_option *option) {
-  cli_list noise = cli_numbers(option, 0, 90);
-  if (noise.count < 1 || noise.count > 3)
-    cli_bad_usage("--noise is '%s'; it must be %s", option->value, option->argument);
-  c->noise[0] = noise.values[0];
-  c->noise[1] = noise.values[noise.count > 1];
-  c->noise_speed = noise.count > 2 ? noise.values[2] : 0;
-  free(noise.values);
+  double noise[3] = {0, 0, 0};
+  size_t count = cli_few(option, 0, 90, 3, noise);
+  c->noise[0] = noise[0];
+  c->noise[1] = noise[count > 1];
+  c->noise_speed = noise[2];
 }
 
 static void read_wall(aspi_calibration *c, const cli_call *call,
@@ -392,23 +390,23 @@ static const cli_option options[] = {
     {"samples", "N", "simulated impacts a bin; 10 for a measured one, 2000 to 20000", NULL},
     {.name = NULL}};
 
+static const char detail[] =
+    "asperity calibrate DATA surface sigma fit friction fit ...: every number of the wall's\n"
+    "description that is `fit` is looked for: sigma, or rq and lambda_c; friction,\n"
+    "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search there, which\n"
+    "rq, lambda_c and numbers whose default is 0 need.\n" MEASURED_FORMS "\n"
+    "Rows parameter,estimate,standard_error,low_95,high_95,unit; then, as comments,\n"
+    "correlations, chi^2 per degree of freedom, and the description with the estimates in it,\n"
+    "for a script or another command. A warning names constants that the data cannot separate,\n"
+    "and data that the model does not describe. Noise of the measurement looks like\n"
+    "roughness: state it by --noise. Sizes count only where the wall is given by rq and\n"
+    "lambda_c; sigma is the same for all of them.\n";
+
 const cli_command cli_calibrate = {
     .name = "calibrate",
     .arguments = "DATA DESCRIPTION",
     .summary = "the wall's roughness and a law's constants from measured scatter",
-    .detail =
-        "asperity calibrate DATA surface sigma fit friction fit ...: every number of the wall's\n"
-        "description that is `fit` is looked for: sigma, or rq and lambda_c; friction,\n"
-        "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search there, "
-        "which\n"
-        "rq, lambda_c and numbers whose default is 0 need.\n" MEASURED_FORMS
-        "\nRows parameter,estimate,standard_error,low_95,high_95,unit; then, as comments,\n"
-        "correlations, chi^2 per degree of freedom, and the description with the estimates in it,\n"
-        "for a script or another command. A warning names constants that the data cannot "
-        "separate,\n"
-        "and data that the model does not describe. Noise of the measurement looks like\n"
-        "roughness: state it by --noise. Sizes count only where the wall is given by rq and\n"
-        "lambda_c; sigma is the same for all of them.\n",
+    .detail = detail,
     .examples = "  $ asperity calibrate examples/data/grant_tabakoff_1975.csv surface sigma fit "
                 "friction fit --dp 100um --plot fit.png\n",
     .options = options,

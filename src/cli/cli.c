@@ -351,6 +351,14 @@ cli_list cli_impact_angles(const cli_call *call) {
   return angles;
 }
 
+size_t cli_few(const cli_option *option, double least, double most, size_t n, double *values) {
+  cli_list list = cli_numbers(option, least, most);
+  if (list.count > n)
+    cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, option->argument);
+  memcpy(values, list.values, list.count * sizeof *values);
+  return list.count;
+}
+
 double cli_seconds(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);

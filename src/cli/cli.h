@@ -97,6 +97,9 @@ cli_list cli_lengths(const cli_option *option);
 cli_list cli_angles(const cli_option *option);
 cli_list cli_impact_angles(const cli_call *call); /* of the option `angles`; over 0 */
 
+/* Takes one to n numbers; those that are not given stay as they are. Returns their count. */
+size_t cli_few(const cli_option *option, double least, double most, size_t n, double *values);
+
 /* Index of the value among the words of the option's argument, `own|ledger`. */
 int cli_choice(const cli_option *option);
 

@@ -157,19 +157,6 @@ static void print_impacts(FILE *out, const aspi_comparison *c) {
 /* ---- the command ------------------------------------------------------------------------------
  */
 
-/* DEGREES[,SPEED[,SIZE]] */
-static aspi_compare_reach reach_of(const cli_option *option) {
-  aspi_compare_reach far = {0, 0.1, 0.1};
-  cli_list list = cli_numbers(option, 0, 90);
-  if (list.count < 1 || list.count > 3)
-    cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, option->argument);
-  far.degrees = list.values[0];
-  far.speed = list.count > 1 ? list.values[1] : far.speed;
-  far.size = list.count > 2 ? list.values[2] : far.size;
-  free(list.values);
-  return far;
-}
-
 /* Impacts as the data look at them. */
 static void take_view(aspi_comparison *c) {
   cli_measured_need_view(c->names[1], &c->data, c->impacts.sideways);
@@ -210,12 +197,13 @@ static void table_impacts(aspi_comparison *c, cli_call *call) {
 static void compare_with(aspi_comparison *c, cli_call *call) {
   asp_error error;
   c->impacts = cli_scatter_read_impacts(c->names[0]);
-  aspi_compare_reach far = reach_of(cli_get(call, "near"));
+  double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
+  cli_few(cli_get(call, "near"), 0, 90, 3, far);
   c->data = cli_measured_read(c->names[1], cli_get(call, "view"));
   leave_out(c);
   take_view(c);
   make_bins(c, call);
-  cli_must(!aspi_compare_fill(c, &far, &error), &error);
+  cli_must(!aspi_compare_fill(c, &(aspi_compare_reach){far[0], far[1], far[2]}, &error), &error);
   check_bins(c);
   warn_double(&c->impacts);
 }
@@ -332,26 +320,25 @@ static const cli_option options[] = {
     MEASURED_OPTIONS,
     {.name = NULL}};
 
+static const char detail[] =
+    "asperity compare IMPACTS [DATA]: IMPACTS is the output of 'asperity cor', the ledger of a\n"
+    "wall (CSV or .npy), or a dump local file of its array (of its columns alpha1, cor_n, cor_t\n"
+    "and outcome; v1 and d_p where the data have them). Alone it is tabled and drawn: for each\n"
+    "place, or interval of angle, the share that sticks, and of the n others both "
+    "coefficients.\n" MEASURED_FORMS "\n"
+    "At the data's own angles, and speeds and sizes where they have them: mean and standard\n"
+    "deviation of either coefficient, the share of deposits where the data tell outcomes, all\n"
+    "with standard errors, and of single impacts the two-sample distance of Kolmogorov and\n"
+    "Smirnov. The last row is the score: the mean square of all differences, each in its\n"
+    "standard error (reduced chi-square), with the score's own standard error by resampled\n"
+    "impacts. The true model's is 1. Of means, only the means count, by cor_n_se, or cor_n_sd\n"
+    "and n; where n is missing, by cor_n_sd itself.\n";
+
 const cli_command cli_compare = {
     .name = "compare",
     .arguments = "IMPACTS [DATA]",
     .summary = "impacts of a model or a simulation, alone or against measured coefficients",
-    .detail =
-        "asperity compare IMPACTS [DATA]: IMPACTS is the output of 'asperity cor', the ledger of "
-        "a\n"
-        "wall (CSV or .npy), or a dump local file of its array (of its columns alpha1, cor_n, "
-        "cor_t\n"
-        "and outcome; v1 and d_p where the data have them). Alone it is tabled and drawn: for "
-        "each\n"
-        "place, or interval of angle, the share that sticks, and of the n others both "
-        "coefficients.\n" MEASURED_FORMS
-        "\nAt the data's own angles, and speeds and sizes where they have them: mean and standard\n"
-        "deviation of either coefficient, the share of deposits where the data tell outcomes, all\n"
-        "with standard errors, and of single impacts the two-sample distance of Kolmogorov and\n"
-        "Smirnov. The last row is the score: the mean square of all differences, each in its\n"
-        "standard error (reduced chi-square), with the score's own standard error by resampled\n"
-        "impacts. The true model's is 1. Of means, only the means count, by cor_n_se, or cor_n_sd\n"
-        "and n; where n is missing, by cor_n_sd itself.\n",
+    .detail = detail,
     .examples =
         "  $ asperity compare cor.csv examples/data/grant_tabakoff_1975.csv --plot compare.png\n"
         "  $ asperity compare impacts.npy\n",

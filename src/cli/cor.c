@@ -333,24 +333,24 @@ static const cli_option options[] = {
     {"columns", "own|ledger", "of the rows: own, or those of a wall's ledger", "own"},
     {.name = NULL}};
 
+static const char detail[] =
+    "One row an impact; its outcome is rebound or deposit. cor_v_plane and cor_alpha_plane\n"
+    "are v2/v1 and alpha2/alpha1 of the velocity in the plane of incidence, as one camera\n"
+    "from the side sees it (alpha2 from 0 to 180 degrees), like cor_n and cor_t; cor_v_space\n"
+    "and cor_alpha_space are those of the velocity in space (0 to 90). An empty cor_t is\n"
+    "undefined (normal impact). With --columns ledger the rows are as in a wall's ledger in\n"
+    "`units si` (outcome 0 or 1), for what reads those. --summary has a row per angle: the\n"
+    "number of impacts, the share that sticks, and of the n others mean and sd; with `erosion`\n"
+    "also eroded_mean and eroded_sd of all impacts: mass that is worn off the wall per mass of\n"
+    "particles.\n"
+    "A log-normal law has the standard deviation ln(max/min)/5 of its ln, and is cut at\n"
+    "both ends. Particles fly along x over the wall z = 0.\n";
+
 const cli_command cli_cor = {
     .name = "cor",
     .summary = "the scatter of the coefficients of restitution on a rough wall",
     .arguments = "DESCRIPTION",
-    .detail =
-        "One row an impact; its outcome is rebound or deposit. cor_v_plane and cor_alpha_plane\n"
-        "are v2/v1 and alpha2/alpha1 of the velocity in the plane of incidence, as one camera\n"
-        "from the side sees it (alpha2 from 0 to 180 degrees), like cor_n and cor_t; cor_v_space\n"
-        "and cor_alpha_space are those of the velocity in space (0 to 90). An empty cor_t is\n"
-        "undefined (normal impact). With --columns ledger the rows are as in a wall's ledger in\n"
-        "`units si` (outcome 0 or 1), for what reads those. --summary has a row per angle: the\n"
-        "number of impacts, the share that sticks, and of the n others mean and sd; with "
-        "`erosion`\n"
-        "also eroded_mean and eroded_sd of all impacts: mass that is worn off the wall per mass "
-        "of\n"
-        "particles.\n"
-        "A log-normal law has the standard deviation ln(max/min)/5 of its ln, and is cut at\n"
-        "both ends. Particles fly along x over the wall z = 0.\n",
+    .detail = detail,
     .examples = "  $ asperity cor surface rq 15.6um lambda_c 120um --dp lognormal:1um:100um:10um "
                 "--plot cor.png -o cor.csv\n"
                 "  $ asperity cor surface profile blade.csv --dp 20um --angles 5:85:5 --summary\n",

@@ -389,22 +389,24 @@ static const cli_option options[] = {
     {"points", "N", "values in equal ratios where none are given", "121"},
     {.name = NULL}};
 
+static const char detail[] =
+    "On a smooth wall.\n"
+    "  --map regimes  CoR_N and outcome over diameter and speed, at one angle and wall\n"
+    "  --map capture  the speed under which a particle sticks, over the diameter\n"
+    "  --map angles   CoR_N and CoR_T over the impact angle\n"
+    "capture and angles take several descriptions with the word vs between:\n"
+    "materials ard ti-6al-4v vs materials ard hastelloy-x rebound thornton_ning.\n"
+    "Without --dp, --speed, --angles a map has its own ranges.\n"
+    "The mu of bons is a constant fitted to its form. Oblique impacts of 5 mm alumina on\n"
+    "glass (Kharaz et al. 2001, Coulomb's mu 0.092) follow 1 - mu (1 + e_n) tan alpha1 up\n"
+    "to 60 degrees within 0.008, with the least CoR_T, 0.596, at 70 degrees; bons with that\n"
+    "mu has its least, 0.91, at 45 degrees. walton is the law for such impacts.\n";
+
 const cli_command cli_rebound = {
     .name = "rebound",
     .summary = "what a rebound law does: regimes, capture speed, coefficients over the angle",
     .arguments = "DESCRIPTION",
-    .detail =
-        "On a smooth wall.\n"
-        "  --map regimes  CoR_N and outcome over diameter and speed, at one angle and wall\n"
-        "  --map capture  the speed under which a particle sticks, over the diameter\n"
-        "  --map angles   CoR_N and CoR_T over the impact angle\n"
-        "capture and angles take several descriptions with the word vs between:\n"
-        "materials ard ti-6al-4v vs materials ard hastelloy-x rebound thornton_ning.\n"
-        "Without --dp, --speed, --angles a map has its own ranges.\n"
-        "The mu of bons is a constant fitted to its form. Oblique impacts of 5 mm alumina on\n"
-        "glass (Kharaz et al. 2001, Coulomb's mu 0.092) follow 1 - mu (1 + e_n) tan alpha1 up\n"
-        "to 60 degrees within 0.008, with the least CoR_T, 0.596, at 70 degrees; bons with that\n"
-        "mu has its least, 0.91, at 45 degrees. walton is the law for such impacts.\n",
+    .detail = detail,
     .examples =
         "  $ asperity rebound materials ard ti-6al-4v vs materials ard hastelloy-x --map capture "
         "--plot capture.png\n"

@@ -396,27 +396,23 @@ static const cli_option options[] = {
     {"save", "FILE", "write the profile there, or the map (SDF), as mended", NULL},
     {.name = NULL}};
 
+static const char detail[] =
+    "A row per diameter, measured on a generated or a measured profile: the slopes of the path\n"
+    "of the particle's center (dilation) under a uniform center. kappa = sqrt(3) dp rq /\n"
+    "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural logarithm)\n"
+    "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 points))^(1/5).\n"
+    "A generated profile is periodic, a measured one is mirrored at its ends. A measured one is\n"
+    "compared with a generated one of the same R_q and lambda_c. rq and lambda_c may be lists:\n"
+    "'surface rq 2um,5um lambda_c 40um:120um:40um' has a row per wall and diameter. Of a map, the "
+    "parameters of\n"
+    "ISO 25178-2, the lay, and the contact slopes of a sphere across the lay and along it. For\n"
+    "an instrument's own format that is refused: the free program Gwyddion saves it as SDF.\n";
+
 const cli_command cli_surface = {
     .name = "surface",
     .summary = "which slopes a particle of a given size finds on a wall",
     .arguments = "DESCRIPTION",
-    .detail =
-        "A row per diameter, measured on a generated or a measured profile: the slopes of the "
-        "path\n"
-        "of the particle's center (dilation) under a uniform center. kappa = sqrt(3) dp rq /\n"
-        "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural "
-        "logarithm)\n"
-        "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 "
-        "points))^(1/5).\n"
-        "A generated profile is periodic, a measured one is mirrored at its ends. A measured one "
-        "is\n"
-        "compared with a generated one of the same R_q and lambda_c. rq and lambda_c may be "
-        "lists:\n"
-        "'surface rq 2um,5um lambda_c 40um:120um:40um' has a row per wall and diameter. Of a map, "
-        "the parameters of\n"
-        "ISO 25178-2, the lay, and the contact slopes of a sphere across the lay and along it. "
-        "For\n"
-        "an instrument's own format that is refused: the free program Gwyddion saves it as SDF.\n",
+    .detail = detail,
     .examples =
         "  $ asperity surface surface rq 5um lambda_c 40um --dp 5um,55um --plot surface.png\n"
         "  $ asperity surface surface profile raw.csv --gaps fill --form 2 --dp 20um --save "

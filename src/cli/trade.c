@@ -358,26 +358,26 @@ static const cli_option options[] = {
     {"points", "N", "of --three-d: points along a side, 20 a lambda_c [2048]", NULL},
     {.name = NULL}};
 
+static const char detail[] =
+    "A row per model and impact angle. The reference follows specular particles over an\n"
+    "ensemble of generated profiles, hit by hit; no model was made from any of them.\n"
+    "kl_first_hit and kl_rebound are in bins of one degree; a bin that the model cannot fill\n"
+    "counts as 1e-6, or half an impact. kl_rebound is free of the bias of histograms, and\n"
+    "kl_rebound_se is its standard error, by the jackknife over the profiles; more --profiles\n"
+    "and --rays make it smaller.\n"
+    "Of a measured profile the pieces of one half of it judge what is made of the other half, and "
+    "the\n"
+    "other way round: so no model is judged by heights that made it.\n"
+    "With --three-d the reference are independent Gaussian surfaces on which a sphere rolls,\n"
+    "none of which made a model; every model takes `isotropic`. --rays counts per surface.\n"
+    "All D_KL are then sampled, with the standard error over the surfaces (jackknife). Of a map\n"
+    "pieces of one half of the map judge what is made of the other, in all directions.\n";
+
 const cli_command cli_trade = {
     .name = "trade",
     .summary = "speed against accuracy: every model against the geometry",
     .arguments = "DESCRIPTION",
-    .detail =
-        "A row per model and impact angle. The reference follows specular particles over an\n"
-        "ensemble of generated profiles, hit by hit; no model was made from any of them.\n"
-        "kl_first_hit and kl_rebound are in bins of one degree; a bin that the model cannot fill\n"
-        "counts as 1e-6, or half an impact. kl_rebound is free of the bias of histograms, and\n"
-        "kl_rebound_se is its standard error, by the jackknife over the profiles; more --profiles\n"
-        "and --rays make it smaller.\n"
-        "Of a measured profile the pieces of one half of it judge what is made of the other half, "
-        "and "
-        "the\n"
-        "other way round: so no model is judged by heights that made it.\n"
-        "With --three-d the reference are independent Gaussian surfaces on which a sphere rolls,\n"
-        "none of which made a model; every model takes `isotropic`. --rays counts per surface.\n"
-        "All D_KL are then sampled, with the standard error over the surfaces (jackknife). Of a "
-        "map\n"
-        "pieces of one half of the map judge what is made of the other, in all directions.\n",
+    .detail = detail,
     .examples = "  $ asperity trade surface rq 5um lambda_c 40um --dp 10um --plot trade.png\n",
     .options = options,
     .picture = "draw cost against divergence; .png, .svg or .pdf",
