@@ -22,8 +22,7 @@
 #define CORRELATED 0.95
 #define VAGUE 1.0
 
-/* ---- what is looked for -----------------------------------------------------------------------
- */
+/* ---- what is looked for ---- */
 
 /* The value of a number that the description does not give; NAN: there is none. Of sigma, in
  * degrees, one that most walls are near. */
@@ -95,8 +94,7 @@ static void read_unknowns(aspi_calibration *c) {
                       : asp_spread_name(asp_wall_spread(c->wall)));
 }
 
-/* ---- the measurements -------------------------------------------------------------------------
- */
+/* ---- the measurements ---- */
 
 static void read_data(const cli_call *call, aspi_calibration *c, const char *path) {
   asp_error error;
@@ -112,8 +110,7 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   cli_must(!code, &error);
 }
 
-/* ---- the fit ----------------------------------------------------------------------------------
- */
+/* ---- the fit ---- */
 
 static aspi_fit find_unknowns(aspi_calibration *c) {
   cli_progress progress = cli_progress_begin("fit", 1);
@@ -126,8 +123,7 @@ static aspi_fit find_unknowns(aspi_calibration *c) {
   return f;
 }
 
-/* ---- output -----------------------------------------------------------------------------------
- */
+/* ---- output ---- */
 
 static double value_of(const aspi_calibration *c, const aspi_fit *f, size_t i) {
   return aspi_unknown_value(&c->unknown[i], f->at[i]);
@@ -249,8 +245,7 @@ static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
   print_description(out, c, f);
 }
 
-/* ---- the command ------------------------------------------------------------------------------
- */
+/* ---- the command ---- */
 
 static void take_wall(aspi_calibration *c, const cli_description *wall) {
   c->wall = wall->wall;
@@ -359,7 +354,7 @@ static void run(cli_call *call) {
                   "see 'asperity calibrate --help'");
   const char *path = call->words[0];
   cli_keep_input(call, path);
-  cli_description wall = cli_description_read_fit(call->n_words - 1, call->words + 1);
+  cli_description wall = cli_description_read(call->n_words - 1, call->words + 1, true);
   aspi_calibration c = {.samples = 0};
   double vector[3];
   read_wall(&c, call, &wall);

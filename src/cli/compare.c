@@ -19,8 +19,7 @@ static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"}
 #define WIDTH "10"
 #define FAR "2,0.1,0.1"
 
-/* ---- output -----------------------------------------------------------------------------------
- */
+/* ---- output ---- */
 
 static void print_side(FILE *out, const aspi_sample *s, double n, bool has_sd) {
   cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,", n, s->mean, s->mean_se, has_sd ? s->sd : NAN,
@@ -114,8 +113,7 @@ static void leave_out(aspi_comparison *c) {
   c->data.has_size = c->data.has_size && sizes;
 }
 
-/* ---- impacts alone ----------------------------------------------------------------------------
- */
+/* ---- impacts alone ---- */
 
 /* Takes the impacts themselves for rows, whose places are those of the table. */
 static void take_impacts(aspi_comparison *c) {
@@ -154,8 +152,7 @@ static void print_impacts(FILE *out, const aspi_comparison *c) {
   }
 }
 
-/* ---- the command ------------------------------------------------------------------------------
- */
+/* ---- the command ---- */
 
 /* Impacts as the data look at them. */
 static void take_view(aspi_comparison *c) {

@@ -303,7 +303,7 @@ static void run(cli_call *call) {
   bool summary = cli_value(call, "summary");
   if (as_ledger && summary)
     cli_bad_usage("--columns ledger is given with --summary, which has columns of its own");
-  scene s = {.wall = cli_description_read(call->n_words, call->words),
+  scene s = {.wall = cli_description_read(call->n_words, call->words, false),
              .sizes = cli_values(cli_get(call, "dp"), "length", 0, INFINITY),
              .speeds = cli_values(cli_get(call, "speed"), "speed", SPEED_LEAST, SPEED_MOST)};
   cli_list angles = cli_impact_angles(call);

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
 #include "base/number.h"
-#include "wall/description.h"
+#include "wall/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,14 +21,11 @@ static void check_lengths(int count, char **words) {
 }
 
 static void read_words(asp_wall *wall, int count, char **words) {
-  const char **all = cli_allocate((size_t)count, sizeof *all);
+  const char *const *all = (const char *const *)words;
   asp_error error;
-  for (int i = 0; i < count; i++)
-    all[i] = words[i];
   for (int next = 0, taken; next < count; next += taken)
     cli_must(!asp_wall_read(wall, count - next, all + next, "", &taken, &error), &error);
   cli_must(!asp_wall_complete(wall, &error), &error);
-  free(all);
 }
 
 char *cli_description_text(const asp_wall *wall) {
@@ -66,14 +63,12 @@ static void read_materials(cli_description *d) {
                   asp_material_name(d->particle));
 }
 
-static cli_description read_description(int count, char **words, bool may_fit) {
-  cli_description d = {.words = words, .n_words = count};
+cli_description cli_description_read(int count, char **words, bool may_fit) {
+  cli_description d = {.wall = NULL};
   asp_error error;
   d.wall = asp_wall_parse("", NULL, &error);
-  if (!d.wall)
-    cli_fail("%s", error.text);
-  if (may_fit)
-    d.wall->said->may_fit = true;
+  cli_must(d.wall, &error);
+  d.wall->said->may_fit = may_fit;
   check_lengths(count, words);
   read_words(d.wall, count, words);
   read_materials(&d);
@@ -81,29 +76,13 @@ static cli_description read_description(int count, char **words, bool may_fit) {
   return d;
 }
 
-cli_description cli_description_read(int count, char **words) {
-  return read_description(count, words, false);
-}
-
-cli_description cli_description_read_fit(int count, char **words) {
-  return read_description(count, words, true);
-}
-
-static bool is_word_of(const char *word, const char *list) {
-  size_t length = strlen(word);
-  for (const char *at = list; (at = strstr(at, word)); at += length)
-    if ((at == list || at[-1] == ' ') && (at[length] == ' ' || !at[length]))
-      return true;
-  return false;
-}
-
 void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
-  d->has_no_impact = !is_word_of("rebound", allowed);
+  d->has_no_impact = !aspi_words_in_list("rebound", allowed);
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
     bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
     if (!*k->within && is_own && asp_wall_is_given(d->wall, k->name) &&
-        !is_word_of(k->name, allowed))
+        !aspi_words_in_list(k->name, allowed))
       cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
   }
 }

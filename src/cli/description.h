@@ -12,8 +12,6 @@
 
 typedef struct cli_description {
   asp_wall *wall;
-  char **words; /* as given */
-  int n_words;
   const asp_material *particle, *target; /* NULL where the law takes no materials and none are
                                             given */
   asp_pair *pair;                        /* NULL alike */
@@ -27,12 +25,9 @@ typedef struct cli_description {
 } cli_description;
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of
- * the wall: alumina-rich dust on hastelloy-x where none are given. cli_description_make is still to
- * come. */
-cli_description cli_description_read(int count, char **words);
-
-/* The same where numbers may be unknown: see aspi_description. */
-cli_description cli_description_read_fit(int count, char **words);
+ * the wall: Arizona Road Dust on hastelloy-x where none are given. may_fit: numbers may be unknown,
+ * see aspi_description. cli_description_make is still to come. */
+cli_description cli_description_read(int count, char **words, bool may_fit);
 
 /* The canonical text of a wall. */
 char *cli_description_text(const asp_wall *wall);

@@ -141,7 +141,7 @@ static void run(cli_call *call) {
     w.density = cli_quantity(density, "density", 1e-9, 1e9);
   cli_description d = {.wall = NULL};
   if (has_law) {
-    d = cli_description_read(call->n_words - 1, call->words + 1);
+    d = cli_description_read(call->n_words - 1, call->words + 1, false);
     take_law(&w, &d);
   }
   unsigned needs =

@@ -88,7 +88,7 @@ static cli_list ratios(double from, double to, size_t count) {
 #define BETWEEN "vs"
 
 static void read_wall(map *m, int count, char **words) {
-  cli_description wall = cli_description_read(count, words);
+  cli_description wall = cli_description_read(count, words, false);
   cli_description_allow(&wall,
                         "rebound materials friction surface_energy yield_stress deposit seed",
                         "the wall is smooth");

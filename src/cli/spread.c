@@ -65,7 +65,7 @@ static aspi_view view_of(const cli_description *wall, double d_p) {
 /* The view's impact angle is still to come. */
 static scene scene_of(const cli_call *call) {
   const cli_option *dp = cli_get(call, "dp");
-  scene s = {.wall = cli_description_read(call->n_words, call->words)};
+  scene s = {.wall = cli_description_read(call->n_words, call->words, false)};
   cli_description_allow(&s.wall, "surface spread seed", "spread simulates no impact");
   const char *kind = asp_wall_word(s.wall.wall, "surface");
   s.by_size = strcmp(kind, "smooth") != 0 && strcmp(kind, "sigma") != 0;

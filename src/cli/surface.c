@@ -320,7 +320,7 @@ static cli_description wall_of(const walls *all, size_t index, const cli_call *c
       snprintf(text[k], sizeof text[k], "%.17gm", value[k]);
       own[all->at[k]] = text[k];
     }
-  cli_description wall = cli_description_read(call->n_words, own);
+  cli_description wall = cli_description_read(call->n_words, own, false);
   cli_description_allow(&wall, "surface seed", "a surface makes no impact");
   return wall;
 }

@@ -318,7 +318,7 @@ static aspi_judge_case case_of(const cli_call *call, const cli_description *wall
 #define SEED_MOST 1000000
 
 static cli_description read_wall(const cli_call *call, double *d_p) {
-  cli_description wall = cli_description_read(call->n_words, call->words);
+  cli_description wall = cli_description_read(call->n_words, call->words, false);
   cli_description_allow(&wall, "surface seed", "every model is judged, by specular rebounds");
   check_options(call, wall.wall);
   bool any = strcmp(asp_wall_word(wall.wall, "surface"), "sigma") == 0 && !cli_value(call, "dp");
