@@ -463,7 +463,3 @@ void cli_measured_need_view(const char *path, aspi_measured *data, bool matters)
   if (data->view == ASPI_MEASURED_EITHER)
     data->view = ASPI_MEASURED_PLANE;
 }
-
-void cli_measured_free(aspi_measured *data) {
-  free(data->rows);
-}

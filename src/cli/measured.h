@@ -28,7 +28,6 @@ void cli_measured_sort(aspi_measured *data);
 /* Exits where the data do not say how they look at rebounds, and `matters`: it makes a difference.
  */
 void cli_measured_need_view(const char *path, aspi_measured *data, bool matters);
-void cli_measured_free(aspi_measured *data);
 
 /* The part of a help text about the possible columns. */
 #define MEASURED_FORMS                                                                             \

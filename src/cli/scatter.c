@@ -329,7 +329,3 @@ aspi_scatter_impacts cli_scatter_read_impacts(const char *path) {
   warn_radians(path, most, impacts.count);
   return impacts;
 }
-
-void cli_scatter_free_impacts(aspi_scatter_impacts *impacts) {
-  free(impacts->points);
-}

@@ -44,42 +44,33 @@ static measured read_map(const char *path, const aspi_map_options *options) {
   return m;
 }
 
-/* Buffers for the contacts of one size. */
-typedef struct room {
-  float *z, *p, *q;
-} room;
-
-static void measure_one(const measured *m, const room *r, double d_p, slopes *row,
-                        cli_progress *progress, double done) {
-  asp_error error;
-  aspi_ball *ball = aspi_ball_create(m->map, d_p, &error);
-  if (!ball)
-    cli_bad_usage("--dp: %s", error.text);
-  size_t rows = m->map->rows, finished = 0;
-#pragma omp parallel for schedule(dynamic)
-  for (size_t j = 0; j < rows; j += ROWS_AT_ONCE) {
-    size_t end = j + ROWS_AT_ONCE < rows ? j + ROWS_AT_ONCE : rows;
-    aspi_ball_rows(ball, j, end, r->z, r->p, r->q);
-#pragma omp critical
-    cli_progress_show(progress, done + (double)(finished += end - j) / (double)rows);
-  }
-  aspi_ball_free(ball);
-  row->d_p = d_p;
-  aspi_gradient_describe(r->p, r->q, m->map->columns * rows, m->description.lay, row->rms,
-                         row->skewness, &row->mixed);
-}
-
 /* The dilation of the map by a sphere of each size, all of its points on all cores. */
-static void measure(const measured *m, const cli_list *sizes, slopes *rows) {
-  room r;
-  float **const all[] = {&r.z, &r.p, &r.q};
-  for (size_t k = 0; k < 3; k++)
-    if (!(*all[k] = aspi_map_room(m->map->columns, m->map->rows)))
-      cli_fail("out of memory");
+static void measure(const measured *m, const cli_list *sizes, slopes *all) {
+  size_t rows = m->map->rows, n = m->map->columns * rows;
+  float *z = cli_allocate(n, sizeof *z), *p = cli_allocate(n, sizeof *p),
+        *q = cli_allocate(n, sizeof *q);
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
-  for (size_t i = 0; i < sizes->count; i++)
-    measure_one(m, &r, sizes->values[i], &rows[i], &progress, (double)i);
+  for (size_t i = 0; i < sizes->count; i++) {
+    asp_error error;
+    aspi_ball *ball = aspi_ball_create(m->map, sizes->values[i], &error);
+    if (!ball)
+      cli_bad_usage("--dp: %s", error.text);
+    size_t finished = 0;
+#pragma omp parallel for schedule(dynamic)
+    for (size_t j = 0; j < rows; j += ROWS_AT_ONCE) {
+      size_t end = j + ROWS_AT_ONCE < rows ? j + ROWS_AT_ONCE : rows;
+      aspi_ball_rows(ball, j, end, z, p, q);
+#pragma omp critical
+      cli_progress_show(&progress, (double)i + (double)(finished += end - j) / (double)rows);
+    }
+    aspi_ball_free(ball);
+    all[i].d_p = sizes->values[i];
+    aspi_gradient_describe(p, q, n, m->description.lay, all[i].rms, all[i].skewness, &all[i].mixed);
+  }
   cli_progress_end(&progress);
+  free(z);
+  free(p);
+  free(q);
 }
 
 /* A number that there may not be. */

@@ -505,6 +505,21 @@ static void unknown_numbers_are_set(void **state) {
   asp_wall_free(wall);
 }
 
+/* A measured wall says where its points are too few for a sphere. */
+static void coarse_files_are_doubted(void **state) {
+  (void)state;
+  asp_error error;
+  asp_profile *profile = asp_profile_create(1e-6, 20e-6, 1e-6, 4096, 1, NULL);
+  asp_wall *wall = asp_wall_parse("surface profile fine.csv", NULL, NULL);
+  asp_wall_set_profile(wall, profile);
+  assert_int_equal(asp_wall_make(wall, 5e-6, 20e-6, NULL), ASP_OK);
+  assert_int_equal(asp_wall_check_sampling(wall, 20e-6, &error), ASP_OK);
+  assert_int_equal(asp_wall_check_sampling(wall, 5e-6, &error), ASP_ERANGE);
+  assert_ptr_equal(strstr(error.text, "surface profile fine.csv: "), error.text);
+  asp_wall_free(wall);
+  asp_profile_free(profile);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(canonical_texts),
@@ -518,6 +533,7 @@ int main(void) {
       cmocka_unit_test(sigma_knows_no_size),
       cmocka_unit_test(pairs_have_defaults),
       cmocka_unit_test(odd_constants_are_doubted),
+      cmocka_unit_test(coarse_files_are_doubted),
       cmocka_unit_test(numbers_may_be_unknown),
       cmocka_unit_test(unknown_numbers_are_set),
   };
