@@ -127,7 +127,7 @@ asp_code aspi_npy_open(aspi_npy *array, FILE *stream, const char *path, asp_erro
   if (whole && (first[MAGIC_SIZE] < 1 || first[MAGIC_SIZE] > 3))
     code = aspi_fail(error, ASP_EDATA, "%s: a NumPy array of version %d; it must be 1 to 3", path,
                      first[MAGIC_SIZE]);
-  whole = whole && fread(length, 1, length_size, stream) == (size_t)length_size;
+  whole = whole && fread(length, 1, (size_t)length_size, stream) == (size_t)length_size;
   if (whole)
     size = length[0] | (size_t)length[1] << 8 | (size_t)length[2] << 16 | (size_t)length[3] << 24;
   whole = whole && size <= HEADER_MOST && fread(header, 1, size, stream) == size;
@@ -150,7 +150,7 @@ asp_code aspi_npy_next(aspi_npy *array, bool *found, asp_error *error) {
   *found = array->row < array->rows;
   if (!*found)
     return ASP_OK;
-  if (fread(array->bytes, 1, array->row_size, array->stream) != (size_t)array->row_size)
+  if (fread(array->bytes, 1, (size_t)array->row_size, array->stream) != (size_t)array->row_size)
     return aspi_fail(error, ASP_EDATA, "%s: its header says %llu rows, but it ends in row %llu",
                      array->path, array->rows, array->row + 1);
   array->row++;
