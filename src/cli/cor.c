@@ -23,8 +23,7 @@ typedef struct scene {
 
 typedef struct row {
   double d_p, alpha1;
-  asp_impact impact;
-  asp_coefficients cor;
+  cli_impact of;
 } row;
 
 /* The value of a sample; of a list they come in turn. */
@@ -40,33 +39,22 @@ static double sample_of(const cli_list *v, size_t sample, aspi_stream *stream) {
 
 /* One impact at an angle in degrees. */
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) {
-  static const double n[3] = {0, 0, 1};
-  const cli_description *wall = &s->wall;
-  asp_key key = {(uint32_t)asp_wall_get(wall->wall, "seed"), asp_key_wall("cor"), tag, 0};
+  asp_key key = {(uint32_t)asp_wall_get(s->wall.wall, "seed"), asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
   size_t sizes = s->sizes.count ? s->sizes.count : 1;
-  double lay[3];
   row r = {.d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
-  double alpha1 = cli_radians(angle), speed = sample_of(&s->speeds, sample / sizes, &stream);
-  double v1[3] = {speed * cos(alpha1), 0, -speed * sin(alpha1)};
-  if (angle >= 90)
-    v1[0] = 0;
-  asp_particle particle = {.d_p = r.d_p,
-                           .density = wall->density,
-                           .pair = wall->pair,
-                           .lay = cli_description_lay(wall, lay)};
+  double speed = sample_of(&s->speeds, sample / sizes, &stream);
   key.impact = 1;
-  asp_wall_impact(wall->wall, &particle, v1, n, &key, &r.impact);
-  r.cor = asp_impact_coefficients(v1, n, &r.impact);
+  r.of = cli_impact_at(&s->wall, r.d_p, speed, angle, &key);
   return r;
 }
 
 static void print_row(FILE *out, const row *r) {
-  cli_row(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%.6g\n", r->d_p * 1e6, r->cor.v1,
-          r->alpha1, cli_degrees(r->impact.delta_alpha), r->impact.hits, r->cor.cor_v,
-          r->cor.cor_alpha, r->cor.cor_n, r->cor.cor_t_defined ? r->cor.cor_t : NAN,
-          r->impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound", r->cor.cor_v_space,
-          r->cor.cor_alpha_space);
+  cli_row(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%.6g\n", r->d_p * 1e6,
+          r->of.cor.v1, r->alpha1, cli_degrees(r->of.impact.delta_alpha), r->of.impact.hits,
+          r->of.cor.cor_v, r->of.cor.cor_alpha, r->of.cor.cor_n, r->of.cor.cor_t,
+          r->of.impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound", r->of.cor.cor_v_space,
+          r->of.cor.cor_alpha_space);
 }
 
 #define PRINT_NAME(ID, name, type, text) fputs(LEDGER_##ID ? "," name : name, out);
@@ -77,18 +65,18 @@ static void print_ledger_row(FILE *out, const row *r, size_t tag) {
   double of[LEDGER_N_COLUMNS] = {[LEDGER_TAG] = (double)tag,
                                  [LEDGER_IMPACT] = 1,
                                  [LEDGER_D_P] = r->d_p,
-                                 [LEDGER_V1] = r->cor.v1,
-                                 [LEDGER_ALPHA1] = cli_degrees(r->cor.alpha1),
-                                 [LEDGER_DELTA_ALPHA] = cli_degrees(r->impact.delta_alpha),
-                                 [LEDGER_TILT_OUT] = cli_degrees(r->impact.tilt_out),
-                                 [LEDGER_HITS] = r->impact.hits,
-                                 [LEDGER_V2] = r->cor.v2,
-                                 [LEDGER_ALPHA2] = cli_degrees(r->cor.alpha2),
-                                 [LEDGER_COR_N] = r->cor.cor_n,
-                                 [LEDGER_COR_T] = r->cor.cor_t,
-                                 [LEDGER_OUTCOME] = r->impact.outcome == ASP_DEPOSIT};
+                                 [LEDGER_V1] = r->of.cor.v1,
+                                 [LEDGER_ALPHA1] = cli_degrees(r->of.cor.alpha1),
+                                 [LEDGER_DELTA_ALPHA] = cli_degrees(r->of.impact.delta_alpha),
+                                 [LEDGER_TILT_OUT] = cli_degrees(r->of.impact.tilt_out),
+                                 [LEDGER_HITS] = r->of.impact.hits,
+                                 [LEDGER_V2] = r->of.cor.v2,
+                                 [LEDGER_ALPHA2] = cli_degrees(r->of.cor.alpha2),
+                                 [LEDGER_COR_N] = r->of.cor.cor_n,
+                                 [LEDGER_COR_T] = r->of.cor.cor_t,
+                                 [LEDGER_OUTCOME] = r->of.impact.outcome == ASP_DEPOSIT};
   for (int i = 0; i < LEDGER_N_COLUMNS; i++) {
-    if (i != LEDGER_COR_T || r->cor.cor_t_defined)
+    if (isfinite(of[i]))
       fprintf(out, "%.10g", of[i]);
     fputc(i + 1 < LEDGER_N_COLUMNS ? ',' : '\n', out);
   }
@@ -123,12 +111,12 @@ static void print_summary(FILE *out, const cli_list *angles, const size_t *count
   for (size_t a = 0; a < angles->count; rows += counts[a++]) {
     aspi_running cor_n = {0, 0, 0}, cor_t = {0, 0, 0}, eroded = {0, 0, 0};
     for (size_t i = 0; i < counts[a]; i++) {
-      aspi_running_add(&eroded, rows[i].impact.eroded);
-      if (rows[i].impact.outcome == ASP_DEPOSIT)
+      aspi_running_add(&eroded, rows[i].of.impact.eroded);
+      if (rows[i].of.impact.outcome == ASP_DEPOSIT)
         continue;
-      aspi_running_add(&cor_n, rows[i].cor.cor_n);
-      if (rows[i].cor.cor_t_defined)
-        aspi_running_add(&cor_t, rows[i].cor.cor_t);
+      aspi_running_add(&cor_n, rows[i].of.cor.cor_n);
+      if (isfinite(rows[i].of.cor.cor_t))
+        aspi_running_add(&cor_t, rows[i].of.cor.cor_t);
     }
     cli_row(out, "%.6g,%zu,%.6g,%.0f", angles->values[a], counts[a],
             1 - cor_n.n / (double)counts[a], cor_n.n);
@@ -194,7 +182,7 @@ static cli_plot *open_picture(const cli_call *call, const scene *s, const row *r
   size_t deposits = 0;
   char pair[2 * sizeof(cli_label) + 10] = "";
   for (size_t i = 0; i < n; i++)
-    deposits += rows[i].impact.outcome == ASP_DEPOSIT;
+    deposits += rows[i].of.impact.outcome == ASP_DEPOSIT;
   if (wall->particle)
     snprintf(pair, sizeof pair, "%s on %s; ",
              cli_plot_label(asp_material_name(wall->particle)).text,
@@ -209,18 +197,11 @@ static cli_plot *open_picture(const cli_call *call, const scene *s, const row *r
       100 * (double)deposits / (double)n);
 }
 
-/* CoR_N, or CoR_T of t; NAN where there is none. */
-static double value_of(const row *r, int t) {
-  if (r->impact.outcome == ASP_DEPOSIT || (t && !r->cor.cor_t_defined))
-    return NAN;
-  return t ? r->cor.cor_t : r->cor.cor_n;
-}
-
 static void plot_impacts(cli_plot *picture, int t, const row *rows, size_t n) {
   size_t every = n / DOTS_MOST + 1;
   cli_plot_series(picture, CLI_MARKS, "impacts");
   for (size_t i = 0; i < n; i += every)
-    cli_plot_row(picture, rows[i].alpha1, value_of(&rows[i], t));
+    cli_plot_row(picture, rows[i].alpha1, cli_impact_ratio(&rows[i].of, t));
   if (every > 1)
     cli_plot_end(picture, "impacts, one of %zu", every);
   else
@@ -236,9 +217,9 @@ static void plot_means(cli_plot *picture, int t, const row *rows, size_t n, cons
       if (rows[next].alpha1 > rows[i].alpha1 &&
           (next - i >= IMPACTS_LEAST || rows[next].alpha1 >= rows[i].alpha1 + CELL_MOST))
         break;
-      if (!isfinite(value_of(&rows[next], t)))
+      if (!isfinite(cli_impact_ratio(&rows[next].of, t)))
         continue;
-      aspi_running_add(&y, value_of(&rows[next], t));
+      aspi_running_add(&y, cli_impact_ratio(&rows[next].of, t));
       aspi_running_add(&angle, rows[next].alpha1);
     }
     if (y.n > 1)
@@ -250,8 +231,8 @@ static void plot_means(cli_plot *picture, int t, const row *rows, size_t n, cons
 /* True if impacts at one angle differ at all. */
 static bool varies(const row *rows, size_t n) {
   for (size_t i = 1; i < n; i++)
-    if (rows[i].alpha1 <= rows[i - 1].alpha1 && rows[i].cor.cor_n != rows[i - 1].cor.cor_n &&
-        rows[i].impact.outcome == rows[i - 1].impact.outcome)
+    if (rows[i].alpha1 <= rows[i - 1].alpha1 && rows[i].of.cor.cor_n != rows[i - 1].of.cor.cor_n &&
+        rows[i].of.impact.outcome == rows[i - 1].of.impact.outcome)
       return true;
   return false;
 }
@@ -267,8 +248,8 @@ static void plot_smooth(cli_plot *picture, int t, const scene *s) {
   cli_plot_series(picture, CLI_LINE, "model_none");
   for (int i = 1; i < 180; i++) {
     row r = impact_at(&one, 0.5 * i, 0, 1);
-    rebounds += r.impact.outcome == ASP_REBOUND;
-    cli_plot_row(picture, 0.5 * i, value_of(&r, t));
+    rebounds += r.of.impact.outcome == ASP_REBOUND;
+    cli_plot_row(picture, 0.5 * i, cli_impact_ratio(&r.of, t));
   }
   cli_plot_end(picture, "smooth wall, %.3g µm, %.3g m/s%s", d_p * 1e6, speed,
                rebounds ? "" : " (sticks)");

@@ -150,3 +150,21 @@ double cli_description_shrink(const cli_description *d) {
   const double *lay = cli_description_lay(d, vector);
   return lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;
 }
+
+cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, double degrees,
+                         const asp_key *key) {
+  static const double n[3] = {0, 0, 1};
+  double alpha = cli_radians(degrees), lay[3];
+  double v1[3] = {degrees < 90 ? speed * cos(alpha) : 0, 0, -speed * sin(alpha)};
+  const asp_particle particle = {
+      .d_p = d_p, .density = d->density, .pair = d->pair, .lay = cli_description_lay(d, lay)};
+  cli_impact i;
+  asp_wall_impact(d->wall, &particle, v1, n, key, &i.impact);
+  i.cor = asp_impact_coefficients(v1, n, &i.impact);
+  i.cor.cor_t = i.cor.cor_t_defined ? i.cor.cor_t : NAN;
+  return i;
+}
+
+double cli_impact_ratio(const cli_impact *i, int t) {
+  return i->impact.outcome == ASP_DEPOSIT ? NAN : t ? i->cor.cor_t : i->cor.cor_n;
+}

@@ -40,6 +40,18 @@ void cli_description_allow(cli_description *description, const char *allowed, co
  * looks like a mistake in the wall, its file, or its constants. */
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
+/* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is
+ * NAN where it is undefined. */
+typedef struct cli_impact {
+  asp_impact impact;
+  asp_coefficients cor;
+} cli_impact;
+cli_impact cli_impact_at(const cli_description *description, double d_p, double speed,
+                         double degrees, const asp_key *key);
+
+/* Its CoR_N (t 0) or CoR_T (t 1); NAN for a deposit, too. */
+double cli_impact_ratio(const cli_impact *impact, int t);
+
 /* The direction of the lay where particles fly along x over the wall z = 0; NULL where there is no
  * lay. An angle is from x toward y. `vector` holds it. */
 const double *cli_description_lay(const cli_description *description, double vector[3]);

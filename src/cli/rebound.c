@@ -28,11 +28,6 @@ typedef struct map {
   cli_list sizes, speeds, angles;
 } map;
 
-typedef struct row {
-  double cor[2]; /* CoR_N and CoR_T; NAN: undefined */
-  bool deposit;
-} row;
-
 static const char *law_name(const cli_description *wall) {
   return asp_rebound_name(asp_wall_rebound(wall->wall));
 }
@@ -42,30 +37,25 @@ static const char *wall_name(const cli_description *wall) {
   return wall->target ? asp_material_name(wall->target) : "";
 }
 
-/* One impact. */
-static row impact_at(const cli_description *wall, double d_p, double speed, double degrees) {
-  static const double n[3] = {0, 0, 1};
-  double alpha = cli_radians(degrees), v1[3] = {speed * cos(alpha), 0, -speed * sin(alpha)};
-  if (degrees >= 90)
-    v1[0] = 0;
-  asp_particle particle = {.d_p = d_p, .density = wall->density, .pair = wall->pair};
-  asp_impact impact;
-  asp_key key = {(uint32_t)asp_wall_get(wall->wall, "seed"), 1, 1, 1};
-  asp_wall_impact(wall->wall, &particle, v1, n, &key, &impact);
-  asp_coefficients cor = asp_impact_coefficients(v1, n, &impact);
-  return (row){{cor.cor_n, cor.cor_t_defined ? cor.cor_t : NAN}, impact.outcome == ASP_DEPOSIT};
+static cli_impact impact_at(const cli_description *wall, double d_p, double speed, double degrees) {
+  const asp_key key = {(uint32_t)asp_wall_get(wall->wall, "seed"), 1, 1, 1};
+  return cli_impact_at(wall, d_p, speed, degrees, &key);
+}
+
+static bool sticks_at(const cli_description *wall, double d_p, double speed, double degrees) {
+  return impact_at(wall, d_p, speed, degrees).impact.outcome == ASP_DEPOSIT;
 }
 
 /* The speed under which a particle sticks: 0 where it never does, INFINITY where it always does. */
 static double capture_speed(const cli_description *wall, double d_p, double degrees) {
-  if (!impact_at(wall, d_p, SLOWEST, degrees).deposit)
+  if (!sticks_at(wall, d_p, SLOWEST, degrees))
     return 0;
-  if (impact_at(wall, d_p, FASTEST, degrees).deposit)
+  if (sticks_at(wall, d_p, FASTEST, degrees))
     return INFINITY;
   double low = log(SLOWEST), high = log(FASTEST);
   for (int i = 0; i < 60; i++) {
     double middle = (low + high) / 2;
-    if (impact_at(wall, d_p, exp(middle), degrees).deposit)
+    if (sticks_at(wall, d_p, exp(middle), degrees))
       low = middle;
     else
       high = middle;
@@ -137,11 +127,11 @@ static void print_impacts(FILE *out, const map *m) {
     double d_p = m->sizes.values[k / (n_speeds * n_angles) % n_sizes];
     double speed = m->speeds.values[k / n_angles % n_speeds],
            degrees = m->angles.values[k % n_angles];
-    row r = impact_at(wall, d_p, speed, degrees);
+    cli_impact r = impact_at(wall, d_p, speed, degrees);
     if (named)
       print_names(out, m, wall);
-    cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%s\n", d_p * 1e6, speed, degrees, r.cor[0], r.cor[1],
-            r.deposit ? "deposit" : "rebound");
+    cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%s\n", d_p * 1e6, speed, degrees, r.cor.cor_n,
+            r.cor.cor_t, r.impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound");
   }
 }
 
@@ -286,11 +276,11 @@ static cli_plot *plot_regimes(const cli_call *call, const map *m) {
   cli_plot_series(picture, CLI_CELLS, "palette");
   for (size_t i = 0; i < nx; i++)
     for (size_t k = 0; k < ny; k++) {
-      row r = impact_at(m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
-      if (!r.deposit)
+      cli_impact r = impact_at(m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
+      if (r.impact.outcome == ASP_REBOUND)
         cli_plot_row(picture, edge_of(&m->sizes, i) * 1e6,
                      edge_of(&m->sizes, i + 1) * OVERLAP * 1e6, edge_of(&m->speeds, k),
-                     edge_of(&m->speeds, k + 1) * OVERLAP, r.cor[0]);
+                     edge_of(&m->speeds, k + 1) * OVERLAP, r.cor.cor_n);
     }
   cli_plot_end(picture, "%s", "");
   cli_plot_series(picture, CLI_LINE, "reference");
@@ -334,9 +324,9 @@ static void plot_curve(cli_plot *picture, const map *m, size_t curve, int t) {
          speed = m->speeds.values[curve % m->speeds.count];
   begin_curve(picture, m, wall, curve, per_wall);
   for (size_t a = 0; a < m->angles.count; a++) {
-    row r = impact_at(&m->walls[wall], d_p, speed, m->angles.values[a]);
-    rebounds += !r.deposit;
-    cli_plot_row(picture, m->angles.values[a], r.deposit ? NAN : r.cor[t]);
+    cli_impact r = impact_at(&m->walls[wall], d_p, speed, m->angles.values[a]);
+    rebounds += r.impact.outcome == ASP_REBOUND;
+    cli_plot_row(picture, m->angles.values[a], cli_impact_ratio(&r, t));
   }
   cli_plot_end(picture, "%s, %.3g µm, %.3g m/s%s", name_of(m, wall).text, d_p * 1e6, speed,
                rebounds ? "" : " (sticks)");
