@@ -74,13 +74,14 @@ done
 energies() { # ledger
   rows "$1" | awk -F, '{ n++; worn += $39; e += 0.5 * $20 * ($24 ^ 2 + $25 ^ 2 + $26 ^ 2 - $27 ^ 2 - $28 ^ 2 - $29 ^ 2) + $20 * $9 ^ 2 / 20 * ($30 ^ 2 + $31 ^ 2 + $32 ^ 2 - $33 ^ 2 - $34 ^ 2 - $35 ^ 2)
       for (k = 0; k < 3; k++) { d = $(36 + k) - $20 * ($(24 + k) - $(27 + k)); if (d * d > 1e-16) exit 1 }
-      normal -= $36 * $21 + $37 * $22 + $38 * $23 } END { printf "%.12g %.12g %d %.12g\n", e, normal, n, worn }'
+      j = -($36 * $21 + $37 * $22 + $38 * $23); normal += j; along += sqrt(($36 + j * $21) ^ 2 + ($37 + j * $22) ^ 2 + ($38 + j * $23) ^ 2) }
+    END { printf "%.12g %.12g %d %.12g %.12g\n", e, normal, n, worn, along }'
 }
 scene "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off" |
-  sed '/^fix fall/d; s/ f_wall.2. / f_wall[1][5] /; s/rows.csv/free.csv/' > free.in
+  sed '/^fix fall/d; s/ f_wall.2. / f_wall[1][5] /; s/^thermo_style .*/& f_wall[1][6]/; s/rows.csv/free.csv/' > free.in
 engine 2 free.in
-numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s; eroded %s, %s\n", $8, $15, $12, $16, $13, $18
-  exit !($17 == $9 && $8 > 0 && ($8 / $15 - 1) ^ 2 < 1e-16 && ($12 / $16 - 1) ^ 2 < 1e-16 && $13 > 0 && ($13 / $18 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
+numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s; tangential %s, %s; eroded %s, %s\n", $8, $16, $12, $17, $15, $20, $13, $19
+  exit !($18 == $9 && $8 > 0 && ($8 / $16 - 1) ^ 2 < 1e-16 && ($12 / $17 - 1) ^ 2 < 1e-16 && ($15 / $20 - 1) ^ 2 < 1e-16 && $13 > 0 && ($13 / $19 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
 # A row has the grain's center; the impulse acts a radius below it.
 numbers free.in.screen | awk 'NR > 1 { for (k = 5; k <= 7; k++) t[k] += $k * 2e-4 } END { printf "%.12g %.12g %.12g\n", t[5], t[6], t[7] }' |
   paste -d' ' - <(rows free.csv | awk -F, '{ x = $6 - $9 / 2 * $21 - 0.1; y = $7 - $9 / 2 * $22 - 0.2; z = $8 - $9 / 2 * $23 + 0.1
