@@ -2,7 +2,7 @@
 # cmake/lammps_tree on a LAMMPS source tree: its sources compile there against what `cmake --install` has put in place,
 # with 4-byte and 8-byte tags, each list names the package once, and remove leaves what was there before. The tree is made
 # of LAMMPS's headers and the lines that matter, as in 2021 and as in 2026; or it is that in ASPERITY_LAMMPS_TREE, which is
-# copied, and whose own checks of its lists must find nothing.
+# copied, and whose own checks of lists and of style must find nothing.
 # Usage: lammps_tree.sh BUILD HEADERS...
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -13,7 +13,10 @@ die() { echo "FAILED: $*" >&2; exit 1; }
 tree=$work/lammps
 mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config,unittest/force-styles/tests}
 if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
-  for folder in src cmake doc unittest; do cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree"; done
+  mkdir "$tree/tools"
+  for folder in src cmake doc unittest tools/coding_standard; do
+    cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree/$(dirname $folder)"
+  done
 else
   for folder in "$@"; do cp -r "$folder/." "$tree/src"; done
   printf 'set(STANDARD_PACKAGES\n  ADIOS\n  ASPHERE\n  ATC)\nforeach(PKG_WITH_INCL KSPACE PYTHON)\nendforeach()\n' > "$tree/cmake/CMakeLists.txt"
@@ -52,9 +55,9 @@ for page in Commands_fix fix $list; do
 done
 [ "$(grep -c '_PKG-ASPERITY:' "$tree/doc/src/Packages_details.rst")" = 1 ] || die "Packages_details.rst does not describe it once"
 if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
-  for check in check-packages check-styles; do
-    python3 "$tree/doc/utils/$check.py" -s "$tree/src" -d "$tree/doc/src" > "$work/log"
-    ! grep -iE 'asperity|rebound' "$work/log" || die "LAMMPS's $check.py"
+  for check in "$tree"/doc/utils/check-*.py "$tree"/tools/coding_standard/*.py; do
+    (cd "$tree" && PYTHONDONTWRITEBYTECODE=1 python3 "$check" $([[ $check == */doc/* ]] || echo .)) > "$work/log" 2>&1 || true
+    ! grep -iE 'asperity|rebound|python3:|Traceback' "$work/log" || die "LAMMPS's ${check##*/}"
   done
 fi
 "$script" diff "$tree" > "$work/diff"
