@@ -79,11 +79,11 @@ static void put_law(const char *name, const asp_parameter *parameters, int count
   printf("  %s", name);
   for (int i = 0; i < count; i++) {
     const asp_parameter *p = &parameters[i];
-    const char *keyword = asp_parameter_keyword(p);
+    const char *keyword = aspi_parameter_keyword(p);
     if (strcmp(keyword, last) != 0)
       printf("%s [%s", *last ? "]" : "", keyword);
     putchar(' ');
-    for (const char *c = asp_parameter_name(p); *c; c++)
+    for (const char *c = p->name; *c; c++)
       putchar(toupper((unsigned char)*c));
     last = keyword;
   }

@@ -9,18 +9,14 @@
 #include "cli/cli.h"
 
 /* The options of what reads such a table. */
-enum { MEASURED_VIEW, MEASURED_BELOW, MEASURED_OPTION_COUNT };
-#define MEASURED_OPTIONS(first)                                                                    \
-  [(first) +                                                                                       \
-      MEASURED_VIEW] = {"view", "plane|space",                                                     \
-                        "what v2, alpha2, cor_v, cor_alpha of the data are of, where their "       \
-                        "names do not say it",                                                     \
-                        NULL},                                                                     \
-      [(first) +                                                                                   \
-          MEASURED_BELOW] = {"below", "fold|drop",                                                 \
-                             "rebounds that noise put below the wall: mirror them at it, or "      \
-                             "leave them out",                                                     \
-                             "fold"}
+enum { MEASURED_VIEW, MEASURED_BELOW };
+#define MEASURED_OPTIONS                                                                           \
+  {"view", "plane|space",                                                                          \
+   "what v2, alpha2, cor_v, cor_alpha of the data are of, where their names do not say it", NULL}, \
+  {                                                                                                \
+    "below", "fold|drop",                                                                          \
+        "rebounds that noise put below the wall: mirror them at it, or leave them out", "fold"     \
+  }
 
 /* Reads such a table, in order of angle, speed, size; exits on a file that is none. Names and units
  * of its columns: see `asperity compare --help`. */
@@ -32,7 +28,6 @@ void cli_measured_sort(aspi_measured *data);
 /* Exits where the data do not say how they look at rebounds, and `matters`: it makes a difference.
  */
 void cli_measured_need_view(const char *path, aspi_measured *data, bool matters);
-void cli_measured_free(aspi_measured *data);
 
 /* The part of a help text about the possible columns. */
 #define MEASURED_FORMS                                                                             \
