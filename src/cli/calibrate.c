@@ -377,30 +377,31 @@ static const cli_option options[] = {
      "share of them",
      "0"},
     {"huber", "WIDTHS",
-     "against outliers: rebounds farther out than this many robust standard deviations count as "
-     "so far; 2 is usual",
+     "against outliers: a rebound farther out than this many robust standard deviations counts as "
+     "if it were just that far; 2 is usual",
      NULL},
     MEASURED_OPTIONS,
-    {"bin", "DEGREES", "width of the bins that impacts are put into", "5"},
-    {"samples", "N", "simulated impacts a bin; 10 for a measured one, 2000 to 20000", NULL},
+    {"bin", "DEGREES", "width of the bins of impacts", "5"},
+    {"samples", "N",
+     "simulated impacts per bin; by default 10 for each measured one, 2000 to 20000", NULL},
     {.name = NULL}};
 
 static const char detail[] =
-    "asperity calibrate DATA surface sigma fit friction fit ...: every number of the wall's\n"
-    "description that is `fit` is looked for: sigma, or rq and lambda_c; friction,\n"
-    "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search there, which\n"
-    "rq, lambda_c and numbers whose default is 0 need.\n" MEASURED_FORMS "\n"
-    "Rows parameter,estimate,standard_error,low_95,high_95,unit; then, as comments,\n"
-    "correlations, chi^2 per degree of freedom, and the description with the estimates in it,\n"
-    "for a script or another command. A warning names constants that the data cannot separate,\n"
-    "and data that the model does not describe. Noise of the measurement looks like\n"
-    "roughness: state it by --noise. Sizes count only where the wall is given by rq and\n"
-    "lambda_c; sigma is the same for all of them.\n";
+    "Fits every number of the wall's description that is `fit`, as in 'surface sigma fit\n"
+    "friction fit': sigma, or rq and lambda_c; friction, surface_energy, yield_stress;\n"
+    "those of the law. `fit=VALUE` begins the search at VALUE; rq, lambda_c and numbers\n"
+    "whose default is 0 need it.\n" MEASURED_FORMS "\n"
+    "The output has the rows parameter,estimate,standard_error,low_95,high_95,unit; then,\n"
+    "as comments, correlations, chi^2 per degree of freedom, and the description with the\n"
+    "estimates in it, for a script or another command. A warning names constants that the\n"
+    "data cannot separate, and data that the model does not describe. Noise of the\n"
+    "measurement looks like roughness: state it by --noise. Sizes count only if the wall is\n"
+    "given by rq and lambda_c; sigma is the same for all of them.\n";
 
 const cli_command cli_calibrate = {
     .name = "calibrate",
     .arguments = "DATA DESCRIPTION",
-    .summary = "the wall's roughness and a law's constants from measured scatter",
+    .summary = "fit the wall's roughness and a law's constants to measured coefficients",
     .detail = detail,
     .examples = "  $ asperity calibrate examples/data/grant_tabakoff_1975.csv surface sigma fit "
                 "friction fit --dp 100um --plot fit.png\n",

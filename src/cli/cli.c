@@ -148,11 +148,11 @@ static const char *unknown_word(int argc, char **argv) {
 /* The options of a command: its own, and those of all. */
 static void list_options(cli_call *call) {
   const cli_option common[] = {
-      {"output", "FILE", "write there instead of to the screen", NULL},
+      {"output", "FILE", "write to FILE instead of the screen", NULL},
       {"plot", "FILE", call->command->picture, NULL},
-      {"title", "TEXT", "of the picture, instead of its own", NULL},
-      {"size", "WIDTHxHEIGHT", "of the picture, in pixels", NULL},
-      {"range", "FROM:TO", "of the vertical axis", NULL},
+      {"title", "TEXT", "title of the picture", NULL},
+      {"size", "WIDTHxHEIGHT", "size of the picture, in pixels", NULL},
+      {"range", "FROM:TO", "range of the vertical axis", NULL},
   };
   cli_option *to = call->options;
   for (const cli_option *own = call->command->options; own->name; own++)

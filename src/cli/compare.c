@@ -307,29 +307,32 @@ static void run(cli_call *call) {
     plot(call, &c);
 }
 
-static const cli_option options[] = {
-    {"bin", "DEGREES",
-     "width of the bins of single impacts; without it every place that was measured often is one, "
-     "else " WIDTH,
-     NULL},
-    {"near", "DEGREES[,SPEED[,SIZE]]",
-     "how far impacts may be from a place that none has: degrees, shares", FAR},
-    MEASURED_OPTIONS,
-    {.name = NULL}};
+static const cli_option options[] = {{"bin", "DEGREES",
+                                      "width of the bins of single impacts; by default a bin for "
+                                      "each place that was measured often, else " WIDTH,
+                                      NULL},
+                                     {"near", "DEGREES[,SPEED[,SIZE]]",
+                                      "a place without simulated impacts takes those within this "
+                                      "distance: degrees, shares of speed and size",
+                                      FAR},
+                                     MEASURED_OPTIONS,
+                                     {.name = NULL}};
 
 static const char detail[] =
-    "asperity compare IMPACTS [DATA]: IMPACTS is the output of 'asperity cor', the ledger of a\n"
-    "wall (CSV or .npy), or a dump local file of its array (of its columns alpha1, cor_n, cor_t\n"
-    "and outcome; v1 and d_p where the data have them). Alone it is tabled and drawn: for each\n"
-    "place, or interval of angle, the share that sticks, and of the n others both "
-    "coefficients.\n" MEASURED_FORMS "\n"
-    "At the data's own angles, and speeds and sizes where they have them: mean and standard\n"
-    "deviation of either coefficient, the share of deposits where the data tell outcomes, all\n"
-    "with standard errors, and of single impacts the two-sample distance of Kolmogorov and\n"
-    "Smirnov. The last row is the score: the mean square of all differences, each in its\n"
-    "standard error (reduced chi-square), with the score's own standard error by resampled\n"
-    "impacts. The true model's is 1. Of means, only the means count, by cor_n_se, or cor_n_sd\n"
-    "and n; where n is missing, by cor_n_sd itself.\n";
+    "IMPACTS is the output of 'asperity cor', the ledger of a wall (CSV or .npy), or a dump\n"
+    "local file of its array (with the columns alpha1, cor_n, cor_t and outcome; v1 and d_p\n"
+    "where the data have them). Alone, they are tabled and drawn: for each place (an impact\n"
+    "angle, or an interval of angles) the share that sticks, and both coefficients of the n\n"
+    "others.\n" MEASURED_FORMS "\n"
+    "A place in the data is an angle, with a speed and a size where the data have them. At\n"
+    "each, the output has of both sides the mean and standard deviation of both\n"
+    "coefficients, the share of deposits if the data have outcomes, all with standard\n"
+    "errors, and for single impacts the two-sample distance of Kolmogorov and Smirnov. The\n"
+    "last row is the score: the mean square of all differences, each divided by its\n"
+    "standard error (reduced chi-square), with the score's own standard error from\n"
+    "resampled impacts. For the true model it is 1 on average. If the data are means, only\n"
+    "the means count: by cor_n_se, or cor_n_sd and n; where n is missing, by cor_n_sd\n"
+    "itself.\n";
 
 const cli_command cli_compare = {
     .name = "compare",
@@ -340,7 +343,7 @@ const cli_command cli_compare = {
         "  $ asperity compare cor.csv examples/data/grant_tabakoff_1975.csv --plot compare.png\n"
         "  $ asperity compare impacts.npy\n",
     .options = options,
-    .picture = "draw it; .png, .svg or .pdf",
+    .picture = "draw the comparison; .png, .svg or .pdf",
     .takes_files = true,
     .run = run,
 };

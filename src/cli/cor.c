@@ -309,23 +309,24 @@ static const cli_option options[] = {
     {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median", "100"},
     {"angles", "DEGREES", "impact angles: a list", "1:90:1"},
     {"samples", "N", "impacts per angle", "100"},
-    {"flux", NULL, "impacts in proportion to sin alpha1, --samples on the mean", NULL},
-    {"summary", NULL, "per angle mean, sd and capture share, no impacts", NULL},
-    {"columns", "own|ledger", "of the rows: own, or those of a wall's ledger", "own"},
+    {"flux", NULL, "impacts in proportion to sin alpha1, on average --samples per angle", NULL},
+    {"summary", NULL, "mean, sd and capture share per angle instead of impacts", NULL},
+    {"columns", "own|ledger", "columns of the rows: the command's own, or those of a wall's ledger",
+     "own"},
     {.name = NULL}};
 
 static const char detail[] =
-    "One row an impact; its outcome is rebound or deposit. cor_v_plane and cor_alpha_plane\n"
-    "are v2/v1 and alpha2/alpha1 of the velocity in the plane of incidence, as one camera\n"
-    "from the side sees it (alpha2 from 0 to 180 degrees), like cor_n and cor_t; cor_v_space\n"
-    "and cor_alpha_space are those of the velocity in space (0 to 90). An empty cor_t is\n"
-    "undefined (normal impact). With --columns ledger the rows are as in a wall's ledger in\n"
-    "`units si` (outcome 0 or 1), for what reads those. --summary has a row per angle: the\n"
-    "number of impacts, the share that sticks, and of the n others mean and sd; with `erosion`\n"
-    "also eroded_mean and eroded_sd of all impacts: mass that is worn off the wall per mass of\n"
-    "particles.\n"
-    "A log-normal law has the standard deviation ln(max/min)/5 of its ln, and is cut at\n"
-    "both ends. Particles fly along x over the wall z = 0.\n";
+    "One row per impact; its outcome is rebound or deposit. cor_n, cor_t, cor_v_plane\n"
+    "(v2/v1) and cor_alpha_plane (alpha2/alpha1) are those of the velocity in the plane of\n"
+    "incidence, as a camera from the side sees it (alpha2 from 0 to 180 degrees).\n"
+    "cor_v_space and cor_alpha_space are those of the velocity in space (alpha2 from 0 to\n"
+    "90). At normal impact cor_t is undefined and empty. --columns ledger writes the rows\n"
+    "of a wall's ledger in `units si` (outcome 0 or 1), for programs that read ledgers.\n"
+    "--summary has a row per angle: the number of impacts, the share that sticks, and mean\n"
+    "and sd of the n others; with `erosion` also eroded_mean and eroded_sd over all\n"
+    "impacts, in mass worn off the wall per mass of particles. lognormal:min:max:median is\n"
+    "a log-normal distribution whose logarithm has the standard deviation ln(max/min)/5,\n"
+    "cut at both ends. Particles fly along x over the wall z = 0.\n";
 
 const cli_command cli_cor = {
     .name = "cor",

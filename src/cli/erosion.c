@@ -166,23 +166,24 @@ static void run(cli_call *call) {
 
 static const cli_option options[] = {
     {"density", "DENSITY",
-     "of the particles, where the ledger lacks their mass; else that of 'materials'", NULL},
+     "density of the particles, if the ledger has no mass; else that of 'materials'", NULL},
     {.name = NULL}};
 
 static const char detail[] =
     "LEDGER is the ledger of a wall (CSV, .npy), or a dump local file of its array with the\n"
-    "columns that are used. A row per triangle that was hit, one per mesh (triangle `all`),\n"
-    "one for all; a primitive wall is mesh 0. Without a description the ledger's column\n"
-    "eroded_mass is added up, which `columns full` has where the wall has `erosion`. With\n"
-    "`erosion LAW ...` the law is applied to impact angle, speed and diameter of the rows, on\n"
-    "the mean wall: a ledger has only the first of the faces of `face tilted`. The particles'\n"
-    "mass is the column mass, else that of a sphere of --density. Ledgers are converted from\n"
-    "their units to SI; dumps must be SI.\n";
+    "columns that are used. The output has a row per triangle that was hit, a row per mesh\n"
+    "(triangle `all`), and one for all meshes; a primitive wall is mesh 0. Without a\n"
+    "description the command adds up the ledger's column eroded_mass; a wall with `erosion`\n"
+    "and `ledger ... columns full` writes it. With `erosion LAW ...` it applies the law to\n"
+    "impact angle, speed and diameter of the rows, on the mean wall: a ledger has only the\n"
+    "first of the faces that `face tilted` needs. The particles' mass is the column mass,\n"
+    "or that of a sphere of --density. Ledgers are converted from their units to SI; dumps\n"
+    "must be SI.\n";
 
 const cli_command cli_erosion = {
     .name = "erosion",
     .arguments = "LEDGER [DESCRIPTION]",
-    .summary = "what the impacts of a ledger wore off the wall, per triangle",
+    .summary = "the mass that the impacts of a ledger wore off the wall, per triangle",
     .detail = detail,
     .examples = "  $ asperity erosion impacts.csv -o eroded.csv\n"
                 "  $ asperity erosion impacts.npy erosion oka 1.8GPa density 7850kg/m3 "

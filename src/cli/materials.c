@@ -32,18 +32,18 @@ static void run(cli_call *call) {
 }
 
 static const cli_option options[] = {
-    {"materials", "FILE", "your own, which go before presets of the same name", NULL},
+    {"materials", "FILE", "file of your own materials; they override presets of the same name",
+     NULL},
     {.name = NULL}};
 
 const cli_command cli_materials = {
     .name = "materials",
     .summary = "the material presets and your own: values, units, sources",
     .detail =
-        "One row a material. The yield stress counts for particles; where it is empty the\n"
-        "material is meant for walls. The presets' numbers were not checked against the\n"
-        "originals of their sources. Your own materials are a file with the same columns, of\n"
-        "which title, yield_stress_pa and source may be left out; edit the output of this\n"
-        "command.\n",
+        "One row per material. The yield stress counts for particles; a material without one is\n"
+        "meant for walls. The presets' numbers were not checked against the originals of their\n"
+        "sources. Your own materials are a file with the same columns, of which title,\n"
+        "yield_stress_pa and source may be left out; edit the output of this command.\n",
     .examples = "  $ asperity materials\n"
                 "  $ asperity materials | cut -d, -f1\n",
     .options = options,

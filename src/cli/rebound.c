@@ -371,30 +371,30 @@ static void run(cli_call *call) {
 }
 
 static const cli_option options[] = {
-    {"map", "regimes|capture|angles", "what over what", "regimes"},
+    {"map", "regimes|capture|angles", "axes of the map, see above", "regimes"},
     {"list", NULL, "the laws and their parameters: defaults, ranges, sources", NULL},
     {"dp", "LENGTHS", "diameters: a list [0.5 to 200um in equal ratios; 10um]", NULL},
     {"speed", "M_PER_S", "speeds: a list [0.1 to 1000 in equal ratios; 100]", NULL},
     {"angles", "DEGREES", "impact angles: a list", NULL},
-    {"points", "N", "values in equal ratios where none are given", "121"},
+    {"points", "N", "number of values, in equal ratios, where none are given", "121"},
     {.name = NULL}};
 
 static const char detail[] =
-    "On a smooth wall.\n"
+    "The wall is smooth.\n"
     "  --map regimes  CoR_N and outcome over diameter and speed, at one angle and wall\n"
-    "  --map capture  the speed under which a particle sticks, over the diameter\n"
+    "  --map capture  the speed below which a particle sticks, over the diameter\n"
     "  --map angles   CoR_N and CoR_T over the impact angle\n"
-    "capture and angles take several descriptions with the word vs between:\n"
-    "materials ard ti-6al-4v vs materials ard hastelloy-x rebound thornton_ning.\n"
-    "Without --dp, --speed, --angles a map has its own ranges.\n"
-    "The mu of bons is a constant fitted to its form. Oblique impacts of 5 mm alumina on\n"
-    "glass (Kharaz et al. 2001, Coulomb's mu 0.092) follow 1 - mu (1 + e_n) tan alpha1 up\n"
-    "to 60 degrees within 0.008, with the least CoR_T, 0.596, at 70 degrees; bons with that\n"
-    "mu has its least, 0.91, at 45 degrees. walton is the law for such impacts.\n";
+    "capture and angles take several descriptions with the word vs between: materials ard\n"
+    "ti-6al-4v vs materials ard hastelloy-x rebound thornton_ning.\n"
+    "Without --dp, --speed, --angles a map has its own ranges. The mu of bons is a constant\n"
+    "fitted to its form. An example: oblique impacts of 5 mm alumina on glass (Kharaz et\n"
+    "al. 2001, Coulomb's mu 0.092). Their CoR_T is 1 - mu (1 + e_n) tan alpha1 within 0.008\n"
+    "up to 60 degrees, and has its minimum, 0.596, at 70 degrees. bons with that mu has its\n"
+    "minimum, 0.91, at 45 degrees. Use walton for such impacts.\n";
 
 const cli_command cli_rebound = {
     .name = "rebound",
-    .summary = "what a rebound law does: regimes, capture speed, coefficients over the angle",
+    .summary = "a restitution law on a smooth wall: regimes, capture speed, coefficients",
     .arguments = "DESCRIPTION",
     .detail = detail,
     .examples =

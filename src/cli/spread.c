@@ -200,9 +200,9 @@ static void run(cli_call *call) {
 }
 
 static const cli_option options[] = {
-    {"dp", "LENGTH", "the particle's diameter; with 'surface sigma' of no account", NULL},
+    {"dp", "LENGTH", "diameter of the particle; no effect with 'surface sigma'", NULL},
     {"angles", "DEGREES", "impact angle, 0 to 90; with --summary a list", "30"},
-    {"samples", "N", "how many draws", "10000"},
+    {"samples", "N", "number of draws", "10000"},
     {"pdf", NULL, "print the density instead of samples", NULL},
     {"summary", NULL, "print mean, sd and percentiles of the samples", NULL},
     {"list", NULL, "list the models", NULL},
@@ -210,12 +210,12 @@ static const cli_option options[] = {
 
 const cli_command cli_spread = {
     .name = "spread",
-    .summary = "how the tilt of the face that a particle hits is distributed",
+    .summary = "the distribution of the tilt of the face that a particle hits",
     .arguments = "DESCRIPTION",
     .detail =
         "Draws delta_alpha in the plane of incidence for a wall and an impact angle, or prints\n"
-        "its density. Of the description 'surface', 'spread' and 'seed' count: a wall by its\n"
-        "numbers is as a profile along the flight has it, over a map spheres fly in all\n"
+        "its density. Only 'surface', 'spread' and 'seed' of the description count. A wall\n"
+        "given by numbers is a profile along the flight. Over a map, spheres fly in all\n"
         "directions.\n",
     .examples = "  $ asperity spread surface sigma 10 --angles 20 --plot spread.png -o spread.csv\n"
                 "  $ asperity spread --list\n",

@@ -378,39 +378,39 @@ static void run(cli_call *call) {
 static const cli_option options[] = {
     {"dp", "LENGTHS", "particle diameters: a list", "10um"},
     {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
-    {"unit", "U[,U]", "unit of a file's columns, where it states none", NULL},
+    {"unit", "U[,U]", "unit of the columns of a file that does not state it", NULL},
     {"read", "WORDS",
-     "what is in a file: row N of an SDF map, column N (of it, or of a text's heights), x_column "
-     "and z_column N or NAME, missing VALUE, spacing resample or refuse, step LENGTH[,LENGTH] "
-     "between heights without positions, or a matrix's columns and rows",
+     "content of the file: row N of an SDF map, column N (of an SDF map, or the heights of a "
+     "text), x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
+     "LENGTH[,LENGTH] between heights without positions, or between columns and rows of a matrix",
      NULL},
-    {"form", "DEGREE", "polynomial taken out as form: none, or 0 to 9", "1"},
-    {"gaps", "refuse|fill", "what to do about bad and missing points", "refuse"},
-    {"spikes", "K", "points over K robust sd off their neighbors are bad, too", NULL},
+    {"form", "DEGREE", "degree of the polynomial that is subtracted as form: none, or 0 to 9", "1"},
+    {"gaps", "refuse|fill", "refuse a file with bad and missing points, or fill them", "refuse"},
+    {"spikes", "K", "count points more than K robust sd from their neighbors as bad", NULL},
     {"filter", "WORDS",
      "tip LENGTH (radius of the stylus, whose dilation is undone), lambda_s LENGTH and cutoff "
-     "LENGTH (shorter and longer waves are taken out, ISO 16610-21), robust (the cut-off by ISO "
-     "16610-31)",
+     "LENGTH (remove shorter and longer waves, ISO 16610-21), robust (the cut-off by ISO 16610-31)",
      NULL},
     {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
-    {"save", "FILE", "write the profile there, or the map (SDF), as mended", NULL},
+    {"save", "FILE", "write the repaired profile, or map (SDF), there", NULL},
     {.name = NULL}};
 
 static const char detail[] =
-    "A row per diameter, measured on a generated or a measured profile: the slopes of the path\n"
-    "of the particle's center (dilation) under a uniform center. kappa = sqrt(3) dp rq /\n"
-    "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural logarithm)\n"
-    "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 points))^(1/5).\n"
-    "A generated profile is periodic, a measured one is mirrored at its ends. A measured one is\n"
-    "compared with a generated one of the same R_q and lambda_c. rq and lambda_c may be lists:\n"
-    "'surface rq 2um,5um lambda_c 40um:120um:40um' has a row per wall and diameter. Of a map, the "
-    "parameters of\n"
-    "ISO 25178-2, the lay, and the contact slopes of a sphere across the lay and along it. For\n"
-    "an instrument's own format that is refused: the free program Gwyddion saves it as SDF.\n";
+    "One row per diameter. The particle rolls over a generated or a measured profile; the\n"
+    "row has the slopes of the path of its center (dilation), at equal steps along the\n"
+    "wall. kappa = sqrt(3) dp rq / lambda_c^2; angle_kurtosis is the excess (normal: 0);\n"
+    "kl_normal is D_KL (natural logarithm) of the normal fit to the kernel density of the\n"
+    "angles, bandwidth sd (4/(3 points))^(1/5). A generated profile is periodic, a measured\n"
+    "one is mirrored at its ends. A measured one is compared with a generated one of the\n"
+    "same R_q and lambda_c. rq and lambda_c may be lists: 'surface rq 2um,5um lambda_c\n"
+    "40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"
+    "parameters of ISO 25178-2, the lay, and the slopes that a sphere meets across the lay\n"
+    "and along it. The command refuses instruments' own formats; the free program Gwyddion\n"
+    "saves them as SDF.\n";
 
 const cli_command cli_surface = {
     .name = "surface",
-    .summary = "which slopes a particle of a given size finds on a wall",
+    .summary = "the slopes that particles of a given size meet on a wall",
     .arguments = "DESCRIPTION",
     .detail = detail,
     .examples =
@@ -418,6 +418,6 @@ const cli_command cli_surface = {
         "  $ asperity surface surface profile raw.csv --gaps fill --form 2 --dp 20um --save "
         "mended.csv\n",
     .options = options,
-    .picture = "draw the first --dp, of a map two, into a .png, .svg or .pdf",
+    .picture = "draw the first --dp (of a map the first two) into a .png, .svg or .pdf",
     .run = run,
 };

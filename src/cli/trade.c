@@ -349,29 +349,28 @@ static const cli_option options[] = {
     {"dp", "LENGTH", "diameter of the particles", NULL},
     {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
     {"rays", "N", "impacts per model and angle", "200000"},
-    {"profiles", "N", "profiles of 2048 lambda_c that judge [16], or pieces of a measured one",
+    {"profiles", "N",
+     "profiles of 2048 lambda_c in the reference [16], or pieces of a measured one", NULL},
+    {"collisions", "single|multiple", "one hit, or as many as it takes to leave", "multiple"},
+    {"three-d", NULL, "judge by surfaces in three dimensions; the models are isotropic", NULL},
+    {"surfaces", "N", "with --three-d: surfaces in the reference [8]; pieces of a map [4]", NULL},
+    {"points", "N", "with --three-d: points along a side of a surface, 20 per lambda_c [2048]",
      NULL},
-    {"collisions", "single|multiple", "one hit, or as many as it takes", "multiple"},
-    {"three-d", NULL, "isotropic: judged by surfaces in three dimensions", NULL},
-    {"surfaces", "N", "of --three-d: independent surfaces that judge [8]; pieces of a map [4]",
-     NULL},
-    {"points", "N", "of --three-d: points along a side, 20 a lambda_c [2048]", NULL},
     {.name = NULL}};
 
 static const char detail[] =
     "A row per model and impact angle. The reference follows specular particles over an\n"
     "ensemble of generated profiles, hit by hit; no model was made from any of them.\n"
-    "kl_first_hit and kl_rebound are in bins of one degree; a bin that the model cannot fill\n"
-    "counts as 1e-6, or half an impact. kl_rebound is free of the bias of histograms, and\n"
-    "kl_rebound_se is its standard error, by the jackknife over the profiles; more --profiles\n"
-    "and --rays make it smaller.\n"
-    "Of a measured profile the pieces of one half of it judge what is made of the other half, and "
-    "the\n"
-    "other way round: so no model is judged by heights that made it.\n"
-    "With --three-d the reference are independent Gaussian surfaces on which a sphere rolls,\n"
-    "none of which made a model; every model takes `isotropic`. --rays counts per surface.\n"
-    "All D_KL are then sampled, with the standard error over the surfaces (jackknife). Of a map\n"
-    "pieces of one half of the map judge what is made of the other, in all directions.\n";
+    "kl_first_hit and kl_rebound are D_KL of the first tilt and of the rebound angle, in\n"
+    "bins of one degree. A bin that the model cannot fill counts as 1e-6, or half an\n"
+    "impact. kl_rebound is free of the bias of histograms. kl_rebound_se is its standard\n"
+    "error, by the jackknife over the profiles; more --profiles and --rays make it smaller.\n"
+    "On a measured profile, pieces of one half judge the models made of the other half, and\n"
+    "the other way round; no heights judge a model that they made.\n"
+    "With --three-d the reference is a set of independent Gaussian surfaces on which a\n"
+    "sphere rolls; every model takes `isotropic`. --rays counts per surface. All D_KL are\n"
+    "then sampled, with the standard error over the surfaces (jackknife). On a map, pieces\n"
+    "of one half judge the models made of the other, in all directions of flight.\n";
 
 const cli_command cli_trade = {
     .name = "trade",
