@@ -67,23 +67,16 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
         option->name, option->value);
 }
 
-/* Options of reading a file; step: between columns and rows, 0 if it is not given. */
-typedef struct reading {
-  aspi_profile_options file;
-  double step[2];
-} reading;
-
-static void take_steps(const cli_option *value, reading *r) {
+static void take_steps(const cli_option *value, aspi_profile_options *read) {
   cli_list steps = cli_lengths(value);
   if (steps.count > 2)
     cli_bad_usage("--%s is '%s'; it must be one length, or two", value->name, value->value);
-  r->step[0] = r->file.step = steps.values[0];
-  r->step[1] = steps.values[steps.count - 1];
+  read->step[0] = steps.values[0];
+  read->step[1] = steps.values[steps.count - 1];
   free(steps.values);
 }
 
-static bool take_layout(const char *word, const cli_option *value, reading *r) {
-  aspi_profile_options *read = &r->file;
+static bool take_layout(const char *word, const cli_option *value, aspi_profile_options *read) {
   if (strcmp(word, "row") == 0)
     read->row = (int)cli_whole(value, 1, 1000000);
   else if (strcmp(word, "column") == 0)
@@ -98,14 +91,13 @@ static bool take_layout(const char *word, const cli_option *value, reading *r) {
     read->has_missing = true;
     read->missing = cli_number(value, -INFINITY, INFINITY);
   } else if (strcmp(word, "step") == 0)
-    take_steps(value, r);
+    take_steps(value, read);
   else
     return false;
   return true;
 }
 
-static bool take_filter(const char *word, const cli_option *value, reading *r) {
-  aspi_profile_options *read = &r->file;
+static bool take_filter(const char *word, const cli_option *value, aspi_profile_options *read) {
   if (strcmp(word, "tip") == 0)
     read->filters.tip = cli_length(value);
   else if (strcmp(word, "lambda_s") == 0)
@@ -118,38 +110,38 @@ static bool take_filter(const char *word, const cli_option *value, reading *r) {
 }
 
 /* Words and their values, with blanks between; the text lives as long as the command. */
-static void take_words(const cli_option *option, reading *r,
-                       bool (*take)(const char *word, const cli_option *value, reading *r)) {
+static void take_words(const cli_option *option, aspi_profile_options *read,
+                       bool (*take)(const char *word, const cli_option *value,
+                                    aspi_profile_options *read)) {
   if (!option->value)
     return;
   char *text = cli_copy(option->value), name[80];
   for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
     if (take == take_filter && strcmp(word, "robust") == 0) {
-      r->file.filters.robust = true;
+      read->filters.robust = true;
       continue;
     }
     snprintf(name, sizeof name, "%s %.40s", option->name, word);
     const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
-    if (!value.value || !take(word, &value, r))
+    if (!value.value || !take(word, &value, read))
       cli_bad_usage("--%s is '%s'; '%s' is unknown or without a value; there are: %s", option->name,
                     option->value, word, option->help);
   }
 }
 
-static reading read_options(const cli_option *o) {
-  reading r = {.file = aspi_profile_options_default()};
-  aspi_profile_options *read = &r.file;
+static aspi_profile_options read_options(const cli_option *o) {
+  aspi_profile_options read = aspi_profile_options_default();
   if (o[UNIT].value)
-    read_unit(&o[UNIT], read);
-  read->form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
-  read->fill = cli_choice(&o[GAPS], "refuse", "fill");
+    read_unit(&o[UNIT], &read);
+  read.form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
+  read.fill = cli_choice(&o[GAPS], "refuse", "fill");
   if (o[SPIKES].value)
-    read->spikes = cli_number(&o[SPIKES], 1, 1e6);
-  take_words(&o[READ], &r, take_layout);
-  take_words(&o[FILTER], &r, take_filter);
-  if (read->filters.robust && !(read->filters.cutoff > 0))
+    read.spikes = cli_number(&o[SPIKES], 1, 1e6);
+  take_words(&o[READ], &read, take_layout);
+  take_words(&o[FILTER], &read, take_filter);
+  if (read.filters.robust && !(read.filters.cutoff > 0))
     cli_bad_usage("--filter is '%s'; robust goes with cutoff", o[FILTER].value);
-  return r;
+  return read;
 }
 
 /* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
@@ -209,10 +201,10 @@ static uint32_t seed_of(const cli_description *d) {
 
 static cli_wall read_wall(const cli_option *o, const cli_description *wall, source *from) {
   const char *file = asp_wall_word(wall->wall, "file");
-  reading how = read_options(o);
+  aspi_profile_options how = read_options(o);
   double level = cli_choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
-  asp_profile *profile = aspi_profile_read(file, &how.file, &from->report, &error);
+  asp_profile *profile = aspi_profile_read(NULL, file, &how, &from->report, &error);
   if (!profile)
     cli_bad_file(NULL, &error);
   if (aspi_profile_describe(profile, level, &from->description, &error) ||
@@ -340,9 +332,7 @@ static cli_description wall_of(const walls *all, size_t index, int count, char *
 static void run_map(const cli_option *o, const cli_description *wall, const cli_list *sizes,
                     int argc, char **argv) {
   const char *file = asp_wall_word(wall->wall, "file");
-  reading how = read_options(o);
-  how.file.step = 0;
-  aspi_map_options options = {&how.file, {how.step[0], how.step[1]}};
+  aspi_profile_options options = read_options(o);
   cli_map map = cli_map_read(file, &options);
   const double *step = map.map->step;
   double sides[2] = {(double)map.map->columns * step[0], (double)map.map->rows * step[1]};

@@ -3,7 +3,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/surface_map.h"
-#include "base/file.h"
 #include "surface/ball.h"
 
 #include <math.h>
@@ -12,14 +11,10 @@
 
 enum { ROWS_AT_ONCE = 16 };
 
-cli_map cli_map_read(const char *path, const aspi_map_options *options) {
+cli_map cli_map_read(const char *path, const aspi_profile_options *options) {
   asp_error error;
   cli_map m = {.name = path};
-  FILE *stream = aspi_file_open(path, &error);
-  if (stream) {
-    m.map = aspi_map_read_stream(stream, path, options, &m.report, &error);
-    fclose(stream);
-  }
+  m.map = aspi_map_read(NULL, path, options, &m.report, &error);
   if (!m.map)
     cli_bad_file(NULL, &error);
   if (aspi_map_describe(m.map, &m.description, &error) ||

@@ -6,7 +6,7 @@
 
 #include "cli/cli.h"
 #include "surface/map_describe.h"
-#include "readers/map_read.h"
+#include "readers/read.h"
 
 /* A measured map, what was done to it, and what it is. */
 typedef struct cli_map {
@@ -17,7 +17,7 @@ typedef struct cli_map {
 } cli_map;
 
 /* Reads and describes a map, in meters; exits on an error. */
-cli_map cli_map_read(const char *path, const aspi_map_options *options);
+cli_map cli_map_read(const char *path, const aspi_profile_options *options);
 void cli_map_free(cli_map *map);
 
 /* The contact slopes of a sphere; see aspi_gradient_describe. */

@@ -182,7 +182,7 @@ typedef struct choice {
 
 /* True if every column has a name, or there are no more columns than needed. */
 static bool are_named(const choice *c) {
-  if (c->used <= (c->options->step > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
+  if (c->used <= (c->options->step[0] > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
     return true;
   snprintf(c->why, c->size, "%d columns under %d names%s; " ASK_COLUMNS, c->used, c->named,
            c->separator == ','
@@ -220,7 +220,7 @@ static void complete(const choice *c, int *x, int *z) {
   int with_unit = 0, n = c->fields;
   for (int i = 0; i < n; i++)
     with_unit += c->columns[i].unit > 0;
-  bool heights_alone = c->options->step > 0, units = with_unit >= (heights_alone ? 1 : 2);
+  bool heights_alone = c->options->step[0] > 0, units = with_unit >= (heights_alone ? 1 : 2);
   if (c->named == 0 || (n <= 2 && !units && !are_known(c->columns))) {
     *x = *x >= 0 ? *x : *z == 0 && n > 1 ? 1 : 0;
     *z = *z >= 0 ? *z : heights_alone && c->columns[0].kind != NO_LENGTH ? 0 : *x == 1 ? 0 : 1;
@@ -253,7 +253,7 @@ static bool choose_both(const choice *c, aspi_columns *chosen) {
   int asked_x, asked_z;
   if (!find_asked(c, &asked_x, &asked_z) || (asked_z < 0 && !are_named(c)))
     return false;
-  bool heights_alone = c->options->step > 0;
+  bool heights_alone = c->options->step[0] > 0;
   int x = heights_alone ? c->fields : asked_x, z = asked_z;
   complete(c, &x, &z);
   if (x < 0 || z < 0) {

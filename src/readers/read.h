@@ -1,4 +1,4 @@
-/* Shared by the readers of profile files.
+/* Shared by the readers of measured profiles and maps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_READ_H
@@ -12,7 +12,7 @@
 /* Largest number of columns that a text file may use, and the highest degree of a form. */
 enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
 
-/* Options of reading a measured profile. */
+/* Options of reading a measured profile or map. */
 typedef struct aspi_profile_options {
   double unit_x, unit_z; /* meters in one unit of a text file's columns; 0: as the file states */
   double metre;          /* one meter in the unit of the result: 1 for SI, 1e6 for micrometers */
@@ -26,7 +26,8 @@ typedef struct aspi_profile_options {
   int x_number;  /* 0, or: of a text file, the column of positions, from 1 */
   const char *x_column,
       *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
-  double step;    /* m, of a text file that has heights alone; 0: it has positions */
+  double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
+                     the columns and the rows of a matrix; 0: as the file states */
   double missing; /* if has_missing: the height that marks a missing one */
   bool has_missing;
   aspi_filters filters;
@@ -54,14 +55,13 @@ typedef struct aspi_profile_report {
 /* ASP_EARG and a message where one is out of its range. */
 asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error);
 
-/* Reads a measured profile, as a stream; see asp_reader. options NULL: the defaults; report may be
- * NULL. NULL on error; the message names file and line. */
-asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *options,
+/* Read a measured profile or map from a stream at its beginning, or where that is NULL from the
+ * file `path`, level and repair it as the options ask; see asp_reader. `report` may be NULL, and of
+ * a profile the options: the defaults. NULL on error; the message names file and line. */
+asp_profile *aspi_profile_read(FILE *stream, const char *path, const aspi_profile_options *options,
                                aspi_profile_report *report, asp_error *error);
-
-/* Writes what was read into a report, which has what was mended already. */
-void aspi_report(aspi_profile_report *report, const aspi_raw *raw,
-                 const aspi_profile_options *options);
+asp_map *aspi_map_read(FILE *stream, const char *path, const aspi_profile_options *options,
+                       aspi_profile_report *report, asp_error *error);
 
 /* Formats, detected by the first bytes; SDF is that of ISO 25178-71. Detection rewinds the stream.
  * ASP_EDATA for closed formats, with the name of a free program that converts them. */
@@ -72,31 +72,33 @@ typedef enum aspi_format {
 } aspi_format;
 asp_code aspi_format_find(FILE *stream, const char *path, aspi_format *format, asp_error *error);
 
-/* The readers. Each begins with the first line that is not blank already in text->text, and leaves
- * raw->heights to be freed by the caller, on error too. */
+/* The readers, which leave raw->heights to be freed by the caller, on error too: a profile's
+ * columns of text, and SDF, with the first line in ASCII that is not blank already in text->text; a
+ * matrix of heights or lines of x, y, z as text, from its beginning. */
 asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                            asp_error *error);
-asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
-                       asp_error *error);
+asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
+                       aspi_raw *raw, asp_error *error);
+asp_code aspi_read_map_text(const aspi_text *text, const aspi_profile_options *options,
+                            aspi_raw *raw, asp_error *error);
 
-/* The header of an SDF text file, NAN for absent keys. Then its points x profiles heights in turn,
- * before z_scale, NAN for bad points; and the trailer that must follow them. */
-typedef struct aspi_sdf {
-  double points, profiles, x_scale, y_scale, z_scale, compression;
-} aspi_sdf;
+/* Points of a map in x, y and z, as they come. */
+enum { ASP_MAP_AXES = 3 };
+typedef struct aspi_map_points {
+  double (*at)[ASP_MAP_AXES];
+  size_t count, room;
+} aspi_map_points;
 
-/* Rejects options that SDF files do not need: they state units, spacing (`step`) and bad points. */
-asp_code aspi_sdf_check_options(const char *path, const aspi_profile_options *options, double step,
-                                asp_error *error);
+asp_code aspi_map_points_add(aspi_map_points *points, const double point[ASP_MAP_AXES],
+                             asp_error *error);
 
-asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error);
-asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
-                         asp_error *error);
-asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error);
+/* Puts them on their grid; unit: meters in one of each axis. ASP_EDATA where there is none. */
+asp_code aspi_map_points_place(const aspi_map_points *points, const char *path,
+                               const double unit[ASP_MAP_AXES], aspi_raw *raw, asp_error *error);
 
-/* Like aspi_profile_read, from an open stream; `path` is for messages only. */
-asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
-                                      const aspi_profile_options *options,
-                                      aspi_profile_report *report, asp_error *error);
+/* Takes out the form, marks spikes, fills gaps or refuses them, filters, and writes what it did
+ * into the report. */
+asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *options,
+                   aspi_profile_report *report, asp_error *error);
 
 #endif

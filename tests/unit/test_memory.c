@@ -64,7 +64,7 @@ static asp_code code_of(const void *made, const asp_error *error) {
 }
 
 static asp_code read_with(const char *path, aspi_profile_options options, asp_error *error) {
-  asp_profile *made = aspi_profile_read(path, &options, NULL, error);
+  asp_profile *made = aspi_profile_read(NULL, path, &options, NULL, error);
   asp_profile_free(made);
   return code_of(made, error);
 }

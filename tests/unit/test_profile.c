@@ -138,7 +138,7 @@ static asp_profile *read_bytes(const char *bytes, size_t length,
   assert_int_equal(write(file, bytes, length), length);
   close(file);
   error = (asp_error){ASP_OK, ""};
-  asp_profile *p = aspi_profile_read(path, options, &report, &error);
+  asp_profile *p = aspi_profile_read(NULL, path, options, &report, &error);
   unlink(path);
   return p;
 }
@@ -385,10 +385,10 @@ static void columns_are_chosen_by_their_header(void **state) {
   expect_error("1 0 7\n2 1 8\n3 2 9\n", &o, ASP_EDATA, ":1: 3 columns under 0 names");
   expect_error("\"x\" \"z\"\n\"1\" 0 7\n\"2\" 1 8\n", &o, ASP_EDATA, "3 columns under 0 names");
   expect_error("x,z\n1,0,7\n2,1,8\n3,2,9\n", &o, ASP_EDATA, "3 columns under 2 names");
-  o.step = 2e-6;
+  o.step[0] = 2e-6;
   expect_error("1,7\n2,8\n3,9\n", &o, ASP_EDATA, "2 columns under 0 names");
   expect_error("time [s],angle [deg],n\n1,7,1\n2,8,2\n", &o, ASP_EDATA, "no column is a length");
-  o.step = o.unit_x = o.unit_z = 0;
+  o.step[0] = o.unit_x = o.unit_z = 0;
   o.x_column = o.z_column = "1";
   expect_error("x [um],z [um]\n0,9\n2,9\n4,9\n", &o, ASP_EDATA, "as positions and as heights");
   o.x_column = "b";
@@ -428,10 +428,10 @@ static void files_of_all_kinds(void **state) {
   expect("x_um,z_um\n0,1\n1,7\n2,3\n3,7.0\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
   assert_int_equal(report.bad, 2);
   o.has_missing = false;
-  o.step = 2e-6;
+  o.step[0] = 2e-6;
   expect("heights in um, unit um\n1\n2\n4\n", &o, 3, 2e-6, 4e-6);
   expect("Z [um]\n1\n2\n4\n", &o, 3, 2e-6, 4e-6);
-  o.step = 0;
+  o.step[0] = 0;
   expect_error("Z [um]\n1\n2\n4\n", &o, ASP_EDATA, "heights alone need the step");
   expect("X unit = mm\nZ unit = um\nX,Z\n0,1\n1,2\n2,4\n", NULL, 3, 1e-3, 4e-6);
   expect("X-Unit: mm\nZ-Unit: um\nPoints: 3\n\n[Data]\n0 1\n1 2\n2 4\n", NULL, 3, 1e-3, 4e-6);
@@ -678,7 +678,7 @@ static void bad_files_are_named_with_their_line(void **state) {
   memset(longest, 'x', sizeof longest);
   assert_null(read_bytes(longest, sizeof longest, NULL));
   assert_non_null(strstr(error.text, ":1: a line of 4096 characters or more"));
-  assert_null(aspi_profile_read("/nowhere/profile.csv", NULL, NULL, &error));
+  assert_null(aspi_profile_read(NULL, "/nowhere/profile.csv", NULL, NULL, &error));
   assert_int_equal(error.code, ASP_EFILE);
   assert_non_null(strstr(error.text, "/nowhere/profile.csv"));
 }
