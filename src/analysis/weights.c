@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/weights.h"
 
+#include <gsl/gsl_blas.h>
 #include <math.h>
 
 /* Share of each variance that is added to it. If wall and law leave one freedom, moments are nearly
@@ -57,22 +58,9 @@ static double factor(double (*a)[MOMENTS], int n, const double *floor) {
   return log_determinant;
 }
 
-static void solve_columns(const aspi_weights *w, double (*a)[MOMENTS]) {
-  for (int c = 0; c < w->n; c++)
-    for (int k = 0; k < w->n; k++) {
-      for (int l = 0; l < k; l++)
-        a[k][c] -= w->lower[k][l] * a[l][c];
-      a[k][c] /= w->lower[k][k];
-    }
-}
-
-static void transpose(double (*a)[MOMENTS], int n) {
-  for (int k = 0; k < n; k++)
-    for (int l = 0; l < k; l++) {
-      double held = a[k][l];
-      a[k][l] = a[l][k];
-      a[l][k] = held;
-    }
+/* A corner of n x n of a matrix of moments. */
+static gsl_matrix_view corner(double (*a)[MOMENTS], int n) {
+  return gsl_matrix_view_array_with_tda(a[0], (size_t)n, (size_t)n, MOMENTS);
 }
 
 void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_moments *model,
@@ -108,10 +96,13 @@ void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_mom
     w->lower[i][i] += floor[i];
   }
   w->log_determinant = factor(w->lower, w->n, floor);
-  for (int turn = 0; turn < 2; turn++) {
-    solve_columns(w, w->whitened);
-    transpose(w->whitened, w->n);
-  }
+  if (w->n == 0)
+    return;
+  gsl_matrix_view lower = corner(w->lower, w->n), whitened = corner(exact, w->n);
+  gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1, &lower.matrix,
+                 &whitened.matrix);
+  gsl_blas_dtrsm(CblasRight, CblasLower, CblasTrans, CblasNonUnit, 1, &lower.matrix,
+                 &whitened.matrix);
 }
 
 int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out) {

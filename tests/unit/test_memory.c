@@ -140,7 +140,7 @@ static asp_code slopes(asp_error *error) {
 
 static asp_code density(asp_error *error) {
   aspi_density *made = aspi_density_create(asp_profile_heights(profile), 500, -4, 4, 100, error);
-  aspi_density_free(made);
+  free(made);
   return code_of(made, error);
 }
 
