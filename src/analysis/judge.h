@@ -77,9 +77,8 @@ asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
                            asp_error *error);
 void aspi_judge_free(aspi_judge *judge);
 
-/* All groups at an angle, and those of one fold. */
+/* All groups at an angle. */
 aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle);
-aspi_angle_groups aspi_judge_fold(const aspi_judge *judge, size_t angle, size_t fold);
 
 /* The divergence of a model, averaged over the folds. Its groups follow each other: as many as the
  * reference has, or one per fold. */

@@ -105,12 +105,11 @@ void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_mom
                  &whitened.matrix);
 }
 
-int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out) {
+void aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out) {
   for (int i = 0; i < w->n; i++) {
     double off = model[w->of[i]] - w->data.of[w->of[i]];
     for (int j = 0; j < i; j++)
       off -= w->lower[i][j] * out[j];
     out[i] = off / w->lower[i][i];
   }
-  return w->n;
 }

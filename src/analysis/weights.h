@@ -39,7 +39,7 @@ aspi_cloud_moments aspi_group_moments(const aspi_group *group, const aspi_cloud_
 void aspi_weights_set(aspi_weights *w, const aspi_group *group, const aspi_cloud_moments *model,
                       double (*pooled)[MOMENTS], aspi_weights_kind kind);
 
-/* Whitens the differences of the used moments: independent, variance 1. Returns their number. */
-int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out);
+/* Whitens the differences of the used moments: independent, variance 1. */
+void aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out);
 
 #endif

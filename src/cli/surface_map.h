@@ -5,7 +5,7 @@
 #define ASP_CLI_SURFACE_MAP_H
 
 #include "cli/cli.h"
-#include "surface/map_describe.h"
+#include "surface/describe.h"
 #include "readers/read.h"
 
 /* A measured map, what was done to it, and what it is. */

@@ -7,7 +7,7 @@
 #include "spread/map_table.h"
 #include "base/error.h"
 #include "spread/map_lines.h"
-#include "surface/map_describe.h"
+#include "surface/describe.h"
 
 #include <math.h>
 #include <stdlib.h>
