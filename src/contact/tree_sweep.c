@@ -86,7 +86,10 @@ static bool sweep_is_within(const Sweep *sweep, const double n[3], double length
  * flies along a wall oblique to the axes stays in the boxes of its triangles for long. */
 static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t, double most) {
   double lo[3], hi[3], end;
-  aspi_triangle_box(t, lo, hi);
+  for (int d = 0; d < 3; d++) {
+    lo[d] = aspi_smaller(t->node[0][d], aspi_smaller(t->node[1][d], t->node[2][d]));
+    hi[d] = aspi_larger(t->node[0][d], aspi_larger(t->node[1][d], t->node[2][d]));
+  }
   double begin = sweep_meets(sweep, lo, hi, most, &end);
   if (!(begin < most))
     return most;

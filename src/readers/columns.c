@@ -5,7 +5,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/header.h"
-#include "readers/missing.h"
 #include "readers/positions.h"
 
 #include <math.h>

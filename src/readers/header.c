@@ -144,18 +144,14 @@ static int asked_for(const char *what, const char *asked, const column *columns,
   return -2;
 }
 
-/* The first column of that kind that is not the other one and may be a length; -1: none. */
+/* The first column of that kind that is not the other one; UNKNOWN: any that may be a length; -1:
+ * none. */
 static int first_of(kind wanted, const column *columns, int fields, int other, bool with_unit) {
-  for (int i = 0; i < fields; i++)
-    if (i != other && columns[i].kind == wanted && (!with_unit || columns[i].unit > 0))
+  for (int i = 0; i < fields; i++) {
+    bool fits = wanted == UNKNOWN ? columns[i].kind != NO_LENGTH : columns[i].kind == wanted;
+    if (i != other && fits && (!with_unit || columns[i].unit > 0))
       return i;
-  return -1;
-}
-
-static int first_length(const column *columns, int fields, int other, bool with_unit) {
-  for (int i = 0; i < fields; i++)
-    if (i != other && columns[i].kind != NO_LENGTH && (!with_unit || columns[i].unit > 0))
-      return i;
+  }
   return -1;
 }
 
@@ -230,9 +226,9 @@ static void complete(const choice *c, int *x, int *z) {
   if (*x < 0)
     *x = first_of(POSITION, c->columns, n, *z, units);
   if (*x < 0)
-    *x = first_length(c->columns, n, *z, units);
+    *x = first_of(UNKNOWN, c->columns, n, *z, units);
   if (*z < 0)
-    *z = first_length(c->columns, n, *x, units);
+    *z = first_of(UNKNOWN, c->columns, n, *x, units);
 }
 
 static int first_named(char name, const column *columns, int fields) {

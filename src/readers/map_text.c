@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "readers/header.h"
-#include "readers/missing.h"
 
 #include <ctype.h>
 #include <math.h>

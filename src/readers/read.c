@@ -109,7 +109,7 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, a
   aspi_format format;
   asp_code code = raw->is_map ? check_map_options(text->path, options, error) : ASP_OK;
   if (!code)
-    code = aspi_format_find(text->stream, text->path, &format, error);
+    code = aspi_format_find(text, &format, error);
   if (code)
     return code;
   if (format == ASP_FORMAT_SDF_BINARY)

@@ -7,7 +7,7 @@
  * those of GSL and of stdio fail, too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spread/map_lines.h"
+#include "spread/map_table.h"
 #include "analysis/dilated_map.h"
 #include "spread/line.h"
 #include "spread/trace.h"
