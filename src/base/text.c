@@ -259,11 +259,9 @@ bool aspi_text_blank(const char *line) {
 }
 
 static bool is_missing(const char *text, size_t length) {
-  static const char *const marks[] = {"bad", "na",  "n/a", "null", "#n/a", "void", "missing", "-",
-                                      "--",  "---", "*",   "***",  "?",    "none", "invalid"};
-  for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
-    if (strlen(marks[i]) == length && strncasecmp(text, marks[i], length) == 0)
-      return true;
+  static const char marks[] = "bad na n/a null #n/a void missing - -- --- * *** ? none invalid";
+  if (aspi_word_index(marks, text, length, false) >= 0)
+    return true;
   size_t stars = strspn(text, "*"); /* overflow marks of Fortran */
   bool error = *text == '#' && strspn(text + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ/0!?") == length - 1 &&
                length > 2; /* error marks of a spreadsheet, such as #NUM! or #WERT! */

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
+#include "base/error.h"
 #include "base/text.h"
 
 #include <ctype.h>
@@ -57,13 +58,7 @@ const aspi_unit *aspi_unit_at(size_t index) {
 }
 
 bool aspi_unit_is(const aspi_unit *unit, const char *name, size_t length, bool exact) {
-  for (const char *at = unit->names; *at; at += *at == ' ') {
-    size_t own = strcspn(at, " ");
-    if (own == length && (exact || own == 1 ? strncmp : strncasecmp)(at, name, own) == 0)
-      return true;
-    at += own;
-  }
-  return false;
+  return aspi_word_index(unit->names, name, length, exact || length == 1) >= 0;
 }
 
 double aspi_unit_metres(const char *name, size_t length) {

@@ -22,31 +22,15 @@ typedef struct column {
   kind kind;
 } column;
 
-static const struct {
-  const char *word; /* a name's first word, in small letters */
-  kind kind;
-} known[] = {
-    {"x", POSITION},          {"pos", POSITION},       {"position", POSITION},
-    {"positions", POSITION},  {"distance", POSITION},  {"dist", POSITION},
-    {"lateral", POSITION},    {"length", POSITION},    {"travel", POSITION},
-    {"scan", POSITION},       {"weg", POSITION},       {"strecke", POSITION},
-    {"abscisse", POSITION},   {"posizione", POSITION}, {"z", HEIGHT},
-    {"height", HEIGHT},       {"heights", HEIGHT},     {"h", HEIGHT},
-    {"raw", HEIGHT},          {"profile", HEIGHT},     {"depth", HEIGHT},
-    {"level", HEIGHT},        {"amplitude", HEIGHT},   {"elevation", HEIGHT},
-    {"hoehe", HEIGHT},        {"tiefe", HEIGHT},       {"profil", HEIGHT},
-    {"hauteur", HEIGHT},      {"altitude", HEIGHT},    {"altezza", HEIGHT},
-    {"altura", HEIGHT},       {"quota", HEIGHT},       {"point", NO_LENGTH},
-    {"pt", NO_LENGTH},        {"points", NO_LENGTH},   {"no", NO_LENGTH},
-    {"nr", NO_LENGTH},        {"number", NO_LENGTH},   {"index", NO_LENGTH},
-    {"idx", NO_LENGTH},       {"i", NO_LENGTH},        {"n", NO_LENGTH},
-    {"id", NO_LENGTH},        {"sample", NO_LENGTH},   {"t", NO_LENGTH},
-    {"time", NO_LENGTH},      {"zeit", NO_LENGTH},     {"temps", NO_LENGTH},
-    {"tempo", NO_LENGTH},     {"tiempo", NO_LENGTH},   {"punkt", NO_LENGTH},
-    {"messpunkt", NO_LENGTH}, {"lfd", NO_LENGTH},      {"pixel", NO_LENGTH},
-    {"px", NO_LENGTH},        {"angle", NO_LENGTH},    {"temperature", NO_LENGTH},
-    {"intensity", NO_LENGTH}, {"force", NO_LENGTH},    {"speed", NO_LENGTH},
-    {"line", NO_LENGTH},      {"quality", NO_LENGTH},  {"valid", NO_LENGTH},
+/* The first words of names. */
+static const char *const known[] = {
+    [POSITION] = "x pos position positions distance dist lateral length travel scan weg strecke "
+                 "abscisse posizione",
+    [HEIGHT] = "z height heights h raw profile depth level amplitude elevation hoehe tiefe profil "
+               "hauteur altitude altezza altura quota",
+    [NO_LENGTH] =
+        "point pt points no nr number index idx i n id sample t time zeit temps tempo tiempo punkt "
+        "messpunkt lfd pixel px angle temperature intensity force speed line quality valid",
 };
 
 /* True if a name has a unit in brackets or behind a slash, of length or not. */
@@ -56,19 +40,14 @@ static bool has_unit(const char *name) {
 }
 
 static kind kind_of(const char *name) {
-  char word[16];
   size_t length = 0;
   if (aspi_text_holds(name, "pixel"))
     return NO_LENGTH;
   while (isalpha((unsigned char)name[length]))
     length++;
-  if (length == 0 || length >= sizeof word)
-    return UNKNOWN;
-  memcpy(word, name, length);
-  word[length] = '\0';
-  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-    if (strcasecmp(word, known[i].word) == 0)
-      return known[i].kind;
+  for (int k = POSITION; k <= NO_LENGTH; k++)
+    if (aspi_word_index(known[k], name, length, false) >= 0)
+      return (kind)k;
   return UNKNOWN;
 }
 

@@ -100,16 +100,10 @@ asp_code asp_parameter_read(const asp_parameter *parameter, const char *text, do
                                : aspi_fail(error, ASP_EARG, "%s is '%s'; it must be a number",
                                            parameter->name, text);
   }
-  size_t length = strlen(text);
-  int index = 0;
-  for (const char *word = words; *word; index++) {
-    size_t n = strcspn(word, " ");
-    if (n == length && strncmp(word, text, n) == 0) {
-      *value = index;
-      return ASP_OK;
-    }
-    word += n + (word[n] == ' ');
-  }
+  int index = aspi_word_index(words, text, strlen(text), true);
+  *value = index;
+  if (index >= 0)
+    return ASP_OK;
   return aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s", parameter->name, text,
                    words);
 }
