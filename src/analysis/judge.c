@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
-#include "analysis/judge_flights.h"
 #include "base/error.h"
 #include "wall/wall.h"
 

@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/dilated_map.h"
-#include "analysis/judge_flights.h"
+#include "analysis/judge.h"
 #include "base/error.h"
 #include "base/stream.h"
 #include "spread/line.h"

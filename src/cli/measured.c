@@ -135,15 +135,14 @@ static bool is_kind(int column, const char *kind) {
 /* The factor of a column's unit, which is written as `plain` does, m/s as m_s: -1 for one that is
  * not read, 0 for no unit. */
 static double factor_of(int column, const char *unit) {
-  const aspi_unit *u;
   char name[80];
   size_t n = 0;
   for (; unit[n] && n + 1 < sizeof name; n++)
     name[n] = (char)(unit[n] == '_' ? '/' : unit[n]);
-  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
-    if ((!(u->factor > 0) || is_kind(column, u->kind)) && aspi_unit_is(u, name, n, false))
-      return u->factor > 0 ? u->factor * pow(10, u->exponent) : -1;
-  return 0;
+  const aspi_unit *u = aspi_unit_find(columns[column].kind, name, n, false);
+  if (!u)
+    return aspi_unit_find("", name, n, false) ? -1 : 0;
+  return u->factor > 0 ? u->factor * pow(10, u->exponent) : -1;
 }
 
 /* True if a name is that of a column, with a view where it is of a rebound's speed or angle, with a
