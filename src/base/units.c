@@ -50,7 +50,7 @@ static const aspi_unit units[] = {
     {"K", "K", 0, 1, 0, true},
     {"K", "C", 0, 1, 273.15, true},
     {"1/K", "/K 1/K", 0, 1, 0, true},
-    {"", "% percent pct km/h kmh mph ft/s ft gon h s", 0, 0, 0, false},
+    {"unread", "% percent pct km/h kmh mph ft/s ft gon h s", 0, 0, 0, false},
 };
 
 const aspi_unit *aspi_unit_at(size_t index) {

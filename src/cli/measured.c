@@ -141,8 +141,8 @@ static double factor_of(int column, const char *unit) {
     name[n] = (char)(unit[n] == '_' ? '/' : unit[n]);
   const aspi_unit *u = aspi_unit_find(columns[column].kind, name, n, false);
   if (!u)
-    return aspi_unit_find("", name, n, false) ? -1 : 0;
-  return u->factor > 0 ? u->factor * pow(10, u->exponent) : -1;
+    return aspi_unit_find("unread", name, n, false) ? -1 : 0;
+  return u->factor * pow(10, u->exponent);
 }
 
 /* True if a name is that of a column, with a view where it is of a rebound's speed or angle, with a
