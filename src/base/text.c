@@ -171,12 +171,20 @@ asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error) {
   return append(text, &word, &room, WORD_MOST, &length, EOF, error);
 }
 
+size_t aspi_text_inside(const char **text) {
+  while (isspace((unsigned char)**text))
+    ++*text;
+  size_t length = strlen(*text);
+  while (length > 0 && isspace((unsigned char)(*text)[length - 1]))
+    length--;
+  return length;
+}
+
 char *aspi_text_trim(char *text) {
-  while (isspace((unsigned char)*text))
-    text++;
-  size_t length = strlen(text);
-  while (length > 0 && isspace((unsigned char)text[length - 1]))
-    text[--length] = '\0';
+  const char *first = text;
+  size_t length = aspi_text_inside(&first);
+  text += first - text;
+  text[length] = '\0';
   return text;
 }
 
@@ -348,11 +356,7 @@ static bool normalize(char *text, bool comma) {
 }
 
 aspi_word aspi_text_number(const char *text, bool comma, double *value) {
-  while (isspace((unsigned char)*text))
-    text++;
-  size_t length = strlen(text);
-  while (length > 0 && isspace((unsigned char)text[length - 1]))
-    length--;
+  size_t length = aspi_text_inside(&text);
   char copy[WORD_MOST], *end;
   *value = NAN;
   if (is_missing(text, length))

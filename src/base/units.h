@@ -7,8 +7,8 @@
 #include "asperity.h"
 
 /* One unit: factor 10^exponent of SI (or degrees), plus `offset`. Kinds are those of quantity.h, or
- * "unread" of units that are known but not read (factor 0). Names have blanks between; the first one
- * of units that are listed is shown to the user. */
+ * "unread" of units that are known but not read (factor 0). Names have blanks between; the first
+ * one of units that are listed is shown to the user. */
 typedef struct aspi_unit {
   const char *kind, *names;
   int exponent;

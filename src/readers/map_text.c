@@ -12,7 +12,6 @@
 #include "base/units.h"
 #include "readers/header.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -155,12 +154,9 @@ static double stated(const char *line, const char *name, bool number) {
   double value = number ? aspi_number(at, &end) : 1;
   if (number && end == at)
     return 0;
-  while (isspace((unsigned char)*end))
-    end++;
-  size_t length = strlen(end);
-  while (length > 0 && isspace((unsigned char)end[length - 1]))
-    length--;
-  return value * aspi_unit_metres(end, length);
+  at = end;
+  size_t length = aspi_text_inside(&at);
+  return value * aspi_unit_metres(at, length);
 }
 
 static void note_head(head *h, const char *line) {

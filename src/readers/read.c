@@ -35,22 +35,16 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
                          const aspi_profile_options *options) {
   const aspi_filters *f = &options->filters;
   *r->text = '\0';
-  r->points = raw->read;
-  r->bad = raw->bad;
-  r->resampled = raw->resampled;
-  r->repeats = raw->repeats;
-  r->step_least = raw->step_least * options->metre;
-  r->step_most = raw->step_most * options->metre;
   if (raw->is_map)
     append(r, "%zu x %zu", raw->columns, raw->rows);
   else
-    append(r, "%zu", r->points);
-  append(r, " points read, %zu bad", r->bad);
+    append(r, "%zu", raw->read);
+  append(r, " points read, %zu bad", raw->bad);
   if (r->spikes)
     append(r, ", %zu spikes", r->spikes);
   if (r->filled)
     append(r, ", %zu points filled in (longest gap %zu)", r->filled, r->longest_gap);
-  if (r->resampled)
+  if (raw->resampled)
     append(r, ", unequal spacing of %.4g to %.4g m resampled to %.4g m", raw->step_least,
            raw->step_most, raw->step[0]);
   if (raw->second_column > 0)

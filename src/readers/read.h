@@ -44,17 +44,12 @@ aspi_profile_options aspi_profile_options_default(void);
 
 /* Findings and repairs of the reader. */
 typedef struct aspi_profile_report {
-  size_t points;      /* read from the file */
-  size_t bad;         /* bad points among them: not a number, or marked as bad */
   size_t spikes;      /* points taken for spikes */
   size_t outliers;    /* where none are looked for: points that are clearly dust */
   size_t filled;      /* points of the result that were filled in */
-  size_t repeats;     /* positions that repeat the one before, whose heights were averaged */
   size_t longest_gap; /* most of them in a row */
-  bool resampled;
-  double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
-  char text[700];               /* all of that as a sentence */
-  char warnings[440];           /* what makes the heights doubtful, or "" */
+  char text[700];     /* all of that, and how the file was read, as a sentence */
+  char warnings[440]; /* what makes the heights doubtful, or "" */
 } aspi_profile_report;
 
 /* ASP_EARG and a message where one is out of its range. */
