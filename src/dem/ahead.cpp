@@ -27,9 +27,6 @@ const int BLOCK = 32;
 /* Longest prediction, in steps. */
 const double AHEAD_MOST = 512;
 
-/* Relative error of sums that are compared. */
-const double ROUNDING = 1e-9;
-
 /* Less than 1/sqrt(3): the length of a vector whose components are no larger is below 1. */
 const double COMPONENT = 0.577;
 

@@ -16,8 +16,7 @@ namespace {
  * which may be curved, by less than TURNED. */
 const double SAME = 1e-9, TURNED = 0.01;
 
-/* Relative rounding of sums, and of velocities and times. */
-const double ROUNDING = 1e-9;
+/* Relative rounding of sums. */
 const double EPSILON = 1e-12;
 
 } // namespace

@@ -47,9 +47,6 @@ const double KNOWN = 1e-6;
 /* Contacts of one particle in one step, at most. */
 const int CONTACTS_MOST = 10000;
 
-/* Relative rounding of velocities and times. */
-const double ROUNDING = 1e-9;
-
 } // namespace
 
 /* Computes all contacts of a step: stuck particles move with their wall, then the few others that

@@ -13,10 +13,10 @@ using namespace asperity;
 namespace {
 
 /* Sweeps over several contacts. They end when a sweep changes the velocity by less than CONVERGED
- * of what the first one did, or EPSILON of it; they have found no solution if more than DIVERGED of
+ * of what the first one did, or TINY of it; they have found no solution if more than DIVERGED of
  * it is left as approach. */
 const int SWEEPS = 100;
-const double CONVERGED = 1e-6, DIVERGED = 1e-3, EPSILON = 1e-15;
+const double CONVERGED = 1e-6, DIVERGED = 1e-3, TINY = 1e-15;
 
 /* The factor by which changes shrink, at most. */
 const double SHRINKS = 0.98;
@@ -26,7 +26,8 @@ const double SHRINKS = 0.98;
 const double REGULAR = 1e-6;
 
 /* Adds an impulse per mass at the contact with normal n. */
-void push(const double n[3], const double p[3], double radius, double v[3], double omega[3]) {
+inline void push(const double n[3], const double p[3], double radius, double v[3],
+                 double omega[3]) {
   double across[3];
   aspi_cross(n, p, across);
   aspi_add_scaled(v, 1, p, v);
@@ -34,7 +35,8 @@ void push(const double n[3], const double p[3], double radius, double v[3], doub
 }
 
 /* The velocity of the sphere's surface at a contact, relative to the wall. */
-void slip(const Support &s, double radius, const double v[3], const double omega[3], double u[3]) {
+inline void slip(const Support &s, double radius, const double v[3], const double omega[3],
+                 double u[3]) {
   double across[3];
   aspi_cross(omega, s.n, across);
   aspi_subtract(v, s.w, u);
@@ -42,7 +44,7 @@ void slip(const Support &s, double radius, const double v[3], const double omega
 }
 
 /* The impulse that one contact needs where its surface has the velocity u without it. */
-void impulse(const Support &s, const double u[3], double p[3]) {
+inline void impulse(const Support &s, const double u[3], double p[3]) {
   const double normal = aspi_dot(u, s.n), p_n = std::max(0.0, -normal), most = s.friction * p_n;
   double along[3];
   aspi_add_scaled(u, -normal, s.n, along);
@@ -56,7 +58,7 @@ void impulse(const Support &s, const double u[3], double p[3]) {
  */
 
 /* Solves one contact for the present impulses of the others. */
-void solve_one(Support &s, double radius, double v[3], double omega[3]) {
+inline void solve_one(Support &s, double radius, double v[3], double omega[3]) {
   double u[3], p[3], change[3];
   slip(s, radius, v, omega, u);
   /* Its own impulse moves its surface 7/2 times as much along the wall. */
@@ -95,7 +97,7 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
     const double change = aspi_length(v_then) + radius * aspi_length(omega_then);
     if (n == 0)
       first = change;
-    if (!(change > CONVERGED * first + EPSILON * speed))
+    if (!(change > CONVERGED * first + TINY * speed))
       break;
     if (n % 3 != 2 || !(product > 0 && product < SHRINKS * before))
       continue;

@@ -21,10 +21,13 @@ ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3]
   aspi_copy(v1, v_before);
 }
 
-void Wall::Member::add(int piece, Sum sum, double value) {
-  totals[sum == SUM_IMPACTS ? SUM_IMPACTS : sum + 1] += value;
-  if (sums.size() > 0)
-    sums.data()[static_cast<size_t>(piece) * N_SUMS + sum] += value;
+/* Adds to `count` sums of a piece from `first` on. */
+void Wall::Member::add(int piece, Sum first, int count, const double values[]) {
+  for (int k = 0; k < count; k++)
+    totals[first + k + (first + k > SUM_IMPACTS)] += values[k];
+  double *of = sums.size() > 0 ? sums.data() + static_cast<size_t>(piece) * N_SUMS + first : NULL;
+  for (int k = 0; of && k < count; k++)
+    of[k] += values[k];
 }
 
 void Wall::add(size_t shape, const ContactLoad &load) {
@@ -39,10 +42,8 @@ void Wall::add(size_t shape, const ContactLoad &load) {
   if (aspi_dot(load.n, load.n) > 0) {
     const double normal = -aspi_dot(load.impulse, load.n);
     aspi_add_scaled(load.impulse, normal, load.n, along);
-    member.add(load.piece, SUM_NORMAL, normal);
-    member.add(load.piece, SUM_TANGENTIAL, aspi_length(along));
-    member.add(load.piece, SUM_DISSIPATED, load.dissipated);
-    member.add(load.piece, SUM_ERODED, load.eroded);
+    const double values[] = {normal, aspi_length(along), load.dissipated, load.eroded};
+    member.add(load.piece, SUM_NORMAL, 4, values);
     counters_[DISSIPATED] += load.dissipated;
     counters_[ERODED] += load.eroded;
   }
@@ -75,9 +76,8 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
   counters_[N_GUARDED] += contact.overlapped;
   Member &member = shapes_[event.shape];
   member.totals[SHAPE_DEPOSITS] += stuck;
-  member.add(contact.piece, SUM_IMPACTS, 1);
-  member.add(contact.piece, SUM_MASS, stuck_mass);
-  member.add(contact.piece, SUM_ENERGY, energy);
+  const double values[] = {1, stuck_mass, energy};
+  member.add(contact.piece, SUM_IMPACTS, 3, values);
   double p[3];
   aspi_subtract(impact.v2, event.v1, p);
   ContactLoad load(s, i, contact.piece, contact.x, contact.n, p, event.v1);

@@ -24,6 +24,9 @@
 
 namespace asperity {
 
+/* Relative rounding of velocities, times and distances that are compared. */
+const double ROUNDING = 1e-9;
+
 class Wall {
 public:
   /* Numbers of each particle that the engine keeps: a ParticleState and a ParticlePlace. */
@@ -180,7 +183,7 @@ private:
     bool measures;
     double totals[N_TOTALS];
     Sums sums;
-    void add(int piece, Sum sum, double value);
+    void add(int piece, Sum first, int count, const double values[]);
   };
 
   /* A contact that is not counted yet. */

@@ -44,7 +44,7 @@ engine() {
   local ranks=$1 script=$2; shift 2
   local launch=()
   [ "$ranks" = 1 ] || launch=(mpirun -np "$ranks")
-  timeout 300 "${launch[@]}" "$program" -in "$script" -log none "$@" < /dev/null > "$script.screen" 2>&1 ||
+  timeout "${TIMEOUT:-300}" "${launch[@]}" "$program" -in "$script" -log none "$@" < /dev/null > "$script.screen" 2>&1 ||
     { tail -n 15 "$script.screen" >&2; die "$script on $ranks ranks"; }
 }
 
