@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # cmake/lammps_tree on a LAMMPS source tree: its sources compile there against what `cmake --install` has put in place,
-# with 4-byte and 8-byte tags, each list names the package once, and remove leaves what was there before. The tree is made
-# of LAMMPS's headers and the lines that matter; or it is that in ASPERITY_LAMMPS_TREE, which is copied.
+# with 8-byte tags, each list names the package once, and remove leaves what was there before. The tree is made of
+# LAMMPS's headers, with which this build has compiled them with 4-byte tags, and the lines that matter, as in 2021 and as
+# in 2026; or it is that in ASPERITY_LAMMPS_TREE, which is copied: they compile with both, and its own checks of lists and
+# of style must find nothing.
 # Usage: lammps_tree.sh BUILD HEADERS...
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -10,10 +12,15 @@ build=$1; shift
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 die() { echo "FAILED: $*" >&2; exit 1; }
 tree=$work/lammps
-mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config}
+mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config,unittest/force-styles/tests}
 if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
-  for folder in src cmake doc; do cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree"; done
+  sizes="SMALLBIG BIGBIG"
+  mkdir "$tree/tools"
+  for folder in src cmake doc unittest tools/coding_standard; do
+    cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree/$(dirname $folder)"
+  done
 else
+  sizes=BIGBIG
   for folder in "$@"; do cp -r "$folder/." "$tree/src"; done
   printf 'set(STANDARD_PACKAGES\n  ADIOS\n  ASPHERE\n  ATC)\nforeach(PKG_WITH_INCL KSPACE PYTHON)\nendforeach()\n' > "$tree/cmake/CMakeLists.txt"
   printf '   * :doc:`wall/piston <fix_wall_piston>`\n   * :doc:`wall/reflect (k) <fix_wall_reflect>`\n' > "$tree/doc/src/Commands_fix.rst"
@@ -22,27 +29,52 @@ else
   printf '   * - :ref:`ASPHERE <PKG-ASPHERE>`\n     - aspherical particle models\n     - x\n     - ellipse\n     - no\n' > "$tree/doc/src/Packages_list.rst"
   printf 'Aachen\nZyl\n' > "$tree/doc/utils/sphinx-config/false_positives.txt"
 fi
-cp -r "$tree" "$work/before"
 script=$home/cmake/lammps_tree
+list=Packages_list
+if [ -z "${ASPERITY_LAMMPS_TREE:-}" ]; then
+  # The tree of 2026: another page has the table of packages, and the tester can leave r-RESPA out.
+  cp -r "$tree" "$work/newest"
+  mv "$work/newest/doc/src/Packages_list.rst" "$work/newest/doc/src/Packages.rst"
+  echo 'has_tag("no_respa")' > "$work/newest/unittest/force-styles/test_fix_timestep.cpp"
+  cp -r "$work/newest" "$work/newest_before"
+  "$script" install "$work/newest" > /dev/null
+  [ "$(grep -c 'fix_wall_rebound' "$work/newest/doc/src/Packages.rst")" = 1 ] || die "Packages.rst does not name it once"
+  for file in "$home"/cmake/lammps/tests/*; do
+    cmp "$file" "$work/newest/unittest/force-styles/tests/${file##*/}" || die "the unit tests are not in the newest tree"
+  done
+  "$script" remove "$work/newest" > /dev/null
+  diff -r "$work/newest_before" "$work/newest" || die "remove leaves another newest tree than before"
+elif [ ! -f "$tree/doc/src/Packages_list.rst" ]; then
+  list=Packages
+fi
+cp -r "$tree" "$work/before"
 "$script" install "$tree" > "$work/how"
 "$script" install "$tree" > /dev/null # again: nothing twice
 grep -q -- '-DPKG_ASPERITY=on -DCMAKE_PREFIX_PATH=' "$work/how" || die "how to build: $(cat "$work/how")"
 [ "$(grep -cx '  ASPERITY' "$tree/cmake/CMakeLists.txt")" = 1 ] || die "the package is not in the list once"
 [ "$(grep -cx 'include(Packages/ASPERITY)' "$tree/cmake/CMakeLists.txt")" = 1 ] || die "its CMake file is not included once"
-for page in Commands_fix fix Packages_list; do
+for page in Commands_fix fix $list; do
   [ "$(grep -c 'fix_wall_rebound' "$tree/doc/src/$page.rst")" = 1 ] || die "$page.rst does not name it once"
 done
 [ "$(grep -c '_PKG-ASPERITY:' "$tree/doc/src/Packages_details.rst")" = 1 ] || die "Packages_details.rst does not describe it once"
+if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
+  for check in "$tree"/doc/utils/check-*.py "$tree"/tools/coding_standard/*.py; do
+    (cd "$tree" && PYTHONDONTWRITEBYTECODE=1 python3 "$check" $([[ $check == */doc/* ]] || echo .)) > "$work/log" 2>&1 || true
+    ! grep -iE 'asperity|rebound|python3:|Traceback' "$work/log" || die "LAMMPS's ${check##*/}"
+  done
+fi
 "$script" diff "$tree" > "$work/diff"
 { diff -rq "$work/before" "$tree" || true; } | sed -nE 's/^Files .* and (.*) differ$/\1/p' | sed "s|^$tree/||" | sort |
   diff <(sed -n 's/^changed: //p' "$work/diff" | sort) - || die "diff does not list what was changed"
 
 cmake --install "$build" --prefix "$work/prefix" > /dev/null
+standard=c++11
+! grep -q 'requires a C++17' "$tree/src/lmptype.h" || standard=c++17
 sources=0
 for file in $(sed -n 's/^added: \(.*\.cpp\)$/\1/p' "$work/diff"); do
   sources=$((sources + 1))
-  for sizes in SMALLBIG BIGBIG; do
-    mpicxx -std=c++11 -fsyntax-only -DLAMMPS_$sizes -I"$work/prefix/include" -I"$work/prefix/include/asperity" \
+  for size in $sizes; do
+    mpicxx -std=$standard -fsyntax-only -DLAMMPS_$size -I"$work/prefix/include" -I"$work/prefix/include/asperity" \
       -I"$tree/src" -I"$tree/src/ASPERITY" "$tree/$file" 2> "$work/log" ||
       { head -n 20 "$work/log"; die "$file does not compile in the tree"; }
   done
