@@ -23,17 +23,12 @@ void aspi_angles_add(aspi_angles *a, const double v2[3], double tilt, int hits) 
   a->later += hits > 1;
 }
 
+/* All members are sums. */
 void aspi_angles_merge(aspi_angles *to, const aspi_angles *from) {
-  for (int i = 0; i < ASPI_ANGLE_BINS; i++) {
-    to->rebound[i] += from->rebound[i];
-    to->lateral[i] += from->lateral[i];
-    to->tilt[i] += from->tilt[i];
-  }
-  to->n += from->n;
-  to->rebound_sum += from->rebound_sum;
-  to->lateral_sum += from->lateral_sum;
-  to->lateral_square += from->lateral_square;
-  to->later += from->later;
+  double *sum = &to->n;
+  const double *more = &from->n;
+  for (size_t i = 0; i < sizeof *to / sizeof *sum; i++)
+    sum[i] += more[i];
 }
 
 static const double *member(const aspi_angles *angles, size_t offset) {

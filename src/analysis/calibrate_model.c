@@ -15,8 +15,7 @@
 /* Draws of a group have numbers of their own. */
 enum { TAGS_OF_A_BIN = 1 << 30 };
 
-bool aspi_calibration_set(void *context, const double *scaled) {
-  aspi_calibration *c = context;
+bool aspi_calibration_set(const aspi_calibration *c, const double *scaled) {
   asp_wall *wall = c->wall;
   for (size_t i = 0; i < c->n_unknown; i++) {
     const aspi_unknown *u = &c->unknown[i];
@@ -72,9 +71,8 @@ static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row,
   return !*dropped;
 }
 
-void aspi_calibration_draw(void *context, size_t b, size_t samples, uint32_t stream,
+void aspi_calibration_draw(const aspi_calibration *c, size_t b, size_t samples, uint32_t stream,
                            aspi_cloud *to) {
-  const aspi_calibration *c = context;
   const aspi_calibration_bin *bin = &c->bins[b];
   for (size_t i = 0; i < samples; i++) {
     const aspi_measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];

@@ -50,11 +50,6 @@ static size_t count_places(const aspi_measured *data) {
   return places;
 }
 
-/* Which interval of that width an angle is in; the last one ends with 90 degrees. */
-static double interval_of(const aspi_measured_row *row, double width) {
-  return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
-}
-
 static asp_code no_memory(size_t count, asp_error *error) {
   return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
 }
@@ -78,7 +73,8 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
     const aspi_measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
     bool joins =
         i > 0 && !data->means &&
-        (places ? same_place(row, last) : interval_of(row, width) <= interval_of(last, width));
+        (places ? same_place(row, last)
+                : aspi_measured_interval(row, width) <= aspi_measured_interval(last, width));
     if (!joins)
       c->bins[c->count++] = (aspi_compare_bin){.first = i};
     c->bins[c->count - 1].end = i + 1;

@@ -18,37 +18,26 @@ enum { BLOCKS_MOST = 1000000 };
 enum { UNDER_MOST = 2 };
 
 asp_code aspi_dilated_map_create(aspi_dilated_map *f, const asp_map *map, asp_error *error) {
-  size_t n = map->columns * map->rows, total = 3 * n, across = map->columns, down = map->rows;
-  *f = (aspi_dilated_map){
-      .columns = map->columns, .rows = map->rows, .step = {map->step[0], map->step[1]}};
-  for (;; across = (across + 1) / 2, down = (down + 1) / 2) {
-    f->across[f->levels++] = across;
-    total += across * down;
-    if ((across == 1 && down == 1) || f->levels == ASPI_DILATED_LEVELS)
-      break;
-  }
-  f->memory = malloc(total * sizeof *f->memory);
-  if (!f->memory)
+  size_t n = map->columns * map->rows;
+  *f = (aspi_dilated_map){.columns = map->columns,
+                          .rows = map->rows,
+                          .step = {map->step[0], map->step[1]},
+                          .memory = malloc(4 * n * sizeof *f->memory)};
+  if (!f->memory || !aspi_pyramid_create(&f->pyramid, f->memory + 3 * n, f->columns, f->rows)) {
+    free(f->memory);
     return aspi_fail(error, ASP_ENOMEM, "out of memory for a dilated map of %zu x %zu points",
                      map->columns, map->rows);
+  }
   f->z = f->memory;
   f->p = f->z + n;
   f->q = f->p + n;
-  float *next = f->q + n;
-  down = map->rows;
-  for (int k = 0; k < f->levels; k++, down = (down + 1) / 2) {
-    f->level[k] = next;
-    next += f->across[k] * down;
-  }
+  f->cells = f->q + n;
   return ASP_OK;
 }
 
 void aspi_dilated_map_free(aspi_dilated_map *f) {
   free(f->memory);
-}
-
-static float larger(float a, float b) {
-  return a > b ? a : b;
+  free(f->pyramid.memory);
 }
 
 void aspi_dilated_map_finish(aspi_dilated_map *f) {
@@ -57,22 +46,11 @@ void aspi_dilated_map_finish(aspi_dilated_map *f) {
     const float *one = f->z + j * columns, *two = f->z + (j + 1 < rows ? j + 1 : 0) * columns;
     for (size_t i = 0; i < columns; i++) {
       size_t k = i + 1 < columns ? i + 1 : 0;
-      f->level[0][j * columns + i] = larger(larger(one[i], one[k]), larger(two[i], two[k]));
+      f->cells[j * columns + i] =
+          aspi_larger_float(aspi_larger_float(one[i], one[k]), aspi_larger_float(two[i], two[k]));
     }
   }
-  size_t down = rows;
-  for (int k = 1; k < f->levels; k++, down = (down + 1) / 2) {
-    size_t width = f->across[k - 1];
-    for (size_t j = 0; j < (down + 1) / 2; j++) {
-      const float *one = f->level[k - 1] + 2 * j * width;
-      const float *two = 2 * j + 1 < down ? one + width : one;
-      for (size_t i = 0; i < f->across[k]; i++) {
-        size_t a = 2 * i, b = a + 1 < width ? a + 1 : a;
-        f->level[k][j * f->across[k] + i] = larger(larger(one[a], one[b]), larger(two[a], two[b]));
-      }
-    }
-  }
-  f->top = *f->level[f->levels - 1];
+  aspi_pyramid_fill(&f->pyramid);
 }
 
 static void reverse(float *values, size_t n, float sign) {
@@ -229,7 +207,7 @@ bool aspi_dilated_map_next(const aspi_dilated_map *f, aspi_flight *flight, doubl
   int under = 0;      /* cells left below the surface until then */
   for (int count = 0; count < BLOCKS_MOST; count++) {
     double z = along(&r, 2, t);
-    if (way[2] >= 0 && z > f->top)
+    if (way[2] >= 0 && z > f->pyramid.top)
       return false;
     double x = along(&r, 0, t), y = along(&r, 1, t);
     double u = wrapped(x, n[0]), v = wrapped(y, n[1]), width = (double)((size_t)1 << k);
@@ -240,10 +218,10 @@ bool aspi_dilated_map_next(const aspi_dilated_map *f, aspi_flight *flight, doubl
     double last = t + fmin(leaves_at(u, r.v[0], (double)i * width, wide),
                            leaves_at(v, r.v[1], (double)j * width, high));
     double low = fmin(z, along(&r, 2, last));
-    if (low > f->level[k][j * f->across[k] + i]) {
+    if (low > f->pyramid.level[k].most[j * (size_t)f->pyramid.level[k].columns + i]) {
       t = last + tiny;
       clear = true;
-      if (k + 1 < f->levels)
+      if (k + 1 < f->pyramid.levels)
         k++;
       continue;
     }

@@ -7,18 +7,15 @@
 
 #include "surface/map.h"
 
-enum { ASPI_DILATED_LEVELS = 20 };
-
 /* The dilated map is periodic, even if the map is not. */
 typedef struct aspi_dilated_map {
   size_t columns, rows;
   double step[2];
   float *z, *p, *q; /* height of the center; gradient of the contact */
   bool crests;      /* has sharp crests, as measured maps do: interpolate the gradient at a hit */
-  double top;
-  int levels; /* of maxima over blocks of 2^k x 2^k cells between four points */
-  size_t across[ASPI_DILATED_LEVELS];
-  float *level[ASPI_DILATED_LEVELS], *memory;
+  float *cells; /* the highest of the four points of each cell, and maxima over blocks of them */
+  aspi_pyramid pyramid;
+  float *memory; /* of all points and cells */
 } aspi_dilated_map;
 
 /* Memory for the dilation of a map. The caller fills z, p and q (aspi_ball_rows), then calls

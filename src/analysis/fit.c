@@ -1,7 +1,6 @@
-/* Starting points and results of a fit; see fit.h.
+/* Starting points and results of a fit; see calibrate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/fit.h"
 #include "analysis/search.h"
 #include "base/error.h"
 
@@ -39,6 +38,45 @@ enum { ROUNDS = 16, FIRST_ROUNDS = 3 };
 /* With fewer impacts, intervals come from refits. */
 enum { FEW = 20 };
 
+/* The box in which the search looks for starts, and bounds of the search, of an unknown without
+ * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
+ * one with bounds. */
+#define LOG_AROUND 2.5
+#define LOG_DOWN 6.9
+#define LOG_UP 3.4
+#define LOGISTIC_AROUND 3.5
+#define LOGISTIC 6.0
+
+/* ---- the scales of the unknowns ---- */
+
+static double scale_of(const aspi_unknown *u, double value) {
+  return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
+}
+
+double aspi_unknown_value(const aspi_unknown *u, double scaled) {
+  return u->bounded ? u->least + (u->most - u->least) / (1 + exp(-scaled)) : exp(scaled);
+}
+
+double aspi_unknown_slope(const aspi_unknown *u, double scaled) {
+  double share = 1 / (1 + exp(-scaled));
+  return u->bounded ? (u->most - u->least) * share * (1 - share) : exp(scaled);
+}
+
+/* Sets the search range: around the standard value, or around a start far from that. */
+static void bound_search(aspi_unknown *u) {
+  double start = scale_of(u, u->start), around = u->bounded ? LOGISTIC_AROUND : LOG_AROUND;
+  double center = u->bounded ? 0 : log(u->standard);
+  if (!(fabs(start - center) < around) && !u->bounded)
+    center = start;
+  u->low = u->bounded ? -LOGISTIC : fmax(center - LOG_DOWN, log(u->least));
+  u->high = u->bounded ? LOGISTIC : fmin(center + LOG_UP, log(u->most));
+  u->from = fmax(center - around, u->low);
+  u->to = fmin(center + around, u->high);
+  u->scaled_start = fmin(fmax(start, u->low), u->high);
+}
+
+/* ---- the best start ---- */
+
 typedef struct probe {
   double at[FIT_UNKNOWNS_MOST], squares;
 } probe;
@@ -48,7 +86,7 @@ static int by_squares(const void *left, const void *right) {
   return (a->squares > b->squares) - (a->squares < b->squares);
 }
 
-static size_t search_samples(const aspi_fit_problem *p) {
+static size_t search_samples(const aspi_calibration *p) {
   return p->samples < SEARCH_SAMPLES ? p->samples : SEARCH_SAMPLES;
 }
 
@@ -58,28 +96,28 @@ static bool describes(double chi2, double dof) {
 
 /* Evaluates the points of a Sobol sequence and sorts them, the best first. */
 static bool design(aspi_search *s, probe *probes) {
-  const aspi_fit_problem *p = s->problem;
-  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknowns);
+  const aspi_calibration *p = s->problem;
+  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknown);
   if (!sequence)
     return false;
   for (int i = 0; i < PROBES; i++) {
     double share[FIT_UNKNOWNS_MOST];
     gsl_qrng_get(sequence, share);
-    for (size_t j = 0; j < p->n_unknowns; j++)
-      probes[i].at[j] = p->from[j] + share[j] * (p->to[j] - p->from[j]);
+    for (size_t j = 0; j < p->n_unknown; j++)
+      probes[i].at[j] = p->unknown[j].from + share[j] * (p->unknown[j].to - p->unknown[j].from);
     probes[i].squares = aspi_search_squares(s, probes[i].at);
     if (p->progress)
-      p->progress(p->context, 0.1 * i / PROBES);
+      p->progress(p->progress_context, 0.1 * i / PROBES);
   }
   gsl_qrng_free(sequence);
   qsort(probes, PROBES, sizeof *probes, by_squares);
   return true;
 }
 
-static bool is_apart(const aspi_fit_problem *p, const probe *point, const probe *from, size_t n) {
+static bool is_apart(const aspi_calibration *p, const probe *point, const probe *from, size_t n) {
   for (size_t i = 0; i < n; i++) {
     double square = 0;
-    for (size_t j = 0; j < p->n_unknowns; j++)
+    for (size_t j = 0; j < p->n_unknown; j++)
       square += gsl_pow_2(point->at[j] - from[i].at[j]);
     if (square < APART * APART)
       return false;
@@ -88,7 +126,7 @@ static bool is_apart(const aspi_fit_problem *p, const probe *point, const probe 
 }
 
 /* Chooses the best points that are not near each other. */
-static size_t choose_starts(const aspi_fit_problem *p, const probe *probes, probe *starts) {
+static size_t choose_starts(const aspi_calibration *p, const probe *probes, probe *starts) {
   size_t n = 0;
   for (int i = 0; i < PROBES && n < STARTS; i++)
     if (is_apart(p, &probes[i], starts, n))
@@ -102,9 +140,9 @@ static void descend(aspi_search *s, probe *at) {
 
 /* True if a search ended at a bound. It may be lost on a plateau, so its agreement does not count.
  */
-static bool is_at_bound(const aspi_fit_problem *p, const probe *end) {
-  for (size_t j = 0; j < p->n_unknowns; j++)
-    if (end->at[j] < p->low[j] + AT_BOUND || end->at[j] > p->high[j] - AT_BOUND)
+static bool is_at_bound(const aspi_calibration *p, const probe *end) {
+  for (size_t j = 0; j < p->n_unknown; j++)
+    if (end->at[j] < p->unknown[j].low + AT_BOUND || end->at[j] > p->unknown[j].high - AT_BOUND)
       return true;
   return false;
 }
@@ -112,7 +150,7 @@ static bool is_at_bound(const aspi_fit_problem *p, const probe *end) {
 /* Finds the best end of many searches. The one from the caller's start comes last, and counts only
  * if it is better. */
 static asp_code look_around(aspi_search *s, aspi_fit *fit) {
-  const aspi_fit_problem *p = s->problem;
+  const aspi_calibration *p = s->problem;
   probe probes[PROBES], ends[STARTS + 1];
   size_t best = 0;
   s->samples = search_samples(p);
@@ -129,10 +167,11 @@ static asp_code look_around(aspi_search *s, aspi_fit *fit) {
     for (size_t i = 0; i <= last; i++)
       fit->agreed += ends[i].squares <= ends[best].squares + AGREED;
     if (p->progress)
-      p->progress(p->context, 0.1 + 0.4 * (double)fit->starts / (double)most);
+      p->progress(p->progress_context, 0.1 + 0.4 * (double)fit->starts / (double)most);
   }
   probe *start = &ends[fit->starts++];
-  memcpy(start->at, p->start, sizeof start->at);
+  for (size_t j = 0; j < p->n_unknown; j++)
+    start->at[j] = p->unknown[j].scaled_start;
   descend(s, start);
   bool better = start->squares < ends[best].squares - AGREED;
   fit->agreed = better ? 1 : fit->agreed + (start->squares <= ends[best].squares + AGREED);
@@ -142,24 +181,25 @@ static asp_code look_around(aspi_search *s, aspi_fit *fit) {
   return isfinite(start->squares) ? ASP_OK : ASP_EDATA;
 }
 
-static double impacts_of(const aspi_fit_problem *p) {
+static double impacts_of(const aspi_calibration *p) {
   double n = 0;
-  for (size_t g = 0; g < p->n_groups; g++)
+  for (size_t g = 0; g < p->n_bins; g++)
     n += p->groups[g].n;
   return n;
 }
 
 static void find_intervals(aspi_search *s, aspi_fit *fit, double scale) {
-  const aspi_fit_problem *p = s->problem;
+  const aspi_calibration *p = s->problem;
   double n = p->known ? impacts_of(p) : (double)s->n_moments;
-  double freedom = fmax(1, n / (double)p->n_unknowns - 1); /* few: second moments have long tails */
+  double freedom = fmax(1, n / (double)p->n_unknown - 1); /* few: second moments have long tails */
   double widths = gsl_cdf_tdist_Pinv(0.975, freedom);
-  for (size_t j = 0; j < p->n_unknowns; j++) {
+  for (size_t j = 0; j < p->n_unknown; j++) {
     double error = fit->error[j], room = NEAR * error;
     fit->low[j] = fit->at[j] - widths * error;
     fit->high[j] = fit->at[j] + widths * error;
     fit->interval[j] = BY_ERROR;
-    if (error < VAGUE && fit->at[j] - room > p->low[j] && fit->at[j] + room < p->high[j])
+    if (error < VAGUE && fit->at[j] - room > p->unknown[j].low &&
+        fit->at[j] + room < p->unknown[j].high)
       continue;
     fit->interval[j] = BY_RISE;
     aspi_interval_by_rise(s, fit->at, scale, j, &fit->low[j], &fit->high[j]);
@@ -168,8 +208,8 @@ static void find_intervals(aspi_search *s, aspi_fit *fit, double scale) {
 
 /* Fits with weights of the model if it describes the data, else with weights of both. */
 static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
-  const aspi_fit_problem *p = s->problem;
-  fit->dof = (double)s->n_moments - (double)p->n_unknowns;
+  const aspi_calibration *p = s->problem;
+  fit->dof = (double)s->n_moments - (double)p->n_unknown;
   if (p->scatters && p->known) {
     double at[FIT_UNKNOWNS_MOST], chi2;
     memcpy(at, fit->at, sizeof at);
@@ -193,13 +233,13 @@ static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
 
 /* Errors and correlations from the covariance, and intervals. */
 static asp_code find_errors(aspi_search *s, aspi_fit *fit, const gsl_matrix *covariance) {
-  const aspi_fit_problem *p = s->problem;
+  const aspi_calibration *p = s->problem;
   bool scaled = (!p->known || !fit->described) && fit->dof > 0;
   double scale = scaled ? fit->chi2 / fit->dof : 1;
-  for (size_t i = 0; i < p->n_unknowns; i++) {
+  for (size_t i = 0; i < p->n_unknown; i++) {
     double variance = gsl_matrix_get(covariance, i, i);
     fit->error[i] = sqrt(scale * variance);
-    for (size_t j = 0; j < p->n_unknowns; j++)
+    for (size_t j = 0; j < p->n_unknown; j++)
       fit->correlation[i][j] =
           gsl_matrix_get(covariance, i, j) / sqrt(variance * gsl_matrix_get(covariance, j, j));
   }
@@ -208,16 +248,19 @@ static asp_code find_errors(aspi_search *s, aspi_fit *fit, const gsl_matrix *cov
   return !few || aspi_interval_by_bootstrap(p, fit) ? ASP_OK : ASP_ENOMEM;
 }
 
-asp_code aspi_fit_run(const aspi_fit_problem *p, aspi_fit *fit, asp_error *error) {
+asp_code aspi_calibration_find(aspi_calibration *p, aspi_fit *fit, asp_error *error) {
   aspi_search s;
-  gsl_matrix *covariance = gsl_matrix_alloc(p->n_unknowns, p->n_unknowns);
+  gsl_matrix *covariance = gsl_matrix_alloc(p->n_unknown, p->n_unknown);
   *fit = (aspi_fit){.starts = 0};
+  p->scatters = !p->smooth || p->noise[0] > 0 || p->noise[1] > 0 || p->noise_speed > 0;
+  for (size_t j = 0; j < p->n_unknown; j++)
+    bound_search(&p->unknown[j]);
   asp_code code = aspi_search_begin(&s, p) && covariance ? look_around(&s, fit) : ASP_ENOMEM;
   if (!code && !settle(&s, fit, covariance))
     code = ASP_EDATA;
   if (!code)
     code = find_errors(&s, fit, covariance);
-  if (!code && !p->set(p->context, fit->at))
+  if (!code && !aspi_calibration_set(p, fit->at))
     code = ASP_EDATA;
   aspi_search_end(&s);
   gsl_matrix_free(covariance);

@@ -4,6 +4,7 @@
 #ifndef ASP_ANALYSIS_IMPACTS_H
 #define ASP_ANALYSIS_IMPACTS_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -33,6 +34,11 @@ typedef struct aspi_measured_row {
   double cor[COR_BOTH], sd[COR_BOTH], se[COR_BOTH], n;
   bool deposit;
 } aspi_measured_row;
+
+/* Which interval of that width an angle is in; the last one ends with 90 degrees. */
+static inline double aspi_measured_interval(const aspi_measured_row *row, double width) {
+  return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
+}
 
 /* How rebounds were looked at: in the plane of incidence, as by one camera from the side, so that
  * CoR_T has a sign; in space, where it is of the whole speed along the wall; or by columns that

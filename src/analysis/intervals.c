@@ -1,4 +1,4 @@
-/* Intervals of a fit's unknowns where a standard error does not make them; see fit.h.
+/* Intervals of a fit's unknowns where a standard error does not make them; see calibrate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/search.h"
@@ -51,23 +51,23 @@ static double risen(aspi_search *s, const double *at, double wanted, size_t j, d
 
 void aspi_interval_by_rise(aspi_search *s, const double *at, double scale, size_t j, double *low,
                            double *high) {
-  const aspi_fit_problem *p = s->problem;
+  const aspi_calibration *p = s->problem;
   double chi2 = aspi_search_squares(s, at);
   double both = scale * gsl_cdf_chisq_Pinv(0.95, 1), one = scale * gsl_cdf_chisq_Pinv(0.90, 1);
-  *low = risen(s, at, chi2 + both, j, p->low[j]);
-  *high = risen(s, at, chi2 + both, j, p->high[j]);
+  *low = risen(s, at, chi2 + both, j, p->unknown[j].low);
+  *high = risen(s, at, chi2 + both, j, p->unknown[j].high);
   if (isinf(*low) && isfinite(*high))
-    *high = risen(s, at, chi2 + one, j, p->high[j]);
+    *high = risen(s, at, chi2 + one, j, p->unknown[j].high);
   if (isinf(*high) && isfinite(*low))
-    *low = risen(s, at, chi2 + one, j, p->low[j]);
+    *low = risen(s, at, chi2 + one, j, p->unknown[j].low);
 }
 
 /* One data set of the fitted model, with the data's number of impacts. */
-static void synthesize(const aspi_fit_problem *p, uint32_t stream, aspi_group *groups) {
-  for (size_t g = 0; g < p->n_groups; g++) {
+static void synthesize(const aspi_calibration *p, uint32_t stream, aspi_group *groups) {
+  for (size_t g = 0; g < p->n_bins; g++) {
     aspi_cloud *to = &groups[g].impacts;
     to->rebounds = to->deposits = 0;
-    p->draw(p->context, g, (size_t)p->groups[g].n, stream, to);
+    aspi_calibration_draw(p, g, (size_t)p->groups[g].n, stream, to);
     for (int k = 0; k < 2; k++)
       groups[g].mean[k] = p->groups[g].mean[k];
     for (int k = 0; k < MOMENTS; k++)
@@ -75,15 +75,15 @@ static void synthesize(const aspi_fit_problem *p, uint32_t stream, aspi_group *g
   }
 }
 
-bool aspi_interval_by_bootstrap(const aspi_fit_problem *problem, aspi_fit *fit) {
-  aspi_fit_problem p = *problem;
-  size_t groups = p.n_groups, most = 0, done = 0;
+bool aspi_interval_by_bootstrap(const aspi_calibration *problem, aspi_fit *fit) {
+  aspi_calibration p = *problem;
+  size_t groups = p.n_bins, most = 0, done = 0;
   p.samples = p.samples < REFIT_SAMPLES ? p.samples : REFIT_SAMPLES;
   p.groups = malloc(groups * sizeof *p.groups);
   for (size_t g = 0; g < groups; g++)
     most += (size_t)problem->groups[g].n;
-  double(*xy)[2] = calloc(most, sizeof *xy), *ends = calloc(REFITS * p.n_unknowns, sizeof *ends);
-  gsl_matrix *covariance = gsl_matrix_alloc(p.n_unknowns, p.n_unknowns);
+  double(*xy)[2] = calloc(most, sizeof *xy), *ends = calloc(REFITS * p.n_unknown, sizeof *ends);
+  gsl_matrix *covariance = gsl_matrix_alloc(p.n_unknown, p.n_unknown);
   bool fine = p.groups && xy && ends && covariance;
   for (uint32_t i = 0; fine && i < REFITS; i++) {
     aspi_search s;
@@ -94,7 +94,7 @@ bool aspi_interval_by_bootstrap(const aspi_fit_problem *problem, aspi_fit *fit) 
       p.groups[g].impacts.xy = xy + next;
       next += (size_t)p.groups[g].n;
     }
-    p.set(p.context, fit->at);
+    aspi_calibration_set(&p, fit->at);
     synthesize(problem, i + 1, p.groups);
     memcpy(at, fit->at, sizeof at);
     fine = aspi_search_begin(&s, &p);
@@ -102,13 +102,13 @@ bool aspi_interval_by_bootstrap(const aspi_fit_problem *problem, aspi_fit *fit) 
     if (fine)
       aspi_search_settle(&s, at, REFIT_ROUNDS, &chi2, covariance);
     if (fine && isfinite(chi2)) {
-      for (size_t j = 0; j < p.n_unknowns; j++)
+      for (size_t j = 0; j < p.n_unknown; j++)
         ends[j * REFITS + done] = at[j];
       done++;
     }
     aspi_search_end(&s);
   }
-  for (size_t j = 0; fine && done > 1 && j < p.n_unknowns; j++) {
+  for (size_t j = 0; fine && done > 1 && j < p.n_unknown; j++) {
     double *e = ends + j * REFITS;
     gsl_sort(e, 1, done);
     fit->low[j] = 2 * fit->at[j] - gsl_stats_quantile_from_sorted_data(e, 1, done, 0.975);

@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
-#include "analysis/judge_flights.h"
 #include "base/error.h"
 #include "wall/wall.h"
 
@@ -159,7 +158,8 @@ aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle) {
   return (aspi_angle_groups){judge->angles + angle, judge->groups, judge->count};
 }
 
-aspi_angle_groups aspi_judge_fold(const aspi_judge *judge, size_t angle, size_t fold) {
+/* Those of one fold. */
+static aspi_angle_groups fold_of(const aspi_judge *judge, size_t angle, size_t fold) {
   size_t first = judge->groups * fold / judge->folds;
   size_t end = judge->groups * (fold + 1) / judge->folds;
   return (aspi_angle_groups){judge->angles + first * judge->count + angle, end - first,
@@ -173,7 +173,7 @@ aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const
   for (size_t fold = 0; fold < judge->folds; fold++) {
     size_t first = groups * fold / judge->folds, end = groups * (fold + 1) / judge->folds;
     aspi_angle_groups own = {model + first, end - first, 1};
-    aspi_estimate of = aspi_angles_divergence(aspi_judge_fold(judge, angle, fold), own, histogram);
+    aspi_estimate of = aspi_angles_divergence(fold_of(judge, angle, fold), own, histogram);
     d.value += of.value / folds;
     d.se = hypot(d.se, of.se / folds);
   }

@@ -77,9 +77,8 @@ asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
                            asp_error *error);
 void aspi_judge_free(aspi_judge *judge);
 
-/* All groups at an angle, and those of one fold. */
+/* All groups at an angle. */
 aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle);
-aspi_angle_groups aspi_judge_fold(const aspi_judge *judge, size_t angle, size_t fold);
 
 /* The divergence of a model, averaged over the folds. Its groups follow each other: as many as the
  * reference has, or one per fold. */
@@ -117,5 +116,27 @@ double aspi_judge_first_hit(const aspi_first_hits *first, const aspi_judge_model
 
 /* Nanoseconds per impact, on one thread. */
 double aspi_judge_cost(const asp_wall *wall, double d_p, double degrees);
+
+/* ---- the flights of a judge over one of its profiles or surfaces ---- */
+
+/* Adds the rebounds of group `number` at all angles, and its first hits to judge->first; called by
+ * several threads. */
+asp_code aspi_judge_fly_profile(aspi_judge *judge, const aspi_judge_case *subject,
+                                const aspi_judge_walls *walls, const double *degrees, size_t number,
+                                asp_error *error);
+
+/* The same in three dimensions. */
+asp_code aspi_judge_fly_surface(aspi_judge *judge, const aspi_judge_case *subject,
+                                const double *degrees, size_t number, asp_error *error);
+
+/* The half of a measured profile or map, cut across its longer side, that judges in fold 0 or 1;
+ * NULL on error. */
+asp_profile *aspi_judge_profile_half(const asp_profile *profile, size_t half, asp_error *error);
+asp_map *aspi_judge_map_half(const asp_map *map, size_t half, asp_error *error);
+
+/* The least angle (degrees) at which pieces of a profile can judge. */
+asp_code aspi_judge_profile_angle_least(const aspi_judge_case *subject, double *degrees,
+                                        asp_error *error);
+double aspi_judge_map_angle_least(const aspi_judge_case *subject);
 
 #endif

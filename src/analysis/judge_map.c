@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/dilated_map.h"
-#include "analysis/judge_flights.h"
+#include "analysis/judge.h"
 #include "base/error.h"
 #include "base/stream.h"
 #include "spread/line.h"
@@ -89,7 +89,7 @@ static void fly_one(const aspi_dilated_map *field, double alpha1, aspi_stream *s
   double y = aspi_stream_uniform(stream) * (double)field->rows * field->step[1];
   double azimuth = 2 * ASP_PI * aspi_stream_uniform(stream), t[2] = {cos(azimuth), sin(azimuth)};
   double along = fmax(cos(alpha1), STEEPEST), gradient[2], tilt = 0;
-  aspi_flight flight = {{x, y, field->top + 1e-3 * field->step[0]},
+  aspi_flight flight = {{x, y, field->pyramid.top + 1e-3 * field->step[0]},
                         {along * t[0], along * t[1], -sin(alpha1)}};
   int hits = 0;
   while (hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient)) {

@@ -2,7 +2,7 @@
  * judge.h. Later hits are followed along the path of the particle's center.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/judge_flights.h"
+#include "analysis/judge.h"
 #include "base/error.h"
 #include "surface/closing.h"
 #include "spread/line.h"

@@ -51,7 +51,7 @@ static aspi_cloud_frame frame_of(const aspi_group *g) {
 /* Pooled covariance of impacts about the means of their groups. */
 static void pool(aspi_search *s) {
   double freedom = 0;
-  for (size_t g = 0; g < s->problem->n_groups; g++) {
+  for (size_t g = 0; g < s->problem->n_bins; g++) {
     aspi_cloud_moments m = s->weights[g].data;
     if (!s->groups[g].impacts.xy || m.rebounds < 2)
       continue;
@@ -65,21 +65,21 @@ static void pool(aspi_search *s) {
       s->pooled[k][l] = freedom > 0 ? s->pooled[k][l] / freedom : k == l ? 1e-4 : 0;
 }
 
-bool aspi_search_begin(aspi_search *s, const aspi_fit_problem *p) {
+bool aspi_search_begin(aspi_search *s, const aspi_calibration *p) {
   size_t most = WEIGHING * p->samples;
-  for (size_t g = 0; g < p->n_groups; g++)
+  for (size_t g = 0; g < p->n_bins; g++)
     most = p->groups[g].impacts.rebounds > most ? p->groups[g].impacts.rebounds : most;
   *s = (aspi_search){.problem = p,
                      .groups = p->groups,
-                     .weights = calloc(p->n_groups, sizeof *s->weights),
-                     .xy = calloc(p->n_groups * most, sizeof *s->xy),
-                     .room = calloc(2 * most * p->n_groups, sizeof *s->room),
+                     .weights = calloc(p->n_bins, sizeof *s->weights),
+                     .xy = calloc(p->n_bins * most, sizeof *s->xy),
+                     .room = calloc(2 * most * p->n_bins, sizeof *s->room),
                      .most = most,
                      .samples = p->samples,
                      .held = -1};
   if (!s->weights || !s->xy || !s->room)
     return false;
-  for (size_t g = 0; g < p->n_groups; g++) {
+  for (size_t g = 0; g < p->n_bins; g++) {
     aspi_weights *w = &s->weights[g];
     w->frame = frame_of(&p->groups[g]);
     if (!p->scatters)
@@ -102,22 +102,22 @@ void aspi_search_end(aspi_search *s) {
  */
 
 static bool set_model(const aspi_search *s, const double *at) {
-  const aspi_fit_problem *p = s->problem;
+  const aspi_calibration *p = s->problem;
   double within[FIT_UNKNOWNS_MOST];
-  for (size_t j = 0; j < p->n_unknowns; j++)
-    within[j] = fmin(fmax(at[j], p->low[j]), p->high[j]);
-  return p->set(p->context, within);
+  for (size_t j = 0; j < p->n_unknown; j++)
+    within[j] = fmin(fmax(at[j], p->unknown[j].low), p->unknown[j].high);
+  return aspi_calibration_set(p, within);
 }
 
 static aspi_cloud draw(const aspi_search *s, size_t group, size_t samples) {
   aspi_cloud cloud = {s->xy + group * s->most, 0, 0};
-  s->problem->draw(s->problem->context, group, samples, 0, &cloud);
+  aspi_calibration_draw(s->problem, group, samples, 0, &cloud);
   return cloud;
 }
 
 /* Simulates the moments of a group, and computes its weights from the data and the model. */
 static bool weigh_group(aspi_search *s, size_t g, size_t samples, double *model) {
-  const aspi_fit_problem *p = s->problem;
+  const aspi_calibration *p = s->problem;
   aspi_weights *w = &s->weights[g];
   aspi_cloud cloud = draw(s, g, samples);
   if (cloud.rebounds < 2 && s->groups[g].n > (double)s->groups[g].impacts.deposits)
@@ -135,7 +135,7 @@ static bool weigh_group(aspi_search *s, size_t g, size_t samples, double *model)
 /* The whitened differences of all groups; false if the model rejects these values. */
 static bool differences(aspi_search *s, const double *at, size_t samples, bool weigh,
                         gsl_vector *out) {
-  size_t groups = s->problem->n_groups;
+  size_t groups = s->problem->n_bins;
   bool fine = set_model(s, at);
   double log_determinant = 0;
   double(*off)[MOMENTS] = malloc(groups * sizeof *off);
@@ -169,7 +169,8 @@ static bool differences(aspi_search *s, const double *at, size_t samples, bool w
   return fine;
 }
 
-bool aspi_search_weigh(aspi_search *s, const double *at) {
+/* Takes frames, data and weights for these values; false: no such model. */
+static bool find_weights(aspi_search *s, const double *at) {
   return differences(s, at, s->samples * (s->kind == WEIGHTS_DATA ? 1 : WEIGHING), true, NULL);
 }
 
@@ -179,7 +180,7 @@ bool aspi_search_weigh(aspi_search *s, const double *at) {
 /* Copies the free unknowns into the vector of all unknowns. */
 static void spread_out(const aspi_search *s, const gsl_vector *x, double *at) {
   size_t k = 0;
-  for (size_t j = 0; j < s->problem->n_unknowns; j++)
+  for (size_t j = 0; j < s->problem->n_unknown; j++)
     at[j] = (int)j == s->held ? s->held_at : gsl_vector_get(x, k++);
 }
 
@@ -234,8 +235,8 @@ double aspi_search_squares(aspi_search *s, const double *at) {
 
 double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
                            gsl_matrix *derivatives, gsl_vector *gradient) {
-  const aspi_fit_problem *p = s->problem;
-  size_t unknowns = p->n_unknowns - (s->held >= 0), k = 0;
+  const aspi_calibration *p = s->problem;
+  size_t unknowns = p->n_unknown - (s->held >= 0), k = 0;
   if (unknowns == 0)
     return aspi_search_squares(s, at);
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
@@ -245,7 +246,7 @@ double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, fdf.n, fdf.p);
   gsl_vector *x = gsl_vector_alloc(unknowns);
   double squares = INFINITY;
-  for (size_t j = 0; x && j < p->n_unknowns; j++)
+  for (size_t j = 0; x && j < p->n_unknown; j++)
     if ((int)j != s->held)
       gsl_vector_set(x, k++, at[j]);
   if (solver && x && !gsl_multifit_nlinear_init(x, &fdf, solver)) {
@@ -259,8 +260,8 @@ double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
       gsl_blas_dgemv(CblasTrans, 1, derivatives, r, 0, gradient);
     }
   }
-  for (size_t j = 0; j < p->n_unknowns; j++)
-    at[j] = fmin(fmax(at[j], p->low[j]), p->high[j]);
+  for (size_t j = 0; j < p->n_unknown; j++)
+    at[j] = fmin(fmax(at[j], p->unknown[j].low), p->unknown[j].high);
   if (solver)
     gsl_multifit_nlinear_free(solver);
   gsl_vector_free(x);
@@ -282,7 +283,7 @@ static bool covariance_of(const aspi_search *s, const gsl_matrix *derivatives,
              *turned = gsl_matrix_calloc(n, p);
   bool fine = inverse && middle && turned;
   double trace = 0;
-  for (size_t g = 0; fine && g < s->problem->n_groups; g++) {
+  for (size_t g = 0; fine && g < s->problem->n_bins; g++) {
     const aspi_weights *w = &s->weights[g];
     for (int i = 0; i < w->n; i++)
       trace += w->whitened[i][i];
@@ -327,13 +328,14 @@ static bool go_on(const aspi_search *s, double *at, const gsl_vector *step,
   for (size_t j = 0; j < step->size; j++)
     most = fmax(most, fabs(gsl_vector_get(step, j)) / sqrt(gsl_matrix_get(covariance, j, j)));
   for (size_t j = 0; j < step->size && most < SMALL && most > SETTLED; j++)
-    at[j] = fmin(fmax(at[j] + gsl_vector_get(step, j), s->problem->low[j]), s->problem->high[j]);
+    at[j] = fmin(fmax(at[j] + gsl_vector_get(step, j), s->problem->unknown[j].low),
+                 s->problem->unknown[j].high);
   return most <= SETTLED;
 }
 
 bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
                         gsl_matrix *covariance) {
-  size_t p = s->problem->n_unknowns;
+  size_t p = s->problem->n_unknown;
   gsl_matrix *derivatives = gsl_matrix_alloc(s->n_moments, p);
   gsl_vector *gradient = gsl_vector_alloc(p), *step = gsl_vector_alloc(p);
   bool fine = derivatives && gradient && step, settled = false;
@@ -343,7 +345,7 @@ bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
   for (int round = 0; fine && round < rounds && !settled; round++) {
     double mean_chi2, before[FIT_UNKNOWNS_MOST];
     memcpy(before, at, sizeof before);
-    if (!aspi_search_weigh(s, at))
+    if (!find_weights(s, at))
       break;
     *chi2 = aspi_search_descend(s, at, round ? 1 : 3, 1e-4, derivatives, gradient);
     fine = isfinite(*chi2) && covariance_of(s, derivatives, gradient, covariance, step, &mean_chi2);

@@ -4,13 +4,13 @@
 #ifndef ASP_ANALYSIS_SEARCH_H
 #define ASP_ANALYSIS_SEARCH_H
 
-#include "analysis/fit.h"
+#include "analysis/calibrate.h"
 
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_vector.h>
 
 typedef struct aspi_search {
-  const aspi_fit_problem *problem;
+  const aspi_calibration *problem;
   aspi_group *groups; /* the data: the problem's own, or synthetic ones */
   aspi_weights *weights;
   double pooled[MOMENTS][MOMENTS];
@@ -22,13 +22,10 @@ typedef struct aspi_search {
   double held_at;
 } aspi_search;
 
-bool aspi_search_begin(aspi_search *s, const aspi_fit_problem *problem);
+bool aspi_search_begin(aspi_search *s, const aspi_calibration *problem);
 void aspi_search_end(aspi_search *s);
 
-/* Takes frames, data and weights for these values; false: no such model. */
-bool aspi_search_weigh(aspi_search *s, const double *at);
-
-/* Least squares from there, to within `close` on the scale; the sum of squares, and where wanted
+/* Least squares from there on, to within `close` on the scale; the sum of squares, and where wanted
  * the derivatives in the end, and half the gradient of the sum. INFINITY: no such model. */
 double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
                            gsl_matrix *derivatives, gsl_vector *gradient);
@@ -46,6 +43,6 @@ void aspi_interval_by_rise(aspi_search *s, const double *at, double scale, size_
                            double *high);
 
 /* All of them by refits of synthetic data; false: there is no memory. */
-bool aspi_interval_by_bootstrap(const aspi_fit_problem *problem, aspi_fit *fit);
+bool aspi_interval_by_bootstrap(const aspi_calibration *problem, aspi_fit *fit);
 
 #endif

@@ -1,8 +1,10 @@
-/* Weights of moments; see weights.h.
+/* Moments and their weights; see weights.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/weights.h"
 
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 
 /* Share of each variance that is added to it. If wall and law leave one freedom, moments are nearly
@@ -15,6 +17,56 @@
 
 /* The covariance of a group is that of its own impacts in the share n/(n + FEW), halved. */
 #define FEW 20.0
+
+/* ---- moments ---- */
+
+aspi_cloud_frame aspi_cloud_frame_at(double x, double y) {
+  return (aspi_cloud_frame){{x, y}, {-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
+}
+
+void aspi_cloud_frame_cut(aspi_cloud_frame *frame, const aspi_cloud *cloud, double widths,
+                          double *room) {
+  size_t n = cloud->rebounds;
+  for (int k = 0; k < 2; k++) {
+    frame->low[k] = -INFINITY;
+    frame->high[k] = INFINITY;
+    if (n == 0 || !isfinite(widths))
+      continue;
+    for (size_t i = 0; i < n; i++)
+      room[i] = cloud->xy[i][k];
+    double median = gsl_stats_median(room, 1, n), width = gsl_stats_mad(room, 1, n, room + n);
+    if (!(width > 0))
+      continue;
+    frame->low[k] = median - widths * width;
+    frame->high[k] = median + widths * width;
+  }
+}
+
+aspi_cloud_moments aspi_cloud_moments_of(const aspi_cloud *cloud, const aspi_cloud_frame *frame) {
+  aspi_cloud_moments m = {.rebounds = (double)cloud->rebounds,
+                          .all = (double)(cloud->rebounds + cloud->deposits)};
+  double product[MOMENT_STUCK][MOMENT_STUCK] = {{0}};
+  for (size_t i = 0; i < cloud->rebounds; i++) {
+    double u[2];
+    for (int k = 0; k < 2; k++)
+      u[k] = fmin(fmax(cloud->xy[i][k], frame->low[k]), frame->high[k]) - frame->center[k];
+    double term[MOMENT_STUCK] = {u[0], u[1], u[0] * u[0], u[1] * u[1], u[0] * u[1]};
+    for (int k = 0; k < MOMENT_STUCK; k++) {
+      m.of[k] += term[k];
+      for (int l = 0; l <= k; l++)
+        product[k][l] += term[k] * term[l];
+    }
+  }
+  double freedom = m.rebounds > 1 ? m.rebounds - 1 : 1;
+  for (int k = 0; k < MOMENT_STUCK; k++) {
+    m.of[k] /= m.rebounds;
+    for (int l = 0; l <= k; l++)
+      m.covariance[k][l] = m.covariance[l][k] =
+          m.rebounds > 1 ? (product[k][l] - m.rebounds * m.of[k] * m.of[l]) / freedom : 0;
+  }
+  m.of[MOMENT_STUCK] = (double)cloud->deposits / m.all;
+  return m;
+}
 
 aspi_cloud_moments aspi_group_moments(const aspi_group *g, const aspi_cloud_frame *frame) {
   if (g->impacts.xy)
@@ -30,6 +82,8 @@ aspi_cloud_moments aspi_group_moments(const aspi_group *g, const aspi_cloud_fram
   }
   return m;
 }
+
+/* ---- weights ---- */
 
 /* The share of deposits is at least that of half a deposit (Wilson 1927), by data and model. */
 static double variance_of_share(double data, double model, double n, aspi_weights_kind kind) {
@@ -57,22 +111,9 @@ static double factor(double (*a)[MOMENTS], int n, const double *floor) {
   return log_determinant;
 }
 
-static void solve_columns(const aspi_weights *w, double (*a)[MOMENTS]) {
-  for (int c = 0; c < w->n; c++)
-    for (int k = 0; k < w->n; k++) {
-      for (int l = 0; l < k; l++)
-        a[k][c] -= w->lower[k][l] * a[l][c];
-      a[k][c] /= w->lower[k][k];
-    }
-}
-
-static void transpose(double (*a)[MOMENTS], int n) {
-  for (int k = 0; k < n; k++)
-    for (int l = 0; l < k; l++) {
-      double held = a[k][l];
-      a[k][l] = a[l][k];
-      a[l][k] = held;
-    }
+/* A corner of n x n of a matrix of moments. */
+static gsl_matrix_view corner(double (*a)[MOMENTS], int n) {
+  return gsl_matrix_view_array_with_tda(a[0], (size_t)n, (size_t)n, MOMENTS);
 }
 
 void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_moments *model,
@@ -108,18 +149,20 @@ void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_mom
     w->lower[i][i] += floor[i];
   }
   w->log_determinant = factor(w->lower, w->n, floor);
-  for (int turn = 0; turn < 2; turn++) {
-    solve_columns(w, w->whitened);
-    transpose(w->whitened, w->n);
-  }
+  if (w->n == 0)
+    return;
+  gsl_matrix_view lower = corner(w->lower, w->n), whitened = corner(exact, w->n);
+  gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1, &lower.matrix,
+                 &whitened.matrix);
+  gsl_blas_dtrsm(CblasRight, CblasLower, CblasTrans, CblasNonUnit, 1, &lower.matrix,
+                 &whitened.matrix);
 }
 
-int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out) {
+void aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out) {
   for (int i = 0; i < w->n; i++) {
     double off = model[w->of[i]] - w->data.of[w->of[i]];
     for (int j = 0; j < i; j++)
       off -= w->lower[i][j] * out[j];
     out[i] = off / w->lower[i][i];
   }
-  return w->n;
 }

@@ -1,11 +1,43 @@
-/* Weights of the moments of a group of impacts in a fit: the inverse covariance of measured minus
- * simulated moments, estimated from the measured impacts and the model.
+/* Moments of impacts, and their weights in a fit. Each rebound is a pair of numbers (x, y); a
+ * deposit has none. Means and second moments are taken about a fixed center, so that measured and
+ * simulated moments have the same expectation however few impacts there are. Outliers may be cut
+ * (Huber 1964). The weights are the inverse covariance of measured minus simulated moments of a
+ * group of impacts, estimated from the measured impacts and the model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_WEIGHTS_H
 #define ASP_ANALYSIS_WEIGHTS_H
 
-#include "analysis/moments.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { MOMENT_X, MOMENT_Y, MOMENT_XX, MOMENT_YY, MOMENT_XY, MOMENT_STUCK, MOMENTS };
+
+typedef struct aspi_cloud {
+  double (*xy)[2]; /* of the rebounds */
+  size_t rebounds, deposits;
+} aspi_cloud;
+
+/* Center of the moments; values below low or above high count as low or high. */
+typedef struct aspi_cloud_frame {
+  double center[2], low[2], high[2];
+} aspi_cloud_frame;
+
+typedef struct aspi_cloud_moments {
+  double rebounds, all;
+  double of[MOMENTS];                  /* NAN without rebounds, but for the share of deposits */
+  double covariance[MOMENTS][MOMENTS]; /* of one rebound's terms; nothing of the deposits */
+} aspi_cloud_moments;
+
+/* A frame about that center, with nothing cut. */
+aspi_cloud_frame aspi_cloud_frame_at(double x, double y);
+
+/* Cuts at the median plus and minus `widths` robust standard deviations (1.4826 of the median
+ * absolute deviation) of a cloud; `room` has 2 numbers a rebound. */
+void aspi_cloud_frame_cut(aspi_cloud_frame *frame, const aspi_cloud *cloud, double widths,
+                          double *room);
+
+aspi_cloud_moments aspi_cloud_moments_of(const aspi_cloud *cloud, const aspi_cloud_frame *frame);
 
 /* Measurements at one place or at several close ones: single impacts, or their means. */
 typedef struct aspi_group {
@@ -39,7 +71,7 @@ aspi_cloud_moments aspi_group_moments(const aspi_group *group, const aspi_cloud_
 void aspi_weights_set(aspi_weights *w, const aspi_group *group, const aspi_cloud_moments *model,
                       double (*pooled)[MOMENTS], aspi_weights_kind kind);
 
-/* Whitens the differences of the used moments: independent, variance 1. Returns their number. */
-int aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out);
+/* Whitens the differences of the used moments: independent, variance 1. */
+void aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out);
 
 #endif

@@ -41,13 +41,10 @@ static int numbers_of(char **fields, int count, char separator) {
 
 /* A unit as a line of units has them, in brackets or bare. */
 static bool is_unit(const char *field) {
-  const aspi_unit *u;
   field += strspn(field, "([{ ");
   size_t length = strcspn(field, ")]} ");
-  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
-    if (aspi_unit_is(u, field, length, false))
-      return true;
-  return length == 0 || strncmp(field, "-", length) == 0;
+  return length == 0 || strncmp(field, "-", length) == 0 ||
+         aspi_unit_find(NULL, field, length, false);
 }
 
 /* Takes a line as that of the names, and puts the units of the line below it, if any, behind them.

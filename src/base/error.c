@@ -75,6 +75,17 @@ static int distance(const char *a, const char *b) {
   return row[across];
 }
 
+int aspi_word_index(const char *list, const char *word, size_t length, bool exact) {
+  int index = 0;
+  for (const char *at = list + strspn(list, " "); *at; at += strspn(at, " "), index++) {
+    size_t own = strcspn(at, " ");
+    if (own == length && (exact ? strncmp : strncasecmp)(at, word, own) == 0)
+      return index;
+    at += own;
+  }
+  return -1;
+}
+
 bool aspi_nearest_name(const char *name, const char *list, char meant[64]) {
   int least = (int)strlen(name) / 3 + 2;
   *meant = '\0';

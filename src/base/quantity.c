@@ -99,16 +99,13 @@ asp_code aspi_quantity_read(const char *name, const char *text, const char *kind
   *value = aspi_number(text, &end);
   if (end > text && !*end)
     return ASP_OK;
-  const aspi_unit *u;
-  for (size_t i = 0; end > text && (u = aspi_unit_at(i)) != NULL; i++) {
-    if (strcmp(u->kind, kind) != 0 || !aspi_unit_is(u, end, strlen(end), true))
-      continue;
-    double factor = aspi_quantity_factor(kind, units);
-    if (!(factor > 0))
-      return aspi_fail(error, ASP_EARG, "%s is '%.100s', which cannot be converted to %s", name,
-                       text, units->name);
-    *value = (shifted(text, (size_t)(end - text), u->exponent) * u->factor + u->offset) * factor;
-    return ASP_OK;
-  }
-  return fail_unit(name, text, kind, end > text, error);
+  const aspi_unit *u = end > text ? aspi_unit_find(kind, end, strlen(end), true) : NULL;
+  if (!u)
+    return fail_unit(name, text, kind, end > text, error);
+  double factor = aspi_quantity_factor(kind, units);
+  if (!(factor > 0))
+    return aspi_fail(error, ASP_EARG, "%s is '%.100s', which cannot be converted to %s", name, text,
+                     units->name);
+  *value = (shifted(text, (size_t)(end - text), u->exponent) * u->factor + u->offset) * factor;
+  return ASP_OK;
 }

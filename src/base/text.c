@@ -171,12 +171,20 @@ asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error) {
   return append(text, &word, &room, WORD_MOST, &length, EOF, error);
 }
 
+size_t aspi_text_inside(const char **text) {
+  while (isspace((unsigned char)**text))
+    ++*text;
+  size_t length = strlen(*text);
+  while (length > 0 && isspace((unsigned char)(*text)[length - 1]))
+    length--;
+  return length;
+}
+
 char *aspi_text_trim(char *text) {
-  while (isspace((unsigned char)*text))
-    text++;
-  size_t length = strlen(text);
-  while (length > 0 && isspace((unsigned char)text[length - 1]))
-    text[--length] = '\0';
+  const char *first = text;
+  size_t length = aspi_text_inside(&first);
+  text += first - text;
+  text[length] = '\0';
   return text;
 }
 
@@ -259,11 +267,9 @@ bool aspi_text_blank(const char *line) {
 }
 
 static bool is_missing(const char *text, size_t length) {
-  static const char *const marks[] = {"bad", "na",  "n/a", "null", "#n/a", "void", "missing", "-",
-                                      "--",  "---", "*",   "***",  "?",    "none", "invalid"};
-  for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
-    if (strlen(marks[i]) == length && strncasecmp(text, marks[i], length) == 0)
-      return true;
+  static const char marks[] = "bad na n/a null #n/a void missing - -- --- * *** ? none invalid";
+  if (aspi_word_index(marks, text, length, false) >= 0)
+    return true;
   size_t stars = strspn(text, "*"); /* overflow marks of Fortran */
   bool error = *text == '#' && strspn(text + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ/0!?") == length - 1 &&
                length > 2; /* error marks of a spreadsheet, such as #NUM! or #WERT! */
@@ -350,11 +356,7 @@ static bool normalize(char *text, bool comma) {
 }
 
 aspi_word aspi_text_number(const char *text, bool comma, double *value) {
-  while (isspace((unsigned char)*text))
-    text++;
-  size_t length = strlen(text);
-  while (length > 0 && isspace((unsigned char)text[length - 1]))
-    length--;
+  size_t length = aspi_text_inside(&text);
   char copy[WORD_MOST], *end;
   *value = NAN;
   if (is_missing(text, length))

@@ -42,6 +42,9 @@ asp_code aspi_text_long_line(aspi_text *text, char **line, size_t *room, size_t 
 /* True if there is nothing but white space. */
 bool aspi_text_blank(const char *line);
 
+/* Moves past the blanks before a text; its length without those behind it. */
+size_t aspi_text_inside(const char **text);
+
 /* A text without the blanks at both ends; in place. */
 char *aspi_text_trim(char *text);
 

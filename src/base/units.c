@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
+#include "base/error.h"
 #include "base/text.h"
 
 #include <ctype.h>
@@ -49,29 +50,24 @@ static const aspi_unit units[] = {
     {"K", "K", 0, 1, 0, true},
     {"K", "C", 0, 1, 273.15, true},
     {"1/K", "/K 1/K", 0, 1, 0, true},
-    {"", "% percent pct km/h kmh mph ft/s ft gon h s", 0, 0, 0, false},
+    {"unread", "% percent pct km/h kmh mph ft/s ft gon h s", 0, 0, 0, false},
 };
 
 const aspi_unit *aspi_unit_at(size_t index) {
   return index < sizeof units / sizeof *units ? &units[index] : NULL;
 }
 
-bool aspi_unit_is(const aspi_unit *unit, const char *name, size_t length, bool exact) {
-  for (const char *at = unit->names; *at; at += *at == ' ') {
-    size_t own = strcspn(at, " ");
-    if (own == length && (exact || own == 1 ? strncmp : strncasecmp)(at, name, own) == 0)
-      return true;
-    at += own;
-  }
-  return false;
+const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t length, bool exact) {
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if ((!kind || strcmp(units[i].kind, kind) == 0) &&
+        aspi_word_index(units[i].names, name, length, exact || length == 1) >= 0)
+      return &units[i];
+  return NULL;
 }
 
 double aspi_unit_metres(const char *name, size_t length) {
-  const aspi_unit *u;
-  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
-    if (strcmp(u->kind, "length") == 0 && aspi_unit_is(u, name, length, false))
-      return u->factor * pow(10, u->exponent);
-  return 0;
+  const aspi_unit *u = aspi_unit_find("length", name, length, false);
+  return u ? u->factor * pow(10, u->exponent) : 0;
 }
 
 static bool is_letter(char c) {

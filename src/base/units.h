@@ -6,9 +6,9 @@
 
 #include "asperity.h"
 
-/* One unit: factor 10^exponent of SI (or degrees), plus `offset`; factor 0: it is not read. Kinds
- * are those of quantity.h, "" of units that are not read. Names have blanks between; the first one
- * of units that are listed is shown to the user. */
+/* One unit: factor 10^exponent of SI (or degrees), plus `offset`. Kinds are those of quantity.h, or
+ * "unread" of units that are known but not read (factor 0). Names have blanks between; the first
+ * one of units that are listed is shown to the user. */
 typedef struct aspi_unit {
   const char *kind, *names;
   int exponent;
@@ -19,9 +19,9 @@ typedef struct aspi_unit {
 /* The units in turn; NULL behind the last one. */
 const aspi_unit *aspi_unit_at(size_t index);
 
-/* True if a unit has that name; where it need not be exact, in upper or lower case (but for names
- * of one letter). */
-bool aspi_unit_is(const aspi_unit *unit, const char *name, size_t length, bool exact);
+/* The unit of a kind (NULL: of any) that has that name; where it need not be exact, in upper or
+ * lower case (but for names of one letter). NULL: there is none. */
+const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t length, bool exact);
 
 /* Meters in a unit of length by its name (m cm mm um nm, or as instruments write them:
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */

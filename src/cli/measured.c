@@ -12,7 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* Degrees below this, all of them, may be radians. */
 #define RADIANS_MOST 1.6
@@ -65,20 +64,13 @@ static const struct {
 
 /* Other beginnings of names. */
 static const struct {
-  const char *other, *name;
-} aliases[] = {{"e_n", "cor_n"},
-               {"e_t", "cor_t"},
-               {"impact_angle", "alpha1"},
-               {"aufprallwinkel", "alpha1"},
-               {"auftreffwinkel", "alpha1"},
-               {"impact_velocity", "v1"},
-               {"impact_speed", "v1"},
-               {"aufprallgeschwindigkeit", "v1"},
-               {"auftreffgeschwindigkeit", "v1"},
-               {"particle_diameter", "dp"},
-               {"diameter", "dp"},
-               {"partikeldurchmesser", "dp"},
-               {"durchmesser", "dp"}};
+  const char *others, *name;
+} aliases[] = {
+    {"e_n", "cor_n"},
+    {"e_t", "cor_t"},
+    {"impact_angle aufprallwinkel auftreffwinkel", "alpha1"},
+    {"impact_velocity impact_speed aufprallgeschwindigkeit auftreffgeschwindigkeit", "v1"},
+    {"particle_diameter diameter partikeldurchmesser durchmesser", "dp"}};
 
 /* More than half of the coefficients beyond this are per cent. */
 #define RATIO_MOST 5
@@ -124,15 +116,16 @@ static void plain(const char *name, char *to, size_t size) {
     memmove(to + 5, to + 6, strlen(to + 6) + 1);
   if (strncmp(to, "d_p", 3) == 0)
     memmove(to + 1, to + 2, strlen(to + 2) + 1);
-  for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++) {
-    size_t length = strlen(aliases[i].other), own = strlen(aliases[i].name);
-    if (strncmp(to, aliases[i].other, length) != 0 || (to[length] && to[length] != '_') ||
-        own + strlen(to + length) >= size)
-      continue;
-    memmove(to + own, to + length, strlen(to + length) + 1);
-    memcpy(to, aliases[i].name, own);
-    return;
-  }
+  for (size_t length = 1; length <= strlen(to); length++)
+    for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++) {
+      size_t own = strlen(aliases[i].name), rest = strlen(to + length);
+      if ((rest > 0 && to[length] != '_') || own + rest >= size ||
+          aspi_word_index(aliases[i].others, to, length, true) < 0)
+        continue;
+      memmove(to + own, to + length, rest + 1);
+      memcpy(to, aliases[i].name, own);
+      return;
+    }
 }
 
 static bool is_kind(int column, const char *kind) {
@@ -142,15 +135,14 @@ static bool is_kind(int column, const char *kind) {
 /* The factor of a column's unit, which is written as `plain` does, m/s as m_s: -1 for one that is
  * not read, 0 for no unit. */
 static double factor_of(int column, const char *unit) {
-  const aspi_unit *u;
   char name[80];
   size_t n = 0;
   for (; unit[n] && n + 1 < sizeof name; n++)
     name[n] = (char)(unit[n] == '_' ? '/' : unit[n]);
-  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
-    if ((!(u->factor > 0) || is_kind(column, u->kind)) && aspi_unit_is(u, name, n, false))
-      return u->factor > 0 ? u->factor * pow(10, u->exponent) : -1;
-  return 0;
+  const aspi_unit *u = aspi_unit_find(columns[column].kind, name, n, false);
+  if (!u)
+    return aspi_unit_find("unread", name, n, false) ? -1 : 0;
+  return u->factor * pow(10, u->exponent);
 }
 
 /* True if a name is that of a column, with a view where it is of a rebound's speed or angle, with a
@@ -308,20 +300,16 @@ static aspi_measured_row row_of(const layout *l, const double *v, bool means) {
 /* Reads the outcome of a row: a word, or a ledger's number. */
 static asp_code read_outcome(const aspi_csv *csv, const layout *l, aspi_measured_row *row,
                              asp_error *error) {
-  static const struct {
-    const char *word;
-    bool deposit;
-  } words[] = {{"rebound", false}, {"rebounded", false}, {"deposit", true}, {"deposited", true},
-               {"deleted", true},  {"stuck", true},      {"sticks", true},  {"0", false},
-               {"1", true},        {"2", true}};
+  static const char *const words[] = {"rebound rebounded 0",
+                                      "deposit deposited deleted stuck sticks 1 2"};
   if (!has(l, OUTCOME)) {
     row->deposit = !(fabs(row->cor[COR_N]) > 0) && !isnan(row->cor[COR_N]);
     return ASP_OK;
   }
   const char *word = csv->fields[l->at[OUTCOME]];
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-    if (strcasecmp(words[i].word, word) == 0) {
-      row->deposit = words[i].deposit;
+  for (int deposit = 0; deposit < 2; deposit++)
+    if (aspi_word_index(words[deposit], word, strlen(word), false) >= 0) {
+      row->deposit = deposit;
       return ASP_OK;
     }
   return aspi_text_fail(&csv->text, csv->text.line, error,

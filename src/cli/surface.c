@@ -30,24 +30,18 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
         option->name, option->value);
 }
 
-/* Options of reading a file; step: between columns and rows, 0 if it is not given. */
-typedef struct reading {
-  aspi_profile_options file;
-  double step[2];
-} reading;
-
-static void take_steps(const cli_option *value, reading *r) {
+static void take_steps(const cli_option *value, aspi_profile_options *read) {
   cli_list steps = cli_lengths(value);
   if (steps.count > 2)
     cli_bad_usage("--%s is '%s'; it must be one length, or two", value->name, value->value);
-  r->step[0] = r->file.step = steps.values[0];
-  r->step[1] = steps.values[steps.count - 1];
+  read->step[0] = steps.values[0];
+  read->step[1] = steps.values[steps.count - 1];
   free(steps.values);
 }
 
 /* Takes the value of a word of --read, or of --filter; false: there is no such word. */
-static bool take_word(const char *word, bool filters, const cli_option *value, reading *r) {
-  aspi_profile_options *read = &r->file;
+static bool take_word(const char *word, bool filters, const cli_option *value,
+                      aspi_profile_options *read) {
   const struct {
     const char *name;
     bool filters;
@@ -76,7 +70,7 @@ static bool take_word(const char *word, bool filters, const cli_option *value, r
   if (strcmp(word, "spacing") == 0)
     read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
   else if (strcmp(word, "step") == 0)
-    take_steps(value, r);
+    take_steps(value, read);
   else if (strcmp(word, "missing") == 0)
     read->missing = cli_number(value, -INFINITY, INFINITY);
   else
@@ -86,38 +80,37 @@ static bool take_word(const char *word, bool filters, const cli_option *value, r
 }
 
 /* Words and their values, with blanks between. */
-static void take_words(const cli_option *option, bool filters, reading *r) {
+static void take_words(const cli_option *option, bool filters, aspi_profile_options *read) {
   if (!option->value)
     return;
   char *text = cli_copy(option->value), name[80];
   for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
     if (filters && strcmp(word, "robust") == 0) {
-      r->file.filters.robust = true;
+      read->filters.robust = true;
       continue;
     }
     snprintf(name, sizeof name, "%s %.40s", option->name, word);
     const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
-    if (!value.value || !take_word(word, filters, &value, r))
+    if (!value.value || !take_word(word, filters, &value, read))
       cli_bad_usage("--%s is '%s'; '%s' is unknown or without a value; there are: %s", option->name,
                     option->value, word, option->help);
   }
 }
 
-static reading read_options(const cli_call *call) {
-  reading r = {.file = aspi_profile_options_default()};
-  aspi_profile_options *read = &r.file;
+static aspi_profile_options read_options(const cli_call *call) {
+  aspi_profile_options read = aspi_profile_options_default();
   const cli_option *form = cli_get(call, "form");
   if (cli_value(call, "unit"))
-    read_unit(cli_get(call, "unit"), read);
-  read->form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
-  read->fill = cli_choice(cli_get(call, "gaps"));
+    read_unit(cli_get(call, "unit"), &read);
+  read.form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
+  read.fill = cli_choice(cli_get(call, "gaps"));
   if (cli_value(call, "spikes"))
-    read->spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
-  take_words(cli_get(call, "read"), false, &r);
-  take_words(cli_get(call, "filter"), true, &r);
-  if (read->filters.robust && !(read->filters.cutoff > 0))
+    read.spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
+  take_words(cli_get(call, "read"), false, &read);
+  take_words(cli_get(call, "filter"), true, &read);
+  if (read.filters.robust && !(read.filters.cutoff > 0))
     cli_bad_usage("--filter is '%s'; robust goes with cutoff", cli_value(call, "filter"));
-  return r;
+  return read;
 }
 
 /* ---- profiles ---- */
@@ -175,10 +168,10 @@ static uint32_t seed_of(const cli_description *d) {
 static cli_wall read_wall(const cli_call *call, const cli_description *wall, const cli_list *sizes,
                           source *from) {
   const char *file = asp_wall_word(wall->wall, "file");
-  reading how = read_options(call);
+  aspi_profile_options how = read_options(call);
   double level = cli_choice(cli_get(call, "level")) ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
-  asp_profile *profile = aspi_profile_read(file, &how.file, &from->report, &error);
+  asp_profile *profile = aspi_profile_read(NULL, file, &how, &from->report, &error);
   cli_must(profile, &error);
   if (aspi_profile_describe(profile, level, &from->description, &error) ||
       aspi_description_check(&from->description, 1, &error))
@@ -369,9 +362,7 @@ static void run(cli_call *call) {
     run_profiles(call, &all, &first, &sizes);
     return;
   }
-  reading how = read_options(call);
-  how.file.step = 0;
-  const aspi_map_options options = {&how.file, {how.step[0], how.step[1]}};
+  const aspi_profile_options options = read_options(call);
   cli_surface_map(call, &first, &options, &sizes);
 }
 

@@ -6,7 +6,7 @@
 #define ASP_CLI_SURFACE_H
 
 #include "cli/description.h"
-#include "readers/map_read.h"
+#include "readers/read.h"
 #include "surface/slopes.h"
 
 /* One wall by its profile. */
@@ -42,6 +42,6 @@ void cli_surface_check(const char *name, const char *what, const aspi_profile_re
 
 /* All of `asperity surface` of a map: what it is, and which slopes a sphere of each size finds. */
 void cli_surface_map(const cli_call *call, const cli_description *wall,
-                     const aspi_map_options *options, const cli_list *sizes);
+                     const aspi_profile_options *options, const cli_list *sizes);
 
 #endif

@@ -3,11 +3,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
-#include "base/file.h"
 #include "cli/plot.h"
 #include "cli/surface.h"
 #include "surface/ball.h"
-#include "surface/map_describe.h"
+#include "surface/describe.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -29,14 +28,10 @@ typedef struct slopes {
 } slopes;
 
 /* Reads and describes a map, in meters. */
-static measured read_map(const char *path, const aspi_map_options *options) {
+static measured read_map(const char *path, const aspi_profile_options *options) {
   asp_error error;
   measured m = {.name = path};
-  FILE *stream = aspi_file_open(path, &error);
-  if (stream) {
-    m.map = aspi_map_read_stream(stream, path, options, &m.report, &error);
-    fclose(stream);
-  }
+  m.map = aspi_map_read(NULL, path, options, &m.report, &error);
   cli_must(m.map, &error);
   if (aspi_map_describe(m.map, &m.description, &error) ||
       aspi_map_check(m.map, &m.description, 1, &error))
@@ -290,7 +285,7 @@ static void plot(const cli_call *call, const measured *m, const slopes *rows, si
 }
 
 void cli_surface_map(const cli_call *call, const cli_description *wall,
-                     const aspi_map_options *options, const cli_list *sizes) {
+                     const aspi_profile_options *options, const cli_list *sizes) {
   measured m = read_map(asp_wall_word(wall->wall, "file"), options);
   const double *step = m.map->step;
   double sides[2] = {(double)m.map->columns * step[0], (double)m.map->rows * step[1]};

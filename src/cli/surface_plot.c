@@ -51,8 +51,8 @@ double cli_generated_kl(const cli_wall *wall, double d_p) {
   angles generated = angles_of(wall, wall->generated, d_p);
   aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
   double kl = aspi_density_kl(p, q);
-  aspi_density_free(p);
-  aspi_density_free(q);
+  free(p);
+  free(q);
   free(measured.values);
   free(generated.values);
   return kl;
@@ -154,8 +154,8 @@ static void plot_bridge(cli_plot *plot, const cli_wall *wall, double d_p) {
 
 static void plot_density(cli_plot *plot, const char *style, const aspi_density *density) {
   cli_plot_series(plot, CLI_LINE, "%s", style);
-  for (size_t i = 0; i < aspi_density_points(density); i++) {
-    double x, y = aspi_density_at(density, i, &x);
+  for (size_t i = 0; i < density->points; i++) {
+    double x = density->lo + (double)i * density->step, y = density->value[i];
     cli_plot_row(plot, x, y);
   }
 }
@@ -175,14 +175,14 @@ static void plot_angles(cli_plot *plot, const angles *a, double reach, double kl
   cli_plot_caption(plot, "angles: mean %.2f°, sd %.2f°; normal fit: D_{KL} %.4f", mean, sd,
                    kl_normal);
   plot_density(plot, "1", density);
-  cli_plot_end(plot, "kernel density, bandwidth %.2g°", aspi_density_bandwidth(density));
+  cli_plot_end(plot, "kernel density, bandwidth %.2g°", density->bandwidth);
   cli_plot_series(plot, CLI_LINE, "2");
   for (int i = -200; i <= 200; i++) {
     double x = reach * i / 200, t = (x - mean) / sd;
     cli_plot_row(plot, x, exp(-t * t / 2) / (sd * sqrt(2 * ASP_PI)));
   }
   cli_plot_end(plot, "normal fit");
-  aspi_density_free(density);
+  free(density);
 }
 
 static void plot_generated(cli_plot *plot, const angles *measured, const angles *generated,
@@ -194,8 +194,8 @@ static void plot_generated(cli_plot *plot, const angles *measured, const angles 
   cli_plot_end(plot, "measured, sd %.2f°", measured->moments.sd);
   plot_density(plot, "2", q);
   cli_plot_end(plot, "generated of its R_q and λ_c, sd %.2f°", generated->moments.sd);
-  aspi_density_free(p);
-  aspi_density_free(q);
+  free(p);
+  free(q);
 }
 
 void cli_surface_plot(const cli_call *call, const cli_wall *wall, const cli_slopes *row) {

@@ -5,7 +5,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/header.h"
-#include "readers/missing.h"
 #include "readers/positions.h"
 
 #include <math.h>
@@ -74,14 +73,15 @@ static bool finds_layout(const char *line, const aspi_profile_options *options,
     int count = aspi_text_split(copy, layouts[i].separator, fields, ASP_COLUMNS_MOST);
     *found = (column_layout){.separator = layouts[i].separator,
                              .comma = layouts[i].comma,
-                             .step = options->step > 0 ? options->step : 1};
+                             .step = options->step[0] > 0 ? options->step[0] : 1};
     if (count == 0)
       continue;
     *why = '\0';
     if (!aspi_choose_columns(header, layouts[i].separator, count, used_of(fields, count), options,
                              &found->columns, why, size))
-      found->columns = (aspi_columns){
-          .x = options->step > 0 ? -1 : 0, .y = -1, .z = options->step > 0 || count < 2 ? 0 : 1};
+      found->columns = (aspi_columns){.x = options->step[0] > 0 ? -1 : 0,
+                                      .y = -1,
+                                      .z = options->step[0] > 0 || count < 2 ? 0 : 1};
     column_pair pair;
     aspi_word word = pair_of(fields, count, found, 0, &pair);
     if (word == ASP_WORD_NUMBER || (word == ASP_WORD_MISSING && !aspi_text_blank(pair.height)))
@@ -104,7 +104,7 @@ static asp_code skip_header(aspi_text *text, const aspi_profile_options *options
   }
   return aspi_text_fail(
       text, text->line, error,
-      options->step > 0
+      options->step[0] > 0
           ? "the file ends without a line that begins with a number, a height"
           : "the file ends without a line of two numbers, position and height (heights "
             "alone need the step between them: step)");

@@ -6,7 +6,7 @@
  * the surface is the erosion of that dilation (Villarrubia 1997).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "readers/filter.h"
+#include "readers/read.h"
 #include "base/error.h"
 #include "surface/closing.h"
 #include "surface/profile.h"

@@ -20,22 +20,21 @@ static const struct {
               {"GWYP", "Gwyddion's own"},
               {"\x89HDF", "HDF5"}};
 
-asp_code aspi_format_find(FILE *stream, const char *path, aspi_format *format, asp_error *error) {
+asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error) {
   enum { LOOKED_AT = 32 };
-  aspi_text text = aspi_text_create(stream, path);
   char begin[LOOKED_AT] = "";
   int c = ' ';
-  for (size_t i = 0; i + 1 < sizeof begin && (c = aspi_text_character(&text)) != EOF;)
+  for (size_t i = 0; i + 1 < sizeof begin && (c = aspi_text_character(text)) != EOF;)
     if (i > 0 || !isspace(c))
       begin[i++] = (char)c;
-  asp_code code = aspi_text_rewind(&text, error);
+  asp_code code = aspi_text_rewind(text, error);
   for (size_t i = 0; i < sizeof closed / sizeof *closed && !code; i++)
     if (strncmp(begin, closed[i].begins, strlen(closed[i].begins)) == 0)
       code =
           aspi_fail(error, ASP_EDATA,
                     "%.200s: the format is %s, which is not read here; the free program Gwyddion "
                     "(gwyddion.net) opens that of an instrument, and saves it as SDF or as text",
-                    path, closed[i].name);
+                    text->path, closed[i].name);
   bool sdf =
       *begin && (strncasecmp(begin + 1, "ISO-", 4) == 0 || strncasecmp(begin + 1, "BCR-", 4) == 0);
   *format = !sdf                                    ? ASP_FORMAT_TEXT

@@ -22,31 +22,15 @@ typedef struct column {
   kind kind;
 } column;
 
-static const struct {
-  const char *word; /* a name's first word, in small letters */
-  kind kind;
-} known[] = {
-    {"x", POSITION},          {"pos", POSITION},       {"position", POSITION},
-    {"positions", POSITION},  {"distance", POSITION},  {"dist", POSITION},
-    {"lateral", POSITION},    {"length", POSITION},    {"travel", POSITION},
-    {"scan", POSITION},       {"weg", POSITION},       {"strecke", POSITION},
-    {"abscisse", POSITION},   {"posizione", POSITION}, {"z", HEIGHT},
-    {"height", HEIGHT},       {"heights", HEIGHT},     {"h", HEIGHT},
-    {"raw", HEIGHT},          {"profile", HEIGHT},     {"depth", HEIGHT},
-    {"level", HEIGHT},        {"amplitude", HEIGHT},   {"elevation", HEIGHT},
-    {"hoehe", HEIGHT},        {"tiefe", HEIGHT},       {"profil", HEIGHT},
-    {"hauteur", HEIGHT},      {"altitude", HEIGHT},    {"altezza", HEIGHT},
-    {"altura", HEIGHT},       {"quota", HEIGHT},       {"point", NO_LENGTH},
-    {"pt", NO_LENGTH},        {"points", NO_LENGTH},   {"no", NO_LENGTH},
-    {"nr", NO_LENGTH},        {"number", NO_LENGTH},   {"index", NO_LENGTH},
-    {"idx", NO_LENGTH},       {"i", NO_LENGTH},        {"n", NO_LENGTH},
-    {"id", NO_LENGTH},        {"sample", NO_LENGTH},   {"t", NO_LENGTH},
-    {"time", NO_LENGTH},      {"zeit", NO_LENGTH},     {"temps", NO_LENGTH},
-    {"tempo", NO_LENGTH},     {"tiempo", NO_LENGTH},   {"punkt", NO_LENGTH},
-    {"messpunkt", NO_LENGTH}, {"lfd", NO_LENGTH},      {"pixel", NO_LENGTH},
-    {"px", NO_LENGTH},        {"angle", NO_LENGTH},    {"temperature", NO_LENGTH},
-    {"intensity", NO_LENGTH}, {"force", NO_LENGTH},    {"speed", NO_LENGTH},
-    {"line", NO_LENGTH},      {"quality", NO_LENGTH},  {"valid", NO_LENGTH},
+/* The first words of names. */
+static const char *const known[] = {
+    [POSITION] = "x pos position positions distance dist lateral length travel scan weg strecke "
+                 "abscisse posizione",
+    [HEIGHT] = "z height heights h raw profile depth level amplitude elevation hoehe tiefe profil "
+               "hauteur altitude altezza altura quota",
+    [NO_LENGTH] =
+        "point pt points no nr number index idx i n id sample t time zeit temps tempo tiempo punkt "
+        "messpunkt lfd pixel px angle temperature intensity force speed line quality valid",
 };
 
 /* True if a name has a unit in brackets or behind a slash, of length or not. */
@@ -56,19 +40,14 @@ static bool has_unit(const char *name) {
 }
 
 static kind kind_of(const char *name) {
-  char word[16];
   size_t length = 0;
   if (aspi_text_holds(name, "pixel"))
     return NO_LENGTH;
   while (isalpha((unsigned char)name[length]))
     length++;
-  if (length == 0 || length >= sizeof word)
-    return UNKNOWN;
-  memcpy(word, name, length);
-  word[length] = '\0';
-  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-    if (strcasecmp(word, known[i].word) == 0)
-      return known[i].kind;
+  for (int k = POSITION; k <= NO_LENGTH; k++)
+    if (aspi_word_index(known[k], name, length, false) >= 0)
+      return (kind)k;
   return UNKNOWN;
 }
 
@@ -144,18 +123,14 @@ static int asked_for(const char *what, const char *asked, const column *columns,
   return -2;
 }
 
-/* The first column of that kind that is not the other one and may be a length; -1: none. */
+/* The first column of that kind that is not the other one; UNKNOWN: any that may be a length; -1:
+ * none. */
 static int first_of(kind wanted, const column *columns, int fields, int other, bool with_unit) {
-  for (int i = 0; i < fields; i++)
-    if (i != other && columns[i].kind == wanted && (!with_unit || columns[i].unit > 0))
+  for (int i = 0; i < fields; i++) {
+    bool fits = wanted == UNKNOWN ? columns[i].kind != NO_LENGTH : columns[i].kind == wanted;
+    if (i != other && fits && (!with_unit || columns[i].unit > 0))
       return i;
-  return -1;
-}
-
-static int first_length(const column *columns, int fields, int other, bool with_unit) {
-  for (int i = 0; i < fields; i++)
-    if (i != other && columns[i].kind != NO_LENGTH && (!with_unit || columns[i].unit > 0))
-      return i;
+  }
   return -1;
 }
 
@@ -182,7 +157,7 @@ typedef struct choice {
 
 /* True if every column has a name, or there are no more columns than needed. */
 static bool are_named(const choice *c) {
-  if (c->used <= (c->options->step > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
+  if (c->used <= (c->options->step[0] > 0 ? 1 : 2) || c->named == c->used || c->named == c->fields)
     return true;
   snprintf(c->why, c->size, "%d columns under %d names%s; " ASK_COLUMNS, c->used, c->named,
            c->separator == ','
@@ -220,7 +195,7 @@ static void complete(const choice *c, int *x, int *z) {
   int with_unit = 0, n = c->fields;
   for (int i = 0; i < n; i++)
     with_unit += c->columns[i].unit > 0;
-  bool heights_alone = c->options->step > 0, units = with_unit >= (heights_alone ? 1 : 2);
+  bool heights_alone = c->options->step[0] > 0, units = with_unit >= (heights_alone ? 1 : 2);
   if (c->named == 0 || (n <= 2 && !units && !are_known(c->columns))) {
     *x = *x >= 0 ? *x : *z == 0 && n > 1 ? 1 : 0;
     *z = *z >= 0 ? *z : heights_alone && c->columns[0].kind != NO_LENGTH ? 0 : *x == 1 ? 0 : 1;
@@ -230,9 +205,9 @@ static void complete(const choice *c, int *x, int *z) {
   if (*x < 0)
     *x = first_of(POSITION, c->columns, n, *z, units);
   if (*x < 0)
-    *x = first_length(c->columns, n, *z, units);
+    *x = first_of(UNKNOWN, c->columns, n, *z, units);
   if (*z < 0)
-    *z = first_length(c->columns, n, *x, units);
+    *z = first_of(UNKNOWN, c->columns, n, *x, units);
 }
 
 static int first_named(char name, const column *columns, int fields) {
@@ -253,7 +228,7 @@ static bool choose_both(const choice *c, aspi_columns *chosen) {
   int asked_x, asked_z;
   if (!find_asked(c, &asked_x, &asked_z) || (asked_z < 0 && !are_named(c)))
     return false;
-  bool heights_alone = c->options->step > 0;
+  bool heights_alone = c->options->step[0] > 0;
   int x = heights_alone ? c->fields : asked_x, z = asked_z;
   complete(c, &x, &z);
   if (x < 0 || z < 0) {

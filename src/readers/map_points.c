@@ -2,7 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "readers/map_read.h"
+#include "readers/read.h"
+#include "surface/map.h"
 #include "surface/profile.h"
 
 #include <gsl/gsl_sort.h>

@@ -11,10 +11,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "readers/header.h"
-#include "readers/map_read.h"
-#include "readers/missing.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -157,12 +154,9 @@ static double stated(const char *line, const char *name, bool number) {
   double value = number ? aspi_number(at, &end) : 1;
   if (number && end == at)
     return 0;
-  while (isspace((unsigned char)*end))
-    end++;
-  size_t length = strlen(end);
-  while (length > 0 && isspace((unsigned char)end[length - 1]))
-    length--;
-  return value * aspi_unit_metres(end, length);
+  at = end;
+  size_t length = aspi_text_inside(&at);
+  return value * aspi_unit_metres(at, length);
 }
 
 static void note_head(head *h, const char *line) {
@@ -241,9 +235,9 @@ static asp_code check_axes(const scanner *s, const aspi_raw *raw, asp_error *err
                                  : "column");
 }
 
-static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *options,
+static asp_code read_matrix(scanner *s, const head *h, const aspi_profile_options *options,
                             aspi_missing *missing, aspi_raw *raw, asp_error *error) {
-  double unit = options->read->unit_z > 0 ? options->read->unit_z : h->unit_z;
+  double unit = options->unit_z > 0 ? options->unit_z : h->unit_z;
   if (!(unit > 0))
     unit = h->units[1];
   if (!(unit > 0))
@@ -283,10 +277,10 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_map_options *o
 /* ---- x, y, z ---- */
 
 /* The units of x, y and z: the user's, those of the columns, or those of the header as a whole. */
-static asp_code find_units(const scanner *s, const head *h, const aspi_profile_options *read,
+static asp_code find_units(const scanner *s, const head *h, const aspi_profile_options *options,
                            aspi_axes *axes, asp_error *error) {
   for (int k = 0; k < ASP_MAP_AXES; k++) {
-    double own = k < 2 ? read->unit_x : read->unit_z, *unit = &axes->unit[k];
+    double own = k < 2 ? options->unit_x : options->unit_z, *unit = &axes->unit[k];
     *unit = own > 0 ? own : *unit > 0 ? *unit : h->units[k / 2];
     if (!(*unit > 0))
       return fail_at(s, error,
@@ -296,14 +290,14 @@ static asp_code find_units(const scanner *s, const head *h, const aspi_profile_o
   return ASP_OK;
 }
 
-static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *options,
+static asp_code read_triples(scanner *s, const head *h, const aspi_profile_options *options,
                              aspi_axes *axes, aspi_missing *missing, aspi_raw *raw,
                              asp_error *error) {
   if (options->step[0] > 0)
     return fail_at(s, error,
                    "the spacing is given (step), but the file has the positions of its points");
   const char *expected = "three numbers are expected: x, y, z";
-  asp_code code = find_units(s, h, options->read, axes, error);
+  asp_code code = find_units(s, h, options, axes, error);
   size_t fields = s->count;
   const int *at = axes->column;
   aspi_map_points t = {0};
@@ -329,13 +323,12 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_map_options *
   return code;
 }
 
-static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, aspi_raw *raw,
+static asp_code read_file(scanner *s, head *h, const aspi_profile_options *options, aspi_raw *raw,
                           asp_error *error) {
   asp_code code = skip_head(s, h, error);
   if (code)
     return code;
-  const aspi_profile_options *read = options->read;
-  aspi_missing missing = {.stated = read->has_missing ? read->missing : NAN};
+  aspi_missing missing = {.stated = options->has_missing ? options->missing : NAN};
   aspi_axes axes = {{0, 1, 2}, {0}};
   bool named = s->count >= ASP_MAP_AXES && s->count <= ASP_COLUMNS_MOST &&
                aspi_find_axes(&h->lines, s->separator, (int)s->count, &axes);
@@ -345,12 +338,13 @@ static asp_code read_file(scanner *s, head *h, const aspi_map_options *options, 
   return code ? code : aspi_missing_check(&missing, s->source.path, error);
 }
 
-asp_code aspi_read_map_text(FILE *stream, const char *path, const aspi_map_options *options,
+asp_code aspi_read_map_text(const aspi_text *text, const aspi_profile_options *options,
                             aspi_raw *raw, asp_error *error) {
-  scanner s = {.source = aspi_text_create(stream, path)};
+  scanner s = {.source = *text};
   head *h = calloc(1, sizeof *h);
-  asp_code code = h ? read_file(&s, h, options, raw, error)
-                    : aspi_fail(error, ASP_ENOMEM, "%.200s: out of memory for its header", path);
+  asp_code code =
+      h ? read_file(&s, h, options, raw, error)
+        : aspi_fail(error, ASP_ENOMEM, "%.200s: out of memory for its header", text->path);
   free(h);
   free(s.line);
   free(s.values);

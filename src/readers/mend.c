@@ -3,7 +3,7 @@
  * neighbors), gaps filled by straight lines or refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "readers/mend.h"
+#include "readers/read.h"
 #include "base/error.h"
 #include "base/least_squares.h"
 #include "surface/map.h"

@@ -1,7 +1,7 @@
-/* Heights that may stand for missing ones; see missing.h.
+/* Heights that may stand for missing ones; see read.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "readers/missing.h"
+#include "readers/read.h"
 #include "base/error.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
 #define ASP_READERS_POSITIONS_H
 
 #include "base/text.h"
-#include "readers/raw.h"
+#include "readers/read.h"
 
 #include <gsl/gsl_rstat.h>
 

@@ -1,7 +1,7 @@
-/* Heights as a file has them; see raw.h.
+/* Heights as a file has them; see read.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "readers/raw.h"
+#include "readers/read.h"
 #include "base/error.h"
 
 #include <math.h>

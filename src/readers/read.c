@@ -1,10 +1,11 @@
-/* Measured profiles: which reader a file needs, and a report of what was read and done to it.
+/* Measured profiles and maps: which reader a file needs, and a report of what was read and done to
+ * it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
 #include "base/error.h"
 #include "base/file.h"
-#include "readers/mend.h"
+#include "surface/map.h"
 #include "surface/profile.h"
 
 #include <math.h>
@@ -29,25 +30,21 @@ append(aspi_profile_report *r, const char *format, ...) {
   va_end(args);
 }
 
-void aspi_report(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile_options *options) {
+/* Adds what was read to what was mended. */
+static void write_report(aspi_profile_report *r, const aspi_raw *raw,
+                         const aspi_profile_options *options) {
   const aspi_filters *f = &options->filters;
   *r->text = '\0';
-  r->points = raw->read;
-  r->bad = raw->bad;
-  r->resampled = raw->resampled;
-  r->repeats = raw->repeats;
-  r->step_least = raw->step_least * options->metre;
-  r->step_most = raw->step_most * options->metre;
   if (raw->is_map)
     append(r, "%zu x %zu", raw->columns, raw->rows);
   else
-    append(r, "%zu", r->points);
-  append(r, " points read, %zu bad", r->bad);
+    append(r, "%zu", raw->read);
+  append(r, " points read, %zu bad", raw->bad);
   if (r->spikes)
     append(r, ", %zu spikes", r->spikes);
   if (r->filled)
     append(r, ", %zu points filled in (longest gap %zu)", r->filled, r->longest_gap);
-  if (r->resampled)
+  if (raw->resampled)
     append(r, ", unequal spacing of %.4g to %.4g m resampled to %.4g m", raw->step_least,
            raw->step_most, raw->step[0]);
   if (raw->second_column > 0)
@@ -75,28 +72,53 @@ void aspi_report(aspi_profile_report *r, const aspi_raw *raw, const aspi_profile
     append(r, ", form left in");
 }
 
-static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
-                         asp_error *error) {
+/* Rejects options that apply to profiles only. */
+static asp_code check_map_options(const char *path, const aspi_profile_options *o,
+                                  asp_error *error) {
+  const struct {
+    const char *name;
+    bool given;
+  } all[] = {{"tip", o->filters.tip > 0},       {"lambda_s", o->filters.lambda_s > 0},
+             {"cutoff", o->filters.cutoff > 0}, {"column", o->column > 0},
+             {"x_column", o->x_number > 0},     {"row", o->row != 1}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (all[i].given)
+      return aspi_fail(error, ASP_EARG, "%.200s: %s is given, which is for profiles, not for maps",
+                       path, all[i].name);
+  return ASP_OK;
+}
+
+/* The first line that is not blank. */
+static asp_code read_first_line(aspi_text *text, asp_error *error) {
   bool found = true;
-  aspi_format format;
-  asp_code code = aspi_format_find(text->stream, text->path, &format, error);
-  if (code)
-    return code;
-  if (format == ASP_FORMAT_SDF_BINARY)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: this is SDF in binary, which is read as a map, not as a profile",
-                     text->path);
+  asp_code code;
   do {
     code = aspi_text_line(text, &found, error);
   } while (!code && found && aspi_text_blank(text->text));
+  return code || found ? code : aspi_text_fail(text, text->line, error, "the file is empty");
+}
+
+static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                         asp_error *error) {
+  aspi_format format;
+  asp_code code = raw->is_map ? check_map_options(text->path, options, error) : ASP_OK;
+  if (!code)
+    code = aspi_format_find(text, &format, error);
   if (code)
     return code;
-  if (!found)
-    return aspi_text_fail(text, text->line, error, "the file is empty");
-  if (format == ASP_FORMAT_SDF_TEXT) {
-    code = aspi_sdf_check_options(text->path, options, options->step, error);
-    return code ? code : aspi_read_sdf(text, options, raw, error);
-  }
+  if (format == ASP_FORMAT_SDF_BINARY)
+    return raw->is_map
+               ? aspi_read_sdf(text, true, options, raw, error)
+               : aspi_fail(error, ASP_EDATA,
+                           "%.200s: this is SDF in binary, which is read as a map, not as a "
+                           "profile",
+                           text->path);
+  if (format == ASP_FORMAT_TEXT && raw->is_map)
+    return aspi_read_map_text(text, options, raw, error);
+  if ((code = read_first_line(text, error)))
+    return code;
+  if (format == ASP_FORMAT_SDF_TEXT)
+    return aspi_read_sdf(text, false, options, raw, error);
   if (options->row != 1)
     return aspi_fail(error, ASP_EARG, "%.200s: row %d is asked for; text in columns has no rows",
                      text->path, options->row);
@@ -114,39 +136,62 @@ asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_err
   if (aspi_check_range(error, "spikes", "", options->spikes, 0, INFINITY) ||
       aspi_check_range(error, "unit_x", "m", options->unit_x, 0, INFINITY) ||
       aspi_check_range(error, "unit_z", "m", options->unit_z, 0, INFINITY) ||
-      aspi_check_range(error, "step", "m", options->step, 0, INFINITY))
+      aspi_check_range(error, "step", "m", options->step[0], 0, INFINITY))
     return ASP_EARG;
   return aspi_check_range(error, "metre", "", options->metre, 1e-12, 1e12);
 }
 
-asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
-                                      const aspi_profile_options *options,
-                                      aspi_profile_report *report, asp_error *error) {
-  aspi_profile_options defaults = aspi_profile_options_default();
+/* Heights as they are to be, but for their unit, and the report of them. */
+static asp_code read_mended(FILE *stream, const char *path, const aspi_profile_options *options,
+                            aspi_raw *raw, aspi_profile_report *report, asp_error *error) {
   aspi_profile_report own;
-  options = options ? options : &defaults;
   report = report ? report : &own;
   *report = (aspi_profile_report){0};
-  if (aspi_profile_check_options(options, error))
-    return NULL;
-  aspi_text text = aspi_text_create(stream, path);
-  aspi_raw raw = {0};
-  if (read_raw(&text, options, &raw, error) || aspi_mend(&raw, path, options, report, error)) {
-    free(raw.heights);
-    return NULL;
+  FILE *file = stream ? stream : aspi_file_open(path, error);
+  if (!file)
+    return error ? error->code : ASP_EFILE;
+  aspi_text text = aspi_text_create(file, path);
+  asp_code code = aspi_profile_check_options(options, error);
+  if (!code)
+    code = read_raw(&text, options, raw, error);
+  if (raw->is_map) {
+    raw->read = raw->points;
+    raw->bad = aspi_raw_count_bad(raw);
+    raw->step_least = raw->step[0];
+    raw->step_most = raw->step[1];
   }
-  aspi_report(report, &raw, options);
+  if (!code)
+    code = aspi_mend(raw, path, options, report, error);
+  if (file != stream)
+    fclose(file);
+  if (code)
+    free(raw->heights);
+  else
+    write_report(report, raw, options);
+  return code;
+}
+
+asp_profile *aspi_profile_read(FILE *stream, const char *path, const aspi_profile_options *options,
+                               aspi_profile_report *report, asp_error *error) {
+  aspi_profile_options defaults = aspi_profile_options_default();
+  aspi_raw raw = {0};
+  options = options ? options : &defaults;
+  if (read_mended(stream, path, options, &raw, report, error))
+    return NULL;
   for (size_t i = 0; i < raw.points; i++)
     aspi_raw_put(&raw, i, aspi_raw_at(&raw, i) * options->metre);
   return aspi_profile_adopt(raw.heights, raw.points, raw.step[0] * options->metre, false, error);
 }
 
-asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *options,
-                               aspi_profile_report *report, asp_error *error) {
-  FILE *stream = aspi_file_open(path, error);
-  if (!stream)
+asp_map *aspi_map_read(FILE *stream, const char *path, const aspi_profile_options *options,
+                       aspi_profile_report *report, asp_error *error) {
+  aspi_raw raw = {.is_map = true, .zero = NAN};
+  if (read_mended(stream, path, options, &raw, report, error))
     return NULL;
-  asp_profile *profile = aspi_profile_read_stream(stream, path, options, report, error);
-  fclose(stream);
-  return profile;
+  double metre = options->metre, step[2] = {raw.step[0] * metre, raw.step[1] * metre}, mean = 0;
+  for (size_t i = 0; i < raw.points; i++)
+    mean += aspi_raw_at(&raw, i) / (double)raw.points;
+  for (size_t i = 0; i < raw.points; i++)
+    aspi_raw_put(&raw, i, (aspi_raw_at(&raw, i) - mean) * metre);
+  return aspi_map_adopt(raw.heights, raw.columns, raw.rows, step, false, error);
 }

@@ -1,18 +1,23 @@
-/* Shared by the readers of profile files.
+/* Shared by the readers of measured profiles and maps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_READ_H
 #define ASP_READERS_READ_H
 
 #include "base/text.h"
-#include "readers/warnings.h"
-#include "readers/filter.h"
-#include "readers/raw.h"
 
 /* Largest number of columns that a text file may use, and the highest degree of a form. */
 enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
 
-/* Options of reading a measured profile. */
+/* The filters of instruments. Lengths in m; 0: that one is left out. They work in this order. */
+typedef struct aspi_filters {
+  double tip;      /* radius of the stylus */
+  double lambda_s; /* shorter waves are taken out, */
+  double cutoff;   /* and longer ones (lambda_c of ISO 21920-3, not the correlation length) */
+  bool robust;     /* the cut-off is not drawn toward deep valleys and high peaks */
+} aspi_filters;
+
+/* Options of reading a measured profile or map. */
 typedef struct aspi_profile_options {
   double unit_x, unit_z; /* meters in one unit of a text file's columns; 0: as the file states */
   double metre;          /* one meter in the unit of the result: 1 for SI, 1e6 for micrometers */
@@ -26,7 +31,8 @@ typedef struct aspi_profile_options {
   int x_number;  /* 0, or: of a text file, the column of positions, from 1 */
   const char *x_column,
       *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
-  double step;    /* m, of a text file that has heights alone; 0: it has positions */
+  double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
+                     the columns and the rows of a matrix; 0: as the file states */
   double missing; /* if has_missing: the height that marks a missing one */
   bool has_missing;
   aspi_filters filters;
@@ -38,65 +44,163 @@ aspi_profile_options aspi_profile_options_default(void);
 
 /* Findings and repairs of the reader. */
 typedef struct aspi_profile_report {
-  size_t points;      /* read from the file */
-  size_t bad;         /* bad points among them: not a number, or marked as bad */
   size_t spikes;      /* points taken for spikes */
   size_t outliers;    /* where none are looked for: points that are clearly dust */
   size_t filled;      /* points of the result that were filled in */
-  size_t repeats;     /* positions that repeat the one before, whose heights were averaged */
   size_t longest_gap; /* most of them in a row */
-  bool resampled;
-  double step_least, step_most; /* spacing of the file's positions, in the unit of the result */
-  char text[700];               /* all of that as a sentence */
-  char warnings[440];           /* what makes the heights doubtful, or "" (warnings.h) */
+  char text[700];     /* all of that, and how the file was read, as a sentence */
+  char warnings[440]; /* what makes the heights doubtful, or "" */
 } aspi_profile_report;
 
 /* ASP_EARG and a message where one is out of its range. */
 asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error);
 
-/* Reads a measured profile, as a stream; see asp_reader. options NULL: the defaults; report may be
- * NULL. NULL on error; the message names file and line. */
-asp_profile *aspi_profile_read(const char *path, const aspi_profile_options *options,
+/* Read a measured profile or map from a stream at its beginning, or where that is NULL from the
+ * file `path`, level and repair it as the options ask; see asp_reader. `report` may be NULL, and of
+ * a profile the options: the defaults. NULL on error; the message names file and line. */
+asp_profile *aspi_profile_read(FILE *stream, const char *path, const aspi_profile_options *options,
                                aspi_profile_report *report, asp_error *error);
+asp_map *aspi_map_read(FILE *stream, const char *path, const aspi_profile_options *options,
+                       aspi_profile_report *report, asp_error *error);
 
-/* Writes what was read into a report, which has what was mended already. */
-void aspi_report(aspi_profile_report *report, const aspi_raw *raw,
-                 const aspi_profile_options *options);
+/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
+ * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
+ * unit. Of a map, the larger step, the shorter side and lambda_2. */
+asp_code aspi_sampling_check(double d_p, double spacing, double length, double lambda,
+                             asp_error *error);
 
-/* Formats, detected by the first bytes; SDF is that of ISO 25178-71. Detection rewinds the stream.
+/* ---- inside the room ---- */
+
+/* Heights as a file has them, row by row; a profile is one row. NAN where a height is bad or
+ * missing. Memory grows with what is read, so that a header's counts alone allocate nothing. */
+typedef struct aspi_raw {
+  void *heights; /* m; doubles, or of a map floats over its first good height, `zero` */
+  bool is_map;
+  size_t points, room, columns, rows;
+  double step[2];   /* m, between columns and rows; of a profile the first alone */
+  double zero;      /* NAN before the first good height */
+  size_t read, bad; /* points in the file, and the bad ones of them */
+  size_t bad_line;  /* where the first bad point or gap is; 0: not known */
+  bool resampled;
+  size_t repeats;               /* positions that repeat the one before */
+  bool falls;                   /* positions fall in the file */
+  int column[2];                /* of positions and heights, from 1, where there are others too */
+  int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
+  size_t end_line;              /* where the data end before the file does; 0: nowhere */
+  double step_least, step_most; /* m */
+} aspi_raw;
+
+static inline double aspi_raw_at(const aspi_raw *raw, size_t i) {
+  return raw->is_map ? (double)((const float *)raw->heights)[i] : ((const double *)raw->heights)[i];
+}
+
+static inline void aspi_raw_put(aspi_raw *raw, size_t i, double height) {
+  if (raw->is_map)
+    ((float *)raw->heights)[i] = (float)height;
+  else
+    ((double *)raw->heights)[i] = height;
+}
+
+/* Adds a height (m). */
+asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
+
+size_t aspi_raw_count_bad(const aspi_raw *raw);
+
+/* The least and the greatest good height; *least > *most where there is none. */
+void aspi_raw_range(const aspi_raw *raw, double *least, double *most);
+
+/* Formats, detected by the first bytes; SDF is that of ISO 25178-71. Detection rewinds the text.
  * ASP_EDATA for closed formats, with the name of a free program that converts them. */
 typedef enum aspi_format {
   ASP_FORMAT_TEXT,
   ASP_FORMAT_SDF_TEXT,
   ASP_FORMAT_SDF_BINARY
 } aspi_format;
-asp_code aspi_format_find(FILE *stream, const char *path, aspi_format *format, asp_error *error);
+asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error);
 
-/* The readers. Each begins with the first line that is not blank already in text->text, and leaves
- * raw->heights to be freed by the caller, on error too. */
+/* The readers, which leave raw->heights to be freed by the caller, on error too: a profile's
+ * columns of text, and SDF, with the first line in ASCII that is not blank already in text->text; a
+ * matrix of heights or lines of x, y, z as text, from its beginning. */
 asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                            asp_error *error);
-asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
-                       asp_error *error);
+asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
+                       aspi_raw *raw, asp_error *error);
+asp_code aspi_read_map_text(const aspi_text *text, const aspi_profile_options *options,
+                            aspi_raw *raw, asp_error *error);
 
-/* The header of an SDF text file, NAN for absent keys. Then its points x profiles heights in turn,
- * before z_scale, NAN for bad points; and the trailer that must follow them. */
-typedef struct aspi_sdf {
-  double points, profiles, x_scale, y_scale, z_scale, compression;
-} aspi_sdf;
+/* Points of a map in x, y and z, as they come. */
+enum { ASP_MAP_AXES = 3 };
+typedef struct aspi_map_points {
+  double (*at)[ASP_MAP_AXES];
+  size_t count, room;
+} aspi_map_points;
 
-/* Rejects options that SDF files do not need: they state units, spacing (`step`) and bad points. */
-asp_code aspi_sdf_check_options(const char *path, const aspi_profile_options *options, double step,
-                                asp_error *error);
+asp_code aspi_map_points_add(aspi_map_points *points, const double point[ASP_MAP_AXES],
+                             asp_error *error);
 
-asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error);
-asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
-                         asp_error *error);
-asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error);
+/* Puts them on their grid; unit: meters in one of each axis. ASP_EDATA where there is none. */
+asp_code aspi_map_points_place(const aspi_map_points *points, const char *path,
+                               const double unit[ASP_MAP_AXES], aspi_raw *raw, asp_error *error);
 
-/* Like aspi_profile_read, from an open stream; `path` is for messages only. */
-asp_profile *aspi_profile_read_stream(FILE *stream, const char *path,
-                                      const aspi_profile_options *options,
-                                      aspi_profile_report *report, asp_error *error);
+/* Takes out the form, marks spikes, fills gaps or refuses them, filters, and writes what it did
+ * into the report. */
+asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *options,
+                   aspi_profile_report *report, asp_error *error);
+
+/* Filters heights at equal spacing, in place. ASP_EARG where a length does not fit the profile. */
+asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_filters *filters,
+                     asp_error *error);
+
+/* ---- warnings about heights: dust, few steps, clipped ---- */
+
+/* Robust standard deviations off its neighbors at which a point is dust, not roughness. */
+#define ASP_SPIKES_CLEAR 20.0
+
+/* Heights as a file has them, before the form is taken out. */
+typedef struct aspi_steps {
+  size_t points, levels; /* levels: 0 if there are too many to count */
+  double quantum;        /* the least distance between neighbors of different height */
+  double end[2];         /* the lowest and the highest one */
+  size_t cut[2];         /* points that lie there side by side, where they are many; else 0 */
+} aspi_steps;
+
+aspi_steps aspi_steps_find(const aspi_raw *raw);
+
+/* The sentences, "" where there is no doubt; heights in m. `outliers`: points that lie
+ * ASP_SPIKES_CLEAR off their neighbors. */
+void aspi_warnings_write(const aspi_steps *steps, size_t outliers, char *text, size_t size);
+
+/* ---- heights that may stand for missing ones: what instruments write where they have none, as
+ * -9999, and values that recur far from all others ---- */
+
+enum { ASP_MISSING_KNOWN = 16 };
+
+/* A value, its number of occurrences, and the first place: a line, or the number of a point. */
+typedef struct aspi_missing_value {
+  size_t count, place;
+} aspi_missing_value;
+
+/* One end of the range of heights: the value there, and the one next to it. */
+typedef struct aspi_range_end {
+  double value, next;
+  aspi_missing_value met;
+} aspi_range_end;
+
+/* Starts as {.stated = NAN}, or with the height that the user declares as missing. */
+typedef struct aspi_missing {
+  double stated;
+  size_t count; /* of heights that are none of the known marks */
+  aspi_range_end low, high;
+  aspi_missing_value known[ASP_MISSING_KNOWN];
+  size_t near[ASP_MISSING_KNOWN]; /* heights within one hundredth of a mark */
+} aspi_missing;
+
+/* Takes in one height, as the file has it, and returns it; NAN where it is the stated one. */
+double aspi_missing_note(aspi_missing *marks, double height, size_t place);
+
+/* ASP_EDATA if a value most likely marks missing heights. A known mark does if it is far outside
+ * the range of the others, or recurs more often than all values near it. Any other value does if it
+ * recurs and is farther from the others than they are from each other. */
+asp_code aspi_missing_check(const aspi_missing *marks, const char *path, asp_error *error);
 
 #endif

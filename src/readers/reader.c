@@ -1,9 +1,8 @@
-/* The reader of measured profiles, set and asked by name.
+/* The reader of measured profiles and maps, set and asked by name.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "base/file.h"
-#include "readers/map_read.h"
+#include "readers/read.h"
 
 #include <limits.h>
 #include <math.h>
@@ -13,7 +12,6 @@
 struct asp_reader {
   aspi_profile_options options;
   aspi_profile_report report;
-  double step[2]; /* m, of a matrix of heights */
 };
 
 asp_reader *asp_reader_create(asp_error *error) {
@@ -39,7 +37,6 @@ typedef struct option {
 
 asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error) {
   aspi_profile_options o = reader->options;
-  double step[2] = {reader->step[0], reader->step[1]};
   const option all[] = {
       {.name = "unit_x", .number = &o.unit_x},
       {.name = "unit_z", .number = &o.unit_z},
@@ -50,8 +47,8 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
       {.name = "resample", .flag = &o.resample},
       {.name = "row", .whole = &o.row},
       {.name = "column", .whole = &o.column},
-      {.name = "step_x", .number = &step[0]},
-      {.name = "step_y", .number = &step[1]},
+      {.name = "step_x", .number = &o.step[0]},
+      {.name = "step_y", .number = &o.step[1]},
       {.name = "tip", .number = &o.filters.tip},
       {.name = "lambda_s", .number = &o.filters.lambda_s},
       {.name = "cutoff", .number = &o.filters.cutoff},
@@ -85,25 +82,15 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
   if (code)
     return code;
   reader->options = o;
-  reader->step[0] = step[0];
-  reader->step[1] = step[1];
   return ASP_OK;
 }
 
 asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error) {
-  reader->options.step = reader->step[0];
-  return aspi_profile_read(path, &reader->options, &reader->report, error);
+  return aspi_profile_read(NULL, path, &reader->options, &reader->report, error);
 }
 
 asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error) {
-  FILE *stream = aspi_file_open(path, error);
-  if (!stream)
-    return NULL;
-  reader->report = (aspi_profile_report){0};
-  aspi_map_options options = {&reader->options, {reader->step[0], reader->step[1]}};
-  asp_map *map = aspi_map_read_stream(stream, path, &options, &reader->report, error);
-  fclose(stream);
-  return map;
+  return aspi_map_read(NULL, path, &reader->options, &reader->report, error);
 }
 
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {

@@ -1,18 +1,30 @@
-/* Profiles and maps in SDF, ASCII (ISO 25178-71, and the older aBCR-1.0 with the same layout): a
- * header of `key = value` lines, a star, the heights of all profiles in turn, a star, a trailer. Of
- * a map one row or one column is kept. The binary form is for maps only (map_read.c).
+/* SDF (ISO 25178-71, and the older BCR-1.0 with the same layout). In ASCII: a header of `key =
+ * value` lines, a star, the heights of all profiles in turn, a star, a trailer. In binary, for maps
+ * only: 8 bytes of version, 10 of maker, two dates of 12, counts of 2 bytes each (of 4 in
+ * version 2.0), four doubles, three single bytes, and the heights row after row, all in
+ * little-endian order. A map is read whole; a profile is one of its rows or columns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/read.h"
+#include "surface/map.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+/* A header, NAN for absent keys; type: that of the heights in binary, -1 in ASCII. */
+typedef struct sdf {
+  double points, profiles, x_scale, y_scale, z_scale, compression;
+  int type;
+} sdf;
+
+/* ---- header in ASCII ---- */
+
 /* The variable of a key; NULL for keys that do not matter here. */
-static double *place_of(aspi_sdf *h, const char *key) {
+static double *place_of(sdf *h, const char *key) {
   const struct {
     const char *key;
     double *place;
@@ -26,7 +38,7 @@ static double *place_of(aspi_sdf *h, const char *key) {
 }
 
 /* One line of the header; *ends at the star. */
-static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *error) {
+static asp_code read_key(aspi_text *text, sdf *h, bool *ends, asp_error *error) {
   char *line = aspi_text_trim(text->text);
   *ends = strcmp(line, "*") == 0;
   if (*ends || !*line)
@@ -45,7 +57,7 @@ static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *er
   return ASP_OK;
 }
 
-static asp_code check_counts(const aspi_text *text, const aspi_sdf *h, asp_error *error) {
+static asp_code check_counts(const aspi_text *text, const sdf *h, asp_error *error) {
   const struct {
     const char *key;
     double value;
@@ -61,7 +73,7 @@ static asp_code check_counts(const aspi_text *text, const aspi_sdf *h, asp_error
   return ASP_OK;
 }
 
-static asp_code check_scales(const aspi_text *text, const aspi_sdf *h, asp_error *error) {
+static asp_code check_scales(const aspi_text *text, const sdf *h, asp_error *error) {
   const struct {
     const char *key;
     double value;
@@ -82,28 +94,8 @@ static asp_code check_scales(const aspi_text *text, const aspi_sdf *h, asp_error
   return ASP_OK;
 }
 
-asp_code aspi_sdf_check_options(const char *path, const aspi_profile_options *options, double step,
-                                asp_error *error) {
-  const struct {
-    const char *name;
-    bool given;
-  } all[] = {{"unit", options->unit_x > 0 || options->unit_z > 0},
-             {"step", step > 0},
-             {"missing", options->has_missing},
-             {"x-column", options->x_column || options->x_number > 0},
-             {"z-column", options->z_column != NULL}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (all[i].given)
-      return aspi_fail(
-          error, ASP_EARG,
-          "%.200s: %s is given; a file in SDF states its units, spacing and bad points "
-          "itself",
-          path, all[i].name);
-  return ASP_OK;
-}
-
-asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
-  *h = (aspi_sdf){NAN, NAN, NAN, NAN, NAN, 0};
+static asp_code read_text_header(aspi_text *text, sdf *h, asp_error *error) {
+  *h = (sdf){NAN, NAN, NAN, NAN, NAN, 0, -1};
   for (bool ends = false, found; !ends;) {
     asp_code code = aspi_text_line(text, &found, error);
     if (!code && !found)
@@ -117,9 +109,96 @@ asp_code aspi_sdf_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
   return code ? code : check_scales(text, h, error);
 }
 
-/* One height of the map; *height is NAN where it is marked as bad. */
-asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
-                         asp_error *error) {
+/* ---- binary ---- */
+
+static uint64_t whole(const unsigned char *bytes, int size) {
+  uint64_t value = 0;
+  for (int k = size - 1; k >= 0; k--)
+    value = value << 8 | bytes[k];
+  return value;
+}
+
+static double real64(const unsigned char *bytes) {
+  uint64_t bits = whole(bytes, 8);
+  double value;
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+static double real32(const unsigned char *bytes) {
+  uint32_t bits = (uint32_t)whole(bytes, 4);
+  float value;
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+/* The types of a height by their number, with the mark of a bad one: the least of signed and real
+ * types, the most of unsigned ones (those of one byte have none). */
+enum { TYPES = 8 };
+static const int size_of[TYPES] = {1, 2, 4, 4, 1, 2, 4, 8};
+
+static double height_of(const unsigned char *bytes, int type) {
+  uint64_t bits = whole(bytes, size_of[type]);
+  uint64_t half = (uint64_t)1 << (8 * size_of[type] - 1), full = half + (half - 1);
+  switch (type) {
+  case 0:
+    return (double)bits;
+  case 1:
+  case 2:
+    return bits == full ? NAN : (double)bits;
+  case 3: {
+    double value = real32(bytes);
+    return fabs(value) < 3e38 ? value : NAN;
+  }
+  case 7: {
+    double value = real64(bytes);
+    return fabs(value) < 1e300 ? value : NAN;
+  }
+  default:
+    return bits == half && type != 4 ? NAN
+           : bits < half             ? (double)bits
+                                     : (double)bits - 2 * (double)half;
+  }
+}
+
+static asp_code cut_short(const aspi_text *text, const char *what, asp_error *error) {
+  return aspi_fail(error, ASP_EDATA, "%.200s: the file ends within its %s", text->path, what);
+}
+
+static asp_code read_binary_header(const aspi_text *text, sdf *h, asp_error *error) {
+  unsigned char head[96];
+  size_t width = 2, at = 8 + 10 + 12 + 12;
+  if (fread(head, 1, 8, text->stream) != 8)
+    return cut_short(text, "header", error);
+  if (memcmp(head + 1, "ISO-2", 5) == 0)
+    width = 4;
+  size_t length = at + 2 * width + 4 * 8 + 3;
+  if (fread(head + 8, 1, length - 8, text->stream) != length - 8)
+    return cut_short(text, "header", error);
+  const unsigned char *scales = head + at + 2 * width;
+  *h = (sdf){.points = (double)whole(head + at, (int)width),
+             .profiles = (double)whole(head + at + width, (int)width),
+             .x_scale = real64(scales),
+             .y_scale = real64(scales + 8),
+             .z_scale = real64(scales + 16),
+             .compression = scales[32],
+             .type = scales[33]};
+  return ASP_OK;
+}
+
+/* ---- heights ---- */
+
+/* A height, before z_scale; NAN where it is marked as bad. */
+static asp_code read_height(aspi_text *text, const sdf *h, size_t index, double *height,
+                            asp_error *error) {
+  if (h->type >= 0) {
+    unsigned char bytes[8];
+    size_t size = (size_t)size_of[h->type];
+    if (fread(bytes, 1, size, text->stream) != size)
+      return cut_short(text, "heights", error);
+    *height = height_of(bytes, h->type);
+    return ASP_OK;
+  }
   bool found;
   asp_code code = aspi_text_word(text, &found, error);
   if (code)
@@ -134,9 +213,10 @@ asp_code aspi_sdf_height(aspi_text *text, const aspi_sdf *h, size_t index, doubl
   return ASP_OK;
 }
 
-asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error) {
-  bool found;
-  asp_code code = aspi_text_word(text, &found, error);
+/* The star behind the heights in ASCII. */
+static asp_code read_end(aspi_text *text, const sdf *h, asp_error *error) {
+  bool found = false;
+  asp_code code = h->type < 0 ? aspi_text_word(text, &found, error) : ASP_OK;
   if (!code && found && text->text[0] != '*')
     code = aspi_text_fail(text, text->line, error,
                           "'%.40s' after the last of %.0f x %.0f heights, where a * is expected",
@@ -144,33 +224,79 @@ asp_code aspi_sdf_end(aspi_text *text, const aspi_sdf *h, asp_error *error) {
   return code;
 }
 
-/* Row or column of a map to keep, from 1; the other is 0. */
-typedef struct section {
-  size_t row, column;
-} section;
-
-static asp_code read_map(aspi_text *text, const aspi_sdf *h, section kept, aspi_raw *raw,
-                         asp_error *error) {
+/* Reads all heights and keeps those of a map, or of a profile's row or column, from 1; the other
+ * one is 0. */
+static asp_code read_heights(aspi_text *text, const sdf *h, size_t row_kept, size_t column_kept,
+                             aspi_raw *raw, asp_error *error) {
   size_t points = (size_t)h->points, profiles = (size_t)h->profiles;
   for (size_t row = 1; row <= profiles; row++)
     for (size_t column = 1; column <= points; column++) {
       double height;
-      asp_code code = aspi_sdf_height(text, h, (row - 1) * points + column - 1, &height, error);
-      if (!code && (row == kept.row || column == kept.column)) {
-        if (isnan(height) && raw->bad++ == 0)
+      asp_code code = read_height(text, h, (row - 1) * points + column - 1, &height, error);
+      if (!code && (raw->is_map || row == row_kept || column == column_kept)) {
+        if (!raw->is_map && isnan(height) && raw->bad++ == 0)
           raw->bad_line = text->line;
         code = aspi_raw_add(raw, height * h->z_scale, error);
       }
       if (code)
         return code;
     }
-  return aspi_sdf_end(text, h, error);
+  return read_end(text, h, error);
 }
 
-asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
-                       asp_error *error) {
-  aspi_sdf h;
-  asp_code code = aspi_sdf_header(text, &h, error);
+/* ---- both ---- */
+
+/* Rejects options that SDF files do not need: they state units, spacing and bad points. */
+static asp_code check_options(const char *path, const aspi_profile_options *options,
+                              asp_error *error) {
+  const struct {
+    const char *name;
+    bool given;
+  } all[] = {{"unit", options->unit_x > 0 || options->unit_z > 0},
+             {"step", options->step[0] > 0},
+             {"missing", options->has_missing},
+             {"x-column", options->x_column || options->x_number > 0},
+             {"z-column", options->z_column != NULL}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (all[i].given)
+      return aspi_fail(
+          error, ASP_EARG,
+          "%.200s: %s is given; a file in SDF states its units, spacing and bad points "
+          "itself",
+          path, all[i].name);
+  return ASP_OK;
+}
+
+static asp_code check_map(const char *path, const sdf *h, asp_error *error) {
+  const double side_most = ASP_MAP_SIDE_MOST;
+  const struct {
+    const char *name;
+    double value, least, most;
+  } all[] = {{"NumPoints", h->points, ASP_MAP_SIDE_LEAST, side_most},
+             {"NumProfiles", h->profiles, ASP_MAP_SIDE_LEAST, side_most},
+             {"Xscale", h->x_scale, 1e-15, 1e9},
+             {"Yscale", h->y_scale, 1e-15, 1e9},
+             {"Zscale", h->z_scale, 1e-300, 1e300}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (!(all[i].value >= all[i].least && all[i].value <= all[i].most))
+      return aspi_fail(error, ASP_EDATA, "%.200s: %s is %g; it must be %g to %g", path, all[i].name,
+                       all[i].value, all[i].least, all[i].most);
+  if (h->compression > 0)
+    return aspi_fail(error, ASP_EDATA, "%.200s: Compression is %g; only 0 can be read", path,
+                     h->compression);
+  if (h->type >= TYPES)
+    return aspi_fail(error, ASP_EDATA, "%.200s: DataType is %d; it must be 0 to 7", path, h->type);
+  return ASP_OK;
+}
+
+asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
+                       aspi_raw *raw, asp_error *error) {
+  sdf h;
+  asp_code code = check_options(text->path, options, error);
+  if (!code)
+    code = binary ? read_binary_header(text, &h, error) : read_text_header(text, &h, error);
+  if (!code && raw->is_map)
+    code = check_map(text->path, &h, error);
   if (code)
     return code;
   bool by_column = options->column > 0;
@@ -180,8 +306,13 @@ asp_code aspi_read_sdf(aspi_text *text, const aspi_profile_options *options, asp
     return aspi_text_fail(text, text->line, error, "%s %d is asked for; the map has %.0f",
                           by_column ? "column" : "row", chosen, most);
   raw->step[0] = by_column ? h.y_scale : h.x_scale;
-  section kept = {by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0};
-  code = read_map(text, &h, kept, raw, error);
+  raw->step[1] = h.y_scale;
+  if (raw->is_map) {
+    raw->columns = (size_t)h.points;
+    raw->rows = (size_t)h.profiles;
+  }
+  code = read_heights(text, &h, by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0, raw,
+                      error);
   raw->read = raw->points;
   raw->step_least = raw->step_most = raw->step[0];
   return code;

@@ -1,8 +1,8 @@
-/* Doubts about measured heights; see warnings.h. And about how they are sampled: points per
+/* Doubts about measured heights; see read.h. And about how they are sampled: points per
  * particle, and the length in correlation lengths.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "readers/warnings.h"
+#include "readers/read.h"
 #include "base/error.h"
 
 #include <math.h>

@@ -47,17 +47,11 @@ const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index
 
 asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
                              asp_error *error) {
-  size_t length = strlen(word), n;
-  int index = 0;
-  for (const char *at = parameter->words; *at; at += n + (at[n] == ' '), index++) {
-    n = strcspn(at, " ");
-    if (n != length || strncmp(at, word, n) != 0)
-      continue;
-    *value = index;
-    return ASP_OK;
-  }
-  return aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s", parameter->name, word,
-                   parameter->words);
+  int index = aspi_word_index(parameter->words, word, strlen(word), true);
+  *value = index;
+  return index >= 0 ? ASP_OK
+                    : aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s",
+                                parameter->name, word, parameter->words);
 }
 
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error) {

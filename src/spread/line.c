@@ -66,15 +66,6 @@ void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t st
   set_fall_least(line);
 }
 
-/* The path of the center over a profile: the profile itself for a point. */
-static asp_profile *path_of(const asp_profile *profile, double d_p, asp_error *error) {
-  if (d_p > 0)
-    return aspi_profile_path(profile, d_p, ASP_LINE_POINTS_MOST, error);
-  return asp_profile_from_heights(asp_profile_heights(profile), asp_profile_points(profile),
-                                  asp_profile_spacing(profile), aspi_profile_periodic(profile),
-                                  error);
-}
-
 asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, double d_p,
                                 asp_error *error) {
   asp_error own;
@@ -82,9 +73,10 @@ asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, dou
   *line = (aspi_line){0};
   if (aspi_check_range(error, "d_p", "", d_p, 0, INFINITY))
     return error->code;
-  asp_profile *path = path_of(profile, d_p, error);
-  if (!path)
+  asp_profile *rolled = NULL; /* a point follows the profile itself */
+  if (d_p > 0 && !(rolled = aspi_profile_path(profile, d_p, ASP_LINE_POINTS_MOST, error)))
     return error->code;
+  const asp_profile *path = rolled ? rolled : profile;
   size_t points = asp_profile_points(path);
   size_t n = aspi_profile_periodic(path) ? points : 2 * points - 2;
   asp_code code = aspi_line_create(line, n, 1, error);
@@ -97,7 +89,7 @@ asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, dou
     line->end_z[i] = z[k < points ? k : 2 * points - 2 - k] * unit;
     line->slope[i] = line->end_z[i] - begin;
   }
-  asp_profile_free(path);
+  asp_profile_free(rolled);
   if (!code)
     set_fall_least(line);
   return code;

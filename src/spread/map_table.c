@@ -3,14 +3,165 @@
  * own, the nearer one more often. Nothing here is Gaussian: the ellipse of the map's
  * autocorrelation only gives the lay, the number of directions, and the spacing of the lines.
  *
+ * A particle in straight flight stays in a vertical plane, so its first hit, its escape and its
+ * next hit in the same direction depend only on the line under it. Lines of one azimuth, joined end
+ * to end, make a long line with the statistics of the map.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/map_table.h"
 #include "base/error.h"
-#include "spread/map_lines.h"
-#include "surface/map_describe.h"
+#include "surface/describe.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+/* ---- lines at one azimuth ---- */
+
+/* The golden section: its multiples modulo 1 spread evenly, for any number of them. */
+#define GOLDEN 0.6180339887498949
+
+/* Clips the straight line through (x, y) to the map: t from [0] to [1]. False: it passes by. */
+static bool clip(const asp_map *map, double x, double y, double ex, double ey, double t[2]) {
+  const double at[2] = {x, y}, way[2] = {ex, ey};
+  const double side[2] = {(double)(map->columns - 1) * map->step[0],
+                          (double)(map->rows - 1) * map->step[1]};
+  t[0] = -INFINITY;
+  t[1] = INFINITY;
+  for (int k = 0; k < 2; k++) {
+    if (!(fabs(way[k]) > 1e-12)) {
+      if (at[k] < 0 || at[k] > side[k])
+        return false;
+      continue;
+    }
+    double a = -at[k] / way[k], b = (side[k] - at[k]) / way[k];
+    t[0] = fmax(t[0], fmin(a, b));
+    t[1] = fmin(t[1], fmax(a, b));
+  }
+  return t[1] > t[0];
+}
+
+/* Points of the lines so far. */
+typedef struct joined {
+  float *z, *p, *q;
+  size_t count, room;
+  double height, slope; /* rms of the map, to compare by */
+} joined;
+
+static void measure(const asp_map *map, joined *c) {
+  double mean = 0, height = 0, slope = 0, n = (double)map->columns * (double)map->rows;
+  for (size_t i = 0; i < map->columns * map->rows; i++)
+    mean += map->heights[i] / n;
+  for (size_t i = 0; i + 1 < map->columns * map->rows; i++) {
+    double z = map->heights[i], rise = (map->heights[i + 1] - z) / map->step[0];
+    height += (z - mean) * (z - mean) / n;
+    slope += rise * rise / n;
+  }
+  c->height = sqrt(height);
+  c->slope = sqrt(slope);
+}
+
+/* Points at both ends that are searched for the best place to join two lines. */
+enum { JOINT = 64 };
+
+/* Cuts the end of the last line and the beginning of the one at `first` where they agree best in
+ * height and slope, so that a flight from one to the other meets no step. */
+static void join(joined *c, size_t first, double height, double slope) {
+  size_t ahead = c->count - first < JOINT ? c->count - first : JOINT, end = first, begin = first;
+  size_t behind = first < JOINT ? first : JOINT;
+  double least = INFINITY;
+  for (size_t i = first - behind + 1; i < first; i++)
+    for (size_t k = first; k < first + ahead; k++) {
+      double dz = (c->z[k] - c->z[i]) / height, dp = (c->p[k] - c->p[i]) / slope;
+      if (dz * dz + dp * dp < least) {
+        least = dz * dz + dp * dp;
+        end = i;
+        begin = k;
+      }
+    }
+  size_t kept = c->count - begin;
+  memmove(c->z + end, c->z + begin, kept * sizeof *c->z);
+  memmove(c->p + end, c->p + begin, kept * sizeof *c->p);
+  memmove(c->q + end, c->q + begin, kept * sizeof *c->q);
+  c->count = end + kept;
+}
+
+/* Fills one line after the other, until the room is full. */
+static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, double step,
+                double apart, joined *c) {
+  double ex = cos(azimuth), ey = sin(azimuth);
+  double width = (double)(map->columns - 1) * map->step[0];
+  double height = (double)(map->rows - 1) * map->step[1];
+  double half = 0.5 * (fabs(ey) * width + fabs(ex) * height);
+  size_t lines = (size_t)ceil(2 * half / apart);
+  for (size_t k = 0; k < lines; k++) {
+    /* Offset from the middle, each line within its own strip of the width. */
+    double part = fmod(GOLDEN * (double)(k + 1), 1);
+    double off = -half + apart * ((double)k + part), t[2];
+    double x = 0.5 * width - off * ey, y = 0.5 * height + off * ex;
+    if (!clip(map, x, y, ex, ey, t))
+      continue;
+    size_t first = c->count;
+    aspi_ball_search search = aspi_ball_begin(ball);
+    for (double s = t[0]; s < t[1] && c->count < c->room; s += step) {
+      aspi_touch touch = aspi_ball_at(&search, x + s * ex, y + s * ey);
+      c->z[c->count] = (float)touch.height;
+      c->p[c->count] = (float)(ex * touch.p + ey * touch.q);
+      c->q[c->count++] = (float)(ex * touch.q - ey * touch.p);
+    }
+    if (first > 0 && c->count > first)
+      join(c, first, c->height, c->slope);
+  }
+}
+
+/* Turns the slopes across the line, for a flight the other way. */
+static void turn(float *q, size_t n) {
+  for (size_t i = 0; i < (n + 1) / 2; i++) {
+    float keep = q[i];
+    q[i] = -q[n - 1 - i];
+    q[n - 1 - i] = -keep;
+  }
+}
+
+asp_code aspi_map_line_tables(const aspi_ball *ball, const asp_map *map, double azimuth,
+                              double step, size_t points, aspi_line_table *tables[2],
+                              asp_error *error) {
+  double area = (double)(map->columns - 1) * map->step[0] * (double)(map->rows - 1) * map->step[1];
+  double apart = area / (step * (double)points);
+  joined c = {.room = points + points / 4};
+  c.z = malloc(c.room * sizeof *c.z);
+  c.p = malloc(c.room * sizeof *c.p);
+  c.q = malloc(c.room * sizeof *c.q);
+  measure(map, &c);
+  asp_code code = ASP_OK;
+  tables[0] = tables[1] = NULL;
+  if (!c.z || !c.p || !c.q)
+    code = aspi_fail(error, ASP_ENOMEM, "out of memory for lines of %zu points over a map", points);
+  if (!code)
+    lay(ball, map, azimuth, step, apart, &c);
+  for (int way = 0; way < 2 && !code; way++) {
+    aspi_line line;
+    code = aspi_line_create(&line, c.count, step, error);
+    if (code)
+      break;
+    aspi_line_set(&line, c.z, c.p, way ? -1 : 1);
+    if (way)
+      turn(c.q, c.count);
+    tables[way] = aspi_line_table_create(&line, c.q, error);
+    code = tables[way] ? ASP_OK : ASP_ENOMEM;
+    aspi_line_free(&line);
+  }
+  if (code) {
+    aspi_line_table_free(tables[0]);
+    tables[0] = NULL;
+  }
+  free(c.z);
+  free(c.p);
+  free(c.q);
+  return code;
+}
+
+/* ---- all of them ---- */
 
 /* Directions around the circle, an even number: of a wall nearly without a lay, and of others. */
 enum { DIRECTIONS_FEW = 8, DIRECTIONS_MANY = 36, POINTS = 400000 };

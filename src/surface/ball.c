@@ -18,84 +18,37 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { LEVELS_MOST = 20, STEPS = 4 };
+enum { STEPS = 4 };
 
 /* The refined point stays within this many steps of the sampled one. */
 #define STRAY_MOST 1.5
 
-/* Maxima of blocks of 2^k x 2^k points. */
-typedef struct level {
-  ptrdiff_t columns, rows;
-  const float *most;
-} level;
-
 struct aspi_ball {
   const asp_map *map;
-  double radius, top;
-  int levels;
-  level level[LEVELS_MOST];
-  float *memory;
+  double radius;
+  aspi_pyramid pyramid;
 };
-
-static float larger(float a, float b) {
-  return a > b ? a : b;
-}
-
-static void build_level(const level *below, level *at, float *most) {
-  for (ptrdiff_t j = 0; j < at->rows; j++) {
-    const float *one = below->most + 2 * j * below->columns;
-    const float *two = 2 * j + 1 < below->rows ? one + below->columns : one;
-    for (ptrdiff_t i = 0; i < at->columns; i++) {
-      ptrdiff_t a = 2 * i, b = a + 1 < below->columns ? a + 1 : a;
-      most[j * at->columns + i] = larger(larger(one[a], one[b]), larger(two[a], two[b]));
-    }
-  }
-  at->most = most;
-}
-
-static size_t count_levels(aspi_ball *ball) {
-  size_t total = 0;
-  ball->level[0] =
-      (level){(ptrdiff_t)ball->map->columns, (ptrdiff_t)ball->map->rows, ball->map->heights};
-  for (ball->levels = 1; ball->levels < LEVELS_MOST; ball->levels++) {
-    const level *below = &ball->level[ball->levels - 1];
-    if (below->columns == 1 && below->rows == 1)
-      break;
-    level *at = &ball->level[ball->levels];
-    *at = (level){(below->columns + 1) / 2, (below->rows + 1) / 2, NULL};
-    total += (size_t)(at->columns * at->rows);
-  }
-  return total;
-}
 
 aspi_ball *aspi_ball_create(const asp_map *map, double d_p, asp_error *error) {
   double side = fmin((double)map->columns * map->step[0], (double)map->rows * map->step[1]);
   if (aspi_check_range(error, "d_p", "", d_p, 0, side))
     return NULL;
   aspi_ball *ball = calloc(1, sizeof *ball);
-  if (ball) {
-    ball->map = map;
-    ball->radius = 0.5 * d_p;
-    ball->memory = malloc(count_levels(ball) * sizeof *ball->memory);
-  }
-  if (!ball || !ball->memory) {
+  if (!ball || !aspi_pyramid_create(&ball->pyramid, map->heights, map->columns, map->rows)) {
     free(ball);
     aspi_fail(error, ASP_ENOMEM, "out of memory for a sphere on a map of %zu x %zu points",
               map->columns, map->rows);
     return NULL;
   }
-  float *next = ball->memory;
-  for (int k = 1; k < ball->levels; k++) {
-    build_level(&ball->level[k - 1], &ball->level[k], next);
-    next += ball->level[k].columns * ball->level[k].rows;
-  }
-  ball->top = *ball->level[ball->levels - 1].most;
+  ball->map = map;
+  ball->radius = 0.5 * d_p;
+  aspi_pyramid_fill(&ball->pyramid);
   return ball;
 }
 
 void aspi_ball_free(aspi_ball *ball) {
   if (ball)
-    free(ball->memory);
+    free(ball->pyramid.memory);
   free(ball);
 }
 
@@ -122,7 +75,7 @@ static bool lifts(const search *s, double height, double square) {
 
 static void look(search *s, int k, ptrdiff_t i, ptrdiff_t j) {
   const aspi_ball *ball = s->ball;
-  const level *at = &ball->level[k];
+  const aspi_level *at = &ball->pyramid.level[k];
   double dx = ball->map->step[0], dy = ball->map->step[1];
   double width = (double)((ptrdiff_t)1 << k);
   double u = dx * outside(s->x, (double)i * width, (double)(i + 1) * width - 1);
@@ -136,7 +89,7 @@ static void look(search *s, int k, ptrdiff_t i, ptrdiff_t j) {
     s->at[1] = j + s->image[1];
     return;
   }
-  const level *below = at - 1;
+  const aspi_level *below = at - 1;
   /* The nearer children first. */
   ptrdiff_t i0 = 2 * i, j0 = 2 * j, si = 0, sj = 0;
   if (s->x > ((double)i + 0.5) * width)
@@ -164,11 +117,11 @@ static ptrdiff_t clipped(double i, ptrdiff_t n) {
 static void look_at_image(search *s, double reach_x, double reach_y) {
   const aspi_ball *ball = s->ball;
   int k = 0;
-  while (k + 1 < ball->levels && (double)((ptrdiff_t)1 << k) < fmax(reach_x, reach_y))
+  while (k + 1 < ball->pyramid.levels && (double)((ptrdiff_t)1 << k) < fmax(reach_x, reach_y))
     k++;
   double width = (double)((ptrdiff_t)1 << k);
-  const level *at = &ball->level[k];
-  ptrdiff_t columns = ball->level[0].columns, rows = ball->level[0].rows;
+  const aspi_level *at = &ball->pyramid.level[k];
+  ptrdiff_t columns = ball->pyramid.level[0].columns, rows = ball->pyramid.level[0].rows;
   if (s->x + reach_x < 0 || s->x - reach_x > (double)(columns - 1) || s->y + reach_y < 0 ||
       s->y - reach_y > (double)(rows - 1))
     return;
@@ -211,7 +164,7 @@ static search find(const aspi_ball *ball, double x, double y, const ptrdiff_t fr
     return s;
   }
   offer(&s, i + from[0], j + from[1]);
-  double drop = fmax(0, s.best - ball->top);
+  double drop = fmax(0, s.best - ball->pyramid.top);
   double reach = sqrt(fmax(0, ball->radius * ball->radius - drop * drop));
   double reach_x = reach / map->step[0], reach_y = reach / map->step[1];
   ptrdiff_t columns = (ptrdiff_t)map->columns, rows = (ptrdiff_t)map->rows;

@@ -14,6 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
+#define SPACINGS_LEAST 1.5
+
 /* Heights smaller than this part of the largest coordinate are rounding. */
 #define ROUNDING 1e-13
 
@@ -104,17 +107,25 @@ asp_code aspi_profile_describe(const asp_profile *profile, double level,
   return ASP_OK;
 }
 
-asp_code aspi_description_check(const aspi_description *d, double phi_r_most, asp_error *error) {
-  if (d->lambda_c < ASP_SPACINGS_LEAST * d->spacing)
+asp_code aspi_roughness_check(const char *which, double lambda, double step, const char *remedy,
+                              const char *ratio, double phi_r, double phi_r_most,
+                              asp_error *error) {
+  if (lambda < SPACINGS_LEAST * step)
+    return aspi_fail(
+        error, ASP_EDATA,
+        "the %scorrelation length, %g, is less than %g spacings of the points: this is "
+        "noise, or sampled too coarsely%s",
+        which, lambda, SPACINGS_LEAST, remedy);
+  if (phi_r > phi_r_most)
     return aspi_fail(error, ASP_EDATA,
-                     "the correlation length, %g, is less than %g spacings of the points: this is "
-                     "noise, or sampled too coarsely; take short waves out (asperity surface "
-                     "--filter)",
-                     d->lambda_c, ASP_SPACINGS_LEAST);
-  if (d->phi_r > phi_r_most)
-    return aspi_fail(error, ASP_EDATA,
-                     "phi_r = R_q/lambda_c is %g; over %g is no roughness: are the units of "
-                     "positions and heights right (asperity surface --unit)?",
-                     d->phi_r, phi_r_most);
+                     "phi_r = %s is %g; over %g is no roughness: are the units of positions and "
+                     "heights right (asperity surface --unit)?",
+                     ratio, phi_r, phi_r_most);
   return ASP_OK;
+}
+
+asp_code aspi_description_check(const aspi_description *d, double phi_r_most, asp_error *error) {
+  return aspi_roughness_check("", d->lambda_c, d->spacing,
+                              "; take short waves out (asperity surface --filter)", "R_q/lambda_c",
+                              d->phi_r, phi_r_most, error);
 }

@@ -1,17 +1,14 @@
-/* A profile in numbers.
+/* A profile or a map in numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SURFACE_DESCRIBE_H
 #define ASP_SURFACE_DESCRIBE_H
 
-#include "asperity.h"
+#include "surface/map.h"
 
 /* Levels of the autocorrelation that define the correlation length. */
 #define ASP_LEVEL_1_E 0.36787944117144233
 #define ASP_LEVEL_S_AL 0.2 /* S_al of ISO 25178-2 */
-
-/* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
-#define ASP_SPACINGS_LEAST 1.5
 
 /* Standard error of the mean tilt of first hits at 2 degrees, as a part of sigma: 0.11 for a
  * profile of 100 correlation lengths, proportional to 1/sqrt(length) (from ensembles of generated
@@ -38,5 +35,39 @@ asp_code aspi_profile_describe(const asp_profile *profile, double level,
  * uncorrelated neighboring points, as in noise. */
 asp_code aspi_description_check(const aspi_description *description, double phi_r_most,
                                 asp_error *error);
+
+/* ---- maps ---- */
+
+/* The parameters are those of ISO 25178-2, of the map as it is, without a filter. */
+typedef struct aspi_map_description {
+  double s_q, s_a;           /* rms and mean absolute height */
+  double s_sk, s_ku;         /* skewness, kurtosis (3 for a normal law) */
+  double s_p, s_v, s_z;      /* highest peak, deepest valley, both together */
+  double s_dq;               /* rms gradient */
+  double s_al, s_tr;         /* shortest way to the autocorrelation 0.2; that over the longest */
+  double lambda_1, lambda_2; /* the half axes of the 1/e contour, lambda_1 <= lambda_2 */
+  double lay;                /* the direction of the longer one, from x toward y, 0 to pi */
+  double phi_r;              /* s_q / lambda_1 */
+  bool long_enough;          /* the contours close within the map */
+} aspi_map_description;
+
+/* Describes a map; ASP_EDATA when it is constant, or too small for its autocorrelation to fall to
+ * 1/e in any direction. Where it falls along some directions only, the ellipse is that of these,
+ * and s_tr is not a number. */
+asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description, asp_error *error);
+
+/* The rms and the skewness of n gradients p, q to the right of the lay and along it; mixed: the
+ * mean of the product of the slopes to the left of it and along it. */
+void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],
+                            double skewness[2], double *mixed);
+
+/* ASP_EDATA for what cannot be roughness: noise, and phi_r over its most. */
+asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
+                        asp_error *error);
+
+/* The same check of a wall of either kind: by its `which` correlation length and phi_r, the
+ * `ratio`; `remedy` ends the message about noise. */
+asp_code aspi_roughness_check(const char *which, double lambda, double step, const char *remedy,
+                              const char *ratio, double phi_r, double phi_r_most, asp_error *error);
 
 #endif

@@ -175,6 +175,38 @@ asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows,
   return aspi_map_adopt(copy, columns, rows, (const double[2]){step_x, step_y}, periodic, error);
 }
 
+bool aspi_pyramid_create(aspi_pyramid *p, float *points, size_t columns, size_t rows) {
+  size_t total = 0;
+  *p = (aspi_pyramid){.levels = 1};
+  aspi_level *at = p->level;
+  *at = (aspi_level){(ptrdiff_t)columns, (ptrdiff_t)rows, points};
+  for (; p->levels < ASPI_LEVELS_MOST && (at->columns > 1 || at->rows > 1); p->levels++) {
+    at[1] = (aspi_level){(at->columns + 1) / 2, (at->rows + 1) / 2, NULL};
+    at++;
+    total += (size_t)(at->columns * at->rows);
+  }
+  return (p->memory = malloc((total + 1) * sizeof *p->memory));
+}
+
+void aspi_pyramid_fill(aspi_pyramid *p) {
+  float *next = p->memory;
+  for (int k = 1; k < p->levels; k++) {
+    const aspi_level *below = &p->level[k - 1];
+    aspi_level *at = &p->level[k];
+    at->most = next;
+    for (ptrdiff_t j = 0; j < at->rows; j++) {
+      const float *one = below->most + 2 * j * below->columns;
+      const float *two = 2 * j + 1 < below->rows ? one + below->columns : one;
+      for (ptrdiff_t i = 0; i < at->columns; i++) {
+        ptrdiff_t a = 2 * i, b = a + 1 < below->columns ? a + 1 : a;
+        *next++ =
+            aspi_larger_float(aspi_larger_float(one[a], one[b]), aspi_larger_float(two[a], two[b]));
+      }
+    }
+  }
+  p->top = *p->level[p->levels - 1].most;
+}
+
 size_t asp_map_columns(const asp_map *map) {
   return map->columns;
 }

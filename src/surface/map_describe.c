@@ -4,10 +4,9 @@
  * ellipse; M is fitted to the contour by least squares.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/map_describe.h"
+#include "surface/describe.h"
 #include "base/error.h"
 #include "base/least_squares.h"
-#include "surface/describe.h"
 #include "surface/profile.h"
 
 #include <gsl/gsl_statistics_float.h>
@@ -258,16 +257,6 @@ double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
 
 asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
                         asp_error *error) {
-  double step = fmin(map->step[0], map->step[1]);
-  if (d->lambda_1 < ASP_SPACINGS_LEAST * step)
-    return aspi_fail(error, ASP_EDATA,
-                     "the shorter correlation length, %g, is less than %g spacings of the points: "
-                     "this is noise, or sampled too coarsely",
-                     d->lambda_1, ASP_SPACINGS_LEAST);
-  if (d->phi_r > phi_r_most)
-    return aspi_fail(error, ASP_EDATA,
-                     "phi_r = S_q/lambda_1 is %g; over %g is no roughness: are the units of "
-                     "positions and heights right (asperity surface --unit)?",
-                     d->phi_r, phi_r_most);
-  return ASP_OK;
+  return aspi_roughness_check("shorter ", d->lambda_1, fmin(map->step[0], map->step[1]), "",
+                              "S_q/lambda_1", d->phi_r, phi_r_most, error);
 }

@@ -8,6 +8,7 @@
 #include "surface/closing.h"
 #include "surface/profile.h"
 
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,13 +39,6 @@ aspi_moments aspi_moments_of(const double *values, size_t count) {
   }
   return m;
 }
-
-struct aspi_density {
-  double lo, step, bandwidth;
-  double least; /* one value, spread over the range */
-  size_t points;
-  double value[];
-};
 
 /* Splits each value between the two points next to it. Returns the number of values within. */
 static double share(const double *values, size_t count, const aspi_density *d, double *share) {
@@ -139,24 +133,6 @@ aspi_density *aspi_density_create(const double *values, size_t count, double lo,
   return density_of(values, count, moments.sd, lo, hi, points, error);
 }
 
-void aspi_density_free(aspi_density *density) {
-  free(density);
-}
-
-size_t aspi_density_points(const aspi_density *density) {
-  return density->points;
-}
-
-double aspi_density_at(const aspi_density *density, size_t index, double *x) {
-  if (x)
-    *x = density->lo + (double)index * density->step;
-  return density->value[index];
-}
-
-double aspi_density_bandwidth(const aspi_density *density) {
-  return density->bandwidth;
-}
-
 double aspi_density_kl_normal(const aspi_density *density, double mean, double sd) {
   double sum = 0;
   for (size_t i = 0; i < density->points; i++) {
@@ -224,11 +200,8 @@ asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contac
 /* The density of the angles, over all of them and the kernel's reach. */
 static asp_code fit_normal(const double *angles, size_t count, aspi_slopes *slopes,
                            asp_error *error) {
-  double lo = angles[0], hi = angles[0];
-  for (size_t i = 1; i < count; i++) {
-    lo = fmin(lo, angles[i]);
-    hi = fmax(hi, angles[i]);
-  }
+  double lo, hi;
+  gsl_stats_minmax(&lo, &hi, angles, 1, count);
   double reach = KERNEL_REACH * slopes->angle.sd * pow(4 / (3 * (double)count), 0.2);
   asp_error wrong;
   aspi_density *density = aspi_density_create(angles, count, lo - reach, hi + reach, GRID, &wrong);
@@ -236,7 +209,7 @@ static asp_code fit_normal(const double *angles, size_t count, aspi_slopes *slop
     return aspi_fail(error, wrong.code, "%s", wrong.text);
   slopes->bandwidth = density->bandwidth;
   slopes->kl_normal = aspi_density_kl_normal(density, slopes->angle.mean, slopes->angle.sd);
-  aspi_density_free(density);
+  free(density);
   return ASP_OK;
 }
 

@@ -13,18 +13,19 @@ typedef struct aspi_moments {
 
 aspi_moments aspi_moments_of(const double *values, size_t count);
 
-/* A density on equally spaced points, by a Gaussian kernel. */
-typedef struct aspi_density aspi_density;
+/* A density on equally spaced points, by a Gaussian kernel: value[i] at lo + i step. */
+typedef struct aspi_density {
+  double lo, step, bandwidth;
+  double least; /* one value, spread over the range */
+  size_t points;
+  double value[];
+} aspi_density;
 
 /* Kernel density estimate of at least two values, not all equal, at `points` (2 to 65536) points
  * from lo to hi. Bandwidth min(sd, quartile distance/1.349) (4/(3 count))^(1/5). Normalized over lo
- * to hi; values outside are left out. NULL on error. */
+ * to hi; values outside are left out. NULL on error; to be freed. */
 aspi_density *aspi_density_create(const double *values, size_t count, double lo, double hi,
                                   size_t points, asp_error *error);
-void aspi_density_free(aspi_density *density);
-size_t aspi_density_points(const aspi_density *density);
-double aspi_density_at(const aspi_density *density, size_t index, double *x);
-double aspi_density_bandwidth(const aspi_density *density);
 
 /* D_KL (eq. 2, natural logarithm) of the density against a normal distribution, and against another
  * density on the same points. Where the other density is less than one of its values spread over

@@ -17,8 +17,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A measured profile with a larger phi_r has wrong units. */
+/* A measured wall with a larger phi_r has wrong units. */
 #define PHI_R_MOST 100.0
+
+/* Under this ratio of the two lengths a map has no lay to speak of. */
+#define STRETCH_LEAST 1.05
 
 /* Below this kappa the filter reduces the slope by less than 1e-4 and is left out. */
 #define KAPPA_NO_FILTER 0.08
@@ -200,6 +203,15 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
     return NULL;
   }
   return surface;
+}
+
+asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *error) {
+  aspi_map_description d;
+  if (aspi_map_describe(map, &d, error) || aspi_map_check(map, &d, PHI_R_MOST, error))
+    return NULL;
+  if (lay && d.lambda_2 > STRETCH_LEAST * d.lambda_1)
+    return asp_surface_create_lay(d.s_q, d.lambda_1, d.lambda_2, error);
+  return asp_surface_create(d.s_q, d.lambda_1, error);
 }
 
 void asp_surface_free(asp_surface *surface) {

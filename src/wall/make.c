@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/quantity.h"
-#include "readers/warnings.h"
+#include "readers/read.h"
 #include "wall/description.h"
 
 #include <math.h>

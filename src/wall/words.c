@@ -38,17 +38,6 @@ const char *aspi_words_word(aspi_words *r, const char *what) {
   return NULL;
 }
 
-bool aspi_words_in_list(const char *name, const char *list) {
-  size_t length = strlen(name);
-  for (const char *at = list + strspn(list, " "); *at; at += strspn(at, " ")) {
-    size_t n = strcspn(at, " ");
-    if (n == length && strncmp(at, name, n) == 0)
-      return true;
-    at += n;
-  }
-  return false;
-}
-
 bool aspi_words_number_next(const aspi_words *r) {
   if (r->next >= r->count)
     return false;

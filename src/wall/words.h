@@ -4,7 +4,10 @@
 #ifndef ASP_WALL_WORDS_H
 #define ASP_WALL_WORDS_H
 
+#include "base/error.h"
 #include "wall/description.h"
+
+#include <string.h>
 
 /* The words of a clause, of which `next` comes next, and the wall that they describe. */
 typedef struct aspi_words {
@@ -50,7 +53,9 @@ asp_code aspi_words_materials(aspi_words *words);
 enum { ASPI_LIST_MOST = 1000 }; /* characters of all words that may stand at one place */
 
 /* True if a list of words with blanks between has the word. */
-bool aspi_words_in_list(const char *word, const char *list);
+static inline bool aspi_words_in_list(const char *word, const char *list) {
+  return aspi_word_index(list, word, strlen(word), true) >= 0;
+}
 
 /* A copy from malloc; NULL and a message when out of memory. */
 char *aspi_words_copy(const char *text, asp_error *error);

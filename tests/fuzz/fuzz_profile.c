@@ -7,7 +7,6 @@
 #include "base/stream.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
-#include "readers/map_read.h"
 #include "readers/read.h"
 #include "surface/slopes.h"
 
@@ -66,9 +65,10 @@ static void check_map(const asp_map *map) {
 
 static asp_map *read_map(FILE *stream, const aspi_profile_options *read, asp_error *error) {
   aspi_profile_report report = {0};
-  aspi_map_options options = {read, {read->column ? 1e-6 : 0, 0}};
+  aspi_profile_options options = *read;
+  options.step[0] = read->column ? 1e-6 : 0;
   rewind(stream);
-  return aspi_map_read_stream(stream, "fuzz", &options, &report, error);
+  return aspi_map_read(stream, "fuzz", &options, &report, error);
 }
 
 static aspi_profile_options options_of(uint8_t bits) {
@@ -98,7 +98,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   aspi_profile_options options = options_of(*data);
   aspi_profile_report report;
   asp_error error = {ASP_OK, ""};
-  asp_profile *profile = aspi_profile_read_stream(stream, "fuzz", &options, &report, &error);
+  asp_profile *profile = aspi_profile_read(stream, "fuzz", &options, &report, &error);
   if (profile)
     check_profile(profile);
   else if (error.code == ASP_OK || !*error.text)

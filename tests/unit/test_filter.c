@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "readers/filter.h"
+#include "readers/read.h"
 
 enum { POINTS = 16000 };
 #define SPACING 0.5

@@ -81,7 +81,7 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
   int hits = 0;
   for (int k = 0; k < 20000; k++) {
     double azimuth = 0.7 * k, gradient[2];
-    aspi_flight flight = {{0.31 * k, 0.77 * k, f.top + 1e-4},
+    aspi_flight flight = {{0.31 * k, 0.77 * k, f.pyramid.top + 1e-4},
                           {cos(azimuth), sin(azimuth), -0.1 - 1e-4 * k}};
     while (aspi_dilated_map_next(&f, &flight, gradient)) {
       double *v = flight.v, square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1];

@@ -37,7 +37,7 @@ static void profiles(void **state) {
   for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
     asp_error error;
     const char *path = file_of(files[i]);
-    asp_profile *p = aspi_profile_read(path, &options, NULL, &error);
+    asp_profile *p = aspi_profile_read(NULL, path, &options, NULL, &error);
     unlink(path);
     if (!p)
       print_error("%s\n", error.text);

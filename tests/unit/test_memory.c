@@ -7,7 +7,7 @@
  * those of GSL and of stdio fail, too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spread/map_lines.h"
+#include "spread/map_table.h"
 #include "analysis/dilated_map.h"
 #include "spread/line.h"
 #include "spread/models.h"
@@ -67,7 +67,7 @@ static asp_code code_of(const void *made, const asp_error *error) {
 }
 
 static asp_code read_with(const char *path, aspi_profile_options options, asp_error *error) {
-  asp_profile *made = aspi_profile_read(path, &options, NULL, error);
+  asp_profile *made = aspi_profile_read(NULL, path, &options, NULL, error);
   asp_profile_free(made);
   return code_of(made, error);
 }
@@ -143,7 +143,7 @@ static asp_code slopes(asp_error *error) {
 
 static asp_code density(asp_error *error) {
   aspi_density *made = aspi_density_create(asp_profile_heights(profile), 500, -4, 4, 100, error);
-  aspi_density_free(made);
+  free(made);
   return code_of(made, error);
 }
 
@@ -304,8 +304,8 @@ static asp_code rough_wall(asp_error *error) {
 static asp_code choose(asp_error *error) {
   double divergence;
   char text[400];
-  return code_of(aspi_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error),
-                 error);
+  return code_of(
+      aspi_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error), error);
 }
 
 static asp_code reader(asp_error *error) {
