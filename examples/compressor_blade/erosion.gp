@@ -8,7 +8,7 @@ set palette defined (0 '#f2f2f2', 0.15 '#fee6ce', 0.4 '#fdae6b', 0.7 '#e6550d', 
 set pm3d corners2color c1
 set multiplot title "Wear of Ti-6Al-4V by quartz dust at 150 m/s, by Oka's law"
 do for [k=0:1] {
-  left = 0.045 + 0.325 * k
+  left = 0.045 + 0.335 * k
   set lmargin at screen left; set rmargin at screen left + 0.235; set bmargin at screen 0.14; set tmargin at screen 0.82
   set xrange [-0.25:1]; set yrange [0:16]; set cbrange [0:0.5]
   set xtics 0.25; set ytics 4
@@ -18,6 +18,7 @@ do for [k=0:1] {
   set view map
   set colorbox user origin screen left + 0.243, screen 0.14 size screen 0.009, screen 0.68
   unset key
+  set cbtics 0.1 add ('≥ 0.5' 0.5)
   splot 'output/'.(k == 0 ? 'smooth' : 'tilted').'.worn' using 1:2:3 with pm3d
 }
 unset colorbox; unset view

@@ -24,10 +24,11 @@ do for [k=0:1] {
   set view map
   set colorbox user origin screen 0.298, screen low + 0.03 size screen 0.009, screen 0.285
   unset key
+  set cbtics 60 add ('≥ 240' 240)
   splot 'output/'.map_of(k).'.map' using 1:2:6 with pm3d
   # deposits
   set lmargin at screen 0.385; set rmargin at screen 0.63
-  unset colorbox; set xrange [-0.25:1.06]; set yrange [-0.9:16.9]
+  unset colorbox; set xrange [-0.25:1.12]; set yrange [-2.2:18.4]
   set title title_of(k).":\ndeposits, size as the grain" offset 0,1.7
   set key at graph 1,1.01 bottom right horizontal samplen 1 width -2 font ',10'
   plot 'output/'.map_of(k).'.deposits' using ($4 == 1 ? $1 : NaN):2:(0.25 + 0.18 * $3) with points pt 6 ps variable lc rgb '#0072b2' title 'first impact', \
@@ -43,9 +44,10 @@ set view 140, 15, 1.75, 1
 set view equal xyz
 set xrange [-6.5:6.5]; set yrange [0:16]; set zrange [-4:4]; set cbrange [0:120]
 unset border; unset xtics; unset ytics; unset ztics; unset xlabel; unset ylabel
-set colorbox user origin screen 0.955, screen 0.58 size screen 0.009, screen 0.3
+set colorbox user origin screen 0.94, screen 0.58 size screen 0.009, screen 0.3
 set title "rough wall, pressure side (span 16 mm, chord 12 mm):\nimpact energy / µJ per mm^2" offset 0,1
 set pm3d depthorder
+set cbtics 20 add ('≥ 120' 120)
 splot 'output/rough.map' using ($1 > -0.005 ? $3 : NaN):4:5:8 with pm3d
 unset view
 

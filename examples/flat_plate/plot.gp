@@ -29,7 +29,8 @@ do for [t=0:1] {
     set xlabel (t == 1 ? 'impact angle {/Symbol a}_1 / degrees' : '')
     set yrange [low(t):high(t)]
     plot name.'.csv' using (strcol(1)[1:1] eq '#' || column(19) != 0 ? NaN : $11):(column(17 + t)) \
-           every ::2 with points ls impacts ps 0.15 title 'impacts', \
+           every ::2 with points ls impacts ps 0.15 notitle, \
+         keyentry with points ls impacts ps 0.8 title 'impacts', \
          name.'.mean' using (real(word(strcol(1), 1))):(real(word(strcol(1), 2 + 2*t)) - real(word(strcol(1), 3 + 2*t))):(real(word(strcol(1), 2 + 2*t)) + real(word(strcol(1), 3 + 2*t))) \
            with filledcurves ls (i == 1 ? wall_smooth : simulated) fs transparent solid 0.2 noborder title '± sd', \
          name.'.mean' using (real(word(strcol(1), 1))):(real(word(strcol(1), 2 + 2*t))) \

@@ -9,6 +9,6 @@ set yrange [0:*]
 set xlabel 'diameter / µm'
 set ylabel 'standard deviation of {/Symbol Da} / degrees'
 set title '5 000 grains at 60° on the blade: LIGGGHTS ledger'
-plot "< grep -E '^  bin [0-9]+: d_p' output/profile.log | tr -d ," using ($4 * 1e6):6 with lines ls model_profile title '{/Symbol s} of the bins, profile', \
+plot "< grep -E '^  bin [0-9]+: d_p' output/profile.log | tr -d ," using ($4 * 1e6):6 with lines ls model_profile title '{/Symbol s} of the profile, from the log', \
      'output/profile.sd' with yerrorbars ls model_profile title 'impacts, profile', \
-     'output/numbers.sd' with yerrorbars ls model_visible title 'impacts, R_q and {/Symbol l}_c only'
+     'output/numbers.sd' with yerrorbars ls model_visible title 'impacts, R_q and {/Symbol l}_c alone'

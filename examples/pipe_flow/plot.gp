@@ -1,4 +1,4 @@
-# Profiles over the height: the mean speed of the beads, its root mean square, the mean diameter, the concentration; measured,
+# Profiles over the height: the mean speed of the beads, its rms fluctuation, the mean diameter, the concentration; measured,
 # with a smooth wall and with rough ones. The bands are the measured profile plus and minus the least error of the published
 # simulations.
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,7 +26,7 @@ plot measured('u_p') using 2:($3 - 0.038):($3 + 0.038) with filledcurves ls data
   measured('u_p') using 2:3 with points ls data title 'measured'
 unset key
 set label 1 'band: ± 0.085' at graph 0.5,0.93 center tc rgb '#d55e00' font ',9'
-set ylabel 'root mean square of the speed / 27 m s^{-1}'
+set ylabel "rms fluctuation u' / 27 m s^{-1}"
 set yrange [0:0.42]
 plot measured('u_rms') using 2:($3 - 0.085):($3 + 0.085) with filledcurves ls data notitle, \
   for [i=1:7] profile(i) using 1:5 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle, \

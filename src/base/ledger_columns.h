@@ -11,7 +11,8 @@
   COLUMN(IMPACT, "impact", "i4", "number of its impact on this wall, from 1")                      \
   COLUMN(TIME, "time", "f8", "time of contact")                                                    \
   COLUMN(MESH, "mesh", "i2", "mesh, from 1; 0 for a primitive wall")                               \
-  COLUMN(TRIANGLE, "triangle", "i4", "triangle id, on an edge the least; 0 for a primitive wall")  \
+  COLUMN(TRIANGLE, "triangle", "i4",                                                               \
+         "triangle id, on an edge the lowest of those that meet; 0 for a primitive wall")          \
   COLUMN(X, "x", "f8", "x of the center at contact")                                               \
   COLUMN(Y, "y", "f8", "y of the center at contact")                                               \
   COLUMN(Z, "z", "f8", "z of the center at contact")                                               \
@@ -21,7 +22,7 @@
   COLUMN(DELTA_ALPHA, "delta_alpha_deg", "f4", "tilt of the first hit")                            \
   COLUMN(TILT_OUT, "tilt_out_deg", "f4",                                                           \
          "out-of-plane tilt of the first hit, positive along n x t")                               \
-  COLUMN(HITS, "hits", "i1", "hits")                                                               \
+  COLUMN(HITS, "hits", "i1", "number of faces hit")                                                \
   COLUMN(V2, "v2", "f4", "speed after the impact, in space, relative to the wall")                 \
   COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle in the plane of incidence, 0 to 180 degrees")  \
   COLUMN(COR_N, "cor_n", "f4", "CoR_N about the mean wall")                                        \

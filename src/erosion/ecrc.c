@@ -42,7 +42,7 @@ static double rate(const double *p, double v, double sine, double cosine, double
 
 const aspi_erosion_law aspi_erosion_ecrc = {
     .name = "ecrc",
-    .summary = "carbon steel worn by sand, by the form of the grains",
+    .summary = "carbon steel worn by sand of sharp, semi_rounded or round grains",
     .source = "Zhang, Reuterfors, McLaury, Shirazi & Rybicki 2007 (recalled, the original was not "
               "seen)",
     .n_parameters = N_PARAMETERS,

@@ -88,8 +88,8 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   long double v_y = yield * softened(p) / sqrtl(density * pair->modulus);
   long double n2 = n1 < v_y ? n1 : v_y;
   if (hit->adhesion && pair->surface_energy > 0) {
-    long double ratio = n1 < v_y ? n1 / v_y : 1;
-    long double share = p[AREA_A] + p[AREA_B] * powl(ratio, p[AREA_C]);
+    long double power = n1 < v_y ? powl(n1 / v_y, p[AREA_C]) : 1;
+    long double share = p[AREA_A] + p[AREA_B] * power;
     long double v_a = sqrtl(6 * share * pair->surface_energy / (density * hit->d_p));
     n2 = n2 > v_a ? sqrtl((n2 - v_a) * (n2 + v_a)) : 0;
   }

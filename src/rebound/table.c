@@ -15,8 +15,8 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
 
 const asp_rebound_law aspi_rebound_table = {
     .name = "table",
-    .summary = "the user's coefficients over impact angle and speed, interpolated",
-    .source = "the user's file",
+    .summary = "your own coefficients over impact angle and speed, interpolated",
+    .source = "your file",
     .needs_table = true,
     .measured = true,
     .rebound = rebound,

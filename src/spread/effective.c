@@ -138,7 +138,7 @@ double aspi_effective_quantile(const aspi_view *view, double u) {
 
 const asp_spread_model aspi_spread_effective = {
     .name = "effective",
-    .summary = "normal distribution times the flux onto the face, cut at -alpha1",
+    .summary = "normal distribution, weighted by the width that a face shows to the particle",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 4",
     .cost = 8,
     .upward = true,

@@ -15,7 +15,7 @@ static double escape(const aspi_view *view, double theta) {
 
 const asp_spread_model aspi_spread_multicollision = {
     .name = "multicollision",
-    .summary = "as effective, and further faces until the particle leaves",
+    .summary = "as effective, then further faces until the particle leaves",
     .source = "Konan, Kannengieser & Simonin 2009 (recalled, original not seen)",
     .cost = 9,
     .upward = true,

@@ -21,7 +21,7 @@ static double quantile(const aspi_view *view, double u) {
 
 const asp_spread_model aspi_spread_normal = {
     .name = "normal",
-    .summary = "normal distribution with sd sigma, no shadow",
+    .summary = "normal distribution with sd sigma, without shadowing",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 3",
     .cost = 5,
     .density = density,

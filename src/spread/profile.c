@@ -242,7 +242,7 @@ static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, 
 
 const asp_spread_model aspi_spread_profile = {
     .name = "profile",
-    .summary = "first hits of the geometry, from a table: of the profile, or of Gaussian walls",
+    .summary = "first hits from a table: of the measured wall, or of generated Gaussian walls",
     .source = "geometry, derived for this project",
     .cost = 1,
     .geometry = true,

@@ -54,11 +54,21 @@ double aspi_quantiles_below(const aspi_shares *shares, const float *nodes, doubl
   return share + part * (aspi_shares_at(shares, high) - share);
 }
 
-/* A bin while its row is filled. */
+/* A bin while its row is filled; `need` is the weight at which the next node is reached. */
 typedef struct filling {
-  double sum, total, last;
+  double sum, total, last, need;
   int node;
 } filling;
+
+static void take_value(const aspi_shares *shares, double value, double weight, filling *f,
+                       float *row) {
+  f->sum += weight;
+  f->last = value;
+  while (f->need <= f->sum) {
+    row[f->node++] = (float)value;
+    f->need = f->node < shares->nodes ? aspi_shares_at(shares, f->node) * f->total : INFINITY;
+  }
+}
 
 static void copy_to_empty(const filling *f, int bins, size_t nodes, float *table) {
   int first = 0;
@@ -83,12 +93,7 @@ void aspi_quantiles_fill(const aspi_shares *shares, const aspi_sample *sample, i
     if (!(sample->weight[at] > 0))
       continue;
     int b = sample->bin ? sample->bin[at] : 0;
-    filling *mine = &f[b];
-    mine->sum += sample->weight[at];
-    mine->last = sample->value[at];
-    for (; mine->node < nodes && aspi_shares_at(shares, mine->node) * mine->total <= mine->sum;
-         mine->node++)
-      table[b * nodes + mine->node] = (float)mine->last;
+    take_value(shares, sample->value[at], sample->weight[at], &f[b], table + b * nodes);
   }
   for (int b = 0; b < bins; b++)
     for (; f[b].node < nodes; f[b].node++)

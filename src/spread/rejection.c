@@ -22,7 +22,7 @@ static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
 
 const asp_spread_model aspi_spread_rejection = {
     .name = "rejection",
-    .summary = "the baseline: draw from the normal distribution until the rebound leaves the wall",
+    .summary = "normal distribution, drawn again until the rebound leaves the wall",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, routines 1 to 3",
     .cost = 2,
     .density = aspi_truncated_density,

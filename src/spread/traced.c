@@ -121,7 +121,7 @@ static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
 
 const asp_spread_model aspi_spread_traced = {
     .name = "traced",
-    .summary = "the profile itself, followed hit by hit; slow and exact",
+    .summary = "the particle followed over a profile, hit by hit: the reference",
     .source = "geometry",
     .cost = 7,
     .geometry = true,

@@ -20,7 +20,7 @@ static double quantile(const aspi_view *view, double u) {
 
 const asp_spread_model aspi_spread_truncated = {
     .name = "truncated",
-    .summary = "normal distribution cut at -alpha1/2: the rejection loop in one step",
+    .summary = "normal distribution cut at -alpha1/2: rejection in one step",
     .source = "Altmeppen et al. 2020, eq. 5",
     .cost = 4,
     .density = aspi_truncated_density,

@@ -127,7 +127,7 @@ static double quantile(const aspi_view *view, double u) {
 
 const asp_spread_model aspi_spread_visible = {
     .name = "visible",
-    .summary = "slopes of a Gaussian wall as the particle sees them: shadow and flux exactly",
+    .summary = "slopes of a Gaussian wall as the particle sees them: with shadow and flux",
     .source =
         "derived for this project; Heitz & d'Eon 2014 (visible normals), the same distribution",
     .cost = 6,

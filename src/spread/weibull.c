@@ -65,7 +65,7 @@ static double quantile(const aspi_view *view, double u) {
 
 const asp_spread_model aspi_spread_weibull = {
     .name = "weibull",
-    .summary = "Weibull distribution fitted to the truncated one: no sliding rebounds",
+    .summary = "Weibull distribution fitted to truncated; no rebound slides along the wall",
     .source = "Altmeppen et al. 2020, eq. 8; ten coefficients refitted for this project",
     .cost = 3,
     .density = density,

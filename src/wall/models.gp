@@ -7,11 +7,11 @@ set terminal pngcairo size 900,460 font "sans,12"
 load "examples/look.gp"
 
 set output folder."models.png"
-set xlabel "tilt Δα of the first face (deg)"
+set xlabel "tilt Δα of the first face / degrees"
 set ylabel "probability per degree"
-set title "σ = 10°, impact angle α1 = 10°"
+set title "σ = 10°, impact angle {/Symbol a}_1 = 10°"
 pdf(model) = "< ".asperity."spread surface sigma 10 spread ".model." plane --angles 10 --pdf | grep '^[-0-9]'"
-plot [-12:40] [0:0.075] \
+plot [-30:40] [0:0.075] \
   pdf("normal")    w l ls model_normal t "normal", \
   pdf("truncated") w l ls model_truncated t "truncated, rejection", \
   pdf("weibull")   w l ls model_weibull t "weibull", \
@@ -23,11 +23,11 @@ set output folder."laws.png"
 unset title
 law(words) = "< ".asperity."rebound rebound ".words." --map angles | grep -v -e '^#' -e deposit"
 pair = " materials quartz 304-ss"
-set xlabel "impact angle α1 (deg)"
+set xlabel "impact angle {/Symbol a}_1 / degrees"
 set key noenhanced maxrows 3
 set multiplot layout 1,2 title "quartz on steel 304, 10 µm, 100 m/s, smooth wall\n"
 do for [name in "cor_n cor_t"] {
-  set ylabel (name eq "cor_n" ? "CoR_N" : "CoR_T") noenhanced
+  set ylabel (name eq "cor_n" ? "CoR_N" : "CoR_T")
   plot [0:90] [0:1.05] \
     law("bons".pair)          u "alpha1_deg":name w l ls law_bons t "bons", \
     law("thornton_ning".pair) u "alpha1_deg":name w l ls law_thornton_ning t "thornton_ning", \

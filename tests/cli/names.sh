@@ -18,14 +18,14 @@ is_picture() {
 names=("it's" "x'; system 'touch pwned1'; set output 'y" 'x"; system "touch pwned2"; set output "y'
   '`touch pwned3`' '$(touch pwned4)' 'back\slash' 'back\' 'a_b^c{d}@e&f~g%s%n' $'new\nsystem "touch pwned5"' '-o' '#x' 'ü<&>')
 mkdir pictures
-for name in "${names[@]}"; do
-  for ending in png svg pdf; do
-    "$asperity" spread surface sigma 10 --samples 50 --plot "pictures/$name.$ending" -o /dev/null 2> err || die "--plot '$name.$ending': $(cat err)"
-    is_picture "pictures/$name.$ending" || die "no picture '$name.$ending'"
-  done
+endings=(png svg pdf)
+for i in "${!names[@]}"; do
+  picture=${names[i]}.${endings[i % 3]}
+  "$asperity" spread surface sigma 10 --samples 50 --plot "pictures/$picture" -o /dev/null 2> err || die "--plot '$picture': $(cat err)"
+  is_picture "pictures/$picture" || die "no picture '$picture'"
 done
 no_more "--plot"
-[ "$(find pictures -type f -printf x | wc -c)" = $((3 * ${#names[@]})) ] || die "other files among the pictures: $(ls pictures)"
+[ "$(find pictures -type f -printf x | wc -c)" = ${#names[@]} ] || die "other files among the pictures: $(ls pictures)"
 
 # The same names for a profile, and for what is measured and what it is compared with.
 { echo x_um,z_um; awk 'BEGIN { srand(1); for (i = 0; i < 400; i++) { z = 0.9 * z + rand() - 0.5; print i "," z } }'; } > profile

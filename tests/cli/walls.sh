@@ -4,9 +4,10 @@
 source "$(dirname "$0")/cli.sh"
 
 # A profile with flat peaks and deep valleys, 1000 lambda_c long; the beginning of it; a map made of waves.
-"$asperity" surface surface rq 5um lambda_c 40um --dp 10um --points 131072 --save gauss > /dev/null
-awk -F, 'NR > 2 && NR % 4 == 0 { if (!n++) print "x_um,z_um"; printf "%.9g,%.7g\n", $1, -6.5 * log(1 + exp(0.6 - 1.4 * $2 / 5)) }' gauss > plateau
-head -n 1921 plateau > short
+"$asperity" surface surface rq 5um lambda_c 40um --dp 10um --points 131072 --save fine > /dev/null
+awk -F, 'NR < 3 || NR % 4 == 0' fine > gauss
+awk -F, 'NR < 3 { print; next } { printf "%.9g,%.7g\n", $1, -6.5 * log(1 + exp(0.6 - 1.4 * $2 / 5)) }' gauss > plateau
+head -n 1922 plateau > short
 waves() { # POINTS along each side, STRETCH along y, FACTOR of the heights of the right half
   awk -v n="$1" -v stretch="$2" -v factor="$3" 'BEGIN { srand(5); pi = 3.14159265358979
     for (k = 0; k < 300; k++) { r = sqrt(-2 * log(1 - rand())) * sqrt(2) / 12; w = 2 * pi * rand()
@@ -15,9 +16,10 @@ waves() { # POINTS along each side, STRETCH along y, FACTOR of the heights of th
     for (j = 0; j < n; j++) for (i = 0; i < n; i++) { z = 0; for (k = 0; k < 300; k++) z += 0.1225 * cos(2 * a[k] * i + 2 * b[k] * j + c[k])
       printf "%.7g%s", z * (i < n / 2 ? 1 : factor), i < n - 1 ? " " : "\n" } }'
 }
-waves 160 1 1 > map
+waves 160 1 1 > wide
+waves 112 1 1 > map
 waves 96 3 1 > laid
-waves 96 1 0.3 > uneven
+waves 80 1 0.3 > uneven
 
 # The mean tilt of the first hits by every way to give the wall: slope sqrt(2) rq / lambda_c, small particles.
 mean() { "$asperity" spread "$@" --angles 20 --summary --samples 20000 | awk -F, 'END { print $3 }'; }
@@ -25,7 +27,7 @@ near() { awk -v a="$2" -v b="$3" -v d="$4" 'BEGIN { exit !(a - b < d && b - a < 
 sigma=$(awk 'BEGIN { print atan2(sqrt(2) * 5 / 40, 1) * 57.29577951 }')
 near "--rq" "$(mean surface rq 5um lambda_c 40um --dp 10nm)" "$(mean surface sigma "$sigma")" 0.01
 near "--sigma of a model that looks at a profile" "$(mean surface sigma "$sigma" spread traced)" "$(mean surface sigma "$sigma")" 0.3
-near "--profile" "$(mean surface profile gauss --dp 5um)" "$(mean surface rq 5um lambda_c 40um --dp 5um)" 0.4
+near "--profile" "$(mean surface profile gauss --dp 20um)" "$(mean surface rq 5um lambda_c 40um --dp 20um)" 0.4
 near "--profile, its own law" "$(mean surface profile plateau --dp 5um)" "$(mean surface profile plateau spread traced --dp 5um)" 0.15
 near "--lay" "$(mean surface rq 5um lambda_c 40um 120um lay 0 --dp 10nm)" "$(mean surface rq 5um lambda_c 120um --dp 10nm)" 0.01
 numbers=$("$asperity" surface surface map map --dp 5um | awk -F, 'END { print $2 "um lambda_c " $3 "um" }')
@@ -44,7 +46,7 @@ steeper "cor --map --lay" "$(impacts 90)" "$(impacts 0)"
 
 # trade by a profile: the plateau's own law is close, that of a Gaussian wall with its numbers is not. No part of the
 # profile judges what it made: a short one says too little of its other half, and that is seen.
-"$asperity" trade surface profile plateau --dp 5um --angles 10 --rays 50000 > long 2> err || die "trade --profile: $(cat err)"
+"$asperity" trade surface profile plateau --dp 5um --angles 10 --rays 30000 > long 2> err || die "trade --profile: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.01 && $6 > 0 { good++ } $1 == "visible" && $5 > 0.03 { good++ } END { exit good != 2 }' long || die "trade --profile: $(cat long)"
 "$asperity" trade surface profile short --dp 5um --angles 2,20 --rays 20000 > rows 2> err
 grep -q 'warning: --angles: those under .* degrees are left out' err && ! grep -q '^[a-z]*,2,' rows || die "angles that a short profile cannot judge: $(cat err)"
@@ -52,11 +54,11 @@ awk -F, '$1 == "profile" && $5 > 0.02 && $6 > 0.002 { good++ } END { exit good !
 "$asperity" trade surface sigma 10 --angles 20 --rays 20000 --profiles 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
 
 # trade by a map: in three dimensions.
-"$asperity" trade surface map map --dp 5um --angles 20 --rays 10000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
+"$asperity" trade surface map wide --dp 5um --angles 20 --rays 4000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.05 && $10 < 0.05 && $14 > 5 && $14 / $15 > 0.85 && $14 / $15 < 1.15 { good++ } $1 == "none" && $5 > 1 { good++ } END { exit good != 2 }' rows || die "trade --map: $(cat rows)"
 grep -q '20°' map.svg || die "trade --map --plot"
 
-"$asperity" trade surface map uneven --dp 5um --angles 20 --rays 4000 2> err | awk -F, '$1 == "profile" { exit !($5 > 0.3) }' || die "a half of a map judges what it made"
+"$asperity" trade surface map uneven --dp 5um --angles 20 --rays 2000 2> err | awk -F, '$1 == "profile" { exit !($5 > 0.3) }' || die "a half of a map judges what it made"
 
 # calibrate finds the friction that cor had, on the same wall.
 for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map map"; do
@@ -75,13 +77,13 @@ for command in cor spread trade; do
   refuses 2 "'lambda_c L' is expected" -- $command surface rq 5um --dp 5um
 done
 refuses 2 "'surface' is missing" -- trade --dp 5um
-refuses 2 'has no density on a map' -- spread surface map map --dp 5um --pdf
+refuses 2 'has no density on a map' -- spread surface map uneven --dp 5um --pdf
 refuses 2 'judged with --three-d' -- trade surface rq 5um lambda_c 40um 80um lay 90 --dp 5um
 refuses 2 "--three-d is given with 'surface profile'" -- trade surface profile plateau --three-d --dp 5um
 refuses 2 "--profiles is given with 'surface map'" -- trade surface map map --dp 5um --profiles 8
 refuses 2 "--points is given with 'surface map'" -- trade surface map map --dp 5um --points 512
 refuses 2 '--surfaces is given without --three-d' -- trade surface rq 5um lambda_c 40um --dp 5um --surfaces 5
-refuses 2 'it must be even' -- trade surface profile plateau --dp 5um --profiles 5
+refuses 2 'it must be even' -- trade surface profile short --dp 5um --profiles 5
 refuses 2 'the least that pieces of this wall can judge' -- trade surface profile short --dp 5um --angles 1,2
 refuses 2 '--pdf is given with --summary' -- spread surface sigma 3 --pdf --summary
 refuses 2 "--samples is '1.5'" -- spread surface sigma 3 --samples 1.5

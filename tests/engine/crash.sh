@@ -57,7 +57,7 @@ for kind in csv npy; do
       state=$(((16807 * state + 7) % 2147483647))
       upto=$((all * (state % 950) / 1000))
       start "$ranks" whole.in -var kind $kind
-      while [ "$(stat -c %s low.$kind 2> /dev/null || echo 0)" -lt "$upto" ] && kill -0 $job 2> /dev/null; do sleep "0.00$((state % 7 + 1))"; done
+      while [ "$(stat -c %s low.$kind 2> /dev/null || echo 0)" -lt "$upto" ] && kill -0 $job 2> /dev/null; do sleep "0.0$((state % 3 + 1))"; done
       # shellcheck disable=SC2086
       kill -9 $pids 2> /dev/null && killed=$((killed + 1))
       wait $job 2> /dev/null || true

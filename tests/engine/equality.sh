@@ -89,11 +89,13 @@ write_restart half.restart'
   for ranks in 1 2; do
     both whole $((3 - ranks))
     both rest $ranks
-    cp -r lammps restarted
+    cp -r lammps restarted.$ranks
     equal "$case, restarted on $ranks ranks"
-    both $case 1
-    for file in lammps/*.csv; do same "$file" restarted/"$(basename "$file")" "one run and a restart on $ranks ranks"; done
-    equal "$case in one run"
-    rm -r restarted
   done
+  both $case 1
+  for ranks in 1 2; do
+    for file in lammps/*.csv; do same "$file" restarted.$ranks/"$(basename "$file")" "one run and a restart on $ranks ranks"; done
+  done
+  equal "$case in one run"
+  rm -r restarted.*
 done

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Loads on a wall: its momentum is the one that the particles lose, to rounding, on a mesh that turns,
 # with particles that fall, rebound, roll and stick; a bed at rest presses with its weight; the same force and torque
-# in both engines and on any number of ranks; the sums of meshes and triangles are those of the whole wall.
+# in both engines and on any number of ranks; the torque is that of the impulses where they act; what dissipates is the
+# energy that grains lose that hit and slide; the sums of meshes and triangles are those of the whole wall.
 # GRAINS=2500 STEPS=8000 loads.sh makes over 10^5 impacts.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
@@ -69,19 +70,44 @@ for name in walton bons; do
   awk '{ if ($9 != $10 || $13 != $14 || ($8 - $11) ^ 2 > 1e-24 * $8 ^ 2) exit 1 } END { exit !($8 > 0) }' $name.liggghts.1 || die "$name: the array and the vector differ"
 done
 
-# The dissipated energy, and the impulses, are those of the rows. Where grains only hit, they are all.
+# The dissipated energy, the impulses and the torque are those of the rows. Where grains only hit, they are all.
 energies() { # ledger
   rows "$1" | awk -F, '{ n++; worn += $39; e += 0.5 * $20 * ($24 ^ 2 + $25 ^ 2 + $26 ^ 2 - $27 ^ 2 - $28 ^ 2 - $29 ^ 2) + $20 * $9 ^ 2 / 20 * ($30 ^ 2 + $31 ^ 2 + $32 ^ 2 - $33 ^ 2 - $34 ^ 2 - $35 ^ 2)
       for (k = 0; k < 3; k++) { d = $(36 + k) - $20 * ($(24 + k) - $(27 + k)); if (d * d > 1e-16) exit 1 }
-      normal -= $36 * $21 + $37 * $22 + $38 * $23 } END { printf "%.12g %.12g %d %.12g\n", e, normal, n, worn }'
+      j = -($36 * $21 + $37 * $22 + $38 * $23); normal += j; along += sqrt(($36 + j * $21) ^ 2 + ($37 + j * $22) ^ 2 + ($38 + j * $23) ^ 2) }
+    END { printf "%.12g %.12g %d %.12g %.12g\n", e, normal, n, worn, along }'
 }
 scene "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off" |
-  sed '/^fix fall/d; s/ f_wall.2. / f_wall[1][5] /; s/rows.csv/free.csv/' > free.in
+  sed '/^fix fall/d; s/ f_wall.2. / f_wall[1][5] /; s/^thermo_style .*/& f_wall[1][6]/; s/rows.csv/free.csv/' > free.in
 engine 2 free.in
-numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s; eroded %s, %s\n", $8, $15, $12, $16, $13, $18
-  exit !($17 == $9 && $8 > 0 && ($8 / $15 - 1) ^ 2 < 1e-16 && ($12 / $16 - 1) ^ 2 < 1e-16 && $13 > 0 && ($13 / $18 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
+numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s; tangential %s, %s; eroded %s, %s\n", $8, $16, $12, $17, $15, $20, $13, $19
+  exit !($18 == $9 && $8 > 0 && ($8 / $16 - 1) ^ 2 < 1e-16 && ($12 / $17 - 1) ^ 2 < 1e-16 && ($15 / $20 - 1) ^ 2 < 1e-16 && $13 > 0 && ($13 / $19 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
+# A row has the grain's center; the impulse acts a radius below it.
+numbers free.in.screen | awk 'NR > 1 { for (k = 5; k <= 7; k++) t[k] += $k * 2e-4 } END { printf "%.12g %.12g %.12g\n", t[5], t[6], t[7] }' |
+  paste -d' ' - <(rows free.csv | awk -F, '{ x = $6 - $9 / 2 * $21 - 0.1; y = $7 - $9 / 2 * $22 - 0.2; z = $8 - $9 / 2 * $23 + 0.1
+      t += y * $38 - z * $37; u += z * $36 - x * $38; v += x * $37 - y * $36; all += sqrt($36 ^ 2 + $37 ^ 2 + $38 ^ 2) }
+    END { printf "%.12g %.12g %.12g %.12g\n", t, u, v, all }') |
+  awk '{ print "torque times time:", $1, $2, $3 ", by the rows", $4, $5, $6; for (k = 1; k <= 3; k++) if (!(($k - $(k + 3)) ^ 2 < 1e-18 * $7 ^ 2)) exit 1; exit !($1 && $2 && $3) }' ||
+  die "the torque of the rows"
 same walton.liggghts.1.csv walton.liggghts.2.csv "full rows on two ranks"
 "$bin/asperity" compare free.csv -o free.txt > compare.out 2>&1 || die "compare does not read a full ledger: $(cat compare.out)"
+
+# A grain that slides until it rolls, and one that drops and does: what they lose is what dissipates.
+{ soft "-0.1 0.9 -0.1 0.1 -0.001 0.05" 0.3 0.5 | sed 's/^neigh_modify .*/neigh_modify delay 0 exclude group all all/'
+  printf '1 0 0 0.004 1 0.2 0\n2 0 0.05 0.006 0.8 -0.3 -0.5\n' | put
+  echo "fix wall all wall/rebound primitive type 1 zplane 0.0 rebound walton 0.5 0.3 0 deposit off
+fix move all nve/sphere
+fix fall all gravity 9.81 vector 0 0 -1
+compute spin all erotate/sphere
+compute z all reduce sum z
+thermo_style custom step ke c_spin c_z f_wall[13]
+thermo_modify format float %.17g norm no
+thermo 50
+timestep 2e-4
+run 800"; } > slide.in
+engine 1 slide.in
+numbers slide.in.screen | awk -v m="$mass" '{ e = $2 + $3 + m * 9.81 * $4; if (NR == 1) first = e; d = (first - e - $5) / first; if (d < 0) d = -d; if (d > worst) worst = d }
+  END { printf "slid: lost %.6g, dissipated %.6g; to %.2g of the energy\n", first - e, $5, worst; exit !(NR == 17 && $5 > 0.3 * first && worst < 5e-4) }' || die "what grains lose that slide"
 
 # A bed presses with its weight on all of its walls together.
 soft "-0.031 0.031 -0.031 0.031 -0.001 0.2" 0.3 0.5 > bed.in

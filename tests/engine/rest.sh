@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # Grains at rest on a wall that keeps none: they write no rows, stay where they are or roll on, on slopes by Coulomb's
-# friction whatever the law and the step, and a bed of them is as high as on wall/gran's walls and does not creep.
+# friction whatever the law and the step, and a bed of them is as high as on wall/gran's walls and does not creep. In
+# LAMMPS one kind of wall, one step and one bed: the walls are the same code.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 plate 1 1 0.02 > plate.stl
+kinds="floor mesh_floor" steps_of="1e-4 1e-5" beds="gran:plane smooth:plane"
+[ $simulator = liggghts ] || { kinds=mesh_floor steps_of=1e-4 beds=gran:plane; }
 floor() { # options
   echo "fix wall all wall/rebound primitive type 1 zplane 0.0 deposit off $1"
 }
@@ -32,7 +35,7 @@ at() { awk -v id="$1" -v line="$2" 'NF == 7 && $1 == id && ++n == line' at.txt; 
 # none after that.
 falling="1 0.001 0.002 0.002 0 0 0
 2 0.008 0.002 0.0015 0.05 0.02 -0.1"
-for kind in floor mesh_floor; do
+for kind in $kinds; do
   for surface in smooth "rq 2e-6 lambda_c 40e-6"; do
     scene "$falling" "0 0 -1" 1e-4 "$($kind "surface $surface rebound constant 0.5 0.5 ledger 1000 file rest.csv")" "run 20000" > rest.in
     for ranks in 1 2; do
@@ -55,9 +58,9 @@ done
 # On a slope of 30 degrees a grain slides without friction, and rolls with 5/7 g sin where tan < 3.5 mu, whatever the
 # law's own coefficients and the step.
 down() { awk -v a="$1" 'BEGIN { a *= atan2(0, -1) / 180; printf "%.17g 0 %.17g", sin(a), -cos(a) }'; }
-for kind in floor mesh_floor; do
+for kind in $kinds; do
   for law in "constant 0.5 0.9" "constant 0.5 1" "bons"; do
-    for step in 1e-4 1e-5; do
+    for step in $steps_of; do
       case $law in # of the last two, `constant` without friction where the script states none
         bons) mu=0.2 friction=0.2 ;;
         *" 1") mu=0 friction= ;;
@@ -100,7 +103,7 @@ dump at all custom 4000 at.txt id x y z vx vy vz
 dump_modify at sort id format \"%d %.17g %.17g %.17g %.17g %.17g %.17g\"
 run 20000"
 }
-for of in gran:plane smooth:plane "rq 4e-5 lambda_c 4e-4:mesh"; do
+for of in $beds "rq 4e-5 lambda_c 4e-4:mesh"; do
   bed "${of%:*}" "${of#*:}" > bed.in
   engine 1 bed.in
   # of the pictures at 0.8 and 1 s: mean heights, the farthest way in between, the lowest center, number

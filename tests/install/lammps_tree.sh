@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # cmake/lammps_tree on a LAMMPS source tree: its sources compile there against what `cmake --install` has put in place,
-# with 4-byte and 8-byte tags, each list names the package once, and remove leaves what was there before. The tree is made
-# of LAMMPS's headers and the lines that matter, as in 2021 and as in 2026; or it is that in ASPERITY_LAMMPS_TREE, which is
-# copied, and whose own checks of lists and of style must find nothing.
+# with 8-byte tags, each list names the package once, and remove leaves what was there before. The tree is made of
+# LAMMPS's headers, with which this build has compiled them with 4-byte tags, and the lines that matter, as in 2021 and as
+# in 2026; or it is that in ASPERITY_LAMMPS_TREE, which is copied: they compile with both, and its own checks of lists and
+# of style must find nothing.
 # Usage: lammps_tree.sh BUILD HEADERS...
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -13,11 +14,13 @@ die() { echo "FAILED: $*" >&2; exit 1; }
 tree=$work/lammps
 mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config,unittest/force-styles/tests}
 if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
+  sizes="SMALLBIG BIGBIG"
   mkdir "$tree/tools"
   for folder in src cmake doc unittest tools/coding_standard; do
     cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree/$(dirname $folder)"
   done
 else
+  sizes=BIGBIG
   for folder in "$@"; do cp -r "$folder/." "$tree/src"; done
   printf 'set(STANDARD_PACKAGES\n  ADIOS\n  ASPHERE\n  ATC)\nforeach(PKG_WITH_INCL KSPACE PYTHON)\nendforeach()\n' > "$tree/cmake/CMakeLists.txt"
   printf '   * :doc:`wall/piston <fix_wall_piston>`\n   * :doc:`wall/reflect (k) <fix_wall_reflect>`\n' > "$tree/doc/src/Commands_fix.rst"
@@ -70,8 +73,8 @@ standard=c++11
 sources=0
 for file in $(sed -n 's/^added: \(.*\.cpp\)$/\1/p' "$work/diff"); do
   sources=$((sources + 1))
-  for sizes in SMALLBIG BIGBIG; do
-    mpicxx -std=$standard -fsyntax-only -DLAMMPS_$sizes -I"$work/prefix/include" -I"$work/prefix/include/asperity" \
+  for size in $sizes; do
+    mpicxx -std=$standard -fsyntax-only -DLAMMPS_$size -I"$work/prefix/include" -I"$work/prefix/include/asperity" \
       -I"$tree/src" -I"$tree/src/ASPERITY" "$tree/$file" 2> "$work/log" ||
       { head -n 20 "$work/log"; die "$file does not compile in the tree"; }
   done

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Which room of src may know which: no file includes a header of a room that its own must not know, no object of the
-# core uses a symbol that such a room defines, and no file lies loose in src.
+# core uses a symbol that such a room defines, and no file lies loose in src. The table of CONTRIBUTING.md beside SRC has
+# a row for each room, and no other.
 # Usage: check.sh SRC [OBJECTS]: the folder of the rooms, and that of the core's object files, in the same rooms.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -40,6 +41,18 @@ for path in "$src"/*; do
     [ "$name" = CMakeLists.txt ] || [ "$name" = asperity.h ] || say "'$name' lies loose in src"
   fi
 done
+
+# Rows of the table: `src/ROOM` ... | what it is.
+contributing=$src/../.github/CONTRIBUTING.md
+sed -nE '/^\| *`src\//s/^\|([^|]*)\|([^|]*[[:alpha:]][^|]*)\|.*/\1/p' "$contributing" | grep -oE '`src/[^`]+`' | tr -d '`' |
+  sed 's|^src/||' | sort > "$work/described"
+for path in "$src"/*; do
+  name=$(basename "$path")
+  [ "$name" = CMakeLists.txt ] || echo "$name"
+done | sort > "$work/rooms"
+comm -13 "$work/described" "$work/rooms" | while read -r name; do say "CONTRIBUTING.md does not describe src/$name"; done
+comm -23 "$work/described" "$work/rooms" | while read -r name; do say "CONTRIBUTING.md describes src/$name, which is not there, or twice"; done
+cmp -s "$work/described" "$work/rooms" || bad=1
 
 looked=0
 while IFS=: read -r file include; do

@@ -26,4 +26,7 @@ def setup(app):
     app.add_lexer("LAMMPS", TextLexer)
 END
 (cd "$work" && LC_ALL=C.UTF-8 sphinx-build -q -W --keep-going -n -b html . html) || die "Sphinx has warnings"
+for section in Syntax Examples Description Restrictions "Related commands" Default; do
+  grep -q "<h2>$section<" "$work/html/fix_wall_rebound.html" || die "there is no section '$section'"
+done
 [ "$(grep -c 'class="math' "$work/html/fix_wall_rebound.html")" -ge 4 ] || die "the equations are missing"

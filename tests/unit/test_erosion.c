@@ -5,6 +5,7 @@
 #include "erosion/laws.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <setjmp.h>
@@ -70,6 +71,39 @@ static void oka_has_its_reference(void **state) {
   is_near(worn(set, NULL, 104, 90, 326e-6, 1), 6.154e-4, 1e-5);
   is_near(worn(set, NULL, 208, 30, 326e-6, 1),
           6.154e-4 * pow(2, 2.35) * pow(sine, 0.8) * pow(1 + h * (1 - sine), 1.3), 1e-5);
+}
+
+/* The constants of each kind of particles, and of each form of grains, away from the references. */
+static void kinds_have_their_constants(void **state) {
+  (void)state;
+  static const struct {
+    const char *name;
+    double k, k1, k2, k3, v, d, n1, n2;
+  } kinds[] = {/* exponents k2, n1, n2 at 2 GPa: a 2^b */
+               {"sio2", 65, -0.12, 2.361388, 0.19, 104, 326e-6, 0.7823526, 1.2509589},
+               {"sic", 45, -0.05, 3.182063, 0.19, 99, 326e-6, 0.7823526, 1.4},
+               {"glass", 27, -0.16, 2.1, 0.19, 100, 200e-6, 3.7203203, 0.9450821}};
+  const double sine = sin(25 * ASP_PI / 180), a = 25 * ASP_PI / 180;
+  for (int i = 0; i < 3; i++) {
+    char words[100];
+    snprintf(words, sizeof words, "erosion oka 2GPa particles %s density 7850" WALTON,
+             kinds[i].name);
+    is_near(worn(words, NULL, 40, 25, 50e-6, 1),
+            7850e-9 * kinds[i].k * pow(2, kinds[i].k1) * pow(40 / kinds[i].v, kinds[i].k2) *
+                pow(50e-6 / kinds[i].d, kinds[i].k3) * pow(sine, kinds[i].n1) *
+                pow(1 + 2 * (1 - sine), kinds[i].n2),
+            1e-5);
+  }
+  static const char *const forms[] = {"sharp", "semi_rounded", "round"};
+  static const double sharpness[] = {1, 0.53, 0.2};
+  for (int i = 0; i < 3; i++) {
+    char words[100];
+    snprintf(words, sizeof words, "erosion ecrc 150 grains %s density 7800" WALTON, forms[i]);
+    is_near(worn(words, NULL, 20, 25, 1e-4, 1),
+            2.17e-7 * pow(150, -0.59) * sharpness[i] * pow(20, 2.41) *
+                (5.4 * a - 10.11 * a * a + 10.93 * pow(a, 3) - 6.33 * pow(a, 4) + 1.42 * pow(a, 5)),
+            1e-12);
+  }
 }
 
 static void units_do_not_matter(void **state) {
@@ -140,6 +174,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(laws_have_their_closed_forms),
       cmocka_unit_test(oka_has_its_reference),
+      cmocka_unit_test(kinds_have_their_constants),
       cmocka_unit_test(units_do_not_matter),
       cmocka_unit_test(faces_wear_more_at_grazing),
       cmocka_unit_test(words_are_checked),

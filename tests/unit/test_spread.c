@@ -23,13 +23,6 @@ static const double angles[] = {0, 1e-12, 0.1, 2, 10, 45, 90};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-/* A model on one wall, with what it prepares of a profile of that wall. */
-typedef struct subject {
-  const asp_spread_model *model;
-  aspi_view view;
-  void *data;
-} subject;
-
 static void *prepare(const asp_spread_model *model, double slope) {
   if (!model->prepare)
     return NULL;
@@ -41,23 +34,41 @@ static void *prepare(const asp_spread_model *model, double slope) {
   return data;
 }
 
+/* What each model has prepared of a profile of each wall, once for all tests. */
+enum { MODELS_MOST = 32 };
+static void *prepared[MODELS_MOST][COUNT(sigmas)];
+
+static void *prepared_of(int m, size_t s, double slope) {
+  assert_true(m < MODELS_MOST);
+  if (!prepared[m][s])
+    prepared[m][s] = prepare(asp_spread_at(m), slope);
+  return prepared[m][s];
+}
+
+static int release_all(void **state) {
+  (void)state;
+  for (int m = 0; m < asp_spread_count(); m++)
+    for (size_t s = 0; s < COUNT(sigmas); s++)
+      if (prepared[m][s])
+        asp_spread_at(m)->release(prepared[m][s]);
+  return 0;
+}
+
 /* Calls `check` for every model that has what it asks for, on every wall and angle. */
 static void for_all(void (*check)(const asp_spread_model *, const aspi_view *)) {
   for (int m = 0; m < asp_spread_count(); m++)
     for (size_t s = 0; s < COUNT(sigmas); s++) {
       const asp_spread_model *model = asp_spread_at(m);
       aspi_view view = aspi_view_of(sigmas[s] * DEGREE, 0);
-      void *data = prepare(model, view.slope);
-      view.data = data;
+      view.data = prepared_of(m, s, view.slope);
       view.d_p = 0.3;
       for (size_t a = 0; a < COUNT(angles); a++) {
         view.alpha1 = angles[a] * DEGREE;
         check(model, &view);
       }
-      if (data)
-        model->release(data);
+      bool has_data = view.data;
       view.data = NULL; /* a Gaussian wall, of which there is no profile */
-      for (size_t a = 0; data && !model->generate && a < COUNT(angles); a++) {
+      for (size_t a = 0; has_data && !model->generate && a < COUNT(angles); a++) {
         view.alpha1 = angles[a] * DEGREE;
         view.kappa = 0.7 * (double)a;
         check(model, &view);
@@ -480,5 +491,5 @@ int main(void) {
       cmocka_unit_test(unknown_names_list_what_there_is),
       cmocka_unit_test(models_describe_themselves),
   };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return cmocka_run_group_tests(tests, NULL, release_all);
 }
