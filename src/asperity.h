@@ -128,12 +128,6 @@ const char *asp_reader_text(const asp_reader *reader);
  * of their range. For a front end to warn of. */
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
 
-/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
- * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
- * unit. Of a map, the larger step, the shorter side and lambda_2. */
-asp_code asp_sampling_check(double d_p, double spacing, double length, double lambda,
-                            asp_error *error);
-
 /* ---- map ------------------------------------------------------------------------------------- */
 /* Heights of a wall over an area, row after row, at equal spacing along x (in a row) and along y
  * (from row to row), in single precision. Heights of a file are relative to their mean. Lengths are
@@ -258,23 +252,6 @@ void asp_material_free(asp_material *material);
 asp_code asp_material_set(asp_material *material, const char *name, double value, asp_error *error);
 double asp_material_get(const asp_material *material, const char *name); /* NaN for another name */
 const char *asp_material_name(const asp_material *material);
-const char *asp_material_title(const asp_material *material);
-const char *asp_material_source(const asp_material *material);
-
-/* Materials from a text file in columns, a row a material, as `asperity materials` prints them:
- * under a line of column names name, youngs_modulus_pa, poissons_ratio, density_kg_m3, and where
- * wanted title, yield_stress_pa (empty: none) and source. Columns are separated by commas,
- * semicolons, tabs or blanks; # begins a comment. The message names file and line. */
-typedef struct asp_materials asp_materials;
-asp_materials *asp_materials_read(const char *path, asp_error *error);
-void asp_materials_free(asp_materials *materials);
-int asp_materials_count(const asp_materials *materials);
-const asp_material *asp_materials_at(const asp_materials *materials, int index);
-
-/* The material of that name: of your own (NULL: none), which go before presets of the same name, or
- * of the presets. NULL and a message that lists the names, when there is none. */
-const asp_material *asp_materials_find(const asp_materials *own, const char *name,
-                                       asp_error *error);
 
 /* Constants of a contact between a particle and a wall material. By name:
  *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
@@ -298,41 +275,21 @@ int asp_rebound_count(void);
 const asp_rebound_law *asp_rebound_at(int index);
 const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error);
 const char *asp_rebound_name(const asp_rebound_law *law);
-const char *asp_rebound_summary(const asp_rebound_law *law);
-const char *asp_rebound_source(const asp_rebound_law *law);
-bool asp_rebound_needs_pair(const asp_rebound_law *law);  /* asp_particle.pair must be given */
-bool asp_rebound_needs_table(const asp_rebound_law *law); /* a wall must have an asp_cor_table */
+bool asp_rebound_needs_pair(const asp_rebound_law *law); /* asp_particle.pair must be given */
 bool asp_rebound_measured(const asp_rebound_law *law); /* its coefficients hold roughness already */
 
-/* The parameters of a law, which asp_wall_set sets: 0 <= index < asp_rebound_parameters(). */
-typedef struct asp_parameter asp_parameter;
-int asp_rebound_parameters(const asp_rebound_law *law);
+/* A parameter of a law, which asp_wall_set sets; NULL for an index past the last. */
+typedef struct asp_parameter {
+  const char *name;
+  const char *unit; /* the kind of its unit, as "stress"; "" for none */
+  double fallback;  /* the value where the user gives none */
+  double least, most;
+  const char *text;    /* what it is, its source, and whether the original was seen */
+  const char *keyword; /* the word of a script that it follows, the same for several in a row that
+                          follow it together; NULL: it follows the law's name */
+  const char *words;   /* those for the values 0, 1 ..., separated by blanks; NULL: a number */
+} asp_parameter;
 const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index);
-const char *asp_parameter_name(const asp_parameter *parameter);
-const char *asp_parameter_unit(const asp_parameter *parameter);
-const char *asp_parameter_text(const asp_parameter *parameter); /* what it is, and its source */
-double asp_parameter_default(const asp_parameter *parameter);
-double asp_parameter_least(const asp_parameter *parameter);
-double asp_parameter_most(const asp_parameter *parameter);
-
-/* The words for the values 0, 1 ..., separated by blanks; "" if the value is a number. read: the
- * value of a text, a number or one of the words. */
-const char *asp_parameter_words(const asp_parameter *parameter);
-asp_code asp_parameter_read(const asp_parameter *parameter, const char *text, double *value,
-                            asp_error *error);
-
-/* The word of a script that this parameter follows, the same for several in a row that follow it
- * together; "" for one that follows the law's name. */
-const char *asp_parameter_keyword(const asp_parameter *parameter);
-
-/* Coefficients of restitution over impact angle and speed, as measured or computed by a user: on a
- * full grid of angles and speeds. Between angles a monotone cubic (Steffen 1990), between speeds a
- * straight line, so that nothing overshoots; beyond the ends the end values. From a text file with
- * the columns alpha1_deg, cor_n, cor_t (or cor_n_mean, cor_t_mean), and v1_m_s where it depends on
- * speed. metre_per_second is one m/s in the unit of the speeds of the contacts: 1 for SI. */
-typedef struct asp_cor_table asp_cor_table;
-asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp_error *error);
-void asp_cor_table_free(asp_cor_table *table);
 
 /* ---- wall and impact ------------------------------------------------------------------------- */
 /* A smooth wall with the law `bons` and its defaults, deposits on, spread `none`. */
@@ -373,15 +330,14 @@ asp_code asp_wall_choose(asp_wall *wall, const char *name, const char *choice, a
 asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error);
 double asp_wall_get(const asp_wall *wall, const char *name); /* NaN for another name */
 
-/* The parts of the wall; NULL: none. The surface and the table must outlive the wall, the
- * profile and the map only asp_wall_prepare. Of a wall with a map the model `profile` takes the law
- * of the map itself, in three dimensions and with its own later hits, whatever tilt and collisions
- * say; every other model that of the surface. Without a surface the wall is smooth; a model that
- * needs a profile and has none is given a generated one with the surface's r_q and lambda_c. */
+/* The parts of the wall; NULL: none. The surface must outlive the wall, the profile and the map
+ * only asp_wall_prepare. Of a wall with a map the model `profile` takes the law of the map itself,
+ * in three dimensions and with its own later hits, whatever tilt and collisions say; every other
+ * model that of the surface. Without a surface the wall is smooth; a model that needs a profile and
+ * has none is given a generated one with the surface's r_q and lambda_c. */
 void asp_wall_set_surface(asp_wall *wall, const asp_surface *surface);
 void asp_wall_set_map(asp_wall *wall, const asp_map *map);
 void asp_wall_set_profile(asp_wall *wall, const asp_profile *profile);
-void asp_wall_set_table(asp_wall *wall, const asp_cor_table *table);
 
 /* Checks the choices together and makes the tables that a contact reads. Contacts use the choices
  * of the last call that succeeded; before the first one, a smooth wall with `bons`. */
@@ -424,6 +380,7 @@ size_t asp_wall_clause(const char *text);
  *   file        of the profile or the map (NULL: neither)
  *   tilt, collisions, deposit
  *   choice      the model that `spread auto` took and why, once the wall is made
+ *   doubt       what is doubtful about the heights of the file, once asp_wall_make has read it
  * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress,
  * sigma, rq, lambda_c (NaN: not given), tolerance, seed and erosion_density (0: that of the
  * material). is_given: whether a keyword is given.
@@ -447,6 +404,10 @@ asp_lay asp_wall_lay(const asp_wall *wall);
 asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error *error);
 bool asp_wall_needs_sizes(const asp_wall *wall);
 const asp_surface *asp_wall_surface(const asp_wall *wall); /* NULL: smooth, or not made yet */
+
+/* ASP_ERANGE and a message where the file of a wall that is made tells little about spheres of
+ * diameter d_p: where they cover under 10 points, or it is under 20 correlation lengths long. */
+asp_code asp_wall_check_sampling(const asp_wall *wall, double d_p, asp_error *error);
 
 /* The materials of a description, in its units, which live as long as the wall; 0 <= index <
  * asp_wall_materials(). */
@@ -528,17 +489,6 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
 /* True if the shear of a flow removes a particle that this wall would hold; see
  * remove_u_tau. */
 bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
-
-/* The cheapest model whose D_KL (Kullback-Leibler divergence of the rebound angles from those of
- * the geometry; specular, bins of one degree, all impact angles) stays below the tolerance (> 0)
- * for the surface's phi_r and diameters from d_least to d_most. *divergence gets its worst D_KL,
- * `text` the reason as one line of at most `size` characters (NULL: none). The D_KL were measured
- * in the plane of incidence on Gaussian walls; of a measured profile only phi_r and kappa count.
- * NULL and a message if the wall is beyond what was measured, or no model stays below the
- * tolerance; then it names the closest. */
-const asp_spread_model *asp_spread_auto(const asp_surface *surface, double d_least, double d_most,
-                                        bool multiple, double tolerance, double *divergence,
-                                        char *text, size_t size, asp_error *error);
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop

@@ -192,6 +192,15 @@ static void fit_all(angle_fit *fits, size_t n, int runs, size_t samples, uint32_
   cli_progress_end(&progress);
 }
 
+static const cli_option options[] = {
+    {"sigma", "DEGREES", "walls, as sigma = atan(s_eff): a list or from:to:step", "10"},
+    {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
+    {"runs", "N", "samples per angle that are fitted one by one", "100"},
+    {"samples", "N", "draws in each of them", "100000"},
+    {"seed", "N", "seed of the draws", "1"},
+    {"figure", "6|7|8|9", "which of the paper's figures --plot draws", "7"},
+    {.name = NULL}};
+
 static const cli_command command = {
     .name = "weibull_fit",
     .summary = "the paper's route to its Weibull law, from the sampled baseline",
@@ -200,42 +209,34 @@ static const cli_command command = {
         "degree in tau = alpha1/sigma up to tau = 6.48 (as comments). A row per wall and angle,\n"
         "with D_KL of the samples against every density. Figures: 6 the effective law at small\n"
         "angles, 7 k and lambda, 8 D_KL over the angle, 9 densities at three angles.\n",
+    .options = options,
+    .picture = "draw the figure; .png, .svg or .pdf",
 };
 
 int main(int argc, char **argv) {
   gsl_set_error_handler_off();
-  cli_option options[N + 1] = {
-      [SIGMA] = {"sigma", "DEGREES", "walls, as sigma = atan(s_eff): a list or from:to:step", "10"},
-      [ANGLES] = {"angles", "DEGREES", "impact angles: a list or from:to:step", "1:90:1"},
-      [RUNS] = {"runs", "N", "samples per angle that are fitted one by one", "100"},
-      [SAMPLES] = {"samples", "N", "draws in each of them", "100000"},
-      [SEED] = {"seed", "N", "seed of the draws", "1"},
-      [FIGURE] = {"figure", "6|7|8|9", "which of the paper's figures --plot draws", "7"},
-      [OUTPUT] = CLI_OUTPUT_OPTION,
-      CLI_PLOT_OPTIONS(PLOT, "draw the figure; .png, .svg or .pdf"),
-  };
-  const char *figure = options[FIGURE].value;
-  cli_parse(&command, argc, argv, options, false);
-  cli_whole(&options[FIGURE], 6, 9);
-  if (options[FIGURE].value != figure && !options[PLOT].value)
+  const cli_call call = cli_parse(&command, argc, argv);
+  cli_whole(cli_get(&call, "figure"), 6, 9);
+  if (cli_is_set(&call, "figure") && !cli_value(&call, "plot"))
     cli_bad_usage("--figure is given without --plot");
-  cli_list sigmas = cli_numbers(&options[SIGMA], 0.01, 80), angles = cli_angles(&options[ANGLES]);
-  int runs = (int)cli_whole(&options[RUNS], 1, 100000);
-  size_t samples = cli_whole(&options[SAMPLES], 1000, 100000000), n = sigmas.count * angles.count;
+  cli_list sigmas = cli_numbers(cli_get(&call, "sigma"), 0.01, 80),
+           angles = cli_angles(cli_get(&call, "angles"));
+  int runs = (int)cli_whole(cli_get(&call, "runs"), 1, 100000);
+  size_t samples = cli_whole(cli_get(&call, "samples"), 1000, 100000000),
+         n = sigmas.count * angles.count;
   angle_fit *fits = cli_allocate(n, sizeof *fits);
   for (size_t i = 0; i < n; i++) {
     fits[i].sigma = cli_radians(sigmas.values[i / angles.count]);
     fits[i].alpha1 = cli_radians(angles.values[i % angles.count]);
   }
   double k[FIT_DEGREE + 1], lambda[FIT_DEGREE + 1];
-  fit_all(fits, n, runs, samples, (uint32_t)cli_whole(&options[SEED], 0, UINT32_MAX));
+  fit_all(fits, n, runs, samples, (uint32_t)cli_whole(cli_get(&call, "seed"), 0, UINT32_MAX));
   fit_polynomial(fits, n, false, k);
   fit_polynomial(fits, n, true, lambda);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-  print(cli_output_stream(output), fits, n, k, lambda);
-  cli_output_close(output);
-  if (options[PLOT].value)
-    cli_fit_plot(options, fits, n, &sigmas, k, lambda);
-  free(fits);
+  FILE *out = cli_output_open(&call, "output", NULL);
+  print(out, fits, n, k, lambda);
+  cli_file_close(out);
+  if (cli_value(&call, "plot"))
+    cli_fit_plot(&call, fits, n, &sigmas, k, lambda);
   return 0;
 }

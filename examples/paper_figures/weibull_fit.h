@@ -7,9 +7,6 @@
 #include "cli/cli.h"
 #include "spread/models.h"
 
-/* The options of the command. */
-enum { SIGMA, ANGLES, RUNS, SAMPLES, SEED, FIGURE, OUTPUT, PLOT, N = PLOT + PLOT_OPTIONS };
-
 enum { FIT_BINS = 600, FIT_DEGREE = 4 };
 
 /* Bins reach from -alpha1/2 up over this many sigma. */
@@ -37,7 +34,7 @@ bool cli_fit_judges(const asp_spread_model *model);
 double cli_fit_divergence(const angle_fit *fit, const asp_spread_model *model);
 
 /* The figure that --figure names, of n fits, wall by wall; k and lambda are the polynomials. */
-void cli_fit_plot(const cli_option *options, const angle_fit *fits, size_t n,
-                  const cli_list *sigmas, const double *k, const double *lambda);
+void cli_fit_plot(const cli_call *call, const angle_fit *fits, size_t n, const cli_list *sigmas,
+                  const double *k, const double *lambda);
 
 #endif

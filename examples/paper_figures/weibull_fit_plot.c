@@ -84,22 +84,21 @@ static void plot_panel(cli_plot *plot, const angle_fit *f, const char *const *na
   }
 }
 
-void cli_fit_plot(const cli_option *options, const angle_fit *fits, size_t n,
-                  const cli_list *sigmas, const double *k, const double *lambda) {
+void cli_fit_plot(const cli_call *call, const angle_fit *fits, size_t n, const cli_list *sigmas,
+                  const double *k, const double *lambda) {
   static const char *const choice[] = {"effective", "truncated", "weibull"};
-  const cli_option *option = &options[PLOT];
-  unsigned long figure = cli_whole(&options[FIGURE], 6, 9);
+  unsigned long figure = cli_whole(cli_get(call, "figure"), 6, 9);
   size_t first = n / sigmas->count, panels = first < 3 ? 1 : 3;
   cli_plot *plot;
   if (figure == 7) {
-    plot = cli_plot_open(option, 1200, 480, "1,2", "Weibull fits to the baseline");
+    plot = cli_plot_open(call, 1200, 480, "1,2", "Weibull fits to the baseline");
     plot_curves(plot, fits, n, sigmas, k, lambda);
   } else if (figure == 8) {
-    plot = cli_plot_open(option, 800, 480, "1,1", "Models against the baseline, σ = %g°",
+    plot = cli_plot_open(call, 800, 480, "1,1", "Models against the baseline, σ = %g°",
                          cli_degrees(fits[0].sigma));
     plot_divergences(plot, fits, first);
   } else {
-    plot = cli_plot_open(option, 1200, 480, panels < 3 ? "1,1" : "1,3",
+    plot = cli_plot_open(call, 1200, 480, panels < 3 ? "1,1" : "1,3",
                          "Densities against the baseline");
     for (size_t i = 0; i < panels; i++)
       plot_panel(plot, &fits[i * (first - 1) / 2], choice, figure == 6 ? 1 : 3);

@@ -3,9 +3,12 @@
  * fit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/calibrate.h"
+#include "analysis/calibrate.h"
 #include "base/number.h"
 #include "base/quantity.h"
+#include "cli/description.h"
+#include "cli/measured.h"
+#include "cli/plot.h"
 #include "wall/description.h"
 #include "rebound/laws.h"
 
@@ -19,8 +22,7 @@
 #define CORRELATED 0.95
 #define VAGUE 1.0
 
-/* ---- what is looked for -----------------------------------------------------------------------
- */
+/* ---- what is looked for ---- */
 
 /* The value of a number that the description does not give; NAN: there is none. Of sigma, in
  * degrees, one that most walls are near. */
@@ -36,31 +38,22 @@ static double standard_of(const aspi_calibration *c, const aspi_unknown *u) {
 
 /* Properties of a number of the description; a law's own numbers go before all others. */
 static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
-  static const char *const surface[] = {"sigma", "rq", "lambda_c"};
   const asp_rebound_law *law = asp_wall_rebound(c->wall);
-  aspi_unknown u = {.name = name, .kind = OF_PAIR};
-  const char *kind = "";
-  int index = aspi_rebound_parameter_find(law, name, NULL);
-  for (int i = 0; i < 3; i++)
-    if (strcmp(surface[i], name) == 0)
-      u.kind = OF_SURFACE;
-  if (index >= 0) {
-    const asp_parameter *p = asp_rebound_parameter(law, index);
-    u.kind = OF_LAW;
-    u.least = asp_parameter_least(p);
-    u.most = asp_parameter_most(p);
-    u.bounded = u.most - u.least <= 10;
-    u.standard = asp_parameter_default(p);
-    kind = asp_parameter_unit(p);
-  } else {
-    const aspi_keyword *k = aspi_keyword_find(u.kind == OF_SURFACE ? "surface" : "", name);
-    u.least = k->least;
-    u.most = k->most;
-    u.standard = standard_of(c, &u);
-    kind = k->unit;
-  }
+  int index = aspi_rebound_parameter_find(law, name, NULL), i = 0;
+  const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
+  while (!p && !(aspi_keyword_at(i)->may_fit && strcmp(aspi_keyword_at(i)->name, name) == 0))
+    i++;
+  const aspi_keyword *k = aspi_keyword_at(i);
+  aspi_unknown u = {.name = name,
+                    .kind = p            ? OF_LAW
+                            : *k->within ? OF_SURFACE
+                                         : OF_PAIR,
+                    .least = p ? p->least : k->least,
+                    .most = p ? p->most : k->most};
+  u.bounded = p && u.most - u.least <= 10;
+  u.standard = p ? p->fallback : standard_of(c, &u);
   char units[120];
-  aspi_quantity_units(kind, units, sizeof units);
+  aspi_quantity_units(p ? p->unit : k->unit, units, sizeof units);
   snprintf(u.unit, sizeof u.unit, "%.*s", (int)strcspn(units, " "), units);
   return u;
 }
@@ -101,44 +94,36 @@ static void read_unknowns(aspi_calibration *c) {
                       : asp_spread_name(asp_wall_spread(c->wall)));
 }
 
-/* ---- the measurements -------------------------------------------------------------------------
- */
+/* ---- the measurements ---- */
 
-static void read_data(const cli_option *options, aspi_calibration *c, const char *path) {
+static void read_data(const cli_call *call, aspi_calibration *c, const char *path) {
   asp_error error;
-  double width = cli_number(&options[BIN], 0.1, 90);
-  c->data = cli_measured_read(path, &options[MEASURED]);
+  const cli_option *samples = cli_get(call, "samples");
+  double width = cli_number(cli_get(call, "bin"), 0.1, 90);
+  c->data = cli_measured_read(path, cli_get(call, "view"));
   cli_measured_need_view(path, &c->data,
                          !c->smooth && strcmp(asp_wall_word(c->wall, "tilt"), "plane") != 0);
-  c->samples = options[SAMPLES].value ? cli_whole(&options[SAMPLES], 100, 100000000) : 0;
+  c->samples = samples->value ? cli_whole(samples, 100, 100000000) : 0;
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)
     cli_bad_usage("%s: %s", path, error.text);
-  else if (code)
-    cli_bad_file(NULL, &error);
+  cli_must(!code, &error);
 }
 
-/* ---- the fit ----------------------------------------------------------------------------------
- */
-
-static void show_progress(void *context, double share) {
-  cli_progress_show(context, share);
-}
+/* ---- the fit ---- */
 
 static aspi_fit find_unknowns(aspi_calibration *c) {
   cli_progress progress = cli_progress_begin("fit", 1);
   aspi_fit f;
   asp_error error;
-  c->progress = show_progress;
+  c->progress = cli_progress_show;
   c->progress_context = &progress;
-  if (aspi_calibration_find(c, &f, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!aspi_calibration_find(c, &f, &error), &error);
   cli_progress_end(&progress);
   return f;
 }
 
-/* ---- output -----------------------------------------------------------------------------------
- */
+/* ---- output ---- */
 
 static double value_of(const aspi_calibration *c, const aspi_fit *f, size_t i) {
   return aspi_unknown_value(&c->unknown[i], f->at[i]);
@@ -216,30 +201,17 @@ static void print_description(FILE *out, aspi_calibration *c, const aspi_fit *f)
   for (int i = 0; i < 2 && asp_rebound_needs_pair(asp_wall_rebound(wall)); i++)
     if (!asp_wall_is_given(wall, pair[i]) && (i == 0 || c->sticks))
       asp_wall_set(wall, pair[i], asp_pair_get(c->pair, pair[i]), NULL);
-  size_t size = asp_wall_describe(wall, NULL, 0) + 1;
-  char *text = cli_allocate(size, 1);
-  asp_wall_describe(wall, text, size);
   fputs("# description, in SI units: ", out);
-  cli_print_comment(out, text);
+  cli_print_comment(out, cli_description_text(wall));
   fputc('\n', out);
-  free(text);
-}
-
-static void print_number(FILE *out, double value) {
-  if (isfinite(value))
-    fprintf(out, ",%.6g", value);
-  else
-    fputc(',', out);
 }
 
 static void print_unknown(FILE *out, const aspi_calibration *c, const aspi_fit *f, size_t i) {
   char text[120];
   bool bound = bound_of(c, f, i, text, sizeof text);
-  fprintf(out, "%s,%.6g", c->unknown[i].name, value_of(c, f, i));
-  print_number(out, bound ? NAN : error_of(c, f, i));
-  print_number(out, end_of(c, i, f->low[i]));
-  print_number(out, end_of(c, i, f->high[i]));
-  fprintf(out, ",%s\n", c->unknown[i].unit);
+  cli_row(out, "%s,%.6g,%.6g,%.6g,%.6g,", c->unknown[i].name, value_of(c, f, i),
+          bound ? NAN : error_of(c, f, i), end_of(c, i, f->low[i]), end_of(c, i, f->high[i]));
+  fprintf(out, "%s\n", c->unknown[i].unit);
 }
 
 static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
@@ -273,8 +245,7 @@ static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
   print_description(out, c, f);
 }
 
-/* ---- the command ------------------------------------------------------------------------------
- */
+/* ---- the command ---- */
 
 static void take_wall(aspi_calibration *c, const cli_description *wall) {
   c->wall = wall->wall;
@@ -298,102 +269,143 @@ static void make_wall(aspi_calibration *c, cli_description *wall, double vector[
 }
 
 static void read_noise(aspi_calibration *c, const cli_option *option) {
-  cli_list noise = cli_numbers(option, 0, 90);
-  if (noise.count < 1 || noise.count > 3)
-    cli_bad_usage("--noise is '%s'; it must be %s", option->value, option->argument);
-  c->noise[0] = noise.values[0];
-  c->noise[1] = noise.values[noise.count > 1];
-  c->noise_speed = noise.count > 2 ? noise.values[2] : 0;
-  free(noise.values);
+  double noise[3] = {0, 0, 0};
+  size_t count = cli_few(option, 0, 90, 3, noise);
+  c->noise[0] = noise[0];
+  c->noise[1] = noise[count > 1];
+  c->noise_speed = noise[2];
 }
 
-static void read_wall(aspi_calibration *c, const cli_option *options,
+static void read_wall(aspi_calibration *c, const cli_call *call,
                       const cli_description *description) {
   take_wall(c, description);
   const asp_wall *wall = c->wall;
   c->smooth = strcmp(asp_wall_word(wall, "surface"), "smooth") == 0;
   c->sticks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && asp_wall_get(wall, "deposit") > 0;
   c->seed = (uint32_t)asp_wall_get(wall, "seed");
-  c->d_p = cli_length(&options[DP]);
-  c->speed = cli_number(&options[SPEED], 1e-9, 1e6);
-  c->huber = options[HUBER].value ? cli_number(&options[HUBER], 1, 100) : INFINITY;
-  read_noise(c, &options[NOISE]);
+  c->d_p = cli_length(cli_get(call, "dp"));
+  c->speed = cli_number(cli_get(call, "speed"), 1e-9, 1e6);
+  c->huber = cli_value(call, "huber") ? cli_number(cli_get(call, "huber"), 1, 100) : INFINITY;
+  read_noise(c, cli_get(call, "noise"));
   read_unknowns(c);
 }
 
-static void draw_picture(const cli_option *option, const aspi_calibration *c, const aspi_fit *f,
-                         const char *path) {
+/* ---- the picture: means and standard deviations of both coefficients over the impact angle. Marks
+ * are measured; the line in a band is the fitted model. ---- */
+
+/* One coefficient of one bin; the mean is NAN if there is none. */
+typedef struct point {
+  double degrees, mean, sd;
+} point;
+
+static point measured_in(const aspi_calibration *c, size_t b, int k) {
+  double alpha = cli_radians(c->bins[b].degrees), by = k == COR_N ? sin(alpha) : cos(alpha);
+  const aspi_group *g = &c->groups[b];
+  bool used = g->used[MOMENT_X + k];
+  return (point){c->bins[b].degrees, used ? g->mean[k] / by : NAN, used ? g->sd[k] / by : NAN};
+}
+
+static point fitted_in(const aspi_calibration *c, size_t b, int k) {
+  double mean[COR_BOTH], sd[COR_BOTH];
+  aspi_calibration_coefficients(c, b, mean, sd);
+  return (point){c->bins[b].degrees, mean[k], sd[k]};
+}
+
+static void plot_panel(cli_plot *picture, const aspi_calibration *c, int k) {
+  const char *law = asp_rebound_name(asp_wall_rebound(c->wall));
+  cli_plot_coefficient(picture, k);
+  cli_plot_series(picture, CLI_BAND, "law_%s", law);
+  for (size_t b = 0; b < c->n_bins; b++) {
+    point p = fitted_in(c, b, k);
+    if (isfinite(measured_in(c, b, k).mean))
+      cli_plot_row(picture, p.degrees, p.mean, p.sd);
+  }
+  cli_plot_end(picture, "fitted model, mean ± sd");
+  cli_plot_series(picture, CLI_ERRORS, "data");
+  for (size_t b = 0; b < c->n_bins; b++) {
+    point p = measured_in(c, b, k);
+    cli_plot_row(picture, p.degrees, p.mean, p.sd);
+  }
+  cli_plot_end(picture, "measured, mean ± sd");
+}
+
+static void plot(const cli_call *call, const aspi_calibration *c, const aspi_fit *f) {
   char title[300] = "";
   for (size_t i = 0; i < c->n_unknown; i++) {
     size_t used = strlen(title);
     snprintf(title + used, sizeof title - used, "%s%s %.4g ± %.2g %s", i ? ",  " : "",
              c->unknown[i].name, value_of(c, f, i), error_of(c, f, i), c->unknown[i].unit);
   }
-  cli_calibrate_plot(option, c, path, title);
+  cli_plot *picture = cli_plot_open(call, 1200, 520, "1,2", "%s and the fitted model: %s",
+                                    cli_plot_file(call->words[0]).text, cli_plot_label(title).text);
+  for (int k = 0; k < COR_BOTH; k++) {
+    bool any = false;
+    for (size_t b = 0; b < c->n_bins; b++)
+      any = any || isfinite(measured_in(c, b, k).mean);
+    if (any)
+      plot_panel(picture, c, k);
+  }
+  cli_plot_close(picture);
 }
 
-static int run(int argc, char **argv) {
-  cli_option options[N + 1] = {
-      [DP] = {"dp", "LENGTH", "diameter, where the data have none", "10um"},
-      [SPEED] = {"speed", "M_PER_S", "impact speed, where the data have none", "100"},
-      [NOISE] = {"noise", "DEGREES[,DEGREES[,SHARE]]",
-                 "sd of the measured impact angles, of the rebound angles [the same], and of the "
-                 "speeds as a share of them",
-                 "0"},
-      [HUBER] = {"huber", "WIDTHS",
-                 "against outliers: rebounds farther out than this many robust standard deviations "
-                 "count as so far; 2 is usual",
-                 NULL},
-      MEASURED_OPTIONS(MEASURED),
-      [BIN] = {"bin", "DEGREES", "width of the bins that impacts are put into", "5"},
-      [SAMPLES] = {"samples", "N", "simulated impacts a bin; 10 for a measured one, 2000 to 20000",
-                   NULL},
-      [OUTPUT] = CLI_OUTPUT_OPTION,
-      CLI_PLOT_OPTIONS(PLOT, "draw data and fitted model; .png, .svg or .pdf"),
-  };
-  int words = cli_words(argc, argv);
-  cli_parse(&cli_calibrate, argc - words, argv + words, options, false);
-  if (words < 1)
+static void run(cli_call *call) {
+  if (call->n_words < 1)
     cli_bad_usage("calibrate: DATA is expected, a file, and the description of a wall behind it; "
                   "see 'asperity calibrate --help'");
-  cli_keep_input(options, argv[1]);
-  cli_description wall = cli_description_read_fit(words - 1, argv + 2);
+  const char *path = call->words[0];
+  cli_keep_input(call, path);
+  cli_description wall = cli_description_read(call->n_words - 1, call->words + 1, true);
   aspi_calibration c = {.samples = 0};
   double vector[3];
-  read_wall(&c, options, &wall);
-  read_data(options, &c, argv[1]);
+  read_wall(&c, call, &wall);
+  read_data(call, &c, path);
   make_wall(&c, &wall, vector);
   aspi_fit f = find_unknowns(&c);
   warn_of_doubt(&c, &f);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-  print_all(cli_output_stream(output), &c, &f);
-  cli_output_close(output);
-  if (options[PLOT].value)
-    draw_picture(&options[PLOT], &c, &f, argv[1]);
-  cli_description_free(&wall);
-  cli_measured_free(&c.data);
-  aspi_calibration_free(&c);
-  return 0;
+  FILE *out = cli_output_open(call, "output", NULL);
+  print_all(out, &c, &f);
+  cli_file_close(out);
+  if (cli_value(call, "plot"))
+    plot(call, &c, &f);
 }
+
+static const cli_option options[] = {
+    {"dp", "LENGTH", "diameter, where the data have none", "10um"},
+    {"speed", "M_PER_S", "impact speed, where the data have none", "100"},
+    {"noise", "DEGREES[,DEGREES[,SHARE]]",
+     "sd of the measured impact angles, of the rebound angles [the same], and of the speeds as a "
+     "share of them",
+     "0"},
+    {"huber", "WIDTHS",
+     "against outliers: a rebound farther out than this many robust standard deviations counts as "
+     "if it were just that far; 2 is usual",
+     NULL},
+    MEASURED_OPTIONS,
+    {"bin", "DEGREES", "width of the bins of impacts", "5"},
+    {"samples", "N",
+     "simulated impacts per bin; by default 10 for each measured one, 2000 to 20000", NULL},
+    {.name = NULL}};
+
+static const char detail[] =
+    "Fits every number of the wall's description that is `fit`, as in 'surface sigma fit\n"
+    "friction fit': sigma, or rq and lambda_c; friction, surface_energy, yield_stress;\n"
+    "those of the law. `fit=VALUE` begins the search at VALUE; rq, lambda_c and numbers\n"
+    "whose default is 0 need it.\n" MEASURED_FORMS "\n"
+    "The output has the rows parameter,estimate,standard_error,low_95,high_95,unit; then,\n"
+    "as comments, correlations, chi^2 per degree of freedom, and the description with the\n"
+    "estimates in it, for a script or another command. A warning names constants that the\n"
+    "data cannot separate, and data that the model does not describe. Noise of the\n"
+    "measurement looks like roughness: state it by --noise. Sizes count only if the wall is\n"
+    "given by rq and lambda_c; sigma is the same for all of them.\n";
 
 const cli_command cli_calibrate = {
     .name = "calibrate",
     .arguments = "DATA DESCRIPTION",
-    .summary = "the wall's roughness and a law's constants from measured scatter",
-    .detail =
-        "asperity calibrate DATA surface sigma fit friction fit ...: every number of the wall's\n"
-        "description that is `fit` is looked for: sigma, or rq and lambda_c; friction,\n"
-        "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search there, "
-        "which\n"
-        "rq, lambda_c and numbers whose default is 0 need.\n" MEASURED_FORMS
-        "\nRows parameter,estimate,standard_error,low_95,high_95,unit; then, as comments,\n"
-        "correlations, chi^2 per degree of freedom, and the description with the estimates in it,\n"
-        "for a script or another command. A warning names constants that the data cannot "
-        "separate,\n"
-        "and data that the model does not describe. Noise of the measurement looks like\n"
-        "roughness: state it by --noise. Sizes count only where the wall is given by rq and\n"
-        "lambda_c; sigma is the same for all of them.\n",
+    .summary = "fit the wall's roughness and a law's constants to measured coefficients",
+    .detail = detail,
     .examples = "  $ asperity calibrate examples/data/grant_tabakoff_1975.csv surface sigma fit "
                 "friction fit --dp 100um --plot fit.png\n",
+    .options = options,
+    .picture = "draw data and fitted model; .png, .svg or .pdf",
     .run = run,
 };

@@ -5,6 +5,7 @@
 #include "base/number.h"
 #include "base/quantity.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <getopt.h>
 #include <math.h>
@@ -14,8 +15,6 @@
 #include <strings.h>
 #include <time.h>
 #include <unistd.h>
-
-enum { OPTIONS_MAX = 48 };
 
 /* A longer length (m) without a unit is more likely one whose unit was forgotten. */
 #define LENGTH_WITHOUT_UNIT 1e-3
@@ -61,11 +60,10 @@ char *cli_copy(const char *text) {
   return strcpy(cli_allocate(strlen(text) + 1, 1), text);
 }
 
-void cli_bad_file(const cli_option *option, const asp_error *error) {
-  fputs("asperity: ", stderr);
-  if (option)
-    fprintf(stderr, "--%s: ", option->name);
-  fprintf(stderr, "%s\n", error->text);
+void cli_must(bool good, const asp_error *error) {
+  if (good)
+    return;
+  fprintf(stderr, "asperity: %s\n", error->text);
   exit(error->code == ASP_ENOMEM ? 1 : 2);
 }
 
@@ -85,11 +83,26 @@ void cli_warn(const char *format, ...) {
   va_end(args);
 }
 
-static int count_options(const cli_option *options) {
-  int count = 0;
-  while (options[count].name)
-    count++;
-  return count;
+const cli_option *cli_get(const cli_call *call, const char *name) {
+  for (const cli_option *o = call->options; o->name; o++)
+    if (strcmp(o->name, name) == 0)
+      return o;
+  return NULL;
+}
+
+const char *cli_value(const cli_call *call, const char *name) {
+  const cli_option *option = cli_get(call, name);
+  return option ? option->value : NULL;
+}
+
+void cli_default(cli_call *call, const char *name, const char *value) {
+  cli_option *option = (cli_option *)cli_get(call, name);
+  option->value = option->value ? option->value : value;
+}
+
+bool cli_is_set(const cli_call *call, const char *name) {
+  const cli_option *option = cli_get(call, name);
+  return option->value != call->command->options[option - call->options].value;
 }
 
 /* A table goes to no file whose name promises an array. */
@@ -102,33 +115,26 @@ static void check_written(const cli_option *option) {
   cli_file_check(option->value);
 }
 
-/* Refuses options for the look of a picture if no picture is drawn. */
-static void check_look(const cli_option *options, int count) {
-  for (int i = 0; i < count; i++)
-    for (int k = PLOT_TITLE; k < PLOT_OPTIONS && strcmp(options[i].name, "plot") == 0; k++)
-      if (!options[i].value && options[i + k].value)
-        cli_bad_usage("--%s is given without --plot", options[i + k].name);
-}
-
 /* Exits where a file that is to be written cannot be, or two are to be the same. */
-static void check_files(const cli_option *options, int count) {
-  static const char *const written[] = {"output", "save", "plot"};
-  const cli_option *given[3] = {NULL, NULL, NULL};
-  for (int i = 0; i < count; i++)
-    for (int k = 0; k < 3; k++)
-      if (strcmp(options[i].name, written[k]) == 0 && options[i].value)
-        given[k] = &options[i];
-  for (int k = 0; k < 3; k++)
-    for (int m = 0; m < k; m++)
-      if (given[k] && given[m] && strcmp(given[k]->value, given[m]->value) == 0 &&
-          strncmp(given[k]->value, "/dev/", 5) != 0)
-        cli_bad_usage("--%s and --%s are both '%s'", given[m]->name, given[k]->name,
-                      given[k]->value);
+static void check_files(const cli_call *call) {
+  static const char *const written[] = {"output", "save", "plot"}, *const look[] = {"title", "size",
+                                                                                    "range"};
+  for (int k = 0; k < 3; k++) {
+    const char *path = cli_value(call, written[k]);
+    for (int m = 0; m < k && path && strncmp(path, "/dev/", 5) != 0; m++) {
+      const char *other = cli_value(call, written[m]);
+      if (other && strcmp(path, other) == 0)
+        cli_bad_usage("--%s and --%s are both '%s'", written[m], written[k], path);
+    }
+  }
   for (int k = 0; k < 2; k++)
-    if (given[k] && strcmp(given[k]->value, "-") != 0)
-      check_written(given[k]);
-  if (given[2])
-    cli_plot_check(given[2]);
+    if (cli_value(call, written[k]) && strcmp(cli_value(call, written[k]), "-") != 0)
+      check_written(cli_get(call, written[k]));
+  if (cli_value(call, "plot"))
+    cli_plot_check(call);
+  for (int k = 0; k < 3 && !cli_value(call, "plot"); k++)
+    if (cli_value(call, look[k]))
+      cli_bad_usage("--%s is given without --plot", look[k]);
 }
 
 /* The word that getopt has just refused. getopt may have refused one letter of a longer word; then
@@ -139,43 +145,82 @@ static const char *unknown_word(int argc, char **argv) {
   return argv[done ? optind - 1 : optind];
 }
 
-int cli_parse(const cli_command *command, int argc, char **argv, cli_option *options,
-              bool arguments) {
-  struct option table[OPTIONS_MAX + 2] = {{0}};
-  int count = count_options(options);
-  for (int i = 0; i < count; i++)
-    table[i] = (struct option){options[i].name,
-                               options[i].argument ? required_argument : no_argument, NULL, i};
-  table[count] = (struct option){"help", optional_argument, NULL, OPTIONS_MAX};
+/* The options of a command: its own, and those of all. */
+static void list_options(cli_call *call) {
+  const cli_option common[] = {
+      {"output", "FILE", "write to FILE instead of the screen", NULL},
+      {"plot", "FILE", call->command->picture, NULL},
+      {"title", "TEXT", "title of the picture", NULL},
+      {"size", "WIDTHxHEIGHT", "size of the picture, in pixels", NULL},
+      {"range", "FROM:TO", "range of the vertical axis", NULL},
+  };
+  cli_option *to = call->options;
+  for (const cli_option *own = call->command->options; own->name; own++)
+    *to++ = *own;
+  for (int i = 0; i < (call->command->picture ? 5 : 1); i++)
+    *to++ = common[i];
+}
+
+/* The option that getopt found, or failed at. */
+static cli_option *take_option(cli_call *call, int argc, char **argv, int found) {
+  const char *name = call->command->name;
+  if (found == CLI_OPTIONS_MOST || found == 'h') {
+    cli_help_command(call->command, call->options, found == 'h' ? NULL : optarg);
+    exit(0);
+  }
+  if (found == ':')
+    cli_bad_usage("%s: option '%s' needs a value", name, argv[optind - 1]);
+  if (found == '?')
+    cli_bad_usage("%s: option '%s' is unknown; options begin with --; see 'asperity %s --help'",
+                  name, unknown_word(argc, argv), name);
+  return found == 'o' ? (cli_option *)cli_get(call, "output") : &call->options[found];
+}
+
+static void read_options(cli_call *call, int argc, char **argv) {
+  struct option table[CLI_OPTIONS_MOST + 2] = {{0}};
+  int count = 0;
+  for (const cli_option *o = call->options; o->name; o++, count++)
+    table[count] =
+        (struct option){o->name, o->argument ? required_argument : no_argument, NULL, count};
+  table[count] = (struct option){"help", optional_argument, NULL, CLI_OPTIONS_MOST};
   opterr = 0;
   optind = 1;
   for (int found; (found = getopt_long(argc, argv, ":o:h", table, NULL)) != -1;) {
-    if (found == OPTIONS_MAX || found == 'h') {
-      cli_help_command(command, options, found == 'h' ? NULL : optarg);
-      exit(0);
-    }
-    if (found == ':')
-      cli_bad_usage("%s: option '%s' needs a value", command->name, argv[optind - 1]);
-    if (found == '?')
-      cli_bad_usage("%s: option '%s' is unknown; options begin with --; see 'asperity %s --help'",
-                    command->name, unknown_word(argc, argv), command->name);
-    if (found == 'o') {
-      found = 0;
-      while (found < count && strcmp(options[found].name, "output") != 0)
-        found++;
-      if (found == count)
-        cli_bad_usage("%s: option '-o' is unknown; see 'asperity %s --help'", command->name,
-                      command->name);
-    }
-    options[found].value = options[found].argument ? optarg : "";
+    cli_option *option = take_option(call, argc, argv, found);
+    option->value = option->argument ? optarg : "";
   }
-  check_files(options, count);
-  check_look(options, count);
-  if (!arguments && optind < argc)
+}
+
+/* Number of words before the first option; `-0.5` is a number and no option. */
+static int count_words(int argc, char **argv) {
+  int count = 1;
+  while (count < argc && !(argv[count][0] == '-' &&
+                           (isalpha((unsigned char)argv[count][1]) || argv[count][1] == '-')))
+    count++;
+  return count - 1;
+}
+
+cli_call cli_parse(const cli_command *command, int argc, char **argv) {
+  bool before = command->arguments && !command->takes_files;
+  cli_call call = {.command = command,
+                   .argc = argc,
+                   .argv = argv,
+                   .n_words = before ? count_words(argc, argv) : 0,
+                   .words = argv + 1};
+  char **rest = argv + call.n_words;
+  argc -= call.n_words;
+  list_options(&call);
+  read_options(&call, argc, rest);
+  check_files(&call);
+  if (command->takes_files) {
+    call.words = argv + optind;
+    call.n_words = argc - optind;
+  } else if (optind < argc) {
     cli_bad_usage("%s: argument '%s' is not expected behind an option; options begin with --, and "
                   "the words that describe a wall stand before them",
-                  command->name, argv[optind]);
-  return optind;
+                  command->name, rest[optind]);
+  }
+  return call;
 }
 
 static const char *given(const cli_option *option) {
@@ -192,8 +237,7 @@ static double read_one(const cli_option *option, const char *kind) {
   double value;
   asp_error error;
   snprintf(name, sizeof name, "--%s", option->name);
-  if (aspi_quantity_read(name, given(option), kind, &si, &value, &error))
-    cli_bad_usage("%s", error.text);
+  cli_must(!aspi_quantity_read(name, given(option), kind, &si, &value, &error), &error);
   return value;
 }
 
@@ -225,12 +269,21 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
   return value;
 }
 
-int cli_choice(const cli_option *option, const char *first, const char *second) {
-  if (strcmp(option->value, first) == 0)
-    return 0;
-  if (strcmp(option->value, second) == 0)
-    return 1;
-  cli_bad_usage("--%s is '%s'; it must be %s or %s", option->name, option->value, first, second);
+int cli_choice(const cli_option *option) {
+  char list[80] = "";
+  int index = 0;
+  for (const char *word = option->argument; *word; index++) {
+    size_t length = strcspn(word, "|"), used = strlen(list);
+    if (strlen(option->value) == length && strncmp(option->value, word, length) == 0)
+      return index;
+    snprintf(list + used, sizeof list - used, "%s%.*s",
+             index == 0     ? ""
+             : word[length] ? ", "
+                            : " or ",
+             (int)length, word);
+    word += length + (word[length] == '|');
+  }
+  cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, list);
 }
 
 void cli_check_unit(const char *name, const char *text, double most) {
@@ -258,8 +311,7 @@ cli_list cli_values(const cli_option *option, const char *kind, double least, do
   cli_list list;
   asp_error error;
   snprintf(name, sizeof name, "--%s", option->name);
-  if (aspi_list_read(name, given(option), kind, &si, least, most, &list, &error))
-    cli_bad_usage("%s", error.text);
+  cli_must(!aspi_list_read(name, given(option), kind, &si, least, most, &list, &error), &error);
   if (strcmp(kind, "length") == 0 && !(list.least > 0))
     cli_bad_usage("--%s is '%s'; all of it must be > 0", option->name, option->value);
   if (strcmp(kind, "length") == 0)
@@ -291,6 +343,22 @@ cli_list cli_angles(const cli_option *option) {
   return without_law(option, "degrees", 0, 90);
 }
 
+cli_list cli_impact_angles(const cli_call *call) {
+  cli_list angles = cli_angles(cli_get(call, "angles"));
+  if (!(angles.least > 0))
+    cli_bad_usage("--angles is '%s'; it must be more than 0 and at most 90",
+                  cli_value(call, "angles"));
+  return angles;
+}
+
+size_t cli_few(const cli_option *option, double least, double most, size_t n, double *values) {
+  cli_list list = cli_numbers(option, least, most);
+  if (list.count > n)
+    cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, option->argument);
+  memcpy(values, list.values, list.count * sizeof *values);
+  return list.count;
+}
+
 double cli_seconds(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -302,7 +370,8 @@ cli_progress cli_progress_begin(const char *what, double total) {
   return (cli_progress){what, total, now, isatty(STDERR_FILENO) ? now : INFINITY};
 }
 
-void cli_progress_show(cli_progress *progress, double done) {
+void cli_progress_show(void *of, double done) {
+  cli_progress *progress = of;
   double now = cli_seconds();
   if (now - progress->begun < 1 || now - progress->shown < 0.1)
     return;

@@ -13,18 +13,6 @@
 
 #include <stdio.h>
 
-typedef struct cli_command {
-  const char *name;
-  const char *summary;   /* one line, for the list of commands */
-  const char *detail;    /* more, for --help */
-  const char *arguments; /* besides options; NULL: none */
-  const char *examples;  /* command lines, each behind "  $ " */
-  int (*run)(int argc, char **argv);
-} cli_command;
-
-extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_erosion, cli_materials,
-    cli_rebound, cli_spread, cli_surface, cli_trade;
-
 /* One option of a command. A table of them ends with a NULL name. */
 typedef struct cli_option {
   const char *name;     /* without the dashes */
@@ -33,14 +21,43 @@ typedef struct cli_option {
   const char *value; /* the default, then what the user gave; NULL: not given. A flag: "" */
 } cli_option;
 
-#define CLI_OUTPUT_OPTION                                                                          \
-  { "output", "FILE", "write there instead of to the screen", NULL }
+typedef struct cli_call cli_call;
 
-/* Reads the options of a command into the table; prints help and exits on --help, and where a file
- * that is to be written cannot be. Returns the index
- * of the first argument that is not an option; with `arguments` false there must be none. */
-int cli_parse(const cli_command *command, int argc, char **argv, cli_option *options,
-              bool arguments);
+typedef struct cli_command {
+  const char *name;
+  const char *summary;       /* one line, for the list of commands */
+  const char *detail;        /* more, for --help */
+  const char *arguments;     /* besides options; NULL: none */
+  bool takes_files;          /* arguments are files, anywhere; else words before the options */
+  const char *examples;      /* command lines, each behind "  $ " */
+  const cli_option *options; /* its own; --output and those of a picture follow them */
+  const char *picture;       /* help of --plot; NULL: there is no picture */
+  void (*run)(cli_call *call);
+} cli_command;
+
+extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_erosion, cli_materials,
+    cli_rebound, cli_spread, cli_surface, cli_trade;
+
+/* A command as it is called, once in a process: what it reads and makes stays until the end. */
+enum { CLI_OPTIONS_MOST = 24 };
+struct cli_call {
+  const cli_command *command;
+  int argc;
+  char **argv; /* the command's name and all that follows */
+  int n_words;
+  char **words; /* its arguments */
+  cli_option options[CLI_OPTIONS_MOST];
+};
+
+/* Reads the options and the arguments of a command; prints help and exits on --help, and where a
+ * file that is to be written cannot be. */
+cli_call cli_parse(const cli_command *command, int argc, char **argv);
+
+/* An option of the command by name; its value; true if the value is not the default. */
+const cli_option *cli_get(const cli_call *call, const char *name);
+const char *cli_value(const cli_call *call, const char *name);
+void cli_default(cli_call *call, const char *name, const char *value); /* where none is given */
+bool cli_is_set(const cli_call *call, const char *name);
 
 #if defined(__GNUC__)
 #define CLI_FORMAT(text, first) __attribute__((format(printf, text, first)))
@@ -54,9 +71,9 @@ CLI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 
 void *cli_allocate(size_t count, size_t size);
 char *cli_copy(const char *text);
 
-/* Tells what is wrong with the file that an option (NULL: an argument) names: exit 2, 1 where there
- * is no memory for it. */
-_Noreturn void cli_bad_file(const cli_option *option, const asp_error *error);
+/* Exits where something that a library call gave is not good, with its message: exit 2, 1 where
+ * there is no memory for it. */
+void cli_must(bool good, const asp_error *error);
 
 /* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
 typedef aspi_list cli_list;
@@ -78,9 +95,13 @@ cli_list cli_numbers(const cli_option *option, double least, double most);
 cli_list cli_speeds(const cli_option *option, double least, double most);
 cli_list cli_lengths(const cli_option *option);
 cli_list cli_angles(const cli_option *option);
+cli_list cli_impact_angles(const cli_call *call); /* of the option `angles`; over 0 */
 
-/* 0 or 1: which of two words the value is. */
-int cli_choice(const cli_option *option, const char *first, const char *second);
+/* Takes one to n numbers; those that are not given stay as they are. Returns their count. */
+size_t cli_few(const cli_option *option, double least, double most, size_t n, double *values);
+
+/* Index of the value among the words of the option's argument, `own|ledger`. */
+int cli_choice(const cli_option *option);
 
 /* A line on stderr; and one that something may not be what is wanted. */
 CLI_FORMAT(1, 2) void cli_say(const char *format, ...);
@@ -88,31 +109,29 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
 /* A file that appears under its name, whole, when it is closed; an exit before that leaves what was
  * there. A symbolic link is followed and its target replaced. A device or a pipe is written to as
- * it is, and so is the file that is standard output. */
-typedef struct cli_file cli_file;
-cli_file *cli_file_open(const char *path);
+ * it is, and so is the file that is standard output, which "-" and NULL are, too. */
+FILE *cli_file_open(const char *path);
+void cli_file_close(FILE *stream);
 
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
 
 /* Exits where --output or --plot would replace a file that is read. */
-void cli_keep_input(const cli_option *options, const char *input);
-FILE *cli_file_stream(const cli_file *file);
-void cli_file_close(cli_file *file);
-void cli_file_drop(cli_file *file); /* closes it and leaves what was there */
+void cli_keep_input(const cli_call *call, const char *input);
 
-/* The stream to write CSV to: a file, or stdout where path is NULL or "-". Writes the comment line:
- * version, the command as given, and the description of the wall where there is one. */
-typedef struct cli_output cli_output;
-cli_output *cli_output_open(const char *path, int argc, char **argv, const char *description);
-FILE *cli_output_stream(cli_output *output);
-void cli_output_close(cli_output *output);
+/* Opens the file of an option for CSV. Writes the comment line: version, the command as given, and
+ * the description of the wall where there is one. */
+FILE *cli_output_open(const cli_call *call, const char *option, const char *description);
+
+/* Prints fields of CSV by a format of printf with text, %s, %d, %zu or a double between its commas.
+ * A number that is none is an empty field; a text is put in quotes where it needs them. */
+CLI_FORMAT(2, 3) void cli_row(FILE *out, const char *format, ...);
 
 /* A user's text within a comment line: control characters as \xNN. */
 void cli_print_comment(FILE *out, const char *text);
 
-/* A user's text as a field of CSV: in quotes where it holds a comma, a quote or a #. */
-void cli_print_field(FILE *out, const char *text);
+/* A text in quotes, with quotes inside it doubled. */
+void cli_print_quoted(FILE *out, const char *text);
 
 /* Seconds on a monotonic clock. */
 double cli_seconds(void);
@@ -125,21 +144,12 @@ typedef struct cli_progress {
   double begun, shown;
 } cli_progress;
 cli_progress cli_progress_begin(const char *what, double total);
-void cli_progress_show(cli_progress *progress, double done);
+void cli_progress_show(void *progress, double done); /* a cli_progress */
 void cli_progress_end(cli_progress *progress);
 
 /* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
- * file that cannot be written. cli_parse asks for the option `plot`, before any work is done. */
-void cli_plot_check(const cli_option *option);
-
-/* The options of a picture, in a row in a command's table; see plot.h. */
-enum { PLOT_FILE, PLOT_TITLE, PLOT_SIZE, PLOT_RANGE, PLOT_OPTIONS };
-#define CLI_PLOT_OPTIONS(first, text)                                                              \
-  [(first) + PLOT_FILE] = {"plot", "FILE", text, NULL},                                            \
-             [(first) +                                                                            \
-                 PLOT_TITLE] = {"title", "TEXT", "of the picture, instead of its own", NULL},      \
-             [(first) + PLOT_SIZE] = {"size", "WIDTHxHEIGHT", "of the picture, in pixels", NULL},  \
-             [(first) + PLOT_RANGE] = {"range", "FROM:TO", "of the vertical axis", NULL}
+ * file that cannot be written. cli_parse asks before any work is done. */
+void cli_plot_check(const cli_call *call);
 
 double cli_degrees(double radians);
 double cli_radians(double degrees);

@@ -2,20 +2,14 @@
  * restitution; options, tables and warnings. analysis/compare.c does the statistics.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/compare.h"
+#include "analysis/compare.h"
+#include "cli/measured.h"
+#include "cli/plot.h"
+#include "cli/scatter.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum {
-  BIN,
-  NEAR,
-  MEASURED,
-  OUTPUT = MEASURED + MEASURED_OPTION_COUNT,
-  PLOT,
-  N = PLOT + PLOT_OPTIONS
-};
 
 static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"};
 
@@ -25,34 +19,20 @@ static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"}
 #define WIDTH "10"
 #define FAR "2,0.1,0.1"
 
-/* ---- output -----------------------------------------------------------------------------------
- */
-
-/* A field; nothing where there is no number. */
-static void print(FILE *out, double value) {
-  if (isfinite(value))
-    fprintf(out, ",%.6g", value);
-  else
-    fputc(',', out);
-}
+/* ---- output ---- */
 
 static void print_side(FILE *out, const aspi_sample *s, double n, bool has_sd) {
-  print(out, n);
-  print(out, s->mean);
-  print(out, s->mean_se);
-  print(out, has_sd ? s->sd : NAN);
-  print(out, has_sd ? s->sd_se : NAN);
+  cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,", n, s->mean, s->mean_se, has_sd ? s->sd : NAN,
+          has_sd ? s->sd_se : NAN);
 }
 
 static void print_bin(FILE *out, const aspi_comparison *c, const aspi_compare_bin *b, int k) {
   const aspi_sample *m = &b->model.of[k], *d = &b->data.of[k];
-  fprintf(out, "%s,%.6g,%g,%g", names[k], b->degrees, b->from, b->to);
-  print(out, b->v1);
-  print(out, b->d_p * 1e6);
+  cli_row(out, "%s,%.6g,%g,%g,%.6g,%.6g,", names[k], b->degrees, b->from, b->to, b->v1,
+          b->d_p * 1e6);
   print_side(out, m, (double)m->count, k < COR_BOTH);
   print_side(out, d, c->data.means ? c->data.rows[b->first].n : (double)d->count, k < COR_BOTH);
-  print(out, k < COR_BOTH ? b->distance[k] : NAN);
-  fputs(",,\n", out);
+  cli_row(out, "%.6g,,\n", k < COR_BOTH ? b->distance[k] : NAN);
 }
 
 static const char note[] =
@@ -62,10 +42,14 @@ static const char note[] =
     "hold the\n"
     "# roughness of the measured wall already; with a rough wall they count it twice.\n";
 
-static void print_all(FILE *out, const aspi_comparison *c) {
-  fputs(note, out);
+static void print_count(FILE *out, const aspi_comparison *c) {
   fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
           c->impacts.deposits);
+}
+
+static void print_all(FILE *out, const aspi_comparison *c) {
+  fputs(note, out);
+  print_count(out, c);
   fputs("quantity,alpha1_deg,alpha_from_deg,alpha_to_deg,v1_m_s,dp_um,model_n,model_mean,"
         "model_mean_se,model_sd,model_sd_se,data_n,data_mean,data_mean_se,data_sd,data_sd_se,"
         "ks_distance,score,score_se\n",
@@ -73,10 +57,7 @@ static void print_all(FILE *out, const aspi_comparison *c) {
   for (int k = 0; k < (c->data.has_outcome ? ASPI_QUANTITIES : COR_BOTH); k++)
     for (size_t i = 0; i < c->count; i++)
       print_bin(out, c, &c->bins[i], k);
-  fputs("score,,,,,,,,,,,,,,,,", out);
-  print(out, c->score.value);
-  print(out, c->score.se);
-  fputc('\n', out);
+  cli_row(out, "score,,,,,,,,,,,,,,,,,%.6g,%.6g\n", c->score.value, c->score.se);
 }
 
 /* Warns of bins that have only one of both, and fails where there is none with both. */
@@ -132,8 +113,7 @@ static void leave_out(aspi_comparison *c) {
   c->data.has_size = c->data.has_size && sizes;
 }
 
-/* ---- impacts alone ----------------------------------------------------------------------------
- */
+/* ---- impacts alone ---- */
 
 /* Takes the impacts themselves for rows, whose places are those of the table. */
 static void take_impacts(aspi_comparison *c) {
@@ -153,8 +133,7 @@ static void take_impacts(aspi_comparison *c) {
 }
 
 static void print_impacts(FILE *out, const aspi_comparison *c) {
-  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
-          c->impacts.deposits);
+  print_count(out, c);
   fputs("alpha1_deg,alpha_from_deg,alpha_to_deg,v1_m_s,dp_um,impacts,capture_share,n,cor_n_mean,"
         "cor_n_sd,cor_n_median,cor_n_p05,cor_n_p95,cor_t_mean,cor_t_sd,cor_t_median,cor_t_p05,"
         "cor_t_p95\n",
@@ -163,39 +142,17 @@ static void print_impacts(FILE *out, const aspi_comparison *c) {
     const aspi_compare_bin *b = &c->bins[i];
     const aspi_sample *deposits = &b->model.of[ASPI_DEPOSITS];
     double all = (double)deposits->count;
-    fprintf(out, "%.6g,%.6g,%.6g", b->degrees, b->from, b->to);
-    print(out, b->v1);
-    print(out, b->d_p * 1e6);
-    print(out, all);
-    print(out, deposits->mean);
-    print(out, all - round(deposits->mean * all));
+    cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", b->degrees, b->from, b->to, b->v1,
+            b->d_p * 1e6, all, deposits->mean, all - round(deposits->mean * all));
     for (int k = 0; k < COR_BOTH; k++) {
       const aspi_sample *s = &b->model.of[k];
-      print(out, s->mean);
-      print(out, s->sd);
-      print(out, s->median);
-      print(out, s->low);
-      print(out, s->high);
+      cli_row(out, ",%.6g,%.6g,%.6g,%.6g,%.6g", s->mean, s->sd, s->median, s->low, s->high);
     }
     fputc('\n', out);
   }
 }
 
-/* ---- the command ------------------------------------------------------------------------------
- */
-
-/* DEGREES[,SPEED[,SIZE]] */
-static aspi_compare_reach reach_of(const cli_option *option) {
-  aspi_compare_reach far = {0, 0.1, 0.1};
-  cli_list list = cli_numbers(option, 0, 90);
-  if (list.count < 1 || list.count > 3)
-    cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, option->argument);
-  far.degrees = list.values[0];
-  far.speed = list.count > 1 ? list.values[1] : far.speed;
-  far.size = list.count > 2 ? list.values[2] : far.size;
-  free(list.values);
-  return far;
-}
+/* ---- the command ---- */
 
 /* Impacts as the data look at them. */
 static void take_view(aspi_comparison *c) {
@@ -214,104 +171,179 @@ static void take_view(aspi_comparison *c) {
                   c->names[0]);
 }
 
-static void free_comparison(aspi_comparison *c) {
-  aspi_compare_free_bins(c);
-  cli_scatter_free_impacts(&c->impacts);
-  cli_measured_free(&c->data);
-}
-
-static void must(asp_code code, const asp_error *error) {
-  if (code)
-    cli_bad_file(NULL, error);
-}
-
-static void make_bins(aspi_comparison *c, const cli_option *bin) {
-  cli_option width = *bin;
-  width.value = bin->value ? bin->value : WIDTH;
+static void make_bins(aspi_comparison *c, cli_call *call) {
+  bool given = cli_value(call, "bin");
   asp_error error;
-  must(aspi_compare_make_bins(c, cli_number(&width, 0.1, 90), bin->value, &error), &error);
+  cli_default(call, "bin", WIDTH);
+  cli_must(!aspi_compare_make_bins(c, cli_number(cli_get(call, "bin"), 0.1, 90), given, &error),
+           &error);
 }
 
-static void table_impacts(aspi_comparison *c, const cli_option *bin) {
+static void table_impacts(aspi_comparison *c, cli_call *call) {
+  static const char *const of_data[] = {"near", "view", "below"};
   asp_error error;
+  for (int i = 0; i < 3; i++)
+    if (cli_is_set(call, of_data[i]))
+      cli_bad_usage("--%s has no effect without DATA", of_data[i]);
+  c->impacts = cli_scatter_read_impacts(c->names[0]);
   take_impacts(c);
-  make_bins(c, bin);
-  must(aspi_compare_fill_alone(c, &error), &error);
+  make_bins(c, call);
+  cli_must(!aspi_compare_fill_alone(c, &error), &error);
 }
 
-static void compare_with(aspi_comparison *c, const cli_option *options) {
-  aspi_compare_reach far = reach_of(&options[NEAR]);
+static void compare_with(aspi_comparison *c, cli_call *call) {
   asp_error error;
-  c->data = cli_measured_read(c->names[1], &options[MEASURED]);
+  c->impacts = cli_scatter_read_impacts(c->names[0]);
+  double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
+  cli_few(cli_get(call, "near"), 0, 90, 3, far);
+  c->data = cli_measured_read(c->names[1], cli_get(call, "view"));
   leave_out(c);
   take_view(c);
-  make_bins(c, &options[BIN]);
-  must(aspi_compare_fill(c, &far, &error), &error);
+  make_bins(c, call);
+  cli_must(!aspi_compare_fill(c, &(aspi_compare_reach){far[0], far[1], far[2]}, &error), &error);
   check_bins(c);
   warn_double(&c->impacts);
 }
 
-static int run(int argc, char **argv) {
-  cli_option options[N + 1] = {
-      [BIN] = {"bin", "DEGREES",
-               "width of the bins of single impacts; without it every place that was measured "
-               "often is one, else " WIDTH,
-               NULL},
-      [NEAR] = {"near", "DEGREES[,SPEED[,SIZE]]",
-                "how far impacts may be from a place that none has: degrees, shares", FAR},
-      MEASURED_OPTIONS(MEASURED),
-      [OUTPUT] = CLI_OUTPUT_OPTION,
-      CLI_PLOT_OPTIONS(PLOT, "draw it; .png, .svg or .pdf"),
-  };
-  cli_option standard[N];
-  memcpy(standard, options, sizeof standard);
-  int first = cli_parse(&cli_compare, argc, argv, options, true);
-  bool alone = argc - first == 1;
-  if (argc - first != 2 && !alone)
+/* ---- the picture: the model as a box (mean ± sd) and a line at each place that was measured, the
+ * measurements as marks. Between and beyond measured angles nothing is drawn. Of impacts alone, a
+ * box for each place, and the impacts. ---- */
+
+/* Half the width of a box, in degrees. */
+#define HALF_MOST 1.5
+#define HALF_LEAST 0.3
+
+/* Marks of single impacts, at most. */
+enum { POINTS_MOST = 5000 };
+
+/* True if a bin is drawn: if it has both, or, of impacts alone, some. */
+static bool is_drawn(const aspi_comparison *c, const aspi_compare_bin *b, int which) {
+  return c->names[1] ? aspi_compare_has_both(b, which) : b->model.of[which].count > 0;
+}
+
+/* The angles of a bin's box: those of its impacts, or around its angle and not over a neighbor. */
+static void edges_of(const aspi_comparison *c, size_t i, double *left, double *right) {
+  const aspi_compare_bin *b = &c->bins[i];
+  double half = HALF_MOST;
+  for (size_t k = i ? i - 1 : i; k <= i + 1 && k < c->count; k++) {
+    double apart = fabs(c->bins[k].degrees - b->degrees);
+    if (apart > 0)
+      half = fmin(half, 0.45 * apart);
+  }
+  half = fmax(half, HALF_LEAST);
+  bool wide = b->end - b->first > 1 && !c->data.means && b->to - b->from > 2 * half;
+  *left = wide ? b->from : b->degrees - half;
+  *right = wide ? b->to : b->degrees + half;
+}
+
+static void plot_model(cli_plot *picture, const aspi_comparison *c, int which) {
+  cli_plot_series(picture, CLI_BOX, "simulated");
+  for (size_t i = 0; i < c->count; i++) {
+    const aspi_sample *m = &c->bins[i].model.of[which];
+    double left, right;
+    edges_of(c, i, &left, &right);
+    if (is_drawn(c, &c->bins[i], which))
+      cli_plot_row(picture, left, right, m->mean, m->sd);
+  }
+  cli_plot_end(picture, "%s, mean ± sd", c->names[1] ? "model" : "impacts");
+}
+
+static void plot_data(cli_plot *picture, const aspi_comparison *c, int which) {
+  size_t every = c->names[1] ? 1 : 1 + c->data.count / POINTS_MOST;
+  cli_plot_series(picture, CLI_MARKS, c->names[1] ? "data_each" : "impacts");
+  for (size_t i = 0; i < c->data.count && !c->data.means; i += every)
+    cli_plot_row(picture, c->data.rows[i].degrees, c->data.rows[i].cor[which]);
+  cli_plot_end(picture, c->data.means ? "" : c->names[1] ? "measured impacts" : "impacts");
+  if (!c->names[1])
+    return;
+  cli_plot_series(picture, CLI_ERRORS, "data");
+  for (size_t i = 0; i < c->count; i++)
+    cli_plot_row(picture, c->bins[i].degrees, c->bins[i].data.of[which].mean,
+                 c->bins[i].data.of[which].sd);
+  cli_plot_end(picture, "measured, mean ± sd");
+}
+
+static cli_plot *open_picture(const cli_call *call, const aspi_comparison *c) {
+  if (c->names[1])
+    return cli_plot_open(call, 1200, 520, "1,2", "Model: %s; measured: %s",
+                         cli_plot_file(c->names[0]).text, cli_plot_file(c->names[1]).text);
+  return cli_plot_open(call, 1200, 520, "1,2", "%s: %zu impacts, %zu deposits",
+                       cli_plot_file(c->names[0]).text, c->impacts.count, c->impacts.deposits);
+}
+
+static void plot(const cli_call *call, const aspi_comparison *c) {
+  cli_plot *picture = open_picture(call, c);
+  for (int which = 0; which < COR_BOTH; which++) {
+    bool any = false;
+    for (size_t i = 0; i < c->count; i++)
+      any = any || is_drawn(c, &c->bins[i], which);
+    if (!any)
+      continue;
+    cli_plot_coefficient(picture, which);
+    if (!c->names[1])
+      plot_data(picture, c, which);
+    plot_model(picture, c, which);
+    if (c->names[1])
+      plot_data(picture, c, which);
+  }
+  cli_plot_close(picture);
+}
+
+/* ---- the run ---- */
+
+static void run(cli_call *call) {
+  bool alone = call->n_words == 1;
+  if (call->n_words != 2 && !alone)
     cli_bad_usage("compare: IMPACTS or IMPACTS and DATA are expected, one file or two; see "
                   "'asperity compare --help'");
-  for (int i = NEAR; i < OUTPUT && alone; i++)
-    if (options[i].value != standard[i].value)
-      cli_bad_usage("--%s has no effect without DATA", options[i].name);
-  for (int i = first; i < argc; i++)
-    cli_keep_input(options, argv[i]);
-  aspi_comparison c = {.names = {argv[first], alone ? NULL : argv[first + 1]},
-                       .impacts = cli_scatter_read_impacts(argv[first])};
-  if (alone)
-    table_impacts(&c, &options[BIN]);
-  else
-    compare_with(&c, options);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-  (alone ? print_impacts : print_all)(cli_output_stream(output), &c);
-  cli_output_close(output);
-  if (options[PLOT].value)
-    cli_compare_plot(&options[PLOT], &c);
-  free_comparison(&c);
-  return 0;
+  for (int i = 0; i < call->n_words; i++)
+    cli_keep_input(call, call->words[i]);
+  aspi_comparison c = {.names = {call->words[0], alone ? NULL : call->words[1]}};
+  (alone ? table_impacts : compare_with)(&c, call);
+  FILE *out = cli_output_open(call, "output", NULL);
+  (alone ? print_impacts : print_all)(out, &c);
+  cli_file_close(out);
+  if (cli_value(call, "plot"))
+    plot(call, &c);
 }
+
+static const cli_option options[] = {{"bin", "DEGREES",
+                                      "width of the bins of single impacts; by default a bin for "
+                                      "each place that was measured often, else " WIDTH,
+                                      NULL},
+                                     {"near", "DEGREES[,SPEED[,SIZE]]",
+                                      "a place without simulated impacts takes those within this "
+                                      "distance: degrees, shares of speed and size",
+                                      FAR},
+                                     MEASURED_OPTIONS,
+                                     {.name = NULL}};
+
+static const char detail[] =
+    "IMPACTS is the output of 'asperity cor', the ledger of a wall (CSV or .npy), or a dump\n"
+    "local file of its array (with the columns alpha1, cor_n, cor_t and outcome; v1 and d_p\n"
+    "where the data have them). Alone, they are tabled and drawn: for each place (an impact\n"
+    "angle, or an interval of angles) the share that sticks, and both coefficients of the n\n"
+    "others.\n" MEASURED_FORMS "\n"
+    "A place in the data is an angle, with a speed and a size where the data have them. At\n"
+    "each, the output has of both sides the mean and standard deviation of both\n"
+    "coefficients, the share of deposits if the data have outcomes, all with standard\n"
+    "errors, and for single impacts the two-sample distance of Kolmogorov and Smirnov. The\n"
+    "last row is the score: the mean square of all differences, each divided by its\n"
+    "standard error (reduced chi-square), with the score's own standard error from\n"
+    "resampled impacts. For the true model it is 1 on average. If the data are means, only\n"
+    "the means count: by cor_n_se, or cor_n_sd and n; where n is missing, by cor_n_sd\n"
+    "itself.\n";
 
 const cli_command cli_compare = {
     .name = "compare",
     .arguments = "IMPACTS [DATA]",
     .summary = "impacts of a model or a simulation, alone or against measured coefficients",
-    .detail =
-        "asperity compare IMPACTS [DATA]: IMPACTS is the output of 'asperity cor', the ledger of "
-        "a\n"
-        "wall (CSV or .npy), or a dump local file of its array (of its columns alpha1, cor_n, "
-        "cor_t\n"
-        "and outcome; v1 and d_p where the data have them). Alone it is tabled and drawn: for "
-        "each\n"
-        "place, or interval of angle, the share that sticks, and of the n others both "
-        "coefficients.\n" MEASURED_FORMS
-        "\nAt the data's own angles, and speeds and sizes where they have them: mean and standard\n"
-        "deviation of either coefficient, the share of deposits where the data tell outcomes, all\n"
-        "with standard errors, and of single impacts the two-sample distance of Kolmogorov and\n"
-        "Smirnov. The last row is the score: the mean square of all differences, each in its\n"
-        "standard error (reduced chi-square), with the score's own standard error by resampled\n"
-        "impacts. The true model's is 1. Of means, only the means count, by cor_n_se, or cor_n_sd\n"
-        "and n; where n is missing, by cor_n_sd itself.\n",
+    .detail = detail,
     .examples =
         "  $ asperity compare cor.csv examples/data/grant_tabakoff_1975.csv --plot compare.png\n"
         "  $ asperity compare impacts.npy\n",
+    .options = options,
+    .picture = "draw the comparison; .png, .svg or .pdf",
+    .takes_files = true,
     .run = run,
 };

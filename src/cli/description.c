@@ -3,20 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
 #include "base/number.h"
-#include "wall/description.h"
+#include "wall/words.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-int cli_words(int argc, char **argv) {
-  int count = 1;
-  while (count < argc && !(argv[count][0] == '-' &&
-                           (isalpha((unsigned char)argv[count][1]) || argv[count][1] == '-')))
-    count++;
-  return count - 1;
-}
 
 /* Refuses `rq 15`, which would be 15 m. */
 static void check_lengths(int count, char **words) {
@@ -30,19 +21,14 @@ static void check_lengths(int count, char **words) {
 }
 
 static void read_words(asp_wall *wall, int count, char **words) {
-  const char **all = cli_allocate((size_t)count, sizeof *all);
+  const char *const *all = (const char *const *)words;
   asp_error error;
-  for (int i = 0; i < count; i++)
-    all[i] = words[i];
   for (int next = 0, taken; next < count; next += taken)
-    if (asp_wall_read(wall, count - next, all + next, "", &taken, &error))
-      cli_bad_file(NULL, &error);
-  if (asp_wall_complete(wall, &error))
-    cli_bad_usage("%s", error.text);
-  free(all);
+    cli_must(!asp_wall_read(wall, count - next, all + next, "", &taken, &error), &error);
+  cli_must(!asp_wall_complete(wall, &error), &error);
 }
 
-static char *text_of(const asp_wall *wall) {
+char *cli_description_text(const asp_wall *wall) {
   size_t size = asp_wall_describe(wall, NULL, 0) + 1;
   char *text = cli_allocate(size, 1);
   asp_wall_describe(wall, text, size);
@@ -58,7 +44,7 @@ static void read_materials(cli_description *d) {
     d->has_standard_materials = true;
     count = 2;
   }
-  d->density = asp_material_get(asp_materials_find(NULL, standard[1], NULL), "density");
+  d->density = asp_material_get(aspi_materials_find(NULL, standard[1], NULL), "density");
   if (count == 0)
     return;
   if (count != 2)
@@ -69,8 +55,7 @@ static void read_materials(cli_description *d) {
   d->target = asp_wall_material(d->wall, 1);
   d->density = asp_material_get(d->particle, "density");
   d->pair = asp_wall_pair(d->wall, d->particle, d->target, &error);
-  if (!d->pair)
-    cli_bad_usage("%s", error.text);
+  cli_must(d->pair, &error);
   if (!(asp_wall_get(d->wall, "yield_rate") > 0) && !asp_wall_is_given(d->wall, "yield_stress") &&
       !(asp_pair_get(d->pair, "yield_stress") > 0))
     cli_bad_usage("material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
@@ -78,124 +63,28 @@ static void read_materials(cli_description *d) {
                   asp_material_name(d->particle));
 }
 
-static cli_description read_description(int count, char **words, bool may_fit) {
-  cli_description d = {.words = words, .n_words = count};
+cli_description cli_description_read(int count, char **words, bool may_fit) {
+  cli_description d = {.wall = NULL};
   asp_error error;
   d.wall = asp_wall_parse("", NULL, &error);
-  if (!d.wall)
-    cli_fail("%s", error.text);
-  if (may_fit)
-    aspi_description_let_fit(d.wall->said);
+  cli_must(d.wall, &error);
+  d.wall->said->may_fit = may_fit;
   check_lengths(count, words);
   read_words(d.wall, count, words);
   read_materials(&d);
-  d.text = text_of(d.wall);
+  d.text = cli_description_text(d.wall);
   return d;
 }
 
-cli_description cli_description_read(int count, char **words) {
-  return read_description(count, words, false);
-}
-
-cli_description cli_description_read_fit(int count, char **words) {
-  return read_description(count, words, true);
-}
-
-void cli_description_free(cli_description *d) {
-  asp_wall_free(d->wall);
-  asp_pair_free(d->pair);
-  asp_profile_free(d->profile);
-  asp_map_free(d->map);
-  free(d->text);
-}
-
-static bool is_word_of(const char *word, const char *list) {
-  size_t length = strlen(word);
-  for (const char *at = list; (at = strstr(at, word)); at += length)
-    if ((at == list || at[-1] == ' ') && (at[length] == ' ' || !at[length]))
-      return true;
-  return false;
-}
-
 void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
-  d->has_no_impact = !is_word_of("rebound", allowed);
+  d->has_no_impact = !aspi_words_in_list("rebound", allowed);
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
     bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
     if (!*k->within && is_own && asp_wall_is_given(d->wall, k->name) &&
-        !is_word_of(k->name, allowed))
+        !aspi_words_in_list(k->name, allowed))
       cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
   }
-}
-
-/* Copies the clauses other than the surface's into another wall. */
-static void copy_constants(const cli_description *d, asp_wall *to) {
-  asp_error error;
-  asp_wall *from = asp_wall_parse("", NULL, &error);
-  for (int next = 0, taken = 0; from && next < d->n_words; next += taken) {
-    const char *const *words = (const char *const *)d->words + next;
-    if (asp_wall_read(from, d->n_words - next, words, "", &taken, &error))
-      cli_fail("%s", error.text);
-    if (strcmp(*words, "surface") != 0 && strcmp(*words, "spread") != 0)
-      read_words(to, taken, d->words + next);
-  }
-  asp_wall_free(from);
-}
-
-cli_description cli_description_smooth(const cli_description *d) {
-  cli_description smooth = {.wall = NULL};
-  asp_error error;
-  smooth.wall = asp_wall_parse("", NULL, &error);
-  if (!smooth.wall)
-    cli_fail("%s", error.text);
-  copy_constants(d, smooth.wall);
-  read_materials(&smooth);
-  smooth.text = text_of(smooth.wall);
-  if (asp_wall_make(smooth.wall, 1, 1, &error))
-    cli_fail("%s", error.text);
-  return smooth;
-}
-
-/* The file of a measured wall, which the wall is given to be made of. */
-static void read_file(cli_description *d) {
-  const char *kind = asp_wall_word(d->wall, "surface"), *file = asp_wall_word(d->wall, "file");
-  if (!file)
-    return;
-  asp_error error;
-  asp_reader *reader = asp_reader_create(&error);
-  bool is_map = strcmp(kind, "map") == 0;
-  if (reader && is_map)
-    d->map = asp_reader_read_map(reader, file, &error);
-  else if (reader)
-    d->profile = asp_reader_read(reader, file, &error);
-  if (!d->map && !d->profile)
-    cli_bad_file(NULL, &error);
-  if (asp_reader_check(reader, &error))
-    cli_warn("surface %s %s: %s", kind, file, error.text);
-  asp_reader_free(reader);
-  asp_wall_set_map(d->wall, d->map);
-  asp_wall_set_profile(d->wall, d->profile);
-  if (asp_wall_complete(d->wall, &error))
-    cli_bad_usage("%s", error.text);
-}
-
-static void check_sampling(const cli_description *d, double d_least) {
-  asp_error doubt;
-  asp_code code = ASP_OK;
-  if (d->profile) {
-    double spacing = asp_profile_spacing(d->profile);
-    code = asp_sampling_check(d_least, spacing, (double)asp_profile_points(d->profile) * spacing,
-                              asp_surface_lambda_c(asp_wall_surface(d->wall)), &doubt);
-  } else if (d->map) {
-    double x = asp_map_step_x(d->map), y = asp_map_step_y(d->map);
-    code = asp_sampling_check(
-        d_least, fmax(x, y),
-        fmin((double)asp_map_columns(d->map) * x, (double)asp_map_rows(d->map) * y),
-        asp_map_get(d->map, "lambda_2", NULL), &doubt);
-  }
-  if (code)
-    cli_warn("surface %s %s: %s", asp_wall_word(d->wall, "surface"), asp_wall_word(d->wall, "file"),
-             doubt.text);
 }
 
 static void check_constants(const cli_description *d, double d_most) {
@@ -229,14 +118,18 @@ static void tell_choice(cli_description *d) {
 
 void cli_description_make(cli_description *d, double d_least, double d_most) {
   asp_error error;
-  read_file(d);
-  if (asp_wall_make(d->wall, d_least, d_most, &error))
-    cli_bad_usage("%s", error.text);
+  cli_must(!asp_wall_make(d->wall, d_least, d_most, &error), &error);
+  d->profile = d->wall->choice.profile;
+  d->map = d->wall->choice.map;
+  if (*asp_wall_word(d->wall, "doubt"))
+    cli_warn("surface %s %s: %s", asp_wall_word(d->wall, "surface"), asp_wall_word(d->wall, "file"),
+             asp_wall_word(d->wall, "doubt"));
   tell_choice(d);
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);
-  check_sampling(d, d_least);
+  if (asp_wall_check_sampling(d->wall, d_least, &error))
+    cli_warn("%s", error.text);
   if (!d->has_no_impact)
     check_constants(d, d_most);
 }
@@ -249,4 +142,29 @@ const double *cli_description_lay(const cli_description *d, double vector[3]) {
   vector[1] = lay.kind == ASP_LAY_ANGLE ? sin(lay.angle) : lay.vector[1];
   vector[2] = lay.kind == ASP_LAY_ANGLE ? 0 : lay.vector[2];
   return vector;
+}
+
+double cli_description_shrink(const cli_description *d) {
+  const asp_surface *surface = asp_wall_surface(d->wall);
+  double vector[3], ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
+  const double *lay = cli_description_lay(d, vector);
+  return lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;
+}
+
+cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, double degrees,
+                         const asp_key *key) {
+  static const double n[3] = {0, 0, 1};
+  double alpha = cli_radians(degrees), lay[3];
+  double v1[3] = {degrees < 90 ? speed * cos(alpha) : 0, 0, -speed * sin(alpha)};
+  const asp_particle particle = {
+      .d_p = d_p, .density = d->density, .pair = d->pair, .lay = cli_description_lay(d, lay)};
+  cli_impact i;
+  asp_wall_impact(d->wall, &particle, v1, n, key, &i.impact);
+  i.cor = asp_impact_coefficients(v1, n, &i.impact);
+  i.cor.cor_t = i.cor.cor_t_defined ? i.cor.cor_t : NAN;
+  return i;
+}
+
+double cli_impact_ratio(const cli_impact *i, int t) {
+  return i->impact.outcome == ASP_DEPOSIT ? NAN : t ? i->cor.cor_t : i->cor.cor_n;
 }

@@ -10,47 +10,54 @@
 
 #include "cli/cli.h"
 
-/* Number of words before the first option; `-0.5` is a number and no option. */
-int cli_words(int argc, char **argv);
-
 typedef struct cli_description {
   asp_wall *wall;
-  char **words; /* as given */
-  int n_words;
   const asp_material *particle, *target; /* NULL where the law takes no materials and none are
                                             given */
   asp_pair *pair;                        /* NULL alike */
   bool has_standard_materials;           /* none are given */
-  bool has_no_impact;   /* the command takes no rebound law, so constants do not count */
-  double density;       /* of the particles */
-  asp_profile *profile; /* a measured wall, once it is made; else NULL */
-  asp_map *map;         /* alike */
-  char *text;           /* canonical; with the materials, also where they are the
-                           default; once it is made, with what `spread auto` chose */
+  bool has_no_impact;         /* the command takes no rebound law, so constants do not count */
+  double density;             /* of the particles */
+  const asp_profile *profile; /* a measured wall, once it is made; else NULL */
+  const asp_map *map;         /* alike */
+  char *text;                 /* canonical; with the materials, also where they are the
+                                 default; once it is made, with what `spread auto` chose */
 } cli_description;
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of
- * the wall: alumina-rich dust on hastelloy-x where none are given. cli_description_make is still to
- * come. */
-cli_description cli_description_read(int count, char **words);
+ * the wall: Arizona Road Dust on hastelloy-x where none are given. may_fit: numbers may be unknown,
+ * see aspi_description. cli_description_make is still to come. */
+cli_description cli_description_read(int count, char **words, bool may_fit);
 
-/* The same where numbers may be unknown; see aspi_description_let_fit. */
-cli_description cli_description_read_fit(int count, char **words);
-void cli_description_free(cli_description *description);
+/* The canonical text of a wall. */
+char *cli_description_text(const asp_wall *wall);
 
 /* Refuses each keyword that is given and is none of `allowed`, which have blanks between; `why` is
  * a sentence about the command. */
 void cli_description_allow(cli_description *description, const char *allowed, const char *why);
 
-/* The same with a smooth surface, ready for impacts and without warnings. */
-cli_description cli_description_smooth(const cli_description *description);
-
 /* Reads a measured wall and prepares for diameters from d_least to d_most, with warnings of what
  * looks like a mistake in the wall, its file, or its constants. */
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
+/* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is
+ * NAN where it is undefined. */
+typedef struct cli_impact {
+  asp_impact impact;
+  asp_coefficients cor;
+} cli_impact;
+cli_impact cli_impact_at(const cli_description *description, double d_p, double speed,
+                         double degrees, const asp_key *key);
+
+/* Its CoR_N (t 0) or CoR_T (t 1); NAN for a deposit, too. */
+double cli_impact_ratio(const cli_impact *impact, int t);
+
 /* The direction of the lay where particles fly along x over the wall z = 0; NULL where there is no
  * lay. An angle is from x toward y. `vector` holds it. */
 const double *cli_description_lay(const cli_description *description, double vector[3]);
+
+/* The square of lambda_c across the lay over the correlation length along the flight; 1 where there
+ * is no lay. */
+double cli_description_shrink(const cli_description *description);
 
 #endif

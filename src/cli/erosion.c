@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DENSITY, OUTPUT, N };
-
 /* A triangle and its sums. */
 typedef struct cell {
   int mesh, triangle;
@@ -130,26 +128,20 @@ static void take_law(wear *w, cli_description *d) {
     w->density = d->density;
 }
 
-static int run(int argc, char **argv) {
-  cli_option options[N + 1] = {
-      [DENSITY] = {"density", "DENSITY",
-                   "of the particles, where the ledger lacks their mass; else that of 'materials'",
-                   NULL},
-      [OUTPUT] = CLI_OUTPUT_OPTION,
-  };
-  int words = cli_words(argc, argv);
-  cli_parse(&cli_erosion, argc - words, argv + words, options, false);
-  if (words < 1)
+static void run(cli_call *call) {
+  if (call->n_words < 1)
     cli_bad_usage("erosion: LEDGER is expected, a file; see 'asperity erosion --help'");
-  cli_keep_input(options, argv[1]);
-  bool has_law = words > 1, has_density = options[DENSITY].value;
-  if (has_density && !has_law)
+  const cli_option *density = cli_get(call, "density");
+  wear w = {.path = call->words[0], .density = NAN};
+  cli_keep_input(call, w.path);
+  bool has_law = call->n_words > 1;
+  if (density->value && !has_law)
     cli_bad_usage("--density has no effect without 'erosion LAW'");
-  wear w = {.path = argv[1],
-            .density = has_density ? cli_quantity(&options[DENSITY], "density", 1e-9, 1e9) : NAN};
+  if (density->value)
+    w.density = cli_quantity(density, "density", 1e-9, 1e9);
   cli_description d = {.wall = NULL};
   if (has_law) {
-    d = cli_description_read(words - 1, argv + 2);
+    d = cli_description_read(call->n_words - 1, call->words + 1, false);
     take_law(&w, &d);
   }
   unsigned needs =
@@ -164,32 +156,38 @@ static int run(int argc, char **argv) {
   if (!has_law && *ledger.comment && !strstr(ledger.comment, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w.path);
-  if (has_density && w.has_mass)
+  if (density->value && w.has_mass)
     cli_bad_usage("--density has no effect: %s has the particles' mass", w.path);
   merge(&w);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, d.text);
-  print_all(cli_output_stream(output), &w);
-  cli_output_close(output);
-  free(w.cells);
-  cli_description_free(&d);
-  return 0;
+  FILE *out = cli_output_open(call, "output", d.text);
+  print_all(out, &w);
+  cli_file_close(out);
 }
+
+static const cli_option options[] = {
+    {"density", "DENSITY",
+     "density of the particles, if the ledger has no mass; else that of 'materials'", NULL},
+    {.name = NULL}};
+
+static const char detail[] =
+    "LEDGER is the ledger of a wall (CSV, .npy), or a dump local file of its array with the\n"
+    "columns that are used. The output has a row per triangle that was hit, a row per mesh\n"
+    "(triangle `all`), and one for all meshes; a primitive wall is mesh 0. Without a\n"
+    "description the command adds up the ledger's column eroded_mass; a wall with `erosion`\n"
+    "and `ledger ... columns full` writes it. With `erosion LAW ...` it applies the law to\n"
+    "impact angle, speed and diameter of the rows, on the mean wall: a ledger has only the\n"
+    "first of the faces that `face tilted` needs. The particles' mass is the column mass,\n"
+    "or that of a sphere of --density. Ledgers are converted from their units to SI; dumps\n"
+    "must be SI.\n";
 
 const cli_command cli_erosion = {
     .name = "erosion",
     .arguments = "LEDGER [DESCRIPTION]",
-    .summary = "what the impacts of a ledger wore off the wall, per triangle",
-    .detail =
-        "LEDGER is the ledger of a wall (CSV, .npy), or a dump local file of its array with the\n"
-        "columns that are used. A row per triangle that was hit, one per mesh (triangle `all`),\n"
-        "one for all; a primitive wall is mesh 0. Without a description the ledger's column\n"
-        "eroded_mass is added up, which `columns full` has where the wall has `erosion`. With\n"
-        "`erosion LAW ...` the law is applied to impact angle, speed and diameter of the rows, on\n"
-        "the mean wall: a ledger has only the first of the faces of `face tilted`. The particles'\n"
-        "mass is the column mass, else that of a sphere of --density. Ledgers are converted from\n"
-        "their units to SI; dumps must be SI.\n",
+    .summary = "the mass that the impacts of a ledger wore off the wall, per triangle",
+    .detail = detail,
     .examples = "  $ asperity erosion impacts.csv -o eroded.csv\n"
                 "  $ asperity erosion impacts.npy erosion oka 1.8GPa density 7850kg/m3 "
                 "--density 2650kg/m3\n",
+    .options = options,
     .run = run,
 };

@@ -17,8 +17,9 @@ static const char conventions[] =
     "Results are CSV on standard output (-o FILE for a file); --plot FILE.png|svg|pdf draws them.\n"
     "Numbers may carry a unit (5um, 100m/s, 200MPa, 30deg) or are SI; angles are degrees from the\n"
     "wall plane. A list is 5,10,20 or from:to:step, or both: 1:9:1,10:90:5; of sizes and speeds\n"
-    "it may be a law, lognormal:min:max:median. DESCRIPTION stands for the words that describe\n"
-    "the wall, as `surface sigma 10 rebound bons friction 0.4`; 'asperity help wall' has them.\n"
+    "it may be a distribution, lognormal:min:max:median. DESCRIPTION stands for the words that\n"
+    "describe the wall, such as `surface sigma 10 rebound bons friction 0.4`; 'asperity help\n"
+    "wall' lists them.\n"
     "Exit status: 0 done, 1 failed, 2 bad usage or bad input.\n";
 
 /* ---- text ---- */
@@ -48,12 +49,11 @@ static void text_of_all(const cli_command *const *commands) {
        "Rough walls for particle simulation.\n\nCommands:");
   for (; *commands; commands++)
     printf("  %-10s %s\n", (*commands)->name, (*commands)->summary);
-  printf(
-      "\nasperity help COMMAND, or asperity COMMAND --help, lists the options; asperity help wall\n"
-      "the words that describe a wall.\n\n%s\nExamples:\n"
-      "  $ asperity help cor\n"
-      "  $ asperity cor surface rq 5um lambda_c 40um --dp 10um --plot cor.png -o cor.csv\n",
-      conventions);
+  printf("\n'asperity help COMMAND' or 'asperity COMMAND --help' lists the options of a command,\n"
+         "'asperity help wall' the words that describe a wall.\n\n%s\nExamples:\n"
+         "  $ asperity help cor\n"
+         "  $ asperity cor surface rq 5um lambda_c 40um --dp 10um --plot cor.png -o cor.csv\n",
+         conventions);
 }
 
 /* ---- the words of a description ---- */
@@ -79,11 +79,11 @@ static void put_law(const char *name, const asp_parameter *parameters, int count
   printf("  %s", name);
   for (int i = 0; i < count; i++) {
     const asp_parameter *p = &parameters[i];
-    const char *keyword = asp_parameter_keyword(p);
+    const char *keyword = aspi_parameter_keyword(p);
     if (strcmp(keyword, last) != 0)
       printf("%s [%s", *last ? "]" : "", keyword);
     putchar(' ');
-    for (const char *c = asp_parameter_name(p); *c; c++)
+    for (const char *c = p->name; *c; c++)
       putchar(toupper((unsigned char)*c));
     last = keyword;
   }
@@ -91,9 +91,10 @@ static void put_law(const char *name, const asp_parameter *parameters, int count
 }
 
 void cli_help_wall(void) {
-  fputs("A wall is described by clauses, each at most once and in any order, the same words in\n"
-        "the command and in scripts. What has no effect on the wall at hand is refused. In a\n"
-        "command particles fly along x over the wall z = 0, and an angle of the lay is from x.\n",
+  fputs("These words describe a wall, in the command and in scripts. Each keyword appears at most\n"
+        "once, in any order. A word that has no effect on the wall is an error. [ ] behind a\n"
+        "text holds the default. In a command particles fly along x over the wall z = 0, and an\n"
+        "angle of the lay counts from x.\n",
         stdout);
   put_words("", 0);
   fputs("\nMODEL, as 'asperity spread --list' lists them with their sources:\n", stdout);

@@ -27,9 +27,8 @@ int main(int argc, char **argv) {
     return 0;
   }
   if (strcmp(word, "help") == 0 && argc > 2) {
-    const cli_command *command = find(argv[2]);
     char *arguments[] = {argv[2], "--help", NULL};
-    return command->run(2, arguments);
+    cli_parse(find(argv[2]), 2, arguments);
   }
   if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
     cli_help_all(commands, NULL);
@@ -43,5 +42,7 @@ int main(int argc, char **argv) {
     printf("asperity %s\n", asp_version());
     return 0;
   }
-  return find(word)->run(argc - 1, argv + 1);
+  cli_call call = cli_parse(find(word), argc - 1, argv + 1);
+  call.command->run(&call);
+  return 0;
 }

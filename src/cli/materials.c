@@ -2,73 +2,50 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
+#include "rebound/materials.h"
 
-/* A field in quotes, with quotes inside it doubled. */
-static void print_quoted(FILE *out, const char *text) {
-  putc('"', out);
-  for (; *text; text++) {
-    if (*text == '"')
-      putc('"', out);
-    putc(*text, out);
-  }
-  putc('"', out);
-}
+#include <math.h>
 
 static void print_row(FILE *out, const asp_material *m) {
-  cli_print_field(out, asp_material_name(m));
-  fputc(',', out);
-  print_quoted(out, asp_material_title(m));
-  double yield_stress = asp_material_get(m, "yield_stress");
-  fprintf(out, ",%.10g,%.10g,%.10g,", asp_material_get(m, "youngs_modulus"),
-          asp_material_get(m, "poissons_ratio"), asp_material_get(m, "density"));
-  if (yield_stress > 0)
-    fprintf(out, "%.10g", yield_stress);
-  putc(',', out);
-  print_quoted(out, asp_material_source(m));
+  cli_row(out, "%s,", m->name);
+  cli_print_quoted(out, m->title);
+  cli_row(out, ",%.10g,%.10g,%.10g,%.10g,", m->youngs_modulus, m->poissons_ratio, m->density,
+          m->yield_stress > 0 ? m->yield_stress : NAN);
+  cli_print_quoted(out, m->source);
   putc('\n', out);
 }
 
-static asp_materials *own_of(const cli_option *option) {
-  if (!option->value)
-    return NULL;
+static void run(cli_call *call) {
+  const char *path = cli_value(call, "materials");
   asp_error error;
-  asp_materials *own = asp_materials_read(option->value, &error);
-  if (!own)
-    cli_bad_file(option, &error);
-  return own;
+  aspi_materials *own = path ? aspi_materials_read(path, &error) : NULL;
+  if (path && !own)
+    cli_bad_usage("--materials: %s", error.text);
+  FILE *out = cli_output_open(call, "output", NULL);
+  fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n", out);
+  for (int i = 0; own && i < aspi_materials_count(own); i++)
+    print_row(out, aspi_materials_at(own, i));
+  for (int i = 0; i < asp_material_count(); i++)
+    if (aspi_materials_find(own, asp_material_name(asp_material_at(i)), NULL) == asp_material_at(i))
+      print_row(out, asp_material_at(i));
+  cli_file_close(out);
 }
 
-static int run(int argc, char **argv) {
-  enum { MATERIALS, OUTPUT, N };
-  cli_option options[N + 1] = {
-      [MATERIALS] = {"materials", "FILE", "your own, which go before presets of the same name",
-                     NULL},
-      [OUTPUT] = {"output", "FILE", "write there instead of to the screen", NULL}};
-  cli_parse(&cli_materials, argc, argv, options, false);
-  asp_materials *own = own_of(&options[MATERIALS]);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-  FILE *out = cli_output_stream(output);
-  fputs("name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n", out);
-  for (int i = 0; own && i < asp_materials_count(own); i++)
-    print_row(out, asp_materials_at(own, i));
-  for (int i = 0; i < asp_material_count(); i++)
-    if (asp_materials_find(own, asp_material_name(asp_material_at(i)), NULL) == asp_material_at(i))
-      print_row(out, asp_material_at(i));
-  cli_output_close(output);
-  asp_materials_free(own);
-  return 0;
-}
+static const cli_option options[] = {
+    {"materials", "FILE", "file of your own materials; they override presets of the same name",
+     NULL},
+    {.name = NULL}};
 
 const cli_command cli_materials = {
     .name = "materials",
     .summary = "the material presets and your own: values, units, sources",
     .detail =
-        "One row a material. The yield stress counts for particles; where it is empty the\n"
-        "material is meant for walls. The presets' numbers were not checked against the\n"
-        "originals of their sources. Your own materials are a file with the same columns, of\n"
-        "which title, yield_stress_pa and source may be left out; edit the output of this\n"
-        "command.\n",
+        "One row per material. The yield stress counts for particles; a material without one is\n"
+        "meant for walls. The presets' numbers were not checked against the originals of their\n"
+        "sources. Your own materials are a file with the same columns, of which title,\n"
+        "yield_stress_pa and source may be left out; edit the output of this command.\n",
     .examples = "  $ asperity materials\n"
                 "  $ asperity materials | cut -d, -f1\n",
+    .options = options,
     .run = run,
 };

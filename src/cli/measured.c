@@ -411,19 +411,18 @@ static void check_ratios(const aspi_measured *data, const char *path) {
 }
 
 aspi_measured cli_measured_read(const char *path, const cli_option *options) {
-  aspi_measured data = {.folds = cli_choice(&options[MEASURED_BELOW], "fold", "drop") == 0};
+  aspi_measured data = {.folds = cli_choice(&options[MEASURED_BELOW]) == 0};
   layout l;
   size_t below = 0;
   asp_error error;
   aspi_csv *csv = aspi_csv_open(path, &error);
-  if (!csv)
-    cli_bad_file(NULL, &error);
+  cli_must(csv, &error);
   find_columns(csv, path, &l);
-  if (find_form(csv, &l, &data.means, &error) || find_view(csv, &l, &data, &error) ||
-      read_rows(csv, &l, &data, &below, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!find_form(csv, &l, &data.means, &error) && !find_view(csv, &l, &data, &error) &&
+               !read_rows(csv, &l, &data, &below, &error),
+           &error);
   if (options[MEASURED_VIEW].value) {
-    int view = cli_choice(&options[MEASURED_VIEW], "plane", "space");
+    int view = cli_choice(&options[MEASURED_VIEW]);
     if (data.view != ASPI_MEASURED_EITHER)
       cli_bad_usage("--view is '%s'; the columns of %s say it themselves",
                     options[MEASURED_VIEW].value, path);
@@ -463,8 +462,4 @@ void cli_measured_need_view(const char *path, aspi_measured *data, bool matters)
         path);
   if (data->view == ASPI_MEASURED_EITHER)
     data->view = ASPI_MEASURED_PLANE;
-}
-
-void cli_measured_free(aspi_measured *data) {
-  free(data->rows);
 }

@@ -9,18 +9,14 @@
 #include "cli/cli.h"
 
 /* The options of what reads such a table. */
-enum { MEASURED_VIEW, MEASURED_BELOW, MEASURED_OPTION_COUNT };
-#define MEASURED_OPTIONS(first)                                                                    \
-  [(first) +                                                                                       \
-      MEASURED_VIEW] = {"view", "plane|space",                                                     \
-                        "what v2, alpha2, cor_v, cor_alpha of the data are of, where their "       \
-                        "names do not say it",                                                     \
-                        NULL},                                                                     \
-      [(first) +                                                                                   \
-          MEASURED_BELOW] = {"below", "fold|drop",                                                 \
-                             "rebounds that noise put below the wall: mirror them at it, or "      \
-                             "leave them out",                                                     \
-                             "fold"}
+enum { MEASURED_VIEW, MEASURED_BELOW };
+#define MEASURED_OPTIONS                                                                           \
+  {"view", "plane|space",                                                                          \
+   "velocity of v2, alpha2, cor_v, cor_alpha in the data, if their names do not say it", NULL},    \
+  {                                                                                                \
+    "below", "fold|drop",                                                                          \
+        "mirror rebounds that noise put below the wall at it, or leave them out", "fold"           \
+  }
 
 /* Reads such a table, in order of angle, speed, size; exits on a file that is none. Names and units
  * of its columns: see `asperity compare --help`. */
@@ -32,21 +28,20 @@ void cli_measured_sort(aspi_measured *data);
 /* Exits where the data do not say how they look at rebounds, and `matters`: it makes a difference.
  */
 void cli_measured_need_view(const char *path, aspi_measured *data, bool matters);
-void cli_measured_free(aspi_measured *data);
 
 /* The part of a help text about the possible columns. */
 #define MEASURED_FORMS                                                                             \
-  "DATA is CSV (- is standard input); a name's unit stands behind it: alpha1_deg or alpha1_rad,\n" \
-  "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. "        \
-  "An\nangle without one is in degrees, with a warning, a speed in m/s; a length must have one.\n" \
-  "Titles may stand above the names, and `sep=;`; e_n and e_t are cor_n and cor_t. Columns, of\n"  \
-  "which those that are there are taken:\n"                                                        \
+  "DATA is CSV (- is standard input). A name may carry its unit: alpha1_deg or alpha1_rad,\n"      \
+  "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. An\n"    \
+  "angle without a unit is in degrees, with a warning, a speed in m/s; a length must have one.\n"  \
+  "Titles and `sep=;` may precede the names; e_n and e_t are cor_n and cor_t. The command takes\n" \
+  "these columns, where they are there:\n"                                                         \
   "  impacts  alpha1, v1, alpha2, v2 | v1_n, v1_t, v2_n, v2_t | alpha1, cor_v, cor_alpha |\n"      \
   "           alpha1, cor_n, cor_t; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
   "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \
-  "and v1, dp with either. A polynomial is given by its points, as means. A wall that throws to\n" \
-  "the side asks what alpha2 and v2, cor_alpha and cor_v are: of the velocity in the plane of\n"   \
-  "incidence, as one camera sees it (alpha2_plane, v2_plane, cor_alpha_plane, cor_v_plane), or\n"  \
-  "of the velocity in space (alpha2_space, 0 to 90 degrees from the wall, v2_space and so on).\n"
+  "and v1, dp with either. Give a polynomial by points on it, as means. If the wall throws\n"      \
+  "particles to the side, alpha2, v2, cor_v and cor_alpha must say which velocity they belong\n"   \
+  "to: alpha2_plane, v2_plane and so on to that in the plane of incidence, as one camera sees\n"   \
+  "it; alpha2_space (0 to 90 degrees from the wall), v2_space and so on to that in space.\n"
 
 #endif

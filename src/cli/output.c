@@ -5,6 +5,8 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -12,21 +14,21 @@
 
 enum { LINKS_MOST = 40, SUFFIX_MOST = 40 };
 
-struct cli_file {
-  FILE *stream;
-  char *path;    /* as given */
-  char *target;  /* what is replaced */
-  char *partial; /* NULL where the stream is written to directly */
-  cli_file *next;
-};
+typedef struct file {
+  FILE *stream;     /* NULL: closed */
+  const char *path; /* as given */
+  char *target;     /* what is replaced */
+  char *partial;    /* NULL where the stream is written to directly, or once it is closed */
+  struct file *next;
+} file;
 
-/* Those that are open, so that an exit can remove their partial files. */
-static cli_file *open_files;
+/* All, so that an exit can remove their partial files. */
+static file *files;
 
 static void remove_partials(void) {
-  for (cli_file *file = open_files; file; file = file->next)
-    if (file->partial)
-      unlink(file->partial);
+  for (file *f = files; f; f = f->next)
+    if (f->partial)
+      unlink(f->partial);
 }
 
 /* Target of a symbolic link, through any chain of links, even if nothing exists there yet. */
@@ -55,97 +57,76 @@ static bool stays(const struct stat *found) {
                                       out.st_dev == found->st_dev && out.st_ino == found->st_ino);
 }
 
-static FILE *open_partial(cli_file *file, mode_t mode) {
-  size_t size = strlen(file->target) + SUFFIX_MOST;
+static FILE *open_partial(file *f, mode_t mode) {
+  size_t size = strlen(f->target) + SUFFIX_MOST;
   char *partial = cli_allocate(size, 1);
-  snprintf(partial, size, "%s.%ld.partial", file->target, (long)getpid());
+  snprintf(partial, size, "%s.%ld.partial", f->target, (long)getpid());
   int handle = open(partial, O_WRONLY | O_CREAT | O_EXCL, 0666);
   if (handle < 0)
     return NULL;
-  file->partial = partial;
+  f->partial = partial;
   if (mode)
     fchmod(handle, mode);
   return fdopen(handle, "w");
 }
 
-cli_file *cli_file_open(const char *path) {
-  static bool registered;
-  if (!registered)
-    registered = atexit(remove_partials) == 0;
-  cli_file *file = cli_allocate(1, sizeof *file);
+FILE *cli_file_open(const char *path) {
+  if (!path || strcmp(path, "-") == 0)
+    return stdout;
+  if (!files)
+    atexit(remove_partials);
   struct stat found;
   bool exists = stat(path, &found) == 0;
-  file->path = cli_copy(path);
-  file->target = follow_links(path);
+  file *f = cli_allocate(1, sizeof *f);
+  *f = (file){.path = path, .target = follow_links(path), .next = files};
   if (exists && stays(&found))
-    file->stream = S_ISREG(found.st_mode) ? stdout : fopen(path, "w");
+    f->stream = S_ISREG(found.st_mode) ? stdout : fopen(path, "w");
   else
-    file->stream = open_partial(file, exists ? found.st_mode & 0777 : 0);
-  if (!file->stream)
+    f->stream = open_partial(f, exists ? found.st_mode & 0777 : 0);
+  if (!f->stream)
     cli_fail("cannot write '%s': %s", path, strerror(errno));
-  file->next = open_files;
-  open_files = file;
-  return file;
+  return (files = f)->stream;
 }
 
 void cli_file_check(const char *path) {
   struct stat found;
-  if (stat(path, &found) != 0 || !stays(&found)) {
-    cli_file_drop(cli_file_open(path));
-    return;
-  }
-  if (access(path, W_OK) != 0) /* a pipe may be opened once only */
+  bool direct = stat(path, &found) == 0 && stays(&found);
+  if (direct && access(path, W_OK) != 0) /* a pipe may be opened once only */
     cli_fail("cannot write '%s': %s", path, strerror(errno));
+  if (direct)
+    return;
+  fclose(cli_file_open(path));
+  unlink(files->partial);
+  files->stream = NULL;
+  files->partial = NULL;
 }
 
-void cli_keep_input(const cli_option *options, const char *input) {
+void cli_keep_input(const cli_call *call, const char *input) {
+  static const char *const written[] = {"output", "plot"};
   struct stat in, out;
-  for (const cli_option *o = options; o->name; o++) {
-    bool written = strcmp(o->name, "output") == 0 || strcmp(o->name, "plot") == 0;
-    if (written && o->value && stat(input, &in) == 0 && S_ISREG(in.st_mode) &&
-        stat(o->value, &out) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
-      cli_bad_usage("--%s is '%s', which is read; it must be another file", o->name, o->value);
+  for (int k = 0; k < 2; k++) {
+    const char *path = cli_value(call, written[k]);
+    if (path && stat(input, &in) == 0 && S_ISREG(in.st_mode) && stat(path, &out) == 0 &&
+        in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+      cli_bad_usage("--%s is '%s', which is read; it must be another file", written[k], path);
   }
 }
 
-FILE *cli_file_stream(const cli_file *file) {
-  return file->stream;
-}
-
-static void forget(cli_file *file) {
-  for (cli_file **at = &open_files; *at; at = &(*at)->next)
-    if (*at == file) {
-      *at = file->next;
-      break;
-    }
-  free(file->path);
-  free(file->target);
-  free(file->partial);
-  free(file);
-}
-
-void cli_file_close(cli_file *file) {
-  bool bad = fflush(file->stream) != 0 || ferror(file->stream);
-  if (file->stream != stdout)
-    bad = fclose(file->stream) != 0 || bad;
-  bad = bad || (file->partial && rename(file->partial, file->target) != 0);
+void cli_file_close(FILE *stream) {
+  file *f = files;
+  while (f && f->stream != stream)
+    f = f->next;
+  bool bad = fflush(stream) != 0 || ferror(stream);
+  if (stream != stdout)
+    bad = fclose(stream) != 0 || bad;
+  bad = bad || (f && f->partial && rename(f->partial, f->target) != 0);
+  if (bad && !f)
+    cli_fail("cannot write standard output: %s", strerror(errno));
   if (bad)
-    cli_fail("cannot write '%s': %s", file->path, strerror(errno));
-  forget(file);
+    cli_fail("cannot write '%s': %s", f->path, strerror(errno));
+  if (f)
+    f->stream = NULL, f->partial = NULL;
 }
-
-void cli_file_drop(cli_file *file) {
-  if (file->stream != stdout)
-    fclose(file->stream);
-  if (file->partial)
-    unlink(file->partial);
-  forget(file);
-}
-
-struct cli_output {
-  cli_file *file; /* NULL: standard output */
-  FILE *stream;
-};
 
 void cli_print_comment(FILE *out, const char *text) {
   for (; *text; text++)
@@ -155,11 +136,7 @@ void cli_print_comment(FILE *out, const char *text) {
       fputc(*text, out);
 }
 
-void cli_print_field(FILE *out, const char *text) {
-  if (!strpbrk(text, ",;#\" \t")) {
-    fputs(text, out);
-    return;
-  }
+void cli_print_quoted(FILE *out, const char *text) {
   fputc('"', out);
   for (; *text; text++) {
     if (*text == '"')
@@ -169,32 +146,49 @@ void cli_print_field(FILE *out, const char *text) {
   fputc('"', out);
 }
 
-cli_output *cli_output_open(const char *path, int argc, char **argv, const char *description) {
-  cli_output *output = cli_allocate(1, sizeof *output);
-  if (path && strcmp(path, "-") != 0)
-    output->file = cli_file_open(path);
-  FILE *out = output->stream = output->file ? cli_file_stream(output->file) : stdout;
+FILE *cli_output_open(const cli_call *call, const char *option, const char *description) {
+  FILE *out = cli_file_open(cli_value(call, option));
   fprintf(out, "# asperity %s;", asp_version());
-  for (int i = 0; i < argc; i++) {
+  for (int i = 0; i < call->argc; i++) {
     fputc(' ', out);
-    cli_print_comment(out, argv[i]);
+    cli_print_comment(out, call->argv[i]);
   }
   if (description) {
     fputs("; ", out);
     cli_print_comment(out, description);
   }
   fputc('\n', out);
-  return output;
+  return out;
 }
 
-FILE *cli_output_stream(cli_output *output) {
-  return output->stream;
-}
-
-void cli_output_close(cli_output *output) {
-  if (output->file)
-    cli_file_close(output->file);
-  else if (fflush(stdout) != 0 || ferror(stdout))
-    cli_fail("cannot write standard output: %s", strerror(errno));
-  free(output);
+void cli_row(FILE *out, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  while (*format) {
+    char one[64];
+    size_t length = strcspn(format, ",\n");
+    snprintf(one, sizeof one, "%.*s", (int)length, format);
+    char kind = *one == '%' ? one[length - 1] : '\0';
+    if (kind == 's') {
+      const char *text = va_arg(args, const char *);
+      if (strpbrk(text, ",;#\" \t"))
+        cli_print_quoted(out, text);
+      else
+        fputs(text, out);
+    } else if (kind == 'd') {
+      fprintf(out, one, va_arg(args, int));
+    } else if (kind == 'u') {
+      fprintf(out, one, va_arg(args, size_t));
+    } else if (kind) {
+      double value = va_arg(args, double);
+      if (isfinite(value))
+        fprintf(out, one, value);
+    } else {
+      fputs(one, out);
+    }
+    format += length;
+    if (*format)
+      fputc(*format++, out);
+  }
+  va_end(args);
 }

@@ -35,8 +35,7 @@ typedef struct axis {
 } axis;
 
 struct cli_plot {
-  FILE *pipe;
-  cli_file *file;
+  FILE *pipe, *file;
   const char *path;
   double range[2]; /* of --range; NAN: not given */
   int series;      /* of the picture so far */
@@ -54,8 +53,8 @@ struct cli_plot {
 };
 
 /* Reads --size and --range. */
-static void read_look(const cli_option *option, cli_plot *plot, int size[2]) {
-  const char *sides = option[PLOT_SIZE].value, *range = option[PLOT_RANGE].value;
+static void read_look(const cli_call *call, cli_plot *plot, int size[2]) {
+  const char *sides = cli_value(call, "size"), *range = cli_value(call, "range");
   char end;
   plot->range[0] = plot->range[1] = NAN;
   if (sides && (sscanf(sides, "%5dx%5d%c", &size[0], &size[1], &end) != 2 || size[0] < SIDE_LEAST ||
@@ -71,16 +70,15 @@ static void read_look(const cli_option *option, cli_plot *plot, int size[2]) {
     cli_bad_usage("--range is '%s'; it must be FROM:TO, with FROM < TO", range);
 }
 
-static const char *terminal_of(const cli_option *option) {
-  const char *ending = strrchr(option->value, '.');
+static const char *terminal_of(const char *path) {
+  const char *ending = strrchr(path, '.');
   if (ending && strcasecmp(ending, ".png") == 0)
     return "pngcairo size %d,%d font 'sans,11'";
   if (ending && strcasecmp(ending, ".svg") == 0)
     return "svg size %d,%d font 'sans,14' background 'white'";
   if (ending && strcasecmp(ending, ".pdf") == 0)
     return "pdfcairo size %d/96.,%d/96. font 'sans,11'";
-  cli_bad_usage("--%s is '%s'; the file must end in .png, .svg or .pdf", option->name,
-                option->value);
+  cli_bad_usage("--plot is '%s'; the file must end in .png, .svg or .pdf", path);
 }
 
 /* A gnuplot that reads from the returned stream and writes to a file. */
@@ -94,11 +92,11 @@ static FILE *start(int file) {
   return stream;
 }
 
-void cli_plot_check(const cli_option *option) {
+void cli_plot_check(const cli_call *call) {
   cli_plot plot;
-  terminal_of(option);
-  read_look(option, &plot, (int[2]){0, 0});
-  cli_file_check(option->value);
+  terminal_of(cli_value(call, "plot"));
+  read_look(call, &plot, (int[2]){0, 0});
+  cli_file_check(cli_value(call, "plot"));
   if (system("exec gnuplot --version > /dev/null 2>&1") != 0)
     cli_fail("cannot run gnuplot; is it installed? Debian: apt-get install gnuplot-nox");
 }
@@ -120,16 +118,16 @@ static void put_title(FILE *out, const char *text, double letters) {
   fputs("'.\"\\n\"", out); /* some room above the keys */
 }
 
-cli_plot *cli_plot_open(const cli_option *option, int width, int height, const char *layout,
+cli_plot *cli_plot_open(const cli_call *call, int width, int height, const char *layout,
                         const char *format, ...) {
-  const char *terminal = terminal_of(option);
   cli_plot *plot = cli_allocate(1, sizeof *plot);
-  plot->path = option->value;
+  plot->path = cli_value(call, "plot");
+  const char *terminal = terminal_of(plot->path), *own = cli_value(call, "title");
   int size[2] = {width, height};
-  read_look(option, plot, size);
-  plot->file = cli_file_open(option->value);
+  read_look(call, plot, size);
+  plot->file = cli_file_open(plot->path);
   signal(SIGPIPE, SIG_IGN);
-  plot->pipe = start(fileno(cli_file_stream(plot->file)));
+  plot->pipe = start(fileno(plot->file));
   fputs("set term ", plot->pipe);
   fprintf(plot->pipe, terminal, size[0], size[1]);
   fputc('\n', plot->pipe);
@@ -140,8 +138,8 @@ cli_plot *cli_plot_open(const cli_option *option, int width, int height, const c
   va_start(args, format);
   vsnprintf(title, sizeof title, format, args);
   va_end(args);
-  if (option[PLOT_TITLE].value)
-    strcpy(title, cli_plot_label(option[PLOT_TITLE].value).text);
+  if (own)
+    strcpy(title, cli_plot_label(own).text);
   fprintf(plot->pipe, "set multiplot %s%s title ", layout ? "layout " : "", layout ? layout : "");
   put_title(plot->pipe, title, size[0] / LETTER);
   fputc('\n', plot->pipe);

@@ -10,12 +10,11 @@
 
 typedef struct cli_plot cli_plot;
 
-/* Opens a picture of `width` x `height` pixels, or of --size if given. `option` is that of --plot,
- * with the others of CLI_PLOT_OPTIONS behind it. The layout is "rows,columns" of panels; NULL if
- * the panels are placed by cli_plot_place. --title replaces the title, which is broken into lines
- * that fit. */
+/* Opens the picture of --plot, of `width` x `height` pixels or of --size if given. The layout is
+ * "rows,columns" of panels; NULL if the panels are placed by cli_plot_place. --title replaces the
+ * title, which is broken into lines that fit. */
 CLI_FORMAT(5, 6)
-cli_plot *cli_plot_open(const cli_option *option, int width, int height, const char *layout,
+cli_plot *cli_plot_open(const cli_call *call, int width, int height, const char *layout,
                         const char *title, ...);
 /* Draws the picture, and prints its path on stderr. */
 void cli_plot_close(cli_plot *plot);

@@ -3,43 +3,59 @@
  * impact angle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/rebound.h"
+#include "cli/description.h"
+#include "cli/plot.h"
+#include "rebound/laws.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { POINTS_MOST = 2000 };
+enum { POINTS_MOST = 2000, CURVES_MOST = 6 };
 
-const char *cli_rebound_law_name(const cli_description *wall) {
+/* Speeds between which the capture speed is looked for, m/s. */
+#define SLOWEST 1e-9
+#define FASTEST 1e5
+
+/* Kind of map: its quantity and axes. */
+enum { REGIMES, CAPTURE, ANGLES, N_KINDS };
+
+typedef struct map {
+  int kind;
+  cli_description *walls;
+  size_t n_walls;
+  bool several_laws;
+  cli_list sizes, speeds, angles;
+} map;
+
+static const char *law_name(const cli_description *wall) {
   return asp_rebound_name(asp_wall_rebound(wall->wall));
 }
 
-const char *cli_rebound_wall_name(const cli_description *wall) {
+/* The material of the wall, "" where the law takes none. */
+static const char *wall_name(const cli_description *wall) {
   return wall->target ? asp_material_name(wall->target) : "";
 }
 
-rebound_row cli_rebound_row(const cli_description *wall, double d_p, double speed, double degrees) {
-  static const double n[3] = {0, 0, 1};
-  double alpha = cli_radians(degrees), v1[3] = {speed * cos(alpha), 0, -speed * sin(alpha)};
-  if (degrees >= 90)
-    v1[0] = 0;
-  asp_particle particle = {.d_p = d_p, .density = wall->density, .pair = wall->pair};
-  asp_impact impact;
-  asp_key key = {(uint32_t)asp_wall_get(wall->wall, "seed"), 1, 1, 1};
-  asp_wall_impact(wall->wall, &particle, v1, n, &key, &impact);
-  return (rebound_row){asp_impact_coefficients(v1, n, &impact), impact.outcome == ASP_DEPOSIT};
+static cli_impact impact_at(const cli_description *wall, double d_p, double speed, double degrees) {
+  const asp_key key = {(uint32_t)asp_wall_get(wall->wall, "seed"), 1, 1, 1};
+  return cli_impact_at(wall, d_p, speed, degrees, &key);
 }
 
-double cli_rebound_capture_speed(const cli_description *wall, double d_p, double degrees) {
-  if (!cli_rebound_row(wall, d_p, REBOUND_SLOWEST, degrees).deposit)
+static bool sticks_at(const cli_description *wall, double d_p, double speed, double degrees) {
+  return impact_at(wall, d_p, speed, degrees).impact.outcome == ASP_DEPOSIT;
+}
+
+/* The speed under which a particle sticks: 0 where it never does, INFINITY where it always does. */
+static double capture_speed(const cli_description *wall, double d_p, double degrees) {
+  if (!sticks_at(wall, d_p, SLOWEST, degrees))
     return 0;
-  if (cli_rebound_row(wall, d_p, REBOUND_FASTEST, degrees).deposit)
+  if (sticks_at(wall, d_p, FASTEST, degrees))
     return INFINITY;
-  double low = log(REBOUND_SLOWEST), high = log(REBOUND_FASTEST);
+  double low = log(SLOWEST), high = log(FASTEST);
   for (int i = 0; i < 60; i++) {
     double middle = (low + high) / 2;
-    if (cli_rebound_row(wall, d_p, exp(middle), degrees).deposit)
+    if (sticks_at(wall, d_p, exp(middle), degrees))
       low = middle;
     else
       high = middle;
@@ -61,17 +77,16 @@ static cli_list ratios(double from, double to, size_t count) {
 /* The word between the descriptions of walls that are compared. */
 #define BETWEEN "vs"
 
-static void read_wall(rebound_map *m, int count, char **words) {
-  cli_description wall = cli_description_read(count, words);
+static void read_wall(map *m, int count, char **words) {
+  cli_description wall = cli_description_read(count, words, false);
   cli_description_allow(&wall,
                         "rebound materials friction surface_energy yield_stress deposit seed",
                         "the wall is smooth");
   m->walls[m->n_walls++] = wall;
-  m->several_laws = m->several_laws ||
-                    strcmp(cli_rebound_law_name(&wall), cli_rebound_law_name(&m->walls[0])) != 0;
+  m->several_laws = m->several_laws || strcmp(law_name(&wall), law_name(&m->walls[0])) != 0;
 }
 
-static void read_walls(rebound_map *m, int count, char **words) {
+static void read_walls(map *m, int count, char **words) {
   m->walls = cli_allocate((size_t)count + 1, sizeof *m->walls);
   for (int first = 0, last; first <= count; first = last + 1) {
     for (last = first; last < count && strcmp(words[last], BETWEEN) != 0;)
@@ -80,29 +95,14 @@ static void read_walls(rebound_map *m, int count, char **words) {
   }
 }
 
-static void print_regimes(FILE *out, const rebound_map *m) {
-  fputs("dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", out);
-  for (size_t i = 0; i < m->sizes.count; i++)
-    for (size_t k = 0; k < m->speeds.count; k++) {
-      double degrees = m->angles.values[0];
-      rebound_row r = cli_rebound_row(m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
-      fprintf(out, "%.6g,%.6g,%.6g,%.6g,", m->sizes.values[i] * 1e6, m->speeds.values[k], degrees,
-              r.cor.cor_n);
-      if (r.cor.cor_t_defined)
-        fprintf(out, "%.6g", r.cor.cor_t);
-      fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
-    }
-}
-
 /* The wall and, where there are several, the law: the first columns. */
-static void print_names(FILE *out, const rebound_map *m, const cli_description *wall) {
-  cli_print_field(out, cli_rebound_wall_name(wall));
+static void print_names(FILE *out, const map *m, const cli_description *wall) {
+  cli_row(out, "%s,", wall_name(wall));
   if (m->several_laws)
-    fprintf(out, ",%s", cli_rebound_law_name(wall));
-  fputc(',', out);
+    cli_row(out, "%s,", law_name(wall));
 }
 
-static void print_capture(FILE *out, const rebound_map *m) {
+static void print_capture(FILE *out, const map *m) {
   fprintf(out,
           "# empty: every speed up to 1e5 m/s sticks; 0: none does\n"
           "wall,%sdp_um,alpha1_deg,capture_speed_m_s\n",
@@ -110,40 +110,30 @@ static void print_capture(FILE *out, const rebound_map *m) {
   for (size_t w = 0; w < m->n_walls; w++)
     for (size_t i = 0; i < m->sizes.count; i++) {
       double d_p = m->sizes.values[i], degrees = m->angles.values[0];
-      double speed = cli_rebound_capture_speed(&m->walls[w], d_p, degrees);
       print_names(out, m, &m->walls[w]);
-      fprintf(out, "%.6g,%.6g,", d_p * 1e6, degrees);
-      if (isfinite(speed))
-        fprintf(out, "%.6g", speed);
-      fputc('\n', out);
+      cli_row(out, "%.6g,%.6g,%.6g\n", d_p * 1e6, degrees,
+              capture_speed(&m->walls[w], d_p, degrees));
     }
 }
 
-static void print_angles(FILE *out, const rebound_map *m) {
-  fprintf(out, "wall,%sdp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n",
+/* A row per impact; the names of the walls where there may be several. */
+static void print_impacts(FILE *out, const map *m) {
+  bool named = m->kind == ANGLES;
+  fprintf(out, "%s%sdp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome\n", named ? "wall," : "",
           m->several_laws ? "law," : "");
-  for (size_t w = 0; w < m->n_walls; w++)
-    for (size_t i = 0; i < m->sizes.count; i++)
-      for (size_t k = 0; k < m->speeds.count; k++)
-        for (size_t a = 0; a < m->angles.count; a++) {
-          double d_p = m->sizes.values[i], speed = m->speeds.values[k];
-          rebound_row r = cli_rebound_row(&m->walls[w], d_p, speed, m->angles.values[a]);
-          print_names(out, m, &m->walls[w]);
-          fprintf(out, "%.6g,%.6g,%.6g,%.6g,", d_p * 1e6, speed, m->angles.values[a], r.cor.cor_n);
-          if (r.cor.cor_t_defined)
-            fprintf(out, "%.6g", r.cor.cor_t);
-          fprintf(out, ",%s\n", r.deposit ? "deposit" : "rebound");
-        }
+  size_t n_speeds = m->speeds.count, n_angles = m->angles.count, n_sizes = m->sizes.count;
+  for (size_t k = 0; k < m->n_walls * n_sizes * n_speeds * n_angles; k++) {
+    const cli_description *wall = &m->walls[k / (n_sizes * n_speeds * n_angles)];
+    double d_p = m->sizes.values[k / (n_speeds * n_angles) % n_sizes];
+    double speed = m->speeds.values[k / n_angles % n_speeds],
+           degrees = m->angles.values[k % n_angles];
+    cli_impact r = impact_at(wall, d_p, speed, degrees);
+    if (named)
+      print_names(out, m, wall);
+    cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%s\n", d_p * 1e6, speed, degrees, r.cor.cor_n,
+            r.cor.cor_t, r.impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound");
+  }
 }
-
-/* The maps by their names, and their rows. */
-static const struct {
-  const char *name;
-  void (*print)(FILE *out, const rebound_map *m);
-} kinds[] = {[REBOUND_REGIMES] = {"regimes", print_regimes},
-             [REBOUND_CAPTURE] = {"capture", print_capture},
-             [REBOUND_ANGLES] = {"angles", print_angles}};
-enum { N_KINDS = sizeof kinds / sizeof *kinds };
 
 /* The ranges of a map over sizes and speeds, where none are given. */
 #define SIZE_LEAST 0.5e-6
@@ -151,73 +141,50 @@ enum { N_KINDS = sizeof kinds / sizeof *kinds };
 #define SPEED_LEAST 0.1
 #define SPEED_MOST 1000
 
-static rebound_kind kind_of(const cli_option *option) {
-  for (int i = 0; i < N_KINDS; i++)
-    if (strcmp(kinds[i].name, option->value) == 0)
-      return (rebound_kind)i;
-  cli_bad_usage("--map is '%s'; it must be regimes, capture or angles", option->value);
-}
-
 static void print_list(FILE *out) {
   fputs("law,parameter,unit,default,least,most,text\n", out);
   for (int i = 0; i < asp_rebound_count(); i++) {
     const asp_rebound_law *law = asp_rebound_at(i);
-    const char *name = asp_rebound_name(law);
-    fprintf(out, "%s,,,,,,\"%s; source: %s\"\n", name, asp_rebound_summary(law),
-            asp_rebound_source(law));
-    for (int k = 0; k < asp_rebound_parameters(law); k++) {
-      const asp_parameter *p = asp_rebound_parameter(law, k);
-      const char *words = asp_parameter_words(p);
-      fprintf(out, "%s,%s,%s,%.10g,%g,%g,\"%s%s%s\"\n", name, asp_parameter_name(p),
-              asp_parameter_unit(p), asp_parameter_default(p), asp_parameter_least(p),
-              asp_parameter_most(p), words, *words ? " (0, 1 ...): " : "", asp_parameter_text(p));
+    fprintf(out, "%s,,,,,,\"%s; source: %s\"\n", law->name, law->summary, law->source);
+    for (int k = 0; k < law->n_parameters; k++) {
+      const asp_parameter *p = &law->parameters[k];
+      fprintf(out, "%s,%s,%s,%.10g,%g,%g,\"%s%s%s\"\n", law->name, p->name, p->unit, p->fallback,
+              p->least, p->most, p->words ? p->words : "", p->words ? " (0, 1 ...): " : "",
+              p->text);
     }
   }
 }
 
 /* Reads the ranges of the map, or sets their defaults. */
-static void read_ranges(rebound_map *m, cli_option *o) {
-  bool over_angles = m->kind == REBOUND_ANGLES;
-  size_t points = cli_whole(&o[POINTS], 2, POINTS_MOST);
-  if (over_angles && !o[DP].value)
-    o[DP].value = "10um";
-  if (over_angles && !o[SPEED].value)
-    o[SPEED].value = "100";
-  if (!o[ANGLES].value)
-    o[ANGLES].value = over_angles ? "0.5:90:0.5" : "90";
-  m->sizes = o[DP].value ? cli_lengths(&o[DP]) : ratios(SIZE_LEAST, SIZE_MOST, points);
-  m->speeds = o[SPEED].value ? cli_speeds(&o[SPEED], REBOUND_SLOWEST, REBOUND_FASTEST)
-                             : ratios(SPEED_LEAST, SPEED_MOST, points);
-  m->angles = cli_angles(&o[ANGLES]);
-  if (!(m->angles.least > 0))
-    cli_bad_usage("--angles is '%s'; it must be more than 0 and at most 90", o[ANGLES].value);
+static void read_ranges(map *m, cli_call *call) {
+  bool over_angles = m->kind == ANGLES;
+  size_t points = cli_whole(cli_get(call, "points"), 2, POINTS_MOST);
+  cli_default(call, "dp", over_angles ? "10um" : NULL);
+  cli_default(call, "speed", over_angles ? "100" : NULL);
+  cli_default(call, "angles", over_angles ? "0.5:90:0.5" : "90");
+  m->sizes = cli_value(call, "dp") ? cli_lengths(cli_get(call, "dp"))
+                                   : ratios(SIZE_LEAST, SIZE_MOST, points);
+  m->speeds = cli_value(call, "speed") ? cli_speeds(cli_get(call, "speed"), SLOWEST, FASTEST)
+                                       : ratios(SPEED_LEAST, SPEED_MOST, points);
+  m->angles = cli_impact_angles(call);
   if (!over_angles && m->angles.count != 1)
-    cli_bad_usage("--angles is '%s'; --map %s takes one angle", o[ANGLES].value,
-                  kinds[m->kind].name);
+    cli_bad_usage("--angles is '%s'; --map %s takes one angle", cli_value(call, "angles"),
+                  cli_value(call, "map"));
 }
 
-static void read_map(rebound_map *m, cli_option *options, int count, char **words) {
-  if (options[SPEED].value && m->kind == REBOUND_CAPTURE)
+static void read_map(map *m, cli_call *call) {
+  if (cli_value(call, "speed") && m->kind == CAPTURE)
     cli_bad_usage("--speed is given with --map capture, which looks for the speed");
-  read_ranges(m, options);
-  read_walls(m, count, words);
-  if (m->kind == REBOUND_REGIMES && m->n_walls != 1)
+  read_ranges(m, call);
+  read_walls(m, call->n_words, call->words);
+  if (m->kind == REGIMES && m->n_walls != 1)
     cli_bad_usage("'" BETWEEN "' is given; --map regimes takes one description");
   for (size_t w = 0; w < m->n_walls; w++)
     cli_description_make(&m->walls[w], m->sizes.least, m->sizes.most);
 }
 
-static void free_map(rebound_map *m) {
-  for (size_t i = 0; i < m->n_walls; i++)
-    cli_description_free(&m->walls[i]);
-  free(m->walls);
-  free(m->sizes.values);
-  free(m->speeds.values);
-  free(m->angles.values);
-}
-
 /* The descriptions, as they are given. */
-static char *text_of(const rebound_map *m) {
+static char *text_of(const map *m) {
   size_t size = 1;
   for (size_t w = 0; w < m->n_walls; w++)
     size += strlen(m->walls[w].text) + strlen(" " BETWEEN " ");
@@ -229,57 +196,212 @@ static char *text_of(const rebound_map *m) {
   return text;
 }
 
-static int run(int argc, char **argv) {
-  cli_option options[N + 1] = {
-      [MAP] = {"map", "regimes|capture|angles", "what over what", "regimes"},
-      [LIST] = {"list", NULL, "the laws and their parameters: defaults, ranges, sources", NULL},
-      [DP] = {"dp", "LENGTHS", "diameters: a list [0.5 to 200um in equal ratios; 10um]", NULL},
-      [SPEED] = {"speed", "M_PER_S", "speeds: a list [0.1 to 1000 in equal ratios; 100]", NULL},
-      [ANGLES] = {"angles", "DEGREES", "impact angles: a list", NULL},
-      [POINTS] = {"points", "N", "values in equal ratios where none are given", "121"},
-      [OUTPUT] = CLI_OUTPUT_OPTION,
-      CLI_PLOT_OPTIONS(PLOT, "draw the map; .png, .svg or .pdf"),
-  };
-  int words = cli_words(argc, argv);
-  cli_parse(&cli_rebound, argc - words, argv + words, options, false);
-  rebound_map m = {.kind = kind_of(&options[MAP])};
-  if (options[LIST].value) {
-    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-    print_list(cli_output_stream(output));
-    cli_output_close(output);
-    return 0;
-  }
-  read_map(&m, options, words, argv + 1);
-  char *text = text_of(&m);
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, text);
-  kinds[m.kind].print(cli_output_stream(output), &m);
-  cli_output_close(output);
-  free(text);
-  if (options[PLOT].value)
-    cli_rebound_plot(&options[PLOT], &m);
-  free_map(&m);
-  return 0;
+/* ---- the pictures ---- */
+
+/* Cells overlap the next ones by this factor, so that no seams show. */
+#define OVERLAP 1.01
+
+/* The lower edge of cell i around a point of a list of rising values, in equal ratios. */
+static double edge_of(const cli_list *list, size_t i) {
+  const double *x = list->values;
+  size_t n = list->count;
+  if (n < 2)
+    return x[0] * (i ? 1.1 : 1 / 1.1);
+  if (i == 0)
+    return x[0] * sqrt(x[0] / x[1]);
+  return i == n ? x[n - 1] * sqrt(x[n - 1] / x[n - 2]) : sqrt(x[i - 1] * x[i]);
 }
+
+static cli_label particle_of(const map *m) {
+  const asp_material *particle = m->walls[0].particle;
+  return cli_plot_label(particle ? asp_material_name(particle) : "any material");
+}
+
+/* The law in the title; where there are several, each curve has its own. */
+static cli_label law_of(const map *m) {
+  return cli_plot_label(m->several_laws ? "several laws" : law_name(&m->walls[0]));
+}
+
+/* `on hastelloy-x`, and the law where there are several. */
+static cli_label name_of(const map *m, size_t wall) {
+  const char *on = wall_name(&m->walls[wall]);
+  bool named = m->several_laws || !*on;
+  char text[160];
+  snprintf(text, sizeof text, "%s%s%s%s", named ? law_name(&m->walls[wall]) : "",
+           named && *on ? " " : "", *on ? "on " : "", on);
+  return cli_plot_label(text);
+}
+
+/* Begins a curve in the color of its law where no other curve has that law. */
+static void begin_curve(cli_plot *picture, const map *m, size_t wall, size_t curve,
+                        size_t per_wall) {
+  const char *law = law_name(&m->walls[wall]);
+  bool alone = per_wall == 1;
+  for (size_t w = 0; w < m->n_walls; w++)
+    alone = alone && (w == wall || strcmp(law, law_name(&m->walls[w])) != 0);
+  if (alone)
+    cli_plot_series(picture, CLI_LINE, "law_%s", law);
+  else
+    cli_plot_series(picture, CLI_LINE, "%zu", curve % CURVES_MOST + 1);
+}
+
+/* The rows of a capture curve; a vertical line where sizes that stick at any speed end. */
+static void put_capture(cli_plot *picture, const map *m, const cli_description *wall) {
+  bool always = false;
+  for (size_t i = 0; i < m->sizes.count; i++) {
+    double d_p = m->sizes.values[i], speed = capture_speed(wall, d_p, m->angles.values[0]);
+    if (isfinite(speed) && speed > 0) {
+      if (always)
+        cli_plot_row(picture, d_p * 1e6, FASTEST);
+      cli_plot_row(picture, d_p * 1e6, speed);
+    }
+    always = isinf(speed);
+  }
+}
+
+static cli_plot *plot_regimes(const cli_call *call, const map *m) {
+  size_t nx = m->sizes.count, ny = m->speeds.count;
+  double degrees = m->angles.values[0];
+  cli_plot *picture =
+      cli_plot_open(call, 800, 600, "1,1", "%s on %s, %s, α_1 = %g°", particle_of(m).text,
+                    cli_plot_label(wall_name(m->walls)).text, law_of(m).text, degrees);
+  cli_plot_panel(picture, "diameter d_p / µm", "impact speed v_1 / (m/s)");
+  cli_plot_log(picture, "xy");
+  cli_plot_axis(picture, 'x', edge_of(&m->sizes, 0) * 1e6, edge_of(&m->sizes, nx) * 1e6);
+  cli_plot_axis(picture, 'y', edge_of(&m->speeds, 0), edge_of(&m->speeds, ny));
+  fputs("set palette defined (0 '#3b0f70', 0.35 '#b63679', 0.7 '#fb8861', 1 '#fcfdbf')\n"
+        "set cbrange [0:1]\nset cblabel 'CoR_N'\n"
+        "set object 1 rectangle from graph 0,0 to graph 1,1 fc rgb '#bbbbbb' behind\n",
+        cli_plot_stream(picture));
+  cli_plot_series(picture, CLI_CELLS, "palette");
+  for (size_t i = 0; i < nx; i++)
+    for (size_t k = 0; k < ny; k++) {
+      cli_impact r = impact_at(m->walls, m->sizes.values[i], m->speeds.values[k], degrees);
+      if (r.impact.outcome == ASP_REBOUND)
+        cli_plot_row(picture, edge_of(&m->sizes, i) * 1e6,
+                     edge_of(&m->sizes, i + 1) * OVERLAP * 1e6, edge_of(&m->speeds, k),
+                     edge_of(&m->speeds, k + 1) * OVERLAP, r.cor.cor_n);
+    }
+  cli_plot_end(picture, "%s", "");
+  cli_plot_series(picture, CLI_LINE, "reference");
+  put_capture(picture, m, m->walls);
+  cli_plot_end(picture, "capture speed");
+  cli_plot_series(picture, CLI_MARKS, "deposits");
+  cli_plot_end(picture, "deposit");
+  return picture;
+}
+
+static cli_plot *plot_capture(const cli_call *call, const map *m) {
+  double most = 0;
+  for (size_t w = 0; w < m->n_walls; w++)
+    for (size_t i = 0; i < m->sizes.count; i++) {
+      double speed = capture_speed(&m->walls[w], m->sizes.values[i], m->angles.values[0]);
+      most = isfinite(speed) ? fmax(most, speed) : most;
+    }
+  cli_plot *picture =
+      cli_plot_open(call, 800, 560, "1,1", "%s, %s, α_1 = %g°: sticks under and left of a curve",
+                    particle_of(m).text, law_of(m).text, m->angles.values[0]);
+  cli_plot_panel(picture, "diameter d_p / µm", "capture speed / (m/s)");
+  cli_plot_log(picture, "xy");
+  cli_plot_axis(picture, 'x', m->sizes.values[0] * 1e6,
+                m->sizes.values[m->sizes.count - 1] * 1.0001e6);
+  cli_plot_axis(picture, 'y', NAN, most > 0 ? 2 * most : 10);
+  if (!(most > 0))
+    fputs("set label 'no particle sticks' at graph 0.5,0.5 center\n", cli_plot_stream(picture));
+  for (size_t w = 0; w < m->n_walls; w++) {
+    begin_curve(picture, m, w, w, 1);
+    put_capture(picture, m, &m->walls[w]);
+    cli_plot_end(picture, "%s", name_of(m, w).text);
+  }
+  return picture;
+}
+
+/* A curve a wall, size and speed, as far as there are styles; one that sticks at every angle has
+ * its name only. */
+static void plot_curve(cli_plot *picture, const map *m, size_t curve, int t) {
+  size_t per_wall = m->sizes.count * m->speeds.count, wall = curve / per_wall, rebounds = 0;
+  double d_p = m->sizes.values[curve % per_wall / m->speeds.count],
+         speed = m->speeds.values[curve % m->speeds.count];
+  begin_curve(picture, m, wall, curve, per_wall);
+  for (size_t a = 0; a < m->angles.count; a++) {
+    cli_impact r = impact_at(&m->walls[wall], d_p, speed, m->angles.values[a]);
+    rebounds += r.impact.outcome == ASP_REBOUND;
+    cli_plot_row(picture, m->angles.values[a], cli_impact_ratio(&r, t));
+  }
+  cli_plot_end(picture, "%s, %.3g µm, %.3g m/s%s", name_of(m, wall).text, d_p * 1e6, speed,
+               rebounds ? "" : " (sticks)");
+}
+
+static cli_plot *plot_angles(const cli_call *call, const map *m) {
+  size_t all = m->n_walls * m->sizes.count * m->speeds.count,
+         curves = all < CURVES_MOST ? all : CURVES_MOST;
+  char more[64] = "";
+  if (curves < all)
+    snprintf(more, sizeof more, "; the first %zu of %zu curves", curves, all);
+  cli_plot *picture =
+      cli_plot_open(call, 1200, 520, "1,2", "%s, %s; nothing is drawn where it sticks%s",
+                    particle_of(m).text, law_of(m).text, more);
+  for (int t = 0; t < 2; t++) {
+    cli_plot_coefficient(picture, t);
+    for (size_t c = 0; c < curves; c++)
+      plot_curve(picture, m, c, t);
+  }
+  return picture;
+}
+
+/* ---- the command ---- */
+
+static void run(cli_call *call) {
+  static void (*const print[N_KINDS])(FILE *, const map *) = {print_impacts, print_capture,
+                                                              print_impacts};
+  static cli_plot *(*const plot[N_KINDS])(const cli_call *,
+                                          const map *) = {plot_regimes, plot_capture, plot_angles};
+  map m = {.kind = cli_choice(cli_get(call, "map"))};
+  bool list = cli_value(call, "list");
+  if (!list)
+    read_map(&m, call);
+  FILE *out = cli_output_open(call, "output", list ? NULL : text_of(&m));
+  if (list)
+    print_list(out);
+  else
+    print[m.kind](out, &m);
+  cli_file_close(out);
+  if (cli_value(call, "plot") && !list)
+    cli_plot_close(plot[m.kind](call, &m));
+}
+
+static const cli_option options[] = {
+    {"map", "regimes|capture|angles", "axes of the map, see above", "regimes"},
+    {"list", NULL, "the laws and their parameters: defaults, ranges, sources", NULL},
+    {"dp", "LENGTHS", "diameters: a list [0.5 to 200um in equal ratios; 10um]", NULL},
+    {"speed", "M_PER_S", "speeds: a list [0.1 to 1000 in equal ratios; 100]", NULL},
+    {"angles", "DEGREES", "impact angles: a list", NULL},
+    {"points", "N", "number of values, in equal ratios, where none are given", "121"},
+    {.name = NULL}};
+
+static const char detail[] =
+    "The wall is smooth.\n"
+    "  --map regimes  CoR_N and outcome over diameter and speed, at one angle and wall\n"
+    "  --map capture  the speed below which a particle sticks, over the diameter\n"
+    "  --map angles   CoR_N and CoR_T over the impact angle\n"
+    "capture and angles take several descriptions with the word vs between: materials ard\n"
+    "ti-6al-4v vs materials ard hastelloy-x rebound thornton_ning.\n"
+    "Without --dp, --speed, --angles a map has its own ranges. The mu of bons is a constant\n"
+    "fitted to its form. An example: oblique impacts of 5 mm alumina on glass (Kharaz et\n"
+    "al. 2001, Coulomb's mu 0.092). Their CoR_T is 1 - mu (1 + e_n) tan alpha1 within 0.008\n"
+    "up to 60 degrees, and has its minimum, 0.596, at 70 degrees. bons with that mu has its\n"
+    "minimum, 0.91, at 45 degrees. Use walton for such impacts.\n";
 
 const cli_command cli_rebound = {
     .name = "rebound",
-    .summary = "what a rebound law does: regimes, capture speed, coefficients over the angle",
+    .summary = "a restitution law on a smooth wall: regimes, capture speed, coefficients",
     .arguments = "DESCRIPTION",
-    .detail =
-        "On a smooth wall.\n"
-        "  --map regimes  CoR_N and outcome over diameter and speed, at one angle and wall\n"
-        "  --map capture  the speed under which a particle sticks, over the diameter\n"
-        "  --map angles   CoR_N and CoR_T over the impact angle\n"
-        "capture and angles take several descriptions with the word vs between:\n"
-        "materials ard ti-6al-4v vs materials ard hastelloy-x rebound thornton_ning.\n"
-        "Without --dp, --speed, --angles a map has its own ranges.\n"
-        "The mu of bons is a constant fitted to its form. Oblique impacts of 5 mm alumina on\n"
-        "glass (Kharaz et al. 2001, Coulomb's mu 0.092) follow 1 - mu (1 + e_n) tan alpha1 up\n"
-        "to 60 degrees within 0.008, with the least CoR_T, 0.596, at 70 degrees; bons with that\n"
-        "mu has its least, 0.91, at 45 degrees. walton is the law for such impacts.\n",
+    .detail = detail,
     .examples =
         "  $ asperity rebound materials ard ti-6al-4v vs materials ard hastelloy-x --map capture "
         "--plot capture.png\n"
         "  $ asperity rebound rebound bons vs rebound thornton_ning --map angles --plot laws.png\n",
+    .options = options,
+    .picture = "draw the map; .png, .svg or .pdf",
     .run = run,
 };

@@ -7,7 +7,7 @@
 #include "base/file.h"
 #include "base/ledger_columns.h"
 #include "cli/cli.h"
-#include "cli/npy.h"
+#include "analysis/npy.h"
 
 #include <limits.h>
 #include <math.h>
@@ -211,9 +211,9 @@ static asp_code read_dump(file *f, aspi_csv *csv, asp_error *error) {
   return code;
 }
 
-static asp_code read_array_row(file *f, const npy *array, asp_error *error) {
+static asp_code read_array_row(file *f, const aspi_npy *array, asp_error *error) {
   for (int k = 0; k < IMPACT_COLUMNS; k++) {
-    double value = f->of[k] = cli_npy_value(array, f->at[k]);
+    double value = f->of[k] = aspi_npy_value(array, f->at[k]);
     if (!(value >= columns[k].least && value <= columns[k].most) &&
         !(may_lack(f, k) && isnan(value)))
       return aspi_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
@@ -225,19 +225,19 @@ static asp_code read_array_row(file *f, const npy *array, asp_error *error) {
 }
 
 static asp_code read_array(file *f, FILE *stream, asp_error *error) {
-  npy array;
-  asp_code code = cli_npy_open(&array, stream, f->to->path, error);
+  aspi_npy array;
+  asp_code code = aspi_npy_open(&array, stream, f->to->path, error);
   if (code)
     return code;
   for (int k = 0; k < IMPACT_COLUMNS; k++)
-    f->at[k] = cli_npy_find(&array, name_of(k));
+    f->at[k] = aspi_npy_find(&array, name_of(k));
   int missing = find_missing(f);
   if (missing >= 0)
     return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", f->to->path, name_of(missing));
   snprintf(f->to->comment, sizeof f->to->comment, "%s", array.title);
   read_units(f, false);
   for (bool found;;)
-    if ((code = cli_npy_next(&array, &found, error)) || !found ||
+    if ((code = aspi_npy_next(&array, &found, error)) || !found ||
         (code = read_array_row(f, &array, error)))
       return code;
 }
@@ -255,7 +255,7 @@ static asp_code read_file(file *f, asp_error *error) {
   if (!stream)
     return error->code;
   asp_code code;
-  if (cli_npy_is(stream)) {
+  if (aspi_npy_is(stream)) {
     code = read_array(f, stream, error);
     fclose(stream);
     return code;
@@ -279,8 +279,7 @@ static asp_code read_file(file *f, asp_error *error) {
 void cli_scatter_read_rows(impact_file *to) {
   file f = {.to = to, .unit = {1, 1, 1, 1}};
   asp_error error;
-  if (read_file(&f, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!read_file(&f, &error), &error);
 }
 
 /* ---- all impacts of a file ---- */
@@ -329,8 +328,4 @@ aspi_scatter_impacts cli_scatter_read_impacts(const char *path) {
     cli_bad_usage("%s: no rebound in it (%zu deposits)", path, impacts.deposits);
   warn_radians(path, most, impacts.count);
   return impacts;
-}
-
-void cli_scatter_free_impacts(aspi_scatter_impacts *impacts) {
-  free(impacts->points);
 }

@@ -39,6 +39,5 @@ void cli_scatter_read_rows(impact_file *file);
 
 /* All of them. Exits alike, and warns where angles look like radians. */
 aspi_scatter_impacts cli_scatter_read_impacts(const char *path);
-void cli_scatter_free_impacts(aspi_scatter_impacts *impacts);
 
 #endif

@@ -1,8 +1,9 @@
 /* asperity spread: the law of the tilt delta_alpha, as samples, as a density, or in numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/spread.h"
 #include "base/running.h"
+#include "cli/description.h"
+#include "cli/plot.h"
 #include "wall/wall.h"
 #include "surface/size_law.h"
 
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DP, ANGLES, SAMPLES, PDF, SUMMARY, LIST, OUTPUT, PLOT, N = PLOT + PLOT_OPTIONS };
+enum { BARS = 181, SAMPLES_MOST = 100000000 };
 
 /* A wall as a model looks at it. */
 typedef struct scene {
@@ -40,19 +41,13 @@ static double draw(const scene *s, const aspi_view *view, uint64_t sample) {
   return delta;
 }
 
-/* lambda_across^2 over the square of the correlation length along the flight. */
-static double part_of(const asp_surface *surface, const double lay[3]) {
-  double ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
-  return 1 + (ratio * ratio - 1) * lay[0] * lay[0];
-}
-
 static aspi_view view_of(const cli_description *wall, double d_p) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   if (!surface)
     return aspi_view_of(0, 0);
   double vector[3] = {0, 1, 0};
   const double *lay = cli_description_lay(wall, vector);
-  double part = lay ? part_of(surface, lay) : 1;
+  double part = cli_description_shrink(wall);
   double slope =
       lay ? aspi_surface_slope_along(surface, d_p, part) : asp_surface_slope(surface, d_p);
   aspi_view view = aspi_view_of(atan(slope), 0);
@@ -68,10 +63,10 @@ static aspi_view view_of(const cli_description *wall, double d_p) {
 #define ANY_SIZE 1e-5
 
 /* The view's impact angle is still to come. */
-static scene scene_of(const cli_option *dp, int count, char **words) {
-  static const char allowed[] = "surface spread seed";
-  scene s = {.wall = cli_description_read(count, words)};
-  cli_description_allow(&s.wall, allowed, "spread simulates no impact");
+static scene scene_of(const cli_call *call) {
+  const cli_option *dp = cli_get(call, "dp");
+  scene s = {.wall = cli_description_read(call->n_words, call->words, false)};
+  cli_description_allow(&s.wall, "surface spread seed", "spread simulates no impact");
   const char *kind = asp_wall_word(s.wall.wall, "surface");
   s.by_size = strcmp(kind, "smooth") != 0 && strcmp(kind, "sigma") != 0;
   double d_p = s.by_size || dp->value ? cli_length(dp) : ANY_SIZE;
@@ -86,10 +81,9 @@ static scene scene_of(const cli_option *dp, int count, char **words) {
 
 static void print_list(FILE *out) {
   fputs("model,summary,source\n", out);
-  for (int i = 0; i < asp_spread_count(); i++) {
-    const asp_spread_model *model = asp_spread_at(i);
-    fprintf(out, "%s,\"%s\",\"%s\"\n", model->name, model->summary, model->source);
-  }
+  for (int i = 0; i < asp_spread_count(); i++)
+    fprintf(out, "%s,\"%s\",\"%s\"\n", asp_spread_name(asp_spread_at(i)),
+            asp_spread_summary(asp_spread_at(i)), asp_spread_source(asp_spread_at(i)));
 }
 
 static void print_density(FILE *out, const asp_spread_model *model, const aspi_view *view) {
@@ -123,89 +117,109 @@ static void fill(double *sample, size_t n, const scene *s, const aspi_view *view
   cli_progress_end(&progress);
 }
 
-static void one_angle(FILE *out, const cli_option *options, const scene *s, double angle,
-                      size_t n) {
+/* A histogram of the samples, one bar a degree from the least one, and the density over it. */
+static void plot(const cli_call *call, const scene *s, const aspi_view *view, const double *sample,
+                 size_t n) {
+  const asp_spread_model *model = s->model;
+  double share[BARS] = {0}, from = 90, most = -90;
+  for (size_t i = 0; i < n; i++)
+    from = fmin(from, sample[i]);
+  for (size_t i = 0; i < n; i++) {
+    int bar = (int)fmax(0, floor(sample[i] - from));
+    share[bar < BARS ? bar : BARS - 1] += 1 / (double)n;
+    most = fmax(most, sample[i]);
+  }
+  char size[1700] = "";
+  if (s->by_size)
+    snprintf(size, sizeof size, "; %s, d_p = %.3g µm", cli_plot_wall(s->wall.wall).text,
+             view->d_p * 1e6);
+  cli_plot *picture = cli_plot_open(call, 800, 500, "1,1", "%s: α_1 = %g°, σ = %.3g°%s",
+                                    cli_plot_label(model->name).text, cli_degrees(view->alpha1),
+                                    cli_degrees(view->sigma), size);
+  cli_plot_panel(picture, "tilt Δα / degrees", "density / (1/degree)");
+  cli_plot_axis(picture, 'y', 0, NAN);
+  fputs("set boxwidth 1\n", cli_plot_stream(picture));
+  cli_plot_series(picture, CLI_BARS, "model_%s", model->name);
+  for (int i = 0; i < BARS; i++)
+    if (share[i] > 0)
+      cli_plot_row(picture, from + i + 0.5, share[i]);
+  cli_plot_end(picture, "%zu samples", n);
+  cli_plot_series(picture, CLI_LINE, "model_%s", model->name);
+  for (double angle = from; s->shaped && angle <= most; angle += 0.1)
+    cli_plot_row(picture, angle, model->density(view, cli_radians(angle)) * ASP_PI / 180);
+  cli_plot_end(picture, "%s", s->shaped ? "density" : "");
+  cli_plot_close(picture);
+}
+
+static void one_angle(FILE *out, const cli_call *call, const scene *s, double angle, size_t n) {
   aspi_view view = s->view;
   view.alpha1 = cli_radians(angle);
-  if (options[PDF].value) {
+  bool pdf = cli_value(call, "pdf"), drawn = cli_value(call, "plot");
+  if (pdf)
     print_density(out, s->model, &view);
-    if (!options[PLOT].value)
-      return;
-  }
+  if (pdf && !drawn)
+    return;
   double *sample = cli_allocate(n, sizeof *sample);
   fill(sample, n, s, &view);
-  if (options[PLOT].value)
-    cli_spread_plot(&options[PLOT], s->model, s->shaped, s->wall.wall, s->by_size, &view, sample,
-                    n);
-  if (options[SUMMARY].value)
+  if (drawn)
+    plot(call, s, &view, sample, n);
+  if (cli_value(call, "summary"))
     print_summary(out, s->model, &view, sample, n);
-  else if (!options[PDF].value)
-    for (size_t i = 0; i < n; i++)
-      fprintf(out, "%.8g\n", sample[i]);
+  for (size_t i = 0; i < n && !pdf && !cli_value(call, "summary"); i++)
+    fprintf(out, "%.8g\n", sample[i]);
   free(sample);
 }
 
-static void print_law(const cli_option *options, const scene *s, FILE *out) {
-  cli_list angles = cli_angles(&options[ANGLES]);
-  size_t n = cli_whole(&options[SAMPLES], 1, 100000000);
-  if (options[SUMMARY].value)
-    fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
-  else if (!options[PDF].value)
-    fputs("delta_alpha_deg\n", out);
-  for (size_t i = 0; i < angles.count; i++)
-    one_angle(out, options, s, angles.values[i], n);
-}
-
-static void check_options(const cli_option *o) {
-  if (cli_angles(&o[ANGLES]).count > 1 && (!o[SUMMARY].value || o[PLOT].value))
-    cli_bad_usage("--angles is '%s'; more than one angle goes with --summary, without --plot",
-                  o[ANGLES].value);
-  cli_whole(&o[SAMPLES], 1, 100000000);
-  if (o[PDF].value && o[SUMMARY].value)
-    cli_bad_usage("--pdf is given with --summary; it must be one of them");
-}
-
-static int run(int argc, char **argv) {
-  cli_option options[N + 1] = {
-      [DP] = {"dp", "LENGTH", "the particle's diameter; with 'surface sigma' of no account", NULL},
-      [ANGLES] = {"angles", "DEGREES", "impact angle, 0 to 90; with --summary a list", "30"},
-      [SAMPLES] = {"samples", "N", "how many draws", "10000"},
-      [PDF] = {"pdf", NULL, "print the density instead of samples", NULL},
-      [SUMMARY] = {"summary", NULL, "print mean, sd and percentiles of the samples", NULL},
-      [LIST] = {"list", NULL, "list the models", NULL},
-      [OUTPUT] = CLI_OUTPUT_OPTION,
-      CLI_PLOT_OPTIONS(PLOT, "draw histogram and density; .png, .svg or .pdf"),
-  };
-  int words = cli_words(argc, argv);
-  cli_parse(&cli_spread, argc - words, argv + words, options, false);
-  if (options[LIST].value) {
-    cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, NULL);
-    print_list(cli_output_stream(output));
-    cli_output_close(output);
-    return 0;
+static void run(cli_call *call) {
+  FILE *out;
+  if (cli_value(call, "list")) {
+    print_list(out = cli_output_open(call, "output", NULL));
+    cli_file_close(out);
+    return;
   }
-  check_options(options);
-  scene s = scene_of(&options[DP], words, argv + 1);
-  if (options[PDF].value && !s.shaped)
+  cli_list angles = cli_angles(cli_get(call, "angles"));
+  bool pdf = cli_value(call, "pdf"), summary = cli_value(call, "summary");
+  if (angles.count > 1 && (!summary || cli_value(call, "plot")))
+    cli_bad_usage("--angles is '%s'; more than one angle goes with --summary, without --plot",
+                  cli_value(call, "angles"));
+  size_t n = cli_whole(cli_get(call, "samples"), 1, SAMPLES_MOST);
+  if (pdf && summary)
+    cli_bad_usage("--pdf is given with --summary; it must be one of them");
+  scene s = scene_of(call);
+  if (pdf && !s.shaped)
     cli_bad_usage("--pdf: model '%s' has no density%s", s.model->name,
                   s.model->density ? " on a map" : "");
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, s.wall.text);
-  print_law(options, &s, cli_output_stream(output));
-  cli_output_close(output);
-  cli_description_free(&s.wall);
-  return 0;
+  out = cli_output_open(call, "output", s.wall.text);
+  if (summary)
+    fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
+  else if (!pdf)
+    fputs("delta_alpha_deg\n", out);
+  for (size_t i = 0; i < angles.count; i++)
+    one_angle(out, call, &s, angles.values[i], n);
+  cli_file_close(out);
 }
+
+static const cli_option options[] = {
+    {"dp", "LENGTH", "diameter of the particle; no effect with 'surface sigma'", NULL},
+    {"angles", "DEGREES", "impact angle, 0 to 90; with --summary a list", "30"},
+    {"samples", "N", "number of draws", "10000"},
+    {"pdf", NULL, "print the density instead of samples", NULL},
+    {"summary", NULL, "print mean, sd and percentiles of the samples", NULL},
+    {"list", NULL, "list the models", NULL},
+    {.name = NULL}};
 
 const cli_command cli_spread = {
     .name = "spread",
-    .summary = "how the tilt of the face that a particle hits is distributed",
+    .summary = "the distribution of the tilt of the face that a particle hits",
     .arguments = "DESCRIPTION",
     .detail =
         "Draws delta_alpha in the plane of incidence for a wall and an impact angle, or prints\n"
-        "its density. Of the description 'surface', 'spread' and 'seed' count: a wall by its\n"
-        "numbers is as a profile along the flight has it, over a map spheres fly in all\n"
+        "its density. Only 'surface', 'spread' and 'seed' of the description count. A wall\n"
+        "given by numbers is a profile along the flight. Over a map, spheres fly in all\n"
         "directions.\n",
     .examples = "  $ asperity spread surface sigma 10 --angles 20 --plot spread.png -o spread.csv\n"
                 "  $ asperity spread --list\n",
+    .options = options,
+    .picture = "draw histogram and density; .png, .svg or .pdf",
     .run = run,
 };

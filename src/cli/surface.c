@@ -3,10 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/surface.h"
 #include "base/units.h"
-#include "cli/description.h"
-#include "cli/surface_map.h"
 #include "surface/describe.h"
-#include "readers/read.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,45 +11,11 @@
 
 enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28, TWIN_POINTS = 1 << 19 };
 
-enum {
-  DP,
-  POINTS,
-  UNIT,
-  READ,
-  FORM,
-  GAPS,
-  SPIKES,
-  FILTER,
-  LEVEL,
-  SAVE,
-  OUTPUT,
-  PLOT,
-  N_OPTIONS = PLOT + PLOT_OPTIONS
-};
+/* Points per correlation length of a generated profile: fine enough that a particle smaller than
+ * the spacing finds the unfiltered slope. */
+#define POINTS_PER_LAMBDA 128.0
 
-static const cli_option table[N_OPTIONS + 1] = {
-    [DP] = {"dp", "LENGTHS", "particle diameters: a list", "10um"},
-    [POINTS] = {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
-    [UNIT] = {"unit", "U[,U]", "unit of a file's columns, where it states none", NULL},
-    [READ] = {"read", "WORDS",
-              "what is in a file: row N of an SDF map, column N (of it, or of a text's heights), "
-              "x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
-              "LENGTH[,LENGTH] between heights without "
-              "positions, or a matrix's columns and rows",
-              NULL},
-    [FORM] = {"form", "DEGREE", "polynomial taken out as form: none, or 0 to 9", "1"},
-    [GAPS] = {"gaps", "refuse|fill", "what to do about bad and missing points", "refuse"},
-    [SPIKES] = {"spikes", "K", "points over K robust sd off their neighbors are bad, too", NULL},
-    [FILTER] = {"filter", "WORDS",
-                "tip LENGTH (radius of the stylus, whose dilation is undone), lambda_s LENGTH and "
-                "cutoff LENGTH (shorter and longer waves are taken out, ISO 16610-21), robust (the "
-                "cut-off by ISO 16610-31)",
-                NULL},
-    [LEVEL] = {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
-    [SAVE] = {"save", "FILE", "write the profile there, or the map (SDF), as mended", NULL},
-    [OUTPUT] = CLI_OUTPUT_OPTION,
-    CLI_PLOT_OPTIONS(PLOT, "draw the first --dp, of a map two, into a .png, .svg or .pdf"),
-};
+/* ---- how a file is read ---- */
 
 static void read_unit(const cli_option *option, aspi_profile_options *read) {
   const char *second = strchr(option->value, ',');
@@ -82,75 +45,82 @@ static void take_steps(const cli_option *value, reading *r) {
   free(steps.values);
 }
 
-static bool take_layout(const char *word, const cli_option *value, reading *r) {
+/* Takes the value of a word of --read, or of --filter; false: there is no such word. */
+static bool take_word(const char *word, bool filters, const cli_option *value, reading *r) {
   aspi_profile_options *read = &r->file;
-  if (strcmp(word, "row") == 0)
-    read->row = (int)cli_whole(value, 1, 1000000);
-  else if (strcmp(word, "column") == 0)
-    read->column = (int)cli_whole(value, 1, 1000000);
-  else if (strcmp(word, "x_column") == 0)
-    read->x_column = value->value;
-  else if (strcmp(word, "z_column") == 0)
-    read->z_column = value->value;
-  else if (strcmp(word, "spacing") == 0)
-    read->resample = !cli_choice(value, "resample", "refuse");
-  else if (strcmp(word, "missing") == 0) {
-    read->has_missing = true;
-    read->missing = cli_number(value, -INFINITY, INFINITY);
-  } else if (strcmp(word, "step") == 0)
+  const struct {
+    const char *name;
+    bool filters;
+    int *whole;
+    double *length;
+    const char **text;
+  } all[] = {{"row", false, &read->row, NULL, NULL},
+             {"column", false, &read->column, NULL, NULL},
+             {"x_column", false, NULL, NULL, &read->x_column},
+             {"z_column", false, NULL, NULL, &read->z_column},
+             {"tip", true, NULL, &read->filters.tip, NULL},
+             {"lambda_s", true, NULL, &read->filters.lambda_s, NULL},
+             {"cutoff", true, NULL, &read->filters.cutoff, NULL}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (filters == all[i].filters && strcmp(word, all[i].name) == 0) {
+      if (all[i].whole)
+        *all[i].whole = (int)cli_whole(value, 1, 1000000);
+      else if (all[i].length)
+        *all[i].length = cli_length(value);
+      else
+        *all[i].text = value->value;
+      return true;
+    }
+  if (filters)
+    return false;
+  if (strcmp(word, "spacing") == 0)
+    read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
+  else if (strcmp(word, "step") == 0)
     take_steps(value, r);
+  else if (strcmp(word, "missing") == 0)
+    read->missing = cli_number(value, -INFINITY, INFINITY);
   else
     return false;
+  read->has_missing = read->has_missing || strcmp(word, "missing") == 0;
   return true;
 }
 
-static bool take_filter(const char *word, const cli_option *value, reading *r) {
-  aspi_profile_options *read = &r->file;
-  if (strcmp(word, "tip") == 0)
-    read->filters.tip = cli_length(value);
-  else if (strcmp(word, "lambda_s") == 0)
-    read->filters.lambda_s = cli_length(value);
-  else if (strcmp(word, "cutoff") == 0)
-    read->filters.cutoff = cli_length(value);
-  else
-    return false;
-  return true;
-}
-
-/* Words and their values, with blanks between; the text lives as long as the command. */
-static void take_words(const cli_option *option, reading *r,
-                       bool (*take)(const char *word, const cli_option *value, reading *r)) {
+/* Words and their values, with blanks between. */
+static void take_words(const cli_option *option, bool filters, reading *r) {
   if (!option->value)
     return;
   char *text = cli_copy(option->value), name[80];
   for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
-    if (take == take_filter && strcmp(word, "robust") == 0) {
+    if (filters && strcmp(word, "robust") == 0) {
       r->file.filters.robust = true;
       continue;
     }
     snprintf(name, sizeof name, "%s %.40s", option->name, word);
     const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
-    if (!value.value || !take(word, &value, r))
+    if (!value.value || !take_word(word, filters, &value, r))
       cli_bad_usage("--%s is '%s'; '%s' is unknown or without a value; there are: %s", option->name,
                     option->value, word, option->help);
   }
 }
 
-static reading read_options(const cli_option *o) {
+static reading read_options(const cli_call *call) {
   reading r = {.file = aspi_profile_options_default()};
   aspi_profile_options *read = &r.file;
-  if (o[UNIT].value)
-    read_unit(&o[UNIT], read);
-  read->form = strcmp(o[FORM].value, "none") == 0 ? -1 : (int)cli_whole(&o[FORM], 0, ASP_FORM_MAX);
-  read->fill = cli_choice(&o[GAPS], "refuse", "fill");
-  if (o[SPIKES].value)
-    read->spikes = cli_number(&o[SPIKES], 1, 1e6);
-  take_words(&o[READ], &r, take_layout);
-  take_words(&o[FILTER], &r, take_filter);
+  const cli_option *form = cli_get(call, "form");
+  if (cli_value(call, "unit"))
+    read_unit(cli_get(call, "unit"), read);
+  read->form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
+  read->fill = cli_choice(cli_get(call, "gaps"));
+  if (cli_value(call, "spikes"))
+    read->spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
+  take_words(cli_get(call, "read"), false, &r);
+  take_words(cli_get(call, "filter"), true, &r);
   if (read->filters.robust && !(read->filters.cutoff > 0))
-    cli_bad_usage("--filter is '%s'; robust goes with cutoff", o[FILTER].value);
+    cli_bad_usage("--filter is '%s'; robust goes with cutoff", cli_value(call, "filter"));
   return r;
 }
+
+/* ---- profiles ---- */
 
 /* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
  * seed is made another, so that a generated profile that was saved is not compared with itself. */
@@ -186,20 +156,15 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
           d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
 }
 
-/* Warns of the reader's doubts, and of a sampling that is too coarse for the smallest size; exits
- * if the points do not resolve a particle. */
-static void check(const char *name, const char *what, const aspi_profile_report *report,
-                  double spacing, double length, double lambda, const cli_list *sizes) {
-  double least = INFINITY;
-  for (size_t i = 0; i < sizes->count; i++)
-    least = fmin(least, sizes->values[i]);
-  if (least < spacing)
-    cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it", least * 1e6,
-                  what, spacing * 1e6);
+void cli_surface_check(const char *name, const char *what, const aspi_profile_report *report,
+                       double spacing, double length, double lambda, const cli_list *sizes) {
+  if (sizes->least < spacing)
+    cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it",
+                  sizes->least * 1e6, what, spacing * 1e6);
   if (*report->warnings)
     cli_warn("%s: %s", name, report->warnings);
   asp_error doubt;
-  if (asp_sampling_check(least, spacing, length, lambda, &doubt))
+  if (aspi_sampling_check(sizes->least, spacing, length, lambda, &doubt))
     cli_warn("%s: %s", name, doubt.text);
 }
 
@@ -207,54 +172,70 @@ static uint32_t seed_of(const cli_description *d) {
   return (uint32_t)asp_wall_get(d->wall, "seed");
 }
 
-static cli_wall read_wall(const cli_option *o, const cli_description *wall, source *from) {
+static cli_wall read_wall(const cli_call *call, const cli_description *wall, const cli_list *sizes,
+                          source *from) {
   const char *file = asp_wall_word(wall->wall, "file");
-  reading how = read_options(o);
-  double level = cli_choice(&o[LEVEL], "1/e", "0.2") ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
+  reading how = read_options(call);
+  double level = cli_choice(cli_get(call, "level")) ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
   asp_profile *profile = aspi_profile_read(file, &how.file, &from->report, &error);
-  if (!profile)
-    cli_bad_file(NULL, &error);
+  cli_must(profile, &error);
   if (aspi_profile_describe(profile, level, &from->description, &error) ||
       aspi_description_check(&from->description, 1, &error))
     cli_bad_usage("%s: %s", file, error.text);
   const aspi_description *d = &from->description;
+  cli_surface_check(file, "profile", &from->report, d->spacing, d->length, d->lambda_c, sizes);
   return (cli_wall){profile, generate_like(d, seed_of(wall)), d->r_q, d->lambda_c, file};
 }
 
 /* The profile along the flight; `more` is added to the seed. */
-static cli_wall generate_wall(const cli_option *o, const cli_description *wall, uint32_t more) {
+static cli_wall generate_wall(const cli_call *call, const cli_description *wall, uint32_t more) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
-  double vector[3], ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
-  const double *lay = cli_description_lay(wall, vector);
-  double part = lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;
-  double r_q = asp_surface_r_q(surface), lambda_c = asp_surface_lambda_c(surface) / sqrt(part);
+  double r_q = asp_surface_r_q(surface),
+         lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall));
   asp_error error;
-  asp_profile *profile = asp_profile_create(r_q, lambda_c, lambda_c / CLI_POINTS_PER_LAMBDA,
-                                            cli_whole(&o[POINTS], POINTS_LEAST, POINTS_MOST),
-                                            seed_of(wall) + more, &error);
-  if (!profile)
-    cli_bad_usage("%s", error.text);
+  asp_profile *profile = asp_profile_create(
+      r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
+      cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST), seed_of(wall) + more, &error);
+  cli_must(profile, &error);
   return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
 }
 
-static void save(const cli_option *option, int argc, char **argv, const asp_profile *profile) {
-  cli_output *output = cli_output_open(option->value, argc, argv, NULL);
-  FILE *out = cli_output_stream(output);
+static void save(const cli_call *call, const asp_profile *profile) {
+  FILE *out = cli_output_open(call, "save", NULL);
   fputs("x_um,z_um\n", out);
   for (size_t i = 0; i < asp_profile_points(profile); i++)
     fprintf(out, "%.12g,%.9g\n", (double)i * asp_profile_spacing(profile) * 1e6,
             asp_profile_heights(profile)[i] * 1e6);
-  cli_output_close(output);
+  cli_file_close(out);
 }
 
-static cli_slopes *measure(const cli_wall *wall, const cli_list *sizes) {
-  cli_slopes *rows = cli_allocate(sizes->count, sizeof *rows);
+/* ---- the slopes ---- */
+
+double cli_kappa(const cli_slopes *row) {
+  return sqrt(3) * row->d_p * row->r_q / (row->lambda_c * row->lambda_c);
+}
+
+/* The slopes that discs of every size meet on a profile, in order, on all cores. */
+static void measure(const cli_wall *wall, const cli_list *sizes, cli_slopes *rows) {
+  asp_error error = {ASP_OK, ""};
+  size_t finished = 0;
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
-  cli_slopes_measure(wall->profile, cli_contact(wall), wall->r_q, wall->lambda_c, sizes, &progress,
-                     0, rows);
+#pragma omp parallel for schedule(dynamic)
+  for (size_t i = 0; i < sizes->count; i++) {
+    asp_error own = {ASP_OK, ""};
+    rows[i] = (cli_slopes){.d_p = sizes->values[i], .r_q = wall->r_q, .lambda_c = wall->lambda_c};
+    aspi_profile_describe_slopes(wall->profile, rows[i].d_p, cli_contact(wall), &rows[i].slopes,
+                                 &own);
+#pragma omp critical
+    {
+      if (own.code)
+        error = own;
+      cli_progress_show(&progress, (double)++finished);
+    }
+  }
+  cli_must(!error.code, &error);
   cli_progress_end(&progress);
-  return rows;
 }
 
 static void print_notes(FILE *out, const cli_wall *wall, const cli_slopes *rows, size_t count) {
@@ -267,19 +248,28 @@ static void print_notes(FILE *out, const cli_wall *wall, const cli_slopes *rows,
 }
 
 static void print_rows(FILE *out, const cli_slopes *rows, size_t count) {
-  for (size_t i = 0; i < count; i++) {
-    cli_slopes_print(out, &rows[i]);
-    fputc('\n', out);
-  }
+  fputs("dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,sigma_deg,angle_mean_deg,angle_sd_deg,"
+        "angle_kurtosis,kl_normal\n",
+        out);
+  for (const cli_slopes *r = rows; r < rows + count; r++)
+    fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", r->d_p * 1e6,
+            r->r_q * 1e6, r->lambda_c * 1e6, r->r_q / r->lambda_c, cli_kappa(r),
+            r->slopes.slope_rms, cli_degrees(atan(r->slopes.slope_rms)),
+            cli_degrees(r->slopes.angle.mean), cli_degrees(r->slopes.angle.sd),
+            r->slopes.angle.kurtosis, r->slopes.kl_normal);
 }
 
+/* ---- the command ---- */
+
 /* Exits if an option is given that does not apply to the wall at hand. */
-static void check_options(const cli_option *o, const char *kind) {
+static void check_options(const cli_call *call, const char *kind) {
   enum { GENERATED = 1, BY_PROFILE = 2, BY_MAP = 4, MEASURED = BY_PROFILE | BY_MAP };
   static const struct {
-    int option, own;
-  } list[] = {{POINTS, GENERATED}, {FILTER, BY_PROFILE}, {LEVEL, BY_PROFILE}, {UNIT, MEASURED},
-              {FORM, MEASURED},    {GAPS, MEASURED},     {SPIKES, MEASURED},  {READ, MEASURED}};
+    const char *option;
+    int own;
+  } list[] = {{"points", GENERATED}, {"filter", BY_PROFILE}, {"level", BY_PROFILE},
+              {"unit", MEASURED},    {"form", MEASURED},     {"gaps", MEASURED},
+              {"spikes", MEASURED},  {"read", MEASURED}};
   int wall = strcmp(kind, "map") == 0       ? BY_MAP
              : strcmp(kind, "profile") == 0 ? BY_PROFILE
              : strcmp(kind, "rq") == 0      ? GENERATED
@@ -287,9 +277,10 @@ static void check_options(const cli_option *o, const char *kind) {
   if (!wall)
     cli_bad_usage("surface is '%s'; it must be rq R lambda_c L, profile FILE or map FILE", kind);
   for (size_t i = 0; i < sizeof list / sizeof *list; i++)
-    if (o[list[i].option].value != table[list[i].option].value && !(list[i].own & wall))
-      cli_bad_usage("--%s does not apply to 'surface %s'", o[list[i].option].name, kind);
-  if (o[SAVE].value && strcmp(o[SAVE].value, "-") == 0 && !o[OUTPUT].value)
+    if (cli_is_set(call, list[i].option) && !(list[i].own & wall))
+      cli_bad_usage("--%s does not apply to 'surface %s'", list[i].option, kind);
+  const char *saved = cli_value(call, "save");
+  if (saved && strcmp(saved, "-") == 0 && !cli_value(call, "output"))
     cli_bad_usage("--save is '-', standard output, where the slopes go; say where else (-o FILE)");
 }
 
@@ -310,154 +301,123 @@ static cli_list list_at(char **words, int count, const char *name, int *at) {
   return (cli_list){.count = 1};
 }
 
-static walls find_walls(int count, char **words) {
+static walls find_walls(const cli_call *call) {
   walls all = {.at = {0, 0}};
-  all.r_q = list_at(words, count, "rq", &all.at[0]);
-  all.lambda_c = list_at(words, count, "lambda_c", &all.at[1]);
+  all.r_q = list_at(call->words, call->n_words, "rq", &all.at[0]);
+  all.lambda_c = list_at(call->words, call->n_words, "lambda_c", &all.at[1]);
   all.count = all.r_q.count * all.lambda_c.count;
   return all;
 }
 
 /* One of them, counted from 0. */
-static cli_description wall_of(const walls *all, size_t index, int count, char **words) {
+static cli_description wall_of(const walls *all, size_t index, const cli_call *call) {
   const double value[2] = {all->at[0] ? all->r_q.values[index / all->lambda_c.count] : 0,
                            all->at[1] ? all->lambda_c.values[index % all->lambda_c.count] : 0};
-  char **own = cli_allocate((size_t)count + 1, sizeof *own), text[2][40];
-  for (int i = 0; i < count; i++)
-    own[i] = words[i];
+  char **own = cli_allocate((size_t)call->n_words + 1, sizeof *own), text[2][40];
+  memcpy(own, call->words, (size_t)call->n_words * sizeof *own);
   for (int k = 0; k < 2; k++)
     if (all->at[k]) {
       snprintf(text[k], sizeof text[k], "%.17gm", value[k]);
       own[all->at[k]] = text[k];
     }
-  cli_description wall = cli_description_read(count, own);
+  cli_description wall = cli_description_read(call->n_words, own, false);
   cli_description_allow(&wall, "surface seed", "a surface makes no impact");
-  free(own);
   return wall;
 }
 
-/* Everything of a map. */
-static void run_map(const cli_option *o, const cli_description *wall, const cli_list *sizes,
-                    int argc, char **argv) {
-  const char *file = asp_wall_word(wall->wall, "file");
-  reading how = read_options(o);
-  how.file.step = 0;
-  aspi_map_options options = {&how.file, {how.step[0], how.step[1]}};
-  cli_map map = cli_map_read(file, &options);
-  const double *step = map.map->step;
-  double sides[2] = {(double)map.map->columns * step[0], (double)map.map->rows * step[1]};
-  check(file, "map", &map.report, fmax(step[0], step[1]), fmin(sides[0], sides[1]),
-        map.description.lambda_2, sizes);
-  cli_map_slopes *rows = cli_allocate(sizes->count, sizeof *rows);
-  cli_map_slopes_measure(&map, sizes, rows);
-  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, wall->text);
-  cli_map_print(cli_output_stream(output), &map, rows, sizes->count);
-  cli_output_close(output);
-  if (o[SAVE].value)
-    cli_map_save(&o[SAVE], &map);
-  if (o[PLOT].value)
-    cli_map_plot(&o[PLOT], &map, rows, sizes->count);
-  free(rows);
-  cli_map_free(&map);
-}
-
-/* A measured profile, or a generated one. */
-static void run_profile(const cli_option *o, const cli_description *d, const cli_list *sizes,
-                        int argc, char **argv) {
-  bool measured = asp_wall_word(d->wall, "file") != NULL;
-  source from;
-  cli_wall wall = measured ? read_wall(o, d, &from) : generate_wall(o, d, 0);
-  if (measured)
-    check(wall.name, "profile", &from.report, from.description.spacing, from.description.length,
-          from.description.lambda_c, sizes);
-  cli_slopes *rows = measure(&wall, sizes);
-  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, d->text);
-  FILE *out = cli_output_stream(output);
-  if (measured)
-    tell(out, &wall, &from, o[LEVEL].value);
-  print_notes(out, &wall, rows, sizes->count);
-  fputs(CLI_SLOPES_HEADER "\n", out);
-  print_rows(out, rows, sizes->count);
-  cli_output_close(output);
-  if (o[SAVE].value)
-    save(&o[SAVE], argc, argv, wall.profile);
-  if (o[PLOT].value)
-    cli_surface_plot(&o[PLOT], &wall, &rows[0]);
-  asp_profile_free(wall.generated);
-  asp_profile_free(wall.profile);
-  free(rows);
-}
-
-/* Many walls, each by a profile of its own: the seed of each is one more than that before. */
-static void run_walls(const cli_option *o, const walls *all, const cli_list *sizes, int argc,
-                      char **argv) {
-  int words = cli_words(argc, argv);
-  if (o[SAVE].value || o[PLOT].value)
+/* A measured profile, or a generated one for each wall: the seed of each is one more than that
+ * before. */
+static void run_profiles(const cli_call *call, const walls *all, const cli_description *first,
+                         const cli_list *sizes) {
+  bool measured = asp_wall_word(first->wall, "file"), many = all->count > 1;
+  size_t count = all->count * sizes->count;
+  if (many && (cli_value(call, "save") || cli_value(call, "plot")))
     cli_bad_usage("--%s is given with a list of walls; it takes one",
-                  o[SAVE].value ? "save" : "plot");
-  cli_slopes *rows = cli_allocate(all->count * sizes->count, sizeof *rows);
+                  cli_value(call, "save") ? "save" : "plot");
+  cli_slopes *rows = cli_allocate(count, sizeof *rows);
+  cli_wall wall = {.profile = NULL};
+  source from;
   for (size_t k = 0; k < all->count; k++) {
-    cli_description d = wall_of(all, k, words, argv + 1);
-    cli_wall wall = generate_wall(o, &d, (uint32_t)k);
-    cli_slopes *own = measure(&wall, sizes);
-    memcpy(rows + k * sizes->count, own, sizes->count * sizeof *own);
-    free(own);
+    cli_description of = k > 0 ? wall_of(all, k, call) : *first;
     asp_profile_free(wall.profile);
-    cli_description_free(&d);
+    wall = measured ? read_wall(call, &of, sizes, &from) : generate_wall(call, &of, (uint32_t)k);
+    measure(&wall, sizes, rows + k * sizes->count);
   }
-  cli_output *output = cli_output_open(o[OUTPUT].value, argc, argv, NULL);
-  fprintf(cli_output_stream(output), "# generated: %s points a wall, lambda_c/%g apart\n",
-          o[POINTS].value, CLI_POINTS_PER_LAMBDA);
-  fputs(CLI_SLOPES_HEADER "\n", cli_output_stream(output));
-  print_rows(cli_output_stream(output), rows, all->count * sizes->count);
-  cli_output_close(output);
-  free(rows);
+  FILE *out = cli_output_open(call, "output", many ? NULL : first->text);
+  if (measured)
+    tell(out, &wall, &from, cli_value(call, "level"));
+  if (many)
+    fprintf(out, "# generated: %s points a wall, lambda_c/%g apart\n", cli_value(call, "points"),
+            POINTS_PER_LAMBDA);
+  else
+    print_notes(out, &wall, rows, count);
+  print_rows(out, rows, count);
+  cli_file_close(out);
+  if (cli_value(call, "save"))
+    save(call, wall.profile);
+  if (cli_value(call, "plot"))
+    cli_surface_plot(call, &wall, &rows[0]);
 }
 
-static int run(int argc, char **argv) {
-  cli_option options[N_OPTIONS + 1];
-  memcpy(options, table, sizeof options);
-  int words = cli_words(argc, argv);
-  cli_parse(&cli_surface, argc - words, argv + words, options, false);
-  cli_list sizes = cli_lengths(&options[DP]);
-  walls all = find_walls(words, argv + 1);
-  cli_description first = wall_of(&all, 0, words, argv + 1);
+static void run(cli_call *call) {
+  cli_list sizes = cli_lengths(cli_get(call, "dp"));
+  walls all = find_walls(call);
+  cli_description first = wall_of(&all, 0, call);
   const char *kind = asp_wall_word(first.wall, "surface");
-  check_options(options, kind);
-  if (all.count > 1)
-    run_walls(options, &all, &sizes, argc, argv);
-  else if (strcmp(kind, "map") == 0)
-    run_map(options, &first, &sizes, argc, argv);
-  else
-    run_profile(options, &first, &sizes, argc, argv);
-  cli_description_free(&first);
-  return 0;
+  check_options(call, kind);
+  if (strcmp(kind, "map") != 0) {
+    run_profiles(call, &all, &first, &sizes);
+    return;
+  }
+  reading how = read_options(call);
+  how.file.step = 0;
+  const aspi_map_options options = {&how.file, {how.step[0], how.step[1]}};
+  cli_surface_map(call, &first, &options, &sizes);
 }
+
+static const cli_option options[] = {
+    {"dp", "LENGTHS", "particle diameters: a list", "10um"},
+    {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
+    {"unit", "U[,U]", "unit of the columns of a file that does not state it", NULL},
+    {"read", "WORDS",
+     "content of the file: row N of an SDF map, column N (of an SDF map, or the heights of a "
+     "text), x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
+     "LENGTH[,LENGTH] between heights without positions, or between columns and rows of a matrix",
+     NULL},
+    {"form", "DEGREE", "degree of the polynomial that is subtracted as form: none, or 0 to 9", "1"},
+    {"gaps", "refuse|fill", "refuse a file with bad and missing points, or fill them", "refuse"},
+    {"spikes", "K", "count points more than K robust sd from their neighbors as bad", NULL},
+    {"filter", "WORDS",
+     "tip LENGTH (radius of the stylus, whose dilation is undone), lambda_s LENGTH and cutoff "
+     "LENGTH (remove shorter and longer waves, ISO 16610-21), robust (the cut-off by ISO 16610-31)",
+     NULL},
+    {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
+    {"save", "FILE", "write the repaired profile, or map (SDF), there", NULL},
+    {.name = NULL}};
+
+static const char detail[] =
+    "One row per diameter. The particle rolls over a generated or a measured profile; the\n"
+    "row has the slopes of the path of its center (dilation), at equal steps along the\n"
+    "wall. kappa = sqrt(3) dp rq / lambda_c^2; angle_kurtosis is the excess (normal: 0);\n"
+    "kl_normal is D_KL (natural logarithm) of the normal fit to the kernel density of the\n"
+    "angles, bandwidth sd (4/(3 points))^(1/5). A generated profile is periodic, a measured\n"
+    "one is mirrored at its ends. A measured one is compared with a generated one of the\n"
+    "same R_q and lambda_c. rq and lambda_c may be lists: 'surface rq 2um,5um lambda_c\n"
+    "40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"
+    "parameters of ISO 25178-2, the lay, and the slopes that a sphere meets across the lay\n"
+    "and along it. The command refuses instruments' own formats; the free program Gwyddion\n"
+    "saves them as SDF.\n";
 
 const cli_command cli_surface = {
     .name = "surface",
-    .summary = "which slopes a particle of a given size finds on a wall",
+    .summary = "the slopes that particles of a given size meet on a wall",
     .arguments = "DESCRIPTION",
-    .detail =
-        "A row per diameter, measured on a generated or a measured profile: the slopes of the "
-        "path\n"
-        "of the particle's center (dilation) under a uniform center. kappa = sqrt(3) dp rq /\n"
-        "lambda_c^2; angle_kurtosis is the excess (normal: 0); kl_normal is D_KL (natural "
-        "logarithm)\n"
-        "of the normal fit to the kernel density of the angles, bandwidth sd (4/(3 "
-        "points))^(1/5).\n"
-        "A generated profile is periodic, a measured one is mirrored at its ends. A measured one "
-        "is\n"
-        "compared with a generated one of the same R_q and lambda_c. rq and lambda_c may be "
-        "lists:\n"
-        "'surface rq 2um,5um lambda_c 40um:120um:40um' has a row per wall and diameter. Of a map, "
-        "the parameters of\n"
-        "ISO 25178-2, the lay, and the contact slopes of a sphere across the lay and along it. "
-        "For\n"
-        "an instrument's own format that is refused: the free program Gwyddion saves it as SDF.\n",
+    .detail = detail,
     .examples =
         "  $ asperity surface surface rq 5um lambda_c 40um --dp 5um,55um --plot surface.png\n"
         "  $ asperity surface surface profile raw.csv --gaps fill --form 2 --dp 20um --save "
         "mended.csv\n",
+    .options = options,
+    .picture = "draw the first --dp (of a map the first two) into a .png, .svg or .pdf",
     .run = run,
 };

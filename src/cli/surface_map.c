@@ -2,9 +2,12 @@
  * finds on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/surface_map.h"
+#include "analysis/judge.h"
 #include "base/file.h"
+#include "cli/plot.h"
+#include "cli/surface.h"
 #include "surface/ball.h"
+#include "surface/map_describe.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,63 +15,62 @@
 
 enum { ROWS_AT_ONCE = 16 };
 
-cli_map cli_map_read(const char *path, const aspi_map_options *options) {
+/* A measured map, what was done to it, and what it is. */
+typedef struct measured {
+  asp_map *map;
+  aspi_profile_report report;
+  aspi_map_description description;
+  const char *name;
+} measured;
+
+/* The contact slopes of a sphere; see aspi_gradient_describe. */
+typedef struct slopes {
+  double d_p, rms[2], skewness[2], mixed;
+} slopes;
+
+/* Reads and describes a map, in meters. */
+static measured read_map(const char *path, const aspi_map_options *options) {
   asp_error error;
-  cli_map m = {.name = path};
+  measured m = {.name = path};
   FILE *stream = aspi_file_open(path, &error);
   if (stream) {
     m.map = aspi_map_read_stream(stream, path, options, &m.report, &error);
     fclose(stream);
   }
-  if (!m.map)
-    cli_bad_file(NULL, &error);
+  cli_must(m.map, &error);
   if (aspi_map_describe(m.map, &m.description, &error) ||
       aspi_map_check(m.map, &m.description, 1, &error))
     cli_bad_usage("%s: %s", path, error.text);
   return m;
 }
 
-void cli_map_free(cli_map *m) {
-  asp_map_free(m->map);
-}
-
-/* Buffers for the contacts of one size. */
-typedef struct room {
-  float *z, *p, *q;
-} room;
-
-static void measure_one(const cli_map *m, const room *r, double d_p, cli_map_slopes *row,
-                        cli_progress *progress, double done) {
-  asp_error error;
-  aspi_ball *ball = aspi_ball_create(m->map, d_p, &error);
-  if (!ball)
-    cli_bad_usage("--dp: %s", error.text);
-  size_t rows = m->map->rows, finished = 0;
-#pragma omp parallel for schedule(dynamic)
-  for (size_t j = 0; j < rows; j += ROWS_AT_ONCE) {
-    size_t end = j + ROWS_AT_ONCE < rows ? j + ROWS_AT_ONCE : rows;
-    aspi_ball_rows(ball, j, end, r->z, r->p, r->q);
-#pragma omp critical
-    cli_progress_show(progress, done + (double)(finished += end - j) / (double)rows);
-  }
-  aspi_ball_free(ball);
-  row->d_p = d_p;
-  aspi_gradient_describe(r->p, r->q, m->map->columns * rows, m->description.lay, row->rms,
-                         row->skewness, &row->mixed);
-}
-
-void cli_map_slopes_measure(const cli_map *m, const cli_list *sizes, cli_map_slopes *rows) {
-  room r;
-  float **const all[] = {&r.z, &r.p, &r.q};
-  for (size_t k = 0; k < 3; k++)
-    if (!(*all[k] = aspi_map_room(m->map->columns, m->map->rows)))
-      cli_fail("out of memory");
+/* The dilation of the map by a sphere of each size, all of its points on all cores. */
+static void measure(const measured *m, const cli_list *sizes, slopes *all) {
+  size_t rows = m->map->rows, n = m->map->columns * rows;
+  float *z = cli_allocate(n, sizeof *z), *p = cli_allocate(n, sizeof *p),
+        *q = cli_allocate(n, sizeof *q);
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
-  for (size_t i = 0; i < sizes->count; i++)
-    measure_one(m, &r, sizes->values[i], &rows[i], &progress, (double)i);
+  for (size_t i = 0; i < sizes->count; i++) {
+    asp_error error;
+    aspi_ball *ball = aspi_ball_create(m->map, sizes->values[i], &error);
+    if (!ball)
+      cli_bad_usage("--dp: %s", error.text);
+    size_t finished = 0;
+#pragma omp parallel for schedule(dynamic)
+    for (size_t j = 0; j < rows; j += ROWS_AT_ONCE) {
+      size_t end = j + ROWS_AT_ONCE < rows ? j + ROWS_AT_ONCE : rows;
+      aspi_ball_rows(ball, j, end, z, p, q);
+#pragma omp critical
+      cli_progress_show(&progress, (double)i + (double)(finished += end - j) / (double)rows);
+    }
+    aspi_ball_free(ball);
+    all[i].d_p = sizes->values[i];
+    aspi_gradient_describe(p, q, n, m->description.lay, all[i].rms, all[i].skewness, &all[i].mixed);
+  }
   cli_progress_end(&progress);
-  for (size_t k = 0; k < 3; k++)
-    free(*all[k]);
+  free(z);
+  free(p);
+  free(q);
 }
 
 /* A number that there may not be. */
@@ -79,7 +81,8 @@ static void print_number(FILE *out, const char *name, double value, const char *
     fprintf(out, ", %s beyond the map", name);
 }
 
-void cli_map_print(FILE *out, const cli_map *m, const cli_map_slopes *rows, size_t count) {
+/* Prints the description of the map, and a row per size. */
+static void print(FILE *out, const measured *m, const slopes *rows, size_t count) {
   const aspi_map_description *d = &m->description;
   fputs("# map ", out);
   cli_print_comment(out, m->name);
@@ -107,10 +110,9 @@ void cli_map_print(FILE *out, const cli_map *m, const cli_map_slopes *rows, size
             rows[i].rms[1], rows[i].skewness[0], rows[i].skewness[1]);
 }
 
-void cli_map_save(const cli_option *option, const cli_map *m) {
-  const asp_map *map = m->map;
-  cli_file *file = cli_file_open(strcmp(option->value, "-") == 0 ? "/dev/stdout" : option->value);
-  FILE *out = cli_file_stream(file);
+/* The heights as SDF in text (ISO 25178-71), for the other commands and the wall's fix. */
+static void save(const cli_call *call, const asp_map *map) {
+  FILE *out = cli_file_open(cli_value(call, "save"));
   fprintf(out,
           "aISO-1.0\nManufacID = asperity\nCreateDate = 000000000000\nModDate = 000000000000\n"
           "NumPoints = %zu\nNumProfiles = %zu\nXscale = %.17g\nYscale = %.17g\nZscale = 1e-6\n"
@@ -121,5 +123,186 @@ void cli_map_save(const cli_option *option, const cli_map *m) {
       fprintf(out, "%.9g%c", (double)map->heights[j * map->columns + i] * 1e6,
               i + 1 < map->columns ? ' ' : '\n');
   fputs("*\n", out);
-  cli_file_close(file);
+  cli_file_close(out);
+}
+
+/* ---- the picture ---- */
+
+enum { PIXELS = 300, SECTION = 600, IMPACTS = 100000 };
+
+/* The flights of the picture come across the lay at this impact angle. */
+#define ALPHA1 10.0
+
+/* ISO 25178-2 calls a surface with a greater texture aspect ratio S_tr isotropic. */
+#define S_TR_ISOTROPIC 0.5
+
+/* Along the lay as an arrow, and the ellipse three times as large, where there is a lay. */
+static void plot_lay(cli_plot *picture, const aspi_map_description *d, double width,
+                     double height) {
+  double cx = width / 2, cy = height / 2, reach = 0.3 * fmin(width, height);
+  double c = cos(d->lay), s = sin(d->lay), a = 3e6 * d->lambda_2, b = 3e6 * d->lambda_1;
+  for (int arrow = 0; arrow < 2; arrow++) {
+    cli_plot_series(picture, CLI_LINE, "reference lw 2");
+    if (arrow) {
+      cli_plot_row(picture, cx - reach * c, cy - reach * s);
+      cli_plot_row(picture, cx + reach * c, cy + reach * s);
+    } else {
+      for (int i = 0; i <= 100; i++) {
+        double u = a * cos(2 * ASP_PI * i / 100), v = b * sin(2 * ASP_PI * i / 100);
+        cli_plot_row(picture, cx + u * c - v * s, cy + u * s + v * c);
+      }
+    }
+    cli_plot_end(picture, "%s", "");
+  }
+}
+
+static void plot_heights(cli_plot *picture, const measured *map) {
+  const asp_map *m = map->map;
+  const aspi_map_description *d = &map->description;
+  size_t by_x = m->columns / PIXELS + 1, by_y = m->rows / PIXELS + 1;
+  double width = (double)m->columns * m->step[0] * 1e6, height = (double)m->rows * m->step[1] * 1e6;
+  bool has_lay = !(d->s_tr > S_TR_ISOTROPIC);
+  cli_plot_panel(picture, "x / µm", "y / µm");
+  cli_plot_place(picture, 0, 0.47, 0.45, 0.48);
+  cli_plot_scale(picture, true);
+  cli_plot_axis(picture, 'x', 0, width);
+  cli_plot_axis(picture, 'y', 0, height);
+  if (has_lay)
+    cli_plot_caption(picture, "heights, lay, and 1/e ellipse (× 3)");
+  else
+    cli_plot_caption(picture, "heights; no lay (S_{tr} %.2f)", d->s_tr);
+  fputs("set cblabel 'z / µm'\n"
+        "set palette defined (0 '#08306b', 0.5 '#f7f7f7', 1 '#7f2704')\n",
+        cli_plot_stream(picture));
+  cli_plot_series(picture, CLI_IMAGE, "palette");
+  for (size_t j = 0; j < m->rows; j += by_y)
+    for (size_t i = 0; i < m->columns; i += by_x)
+      cli_plot_row(picture, (double)i * m->step[0] * 1e6, (double)j * m->step[1] * 1e6,
+                   m->heights[j * m->columns + i] * 1e6);
+  cli_plot_end(picture, "%s", "");
+  if (has_lay)
+    plot_lay(picture, d, width, height);
+}
+
+/* Ten of the longer lengths of the middle row, and the lowest points of a sphere on it. */
+static void plot_section(cli_plot *picture, const measured *m, const double size[2]) {
+  const asp_map *map = m->map;
+  size_t row = map->rows / 2, count = (size_t)(10 * m->description.lambda_1 / map->step[0]);
+  count = count < map->columns ? count : map->columns;
+  size_t by = count / SECTION + 1;
+  cli_plot_panel(picture, "x / µm", "z / µm");
+  cli_plot_place(picture, 0.47, 0.47, 0.53, 0.48);
+  cli_plot_scale(picture, false);
+  cli_plot_caption(picture, "a section along x, and the lowest points of spheres on it");
+  cli_plot_series(picture, CLI_LINE, "reference");
+  for (size_t i = 0; i < count; i += by)
+    cli_plot_row(picture, (double)i * map->step[0] * 1e6,
+                 map->heights[row * map->columns + i] * 1e6);
+  cli_plot_end(picture, "wall");
+  for (int k = 0; k < 2; k++) {
+    asp_error error;
+    aspi_ball *ball = aspi_ball_create(map, size[k], &error);
+    if (!ball)
+      cli_fail("%s", error.text);
+    cli_plot_series(picture, CLI_LINE, "%d", k + 1);
+    for (size_t i = 0; i < count; i += by) {
+      aspi_touch touch = aspi_ball_touch(ball, i, row, false);
+      cli_plot_row(picture, (double)i * map->step[0] * 1e6, (touch.height - size[k] / 2) * 1e6);
+    }
+    cli_plot_end(picture, "d_p %g µm", size[k] * 1e6);
+    aspi_ball_free(ball);
+  }
+}
+
+/* The rms slope in each direction, as the distance from the center. */
+static void plot_directions(cli_plot *picture, const measured *m, const slopes *rows,
+                            size_t count) {
+  cli_plot_panel(picture, "toward x", "toward y");
+  cli_plot_place(picture, 0, 0, 0.33, 0.46);
+  cli_plot_scale(picture, true);
+  cli_plot_caption(picture, "rms contact slope by direction");
+  fprintf(cli_plot_stream(picture), "set xtics %g\n",
+          pow(10, floor(log10(2 * fmax(rows[0].rms[0], rows[0].rms[1])))));
+  for (size_t i = 0; i < 2; i++) {
+    const slopes *r = &rows[i < count ? i : count - 1];
+    cli_plot_series(picture, CLI_LINE, "%zu", i + 1);
+    for (int k = 0; k <= 360; k += 3) {
+      double angle = k * ASP_PI / 180, c = cos(angle - m->description.lay),
+             s = sin(angle - m->description.lay);
+      double rms = sqrt(c * c * r->rms[1] * r->rms[1] + s * s * r->rms[0] * r->rms[0] +
+                        2 * c * s * r->mixed);
+      cli_plot_row(picture, rms * cos(angle), rms * sin(angle));
+    }
+    cli_plot_end(picture, "d_p %g µm", r->d_p * 1e6);
+  }
+}
+
+/* Rebounds across the lay by one model. */
+static aspi_angles rebounds(const measured *m, asp_surface *surface, double d_p,
+                            const char *model) {
+  static const double lay[3] = {0, 1, 0};
+  aspi_judge_walls of = {.folds = 1, .surface = {surface}, .map = {m->map}, .in_space = true};
+  asp_error error;
+  asp_wall *wall = aspi_judge_wall(&of, 0, d_p, model, true, &error);
+  cli_must(wall, &error);
+  aspi_angles all = aspi_judge_rebounds(wall, d_p, lay, ALPHA1, IMPACTS, 1);
+  asp_wall_free(wall);
+  return all;
+}
+
+/* A histogram of angles by the map's table and by a Gaussian wall; it begins at `first` degrees. */
+static void plot_angles(cli_plot *picture, const char *x, double first, const double *own,
+                        const double *gauss) {
+  cli_plot_panel(picture, x, "share per degree");
+  cli_plot_place(picture, first < 0 ? 0.66 : 0.33, 0, 0.33, 0.46);
+  cli_plot_axis(picture, 'x', first < 0 ? -60 : 0, first < 0 ? 60 : 90);
+  cli_plot_axis(picture, 'y', 0, NAN);
+  cli_plot_caption(picture, "across the lay at %g degrees", ALPHA1);
+  for (int model = 0; model < 2; model++) {
+    cli_plot_series(picture, CLI_HISTO, model ? "model_visible" : "model_profile");
+    for (int i = 0; i < ASPI_ANGLE_BINS; i++)
+      cli_plot_row(picture, first + i + 0.5, (model ? gauss : own)[i] / IMPACTS);
+    cli_plot_end(picture, model ? "Gaussian (visible)" : "this map (profile)");
+  }
+}
+
+/* The picture of the first two sizes: heights with the lay and the 1/e ellipse of the
+ * autocorrelation, a section with the way of two spheres over it, rms contact slopes by direction,
+ * and rebound and lateral angles by the map's own table and by a Gaussian wall with its numbers. */
+static void plot(const cli_call *call, const measured *m, const slopes *rows, size_t count) {
+  const aspi_map_description *d = &m->description;
+  double size[2] = {rows[0].d_p, rows[count > 1 ? 1 : 0].d_p};
+  asp_error error;
+  asp_surface *surface = asp_surface_create_map(m->map, true, &error);
+  if (!surface)
+    cli_fail("%s", error.text);
+  aspi_angles own = rebounds(m, surface, size[0], "profile"),
+              gauss = rebounds(m, surface, size[0], "visible");
+  cli_plot *picture = cli_plot_open(
+      call, 1300, 980, NULL, "%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, λ_2 %.3g µm",
+      cli_plot_file(m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6, d->lambda_2 * 1e6);
+  plot_heights(picture, m);
+  plot_section(picture, m, size);
+  plot_directions(picture, m, rows, count);
+  plot_angles(picture, "rebound angle / degrees", 0, own.rebound, gauss.rebound);
+  plot_angles(picture, "lateral angle / degrees", -90, own.lateral, gauss.lateral);
+  cli_plot_close(picture);
+}
+
+void cli_surface_map(const cli_call *call, const cli_description *wall,
+                     const aspi_map_options *options, const cli_list *sizes) {
+  measured m = read_map(asp_wall_word(wall->wall, "file"), options);
+  const double *step = m.map->step;
+  double sides[2] = {(double)m.map->columns * step[0], (double)m.map->rows * step[1]};
+  cli_surface_check(m.name, "map", &m.report, fmax(step[0], step[1]), fmin(sides[0], sides[1]),
+                    m.description.lambda_2, sizes);
+  slopes *rows = cli_allocate(sizes->count, sizeof *rows);
+  measure(&m, sizes, rows);
+  FILE *out = cli_output_open(call, "output", wall->text);
+  print(out, &m, rows, sizes->count);
+  cli_file_close(out);
+  if (cli_value(call, "save"))
+    save(call, m.map);
+  if (cli_value(call, "plot"))
+    plot(call, &m, rows, sizes->count);
 }

@@ -198,8 +198,8 @@ static void plot_generated(cli_plot *plot, const angles *measured, const angles 
   aspi_density_free(q);
 }
 
-void cli_surface_plot(const cli_option *option, const cli_wall *wall, const cli_slopes *row) {
-  cli_plot *plot = cli_plot_open(option, 1200, 1100, NULL,
+void cli_surface_plot(const cli_call *call, const cli_wall *wall, const cli_slopes *row) {
+  cli_plot *plot = cli_plot_open(call, 1200, 1100, NULL,
                                  "%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g",
                                  wall->name ? "Measured wall " : "Generated wall",
                                  wall->name ? cli_plot_file(wall->name).text : "", wall->r_q * 1e6,

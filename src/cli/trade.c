@@ -3,7 +3,9 @@
  * the law of the first hit and that of the final rebound are off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/trade.h"
+#include "analysis/judge.h"
+#include "cli/description.h"
+#include "cli/plot.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,13 +17,31 @@ enum { PROFILES_MANY = 16, SURFACES_MANY = 8, POINTS_MANY = 2048 };
 /* Length of a piece of a measured profile in lambda_c, unless there would be too few pieces. */
 #define PIECE_LENGTH 25.0
 
+/* A number of the model and of the judge. */
+typedef struct pair {
+  double model, judge;
+} pair;
+
+/* A model at one impact angle; degrees. What stands below `space` is of three dimensions only. */
+typedef struct judged {
+  const asp_spread_model *model;
+  double angle, cost, first_hit;
+  struct {
+    double kl, se, mean, reference_mean;
+  } rebound;
+  bool space;
+  double reference_se;
+  aspi_estimate lateral;
+  pair lateral_mean, lateral_sd, later;
+} judged;
+
 static double sd_of(double square, double mean) {
   return sqrt(fmax(0, square - mean * mean));
 }
 
 /* Adds the columns of three dimensions to a row. */
 static void add_lateral(const aspi_judge *judge, size_t i, const aspi_angles *model, size_t groups,
-                        const aspi_angles *sum, trade_row *row) {
+                        const aspi_angles *sum, judged *row) {
   aspi_angle_groups all = aspi_judge_groups(judge, i);
   double own = sum->lateral_sum / sum->n;
   double side = aspi_angles_mean(all, offsetof(aspi_angles, lateral_sum)).value;
@@ -29,15 +49,15 @@ static void add_lateral(const aspi_judge *judge, size_t i, const aspi_angles *mo
   row->first_hit =
       aspi_judge_divergence(judge, i, model, groups, offsetof(aspi_angles, tilt)).value;
   row->lateral = aspi_judge_divergence(judge, i, model, groups, offsetof(aspi_angles, lateral));
-  row->lateral_mean = (trade_pair){own, side};
-  row->lateral_sd = (trade_pair){sd_of(sum->lateral_square / sum->n, own), sd_of(square, side)};
+  row->lateral_mean = (pair){own, side};
+  row->lateral_sd = (pair){sd_of(sum->lateral_square / sum->n, own), sd_of(square, side)};
   row->later =
-      (trade_pair){sum->later / sum->n, aspi_angles_mean(all, offsetof(aspi_angles, later)).value};
+      (pair){sum->later / sum->n, aspi_angles_mean(all, offsetof(aspi_angles, later)).value};
 }
 
 /* One row: a model at one angle. */
-static trade_row judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
-                          const aspi_judge_model *model, double angle, size_t i) {
+static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
+                       const aspi_judge_model *model, double angle, size_t i) {
   size_t groups;
   aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle, &groups), sum = {0};
   if (!angles)
@@ -48,11 +68,11 @@ static trade_row judge_at(const aspi_judge_case *subject, const aspi_judge *judg
       aspi_judge_divergence(judge, i, angles, groups, offsetof(aspi_angles, rebound));
   aspi_estimate mean =
       aspi_angles_mean(aspi_judge_groups(judge, i), offsetof(aspi_angles, rebound_sum));
-  trade_row row = {.angle = angle,
-                   .cost = aspi_judge_cost(model->on[0], subject->d_p, angle),
-                   .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value},
-                   .space = !judge->first,
-                   .reference_se = mean.se};
+  judged row = {.angle = angle,
+                .cost = aspi_judge_cost(model->on[0], subject->d_p, angle),
+                .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value},
+                .space = !judge->first,
+                .reference_se = mean.se};
   if (judge->first)
     row.first_hit = aspi_judge_first_hit(&judge->first[i], model, subject->d_p, angle);
   else
@@ -61,34 +81,30 @@ static trade_row judge_at(const aspi_judge_case *subject, const aspi_judge *judg
   return row;
 }
 
-static void show_progress(void *context, double share) {
-  cli_progress_show(context, share);
-}
-
 /* All rows, angle by angle. */
-static void judge_all(const cli_option *options, const cli_list *angles, aspi_judge_case *subject,
-                      trade_row *rows) {
-  bool multiple = cli_choice(&options[COLLISIONS], "single", "multiple");
+static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_case *subject,
+                      judged *rows) {
+  bool multiple = cli_choice(cli_get(call, "collisions"));
   size_t models = (size_t)asp_spread_count();
   aspi_judge_walls walls;
   aspi_judge judge;
   asp_error error;
   cli_progress progress = cli_progress_begin("ensemble", 1);
-  subject->progress = show_progress;
+  subject->progress = cli_progress_show;
   subject->context = &progress;
-  if (aspi_judge_walls_create(&walls, subject, &error) ||
-      aspi_judge_create(&judge, subject, &walls, angles->values, angles->count, &error))
-    cli_bad_file(NULL, &error);
+  cli_must(!aspi_judge_walls_create(&walls, subject, &error), &error);
+  cli_must(!aspi_judge_create(&judge, subject, &walls, angles->values, angles->count, &error),
+           &error);
   cli_progress_end(&progress);
   progress = cli_progress_begin("models", (double)models);
   for (size_t m = 0; m < models; m++) {
     const asp_spread_model *of = asp_spread_at((int)m);
     aspi_judge_model model;
-    if (aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of), multiple,
-                                &error))
-      cli_bad_file(NULL, &error);
+    cli_must(!aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of), multiple,
+                                      &error),
+             &error);
     for (size_t i = 0; i < angles->count; i++) {
-      trade_row *row = &rows[i * models + m];
+      judged *row = &rows[i * models + m];
       *row = judge_at(subject, &judge, &model, angles->values[i], i);
       row->model = of;
     }
@@ -100,12 +116,9 @@ static void judge_all(const cli_option *options, const cli_list *angles, aspi_ju
   aspi_judge_walls_free(&walls);
 }
 
-static void print_row(FILE *out, const trade_row *r) {
-  fprintf(out, "%s,%g,%.1f,", asp_spread_name(r->model), r->angle, r->cost);
-  if (isfinite(r->first_hit))
-    fprintf(out, "%.5f", r->first_hit);
-  fprintf(out, ",%.5f,%.5f,%.4f,%.4f", r->rebound.kl, r->rebound.se, r->rebound.mean,
-          r->rebound.reference_mean);
+static void print_row(FILE *out, const judged *r) {
+  cli_row(out, "%s,%g,%.1f,%.5f,%.5f,%.5f,%.4f,%.4f", asp_spread_name(r->model), r->angle, r->cost,
+          r->first_hit, r->rebound.kl, r->rebound.se, r->rebound.mean, r->rebound.reference_mean);
   if (r->space)
     fprintf(out, ",%.4f,%.5f,%.5f,%.4f,%.4f,%.4f,%.4f,%.5f,%.5f", r->reference_se, r->lateral.value,
             r->lateral.se, r->lateral_mean.model, r->lateral_mean.judge, r->lateral_sd.model,
@@ -114,7 +127,7 @@ static void print_row(FILE *out, const trade_row *r) {
 }
 
 /* In three dimensions model by model, else angle by angle. */
-static void print(FILE *out, const trade_row *rows, size_t n) {
+static void print(FILE *out, const judged *rows, size_t n) {
   size_t models = (size_t)asp_spread_count(), angles = n / models;
   bool space = rows->space;
   fprintf(out,
@@ -128,20 +141,94 @@ static void print(FILE *out, const trade_row *rows, size_t n) {
     print_row(out, &rows[space ? i % angles * models + i / angles : i]);
 }
 
+/* ---- the picture ---- */
+
+/* A model over all angles: its mean cost, and its worst divergence with the standard error. */
+typedef struct point {
+  const asp_spread_model *model;
+  double cost, worst, se; /* of the worst */
+} point;
+
+static int by_cost(const void *a, const void *b) {
+  const point *x = a, *y = b;
+  return (x->cost > y->cost) - (x->cost < y->cost);
+}
+
+static void summarize(const judged *rows, size_t n, point *points) {
+  size_t models = (size_t)asp_spread_count();
+  for (size_t m = 0; m < models; m++) {
+    points[m] = (point){.model = rows[m].model};
+    for (size_t i = m; i < n; i += models) {
+      points[m].cost += rows[i].cost * (double)models / (double)n;
+      if (i == m || rows[i].rebound.kl > points[m].worst) {
+        points[m].worst = rows[i].rebound.kl;
+        points[m].se = rows[i].rebound.se;
+      }
+    }
+  }
+  qsort(points, models, sizeof *points, by_cost);
+}
+
+/* Divergences below this are drawn at this value: the rays resolve no less. */
+#define NOISE 1e-4
+
+/* The cost of every model against its worst divergence; of every angle all models, in their order.
+ */
+static void plot(const cli_call *call, const cli_description *wall, double d_p, const judged *rows,
+                 size_t n) {
+  size_t models = (size_t)asp_spread_count();
+  point *points = cli_allocate(models, sizeof *points);
+  summarize(rows, n, points);
+  char most[40] = "", size[40] = "";
+  if (n > models)
+    snprintf(most, sizeof most, " … %g", rows[n - 1].angle);
+  if (strcmp(asp_wall_word(wall->wall, "surface"), "sigma") != 0)
+    snprintf(size, sizeof size, "; d_p = %.3g µm", d_p * 1e6);
+  cli_plot *picture = cli_plot_open(call, 900, 560, "1,1", "%s%s; α_1 = %g%s°",
+                                    cli_plot_wall(wall->wall).text, size, rows[0].angle, most);
+  cli_plot_panel(picture, "mean time per impact / ns", "worst D_{KL} of the rebound angle, ± s.e.");
+  cli_plot_log(picture, "xy");
+  double least = INFINITY, best = INFINITY;
+  for (size_t i = 0; i < models; i++)
+    least = fmin(least, fmax(points[i].worst, NOISE));
+  cli_plot_axis(picture, 'y', 0.5 * least, NAN);
+  fputs("set xtics (20,50,100,200,500,1000,2000,5000,10000,20000,50000,100000)\n",
+        cli_plot_stream(picture));
+  cli_plot_series(picture, CLI_STAIRS, "guide");
+  for (size_t i = 0; i < models; i++)
+    if (fmax(points[i].worst, NOISE) < best) {
+      best = fmax(points[i].worst, NOISE);
+      cli_plot_row(picture, points[i].cost, best);
+    }
+  cli_plot_end(picture, "Pareto front");
+  for (size_t i = 0; i < models; i++) {
+    const char *name = asp_spread_name(points[i].model);
+    cli_plot_series(picture, CLI_ERRORS, "model_%s", name);
+    cli_plot_row(picture, points[i].cost, fmax(points[i].worst, NOISE), points[i].se);
+    cli_plot_end(picture, "%s", cli_plot_label(name).text);
+  }
+  cli_plot_close(picture);
+}
+
+/* ---- the case ---- */
+
 /* Takes out the angles that pieces of a measured wall are too short for. */
-static void drop_grazing(const cli_option *option, cli_list *angles, double least) {
+static void drop_grazing(const aspi_judge_case *subject, const char *given, cli_list *angles) {
   size_t kept = 0;
+  double least;
+  asp_error error;
+  cli_must(!aspi_judge_angle_least(subject, &least, &error), &error);
   for (size_t i = 0; i < angles->count; i++)
     if (angles->values[i] >= least)
       angles->values[kept++] = angles->values[i];
   if (kept == 0)
-    cli_bad_usage("--%s is '%s'; some must be over %.2g degrees, the least that pieces of this "
+    cli_bad_usage("--angles is '%s'; some must be over %.2g degrees, the least that pieces of this "
                   "wall can judge",
-                  option->name, option->value, least);
+                  given, least);
   if (kept < angles->count)
-    cli_warn("--%s: those under %.2g degrees are left out; the pieces of the measured wall are "
+    cli_warn("--angles: those under %.2g degrees are left out; the pieces of the measured wall are "
              "too short to judge there",
-             option->name, least);
+             least);
   angles->count = kept;
 }
 
@@ -157,80 +244,72 @@ static size_t pieces_of(const cli_option *option, double usual) {
   return pieces;
 }
 
+/* The value of an option; one for where it is not given. */
+static size_t whole_or(const cli_option *option, unsigned long least, unsigned long most,
+                       size_t standard) {
+  return option->value ? cli_whole(option, least, most) : standard;
+}
+
 /* Exits if an option is given that does not apply to this judge. */
-static void check_options(const cli_option *o, const asp_wall *wall) {
-  const char *kind = asp_wall_word(wall, "surface");
-  bool map = strcmp(kind, "map") == 0, solid = map || o[THREE_D].value;
+static void check_options(const cli_call *call, const asp_wall *wall) {
+  const char *kind = asp_wall_word(wall, "surface"), *points = cli_value(call, "points");
+  bool map = strcmp(kind, "map") == 0, three_d = cli_value(call, "three-d"), solid = map || three_d;
   if (strcmp(kind, "smooth") == 0)
     cli_bad_usage("'surface' is missing; models are judged on a rough wall");
-  if (o[THREE_D].value && strcmp(kind, "profile") == 0)
+  if (three_d && strcmp(kind, "profile") == 0)
     cli_bad_usage("--three-d is given with 'surface profile'; it goes with a map, or a wall's "
                   "numbers");
-  if (map && o[POINTS].value)
+  if (map && points)
     cli_bad_usage("--points is given with 'surface map', which has its own");
-  if (solid && o[PROFILES].value)
+  if (solid && cli_value(call, "profiles"))
     cli_bad_usage("--profiles is given with %s, which takes --surfaces",
                   map ? "'surface map'" : "--three-d");
-  if (!solid && (o[SURFACES].value || o[POINTS].value))
+  if (!solid && (cli_value(call, "surfaces") || points))
     cli_bad_usage("--%s is given without --three-d or 'surface map'",
-                  o[SURFACES].value ? "surfaces" : "points");
+                  cli_value(call, "surfaces") ? "surfaces" : "points");
 }
 
-static void drop_grazing_of(const cli_option *options, const aspi_judge_case *subject,
-                            cli_list *angles) {
-  double least;
-  asp_error error;
-  if (aspi_judge_angle_least(subject, &least, &error))
-    cli_bad_file(NULL, &error);
-  drop_grazing(&options[ANGLES], angles, least);
-}
-
-/* Sets the case in three dimensions; takes out the angles at which it cannot be judged. */
-static void set_case_3d(const cli_option *options, const cli_description *wall, cli_list *angles,
+/* Sets the case in three dimensions. */
+static void set_case_3d(const cli_call *call, const cli_description *wall,
                         aspi_judge_case *subject) {
-  const asp_surface *surface = asp_wall_surface(wall->wall);
+  const cli_option *surfaces = cli_get(call, "surfaces");
   double vector[3];
   const double *lay = cli_description_lay(wall, vector);
-  subject->points = options[POINTS].value ? cli_whole(&options[POINTS], 256, 16384) : POINTS_MANY;
+  subject->points = whole_or(cli_get(call, "points"), 256, 16384, POINTS_MANY);
   if (subject->points & (subject->points - 1))
     cli_bad_usage("--points is %zu; it must be a power of two", subject->points);
-  subject->wall.lambda_2 = asp_surface_lambda_along(surface);
+  subject->wall.lambda_2 = asp_surface_lambda_along(asp_wall_surface(wall->wall));
   subject->wall.axis = lay ? atan2(lay[1], lay[0]) - ASP_PI / 2 : 0;
   subject->map = wall->map;
-  subject->groups =
-      options[SURFACES].value ? cli_whole(&options[SURFACES], 3, 1000) : SURFACES_MANY;
-  if (!wall->map)
-    return;
-  subject->groups = pieces_of(&options[SURFACES], 0);
-  drop_grazing_of(options, subject, angles);
+  subject->groups = wall->map ? pieces_of(surfaces, 0) : whole_or(surfaces, 3, 1000, SURFACES_MANY);
 }
 
 /* The same in the plane of incidence. */
-static void set_case_2d(const cli_option *options, const cli_description *wall, cli_list *angles,
+static void set_case_2d(const cli_call *call, const cli_description *wall,
                         aspi_judge_case *subject) {
+  const cli_option *profiles = cli_get(call, "profiles");
+  const asp_profile *profile = subject->profile = wall->profile;
   if (asp_wall_lay(wall->wall).kind != ASP_LAY_NONE)
     cli_bad_usage("'lay' is given; a wall with a lay is judged with --three-d");
-  subject->groups = options[PROFILES].value
-                        ? cli_whole(&options[PROFILES], ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST)
-                        : PROFILES_MANY;
-  subject->profile = wall->profile;
-  if (!wall->profile)
-    return;
-  double length = (double)asp_profile_points(wall->profile) * asp_profile_spacing(wall->profile);
-  subject->groups = pieces_of(&options[PROFILES], length / subject->wall.lambda_1 / PIECE_LENGTH);
-  drop_grazing_of(options, subject, angles);
+  subject->groups = whole_or(profiles, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST, PROFILES_MANY);
+  if (profile)
+    subject->groups =
+        pieces_of(profiles, (double)asp_profile_points(profile) * asp_profile_spacing(profile) /
+                                subject->wall.lambda_1 / PIECE_LENGTH);
 }
 
-static aspi_judge_case case_of(const cli_option *options, const cli_description *wall, double d_p,
+/* Also takes out the angles at which the case cannot be judged. */
+static aspi_judge_case case_of(const cli_call *call, const cli_description *wall, double d_p,
                                cli_list *angles) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   aspi_judge_case subject = {
       .wall = {.r_q = asp_surface_r_q(surface), .lambda_1 = asp_surface_lambda_c(surface)},
       .d_p = d_p,
-      .rays = cli_whole(&options[RAYS], 1000, 1000000000),
+      .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),
       .seed = (uint32_t)asp_wall_get(wall->wall, "seed")};
-  (options[THREE_D].value || wall->map ? set_case_3d : set_case_2d)(options, wall, angles,
-                                                                    &subject);
+  (cli_value(call, "three-d") || wall->map ? set_case_3d : set_case_2d)(call, wall, &subject);
+  if (wall->map || wall->profile)
+    drop_grazing(&subject, cli_value(call, "angles"), angles);
   return subject;
 }
 
@@ -238,12 +317,12 @@ static aspi_judge_case case_of(const cli_option *options, const cli_description 
 #define ANY_SIZE 1e-5
 #define SEED_MOST 1000000
 
-static cli_description read_wall(const cli_option *options, int count, char **words, double *d_p) {
-  cli_description wall = cli_description_read(count, words);
+static cli_description read_wall(const cli_call *call, double *d_p) {
+  cli_description wall = cli_description_read(call->n_words, call->words, false);
   cli_description_allow(&wall, "surface seed", "every model is judged, by specular rebounds");
-  check_options(options, wall.wall);
-  bool any = strcmp(asp_wall_word(wall.wall, "surface"), "sigma") == 0 && !options[DP].value;
-  *d_p = any ? ANY_SIZE : cli_length(&options[DP]);
+  check_options(call, wall.wall);
+  bool any = strcmp(asp_wall_word(wall.wall, "surface"), "sigma") == 0 && !cli_value(call, "dp");
+  *d_p = any ? ANY_SIZE : cli_length(cli_get(call, "dp"));
   if (asp_wall_get(wall.wall, "seed") > SEED_MOST)
     cli_bad_usage("seed is %.0f; it must be at most %d, as each profile has one of its own",
                   asp_wall_get(wall.wall, "seed"), SEED_MOST);
@@ -251,62 +330,55 @@ static cli_description read_wall(const cli_option *options, int count, char **wo
   return wall;
 }
 
-static int run(int argc, char **argv) {
-  cli_option options[N + 1] = {
-      [DP] = {"dp", "LENGTH", "diameter of the particles", NULL},
-      [ANGLES] = {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
-      [RAYS] = {"rays", "N", "impacts per model and angle", "200000"},
-      [PROFILES] = {"profiles", "N",
-                    "profiles of 2048 lambda_c that judge [16], or pieces of a measured one", NULL},
-      [COLLISIONS] = {"collisions", "single|multiple", "one hit, or as many as it takes",
-                      "multiple"},
-      [THREE_D] = {"three-d", NULL, "isotropic: judged by surfaces in three dimensions", NULL},
-      [SURFACES] = {"surfaces", "N",
-                    "of --three-d: independent surfaces that judge [8]; pieces of a map [4]", NULL},
-      [POINTS] = {"points", "N", "of --three-d: points along a side, 20 a lambda_c [2048]", NULL},
-      [OUTPUT] = CLI_OUTPUT_OPTION,
-      CLI_PLOT_OPTIONS(PLOT, "draw cost against divergence; .png, .svg or .pdf"),
-  };
-  int words = cli_words(argc, argv);
-  cli_parse(&cli_trade, argc - words, argv + words, options, false);
+static void run(cli_call *call) {
   double d_p;
-  cli_list angles = cli_angles(&options[ANGLES]);
-  cli_description wall = read_wall(options, words, argv + 1, &d_p);
-  size_t most = angles.count * (size_t)asp_spread_count();
-  trade_row *rows = cli_allocate(most, sizeof *rows);
-  aspi_judge_case subject = case_of(options, &wall, d_p, &angles);
-  judge_all(options, &angles, &subject, rows);
-  most = angles.count * (size_t)asp_spread_count();
-  cli_output *output = cli_output_open(options[OUTPUT].value, argc, argv, wall.text);
-  print(cli_output_stream(output), rows, most);
-  cli_output_close(output);
-  if (options[PLOT].value)
-    cli_trade_plot(options, &wall, d_p, rows, most);
-  free(rows);
-  cli_description_free(&wall);
-  return 0;
+  cli_list angles = cli_angles(cli_get(call, "angles"));
+  cli_description wall = read_wall(call, &d_p);
+  aspi_judge_case subject = case_of(call, &wall, d_p, &angles);
+  size_t n = angles.count * (size_t)asp_spread_count();
+  judged *rows = cli_allocate(n, sizeof *rows);
+  judge_all(call, &angles, &subject, rows);
+  FILE *out = cli_output_open(call, "output", wall.text);
+  print(out, rows, n);
+  cli_file_close(out);
+  if (cli_value(call, "plot"))
+    plot(call, &wall, d_p, rows, n);
 }
+
+static const cli_option options[] = {
+    {"dp", "LENGTH", "diameter of the particles", NULL},
+    {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
+    {"rays", "N", "impacts per model and angle", "200000"},
+    {"profiles", "N",
+     "profiles of 2048 lambda_c in the reference [16], or pieces of a measured one", NULL},
+    {"collisions", "single|multiple", "one hit, or as many as it takes to leave", "multiple"},
+    {"three-d", NULL, "judge by surfaces in three dimensions; the models are isotropic", NULL},
+    {"surfaces", "N", "with --three-d: surfaces in the reference [8]; pieces of a map [4]", NULL},
+    {"points", "N", "with --three-d: points along a side of a surface, 20 per lambda_c [2048]",
+     NULL},
+    {.name = NULL}};
+
+static const char detail[] =
+    "A row per model and impact angle. The reference follows specular particles over an\n"
+    "ensemble of generated profiles, hit by hit; no model was made from any of them.\n"
+    "kl_first_hit and kl_rebound are D_KL of the first tilt and of the rebound angle, in\n"
+    "bins of one degree. A bin that the model cannot fill counts as 1e-6, or half an\n"
+    "impact. kl_rebound is free of the bias of histograms. kl_rebound_se is its standard\n"
+    "error, by the jackknife over the profiles; more --profiles and --rays make it smaller.\n"
+    "On a measured profile, pieces of one half judge the models made of the other half, and\n"
+    "the other way round; no heights judge a model that they made.\n"
+    "With --three-d the reference is a set of independent Gaussian surfaces on which a\n"
+    "sphere rolls; every model takes `isotropic`. --rays counts per surface. All D_KL are\n"
+    "then sampled, with the standard error over the surfaces (jackknife). On a map, pieces\n"
+    "of one half judge the models made of the other, in all directions of flight.\n";
 
 const cli_command cli_trade = {
     .name = "trade",
     .summary = "speed against accuracy: every model against the geometry",
     .arguments = "DESCRIPTION",
-    .detail =
-        "A row per model and impact angle. The reference follows specular particles over an\n"
-        "ensemble of generated profiles, hit by hit; no model was made from any of them.\n"
-        "kl_first_hit and kl_rebound are in bins of one degree; a bin that the model cannot fill\n"
-        "counts as 1e-6, or half an impact. kl_rebound is free of the bias of histograms, and\n"
-        "kl_rebound_se is its standard error, by the jackknife over the profiles; more --profiles\n"
-        "and --rays make it smaller.\n"
-        "Of a measured profile the pieces of one half of it judge what is made of the other half, "
-        "and "
-        "the\n"
-        "other way round: so no model is judged by heights that made it.\n"
-        "With --three-d the reference are independent Gaussian surfaces on which a sphere rolls,\n"
-        "none of which made a model; every model takes `isotropic`. --rays counts per surface.\n"
-        "All D_KL are then sampled, with the standard error over the surfaces (jackknife). Of a "
-        "map\n"
-        "pieces of one half of the map judge what is made of the other, in all directions.\n",
+    .detail = detail,
     .examples = "  $ asperity trade surface rq 5um lambda_c 40um --dp 10um --plot trade.png\n",
+    .options = options,
+    .picture = "draw cost against divergence; .png, .svg or .pdf",
     .run = run,
 };

@@ -52,8 +52,8 @@ static bool any_due(const int *due, int n, int now) {
   return over > 0;
 }
 
-/* Particles that may touch this wall in this step. Most are known to be too far away: their way was
- * looked ahead on for some steps, in which they may stray from it a little. */
+/* Lists the particles that may touch this wall in this step. Most have a valid prediction that they
+ * are too far away; it holds while their velocity stays near the predicted one. */
 void Wall::find_near(const Spheres &s, int number, std::vector<Near> &near) {
   double travel = 0;
   for (const Member &member : shapes_)

@@ -191,7 +191,7 @@ private:
   Piece piece_;
 };
 
-/* All ranks' rows into the file, always the first one of those that are next. */
+/* Merges the sorted rows of all ranks into the file. */
 void Ledger::merge(const std::vector<size_t> &order, const std::vector<long long> &counts) {
   std::vector<std::unique_ptr<Source>> sources;
   for (int rank = 0; rank < ranks_; rank++)

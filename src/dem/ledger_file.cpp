@@ -222,7 +222,7 @@ bool LedgerFile::holds(const LedgerState &state) const {
          tail_at(state.bytes) == state.tail;
 }
 
-/* Rows only: an array's header changes with their number. */
+/* Checksum of the last bytes, without an array's header, which contains the number of rows. */
 uint32_t LedgerFile::tail_at(int64_t bytes) const {
   const int64_t from = std::max(bytes - TAIL, is_array_ ? static_cast<int64_t>(LEDGER_HEADER) : 0);
   std::vector<char> tail(static_cast<size_t>(std::max<int64_t>(0, bytes - from)));

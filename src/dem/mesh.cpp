@@ -288,9 +288,8 @@ void MeshShape::fill(const Path &path, const ContactPath &body, const Shift &shi
   contact.follow = aspi_dot(follow, contact.n);
 }
 
-/* A face goes on in its plane where the center has left the triangle: on a flat mesh it is the
- * next one's, too. An edge or a corner, whose number is the complement of the triangle's, does not.
- */
+/* A face counts as its whole plane, since the next triangle of a flat mesh lies in it, too. An edge
+ * or a corner, whose number is the complement of the triangle's, counts as itself. */
 bool MeshShape::under(int face, const double x[3], double reach, double n[3],
                       double v_wall[3]) const {
   const bool edge = face < 0;
@@ -330,8 +329,8 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
   return false;
 }
 
-/* Of the periodic images, the first one met; at one instant, as at a seam between two of them, the
- * one whose normal is nearest to that of a face. */
+/* The first contact among all periodic images. Where two are met at one instant, as at a seam
+ * between them, the one whose normal is nearest to that of a face counts. */
 bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
   bool found = false;
   ContactTouch first;
@@ -355,7 +354,7 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
   return found;
 }
 
-/* A face goes on to be one where the path leads over its edge. */
+/* A face is also met beyond its edges, as in under(). */
 bool MeshShape::find_known(int face, const Path &path, double radius, Contact &contact) const {
   if (!(path.left > 0))
     return false;

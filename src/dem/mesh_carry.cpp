@@ -1,5 +1,5 @@
-/* What a mesh takes along: particles that stick to it, those on a belt, and the direction of its
- * lay; with the record of its motion. See mesh.h.
+/* Moves stuck particles and the lay with a mesh, also on a belt, and keeps the record of its
+ * motion. See mesh.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/mesh.h"
@@ -69,7 +69,7 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   double normal[3];
   aspi_triangle_normal(aspi_tree_triangle(tree, to), normal);
   if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) {
-    /* Over an edge: it goes on only where the mesh does, around the edge. */
+    /* Beyond an edge the particle stays on the belt only if a neighbor triangle continues it. */
     const ContactList &list = meet(Bounds::of_path(foot, still, 0, 0, KEEPS * radius), 0);
     bool goes_on = false;
     for (size_t i = 0; i < list.count; i++) {

@@ -181,24 +181,11 @@ void Model::fit_sizes() {
 /* Warns once if the sampling of a measured wall is too coarse for the smallest particles. */
 void Model::check_sampling(double least) {
   asp_error doubt;
-  asp_code code = ASP_OK;
   if (!(least < sampled_for_) || !measured())
     return;
   sampled_for_ = least;
-  if (profile_) {
-    const double spacing = asp_profile_spacing(profile_.get());
-    code = asp_sampling_check(least, spacing, asp_profile_points(profile_.get()) * spacing,
-                              asp_surface_lambda_c(asp_wall_surface(wall_.get())), &doubt);
-  } else if (map_) {
-    const double step_x = asp_map_step_x(map_.get()), step_y = asp_map_step_y(map_.get());
-    code = asp_sampling_check(
-        least, std::max(step_x, step_y),
-        std::min(asp_map_columns(map_.get()) * step_x, asp_map_rows(map_.get()) * step_y),
-        asp_map_get(map_.get(), "lambda_2", NULL), &doubt);
-  }
-  if (code)
-    engine_.warn(std::string("surface ") + (map_ ? "map " : "profile ") +
-                 asp_wall_word(wall_.get(), "file") + ": " + doubt.text);
+  if (asp_wall_check_sampling(wall_.get(), least, &doubt))
+    engine_.warn(doubt.text);
 }
 
 /* The values of a constant of the script; empty where there are none and none are needed. */

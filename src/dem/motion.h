@@ -1,8 +1,8 @@
-/* The motion of a rigid body within a step, as the screw that takes its frame at the beginning to
- * that at the end. Places are interpolated along the screw; velocities change linearly within the
- * step, by as much as those at its two ends differ, and their mean is that of the screw: exact for
- * a steady turn, of second order in the step otherwise, also where an engine sums up places from
- * velocities to first order only, so that the two do not agree.
+/* The motion of a rigid body within a step: the screw from its frame at the beginning to its frame
+ * at the end. Positions are interpolated along the screw. Velocities change linearly by the
+ * difference of those at the two ends, and their mean is the screw's. This is exact for a steady
+ * turn and of second order in the step otherwise, even where an engine integrates positions from
+ * velocities to first order only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_MOTION_H

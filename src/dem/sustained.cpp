@@ -12,9 +12,9 @@ using namespace asperity;
 
 namespace {
 
-/* Sweeps over several contacts. They end when a sweep changes the velocity by less than CONVERGED
- * of what the first one did, or TINY of it; they have found no solution if more than DIVERGED of
- * it is left as approach. */
+/* Sweeps over several contacts. They end when a sweep changes the impulses by less than CONVERGED
+ * of what the first one did, or TINY of the velocity. They have found no solution if more than
+ * DIVERGED of the first change is left as approach. */
 const int SWEEPS = 100;
 const double CONVERGED = 1e-6, DIVERGED = 1e-3, TINY = 1e-15;
 
@@ -79,9 +79,7 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
       s.p[d] = s.change[d] = 0;
   double first = 0, left = 0;
   for (int n = 0; n < SWEEPS; n++) {
-    double v_then[3], omega_then[3], before = 0, product = 0;
-    aspi_copy(v, v_then);
-    aspi_copy(omega, omega_then);
+    double before = 0, product = 0, now = 0;
     for (Support &s : supports) {
       double then[3], last[3];
       aspi_copy(s.p, then);
@@ -90,14 +88,12 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
       aspi_subtract(s.p, then, s.change);
       before += aspi_dot(last, last);
       product += aspi_dot(s.change, last);
+      now += aspi_dot(s.change, s.change);
     }
-    const double speed = aspi_length(v);
-    aspi_subtract(v, v_then, v_then);
-    aspi_subtract(omega, omega_then, omega_then);
-    const double change = aspi_length(v_then) + radius * aspi_length(omega_then);
+    const double change = sqrt(now);
     if (n == 0)
       first = change;
-    if (!(change > CONVERGED * first + TINY * speed))
+    if (!(change > CONVERGED * first + TINY * aspi_length(v)))
       break;
     if (n % 3 != 2 || !(product > 0 && product < SHRINKS * before))
       continue;

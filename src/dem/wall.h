@@ -305,9 +305,9 @@ private:
   std::vector<int> touching_; /* those that stay or have rebounded in this step */
   std::vector<int> rested_;   /* the same of the step before */
   Ahead ahead_;
-  double travel_; /* of the wall's fastest point in a step, at most */
-  double stray_;  /* how far a particle may leave the way that it was looked ahead on, a step */
-  double bend_;   /* how far sustained contacts may bend its way within a step */
+  double travel_;               /* of the wall's fastest point in a step, at most */
+  double stray_;                /* how far a particle may stray from its predicted path in a step */
+  double bend_;                 /* how far sustained contacts may bend its way within a step */
   double counters_[N_COUNTERS]; /* force and torque as impulses */
   double torque_about_[3];
   Clock clock_;

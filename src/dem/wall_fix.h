@@ -17,7 +17,7 @@
 
 namespace asperity {
 
-/* What a wall asks its engine, where all of them answer alike. */
+/* The part of Engine that is the same in LIGGGHTS and LAMMPS. */
 template <class Program, class Fix> class EngineOf : public Engine {
 public:
   EngineOf(Program *program, Fix *fix) : program_(program), fix_(fix) {}
@@ -94,7 +94,7 @@ public:
     }
   }
 
-  /* What the fix computes, once its wall is known. */
+  /* Declares the fix's outputs to the engine; call when its wall is known. */
   void set_flags() {
     auto *fix = this->fix_;
     fix->scalar_flag = fix->vector_flag = fix->array_flag = 1;

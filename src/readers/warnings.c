@@ -112,8 +112,8 @@ void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_
           used ? "; " : "", s->cut[end], s->points, end ? "highest" : "lowest");
 }
 
-asp_code asp_sampling_check(double d_p, double spacing, double length, double lambda,
-                            asp_error *error) {
+asp_code aspi_sampling_check(double d_p, double spacing, double length, double lambda,
+                             asp_error *error) {
   char few[200] = "", brief[160] = "";
   if (d_p < POINTS_PER_PARTICLE * spacing)
     snprintf(

@@ -23,4 +23,10 @@ aspi_steps aspi_steps_find(const aspi_raw *raw);
  * ASP_SPIKES_CLEAR off their neighbors. */
 void aspi_warnings_write(const aspi_steps *steps, size_t outliers, char *text, size_t size);
 
+/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
+ * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
+ * unit. Of a map, the larger step, the shorter side and lambda_2. */
+asp_code aspi_sampling_check(double d_p, double spacing, double length, double lambda,
+                             asp_error *error);
+
 #endif

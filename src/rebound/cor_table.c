@@ -22,7 +22,7 @@
 /* Rounding in a file's coefficients may seem to make this much energy. */
 #define ENERGY_MOST (1 + 1e-6)
 
-struct asp_cor_table {
+struct aspi_cor_table {
   size_t n_speeds, n_angles;
   double *speeds, *angles;
   double *cor_n, *cor_t;         /* [speed][angle] */
@@ -84,11 +84,11 @@ static asp_code check_grid(const aspi_cor_point *p, size_t count, size_t n_angle
   return ASP_OK;
 }
 
-static asp_cor_table *allocate(size_t n_speeds, size_t n_angles) {
+static aspi_cor_table *allocate(size_t n_speeds, size_t n_angles) {
   size_t count = n_speeds * n_angles, numbers = n_speeds + n_angles + 4 * count;
-  asp_cor_table *t = numbers < SIZE_MAX / sizeof(double) / 2
-                         ? malloc(sizeof *t + numbers * sizeof *t->room)
-                         : NULL;
+  aspi_cor_table *t = numbers < SIZE_MAX / sizeof(double) / 2
+                          ? malloc(sizeof *t + numbers * sizeof *t->room)
+                          : NULL;
   if (!t)
     return NULL;
   t->n_speeds = n_speeds;
@@ -103,8 +103,8 @@ static asp_cor_table *allocate(size_t n_speeds, size_t n_angles) {
 }
 
 /* A table of sorted points that are a grid; NULL without memory. */
-static asp_cor_table *make(const aspi_cor_point *p, size_t count, size_t n_angles) {
-  asp_cor_table *t = allocate(count / n_angles, n_angles);
+static aspi_cor_table *make(const aspi_cor_point *p, size_t count, size_t n_angles) {
+  aspi_cor_table *t = allocate(count / n_angles, n_angles);
   if (!t)
     return NULL;
   for (size_t i = 0; i < count; i++) {
@@ -120,7 +120,8 @@ static asp_cor_table *make(const aspi_cor_point *p, size_t count, size_t n_angle
   return t;
 }
 
-asp_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count, asp_error *error) {
+aspi_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count,
+                                      asp_error *error) {
   if (count == 0) {
     aspi_fail(error, ASP_EDATA, "a table of coefficients without a row");
     return NULL;
@@ -129,7 +130,7 @@ asp_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count,
     if (check_point(&points[i], error))
       return NULL;
   aspi_cor_point *sorted = malloc(count * sizeof *sorted);
-  asp_cor_table *table = NULL;
+  aspi_cor_table *table = NULL;
   size_t n_angles = 1;
   asp_code code = ASP_ENOMEM;
   if (sorted) {
@@ -147,7 +148,7 @@ asp_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count,
   return table;
 }
 
-void asp_cor_table_free(asp_cor_table *t) {
+void aspi_cor_table_free(aspi_cor_table *t) {
   free(t);
 }
 
@@ -211,11 +212,11 @@ static bool looks_like_radians(const aspi_cor_point *points, size_t count) {
   return count > 0;
 }
 
-asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp_error *error) {
+aspi_cor_table *aspi_cor_table_read(const char *path, double metre_per_second, asp_error *error) {
   aspi_csv *csv = aspi_csv_open(path, error);
   size_t count = 0;
   aspi_cor_point *points = csv ? read_points(csv, metre_per_second, &count, error) : NULL;
-  asp_cor_table *table = NULL;
+  aspi_cor_table *table = NULL;
   asp_error wrong;
   if (points && looks_like_radians(points, count)) {
     aspi_fail(error, ASP_EDATA, "%.200s: all angles are below 1.6; alpha1_deg is in degrees", path);
@@ -230,7 +231,7 @@ asp_cor_table *asp_cor_table_read(const char *path, double metre_per_second, asp
 }
 
 /* The last speed that is not above, and the part of the way to the next. */
-static size_t find_speed(const asp_cor_table *t, double speed, double *part) {
+static size_t find_speed(const aspi_cor_table *t, double speed, double *part) {
   *part = 0;
   if (!(speed > t->speeds[0]))
     return 0;
@@ -241,13 +242,13 @@ static size_t find_speed(const asp_cor_table *t, double speed, double *part) {
   return i;
 }
 
-static double in_angle(const asp_cor_table *t, const double *cor, const double *tangent,
+static double in_angle(const aspi_cor_table *t, const double *cor, const double *tangent,
                        size_t speed, double angle) {
   size_t at = speed * t->n_angles;
   return aspi_monotone_at(t->angles, &cor[at], &tangent[at], t->n_angles, angle);
 }
 
-void aspi_cor_table_at(const asp_cor_table *t, double speed, double alpha1, double *cor_n,
+void aspi_cor_table_at(const aspi_cor_table *t, double speed, double alpha1, double *cor_n,
                        double *cor_t) {
   double part, angle = fmin(fmax(alpha1, t->angles[0]), t->angles[t->n_angles - 1]);
   size_t i = find_speed(t, speed, &part);

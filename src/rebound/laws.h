@@ -11,16 +11,14 @@
 
 enum { ASP_PARAMETERS_MAX = 8 };
 
-/* One named number that a law can be given. */
-struct asp_parameter {
-  const char *name;
-  const char *unit;
-  double fallback; /* the value where the user gives none */
-  double least, most;
-  const char *text;    /* what it is, its source, and whether the original was seen */
-  const char *keyword; /* see asp_parameter_keyword; NULL: none */
-  const char *words;   /* see asp_parameter_words; NULL: none */
-};
+/* The word of a script that a parameter follows; "" for one that follows the law's name. */
+static inline const char *aspi_parameter_keyword(const asp_parameter *parameter) {
+  return parameter->keyword ? parameter->keyword : "";
+}
+
+/* The value of one of a parameter's words. */
+asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
+                             asp_error *error);
 
 /* One hit in the frame of the local face. */
 typedef struct aspi_hit {
@@ -29,10 +27,10 @@ typedef struct aspi_hit {
   double u_t1; /* that of the particle's surface where it is touched: v_t1 without spin */
   double d_p;
   double density;
-  const asp_pair *pair;       /* may be NULL for laws that need no material */
-  bool adhesion;              /* false: the law leaves the surface energy out */
-  const asp_cor_table *table; /* for laws that need one */
-  aspi_stream *stream;        /* for laws that draw */
+  const asp_pair *pair;        /* may be NULL for laws that need no material */
+  bool adhesion;               /* false: the law leaves the surface energy out */
+  const aspi_cor_table *table; /* for laws that need one */
+  aspi_stream *stream;         /* for laws that draw */
 } aspi_hit;
 
 /* Velocities after a hit: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit,

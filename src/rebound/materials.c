@@ -66,14 +66,6 @@ const char *asp_material_name(const asp_material *material) {
   return material->name;
 }
 
-const char *asp_material_title(const asp_material *material) {
-  return material->title;
-}
-
-const char *asp_material_source(const asp_material *material) {
-  return material->source;
-}
-
 asp_material *asp_material_create(const char *name, asp_error *error) {
   size_t length = strlen(name) + 1;
   asp_material *material = malloc(sizeof *material + length);

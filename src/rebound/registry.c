@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "base/number.h"
 #include "rebound/laws.h"
 
 #include <math.h>
@@ -34,88 +33,31 @@ const char *asp_rebound_name(const asp_rebound_law *law) {
   return law->name;
 }
 
-const char *asp_rebound_summary(const asp_rebound_law *law) {
-  return law->summary;
-}
-
-const char *asp_rebound_source(const asp_rebound_law *law) {
-  return law->source;
-}
-
 bool asp_rebound_needs_pair(const asp_rebound_law *law) {
   return law->needs_pair;
-}
-
-bool asp_rebound_needs_table(const asp_rebound_law *law) {
-  return law->needs_table;
 }
 
 bool asp_rebound_measured(const asp_rebound_law *law) {
   return law->measured;
 }
 
-int asp_rebound_parameters(const asp_rebound_law *law) {
-  return law->n_parameters;
-}
-
 const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index) {
-  return &law->parameters[index];
+  return index < law->n_parameters ? &law->parameters[index] : NULL;
 }
 
-const char *asp_parameter_name(const asp_parameter *parameter) {
-  return parameter->name;
-}
-
-const char *asp_parameter_unit(const asp_parameter *parameter) {
-  return parameter->unit;
-}
-
-const char *asp_parameter_text(const asp_parameter *parameter) {
-  return parameter->text;
-}
-
-double asp_parameter_default(const asp_parameter *parameter) {
-  return parameter->fallback;
-}
-
-double asp_parameter_least(const asp_parameter *parameter) {
-  return parameter->least;
-}
-
-double asp_parameter_most(const asp_parameter *parameter) {
-  return parameter->most;
-}
-
-const char *asp_parameter_words(const asp_parameter *parameter) {
-  return parameter->words ? parameter->words : "";
-}
-
-asp_code asp_parameter_read(const asp_parameter *parameter, const char *text, double *value,
-                            asp_error *error) {
-  const char *words = asp_parameter_words(parameter);
-  if (!*words) {
-    char *end;
-    *value = aspi_number(text, &end);
-    return end > text && !*end ? ASP_OK
-                               : aspi_fail(error, ASP_EARG, "%s is '%s'; it must be a number",
-                                           parameter->name, text);
-  }
-  size_t length = strlen(text);
+asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
+                             asp_error *error) {
+  size_t length = strlen(word), n;
   int index = 0;
-  for (const char *word = words; *word; index++) {
-    size_t n = strcspn(word, " ");
-    if (n == length && strncmp(word, text, n) == 0) {
-      *value = index;
-      return ASP_OK;
-    }
-    word += n + (word[n] == ' ');
+  for (const char *at = parameter->words; *at; at += n + (at[n] == ' '), index++) {
+    n = strcspn(at, " ");
+    if (n != length || strncmp(at, word, n) != 0)
+      continue;
+    *value = index;
+    return ASP_OK;
   }
-  return aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s", parameter->name, text,
-                   words);
-}
-
-const char *asp_parameter_keyword(const asp_parameter *parameter) {
-  return parameter->keyword ? parameter->keyword : "";
+  return aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s", parameter->name, word,
+                   parameter->words);
 }
 
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error) {

@@ -1,5 +1,5 @@
 /* The user's own coefficients of restitution over impact angle and speed, about the face that is
- * hit; see asp_cor_table. Nothing sticks unless the table has cor_n = 0.
+ * hit; see aspi_cor_table. Nothing sticks unless the table has cor_n = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"

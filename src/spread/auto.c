@@ -112,9 +112,9 @@ static const asp_spread_model *choose(const wall *w, const query *q, double tole
   return chosen;
 }
 
-const asp_spread_model *asp_spread_auto(const asp_surface *surface, double d_least, double d_most,
-                                        bool multiple, double tolerance, double *divergence,
-                                        char *text, size_t size, asp_error *error) {
+const asp_spread_model *aspi_spread_auto(const asp_surface *surface, double d_least, double d_most,
+                                         bool multiple, double tolerance, double *divergence,
+                                         char *text, size_t size, asp_error *error) {
   if (aspi_check_positive(error, "tolerance", "", tolerance) ||
       aspi_check_length(error, "least d_p", d_least) ||
       aspi_check_length(error, "largest d_p", d_most) ||

@@ -129,8 +129,8 @@ static void add_spread(line *l, const asp_wall *wall) {
 
 static void add_parameter(line *l, const aspi_description *said, const asp_parameter *p,
                           double value) {
-  const char *word = asp_parameter_words(p);
-  if (!*word) {
+  const char *word = p->words;
+  if (!word) {
     add_value(l, said, p->name, false, value);
     return;
   }
@@ -141,36 +141,44 @@ static void add_parameter(line *l, const aspi_description *said, const asp_param
   add(l, one);
 }
 
-/* Those parameters that follow one word, from the first of them; where all have their defaults they
- * are left out. The number of them. */
-static int add_group(line *l, const asp_wall *wall, int first) {
-  const asp_rebound_law *law = wall->choice.law;
-  const char *keyword = asp_parameter_keyword(&law->parameters[first]);
-  const double *values = wall->choice.parameters;
-  bool differs = !*keyword;
-  int n = 0;
-  for (; first + n < law->n_parameters &&
-         strcmp(asp_parameter_keyword(&law->parameters[first + n]), keyword) == 0;
-       n++) {
-    double value = values[first + n], standard = law->parameters[first + n].fallback;
-    differs = differs || value < standard || value > standard ||
-              aspi_is_fit(wall->said, law->parameters[first + n].name);
+/* A law's parameters and their values. */
+typedef struct law {
+  const asp_parameter *parameters;
+  int count;
+  const double *values; /* in the caller's units */
+  const double *own;    /* in those of the defaults */
+} law;
+
+static bool differs(const aspi_description *said, const law *l, int i) {
+  double value = l->own[i], standard = l->parameters[i].fallback;
+  return value < standard || value > standard || (isnan(standard) && !isnan(value)) ||
+         aspi_is_fit(said, l->parameters[i].name);
+}
+
+/* Those that follow one word are left out where all have their defaults. */
+static void add_parameters(line *l, const aspi_description *said, const law *of) {
+  for (int i = 0, next; i < of->count; i = next) {
+    const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
+    bool any = !*keyword;
+    for (next = i;
+         next < of->count && strcmp(aspi_parameter_keyword(&of->parameters[next]), keyword) == 0;
+         next++)
+      any = any || differs(said, of, next);
+    if (any && *keyword)
+      add(l, keyword);
+    for (int k = i; k < next && any; k++)
+      add_parameter(l, said, &of->parameters[k], of->values[k]);
   }
-  if (differs && *keyword)
-    add(l, keyword);
-  for (int i = first; i < first + n && differs; i++)
-    add_parameter(l, wall->said, &law->parameters[i], values[i]);
-  return n;
 }
 
 static void add_rebound(line *l, const asp_wall *wall) {
-  const asp_rebound_law *law = wall->choice.law;
+  const asp_rebound_law *of = wall->choice.law;
+  const double *values = wall->choice.parameters;
   add(l, "rebound");
-  add(l, law->name);
-  if (law->needs_table)
+  add(l, of->name);
+  if (of->needs_table)
     add_name(l, wall->said->table);
-  for (int i = 0; i < law->n_parameters;)
-    i += add_group(l, wall, i);
+  add_parameters(l, wall->said, &(law){of->parameters, of->n_parameters, values, values});
   if (asp_wall_get(wall, "scatter_twice") > 0)
     add(l, "scatter_twice");
 }
@@ -192,21 +200,34 @@ static void add_constants(line *l, const aspi_description *said) {
 }
 
 static void add_deposit(line *l, const asp_wall *wall) {
-  static const char *const names[] = {"u_tau", "gas_density", "mean_free_path", "work"};
   add(l, "deposit");
   add(l, asp_wall_word(wall, "deposit"));
-  if (!aspi_is_given(wall->said, "remove"))
-    return;
-  add(l, "remove");
-  for (int i = 0; i < 4; i++) {
+  if (aspi_is_given(wall->said, "remove"))
+    add(l, "remove");
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
     char number[40];
-    snprintf(number, sizeof number, "remove_%s", names[i]);
-    if (!aspi_is_given(wall->said, names[i]))
+    snprintf(number, sizeof number, "remove_%s", k->name);
+    if (strcmp(k->within, "remove") != 0 || !aspi_is_given(wall->said, k->name))
       continue;
-    add(l, names[i]);
-    add_value(l, wall->said, names[i], strcmp(names[i], "mean_free_path") == 0,
-              asp_wall_get(wall, number));
+    add(l, k->name);
+    add_value(l, wall->said, k->name, strcmp(k->unit, "length") == 0, asp_wall_get(wall, number));
   }
+}
+
+static void add_erosion(line *l, const asp_wall *wall) {
+  const aspi_erosion *erosion = &wall->choice.erosion;
+  const aspi_erosion_law *of = erosion->law;
+  if (!of)
+    return;
+  add(l, "erosion");
+  add(l, of->name);
+  add_parameters(l, wall->said,
+                 &(law){of->parameters, of->n_parameters, erosion->given, erosion->si});
+  if (erosion->density > 0)
+    add_pair(l, "density", erosion->density);
+  add(l, "face");
+  add(l, erosion->tilted ? "tilted" : "mean");
 }
 
 size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size) {
@@ -220,10 +241,7 @@ size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size) {
   add_rebound(&l, wall);
   add_constants(&l, wall->said);
   add_deposit(&l, wall);
-  char erosion[400];
-  aspi_wall_describe_erosion(wall, erosion, sizeof erosion);
-  if (*erosion)
-    add(&l, erosion);
+  add_erosion(&l, wall);
   add_pair(&l, "seed", wall->said->seed);
   return l.length;
 }

@@ -35,22 +35,26 @@ struct aspi_description {
   bool chooses;                   /* spread auto */
   double tolerance;
   char choice[400]; /* of auto, and why */
+  asp_error doubt;  /* about the file, once asp_wall_make has read it */
   char *table;
   char **names; /* of the materials */
   int n_materials;
   char *materials_file;
-  asp_materials *own;
+  aspi_materials *own;
   asp_material **materials; /* in the units of the caller */
   double friction, surface_energy, yield_stress;
   aspi_deposit deposit;
   double seed;
-  bool may_fit;                     /* numbers may be unknown: `fit` or `fit=START` */
+  /* True lets numbers that may be unknown be `fit`, or `fit=START` in place of START: those of the
+   * law, and of keywords with `may_fit`. Such a number has the value START, else that of its
+   * default, else it is NaN: that of the materials. It is unknown until it is set. */
+  bool may_fit;
   const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
   int n_fits;
   asp_surface *surface; /* what the description makes of it */
   asp_profile *profile; /* read by asp_wall_make; else NULL */
   asp_map *map;
-  asp_cor_table *cor_table;
+  aspi_cor_table *cor_table;
 };
 
 /* A word of a description. */
@@ -62,6 +66,7 @@ typedef struct aspi_keyword {
   double fallback, least, most;
   bool above; /* it must be more than `least` */
   bool whole;
+  bool may_fit;         /* see aspi_description */
   const char *standard; /* the default, as text; "" where there is none */
   const char *text;
 } aspi_keyword;
@@ -78,13 +83,6 @@ void aspi_keyword_names(const char *within, char *list, size_t size);
 /* True if a word of a clause is given, by its name in the table. */
 bool aspi_is_given(const aspi_description *said, const char *name);
 void aspi_set_given(aspi_description *said, const char *name);
-
-/* The clause `erosion`: reads the words from *next on; checks that the wall has a density; prints
- * it, nothing where there is none. */
-asp_code aspi_wall_read_erosion(asp_wall *wall, int count, const char *const *words, int *next,
-                                asp_error *error);
-asp_code aspi_wall_check_erosion(const asp_wall *wall, asp_error *error);
-void aspi_wall_describe_erosion(const asp_wall *wall, char *text, size_t size);
 
 /* Says of the first given word without an effect what it has none with. */
 asp_code aspi_check_effects(const asp_wall *wall, asp_error *error);
@@ -105,17 +103,9 @@ double aspi_description_get(const aspi_description *said, const char *name);
 asp_code aspi_description_set(aspi_description *said, const char *name, double value,
                               asp_error *error);
 
-/* Lets numbers be `fit`, or `fit=START` in place of START, in what is read from here on: sigma, rq,
- * lambda_c, friction, surface_energy, yield_stress and the numbers of the law. Such a number has
- * the value START, else that of its default, else it is NaN: that of the materials. It is unknown
- * until it is set. */
-void aspi_description_let_fit(aspi_description *said);
-void aspi_description_know(aspi_description *said, const char *name); /* no longer */
+/* True if a number is unknown; know: no longer. */
+void aspi_description_know(aspi_description *said, const char *name);
 bool aspi_is_fit(const aspi_description *said, const char *name);
-
-/* True if the wall is prepared for a range of diameters: it is measured, or its model needs them.
- */
-bool aspi_needs_sizes(const asp_wall *wall);
 
 /* The surface that the numbers of the description, or the wall's map, make. */
 asp_code aspi_make_surface(asp_wall *wall, asp_error *error);

@@ -36,6 +36,7 @@ static const aspi_keyword keywords[] = {
              "command one for the particles and one for the wall"},
     {.name = "friction",
      .within = "",
+     .may_fit = true,
      .values = "F",
      .unit = "",
      .most = INFINITY,
@@ -43,6 +44,7 @@ static const aspi_keyword keywords[] = {
      .text = "coefficient of friction of all pairs of materials"},
     {.name = "surface_energy",
      .within = "",
+     .may_fit = true,
      .values = "G",
      .unit = "energy/area",
      .most = INFINITY,
@@ -50,6 +52,7 @@ static const aspi_keyword keywords[] = {
      .text = "surface energy of all pairs of materials"},
     {.name = "yield_stress",
      .within = "",
+     .may_fit = true,
      .values = "Y",
      .unit = "stress",
      .most = INFINITY,
@@ -77,6 +80,7 @@ static const aspi_keyword keywords[] = {
 
     {.name = "sigma",
      .within = "surface",
+     .may_fit = true,
      .values = "ANGLE",
      .unit = "degrees",
      .least = 0.001,
@@ -85,6 +89,7 @@ static const aspi_keyword keywords[] = {
      .text = "atan of the rms slope, for particles of any size"},
     {.name = "rq",
      .within = "surface",
+     .may_fit = true,
      .values = "R",
      .unit = "length",
      .most = INFINITY,
@@ -93,6 +98,7 @@ static const aspi_keyword keywords[] = {
      .text = "rms height"},
     {.name = "lambda_c",
      .within = "surface",
+     .may_fit = true,
      .values = "L [L_along]",
      .unit = "length",
      .most = INFINITY,
@@ -303,7 +309,7 @@ static bool has_no_tilt(const asp_wall *wall, against *with) {
 
 static bool has_no_bins(const asp_wall *wall, against *with) {
   snprintf(with->text, sizeof with->text, "spread %s", wall->choice.spread->name);
-  return !aspi_needs_sizes(wall);
+  return !asp_wall_needs_sizes(wall);
 }
 
 static const struct {

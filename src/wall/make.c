@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/quantity.h"
+#include "readers/warnings.h"
 #include "wall/description.h"
 
 #include <math.h>
@@ -32,11 +33,11 @@ void aspi_description_free(aspi_description *said) {
   free(said->file);
   free(said->table);
   free(said->materials_file);
-  asp_materials_free(said->own);
+  aspi_materials_free(said->own);
   asp_surface_free(said->surface);
   asp_profile_free(said->profile);
   asp_map_free(said->map);
-  asp_cor_table_free(said->cor_table);
+  aspi_cor_table_free(said->cor_table);
   free(said);
 }
 
@@ -121,6 +122,7 @@ const char *asp_wall_word(const asp_wall *wall, const char *name) {
          : strcmp(name, "file") == 0    ? said->file
          : strcmp(name, "deposit") == 0 ? deposits[said->deposit]
          : strcmp(name, "choice") == 0  ? said->choice
+         : strcmp(name, "doubt") == 0   ? said->doubt.text
                                         : NULL;
 }
 
@@ -150,16 +152,12 @@ const asp_surface *asp_wall_surface(const asp_wall *wall) {
 
 /* ---- surface ---- */
 
-bool aspi_needs_sizes(const asp_wall *wall) {
+bool asp_wall_needs_sizes(const asp_wall *wall) {
   const aspi_description *said = wall->said;
   if (said->kind == ASPI_SMOOTH)
     return false;
   return said->kind == ASPI_PROFILE || said->chooses || wall->choice.spread->generate ||
          (said->kind == ASPI_MAP && wall->choice.spread->prepare_map);
-}
-
-bool asp_wall_needs_sizes(const asp_wall *wall) {
-  return aspi_needs_sizes(wall);
 }
 
 static asp_code take_surface(asp_wall *wall, asp_surface *made, const asp_error *wrong,
@@ -253,6 +251,8 @@ static asp_code read_file(asp_wall *wall, asp_error *error) {
     said->profile = asp_reader_read(reader, said->file, error);
   if (!code && is_map)
     said->map = asp_reader_read_map(reader, said->file, error);
+  if (reader)
+    asp_reader_check(reader, &said->doubt);
   asp_reader_free(reader);
   wall->choice.profile = is_profile ? said->profile : wall->choice.profile;
   wall->choice.map = is_map ? said->map : wall->choice.map;
@@ -266,8 +266,8 @@ static asp_code choose_model(asp_wall *wall, double d_least, double d_most, asp_
   asp_error wrong;
   double divergence;
   const asp_spread_model *model =
-      asp_spread_auto(wall->choice.surface, d_least, d_most, wall->choice.multiple, said->tolerance,
-                      &divergence, said->choice, sizeof said->choice, &wrong);
+      aspi_spread_auto(wall->choice.surface, d_least, d_most, wall->choice.multiple,
+                       said->tolerance, &divergence, said->choice, sizeof said->choice, &wrong);
   if (!model)
     return aspi_fail(error, wrong.code, "spread auto: %s", wrong.text);
   wall->choice.spread = model;
@@ -286,10 +286,30 @@ asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error 
     code = choose_model(wall, d_least, d_most, error);
   if (code)
     return code;
-  if (aspi_needs_sizes(wall)) {
+  if (asp_wall_needs_sizes(wall)) {
     wall->choice.numbers[ASP_WALL_D_P_LEAST] = d_least;
     wall->choice.numbers[ASP_WALL_D_P_MOST] = d_most;
   }
   wall->choice.numbers[ASP_WALL_D_P_BINS] = bins;
   return asp_wall_prepare(wall, error);
+}
+
+asp_code asp_wall_check_sampling(const asp_wall *wall, double d_p, asp_error *error) {
+  const asp_profile *profile = wall->choice.profile;
+  const asp_map *map = wall->choice.map;
+  asp_error doubt = {ASP_OK, ""};
+  if (profile) {
+    double spacing = asp_profile_spacing(profile);
+    aspi_sampling_check(d_p, spacing, (double)asp_profile_points(profile) * spacing,
+                        asp_surface_lambda_c(wall->choice.surface), &doubt);
+  } else if (map) {
+    double x = asp_map_step_x(map), y = asp_map_step_y(map);
+    aspi_sampling_check(d_p, fmax(x, y),
+                        fmin((double)asp_map_columns(map) * x, (double)asp_map_rows(map) * y),
+                        asp_map_get(map, "lambda_2", NULL), &doubt);
+  }
+  return doubt.code
+             ? aspi_fail(error, doubt.code, "surface %s %s: %s", asp_wall_word(wall, "surface"),
+                         asp_wall_word(wall, "file"), doubt.text)
+             : ASP_OK;
 }

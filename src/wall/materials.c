@@ -24,7 +24,7 @@ static asp_code fail_material(aspi_words *r, const char *name) {
     return aspi_fail(r->error, ASP_ENAME,
                      "'%.100s' is neither a material nor a keyword; did you mean '%s'?", name,
                      meant);
-  asp_materials_find(r->said->own, name, r->error);
+  aspi_materials_find(r->said->own, name, r->error);
   return ASP_ENAME;
 }
 
@@ -65,7 +65,7 @@ asp_code aspi_words_materials(aspi_words *r) {
   if (!code && aspi_words_take(r, "file")) {
     code = aspi_words_file(r, "the file of 'materials'", &said->materials_file);
     asp_error wrong;
-    said->own = code ? NULL : asp_materials_read(said->materials_file, &wrong);
+    said->own = code ? NULL : aspi_materials_read(said->materials_file, &wrong);
     if (!code && !said->own)
       code = aspi_fail(r->error, wrong.code, "materials: %s", wrong.text);
   }
@@ -77,7 +77,7 @@ asp_code aspi_words_materials(aspi_words *r) {
   if (!said->materials)
     return aspi_fail(r->error, ASP_ENOMEM, "out of memory for a description");
   for (int i = 0; i < said->n_materials; i++) {
-    const asp_material *m = asp_materials_find(said->own, said->names[i], NULL);
+    const asp_material *m = aspi_materials_find(said->own, said->names[i], NULL);
     if (!m)
       return fail_material(r, said->names[i]);
     said->materials[i] = converted(m, &said->units, r->error);

@@ -66,11 +66,11 @@ static asp_code read_lay(aspi_words *r) {
 /* lambda_c L [L_along lay DIRECTION] */
 static asp_code read_lengths(aspi_words *r) {
   aspi_description *said = r->said;
-  asp_code code = aspi_words_number_or_fit(r, "surface", "rq", &said->r_q);
+  asp_code code = aspi_words_number(r, "surface", "rq", &said->r_q);
   if (!code && !aspi_words_take(r, "lambda_c"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'surface rq R', 'lambda_c L' is expected");
   if (!code)
-    code = aspi_words_number_or_fit(r, "surface", "lambda_c", &said->lambda_c);
+    code = aspi_words_number(r, "surface", "lambda_c", &said->lambda_c);
   if (code)
     return code;
   if (!aspi_words_number_next(r))
@@ -91,7 +91,7 @@ static asp_code read_kind(aspi_words *r) {
   }
   if (aspi_words_take(r, "sigma")) {
     said->kind = ASPI_SIGMA;
-    return aspi_words_number_or_fit(r, "surface", "sigma", &said->sigma);
+    return aspi_words_number(r, "surface", "sigma", &said->sigma);
   }
   if (aspi_words_take(r, "rq")) {
     said->kind = ASPI_GAUSSIAN;
@@ -148,19 +148,15 @@ static asp_code read_model(aspi_words *r) {
 static asp_code read_spread(aspi_words *r) {
   aspi_description *said = r->said;
   asp_code code = read_model(r);
-  for (bool more = true; more && !code;) {
-    if (aspi_words_take(r, "plane"))
-      code = asp_wall_choose(r->wall, "tilt", "plane", r->error);
-    else if (aspi_words_take(r, "isotropic"))
-      code = asp_wall_choose(r->wall, "tilt", "isotropic", r->error);
-    else if (aspi_words_take(r, "collisions")) {
+  for (const aspi_keyword *k; !code && (k = aspi_words_take_keyword(r, "spread")) != NULL;) {
+    if (strcmp(k->name, "tolerance") == 0) {
+      code = aspi_words_number(r, "spread", "tolerance", &said->tolerance);
+    } else if (strcmp(k->name, "collisions") == 0) {
       const char *given = aspi_words_word(r, "the value of 'collisions'");
       code = given ? asp_wall_choose(r->wall, "collisions", given, r->error) : ASP_EARG;
-    } else if (aspi_words_take(r, "tolerance")) {
-      aspi_set_given(said, "tolerance");
-      code = aspi_words_number(r, "spread", "tolerance", &said->tolerance);
-    } else
-      more = false;
+    } else {
+      code = asp_wall_choose(r->wall, "tilt", k->name, r->error);
+    }
   }
   if (!code && said->chooses != aspi_is_given(said, "tolerance"))
     code = aspi_fail(r->error, ASP_EARG,
@@ -168,32 +164,48 @@ static asp_code read_spread(aspi_words *r) {
   return code;
 }
 
-/* The values of all parameters of the law that follow one word. */
-static asp_code read_parameters(aspi_words *r, const char *keyword) {
-  const asp_rebound_law *law = r->wall->choice.law;
-  for (int i = 0; i < law->n_parameters; i++) {
-    const asp_parameter *p = &law->parameters[i];
-    if (strcmp(asp_parameter_keyword(p), keyword) != 0)
-      continue;
-    const char *given = aspi_words_word(r, p->name);
-    if (!given)
-      return ASP_EARG;
-    double value = p->fallback;
-    const char *start;
-    bool unknown = !p->words && aspi_words_unknown(r, given, &start);
-    asp_code code = ASP_OK;
-    if (p->words)
-      code = asp_parameter_read(p, given, &value, r->error);
-    else if (!unknown || start)
-      code = aspi_quantity_read(p->name, unknown ? start : given, p->unit, &r->said->units, &value,
-                                r->error);
-    if (!code)
-      code = asp_wall_set(r->wall, p->name, value, r->error);
-    if (!code && unknown)
-      code = aspi_words_add_unknown(r, p->name);
-    if (code)
-      return code;
+/* A law as its clause reads it. */
+typedef struct law {
+  const asp_parameter *parameters;
+  int count;
+  bool may_fit;
+  asp_code (*take)(aspi_words *r, const asp_parameter *p, int index, double value);
+} law;
+
+static asp_code read_parameter(aspi_words *r, const law *l, int index) {
+  const asp_parameter *p = &l->parameters[index];
+  const char *given = aspi_words_word(r, p->name), *start = given;
+  if (!given)
+    return ASP_EARG;
+  double value = p->fallback;
+  bool unknown = l->may_fit && !p->words && aspi_words_unknown(r, given, &start);
+  asp_code code = ASP_OK;
+  if (p->words)
+    code = aspi_parameter_read(p, given, &value, r->error);
+  else if (start)
+    code = aspi_quantity_read(p->name, start, p->unit, &r->said->units, &value, r->error);
+  if (!code)
+    code = l->take(r, p, index, value);
+  return !code && unknown ? aspi_words_add_unknown(r, p->name) : code;
+}
+
+/* The values of all parameters of a law that follow one word; "": its name. */
+static asp_code read_parameters(aspi_words *r, const law *l, const char *keyword) {
+  asp_code code = ASP_OK;
+  for (int i = 0; i < l->count && !code; i++)
+    if (strcmp(aspi_parameter_keyword(&l->parameters[i]), keyword) == 0)
+      code = read_parameter(r, l, i);
+  return code;
+}
+
+/* The parameters of the next word; *more is false where it has none. */
+static asp_code read_more(aspi_words *r, const law *l, bool *more) {
+  for (int i = 0; i < l->count; i++) {
+    const char *keyword = aspi_parameter_keyword(&l->parameters[i]);
+    if (*keyword && aspi_words_take(r, keyword))
+      return read_parameters(r, l, keyword);
   }
+  *more = false;
   return ASP_OK;
 }
 
@@ -204,65 +216,101 @@ static asp_code read_table(aspi_words *r) {
     code = aspi_words_check_units(r, "a table is");
   if (code)
     return code;
-  asp_cor_table_free(said->cor_table);
+  aspi_cor_table_free(said->cor_table);
   said->cor_table =
-      asp_cor_table_read(said->table, said->units.metre / said->units.second, r->error);
-  asp_wall_set_table(r->wall, said->cor_table);
+      aspi_cor_table_read(said->table, said->units.metre / said->units.second, r->error);
+  r->wall->choice.table = said->cor_table;
   return said->cor_table ? ASP_OK : ASP_EDATA;
 }
 
-/* The parameter of the law that the next word begins; NULL: none. */
-static const char *next_parameter(const aspi_words *r) {
-  const asp_rebound_law *law = r->wall->choice.law;
-  for (int i = 0; i < law->n_parameters; i++) {
-    const char *keyword = asp_parameter_keyword(&law->parameters[i]);
-    if (*keyword && aspi_words_next_is(r, keyword))
-      return keyword;
-  }
-  return NULL;
+static asp_code take_parameter(aspi_words *r, const asp_parameter *p, int index, double value) {
+  (void)index;
+  return asp_wall_set(r->wall, p->name, value, r->error);
 }
 
 /* A law's parameters follow its name, or words of their own, some of them one for several. */
 static asp_code read_rebound(aspi_words *r) {
   const char *name = aspi_words_word(r, "the rebound law");
   asp_code code = name ? asp_wall_choose(r->wall, "rebound", name, r->error) : ASP_EARG;
+  const asp_rebound_law *of = r->wall->choice.law;
+  const law l = {of->parameters, of->n_parameters, true, take_parameter};
   if (!code)
-    code = read_parameters(r, "");
-  if (!code && r->wall->choice.law->needs_table)
+    code = read_parameters(r, &l, "");
+  if (!code && of->needs_table)
     code = read_table(r);
   for (bool more = true; more && !code;) {
-    const char *keyword = next_parameter(r);
-    more = keyword || aspi_words_next_is(r, "scatter_twice");
-    r->next += more;
-    if (keyword)
-      code = read_parameters(r, keyword);
-    else if (more)
+    if (aspi_words_take(r, "scatter_twice"))
       code = asp_wall_set(r->wall, "scatter_twice", 1, r->error);
+    else
+      code = read_more(r, &l, &more);
   }
   return code;
 }
 
+static asp_code take_erosion(aspi_words *r, const asp_parameter *p, int index, double value) {
+  aspi_erosion *erosion = &r->wall->choice.erosion;
+  erosion->given[index] = value;
+  erosion->si[index] = p->words ? value : value / aspi_quantity_factor(p->unit, &r->said->units);
+  return p->words || p->least < 0 ? ASP_OK : aspi_check_positive(r->error, p->name, "", value);
+}
+
+static asp_code read_face(aspi_words *r) {
+  const char *given = aspi_words_word(r, "the value of 'face'");
+  if (!given)
+    return ASP_EARG;
+  bool tilted = r->wall->choice.erosion.tilted = strcmp(given, "tilted") == 0;
+  if (tilted || strcmp(given, "mean") == 0)
+    return ASP_OK;
+  return aspi_fail(r->error, ASP_EARG, "face is '%.100s'; it must be mean or tilted", given);
+}
+
+static asp_code read_erosion(aspi_words *r) {
+  aspi_erosion *erosion = &r->wall->choice.erosion;
+  r->of = " of 'erosion'";
+  const char *name = aspi_words_word(r, "the law");
+  const aspi_erosion_law *of = name ? aspi_erosion_find(name, r->error) : NULL;
+  if (!of)
+    return name ? ASP_ENAME : ASP_EARG;
+  asp_code code = aspi_words_check_units(r, "erosion is");
+  if (code)
+    return code;
+  aspi_erosion_take(erosion, of, &r->said->units);
+  const law l = {of->parameters, of->n_parameters, false, take_erosion};
+  code = read_parameters(r, &l, "");
+  for (bool more = true; more && !code;) {
+    if (aspi_words_take(r, "face"))
+      code = read_face(r);
+    else if (aspi_words_take(r, "density"))
+      code = aspi_words_number(r, "erosion", "density", &erosion->density);
+    else
+      code = read_more(r, &l, &more);
+  }
+  return code;
+}
+
+static asp_code check_erosion(const asp_wall *wall, asp_error *error) {
+  const aspi_erosion *erosion = &wall->choice.erosion;
+  if (!erosion->law || erosion->density > 0 ||
+      (wall->said->n_materials > 0 && wall->choice.law->needs_pair))
+    return ASP_OK;
+  return aspi_fail(error, ASP_EARG,
+                   "erosion needs the density of the wall: by 'materials', or 'density RHO' in its "
+                   "own words");
+}
+
 static asp_code read_removal(aspi_words *r) {
-  static const char *const names[] = {"u_tau", "gas_density", "mean_free_path", "work"};
   aspi_set_given(r->said, "remove");
   asp_code code = aspi_words_check_units(r, "removal is");
   double joule = aspi_quantity_factor("energy/area", &r->said->units);
   if (!code)
     code = asp_wall_set(r->wall, "remove_work", ASPI_REMOVAL_WORK * joule, r->error);
-  for (bool more = true; more && !code;) {
-    more = false;
-    for (int i = 0; i < 4 && !code; i++) {
-      if (!aspi_words_take(r, names[i]))
-        continue;
-      char number[40];
-      double value = 0;
-      snprintf(number, sizeof number, "remove_%s", names[i]);
-      more = true;
-      aspi_set_given(r->said, names[i]);
-      code = aspi_words_number(r, "remove", names[i], &value);
-      if (!code)
-        code = asp_wall_set(r->wall, number, value, r->error);
-    }
+  for (const aspi_keyword *k; !code && (k = aspi_words_take_keyword(r, "remove")) != NULL;) {
+    char number[40];
+    double value = 0;
+    snprintf(number, sizeof number, "remove_%s", k->name);
+    code = aspi_words_number(r, "remove", k->name, &value);
+    if (!code)
+      code = asp_wall_set(r->wall, number, value, r->error);
   }
   if (!code && (!aspi_is_given(r->said, "u_tau") || !aspi_is_given(r->said, "gas_density")))
     code = aspi_fail(r->error, ASP_EARG, "behind 'remove', 'u_tau U gas_density RHO' is expected");
@@ -285,10 +333,6 @@ static asp_code read_deposit(aspi_words *r) {
   return !code && aspi_words_take(r, "remove") ? read_removal(r) : code;
 }
 
-static asp_code read_erosion(aspi_words *r) {
-  return aspi_wall_read_erosion(r->wall, r->count, r->words, &r->next, r->error);
-}
-
 static const struct {
   const char *name;
   asp_code (*read)(aspi_words *r); /* NULL: a number */
@@ -303,9 +347,7 @@ static asp_code read_clause(aspi_words *r, int clause) {
   const char *name = clauses[clause].name;
   if (clauses[clause].read)
     return clauses[clause].read(r);
-  double *value = aspi_description_number(r->said, name);
-  return strcmp(name, "seed") == 0 ? aspi_words_number(r, "", name, value)
-                                   : aspi_words_number_or_fit(r, "", name, value);
+  return aspi_words_number(r, "", name, aspi_description_number(r->said, name));
 }
 
 /* Lists the words allowed at the start of a clause: those of all clauses, of the last one, and the
@@ -319,9 +361,9 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
     if (*r->said->last && strcmp(k->within, r->said->last) == 0)
       snprintf(list + used, sizeof list - used, " %s", k->name);
   }
-  const asp_rebound_law *law = r->wall->choice.law;
-  for (int i = 0; i < law->n_parameters && strcmp(r->said->last, "rebound") == 0; i++) {
-    const char *keyword = asp_parameter_keyword(&law->parameters[i]);
+  const asp_rebound_law *of = r->wall->choice.law;
+  for (int i = 0; i < of->n_parameters && strcmp(r->said->last, "rebound") == 0; i++) {
+    const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
     size_t used = strlen(list);
     if (!aspi_words_in_list(keyword, list))
       snprintf(list + used, sizeof list - used, " %s", keyword);
@@ -333,7 +375,7 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
 
 asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, const char *others,
                        int *taken, asp_error *error) {
-  aspi_words r = {wall, wall->said, words, count, 1, others, error};
+  aspi_words r = {wall, wall->said, words, count, 1, others, error, ""};
   *taken = 0;
   if (count == 0 || aspi_words_in_list(words[0], others))
     return ASP_OK;
@@ -363,7 +405,7 @@ asp_code asp_wall_complete(asp_wall *wall, asp_error *error) {
   wall->choice.spread = said->spread ? said->spread : asp_spread_find(standard_model(said), NULL);
   asp_code code = aspi_check_effects(wall, error);
   if (!code)
-    code = aspi_wall_check_erosion(wall, error);
+    code = check_erosion(wall, error);
   return code ? code : aspi_make_surface(wall, error);
 }
 

@@ -162,10 +162,6 @@ void asp_wall_set_profile(asp_wall *wall, const asp_profile *profile) {
   wall->choice.profile = profile;
 }
 
-void asp_wall_set_table(asp_wall *wall, const asp_cor_table *table) {
-  wall->choice.table = table;
-}
-
 const asp_spread_model *asp_wall_spread(const asp_wall *wall) {
   return wall->choice.spread;
 }

@@ -28,7 +28,7 @@ typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
   const asp_map *map;         /* goes before the profile */
   const asp_profile *profile; /* NULL: one is generated where the model needs one */
-  const asp_cor_table *table;
+  const aspi_cor_table *table;
   const asp_spread_model *spread;
   const asp_rebound_law *law;
   bool isotropic, multiple;
@@ -51,7 +51,7 @@ struct asp_wall {
   bool draws_q; /* the model draws the slope across the flight, too */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
-  const asp_cor_table *table;
+  const aspi_cor_table *table;
   bool rough; /* false: smooth, and nothing is drawn */
   bool isotropic;
   bool multiple; /* a particle that a face sends into the wall flies on to the next face */

@@ -20,10 +20,21 @@ bool aspi_words_take(aspi_words *r, const char *word) {
   return here;
 }
 
+const aspi_keyword *aspi_words_take_keyword(aspi_words *r, const char *within) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (strcmp(k->within, within) != 0 || !aspi_words_take(r, k->name))
+      continue;
+    aspi_set_given(r->said, k->name);
+    return k;
+  }
+  return NULL;
+}
+
 const char *aspi_words_word(aspi_words *r, const char *what) {
   if (r->next < r->count)
     return r->words[r->next++];
-  aspi_fail(r->error, ASP_EARG, "%s is missing", what);
+  aspi_fail(r->error, ASP_EARG, "%s%s is missing", what, r->of);
   return NULL;
 }
 
@@ -67,14 +78,11 @@ asp_code aspi_words_file(aspi_words *r, const char *what, char **name) {
   return *name ? ASP_OK : ASP_ENOMEM;
 }
 
-void aspi_description_let_fit(aspi_description *said) {
-  said->may_fit = true;
-}
-
 bool aspi_words_unknown(const aspi_words *r, const char *given, const char **start) {
   bool alone = strcmp(given, "fit") == 0, begins = strncmp(given, "fit=", 4) == 0;
-  *start = begins ? given + 4 : NULL;
-  return r->said->may_fit && (alone || begins);
+  bool unknown = r->said->may_fit && (alone || begins);
+  *start = !unknown ? given : begins ? given + 4 : NULL;
+  return unknown;
 }
 
 asp_code aspi_words_add_unknown(aspi_words *r, const char *name) {
@@ -103,25 +111,15 @@ static asp_code standard_start(aspi_words *r, const aspi_keyword *k, double *val
 
 asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, double *value) {
   const aspi_keyword *k = aspi_keyword_find(within, name);
-  const char *given = aspi_words_word(r, name);
+  const char *given = aspi_words_word(r, name), *start = given;
   if (!given)
     return ASP_EARG;
-  asp_code code = aspi_quantity_read(name, given, k->unit, &r->said->units, value, r->error);
-  return code ? code : aspi_keyword_check(k, *value, r->error);
-}
-
-asp_code aspi_words_number_or_fit(aspi_words *r, const char *within, const char *name,
-                                  double *value) {
-  const aspi_keyword *k = aspi_keyword_find(within, name);
-  const char *start;
-  if (r->next == r->count || !aspi_words_unknown(r, r->words[r->next], &start))
-    return aspi_words_number(r, within, name, value);
-  r->next++;
+  bool unknown = k->may_fit && aspi_words_unknown(r, given, &start);
   asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->said->units, value, r->error)
                         : standard_start(r, k, value);
   if (!code && start)
     code = aspi_keyword_check(k, *value, r->error);
-  return code ? code : aspi_words_add_unknown(r, k->name);
+  return !code && unknown ? aspi_words_add_unknown(r, k->name) : code;
 }
 
 asp_code aspi_words_check_units(const aspi_words *r, const char *what) {

@@ -14,6 +14,7 @@ typedef struct aspi_words {
   int count, next;
   const char *others; /* words of the caller that end a list of names */
   asp_error *error;
+  const char *of; /* behind the name of a word that is missing */
 } aspi_words;
 
 /* True if the next word is this one, or begins with a number; take: and goes past it. */
@@ -21,19 +22,22 @@ bool aspi_words_next_is(const aspi_words *words, const char *word);
 bool aspi_words_take(aspi_words *words, const char *word);
 bool aspi_words_number_next(const aspi_words *words);
 
+/* Takes the next word if it is one within a keyword, and notes that it is given; NULL: it is none.
+ */
+const aspi_keyword *aspi_words_take_keyword(aspi_words *words, const char *within);
+
 /* Takes the next word; NULL and a message that names `what` where there is none. */
 const char *aspi_words_word(aspi_words *words, const char *what);
 
 /* Takes the name of a file into *name, from malloc. `-`, which cannot be read again, is refused. */
 asp_code aspi_words_file(aspi_words *words, const char *what, char **name);
 
-/* Takes the number of a keyword, with its unit if it has one; or_fit: it may be `fit`. */
+/* Takes the number of a keyword, with its unit if it has one, or `fit` where it may be that. */
 asp_code aspi_words_number(aspi_words *words, const char *within, const char *name, double *value);
-asp_code aspi_words_number_or_fit(aspi_words *words, const char *within, const char *name,
-                                  double *value);
 
 /* True if the word given is `fit` or `fit=START` and unknown numbers are allowed; *start is the
- * text of START, NULL for none. add_unknown: notes the number of that name as unknown. */
+ * text of the number: START, NULL for none, else the word. add_unknown: notes the number of that
+ * name as unknown. */
 bool aspi_words_unknown(const aspi_words *words, const char *given, const char **start);
 asp_code aspi_words_add_unknown(aspi_words *words, const char *name);
 

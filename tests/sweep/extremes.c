@@ -69,7 +69,7 @@ typedef struct combination {
 static asp_surface *surfaces[SLOPES];
 static asp_wall *walls[MODELS_MOST][SLOPES];
 static asp_spread_model forced[MODELS_MOST];
-static asp_cor_table *table;
+static aspi_cor_table *table;
 
 /* Of this thread: the u that a forced model takes, the model behind it, the combination at work. */
 static _Thread_local double u_forced;

@@ -112,23 +112,23 @@ static const asp_rebound_law *add_law(char *text) {
   const asp_rebound_law *law;
   do
     law = asp_rebound_at(whole(asp_rebound_count()));
-  while (asp_rebound_needs_table(law)); /* it would need a file */
+  while (law->needs_table); /* it would need a file */
   add(text, " rebound %s", asp_rebound_name(law));
   const char *last = "";
   bool on = true;
-  for (int i = 0; i < asp_rebound_parameters(law); i++) {
+  for (int i = 0; i < law->n_parameters; i++) {
     const asp_parameter *p = asp_rebound_parameter(law, i);
-    const char *keyword = asp_parameter_keyword(p);
+    const char *keyword = aspi_parameter_keyword(p);
     if (strcmp(keyword, last) != 0) {
       on = whole(2);
       if (on)
         add(text, " %s", keyword);
     }
     last = keyword;
-    if (*asp_parameter_words(p) && on)
+    if (p->words && on)
       add(text, whole(2) ? " on" : " off");
     else if (on)
-      add(text, " %.17g", within(asp_parameter_least(p), asp_parameter_most(p)));
+      add(text, " %.17g", within(p->least, p->most));
   }
   return law;
 }
@@ -359,8 +359,8 @@ static void pairs_have_defaults(void **state) {
   assert_near(asp_pair_get(pair, "yield_stress"), 2e5, 1e-9);
   asp_pair_free(pair);
   asp_wall_free(wall);
-  pair = asp_pair_create(asp_materials_find(NULL, "quartz", NULL),
-                         asp_materials_find(NULL, "steel", NULL), NULL);
+  pair = asp_pair_create(aspi_materials_find(NULL, "quartz", NULL),
+                         aspi_materials_find(NULL, "steel", NULL), NULL);
   assert_near(asp_pair_get(pair, "surface_energy"), ASP_SURFACE_ENERGY, 0);
   asp_pair_free(pair);
   wall = parse("materials quartz steel friction 0.4 surface_energy 0.1 yield_stress 1e8", &si);
@@ -423,7 +423,7 @@ static asp_wall *parse_fit(const char *text, asp_error *error) {
   const char *words[50];
   int count = 0, taken;
   asp_wall *wall = parse("", &si);
-  aspi_description_let_fit(wall->said);
+  wall->said->may_fit = true;
   snprintf(copy, sizeof copy, "%s", text);
   for (char *word = strtok(copy, " "); word; word = strtok(NULL, " "))
     words[count++] = word;
@@ -505,6 +505,21 @@ static void unknown_numbers_are_set(void **state) {
   asp_wall_free(wall);
 }
 
+/* A measured wall says where its points are too few for a sphere. */
+static void coarse_files_are_doubted(void **state) {
+  (void)state;
+  asp_error error;
+  asp_profile *profile = asp_profile_create(1e-6, 20e-6, 1e-6, 4096, 1, NULL);
+  asp_wall *wall = asp_wall_parse("surface profile fine.csv", NULL, NULL);
+  asp_wall_set_profile(wall, profile);
+  assert_int_equal(asp_wall_make(wall, 5e-6, 20e-6, NULL), ASP_OK);
+  assert_int_equal(asp_wall_check_sampling(wall, 20e-6, &error), ASP_OK);
+  assert_int_equal(asp_wall_check_sampling(wall, 5e-6, &error), ASP_ERANGE);
+  assert_ptr_equal(strstr(error.text, "surface profile fine.csv: "), error.text);
+  asp_wall_free(wall);
+  asp_profile_free(profile);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(canonical_texts),
@@ -518,6 +533,7 @@ int main(void) {
       cmocka_unit_test(sigma_knows_no_size),
       cmocka_unit_test(pairs_have_defaults),
       cmocka_unit_test(odd_constants_are_doubted),
+      cmocka_unit_test(coarse_files_are_doubted),
       cmocka_unit_test(numbers_may_be_unknown),
       cmocka_unit_test(unknown_numbers_are_set),
   };

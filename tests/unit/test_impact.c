@@ -318,7 +318,7 @@ static void properties(void **state) {
   (void)state;
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   int models = asp_spread_count(), laws = asp_rebound_count();
-  asp_cor_table *table = aspi_cor_table_create(coefficients, 4, NULL);
+  aspi_cor_table *table = aspi_cor_table_create(coefficients, 4, NULL);
   assert_non_null(table);
   for (int i = 0; i < 2 * models * laws; i++) {
     const asp_spread_model *model = asp_spread_at(i % models);
@@ -332,7 +332,7 @@ static void properties(void **state) {
     set(&s, "deposit", (double)gsl_rng_uniform_int(rng, 2));
     choose(&s, "tilt", gsl_rng_uniform_int(rng, 2) ? "isotropic" : "plane");
     choose(&s, "collisions", gsl_rng_uniform_int(rng, 2) ? "multiple" : "single");
-    asp_wall_set_table(s.wall, table);
+    s.wall->choice.table = table;
     prepare(&s);
     for (uint64_t tag = 0; tag < 250; tag++) {
       double alpha = M_PI_2 * pow(10, -15 * gsl_rng_uniform(rng));
@@ -359,7 +359,7 @@ static void properties(void **state) {
     }
     setup_free(&s);
   }
-  asp_cor_table_free(table);
+  aspi_cor_table_free(table);
   gsl_rng_free(rng);
 }
 

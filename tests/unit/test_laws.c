@@ -19,7 +19,7 @@ static const char *file_of(const char *text) {
   return path;
 }
 
-static aspi_bounce bounce_of(const char *name, const double *parameters, const asp_cor_table *table,
+static aspi_bounce bounce_of(const char *name, const double *parameters, const aspi_cor_table *table,
                              double degrees, double speed, aspi_stream *stream) {
   const asp_rebound_law *law = asp_rebound_find(name, NULL);
   double alpha = degrees * M_PI / 180;
@@ -95,7 +95,7 @@ enum { N_POINTS = sizeof points / sizeof *points };
 
 static void table_meets_its_points(void **state) {
   (void)state;
-  asp_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
+  aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   assert_non_null(table);
   double n, t;
   for (int i = 0; i < N_POINTS; i++) {
@@ -109,13 +109,13 @@ static void table_meets_its_points(void **state) {
   assert_near(n, 0.9, 1e-15);
   aspi_cor_table_at(table, 1e5, M_PI_2, &n, &t);
   assert_near(n, 0.3, 1e-15);
-  asp_cor_table_free(table);
+  aspi_cor_table_free(table);
 }
 
 /* Between points of falling cor_n it falls, at every speed; and the rebound has no more energy. */
 static void table_is_monotone(void **state) {
   (void)state;
-  asp_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
+  aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   for (double speed = 5; speed < 200; speed += 3) {
     double last = 2, n, t;
     for (double alpha = 0; alpha < M_PI_2; alpha += 1e-3) {
@@ -126,7 +126,7 @@ static void table_is_monotone(void **state) {
       assert_true(hypot(b.v_n2, b.v_t2) <= speed * (1 + 1e-15));
     }
   }
-  asp_cor_table_free(table);
+  aspi_cor_table_free(table);
 }
 
 /* Angles and speeds that nearly coincide: coefficients that are numbers, or an error. */
@@ -138,7 +138,7 @@ static void close_points_are_numbers_or_refused(void **state) {
     aspi_cor_point close[] = {
         {0, 0, 0.9, 0.9},        {0, apart[i], 0.1, 0.5},        {0, 1, 0.5, 0.2},
         {apart[i], 0, 0.2, 0.3}, {apart[i], apart[i], 0.9, 0.2}, {apart[i], 1, 0.5, 0.9}};
-    asp_cor_table *table = aspi_cor_table_create(close, 6, &error);
+    aspi_cor_table *table = aspi_cor_table_create(close, 6, &error);
     assert_int_equal(table != NULL, apart[i] > 1e-9);
     if (!table)
       assert_non_null(strstr(error.text, "degrees apart"));
@@ -147,7 +147,7 @@ static void close_points_are_numbers_or_refused(void **state) {
       aspi_cor_table_at(table, speed, alpha1, &n, &t);
       assert_true(fabs(n - 0.5) <= 0.4 + 1e-12 && fabs(t - 0.55) <= 0.35 + 1e-12);
     }
-    asp_cor_table_free(table);
+    aspi_cor_table_free(table);
   }
 }
 
@@ -158,8 +158,8 @@ static void table_law_needs_a_table(void **state) {
   assert_int_equal(asp_wall_choose(wall, "rebound", "table", NULL), ASP_OK);
   assert_int_equal(asp_wall_prepare(wall, &error), ASP_EARG);
   assert_non_null(strstr(error.text, "needs a table"));
-  asp_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
-  asp_wall_set_table(wall, table);
+  aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
+  wall->choice.table = table;
   assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
   asp_particle grain = {1e-4, 2650, NULL, {0, 0, 0}, NULL};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
@@ -168,7 +168,7 @@ static void table_law_needs_a_table(void **state) {
   assert_near(impact.v2[2], 6 * sin(0.6), 1e-14);
   assert_near(impact.v2[0], 7.5 * cos(0.6), 1e-14);
   asp_wall_free(wall);
-  asp_cor_table_free(table);
+  aspi_cor_table_free(table);
 }
 
 static void tables_are_read(void **state) {
@@ -183,7 +183,7 @@ static void tables_are_read(void **state) {
   for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
     asp_error error = {0};
     const char *path = file_of(same[i]);
-    asp_cor_table *table = asp_cor_table_read(path, 1, &error);
+    aspi_cor_table *table = aspi_cor_table_read(path, 1, &error);
     unlink(path);
     assert_string_equal(error.text, "");
     assert_non_null(table);
@@ -191,7 +191,7 @@ static void tables_are_read(void **state) {
     aspi_cor_table_at(table, 5, M_PI / 4, &n, &t);
     assert_near(n, 0.6, 1e-12);
     assert_near(t, 0.75, 1e-12);
-    asp_cor_table_free(table);
+    aspi_cor_table_free(table);
   }
 }
 
@@ -220,7 +220,7 @@ static void bad_tables_are_named(void **state) {
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     asp_error error = {0};
     const char *path = file_of(bad[i].text);
-    assert_null(asp_cor_table_read(path, 1, &error));
+    assert_null(aspi_cor_table_read(path, 1, &error));
     assert_non_null(strstr(error.text, path));
     for (int k = 0; k < 2 && bad[i].words[k]; k++)
       if (!strstr(error.text, bad[i].words[k]))
@@ -237,24 +237,24 @@ static void own_materials(void **state) {
               "name,title,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa,source\n"
               "fly-ash,\"Fly ash, plant \"\"B\"\"\",5e10,0.2,2100,1.5e8,\"Smith 1999, table 2\"\n"
               "quartz,,7.2e10,0.17,2650,,\n");
-  asp_materials *own = asp_materials_read(path, &error);
+  aspi_materials *own = aspi_materials_read(path, &error);
   assert_string_equal(error.text, "");
   assert_non_null(own);
   unlink(path);
-  assert_int_equal(asp_materials_count(own), 2);
-  const asp_material *ash = asp_materials_find(own, "fly-ash", NULL);
+  assert_int_equal(aspi_materials_count(own), 2);
+  const asp_material *ash = aspi_materials_find(own, "fly-ash", NULL);
   assert_string_equal(ash->title, "Fly ash, plant \"B\"");
   assert_string_equal(ash->source, "Smith 1999, table 2");
   assert_near(ash->youngs_modulus, 5e10, 0);
   assert_near(ash->yield_stress, 1.5e8, 0);
-  assert_near(asp_materials_find(own, "quartz", NULL)->youngs_modulus, 7.2e10, 0);
-  assert_near(asp_materials_find(own, "quartz", NULL)->yield_stress, 0, 0);
-  assert_ptr_equal(asp_materials_find(own, "al-2024", NULL), aspi_material_find("al-2024", NULL));
-  assert_ptr_equal(asp_materials_find(NULL, "ard", NULL), aspi_material_find("ard", NULL));
-  assert_null(asp_materials_find(own, "chalk", &error));
+  assert_near(aspi_materials_find(own, "quartz", NULL)->youngs_modulus, 7.2e10, 0);
+  assert_near(aspi_materials_find(own, "quartz", NULL)->yield_stress, 0, 0);
+  assert_ptr_equal(aspi_materials_find(own, "al-2024", NULL), aspi_material_find("al-2024", NULL));
+  assert_ptr_equal(aspi_materials_find(NULL, "ard", NULL), aspi_material_find("ard", NULL));
+  assert_null(aspi_materials_find(own, "chalk", &error));
   assert_non_null(strstr(error.text, "fly-ash"));
   assert_non_null(strstr(error.text, "hastelloy-x"));
-  asp_materials_free(own);
+  aspi_materials_free(own);
 }
 
 #define MATERIAL_COLUMNS "name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n"
@@ -272,14 +272,14 @@ static void bad_materials_are_named(void **state) {
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     asp_error error = {0};
     const char *path = file_of(bad[i][0]);
-    assert_null(asp_materials_read(path, &error));
+    assert_null(aspi_materials_read(path, &error));
     assert_non_null(strstr(error.text, path));
     if (!strstr(error.text, bad[i][1]))
       fail_msg("'%s' is not in: %s", bad[i][1], error.text);
     unlink(path);
   }
   asp_error error;
-  assert_null(asp_materials_read("/nowhere/materials.csv", &error));
+  assert_null(aspi_materials_read("/nowhere/materials.csv", &error));
   assert_int_equal(error.code, ASP_EFILE);
 }
 

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "rebound/cor_table.h"
+#include "rebound/materials.h"
 #include "readers/read.h"
 
 #include <locale.h>
@@ -51,20 +52,20 @@ static void tables_and_materials(void **state) {
   (void)state;
   double n, t;
   const char *path = file_of("alpha1_deg,cor_n,cor_t\n10.5,0.75,0.25\n80.5,0.75,0.25\n");
-  asp_cor_table *table = asp_cor_table_read(path, 1, NULL);
+  aspi_cor_table *table = aspi_cor_table_read(path, 1, NULL);
   unlink(path);
   assert_non_null(table);
   aspi_cor_table_at(table, 1, 0.5, &n, &t);
   assert_near(n, 0.75, 1e-15);
   assert_near(t, 0.25, 1e-15);
-  asp_cor_table_free(table);
+  aspi_cor_table_free(table);
   path = file_of("name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nchalk,1.5e10,0.25,2000.5\n");
-  asp_materials *own = asp_materials_read(path, NULL);
+  aspi_materials *own = aspi_materials_read(path, NULL);
   unlink(path);
   assert_non_null(own);
-  assert_near(asp_material_get(asp_materials_at(own, 0), "poissons_ratio"), 0.25, 0);
-  assert_near(asp_material_get(asp_materials_at(own, 0), "youngs_modulus"), 1.5e10, 0);
-  asp_materials_free(own);
+  assert_near(asp_material_get(aspi_materials_at(own, 0), "poissons_ratio"), 0.25, 0);
+  assert_near(asp_material_get(aspi_materials_at(own, 0), "youngs_modulus"), 1.5e10, 0);
+  aspi_materials_free(own);
 }
 
 /* The program's locale is still its own. */

@@ -10,11 +10,14 @@
 #include "spread/map_lines.h"
 #include "analysis/dilated_map.h"
 #include "spread/line.h"
+#include "spread/models.h"
 #include "spread/trace.h"
 #include "surface/ball.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
 #include "readers/read.h"
+#include "rebound/cor_table.h"
+#include "rebound/materials.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"
 
@@ -262,14 +265,14 @@ static asp_code measured_surface(asp_error *error) {
 }
 
 static asp_code materials(asp_error *error) {
-  asp_materials *made = asp_materials_read("materials.csv", error);
-  asp_materials_free(made);
+  aspi_materials *made = aspi_materials_read("materials.csv", error);
+  aspi_materials_free(made);
   return code_of(made, error);
 }
 
 static asp_code table(asp_error *error) {
-  asp_cor_table *made = asp_cor_table_read("table.csv", 1, error);
-  asp_cor_table_free(made);
+  aspi_cor_table *made = aspi_cor_table_read("table.csv", 1, error);
+  aspi_cor_table_free(made);
   return code_of(made, error);
 }
 
@@ -301,7 +304,7 @@ static asp_code rough_wall(asp_error *error) {
 static asp_code choose(asp_error *error) {
   double divergence;
   char text[400];
-  return code_of(asp_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error),
+  return code_of(aspi_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error),
                  error);
 }
 

@@ -631,10 +631,10 @@ static void warnings_have_their_names(void **state) {
   }
   asp_profile_free(p);
   free(text);
-  assert_int_equal(asp_sampling_check(10, 1, 20, 1, &error), ASP_OK);
-  assert_int_equal(asp_sampling_check(9.9, 1, 20, 1, &error), ASP_ERANGE);
+  assert_int_equal(aspi_sampling_check(10, 1, 20, 1, &error), ASP_OK);
+  assert_int_equal(aspi_sampling_check(9.9, 1, 20, 1, &error), ASP_ERANGE);
   assert_non_null(strstr(error.text, "d_p 9.9 covers 9.9 points"));
-  assert_int_equal(asp_sampling_check(10, 1, 19, 1, &error), ASP_ERANGE);
+  assert_int_equal(aspi_sampling_check(10, 1, 19, 1, &error), ASP_ERANGE);
   assert_non_null(strstr(error.text, "only 19 correlation lengths long"));
 }
 

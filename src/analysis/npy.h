@@ -3,43 +3,43 @@
  * made of it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_CLI_NPY_H
-#define ASP_CLI_NPY_H
+#ifndef ASP_ANALYSIS_NPY_H
+#define ASP_ANALYSIS_NPY_H
 
 #include "asperity.h"
 
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { NPY_COLUMNS = 64, NPY_TITLE = 1024, NPY_ROW_MOST = NPY_COLUMNS * 8 };
+enum { ASPI_NPY_COLUMNS = 64, ASPI_NPY_TITLE = 1024, ASPI_NPY_ROW_MOST = ASPI_NPY_COLUMNS * 8 };
 
-typedef struct npy_column {
+typedef struct aspi_npy_column {
   char name[64], kind; /* i, u or f */
   int size, offset;
-} npy_column;
+} aspi_npy_column;
 
-typedef struct npy {
+typedef struct aspi_npy {
   FILE *stream;
   const char *path; /* for messages */
   unsigned long long rows, row;
   int columns, row_size;
-  npy_column column[NPY_COLUMNS];
-  char title[NPY_TITLE]; /* the first title of a column, or "" */
-  unsigned char bytes[NPY_ROW_MOST + 8];
-} npy;
+  aspi_npy_column column[ASPI_NPY_COLUMNS];
+  char title[ASPI_NPY_TITLE]; /* the first title of a column, or "" */
+  unsigned char bytes[ASPI_NPY_ROW_MOST + 8];
+} aspi_npy;
 
 /* True if a file begins as one; the stream is back at its beginning then. */
-bool cli_npy_is(FILE *stream);
+bool aspi_npy_is(FILE *stream);
 
-asp_code cli_npy_open(npy *array, FILE *stream, const char *path, asp_error *error);
+asp_code aspi_npy_open(aspi_npy *array, FILE *stream, const char *path, asp_error *error);
 
 /* Index of a column, or -1. */
-int cli_npy_find(const npy *array, const char *name);
+int aspi_npy_find(const aspi_npy *array, const char *name);
 
 /* The next row; *found is false at the end. ASP_EDATA where the file ends before its rows do. */
-asp_code cli_npy_next(npy *array, bool *found, asp_error *error);
+asp_code aspi_npy_next(aspi_npy *array, bool *found, asp_error *error);
 
 /* A number of the row; NAN for column -1. */
-double cli_npy_value(const npy *array, int column);
+double aspi_npy_value(const aspi_npy *array, int column);
 
 #endif

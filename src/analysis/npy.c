@@ -2,7 +2,7 @@
  * {'descr': [('name', '<f8'), ...], 'fortran_order': False, 'shape': (rows,), }
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/npy.h"
+#include "analysis/npy.h"
 #include "base/error.h"
 
 #include <ctype.h>
@@ -18,7 +18,7 @@
 static const char MAGIC[] = "\x93NUMPY";
 enum { MAGIC_SIZE = 6, HEADER_MOST = 1 << 16 };
 
-bool cli_npy_is(FILE *stream) {
+bool aspi_npy_is(FILE *stream) {
   char first[MAGIC_SIZE];
   bool is =
       fread(first, 1, MAGIC_SIZE, stream) == MAGIC_SIZE && memcmp(first, MAGIC, MAGIC_SIZE) == 0;
@@ -48,7 +48,7 @@ static bool take_string(const char **text, char *to, size_t room) {
   return true;
 }
 
-static bool read_type(npy_column *column, const char *type) {
+static bool read_type(aspi_npy_column *column, const char *type) {
   column->kind = type[1];
   column->size = type[1] ? atoi(type + 2) : 0;
   int size = column->size;
@@ -58,9 +58,9 @@ static bool read_type(npy_column *column, const char *type) {
 }
 
 /* ('name', '<f8') or (('title', 'name'), '<f8') */
-static asp_code read_column(npy *array, const char **text, asp_error *error) {
-  char title[NPY_TITLE] = "", type[32] = "";
-  npy_column *column = &array->column[array->columns];
+static asp_code read_column(aspi_npy *array, const char **text, asp_error *error) {
+  char title[ASPI_NPY_TITLE] = "", type[32] = "";
+  aspi_npy_column *column = &array->column[array->columns];
   bool good = take(text, '(');
   if (good && take(text, '('))
     good = take_string(text, title, sizeof title) && take(text, ',') &&
@@ -83,15 +83,15 @@ static asp_code read_column(npy *array, const char **text, asp_error *error) {
   return ASP_OK;
 }
 
-static asp_code read_columns(npy *array, const char *header, asp_error *error) {
+static asp_code read_columns(aspi_npy *array, const char *header, asp_error *error) {
   const char *text = strstr(header, "'descr':");
   text = text ? text + strlen("'descr':") : "";
   if (!take(&text, '['))
     return aspi_fail(error, ASP_EDATA, "%s: a NumPy array, but not one with named columns",
                      array->path);
   while (!take(&text, ']')) {
-    if (array->columns == NPY_COLUMNS)
-      return aspi_fail(error, ASP_EDATA, "%s: more than %d columns", array->path, NPY_COLUMNS);
+    if (array->columns == ASPI_NPY_COLUMNS)
+      return aspi_fail(error, ASP_EDATA, "%s: more than %d columns", array->path, ASPI_NPY_COLUMNS);
     asp_code code = read_column(array, &text, error);
     if (code)
       return code;
@@ -100,7 +100,7 @@ static asp_code read_columns(npy *array, const char *header, asp_error *error) {
   return array->columns > 0 ? ASP_OK : aspi_fail(error, ASP_EDATA, "%s: no columns", array->path);
 }
 
-static asp_code read_shape(npy *array, const char *header, asp_error *error) {
+static asp_code read_shape(aspi_npy *array, const char *header, asp_error *error) {
   const char *text = strstr(header, "'shape':");
   text = text ? text + strlen("'shape':") : "";
   bool good = take(&text, '(') && isdigit((unsigned char)*text);
@@ -114,8 +114,8 @@ static asp_code read_shape(npy *array, const char *header, asp_error *error) {
                    array->path);
 }
 
-asp_code cli_npy_open(npy *array, FILE *stream, const char *path, asp_error *error) {
-  *array = (npy){.stream = stream, .path = path};
+asp_code aspi_npy_open(aspi_npy *array, FILE *stream, const char *path, asp_error *error) {
+  *array = (aspi_npy){.stream = stream, .path = path};
   unsigned char first[MAGIC_SIZE + 2] = {0}, length[4] = {0};
   char *header = calloc(1, HEADER_MOST + 1);
   if (!header)
@@ -127,7 +127,7 @@ asp_code cli_npy_open(npy *array, FILE *stream, const char *path, asp_error *err
   if (whole && (first[MAGIC_SIZE] < 1 || first[MAGIC_SIZE] > 3))
     code = aspi_fail(error, ASP_EDATA, "%s: a NumPy array of version %d; it must be 1 to 3", path,
                      first[MAGIC_SIZE]);
-  whole = whole && fread(length, 1, length_size, stream) == (size_t)length_size;
+  whole = whole && fread(length, 1, (size_t)length_size, stream) == (size_t)length_size;
   if (whole)
     size = length[0] | (size_t)length[1] << 8 | (size_t)length[2] << 16 | (size_t)length[3] << 24;
   whole = whole && size <= HEADER_MOST && fread(header, 1, size, stream) == size;
@@ -139,28 +139,28 @@ asp_code cli_npy_open(npy *array, FILE *stream, const char *path, asp_error *err
   return code;
 }
 
-int cli_npy_find(const npy *array, const char *name) {
+int aspi_npy_find(const aspi_npy *array, const char *name) {
   for (int i = 0; i < array->columns; i++)
     if (strcmp(array->column[i].name, name) == 0)
       return i;
   return -1;
 }
 
-asp_code cli_npy_next(npy *array, bool *found, asp_error *error) {
+asp_code aspi_npy_next(aspi_npy *array, bool *found, asp_error *error) {
   *found = array->row < array->rows;
   if (!*found)
     return ASP_OK;
-  if (fread(array->bytes, 1, array->row_size, array->stream) != (size_t)array->row_size)
+  if (fread(array->bytes, 1, (size_t)array->row_size, array->stream) != (size_t)array->row_size)
     return aspi_fail(error, ASP_EDATA, "%s: its header says %llu rows, but it ends in row %llu",
                      array->path, array->rows, array->row + 1);
   array->row++;
   return ASP_OK;
 }
 
-double cli_npy_value(const npy *array, int index) {
+double aspi_npy_value(const aspi_npy *array, int index) {
   if (index < 0)
     return NAN;
-  const npy_column *column = &array->column[index];
+  const aspi_npy_column *column = &array->column[index];
   const unsigned char *bytes = array->bytes + column->offset;
   uint64_t whole = 0;
   float f4;
