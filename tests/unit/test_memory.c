@@ -304,8 +304,8 @@ static asp_code rough_wall(asp_error *error) {
 static asp_code choose(asp_error *error) {
   double divergence;
   char text[400];
-  return code_of(aspi_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error),
-                 error);
+  return code_of(
+      aspi_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error), error);
 }
 
 static asp_code reader(asp_error *error) {
