@@ -67,7 +67,7 @@ Register load_style(std::string &wrong) {
   const size_t slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "./" : path.substr(0, slash + 1);
   void *style = dlopen((folder + STYLE).c_str(), RTLD_NOW);
-  const Register function = style ? find<Register>("asperity_register_style", style) : NULL;
+  const Register function = style ? find<Register>("aspi_register_style", style) : NULL;
   if (!function)
     wrong = dlerror();
   return function;

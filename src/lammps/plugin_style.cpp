@@ -16,7 +16,7 @@ static Fix *create_wall_rebound(LAMMPS *lammps, int narg, char **arg) {
 }
 
 /* The arguments of lammpsplugin_init. */
-extern "C" void asperity_register_style(void *lammps, void *handle, void *register_function) {
+extern "C" void aspi_register_style(void *lammps, void *handle, void *register_function) {
   LAMMPS *engine = static_cast<LAMMPS *>(lammps);
   const std::string wrong = check_library(engine);
   if (!wrong.empty())

@@ -105,7 +105,7 @@ static void judge_auto(aspi_judge_case subject, double tolerance) {
   aspi_judge_walls wall;
   must(aspi_judge_walls_create(&wall, &subject, &error));
   const asp_spread_model *model = aspi_spread_auto(wall.surface[0], subject.d_p, subject.d_p, true,
-                                                  tolerance, &told, why, sizeof why, &error);
+                                                   tolerance, &told, why, sizeof why, &error);
   if (!model) {
     snprintf(text, sizeof text, "(%g, %g, %g): %s", subject.wall.r_q, subject.wall.lambda_1,
              subject.d_p, error.text);

@@ -13,7 +13,7 @@ typedef struct choice {
 static asp_code choose(double r_q, double tolerance, choice *made, asp_error *error) {
   asp_surface *surface = asp_surface_create(r_q, 40, NULL);
   made->model = aspi_spread_auto(surface, 5, 15, true, tolerance, &made->divergence, made->text,
-                                sizeof made->text, error);
+                                 sizeof made->text, error);
   asp_surface_free(surface);
   return made->model ? ASP_OK : error->code;
 }

@@ -19,8 +19,9 @@ static const char *file_of(const char *text) {
   return path;
 }
 
-static aspi_bounce bounce_of(const char *name, const double *parameters, const aspi_cor_table *table,
-                             double degrees, double speed, aspi_stream *stream) {
+static aspi_bounce bounce_of(const char *name, const double *parameters,
+                             const aspi_cor_table *table, double degrees, double speed,
+                             aspi_stream *stream) {
   const asp_rebound_law *law = asp_rebound_find(name, NULL);
   double alpha = degrees * M_PI / 180;
   aspi_hit hit = {.v_n1 = speed * sin(alpha),
