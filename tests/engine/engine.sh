@@ -12,9 +12,8 @@ cd "$work"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 # One process without mpirun starts no daemon, and ranks of one machine look for no network: twice as fast a start.
 export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
-# mpirun waits a second for the ranks of a run that ends with an error, and ranks that wait for each other keep a core
-# busy that another test could use.
-export OMPI_MCA_odls_base_sigkill_timeout=0 OMPI_MCA_mpi_yield_when_idle=1
+# mpirun would wait a second for the ranks of a run that ends with an error.
+export OMPI_MCA_odls_base_sigkill_timeout=0
 
 # use ENGINE: its launcher, as $program. That of LAMMPS gets the script in its own language: a copy for each rank, of
 # which the first one's counts.

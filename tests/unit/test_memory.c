@@ -143,8 +143,9 @@ static asp_code slopes(asp_error *error) {
 
 static asp_code density(asp_error *error) {
   aspi_density *made = aspi_density_create(asp_profile_heights(profile), 500, -4, 4, 100, error);
+  const asp_code code = code_of(made, error);
   free(made);
-  return code_of(made, error);
+  return code;
 }
 
 static asp_code track(asp_error *error) {
