@@ -21,6 +21,7 @@ engine() { mpirun -np "$1" "$bin/liggghts-asperity" -in "$2" -log none "${@:3}" 
 loop_seconds() { awk '/^Loop time/ { print $4 }' "$1.screen"; }
 fix_seconds() { awk '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print $1 }' "$1.screen"; }
 
+least() { sort -g | head -n 1; }
 median() { sort -g | awk '{ x[NR] = $1 } END { print x[int((NR + 1) / 2)] }'; }
 calc() { awk "BEGIN { printf \"%.12g\n\", $1 }"; }
 
