@@ -85,10 +85,3 @@ asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error
                      n_moments, c->n_unknown);
   return ASP_OK;
 }
-
-void aspi_calibration_free(aspi_calibration *c) {
-  for (size_t b = 0; b < c->n_bins; b++)
-    free(c->groups[b].impacts.xy);
-  free(c->groups);
-  free(c->bins);
-}

@@ -98,9 +98,6 @@ asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error
  * Wedderburn 1974). */
 asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *error);
 
-/* Frees bins and groups. */
-void aspi_calibration_free(aspi_calibration *c);
-
 /* A sample of one bin as coefficients: means and standard deviations of CoR_N and CoR_T. */
 void aspi_calibration_coefficients(const aspi_calibration *c, size_t bin, double mean[COR_BOTH],
                                    double sd[COR_BOTH]);

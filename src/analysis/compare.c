@@ -313,7 +313,3 @@ asp_code aspi_compare_fill_alone(aspi_comparison *c, asp_error *error) {
   }
   return ASP_OK;
 }
-
-void aspi_compare_free_bins(aspi_comparison *c) {
-  free(c->bins);
-}

@@ -52,7 +52,4 @@ asp_code aspi_compare_fill_alone(aspi_comparison *c, asp_error *error);
 /* True if a bin has a measured value and impacts. */
 bool aspi_compare_has_both(const aspi_compare_bin *bin, int which);
 
-/* Frees the bins. */
-void aspi_compare_free_bins(aspi_comparison *c);
-
 #endif

@@ -1,4 +1,4 @@
-/* Shared by the parts of a fit: a problem with its weights, and scratch memory.
+/* Shared by the parts of a fit: the calibration with its weights, and scratch memory.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_SEARCH_H

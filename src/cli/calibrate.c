@@ -353,7 +353,6 @@ static void run(cli_call *call) {
     cli_bad_usage("calibrate: DATA is expected, a file, and the description of a wall behind it; "
                   "see 'asperity calibrate --help'");
   const char *path = call->words[0];
-  cli_keep_input(call, path);
   cli_description wall = cli_description_read(call->n_words - 1, call->words + 1, true);
   aspi_calibration c = {.samples = 0};
   double vector[3];

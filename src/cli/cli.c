@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -115,6 +116,28 @@ static void check_written(const cli_option *option) {
   cli_file_check(option->value);
 }
 
+static bool is_file(const char *path, const struct stat *file) {
+  struct stat found;
+  return path && stat(path, &found) == 0 && found.st_dev == file->st_dev &&
+         found.st_ino == file->st_ino;
+}
+
+/* Exits where an option would replace a file that is read: an argument, or that of --materials. */
+static void keep_inputs(const cli_call *call) {
+  static const char *const written[] = {"output", "save", "plot"};
+  for (int k = 0; k < 3; k++) {
+    const char *path = cli_value(call, written[k]);
+    struct stat file;
+    if (!path || stat(path, &file) != 0 || !S_ISREG(file.st_mode))
+      continue;
+    bool is_read = is_file(cli_value(call, "materials"), &file);
+    for (int i = 0; i < call->n_words; i++)
+      is_read = is_read || is_file(call->words[i], &file);
+    if (is_read)
+      cli_bad_usage("--%s is '%s', which is read; it must be another file", written[k], path);
+  }
+}
+
 /* Exits where a file that is to be written cannot be, or two are to be the same. */
 static void check_files(const cli_call *call) {
   static const char *const written[] = {"output", "save", "plot"}, *const look[] = {"title", "size",
@@ -170,6 +193,8 @@ static cli_option *take_option(cli_call *call, int argc, char **argv, int found)
   }
   if (found == ':')
     cli_bad_usage("%s: option '%s' needs a value", name, argv[optind - 1]);
+  if (found == '?' && optopt > 0 && optopt < CLI_OPTIONS_MOST)
+    cli_bad_usage("%s: option '--%s' takes no value", name, call->options[optopt].name);
   if (found == '?')
     cli_bad_usage("%s: option '%s' is unknown; options begin with --; see 'asperity %s --help'",
                   name, unknown_word(argc, argv), name);
@@ -220,6 +245,7 @@ cli_call cli_parse(const cli_command *command, int argc, char **argv) {
                   "the words that describe a wall stand before them",
                   command->name, rest[optind]);
   }
+  keep_inputs(&call);
   return call;
 }
 
@@ -286,23 +312,29 @@ int cli_choice(const cli_option *option) {
   cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, list);
 }
 
-void cli_check_unit(const char *name, const char *text, double most) {
-  if (most > LENGTH_WITHOUT_UNIT && !strpbrk(text, "mcun\xC2\xCE"))
-    cli_bad_usage("%s is '%s' without a unit; that would be %g m: say %sm, or %sum", name, text,
-                  most, text, text);
+void cli_check_unit(const char *name, const char *list) {
+  for (const char *at = list; *at;) {
+    char *end;
+    int length = (int)strcspn(at, ",:");
+    double value = aspi_number(at, &end);
+    if (value > LENGTH_WITHOUT_UNIT && end == at + length)
+      cli_bad_usage("%s is '%s' without a unit; '%.*s' would be %g m: say %.*sm, or %.*sum", name,
+                    list, length, at, value, length, at, length, at);
+    at += length + (at[length] != '\0');
+  }
 }
 
-static void check_option_unit(const cli_option *option, double most) {
+static void check_option_unit(const cli_option *option) {
   char name[64];
   snprintf(name, sizeof name, "--%s", option->name);
-  cli_check_unit(name, option->value, most);
+  cli_check_unit(name, option->value);
 }
 
 double cli_length(const cli_option *option) {
   double value = read_one(option, "length");
   if (!(value > 0) || !isfinite(value))
     cli_bad_usage("--%s is '%s'; it must be a length > 0", option->name, option->value);
-  check_option_unit(option, value);
+  check_option_unit(option);
   return value;
 }
 
@@ -315,7 +347,7 @@ cli_list cli_values(const cli_option *option, const char *kind, double least, do
   if (strcmp(kind, "length") == 0 && !(list.least > 0))
     cli_bad_usage("--%s is '%s'; all of it must be > 0", option->name, option->value);
   if (strcmp(kind, "length") == 0)
-    check_option_unit(option, list.most);
+    check_option_unit(option);
   return list;
 }
 

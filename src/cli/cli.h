@@ -78,8 +78,9 @@ void cli_must(bool good, const asp_error *error);
 /* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
 typedef aspi_list cli_list;
 
-/* Bad usage if a length (m) over 1 mm has no unit: `5` would be 5 m, and its unit was forgotten. */
-void cli_check_unit(const char *name, const char *text, double most);
+/* Bad usage if a length of a list is over 1 mm and has no unit: `5` would be 5 m, and its unit was
+ * forgotten. */
+void cli_check_unit(const char *name, const char *list);
 
 /* The option's value, which must have been given, as a number of a kind (see base/quantity.h) with
  * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */
@@ -115,9 +116,6 @@ void cli_file_close(FILE *stream);
 
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
-
-/* Exits where --output or --plot would replace a file that is read. */
-void cli_keep_input(const cli_call *call, const char *input);
 
 /* Opens the file of an option for CSV. Writes the comment line: version, the command as given, and
  * the description of the wall where there is one. */

@@ -296,8 +296,6 @@ static void run(cli_call *call) {
   if (call->n_words != 2 && !alone)
     cli_bad_usage("compare: IMPACTS or IMPACTS and DATA are expected, one file or two; see "
                   "'asperity compare --help'");
-  for (int i = 0; i < call->n_words; i++)
-    cli_keep_input(call, call->words[i]);
   aspi_comparison c = {.names = {call->words[0], alone ? NULL : call->words[1]}};
   (alone ? table_impacts : compare_with)(&c, call);
   FILE *out = cli_output_open(call, "output", NULL);

@@ -13,11 +13,9 @@
 static void check_lengths(int count, char **words) {
   static const char *const lengths[] = {"rq", "lambda_c", "mean_free_path"};
   for (int i = 0; i + 1 < count; i++)
-    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
-      char *end;
-      double value = strcmp(words[i], lengths[k]) == 0 ? aspi_number(words[i + 1], &end) : 0;
-      cli_check_unit(words[i], words[i + 1], value);
-    }
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++)
+      if (strcmp(words[i], lengths[k]) == 0)
+        cli_check_unit(words[i], words[i + 1]);
 }
 
 static void read_words(asp_wall *wall, int count, char **words) {

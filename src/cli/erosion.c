@@ -133,7 +133,6 @@ static void run(cli_call *call) {
     cli_bad_usage("erosion: LEDGER is expected, a file; see 'asperity erosion --help'");
   const cli_option *density = cli_get(call, "density");
   wear w = {.path = call->words[0], .density = NAN};
-  cli_keep_input(call, w.path);
   bool has_law = call->n_words > 1;
   if (density->value && !has_law)
     cli_bad_usage("--density has no effect without 'erosion LAW'");

@@ -101,17 +101,6 @@ void cli_file_check(const char *path) {
   files->partial = NULL;
 }
 
-void cli_keep_input(const cli_call *call, const char *input) {
-  static const char *const written[] = {"output", "plot"};
-  struct stat in, out;
-  for (int k = 0; k < 2; k++) {
-    const char *path = cli_value(call, written[k]);
-    if (path && stat(input, &in) == 0 && S_ISREG(in.st_mode) && stat(path, &out) == 0 &&
-        in.st_dev == out.st_dev && in.st_ino == out.st_ino)
-      cli_bad_usage("--%s is '%s', which is read; it must be another file", written[k], path);
-  }
-}
-
 void cli_file_close(FILE *stream) {
   file *f = files;
   while (f && f->stream != stream)

@@ -156,6 +156,14 @@ static void print_list(FILE *out) {
 }
 
 /* Reads the ranges of the map, or sets their defaults. */
+/* The axes of a picture. */
+static void check_rising(const char *option, const cli_list *list) {
+  for (size_t i = 1; i < list->count; i++)
+    if (!(list->values[i] > list->values[i - 1]))
+      cli_bad_usage("--%s has %g behind %g (SI); for --plot its values must rise", option,
+                    list->values[i], list->values[i - 1]);
+}
+
 static void read_ranges(map *m, cli_call *call) {
   bool over_angles = m->kind == ANGLES;
   size_t points = cli_whole(cli_get(call, "points"), 2, POINTS_MOST);
@@ -167,6 +175,10 @@ static void read_ranges(map *m, cli_call *call) {
   m->speeds = cli_value(call, "speed") ? cli_speeds(cli_get(call, "speed"), SLOWEST, FASTEST)
                                        : ratios(SPEED_LEAST, SPEED_MOST, points);
   m->angles = cli_impact_angles(call);
+  if (cli_value(call, "plot") && !over_angles) {
+    check_rising("dp", &m->sizes);
+    check_rising("speed", &m->speeds);
+  }
   if (!over_angles && m->angles.count != 1)
     cli_bad_usage("--angles is '%s'; --map %s takes one angle", cli_value(call, "angles"),
                   cli_value(call, "map"));
@@ -373,9 +385,11 @@ static void run(cli_call *call) {
 static const cli_option options[] = {
     {"map", "regimes|capture|angles", "axes of the map, see above", "regimes"},
     {"list", NULL, "the laws and their parameters: defaults, ranges, sources", NULL},
-    {"dp", "LENGTHS", "diameters: a list [0.5 to 200um in equal ratios; 10um]", NULL},
-    {"speed", "M_PER_S", "speeds: a list [0.1 to 1000 in equal ratios; 100]", NULL},
-    {"angles", "DEGREES", "impact angles: a list", NULL},
+    {"dp", "LENGTHS", "diameters: a list [0.5 to 200um in equal ratios; with --map angles 10um]",
+     NULL},
+    {"speed", "M_PER_S", "speeds: a list [0.1 to 1000 in equal ratios; with --map angles 100]",
+     NULL},
+    {"angles", "DEGREES", "impact angles: a list [90; with --map angles 0.5:90:0.5]", NULL},
     {"points", "N", "number of values, in equal ratios, where none are given", "121"},
     {.name = NULL}};
 

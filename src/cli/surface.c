@@ -72,7 +72,7 @@ static bool take_word(const char *word, bool filters, const cli_option *value,
   else if (strcmp(word, "step") == 0)
     take_steps(value, read);
   else if (strcmp(word, "missing") == 0)
-    read->missing = cli_number(value, -INFINITY, INFINITY);
+    read->missing = cli_number(value, -1e300, 1e300);
   else
     return false;
   read->has_missing = read->has_missing || strcmp(word, "missing") == 0;
@@ -123,7 +123,7 @@ static asp_profile *generate_like(const aspi_description *d, uint32_t seed) {
   asp_profile *generated = asp_profile_create(d->r_q, d->lambda_1_e, d->spacing, points,
                                               seed ^ asp_key_wall("twin"), &error);
   if (!generated)
-    fprintf(stderr, "asperity: no profile is generated to compare with: %s\n", error.text);
+    cli_warn("no profile is generated to compare with: %s", error.text);
   return generated;
 }
 

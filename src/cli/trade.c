@@ -265,8 +265,8 @@ static void check_options(const cli_call *call, const asp_wall *wall) {
     cli_bad_usage("--profiles is given with %s, which takes --surfaces",
                   map ? "'surface map'" : "--three-d");
   if (!solid && (cli_value(call, "surfaces") || points))
-    cli_bad_usage("--%s is given without --three-d or 'surface map'",
-                  cli_value(call, "surfaces") ? "surfaces" : "points");
+    cli_bad_usage("--%s is given without --three-d%s", points ? "points" : "surfaces",
+                  points ? "" : " or 'surface map'");
 }
 
 /* Sets the case in three dimensions. */

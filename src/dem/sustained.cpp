@@ -21,8 +21,7 @@ const double CONVERGED = 1e-6, DIVERGED = 1e-3, TINY = 1e-15;
 /* The factor by which changes shrink, at most. */
 const double SHRINKS = 0.98;
 
-/* Two contacts are solved directly where the square of half the difference of their normals is
- * larger; and the like. */
+/* Dimensionless determinants below this count as 0: then two contacts are solved by sweeps. */
 const double REGULAR = 1e-6;
 
 /* Adds an impulse per mass at the contact with normal n. */

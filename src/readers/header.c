@@ -142,7 +142,7 @@ static bool are_known(const column *columns) {
 }
 
 #define ASK_COLUMNS                                                                                \
-  "say which columns are positions and heights (x-column, z-column), or the step of heights "      \
+  "say which columns are positions and heights (x_column, z_column), or the step of heights "      \
   "alone (step)"
 
 /* Facts about a file's columns, and a buffer for the reason of a failure. */

@@ -138,7 +138,7 @@ static asp_code check_straight(const aspi_text *text, const aspi_plane *p, asp_e
     return ASP_OK;
   return aspi_text_fail(text, text->line, error,
                         "the points in X and Y scatter across a line by %.2g of what they do along "
-                        "it: no profile; a map is read as one, and x-column takes one column alone "
+                        "it: no profile; a map is read as one, and x_column takes one column alone "
                         "for positions",
                         off);
 }

@@ -78,9 +78,13 @@ static asp_code check_map_options(const char *path, const aspi_profile_options *
   const struct {
     const char *name;
     bool given;
-  } all[] = {{"tip", o->filters.tip > 0},       {"lambda_s", o->filters.lambda_s > 0},
-             {"cutoff", o->filters.cutoff > 0}, {"column", o->column > 0},
-             {"x_column", o->x_number > 0},     {"row", o->row != 1}};
+  } all[] = {{"tip", o->filters.tip > 0},
+             {"lambda_s", o->filters.lambda_s > 0},
+             {"cutoff", o->filters.cutoff > 0},
+             {"column", o->column > 0},
+             {"x_column", o->x_number > 0 || o->x_column},
+             {"z_column", o->z_column},
+             {"row", o->row != 1}};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     if (all[i].given)
       return aspi_fail(error, ASP_EARG, "%.200s: %s is given, which is for profiles, not for maps",

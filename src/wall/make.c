@@ -245,19 +245,21 @@ static asp_code read_file(asp_wall *wall, asp_error *error) {
   if (!(said->units.metre > 0))
     return aspi_fail(error, ASP_EARG, "a %s is in SI units, which cannot be converted to %s",
                      is_map ? "map" : "profile", said->units.name);
-  asp_reader *reader = asp_reader_create(error);
-  asp_code code = reader ? asp_reader_set(reader, "metre", said->units.metre, error) : ASP_ENOMEM;
-  if (!code && is_profile)
-    said->profile = asp_reader_read(reader, said->file, error);
-  if (!code && is_map)
-    said->map = asp_reader_read_map(reader, said->file, error);
+  asp_error wrong = {ASP_OK, ""};
+  asp_reader *reader = asp_reader_create(&wrong);
+  if (reader && !asp_reader_set(reader, "metre", said->units.metre, &wrong)) {
+    if (is_profile)
+      said->profile = asp_reader_read(reader, said->file, &wrong);
+    else
+      said->map = asp_reader_read_map(reader, said->file, &wrong);
+  }
   if (reader)
     asp_reader_check(reader, &said->doubt);
   asp_reader_free(reader);
   wall->choice.profile = is_profile ? said->profile : wall->choice.profile;
   wall->choice.map = is_map ? said->map : wall->choice.map;
   if (!said->profile && !said->map)
-    return code ? code : ASP_EFILE;
+    return aspi_fail(error, wrong.code, "%s", wrong.text);
   return asp_wall_complete(wall, error);
 }
 

@@ -95,6 +95,11 @@ refuses 2 "rq is '5ft'" "um" -- spread surface rq 5ft lambda_c 40um --dp 1um
 refuses 2 "rq is -5e-06" "> 0" -- cor surface rq -5um lambda_c 40um
 refuses 2 "surface is 'lambda_c'" "rq R lambda_c L" -- cor surface lambda_c 40um
 refuses 2 "rq is '5' without a unit" "5um" -- cor surface rq 5 lambda_c 40um
+refuses 2 "rq is '5s'" "unit must be one of: m cm mm um nm" -- cor surface rq 5s lambda_c 40um
+refuses 2 "--dp is '5,10um' without a unit" "'5' would be 5 m" -- cor --dp 5,10um
+refuses 2 "rq is '2um,5' without a unit" -- surface surface rq 2um,5 lambda_c 40um
+refuses 2 "'--pdf' takes no value" -- spread surface sigma 5 --pdf=3
+refuses 2 "--dp has" "must rise" -- rebound rebound bons --dp 50um,10um --speed 1,10 --plot map.png
 refuses 2 "'surfac'" "did you mean 'surface'" -- cor materials quartz 304-ss surfac rq 5um
 refuses 2 "materials has 1 name" "two" -- cor materials quartz
 refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 5

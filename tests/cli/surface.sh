@@ -22,6 +22,12 @@ paste -d, <(rows m) <(rows a) | awk -F, 'function off(x, y, part) { d = x / y - 
 grep -q '^# profile profile.csv: 131072 points read, 0 bad' m || die "surface --profile: the file is not described"
 awk '/D_KL\(measured/ { n++; if (!($NF > 1e-5 && $NF < 0.02)) exit 1 } END { exit n != 2 }' m || die "surface --profile: D_KL: $(cat m)"
 
+# What is read is not replaced.
+for output in "-o profile.csv" "--save ./profile.csv"; do
+  refuses 2 "which is read" -- surface surface profile profile.csv --dp 10um $output
+done
+refuses 2 "which is read" -- cor surface profile profile.csv --dp 10um --speed 10 --angles 20 -o profile.csv
+
 # Options of the reader.
 awk 'BEGIN { srand(1); for (i = 0; i < 3000; i++) { z = z * 0.95 + rand() - 0.5
   if (i >= 500 && i < 504) continue
