@@ -331,10 +331,11 @@ asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error 
 double asp_wall_get(const asp_wall *wall, const char *name); /* NaN for another name */
 
 /* The parts of the wall; NULL: none. The surface must outlive the wall, the profile and the map
- * only asp_wall_prepare and asp_wall_check_sampling. Of a wall with a map the model `profile` takes the law of the map itself,
- * in three dimensions and with its own later hits, whatever tilt and collisions say; every other
- * model that of the surface. Without a surface the wall is smooth; a model that needs a profile and
- * has none is given a generated one with the surface's r_q and lambda_c. */
+ * only asp_wall_prepare and asp_wall_check_sampling. Of a wall with a map the model `profile` takes
+ * the law of the map itself, in three dimensions and with its own later hits, whatever tilt and
+ * collisions say; every other model that of the surface. Without a surface the wall is smooth; a
+ * model that needs a profile and has none is given a generated one with the surface's r_q and
+ * lambda_c. */
 void asp_wall_set_surface(asp_wall *wall, const asp_surface *surface);
 void asp_wall_set_map(asp_wall *wall, const asp_map *map);
 void asp_wall_set_profile(asp_wall *wall, const asp_profile *profile);

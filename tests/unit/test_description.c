@@ -520,8 +520,29 @@ static void coarse_files_are_doubted(void **state) {
   asp_profile_free(profile);
 }
 
+/* A wall whose file cannot be read gives the code of its error. */
+static void files_that_fail_have_their_code(void **state) {
+  (void)state;
+  const char *const files[] = {"missing.csv", "words.csv"};
+  const asp_code codes[] = {ASP_EFILE, ASP_EDATA};
+  FILE *stream = fopen(files[1], "w");
+  fputs("no heights\nare here\n", stream);
+  fclose(stream);
+  for (int k = 0; k < 2; k++) {
+    char text[80];
+    asp_error error;
+    snprintf(text, sizeof text, "surface profile %s", files[k]);
+    asp_wall *wall = asp_wall_parse(text, NULL, NULL);
+    assert_int_equal(asp_wall_make(wall, 5e-6, 20e-6, &error), codes[k]);
+    assert_int_equal(error.code, codes[k]);
+    asp_wall_free(wall);
+  }
+  remove(files[1]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(files_that_fail_have_their_code),
       cmocka_unit_test(canonical_texts),
       cmocka_unit_test(short_room),
       cmocka_unit_test(texts_go_round),
