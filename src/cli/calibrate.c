@@ -14,7 +14,6 @@
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The data do not determine unknowns whose estimates are correlated by more than CORRELATED, or

@@ -116,6 +116,10 @@ static void check_written(const cli_option *option) {
   cli_file_check(option->value);
 }
 
+/* The options whose files are written. */
+enum { N_WRITTEN = 3 };
+static const char *const written[N_WRITTEN] = {"output", "save", "plot"};
+
 static bool is_file(const char *path, const struct stat *file) {
   struct stat found;
   return path && stat(path, &found) == 0 && found.st_dev == file->st_dev &&
@@ -124,8 +128,7 @@ static bool is_file(const char *path, const struct stat *file) {
 
 /* Exits where an option would replace a file that is read: an argument, or that of --materials. */
 static void keep_inputs(const cli_call *call) {
-  static const char *const written[] = {"output", "save", "plot"};
-  for (int k = 0; k < 3; k++) {
+  for (int k = 0; k < N_WRITTEN; k++) {
     const char *path = cli_value(call, written[k]);
     struct stat file;
     if (!path || stat(path, &file) != 0 || !S_ISREG(file.st_mode))
@@ -140,9 +143,8 @@ static void keep_inputs(const cli_call *call) {
 
 /* Exits where a file that is to be written cannot be, or two are to be the same. */
 static void check_files(const cli_call *call) {
-  static const char *const written[] = {"output", "save", "plot"}, *const look[] = {"title", "size",
-                                                                                    "range"};
-  for (int k = 0; k < 3; k++) {
+  static const char *const look[] = {"title", "size", "range"};
+  for (int k = 0; k < N_WRITTEN; k++) {
     const char *path = cli_value(call, written[k]);
     for (int m = 0; m < k && path && strncmp(path, "/dev/", 5) != 0; m++) {
       const char *other = cli_value(call, written[m]);
@@ -391,20 +393,21 @@ size_t cli_few(const cli_option *option, double least, double most, size_t n, do
   return list.count;
 }
 
-double cli_seconds(void) {
+/* Seconds on a monotonic clock. */
+static double seconds(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 cli_progress cli_progress_begin(const char *what, double total) {
-  double now = cli_seconds();
+  double now = seconds();
   return (cli_progress){what, total, now, isatty(STDERR_FILENO) ? now : INFINITY};
 }
 
 void cli_progress_show(void *of, double done) {
   cli_progress *progress = of;
-  double now = cli_seconds();
+  double now = seconds();
   if (now - progress->begun < 1 || now - progress->shown < 0.1)
     return;
   enum { WIDTH = 40 };

@@ -131,9 +131,6 @@ void cli_print_comment(FILE *out, const char *text);
 /* A text in quotes, with quotes inside it doubled. */
 void cli_print_quoted(FILE *out, const char *text);
 
-/* Seconds on a monotonic clock. */
-double cli_seconds(void);
-
 /* A bar on stderr when that is a terminal and the work takes over a second; done counts up to
  * total. */
 typedef struct cli_progress {

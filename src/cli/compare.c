@@ -8,7 +8,6 @@
 #include "cli/scatter.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"};

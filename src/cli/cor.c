@@ -9,7 +9,6 @@
 #include "cli/plot.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* m/s */

@@ -8,7 +8,6 @@
 #include "rebound/laws.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { POINTS_MOST = 2000, CURVES_MOST = 6 };

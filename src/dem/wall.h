@@ -47,7 +47,8 @@ public:
     N_COUNTERS
   };
 
-  /* Sums of each piece of a shape. A shape has the same, with its deposits as the second number. */
+  /* Sums of each piece of a shape, in the order in which Wall::count and Wall::add fill them. A
+   * shape has the same, with its deposits as the second number. */
   enum Sum {
     SUM_IMPACTS,
     SUM_MASS,
