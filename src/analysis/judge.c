@@ -129,9 +129,12 @@ asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
 #pragma omp parallel for schedule(dynamic)
   for (size_t g = 0; g < groups; g++) {
     asp_error own = {ASP_OK, ""};
-    if (!worst.code && space)
+    bool failed;
+#pragma omp critical
+    failed = worst.code;
+    if (!failed && space)
       aspi_judge_fly_surface(judge, subject, degrees, g, &own);
-    else if (!worst.code)
+    else if (!failed)
       aspi_judge_fly_profile(judge, subject, walls, degrees, g, &own);
 #pragma omp critical
     {

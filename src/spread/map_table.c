@@ -45,34 +45,20 @@ static bool clip(const asp_map *map, double x, double y, double ex, double ey, d
 typedef struct joined {
   float *z, *p, *q;
   size_t count, room;
-  double height, slope; /* rms of the map, to compare by */
 } joined;
-
-static void measure(const asp_map *map, joined *c) {
-  double mean = 0, height = 0, slope = 0, n = (double)map->columns * (double)map->rows;
-  for (size_t i = 0; i < map->columns * map->rows; i++)
-    mean += map->heights[i] / n;
-  for (size_t i = 0; i + 1 < map->columns * map->rows; i++) {
-    double z = map->heights[i], rise = (map->heights[i + 1] - z) / map->step[0];
-    height += (z - mean) * (z - mean) / n;
-    slope += rise * rise / n;
-  }
-  c->height = sqrt(height);
-  c->slope = sqrt(slope);
-}
 
 /* Points at both ends that are searched for the best place to join two lines. */
 enum { JOINT = 64 };
 
 /* Cuts the end of the last line and the beginning of the one at `first` where they agree best in
- * height and slope, so that a flight from one to the other meets no step. */
-static void join(joined *c, size_t first, double height, double slope) {
+ * height and slope, over their rms values, so that a flight from one to the other meets no step. */
+static void join(joined *c, size_t first, const double rms[2]) {
   size_t ahead = c->count - first < JOINT ? c->count - first : JOINT, end = first, begin = first;
   size_t behind = first < JOINT ? first : JOINT;
   double least = INFINITY;
   for (size_t i = first - behind + 1; i < first; i++)
     for (size_t k = first; k < first + ahead; k++) {
-      double dz = (c->z[k] - c->z[i]) / height, dp = (c->p[k] - c->p[i]) / slope;
+      double dz = (c->z[k] - c->z[i]) / rms[0], dp = (c->p[k] - c->p[i]) / rms[1];
       if (dz * dz + dp * dp < least) {
         least = dz * dz + dp * dp;
         end = i;
@@ -88,7 +74,7 @@ static void join(joined *c, size_t first, double height, double slope) {
 
 /* Fills one line after the other, until the room is full. */
 static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, double step,
-                double apart, joined *c) {
+                double apart, const double rms[2], joined *c) {
   double ex = cos(azimuth), ey = sin(azimuth);
   double width = (double)(map->columns - 1) * map->step[0];
   double height = (double)(map->rows - 1) * map->step[1];
@@ -110,7 +96,7 @@ static void lay(const aspi_ball *ball, const asp_map *map, double azimuth, doubl
       c->q[c->count++] = (float)(ex * touch.q - ey * touch.p);
     }
     if (first > 0 && c->count > first)
-      join(c, first, c->height, c->slope);
+      join(c, first, rms);
   }
 }
 
@@ -124,21 +110,20 @@ static void turn(float *q, size_t n) {
 }
 
 asp_code aspi_map_line_tables(const aspi_ball *ball, const asp_map *map, double azimuth,
-                              double step, size_t points, aspi_line_table *tables[2],
-                              asp_error *error) {
+                              double step, size_t points, const double rms[2],
+                              aspi_line_table *tables[2], asp_error *error) {
   double area = (double)(map->columns - 1) * map->step[0] * (double)(map->rows - 1) * map->step[1];
   double apart = area / (step * (double)points);
   joined c = {.room = points + points / 4};
   c.z = malloc(c.room * sizeof *c.z);
   c.p = malloc(c.room * sizeof *c.p);
   c.q = malloc(c.room * sizeof *c.q);
-  measure(map, &c);
   asp_code code = ASP_OK;
   tables[0] = tables[1] = NULL;
   if (!c.z || !c.p || !c.q)
     code = aspi_fail(error, ASP_ENOMEM, "out of memory for lines of %zu points over a map", points);
   if (!code)
-    lay(ball, map, azimuth, step, apart, &c);
+    lay(ball, map, azimuth, step, apart, rms, &c);
   for (int way = 0; way < 2 && !code; way++) {
     aspi_line line;
     code = aspi_line_create(&line, c.count, step, error);
@@ -194,6 +179,7 @@ static asp_code fill(aspi_map_table *tables, int size, const asp_map *map,
   aspi_ball *ball = aspi_ball_create(map, aspi_sizes_at(&tables->sizes, size), error);
   if (!ball)
     return error->code;
+  const double rms[2] = {d->s_q, d->s_dq / sqrt(2)}; /* slopes along one direction */
   int half = tables->directions / 2;
   asp_code code = ASP_OK;
   for (int k = 0; k < half && !code; k++) {
@@ -201,7 +187,7 @@ static asp_code fill(aspi_map_table *tables, int size, const asp_map *map,
     double step = fmax(lambda_at(d, angle) / PER_LAMBDA, fmin(map->step[0], map->step[1]));
     aspi_line_table *both[2];
     code = aspi_map_line_tables(ball, map, d->lay - ASP_PI / 2 + angle, step, POINTS / (size_t)half,
-                                both, error);
+                                rms, both, error);
     tables->table[size * tables->directions + k] = both[0];
     tables->table[size * tables->directions + k + half] = both[1];
   }

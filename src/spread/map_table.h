@@ -21,10 +21,11 @@ bool aspi_map_table_follow(const aspi_map_table *tables, const aspi_view *view, 
                            aspi_path *path, double *delta);
 
 /* The tables of flights along an azimuth (rad, from x toward y), [0], and against it, [1], from
- * lines across the whole map with about `points` points in all, `step` apart, joined to one line.
- * The sphere touches the map only, not what is beyond its edges. ASP_ENOMEM. */
+ * lines across the whole map with about `points` points in all, `step` apart, joined to one line
+ * where they agree best; rms: of the map's heights and slopes, to compare them by. The sphere
+ * touches the map only, not what is beyond its edges. ASP_ENOMEM. */
 asp_code aspi_map_line_tables(const aspi_ball *ball, const asp_map *map, double azimuth,
-                              double step, size_t points, aspi_line_table *tables[2],
-                              asp_error *error);
+                              double step, size_t points, const double rms[2],
+                              aspi_line_table *tables[2], asp_error *error);
 
 #endif

@@ -21,7 +21,7 @@ typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_de
 
 struct aspi_description {
   asp_units units;
-  unsigned given;   /* a bit for each keyword of the table */
+  uint64_t given;   /* a bit for each keyword of the table */
   const char *last; /* the clause that was read last */
   aspi_surface_kind kind;
   double sigma; /* degrees */

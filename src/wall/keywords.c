@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "spread/sizes.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -261,6 +262,9 @@ void aspi_keyword_names(const char *within, char *list, size_t size) {
   }
 }
 
+_Static_assert(sizeof keywords / sizeof *keywords <= CHAR_BIT * sizeof(uint64_t),
+               "each keyword needs a bit in aspi_description.given");
+
 bool aspi_is_given(const aspi_description *said, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
     if (strcmp(keywords[i].name, name) == 0 && said->given >> i & 1)
@@ -271,7 +275,7 @@ bool aspi_is_given(const aspi_description *said, const char *name) {
 void aspi_set_given(aspi_description *said, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
     if (strcmp(keywords[i].name, name) == 0)
-      said->given |= 1u << i;
+      said->given |= (uint64_t)1 << i;
 }
 
 /* ---- what has no effect ---- */

@@ -221,7 +221,8 @@ static asp_code laws(asp_error *error) {
   aspi_ball *made = aspi_ball_create(gauss, 10, error);
   if (!made)
     return error->code;
-  asp_code code = aspi_map_line_tables(made, gauss, 0.3, 1, 500, both, error);
+  asp_code code =
+      aspi_map_line_tables(made, gauss, 0.3, 1, 500, (const double[2]){1, 0.3}, both, error);
   aspi_ball_free(made);
   if (!code) {
     aspi_line_table_free(both[0]);
