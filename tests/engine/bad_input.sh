@@ -34,6 +34,7 @@ refuses() {
   number=$((number + 1))
   while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n || true; done
   (mkdir bad.$number; cd bad.$number; ln -s ../plate.stl ../materials.in .
+   export OMPI_MCA_orte_tmpdir_base=$PWD # see engine.sh
    deck "$command" "$lines" | sed -e "$edit" > bad.in
    refused "$command $lines" $((number % 2 + 1)) "$@") > bad.$number.log 2>&1 || touch bad.$number.failed &
 }

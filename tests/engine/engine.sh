@@ -12,6 +12,8 @@ cd "$work"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 # One process without mpirun starts no daemon, and ranks of one machine look for no network: twice as fast a start.
 export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
+# Runs that share Open MPI's session folder make and remove it under each other: some then fail at their start.
+export OMPI_MCA_orte_tmpdir_base=$work
 # mpirun would wait a second for the ranks of a run that ends with an error.
 export OMPI_MCA_odls_base_sigkill_timeout=0
 
