@@ -15,6 +15,15 @@
 /* Draws of a group have numbers of their own. */
 enum { TAGS_OF_A_BIN = 1 << 30 };
 
+double aspi_unknown_value(const aspi_unknown *u, double scaled) {
+  return u->bounded ? u->least + (u->most - u->least) / (1 + exp(-scaled)) : exp(scaled);
+}
+
+double aspi_unknown_slope(const aspi_unknown *u, double scaled) {
+  double share = 1 / (1 + exp(-scaled));
+  return u->bounded ? (u->most - u->least) * share * (1 - share) : exp(scaled);
+}
+
 bool aspi_calibration_set(const aspi_calibration *c, const double *scaled) {
   asp_wall *wall = c->wall;
   for (size_t i = 0; i < c->n_unknown; i++) {

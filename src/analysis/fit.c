@@ -53,15 +53,6 @@ static double scale_of(const aspi_unknown *u, double value) {
   return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
 }
 
-double aspi_unknown_value(const aspi_unknown *u, double scaled) {
-  return u->bounded ? u->least + (u->most - u->least) / (1 + exp(-scaled)) : exp(scaled);
-}
-
-double aspi_unknown_slope(const aspi_unknown *u, double scaled) {
-  double share = 1 / (1 + exp(-scaled));
-  return u->bounded ? (u->most - u->least) * share * (1 - share) : exp(scaled);
-}
-
 /* Sets the search range: around the standard value, or around a start far from that. */
 static void bound_search(aspi_unknown *u) {
   double start = scale_of(u, u->start), around = u->bounded ? LOGISTIC_AROUND : LOG_AROUND;

@@ -149,18 +149,6 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
           d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
 }
 
-void cli_surface_check(const char *name, const char *what, const aspi_profile_report *report,
-                       double spacing, double length, double lambda, const cli_list *sizes) {
-  if (sizes->least < spacing)
-    cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it",
-                  sizes->least * 1e6, what, spacing * 1e6);
-  if (*report->warnings)
-    cli_warn("%s: %s", name, report->warnings);
-  asp_error doubt;
-  if (aspi_sampling_check(sizes->least, spacing, length, lambda, &doubt))
-    cli_warn("%s: %s", name, doubt.text);
-}
-
 static uint32_t seed_of(const cli_description *d) {
   return (uint32_t)asp_wall_get(d->wall, "seed");
 }
@@ -204,10 +192,6 @@ static void save(const cli_call *call, const asp_profile *profile) {
 }
 
 /* ---- the slopes ---- */
-
-double cli_kappa(const cli_slopes *row) {
-  return sqrt(3) * row->d_p * row->r_q / (row->lambda_c * row->lambda_c);
-}
 
 /* The slopes that discs of every size meet on a profile, in order, on all cores. */
 static void measure(const cli_wall *wall, const cli_list *sizes, cli_slopes *rows) {

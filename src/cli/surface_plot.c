@@ -198,6 +198,10 @@ static void plot_generated(cli_plot *plot, const angles *measured, const angles 
   free(q);
 }
 
+double cli_kappa(const cli_slopes *row) {
+  return sqrt(3) * row->d_p * row->r_q / (row->lambda_c * row->lambda_c);
+}
+
 void cli_surface_plot(const cli_call *call, const cli_wall *wall, const cli_slopes *row) {
   cli_plot *plot = cli_plot_open(call, 1200, 1100, NULL,
                                  "%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g",

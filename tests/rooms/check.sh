@@ -85,9 +85,6 @@ if [ -n "$objects" ]; then
     may_know "$room" "$other" || say "$file uses $symbol: $room must not know $other"
   done < <(join <(sort "$work/used") <(sort "$work/defined"))
 
-  # Prefixes: what an object of C defines begins with asp_ or aspi_, in the command with cli_; what one of C++ defines is
-  # in namespace asperity, or begins with aspi_ where it is found by name.
-  # An engine's classes and the functions that it calls are named as it wants them.
   build=${objects%/src/CMakeFiles/*}
   objects_of() { # SUFFIX: of files that are there
     find "$build/src/CMakeFiles" -path '*.dir/*' -name "*.$1.o" | while read -r object; do
@@ -96,6 +93,18 @@ if [ -n "$objects" ]; then
     done
   }
   [ "$(objects_of c | wc -l)" -gt 60 ] || say "few objects were found in $build"
+
+  # No two files of a room need each other, directly or through others.
+  for room in base erosion readers spread surface contact analysis cli; do
+    objects_of c | grep -F ".dir/$room/" | xargs nm -A -g | awk '{ file = $1; sub(/.*\//, "", file); sub(/\.o:.*/, "", file)
+        if ($(NF - 1) == "U") uses[file " " $NF]; else of[$NF] = file }
+      END { for (u in uses) { split(u, w, " "); if (w[2] in of) print w[1], of[w[2]] } }' > "$work/uses"
+    tsort "$work/uses" > /dev/null 2> "$work/circle" || say "files of $room need each other: $(grep -v loop "$work/circle" | cut -d: -f2 | paste -sd' ')"
+  done
+
+  # Prefixes: what an object of C defines begins with asp_ or aspi_, in the command with cli_; what one of C++ defines is
+  # in namespace asperity, or begins with aspi_ where it is found by name.
+  # An engine's classes and the functions that it calls are named as it wants them.
   objects_of c | xargs nm -A --defined-only -g | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); name = $NF
       if (name !~ (file ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_")) print file, name }' | sort -u > "$work/astray"
   objects_of cpp | xargs nm -A --defined-only -g -C | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); kind = $2; sub(/^[^ ]* [^ ]* /, "")
