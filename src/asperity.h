@@ -207,6 +207,12 @@ double asp_surface_r_q(const asp_surface *surface);
 double asp_surface_lambda_c(const asp_surface *surface);
 double asp_surface_lambda_along(const asp_surface *surface); /* lambda_c where there is no lay */
 double asp_surface_phi_r(const asp_surface *surface);
+
+/* How far a face of the surface reaches, across its lay: the mean way along the mean plane from
+ * one face that looks at a particle to the next, pi r_q/s = (pi/sqrt(2)) lambda_c (Smith's
+ * density of crossings at the mean height). A surface that is given by its slope alone looks the
+ * same to particles of all sizes: its faces are as long as the particle, d_p. */
+double asp_surface_face_length(const asp_surface *surface, double d_p);
 double asp_surface_slope_rms(const asp_surface *surface);
 
 /* kappa = sqrt(3) d_p r_q / lambda_c^2: the particle's radius times the rms curvature of the
@@ -471,6 +477,33 @@ typedef struct asp_impact {
  * allocation, no failure. */
 void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                      const double n[3], const asp_key *key, asp_impact *impact);
+
+/* ---- contacts that follow each other closely ------------------------------------------------- */
+/* A wall is made of faces that have a length. A particle that has met one meets the next after its
+ * contact has moved by that length along the wall; until then it meets the mean wall. A particle
+ * that stays at the wall lies in a valley where it is slow: it is held there until what pushes it
+ * along the wall exceeds `start` times what presses it. See models.md. */
+
+/* The length of a face for a particle whose contact has moved along `along` (any length, projected
+ * on the wall); on a wall with a lay by the ellipse of the two correlation lengths. 0 on a smooth
+ * wall, which has no faces. */
+double asp_wall_face_length(const asp_wall *wall, const asp_particle *particle,
+                            const double along[3], const double n[3]);
+
+/* The contact of a particle that has met its face already: by the law, on the mean wall. As
+ * asp_wall_impact, of which it is the case of a smooth wall. */
+void asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                          const double n[3], const asp_key *key, asp_impact *impact);
+
+/* A valley in which a particle lies. */
+typedef struct asp_valley {
+  double start; /* tangent of the slope at which it starts to move */
+  double crest; /* height of the lowest crest around it over its bottom: a length */
+} asp_valley;
+
+/* Draws a valley; `along` as above, for the lay. Zeros on a smooth wall. */
+asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
+                           const double along[3], const double n[3], const asp_key *key);
 
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). */
 typedef struct asp_coefficients {

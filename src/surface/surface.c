@@ -36,6 +36,7 @@ struct asp_surface {
   double r_q;
   double lambda_c;
   double lambda_along; /* along the lay; lambda_c where there is none */
+  double feature;      /* the lambda_c of its faces; 0: as large as the particle */
   double slope;        /* unfiltered rms slope */
   double curvature;    /* kappa per diameter */
   double d_p_most;
@@ -123,7 +124,7 @@ asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
   if (!surface)
     return NULL;
   surface->r_q = r_q;
-  surface->lambda_c = surface->lambda_along = lambda_c;
+  surface->feature = surface->lambda_c = surface->lambda_along = lambda_c;
   surface->slope = sqrt(2) * phi_r;
   surface->curvature = sqrt(3) * phi_r / lambda_c;
   surface->closed_form = true;
@@ -193,7 +194,7 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
   if (!surface)
     return NULL;
   surface->r_q = d.r_q;
-  surface->lambda_c = surface->lambda_along = d.lambda_c;
+  surface->feature = surface->lambda_c = surface->lambda_along = d.lambda_c;
   surface->slope = d.slope_rms;
   surface->curvature = sqrt(3) * d.phi_r / d.lambda_c;
   surface->bins = bins;
@@ -255,6 +256,16 @@ double asp_surface_lambda_c(const asp_surface *surface) {
 
 double asp_surface_lambda_along(const asp_surface *surface) {
   return surface->lambda_along;
+}
+
+/* Half of the mean distance of a profile's upward crossings of its mean line: 2 pi r_q/s for
+ * Gaussian heights (Rice 1944), with s = sqrt(2) r_q/lambda_c. */
+double asp_surface_face_length(const asp_surface *surface, double d_p) {
+  return surface->feature > 0 ? ASP_PI / sqrt(2) * surface->feature : d_p;
+}
+
+void aspi_surface_set_feature(asp_surface *surface, double lambda_c) {
+  surface->feature = lambda_c;
 }
 
 double asp_surface_phi_r(const asp_surface *surface) {

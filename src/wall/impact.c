@@ -367,23 +367,24 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
   bounce_off_mean_wall(wall, particle, &first, stream, impact);
 }
 
-static void bounce(const asp_wall *wall, const asp_particle *particle, vec v, frame *f,
+static void bounce(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, frame *f,
                    aspi_stream *stream, asp_impact *impact) {
-  if (!wall->rough) {
+  if (!rough) {
     bounce_off_mean_wall(wall, particle, f, stream, impact);
     return;
   }
-  aspi_roughness rough = aspi_roughness_of(wall, particle, f->n);
+  aspi_roughness here = aspi_roughness_of(wall, particle, f->n);
   if (!has_direction(f))
-    choose_direction(&rough, f, stream);
+    choose_direction(&here, f, stream);
   if (wall->multiple)
-    bounce_on(&rough, v, f, stream, impact);
+    bounce_on(&here, v, f, stream, impact);
   else
-    bounce_once(&rough, f, stream, impact);
+    bounce_once(&here, f, stream, impact);
 }
 
-void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                     const double n[3], const asp_key *key, asp_impact *impact) {
+static void impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
+                      const double v1[3], const double n[3], const asp_key *key,
+                      asp_impact *impact) {
   vec v = load(v1);
   frame f = frame_of(v, load(n));
   aspi_stream stream = aspi_stream_begin(key);
@@ -391,8 +392,18 @@ void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const d
   impact->eroded = 0;
   double on_mean =
       wall->erosion.law && !wall->erosion.tilted ? eroded(wall, particle, &f, (vec){0, 0, 1}) : 0;
-  bounce(wall, particle, v, &f, &stream, impact);
+  bounce(wall, rough, particle, v, &f, &stream, impact);
   impact->eroded += on_mean;
+}
+
+void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                     const double n[3], const asp_key *key, asp_impact *impact) {
+  impact_on(wall, wall->rough, particle, v1, n, key, impact);
+}
+
+void asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                          const double n[3], const asp_key *key, asp_impact *impact) {
+  impact_on(wall, false, particle, v1, n, key, impact);
 }
 
 /* a/b, limited to RATIO_MOST. */

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "readers/read.h"
+#include "surface/size_law.h"
 #include "wall/description.h"
 
 #include <math.h>
@@ -179,8 +180,10 @@ static asp_code make_from_sigma(asp_wall *wall, asp_error *error) {
   asp_error wrong = {ASP_OK, ""};
   double metre = said->units.metre > 0 ? said->units.metre : 1, lambda = SIGMA_LAMBDA * metre;
   double slope = tan(said->sigma * (ASP_PI / 180));
-  return take_surface(wall, asp_surface_create(slope / sqrt(2) * lambda, lambda, &wrong), &wrong,
-                      error);
+  asp_surface *made = asp_surface_create(slope / sqrt(2) * lambda, lambda, &wrong);
+  if (made)
+    aspi_surface_set_feature(made, 0);
+  return take_surface(wall, made, &wrong, error);
 }
 
 static asp_code make_from_lengths(asp_wall *wall, asp_error *error) {
