@@ -92,7 +92,8 @@ const double *asp_profile_heights(const asp_profile *profile);
  * um`), or the reader must be given it; the same lines say which columns are positions and heights,
  * where there are more. Positions may be rounded: the spacing comes from all of them. They may
  * fall, and repeat themselves (heights are averaged); what follows the data is left out. Columns X
- * and Y beside the heights give the distance along a straight line. */
+ * and Y beside the heights give the distance along a straight line. A column named depth or Tiefe
+ * counts downward and is turned over. */
 typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);
@@ -101,7 +102,8 @@ void asp_reader_free(asp_reader *reader);
  *   unit_x, unit_z  meters in one unit of a text file's columns (0: as the file states)
  *   metre           one meter in the unit of the result (1; 1e6 for micrometers)
  *   form            degree of the polynomial that is taken out as form, 0 to 9 (1); -1: none
- *   spikes          points this many robust sd off their neighbors are bad (0: none are)
+ *   spikes          points this many robust sd off their neighbors, in every direction on a map,
+ *                   are bad (0: none are)
  *   fill            1: bad points and gaps are filled by straight lines (0: they are refused)
  *   resample        1: unequal spacing is resampled by straight lines (1); 0: it is refused
  *   row, column     of an SDF map, from 1: the row (1), or where column > 0 that column instead; of

@@ -119,14 +119,15 @@ static bool read_pair(aspi_text *text, const column_layout *layout, size_t index
 
 static asp_code note_pair(scan *s, const aspi_text *text, const column_layout *layout,
                           const column_pair *pair, aspi_raw *raw, asp_error *error) {
-  if (layout->columns.x >= 0)
+  const aspi_columns *c = &layout->columns;
+  if (c->x >= 0)
     aspi_positions_precision(&s->positions, pair->position, layout->comma);
   aspi_positions_precision(&s->positions, pair->second, layout->comma);
   double z = aspi_missing_note(&s->missing, pair->z, text->line);
+  double unit = c->are_depths ? -c->unit_z : c->unit_z;
   if (isnan(z) && raw->bad++ == 0)
     raw->bad_line = text->line;
-  return aspi_positions_add(&s->positions, text, pair->x, pair->y, z * layout->columns.unit_z,
-                            error);
+  return aspi_positions_add(&s->positions, text, pair->x, pair->y, z * unit, error);
 }
 
 static asp_code fail_pair(const aspi_text *text, size_t line, const char *shown, asp_error *error) {
@@ -206,6 +207,7 @@ static asp_code read_data(aspi_text *text, const column_layout *layout,
   raw->second_column = last[1] * last[1] > 0 ? c->y + 1 : 0;
   raw->column[1] = s->fields > 2 ? c->z + 1 : 0;
   raw->end_line = s->end_line;
+  raw->were_depths = c->are_depths;
   raw->step_least *= c->unit_x;
   raw->step_most *= c->unit_x;
   raw->step[0] *= c->unit_x;

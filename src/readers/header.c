@@ -20,18 +20,22 @@ typedef struct column {
   char name[64];
   double unit; /* m; 0: none is stated */
   kind kind;
+  bool is_depth; /* a height that counts downward */
 } column;
 
 /* The first words of names. */
 static const char *const known[] = {
     [POSITION] = "x pos position positions distance dist lateral length travel scan weg strecke "
                  "abscisse posizione",
-    [HEIGHT] = "z height heights h raw profile depth level amplitude elevation hoehe tiefe profil "
-               "hauteur altitude altezza altura quota",
+    [HEIGHT] = "z height heights h raw profile depth depths level amplitude elevation hoehe tiefe "
+               "profil hauteur altitude altezza altura quota",
     [NO_LENGTH] =
         "point pt points no nr number index idx i n id sample t time zeit temps tempo tiempo punkt "
         "messpunkt lfd pixel px angle temperature intensity force speed line quality valid",
 };
+
+/* Those of the heights that count downward. */
+static const char depths[] = "depth depths tiefe";
 
 /* True if a name has a unit in brackets or behind a slash, of length or not. */
 static bool has_unit(const char *name) {
@@ -39,12 +43,17 @@ static bool has_unit(const char *name) {
   return mark && isalpha((unsigned char)mark[1]);
 }
 
-static kind kind_of(const char *name) {
+static size_t first_word(const char *name) {
   size_t length = 0;
-  if (aspi_text_holds(name, "pixel"))
-    return NO_LENGTH;
   while (isalpha((unsigned char)name[length]))
     length++;
+  return length;
+}
+
+static kind kind_of(const char *name) {
+  size_t length = first_word(name);
+  if (aspi_text_holds(name, "pixel"))
+    return NO_LENGTH;
   for (int k = POSITION; k <= NO_LENGTH; k++)
     if (aspi_word_index(known[k], name, length, false) >= 0)
       return (kind)k;
@@ -76,6 +85,7 @@ static int take_names(const char *line, char separator, int fields, column *colu
     *has_names = *has_names || *name[i];
     snprintf(columns[i].name, sizeof columns[i].name, "%.63s", name[i]);
     columns[i].kind = kind_of(name[i]);
+    columns[i].is_depth = aspi_word_index(depths, name[i], first_word(name[i]), false) >= 0;
     if (units == 0 && has_unit(name[i]))
       columns[i].kind = NO_LENGTH;
   }
@@ -244,7 +254,8 @@ static bool choose_both(const choice *c, aspi_columns *chosen) {
                            .y = asked_x < 0 && x < c->fields ? second_axis(c, x, z) : -1,
                            .z = z,
                            .unit_x = x < c->fields ? c->columns[x].unit : 1,
-                           .unit_z = z < c->fields ? c->columns[z].unit : 0};
+                           .unit_z = z < c->fields ? c->columns[z].unit : 0,
+                           .are_depths = z < c->fields && c->columns[z].is_depth};
   chosen->unit_y = chosen->y >= 0 ? c->columns[chosen->y].unit : 0;
   return true;
 }
@@ -265,8 +276,8 @@ bool aspi_choose_columns(const aspi_header *header, char separator, int fields, 
 }
 
 bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_axes *axes) {
-  column columns[ASP_COLUMNS_MOST] = {{"", 0, UNKNOWN}};
-  *axes = (aspi_axes){{0, 1, 2}, {0}};
+  column columns[ASP_COLUMNS_MOST] = {{"", 0, UNKNOWN, false}};
+  *axes = (aspi_axes){{0, 1, 2}, {0}, false};
   if (fields > ASP_COLUMNS_MOST)
     return false;
   read_header(header, separator, fields, columns);
@@ -280,6 +291,7 @@ bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_
       axes->column[k] = found[k];
     axes->unit[k] = columns[axes->column[k]].unit;
   }
+  axes->are_depths = named && columns[found[2]].is_depth;
   return named;
 }
 

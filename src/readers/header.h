@@ -22,6 +22,7 @@ void aspi_header_note(aspi_header *header, const char *line);
 typedef struct aspi_columns {
   int x, y, z;
   double unit_x, unit_y, unit_z;
+  bool are_depths; /* the heights count downward */
 } aspi_columns;
 
 /* Chooses the columns of lines with that many fields, `used` of them without empty ones at the end;
@@ -35,6 +36,7 @@ bool aspi_choose_columns(const aspi_header *header, char separator, int fields, 
 typedef struct aspi_axes {
   int column[3];
   double unit[3];
+  bool are_depths;
 } aspi_axes;
 
 bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_axes *axes);

@@ -300,6 +300,9 @@ static asp_code read_triples(scanner *s, const head *h, const aspi_profile_optio
   asp_code code = find_units(s, h, options, axes, error);
   size_t fields = s->count;
   const int *at = axes->column;
+  if (axes->are_depths)
+    axes->unit[2] = -axes->unit[2];
+  raw->were_depths = axes->are_depths;
   aspi_map_points t = {0};
   for (; !s->ended && !code; code = code ? code : next_line(s, error)) {
     if (s->count == 0)
@@ -329,7 +332,7 @@ static asp_code read_file(scanner *s, head *h, const aspi_profile_options *optio
   if (code)
     return code;
   aspi_missing missing = {.stated = options->has_missing ? options->missing : NAN};
-  aspi_axes axes = {{0, 1, 2}, {0}};
+  aspi_axes axes = {{0, 1, 2}, {0}, false};
   bool named = s->count >= ASP_MAP_AXES && s->count <= ASP_COLUMNS_MOST &&
                aspi_find_axes(&h->lines, s->separator, (int)s->count, &axes);
   code = named || s->count == ASP_MAP_AXES

@@ -1,6 +1,6 @@
 /* Mending of measured heights, a profile being a map of one row: a polynomial taken out as form
- * (least squares on products of Legendre polynomials), spikes marked (far off the median of their
- * neighbors), gaps filled by straight lines or refused.
+ * (least squares on products of Legendre polynomials), spikes marked (far off their neighbors in
+ * every direction), gaps filled by straight lines or refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
@@ -26,7 +26,7 @@
 #define ROUNDING_MAP 1e-7
 
 /* Neighbors on each side for spikes, of a profile and of a map. */
-enum { REACH = 3, REACH_MAP = 2, WINDOW = (2 * REACH_MAP + 1) * (2 * REACH_MAP + 1) };
+enum { REACH = 3, REACH_MAP = 2 };
 
 /* From the median absolute deviation to the sd of a normal distribution. */
 #define MAD_TO_SD 1.4826
@@ -87,36 +87,60 @@ static asp_code take_out_form(aspi_raw *raw, const char *path, int degree, asp_e
 
 /* ---- spikes ---- */
 
-/* A good point's distance from the median of its neighbors, taken in pairs opposite to each other
- * that are both good, so that a slope does not count, nor does the edge of a gap; 0 where there is
- * no pair, NAN where the point is bad. */
-static double off_neighbors(const aspi_raw *raw, size_t at) {
-  double window[WINDOW], z = aspi_raw_at(raw, at);
-  if (isnan(z))
-    return NAN;
-  long reach = raw->is_map ? REACH_MAP : REACH, columns = (long)raw->columns;
-  long i = (long)at % columns, j = (long)at / columns;
+/* The distance of a height from the median of its neighbors on the line through it in one
+ * direction, taken in pairs opposite to each other that are both good, so that a slope does not
+ * count, nor does the edge of a gap; INFINITY where there is no pair. */
+static double off_line(const aspi_raw *raw, size_t at, const long direction[2]) {
+  double line[2 * REACH];
   size_t count = 0;
-  for (long b = 0; b <= reach && j - b >= 0 && j + b < (long)raw->rows; b++)
-    for (long a = b ? -reach : 1; a <= reach; a++) {
-      if (i - labs(a) < 0 || i + labs(a) >= columns)
-        continue;
-      double one = aspi_raw_at(raw, (size_t)((j + b) * columns + i + a));
-      double two = aspi_raw_at(raw, (size_t)((j - b) * columns + i - a));
-      if (isnan(one) || isnan(two))
-        continue;
-      window[count++] = one;
-      window[count++] = two;
-    }
+  long reach = raw->is_map ? REACH_MAP : REACH;
+  long columns = (long)raw->columns, rows = (long)raw->rows;
+  long i = (long)at % columns, j = (long)at / columns;
+  for (long k = 1; k <= reach; k++) {
+    long a = k * direction[0], b = k * direction[1];
+    if (i - labs(a) < 0 || i + labs(a) >= columns || j - b < 0 || j + b >= rows)
+      break;
+    double one = aspi_raw_at(raw, (size_t)((j + b) * columns + i + a));
+    double two = aspi_raw_at(raw, (size_t)((j - b) * columns + i - a));
+    if (isnan(one) || isnan(two))
+      continue;
+    line[count++] = one;
+    line[count++] = two;
+  }
   if (count == 0)
-    return 0;
-  gsl_sort(window, 1, count);
-  return fabs(z - gsl_stats_median_from_sorted_data(window, 1, count));
+    return INFINITY;
+  gsl_sort(line, 1, count);
+  return fabs(aspi_raw_at(raw, at) - gsl_stats_median_from_sorted_data(line, 1, count));
 }
 
-/* The points over `times` robust standard deviations off their neighbors, *first of them first,
- * which `mark` makes bad. The deviation is at least half the step in which heights are given, since
- * most points of heights in steps are off by nothing. */
+/* A good point's distances from its neighbors over all directions: the least, since a point on the
+ * ridge of a groove agrees with those along it, and the mean; 0 where it has no neighbors, NAN
+ * where the point is bad. */
+typedef struct offsets {
+  double least, mean;
+} offsets;
+
+static offsets off_neighbors(const aspi_raw *raw, size_t at) {
+  static const long directions[][2] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
+  double least = INFINITY, sum = 0;
+  int count = 0;
+  if (isnan(aspi_raw_at(raw, at)))
+    return (offsets){NAN, NAN};
+  for (size_t k = 0; k < (raw->is_map ? sizeof directions / sizeof *directions : 1); k++) {
+    double off = off_line(raw, at, directions[k]);
+    if (!isfinite(off))
+      continue;
+    least = fmin(least, off);
+    sum += off;
+    count++;
+  }
+  return count ? (offsets){least, sum / count} : (offsets){0, 0};
+}
+
+/* The points over `times` robust standard deviations off their neighbors in every direction, *first
+ * of them first, which `mark` makes bad. The deviation is that of the mean over the directions; at
+ * least half the step in which heights are given, since most points of heights in steps are off by
+ * nothing. */
 static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times, bool mark,
                             size_t *count, size_t *first, asp_error *error) {
   bool *is_spike = malloc(raw->points * sizeof *is_spike);
@@ -125,14 +149,14 @@ static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times
   gsl_rstat_quantile_workspace median = {.p = 0.5};
   gsl_rstat_quantile_reset(&median);
   for (size_t i = 0; i < raw->points; i++) {
-    double off = off_neighbors(raw, i);
+    double off = off_neighbors(raw, i).mean;
     if (!isnan(off))
       gsl_rstat_quantile_add(off, &median);
   }
   double sd = MAD_TO_SD * gsl_rstat_quantile_get(&median);
   double most = times * fmax(sd, isfinite(steps->quantum) ? steps->quantum / 2 : 0);
   for (size_t i = 0; i < raw->points; i++)
-    is_spike[i] = off_neighbors(raw, i) > most;
+    is_spike[i] = off_neighbors(raw, i).least > most;
   *count = 0;
   for (size_t i = 0; i < raw->points; i++)
     if (is_spike[i]) {

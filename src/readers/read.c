@@ -54,6 +54,8 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
     append(r, ", of columns %d and %d", raw->column[0], raw->column[1]);
   else if (raw->column[1] > 0)
     append(r, ", of column %d", raw->column[1]);
+  if (raw->were_depths)
+    append(r, ", depths turned into heights");
   if (raw->repeats)
     append(r, ", %zu repeated positions averaged", raw->repeats);
   if (raw->falls)

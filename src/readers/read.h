@@ -84,6 +84,7 @@ typedef struct aspi_raw {
   bool resampled;
   size_t repeats;               /* positions that repeat the one before */
   bool falls;                   /* positions fall in the file */
+  bool were_depths;             /* the file has depths, turned into heights here */
   int column[2];                /* of positions and heights, from 1, where there are others too */
   int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
   size_t end_line;              /* where the data end before the file does; 0: nowhere */

@@ -337,6 +337,53 @@ static void form_and_spikes_are_taken_out(void **state) {
   memcpy(heights, kept, sizeof kept);
 }
 
+/* Gaussian heights of a ground wall: rough across a lay of any direction, smooth along it. Nothing
+ * of it is dust; a grain on it still is. */
+static void ground_walls_are_not_dust(void **state) {
+  (void)state;
+  const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
+  for (int degrees = 0; degrees < 180; degrees += 15) {
+    double c = cos(degrees * ASP_PI / 180), s = sin(degrees * ASP_PI / 180);
+    unsigned r = 54321;
+    memset(heights, 0, sizeof heights);
+    for (int wave = 0; wave < 60; wave++) {
+      double u[3];
+      for (int i = 0; i < 3; i++) {
+        r = (r * 1103515245u + 12345u) % 2147483648u;
+        u[i] = r / 2147483648.;
+      }
+      for (int j = 0; j < ROWS; j++)
+        for (int i = 0; i < COLUMNS; i++)
+          heights[j][i] += cos(0.5 * (2 * u[0] - 1) * (c * i + s * j) +
+                               0.01 * (2 * u[1] - 1) * (c * j - s * i) + 2 * ASP_PI * u[2]);
+    }
+    write_matrix("map", head, ",");
+    asp_error doubt = {ASP_OK, ""};
+    asp_map_free(read_map("map"));
+    if (asp_reader_check(reader, &doubt))
+      fail_msg("lay at %d degrees: %s", degrees, doubt.text);
+    heights[40][50] += 100;
+    write_matrix("map", head, ",");
+    asp_map_free(read_map("map"));
+    assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
+    assert_non_null(strstr(doubt.text, "1 of 7680 points lie"));
+  }
+  make_heights();
+}
+
+static void depths_of_maps_become_heights(void **state) {
+  (void)state;
+  FILE *file = begin("map");
+  fputs("x_um,y_um,depth_um\n", file);
+  for (int j = 0; j < ROWS; j++)
+    for (int i = 0; i < COLUMNS; i++)
+      fprintf(file, "%.1f,%.1f,%.6f\n", 0.5 * i, 0.7 * j, 3 - heights[j][i]);
+  fclose(file);
+  asp_map *map = read_map("map");
+  assert_non_null(strstr(asp_reader_text(reader), "depths turned into heights"));
+  check_map(map, 1e-4);
+}
+
 static void numbers_agree_with_scipy(void **state) {
   (void)state;
   static float z[ROWS * COLUMNS];
@@ -433,6 +480,8 @@ int main(void) {
       cmocka_unit_test_setup_teardown(binary_files_are_read, setup, teardown),
       cmocka_unit_test_setup_teardown(text_of_the_standard_is_read, setup, teardown),
       cmocka_unit_test_setup_teardown(form_and_spikes_are_taken_out, setup, teardown),
+      cmocka_unit_test_setup_teardown(ground_walls_are_not_dust, setup, teardown),
+      cmocka_unit_test_setup_teardown(depths_of_maps_become_heights, setup, teardown),
       cmocka_unit_test(numbers_agree_with_scipy),
       cmocka_unit_test_setup_teardown(long_lines_are_read, setup, teardown),
       cmocka_unit_test_setup_teardown(bad_files_are_refused, setup, teardown),

@@ -455,6 +455,29 @@ static void files_of_all_kinds(void **state) {
   asp_profile_free(p);
 }
 
+/* Columns of depths are turned over, by any order of the columns, and said so. */
+static void depths_become_heights(void **state) {
+  (void)state;
+  static const char *const names[] = {"x_um,depth_um", "x [um],Depth [um]", "Weg [um],Tiefe [um]"};
+  for (int i = 0; i < 3; i++) {
+    char file[80];
+    snprintf(file, sizeof file, "%s\n0,1\n1,2\n2,4\n", names[i]);
+    expect(file, NULL, 3, 1e-6, -4e-6);
+    assert_non_null(strstr(report.text, "depths turned into heights"));
+  }
+  expect("depth_um,x_um\n1,0\n2,1\n4,2\n", NULL, 3, 1e-6, -4e-6);
+  expect("x_um,depth_um,height_um\n0,1,1\n1,2,2\n2,9,4\n", NULL, 3, 1e-6, -9e-6);
+  aspi_profile_options o = aspi_profile_options_default();
+  o.form = -1;
+  o.z_column = "height";
+  expect("x_um,depth_um,height_um\n0,9,1\n1,9,2\n2,9,4\n", &o, 3, 1e-6, 4e-6);
+  assert_null(strstr(report.text, "depths"));
+  o.z_column = "2";
+  o.has_missing = o.fill = true;
+  o.missing = 7;
+  expect("x_um,depth_um,height_um\n0,1,1\n1,7,2\n2,3,4\n", &o, 3, 1e-6, -3e-6);
+}
+
 /* What cannot be what it was read as is refused with the way out. */
 static void suspicious_numbers_are_refused(void **state) {
   (void)state;
@@ -792,6 +815,7 @@ int main(void) {
       cmocka_unit_test(columns_far_to_the_right),
       cmocka_unit_test(formats_are_named),
       cmocka_unit_test(files_of_all_kinds),
+      cmocka_unit_test(depths_become_heights),
       cmocka_unit_test(suspicious_numbers_are_refused),
       cmocka_unit_test(marks_of_missing_heights),
       cmocka_unit_test(form_is_taken_out),
