@@ -33,8 +33,9 @@ static double rate(const double *p, double v, double sine, double cosine, double
 const aspi_erosion_law aspi_erosion_dnv = {
     .name = "dnv",
     .summary = "steel and other ductile walls, worn by sand",
-    .source = "DNV RP-O501 (K and n as one published code has them; the angle's function is "
-              "recalled; the original was not seen)",
+    .source =
+        "DNV RP-O501, August 2015, eq. 3.3, as equinor's pysand has it (its code was seen, the "
+        "original was not)",
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rate = rate,

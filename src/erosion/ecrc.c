@@ -43,8 +43,10 @@ static double rate(const double *p, double v, double sine, double cosine, double
 const aspi_erosion_law aspi_erosion_ecrc = {
     .name = "ecrc",
     .summary = "carbon steel worn by sand of sharp, semi_rounded or round grains",
-    .source = "Zhang, Reuterfors, McLaury, Shirazi & Rybicki 2007 (recalled, the original was not "
-              "seen)",
+    .source =
+        "Zhang, Reuterfors, McLaury, Shirazi & Rybicki 2007; C, n and F_s 0.2 as COMSOL's "
+        "manual has them (the polynomial, B^-0.59 and the other F_s are recalled; the original "
+        "was not seen)",
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rate = rate,

@@ -1,16 +1,16 @@
-/* Cutting wear of a ductile wall (Finnie 1960): the volume m v^2/(p psi K) F(alpha), with
+/* Cutting wear of a ductile wall (Finnie 1960): the volume c m v^2/(p psi K) F(alpha), with
  *
  *   F = sin 2 alpha - (6/K) sin^2 alpha   where tan alpha < K/6
  *   F = (K/6) cos^2 alpha                 else
  *
- * It wears nothing at normal impact.
+ * and the share c of the grains that cut; the others plough. It wears nothing at normal impact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
 
 #include <math.h>
 
-enum { P, PSI, K, N_PARAMETERS };
+enum { P, PSI, K, SHARE, N_PARAMETERS };
 
 static const asp_parameter parameters[N_PARAMETERS] = {
     [P] = {.name = "flow_stress", .unit = "stress", .most = INFINITY, .text = "of the wall"},
@@ -26,20 +26,26 @@ static const asp_parameter parameters[N_PARAMETERS] = {
            .most = INFINITY,
            .text = "normal over tangential force on the grain",
            .keyword = "k"},
+    [SHARE] = {.name = "share",
+               .unit = "",
+               .fallback = 1,
+               .most = 1,
+               .text = "of the grains that cut; other codes take 0.1",
+               .keyword = "share"},
 };
 
 static double rate(const double *p, double v, double sine, double cosine, double d_p) {
   (void)d_p;
   double f = sine < cosine * p[K] / 6 ? 2 * sine * cosine - 6 / p[K] * sine * sine
                                       : p[K] / 6 * cosine * cosine;
-  return v * v / (p[P] * p[PSI] * p[K]) * f;
+  return p[SHARE] * v * v / (p[P] * p[PSI] * p[K]) * f;
 }
 
 const aspi_erosion_law aspi_erosion_finnie = {
     .name = "finnie",
     .summary = "cutting of a ductile wall, most at small angles, none at normal impact",
     .source = "Finnie 1960, as OpenFOAM's ParticleErosion has it (its code was seen, the original "
-              "was not)",
+              "was not); share as COMSOL's manual has it, 0.1 there",
     .is_volume = true,
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,

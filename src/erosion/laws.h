@@ -7,7 +7,7 @@
 
 #include "rebound/laws.h"
 
-enum { ASPI_EROSION_PARAMETERS = 10 };
+enum { ASPI_EROSION_PARAMETERS = 13 };
 
 typedef struct aspi_erosion_law {
   const char *name;

@@ -1,17 +1,18 @@
 /* Metals of any hardness (Oka, Okamura & Yoshida 2005; Oka & Yoshida 2005): the volume in mm^3 per
  * kg
  *
- *   E = K H^k1 (v/v')^k2 (d/d')^k3 (sin alpha)^n1 (1 + H (1 - sin alpha))^n2
+ *   E = K (a H)^(k1 b) (v/v')^k2 (d/d')^k3 (sin alpha)^n1 (1 + H (1 - sin alpha))^n2
  *
- * with the Vickers hardness H in GPa, k2 = a H^b, n1 = a H^b, n2 = a H^b, and constants of the
- * particles' kind.
+ * with the Vickers hardness H in GPa; a and b of the wall's material; K, k1, k3, v' and d' of the
+ * particles' kind; and k2, n1, n2 of that kind and H. Manuals list W = (a H)^-b instead of a and b,
+ * so that (a H)^(k1 b) = W^-k1.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
 
 #include <math.h>
 
-enum { HARDNESS, PARTICLES, K, K1, K2, K3, SPEED, DIAMETER, N1, N2, N_PARAMETERS };
+enum { HARDNESS, PARTICLES, WALL, A, B, K, K1, K2, K3, SPEED, DIAMETER, N1, N2, N_PARAMETERS };
 
 #define OKA(NAME, UNIT, TEXT)                                                                      \
   {                                                                                                \
@@ -30,8 +31,27 @@ static const asp_parameter parameters[N_PARAMETERS] = {
                    .text = "what they are of",
                    .keyword = "particles",
                    .words = "sio2 sic glass"},
+    [WALL] = {.name = "wall",
+              .unit = "",
+              .most = 2,
+              .text = "what it is of: (a H)^-b 3, 10 and 1000",
+              .keyword = "wall",
+              .words = "carbon_steel stainless_steel aluminum"},
+    [A] = {.name = "a",
+           .unit = "",
+           .fallback = NAN,
+           .most = INFINITY,
+           .text = "a of (a H)^(k1 b), in 1/GPa, where it is not that of the wall's kind",
+           .keyword = "a_b"},
+    [B] = {.name = "b",
+           .unit = "",
+           .fallback = NAN,
+           .least = -INFINITY,
+           .most = INFINITY,
+           .text = "b of (a H)^(k1 b)",
+           .keyword = "a_b"},
     [K] = OKA("k", "", "K"),
-    [K1] = OKA("k1", "", "exponent of the hardness"),
+    [K1] = OKA("k1", "", "exponent of (a H)^b"),
     [K2] = OKA("k2", "", "exponent of the speed"),
     [K3] = OKA("k3", "", "exponent of the diameter"),
     [SPEED] = OKA("speed", "speed", "v'"),
@@ -48,6 +68,9 @@ static const struct {
     {27, -0.16, {2.1, 0}, 0.19, 100, 200e-6, {2.8, 0.41}, {2.6, -1.46}},
 };
 
+/* (a H)^-b of each material of the wall. */
+static const double walls[] = {3, 10, 1000};
+
 static double or (double given, double standard) {
   return isnan(given) ? standard : given;
 }
@@ -57,7 +80,8 @@ static double rate(const double *p, double v, double sine, double cosine, double
   int kind = (int)p[PARTICLES];
   double h = p[HARDNESS] * 1e-9;
   const double *k2 = kinds[kind].k2, *n1 = kinds[kind].n1, *n2 = kinds[kind].n2;
-  double e90 = or (p[K], kinds[kind].k) * pow(h, or (p[K1], kinds[kind].k1)) *
+  double wear = isnan(p[A]) ? walls[(int)p[WALL]] : pow(p[A] * h, -p[B]);
+  double e90 = or (p[K], kinds[kind].k) * pow(wear, - or (p[K1], kinds[kind].k1)) *
                       pow(v / or (p[SPEED], kinds[kind].speed), or (p[K2], k2[0] * pow(h, k2[1]))) *
                       pow(d_p / or (p[DIAMETER], kinds[kind].diameter), or (p[K3], kinds[kind].k3));
   return 1e-9 * e90 * pow(sine, or (p[N1], n1[0] * pow(h, n1[1]))) *
@@ -67,8 +91,9 @@ static double rate(const double *p, double v, double sine, double cosine, double
 const aspi_erosion_law aspi_erosion_oka = {
     .name = "oka",
     .summary = "metals of any hardness, worn by sand, silicon carbide or glass",
-    .source = "Oka, Okamura & Yoshida 2005; Oka & Yoshida 2005 (recalled, the originals were not "
-              "seen)",
+    .source =
+        "Oka, Okamura & Yoshida 2005; Oka & Yoshida 2005, as the manual of Altair EDEM has them "
+        "for sio2 and the three walls (sic and glass are recalled; the originals were not seen)",
     .is_volume = true,
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,

@@ -251,7 +251,12 @@ static asp_code take_erosion(aspi_words *r, const asp_parameter *p, int index, d
   aspi_erosion *erosion = &r->wall->choice.erosion;
   erosion->given[index] = value;
   erosion->si[index] = p->words ? value : value / aspi_quantity_factor(p->unit, &r->said->units);
-  return p->words || p->least < 0 ? ASP_OK : aspi_check_positive(r->error, p->name, "", value);
+  if (p->words || p->least < 0)
+    return ASP_OK;
+  asp_code code = aspi_check_positive(r->error, p->name, "", value);
+  return code || value <= p->most
+             ? code
+             : aspi_check_range(r->error, p->name, "", value, p->least, p->most);
 }
 
 static asp_code read_face(aspi_words *r) {
