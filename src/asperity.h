@@ -455,8 +455,11 @@ struct asp_particle {
   double density;       /* > 0 */
   const asp_pair *pair; /* may be NULL when the law needs none */
   double omega[3];      /* angular velocity, rad per time, for laws that turn the particle */
-  const double *lay; /* of a wall with a lay, its direction where the particle is: a vector, which
-                        is projected on the wall; NULL, or along n: it flies across the lay */
+  const double *lay;  /* of a wall with a lay, its direction where the particle is: a vector, which
+                         is projected on the wall; NULL, or along n: it flies across the lay */
+  double temperature; /* K, in place of that of the description; 0: that one */
+  double u_tau;       /* friction velocity of the flow where the particle hits, in place of that of
+                         the description; 0: that one */
 };
 
 typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;

@@ -18,6 +18,12 @@ static void check_lengths(int count, char **words) {
         cli_check_unit(words[i], words[i + 1]);
 }
 
+/* A command computes no flow. */
+static void check_removal(const asp_wall *wall) {
+  if (asp_wall_is_given(wall, "remove") && !asp_wall_is_given(wall, "u_tau"))
+    cli_bad_usage("behind 'remove', 'u_tau U' is expected");
+}
+
 static void read_words(asp_wall *wall, int count, char **words) {
   const char *const *all = (const char *const *)words;
   asp_error error;
@@ -69,6 +75,7 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
   d.wall->said->may_fit = may_fit;
   check_lengths(count, words);
   read_words(d.wall, count, words);
+  check_removal(d.wall);
   read_materials(&d);
   d.text = cli_description_text(d.wall);
   return d;

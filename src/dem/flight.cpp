@@ -46,7 +46,7 @@ Wall::Flight::Flight(const Spheres &s, int particle, Lists &lists)
 asp_particle Wall::Flight::particle(const asp_pair *pair) const {
   const double d_p = 2 * radius;
   return asp_particle{
-      d_p, mass / (ASP_PI / 6 * d_p * d_p * d_p), pair, {spin[0], spin[1], spin[2]}, NULL};
+      d_p, mass / (ASP_PI / 6 * d_p * d_p * d_p), pair, {spin[0], spin[1], spin[2]}, NULL, 0, 0};
 }
 
 /* At a time since the beginning of the path. */

@@ -72,6 +72,8 @@ void Model::finish() {
     throw Error(text("materials has %d names, and the script has %d atom types; there must be one "
                      "name for each type",
                      names, engine_.types()));
+  if (is_given("remove") && !is_given("u_tau"))
+    throw Error("behind 'remove', 'u_tau U' is expected");
   const std::string deposit = asp_wall_word(wall_.get(), "deposit");
   deposit_ = deposit == "freeze" ? FREEZE : deposit == "delete" ? DELETE : OFF;
   seed_ = static_cast<uint32_t>(asp_wall_get(wall_.get(), "seed"));
@@ -359,7 +361,7 @@ void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, do
   const double density = asp_material_get(of_particle, "density");
   const bool least = fabs(kind.least - density) > fabs(kind.most - density);
   const asp_particle particle = {
-      d_p, least ? kind.least : kind.most, pair(type, wall_type), {0, 0, 0}, NULL};
+      d_p, least ? kind.least : kind.most, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0};
   char doubt[480];
   for (int i = 0;
        asp_wall_doubt(wall_.get(), &particle, of_particle, of_wall, i, doubt, sizeof doubt); i++)
@@ -384,7 +386,7 @@ double Model::worn_density(int wall_type) const {
 }
 
 bool Model::removes(int type, int wall_type, double d_p) const {
-  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL};
+  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0};
   return wall() && asp_wall_removes(wall(), &particle);
 }
 

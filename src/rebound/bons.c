@@ -73,10 +73,11 @@ static const asp_parameter parameters[N_PARAMETERS] = {
 };
 
 /* The share of the yield stress that heat leaves. */
-static long double softened(const double *p) {
-  if (!(p[TEMPERATURE] > p[SOFTEN_FROM]))
+static long double softened(const double *p, double own) {
+  double temperature = own > 0 ? own : p[TEMPERATURE];
+  if (!(temperature > p[SOFTEN_FROM]))
     return 1;
-  long double over = (long double)p[TEMPERATURE] - p[SOFTEN_FROM];
+  long double over = (long double)temperature - p[SOFTEN_FROM];
   return fmaxl(0, 1 - p[SOFTEN_RATE] * over);
 }
 
@@ -85,7 +86,7 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1, density = hit->density;
   long double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * sqrtl(speed2) : pair->yield_stress;
-  long double v_y = yield * softened(p) / sqrtl(density * pair->modulus);
+  long double v_y = yield * softened(p, hit->temperature) / sqrtl(density * pair->modulus);
   long double n2 = n1 < v_y ? n1 : v_y;
   if (hit->adhesion && pair->surface_energy > 0) {
     long double power = n1 < v_y ? powl(n1 / v_y, p[AREA_C]) : 1;

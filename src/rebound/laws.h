@@ -31,6 +31,7 @@ typedef struct aspi_hit {
   bool adhesion;               /* false: the law leaves the surface energy out */
   const aspi_cor_table *table; /* for laws that need one */
   aspi_stream *stream;         /* for laws that draw */
+  double temperature;          /* of the particle; 0: by the law's parameters */
 } aspi_hit;
 
 /* Velocities after a hit: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit,

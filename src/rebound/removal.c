@@ -11,12 +11,13 @@
 
 #include <math.h>
 
-bool aspi_flow_removes(const aspi_flow *flow, const asp_pair *pair, double d_p) {
-  if (!(flow->u_tau > 0) || !pair)
+bool aspi_flow_removes(const aspi_flow *flow, const asp_particle *particle) {
+  double u_tau = particle->u_tau > 0 ? particle->u_tau : flow->u_tau, d_p = particle->d_p;
+  if (!(u_tau > 0) || !(flow->density > 0) || !particle->pair)
     return false;
   double kn = 2 * flow->mean_free_path / d_p;
   double slip = kn > 0 ? 1 + kn * (1.2 + 0.41 * exp(-0.88 / kn)) : 1;
-  double per_area = cbrt(flow->work / (d_p * 4 / 3 * pair->modulus));
+  double per_area = cbrt(flow->work / (d_p * 4 / 3 * particle->pair->modulus));
   double critical2 = slip * flow->work / (flow->density * d_p) * per_area;
-  return flow->u_tau * flow->u_tau > critical2;
+  return u_tau * u_tau > critical2;
 }

@@ -9,15 +9,15 @@
 /* A work of adhesion, J/m^2, as one published code of El-Batsh's law has it. */
 #define ASPI_REMOVAL_WORK 0.039
 
-/* A flow along a wall; u_tau 0: there is none. */
+/* A flow along a wall; density 0: there is none. */
 typedef struct aspi_flow {
-  double u_tau;          /* friction velocity */
-  double density;        /* of the gas, > 0 */
+  double u_tau;          /* friction velocity; 0: that of the particle counts alone */
+  double density;        /* of the gas */
   double mean_free_path; /* in it */
   double work;           /* of adhesion, per area */
 } aspi_flow;
 
 /* True if it takes a particle away. */
-bool aspi_flow_removes(const aspi_flow *flow, const asp_pair *pair, double d_p);
+bool aspi_flow_removes(const aspi_flow *flow, const asp_particle *particle);
 
 #endif

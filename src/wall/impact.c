@@ -101,9 +101,9 @@ static double tilt_out(const asp_wall *wall, const face *on) {
  * surface along it; true if the particle deposits. */
 static bool sticks(const asp_wall *wall, const asp_particle *particle, const double speed[3],
                    aspi_stream *stream, aspi_bounce *bounce) {
-  bool holding = wall->deposit && !aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
+  bool holding = wall->deposit && !aspi_flow_removes(&wall->flow, particle);
   aspi_hit hit = {speed[0],       speed[1], speed[2],    particle->d_p, particle->density,
-                  particle->pair, holding,  wall->table, stream};
+                  particle->pair, holding,  wall->table, stream,        particle->temperature};
   *bounce = wall->law->rebound(wall->parameters, &hit);
   return holding && !(bounce->v_n2 > 0);
 }
@@ -438,5 +438,5 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
 }
 
 bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle) {
-  return aspi_flow_removes(&wall->flow, particle->pair, particle->d_p);
+  return aspi_flow_removes(&wall->flow, particle);
 }

@@ -317,7 +317,7 @@ static asp_code read_removal(aspi_words *r) {
     if (!code)
       code = asp_wall_set(r->wall, number, value, r->error);
   }
-  if (!code && (!aspi_is_given(r->said, "u_tau") || !aspi_is_given(r->said, "gas_density")))
+  if (!code && !aspi_is_given(r->said, "gas_density"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'remove', 'u_tau U gas_density RHO' is expected");
   return code;
 }

@@ -29,7 +29,7 @@ int main(int argc, char **argv) {
     return 1;
   }
   asp_pair pair = {54.8e9, 200e6, 0.8, 0.3, 7800};
-  asp_particle grain = {10e-6, 2650, &pair, {0, 0, 0}, NULL};
+  asp_particle grain = {10e-6, 2650, &pair, {0, 0, 0}, NULL, 0, 0};
   unsigned contacts = (unsigned)strtoul(argv[3], NULL, 10);
   double n[3] = {0, 0, 1}, sum = 0;
   for (unsigned i = 0; i < contacts; i++) {

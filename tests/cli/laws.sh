@@ -58,6 +58,7 @@ printf 'alpha1_deg,cor_n,cor_t\n10,1.5,-0.3\n90,0.4,0.5\n' > beyond.csv
 grep -q '> *1.4<' beyond.svg && grep -q '> *-0.2<' beyond.svg || die "the axes do not grow"
 refuses 2 "spin" "'maybe'" "off on" -- rebound rebound bons spin maybe
 refuses 2 "gas_density" -- rebound deposit freeze remove u_tau 2
+refuses 2 "'u_tau U' is expected" -- rebound deposit freeze remove gas_density 1.2
 refuses 2 "gas_density is 0" -- rebound deposit freeze remove u_tau 2 gas_density 0
 refuses 2 "c is missing" -- rebound rebound bons contact_area 0.2 0.1
 refuses 2 "c is 11" "0 to 10" -- rebound rebound bons contact_area 0.2 0.1 11

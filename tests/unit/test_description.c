@@ -51,6 +51,8 @@ static void canonical_texts(void **state) {
       "150MPa",
       "surface map m.sdf lay 3 0 4 spread profile isotropic collisions multiple rebound bons "
       "yield_stress 150000000 deposit delete remove u_tau 2.5 gas_density 1.2 seed 1");
+  check_text("deposit freeze remove gas_density 1.2",
+             "surface smooth rebound bons deposit freeze remove gas_density 1.2 seed 1");
 }
 
 /* A text that does not fit is cut, and its length returned. */

@@ -53,7 +53,7 @@ static double dot(const double *a, const double *b) {
 }
 
 static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0};
-static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel, {0, 0, 0}, NULL};
+static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0};
 static const double up[3] = {0, 0, 1};
 
 static void smooth_wall_is_the_law(void **state) {
@@ -174,7 +174,7 @@ static void normal_impact_is_isotropic(void **state) {
 static void no_deposits_where_none_are_taken(void **state) {
   (void)state;
   setup s = setup_create("none", "bons", 0);
-  asp_particle small = {1e-7, 2650, &quartz_on_nickel, {0, 0, 0}, NULL};
+  asp_particle small = {1e-7, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0};
   double v1[3] = {1, 0, -1};
   asp_impact impact;
   asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
@@ -344,7 +344,7 @@ static void properties(void **state) {
       if (!(dot(v1, n) < 0))
         continue;
       asp_particle p = {
-          pow(10, -9 + 8 * gsl_rng_uniform(rng)), 2650, &quartz_on_nickel, {0, 0, 0}, NULL};
+          pow(10, -9 + 8 * gsl_rng_uniform(rng)), 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0};
       asp_impact impact;
       asp_wall_impact(s.wall, &p, v1, n, &(asp_key){9, (uint32_t)i, tag, 1}, &impact);
       double before = dot(v1, v1), after = dot(impact.v2, impact.v2);

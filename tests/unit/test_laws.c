@@ -162,7 +162,7 @@ static void table_law_needs_a_table(void **state) {
   aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   wall->choice.table = table;
   assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
-  asp_particle grain = {1e-4, 2650, NULL, {0, 0, 0}, NULL};
+  asp_particle grain = {1e-4, 2650, NULL, {0, 0, 0}, NULL, 0, 0};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
   asp_impact impact;
   asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1}, &impact);

@@ -159,6 +159,9 @@ static void hot_particles_yield_earlier(void **state) {
     aspi_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
     double v_y = table[i][1] / sqrt(2650 * pair.modulus);
     assert_near(law->rebound(parameters, &hit).v_n2, v_y, 1e-12);
+    parameters[aspi_rebound_parameter_find(law, "temperature", NULL)] = 1200;
+    hit.temperature = table[i][0] > 0 ? table[i][0] : 300; /* in place of it */
+    assert_near(law->rebound(parameters, &hit).v_n2, v_y, 1e-12);
   }
   parameters[aspi_rebound_parameter_find(law, "yield_rate", NULL)] = 3e6;
   parameters[aspi_rebound_parameter_find(law, "temperature", NULL)] = 1400;
