@@ -13,6 +13,7 @@ namespace asperity {
 
 /* The simulation box. */
 struct Box {
+  double lo[3];     /* its lower corner */
   double period[3]; /* length along each periodic axis, 0 along the others */
 
   /* Moves x by whole periods to where it is nearest to `near`. */

@@ -34,10 +34,7 @@ double same_instant(const ContactTouch &touch, const ContactPath &path, double r
 
 } // namespace
 
-MeshShape::MeshShape() : tree_(NULL, aspi_tree_free) {
-  const double none[3] = {0, 0, 0};
-  set_periods(none);
-}
+MeshShape::MeshShape() : tree_(NULL, aspi_tree_free), shifts_(1, Shift{{0, 0, 0}}), periodic_() {}
 
 void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
                               const std::vector<int> &id) {
@@ -51,17 +48,52 @@ void MeshShape::put_tree(ContactTree *tree) const {
   found_.is_set = false;
 }
 
-void MeshShape::set_periods(const double period[3]) {
-  shifts_.assign(1, Shift{{0, 0, 0}});
-  for (int d = 0; d < 3; d++)
-    periodic_[d] = period[d] > 0;
-  for (int d = 0; d < 3; d++)
-    for (size_t k = 0, n = shifts_.size(); period[d] > 0 && k < n; k++)
-      for (int side = -1; side <= 1; side += 2) {
-        Shift shift = shifts_[k];
-        shift.by[d] = side * period[d];
-        shifts_.push_back(shift);
+/* Along a periodic axis: the image whose middle is nearest to that of the box, and its two
+ * neighbors where they come within half a period of the box. */
+bool MeshShape::set_images(const Box &box) {
+  const Bounds mesh = swept();
+  std::vector<Shift> shifts(1, Shift{{0, 0, 0}});
+  for (int d = 0; d < 3; d++) {
+    const double period = box.period[d], lo = box.lo[d] - 0.5 * period;
+    const double hi = box.lo[d] + 1.5 * period;
+    periodic_[d] = period > 0;
+    if (!periodic_[d] || mesh.lo[d] > mesh.hi[d])
+      continue;
+    const double nearest = floor((lo + hi - mesh.lo[d] - mesh.hi[d]) / (2 * period) + 0.5);
+    std::vector<Shift> along;
+    for (double side : {0.0, -1.0, 1.0}) {
+      const double by = (nearest + side) * period;
+      if (mesh.hi[d] + by < lo || mesh.lo[d] + by > hi)
+        continue;
+      for (Shift shift : shifts) {
+        shift.by[d] = by;
+        along.push_back(shift);
       }
+    }
+    shifts.swap(along);
+  }
+  const bool changed = shifts != shifts_;
+  shifts_.swap(shifts);
+  return changed;
+}
+
+/* The box around the mesh at both ends of the step. */
+Bounds MeshShape::swept() const {
+  const Bounds box = whole();
+  if (motion_.in_world() || box.lo[0] > box.hi[0])
+    return box;
+  Bounds swept = Bounds::none();
+  const Frame begin = motion_.at(0);
+  for (int corner = 0; corner < 8; corner++) {
+    double x[3], at[3];
+    for (int d = 0; d < 3; d++)
+      x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
+    begin.to_world(x, at);
+    swept.include(at);
+    motion_.end().to_world(x, at);
+    swept.include(at);
+  }
+  return swept;
 }
 
 Bounds MeshShape::whole() const {

@@ -6,11 +6,13 @@
 #ifndef ASPERITY_WALL_MESH_H
 #define ASPERITY_WALL_MESH_H
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "contact/tree.h"
 #include "dem/bounds.h"
+#include "dem/engine.h"
 #include "dem/motion.h"
 #include "dem/shape.h"
 
@@ -23,8 +25,10 @@ public:
   /* The triangles in the mesh's own frame, and their numbers. Throws std::bad_alloc. */
   void set_triangles(const std::vector<ContactTriangle> &triangles, const std::vector<int> &id);
 
-  /* The box's length along each axis that is periodic, 0 along the others. */
-  void set_periods(const double period[3]);
+  /* Call when the mesh has moved, or the box may have changed: finds the periodic images of the
+   * mesh that may meet particles of the box in this step. True if they are not those of the last
+   * call. */
+  bool set_images(const Box &box);
 
   Motion &motion() {
     return motion_;
@@ -84,6 +88,9 @@ protected:
 private:
   struct Shift {
     double by[3];
+    bool operator==(const Shift &other) const {
+      return std::equal(by, by + 3, other.by);
+    }
   };
   /* Places in the tree of the triangle that a contact counts for, and of that with its normal. */
   struct Places {
@@ -100,6 +107,7 @@ private:
     }
   };
 
+  Bounds swept() const;
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
   void fetch_missing(const Bounds &box) const;
   const ContactList &meet(const Bounds &box, double margin) const;
@@ -112,7 +120,7 @@ private:
 
   mutable std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_; /* of what is known */
   Motion motion_;
-  std::vector<Shift> shifts_; /* of the periodic images, itself first */
+  std::vector<Shift> shifts_; /* of the periodic images, that nearest to the box first */
   bool periodic_[3];
   mutable Meeting found_;
 };

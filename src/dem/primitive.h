@@ -24,6 +24,9 @@ public:
   bool repeats(int axis) const override {
     return axis != plane_.axis;
   }
+  bool bars(int axis) const override {
+    return !repeats(axis);
+  }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   bool under(int face, const double x[3], double reach, double n[3],
              double v_wall[3]) const override;
@@ -43,6 +46,9 @@ public:
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool repeats(int axis) const override {
     return axis == cylinder_.axis;
+  }
+  bool bars(int axis) const override {
+    return !repeats(axis);
   }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   bool under(int face, const double x[3], double reach, double n[3],

@@ -93,6 +93,12 @@ public:
     return false;
   }
 
+  /* True if the shape cannot stand where the box is periodic along an axis: a particle that leaves
+   * on one side of the shape would come back on its other side. */
+  virtual bool bars(int) const {
+    return false;
+  }
+
   /* The first contact of the path at or before `latest`. */
   virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
 

@@ -128,9 +128,22 @@ std::string Wall::heading() const {
          model_.heading() + "; angles in degrees";
 }
 
+/* Throws an Error if a shape stands across a periodic direction. */
+void Wall::check_box() const {
+  for (const Member &member : shapes_)
+    for (int d = 0; d < 3; d++)
+      if (box_.period[d] > 0 && member.shape->bars(d))
+        throw Error(text("the wall '%s' stands across %c, along which the box is periodic: a "
+                         "particle that leaves the box would come back on the other side of the "
+                         "wall; the boundary along %c must not be p, or the wall must be a mesh, "
+                         "which repeats with the box",
+                         geometry_.c_str(), "xyz"[d], "xyz"[d]));
+}
+
 void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
   groupbit_ = groupbit;
   box_ = box;
+  check_box();
   dt_ = spheres.dt;
   fastest_ = Fastest();
   travel_ = 0;

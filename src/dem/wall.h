@@ -247,6 +247,7 @@ private:
   void find_near(const Spheres &spheres, int number, std::vector<Near> &near);
   bool look_ahead(const Spheres &spheres, int i);
   bool repeats() const;
+  void check_box() const;
   Faces faces(int i, size_t shape) const;
   int steps_clear(const Spheres &spheres, int i) const;
 

@@ -60,8 +60,10 @@ public:
   Box box() const {
     const auto *domain = program_->domain;
     Box box;
-    for (int d = 0; d < 3; d++)
+    for (int d = 0; d < 3; d++) {
+      box.lo[d] = domain->boxlo[d];
       box.period[d] = domain->periodicity[d] ? domain->prd[d] : 0;
+    }
     return box;
   }
 

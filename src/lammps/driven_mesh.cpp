@@ -186,10 +186,11 @@ static double fitting(const Bounds &mesh, const Bounds &box) {
 
 std::string DrivenMesh::misfit(const Bounds &box, const double period[3]) const {
   Bounds images = box;
-  for (int d = 0; d < 3; d++) {
-    images.lo[d] -= period[d];
-    images.hi[d] += period[d];
-  }
+  for (int d = 0; d < 3; d++)
+    if (period[d] > 0) {
+      images.lo[d] = -HUGE_VAL;
+      images.hi[d] = HUGE_VAL;
+    }
   const bool outside = !drive_.moves() && !extent_.meets(images);
   const double times = longest_side(extent_) / longest_side(box);
   if (!outside && !(times > SIZES_APART))

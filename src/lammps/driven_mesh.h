@@ -54,7 +54,7 @@ public:
   /* Number of triangles and their extent, for the log. */
   std::string describe() const;
 
-  /* Warning about a mesh at rest outside of the box and its next images (`period` 0 where there are
+  /* Warning about a mesh at rest outside of the box and its images (`period` 0 where there are
    * none), or over 100 times as large, with the scale that would bring it in; else empty. */
   std::string misfit(const Bounds &box, const double period[3]) const;
 

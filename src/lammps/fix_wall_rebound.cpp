@@ -260,8 +260,8 @@ void FixWallRebound::setup(int) {
     if (p_->region)
       p_->region->setup();
     if (p_->mesh) {
-      p_->mesh->set_periods(p_->box().period);
       p_->mesh->setup(p_->wall.time(static_cast<double>(update->ntimestep)));
+      p_->mesh->set_images(p_->box());
     }
     p_->wall.setup(p_->spheres(), groupbit, p_->box());
   });
@@ -277,8 +277,9 @@ void FixWallRebound::Parts::begin_step() {
   if (region)
     region->begin_step();
   if (mesh) {
-    mesh->set_periods(box().period);
     mesh->begin_step(wall.time(static_cast<double>(update->ntimestep)), update->dt);
+    if (mesh->set_images(box()))
+      wall.look_anew();
   }
 }
 

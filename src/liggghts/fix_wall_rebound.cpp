@@ -323,8 +323,8 @@ void FixWallRebound::setup(int) {
   here.widen(neighbor->cutneighmax);
   attempt([&] {
     for (MeshOfLiggghts *mesh : meshes_) {
-      mesh->set_periods(box().period);
       const std::string report = mesh->setup(here);
+      mesh->set_images(box());
       if (!report.empty())
         print("fix " + id() + " wall/rebound: " + report);
     }
@@ -335,8 +335,11 @@ void FixWallRebound::setup(int) {
 }
 
 void FixWallRebound::begin_step() {
-  for (MeshOfLiggghts *mesh : meshes_)
+  for (MeshOfLiggghts *mesh : meshes_) {
     mesh->begin_step(update->dt);
+    if (mesh->set_images(box()))
+      wall.look_anew();
+  }
 }
 
 void FixWallRebound::post_integrate() {

@@ -73,7 +73,9 @@ paste held.500 held.750 | awk '{ dx = $9 - $2 - 5 * 250e-8; dy = $10 - $3; dz = 
 
 # Delete: counted, in number and mass.
 # LIGGGHTS itself takes every particle that goes for lost.
-deck 'deposit delete' 'fix move all nve/sphere' '' 'run 10' ignore > delete.in
+lost=error
+[ $simulator = lammps ] || lost=ignore
+deck 'deposit delete' 'fix move all nve/sphere' '' 'run 10' $lost > delete.in
 for ranks in 1 2; do
   engine $ranks delete.in
   set -- $(last_thermo delete.in)

@@ -35,9 +35,11 @@ velocity all set 0 0 -1 units box
 fix wall all wall/rebound stl plate.stl type 2 materials quartz hastelloy-x surface_energy 1e4
 fix fly all wall/rebound zplane -1e-3 rebound constant 0.5 0.5 deposit off
 compute most all reduce max f_wall[1] f_wall[2]
-variable stuck atom f_wall[2]==1
+fix state all store/state 1 f_wall[2]
+variable stuck atom f_state==1
+variable stuck_now equal count(stuck)
 group stuck dynamic all var stuck every 1
-thermo_style custom step c_most[1] c_most[2] f_wall f_wall[2]
+thermo_style custom step c_most[1] c_most[2] f_wall f_wall[2] v_stuck_now
 dump rows all custom 150 rows.txt id f_wall[1] f_wall[2] f_fly[1]
 dump_modify rows sort id
 run 150
@@ -45,7 +47,7 @@ END
 for ranks in 1 2; do
   lammps $ranks atoms.in
   [ "$(tail -n 2 rows.txt | tr -s ' \n' ' ;')" = "1 1 1 0;2 0 0 0;" ] || { tail -n 2 rows.txt; die "numbers of each atom"; }
-  grep -Eq '^ +150 +1 +1 +1 +1' atoms.in.screen || die "their maxima and the counters: $(grep -E '^ +150 ' atoms.in.screen)"
+  grep -Eq '^ +150 +1 +1 +1 +1 +1 *$' atoms.in.screen || die "their maxima and the counters: $(grep -E '^ +150 ' atoms.in.screen)"
 done
 
 # A plate that takes a stuck particle along: 100 steps to the right at 1 m/s, then up at 2 m/s, and a restart within.

@@ -57,7 +57,7 @@ run 10"; } > move.in
 stops 1 move.in "fix move (id guide)"
 
 { echo "$head
-boundary p p p
+boundary p p f
 $box
 $grain
 $wall

@@ -176,7 +176,7 @@ bool run(Room &room, double diameters, double impacts) {
   }
   Spheres s = {0,        dt,       n,    mask.data(), type.data(),   tag.data(), 4,
                x.data(), v.data(), NULL, f.data(),    radius.data(), mass.data()};
-  const Box box = {{0, 0, 0}};
+  const Box box = {{0, 0, 0}, {0, 0, 0}};
   wall.init(0, dt);
   wall.set_rows(state.data(), place.data());
   wall.setup(s, 1, box);

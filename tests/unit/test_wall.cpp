@@ -1,5 +1,5 @@
-/* A wall as an engine drives it, without one: walls in two dimensions, and the ledger's rows as
- * engines read them.
+/* A wall as an engine drives it, without one: walls in two dimensions and in periodic boxes, and
+ * the ledger's rows as engines read them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
@@ -11,6 +11,7 @@
 
 #include "contact/vector.h"
 #include "dem/error.h"
+#include "dem/mesh.h"
 #include "dem/primitive.h"
 #include "dem/wall.h"
 
@@ -124,7 +125,7 @@ struct Grains {
     const std::vector<Wall *> walls(1, &wall);
     wall.init(0, s.dt);
     wall.set_rows(state.data(), place.data());
-    wall.setup(s, 1, Box{{0, 0, 0}});
+    wall.setup(s, 1, Box{{0, 0, 0}, {0, 0, 0}});
     for (s.step = 1; s.step <= steps; s.step++) {
       for (int i = 0; i < 3 * GRAINS; i++)
         x[i] += v[i] * s.dt;
@@ -189,6 +190,66 @@ void ledger_rows_are_one_block(void **) {
   }
 }
 
+/* Particles that leave a periodic box would come back behind a plane or inside of a cylinder. */
+void periodic_directions_are_refused(void **) {
+  const Alone engine(3);
+  const Spheres none = Spheres();
+  const double still[3] = {0, 0, 0};
+  for (int d = 0; d < 3; d++) {
+    std::unique_ptr<Wall> wall = wall_of(engine, "rebound constant 1 1 deposit off");
+    Wall tube(engine);
+    tube.add_shape(std::unique_ptr<Shape>(new CylinderShape(1, still, 1, 0, 0)), 1, 0, "");
+    Box box = {{0, 0, 0}, {0, 0, 0}};
+    box.period[d] = 1;
+    for (Wall *each : {wall.get(), &tube}) {
+      std::string wrong;
+      try {
+        each->setup(none, 1, box);
+      } catch (const Error &error) {
+        wrong = error.what();
+      }
+      assert_int_equal(wrong.empty(), each == &tube ? d == 1 : d != 0);
+      if (!wrong.empty())
+        assert_true(has(wrong, (std::string("stands across ") + "xyz"[d]).c_str()));
+    }
+  }
+}
+
+/* A plate of one period, at rest anywhere or on its way: a grain that falls into the box meets it.
+ */
+void meshes_repeat_with_the_box(void **) {
+  const Box box = {{-2, 5, -1}, {1, 1, 0}};
+  for (double moved : {0.0, 0.4, 1.0, 3.3, -7.6, 1e4}) {
+    MeshShape plate;
+    std::vector<ContactTriangle> triangles(2);
+    const double corner[4][3] = {{-2, 5, 0}, {-1, 5, 0}, {-1, 6, 0}, {-2, 6, 0}};
+    for (int k = 0; k < 3; k++) {
+      aspi_copy(corner[k], triangles[0].node[k]);
+      aspi_copy(corner[(k + 2) % 4], triangles[1].node[k]);
+    }
+    plate.set_triangles(triangles, {0, 1});
+    Frame frame;
+    for (double end : {moved, moved + 0.01}) {
+      frame.shift[0] = end;
+      frame.shift[1] = -end;
+      if (end > moved)
+        plate.motion().advance(frame, Twist(), 1);
+      else
+        plate.motion().settle(frame, true);
+      plate.set_images(box);
+      assert_false(plate.set_images(box));
+      for (int k = 0; k < 100; k++) {
+        Path path = {{-2.2 + 0.014 * k, 4.9 + 0.012 * k, 0.1}, {0, 0, -1}, 1, 1};
+        Contact contact;
+        assert_true(plate.find(path, 0.02, 1, contact));
+        assert_float_equal(contact.time, 0.08, 1e-6);
+        assert_float_equal(contact.x[0], path.x[0], 1e-6);
+        assert_float_equal(contact.n[2], 1, 1e-6);
+      }
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -196,6 +257,8 @@ int main(int argc, char **argv) {
       cmocka_unit_test(two_dimensions_stay_in_their_plane),
       cmocka_unit_test(two_dimensions_refuse_what_leaves_them),
       cmocka_unit_test(ledger_rows_are_one_block),
+      cmocka_unit_test(periodic_directions_are_refused),
+      cmocka_unit_test(meshes_repeat_with_the_box),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
