@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28, TWIN_POINTS = 1 << 19 };
+enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28 };
 
 /* Points per correlation length of a generated profile: fine enough that a particle smaller than
  * the spacing finds the unfiltered slope. */
@@ -115,18 +115,6 @@ static aspi_profile_options read_options(const cli_call *call) {
 
 /* ---- profiles ---- */
 
-/* A profile with the same lambda_c by the same level and the same spacing, at least as long; its
- * seed is made another, so that a generated profile that was saved is not compared with itself. */
-static asp_profile *generate_like(const aspi_description *d, uint32_t seed) {
-  size_t points = d->points > TWIN_POINTS ? d->points : TWIN_POINTS;
-  asp_error error;
-  asp_profile *generated = asp_profile_create(d->r_q, d->lambda_1_e, d->spacing, points,
-                                              seed ^ asp_key_wall("twin"), &error);
-  if (!generated)
-    cli_warn("no profile is generated to compare with: %s", error.text);
-  return generated;
-}
-
 /* Report and description of a measured profile. */
 typedef struct source {
   aspi_profile_report report;
@@ -149,10 +137,6 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
           d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
 }
 
-static uint32_t seed_of(const cli_description *d) {
-  return (uint32_t)asp_wall_get(d->wall, "seed");
-}
-
 static cli_wall read_wall(const cli_call *call, const cli_description *wall, const cli_list *sizes,
                           source *from) {
   const char *file = asp_wall_word(wall->wall, "file");
@@ -166,7 +150,7 @@ static cli_wall read_wall(const cli_call *call, const cli_description *wall, con
     cli_bad_usage("%s: %s", file, error.text);
   const aspi_description *d = &from->description;
   cli_surface_check(file, "profile", &from->report, d->spacing, d->length, d->lambda_c, sizes);
-  return (cli_wall){profile, generate_like(d, seed_of(wall)), d->r_q, d->lambda_c, file};
+  return (cli_wall){profile, d->r_q, d->lambda_c, file};
 }
 
 /* The profile along the flight; `more` is added to the seed. */
@@ -175,11 +159,12 @@ static cli_wall generate_wall(const cli_call *call, const cli_description *wall,
   double r_q = asp_surface_r_q(surface),
          lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall));
   asp_error error;
-  asp_profile *profile = asp_profile_create(
-      r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
-      cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST), seed_of(wall) + more, &error);
+  asp_profile *profile =
+      asp_profile_create(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
+                         cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
+                         (uint32_t)asp_wall_get(wall->wall, "seed") + more, &error);
   cli_must(profile, &error);
-  return (cli_wall){profile, NULL, r_q, lambda_c, NULL};
+  return (cli_wall){profile, r_q, lambda_c, NULL};
 }
 
 static void save(const cli_call *call, const asp_profile *profile) {
@@ -213,15 +198,6 @@ static void measure(const cli_wall *wall, const cli_list *sizes, cli_slopes *row
   }
   cli_must(!error.code, &error);
   cli_progress_end(&progress);
-}
-
-static void print_notes(FILE *out, const cli_wall *wall, const cli_slopes *rows, size_t count) {
-  if (!wall->name)
-    fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall->profile),
-            asp_profile_spacing(wall->profile) * 1e6);
-  for (size_t i = 0; wall->generated && i < count; i++)
-    fprintf(out, "# d_p %.6g um: D_KL(measured||generated) %.4f\n", rows[i].d_p * 1e6,
-            cli_generated_kl(wall, rows[i].d_p));
 }
 
 static void print_rows(FILE *out, const cli_slopes *rows, size_t count) {
@@ -298,7 +274,10 @@ static cli_description wall_of(const walls *all, size_t index, const cli_call *c
       own[all->at[k]] = text[k];
     }
   cli_description wall = cli_description_read(call->n_words, own, false);
-  cli_description_allow(&wall, "surface seed", "a surface makes no impact");
+  bool measured = asp_wall_word(wall.wall, "file");
+  cli_description_allow(&wall, measured ? "surface" : "surface seed",
+                        measured ? "a measured wall is read, not drawn"
+                                 : "a surface makes no impact");
   return wall;
 }
 
@@ -326,8 +305,9 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
   if (many)
     fprintf(out, "# generated: %s points a wall, lambda_c/%g apart\n", cli_value(call, "points"),
             POINTS_PER_LAMBDA);
-  else
-    print_notes(out, &wall, rows, count);
+  else if (!measured)
+    fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall.profile),
+            asp_profile_spacing(wall.profile) * 1e6);
   print_rows(out, rows, count);
   cli_file_close(out);
   if (cli_value(call, "save"))
@@ -376,9 +356,8 @@ static const char detail[] =
     "wall. kappa = sqrt(3) dp rq / lambda_c^2; angle_kurtosis is the excess (normal: 0);\n"
     "kl_normal is D_KL (natural logarithm) of the normal fit to the kernel density of the\n"
     "angles, bandwidth sd (4/(3 points))^(1/5). A generated profile is periodic, a measured\n"
-    "one is mirrored at its ends. A measured one is compared with a generated one of the\n"
-    "same R_q and lambda_c. rq and lambda_c may be lists: 'surface rq 2um,5um lambda_c\n"
-    "40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"
+    "one is mirrored at its ends. rq and lambda_c may be lists: 'surface rq 2um,5um\n"
+    "lambda_c 40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"
     "parameters of ISO 25178-2, the lay, and the slopes that a sphere meets across the lay\n"
     "and along it. The command refuses instruments' own formats; the free program Gwyddion\n"
     "saves them as SDF.\n";

@@ -1,6 +1,6 @@
 /* The picture of `asperity surface` for one wall and one particle: the whole profile, the part
  * where the particle bridges the most, and the density of its angles (Altmeppen et al. 2020,
- * figures 3 to 5).
+ * figures 3 and 4).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/plot.h"
@@ -23,10 +23,10 @@ aspi_contact cli_contact(const cli_wall *wall) {
   return wall->name ? ASP_CONTACT_ROLLED : ASP_CONTACT_DILATION;
 }
 
-static angles angles_of(const cli_wall *wall, const asp_profile *profile, double d_p) {
-  angles a = {.values = cli_allocate(asp_profile_points(profile), sizeof(double))};
+static angles angles_of(const cli_wall *wall, double d_p) {
+  angles a = {.values = cli_allocate(asp_profile_points(wall->profile), sizeof(double))};
   asp_error error;
-  if (aspi_profile_slopes(profile, d_p, cli_contact(wall), a.values, &a.count, &error))
+  if (aspi_profile_slopes(wall->profile, d_p, cli_contact(wall), a.values, &a.count, &error))
     cli_fail("%s", error.text);
   for (size_t i = 0; i < a.count; i++)
     a.values[i] = cli_degrees(atan(a.values[i]));
@@ -34,28 +34,16 @@ static angles angles_of(const cli_wall *wall, const asp_profile *profile, double
   return a;
 }
 
-/* Densities over one range: five sd about zero, but no less than what is measured. */
-static aspi_density *density_of(const angles *a, const angles *range) {
-  double most = 5 * range->moments.sd;
-  for (size_t i = 0; i < range->count; i++)
-    most = fmax(most, fabs(range->values[i]));
+/* Over five sd about zero, and all values. */
+static aspi_density *density_of(const angles *a) {
+  double most = 5 * a->moments.sd;
+  for (size_t i = 0; i < a->count; i++)
+    most = fmax(most, fabs(a->values[i]));
   asp_error error;
   aspi_density *density = aspi_density_create(a->values, a->count, -most, most, GRID, &error);
   if (!density)
     cli_fail("%s", error.text);
   return density;
-}
-
-double cli_generated_kl(const cli_wall *wall, double d_p) {
-  angles measured = angles_of(wall, wall->profile, d_p);
-  angles generated = angles_of(wall, wall->generated, d_p);
-  aspi_density *p = density_of(&measured, &measured), *q = density_of(&generated, &measured);
-  double kl = aspi_density_kl(p, q);
-  free(p);
-  free(q);
-  free(measured.values);
-  free(generated.values);
-  return kl;
 }
 
 /* The part of the profile that is shown to scale, three times as wide as it is high, about the
@@ -152,29 +140,18 @@ static void plot_bridge(cli_plot *plot, const cli_wall *wall, double d_p) {
   free(closed);
 }
 
-static void plot_density(cli_plot *plot, const char *style, const aspi_density *density) {
-  cli_plot_series(plot, CLI_LINE, "%s", style);
-  for (size_t i = 0; i < density->points; i++) {
-    double x = density->lo + (double)i * density->step, y = density->value[i];
-    cli_plot_row(plot, x, y);
-  }
-}
-
-static void begin_angles(cli_plot *plot, double reach, double left, double width) {
+static void plot_angles(cli_plot *plot, const angles *a, double kl_normal) {
+  aspi_density *density = density_of(a);
+  double mean = a->moments.mean, sd = a->moments.sd, reach = fmin(4.5 * sd, 90);
   cli_plot_panel(plot, "Δα / degrees", "density / (1/degree)");
-  cli_plot_place(plot, left, 0, width, 0.37);
+  cli_plot_place(plot, 0, 0, 1, 0.37);
   cli_plot_axis(plot, 'x', -reach, reach);
   cli_plot_axis(plot, 'y', 0, NAN);
-}
-
-static void plot_angles(cli_plot *plot, const angles *a, double reach, double kl_normal,
-                        double width) {
-  aspi_density *density = density_of(a, a);
-  double mean = a->moments.mean, sd = a->moments.sd;
-  begin_angles(plot, reach, 0, width);
   cli_plot_caption(plot, "angles: mean %.2f°, sd %.2f°; normal fit: D_{KL} %.4f", mean, sd,
                    kl_normal);
-  plot_density(plot, "1", density);
+  cli_plot_series(plot, CLI_LINE, "1");
+  for (size_t i = 0; i < density->points; i++)
+    cli_plot_row(plot, density->lo + (double)i * density->step, density->value[i]);
   cli_plot_end(plot, "kernel density, bandwidth %.2g°", density->bandwidth);
   cli_plot_series(plot, CLI_LINE, "2");
   for (int i = -200; i <= 200; i++) {
@@ -183,19 +160,6 @@ static void plot_angles(cli_plot *plot, const angles *a, double reach, double kl
   }
   cli_plot_end(plot, "normal fit");
   free(density);
-}
-
-static void plot_generated(cli_plot *plot, const angles *measured, const angles *generated,
-                           double reach) {
-  aspi_density *p = density_of(measured, measured), *q = density_of(generated, measured);
-  begin_angles(plot, reach, 0.5, 0.5);
-  cli_plot_caption(plot, "measured against generated: D_{KL} %.4f", aspi_density_kl(p, q));
-  plot_density(plot, "1", p);
-  cli_plot_end(plot, "measured, sd %.2f°", measured->moments.sd);
-  plot_density(plot, "2", q);
-  cli_plot_end(plot, "generated of its R_q and λ_c, sd %.2f°", generated->moments.sd);
-  free(p);
-  free(q);
 }
 
 double cli_kappa(const cli_slopes *row) {
@@ -208,16 +172,10 @@ void cli_surface_plot(const cli_call *call, const cli_wall *wall, const cli_slop
                                  wall->name ? "Measured wall " : "Generated wall",
                                  wall->name ? cli_plot_file(wall->name).text : "", wall->r_q * 1e6,
                                  wall->lambda_c * 1e6, wall->r_q / wall->lambda_c, cli_kappa(row));
-  angles measured = angles_of(wall, wall->profile, row->d_p);
-  double reach = fmin(4.5 * measured.moments.sd, 90);
+  angles all = angles_of(wall, row->d_p);
   plot_all(plot, wall->profile);
   plot_bridge(plot, wall, row->d_p);
-  plot_angles(plot, &measured, reach, row->slopes.kl_normal, wall->generated ? 0.5 : 1);
-  if (wall->generated) {
-    angles generated = angles_of(wall, wall->generated, row->d_p);
-    plot_generated(plot, &measured, &generated, reach);
-    free(generated.values);
-  }
-  free(measured.values);
+  plot_angles(plot, &all, row->slopes.kl_normal);
+  free(all.values);
   cli_plot_close(plot);
 }

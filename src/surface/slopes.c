@@ -107,7 +107,6 @@ static aspi_density *density_of(const double *values, size_t count, double sd, d
   *d = (aspi_density){.lo = lo, .step = (hi - lo) / (double)(points - 1), .points = points};
   double within = share(values, count, d, buffer);
   d->bandwidth = bandwidth_of(buffer, d, count, sd);
-  d->least = 1 / (within * (hi - lo));
   smooth(buffer, d);
   free(buffer);
   if (within > 0)
@@ -142,16 +141,6 @@ double aspi_density_kl_normal(const aspi_density *density, double mean, double s
       sum += p * (log(p * sd * sqrt(2 * ASP_PI)) + 0.5 * x * x);
   }
   return sum * density->step;
-}
-
-double aspi_density_kl(const aspi_density *reference, const aspi_density *other) {
-  double sum = 0;
-  for (size_t i = 0; i < reference->points && i < other->points; i++) {
-    double p = reference->value[i];
-    if (p > 0)
-      sum += p * log(p / fmax(other->value[i], other->least));
-  }
-  return sum * reference->step;
 }
 
 /* Points of a path, unless its profile has more. */

@@ -16,7 +16,6 @@ aspi_moments aspi_moments_of(const double *values, size_t count);
 /* A density on equally spaced points, by a Gaussian kernel: value[i] at lo + i step. */
 typedef struct aspi_density {
   double lo, step, bandwidth;
-  double least; /* one value, spread over the range */
   size_t points;
   double value[];
 } aspi_density;
@@ -27,12 +26,10 @@ typedef struct aspi_density {
 aspi_density *aspi_density_create(const double *values, size_t count, double lo, double hi,
                                   size_t points, asp_error *error);
 
-/* D_KL (eq. 2, natural logarithm) of the density against a normal distribution, and against another
- * density on the same points. Where the other density is less than one of its values spread over
- * the range, that least is taken instead. An estimate from N independent values is about B/(2N) too
- * high, B the number of bins that the kernel is worth over 8 sd: 8 sd/(2 sqrt(pi) bandwidth). */
+/* D_KL (eq. 2, natural logarithm) of the density against a normal distribution. An estimate from N
+ * independent values is about B/(2N) too high, B the number of bins that the kernel is worth over 8
+ * sd: 8 sd/(2 sqrt(pi) bandwidth). */
 double aspi_density_kl_normal(const aspi_density *density, double mean, double sd);
-double aspi_density_kl(const aspi_density *reference, const aspi_density *other);
 
 /* Points of contact that are averaged over: the first two are for a uniformly spread center. */
 typedef enum aspi_contact {
