@@ -267,19 +267,10 @@ bool aspi_text_blank(const char *line) {
 }
 
 static bool is_missing(const char *text, size_t length) {
-  static const char marks[] = "bad na n/a null #n/a void missing - -- --- * *** ? none invalid";
-  if (aspi_word_index(marks, text, length, false) >= 0)
-    return true;
+  static const char marks[] = "bad na n/a null #n/a #num! #value! #div/0! void missing - -- --- * "
+                              "*** ? none invalid";
   size_t stars = strspn(text, "*"); /* overflow marks of Fortran */
-  bool error = *text == '#' && strspn(text + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ/0!?") == length - 1 &&
-               length > 2; /* error marks of a spreadsheet, such as #NUM! or #WERT! */
-  return length == 0 || stars == length || error;
-}
-
-/* Windows' names of infinity and NaN: 1.#INF, -1.#IND, 1.#QNAN. */
-static bool is_windows_nan(const char *text) {
-  const char *mark = strchr(text, '#');
-  return mark && mark > text && mark[-1] == '.' && isalpha((unsigned char)mark[1]);
+  return length == 0 || stars == length || aspi_word_index(marks, text, length, false) >= 0;
 }
 
 /* Removes the marks between groups of three digits, in place; false if a mark stands elsewhere. */
@@ -365,8 +356,6 @@ aspi_word aspi_text_number(const char *text, bool comma, double *value) {
     return ASP_WORD_OTHER;
   memcpy(copy, text, length);
   copy[length] = '\0';
-  if (is_windows_nan(copy))
-    return ASP_WORD_MISSING;
   if (!normalize(copy, comma))
     return ASP_WORD_OTHER;
   double read = aspi_number(copy, &end);

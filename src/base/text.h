@@ -80,7 +80,7 @@ typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } asp
 /* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. An
  * exponent may begin with D (Fortran), digits may be grouped in threes by the mark that is not the
  * decimal one (1,234.5 or 1.234,5), by apostrophes or by blanks that do not break, with `comma` by
- * any blank, and 1.#INF and the like (Windows) are missing. */
+ * any blank. */
 aspi_word aspi_text_number(const char *text, bool comma, double *value);
 
 #endif

@@ -17,13 +17,10 @@
 static const aspi_unit units[] = {
     {"length", "m meter meters metre metres", 0, 1, 0, true},
     {"length", "cm", -2, 1, 0, true},
+    {"length", "mm millimeter millimeters millimetre millimetres \xE3\x8E\x9C", -3, 1, 0, true},
     {"length",
-     "mm millimeter millimeters millimetre millimetres millimetro "
-     "\xE3\x8E\x9C",
-     -3, 1, 0, true},
-    {"length",
-     "um micrometer micrometers micrometre micrometres micron microns mikrometer micrometro "
-     "\xB5m \xC2\xB5m \xCE\xBCm \x83\xCAm \xE3\x8E\x9B", /* the last but one: Shift JIS */
+     "um micrometer micrometers micrometre micrometres micron microns mikrometer "
+     "\xB5m \xC2\xB5m \xCE\xBCm \xE3\x8E\x9B",
      -6, 1, 0, true},
     {"length", "nm nanometer nanometers nanometre nanometres \xE3\x8E\x9A", -9, 1, 0, true},
     {"length", "in inch inches", -3, 25.4, 0, false},

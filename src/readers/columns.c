@@ -107,7 +107,7 @@ static asp_code skip_header(aspi_text *text, const aspi_profile_options *options
       options->step[0] > 0
           ? "the file ends without a line that begins with a number, a height"
           : "the file ends without a line of two numbers, position and height (heights "
-            "alone need the step between them: step)");
+            "alone need the step between them: asperity surface --read 'step 0.5um')");
 }
 
 /* Cuts a line that is not blank into its fields and reads the data in them. */
@@ -131,8 +131,11 @@ static asp_code note_pair(scan *s, const aspi_text *text, const column_layout *l
 }
 
 static asp_code fail_pair(const aspi_text *text, size_t line, const char *shown, asp_error *error) {
-  return aspi_text_fail(text, line, error,
-                        "'%s' where position and height are expected as two numbers", shown);
+  return aspi_text_fail(
+      text, line, error,
+      "'%s' where position and height are expected as two numbers (or a height that "
+      "is missing: nan, bad, --- or nothing)",
+      shown);
 }
 
 /* A line that holds no data ends them, where none follow. */

@@ -23,15 +23,14 @@ typedef struct column {
   bool is_depth; /* a height that counts downward */
 } column;
 
-/* The first words of names. */
+/* The first words of names, in English and German. */
 static const char *const known[] = {
-    [POSITION] = "x pos position positions distance dist lateral length travel scan weg strecke "
-                 "abscisse posizione",
+    [POSITION] = "x pos position positions distance dist lateral length travel scan weg strecke",
     [HEIGHT] = "z height heights h raw profile depth depths level amplitude elevation hoehe tiefe "
-               "profil hauteur altitude altezza altura quota",
+               "profil",
     [NO_LENGTH] =
-        "point pt points no nr number index idx i n id sample t time zeit temps tempo tiempo punkt "
-        "messpunkt lfd pixel px angle temperature intensity force speed line quality valid",
+        "point pt points no nr number index idx i n id sample t time zeit punkt messpunkt lfd "
+        "pixel px angle temperature intensity force speed line quality valid",
 };
 
 /* Those of the heights that count downward. */
@@ -152,8 +151,9 @@ static bool are_known(const column *columns) {
 }
 
 #define ASK_COLUMNS                                                                                \
-  "say which columns are positions and heights (x_column, z_column), or the step of heights "      \
-  "alone (step)"
+  "say which columns are positions and heights (asperity surface --read 'x_column 1 z_column "     \
+  "2'), "                                                                                          \
+  "or the step of heights alone (--read 'z_column 1 step 0.5um')"
 
 /* Facts about a file's columns, and a buffer for the reason of a failure. */
 typedef struct choice {

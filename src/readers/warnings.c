@@ -114,7 +114,7 @@ void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_
 
 asp_code aspi_sampling_check(double d_p, double spacing, double length, double lambda,
                              asp_error *error) {
-  char few[200] = "", brief[160] = "";
+  char few[200] = "", brief[240] = "";
   if (d_p < POINTS_PER_PARTICLE * spacing)
     snprintf(
         few, sizeof few,
@@ -122,10 +122,12 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
         "rounding of heights pass for roughness",
         d_p, d_p / spacing, POINTS_PER_PARTICLE);
   if (!(length >= LENGTH_LEAST * lambda))
-    snprintf(brief, sizeof brief,
-             "the measured wall is only %.3g correlation lengths long; under %g its numbers carry "
-             "a large sampling error",
-             length / lambda, LENGTH_LEAST);
+    snprintf(
+        brief, sizeof brief,
+        "the measured wall is only %.3g correlation lengths long; under %g its numbers carry "
+        "a large sampling error; if it is bowed, 'asperity surface' with --form 2 takes the bow "
+        "out",
+        length / lambda, LENGTH_LEAST);
   if (!*few && !*brief)
     return ASP_OK;
   return aspi_fail(error, ASP_ERANGE, "%s%s%s", few, *few && *brief ? "; " : "", brief);

@@ -419,7 +419,7 @@ static void files_of_all_kinds(void **state) {
   expect("x_um,z_um\n0.0D+00,1.0D+00\n1.0D+00,2.0d0\n2.0D0,4.0D+00\n", NULL, 3, 1e-6, 4e-6);
   expect("x_um;z_um\n0;1.001,5\n1;2.002,5\n2;4.004,5\n", NULL, 3, 1e-6, 4004.5e-6);
   expect("x_um\tz_um\n0\t1,001.5\n1\t2,002.5\n2\t1'004.5\n", NULL, 3, 1e-6, 1004.5e-6);
-  expect("x_um,z_um\n0,1\n1,1.#INF\n2,3\n3,-1.#IND\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
+  expect("x_um,z_um\n0,1\n1,inf\n2,3\n3,#NUM!\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
   assert_non_null(strstr(report.text, "points read, 2 bad"));
   o.has_missing = true;
   o.missing = 7;
@@ -442,7 +442,7 @@ static void files_of_all_kinds(void **state) {
   expect("x_um;z_um\n0;1\n1;\342\210\2222\n2;\342\210\2224\n", NULL, 3, 1e-6, -4e-6);
   expect("x_um,z_um\n\"0,000\",\"1,5\"\n\"0,500\",\"2,5\"\n\"1,000\",\"4,5\"\n", NULL, 3, 0.5e-6,
          4.5e-6);
-  expect("x_um,z_um\n0,1\n1,******\n2,3\n3,#WERT!\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
+  expect("x_um,z_um\n0,1\n1,******\n2,3\n3,#VALUE!\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
   assert_non_null(strstr(report.text, "points read, 2 bad"));
   static const char utf16[] = "\xFF\xFEx\0_\0\xB5\0m\0,\0z\0_\0\xB5\0m\0\r\0\n\0"
                               "0\0,\0001\0\r\0\n\0001\0,\0002\0\r\0\n\0002\0,\0004\0";
@@ -612,7 +612,8 @@ static void spikes_are_marked_where_asked(void **state) {
   assert_true(asp_profile_heights(p)[77] > 40e-6);
   asp_profile_free(p);
   o.spikes = 10;
-  expect_error(text, &o, ASP_EDATA, "point 78 is the first of 1 spikes; fill");
+  expect_error(text, &o, ASP_EDATA,
+               "point 78 is the first of 1 spikes; fill the gaps (asperity surface --gaps fill)");
   o.fill = true;
   p = read_text(text, &o);
   assert_near(asp_profile_heights(p)[77], sin(77 * 0.2) * 1e-6, 0.2e-6);
