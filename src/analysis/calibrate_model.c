@@ -80,11 +80,19 @@ static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row,
   return !*dropped;
 }
 
+/* The row of impact i of some at the places of a bin. All rows come equally often, or spread over
+ * the bin where there are fewer impacts: rows are in order of their angle. */
+static const aspi_measured_row *row_of(const aspi_calibration *c, const aspi_calibration_bin *bin,
+                                       size_t i, size_t samples) {
+  double share = ((double)i + 0.5) / (double)samples;
+  return &c->data.rows[bin->first + (size_t)(share * (double)(bin->end - bin->first))];
+}
+
 void aspi_calibration_draw(const aspi_calibration *c, size_t b, size_t samples, uint32_t stream,
                            aspi_cloud *to) {
   const aspi_calibration_bin *bin = &c->bins[b];
   for (size_t i = 0; i < samples; i++) {
-    const aspi_measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
+    const aspi_measured_row *row = row_of(c, bin, i, samples);
     bool dropped;
     if (see_rebound(c, row, stream, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds], &dropped))
       to->rebounds++;
@@ -130,7 +138,7 @@ void aspi_calibration_coefficients(const aspi_calibration *c, size_t b, double m
   const aspi_calibration_bin *bin = &c->bins[b];
   aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
   for (size_t i = 0; i < c->samples; i++) {
-    const aspi_measured_row *row = &c->data.rows[bin->first + i % (bin->end - bin->first)];
+    const aspi_measured_row *row = row_of(c, bin, i, c->samples);
     double xy[COR_BOTH], alpha = aspi_radians(row->degrees);
     bool dropped;
     if (!see_rebound(c, row, 0, b * TAGS_OF_A_BIN + i, xy, &dropped))

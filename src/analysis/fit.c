@@ -42,8 +42,8 @@ enum { FEW = 20 };
  * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
  * one with bounds. */
 #define LOG_AROUND 2.5
-#define LOG_DOWN 6.9
-#define LOG_UP 3.4
+#define LOG_DOWN 9.2
+#define LOG_UP 9.2
 #define LOGISTIC_AROUND 3.5
 #define LOGISTIC 6.0
 

@@ -8,9 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Fewer single impacts than this tell no standard error to divide by. */
-enum { SCORED_LEAST = 10 };
-
 /* What is compared in a bin: means of all quantities, and the sd of both coefficients. */
 enum { TERMS = ASPI_QUANTITIES + COR_BOTH };
 
@@ -47,7 +44,7 @@ static double error_of(const aspi_side *model, const aspi_side *data, int term) 
   const aspi_sample *m = &model->of[k], *d = &data->of[k];
   if (term == ASPI_DEPOSITS)
     return share_error_of(m, d);
-  if (data->impacts && d->size < SCORED_LEAST)
+  if (data->impacts && d->size < ASPI_SCORED_LEAST)
     return NAN;
   if (term != k)
     return sd_error_of(m, d);

@@ -10,7 +10,8 @@
 
 #include <gsl/gsl_rng.h>
 
-enum { ASPI_REPLICATES = 200 };
+/* Replicates; and fewer single impacts than this tell no standard error to divide by. */
+enum { ASPI_REPLICATES = 200, ASPI_SCORED_LEAST = 10 };
 
 /* chi2 of a difference that is z in its standard errors, and of a replicate's difference from it,
  * e: the sums of z^2, z e and e^2 over all terms. */

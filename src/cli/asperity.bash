@@ -24,8 +24,7 @@ _asperity() {
       mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
     --*,?*) return ;;
     *) # a word of the wall's description: its table, choices and all, and the materials
-      words=$("$program" help wall 2> /dev/null | grep -o '\b[a-z][a-z0-9_]*\b' | sort -u)
-      words="$words $("$program" materials 2> /dev/null | sed '1,2d; s/,.*//')" ;;
+      words=$({ "$program" help wall | grep -o '\b[a-z][a-z0-9_-]*\b'; "$program" materials | sed '1,2d; s/,.*//'; } 2> /dev/null | sort -u) ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
 }

@@ -95,6 +95,21 @@ static void read_unknowns(aspi_calibration *c) {
 
 /* ---- the measurements ---- */
 
+/* Warns of coefficients that are left out, as other impacts in their bin have none. */
+static void warn_left_out(const aspi_calibration *c, const char *path) {
+  static const char *const names[COR_BOTH] = {"cor_n", "cor_t"};
+  for (int k = 0; k < COR_BOTH; k++) {
+    size_t left = 0;
+    for (size_t b = 0; b < c->n_bins && !c->data.means; b++)
+      for (size_t i = c->bins[b].first; i < c->bins[b].end; i++)
+        left += !c->groups[b].used[MOMENT_X + k] && isfinite(c->data.rows[i].cor[k]);
+    if (left > 0)
+      cli_warn("%s: %zu values of %s are left out, as other rebounds in their bins have none; a "
+               "narrower --bin may part them",
+               path, left, names[k]);
+  }
+}
+
 static void read_data(const cli_call *call, aspi_calibration *c, const char *path) {
   asp_error error;
   const cli_option *samples = cli_get(call, "samples");
@@ -107,6 +122,7 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   if (code == ASP_EARG)
     cli_bad_usage("%s: %s", path, error.text);
   cli_must(!code, &error);
+  warn_left_out(c, path);
 }
 
 /* ---- the fit ---- */
@@ -164,8 +180,10 @@ static void warn_of_doubt(const aspi_calibration *c, const aspi_fit *f) {
                  "measure at other angles, speeds or sizes",
                  c->unknown[k].name, c->unknown[i].name, f->correlation[i][k]);
     double value = value_of(c, f, i), error = error_of(c, f, i);
+    const aspi_unknown *u = &c->unknown[i];
     if (bound_of(c, f, i, text, sizeof text))
-      cli_warn("%s: the minimum is at a bound, or too near to tell", text);
+      cli_warn("%s: the minimum is at %.3g, where the search ends, or too near to tell", text,
+               aspi_unknown_value(u, f->at[i] - u->low < u->high - f->at[i] ? u->low : u->high));
     else if (!(error < VAGUE * value))
       cli_warn("the data say little of '%s': %g, from %g to %g at 95 %%", c->unknown[i].name, value,
                end_of(c, i, f->low[i]), end_of(c, i, f->high[i]));
@@ -329,11 +347,13 @@ static void plot_panel(cli_plot *picture, const aspi_calibration *c, int k) {
 }
 
 static void plot(const cli_call *call, const aspi_calibration *c, const aspi_fit *f) {
-  char title[300] = "";
+  char title[FIT_UNKNOWNS_MOST * 130] = "", text[120];
   for (size_t i = 0; i < c->n_unknown; i++) {
     size_t used = strlen(title);
-    snprintf(title + used, sizeof title - used, "%s%s %.4g ± %.2g %s", i ? ",  " : "",
-             c->unknown[i].name, value_of(c, f, i), error_of(c, f, i), c->unknown[i].unit);
+    if (!bound_of(c, f, i, text, sizeof text))
+      snprintf(text, sizeof text, "%s %.4g ± %.2g %s", c->unknown[i].name, value_of(c, f, i),
+               error_of(c, f, i), c->unknown[i].unit);
+    snprintf(title + used, sizeof title - used, "%s%s", i ? ",  " : "", text);
   }
   cli_plot *picture = cli_plot_open(call, 1200, 520, "1,2", "%s and the fitted model: %s",
                                     cli_plot_file(call->words[0]).text, cli_plot_label(title).text);
@@ -386,8 +406,9 @@ static const cli_option options[] = {
 
 static const char detail[] =
     "Fits every number of the wall's description that is `fit`, as in 'surface sigma fit\n"
-    "friction fit': sigma, or rq and lambda_c; friction, surface_energy, yield_stress;\n"
-    "those of the law. `fit=VALUE` begins the search at VALUE; rq, lambda_c and numbers\n"
+    "friction fit materials quartz al-2024': sigma, or rq and lambda_c; friction,\n"
+    "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search at VALUE; rq, "
+    "lambda_c and numbers\n"
     "whose default is 0 need it.\n" MEASURED_FORMS "\n"
     "The output has the rows parameter,estimate,standard_error,low_95,high_95,unit; then,\n"
     "as comments, correlations, chi^2 per degree of freedom, and the description with the\n"
@@ -402,7 +423,7 @@ const cli_command cli_calibrate = {
     .summary = "fit the wall's roughness and a law's constants to measured coefficients",
     .detail = detail,
     .examples = "  $ asperity calibrate examples/data/grant_tabakoff_1975.csv surface sigma fit "
-                "friction fit --dp 100um --plot fit.png\n",
+                "friction fit materials ard al-2024 --dp 100um --plot fit.png\n",
     .options = options,
     .picture = "draw data and fitted model; .png, .svg or .pdf",
     .run = run,

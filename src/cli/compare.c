@@ -79,6 +79,21 @@ static void check_bins(const aspi_comparison *c) {
                   c->data.has_speed ? ", speeds" : "", c->data.has_size ? ", sizes" : "");
 }
 
+/* Says why there is no score. */
+static void warn_no_score(const aspi_comparison *c) {
+  if (isfinite(c->score.value))
+    return;
+  if (c->data.means)
+    cli_warn(
+        "%s: there is no score, as no mean has a standard error: columns cor_n_se, or cor_n_sd "
+        "(with n) give it, for cor_t alike",
+        c->names[1]);
+  else
+    cli_warn(
+        "%s: there is no score, as no bin has %d impacts with a scatter: a wider --bin may help",
+        c->names[1], ASPI_SCORED_LEAST);
+}
+
 /* Warns if the comment that the impacts begin with names a fitted law or constant. */
 static void warn_double(const aspi_scatter_impacts *impacts) {
   static const char *const fitted[] = {"grant_tabakoff", "rebound table", "yield_rate"};
@@ -201,6 +216,7 @@ static void compare_with(aspi_comparison *c, cli_call *call) {
   make_bins(c, call);
   cli_must(!aspi_compare_fill(c, &(aspi_compare_reach){far[0], far[1], far[2]}, &error), &error);
   check_bins(c);
+  warn_no_score(c);
   warn_double(&c->impacts);
 }
 

@@ -44,6 +44,10 @@ static void read_materials(cli_description *d) {
   asp_error error;
   int count = asp_wall_materials(d->wall);
   if (count == 0 && asp_rebound_needs_pair(asp_wall_rebound(d->wall))) {
+    if (d->wall->said->may_fit)
+      cli_bad_usage(
+          "'materials' is missing: a fit needs those of the measured particles and wall, as "
+          "'materials quartz al-2024'");
     read_words(d->wall, 3, standard);
     d->has_standard_materials = true;
     count = 2;

@@ -26,7 +26,7 @@ typedef struct cli_description {
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of
  * the wall: Arizona Road Dust on hastelloy-x where none are given. may_fit: numbers may be unknown,
- * see aspi_description. cli_description_make is still to come. */
+ * see aspi_description, and materials must be given. cli_description_make is still to come. */
 cli_description cli_description_read(int count, char **words, bool may_fit);
 
 /* The canonical text of a wall. */

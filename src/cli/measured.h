@@ -34,8 +34,8 @@ void cli_measured_need_view(const char *path, aspi_measured *data, bool matters)
   "DATA is CSV (- is standard input). A name may carry its unit: alpha1_deg or alpha1_rad,\n"      \
   "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. An\n"    \
   "angle without a unit is in degrees, with a warning, a speed in m/s; a length must have one.\n"  \
-  "Titles and `sep=;` may precede the names; e_n and e_t are cor_n and cor_t. The command takes\n" \
-  "these columns, where they are there:\n"                                                         \
+  "Titles and `sep=;` may precede the names; e_n and e_t are cor_n and cor_t, _std and _sem are\n" \
+  "_sd and _se, radius is half of dp. The command takes these columns, where they are there:\n"    \
   "  impacts  alpha1, v1, alpha2, v2 | v1_n, v1_t, v2_n, v2_t | alpha1, cor_v, cor_alpha |\n"      \
   "           alpha1, cor_n, cor_t; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
   "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \

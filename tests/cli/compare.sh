@@ -72,6 +72,25 @@ printf 'alpha1_deg,cor_n_mean,cor_n_sd,cor_n_se,cor_t_mean,n\n30,0.33,0.15,,,100
 [ "$(column data_mean_se got | paste -sd,)" = 0.015,0.004,0.1,,,, ] || die "compare: means: $(cat got)"
 rows got | awk -F, '$1 == "cor_n" { chi2 += ($8 - $13) ^ 2 / ($9 ^ 2 + $14 ^ 2) / 3 } $1 == "score" { d = $18 / chi2 - 1; exit !(d * d < 1e-8 && $19 > 0) }' || die "compare: the score of means: $(cat got)"
 
+# Names and units as people write them: components with a unit in brackets, std and sem, radius; what is left out, what is too
+# fast, and why there is no score, is said.
+sed '1s|.*|v1_n [m/s],v1_t [m/s],v2_n [m/s],v2_t [m/s]|' components > brackets
+"$asperity" compare model brackets --near 90,9,9 | rows /dev/stdin | cmp - <("$asperity" compare model components --near 90,9,9 | rows /dev/stdin) || die "compare: units of components in brackets"
+printf 'alpha1_deg,e_n_mean,e_n_std,e_n_sem,cor_t_mean,N,radius_um\n30,0.33,0.15,,,100,5\n60,0.165,0.1,0.004,0.79,,5\n60,0.165,0.1,,,,5\n' > words
+"$asperity" compare model words > got
+[ "$(column data_mean_se got | paste -sd,)" = 0.015,0.004,0.1,,,, ] && [ "$(column dp_um got | head -n 1)" = 10 ] || die "compare: std, sem, radius: $(cat got)"
+printf 'alpha1_deg,cor_n\n30,0.3\n30,nan\n30,\n30,0.4\n' > gaps
+"$asperity" compare model gaps > got 2> err
+grep -q "gaps: 2 of 4 rows have neither" err || die "compare: rows without numbers: $(cat err)"
+grep -q "gaps: there is no score, as no bin has 10 impacts" err || die "compare: no reason for a missing score: $(cat err)"
+printf 'alpha1_deg,cor_n_mean\n30,0.3\n' | "$asperity" compare model - > got 2> err
+grep -q "no score, as no mean has a standard error: columns cor_n_se" err || die "compare: no reason for a missing score: $(cat err)"
+printf 'alpha1_deg,cor_n\n30,0.3\n30,2.9\n' > fast
+"$asperity" compare model fast > got 2> err
+grep -q "in 1 of 2 rows the rebound is over 1.2 times as fast .* 1.45 times" err || die "compare: a fast rebound"
+printf 'alpha1_deg,cor_n\n30,0.3\n30,1e6\n30,0.2\n' > million
+refuses 2 "at 30 degrees the rebound is 500000 times as fast" -- compare model million
+
 # Places by speed and size: the model's impacts there, and no others.
 { "$asperity" cor --angles 30 --speed 20 --samples 30; "$asperity" cor --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
 printf 'alpha1_deg,v1_m_s,dp_um,cor_n\n30,20,10,0.9\n30,80,10,0.4\n30,80,50,0.4\n30,300,50,0.4\n' > data
@@ -102,7 +121,7 @@ data=$root/examples/data
 for file in "$data"/grant_tabakoff_1975.csv "$data"/forder_1998.csv "$data"/kharaz_2001.csv "$data"/lamarche_2022.csv; do
   "$asperity" cor --angles 5:85:5,30.16,40.45,50.7,59.78,69.92,80.37,86.07,87.97,90 --samples 1 -o impacts
   "$asperity" compare impacts "$file" > got 2> err || die "$file: $(cat err)"
-  [ "$(grep -vc '1 of .* bins' err)" = 0 ] || die "$file: $(cat err)" # CoR_T at 90 degrees is not defined
+  [ "$(grep -vcE '1 of .* bins|there is no score' err)" = 0 ] || die "$file: $(cat err)" # CoR_T at 90 degrees is not defined
 done
 for set in grant_tabakoff_1975:grant_tabakoff "forder_1998:table $data/forder_1998.csv"; do
   # shellcheck disable=SC2086

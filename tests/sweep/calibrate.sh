@@ -14,8 +14,8 @@ export asperity
 trial() {
   local law=$1 each=$2 seed=$((20 * $3 + ${#1})) of begin truth sigma=7.13
   case $law in
-    bons) of='friction 0.3 yield_stress 2e8' begin='friction fit=0.45 yield_stress fit=3e8' truth=$of ;;
-    thornton_ning) of='friction 0.2 yield_stress 3e8' begin='friction fit=0.3 yield_stress fit=2e8' truth=$of ;;
+    bons) of='friction 0.3 yield_stress 2e8' begin='materials ard hastelloy-x friction fit=0.45 yield_stress fit=3e8' truth=$of ;;
+    thornton_ning) of='friction 0.2 yield_stress 3e8' begin='materials ard hastelloy-x friction fit=0.3 yield_stress fit=2e8' truth=$of ;;
     walton) of='0.7 0.15 0.2' begin='fit=0.8 fit=0.25 0.2' truth='e 0.7 mu 0.15' ;;
   esac
   "$asperity" cor rebound "$law" $of surface sigma $sigma seed "$seed" --speed 60 --angles 10,20,30,45,60,75,85 --samples "$each" -o "data.$law.$each.$seed"

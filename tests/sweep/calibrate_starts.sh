@@ -16,8 +16,8 @@ one() {
   "$asperity" cor rebound "$law" ${of//;/ } seed "$1" --speed 60 --angles "$angles" --samples "$samples" -o "data.$1"
   for start in $(seq 0 $((starts - 1))); do
     begin=$(awk -v truth="$of" -v law="$law" -v start="$start" -v seed="$1$start" 'BEGIN { srand(seed); for (i = 0; i < 9; i++) rand(); split(truth, t, ";")
-      if (start == 0) { printf law == "bons" ? "friction fit=%s yield_stress fit=%s surface sigma fit=%s\n" : "fit=%s fit=%s 0.2 surface sigma fit=%s\n", t[law == "bons" ? 2 : 1], t[law == "bons" ? 4 : 2], t[law == "bons" ? 7 : 6]; exit }
-      if (law == "bons") printf "friction fit=%.4g yield_stress fit=%.4g", 0.05 * 20 ^ rand(), 5e7 * 20 ^ rand()
+      if (start == 0) { printf law == "bons" ? "materials ard hastelloy-x friction fit=%s yield_stress fit=%s surface sigma fit=%s\n" : "fit=%s fit=%s 0.2 surface sigma fit=%s\n", t[law == "bons" ? 2 : 1], t[law == "bons" ? 4 : 2], t[law == "bons" ? 7 : 6]; exit }
+      if (law == "bons") printf "materials ard hastelloy-x friction fit=%.4g yield_stress fit=%.4g", 0.05 * 20 ^ rand(), 5e7 * 20 ^ rand()
       else printf "fit=%.4g fit=%.4g 0.2", 0.1 + 0.85 * rand(), 0.02 * 30 ^ rand()
       printf " surface sigma fit=%.4g\n", 20 ^ rand() }')
     "$asperity" calibrate "data.$1" rebound "$law" $begin --speed 60 2> /dev/null |
