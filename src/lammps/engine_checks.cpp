@@ -5,12 +5,15 @@
 
 #include "atom.h"
 #include "domain.h"
+#include "fix.h"
+#include "force.h"
 #include "lammps.h"
 #include "modify.h"
 #include "update.h"
 
 #include "dem/text.h"
 
+#include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -67,11 +70,56 @@ std::string LAMMPS_NS::movers_error(const Fix *wall, int box_changes, LAMMPS *lm
     if (strcmp(fix->style, "move") == 0 && share_particles(wall, fix, lmp))
       return name + " moves particles of this wall's group, which cannot rebound; the groups must "
                     "have no particle in common";
+    if (strcmp(fix->style, "recenter") == 0)
+      return name + " shifts particles at the end of a step, past the wall; leave it out";
     const bool is_deform = strncmp(fix->style, "deform", 6) == 0;
     if ((fix->box_change & box_changes) && !(is_deform && lmp->domain->deform_vremap))
       return name + " changes the box and moves particles with it, past the wall; " +
              (is_deform ? "it must be 'remap v', which leaves them where they are"
                         : "the box must keep its size");
+  }
+  return "";
+}
+
+/* One particle of mass, radius and torque 1, in the place of all others. */
+struct OneParticle {
+  double rows[4][3], *v, *f, *omega, *torque, **vs, **fs, **omegas, **torques, radius, mass;
+  double *radii, *masses;
+  int mask, *masks, n, first;
+  explicit OneParticle(int groupbit)
+      : rows(), v(rows[0]), f(rows[1]), omega(rows[2]), torque(rows[3]), vs(&v), fs(&f),
+        omegas(&omega), torques(&torque), radius(1), mass(1), radii(&radius), masses(&mass),
+        mask(groupbit), masks(&mask), n(1), first(1) {
+    torque[2] = 1;
+  }
+  void swap(Atom *atom) {
+    std::swap(vs, atom->v);
+    std::swap(fs, atom->f);
+    std::swap(omegas, atom->omega);
+    std::swap(torques, atom->torque);
+    std::swap(radii, atom->radius);
+    std::swap(masses, atom->rmass);
+    std::swap(masks, atom->mask);
+    std::swap(n, atom->nlocal);
+    std::swap(first, atom->nfirst);
+  }
+};
+
+/* No fix tells with which moment of inertia it turns particles, so the integrator gets one for half
+ * a step. 2/5 m r^2 is that of a sphere, 1/2 that of a disc. */
+std::string LAMMPS_NS::discs_error(LAMMPS *lmp) {
+  for (int i = 0; i < lmp->modify->nfix && lmp->domain->dimension == 2; i++) {
+    Fix *fix = lmp->modify->fix[i];
+    if (strncmp(fix->style, "nve/sphere", 10) != 0)
+      continue;
+    OneParticle particle(fix->groupbit);
+    particle.swap(lmp->atom);
+    fix->final_integrate();
+    particle.swap(lmp->atom);
+    if (0.5 * lmp->update->dt * lmp->force->ftm2v > 0.45 * particle.omega[2])
+      return text("fix %s (id %s) turns particles as discs, and this wall has spheres only: a disc "
+                  "that slides would end with another speed; leave out 'disc'",
+                  fix->style, fix->id);
   }
   return "";
 }

@@ -19,6 +19,9 @@ std::string box_error(LAMMPS *lmp);
  * ways of Fix::box_change; all ranks call. */
 std::string movers_error(const Fix *wall, int box_changes, LAMMPS *lmp);
 
+/* In two dimensions; when a run is set up. */
+std::string discs_error(LAMMPS *lmp);
+
 /* True if a fix has changed the size of particles since the contacts of the step before. */
 bool particles_grow(LAMMPS *lmp);
 

@@ -255,6 +255,7 @@ void FixWallRebound::setup_pre_exchange() {
 void FixWallRebound::setup(int) {
   p_->steps = false;
   p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
+  p_->check(FLERR, discs_error(lmp));
   p_->set_rows();
   p_->attempt([this] {
     if (p_->region)
