@@ -62,9 +62,9 @@ void Wall::hold(const std::vector<Wall *> &walls, const Spheres &s) {
   resting.clear();
   for (size_t w = 0; w < walls.size(); w++) {
     Wall *wall = walls[w];
+    wall->numbers_.clear();
     for (int i : wall->stuck_) {
-      double before[3];
-      aspi_copy(s.v + 3 * static_cast<size_t>(i), before);
+      const Held before(s, i);
       aspi_copy(wall->place(i).stuck.velocity, s.v + 3 * static_cast<size_t>(i));
       for (int d = 0; s.omega && d < 3; d++)
         s.omega[3 * static_cast<size_t>(i) + d] = 0;

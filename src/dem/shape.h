@@ -62,6 +62,7 @@ struct ContactLoad {
   double n[3];        /* outward unit normal; 0 for what is stuck, which is held in any direction */
   double point[3];    /* where it acts */
   double impulse[3];  /* on the wall */
+  double couple[3];   /* angular momentum to the wall beyond that of the impulse at the point */
   double v_before[3]; /* of the particle, relative to the wall */
   double dissipated;  /* energy */
   double eroded;      /* mass of the wall */

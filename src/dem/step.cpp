@@ -44,8 +44,20 @@ const double NEAR = 0.01;
  * radii. */
 const double KNOWN = 1e-6;
 
+/* An overlap of less than this many radii is rounding: particles in a settled bed have up to 1e-6.
+ */
+const double ROUNDED = 1e-5;
+
 /* Contacts of one particle in one step, at most. */
 const int CONTACTS_MOST = 10000;
+
+/* How far a contact has moved the center out of the wall. */
+double overlap(const Path &path, const Contact &contact) {
+  double moved[3];
+  aspi_subtract(contact.x, path.x, moved);
+  aspi_add_scaled(moved, -contact.time, path.v, moved);
+  return aspi_dot(moved, contact.n);
+}
 
 } // namespace
 
@@ -82,6 +94,7 @@ void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres) {
 /* Prepares one wall for a step: resets the states of the last step, moves stuck particles, and
  * lists the particles that may touch it. */
 void Wall::begin_step(const Spheres &spheres, int number, std::vector<Near> &near) {
+  numbers_.clear();
   std::fill(counters_ + FORCE, counters_ + TORQUE + 3, 0.0);
   for (int i : touching_) {
     if (status(i) == Status::RESTING) {
@@ -261,6 +274,7 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
   const Path before = flight.path;
   double v[3], v1[3];
   flight.advance(contact, v);
+  contact.overlapped = contact.overlapped && overlap(before, contact) > ROUNDED * flight.radius;
   aspi_subtract(v, contact.v_wall, v1);
   bool arrives;
   const bool sustained = is_sustained(flight, shape, contact, v1, arrives) || trapped;

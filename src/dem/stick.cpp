@@ -28,8 +28,7 @@ void Wall::stick(Flight &flight, size_t shape, const Path &before, const Contact
 
 void Wall::carry(const Spheres &spheres) {
   for (int i : stuck_) {
-    double before[3];
-    aspi_copy(spheres.v + 3 * static_cast<size_t>(i), before);
+    const Held before(spheres, i);
     carry_one(spheres, i, spheres.dt);
     add_held(spheres, i, before);
   }

@@ -13,12 +13,17 @@ static const double DEGREES = 180 / ASP_PI;
 ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3],
                          const double normal[3], const double impulse_per_mass[3],
                          const double v1[3])
-    : piece(of), type(s.type[i]), mask(s.mask[i]), dissipated(0), eroded(0) {
+    : piece(of), type(s.type[i]), mask(s.mask[i]), couple{0, 0, 0}, dissipated(0), eroded(0) {
   aspi_copy(normal, n);
   aspi_add_scaled(center, -s.radius[i], normal, point);
   aspi_copy(impulse_per_mass, impulse);
   aspi_scale(-s.mass[i], impulse);
   aspi_copy(v1, v_before);
+}
+
+/* The moment of inertia of a sphere. */
+static double inertia(const Spheres &s, int i) {
+  return 0.4 * s.mass[i] * s.radius[i] * s.radius[i];
 }
 
 /* Adds to `count` sums of a piece from `first` on. */
@@ -30,14 +35,23 @@ void Wall::Member::add(int piece, Sum first, int count, const double values[]) {
     of[k] += values[k];
 }
 
+Wall::Held::Held(const Spheres &s, int i) : spin{0, 0, 0} {
+  aspi_copy(s.v + 3 * static_cast<size_t>(i), v);
+  if (s.omega)
+    aspi_copy(s.omega + 3 * static_cast<size_t>(i), spin);
+}
+
 void Wall::add(size_t shape, const ContactLoad &load) {
   Member &member = shapes_[shape];
   double arm[3], torque[3], along[3];
   aspi_subtract(load.point, torque_about_, arm);
   aspi_cross(arm, load.impulse, torque);
+  aspi_add_scaled(torque, 1, load.couple, torque);
   for (int d = 0; d < 3; d++) {
     counters_[FORCE + d] += load.impulse[d];
     counters_[TORQUE + d] += torque[d];
+    counters_[IMPULSE + d] += load.impulse[d];
+    counters_[ANGULAR_IMPULSE + d] += torque[d];
   }
   if (aspi_dot(load.n, load.n) > 0) {
     const double normal = -aspi_dot(load.impulse, load.n);
@@ -51,15 +65,21 @@ void Wall::add(size_t shape, const ContactLoad &load) {
     member.shape->take(load);
 }
 
-/* Load that holds a stuck particle: it had the velocity `before` and now has that of its wall. */
-void Wall::add_held(const Spheres &s, int i, const double before[3]) {
+/* Load that holds a stuck particle: it had the velocity and the spin of `before`, and now has the
+ * velocity of its wall. */
+void Wall::add_held(const Spheres &s, int i, const Held &before) {
   const StuckPlace &stuck = place(i).stuck;
   const double none[3] = {0, 0, 0};
   const size_t at = 3 * static_cast<size_t>(i), shape = static_cast<size_t>(stuck.shape) - 1;
   double p[3];
-  aspi_subtract(s.v + at, before, p);
-  if (aspi_dot(p, p) > 0 && stuck.shape >= 1 && shape < shapes_.size())
-    add(shape, ContactLoad(s, i, static_cast<int>(stuck.piece), s.x + at, none, p, none));
+  aspi_subtract(s.v + at, before.v, p);
+  if (!(aspi_dot(p, p) + aspi_dot(before.spin, before.spin) > 0) || !(stuck.shape >= 1) ||
+      shape >= shapes_.size())
+    return;
+  ContactLoad load(s, i, static_cast<int>(stuck.piece), s.x + at, none, p, none);
+  aspi_copy(before.spin, load.couple);
+  aspi_scale(inertia(s, i), load.couple);
+  add(shape, load);
 }
 
 void Wall::count(const Spheres &s, int i, const Event &event) {
@@ -81,9 +101,16 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
   double p[3];
   aspi_subtract(impact.v2, event.v1, p);
   ContactLoad load(s, i, contact.piece, contact.x, contact.n, p, event.v1);
+  /* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
+   * particle has lost. */
+  double arm[3], turn[3];
+  aspi_subtract(contact.x, load.point, arm);
+  aspi_cross(arm, load.impulse, load.couple);
+  aspi_subtract(event.omega1, impact.omega, turn);
+  aspi_add_scaled(load.couple, inertia(s, i), turn, load.couple);
   load.dissipated =
       energy - 0.5 * mass * aspi_dot(impact.v2, impact.v2) +
-      0.2 * mass * s.radius[i] * s.radius[i] *
+      0.5 * inertia(s, i) *
           (aspi_dot(event.omega1, event.omega1) - aspi_dot(impact.omega, impact.omega));
   load.eroded = mass * impact.eroded;
   add(event.shape, load);

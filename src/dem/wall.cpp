@@ -291,23 +291,33 @@ void Wall::end_run() {
     check_written(ledger_->flush());
 }
 
-double Wall::sum_of(double mine) const {
+/* The counters, and behind them the totals of each shape. */
+double Wall::number(size_t k) const {
+  if (numbers_.empty()) {
+    std::vector<double> mine(counters_, counters_ + N_COUNTERS);
+    for (const Member &member : shapes_)
+      mine.insert(mine.end(), member.totals, member.totals + N_TOTALS);
+    numbers_.resize(mine.size());
+    MPI_Allreduce(mine.data(), numbers_.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
+                  engine_.world());
+  }
+  return numbers_[k];
+}
+
+double Wall::counter(int k) const {
+  const double sum = number(static_cast<size_t>(k));
+  return k >= FORCE && k < TORQUE + 3 && dt_ > 0 ? sum / dt_ : sum;
+}
+
+double Wall::stuck() const {
+  const double mine = static_cast<double>(stuck_.size());
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
   return all;
 }
 
-double Wall::counter(int k) const {
-  const double sum = sum_of(counters_[k]);
-  return k >= FORCE && k < TORQUE + 3 && dt_ > 0 ? sum / dt_ : sum;
-}
-
-double Wall::stuck() const {
-  return sum_of(static_cast<double>(stuck_.size()));
-}
-
 double Wall::total(size_t shape, int k) const {
-  return sum_of(shapes_[shape].totals[k]);
+  return number(N_COUNTERS + shape * N_TOTALS + static_cast<size_t>(k));
 }
 
 std::vector<double> Wall::sums(size_t shape) const {
@@ -348,7 +358,7 @@ std::vector<char> Wall::save() {
   if (ledger_)
     check_written(ledger_->save(state.ledger));
   for (int k = 0; k < N_COUNTERS; k++)
-    state.counters.push_back(sum_of(counters_[k]));
+    state.counters.push_back(number(static_cast<size_t>(k)));
   for (size_t m = 0; m < shapes_.size(); m++) {
     std::vector<double> totals;
     for (int k = 0; k < N_TOTALS; k++)
@@ -397,6 +407,7 @@ void Wall::restore(const char *record) {
   if (rank == 0)
     std::copy(saved.counters.begin(), saved.counters.end(), counters_);
   restore_shapes(saved);
+  numbers_.clear();
   if (ledger_)
     ledger_->restore(saved.ledger);
 }

@@ -44,7 +44,9 @@ public:
     TORQUE = FORCE + 3, /* the same about the point of `torque_about` */
     DISSIPATED = TORQUE + 3,
     ERODED,
-    N_COUNTERS
+    IMPULSE,                       /* on the wall so far: three numbers */
+    ANGULAR_IMPULSE = IMPULSE + 3, /* the same of the torque */
+    N_COUNTERS = ANGULAR_IMPULSE + 3
   };
 
   /* Sums of each piece of a shape, in the order in which Wall::count and Wall::add fill them. A
@@ -134,7 +136,8 @@ public:
     return geometry_;
   }
 
-  /* Sums over the ranks; collective. */
+  /* Sums over the ranks; collective. All of them are summed up at once, when the first is asked
+   * for after a change. */
   double counter(int k) const;
   double total(size_t shape, int k) const;
   double worn_density(size_t shape) const {
@@ -219,6 +222,12 @@ private:
     }
   };
 
+  /* A stuck particle before it gets its wall's velocity. */
+  struct Held {
+    double v[3], spin[3];
+    Held(const Spheres &spheres, int i);
+  };
+
   /* The fastest particle of this rank in this run, by its radii per time. */
   struct Fastest {
     double ratio, d_p, speed;
@@ -276,7 +285,7 @@ private:
 
   /* tally.cpp */
   void add(size_t shape, const ContactLoad &load);
-  void add_held(const Spheres &spheres, int i, const double before[3]);
+  void add_held(const Spheres &spheres, int i, const Held &before);
   void count(const Spheres &spheres, int i, const Event &event);
   void record(const Spheres &spheres, int i, const Event &event, const ContactLoad &load);
 
@@ -288,7 +297,7 @@ private:
 
   void restore_shapes(const WallState &saved);
   void parse_ledger(Words &words);
-  double sum_of(double mine) const;
+  double number(size_t k) const;
   void check_written(const std::string &wrong) const;
   void check_speeds(const Spheres &spheres);
   void warn_of_speeds();
@@ -312,6 +321,7 @@ private:
   double bend_;                 /* how far sustained contacts may bend its way within a step */
   double counters_[N_COUNTERS]; /* force and torque as impulses */
   double torque_about_[3];
+  mutable std::vector<double> numbers_; /* counters and totals of all ranks; empty: out of date */
   Clock clock_;
   Fastest fastest_;
   double dt_;

@@ -112,6 +112,7 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
       force[d] = load.impulse[d] / dt;
     aspi_subtract(load.point, reference, arm);
     aspi_cross(arm, force, torque);
+    aspi_add_scaled(torque, 1 / dt, load.couple, torque);
     aspi_add_scaled(force_, 1 / spread, force, force_);
     aspi_add_scaled(torque_, 1 / spread, torque, torque_);
     const ContactTriangle *t =

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Loads on a wall: its momentum is the one that the particles lose, to rounding, on a mesh that turns,
 # with particles that fall, rebound, roll and stick; a bed at rest presses with its weight; the same force and torque
-# in both engines and on any number of ranks; the torque is that of the impulses where they act; what dissipates is the
+# in both engines and on any number of ranks; the torque is the angular momentum that grains lose; what dissipates is the
 # energy that grains lose that hit and slide; the sums of meshes and triangles are those of the whole wall.
 # GRAINS=2500 STEPS=8000 loads.sh makes over 10^5 impacts.
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -82,10 +82,10 @@ scene "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off" |
 engine 2 free.in
 numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s; tangential %s, %s; eroded %s, %s\n", $8, $16, $12, $17, $15, $20, $13, $19
   exit !($18 == $9 && $8 > 0 && ($8 / $16 - 1) ^ 2 < 1e-16 && ($12 / $17 - 1) ^ 2 < 1e-16 && ($15 / $20 - 1) ^ 2 < 1e-16 && $13 > 0 && ($13 / $19 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
-# A row has the grain's center; the impulse acts a radius below it.
+# A row has what the grain's orbital momentum loses, and its spin.
 numbers free.in.screen | awk 'NR > 1 { for (k = 5; k <= 7; k++) t[k] += $k * 2e-4 } END { printf "%.12g %.12g %.12g\n", t[5], t[6], t[7] }' |
-  paste -d' ' - <(rows free.csv | awk -F, '{ x = $6 - $9 / 2 * $21 - 0.1; y = $7 - $9 / 2 * $22 - 0.2; z = $8 - $9 / 2 * $23 + 0.1
-      t += y * $38 - z * $37; u += z * $36 - x * $38; v += x * $37 - y * $36; all += sqrt($36 ^ 2 + $37 ^ 2 + $38 ^ 2) }
+  paste -d' ' - <(rows free.csv | awk -F, '{ x = $6 - 0.1; y = $7 - 0.2; z = $8 + 0.1; inertia = $20 * $9 ^ 2 / 10
+      t += y * $38 - z * $37 + inertia * ($30 - $33); u += z * $36 - x * $38 + inertia * ($31 - $34); v += x * $37 - y * $36 + inertia * ($32 - $35); all += sqrt($36 ^ 2 + $37 ^ 2 + $38 ^ 2) }
     END { printf "%.12g %.12g %.12g %.12g\n", t, u, v, all }') |
   awk '{ print "torque times time:", $1, $2, $3 ", by the rows", $4, $5, $6; for (k = 1; k <= 3; k++) if (!(($k - $(k + 3)) ^ 2 < 1e-18 * $7 ^ 2)) exit 1; exit !($1 && $2 && $3) }' ||
   die "the torque of the rows"

@@ -50,7 +50,7 @@ for ranks in 1 2; do
   awk -v m="$mass" 'FNR == NR { if (NF == 7 && $1 ~ /^[0-9]+$/) sense[$1] = $5 > 0 ? 1 : -1; next }
     FNR > 2 { split($0, c, ","); a1 = c[11] * atan2(0, -1) / 180; a2 = c[16] * atan2(0, -1) / 180
       px = m * (c[10] * cos(a1) - c[15] * cos(a2)) * sense[c[1]]; pz = -m * (c[10] * sin(a1) + c[15] * sin(a2))
-      x = c[6] - 0.003; y = c[7] + 0.002; z = c[8] - 1e-3 - 0.001
+      x = c[6] - 0.003; y = c[7] + 0.002; z = c[8] - 0.001 # grains that do not spin
       sum[1] += px; sum[3] += pz; sum[4] += y * pz; sum[5] += z * px - x * pz; sum[6] -= y * px
       share = tan3(a1) ? 0.33333 * cos(a1) ^ 2 : 2 * sin(a1) * cos(a1) - 3 * sin(a1) ^ 2
       pressed[c[5]] += pz

@@ -4,6 +4,9 @@
 #include "check.h"
 #include "spread/models.h"
 
+#include <stdio.h>
+#include <stdlib.h>
+
 typedef struct choice {
   const asp_spread_model *model;
   double divergence;
@@ -46,6 +49,32 @@ static void choices_keep_the_tolerance(void **state) {
   assert_string_equal(made.model->name, "none");
 }
 
+/* The divergence that counts is a measured one and twice its standard error. */
+static void choices_count_the_standard_error(void **state) {
+  (void)state;
+  choice made;
+  char line[400];
+  int found = 0;
+  assert_int_equal(choose(5, 0.5, &made, NULL), ASP_OK);
+  FILE *table = fopen(getenv("ASPERITY_TEST_TABLE"), "r");
+  assert_non_null(table);
+  while (fgets(line, sizeof line, table)) {
+    char *at = strchr(line, ',');
+    if (!at || strncmp(line, made.model->name, (size_t)(at - line)) != 0)
+      continue;
+    double values[20]; /* phi_r, kappa; of each angle the divergence and its error */
+    at = strchr(at + 1, ',');
+    for (int k = 0; k < 20; k++)
+      values[k] = strtod(at + 1, &at);
+    for (int k = 2; k < 20; k += 2) {
+      assert_true(values[k + 1] > 0);
+      found += fabs((values[k] + 2 * values[k + 1]) / made.divergence - 1) < 1e-6;
+    }
+  }
+  fclose(table);
+  assert_true(found > 0);
+}
+
 static void hopeless_tolerances_name_the_closest(void **state) {
   (void)state;
   choice made;
@@ -84,6 +113,7 @@ static void costs_are_an_order(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(choices_keep_the_tolerance),
+      cmocka_unit_test(choices_count_the_standard_error),
       cmocka_unit_test(costs_are_an_order),
       cmocka_unit_test(hopeless_tolerances_name_the_closest),
       cmocka_unit_test(bad_arguments_are_named),

@@ -316,6 +316,21 @@ static void test_wide(void **unused) {
   assert_true(hypot(x[1], x[2]) < 1e-12);
 }
 
+/* A sphere that touches the inside and slides along it touches at time 0, also where rounding turns
+ * it inward a little; one that turns inward more flies to the other side. */
+static void test_sliding(void **unused) {
+  (void)unused;
+  const ContactCylinder tube = {2, {0, 0, 0}, 5};
+  const double inward[] = {0, 5e-7, 1e-3};
+  for (int k = 0; k < 3; k++) {
+    const ContactPath path = {{4.5, 0, 0}, {-3 * inward[k], 3, 0.1}, 2};
+    ContactTouch touch;
+    assert_true(aspi_cylinder_find(&tube, &path, 0.5, 2, &touch));
+    assert_true(k < 2 ? !(touch.time > 0) : fabs(touch.time - 3 * inward[k]) < 1e-8);
+    assert_false(touch.overlapped);
+  }
+}
+
 /* It is clear until the predicted time, which is not much too early: the sphere is then
  * at the box and at the plane of a triangle. */
 static void check_clear(const ContactTree *tree, int round) {
@@ -455,7 +470,8 @@ int main(void) {
       cmocka_unit_test(test_nearest), cmocka_unit_test(test_degenerate),
       cmocka_unit_test(test_overlap), cmocka_unit_test(test_centered),
       cmocka_unit_test(test_none),    cmocka_unit_test(test_wide),
-      cmocka_unit_test(test_along),   cmocka_unit_test(test_tree),
+      cmocka_unit_test(test_sliding), cmocka_unit_test(test_along),
+      cmocka_unit_test(test_tree),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -110,6 +110,32 @@ void test_second_order(void **) {
   }
 }
 
+/* A point with the acceleration that follow() gives keeps its speed over a plane of the body, for
+ * any velocity of its own: also where the body's motion is accelerated. */
+void test_follow(void **) {
+  const double dt = 1e-3, h = 1e-3, n[3] = {0.6, 0.48, 0.64}, v[3] = {0.7, -0.4, 0.3};
+  const double start = 1.1, x[3] = {0.9, 0.2, -0.3};
+  Motion motion;
+  motion.settle(frame_at(sin(start), sin(start)), false);
+  motion.set_last(twist_of(cos(start), cos(start)));
+  motion.advance(frame_at(sin(start + dt), sin(start + dt)),
+                 twist_of(cos(start + dt), cos(start + dt)), dt);
+  double a[3], height[3], body[3], along[3];
+  motion.follow(0, x, v, a);
+  const Frame now = frame_at(sin(start), sin(start));
+  for (int i = 0; i < 3; i++)
+    along[i] = aspi_dot(now.turn[i], n);
+  assert_true(fabs(aspi_dot(a, along)) > 0.1);
+  for (int k = -1; k <= 1; k++) {
+    double there[3];
+    for (int d = 0; d < 3; d++)
+      there[d] = x[d] + k * h * v[d] + 0.5 * k * k * h * h * aspi_dot(a, along) * along[d];
+    frame_at(sin(start + k * h), sin(start + k * h)).to_body(there, body);
+    height[k + 1] = aspi_dot(body, n);
+  }
+  assert_true(fabs(height[0] - 2 * height[1] + height[2]) < 5e-3 * h * h);
+}
+
 /* An engine that sums up places from velocities, x(t + dt) = x(t) + v(t + dt) dt: the places are
  * those of a motion of its own, half a step ahead, and velocities must be of that one. */
 void test_summed(void **) {
@@ -157,8 +183,8 @@ void test_rest(void **) {
 } // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(test_frames), cmocka_unit_test(test_steady),
+  const CMUnitTest tests[] = {cmocka_unit_test(test_frames),       cmocka_unit_test(test_steady),
                               cmocka_unit_test(test_second_order), cmocka_unit_test(test_summed),
-                              cmocka_unit_test(test_rest)};
+                              cmocka_unit_test(test_follow),       cmocka_unit_test(test_rest)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,18 +2,14 @@
  * the ledger's rows as engines read them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "alone.h"
+
 #include <math.h>
-#include <mpi.h>
-#include <memory>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/mesh.h"
 #include "dem/primitive.h"
-#include "dem/wall.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,65 +26,13 @@ namespace {
 const double DIAMETER = 1, HALF = 5; /* of the grains; of the distance of both planes */
 const int GRAINS = 200;
 
-class Alone : public Engine {
-public:
-  explicit Alone(int dimension) : dimension_(dimension) {}
-  MPI_Comm world() const override {
-    return MPI_COMM_WORLD;
-  }
-  std::string id() const override {
-    return "wall";
-  }
-  std::string units() const override {
-    return "si";
-  }
-  std::string known_units() const override {
-    return "si";
-  }
-  int types() const override {
-    return 1;
-  }
-  int dimension() const override {
-    return dimension_;
-  }
-  double time() const override {
-    return 0;
-  }
-  void warn(const std::string &) const override {}
-  void print(const std::string &) const override {}
-  bool constants(const char *, bool, std::vector<double> &) const override {
-    return false;
-  }
-  std::string how_to_state(const char *, bool, const std::string &) const override {
-    return "";
-  }
-  void diameters(double &least, double &most) const override {
-    least = most = DIAMETER;
-  }
-  std::vector<Kind> kinds() const override {
-    return std::vector<Kind>(1, Kind{true, 1, 1});
-  }
-
-private:
-  int dimension_;
-};
-
-/* The wall of two planes across x that a script would describe so. */
+/* A wall of two planes across x. */
 std::unique_ptr<Wall> wall_of(const Engine &engine, const std::string &description) {
-  std::unique_ptr<Wall> wall(new Wall(engine));
   const double still[3] = {0, 0, 0};
+  Shapes planes;
   for (int side = -1; side <= 1; side += 2)
-    wall->add_shape(std::unique_ptr<Shape>(new PlaneShape(0, side * HALF, still)), 1, 0, "");
-  std::istringstream text(description);
-  std::vector<std::string> words;
-  for (std::string word; text >> word;)
-    words.push_back(word);
-  std::vector<const char *> each;
-  for (const std::string &word : words)
-    each.push_back(word.c_str());
-  Words command(static_cast<int>(each.size()), each.data());
-  wall->parse(command, "");
-  return wall;
+    planes.push_back(std::unique_ptr<Shape>(new PlaneShape(0, side * HALF, still)));
+  return make_wall(engine, std::move(planes), description);
 }
 
 std::string message(const Engine &engine, const std::string &description) {
@@ -104,45 +48,26 @@ bool has(const std::string &text, const char *part) {
   return text.find(part) != std::string::npos;
 }
 
-/* Grains between both planes, each second one straight toward them, after a number of steps. */
-struct Grains {
-  std::vector<double> x, v, f, radius, mass, state, place;
-  std::vector<int> mask, type, tag;
-  Grains()
-      : x(3 * GRAINS), v(3 * GRAINS), f(3 * GRAINS), radius(GRAINS, DIAMETER / 2), mass(GRAINS, 1),
-        state(GRAINS * Wall::N_STATE), place(GRAINS * Wall::N_PLACE), mask(GRAINS, 1),
-        type(GRAINS, 1), tag(GRAINS) {
-    for (int i = 0; i < GRAINS; i++) {
-      x[3 * i] = 0.01 * i;
-      v[3 * i] = 1 + 0.01 * i;
-      v[3 * i + 1] = i % 2 ? 0.02 * i : 0;
-      tag[i] = i + 1;
-    }
+/* Grains between both planes, each second one straight toward them. */
+Grains between_planes() {
+  Grains grains(GRAINS, DIAMETER / 2, 0.5);
+  for (int i = 0; i < GRAINS; i++) {
+    grains.x[3 * i] = 0.01 * i;
+    grains.v[3 * i] = 1 + 0.01 * i;
+    grains.v[3 * i + 1] = i % 2 ? 0.02 * i : 0;
   }
-  void fly(Wall &wall, int steps) {
-    Spheres s = {0,        0.5,      GRAINS, mask.data(), type.data(),   tag.data(), 4,
-                 x.data(), v.data(), NULL,   f.data(),    radius.data(), mass.data()};
-    const std::vector<Wall *> walls(1, &wall);
-    wall.init(0, s.dt);
-    wall.set_rows(state.data(), place.data());
-    wall.setup(s, 1, Box{{0, 0, 0}, {0, 0, 0}});
-    for (s.step = 1; s.step <= steps; s.step++) {
-      for (int i = 0; i < 3 * GRAINS; i++)
-        x[i] += v[i] * s.dt;
-      Wall::step(walls, s);
-      Wall::hold(walls, s);
-    }
-  }
-};
+  return grains;
+}
 
 /* Nothing leaves the plane, neither at an angle nor straight on, and an elastic wall keeps the
  * energy. */
 void two_dimensions_stay_in_their_plane(void **) {
   const Alone flat(2);
-  Grains grains;
+  Grains grains = between_planes();
   std::unique_ptr<Wall> wall =
       wall_of(flat, "surface rq 0.2 lambda_c 1.6 rebound constant 1 1 deposit off");
-  grains.fly(*wall, 100);
+  grains.begin({wall.get()});
+  grains.fly(100);
   assert_true(wall->counter(Wall::N_IMPACTS) > 5 * GRAINS);
   int turned = 0;
   for (int i = 0; i < GRAINS; i++) {

@@ -1,0 +1,157 @@
+/* A wall without an engine: what an engine would tell it, and grains that fly by its steps.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_TEST_ALONE_H
+#define ASPERITY_TEST_ALONE_H
+
+#include <mpi.h>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "dem/wall.h"
+
+namespace asperity {
+
+class Alone : public Engine {
+public:
+  explicit Alone(int dimension = 3) : least(1), most(1), kind{true, 1, 1}, dimension_(dimension) {}
+  MPI_Comm world() const override {
+    return MPI_COMM_WORLD;
+  }
+  std::string id() const override {
+    return "wall";
+  }
+  std::string units() const override {
+    return "si";
+  }
+  std::string known_units() const override {
+    return "si";
+  }
+  int types() const override {
+    return 1;
+  }
+  int dimension() const override {
+    return dimension_;
+  }
+  double time() const override {
+    return 0;
+  }
+  void warn(const std::string &what) const override {
+    warned += what + "\n";
+  }
+  void print(const std::string &what) const override {
+    printed += what + "\n";
+  }
+  bool constants(const char *, bool, std::vector<double> &) const override {
+    return false;
+  }
+  std::string how_to_state(const char *, bool, const std::string &) const override {
+    return "";
+  }
+  void diameters(double &smallest, double &largest) const override {
+    smallest = least;
+    largest = most;
+  }
+  std::vector<Kind> kinds() const override {
+    return std::vector<Kind>(1, kind);
+  }
+
+  double least, most; /* diameters */
+  Kind kind;
+  mutable std::string warned, printed;
+
+private:
+  int dimension_;
+};
+
+typedef std::vector<std::unique_ptr<Shape>> Shapes;
+
+/* The wall that a script would describe so. A mesh has one triangle. */
+inline std::unique_ptr<Wall> make_wall(const Engine &engine, Shapes shapes,
+                                       const std::string &description, bool mesh = false) {
+  std::unique_ptr<Wall> wall(new Wall(engine));
+  for (std::unique_ptr<Shape> &shape : shapes)
+    wall->add_shape(std::move(shape), 1, mesh, mesh ? "mesh" : "");
+  std::istringstream text(description);
+  std::vector<std::string> words;
+  for (std::string word; text >> word;)
+    words.push_back(word);
+  std::vector<const char *> each;
+  for (const std::string &word : words)
+    each.push_back(word.c_str());
+  Words command(static_cast<int>(each.size()), each.data());
+  wall->parse(command, "");
+  return wall;
+}
+
+inline std::unique_ptr<Wall> make_wall(const Engine &engine, std::unique_ptr<Shape> shape,
+                                       const std::string &description, bool mesh = false) {
+  Shapes shapes;
+  shapes.push_back(std::move(shape));
+  return make_wall(engine, std::move(shapes), description, mesh);
+}
+
+/* Spheres of one size and mass 1, in velocity Verlet steps. */
+struct Grains {
+  struct Rows {
+    std::vector<double> state, place;
+  };
+  double dt;
+  int64_t now;
+  bool spins;
+  std::vector<double> x, v, omega, f, radius, mass;
+  std::vector<int> mask, type, tag;
+  std::vector<Wall *> walls;
+  std::vector<Rows> rows; /* of each wall */
+
+  Grains(size_t n, double r, double step)
+      : dt(step), now(0), spins(false), x(3 * n), v(3 * n), omega(3 * n), f(3 * n), radius(n, r),
+        mass(n, 1), mask(n, 1), type(n, 1), tag(n) {
+    for (size_t i = 0; i < n; i++)
+      tag[i] = static_cast<int>(i) + 1;
+  }
+  Spheres spheres() {
+    return Spheres{
+        now,      dt,       static_cast<int>(tag.size()), mask.data(), type.data(),   tag.data(), 4,
+        x.data(), v.data(), spins ? omega.data() : NULL,  f.data(),    radius.data(), mass.data()};
+  }
+  void begin(const std::vector<Wall *> &all) {
+    walls = all;
+    rows.resize(walls.size());
+    for (size_t w = 0; w < walls.size(); w++) {
+      rows[w].state.resize(tag.size() * Wall::N_STATE);
+      rows[w].place.resize(tag.size() * Wall::N_PLACE);
+      walls[w]->init(now, dt);
+      walls[w]->set_rows(rows[w].state.data(), rows[w].place.data());
+      walls[w]->setup(spheres(), 1, Box());
+    }
+  }
+  void kick() {
+    for (size_t k = 0; k < v.size(); k++)
+      v[k] += 0.5 * dt * f[k] / mass[k / 3];
+  }
+  /* The first part of a step, up to the new forces, and the second one. */
+  void advance() {
+    now++;
+    kick();
+    for (size_t k = 0; k < x.size(); k++)
+      x[k] += v[k] * dt;
+    Wall::step(walls, spheres());
+  }
+  void finish() {
+    kick();
+    Wall::hold(walls, spheres());
+  }
+  void fly(int steps) {
+    for (int k = 0; k < steps; k++) {
+      advance();
+      finish();
+    }
+  }
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,400 @@
+/* Steps of walls without an engine: loads and their numbers, the search, what stays at a wall, and
+ * what a restart keeps.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "alone.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+#include "dem/mesh.h"
+#include "dem/primitive.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
+#include <cmocka.h>
+}
+
+using namespace asperity;
+
+static int reductions;
+
+/* MPI's own, and counted. */
+int MPI_Allreduce(const void *from, void *to, int count, MPI_Datatype type, MPI_Op op,
+                  MPI_Comm comm) {
+  reductions++;
+  return PMPI_Allreduce(from, to, count, type, op, comm);
+}
+
+namespace {
+
+typedef std::unique_ptr<Shape> ShapePtr;
+
+const double STILL[3] = {0, 0, 0};
+
+ShapePtr plane(int axis, double at, const double velocity[3] = STILL) {
+  return ShapePtr(new PlaneShape(axis, at, velocity));
+}
+
+/* A triangle around the origin, far larger than all else, across `normal`. */
+ShapePtr triangle_across(const double normal[3]) {
+  const double other[3] = {normal[1], normal[2], normal[0] + 1};
+  double a[3], b[3];
+  aspi_cross(normal, other, a);
+  aspi_scale(1 / aspi_length(a), a);
+  aspi_cross(normal, a, b);
+  aspi_scale(1 / aspi_length(b), b);
+  ContactTriangle triangle;
+  for (int k = 0; k < 3; k++)
+    for (int d = 0; d < 3; d++)
+      triangle.node[k][d] = 100 * (cos(2 * ASP_PI * k / 3) * a[d] + sin(2 * ASP_PI * k / 3) * b[d]);
+  std::unique_ptr<MeshShape> mesh(new MeshShape);
+  mesh->set_triangles(std::vector<ContactTriangle>(1, triangle), std::vector<int>(1, 0));
+  return ShapePtr(mesh.release());
+}
+
+/* ---- loads ------------------------------------------------------------------------------------
+ */
+
+/* The momenta of grains, and the angular ones about a point; all may spin. */
+void add_momenta(const Grains &g, const double about[3], double sign, double sum[6]) {
+  for (size_t i = 0; i < g.tag.size(); i++) {
+    double arm[3], turn[3];
+    aspi_subtract(&g.x[3 * i], about, arm);
+    aspi_cross(arm, &g.v[3 * i], turn);
+    aspi_add_scaled(turn, 0.4 * g.radius[i] * g.radius[i], &g.omega[3 * i], turn);
+    aspi_add_scaled(sum, sign * g.mass[i], &g.v[3 * i], sum);
+    aspi_add_scaled(sum + 3, sign * g.mass[i], turn, sum + 3);
+  }
+}
+
+/* Impulse and angular impulse of rough walls are what the grains lose, to rounding: by laws that
+ * turn them and by those that do not, with first and later hits. */
+void walls_get_what_grains_lose(void **) {
+  const double about[3] = {0.3, -0.2, 0.5};
+  const char *const laws[] = {"walton 0.9 0.3 0.2", "constant 0.9 0.8"};
+  for (const char *law : laws) {
+    const Alone engine;
+    Shapes planes;
+    planes.push_back(plane(0, -5));
+    planes.push_back(plane(0, 5));
+    std::unique_ptr<Wall> wall = make_wall(
+        engine, std::move(planes),
+        std::string("surface sigma 10 deposit off torque_about 0.3 -0.2 0.5 rebound ") + law);
+    Grains grains(200, 0.5, 0.5);
+    grains.spins = true;
+    for (int i = 0; i < 200; i++) {
+      grains.v[3 * i] = 1 + 0.01 * i;
+      grains.v[3 * i + 1] = 0.05 * i;
+      grains.omega[3 * i + 1] = 0.01 * i - 1;
+      grains.omega[3 * i + 2] = 1 - 0.02 * i;
+    }
+    double lost[6] = {0}, torque[3] = {0}, scale = 0;
+    add_momenta(grains, about, 1, lost);
+    grains.begin({wall.get()});
+    for (int step = 0; step < 30; step++) {
+      grains.fly(1);
+      for (int d = 0; d < 3; d++)
+        torque[d] += wall->counter(Wall::TORQUE + d) * grains.dt;
+    }
+    add_momenta(grains, about, -1, lost);
+    assert_true(wall->counter(Wall::N_IMPACTS) > 100 && wall->counter(Wall::N_LATER_HITS) > 10);
+    for (double of : lost)
+      scale = std::max(scale, fabs(of));
+    for (int k = 0; k < 6; k++)
+      assert_true(fabs(wall->counter(Wall::IMPULSE + k) - lost[k]) < 1e-12 * scale);
+    for (int d = 0; d < 3; d++)
+      assert_true(fabs(torque[d] - lost[3 + d]) < 1e-12 * scale && fabs(lost[3 + d]) > 0);
+  }
+}
+
+/* So does a wall at which one sticks, and later what others do to it. */
+void stuck_grains_pass_their_spin_on(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> wall =
+      make_wall(engine, plane(0, 0), "rebound bons yield_rate 0 deposit freeze materials quartz");
+  Grains grains(1, 0.5, 0.1);
+  grains.spins = true;
+  grains.x[0] = 0.5001;
+  grains.v[0] = -1e-3;
+  grains.v[1] = 2e-3;
+  grains.omega[2] = 3;
+  double lost[6] = {0};
+  add_momenta(grains, STILL, 1, lost);
+  grains.begin({wall.get()});
+  grains.fly(5);
+  assert_true(wall->stuck() == 1);
+  for (int k = 0; k < 6; k++)
+    assert_true(fabs(wall->counter(Wall::IMPULSE + k) - lost[k]) < 1e-14);
+  grains.omega[2] = 3;
+  grains.fly(1);
+  assert_true(fabs(wall->counter(Wall::ANGULAR_IMPULSE + 2) - lost[5] - 0.4 * 0.25 * 3) < 1e-14);
+  assert_true(!(fabs(grains.omega[2]) > 0));
+}
+
+/* All numbers of a wall take one reduction, and none until something has changed. */
+void numbers_take_one_reduction(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> wall =
+      make_wall(engine, plane(0, 0), "rebound constant 0.5 0.5 deposit off");
+  Grains grains(1, 0.5, 0.1);
+  grains.x[0] = 0.55;
+  grains.v[0] = -1;
+  grains.f[0] = -0.1;
+  grains.begin({wall.get()});
+  assert_true(!(wall->counter(Wall::N_IMPACTS) > 0));
+  grains.advance();
+  reductions = 0;
+  for (int times = 0; times < 2; times++) {
+    for (int k = 0; k < Wall::N_COUNTERS; k++)
+      wall->counter(k);
+    for (int k = 0; k < Wall::N_TOTALS; k++)
+      wall->total(0, k);
+    assert_int_equal(reductions, 1);
+  }
+  assert_true(wall->counter(Wall::N_IMPACTS) > 0);
+  const double force = wall->counter(Wall::FORCE);
+  grains.f[0] = -100; /* presses the grain back by the end of its step */
+  grains.finish();
+  assert_true(fabs(wall->counter(Wall::FORCE) - force) > 0);
+  assert_int_equal(reductions, 2);
+}
+
+/* ---- the search -------------------------------------------------------------------------------
+ */
+
+/* Overlaps by rounding are no guarded contacts. */
+void rounding_is_not_guarded(void **) {
+  const double overlap[] = {1e-10, 1e-6, 1e-3};
+  for (double deep : overlap) {
+    const Alone engine;
+    std::unique_ptr<Wall> wall =
+        make_wall(engine, plane(0, 0), "rebound constant 0.5 0.5 deposit off");
+    Grains grains(1, 0.5, 0.1);
+    grains.x[0] = 0.5 * (1 - deep);
+    grains.v[0] = -1;
+    grains.begin({wall.get()});
+    grains.fly(1);
+    assert_true(wall->counter(Wall::N_IMPACTS) == 1);
+    assert_true(wall->counter(Wall::N_GUARDED) == (deep > 1e-4));
+  }
+}
+
+/* A prediction allows for as much straying as goes unnoticed: by three components at once. */
+void straying_grains_are_met(void **) {
+  const double n[3] = {sqrt(1. / 3), sqrt(1. / 3), sqrt(1. / 3)};
+  const double stray = 2e-3 * 0.5, share[] = {0.57, 0.6, 0.99};
+  for (double of : share) {
+    const Alone engine;
+    std::unique_ptr<Wall> wall =
+        make_wall(engine, triangle_across(n), "rebound constant 0.5 0.5 deposit off", true);
+    Grains grains(1, 0.5, 0.1);
+    for (int d = 0; d < 3; d++)
+      grains.x[d] = 0.7 * n[d];
+    grains.begin({wall.get()});
+    grains.fly(2);
+    for (int d = 0; d < 3; d++)
+      grains.v[d] = -of * stray / grains.dt;
+    for (int k = 0; k < 300; k++) {
+      grains.fly(1);
+      assert_true(aspi_dot(grains.x.data(), n) > 0.5 - 1e-9);
+    }
+    assert_true(wall->counter(Wall::N_IMPACTS) == 1 && wall->counter(Wall::N_GUARDED) < 1);
+  }
+}
+
+/* The same of one that a floor bends on its way within each step, while a force bends it back: the
+ * velocity that the prediction sees is not that of the path. */
+void bent_ways_are_met(void **) {
+  const double n[3] = {-M_SQRT1_2, -M_SQRT1_2, 0};
+  const double stray = 2e-3 * 0.5, dt = 0.1, bends[] = {0.24, 2};
+  const double fast[3] = {100 * stray / dt, 100 * stray / dt, 0};
+  for (double bend : bends) {
+    const Alone engine;
+    std::unique_ptr<Wall> floor = make_wall(engine, plane(2, 0, fast),
+                                            "rebound walton 0.5 10 0 deposit off"),
+                          wall = make_wall(engine, triangle_across(n),
+                                           "rebound constant 0.5 0.5 deposit off", true);
+    Grains grains(1, 0.5, dt);
+    const double pull = bend * stray / dt, along = 0.5 * stray / dt;
+    for (int d = 0; d < 2; d++) {
+      grains.x[d] = (0.5 + 300 * stray) * n[d];
+      grains.v[d] = -along * n[d];
+      grains.f[d] = 2 * pull / dt * n[d];
+    }
+    grains.x[2] = 0.5;
+    grains.f[2] = -0.2 * pull / dt;
+    grains.begin({floor.get(), wall.get()});
+    for (int k = 0; k < 400 && wall->counter(Wall::N_IMPACTS) < 1; k++) {
+      if (k == 3)
+        for (int d = 0; d < 2; d++)
+          grains.v[d] += 0.57 * stray / dt;
+      grains.fly(1);
+      assert_true(aspi_dot(grains.x.data(), n) > 0.5 - 1e-9);
+    }
+    assert_true(wall->counter(Wall::N_IMPACTS) == 1 && wall->counter(Wall::N_GUARDED) < 1);
+    assert_true(!(floor->counter(Wall::N_IMPACTS) > 0));
+  }
+}
+
+/* ---- what stays at a wall ---------------------------------------------------------------------
+ */
+
+/* Without friction a grain slides around the inside of a cylinder at its speed, on the wall. */
+void grains_slide_inside_cylinders(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> wall = make_wall(engine, ShapePtr(new CylinderShape(2, STILL, 5, 0, 0)),
+                                         "rebound walton 0.5 0 0 deposit off");
+  Grains grains(1, 0.5, 0.01);
+  grains.x[0] = 4.5;
+  grains.v[1] = 3;
+  grains.v[2] = 0.2;
+  grains.begin({wall.get()});
+  const double speed = aspi_length(grains.v.data());
+  for (int k = 0; k < 3000; k++) {
+    grains.fly(1);
+    assert_true(fabs(hypot(grains.x[0], grains.x[1]) - 4.5) < 1e-6);
+    assert_true(fabs(aspi_length(grains.v.data()) - speed) < 1e-9);
+  }
+  assert_true(grains.x[2] > 5.9 && wall->counter(Wall::N_IMPACTS) < 1 &&
+              wall->counter(Wall::N_GUARDED) < 1);
+}
+
+/* A belt that turns about z. */
+class Turntable : public MeshShape {
+  bool runs() const override {
+    return true;
+  }
+  void surface_velocity(int, const double foot[3], double v[3]) const override {
+    v[0] = -foot[1];
+    v[1] = foot[0];
+    v[2] = 0;
+  }
+};
+
+/* A stuck grain goes around on a circle, to the second order of the step. */
+void belts_keep_their_radius(void **) {
+  ContactTriangle triangle = {{{-30, -20, 0}, {30, -20, 0}, {0, 40, 0}}};
+  Turntable belt;
+  belt.set_triangles(std::vector<ContactTriangle>(1, triangle), std::vector<int>(1, 0));
+  Place place = {0, {3, 0, 0.5}};
+  double x[3], v[3];
+  for (int step = 0; step < 100; step++)
+    static_cast<const Shape &>(belt).carry(place, 0.5, 2 * ASP_PI / 100, x, v);
+  assert_true(fabs(hypot(x[0], x[1]) - 3) < 1e-3 && fabs(x[1]) < 0.02 && x[0] > 0);
+}
+
+/* A face that faces the flight may send a grain off faster along the normal of the mean wall than
+ * it came; no force that changes within the step may do so many times its work. */
+void forces_do_their_own_work(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> wall = make_wall(
+      engine, plane(2, 0), "surface sigma 10 rebound constant 1 1 deposit off spread visible");
+  Grains grains(100, 0.5, 0.01);
+  for (int i = 0; i < 100; i++) {
+    grains.x[3 * i] = 3 * i;
+    grains.x[3 * i + 2] = 0.5001;
+    grains.v[3 * i] = 5;
+    grains.v[3 * i + 2] = -0.02;
+    grains.f[3 * i + 2] = 0.01;
+  }
+  grains.begin({wall.get()});
+  grains.advance();
+  double most = 0;
+  const std::vector<double> before = grains.v;
+  for (int i = 0; i < 100; i++)
+    grains.f[3 * i + 2] = 2;
+  grains.finish();
+  for (int i = 0; i < 100; i++) {
+    const double v = before[3 * i + 2], now = grains.v[3 * i + 2];
+    const double work = 2 * (fabs(grains.x[3 * i + 2] - 0.5) + 1e-4);
+    most = std::max(most, v / 0.02);
+    if (v > 0.1)
+      assert_true(fabs(now * now - v * v) < 2 * 2 * work);
+  }
+  assert_true(most > 10);
+}
+
+/* ---- runs after others ------------------------------------------------------------------------
+ */
+
+int count(const std::string &text, const char *part) {
+  int found = 0;
+  for (size_t at = 0; (at = text.find(part, at)) != std::string::npos; at++)
+    found++;
+  return found;
+}
+
+/* Larger and smaller grains than those so far need tables of their own; others do not. */
+void new_sizes_need_new_tables(void **) {
+  Alone engine;
+  std::unique_ptr<Wall> wall = make_wall(
+      engine, plane(2, 0),
+      "surface rq 0.05 lambda_c 1 spread auto tolerance 0.5 rebound constant 1 1 deposit off");
+  const double sizes[][2] = {{1, 1}, {1, 4}, {2, 3}, {0.5, 4}, {0.5, 4}};
+  const int reports[] = {1, 2, 2, 3, 3};
+  for (int k = 0; k < 5; k++) {
+    engine.least = sizes[k][0];
+    engine.most = sizes[k][1];
+    wall->init(k, 0.1);
+    assert_int_equal(count(engine.printed, "spread auto takes"), reports[k]);
+  }
+}
+
+/* A restart file that is written before the first step has what was read of the ledger's file. */
+void restarts_keep_their_ledger(void **) {
+  const Alone engine;
+  char folder[] = "/tmp/asperity.XXXXXX";
+  assert_non_null(mkdtemp(folder));
+  const std::string file = std::string(folder) + "/rows.csv";
+  const auto make = [&] {
+    return make_wall(engine, plane(0, 0),
+                     "rebound constant 0.5 0.5 deposit off ledger 10 file " + file);
+  };
+  std::unique_ptr<Wall> wall = make(), next = make();
+  Grains grains(1, 0.5, 0.1);
+  grains.x[0] = 0.55;
+  grains.v[0] = -1;
+  grains.begin({wall.get()});
+  grains.fly(2);
+  const std::vector<char> saved = wall->save();
+  next->restore(saved.data());
+  const std::vector<char> again = next->save();
+  const LedgerState first = unpack(saved.data()).ledger, second = unpack(again.data()).ledger;
+  assert_int_equal(first.rows, 1);
+  assert_int_equal(second.rows, 1);
+  assert_int_equal(second.bytes, first.bytes);
+  assert_int_equal(second.tail, first.tail);
+  assert_string_equal(second.path.c_str(), file.c_str());
+  assert_true(next->counter(Wall::N_IMPACTS) == 1);
+  remove(file.c_str());
+  remove(folder);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(walls_get_what_grains_lose),
+      cmocka_unit_test(stuck_grains_pass_their_spin_on),
+      cmocka_unit_test(numbers_take_one_reduction),
+      cmocka_unit_test(rounding_is_not_guarded),
+      cmocka_unit_test(straying_grains_are_met),
+      cmocka_unit_test(bent_ways_are_met),
+      cmocka_unit_test(grains_slide_inside_cylinders),
+      cmocka_unit_test(belts_keep_their_radius),
+      cmocka_unit_test(forces_do_their_own_work),
+      cmocka_unit_test(new_sizes_need_new_tables),
+      cmocka_unit_test(restarts_keep_their_ledger),
+  };
+  MPI_Init(&argc, &argv);
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  MPI_Finalize();
+  return failed;
+}
