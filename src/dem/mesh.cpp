@@ -202,6 +202,14 @@ void MeshShape::fetch_missing(const Bounds &box) const {
     fetch(box);
 }
 
+/* The place in the tree of a triangle that a particle brings from an earlier step, perhaps from
+ * another rank or from a restart file; -1 if the mesh has none of this number near `at`. */
+int MeshShape::place_near(int piece, const double at[3], double reach) const {
+  const double still[3] = {0, 0, 0};
+  fetch_missing(Bounds::of_path(at, still, 0, 0, reach));
+  return aspi_tree_place(tree_.get(), piece);
+}
+
 /* All triangles that meet a box, and some that only come near it: those of a box that is wider by
  * a margin are kept, since a particle that has met one is looked at again from there. */
 const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
@@ -330,9 +338,7 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
     double at[3], foot[3], arm[3], normal[3];
     aspi_subtract(x, shift.by, at);
     motion_.end().to_body(at, at);
-    const double still[3] = {0, 0, 0};
-    fetch_missing(Bounds::of_path(at, still, 0, 0, reach));
-    const int place = aspi_tree_place(tree_.get(), piece);
+    const int place = place_near(piece, at, reach);
     if (place < 0)
       continue;
     const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), place);
@@ -394,7 +400,7 @@ bool MeshShape::find_known(int face, const Path &path, double radius, Contact &c
     ContactPath body;
     ContactTouch touch;
     body_path(path, shift, body);
-    const int place = aspi_tree_place(tree_.get(), face < 0 ? ~face : face);
+    const int place = place_near(face < 0 ? ~face : face, body.x, radius);
     if (place < 0 || !aspi_triangle_find(aspi_tree_triangle(tree_.get(), place), &body, radius,
                                          path.left, &touch))
       continue;

@@ -55,13 +55,15 @@ public:
   void lay(const asp_lay &lay, const Path &path, const Contact &contact,
            double direction[3]) const override;
 
-  /* The velocity at the end of the last step (6 numbers); then, of each triangle, its number and
-   * its nodes in the mesh's own frame: with these a continued run finds the same contacts, to the
-   * bit. */
+  /* The velocity and the frame at the end of the last step (HEAD numbers); then, of each triangle,
+   * its number and its nodes in the mesh's own frame: with these a continued run finds the same
+   * contacts, to the bit. */
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
 
 protected:
+  enum { HEAD = 6 + 12 };
+
   /* True if this rank has all triangles. Otherwise it has those in some boxes, and can fetch
    * another box's at any time without the other ranks. */
   virtual bool has_all() const {
@@ -110,6 +112,7 @@ private:
   Bounds swept() const;
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
   void fetch_missing(const Bounds &box) const;
+  int place_near(int piece, const double at[3], double reach) const;
   const ContactList &meet(const Bounds &box, double margin) const;
   bool clip(const ContactPath &body, double radius, double &from, double &to) const;
   bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,

@@ -25,7 +25,8 @@ struct ParticleState {
   double status;  /* a Status */
 };
 
-/* Position of a stuck particle in the frame of its shape, and its velocity. */
+/* Position of a stuck particle in the frame of its shape (of the world, where that is gone), and
+ * its velocity. */
 struct StuckPlace {
   double shape; /* from 1; 0: gone */
   double piece, at[3], velocity[3];

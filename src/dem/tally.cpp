@@ -70,16 +70,15 @@ void Wall::add(size_t shape, const ContactLoad &load) {
 void Wall::add_held(const Spheres &s, int i, const Held &before) {
   const StuckPlace &stuck = place(i).stuck;
   const double none[3] = {0, 0, 0};
-  const size_t at = 3 * static_cast<size_t>(i), shape = static_cast<size_t>(stuck.shape) - 1;
+  const size_t at = 3 * static_cast<size_t>(i);
   double p[3];
   aspi_subtract(s.v + at, before.v, p);
-  if (!(aspi_dot(p, p) + aspi_dot(before.spin, before.spin) > 0) || !(stuck.shape >= 1) ||
-      shape >= shapes_.size())
+  if (!(aspi_dot(p, p) + aspi_dot(before.spin, before.spin) > 0) || !(stuck.shape >= 1))
     return;
   ContactLoad load(s, i, static_cast<int>(stuck.piece), s.x + at, none, p, none);
   aspi_copy(before.spin, load.couple);
   aspi_scale(inertia(s, i), load.couple);
-  add(shape, load);
+  add(static_cast<size_t>(stuck.shape) - 1, load);
 }
 
 void Wall::count(const Spheres &s, int i, const Event &event) {

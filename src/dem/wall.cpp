@@ -157,7 +157,7 @@ void Wall::setup(const Spheres &spheres, int groupbit, const Box &box) {
     if (model_.deposit() == Model::OFF && is_stuck(i))
       set_status(i, Status::FREE); /* an earlier part of the run had deposits */
   }
-  renumber_stuck(spheres);
+  renumber(spheres);
   look_anew();
   for (int i = 0; i < spheres.n; i++) {
     const size_t shape = static_cast<size_t>(place(i).stuck.shape) - 1;

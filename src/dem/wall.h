@@ -293,7 +293,8 @@ private:
   void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
   void carry(const Spheres &spheres);
   void carry_one(const Spheres &spheres, int i, double dt);
-  void renumber_stuck(const Spheres &spheres);
+  int shape_now(double before) const;
+  void renumber(const Spheres &spheres);
 
   void restore_shapes(const WallState &saved);
   void parse_ledger(Words &words);

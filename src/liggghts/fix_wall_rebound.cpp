@@ -323,7 +323,7 @@ void FixWallRebound::setup(int) {
   here.widen(neighbor->cutneighmax);
   attempt([&] {
     for (MeshOfLiggghts *mesh : meshes_) {
-      const std::string report = mesh->setup(here);
+      const std::string report = mesh->setup(here, box());
       mesh->set_images(box());
       if (!report.empty())
         print("fix " + id() + " wall/rebound: " + report);

@@ -15,6 +15,7 @@
 
 using namespace LAMMPS_NS;
 using asperity::Bounds;
+using asperity::Box;
 using asperity::ContactLoad;
 using asperity::Frame;
 using asperity::SharedTriangles;
@@ -36,7 +37,7 @@ static const double FORM = 1e-6;
 
 MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
     : world_(world), fix_(fix), is_servo_(strcmp(fix->style, "mesh/surface/stress/servo") == 0),
-      pieces_(0), nodes_(), reference_(), force_(), torque_() {
+      pieces_(0), box_(), nodes_(), reference_(), force_(), torque_() {
   add_sums();
   int mine = -1, most;
   for (int t = 0; t < mesh()->sizeLocal(); t++)
@@ -48,12 +49,13 @@ MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
 /* ---- where it is ------------------------------------------------------------------------------
  */
 
-std::string MeshOfLiggghts::setup(const Bounds &here) {
+std::string MeshOfLiggghts::setup(const Bounds &here, const Box &box) {
+  box_ = box;
   if (!triangles())
     gather(here);
   else {
     Twist twist;
-    const Frame frame = look(twist);
+    const Frame frame = look(twist, 0);
     bool moved = false;
     for (int k = 0; k < 3; k++)
       moved = moved || fabs(frame.shift[k] - motion().end().shift[k]) > 0;
@@ -170,7 +172,7 @@ std::vector<double> MeshOfLiggghts::motion_record() const {
   std::vector<double> record = MeshShape::motion_record();
   if (!shared_ || record.empty())
     return record;
-  record.resize(6); /* the velocity; then all triangles, of this rank or not */
+  record.resize(HEAD); /* then all triangles, of this rank or not */
   shared_->read(std::vector<Bounds>(1, shared_->whole()), [&record](const double *row) {
     record.insert(record.end(), row, row + SharedTriangles::ROW);
   });
@@ -179,15 +181,14 @@ std::vector<double> MeshOfLiggghts::motion_record() const {
 
 void MeshOfLiggghts::restore_motion(const std::vector<double> &record) {
   MeshShape::restore_motion(record);
-  const size_t head = 6;
-  if (!triangles() || record.size() < head)
+  if (!triangles() || record.size() < HEAD)
     return;
   int rank, ranks;
   MPI_Comm_rank(world_, &rank);
   MPI_Comm_size(world_, &ranks);
-  const size_t rows = (record.size() - head) / SharedTriangles::ROW;
+  const size_t rows = (record.size() - HEAD) / SharedTriangles::ROW;
   const auto from = [&](int of) {
-    return record.begin() + head + rows * of / ranks * SharedTriangles::ROW;
+    return record.begin() + HEAD + rows * of / ranks * SharedTriangles::ROW;
   };
   take(std::vector<double>(from(rank), from(rank + 1)));
 }
@@ -247,8 +248,29 @@ static Frame frame_of(const double a[3], const double b[3], const double c[3]) {
   return frame;
 }
 
+/* LIGGGHTS wraps each triangle for itself at a periodic edge. Of each node the image counts to
+ * which the mesh's own motion has brought it. */
+void MeshOfLiggghts::unwrap(double x[3][3], const double v[3][3], double dt) const {
+  const Twist last = motion().moves() ? motion().last() : Twist();
+  for (int k = 0; k < 3; k++) {
+    double there[3], by[3], torn[3];
+    motion().end().to_world(reference_[k], there);
+    aspi_add_scaled(there, dt, v[k], there);
+    aspi_copy(x[k], by);
+    box_.bring_near(there, x[k]);
+    aspi_subtract(x[k], by, by);
+    aspi_cross(last.angular, by, torn);
+    if (aspi_length(torn) > FORM * aspi_length(last.angular) * aspi_length(by))
+      throw asperity::Error(
+          text("mesh '%s' turns and crosses a periodic edge; LIGGGHTS would turn each of its "
+               "triangles about the same point on either side, which tears the mesh; the axis must "
+               "be along the periodic direction, or the mesh must stay within the box",
+               fix_->id));
+  }
+}
+
 /* Position and motion of the mesh from three of its nodes, each read on the rank that owns it. */
-Frame MeshOfLiggghts::look(Twist &twist) const {
+Frame MeshOfLiggghts::look(Twist &twist, double dt) const {
   double mine[18] = {0}, all[18];
   Nodes *moving = mesh()->isMoving() ? mesh()->prop().getElementProperty<Nodes>("v") : NULL;
   for (int k = 0; k < 3; k++)
@@ -261,7 +283,12 @@ Frame MeshOfLiggghts::look(Twist &twist) const {
         aspi_copy(moving->begin()[t][nodes_[k].node], mine + 6 * k + 3);
     }
   MPI_Allreduce(mine, all, 18, MPI_DOUBLE, MPI_SUM, world_);
-  const double *x[3] = {all, all + 6, all + 12}, *v[3] = {all + 3, all + 9, all + 15};
+  double x[3][3], v[3][3];
+  for (int k = 0; k < 3; k++) {
+    aspi_copy(all + 6 * k, x[k]);
+    aspi_copy(all + 6 * k + 3, v[k]);
+  }
+  unwrap(x, v, dt);
 
   const Frame now = frame_of(x[0], x[1], x[2]),
               then = frame_of(reference_[0], reference_[1], reference_[2]);
@@ -299,7 +326,7 @@ Frame MeshOfLiggghts::look(Twist &twist) const {
 void MeshOfLiggghts::begin_step(double dt) {
   if (mesh()->isMoving()) {
     Twist twist;
-    const Frame frame = look(twist);
+    const Frame frame = look(twist, dt);
     motion().advance(frame, twist, dt);
   } else if (motion().moves())
     motion().rest();
@@ -315,8 +342,8 @@ void MeshOfLiggghts::check_form() const {
     for (int k = 0; place >= 0 && k < 3; k++) {
       double node[3], there[3];
       mesh()->node(t, k, node);
-      const Frame &end = const_cast<MeshOfLiggghts *>(this)->motion().end();
-      end.to_world(aspi_tree_triangle(triangles(), place)->node[k], there);
+      motion().end().to_world(aspi_tree_triangle(triangles(), place)->node[k], there);
+      box_.bring_near(node, there);
       aspi_subtract(there, node, there);
       worst = std::max(worst, aspi_length(there));
     }

@@ -34,9 +34,10 @@ public:
   /* At the beginning of a run, with the box around this rank's particles; collective. Throws an
    * asperity::Error where the mesh has changed its form since the first run. Returns a note for
    * the user, or an empty string. */
-  std::string setup(const asperity::Bounds &here);
+  std::string setup(const asperity::Bounds &here, const asperity::Box &box);
 
-  /* In each step, when the mesh is where it is at the end of it; collective. */
+  /* In each step, when the mesh is where it is at the end of it; collective. Throws an
+   * asperity::Error where LIGGGHTS tears a turning mesh at a periodic edge. */
   void begin_step(double dt);
 
   /* Hands over what the mesh has felt in this step, when LIGGGHTS has cleared its own sums;
@@ -78,11 +79,13 @@ private:
   void add_fetched(asperity::Bounds box) const;
   void put_fetched() const;
   void choose_nodes(const std::vector<double> &mine);
-  asperity::Frame look(asperity::Twist &twist) const;
+  void unwrap(double x[3][3], const double v[3][3], double dt) const;
+  asperity::Frame look(asperity::Twist &twist, double dt) const;
   void check_form() const;
   void read_belt();
   void add_sums();
   void give_away(const std::vector<double> &away);
+  double wear(const asperity::ContactLoad &load, const double *k) const;
   void add_force(int local, const double force[3], double wear);
 
   MPI_Comm world_;
@@ -92,6 +95,7 @@ private:
   std::unique_ptr<asperity::SharedTriangles> shared_; /* of a large mesh on several ranks */
   std::string report_;                                /* for the log */
   mutable std::vector<asperity::Bounds> fetched_; /* of which this rank has the triangles then */
+  asperity::Box box_;
   NodeName nodes_[3]; /* far from each other: they fix the position of the mesh */
   double reference_[3][3];
   double force_[3], torque_[3];             /* handed over in this step; of the next one so far */

@@ -76,18 +76,24 @@ void MeshOfLiggghts::take(const ContactLoad &load) {
 }
 
 /* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one load: E k |v| |F| dt/area, with the
- * load's impulse for |F| dt. */
-static double finnie(const ContactLoad &load, const double normal[3], double k, double area) {
+ * load's impulse for |F| dt. k: of particle types. A stuck particle makes no contact, and its
+ * triangle may be unknown to this rank. */
+double MeshOfLiggghts::wear(const ContactLoad &load, const double *k) const {
   const double speed = aspi_length(load.v_before);
   if (!(speed > 0))
     return 0;
-  double across[3];
+  const ContactTriangle *t =
+      aspi_tree_triangle(triangles(), aspi_tree_place(triangles(), load.piece));
+  double flat[3], normal[3], across[3];
+  aspi_triangle_normal(t, flat);
+  for (int i = 0; i < 3; i++)
+    normal[i] = aspi_dot(motion().end().turn[i], flat);
   aspi_cross(load.v_before, normal, across);
   const double sine = std::min(1.0, fabs(aspi_dot(load.v_before, normal)) / speed);
   const double cosine = std::min(1.0, aspi_length(across) / speed);
   const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
                                                           : 2 * sine * cosine - 3 * sine * sine;
-  return 2 * share * k * speed * aspi_length(load.impulse) / area;
+  return 2 * share * k[load.type - 1] * speed * aspi_length(load.impulse) / aspi_triangle_area(t);
 }
 
 void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
@@ -107,7 +113,7 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
   double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
                          stress()->compute_vector(8)};
   for (const ContactLoad &load : loads_) {
-    double force[3], arm[3], torque[3], normal[3];
+    double force[3], arm[3], torque[3];
     for (int d = 0; d < 3; d++)
       force[d] = load.impulse[d] / dt;
     aspi_subtract(load.point, reference, arm);
@@ -115,23 +121,14 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
     aspi_add_scaled(torque, 1 / dt, load.couple, torque);
     aspi_add_scaled(force_, 1 / spread, force, force_);
     aspi_add_scaled(torque_, 1 / spread, torque, torque_);
-    const ContactTriangle *t =
-        aspi_tree_triangle(triangles(), aspi_tree_place(triangles(), load.piece));
-    double turned[3];
-    aspi_triangle_normal(t, normal);
-    for (int i = 0; i < 3; i++)
-      turned[i] = aspi_dot(motion().end().turn[i], normal);
-    const double wear =
-        k_finnie ? finnie(load, turned, k_finnie[fix_->atomTypeWall() - 1][load.type - 1],
-                          aspi_triangle_area(t))
-                 : 0;
+    const double worn = k_finnie ? wear(load, k_finnie[fix_->atomTypeWall() - 1]) : 0;
     const int local = mesh()->map_size(load.piece) > 0 ? mesh()->map(load.piece, 0) : -1;
     if (local >= 0)
-      add_force(local, force, wear);
+      add_force(local, force, worn);
     else {
       away.push_back(load.piece);
       away.insert(away.end(), force, force + 3);
-      away.push_back(wear);
+      away.push_back(worn);
     }
   }
   loads_.clear();
