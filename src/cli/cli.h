@@ -125,6 +125,9 @@ FILE *cli_output_open(const cli_call *call, const char *option, const char *desc
  * A number that is none is an empty field; a text is put in quotes where it needs them. */
 CLI_FORMAT(2, 3) void cli_row(FILE *out, const char *format, ...);
 
+/* Prints a number as %.*g of printf does, faster; nothing for one that is none. */
+void cli_print_number(FILE *out, double value, int digits);
+
 /* A user's text within a comment line: control characters as \xNN. */
 void cli_print_comment(FILE *out, const char *text);
 

@@ -268,7 +268,10 @@ static void plot_data(cli_plot *picture, const aspi_comparison *c, int which) {
   cli_plot_series(picture, CLI_MARKS, c->names[1] ? "data_each" : "impacts");
   for (size_t i = 0; i < c->data.count && !c->data.means; i += every)
     cli_plot_row(picture, c->data.rows[i].degrees, c->data.rows[i].cor[which]);
-  cli_plot_end(picture, c->data.means ? "" : c->names[1] ? "measured impacts" : "impacts");
+  if (every > 1)
+    cli_plot_end(picture, "impacts, one of %zu", every);
+  else
+    cli_plot_end(picture, c->data.means ? "" : c->names[1] ? "measured impacts" : "impacts");
   if (!c->names[1])
     return;
   cli_plot_series(picture, CLI_ERRORS, "data");

@@ -9,6 +9,7 @@
 #include "cli/plot.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* m/s */
@@ -20,10 +21,21 @@ typedef struct scene {
   cli_list speeds, sizes; /* of a log-normal law ln has the sd ln(most/least)/5 */
 } scene;
 
+/* The impacts: `count[a]` at each angle, of which the first is number `first[a]` of all; at an
+ * angle the sizes and speeds of lists come in turn. */
+typedef struct plan {
+  const cli_list *angles;
+  size_t *count, *first, total;
+} plan;
+
 typedef struct row {
+  size_t angle, sample; /* which of the plan */
   double d_p, alpha1;
   cli_impact of;
 } row;
+
+/* Impacts are drawn in blocks of pieces, each of which one thread draws and prints. */
+enum { PIECE = 1024, PIECES = 64 };
 
 /* The value of a sample; of a list they come in turn. */
 static double sample_of(const cli_list *v, size_t sample, aspi_stream *stream) {
@@ -36,12 +48,17 @@ static double sample_of(const cli_list *v, size_t sample, aspi_stream *stream) {
   }
 }
 
+/* Combinations of the sizes and speeds of lists. */
+static size_t count_groups(const scene *s) {
+  return (s->sizes.count ? s->sizes.count : 1) * (s->speeds.count ? s->speeds.count : 1);
+}
+
 /* One impact at an angle in degrees. */
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) {
   asp_key key = {(uint32_t)asp_wall_get(s->wall.wall, "seed"), asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
   size_t sizes = s->sizes.count ? s->sizes.count : 1;
-  row r = {.d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
+  row r = {.sample = sample, .d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
   double speed = sample_of(&s->speeds, sample / sizes, &stream);
   key.impact = 1;
   r.of = cli_impact_at(&s->wall, r.d_p, speed, angle, &key);
@@ -49,11 +66,23 @@ static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) 
 }
 
 static void print_row(FILE *out, const row *r) {
-  cli_row(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%.6g\n", r->d_p * 1e6,
-          r->of.cor.v1, r->alpha1, cli_degrees(r->of.impact.delta_alpha), r->of.impact.hits,
-          r->of.cor.cor_v, r->of.cor.cor_alpha, r->of.cor.cor_n, r->of.cor.cor_t,
-          r->of.impact.outcome == ASP_DEPOSIT ? "deposit" : "rebound", r->of.cor.cor_v_space,
-          r->of.cor.cor_alpha_space);
+  const double before[] = {r->d_p * 1e6, r->of.cor.v1, r->alpha1,
+                           cli_degrees(r->of.impact.delta_alpha)};
+  const double middle[] = {r->of.cor.cor_v, r->of.cor.cor_alpha, r->of.cor.cor_n, r->of.cor.cor_t};
+  for (int i = 0; i < 4; i++) {
+    cli_print_number(out, before[i], 6);
+    fputc(',', out);
+  }
+  fprintf(out, "%d", r->of.impact.hits);
+  for (int i = 0; i < 4; i++) {
+    fputc(',', out);
+    cli_print_number(out, middle[i], 6);
+  }
+  fputs(r->of.impact.outcome == ASP_DEPOSIT ? ",deposit," : ",rebound,", out);
+  cli_print_number(out, r->of.cor.cor_v_space, 6);
+  fputc(',', out);
+  cli_print_number(out, r->of.cor.cor_alpha_space, 6);
+  fputc('\n', out);
 }
 
 #define PRINT_NAME(ID, name, type, text) fputs(LEDGER_##ID ? "," name : name, out);
@@ -75,13 +104,12 @@ static void print_ledger_row(FILE *out, const row *r, size_t tag) {
                                  [LEDGER_COR_T] = r->of.cor.cor_t,
                                  [LEDGER_OUTCOME] = r->of.impact.outcome == ASP_DEPOSIT};
   for (int i = 0; i < LEDGER_N_COLUMNS; i++) {
-    if (isfinite(of[i]))
-      fprintf(out, "%.10g", of[i]);
+    cli_print_number(out, of[i], 10);
     fputc(i + 1 < LEDGER_N_COLUMNS ? ',' : '\n', out);
   }
 }
 
-static void print_all(FILE *out, const row *rows, size_t n, bool as_ledger) {
+static void print_header(FILE *out, bool as_ledger) {
   if (as_ledger) {
     LEDGER_COLUMNS(PRINT_NAME)
     fputc('\n', out);
@@ -90,11 +118,24 @@ static void print_all(FILE *out, const row *rows, size_t n, bool as_ledger) {
           "outcome,cor_v_space,cor_alpha_space\n",
           out);
   }
-  for (size_t i = 0; i < n; i++)
-    if (as_ledger)
-      print_ledger_row(out, &rows[i], i + 1);
-    else
-      print_row(out, &rows[i]);
+}
+
+/* ---- the summary ---- */
+
+/* Of the impacts at an angle of a size and a speed. */
+typedef struct sums {
+  size_t impacts;
+  aspi_running cor_n, cor_t, eroded;
+} sums;
+
+static void add_to_sums(sums *to, const row *r) {
+  to->impacts++;
+  aspi_running_add(&to->eroded, r->of.impact.eroded);
+  if (r->of.impact.outcome == ASP_DEPOSIT)
+    return;
+  aspi_running_add(&to->cor_n, r->of.cor.cor_n);
+  if (isfinite(r->of.cor.cor_t))
+    aspi_running_add(&to->cor_t, r->of.cor.cor_t);
 }
 
 /* Mean and sd, empty where there are none. */
@@ -102,57 +143,48 @@ static void print_moments(FILE *out, const aspi_running *r) {
   cli_row(out, ",%.6g,%.6g", r->n > 0 ? r->mean : NAN, r->n > 1 ? aspi_running_sd(r) : NAN);
 }
 
-/* Per angle: what sticks, and mean and sd of what rebounds. */
-static void print_summary(FILE *out, const cli_list *angles, const size_t *counts, const row *rows,
-                          bool erodes) {
-  fprintf(out, "alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd%s\n",
+/* A value of a list that has one for each group, empty for a log-normal law. */
+static double value_of_group(const cli_list *list, size_t index, double factor) {
+  return list->count ? list->values[index % list->count] * factor : NAN;
+}
+
+/* Per angle, speed and size: what sticks, and mean and sd of what rebounds. */
+static void print_summary(FILE *out, const scene *s, const plan *p, const sums *of, bool erodes) {
+  size_t groups = count_groups(s), sizes = s->sizes.count ? s->sizes.count : 1;
+  fprintf(out,
+          "dp_um,v1_m_s,alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,"
+          "cor_t_sd%s\n",
           erodes ? ",eroded_mean,eroded_sd" : "");
-  for (size_t a = 0; a < angles->count; rows += counts[a++]) {
-    aspi_running cor_n = {0, 0, 0}, cor_t = {0, 0, 0}, eroded = {0, 0, 0};
-    for (size_t i = 0; i < counts[a]; i++) {
-      aspi_running_add(&eroded, rows[i].of.impact.eroded);
-      if (rows[i].of.impact.outcome == ASP_DEPOSIT)
-        continue;
-      aspi_running_add(&cor_n, rows[i].of.cor.cor_n);
-      if (isfinite(rows[i].of.cor.cor_t))
-        aspi_running_add(&cor_t, rows[i].of.cor.cor_t);
-    }
-    cli_row(out, "%.6g,%zu,%.6g,%.0f", angles->values[a], counts[a],
-            1 - cor_n.n / (double)counts[a], cor_n.n);
-    print_moments(out, &cor_n);
-    print_moments(out, &cor_t);
+  for (size_t i = 0; i < p->angles->count * groups; i++) {
+    const sums *one = &of[i];
+    if (one->impacts == 0)
+      continue;
+    cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%.0f", value_of_group(&s->sizes, i % groups, 1e6),
+            value_of_group(&s->speeds, i % groups / sizes, 1), p->angles->values[i / groups],
+            one->impacts, 1 - one->cor_n.n / (double)one->impacts, one->cor_n.n);
+    print_moments(out, &one->cor_n);
+    print_moments(out, &one->cor_t);
     if (erodes)
-      print_moments(out, &eroded);
+      print_moments(out, &one->eroded);
     fputc('\n', out);
   }
 }
 
-/* Number of impacts at each angle: equal, or by flux: particles that fly in all of these directions
+/* Impacts at each angle: equally many, or by flux: particles that fly in all of these directions
  * alike hit in proportion to sin alpha1. */
-static size_t count_impacts(const cli_list *angles, size_t samples, bool by_flux, size_t *counts) {
+static plan make_plan(const cli_list *angles, size_t samples, bool by_flux) {
+  plan p = {angles, cli_allocate(angles->count, sizeof *p.count),
+            cli_allocate(angles->count, sizeof *p.first), 0};
   double sines = 0;
-  size_t all = 0;
   for (size_t a = 0; a < angles->count; a++)
     sines += sin(cli_radians(angles->values[a]));
   for (size_t a = 0; a < angles->count; a++) {
     double share = sin(cli_radians(angles->values[a])) / sines * (double)angles->count;
-    counts[a] = by_flux ? (size_t)fmax(1, round((double)samples * share)) : samples;
-    all += counts[a];
+    p.count[a] = by_flux ? (size_t)fmax(1, round((double)samples * share)) : samples;
+    p.first[a] = p.total;
+    p.total += p.count[a];
   }
-  return all;
-}
-
-static void make_rows(const scene *s, const cli_list *angles, const size_t *counts, size_t total,
-                      row *rows) {
-  cli_progress progress = cli_progress_begin("impacts", (double)total);
-  size_t tag = 0;
-  for (size_t a = 0; a < angles->count; a++)
-    for (size_t i = 0; i < counts[a]; i++, tag++) {
-      rows[tag] = impact_at(s, angles->values[a], i, tag);
-      if (tag % 65536 == 0)
-        cli_progress_show(&progress, (double)tag);
-    }
-  cli_progress_end(&progress);
+  return p;
 }
 
 /* ---- the picture ---- */
@@ -172,68 +204,117 @@ static cli_label values_of(const cli_list *v, double factor, const char *unit) {
     used += snprintf(label.text + used, 99, " … %.3g", v->most * factor);
   used += snprintf(label.text + used, 99, " %s", unit);
   if (v->count == 0)
-    snprintf(label.text + used, 99, " (log-normal, median %.3g)", v->median * factor);
+    snprintf(label.text + used, 99, " (log-normal, median %.3g %s)", v->median * factor, unit);
   return label;
 }
 
-static cli_plot *open_picture(const cli_call *call, const scene *s, const row *rows, size_t n) {
+/* The lay, "" where there is none. */
+static cli_label lay_of(const cli_description *wall) {
+  cli_label label = {""};
+  double vector[3];
+  const asp_surface *surface = asp_wall_surface(wall->wall);
+  const double *lay = surface ? cli_description_lay(wall, vector) : NULL;
+  if (lay)
+    snprintf(label.text, sizeof label.text,
+             ", λ_c along the lay %.3g µm, lay at %.3g° to the flight",
+             asp_surface_lambda_along(surface) * 1e6, cli_degrees(acos(fmin(1, fabs(lay[0])))));
+  return label;
+}
+
+/* Impacts that are merged for a mean and an sd; the mean angle, of each coefficient. */
+typedef struct cell {
+  aspi_running angle[2], ratio[2];
+} cell;
+
+/* What the picture shows of all impacts. */
+typedef struct view {
+  size_t every, n_dots, n_cells, deposits;
+  row *dots; /* one of `every` */
+  cell *cells;
+  size_t *cell_of; /* each angle's */
+  bool varies;     /* impacts at one angle differ */
+  row last;
+} view;
+
+static view make_view(const plan *p) {
+  view v = {.every = p->total / DOTS_MOST + 1};
+  size_t begun = 0, merged = 0;
+  v.dots = cli_allocate(p->total / v.every + 1, sizeof *v.dots);
+  v.cells = cli_allocate(p->angles->count, sizeof *v.cells);
+  v.cell_of = cli_allocate(p->angles->count, sizeof *v.cell_of);
+  for (size_t a = 0; a < p->angles->count; merged += p->count[a++]) {
+    double apart = p->angles->values[a] - p->angles->values[begun];
+    if (a == 0 || (apart > 0 && (merged >= IMPACTS_LEAST || apart >= CELL_MOST))) {
+      begun = a;
+      merged = 0;
+      v.n_cells++;
+    }
+    v.cell_of[a] = v.n_cells - 1;
+  }
+  return v;
+}
+
+static void add_to_view(view *v, const row *r, size_t number) {
+  cell *of = &v->cells[v->cell_of[r->angle]];
+  v->deposits += r->of.impact.outcome == ASP_DEPOSIT;
+  if (number % v->every == 0)
+    v->dots[v->n_dots++] = *r;
+  for (int t = 0; t < 2; t++)
+    if (isfinite(cli_impact_ratio(&r->of, t))) {
+      aspi_running_add(&of->ratio[t], cli_impact_ratio(&r->of, t));
+      aspi_running_add(&of->angle[t], r->alpha1);
+    }
+  v->varies = v->varies ||
+              (number > 0 && r->angle == v->last.angle && r->of.cor.cor_n != v->last.of.cor.cor_n &&
+               r->of.impact.outcome == v->last.of.impact.outcome);
+  v->last = *r;
+}
+
+static cli_plot *open_picture(const cli_call *call, const scene *s, const view *v, size_t n) {
   const cli_description *wall = &s->wall;
-  size_t deposits = 0;
   char pair[2 * sizeof(cli_label) + 10] = "";
-  for (size_t i = 0; i < n; i++)
-    deposits += rows[i].of.impact.outcome == ASP_DEPOSIT;
   if (wall->particle)
     snprintf(pair, sizeof pair, "%s on %s; ",
              cli_plot_label(asp_material_name(wall->particle)).text,
              cli_plot_label(asp_material_name(wall->target)).text);
   return cli_plot_open(
       call, 1200, 520, "1,2",
-      "%s%s; %s, %s; v_1 = %s; d_p = %s; %zu impacts, %.1f %% stick and are left out", pair,
+      "%s%s; %s%s, %s; v_1 = %s; d_p = %s; %zu impacts, %.1f %% stick and are left out", pair,
       cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text,
-      cli_plot_wall(wall->wall).text,
+      cli_plot_wall(wall->wall).text, lay_of(wall).text,
       cli_plot_label(asp_spread_name(asp_wall_spread(wall->wall))).text,
       values_of(&s->speeds, 1, "m/s").text, values_of(&s->sizes, 1e6, "µm").text, n,
-      100 * (double)deposits / (double)n);
+      100 * (double)v->deposits / (double)n);
 }
 
-static void plot_impacts(cli_plot *picture, int t, const row *rows, size_t n) {
-  size_t every = n / DOTS_MOST + 1;
+static void plot_impacts(cli_plot *picture, int t, const view *v) {
   cli_plot_series(picture, CLI_MARKS, "impacts");
-  for (size_t i = 0; i < n; i += every)
-    cli_plot_row(picture, rows[i].alpha1, cli_impact_ratio(&rows[i].of, t));
-  if (every > 1)
-    cli_plot_end(picture, "impacts, one of %zu", every);
+  for (size_t i = 0; i < v->n_dots; i++)
+    cli_plot_row(picture, v->dots[i].alpha1, cli_impact_ratio(&v->dots[i].of, t));
+  if (v->every > 1)
+    cli_plot_end(picture, "impacts, one of %zu", v->every);
   else
     cli_plot_end(picture, "impacts");
 }
 
-/* Mean and sd by angle. */
-static void plot_means(cli_plot *picture, int t, const row *rows, size_t n, const char *style) {
-  cli_plot_series(picture, CLI_BAND, "%s", style);
-  for (size_t i = 0, next; i < n; i = next) {
-    aspi_running y = {0, 0, 0}, angle = {0, 0, 0};
-    for (next = i; next < n; next++) {
-      if (rows[next].alpha1 > rows[i].alpha1 &&
-          (next - i >= IMPACTS_LEAST || rows[next].alpha1 >= rows[i].alpha1 + CELL_MOST))
-        break;
-      if (!isfinite(cli_impact_ratio(&rows[next].of, t)))
-        continue;
-      aspi_running_add(&y, cli_impact_ratio(&rows[next].of, t));
-      aspi_running_add(&angle, rows[next].alpha1);
-    }
-    if (y.n > 1)
-      cli_plot_row(picture, angle.mean, y.mean, aspi_running_sd(&y));
-  }
-  cli_plot_end(picture, "mean ± sd");
-}
+/* Half the width of the box of a single angle, in degrees. */
+#define BOX_HALF 1.5
 
-/* True if impacts at one angle differ at all. */
-static bool varies(const row *rows, size_t n) {
-  for (size_t i = 1; i < n; i++)
-    if (rows[i].alpha1 <= rows[i - 1].alpha1 && rows[i].of.cor.cor_n != rows[i - 1].of.cor.cor_n &&
-        rows[i].of.impact.outcome == rows[i - 1].of.impact.outcome)
-      return true;
-  return false;
+/* Mean and sd by angle: a line in a band, or a box where there is one angle. */
+static void plot_means(cli_plot *picture, int t, const view *v, const char *style) {
+  size_t found = 0;
+  for (size_t i = 0; i < v->n_cells; i++)
+    found += v->cells[i].ratio[t].n > 1;
+  cli_plot_series(picture, found == 1 ? CLI_BOX : CLI_BAND, "%s", style);
+  for (size_t i = 0; i < v->n_cells; i++) {
+    const aspi_running *y = &v->cells[i].ratio[t];
+    double angle = v->cells[i].angle[t].mean;
+    if (y->n > 1 && found == 1)
+      cli_plot_row(picture, angle - BOX_HALF, angle + BOX_HALF, y->mean, aspi_running_sd(y));
+    else if (y->n > 1)
+      cli_plot_row(picture, angle, y->mean, aspi_running_sd(y));
+  }
+  cli_plot_end(picture, found ? "mean ± sd" : "");
 }
 
 /* The smooth wall at the first of the speeds and sizes, or the median of their law. */
@@ -255,7 +336,7 @@ static void plot_smooth(cli_plot *picture, int t, const scene *s) {
 }
 
 /* Impacts, their mean and sd over the impact angle, and the smooth wall. */
-static void plot(const cli_call *call, const scene *s, const row *rows, size_t n) {
+static void plot(const cli_call *call, const scene *s, const view *v, size_t n) {
   asp_wall *wall = s->wall.wall;
   asp_error error;
   char style[80];
@@ -263,20 +344,89 @@ static void plot(const cli_call *call, const scene *s, const row *rows, size_t n
     snprintf(style, sizeof style, "model_%s", asp_spread_name(asp_wall_spread(wall)));
   else
     snprintf(style, sizeof style, "law_%s", asp_rebound_name(asp_wall_rebound(wall)));
-  cli_plot *picture = open_picture(call, s, rows, n);
+  cli_plot *picture = open_picture(call, s, v, n);
   asp_wall_set_surface(wall, NULL);
   cli_must(!asp_wall_prepare(wall, &error), &error);
   for (int t = 0; t < 2; t++) {
     cli_plot_coefficient(picture, t);
-    plot_impacts(picture, t, rows, n);
-    if (varies(rows, n))
-      plot_means(picture, t, rows, n, style);
+    plot_impacts(picture, t, v);
+    if (v->varies)
+      plot_means(picture, t, v, style);
     plot_smooth(picture, t, s);
   }
   cli_plot_close(picture);
 }
 
 /* ---- the command ---- */
+
+/* What is made of the impacts: rows, sums, a view; NULL: not wanted. */
+typedef struct sink {
+  FILE *rows;
+  bool as_ledger;
+  sums *sums;
+  view *view;
+} sink;
+
+/* Draws the impacts from number `first` on, and prints them to a text, "" where none is wanted. */
+static char *draw_piece(const scene *s, const plan *p, const sink *to, size_t first, size_t count,
+                        row *rows, size_t *length) {
+  char *text = NULL;
+  FILE *out = to->rows ? open_memstream(&text, length) : NULL;
+  size_t a = 0;
+  for (size_t i = 0; i < count; i++) {
+    size_t tag = first + i;
+    while (tag >= p->first[a] + p->count[a])
+      a++;
+    rows[i] = impact_at(s, p->angles->values[a], tag - p->first[a], tag);
+    rows[i].angle = a;
+    if (out && to->as_ledger)
+      print_ledger_row(out, &rows[i], tag + 1);
+    else if (out)
+      print_row(out, &rows[i]);
+  }
+  if (out)
+    fclose(out);
+  return text;
+}
+
+/* Hands over the rows of a piece, in their order. */
+static void take_piece(const scene *s, const sink *to, const row *rows, size_t first,
+                       size_t count) {
+  size_t groups = count_groups(s);
+  for (size_t i = 0; i < count && to->sums; i++)
+    add_to_sums(&to->sums[rows[i].angle * groups + rows[i].sample % groups], &rows[i]);
+  for (size_t i = 0; i < count && to->view; i++)
+    add_to_view(to->view, &rows[i], first + i);
+}
+
+/* Draws all impacts, on all cores: each has random numbers of its own. */
+static void draw(const scene *s, const plan *p, const sink *to) {
+  cli_progress progress = cli_progress_begin("impacts", (double)p->total);
+  row *rows = cli_allocate((size_t)PIECE * PIECES, sizeof *rows);
+  char *text[PIECES];
+  size_t length[PIECES];
+  for (size_t first = 0; first < p->total; first += (size_t)PIECE * PIECES) {
+    size_t left = p->total - first;
+    int pieces = left < (size_t)PIECE * PIECES ? (int)((left + PIECE - 1) / PIECE) : PIECES;
+#pragma omp parallel for schedule(dynamic)
+    for (int k = 0; k < pieces; k++) {
+      size_t at = (size_t)k * PIECE, count = left - at < PIECE ? left - at : PIECE;
+      text[k] = draw_piece(s, p, to, first + at, count, rows + at, &length[k]);
+    }
+    for (int k = 0; k < pieces; k++) {
+      size_t at = (size_t)k * PIECE, count = left - at < PIECE ? left - at : PIECE;
+      if (to->rows && !text[k])
+        cli_fail("out of memory for %d rows of text", PIECE);
+      if (to->rows)
+        fwrite(text[k], 1, length[k], to->rows);
+      free(text[k]);
+      take_piece(s, to, rows + at, first + at, count);
+    }
+    cli_progress_show(&progress, (double)first);
+  }
+  free(rows);
+  cli_progress_end(&progress);
+}
 
 static void run(cli_call *call) {
   bool as_ledger = cli_choice(cli_get(call, "columns"));
@@ -289,18 +439,24 @@ static void run(cli_call *call) {
   cli_list angles = cli_impact_angles(call);
   size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
-  size_t *counts = cli_allocate(angles.count, sizeof *counts);
-  size_t n = count_impacts(&angles, samples, cli_value(call, "flux"), counts);
-  row *rows = cli_allocate(n, sizeof *rows);
-  make_rows(&s, &angles, counts, n, rows);
+  plan p = make_plan(&angles, samples, cli_value(call, "flux"));
+  view v = {.every = 0};
   FILE *out = cli_output_open(call, "output", s.wall.text);
+  sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
   if (summary)
-    print_summary(out, &angles, counts, rows, asp_wall_is_given(s.wall.wall, "erosion"));
+    to.sums = cli_allocate(angles.count * count_groups(&s), sizeof *to.sums);
   else
-    print_all(out, rows, n, as_ledger);
+    print_header(out, as_ledger);
+  if (cli_value(call, "plot")) {
+    v = make_view(&p);
+    to.view = &v;
+  }
+  draw(&s, &p, &to);
+  if (summary)
+    print_summary(out, &s, &p, to.sums, asp_wall_is_given(s.wall.wall, "erosion"));
   cli_file_close(out);
-  if (cli_value(call, "plot"))
-    plot(call, &s, rows, n);
+  if (to.view)
+    plot(call, &s, &v, p.total);
 }
 
 static const cli_option options[] = {
@@ -309,7 +465,8 @@ static const cli_option options[] = {
     {"angles", "DEGREES", "impact angles: a list", "1:90:1"},
     {"samples", "N", "impacts per angle", "100"},
     {"flux", NULL, "impacts in proportion to sin alpha1, on average --samples per angle", NULL},
-    {"summary", NULL, "mean, sd and capture share per angle instead of impacts", NULL},
+    {"summary", NULL, "mean, sd and capture share per angle, size and speed instead of impacts",
+     NULL},
     {"columns", "own|ledger", "columns of the rows: the command's own, or those of a wall's ledger",
      "own"},
     {.name = NULL}};
@@ -321,8 +478,9 @@ static const char detail[] =
     "cor_v_space and cor_alpha_space are those of the velocity in space (alpha2 from 0 to\n"
     "90). At normal impact cor_t is undefined and empty. --columns ledger writes the rows\n"
     "of a wall's ledger in `units si` (outcome 0 or 1), for programs that read ledgers.\n"
-    "--summary has a row per angle: the number of impacts, the share that sticks, and mean\n"
-    "and sd of the n others; with `erosion` also eroded_mean and eroded_sd over all\n"
+    "--summary has a row per angle, and per size and speed of lists: the number of impacts,\n"
+    "the share that sticks, and mean and sd of the n others; with `erosion` also eroded_mean and "
+    "eroded_sd over all\n"
     "impacts, in mass worn off the wall per mass of particles. lognormal:min:max:median is\n"
     "a log-normal distribution whose logarithm has the standard deviation ln(max/min)/5,\n"
     "cut at both ends. Particles fly along x over the wall z = 0.\n";

@@ -7,7 +7,9 @@
 #include "cli/plot.h"
 #include "rebound/laws.h"
 
+#include <ctype.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { POINTS_MOST = 2000, CURVES_MOST = 6 };
@@ -34,6 +36,48 @@ static const char *law_name(const cli_description *wall) {
 /* The material of the wall, "" where the law takes none. */
 static const char *wall_name(const cli_description *wall) {
   return wall->target ? asp_material_name(wall->target) : "";
+}
+
+/* Words of a canonical text. */
+enum { WORDS_MOST = 200 };
+static int split(char *text, char *words[WORDS_MOST]) {
+  int count = 0;
+  for (char *at = strtok(text, " "); at && count < WORDS_MOST; at = strtok(NULL, " "))
+    words[count++] = at;
+  return count;
+}
+
+/* Words of a description, from a keyword on, that others of the same law and material do not have
+ * in that place; "" where there are none. */
+static cli_label difference_of(const map *m, size_t wall) {
+  cli_label label = {""};
+  char *own[WORDS_MOST], *others[WORDS_MOST];
+  char *text = cli_copy(m->walls[wall].text);
+  int count = split(text, own), first = count, last = 0;
+  for (size_t w = 0; w < m->n_walls; w++) {
+    const cli_description *other = &m->walls[w];
+    if (w == wall || strcmp(law_name(other), law_name(&m->walls[wall])) != 0 ||
+        strcmp(wall_name(other), wall_name(&m->walls[wall])) != 0)
+      continue;
+    char *its = cli_copy(other->text);
+    int n = split(its, others), from = 0, end = 0;
+    while (from < count && from < n && strcmp(own[from], others[from]) == 0)
+      from++;
+    while (end < count - from && end < n - from &&
+           strcmp(own[count - 1 - end], others[n - 1 - end]) == 0)
+      end++;
+    free(its);
+    first = from < first ? from : first;
+    last = count - end > last ? count - end : last;
+  }
+  while (first > 0 && first < last && !isalpha((unsigned char)*own[first]))
+    first--;
+  for (int i = first; i < last; i++) {
+    size_t used = strlen(label.text);
+    snprintf(label.text + used, sizeof label.text - used, "%s%s", used ? " " : "", own[i]);
+  }
+  free(text);
+  return label;
 }
 
 static cli_impact impact_at(const cli_description *wall, double d_p, double speed, double degrees) {
@@ -96,7 +140,12 @@ static void read_walls(map *m, int count, char **words) {
 
 /* The wall and, where there are several, the law: the first columns. */
 static void print_names(FILE *out, const map *m, const cli_description *wall) {
-  cli_row(out, "%s,", wall_name(wall));
+  cli_label label = difference_of(m, (size_t)(wall - m->walls));
+  const char *differs = label.text;
+  char name[2000];
+  snprintf(name, sizeof name, "%s%s%s", wall_name(wall), *differs && *wall_name(wall) ? " " : "",
+           differs);
+  cli_row(out, "%s,", name);
   if (m->several_laws)
     cli_row(out, "%s,", law_name(wall));
 }
@@ -233,13 +282,14 @@ static cli_label law_of(const map *m) {
   return cli_plot_label(m->several_laws ? "several laws" : law_name(&m->walls[0]));
 }
 
-/* `on hastelloy-x`, and the law where there are several. */
+/* `on hastelloy-x`, the law where there are several, and what differs where both are the same. */
 static cli_label name_of(const map *m, size_t wall) {
   const char *on = wall_name(&m->walls[wall]);
   bool named = m->several_laws || !*on;
-  char text[160];
-  snprintf(text, sizeof text, "%s%s%s%s", named ? law_name(&m->walls[wall]) : "",
-           named && *on ? " " : "", *on ? "on " : "", on);
+  cli_label differs = difference_of(m, wall);
+  char text[1800];
+  snprintf(text, sizeof text, "%s%s%s%s%s%s", named ? law_name(&m->walls[wall]) : "",
+           named && *on ? " " : "", *on ? "on " : "", on, *differs.text ? ", " : "", differs.text);
   return cli_plot_label(text);
 }
 

@@ -63,6 +63,11 @@ grep -q 'outside: .* of .* impacts' cor.svg && grep -q 'one of 3' cor.svg || die
 ! grep -q Symbol cor.svg && grep -q 'α' cor.svg && grep -q 'λ' cor.svg || die "cor --plot: Greek letters are those of another font"
 "$asperity" cor surface sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
 ! grep -q warning err || die "cor --plot of one impact: $(cat err)"
+"$asperity" cor surface rq 5um lambda_c 40um 200um lay 30 --samples 50 --angles 45 --plot cor.svg -o c 2> err
+grep -q 'along the lay 200 µm, lay at 30° to the flight' cor.svg || die "cor --plot: no lay in the title"
+[ "$(grep -c 'mean ± sd' cor.svg)" = 2 ] && [ "$(grep -c 'fill-opacity *= *.0.25' cor.svg)" -ge 2 ] || die "cor --plot of one angle: no mean and sd"
+"$asperity" rebound rebound walton 0.9 0.3 0 vs rebound walton 0.7 0.3 0 --map angles --plot two.svg -o c 2> err
+grep -q 'walton 0.9' two.svg && grep -q 'walton 0.7' two.svg && [ "$(rows c | cut -d, -f1 | sort -u | wc -l)" = 2 ] || die "rebound: two laws of one name: $(cat c)"
 "$asperity" cor surface sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err
 grep -q 'm/s (sticks)' cor.svg && ! grep -q warning err || die "cor --plot where all stick: $(cat err)"
 "$asperity" spread surface sigma 10 --plot spread.svg -o s 2> err
@@ -146,15 +151,25 @@ refuses 2 nowhere.csv -- cor surface profile nowhere.csv
 cor surface sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"
 refuses 2 --speed 'min < median < max' -- cor surface sigma 10 --speed lognormal:10:20:50
 "$asperity" cor surface sigma 10 --speed lognormal:10:200:50 --samples 20 --plot cor2.svg -o /dev/null 2> err
-grep -q 'log-normal, median 50' cor2.svg || die "the picture's title"
+grep -q 'log-normal, median 50 m/s' cor2.svg || die "the picture's title"
 # Per angle mean, sd and capture share, of the same impacts; by flux as many as sin alpha1 has them.
 "$asperity" cor surface rq 5um lambda_c 40um --dp 1.6um --angles 5:85:20 --samples 300 > all
 "$asperity" cor surface rq 5um lambda_c 40um --dp 1.6um --angles 5:85:20 --samples 300 --summary > means
-[ "$(header means)" = alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd ] || die "cor --summary: columns"
+[ "$(header means)" = dp_um,v1_m_s,alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd ] || die "cor --summary: columns"
 rows all | awk -F, '{ n[$3]++; stuck[$3] += $10 == "deposit" } $10 == "rebound" { k[$3]++; s[$3] += $8; q[$3] += $8 * $8; t[$3] += $9 }
   END { for (a in n) { m = s[a] / k[a]; printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", a, n[a], stuck[a] / n[a], k[a], m, sqrt((q[a] - k[a] * m * m) / (k[a] - 1)), t[a] / k[a] } }' | sort -g > wanted
-rows means | awk -F, '{ printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", $1, $2, $3, $4, $5, $6, $7 }' | cmp - wanted || die "cor --summary: $(cat means)"
-"$asperity" cor --angles 30,90 --samples 300 --flux --summary | rows /dev/stdin | cut -d, -f1,2 | paste -sd' ' | grep -qx '30,200 90,400' || die "cor --flux"
+rows means | cut -d, -f3- | awk -F, '{ printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", $1, $2, $3, $4, $5, $6, $7 }' | cmp - wanted || die "cor --summary: $(cat means)"
+"$asperity" cor --angles 30,90 --samples 300 --flux --summary | rows /dev/stdin | cut -d, -f3,4 | paste -sd' ' | grep -qx '30,200 90,400' || die "cor --flux"
+# A row for each size and speed; the same bytes on any number of cores, in memory that does not grow with the impacts; numbers as
+# printf has them.
+"$asperity" cor surface sigma 5 --dp 5um,50um --speed 50,100 --angles 20,40 --samples 41 --summary -o means
+"$asperity" cor surface sigma 5 --dp 5um,50um --speed 50,100 --angles 20,40 --samples 41 -o all
+paste -d, <(rows means | cut -d, -f1-4,7) <(rows all | awk -F, '{ k = $1 "," $2 "," $3; if (!(k in n)) of[++m] = k; n[k]++; s[k] += $8 } END { for (i = 1; i <= m; i++) print of[i] "," n[of[i]] "," s[of[i]] / n[of[i]] }') |
+  awk -F, '{ d = $5 - $10; if ($1 "," $2 "," $3 "," $4 != $6 "," $7 "," $8 "," $9 || d * d > 1e-10) bad = 1 } END { exit bad || NR != 8 }' || die "cor --summary of two sizes and speeds: $(cat means)"
+OMP_NUM_THREADS=1 "$asperity" cor surface sigma 5 --samples 1500 -o all; OMP_NUM_THREADS=3 "$asperity" cor surface sigma 5 --samples 1500 | sed 1d | cmp - <(sed 1d all) || die "cor: other rows on other cores"
+(ulimit -v 600000; OMP_NUM_THREADS=1 "$asperity" cor surface sigma 5 --angles 30,60 --samples 2000000 --summary -o /dev/null) || die "cor --summary: its memory grows with the impacts"
+angles=$(awk 'BEGIN { srand(3); for (i = 0; i < 3000; i++) printf "%s%s", i ? "," : "", i % 3 ? sprintf("%.12g", 90 * rand() ^ (1 + i % 7)) : sprintf("%d.%06d5", i % 90, i * 331 % 1000000) }')
+"$asperity" cor --angles "$angles" --samples 1 | rows /dev/stdin | cut -d, -f3 | cmp - <(tr , '\n' <<< "$angles" | awk '{ printf "%.6g\n", $1 }') || die "numbers are not those of printf"
 [ "$(rows <("$asperity" cor --speed 0.1km/s --angles 30deg --dp 1e4nm --samples 1))" = "$(rows <("$asperity" cor --angles 30 --samples 1))" ] || die "units behind numbers"
 # Constants that look like a mistake, and a picture as the user wants it.
 "$asperity" cor yield_stress 2e10 --samples 1 --angles 45 2>&1 > /dev/null | grep -q 'warning: the yield stress' || die "cor: a yield stress over a tenth of the modulus"
