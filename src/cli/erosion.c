@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
+#include "cli/plot.h"
 #include "cli/scatter.h"
 #include "base/error.h"
 #include "wall/wall.h"
@@ -113,6 +114,26 @@ static void print_all(FILE *out, const wear *w) {
   print_sum(out, &all);
 }
 
+/* ---- the picture: the mass worn off each triangle, a style for each mesh ---- */
+
+static void plot(const cli_call *call, const wear *w) {
+  enum { STYLES = 6 };
+  double all = 0;
+  for (size_t i = 0; i < w->count; i++)
+    all += w->cells[i].mass;
+  cli_plot *picture = cli_plot_open(call, 800, 560, "1,1", "%s: %.4g kg worn off %zu triangles",
+                                    cli_plot_file(w->path).text, all, w->count);
+  cli_plot_panel(picture, "triangle", "eroded mass / kg");
+  for (size_t i = 0, series = 0; i < w->count; series++) {
+    int mesh = w->cells[i].mesh;
+    cli_plot_series(picture, CLI_MARKS, "%zu", series % STYLES + 1);
+    for (; i < w->count && w->cells[i].mesh == mesh; i++)
+      cli_plot_row(picture, w->cells[i].triangle, w->cells[i].mass);
+    cli_plot_end(picture, "mesh %d", mesh);
+  }
+  cli_plot_close(picture);
+}
+
 /* The law, and what it needs besides the rows. */
 static void take_law(wear *w, cli_description *d) {
   cli_description_allow(d, "erosion materials", "the law of erosion is applied to a ledger's rows");
@@ -161,6 +182,8 @@ static void run(cli_call *call) {
   FILE *out = cli_output_open(call, "output", d.text);
   print_all(out, &w);
   cli_file_close(out);
+  if (cli_value(call, "plot"))
+    plot(call, &w);
 }
 
 static const cli_option options[] = {
@@ -188,5 +211,6 @@ const cli_command cli_erosion = {
                 "  $ asperity erosion impacts.npy erosion oka 1.8GPa density 7850kg/m3 "
                 "--density 2650kg/m3\n",
     .options = options,
+    .picture = "draw the mass worn off each triangle; .png, .svg or .pdf",
     .run = run,
 };

@@ -404,6 +404,16 @@ cli_label cli_plot_label(const char *text) {
   return label;
 }
 
+cli_label cli_plot_number(double value) {
+  cli_label label;
+  int exponent = fabs(value) > 0 ? (int)floor(log10(fabs(value))) : 0;
+  if (exponent >= -3 && exponent < 6)
+    snprintf(label.text, sizeof label.text, "%.3g", value);
+  else
+    snprintf(label.text, sizeof label.text, "%.3g·10^{%d}", value / pow(10, exponent), exponent);
+  return label;
+}
+
 cli_label cli_plot_file(const char *path) {
   const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
   char *words = cli_copy(name), *ending = strrchr(words, '.');

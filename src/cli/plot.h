@@ -25,6 +25,8 @@ typedef struct cli_label {
   char text[1600];
 } cli_label;
 cli_label cli_plot_label(const char *text);
+/* A number of three digits, with a power of ten where it is far from 1. */
+cli_label cli_plot_number(double value);
 /* The name of a file in words: without folders and ending. */
 cli_label cli_plot_file(const char *path);
 

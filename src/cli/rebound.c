@@ -285,11 +285,12 @@ static cli_label law_of(const map *m) {
 /* `on hastelloy-x`, the law where there are several, and what differs where both are the same. */
 static cli_label name_of(const map *m, size_t wall) {
   const char *on = wall_name(&m->walls[wall]);
-  bool named = m->several_laws || !*on;
   cli_label differs = difference_of(m, wall);
+  bool named = m->several_laws || !(*on || *differs.text);
+  const char *law = named ? law_name(&m->walls[wall]) : "";
   char text[1800];
-  snprintf(text, sizeof text, "%s%s%s%s%s%s", named ? law_name(&m->walls[wall]) : "",
-           named && *on ? " " : "", *on ? "on " : "", on, *differs.text ? ", " : "", differs.text);
+  snprintf(text, sizeof text, "%s%s%s%s%s%s", law, named && *on ? " " : "", *on ? "on " : "", on,
+           (named || *on) && *differs.text ? ", " : "", differs.text);
   return cli_plot_label(text);
 }
 

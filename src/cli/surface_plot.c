@@ -167,11 +167,11 @@ double cli_kappa(const cli_slopes *row) {
 }
 
 void cli_surface_plot(const cli_call *call, const cli_wall *wall, const cli_slopes *row) {
-  cli_plot *plot = cli_plot_open(call, 1200, 1100, NULL,
-                                 "%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %.3g",
-                                 wall->name ? "Measured wall " : "Generated wall",
-                                 wall->name ? cli_plot_file(wall->name).text : "", wall->r_q * 1e6,
-                                 wall->lambda_c * 1e6, wall->r_q / wall->lambda_c, cli_kappa(row));
+  cli_plot *plot = cli_plot_open(
+      call, 1200, 1100, NULL, "%s%s: R_q = %.3g µm, λ_c = %.3g µm, Φ_R = %.3g, κ = %s",
+      wall->name ? "Measured wall " : "Generated wall",
+      wall->name ? cli_plot_file(wall->name).text : "", wall->r_q * 1e6, wall->lambda_c * 1e6,
+      wall->r_q / wall->lambda_c, cli_plot_number(cli_kappa(row)).text);
   angles all = angles_of(wall, row->d_p);
   plot_all(plot, wall->profile);
   plot_bridge(plot, wall, row->d_p);

@@ -65,7 +65,7 @@ grep -q 'outside: .* of .* impacts' cor.svg && grep -q 'one of 3' cor.svg || die
 ! grep -q warning err || die "cor --plot of one impact: $(cat err)"
 "$asperity" cor surface rq 5um lambda_c 40um 200um lay 30 --samples 50 --angles 45 --plot cor.svg -o c 2> err
 grep -q 'along the lay 200 µm, lay at 30° to the flight' cor.svg || die "cor --plot: no lay in the title"
-[ "$(grep -c 'mean ± sd' cor.svg)" = 2 ] && [ "$(grep -c 'fill-opacity *= *.0.25' cor.svg)" -ge 2 ] || die "cor --plot of one angle: no mean and sd"
+[ "$(grep -c 'fill-opacity *= *.0.25' cor.svg)" -ge 2 ] || die "cor --plot of one angle: no mean and sd"
 "$asperity" rebound rebound walton 0.9 0.3 0 vs rebound walton 0.7 0.3 0 --map angles --plot two.svg -o c 2> err
 grep -q 'walton 0.9' two.svg && grep -q 'walton 0.7' two.svg && [ "$(rows c | cut -d, -f1 | sort -u | wc -l)" = 2 ] || die "rebound: two laws of one name: $(cat c)"
 "$asperity" cor surface sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err
@@ -162,8 +162,8 @@ rows means | cut -d, -f3- | awk -F, '{ printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", 
 "$asperity" cor --angles 30,90 --samples 300 --flux --summary | rows /dev/stdin | cut -d, -f3,4 | paste -sd' ' | grep -qx '30,200 90,400' || die "cor --flux"
 # A row for each size and speed; the same bytes on any number of cores, in memory that does not grow with the impacts; numbers as
 # printf has them.
-"$asperity" cor surface sigma 5 --dp 5um,50um --speed 50,100 --angles 20,40 --samples 41 --summary -o means
-"$asperity" cor surface sigma 5 --dp 5um,50um --speed 50,100 --angles 20,40 --samples 41 -o all
+"$asperity" cor surface sigma 5 --dp 5um,50um --speed 80,100 --angles 40,60 --samples 41 --summary -o means
+"$asperity" cor surface sigma 5 --dp 5um,50um --speed 80,100 --angles 40,60 --samples 41 -o all
 paste -d, <(rows means | cut -d, -f1-4,7) <(rows all | awk -F, '{ k = $1 "," $2 "," $3; if (!(k in n)) of[++m] = k; n[k]++; s[k] += $8 } END { for (i = 1; i <= m; i++) print of[i] "," n[of[i]] "," s[of[i]] / n[of[i]] }') |
   awk -F, '{ d = $5 - $10; if ($1 "," $2 "," $3 "," $4 != $6 "," $7 "," $8 "," $9 || d * d > 1e-10) bad = 1 } END { exit bad || NR != 8 }' || die "cor --summary of two sizes and speeds: $(cat means)"
 OMP_NUM_THREADS=1 "$asperity" cor surface sigma 5 --samples 1500 -o all; OMP_NUM_THREADS=3 "$asperity" cor surface sigma 5 --samples 1500 | sed 1d | cmp - <(sed 1d all) || die "cor: other rows on other cores"
