@@ -71,14 +71,14 @@ Map asperity::read_map(MPI_Comm world, const std::string &path, double metre, Re
   read_first(world, path, metre, asp_reader_read_map, map, reading);
 
   double step[2] = {map ? asp_map_step_x(map.get()) : 0, map ? asp_map_step_y(map.get()) : 0};
-  unsigned long long side[2] = {map ? asp_map_columns(map.get()) : 0,
-                                map ? asp_map_rows(map.get()) : 0};
+  long long side[2] = {map ? static_cast<long long>(asp_map_columns(map.get())) : 0,
+                       map ? static_cast<long long>(asp_map_rows(map.get())) : 0};
   MPI_Bcast(step, 2, MPI_DOUBLE, 0, world);
-  MPI_Bcast(side, 2, MPI_UNSIGNED_LONG_LONG, 0, world);
+  MPI_Bcast(side, 2, MPI_LONG_LONG, 0, world);
   std::vector<float> heights(side[0] * side[1]);
   if (map)
     heights.assign(asp_map_heights(map.get()), asp_map_heights(map.get()) + heights.size());
-  for (unsigned long long row = 0; row < side[1]; row++)
+  for (long long row = 0; row < side[1]; row++)
     MPI_Bcast(&heights[row * side[0]], static_cast<int>(side[0]), MPI_FLOAT, 0, world);
   if (!map)
     map.reset(

@@ -310,8 +310,7 @@ double Wall::counter(int k) const {
 }
 
 double Wall::stuck() const {
-  const double mine = static_cast<double>(stuck_.size());
-  double all;
+  double mine = static_cast<double>(stuck_.size()), all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, engine_.world());
   return all;
 }
@@ -379,7 +378,7 @@ std::vector<char> Wall::save() {
   MPI_Comm_rank(engine_.world(), &rank);
   const std::vector<char> record = rank == 0 ? pack(state) : std::vector<char>();
   uint64_t size = record.size();
-  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, engine_.world());
+  MPI_Bcast(&size, sizeof size, MPI_BYTE, 0, engine_.world());
   check_record_size(size);
   return record;
 }

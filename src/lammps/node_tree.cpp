@@ -7,6 +7,16 @@
 
 using namespace asperity;
 
+#ifdef MPI_STUBS
+
+NodeTree::~NodeTree() {}
+
+ContactTree *NodeTree::spread(MPI_Comm, ContactTree *tree) {
+  return tree;
+}
+
+#else
+
 /* Bytes a message. */
 static const size_t MESSAGE = 1 << 24;
 
@@ -46,8 +56,8 @@ ContactTree *NodeTree::spread(MPI_Comm world, ContactTree *tree) {
   MPI_Comm_size(world, &ranks);
   if (ranks == 1)
     return tree;
-  unsigned long long bytes = tree ? aspi_tree_bytes(tree) : 0;
-  MPI_Bcast(&bytes, 1, MPI_UNSIGNED_LONG_LONG, 0, world);
+  size_t bytes = tree ? aspi_tree_bytes(tree) : 0;
+  MPI_Bcast(&bytes, sizeof bytes, MPI_BYTE, 0, world);
   MPI_Comm node, keepers;
   MPI_Comm_split_type(world, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &node);
   char *block = static_cast<char *>(open_block(world, node, bytes));
@@ -67,3 +77,5 @@ ContactTree *NodeTree::spread(MPI_Comm world, ContactTree *tree) {
   MPI_Comm_free(&node);
   return aspi_tree_over(block);
 }
+
+#endif

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # cmake/lammps_tree on a LAMMPS source tree: its sources compile there against what `cmake --install` has put in place,
-# with 8-byte tags, each list names the package once, and remove leaves what was there before. The tree is made of
+# with 8-byte tags and without MPI, each list names the package once, and remove leaves what was there before. The tree is made of
 # LAMMPS's headers, with which this build has compiled them with 4-byte tags, and the lines that matter, as in 2021 and as
 # in 2026; or it is that in ASPERITY_LAMMPS_TREE, which is copied: they compile with both, and its own checks of lists and
 # of style must find nothing.
@@ -80,6 +80,13 @@ for file in $(sed -n 's/^added: \(.*\.cpp\)$/\1/p' "$work/diff"); do
   done
 done
 [ "$sources" -ge 5 ] || die "only $sources sources were added"
+# ... and, as for BUILD_MPI=off, with LAMMPS's stubs in place of MPI, which have few of its names; the library, too.
+stubs=$home/tests/install/stubs
+[ -z "${ASPERITY_LAMMPS_TREE:-}" ] || stubs=$tree/src/STUBS
+for file in $(grep -l MPI_ "$home"/src/dem/*.cpp "$tree"/src/ASPERITY/*.cpp); do
+  g++ -std=$standard -fsyntax-only -I"$stubs" -I"$home/src" -I"$tree/src" -I"$tree/src/ASPERITY" "$file" 2> "$work/log" ||
+    { head -n 20 "$work/log"; die "$file does not compile without MPI"; }
+done
 # A style's header includes its base class only.
 [ "$(grep -h '#include' "$tree/src/ASPERITY/fix_wall_rebound.h")" = '#include "fix.h"' ] || die "the header of the style includes more than fix.h"
 "$script" remove "$tree" > /dev/null
