@@ -286,7 +286,7 @@ const char *asp_rebound_name(const asp_rebound_law *law);
 bool asp_rebound_needs_pair(const asp_rebound_law *law); /* asp_particle.pair must be given */
 bool asp_rebound_measured(const asp_rebound_law *law); /* its coefficients hold roughness already */
 
-/* A parameter of a law, which asp_wall_set sets; NULL for an index past the last. */
+/* A parameter of a law, which asp_description_set sets; NULL for an index past the last. */
 typedef struct asp_parameter {
   const char *name;
   const char *unit; /* the kind of its unit, as "stress"; "" for none */
@@ -299,103 +299,56 @@ typedef struct asp_parameter {
 } asp_parameter;
 const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index);
 
-/* ---- wall and impact ------------------------------------------------------------------------- */
-/* A smooth wall with the law `bons` and its defaults, deposits on, spread `none`. */
-typedef struct asp_wall asp_wall;
-asp_wall *asp_wall_create(asp_error *error);
-void asp_wall_free(asp_wall *wall);
-
-/* Chooses by name:
- *   spread      one of the models
- *   rebound     one of the laws, whose parameters get their defaults
- *   tilt        plane: the face turns in the plane of incidence only (the paper);
- *               isotropic: and out of it, as spheres on a surface meet it, with a lay or without
- *   collisions  single: a rebound into the wall is drawn again; multiple: it hits the next face,
- *               and so may one that leaves a low place at a small angle (the walk in height of
- *               Heitz, Hanika, d'Eon & Dachsbacher 2016) */
-asp_code asp_wall_choose(asp_wall *wall, const char *name, const char *choice, asp_error *error);
-
-/* Sets a number by name: a parameter of the law that is chosen, or
- *   deposit             0: nothing sticks, and adhesion is left out too (1)
- *   remove_u_tau        friction velocity of a flow along the wall, whose shear takes away at once
- *                       what would stick where it is more than
- *                         u_tau_c^2 = C_u W/(rho_g d) (W/(d K_c))^(1/3),
- *                         C_u = 1 + Kn (1.2 + 0.41 exp(-0.88/Kn)),  Kn = 2 l/d,  K_c = (4/3) E_c
- *                       (El-Batsh, by one published code, original not seen): such a particle
- *                       rebounds without adhesion. 0: none is (0)
- *   remove_gas_density, remove_mean_free_path, remove_work
- *                       rho_g, l (0) and W (0.039 J/m^2 as that code has it) of that law
- *   scatter_twice       1: allows a law with a scatter of its own on a rough wall, which counts the
- *                       roughness twice (0)
- *   d_p_least, d_p_most, d_p_bins
- *                       the diameters that a model with tables of a measured wall prepares for, at
- *                       equal ratios (one bin: the geometric mean); bins 1 to ASP_BINS_MAX (1), of
- *                       which one is made where both diameters are equal
- *
- * and of a wall that is made of a description (see below) friction, surface_energy, yield_stress,
- * seed, and sigma, or rq and lambda_c, of a surface that is given by them: behind that
- * asp_wall_complete makes the surface anew, and asp_wall_pair the pair. */
-asp_code asp_wall_set(asp_wall *wall, const char *name, double value, asp_error *error);
-double asp_wall_get(const asp_wall *wall, const char *name); /* NaN for another name */
-
-/* The parts of the wall; NULL: none. The surface must outlive the wall, the profile and the map
- * only asp_wall_prepare and asp_wall_check_sampling. Of a wall with a map the model `profile` takes
- * the law of the map itself, in three dimensions and with its own later hits, whatever tilt and
- * collisions say; every other model that of the surface. Without a surface the wall is smooth; a
- * model that needs a profile and has none is given a generated one with the surface's r_q and
- * lambda_c. */
-void asp_wall_set_surface(asp_wall *wall, const asp_surface *surface);
-void asp_wall_set_map(asp_wall *wall, const asp_map *map);
-void asp_wall_set_profile(asp_wall *wall, const asp_profile *profile);
-
-/* Checks the choices together and makes the tables that a contact reads. Contacts use the choices
- * of the last call that succeeded; before the first one, a smooth wall with `bons`. */
-asp_code asp_wall_prepare(asp_wall *wall, asp_error *error);
-const asp_spread_model *asp_wall_spread(const asp_wall *wall);
-const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
-
 typedef struct asp_particle asp_particle;
 
 /* ---- the description of a wall --------------------------------------------------------------- */
-/* A wall in words, as in a script and in the command:
+/* What has been said of a wall, in words, as in a script and in the command:
  *
  *   surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz hastelloy-x
  *
- * `asperity help wall` prints all of them. A number alone is in the caller's units (NULL: SI), one
- * with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles are degrees. Names
- * with blanks stand in quotes. A word without an effect on the wall is an error. Files of tables
- * and materials are read here, files of measured walls by asp_wall_make. */
-asp_wall *asp_wall_parse(const char *text, const asp_units *units, asp_error *error);
+ * `asperity help wall` prints all of them. Without words it is a smooth wall with the law `bons`. A
+ * number alone is in the caller's units (NULL: SI; their name must live as long as the
+ * description), one with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles
+ * are degrees. Names with blanks stand in quotes. A word without an effect on the wall is an error.
+ * Files of tables and materials are read here, files of measured walls by asp_wall_create. */
+typedef struct asp_description asp_description;
+asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error);
+void asp_description_free(asp_description *description);
 
 /* The same clause by clause, for a caller with other words in between: begin with
- * asp_wall_parse(""). read takes the clause at the beginning of words[count]; *taken is its number
- * of words, 0 if the first one is in `others`, the caller's own words with blanks between.
- * complete, after the last clause, checks them together; it may be called again after more clauses,
- * or after a map was set. */
-asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, const char *others,
-                       int *taken, asp_error *error);
-asp_code asp_wall_complete(asp_wall *wall, asp_error *error);
+ * asp_description_parse(""). read takes the clause at the beginning of words[count]; *taken is its
+ * number of words, 0 if the first one is in `others`, the caller's own words with blanks between
+ * (NULL: none). After an error every call fails with it. complete, after the last clause, checks
+ * them together; it may be called again after more clauses. */
+asp_code asp_description_read(asp_description *description, int count, const char *const *words,
+                              const char *others, int *taken, asp_error *error);
+asp_code asp_description_complete(asp_description *description, asp_error *error);
 
-/* The canonical text of a description, numbers in the caller's units, in SI lengths with their unit
- * (um or m): parsing it gives the same wall. Writes at most `size` characters with the NUL, and
- * returns how many characters there are without it; 0 for a wall that has no description. */
-size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size);
+/* Makes `plane` the default tilt, for two dimensions; before a clause is read. */
+void asp_description_default_plane(asp_description *description);
+
+/* The canonical text, numbers in the caller's units, in SI lengths with their unit (um or m):
+ * parsing it gives the same wall. Writes at most `size` characters with the NUL, and returns how
+ * many characters there are without it. */
+size_t asp_description_text(const asp_description *description, char *text, size_t size);
 
 /* The length of the first clause of a canonical text with the blank behind it; 0 at its end. */
-size_t asp_wall_clause(const char *text);
+size_t asp_description_clause(const char *text);
 
-/* Words of a description by name,
- *   surface     smooth, sigma, rq, profile or map
- *   file        of the profile or the map (NULL: neither)
- *   tilt, collisions, deposit
- *   choice      the model that `spread auto` took and why, once the wall is made
- *   doubt       what is doubtful about the heights of the file, once asp_wall_make has read it
- * and NULL for another name; asp_wall_get has the numbers friction, surface_energy, yield_stress,
- * sigma, rq, lambda_c (NaN: not given), tolerance, seed and erosion_density (0: that of the
- * material). is_given: whether a keyword is given.
- */
-const char *asp_wall_word(const asp_wall *wall, const char *name);
-bool asp_wall_is_given(const asp_wall *wall, const char *keyword);
+/* A number by name: a parameter of the law, or a keyword whose value is one number, as friction,
+ * seed, sigma, u_tau. get: NaN where there is none of that name, or it has no value. set checks the
+ * range; of the keywords within a clause it takes those that are given. */
+double asp_description_get(const asp_description *description, const char *name);
+asp_code asp_description_set(asp_description *description, const char *name, double value,
+                             asp_error *error);
+
+/* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread (auto,
+ * or the model), tilt, collisions, rebound and deposit; `file` of the profile or the map; `doubt`,
+ * what is doubtful about its heights, once asp_wall_create has read it. NULL for another name, and
+ * for a file that there is not. is_given: true if the words have this keyword. */
+const char *asp_description_word(const asp_description *description, const char *name);
+bool asp_description_is_given(const asp_description *description, const char *keyword);
+const asp_rebound_law *asp_description_rebound(const asp_description *description);
 
 /* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle
  * (rad) from its axis about the outward normal. */
@@ -405,38 +358,63 @@ typedef struct asp_lay {
   double vector[3];
   double angle;
 } asp_lay;
-asp_lay asp_wall_lay(const asp_wall *wall);
+asp_lay asp_description_lay(const asp_description *description);
 
-/* Prepares the wall of a description for contacts of diameters from d_least to d_most (used only if
- * asp_wall_needs_sizes): reads the file of a measured wall unless the caller has set the profile or
- * the map, makes the surface, chooses the model of `spread auto`, and calls asp_wall_prepare. */
-asp_code asp_wall_make(asp_wall *wall, double d_least, double d_most, asp_error *error);
-bool asp_wall_needs_sizes(const asp_wall *wall);
-const asp_surface *asp_wall_surface(const asp_wall *wall); /* NULL: smooth, or not made yet */
+/* Heights in place of the file of `surface profile FILE` or `surface map FILE`; they must live as
+ * long as the description. ASP_EARG where the surface is another one. */
+asp_code asp_description_set_profile(asp_description *description, const asp_profile *profile,
+                                     asp_error *error);
+asp_code asp_description_set_map(asp_description *description, const asp_map *map,
+                                 asp_error *error);
 
-/* ASP_ERANGE and a message where the file of a wall that is made tells little about spheres of
- * diameter d_p: where they cover under 10 points, or it is under 20 correlation lengths long. */
-asp_code asp_wall_check_sampling(const asp_wall *wall, double d_p, asp_error *error);
-
-/* The materials of a description, in its units, which live as long as the wall; 0 <= index <
- * asp_wall_materials(). */
-int asp_wall_materials(const asp_wall *wall);
-const asp_material *asp_wall_material(const asp_wall *wall, int index);
+/* The materials of a description, in its units, which live as long as it does; NULL for an index
+ * outside 0 <= index < asp_description_materials(). */
+int asp_description_materials(const asp_description *description);
+const asp_material *asp_description_material(const asp_description *description, int index);
 
 /* A pair of materials that are in the description's units, with its friction, surface energy and
  * yield stress; where it gives none ASP_FRICTION, ASP_SURFACE_ENERGY (0 where the units are not
  * known) and the particle's own. */
-asp_pair *asp_wall_pair(const asp_wall *wall, const asp_material *particle,
-                        const asp_material *target, asp_error *error);
+asp_pair *asp_description_pair(const asp_description *description, const asp_material *particle,
+                               const asp_material *target, asp_error *error);
 
 /* Doubtful constants of particles and a wall: writes the index-th warning, from 0, to `text`, at
  * most `size` characters; false if there are no more. Warns of a density more than 1 % off that of
  * the particle's material, a Young's modulus that looks like one in GPa, a yield stress above a
  * tenth of the composite modulus, and adhesion that holds every impact. `particle` has the density,
- * the pair, and the largest diameter. For a wall that is made. */
-bool asp_wall_doubt(const asp_wall *wall, const asp_particle *particle,
-                    const asp_material *of_particle, const asp_material *of_wall, int index,
-                    char *text, size_t size);
+ * the pair, and the largest diameter. */
+bool asp_description_doubt(const asp_description *description, const asp_particle *particle,
+                           const asp_material *of_particle, const asp_material *of_wall, int index,
+                           char *text, size_t size);
+
+/* ---- wall and impact ------------------------------------------------------------------------- */
+/* A wall that is ready for contacts of particles with diameters from d_least to d_most, in the
+ * description's units; both count only if asp_description_needs_sizes, else they may be 0. Reads
+ * the file of a measured wall unless the caller has set its heights, makes the surface, chooses the
+ * model of `spread auto`, and makes the tables of the model. The wall needs the description no
+ * longer. */
+typedef struct asp_wall asp_wall;
+asp_wall *asp_wall_create(asp_description *description, double d_least, double d_most,
+                          asp_error *error);
+bool asp_description_needs_sizes(const asp_description *description);
+
+/* The same in one call, from a text in SI units. */
+asp_wall *asp_wall_from_text(const char *text, double d_least, double d_most, asp_error *error);
+void asp_wall_free(asp_wall *wall);
+
+/* The parts of a wall. The surface is NULL where it is smooth. The pair is that of the first two
+ * materials of the description, the particle's and the wall's; NULL where there are fewer, or the
+ * law takes none. reason: what `spread auto` took and why; "" where the model was named. */
+const asp_surface *asp_wall_surface(const asp_wall *wall);
+const asp_spread_model *asp_wall_spread(const asp_wall *wall);
+const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
+const asp_pair *asp_wall_pair(const asp_wall *wall);
+const char *asp_wall_reason(const asp_wall *wall);
+
+/* ASP_ERANGE and a message where the file of a wall tells little about spheres of diameter d_p:
+ * where they cover under 10 points, or it is under 20 correlation lengths long. */
+asp_code asp_description_check_sampling(const asp_description *description, const asp_wall *wall,
+                                        double d_p, asp_error *error);
 
 /* The draws of a contact depend on this key alone, so results do not depend on the number of MPI
  * ranks, the order of contacts, or a restart. */
@@ -453,7 +431,7 @@ uint32_t asp_key_wall(const char *name);
 struct asp_particle {
   double d_p;           /* diameter, > 0 */
   double density;       /* > 0 */
-  const asp_pair *pair; /* may be NULL when the law needs none */
+  const asp_pair *pair; /* NULL: that of the wall */
   double omega[3];      /* angular velocity, rad per time, for laws that turn the particle */
   const double *lay;  /* of a wall with a lay, its direction where the particle is: a vector, which
                          is projected on the wall; NULL, or along n: it flies across the lay */
@@ -479,9 +457,17 @@ typedef struct asp_impact {
  * caller ensures v1.n < 0. Afterwards v2.n > 0, or the particle is deposited (v2 = 0), or, on a
  * wall without deposits whose law leaves no normal speed, it slides (v2.n = 0). Kinetic energy
  * never grows; with a law that turns the particle that includes the spin of a solid sphere. No
- * allocation, no failure. */
-void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                     const double n[3], const asp_key *key, asp_impact *impact);
+ * allocation. ASP_EARG, with the velocity and the spin that were given, where the law needs a pair
+ * and neither particle nor wall has one. */
+asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                         const double n[3], const asp_key *key, asp_impact *impact);
+
+/* n contacts, each as asp_wall_impact makes it: of particles of the diameters d_p[n] (NULL: that of
+ * `particle`), and in all else like `particle`, with the velocities v1[3 n], the normals
+ * normals[3 n] and the keys keys[n]; to impacts[n]. */
+asp_code asp_wall_impacts(const asp_wall *wall, const asp_particle *particle, size_t n,
+                          const double *d_p, const double *v1, const double *normals,
+                          const asp_key *keys, asp_impact *impacts, asp_error *error);
 
 /* ---- contacts that follow each other closely ------------------------------------------------- */
 /* A wall is made of faces that have a length. A particle that has met one meets the next after its
@@ -497,8 +483,9 @@ double asp_wall_face_length(const asp_wall *wall, const asp_particle *particle,
 
 /* The contact of a particle that has met its face already: by the law, on the mean wall. As
  * asp_wall_impact, of which it is the case of a smooth wall. */
-void asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                          const double n[3], const asp_key *key, asp_impact *impact);
+asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
+                              const double v1[3], const double n[3], const asp_key *key,
+                              asp_impact *impact);
 
 /* A valley in which a particle lies. */
 typedef struct asp_valley {
@@ -525,8 +512,11 @@ typedef struct asp_coefficients {
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
 
-/* True if the shear of a flow removes a particle that this wall would hold; see
- * remove_u_tau. */
+/* True if the shear of a flow along the wall (`deposit freeze remove`) takes a particle away at
+ * once that would stick: where its friction velocity is more than u_tau_c, u_tau_c^2 = C_u W/(rho_g
+ * d) (W/(d K_c))^(1/3), C_u = 1 + Kn (1.2 + 0.41 exp(-0.88/Kn)),  Kn = 2 l/d,  K_c = (4/3) E_c
+ * (El-Batsh, by one published code, original not seen). Such a particle rebounds without adhesion.
+ * rho_g is the gas_density, l the mean_free_path, W the work. */
 bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
 
 #if defined(__GNUC__)

@@ -39,7 +39,8 @@ typedef struct aspi_calibration {
   size_t n_bins;      /* where CoR_N and CoR_T are not */
   aspi_unknown unknown[FIT_UNKNOWNS_MOST];
   size_t n_unknown;
-  asp_wall *wall;
+  asp_description *words;
+  asp_wall *wall;                        /* of them, for the values looked at last */
   asp_pair *pair;                        /* NULL: the law needs none */
   const asp_material *particle, *target; /* alike */
   const double *lay;                     /* NULL: none */

@@ -6,7 +6,7 @@
 #include "analysis/angles.h"
 #include "base/running.h"
 #include "base/stream.h"
-#include "wall/wall.h"
+#include "description/description.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,17 +25,17 @@ double aspi_unknown_slope(const aspi_unknown *u, double scaled) {
 }
 
 bool aspi_calibration_set(const aspi_calibration *c, const double *scaled) {
-  asp_wall *wall = c->wall;
+  asp_description *words = c->words;
   for (size_t i = 0; i < c->n_unknown; i++) {
     const aspi_unknown *u = &c->unknown[i];
     double value = aspi_unknown_value(u, scaled[i]);
-    if (asp_wall_set(wall, u->name, value, NULL) ||
+    if (asp_description_set(words, u->name, value, NULL) ||
         (u->kind == OF_PAIR && asp_pair_set(c->pair, u->name, value, NULL)))
       return false;
   }
   if (!c->moves)
-    return aspi_wall_renew(wall, NULL) == ASP_OK;
-  return !asp_wall_complete(wall, NULL) && !asp_wall_prepare(wall, NULL);
+    return aspi_wall_take_law(c->wall, &words->choice, NULL) == ASP_OK;
+  return !asp_description_complete(words, NULL) && !aspi_wall_remake(c->wall, &words->choice, NULL);
 }
 
 /* Adds noise to what was measured of a rebound: x and y are in shares of v1. */

@@ -13,24 +13,17 @@
 
 asp_wall *aspi_judge_wall(const aspi_judge_walls *walls, size_t fold, double d_p, const char *name,
                           bool multiple, asp_error *error) {
-  asp_wall *wall = asp_wall_create(error);
-  if (!wall)
-    return NULL;
-  asp_wall_choose(wall, "rebound", "constant", NULL);
-  asp_wall_choose(wall, "spread", name, NULL);
-  asp_wall_choose(wall, "tilt", walls->in_space ? "isotropic" : "plane", NULL);
-  asp_wall_choose(wall, "collisions", multiple ? "multiple" : "single", NULL);
-  asp_wall_set(wall, "deposit", 0, NULL);
-  asp_wall_set(wall, "d_p_least", d_p, NULL);
-  asp_wall_set(wall, "d_p_most", d_p, NULL);
-  asp_wall_set_surface(wall, walls->surface[fold]);
-  asp_wall_set_profile(wall, walls->profile[fold]);
-  asp_wall_set_map(wall, walls->map[fold]);
-  if (asp_wall_prepare(wall, error)) {
-    asp_wall_free(wall);
-    return NULL;
-  }
-  return wall;
+  aspi_wall_choice choice = aspi_wall_choice_smooth();
+  aspi_wall_choose_law(&choice, asp_rebound_find("constant", NULL));
+  choice.surface = walls->surface[fold];
+  choice.profile = walls->profile[fold];
+  choice.map = walls->map[fold];
+  choice.spread = asp_spread_find(name, NULL);
+  choice.sizes = (aspi_sizes){d_p, d_p, 1};
+  choice.isotropic = walls->in_space;
+  choice.multiple = multiple;
+  choice.deposit = false;
+  return aspi_wall_create(&choice, error);
 }
 
 asp_code aspi_judge_model_create(aspi_judge_model *model, const aspi_judge_walls *walls, double d_p,

@@ -9,7 +9,7 @@
 #include "cli/description.h"
 #include "cli/measured.h"
 #include "cli/plot.h"
-#include "wall/description.h"
+#include "description/description.h"
 #include "rebound/laws.h"
 
 #include <gsl/gsl_cdf.h>
@@ -37,7 +37,7 @@ static double standard_of(const aspi_calibration *c, const aspi_unknown *u) {
 
 /* Properties of a number of the description; a law's own numbers go before all others. */
 static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
-  const asp_rebound_law *law = asp_wall_rebound(c->wall);
+  const asp_rebound_law *law = asp_description_rebound(c->words);
   int index = aspi_rebound_parameter_find(law, name, NULL), i = 0;
   const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
   while (!p && !(aspi_keyword_at(i)->may_fit && strcmp(aspi_keyword_at(i)->name, name) == 0))
@@ -59,7 +59,7 @@ static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
 
 /* Start of the search: the number's own start, else that of the materials. */
 static double start_of(const aspi_calibration *c, const aspi_unknown *u) {
-  double value = asp_wall_get(c->wall, u->name);
+  double value = asp_description_get(c->words, u->name);
   double start = isnan(value) && c->pair ? asp_pair_get(c->pair, u->name) : value;
   double room = u->bounded ? 0.02 * (u->most - u->least) : 0;
   start = fmin(fmax(start, u->least + room), u->bounded ? u->most - room : start);
@@ -71,13 +71,13 @@ static double start_of(const aspi_calibration *c, const aspi_unknown *u) {
 }
 
 static void read_unknowns(aspi_calibration *c) {
-  const aspi_description *said = c->wall->said;
-  for (int i = 0; i < said->n_fits; i++) {
+  const asp_description *words = c->words;
+  for (int i = 0; i < words->n_fits; i++) {
     aspi_unknown *u = &c->unknown[c->n_unknown++];
-    *u = unknown_of(c, said->fits[i]);
-    if (u->kind == OF_PAIR && !asp_rebound_needs_pair(asp_wall_rebound(c->wall)))
+    *u = unknown_of(c, words->fits[i]);
+    if (u->kind == OF_PAIR && !asp_rebound_needs_pair(asp_description_rebound(c->words)))
       cli_bad_usage("'%s' has no effect on impacts with rebound %s", u->name,
-                    asp_rebound_name(asp_wall_rebound(c->wall)));
+                    asp_rebound_name(asp_description_rebound(c->words)));
     u->start = start_of(c, u);
     u->standard = u->standard > 0 ? u->standard : u->start;
     c->moves = c->moves || u->kind == OF_SURFACE;
@@ -85,12 +85,10 @@ static void read_unknowns(aspi_calibration *c) {
   if (c->n_unknown == 0)
     cli_bad_usage("no number of the description is 'fit'; say which to look for, as 'surface sigma "
                   "fit friction fit'");
-  if (c->moves && asp_wall_needs_sizes(c->wall))
+  if (c->moves && asp_description_needs_sizes(c->words))
     cli_bad_usage("spread is '%s', which is made for one surface; where that is fitted it must be "
                   "a model that takes any, as visible or weibull",
-                  asp_wall_get(c->wall, "tolerance") > 0
-                      ? "auto"
-                      : asp_spread_name(asp_wall_spread(c->wall)));
+                  asp_description_word(c->words, "spread"));
 }
 
 /* ---- the measurements ---- */
@@ -115,8 +113,8 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   const cli_option *samples = cli_get(call, "samples");
   double width = cli_number(cli_get(call, "bin"), 0.1, 90);
   c->data = cli_measured_read(path, cli_get(call, "view"));
-  cli_measured_need_view(path, &c->data,
-                         !c->smooth && strcmp(asp_wall_word(c->wall, "tilt"), "plane") != 0);
+  cli_measured_need_view(
+      path, &c->data, !c->smooth && strcmp(asp_description_word(c->words, "tilt"), "plane") != 0);
   c->samples = samples->value ? cli_whole(samples, 100, 100000000) : 0;
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)
@@ -212,14 +210,14 @@ static double rounded(double value) {
  * they are the default, which a script may have set otherwise. */
 static void print_description(FILE *out, aspi_calibration *c, const aspi_fit *f) {
   static const char *const pair[] = {"friction", "surface_energy"};
-  asp_wall *wall = c->wall;
+  asp_description *words = c->words;
   for (size_t i = 0; i < c->n_unknown; i++)
-    asp_wall_set(wall, c->unknown[i].name, rounded(value_of(c, f, i)), NULL);
-  for (int i = 0; i < 2 && asp_rebound_needs_pair(asp_wall_rebound(wall)); i++)
-    if (!asp_wall_is_given(wall, pair[i]) && (i == 0 || c->sticks))
-      asp_wall_set(wall, pair[i], asp_pair_get(c->pair, pair[i]), NULL);
+    asp_description_set(words, c->unknown[i].name, rounded(value_of(c, f, i)), NULL);
+  for (int i = 0; i < 2 && asp_rebound_needs_pair(asp_description_rebound(words)); i++)
+    if (!asp_description_is_given(words, pair[i]) && (i == 0 || c->sticks))
+      asp_description_set(words, pair[i], asp_pair_get(c->pair, pair[i]), NULL);
   fputs("# description, in SI units: ", out);
-  cli_print_comment(out, cli_description_text(wall));
+  cli_print_comment(out, cli_description_text(words));
   fputc('\n', out);
 }
 
@@ -265,6 +263,7 @@ static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
 /* ---- the command ---- */
 
 static void take_wall(aspi_calibration *c, const cli_description *wall) {
+  c->words = wall->words;
   c->wall = wall->wall;
   c->pair = wall->pair;
   c->particle = wall->particle;
@@ -296,10 +295,10 @@ static void read_noise(aspi_calibration *c, const cli_option *option) {
 static void read_wall(aspi_calibration *c, const cli_call *call,
                       const cli_description *description) {
   take_wall(c, description);
-  const asp_wall *wall = c->wall;
-  c->smooth = strcmp(asp_wall_word(wall, "surface"), "smooth") == 0;
-  c->sticks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && asp_wall_get(wall, "deposit") > 0;
-  c->seed = (uint32_t)asp_wall_get(wall, "seed");
+  const asp_description *words = c->words;
+  c->smooth = strcmp(asp_description_word(words, "surface"), "smooth") == 0;
+  c->sticks = asp_rebound_needs_pair(asp_description_rebound(words)) && words->choice.deposit;
+  c->seed = (uint32_t)asp_description_get(words, "seed");
   c->d_p = cli_length(cli_get(call, "dp"));
   c->speed = cli_number(cli_get(call, "speed"), 1e-9, 1e6);
   c->huber = cli_value(call, "huber") ? cli_number(cli_get(call, "huber"), 1, 100) : INFINITY;
@@ -329,7 +328,7 @@ static point fitted_in(const aspi_calibration *c, size_t b, int k) {
 }
 
 static void plot_panel(cli_plot *picture, const aspi_calibration *c, int k) {
-  const char *law = asp_rebound_name(asp_wall_rebound(c->wall));
+  const char *law = asp_rebound_name(asp_description_rebound(c->words));
   cli_plot_coefficient(picture, k);
   cli_plot_series(picture, CLI_BAND, "law_%s", law);
   for (size_t b = 0; b < c->n_bins; b++) {

@@ -7,6 +7,7 @@
 #include "base/stream.h"
 #include "cli/description.h"
 #include "cli/plot.h"
+#include "description/description.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,7 +56,7 @@ static size_t count_groups(const scene *s) {
 
 /* One impact at an angle in degrees. */
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) {
-  asp_key key = {(uint32_t)asp_wall_get(s->wall.wall, "seed"), asp_key_wall("cor"), tag, 0};
+  asp_key key = {(uint32_t)asp_description_get(s->wall.words, "seed"), asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
   size_t sizes = s->sizes.count ? s->sizes.count : 1;
   row r = {.sample = sample, .d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
@@ -281,7 +282,7 @@ static cli_plot *open_picture(const cli_call *call, const scene *s, const view *
       call, 1200, 520, "1,2",
       "%s%s; %s%s, %s; v_1 = %s; d_p = %s; %zu impacts, %.1f %% stick and are left out", pair,
       cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text,
-      cli_plot_wall(wall->wall).text, lay_of(wall).text,
+      cli_plot_wall(wall->words, wall->wall).text, lay_of(wall).text,
       cli_plot_label(asp_spread_name(asp_wall_spread(wall->wall))).text,
       values_of(&s->speeds, 1, "m/s").text, values_of(&s->sizes, 1e6, "µm").text, n,
       100 * (double)v->deposits / (double)n);
@@ -337,7 +338,7 @@ static void plot_smooth(cli_plot *picture, int t, const scene *s) {
 
 /* Impacts, their mean and sd over the impact angle, and the smooth wall. */
 static void plot(const cli_call *call, const scene *s, const view *v, size_t n) {
-  asp_wall *wall = s->wall.wall;
+  const asp_wall *wall = s->wall.wall;
   asp_error error;
   char style[80];
   if (asp_wall_surface(wall))
@@ -345,14 +346,17 @@ static void plot(const cli_call *call, const scene *s, const view *v, size_t n) 
   else
     snprintf(style, sizeof style, "law_%s", asp_rebound_name(asp_wall_rebound(wall)));
   cli_plot *picture = open_picture(call, s, v, n);
-  asp_wall_set_surface(wall, NULL);
-  cli_must(!asp_wall_prepare(wall, &error), &error);
+  aspi_wall_choice choice = s->wall.words->choice;
+  choice.surface = NULL;
+  scene smooth = *s;
+  smooth.wall.wall = aspi_wall_create(&choice, &error);
+  cli_must(smooth.wall.wall, &error);
   for (int t = 0; t < 2; t++) {
     cli_plot_coefficient(picture, t);
     plot_impacts(picture, t, v);
     if (v->varies)
       plot_means(picture, t, v, style);
-    plot_smooth(picture, t, s);
+    plot_smooth(picture, t, &smooth);
   }
   cli_plot_close(picture);
 }
@@ -453,7 +457,7 @@ static void run(cli_call *call) {
   }
   draw(&s, &p, &to);
   if (summary)
-    print_summary(out, &s, &p, to.sums, asp_wall_is_given(s.wall.wall, "erosion"));
+    print_summary(out, &s, &p, to.sums, asp_description_is_given(s.wall.words, "erosion"));
   cli_file_close(out);
   if (to.view)
     plot(call, &s, &v, p.total);

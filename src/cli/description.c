@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
 #include "base/number.h"
-#include "wall/words.h"
+#include "description/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,36 +19,36 @@ static void check_lengths(int count, char **words) {
 }
 
 /* A command computes no flow. */
-static void check_removal(const asp_wall *wall) {
-  if (asp_wall_is_given(wall, "remove") && !asp_wall_is_given(wall, "u_tau"))
+static void check_removal(const asp_description *d) {
+  if (asp_description_is_given(d, "remove") && !asp_description_is_given(d, "u_tau"))
     cli_bad_usage("behind 'remove', 'u_tau U' is expected");
 }
 
-static void read_words(asp_wall *wall, int count, char **words) {
+static void read_words(asp_description *d, int count, char **words) {
   const char *const *all = (const char *const *)words;
   asp_error error;
   for (int next = 0, taken; next < count; next += taken)
-    cli_must(!asp_wall_read(wall, count - next, all + next, "", &taken, &error), &error);
-  cli_must(!asp_wall_complete(wall, &error), &error);
+    cli_must(!asp_description_read(d, count - next, all + next, "", &taken, &error), &error);
+  cli_must(!asp_description_complete(d, &error), &error);
 }
 
-char *cli_description_text(const asp_wall *wall) {
-  size_t size = asp_wall_describe(wall, NULL, 0) + 1;
+char *cli_description_text(const asp_description *words) {
+  size_t size = asp_description_text(words, NULL, 0) + 1;
   char *text = cli_allocate(size, 1);
-  asp_wall_describe(wall, text, size);
+  asp_description_text(words, text, size);
   return text;
 }
 
 static void read_materials(cli_description *d) {
   static char *standard[] = {"materials", "ard", "hastelloy-x"};
   asp_error error;
-  int count = asp_wall_materials(d->wall);
-  if (count == 0 && asp_rebound_needs_pair(asp_wall_rebound(d->wall))) {
-    if (d->wall->said->may_fit)
+  int count = asp_description_materials(d->words);
+  if (count == 0 && asp_rebound_needs_pair(asp_description_rebound(d->words))) {
+    if (d->words->may_fit)
       cli_bad_usage(
           "'materials' is missing: a fit needs those of the measured particles and wall, as "
           "'materials quartz al-2024'");
-    read_words(d->wall, 3, standard);
+    read_words(d->words, 3, standard);
     d->has_standard_materials = true;
     count = 2;
   }
@@ -59,12 +59,13 @@ static void read_materials(cli_description *d) {
     cli_bad_usage("materials has %d name%s; it must be two, that of the particles and that of the "
                   "wall",
                   count, count == 1 ? "" : "s");
-  d->particle = asp_wall_material(d->wall, 0);
-  d->target = asp_wall_material(d->wall, 1);
+  d->particle = asp_description_material(d->words, 0);
+  d->target = asp_description_material(d->words, 1);
   d->density = asp_material_get(d->particle, "density");
-  d->pair = asp_wall_pair(d->wall, d->particle, d->target, &error);
+  d->pair = asp_description_pair(d->words, d->particle, d->target, &error);
   cli_must(d->pair, &error);
-  if (!(asp_wall_get(d->wall, "yield_rate") > 0) && !asp_wall_is_given(d->wall, "yield_stress") &&
+  if (!(asp_description_get(d->words, "yield_rate") > 0) &&
+      !asp_description_is_given(d->words, "yield_stress") &&
       !(asp_pair_get(d->pair, "yield_stress") > 0))
     cli_bad_usage("material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
                   "'rebound bons'",
@@ -74,14 +75,14 @@ static void read_materials(cli_description *d) {
 cli_description cli_description_read(int count, char **words, bool may_fit) {
   cli_description d = {.wall = NULL};
   asp_error error;
-  d.wall = asp_wall_parse("", NULL, &error);
-  cli_must(d.wall, &error);
-  d.wall->said->may_fit = may_fit;
+  d.words = asp_description_parse("", NULL, &error);
+  cli_must(d.words, &error);
+  d.words->may_fit = may_fit;
   check_lengths(count, words);
-  read_words(d.wall, count, words);
-  check_removal(d.wall);
+  read_words(d.words, count, words);
+  check_removal(d.words);
   read_materials(&d);
-  d.text = cli_description_text(d.wall);
+  d.text = cli_description_text(d.words);
   return d;
 }
 
@@ -90,7 +91,7 @@ void cli_description_allow(cli_description *d, const char *allowed, const char *
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
     bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
-    if (!*k->within && is_own && asp_wall_is_given(d->wall, k->name) &&
+    if (!*k->within && is_own && asp_description_is_given(d->words, k->name) &&
         !aspi_words_in_list(k->name, allowed))
       cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
   }
@@ -99,8 +100,8 @@ void cli_description_allow(cli_description *d, const char *allowed, const char *
 static void check_constants(const cli_description *d, double d_most) {
   const asp_particle particle = {.d_p = d_most, .density = d->density, .pair = d->pair};
   char text[500];
-  for (int i = 0;
-       d->pair && asp_wall_doubt(d->wall, &particle, d->particle, d->target, i, text, sizeof text);
+  for (int i = 0; d->pair && asp_description_doubt(d->words, &particle, d->particle, d->target, i,
+                                                   text, sizeof text);
        i++)
     cli_warn("%s", text);
   const asp_rebound_law *law = asp_wall_rebound(d->wall);
@@ -113,9 +114,8 @@ static void check_constants(const cli_description *d, double d_most) {
 /* Appends the choice of `spread auto` to the description, as in a ledger's heading, and prints its
  * reason. */
 static void tell_choice(cli_description *d) {
-  const char *why = asp_wall_word(d->wall, "choice");
-  const char *name = asp_spread_name(asp_wall_spread(d->wall));
-  if (!why || !*why)
+  const char *why = asp_wall_reason(d->wall), *name = asp_spread_name(asp_wall_spread(d->wall));
+  if (!*why)
     return;
   size_t size = strlen(d->text) + strlen("; auto chose ") + strlen(name) + 1;
   char *text = cli_allocate(size, 1);
@@ -127,24 +127,25 @@ static void tell_choice(cli_description *d) {
 
 void cli_description_make(cli_description *d, double d_least, double d_most) {
   asp_error error;
-  cli_must(!asp_wall_make(d->wall, d_least, d_most, &error), &error);
-  d->profile = d->wall->choice.profile;
-  d->map = d->wall->choice.map;
-  if (*asp_wall_word(d->wall, "doubt"))
-    cli_warn("surface %s %s: %s", asp_wall_word(d->wall, "surface"), asp_wall_word(d->wall, "file"),
-             asp_wall_word(d->wall, "doubt"));
+  d->wall = asp_wall_create(d->words, d_least, d_most, &error);
+  cli_must(d->wall, &error);
+  d->profile = d->words->choice.profile;
+  d->map = d->words->choice.map;
+  if (*asp_description_word(d->words, "doubt"))
+    cli_warn("surface %s %s: %s", asp_description_word(d->words, "surface"),
+             asp_description_word(d->words, "file"), asp_description_word(d->words, "doubt"));
   tell_choice(d);
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);
-  if (asp_wall_check_sampling(d->wall, d_least, &error))
+  if (asp_description_check_sampling(d->words, d->wall, d_least, &error))
     cli_warn("%s", error.text);
   if (!d->has_no_impact)
     check_constants(d, d_most);
 }
 
 const double *cli_description_lay(const cli_description *d, double vector[3]) {
-  asp_lay lay = asp_wall_lay(d->wall);
+  asp_lay lay = asp_description_lay(d->words);
   if (lay.kind == ASP_LAY_NONE)
     return NULL;
   vector[0] = lay.kind == ASP_LAY_ANGLE ? cos(lay.angle) : lay.vector[0];
@@ -153,8 +154,12 @@ const double *cli_description_lay(const cli_description *d, double vector[3]) {
   return vector;
 }
 
+const asp_surface *cli_description_surface(const cli_description *d) {
+  return d->wall ? asp_wall_surface(d->wall) : d->words->surface;
+}
+
 double cli_description_shrink(const cli_description *d) {
-  const asp_surface *surface = asp_wall_surface(d->wall);
+  const asp_surface *surface = cli_description_surface(d);
   double vector[3], ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
   const double *lay = cli_description_lay(d, vector);
   return lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;

@@ -1,5 +1,5 @@
 /* A wall and its particles by the words that stand before the first option of a command line, the
- * same as in a script; see asp_wall_parse. Numbers are SI, lengths take a unit behind them.
+ * same as in a script; see asp_description_parse. Numbers are SI, lengths take a unit behind them.
  *
  * Everything here exits on bad words, a bad file or a wall that cannot be made: status 2. What only
  * looks like a mistake is a warning.
@@ -11,7 +11,8 @@
 #include "cli/cli.h"
 
 typedef struct cli_description {
-  asp_wall *wall;
+  asp_description *words;
+  asp_wall *wall;                        /* NULL until it is made */
   const asp_material *particle, *target; /* NULL where the law takes no materials and none are
                                             given */
   asp_pair *pair;                        /* NULL alike */
@@ -26,11 +27,12 @@ typedef struct cli_description {
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of
  * the wall: Arizona Road Dust on hastelloy-x where none are given. may_fit: numbers may be unknown,
- * see aspi_description, and materials must be given. cli_description_make is still to come. */
+ * see struct asp_description, and materials must be given. cli_description_make is still to come.
+ */
 cli_description cli_description_read(int count, char **words, bool may_fit);
 
-/* The canonical text of a wall. */
-char *cli_description_text(const asp_wall *wall);
+/* The canonical text. */
+char *cli_description_text(const asp_description *words);
 
 /* Refuses each keyword that is given and is none of `allowed`, which have blanks between; `why` is
  * a sentence about the command. */
@@ -51,6 +53,9 @@ cli_impact cli_impact_at(const cli_description *description, double d_p, double 
 
 /* Its CoR_N (t 0) or CoR_T (t 1); NAN for a deposit, too. */
 double cli_impact_ratio(const cli_impact *impact, int t);
+
+/* The surface; NULL where it is smooth, or a profile's whose wall is not made yet. */
+const asp_surface *cli_description_surface(const cli_description *description);
 
 /* The direction of the lay where particles fly along x over the wall z = 0; NULL where there is no
  * lay. An angle is from x toward y. `vector` holds it. */

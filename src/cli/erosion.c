@@ -6,7 +6,7 @@
 #include "cli/plot.h"
 #include "cli/scatter.h"
 #include "base/error.h"
-#include "wall/wall.h"
+#include "description/description.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -137,7 +137,7 @@ static void plot(const cli_call *call, const wear *w) {
 /* The law, and what it needs besides the rows. */
 static void take_law(wear *w, cli_description *d) {
   cli_description_allow(d, "erosion materials", "the law of erosion is applied to a ledger's rows");
-  w->law = &d->wall->choice.erosion;
+  w->law = &d->words->choice.erosion;
   if (!w->law->law)
     cli_bad_usage("erosion: 'erosion LAW' is expected among the words behind LEDGER; see 'asperity "
                   "help wall'");

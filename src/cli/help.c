@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
 #include "cli/help.h"
-#include "wall/description.h"
+#include "description/description.h"
 
 #include <ctype.h>
 #include <stdio.h>

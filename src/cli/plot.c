@@ -427,11 +427,11 @@ cli_label cli_plot_file(const char *path) {
   return label;
 }
 
-cli_label cli_plot_wall(const asp_wall *wall) {
+cli_label cli_plot_wall(const asp_description *words, const asp_wall *wall) {
   const asp_surface *surface = asp_wall_surface(wall);
-  const char *file = asp_wall_word(wall, "file");
+  const char *file = asp_description_word(words, "file");
   cli_label label = {"smooth wall"};
-  if (surface && strcmp(asp_wall_word(wall, "surface"), "sigma") == 0)
+  if (surface && strcmp(asp_description_word(words, "surface"), "sigma") == 0)
     snprintf(label.text, sizeof label.text, "σ = %.4g°",
              cli_degrees(atan(asp_surface_slope_rms(surface))));
   else if (surface)

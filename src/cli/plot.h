@@ -31,7 +31,7 @@ cli_label cli_plot_number(double value);
 cli_label cli_plot_file(const char *path);
 
 /* A wall in numbers: its file's name, R_q, lambda_c and Phi_R, or sigma. */
-cli_label cli_plot_wall(const asp_wall *wall);
+cli_label cli_plot_wall(const asp_description *words, const asp_wall *wall);
 
 /* Begins a panel; both labels may hold gnuplot's markup. */
 void cli_plot_panel(cli_plot *plot, const char *x, const char *y);

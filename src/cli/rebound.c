@@ -30,7 +30,7 @@ typedef struct map {
 } map;
 
 static const char *law_name(const cli_description *wall) {
-  return asp_rebound_name(asp_wall_rebound(wall->wall));
+  return asp_rebound_name(asp_description_rebound(wall->words));
 }
 
 /* The material of the wall, "" where the law takes none. */
@@ -81,7 +81,7 @@ static cli_label difference_of(const map *m, size_t wall) {
 }
 
 static cli_impact impact_at(const cli_description *wall, double d_p, double speed, double degrees) {
-  const asp_key key = {(uint32_t)asp_wall_get(wall->wall, "seed"), 1, 1, 1};
+  const asp_key key = {(uint32_t)asp_description_get(wall->words, "seed"), 1, 1, 1};
   return cli_impact_at(wall, d_p, speed, degrees, &key);
 }
 

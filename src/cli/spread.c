@@ -4,7 +4,7 @@
 #include "base/running.h"
 #include "cli/description.h"
 #include "cli/plot.h"
-#include "wall/wall.h"
+#include "description/description.h"
 #include "surface/size_law.h"
 
 #include <gsl/gsl_sort.h>
@@ -32,7 +32,7 @@ static bool draw_face(const scene *s, const aspi_view *view, aspi_stream *stream
 }
 
 static double draw(const scene *s, const aspi_view *view, uint64_t sample) {
-  uint32_t seed = (uint32_t)asp_wall_get(s->wall.wall, "seed");
+  uint32_t seed = (uint32_t)asp_description_get(s->wall.words, "seed");
   aspi_stream stream = aspi_stream_begin(&(asp_key){seed, asp_key_wall("spread"), sample, 1});
   double delta;
   if (!draw_face(s, view, &stream, &delta))
@@ -67,10 +67,10 @@ static scene scene_of(const cli_call *call) {
   const cli_option *dp = cli_get(call, "dp");
   scene s = {.wall = cli_description_read(call->n_words, call->words, false)};
   cli_description_allow(&s.wall, "surface spread seed", "spread simulates no impact");
-  const char *kind = asp_wall_word(s.wall.wall, "surface");
+  const char *kind = asp_description_word(s.wall.words, "surface");
   s.by_size = strcmp(kind, "smooth") != 0 && strcmp(kind, "sigma") != 0;
   double d_p = s.by_size || dp->value ? cli_length(dp) : ANY_SIZE;
-  asp_wall_choose(s.wall.wall, "tilt", "plane", NULL);
+  s.wall.words->choice.isotropic = false;
   cli_description_make(&s.wall, d_p, d_p);
   s.model = asp_wall_spread(s.wall.wall);
   s.view = view_of(&s.wall, d_p);
@@ -131,8 +131,8 @@ static void plot(const cli_call *call, const scene *s, const aspi_view *view, co
   }
   char size[1700] = "";
   if (s->by_size)
-    snprintf(size, sizeof size, "; %s, d_p = %.3g µm", cli_plot_wall(s->wall.wall).text,
-             view->d_p * 1e6);
+    snprintf(size, sizeof size, "; %s, d_p = %.3g µm",
+             cli_plot_wall(s->wall.words, s->wall.wall).text, view->d_p * 1e6);
   cli_plot *picture = cli_plot_open(call, 800, 500, "1,1", "%s: α_1 = %g°, σ = %.3g°%s",
                                     cli_plot_label(model->name).text, cli_degrees(view->alpha1),
                                     cli_degrees(view->sigma), size);

@@ -118,11 +118,11 @@ static aspi_profile_options read_options(const cli_call *call) {
 /* Report and description of a measured profile. */
 typedef struct source {
   aspi_profile_report report;
-  aspi_description description;
+  aspi_profile_description description;
 } source;
 
 static void tell(FILE *out, const cli_wall *wall, const source *from, const char *level) {
-  const aspi_description *d = &from->description;
+  const aspi_profile_description *d = &from->description;
   fputs("# profile ", out);
   cli_print_comment(out, wall->name);
   fprintf(out, ": %s\n", from->report.text);
@@ -139,30 +139,30 @@ static void tell(FILE *out, const cli_wall *wall, const source *from, const char
 
 static cli_wall read_wall(const cli_call *call, const cli_description *wall, const cli_list *sizes,
                           source *from) {
-  const char *file = asp_wall_word(wall->wall, "file");
+  const char *file = asp_description_word(wall->words, "file");
   aspi_profile_options how = read_options(call);
   double level = cli_choice(cli_get(call, "level")) ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
   asp_profile *profile = aspi_profile_read(NULL, file, &how, &from->report, &error);
   cli_must(profile, &error);
   if (aspi_profile_describe(profile, level, &from->description, &error) ||
-      aspi_description_check(&from->description, 1, &error))
+      aspi_profile_check(&from->description, 1, &error))
     cli_bad_usage("%s: %s", file, error.text);
-  const aspi_description *d = &from->description;
+  const aspi_profile_description *d = &from->description;
   cli_surface_check(file, "profile", &from->report, d->spacing, d->length, d->lambda_c, sizes);
   return (cli_wall){profile, d->r_q, d->lambda_c, file};
 }
 
 /* The profile along the flight; `more` is added to the seed. */
 static cli_wall generate_wall(const cli_call *call, const cli_description *wall, uint32_t more) {
-  const asp_surface *surface = asp_wall_surface(wall->wall);
+  const asp_surface *surface = cli_description_surface(wall);
   double r_q = asp_surface_r_q(surface),
          lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall));
   asp_error error;
   asp_profile *profile =
       asp_profile_create(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
                          cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
-                         (uint32_t)asp_wall_get(wall->wall, "seed") + more, &error);
+                         (uint32_t)asp_description_get(wall->words, "seed") + more, &error);
   cli_must(profile, &error);
   return (cli_wall){profile, r_q, lambda_c, NULL};
 }
@@ -274,7 +274,7 @@ static cli_description wall_of(const walls *all, size_t index, const cli_call *c
       own[all->at[k]] = text[k];
     }
   cli_description wall = cli_description_read(call->n_words, own, false);
-  bool measured = asp_wall_word(wall.wall, "file");
+  bool measured = asp_description_word(wall.words, "file");
   cli_description_allow(&wall, measured ? "surface" : "surface seed",
                         measured ? "a measured wall is read, not drawn"
                                  : "a surface makes no impact");
@@ -285,7 +285,7 @@ static cli_description wall_of(const walls *all, size_t index, const cli_call *c
  * before. */
 static void run_profiles(const cli_call *call, const walls *all, const cli_description *first,
                          const cli_list *sizes) {
-  bool measured = asp_wall_word(first->wall, "file"), many = all->count > 1;
+  bool measured = asp_description_word(first->words, "file"), many = all->count > 1;
   size_t count = all->count * sizes->count;
   if (many && (cli_value(call, "save") || cli_value(call, "plot")))
     cli_bad_usage("--%s is given with a list of walls; it takes one",
@@ -320,7 +320,7 @@ static void run(cli_call *call) {
   cli_list sizes = cli_lengths(cli_get(call, "dp"));
   walls all = find_walls(call);
   cli_description first = wall_of(&all, 0, call);
-  const char *kind = asp_wall_word(first.wall, "surface");
+  const char *kind = asp_description_word(first.words, "surface");
   check_options(call, kind);
   if (strcmp(kind, "map") != 0) {
     run_profiles(call, &all, &first, &sizes);

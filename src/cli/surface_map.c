@@ -286,7 +286,7 @@ static void plot(const cli_call *call, const measured *m, const slopes *rows, si
 
 void cli_surface_map(const cli_call *call, const cli_description *wall,
                      const aspi_profile_options *options, const cli_list *sizes) {
-  measured m = read_map(asp_wall_word(wall->wall, "file"), options);
+  measured m = read_map(asp_description_word(wall->words, "file"), options);
   const double *step = m.map->step;
   double sides[2] = {(double)m.map->columns * step[0], (double)m.map->rows * step[1]};
   cli_surface_check(m.name, "map", &m.report, fmax(step[0], step[1]), fmin(sides[0], sides[1]),

@@ -182,10 +182,11 @@ static void plot(const cli_call *call, const cli_description *wall, double d_p, 
   char most[40] = "", size[40] = "";
   if (n > models)
     snprintf(most, sizeof most, " … %g", rows[n - 1].angle);
-  if (strcmp(asp_wall_word(wall->wall, "surface"), "sigma") != 0)
+  if (strcmp(asp_description_word(wall->words, "surface"), "sigma") != 0)
     snprintf(size, sizeof size, "; d_p = %.3g µm", d_p * 1e6);
-  cli_plot *picture = cli_plot_open(call, 900, 560, "1,1", "%s%s; α_1 = %g%s°",
-                                    cli_plot_wall(wall->wall).text, size, rows[0].angle, most);
+  cli_plot *picture =
+      cli_plot_open(call, 900, 560, "1,1", "%s%s; α_1 = %g%s°",
+                    cli_plot_wall(wall->words, wall->wall).text, size, rows[0].angle, most);
   cli_plot_panel(picture, "mean time per impact / ns", "worst D_{KL} of the rebound angle, ± s.e.");
   cli_plot_log(picture, "xy");
   double least = INFINITY, best = INFINITY;
@@ -251,8 +252,8 @@ static size_t whole_or(const cli_option *option, unsigned long least, unsigned l
 }
 
 /* Exits if an option is given that does not apply to this judge. */
-static void check_options(const cli_call *call, const asp_wall *wall) {
-  const char *kind = asp_wall_word(wall, "surface"), *points = cli_value(call, "points");
+static void check_options(const cli_call *call, const asp_description *words) {
+  const char *kind = asp_description_word(words, "surface"), *points = cli_value(call, "points");
   bool map = strcmp(kind, "map") == 0, three_d = cli_value(call, "three-d"), solid = map || three_d;
   if (strcmp(kind, "smooth") == 0)
     cli_bad_usage("'surface' is missing; models are judged on a rough wall");
@@ -289,7 +290,7 @@ static void set_case_2d(const cli_call *call, const cli_description *wall,
                         aspi_judge_case *subject) {
   const cli_option *profiles = cli_get(call, "profiles");
   const asp_profile *profile = subject->profile = wall->profile;
-  if (asp_wall_lay(wall->wall).kind != ASP_LAY_NONE)
+  if (asp_description_lay(wall->words).kind != ASP_LAY_NONE)
     cli_bad_usage("'lay' is given; a wall with a lay is judged with --three-d");
   subject->groups = whole_or(profiles, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST, PROFILES_MANY);
   if (profile)
@@ -306,7 +307,7 @@ static aspi_judge_case case_of(const cli_call *call, const cli_description *wall
       .wall = {.r_q = asp_surface_r_q(surface), .lambda_1 = asp_surface_lambda_c(surface)},
       .d_p = d_p,
       .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),
-      .seed = (uint32_t)asp_wall_get(wall->wall, "seed")};
+      .seed = (uint32_t)asp_description_get(wall->words, "seed")};
   (cli_value(call, "three-d") || wall->map ? set_case_3d : set_case_2d)(call, wall, &subject);
   if (wall->map || wall->profile)
     drop_grazing(&subject, cli_value(call, "angles"), angles);
@@ -320,12 +321,13 @@ static aspi_judge_case case_of(const cli_call *call, const cli_description *wall
 static cli_description read_wall(const cli_call *call, double *d_p) {
   cli_description wall = cli_description_read(call->n_words, call->words, false);
   cli_description_allow(&wall, "surface seed", "every model is judged, by specular rebounds");
-  check_options(call, wall.wall);
-  bool any = strcmp(asp_wall_word(wall.wall, "surface"), "sigma") == 0 && !cli_value(call, "dp");
+  check_options(call, wall.words);
+  bool any =
+      strcmp(asp_description_word(wall.words, "surface"), "sigma") == 0 && !cli_value(call, "dp");
   *d_p = any ? ANY_SIZE : cli_length(cli_get(call, "dp"));
-  if (asp_wall_get(wall.wall, "seed") > SEED_MOST)
+  if (asp_description_get(wall.words, "seed") > SEED_MOST)
     cli_bad_usage("seed is %.0f; it must be at most %d, as each profile has one of its own",
-                  asp_wall_get(wall.wall, "seed"), SEED_MOST);
+                  asp_description_get(wall.words, "seed"), SEED_MOST);
   cli_description_make(&wall, *d_p, *d_p);
   return wall;
 }

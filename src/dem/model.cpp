@@ -30,7 +30,8 @@ std::string for_types(int n, const char *first, const char *other) {
 Model::Model(const Engine &engine)
     : engine_(engine), units_(), d_range_(), sampled_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
       lay_(), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
-      wall_(NULL, asp_wall_free), is_made_(false), default_friction_(ASP_FRICTION), is_new_(true) {}
+      description_(NULL, asp_description_free), wall_(NULL, asp_wall_free),
+      default_friction_(ASP_FRICTION), is_new_(true) {}
 
 /* ---- words of the script ----------------------------------------------------------------------
  */
@@ -38,17 +39,17 @@ Model::Model(const Engine &engine)
 /* Not when this is made, for nothing can be reported there. */
 void Model::begin() {
   asp_error wrong;
-  if (wall_)
+  if (description_)
     return;
   const std::string style = engine_.units();
   units_ = units_of(style);
   units_name_ = "'units " + style + "'; units must be " + engine_.known_units();
   units_.name = units_name_.c_str();
-  wall_.reset(asp_wall_parse("", &units_, &wrong));
-  if (!wall_)
+  description_.reset(asp_description_parse("", &units_, &wrong));
+  if (!description_)
     throw Error(wrong.text);
   if (engine_.dimension() == 2)
-    asp_wall_choose(wall_.get(), "tilt", "plane", NULL);
+    asp_description_default_plane(description_.get());
 }
 
 void Model::parse(Words &words, const std::string &others) {
@@ -56,8 +57,8 @@ void Model::parse(Words &words, const std::string &others) {
   int taken;
   const std::vector<const char *> rest = words.rest();
   begin();
-  if (asp_wall_read(wall_.get(), static_cast<int>(rest.size()), rest.data(), others.c_str(), &taken,
-                    &wrong))
+  if (asp_description_read(description_.get(), static_cast<int>(rest.size()), rest.data(),
+                           others.c_str(), &taken, &wrong))
     throw Error(wrong.text);
   words.skip(taken);
 }
@@ -65,23 +66,23 @@ void Model::parse(Words &words, const std::string &others) {
 void Model::finish() {
   asp_error wrong;
   begin();
-  if (asp_wall_complete(wall_.get(), &wrong))
+  if (asp_description_complete(description_.get(), &wrong))
     throw Error(wrong.text);
-  const int names = asp_wall_materials(wall_.get());
+  const int names = asp_description_materials(description_.get());
   if (is_given("materials") && names != engine_.types())
     throw Error(text("materials has %d names, and the script has %d atom types; there must be one "
                      "name for each type",
                      names, engine_.types()));
   if (is_given("remove") && !is_given("u_tau"))
     throw Error("behind 'remove', 'u_tau U' is expected");
-  const std::string deposit = asp_wall_word(wall_.get(), "deposit");
+  const std::string deposit = word("deposit");
   deposit_ = deposit == "freeze" ? FREEZE : deposit == "delete" ? DELETE : OFF;
-  seed_ = static_cast<uint32_t>(asp_wall_get(wall_.get(), "seed"));
-  lay_ = asp_wall_lay(wall_.get());
+  seed_ = static_cast<uint32_t>(number("seed"));
+  lay_ = asp_description_lay(description_.get());
   check_dimension();
   if (measured())
     read_measured();
-  if (!asp_wall_needs_sizes(wall_.get()))
+  if (!asp_description_needs_sizes(description_.get()))
     make();
 }
 
@@ -90,15 +91,13 @@ void Model::finish() {
 void Model::check_dimension() const {
   if (engine_.dimension() != 2)
     return;
-  const std::string surface = asp_wall_word(wall_.get(), "surface"),
-                    tilt = asp_wall_word(wall_.get(), "tilt");
-  const std::string spread = asp_spread_name(asp_wall_spread(wall_.get()));
+  const std::string surface = word("surface"), tilt = word("tilt"), spread = word("spread");
   if (surface == "smooth")
     return;
   if (tilt != "plane")
     throw Error("spread is 'isotropic', which tilts out of the plane of 'dimension 2'; it must be "
                 "plane");
-  if (surface == "map" && (spread == "profile" || asp_wall_get(wall_.get(), "tolerance") > 0))
+  if (surface == "map" && (spread == "profile" || spread == "auto"))
     throw Error("spread is 'profile' or 'auto', of a map a law in three dimensions; in 'dimension "
                 "2' it must be another model, such as visible");
   if (lay_.kind != ASP_LAY_NONE)
@@ -108,14 +107,14 @@ void Model::check_dimension() const {
 }
 
 bool Model::measured() const {
-  return asp_wall_word(wall_.get(), "file") != NULL;
+  return asp_description_word(description_.get(), "file") != NULL;
 }
 
 /* The profile or the map for all ranks. */
 void Model::read_measured() {
   asp_error wrong;
-  const std::string path = asp_wall_word(wall_.get(), "file");
-  const bool is_map = strcmp(asp_wall_word(wall_.get(), "surface"), "map") == 0;
+  const std::string path = word("file");
+  const bool is_map = word("surface") == "map";
   if (!(units_.metre > 0))
     throw Error(std::string(is_map ? "a map" : "a profile") +
                 " is in SI units, which cannot be converted to " + units_name_);
@@ -128,9 +127,8 @@ void Model::read_measured() {
   if (!reading.doubts.empty())
     engine_.warn(std::string(is_map ? "surface map " : "surface profile ") + path + ": " +
                  reading.doubts);
-  asp_wall_set_profile(wall_.get(), profile_.get());
-  asp_wall_set_map(wall_.get(), map_.get());
-  if (asp_wall_complete(wall_.get(), &wrong))
+  if (is_map ? asp_description_set_map(description_.get(), map_.get(), &wrong)
+             : asp_description_set_profile(description_.get(), profile_.get(), &wrong))
     throw Error(wrong.text);
 }
 
@@ -139,10 +137,9 @@ void Model::read_measured() {
 
 void Model::make() {
   asp_error wrong;
-  is_made_ = false;
-  if (asp_wall_make(wall_.get(), d_range_[0], d_range_[1], &wrong))
+  wall_.reset(asp_wall_create(description_.get(), d_range_[0], d_range_[1], &wrong));
+  if (!wall_)
     throw Error(wrong.text);
-  is_made_ = true;
 }
 
 void Model::set_sizes(const double range[2]) {
@@ -164,14 +161,14 @@ void Model::fit_sizes() {
   engine_.diameters(least, most);
   if (!(most > 0))
     return;
-  if (!asp_wall_needs_sizes(wall_.get())) {
+  if (!asp_description_needs_sizes(description_.get())) {
     const asp_surface *surface = asp_wall_surface(wall_.get());
     if (surface && asp_surface_check(surface, most, &wrong))
       throw Error(wrong.text);
     check_sampling(least);
     return;
   }
-  if (is_made_ && least >= d_range_[0] && most <= d_range_[1])
+  if (wall_ && least >= d_range_[0] && most <= d_range_[1])
     return;
   d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], least) : least;
   d_range_[1] = std::max(d_range_[1], most);
@@ -186,7 +183,7 @@ void Model::check_sampling(double least) {
   if (!(least < sampled_for_) || !measured())
     return;
   sampled_for_ = least;
-  if (asp_wall_check_sampling(wall_.get(), least, &doubt))
+  if (asp_description_check_sampling(description_.get(), wall_.get(), least, &doubt))
     engine_.warn(doubt.text);
 }
 
@@ -207,7 +204,6 @@ void Model::constants(const char *name, bool pairs, bool needed, const char *exa
 
 /* The description's constants go before the script's, which may be soft ones for the pair style. */
 void Model::find_materials(const std::vector<int> &wall_types) {
-  const asp_wall *wall = wall_.get();
   const int n = engine_.types();
   pairs_.clear();
   materials_.clear();
@@ -216,13 +212,13 @@ void Model::find_materials(const std::vector<int> &wall_types) {
   constants("coefficientFriction", true, false, "", friction_);
   const bool of_script = !friction_.empty();
   if (is_given("friction"))
-    friction_.assign(static_cast<size_t>(n * n), asp_wall_get(wall, "friction"));
+    friction_.assign(static_cast<size_t>(n * n), number("friction"));
   /* A mirror takes nothing from a particle that slides. */
-  const double own = asp_wall_get(wall, "mu");
-  default_friction_ = asp_wall_get(wall, "cor_t") >= 1 ? 0 : own >= 0 ? own : ASP_FRICTION;
+  const double own = number("mu");
+  default_friction_ = number("cor_t") >= 1 ? 0 : own >= 0 ? own : ASP_FRICTION;
   if (own >= 0)
     friction_.clear(); /* the law's own coefficient counts in sustained contact, too */
-  if (asp_rebound_needs_pair(asp_wall_rebound(wall))) {
+  if (needs_materials()) {
     if (is_given("materials"))
       take_named();
     else
@@ -236,7 +232,7 @@ void Model::find_materials(const std::vector<int> &wall_types) {
 
 void Model::take_named() {
   for (int t = 0; t < engine_.types(); t++) {
-    const asp_material *m = asp_wall_material(wall_.get(), t);
+    const asp_material *m = asp_description_material(description_.get(), t);
     const double yield = asp_material_get(m, "yield_stress");
     materials_.push_back(m);
     materials_report_ +=
@@ -250,7 +246,7 @@ void Model::take_named() {
 void Model::take_constants() {
   asp_error wrong;
   const int n = engine_.types();
-  const bool yields = !(asp_wall_get(wall_.get(), "yield_rate") > 0) && !is_given("yield_stress");
+  const bool yields = !(number("yield_rate") > 0) && !is_given("yield_stress");
   std::vector<double> modulus, poisson, yield;
   constants("youngsModulus", false, true, for_types(n, "7e10", "2.05e11").c_str(), modulus);
   constants("poissonsRatio", false, true, for_types(n, "0.17", "0.32").c_str(), poisson);
@@ -281,7 +277,8 @@ void Model::make_pairs() {
     for (int w = 0; w < n; w++) {
       const size_t k = static_cast<size_t>(p * n + w);
       pairs_.push_back(
-          Pair(asp_wall_pair(wall_.get(), materials_[p], materials_[w], &wrong), asp_pair_free));
+          Pair(asp_description_pair(description_.get(), materials_[p], materials_[w], &wrong),
+               asp_pair_free));
       asp_pair *pair = pairs_.back().get();
       if (!pair ||
           (!energy.empty() && !is_given("surface_energy") &&
@@ -309,7 +306,7 @@ void Model::report_constant(const char *keyword, const char *name, bool of_scrip
 
 /* Particles that there are or will be need a yield stress, which a material for walls lacks. */
 void Model::check_kinds() const {
-  if (asp_wall_get(wall_.get(), "yield_rate") > 0 || is_given("yield_stress"))
+  if (number("yield_rate") > 0 || is_given("yield_stress"))
     return;
   const std::vector<Engine::Kind> kinds = engine_.kinds();
   for (size_t t = 0; t < kinds.size(); t++)
@@ -324,9 +321,8 @@ void Model::check_kinds() const {
 void Model::report_yield(const std::vector<int> &wall_types) {
   const std::vector<Engine::Kind> kinds = engine_.kinds();
   if (is_given("yield_stress"))
-    materials_report_ +=
-        text("\n  yield_stress %g, by the description", asp_wall_get(wall_.get(), "yield_stress"));
-  const double rate = asp_wall_get(wall_.get(), "yield_rate");
+    materials_report_ += text("\n  yield_stress %g, by the description", number("yield_stress"));
+  const double rate = number("yield_rate");
   if (!(rate >= 0) || rate > 0) /* a law of its own, or no constant */
     return;
   for (size_t t = 0; t < kinds.size(); t++)
@@ -345,7 +341,7 @@ void Model::warn_of_doubts(const std::vector<int> &wall_types) const {
   double least, most;
   engine_.diameters(least, most);
   const std::vector<Engine::Kind> kinds = engine_.kinds();
-  if (!is_new_ || !is_made_ || pairs_.empty())
+  if (!is_new_ || !wall_ || pairs_.empty())
     return;
   for (size_t t = 0; t < kinds.size(); t++) {
     std::set<std::string> said;
@@ -363,8 +359,9 @@ void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, do
   const asp_particle particle = {
       d_p, least ? kind.least : kind.most, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0};
   char doubt[480];
-  for (int i = 0;
-       asp_wall_doubt(wall_.get(), &particle, of_particle, of_wall, i, doubt, sizeof doubt); i++)
+  for (int i = 0; asp_description_doubt(description_.get(), &particle, of_particle, of_wall, i,
+                                        doubt, sizeof doubt);
+       i++)
     if (said.insert(doubt).second)
       engine_.warn(text("type %d on a wall of type %d: %s", type, wall_type, doubt));
 }
@@ -379,7 +376,7 @@ double Model::friction(int type, int wall_type) const {
 }
 
 double Model::worn_density(int wall_type) const {
-  const double own = asp_wall_get(wall_.get(), "erosion_density");
+  const double own = number("density");
   if (own > 0 || !is_given("erosion") || materials_.empty())
     return own > 0 ? own : 0;
   return asp_material_get(materials_[wall_type - 1], "density");
@@ -391,7 +388,7 @@ bool Model::removes(int type, int wall_type, double d_p) const {
 }
 
 bool Model::needs_materials() const {
-  return asp_rebound_needs_pair(asp_wall_rebound(wall_.get()));
+  return asp_rebound_needs_pair(asp_description_rebound(description_.get()));
 }
 
 bool Model::sticks() const {
@@ -402,14 +399,14 @@ bool Model::sticks() const {
  */
 
 std::string Model::description() const {
-  std::string line(asp_wall_describe(wall_.get(), NULL, 0) + 1, '\0');
-  asp_wall_describe(wall_.get(), &line[0], line.size());
+  std::string line(asp_description_text(description_.get(), NULL, 0) + 1, '\0');
+  asp_description_text(description_.get(), &line[0], line.size());
   line.pop_back();
   return line;
 }
 
 std::string Model::heading() const {
-  const bool chosen = *asp_wall_word(wall_.get(), "choice") != '\0';
+  const bool chosen = wall_ && *asp_wall_reason(wall_.get()) != '\0';
   return description() +
          (chosen ? std::string("; auto chose ") + asp_spread_name(asp_wall_spread(wall_.get()))
                  : "");
@@ -423,8 +420,7 @@ std::string Model::describe_surface() const {
     return "smooth wall";
   std::string line;
   if (measured())
-    line = std::string(asp_wall_word(wall, "surface")) + " " + asp_wall_word(wall, "file") + " (" +
-           report_ + "), ";
+    line = word("surface") + " " + word("file") + " (" + report_ + "), ";
   if (map_)
     line += text("S_sk %.3g, S_ku %.3g, ", asp_map_get(map_.get(), "s_sk", NULL),
                  asp_map_get(map_.get(), "s_ku", NULL));
@@ -433,10 +429,9 @@ std::string Model::describe_surface() const {
                atan(asp_surface_slope_rms(s)) * DEGREES);
   if (lay_.kind != ASP_LAY_NONE)
     line += text(", lambda_c along the lay %.4g", asp_surface_lambda_along(s));
-  line += ", spread " + model + " " + asp_wall_word(wall, "tilt") + ", collisions " +
-          asp_wall_word(wall, "collisions");
-  if (*asp_wall_word(wall, "choice"))
-    line += std::string("\n  ") + asp_wall_word(wall, "choice");
+  line += ", spread " + model + " " + word("tilt") + ", collisions " + word("collisions");
+  if (*asp_wall_reason(wall))
+    line += std::string("\n  ") + asp_wall_reason(wall);
   if (asp_surface_uncertainty(s) > 0)
     line += text("\n  one profile of this length leaves the mean tilt at 2 deg uncertain by about "
                  "%.2g %% of "
@@ -459,14 +454,14 @@ bool Model::draws_from_gaussian() const {
 }
 
 std::string Model::take_report() {
-  if (!is_new_ || !is_made_)
+  if (!is_new_ || !wall_)
     return "";
   is_new_ = false;
   const asp_rebound_law *law = asp_wall_rebound(wall_.get());
   if (measured() && draws_from_gaussian())
     engine_.warn(std::string("'spread ") + asp_spread_name(asp_wall_spread(wall_.get())) +
-                 "' draws from a Gaussian wall with the slopes of '" +
-                 asp_wall_word(wall_.get(), "file") + "', whose own law is 'spread profile'");
+                 "' draws from a Gaussian wall with the slopes of '" + word("file") +
+                 "', whose own law is 'spread profile'");
   if (asp_rebound_measured(law) && asp_wall_surface(wall_.get()))
     engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
                       "own; on a rough wall that counts twice",

@@ -44,7 +44,7 @@ public:
     return seed_;
   }
   const asp_wall *wall() const {
-    return is_made_ ? wall_.get() : NULL;
+    return wall_.get();
   }
   /* Pair of a particle type and a wall type; NULL if the law uses no materials. */
   const asp_pair *pair(int type, int wall_type) const;
@@ -86,7 +86,13 @@ private:
   typedef std::unique_ptr<asp_pair, void (*)(asp_pair *)> Pair;
 
   bool is_given(const char *keyword) const {
-    return asp_wall_is_given(wall_.get(), keyword);
+    return asp_description_is_given(description_.get(), keyword);
+  }
+  std::string word(const char *name) const {
+    return asp_description_word(description_.get(), name);
+  }
+  double number(const char *name) const {
+    return asp_description_get(description_.get(), name);
   }
   void begin();
   void check_dimension() const;
@@ -121,8 +127,8 @@ private:
   asp_lay lay_;
   Profile profile_;
   Map map_;
-  std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
-  bool is_made_;                                /* the wall is prepared for contacts */
+  std::unique_ptr<asp_description, void (*)(asp_description *)> description_;
+  std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_; /* NULL until diameters are known */
   std::vector<Material> own_;                   /* of each atom type, by the script's constants */
   std::vector<const asp_material *> materials_; /* of each atom type */
   std::vector<Pair> pairs_;                     /* particle type x wall type */

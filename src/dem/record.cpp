@@ -226,7 +226,7 @@ Settings asperity::clauses(const Settings &settings) {
       continue;
     }
     const char *at = entry.second.c_str();
-    for (size_t length; (length = asp_wall_clause(at)) > 0; at += length) {
+    for (size_t length; (length = asp_description_clause(at)) > 0; at += length) {
       const std::string clause(at, length), name = clause.substr(0, clause.find(' '));
       const size_t end = clause.find_last_not_of(' ') + 1;
       all.push_back(std::make_pair(

@@ -11,6 +11,7 @@
 #include <gsl/gsl_interp.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define DEGREES (180 / ASP_PI)
 
@@ -146,6 +147,14 @@ aspi_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count
   if (!table && (!code || code == ASP_ENOMEM))
     aspi_fail(error, ASP_ENOMEM, "out of memory for a table of %zu coefficients", count);
   return table;
+}
+
+aspi_cor_table *aspi_cor_table_copy(const aspi_cor_table *t) {
+  aspi_cor_table *copy = allocate(t->n_speeds, t->n_angles);
+  if (copy)
+    memcpy(copy->room, t->room,
+           (t->n_speeds + t->n_angles + 4 * t->n_speeds * t->n_angles) * sizeof *t->room);
+  return copy;
 }
 
 void aspi_cor_table_free(aspi_cor_table *t) {

@@ -14,6 +14,7 @@
 typedef struct aspi_cor_table aspi_cor_table;
 aspi_cor_table *aspi_cor_table_read(const char *path, double metre_per_second, asp_error *error);
 void aspi_cor_table_free(aspi_cor_table *table);
+aspi_cor_table *aspi_cor_table_copy(const aspi_cor_table *table); /* NULL when out of memory */
 
 typedef struct aspi_cor_point {
   double speed, alpha1; /* >= 0; 0 to pi/2 */

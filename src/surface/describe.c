@@ -20,7 +20,7 @@
 /* Heights smaller than this part of the largest coordinate are rounding. */
 #define ROUNDING 1e-13
 
-static void describe_heights(const asp_profile *profile, aspi_description *d) {
+static void describe_heights(const asp_profile *profile, aspi_profile_description *d) {
   const double *z = asp_profile_heights(profile);
   double mean = gsl_stats_mean(z, 1, d->points), step = 0;
   size_t steps = aspi_profile_periodic(profile) ? d->points : d->points - 1;
@@ -75,12 +75,12 @@ static double crossing(const double *covariance, size_t lags, double level) {
 }
 
 asp_code aspi_profile_describe(const asp_profile *profile, double level,
-                               aspi_description *description, asp_error *error) {
+                               aspi_profile_description *description, asp_error *error) {
   if (!(level > 0 && level < 1))
     return aspi_fail(error, ASP_EARG, "level of the autocorrelation is %g; it must be 0 to 1",
                      level);
-  aspi_description d = {.points = asp_profile_points(profile),
-                        .spacing = asp_profile_spacing(profile)};
+  aspi_profile_description d = {.points = asp_profile_points(profile),
+                                .spacing = asp_profile_spacing(profile)};
   d.length = (double)d.points * d.spacing;
   if (d.points > ASP_FFT_MOST / 2)
     return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", d.points,
@@ -124,7 +124,8 @@ asp_code aspi_roughness_check(const char *which, double lambda, double step, con
   return ASP_OK;
 }
 
-asp_code aspi_description_check(const aspi_description *d, double phi_r_most, asp_error *error) {
+asp_code aspi_profile_check(const aspi_profile_description *d, double phi_r_most,
+                            asp_error *error) {
   return aspi_roughness_check("", d->lambda_c, d->spacing,
                               "; take short waves out (asperity surface --filter)", "R_q/lambda_c",
                               d->phi_r, phi_r_most, error);

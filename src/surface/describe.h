@@ -15,7 +15,7 @@
  * profiles). */
 #define ASP_LENGTH_ERROR(lengths) (1.1 / sqrt(lengths))
 
-typedef struct aspi_description {
+typedef struct aspi_profile_description {
   double length, spacing;
   size_t points;
   double r_q, r_a;   /* rms and mean absolute height about the mean */
@@ -23,18 +23,18 @@ typedef struct aspi_description {
   double lambda_1_e; /* lambda_c / sqrt(-ln(level)): the 1/e lag of a Gaussian profile with it */
   double phi_r;      /* r_q/lambda_c */
   double slope_rms;  /* of the differences between neighbors */
-} aspi_description;
+} aspi_profile_description;
 
 /* Describes a profile; 0 < level < 1. ASP_EDATA when it is constant, or too short for its
  * autocorrelation to fall to the level within half its length. Of a measured profile the
  * autocovariance at lag k is the sum of its n - k products over n. */
 asp_code aspi_profile_describe(const asp_profile *profile, double level,
-                               aspi_description *description, asp_error *error);
+                               aspi_profile_description *description, asp_error *error);
 
 /* ASP_EDATA and a message for heights that are no roughness: phi_r beyond the limit, or
  * uncorrelated neighboring points, as in noise. */
-asp_code aspi_description_check(const aspi_description *description, double phi_r_most,
-                                asp_error *error);
+asp_code aspi_profile_check(const aspi_profile_description *description, double phi_r_most,
+                            asp_error *error);
 
 /* ---- maps ---- */
 

@@ -29,4 +29,7 @@ double aspi_closed_form(double kappa);
  * none, the faces are as long as the particle. */
 void aspi_surface_set_feature(asp_surface *surface, double lambda_c);
 
+/* A copy; NULL when out of memory. */
+asp_surface *aspi_surface_copy(const asp_surface *surface);
+
 #endif

@@ -16,6 +16,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A measured wall with a larger phi_r has wrong units. */
 #define PHI_R_MOST 100.0
@@ -183,10 +184,10 @@ static asp_code set_by_profile(asp_surface *surface, const asp_profile *profile,
 
 asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
                                         int bins, asp_error *error) {
-  aspi_description d;
+  aspi_profile_description d;
   if (check_bins(profile, d_min, d_max, bins, error) ||
       aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, error) ||
-      aspi_description_check(&d, PHI_R_MOST, error))
+      aspi_profile_check(&d, PHI_R_MOST, error))
     return NULL;
   if (d_min >= d_max)
     bins = 1;
@@ -213,6 +214,16 @@ asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *err
   if (lay && d.lambda_2 > STRETCH_LEAST * d.lambda_1)
     return asp_surface_create_lay(d.s_q, d.lambda_1, d.lambda_2, error);
   return asp_surface_create(d.s_q, d.lambda_1, error);
+}
+
+asp_surface *aspi_surface_copy(const asp_surface *surface) {
+  asp_surface *copy = allocate(surface->nodes, NULL);
+  if (!copy)
+    return NULL;
+  double *tangent = copy->tangent;
+  memcpy(copy, surface, sizeof *copy + 2 * (size_t)surface->nodes * sizeof *copy->value);
+  copy->tangent = tangent;
+  return copy;
 }
 
 void asp_surface_free(asp_surface *surface) {

@@ -9,6 +9,7 @@
  * tangential CoR turns negative.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
 #include "wall/roughness.h"
 
 #include <math.h>
@@ -382,9 +383,23 @@ static void bounce(const asp_wall *wall, bool rough, const asp_particle *particl
     bounce_once(&here, f, stream, impact);
 }
 
-static void impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
-                      const double v1[3], const double n[3], const asp_key *key,
-                      asp_impact *impact) {
+/* Without a pair that the law needs the particle keeps its velocity. */
+static asp_code fail_pair(const asp_particle *particle, const double v1[3], asp_impact *impact) {
+  *impact = (asp_impact){.outcome = ASP_REBOUND};
+  store(load(v1), impact->v2);
+  store(load(particle->omega), impact->omega);
+  return ASP_EARG;
+}
+
+static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
+                          const double v1[3], const double n[3], const asp_key *key,
+                          asp_impact *impact) {
+  if (!particle->pair && wall->law->needs_pair) {
+    asp_particle own = *particle;
+    own.pair = wall->pair;
+    return own.pair ? impact_on(wall, rough, &own, v1, n, key, impact)
+                    : fail_pair(particle, v1, impact);
+  }
   vec v = load(v1);
   frame f = frame_of(v, load(n));
   aspi_stream stream = aspi_stream_begin(key);
@@ -394,16 +409,34 @@ static void impact_on(const asp_wall *wall, bool rough, const asp_particle *part
       wall->erosion.law && !wall->erosion.tilted ? eroded(wall, particle, &f, (vec){0, 0, 1}) : 0;
   bounce(wall, rough, particle, v, &f, &stream, impact);
   impact->eroded += on_mean;
+  return ASP_OK;
 }
 
-void asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                     const double n[3], const asp_key *key, asp_impact *impact) {
-  impact_on(wall, wall->rough, particle, v1, n, key, impact);
+asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                         const double n[3], const asp_key *key, asp_impact *impact) {
+  return impact_on(wall, wall->rough, particle, v1, n, key, impact);
 }
 
-void asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                          const double n[3], const asp_key *key, asp_impact *impact) {
-  impact_on(wall, false, particle, v1, n, key, impact);
+asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
+                              const double v1[3], const double n[3], const asp_key *key,
+                              asp_impact *impact) {
+  return impact_on(wall, false, particle, v1, n, key, impact);
+}
+
+asp_code asp_wall_impacts(const asp_wall *wall, const asp_particle *particle, size_t n,
+                          const double *d_p, const double *v1, const double *normals,
+                          const asp_key *keys, asp_impact *impacts, asp_error *error) {
+  asp_particle own = *particle;
+  asp_code code = ASP_OK;
+  for (size_t i = 0; i < n && !code; i++) {
+    own.d_p = d_p ? d_p[i] : particle->d_p;
+    code = asp_wall_impact(wall, &own, v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
+  }
+  return code ? aspi_fail(error, code,
+                          "rebound law '%s' needs a pair of materials, and neither the particle "
+                          "nor the wall has one",
+                          wall->law->name)
+              : ASP_OK;
 }
 
 /* a/b, limited to RATIO_MOST. */
@@ -438,5 +471,7 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
 }
 
 bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle) {
-  return aspi_flow_removes(&wall->flow, particle);
+  asp_particle own = *particle;
+  own.pair = own.pair ? own.pair : wall->pair;
+  return aspi_flow_removes(&wall->flow, &own);
 }

@@ -1,4 +1,4 @@
-/* The state of a wall: what was chosen and set, and what its contacts read.
+/* A wall as its contacts read it, and the choice that it is made of.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_WALL_WALL_H
@@ -9,41 +9,29 @@
 #include "rebound/removal.h"
 #include "spread/models.h"
 
-/* Numbers of a wall that are no parameters of its law. */
-enum {
-  ASP_WALL_DEPOSIT,
-  ASP_WALL_SCATTER_TWICE,
-  ASP_WALL_REMOVE_U_TAU,
-  ASP_WALL_REMOVE_GAS_DENSITY,
-  ASP_WALL_REMOVE_MEAN_FREE_PATH,
-  ASP_WALL_REMOVE_WORK,
-  ASP_WALL_D_P_LEAST,
-  ASP_WALL_D_P_MOST,
-  ASP_WALL_D_P_BINS,
-  ASP_WALL_NUMBERS
-};
-
-/* The wall as the user states it. */
+/* What a wall is made of; all of it stays the caller's. */
 typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
   const asp_map *map;         /* goes before the profile */
   const asp_profile *profile; /* NULL: one is generated where the model needs one */
-  const aspi_cor_table *table;
   const asp_spread_model *spread;
-  const asp_rebound_law *law;
+  aspi_sizes sizes; /* of the particles, for models with tables; one bin where both are equal */
   bool isotropic, multiple;
+  char reason[400]; /* why this model was chosen; "": a user named it */
+  const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
-  double numbers[ASP_WALL_NUMBERS];
+  const aspi_cor_table *table;
+  const asp_pair *pair; /* for particles without one of their own; may be NULL */
+  bool deposit;
+  bool scatter_twice; /* allows a law with a scatter of its own on a rough wall */
+  aspi_flow flow;     /* takes away what sticks */
   aspi_erosion erosion;
 } aspi_wall_choice;
 
-typedef struct aspi_description aspi_description;
-
 struct asp_wall {
-  aspi_wall_choice choice;
-  aspi_description *said; /* NULL: not made of a description */
-  /* asp_wall_prepare derives the members below. */
-  const asp_surface *surface;
+  asp_surface *surface;  /* a copy; NULL: smooth */
+  aspi_cor_table *table; /* alike */
+  asp_pair *pair;        /* alike */
   const asp_spread_model *spread;
   const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
   void *data;                     /* of the model */
@@ -51,7 +39,6 @@ struct asp_wall {
   bool draws_q; /* the model draws the slope across the flight, too */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
-  const aspi_cor_table *table;
   bool rough; /* false: smooth, and nothing is drawn */
   bool isotropic;
   bool multiple; /* a particle that a face sends into the wall flies on to the next face */
@@ -59,10 +46,22 @@ struct asp_wall {
   bool spins;     /* the law turns the particle */
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
+  char reason[400];
 };
 
-/* Takes over the law, its parameters and the other numbers as they have been set since
- * asp_wall_prepare; surface, profile, map and model stay as they were then. */
-asp_code aspi_wall_renew(asp_wall *wall, asp_error *error);
+/* A smooth wall with `bons` and its defaults, in the plane. */
+aspi_wall_choice aspi_wall_choice_smooth(void);
+
+/* Chooses a law with its defaults. */
+void aspi_wall_choose_law(aspi_wall_choice *choice, const asp_rebound_law *law);
+
+/* Checks a choice and makes its wall; NULL on error. */
+asp_wall *aspi_wall_create(const aspi_wall_choice *choice, asp_error *error);
+
+/* Makes a wall anew, in place; on error it stays as it was. */
+asp_code aspi_wall_remake(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error);
+
+/* Takes over the law, its parameters, deposits and erosion of a choice; the rest stays. */
+asp_code aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error);
 
 #endif

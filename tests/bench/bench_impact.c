@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench.h"
-#include "rebound/materials.h"
+#include "wall/wall.h"
 
 #include <math.h>
 
@@ -45,14 +45,12 @@ static void set_contacts(void) {
 
 static void make_wall(contact *c) {
   c->surface = asp_surface_create(c->phi_r * 120e-6, 120e-6, NULL);
-  c->wall = asp_wall_create(NULL);
-  if (!c->surface || !c->wall)
-    abort();
-  asp_wall_set_surface(c->wall, c->surface);
-  asp_wall_choose(c->wall, "spread", c->spread, NULL);
-  asp_wall_set(c->wall, "d_p_least", 10e-6, NULL);
-  asp_wall_set(c->wall, "d_p_most", 10e-6, NULL);
-  if (asp_wall_prepare(c->wall, NULL))
+  aspi_wall_choice choice = aspi_wall_choice_smooth();
+  choice.surface = c->surface;
+  choice.spread = asp_spread_find(c->spread, NULL);
+  choice.sizes = (aspi_sizes){10e-6, 10e-6, 1};
+  c->wall = c->surface ? aspi_wall_create(&choice, NULL) : NULL;
+  if (!c->wall)
     abort();
 }
 

@@ -2,7 +2,7 @@
  * to 90 degrees; see bench_instructions.sh.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "rebound/materials.h"
+#include "wall/wall.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,14 +17,13 @@ int main(int argc, char **argv) {
   double r_q = atof(argv[2]) * 120e-6;
   asp_surface *surface = asp_surface_create(r_q, 120e-6, &error);
   asp_profile *profile = asp_profile_create(r_q, 120e-6, 2e-6, 1 << 12, 1, surface ? &error : NULL);
-  asp_wall *wall = surface && profile ? asp_wall_create(&error) : NULL;
-  if (wall) {
-    asp_wall_set_surface(wall, surface);
-    asp_wall_set_profile(wall, profile);
-  }
-  if (!wall || asp_wall_choose(wall, "spread", argv[1], &error) ||
-      asp_wall_set(wall, "d_p_least", 10e-6, &error) ||
-      asp_wall_set(wall, "d_p_most", 10e-6, &error) || asp_wall_prepare(wall, &error)) {
+  aspi_wall_choice choice = aspi_wall_choice_smooth();
+  choice.surface = surface;
+  choice.profile = profile;
+  choice.spread = profile ? asp_spread_find(argv[1], &error) : NULL;
+  choice.sizes = (aspi_sizes){10e-6, 10e-6, 1};
+  asp_wall *wall = choice.spread ? aspi_wall_create(&choice, &error) : NULL;
+  if (!wall) {
     fprintf(stderr, "one_impact: %s\n", error.text);
     return 1;
   }

@@ -32,7 +32,7 @@ static void check_profile(const asp_profile *profile) {
       fail("a height that is not a number");
   if (points > POINTS_MOST)
     return;
-  aspi_description d;
+  aspi_profile_description d;
   asp_error error;
   aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, &error);
   double *slopes = malloc(points * sizeof *slopes);

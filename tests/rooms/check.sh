@@ -13,18 +13,19 @@ say() { echo "FAILED: $*"; bad=1; }
 # The rooms, and what each may know besides itself and asperity.h. An engine's headers are known to its own room only.
 declare -A knows=(
   [base]=''
-  [analysis]='base surface readers spread rebound erosion wall'
+  [analysis]='base surface readers spread rebound erosion wall description'
   [surface]='base'
   [readers]='base surface'
   [spread]='base surface'
   [rebound]='base'
   [erosion]='base rebound'
-  [wall]='base surface readers spread rebound erosion'
+  [wall]='base surface spread rebound erosion'
+  [description]='base surface readers spread rebound erosion wall'
   [contact]='base'
-  [dem]='base contact wall'
+  [dem]='base contact'
   [liggghts]='base contact dem'
   [lammps]='base contact dem'
-  [cli]='base surface readers spread rebound erosion wall analysis'
+  [cli]='base surface readers spread rebound erosion wall description analysis'
 )
 engines=' liggghts lammps '
 with_mpi=" dem$engines"
@@ -95,7 +96,7 @@ if [ -n "$objects" ]; then
   [ "$(objects_of c | wc -l)" -gt 60 ] || say "few objects were found in $build"
 
   # No two files of a room need each other, directly or through others.
-  for room in base erosion readers spread surface contact analysis cli; do
+  for room in base erosion readers spread surface wall description contact analysis cli; do
     objects_of c | grep -F ".dir/$room/" | xargs nm -A -g | awk '{ file = $1; sub(/.*\//, "", file); sub(/\.o:.*/, "", file)
         if ($(NF - 1) == "U") uses[file " " $NF]; else of[$NF] = file }
       END { for (u in uses) { split(u, w, " "); if (w[2] in of) print w[1], of[w[2]] } }' > "$work/uses"

@@ -39,8 +39,8 @@ static double deviation(const char *spread, bool plane, double sigma, size_t n) 
   double lambda_c = 1, d_p = 1e-3, r_q = tan(sigma * ASP_PI / 180) * lambda_c / sqrt(2);
   snprintf(text, sizeof text, "surface rq %.12g lambda_c %g spread %s rebound constant 1 1 %s", r_q,
            lambda_c, spread, "deposit off");
-  asp_wall *wall = asp_wall_parse(text, NULL, &error);
-  if (!wall || asp_wall_make(wall, d_p, d_p, &error)) {
+  asp_wall *wall = asp_wall_from_text(text, d_p, d_p, &error);
+  if (!wall) {
     fprintf(stderr, "%s: %s\n", text, error.text);
     exit(1);
   }

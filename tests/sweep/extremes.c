@@ -108,15 +108,13 @@ static bool make_walls_of(int i, double slope) {
                            : asp_surface_create_profile(profile, 1, 1, 1, &error);
   bool made = surfaces[i];
   for (int k = 0; k < asp_spread_count() && made; k++) {
-    asp_wall *wall = walls[k][i] = asp_wall_create(&error);
-    if (!wall)
-      return false;
-    asp_wall_set_surface(wall, surfaces[i]);
-    asp_wall_set_profile(wall, profile);
-    asp_wall_set(wall, "d_p_least", 1, NULL);
-    asp_wall_set(wall, "d_p_most", 1, NULL);
-    asp_wall_choose(wall, "spread", asp_spread_at(k)->name, NULL);
-    made = asp_wall_prepare(wall, &error) == ASP_OK;
+    aspi_wall_choice choice = aspi_wall_choice_smooth();
+    choice.surface = surfaces[i];
+    choice.profile = profile;
+    choice.spread = asp_spread_at(k);
+    choice.sizes = (aspi_sizes){1, 1, 1};
+    walls[k][i] = aspi_wall_create(&choice, &error);
+    made = walls[k][i];
   }
   asp_profile_free(profile);
   if (!made)

@@ -8,6 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
+#include "wall/wall.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -97,22 +98,23 @@ static asp_map *make_wall(const aspi_judge_case *subject, const double step[2], 
   return m;
 }
 
-static asp_wall *wall_of(const asp_surface *surface, const char *model, double d_p) {
-  asp_wall *wall = asp_wall_create(NULL);
-  asp_wall_choose(wall, "rebound", "constant", NULL);
-  asp_wall_choose(wall, "spread", model, NULL);
-  asp_wall_choose(wall, "collisions", "multiple", NULL);
-  asp_wall_set(wall, "deposit", 0, NULL);
-  asp_wall_set(wall, "d_p_least", d_p, NULL);
-  asp_wall_set(wall, "d_p_most", d_p, NULL);
-  asp_wall_set_surface(wall, surface);
-  return wall;
-}
-
-static void prepare(asp_wall *wall) {
+/* A wall of particles of one size; profile and map may be NULL. */
+static asp_wall *wall_of(const asp_surface *surface, const asp_profile *profile, const asp_map *map,
+                         const char *model, double d_p) {
   asp_error error;
-  if (asp_wall_prepare(wall, &error))
+  aspi_wall_choice choice = aspi_wall_choice_smooth();
+  aspi_wall_choose_law(&choice, asp_rebound_find("constant", NULL));
+  choice.surface = surface;
+  choice.profile = profile;
+  choice.map = map;
+  choice.spread = asp_spread_find(model, NULL);
+  choice.sizes = (aspi_sizes){d_p, d_p, 1};
+  choice.multiple = true;
+  choice.deposit = false;
+  asp_wall *wall = aspi_wall_create(&choice, &error);
+  if (!wall)
     fail(&error);
+  return wall;
 }
 
 static aspi_angles fly(const asp_wall *wall, double d_p, double alpha1, size_t n) {
@@ -170,9 +172,7 @@ static void judge_map(size_t points, size_t surfaces, double d_p) {
   asp_map *map = asp_map_from_heights(asp_map_heights(periodic), points, points, step[0], step[1],
                                       false, &error);
   asp_surface *surface = asp_surface_create(R_Q, 39, &error);
-  asp_wall *wall = wall_of(surface, "profile", d_p);
-  asp_wall_set_map(wall, map);
-  prepare(wall);
+  asp_wall *wall = wall_of(surface, NULL, map, "profile", d_p);
   for (size_t i = 0; i < 3; i++) {
     aspi_angles m = fly(wall, d_p, angles[i], FLOWN);
     tell("map", angles[i], &all, i, &m, true);
@@ -209,14 +209,10 @@ static void judge_profile(size_t points, size_t surfaces, double d_p) {
   aspi_judge all = {surfaces, 3, 1, calloc(3 * surfaces, sizeof(aspi_angles)), NULL};
   asp_profile *own = profile_of(points, 7);
   asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
-  asp_wall *wall = wall_of(surface, "profile", d_p);
-  asp_wall_set_profile(wall, own);
-  prepare(wall);
+  asp_wall *wall = wall_of(surface, own, NULL, "profile", d_p);
   for (size_t k = 0; k < surfaces; k++) {
     asp_profile *other = profile_of(points, 500 + (uint32_t)k);
-    asp_wall *traced = wall_of(surface, "traced", d_p);
-    asp_wall_set_profile(traced, other);
-    prepare(traced);
+    asp_wall *traced = wall_of(surface, other, NULL, "traced", d_p);
     for (size_t i = 0; i < 3; i++)
       all.angles[3 * k + i] = fly(traced, d_p, angles[i], RAYS);
     asp_wall_free(traced);

@@ -23,8 +23,8 @@ static asp_wall *wall_of(const char *law) {
   char text[200];
   asp_error error = {ASP_OK, ""};
   snprintf(text, sizeof text, "rebound %s deposit off", law);
-  asp_wall *wall = asp_wall_parse(text, NULL, &error);
-  if (!wall || asp_wall_make(wall, 1, 1, &error))
+  asp_wall *wall = asp_wall_from_text(text, 0, 0, &error);
+  if (!wall)
     fail_msg("%s: %s", text, error.text);
   return wall;
 }

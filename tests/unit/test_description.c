@@ -3,28 +3,28 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "wall/description.h"
+#include "description/description.h"
 
 #include <stdlib.h>
 
 static const asp_units si = {"SI", 1, 1, 1}, micro = {"'units micro'", 1e6, 1e15, 1e6},
                        lj = {"'units lj'; units must be si", 0, 0, 0};
 
-static asp_wall *parse(const char *text, const asp_units *units) {
+static asp_description *parse(const char *text, const asp_units *units) {
   asp_error error = {ASP_OK, ""};
-  asp_wall *wall = asp_wall_parse(text, units, &error);
-  if (!wall)
+  asp_description *d = asp_description_parse(text, units, &error);
+  if (!d)
     print_error("%s\n%s\n", text, error.text);
-  assert_non_null(wall);
-  return wall;
+  assert_non_null(d);
+  return d;
 }
 
 static void check_text(const char *text, const char *canonical) {
   char is[1000];
-  asp_wall *wall = parse(text, &si);
-  assert_int_equal(asp_wall_describe(wall, is, sizeof is), strlen(canonical));
+  asp_description *wall = parse(text, &si);
+  assert_int_equal(asp_description_text(wall, is, sizeof is), strlen(canonical));
   assert_string_equal(is, canonical);
-  asp_wall_free(wall);
+  asp_description_free(wall);
 }
 
 static void canonical_texts(void **state) {
@@ -59,12 +59,12 @@ static void canonical_texts(void **state) {
 static void short_room(void **state) {
   (void)state;
   char text[12];
-  asp_wall *wall = parse("", &si);
-  size_t length = asp_wall_describe(wall, NULL, 0);
+  asp_description *wall = parse("", &si);
+  size_t length = asp_description_text(wall, NULL, 0);
   assert_int_equal(length, strlen("surface smooth rebound bons deposit freeze seed 1"));
-  assert_int_equal(asp_wall_describe(wall, text, sizeof text), length);
+  assert_int_equal(asp_description_text(wall, text, sizeof text), length);
   assert_string_equal(text, "surface smo");
-  asp_wall_free(wall);
+  asp_description_free(wall);
 }
 
 /* ---- random descriptions ---- */
@@ -165,21 +165,22 @@ static void random_text(char *text) {
   add_rest(text, law, strstr(text, "yield_rate"));
 }
 
-static void check_same(const asp_wall *a, const asp_wall *b) {
-  const aspi_description *x = a->said, *y = b->said;
-  assert_ptr_equal(a->choice.spread, b->choice.spread);
-  assert_ptr_equal(a->choice.law, b->choice.law);
-  assert_int_equal(a->choice.isotropic, b->choice.isotropic);
-  assert_int_equal(a->choice.multiple, b->choice.multiple);
-  assert_memory_equal(a->choice.parameters, b->choice.parameters, sizeof a->choice.parameters);
-  assert_memory_equal(a->choice.numbers, b->choice.numbers, sizeof a->choice.numbers);
+static void check_same(const asp_description *x, const asp_description *y) {
+  const aspi_wall_choice *a = &x->choice, *b = &y->choice;
+  assert_ptr_equal(a->spread, b->spread);
+  assert_ptr_equal(a->law, b->law);
+  assert_int_equal(a->isotropic, b->isotropic);
+  assert_int_equal(a->multiple, b->multiple);
+  assert_int_equal(a->deposit, b->deposit);
+  assert_memory_equal(a->parameters, b->parameters, sizeof a->parameters);
+  assert_memory_equal(&a->flow, &b->flow, sizeof a->flow);
   assert_int_equal(x->kind, y->kind);
   assert_int_equal(x->lay, y->lay);
   assert_memory_equal(&x->friction, &y->friction, 3 * sizeof x->friction);
   assert_memory_equal(&x->sigma, &y->sigma, sizeof x->sigma); /* these may be NaN */
   assert_memory_equal(&x->r_q, &y->r_q, 3 * sizeof x->r_q);
   assert_true(fabs(x->seed - y->seed) <= 0 && fabs(x->tolerance - y->tolerance) <= 0);
-  asp_lay lay_x = asp_wall_lay(a), lay_y = asp_wall_lay(b);
+  asp_lay lay_x = asp_description_lay(x), lay_y = asp_description_lay(y);
   assert_memory_equal(lay_x.vector, lay_y.vector, sizeof lay_x.vector);
   assert_true(fabs(lay_x.angle - lay_y.angle) <= 0);
   assert_int_equal(x->n_materials, y->n_materials);
@@ -195,14 +196,14 @@ static void texts_go_round(void **state) {
   for (int i = 0; i < 3000; i++) {
     const asp_units *units = i % 2 ? &si : &micro;
     random_text(text);
-    asp_wall *a = parse(text, units);
-    assert_true(asp_wall_describe(a, first, sizeof first) < sizeof first);
-    asp_wall *b = parse(first, units);
-    asp_wall_describe(b, second, sizeof second);
+    asp_description *a = parse(text, units);
+    assert_true(asp_description_text(a, first, sizeof first) < sizeof first);
+    asp_description *b = parse(first, units);
+    asp_description_text(b, second, sizeof second);
     assert_string_equal(first, second);
     check_same(a, b);
-    asp_wall_free(a);
-    asp_wall_free(b);
+    asp_description_free(a);
+    asp_description_free(b);
   }
 }
 
@@ -210,7 +211,7 @@ static void texts_go_round(void **state) {
 
 static void refuses(const char *text, const char *first, const char *second) {
   asp_error error = {ASP_OK, ""};
-  asp_wall *wall = asp_wall_parse(text, &si, &error);
+  asp_description *wall = asp_description_parse(text, &si, &error);
   if (wall || !strstr(error.text, first) || !strstr(error.text, second))
     print_error("%s: %s\n", text, wall ? "accepted" : error.text);
   assert_null(wall);
@@ -297,28 +298,29 @@ static void what_has_no_effect_is_refused(void **state) {
 /* A unit of its own, and the caller's: the same wall; what is in SI alone needs units. */
 static void units_are_converted(void **state) {
   (void)state;
-  asp_wall *a = parse("surface rq 5um lambda_c 40um yield_stress 200MPa surface_energy 0.8J/m2 "
-                      "materials quartz steel deposit freeze remove u_tau 2m/s gas_density 1kg/m3",
-                      &micro);
-  assert_near(a->said->r_q, 5, 0);
-  assert_near(a->said->yield_stress, 2e5, 1e-9);
-  assert_near(a->said->surface_energy, 800, 1e-12);
-  assert_near(asp_wall_get(a, "remove_u_tau"), 2, 0);
-  assert_near(asp_wall_get(a, "remove_gas_density"), 1e-3, 1e-18);
-  assert_near(asp_wall_get(a, "remove_work"), 39, 1e-12);
-  assert_near(asp_material_get(asp_wall_material(a, 0), "youngs_modulus"), 70e6, 1e-6);
-  asp_wall_free(a);
+  asp_description *a =
+      parse("surface rq 5um lambda_c 40um yield_stress 200MPa surface_energy 0.8J/m2 "
+            "materials quartz steel deposit freeze remove u_tau 2m/s gas_density 1kg/m3",
+            &micro);
+  assert_near(a->r_q, 5, 0);
+  assert_near(a->yield_stress, 2e5, 1e-9);
+  assert_near(a->surface_energy, 800, 1e-12);
+  assert_near(asp_description_get(a, "u_tau"), 2, 0);
+  assert_near(asp_description_get(a, "gas_density"), 1e-3, 1e-18);
+  assert_near(asp_description_get(a, "work"), 39, 1e-12);
+  assert_near(asp_material_get(asp_description_material(a, 0), "youngs_modulus"), 70e6, 1e-6);
+  asp_description_free(a);
   a = parse("surface rq 15.6um lambda_c 0.12mm", NULL);
-  assert_near(a->said->r_q, 15.6e-6, 0); /* to the last bit */
-  assert_near(a->said->lambda_c, 120e-6, 0);
-  asp_wall_free(a);
+  assert_near(a->r_q, 15.6e-6, 0); /* to the last bit */
+  assert_near(a->lambda_c, 120e-6, 0);
+  asp_description_free(a);
   asp_error error;
-  assert_null(asp_wall_parse("surface rq 5um lambda_c 1", &lj, &error));
+  assert_null(asp_description_parse("surface rq 5um lambda_c 1", &lj, &error));
   assert_non_null(strstr(error.text, "'units lj'"));
-  assert_null(asp_wall_parse("materials quartz steel", &lj, &error));
+  assert_null(asp_description_parse("materials quartz steel", &lj, &error));
   assert_non_null(strstr(error.text, "'units lj'; units must be si"));
   a = parse("surface rq 0.5 lambda_c 4 rebound constant 1 1", &lj);
-  asp_wall_free(a);
+  asp_description_free(a);
 }
 
 /* A caller's own words end a list of materials, and are left to him. */
@@ -328,14 +330,14 @@ static void own_words_are_left(void **state) {
                            *const slip[] = {"leger", "10"};
   asp_error error;
   int taken;
-  asp_wall *wall = parse("", &si);
-  assert_int_equal(asp_wall_read(wall, 5, words, "ledger map", &taken, &error), ASP_OK);
+  asp_description *wall = parse("", &si);
+  assert_int_equal(asp_description_read(wall, 5, words, "ledger map", &taken, &error), ASP_OK);
   assert_int_equal(taken, 3);
-  assert_int_equal(asp_wall_read(wall, 2, words + 3, "ledger map", &taken, &error), ASP_OK);
+  assert_int_equal(asp_description_read(wall, 2, words + 3, "ledger map", &taken, &error), ASP_OK);
   assert_int_equal(taken, 0);
-  assert_int_equal(asp_wall_read(wall, 2, slip, "ledger map", &taken, &error), ASP_ENAME);
+  assert_int_equal(asp_description_read(wall, 2, slip, "ledger map", &taken, &error), ASP_ENAME);
   assert_non_null(strstr(error.text, "did you mean 'ledger'?"));
-  asp_wall_free(wall);
+  asp_description_free(wall);
 }
 
 /* ---- what is made of it ---- */
@@ -343,57 +345,59 @@ static void own_words_are_left(void **state) {
 /* sigma is that of any particle, and so is the tilt. */
 static void sigma_knows_no_size(void **state) {
   (void)state;
-  asp_wall *wall = parse("surface sigma 8 rebound constant 1 1", &micro);
-  assert_int_equal(asp_wall_make(wall, 0, 0, NULL), ASP_OK);
+  asp_description *description = parse("surface sigma 8 rebound constant 1 1", &micro);
+  asp_wall *wall = asp_wall_create(description, 0, 0, NULL);
+  assert_non_null(wall);
   for (double d = 1e-3; d < 1e5; d *= 10)
     assert_near(atan(asp_surface_slope(asp_wall_surface(wall), d)), 8 * ASP_PI / 180, 1e-12);
   asp_wall_free(wall);
+  asp_description_free(description);
 }
 
 /* Defaults of a pair: those of the library are those of the fix. */
 static void pairs_have_defaults(void **state) {
   (void)state;
-  asp_wall *wall = parse("materials quartz hastelloy-x", &micro);
-  const asp_material *p = asp_wall_material(wall, 0), *w = asp_wall_material(wall, 1);
-  asp_pair *pair = asp_wall_pair(wall, p, w, NULL);
+  asp_description *wall = parse("materials quartz hastelloy-x", &micro);
+  const asp_material *p = asp_description_material(wall, 0), *w = asp_description_material(wall, 1);
+  asp_pair *pair = asp_description_pair(wall, p, w, NULL);
   assert_near(asp_pair_get(pair, "surface_energy"), 800, 1e-12);
   assert_near(asp_pair_get(pair, "friction"), 0.3, 0);
   assert_near(asp_pair_get(pair, "yield_stress"), 2e5, 1e-9);
   asp_pair_free(pair);
-  asp_wall_free(wall);
+  asp_description_free(wall);
   pair = asp_pair_create(aspi_materials_find(NULL, "quartz", NULL),
                          aspi_materials_find(NULL, "steel", NULL), NULL);
   assert_near(asp_pair_get(pair, "surface_energy"), ASP_SURFACE_ENERGY, 0);
   asp_pair_free(pair);
   wall = parse("materials quartz steel friction 0.4 surface_energy 0.1 yield_stress 1e8", &si);
-  pair = asp_wall_pair(wall, asp_wall_material(wall, 0), asp_wall_material(wall, 1), NULL);
+  pair = asp_description_pair(wall, asp_description_material(wall, 0),
+                              asp_description_material(wall, 1), NULL);
   assert_near(asp_pair_get(pair, "surface_energy"), 0.1, 0);
   assert_near(asp_pair_get(pair, "friction"), 0.4, 0);
   assert_near(asp_pair_get(pair, "yield_stress"), 1e8, 0);
   asp_pair_free(pair);
-  asp_wall_free(wall);
+  asp_description_free(wall);
 }
 
 /* All doubts of quartz on steel with these changes, in one text. */
 static void doubts(char text[1500], const char *description, double d_p, double density,
                    double modulus) {
   char one[480];
-  asp_wall *wall = parse(description, &si);
-  assert_int_equal(asp_wall_make(wall, 0, 0, NULL), ASP_OK);
+  asp_description *wall = parse(description, &si);
   asp_material *p = asp_material_create("sand", NULL), *w = asp_material_create("iron", NULL);
   asp_material_set(p, "youngs_modulus", modulus, NULL);
   asp_material_set(w, "youngs_modulus", modulus, NULL);
   asp_material_set(p, "density", 2650, NULL);
   asp_material_set(p, "yield_stress", 200e6, NULL);
-  asp_pair *pair = asp_wall_pair(wall, p, w, NULL);
+  asp_pair *pair = asp_description_pair(wall, p, w, NULL);
   asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
   *text = '\0';
-  for (int i = 0; asp_wall_doubt(wall, &particle, p, w, i, one, sizeof one); i++)
+  for (int i = 0; asp_description_doubt(wall, &particle, p, w, i, one, sizeof one); i++)
     add(text, "%s\n", one);
   asp_pair_free(pair);
   asp_material_free(p);
   asp_material_free(w);
-  asp_wall_free(wall);
+  asp_description_free(wall);
 }
 
 static void odd_constants_are_doubted(void **state) {
@@ -420,34 +424,34 @@ static void odd_constants_are_doubted(void **state) {
 /* ---- numbers that are unknown ---- */
 
 /* A description whose numbers may be unknown; NULL and a message where it is refused. */
-static asp_wall *parse_fit(const char *text, asp_error *error) {
+static asp_description *parse_fit(const char *text, asp_error *error) {
   char copy[500];
   const char *words[50];
   int count = 0, taken;
-  asp_wall *wall = parse("", &si);
-  wall->said->may_fit = true;
+  asp_description *wall = parse("", &si);
+  wall->may_fit = true;
   snprintf(copy, sizeof copy, "%s", text);
   for (char *word = strtok(copy, " "); word; word = strtok(NULL, " "))
     words[count++] = word;
   asp_code code = ASP_OK;
   for (int next = 0; next < count && !code; next += taken)
-    code = asp_wall_read(wall, count - next, words + next, "", &taken, error);
-  if (!code && !asp_wall_complete(wall, error))
+    code = asp_description_read(wall, count - next, words + next, "", &taken, error);
+  if (!code && !asp_description_complete(wall, error))
     return wall;
-  asp_wall_free(wall);
+  asp_description_free(wall);
   return NULL;
 }
 
 static void check_fit(const char *text, const char *canonical) {
   char is[1000];
   asp_error error = {ASP_OK, ""};
-  asp_wall *wall = parse_fit(text, &error);
+  asp_description *wall = parse_fit(text, &error);
   if (!wall)
     print_error("%s: %s\n", text, error.text);
   assert_non_null(wall);
-  asp_wall_describe(wall, is, sizeof is);
+  asp_description_text(wall, is, sizeof is);
   assert_string_equal(is, canonical);
-  asp_wall_free(wall);
+  asp_description_free(wall);
 }
 
 static void numbers_may_be_unknown(void **state) {
@@ -489,22 +493,21 @@ static void unknown_numbers_are_set(void **state) {
   (void)state;
   char is[1000];
   asp_error error;
-  asp_wall *wall = parse_fit("surface sigma fit rebound walton fit 0.1 0 seed 7", &error);
+  asp_description *wall = parse_fit("surface sigma fit rebound walton fit 0.1 0 seed 7", &error);
   assert_non_null(wall);
-  assert_int_equal(wall->said->n_fits, 2);
-  assert_int_equal(asp_wall_set(wall, "sigma", 12, &error), ASP_OK);
-  assert_int_equal(asp_wall_set(wall, "e", 0.75, &error), ASP_OK);
-  assert_int_equal(asp_wall_complete(wall, &error), ASP_OK);
-  assert_int_equal(wall->said->n_fits, 0);
-  assert_true(fabs(asp_surface_slope(asp_wall_surface(wall), 1e-5) - tan(12 * ASP_PI / 180)) <
-              1e-9);
-  asp_wall_describe(wall, is, sizeof is);
+  assert_int_equal(wall->n_fits, 2);
+  assert_int_equal(asp_description_set(wall, "sigma", 12, &error), ASP_OK);
+  assert_int_equal(asp_description_set(wall, "e", 0.75, &error), ASP_OK);
+  assert_int_equal(asp_description_complete(wall, &error), ASP_OK);
+  assert_int_equal(wall->n_fits, 0);
+  assert_near(asp_surface_slope(wall->surface, 1e-5), tan(12 * ASP_PI / 180), 1e-9);
+  asp_description_text(wall, is, sizeof is);
   assert_string_equal(is, "surface sigma 12 spread visible isotropic collisions multiple rebound "
                           "walton 0.75 0.1 0 deposit freeze seed 7");
-  assert_int_not_equal(asp_wall_set(wall, "sigma", 60, &error), ASP_OK);
+  assert_int_not_equal(asp_description_set(wall, "sigma", 60, &error), ASP_OK);
   assert_non_null(strstr(error.text, "0.001 to 54"));
-  assert_int_equal(asp_wall_set(wall, "rq", 1e-6, &error), ASP_ENAME);
-  asp_wall_free(wall);
+  assert_int_equal(asp_description_set(wall, "rq", 1e-6, &error), ASP_ENAME);
+  asp_description_free(wall);
 }
 
 /* A measured wall says where its points are too few for a sphere. */
@@ -512,13 +515,15 @@ static void coarse_files_are_doubted(void **state) {
   (void)state;
   asp_error error;
   asp_profile *profile = asp_profile_create(1e-6, 20e-6, 1e-6, 4096, 1, NULL);
-  asp_wall *wall = asp_wall_parse("surface profile fine.csv", NULL, NULL);
-  asp_wall_set_profile(wall, profile);
-  assert_int_equal(asp_wall_make(wall, 5e-6, 20e-6, NULL), ASP_OK);
-  assert_int_equal(asp_wall_check_sampling(wall, 20e-6, &error), ASP_OK);
-  assert_int_equal(asp_wall_check_sampling(wall, 5e-6, &error), ASP_ERANGE);
+  asp_description *d = asp_description_parse("surface profile fine.csv", NULL, NULL);
+  assert_int_equal(asp_description_set_map(d, NULL, &error), ASP_EARG);
+  assert_int_equal(asp_description_set_profile(d, profile, NULL), ASP_OK);
+  asp_wall *wall = asp_wall_create(d, 5e-6, 20e-6, NULL);
+  assert_int_equal(asp_description_check_sampling(d, wall, 20e-6, &error), ASP_OK);
+  assert_int_equal(asp_description_check_sampling(d, wall, 5e-6, &error), ASP_ERANGE);
   assert_ptr_equal(strstr(error.text, "surface profile fine.csv: "), error.text);
   asp_wall_free(wall);
+  asp_description_free(d);
   asp_profile_free(profile);
 }
 
@@ -534,10 +539,8 @@ static void files_that_fail_have_their_code(void **state) {
     char text[80];
     asp_error error;
     snprintf(text, sizeof text, "surface profile %s", files[k]);
-    asp_wall *wall = asp_wall_parse(text, NULL, NULL);
-    assert_int_equal(asp_wall_make(wall, 5e-6, 20e-6, &error), codes[k]);
+    assert_null(asp_wall_from_text(text, 5e-6, 20e-6, &error));
     assert_int_equal(error.code, codes[k]);
-    asp_wall_free(wall);
   }
   remove(files[1]);
 }

@@ -18,8 +18,10 @@
 static double worn(const char *words, const asp_units *units, double v, double alpha, double d,
                    uint64_t tag) {
   asp_error error;
-  asp_wall *wall = asp_wall_parse(words, units, &error);
-  if (!wall || asp_wall_make(wall, d, d, &error))
+  asp_description *description = asp_description_parse(words, units, &error);
+  asp_wall *wall = description ? asp_wall_create(description, d, d, &error) : NULL;
+  asp_description_free(description);
+  if (!wall)
     fail_msg("%s", error.text);
   const double a = alpha * ASP_PI / 180, v1[3] = {v * cos(a), 0, -v * sin(a)}, n[3] = {0, 0, 1};
   const asp_particle particle = {.d_p = d, .density = 2650};
@@ -158,7 +160,7 @@ static void words_are_checked(void **state) {
       {"erosion dnv density 7800 face steep" WALTON, "mean or tilted"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     asp_error error = {ASP_OK, ""};
-    assert_null(asp_wall_parse(bad[i][0], NULL, &error));
+    assert_null(asp_description_parse(bad[i][0], NULL, &error));
     if (!strstr(error.text, bad[i][1]))
       fail_msg("'%s' says '%s'", bad[i][0], error.text);
   }
@@ -173,16 +175,16 @@ static void text_comes_back(void **state) {
       "erosion ecrc 120 grains round c 3e-7 density 7850" WALTON};
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
     char once[1000], twice[1000];
-    asp_wall *wall = asp_wall_parse(texts[i], NULL, NULL);
-    assert_non_null(wall);
-    asp_wall_describe(wall, once, sizeof once);
-    asp_wall *again = asp_wall_parse(once, NULL, NULL);
+    asp_description *first = asp_description_parse(texts[i], NULL, NULL);
+    assert_non_null(first);
+    asp_description_text(first, once, sizeof once);
+    asp_description *again = asp_description_parse(once, NULL, NULL);
     assert_non_null(again);
-    asp_wall_describe(again, twice, sizeof twice);
+    asp_description_text(again, twice, sizeof twice);
     assert_string_equal(once, twice);
     is_near(worn(once, NULL, 40, 35, 2e-4, 1), worn(texts[i], NULL, 40, 35, 2e-4, 1), 1e-12);
-    asp_wall_free(wall);
-    asp_wall_free(again);
+    asp_description_free(first);
+    asp_description_free(again);
   }
 }
 

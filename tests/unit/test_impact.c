@@ -1,44 +1,31 @@
 /* One contact: exact cases, invariance, and properties over random walls and impacts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "check.h"
-#include "wall/wall.h"
+#include "choice.h"
 
 #include <gsl/gsl_rng.h>
 
 typedef struct setup {
   asp_surface *surface;
   asp_profile *profile; /* short: models that look at one build it anew for every wall */
+  aspi_wall_choice choice;
   asp_wall *wall;
 } setup;
 
-static void choose(setup *s, const char *name, const char *word) {
-  assert_int_equal(asp_wall_choose(s->wall, name, word, NULL), ASP_OK);
-}
-
-static void set(setup *s, const char *name, double value) {
-  assert_int_equal(asp_wall_set(s->wall, name, value, NULL), ASP_OK);
-}
-
-static void prepare(setup *s) {
-  assert_int_equal(asp_wall_prepare(s->wall, NULL), ASP_OK);
+/* Makes the wall of the choice as it is now. */
+static void remake(setup *s) {
+  assert_int_equal(aspi_wall_remake(s->wall, &s->choice, NULL), ASP_OK);
 }
 
 static setup setup_create(const char *spread, const char *law, double slope) {
-  setup s = {.wall = asp_wall_create(NULL)};
-  assert_non_null(s.wall);
-  choose(&s, "spread", spread);
-  choose(&s, "rebound", law);
-  set(&s, "d_p_least", 1e-3);
-  set(&s, "d_p_most", 0.1);
-  set(&s, "d_p_bins", 3);
+  setup s = {.choice = choice_of(law)};
+  s.choice.spread = asp_spread_find(spread, NULL);
+  s.choice.sizes = (aspi_sizes){1e-3, 0.1, 3};
   if (slope > 0) {
-    s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
-    s.profile = asp_profile_create(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
-    asp_wall_set_surface(s.wall, s.surface);
-    asp_wall_set_profile(s.wall, s.profile);
+    s.choice.surface = s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
+    s.choice.profile = s.profile = asp_profile_create(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
   }
-  prepare(&s);
+  s.wall = wall_of(&s.choice);
   return s;
 }
 
@@ -102,8 +89,8 @@ static void specular_rebound_turns_by_twice_the_tilt(void **state) {
 static void frame_does_not_matter(void **state) {
   (void)state;
   setup s = setup_create("weibull", "bons", 0.2);
-  choose(&s, "tilt", "isotropic");
-  prepare(&s);
+  s.choice.isotropic = true;
+  remake(&s);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   for (uint64_t tag = 0; tag < 2000; tag++) {
     double a = 6 * gsl_rng_uniform(rng), b = 3 * gsl_rng_uniform(rng), c = 6 * gsl_rng_uniform(rng);
@@ -131,10 +118,9 @@ static void frame_does_not_matter(void **state) {
 static void out_of_plane_tilt(void **state) {
   (void)state;
   enum { N = 100000 };
-  setup s = setup_create("none", "constant", 0.2);
-  choose(&s, "spread", "weibull");
-  choose(&s, "tilt", "isotropic");
-  prepare(&s);
+  setup s = setup_create("weibull", "constant", 0.2);
+  s.choice.isotropic = true;
+  remake(&s);
   double square = 0, v1[3] = {0.6, 0, -0.8};
   for (uint64_t tag = 0; tag < N; tag++) {
     asp_impact impact;
@@ -180,8 +166,8 @@ static void no_deposits_where_none_are_taken(void **state) {
   asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_int_equal(impact.outcome, ASP_DEPOSIT);
   assert_near(dot(impact.v2, impact.v2), 0, 0);
-  set(&s, "deposit", 0);
-  prepare(&s);
+  s.choice.deposit = false;
+  remake(&s);
   asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_int_equal(impact.outcome, ASP_REBOUND);
   assert_near(impact.v2[2], 1, 1e-15);
@@ -192,9 +178,9 @@ static void no_deposits_where_none_are_taken(void **state) {
 static void sliding(void **state) {
   (void)state;
   setup s = setup_create("none", "constant", 0);
-  set(&s, "cor_n", 0);
-  set(&s, "deposit", 0);
-  prepare(&s);
+  assert_true(set_parameter(&s.choice, "cor_n", 0));
+  s.choice.deposit = false;
+  remake(&s);
   double v1[3] = {1, 0, -1};
   asp_impact impact;
   asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
@@ -233,80 +219,85 @@ static void grazing_to_the_last_bit(void **state) {
   }
 }
 
-static void numbers_are_checked(void **state) {
-  (void)state;
-  asp_error error;
-  setup s = setup_create("none", "constant", 0);
-  static const double bad[] = {-0.1, 1.1, NAN, INFINITY};
-  for (int i = 0; i < 4; i++) {
-    assert_int_equal(asp_wall_set(s.wall, "cor_n", bad[i], &error), ASP_EARG);
-    assert_non_null(strstr(error.text, "cor_n"));
-    assert_non_null(strstr(error.text, "0 to 1"));
-    assert_int_equal(asp_wall_set(s.wall, "deposit", bad[i], &error), ASP_EARG);
-    assert_non_null(strstr(error.text, "deposit"));
-  }
-  assert_int_equal(asp_wall_set(s.wall, "deposit", 0.5, &error), ASP_EARG);
-  assert_non_null(strstr(error.text, "0.5; it must be a whole number"));
-  assert_int_equal(asp_wall_set(s.wall, "d_p_bins", 257, &error), ASP_EARG);
-  assert_int_equal(asp_wall_set(s.wall, "gloss", 1, &error), ASP_ENAME);
-  assert_non_null(strstr(error.text, "gloss"));
-  assert_non_null(strstr(error.text, "cor_t"));
-  assert_non_null(strstr(error.text, "d_p_most"));
-  assert_near(asp_wall_get(s.wall, "cor_n"), 1, 0);
-  assert_true(isnan(asp_wall_get(s.wall, "gloss")));
-  set(&s, "cor_n", 0.5);
-  set(&s, "d_p_most", 7);
-  assert_near(asp_wall_get(s.wall, "cor_n"), 0.5, 0);
-  assert_near(asp_wall_get(s.wall, "d_p_most"), 7, 0);
-  choose(&s, "rebound", "constant"); /* parameters begin anew, other numbers stay */
-  assert_near(asp_wall_get(s.wall, "cor_n"), 1, 0);
-  assert_near(asp_wall_get(s.wall, "d_p_most"), 7, 0);
-  setup_free(&s);
-}
-
-static void choices_are_checked(void **state) {
-  (void)state;
-  asp_error error;
-  setup s = setup_create("weibull", "constant", 0);
-  static const char *const bad[][4] = {{"spread", "wiebull", "wiebull", "weibull"},
-                                       {"rebound", "bonds", "bonds", "bons"},
-                                       {"tilt", "sideways", "sideways", "plane or isotropic"},
-                                       {"collisions", "", "collisions is ''", "single or multiple"},
-                                       {"color", "red", "color", "spread rebound tilt"}};
-  for (int i = 0; i < 5; i++) {
-    assert_int_not_equal(asp_wall_choose(s.wall, bad[i][0], bad[i][1], &error), ASP_OK);
-    assert_non_null(strstr(error.text, bad[i][2]));
-    assert_non_null(strstr(error.text, bad[i][3]));
-  }
-  assert_string_equal(asp_spread_name(asp_wall_spread(s.wall)), "weibull");
-  assert_string_equal(asp_rebound_name(asp_wall_rebound(s.wall)), "constant");
-  setup_free(&s);
-}
-
-/* What is chosen and set counts from asp_wall_prepare on, and where that fails nothing changes. */
-static void contacts_see_what_is_prepared(void **state) {
+/* Where a wall cannot be made anew it stays as it was. */
+static void a_wall_outlives_a_bad_choice(void **state) {
   (void)state;
   asp_error error;
   setup s = setup_create("none", "constant", 0.2);
   const double v1[3] = {1, 0, -1};
   asp_impact impact;
-  set(&s, "cor_n", 0.5);
-  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
-  assert_near(impact.v2[2], 1, 1e-15);
-  prepare(&s);
-  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
-  assert_near(impact.v2[2], 0.5, 1e-15);
-  choose(&s, "spread", "profile");
-  set(&s, "d_p_least", 1);
-  assert_int_equal(asp_wall_prepare(s.wall, &error), ASP_EARG); /* the least is over the most */
+  assert_true(set_parameter(&s.choice, "cor_n", 0.5));
+  remake(&s);
+  s.choice.spread = asp_spread_find("profile", NULL);
+  s.choice.sizes.least = 1;
+  assert_int_equal(aspi_wall_remake(s.wall, &s.choice, &error), ASP_EARG); /* over the most */
   assert_non_null(strstr(error.text, "d_p"));
   asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_near(impact.v2[2], 0.5, 1e-15);
-  set(&s, "d_p_least", 0.01);
-  prepare(&s);
+  s.choice.sizes.least = 0.01;
+  remake(&s);
   asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   assert_true(fabs(impact.delta_alpha) > 0);
   setup_free(&s);
+}
+
+/* A particle without a pair gets that of the wall; many impacts are as many single ones. */
+static void many_impacts_are_single_ones(void **state) {
+  (void)state;
+  enum { N = 500 };
+  asp_error error;
+  static double d_p[N], v1[3 * N], n[3 * N];
+  static asp_key keys[N];
+  static asp_impact many[N];
+  asp_wall *wall = asp_wall_from_text("surface rq 5um lambda_c 40um rebound bons spin on "
+                                      "materials quartz hastelloy-x",
+                                      0, 0, &error);
+  assert_non_null(wall);
+  const asp_particle own = {.density = 2650, .d_p = 1e-5, .omega = {1e3, 0, 0}};
+  for (int i = 0; i < N; i++) {
+    double alpha = (i + 0.5) * M_PI / 2 / N;
+    d_p[i] = 1e-6 * (1 + i % 40);
+    v1[3 * i] = 100 * cos(alpha);
+    v1[3 * i + 2] = -100 * sin(alpha);
+    n[3 * i + 2] = 1;
+    keys[i] = (asp_key){7, 1, (uint64_t)i, 1};
+  }
+  for (int sizes = 0; sizes < 2; sizes++) {
+    assert_int_equal(asp_wall_impacts(wall, &own, N, sizes ? d_p : NULL, v1, n, keys, many, &error),
+                     ASP_OK);
+    for (int i = 0; i < N; i++) {
+      asp_particle one = own;
+      asp_impact impact;
+      one.pair = asp_wall_pair(wall);
+      one.d_p = sizes ? d_p[i] : own.d_p;
+      assert_int_equal(asp_wall_impact(wall, &one, &v1[3 * i], &n[3 * i], &keys[i], &impact),
+                       ASP_OK);
+      assert_memory_equal(impact.v2, many[i].v2, sizeof impact.v2);
+      assert_memory_equal(impact.omega, many[i].omega, sizeof impact.omega);
+      assert_int_equal(impact.hits, many[i].hits);
+      assert_int_equal(impact.outcome, many[i].outcome);
+      assert_near(impact.delta_alpha, many[i].delta_alpha, 0);
+    }
+  }
+  asp_wall_free(wall);
+}
+
+/* Without materials a law that takes them has no rebound. */
+static void a_pair_is_needed(void **state) {
+  (void)state;
+  asp_error error;
+  asp_wall *wall = asp_wall_from_text("", 0, 0, &error);
+  const asp_particle bare = {.d_p = 1e-5, .density = 2650, .omega = {1, 2, 3}};
+  const double v1[3] = {1, 2, -3};
+  const asp_key key = {1, 1, 1, 1};
+  asp_impact impact;
+  assert_null(asp_wall_pair(wall));
+  assert_int_equal(asp_wall_impact(wall, &bare, v1, up, &key, &impact), ASP_EARG);
+  assert_memory_equal(impact.v2, v1, sizeof v1);
+  assert_memory_equal(impact.omega, bare.omega, sizeof bare.omega);
+  assert_int_equal(asp_wall_impacts(wall, &bare, 1, NULL, v1, up, &key, &impact, &error), ASP_EARG);
+  assert_non_null(strstr(error.text, "'bons' needs a pair"));
+  asp_wall_free(wall);
 }
 
 static const aspi_cor_point coefficients[] = {
@@ -325,15 +316,15 @@ static void properties(void **state) {
     double slope = pow(10, -6 + 7 * gsl_rng_uniform(rng));
     setup s = setup_create(model->name, "bons", slope);
     const asp_rebound_law *law = asp_rebound_at(i / models % laws);
-    choose(&s, "rebound", law->name);
+    aspi_wall_choose_law(&s.choice, law);
     if (law->scatters)
-      set(&s, "scatter", gsl_rng_uniform(rng));
-    set(&s, "scatter_twice", 1);
-    set(&s, "deposit", (double)gsl_rng_uniform_int(rng, 2));
-    choose(&s, "tilt", gsl_rng_uniform_int(rng, 2) ? "isotropic" : "plane");
-    choose(&s, "collisions", gsl_rng_uniform_int(rng, 2) ? "multiple" : "single");
-    s.wall->choice.table = table;
-    prepare(&s);
+      set_parameter(&s.choice, "scatter", gsl_rng_uniform(rng));
+    s.choice.scatter_twice = true;
+    s.choice.deposit = gsl_rng_uniform_int(rng, 2);
+    s.choice.isotropic = gsl_rng_uniform_int(rng, 2);
+    s.choice.multiple = gsl_rng_uniform_int(rng, 2);
+    s.choice.table = table;
+    remake(&s);
     for (uint64_t tag = 0; tag < 250; tag++) {
       double alpha = M_PI_2 * pow(10, -15 * gsl_rng_uniform(rng));
       double v = pow(10, -9 + 14 * gsl_rng_uniform(rng)), turn = 6.3 * gsl_rng_uniform(rng);
@@ -383,9 +374,9 @@ int main(void) {
       cmocka_unit_test(sliding),
       cmocka_unit_test(nearly_normal_impacts_keep_energy),
       cmocka_unit_test(grazing_to_the_last_bit),
-      cmocka_unit_test(numbers_are_checked),
-      cmocka_unit_test(choices_are_checked),
-      cmocka_unit_test(contacts_see_what_is_prepared),
+      cmocka_unit_test(a_wall_outlives_a_bad_choice),
+      cmocka_unit_test(many_impacts_are_single_ones),
+      cmocka_unit_test(a_pair_is_needed),
       cmocka_unit_test(properties),
       cmocka_unit_test(no_coefficient_is_infinite),
   };

@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "wall/wall.h"
+#include "choice.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -69,23 +69,20 @@ static void grant_tabakoff_scatter(void **state) {
 static void scatter_is_not_counted_twice(void **state) {
   (void)state;
   asp_error error;
-  asp_wall *wall = asp_wall_create(NULL);
-  asp_surface *surface = asp_surface_create(5e-6, 40e-6, NULL);
-  assert_non_null(wall);
-  asp_wall_set_surface(wall, surface);
-  asp_wall_choose(wall, "spread", "weibull", NULL);
-  asp_wall_choose(wall, "rebound", "grant_tabakoff", NULL);
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
-  assert_int_equal(asp_wall_set(wall, "scatter", 1, NULL), ASP_OK);
-  assert_int_equal(asp_wall_prepare(wall, &error), ASP_EARG);
+  static const char *const allowed[] = {
+      "surface rq 5um lambda_c 40um spread weibull rebound grant_tabakoff",
+      "surface rq 5um lambda_c 40um spread weibull rebound grant_tabakoff scatter 1 scatter_twice",
+      "rebound grant_tabakoff scatter 1"};
+  for (int i = 0; i < 3; i++) {
+    asp_wall *wall = asp_wall_from_text(allowed[i], 0, 0, &error);
+    assert_non_null(wall);
+    asp_wall_free(wall);
+  }
+  assert_null(asp_wall_from_text(
+      "surface rq 5um lambda_c 40um spread weibull rebound grant_tabakoff scatter 1", 0, 0,
+      &error));
+  assert_int_equal(error.code, ASP_EARG);
   assert_non_null(strstr(error.text, "twice"));
-  asp_wall_set(wall, "scatter_twice", 1, NULL);
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
-  asp_wall_set(wall, "scatter_twice", 0, NULL);
-  asp_wall_choose(wall, "spread", "none", NULL);
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
-  asp_wall_free(wall);
-  asp_surface_free(surface);
 }
 
 static const aspi_cor_point points[] = {
@@ -152,16 +149,13 @@ static void close_points_are_numbers_or_refused(void **state) {
   }
 }
 
-static void table_law_needs_a_table(void **state) {
+static void table_law_looks_up(void **state) {
   (void)state;
-  asp_error error;
-  asp_wall *wall = asp_wall_create(NULL);
-  assert_int_equal(asp_wall_choose(wall, "rebound", "table", NULL), ASP_OK);
-  assert_int_equal(asp_wall_prepare(wall, &error), ASP_EARG);
-  assert_non_null(strstr(error.text, "needs a table"));
   aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
-  wall->choice.table = table;
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
+  aspi_wall_choice choice = choice_of("table");
+  choice.table = table;
+  asp_wall *wall = wall_of(&choice);
+  aspi_cor_table_free(table); /* the wall has a copy */
   asp_particle grain = {1e-4, 2650, NULL, {0, 0, 0}, NULL, 0, 0};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
   asp_impact impact;
@@ -169,7 +163,6 @@ static void table_law_needs_a_table(void **state) {
   assert_near(impact.v2[2], 6 * sin(0.6), 1e-14);
   assert_near(impact.v2[0], 7.5 * cos(0.6), 1e-14);
   asp_wall_free(wall);
-  aspi_cor_table_free(table);
 }
 
 static void tables_are_read(void **state) {
@@ -292,7 +285,7 @@ int main(void) {
       cmocka_unit_test(table_meets_its_points),
       cmocka_unit_test(table_is_monotone),
       cmocka_unit_test(close_points_are_numbers_or_refused),
-      cmocka_unit_test(table_law_needs_a_table),
+      cmocka_unit_test(table_law_looks_up),
       cmocka_unit_test(tables_are_read),
       cmocka_unit_test(bad_tables_are_named),
       cmocka_unit_test(own_materials),

@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
-#include "check.h"
+#include "choice.h"
 #include "surface/size_law.h"
 
 #include <stdlib.h>
@@ -18,14 +18,14 @@ typedef struct setup {
 } setup;
 
 static setup setup_create(double lambda, double along, const char *tilt) {
-  setup s = {asp_surface_create_lay(5, lambda, along, NULL), asp_wall_create(NULL)};
-  asp_wall_choose(s.wall, "rebound", "constant", NULL);
-  asp_wall_choose(s.wall, "spread", "visible", NULL);
-  asp_wall_choose(s.wall, "tilt", tilt, NULL);
-  asp_wall_choose(s.wall, "collisions", "multiple", NULL);
-  asp_wall_set(s.wall, "deposit", 0, NULL);
-  asp_wall_set_surface(s.wall, s.surface);
-  assert_int_equal(asp_wall_prepare(s.wall, NULL), ASP_OK);
+  setup s = {.surface = asp_surface_create_lay(5, lambda, along, NULL)};
+  aspi_wall_choice choice = choice_of("constant");
+  choice.spread = asp_spread_find("visible", NULL);
+  choice.isotropic = strcmp(tilt, "isotropic") == 0;
+  choice.multiple = true;
+  choice.deposit = false;
+  choice.surface = s.surface;
+  s.wall = wall_of(&choice);
   return s;
 }
 

@@ -22,10 +22,10 @@ namespace {
 
 asp_lay read(const std::string &words) {
   const std::string text = "surface rq 1 lambda_c 10 20 lay " + words;
-  std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall(asp_wall_parse(text.c_str(), NULL, NULL),
-                                                       asp_wall_free);
-  assert_true(wall != NULL);
-  return asp_wall_lay(wall.get());
+  std::unique_ptr<asp_description, void (*)(asp_description *)> description(
+      asp_description_parse(text.c_str(), NULL, NULL), asp_description_free);
+  assert_true(description != NULL);
+  return asp_description_lay(description.get());
 }
 
 void assert_direction(const double is[3], double x, double y, double z) {

@@ -10,7 +10,7 @@
 #include "spread/map_table.h"
 #include "analysis/dilated_map.h"
 #include "spread/line.h"
-#include "spread/models.h"
+#include "wall/wall.h"
 #include "spread/trace.h"
 #include "surface/ball.h"
 #include "surface/closing.h"
@@ -117,7 +117,7 @@ static asp_code copy_profile(asp_error *error) {
 }
 
 static asp_code describe(asp_error *error) {
-  aspi_description description;
+  aspi_profile_description description;
   return aspi_profile_describe(profile, ASP_LEVEL_1_E, &description, error);
 }
 
@@ -279,7 +279,7 @@ static asp_code table(asp_error *error) {
 }
 
 static asp_code smooth_wall(asp_error *error) {
-  asp_wall *made = asp_wall_create(error);
+  asp_wall *made = asp_wall_from_text("materials quartz steel", 0, 0, error);
   asp_wall_free(made);
   return code_of(made, error);
 }
@@ -289,18 +289,14 @@ static int model;
 static bool measured;
 
 static asp_code rough_wall(asp_error *error) {
-  asp_wall *wall = asp_wall_create(error);
-  if (!wall)
-    return error->code;
-  asp_wall_choose(wall, "spread", asp_spread_name(asp_spread_at(model)), NULL);
-  asp_wall_set(wall, "d_p_least", 25, NULL);
-  asp_wall_set(wall, "d_p_most", 40, NULL);
-  asp_wall_set(wall, "d_p_bins", 2, NULL);
-  asp_wall_set_surface(wall, surface);
-  asp_wall_set_profile(wall, measured ? profile : NULL);
-  asp_code code = asp_wall_prepare(wall, error);
+  aspi_wall_choice choice = aspi_wall_choice_smooth();
+  choice.surface = surface;
+  choice.profile = measured ? profile : NULL;
+  choice.spread = asp_spread_at(model);
+  choice.sizes = (aspi_sizes){25, 40, 2};
+  asp_wall *wall = aspi_wall_create(&choice, error);
   asp_wall_free(wall);
-  return code;
+  return code_of(wall, error);
 }
 
 static asp_code choose(asp_error *error) {

@@ -20,7 +20,7 @@ static void generated_profile_has_its_numbers(void **state) {
   double r_q = 0, lambda_c = 0, slope = 0;
   for (uint32_t seed = 0; seed < 12; seed++) {
     asp_profile *p = asp_profile_create(3, 20, 0.5, points[seed % 3], seed, NULL);
-    aspi_description d;
+    aspi_profile_description d;
     assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
     assert_int_equal(d.points, points[seed % 3]);
     assert_near(d.r_q, 3, 0.15);
@@ -66,7 +66,7 @@ static void generated_profile_is_periodic(void **state) {
 static void levels_of_the_autocorrelation(void **state) {
   (void)state;
   asp_profile *p = asp_profile_create(1, 1, 0.05, 1 << 18, 1, NULL);
-  aspi_description a, b;
+  aspi_profile_description a, b;
   aspi_profile_describe(p, ASP_LEVEL_1_E, &a, NULL);
   aspi_profile_describe(p, ASP_LEVEL_S_AL, &b, NULL);
   assert_near(b.lambda_c / a.lambda_c, sqrt(log(5)), 0.03);
@@ -86,7 +86,7 @@ static void description_of_a_wave(void **state) {
     z[i] = 5 + sqrt(2) * sin(2 * ASP_PI * i / 100);
   for (int periodic = 0; periodic < 2; periodic++) {
     asp_profile *p = asp_profile_from_heights(z, N, 0.1, periodic, NULL);
-    aspi_description d;
+    aspi_profile_description d;
     assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
     assert_near(d.r_q, 1, 1e-9);
     assert_near(d.r_a, sqrt(2) * 2 / ASP_PI, 1e-3);
@@ -114,7 +114,7 @@ static void bad_profiles_are_refused(void **state) {
   assert_null(asp_profile_from_heights(z, 4, -1, false, &e));
   z[2] = z[1] = z[0] = z[3];
   asp_profile *flat = asp_profile_from_heights(z, 4, 1, false, &e);
-  aspi_description d;
+  aspi_profile_description d;
   assert_int_equal(aspi_profile_describe(flat, 0.5, &d, &e), ASP_EDATA);
   assert_non_null(strstr(e.text, "constant"));
   asp_profile_free(flat);
@@ -251,7 +251,7 @@ static void an_instruments_own_file(void **state) {
   assert_int_equal(asp_profile_points(p), N);
   assert_near(asp_profile_spacing(p), 0.15625e-6, 2e-12);
   assert_null(strstr(report.text, "resampled"));
-  aspi_description d;
+  aspi_profile_description d;
   assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
   assert_near(d.r_q, sqrt(0.5) * 1e-6, 0.02e-6);
   asp_profile_free(p);
@@ -275,7 +275,7 @@ static void the_mark_of_utf8_is_no_data(void **state) {
     assert_non_null(p);
     assert_non_null(strstr(report.text, "resampled"));
     assert_non_null(strstr(report.text, "points read, 0 bad"));
-    aspi_description d;
+    aspi_profile_description d;
     assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
     assert_near(d.r_q, 0.25e-6, 0.003e-6);
     asp_profile_free(p);
@@ -540,7 +540,7 @@ static void form_is_taken_out(void **state) {
   static const double r_q[] = {58.19, 7.52, 1, 1};
   for (o.form = 0; o.form < 4; o.form++) {
     asp_profile *p = read_text(text, &o);
-    aspi_description d;
+    aspi_profile_description d;
     assert_int_equal(aspi_profile_describe(p, 0.1, &d, NULL), ASP_OK);
     assert_near(d.r_q * 1e6, r_q[o.form], 0.01 * r_q[o.form]);
     asp_profile_free(p);

@@ -4,18 +4,15 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/roll.h"
 #include "base/running.h"
-#include "check.h"
+#include "choice.h"
 #include "surface/closing.h"
 
 #define DEGREE (ASP_PI / 180)
 
 static aspi_slope slope_of(double d_p, double degrees, double e, double mu) {
-  asp_wall *wall = asp_wall_create(NULL);
-  asp_wall_choose(wall, "rebound", "walton", NULL);
-  asp_wall_set(wall, "e", e, NULL);
-  asp_wall_set(wall, "mu", mu, NULL);
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
-  return (aspi_slope){.wall = wall,
+  aspi_wall_choice choice = choice_of("walton");
+  assert_true(set_parameter(&choice, "e", e) && set_parameter(&choice, "mu", mu));
+  return (aspi_slope){.wall = wall_of(&choice),
                       .particle = {.d_p = d_p},
                       .lambda_c = 1,
                       .gravity = 1,

@@ -3,24 +3,19 @@
  * Roberts; and what a flow takes away.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "check.h"
-#include "wall/wall.h"
+#include "choice.h"
 
 #include <gsl/gsl_rng.h>
 
 static const double up[3] = {0, 0, 1};
 
+/* A smooth wall by the words behind `rebound`. */
 static asp_wall *smooth(const char *law) {
-  asp_wall *wall = asp_wall_create(NULL);
+  char text[200];
+  snprintf(text, sizeof text, "rebound %s", law);
+  asp_wall *wall = asp_wall_from_text(text, 0, 0, NULL);
   assert_non_null(wall);
-  assert_int_equal(asp_wall_choose(wall, "rebound", law, NULL), ASP_OK);
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
   return wall;
-}
-
-static void set(asp_wall *wall, const char *name, double value) {
-  assert_int_equal(asp_wall_set(wall, name, value, NULL), ASP_OK);
-  assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
 }
 
 static asp_impact hit(const asp_wall *wall, const asp_pair *pair, const double v1[3],
@@ -40,12 +35,9 @@ static void measured_oblique_impacts(void **state) {
   static const double measured[][2] = {{30.16, .9019}, {40.45, .8469}, {50.70, .7719},
                                        {59.78, .6883}, {69.92, .5964}, {80.37, .6728},
                                        {86.07, .7450}};
-  asp_wall *wall = smooth("walton");
-  set(wall, "e", 0.98);
-  set(wall, "mu", 0.092);
   for (int compliant = 0; compliant < 2; compliant++) {
-    set(wall, "beta0", compliant ? 0 : 0.156);
-    set(wall, "compliance", compliant ? 0.7 : 0);
+    asp_wall *wall =
+        smooth(compliant ? "walton 0.98 0.092 0 compliance 0.7" : "walton 0.98 0.092 0.156");
     for (int i = 0; i < 7; i++) {
       double alpha = measured[i][0] * M_PI / 180, beyond = compliant ? 0.03 : 0.08;
       double v1[3] = {3.9 * cos(alpha), 0, -3.9 * sin(alpha)};
@@ -53,16 +45,15 @@ static void measured_oblique_impacts(void **state) {
       assert_near(impact.v2[0] / v1[0], measured[i][1], measured[i][0] < 60 ? 0.01 : beyond);
       assert_near(impact.v2[2] / -v1[2], 0.98, 1e-12);
     }
+    asp_wall_free(wall);
   }
-  asp_wall_free(wall);
 }
 
 /* Where it sticks: 5/7 without spin, 2/7 of the surface's speed without flight, and the surface
  * goes on with -beta0 times its speed; a particle that rolls already loses nothing. */
 static void sticks_and_rolls(void **state) {
   (void)state;
-  asp_wall *wall = smooth("walton");
-  set(wall, "mu", 100);
+  asp_wall *wall = smooth("walton 1 100 0");
   double v1[3] = {1, 0, -2}, r = 2.5e-3, down[3] = {0, 0, -2};
   asp_impact impact = hit(wall, NULL, v1, still);
   assert_near(impact.v2[0], 5. / 7, 1e-14);
@@ -74,7 +65,8 @@ static void sticks_and_rolls(void **state) {
   assert_near(impact.v2[0], 1, 1e-14);
   assert_near(impact.omega[1] * r, 1, 1e-13);
   assert_near(impact.omega[2], 3, 1e-14);
-  set(wall, "beta0", 0.4);
+  asp_wall_free(wall);
+  wall = smooth("walton 1 100 0.4");
   impact = hit(wall, NULL, v1, (double[3]){0, -1 / r, 0});
   assert_near(impact.v2[0] - r * impact.omega[1], -0.4 * 2, 1e-13);
   asp_wall_free(wall);
@@ -84,8 +76,7 @@ static void sticks_and_rolls(void **state) {
 static void bons_takes_part(void **state) {
   (void)state;
   static const asp_pair pair = {50e9, 2e9, 0, 0.1, 0};
-  asp_wall *off = smooth("bons"), *on = smooth("bons");
-  set(on, "spin", 1);
+  asp_wall *off = smooth("bons"), *on = smooth("bons spin on");
   for (double alpha = 0.05; alpha < 1.5; alpha += 0.05) {
     double v1[3] = {cos(alpha), 0, -sin(alpha)};
     asp_impact a = hit(off, &pair, v1, (double[3]){1, 2, 3}), b = hit(on, &pair, v1, still);
@@ -112,20 +103,18 @@ static void energy_with_spin_never_grows(void **state) {
   asp_surface *surface = asp_surface_create(0.15, 1, NULL);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   for (uint64_t tag = 1; tag <= 20000; tag++) {
-    asp_wall *wall = asp_wall_create(NULL);
-    asp_wall_choose(wall, "rebound", laws[tag % 3], NULL);
-    asp_wall_set(wall, "spin", 1, NULL);
-    asp_wall_set(wall, "beta0", gsl_rng_uniform(rng), NULL);
-    asp_wall_set(wall, "mu", 2 * gsl_rng_uniform(rng), NULL);
-    asp_wall_set(wall, "e", gsl_rng_uniform(rng), NULL);
-    asp_wall_set(wall, "compliance", tag % 5 == 0 ? gsl_rng_uniform(rng) : 0, NULL);
-    asp_wall_set(wall, "deposit", 0, NULL);
-    asp_wall_choose(wall, "spread", "visible", NULL);
-    asp_wall_choose(wall, "tilt", tag % 2 ? "isotropic" : "plane", NULL);
-    asp_wall_choose(wall, "collisions", tag % 4 < 2 ? "multiple" : "single", NULL);
-    if (tag % 7)
-      asp_wall_set_surface(wall, surface);
-    assert_int_equal(asp_wall_prepare(wall, NULL), ASP_OK);
+    aspi_wall_choice choice = choice_of(laws[tag % 3]);
+    static const char *const random[] = {"beta0", "mu", "e"};
+    set_parameter(&choice, "spin", 1);
+    for (int i = 0; i < 3; i++)
+      set_parameter(&choice, random[i], (i == 1 ? 2 : 1) * gsl_rng_uniform(rng));
+    set_parameter(&choice, "compliance", tag % 5 == 0 ? gsl_rng_uniform(rng) : 0);
+    choice.deposit = false;
+    choice.spread = asp_spread_find("visible", NULL);
+    choice.isotropic = tag % 2;
+    choice.multiple = tag % 4 < 2;
+    choice.surface = tag % 7 ? surface : NULL;
+    asp_wall *wall = wall_of(&choice);
     double r = 0.01, v[3], w[3];
     for (int d = 0; d < 3; d++) {
       v[d] = 2 * gsl_rng_uniform(rng) - 1;
@@ -149,8 +138,7 @@ static const double E = 50e9, RHO = 2500, R = 2.5e-3;
 
 static double restitution(double speed, double pressure, double gamma) {
   asp_pair pair = {E, pressure, gamma, 0, 0};
-  asp_wall *wall = smooth("thornton_ning");
-  set(wall, "pressure_ratio", 1);
+  asp_wall *wall = smooth("thornton_ning pressure_ratio 1");
   asp_particle particle = {2 * R, RHO, &pair, {0, 0, 0}, NULL, 0, 0};
   double v1[3] = {0, 0, -speed};
   asp_impact impact;
@@ -243,29 +231,28 @@ static void a_flow_takes_away(void **state) {
   asp_particle particle = {10e-6, 2650, &pair, {0, 0, 0}, NULL, 0, 0};
   double critical = sqrt(0.039 / (1.2 * 10e-6) * cbrt(0.039 / (10e-6 * 4. / 3 * 50e9)));
   double v1[3] = {0, 0, -1};
-  asp_wall *wall = smooth("bons");
-  asp_error error;
-  asp_impact impact;
-  assert_int_equal(asp_wall_set(wall, "remove_u_tau", 0.99 * critical, NULL), ASP_OK);
-  assert_int_equal(asp_wall_prepare(wall, &error), ASP_EARG);
-  assert_non_null(strstr(error.text, "remove_gas_density"));
-  set(wall, "remove_gas_density", 1.2);
-  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
-  assert_int_equal(impact.outcome, ASP_DEPOSIT);
-  assert_false(asp_wall_removes(wall, &particle));
-  set(wall, "remove_u_tau", 1.01 * critical);
-  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
-  assert_int_equal(impact.outcome, ASP_REBOUND);
-  assert_near(impact.v2[2], 1, 1e-12);
-  assert_true(asp_wall_removes(wall, &particle));
-  set(wall, "remove_mean_free_path", 5e-6); /* Kn = 1: C_u = 1 + 1.2 + 0.41 exp(-0.88) */
-  set(wall, "remove_u_tau", 1.01 * critical * sqrt(2.2 + 0.41 * exp(-0.88)));
-  assert_true(asp_wall_removes(wall, &particle));
-  set(wall, "remove_u_tau", 0.99 * critical * sqrt(2.2 + 0.41 * exp(-0.88)));
-  assert_false(asp_wall_removes(wall, &particle));
-  particle.u_tau = 1.01 * critical * sqrt(2.2 + 0.41 * exp(-0.88)); /* in place of the wall's */
-  assert_true(asp_wall_removes(wall, &particle));
-  asp_wall_free(wall);
+  double slip = sqrt(2.2 + 0.41 * exp(-0.88)); /* of Kn = 1: C_u = 1 + 1.2 + 0.41 exp(-0.88) */
+  const struct {
+    double u_tau, free_path;
+    bool removes;
+  } flows[] = {{0.99 * critical, 0, false},
+               {1.01 * critical, 0, true},
+               {0.99 * critical * slip, 5e-6, false},
+               {1.01 * critical * slip, 5e-6, true}};
+  for (int i = 0; i < 4; i++) {
+    aspi_wall_choice choice = choice_of("bons");
+    choice.flow = (aspi_flow){flows[i].u_tau, 1.2, flows[i].free_path, 0.039};
+    asp_wall *wall = wall_of(&choice);
+    asp_impact impact;
+    asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+    assert_int_equal(asp_wall_removes(wall, &particle), flows[i].removes);
+    assert_int_equal(impact.outcome, flows[i].removes ? ASP_REBOUND : ASP_DEPOSIT);
+    assert_near(impact.v2[2], flows[i].removes ? 1 : 0, 1e-12);
+    asp_particle faster = particle;
+    faster.u_tau = 10 * critical * slip; /* in place of the wall's */
+    assert_true(asp_wall_removes(wall, &faster));
+    asp_wall_free(wall);
+  }
 }
 
 int main(void) {

@@ -181,7 +181,7 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   }
   assert_near(asp_surface_slope(s, 1e-3), asp_surface_bin_slope(s, 0), 1e-12);
   assert_near(asp_surface_slope(s, 1e3), asp_surface_bin_slope(s, BINS - 1), 1e-12);
-  aspi_description d;
+  aspi_profile_description d;
   aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL);
   assert_near(asp_surface_r_q(s), d.r_q, 0);
   assert_near(asp_surface_phi_r(s), d.phi_r, 1e-15);

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
-#include "wall/words.h"
+#include "description/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,30 +12,29 @@
 #include <string.h>
 
 static asp_code read_angle(aspi_words *r, const char *first) {
-  aspi_description *said = r->said;
+  asp_description *d = r->d;
   const aspi_keyword *k = aspi_keyword_find("surface", "lay");
   asp_code code =
-      aspi_quantity_read("lay", first, k->unit, &said->units, &said->lay_numbers[0], r->error);
-  said->lay = ASP_LAY_ANGLE;
+      aspi_quantity_read("lay", first, k->unit, &d->units, &d->lay_numbers[0], r->error);
+  d->lay = ASP_LAY_ANGLE;
   return code ? code
-              : aspi_check_range(r->error, "lay", "degrees", said->lay_numbers[0], k->least,
-                                 k->most);
+              : aspi_check_range(r->error, "lay", "degrees", d->lay_numbers[0], k->least, k->most);
 }
 
 static asp_code read_vector(aspi_words *r, const char *first) {
-  aspi_description *said = r->said;
-  double *v = said->lay_numbers;
-  asp_code code = aspi_quantity_read("lay", first, "", &said->units, &v[0], r->error);
+  asp_description *d = r->d;
+  double *v = d->lay_numbers;
+  asp_code code = aspi_quantity_read("lay", first, "", &d->units, &v[0], r->error);
   for (int i = 1; i < 3 && !code; i++) {
     const char *what =
         i == 1 ? "the second number of the lay's vector" : "the third number of the lay's vector";
     const char *given = aspi_words_word(r, what);
-    code = given ? aspi_quantity_read(what, given, "", &said->units, &v[i], r->error) : ASP_EARG;
+    code = given ? aspi_quantity_read(what, given, "", &d->units, &v[i], r->error) : ASP_EARG;
   }
   if (code)
     return code;
   double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  said->lay = ASP_LAY_VECTOR;
+  d->lay = ASP_LAY_VECTOR;
   if (length > 0 && isfinite(length))
     return ASP_OK;
   return aspi_fail(r->error, ASP_EARG,
@@ -44,12 +43,12 @@ static asp_code read_vector(aspi_words *r, const char *first) {
 
 static asp_code read_lay(aspi_words *r) {
   static const char *const directions[] = {"axial", "circumferential"};
-  aspi_description *said = r->said;
-  aspi_set_given(said, "lay");
+  asp_description *d = r->d;
+  aspi_set_given(d, "lay");
   for (int i = 0; i < 2; i++)
     if (aspi_words_take(r, directions[i])) {
-      said->lay = ASP_LAY_ANGLE;
-      said->lay_word = directions[i];
+      d->lay = ASP_LAY_ANGLE;
+      d->lay_word = directions[i];
       return ASP_OK;
     }
   const char *first = aspi_words_word(r, "lay");
@@ -65,17 +64,17 @@ static asp_code read_lay(aspi_words *r) {
 
 /* lambda_c L [L_along lay DIRECTION] */
 static asp_code read_lengths(aspi_words *r) {
-  aspi_description *said = r->said;
-  asp_code code = aspi_words_number(r, "surface", "rq", &said->r_q);
+  asp_description *d = r->d;
+  asp_code code = aspi_words_number(r, "surface", "rq", &d->r_q);
   if (!code && !aspi_words_take(r, "lambda_c"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'surface rq R', 'lambda_c L' is expected");
   if (!code)
-    code = aspi_words_number(r, "surface", "lambda_c", &said->lambda_c);
+    code = aspi_words_number(r, "surface", "lambda_c", &d->lambda_c);
   if (code)
     return code;
   if (!aspi_words_number_next(r))
     return ASP_OK;
-  code = aspi_words_number(r, "surface", "lambda_c", &said->lambda_along);
+  code = aspi_words_number(r, "surface", "lambda_c", &d->lambda_along);
   if (!code && !aspi_words_take(r, "lay"))
     code = aspi_fail(r->error, ASP_EARG,
                      "behind 'lambda_c L L_along', 'lay' and its direction are expected");
@@ -83,25 +82,25 @@ static asp_code read_lengths(aspi_words *r) {
 }
 
 static asp_code read_kind(aspi_words *r) {
-  aspi_description *said = r->said;
+  asp_description *d = r->d;
   asp_code code = ASP_OK;
   if (aspi_words_take(r, "smooth")) {
-    said->kind = ASPI_SMOOTH;
+    d->kind = ASPI_SMOOTH;
     return ASP_OK;
   }
   if (aspi_words_take(r, "sigma")) {
-    said->kind = ASPI_SIGMA;
-    return aspi_words_number(r, "surface", "sigma", &said->sigma);
+    d->kind = ASPI_SIGMA;
+    return aspi_words_number(r, "surface", "sigma", &d->sigma);
   }
   if (aspi_words_take(r, "rq")) {
-    said->kind = ASPI_GAUSSIAN;
+    d->kind = ASPI_GAUSSIAN;
     code = read_lengths(r);
   } else if (aspi_words_take(r, "profile")) {
-    said->kind = ASPI_PROFILE;
-    code = aspi_words_file(r, "the file of 'surface profile'", &said->file);
+    d->kind = ASPI_PROFILE;
+    code = aspi_words_file(r, "the file of 'surface profile'", &d->file);
   } else if (aspi_words_take(r, "map")) {
-    said->kind = ASPI_MAP;
-    code = aspi_words_file(r, "the file of 'surface map'", &said->file);
+    d->kind = ASPI_MAP;
+    code = aspi_words_file(r, "the file of 'surface map'", &d->file);
   } else {
     const char *given = aspi_words_word(r, "the value of 'surface'");
     return !given ? ASP_EARG
@@ -110,9 +109,9 @@ static asp_code read_kind(aspi_words *r) {
   }
   for (bool more = true; more && !code;) {
     if (aspi_words_take(r, "dp_bins")) {
-      aspi_set_given(said, "dp_bins");
-      code = aspi_words_number(r, "surface", "dp_bins", &said->bins);
-    } else if (said->kind == ASPI_MAP && aspi_words_take(r, "lay"))
+      aspi_set_given(d, "dp_bins");
+      code = aspi_words_number(r, "surface", "dp_bins", &d->bins);
+    } else if (d->kind == ASPI_MAP && aspi_words_take(r, "lay"))
       code = read_lay(r);
     else
       more = false;
@@ -122,7 +121,7 @@ static asp_code read_kind(aspi_words *r) {
 
 static asp_code read_surface(aspi_words *r) {
   asp_code code = read_kind(r);
-  if (code || !aspi_words_next_is(r, "lay") || aspi_is_given(r->said, "lay"))
+  if (code || !aspi_words_next_is(r, "lay") || aspi_is_given(r->d, "lay"))
     return code;
   return aspi_fail(r->error, ASP_EARG,
                    "'lay' needs two correlation lengths, across it and along it, or a map: surface "
@@ -133,32 +132,40 @@ static asp_code read_model(aspi_words *r) {
   const char *name = aspi_words_word(r, "the spread model");
   if (!name)
     return ASP_EARG;
-  r->said->chooses = strcmp(name, "auto") == 0;
-  if (r->said->chooses)
+  r->d->chooses = strcmp(name, "auto") == 0;
+  if (r->d->chooses)
     return ASP_OK;
   char list[ASPI_LIST_MOST] = "auto";
   for (int i = 0; i < asp_spread_count(); i++) {
     size_t used = strlen(list);
     snprintf(list + used, sizeof list - used, " %s", asp_spread_name(asp_spread_at(i)));
   }
-  r->said->spread = asp_spread_find(name, NULL);
-  return r->said->spread ? ASP_OK : aspi_fail_unknown(r->error, "spread model", name, list);
+  r->d->spread = asp_spread_find(name, NULL);
+  return r->d->spread ? ASP_OK : aspi_fail_unknown(r->error, "spread model", name, list);
+}
+
+static asp_code take_collisions(aspi_words *r, const char *given) {
+  bool multiple = r->d->choice.multiple = strcmp(given, "multiple") == 0;
+  if (multiple || strcmp(given, "single") == 0)
+    return ASP_OK;
+  return aspi_fail(r->error, ASP_EARG, "collisions is '%.100s'; it must be single or multiple",
+                   given);
 }
 
 static asp_code read_spread(aspi_words *r) {
-  aspi_description *said = r->said;
+  asp_description *d = r->d;
   asp_code code = read_model(r);
   for (const aspi_keyword *k; !code && (k = aspi_words_take_keyword(r, "spread")) != NULL;) {
     if (strcmp(k->name, "tolerance") == 0) {
-      code = aspi_words_number(r, "spread", "tolerance", &said->tolerance);
+      code = aspi_words_number(r, "spread", "tolerance", &d->tolerance);
     } else if (strcmp(k->name, "collisions") == 0) {
       const char *given = aspi_words_word(r, "the value of 'collisions'");
-      code = given ? asp_wall_choose(r->wall, "collisions", given, r->error) : ASP_EARG;
+      code = given ? take_collisions(r, given) : ASP_EARG;
     } else {
-      code = asp_wall_choose(r->wall, "tilt", k->name, r->error);
+      d->choice.isotropic = strcmp(k->name, "isotropic") == 0;
     }
   }
-  if (!code && said->chooses != aspi_is_given(said, "tolerance"))
+  if (!code && d->chooses != aspi_is_given(d, "tolerance"))
     code = aspi_fail(r->error, ASP_EARG,
                      "'spread auto' and 'tolerance D' go together, with no other model");
   return code;
@@ -183,7 +190,7 @@ static asp_code read_parameter(aspi_words *r, const law *l, int index) {
   if (p->words)
     code = aspi_parameter_read(p, given, &value, r->error);
   else if (start)
-    code = aspi_quantity_read(p->name, start, p->unit, &r->said->units, &value, r->error);
+    code = aspi_quantity_read(p->name, start, p->unit, &r->d->units, &value, r->error);
   if (!code)
     code = l->take(r, p, index, value);
   return !code && unknown ? aspi_words_add_unknown(r, p->name) : code;
@@ -210,37 +217,37 @@ static asp_code read_more(aspi_words *r, const law *l, bool *more) {
 }
 
 static asp_code read_table(aspi_words *r) {
-  aspi_description *said = r->said;
-  asp_code code = aspi_words_file(r, "the file of 'rebound table'", &said->table);
+  asp_description *d = r->d;
+  asp_code code = aspi_words_file(r, "the file of 'rebound table'", &d->table);
   if (!code)
     code = aspi_words_check_units(r, "a table is");
   if (code)
     return code;
-  aspi_cor_table_free(said->cor_table);
-  said->cor_table =
-      aspi_cor_table_read(said->table, said->units.metre / said->units.second, r->error);
-  r->wall->choice.table = said->cor_table;
-  return said->cor_table ? ASP_OK : ASP_EDATA;
+  aspi_cor_table_free(d->cor_table);
+  d->cor_table = aspi_cor_table_read(d->table, d->units.metre / d->units.second, r->error);
+  d->choice.table = d->cor_table;
+  return d->cor_table ? ASP_OK : ASP_EDATA;
 }
 
 static asp_code take_parameter(aspi_words *r, const asp_parameter *p, int index, double value) {
   (void)index;
-  return asp_wall_set(r->wall, p->name, value, r->error);
+  return asp_description_set(r->d, p->name, value, r->error);
 }
 
 /* A law's parameters follow its name, or words of their own, some of them one for several. */
 static asp_code read_rebound(aspi_words *r) {
   const char *name = aspi_words_word(r, "the rebound law");
-  asp_code code = name ? asp_wall_choose(r->wall, "rebound", name, r->error) : ASP_EARG;
-  const asp_rebound_law *of = r->wall->choice.law;
+  const asp_rebound_law *of = name ? asp_rebound_find(name, r->error) : NULL;
+  if (!of)
+    return name ? ASP_ENAME : ASP_EARG;
   const law l = {of->parameters, of->n_parameters, true, take_parameter};
-  if (!code)
-    code = read_parameters(r, &l, "");
+  aspi_wall_choose_law(&r->d->choice, of);
+  asp_code code = read_parameters(r, &l, "");
   if (!code && of->needs_table)
     code = read_table(r);
   for (bool more = true; more && !code;) {
     if (aspi_words_take(r, "scatter_twice"))
-      code = asp_wall_set(r->wall, "scatter_twice", 1, r->error);
+      r->d->choice.scatter_twice = true;
     else
       code = read_more(r, &l, &more);
   }
@@ -248,9 +255,9 @@ static asp_code read_rebound(aspi_words *r) {
 }
 
 static asp_code take_erosion(aspi_words *r, const asp_parameter *p, int index, double value) {
-  aspi_erosion *erosion = &r->wall->choice.erosion;
+  aspi_erosion *erosion = &r->d->choice.erosion;
   erosion->given[index] = value;
-  erosion->si[index] = p->words ? value : value / aspi_quantity_factor(p->unit, &r->said->units);
+  erosion->si[index] = p->words ? value : value / aspi_quantity_factor(p->unit, &r->d->units);
   if (p->words || p->least < 0)
     return ASP_OK;
   asp_code code = aspi_check_positive(r->error, p->name, "", value);
@@ -263,14 +270,14 @@ static asp_code read_face(aspi_words *r) {
   const char *given = aspi_words_word(r, "the value of 'face'");
   if (!given)
     return ASP_EARG;
-  bool tilted = r->wall->choice.erosion.tilted = strcmp(given, "tilted") == 0;
+  bool tilted = r->d->choice.erosion.tilted = strcmp(given, "tilted") == 0;
   if (tilted || strcmp(given, "mean") == 0)
     return ASP_OK;
   return aspi_fail(r->error, ASP_EARG, "face is '%.100s'; it must be mean or tilted", given);
 }
 
 static asp_code read_erosion(aspi_words *r) {
-  aspi_erosion *erosion = &r->wall->choice.erosion;
+  aspi_erosion *erosion = &r->d->choice.erosion;
   r->of = " of 'erosion'";
   const char *name = aspi_words_word(r, "the law");
   const aspi_erosion_law *of = name ? aspi_erosion_find(name, r->error) : NULL;
@@ -279,7 +286,7 @@ static asp_code read_erosion(aspi_words *r) {
   asp_code code = aspi_words_check_units(r, "erosion is");
   if (code)
     return code;
-  aspi_erosion_take(erosion, of, &r->said->units);
+  aspi_erosion_take(erosion, of, &r->d->units);
   const law l = {of->parameters, of->n_parameters, false, take_erosion};
   code = read_parameters(r, &l, "");
   for (bool more = true; more && !code;) {
@@ -293,31 +300,14 @@ static asp_code read_erosion(aspi_words *r) {
   return code;
 }
 
-static asp_code check_erosion(const asp_wall *wall, asp_error *error) {
-  const aspi_erosion *erosion = &wall->choice.erosion;
-  if (!erosion->law || erosion->density > 0 ||
-      (wall->said->n_materials > 0 && wall->choice.law->needs_pair))
-    return ASP_OK;
-  return aspi_fail(error, ASP_EARG,
-                   "erosion needs the density of the wall: by 'materials', or 'density RHO' in its "
-                   "own words");
-}
-
 static asp_code read_removal(aspi_words *r) {
-  aspi_set_given(r->said, "remove");
+  aspi_set_given(r->d, "remove");
   asp_code code = aspi_words_check_units(r, "removal is");
-  double joule = aspi_quantity_factor("energy/area", &r->said->units);
-  if (!code)
-    code = asp_wall_set(r->wall, "remove_work", ASPI_REMOVAL_WORK * joule, r->error);
-  for (const aspi_keyword *k; !code && (k = aspi_words_take_keyword(r, "remove")) != NULL;) {
-    char number[40];
-    double value = 0;
-    snprintf(number, sizeof number, "remove_%s", k->name);
-    code = aspi_words_number(r, "remove", k->name, &value);
-    if (!code)
-      code = asp_wall_set(r->wall, number, value, r->error);
-  }
-  if (!code && !aspi_is_given(r->said, "gas_density"))
+  double joule = aspi_quantity_factor("energy/area", &r->d->units);
+  r->d->choice.flow.work = ASPI_REMOVAL_WORK * joule;
+  for (const aspi_keyword *k; !code && (k = aspi_words_take_keyword(r, "remove")) != NULL;)
+    code = aspi_words_number(r, "remove", k->name, aspi_description_number(r->d, k->name));
+  if (!code && !aspi_is_given(r->d, "gas_density"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'remove', 'u_tau U gas_density RHO' is expected");
   return code;
 }
@@ -333,9 +323,9 @@ static asp_code read_deposit(aspi_words *r) {
   if (kind == 3)
     return aspi_fail(r->error, ASP_EARG, "deposit is '%.100s'; it must be freeze, delete or off",
                      given);
-  r->said->deposit = (aspi_deposit)kind;
-  asp_code code = asp_wall_set(r->wall, "deposit", r->said->deposit != ASPI_DEPOSIT_OFF, r->error);
-  return !code && aspi_words_take(r, "remove") ? read_removal(r) : code;
+  r->d->deposit = (aspi_deposit)kind;
+  r->d->choice.deposit = r->d->deposit != ASPI_DEPOSIT_OFF;
+  return aspi_words_take(r, "remove") ? read_removal(r) : ASP_OK;
 }
 
 static const struct {
@@ -352,7 +342,7 @@ static asp_code read_clause(aspi_words *r, int clause) {
   const char *name = clauses[clause].name;
   if (clauses[clause].read)
     return clauses[clause].read(r);
-  return aspi_words_number(r, "", name, aspi_description_number(r->said, name));
+  return aspi_words_number(r, "", name, aspi_description_number(r->d, name));
 }
 
 /* Lists the words allowed at the start of a clause: those of all clauses, of the last one, and the
@@ -363,11 +353,11 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
     size_t used = strlen(list);
-    if (*r->said->last && strcmp(k->within, r->said->last) == 0)
+    if (*r->d->last && strcmp(k->within, r->d->last) == 0)
       snprintf(list + used, sizeof list - used, " %s", k->name);
   }
-  const asp_rebound_law *of = r->wall->choice.law;
-  for (int i = 0; i < of->n_parameters && strcmp(r->said->last, "rebound") == 0; i++) {
+  const asp_rebound_law *of = r->d->choice.law;
+  for (int i = 0; i < of->n_parameters && strcmp(r->d->last, "rebound") == 0; i++) {
     const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
     size_t used = strlen(list);
     if (!aspi_words_in_list(keyword, list))
@@ -378,40 +368,32 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
   return aspi_fail_unknown(r->error, "keyword", name, list);
 }
 
-asp_code asp_wall_read(asp_wall *wall, int count, const char *const *words, const char *others,
-                       int *taken, asp_error *error) {
-  aspi_words r = {wall, wall->said, words, count, 1, others, error, ""};
+asp_code asp_description_read(asp_description *d, int count, const char *const *words,
+                              const char *others, int *taken, asp_error *error) {
+  others = others ? others : "";
+  asp_error wrong = d->broken;
+  aspi_words r = {d, words, count, 1, others, &wrong, ""};
   *taken = 0;
-  if (count == 0 || aspi_words_in_list(words[0], others))
+  if (d->broken.code)
+    return aspi_fail(error, wrong.code, "%s", wrong.text);
+  if (count <= 0 || aspi_words_in_list(words[0], others))
     return ASP_OK;
   int i = 0;
   while (i < CLAUSES && strcmp(words[0], clauses[i].name) != 0)
     i++;
-  if (i == CLAUSES)
-    return fail_keyword(&r, words[0]);
-  if (aspi_is_given(wall->said, words[0]))
-    return aspi_fail(error, ASP_EARG, "'%s' is given twice", words[0]);
-  aspi_set_given(wall->said, words[0]);
-  wall->said->last = clauses[i].name;
-  asp_code code = read_clause(&r, i);
-  *taken = r.next;
-  return code;
-}
-
-/* The model where none is given. */
-static const char *standard_model(const aspi_description *said) {
-  return said->kind == ASPI_SMOOTH                              ? "none"
-         : said->kind == ASPI_PROFILE || said->kind == ASPI_MAP ? "profile"
-                                                                : "visible";
-}
-
-asp_code asp_wall_complete(asp_wall *wall, asp_error *error) {
-  aspi_description *said = wall->said;
-  wall->choice.spread = said->spread ? said->spread : asp_spread_find(standard_model(said), NULL);
-  asp_code code = aspi_check_effects(wall, error);
+  asp_code code = i == CLAUSES ? fail_keyword(&r, words[0]) : ASP_OK;
+  if (!code && aspi_is_given(d, words[0]))
+    code = aspi_fail(&wrong, ASP_EARG, "'%s' is given twice", words[0]);
+  if (!code) {
+    aspi_set_given(d, words[0]);
+    d->last = clauses[i].name;
+    code = read_clause(&r, i);
+    *taken = r.next;
+  }
   if (!code)
-    code = check_erosion(wall, error);
-  return code ? code : aspi_make_surface(wall, error);
+    return ASP_OK;
+  d->broken = wrong;
+  return aspi_fail(error, code, "%s", wrong.text);
 }
 
 /* Cuts a text into words, in place; quotes hold one together. The number of words, and where there
@@ -433,7 +415,7 @@ static int split(char *text, const char **words) {
   return count;
 }
 
-static asp_code parse(asp_wall *wall, char *text, asp_error *error) {
+static asp_code parse(asp_description *d, char *text, asp_error *error) {
   int count = split(text, NULL), next = 0, taken;
   if (count < 0)
     return aspi_fail(error, ASP_EARG, "a quote in the description has no end");
@@ -443,39 +425,24 @@ static asp_code parse(asp_wall *wall, char *text, asp_error *error) {
   split(text, words);
   asp_code code = ASP_OK;
   while (next < count && !code) {
-    code = asp_wall_read(wall, count - next, words + next, "", &taken, error);
+    code = asp_description_read(d, count - next, words + next, "", &taken, error);
     next += taken;
   }
   free(words);
-  return code ? code : asp_wall_complete(wall, error);
+  return code ? code : asp_description_complete(d, error);
 }
 
-static aspi_description *create_description(const asp_units *units, asp_error *error) {
-  aspi_description *said = calloc(1, sizeof *said);
-  if (!said) {
-    aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
+asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error) {
+  if (!text) {
+    aspi_fail(error, ASP_EARG, "the text of a description is NULL");
     return NULL;
   }
-  said->units = *units;
-  said->last = "";
-  said->sigma = said->r_q = said->lambda_c = NAN;
-  said->friction = said->surface_energy = said->yield_stress = NAN;
-  said->seed = aspi_keyword_find("", "seed")->fallback;
-  return said;
-}
-
-asp_wall *asp_wall_parse(const char *text, const asp_units *units, asp_error *error) {
-  static const asp_units si = {"SI", 1, 1, 1};
-  asp_wall *wall = asp_wall_create(error);
-  if (!wall)
-    return NULL;
-  wall->said = create_description(units ? units : &si, error);
-  wall->choice.isotropic = wall->choice.multiple = true;
-  char *words = wall->said ? aspi_words_copy(text, error) : NULL;
-  asp_code code = words ? parse(wall, words, error) : ASP_ENOMEM;
+  asp_description *d = aspi_description_create(units, error);
+  char *words = d ? aspi_words_copy(text, error) : NULL;
+  asp_code code = words ? parse(d, words, error) : ASP_ENOMEM;
   free(words);
   if (!code)
-    return wall;
-  asp_wall_free(wall);
+    return d;
+  asp_description_free(d);
   return NULL;
 }

@@ -1,7 +1,7 @@
 /* The words of a description, one after the other, and the numbers among them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "wall/words.h"
+#include "description/words.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
@@ -25,7 +25,7 @@ const aspi_keyword *aspi_words_take_keyword(aspi_words *r, const char *within) {
     const aspi_keyword *k = aspi_keyword_at(i);
     if (strcmp(k->within, within) != 0 || !aspi_words_take(r, k->name))
       continue;
-    aspi_set_given(r->said, k->name);
+    aspi_set_given(r->d, k->name);
     return k;
   }
   return NULL;
@@ -69,17 +69,17 @@ asp_code aspi_words_file(aspi_words *r, const char *what, char **name) {
 
 bool aspi_words_unknown(const aspi_words *r, const char *given, const char **start) {
   bool alone = strcmp(given, "fit") == 0, begins = strncmp(given, "fit=", 4) == 0;
-  bool unknown = r->said->may_fit && (alone || begins);
+  bool unknown = r->d->may_fit && (alone || begins);
   *start = !unknown ? given : begins ? given + 4 : NULL;
   return unknown;
 }
 
 asp_code aspi_words_add_unknown(aspi_words *r, const char *name) {
-  aspi_description *said = r->said;
-  if (said->n_fits == ASPI_FITS_MOST)
+  asp_description *d = r->d;
+  if (d->n_fits == ASPI_FITS_MOST)
     return aspi_fail(r->error, ASP_EARG, "%s is one number too many to fit; there may be %d", name,
                      ASPI_FITS_MOST);
-  said->fits[said->n_fits++] = name;
+  d->fits[d->n_fits++] = name;
   return ASP_OK;
 }
 
@@ -100,11 +100,12 @@ static asp_code standard_start(aspi_words *r, const aspi_keyword *k, double *val
 
 asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, double *value) {
   const aspi_keyword *k = aspi_keyword_find(within, name);
+  aspi_set_given(r->d, name);
   const char *given = aspi_words_word(r, name), *start = given;
   if (!given)
     return ASP_EARG;
   bool unknown = k->may_fit && aspi_words_unknown(r, given, &start);
-  asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->said->units, value, r->error)
+  asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->d->units, value, r->error)
                         : standard_start(r, k, value);
   if (!code && start)
     code = aspi_keyword_check(k, *value, r->error);
@@ -112,8 +113,8 @@ asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, 
 }
 
 asp_code aspi_words_check_units(const aspi_words *r, const char *what) {
-  if (aspi_quantity_factor("stress", &r->said->units) > 0)
+  if (aspi_quantity_factor("stress", &r->d->units) > 0)
     return ASP_OK;
   return aspi_fail(r->error, ASP_EARG, "%s in SI units, which cannot be converted to %s", what,
-                   r->said->units.name);
+                   r->d->units.name);
 }

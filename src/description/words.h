@@ -1,18 +1,17 @@
 /* The words of a description, one after the other, and the numbers among them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_WORDS_H
-#define ASP_WALL_WORDS_H
+#ifndef ASP_DESCRIPTION_WORDS_H
+#define ASP_DESCRIPTION_WORDS_H
 
 #include "base/error.h"
-#include "wall/description.h"
+#include "description/description.h"
 
 #include <string.h>
 
-/* The words of a clause, of which `next` comes next, and the wall that they describe. */
+/* The words of a clause, of which `next` comes next, and the description that they go into. */
 typedef struct aspi_words {
-  asp_wall *wall;
-  aspi_description *said;
+  asp_description *d;
   const char *const *words;
   int count, next;
   const char *others; /* words of the caller that end a list of names */

@@ -1,8 +1,8 @@
-/* The words of a description that the wall itself does not keep, and the table of keywords.
+/* A description: the words of a wall as they were read, and the table of keywords.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_DESCRIPTION_H
-#define ASP_WALL_DESCRIPTION_H
+#ifndef ASP_DESCRIPTION_DESCRIPTION_H
+#define ASP_DESCRIPTION_DESCRIPTION_H
 
 #include "wall/wall.h"
 
@@ -19,10 +19,11 @@ enum { ASPI_FITS_MOST = 8 };
 
 typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_deposit;
 
-struct aspi_description {
+struct asp_description {
   asp_units units;
   uint64_t given;   /* a bit for each keyword of the table */
   const char *last; /* the clause that was read last */
+  asp_error broken; /* the error of a clause that could not be read; it stays */
   aspi_surface_kind kind;
   double sigma; /* degrees */
   double r_q, lambda_c, lambda_along;
@@ -34,8 +35,6 @@ struct aspi_description {
   const asp_spread_model *spread; /* NULL: auto, or none is given */
   bool chooses;                   /* spread auto */
   double tolerance;
-  char choice[400]; /* of auto, and why */
-  asp_error doubt;  /* about the file, once asp_wall_make has read it */
   char *table;
   char **names; /* of the materials */
   int n_materials;
@@ -51,9 +50,11 @@ struct aspi_description {
   bool may_fit;
   const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
   int n_fits;
-  asp_surface *surface; /* what the description makes of it */
-  asp_profile *profile; /* read by asp_wall_make; else NULL */
-  asp_map *map;
+  aspi_wall_choice choice; /* the wall of these words; the surface of a profile is still to come */
+  asp_surface *surface;    /* of the numbers or the map; NULL: to be made */
+  asp_profile *profile;    /* read from the file; NULL: the caller's, or not read yet */
+  asp_map *map;            /* alike */
+  asp_error doubt;         /* about the file that was read */
   aspi_cor_table *cor_table;
 };
 
@@ -63,10 +64,11 @@ typedef struct aspi_keyword {
   const char *within; /* the keyword that it belongs to; "" where it begins a clause of its own */
   const char *values; /* as a syntax shows them; "" for none */
   const char *unit;   /* of a number: its kind, as aspi_quantity_read has them; NULL: no number */
+  size_t number;      /* the offset of its number in asp_description; 0: it has none */
   double fallback, least, most;
   bool above; /* it must be more than `least` */
   bool whole;
-  bool may_fit;         /* see aspi_description */
+  bool may_fit;         /* see asp_description */
   const char *standard; /* the default, as text; "" where there is none */
   const char *text;
 } aspi_keyword;
@@ -80,34 +82,20 @@ const aspi_keyword *aspi_keyword_find(const char *within, const char *name);
 /* The words within one, with blanks between; `""` for those of clauses. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 
-/* True if a word of a clause is given, by its name in the table. */
-bool aspi_is_given(const aspi_description *said, const char *name);
-void aspi_set_given(aspi_description *said, const char *name);
-
-/* Says of the first given word without an effect what it has none with. */
-asp_code aspi_check_effects(const asp_wall *wall, asp_error *error);
-
-void aspi_description_free(aspi_description *said);
-
-/* A number's range, and that it is whole where it must be. */
+/* Checks a number's range, and that it is whole where it must be. */
 asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
 
-/* A number of the description by name; NULL for another name. */
-double *aspi_description_number(aspi_description *said, const char *name);
+/* An empty description: a smooth wall. */
+asp_description *aspi_description_create(const asp_units *units, asp_error *error);
 
-/* The value of such a number; NaN for another name, or if it is not given. */
-double aspi_description_get(const aspi_description *said, const char *name);
+/* True if a word of a clause is given, by its name in the table. */
+bool aspi_is_given(const asp_description *d, const char *name);
+void aspi_set_given(asp_description *d, const char *name);
 
-/* Sets sigma, or rq and lambda_c, where the surface is given by them; friction, surface_energy,
- * yield_stress, tolerance or seed. ASP_ENAME without a message for another name. */
-asp_code aspi_description_set(aspi_description *said, const char *name, double value,
-                              asp_error *error);
+/* The place of a keyword's number; NULL for another name. */
+double *aspi_description_number(asp_description *d, const char *name);
 
-/* True if a number is unknown; know: no longer. */
-void aspi_description_know(aspi_description *said, const char *name);
-bool aspi_is_fit(const aspi_description *said, const char *name);
-
-/* The surface that the numbers of the description, or the wall's map, make. */
-asp_code aspi_make_surface(asp_wall *wall, asp_error *error);
+/* True if a number is unknown. */
+bool aspi_is_fit(const asp_description *d, const char *name);
 
 #endif

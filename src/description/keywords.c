@@ -2,14 +2,17 @@
  * of the tilt, laws and their parameters are records of their own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "wall/description.h"
+#include "description/description.h"
 #include "base/error.h"
 #include "spread/sizes.h"
 
 #include <limits.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
+
+#define NUMBER(member) offsetof(asp_description, member)
 
 static const aspi_keyword keywords[] = {
     {.name = "surface",
@@ -40,6 +43,7 @@ static const aspi_keyword keywords[] = {
      .may_fit = true,
      .values = "F",
      .unit = "",
+     .number = NUMBER(friction),
      .most = INFINITY,
      .standard = "0.3",
      .text = "coefficient of friction of all pairs of materials"},
@@ -48,6 +52,7 @@ static const aspi_keyword keywords[] = {
      .may_fit = true,
      .values = "G",
      .unit = "energy/area",
+     .number = NUMBER(surface_energy),
      .most = INFINITY,
      .standard = "0.8 J/m2",
      .text = "surface energy of all pairs of materials"},
@@ -56,6 +61,7 @@ static const aspi_keyword keywords[] = {
      .may_fit = true,
      .values = "Y",
      .unit = "stress",
+     .number = NUMBER(yield_stress),
      .most = INFINITY,
      .standard = "the material's",
      .text = "yield stress of all particles"},
@@ -73,6 +79,7 @@ static const aspi_keyword keywords[] = {
      .within = "",
      .values = "N",
      .unit = "",
+     .number = NUMBER(seed),
      .fallback = 1,
      .most = 4294967295.0,
      .whole = true,
@@ -84,6 +91,7 @@ static const aspi_keyword keywords[] = {
      .may_fit = true,
      .values = "ANGLE",
      .unit = "degrees",
+     .number = NUMBER(sigma),
      .least = 0.001,
      .most = 54,
      .standard = "",
@@ -93,6 +101,7 @@ static const aspi_keyword keywords[] = {
      .may_fit = true,
      .values = "R",
      .unit = "length",
+     .number = NUMBER(r_q),
      .most = INFINITY,
      .above = true,
      .standard = "",
@@ -102,6 +111,7 @@ static const aspi_keyword keywords[] = {
      .may_fit = true,
      .values = "L [L_along]",
      .unit = "length",
+     .number = NUMBER(lambda_c),
      .most = INFINITY,
      .above = true,
      .standard = "",
@@ -130,6 +140,7 @@ static const aspi_keyword keywords[] = {
      .within = "surface",
      .values = "N",
      .unit = "",
+     .number = NUMBER(bins),
      .least = 1,
      .most = ASP_BINS_MAX,
      .whole = true,
@@ -155,6 +166,7 @@ static const aspi_keyword keywords[] = {
      .within = "spread",
      .values = "D",
      .unit = "",
+     .number = NUMBER(tolerance),
      .most = INFINITY,
      .above = true,
      .standard = "",
@@ -166,6 +178,7 @@ static const aspi_keyword keywords[] = {
      .within = "erosion",
      .values = "RHO",
      .unit = "density",
+     .number = NUMBER(choice.erosion.density),
      .most = INFINITY,
      .above = true,
      .standard = "that of the wall's material",
@@ -195,6 +208,7 @@ static const aspi_keyword keywords[] = {
      .within = "remove",
      .values = "U",
      .unit = "speed",
+     .number = NUMBER(choice.flow.u_tau),
      .most = INFINITY,
      .above = true,
      .standard = "",
@@ -203,6 +217,7 @@ static const aspi_keyword keywords[] = {
      .within = "remove",
      .values = "RHO",
      .unit = "density",
+     .number = NUMBER(choice.flow.density),
      .most = INFINITY,
      .above = true,
      .standard = "",
@@ -211,6 +226,7 @@ static const aspi_keyword keywords[] = {
      .within = "remove",
      .values = "L",
      .unit = "length",
+     .number = NUMBER(choice.flow.mean_free_path),
      .most = INFINITY,
      .standard = "0",
      .text = "mean free path of the gas"},
@@ -218,6 +234,7 @@ static const aspi_keyword keywords[] = {
      .within = "remove",
      .values = "W",
      .unit = "energy/area",
+     .number = NUMBER(choice.flow.work),
      .fallback = ASPI_REMOVAL_WORK,
      .most = INFINITY,
      .standard = "0.039 J/m2",
@@ -263,72 +280,4 @@ void aspi_keyword_names(const char *within, char *list, size_t size) {
 }
 
 _Static_assert(sizeof keywords / sizeof *keywords <= CHAR_BIT * sizeof(uint64_t),
-               "each keyword needs a bit in aspi_description.given");
-
-bool aspi_is_given(const aspi_description *said, const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(keywords[i].name, name) == 0 && said->given >> i & 1)
-      return true;
-  return false;
-}
-
-void aspi_set_given(aspi_description *said, const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(keywords[i].name, name) == 0)
-      said->given |= (uint64_t)1 << i;
-}
-
-/* ---- what has no effect ---- */
-
-typedef struct against {
-  char text[120];
-} against;
-
-static bool without_pair(const asp_wall *wall, against *with) {
-  snprintf(with->text, sizeof with->text, "rebound %s, which takes no materials",
-           wall->choice.law->name);
-  return !wall->choice.law->needs_pair;
-}
-
-static bool deposits_off(const asp_wall *wall, against *with) {
-  snprintf(with->text, sizeof with->text, "deposit off");
-  return wall->said->deposit == ASPI_DEPOSIT_OFF;
-}
-
-static bool yields_by_rate(const asp_wall *wall, against *with) {
-  snprintf(with->text, sizeof with->text, "yield_rate");
-  return asp_wall_get(wall, "yield_rate") > 0;
-}
-
-static bool has_own_friction(const asp_wall *wall, against *with) {
-  snprintf(with->text, sizeof with->text, "rebound %s, whose MU is one", wall->choice.law->name);
-  return asp_wall_get(wall, "mu") >= 0;
-}
-
-static bool has_no_tilt(const asp_wall *wall, against *with) {
-  snprintf(with->text, sizeof with->text, "spread none");
-  return wall->said->kind != ASPI_SMOOTH && !wall->said->chooses &&
-         strcmp(wall->choice.spread->name, "none") == 0;
-}
-
-static bool has_no_bins(const asp_wall *wall, against *with) {
-  snprintf(with->text, sizeof with->text, "spread %s", wall->choice.spread->name);
-  return !asp_wall_needs_sizes(wall);
-}
-
-static const struct {
-  const char *name;
-  bool (*idle)(const asp_wall *wall, against *with);
-} rules[] = {{"surface", has_no_tilt},         {"dp_bins", has_no_bins},
-             {"materials", without_pair},      {"friction", has_own_friction},
-             {"surface_energy", without_pair}, {"surface_energy", deposits_off},
-             {"yield_stress", without_pair},   {"yield_stress", yields_by_rate},
-             {"remove", deposits_off},         {"remove", without_pair}};
-
-asp_code aspi_check_effects(const asp_wall *wall, asp_error *error) {
-  against with;
-  for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
-    if (aspi_is_given(wall->said, rules[i].name) && rules[i].idle(wall, &with))
-      return aspi_fail(error, ASP_EARG, "'%s' has no effect with %s", rules[i].name, with.text);
-  return ASP_OK;
-}
+               "each keyword needs a bit in asp_description.given");

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/quantity.h"
-#include "wall/description.h"
+#include "description/description.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@
 enum { SPEEDS = 64 };
 
 typedef struct question {
-  const asp_wall *wall;
+  const asp_description *d;
   const asp_particle *particle;
   const asp_material *material[2]; /* of the particle and of the wall */
   char *text;
@@ -32,7 +32,7 @@ typedef struct question {
 
 static bool yields_never(const question *q) {
   const asp_pair *pair = q->particle->pair;
-  if (!pair || asp_wall_get(q->wall, "yield_rate") > 0 ||
+  if (!pair || asp_description_get(q->d, "yield_rate") > 0 ||
       !(pair->yield_stress > YIELD_MOST * pair->modulus))
     return false;
   snprintf(q->text, q->size,
@@ -57,7 +57,7 @@ static bool has_other_density(const question *q) {
 }
 
 static bool is_in_gpa(const question *q, int which) {
-  double pascal = aspi_quantity_factor("stress", &q->wall->said->units);
+  double pascal = aspi_quantity_factor("stress", &q->d->units);
   const asp_material *m = q->material[which];
   if (!(pascal > 0) || !(m->youngs_modulus < YOUNGS_LEAST * pascal))
     return false;
@@ -78,12 +78,12 @@ static bool wall_in_gpa(const question *q) {
 
 /* Normal impacts at all speeds; oblique ones have less normal speed. */
 static bool sticks_always(const question *q) {
-  const asp_units *units = &q->wall->said->units;
-  const asp_rebound_law *law = q->wall->choice.law;
+  const asp_units *units = &q->d->units;
+  const asp_rebound_law *law = q->d->choice.law;
   double speed = aspi_quantity_factor("speed", units);
   if (!law->needs_pair || !q->particle->pair || !(speed > 0) || !(q->particle->d_p > 0) ||
-      !(q->particle->density > 0) || !(asp_wall_get(q->wall, "deposit") > 0) ||
-      asp_wall_removes(q->wall, q->particle))
+      !(q->particle->density > 0) || !q->d->choice.deposit ||
+      aspi_flow_removes(&q->d->choice.flow, q->particle))
     return false;
   for (int i = 0; i < SPEEDS; i++) {
     double v = SPEED_LEAST * pow(SPEED_MOST / SPEED_LEAST, i / (SPEEDS - 1.0)) * speed;
@@ -92,7 +92,7 @@ static bool sticks_always(const question *q) {
                     .density = q->particle->density,
                     .pair = q->particle->pair,
                     .adhesion = true};
-    if (law->rebound(q->wall->choice.parameters, &hit).v_n2 > 0)
+    if (law->rebound(q->d->choice.parameters, &hit).v_n2 > 0)
       return false;
   }
   snprintf(q->text, q->size,
@@ -102,12 +102,12 @@ static bool sticks_always(const question *q) {
   return true;
 }
 
-bool asp_wall_doubt(const asp_wall *wall, const asp_particle *particle,
-                    const asp_material *of_particle, const asp_material *of_wall, int index,
-                    char *text, size_t size) {
+bool asp_description_doubt(const asp_description *d, const asp_particle *particle,
+                           const asp_material *of_particle, const asp_material *of_wall, int index,
+                           char *text, size_t size) {
   static bool (*const doubts[])(const question *q) = {has_other_density, particle_in_gpa,
                                                       wall_in_gpa, yields_never, sticks_always};
-  const question q = {wall, particle, {of_particle, of_wall}, text, size};
+  const question q = {d, particle, {of_particle, of_wall}, text, size};
   for (size_t i = 0; i < sizeof doubts / sizeof *doubts; i++)
     if (doubts[i](&q) && index-- == 0)
       return true;

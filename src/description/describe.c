@@ -1,9 +1,9 @@
-/* A wall in the words of its description.
+/* The canonical text of a description.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number.h"
 #include "base/quantity.h"
-#include "wall/description.h"
+#include "description/description.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -29,8 +29,8 @@ static void add(line *l, const char *word) {
 }
 
 /* A length over 1 mm in SI gets its unit, since the command refuses it without one. */
-static void print_value(const aspi_description *said, double value, bool length, char *text) {
-  bool metres = !(said->units.metre < 1) && !(said->units.metre > 1);
+static void print_value(const asp_description *d, double value, bool length, char *text) {
+  bool metres = !(d->units.metre < 1) && !(d->units.metre > 1);
   bool needs_unit = length && metres && isfinite(value) && value > 1e-3;
   (needs_unit ? aspi_quantity_print_length : aspi_number_print)(value, text);
 }
@@ -41,18 +41,18 @@ static void add_number(line *l, double value) {
   add(l, text);
 }
 
-static void add_length(line *l, const aspi_description *said, double value) {
+static void add_length(line *l, const asp_description *d, double value) {
   char text[32];
-  print_value(said, value, true, text);
+  print_value(d, value, true, text);
   add(l, text);
 }
 
 /* `fit=START` of an unknown one. */
-static void add_value(line *l, const aspi_description *said, const char *name, bool length,
+static void add_value(line *l, const asp_description *d, const char *name, bool length,
                       double value) {
   char text[48] = "fit=";
-  print_value(said, value, length, text + strlen(text));
-  add(l, !aspi_is_fit(said, name) ? text + strlen("fit=") : isnan(value) ? "fit" : text);
+  print_value(d, value, length, text + strlen(text));
+  add(l, !aspi_is_fit(d, name) ? text + strlen("fit=") : isnan(value) ? "fit" : text);
 }
 
 static void add_pair(line *l, const char *name, double value) {
@@ -61,10 +61,10 @@ static void add_pair(line *l, const char *name, double value) {
 }
 
 /* A number of the description with its name. */
-static void add_known_or_fit(line *l, const aspi_description *said, const char *name) {
+static void add_known_or_fit(line *l, const asp_description *d, const char *name) {
   add(l, name);
-  add_value(l, said, name, strcmp(name, "rq") == 0 || strcmp(name, "lambda_c") == 0,
-            aspi_description_get(said, name));
+  add_value(l, d, name, strcmp(name, "rq") == 0 || strcmp(name, "lambda_c") == 0,
+            asp_description_get(d, name));
 }
 
 /* In quotes where it would not be one word. */
@@ -79,59 +79,57 @@ static void add_name(line *l, const char *name) {
   free(quoted);
 }
 
-static void add_lay(line *l, const aspi_description *said) {
-  if (said->lay == ASP_LAY_NONE)
+static void add_lay(line *l, const asp_description *d) {
+  if (d->lay == ASP_LAY_NONE)
     return;
   add(l, "lay");
-  if (said->lay_word)
-    add(l, said->lay_word);
-  for (int i = 0; i < (said->lay == ASP_LAY_VECTOR ? 3 : 1) && !said->lay_word; i++)
-    add_number(l, said->lay_numbers[i]);
+  if (d->lay_word)
+    add(l, d->lay_word);
+  for (int i = 0; i < (d->lay == ASP_LAY_VECTOR ? 3 : 1) && !d->lay_word; i++)
+    add_number(l, d->lay_numbers[i]);
 }
 
-static void add_surface(line *l, const aspi_description *said) {
+static void add_surface(line *l, const asp_description *d) {
   add(l, "surface");
-  switch (said->kind) {
+  switch (d->kind) {
   case ASPI_SMOOTH:
     add(l, "smooth");
     break;
   case ASPI_SIGMA:
-    add_known_or_fit(l, said, "sigma");
+    add_known_or_fit(l, d, "sigma");
     break;
   case ASPI_GAUSSIAN:
-    add_known_or_fit(l, said, "rq");
-    add_known_or_fit(l, said, "lambda_c");
-    if (said->lay != ASP_LAY_NONE)
-      add_length(l, said, said->lambda_along);
+    add_known_or_fit(l, d, "rq");
+    add_known_or_fit(l, d, "lambda_c");
+    if (d->lay != ASP_LAY_NONE)
+      add_length(l, d, d->lambda_along);
     break;
   case ASPI_PROFILE:
   case ASPI_MAP:
-    add(l, said->kind == ASPI_MAP ? "map" : "profile");
-    add_name(l, said->file);
+    add(l, d->kind == ASPI_MAP ? "map" : "profile");
+    add_name(l, d->file);
   }
-  add_lay(l, said);
-  if (aspi_is_given(said, "dp_bins"))
-    add_pair(l, "dp_bins", said->bins);
+  add_lay(l, d);
+  if (aspi_is_given(d, "dp_bins"))
+    add_pair(l, "dp_bins", d->bins);
 }
 
-static void add_spread(line *l, const asp_wall *wall) {
-  const aspi_description *said = wall->said;
-  if (said->kind == ASPI_SMOOTH && !aspi_is_given(said, "spread"))
+static void add_spread(line *l, const asp_description *d) {
+  if (d->kind == ASPI_SMOOTH && !aspi_is_given(d, "spread"))
     return;
   add(l, "spread");
-  add(l, said->chooses ? "auto" : wall->choice.spread->name);
-  if (said->chooses)
-    add_pair(l, "tolerance", said->tolerance);
-  add(l, wall->choice.isotropic ? "isotropic" : "plane");
+  add(l, d->chooses ? "auto" : d->choice.spread->name);
+  if (d->chooses)
+    add_pair(l, "tolerance", d->tolerance);
+  add(l, d->choice.isotropic ? "isotropic" : "plane");
   add(l, "collisions");
-  add(l, wall->choice.multiple ? "multiple" : "single");
+  add(l, d->choice.multiple ? "multiple" : "single");
 }
 
-static void add_parameter(line *l, const aspi_description *said, const asp_parameter *p,
-                          double value) {
+static void add_parameter(line *l, const asp_description *d, const asp_parameter *p, double value) {
   const char *word = p->words;
   if (!word) {
-    add_value(l, said, p->name, false, value);
+    add_value(l, d, p->name, false, value);
     return;
   }
   for (int i = (int)value; i > 0; i--)
@@ -149,100 +147,95 @@ typedef struct law {
   const double *own;    /* in those of the defaults */
 } law;
 
-static bool differs(const aspi_description *said, const law *l, int i) {
+static bool differs(const asp_description *d, const law *l, int i) {
   double value = l->own[i], standard = l->parameters[i].fallback;
   return value < standard || value > standard || (isnan(standard) && !isnan(value)) ||
-         aspi_is_fit(said, l->parameters[i].name);
+         aspi_is_fit(d, l->parameters[i].name);
 }
 
 /* Those that follow one word are left out where all have their defaults. */
-static void add_parameters(line *l, const aspi_description *said, const law *of) {
+static void add_parameters(line *l, const asp_description *d, const law *of) {
   for (int i = 0, next; i < of->count; i = next) {
     const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
     bool any = !*keyword;
     for (next = i;
          next < of->count && strcmp(aspi_parameter_keyword(&of->parameters[next]), keyword) == 0;
          next++)
-      any = any || differs(said, of, next);
+      any = any || differs(d, of, next);
     if (any && *keyword)
       add(l, keyword);
     for (int k = i; k < next && any; k++)
-      add_parameter(l, said, &of->parameters[k], of->values[k]);
+      add_parameter(l, d, &of->parameters[k], of->values[k]);
   }
 }
 
-static void add_rebound(line *l, const asp_wall *wall) {
-  const asp_rebound_law *of = wall->choice.law;
-  const double *values = wall->choice.parameters;
+static void add_rebound(line *l, const asp_description *d) {
+  const asp_rebound_law *of = d->choice.law;
+  const double *values = d->choice.parameters;
   add(l, "rebound");
   add(l, of->name);
   if (of->needs_table)
-    add_name(l, wall->said->table);
-  add_parameters(l, wall->said, &(law){of->parameters, of->n_parameters, values, values});
-  if (asp_wall_get(wall, "scatter_twice") > 0)
+    add_name(l, d->table);
+  add_parameters(l, d, &(law){of->parameters, of->n_parameters, values, values});
+  if (d->choice.scatter_twice)
     add(l, "scatter_twice");
 }
 
-static void add_constants(line *l, const aspi_description *said) {
-  if (aspi_is_given(said, "materials")) {
+static void add_constants(line *l, const asp_description *d) {
+  if (aspi_is_given(d, "materials")) {
     add(l, "materials");
-    for (int i = 0; i < said->n_materials; i++)
-      add_name(l, said->names[i]);
-    if (said->materials_file) {
+    for (int i = 0; i < d->n_materials; i++)
+      add_name(l, d->names[i]);
+    if (d->materials_file) {
       add(l, "file");
-      add_name(l, said->materials_file);
+      add_name(l, d->materials_file);
     }
   }
   static const char *const numbers[] = {"friction", "surface_energy", "yield_stress"};
   for (int i = 0; i < 3; i++)
-    if (aspi_is_given(said, numbers[i]))
-      add_known_or_fit(l, said, numbers[i]);
+    if (aspi_is_given(d, numbers[i]))
+      add_known_or_fit(l, d, numbers[i]);
 }
 
-static void add_deposit(line *l, const asp_wall *wall) {
+static void add_deposit(line *l, const asp_description *d) {
   add(l, "deposit");
-  add(l, asp_wall_word(wall, "deposit"));
-  if (aspi_is_given(wall->said, "remove"))
+  add(l, asp_description_word(d, "deposit"));
+  if (aspi_is_given(d, "remove"))
     add(l, "remove");
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
-    char number[40];
-    snprintf(number, sizeof number, "remove_%s", k->name);
-    if (strcmp(k->within, "remove") != 0 || !aspi_is_given(wall->said, k->name))
+    if (strcmp(k->within, "remove") != 0 || !aspi_is_given(d, k->name))
       continue;
     add(l, k->name);
-    add_value(l, wall->said, k->name, strcmp(k->unit, "length") == 0, asp_wall_get(wall, number));
+    add_value(l, d, k->name, strcmp(k->unit, "length") == 0, asp_description_get(d, k->name));
   }
 }
 
-static void add_erosion(line *l, const asp_wall *wall) {
-  const aspi_erosion *erosion = &wall->choice.erosion;
+static void add_erosion(line *l, const asp_description *d) {
+  const aspi_erosion *erosion = &d->choice.erosion;
   const aspi_erosion_law *of = erosion->law;
   if (!of)
     return;
   add(l, "erosion");
   add(l, of->name);
-  add_parameters(l, wall->said,
-                 &(law){of->parameters, of->n_parameters, erosion->given, erosion->si});
+  add_parameters(l, d, &(law){of->parameters, of->n_parameters, erosion->given, erosion->si});
   if (erosion->density > 0)
     add_pair(l, "density", erosion->density);
   add(l, "face");
   add(l, erosion->tilted ? "tilted" : "mean");
 }
 
-size_t asp_wall_describe(const asp_wall *wall, char *text, size_t size) {
+size_t asp_description_text(const asp_description *d, char *text, size_t size) {
   line l = {text, size, 0};
   if (size > 0)
     *text = '\0';
-  if (!wall->said)
-    return 0;
-  add_surface(&l, wall->said);
-  add_spread(&l, wall);
-  add_rebound(&l, wall);
-  add_constants(&l, wall->said);
-  add_deposit(&l, wall);
-  add_erosion(&l, wall);
-  add_pair(&l, "seed", wall->said->seed);
+  add_surface(&l, d);
+  add_spread(&l, d);
+  add_rebound(&l, d);
+  add_constants(&l, d);
+  add_deposit(&l, d);
+  add_erosion(&l, d);
+  add_pair(&l, "seed", d->seed);
   return l.length;
 }
 
@@ -263,7 +256,7 @@ static bool begins_clause(const char *at) {
   return false;
 }
 
-size_t asp_wall_clause(const char *text) {
+size_t asp_description_clause(const char *text) {
   const char *at = behind_word(text);
   while (*at && !begins_clause(at))
     at = behind_word(at);

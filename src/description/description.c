@@ -1,0 +1,219 @@
+/* A description and what can be asked of it: its numbers and words by name.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "description/description.h"
+#include "base/error.h"
+#include "base/quantity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+asp_description *aspi_description_create(const asp_units *units, asp_error *error) {
+  static const asp_units si = {"SI", 1, 1, 1};
+  asp_description *d = calloc(1, sizeof *d);
+  if (!d) {
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
+    return NULL;
+  }
+  d->units = units ? *units : si;
+  d->last = "";
+  d->sigma = d->r_q = d->lambda_c = NAN;
+  d->friction = d->surface_energy = d->yield_stress = NAN;
+  d->seed = aspi_keyword_find("", "seed")->fallback;
+  d->choice = aspi_wall_choice_smooth();
+  d->choice.isotropic = d->choice.multiple = true;
+  return d;
+}
+
+void asp_description_free(asp_description *d) {
+  if (!d)
+    return;
+  for (int i = 0; i < d->n_materials; i++) {
+    free(d->names[i]);
+    if (d->materials)
+      asp_material_free(d->materials[i]);
+  }
+  free(d->names);
+  free(d->materials);
+  free(d->file);
+  free(d->table);
+  free(d->materials_file);
+  aspi_materials_free(d->own);
+  asp_surface_free(d->surface);
+  asp_profile_free(d->profile);
+  asp_map_free(d->map);
+  aspi_cor_table_free(d->cor_table);
+  free(d);
+}
+
+bool aspi_is_given(const asp_description *d, const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++)
+    if (strcmp(aspi_keyword_at(i)->name, name) == 0 && d->given >> i & 1)
+      return true;
+  return false;
+}
+
+bool asp_description_is_given(const asp_description *d, const char *keyword) {
+  return keyword && aspi_is_given(d, keyword);
+}
+
+void aspi_set_given(asp_description *d, const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++)
+    if (strcmp(aspi_keyword_at(i)->name, name) == 0)
+      d->given |= (uint64_t)1 << i;
+}
+
+void asp_description_default_plane(asp_description *d) {
+  d->choice.isotropic = false;
+}
+
+/* ---- numbers ---- */
+
+/* The keyword of a number; NULL for another name. */
+static const aspi_keyword *number_find(const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++)
+    if (aspi_keyword_at(i)->number && strcmp(aspi_keyword_at(i)->name, name) == 0)
+      return aspi_keyword_at(i);
+  return NULL;
+}
+
+double *aspi_description_number(asp_description *d, const char *name) {
+  const aspi_keyword *k = number_find(name);
+  return k ? (double *)((char *)d + k->number) : NULL;
+}
+
+double asp_description_get(const asp_description *d, const char *name) {
+  int i = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
+  const aspi_keyword *k = name && i < 0 ? number_find(name) : NULL;
+  double value = i >= 0 ? d->choice.parameters[i] : NAN;
+  if (k)
+    memcpy(&value, (const char *)d + k->number, sizeof value);
+  return value;
+}
+
+/* Lists the numbers of the law, and of the keywords that are given or begin a clause. */
+static asp_code fail_name(const asp_description *d, const char *name, asp_error *error) {
+  const asp_rebound_law *law = d->choice.law;
+  char list[420] = "", what[100];
+  for (int i = 0; i < law->n_parameters + aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i < law->n_parameters ? 0 : i - law->n_parameters);
+    bool is_there =
+        i < law->n_parameters || (k->number && (!*k->within || aspi_is_given(d, k->name)));
+    size_t used = strlen(list);
+    if (is_there)
+      snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "",
+               i < law->n_parameters ? law->parameters[i].name : k->name);
+  }
+  snprintf(what, sizeof what, "of a wall with rebound law '%s', number", law->name);
+  return aspi_fail_unknown(error, what, name ? name : "", list);
+}
+
+static asp_code set_parameter(asp_description *d, int index, double value, asp_error *error) {
+  const asp_parameter *p = &d->choice.law->parameters[index];
+  asp_code code =
+      aspi_check_range(error, p->name, p->unit ? p->unit : "", value, p->least, p->most);
+  if (!code)
+    d->choice.parameters[index] = value;
+  return code;
+}
+
+static asp_code set_number(asp_description *d, const aspi_keyword *k, double value,
+                           asp_error *error) {
+  asp_code code = aspi_keyword_check(k, value, error);
+  if (code)
+    return code;
+  *aspi_description_number(d, k->name) = value;
+  aspi_set_given(d, k->name);
+  if (strcmp(k->within, "surface") == 0) {
+    asp_surface_free(d->surface);
+    d->surface = NULL;
+  }
+  return ASP_OK;
+}
+
+asp_code asp_description_set(asp_description *d, const char *name, double value, asp_error *error) {
+  int parameter = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
+  const aspi_keyword *k = name && parameter < 0 ? number_find(name) : NULL;
+  if (parameter < 0 && (!k || (*k->within && !aspi_is_given(d, name))))
+    return fail_name(d, name, error);
+  asp_code code = k ? set_number(d, k, value, error) : set_parameter(d, parameter, value, error);
+  int kept = 0;
+  for (int i = 0; i < d->n_fits && !code; i++)
+    if (strcmp(d->fits[i], name) != 0)
+      d->fits[kept++] = d->fits[i];
+  d->n_fits = code ? d->n_fits : kept;
+  return code;
+}
+
+bool aspi_is_fit(const asp_description *d, const char *name) {
+  for (int i = 0; i < d->n_fits; i++)
+    if (strcmp(d->fits[i], name) == 0)
+      return true;
+  return false;
+}
+
+/* ---- words ---- */
+
+const char *asp_description_word(const asp_description *d, const char *name) {
+  static const char *const kinds[] = {"smooth", "sigma", "rq", "profile", "map"};
+  static const char *const deposits[] = {"freeze", "delete", "off"};
+  const struct {
+    const char *name, *value;
+  } words[] = {{"surface", kinds[d->kind]},
+               {"file", d->file},
+               {"spread", d->chooses ? "auto" : d->choice.spread->name},
+               {"tilt", d->choice.isotropic ? "isotropic" : "plane"},
+               {"collisions", d->choice.multiple ? "multiple" : "single"},
+               {"rebound", d->choice.law->name},
+               {"deposit", deposits[d->deposit]},
+               {"doubt", d->doubt.text}};
+  for (size_t i = 0; name && i < sizeof words / sizeof *words; i++)
+    if (strcmp(words[i].name, name) == 0)
+      return words[i].value;
+  return NULL;
+}
+
+const asp_rebound_law *asp_description_rebound(const asp_description *d) {
+  return d->choice.law;
+}
+
+asp_lay asp_description_lay(const asp_description *d) {
+  asp_lay lay = {d->lay, {0, 0, 0}, 0};
+  if (lay.kind == ASP_LAY_ANGLE && d->lay_word)
+    lay.angle = strcmp(d->lay_word, "axial") == 0 ? 0 : 0.5 * ASP_PI;
+  else if (lay.kind == ASP_LAY_ANGLE)
+    lay.angle = d->lay_numbers[0] * (ASP_PI / 180);
+  if (lay.kind == ASP_LAY_VECTOR) {
+    const double *v = d->lay_numbers;
+    double per_length = 1 / sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int i = 0; i < 3; i++)
+      lay.vector[i] = v[i] * per_length;
+  }
+  return lay;
+}
+
+/* ---- materials ---- */
+
+int asp_description_materials(const asp_description *d) {
+  return d->n_materials;
+}
+
+const asp_material *asp_description_material(const asp_description *d, int index) {
+  return d->materials && index >= 0 && index < d->n_materials ? d->materials[index] : NULL;
+}
+
+asp_pair *asp_description_pair(const asp_description *d, const asp_material *particle,
+                               const asp_material *target, asp_error *error) {
+  asp_pair *pair = asp_pair_create(particle, target, error);
+  if (!pair)
+    return NULL;
+  double standard = ASP_SURFACE_ENERGY * aspi_quantity_factor("energy/area", &d->units);
+  asp_pair_set(pair, "surface_energy", d->surface_energy >= 0 ? d->surface_energy : standard, NULL);
+  if (d->friction >= 0)
+    asp_pair_set(pair, "friction", d->friction, NULL);
+  if (d->yield_stress >= 0)
+    asp_pair_set(pair, "yield_stress", d->yield_stress, NULL);
+  return pair;
+}
