@@ -231,8 +231,8 @@ void Wall::fly(const std::vector<Wall *> &walls, const std::vector<Wall *> &near
     if (!known || flight.stays.empty() || flight.has_strayed(most))
       search_all(walls, flight);
   }
-  const bool trapped =
-      flight.squeezed || (series == 2 * SERIES && flight.events.size() > flight.series_begin);
+  const bool trapped = flight.squeezed || (!stuck && series == 2 * SERIES &&
+                                           flight.events.size() > flight.series_begin);
   if (trapped) {
     last->counters_[N_GUARDED]++;
     search_all(walls, flight);

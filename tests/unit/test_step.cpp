@@ -138,6 +138,61 @@ void stuck_grains_pass_their_spin_on(void **) {
   assert_true(!(fabs(grains.omega[2]) > 0));
 }
 
+/* Closes in along z at its own speed, wherever the grain is. */
+class Chaser : public Shape {
+public:
+  explicit Chaser(double speed) : speed_(speed) {}
+  double travel(double) const override {
+    return 0;
+  }
+  bool may_meet(const double[3], const double[3]) const override {
+    return true;
+  }
+  bool find(const Path &path, double, double, Contact &contact) const override {
+    contact = Contact();
+    aspi_copy(path.x, contact.x);
+    contact.n[2] = 1;
+    contact.v_wall[2] = speed_;
+    contact.closing = speed_ - path.v[2];
+    return contact.closing > 1e-6;
+  }
+  bool under(int, const double[3], double, double[3], double[3]) const override {
+    return false;
+  }
+  void stick(const Path &, const Contact &contact, Place &place) const override {
+    aspi_copy(contact.x, place.at);
+  }
+  void carry(Place &place, double, double, double x[3], double v[3]) const override {
+    aspi_copy(place.at, x);
+    aspi_copy(STILL, v);
+  }
+
+private:
+  double speed_;
+};
+
+/* Of contacts in a row the last one that is searched may be a deposit: the grain is not trapped,
+ * and its impacts count. */
+void the_last_contact_may_stick(void **) {
+  const Alone engine;
+  const int series = 32, struck = 16; /* contacts; those before all are taken as sustained */
+  Shapes walls;
+  double speed = 0;
+  for (int k = 0; k < series; k++) {
+    speed += k == series - 1 ? 1e-3 : 10 * (k + 1);
+    walls.push_back(ShapePtr(new Chaser(speed)));
+  }
+  std::unique_ptr<Wall> wall = make_wall(
+      engine, std::move(walls), "rebound bons yield_rate 0 deposit freeze materials quartz");
+  Grains grains(1, 0.5, 0.1);
+  grains.begin({wall.get()});
+  grains.fly(1);
+  assert_true(wall->stuck() == 1);
+  assert_true(wall->counter(Wall::N_DEPOSITS) == 1);
+  assert_true(wall->counter(Wall::N_IMPACTS) == struck + 1);
+  assert_true(wall->counter(Wall::N_GUARDED) == 0);
+}
+
 /* All numbers of a wall take one reduction, and none until something has changed. */
 void numbers_take_one_reduction(void **) {
   const Alone engine;
@@ -383,6 +438,7 @@ int main(int argc, char **argv) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(walls_get_what_grains_lose),
       cmocka_unit_test(stuck_grains_pass_their_spin_on),
+      cmocka_unit_test(the_last_contact_may_stick),
       cmocka_unit_test(numbers_take_one_reduction),
       cmocka_unit_test(rounding_is_not_guarded),
       cmocka_unit_test(straying_grains_are_met),
