@@ -56,14 +56,19 @@ function read(line,   name, kind) {
     return
   }
   lines[++n] = $0
+  if ($1 == "clear") write()
 }
 { read($0) }
-
 END {
+  write()
   print "name,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa" > into
   for (t = 1; t <= n_types; t++)
     printf "own%d,%.17g,%s,2650,%s\n", t, each["youngsModulus", t] / pascal, each["poissonsRatio", t],
       (("yieldStress", t) in each) ? sprintf("%.17g", each["yieldStress", t] / pascal) : "" > into
+}
+
+# The lines up to a `clear`, behind which the IDs of meshes mean others.
+function write(   k, words, from, rest, line, pair, hard) {
   for (k = 1; k <= n; k++) hard = hard || lines[k] ~ /^hard_particles/
   for (k = 1; k <= n; k++) {
     $0 = line = lines[k]
@@ -89,4 +94,6 @@ END {
     }
     print line
   }
+  n = 0
+  split("", mesh); split("", motion); split("", dropped)
 }
