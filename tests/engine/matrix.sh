@@ -2,10 +2,11 @@
 # Grains that stick, rest and fly, at meshes at rest, that move, turn, cross a periodic edge, and travel by several
 # periods; on 1, 2 and 4 ranks; in a run that goes on, and in restarts with the same meshes, with fewer, and with
 # another one of the same name. What is stuck goes with its mesh, what rests stays at it, and nothing passes it.
-# All scenes of a number of ranks are one script, with `clear` between them. STEPS=20000 matrix.sh is the long form.
+# All scenes of a number of ranks are one script, with `clear` between them. STEPS=200 CELLS=30 RANKS="1 2 3 4 6 8" matrix.sh
+# is a longer form; beyond, grains leave the plates.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
-steps=${STEPS:-100} dt=2e-6
+steps=${STEPS:-100} cells=${CELLS:-6} dt=2e-6
 scenes="rest move turn edge periods" ways="same fewer other"
 
 # Two plates, one above the other, that fill a periodic box, or lie within it.
@@ -14,7 +15,7 @@ square() { # CELLS HALF: a square plate at z = 0
     BEGIN { for (i = 0; i < n; i++) for (j = 0; j < n; j++) print at(i), at(j), 0, at(i + 1), at(j), 0, at(i + 1), at(j + 1), 0, at(i), at(j + 1), 0 }' | stl
 }
 for half in full:2e-3 part:1.2e-3; do # over 1000 triangles: LIGGGHTS shares a mesh of so many among the ranks
-  square 24 ${half#*:} > ${half%:*}.fine.stl; square 6 ${half#*:} > ${half%:*}.stl; square 4 ${half#*:} > ${half%:*}.other.stl
+  square 24 ${half#*:} > ${half%:*}.fine.stl; square $cells ${half#*:} > ${half%:*}.stl; square $((cells - 2)) ${half#*:} > ${half%:*}.other.stl
 done
 high=2e-3 r=1e-4
 for file in {full,part}{,.other}.stl; do awk -v by=$high '$1 == "vertex" { $4 += by } 1' $file > high.$file; done
@@ -85,7 +86,7 @@ for s in $scenes; do for way in on $ways; do scene "$s" "$way"; done; done > all
 # now FILE: the grains at the end, with what they do: "ID X Y Z VX VY VZ WHAT UP".
 now() { awk 'NR == FNR { what[$1] = $8 " " $9; next } /TIMESTEP/ { n = 0 } NF == 7 && $1 ~ /^[0-9]+$/ { line[++n] = $0 " " what[$1] }
   END { for (k = 1; k <= n; k++) print line[k] }' grains.txt "$1"; }
-for ranks in 1 2 4; do
+for ranks in ${RANKS:-1 2 4}; do
   engine $ranks all.in
   for s in $scenes; do
     for way in on $ways; do
