@@ -19,6 +19,7 @@
 
 typedef struct scene {
   cli_description wall;
+  uint32_t seed;
   cli_list speeds, sizes; /* of a log-normal law ln has the sd ln(most/least)/5 */
 } scene;
 
@@ -56,7 +57,7 @@ static size_t count_groups(const scene *s) {
 
 /* One impact at an angle in degrees. */
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) {
-  asp_key key = {(uint32_t)asp_description_get(s->wall.words, "seed"), asp_key_wall("cor"), tag, 0};
+  asp_key key = {s->seed, asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
   size_t sizes = s->sizes.count ? s->sizes.count : 1;
   row r = {.sample = sample, .d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
@@ -323,6 +324,7 @@ static void plot_smooth(cli_plot *picture, int t, const scene *s) {
   double speed = s->speeds.count ? s->speeds.values[0] : s->speeds.median,
          d_p = s->sizes.count ? s->sizes.values[0] : s->sizes.median;
   const scene one = {.wall = s->wall,
+                     .seed = s->seed,
                      .speeds = {.values = &speed, .count = 1},
                      .sizes = {.values = &d_p, .count = 1}};
   size_t rebounds = 0;
@@ -440,6 +442,7 @@ static void run(cli_call *call) {
   scene s = {.wall = cli_description_read(call->n_words, call->words, false),
              .sizes = cli_values(cli_get(call, "dp"), "length", 0, INFINITY),
              .speeds = cli_values(cli_get(call, "speed"), "speed", SPEED_LEAST, SPEED_MOST)};
+  s.seed = (uint32_t)asp_description_get(s.wall.words, "seed");
   cli_list angles = cli_impact_angles(call);
   size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
