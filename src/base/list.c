@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/list.h"
 #include "base/error.h"
+#include "base/number.h"
 #include "base/quantity.h"
 
 #include <math.h>
@@ -42,9 +43,14 @@ static asp_code read_one(const reader *r, const char *text, size_t length, bool 
     return fail_form(r, length == 0 ? "a number is missing" : "a number is too long");
   memcpy(word, text, length);
   word[length] = '\0';
+  char *end;
+  aspi_number(word, &end);
+  if (end > word && *end == '-')
+    return fail_form(r, "a range has colons");
   asp_code code = aspi_quantity_read(r->name, word, r->kind, r->units, value, r->error);
   return code || is_step ? code
-                         : aspi_check_range(r->error, r->name, r->kind, *value, r->least, r->most);
+                         : aspi_quantity_check(r->name, word, r->kind, *value, r->least, r->most,
+                                               false, r->error);
 }
 
 /* Reads up to three numbers with colons between them, up to a comma or the end; *count is their

@@ -55,6 +55,20 @@ void aspi_quantity_units(const char *kind, char *list, size_t size) {
   }
 }
 
+asp_code aspi_quantity_check(const char *name, const char *text, const char *kind, double value,
+                             double least, double most, bool above, asp_error *error) {
+  if (isfinite(value) && value <= most && (above ? value > least : value >= least))
+    return ASP_OK;
+  char units[120];
+  aspi_quantity_units(kind, units, sizeof units);
+  const int length = (int)strcspn(units, " ");
+  if (isinf(most))
+    return aspi_fail(error, ASP_EARG, "%s is %.100s; it must be a finite number %s %g", name, text,
+                     above ? ">" : ">=", least);
+  return aspi_fail(error, ASP_EARG, "%s is %.100s; it must be %g to %g%s%.*s", name, text, least,
+                   most, length > 0 ? " " : "", length, units);
+}
+
 /* The first `length` characters as a number, times 10^exponent, rounded once. */
 static double shifted(const char *text, size_t length, int exponent) {
   char copy[80], *end;

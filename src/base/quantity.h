@@ -14,6 +14,11 @@
 asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
                             const asp_units *units, double *value, asp_error *error);
 
+/* ASP_EARG where a number that was read from `text` is not from `least` to `most`, or with `above`
+ * not more than `least`; the message has the text, and the SI unit behind finite limits. */
+asp_code aspi_quantity_check(const char *name, const char *text, const char *kind, double value,
+                             double least, double most, bool above, asp_error *error);
+
 /* A length with its unit, um from 1e-9 m on, that reads as the same number of meters. */
 void aspi_quantity_print_length(double metres, char text[32]);
 

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/help.h"
+#include "base/error.h"
 
 #include <gsl/gsl_errno.h>
 #include <string.h>
@@ -10,11 +11,17 @@ static const cli_command *const commands[] = {
     &cli_surface,   &cli_spread,  &cli_cor,   &cli_rebound,   &cli_compare,
     &cli_calibrate, &cli_erosion, &cli_trade, &cli_materials, NULL};
 
+enum { COMMANDS = sizeof commands / sizeof *commands - 1 };
+
+static const char *name_at(int index) {
+  return commands[index]->name;
+}
+
 static const cli_command *find(const char *name) {
-  for (const cli_command *const *c = commands; *c; c++)
-    if (strcmp(name, (*c)->name) == 0)
-      return *c;
-  cli_bad_usage("command '%s' is unknown; see 'asperity --help'", name);
+  asp_error error;
+  int index = aspi_find_name("command", name, COMMANDS, name_at, &error);
+  cli_must(index >= 0, &error);
+  return commands[index];
 }
 
 int main(int argc, char **argv) {

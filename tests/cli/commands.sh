@@ -83,7 +83,8 @@ done
 
 # bad usage
 refuses 2 "--help" --
-refuses 2 "'sprad'" -- sprad
+refuses 2 "'sprad'" "did you mean 'spread'" -- sprad
+refuses 2 "'corr'" "did you mean 'cor'" -- corr
 refuses 2 "--sgima" "unknown" -- spread --sgima 10
 refuses 2 "'rebound' has no effect" "surface spread seed" -- spread surface sigma 10 rebound bons
 refuses 2 "sigma is missing" -- spread surface sigma
@@ -93,7 +94,10 @@ refuses 2 "--dp LENGTH is missing" -- spread surface rq 5um lambda_c 40um
 refuses 2 "'wiebull'" weibull truncated -- spread surface sigma 10 spread wiebull
 refuses 2 "sigma is 95" "0.001 to 54" -- spread surface sigma 95
 refuses 2 "sigma is nan" -- spread surface sigma nan
-refuses 2 "--angles is 91" "0 to 90" -- spread surface sigma 10 --angles 91
+refuses 2 "--angles is 91" "0 to 90 deg" -- spread surface sigma 10 --angles 91
+refuses 2 "'20-40'" "from:to:step" -- cor surface sigma 5 --angles 20-40
+refuses 2 "--dp is -10um; it must" -- cor surface sigma 5 --dp -10um
+refuses 2 "--speed is 0; it must be 1e-09 to 1e+06 m/s" -- cor surface sigma 5 --speed 0
 refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
 refuses 2 "asperity: spread auto: phi_r 1" -- spread surface rq 20um lambda_c 20um spread auto tolerance 0.1 --dp 300um --angles 3
 refuses 2 "rq is '5ft'" "um" -- spread surface rq 5ft lambda_c 40um --dp 1um

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "surface/describe.h"
+#include "surface/instrument.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"
 
@@ -45,6 +46,43 @@ static void no_step_where_the_filter_begins(void **state) {
     previous = slope;
   }
   asp_surface_free(s);
+}
+
+/* A generated profile gives back R_q and lambda_c by what an instrument finds on it. */
+static void instruments_numbers_come_back(void **state) {
+  (void)state;
+  enum { POINTS = 1 << 20, PER_LAMBDA = 32 };
+  const double r_q = 5, lambda_c = 40, spacing = lambda_c / PER_LAMBDA;
+  asp_profile *profile = asp_profile_create(r_q, lambda_c, spacing, POINTS, 3, NULL);
+  const double *z = asp_profile_heights(profile);
+  double r_a = 0, slope = 0, product = 0, square = 0;
+  const int lag = (int)lround(sqrt(log(5)) * PER_LAMBDA);
+  for (int i = 0; i + lag < POINTS; i++) {
+    r_a += fabs(z[i]) / (POINTS - lag);
+    slope += pow((z[i + 1] - z[i]) / spacing, 2) / (POINTS - lag);
+    product += z[i] * z[i + lag];
+    square += z[i] * z[i];
+  }
+  assert_near(aspi_r_q_of_r_a(r_a), r_q, 0.01 * r_q);
+  assert_near(aspi_lambda_of_r_dq(r_q, sqrt(slope)), lambda_c, 0.01 * lambda_c);
+  assert_near(aspi_lambda_of_s_dq(r_q, sqrt(2 * slope)), lambda_c, 0.01 * lambda_c);
+  assert_near(product / square, 0.2, 0.01);
+  assert_near(aspi_lambda_of_s_al(lag * spacing), lambda_c, 0.02 * lambda_c);
+  asp_profile_free(profile);
+}
+
+/* R_Sm as another program counted it at cut-offs of 0.25, 0.8 and 2.5 mm, and back. */
+static void mean_spacings_come_back(void **state) {
+  (void)state;
+  static const double counted[][2] = {{0.25e-3, 5.6}, {0.8e-3, 6.6}, {2.5e-3, 7.3}};
+  for (int i = 0; i < 3; i++) {
+    double lambda_c = 40e-6, factor = aspi_r_sm_factor(counted[i][0] / lambda_c);
+    assert_near(factor, counted[i][1], 0.015 * counted[i][1]);
+    assert_near(aspi_lambda_of_r_sm(factor * lambda_c, counted[i][0]), lambda_c, 1e-9 * lambda_c);
+  }
+  for (double ratio = ASPI_RSM_LEAST; ratio <= ASPI_RSM_MOST; ratio *= 1.1)
+    assert_near(aspi_lambda_of_r_sm(aspi_r_sm_factor(ratio), ratio), 1, 1e-9);
+  assert_true(isnan(aspi_lambda_of_r_sm(1.3, 1)) && isnan(aspi_lambda_of_r_sm(0.11, 1)));
 }
 
 static void bad_numbers_are_named(void **state) {
@@ -273,6 +311,8 @@ int main(void) {
       cmocka_unit_test(numbers_of_the_wall),
       cmocka_unit_test(size_law_agrees_with_traced_profiles),
       cmocka_unit_test(no_step_where_the_filter_begins),
+      cmocka_unit_test(instruments_numbers_come_back),
+      cmocka_unit_test(mean_spacings_come_back),
       cmocka_unit_test(bad_numbers_are_named),
       cmocka_unit_test(no_step_where_the_table_begins),
       cmocka_unit_test(sphere_finds_less_slope),
