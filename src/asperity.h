@@ -382,7 +382,9 @@ asp_pair *asp_description_pair(const asp_description *description, const asp_mat
  * most `size` characters; false if there are no more. Warns of a density more than 1 % off that of
  * the particle's material, a Young's modulus that looks like one in GPa, a yield stress above a
  * tenth of the composite modulus, and adhesion that holds every impact. `particle` has the density,
- * the pair, and the largest diameter. */
+ * the pair, and the largest diameter. Without materials (NULL) it warns of what needs none: heights
+ * over 1000 diameters, friction over 3, a hardness under 1 MPa, R_Sm without its sampling length.
+ */
 bool asp_description_doubt(const asp_description *description, const asp_particle *particle,
                            const asp_material *of_particle, const asp_material *of_wall, int index,
                            char *text, size_t size);

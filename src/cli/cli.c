@@ -1,7 +1,9 @@
 /* Reads a command line of the `asperity` command: its options, words and files; see cli.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
 #include "cli/help.h"
+#include "description/description.h"
 
 #include <ctype.h>
 #include <getopt.h>
@@ -90,6 +92,26 @@ static void list_options(cli_call *call) {
     *to++ = common[i];
 }
 
+/* A word of the description that was given as an option, or an option that is like it. */
+static void fail_option(const cli_call *call, const char *given) {
+  const char *name = call->command->name, *word = given + strspn(given, "-");
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (strcmp(k->name, word) == 0)
+      cli_bad_usage("%s: '%s' is a word of the description, before all options: %s%s%s %s", name,
+                    given, k->within, *k->within ? " " : "", word, k->values);
+  }
+  char list[400] = "", near[64], meant[90] = "";
+  for (const cli_option *o = call->options; o->name; o++) {
+    size_t used = strlen(list);
+    snprintf(list + used, sizeof list - used, " %s", o->name);
+  }
+  if (aspi_nearest_name(word, list, near))
+    snprintf(meant, sizeof meant, "; did you mean '--%s'?", near);
+  cli_bad_usage("%s: option '%s' is unknown%s; options begin with --; see 'asperity %s --help'",
+                name, given, meant, name);
+}
+
 /* The option that getopt found, or failed at. */
 static cli_option *take_option(cli_call *call, int argc, char **argv, int found) {
   const char *name = call->command->name;
@@ -102,8 +124,7 @@ static cli_option *take_option(cli_call *call, int argc, char **argv, int found)
   if (found == '?' && optopt > 0 && optopt < CLI_OPTIONS_MOST)
     cli_bad_usage("%s: option '--%s' takes no value", name, call->options[optopt].name);
   if (found == '?')
-    cli_bad_usage("%s: option '%s' is unknown; options begin with --; see 'asperity %s --help'",
-                  name, unknown_word(argc, argv), name);
+    fail_option(call, unknown_word(argc, argv));
   return found == 'o' ? (cli_option *)cli_get(call, "output") : &call->options[found];
 }
 

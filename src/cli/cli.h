@@ -78,9 +78,9 @@ void cli_must(bool good, const asp_error *error);
 /* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
 typedef aspi_list cli_list;
 
-/* Bad usage if a length of a list is over 1 mm and has no unit: `5` would be 5 m, and its unit was
- * forgotten. */
-void cli_check_unit(const char *name, const char *list);
+/* Bad usage if a length of a list is over 1 mm, or a stress under 1 MPa, and has no unit: `5` would
+ * be 5 m or 5 Pa, and its unit was forgotten. */
+void cli_check_unit(const char *name, const char *list, const char *kind);
 
 /* The option's value, which must have been given, as a number of a kind (see base/quantity.h) with
  * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */

@@ -9,13 +9,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Refuses `rq 15`, which would be 15 m. */
-static void check_lengths(int count, char **words) {
-  static const char *const lengths[] = {"rq", "lambda_c", "mean_free_path"};
-  for (int i = 0; i + 1 < count; i++)
-    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++)
-      if (strcmp(words[i], lengths[k]) == 0)
-        cli_check_unit(words[i], words[i + 1]);
+/* Refuses `rq 15`, which would be 15 m, and `oka 1.8`, which would be 1.8 Pa. */
+static void check_units(int count, char **words) {
+  static const char lengths[] = "rq ra sq lambda_c rsm sampling sal mean_free_path";
+  static const char stresses[] = "yield_stress finnie oka";
+  for (int i = 0; i + 1 < count; i++) {
+    const char *value = strncmp(words[i + 1], "fit=", 4) == 0 ? words[i + 1] + 4 : words[i + 1];
+    if (aspi_words_in_list(words[i], lengths))
+      cli_check_unit(words[i], value, "length");
+    else if (aspi_words_in_list(words[i], stresses))
+      cli_check_unit(words[i], value, "stress");
+  }
 }
 
 /* A command computes no flow. */
@@ -78,9 +82,13 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
   d.words = asp_description_parse("", NULL, &error);
   cli_must(d.words, &error);
   d.words->may_fit = may_fit;
-  check_lengths(count, words);
+  check_units(count, words);
   read_words(d.words, count, words);
   check_removal(d.words);
+  const asp_particle none = {.d_p = 0};
+  char doubt[500];
+  for (int i = 0; asp_description_doubt(d.words, &none, NULL, NULL, i, doubt, sizeof doubt); i++)
+    cli_warn("%s", doubt);
   read_materials(&d);
   d.text = cli_description_text(d.words);
   return d;

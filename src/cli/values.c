@@ -13,6 +13,9 @@
 /* A longer length (m) without a unit is more likely one whose unit was forgotten. */
 #define LENGTH_WITHOUT_UNIT 1e-3
 
+/* And so is a lower stress (Pa). */
+#define STRESS_WITHOUT_UNIT 1e6
+
 double cli_degrees(double radians) {
   return radians * (180 / ASP_PI);
 }
@@ -106,14 +109,17 @@ int cli_choice(const cli_option *option) {
   cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, list);
 }
 
-void cli_check_unit(const char *name, const char *list) {
+void cli_check_unit(const char *name, const char *list, const char *kind) {
+  bool stress = strcmp(kind, "stress") == 0;
+  const char *unit = stress ? "Pa" : "m", *usual = stress ? "MPa" : "um";
   for (const char *at = list; *at;) {
     char *end;
     int length = (int)strcspn(at, ",:");
     double value = aspi_number(at, &end);
-    if (value > LENGTH_WITHOUT_UNIT && end == at + length)
-      cli_bad_usage("%s is '%s' without a unit; '%.*s' would be %g m: say %.*sm, or %.*sum", name,
-                    list, length, at, value, length, at, length, at);
+    bool odd = stress ? value > 0 && value < STRESS_WITHOUT_UNIT : value > LENGTH_WITHOUT_UNIT;
+    if (odd && end == at + length)
+      cli_bad_usage("%s is '%s' without a unit; '%.*s' would be %g %s: say %.*s%s, or %.*s%s", name,
+                    list, length, at, value, unit, length, at, unit, length, at, usual);
     at += length + (at[length] != '\0');
   }
 }
@@ -121,7 +127,7 @@ void cli_check_unit(const char *name, const char *list) {
 static void check_option_unit(const cli_option *option) {
   char name[64];
   snprintf(name, sizeof name, "--%s", option->name);
-  cli_check_unit(name, option->value);
+  cli_check_unit(name, option->value, "length");
 }
 
 double cli_length(const cli_option *option) {

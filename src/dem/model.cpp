@@ -341,7 +341,14 @@ void Model::warn_of_doubts(const std::vector<int> &wall_types) const {
   double least, most;
   engine_.diameters(least, most);
   const std::vector<Engine::Kind> kinds = engine_.kinds();
-  if (!is_new_ || !wall_ || pairs_.empty())
+  if (!is_new_ || !wall_)
+    return;
+  const asp_particle largest = {most, 1, NULL, {0, 0, 0}, NULL, 0, 0};
+  char doubt[480];
+  for (int i = 0;
+       asp_description_doubt(description_.get(), &largest, NULL, NULL, i, doubt, sizeof doubt); i++)
+    engine_.warn(doubt);
+  if (pairs_.empty())
     return;
   for (size_t t = 0; t < kinds.size(); t++) {
     std::set<std::string> said;

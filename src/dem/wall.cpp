@@ -64,6 +64,10 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
     else if (words.take("torque_about"))
       for (int d = 0; d < 3; d++)
         torque_about_[d] = words.number("a coordinate of 'torque_about'");
+    else if (words.take("columns"))
+      throw Error("'columns' belongs behind 'ledger': ledger N columns full");
+    else if (words.take("on_error"))
+      throw Error("'on_error' belongs behind 'ledger': ledger N file FILE on_error stop");
     else
       model_.parse(words, others);
   }

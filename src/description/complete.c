@@ -54,6 +54,11 @@ static bool has_no_tilt(const asp_description *d, against *with) {
   return d->kind != ASPI_SMOOTH && !d->chooses && strcmp(d->choice.spread->name, "none") == 0;
 }
 
+static bool is_smooth(const asp_description *d, against *with) {
+  snprintf(with->text, sizeof with->text, "surface smooth");
+  return d->kind == ASPI_SMOOTH;
+}
+
 static bool has_no_bins(const asp_description *d, against *with) {
   snprintf(with->text, sizeof with->text, "spread %s", d->choice.spread->name);
   return !asp_description_needs_sizes(d);
@@ -62,11 +67,17 @@ static bool has_no_bins(const asp_description *d, against *with) {
 static const struct {
   const char *name;
   bool (*idle)(const asp_description *d, against *with);
-} rules[] = {{"surface", has_no_tilt},         {"dp_bins", has_no_bins},
-             {"materials", without_pair},      {"friction", has_own_friction},
-             {"surface_energy", without_pair}, {"surface_energy", deposits_off},
-             {"yield_stress", without_pair},   {"yield_stress", yields_by_rate},
-             {"remove", deposits_off},         {"remove", without_pair}};
+} rules[] = {{"spread", is_smooth},
+             {"surface", has_no_tilt},
+             {"dp_bins", has_no_bins},
+             {"materials", without_pair},
+             {"friction", has_own_friction},
+             {"surface_energy", without_pair},
+             {"surface_energy", deposits_off},
+             {"yield_stress", without_pair},
+             {"yield_stress", yields_by_rate},
+             {"remove", deposits_off},
+             {"remove", without_pair}};
 
 /* Refuses the first given word without an effect. */
 static asp_code check_effects(const asp_description *d, asp_error *error) {
@@ -129,7 +140,8 @@ static asp_code make_surface(asp_description *d, asp_error *error) {
   if (d->surface)
     return ASP_OK;
   return is_map ? aspi_fail(error, wrong.code, "surface map %s: %s", d->file, wrong.text)
-                : aspi_fail(error, wrong.code, "surface: %s", wrong.text);
+                : aspi_fail(error, wrong.code, "surface: %s%s", wrong.text,
+                            d->r_q > d->lambda_c ? "; are rq and lambda_c swapped?" : "");
 }
 
 /* ---- all together ---- */

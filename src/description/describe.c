@@ -28,11 +28,14 @@ static void add(line *l, const char *word) {
   l->length += n;
 }
 
-/* A length over 1 mm in SI gets its unit, since the command refuses it without one. */
-static void print_value(const asp_description *d, double value, bool length, char *text) {
-  bool metres = !(d->units.metre < 1) && !(d->units.metre > 1);
-  bool needs_unit = length && metres && isfinite(value) && value > 1e-3;
-  (needs_unit ? aspi_quantity_print_length : aspi_number_print)(value, text);
+/* In SI a length over 1 mm and a stress under 1 MPa get their unit, since the command refuses them
+ * without one. */
+static void print_value(const asp_description *d, double value, const char *kind, char *text) {
+  bool is_si = !(d->units.metre < 1) && !(d->units.metre > 1);
+  bool length = is_si && strcmp(kind, "length") == 0 && isfinite(value) && value > 1e-3;
+  (length ? aspi_quantity_print_length : aspi_number_print)(value, text);
+  if (is_si && strcmp(kind, "stress") == 0 && value > 0 && value < 1e6)
+    strcat(text, "Pa");
 }
 
 static void add_number(line *l, double value) {
@@ -43,15 +46,15 @@ static void add_number(line *l, double value) {
 
 static void add_length(line *l, const asp_description *d, double value) {
   char text[32];
-  print_value(d, value, true, text);
+  print_value(d, value, "length", text);
   add(l, text);
 }
 
 /* `fit=START` of an unknown one. */
-static void add_value(line *l, const asp_description *d, const char *name, bool length,
+static void add_value(line *l, const asp_description *d, const char *name, const char *kind,
                       double value) {
   char text[48] = "fit=";
-  print_value(d, value, length, text + strlen(text));
+  print_value(d, value, kind, text + strlen(text));
   add(l, !aspi_is_fit(d, name) ? text + strlen("fit=") : isnan(value) ? "fit" : text);
 }
 
@@ -63,7 +66,11 @@ static void add_pair(line *l, const char *name, double value) {
 /* A number of the description with its name. */
 static void add_known_or_fit(line *l, const asp_description *d, const char *name) {
   add(l, name);
-  add_value(l, d, name, strcmp(name, "rq") == 0 || strcmp(name, "lambda_c") == 0,
+  bool length = strcmp(name, "rq") == 0 || strcmp(name, "lambda_c") == 0;
+  add_value(l, d, name,
+            length                              ? "length"
+            : strcmp(name, "yield_stress") == 0 ? "stress"
+                                                : "",
             asp_description_get(d, name));
 }
 
@@ -129,7 +136,7 @@ static void add_spread(line *l, const asp_description *d) {
 static void add_parameter(line *l, const asp_description *d, const asp_parameter *p, double value) {
   const char *word = p->words;
   if (!word) {
-    add_value(l, d, p->name, false, value);
+    add_value(l, d, p->name, p->unit, value);
     return;
   }
   for (int i = (int)value; i > 0; i--)
@@ -207,7 +214,7 @@ static void add_deposit(line *l, const asp_description *d) {
     if (strcmp(k->within, "remove") != 0 || !aspi_is_given(d, k->name))
       continue;
     add(l, k->name);
-    add_value(l, d, k->name, strcmp(k->unit, "length") == 0, asp_description_get(d, k->name));
+    add_value(l, d, k->name, k->unit, asp_description_get(d, k->name));
   }
 }
 

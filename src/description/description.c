@@ -19,7 +19,7 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
   }
   d->units = units ? *units : si;
   d->last = "";
-  d->sigma = d->r_q = d->lambda_c = NAN;
+  d->sigma = d->r_q = d->lambda_c = d->r_sm = NAN;
   d->friction = d->surface_energy = d->yield_stress = NAN;
   d->seed = aspi_keyword_find("", "seed")->fallback;
   d->choice = aspi_wall_choice_smooth();

@@ -27,7 +27,8 @@ struct asp_description {
   aspi_surface_kind kind;
   double sigma; /* degrees */
   double r_q, lambda_c, lambda_along;
-  char *file; /* of the profile or the map */
+  double r_sm; /* where lambda_c comes of it, with no sampling length; else NaN */
+  char *file;  /* of the profile or the map */
   asp_lay_kind lay;
   const char *lay_word; /* axial or circumferential; else NULL */
   double lay_numbers[3];

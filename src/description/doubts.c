@@ -3,9 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/quantity.h"
 #include "description/description.h"
+#include "surface/instrument.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* A yield stress that is a larger share of the modulus is beyond all solids: then the modulus is
  * probably one that was made soft for a longer step. */
@@ -16,6 +18,13 @@
 
 /* A particle's density may be this share off that of its material. */
 #define DENSITY_OFF 0.01
+
+/* Pa: a hardness under this is one in GPa or MPa. */
+#define HARDNESS_LEAST 1e6
+
+/* Heights over this many diameters are probably in another unit; no pair has more friction. */
+#define DIAMETERS_MOST 1e3
+#define FRICTION_MOST 3
 
 /* Speeds at which an impact is tried, in m/s; over the range of all that flies. */
 #define SPEED_LEAST 1e-3
@@ -102,13 +111,58 @@ static bool sticks_always(const question *q) {
   return true;
 }
 
+/* ---- the description alone ---- */
+
+static bool is_high(const question *q) {
+  if (!(q->d->r_q > DIAMETERS_MOST * q->particle->d_p && q->particle->d_p > 0))
+    return false;
+  snprintf(q->text, q->size,
+           "rq is %g, %.3g times the diameter of the largest particle, %g; is it in another unit?",
+           q->d->r_q, q->d->r_q / q->particle->d_p, q->particle->d_p);
+  return true;
+}
+
+static bool rubs_much(const question *q) {
+  if (!(q->d->friction > FRICTION_MOST))
+    return false;
+  snprintf(q->text, q->size, "friction is %g; it is a coefficient, mostly under 1, no angle",
+           q->d->friction);
+  return true;
+}
+
+static bool is_soft(const question *q) {
+  const aspi_erosion *erosion = &q->d->choice.erosion;
+  const asp_parameter *p = erosion->law ? &erosion->law->parameters[0] : NULL;
+  if (!p || strcmp(p->unit, "stress") != 0 || !(erosion->si[0] < HARDNESS_LEAST))
+    return false;
+  snprintf(q->text, q->size, "%s is %g, which is %g Pa; is it one in GPa or MPa?", p->name,
+           erosion->given[0], erosion->si[0]);
+  return true;
+}
+
+static bool has_no_sampling(const question *q) {
+  double length = q->d->r_sm;
+  if (!(length > 0))
+    return false;
+  snprintf(q->text, q->size,
+           "rsm depends on the sampling length: lambda_c is taken as %.3g and may be %.3g to %.3g; "
+           "say 'sampling LR', or rather rdq",
+           q->d->lambda_c, length / aspi_r_sm_factor(ASPI_RSM_MOST),
+           length / aspi_r_sm_factor(ASPI_RSM_LEAST));
+  return true;
+}
+
 bool asp_description_doubt(const asp_description *d, const asp_particle *particle,
                            const asp_material *of_particle, const asp_material *of_wall, int index,
                            char *text, size_t size) {
-  static bool (*const doubts[])(const question *q) = {has_other_density, particle_in_gpa,
-                                                      wall_in_gpa, yields_never, sticks_always};
+  enum { ALONE = 4 };
+  static bool (*const doubts[])(const question *q) = {
+      is_high,         rubs_much,   is_soft,      has_no_sampling, has_other_density,
+      particle_in_gpa, wall_in_gpa, yields_never, sticks_always};
   const question q = {d, particle, {of_particle, of_wall}, text, size};
-  for (size_t i = 0; i < sizeof doubts / sizeof *doubts; i++)
+  const bool alone = !of_particle || !of_wall;
+  const size_t end = alone ? ALONE : sizeof doubts / sizeof *doubts;
+  for (size_t i = alone ? 0 : ALONE; i < end; i++)
     if (doubts[i](&q) && index-- == 0)
       return true;
   return false;

@@ -11,123 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static asp_code read_angle(aspi_words *r, const char *first) {
-  asp_description *d = r->d;
-  const aspi_keyword *k = aspi_keyword_find("surface", "lay");
-  asp_code code =
-      aspi_quantity_read("lay", first, k->unit, &d->units, &d->lay_numbers[0], r->error);
-  d->lay = ASP_LAY_ANGLE;
-  return code ? code
-              : aspi_check_range(r->error, "lay", "degrees", d->lay_numbers[0], k->least, k->most);
-}
-
-static asp_code read_vector(aspi_words *r, const char *first) {
-  asp_description *d = r->d;
-  double *v = d->lay_numbers;
-  asp_code code = aspi_quantity_read("lay", first, "", &d->units, &v[0], r->error);
-  for (int i = 1; i < 3 && !code; i++) {
-    const char *what =
-        i == 1 ? "the second number of the lay's vector" : "the third number of the lay's vector";
-    const char *given = aspi_words_word(r, what);
-    code = given ? aspi_quantity_read(what, given, "", &d->units, &v[i], r->error) : ASP_EARG;
-  }
-  if (code)
-    return code;
-  double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  d->lay = ASP_LAY_VECTOR;
-  if (length > 0 && isfinite(length))
-    return ASP_OK;
-  return aspi_fail(r->error, ASP_EARG,
-                   "lay is %g %g %g; it must be a vector of a finite length > 0", v[0], v[1], v[2]);
-}
-
-static asp_code read_lay(aspi_words *r) {
-  static const char *const directions[] = {"axial", "circumferential"};
-  asp_description *d = r->d;
-  aspi_set_given(d, "lay");
-  for (int i = 0; i < 2; i++)
-    if (aspi_words_take(r, directions[i])) {
-      d->lay = ASP_LAY_ANGLE;
-      d->lay_word = directions[i];
-      return ASP_OK;
-    }
-  const char *first = aspi_words_word(r, "lay");
-  if (!first)
-    return ASP_EARG;
-  char *end;
-  aspi_number(first, &end);
-  if (end == first)
-    return aspi_fail(r->error, ASP_EARG, "lay is '%.100s'; it must be %s", first,
-                     aspi_keyword_find("surface", "lay")->values);
-  return aspi_words_number_next(r) ? read_vector(r, first) : read_angle(r, first);
-}
-
-/* lambda_c L [L_along lay DIRECTION] */
-static asp_code read_lengths(aspi_words *r) {
-  asp_description *d = r->d;
-  asp_code code = aspi_words_number(r, "surface", "rq", &d->r_q);
-  if (!code && !aspi_words_take(r, "lambda_c"))
-    code = aspi_fail(r->error, ASP_EARG, "behind 'surface rq R', 'lambda_c L' is expected");
-  if (!code)
-    code = aspi_words_number(r, "surface", "lambda_c", &d->lambda_c);
-  if (code)
-    return code;
-  if (!aspi_words_number_next(r))
-    return ASP_OK;
-  code = aspi_words_number(r, "surface", "lambda_c", &d->lambda_along);
-  if (!code && !aspi_words_take(r, "lay"))
-    code = aspi_fail(r->error, ASP_EARG,
-                     "behind 'lambda_c L L_along', 'lay' and its direction are expected");
-  return code ? code : read_lay(r);
-}
-
-static asp_code read_kind(aspi_words *r) {
-  asp_description *d = r->d;
-  asp_code code = ASP_OK;
-  if (aspi_words_take(r, "smooth")) {
-    d->kind = ASPI_SMOOTH;
-    return ASP_OK;
-  }
-  if (aspi_words_take(r, "sigma")) {
-    d->kind = ASPI_SIGMA;
-    return aspi_words_number(r, "surface", "sigma", &d->sigma);
-  }
-  if (aspi_words_take(r, "rq")) {
-    d->kind = ASPI_GAUSSIAN;
-    code = read_lengths(r);
-  } else if (aspi_words_take(r, "profile")) {
-    d->kind = ASPI_PROFILE;
-    code = aspi_words_file(r, "the file of 'surface profile'", &d->file);
-  } else if (aspi_words_take(r, "map")) {
-    d->kind = ASPI_MAP;
-    code = aspi_words_file(r, "the file of 'surface map'", &d->file);
-  } else {
-    const char *given = aspi_words_word(r, "the value of 'surface'");
-    return !given ? ASP_EARG
-                  : aspi_fail(r->error, ASP_ENAME, "surface is '%.100s'; it must be %s", given,
-                              aspi_keyword_find("", "surface")->values);
-  }
-  for (bool more = true; more && !code;) {
-    if (aspi_words_take(r, "dp_bins")) {
-      aspi_set_given(d, "dp_bins");
-      code = aspi_words_number(r, "surface", "dp_bins", &d->bins);
-    } else if (d->kind == ASPI_MAP && aspi_words_take(r, "lay"))
-      code = read_lay(r);
-    else
-      more = false;
-  }
-  return code;
-}
-
-static asp_code read_surface(aspi_words *r) {
-  asp_code code = read_kind(r);
-  if (code || !aspi_words_next_is(r, "lay") || aspi_is_given(r->d, "lay"))
-    return code;
-  return aspi_fail(r->error, ASP_EARG,
-                   "'lay' needs two correlation lengths, across it and along it, or a map: surface "
-                   "rq R lambda_c L L_along lay DIRECTION");
-}
-
 static asp_code read_model(aspi_words *r) {
   const char *name = aspi_words_word(r, "the spread model");
   if (!name)
@@ -155,7 +38,8 @@ static asp_code take_collisions(aspi_words *r, const char *given) {
 static asp_code read_spread(aspi_words *r) {
   asp_description *d = r->d;
   asp_code code = read_model(r);
-  for (const aspi_keyword *k; !code && (k = aspi_words_take_keyword(r, "spread")) != NULL;) {
+  for (const aspi_keyword *k;
+       !code && (k = aspi_words_take_keyword(r, "spread", &code)) != NULL && !code;) {
     if (strcmp(k->name, "tolerance") == 0) {
       code = aspi_words_number(r, "spread", "tolerance", &d->tolerance);
     } else if (strcmp(k->name, "collisions") == 0) {
@@ -165,6 +49,8 @@ static asp_code read_spread(aspi_words *r) {
       d->choice.isotropic = strcmp(k->name, "isotropic") == 0;
     }
   }
+  if (!code && aspi_is_given(d, "plane") && aspi_is_given(d, "isotropic"))
+    code = aspi_fail(r->error, ASP_EARG, "'plane' and 'isotropic' are given; it must be one");
   if (!code && d->chooses != aspi_is_given(d, "tolerance"))
     code = aspi_fail(r->error, ASP_EARG,
                      "'spread auto' and 'tolerance D' go together, with no other model");
@@ -175,7 +61,8 @@ static asp_code read_spread(aspi_words *r) {
 typedef struct law {
   const asp_parameter *parameters;
   int count;
-  bool may_fit;
+  bool may_fit, positive; /* positive: those whose least value is 0 are more than that */
+  unsigned given;         /* a bit for each parameter */
   asp_code (*take)(aspi_words *r, const asp_parameter *p, int index, double value);
 } law;
 
@@ -191,6 +78,9 @@ static asp_code read_parameter(aspi_words *r, const law *l, int index) {
     code = aspi_parameter_read(p, given, &value, r->error);
   else if (start)
     code = aspi_quantity_read(p->name, start, p->unit, &r->d->units, &value, r->error);
+  if (!code && start && !p->words)
+    code = aspi_quantity_check(p->name, start, p->unit, value, p->least, p->most,
+                               l->positive && !(p->least < 0), r->error);
   if (!code)
     code = l->take(r, p, index, value);
   return !code && unknown ? aspi_words_add_unknown(r, p->name) : code;
@@ -206,11 +96,15 @@ static asp_code read_parameters(aspi_words *r, const law *l, const char *keyword
 }
 
 /* The parameters of the next word; *more is false where it has none. */
-static asp_code read_more(aspi_words *r, const law *l, bool *more) {
+static asp_code read_more(aspi_words *r, law *l, bool *more) {
   for (int i = 0; i < l->count; i++) {
     const char *keyword = aspi_parameter_keyword(&l->parameters[i]);
-    if (*keyword && aspi_words_take(r, keyword))
-      return read_parameters(r, l, keyword);
+    if (!*keyword || !aspi_words_take(r, keyword))
+      continue;
+    if (l->given >> i & 1)
+      return aspi_fail(r->error, ASP_EARG, "'%s' is given twice", keyword);
+    l->given |= 1u << i;
+    return read_parameters(r, l, keyword);
   }
   *more = false;
   return ASP_OK;
@@ -240,13 +134,13 @@ static asp_code read_rebound(aspi_words *r) {
   const asp_rebound_law *of = name ? asp_rebound_find(name, r->error) : NULL;
   if (!of)
     return name ? ASP_ENAME : ASP_EARG;
-  const law l = {of->parameters, of->n_parameters, true, take_parameter};
+  law l = {of->parameters, of->n_parameters, true, false, 0, take_parameter};
   aspi_wall_choose_law(&r->d->choice, of);
   asp_code code = read_parameters(r, &l, "");
   if (!code && of->needs_table)
     code = read_table(r);
   for (bool more = true; more && !code;) {
-    if (aspi_words_take(r, "scatter_twice"))
+    if (aspi_words_take_once(r, "scatter_twice", &code))
       r->d->choice.scatter_twice = true;
     else
       code = read_more(r, &l, &more);
@@ -258,12 +152,7 @@ static asp_code take_erosion(aspi_words *r, const asp_parameter *p, int index, d
   aspi_erosion *erosion = &r->d->choice.erosion;
   erosion->given[index] = value;
   erosion->si[index] = p->words ? value : value / aspi_quantity_factor(p->unit, &r->d->units);
-  if (p->words || p->least < 0)
-    return ASP_OK;
-  asp_code code = aspi_check_positive(r->error, p->name, "", value);
-  return code || value <= p->most
-             ? code
-             : aspi_check_range(r->error, p->name, "", value, p->least, p->most);
+  return ASP_OK;
 }
 
 static asp_code read_face(aspi_words *r) {
@@ -287,13 +176,13 @@ static asp_code read_erosion(aspi_words *r) {
   if (code)
     return code;
   aspi_erosion_take(erosion, of, &r->d->units);
-  const law l = {of->parameters, of->n_parameters, false, take_erosion};
+  law l = {of->parameters, of->n_parameters, false, true, 0, take_erosion};
   code = read_parameters(r, &l, "");
   for (bool more = true; more && !code;) {
-    if (aspi_words_take(r, "face"))
-      code = read_face(r);
-    else if (aspi_words_take(r, "density"))
-      code = aspi_words_number(r, "erosion", "density", &erosion->density);
+    if (aspi_words_take_once(r, "face", &code))
+      code = code ? code : read_face(r);
+    else if (aspi_words_take_once(r, "density", &code))
+      code = code ? code : aspi_words_number(r, "erosion", "density", &erosion->density);
     else
       code = read_more(r, &l, &more);
   }
@@ -305,7 +194,8 @@ static asp_code read_removal(aspi_words *r) {
   asp_code code = aspi_words_check_units(r, "removal is");
   double joule = aspi_quantity_factor("energy/area", &r->d->units);
   r->d->choice.flow.work = ASPI_REMOVAL_WORK * joule;
-  for (const aspi_keyword *k; !code && (k = aspi_words_take_keyword(r, "remove")) != NULL;)
+  for (const aspi_keyword *k;
+       !code && (k = aspi_words_take_keyword(r, "remove", &code)) != NULL && !code;)
     code = aspi_words_number(r, "remove", k->name, aspi_description_number(r->d, k->name));
   if (!code && !aspi_is_given(r->d, "gas_density"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'remove', 'u_tau U gas_density RHO' is expected");
@@ -331,11 +221,16 @@ static asp_code read_deposit(aspi_words *r) {
 static const struct {
   const char *name;
   asp_code (*read)(aspi_words *r); /* NULL: a number */
-} clauses[] = {{"surface", read_surface}, {"spread", read_spread},
-               {"rebound", read_rebound}, {"materials", aspi_words_materials},
-               {"friction", NULL},        {"surface_energy", NULL},
-               {"yield_stress", NULL},    {"deposit", read_deposit},
-               {"erosion", read_erosion}, {"seed", NULL}};
+} clauses[] = {{"surface", aspi_words_surface},
+               {"spread", read_spread},
+               {"rebound", read_rebound},
+               {"materials", aspi_words_materials},
+               {"friction", NULL},
+               {"surface_energy", NULL},
+               {"yield_stress", NULL},
+               {"deposit", read_deposit},
+               {"erosion", read_erosion},
+               {"seed", NULL}};
 enum { CLAUSES = sizeof clauses / sizeof *clauses };
 
 static asp_code read_clause(aspi_words *r, int clause) {
@@ -345,9 +240,25 @@ static asp_code read_clause(aspi_words *r, int clause) {
   return aspi_words_number(r, "", name, aspi_description_number(r->d, name));
 }
 
-/* Lists the words allowed at the start of a clause: those of all clauses, of the last one, and the
- * caller's. */
+/* The keyword that a misplaced word belongs to; NULL: it is no word of a description. */
+static const aspi_keyword *find_place(const aspi_words *r, const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (*k->within && strcmp(k->within, r->d->last) != 0 && strcmp(k->name, name) == 0)
+      return k;
+  }
+  return NULL;
+}
+
+/* Says where the word belongs, or lists those allowed at the start of a clause: those of all
+ * clauses, of the last one, and the caller's. */
 static asp_code fail_keyword(const aspi_words *r, const char *name) {
+  const aspi_keyword *place = find_place(r, name);
+  if (place)
+    return aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s%s %s%s%s", name,
+                     place->within, place->within,
+                     strcmp(place->within, "spread") == 0 ? " MODEL" : "", name,
+                     *place->values ? " " : "", place->values);
   char list[ASPI_LIST_MOST];
   aspi_keyword_names("", list, sizeof list);
   for (int i = 0; i < aspi_keyword_count(); i++) {

@@ -20,13 +20,20 @@ bool aspi_words_take(aspi_words *r, const char *word) {
   return here;
 }
 
-const aspi_keyword *aspi_words_take_keyword(aspi_words *r, const char *within) {
+bool aspi_words_take_once(aspi_words *r, const char *name, asp_code *code) {
+  if (!aspi_words_take(r, name))
+    return false;
+  if (aspi_is_given(r->d, name))
+    *code = aspi_fail(r->error, ASP_EARG, "'%s' is given twice", name);
+  aspi_set_given(r->d, name);
+  return true;
+}
+
+const aspi_keyword *aspi_words_take_keyword(aspi_words *r, const char *within, asp_code *code) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const aspi_keyword *k = aspi_keyword_at(i);
-    if (strcmp(k->within, within) != 0 || !aspi_words_take(r, k->name))
-      continue;
-    aspi_set_given(r->d, k->name);
-    return k;
+    if (strcmp(k->within, within) == 0 && aspi_words_take_once(r, k->name, code))
+      return k;
   }
   return NULL;
 }
@@ -108,7 +115,9 @@ asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, 
   asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->d->units, value, r->error)
                         : standard_start(r, k, value);
   if (!code && start)
-    code = aspi_keyword_check(k, *value, r->error);
+    code = k->whole ? aspi_keyword_check(k, *value, r->error)
+                    : aspi_quantity_check(name, start, k->unit, *value, k->least, k->most, k->above,
+                                          r->error);
   return !code && unknown ? aspi_words_add_unknown(r, k->name) : code;
 }
 

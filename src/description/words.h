@@ -24,9 +24,12 @@ bool aspi_words_next_is(const aspi_words *words, const char *word);
 bool aspi_words_take(aspi_words *words, const char *word);
 bool aspi_words_number_next(const aspi_words *words);
 
-/* Takes the next word if it is one within a keyword, and notes that it is given; NULL: it is none.
- */
-const aspi_keyword *aspi_words_take_keyword(aspi_words *words, const char *within);
+/* True if the next word is this keyword, which is taken and noted as given; *code is ASP_EARG, with
+ * a message, where it was given before. */
+bool aspi_words_take_once(aspi_words *words, const char *name, asp_code *code);
+
+/* Alike of the words within a keyword; NULL: it is none. */
+const aspi_keyword *aspi_words_take_keyword(aspi_words *words, const char *within, asp_code *code);
 
 /* Takes the next word; NULL and a message that names `what` where there is none. */
 const char *aspi_words_word(aspi_words *words, const char *what);
@@ -46,7 +49,8 @@ asp_code aspi_words_add_unknown(aspi_words *words, const char *name);
 /* ASP_EARG if the caller's units are not known: "<what> in SI units, which cannot be ...". */
 asp_code aspi_words_check_units(const aspi_words *words, const char *what);
 
-/* The clause `materials` (materials.c). */
+/* The clauses `surface` and `materials` (surface.c, materials.c). */
+asp_code aspi_words_surface(aspi_words *words);
 asp_code aspi_words_materials(aspi_words *words);
 
 enum { ASPI_LIST_MOST = 1000 }; /* characters of all words that may stand at one place */

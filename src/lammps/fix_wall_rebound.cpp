@@ -112,8 +112,11 @@ public:
     return p_->mesh ? "map" : "";
   }
   bool parse(Words &words) override {
-    if (!p_->mesh || !words.take("map"))
+    if (!words.take("map"))
       return false;
+    if (!p_->mesh)
+      throw asperity::Error(
+          "'map' is of the triangles of 'stl FILE'; planes and regions have none");
     p_->map.parse(words);
     return true;
   }

@@ -50,7 +50,7 @@ paste -d, <(rows own | awk -F, -v OFS=, '{ $6 = $11; NF = 10; print }') <(rows l
     same = ($9 == "") == ($28 == "") && $29 == ($10 == "deposit") && $11 == n
     if (!near || !same) { print; bad = 1 } } END { exit bad || n != 120 || deposits < 20 || deposits > 100 }' || die "cor --columns ledger: other numbers"
 refuses 2 "own or ledger" -- cor --columns both
-refuses 2 "'-sigma'" "begin with --" -- cor -sigma 5
+refuses 2 "'-sigma'" "word of the description" -- cor -sigma 5
 refuses 2 "'-s'" -- cor -s 5
 refuses 2 "'--gloss'" -- cor --gloss 5
 "$asperity" materials | grep -q '^hastelloy-x,.*handbook values"$' || die "materials"
@@ -86,6 +86,9 @@ refuses 2 "--help" --
 refuses 2 "'sprad'" "did you mean 'spread'" -- sprad
 refuses 2 "'corr'" "did you mean 'cor'" -- corr
 refuses 2 "--sgima" "unknown" -- spread --sgima 10
+refuses 2 "--sampels" "did you mean '--samples'" -- spread --sampels 10
+refuses 2 "'--sigma' is a word of the description" "surface sigma ANGLE" -- cor --sigma 5
+refuses 2 "'sigma' belongs behind 'surface'" "surface sigma ANGLE" -- cor sigma 5
 refuses 2 "'rebound' has no effect" "surface spread seed" -- spread surface sigma 10 rebound bons
 refuses 2 "sigma is missing" -- spread surface sigma
 refuses 2 "needs a value" -- spread --dp
@@ -101,8 +104,10 @@ refuses 2 "--speed is 0; it must be 1e-09 to 1e+06 m/s" -- cor surface sigma 5 -
 refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
 refuses 2 "asperity: spread auto: phi_r 1" -- spread surface rq 20um lambda_c 20um spread auto tolerance 0.1 --dp 300um --angles 3
 refuses 2 "rq is '5ft'" "um" -- spread surface rq 5ft lambda_c 40um --dp 1um
-refuses 2 "rq is -5e-06" "> 0" -- cor surface rq -5um lambda_c 40um
+refuses 2 "rq is -5um" "> 0" -- cor surface rq -5um lambda_c 40um
 refuses 2 "surface is 'lambda_c'" "rq R lambda_c L" -- cor surface lambda_c 40um
+refuses 2 "oka is '1.8' without a unit" "1.8 Pa" -- cor erosion oka 1.8 density 7800
+refuses 2 "yield_stress is '200' without a unit" -- cor yield_stress 200
 refuses 2 "rq is '5' without a unit" "5um" -- cor surface rq 5 lambda_c 40um
 refuses 2 "rq is '5s'" "unit must be one of: m cm mm um nm" -- cor surface rq 5s lambda_c 40um
 refuses 2 "--dp is '5,10um' without a unit" "'5' would be 5 m" -- cor --dp 5,10um

@@ -63,7 +63,7 @@ grep -q '20°' map.svg || die "trade --map --plot"
 # calibrate finds the friction that cor had, on the same wall.
 for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map map"; do
   "$asperity" cor surface $wall friction 0.17 deposit off --dp 5um --angles 30,60 --samples 300 -o data || die "cor surface $wall"
-  "$asperity" calibrate data surface $wall friction fit deposit off --dp 5um --samples 1000 > fit || die "calibrate surface $wall"
+  "$asperity" calibrate data surface $wall materials ard hastelloy-x friction fit deposit off --dp 5um --samples 1000 > fit || die "calibrate surface $wall"
   awk -F, -v wall="$wall" '$1 == "friction" { exit !(($2 - 0.17) ^ 2 < (4 * $3) ^ 2 && $3 < 0.02) }' fit || die "calibrate surface $wall: $(cat fit)"
 done
 grep -q '# description, .* surface map map spread profile ' fit || die "calibrate surface map: the description: $(cat fit)"

@@ -67,6 +67,7 @@ refuses "$plane rebound table nowhere.csv" "" "nowhere.csv" "No such file"
 printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nbrass,1e11,0.35,8500\n' > brass.csv
 refuses "$plane materials" "" "materials has 0 names" "2 atom types"
 refuses "$plane materials quartz surface smooth" "" "materials has 1 names" "2 atom types"
+refuses "$plane columns full ledger 10" "" "'columns' belongs behind 'ledger'"
 refuses "$plane materials quartz quartz hastelloy-x file ../brass.csv" "" "materials has 3 names" "2 atom types"
 refuses "$plane deposit delete remove gas_density 1.2" "" "'u_tau U' is expected"
 refuses "$plane materials quartz kryptonite file ../brass.csv" "" "'kryptonite'" "hastelloy-x" "brass"

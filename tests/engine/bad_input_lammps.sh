@@ -8,7 +8,7 @@ refuses "$wall zplane" "" "the plane's place" "missing"
 refuses "$wall zplane low" "" "the plane's place is 'low'" "number"
 refuses "$wall zcylinder -1 0 0" "" "the cylinder's radius is -1" "> 0"
 refuses "$wall zplane 0 type 3" "" "the wall's type is 3" "1 to 2"
-refuses "$wall zplane 0 map 10 map.vtk" "" "'map'" "unknown" "ledger"
+refuses "$wall zplane 0 map 10 map.vtk" "" "'map'" "stl FILE"
 
 refuses "$wall region" "" "the ID of a region" "missing"
 refuses "$wall region moon" "" "region 'moon' does not exist" "region moon STYLE"

@@ -46,6 +46,9 @@ static void canonical_texts(void **state) {
              "surface profile \"my blade.csv\" dp_bins 4 spread profile isotropic collisions "
              "multiple rebound bons yield_rate 3000000 temperature 800 soften 773.15 0.001 spin on "
              "deposit freeze seed 1");
+  check_text("yield_stress 200kPa erosion finnie 500kPa density 2000",
+             "surface smooth rebound bons yield_stress 200000Pa deposit freeze erosion finnie "
+             "500000Pa density 2000 face mean seed 1");
   check_text(
       "surface map m.sdf lay 3 0 4 deposit delete remove gas_density 1.2 u_tau 2.5 yield_stress "
       "150MPa",
@@ -53,6 +56,37 @@ static void canonical_texts(void **state) {
       "yield_stress 150000000 deposit delete remove u_tau 2.5 gas_density 1.2 seed 1");
   check_text("deposit freeze remove gas_density 1.2",
              "surface smooth rebound bons deposit freeze remove gas_density 1.2 seed 1");
+}
+
+/* What instruments print becomes rq and lambda_c, by closed forms; R_Sm by its table. */
+static void instruments_are_understood(void **state) {
+  (void)state;
+  static const struct {
+    const char *text;
+    double r_q, lambda_c;
+  } all[] = {{"rq 5um rdq 0.2", 5e-6, 35.35533905932738e-6},
+             {"ra 4um rdq 10deg", 5.013256549262001e-6, 40.2083412030074e-6},
+             {"ra 4um lambda_c 40um", 5.013256549262001e-6, 40e-6},
+             {"sq 5um lambda_c 40um", 5e-6, 40e-6},
+             {"sq 5um sdq 0.25", 5e-6, 40e-6},
+             {"sq 5um sal 50um", 5e-6, 39.41241e-6},
+             {"rq 5um rsm 0.26400mm sampling 0.8mm", 5e-6, 40.3306e-6},
+             {"rq 5um rsm 264um", 5e-6, 43.139e-6}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    char words[100], text[300], *end;
+    snprintf(words, sizeof words, "surface %s", all[i].text);
+    asp_description *d = parse(words, &si);
+    asp_description_text(d, text, sizeof text);
+    assert_memory_equal(text, "surface rq ", 11);
+    double r_q = strtod(text + 11, &end);
+    assert_memory_equal(end, " lambda_c ", 10);
+    assert_near(r_q, all[i].r_q, 1e-12 * r_q);
+    assert_near(strtod(end + 10, NULL), all[i].lambda_c, 1e-5 * all[i].lambda_c);
+    asp_description_free(d);
+  }
+  asp_description *d = parse("surface ra 4 rdq 0.2", &micro);
+  assert_near(asp_description_get(d, "rq"), 5.013256549262001, 1e-12);
+  asp_description_free(d);
 }
 
 /* A text that does not fit is cut, and its length returned. */
@@ -99,6 +133,9 @@ static void add_surface(char *text, bool *rough, bool *measured) {
     add(text, "smooth");
   else if (kind == 1)
     add(text, "sigma %.17g", within(0.001, 54));
+  else if (kind == 2 && whole(2))
+    add(text, whole(2) ? "ra %.17gum rdq %.17gdeg" : "sq %.17gum sdq %.17gdeg", 1e-3 + uniform(),
+        1 + 30 * uniform());
   else if (kind == 2)
     add(text, "rq %.17gum lambda_c %.3gmm", 1e-3 + uniform(), 0.01 + uniform());
   else if (kind == 3)
@@ -235,8 +272,39 @@ static void slips_are_named(void **state) {
   refuses("materials quartz 304-ss fil own.csv", "'fil'", "did you mean 'file'?");
 }
 
+static void misplaced_words_are_sent_home(void **state) {
+  (void)state;
+  refuses("sigma 5", "'sigma' belongs behind 'surface'", "surface sigma ANGLE");
+  refuses("surface sigma 5 collisions single", "'collisions' belongs behind 'spread'",
+          "spread MODEL collisions");
+  refuses("friction 0.3 u_tau 2", "'u_tau' belongs behind 'remove'", "");
+}
+
+static void words_are_given_once(void **state) {
+  (void)state;
+  refuses("surface sigma 5 spread visible plane isotropic", "'plane' and 'isotropic'", "one");
+  refuses("surface sigma 5 spread visible plane plane", "'plane' is given twice", "");
+  refuses("surface sigma 5 spread visible collisions single collisions multiple",
+          "'collisions' is given twice", "");
+  refuses("surface profile f dp_bins 3 dp_bins 4", "'dp_bins' is given twice", "");
+  refuses("rebound bons yield_rate 1 yield_rate 2", "'yield_rate' is given twice", "");
+  refuses("erosion dnv density 7800 face mean face tilted", "'face' is given twice", "");
+  refuses("erosion dnv k 1 k 2 density 7800", "'k' is given twice", "");
+  refuses("deposit freeze remove u_tau 1 u_tau 2 gas_density 1", "'u_tau' is given twice", "");
+}
+
 static void bad_values_are_named(void **state) {
   (void)state;
+  refuses("surface rz 30um", "rz", "sampling length");
+  refuses("surface rq 5um sdq 0.2", "rdq S, rsm L", "");
+  refuses("surface sq 5um rsm 0.3mm", "sdq S, sal L", "");
+  refuses("surface ra 5um", "behind 'surface ra'", "rdq");
+  refuses("surface rq 5um rdq -0.2", "rdq is -0.2", "> 0");
+  refuses("surface rq 5um rdq 10um", "rdq is '10um'", "deg rad");
+  refuses("surface rq 5um rsm 26um sampling 0.8mm", "rsm is 0.0325 of the sampling length", "rdq");
+  refuses("surface rq 40um lambda_c 5um", "phi_r", "are rq and lambda_c swapped?");
+  refuses("surface rq -5um lambda_c 5um", "rq is -5um", "> 0");
+  refuses("rebound constant 0.5 1.5", "cor_t is 1.5", "0 to 1");
   refuses("surface", "surface", "missing");
   refuses("surface bumpy", "'bumpy'", "smooth | sigma ANGLE");
   refuses("surface rq 1e-5", "lambda_c L", "");
@@ -289,6 +357,7 @@ static void what_has_no_effect_is_refused(void **state) {
           "yield_rate");
   refuses("deposit off remove u_tau 1 gas_density 1", "'remove' has no effect", "deposit off");
   refuses("surface_energy 1 deposit off", "'surface_energy' has no effect", "deposit off");
+  refuses("spread weibull", "'spread' has no effect", "surface smooth");
   refuses("spread none surface sigma 8", "'surface' has no effect", "spread none");
   refuses("surface rq 1 lambda_c 10 dp_bins 4", "'dp_bins' has no effect", "spread visible");
 }
@@ -421,6 +490,31 @@ static void odd_constants_are_doubted(void **state) {
   assert_string_equal(text, "");
 }
 
+/* What needs no material: numbers that are probably in another unit. */
+static void odd_numbers_are_doubted(void **state) {
+  (void)state;
+  static const char *const all[][2] = {
+      {"surface rq 5 lambda_c 40", "rq is 5, 5e+05 times the diameter"},
+      {"friction 30", "friction is 30"},
+      {"erosion oka 1.8 density 7800", "hardness is 1.8, which is 1.8 Pa"},
+      {"erosion finnie 200 density 7800", "flow_stress is 200, which is 200 Pa"},
+      {"surface rq 5um rsm 264um", "may be 3.61e-05 to 5.16e-05"}};
+  const asp_particle particle = {.d_p = 10e-6};
+  char text[480];
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    asp_description *d = parse(all[i][0], &si);
+    assert_true(asp_description_doubt(d, &particle, NULL, NULL, 0, text, sizeof text));
+    if (!strstr(text, all[i][1]))
+      fail_msg("%s: %s", all[i][0], text);
+    assert_false(asp_description_doubt(d, &particle, NULL, NULL, 1, text, sizeof text));
+    asp_description_free(d);
+  }
+  asp_description *d =
+      parse("surface rq 5um lambda_c 40um friction 0.5 erosion oka 1.8GPa density 7800", &si);
+  assert_false(asp_description_doubt(d, &particle, NULL, NULL, 0, text, sizeof text));
+  asp_description_free(d);
+}
+
 /* ---- numbers that are unknown ---- */
 
 /* A description whose numbers may be unknown; NULL and a message where it is refused. */
@@ -549,6 +643,10 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(files_that_fail_have_their_code),
       cmocka_unit_test(canonical_texts),
+      cmocka_unit_test(instruments_are_understood),
+      cmocka_unit_test(misplaced_words_are_sent_home),
+      cmocka_unit_test(words_are_given_once),
+      cmocka_unit_test(odd_numbers_are_doubted),
       cmocka_unit_test(short_room),
       cmocka_unit_test(texts_go_round),
       cmocka_unit_test(slips_are_named),
