@@ -72,7 +72,7 @@ static void read_materials(cli_description *d) {
       !asp_description_is_given(d->words, "yield_stress") &&
       !(asp_pair_get(d->pair, "yield_stress") > 0))
     cli_bad_usage("material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
-                  "'rebound bons'",
+                  "'rebound bons', or 'rebound walton E MU 0 deposit off', which needs none",
                   asp_material_name(d->particle));
 }
 

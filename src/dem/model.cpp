@@ -313,7 +313,8 @@ void Model::check_kinds() const {
     if (kinds[t].present && !(asp_material_get(materials_[t], "yield_stress") > 0))
       throw Error(text("material '%s' is that of particles (type %d) and has no yield stress; it "
                        "must be one that has, of your own in a file, or 'yield_stress Y', or "
-                       "'rebound bons yield_rate A'",
+                       "'rebound bons yield_rate A', or 'rebound walton E MU 0 deposit off', which "
+                       "needs none",
                        asp_material_name(materials_[t]), static_cast<int>(t) + 1));
 }
 
