@@ -47,7 +47,7 @@ void Model::begin() {
   units_.name = units_name_.c_str();
   description_.reset(asp_description_parse("", &units_, &wrong));
   if (!description_)
-    throw Error(wrong.text);
+    throw_error(wrong);
   if (engine_.dimension() == 2)
     asp_description_default_plane(description_.get());
 }
@@ -59,7 +59,7 @@ void Model::parse(Words &words, const std::string &others) {
   begin();
   if (asp_description_read(description_.get(), static_cast<int>(rest.size()), rest.data(),
                            others.c_str(), &taken, &wrong))
-    throw Error(wrong.text);
+    throw_error(wrong);
   words.skip(taken);
 }
 
@@ -67,7 +67,7 @@ void Model::finish() {
   asp_error wrong;
   begin();
   if (asp_description_complete(description_.get(), &wrong))
-    throw Error(wrong.text);
+    throw_error(wrong);
   const int names = asp_description_materials(description_.get());
   if (is_given("materials") && names != engine_.types())
     throw Error(text("materials has %d names, and the script has %d atom types; there must be one "
@@ -129,7 +129,7 @@ void Model::read_measured() {
                  reading.doubts);
   if (is_map ? asp_description_set_map(description_.get(), map_.get(), &wrong)
              : asp_description_set_profile(description_.get(), profile_.get(), &wrong))
-    throw Error(wrong.text);
+    throw_error(wrong);
 }
 
 /* ---- set-up -----------------------------------------------------------------------------------
@@ -139,7 +139,7 @@ void Model::make() {
   asp_error wrong;
   wall_.reset(asp_wall_create(description_.get(), d_range_[0], d_range_[1], &wrong));
   if (!wall_)
-    throw Error(wrong.text);
+    throw_error(wrong);
 }
 
 void Model::set_sizes(const double range[2]) {
@@ -164,7 +164,7 @@ void Model::fit_sizes() {
   if (!asp_description_needs_sizes(description_.get())) {
     const asp_surface *surface = asp_wall_surface(wall_.get());
     if (surface && asp_surface_check(surface, most, &wrong))
-      throw Error(wrong.text);
+      throw_error(wrong);
     check_sampling(least);
     return;
   }
@@ -258,7 +258,7 @@ void Model::take_constants() {
     if (!m || asp_material_set(m, "youngs_modulus", modulus[t], &wrong) ||
         asp_material_set(m, "poissons_ratio", poisson[t], &wrong) ||
         asp_material_set(m, "yield_stress", yield.empty() ? 0 : yield[t], &wrong))
-      throw Error(wrong.text);
+      throw_error(wrong);
     materials_.push_back(m);
   }
   materials_report_ += "\n  youngsModulus, poissonsRatio" +
@@ -284,7 +284,7 @@ void Model::make_pairs() {
           (!energy.empty() && !is_given("surface_energy") &&
            asp_pair_set(pair, "surface_energy", energy[k], &wrong)) ||
           (!friction_.empty() && asp_pair_set(pair, "friction", friction_[k], &wrong)))
-        throw Error(text("types %d (particle) and %d (wall): %s", p + 1, w + 1, wrong.text));
+        throw_error(wrong, text("types %d (particle) and %d (wall): ", p + 1, w + 1));
     }
   if (friction_.empty())
     friction_.assign(pairs_.size(), ASP_FRICTION);

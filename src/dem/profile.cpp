@@ -61,7 +61,7 @@ Profile asperity::read_profile(MPI_Comm world, const std::string &path, double m
   if (!profile)
     profile.reset(asp_profile_from_heights(heights.data(), heights.size(), spacing, false, &error));
   if (!profile)
-    throw Error(error.text);
+    throw_error(error);
   return profile;
 }
 
@@ -84,6 +84,6 @@ Map asperity::read_map(MPI_Comm world, const std::string &path, double metre, Re
     map.reset(
         asp_map_from_heights(heights.data(), side[0], side[1], step[0], step[1], false, &error));
   if (!map)
-    throw Error(error.text);
+    throw_error(error);
   return map;
 }

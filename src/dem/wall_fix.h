@@ -88,11 +88,16 @@ public:
   /* Moves the wall to the end of the step. */
   virtual void begin_step() = 0;
 
+  /* An Error is one of all ranks; anything else may be of this one, for which the others wait. */
   template <class Action> void attempt(Action action) const {
     try {
       action();
-    } catch (const std::exception &wrong) {
+    } catch (const OutOfMemory &wrong) {
+      fail_alone(message_of(wrong));
+    } catch (const Error &wrong) {
       fail(message_of(wrong));
+    } catch (const std::exception &wrong) {
+      fail_alone(message_of(wrong));
     }
   }
 
@@ -152,7 +157,7 @@ public:
       }
       Wall::step(walls, this->spheres());
     } catch (const std::exception &wrong) {
-      fail_alone("Fix wall/rebound: " + message_of(wrong));
+      fail_alone(message_of(wrong));
     }
     for (WallFix *fix : siblings_) {
       if (!fix->deletes())

@@ -91,7 +91,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
     fail_at(FLERR, what);
   }
   void fail_alone(const std::string &what) const override {
-    program_->error->one(FLERR, what);
+    program_->error->one(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
   }
   void check(const std::string &file, int line, const std::string &wrong) const {
     if (!wrong.empty())

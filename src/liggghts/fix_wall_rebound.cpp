@@ -56,7 +56,7 @@ void FixWallRebound::fail(const std::string &what) const {
 }
 
 void FixWallRebound::fail_alone(const std::string &what) const {
-  error->one(FLERR, what.c_str());
+  error->one(FLERR, ("Fix wall/rebound (id " + id() + "): " + what).c_str());
 }
 
 void FixWallRebound::read_geometry(Words &words, std::string &geometry) {

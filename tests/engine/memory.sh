@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The core's memory runs out while a wall is made: whichever allocation fails, the run ends with one clear error. A
-# sample of them, from the first to the last; that each is seen in the core is unit/test_memory.c.
+# sample of them, from the first to the last, also on one rank of two; that each is seen in the core is unit/test_memory.c.
 # Usage: memory.sh LIBRARY (fail_memory.c)
 # SPDX-License-Identifier: GPL-3.0-or-later
 library=$1
@@ -41,4 +41,16 @@ for script in measured.in generated.in; do
       { tail screen; die "$script: allocation $at of $count fails: status $status"; }
   done
   echo "$script: of $count allocations a sixth failed and was told"
+done
+
+# On one of two ranks: the other one does not wait for ever.
+cat > one.sh << END
+[ "\$OMPI_COMM_WORLD_RANK" = 0 ] || export FAIL_MEMORY_AT=\$1 LD_PRELOAD=$library
+exec "$bin/liggghts-asperity" -in measured.in -log none
+END
+for at in 1 $((count / 2)); do
+  status=0
+  timeout 60 mpirun -np 2 bash one.sh "$at" > screen 2>&1 || status=$?
+  [ $status != 0 ] && [ $status != 124 ] && grep -aq 'ERROR.*out of memory' screen ||
+    { tail screen; die "memory of the second rank, allocation $at: status $status"; }
 done
