@@ -389,6 +389,13 @@ bool asp_description_doubt(const asp_description *description, const asp_particl
                            const asp_material *of_particle, const asp_material *of_wall, int index,
                            char *text, size_t size);
 
+/* The speed below which a normal impact of the particle sticks to the mean wall: 0 where the law
+ * needs no pair, where nothing is held, or below 0.001 m/s; INFINITY where every impact up to 10
+ * km/s sticks. `particle` has the density, the pair, and the diameter. 0 in units without a known
+ * speed. */
+double asp_description_capture_speed(const asp_description *description,
+                                     const asp_particle *particle);
+
 /* ---- wall and impact ------------------------------------------------------------------------- */
 /* A wall that is ready for contacts of particles with diameters from d_least to d_most, in the
  * description's units; both count only if asp_description_needs_sizes, else they may be 0. Reads

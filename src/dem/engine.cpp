@@ -28,8 +28,10 @@ std::vector<Engine::Kind> asperity::kinds_of(const Spheres &spheres, int group,
   }
   MPI_Allreduce(mine.data(), all.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_MAX, world);
   std::vector<Engine::Kind> kinds;
-  for (size_t t = 0; t < n; t++)
+  for (size_t t = 0; t < n; t++) {
+    const bool here = all[3 * t + 1] > 0;
     kinds.push_back(
-        Engine::Kind{all[3 * t] > 0, std::max(0., -all[3 * t + 2]), std::max(0., all[3 * t + 1])});
+        Engine::Kind{all[3 * t] > 0, here ? -all[3 * t + 2] : 0, here ? all[3 * t + 1] : 0});
+  }
   return kinds;
 }

@@ -15,8 +15,6 @@ using namespace asperity;
 
 namespace {
 
-const double DEGREES = 180 / ASP_PI;
-
 /* The first of n words, and the last one of them for all others: "7e10 2.05e11 2.05e11". */
 std::string for_types(int n, const char *first, const char *other) {
   std::string values = first;
@@ -148,9 +146,10 @@ void Model::set_sizes(const double range[2]) {
 }
 
 void Model::prepare(const std::vector<int> &wall_types) {
-  find_materials(wall_types);
+  wall_types_ = wall_types;
+  find_materials();
   fit_sizes();
-  warn_of_doubts(wall_types);
+  warn_of_doubts();
 }
 
 /* Bins, tables and the choice of a model span the diameters that there are or will be; the span
@@ -203,7 +202,7 @@ void Model::constants(const char *name, bool pairs, bool needed, const char *exa
 }
 
 /* The description's constants go before the script's, which may be soft ones for the pair style. */
-void Model::find_materials(const std::vector<int> &wall_types) {
+void Model::find_materials() {
   const int n = engine_.types();
   pairs_.clear();
   materials_.clear();
@@ -224,7 +223,7 @@ void Model::find_materials(const std::vector<int> &wall_types) {
     else
       take_constants();
     make_pairs();
-    report_yield(wall_types);
+    report_yield();
   }
   if (!pairs_.empty() || is_given("friction"))
     report_constant("friction", "coefficientFriction", of_script, friction(1, 1));
@@ -293,17 +292,6 @@ void Model::make_pairs() {
                     asp_pair_get(pairs_[0].get(), "surface_energy"));
 }
 
-/* Reports the source of a constant of the pairs. */
-void Model::report_constant(const char *keyword, const char *name, bool of_script, double value) {
-  materials_report_ += std::string("\n  ") + keyword;
-  if (is_given(keyword))
-    materials_report_ += text(" %g, by the description", value);
-  else if (of_script)
-    materials_report_ += std::string(" by the script's ") + name;
-  else
-    materials_report_ += text(" %g, the default", value);
-}
-
 /* Particles that there are or will be need a yield stress, which a material for walls lacks. */
 void Model::check_kinds() const {
   if (number("yield_rate") > 0 || is_given("yield_stress"))
@@ -316,62 +304,6 @@ void Model::check_kinds() const {
                        "'rebound bons yield_rate A', or 'rebound walton E MU 0 deposit off', which "
                        "needs none",
                        asp_material_name(materials_[t]), static_cast<int>(t) + 1));
-}
-
-/* The speed above which a particle yields, v_y = sigma_y/sqrt(rho E_c) (Bons et al. 2017). */
-void Model::report_yield(const std::vector<int> &wall_types) {
-  const std::vector<Engine::Kind> kinds = engine_.kinds();
-  if (is_given("yield_stress"))
-    materials_report_ += text("\n  yield_stress %g, by the description", number("yield_stress"));
-  const double rate = number("yield_rate");
-  if (!(rate >= 0) || rate > 0) /* a law of its own, or no constant */
-    return;
-  for (size_t t = 0; t < kinds.size(); t++)
-    for (int w : wall_types) {
-      const int type = static_cast<int>(t) + 1;
-      const asp_pair *p = pair(type, w);
-      if (kinds[t].present && kinds[t].most > 0)
-        materials_report_ += text(
-            "\n  type %d on a wall of type %d: yields above %.4g along the normal", type, w,
-            asp_pair_get(p, "yield_stress") / sqrt(kinds[t].most * asp_pair_get(p, "modulus")));
-    }
-}
-
-/* Constants that look like a mistake; collective. */
-void Model::warn_of_doubts(const std::vector<int> &wall_types) const {
-  double least, most;
-  engine_.diameters(least, most);
-  const std::vector<Engine::Kind> kinds = engine_.kinds();
-  if (!is_new_ || !wall_)
-    return;
-  const asp_particle largest = {most, 1, NULL, {0, 0, 0}, NULL, 0, 0};
-  char doubt[480];
-  for (int i = 0;
-       asp_description_doubt(description_.get(), &largest, NULL, NULL, i, doubt, sizeof doubt); i++)
-    engine_.warn(doubt);
-  if (pairs_.empty())
-    return;
-  for (size_t t = 0; t < kinds.size(); t++) {
-    std::set<std::string> said;
-    for (int w : wall_types)
-      if (kinds[t].present)
-        warn_of_doubts(static_cast<int>(t) + 1, w, kinds[t], most, said);
-  }
-}
-
-void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
-                           std::set<std::string> &said) const {
-  const asp_material *of_particle = materials_[type - 1], *of_wall = materials_[wall_type - 1];
-  const double density = asp_material_get(of_particle, "density");
-  const bool least = fabs(kind.least - density) > fabs(kind.most - density);
-  const asp_particle particle = {
-      d_p, least ? kind.least : kind.most, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0};
-  char doubt[480];
-  for (int i = 0; asp_description_doubt(description_.get(), &particle, of_particle, of_wall, i,
-                                        doubt, sizeof doubt);
-       i++)
-    if (said.insert(doubt).second)
-      engine_.warn(text("type %d on a wall of type %d: %s", type, wall_type, doubt));
 }
 
 const asp_pair *Model::pair(int type, int wall_type) const {
@@ -401,78 +333,4 @@ bool Model::needs_materials() const {
 
 bool Model::sticks() const {
   return deposit_ != OFF && needs_materials();
-}
-
-/* ---- texts ------------------------------------------------------------------------------------
- */
-
-std::string Model::description() const {
-  std::string line(asp_description_text(description_.get(), NULL, 0) + 1, '\0');
-  asp_description_text(description_.get(), &line[0], line.size());
-  line.pop_back();
-  return line;
-}
-
-std::string Model::heading() const {
-  const bool chosen = wall_ && *asp_wall_reason(wall_.get()) != '\0';
-  return description() +
-         (chosen ? std::string("; auto chose ") + asp_spread_name(asp_wall_spread(wall_.get()))
-                 : "");
-}
-
-std::string Model::describe_surface() const {
-  const asp_wall *wall = wall_.get();
-  const asp_surface *s = asp_wall_surface(wall);
-  const std::string model = asp_spread_name(asp_wall_spread(wall));
-  if (!s || model == "none")
-    return "smooth wall";
-  std::string line;
-  if (measured())
-    line = word("surface") + " " + word("file") + " (" + report_ + "), ";
-  if (map_)
-    line += text("S_sk %.3g, S_ku %.3g, ", asp_map_get(map_.get(), "s_sk", NULL),
-                 asp_map_get(map_.get(), "s_ku", NULL));
-  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
-               asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
-               atan(asp_surface_slope_rms(s)) * DEGREES);
-  if (lay_.kind != ASP_LAY_NONE)
-    line += text(", lambda_c along the lay %.4g", asp_surface_lambda_along(s));
-  line += ", spread " + model + " " + word("tilt") + ", collisions " + word("collisions");
-  if (*asp_wall_reason(wall))
-    line += std::string("\n  ") + asp_wall_reason(wall);
-  if (asp_surface_uncertainty(s) > 0)
-    line += text("\n  one profile of this length leaves the mean tilt at 2 deg uncertain by about "
-                 "%.2g %% of "
-                 "sigma",
-                 100 * asp_surface_uncertainty(s));
-  if (!measured() && !is_given("spread"))
-    line +=
-        "\n  spread is the default; the choice of Altmeppen et al. 2020 is 'spread weibull plane "
-        "collisions single'";
-  for (int i = 0; i < asp_surface_bins(s); i++)
-    line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
-                 atan(asp_surface_bin_slope(s, i)) * DEGREES);
-  return line;
-}
-
-/* True if the spread needs only s_eff. */
-bool Model::draws_from_gaussian() const {
-  const std::string model = asp_spread_name(asp_wall_spread(wall_.get()));
-  return model != "none" && model != "profile" && model != "traced";
-}
-
-std::string Model::take_report() {
-  if (!is_new_ || !wall_)
-    return "";
-  is_new_ = false;
-  const asp_rebound_law *law = asp_wall_rebound(wall_.get());
-  if (measured() && draws_from_gaussian())
-    engine_.warn(std::string("'spread ") + asp_spread_name(asp_wall_spread(wall_.get())) +
-                 "' draws from a Gaussian wall with the slopes of '" + word("file") +
-                 "', whose own law is 'spread profile'");
-  if (asp_rebound_measured(law) && asp_wall_surface(wall_.get()))
-    engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
-                      "own; on a rough wall that counts twice",
-                      asp_rebound_name(law)));
-  return description() + "\n  " + describe_surface() + materials_report_;
 }

@@ -34,7 +34,7 @@ public:
    * that the wall's pieces are made of. */
   void prepare(const std::vector<int> &wall_types);
 
-  /* Report for the log since the last call; empty if nothing is new. */
+  /* Report for the log since the last call; empty if nothing is new. Collective. */
   std::string take_report();
 
   Deposit deposit() const {
@@ -103,14 +103,16 @@ private:
   void check_sampling(double least);
   void constants(const char *name, bool pairs, bool needed, const char *example,
                  std::vector<double> &values) const;
-  void find_materials(const std::vector<int> &wall_types);
+  void find_materials();
   void take_named();
   void take_constants();
   void make_pairs();
   void check_kinds() const;
   void report_constant(const char *keyword, const char *name, bool of_script, double value);
-  void report_yield(const std::vector<int> &wall_types);
-  void warn_of_doubts(const std::vector<int> &wall_types) const;
+  void report_yield();
+  void warn_of_doubts() const;
+  double density(int type, const Engine::Kind &kind) const;
+  std::string describe_capture() const;
   void warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
                       std::set<std::string> &said) const;
   bool draws_from_gaussian() const;
@@ -134,6 +136,7 @@ private:
   std::vector<Pair> pairs_;                     /* particle type x wall type */
   std::vector<double> friction_; /* the same; empty: neither pairs nor the script have it */
   double default_friction_;
+  std::vector<int> wall_types_; /* of the wall's pieces */
   bool is_new_;
 };
 

@@ -31,6 +31,9 @@
 #define SPEED_MOST 1e4
 enum { SPEEDS = 64 };
 
+/* Of a speed that is looked for, relative. */
+#define PRECISION 1e-4
+
 typedef struct question {
   const asp_description *d;
   const asp_particle *particle;
@@ -85,25 +88,42 @@ static bool wall_in_gpa(const question *q) {
   return is_in_gpa(q, 1);
 }
 
-/* Normal impacts at all speeds; oblique ones have less normal speed. */
-static bool sticks_always(const question *q) {
-  const asp_units *units = &q->d->units;
-  const asp_rebound_law *law = q->d->choice.law;
-  double speed = aspi_quantity_factor("speed", units);
-  if (!law->needs_pair || !q->particle->pair || !(speed > 0) || !(q->particle->d_p > 0) ||
-      !(q->particle->density > 0) || !q->d->choice.deposit ||
-      aspi_flow_removes(&q->d->choice.flow, q->particle))
-    return false;
-  for (int i = 0; i < SPEEDS; i++) {
-    double v = SPEED_LEAST * pow(SPEED_MOST / SPEED_LEAST, i / (SPEEDS - 1.0)) * speed;
-    aspi_hit hit = {.v_n1 = v,
-                    .d_p = q->particle->d_p,
-                    .density = q->particle->density,
-                    .pair = q->particle->pair,
-                    .adhesion = true};
-    if (law->rebound(q->d->choice.parameters, &hit).v_n2 > 0)
-      return false;
+/* True if a normal impact at v sticks; oblique ones have less normal speed. */
+static bool sticks_at(const asp_description *d, const asp_particle *particle, double v) {
+  aspi_hit hit = {.v_n1 = v,
+                  .d_p = particle->d_p,
+                  .density = particle->density,
+                  .pair = particle->pair,
+                  .adhesion = true};
+  return !(d->choice.law->rebound(d->choice.parameters, &hit).v_n2 > 0);
+}
+
+double asp_description_capture_speed(const asp_description *d, const asp_particle *particle) {
+  double unit = aspi_quantity_factor("speed", &d->units);
+  if (!d->choice.law->needs_pair || !particle->pair || !(unit > 0) || !(particle->d_p > 0) ||
+      !(particle->density > 0) || !d->choice.deposit ||
+      aspi_flow_removes(&d->choice.flow, particle))
+    return 0;
+  double low = SPEED_LEAST * unit, step = pow(SPEED_MOST / SPEED_LEAST, 1 / (SPEEDS - 1.0));
+  if (!sticks_at(d, particle, low))
+    return 0;
+  int i = 1;
+  while (i < SPEEDS && sticks_at(d, particle, low * step)) {
+    low *= step;
+    i++;
   }
+  if (i == SPEEDS)
+    return INFINITY;
+  for (double high = low * step; high > (1 + PRECISION) * low;) {
+    double middle = sqrt(low * high);
+    *(sticks_at(d, particle, middle) ? &low : &high) = middle;
+  }
+  return low;
+}
+
+static bool sticks_always(const question *q) {
+  if (!isinf(asp_description_capture_speed(q->d, q->particle)))
+    return false;
   snprintf(q->text, q->size,
            "every impact of particles of diameter %g and less sticks, whatever its speed: the "
            "surface energy, %g, is too much for a yield stress of %g",

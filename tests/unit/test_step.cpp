@@ -38,6 +38,13 @@ typedef std::unique_ptr<Shape> ShapePtr;
 
 const double STILL[3] = {0, 0, 0};
 
+int count(const std::string &text, const char *part) {
+  int found = 0;
+  for (size_t at = 0; (at = text.find(part, at)) != std::string::npos; at++)
+    found++;
+  return found;
+}
+
 ShapePtr plane(int axis, double at, const double velocity[3] = STILL) {
   return ShapePtr(new PlaneShape(axis, at, velocity));
 }
@@ -376,15 +383,50 @@ void forces_do_their_own_work(void **) {
   assert_true(most > 10);
 }
 
-/* ---- runs after others ------------------------------------------------------------------------
+/* ---- what the user is told --------------------------------------------------------------------
  */
 
-int count(const std::string &text, const char *part) {
-  int found = 0;
-  for (size_t at = 0; (at = text.find(part, at)) != std::string::npos; at++)
-    found++;
-  return found;
+/* Particles that are still to come have no density yet: that of their material counts. */
+void grains_to_come_are_not_doubted(void **) {
+  const std::vector<Engine::Kind> kinds =
+      kinds_of(Spheres(), 1, std::vector<double>(1, 2e-3), MPI_COMM_WORLD);
+  assert_true(kinds[0].present && !(kinds[0].least > 0) && !(kinds[0].most > 0));
+  Alone engine;
+  engine.least = 1e-5;
+  engine.most = 4e-3;
+  engine.kind = kinds[0];
+  std::unique_ptr<Wall> wall = make_wall(engine, plane(0, 0), "materials quartz");
+  wall->init(0, 0.1);
+  assert_string_equal(engine.warned.c_str(), "");
+  assert_int_equal(count(engine.printed, "d_p 1e-05 sticks below"), 1);
+  assert_int_equal(count(engine.printed, ", d_p 0.004 below"), 1);
 }
+
+/* Grains stick below the speed that the log names, and not above it. */
+void the_log_names_what_sticks(void **) {
+  Alone engine;
+  engine.least = engine.most = 1e-5;
+  engine.kind = Engine::Kind{true, 2650, 2650};
+  std::unique_ptr<Wall> wall = make_wall(engine, plane(0, 0), "materials quartz");
+  wall->init(0, 0.1);
+  const size_t at = engine.printed.find("sticks below ");
+  assert_true(at != std::string::npos);
+  const double speed = strtod(engine.printed.c_str() + at + 13, NULL);
+  assert_true(speed > 0);
+  Grains grains(2, 5e-6, 1e-6 / speed);
+  for (int i = 0; i < 2; i++) {
+    grains.mass[i] = 2650 * ASP_PI / 6 * 1e-15;
+    grains.x[3 * i] = 5.5e-6;
+    grains.v[3 * i] = -speed * (i ? 1.01 : 0.99);
+  }
+  grains.begin({wall.get()});
+  grains.fly(1);
+  assert_true(wall->counter(Wall::N_IMPACTS) == 2 && wall->stuck() == 1);
+  assert_true(grains.v[3] > 0);
+}
+
+/* ---- runs after others ------------------------------------------------------------------------
+ */
 
 /* Larger and smaller grains than those so far need tables of their own; others do not. */
 void new_sizes_need_new_tables(void **) {
@@ -446,6 +488,8 @@ int main(int argc, char **argv) {
       cmocka_unit_test(grains_slide_inside_cylinders),
       cmocka_unit_test(belts_keep_their_radius),
       cmocka_unit_test(forces_do_their_own_work),
+      cmocka_unit_test(grains_to_come_are_not_doubted),
+      cmocka_unit_test(the_log_names_what_sticks),
       cmocka_unit_test(new_sizes_need_new_tables),
       cmocka_unit_test(restarts_keep_their_ledger),
   };

@@ -1,0 +1,193 @@
+/* What a wall tells the user: its description, the report for the log, and doubts about constants;
+ * see model.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/model.h"
+
+#include <math.h>
+
+#include "dem/text.h"
+
+using namespace asperity;
+
+namespace {
+
+const double DEGREES = 180 / ASP_PI;
+
+/* "below 0.3 along the normal" */
+std::string below(double speed) {
+  return speed > 0 ? isinf(speed) ? "at any speed" : text("below %.3g along the normal", speed)
+                   : "never";
+}
+
+} // namespace
+
+std::string Model::description() const {
+  std::string line(asp_description_text(description_.get(), NULL, 0) + 1, '\0');
+  asp_description_text(description_.get(), &line[0], line.size());
+  line.pop_back();
+  return line;
+}
+
+std::string Model::heading() const {
+  const bool chosen = wall_ && *asp_wall_reason(wall_.get()) != '\0';
+  return description() +
+         (chosen ? std::string("; auto chose ") + asp_spread_name(asp_wall_spread(wall_.get()))
+                 : "");
+}
+
+/* Reports the source of a constant of the pairs. */
+void Model::report_constant(const char *keyword, const char *name, bool of_script, double value) {
+  materials_report_ += std::string("\n  ") + keyword;
+  if (is_given(keyword))
+    materials_report_ += text(" %g, by the description", value);
+  else if (of_script)
+    materials_report_ += std::string(" by the script's ") + name;
+  else
+    materials_report_ += text(" %g, the default", value);
+}
+
+/* The speed above which a particle yields, v_y = sigma_y/sqrt(rho E_c) (Bons et al. 2017). */
+void Model::report_yield() {
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  if (is_given("yield_stress"))
+    materials_report_ += text("\n  yield_stress %g, by the description", number("yield_stress"));
+  const double rate = number("yield_rate");
+  if (!(rate >= 0) || rate > 0) /* a law of its own, or no constant */
+    return;
+  for (size_t t = 0; t < kinds.size(); t++)
+    for (int w : wall_types_) {
+      const int type = static_cast<int>(t) + 1;
+      const asp_pair *p = pair(type, w);
+      if (kinds[t].present && kinds[t].most > 0)
+        materials_report_ += text(
+            "\n  type %d on a wall of type %d: yields above %.4g along the normal", type, w,
+            asp_pair_get(p, "yield_stress") / sqrt(kinds[t].most * asp_pair_get(p, "modulus")));
+    }
+}
+
+/* Constants that look like a mistake; collective. */
+void Model::warn_of_doubts() const {
+  double least, most;
+  engine_.diameters(least, most);
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  if (!is_new_ || !wall_)
+    return;
+  const asp_particle largest = {most, 1, NULL, {0, 0, 0}, NULL, 0, 0};
+  char doubt[480];
+  for (int i = 0;
+       asp_description_doubt(description_.get(), &largest, NULL, NULL, i, doubt, sizeof doubt); i++)
+    engine_.warn(doubt);
+  if (pairs_.empty())
+    return;
+  for (size_t t = 0; t < kinds.size(); t++) {
+    std::set<std::string> said;
+    for (int w : wall_types_)
+      if (kinds[t].present)
+        warn_of_doubts(static_cast<int>(t) + 1, w, kinds[t], most, said);
+  }
+}
+
+/* The density of particles of a type: of the two, the one that is farther from that of the
+ * material; that of the material where there are none yet. */
+double Model::density(int type, const Engine::Kind &kind) const {
+  const double own = asp_material_get(materials_[type - 1], "density");
+  if (!(kind.most > 0))
+    return own;
+  return fabs(kind.least - own) > fabs(kind.most - own) ? kind.least : kind.most;
+}
+
+/* The normal speeds below which the smallest and the largest particles stick. */
+std::string Model::describe_capture() const {
+  std::string lines;
+  double d_p[2];
+  engine_.diameters(d_p[0], d_p[1]);
+  const std::vector<Engine::Kind> kinds = engine_.kinds();
+  for (size_t t = 0; t < kinds.size() && !pairs_.empty(); t++)
+    for (int w : wall_types_) {
+      const int type = static_cast<int>(t) + 1;
+      double speed[2] = {0, 0};
+      for (int k = 0; kinds[t].present && k < 2; k++) {
+        const asp_particle particle = {
+            d_p[k], density(type, kinds[t]), pair(type, w), {0, 0, 0}, NULL, 0, 0};
+        speed[k] = asp_description_capture_speed(description_.get(), &particle);
+      }
+      if (!(speed[0] > 0))
+        continue;
+      lines += text("\n  type %d on a wall of type %d: d_p %.4g sticks ", type, w, d_p[0]) +
+               below(speed[0]);
+      if (d_p[1] > d_p[0])
+        lines += text(", d_p %.4g ", d_p[1]) + below(speed[1]);
+    }
+  return lines;
+}
+
+void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
+                           std::set<std::string> &said) const {
+  const asp_material *of_particle = materials_[type - 1], *of_wall = materials_[wall_type - 1];
+  const asp_particle particle = {
+      d_p, density(type, kind), pair(type, wall_type), {0, 0, 0}, NULL, 0, 0};
+  char doubt[480];
+  for (int i = 0; asp_description_doubt(description_.get(), &particle, of_particle, of_wall, i,
+                                        doubt, sizeof doubt);
+       i++)
+    if (said.insert(doubt).second)
+      engine_.warn(text("type %d on a wall of type %d: %s", type, wall_type, doubt));
+}
+
+std::string Model::describe_surface() const {
+  const asp_wall *wall = wall_.get();
+  const asp_surface *s = asp_wall_surface(wall);
+  const std::string model = asp_spread_name(asp_wall_spread(wall));
+  if (!s || model == "none")
+    return "smooth wall";
+  std::string line;
+  if (measured())
+    line = word("surface") + " " + word("file") + " (" + report_ + "), ";
+  if (map_)
+    line += text("S_sk %.3g, S_ku %.3g, ", asp_map_get(map_.get(), "s_sk", NULL),
+                 asp_map_get(map_.get(), "s_ku", NULL));
+  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
+               asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
+               atan(asp_surface_slope_rms(s)) * DEGREES);
+  if (lay_.kind != ASP_LAY_NONE)
+    line += text(", lambda_c along the lay %.4g", asp_surface_lambda_along(s));
+  line += ", spread " + model + " " + word("tilt") + ", collisions " + word("collisions");
+  if (*asp_wall_reason(wall))
+    line += std::string("\n  ") + asp_wall_reason(wall);
+  if (asp_surface_uncertainty(s) > 0)
+    line += text("\n  one profile of this length leaves the mean tilt at 2 deg uncertain by about "
+                 "%.2g %% of "
+                 "sigma",
+                 100 * asp_surface_uncertainty(s));
+  if (!measured() && !is_given("spread"))
+    line +=
+        "\n  spread is the default; the choice of Altmeppen et al. 2020 is 'spread weibull plane "
+        "collisions single'";
+  for (int i = 0; i < asp_surface_bins(s); i++)
+    line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
+                 atan(asp_surface_bin_slope(s, i)) * DEGREES);
+  return line;
+}
+
+/* True if the spread needs only s_eff. */
+bool Model::draws_from_gaussian() const {
+  const std::string model = asp_spread_name(asp_wall_spread(wall_.get()));
+  return model != "none" && model != "profile" && model != "traced";
+}
+
+std::string Model::take_report() {
+  if (!is_new_ || !wall_)
+    return "";
+  is_new_ = false;
+  const asp_rebound_law *law = asp_wall_rebound(wall_.get());
+  if (measured() && draws_from_gaussian())
+    engine_.warn(std::string("'spread ") + asp_spread_name(asp_wall_spread(wall_.get())) +
+                 "' draws from a Gaussian wall with the slopes of '" + word("file") +
+                 "', whose own law is 'spread profile'");
+  if (asp_rebound_measured(law) && asp_wall_surface(wall_.get()))
+    engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
+                      "own; on a rough wall that counts twice",
+                      asp_rebound_name(law)));
+  return description() + "\n  " + describe_surface() + materials_report_ + describe_capture();
+}
