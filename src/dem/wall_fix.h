@@ -13,6 +13,7 @@
 
 #include "dem/engine.h"
 #include "dem/error.h"
+#include "dem/text.h"
 #include "dem/wall.h"
 
 namespace asperity {
@@ -142,6 +143,19 @@ public:
   void warn_of_no_restart() const {
     this->warn("the restart file has no data of this wall; its impact numbers begin at 1, and no "
                "particle is stuck to it");
+  }
+
+  /* Before the fix is taken away, or defined anew: nobody should find out later. Collective. */
+  void report_loss() const {
+    const double stuck = wall.stuck(), impacts = wall.counter(Wall::N_IMPACTS);
+    const std::string counts = text("its counts, of %.0f impacts, end with it", impacts);
+    if (stuck > 0)
+      this->warn(text("%.0f particles that are stuck to this wall are free from here on, also at a "
+                      "wall that takes its place; ",
+                      stuck) +
+                 counts);
+    else if (impacts > 0)
+      this->print("fix " + this->id() + " wall/rebound: the wall is taken away; " + counts);
   }
 
   /* All contacts of a step; the first wall works them out for all of them. */

@@ -26,6 +26,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "input.h"
 #include "modify.h"
 #include "output.h"
 #include "update.h"
@@ -43,6 +44,7 @@
 
 #include <cctype>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
@@ -160,6 +162,9 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
 }
 
 FixWallRebound::~FixWallRebound() {
+  /* By a command of the script that names this fix, and not with all others at the end. */
+  if (update && input->narg > 0 && strcmp(input->arg[0], id) == 0)
+    p_->report_loss();
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   delete p_;

@@ -37,6 +37,7 @@ using asperity::Words;
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : Fix(engine, narg, arg), WallFix(engine, this), wall_type_(), fix_state_(NULL),
       fix_place_(NULL), restarted_(false) {
+  check_id();
   check_particles();
   check_box();
   attempt([&] {
@@ -160,6 +161,8 @@ void FixWallRebound::post_create() {
 }
 
 void FixWallRebound::pre_delete(bool unfixflag) {
+  if (unfixflag)
+    report_loss();
   for (const std::string &name : {state_id(), place_id()})
     if (unfixflag && modify->find_fix_id(name.c_str()))
       modify->delete_fix(name.c_str());
@@ -242,6 +245,16 @@ int FixWallRebound::max_type() {
 
 /* ---- checks -----------------------------------------------------------------------------------
  */
+
+/* In the place of a fix that is defined anew LIGGGHTS has nothing by now, and it has left the old
+ * one's properties of atoms and meshes. */
+void FixWallRebound::check_id() const {
+  if (std::find(modify->fix, modify->fix + modify->nfix, static_cast<Fix *>(NULL)) !=
+      modify->fix + modify->nfix)
+    error->all(
+        FLERR,
+        "Fix wall/rebound: a wall with this ID exists; 'unfix' it before it is defined anew");
+}
 
 void FixWallRebound::check_particles() const {
   if (!atom->radius_flag || !atom->rmass_flag || atom->ellipsoid_flag || atom->superquadric_flag ||

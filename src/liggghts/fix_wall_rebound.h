@@ -75,6 +75,7 @@ private:
   class FixPropertyAtom *add_property(const std::string &name, int columns);
   std::string state_id() const;
   std::string place_id() const;
+  void check_id() const;
   void check_particles() const;
   void check_meshes() const;
   void check_owner(const FixMeshSurface *mesh) const;

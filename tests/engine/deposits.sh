@@ -30,10 +30,11 @@ grains 400 > grains.data
 plate 6 1 3.9e-3 > plate.stl
 
 # Freeze, with a body force far above nature that would carry every grain off in a step.
-write=''
-[ $simulator = liggghts ] || write='write_data kept.data'
-deck 'deposit freeze' "$body" 'fix move all nve/sphere' "$write" > before.in
-deck 'deposit freeze' 'fix move all nve/sphere' "$body" > after.in
+again='unfix wall'
+[ $simulator = liggghts ] || again='write_data kept.data
+fix wall all wall/rebound primitive type 2 zplane -1.0 rebound constant 1 1 deposit off'
+deck 'deposit freeze' "$body" 'fix move all nve/sphere' "$again" > before.in
+deck 'deposit freeze' 'fix move all nve/sphere' "$body" 'unfix wall' > after.in
 for order in before after; do
   engine 2 $order.in
   set -- $(last_thermo $order.in)
@@ -45,6 +46,8 @@ for order in before after; do
   for step in 250 500; do grep -E '^[0-9]+ -?[0-9.]+(e|\.)?' pos.$step.txt | awk 'NF == 7' | sort | join stuck - > held.$step; done
   same held.250 held.500 "frozen grains moved"
   awk '$5 != 0 || $6 != 0 || $7 != 0 { bad = 1 } END { exit bad || !NR }' held.500 || die "$order: a frozen grain has a speed"
+  # A wall in its place, or `unfix`, sets them free, and says so.
+  grep -q "WARNING.* $5 particles that are stuck to this wall are free" $order.in.screen || die "$order: no warning that grains are free"
 done
 
 # A data file keeps nothing of it, and says so.
@@ -60,6 +63,7 @@ rows out.csv | awk -F, '$19 == 1 { d = $8 - $9 / 2; if (d < 0) d = -d; if (!(d <
 deck 'deposit freeze' 'fix move all nve/sphere' "$body
 fix push all move/mesh mesh plate linear 5 0 0" 'write_restart slide.restart' > slide.in
 engine 2 slide.in
+! grep 'WARNING.* are free' slide.in.screen || die "a warning at the end of the script"
 stuck_ids 2.49e-6 | sort > stuck
 for step in 250 500; do awk 'NF == 7' pos.$step.txt | grep -v ITEM | sort | join stuck - > held.$step; done
 paste held.250 held.500 | awk '{ dx = $9 - $2 - 5 * 250e-8; dy = $10 - $3; dz = $11 - $4; if (dx * dx + dy * dy + dz * dz > 1e-24 || $12 < 4.999 || $12 > 5.001) { print; bad = 1 } } END { exit bad || !NR }' ||
