@@ -13,6 +13,10 @@ if(ASPERITY_LAMMPS)
   install(TARGETS lammps-asperity RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
+if(TARGET asperityWall)
+  install(TARGETS asperityWall LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
+
 if(TARGET asperity_dem)
   install(TARGETS asperity_dem EXPORT asperityDemTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY src/contact src/dem DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity

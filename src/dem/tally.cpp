@@ -5,10 +5,9 @@
 #include "dem/wall.h"
 
 #include "contact/vector.h"
+#include "dem/ledger_row.h"
 
 using namespace asperity;
-
-static const double DEGREES = 180 / ASP_PI;
 
 ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3],
                          const double normal[3], const double impulse_per_mass[3],
@@ -119,36 +118,19 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
 
 void Wall::record(const Spheres &s, int i, const Event &event, const ContactLoad &load) {
   typedef Ledger L;
-  const asp_coefficients c = asp_impact_coefficients(event.v1, event.contact.n, &event.impact);
-  L::Row row;
+  const bool stuck = event.impact.outcome == ASP_DEPOSIT;
+  L::Row row = impact_row(event.v1, load.n, event.impact);
   row[L::TAG] = static_cast<double>(event.key.tag);
   row[L::IMPACT] = event.key.impact;
   row[L::TIME] = event.time;
   row[L::MESH] = shapes_[event.shape].sums.size() > 0 ? static_cast<double>(event.shape) + 1 : 0;
   row[L::TRIANGLE] = event.contact.piece;
-  for (int d = 0; d < 3; d++)
-    row[L::X + d] = event.contact.x[d];
+  aspi_copy(event.contact.x, &row[L::X]);
   row[L::D_P] = 2 * s.radius[i];
-  row[L::V1] = c.v1;
-  row[L::ALPHA1] = c.alpha1 * DEGREES;
-  row[L::DELTA_ALPHA] = event.impact.delta_alpha * DEGREES;
-  row[L::TILT_OUT] = event.impact.tilt_out * DEGREES;
-  row[L::HITS] = event.impact.hits;
-  row[L::V2] = c.v2;
-  row[L::ALPHA2] = c.alpha2 * DEGREES;
-  row[L::COR_N] = c.cor_n;
-  row[L::COR_T] = c.cor_t;
-  row[L::OUTCOME] = event.impact.outcome == ASP_REBOUND ? 0
-                    : model_.deposit() == Model::DELETE ? 2
-                                                        : 1;
+  row[L::OUTCOME] = !stuck ? 0 : model_.deposit() == Model::DELETE ? 2 : 1;
   row[L::STEP] = static_cast<double>(s.step);
-  row[L::COR_T_DEFINED] = c.cor_t_defined;
   row[L::MASS] = s.mass[i];
-  aspi_copy(load.n, &row[L::NX]);
-  aspi_copy(event.v1, &row[L::V1X]);
-  aspi_copy(event.impact.v2, &row[L::V2X]);
   aspi_copy(event.omega1, &row[L::OMEGA1X]);
-  aspi_copy(event.impact.omega, &row[L::OMEGA2X]);
   aspi_copy(load.impulse, &row[L::IMPULSE_X]);
   row[L::ERODED_MASS] = load.eroded;
   ledger_->add(row);

@@ -25,9 +25,10 @@ declare -A knows=(
   [dem]='base contact'
   [liggghts]='base contact dem'
   [lammps]='base contact dem'
+  [openfoam]='base dem'
   [cli]='base surface readers spread rebound erosion wall description analysis'
 )
-engines=' liggghts lammps '
+engines=' liggghts lammps openfoam '
 with_mpi=" dem$engines"
 
 may_know() { # ROOM OTHER
@@ -109,7 +110,7 @@ if [ -n "$objects" ]; then
   objects_of c | xargs nm -A --defined-only -g | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); name = $NF
       if (name !~ (file ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_")) print file, name }' | sort -u > "$work/astray"
   objects_of cpp | xargs nm -A --defined-only -g -C | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); kind = $2; sub(/^[^ ]* [^ ]* /, "")
-      if (kind ~ /[TDBR]/ && !/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS)::/ && !/^(main|lammpsplugin_init|aspi_.*)$/) print file, $0 }' |
+      if (kind ~ /[TDBR]/ && !/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS|Foam)::/ && !/^(main|lammpsplugin_init|aspi_.*)$/) print file, $0 }' |
     sort -u >> "$work/astray"
   while read -r file symbol; do
     say "$file defines $symbol, which is neither asp_, aspi_ or cli_ as its room has it nor in namespace asperity"

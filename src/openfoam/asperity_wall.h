@@ -1,0 +1,98 @@
+/* The patch interaction model asperityWall, a template for all kinds of cloud.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_OPENFOAM_ASPERITY_WALL_H
+#define ASPERITY_OPENFOAM_ASPERITY_WALL_H
+
+#include "PatchInteractionModel.H"
+#include "openfoam/patch_walls.h"
+
+namespace Foam {
+
+/* The temperature of a parcel that has one, else 0. */
+template <class P> auto temperature(const P &p, int) -> decltype(p.T()) {
+  return p.T();
+}
+template <class P> scalar temperature(const P &, long) {
+  return 0;
+}
+template <class P> auto hasTemperature(const P *p) -> decltype(p->T(), true) {
+  return true;
+}
+inline bool hasTemperature(const void *) {
+  return false;
+}
+
+template <class CloudType> class asperityWall : public PatchInteractionModel<CloudType> {
+public:
+  typedef typename CloudType::parcelType parcelType;
+  TypeName("asperityWall");
+
+  asperityWall(const dictionary &dict, CloudType &cloud)
+      : PatchInteractionModel<CloudType>(dict, cloud, typeName),
+        walls_(std::make_shared<asperity::PatchWalls>(
+            cloud.name(), asperity::Gas{cloud.U(), cloud.rho(), cloud.mu()},
+            hasTemperature(static_cast<parcelType *>(nullptr)), cloud.constProps().rho0(), *this)) {
+  }
+  /* A cloud in steady state makes a copy at each solution; it has the same walls. */
+  virtual autoPtr<PatchInteractionModel<CloudType>> clone() const {
+    return autoPtr<PatchInteractionModel<CloudType>>(new asperityWall<CloudType>(*this));
+  }
+  virtual bool correct(parcelType &p, const polyPatch &patch, bool &keepParticle);
+  virtual void info(Ostream &os) {
+    PatchInteractionModel<CloudType>::info(os);
+    this->file() << endl;
+    walls_->info(os, *this);
+  }
+
+private:
+  std::shared_ptr<asperity::PatchWalls> walls_;
+};
+
+/* A parcel has no place for the number of its impact. The time stands for it: the time step, and a
+ * number of 2^-16 of it, which seldom depends on the number of ranks, though its last digits do; in
+ * steady state, where a step is a whole flight, of 2^-26. */
+template <class CloudType>
+bool asperityWall<CloudType>::correct(parcelType &p, const polyPatch &patch, bool &keepParticle) {
+  const asperity::PatchWall *wall = walls_->at(patch.index());
+  if (!wall)
+    return false;
+  vector outward, speed;
+  this->owner().patchData(p, patch, outward, speed);
+  const vector before = p.U() - speed, place = p.position();
+  keepParticle = true;
+  if (!((before & outward) > 0))
+    return true;
+  const Time &time = this->owner().mesh().time();
+  const cloudSolution &solution = this->owner().solution();
+  const scalar step = solution.transient() ? time.deltaTValue() : solution.trackTime();
+  const uint32_t fraction =
+      static_cast<uint32_t>(p.stepFraction() * (1 << (solution.transient() ? 16 : 26)));
+  asperity::Parcel parcel = {};
+  parcel.sphere.d_p = p.d();
+  parcel.sphere.density = p.rho();
+  parcel.sphere.temperature = temperature(p, 0);
+  parcel.number = p.nParticle();
+  parcel.key.tag = static_cast<uint64_t>(p.origProc()) << 32 | static_cast<uint32_t>(p.origId());
+  parcel.key.impact =
+      (fraction + static_cast<uint32_t>(time.timeIndex()) * 2654435761u) & 0x7fffffffu;
+  parcel.time = time.value() + (p.stepFraction() - 1) * step;
+  parcel.step = time.timeIndex();
+  parcel.patch = patch.index();
+  parcel.face = patch.whichFace(p.face());
+  for (direction k = 0; k < 3; k++) {
+    parcel.x[k] = place[k];
+    parcel.v1[k] = before[k];
+    parcel.n[k] = -outward[k];
+  }
+  const asperity::Hit hit = walls_->hit(parcel);
+  const bool sticks = hit.outcome == ASP_DEPOSIT;
+  p.active(!sticks);
+  p.U() = sticks ? vector::zero : vector(hit.v2[0], hit.v2[1], hit.v2[2]) + speed;
+  keepParticle = !(sticks && wall->deletes);
+  return true;
+}
+
+} // namespace Foam
+
+#endif

@@ -1,0 +1,123 @@
+/* One rough wall, in words; see patch_walls.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+
+#include "dem/error.h"
+#include "dem/ledger_row.h"
+#include "dem/text.h"
+#include "openfoam/patch_walls.h"
+
+using namespace asperity;
+
+PatchWall::PatchWall(const std::string &name_, const std::string &key, const std::string &words,
+                     const Cloud &cloud)
+    : name(name_), worn_density(0), words_(NULL, asp_description_free), wall_(NULL, asp_wall_free),
+      key_(asp_key_wall(key.c_str())) {
+  asp_error wrong;
+  words_.reset(asp_description_parse(words.c_str(), NULL, &wrong));
+  if (!words_)
+    throw Error(wrong.text);
+  lay_ = asp_description_lay(words_.get());
+  seed_ = static_cast<uint32_t>(asp_description_get(words_.get(), "seed"));
+  deletes = strcmp(asp_description_word(words_.get(), "deposit"), "delete") == 0;
+  needs_flow = asp_description_is_given(words_.get(), "remove") &&
+               !asp_description_is_given(words_.get(), "u_tau");
+  check(cloud);
+  wall_.reset(asp_wall_create(words_.get(), cloud.d_least, cloud.d_most, &wrong));
+  const asp_surface *surface = wall_ ? asp_wall_surface(wall_.get()) : NULL;
+  if (!wall_ || (surface && cloud.d_most > 0 && asp_surface_check(surface, cloud.d_most, &wrong)))
+    throw Error(wrong.text);
+  const asp_pair *pair = asp_wall_pair(wall_.get());
+  if (pair && !(asp_description_get(words_.get(), "yield_rate") > 0) &&
+      !(asp_pair_get(pair, "yield_stress") > 0))
+    throw Error("the material of the parcels has no yield stress; say 'yield_stress Y'");
+  if (asp_description_is_given(words_.get(), "erosion"))
+    worn_density = asp_description_get(words_.get(), "density");
+  if (asp_description_is_given(words_.get(), "erosion") && !(worn_density > 0))
+    worn_density = asp_material_get(asp_description_material(words_.get(), 1), "density");
+}
+
+/* Words that do not fit the case. In two dimensions OpenFOAM takes away the velocity out of the
+ * plane, and energy with it. */
+void PatchWall::check(const Cloud &cloud) const {
+  const asp_description *words = words_.get();
+  const std::string surface = asp_description_word(words, "surface");
+  const int names = asp_description_materials(words);
+  if (asp_rebound_needs_pair(asp_description_rebound(words)) && names != 2)
+    throw Error(text("materials has %d names; it must be two, of parcels and wall", names));
+  if (asp_description_needs_sizes(words) && !(cloud.d_least > 0 && cloud.d_most >= cloud.d_least))
+    throw Error("a measured wall needs the diameters of the parcels: dMin, which must be more than "
+                "0, and dMax, which must be dMin or more");
+  if (cloud.has_temperature && asp_description_get(words, "temperature") > 0)
+    throw Error("'temperature' has no effect: the parcels of this cloud have one of their own");
+  if (lay_.kind == ASP_LAY_ANGLE)
+    throw Error("the lay is an angle, which counts on cylinders only; it must be a vector");
+  const bool in_plane = strcmp(asp_description_word(words, "tilt"), "plane") == 0;
+  if (cloud.is_flat && surface != "smooth" &&
+      (!in_plane || surface == "map" || lay_.kind != ASP_LAY_NONE))
+    throw Error("this case has two dimensions, and the wall tilts out of their plane; the spread "
+                "must be 'plane', as in 'spread visible plane', without map and lay");
+}
+
+Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
+  typedef LedgerColumn L;
+  asp_particle sphere = parcel.sphere;
+  sphere.lay = lay_.kind == ASP_LAY_NONE ? NULL : lay_.vector;
+  const asp_key key = {seed_, key_, parcel.key.tag, parcel.key.impact};
+  Hit hit = {};
+  asp_wall_impact(wall_.get(), &sphere, parcel.v1, parcel.n, &key, &hit);
+  const double d = sphere.d_p;
+  hit.mass = parcel.number * sphere.density * ASP_PI / 6 * d * d * d;
+  hit.eroded_mass = hit.mass * hit.eroded;
+  for (int k = 0; k < 3; k++) {
+    hit.energy += hit.mass / 2 * parcel.v1[k] * parcel.v1[k];
+    hit.impulse[k] = hit.mass * (parcel.v1[k] - hit.v2[k]);
+  }
+  if (!with_row)
+    return hit;
+  LedgerRow row = impact_row(parcel.v1, parcel.n, hit);
+  row[L::TAG] = static_cast<double>(key.tag);
+  row[L::IMPACT] = key.impact;
+  row[L::TIME] = parcel.time;
+  row[L::MESH] = parcel.patch + 1;
+  row[L::D_P] = d;
+  row[L::OUTCOME] = hit.outcome == ASP_REBOUND ? 0 : deletes ? 2 : 1;
+  row[L::STEP] = parcel.step;
+  row[L::MASS] = hit.mass;
+  row[L::ERODED_MASS] = hit.eroded_mass;
+  std::copy_n(parcel.x, 3, &row[L::X]);
+  std::copy_n(hit.impulse, 3, &row[L::IMPULSE_X]);
+  rows.push_back(row);
+  return hit;
+}
+
+std::string PatchWall::heading() const {
+  std::string line(asp_description_text(words_.get(), NULL, 0) + 1, '\0');
+  asp_description_text(words_.get(), &line[0], line.size());
+  line.pop_back();
+  if (*asp_wall_reason(wall_.get()))
+    line += std::string("; auto chose ") + asp_spread_name(asp_wall_spread(wall_.get()));
+  return line;
+}
+
+std::string PatchWall::notes(const Cloud &cloud) const {
+  const asp_description *words = words_.get();
+  asp_error doubt = {ASP_OK, ""};
+  const asp_particle largest = {cloud.d_most, cloud.density, NULL, {0, 0, 0}, NULL, 0, 0};
+  std::vector<std::string> lines = {asp_wall_reason(wall_.get()),
+                                    asp_description_word(words, "doubt")};
+  if (asp_description_needs_sizes(words))
+    asp_description_check_sampling(words, wall_.get(), cloud.d_least, &doubt);
+  for (int i = 0; asp_wall_pair(wall_.get()) && cloud.density > 0 && cloud.d_most > 0; i++) {
+    lines.push_back(doubt.text);
+    if (!asp_description_doubt(words, &largest, asp_description_material(words, 0),
+                               asp_description_material(words, 1), i, doubt.text,
+                               sizeof doubt.text))
+      break;
+  }
+  std::string all;
+  for (const std::string &line : lines)
+    all += line.empty() ? "" : "\n    " + line;
+  return all;
+}

@@ -1,0 +1,207 @@
+/* The rough walls of a cloud; see patch_walls.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "openfoam/patch_walls.h"
+
+#include <fenv.h>
+#include <algorithm>
+
+#include "OSspecific.H"
+#include "PstreamReduceOps.H"
+#include "Time.H"
+#include "dem/error.h"
+#include "dem/ledger_row.h"
+#include "wallPolyPatch.H"
+
+using namespace asperity;
+using namespace Foam;
+
+PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, double density,
+                       const subModelBase &model)
+    : mesh_(gas.U.mesh()), gas_(gas), every_(model.coeffDict().getOrDefault<label>("ledger", 0)),
+      columns_(model.coeffDict().getOrDefault<Switch>("fullLedger", false)
+                   ? LedgerColumn::N_FULL
+                   : LedgerColumn::N_COLUMNS),
+      of_patch_(mesh_.boundaryMesh().size(), NULL),
+      counts_(mesh_.boundaryMesh().nNonProcessor() * N_FATES, Zero), counts_before_(counts_),
+      masses_(mesh_.boundaryMesh().nNonProcessor() * N_MASSES, Zero), masses_before_(masses_) {
+  const dictionary &coeffs = model.coeffDict();
+  const Cloud of = {coeffs.getOrDefault<scalar>("dMin", 0), coeffs.getOrDefault<scalar>("dMax", 0),
+                    density, has_temperature, mesh_.nSolutionD() < 3};
+  /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads
+   * words; an impact raises none. */
+  fenv_t traps;
+  feholdexcept(&traps);
+  read(cloud, of, coeffs.subDict("walls"));
+  fesetenv(&traps);
+  impacts_ = field<scalar>(cloud + ":impacts", dimless);
+  deposited_ = field<scalar>(cloud + ":depositedMass", dimMass);
+  energy_ = field<scalar>(cloud + ":energy", dimEnergy);
+  impulse_ = field<vector>(cloud + ":impulse", dimMass * dimVelocity);
+  eroded_ = field<scalar>(cloud + ":erodedDepth", dimLength);
+  model.getModelProperty("counts", counts_before_);
+  model.getModelProperty("masses", masses_before_);
+  const fileName folder = mesh_.time().globalPath() / "postProcessing/lagrangian" / cloud;
+  for (const auto &wall : walls_)
+    if (every_ > 0 && Pstream::master())
+      open_ledger(*wall, folder / "asperityWall", model.getModelProperty<string>(wall->name, ""));
+}
+
+/* Ends the run. */
+static void fail(const dictionary &dict, const std::string &what) {
+  FatalIOErrorInFunction(dict) << what.c_str() << exit(FatalIOError);
+}
+
+/* Each wall takes the entry of its name, else the last regular expression that fits. */
+void PatchWalls::read(const word &cloud, const Cloud &of, const dictionary &entries) {
+  for (const entry &e : entries) {
+    std::string name = e.keyword();
+    const std::string place = "walls, entry " + name + ": ";
+    bool is_idle = true;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !isalnum(c) && c != '-'; }, '_');
+    try {
+      if (!e.isStream() || e.stream().size() != 1 || !e.stream()[0].isString())
+        throw Error("it must be one string, the words of a wall");
+      walls_.emplace_back(
+          new PatchWall(name, cloud + ":" + e.keyword(), e.stream()[0].stringToken(), of));
+    } catch (const Error &error) {
+      fail(entries, place + error.what());
+    }
+    Info << "    asperityWall " << e.keyword() << ": " << walls_.back()->heading().c_str()
+         << walls_.back()->notes(of).c_str() << endl;
+    for (const polyPatch &patch : mesh_.boundaryMesh())
+      if (isA<wallPolyPatch>(patch) && entries.findEntry(patch.name(), keyType::REGEX) == &e) {
+        of_patch_[patch.index()] = walls_.back().get();
+        is_idle = false;
+      }
+    if (is_idle)
+      fail(entries, place + "no patch of type wall takes it");
+  }
+  for (const polyPatch &patch : mesh_.boundaryMesh())
+    if (isA<wallPolyPatch>(patch) && !of_patch_[patch.index()])
+      fail(entries, "walls has no entry for '" + patch.name() + "', a patch of type wall");
+}
+
+template <class Type>
+std::unique_ptr<GeometricField<Type, fvPatchField, volMesh>>
+PatchWalls::field(const word &name, const dimensionSet &units) const {
+  typedef GeometricField<Type, fvPatchField, volMesh> Field;
+  const IOobject io(name, mesh_.time().timeName(), mesh_, IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE);
+  return std::unique_ptr<Field>(new Field(io, mesh_, dimensioned<Type>(units, Zero)));
+}
+
+/* A restart goes on behind the rows that it counts: `state` has rows, bytes and checksum. */
+void PatchWalls::open_ledger(PatchWall &wall, const fileName &folder, const string &state) const {
+  const std::string path = folder / (wall.name + ".csv");
+  LedgerState saved = {path, 0, 0, 0};
+  long rows = 0, bytes = 0;
+  sscanf(state.c_str(), "%ld %ld %u", &rows, &bytes, &saved.tail);
+  saved.rows = rows;
+  saved.bytes = bytes;
+  mkDir(folder);
+  if (!isFile(path) || bytes == 0)
+    saved.path.clear();
+  try {
+    wall.file.reset(new LedgerFile("entry " + wall.name, path, columns_));
+    Info << wall.file->open(saved, wall.heading(), mesh_.time().timeIndex()).c_str() << endl;
+  } catch (const Error &error) {
+    FatalErrorInFunction << error.what() << exit(FatalError);
+  }
+}
+
+/* The friction velocity at a face: the root of nu + nu_t times the velocity's slope. */
+double PatchWalls::u_tau(const Parcel &parcel) const {
+  const fvPatch &patch = mesh_.boundary()[parcel.patch];
+  const label face = parcel.face;
+  const vector n(parcel.n[0], parcel.n[1], parcel.n[2]);
+  const auto at_face = [&](const volScalarField &field) {
+    return field.boundaryField()[parcel.patch][face];
+  };
+  const vector slip = gas_.U[patch.faceCells()[face]] - gas_.U.boundaryField()[parcel.patch][face];
+  scalar nu = at_face(gas_.mu) / at_face(gas_.rho);
+  if (mesh_.foundObject<volScalarField>("nut"))
+    nu += at_face(mesh_.lookupObject<volScalarField>("nut"));
+  return std::sqrt(nu * patch.deltaCoeffs()[face] * mag(slip - (slip & n) * n));
+}
+
+Hit PatchWalls::hit(Parcel &parcel) {
+  const int patch = parcel.patch, face = parcel.face;
+  PatchWall &wall = *of_patch_[patch];
+  if (wall.needs_flow)
+    parcel.sphere.u_tau = u_tau(parcel);
+  const Hit hit = wall.hit(parcel, every_ > 0);
+  const bool sticks = hit.outcome == ASP_DEPOSIT;
+  counts_[patch * N_FATES + (sticks ? STICK : REBOUND)]++;
+  masses_[patch * N_MASSES + (sticks ? STICK_MASS : REBOUND_MASS)] += hit.mass;
+  masses_[patch * N_MASSES + ERODED_MASS] += hit.eroded_mass;
+  impacts_->boundaryFieldRef()[patch][face] += parcel.number;
+  deposited_->boundaryFieldRef()[patch][face] += sticks ? hit.mass : 0;
+  energy_->boundaryFieldRef()[patch][face] += hit.energy;
+  for (direction k = 0; k < 3; k++)
+    impulse_->boundaryFieldRef()[patch][face][k] += hit.impulse[k];
+  if (wall.worn_density > 0)
+    eroded_->boundaryFieldRef()[patch][face] +=
+        hit.eroded_mass / (wall.worn_density * mesh_.boundary()[patch].magSf()[face]);
+  return hit;
+}
+
+/* The rows of all ranks to the file, in an order that does not depend on the number of ranks. */
+void PatchWalls::flush(PatchWall &wall) const {
+  const int width = LedgerColumn::N_FIELDS;
+  List<List<scalar>> all(Pstream::nProcs());
+  List<scalar> &own = all[Pstream::myProcNo()];
+  own.setSize(static_cast<label>(wall.rows.size()) * width);
+  for (size_t i = 0; i < wall.rows.size(); i++)
+    std::copy_n(wall.rows[i].begin(), width, own.begin() + i * width);
+  Pstream::gatherList(all);
+  wall.rows.clear();
+  if (!wall.file)
+    return;
+  std::vector<LedgerRow> rows;
+  for (const List<scalar> &of_rank : all)
+    for (label i = 0; i < of_rank.size(); i += width) {
+      rows.emplace_back();
+      std::copy_n(of_rank.begin() + i, width, rows.back().begin());
+    }
+  const std::string why = commit_rows(rows, columns_, mesh_.time().timeIndex(), *wall.file);
+  if (!why.empty())
+    FatalErrorInFunction << "writing the ledger of entry " << wall.name.c_str()
+                         << " failed: " << why.c_str() << exit(FatalError);
+}
+
+void PatchWalls::info(Ostream &os, subModelBase &model) {
+  const Time &time = mesh_.time();
+  const bool ends = time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
+  for (const auto &wall : walls_) {
+    if (every_ > 0 && (time.writeTime() || ends || time.timeIndex() % every_ == 0))
+      flush(*wall);
+    if (!time.writeTime() || !wall->file)
+      continue;
+    wall->file->sync();
+    const LedgerState state = wall->file->state();
+    model.setModelProperty<string>(wall->name, std::to_string(state.rows) + " " +
+                                                   std::to_string(state.bytes) + " " +
+                                                   std::to_string(state.tail));
+  }
+  labelList counts(counts_);
+  scalarList masses(masses_);
+  Pstream::listCombineGather(counts, plusEqOp<label>());
+  Pstream::listCombineGather(masses, plusEqOp<scalar>());
+  forAll(counts, i) counts[i] += counts_before_[i];
+  forAll(masses, i) masses[i] += masses_before_[i];
+  for (label patch = 0; patch < counts.size() / N_FATES; patch++) {
+    const label *n = &counts[patch * N_FATES];
+    const scalar *m = &masses[patch * N_MASSES];
+    if (of_patch_[patch])
+      os << "    Parcel fate: patch " << mesh_.boundary()[patch].name() << " (number, mass)" << nl
+         << "      - rebound                     = " << n[REBOUND] << ", " << m[REBOUND_MASS] << nl
+         << "      - stick                       = " << n[STICK] << ", " << m[STICK_MASS] << nl
+         << "      - eroded from the wall (mass) = " << m[ERODED_MASS] << nl;
+  }
+  if (time.writeTime()) {
+    model.setModelProperty("counts", counts);
+    model.setModelProperty("masses", masses);
+  }
+}

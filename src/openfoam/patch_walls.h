@@ -1,0 +1,115 @@
+/* The rough walls of a cloud: each in words, on patches of the case, with what impacts leave there:
+ * fields on the patches, sums for the log, ledgers.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_OPENFOAM_PATCH_WALLS_H
+#define ASPERITY_OPENFOAM_PATCH_WALLS_H
+
+#include <memory>
+#include <vector>
+
+#include "asperity.h"
+#include "dem/ledger_file.h"
+#include "dem/ledger_format.h"
+#include "subModelBase.H"
+#include "volFields.H"
+
+namespace asperity {
+
+/* What the words do not say of a cloud: diameters, 0 where they are not given; the density of the
+ * parcels; whether they have a temperature; whether the case has two dimensions. */
+struct Cloud {
+  double d_least, d_most, density;
+  bool has_temperature, is_flat;
+};
+
+/* A parcel that hits a face: it stands for `number` particles; v1 is relative to the wall, whose
+ * normal n points off it; the key has tag and impact. */
+struct Parcel {
+  asp_particle sphere;
+  asp_key key;
+  double number, x[3], v1[3], n[3], time, step;
+  int patch, face;
+};
+
+/* An impact, and what it counts for all particles of the parcel; energy is that before it. */
+struct Hit : asp_impact {
+  double mass, energy, eroded_mass, impulse[3];
+};
+
+/* One entry of `walls`. */
+class PatchWall {
+public:
+  /* Throws an Error. `name` is that of its ledger. */
+  PatchWall(const std::string &name, const std::string &key, const std::string &words,
+            const Cloud &cloud);
+
+  /* Adds a row to `rows`, if it is asked for. */
+  Hit hit(const Parcel &parcel, bool with_row);
+  std::string heading() const; /* the canonical text, with what `spread auto` chose */
+  std::string notes(const Cloud &cloud) const; /* reasons and doubts, a line each */
+
+  const std::string name;
+  std::vector<LedgerRow> rows;      /* that the file does not have yet */
+  std::unique_ptr<LedgerFile> file; /* on the first rank */
+  bool deletes, needs_flow;         /* what sticks; the friction velocity at the face */
+  double worn_density;              /* of the wall; 0: it is not worn */
+
+private:
+  void check(const Cloud &cloud) const;
+
+  std::unique_ptr<asp_description, void (*)(asp_description *)> words_;
+  std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
+  uint32_t key_, seed_;
+  asp_lay lay_;
+};
+
+/* The gas that carries the parcels. */
+struct Gas {
+  const Foam::volVectorField &U;
+  const Foam::volScalarField &rho, &mu;
+};
+
+class PatchWalls {
+public:
+  /* `model` has the entries, and what a restart needs. A fault ends the run and names its entry. */
+  PatchWalls(const Foam::word &cloud, const Gas &gas, bool has_temperature, double density,
+             const Foam::subModelBase &model);
+
+  /* The wall of a patch; NULL: the patch is none. */
+  const PatchWall *at(int patch) const {
+    return of_patch_[patch];
+  }
+  Hit hit(Parcel &parcel);
+
+  /* At the end of a time step, on all ranks: sums to the log, rows to the ledgers, and at the time
+   * of writing what a restart needs. */
+  void info(Foam::Ostream &os, Foam::subModelBase &model);
+
+private:
+  enum { REBOUND, STICK, N_FATES };
+  enum { REBOUND_MASS, STICK_MASS, ERODED_MASS, N_MASSES };
+
+  void read(const Foam::word &name, const Cloud &cloud, const Foam::dictionary &entries);
+  template <class Type>
+  std::unique_ptr<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
+  field(const Foam::word &name, const Foam::dimensionSet &units) const;
+  void open_ledger(PatchWall &wall, const Foam::fileName &folder, const Foam::string &state) const;
+  double u_tau(const Parcel &parcel) const;
+  void flush(PatchWall &wall) const;
+
+  const Foam::fvMesh &mesh_;
+  const Gas gas_;
+  const Foam::label every_; /* time steps between writes of the ledgers; 0: there are none */
+  const int columns_;
+  std::vector<std::unique_ptr<PatchWall>> walls_;
+  std::vector<PatchWall *> of_patch_;
+  Foam::labelList counts_, counts_before_; /* of this rank, in this run; of all, before a restart */
+  Foam::scalarList masses_, masses_before_;
+  std::unique_ptr<Foam::volScalarField> impacts_, deposited_, eroded_, energy_;
+  std::unique_ptr<Foam::volVectorField> impulse_;
+};
+
+} // namespace asperity
+
+#endif
