@@ -496,10 +496,19 @@ asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle
                               const double v1[3], const double n[3], const asp_key *key,
                               asp_impact *impact);
 
+/* The contact of a particle that stays at the wall with the next face on its way: v1 counts as it is
+ * along the wall, and the face looks against it, with the law of visible faces at grazing incidence
+ * whatever the spread model. False, and nothing is written, where the particle meets no face: the
+ * wall is smooth, or `press`, the acceleration that presses the particle to the wall, keeps it on
+ * its way over the face. Otherwise as asp_wall_impact. */
+bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                             const double n[3], double press, const asp_key *key,
+                             asp_impact *impact);
+
 /* A valley in which a particle lies. */
 typedef struct asp_valley {
-  double start; /* tangent of the slope at which it starts to move */
-  double crest; /* height of the lowest crest around it over its bottom: a length */
+  double start;  /* tangent of the slope at which the particle starts to move */
+  double height; /* of the lowest crest around it over its bottom: a length */
 } asp_valley;
 
 /* Draws a valley; `along` as above, for the lay. Zeros on a smooth wall. */

@@ -103,7 +103,7 @@ Wall::Flight::Stay *Wall::Flight::find_stay(const Wall *wall, size_t shape,
 
 /* Adds a sustained contact to those of this place, and solves all of them. One that is there
  * already is met again because the path is straight, and only the path changes. */
-void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
+void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact, double hold) {
   const double speed = aspi_length(path.v) + aspi_length(contact.v_wall);
   const double keep = aspi_dot(path.v, contact.n) +
                       (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
@@ -111,11 +111,12 @@ void Wall::Flight::stay(Wall *wall, size_t shape, const Contact &contact) {
     stay->keep = keep;
     aspi_copy(contact.n, stay->n);
   } else
-    add_stay(wall, shape, contact, keep);
+    add_stay(wall, shape, contact, keep, hold);
   follow_walls();
 }
 
-void Wall::Flight::add_stay(Wall *wall, size_t shape, const Contact &contact, double keep) {
+void Wall::Flight::add_stay(Wall *wall, size_t shape, const Contact &contact, double keep,
+                            double hold) {
   if (far)
     settle();
   if (stays.empty()) {
@@ -128,6 +129,7 @@ void Wall::Flight::add_stay(Wall *wall, size_t shape, const Contact &contact, do
   aspi_copy(contact.n, s.n);
   aspi_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow, contact.n, s.w);
   s.friction = wall->model_.friction(spheres.type[i], wall->shapes_[shape].wall_type);
+  s.hold = hold;
 
   double before[3];
   aspi_copy(half, before);
@@ -155,7 +157,7 @@ void Wall::Flight::follow_walls() {
     double none[3] = {0, 0, 0};
     along.resize(stays.size());
     for (size_t k = 0; k < stays.size(); k++) {
-      along[k].friction = 0;
+      along[k].friction = along[k].hold = 0;
       aspi_copy(stays[k].n, along[k].n);
       aspi_copy(stays[k].n, along[k].w);
       aspi_scale(stays[k].keep, along[k].w);

@@ -12,6 +12,9 @@
 
 namespace asperity {
 
+/* Sine of the angle to the wall below which a particle slides. */
+const double GRAZING = 1e-6;
+
 struct Wall::Flight {
   /* A face at which the particle stayed in the step before. */
   struct Known {
@@ -75,13 +78,13 @@ struct Wall::Flight {
   void turn(const double before[3], const double after[3], const double n[3]);
   bool has_strayed(double most) const;
   Stay *find_stay(const Wall *wall, size_t shape, const Contact &contact);
-  void stay(Wall *wall, size_t shape, const Contact &contact);
+  void stay(Wall *wall, size_t shape, const Contact &contact, double hold);
   void settle();
   void give_rest(Wall *wall, size_t shape, const Contact &contact, const double end[3]) const;
   void trap();
 
 private:
-  void add_stay(Wall *wall, size_t shape, const Contact &contact, double keep);
+  void add_stay(Wall *wall, size_t shape, const Contact &contact, double keep, double hold);
   void follow_walls();
 };
 

@@ -99,6 +99,8 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
   supports.clear();
   double *v = s.v + 3 * static_cast<size_t>(i), spin[3] = {0, 0, 0}, before[3], turned[3];
   const double *x = s.x + 3 * static_cast<size_t>(i), *from = NULL;
+  if (s.omega)
+    aspi_copy(s.omega + 3 * static_cast<size_t>(i), spin);
   for (Wall *wall : walls) {
     const RestingPlace &resting = wall->place(i).resting;
     from = resting.normal;
@@ -110,14 +112,13 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
       if (!member.shape->under(here.face, x, REACH * s.radius[i], support.n, support.w))
         continue;
       support.friction = wall->model_.friction(s.type[i], member.wall_type);
+      support.hold = wall->hold_of(s, i, support, spin);
       at.push_back(here);
       supports.push_back(support);
     }
   }
   if (supports.empty())
     return;
-  if (s.omega)
-    aspi_copy(s.omega + 3 * static_cast<size_t>(i), spin);
   aspi_copy(v, before);
   if (supports.size() == 1)
     turn_along(from, supports[0].n, supports[0].w, v);
@@ -146,7 +147,7 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
  * energy of the normal motion is noted as a linear function of it: v_n^2 = v_n2^2 + e^2 (v_n0^2 + 2
  * W_1 - v_n1^2) + 2 W_2 = SQUARE + WORK a_n(end), with W_1 and W_2 the works by the trapezoidal
  * rule before and after the contact, for the acceleration linear in time, and e = v_n2/v_n1, not
- * above 1. Of a wall with one contact only. */
+ * above 1; 0 for a particle that was staying at the wall. Of a wall with one contact only. */
 void Wall::note_energy(const Flight &flight) {
   const Spheres &s = flight.spheres;
   const double *x = s.x + 3 * static_cast<size_t>(flight.i);
@@ -170,7 +171,7 @@ void Wall::note_energy(const Flight &flight) {
         aspi_dot(leg2, n) - aspi_dot(event.contact.v_wall, n) * (s.dt - event.elapsed);
     const double v0 = aspi_dot(relative, n), v1 = -aspi_dot(event.v1, n),
                  v2 = aspi_dot(event.impact.v2, n);
-    const double e = std::min(1.0, v2 / v1);
+    const double e = event.grazes ? 0 : std::min(1.0, v2 / v1);
     ReboundPlace &rebound = wall->place(flight.i).rebound;
     rebound.square =
         v2 * v2 + e * e * (v0 * v0 + (2 - share) * a0 * d1 - v1 * v1) + (1 - share) * a0 * d2;

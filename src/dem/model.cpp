@@ -29,7 +29,7 @@ Model::Model(const Engine &engine)
     : engine_(engine), units_(), d_range_(), sampled_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
       lay_(), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
       description_(NULL, asp_description_free), wall_(NULL, asp_wall_free),
-      default_friction_(ASP_FRICTION), is_new_(true) {}
+      default_friction_(ASP_FRICTION), dissipates_(true), is_new_(true) {}
 
 /* ---- words of the script ----------------------------------------------------------------------
  */
@@ -138,6 +138,15 @@ void Model::make() {
   wall_.reset(asp_wall_create(description_.get(), d_range_[0], d_range_[1], &wrong));
   if (!wall_)
     throw_error(wrong);
+  if (!needs_materials()) {
+    asp_particle particle = {};
+    particle.d_p = particle.density = 1;
+    const double v1[3] = {1, 0, -1}, n[3] = {0, 0, 1};
+    const asp_key key = {seed_, 0, 0, 0};
+    asp_impact impact;
+    asp_wall_impact_mean(wall_.get(), &particle, v1, n, &key, &impact);
+    dissipates_ = impact.v2[0] < v1[0] || impact.v2[2] < -v1[2];
+  }
 }
 
 void Model::set_sizes(const double range[2]) {

@@ -52,6 +52,11 @@ public:
   /* The coefficient of friction of a particle that rests, Coulomb's. */
   double friction(int type, int wall_type) const;
 
+  /* False if the law takes no energy, as that of a mirror. */
+  bool dissipates() const {
+    return dissipates_;
+  }
+
   const asp_lay &lay() const {
     return lay_;
   }
@@ -137,6 +142,7 @@ private:
   std::vector<double> friction_; /* the same; empty: neither pairs nor the script have it */
   double default_friction_;
   std::vector<int> wall_types_; /* of the wall's pieces */
+  bool dissipates_;
   bool is_new_;
 };
 

@@ -46,11 +46,29 @@ struct ReboundPlace {
   double square, work, normal[3], v_wall[3], shape, piece;
 };
 
-/* By the status, one of the three. */
-union ParticlePlace {
-  StuckPlace stuck;
-  RestingPlace resting;
-  ReboundPlace rebound;
+/* A face of a rough wall that the particle has met, and the valley behind it. */
+struct FacePlace {
+  double at[3];         /* the contact point at that instant, moving with the wall */
+  double normal[3];     /* of the mean wall, at the last contact; 0: there is no such face */
+  double time;          /* of the last contact */
+  double start, height; /* an asp_valley; 0: not drawn yet */
+};
+
+/* The faces that a particle remembers: those of the two walls of a corner. */
+struct FaceMemory {
+  static const size_t FACES = 2;
+  FacePlace face[FACES];
+  double draws; /* of valleys, and of faces that it met while it stayed */
+};
+
+/* By the status, one of the three; and the faces. */
+struct ParticlePlace {
+  union {
+    StuckPlace stuck;
+    RestingPlace resting;
+    ReboundPlace rebound;
+  };
+  FaceMemory faces;
 };
 
 } // namespace asperity

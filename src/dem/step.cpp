@@ -11,7 +11,8 @@
  * TURN in a step; a free particle meets a curved wall again on its straight path. A speed below
  * GRAZING is no approach.
  *
- * A sustained contact is no impact: it has no row and is not counted.
+ * A sustained contact is no impact: it has no row and is not counted, but where it comes to the
+ * next face of a rough wall (faces.cpp).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/flight.h"
@@ -27,9 +28,6 @@
 using namespace asperity;
 
 namespace {
-
-/* Sine of the angle to the wall below which a particle slides. */
-const double GRAZING = 1e-6;
 
 /* The angle by which a wall's curve may turn a particle that stays at it in a step, rad. */
 const double TURN = 0.1;
@@ -271,28 +269,34 @@ void Wall::finish(const std::vector<Wall *> &near, Flight &flight, bool moved) {
 /* Moves the flight on to a contact, and gives it the velocity after it. True where the particle has
  * stuck. trapped: the contact is taken as sustained. */
 bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
-  const Path before = flight.path;
+  Site site = {shape, flight.path, contact, 0, NULL, true, false};
   double v[3], v1[3];
   flight.advance(contact, v);
-  contact.overlapped = contact.overlapped && overlap(before, contact) > ROUNDED * flight.radius;
+  contact.overlapped =
+      contact.overlapped && overlap(site.before, contact) > ROUNDED * flight.radius;
   aspi_subtract(v, contact.v_wall, v1);
   bool arrives;
-  const bool sustained = is_sustained(flight, shape, contact, v1, arrives) || trapped;
-  if (sustained && !(arrives && model_.sticks())) {
-    flight.stay(this, shape, contact);
-    return false;
+  const bool stays = is_sustained(flight, shape, contact, v1, site.press, arrives) || trapped;
+  find_face(flight, site);
+  const bool sustained = stays || is_low(flight, site, v1);
+  const double hold = trapped || (site.is_new && !sustained) ? 0 : hold_of(flight, site, v1);
+  if (!sustained && hold > 0)
+    stop_along(flight, site, v1);
+  Event event = {};
+  bool hits = !sustained;
+  if (hits || (arrives && model_.sticks())) {
+    event = hit(flight, site, v1);
+    hits = hits || event.impact.outcome == ASP_DEPOSIT;
   }
-  const Event event = hit(flight, shape, before, contact, v1);
-  const bool sticks = event.impact.outcome == ASP_DEPOSIT;
-  if (sustained && !sticks) {
-    flight.stay(this, shape, contact);
+  if (!hits && (trapped || hold > 0 || !site.moved || !graze(flight, site, v1, event))) {
+    flight.stay(this, shape, contact, hold);
     return false;
   }
   state(flight.i).impacts++;
   flight.events.push_back(event);
   flight.settle();
-  if (sticks) {
-    stick(flight, shape, before, contact);
+  if (event.impact.outcome == ASP_DEPOSIT) {
+    stick(flight, shape, site.before, contact);
     return true;
   }
   double after[3];
@@ -302,40 +306,41 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
   return false;
 }
 
-/* The criterion at the top of this file. v1: relative to the wall. arrives: the particle comes from
- * elsewhere. */
+/* The criterion at the top of this file, f - a.n as `press`. v1: relative to the wall. arrives: the
+ * particle comes from elsewhere. */
 bool Wall::is_sustained(Flight &flight, size_t shape, Contact &contact, const double v1[3],
-                        bool &arrives) const {
+                        double &press, bool &arrives) const {
   const double dt = flight.spheres.dt, approach = -aspi_dot(v1, contact.n);
   const double speed = aspi_length(v1);
   if (!(fabs(contact.curve) * dt < TURN * speed))
     contact.curve = 0;
   const bool stays = flight.find_stay(this, shape, contact);
   const bool stayed = stays || status(flight.i) != Status::FREE;
-  const double push =
-      contact.follow - aspi_dot(flight.a0, contact.n) + (stayed ? contact.curve : 0);
+  press = contact.follow - aspi_dot(flight.a0, contact.n) + (stayed ? contact.curve : 0);
   arrives = approach > 0 && !stayed;
-  return stays || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * push, GRAZING * speed));
+  return stays || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * press, GRAZING * speed));
 }
 
-/* Applies the wall's law to a contact. */
-Wall::Event Wall::hit(const Flight &flight, size_t shape, const Path &before,
-                      const Contact &contact, const double v1[3]) {
-  const Spheres &s = flight.spheres;
-  const int i = flight.i;
-  if (!model_.wall())
-    throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
-                     "diameters beforehand; make particles before 'run', or by a fix insert",
-                     static_cast<long long>(s.tag_of(i))));
-  asp_particle particle = flight.particle(model_.pair(s.type[i], shapes_[shape].wall_type));
-  double lay[3] = {0, 0, 1};
+/* The particle at a contact. lay: room for the wall's lay there. */
+asp_particle Wall::at_site(const Flight &flight, const Site &site, double lay[3]) const {
+  asp_particle particle =
+      flight.particle(model_.pair(flight.spheres.type[flight.i], shapes_[site.shape].wall_type));
+  lay[0] = lay[1] = 0;
+  lay[2] = 1;
   if (engine_.dimension() == 2) /* at normal impact, too, the tilt is in the plane */
     particle.lay = lay;
   else if (model_.lay().kind != ASP_LAY_NONE) {
-    shapes_[shape].shape->lay(model_.lay(), before, contact, lay);
+    shapes_[site.shape].shape->lay(model_.lay(), site.before, site.contact, lay);
     particle.lay = lay;
   }
-  Event event = {this, shape, contact, {v1[0], v1[1], v1[2]}, {}, 0, 0, {}, {}};
+  return particle;
+}
+
+/* A contact that is to be counted. */
+Wall::Event Wall::event_at(const Flight &flight, const Site &site, const double v1[3]) {
+  const Spheres &s = flight.spheres;
+  const int i = flight.i;
+  Event event = {this, site.shape, site.contact, {v1[0], v1[1], v1[2]}, {}, 0, 0, false, {}, {}};
   aspi_copy(flight.spin, event.omega1);
   event.elapsed = flight.elapsed();
   event.time = time(static_cast<double>(s.step)) - flight.path.left;
@@ -343,6 +348,19 @@ Wall::Event Wall::hit(const Flight &flight, size_t shape, const Path &before,
   event.key.wall = key_;
   event.key.tag = static_cast<uint64_t>(s.tag_of(i));
   event.key.impact = static_cast<uint32_t>(state(i).impacts) + 1;
-  asp_wall_impact(model_.wall(), &particle, v1, contact.n, &event.key, &event.impact);
+  return event;
+}
+
+/* Applies the wall's law to a contact. */
+Wall::Event Wall::hit(const Flight &flight, const Site &site, const double v1[3]) {
+  if (!model_.wall())
+    throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
+                     "diameters beforehand; make particles before 'run', or by a fix insert",
+                     static_cast<long long>(flight.spheres.tag_of(flight.i))));
+  double lay[3];
+  const asp_particle particle = at_site(flight, site, lay);
+  Event event = event_at(flight, site, v1);
+  (site.is_new ? asp_wall_impact : asp_wall_impact_mean)(model_.wall(), &particle, v1,
+                                                         site.contact.n, &event.key, &event.impact);
   return event;
 }

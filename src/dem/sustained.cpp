@@ -24,31 +24,36 @@ const double SHRINKS = 0.98;
 /* Dimensionless determinants below this count as 0: then two contacts are solved by sweeps. */
 const double REGULAR = 1e-6;
 
-/* Adds an impulse per mass at the contact with normal n. */
-inline void push(const double n[3], const double p[3], double radius, double v[3],
-                 double omega[3]) {
-  double across[3];
-  aspi_cross(n, p, across);
+/* Adds an impulse per mass at a contact. */
+inline void push(const Support &s, const double p[3], double radius, double v[3], double omega[3]) {
   aspi_add_scaled(v, 1, p, v);
+  if (s.hold > 0)
+    return;
+  double across[3];
+  aspi_cross(s.n, p, across);
   aspi_add_scaled(omega, -2.5 / radius, across, omega);
 }
 
-/* The velocity of the sphere's surface at a contact, relative to the wall. */
+/* The velocity of the sphere's surface at a contact, or of its center in a valley, relative to the
+ * wall. */
 inline void slip(const Support &s, double radius, const double v[3], const double omega[3],
                  double u[3]) {
+  aspi_subtract(v, s.w, u);
+  if (s.hold > 0)
+    return;
   double across[3];
   aspi_cross(omega, s.n, across);
-  aspi_subtract(v, s.w, u);
   aspi_add_scaled(u, -radius, across, u);
 }
 
 /* The impulse that one contact needs where its surface has the velocity u without it. */
 inline void impulse(const Support &s, const double u[3], double p[3]) {
-  const double normal = aspi_dot(u, s.n), p_n = std::max(0.0, -normal), most = s.friction * p_n;
+  const double normal = aspi_dot(u, s.n), p_n = std::max(0.0, -normal);
+  const double most = (s.hold > 0 ? s.hold : s.friction) * p_n, stops = s.hold > 0 ? 1 : 2.0 / 7;
   double along[3];
   aspi_add_scaled(u, -normal, s.n, along);
   const double square = aspi_dot(along, along);
-  const double share = 4.0 / 49 * square > most * most ? most / sqrt(square) : 2.0 / 7;
+  const double share = stops * stops * square > most * most ? most / sqrt(square) : stops;
   for (int d = 0; d < 3; d++)
     p[d] = p_n * s.n[d] - share * along[d];
 }
@@ -61,11 +66,12 @@ inline void solve_one(Support &s, double radius, double v[3], double omega[3]) {
   double u[3], p[3], change[3];
   slip(s, radius, v, omega, u);
   /* Its own impulse moves its surface 7/2 times as much along the wall. */
-  aspi_add_scaled(u, -3.5, s.p, u);
-  aspi_add_scaled(u, 2.5 * aspi_dot(s.p, s.n), s.n, u);
+  const double more = s.hold > 0 ? 0 : 2.5;
+  aspi_add_scaled(u, -1 - more, s.p, u);
+  aspi_add_scaled(u, more * aspi_dot(s.p, s.n), s.n, u);
   impulse(s, u, p);
   aspi_subtract(p, s.p, change);
-  push(s.n, change, radius, v, omega);
+  push(s, change, radius, v, omega);
   aspi_copy(p, s.p);
 }
 
@@ -99,7 +105,7 @@ bool sweep(std::vector<Support> &supports, double radius, double v[3], double om
     for (Support &s : supports) {
       aspi_scale(product / (before - product), s.change);
       aspi_add_scaled(s.p, 1, s.change, s.p);
-      push(s.n, s.change, radius, v, omega);
+      push(s, s.change, radius, v, omega);
     }
   }
   for (const Support &s : supports) {
@@ -120,7 +126,7 @@ bool solve_alone(Support &s, Support &other, double radius, double v[3], double 
   impulse(s, u, s.p);
   aspi_copy(v, v_after);
   aspi_copy(omega, omega_after);
-  push(s.n, s.p, radius, v_after, omega_after);
+  push(s, s.p, radius, v_after, omega_after);
   aspi_subtract(v_after, other.w, u);
   if (-aspi_dot(u, other.n) > CONVERGED * aspi_length(s.p))
     return false;
@@ -139,7 +145,8 @@ bool solve_smooth(Support &a, Support &b, double v[3]) {
   aspi_subtract(v, b.w, u);
   const double approach_b = -aspi_dot(u, b.n);
   const double p_a = approach_a - cosine * approach_b, p_b = approach_b - cosine * approach_a;
-  if (a.friction > 0 || b.friction > 0 || !(det > REGULAR) || p_a < 0 || p_b < 0)
+  if (a.friction > 0 || b.friction > 0 || a.hold > 0 || b.hold > 0 || !(det > REGULAR) || p_a < 0 ||
+      p_b < 0)
     return false;
   for (int d = 0; d < 3; d++) {
     a.p[d] = p_a / det * a.n[d];
@@ -189,7 +196,7 @@ bool solve_sticking(Support &a, Support &b, double radius, double v[3], double o
     dw[d] = 0.5 * (a.w[d] - b.w[d]);
   }
   const double square = aspi_dot(h, h), half = sqrt(square);
-  if (!(square > REGULAR))
+  if (!(square > REGULAR) || a.hold > 0 || b.hold > 0)
     return false;
   aspi_cross(dw, h, s);
   aspi_scale(1 / square, s); /* across h; the part along it, by the balance along h: */
@@ -231,15 +238,13 @@ bool solve_sticking(Support &a, Support &b, double radius, double v[3], double o
   return true;
 }
 
-} // namespace
-
-bool asperity::solve_supports(std::vector<Support> &supports, double radius, double v[3],
-                              double omega[3]) {
+/* Solves the contacts for the valleys that count. */
+bool solve(std::vector<Support> &supports, double radius, double v[3], double omega[3]) {
   if (supports.size() == 1) {
     double u[3];
     slip(supports[0], radius, v, omega, u);
     impulse(supports[0], u, supports[0].p);
-    push(supports[0].n, supports[0].p, radius, v, omega);
+    push(supports[0], supports[0].p, radius, v, omega);
     return true;
   }
   if (supports.size() == 2) {
@@ -255,7 +260,7 @@ bool asperity::solve_supports(std::vector<Support> &supports, double radius, dou
     return true;
   /* Sweeps with friction may go round in a circle. */
   for (Support &s : supports)
-    s.friction = 0;
+    s.friction = s.hold = 0;
   aspi_copy(v_free, v);
   aspi_copy(omega_free, omega);
   if (sweep(supports, radius, v, omega))
@@ -271,6 +276,20 @@ bool asperity::solve_supports(std::vector<Support> &supports, double radius, dou
   aspi_copy(mean, v);
   aspi_copy(omega_free, omega);
   return false;
+}
+
+} // namespace
+
+bool asperity::solve_supports(std::vector<Support> &supports, double radius, double v[3],
+                              double omega[3]) {
+  const bool solved = solve(supports, radius, v, omega);
+  for (const Support &s : supports)
+    if (s.hold > 0 && aspi_dot(s.p, s.n) > 0) { /* it turns about the normal only */
+      const double about = aspi_dot(omega, s.n);
+      aspi_copy(s.n, omega);
+      aspi_scale(about, omega);
+    }
+  return solved;
 }
 
 double asperity::slide_work(const Support &support, double radius, const double v[3],

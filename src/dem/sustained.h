@@ -13,6 +13,9 @@
  * One contact is solved in closed form: p_n takes the approach, and p_t = -2/7 u_t, cut at mu p_n,
  * makes the sphere roll. Several are solved one after another until nothing changes.
  *
+ * A sphere in a valley of a rough wall is held by the faces around it, whose impulses act on its
+ * center: there u = v' - w and |p_t| <= hold p_n, and it loses its spin.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_SUSTAINED_H
 #define ASPERITY_WALL_SUSTAINED_H
@@ -26,6 +29,7 @@ struct Support {
   double n[3]; /* outward unit normal */
   double w[3]; /* velocity of the wall's point; its part along n is what the sphere must keep */
   double friction;
+  double hold;      /* tangent of the slope that the valley withstands; 0: there is none */
   double p[3];      /* impulse per mass on the sphere: the result */
   double change[3]; /* of p, by the last sweep */
 };

@@ -16,7 +16,7 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "ledger torque_about";
+const char Wall::KEYWORDS[] = "ledger torque_about interlock";
 const char *const Wall::SUM_NAMES[] = {"impacts",        "deposited_mass",     "impact_energy",
                                        "normal_impulse", "tangential_impulse", "dissipated_energy",
                                        "eroded_mass"};
@@ -36,7 +36,8 @@ const double BEND = 0.25;
 } // namespace
 
 Wall::Wall(const Engine &engine)
-    : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())), groupbit_(1),
+    : engine_(engine), model_(engine), key_(asp_key_wall(engine.id().c_str())),
+      stay_key_(asp_key_wall((engine.id() + " stays").c_str())), interlocks_(true), groupbit_(1),
       box_(), state_(NULL), place_(NULL), ahead_(), travel_(0), stray_(0), bend_(0), counters_(),
       torque_about_(), clock_(), fastest_(), dt_(0), warned_(false), cut_(false),
       has_to_delete_(false) {}
@@ -68,6 +69,8 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
       throw Error("'columns' belongs behind 'ledger': ledger N columns full");
     else if (words.take("on_error"))
       throw Error("'on_error' belongs behind 'ledger': ledger N file FILE on_error stop");
+    else if (words.take("interlock"))
+      parse_interlock(words);
     else
       model_.parse(words, others);
   }
@@ -80,6 +83,13 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
                        ? "cylinder it must be axial, circumferential, or an angle in degrees from "
                          "its axis"
                        : "plane or a mesh it must be a vector, X Y Z"));
+}
+
+void Wall::parse_interlock(Words &words) {
+  const std::string word = words.word("the value of 'interlock'");
+  if (word != "on" && word != "off")
+    throw Error("interlock is '" + word + "'; it must be on or off");
+  interlocks_ = word == "on";
 }
 
 void Wall::parse_ledger(Words &words) {
@@ -391,6 +401,7 @@ Settings Wall::settings() const {
   const double *at = torque_about_;
   return Settings{{"geometry", geometry_},
                   {"description", model_.description()},
+                  {"interlock", interlocks_ ? "on" : "off"},
                   {"torque_about", text("%.15g %.15g %.15g", at[0], at[1], at[2])}};
 }
 

@@ -20,6 +20,7 @@
 #include "dem/particle_state.h"
 #include "dem/record.h"
 #include "dem/shape.h"
+#include "dem/sustained.h"
 #include "dem/words.h"
 
 namespace asperity {
@@ -198,12 +199,23 @@ private:
     double v1[3];         /* relative to the wall */
     double omega1[3];     /* before the impact */
     double elapsed, time; /* of the step; of the ledger */
+    bool grazes;          /* the particle was staying at the wall */
     asp_key key;
     asp_impact impact;
   };
 
   /* The contacts of one particle in one step. */
   struct Flight;
+
+  /* A contact with a shape at the end of a path, and the face of the rough wall there. */
+  struct Site {
+    size_t shape;
+    Path before;
+    const Contact &contact;
+    double press;       /* acceleration that presses the particle to the wall; may be negative */
+    FacePlace *face;    /* NULL: the wall is smooth */
+    bool is_new, moved; /* a face not met yet; the particle has come to it along the wall */
+  };
 
   /* For each particle, the first step in which it may touch if it keeps this velocity, not counting
    * faces at which it stays. Negative: it stays, and is near others until that step. */
@@ -273,9 +285,21 @@ private:
   static void finish(const std::vector<Wall *> &near, Flight &flight, bool moved);
   bool touch(Flight &flight, size_t shape, Contact &contact, bool trapped);
   bool is_sustained(Flight &flight, size_t shape, Contact &contact, const double v1[3],
-                    bool &arrives) const;
-  Event hit(const Flight &flight, size_t shape, const Path &before, const Contact &contact,
-            const double v1[3]);
+                    double &press, bool &arrives) const;
+  Event event_at(const Flight &flight, const Site &site, const double v1[3]);
+  Event hit(const Flight &flight, const Site &site, const double v1[3]);
+  asp_particle at_site(const Flight &flight, const Site &site, double lay[3]) const;
+
+  /* faces.cpp */
+  void find_face(const Flight &flight, Site &site);
+  asp_key next_key(const Spheres &s, int i);
+  const FacePlace &valley(const Flight &flight, const Site &site, const double v1[3]);
+  bool is_low(const Flight &flight, const Site &site, const double v1[3]);
+  double hold_of(const Flight &flight, const Site &site, const double v1[3]);
+  void push(const Flight &flight, const Site &site, const double to[3], double v1[3]);
+  void stop_along(Flight &flight, const Site &site, double v1[3]);
+  bool graze(const Flight &flight, const Site &site, double v1[3], Event &event);
+  double hold_of(const Spheres &s, int i, const Support &support, const double spin[3]) const;
 
   /* hold.cpp */
   void keep_resting(int i, size_t shape, const Contact &contact);
@@ -297,6 +321,7 @@ private:
   void renumber(const Spheres &spheres);
 
   void restore_shapes(const WallState &saved);
+  void parse_interlock(Words &words);
   void parse_ledger(Words &words);
   double number(size_t k) const;
   void check_written(const std::string &wrong) const;
@@ -308,7 +333,8 @@ private:
   std::string geometry_;
   std::vector<Member> shapes_;
   std::unique_ptr<Ledger> ledger_;
-  uint32_t key_;
+  uint32_t key_, stay_key_; /* of the draws: of impacts, and of particles that stay */
+  bool interlocks_;         /* valleys hold particles */
   int groupbit_;
   Box box_;
   ParticleState *state_;

@@ -3,24 +3,24 @@
  *
  * A Gaussian profile crosses its mean height upward once per 2 pi r_q/s (Rice 1944). A face reaches
  * half as far, l = pi r_q/s = (pi/sqrt(2)) lambda_c. A particle that lies between two of them
- * starts to move at a slope of tangent s_eff R, R of the Rayleigh distribution: the law of the
- * visible faces at grazing incidence, x exp(-x^2/2). A sphere on a surface has faces all around: it
- * starts over the steepest of FACES_AROUND. (Mean and sd over s_eff: 1.25 and 0.66,
- * quasi-static 1.30 and 0.73; 2.28 and 0.51, quasi-static 2.2 to 2.4 and 0.55.) The height of the
- * crests was computed on generated walls. Derived for this project.
+ * starts to move at a slope of tangent q, of the law of the visible faces at grazing incidence:
+ * q/s_eff has the density x exp(-x^2/2). A valley is an arc of a sine with that steepest slope, and
+ * crests at Rice's mean distance 2 pi/sqrt(6) lambda_c: their height is 2/sqrt(6) q lambda_c. A
+ * sphere on a surface has faces all around: it starts over the steepest of FACES_AROUND. Against
+ * the quasi-static motion over generated walls, mean and sd of q/s_eff: 1.25 and 0.66 (there 1.21
+ * to 1.33 and 0.70 to 0.73) on a profile, 2.28 and 0.51 (2.2 to 2.4 and 0.55) on a surface. Derived
+ * for this project.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/roughness.h"
 
 #include <math.h>
 
-/* Height of a crest over its valley, over s_eff lambda_c: on a profile, and the saddle of a
- * surface. */
-#define CREST_PROFILE 1.05
-#define CREST_SURFACE 1.05
+/* Height of a crest over its valley, over q lambda_c. */
+#define CREST 0.81649658092772603
 
 /* Faces around a sphere that lies on a surface. */
-enum { FACES_AROUND = 8 };
+enum { FACES_AROUND = 3 };
 
 /* The frame of a direction along the wall; one that has none goes across the lay. */
 static aspi_heading heading_along(const aspi_roughness *rough, vec along, vec n) {
@@ -58,6 +58,6 @@ asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
   double share = aspi_stream_uniform(&stream);
   if (wall->isotropic)
     share = pow(share, 1.0 / FACES_AROUND);
-  return (asp_valley){slope * sqrt(-2 * log1p(-share)),
-                      (wall->isotropic ? CREST_SURFACE : CREST_PROFILE) * slope * lambda};
+  double q = slope * sqrt(-2 * log1p(-share));
+  return (asp_valley){q, CREST * q * lambda};
 }

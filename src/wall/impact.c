@@ -368,19 +368,19 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
   bounce_off_mean_wall(wall, particle, &first, stream, impact);
 }
 
-static void bounce(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, frame *f,
-                   aspi_stream *stream, asp_impact *impact) {
-  if (!rough) {
+static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *particle, vec v,
+                   frame *f, aspi_stream *stream, asp_impact *impact) {
+  if (!on_faces) {
     bounce_off_mean_wall(wall, particle, f, stream, impact);
     return;
   }
-  aspi_roughness here = aspi_roughness_of(wall, particle, f->n);
+  aspi_roughness rough = aspi_roughness_of(wall, particle, f->n);
   if (!has_direction(f))
-    choose_direction(&here, f, stream);
+    choose_direction(&rough, f, stream);
   if (wall->multiple)
-    bounce_on(&here, v, f, stream, impact);
+    bounce_on(&rough, v, f, stream, impact);
   else
-    bounce_once(&here, f, stream, impact);
+    bounce_once(&rough, f, stream, impact);
 }
 
 /* Without a pair that the law needs the particle keeps its velocity. */
@@ -437,6 +437,45 @@ asp_code asp_wall_impacts(const asp_wall *wall, const asp_particle *particle, si
                           "nor the wall has one",
                           wall->law->name)
               : ASP_OK;
+}
+
+/* The face has the slope s_eff x with the density x exp(-x^2/2), and a normal slope across. The
+ * first-hit law at grazing incidence has smaller slopes (aspi_grazing), for it is met by particles
+ * that come from afar, over the highest summits. A wall of slopes p has the curvature p
+ * sqrt(6)/lambda_c (Rice's ratio of both rms values for Gaussian heights). */
+bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                             const double n[3], double press, const asp_key *key,
+                             asp_impact *impact) {
+  asp_particle own = *particle;
+  if (!particle->pair && wall->law->needs_pair) {
+    own.pair = wall->pair;
+    particle = &own;
+  }
+  frame f = frame_of(load(v1), load(n));
+  if ((!particle->pair && wall->law->needs_pair) || !wall->rough || !has_direction(&f))
+    return false;
+  aspi_stream stream = aspi_stream_begin(key);
+  aspi_roughness rough = aspi_roughness_of(wall, particle, f.n);
+  aspi_slopes_along slopes = aspi_roughness_along(&rough, aspi_heading_of(&rough, &f));
+  double p = slopes.slope * sqrt(-2 * log(aspi_stream_uniform(&stream)));
+  double lambda_c = sqrt(2) / ASP_PI * asp_wall_face_length(wall, particle, v1, n);
+  if (f.v_t * f.v_t * p * sqrt(6) < press * lambda_c)
+    return false;
+  f.v_n = 0;
+  face on = face_at(wall, &slopes, atan(p), NULL, &stream);
+  vec local, spin = load(particle->omega);
+  bool deposit;
+  if (!rebound(wall, particle, &f, on.m, !wall->isotropic, &stream, &spin, &local, &deposit) ||
+      !(deposit || local.z > 0))
+    return false;
+  *impact = (asp_impact){.delta_alpha = on.delta,
+                         .tilt_out = tilt_out(wall, &on),
+                         .hits = 1,
+                         .outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND,
+                         .eroded = eroded_there(wall, particle, &f, on.m)};
+  store(deposit ? local : leaving(&f, to_lab(&f, local)), impact->v2);
+  store(spin, impact->omega);
+  return true;
 }
 
 /* a/b, limited to RATIO_MOST. */

@@ -47,7 +47,7 @@ region b plane 0 0 -1e-5 0 0 1
 region r intersect 2 a b
 fix low all wall/rebound region r'
 pair 'a cylinder' 'fix low all wall/rebound zcylinder 5e-4 1e-3 1e-3' 'region r cylinder z 1e-3 1e-3 5e-4 INF INF units box open 1
-fix low all wall/rebound region r' 1e-9 'deposit off' 12
+fix low all wall/rebound region r' 1e-6 'deposit off' 12
 pair 'a pipe' 'fix low all wall/rebound xcylinder 1.4e-3 1e-3 1.39e-3' 'region r cylinder x 1e-3 1.39e-3 1.4e-3 INF INF units box
 fix low all wall/rebound region r' 1e-6 'deposit off'
 

@@ -1,0 +1,204 @@
+/* The faces of a rough wall that a particle meets one after another, and the valleys between them.
+ *
+ * A particle that has met a face meets the next one after its contact point has moved by the length
+ * of a face along the wall (asp_wall_face_length), whether it flies there, hops, slides or rolls;
+ * until then it meets the mean wall. Where it stays at the wall and comes to a face, it hits that
+ * at grazing incidence.
+ *
+ * Where it stays and its energy along the wall is less than the next crest costs, it lies in a
+ * valley (asp_wall_valley), an arc of a sine with the steepest slope q and the height h. With what
+ * presses it, P = f - a.n (per mass; f, a as in step.cpp), and what pushes it along, a_t, the crest
+ * ahead costs
+ *
+ *   v_t^2/2 + r^2 omega_t^2/5 < P h (sqrt(1 - s^2) - s acos s),     s = |a_t|/(q P)
+ *
+ * and nothing where s >= 1. The valley acts on the center as friction of the coefficient q
+ * (sustained.h); a particle that bounces in it loses its motion along the wall. A bounce on the
+ * mean wall that is lower than h is none: the particle stays. A law that takes no energy has no
+ * valleys.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/flight.h"
+
+#include <math.h>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+/* Contacts are at one wall if the cosine between their normals is larger; at a corner they are not.
+ */
+const double SAME_WALL = 0.7;
+
+/* Energy of a motion along the wall, per mass. */
+double energy_along(const double n[3], const double v[3], const double spin[3], double radius) {
+  const double v_n = aspi_dot(v, n), w_n = aspi_dot(spin, n);
+  return 0.5 * (aspi_dot(v, v) - v_n * v_n) +
+         0.2 * radius * radius * (aspi_dot(spin, spin) - w_n * w_n);
+}
+
+FacePlace *face_of(FaceMemory &memory, const double n[3]) {
+  for (FacePlace &face : memory.face)
+    if (aspi_dot(face.normal, n) > SAME_WALL)
+      return &face;
+  return NULL;
+}
+
+/* True if a particle with this energy along the wall cannot leave the valley behind its face.
+ * Another wall at which it stays takes what pushes the particle into it. */
+bool lies(const FaceMemory &memory, const FacePlace &face, double energy, double push,
+          const double a[3]) {
+  double along[3], m[3];
+  aspi_copy(a, along);
+  aspi_add_scaled(along, -aspi_dot(a, face.normal), face.normal, along);
+  for (const FacePlace &other : memory.face) {
+    if (&other == &face || !(other.start > 0) || other.time < face.time)
+      continue;
+    aspi_copy(other.normal, m);
+    aspi_add_scaled(m, -aspi_dot(m, face.normal), face.normal, m);
+    const double into = -aspi_dot(along, m), square = aspi_dot(m, m);
+    if (into > 0 && square > 0)
+      aspi_add_scaled(along, into / square, m, along);
+  }
+  const double steep = aspi_length(along) / (face.start * push);
+  return push > 0 && steep < 1 &&
+         energy < push * face.height * (sqrt(1 - steep * steep) - steep * acos(steep));
+}
+
+/* The place of another wall's face: the one that was met longer ago, or none yet. */
+FacePlace *oldest(FaceMemory &memory) {
+  FacePlace *first = memory.face;
+  for (FacePlace &face : memory.face)
+    if (!(aspi_dot(face.normal, face.normal) > 0) ||
+        (aspi_dot(first->normal, first->normal) > 0 && face.time < first->time))
+      first = &face;
+  return first;
+}
+
+} // namespace
+
+/* Finds the particle's face at a contact, or gives it a new one. */
+void Wall::find_face(const Flight &flight, Site &site) {
+  const Contact &contact = site.contact;
+  const double forward[3] = {0, 0, 0};
+  double lay[3], point[3], moved[3];
+  const asp_particle particle = at_site(flight, site, lay);
+  if (!model_.wall() || !(asp_wall_face_length(model_.wall(), &particle, forward, contact.n) > 0))
+    return;
+  FaceMemory &memory = place(flight.i).faces;
+  const double now = time(static_cast<double>(flight.spheres.step)) - flight.path.left;
+  aspi_copy(contact.x, point);
+  aspi_add_scaled(point, -flight.radius, contact.n, point);
+  site.face = face_of(memory, contact.n);
+  if (site.face) {
+    aspi_add_scaled(site.face->at, now - site.face->time, contact.v_wall, site.face->at);
+    box_.bring_near(point, site.face->at);
+    aspi_subtract(point, site.face->at, moved);
+    aspi_add_scaled(moved, -aspi_dot(moved, contact.n), contact.n, moved);
+    const double length = asp_wall_face_length(model_.wall(), &particle, moved, contact.n);
+    site.is_new = site.moved = aspi_dot(moved, moved) >= length * length;
+  } else
+    site.face = oldest(memory);
+  if (site.is_new) {
+    aspi_copy(point, site.face->at);
+    site.face->start = site.face->height = 0;
+  }
+  aspi_copy(contact.n, site.face->normal);
+  site.face->time = now;
+}
+
+/* The key of the next draw of a particle that stays at the wall, or bounces on it. */
+asp_key Wall::next_key(const Spheres &s, int i) {
+  const asp_key key = {model_.seed(), stay_key_, static_cast<uint64_t>(s.tag_of(i)),
+                       static_cast<uint32_t>(++place(i).faces.draws)};
+  return key;
+}
+
+/* The valley behind the face of a contact, on its first use. */
+const FacePlace &Wall::valley(const Flight &flight, const Site &site, const double v1[3]) {
+  FacePlace *face = site.face;
+  if (face->start > 0)
+    return *face;
+  double lay[3];
+  const asp_particle particle = at_site(flight, site, lay);
+  const asp_key key = next_key(flight.spheres, flight.i);
+  const asp_valley drawn = asp_wall_valley(model_.wall(), &particle, v1, site.contact.n, &key);
+  face->start = drawn.start;
+  face->height = drawn.height;
+  return *face;
+}
+
+/* True if a bounce on the mean wall is lower than the wall's own heights. */
+bool Wall::is_low(const Flight &flight, const Site &site, const double v1[3]) {
+  if (!site.face || site.is_new || !model_.dissipates())
+    return false;
+  const double v_n = aspi_dot(v1, site.contact.n);
+  return 0.5 * v_n * v_n < site.press * valley(flight, site, v1).height;
+}
+
+/* What the valley withstands in which a particle lies that has v1 relative to the wall; 0: it lies
+ * in none. */
+double Wall::hold_of(const Flight &flight, const Site &site, const double v1[3]) {
+  if (!site.face || !interlocks_ || !model_.dissipates())
+    return 0;
+  const FacePlace &face = valley(flight, site, v1);
+  const double energy = energy_along(site.contact.n, v1, flight.spin, flight.radius);
+  return lies(place(flight.i).faces, face, energy, site.press, flight.a0) ? face.start : 0;
+}
+
+/* The same at the end of the step. */
+double Wall::hold_of(const Spheres &s, int i, const Support &support, const double spin[3]) const {
+  FaceMemory &memory = place(i).faces;
+  const FacePlace *face = face_of(memory, support.n);
+  if (!face || !(face->start > 0) || !interlocks_)
+    return 0;
+  double u[3], a[3];
+  aspi_subtract(s.v + 3 * static_cast<size_t>(i), support.w, u);
+  aspi_copy(s.f + 3 * static_cast<size_t>(i), a);
+  aspi_scale(1 / s.mass[i], a);
+  const double energy = energy_along(support.n, u, spin, s.radius[i]);
+  return lies(memory, *face, energy, -aspi_dot(a, support.n), a) ? face->start : 0;
+}
+
+/* Changes v1 before an impact, by an impulse that the wall takes. */
+void Wall::push(const Flight &flight, const Site &site, const double to[3], double v1[3]) {
+  const Contact &contact = site.contact;
+  const double none[3] = {0, 0, 0};
+  double p[3];
+  aspi_subtract(to, v1, p);
+  add(site.shape,
+      ContactLoad(flight.spheres, flight.i, contact.piece, contact.x, contact.n, p, none));
+  aspi_copy(to, v1);
+}
+
+/* The motion along the wall of a particle that bounces in its valley is lost. */
+void Wall::stop_along(Flight &flight, const Site &site, double v1[3]) {
+  const double *n = site.contact.n, about = aspi_dot(flight.spin, n);
+  double straight[3];
+  aspi_copy(n, straight);
+  aspi_scale(aspi_dot(v1, n), straight);
+  push(flight, site, straight, v1);
+  aspi_copy(n, flight.spin);
+  aspi_scale(about, flight.spin);
+}
+
+/* The impact on the next face of a particle that stays: it comes along the wall. False where it
+ * meets none. */
+bool Wall::graze(const Flight &flight, const Site &site, double v1[3], Event &event) {
+  const Contact &contact = site.contact;
+  double along[3], lay[3];
+  aspi_add_scaled(v1, -aspi_dot(v1, contact.n), contact.n, along);
+  const asp_particle particle = at_site(flight, site, lay);
+  const asp_key key = next_key(flight.spheres, flight.i);
+  asp_impact impact;
+  if (!asp_wall_impact_grazing(model_.wall(), &particle, along, contact.n, site.press, &key,
+                               &impact))
+    return false;
+  push(flight, site, along, v1);
+  event = event_at(flight, site, v1);
+  event.impact = impact;
+  event.grazes = true;
+  return true;
+}
