@@ -104,7 +104,7 @@ static asp_surface *make_from_sigma(const asp_description *d, asp_error *error) 
   double slope = tan(d->sigma * (ASP_PI / 180));
   asp_surface *made = asp_surface_create(slope / sqrt(2) * lambda, lambda, error);
   if (made)
-    aspi_surface_set_feature(made, 0);
+    aspi_surface_set_feature(made, d->lambda_c > 0 ? d->lambda_c : 0);
   return made;
 }
 

@@ -104,6 +104,8 @@ static void add_surface(line *l, const asp_description *d) {
     break;
   case ASPI_SIGMA:
     add_known_or_fit(l, d, "sigma");
+    if (d->lambda_c > 0)
+      add_known_or_fit(l, d, "lambda_c");
     break;
   case ASPI_GAUSSIAN:
     add_known_or_fit(l, d, "rq");

@@ -18,7 +18,8 @@ static const aspi_keyword keywords[] = {
     {.name = "surface",
      .within = "",
      .values =
-         "smooth | sigma ANGLE | rq R lambda_c L [L_along lay DIRECTION] | profile FILE | map "
+         "smooth | sigma ANGLE [lambda_c L] | rq R lambda_c L [L_along lay DIRECTION] | profile "
+         "FILE | map "
          "FILE [lay DIRECTION]; for rq R also ra R or sq R, for lambda_c L also rdq S or rsm L "
          "[sampling LR], behind sq sdq S or sal L",
      .standard = "smooth",
@@ -118,7 +119,7 @@ static const aspi_keyword keywords[] = {
      .standard = "",
      .text =
          "correlation length, at which the autocorrelation is 1/e; with a lay the one across it, "
-         "then the one along it"},
+         "then the one along it; behind sigma, that of the faces (as long as the particle)"},
     {.name = "ra",
      .within = "surface",
      .values = "R",

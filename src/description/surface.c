@@ -188,7 +188,10 @@ static asp_code read_kind(aspi_words *r) {
   }
   if (aspi_words_take(r, "sigma")) {
     d->kind = ASPI_SIGMA;
-    return aspi_words_number(r, "surface", "sigma", &d->sigma);
+    code = aspi_words_number(r, "surface", "sigma", &d->sigma);
+    return code || !aspi_words_take(r, "lambda_c")
+               ? code
+               : aspi_words_number(r, "surface", "lambda_c", &d->lambda_c);
   }
   static const char *const heights[] = {"rq", "ra", "sq"};
   int k = 0;
