@@ -130,22 +130,25 @@ const FacePlace &Wall::valley(const Flight &flight, const Site &site, const doub
   return *face;
 }
 
-/* True if a bounce on the mean wall is lower than the wall's own heights. */
+/* True if a bounce on the mean wall is lower than the wall's own heights, by what the forces press:
+ * a wall that accelerates may have turned back before the next bounce. */
 bool Wall::is_low(const Flight &flight, const Site &site, const double v1[3]) {
-  if (!site.face || site.is_new || !model_.dissipates())
+  const double press = -aspi_dot(flight.a0, site.contact.n);
+  if (!site.face || site.is_new || !model_.dissipates() || !(press > 0))
     return false;
   const double v_n = aspi_dot(v1, site.contact.n);
-  return 0.5 * v_n * v_n < site.press * valley(flight, site, v1).height;
+  return 0.5 * v_n * v_n < press * valley(flight, site, v1).height;
 }
 
 /* What the valley withstands in which a particle lies that has v1 relative to the wall; 0: it lies
  * in none. */
-double Wall::hold_of(const Flight &flight, const Site &site, const double v1[3]) {
+double Wall::hold_of(const Flight &flight, const Site &site, const double v1[3], bool stays) {
   if (!site.face || !interlocks_ || !model_.dissipates())
     return 0;
   const FacePlace &face = valley(flight, site, v1);
   const double energy = energy_along(site.contact.n, v1, flight.spin, flight.radius);
-  return lies(place(flight.i).faces, face, energy, site.press, flight.a0) ? face.start : 0;
+  const double press = stays ? site.press : -aspi_dot(flight.a0, site.contact.n);
+  return lies(place(flight.i).faces, face, energy, press, flight.a0) ? face.start : 0;
 }
 
 /* The same at the end of the step. */

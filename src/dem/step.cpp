@@ -279,7 +279,8 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
   const bool stays = is_sustained(flight, shape, contact, v1, site.press, arrives) || trapped;
   find_face(flight, site);
   const bool sustained = stays || is_low(flight, site, v1);
-  const double hold = trapped || (site.is_new && !sustained) ? 0 : hold_of(flight, site, v1);
+  const double hold =
+      trapped || (site.is_new && !sustained) ? 0 : hold_of(flight, site, v1, sustained);
   if (!sustained && hold > 0)
     stop_along(flight, site, v1);
   Event event = {};

@@ -295,7 +295,7 @@ private:
   asp_key next_key(const Spheres &s, int i);
   const FacePlace &valley(const Flight &flight, const Site &site, const double v1[3]);
   bool is_low(const Flight &flight, const Site &site, const double v1[3]);
-  double hold_of(const Flight &flight, const Site &site, const double v1[3]);
+  double hold_of(const Flight &flight, const Site &site, const double v1[3], bool stays);
   void push(const Flight &flight, const Site &site, const double to[3], double v1[3]);
   void stop_along(Flight &flight, const Site &site, double v1[3]);
   bool graze(const Flight &flight, const Site &site, double v1[3], Event &event);
