@@ -32,11 +32,14 @@ namespace {
  */
 const double SAME_WALL = 0.7;
 
-/* Energy of a motion along the wall, per mass. */
+/* Energy of a sphere, per mass; and that of its motion along the wall. */
+double energy(const double v[3], const double spin[3], double radius) {
+  return 0.5 * aspi_dot(v, v) + 0.2 * radius * radius * aspi_dot(spin, spin);
+}
+
 double energy_along(const double n[3], const double v[3], const double spin[3], double radius) {
-  const double v_n = aspi_dot(v, n), w_n = aspi_dot(spin, n);
-  return 0.5 * (aspi_dot(v, v) - v_n * v_n) +
-         0.2 * radius * radius * (aspi_dot(spin, spin) - w_n * w_n);
+  const double v_n = aspi_dot(v, n), w_n = radius * aspi_dot(spin, n);
+  return energy(v, spin, radius) - 0.5 * v_n * v_n - 0.2 * w_n * w_n;
 }
 
 FacePlace *face_of(FaceMemory &memory, const double n[3]) {
@@ -140,15 +143,24 @@ bool Wall::is_low(const Flight &flight, const Site &site, const double v1[3]) {
   return 0.5 * v_n * v_n < press * valley(flight, site, v1).height;
 }
 
+/* The energy of a bounce that is too low to be one. */
+void Wall::lose_bounce(const Flight &flight, const Site &site, const double v1[3]) {
+  const Contact &contact = site.contact;
+  const double none[3] = {0, 0, 0}, v_n = aspi_dot(v1, contact.n);
+  ContactLoad load(flight.spheres, flight.i, contact.piece, contact.x, contact.n, none, v1);
+  load.dissipated = 0.5 * flight.mass * v_n * v_n;
+  add(site.shape, load);
+}
+
 /* What the valley withstands in which a particle lies that has v1 relative to the wall; 0: it lies
  * in none. */
 double Wall::hold_of(const Flight &flight, const Site &site, const double v1[3], bool stays) {
   if (!site.face || !interlocks_ || !model_.dissipates())
     return 0;
   const FacePlace &face = valley(flight, site, v1);
-  const double energy = energy_along(site.contact.n, v1, flight.spin, flight.radius);
+  const double along = energy_along(site.contact.n, v1, flight.spin, flight.radius);
   const double press = stays ? site.press : -aspi_dot(flight.a0, site.contact.n);
-  return lies(place(flight.i).faces, face, energy, press, flight.a0) ? face.start : 0;
+  return lies(place(flight.i).faces, face, along, press, flight.a0) ? face.start : 0;
 }
 
 /* The same at the end of the step. */
@@ -161,35 +173,40 @@ double Wall::hold_of(const Spheres &s, int i, const Support &support, const doub
   aspi_subtract(s.v + 3 * static_cast<size_t>(i), support.w, u);
   aspi_copy(s.f + 3 * static_cast<size_t>(i), a);
   aspi_scale(1 / s.mass[i], a);
-  const double energy = energy_along(support.n, u, spin, s.radius[i]);
-  return lies(memory, *face, energy, -aspi_dot(a, support.n), a) ? face->start : 0;
+  const double along = energy_along(support.n, u, spin, s.radius[i]);
+  return lies(memory, *face, along, -aspi_dot(a, support.n), a) ? face->start : 0;
 }
 
-/* Changes v1 before an impact, by an impulse that the wall takes. */
-void Wall::push(const Flight &flight, const Site &site, const double to[3], double v1[3]) {
+/* Changes v1 and the spin before an impact; the wall takes what is lost. */
+void Wall::brake(Flight &flight, const Site &site, const double to[3], const double spin[3],
+                 double v1[3]) {
   const Contact &contact = site.contact;
-  const double none[3] = {0, 0, 0};
-  double p[3];
+  double p[3], turn[3];
   aspi_subtract(to, v1, p);
-  add(site.shape,
-      ContactLoad(flight.spheres, flight.i, contact.piece, contact.x, contact.n, p, none));
+  aspi_subtract(spin, flight.spin, turn);
+  ContactLoad load(flight.spheres, flight.i, contact.piece, contact.x, contact.n, p, v1);
+  load.set_couple(flight.spheres, flight.i, contact.x, turn);
+  load.dissipated =
+      flight.mass * (energy(v1, flight.spin, flight.radius) - energy(to, spin, flight.radius));
+  add(site.shape, load);
   aspi_copy(to, v1);
+  aspi_copy(spin, flight.spin);
 }
 
 /* The motion along the wall of a particle that bounces in its valley is lost. */
 void Wall::stop_along(Flight &flight, const Site &site, double v1[3]) {
-  const double *n = site.contact.n, about = aspi_dot(flight.spin, n);
-  double straight[3];
+  const double *n = site.contact.n;
+  double straight[3], spin[3];
   aspi_copy(n, straight);
   aspi_scale(aspi_dot(v1, n), straight);
-  push(flight, site, straight, v1);
-  aspi_copy(n, flight.spin);
-  aspi_scale(about, flight.spin);
+  aspi_copy(n, spin);
+  aspi_scale(aspi_dot(flight.spin, n), spin);
+  brake(flight, site, straight, spin, v1);
 }
 
 /* The impact on the next face of a particle that stays: it comes along the wall. False where it
  * meets none. */
-bool Wall::graze(const Flight &flight, const Site &site, double v1[3], Event &event) {
+bool Wall::graze(Flight &flight, const Site &site, double v1[3], Event &event) {
   const Contact &contact = site.contact;
   double along[3], lay[3];
   aspi_add_scaled(v1, -aspi_dot(v1, contact.n), contact.n, along);
@@ -199,7 +216,8 @@ bool Wall::graze(const Flight &flight, const Site &site, double v1[3], Event &ev
   if (!asp_wall_impact_grazing(model_.wall(), &particle, along, contact.n, site.press, &key,
                                &impact))
     return false;
-  push(flight, site, along, v1);
+  const double spin[3] = {flight.spin[0], flight.spin[1], flight.spin[2]};
+  brake(flight, site, along, spin, v1);
   event = event_at(flight, site, v1);
   event.impact = impact;
   event.grazes = true;

@@ -177,6 +177,8 @@ void Wall::Flight::settle() {
     aspi_subtract(free_half, stay.contact.v_wall, u);
     ContactLoad load(spheres, i, stay.contact.piece, stay.contact.x, s.n, s.p, u);
     load.dissipated = mass * slide_work(s, radius, half, spin);
+    if (s.hold > 0)
+      load.set_couple(spheres, i, stay.contact.x, s.turn);
     stay.wall->add(stay.shape, load);
     aspi_add_scaled(given, 1, s.p, given);
     stay.wall->keep_resting(i, stay.shape, stay.contact);

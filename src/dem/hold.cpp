@@ -135,6 +135,8 @@ void Wall::hold_resting(const std::vector<Wall *> &walls, const Spheres &s, int 
     ContactLoad load(s, i, at[k].face < 0 ? ~at[k].face : at[k].face, x, supports[k].n,
                      supports[k].p, u);
     load.dissipated = s.mass[i] * slid;
+    if (supports[k].hold > 0)
+      load.set_couple(s, i, x, supports[k].turn);
     at[k].wall->add(at[k].shape, load);
   }
 }

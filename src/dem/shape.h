@@ -70,6 +70,10 @@ struct ContactLoad {
   /* Load of particle i with its center at `center`, from an impulse per mass on the particle. */
   ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
               const double impulse_per_mass[3], const double v_before[3]);
+
+  /* Completes a load that has changed the particle's spin by `turn`: what the particle has lost of
+   * angular momentum is the wall's. */
+  void set_couple(const Spheres &s, int i, const double center[3], const double turn[3]);
 };
 
 class Shape {

@@ -278,7 +278,7 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
   bool arrives;
   const bool stays = is_sustained(flight, shape, contact, v1, site.press, arrives) || trapped;
   find_face(flight, site);
-  const bool sustained = stays || is_low(flight, site, v1);
+  const bool low = !stays && is_low(flight, site, v1), sustained = stays || low;
   const double hold =
       trapped || (site.is_new && !sustained) ? 0 : hold_of(flight, site, v1, sustained);
   if (!sustained && hold > 0)
@@ -290,6 +290,8 @@ bool Wall::touch(Flight &flight, size_t shape, Contact &contact, bool trapped) {
     hits = hits || event.impact.outcome == ASP_DEPOSIT;
   }
   if (!hits && (trapped || hold > 0 || !site.moved || !graze(flight, site, v1, event))) {
+    if (low)
+      lose_bounce(flight, site, v1);
     flight.stay(this, shape, contact, hold);
     return false;
   }

@@ -283,12 +283,14 @@ bool solve(std::vector<Support> &supports, double radius, double v[3], double om
 bool asperity::solve_supports(std::vector<Support> &supports, double radius, double v[3],
                               double omega[3]) {
   const bool solved = solve(supports, radius, v, omega);
-  for (const Support &s : supports)
-    if (s.hold > 0 && aspi_dot(s.p, s.n) > 0) { /* it turns about the normal only */
-      const double about = aspi_dot(omega, s.n);
-      aspi_copy(s.n, omega);
-      aspi_scale(about, omega);
-    }
+  for (Support &s : supports) {
+    s.turn[0] = s.turn[1] = s.turn[2] = 0;
+    if (!(s.hold > 0) || !(aspi_dot(s.p, s.n) > 0))
+      continue;
+    aspi_add_scaled(s.turn, -1, omega, s.turn); /* it turns about the normal only */
+    aspi_add_scaled(s.turn, aspi_dot(omega, s.n), s.n, s.turn);
+    aspi_add_scaled(omega, 1, s.turn, omega);
+  }
   return solved;
 }
 

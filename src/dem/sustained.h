@@ -31,6 +31,7 @@ struct Support {
   double friction;
   double hold;      /* tangent of the slope that the valley withstands; 0: there is none */
   double p[3];      /* impulse per mass on the sphere: the result */
+  double turn[3];   /* spin that the valley takes, as a change of omega */
   double change[3]; /* of p, by the last sweep */
 };
 

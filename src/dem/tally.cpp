@@ -25,6 +25,14 @@ static double inertia(const Spheres &s, int i) {
   return 0.4 * s.mass[i] * s.radius[i] * s.radius[i];
 }
 
+void ContactLoad::set_couple(const Spheres &s, int i, const double center[3],
+                             const double turn[3]) {
+  double arm[3];
+  aspi_subtract(center, point, arm);
+  aspi_cross(arm, impulse, couple);
+  aspi_add_scaled(couple, -inertia(s, i), turn, couple);
+}
+
 /* Adds to `count` sums of a piece from `first` on. */
 void Wall::Member::add(int piece, Sum first, int count, const double values[]) {
   for (int k = 0; k < count; k++)
@@ -101,11 +109,9 @@ void Wall::count(const Spheres &s, int i, const Event &event) {
   ContactLoad load(s, i, contact.piece, contact.x, contact.n, p, event.v1);
   /* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
    * particle has lost. */
-  double arm[3], turn[3];
-  aspi_subtract(contact.x, load.point, arm);
-  aspi_cross(arm, load.impulse, load.couple);
-  aspi_subtract(event.omega1, impact.omega, turn);
-  aspi_add_scaled(load.couple, inertia(s, i), turn, load.couple);
+  double turn[3];
+  aspi_subtract(impact.omega, event.omega1, turn);
+  load.set_couple(s, i, contact.x, turn);
   load.dissipated =
       energy - 0.5 * mass * aspi_dot(impact.v2, impact.v2) +
       0.5 * inertia(s, i) *

@@ -295,10 +295,12 @@ private:
   asp_key next_key(const Spheres &s, int i);
   const FacePlace &valley(const Flight &flight, const Site &site, const double v1[3]);
   bool is_low(const Flight &flight, const Site &site, const double v1[3]);
+  void lose_bounce(const Flight &flight, const Site &site, const double v1[3]);
   double hold_of(const Flight &flight, const Site &site, const double v1[3], bool stays);
-  void push(const Flight &flight, const Site &site, const double to[3], double v1[3]);
+  void brake(Flight &flight, const Site &site, const double to[3], const double spin[3],
+             double v1[3]);
   void stop_along(Flight &flight, const Site &site, double v1[3]);
-  bool graze(const Flight &flight, const Site &site, double v1[3], Event &event);
+  bool graze(Flight &flight, const Site &site, double v1[3], Event &event);
   double hold_of(const Spheres &s, int i, const Support &support, const double spin[3]) const;
 
   /* hold.cpp */
