@@ -116,13 +116,13 @@ rows d | awk -F, '{ d = $6 / (sqrt(2) * $4 * (1 + 0.92 * $5 ^ 3) ^ (-1 / 6)) - 1
 head -c 8 s.png | grep -q PNG && [ "$(wc -c < s.png)" -gt 10000 ] || die "surface --plot"
 
 # Bad usage.
-refuses 2 "'lambda_c L' is expected" -- surface surface rq 5um
+refuses 2 "one of these is expected: lambda_c L" -- surface surface rq 5um
 refuses 2 "surface is 'smooth'" -- surface
 refuses 2 "surface is 'sigma'" -- surface surface sigma 10
 refuses 2 "'friction' has no effect" -- surface surface rq 5um lambda_c 40um friction 0.3
 refuses 2 "'bend' is unknown" x_column -- surface surface profile profile.csv --read 'bend 3'
-refuses 2 'rq is -5e-06' '> 0' -- surface surface rq -5um lambda_c 40um
-refuses 2 --dp '-1e-05' -- surface surface rq 5um lambda_c 40um --dp -10um
+refuses 2 'rq is -5um' '> 0' -- surface surface rq -5um lambda_c 40um
+refuses 2 --dp '--dp is -10um' -- surface surface rq 5um lambda_c 40um --dp -10um
 refuses 2 --gaps bend refuse fill -- surface surface profile profile.csv --gaps bend
 refuses 2 --level 0.5 1/e -- surface surface profile profile.csv --level 0.5
 refuses 2 --form 12 '0 to 9' -- surface surface profile profile.csv --form 12

@@ -74,7 +74,7 @@ for both in "sigma 3 rq 1um" "profile plateau map map"; do
 done
 for command in cor spread trade; do
   refuses 2 "'nowhere'" 'No such file' -- $command surface profile nowhere --dp 5um
-  refuses 2 "'lambda_c L' is expected" -- $command surface rq 5um --dp 5um
+  refuses 2 "one of these is expected: lambda_c L" -- $command surface rq 5um --dp 5um
 done
 refuses 2 "'surface' is missing" -- trade --dp 5um
 refuses 2 'has no density on a map' -- spread surface map uneven --dp 5um --pdf

@@ -85,7 +85,7 @@ engine 2 again_map.in
 stuck() { # BEGINNING MESHES STEPS
   script "$1" "mesh n_meshes 2 meshes $2" "$3" "$meshes
 fix drive all move/mesh mesh hi linear 10. 0. 0." |
-    sed 's/^fix w.*/fix w all wall\/rebound mesh n_meshes 2 meshes '"$2"' spread none rebound bons deposit freeze/'
+    sed 's/^fix w.*/fix w all wall\/rebound mesh n_meshes 2 meshes '"$2"' rebound bons deposit freeze/'
   echo "dump end all custom 1 end.txt id x vx f_rebound_w[2] f_stuck_w[1]
 dump_modify end sort id format \"%d %.10g %.10g %.0f %.0f\"
 run 0"

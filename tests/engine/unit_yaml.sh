@@ -8,7 +8,7 @@ folder=$here/../../cmake/lammps/tests
 key() { sed -n "s/^$2: //p" "$1"; }
 block() { awk -v key="$2:" '$1 == key { in_it = 1; next } /^[^ ]/ { in_it = 0 } in_it' "$1"; }
 final() { # FILE: positions, velocities, and the fix's scalar and vector, in digits that say all
-  echo "variable sums string \"\$(f_test:%.17g)$(printf ' $(f_test[%d]:%%.17g)' {1..14})\"
+  echo "variable sums string \"\$(f_test:%.17g)$(printf ' $(f_test[%d]:%%.17g)' {1..20})\"
 print \"\${sums}\" file $1.sums
 write_dump all custom $1.atoms id x y z vx vy vz modify sort id format float %.17g
 variable sums delete"
