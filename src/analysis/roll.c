@@ -26,9 +26,6 @@ enum { PROFILE_RESOLUTION = 128, PROFILE_LENGTH = 1024, MAP_RESOLUTION = 16, MAP
 #define STOP_LENGTH 0.2
 #define STOP_TIME 20.0
 
-/* A sphere begins to roll at this speed. */
-#define SPEED_FIRST 1.5
-
 /* Start: the sphere settles, and is stopped once per unit of time meanwhile; then the slope's
  * tangent rises by RISE s_eff per unit of time, until the sphere is AWAY. */
 #define SETTLE_TIME 100.0
@@ -132,7 +129,7 @@ aspi_roll aspi_ground_roll(const aspi_ground *g, const aspi_slope *slope, double
                            double duration) {
   double unit = aspi_slope_time(slope), half = 0.5 * duration * unit, checked = 0;
   aspi_sphere s = aspi_sphere_place(g, x, y), at_half = s, before = s;
-  s.v[0] = SPEED_FIRST * aspi_slope_speed(slope);
+  s.v[0] = ASPI_ROLL_SPEED * aspi_slope_speed(slope);
   s.omega[1] = 2 * s.v[0] / slope->particle.d_p;
   while (s.time < 2 * half && !s.stuck) {
     aspi_sphere_step(g, slope, &s);

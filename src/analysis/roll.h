@@ -11,6 +11,7 @@
 typedef struct aspi_slope {
   const asp_wall *wall;
   asp_particle particle;
+  double friction;                 /* Coulomb's, of a sphere that stays at the mean wall */
   double lambda_c, gravity, angle; /* angle in rad */
 } aspi_slope;
 
@@ -50,8 +51,9 @@ aspi_sphere aspi_sphere_place(const aspi_ground *ground, double x, double y);
 /* Moves it by one short step. */
 void aspi_sphere_step(const aspi_ground *ground, const aspi_slope *slope, aspi_sphere *sphere);
 
-/* A sphere that begins to roll at (x, y), with 1.5 sqrt(lambda_c gravity), for that time in units
- * of sqrt(lambda_c/gravity). */
+/* A sphere that begins to roll at (x, y), with ASPI_ROLL_SPEED sqrt(lambda_c gravity), for that
+ * time in units of sqrt(lambda_c/gravity). */
+#define ASPI_ROLL_SPEED 1.5
 aspi_roll aspi_ground_roll(const aspi_ground *ground, const aspi_slope *slope, double x, double y,
                            double duration);
 
@@ -59,5 +61,9 @@ aspi_roll aspi_ground_roll(const aspi_ground *ground, const aspi_slope *slope, d
  * slowly from 0; s_eff is that of the wall. INFINITY: it stays beyond 45 degrees. */
 double aspi_ground_start(const aspi_ground *ground, const aspi_slope *slope, double x, double y,
                          double s_eff);
+
+/* The same by the model of the wall, which must be rough: in time steps in units of
+ * sqrt(lambda_c/gravity). */
+aspi_roll aspi_slope_roll(const aspi_slope *slope, double step, double duration, uint64_t tag);
 
 #endif

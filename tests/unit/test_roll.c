@@ -1,5 +1,5 @@
-/* A sphere on a rough slope: the reference by geometry against closed forms, and against numbers of
- * an independent computation (shared units: lambda_c and gravity are 1).
+/* A sphere on a rough slope: the reference by geometry against closed forms, and both the reference
+ * and the model against numbers of an independent computation (units: lambda_c, gravity).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/roll.h"
@@ -9,14 +9,26 @@
 
 #define DEGREE (ASP_PI / 180)
 
-static aspi_slope slope_of(double d_p, double degrees, double e, double mu) {
-  aspi_wall_choice choice = choice_of("walton");
-  assert_true(set_parameter(&choice, "e", e) && set_parameter(&choice, "mu", mu));
-  return (aspi_slope){.wall = wall_of(&choice),
+/* A wall of that rms slope; `plane`: a profile. */
+static aspi_slope slope_on(const char *plane, double slope_rms, double d_p, double degrees,
+                           double e, double mu) {
+  char text[200];
+  snprintf(text, sizeof text, "surface rq %g lambda_c 1 spread visible %s rebound walton %g %g 0",
+           slope_rms / sqrt(2), plane, e, mu);
+  asp_error error = {ASP_OK, ""};
+  asp_wall *wall = asp_wall_from_text(text, d_p, d_p, &error);
+  assert_string_equal(error.text, "");
+  return (aspi_slope){.wall = wall,
                       .particle = {.d_p = d_p},
+                      .friction = mu,
                       .lambda_c = 1,
                       .gravity = 1,
                       .angle = degrees * DEGREE};
+}
+
+/* The reference takes the law only. */
+static aspi_slope slope_of(double d_p, double degrees, double e, double mu) {
+  return slope_on("plane", 0.2, d_p, degrees, e, mu);
 }
 
 static void free_wall(const aspi_slope *slope) {
@@ -114,9 +126,40 @@ static void moves_as_computed_elsewhere(void **state) {
   }
 }
 
+/* Mean speed by the model, on the surface or the profile of slope_rms 0.2. */
+static aspi_running model_speed(bool space, double d_p, double degrees, double step) {
+  aspi_slope slope = slope_on(space ? "" : "plane", 0.2, d_p, degrees, 0.5, 0.3);
+  aspi_running speed = {0, 0, 0};
+  for (uint64_t tag = 1; tag <= 32; tag++) {
+    aspi_roll roll = aspi_slope_roll(&slope, step, space ? 300 : 400, tag);
+    if (!roll.stopped)
+      aspi_running_add(&speed, roll.speed);
+  }
+  assert_true(speed.n > 20);
+  free_wall(&slope);
+  return speed;
+}
+
+/* The model against the same computation, and with a step a tenth as long. */
+static void the_model_moves_as_the_wall(void **state) {
+  (void)state;
+  static const struct {
+    bool space;
+    double d_p, degrees, speed;
+  } rows[] = {{false, 4, 5, 1.492}, {false, 4, 2, 1.142}, {true, 4, 5, 1.384}, {true, 1, 5, 1.399}};
+  for (int i = 0; i < 4; i++) {
+    aspi_running speed = model_speed(rows[i].space, rows[i].d_p, rows[i].degrees, 0.05);
+    print_message("model %.3f, elsewhere %.3f\n", speed.mean, rows[i].speed);
+    assert_near(speed.mean, rows[i].speed, 0.15 * rows[i].speed);
+  }
+  aspi_running coarse = model_speed(false, 4, 5, 0.05), fine = model_speed(false, 4, 5, 0.005);
+  assert_near(coarse.mean, fine.mean, 0.05 * fine.mean);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(rolls_down_a_smooth_slope), cmocka_unit_test(passes_a_bump),
-      cmocka_unit_test(keeps_energy), cmocka_unit_test(moves_as_computed_elsewhere)};
+      cmocka_unit_test(keeps_energy), cmocka_unit_test(moves_as_computed_elsewhere),
+      cmocka_unit_test(the_model_moves_as_the_wall)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
