@@ -21,15 +21,15 @@ bool Ledger::Key::operator<(const Key &other) const {
          std::tie(other.step, other.time, other.tag, other.impact);
 }
 
-Ledger::Ledger(MPI_Comm world, const std::string &owner, int64_t every, const std::string &path,
-               OnError on_error, int columns)
+Ledger::Ledger(MPI_Comm world, int64_t every, const std::string &path, OnError on_error,
+               int columns)
     : world_(world), every_(every), path_(path), on_error_(on_error), n_columns_(columns), saved_(),
       is_open_(false), first_(0), last_(0), lost_(0), columns_(columns), others_(N_FIELDS - N_FULL),
       size_(0), written_(0) {
   MPI_Comm_rank(world_, &rank_);
   MPI_Comm_size(world_, &ranks_);
   if (rank_ == 0 && !path_.empty())
-    file_.reset(new LedgerFile(owner, path, columns));
+    file_.reset(new LedgerFile(path, columns));
 }
 
 Ledger::~Ledger() {}
@@ -48,13 +48,13 @@ std::string Ledger::share(std::string text) const {
   return text;
 }
 
-std::string Ledger::open(const std::string &heading, int64_t step) {
+std::string Ledger::open(const std::string &heading) {
   if (is_open_ || path_.empty())
     return "";
   std::string report, wrong;
   try {
     if (file_)
-      report = file_->open(saved_, heading, step);
+      report = file_->open(saved_, heading);
   } catch (const Error &error) {
     wrong = error.what();
   }
@@ -214,7 +214,7 @@ void Ledger::merge(const std::vector<size_t> &order, const std::vector<long long
 
 /* On rank 0. */
 std::string Ledger::commit(int64_t rows) {
-  const std::string why = file_->commit(rows, static_cast<int64_t>(last_));
+  const std::string why = file_->commit(rows);
   if (why.empty())
     return "";
   lost_ += rows;

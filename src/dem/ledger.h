@@ -25,19 +25,17 @@ public:
   /* Reaction of the engine if rows cannot be written. */
   enum OnError { STOP, GO_ON };
 
-  /* Without a path there is no file. `owner` is what messages call the wall. columns: N_COLUMNS or
-   * N_FULL. */
-  Ledger(MPI_Comm world, const std::string &owner, int64_t every, const std::string &path,
-         OnError on_error, int columns);
+  /* Without a path there is no file. columns: N_COLUMNS or N_FULL. */
+  Ledger(MPI_Comm world, int64_t every, const std::string &path, OnError on_error, int columns);
   ~Ledger();
 
   /* Takes the file's state from a restart file; before open(). */
   void restore(const LedgerState &saved);
 
-  /* Opens the file, on rank 0, with a heading, for rows from `step` on; once, whenever a run
-   * begins. Collective. Throws an Error on all ranks where it cannot be written or continued.
-   * Returns a note for the user, or an empty string. */
-  std::string open(const std::string &heading, int64_t step);
+  /* Opens the file, on rank 0, with a heading; once, whenever a run begins. Collective. Throws an
+   * Error on all ranks where it cannot be written or continued. Returns a note for the user, or an
+   * empty string. */
+  std::string open(const std::string &heading);
 
   void add(const Row &row);
 

@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
-#include <map>
 
 #include "dem/checksum.h"
 #include "dem/error.h"
@@ -23,20 +22,6 @@ using namespace asperity;
 static const int64_t TAIL = 4096;
 static const size_t BUFFER = 1 << 18, HEADING_MOST = 1 << 14;
 
-/* A file that a wall of this process has, or had: two walls must not write the same one, and a wall
- * that is taken away and defined again must not write over its rows. */
-struct LedgerFile::Known {
-  std::string owner, heading;
-  bool is_open;
-  LedgerState state;
-  int64_t step;
-};
-
-LedgerFile::Known &LedgerFile::known() const {
-  static std::map<std::pair<dev_t, ino_t>, Known> files;
-  return files[place_];
-}
-
 static std::string cannot_write(const std::string &path, const std::string &why) {
   return "cannot write the ledger file '" + path + "': " + why;
 }
@@ -45,58 +30,36 @@ static std::string rows_of(int64_t count) {
   return std::to_string(count) + (count == 1 ? " row" : " rows");
 }
 
-LedgerFile::LedgerFile(const std::string &owner, const std::string &path, int columns)
-    : owner_(owner), path_(path), columns_(columns), is_array_(is_ledger_array(path)),
-      is_stream_(false), fd_(-1), place_(), rows_(0), bytes_(0), step_(0), pending_(0),
-      torn_(false) {}
+LedgerFile::LedgerFile(const std::string &path, int columns)
+    : path_(path), columns_(columns), is_array_(is_ledger_array(path)), fd_(-1), rows_(0),
+      bytes_(0), pending_(0), torn_(false) {}
 
 LedgerFile::~LedgerFile() {
-  if (fd_ < 0)
-    return;
-  if (!is_stream_)
-    known() = Known{owner_, heading_, false, state(), step_};
-  close(fd_);
+  if (fd_ >= 0)
+    close(fd_);
 }
 
 /* ---- beginning and continuing ---------------------------------------------------------------- */
 
-std::string LedgerFile::open(const LedgerState &saved, const std::string &heading, int64_t step) {
-  struct stat now;
-  is_stream_ = stat(path_.c_str(), &now) == 0 && !S_ISREG(now.st_mode);
-  bool is_new = true;
-  if (is_stream_)
-    open_stream();
-  else
-    is_new = open_regular(saved);
+std::string LedgerFile::open(const LedgerState &saved, const std::string &heading) {
   try {
-    if (!is_stream_)
-      lock();
-    const std::string report = begin_or_continue(is_new, saved, heading, step);
-    heading_ = heading;
-    step_ = step;
-    if (!is_stream_)
-      known() = Known{owner_, heading, true, LedgerState(), step};
-    return report;
+    const bool is_new = open_or_create(saved);
+    lock();
+    return begin_or_continue(is_new, saved, heading);
   } catch (const Error &) {
-    close(fd_);
+    if (fd_ >= 0)
+      close(fd_);
     fd_ = -1;
     throw;
   }
 }
 
-/* Without waiting for a reader, which may never come. */
-void LedgerFile::open_stream() {
-  if (is_array_)
-    throw Error("the ledger file '" + path_ + "' must be a regular one for an array");
-  fd_ = ::open(path_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-  if (fd_ < 0)
-    throw Error(cannot_write(path_, strerror(errno)));
-  fcntl(fd_, F_SETFL, fcntl(fd_, F_GETFL) & ~O_NONBLOCK);
-}
-
-/* Opens an existing file, or creates it; returns true for a new one. */
-bool LedgerFile::open_regular(const LedgerState &saved) {
+/* Returns true for a new file. A pipe or a device could not be cut back to whole windows. */
+bool LedgerFile::open_or_create(const LedgerState &saved) {
   const int flags = O_RDWR | O_CLOEXEC;
+  struct stat is;
+  if (stat(path_.c_str(), &is) == 0 && !S_ISREG(is.st_mode))
+    throw Error(cannot_write(path_, "it is not a regular file"));
   fd_ = ::open(path_.c_str(), flags);
   const bool is_new = fd_ < 0 && errno == ENOENT;
   if (is_new && saved.path == path_ && saved.rows > 0)
@@ -105,35 +68,23 @@ bool LedgerFile::open_regular(const LedgerState &saved) {
                 " in it; it must be there, or 'ledger' name another file, which begins anew");
   if (is_new)
     fd_ = ::open(path_.c_str(), flags | O_CREAT | O_EXCL, 0666);
-  struct stat is;
-  if (fd_ < 0 || fstat(fd_, &is) != 0)
+  if (fd_ < 0)
     throw Error(cannot_write(path_, strerror(errno)));
-  place_ = std::make_pair(is.st_dev, is.st_ino);
-  if (is_new)
-    known() = Known();
   return is_new;
 }
 
-/* On file systems without locks, only the walls of this process exclude each other. */
+/* Another wall of this process has a lock of its own, too. Some file systems have no locks. */
 void LedgerFile::lock() {
-  if (known().is_open)
-    throw Error("the ledger file '" + path_ + "' is that of " + known().owner +
-                "; each wall must have a file of its own");
   if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw Error("the ledger file '" + path_ +
-                "' is being written by another run; each must have a file of its own");
+                "' is being written by another wall or run; each must have a file of its own");
 }
 
 std::string LedgerFile::begin_or_continue(bool is_new, const LedgerState &saved,
-                                          const std::string &heading, int64_t step) {
+                                          const std::string &heading) {
   const bool same_name = saved.path == path_;
   if (!is_new && !saved.path.empty() && (same_name || holds(saved)))
-    return continue_at(saved, "the restart file");
-  if (!is_new && known().state.rows > 0) {
-    const Known earlier = known();
-    check_known(earlier, heading, step);
-    return continue_at(earlier.state, earlier.owner);
-  }
+    return continue_at(saved);
   begin(heading);
   if (saved.rows == 0 || same_name)
     return "";
@@ -147,7 +98,7 @@ void LedgerFile::begin(const std::string &heading) {
     begin_ = begin_array(heading, columns_);
     first = array_header(begin_, 0);
   }
-  if (!is_stream_ && ftruncate(fd_, 0) != 0)
+  if (ftruncate(fd_, 0) != 0)
     throw Error(cannot_write(path_, strerror(errno)));
   write(first.data(), first.size(), 0);
   if (!why_.empty())
@@ -156,33 +107,21 @@ void LedgerFile::begin(const std::string &heading) {
   bytes_ = static_cast<int64_t>(first.size());
 }
 
-/* Rows of an earlier wall of this run are neither written over nor mixed with those of another
- * wall, or of a run that begins again. */
-void LedgerFile::check_known(const Known &earlier, const std::string &heading, int64_t step) const {
-  const std::string holds = "the ledger file '" + path_ + "' holds " + rows_of(earlier.state.rows) +
-                            " that " + earlier.owner + " wrote earlier in this run";
-  if (heading != earlier.heading)
-    throw Error(holds + ", with other settings (" + earlier.heading +
-                "); this wall must have a file of its own");
-  if (step < earlier.step)
-    throw Error(holds + ", up to step " + std::to_string(earlier.step) + ", and now it is step " +
-                std::to_string(step) + "; a run that begins again must have a file of its own");
-}
-
-std::string LedgerFile::continue_at(const LedgerState &state, const std::string &teller) {
+std::string LedgerFile::continue_at(const LedgerState &state) {
   const std::string advice = "; it must be the file itself, or 'ledger' name another file, which "
                              "begins anew";
   bool torn;
   if (size() < state.bytes) {
     const int64_t found = count_rows(0, torn);
-    throw Error("the ledger file '" + path_ + "' has " + rows_of(found) + ", and " + teller +
-                " counts " + std::to_string(state.rows) + ": " +
+    throw Error("the ledger file '" + path_ + "' has " + rows_of(found) +
+                ", and the restart file counts " + std::to_string(state.rows) + ": " +
                 std::to_string(state.rows - found) + " are missing" + advice);
   }
   check_columns();
   if (!holds(state))
-    throw Error("the ledger file '" + path_ + "' is not that of " + teller +
-                ": its rows before number " + std::to_string(state.rows) + " differ" + advice);
+    throw Error("the ledger file '" + path_ +
+                "' is not that of the restart file: its rows before number " +
+                std::to_string(state.rows) + " differ" + advice);
   const int64_t after = count_rows(state.bytes, torn);
   rows_ = state.rows;
   bytes_ = state.bytes;
@@ -190,7 +129,7 @@ std::string LedgerFile::continue_at(const LedgerState &state, const std::string 
   if (torn_)
     throw Error(cannot_write(path_, why_));
   std::string report = "ledger file '" + path_ + "' continues after the " + rows_of(rows_) +
-                       " that " + teller + " counts";
+                       " that the restart file counts";
   if (after > 0 || torn)
     report += "; " + (after > 0 ? rows_of(after) : std::string()) +
               (after > 0 && torn ? " and " : "") + (torn ? "a part of a row" : "") +
@@ -256,7 +195,7 @@ int64_t LedgerFile::count_rows(int64_t from, bool &torn) const {
 }
 
 LedgerState LedgerFile::state() const {
-  if (fd_ < 0 || is_stream_)
+  if (fd_ < 0)
     return LedgerState();
   return LedgerState{path_, rows_, bytes_, tail_at(bytes_)};
 }
@@ -271,7 +210,7 @@ void LedgerFile::add(const char *bytes, size_t length) {
 
 void LedgerFile::write(const char *bytes, size_t length, int64_t at) {
   while (why_.empty() && length > 0) {
-    const ssize_t done = is_stream_ ? ::write(fd_, bytes, length) : pwrite(fd_, bytes, length, at);
+    const ssize_t done = pwrite(fd_, bytes, length, at);
     if (done < 0 && errno == EINTR)
       continue;
     if (done <= 0) {
@@ -294,8 +233,6 @@ void LedgerFile::write_buffer() {
 
 /* Back to the windows that have ended, and an array's header with them. */
 void LedgerFile::take_back() {
-  if (is_stream_)
-    return;
   why_.clear();
   if (ftruncate(fd_, bytes_) != 0)
     why_ = strerror(errno);
@@ -309,10 +246,10 @@ void LedgerFile::take_back() {
 /* Rows that go to a file without a name are gone with it. */
 bool LedgerFile::is_deleted() const {
   struct stat is;
-  return !is_stream_ && fstat(fd_, &is) == 0 && is.st_nlink == 0;
+  return fstat(fd_, &is) == 0 && is.st_nlink == 0;
 }
 
-std::string LedgerFile::commit(int64_t rows, int64_t step) {
+std::string LedgerFile::commit(int64_t rows) {
   write_buffer();
   if (is_array_) {
     const std::string header = array_header(begin_, rows_ + rows);
@@ -324,7 +261,6 @@ std::string LedgerFile::commit(int64_t rows, int64_t step) {
   if (why.empty()) {
     rows_ += rows;
     bytes_ += pending_;
-    step_ = step;
   } else
     take_back();
   why_.clear();
@@ -334,7 +270,7 @@ std::string LedgerFile::commit(int64_t rows, int64_t step) {
 
 /* Some file systems cannot be asked. */
 std::string LedgerFile::sync() {
-  if (is_stream_ || fsync(fd_) == 0 || errno == EINVAL || errno == ENOTSUP)
+  if (fsync(fd_) == 0 || errno == EINVAL || errno == ENOTSUP)
     return "";
   return strerror(errno);
 }

@@ -1,9 +1,8 @@
-/* The file of a ledger, on the one rank that writes it. A run begins it; a restart or a later wall
- * of the same run continues it. Rows are added when a window of rows ends. If a write fails, the
- * file is cut back to the last row before the window. A file whose name ends with .npy is a
- * one-dimensional structured array in NumPy's format, version 1.0; any other one is CSV. The number
- * of rows in an array's header is updated after the rows are written, so a run that dies leaves a
- * valid file.
+/* The file of a ledger, on the one rank that writes it. A run begins it; a restart continues it.
+ * Rows are added when a window of rows ends. If a write fails, the file is cut back to the last row
+ * before the window. A file whose name ends with .npy is a one-dimensional structured array in
+ * NumPy's format, version 1.0; any other one is CSV. The number of rows in an array's header is
+ * updated after the rows are written, so a run that dies leaves a valid file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_WALL_LEDGER_FILE_H
@@ -11,9 +10,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
-#include <sys/types.h>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -27,17 +24,16 @@ struct LedgerState {
 
 class LedgerFile {
 public:
-  /* `owner` is what messages call the wall. columns: see ledger_format.h. */
-  LedgerFile(const std::string &owner, const std::string &path, int columns);
+  /* columns: see ledger_format.h. */
+  LedgerFile(const std::string &path, int columns);
   ~LedgerFile();
   LedgerFile(const LedgerFile &) = delete;
   LedgerFile &operator=(const LedgerFile &) = delete;
 
-  /* Opens the file for rows from `step` on. Continues it if `saved`, of a restart file, describes
-   * it, or if another wall of this run wrote it; begins it anew otherwise. Throws an Error if it
-   * cannot be written or continued, or is open already. Returns a note for the user, or an empty
-   * string. */
-  std::string open(const LedgerState &saved, const std::string &heading, int64_t step);
+  /* Continues the file if `saved`, of a restart file, describes it; begins it anew otherwise.
+   * Throws an Error if it is not a regular file, cannot be written or continued, or is locked by
+   * another wall or run. Returns a note for the user, or an empty string. */
+  std::string open(const LedgerState &saved, const std::string &heading);
 
   bool is_open() const {
     return fd_ >= 0;
@@ -46,9 +42,9 @@ public:
   /* Rows as the file has them. */
   void add(const char *bytes, size_t length);
 
-  /* The end of a window with that many rows, the last of them of `step`: they are all in the file,
-   * or none. Returns an empty string, or why they are not. */
-  std::string commit(int64_t rows, int64_t step);
+  /* The end of a window with that many rows: they are all in the file, or none. Returns an empty
+   * string, or why they are not. */
+  std::string commit(int64_t rows);
 
   /* Waits until the disk has all of it. Returns an empty string, or why it has not. */
   std::string sync();
@@ -56,17 +52,11 @@ public:
   LedgerState state() const;
 
 private:
-  struct Known;
-
-  bool open_regular(const LedgerState &saved);
-  void open_stream();
+  bool open_or_create(const LedgerState &saved);
   void lock();
-  Known &known() const;
   void begin(const std::string &heading);
-  std::string begin_or_continue(bool is_new, const LedgerState &saved, const std::string &heading,
-                                int64_t step);
-  void check_known(const Known &earlier, const std::string &heading, int64_t step) const;
-  std::string continue_at(const LedgerState &state, const std::string &teller);
+  std::string begin_or_continue(bool is_new, const LedgerState &saved, const std::string &heading);
+  std::string continue_at(const LedgerState &state);
   void check_columns();
   bool holds(const LedgerState &state) const;
   uint32_t tail_at(int64_t bytes) const;
@@ -79,17 +69,15 @@ private:
   void take_back();
   bool is_deleted() const;
 
-  std::string owner_, path_, heading_;
+  std::string path_;
   int columns_;
-  bool is_array_, is_stream_; /* a pipe or a device */
-  std::string begin_;         /* of an array's header, up to the number of its rows */
+  bool is_array_;
+  std::string begin_; /* of an array's header, up to the number of its rows */
   int fd_;
-  std::pair<dev_t, ino_t> place_; /* identify the file, whatever its name */
-  int64_t rows_, bytes_;          /* of the windows that have ended */
-  int64_t step_;                  /* of their last row */
-  int64_t pending_;               /* bytes of this window that have been written */
-  bool torn_;                     /* there may be more than bytes_ in the file */
-  std::string why_;               /* what has gone wrong in this window */
+  int64_t rows_, bytes_; /* of the windows that have ended */
+  int64_t pending_;      /* bytes of this window that have been written */
+  bool torn_;            /* there may be more than bytes_ in the file */
+  std::string why_;      /* what has gone wrong in this window */
   std::vector<char> buffer_;
 };
 

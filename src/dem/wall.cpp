@@ -111,7 +111,7 @@ void Wall::parse_ledger(Words &words) {
     throw Error("columns is '" + columns + "'; it must be full");
   if (!on_error.empty() && path.empty())
     throw Error("on_error is of a ledger's file; 'ledger N file FILE' must come with it");
-  ledger_.reset(new Ledger(engine_.world(), "fix " + engine_.id(), every, path,
+  ledger_.reset(new Ledger(engine_.world(), every, path,
                            on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP,
                            columns.empty() ? Ledger::N_COLUMNS : Ledger::N_FULL));
 }
@@ -127,7 +127,7 @@ void Wall::init(int64_t step, double dt) {
   model_.prepare(types);
   set_clock(step, dt);
   if (ledger_) {
-    const std::string report = ledger_->open(heading(), step);
+    const std::string report = ledger_->open(heading());
     if (!report.empty())
       engine_.print(report);
   }

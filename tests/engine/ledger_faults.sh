@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A ledger's file after faults: rows that are too many, torn, missing, or another file's; two walls with one file;
-# a wall that is taken away and comes back; a disk that is full, and a folder that is gone.
+# a disk that is full, and a folder that is gone.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 400 > grains.data
@@ -80,39 +80,12 @@ refuses rest.in "not one to append to" -- -var kind csv -var out rows.csv
 { head_ 'read_data grains.data'; echo "$wall ledger 70 file rows.csv
 fix v all wall/rebound primitive type 2 zplane 1e-3 ledger 70 file ./rows.csv
 run 10"; } > two.in
-ranks=2 refuses two.in "'./rows.csv' is that of fix w" "a file of its own"
+ranks=2 refuses two.in "'./rows.csv' is being written by another wall or run" "a file of its own"
 cp whole.csv rows.csv
 exec 8<> rows.csv; flock 8
-refuses whole.in "'rows.csv' is being written by another run" -- -var kind csv -var out rows.csv
+refuses whole.in "'rows.csv' is being written by another wall or run" -- -var kind csv -var out rows.csv
 exec 8>&-
 same rows.csv whole.csv "a file that another run has"
-
-# A wall that is taken away and defined again: its rows go on, those of another wall are refused, and so is a
-# run that begins again.
-again() { { head_ 'read_data grains.data'; echo "$wall ledger 70 file rows.$kind
-run 150
-unfix w
-$1
-run 100"; } > again.in; }
-for kind in csv npy; do
-  again "$wall ledger 70 file rows.$kind"
-  engine 1 again.in
-  says again.in.screen 'continues after' "rows that fix w counts"
-  if [ $kind = csv ]; then
-    # Impacts are counted anew, so that their numbers and draws are others; those of the first part are the same.
-    n=$(grep -oE 'after the [0-9]+' again.in.screen | grep -oE '[0-9]+')
-    head -n $((n + 2)) rows.csv > a; head -n $((n + 2)) whole.csv > b; same a b "the rows before unfix"
-    [ "$(count_rows rows.csv)" = "$(count_rows whole.csv)" ] || die "rows after unfix: $(count_rows rows.csv)"
-  else
-    [ "$(count_array rows.npy)" = "$(count_array whole.npy)" ] || die "rows after unfix: $(count_array rows.npy)"
-  fi
-  again "fix w all wall/rebound primitive type 2 zplane 0.0 ledger 70 file rows.$kind"
-  refuses again.in "rows that fix w wrote earlier in this run, with other settings" "surface rq 1e-05"
-  again "clear
-$(head_ 'read_data grains.data')
-$wall ledger 70 file rows.$kind"
-  refuses again.in "rows that fix w wrote earlier in this run, up to step 1" "and now it is step 0"
-done
 
 # Write errors. limited RANKS KILOBYTES SCRIPT: no file may become larger.
 printf '#!/usr/bin/env bash\ntrap "" XFSZ; ulimit -f "$1"; shift; exec "$@"\n' > limit; chmod +x limit
@@ -139,7 +112,7 @@ for kind in csv npy; do
     [ $kind = npy ] || [ "$(tail -c 1 rows.csv | od -An -tx1 | tr -d ' ')" = 0a ] || die "the file has a part of a row"
   done
 done
-ranks=2 refuses full.in "/dev/full" "No space left on device" -- -var out /dev/full -var words "on_error go_on"
+ranks=2 refuses full.in "/dev/full" "it is not a regular file" -- -var out /dev/full -var words "on_error go_on"
 { head_ 'read_data grains.data'; echo "$wall ledger 20 file folder/rows.csv
 run 100
 shell rm folder/rows.csv

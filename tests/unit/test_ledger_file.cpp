@@ -48,7 +48,7 @@ static std::string add_rows(LedgerFile &file, const std::string &path, int step,
       append_line(row, LedgerColumn::N_COLUMNS, bytes);
   }
   file.add(bytes.data(), bytes.size());
-  return file.commit(count, step);
+  return file.commit(count);
 }
 
 static void assert_written(const std::string &why) {
@@ -58,13 +58,6 @@ static void assert_written(const std::string &why) {
 static void assert_says(const std::string &text, const std::string &word) {
   if (text.find(word) == std::string::npos)
     fail_msg("'%s' is not in '%s'", word.c_str(), text.c_str());
-}
-
-/* Of a process that knows nothing of the file: another inode. */
-static void forget(const std::string &path) {
-  const std::string copy = path + ".copy";
-  set_contents(copy, contents(path));
-  assert_int_equal(rename(copy.c_str(), path.c_str()), 0);
 }
 
 static void limit(rlim_t bytes) {
@@ -79,8 +72,8 @@ static void limit(rlim_t bytes) {
 static void full_disk(void **) {
   for (const char *name : {"/full.csv", "/full.npy"}) {
     const std::string path = folder + name;
-    LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-    file.open(LedgerState(), "heading", 0);
+    LedgerFile file(path, LedgerColumn::N_COLUMNS);
+    file.open(LedgerState(), "heading");
     assert_written(add_rows(file, path, 1, 300));
     const std::string good = contents(path);
     for (int rows : {300, 30000}) {
@@ -95,8 +88,8 @@ static void full_disk(void **) {
     const std::string after = contents(path);
     assert_int_equal(file.state().bytes, after.size());
     const std::string other = folder + "/twin-of-" + (name + 1);
-    LedgerFile twin("fix v", other, LedgerColumn::N_COLUMNS);
-    twin.open(LedgerState(), "heading", 0);
+    LedgerFile twin(other, LedgerColumn::N_COLUMNS);
+    twin.open(LedgerState(), "heading");
     add_rows(twin, other, 1, 300);
     add_rows(twin, other, 3, 10);
     assert_true(contents(other) == after);
@@ -105,16 +98,16 @@ static void full_disk(void **) {
 
 static void deleted(void **) {
   const std::string path = folder + "/deleted.csv";
-  LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-  file.open(LedgerState(), "heading", 0);
+  LedgerFile file(path, LedgerColumn::N_COLUMNS);
+  file.open(LedgerState(), "heading");
   assert_written(add_rows(file, path, 1, 3));
   unlink(path.c_str());
   assert_says(add_rows(file, path, 2, 3), "deleted");
 }
 
-static std::string wrong_of_open(LedgerFile &file, const LedgerState &saved, int64_t step) {
+static std::string wrong_of_open(LedgerFile &file, const LedgerState &saved) {
   try {
-    file.open(saved, "heading", step);
+    file.open(saved, "heading");
   } catch (const Error &wrong) {
     return wrong.what();
   }
@@ -127,23 +120,22 @@ static void every_length(void **) {
     const std::string path = folder + name;
     LedgerState state;
     {
-      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-      file.open(LedgerState(), "heading", 0);
+      LedgerFile file(path, LedgerColumn::N_COLUMNS);
+      file.open(LedgerState(), "heading");
       assert_written(add_rows(file, path, 1, 3));
       state = file.state();
     }
     const std::string good = contents(path);
     {
-      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-      file.open(state, "heading", 1);
+      LedgerFile file(path, LedgerColumn::N_COLUMNS);
+      file.open(state, "heading");
       assert_written(add_rows(file, path, 2, 2));
     }
     const std::string longer = contents(path);
     for (size_t length = good.size(); length <= longer.size(); length++) {
       set_contents(path, longer.substr(0, length));
-      forget(path);
-      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-      const std::string report = file.open(state, "heading", 1);
+      LedgerFile file(path, LedgerColumn::N_COLUMNS);
+      const std::string report = file.open(state, "heading");
       assert_true(contents(path) == good);
       assert_true((report.find("cut off") != std::string::npos) == (length > good.size()));
       if (length == longer.size())
@@ -151,9 +143,8 @@ static void every_length(void **) {
     }
     for (size_t length = 0; length < good.size(); length++) {
       set_contents(path, longer.substr(0, length));
-      forget(path);
-      LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-      assert_says(wrong_of_open(file, state, 1), "are missing");
+      LedgerFile file(path, LedgerColumn::N_COLUMNS);
+      assert_says(wrong_of_open(file, state), "are missing");
       assert_int_equal(contents(path).size(), length);
     }
   }
@@ -161,46 +152,32 @@ static void every_length(void **) {
 
 static void two_walls(void **) {
   const std::string path = folder + "/two.csv", link_path = folder + "/link.csv";
-  std::unique_ptr<LedgerFile> first(new LedgerFile("fix first", path, LedgerColumn::N_COLUMNS));
-  first->open(LedgerState(), "heading", 0);
+  std::unique_ptr<LedgerFile> first(new LedgerFile(path, LedgerColumn::N_COLUMNS));
+  first->open(LedgerState(), "heading");
   assert_written(add_rows(*first, path, 5, 3));
   const std::string rows = contents(path);
   assert_int_equal(symlink(path.c_str(), link_path.c_str()), 0);
   for (const std::string &name : {path, link_path}) {
-    LedgerFile second("fix second", name, LedgerColumn::N_COLUMNS);
-    assert_says(wrong_of_open(second, LedgerState(), 5), "is that of fix first");
+    LedgerFile second(name, LedgerColumn::N_COLUMNS);
+    assert_says(wrong_of_open(second, LedgerState()), "is being written by another wall");
   }
-  first.reset();
-  LedgerFile back("fix first", path, LedgerColumn::N_COLUMNS);
-  assert_says(wrong_of_open(back, LedgerState(), 4), "up to step 5, and now it is step 4");
   assert_true(contents(path) == rows);
-  assert_says(back.open(LedgerState(), "heading", 5), "after the 3 rows that fix first counts");
-  assert_written(add_rows(back, path, 6, 1));
-  assert_true(contents(path).compare(0, rows.size(), rows) == 0);
-}
-
-/* A file that was removed since, whose place on the disk the new one may get. */
-static void removed_between(void **) {
-  const std::string path = folder + "/removed.csv";
-  for (int i = 0; i < 3; i++) {
-    LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-    assert_string_equal(file.open(LedgerState(), "heading", 0).c_str(), "");
-    assert_written(add_rows(file, path, 1, 3));
-    unlink(path.c_str());
-  }
+  first.reset();
+  LedgerFile later(path, LedgerColumn::N_COLUMNS);
+  assert_string_equal(later.open(LedgerState(), "heading").c_str(), "");
+  assert_int_equal(later.state().rows, 0);
 }
 
 static void no_file(void **) {
   const std::string path = folder + "/nowhere/rows.csv";
-  LedgerFile file("fix w", path, LedgerColumn::N_COLUMNS);
-  assert_says(wrong_of_open(file, LedgerState(), 0), "No such file");
-  LedgerFile full("fix w", "/dev/full", LedgerColumn::N_COLUMNS);
-  assert_says(wrong_of_open(full, LedgerState(), 0), "No space left");
+  LedgerFile file(path, LedgerColumn::N_COLUMNS);
+  assert_says(wrong_of_open(file, LedgerState()), "No such file");
   const std::string fifo = folder + "/fifo.csv";
   assert_int_equal(mkfifo(fifo.c_str(), 0600), 0);
-  LedgerFile stream("fix w", fifo,
-                    LedgerColumn::N_COLUMNS); /* nobody reads, and it does not wait for somebody */
-  assert_says(wrong_of_open(stream, LedgerState(), 0), "cannot write");
+  for (const std::string &other : {fifo, folder, std::string("/dev/null")}) {
+    LedgerFile irregular(other, LedgerColumn::N_COLUMNS);
+    assert_says(wrong_of_open(irregular, LedgerState()), other + "': it is not a regular file");
+  }
 }
 
 /* LAMMPS has tags of 64 bits where it is built for them. */
@@ -226,10 +203,9 @@ int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(full_disk), cmocka_unit_test(deleted), cmocka_unit_test(every_length),
-      cmocka_unit_test(two_walls), cmocka_unit_test(no_file), cmocka_unit_test(removed_between),
-      cmocka_unit_test(long_tags)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk),    cmocka_unit_test(deleted),
+                                     cmocka_unit_test(every_length), cmocka_unit_test(two_walls),
+                                     cmocka_unit_test(no_file),      cmocka_unit_test(long_tags)};
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;

@@ -95,7 +95,7 @@ void two_dimensions_refuse_what_leaves_them(void **) {
  * columns. */
 void ledger_rows_are_one_block(void **) {
   for (int columns : {+Ledger::N_COLUMNS, +Ledger::N_FULL}) {
-    Ledger ledger(MPI_COMM_WORLD, "fix wall", 10, "", Ledger::STOP, columns);
+    Ledger ledger(MPI_COMM_WORLD, 10, "", Ledger::STOP, columns);
     const int n = 20164;
     assert_non_null(ledger.rows());
     assert_int_equal(ledger.size(), 0);
