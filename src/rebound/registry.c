@@ -55,10 +55,13 @@ asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, d
 }
 
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error) {
-  char list[200] = "", what[100];
-  for (int i = 0; i < law->n_parameters; i++) {
+  for (int i = 0; i < law->n_parameters; i++)
     if (strcmp(law->parameters[i].name, name) == 0)
       return i;
+  if (!error)
+    return -1;
+  char list[200] = "", what[100];
+  for (int i = 0; i < law->n_parameters; i++) {
     size_t used = strlen(list);
     snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "", law->parameters[i].name);
   }
