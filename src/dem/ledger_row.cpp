@@ -38,12 +38,11 @@ static bool is_before(const LedgerRow &a, const LedgerRow &b) {
          std::tie(b[L::STEP], b[L::TIME], b[L::TAG], b[L::IMPACT]);
 }
 
-std::string asperity::commit_rows(std::vector<LedgerRow> &rows, int columns, int64_t step,
-                                  LedgerFile &file) {
+std::string asperity::commit_rows(std::vector<LedgerRow> &rows, int columns, LedgerFile &file) {
   std::vector<char> bytes;
   std::sort(rows.begin(), rows.end(), is_before);
   for (const LedgerRow &row : rows)
     append_line(row, columns, bytes);
   file.add(bytes.data(), bytes.size());
-  return file.commit(static_cast<int64_t>(rows.size()), step);
+  return file.commit(static_cast<int64_t>(rows.size()));
 }

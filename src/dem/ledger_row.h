@@ -14,9 +14,9 @@ namespace asperity {
  * others are 0. */
 LedgerRow impact_row(const double v1[3], const double n[3], const asp_impact &impact);
 
-/* Sorts the rows as a ledger has them, and adds them to its file of CSV, up to `step`. Returns an
+/* Sorts the rows as a ledger has them, and adds them to its file of CSV. Returns an
  * empty string, or why they are not there. */
-std::string commit_rows(std::vector<LedgerRow> &rows, int columns, int64_t step, LedgerFile &file);
+std::string commit_rows(std::vector<LedgerRow> &rows, int columns, LedgerFile &file);
 
 } // namespace asperity
 

@@ -104,8 +104,8 @@ void PatchWalls::open_ledger(PatchWall &wall, const fileName &folder, const stri
   if (!isFile(path) || bytes == 0)
     saved.path.clear();
   try {
-    wall.file.reset(new LedgerFile("entry " + wall.name, path, columns_));
-    Info << wall.file->open(saved, wall.heading(), mesh_.time().timeIndex()).c_str() << endl;
+    wall.file.reset(new LedgerFile(path, columns_));
+    Info << wall.file->open(saved, wall.heading()).c_str() << endl;
   } catch (const Error &error) {
     FatalErrorInFunction << error.what() << exit(FatalError);
   }
@@ -165,7 +165,7 @@ void PatchWalls::flush(PatchWall &wall) const {
       rows.emplace_back();
       std::copy_n(of_rank.begin() + i, width, rows.back().begin());
     }
-  const std::string why = commit_rows(rows, columns_, mesh_.time().timeIndex(), *wall.file);
+  const std::string why = commit_rows(rows, columns_, *wall.file);
   if (!why.empty())
     FatalErrorInFunction << "writing the ledger of entry " << wall.name.c_str()
                          << " failed: " << why.c_str() << exit(FatalError);
