@@ -5,6 +5,7 @@
 #ifndef ASP_ANALYSIS_ROLL_H
 #define ASP_ANALYSIS_ROLL_H
 
+#include "asperity_front.h"
 #include "surface/ball.h"
 
 /* A slope and its sphere. The wall's law must turn particles. */

@@ -40,9 +40,9 @@ static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
   const asp_rebound_law *law = asp_description_rebound(c->words);
   int index = aspi_rebound_parameter_find(law, name, NULL), i = 0;
   const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
-  while (!p && !(aspi_keyword_at(i)->may_fit && strcmp(aspi_keyword_at(i)->name, name) == 0))
+  while (!p && !(asp_keyword_at(i)->may_fit && strcmp(asp_keyword_at(i)->name, name) == 0))
     i++;
-  const aspi_keyword *k = aspi_keyword_at(i);
+  const asp_keyword *k = asp_keyword_at(i);
   aspi_unknown u = {.name = name,
                     .kind = p            ? OF_LAW
                             : *k->within ? OF_SURFACE

@@ -96,7 +96,7 @@ static void list_options(cli_call *call) {
 static void fail_option(const cli_call *call, const char *given) {
   const char *name = call->command->name, *word = given + strspn(given, "-");
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+    const asp_keyword *k = asp_keyword_at(i);
     if (strcmp(k->name, word) == 0)
       cli_bad_usage("%s: '%s' is a word of the description, before all options: %s%s%s %s", name,
                     given, k->within, *k->within ? " " : "", word, k->values);

@@ -60,7 +60,7 @@ static void text_of_all(const cli_command *const *commands) {
 /* The words within one, and those within these. */
 static void put_words(const char *within, int depth) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+    const asp_keyword *k = asp_keyword_at(i);
     if (strcmp(k->within, within) != 0)
       continue;
     printf("%s%*s%s %s\n%*s%s", depth ? "" : "\n", 2 * depth, "", k->name, k->values, 2 * depth + 6,

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <algorithm>
 
+#include "asperity_front.h"
 #include "dem/error.h"
 #include "dem/text.h"
 #include "dem/units.h"
@@ -33,6 +34,10 @@ Model::Model(const Engine &engine)
 
 /* ---- words of the script ----------------------------------------------------------------------
  */
+
+bool Model::is_given(const char *keyword) const {
+  return asp_description_is_given(description_.get(), keyword);
+}
 
 /* Not when this is made, for nothing can be reported there. */
 void Model::begin() {

@@ -90,9 +90,7 @@ private:
   typedef std::unique_ptr<asp_material, void (*)(asp_material *)> Material;
   typedef std::unique_ptr<asp_pair, void (*)(asp_pair *)> Pair;
 
-  bool is_given(const char *keyword) const {
-    return asp_description_is_given(description_.get(), keyword);
-  }
+  bool is_given(const char *keyword) const;
   std::string word(const char *name) const {
     return asp_description_word(description_.get(), name);
   }

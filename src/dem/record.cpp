@@ -8,7 +8,7 @@
 #include <string.h>
 #include <algorithm>
 
-#include "asperity.h"
+#include "asperity_front.h"
 #include "dem/checksum.h"
 #include "dem/error.h"
 

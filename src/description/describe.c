@@ -212,7 +212,7 @@ static void add_deposit(line *l, const asp_description *d) {
   if (aspi_is_given(d, "remove"))
     add(l, "remove");
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+    const asp_keyword *k = asp_keyword_at(i);
     if (strcmp(k->within, "remove") != 0 || !aspi_is_given(d, k->name))
       continue;
     add(l, k->name);
@@ -258,7 +258,7 @@ static const char *behind_word(const char *at) {
 static bool begins_clause(const char *at) {
   size_t length = strcspn(at, " ");
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+    const asp_keyword *k = asp_keyword_at(i);
     if (!*k->within && strlen(k->name) == length && strncmp(k->name, at, length) == 0)
       return true;
   }

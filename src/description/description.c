@@ -50,7 +50,7 @@ void asp_description_free(asp_description *d) {
 
 bool aspi_is_given(const asp_description *d, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(aspi_keyword_at(i)->name, name) == 0 && d->given >> i & 1)
+    if (strcmp(asp_keyword_at(i)->name, name) == 0 && d->given >> i & 1)
       return true;
   return false;
 }
@@ -61,7 +61,7 @@ bool asp_description_is_given(const asp_description *d, const char *keyword) {
 
 void aspi_set_given(asp_description *d, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(aspi_keyword_at(i)->name, name) == 0)
+    if (strcmp(asp_keyword_at(i)->name, name) == 0)
       d->given |= (uint64_t)1 << i;
 }
 
@@ -72,21 +72,21 @@ void asp_description_default_plane(asp_description *d) {
 /* ---- numbers ---- */
 
 /* The keyword of a number; NULL for another name. */
-static const aspi_keyword *number_find(const char *name) {
+static const asp_keyword *number_find(const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
-    if (aspi_keyword_at(i)->number && strcmp(aspi_keyword_at(i)->name, name) == 0)
-      return aspi_keyword_at(i);
+    if (asp_keyword_at(i)->number && strcmp(asp_keyword_at(i)->name, name) == 0)
+      return asp_keyword_at(i);
   return NULL;
 }
 
 double *aspi_description_number(asp_description *d, const char *name) {
-  const aspi_keyword *k = number_find(name);
+  const asp_keyword *k = number_find(name);
   return k ? (double *)((char *)d + k->number) : NULL;
 }
 
 double asp_description_get(const asp_description *d, const char *name) {
   int i = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
-  const aspi_keyword *k = name && i < 0 ? number_find(name) : NULL;
+  const asp_keyword *k = name && i < 0 ? number_find(name) : NULL;
   double value = i >= 0 ? d->choice.parameters[i] : NAN;
   if (k)
     memcpy(&value, (const char *)d + k->number, sizeof value);
@@ -98,7 +98,7 @@ static asp_code fail_name(const asp_description *d, const char *name, asp_error 
   const asp_rebound_law *law = d->choice.law;
   char list[420] = "", what[100];
   for (int i = 0; i < law->n_parameters + aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i < law->n_parameters ? 0 : i - law->n_parameters);
+    const asp_keyword *k = asp_keyword_at(i < law->n_parameters ? 0 : i - law->n_parameters);
     bool is_there =
         i < law->n_parameters || (k->number && (!*k->within || aspi_is_given(d, k->name)));
     size_t used = strlen(list);
@@ -119,7 +119,7 @@ static asp_code set_parameter(asp_description *d, int index, double value, asp_e
   return code;
 }
 
-static asp_code set_number(asp_description *d, const aspi_keyword *k, double value,
+static asp_code set_number(asp_description *d, const asp_keyword *k, double value,
                            asp_error *error) {
   asp_code code = aspi_keyword_check(k, value, error);
   if (code)
@@ -135,7 +135,7 @@ static asp_code set_number(asp_description *d, const aspi_keyword *k, double val
 
 asp_code asp_description_set(asp_description *d, const char *name, double value, asp_error *error) {
   int parameter = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
-  const aspi_keyword *k = name && parameter < 0 ? number_find(name) : NULL;
+  const asp_keyword *k = name && parameter < 0 ? number_find(name) : NULL;
   if (parameter < 0 && (!k || (*k->within && !aspi_is_given(d, name))))
     return fail_name(d, name, error);
   asp_code code = k ? set_number(d, k, value, error) : set_parameter(d, parameter, value, error);

@@ -59,32 +59,16 @@ struct asp_description {
   aspi_cor_table *cor_table;
 };
 
-/* A word of a description. */
-typedef struct aspi_keyword {
-  const char *name;
-  const char *within; /* the keyword that it belongs to; "" where it begins a clause of its own */
-  const char *values; /* as a syntax shows them; "" for none */
-  const char *unit;   /* of a number: its kind, as aspi_quantity_read has them; NULL: no number */
-  size_t number;      /* the offset of its number in asp_description; 0: it has none */
-  double fallback, least, most;
-  bool above; /* it must be more than `least` */
-  bool whole;
-  bool may_fit;         /* see asp_description */
-  const char *standard; /* the default, as text; "" where there is none */
-  const char *text;
-} aspi_keyword;
-
 int aspi_keyword_count(void);
-const aspi_keyword *aspi_keyword_at(int index);
 
 /* The word `name` within another one, which must be there. */
-const aspi_keyword *aspi_keyword_find(const char *within, const char *name);
+const asp_keyword *aspi_keyword_find(const char *within, const char *name);
 
 /* The words within one, with blanks between; `""` for those of clauses. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 
 /* Checks a number's range, and that it is whole where it must be. */
-asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
+asp_code aspi_keyword_check(const asp_keyword *keyword, double value, asp_error *error);
 
 /* An empty description: a smooth wall. */
 asp_description *aspi_description_create(const asp_units *units, asp_error *error);

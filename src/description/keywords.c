@@ -14,7 +14,7 @@
 
 #define NUMBER(member) offsetof(asp_description, member)
 
-static const aspi_keyword keywords[] = {
+static const asp_keyword keywords[] = {
     {.name = "surface",
      .within = "",
      .values =
@@ -304,8 +304,8 @@ int aspi_keyword_count(void) {
   return (int)(sizeof keywords / sizeof *keywords);
 }
 
-const aspi_keyword *aspi_keyword_at(int index) {
-  return &keywords[index];
+const asp_keyword *asp_keyword_at(int index) {
+  return index >= 0 && index < aspi_keyword_count() ? &keywords[index] : NULL;
 }
 
 static int index_of(const char *within, const char *name) {
@@ -315,11 +315,11 @@ static int index_of(const char *within, const char *name) {
   return i;
 }
 
-const aspi_keyword *aspi_keyword_find(const char *within, const char *name) {
+const asp_keyword *aspi_keyword_find(const char *within, const char *name) {
   return &keywords[index_of(within, name)];
 }
 
-asp_code aspi_keyword_check(const aspi_keyword *k, double value, asp_error *error) {
+asp_code aspi_keyword_check(const asp_keyword *k, double value, asp_error *error) {
   if (!k->whole)
     return k->above ? aspi_check_positive(error, k->name, "", value)
                     : aspi_check_range(error, k->name, "", value, k->least, k->most);

@@ -38,7 +38,7 @@ static asp_code take_collisions(aspi_words *r, const char *given) {
 static asp_code read_spread(aspi_words *r) {
   asp_description *d = r->d;
   asp_code code = read_model(r);
-  for (const aspi_keyword *k;
+  for (const asp_keyword *k;
        !code && (k = aspi_words_take_keyword(r, "spread", &code)) != NULL && !code;) {
     if (strcmp(k->name, "tolerance") == 0) {
       code = aspi_words_number(r, "spread", "tolerance", &d->tolerance);
@@ -194,7 +194,7 @@ static asp_code read_removal(aspi_words *r) {
   asp_code code = aspi_words_check_units(r, "removal is");
   double joule = aspi_quantity_factor("energy/area", &r->d->units);
   r->d->choice.flow.work = ASPI_REMOVAL_WORK * joule;
-  for (const aspi_keyword *k;
+  for (const asp_keyword *k;
        !code && (k = aspi_words_take_keyword(r, "remove", &code)) != NULL && !code;)
     code = aspi_words_number(r, "remove", k->name, aspi_description_number(r->d, k->name));
   if (!code && !aspi_is_given(r->d, "gas_density"))
@@ -241,9 +241,9 @@ static asp_code read_clause(aspi_words *r, int clause) {
 }
 
 /* The keyword that a misplaced word belongs to; NULL: it is no word of a description. */
-static const aspi_keyword *find_place(const aspi_words *r, const char *name) {
+static const asp_keyword *find_place(const aspi_words *r, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+    const asp_keyword *k = asp_keyword_at(i);
     if (*k->within && strcmp(k->within, r->d->last) != 0 && strcmp(k->name, name) == 0)
       return k;
   }
@@ -253,7 +253,7 @@ static const aspi_keyword *find_place(const aspi_words *r, const char *name) {
 /* Says where the word belongs, or lists those allowed at the start of a clause: those of all
  * clauses, of the last one, and the caller's. */
 static asp_code fail_keyword(const aspi_words *r, const char *name) {
-  const aspi_keyword *place = find_place(r, name);
+  const asp_keyword *place = find_place(r, name);
   if (place)
     return aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s%s %s%s%s", name,
                      place->within, place->within,
@@ -262,7 +262,7 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
   char list[ASPI_LIST_MOST];
   aspi_keyword_names("", list, sizeof list);
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+    const asp_keyword *k = asp_keyword_at(i);
     size_t used = strlen(list);
     if (*r->d->last && strcmp(k->within, r->d->last) == 0)
       snprintf(list + used, sizeof list - used, " %s", k->name);

@@ -15,7 +15,7 @@
 
 static asp_code read_angle(aspi_words *r, const char *first) {
   asp_description *d = r->d;
-  const aspi_keyword *k = aspi_keyword_find("surface", "lay");
+  const asp_keyword *k = aspi_keyword_find("surface", "lay");
   asp_code code =
       aspi_quantity_read("lay", first, k->unit, &d->units, &d->lay_numbers[0], r->error);
   d->lay = ASP_LAY_ANGLE;

@@ -29,9 +29,9 @@ bool aspi_words_take_once(aspi_words *r, const char *name, asp_code *code) {
   return true;
 }
 
-const aspi_keyword *aspi_words_take_keyword(aspi_words *r, const char *within, asp_code *code) {
+const asp_keyword *aspi_words_take_keyword(aspi_words *r, const char *within, asp_code *code) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+    const asp_keyword *k = asp_keyword_at(i);
     if (strcmp(k->within, within) == 0 && aspi_words_take_once(r, k->name, code))
       return k;
   }
@@ -94,7 +94,7 @@ asp_code aspi_words_add_unknown(aspi_words *r, const char *name) {
 #define SIGMA_START 5
 
 /* The default start of a fit. */
-static asp_code standard_start(aspi_words *r, const aspi_keyword *k, double *value) {
+static asp_code standard_start(aspi_words *r, const asp_keyword *k, double *value) {
   char units[120];
   aspi_quantity_units(k->unit, units, sizeof units);
   if (strcmp(k->unit, "length") == 0)
@@ -106,7 +106,7 @@ static asp_code standard_start(aspi_words *r, const aspi_keyword *k, double *val
 }
 
 asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, double *value) {
-  const aspi_keyword *k = aspi_keyword_find(within, name);
+  const asp_keyword *k = aspi_keyword_find(within, name);
   aspi_set_given(r->d, name);
   const char *given = aspi_words_word(r, name), *start = given;
   if (!given)

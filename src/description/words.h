@@ -29,7 +29,7 @@ bool aspi_words_number_next(const aspi_words *words);
 bool aspi_words_take_once(aspi_words *words, const char *name, asp_code *code);
 
 /* Alike of the words within a keyword; NULL: it is none. */
-const aspi_keyword *aspi_words_take_keyword(aspi_words *words, const char *within, asp_code *code);
+const asp_keyword *aspi_words_take_keyword(aspi_words *words, const char *within, asp_code *code);
 
 /* Takes the next word; NULL and a message that names `what` where there is none. */
 const char *aspi_words_word(aspi_words *words, const char *what);

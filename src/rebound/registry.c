@@ -1,6 +1,7 @@
 /* The list of rebound laws, how their parameters are found by name, and what laws share.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "asperity_front.h"
 #include "base/error.h"
 #include "rebound/laws.h"
 

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "asperity.h"
+#include "asperity_front.h"
 
 /* Fails unless |is - should| <= tolerance; prints both. */
 static inline void check_near(double is, double should, double tolerance, const char *file,

@@ -1,0 +1,155 @@
+/* What the fixes and the command need of the core besides asperity.h. Not installed: it may change
+ * with every version.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_FRONT_H
+#define ASPERITY_FRONT_H
+
+#include "asperity.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#if defined(__GNUC__)
+#pragma GCC visibility push(default)
+#endif
+
+/* ---- description ----------------------------------------------------------------------------- */
+/* The same clause by clause, for a caller with other words in between: begin with
+ * asp_description_parse(""). read takes the clause at the beginning of words[count]; *taken is its
+ * number of words, 0 if the first one is in `others`, the caller's own words with blanks between
+ * (NULL: none). After an error every call fails with it. complete, after the last clause, checks
+ * them together; it may be called again after more clauses. */
+asp_code asp_description_read(asp_description *description, int count, const char *const *words,
+                              const char *others, int *taken, asp_error *error);
+asp_code asp_description_complete(asp_description *description, asp_error *error);
+
+/* Makes `plane` the default tilt, for two dimensions; before a clause is read. */
+void asp_description_default_plane(asp_description *description);
+
+/* True if the words have this keyword. */
+bool asp_description_is_given(const asp_description *description, const char *keyword);
+
+/* The law, and whether its coefficients were measured, and so hold roughness already. */
+const asp_rebound_law *asp_description_rebound(const asp_description *description);
+bool asp_rebound_measured(const asp_rebound_law *law);
+
+/* The length of the first clause of a canonical text with the blank behind it; 0 at its end. */
+size_t asp_description_clause(const char *text);
+
+/* Doubtful constants of particles and a wall: writes the index-th warning, from 0, to `text`, at
+ * most `size` characters; false if there are no more. Warns of a density more than 1 % off that of
+ * the particle's material, a Young's modulus that looks like one in GPa, a yield stress above a
+ * tenth of the composite modulus, and adhesion that holds every impact. `particle` has the density,
+ * the pair, and the largest diameter. Without materials (NULL) it warns of what needs none: heights
+ * over 1000 diameters, friction over 3, a hardness under 1 MPa, R_Sm without its sampling length.
+ */
+bool asp_description_doubt(const asp_description *description, const asp_particle *particle,
+                           const asp_material *of_particle, const asp_material *of_wall, int index,
+                           char *text, size_t size);
+
+/* The speed below which a normal impact of the particle sticks to the mean wall: 0 where the law
+ * needs no pair, where nothing is held, or below 0.001 m/s; INFINITY where every impact up to 10
+ * km/s sticks. `particle` has the density, the pair, and the diameter. 0 in units without a known
+ * speed. */
+double asp_description_capture_speed(const asp_description *description,
+                                     const asp_particle *particle);
+
+/* ASP_ERANGE and a message where the file of a wall tells little about spheres of diameter d_p:
+ * where they cover under 10 points, or it is under 20 correlation lengths long. */
+asp_code asp_description_check_sampling(const asp_description *description, const asp_wall *wall,
+                                        double d_p, asp_error *error);
+
+/* ---- surface --------------------------------------------------------------------------------- */
+/* A Gaussian wall by its two numbers, both in one unit of length and both greater than zero: r_q,
+ * the rms height, and lambda_c, the lag at which the autocorrelation exp(-x^2/lambda_c^2) has
+ * fallen to 1/e; filtered by a disc. phi_r = r_q/lambda_c up to 1. */
+asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error);
+
+/* A Gaussian wall with a lay, as ground and milled ones: the autocorrelation falls to 1/e at
+ * lambda_c across the lay and at lambda_along along it, with ellipses as contours; phi_r up to 0.25
+ * both ways. Equal lengths are a wall without a lay. */
+asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_along,
+                                    asp_error *error);
+
+/* A wall by its measured profile, which need not outlive it: the rms slopes of the profile closed
+ * by discs of `bins` diameters from d_min to d_max at equal ratios (one bin: the geometric mean),
+ * monotone between them, the end values beyond. r_q and lambda_c are the profile's, by the 1/e lag.
+ * spacing <= d_min <= d_max <= length; bins 1 to ASP_BINS_MAX. */
+asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
+                                        int bins, asp_error *error);
+
+/* The Gaussian wall with the numbers of a map: s_q, lambda_1, and with `lay` lambda_2 along it;
+ * without, it is met across its lay everywhere. */
+asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *error);
+void asp_surface_free(asp_surface *surface);
+
+/* The bins of a wall made from a profile; none for other walls. 0 <= bin < asp_surface_bins(). */
+int asp_surface_bins(const asp_surface *surface);
+double asp_surface_bin_d_p(const asp_surface *surface, int bin);
+double asp_surface_bin_slope(const asp_surface *surface, int bin);
+
+/* The standard error of the mean tilt at an impact angle of 2 degrees that comes from the length of
+ * the profile, as a part of sigma: about 1.1 over the root of the length in correlation lengths. 0
+ * for walls without a profile. */
+double asp_surface_uncertainty(const asp_surface *surface);
+
+/* How far a face of the surface reaches, across its lay: the mean way along the mean plane from
+ * one face that looks at a particle to the next, pi r_q/s = (pi/sqrt(2)) lambda_c (Smith's
+ * density of crossings at the mean height). A surface that is given by its slope alone looks the
+ * same to particles of all sizes: its faces are as long as the particle, d_p. */
+double asp_surface_face_length(const asp_surface *surface, double d_p);
+
+/* ---- contacts that follow each other closely ------------------------------------------------- */
+/* A wall is made of faces that have a length. A particle that has met one meets the next after its
+ * contact has moved by that length along the wall; until then it meets the mean wall. A particle
+ * that stays at the wall lies in a valley where it is slow: it is held there until what pushes it
+ * along the wall exceeds `start` times what presses it. See models.md. */
+
+/* The length of a face for a particle whose contact has moved along `along` (any length, projected
+ * on the wall); on a wall with a lay by the ellipse of the two correlation lengths. 0 on a smooth
+ * wall, which has no faces. */
+double asp_wall_face_length(const asp_wall *wall, const asp_particle *particle,
+                            const double along[3], const double n[3]);
+
+/* The contact of a particle that has met its face already: by the law, on the mean wall. As
+ * asp_wall_impact, of which it is the case of a smooth wall. */
+asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
+                              const double v1[3], const double n[3], const asp_key *key,
+                              asp_impact *impact);
+
+/* The contact of a particle that stays at the wall with the next face on its way: v1 counts as it
+ * is along the wall, and the face looks against it, with the law of visible faces at grazing
+ * incidence whatever the spread model. False, and nothing is written, where the particle meets no
+ * face: the wall is smooth, or `press`, the acceleration that presses the particle to the wall,
+ * keeps it on its way over the face. Otherwise as asp_wall_impact. */
+bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                             const double n[3], double press, const asp_key *key,
+                             asp_impact *impact);
+
+/* A valley in which a particle lies. */
+typedef struct asp_valley {
+  double start;  /* tangent of the slope at which the particle starts to move */
+  double height; /* of the lowest crest around it over its bottom: a length */
+} asp_valley;
+
+/* Draws a valley; `along` as above, for the lay. Zeros on a smooth wall. */
+asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
+                           const double along[3], const double n[3], const asp_key *key);
+
+/* True if the shear of a flow along the wall (`deposit freeze remove`) takes a particle away at
+ * once that would stick: where its friction velocity is more than u_tau_c,
+ *   u_tau_c^2 = C_u W/(rho_g d) (W/(d K_c))^(1/3),
+ *   C_u = 1 + Kn (1.2 + 0.41 exp(-0.88/Kn)),  Kn = 2 l/d,  K_c = (4/3) E_c
+ * (El-Batsh, by one published code, original not seen). Such a particle rebounds without adhesion.
+ * rho_g is the gas_density, l the mean_free_path, W the work. */
+bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
+
+#if defined(__GNUC__)
+#pragma GCC visibility pop
+#endif
+#ifdef __cplusplus
+}
+#endif
+
+#endif
