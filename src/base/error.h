@@ -29,6 +29,11 @@ asp_code aspi_check_length(asp_error *error, const char *name, double value);
  * names that there are, with blanks between. */
 asp_code aspi_fail_unknown(asp_error *error, const char *what, const char *name, const char *list);
 
+/* A caller's word; "" where it is NULL. */
+static inline const char *aspi_word_or_empty(const char *word) {
+  return word ? word : "";
+}
+
 /* The place, from 0, of the first `length` characters of a word in a list of words with blanks
  * between, in upper or lower case unless it must be `exact`; -1: it is not there. */
 int aspi_word_index(const char *list, const char *word, size_t length, bool exact);

@@ -12,7 +12,7 @@
 
 uint32_t asp_key_wall(const char *name) {
   uint32_t hash = 2166136261u; /* FNV-1a offset basis and prime */
-  for (const unsigned char *c = (const unsigned char *)name; *c; c++)
+  for (const unsigned char *c = (const unsigned char *)name; c && *c; c++)
     hash = (hash ^ *c) * 16777619u;
   return hash;
 }

@@ -18,6 +18,7 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
     return NULL;
   }
   d->units = units ? *units : si;
+  d->units.name = d->units.name ? d->units.name : "the caller's units";
   d->last = "";
   d->sigma = d->r_q = d->lambda_c = d->r_sm = NAN;
   d->friction = d->surface_energy = d->yield_stress = NAN;

@@ -58,6 +58,7 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
   };
   enum { COUNT = sizeof all / sizeof *all };
   int i = 0;
+  name = aspi_word_or_empty(name);
   while (i < COUNT && strcmp(all[i].name, name) != 0)
     i++;
   if (i == COUNT)
@@ -86,11 +87,12 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
 }
 
 asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error) {
-  return aspi_profile_read(NULL, path, &reader->options, &reader->report, error);
+  return aspi_profile_read(NULL, aspi_word_or_empty(path), &reader->options, &reader->report,
+                           error);
 }
 
 asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error) {
-  return aspi_map_read(NULL, path, &reader->options, &reader->report, error);
+  return aspi_map_read(NULL, aspi_word_or_empty(path), &reader->options, &reader->report, error);
 }
 
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {

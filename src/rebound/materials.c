@@ -50,7 +50,7 @@ int asp_material_count(void) {
 }
 
 const asp_material *asp_material_at(int index) {
-  return &presets[index];
+  return index >= 0 && index < asp_material_count() ? &presets[index] : NULL;
 }
 
 static const char *name_at(int index) {
@@ -67,6 +67,7 @@ const char *asp_material_name(const asp_material *material) {
 }
 
 asp_material *asp_material_create(const char *name, asp_error *error) {
+  name = aspi_word_or_empty(name);
   size_t length = strlen(name) + 1;
   asp_material *material = malloc(sizeof *material + length);
   if (!material) {
@@ -94,6 +95,7 @@ static double *number_of(asp_material *material, const char *name) {
 
 asp_code asp_material_set(asp_material *material, const char *name, double value,
                           asp_error *error) {
+  name = aspi_word_or_empty(name);
   double *number = number_of(material, name);
   if (!number)
     return aspi_fail(error, ASP_ENAME,
@@ -115,6 +117,6 @@ asp_code asp_material_set(asp_material *material, const char *name, double value
 
 double asp_material_get(const asp_material *material, const char *name) {
   asp_material copy = *material;
-  const double *number = number_of(&copy, name);
+  const double *number = number_of(&copy, aspi_word_or_empty(name));
   return number ? *number : NAN;
 }

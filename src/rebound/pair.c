@@ -27,6 +27,11 @@ static double compliance(const asp_material *m) {
 
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall,
                           asp_error *error) {
+  if (!particle || !wall) {
+    aspi_fail(error, ASP_EARG, "a pair needs two materials; the %s's is NULL",
+              particle ? "wall" : "particle");
+    return NULL;
+  }
   if (check(particle, "particle", error) || check(wall, "wall", error))
     return NULL;
   double modulus = 1 / (compliance(particle) + compliance(wall));
@@ -58,6 +63,7 @@ static double *number_of(asp_pair *pair, const char *name) {
 }
 
 asp_code asp_pair_set(asp_pair *pair, const char *name, double value, asp_error *error) {
+  name = aspi_word_or_empty(name);
   double *number = number_of(pair, name);
   if (!number || number == &pair->modulus)
     return aspi_fail(error, ASP_ENAME,
@@ -72,6 +78,6 @@ asp_code asp_pair_set(asp_pair *pair, const char *name, double value, asp_error 
 
 double asp_pair_get(const asp_pair *pair, const char *name) {
   asp_pair copy = *pair;
-  const double *number = number_of(&copy, name);
+  const double *number = number_of(&copy, aspi_word_or_empty(name));
   return number ? *number : NAN;
 }

@@ -18,7 +18,7 @@ int asp_rebound_count(void) {
 }
 
 const asp_rebound_law *asp_rebound_at(int index) {
-  return laws[index];
+  return index >= 0 && index < asp_rebound_count() ? laws[index] : NULL;
 }
 
 static const char *name_at(int index) {
@@ -43,7 +43,7 @@ bool asp_rebound_measured(const asp_rebound_law *law) {
 }
 
 const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index) {
-  return index < law->n_parameters ? &law->parameters[index] : NULL;
+  return index >= 0 && index < law->n_parameters ? &law->parameters[index] : NULL;
 }
 
 asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,

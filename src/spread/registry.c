@@ -15,7 +15,7 @@ int asp_spread_count(void) {
 }
 
 const asp_spread_model *asp_spread_at(int index) {
-  return models[index];
+  return index >= 0 && index < asp_spread_count() ? models[index] : NULL;
 }
 
 static const char *name_at(int index) {

@@ -157,9 +157,9 @@ asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows,
     return NULL;
   const size_t side[2] = {columns, rows};
   for (int i = 0; i < 2; i++)
-    if (side[i] < ASP_MAP_SIDE_LEAST || side[i] > ASP_MAP_SIDE_MOST) {
-      aspi_fail(error, ASP_EARG, "a side of a map has %zu points; it must have %d to %d", side[i],
-                ASP_MAP_SIDE_LEAST, ASP_MAP_SIDE_MOST);
+    if (!heights || side[i] < ASP_MAP_SIDE_LEAST || side[i] > ASP_MAP_SIDE_MOST) {
+      aspi_fail(error, ASP_EARG, "a side of a map has %zu points; it must have %d to %d",
+                heights ? side[i] : 0, ASP_MAP_SIDE_LEAST, ASP_MAP_SIDE_MOST);
       return NULL;
     }
   float *copy = aspi_map_room(columns, rows);

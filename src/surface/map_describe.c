@@ -245,6 +245,7 @@ double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
              {"s_p", d.s_p},          {"s_v", d.s_v},   {"s_z", d.s_z},   {"s_dq", d.s_dq},
              {"s_al", d.s_al},        {"s_tr", d.s_tr}, {"lay", d.lay},   {"lambda_1", d.lambda_1},
              {"lambda_2", d.lambda_2}};
+  name = aspi_word_or_empty(name);
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     if (strcmp(all[i].name, name) == 0)
       return all[i].value;

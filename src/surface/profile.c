@@ -159,9 +159,9 @@ asp_profile *asp_profile_from_heights(const double *heights, size_t points, doub
                                       bool periodic, asp_error *error) {
   if (aspi_check_length(error, "spacing", spacing))
     return NULL;
-  if (points < ASP_POINTS_LEAST) {
-    aspi_fail(error, ASP_EARG, "a profile has %zu points; it must have at least %d", points,
-              ASP_POINTS_LEAST);
+  if (!heights || points < ASP_POINTS_LEAST) {
+    aspi_fail(error, ASP_EARG, "a profile has %zu points; it must have at least %d",
+              heights ? points : 0, ASP_POINTS_LEAST);
     return NULL;
   }
   for (size_t i = 0; i < points; i++)

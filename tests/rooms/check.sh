@@ -56,6 +56,12 @@ comm -13 "$work/described" "$work/rooms" | while read -r name; do say "CONTRIBUT
 comm -23 "$work/described" "$work/rooms" | while read -r name; do say "CONTRIBUTING.md describes src/$name, which is not there, or twice"; done
 cmp -s "$work/described" "$work/rooms" || bad=1
 
+# The test that calls every public function leaves none out.
+grep -oE '\basp_[a-z0-9_]+\(' "$src/asperity.h" | sort -u | while read -r function; do
+  grep -qF "$function" "$src/../tests/unit/test_api.c" || echo "$function"
+done > "$work/uncalled"
+[ ! -s "$work/uncalled" ] || say "tests/unit/test_api.c does not call $(paste -sd' ' "$work/uncalled")"
+
 looked=0
 while IFS=: read -r file include; do
   room=${file#"$src"/}; room=${room%%/*}

@@ -1,0 +1,280 @@
+/* Every public function on every kind of object that the public functions make, with arguments that
+ * are out of their ranges: a result or an error, never a crash. tests/rooms checks that none is
+ * missing here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "check.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+static const double odd[] = {0, -1, 1, 1e-6, NAN, INFINITY, DBL_MAX};
+enum { ODD = sizeof odd / sizeof *odd };
+static const char *const names[] = {NULL,      "",         "nonsense", "friction", "modulus",
+                                    "s_q",     "lambda_c", "metre",    "file",     "bons",
+                                    "visible", "seed",     "density",  "surface"};
+enum { NAMES = sizeof names / sizeof *names };
+
+/* A call that fails has a code and a message. */
+static void failed(bool is, const asp_error *error) {
+  if (!is)
+    return;
+  assert_true(error->code < ASP_OK && *error->text);
+}
+
+static void lists_end(void **state) {
+  (void)state;
+  asp_error error;
+  for (int i = -2; i < 100; i++) {
+    assert_int_equal(asp_spread_at(i) != NULL, i >= 0 && i < asp_spread_count());
+    assert_int_equal(asp_rebound_at(i) != NULL, i >= 0 && i < asp_rebound_count());
+    assert_int_equal(asp_material_at(i) != NULL, i >= 0 && i < asp_material_count());
+    const asp_keyword *keyword = asp_keyword_at(i);
+    assert_true(!keyword || (i >= 0 && *keyword->name));
+    for (int k = 0; k < asp_rebound_count(); k++)
+      assert_true(i >= 0 || !asp_rebound_parameter(asp_rebound_at(k), i));
+  }
+  for (int i = 0; i < NAMES; i++) {
+    failed(!asp_spread_find(names[i], &error), &error);
+    failed(!asp_rebound_find(names[i], &error), &error);
+    asp_key_wall(names[i]);
+  }
+  for (int i = 0; i < asp_spread_count(); i++) {
+    const asp_spread_model *model = asp_spread_at(i);
+    assert_true(*asp_spread_name(model) && *asp_spread_summary(model) && *asp_spread_source(model));
+  }
+  for (int i = 0; i < asp_rebound_count(); i++) {
+    assert_non_null(asp_rebound_name(asp_rebound_at(i)));
+    asp_rebound_needs_pair(asp_rebound_at(i));
+  }
+  assert_true(*asp_version());
+}
+
+static void walk_pair(asp_pair *pair) {
+  asp_error error;
+  for (int i = 0; i < NAMES; i++)
+    for (int k = 0; k < ODD; k++) {
+      failed(asp_pair_set(pair, names[i], odd[k], &error), &error);
+      asp_pair_get(pair, names[i]);
+    }
+  asp_pair_free(pair);
+}
+
+static void materials_and_pairs(void **state) {
+  (void)state;
+  asp_error error;
+  const asp_material *quartz = asp_material_at(0);
+  asp_material *own = asp_material_create(NULL, &error), *bare = asp_material_create("x", &error);
+  assert_non_null(asp_material_name(own));
+  for (int i = 0; i < NAMES; i++)
+    for (int k = 0; k < ODD; k++) {
+      failed(asp_material_set(own, names[i], odd[k], &error), &error);
+      asp_material_get(own, names[i]);
+      asp_material_get(quartz, names[i]);
+    }
+  const asp_material *const all[] = {NULL, quartz, own, bare};
+  for (int i = 0; i < 4; i++)
+    for (int k = 0; k < 4; k++) {
+      asp_pair *pair = asp_pair_create(all[i], all[k], &error);
+      failed(!pair, &error);
+      if (pair)
+        walk_pair(pair);
+    }
+  asp_material_free(own);
+  asp_material_free(bare);
+  asp_material_free(NULL);
+  asp_pair_free(NULL);
+}
+
+static void profiles_and_maps(void **state) {
+  (void)state;
+  asp_error error;
+  static const double bad[4] = {0, NAN, 1, 2}, flat[4] = {1, 1, 1, 1};
+  static const float level[16] = {0};
+  failed(!asp_profile_from_heights(NULL, 10, 1, true, &error), &error);
+  failed(!asp_profile_from_heights(bad, 4, 1, true, &error), &error);
+  for (int i = 0; i < ODD; i++) {
+    asp_profile_free(asp_profile_from_heights(flat, 4, odd[i], false, &error));
+    asp_profile_free(asp_profile_create(odd[i], 1, 0.1, 400, 1, &error));
+    asp_profile_free(asp_profile_create(1e-6, odd[i], 1e-6, 100, 1, &error));
+    asp_map_free(asp_map_from_heights(level, 4, 4, odd[i], odd[ODD - 1 - i], true, &error));
+  }
+  failed(!asp_map_from_heights(NULL, 4, 4, 1, 1, true, &error), &error);
+  failed(!asp_map_from_heights(level, 1, 0, 1, 1, true, &error), &error);
+  asp_profile *profile = asp_profile_from_heights(flat, 4, 1, false, &error);
+  assert_true(asp_profile_points(profile) == 4 && asp_profile_spacing(profile) > 0 &&
+              asp_profile_heights(profile));
+  asp_profile_free(profile);
+  asp_map *map = asp_map_from_heights(level, 4, 4, 1, 1, true, &error);
+  assert_true(asp_map_columns(map) == 4 && asp_map_rows(map) == 4 && asp_map_heights(map));
+  assert_true(asp_map_step_x(map) > 0 && asp_map_step_y(map) > 0);
+  for (int i = 0; i < NAMES; i++)
+    failed(isnan(asp_map_get(map, names[i], &error)), &error);
+  asp_map_free(map);
+  asp_profile_free(NULL);
+  asp_map_free(NULL);
+}
+
+static void readers(void **state) {
+  (void)state;
+  asp_error error;
+  asp_reader *reader = asp_reader_create(&error);
+  assert_non_null(asp_reader_text(reader));
+  assert_int_equal(asp_reader_check(reader, &error), ASP_OK);
+  for (int i = 0; i < NAMES; i++) {
+    for (int k = 0; k < ODD; k++)
+      failed(asp_reader_set(reader, names[i], odd[k], &error), &error);
+    failed(!asp_reader_read(reader, names[i], &error), &error);
+    failed(!asp_reader_read_map(reader, names[i], &error), &error);
+    assert_non_null(asp_reader_text(reader));
+    asp_reader_check(reader, &error);
+  }
+  asp_reader_free(reader);
+  asp_reader_free(NULL);
+}
+
+static void walk_surface(const asp_surface *surface) {
+  asp_error error;
+  if (!surface)
+    return;
+  asp_surface_r_q(surface);
+  asp_surface_lambda_c(surface);
+  asp_surface_lambda_along(surface);
+  asp_surface_phi_r(surface);
+  asp_surface_slope_rms(surface);
+  for (int k = 0; k < ODD; k++) {
+    asp_surface_kappa(surface, odd[k]);
+    asp_surface_slope(surface, odd[k]);
+    failed(asp_surface_check(surface, odd[k], &error), &error);
+  }
+}
+
+/* Impacts of any numbers: a pair is all that may be missing. */
+static void walk_wall(const asp_wall *wall) {
+  asp_error error;
+  asp_impact impact;
+  const asp_key key = {1, 1, 1, 1};
+  const double lay[3] = {1, 0, 0};
+  bool lacks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && !asp_wall_pair(wall);
+  assert_non_null(asp_spread_name(asp_wall_spread(wall)));
+  assert_non_null(asp_wall_reason(wall));
+  walk_surface(asp_wall_surface(wall));
+  for (int i = 0; i < ODD * ODD * ODD; i++) {
+    double a = odd[i % ODD], b = odd[i / ODD % ODD], d_p = odd[i / ODD / ODD];
+    const asp_particle particle = {.d_p = d_p, .density = a, .lay = i % 2 ? lay : NULL};
+    const double v1[3] = {a, 1, b}, n[3] = {0, i % 3 ? 0 : b, i % 5 ? 1 : a};
+    asp_code code = asp_wall_impact(wall, &particle, v1, n, &key, &impact);
+    assert_int_equal(code, lacks ? ASP_EARG : ASP_OK);
+    asp_impact_coefficients(v1, n, &impact);
+    code = asp_wall_impacts(wall, &particle, 1, i % 2 ? &d_p : NULL, v1, n, &key, &impact, &error);
+    failed(code, &error);
+    assert_int_equal(asp_wall_impacts(wall, &particle, 0, NULL, NULL, NULL, NULL, NULL, &error),
+                     ASP_OK);
+  }
+}
+
+/* A description as it is, then with its numbers set, then with heights of the caller's. */
+static void walk_description(asp_description *d, const asp_profile *profile, const asp_map *map) {
+  asp_error error;
+  char text[40];
+  for (int step = 0; step < 3; step++) {
+    for (int i = 0; i < NAMES; i++) {
+      asp_description_word(d, names[i]);
+      asp_description_get(d, names[i]);
+      for (int k = 0; k < ODD && step == 1; k++)
+        failed(asp_description_set(d, names[i], odd[k], &error), &error);
+    }
+    assert_true(asp_description_text(d, NULL, 0) == asp_description_text(d, text, sizeof text));
+    asp_description_lay(d);
+    asp_description_needs_sizes(d);
+    for (int i = -1; i < 3; i++) {
+      const asp_material *m = asp_description_material(d, i);
+      assert_int_equal(m != NULL, i >= 0 && i < asp_description_materials(d));
+      asp_pair *pair = asp_description_pair(d, m, asp_material_at(0), &error);
+      failed(!pair, &error);
+      asp_pair_free(pair);
+    }
+    for (int i = 0; i < ODD; i++) {
+      asp_wall *wall = asp_wall_create(d, odd[i], i % 2 ? 20e-6 : odd[i], &error);
+      failed(!wall, &error);
+      if (wall && (i == 0 || i == 3))
+        walk_wall(wall);
+      asp_wall_free(wall);
+    }
+    if (step == 1) {
+      failed(asp_description_set_profile(d, profile, &error), &error);
+      failed(asp_description_set_map(d, map, &error), &error);
+    }
+  }
+}
+
+static void descriptions_and_walls(void **state) {
+  (void)state;
+  static const char *const texts[] = {
+      "",
+      "rebound constant 0.9 0.9",
+      "surface rq 5um lambda_c 40um materials quartz steel rebound walton 0.9 0.3 0",
+      "surface rq 5um lambda_c 40um 80um lay axial rebound constant 0.9 0.9 seed 3",
+      "surface sigma 8 spread weibull plane collisions single erosion dnv density 7800 rebound "
+      "constant 0.9 0.9",
+      "surface rq 5um lambda_c 40um spread auto tolerance 0.3 rebound constant 0.9 0.9",
+      "surface profile no.csv dp_bins 2 rebound constant 0.9 0.9",
+      "surface profile no.csv spread traced rebound constant 0.9 0.9",
+      "surface map no.sdf dp_bins 1 rebound constant 0.9 0.9",
+      "deposit freeze remove gas_density 1.2 u_tau 2",
+      "friction 0.4 surface_energy 0.1 materials quartz"};
+  const asp_units unknown = {NULL, 0, 0, 0};
+  asp_error error;
+  enum { SIDE = 64 };
+  static float heights[SIDE * SIDE];
+  for (int i = 0; i < SIDE * SIDE; i++)
+    heights[i] = 1e-6F * sinf(0.5F * (float)(i % SIDE)) * cosf(0.4F * (float)i / SIDE);
+  asp_map *map = asp_map_from_heights(heights, SIDE, SIDE, 1e-6, 1e-6, false, &error);
+  asp_profile *profile = asp_profile_create(1e-6, 20e-6, 1e-6, 512, 1, &error);
+  assert_true(map && profile);
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+    for (int k = 0; k < 2; k++) {
+      asp_description *d = asp_description_parse(texts[i], k ? &unknown : NULL, &error);
+      failed(!d, &error);
+      if (d)
+        walk_description(d, profile, map);
+      asp_description_free(d);
+    }
+  failed(!asp_description_parse(NULL, NULL, &error), &error);
+  failed(!asp_description_parse("surface 'rq", NULL, &error), &error);
+  failed(!asp_wall_create(NULL, 0, 0, &error), &error);
+  failed(!asp_wall_from_text(NULL, 0, 0, &error), &error);
+  asp_wall_free(NULL);
+  asp_description_free(NULL);
+  asp_profile_free(profile);
+  asp_map_free(map);
+}
+
+/* A description that a word was wrong in fails for good. */
+static void a_broken_description_stays_so(void **state) {
+  (void)state;
+  asp_error error;
+  int taken;
+  const char *words[] = {"seed", "x"};
+  asp_description *d = asp_description_parse("", NULL, NULL);
+  assert_int_equal(asp_description_read(d, 2, words, NULL, &taken, &error), ASP_EARG);
+  words[1] = "3";
+  assert_int_equal(asp_description_read(d, 2, words, NULL, &taken, &error), ASP_EARG);
+  assert_non_null(strstr(error.text, "seed is 'x'"));
+  assert_int_equal(asp_description_complete(d, &error), ASP_EARG);
+  assert_null(asp_wall_create(d, 0, 0, &error));
+  assert_non_null(strstr(error.text, "seed is 'x'"));
+  asp_description_free(d);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(lists_end),
+      cmocka_unit_test(materials_and_pairs),
+      cmocka_unit_test(profiles_and_maps),
+      cmocka_unit_test(readers),
+      cmocka_unit_test(descriptions_and_walls),
+      cmocka_unit_test(a_broken_description_stays_so),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
