@@ -22,6 +22,7 @@
 
 #include <math.h>
 
+#include "asperity_front.h"
 #include "contact/vector.h"
 
 using namespace asperity;

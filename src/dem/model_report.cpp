@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include "asperity_front.h"
 #include "dem/text.h"
 
 using namespace asperity;

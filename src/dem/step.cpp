@@ -20,6 +20,7 @@
 #include <math.h>
 #include <algorithm>
 
+#include "asperity_front.h"
 #include "contact/contact.h"
 #include "contact/vector.h"
 #include "dem/error.h"
