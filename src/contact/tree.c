@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -310,6 +311,10 @@ int aspi_tree_id(const ContactTree *tree, int place) {
 
 int aspi_tree_place(const ContactTree *tree, int id) {
   size_t lo = 0, hi = tree->count;
+  /* Mostly the numbers have no gaps. */
+  const int64_t rank = hi > 0 ? (int64_t)id - tree->id[tree->by_id[0]] : -1;
+  if (rank >= 0 && rank < (int64_t)hi && tree->id[tree->by_id[rank]] == id)
+    return tree->by_id[rank];
   while (lo < hi) {
     const size_t middle = lo + (hi - lo) / 2;
     if (tree->id[tree->by_id[middle]] < id)
@@ -320,51 +325,70 @@ int aspi_tree_place(const ContactTree *tree, int id) {
   return lo < tree->count && tree->id[tree->by_id[lo]] == id ? tree->by_id[lo] : -1;
 }
 
-static bool overlaps(const ContactNode *node, const double lo[3], const double hi[3]) {
-  for (int d = 0; d < 3; d++)
-    if (node->hi[d] < lo[d] || node->lo[d] > hi[d])
+/* A box, and the ball around its middle of which it is a part; see aspi_tree_meet(). */
+typedef struct Region {
+  const double *lo, *hi;
+  double middle[3], square; /* of the ball's radius */
+} Region;
+
+/* True if the box lo to hi meets both. */
+static inline bool region_meets(const Region *region, const double lo[3], const double hi[3]) {
+  double square = 0;
+  for (int d = 0; d < 3; d++) {
+    if (hi[d] < region->lo[d] || lo[d] > region->hi[d])
       return false;
-  return true;
+    const double *x = region->middle;
+    const double off = aspi_larger(0, aspi_larger(lo[d] - x[d], x[d] - hi[d]));
+    square += off * off;
+  }
+  return square <= region->square;
 }
 
-static bool triangle_overlaps(const ContactTriangle *t, const double lo[3], const double hi[3]) {
-  for (int d = 0; d < 3; d++)
-    if (aspi_larger(t->node[0][d], aspi_larger(t->node[1][d], t->node[2][d])) < lo[d] ||
-        aspi_smaller(t->node[0][d], aspi_smaller(t->node[1][d], t->node[2][d])) > hi[d])
-      return false;
-  return true;
+static bool node_meets(const ContactNode *node, const Region *region) {
+  const double lo[3] = {node->lo[0], node->lo[1], node->lo[2]};
+  const double hi[3] = {node->hi[0], node->hi[1], node->hi[2]};
+  return region_meets(region, lo, hi);
 }
 
-/* Appends the places of the triangles whose boxes meet the box lo to hi. True when it ended early:
- * at the first one where there is no list, else when out of memory. */
-static bool meet(const ContactTree *tree, const double lo[3], const double hi[3],
+static bool triangle_meets(const ContactTriangle *t, const Region *region) {
+  double lo[3], hi[3];
+  aspi_triangle_box(t, lo, hi);
+  return region_meets(region, lo, hi);
+}
+
+/* Appends the places of the triangles whose boxes meet the region. True when it ended early: at the
+ * first one where there is no list, else when out of memory. */
+static bool meet(const ContactTree *tree, const double lo[3], const double hi[3], double reach,
                  ContactList *list) {
+  Region region = {lo, hi, {0, 0, 0}, reach * reach};
+  for (int d = 0; d < 3; d++)
+    region.middle[d] = 0.5 * (lo[d] + hi[d]);
   int stack[CONTACT_TREE_DEPTH], top = 0;
   if (tree->count > 0)
     stack[top++] = 0;
   while (top > 0) {
     const int at = stack[--top];
     const ContactNode *node = &tree->nodes[at];
-    if (!overlaps(node, lo, hi))
+    if (!node_meets(node, &region))
       continue;
     if (node->count == 0) {
       stack[top++] = node->first;
       stack[top++] = at + 1;
     }
     for (int i = node->first; i < node->first + node->count; i++)
-      if (triangle_overlaps(&tree->triangles[i], lo, hi) && (!list || !append(list, i)))
+      if (triangle_meets(&tree->triangles[i], &region) && (!list || !append(list, i)))
         return true;
   }
   return false;
 }
 
 bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]) {
-  return meet(tree, lo, hi, NULL);
+  return meet(tree, lo, hi, INFINITY, NULL);
 }
 
-bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
+bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3], double reach,
                     ContactList *list) {
-  return !meet(tree, lo, hi, list);
+  return !meet(tree, lo, hi, reach, list);
 }
 
 /* The square of the distance of x from a node's box. */

@@ -62,9 +62,9 @@ bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double h
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
                        double widen, double most, const int *skip, int skipped);
 
-/* Appends the places of all triangles whose boxes meet the box lo to hi. False when out of memory.
- */
-bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3],
+/* Appends the places of all triangles whose boxes meet the box lo to hi and come within `reach` of
+ * its middle. False when out of memory. */
+bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3], double reach,
                     ContactList *list);
 
 /* The distance of x from the nearest triangle, or `most` if none is nearer; its place in *place

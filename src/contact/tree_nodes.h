@@ -17,6 +17,13 @@ static inline double aspi_smaller(double a, double b) {
   return a < b ? a : b;
 }
 
+static inline void aspi_triangle_box(const ContactTriangle *t, double lo[3], double hi[3]) {
+  for (int d = 0; d < 3; d++) {
+    lo[d] = aspi_smaller(t->node[0][d], aspi_smaller(t->node[1][d], t->node[2][d]));
+    hi[d] = aspi_larger(t->node[0][d], aspi_larger(t->node[1][d], t->node[2][d]));
+  }
+}
+
 /* A leaf has `count` triangles from `first` on; an inner node has count 0, its one child right
  * behind it, and the other at `first`. */
 typedef struct ContactNode {

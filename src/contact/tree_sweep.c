@@ -12,13 +12,14 @@ static const double SLIVER = 1e-3;
 /* The sphere, and the box around it. */
 typedef struct Sweep {
   double x[3], v[3], reach, widen;
+  double speed;              /* of the point of the sphere that moves fastest */
   double lo[3], hi[3];       /* sides of its box at the beginning */
   double rises[3], falls[3]; /* times in which the upper side goes up by 1, the lower one down */
   bool leaves_up[3], leaves_down[3]; /* the other side moves that way, too */
 } Sweep;
 
 static Sweep sweep_of(const double x[3], const double v[3], double reach, double widen) {
-  Sweep sweep = {.reach = reach, .widen = widen};
+  Sweep sweep = {.reach = reach, .widen = widen, .speed = aspi_length(v) + widen};
   aspi_copy(x, sweep.x);
   aspi_copy(v, sweep.v);
   for (int d = 0; d < 3; d++) {
@@ -33,10 +34,16 @@ static Sweep sweep_of(const double x[3], const double v[3], double reach, double
   return sweep;
 }
 
+/* The time that it needs at least to reach what is at a distance from its center. */
+static inline double sweep_reaches(const Sweep *sweep, double distance) {
+  const double gap = distance - sweep->reach;
+  return gap > 0 ? gap / sweep->speed : 0;
+}
+
 /* The time at which it first meets the box lo to hi, at most `most`; it leaves the box by *end. */
 static inline double sweep_meets(const Sweep *sweep, const double lo[3], const double hi[3],
                                  double most, double *end) {
-  double begin = 0;
+  double begin = 0, square = 0;
   *end = most;
   for (int d = 0; d < 3; d++) {
     const double above = lo[d] - sweep->hi[d], below = sweep->lo[d] - hi[d];
@@ -54,8 +61,11 @@ static inline double sweep_meets(const Sweep *sweep, const double lo[3], const d
       *end = aspi_smaller(*end, below * sweep->falls[d]);
     if (begin > *end)
       return most;
+    const double off = aspi_larger(0, aspi_larger(lo[d] - sweep->x[d], sweep->x[d] - hi[d]));
+    square += off * off;
   }
-  return begin;
+  begin = aspi_larger(begin, sweep_reaches(sweep, sqrt(square)));
+  return begin > *end ? most : begin;
 }
 
 static inline double sweep_meets_node(const Sweep *sweep, const ContactNode *node, double most) {
@@ -82,14 +92,12 @@ static bool sweep_is_within(const Sweep *sweep, const double n[3], double length
   return *begin <= *end;
 }
 
-/* Lower bound by the triangle's box, its plane, and the inner sides of its edges: a sphere that
- * flies along a wall oblique to the axes stays in the boxes of its triangles for long. */
+/* Lower bound by the triangle's box, its plane, the inner sides of its edges, and its distance: a
+ * sphere that flies along a wall oblique to the axes stays in the boxes of its triangles for long,
+ * and one that rests there is near to few of those that its box meets. */
 static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t, double most) {
   double lo[3], hi[3], end;
-  for (int d = 0; d < 3; d++) {
-    lo[d] = aspi_smaller(t->node[0][d], aspi_smaller(t->node[1][d], t->node[2][d]));
-    hi[d] = aspi_larger(t->node[0][d], aspi_larger(t->node[1][d], t->node[2][d]));
-  }
+  aspi_triangle_box(t, lo, hi);
   double begin = sweep_meets(sweep, lo, hi, most, &end);
   if (!(begin < most))
     return most;
@@ -114,7 +122,9 @@ static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t,
     if (!sweep_is_within(sweep, outward, aspi_length(outward), t->node[k], &begin, &end))
       return most;
   }
-  return aspi_smaller(begin, most);
+  double nearest[3];
+  begin = aspi_larger(begin, sweep_reaches(sweep, aspi_triangle_nearest(t, sweep->x, nearest)));
+  return begin > end ? most : aspi_smaller(begin, most);
 }
 
 static bool has(const int *list, int count, int number) {

@@ -210,10 +210,11 @@ int MeshShape::place_near(int piece, const double at[3], double reach) const {
   return aspi_tree_place(tree_.get(), piece);
 }
 
-/* All triangles that meet a box, and some that only come near it: those of a box that is wider by
- * a margin are kept, since a particle that has met one is looked at again from there. */
-const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
-  if (found_.is_set && found_.box.has(box))
+/* All triangles that meet a box within `reach` of its middle, and some that only come near it:
+ * those of a region that is wider by a margin are kept, since a particle that has met one is looked
+ * at again from there. */
+const ContactList &MeshShape::meet(const Bounds &box, double reach, double margin) const {
+  if (found_.has(box, reach))
     return found_.list;
   Bounds wide = box;
   for (int d = 0; d < 3; d++) {
@@ -224,13 +225,24 @@ const ContactList &MeshShape::meet(const Bounds &box, double margin) const {
   const ContactTree *tree = tree_.get();
   found_.is_set = false;
   found_.box = wide;
+  found_.reach = reach + margin;
   found_.list.count = 0;
-  if (!aspi_tree_meet(tree, wide.lo, wide.hi, &found_.list))
+  if (!aspi_tree_meet(tree, wide.lo, wide.hi, found_.reach, &found_.list))
     throw std::bad_alloc();
   std::sort(found_.list.item, found_.list.item + found_.list.count,
             [tree](int a, int b) { return aspi_tree_id(tree, a) < aspi_tree_id(tree, b); });
   found_.is_set = true;
   return found_.list;
+}
+
+/* True if all of a region is in that of the list. */
+bool MeshShape::Meeting::has(const Bounds &inner, double inner_reach) const {
+  double apart[3];
+  if (!is_set || !box.has(inner))
+    return false;
+  for (int d = 0; d < 3; d++)
+    apart[d] = 0.5 * (inner.lo[d] + inner.hi[d] - box.lo[d] - box.hi[d]);
+  return aspi_length(apart) + inner_reach <= reach;
 }
 
 /* Cuts the times from..to to those at which the sphere may meet the box of the triangles. */
@@ -260,8 +272,9 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double latest
     return false;
   for (;;) {
     const double to = std::min(from + piece, most);
+    const double way = speed * (to - from);
     const ContactList &list = meet(Bounds::of_path(body.x, body.v, from, to, 1.001 * radius),
-                                   std::min(speed * (to - from), radius));
+                                   1.001 * radius + 0.5 * way, std::min(way, radius));
     if (list.count > MANY && piece > least) {
       piece = std::max(least, piece / 4);
       continue;

@@ -98,12 +98,14 @@ private:
   struct Places {
     int piece, face;
   };
-  /* The triangles that meet a box, in order of their numbers. */
+  /* The triangles that meet a box within `reach` of its middle, in order of their numbers. */
   struct Meeting {
     ContactList list;
     Bounds box;
+    double reach;
     bool is_set;
-    Meeting() : list(), box(), is_set(false) {}
+    Meeting() : list(), box(), reach(0), is_set(false) {}
+    bool has(const Bounds &inner, double inner_reach) const;
     ~Meeting() {
       aspi_places_free(&list);
     }
@@ -113,7 +115,7 @@ private:
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
   void fetch_missing(const Bounds &box) const;
   int place_near(int piece, const double at[3], double reach) const;
-  const ContactList &meet(const Bounds &box, double margin) const;
+  const ContactList &meet(const Bounds &box, double reach, double margin) const;
   bool clip(const ContactPath &body, double radius, double &from, double &to) const;
   bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,
                   Places &place) const;

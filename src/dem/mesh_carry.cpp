@@ -68,7 +68,8 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   aspi_triangle_normal(aspi_tree_triangle(tree, to), normal);
   if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) {
     /* Beyond an edge the particle stays on the belt only if a neighbor triangle continues it. */
-    const ContactList &list = meet(Bounds::of_path(foot, still, 0, 0, KEEPS * radius), 0);
+    const ContactList &list =
+        meet(Bounds::of_path(foot, still, 0, 0, KEEPS * radius), 2 * KEEPS * radius, 0);
     bool goes_on = false;
     for (size_t i = 0; i < list.count; i++) {
       double other[3], point[3], off[3];

@@ -388,6 +388,12 @@ static void test_along(void **unused) {
   aspi_add_scaled(triangle.node[1], 0.02, outward, x);
   assert_true(aspi_tree_clear(tree, x, bc, reach, widen, 1, NULL, 0) >= 1);
   assert_true(aspi_tree_clear(tree, x, bc, 0.0195, widen, 1, NULL, 0) < 1);
+  /* Aslant over an edge: as near to its plane and to the plane across the edge, but farther away.
+   */
+  aspi_add_scaled(x, 0.02, n, x);
+  const double still[3] = {0, 0, 0};
+  assert_true(aspi_tree_clear(tree, x, still, 0.028, 1e-4, 1, NULL, 0) >= 1);
+  assert_true(aspi_tree_clear(tree, x, still, 0.0283, 1e-4, 1, NULL, 0) < 1);
   aspi_tree_free(tree);
 }
 
@@ -407,7 +413,7 @@ static void test_tree(void **unused) {
         random_vector(0.3, triangles[i].node[k]);
         aspi_add_scaled(triangles[i].node[k], 1, center, triangles[i].node[k]);
       }
-      id[i] = 7 * count - 3 * i;
+      id[i] = 7 * count - (count % 2 ? 3 : 1) * i; /* with gaps, and without */
     }
     ContactTree *tree = aspi_tree_create(triangles, id, (size_t)count);
     assert_non_null(tree);
@@ -426,29 +432,38 @@ static void test_tree(void **unused) {
       assert_memory_equal(aspi_tree_triangle(tree, place), &triangles[i], sizeof triangles[i]);
     }
     assert_int_equal(aspi_tree_place(tree, 7 * count + 1), -1);
+    assert_int_equal(aspi_tree_place(tree, 7 * count - 3 * count - 1), -1);
+    assert_int_equal(aspi_tree_place(tree, -2147483647), -1);
     ContactList list = {0};
     for (int round = 0; round < 50; round++) {
       double x[3], lo[3], hi[3], nearest[3], least = 2;
+      const double reach = round % 3 ? uniform(0, 1.5) : INFINITY;
       random_vector(6, x);
       for (int d = 0; d < 3; d++) {
         lo[d] = x[d] - uniform(0, 1);
         hi[d] = x[d] + uniform(0, 1);
       }
       list.count = 0;
-      assert_true(aspi_tree_meet(tree, lo, hi, &list));
-      size_t meet = 0;
+      assert_true(aspi_tree_meet(tree, lo, hi, reach, &list));
+      size_t meet = 0, in_reach = 0;
       for (int i = 0; i < count; i++) {
         bool meets = true;
+        double square = 0; /* of the distance of its box from the middle */
         for (int d = 0; d < 3; d++) {
           const double *a = triangles[i].node[0], *b = triangles[i].node[1],
                        *c = triangles[i].node[2];
           meets = meets && fmax(a[d], fmax(b[d], c[d])) >= lo[d] &&
                   fmin(a[d], fmin(b[d], c[d])) <= hi[d];
+          const double middle = 0.5 * (lo[d] + hi[d]);
+          const double off =
+              fmax(fmin(a[d], fmin(b[d], c[d])) - middle, middle - fmax(a[d], fmax(b[d], c[d])));
+          square += fmax(0, off) * fmax(0, off);
         }
         meet += meets;
+        in_reach += meets && square <= reach * reach;
         least = fmin(least, aspi_triangle_nearest(&triangles[i], x, nearest));
       }
-      assert_int_equal(list.count, meet);
+      assert_int_equal(list.count, in_reach);
       assert_int_equal(aspi_tree_meets(tree, lo, hi), meet > 0);
       int place;
       const double distance = aspi_tree_distance(tree, x, 2, &place);
