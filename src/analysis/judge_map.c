@@ -16,9 +16,6 @@
 
 enum { PER_LAMBDA = 20, HITS_MOST = 64 };
 
-/* Rms heights that a beam must pass, so that its first hits lie on many peaks of a piece. */
-#define RISE_LEAST 16
-
 /* The specular rebound from a face with that gradient. */
 static void reflect(double v[3], const double gradient[2]) {
   double m[3] = {-gradient[0], -gradient[1], 1};
@@ -152,7 +149,7 @@ asp_map *aspi_judge_map_half(const asp_map *map, size_t half, asp_error *error) 
 double aspi_judge_map_angle_least(const aspi_judge_case *subject) {
   const asp_map *map = subject->map;
   double area = (double)map->columns * map->step[0] * (double)map->rows * map->step[1];
-  double rise = RISE_LEAST * subject->wall.r_q * subject->wall.lambda_1;
+  double rise = ASPI_RISE_LEAST * subject->wall.r_q * subject->wall.lambda_1;
   return aspi_degrees(atan(rise * (double)subject->groups / area));
 }
 

@@ -10,9 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Degrees below this, all of them, may be radians. */
-#define RADIANS_MOST 1.6
-
 /* Noise puts no rebound farther below the wall than this, in degrees. */
 #define BELOW_MOST 20
 
@@ -277,9 +274,9 @@ aspi_measured cli_measured_read(const char *path, const cli_option *options) {
   double most = 0;
   for (size_t i = 0; i < data.count; i++)
     most = fmax(most, data.rows[i].degrees);
-  if (has(&l, ALPHA1) && most < RADIANS_MOST)
+  if (has(&l, ALPHA1) && most < CLI_RADIANS_MOST)
     cli_warn("%s: all impact angles are below %g degrees, which look like radians", path,
-             RADIANS_MOST);
+             CLI_RADIANS_MOST);
   cli_measured_sort(&data);
   return data;
 }

@@ -21,9 +21,6 @@
  * rebound to the side: a ledger's numbers are rounded. */
 #define SIDEWAYS 1e-3
 
-/* Degrees below this, all of them, are radians. */
-#define RADIANS_MOST 1.6
-
 static void *grow(void *list, size_t count, size_t size) {
   if (count & (count - 1))
     return list;
@@ -34,9 +31,9 @@ static void *grow(void *list, size_t count, size_t size) {
 }
 
 static void warn_radians(const char *path, double most, size_t count) {
-  if (count > 0 && most < RADIANS_MOST)
+  if (count > 0 && most < CLI_RADIANS_MOST)
     cli_warn("%s: all impact angles are below %g; they are taken as degrees, but look like radians",
-             path, RADIANS_MOST);
+             path, CLI_RADIANS_MOST);
 }
 
 /* Names of the columns in a ledger's file. */

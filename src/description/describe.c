@@ -149,21 +149,21 @@ static void add_parameter(line *l, const asp_description *d, const asp_parameter
 }
 
 /* A law's parameters and their values. */
-typedef struct law {
+typedef struct law_numbers {
   const asp_parameter *parameters;
   int count;
   const double *values; /* in the caller's units */
   const double *own;    /* in those of the defaults */
-} law;
+} law_numbers;
 
-static bool differs(const asp_description *d, const law *l, int i) {
+static bool differs(const asp_description *d, const law_numbers *l, int i) {
   double value = l->own[i], standard = l->parameters[i].fallback;
   return value < standard || value > standard || (isnan(standard) && !isnan(value)) ||
          aspi_is_fit(d, l->parameters[i].name);
 }
 
 /* Those that follow one word are left out where all have their defaults. */
-static void add_parameters(line *l, const asp_description *d, const law *of) {
+static void add_parameters(line *l, const asp_description *d, const law_numbers *of) {
   for (int i = 0, next; i < of->count; i = next) {
     const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
     bool any = !*keyword;
@@ -185,7 +185,7 @@ static void add_rebound(line *l, const asp_description *d) {
   add(l, of->name);
   if (of->needs_table)
     add_name(l, d->table);
-  add_parameters(l, d, &(law){of->parameters, of->n_parameters, values, values});
+  add_parameters(l, d, &(law_numbers){of->parameters, of->n_parameters, values, values});
   if (d->choice.scatter_twice)
     add(l, "scatter_twice");
 }
@@ -227,7 +227,8 @@ static void add_erosion(line *l, const asp_description *d) {
     return;
   add(l, "erosion");
   add(l, of->name);
-  add_parameters(l, d, &(law){of->parameters, of->n_parameters, erosion->given, erosion->si});
+  add_parameters(l, d,
+                 &(law_numbers){of->parameters, of->n_parameters, erosion->given, erosion->si});
   if (erosion->density > 0)
     add_pair(l, "density", erosion->density);
   add(l, "face");

@@ -58,15 +58,15 @@ static asp_code read_spread(aspi_words *r) {
 }
 
 /* A law as its clause reads it. */
-typedef struct law {
+typedef struct law_clause {
   const asp_parameter *parameters;
   int count;
   bool may_fit, positive; /* positive: those whose least value is 0 are more than that */
   unsigned given;         /* a bit for each parameter */
   asp_code (*take)(aspi_words *r, const asp_parameter *p, int index, double value);
-} law;
+} law_clause;
 
-static asp_code read_parameter(aspi_words *r, const law *l, int index) {
+static asp_code read_parameter(aspi_words *r, const law_clause *l, int index) {
   const asp_parameter *p = &l->parameters[index];
   const char *given = aspi_words_word(r, p->name), *start = given;
   if (!given)
@@ -87,7 +87,7 @@ static asp_code read_parameter(aspi_words *r, const law *l, int index) {
 }
 
 /* The values of all parameters of a law that follow one word; "": its name. */
-static asp_code read_parameters(aspi_words *r, const law *l, const char *keyword) {
+static asp_code read_parameters(aspi_words *r, const law_clause *l, const char *keyword) {
   asp_code code = ASP_OK;
   for (int i = 0; i < l->count && !code; i++)
     if (strcmp(aspi_parameter_keyword(&l->parameters[i]), keyword) == 0)
@@ -96,7 +96,7 @@ static asp_code read_parameters(aspi_words *r, const law *l, const char *keyword
 }
 
 /* The parameters of the next word; *more is false where it has none. */
-static asp_code read_more(aspi_words *r, law *l, bool *more) {
+static asp_code read_more(aspi_words *r, law_clause *l, bool *more) {
   for (int i = 0; i < l->count; i++) {
     const char *keyword = aspi_parameter_keyword(&l->parameters[i]);
     if (!*keyword || !aspi_words_take(r, keyword))
@@ -134,7 +134,7 @@ static asp_code read_rebound(aspi_words *r) {
   const asp_rebound_law *of = name ? asp_rebound_find(name, r->error) : NULL;
   if (!of)
     return name ? ASP_ENAME : ASP_EARG;
-  law l = {of->parameters, of->n_parameters, true, false, 0, take_parameter};
+  law_clause l = {of->parameters, of->n_parameters, true, false, 0, take_parameter};
   aspi_wall_choose_law(&r->d->choice, of);
   asp_code code = read_parameters(r, &l, "");
   if (!code && of->needs_table)
@@ -176,7 +176,7 @@ static asp_code read_erosion(aspi_words *r) {
   if (code)
     return code;
   aspi_erosion_take(erosion, of, &r->d->units);
-  law l = {of->parameters, of->n_parameters, false, true, 0, take_erosion};
+  law_clause l = {of->parameters, of->n_parameters, false, true, 0, take_erosion};
   code = read_parameters(r, &l, "");
   for (bool more = true; more && !code;) {
     if (aspi_words_take_once(r, "face", &code))

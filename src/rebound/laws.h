@@ -9,6 +9,8 @@
 #include "rebound/cor_table.h"
 #include "rebound/materials.h"
 
+#include <math.h>
+
 enum { ASP_PARAMETERS_MAX = 8 };
 
 /* The word of a script that a parameter follows; "" for one that follows the law's name. */
@@ -77,6 +79,13 @@ ASP_REBOUND_LAWS(ASP_REBOUND_DECLARE)
 
 /* A rebound that would be faster than the hit is slowed down to its speed, direction kept: measured
  * coefficients may allow it at some angles, energy does not. */
-aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t);
+static inline aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t) {
+  double n1 = hit->v_n1, t1 = hit->v_t1, n2 = cor_n * n1, t2 = cor_t * t1;
+  double before = n1 * n1 + t1 * t1, after = n2 * n2 + t2 * t2;
+  if (after <= before)
+    return (aspi_bounce){n2, t2, 0};
+  double scale = sqrt(before / after);
+  return (aspi_bounce){scale * n2, scale * t2, 0};
+}
 
 #endif

@@ -1,11 +1,10 @@
-/* The list of rebound laws, how their parameters are found by name, and what laws share.
+/* The list of rebound laws, and how their parameters are found by name.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity_front.h"
 #include "base/error.h"
 #include "rebound/laws.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -68,13 +67,4 @@ int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, as
   }
   snprintf(what, sizeof what, "of rebound law '%s', parameter", law->name);
   return aspi_fail_unknown(error, what, name, *list ? list : "none");
-}
-
-aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t) {
-  double n1 = hit->v_n1, t1 = hit->v_t1, n2 = cor_n * n1, t2 = cor_t * t1;
-  double before = n1 * n1 + t1 * t1, after = n2 * n2 + t2 * t2;
-  if (after <= before)
-    return (aspi_bounce){n2, t2, 0};
-  double scale = sqrt(before / after);
-  return (aspi_bounce){scale * n2, scale * t2, 0};
 }

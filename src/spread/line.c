@@ -12,9 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Rms heights that a beam must fall over a period, so that its first hits lie on many peaks. */
-#define RISE_LEAST 16
-
 /* A steeper beam is vertical. */
 #define FALL_MOST 1e12
 
@@ -39,7 +36,7 @@ static void set_fall_least(aspi_line *line) {
     mean += line->end_z[i] / n;
   for (size_t i = 0; i < line->n; i++)
     square += (line->end_z[i] - mean) * (line->end_z[i] - mean) / n;
-  line->fall_least = RISE_LEAST * sqrt(square) / (n * line->step);
+  line->fall_least = ASPI_RISE_LEAST * sqrt(square) / (n * line->step);
 }
 
 void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t stride) {

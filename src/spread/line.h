@@ -7,6 +7,10 @@
 
 #include "asperity.h"
 
+/* Rms heights that a beam must fall over a period, or over a piece of a map, so that its first hits
+ * lie on many peaks. */
+#define ASPI_RISE_LEAST 16
+
 /* Points of the path over a profile, unless the profile has more. */
 #define ASP_LINE_POINTS_MOST ((size_t)131072)
 

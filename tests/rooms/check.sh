@@ -103,7 +103,7 @@ if [ -n "$objects" ]; then
   [ "$(objects_of c | wc -l)" -gt 60 ] || say "few objects were found in $build"
 
   # No two files of a room need each other, directly or through others.
-  for room in base erosion readers spread surface wall description contact analysis cli; do
+  for room in base erosion readers spread rebound surface wall description contact analysis cli; do
     objects_of c | grep -F ".dir/$room/" | xargs nm -A -g | awk '{ file = $1; sub(/.*\//, "", file); sub(/\.o:.*/, "", file)
         if ($(NF - 1) == "U") uses[file " " $NF]; else of[$NF] = file }
       END { for (u in uses) { split(u, w, " "); if (w[2] in of) print w[1], of[w[2]] } }' > "$work/uses"
