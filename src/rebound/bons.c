@@ -22,8 +22,8 @@
  * the impulse that the law takes from v_t1 is taken from the velocity of the particle's surface,
  * with its angle in place of alpha', and ends where the surface stops, at (2/7) of its speed.
  *
- * The difference of squares is taken as (v - v_a)(v + v_a), and all of it in long double, so that
- * v_n2 keeps its digits near capture, and v_t2 where friction nearly stops the particle.
+ * The difference of squares is taken as (v - v_a)(v + v_a): v_n2^2 is right to some last bits of
+ * v_n1^2, and v_t2 to some of v_t1 (tests/sweep/precision.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/laws.h"
@@ -73,34 +73,32 @@ static const asp_parameter parameters[N_PARAMETERS] = {
 };
 
 /* The share of the yield stress that heat leaves. */
-static long double softened(const double *p, double own) {
+static double softened(const double *p, double own) {
   double temperature = own > 0 ? own : p[TEMPERATURE];
   if (!(temperature > p[SOFTEN_FROM]))
     return 1;
-  long double over = (long double)temperature - p[SOFTEN_FROM];
-  return fmaxl(0, 1 - p[SOFTEN_RATE] * over);
+  return fmax(0, fma(-p[SOFTEN_RATE], temperature - p[SOFTEN_FROM], 1));
 }
 
 /* If nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
-  long double n1 = hit->v_n1, t1 = hit->v_t1, speed2 = n1 * n1 + t1 * t1, density = hit->density;
-  long double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * sqrtl(speed2) : pair->yield_stress;
-  long double v_y = yield * softened(p, hit->temperature) / sqrtl(density * pair->modulus);
-  long double n2 = n1 < v_y ? n1 : v_y;
+  double n1 = hit->v_n1, t1 = hit->v_t1, speed = sqrt(n1 * n1 + t1 * t1), density = hit->density;
+  double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * speed : pair->yield_stress;
+  double v_y = yield * softened(p, hit->temperature) / sqrt(density * pair->modulus);
+  double n2 = fmin(n1, v_y);
   if (hit->adhesion && pair->surface_energy > 0) {
-    long double power = n1 < v_y ? powl(n1 / v_y, p[AREA_C]) : 1;
-    long double share = p[AREA_A] + p[AREA_B] * power;
-    long double v_a = sqrtl(6 * share * pair->surface_energy / (density * hit->d_p));
-    n2 = n2 > v_a ? sqrtl((n2 - v_a) * (n2 + v_a)) : 0;
+    double share = p[AREA_A] + p[AREA_B] * (n1 < v_y ? pow(n1 / v_y, p[AREA_C]) : 1);
+    double v_a = sqrt(6 * share * pair->surface_energy / (density * hit->d_p));
+    n2 = n2 > v_a ? sqrt((n2 - v_a) * (n2 + v_a)) : 0;
   }
-  long double u1 = hit->u_t1, rub = 0;
-  if (p[SPIN] > 0 && u1 > 0)
-    rub = fminl(pair->friction * (n1 + n2) * u1 * u1 / (n1 * n1 + u1 * u1), ASPI_ROLLING * u1);
-  long double t2 = t1;
-  if (t1 > 0)
-    t2 -= pair->friction * (n1 + n2) * t1 * t1 / speed2;
-  return (aspi_bounce){(double)n2, t2 > 0 ? (double)t2 : 0, (double)rub};
+  double u1 = hit->u_t1, pressed = pair->friction * (n1 + n2), rub = 0;
+  if (p[SPIN] > 0 && u1 > 0) {
+    double share = u1 / sqrt(n1 * n1 + u1 * u1);
+    rub = fmin(pressed * share * share, ASPI_ROLLING * u1);
+  }
+  double along = t1 > 0 ? t1 / speed : 0;
+  return (aspi_bounce){n2, fmax(0, t1 - pressed * along * along), rub};
 }
 
 static bool spins(const double *p) {

@@ -37,33 +37,31 @@ static const asp_parameter parameters[N_PARAMETERS] = {
 };
 
 /* Speed after unloading for a given approach speed, and the dent's radius per R. */
-static long double unload(long double n1, long double v_y, long double *radius) {
+static double unload(double n1, double v_y, double *radius) {
   *radius = 1;
   if (n1 <= v_y)
     return n1;
   if (!(v_y > 0))
     return 0;
-  long double ratio = n1 / v_y, x = (sqrtl(1.2L * ratio * ratio - 0.2L) - 1) / 1.5L;
-  *radius = (1 + x) * sqrtl(1 + x) / (1 + 1.5L * x);
-  return v_y * (1 + 1.5L * x) / sqrtl(sqrtl(1 + x));
+  double ratio = n1 / v_y, over = 1.2 * (ratio - 1) * (ratio + 1);
+  double x = over / (1.5 * (1 + sqrt(1 + over)));
+  *radius = (1 + x) * sqrt(1 + x) / (1 + 1.5 * x);
+  return v_y * (1 + 1.5 * x) / sqrt(sqrt(1 + x));
 }
 
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
-  long double n1 = hit->v_n1, density = hit->density, modulus = pair->modulus;
-  long double p_y = p[PRESSURE] * (long double)pair->yield_stress;
-  long double share = p_y / modulus, dent;
-  long double v_y =
-      (long double)(ASP_PI * ASP_PI) / sqrtl(40) * share * share * sqrtl(p_y / density);
-  long double n2 = unload(n1, v_y, &dent);
+  double n1 = hit->v_n1, density = hit->density, modulus = pair->modulus;
+  double p_y = p[PRESSURE] * pair->yield_stress, share = p_y / modulus, dent;
+  double v_y = ASP_PI * ASP_PI / sqrt(40) * share * share * sqrt(p_y / density);
+  double n2 = unload(n1, v_y, &dent);
   if (hit->adhesion && pair->surface_energy > 0) {
-    long double work = 2 * (long double)pair->surface_energy / (0.5L * hit->d_p);
-    long double v_s = 1.84L * powl(work, 5 / 6.0L) / (sqrtl(density) * cbrtl(modulus));
-    long double v_a = v_s * cbrtl(dent * dent);
-    n2 = n2 > v_a ? sqrtl((n2 - v_a) * (n2 + v_a)) : 0;
+    double work = 4 * pair->surface_energy / hit->d_p, root = cbrt(work);
+    double v_s = 1.84 * sqrt(work) * root / (sqrt(density) * cbrt(modulus)); /* work^(5/6) */
+    double v_a = v_s * cbrt(dent * dent);
+    n2 = n2 > v_a ? sqrt((n2 - v_a) * (n2 + v_a)) : 0;
   }
-  double rub = fmin((double)(pair->friction * (n1 + n2)), ASPI_ROLLING * hit->u_t1);
-  return (aspi_bounce){(double)n2, 0, rub};
+  return (aspi_bounce){n2, 0, fmin(pair->friction * (n1 + n2), ASPI_ROLLING * hit->u_t1)};
 }
 
 static bool spins(const double *p) {
