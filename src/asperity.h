@@ -111,10 +111,10 @@ void asp_reader_free(asp_reader *reader);
  *   x_column        of a text file: that of the positions (0: by the header)
  *   step_x          meters between heights of a text file that has no positions (0: it has some)
  *   missing         a height that stands for a missing one, in the file's unit (NaN: there is none)
- *   tip, lambda_s, cutoff, robust
+ *   tip, lambda_s, cutoff
  *                   filters, in meters (0: left out): the radius of the stylus whose dilation is
  *                   undone; the wavelengths below and beyond which a Gaussian filter of ISO
- *                   16610-21 takes waves out; robust 1: the latter by ISO 16610-31
+ *                   16610-21 takes waves out
  * Units, step_x and missing are refused for SDF files, which state them. */
 asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
 
@@ -149,10 +149,10 @@ const float *asp_map_heights(const asp_map *map);
 
 /* The map of a file: SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or
  * lines of x, y, z on a grid, in columns of these names, or where there are three columns. The
- * reader's options count as for profiles: form is the degree of a polynomial in x and y; row,
- * column, x_column and the filters are refused, resample says nothing; besides step_x, step_y
+ * reader's options count as for profiles, but form is the degree of a polynomial in x and y, and
+ * resample has no effect; row, column, x_column and the filters are refused. Also step_x, step_y,
  * meters between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
- * matrices do; step_y: as step_x) Closed formats are refused with the name of a free program that
+ * matrices do; step_y: as step_x). Closed formats are refused with the name of a free program that
  * converts them. */
 asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error);
 
@@ -262,7 +262,7 @@ const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index
 typedef struct asp_particle asp_particle;
 
 /* ---- the description of a wall --------------------------------------------------------------- */
-/* What has been said of a wall, in words, as in a script and in the command:
+/* A description of a wall in words, as in a script and in the command:
  *
  *   surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz hastelloy-x
  *
@@ -306,9 +306,9 @@ asp_code asp_description_set(asp_description *description, const char *name, dou
                              asp_error *error);
 
 /* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread (auto,
- * or the model), tilt, collisions, rebound and deposit; `file` of the profile or the map; `doubt`,
- * what is doubtful about its heights, once asp_wall_create has read it. NULL for another name, and
- * for a file that there is not. */
+ * or the model), tilt, collisions, rebound and deposit; `file` of the profile or the map; `clump`,
+ * that of the grains; `doubt`, what is doubtful about the heights, once asp_wall_create has read
+ * them. NULL for another name, and for a file that there is not. */
 const char *asp_description_word(const asp_description *description, const char *name);
 
 /* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle
@@ -350,7 +350,7 @@ asp_wall *asp_wall_create(asp_description *description, double d_least, double d
                           asp_error *error);
 bool asp_description_needs_sizes(const asp_description *description);
 
-/* The same in one call, from a text in SI units. */
+/* A wall in one call, from a text in SI units. */
 asp_wall *asp_wall_from_text(const char *text, double d_least, double d_most, asp_error *error);
 void asp_wall_free(asp_wall *wall);
 
@@ -375,9 +375,17 @@ typedef struct asp_key {
 /* A number from a wall's name (32-bit FNV-1a): two walls with one seed draw differently. */
 uint32_t asp_key_wall(const char *name);
 
+/* A rigid body by the sphere of it that touches the wall: of a clump, or of an eccentric grain. */
+typedef struct asp_body {
+  double inverse_mass;       /* > 0 */
+  double inverse_inertia[6]; /* about the center of mass, in the axes of the velocities: xx, yy, zz,
+                                xy, xz, yz; an axis without inertia has 0 */
+  double lever[3];           /* from the center of mass to the center of the touching sphere */
+} asp_body;
+
 struct asp_particle {
-  double d_p;           /* diameter, > 0 */
-  double density;       /* > 0 */
+  double d_p;           /* diameter, > 0; of a body that of the touching sphere */
+  double density;       /* > 0; of a body it does not count */
   const asp_pair *pair; /* NULL: that of the wall */
   double omega[3];      /* angular velocity, rad per time, for laws that turn the particle */
   const double *lay;  /* of a wall with a lay, its direction where the particle is: a vector, which
@@ -385,6 +393,7 @@ struct asp_particle {
   double temperature; /* K, in place of that of the description; 0: that one */
   double u_tau;       /* friction velocity of the flow where the particle hits, in place of that of
                          the description; 0: that one */
+  const asp_body *body; /* NULL: a solid sphere */
 };
 
 typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;
@@ -403,18 +412,20 @@ typedef struct asp_impact {
 /* One contact. v1: velocity relative to the wall; n: outward unit normal of the mean wall. The
  * caller ensures v1.n < 0. Afterwards v2.n > 0, or the particle is deposited (v2 = 0), or, on a
  * wall without deposits whose law leaves no normal speed, it slides (v2.n = 0). Kinetic energy
- * never grows; with a law that turns the particle that includes the spin of a solid sphere. No
- * allocation. ASP_EARG, with the velocity and the spin that were given, where the law needs a pair
- * and neither particle nor wall has one. */
+ * never grows; with a law that turns the particle that includes the spin of a solid sphere. Of a
+ * body v1 and v2 are the velocity of its center of mass, and every law turns it; the caller ensures
+ * that the touching sphere approaches, u.n < 0 with u = v1 + omega x lever, and u leaves
+ * afterwards, while v2.n may be anything. A wall with `grain lever` makes every particle without a
+ * body an eccentric one. No allocation. ASP_EARG, with the velocity and the spin that were given,
+ * where the law needs a pair and neither particle nor wall has one. */
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact);
 
-/* n contacts, each as asp_wall_impact makes it: of particles of the diameters d_p[n] (NULL: that of
- * `particle`), and in all else like `particle`, with the velocities v1[3 n], the normals
- * normals[3 n] and the keys keys[n]; to impacts[n]. */
-asp_code asp_wall_impacts(const asp_wall *wall, const asp_particle *particle, size_t n,
-                          const double *d_p, const double *v1, const double *normals,
-                          const asp_key *keys, asp_impact *impacts, asp_error *error);
+/* n contacts, each as asp_wall_impact makes it: of particles[n] with the velocities v1[3 n], the
+ * normals normals[3 n] and the keys keys[n]; to impacts[n]. */
+asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *particles,
+                          const double *v1, const double *normals, const asp_key *keys,
+                          asp_impact *impacts, asp_error *error);
 
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). */
 typedef struct asp_coefficients {
@@ -430,6 +441,10 @@ typedef struct asp_coefficients {
 } asp_coefficients;
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
+
+/* Coefficients of n contacts, in the arrays of asp_wall_impacts; to coefficients[n]. */
+void asp_impacts_coefficients(size_t n, const double *v1, const double *normals,
+                              const asp_impact *impacts, asp_coefficients *coefficients);
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop

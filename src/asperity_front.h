@@ -1,5 +1,5 @@
-/* What the fixes and the command need of the core besides asperity.h. Not installed: it may change
- * with every version.
+/* Functions for the fixes, the command and the Python module, besides asperity.h. Not
+ * installed: it may change with every version.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_FRONT_H
@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* ---- description ----------------------------------------------------------------------------- */
-/* The same clause by clause, for a caller with other words in between: begin with
+/* Parses clause by clause, for a caller with other words in between: begin with
  * asp_description_parse(""). read takes the clause at the beginning of words[count]; *taken is its
  * number of words, 0 if the first one is in `others`, the caller's own words with blanks between
  * (NULL: none). After an error every call fails with it. complete, after the last clause, checks
@@ -23,6 +23,9 @@ extern "C" {
 asp_code asp_description_read(asp_description *description, int count, const char *const *words,
                               const char *others, int *taken, asp_error *error);
 asp_code asp_description_complete(asp_description *description, asp_error *error);
+
+/* ASP_EARG and a message where the law with its parameters has no meaning for bodies. */
+asp_code asp_description_check_bodies(const asp_description *description, asp_error *error);
 
 /* Makes `plane` the default tilt, for two dimensions; before a clause is read. */
 void asp_description_default_plane(asp_description *description);

@@ -1,87 +1,101 @@
 # Measurements and what the laws make of them, from the tables of `asperity compare`.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load '../look.gp'
-set term pngcairo size 1960,1180 font 'sans,10'
+set term pngcairo size 1080,1500 font 'sans,11'
 set output 'output/against_measurements.png'
 set datafile separator ','
 set xrange [-2:92]
 set xtics 15
-k = 'cor_n'
-y(v) = strcol(1) eq k ? v : NaN
+set multiplot title 'Measured coefficients of restitution, and laws with constants as shipped or fitted'
+
+# The columns of asperity compare, and its rows of one coefficient.
+angle = 2; mean = 8; measured = 13; measured_sd = 15
+y(coefficient, v) = strcol(1) eq coefficient ? v : NaN
 file(set, model) = 'output/'.set.'.'.model.'.csv'
 gt = 'grant_tabakoff_1975'
 fo = 'forder_1998'
 kh = 'kharaz_2001'
-# Columns of asperity compare.
-angle = 2; mean = 8; sd = 10; measured = 13; measured_sd = 15
-set style fill transparent solid 0.2 noborder
-set multiplot layout 2,4 title 'Measured coefficients of restitution, and laws with constants as shipped or fitted (see README)'."\n"
+# Panels in two columns and four rows; one key for the upper two rows, one for Kharaz et al.
+low(row) = 0.755 - 0.222 * row - (row > 1 ? 0.035 : 0)
+panel = 'set lmargin at screen left; set rmargin at screen left + 0.41; set bmargin at screen low(row); set tmargin at screen low(row) + 0.165'
+set xlabel 'impact angle / degrees' offset 0,0.4
 
-set key vertical maxrows 8 font ',9' samplen 2
-set xlabel 'impact angle / degrees'
+row = 0; left = 0.075
+@panel
+set key at screen 0.52,0.972 center top vertical maxrows 2 width 1 font ',11'
 set title 'Grant & Tabakoff 1975, sand on Al 2024' noenhanced
 set ylabel 'CoR_N'
 set yrange [0:1.2]
-plot file(gt, 'fitted_normal') using angle:(y(column(mean) - column(sd))):(y(column(mean) + column(sd))) with filledcurves ls law_bons notitle, \
-  file(gt, 'shipped') using angle:(y(column(mean))) with lines ls law_bons dt 3 title 'bons, as shipped, smooth', \
-  file(gt, 'fitted_both') using angle:(y(column(mean))) with lines ls law_bons dt 2 title 'bons, fitted to both: σ < 0.17°', \
-  file(gt, 'fitted_normal') using angle:(y(column(mean))) with lines ls law_bons title 'bons, fitted to CoR_N: σ < 1.1°; ± sd', \
-  file(gt, 'forder') using angle:(y(column(mean))) with lines ls law_table title 'Forder et al. 1998', \
-  file(gt, 'thornton_ning') using angle:(y(column(mean))) with lines ls law_thornton_ning title 'thornton_ning, as shipped, smooth' noenhanced, \
-  file(gt, 'shipped') using angle:(y(column(measured))):(y(column(measured_sd))) with yerrorbars ls data title 'measured, mean ± sd', \
-  '-' using 1:2 with points ls data pt 2 ps 1.6 lw 2 title 'three published sets at 30°'
-30,0.43
-30,0.55
-30,0.63
-e
-k = 'cor_t'
+plot file(gt, 'shipped') using angle:(y('cor_n', column(measured))):(y('cor_n', column(measured_sd))) with yerrorbars ls data title 'measured; ± sd where known', \
+  file(gt, 'shipped') using angle:(y('cor_n', column(mean))) with lines ls law_bons dt 3 title 'bons, as shipped', \
+  file(gt, 'fitted_normal') using angle:(y('cor_n', column(mean))) with lines ls law_bons title 'bons, fitted', \
+  file(gt, 'thornton_ning') using angle:(y('cor_n', column(mean))) with lines ls law_thornton_ning title 'thornton\_ning, as shipped', \
+  file(gt, 'forder') using angle:(y('cor_n', column(mean))) with lines ls law_table title 'table: Forder et al.', \
+  NaN with lines ls law_grant_tabakoff title 'grant\_tabakoff'
+unset key
+left = 0.575
+@panel
 set ylabel 'CoR_T'
-set yrange [0.2:1.2]
-plot file(gt, 'fitted_normal') using angle:(y(column(mean) - column(sd))):(y(column(mean) + column(sd))) with filledcurves ls law_bons notitle, \
-  file(gt, 'shipped') using angle:(y(column(mean))) with lines ls law_bons dt 3 title 'bons, as shipped, smooth', \
-  file(gt, 'fitted_both') using angle:(y(column(mean))) with lines ls law_bons dt 2 title 'bons, fitted to both: σ < 0.17°', \
-  file(gt, 'fitted_normal') using angle:(y(column(mean))) with lines ls law_bons title 'bons, fitted to CoR_N: σ < 1.1°; ± sd', \
-  file(gt, 'forder') using angle:(y(column(mean))) with lines ls law_table title 'Forder et al. 1998', \
-  file(gt, 'thornton_ning') using angle:(y(column(mean))) with lines ls law_thornton_ning title 'thornton_ning, as shipped, smooth' noenhanced, \
-  file(gt, 'shipped') using angle:(y(column(measured))):(y(column(measured_sd))) with yerrorbars ls data title 'measured, mean ± sd'
+plot file(gt, 'shipped') using angle:(y('cor_t', column(measured))):(y('cor_t', column(measured_sd))) with yerrorbars ls data, \
+  file(gt, 'shipped') using angle:(y('cor_t', column(mean))) with lines ls law_bons dt 3, \
+  file(gt, 'fitted_normal') using angle:(y('cor_t', column(mean))) with lines ls law_bons, \
+  file(gt, 'thornton_ning') using angle:(y('cor_t', column(mean))) with lines ls law_thornton_ning, \
+  file(gt, 'forder') using angle:(y('cor_t', column(mean))) with lines ls law_table
 
+row = 1; left = 0.075
+@panel
+set title 'Forder et al. 1998, materials not named' noenhanced
+set ylabel 'CoR_N'
+plot file(fo, 'shipped') using angle:(y('cor_n', column(measured))) with points ls data, \
+  file(fo, 'shipped') using angle:(y('cor_n', column(mean))) with lines ls law_bons dt 3, \
+  file(fo, 'fitted') using angle:(y('cor_n', column(mean))) with lines ls law_bons, \
+  file(fo, 'thornton_ning') using angle:(y('cor_n', column(mean))) with lines ls law_thornton_ning, \
+  file(fo, 'grant_tabakoff') using angle:(y('cor_n', column(mean))) with lines ls law_grant_tabakoff
+left = 0.575
+@panel
+set ylabel 'CoR_T'
+plot file(fo, 'shipped') using angle:(y('cor_t', column(measured))) with points ls data, \
+  file(fo, 'shipped') using angle:(y('cor_t', column(mean))) with lines ls law_bons dt 3, \
+  file(fo, 'fitted') using angle:(y('cor_t', column(mean))) with lines ls law_bons, \
+  file(fo, 'thornton_ning') using angle:(y('cor_t', column(mean))) with lines ls law_thornton_ning, \
+  file(fo, 'grant_tabakoff') using angle:(y('cor_t', column(mean))) with lines ls law_grant_tabakoff
+
+row = 2; left = 0.075
+@panel
+set key at screen 0.53,0.496 center top vertical maxrows 2 width 1 font ',11'
 set title 'Kharaz et al. 2001, 5 mm alumina on glass' noenhanced
 set yrange [0.5:1.1]
-plot file(kh, 'walton') using angle:(y(column(mean))) with lines ls law_walton title 'walton e 0.98, mu 0.092, beta0 0' noenhanced, \
-  file(kh, 'walton_compliance') using angle:(y(column(mean))) with lines ls law_walton dt 2 title 'the same, compliance 0.7 (fitted)', \
-  file(kh, 'bons') using angle:(y(column(mean))) with lines ls law_bons dt 3 title 'bons with that mu', \
-  file(kh, 'bons_fitted') using angle:(y(column(mean))) with lines ls law_bons title 'bons, mu fitted: 0.29', \
-  file(kh, 'walton') using angle:(y(column(measured))) with points ls data title 'measured, means'
-
+plot file(kh, 'walton') using angle:(y('cor_t', column(measured))) with points ls data title 'measured', \
+  file(kh, 'walton') using angle:(y('cor_t', column(mean))) with lines ls law_walton title 'walton, as measured', \
+  file(kh, 'walton_compliance') using angle:(y('cor_t', column(mean))) with lines ls law_walton dt 2 title 'walton, compliance 0.7 (fitted)', \
+  NaN with points ls data pt 6 ps 1.1 title 'test 4 of Chung \& Ooi', \
+  file(kh, 'bons') using angle:(y('cor_t', column(mean))) with lines ls law_bons dt 3 title 'bons with that µ', \
+  file(kh, 'bons_fitted') using angle:(y('cor_t', column(mean))) with lines ls law_bons title 'bons, µ fitted'
+unset key
 spins(model) = 'output/kharaz_spin.'.model.'.csv'
 curve(model) = 'output/kharaz_spin.'.model.'.curve'
-row(kind, quantity, v) = (strcol(1) eq kind && strcol(2) eq quantity) ? v : NaN
+of(kind, quantity, v) = (strcol(1) eq kind && strcol(2) eq quantity) ? v : NaN
+left = 0.575
+@panel
 set title 'Kharaz et al. 2001: spin after the impact' noenhanced
 set ylabel 'spin / rad s^{-1}'
 set yrange [0:700]
-plot curve('walton') using (90 - $3):(row('curve', 'spin', $5)) with lines ls law_walton title 'walton e 0.98, mu 0.092, beta0 0' noenhanced, \
-  curve('walton_compliance') using (90 - $3):(row('curve', 'spin', $5)) with lines ls law_walton dt 2 title 'the same, compliance 0.7 (fitted to CoR_T)', \
-  spins('walton') using (90 - $3):(row('experiment', 'spin', $4)) with points ls data title 'experiment', \
-  spins('walton') using (90 - $3):(row('reference', 'spin', $4)) with points ls data pt 6 ps 1.1 title 'test 4 of Chung & Ooi; measured or computed not said' noenhanced
+plot curve('walton') using (90 - $3):(of('curve', 'spin', $5)) with lines ls law_walton, \
+  curve('walton_compliance') using (90 - $3):(of('curve', 'spin', $5)) with lines ls law_walton dt 2, \
+  spins('walton') using (90 - $3):(of('experiment', 'spin', $4)) with points ls data, \
+  spins('walton') using (90 - $3):(of('reference', 'spin', $4)) with points ls data pt 6 ps 1.1
 
-set title 'Forder et al. 1998, materials not named' noenhanced
-k = 'cor_n'
-set ylabel 'CoR_N'
-set yrange [0:1.1]
-plot file(fo, 'shipped') using angle:(y(column(mean))) with lines ls law_bons dt 3 title 'bons, as shipped, smooth', \
-  file(fo, 'fitted') using angle:(y(column(mean))) with lines ls law_bons title 'bons, two constants fitted', \
-  file(fo, 'grant_tabakoff') using angle:(y(column(mean))) with lines ls law_grant_tabakoff title 'grant_tabakoff' noenhanced, \
-  file(fo, 'thornton_ning') using angle:(y(column(mean))) with lines ls law_thornton_ning title 'thornton_ning, as shipped, smooth' noenhanced, \
-  file(fo, 'shipped') using angle:(y(column(measured))) with points ls data title 'measured, polynomial'
-k = 'cor_t'
-set ylabel 'CoR_T'
-set yrange [0.5:1.1]
-plot file(fo, 'shipped') using angle:(y(column(mean))) with lines ls law_bons dt 3 title 'bons, as shipped, smooth', \
-  file(fo, 'fitted') using angle:(y(column(mean))) with lines ls law_bons title 'bons, two constants fitted', \
-  file(fo, 'grant_tabakoff') using angle:(y(column(mean))) with lines ls law_grant_tabakoff title 'grant_tabakoff' noenhanced, \
-  file(fo, 'thornton_ning') using angle:(y(column(mean))) with lines ls law_thornton_ning title 'thornton_ning, as shipped, smooth' noenhanced, \
-  file(fo, 'shipped') using angle:(y(column(measured))) with points ls data title 'measured, polynomial'
-
+row = 3; left = 0.075
+@panel
+set title 'Kharaz et al. 2001: rebound of the contact point' noenhanced
+set ylabel 'angle from the normal / degrees'
+set yrange [-20:100]
+plot curve('walton') using (90 - $3):(of('curve', 'contact_angle_deg', $5)) with lines ls law_walton, \
+  curve('walton_compliance') using (90 - $3):(of('curve', 'contact_angle_deg', $5)) with lines ls law_walton dt 2, \
+  spins('walton') using (90 - $3):(of('experiment', 'contact_angle_deg', $4)) with points ls data, \
+  spins('walton') using (90 - $3):(of('reference', 'contact_angle_deg', $4)) with points ls data pt 6 ps 1.1
+left = 0.575
+@panel
 set title 'LaMarche et al. 2022, 3.1 mm glass on acrylic, 179 rebounds' noenhanced
 set xlabel 'CoR_N'
 set ylabel 'share below'
@@ -92,20 +106,13 @@ stats 'output/lamarche.measured' nooutput
 n = STATS_records
 stats 'output/lamarche.rough' nooutput
 m = STATS_records
-plot 'output/lamarche.measured' using 1:(($0 + 0.5) / n) with steps ls data title 'measured', \
-  'output/lamarche.rough' using 1:(($0 + 0.5) / m) with steps ls law_walton title 'walton, σ 6.2°, e 0.994: same mean and sd', \
-  '-' using 1:2 with lines ls law_walton dt 2 title 'walton, smooth, e 0.955'
+set label 1 'measured' at 0.84,0.08 right tc rgb '#d55e00'
+set label 2 "walton, σ 6.2°, e 0.994:\nsame mean and sd" at 0.865,0.30 right tc rgb '#5e3c99'
+set label 3 "walton,\nsmooth,\ne 0.955" at 0.945,0.9 right tc rgb '#5e3c99'
+plot 'output/lamarche.measured' using 1:(($0 + 0.5) / n) with steps ls data, \
+  'output/lamarche.rough' using 1:(($0 + 0.5) / m) with steps ls law_walton, \
+  '-' using 1:2 with lines ls law_walton dt 2
 0.955,0
 0.955,1
 e
-set title 'Kharaz et al. 2001: rebound of the contact point' noenhanced
-set xlabel 'impact angle / degrees'
-set ylabel 'angle from the normal / degrees'
-set xrange [-2:92]
-set xtics 15
-set yrange [-20:100]
-plot curve('walton') using (90 - $3):(row('curve', 'contact_angle_deg', $5)) with lines ls law_walton title 'walton e 0.98, mu 0.092, beta0 0' noenhanced, \
-  curve('walton_compliance') using (90 - $3):(row('curve', 'contact_angle_deg', $5)) with lines ls law_walton dt 2 title 'the same, compliance 0.7', \
-  spins('walton') using (90 - $3):(row('experiment', 'contact_angle_deg', $4)) with points ls data title 'experiment', \
-  spins('walton') using (90 - $3):(row('reference', 'contact_angle_deg', $4)) with points ls data pt 6 ps 1.1 title 'test 4 of Chung & Ooi' noenhanced
 unset multiplot

@@ -1,7 +1,7 @@
 # Writes the dust as a LIGGGHTS data file: N grains of quartz, diameters log-normal from 1 to 100 um with
 # median 10 um, 150 m/s, all in one direction. Each is on a straight line to a place of its own on the side
 # of the blade that the flow sees, and starts so that it arrives after 2 to 18 % of the run.
-#   awk -f blade.awk -f make_dust.awk > dust.data
+#   awk -v SEED=1 -f blade.awk -f make_dust.awk > dust.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for
 # those of awk differ from one awk to the next.
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -25,7 +25,7 @@ function first_touch(h,  i, a, b, s, best) {
 }
 BEGIN {
   set_up()
-  N = 16000; SPEED = 150; TIME = 96e-6; FLOW = 22.5 * PI / 180; state = 20200709
+  N = 16000; SPEED = 150; TIME = 96e-6; FLOW = 22.5 * PI / 180; state = 20200708 + (SEED ? SEED : 1)
   ux = cos(FLOW); uz = sin(FLOW)
   print "dust\n\n" N " atoms\n2 atom types\n"
   print "-0.014 0.014 xlo xhi\n-0.001 0.017 ylo yhi\n-0.012 0.010 zlo zhi\n\nAtoms\n"

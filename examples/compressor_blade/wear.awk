@@ -1,9 +1,11 @@
-# From the triangles' depth of erosion in a mesh/vtk file to the quadrilaterals of the blade's surface, for gnuplot
-# (position along the chord, negative on the suction side; span / mm; depth / nm), in the file `map`; the mean depth
-# over the chord of the pressure side, in the file `chord`; and a line of numbers.
-#   awk -f blade.awk -f wear.awk -v name=smooth -v map=smooth.worn -v chord=smooth.wear smooth.30000.vtk
+# From a run's log and the triangles' depth of erosion in its mesh/vtk file to the quadrilaterals of the blade's surface,
+# for gnuplot (position along the chord, negative on the suction side; span / mm; depth / nm), in the file `map`; the mean
+# depth over the chord of the pressure side, in the file `chord`; and one line: the mass worn off / ug, and mean depths / nm
+# of the nose, of the pressure side behind 30 % of the chord, and of its last 15 %.
+#   awk -f blade.awk -f wear.awk -v map=smooth.worn -v chord=smooth.wear smooth.log smooth.30000.vtk
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { set_up() }
+FILENAME ~ /log$/ { if ($1 == 30000) worn = $7 * 1e9; next }
 $1 == "CELL_DATA" { cells = $2; next }
 cells && NF == 4 && $2 == 1 { now = $1; at = 0; next }
 cells && now { for (k = 1; k <= NF; k++) value[now, at++] = $k }
@@ -14,10 +16,11 @@ END {
       d = depth[j * LOOP + i]; s = (position(i) + position(i + 1)) / 2
       print position(i), SPAN * j / NS * 1e3, d "\n" position(i + 1), SPAN * j / NS * 1e3, d "\n" > map
       print position(i), SPAN * (j + 1) / NS * 1e3, d "\n" position(i + 1), SPAN * (j + 1) / NS * 1e3, d "\n\n" > map
-      of[i] += d / NS; nose = s < 0.05 && s > -0.05
-      if (d > most) most = d
-      if (nose) { n++; front += d } else if (s > 0.3) { m++; back += d }
+      of[i] += d / NS
+      if (s < 0.05 && s > -0.05) { n++; front += d }
+      if (s > 0.3) { m++; back += d }
+      if (s > 0.85) { l++; edge += d }
     }
   for (i = NC; i < LOOP; i++) print (position(i) + position(i + 1)) / 2, of[i] > chord
-  printf "wear, %-6s  nose %5.2f nm, pressure side behind 30 %% of the chord %6.3f nm, deepest %5.2f nm\n", name, front / n, back / m, most
+  print worn, front / n, back / m, edge / l
 }

@@ -1,6 +1,5 @@
 # Profiles over the height: the mean speed of the beads, its rms fluctuation, the mean diameter, the concentration; measured,
-# with a smooth wall and with rough ones. The bands are the measured profile plus and minus the least error of the published
-# simulations.
+# with a smooth wall and with rough ones.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load '../look.gp'
 set term pngcairo size 1300,900 font 'sans,11'
@@ -14,30 +13,23 @@ label(i) = system("echo '".title_of(i)."' | sed 's/\\([Rλ]\\)_\\([qc]\\)/\\1~\\
 profile(i) = 'output/'.name(i).'.profile'
 set xrange [-1.05:1.05]
 set xlabel 'height z/R (bottom: -1)'
-set style fill solid 0.18 noborder
 set multiplot layout 2,2 title 'Beads of 40 µm in air at 27 m/s, horizontal pipe of 150 mm: measured (Huber and Sommerfeld 1998) and 20 000 beads in LAMMPS' \
   margins 0.06,0.985,0.07,0.93 spacing 0.08,0.12
 set key inside bottom center vertical font ',9' samplen 2
 set ylabel 'mean speed / 27 m s^{-1}'
 set yrange [0.3:1.3]
-plot measured('u_p') using 2:($3 - 0.038):($3 + 0.038) with filledcurves ls data title 'measured ± 0.038, the best published simulation', \
-  for [i=1:7] profile(i) using 1:3 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) title label(i), \
+plot for [i=1:7] profile(i) using 1:3 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) title label(i), \
   measured('u_gas_rsm') using 2:3 with lines ls reference dt 3 title 'gas of a published simulation', \
   measured('u_p') using 2:3 with points ls data title 'measured'
 unset key
-set label 1 'band: ± 0.085' at graph 0.5,0.93 center tc rgb '#d55e00' font ',9'
 set ylabel "rms fluctuation u' / 27 m s^{-1}"
-set yrange [0:0.42]
-plot measured('u_rms') using 2:($3 - 0.085):($3 + 0.085) with filledcurves ls data notitle, \
-  for [i=1:7] profile(i) using 1:5 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle, \
+set yrange [0:0.35]
+plot for [i=1:7] profile(i) using 1:5 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle, \
   measured('u_rms') using 2:3 with points ls data notitle
-set label 1 'band: ± 0.043' at graph 0.5,0.93 center tc rgb '#d55e00' font ',9'
 set ylabel 'mean diameter / 40 µm'
-set yrange [0.75:1.35]
-plot measured('d') using 2:($3 - 0.043):($3 + 0.043) with filledcurves ls data notitle, \
-  for [i=1:7] profile(i) using 1:7 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle, \
+set yrange [0.8:1.25]
+plot for [i=1:7] profile(i) using 1:7 with lines lw (i == 3 ? 3 : 1.6) dt dash(i) lc rgb color(i) notitle, \
   measured('d') using 2:3 with points ls data notitle
-unset label 1
 set ylabel 'concentration / mean over the slice (not measured)'
 set logscale y
 set yrange [0.05:30]

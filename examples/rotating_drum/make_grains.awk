@@ -1,12 +1,12 @@
 # Writes the grains as a LIGGGHTS data file: N of quartz, D meters in diameter, on a grid inside the drum (apart, so that none
 # touch), each with SPEED m/s in a random direction.
-#   awk -v D=1e-3 -v SPEED=0.3 -f make_grains.awk > grains.data
+#   awk -v SEED=1 -v D=1e-3 -v SPEED=0.3 -f make_grains.awk > grains.data
 # Its own random numbers (Park & Miller's minimal standard generator, exact in double precision), for
 # those of awk differ from one awk to the next.
 # SPDX-License-Identifier: GPL-3.0-or-later
 function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
 BEGIN {
-  N = 600; PITCH = 5.2e-3; RADIUS = 50e-3; PI = atan2(0, -1); state = 1851
+  N = 600; PITCH = 5.2e-3; RADIUS = 50e-3; PI = atan2(0, -1); state = 1850 + (SEED ? SEED : 1)
   print "grains\n\n" N " atoms\n1 atom types\n"
   print "-0.06 0.06 xlo xhi\n-0.025 0.025 ylo yhi\n-0.06 0.06 zlo zhi\n\nAtoms\n"
   for (j = -3; j <= 3; j++)

@@ -1,6 +1,5 @@
 # Two ledgers of the same impacts, row by row, micro's brought to SI: the largest relative difference of each column.
-# Writes the CoR pairs for the picture to the file OUT: alpha1, CoR_N si, CoR_N micro, CoR_T si, CoR_T micro.
-#   awk -v OUT=pairs -f compare.awk si.csv micro.csv
+#   awk -f compare.awk si.csv micro.csv
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN {
   FS = ","
@@ -20,7 +19,6 @@ NR == FNR { for (i = 1; i <= NF; i++) si[$1, $2, i] = $i; outcome[$1, $2] = $19;
     if (d / size > most[i]) most[i] = d / size
   }
   different += $19 != outcome[$1, $2]
-  if ($19 == 0) print $11, si[$1, $2, 17], $17, si[$1, $2, 18], $18 > OUT
 }
 END {
   printf "%d impacts in si, %d in micro, %d without a match, %d with another outcome\n", first, second, missing, different

@@ -25,8 +25,8 @@ typedef struct aspi_unknown {
   double scaled_start, low, high, from, to;
 } aspi_unknown;
 
-/* Measurements at one place, or at some close ones; what they are is in the group of that number.
- */
+/* Rows of the data at one place or at several close ones; the group of the same index has their
+ * moments. */
 typedef struct aspi_calibration_bin {
   size_t first, end; /* rows of the data */
   double degrees;
@@ -40,33 +40,27 @@ typedef struct aspi_calibration {
   aspi_unknown unknown[FIT_UNKNOWNS_MOST];
   size_t n_unknown;
   asp_description *words;
-  asp_wall *wall;                        /* of them, for the values looked at last */
+  asp_wall *wall;                        /* made of `words`, at the values that were tried last */
   asp_pair *pair;                        /* NULL: the law needs none */
   const asp_material *particle, *target; /* alike */
   const double *lay;                     /* NULL: none */
   double density, d_p, speed;
   double noise[COR_BOTH], noise_speed; /* of both angles, degrees; of both speeds, a share */
-  double huber;                        /* in robust standard deviations; INFINITY: none */
   size_t samples;
   uint32_t seed;
-  bool smooth, sticks, known; /* known: the errors of the data are, and need no scale */
-  bool scatters;              /* the model's impacts at one place differ */
+  bool smooth, sticks, known; /* known: the errors of the data are stated and need no scale */
   bool moves;                 /* the surface is unknown */
   void (*progress)(void *context, double share); /* may be NULL */
   void *progress_context;
 } aspi_calibration;
 
-/* Source of an unknown's 95 % interval: its standard error; the rise of chi^2 if the error is large
- * or a bound is near (an end may then lie at the bound); or refits of synthetic data if impacts are
- * few. */
-typedef enum aspi_interval { BY_ERROR, BY_RISE, BY_BOOTSTRAP } aspi_interval;
-
 typedef struct aspi_fit {
   double at[FIT_UNKNOWNS_MOST], error[FIT_UNKNOWNS_MOST]; /* on the scale */
   double correlation[FIT_UNKNOWNS_MOST][FIT_UNKNOWNS_MOST];
+  double rise[FIT_UNKNOWNS_MOST]; /* of chi2 at one error from its minimum */
   double low[FIT_UNKNOWNS_MOST], high[FIT_UNKNOWNS_MOST]; /* -INFINITY, INFINITY: at the bound */
-  aspi_interval interval[FIT_UNKNOWNS_MOST];
   double chi2, dof;
+  double first_chi2; /* before the weights were those of the data; chi2 if they need not be */
   size_t starts, agreed;
   bool described, converged;
 } aspi_fit;
@@ -78,10 +72,9 @@ double aspi_unknown_slope(const aspi_unknown *u, double scaled);
 /* Makes the wall of some values of the unknowns; false: there is none. */
 bool aspi_calibration_set(const aspi_calibration *c, const double *scaled);
 
-/* Impacts of the model at the places of a bin; xy has room for them. Draws depend on the bin, the
- * stream and the number of the impact; the data's own are none of stream 0. */
-void aspi_calibration_draw(const aspi_calibration *c, size_t bin, size_t samples, uint32_t stream,
-                           aspi_cloud *to);
+/* Impacts of the model at the places of a bin; xy has room for them. Draws depend on the bin and
+ * the number of the impact; the data's own are others. */
+void aspi_calibration_draw(const aspi_calibration *c, size_t bin, size_t samples, aspi_cloud *to);
 
 /* The impacts of a bin's rows, and which of their moments there are. False: out of memory. */
 bool aspi_calibration_take_impacts(const aspi_calibration *c, size_t bin);
@@ -91,16 +84,18 @@ bool aspi_calibration_take_impacts(const aspi_calibration *c, size_t bin);
 asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error *error);
 
 /* Finds the unknowns and leaves the wall at them. ASP_ENOMEM, or ASP_EDATA: no values make a wall.
- * The minimum is looked for from the best points of a design that does not depend on the caller's
- * start, by the likelihood that the moments would have if they were normal with the covariance of
- * data and model together. The start is one more point; its end counts only where it is better by
- * more than noise, so that all starts have the same result. At the best end, weights are taken from
- * the model, and least squares and weights take turns until neither changes (quasi-likelihood,
- * Wedderburn 1974). */
+ * Simulated moments (McFadden 1989), weighed by the model's covariance where the errors of the data
+ * are known and the model describes them. The minimum is looked for from the best points of a
+ * design that does not depend on the caller's start, by the likelihood that the moments would have
+ * if they were normal; the start is one more point, whose end counts only where it is better by
+ * more than noise, so that all starts have the same result. From the best end, Gauss-Newton steps
+ * with new weights at each go to the estimates (quasi-likelihood). With the last weights, the rise
+ * of chi^2 makes the intervals. */
 asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *error);
 
-/* A sample of one bin as coefficients: means and standard deviations of CoR_N and CoR_T. */
-void aspi_calibration_coefficients(const aspi_calibration *c, size_t bin, double mean[COR_BOTH],
+/* Means and standard deviations of the model's CoR_N and CoR_T at the mean angle of a bin. False:
+ * out of memory. */
+bool aspi_calibration_coefficients(const aspi_calibration *c, size_t bin, double mean[COR_BOTH],
                                    double sd[COR_BOTH]);
 
 #endif

@@ -48,12 +48,12 @@ static void add_noise(const aspi_calibration *c, const double *normal, double *x
 }
 
 /* One impact of the model as it would be measured: x and y; false: no rebound is seen. */
-static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row, uint32_t stream,
-                        uint64_t tag, double xy[COR_BOTH], bool *dropped) {
+static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row, uint64_t tag,
+                        double xy[COR_BOTH]) {
   static const double n[3] = {0, 0, 1};
   double normal[4] = {0, 0, 0, 0};
   bool noisy = c->noise[0] > 0 || c->noise[1] > 0 || c->noise_speed > 0;
-  aspi_stream noise = aspi_stream_begin(&(asp_key){c->seed, 1 + stream, tag, 2});
+  aspi_stream noise = aspi_stream_begin(&(asp_key){c->seed, 1, tag, 2});
   for (int i = 0; i < 4 && noisy; i++)
     normal[i] = aspi_stream_normal(&noise);
   double degrees = row->degrees + c->noise[0] * normal[0];
@@ -61,10 +61,9 @@ static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row,
   double v = isnan(row->v1) ? c->speed : row->v1, a1 = aspi_radians(degrees);
   double v1[3] = {degrees < 90 ? v * cos(a1) : 0, 0, -v * sin(a1)};
   asp_particle particle = {
-      isnan(row->d_p) ? c->d_p : row->d_p, c->density, c->pair, {0, 0, 0}, c->lay, 0, 0};
+      isnan(row->d_p) ? c->d_p : row->d_p, c->density, c->pair, {0, 0, 0}, c->lay, 0, 0, NULL};
   asp_impact impact;
-  asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1 + stream, tag, 1}, &impact);
-  *dropped = false;
+  asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
   if (impact.outcome == ASP_DEPOSIT)
     return false;
   /* With v1 along the normal there is no plane of incidence: what is off the normal is all along.
@@ -75,9 +74,8 @@ static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row,
   if (!noisy)
     return true;
   add_noise(c, normal, &xy[COR_N], &xy[COR_T]);
-  *dropped = xy[COR_N] < 0 && !c->data.folds;
   xy[COR_N] = fabs(xy[COR_N]);
-  return !*dropped;
+  return true;
 }
 
 /* The row of impact i of some at the places of a bin. All rows come equally often, or spread over
@@ -88,16 +86,14 @@ static const aspi_measured_row *row_of(const aspi_calibration *c, const aspi_cal
   return &c->data.rows[bin->first + (size_t)(share * (double)(bin->end - bin->first))];
 }
 
-void aspi_calibration_draw(const aspi_calibration *c, size_t b, size_t samples, uint32_t stream,
-                           aspi_cloud *to) {
+void aspi_calibration_draw(const aspi_calibration *c, size_t b, size_t samples, aspi_cloud *to) {
   const aspi_calibration_bin *bin = &c->bins[b];
   for (size_t i = 0; i < samples; i++) {
     const aspi_measured_row *row = row_of(c, bin, i, samples);
-    bool dropped;
-    if (see_rebound(c, row, stream, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds], &dropped))
+    if (see_rebound(c, row, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds]))
       to->rebounds++;
     else
-      to->deposits += !dropped;
+      to->deposits++;
   }
 }
 
@@ -133,22 +129,19 @@ bool aspi_calibration_take_impacts(const aspi_calibration *c, size_t b) {
   return true;
 }
 
-void aspi_calibration_coefficients(const aspi_calibration *c, size_t b, double mean[COR_BOTH],
+bool aspi_calibration_coefficients(const aspi_calibration *c, size_t b, double mean[COR_BOTH],
                                    double sd[COR_BOTH]) {
-  const aspi_calibration_bin *bin = &c->bins[b];
-  aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
-  for (size_t i = 0; i < c->samples; i++) {
-    const aspi_measured_row *row = row_of(c, bin, i, c->samples);
-    double xy[COR_BOTH], alpha = aspi_radians(row->degrees);
-    bool dropped;
-    if (!see_rebound(c, row, 0, b * TAGS_OF_A_BIN + i, xy, &dropped))
-      continue;
-    aspi_running_add(&both[COR_N], xy[COR_N] / sin(alpha));
-    if (row->degrees < 90)
-      aspi_running_add(&both[COR_T], xy[COR_T] / cos(alpha));
-  }
+  static const double center[COR_BOTH] = {0, 0};
+  double alpha = aspi_radians(c->bins[b].degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
+  aspi_cloud cloud = {calloc(c->samples, sizeof *cloud.xy), 0, 0};
+  if (!cloud.xy)
+    return false;
+  aspi_calibration_draw(c, b, c->samples, &cloud);
+  aspi_cloud_moments m = aspi_cloud_moments_of(&cloud, center);
   for (int k = 0; k < COR_BOTH; k++) {
-    mean[k] = both[k].n > 0 ? both[k].mean : NAN;
-    sd[k] = both[k].n > 1 ? aspi_running_sd(&both[k]) : NAN;
+    mean[k] = m.of[MOMENT_X + k] / by[k];
+    sd[k] = sqrt(m.covariance[MOMENT_X + k][MOMENT_X + k]) / by[k];
   }
+  free(cloud.xy);
+  return true;
 }

@@ -181,89 +181,15 @@ static bool take_data(const aspi_measured *data, aspi_compare_bin *b) {
   for (; side->count < b->end - b->first; row++)
     side->impacts[side->count++] =
         (aspi_impact){{row->cor[COR_N], row->cor[COR_T], row->deposit}, 1};
+  aspi_side_describe(side);
   return true;
 }
 
-/* ---- means over intervals of angles -----------------------------------------------------------
- */
-
-/* Of the impacts before each, which are in order of their angle: how many have a coefficient, and
- * the sums of its difference from 0.5 and of that squared. */
-typedef struct running {
-  double n, sum, squares;
-} running;
-
-/* As large a share of a sum of squares may be rounding. */
-#define ROUNDING 1e-12
-
-/* Rows of means without speeds and sizes, as many as there may be, by sums over all impacts before
- * an angle. */
-static bool take_intervals(aspi_comparison *c, double far, int which) {
-  const aspi_scatter_point *points = c->impacts.points;
-  running *before = calloc(c->impacts.count + 1, sizeof *before);
-  if (!before)
-    return false;
-  for (size_t i = 0; i < c->impacts.count; i++) {
-    double u = points[i].cor[which] - 0.5;
-    bool is = isfinite(u);
-    before[i + 1] = (running){before[i].n + is, before[i].sum + (is ? u : 0),
-                              before[i].squares + (is ? u * u : 0)};
-  }
-  for (size_t i = 0; i < c->count; i++) {
-    aspi_compare_bin *b = &c->bins[i];
-    size_t first = count_below(&c->impacts, b->degrees - SAME_ANGLE);
-    size_t end = count_below(&c->impacts, b->degrees + SAME_ANGLE);
-    size_t far_first = count_below(&c->impacts, b->degrees - far);
-    size_t far_end = count_below(&c->impacts, b->degrees + far);
-    bool exact = end - first >= ENOUGH || (end > first && end - first >= far_end - far_first);
-    if (!exact) {
-      first = far_first;
-      end = far_end;
-    }
-    b->from = exact ? b->degrees : fmax(0, b->degrees - far);
-    b->to = exact ? b->degrees : fmin(90, b->degrees + far);
-    double n = before[end].n - before[first].n, sum = before[end].sum - before[first].sum;
-    double squares = before[end].squares - before[first].squares;
-    aspi_sample *s = &b->model.of[which];
-    *s = aspi_sample_none;
-    s->count = (size_t)n;
-    s->size = n;
-    s->mean = 0.5 + sum / n;
-    if (n > 1) {
-      double spread = squares - sum * sum / n;
-      s->sd = spread > ROUNDING * before[end].squares ? sqrt(spread / (n - 1)) : 0;
-      s->mean_se = s->sd / sqrt(n);
-    }
-  }
-  free(before);
-  return true;
-}
-
-/* ---- one bin ----------------------------------------------------------------------------------
+/* ---- all bins ---------------------------------------------------------------------------------
  */
 
 bool aspi_compare_has_both(const aspi_compare_bin *b, int which) {
   return isfinite(b->data.of[which].mean) && b->model.of[which].count > 0;
-}
-
-/* False: out of memory. */
-static bool compare_bin(aspi_comparison *c, aspi_compare_bin *b, aspi_score *score) {
-  for (int k = 0; k < ASPI_QUANTITIES; k++) {
-    if (b->model.impacts)
-      aspi_sample_describe(&b->model, k);
-    if (b->data.impacts)
-      aspi_sample_describe(&b->data, k);
-    if (k < COR_BOTH)
-      b->distance[k] = b->data.impacts && aspi_compare_has_both(b, k)
-                           ? aspi_sample_distance(&b->model, &b->data, k)
-                           : NAN;
-  }
-  if (!c->data.has_outcome)
-    b->data.of[ASPI_DEPOSITS].mean = NAN;
-  if (b->data.impacts)
-    return aspi_score_add_impacts(score, &b->model, &b->data);
-  aspi_score_add_means(score, &b->model, &b->data);
-  return true;
 }
 
 static void free_impacts(aspi_side *side) {
@@ -277,18 +203,25 @@ static int by_angle(const void *left, const void *right) {
 }
 
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error) {
-  bool by_interval = c->data.means && !c->data.has_speed && !c->data.has_size;
   weights w = {calloc(c->impacts.count + 1, sizeof *w.of),
                calloc(c->impacts.count + 1, sizeof *w.which), 0};
-  aspi_score score;
-  bool fine = aspi_score_begin(&score) && w.of && w.which;
+  aspi_score score = {0};
+  bool fine = w.of && w.which;
   qsort(c->impacts.points, c->impacts.count, sizeof *c->impacts.points, by_angle);
-  for (int k = 0; k < COR_BOTH && by_interval && fine; k++)
-    fine = take_intervals(c, far->degrees, k);
   for (size_t i = 0; i < c->count && fine; i++) {
     aspi_compare_bin *b = &c->bins[i];
-    fine = (by_interval || take_model(c, far, &w, b)) && take_data(&c->data, b) &&
-           compare_bin(c, b, &score);
+    fine = take_data(&c->data, b) && (!far || take_model(c, far, &w, b));
+    if (!far && fine) {
+      b->model = b->data;
+      b->data = (aspi_side){.of = {aspi_sample_none, aspi_sample_none, aspi_sample_none}};
+      b->from = c->data.rows[b->first].degrees;
+      b->to = c->data.rows[b->end - 1].degrees;
+    }
+    if (fine)
+      aspi_side_describe(&b->model);
+    if (!c->data.has_outcome)
+      b->data.of[ASPI_DEPOSITS] = aspi_sample_none;
+    aspi_score_add(&score, &b->model, &b->data);
     free_impacts(&b->model);
     free_impacts(&b->data);
   }
@@ -296,20 +229,4 @@ asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, as
   free(w.of);
   free(w.which);
   return fine ? ASP_OK : no_memory(c->impacts.count, error);
-}
-
-asp_code aspi_compare_fill_alone(aspi_comparison *c, asp_error *error) {
-  for (size_t i = 0; i < c->count; i++) {
-    aspi_compare_bin *b = &c->bins[i];
-    if (!take_data(&c->data, b))
-      return no_memory(c->data.count, error);
-    for (int k = 0; k < ASPI_QUANTITIES; k++)
-      aspi_sample_describe(&b->data, k);
-    free_impacts(&b->data);
-    b->model = b->data;
-    b->data = (aspi_side){.of = {aspi_sample_none, aspi_sample_none, aspi_sample_none}};
-    b->from = c->data.rows[b->first].degrees;
-    b->to = c->data.rows[b->end - 1].degrees;
-  }
-  return ASP_OK;
 }

@@ -1,6 +1,5 @@
 /* Impacts of a model or a simulation at the places (angle, speed, size) of measurements, and how
- * far apart both are: means, standard deviations, shares of deposits, the two-sample distance of
- * Kolmogorov and Smirnov, and one score of them all.
+ * far apart both are: means, standard deviations, shares of deposits, and one score of them all.
  *
  * Each measured impact is compared with the model's impacts at its own place: those that have its
  * angle (and speed, and size), or else those near it, which together weigh as much as it does. So
@@ -21,7 +20,6 @@ typedef struct aspi_compare_bin {
   double degrees, v1, d_p; /* their mean place; NAN where there is none */
   double from, to;         /* the angles that impacts were taken from */
   aspi_side model, data;
-  double distance[COR_BOTH]; /* of Kolmogorov and Smirnov; NAN without single impacts */
 } aspi_compare_bin;
 
 typedef struct aspi_comparison {
@@ -43,11 +41,9 @@ typedef struct aspi_compare_reach {
  * each place is a bin then. */
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error);
 
-/* Fills the bins; puts the impacts in order of their angle. */
+/* Fills the bins; puts the impacts in order of their angle. far NULL: the data are the impacts
+ * themselves, which are the model's sample; there are no others then. */
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error);
-
-/* Fills them with the impacts themselves, as the model's sample; the data are these impacts. */
-asp_code aspi_compare_fill_alone(aspi_comparison *c, asp_error *error);
 
 /* True if a bin has a measured value and impacts. */
 bool aspi_compare_has_both(const aspi_compare_bin *bin, int which);

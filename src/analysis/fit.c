@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_qrng.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,16 +28,11 @@ enum { PROBES = 256, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
 #define DESCRIBED 3.0
 #define CHANCE 1e-4
 
-/* Rounds of weights and least squares, and those of the first, rough ones. */
-enum { ROUNDS = 16, FIRST_ROUNDS = 3 };
-
-/* The interval of an unknown comes from the rise of chi^2 if its error is above VAGUE on its scale,
- * or a bound is nearer than NEAR errors. */
-#define VAGUE 0.4
-#define NEAR 3.0
-
-/* With fewer impacts, intervals come from refits. */
-enum { FEW = 20 };
+/* An end of an interval: the places that are tried, and how many before wide steps out and halvings
+ * take over; how near they come, as a share of the distance; the largest factor of a step out. */
+enum { CORRECTIONS = 10, PATIENCE = 2 };
+#define END_CLOSE 0.02
+#define FARTHER_MOST 4.0
 
 /* The box in which the search looks for starts, and bounds of the search, of an unknown without
  * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
@@ -75,10 +71,6 @@ typedef struct probe {
 static int by_squares(const void *left, const void *right) {
   const probe *a = left, *b = right;
   return (a->squares > b->squares) - (a->squares < b->squares);
-}
-
-static size_t search_samples(const aspi_calibration *p) {
-  return p->samples < SEARCH_SAMPLES ? p->samples : SEARCH_SAMPLES;
 }
 
 static bool describes(double chi2, double dof) {
@@ -126,7 +118,7 @@ static size_t choose_starts(const aspi_calibration *p, const probe *probes, prob
 }
 
 static void descend(aspi_search *s, probe *at) {
-  at->squares = aspi_search_descend(s, at->at, 20, 5e-3, NULL, NULL);
+  at->squares = aspi_search_descend(s, at->at, 20, 5e-3);
 }
 
 /* True if a search ended at a bound. It may be lost on a plateau, so its agreement does not count.
@@ -144,9 +136,7 @@ static asp_code look_around(aspi_search *s, aspi_fit *fit) {
   const aspi_calibration *p = s->problem;
   probe probes[PROBES], ends[STARTS + 1];
   size_t best = 0;
-  s->samples = search_samples(p);
-  s->kind = p->scatters && p->known ? WEIGHTS_BOTH : WEIGHTS_DATA;
-  s->fixed = false;
+  s->samples = p->samples < SEARCH_SAMPLES ? p->samples : SEARCH_SAMPLES;
   if (!design(s, probes))
     return ASP_ENOMEM;
   size_t most = choose_starts(p, probes, ends);
@@ -179,82 +169,83 @@ static double impacts_of(const aspi_calibration *p) {
   return n;
 }
 
-static void find_intervals(aspi_search *s, aspi_fit *fit, double scale) {
+/* The value of an unknown, on the side of a bound, at which chi^2 has risen as it would over so
+ * many errors if moments were linear in the unknowns; the others are at their best. Infinite if it
+ * rises less up to the bound. The root of the rise is nearly linear. */
+static double end_of(aspi_search *s, const aspi_fit *fit, double errors, size_t j, double bound) {
+  double least = aspi_search_squares(s, fit->at), rise = errors * errors * fit->rise[j];
+  double inner = 0, outer = INFINITY, room = fabs(bound - fit->at[j]);
+  double side = bound < fit->at[j] ? -1 : 1, off = fmin(room, errors * fit->error[j]);
+  for (int i = 0; i < CORRECTIONS; i++) {
+    double others[FIT_UNKNOWNS_MOST];
+    for (size_t k = 0; k < s->problem->n_unknown; k++) {
+      double by = side * off * fit->correlation[k][j] * fit->error[k] / fit->error[j];
+      others[k] = fit->at[k] + fmin(fmax(by, -APART), APART);
+    }
+    s->held = (int)j;
+    s->held_at = fit->at[j] + side * off;
+    double now = aspi_search_descend(s, others, 2, 1e-3) - least;
+    double factor = sqrt(rise / fmax(now, rise * 1e-6));
+    s->held = -1;
+    if (fabs(factor - 1) < END_CLOSE)
+      break;
+    if (now < rise && off >= room)
+      return side * INFINITY;
+    *(now < rise ? &inner : &outer) = off;
+    factor = i < PATIENCE ? factor : isinf(outer) ? FARTHER_MOST : 0;
+    off = fmin(room, off * fmin(factor, FARTHER_MOST));
+    if (off <= inner || off >= outer)
+      off = (inner + outer) / 2;
+  }
+  return fit->at[j] + side * off;
+}
+
+/* 95 % of an unknown: between two values, or on one side of one if the other side has none. */
+static void find_intervals(aspi_search *s, aspi_fit *fit) {
   const aspi_calibration *p = s->problem;
   double n = p->known ? impacts_of(p) : (double)s->n_moments;
-  double freedom = fmax(1, n / (double)p->n_unknown - 1); /* few: second moments have long tails */
-  double widths = gsl_cdf_tdist_Pinv(0.975, freedom);
+  double scale = (!p->known || !fit->described) && fit->dof > 0 ? fit->chi2 / fit->dof : 1;
+  double freedom = fmax(1, n - (double)p->n_unknown);
+  double wide = sqrt(scale), both = gsl_cdf_tdist_Pinv(0.975, freedom) * wide;
+  double one = gsl_cdf_tdist_Pinv(0.95, freedom) * wide;
   for (size_t j = 0; j < p->n_unknown; j++) {
-    double error = fit->error[j], room = NEAR * error;
-    fit->low[j] = fit->at[j] - widths * error;
-    fit->high[j] = fit->at[j] + widths * error;
-    fit->interval[j] = BY_ERROR;
-    if (error < VAGUE && fit->at[j] - room > p->unknown[j].low &&
-        fit->at[j] + room < p->unknown[j].high)
-      continue;
-    fit->interval[j] = BY_RISE;
-    aspi_interval_by_rise(s, fit->at, scale, j, &fit->low[j], &fit->high[j]);
+    double low = p->unknown[j].low, high = p->unknown[j].high;
+    fit->low[j] = end_of(s, fit, both, j, low);
+    fit->high[j] = end_of(s, fit, both, j, high);
+    if (isinf(fit->low[j]) && isfinite(fit->high[j]))
+      fit->high[j] = end_of(s, fit, one, j, high);
+    else if (isinf(fit->high[j]) && isfinite(fit->low[j]))
+      fit->low[j] = end_of(s, fit, one, j, low);
   }
+  for (size_t j = 0; j < p->n_unknown; j++)
+    fit->error[j] *= wide;
 }
 
-/* Fits with weights of the model if it describes the data, else with weights of both. */
-static bool settle(aspi_search *s, aspi_fit *fit, gsl_matrix *covariance) {
-  const aspi_calibration *p = s->problem;
-  fit->dof = (double)s->n_moments - (double)p->n_unknown;
-  if (p->scatters && p->known) {
-    double at[FIT_UNKNOWNS_MOST], chi2;
-    memcpy(at, fit->at, sizeof at);
-    s->samples = search_samples(p);
-    aspi_search_settle(s, at, FIRST_ROUNDS, &chi2, covariance);
-    s->samples = p->samples;
-    if (describes(chi2, fit->dof)) {
-      memcpy(fit->at, at, sizeof at);
-      s->kind = WEIGHTS_MODEL;
-    }
-  }
-  fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
-  fit->described = describes(fit->chi2, fit->dof);
-  if (s->kind == WEIGHTS_BOTH && fit->described) { /* the model fits: use its weights alone */
-    s->kind = WEIGHTS_MODEL;
-    fit->converged = aspi_search_settle(s, fit->at, ROUNDS, &fit->chi2, covariance);
-    fit->described = describes(fit->chi2, fit->dof);
-  }
-  return isfinite(fit->chi2);
-}
-
-/* Errors and correlations from the covariance, and intervals. */
-static asp_code find_errors(aspi_search *s, aspi_fit *fit, const gsl_matrix *covariance) {
-  const aspi_calibration *p = s->problem;
-  bool scaled = (!p->known || !fit->described) && fit->dof > 0;
-  double scale = scaled ? fit->chi2 / fit->dof : 1;
-  for (size_t i = 0; i < p->n_unknown; i++) {
-    double variance = gsl_matrix_get(covariance, i, i);
-    fit->error[i] = sqrt(scale * variance);
-    for (size_t j = 0; j < p->n_unknown; j++)
-      fit->correlation[i][j] =
-          gsl_matrix_get(covariance, i, j) / sqrt(variance * gsl_matrix_get(covariance, j, j));
-  }
-  find_intervals(s, fit, scale);
-  bool few = p->known && p->scatters && impacts_of(p) < FEW && p->groups[0].impacts.xy;
-  return !few || aspi_interval_by_bootstrap(p, fit) ? ASP_OK : ASP_ENOMEM;
+/* Settles with the weights that belong to the data; with those of the data themselves if the model
+ * does not describe them, as a model that scatters too little would take its misfit for certain. */
+static bool settle(aspi_search *s, aspi_fit *fit) {
+  bool fine = aspi_search_settle(s, fit);
+  fit->described = fine && describes(fit->chi2, fit->dof);
+  fit->first_chi2 = fit->chi2;
+  if (fit->described || !s->by_model)
+    return fine;
+  aspi_search_weigh_by_data(s);
+  return aspi_search_settle(s, fit);
 }
 
 asp_code aspi_calibration_find(aspi_calibration *p, aspi_fit *fit, asp_error *error) {
   aspi_search s;
-  gsl_matrix *covariance = gsl_matrix_alloc(p->n_unknown, p->n_unknown);
   *fit = (aspi_fit){.starts = 0};
-  p->scatters = !p->smooth || p->noise[0] > 0 || p->noise[1] > 0 || p->noise_speed > 0;
   for (size_t j = 0; j < p->n_unknown; j++)
     bound_search(&p->unknown[j]);
-  asp_code code = aspi_search_begin(&s, p) && covariance ? look_around(&s, fit) : ASP_ENOMEM;
-  if (!code && !settle(&s, fit, covariance))
+  asp_code code = aspi_search_begin(&s, p) ? look_around(&s, fit) : ASP_ENOMEM;
+  if (!code && !settle(&s, fit))
     code = ASP_EDATA;
   if (!code)
-    code = find_errors(&s, fit, covariance);
+    find_intervals(&s, fit);
   if (!code && !aspi_calibration_set(p, fit->at))
     code = ASP_EDATA;
   aspi_search_end(&s);
-  gsl_matrix_free(covariance);
   if (code)
     aspi_fail(error, code,
               code == ASP_ENOMEM ? "out of memory for a fit"

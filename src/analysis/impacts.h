@@ -55,7 +55,6 @@ typedef struct aspi_measured {
   bool means;                            /* rows are means, not impacts */
   bool has_speed, has_size, has_outcome; /* there are such columns */
   aspi_measured_view view;
-  bool folds; /* rebounds that noise put below the wall are mirrored at it, else left out */
 } aspi_measured;
 
 #endif

@@ -116,7 +116,7 @@ aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle) {
   return (aspi_angle_groups){judge->angles + angle, judge->groups, judge->count};
 }
 
-/* Those of one fold. */
+/* The groups of one fold. */
 static aspi_angle_groups fold_of(const aspi_judge *judge, size_t angle, size_t fold) {
   size_t first = judge->groups * fold / judge->folds;
   size_t end = judge->groups * (fold + 1) / judge->folds;

@@ -126,7 +126,7 @@ asp_code aspi_judge_fly_profile(aspi_judge *judge, const aspi_judge_case *subjec
                                 const aspi_judge_walls *walls, const double *degrees, size_t number,
                                 asp_error *error);
 
-/* The same in three dimensions. */
+/* Flies over one surface in three dimensions, without first hits. */
 asp_code aspi_judge_fly_surface(aspi_judge *judge, const aspi_judge_case *subject,
                                 const double *degrees, size_t number, asp_error *error);
 

@@ -26,7 +26,7 @@ static void reflect(double v[3], const double gradient[2]) {
 }
 
 /* One particle from its first hit on. */
-static void follow(const aspi_dilated_map *field, size_t row, const aspi_spot *spot, double alpha1,
+static void fly_on(const aspi_dilated_map *field, size_t row, const aspi_spot *spot, double alpha1,
                    aspi_angles *angles) {
   size_t at = row * field->columns + spot->face;
   double gradient[2] = {field->p[at], field->q[at]}, tilt = atan(gradient[0]);
@@ -67,7 +67,7 @@ static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t
       draw_places(&stream, share, per_row);
       aspi_line_hits(&line, tan(alpha1), share, per_row, spots);
       for (size_t k = 0; k < per_row; k++)
-        follow(field, row, &spots[k], alpha1, &angles[i]);
+        fly_on(field, row, &spots[k], alpha1, &angles[i]);
     }
   }
   free(share);

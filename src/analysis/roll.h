@@ -16,7 +16,7 @@ typedef struct aspi_slope {
   double lambda_c, gravity, angle; /* angle in rad */
 } aspi_slope;
 
-/* What may pass in a unit of sqrt(lambda_c/gravity), and of sqrt(lambda_c gravity). */
+/* Units of time and speed of the slope: sqrt(lambda_c/gravity), sqrt(lambda_c gravity). */
 double aspi_slope_time(const aspi_slope *slope);
 double aspi_slope_speed(const aspi_slope *slope);
 
@@ -63,7 +63,7 @@ aspi_roll aspi_ground_roll(const aspi_ground *ground, const aspi_slope *slope, d
 double aspi_ground_start(const aspi_ground *ground, const aspi_slope *slope, double x, double y,
                          double s_eff);
 
-/* The same by the model of the wall, which must be rough: in time steps in units of
+/* The motion by the model of the wall, which must be rough; time steps are in units of
  * sqrt(lambda_c/gravity). */
 aspi_roll aspi_slope_roll(const aspi_slope *slope, double step, double duration, uint64_t tag);
 

@@ -1,6 +1,6 @@
 /* A sphere on a rough slope, by the wall's model: contacts on the mean wall, in time steps as an
- * engine takes them. The rule is that of src/dem/faces.cpp, for one plane, by the same functions of
- * the wall. A valley that holds the sphere holds it for good.
+ * engine takes them. The rule is that of src/dem/step/faces.cpp, for one plane, by the same
+ * functions of the wall. A valley that holds the sphere holds it for good.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/roll.h"

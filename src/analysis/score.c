@@ -3,20 +3,61 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/score.h"
 
-#include <gsl/gsl_randist.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <stdlib.h>
 
-/* What is compared in a bin: means of all quantities, and the sd of both coefficients. */
-enum { TERMS = ASPI_QUANTITIES + COR_BOTH };
+const aspi_sample aspi_sample_none = {
+    .size = NAN, .mean = NAN, .sd = NAN, .mean_se = NAN, .sd_se = NAN};
 
-bool aspi_score_begin(aspi_score *score) {
-  *score = (aspi_score){.rng = gsl_rng_alloc(gsl_rng_mt19937)};
-  if (score->rng)
-    gsl_rng_set(score->rng, 1);
-  return score->rng;
+/* ---- samples ---- */
+
+static aspi_sample describe(const aspi_side *side, int k) {
+  aspi_sample s = aspi_sample_none;
+  double total = 0, squares = 0, mean = 0, second = 0, fourth = 0;
+  for (size_t i = 0; i < side->count; i++) {
+    const aspi_impact *x = &side->impacts[i];
+    if (isnan(x->of[k]))
+      continue;
+    s.count++;
+    total += x->weight;
+    squares += x->weight * x->weight;
+    mean += (x->of[k] - mean) * x->weight / total;
+  }
+  for (size_t i = 0; i < side->count; i++) {
+    double off = side->impacts[i].of[k] - mean, u = isnan(off) ? 0 : off * off;
+    second += side->impacts[i].weight * u;
+    fourth += side->impacts[i].weight * u * u;
+  }
+  if (s.count > 0) {
+    s.mean = mean;
+    s.size = total * total / squares;
+  }
+  if (s.count > 1) {
+    s.sd = sqrt(second / (total - squares / total));
+    s.mean_se = s.sd / sqrt(s.size);
+    second /= total;
+    s.sd_se = second > 0 ? sqrt(fmax(0, fourth / total / second - second) / s.size) / 2 : 0;
+  }
+  return s;
 }
+
+void aspi_side_describe(aspi_side *side) {
+  double product = 0, square[COR_BOTH] = {0, 0};
+  for (int k = 0; k < ASPI_QUANTITIES; k++)
+    side->of[k] = describe(side, k);
+  for (size_t i = 0; i < side->count; i++) {
+    const aspi_impact *x = &side->impacts[i];
+    double n = x->of[COR_N] - side->of[COR_N].mean, t = x->of[COR_T] - side->of[COR_T].mean;
+    if (isnan(n + t))
+      continue;
+    product += x->weight * n * t;
+    square[COR_N] += x->weight * n * n;
+    square[COR_T] += x->weight * t * t;
+  }
+  double both = sqrt(square[COR_N] * square[COR_T]);
+  side->correlation = both > 0 ? product / both : 0;
+}
+
+/* ---- differences ---- */
 
 /* The standard error of the difference of two sd. One law has one kurtosis, which few impacts tell
  * badly: that of both together counts. */
@@ -38,113 +79,47 @@ static double share_error_of(const aspi_sample *m, const aspi_sample *d) {
   return sqrt(share * (1 - share) * (1 / m->size + 1 / d->size));
 }
 
-/* The standard error of a difference; a model without scatter has none of its own. */
-static double error_of(const aspi_side *model, const aspi_side *data, int term) {
-  int k = term < ASPI_QUANTITIES ? term : term - ASPI_QUANTITIES;
-  const aspi_sample *m = &model->of[k], *d = &data->of[k];
-  if (term == ASPI_DEPOSITS)
-    return share_error_of(m, d);
-  if (data->impacts && d->size < ASPI_SCORED_LEAST)
-    return NAN;
-  if (term != k)
-    return sd_error_of(m, d);
-  return hypot(d->mean_se, isfinite(m->mean_se) ? m->mean_se : 0);
+/* Adds a difference; returns it, or 0 for one that has no known error. */
+static double add_difference(aspi_score *score, double difference, double error) {
+  double z = difference / error;
+  if (!isfinite(z))
+    return 0;
+  score->terms++;
+  score->scatter++;
+  score->square += z * z;
+  score->shift += z * z;
+  return z;
 }
 
-static double value_of(const aspi_side *side, int term) {
-  return term < ASPI_QUANTITIES ? side->of[term].mean : side->of[term - ASPI_QUANTITIES].sd;
+/* Adds what two differences of that correlation have in common. */
+static void add_pair(aspi_score *score, const double z[COR_BOTH], double correlation) {
+  if (fabs(z[COR_N]) > 0 && fabs(z[COR_T]) > 0) {
+    score->scatter += 2 * correlation * correlation;
+    score->shift += 2 * correlation * z[COR_N] * z[COR_T];
+  }
 }
 
-/* The difference in its standard errors; NAN where it is none of the score's terms. */
-static double deviation(const aspi_side *model, const aspi_side *data, int term, double error) {
-  double z = (value_of(model, term) - value_of(data, term)) / error;
-  return isfinite(z) ? z : NAN;
-}
-
-static void add(aspi_score *score, int replicate, double z, double noise) {
-  score->cross[replicate] += z * noise;
-  score->noise[replicate] += noise * noise;
-}
-
-void aspi_score_add_means(aspi_score *score, const aspi_side *model, const aspi_side *data) {
+void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *data) {
+  double means[COR_BOTH] = {0, 0}, sds[COR_BOTH] = {0, 0}, correlation = model->correlation;
   for (int k = 0; k < COR_BOTH; k++) {
-    double z = deviation(model, data, k, error_of(model, data, k));
-    if (isnan(z))
+    const aspi_sample *m = &model->of[k], *d = &data->of[k];
+    if (data->impacts && !(d->size >= ASPI_SCORED_LEAST))
       continue;
-    score->terms++;
-    score->square += z * z;
-    for (int r = 0; r < ASPI_REPLICATES; r++)
-      add(score, r, z, gsl_ran_ugaussian(score->rng));
+    means[k] = add_difference(score, m->mean - d->mean,
+                              hypot(d->mean_se, isfinite(m->mean_se) ? m->mean_se : 0));
+    if (data->impacts)
+      sds[k] = add_difference(score, m->sd - d->sd, sd_error_of(m, d));
+  }
+  if (data->impacts) {
+    const aspi_sample *m = &model->of[ASPI_DEPOSITS], *d = &data->of[ASPI_DEPOSITS];
+    add_difference(score, m->mean - d->mean, share_error_of(m, d));
+    add_pair(score, means, correlation);
+    add_pair(score, sds, correlation * correlation);
   }
 }
 
-/* As many impacts as count in full, drawn by their weights: how far their means and sd are from
- * those of the side. */
-static void resample(const aspi_side *side, const gsl_ran_discrete_t *by_weight, gsl_rng *rng,
-                     double off[TERMS]) {
-  double n[ASPI_QUANTITIES] = {0}, sum[ASPI_QUANTITIES] = {0}, squares[ASPI_QUANTITIES] = {0};
-  for (size_t i = (size_t)(side->of[ASPI_DEPOSITS].size + 0.5); i > 0; i--) {
-    const aspi_impact *drawn = &side->impacts[gsl_ran_discrete(rng, by_weight)];
-    for (int k = 0; k < ASPI_QUANTITIES; k++) {
-      double u = drawn->of[k] - side->of[k].mean;
-      if (isnan(u))
-        continue;
-      n[k]++;
-      sum[k] += u;
-      squares[k] += u * u;
-    }
-  }
-  for (int k = 0; k < ASPI_QUANTITIES; k++) {
-    off[k] = sum[k] / n[k];
-    if (k < COR_BOTH)
-      off[ASPI_QUANTITIES + k] =
-          sqrt(fmax(0, squares[k] - sum[k] * sum[k] / n[k]) / (n[k] - 1)) - side->of[k].sd;
-  }
-}
-
-static gsl_ran_discrete_t *weights_of(const aspi_side *side) {
-  double *weights = malloc(side->count * sizeof *weights);
-  for (size_t i = 0; weights && i < side->count; i++)
-    weights[i] = side->impacts[i].weight;
-  gsl_ran_discrete_t *table = weights ? gsl_ran_discrete_preproc(side->count, weights) : NULL;
-  free(weights);
-  return table;
-}
-
-bool aspi_score_add_impacts(aspi_score *score, const aspi_side *model, const aspi_side *data) {
-  double z[TERMS], error[TERMS];
-  size_t terms = 0;
-  for (int t = 0; t < TERMS; t++) {
-    z[t] = deviation(model, data, t, error[t] = error_of(model, data, t));
-    terms += isfinite(z[t]);
-    score->square += isfinite(z[t]) ? z[t] * z[t] : 0;
-  }
-  score->terms += terms;
-  if (terms == 0)
-    return true;
-  gsl_ran_discrete_t *tables[2] = {weights_of(model), weights_of(data)};
-  bool fine = tables[0] && tables[1];
-  for (int r = 0; r < ASPI_REPLICATES && fine; r++) {
-    double off[2][TERMS];
-    resample(model, tables[0], score->rng, off[0]);
-    resample(data, tables[1], score->rng, off[1]);
-    for (int t = 0; t < TERMS; t++) {
-      double noise = (off[0][t] - off[1][t]) / error[t];
-      if (isfinite(z[t]) && isfinite(noise))
-        add(score, r, z[t], noise);
-    }
-  }
-  for (int k = 0; k < 2; k++)
-    if (tables[k])
-      gsl_ran_discrete_free(tables[k]);
-  return fine;
-}
-
-aspi_estimate aspi_score_end(aspi_score *score) {
-  double n = (double)score->terms, value = score->square / n, replicate[ASPI_REPLICATES];
-  double part = value > 1 ? sqrt((value - 1) / value) : 0;
-  for (int r = 0; r < ASPI_REPLICATES; r++)
-    replicate[r] = (2 * part * score->cross[r] + score->noise[r]) / n;
-  gsl_rng_free(score->rng);
-  return (aspi_estimate){value, gsl_stats_sd(replicate, 1, ASPI_REPLICATES)};
+aspi_estimate aspi_score_end(const aspi_score *score) {
+  double n = score->terms, value = score->square / n;
+  double excess = value > 1 ? (value - 1) / value : 0;
+  return (aspi_estimate){value, sqrt(2 * score->scatter + 4 * excess * score->shift) / n};
 }

@@ -1,38 +1,55 @@
-/* One score of a model against measurements: the reduced chi-square of the differences of means,
- * standard deviations and shares of deposits, near 1 for the true model, and its standard error.
+/* Samples of impacts, and one score of a model against measurements: the reduced chi-square of the
+ * differences of means, standard deviations and shares of deposits, near 1 for the true model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_SCORE_H
 #define ASP_ANALYSIS_SCORE_H
 
 #include "analysis/angles.h"
-#include "analysis/sample.h"
+#include "analysis/impacts.h"
 
-#include <gsl/gsl_rng.h>
+/* Fewer single impacts than this tell no standard error to divide by. */
+enum { ASPI_SCORED_LEAST = 10 };
 
-/* Replicates; and fewer single impacts than this tell no standard error to divide by. */
-enum { ASPI_REPLICATES = 200, ASPI_SCORED_LEAST = 10 };
+/* The quantities of an impact: both coefficients, and 1 for a deposit, 0 for a rebound. */
+enum { ASPI_DEPOSITS = COR_BOTH, ASPI_QUANTITIES };
 
-/* chi2 of a difference that is z in its standard errors, and of a replicate's difference from it,
- * e: the sums of z^2, z e and e^2 over all terms. */
+/* A coefficient is NAN where there is none. */
+typedef struct aspi_impact {
+  double of[ASPI_QUANTITIES], weight;
+} aspi_impact;
+
+/* A sample; NAN where it is too small for a number. size: effective sample size (Kish). _se are
+ * standard errors. */
+typedef struct aspi_sample {
+  size_t count;
+  double size, mean, sd, mean_se, sd_se;
+} aspi_sample;
+
+extern const aspi_sample aspi_sample_none;
+
+/* Samples of all quantities on one side, of the model or of the data. */
+typedef struct aspi_side {
+  aspi_impact *impacts; /* NULL where there are only numbers */
+  size_t count;
+  aspi_sample of[ASPI_QUANTITIES];
+  double correlation; /* of both coefficients; 0 where not known */
+} aspi_side;
+
+/* Describes all quantities of the side's impacts. */
+void aspi_side_describe(aspi_side *side);
+
+/* Sums over differences z in their standard errors: of z^2; of the squares of their correlations,
+ * and of z_i z_j times those. Begins with zeros. */
 typedef struct aspi_score {
-  gsl_rng *rng;
-  size_t terms;
-  double square, cross[ASPI_REPLICATES], noise[ASPI_REPLICATES];
+  double terms, square, scatter, shift;
 } aspi_score;
 
-/* Both return false where memory is out. */
-bool aspi_score_begin(aspi_score *score);
+/* Adds the differences of a bin. */
+void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *data);
 
-/* Adds the terms of a bin with single impacts on both sides: resamples them. */
-bool aspi_score_add_impacts(aspi_score *score, const aspi_side *model, const aspi_side *data);
-
-/* Adds the terms of measured means: the replicates are normal. */
-void aspi_score_add_means(aspi_score *score, const aspi_side *model, const aspi_side *data);
-
-/* NAN where no difference has a known standard error. Replicates scatter about the measured
- * differences less what noise alone adds to chi2, so that their scatter is that of the score over
- * repeated measurements. Frees what the score holds. */
-aspi_estimate aspi_score_end(aspi_score *score);
+/* NAN where no difference has a known standard error. The standard error is that of a quadratic
+ * form of normal differences. */
+aspi_estimate aspi_score_end(const aspi_score *score);
 
 #endif

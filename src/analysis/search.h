@@ -1,4 +1,6 @@
-/* Shared by the parts of a fit: the calibration with its weights, and scratch memory.
+/* A search for the unknowns of a calibration: whitened differences of moments, and the minimum of
+ * their squares. The weights are those of the model where it scatters and the errors of the data
+ * are known and the model describes them, else those of the data.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_SEARCH_H
@@ -6,43 +8,37 @@
 
 #include "analysis/calibrate.h"
 
-#include <gsl/gsl_matrix.h>
-#include <gsl/gsl_vector.h>
-
 typedef struct aspi_search {
   const aspi_calibration *problem;
-  aspi_group *groups; /* the data: the problem's own, or synthetic ones */
   aspi_weights *weights;
   double pooled[MOMENTS][MOMENTS];
-  double (*xy)[2], *room; /* of all groups, for `most` impacts each */
-  size_t most, samples, n_moments;
-  aspi_weights_kind kind;
-  bool fixed; /* weights stay; else they follow the unknowns, and their determinant counts */
-  int held;   /* an unknown that stays where it is; -1: none */
+  double (*xy)[2]; /* scratch of a group */
+  size_t samples;  /* simulated impacts of a group */
+  size_t n_moments;
+  bool by_model; /* weights of the model, else of the data */
+  int held;      /* an unknown that stays where it is; -1: none */
   double held_at;
+  bool follows; /* weights follow the unknowns, and their determinant counts; else they stay */
 } aspi_search;
 
+/* Begins with weights that follow the unknowns if they are the model's. False: out of memory. */
 bool aspi_search_begin(aspi_search *s, const aspi_calibration *problem);
 void aspi_search_end(aspi_search *s);
 
-/* Least squares from there on, to within `close` on the scale; the sum of squares, and where wanted
- * the derivatives in the end, and half the gradient of the sum. INFINITY: no such model. */
-double aspi_search_descend(aspi_search *s, double *at, int steps, double close,
-                           gsl_matrix *derivatives, gsl_vector *gradient);
+/* Takes the weights of the data from here on. */
+void aspi_search_weigh_by_data(aspi_search *s);
 
-/* The sum of squares at some values. */
+/* The sum of squares at some values; INFINITY: no such model. */
 double aspi_search_squares(aspi_search *s, const double *at);
 
-/* Weights and least squares in turn, until neither changes, with the model or the data to weigh by;
- * covariance is that of the unknowns. */
-bool aspi_search_settle(aspi_search *s, double *at, int rounds, double *chi2,
-                        gsl_matrix *covariance);
+/* Least squares from there on, in at most `steps` steps, to within `close` on the scale. Returns
+ * the sum of squares. */
+double aspi_search_descend(aspi_search *s, double *at, int steps, double close);
 
-/* The 95 % interval of an unknown by the rise of chi^2, with the weights as they are. */
-void aspi_interval_by_rise(aspi_search *s, const double *at, double scale, size_t j, double *low,
-                           double *high);
-
-/* All of them by refits of synthetic data; false: there is no memory. */
-bool aspi_interval_by_bootstrap(const aspi_calibration *problem, aspi_fit *fit);
+/* Gauss-Newton steps from fit->at until they are small against the errors; the model's weights are
+ * those at the values where a step begins (quasi-likelihood, Wedderburn 1974), and stay in the end.
+ * Fills in all but starts, intervals and `described`. False: there is no such model, or no memory.
+ */
+bool aspi_search_settle(aspi_search *s, aspi_fit *fit);
 
 #endif

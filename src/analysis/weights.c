@@ -4,7 +4,6 @@
 #include "analysis/weights.h"
 
 #include <gsl/gsl_blas.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 
 /* Share of each variance that is added to it. If wall and law leave one freedom, moments are nearly
@@ -15,41 +14,18 @@
 /* The least variance, so that a moment that does not vary can be weighed. */
 #define FLOOR 1e-14
 
-/* The covariance of a group is that of its own impacts in the share n/(n + FEW), halved. */
+/* The data's covariance of a group is that of its own impacts in the share n/(n + FEW), and the
+ * pooled one in the rest. */
 #define FEW 20.0
 
 /* ---- moments ---- */
 
-aspi_cloud_frame aspi_cloud_frame_at(double x, double y) {
-  return (aspi_cloud_frame){{x, y}, {-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
-}
-
-void aspi_cloud_frame_cut(aspi_cloud_frame *frame, const aspi_cloud *cloud, double widths,
-                          double *room) {
-  size_t n = cloud->rebounds;
-  for (int k = 0; k < 2; k++) {
-    frame->low[k] = -INFINITY;
-    frame->high[k] = INFINITY;
-    if (n == 0 || !isfinite(widths))
-      continue;
-    for (size_t i = 0; i < n; i++)
-      room[i] = cloud->xy[i][k];
-    double median = gsl_stats_median(room, 1, n), width = gsl_stats_mad(room, 1, n, room + n);
-    if (!(width > 0))
-      continue;
-    frame->low[k] = median - widths * width;
-    frame->high[k] = median + widths * width;
-  }
-}
-
-aspi_cloud_moments aspi_cloud_moments_of(const aspi_cloud *cloud, const aspi_cloud_frame *frame) {
+aspi_cloud_moments aspi_cloud_moments_of(const aspi_cloud *cloud, const double center[2]) {
   aspi_cloud_moments m = {.rebounds = (double)cloud->rebounds,
                           .all = (double)(cloud->rebounds + cloud->deposits)};
   double product[MOMENT_STUCK][MOMENT_STUCK] = {{0}};
   for (size_t i = 0; i < cloud->rebounds; i++) {
-    double u[2];
-    for (int k = 0; k < 2; k++)
-      u[k] = fmin(fmax(cloud->xy[i][k], frame->low[k]), frame->high[k]) - frame->center[k];
+    double u[2] = {cloud->xy[i][0] - center[0], cloud->xy[i][1] - center[1]};
     double term[MOMENT_STUCK] = {u[0], u[1], u[0] * u[0], u[1] * u[1], u[0] * u[1]};
     for (int k = 0; k < MOMENT_STUCK; k++) {
       m.of[k] += term[k];
@@ -68,12 +44,12 @@ aspi_cloud_moments aspi_cloud_moments_of(const aspi_cloud *cloud, const aspi_clo
   return m;
 }
 
-aspi_cloud_moments aspi_group_moments(const aspi_group *g, const aspi_cloud_frame *frame) {
+aspi_cloud_moments aspi_group_moments(const aspi_group *g, const double center[2]) {
   if (g->impacts.xy)
-    return aspi_cloud_moments_of(&g->impacts, frame);
+    return aspi_cloud_moments_of(&g->impacts, center);
   aspi_cloud_moments m = {.rebounds = g->n, .all = g->n};
   for (int k = 0; k < 2; k++) {
-    double off = g->mean[k] - frame->center[k], square = g->sd[k] * g->sd[k];
+    double off = g->mean[k] - center[k], square = g->sd[k] * g->sd[k];
     double known = g->n > 1 ? (g->n - 1) / g->n : 1;
     m.of[MOMENT_X + k] = off;
     m.of[MOMENT_XX + k] = known * square + off * off;
@@ -85,30 +61,44 @@ aspi_cloud_moments aspi_group_moments(const aspi_group *g, const aspi_cloud_fram
 
 /* ---- weights ---- */
 
-/* The share of deposits is at least that of half a deposit (Wilson 1927), by data and model. */
-static double variance_of_share(double data, double model, double n, aspi_weights_kind kind) {
-  double both = kind == WEIGHTS_MODEL ? model : kind == WEIGHTS_DATA ? data : (data + model) / 2;
-  double share = (n * both + 0.5) / (n + 1);
-  return share * (1 - share);
+/* Variance of one impact's outcome. The share of deposits is at least that of half a deposit
+ * (Wilson 1927). */
+static double variance_of_share(double share, double n) {
+  double least = (n * share + 0.5) / (n + 1);
+  return least * (1 - least);
 }
 
 /* Lower Cholesky factor of a covariance, in place; a direction without a variance of its own gets
- * the floor. */
+ * the floor. Returns the logarithm of the determinant. */
 static double factor(double (*a)[MOMENTS], int n, const double *floor) {
   double log_determinant = 0;
-  for (int k = 0; k < n; k++)
+  for (int k = 0; k < n; k++) {
     for (int l = 0; l <= k; l++) {
       double sum = a[k][l];
       for (int i = 0; i < l; i++)
         sum -= a[k][i] * a[l][i];
-      if (l < k) {
-        a[k][l] = sum / a[l][l];
-        continue;
-      }
-      a[k][k] = sqrt(fmax(sum, floor[k]));
-      log_determinant += 2 * log(a[k][k]);
+      a[k][l] = l < k ? sum / a[l][l] : sqrt(fmax(sum, floor[k]));
     }
+    log_determinant += 2 * log(a[k][k]);
+  }
   return log_determinant;
+}
+
+/* The covariance of two moments, measured minus simulated. */
+static double covariance(const aspi_weights *w, const aspi_group *g,
+                         const aspi_cloud_moments *model, double (*pooled)[MOMENTS], int k, int l) {
+  const aspi_cloud_moments *data = &w->data;
+  if (k == MOMENT_STUCK && l == MOMENT_STUCK)
+    return variance_of_share((model ? model : data)->of[k], data->all) *
+           (1 / data->all + (model ? 1 / model->all : 0));
+  if (k == MOMENT_STUCK || l == MOMENT_STUCK)
+    return 0;
+  double own = g->impacts.xy ? data->rebounds / (data->rebounds + FEW) : 1;
+  double of_data = own * data->covariance[k][l] + (own < 1 ? (1 - own) * pooled[k][l] : 0);
+  if (!model)
+    return of_data / data->rebounds;
+  return (g->by_data ? data : model)->covariance[k][l] / data->rebounds +
+         model->covariance[k][l] / model->rebounds;
 }
 
 /* A corner of n x n of a matrix of moments. */
@@ -117,41 +107,24 @@ static gsl_matrix_view corner(double (*a)[MOMENTS], int n) {
 }
 
 void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_moments *model,
-                      double (*pooled)[MOMENTS], aspi_weights_kind kind) {
-  const aspi_cloud_moments *data = &w->data;
-  double own = data->rebounds / (data->rebounds + FEW), floor[MOMENTS];
-  double share = kind == WEIGHTS_DATA || g->by_data ? 1 : kind == WEIGHTS_BOTH ? own / 2 : 0;
-  double(*exact)[MOMENTS] = w->whitened;
+                      double (*pooled)[MOMENTS]) {
+  double floor[MOMENTS];
   w->n = 0;
   for (int k = 0; k < MOMENTS; k++)
     if (g->used[k])
       w->of[w->n++] = k;
-  for (int i = 0; i < w->n; i++)
-    for (int j = 0; j < w->n; j++) {
-      int k = w->of[i], l = w->of[j];
-      exact[i][j] = 0;
-      if (k == MOMENT_STUCK && l == MOMENT_STUCK)
-        exact[i][j] = variance_of_share(data->of[k], model->of[k], data->all, kind) *
-                      (1 / data->all + 1 / model->all);
-      if (k == MOMENT_STUCK || l == MOMENT_STUCK)
-        continue;
-      double of_data = data->covariance[k][l], of_model = model->covariance[k][l];
-      if (kind == WEIGHTS_DATA && g->impacts.xy)
-        of_data = own * of_data + (1 - own) * pooled[k][l];
-      exact[i][j] = (share > 0 ? share * of_data : 0) + (share < 1 ? (1 - share) * of_model : 0);
-      exact[i][j] /= data->rebounds;
-      exact[i][j] += kind == WEIGHTS_DATA ? 0 : of_model / model->rebounds;
-    }
   for (int i = 0; i < w->n; i++) {
-    for (int j = 0; j < w->n; j++)
-      w->lower[i][j] = exact[i][j];
-    floor[i] = RIDGE * exact[i][i] + FLOOR;
+    for (int j = 0; j < w->n; j++) {
+      w->whitened[i][j] = covariance(w, g, model, pooled, w->of[i], w->of[j]);
+      w->lower[i][j] = w->whitened[i][j];
+    }
+    floor[i] = RIDGE * w->lower[i][i] + FLOOR;
     w->lower[i][i] += floor[i];
   }
   w->log_determinant = factor(w->lower, w->n, floor);
   if (w->n == 0)
     return;
-  gsl_matrix_view lower = corner(w->lower, w->n), whitened = corner(exact, w->n);
+  gsl_matrix_view lower = corner(w->lower, w->n), whitened = corner(w->whitened, w->n);
   gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1, &lower.matrix,
                  &whitened.matrix);
   gsl_blas_dtrsm(CblasRight, CblasLower, CblasTrans, CblasNonUnit, 1, &lower.matrix,
@@ -160,9 +133,9 @@ void aspi_weights_set(aspi_weights *w, const aspi_group *g, const aspi_cloud_mom
 
 void aspi_weights_apply(const aspi_weights *w, const double model[MOMENTS], double *out) {
   for (int i = 0; i < w->n; i++) {
-    double off = model[w->of[i]] - w->data.of[w->of[i]];
+    out[i] = model[w->of[i]] - w->data.of[w->of[i]];
     for (int j = 0; j < i; j++)
-      off -= w->lower[i][j] * out[j];
-    out[i] = off / w->lower[i][i];
+      out[i] -= w->lower[i][j] * out[j];
+    out[i] /= w->lower[i][i];
   }
 }

@@ -18,11 +18,11 @@ aspi_fail(asp_error *error, asp_code code, const char *format, ...);
 asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, double value,
                           double least, double most);
 
-/* The same for value > 0, finite. */
+/* ASP_EARG unless value > 0, finite. */
 asp_code aspi_check_positive(asp_error *error, const char *name, const char *unit, double value);
 
-/* The same for a length from 1e-100 to 1e100 in any unit: its ratios and squares neither overflow
- * nor lose digits. */
+/* ASP_EARG unless a length is from 1e-100 to 1e100 in any unit: its ratios and squares neither
+ * overflow nor lose digits. */
 asp_code aspi_check_length(asp_error *error, const char *name, double value);
 
 /* ASP_ENAME and "<what> 'name' is unknown; did you mean 'b'? there are: a b c", where `list` is the

@@ -30,7 +30,7 @@
          "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \
   COLUMN(OUTCOME, "outcome", "i1", "0 rebound, 1 deposited, 2 deleted")
 
-/* Those behind them in a ledger with `columns full`. */
+/* Further columns of a ledger with `columns full`. */
 #define LEDGER_MORE_COLUMNS(COLUMN)                                                                \
   COLUMN(MASS, "mass", "f8", "mass of the particle")                                               \
   COLUMN(NX, "nx", "f8", "outward normal of the mean wall, x")                                     \
@@ -51,7 +51,11 @@
   COLUMN(IMPULSE_X, "impulse_x", "f8", "impulse on the wall, x")                                   \
   COLUMN(IMPULSE_Y, "impulse_y", "f8", "the same, y")                                              \
   COLUMN(IMPULSE_Z, "impulse_z", "f8", "the same, z")                                              \
-  COLUMN(ERODED_MASS, "eroded_mass", "f8", "mass that the impact wears off the wall")
+  COLUMN(ERODED_MASS, "eroded_mass", "f8", "mass that the impact wears off the wall")              \
+  COLUMN(BODY, "body", "i8", "number of the body that the particle is part of, from 1; 0: none")   \
+  COLUMN(LEVER_X, "lever_x", "f8", "from the body's center of mass to the particle's center, x")   \
+  COLUMN(LEVER_Y, "lever_y", "f8", "the same, y")                                                  \
+  COLUMN(LEVER_Z, "lever_z", "f8", "the same, z")
 
 /* Places in a row, from 0: LEDGER_TAG, ... */
 #define LEDGER_PLACE(ID, name, type, text) LEDGER_##ID,

@@ -62,7 +62,7 @@ char *aspi_text_field(char **next, char separator);
 /* Cuts a line into at most `most` fields; the number of fields. */
 int aspi_text_split(char *line, char separator, char *fields[], int most);
 
-/* The same of a line of names, without the marks of a comment before it. Where blanks separate
+/* Splits a line of names, without the marks of a comment before it. Where blanks separate
  * them, a unit in brackets belongs to the name before it. */
 int aspi_text_names(char *line, char separator, char *names[], int most);
 

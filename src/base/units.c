@@ -12,17 +12,16 @@
 #include <string.h>
 #include <strings.h>
 
-/* Behind the Latin names those in UTF-8 and Latin-1, with a micro sign or a Greek mu, and the
- * single characters of Japan and China. */
+/* Behind the Latin names those in UTF-8 and Latin-1, with a micro sign or a Greek mu. */
 static const aspi_unit units[] = {
     {"length", "m meter meters metre metres", 0, 1, 0, true},
     {"length", "cm", -2, 1, 0, true},
-    {"length", "mm millimeter millimeters millimetre millimetres \xE3\x8E\x9C", -3, 1, 0, true},
+    {"length", "mm millimeter millimeters millimetre millimetres", -3, 1, 0, true},
     {"length",
      "um micrometer micrometers micrometre micrometres micron microns mikrometer "
-     "\xB5m \xC2\xB5m \xCE\xBCm \xE3\x8E\x9B",
+     "\xB5m \xC2\xB5m \xCE\xBCm",
      -6, 1, 0, true},
-    {"length", "nm nanometer nanometers nanometre nanometres \xE3\x8E\x9A", -9, 1, 0, true},
+    {"length", "nm nanometer nanometers nanometre nanometres", -9, 1, 0, true},
     {"length", "in inch inches", -3, 25.4, 0, false},
     {"length", "mil mils thou", -6, 25.4, 0, false},
     {"length", "uin \xB5in \xC2\xB5in \xCE\xBCin uinch microinch microinches", -9, 25.4, 0, false},
@@ -78,8 +77,7 @@ static bool states_unit(const char *line, const char *word, size_t length, bool 
   while (before > line && before[-1] == ' ')
     before--;
   char c = before > line ? before[-1] : '\0';
-  if ((c && strchr("([{_/", c)) ||
-      (before - line >= 3 && strncmp(before - 3, "\xEF\xBC\x88", 3) == 0)) /* a wide bracket */
+  if (c && strchr("([{_/", c))
     return true;
   if (isdigit((unsigned char)c) || c == '.')
     return false;

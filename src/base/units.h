@@ -32,7 +32,7 @@ double aspi_unit_metres(const char *name, size_t length);
  * one for both. */
 int aspi_header_units(const char *line, double units[2]);
 
-/* The same, but a unit that covers both columns is counted once. */
+/* The units in a line; one that covers both columns is counted once. */
 int aspi_units_in(const char *line, double units[2]);
 
 #endif

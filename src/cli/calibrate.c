@@ -18,7 +18,7 @@
 
 /* The data do not determine unknowns whose estimates are correlated by more than CORRELATED, or
  * whose relative error is above VAGUE. */
-#define CORRELATED 0.95
+#define CORRELATED 0.9
 #define VAGUE 1.0
 
 /* ---- what is looked for ---- */
@@ -151,8 +151,7 @@ static double end_of(const aspi_calibration *c, size_t i, double scaled) {
   return isfinite(scaled) ? aspi_unknown_value(&c->unknown[i], scaled) : NAN;
 }
 
-/* The bound that the data give for an unknown whose minimum is at a limit, or too near to exclude
- * it. */
+/* The bound that the data give for an unknown if they do not exclude an end of the search. */
 static bool bound_of(const aspi_calibration *c, const aspi_fit *f, size_t i, char *text,
                      size_t size) {
   const aspi_unknown *u = &c->unknown[i];
@@ -180,23 +179,23 @@ static void warn_of_doubt(const aspi_calibration *c, const aspi_fit *f) {
     double value = value_of(c, f, i), error = error_of(c, f, i);
     const aspi_unknown *u = &c->unknown[i];
     if (bound_of(c, f, i, text, sizeof text))
-      cli_warn("%s: the minimum is at %.3g, where the search ends, or too near to tell", text,
+      cli_warn("%s: the data do not exclude %.3g, where the search ends", text,
                aspi_unknown_value(u, f->at[i] - u->low < u->high - f->at[i] ? u->low : u->high));
     else if (!(error < VAGUE * value))
       cli_warn("the data say little of '%s': %g, from %g to %g at 95 %%", c->unknown[i].name, value,
                end_of(c, i, f->low[i]), end_of(c, i, f->high[i]));
   }
-  double p = f->dof > 0 ? gsl_cdf_chisq_Q(f->chi2, f->dof) : 1;
+  double p = f->dof > 0 ? gsl_cdf_chisq_Q(f->first_chi2, f->dof) : 1;
   if (c->known && f->dof > 0 && p < 1e-3)
-    cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s", f->chi2 / f->dof,
-             p, f->described ? "" : "; the standard errors are scaled by its root");
+    cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s",
+             f->first_chi2 / f->dof, p,
+             f->described ? ""
+                          : "; the fit is by weights of the data, with standard errors scaled "
+                            "by the root of its own chi^2/dof");
   if (!f->converged)
     cli_warn("weights and values have not settled: they still move by over a quarter of their "
              "errors; more "
              "--samples may help");
-  if (f->interval[0] == BY_BOOTSTRAP)
-    cli_warn("impacts are too few for intervals by standard errors; these are from synthetic data "
-             "sets that were fitted anew");
 }
 
 /* A value as the table has it, so that the description holds the same. */
@@ -230,7 +229,6 @@ static void print_unknown(FILE *out, const aspi_calibration *c, const aspi_fit *
 }
 
 static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
-  static const char *const ways[] = {"", "the rise of chi^2", "synthetic data sets fitted anew"};
   double all = 0;
   for (size_t b = 0; b < c->n_bins; b++)
     all += c->groups[b].n;
@@ -244,8 +242,6 @@ static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
               f->correlation[i][k]);
     if (bound_of(c, f, i, text, sizeof text))
       fprintf(out, "# %s\n", text);
-    if (f->interval[i] != BY_ERROR)
-      fprintf(out, "# interval of %s by %s\n", c->unknown[i].name, ways[f->interval[i]]);
   }
   fprintf(out, "# the best of %zu starts, of which %zu agree\n", f->starts, f->agreed);
   fprintf(out, "# chi^2/dof %.4g: chi^2 %.6g, %.0f degrees of freedom, %zu bins",
@@ -301,7 +297,6 @@ static void read_wall(aspi_calibration *c, const cli_call *call,
   c->seed = (uint32_t)asp_description_get(words, "seed");
   c->d_p = cli_length(cli_get(call, "dp"));
   c->speed = cli_number(cli_get(call, "speed"), 1e-9, 1e6);
-  c->huber = cli_value(call, "huber") ? cli_number(cli_get(call, "huber"), 1, 100) : INFINITY;
   read_noise(c, cli_get(call, "noise"));
   read_unknowns(c);
 }
@@ -323,7 +318,8 @@ static point measured_in(const aspi_calibration *c, size_t b, int k) {
 
 static point fitted_in(const aspi_calibration *c, size_t b, int k) {
   double mean[COR_BOTH], sd[COR_BOTH];
-  aspi_calibration_coefficients(c, b, mean, sd);
+  if (!aspi_calibration_coefficients(c, b, mean, sd))
+    cli_fail("out of memory for %zu impacts", c->samples);
   return (point){c->bins[b].degrees, mean[k], sd[k]};
 }
 
@@ -393,11 +389,7 @@ static const cli_option options[] = {
      "sd of the measured impact angles, of the rebound angles [the same], and of the speeds as a "
      "share of them",
      "0"},
-    {"huber", "WIDTHS",
-     "against outliers: a rebound farther out than this many robust standard deviations counts as "
-     "if it were just that far; 2 is usual",
-     NULL},
-    MEASURED_OPTIONS,
+    MEASURED_OPTION,
     {"bin", "DEGREES", "width of the bins of impacts", "5"},
     {"samples", "N",
      "simulated impacts per bin; by default 10 for each measured one, 2000 to 20000", NULL},

@@ -92,7 +92,7 @@ double cli_number(const cli_option *option, double least, double most);
 double cli_length(const cli_option *option);
 unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most);
 
-/* The same of lists, `a,b,c` and `from:to:step`; cli_values takes `lognormal:min:max:median`, too.
+/* Values of lists, `a,b,c` and `from:to:step`; cli_values takes `lognormal:min:max:median`, too.
  * Angles are in degrees, 0 to 90. */
 cli_list cli_values(const cli_option *option, const char *kind, double least, double most);
 cli_list cli_numbers(const cli_option *option, double least, double most);

@@ -30,8 +30,9 @@ static void print_bin(FILE *out, const aspi_comparison *c, const aspi_compare_bi
   cli_row(out, "%s,%.6g,%g,%g,%.6g,%.6g,", names[k], b->degrees, b->from, b->to, b->v1,
           b->d_p * 1e6);
   print_side(out, m, (double)m->count, k < COR_BOTH);
-  print_side(out, d, c->data.means ? c->data.rows[b->first].n : (double)d->count, k < COR_BOTH);
-  cli_row(out, "%.6g,,\n", k < COR_BOTH ? b->distance[k] : NAN);
+  double n = c->data.means ? c->data.rows[b->first].n : c->names[1] ? (double)d->count : NAN;
+  print_side(out, d, n, k < COR_BOTH);
+  fputs(",\n", out);
 }
 
 static const char note[] =
@@ -41,22 +42,19 @@ static const char note[] =
     "hold the\n"
     "# roughness of the measured wall already; with a rough wall they count it twice.\n";
 
-static void print_count(FILE *out, const aspi_comparison *c) {
-  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
-          c->impacts.deposits);
-}
-
 static void print_all(FILE *out, const aspi_comparison *c) {
   fputs(note, out);
-  print_count(out, c);
+  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
+          c->impacts.deposits);
   fputs("quantity,alpha1_deg,alpha_from_deg,alpha_to_deg,v1_m_s,dp_um,model_n,model_mean,"
         "model_mean_se,model_sd,model_sd_se,data_n,data_mean,data_mean_se,data_sd,data_sd_se,"
-        "ks_distance,score,score_se\n",
+        "score,score_se\n",
         out);
   for (int k = 0; k < (c->data.has_outcome ? ASPI_QUANTITIES : COR_BOTH); k++)
     for (size_t i = 0; i < c->count; i++)
       print_bin(out, c, &c->bins[i], k);
-  cli_row(out, "score,,,,,,,,,,,,,,,,,%.6g,%.6g\n", c->score.value, c->score.se);
+  if (c->names[1])
+    cli_row(out, "score,,,,,,,,,,,,,,,,%.6g,%.6g\n", c->score.value, c->score.se);
 }
 
 /* Warns of bins that have only one of both, and fails where there is none with both. */
@@ -146,26 +144,6 @@ static void take_impacts(aspi_comparison *c) {
   cli_measured_sort(&c->data);
 }
 
-static void print_impacts(FILE *out, const aspi_comparison *c) {
-  print_count(out, c);
-  fputs("alpha1_deg,alpha_from_deg,alpha_to_deg,v1_m_s,dp_um,impacts,capture_share,n,cor_n_mean,"
-        "cor_n_sd,cor_n_median,cor_n_p05,cor_n_p95,cor_t_mean,cor_t_sd,cor_t_median,cor_t_p05,"
-        "cor_t_p95\n",
-        out);
-  for (size_t i = 0; i < c->count; i++) {
-    const aspi_compare_bin *b = &c->bins[i];
-    const aspi_sample *deposits = &b->model.of[ASPI_DEPOSITS];
-    double all = (double)deposits->count;
-    cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", b->degrees, b->from, b->to, b->v1,
-            b->d_p * 1e6, all, deposits->mean, all - round(deposits->mean * all));
-    for (int k = 0; k < COR_BOTH; k++) {
-      const aspi_sample *s = &b->model.of[k];
-      cli_row(out, ",%.6g,%.6g,%.6g,%.6g,%.6g", s->mean, s->sd, s->median, s->low, s->high);
-    }
-    fputc('\n', out);
-  }
-}
-
 /* ---- the command ---- */
 
 /* Impacts as the data look at them. */
@@ -194,15 +172,15 @@ static void make_bins(aspi_comparison *c, cli_call *call) {
 }
 
 static void table_impacts(aspi_comparison *c, cli_call *call) {
-  static const char *const of_data[] = {"near", "view", "below"};
+  static const char *const of_data[] = {"near", "view"};
   asp_error error;
-  for (int i = 0; i < 3; i++)
+  for (int i = 0; i < 2; i++)
     if (cli_is_set(call, of_data[i]))
       cli_bad_usage("--%s has no effect without DATA", of_data[i]);
   c->impacts = cli_scatter_read_impacts(c->names[0]);
   take_impacts(c);
   make_bins(c, call);
-  cli_must(!aspi_compare_fill_alone(c, &error), &error);
+  cli_must(!aspi_compare_fill(c, NULL, &error), &error);
 }
 
 static void compare_with(aspi_comparison *c, cli_call *call) {
@@ -251,7 +229,21 @@ static void edges_of(const aspi_comparison *c, size_t i, double *left, double *r
   *right = wide ? b->to : b->degrees + half;
 }
 
-static void plot_model(cli_plot *picture, const aspi_comparison *c, int which) {
+static void plot_marks(cli_plot *picture, const aspi_comparison *c, int which) {
+  const char *what = c->names[1] ? "measured impacts" : "impacts";
+  size_t every = c->data.means ? c->data.count : 1 + c->data.count / POINTS_MOST;
+  cli_plot_series(picture, CLI_MARKS, c->names[1] ? "data_each" : "impacts");
+  for (size_t i = 0; i < c->data.count && !c->data.means; i += every)
+    cli_plot_row(picture, c->data.rows[i].degrees, c->data.rows[i].cor[which]);
+  if (every > 1 && !c->data.means)
+    cli_plot_end(picture, "%s, one of %zu", what, every);
+  else
+    cli_plot_end(picture, "%s", c->data.means ? "" : what);
+}
+
+static void plot_panel(cli_plot *picture, const aspi_comparison *c, int which) {
+  cli_plot_coefficient(picture, which);
+  plot_marks(picture, c, which);
   cli_plot_series(picture, CLI_BOX, "simulated");
   for (size_t i = 0; i < c->count; i++) {
     const aspi_sample *m = &c->bins[i].model.of[which];
@@ -261,48 +253,25 @@ static void plot_model(cli_plot *picture, const aspi_comparison *c, int which) {
       cli_plot_row(picture, left, right, m->mean, m->sd);
   }
   cli_plot_end(picture, "%s, mean ± sd", c->names[1] ? "model" : "impacts");
-}
-
-static void plot_data(cli_plot *picture, const aspi_comparison *c, int which) {
-  size_t every = c->names[1] ? 1 : 1 + c->data.count / POINTS_MOST;
-  cli_plot_series(picture, CLI_MARKS, c->names[1] ? "data_each" : "impacts");
-  for (size_t i = 0; i < c->data.count && !c->data.means; i += every)
-    cli_plot_row(picture, c->data.rows[i].degrees, c->data.rows[i].cor[which]);
-  if (every > 1)
-    cli_plot_end(picture, "impacts, one of %zu", every);
-  else
-    cli_plot_end(picture, c->data.means ? "" : c->names[1] ? "measured impacts" : "impacts");
-  if (!c->names[1])
-    return;
   cli_plot_series(picture, CLI_ERRORS, "data");
   for (size_t i = 0; i < c->count; i++)
     cli_plot_row(picture, c->bins[i].degrees, c->bins[i].data.of[which].mean,
                  c->bins[i].data.of[which].sd);
-  cli_plot_end(picture, "measured, mean ± sd");
-}
-
-static cli_plot *open_picture(const cli_call *call, const aspi_comparison *c) {
-  if (c->names[1])
-    return cli_plot_open(call, 1200, 520, "1,2", "Model: %s; measured: %s",
-                         cli_plot_file(c->names[0]).text, cli_plot_file(c->names[1]).text);
-  return cli_plot_open(call, 1200, 520, "1,2", "%s: %zu impacts, %zu deposits",
-                       cli_plot_file(c->names[0]).text, c->impacts.count, c->impacts.deposits);
+  cli_plot_end(picture, "%s", c->names[1] ? "measured, mean ± sd" : "");
 }
 
 static void plot(const cli_call *call, const aspi_comparison *c) {
-  cli_plot *picture = open_picture(call, c);
+  const char *data = c->names[1];
+  cli_plot *picture = cli_plot_open(call, 1200, 520, "1,2", "%s%s%s%s (%zu impacts, %zu deposits)",
+                                    data ? "Measured: " : "", data ? cli_plot_file(data).text : "",
+                                    data ? "; model: " : "", cli_plot_file(c->names[0]).text,
+                                    c->impacts.count, c->impacts.deposits);
   for (int which = 0; which < COR_BOTH; which++) {
     bool any = false;
     for (size_t i = 0; i < c->count; i++)
       any = any || is_drawn(c, &c->bins[i], which);
-    if (!any)
-      continue;
-    cli_plot_coefficient(picture, which);
-    if (!c->names[1])
-      plot_data(picture, c, which);
-    plot_model(picture, c, which);
-    if (c->names[1])
-      plot_data(picture, c, which);
+    if (any)
+      plot_panel(picture, c, which);
   }
   cli_plot_close(picture);
 }
@@ -317,7 +286,7 @@ static void run(cli_call *call) {
   aspi_comparison c = {.names = {call->words[0], alone ? NULL : call->words[1]}};
   (alone ? table_impacts : compare_with)(&c, call);
   FILE *out = cli_output_open(call, "output", NULL);
-  (alone ? print_impacts : print_all)(out, &c);
+  print_all(out, &c);
   cli_file_close(out);
   if (cli_value(call, "plot"))
     plot(call, &c);
@@ -331,24 +300,21 @@ static const cli_option options[] = {{"bin", "DEGREES",
                                       "a place without simulated impacts takes those within this "
                                       "distance: degrees, shares of speed and size",
                                       FAR},
-                                     MEASURED_OPTIONS,
+                                     MEASURED_OPTION,
                                      {.name = NULL}};
 
 static const char detail[] =
-    "IMPACTS is the output of 'asperity cor', the ledger of a wall (CSV or .npy), or a dump\n"
-    "local file of its array (with the columns alpha1, cor_n, cor_t and outcome; v1 and d_p\n"
-    "where the data have them). Alone, they are tabled and drawn: for each place (an impact\n"
-    "angle, or an interval of angles) the share that sticks, and both coefficients of the n\n"
-    "others.\n" MEASURED_FORMS "\n"
+    "IMPACTS is the output of 'asperity cor' or the ledger of a wall (CSV or .npy). Alone, they "
+    "are tabled and drawn for each place (an impact\n"
+    "angle, or an interval of angles): model_n and model_mean of the rows 'deposits' are the\n"
+    "number of impacts and the share that sticks.\n" MEASURED_FORMS "\n"
     "A place in the data is an angle, with a speed and a size where the data have them. At\n"
     "each, the output has of both sides the mean and standard deviation of both\n"
     "coefficients, the share of deposits if the data have outcomes, all with standard\n"
-    "errors, and for single impacts the two-sample distance of Kolmogorov and Smirnov. The\n"
-    "last row is the score: the mean square of all differences, each divided by its\n"
-    "standard error (reduced chi-square), with the score's own standard error from\n"
-    "resampled impacts. For the true model it is 1 on average. If the data are means, only\n"
-    "the means count: by cor_n_se, or cor_n_sd and n; where n is missing, by cor_n_sd\n"
-    "itself.\n";
+    "errors. The last row is the score: the mean square of all differences, each divided by\n"
+    "its standard error (reduced chi-square), with the score's own standard error. For the\n"
+    "true model it is 1 on average. If the data are means, only the means count: by\n"
+    "cor_n_se, or cor_n_sd and n; where n is missing, by cor_n_sd itself.\n";
 
 const cli_command cli_compare = {
     .name = "compare",

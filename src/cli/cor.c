@@ -124,7 +124,7 @@ static void print_header(FILE *out, bool as_ledger) {
 
 /* ---- the summary ---- */
 
-/* Of the impacts at an angle of a size and a speed. */
+/* Sums over the impacts of one angle, size and speed. */
 typedef struct sums {
   size_t impacts;
   aspi_running cor_n, cor_t, eroded;
@@ -228,7 +228,7 @@ typedef struct cell {
   aspi_running angle[2], ratio[2];
 } cell;
 
-/* What the picture shows of all impacts. */
+/* Content of the picture. */
 typedef struct view {
   size_t every, n_dots, n_cells, deposits;
   row *dots; /* one of `every` */
@@ -365,7 +365,7 @@ static void plot(const cli_call *call, const scene *s, const view *v, size_t n) 
 
 /* ---- the command ---- */
 
-/* What is made of the impacts: rows, sums, a view; NULL: not wanted. */
+/* Destinations of an impact: rows, sums, the picture; NULL: not wanted. */
 typedef struct sink {
   FILE *rows;
   bool as_ledger;
@@ -479,18 +479,20 @@ static const cli_option options[] = {
     {.name = NULL}};
 
 static const char detail[] =
-    "One row per impact; its outcome is rebound or deposit. cor_n, cor_t, cor_v_plane\n"
-    "(v2/v1) and cor_alpha_plane (alpha2/alpha1) are those of the velocity in the plane of\n"
-    "incidence, as a camera from the side sees it (alpha2 from 0 to 180 degrees).\n"
-    "cor_v_space and cor_alpha_space are those of the velocity in space (alpha2 from 0 to\n"
-    "90). At normal impact cor_t is undefined and empty. --columns ledger writes the rows\n"
-    "of a wall's ledger in `units si` (outcome 0 or 1), for programs that read ledgers.\n"
-    "--summary has a row per angle, and per size and speed of lists: the number of impacts,\n"
-    "the share that sticks, and mean and sd of the n others; with `erosion` also eroded_mean and "
-    "eroded_sd over all\n"
-    "impacts, in mass worn off the wall per mass of particles. lognormal:min:max:median is\n"
-    "a log-normal distribution whose logarithm has the standard deviation ln(max/min)/5,\n"
-    "cut at both ends. Particles fly along x over the wall z = 0.\n";
+    "One row per impact; its outcome is rebound or deposit. Particles fly along x over the\n"
+    "wall z = 0. cor_n, cor_t, cor_v_plane (v2/v1) and cor_alpha_plane (alpha2/alpha1)\n"
+    "refer to the velocity in the plane of incidence, as a camera from the side sees it\n"
+    "(alpha2 from 0 to 180 degrees); cor_v_space and cor_alpha_space refer to the velocity\n"
+    "in space (alpha2 from 0 to 90). At normal impact cor_t is undefined and empty.\n"
+    "--summary has one row per angle, size and speed instead: the number of impacts, the\n"
+    "share that sticks, and mean and sd of the coefficients of the n that rebound; with\n"
+    "`erosion` also mean and sd of the mass worn off the wall per mass of particles, over\n"
+    "all impacts. --columns ledger writes the columns of a wall's ledger in `units si`\n"
+    "(outcome 0 or 1). lognormal:min:max:median is a log-normal distribution cut at min and\n"
+    "max; its logarithm has the standard deviation ln(max/min)/5. `grain clump FILE` takes the\n"
+    "spheres of a table with the columns x, y, z, d, scaled so that the clump has the volume\n"
+    "of a sphere of --dp, in a random position at each impact and without spin: a row is the\n"
+    "first hit, with the velocity of the center of mass, which may still move to the wall.\n";
 
 const cli_command cli_cor = {
     .name = "cor",

@@ -8,6 +8,7 @@
 #ifndef ASP_CLI_DESCRIPTION_H
 #define ASP_CLI_DESCRIPTION_H
 
+#include "analysis/clump.h"
 #include "asperity_front.h"
 #include "cli/cli.h"
 
@@ -20,6 +21,7 @@ typedef struct cli_description {
   bool has_standard_materials;           /* none are given */
   bool has_no_impact;         /* the command takes no rebound law, so constants do not count */
   double density;             /* of the particles */
+  aspi_clump *clump;          /* NULL: they are spheres, or eccentric */
   const asp_profile *profile; /* a measured wall, once it is made; else NULL */
   const asp_map *map;         /* alike */
   char *text;                 /* canonical; with the materials, also where they are the
@@ -44,7 +46,9 @@ void cli_description_allow(cli_description *description, const char *allowed, co
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
 /* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is
- * NAN where it is undefined. */
+ * NAN where it is undefined. A clump has a random position, no spin, and the volume of a sphere of
+ * d_p; this is the hit of the sphere that touches first, and the coefficients are those of its
+ * center of mass. */
 typedef struct cli_impact {
   asp_impact impact;
   asp_coefficients cor;

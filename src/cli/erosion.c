@@ -192,15 +192,14 @@ static const cli_option options[] = {
     {.name = NULL}};
 
 static const char detail[] =
-    "LEDGER is the ledger of a wall (CSV, .npy), or a dump local file of its array with the\n"
-    "columns that are used. The output has a row per triangle that was hit, a row per mesh\n"
+    "LEDGER is the ledger of a wall (CSV, .npy). The output has a row per triangle that was hit, a "
+    "row per mesh\n"
     "(triangle `all`), and one for all meshes; a primitive wall is mesh 0. Without a\n"
     "description the command adds up the ledger's column eroded_mass; a wall with `erosion`\n"
     "and `ledger ... columns full` writes it. With `erosion LAW ...` it applies the law to\n"
     "impact angle, speed and diameter of the rows, on the mean wall: a ledger has only the\n"
     "first of the faces that `face tilted` needs. The particles' mass is the column mass,\n"
-    "or that of a sphere of --density. Ledgers are converted from their units to SI; dumps\n"
-    "must be SI.\n";
+    "or that of a sphere of --density. Ledgers are converted from their units to SI.\n";
 
 const cli_command cli_erosion = {
     .name = "erosion",

@@ -93,8 +93,8 @@ void cli_help_wall(void) {
   fputs("These words describe a wall, in the command and in scripts. Each keyword appears at most\n"
         "once, in any order. A word that has no effect on the wall is an error. [ ] behind a\n"
         "text holds the default. In a command particles fly along x over the wall z = 0, and an\n"
-        "angle of the lay counts from x; without materials it takes Arizona Road Dust on\n"
-        "Hastelloy X (materials ard hastelloy-x), but for a fit.\n",
+        "angle of the lay counts from x; without `materials` all but `calibrate` take Arizona\n"
+        "Road Dust on Hastelloy X (materials ard hastelloy-x).\n",
         stdout);
   put_words("", 0);
   fputs("\nMODEL, as 'asperity spread --list' lists them with their sources:\n", stdout);

@@ -128,7 +128,7 @@ static int by_place(const void *left, const void *right) {
   return (a->d_p > b->d_p) - (a->d_p < b->d_p);
 }
 
-static void add(aspi_measured *data, aspi_measured_row row) {
+static void add_row(aspi_measured *data, aspi_measured_row row) {
   if ((data->count & (data->count - 1)) == 0) {
     size_t room = data->count ? 2 * data->count : 1;
     data->rows = realloc(data->rows, room * sizeof *data->rows);
@@ -161,15 +161,6 @@ typedef struct odd_rows {
   size_t below, empty;
 } odd_rows;
 
-/* Mirrors a rebound below the wall at it; false: it is left out. */
-static bool keep_above(aspi_measured_row *row, bool folds, odd_rows *odd) {
-  if (!(row->cor[COR_N] < 0))
-    return true;
-  row->cor[COR_N] = -row->cor[COR_N];
-  odd->below++;
-  return folds;
-}
-
 static asp_code read_rows(aspi_csv *csv, const cli_columns *l, aspi_measured *data, odd_rows *odd,
                           asp_error *error) {
   for (bool found;;) {
@@ -188,8 +179,10 @@ static asp_code read_rows(aspi_csv *csv, const cli_columns *l, aspi_measured *da
                             "the impact angle is missing; v1_n and v1_t, or alpha1, must be there");
     bool empty = isnan(row.cor[COR_N]) && isnan(row.cor[COR_T]) && !has(l, OUTCOME);
     odd->empty += empty;
-    if (!empty && (data->means || keep_above(&row, data->folds, odd)))
-      add(data, row);
+    odd->below += !data->means && row.cor[COR_N] < 0;
+    row.cor[COR_N] = data->means ? row.cor[COR_N] : fabs(row.cor[COR_N]);
+    if (!empty)
+      add_row(data, row);
   }
 }
 
@@ -237,15 +230,15 @@ static void check_speeds(const aspi_measured *data, const char *path) {
 
 static void warn_of_odd(const char *path, const aspi_measured *data, const odd_rows *odd) {
   if (odd->below > 0)
-    cli_warn("%s: %zu rebounds are below the wall, as by noise; they are %s", path, odd->below,
-             data->folds ? "mirrored at it (--below drop leaves them out)" : "left out");
+    cli_warn("%s: %zu rebounds are below the wall, as by noise; they are mirrored at it", path,
+             odd->below);
   if (odd->empty > 0)
     cli_warn("%s: %zu of %zu rows have neither coefficient nor outcome and are left out", path,
              odd->empty, odd->empty + data->count);
 }
 
-aspi_measured cli_measured_read(const char *path, const cli_option *options) {
-  aspi_measured data = {.folds = cli_choice(&options[MEASURED_BELOW]) == 0};
+aspi_measured cli_measured_read(const char *path, const cli_option *view) {
+  aspi_measured data = {.count = 0};
   cli_columns l;
   odd_rows odd = {0, 0};
   asp_error error;
@@ -255,12 +248,11 @@ aspi_measured cli_measured_read(const char *path, const cli_option *options) {
   cli_must(!find_form(csv, &l, &data.means, &error) && !find_view(csv, &l, &data, &error) &&
                !read_rows(csv, &l, &data, &odd, &error),
            &error);
-  if (options[MEASURED_VIEW].value) {
-    int view = cli_choice(&options[MEASURED_VIEW]);
+  if (view->value) {
+    int in_space = cli_choice(view);
     if (data.view != ASPI_MEASURED_EITHER)
-      cli_bad_usage("--view is '%s'; the columns of %s say it themselves",
-                    options[MEASURED_VIEW].value, path);
-    data.view = view ? ASPI_MEASURED_SPACE : ASPI_MEASURED_PLANE;
+      cli_bad_usage("--view is '%s'; the columns of %s say it themselves", view->value, path);
+    data.view = in_space ? ASPI_MEASURED_SPACE : ASPI_MEASURED_PLANE;
   }
   warn_of_odd(path, &data, &odd);
   data.has_speed = has(&l, V1) || has_components(&l);

@@ -8,19 +8,16 @@
 #include "analysis/impacts.h"
 #include "cli/cli.h"
 
-/* The options of what reads such a table. */
-enum { MEASURED_VIEW, MEASURED_BELOW };
-#define MEASURED_OPTIONS                                                                           \
-  {"view", "plane|space",                                                                          \
-   "velocity of v2, alpha2, cor_v, cor_alpha in the data, if their names do not say it", NULL},    \
+/* The option of commands that read such a table. */
+#define MEASURED_OPTION                                                                            \
   {                                                                                                \
-    "below", "fold|drop",                                                                          \
-        "mirror rebounds that noise put below the wall at it, or leave them out", "fold"           \
+    "view", "plane|space",                                                                         \
+        "velocity of v2, alpha2, cor_v, cor_alpha in the data, if their names do not say it", NULL \
   }
 
 /* Reads such a table, in order of angle, speed, size; exits on a file that is none. Names and units
  * of its columns: see `asperity compare --help`. */
-aspi_measured cli_measured_read(const char *path, const cli_option *options);
+aspi_measured cli_measured_read(const char *path, const cli_option *view);
 
 /* Puts rows in order of angle, speed, size. */
 void cli_measured_sort(aspi_measured *data);
@@ -42,6 +39,7 @@ void cli_measured_need_view(const char *path, aspi_measured *data, bool matters)
   "and v1, dp with either. Give a polynomial by points on it, as means. If the wall throws\n"      \
   "particles to the side, alpha2, v2, cor_v and cor_alpha must say which velocity they belong\n"   \
   "to: alpha2_plane, v2_plane and so on to that in the plane of incidence, as one camera sees\n"   \
-  "it; alpha2_space (0 to 90 degrees from the wall), v2_space and so on to that in space.\n"
+  "it; alpha2_space (0 to 90 degrees from the wall), v2_space and so on to that in space.\n"       \
+  "Rebounds that noise put below the wall are mirrored at it.\n"
 
 #endif

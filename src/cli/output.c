@@ -1,6 +1,7 @@
 /* Files that are written whole or not at all, and the CSV output of the commands; see cli.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/number.h"
 #include "cli/cli.h"
 
 #include <errno.h>
@@ -150,54 +151,10 @@ FILE *cli_output_open(const cli_call *call, const char *option, const char *desc
   return out;
 }
 
-/* Texts of numbers, longer than any of them. */
-enum { NUMBER_MOST = 40 };
-
-/* Writes a number as printf's %.*g does, where that has no exponent; 0: it may have one, or the
- * last digit is too near a tie to be sure of. The digits come from one multiplication, which is
- * right to 1e-16 of the number. */
-static size_t print_plainly(char *to, double value, int digits) {
-  static const double power[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6, 1e7,
-                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
-  double size = fabs(value);
-  int exponent = digits - 1;
-  if (!(size >= 1e-4 && size < power[digits - 1]) || digits > 10)
-    return 0;
-  while (exponent > 0 && size < power[exponent])
-    exponent--;
-  while (exponent > -4 && size * power[-(exponent < 0 ? exponent : 0)] < 1)
-    exponent--;
-  double scaled = size * power[digits - 1 - exponent], whole = floor(scaled);
-  double rest = scaled - whole;
-  unsigned long long number = (unsigned long long)whole + (rest > 0.5);
-  if (fabs(rest - 0.5) < 1e-4 || number >= (unsigned long long)power[digits])
-    return 0;
-  char text[NUMBER_MOST];
-  int last = digits;
-  for (int i = digits - 1; i >= 0; i--, number /= 10)
-    text[i] = (char)('0' + number % 10);
-  while (last > 1 && last > exponent + 1 && text[last - 1] == '0')
-    last--;
-  char *at = to;
-  if (value < 0)
-    *at++ = '-';
-  for (int i = exponent < 0 ? exponent : 0; i < last; i++) {
-    if (i == exponent + 1 && at > to && at[-1] != '-')
-      *at++ = '.';
-    *at++ = i < 0 ? '0' : text[i];
-  }
-  return (size_t)(at - to);
-}
-
 void cli_print_number(FILE *out, double value, int digits) {
-  char text[NUMBER_MOST];
-  if (!isfinite(value))
-    return;
-  size_t length = print_plainly(text, value, digits);
-  if (length > 0)
-    fwrite(text, 1, length, out);
-  else
-    fprintf(out, "%.*g", digits, value);
+  char text[ASPI_NUMBER_MOST];
+  if (isfinite(value))
+    fwrite(text, 1, (size_t)(aspi_number_format(value, digits, text) - text), out);
 }
 
 void cli_row(FILE *out, const char *format, ...) {

@@ -101,12 +101,15 @@ void cli_plot_check(const cli_call *call) {
     cli_fail("cannot run gnuplot; is it installed? Debian: apt-get install gnuplot-nox");
 }
 
-/* Writes a title as a gnuplot string, broken at spaces into lines of at most `letters` letters. */
+/* Writes a title as a gnuplot string, broken behind semicolons into lines of at most `letters`
+ * letters; longer clauses at spaces. */
 static void put_title(FILE *out, const char *text, double letters) {
   double used = 0;
   fputc('\'', out);
   for (const char *word = text; *word;) {
-    size_t length = strcspn(word, " ");
+    size_t clause = strcspn(word, ";") + 1;
+    size_t length = (double)clause <= letters ? clause : strcspn(word, " ");
+    length = length < strlen(word) ? length : strlen(word);
     if (used > 0 && used + (double)length > letters) {
       fputs("'.\"\\n\".'", out);
       used = 0;

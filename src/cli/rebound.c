@@ -203,8 +203,7 @@ static void print_list(FILE *out) {
   }
 }
 
-/* Reads the ranges of the map, or sets their defaults. */
-/* The axes of a picture. */
+/* Exits if the values along an axis of a picture do not rise. */
 static void check_rising(const char *option, const cli_list *list) {
   for (size_t i = 1; i < list->count; i++)
     if (!(list->values[i] > list->values[i - 1]))
@@ -212,6 +211,7 @@ static void check_rising(const char *option, const cli_list *list) {
                     list->values[i], list->values[i - 1]);
 }
 
+/* Reads the ranges of the map, or sets their defaults. */
 static void read_ranges(map *m, cli_call *call) {
   bool over_angles = m->kind == ANGLES;
   size_t points = cli_whole(cli_get(call, "points"), 2, POINTS_MOST);

@@ -44,7 +44,7 @@ static aspi_slope slope_at(const scene *s, double degrees) {
   return slope;
 }
 
-static void add(motion *m, const scene *s, aspi_roll roll) {
+static void add_motion(motion *m, const scene *s, aspi_roll roll) {
   if (roll.stopped)
     m->stopped += 1 / (double)s->spheres;
   else
@@ -83,7 +83,7 @@ static asp_code roll_over(const scene *s, uint32_t number, row *rows, asp_error 
   aspi_ground_free(&ground);
 #pragma omp critical
   for (size_t i = 0; i < s->angles.count && !code; i++) {
-    add(&rows[i].reference, s, rolls[i]);
+    add_motion(&rows[i].reference, s, rolls[i]);
     rows[i].reference.started += started(s, start, rows[i].angle);
   }
   free(rolls);
@@ -104,7 +104,7 @@ static void roll_model(const scene *s, uint64_t tag, row *rows) {
     aspi_roll roll = aspi_slope_roll(&slope, s->step, s->duration, tag);
 #pragma omp critical
     {
-      add(&rows[i].model, s, roll);
+      add_motion(&rows[i].model, s, roll);
       rows[i].model.started += started(s, start, rows[i].angle);
     }
   }
@@ -205,6 +205,8 @@ static scene read_scene(const cli_call *call) {
   if (strcmp(surface, "rq") != 0 || has_lay)
     cli_bad_usage("'surface' is '%s'%s; spheres roll on 'surface rq R lambda_c L' without a lay",
                   surface, has_lay ? " with a lay" : "");
+  if (asp_description_is_given(s.wall.words, "grain"))
+    cli_bad_usage("'grain' has no effect: what rolls is a sphere");
   if (strcmp(law, "walton") != 0)
     cli_bad_usage("'rebound' is '%s'; a sphere that rolls takes 'rebound walton'", law);
   cli_description_make(&s.wall, d_p, d_p);

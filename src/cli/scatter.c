@@ -14,9 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An engine's array has 0 where CoR_T is undefined, at normal impact. */
-#define NORMAL_IMPACT (90 - 1e-6)
-
 /* Tangential speeds in space and in the plane that differ by more, as a share of v1, are of a
  * rebound to the side: a ledger's numbers are rounded. */
 #define SIDEWAYS 1e-3
@@ -154,60 +151,6 @@ static asp_code read_csv_rows(file *f, aspi_csv *csv, asp_error *error) {
       return code;
 }
 
-/* `ITEM: ENTRIES f_wall[11] f_wall[17] ...`: where a column of the ledger's array, whose columns
- * are numbered from 1, stands, or -1. */
-static int find_entry(char *const names[], int count, int place) {
-  for (int i = 0; i < count; i++) {
-    const char *bracket = strrchr(names[i], '[');
-    if (strncmp(names[i], "f_", 2) == 0 && bracket && atoi(bracket + 1) == place + 1)
-      return i;
-  }
-  return -1;
-}
-
-static asp_code read_dump_row(file *f, aspi_csv *csv, asp_error *error) {
-  int count = aspi_text_split(csv->text.text, ' ', csv->fields, ASP_CSV_COLUMNS);
-  if (count != csv->columns)
-    return aspi_text_fail(&csv->text, csv->text.line, error, "%d numbers under %d columns", count,
-                          csv->columns);
-  asp_code code = read_row(f, csv, error);
-  if (f->of[IMPACT_ALPHA1] > NORMAL_IMPACT && !(fabs(f->of[IMPACT_COR_T]) > 0))
-    f->of[IMPACT_COR_T] = NAN;
-  return code ? code : take_row(f, error);
-}
-
-static asp_code read_dump_header(file *f, aspi_csv *csv, asp_error *error) {
-  strcpy(csv->header, csv->text.text + strlen("ITEM: ENTRIES"));
-  csv->separator = ' ';
-  csv->columns = aspi_text_split(csv->header, ' ', csv->names, ASP_CSV_COLUMNS);
-  for (int k = 0; k < IMPACT_COLUMNS; k++)
-    f->at[k] = columns[k].place < 0 ? -1 : find_entry(csv->names, csv->columns, columns[k].place);
-  int missing = find_missing(f);
-  if (missing < 0)
-    return ASP_OK;
-  return aspi_text_fail(&csv->text, csv->text.line, error,
-                        "the dump needs column %d (%s) of the wall's array: f_ID[%d]",
-                        columns[missing].place + 1, name_of(missing), columns[missing].place + 1);
-}
-
-/* A `dump local` file: blocks of a header of ITEM lines, then rows. */
-static asp_code read_dump(file *f, aspi_csv *csv, asp_error *error) {
-  bool in_rows = false, found;
-  asp_code code = ASP_OK;
-  while (!code && !(code = aspi_text_line(&csv->text, &found, error)) && found) {
-    const char *line = csv->text.text;
-    if (strncmp(line, "ITEM: ENTRIES", 13) == 0) {
-      in_rows = true;
-      code = read_dump_header(f, csv, error);
-    } else if (strncmp(line, "ITEM:", 5) == 0) {
-      in_rows = false;
-    } else if (in_rows && line[strspn(line, " ")]) {
-      code = read_dump_row(f, csv, error);
-    }
-  }
-  return code;
-}
-
 static asp_code read_array_row(file *f, const aspi_npy *array, asp_error *error) {
   for (int k = 0; k < IMPACT_COLUMNS; k++) {
     double value = f->of[k] = aspi_npy_value(array, f->at[k]);
@@ -239,13 +182,6 @@ static asp_code read_array(file *f, FILE *stream, asp_error *error) {
       return code;
 }
 
-static bool is_dump(FILE *stream) {
-  char first[6] = "";
-  bool dump = fgets(first, sizeof first, stream) && strcmp(first, "ITEM:") == 0;
-  rewind(stream);
-  return dump;
-}
-
 static asp_code read_file(file *f, asp_error *error) {
   const char *path = f->to->path;
   FILE *stream = aspi_file_open(path, error);
@@ -254,14 +190,6 @@ static asp_code read_file(file *f, asp_error *error) {
   asp_code code;
   if (aspi_npy_is(stream)) {
     code = read_array(f, stream, error);
-    fclose(stream);
-    return code;
-  }
-  if (is_dump(stream)) {
-    aspi_csv *csv = cli_allocate(1, sizeof *csv);
-    csv->text = aspi_text_create(stream, path);
-    code = read_dump(f, csv, error);
-    free(csv);
     fclose(stream);
     return code;
   }

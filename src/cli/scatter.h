@@ -1,4 +1,4 @@
-/* Files of impacts, as `asperity cor`, a ledger or `dump local` of one writes them.
+/* Files of impacts, as `asperity cor` and the ledger of a wall write them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SCATTER_H
@@ -7,7 +7,7 @@
 #include "analysis/impacts.h"
 #include "asperity.h"
 
-/* What is read of an impact, in SI and degrees; NAN where the file has none. */
+/* Columns of an impact, in SI and degrees; NAN where the file has none. */
 enum {
   IMPACT_ALPHA1,
   IMPACT_DELTA,

@@ -107,7 +107,7 @@ static void print_summary(FILE *out, const asp_spread_model *model, const aspi_v
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.95));
 }
 
-static void fill(double *sample, size_t n, const scene *s, const aspi_view *view) {
+static void draw_sample(double *sample, size_t n, const scene *s, const aspi_view *view) {
   cli_progress progress = cli_progress_begin("sampling", (double)n);
   for (size_t i = 0; i < n; i++) {
     sample[i] = cli_degrees(draw(s, view, i));
@@ -160,7 +160,7 @@ static void one_angle(FILE *out, const cli_call *call, const scene *s, double an
   if (pdf && !drawn)
     return;
   double *sample = cli_allocate(n, sizeof *sample);
-  fill(sample, n, s, &view);
+  draw_sample(sample, n, s, &view);
   if (drawn)
     plot(call, s, &view, sample, n);
   if (cli_value(call, "summary"))

@@ -85,10 +85,6 @@ static void take_words(const cli_option *option, bool filters, aspi_profile_opti
     return;
   char *text = cli_copy(option->value), name[80];
   for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
-    if (filters && strcmp(word, "robust") == 0) {
-      read->filters.robust = true;
-      continue;
-    }
     snprintf(name, sizeof name, "%s %.40s", option->name, word);
     const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
     if (!value.value || !take_word(word, filters, &value, read))
@@ -108,8 +104,6 @@ static aspi_profile_options read_options(const cli_call *call) {
     read.spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
   take_words(cli_get(call, "read"), false, &read);
   take_words(cli_get(call, "filter"), true, &read);
-  if (read.filters.robust && !(read.filters.cutoff > 0))
-    cli_bad_usage("--filter is '%s'; robust goes with cutoff", cli_value(call, "filter"));
   return read;
 }
 
@@ -121,15 +115,15 @@ typedef struct source {
   aspi_profile_description description;
 } source;
 
-static void tell(FILE *out, const cli_wall *wall, const source *from, const char *level) {
+static void tell(FILE *out, const cli_wall *wall, const source *from) {
   const aspi_profile_description *d = &from->description;
   fputs("# profile ", out);
   cli_print_comment(out, wall->name);
   fprintf(out, ": %s\n", from->report.text);
   fprintf(out,
-          "# length %.6g um, spacing %.6g um, %zu points; R_q %.6g um, R_a %.6g um, lambda_c (%s "
+          "# length %.6g um, spacing %.6g um, %zu points; R_q %.6g um, R_a %.6g um, lambda_c (1/e "
           "lag) %.6g um, phi_r %.4g, rms slope %.4g\n",
-          d->length * 1e6, d->spacing * 1e6, d->points, d->r_q * 1e6, d->r_a * 1e6, level,
+          d->length * 1e6, d->spacing * 1e6, d->points, d->r_q * 1e6, d->r_a * 1e6,
           d->lambda_c * 1e6, d->phi_r, d->slope_rms);
   fprintf(out,
           "# %.4g lambda_c long: one such profile leaves the mean tilt at 2 deg uncertain by about "
@@ -141,11 +135,10 @@ static cli_wall read_wall(const cli_call *call, const cli_description *wall, con
                           source *from) {
   const char *file = asp_description_word(wall->words, "file");
   aspi_profile_options how = read_options(call);
-  double level = cli_choice(cli_get(call, "level")) ? ASP_LEVEL_S_AL : ASP_LEVEL_1_E;
   asp_error error;
   asp_profile *profile = aspi_profile_read(NULL, file, &how, &from->report, &error);
   cli_must(profile, &error);
-  if (aspi_profile_describe(profile, level, &from->description, &error) ||
+  if (aspi_profile_describe(profile, ASP_LEVEL_1_E, &from->description, &error) ||
       aspi_profile_check(&from->description, 1, &error))
     cli_bad_usage("%s: %s", file, error.text);
   const aspi_profile_description *d = &from->description;
@@ -220,9 +213,8 @@ static void check_options(const cli_call *call, const char *kind) {
   static const struct {
     const char *option;
     int own;
-  } list[] = {{"points", GENERATED}, {"filter", BY_PROFILE}, {"level", BY_PROFILE},
-              {"unit", MEASURED},    {"form", MEASURED},     {"gaps", MEASURED},
-              {"spikes", MEASURED},  {"read", MEASURED}};
+  } list[] = {{"points", GENERATED}, {"filter", BY_PROFILE}, {"unit", MEASURED}, {"form", MEASURED},
+              {"gaps", MEASURED},    {"spikes", MEASURED},   {"read", MEASURED}};
   int wall = strcmp(kind, "map") == 0       ? BY_MAP
              : strcmp(kind, "profile") == 0 ? BY_PROFILE
              : strcmp(kind, "rq") == 0      ? GENERATED
@@ -301,7 +293,7 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
   }
   FILE *out = cli_output_open(call, "output", many ? NULL : first->text);
   if (measured)
-    tell(out, &wall, &from, cli_value(call, "level"));
+    tell(out, &wall, &from);
   if (many)
     fprintf(out, "# generated: %s points a wall, lambda_c/%g apart\n", cli_value(call, "points"),
             POINTS_PER_LAMBDA);
@@ -344,9 +336,8 @@ static const cli_option options[] = {
     {"spikes", "K", "count points more than K robust sd from their neighbors as bad", NULL},
     {"filter", "WORDS",
      "tip LENGTH (radius of the stylus, whose dilation is undone), lambda_s LENGTH and cutoff "
-     "LENGTH (remove shorter and longer waves, ISO 16610-21), robust (the cut-off by ISO 16610-31)",
+     "LENGTH (remove shorter and longer waves, ISO 16610-21)",
      NULL},
-    {"level", "1/e|0.2", "autocorrelation at lambda_c of a measured profile", "1/e"},
     {"save", "FILE", "write the repaired profile, or map (SDF), there", NULL},
     {.name = NULL}};
 
@@ -354,8 +345,8 @@ static const char detail[] =
     "One row per diameter. The particle rolls over a generated or a measured profile; the\n"
     "row has the slopes of the path of its center (dilation), at equal steps along the\n"
     "wall. kappa = sqrt(3) dp rq / lambda_c^2; angle_kurtosis is the excess (normal: 0);\n"
-    "kl_normal is D_KL (natural logarithm) of the normal fit to the kernel density of the\n"
-    "angles, bandwidth sd (4/(3 points))^(1/5). A generated profile is periodic, a measured\n"
+    "kl_normal is D_KL (natural logarithm) of the normal fit to the angles, in bins of sd/4.\n"
+    "A generated profile is periodic, a measured\n"
     "one is mirrored at its ends. rq and lambda_c may be lists: 'surface rq 2um,5um\n"
     "lambda_c 40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"
     "parameters of ISO 25178-2, the lay, and the slopes that a sphere meets across the lay\n"

@@ -1,5 +1,6 @@
-/* What the files of `asperity surface` share: generated and measured profiles (surface.c), their
- * picture (surface_plot.c), measured maps (surface_map.c), and warnings of both (surface_check.c).
+/* Functions shared by the files of `asperity surface`: generated and measured profiles (surface.c),
+ * their picture (surface_plot.c), measured maps (surface_map.c), and warnings of both
+ * (surface_check.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SURFACE_H

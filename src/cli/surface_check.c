@@ -1,4 +1,4 @@
-/* What looks wrong with a measured wall for the sizes that are asked for; see surface.h.
+/* Warnings about a measured wall that does not suit the sizes that are asked for; see surface.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/surface.h"

@@ -2,7 +2,6 @@
  * finds on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/judge.h"
 #include "cli/plot.h"
 #include "cli/surface.h"
 #include "surface/ball.h"
@@ -123,10 +122,7 @@ static void save(const cli_call *call, const asp_map *map) {
 
 /* ---- the picture ---- */
 
-enum { PIXELS = 300, SECTION = 600, IMPACTS = 100000 };
-
-/* The flights of the picture come across the lay at this impact angle. */
-#define ALPHA1 10.0
+enum { PIXELS = 300, SECTION = 600 };
 
 /* ISO 25178-2 calls a surface with a greater texture aspect ratio S_tr isotropic. */
 #define S_TR_ISOTROPIC 0.5
@@ -158,7 +154,7 @@ static void plot_heights(cli_plot *picture, const measured *map) {
   double width = (double)m->columns * m->step[0] * 1e6, height = (double)m->rows * m->step[1] * 1e6;
   bool has_lay = !(d->s_tr > S_TR_ISOTROPIC);
   cli_plot_panel(picture, "x / µm", "y / µm");
-  cli_plot_place(picture, 0, 0.47, 0.45, 0.48);
+  cli_plot_place(picture, 0, 0.45, 0.55, 0.5);
   cli_plot_scale(picture, true);
   cli_plot_axis(picture, 'x', 0, width);
   cli_plot_axis(picture, 'y', 0, height);
@@ -186,7 +182,7 @@ static void plot_section(cli_plot *picture, const measured *m, const double size
   count = count < map->columns ? count : map->columns;
   size_t by = count / SECTION + 1;
   cli_plot_panel(picture, "x / µm", "z / µm");
-  cli_plot_place(picture, 0.47, 0.47, 0.53, 0.48);
+  cli_plot_place(picture, 0, 0, 1, 0.42);
   cli_plot_scale(picture, false);
   cli_plot_caption(picture, "a section along x, and the lowest points of spheres on it");
   cli_plot_series(picture, CLI_LINE, "reference");
@@ -213,11 +209,11 @@ static void plot_section(cli_plot *picture, const measured *m, const double size
 static void plot_directions(cli_plot *picture, const measured *m, const slopes *rows,
                             size_t count) {
   cli_plot_panel(picture, "toward x", "toward y");
-  cli_plot_place(picture, 0, 0, 0.33, 0.46);
+  cli_plot_place(picture, 0.6, 0.45, 0.4, 0.5);
   cli_plot_scale(picture, true);
   cli_plot_caption(picture, "rms contact slope by direction");
-  fprintf(cli_plot_stream(picture), "set xtics %g\n",
-          pow(10, floor(log10(2 * fmax(rows[0].rms[0], rows[0].rms[1])))));
+  double most = fmax(rows[0].rms[0], rows[0].rms[1]), tick = pow(10, floor(log10(most)));
+  fprintf(cli_plot_stream(picture), "set xtics %g\n", most < 4 * tick ? tick : 2 * tick);
   for (size_t i = 0; i < 2; i++) {
     const slopes *r = &rows[i < count ? i : count - 1];
     cli_plot_series(picture, CLI_LINE, "%zu", i + 1);
@@ -232,55 +228,18 @@ static void plot_directions(cli_plot *picture, const measured *m, const slopes *
   }
 }
 
-/* Rebounds across the lay by one model. */
-static aspi_angles rebounds(const measured *m, asp_surface *surface, double d_p,
-                            const char *model) {
-  static const double lay[3] = {0, 1, 0};
-  aspi_judge_walls of = {.folds = 1, .surface = {surface}, .map = {m->map}, .in_space = true};
-  asp_error error;
-  asp_wall *wall = aspi_judge_wall(&of, 0, d_p, model, true, &error);
-  cli_must(wall, &error);
-  aspi_angles all = aspi_judge_rebounds(wall, d_p, lay, ALPHA1, IMPACTS, 1);
-  asp_wall_free(wall);
-  return all;
-}
-
-/* A histogram of angles by the map's table and by a Gaussian wall; it begins at `first` degrees. */
-static void plot_angles(cli_plot *picture, const char *x, double first, const double *own,
-                        const double *gauss) {
-  cli_plot_panel(picture, x, "share per degree");
-  cli_plot_place(picture, first < 0 ? 0.66 : 0.33, 0, 0.33, 0.46);
-  cli_plot_axis(picture, 'x', first < 0 ? -60 : 0, first < 0 ? 60 : 90);
-  cli_plot_axis(picture, 'y', 0, NAN);
-  cli_plot_caption(picture, "across the lay at %g degrees", ALPHA1);
-  for (int model = 0; model < 2; model++) {
-    cli_plot_series(picture, CLI_HISTO, model ? "model_visible" : "model_profile");
-    for (int i = 0; i < ASPI_ANGLE_BINS; i++)
-      cli_plot_row(picture, first + i + 0.5, (model ? gauss : own)[i] / IMPACTS);
-    cli_plot_end(picture, model ? "Gaussian (visible)" : "this map (profile)");
-  }
-}
-
 /* The picture of the first two sizes: heights with the lay and the 1/e ellipse of the
- * autocorrelation, a section with the way of two spheres over it, rms contact slopes by direction,
- * and rebound and lateral angles by the map's own table and by a Gaussian wall with its numbers. */
+ * autocorrelation, rms contact slopes by direction, and a section with the way of two spheres over
+ * it. */
 static void plot(const cli_call *call, const measured *m, const slopes *rows, size_t count) {
   const aspi_map_description *d = &m->description;
   double size[2] = {rows[0].d_p, rows[count > 1 ? 1 : 0].d_p};
-  asp_error error;
-  asp_surface *surface = asp_surface_create_map(m->map, true, &error);
-  if (!surface)
-    cli_fail("%s", error.text);
-  aspi_angles own = rebounds(m, surface, size[0], "profile"),
-              gauss = rebounds(m, surface, size[0], "visible");
   cli_plot *picture = cli_plot_open(
-      call, 1300, 980, NULL, "%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, λ_2 %.3g µm",
+      call, 1300, 900, NULL, "%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, λ_2 %.3g µm",
       cli_plot_file(m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6, d->lambda_2 * 1e6);
   plot_heights(picture, m);
-  plot_section(picture, m, size);
   plot_directions(picture, m, rows, count);
-  plot_angles(picture, "rebound angle / degrees", 0, own.rebound, gauss.rebound);
-  plot_angles(picture, "lateral angle / degrees", -90, own.lateral, gauss.lateral);
+  plot_section(picture, m, size);
   cli_plot_close(picture);
 }
 

@@ -1,5 +1,5 @@
 /* The picture of `asperity surface` for one wall and one particle: the whole profile, the part
- * where the particle bridges the most, and the density of its angles (Altmeppen et al. 2020,
+ * where the particle bridges the most, and a histogram of its angles (Altmeppen et al. 2020,
  * figures 3 and 4).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -10,8 +10,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-
-enum { GRID = 2000 };
 
 typedef struct angles {
   double *values; /* degrees */
@@ -32,18 +30,6 @@ static angles angles_of(const cli_wall *wall, double d_p) {
     a.values[i] = cli_degrees(atan(a.values[i]));
   a.moments = aspi_moments_of(a.values, a.count);
   return a;
-}
-
-/* Over five sd about zero, and all values. */
-static aspi_density *density_of(const angles *a) {
-  double most = 5 * a->moments.sd;
-  for (size_t i = 0; i < a->count; i++)
-    most = fmax(most, fabs(a->values[i]));
-  asp_error error;
-  aspi_density *density = aspi_density_create(a->values, a->count, -most, most, GRID, &error);
-  if (!density)
-    cli_fail("%s", error.text);
-  return density;
 }
 
 /* The part of the profile that is shown to scale, three times as wide as it is high, about the
@@ -141,25 +127,25 @@ static void plot_bridge(cli_plot *plot, const cli_wall *wall, double d_p) {
 }
 
 static void plot_angles(cli_plot *plot, const angles *a, double kl_normal) {
-  aspi_density *density = density_of(a);
   double mean = a->moments.mean, sd = a->moments.sd, reach = fmin(4.5 * sd, 90);
+  double share[ASPI_HISTOGRAM], width = ASPI_HISTOGRAM_BIN * sd;
+  aspi_histogram(a->values, a->count, mean, sd, share);
   cli_plot_panel(plot, "Δα / degrees", "density / (1/degree)");
   cli_plot_place(plot, 0, 0, 1, 0.37);
   cli_plot_axis(plot, 'x', -reach, reach);
   cli_plot_axis(plot, 'y', 0, NAN);
   cli_plot_caption(plot, "angles: mean %.2f°, sd %.2f°; normal fit: D_{KL} %.4f", mean, sd,
                    kl_normal);
-  cli_plot_series(plot, CLI_LINE, "1");
-  for (size_t i = 0; i < density->points; i++)
-    cli_plot_row(plot, density->lo + (double)i * density->step, density->value[i]);
-  cli_plot_end(plot, "kernel density, bandwidth %.2g°", density->bandwidth);
+  cli_plot_series(plot, CLI_HISTO, "1");
+  for (int i = 0; i < ASPI_HISTOGRAM; i++)
+    cli_plot_row(plot, mean + (i + 0.5 - ASPI_HISTOGRAM / 2) * width, share[i] / width);
+  cli_plot_end(plot, "angles, in bins of %.2g°", width);
   cli_plot_series(plot, CLI_LINE, "2");
   for (int i = -200; i <= 200; i++) {
     double x = reach * i / 200, t = (x - mean) / sd;
     cli_plot_row(plot, x, exp(-t * t / 2) / (sd * sqrt(2 * ASP_PI)));
   }
   cli_plot_end(plot, "normal fit");
-  free(density);
 }
 
 double cli_kappa(const cli_slopes *row) {

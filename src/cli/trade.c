@@ -285,7 +285,7 @@ static void set_case_3d(const cli_call *call, const cli_description *wall,
   subject->groups = wall->map ? pieces_of(surfaces, 0) : whole_or(surfaces, 3, 1000, SURFACES_MANY);
 }
 
-/* The same in the plane of incidence. */
+/* The case in the plane of incidence. */
 static void set_case_2d(const cli_call *call, const cli_description *wall,
                         aspi_judge_case *subject) {
   const cli_option *profiles = cli_get(call, "profiles");
@@ -368,7 +368,7 @@ static const char detail[] =
     "impact. kl_rebound is free of the bias of histograms. kl_rebound_se is its standard\n"
     "error, by the jackknife over the profiles; more --profiles and --rays make it smaller.\n"
     "On a measured profile, pieces of one half judge the models made of the other half, and\n"
-    "the other way round; no heights judge a model that they made.\n"
+    "the other way round; no model is judged by heights it was made from.\n"
     "With --three-d the reference is a set of independent Gaussian surfaces on which a\n"
     "sphere rolls; every model takes `isotropic`. --rays counts per surface. All D_KL are\n"
     "then sampled, with the standard error over the surfaces (jackknife). On a map, pieces\n"

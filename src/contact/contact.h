@@ -22,6 +22,10 @@ extern "C" {
  */
 #define CONTACT_APPROACH 1e-13
 
+/* A sphere that touches a hollow wall slides along it if its normal speed is a smaller share of its
+ * speed. */
+#define CONTACT_SLIDES 1e-6
+
 /* The center of a sphere moves from x with velocity v for the time `left`. */
 typedef struct ContactPath {
   double x[3], v[3], left;

@@ -6,10 +6,6 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 
-/* Inside a cylinder, a sphere that touches the wall slides along it if its normal speed is a
- * smaller share of its speed. */
-static const double SLIDES = 1e-6;
-
 /* The part of a vector across the axis. */
 static void across(int axis, const double a[3], double c[3]) {
   aspi_copy(a, c);
@@ -52,13 +48,14 @@ bool aspi_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path
   if (!(time <= latest))
     return false;
   /* One that slides along the inside leaves the curve by its straight path: it touches now. */
-  if (touches && !wide && time < path->left && fabs(rate) <= SLIDES * speed * distance)
+  if (touches && !wide && time < path->left && fabs(rate) <= CONTACT_SLIDES * speed * distance)
     time = 0;
   aspi_add_scaled(arm, time, v, n);
   if (inside)
     aspi_scale(-1, n);
   const double length = aspi_length(n), approach = -aspi_dot(v, n);
-  const bool slides = inside && time < path->left && fabs(approach) <= SLIDES * speed * length;
+  const bool slides =
+      inside && time < path->left && fabs(approach) <= CONTACT_SLIDES * speed * length;
   if (!(length > 0) || !(wide || slides || approach > CONTACT_APPROACH * speed * length))
     return false;
   touch->time = time;

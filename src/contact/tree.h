@@ -27,7 +27,7 @@ void aspi_places_free(ContactList *list);
  * memory; count may be 0. */
 ContactTree *aspi_tree_create(const ContactTriangle *triangles, const int *id, size_t count);
 
-/* The same triangle by triangle, with less memory in between: begin, add, and finish before
+/* Make the tree triangle by triangle, with less memory in between: begin, add, and finish before
  * anything else. NULL and false when out of memory; the tree is to be freed all the same. */
 ContactTree *aspi_tree_begin(void);
 bool aspi_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id);

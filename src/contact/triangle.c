@@ -27,26 +27,29 @@ static double nearest_on_edge(const double a[3], const double b[3], const double
   return aspi_length(arm);
 }
 
-/* The normal, not of unit length; false where the triangle is degenerate. */
-static bool face_normal(const ContactTriangle *triangle, double normal[3]) {
+/* The normal, and its length, which is not 1; false where the triangle is degenerate. */
+static bool face_normal(const ContactTriangle *triangle, double normal[3], double *length) {
   double ab[3], ac[3], bc[3];
   aspi_subtract(triangle->node[1], triangle->node[0], ab);
   aspi_subtract(triangle->node[2], triangle->node[0], ac);
   aspi_subtract(triangle->node[2], triangle->node[1], bc);
   aspi_cross(ab, ac, normal);
-  const double longest = fmax(aspi_dot(ab, ab), fmax(aspi_dot(ac, ac), aspi_dot(bc, bc)));
-  return aspi_length(normal) > DEGENERATE * longest;
+  const double b = aspi_dot(ab, ab), c = aspi_dot(ac, ac), d = aspi_dot(bc, bc);
+  const double longest = b > c ? b : c; /* fmax would be a call */
+  *length = aspi_length(normal);
+  return *length > DEGENERATE * (longest > d ? longest : d);
 }
 
 void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
-  const bool flat = face_normal(triangle, normal);
-  aspi_scale(flat ? 1 / aspi_length(normal) : 0, normal);
+  double length;
+  const bool flat = face_normal(triangle, normal, &length);
+  aspi_scale(flat ? 1 / length : 0, normal);
 }
 
 double aspi_triangle_area(const ContactTriangle *triangle) {
-  double normal[3];
-  face_normal(triangle, normal);
-  return 0.5 * aspi_length(normal);
+  double normal[3], length;
+  face_normal(triangle, normal, &length);
+  return 0.5 * length;
 }
 
 /* True if the foot of x on the triangle's plane lies inside all three edges. */
@@ -90,9 +93,9 @@ static double nearest_point(const ContactTriangle *triangle, const double normal
 
 double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3],
                              double nearest[3]) {
-  double normal[3];
-  const bool flat = face_normal(triangle, normal);
-  return nearest_point(triangle, normal, flat, aspi_length(normal), x, nearest);
+  double normal[3], length;
+  const bool flat = face_normal(triangle, normal, &length);
+  return nearest_point(triangle, normal, flat, length, x, nearest);
 }
 
 /* The time at which a path comes within the sphere's radius of the triangle's plane: a lower bound
@@ -133,9 +136,8 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
   const double speed = aspi_length(path->v);
   if (!(speed > 0))
     return false;
-  double across[3], normal[3], x[3], nearest[3], arm[3];
-  const bool flat = face_normal(triangle, across);
-  const double length = aspi_length(across);
+  double across[3], normal[3], x[3], nearest[3], arm[3], length;
+  const bool flat = face_normal(triangle, across, &length);
   aspi_copy(across, normal);
   aspi_scale(flat ? 1 / length : 0, normal);
   double time = time_to_plane(normal, triangle, path, radius);

@@ -1,8 +1,8 @@
 /* Interface to an engine: the functions that a wall calls at set-up and in each step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_ENGINE_H
-#define ASPERITY_WALL_ENGINE_H
+#ifndef ASPERITY_DEM_ENGINE_H
+#define ASPERITY_DEM_ENGINE_H
 
 #include <mpi.h>
 #include <stdint.h>
@@ -74,6 +74,12 @@ public:
     double least, most;
   };
   virtual std::vector<Kind> kinds() const = 0;
+
+  int rank() const {
+    int rank;
+    MPI_Comm_rank(world(), &rank);
+    return rank;
+  }
 };
 
 /* The kinds of the spheres of a group; `present` has a number over 0 for each type of which there

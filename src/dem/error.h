@@ -2,8 +2,8 @@
  * and shows it as an error of the engine.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_ERROR_H
-#define ASPERITY_WALL_ERROR_H
+#ifndef ASPERITY_DEM_ERROR_H
+#define ASPERITY_DEM_ERROR_H
 
 #include <new>
 #include <stdexcept>

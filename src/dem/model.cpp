@@ -94,6 +94,9 @@ void Model::finish() {
 void Model::check_dimension() const {
   if (engine_.dimension() != 2)
     return;
+  if (number("lever") > 0)
+    throw Error("grain is 'lever', which turns grains out of the plane of 'dimension 2'; it must "
+                "be sphere");
   const std::string surface = word("surface"), tilt = word("tilt"), spread = word("spread");
   if (surface == "smooth")
     return;
@@ -337,12 +340,22 @@ double Model::worn_density(int wall_type) const {
 }
 
 bool Model::removes(int type, int wall_type, double d_p) const {
-  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0};
+  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0, NULL};
   return wall() && asp_wall_removes(wall(), &particle);
 }
 
 bool Model::needs_materials() const {
   return asp_rebound_needs_pair(asp_description_rebound(description_.get()));
+}
+
+void Model::check_bodies() const {
+  asp_error wrong;
+  if (asp_description_check_bodies(description_.get(), &wrong))
+    throw_error(wrong);
+  if (deposit_ != OFF)
+    throw Error("deposit is '" + word("deposit") +
+                "', and bodies (fix multisphere) do not stick in "
+                "a simulation; it must be off");
 }
 
 bool Model::sticks() const {

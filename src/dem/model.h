@@ -2,8 +2,8 @@
  * engine's particles and the lines for the log.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_MODEL_H
-#define ASPERITY_WALL_MODEL_H
+#ifndef ASPERITY_DEM_MODEL_H
+#define ASPERITY_DEM_MODEL_H
 
 #include <memory>
 #include <set>
@@ -12,8 +12,8 @@
 
 #include "asperity.h"
 #include "dem/engine.h"
-#include "dem/profile.h"
-#include "dem/words.h"
+#include "dem/surface_file.h"
+#include "dem/command_words.h"
 
 namespace asperity {
 
@@ -69,6 +69,9 @@ public:
 
   /* True if a particle may stick. If not, the law is skipped for a particle at rest. */
   bool sticks() const;
+
+  /* Throws an Error if bodies cannot hit this wall. */
+  void check_bodies() const;
 
   /* True if the flow removes a particle of this size that would stick. */
   bool removes(int type, int wall_type, double d_p) const;

@@ -1,5 +1,5 @@
-/* What a wall tells the user: its description, the report for the log, and doubts about constants;
- * see model.h.
+/* Texts of a wall for the user: its description, the report for the log, and doubts about
+ * constants; see model.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/model.h"
@@ -74,7 +74,7 @@ void Model::warn_of_doubts() const {
   const std::vector<Engine::Kind> kinds = engine_.kinds();
   if (!is_new_ || !wall_)
     return;
-  const asp_particle largest = {most, 1, NULL, {0, 0, 0}, NULL, 0, 0};
+  const asp_particle largest = {most, 1, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
   char doubt[480];
   for (int i = 0;
        asp_description_doubt(description_.get(), &largest, NULL, NULL, i, doubt, sizeof doubt); i++)
@@ -110,7 +110,7 @@ std::string Model::describe_capture() const {
       double speed[2] = {0, 0};
       for (int k = 0; kinds[t].present && k < 2; k++) {
         const asp_particle particle = {
-            d_p[k], density(type, kinds[t]), pair(type, w), {0, 0, 0}, NULL, 0, 0};
+            d_p[k], density(type, kinds[t]), pair(type, w), {0, 0, 0}, NULL, 0, 0, NULL};
         speed[k] = asp_description_capture_speed(description_.get(), &particle);
       }
       if (!(speed[0] > 0))
@@ -127,7 +127,7 @@ void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, do
                            std::set<std::string> &said) const {
   const asp_material *of_particle = materials_[type - 1], *of_wall = materials_[wall_type - 1];
   const asp_particle particle = {
-      d_p, density(type, kind), pair(type, wall_type), {0, 0, 0}, NULL, 0, 0};
+      d_p, density(type, kind), pair(type, wall_type), {0, 0, 0}, NULL, 0, 0, NULL};
   char doubt[480];
   for (int i = 0; asp_description_doubt(description_.get(), &particle, of_particle, of_wall, i,
                                         doubt, sizeof doubt);

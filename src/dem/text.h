@@ -1,8 +1,8 @@
 /* Texts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_TEXT_H
-#define ASPERITY_WALL_TEXT_H
+#ifndef ASPERITY_DEM_TEXT_H
+#define ASPERITY_DEM_TEXT_H
 
 #include <string>
 

@@ -1,8 +1,8 @@
 /* The unit styles of the engines in which lengths and constants can be converted.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_UNITS_H
-#define ASPERITY_WALL_UNITS_H
+#ifndef ASPERITY_DEM_UNITS_H
+#define ASPERITY_DEM_UNITS_H
 
 #include <string>
 

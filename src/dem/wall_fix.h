@@ -3,8 +3,8 @@
  * an engine has of its own is in its room.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_WALL_FIX_H
-#define ASPERITY_WALL_WALL_FIX_H
+#ifndef ASPERITY_DEM_WALL_FIX_H
+#define ASPERITY_DEM_WALL_FIX_H
 
 #include <stdio.h>
 #include <string.h>
@@ -39,7 +39,8 @@ public:
     return program_->domain->dimension;
   }
 
-  Spheres spheres() const {
+  /* Those that may meet walls one by one. */
+  virtual Spheres spheres() const {
     const auto *atom = program_->atom;
     Spheres s;
     s.step = program_->update->ntimestep;
@@ -86,6 +87,12 @@ public:
   virtual void fail_alone(const std::string &what) const = 0;
   /* Gives the wall the rows of this rank's particles, which may have moved since the last step. */
   virtual void set_rows() = 0;
+  /* The bodies of this rank, for these walls; NULL: there are none. put: takes them back;
+   * collective. */
+  virtual Bodies *bodies(const std::vector<WallFix *> &) {
+    return NULL;
+  }
+  virtual void put_bodies() {}
   /* Moves the wall to the end of the step. */
   virtual void begin_step() = 0;
 
@@ -106,16 +113,16 @@ public:
   void set_flags() {
     auto *fix = this->fix_;
     fix->scalar_flag = fix->vector_flag = fix->array_flag = 1;
-    fix->size_vector = Wall::N_COUNTERS;
-    fix->size_array_rows = static_cast<int>(wall.shapes());
-    fix->size_array_cols = Wall::N_TOTALS;
+    fix->size_vector = Books::N_COUNTERS;
+    fix->size_array_rows = static_cast<int>(wall.setup.shapes.size());
+    fix->size_array_cols = Books::N_TOTALS;
     fix->global_freq = 1;
     fix->extscalar = fix->extvector = fix->extarray = 1;
     fix->restart_global = 1;
     fix->nevery = 1;
     fix->force_reneighbor = deletes();
     fix->next_reneighbor = -1;
-    if (Ledger *ledger = wall.ledger()) {
+    if (Ledger *ledger = wall.books.ledger()) {
       fix->local_flag = 1;
       fix->local_freq = static_cast<int>(ledger->every());
       fix->size_local_rows = 0;
@@ -123,12 +130,13 @@ public:
     }
   }
 
-  /* Before a run. of: a WallFix of a fix, or NULL where that is no wall of this style. */
-  template <class Of> void find_siblings(Of of) {
+  /* Before a run. wall_of: gives the WallFix of a fix, or NULL where that is no wall of this style.
+   */
+  template <class Of> void find_siblings(Of wall_of) {
     const auto *modify = this->program_->modify;
     siblings_.clear();
     for (int i = 0; i < modify->nfix; i++)
-      if (WallFix *fix = of(modify->fix[i]))
+      if (WallFix *fix = wall_of(modify->fix[i]))
         siblings_.push_back(fix);
   }
 
@@ -147,7 +155,7 @@ public:
 
   /* Before the fix is taken away, or defined anew: nobody should find out later. Collective. */
   void report_loss() const {
-    const double stuck = wall.stuck(), impacts = wall.counter(Wall::N_IMPACTS);
+    const double stuck = wall.stuck(), impacts = wall.books.counter(Books::N_IMPACTS);
     const std::string counts = text("its counts, of %.0f impacts, end with it", impacts);
     if (stuck > 0)
       this->warn(text("%.0f particles that are stuck to this wall are free from here on, also at a "
@@ -169,14 +177,16 @@ public:
         fix->begin_step();
         walls.push_back(&fix->wall);
       }
-      Wall::step(walls, this->spheres());
+      Wall::step(walls, this->spheres(), bodies(siblings_));
     } catch (const std::exception &wrong) {
       fail_alone(message_of(wrong));
     }
+    put_bodies();
     for (WallFix *fix : siblings_) {
       if (!fix->deletes())
         continue;
-      int mine = fix->wall.has_to_delete(), any; /* all ranks must agree to build lists anew */
+      int mine = fix->wall.stepper.has_to_delete,
+          any; /* all ranks must agree to build lists anew */
       MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, this->program_->world);
       if (any)
         fix->fix_->next_reneighbor = this->program_->update->ntimestep;
@@ -191,7 +201,7 @@ public:
     set_rows();
     long long mine = 0, all;
     for (int i = 0; i < atom->nlocal;) {
-      if (wall.is_to_delete(i)) {
+      if (wall.stepper.rows.status(i) == Status::TO_DELETE) {
         atom->avec->copy(atom->nlocal - 1, i, 1);
         atom->nlocal--;
         mine++;
@@ -227,7 +237,7 @@ public:
   void end_step() {
     const int64_t now = this->program_->update->ntimestep;
     attempt([&] { wall.end_step(now, is_output()); });
-    if (Ledger *ledger = wall.ledger()) {
+    if (Ledger *ledger = wall.books.ledger()) {
       const bool due = now % ledger->every() == 0;
       this->fix_->array_local = due ? ledger->rows() : NULL;
       this->fix_->size_local_rows = due ? ledger->size() : 0;
@@ -246,7 +256,7 @@ public:
   }
 
   bool deletes() const {
-    return wall.model().deposit() == Model::DELETE;
+    return wall.setup.model.deposit() == Model::DELETE;
   }
 
 private:

@@ -153,6 +153,10 @@ static const char *standard_model(const asp_description *d) {
                                                           : "visible";
 }
 
+asp_code asp_description_check_bodies(const asp_description *d, asp_error *error) {
+  return aspi_rebound_check_bodies(d->choice.law, d->choice.parameters, error);
+}
+
 asp_code asp_description_complete(asp_description *d, asp_error *error) {
   if (d->broken.code)
     return aspi_fail(error, d->broken.code, "%s", d->broken.text);
@@ -160,6 +164,8 @@ asp_code asp_description_complete(asp_description *d, asp_error *error) {
   asp_code code = check_effects(d, error);
   if (!code)
     code = check_erosion(d, error);
+  if (!code && (d->clump || d->choice.lever > 0))
+    code = asp_description_check_bodies(d, error);
   if (!code)
     code = make_surface(d, error);
   d->choice.surface = d->surface;

@@ -16,7 +16,7 @@ typedef struct line {
   size_t size, length;
 } line;
 
-static void add(line *l, const char *word) {
+static void add_word(line *l, const char *word) {
   size_t n = strlen(word);
   if (l->length > 0)
     l->length++;
@@ -41,13 +41,13 @@ static void print_value(const asp_description *d, double value, const char *kind
 static void add_number(line *l, double value) {
   char text[32];
   aspi_number_print(value, text);
-  add(l, text);
+  add_word(l, text);
 }
 
 static void add_length(line *l, const asp_description *d, double value) {
   char text[32];
   print_value(d, value, "length", text);
-  add(l, text);
+  add_word(l, text);
 }
 
 /* `fit=START` of an unknown one. */
@@ -55,17 +55,17 @@ static void add_value(line *l, const asp_description *d, const char *name, const
                       double value) {
   char text[48] = "fit=";
   print_value(d, value, kind, text + strlen(text));
-  add(l, !aspi_is_fit(d, name) ? text + strlen("fit=") : isnan(value) ? "fit" : text);
+  add_word(l, !aspi_is_fit(d, name) ? text + strlen("fit=") : isnan(value) ? "fit" : text);
 }
 
 static void add_pair(line *l, const char *name, double value) {
-  add(l, name);
+  add_word(l, name);
   add_number(l, value);
 }
 
 /* A number of the description with its name. */
 static void add_known_or_fit(line *l, const asp_description *d, const char *name) {
-  add(l, name);
+  add_word(l, name);
   bool length = strcmp(name, "rq") == 0 || strcmp(name, "lambda_c") == 0;
   add_value(l, d, name,
             length                              ? "length"
@@ -82,25 +82,25 @@ static void add_name(line *l, const char *name) {
     char quote = strchr(name, '"') ? '\'' : '"';
     snprintf(quoted, size, "%c%s%c", quote, name, quote);
   }
-  add(l, quoted ? quoted : name);
+  add_word(l, quoted ? quoted : name);
   free(quoted);
 }
 
 static void add_lay(line *l, const asp_description *d) {
   if (d->lay == ASP_LAY_NONE)
     return;
-  add(l, "lay");
+  add_word(l, "lay");
   if (d->lay_word)
-    add(l, d->lay_word);
+    add_word(l, d->lay_word);
   for (int i = 0; i < (d->lay == ASP_LAY_VECTOR ? 3 : 1) && !d->lay_word; i++)
     add_number(l, d->lay_numbers[i]);
 }
 
 static void add_surface(line *l, const asp_description *d) {
-  add(l, "surface");
+  add_word(l, "surface");
   switch (d->kind) {
   case ASPI_SMOOTH:
-    add(l, "smooth");
+    add_word(l, "smooth");
     break;
   case ASPI_SIGMA:
     add_known_or_fit(l, d, "sigma");
@@ -115,7 +115,7 @@ static void add_surface(line *l, const asp_description *d) {
     break;
   case ASPI_PROFILE:
   case ASPI_MAP:
-    add(l, d->kind == ASPI_MAP ? "map" : "profile");
+    add_word(l, d->kind == ASPI_MAP ? "map" : "profile");
     add_name(l, d->file);
   }
   add_lay(l, d);
@@ -126,13 +126,13 @@ static void add_surface(line *l, const asp_description *d) {
 static void add_spread(line *l, const asp_description *d) {
   if (d->kind == ASPI_SMOOTH && !aspi_is_given(d, "spread"))
     return;
-  add(l, "spread");
-  add(l, d->chooses ? "auto" : d->choice.spread->name);
+  add_word(l, "spread");
+  add_word(l, d->chooses ? "auto" : d->choice.spread->name);
   if (d->chooses)
     add_pair(l, "tolerance", d->tolerance);
-  add(l, d->choice.isotropic ? "isotropic" : "plane");
-  add(l, "collisions");
-  add(l, d->choice.multiple ? "multiple" : "single");
+  add_word(l, d->choice.isotropic ? "isotropic" : "plane");
+  add_word(l, "collisions");
+  add_word(l, d->choice.multiple ? "multiple" : "single");
 }
 
 static void add_parameter(line *l, const asp_description *d, const asp_parameter *p, double value) {
@@ -145,7 +145,7 @@ static void add_parameter(line *l, const asp_description *d, const asp_parameter
     word += strcspn(word, " ") + 1;
   char one[40];
   snprintf(one, sizeof one, "%.*s", (int)strcspn(word, " "), word);
-  add(l, one);
+  add_word(l, one);
 }
 
 /* A law's parameters and their values. */
@@ -162,7 +162,7 @@ static bool differs(const asp_description *d, const law_numbers *l, int i) {
          aspi_is_fit(d, l->parameters[i].name);
 }
 
-/* Those that follow one word are left out where all have their defaults. */
+/* Parameters behind one word are left out if all have their defaults. */
 static void add_parameters(line *l, const asp_description *d, const law_numbers *of) {
   for (int i = 0, next; i < of->count; i = next) {
     const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
@@ -172,7 +172,7 @@ static void add_parameters(line *l, const asp_description *d, const law_numbers 
          next++)
       any = any || differs(d, of, next);
     if (any && *keyword)
-      add(l, keyword);
+      add_word(l, keyword);
     for (int k = i; k < next && any; k++)
       add_parameter(l, d, &of->parameters[k], of->values[k]);
   }
@@ -181,22 +181,22 @@ static void add_parameters(line *l, const asp_description *d, const law_numbers 
 static void add_rebound(line *l, const asp_description *d) {
   const asp_rebound_law *of = d->choice.law;
   const double *values = d->choice.parameters;
-  add(l, "rebound");
-  add(l, of->name);
+  add_word(l, "rebound");
+  add_word(l, of->name);
   if (of->needs_table)
     add_name(l, d->table);
   add_parameters(l, d, &(law_numbers){of->parameters, of->n_parameters, values, values});
   if (d->choice.scatter_twice)
-    add(l, "scatter_twice");
+    add_word(l, "scatter_twice");
 }
 
 static void add_constants(line *l, const asp_description *d) {
   if (aspi_is_given(d, "materials")) {
-    add(l, "materials");
+    add_word(l, "materials");
     for (int i = 0; i < d->n_materials; i++)
       add_name(l, d->names[i]);
     if (d->materials_file) {
-      add(l, "file");
+      add_word(l, "file");
       add_name(l, d->materials_file);
     }
   }
@@ -207,16 +207,28 @@ static void add_constants(line *l, const asp_description *d) {
 }
 
 static void add_deposit(line *l, const asp_description *d) {
-  add(l, "deposit");
-  add(l, asp_description_word(d, "deposit"));
+  add_word(l, "deposit");
+  add_word(l, asp_description_word(d, "deposit"));
   if (aspi_is_given(d, "remove"))
-    add(l, "remove");
+    add_word(l, "remove");
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const asp_keyword *k = asp_keyword_at(i);
     if (strcmp(k->within, "remove") != 0 || !aspi_is_given(d, k->name))
       continue;
-    add(l, k->name);
+    add_word(l, k->name);
     add_value(l, d, k->name, k->unit, asp_description_get(d, k->name));
+  }
+}
+
+static void add_grain(line *l, const asp_description *d) {
+  if (!d->clump && !(d->choice.lever > 0))
+    return;
+  add_word(l, "grain");
+  if (d->clump) {
+    add_word(l, "clump");
+    add_name(l, d->clump);
+  } else {
+    add_known_or_fit(l, d, "lever");
   }
 }
 
@@ -225,14 +237,14 @@ static void add_erosion(line *l, const asp_description *d) {
   const aspi_erosion_law *of = erosion->law;
   if (!of)
     return;
-  add(l, "erosion");
-  add(l, of->name);
+  add_word(l, "erosion");
+  add_word(l, of->name);
   add_parameters(l, d,
                  &(law_numbers){of->parameters, of->n_parameters, erosion->given, erosion->si});
   if (erosion->density > 0)
     add_pair(l, "density", erosion->density);
-  add(l, "face");
-  add(l, erosion->tilted ? "tilted" : "mean");
+  add_word(l, "face");
+  add_word(l, erosion->tilted ? "tilted" : "mean");
 }
 
 size_t asp_description_text(const asp_description *d, char *text, size_t size) {
@@ -244,6 +256,7 @@ size_t asp_description_text(const asp_description *d, char *text, size_t size) {
   add_rebound(&l, d);
   add_constants(&l, d);
   add_deposit(&l, d);
+  add_grain(&l, d);
   add_erosion(&l, d);
   add_pair(&l, "seed", d->seed);
   return l.length;

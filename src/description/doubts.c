@@ -31,7 +31,7 @@
 #define SPEED_MOST 1e4
 enum { SPEEDS = 64 };
 
-/* Of a speed that is looked for, relative. */
+/* Relative precision of a critical speed. */
 #define PRECISION 1e-4
 
 typedef struct question {

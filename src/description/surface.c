@@ -136,7 +136,7 @@ static asp_code read_rsm(aspi_words *r) {
                          aspi_r_sm_share(ASPI_RSM_LEAST));
 }
 
-/* What an instrument prints of the spacing of heights, and beside which heights. */
+/* Numbers for the spacing of heights that instruments print, and the heights they go with. */
 static const struct {
   const char *name, *beside;
   asp_code (*read)(aspi_words *r);

@@ -2,8 +2,8 @@
  * into restart files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_ATOM_ROWS_H
-#define ASPERITY_WALL_ATOM_ROWS_H
+#ifndef ASPERITY_LAMMPS_ATOM_ROWS_H
+#define ASPERITY_LAMMPS_ATOM_ROWS_H
 
 #include <vector>
 

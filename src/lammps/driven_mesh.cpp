@@ -11,7 +11,7 @@
 #include "asperity.h"
 #include "contact/vector.h"
 #include "dem/error.h"
-#include "dem/record.h"
+#include "dem/books/record.h"
 #include "stl_file.h"
 #include "dem/text.h"
 
@@ -49,7 +49,7 @@ void Drive::parse(Words &words, std::string &geometry) {
   geometry += " " + setting(period_);
 }
 
-void Drive::at(double time, Frame &frame, Twist &twist) const {
+void Drive::move(double time, Frame &frame, Twist &twist) const {
   const double rate = kind_ == LINEAR ? 1 : 2 * ASP_PI / period_, phase = rate * time;
   frame = Frame();
   twist = Twist();
@@ -212,9 +212,9 @@ void DrivenMesh::redirect(const Drive &drive) {
   redirected_ = true;
 }
 
-void DrivenMesh::at(double time, Frame &frame, Twist &twist) const {
+void DrivenMesh::pose(double time, Frame &frame, Twist &twist) const {
   Frame drive;
-  drive_.at(time - origin_, drive, twist);
+  drive_.move(time - origin_, drive, twist);
   drive.to_world(base_.shift, frame.shift);
   for (int j = 0; j < 3; j++) {
     const double column[3] = {base_.turn[0][j], base_.turn[1][j], base_.turn[2][j]};
@@ -230,7 +230,7 @@ void DrivenMesh::setup(double time) {
     origin_ = time;
   Frame frame;
   Twist twist;
-  at(time, frame, twist);
+  pose(time, frame, twist);
   motion().settle(frame, false);
   motion().set_last(twist);
   has_begun_ = true;
@@ -243,7 +243,7 @@ void DrivenMesh::begin_step(double time, double dt) {
     setup(time - dt);
   Frame frame;
   Twist twist;
-  at(time, frame, twist);
+  pose(time, frame, twist);
   motion().advance(frame, twist, dt);
 }
 

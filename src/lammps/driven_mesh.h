@@ -2,16 +2,16 @@
  * meshes of their own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_DRIVEN_MESH_H
-#define ASPERITY_WALL_DRIVEN_MESH_H
+#ifndef ASPERITY_LAMMPS_DRIVEN_MESH_H
+#define ASPERITY_LAMMPS_DRIVEN_MESH_H
 
 #include <mpi.h>
 #include <memory>
 #include <string>
 
 #include "node_tree.h"
-#include "dem/mesh.h"
-#include "dem/words.h"
+#include "dem/shapes/mesh.h"
+#include "dem/command_words.h"
 
 namespace asperity {
 
@@ -27,7 +27,7 @@ public:
   bool moves() const {
     return kind_ != REST;
   }
-  void at(double time, Frame &frame, Twist &twist) const;
+  void move(double time, Frame &frame, Twist &twist) const;
 
   /* The motion as numbers, for a restart file. */
   enum { NUMBERS = 8 };
@@ -73,7 +73,7 @@ public:
 
 private:
   ContactTree *read_tree();
-  void at(double time, Frame &frame, Twist &twist) const;
+  void pose(double time, Frame &frame, Twist &twist) const;
 
   NodeTree shared_;
   Drive drive_;

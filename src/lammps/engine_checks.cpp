@@ -29,8 +29,7 @@ std::string LAMMPS_NS::particles_error(LAMMPS *lmp) {
   if (!atom->tag_enable)
     return "particles have no tags, which the draws depend on; use 'atom_modify id yes'";
   if (lmp->kokkos)
-    return "the package KOKKOS is on; it keeps particles where this fix cannot reach them, so it "
-           "must be off";
+    return "the package KOKKOS is on, with which this fix was never tried; it must be off";
   return "";
 }
 

@@ -39,7 +39,7 @@
 #include "region_shape.h"
 
 #include "dem/error.h"
-#include "dem/primitive.h"
+#include "dem/shapes/primitive.h"
 #include "dem/text.h"
 
 #include <cctype>
@@ -52,6 +52,7 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using asperity::AtomRows;
+using asperity::Books;
 using asperity::text;
 using asperity::Wall;
 using asperity::Words;
@@ -145,7 +146,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     read_geometry(words, geometry);
     Keywords own(p_);
     p_->wall.parse(words, geometry, &own);
-    if (p_->units() == "lj" && p_->wall.model().needs_materials())
+    if (p_->units() == "lj" && p_->wall.setup.model.needs_materials())
       throw asperity::Error("units are 'lj', in which materials have no constants; units must be " +
                             p_->known_units() +
                             ", or the law one without materials, such as rebound constant");
@@ -252,7 +253,7 @@ void FixWallRebound::init() {
 /* The command reset_timestep tells no fix, and a `run pre no` may follow it. */
 void FixWallRebound::Parts::follow_step(bigint last) {
   if (last != last_step)
-    wall.reset_step(last, last_step);
+    wall.setup.clock.step += static_cast<double>(last - last_step);
   last_step = last;
 }
 
@@ -269,10 +270,10 @@ void FixWallRebound::setup(int) {
     if (p_->region)
       p_->region->setup();
     if (p_->mesh) {
-      p_->mesh->setup(p_->wall.time(static_cast<double>(update->ntimestep)));
+      p_->mesh->setup(p_->wall.setup.time(static_cast<double>(update->ntimestep)));
       p_->mesh->set_images(p_->box());
     }
-    p_->wall.setup(p_->spheres(), groupbit, p_->box());
+    p_->wall.begin_run(p_->spheres(), groupbit, p_->box());
   });
 }
 
@@ -280,15 +281,15 @@ void FixWallRebound::Parts::begin_step() {
   const Update *update = program_->update;
   steps = true;
   follow_step(update->ntimestep - 1);
-  wall.set_box(box());
+  wall.setup.box = box();
   if (particles_grow(program_))
-    wall.look_anew();
+    wall.stepper.ahead.clear();
   if (region)
     region->begin_step();
   if (mesh) {
-    mesh->begin_step(wall.time(static_cast<double>(update->ntimestep)), update->dt);
+    mesh->begin_step(wall.setup.time(static_cast<double>(update->ntimestep)), update->dt);
     if (mesh->set_images(box()))
-      wall.look_anew();
+      wall.stepper.ahead.clear();
   }
 }
 
@@ -318,7 +319,7 @@ void FixWallRebound::end_of_step() {
   if (p_->mesh && p_->map.is_due(update->ntimestep))
     p_->attempt([this] {
       p_->map.write(world, update->ntimestep, p_->mesh->triangles(), p_->mesh->motion().end(),
-                    p_->wall.sums(0), p_->wall.worn_density(0));
+                    p_->wall.books.sums(0), p_->wall.worn_density(0));
     });
 }
 
@@ -335,15 +336,15 @@ void FixWallRebound::reset_dt() {
  */
 
 double FixWallRebound::compute_scalar() {
-  return p_->wall.counter(Wall::N_IMPACTS);
+  return p_->wall.books.counter(Books::N_IMPACTS);
 }
 
 double FixWallRebound::compute_vector(int n) {
-  return p_->wall.counter(n);
+  return p_->wall.books.counter(n);
 }
 
 double FixWallRebound::compute_array(int row, int column) {
-  return p_->wall.total(row, column);
+  return p_->wall.books.total(row, column);
 }
 
 double FixWallRebound::memory_usage() {

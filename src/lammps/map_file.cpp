@@ -51,19 +51,19 @@ public:
   }
   /* The sums, and behind them the depth of erosion. */
   int arrays() const {
-    return Wall::N_SUMS + (density_ > 0);
+    return Books::N_SUMS + (density_ > 0);
   }
   const char *name(int k) const {
-    return k < Wall::N_SUMS ? Wall::SUM_NAMES[k] : "erosion_depth";
+    return k < Books::N_SUMS ? Books::SUM_NAMES[k] : "erosion_depth";
   }
   void array(int k) const {
     for (int i = 0; i < n_; i++) {
-      const double *sums = &sums_[static_cast<size_t>(i) * Wall::N_SUMS];
+      const double *sums = &sums_[static_cast<size_t>(i) * Books::N_SUMS];
       const ContactTriangle *triangle = aspi_tree_triangle(tree_, place_[i]);
       fprintf(file_, "%.9g\n",
-              k < Wall::N_SUMS
+              k < Books::N_SUMS
                   ? sums[k]
-                  : sums[Wall::SUM_ERODED] / (density_ * aspi_triangle_area(triangle)));
+                  : sums[Books::SUM_ERODED] / (density_ * aspi_triangle_area(triangle)));
     }
   }
 

@@ -2,8 +2,8 @@
  * format (.vtk) or its XML format (.vtp).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_MAP_FILE_H
-#define ASPERITY_WALL_MAP_FILE_H
+#ifndef ASPERITY_LAMMPS_MAP_FILE_H
+#define ASPERITY_LAMMPS_MAP_FILE_H
 
 #include <mpi.h>
 #include <cstdint>
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "contact/tree.h"
-#include "dem/motion.h"
-#include "dem/words.h"
+#include "dem/shapes/motion.h"
+#include "dem/command_words.h"
 
 namespace asperity {
 
@@ -28,7 +28,7 @@ public:
     return every_ > 0 && step % every_ == 0;
   }
 
-  /* Writes the mesh where it is now, with the sums of each triangle by its number, Wall::N_SUMS
+  /* Writes the mesh where it is now, with the sums of each triangle by its number, Books::N_SUMS
    * each, and the depth of erosion: eroded mass over worn_density, that of the wall, and the
    * triangle's area; with worn_density 0 the wall has no erosion, and the map no depth. Collective;
    * rank 0 writes, and all throw an Error where it cannot. */

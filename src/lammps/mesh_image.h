@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "dem/mesh.h"
+#include "dem/shapes/mesh.h"
 
 namespace LAMMPS_NS {
 

@@ -74,7 +74,7 @@ double RegionPart::turn_speed() const {
   return region_->rotateflag ? fabs(rate_.angle) : 0;
 }
 
-RegionPose RegionPart::at(double share) const {
+RegionPose RegionPart::pose(double share) const {
   if (share >= 1)
     return now_;
   RegionPose pose;
@@ -87,9 +87,9 @@ RegionPose RegionPart::at(double share) const {
 /* Rodrigues, about the axis through the origin; then the displacement. */
 asperity::Frame RegionPart::frame_at(double share) const {
   asperity::Frame frame;
-  const RegionPose pose = at(share);
+  const RegionPose now = pose(share);
   if (region_->rotateflag) {
-    const double c = cos(pose.angle), s = sin(pose.angle);
+    const double c = cos(now.angle), s = sin(now.angle);
     for (int i = 0; i < 3; i++) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       frame.turn[i][i] = c + (1 - c) * axis_[i] * axis_[i];
@@ -100,7 +100,7 @@ asperity::Frame RegionPart::frame_at(double share) const {
       frame.shift[i] = origin_[i] - aspi_dot(frame.turn[i], origin_);
   }
   if (region_->moveflag)
-    aspi_add_scaled(frame.shift, 1, pose.shift, frame.shift);
+    aspi_add_scaled(frame.shift, 1, now.shift, frame.shift);
   return frame;
 }
 
@@ -168,7 +168,7 @@ void RegionPart::velocity_by(const RegionPose &rate, double share, const double 
     double arm[3];
     aspi_subtract(x, origin_, arm);
     if (region_->moveflag)
-      aspi_subtract(arm, at(share).shift, arm);
+      aspi_subtract(arm, pose(share).shift, arm);
     aspi_cross(axis_, arm, v);
     aspi_scale(rate.angle, v);
   }
@@ -192,7 +192,8 @@ void RegionPart::velocity(double share, const double x[3], double v[3]) const {
 }
 
 /* The axis moves with the region, so that dV/dt at a fixed point has the part -omega x shift'. */
-void RegionPart::follow(double share, const double x[3], const double v[3], double a[3]) const {
+void RegionPart::acceleration(double share, const double x[3], const double v[3],
+                              double a[3]) const {
   const RegionPose rate = rate_at(share);
   RegionPose change = RegionPose();
   for (int d = 0; d < 3 && has_last_; d++)

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pointers.h"
-#include "dem/motion.h"
+#include "dem/shapes/motion.h"
 
 namespace LAMMPS_NS {
 
@@ -69,7 +69,7 @@ public:
   /* The velocity of a point of the region; and the acceleration that keeps a point which moves
    * through x with the velocity v at its face (see asperity::Motion). */
   void velocity(double share, const double x[3], double v[3]) const;
-  void follow(double share, const double x[3], const double v[3], double a[3]) const;
+  void acceleration(double share, const double x[3], const double v[3], double a[3]) const;
 
   /* The mean velocities of the last step, for a run that continues one. */
   const RegionPose *rate() const {
@@ -78,7 +78,7 @@ public:
   void set_rate(const RegionPose &rate);
 
 private:
-  RegionPose at(double share) const;
+  RegionPose pose(double share) const;
   RegionPose rate_at(double share) const;
   asperity::Frame frame_at(double share) const;
   void velocity_by(const RegionPose &rate, double share, const double x[3], double v[3]) const;

@@ -21,10 +21,6 @@ using asperity::Path;
 
 namespace {
 
-/* A sphere that touches a hollow face slides along it if its normal speed is a smaller share of its
- * speed (as in aspi_cylinder_find). */
-const double SLIDES = 1e-6;
-
 /* How closely a sphere that a moving part takes along keeps its distance in a step, in radii. */
 const double KEEPS = 1e-6;
 
@@ -67,7 +63,7 @@ struct RegionShape::Search {
   void relative(const Look &l, const Foot &foot, double v_wall[3], double v[3]) const;
   double approach(const Look &l, const Foot &foot, bool &counts) const;
   double near(const Look &l, const Foot &foot) const;
-  double follow(const Look &l, const Foot &foot) const;
+  double acceleration(const Look &l, const Foot &foot) const;
   double curve(const Look &l, const Foot &foot, const double v[3]) const;
   const Foot *touched(const Look &l) const;
   double reached(const Look &l, const Foot &foot) const;
@@ -108,11 +104,11 @@ double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &coun
   double v_wall[3], v[3];
   relative(l, foot, v_wall, v);
   const double speed = -aspi_dot(v, foot.n), all = aspi_length(v);
-  const bool slides = foot.hollow > 0 && fabs(speed) <= SLIDES * all;
+  const bool slides = foot.hollow > 0 && fabs(speed) <= CONTACT_SLIDES * all;
   const bool rides = shape.parts_[foot.part].moves() && !(l.time > 0);
-  counts = speed > (foot.hollow > 0 ? SLIDES : CONTACT_APPROACH) * all;
+  counts = speed > (foot.hollow > 0 ? CONTACT_SLIDES : CONTACT_APPROACH) * all;
   if ((slides || rides) && foot.distance - radius <= near(l, foot)) {
-    const double bend = (rides ? follow(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
+    const double bend = (rides ? acceleration(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
     const double mean = 0.5 * (path.left - l.time) * bend;
     counts = speed + mean > CONTACT_APPROACH * all + MEASURED * fabs(mean);
   }
@@ -126,11 +122,11 @@ double RegionShape::Search::near(const Look &l, const Foot &foot) const {
 }
 
 /* The acceleration along n that keeps the center at a face as that moves. */
-double RegionShape::Search::follow(const Look &l, const Foot &foot) const {
+double RegionShape::Search::acceleration(const Look &l, const Foot &foot) const {
   double a[3];
   if (!shape.parts_[foot.part].moves())
     return 0;
-  shape.parts_[foot.part].follow(share(l.time), l.x, path.v, a);
+  shape.parts_[foot.part].acceleration(share(l.time), l.x, path.v, a);
   return aspi_dot(a, foot.n);
 }
 
@@ -255,7 +251,7 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   contact.face = foot.face;
   aspi_add_scaled(l.x, push_out > tolerance ? push_out : 0, foot.n, contact.x);
   contact.overlapped = push_out > near(l, foot);
-  contact.follow = follow(l, foot);
+  contact.follow = acceleration(l, foot);
   contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
   contact.closing = -aspi_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);
 }

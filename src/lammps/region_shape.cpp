@@ -13,12 +13,12 @@
 #include "region.h"
 #include "update.h"
 #include "dem/error.h"
-#include "dem/record.h"
+#include "dem/books/record.h"
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;
 using asperity::Contact;
-using asperity::Faces;
+using asperity::FaceList;
 using asperity::Path;
 using asperity::Place;
 using asperity::text;
@@ -124,7 +124,7 @@ std::string RegionShape::description() const {
   return all;
 }
 
-/* The same region may have been defined anew, at another address; its motion goes on. */
+/* A region may have been defined anew, at another address; its motion goes on. */
 void RegionShape::init() {
   const std::vector<double> record = motion_record();
   parts_.clear();
@@ -178,7 +178,7 @@ void RegionShape::set_share(double share) const {
       part.set_share(share);
 }
 
-/* Of the parts that move, for others have no rate. The regions may have been deleted since. */
+/* Only parts that move have a rate. The regions may have been deleted since. */
 std::vector<double> RegionShape::motion_record() const {
   std::vector<double> record;
   for (const RegionPart &part : parts_)
@@ -248,7 +248,7 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
 
 /* By the nearest point of each part's faces from either side; those that are hidden count, too. */
 double RegionShape::clear(const double x[3], const double v[3], double reach, double widen,
-                          double most, const Faces &stays) const {
+                          double most, const FaceList &stays) const {
   std::vector<Foot> &feet = buffers_.feet;
   const double speed = aspi_length(v), wide = (1 + ASIDE_LENGTH) * reach;
   double steps = most, aside[3];
@@ -277,7 +277,7 @@ bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
     half[d] = 0.5 * (hi[d] - lo[d]);
     middle[d] = lo[d] + half[d];
   }
-  return clear(middle, still, aspi_length(half), 0, 1, Faces()) < 1;
+  return clear(middle, still, aspi_length(half), 0, 1, FaceList()) < 1;
 }
 
 bool RegionShape::under(int face, const double x[3], double reach, double n[3],

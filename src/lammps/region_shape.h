@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "region_part.h"
-#include "dem/shape.h"
+#include "dem/shapes/shape.h"
 
 namespace LAMMPS_NS {
 
@@ -32,7 +32,7 @@ public:
 
   double travel(double dt) const override;
   double clear(const double x[3], const double v[3], double reach, double widen, double most,
-               const asperity::Faces &stays) const override;
+               const asperity::FaceList &stays) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;

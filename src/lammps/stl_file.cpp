@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stl_file.h"
 
+#include <cctype>
 #include <cerrno>
 #include <climits>
 #include <cmath>
@@ -13,13 +14,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <strings.h>
-#include <sys/stat.h>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "base/number.h"
 #include "dem/error.h"
-#include "dem/number.h"
 #include "dem/text.h"
 
 using namespace asperity;
@@ -27,6 +27,14 @@ using namespace asperity;
 namespace {
 
 const size_t HEAD = 84, RECORD = 50, NORMAL = 12, MOST = INT_MAX / 2;
+
+/* True if the text begins with the name, in small letters or large. */
+bool begins(const char *text, const char *name) {
+  for (; *name; text++, name++)
+    if (tolower(static_cast<unsigned char>(*text)) != *name)
+      return false;
+  return true;
+}
 
 class Stl {
 public:
@@ -38,8 +46,7 @@ private:
   struct Word { /* of a line */
     const char *begin, *end;
     bool is(const char *name) const { /* in small letters or large */
-      return strlen(name) == static_cast<size_t>(end - begin) &&
-             strncasecmp(begin, name, end - begin) == 0;
+      return strlen(name) == static_cast<size_t>(end - begin) && begins(begin, name);
     }
   };
 
@@ -47,14 +54,15 @@ private:
   void give();
   void read_binary(size_t count);
   void read_text();
-  void split_line(ssize_t length);
+  bool read_line();
+  void split_line();
   void take_line();
   void vertex();
 
   const std::string &path_;
   const std::function<void(const ContactTriangle &)> &take_;
   std::unique_ptr<FILE, int (*)(FILE *)> file_;
-  std::unique_ptr<char, void (*)(void *)> line_; /* of a text */
+  std::string line_; /* of a text */
   std::vector<Word> words_;
   int number_; /* of the line */
   State state_;
@@ -64,12 +72,12 @@ private:
 };
 
 Stl::Stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take)
-    : path_(path), take_(take), file_(fopen(path.c_str(), "rb"), fclose), line_(NULL, free),
-      number_(0), state_(OUTSIDE), triangle_(), corners_(0), triangles_(0) {}
+    : path_(path), take_(take), file_(fopen(path.c_str(), "rb"), fclose), number_(0),
+      state_(OUTSIDE), triangle_(), corners_(0), triangles_(0) {}
 
 void Stl::fail(const std::string &must) const {
   throw Error(
-      text("STL file '%s', line %d: it says '%.80s'; ", path_.c_str(), number_, line_.get()) +
+      text("STL file '%s', line %d: it says '%.80s'; ", path_.c_str(), number_, line_.c_str()) +
       must);
 }
 
@@ -107,8 +115,9 @@ void Stl::vertex() {
   if (corners_ == 3)
     fail("a facet must have three vertices, and this is its fourth");
   for (int d = 0; d < 3; d++) {
-    double value = HUGE_VAL;
-    if (!read_number(words_[d + 1].begin, words_[d + 1].end, value) || !std::isfinite(value))
+    char *end;
+    const double value = aspi_number(words_[d + 1].begin, &end);
+    if (end != words_[d + 1].end || !std::isfinite(value))
       fail("the coordinates of a vertex must be finite numbers");
     triangle_.node[corners_][d] = value;
   }
@@ -146,29 +155,35 @@ void Stl::take_line() {
     fail("it must be 'endfacet'");
 }
 
-void Stl::split_line(ssize_t length) {
-  const char *at = line_.get(), *end = at + length;
+void Stl::split_line() {
   words_.clear();
-  for (const char *from;; words_.push_back({from, at})) {
-    at += strspn(at, " \t\r\n\v\f");
-    if (at >= end || !*at)
+  for (const char *at = line_.c_str(), *from;; words_.push_back({from, at})) {
+    at += strspn(at, " \t\r\v\f");
+    if (!*at)
       return;
     from = at;
-    at += strcspn(at, " \t\r\n\v\f");
+    at += strcspn(at, " \t\r\v\f");
   }
 }
 
+/* The next line, without its end. */
+bool Stl::read_line() {
+  char piece[256];
+  line_.clear();
+  while (fgets(piece, sizeof piece, file_.get())) {
+    line_ += piece;
+    if (!line_.empty() && line_.back() == '\n') {
+      line_.erase(line_.find_last_not_of("\r\n") + 1);
+      return true;
+    }
+  }
+  return !line_.empty();
+}
+
 void Stl::read_text() {
-  size_t room = 0;
-  for (;;) {
-    char *line = line_.release();
-    const ssize_t length = getline(&line, &room, file_.get());
-    line_.reset(line);
-    if (length < 0)
-      break;
+  while (read_line()) {
     number_++;
-    split_line(length);
-    line[strcspn(line, "\r\n")] = '\0'; /* for messages */
+    split_line();
     if (!words_.empty())
       take_line();
   }
@@ -178,28 +193,29 @@ void Stl::read_text() {
 }
 
 void Stl::read() {
-  struct stat is;
-  if (!file_ || fstat(fileno(file_.get()), &is) != 0)
+  const auto fail_to_read = [this] {
     throw Error("STL file '" + path_ + "' cannot be read: " + strerror(errno));
-  if (S_ISDIR(is.st_mode))
-    throw Error("STL file '" + path_ + "' is a folder; it must be a file");
+  };
+  if (!file_ || fseek(file_.get(), 0, SEEK_END) != 0)
+    fail_to_read();
+  const double length = static_cast<double>(ftell(file_.get()));
+  rewind(file_.get());
   unsigned char head[HEAD];
   const bool has_head = fread(head, HEAD, 1, file_.get()) == 1;
   const size_t count = has_head ? number_at(head + HEAD - 4) : 0;
   const double bytes = static_cast<double>(HEAD) + RECORD * static_cast<double>(count);
-  if (has_head && !(bytes > static_cast<double>(is.st_size)) &&
-      !(bytes < static_cast<double>(is.st_size)))
+  if (has_head && !(bytes > length) && !(bytes < length))
     read_binary(count);
-  else if (has_head && strncasecmp(reinterpret_cast<char *>(head), "solid", 5) != 0)
-    throw Error(text("STL file '%s' is no text that begins with 'solid', and has %lld bytes; a "
+  else if (has_head && !begins(reinterpret_cast<char *>(head), "solid"))
+    throw Error(text("STL file '%s' is no text that begins with 'solid', and has %.0f bytes; a "
                      "binary one of %zu triangles, as it says, must have %.0f",
-                     path_.c_str(), static_cast<long long>(is.st_size), count, bytes));
+                     path_.c_str(), length, count, bytes));
   else {
     rewind(file_.get());
     read_text();
   }
   if (ferror(file_.get()))
-    throw Error("STL file '" + path_ + "' cannot be read: " + strerror(errno));
+    fail_to_read();
   if (triangles_ == 0)
     throw Error("STL file '" + path_ + "' has no triangles; it must have one or more");
 }

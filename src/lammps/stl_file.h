@@ -1,8 +1,8 @@
 /* Triangles from an STL file, text or binary.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_STL_H
-#define ASPERITY_WALL_STL_H
+#ifndef ASPERITY_LAMMPS_STL_H
+#define ASPERITY_LAMMPS_STL_H
 
 #include <functional>
 #include <string>

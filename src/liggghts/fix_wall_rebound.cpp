@@ -22,11 +22,12 @@
 #include "output.h"
 #include "update.h"
 #include "dem/error.h"
-#include "dem/primitive.h"
+#include "dem/shapes/primitive.h"
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using asperity::Books;
 using asperity::text;
 using asperity::Wall;
 using asperity::Words;
@@ -220,7 +221,7 @@ std::string FixWallRebound::how_to_state(const char *name, bool pairs,
               values.c_str());
 }
 
-/* Those that there are, and those of the templates. */
+/* Diameters of particles that there are, and of the templates. */
 void FixWallRebound::diameters(double &least, double &most) const {
   modify->max_min_rad(most, least);
   least = most > 0 ? 2 * least : 0;
@@ -232,7 +233,7 @@ std::vector<asperity::Engine::Kind> FixWallRebound::kinds() const {
   for (int i = 0; i < modify->nfix; i++)
     if (FixTemplateSphere *grain = dynamic_cast<FixTemplateSphere *>(modify->fix[i]))
       present[static_cast<size_t>(grain->maxtype() - 1)] = 1;
-  return asperity::kinds_of(spheres(), groupbit, present, Fix::world);
+  return asperity::kinds_of(EngineOf::spheres(), groupbit, present, Fix::world);
 }
 
 int FixWallRebound::min_type() {
@@ -261,11 +262,28 @@ void FixWallRebound::check_particles() const {
       atom->shapetype_flag)
     fail("particles must be spheres with a radius and a density, by 'atom_style granular' or "
          "'sphere'");
-  if (modify->n_fixes_style("multisphere") > 0 || modify->n_fixes_style("rigid") > 0)
+  if (modify->n_fixes_style("rigid") > 0)
     fail(
-        "particles that are tied to bodies (fix multisphere, fix rigid) cannot rebound one by one");
+        "particles that are tied to bodies by fix rigid cannot rebound one by one; fix multisphere "
+        "makes bodies that rebound");
   if (!atom->tag_enable)
     fail("particles have no tags, which the draws depend on; use 'atom_modify id yes'");
+}
+
+/* Bodies rebound as a whole. */
+void FixWallRebound::check_bodies() {
+  bodies_.reset(new BodiesOfLiggghts(lmp));
+  if (!bodies_->any())
+    return;
+  if (modify->n_fixes_style("multisphere") > 1 ||
+      modify->n_fixes_style("multisphere/nointegration") > 0)
+    fail("bodies must be those of one fix multisphere");
+  attempt([this] { wall.setup.model.check_bodies(); });
+  bodies_->add_memory(memory_id());
+}
+
+std::string FixWallRebound::memory_id() const {
+  return std::string("met_") + Fix::id;
 }
 
 void FixWallRebound::check_box() const {
@@ -273,7 +291,7 @@ void FixWallRebound::check_box() const {
     fail("the box is triclinic and periodic; a periodic box must be orthogonal");
 }
 
-/* What the wall uses may have been taken away since. */
+/* Fixes and meshes that the wall uses may have been deleted since. */
 void FixWallRebound::check_meshes() const {
   for (size_t m = 0; m < meshes_.size(); m++)
     if (modify->find_fix_id(mesh_ids_[m].c_str()) != meshes_[m]->fix())
@@ -311,6 +329,7 @@ void FixWallRebound::init() {
   check_particles();
   check_box();
   check_meshes();
+  check_bodies();
   for (MeshOfLiggghts *mesh : meshes_)
     if (mesh->fix()->triMesh()->prop().getGlobalProperty<ScalarContainer<double>>("Temp"))
       warn("mesh '" + std::string(mesh->fix()->id) +
@@ -342,7 +361,7 @@ void FixWallRebound::setup(int) {
         print("fix " + id() + " wall/rebound: " + report);
     }
     set_rows();
-    wall.setup(spheres(), groupbit, box());
+    wall.begin_run(spheres(), groupbit, box());
   });
   show_maps();
 }
@@ -351,8 +370,31 @@ void FixWallRebound::begin_step() {
   for (MeshOfLiggghts *mesh : meshes_) {
     mesh->begin_step(update->dt);
     if (mesh->set_images(box()))
-      wall.look_anew();
+      wall.stepper.ahead.clear();
   }
+}
+
+asperity::Bodies *FixWallRebound::bodies(const std::vector<WallFix *> &siblings) {
+  std::vector<std::string> memories;
+  for (const WallFix *fix : siblings)
+    memories.push_back(static_cast<const FixWallRebound *>(fix)->memory_id());
+  return bodies_->take(memories);
+}
+
+asperity::Spheres FixWallRebound::spheres() const {
+  asperity::Spheres s = EngineOf::spheres();
+  if (!bodies_ || !bodies_->any())
+    return s;
+  masks_.assign(s.mask, s.mask + s.n);
+  for (int i = 0; i < s.n; i++)
+    if (bodies_->has(i))
+      masks_[static_cast<size_t>(i)] = 0;
+  s.mask = masks_.data();
+  return s;
+}
+
+void FixWallRebound::put_bodies() {
+  bodies_->put();
 }
 
 void FixWallRebound::post_integrate() {
@@ -399,7 +441,7 @@ void FixWallRebound::post_run() {
 
 void FixWallRebound::show_maps() {
   for (size_t m = 0; m < meshes_.size(); m++)
-    wall.show_sums(m, [this, m](size_t first, const std::vector<double> &sums) {
+    wall.books.show_sums(m, [this, m](size_t first, const std::vector<double> &sums) {
       meshes_[m]->show(first, sums, wall.worn_density(m));
     });
 }
@@ -409,22 +451,22 @@ void FixWallRebound::reset_dt() {
 }
 
 void FixWallRebound::reset_timestep(bigint now, bigint before) {
-  wall.reset_step(now, before);
+  wall.setup.clock.step += static_cast<double>(now - before);
 }
 
 /* ---- output and restart -----------------------------------------------------------------------
  */
 
 double FixWallRebound::compute_scalar() {
-  return wall.counter(Wall::N_IMPACTS);
+  return wall.books.counter(Books::N_IMPACTS);
 }
 
 double FixWallRebound::compute_vector(int n) {
-  return wall.counter(n);
+  return wall.books.counter(n);
 }
 
 double FixWallRebound::compute_array(int row, int column) {
-  return wall.total(row, column);
+  return wall.books.total(row, column);
 }
 
 double FixWallRebound::memory_usage() {

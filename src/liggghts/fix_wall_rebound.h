@@ -21,6 +21,7 @@ FixStyle(wall/rebound, FixWallRebound)
 #include <vector>
 
 #include "fix.h"
+#include "bodies_liggghts.h"
 #include "mesh_liggghts.h"
 #include "dem/wall_fix.h"
 
@@ -69,7 +70,12 @@ private:
   void fail_alone(const std::string &what) const override;
   void set_rows() override;
   void begin_step() override;
+  asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override;
+  void put_bodies() override;
+  asperity::Spheres spheres() const override;
 
+  void check_bodies();
+  std::string memory_id() const;
   void read_geometry(asperity::Words &words, std::string &geometry);
   std::string read_meshes(asperity::Words &words);
   class FixPropertyAtom *add_property(const std::string &name, int columns);
@@ -87,6 +93,8 @@ private:
   int wall_type_[2];                     /* least and largest */
   class FixPropertyAtom *fix_state_, *fix_place_;
   bool restarted_;
+  std::unique_ptr<BodiesOfLiggghts> bodies_; /* of the run */
+  mutable std::vector<int> masks_;           /* of the atoms: none for those of bodies */
 };
 
 } // namespace LAMMPS_NS

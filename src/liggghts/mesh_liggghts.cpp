@@ -14,6 +14,7 @@
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;
+using asperity::Books;
 using asperity::Bounds;
 using asperity::Box;
 using asperity::ContactLoad;

@@ -13,7 +13,7 @@
 
 #include "fix_mesh_surface.h"
 #include "mesh_module_stress.h"
-#include "dem/mesh.h"
+#include "dem/shapes/mesh.h"
 #include "dem/wall.h"
 #include "shared_triangles.h"
 
@@ -45,7 +45,7 @@ public:
   void hand_over(double dt, const double *const *k_finnie);
 
   /* worn_density: of a wall with erosion, else 0. Writes sums of pieces from `first` on
-   * (asperity::Wall::N_SUMS each) where `dump mesh/vtk` finds them. */
+   * (asperity::Books::N_SUMS each) where `dump mesh/vtk` finds them. */
   void show(size_t first, const std::vector<double> &sums, double worn_density);
   void remove_sums();
 
@@ -100,8 +100,8 @@ private:
   double reference_[3][3];
   double force_[3], torque_[3];             /* handed over in this step; of the next one so far */
   std::vector<std::array<double, 9>> belt_; /* velocities of the nodes, by number of the triangle */
-  std::vector<asperity::ContactLoad> loads_;                  /* of this step */
-  ScalarContainer<double> *sums_[asperity::Wall::N_SUMS + 1]; /* the last one: depth of erosion */
+  std::vector<asperity::ContactLoad> loads_;                   /* of this step */
+  ScalarContainer<double> *sums_[asperity::Books::N_SUMS + 1]; /* the last one: depth of erosion */
 };
 
 } // namespace LAMMPS_NS

@@ -12,6 +12,7 @@
 #include "tri_mesh.h"
 
 using namespace LAMMPS_NS;
+using asperity::Books;
 using asperity::ContactLoad;
 using asperity::Wall;
 
@@ -21,13 +22,13 @@ static const double SPREAD = 100;
 
 /* The sums, and behind them the depth of erosion. */
 static const char *name_of(int k) {
-  return k < Wall::N_SUMS ? Wall::SUM_NAMES[k] : "erosion_depth";
+  return k < Books::N_SUMS ? Books::SUM_NAMES[k] : "erosion_depth";
 }
 
 /* The mesh's own restart reads its triangles before these properties exist, so they stay out of it
  * (restart_no); the fix keeps them. */
 void MeshOfLiggghts::add_sums() {
-  for (int k = 0; k <= Wall::N_SUMS; k++) {
+  for (int k = 0; k <= Books::N_SUMS; k++) {
     sums_[k] = mesh()->prop().addElementProperty<ScalarContainer<double>>(
         name_of(k), "comm_exchange_borders", "frame_invariant", "restart_no");
     sums_[k]->setAll(0.);
@@ -35,21 +36,21 @@ void MeshOfLiggghts::add_sums() {
 }
 
 void MeshOfLiggghts::remove_sums() {
-  for (int k = 0; k <= Wall::N_SUMS; k++)
+  for (int k = 0; k <= Books::N_SUMS; k++)
     mesh()->prop().removeElementProperty(name_of(k));
 }
 
 void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums, double worn_density) {
-  const size_t count = sums.size() / Wall::N_SUMS;
+  const size_t count = sums.size() / Books::N_SUMS;
   for (int t = 0; t < mesh()->sizeLocal(); t++) {
     const size_t at = static_cast<size_t>(mesh()->id(t)) - first;
     if (at >= count)
       continue;
-    const double *of = &sums[at * Wall::N_SUMS];
-    for (int k = 0; k < Wall::N_SUMS; k++)
+    const double *of = &sums[at * Books::N_SUMS];
+    for (int k = 0; k < Books::N_SUMS; k++)
       (*sums_[k])(t) = of[k];
     if (worn_density > 0)
-      (*sums_[Wall::N_SUMS])(t) = of[Wall::SUM_ERODED] / (worn_density * mesh()->areaElem(t));
+      (*sums_[Books::N_SUMS])(t) = of[Books::SUM_ERODED] / (worn_density * mesh()->areaElem(t));
   }
 }
 

@@ -75,7 +75,7 @@ SharedTriangles::~SharedTriangles() {
     MPI_Win_free(&window_);
 }
 
-/* Some rows of a rank: its own, or copies. */
+/* Rows of a rank: its own, or copies. */
 const double *SharedTriangles::piece(int rank, int first, int count,
                                      std::vector<double> &copy) const {
   const size_t at = static_cast<size_t>(first) * ROW;

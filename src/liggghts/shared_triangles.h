@@ -4,14 +4,14 @@
  * MPI has no one-sided communication, each rank has them all.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_WALL_SHARED_TRIANGLES_H
-#define ASPERITY_WALL_SHARED_TRIANGLES_H
+#ifndef ASPERITY_LIGGGHTS_SHARED_TRIANGLES_H
+#define ASPERITY_LIGGGHTS_SHARED_TRIANGLES_H
 
 #include <mpi.h>
 #include <functional>
 #include <vector>
 
-#include "dem/bounds.h"
+#include "dem/shapes/bounds.h"
 
 namespace asperity {
 

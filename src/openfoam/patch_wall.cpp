@@ -3,8 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
+#include "asperity_front.h"
 #include "dem/error.h"
-#include "dem/ledger_row.h"
+#include "dem/books/ledger_row.h"
 #include "dem/text.h"
 #include "openfoam/patch_walls.h"
 
@@ -104,7 +105,7 @@ std::string PatchWall::heading() const {
 std::string PatchWall::notes(const Cloud &cloud) const {
   const asp_description *words = words_.get();
   asp_error doubt = {ASP_OK, ""};
-  const asp_particle largest = {cloud.d_most, cloud.density, NULL, {0, 0, 0}, NULL, 0, 0};
+  const asp_particle largest = {cloud.d_most, cloud.density, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
   std::vector<std::string> lines = {asp_wall_reason(wall_.get()),
                                     asp_description_word(words, "doubt")};
   if (asp_description_needs_sizes(words))

@@ -5,16 +5,22 @@
 
 #include <fenv.h>
 #include <algorithm>
+#include <sstream>
 
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "Time.H"
 #include "dem/error.h"
-#include "dem/ledger_row.h"
+#include "dem/books/ledger_row.h"
 #include "wallPolyPatch.H"
 
 using namespace asperity;
 using namespace Foam;
+
+/* Ends the run. */
+static void fail(const dictionary &dict, const std::string &what) {
+  FatalIOErrorInFunction(dict) << what.c_str() << exit(FatalIOError);
+}
 
 PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, double density,
                        const subModelBase &model)
@@ -23,33 +29,34 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
                    ? LedgerColumn::N_FULL
                    : LedgerColumn::N_COLUMNS),
       of_patch_(mesh_.boundaryMesh().size(), NULL),
-      counts_(mesh_.boundaryMesh().nNonProcessor() * N_FATES, Zero), counts_before_(counts_),
-      masses_(mesh_.boundaryMesh().nNonProcessor() * N_MASSES, Zero), masses_before_(masses_) {
+      sums_(mesh_.boundaryMesh().nNonProcessor() * N_SUMS, Zero), sums_before_(sums_) {
   const dictionary &coeffs = model.coeffDict();
   const Cloud of = {coeffs.getOrDefault<scalar>("dMin", 0), coeffs.getOrDefault<scalar>("dMax", 0),
                     density, has_temperature, mesh_.nSolutionD() < 3};
   /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads
-   * words; an impact raises none. */
+   * and writes words; an impact raises none. */
   fenv_t traps;
   feholdexcept(&traps);
   read(cloud, of, coeffs.subDict("walls"));
-  fesetenv(&traps);
   impacts_ = field<scalar>(cloud + ":impacts", dimless);
   deposited_ = field<scalar>(cloud + ":depositedMass", dimMass);
   energy_ = field<scalar>(cloud + ":energy", dimEnergy);
   impulse_ = field<vector>(cloud + ":impulse", dimMass * dimVelocity);
-  eroded_ = field<scalar>(cloud + ":erodedDepth", dimLength);
-  model.getModelProperty("counts", counts_before_);
-  model.getModelProperty("masses", masses_before_);
+  std::istringstream sums(model.getModelProperty<string>("sums", ""));
+  for (scalar &sum : sums_before_)
+    sums >> sum;
   const fileName folder = mesh_.time().globalPath() / "postProcessing/lagrangian" / cloud;
-  for (const auto &wall : walls_)
+  const word format = coeffs.getOrDefault<word>("ledgerFormat", "csv");
+  if (format != "csv" && format != "npy")
+    fail(coeffs, "ledgerFormat is '" + format + "'; it must be csv or npy");
+  for (const auto &wall : walls_) {
+    if (wall->worn_density > 0 && !eroded_)
+      eroded_ = field<scalar>(cloud + ":erodedDepth", dimLength);
     if (every_ > 0 && Pstream::master())
-      open_ledger(*wall, folder / "asperityWall", model.getModelProperty<string>(wall->name, ""));
-}
-
-/* Ends the run. */
-static void fail(const dictionary &dict, const std::string &what) {
-  FatalIOErrorInFunction(dict) << what.c_str() << exit(FatalIOError);
+      open_ledger(*wall, folder / "asperityWall" / wall->name + "." + format,
+                  model.getModelProperty<string>(wall->name, ""));
+  }
+  fesetenv(&traps);
 }
 
 /* Each wall takes the entry of its name, else the last regular expression that fits. */
@@ -93,14 +100,13 @@ PatchWalls::field(const word &name, const dimensionSet &units) const {
 }
 
 /* A restart goes on behind the rows that it counts: `state` has rows, bytes and checksum. */
-void PatchWalls::open_ledger(PatchWall &wall, const fileName &folder, const string &state) const {
-  const std::string path = folder / (wall.name + ".csv");
+void PatchWalls::open_ledger(PatchWall &wall, const fileName &path, const string &state) const {
   LedgerState saved = {path, 0, 0, 0};
   long rows = 0, bytes = 0;
   sscanf(state.c_str(), "%ld %ld %u", &rows, &bytes, &saved.tail);
   saved.rows = rows;
   saved.bytes = bytes;
-  mkDir(folder);
+  mkDir(path.path());
   if (!isFile(path) || bytes == 0)
     saved.path.clear();
   try {
@@ -121,8 +127,9 @@ double PatchWalls::u_tau(const Parcel &parcel) const {
   };
   const vector slip = gas_.U[patch.faceCells()[face]] - gas_.U.boundaryField()[parcel.patch][face];
   scalar nu = at_face(gas_.mu) / at_face(gas_.rho);
-  if (mesh_.foundObject<volScalarField>("nut"))
-    nu += at_face(mesh_.lookupObject<volScalarField>("nut"));
+  const word nut = IOobject::groupName("nut", gas_.U.group());
+  if (mesh_.foundObject<volScalarField>(nut))
+    nu += at_face(mesh_.lookupObject<volScalarField>(nut));
   return std::sqrt(nu * patch.deltaCoeffs()[face] * mag(slip - (slip & n) * n));
 }
 
@@ -133,9 +140,9 @@ Hit PatchWalls::hit(Parcel &parcel) {
     parcel.sphere.u_tau = u_tau(parcel);
   const Hit hit = wall.hit(parcel, every_ > 0);
   const bool sticks = hit.outcome == ASP_DEPOSIT;
-  counts_[patch * N_FATES + (sticks ? STICK : REBOUND)]++;
-  masses_[patch * N_MASSES + (sticks ? STICK_MASS : REBOUND_MASS)] += hit.mass;
-  masses_[patch * N_MASSES + ERODED_MASS] += hit.eroded_mass;
+  sums_[patch * N_SUMS + (sticks ? STICK : REBOUND)]++;
+  sums_[patch * N_SUMS + (sticks ? STICK_MASS : REBOUND_MASS)] += hit.mass;
+  sums_[patch * N_SUMS + ERODED_MASS] += hit.eroded_mass;
   impacts_->boundaryFieldRef()[patch][face] += parcel.number;
   deposited_->boundaryFieldRef()[patch][face] += sticks ? hit.mass : 0;
   energy_->boundaryFieldRef()[patch][face] += hit.energy;
@@ -185,23 +192,21 @@ void PatchWalls::info(Ostream &os, subModelBase &model) {
                                                    std::to_string(state.bytes) + " " +
                                                    std::to_string(state.tail));
   }
-  labelList counts(counts_);
-  scalarList masses(masses_);
-  Pstream::listCombineGather(counts, plusEqOp<label>());
-  Pstream::listCombineGather(masses, plusEqOp<scalar>());
-  forAll(counts, i) counts[i] += counts_before_[i];
-  forAll(masses, i) masses[i] += masses_before_[i];
-  for (label patch = 0; patch < counts.size() / N_FATES; patch++) {
-    const label *n = &counts[patch * N_FATES];
-    const scalar *m = &masses[patch * N_MASSES];
+  scalarList sums(sums_);
+  Pstream::listCombineGather(sums, plusEqOp<scalar>());
+  std::ostringstream text;
+  text.precision(17);
+  forAll(sums, i) text << (sums[i] += sums_before_[i]) << ' ';
+  for (label patch = 0; patch < sums.size() / N_SUMS; patch++) {
+    const scalar *sum = &sums[patch * N_SUMS];
     if (of_patch_[patch])
       os << "    Parcel fate: patch " << mesh_.boundary()[patch].name() << " (number, mass)" << nl
-         << "      - rebound                     = " << n[REBOUND] << ", " << m[REBOUND_MASS] << nl
-         << "      - stick                       = " << n[STICK] << ", " << m[STICK_MASS] << nl
-         << "      - eroded from the wall (mass) = " << m[ERODED_MASS] << nl;
+         << "      - rebound                     = " << static_cast<int64_t>(sum[REBOUND]) << ", "
+         << sum[REBOUND_MASS] << nl
+         << "      - stick                       = " << static_cast<int64_t>(sum[STICK]) << ", "
+         << sum[STICK_MASS] << nl << "      - eroded from the wall (mass) = " << sum[ERODED_MASS]
+         << nl;
   }
-  if (time.writeTime()) {
-    model.setModelProperty("counts", counts);
-    model.setModelProperty("masses", masses);
-  }
+  if (time.writeTime())
+    model.setModelProperty<string>("sums", text.str());
 }

@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "asperity.h"
-#include "dem/ledger_file.h"
-#include "dem/ledger_format.h"
+#include "dem/books/ledger_file.h"
+#include "dem/books/ledger_format.h"
 #include "subModelBase.H"
 #include "volFields.H"
 
 namespace asperity {
 
-/* What the words do not say of a cloud: diameters, 0 where they are not given; the density of the
- * parcels; whether they have a temperature; whether the case has two dimensions. */
+/* Properties of a cloud that the words do not state: diameters, 0 where they are not given; the
+ * density of the parcels; whether they have a temperature; whether the case has two dimensions. */
 struct Cloud {
   double d_least, d_most, density;
   bool has_temperature, is_flat;
@@ -87,14 +87,13 @@ public:
   void info(Foam::Ostream &os, Foam::subModelBase &model);
 
 private:
-  enum { REBOUND, STICK, N_FATES };
-  enum { REBOUND_MASS, STICK_MASS, ERODED_MASS, N_MASSES };
+  enum { REBOUND, REBOUND_MASS, STICK, STICK_MASS, ERODED_MASS, N_SUMS }; /* of each patch */
 
   void read(const Foam::word &name, const Cloud &cloud, const Foam::dictionary &entries);
   template <class Type>
   std::unique_ptr<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
   field(const Foam::word &name, const Foam::dimensionSet &units) const;
-  void open_ledger(PatchWall &wall, const Foam::fileName &folder, const Foam::string &state) const;
+  void open_ledger(PatchWall &wall, const Foam::fileName &path, const Foam::string &state) const;
   double u_tau(const Parcel &parcel) const;
   void flush(PatchWall &wall) const;
 
@@ -104,9 +103,9 @@ private:
   const int columns_;
   std::vector<std::unique_ptr<PatchWall>> walls_;
   std::vector<PatchWall *> of_patch_;
-  Foam::labelList counts_, counts_before_; /* of this rank, in this run; of all, before a restart */
-  Foam::scalarList masses_, masses_before_;
-  std::unique_ptr<Foam::volScalarField> impacts_, deposited_, eroded_, energy_;
+  Foam::scalarList sums_, sums_before_; /* of this rank, in this run; of all, before a restart */
+  std::unique_ptr<Foam::volScalarField> impacts_, deposited_, energy_;
+  std::unique_ptr<Foam::volScalarField> eroded_; /* NULL: no wall is worn */
   std::unique_ptr<Foam::volVectorField> impulse_;
 };
 

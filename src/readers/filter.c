@@ -1,7 +1,6 @@
 /* Filters that instruments apply to a profile before they state a roughness: the stylus tip taken
  * out, the noise filter lambda_s, and the waviness filter (cut-off). They are Gaussian filters of
- * ISO 16610-21, or for the cut-off the robust one of ISO 16610-31 (weights of degree zero,
- * bisquare). Weights are normalized over the part within the profile, so that its ends are not
+ * ISO 16610-21. Weights are normalized over the part within the profile, so that its ends are not
  * drawn to zero. A tip of radius r has measured the dilation of the surface; the best estimate of
  * the surface is the erosion of that dilation (Villarrubia 1997).
  *
@@ -13,19 +12,12 @@
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* At the cut-off half of an amplitude passes: alpha^2 = ln 2/pi. */
 #define ALPHA_SQUARE 0.22063560015149457
-
-/* The bisquare weights end at this many medians of the distances, three sd of a normal law. */
-#define BISQUARE 4.4478
-enum { ROBUST_TIMES = 20 };
-#define ROBUST_ENOUGH 1e-3
 
 /* Multiplies the spectrum of n = 2^k points by the filter's transmission exp(-pi (alpha f L)^2). */
 static void transmit(double *data, size_t n, double spacing, double cutoff) {
@@ -48,48 +40,23 @@ typedef struct work {
   double *line;         /* `points`: the profile's long waves */
 } work;
 
-/* The weighted running mean of the heights; weights NULL: all 1. */
-static void smooth(work *w, const double *heights, const double *weights) {
+/* The running mean of the heights. */
+static void smooth(work *w, const double *heights) {
   memset(w->sum, 0, w->size * sizeof *w->sum);
   memset(w->weight, 0, w->size * sizeof *w->weight);
   for (size_t i = 0; i < w->points; i++) {
-    w->weight[i] = weights ? weights[i] : 1;
-    w->sum[i] = w->weight[i] * heights[i];
+    w->weight[i] = 1;
+    w->sum[i] = heights[i];
   }
   transmit(w->sum, w->size, w->spacing, w->cutoff);
   transmit(w->weight, w->size, w->spacing, w->cutoff);
   for (size_t i = 0; i < w->points; i++)
-    w->line[i] = w->weight[i] > 1e-9 ? w->sum[i] / w->weight[i] : heights[i];
-}
-
-/* Weights that fall with the distance from the line; returns the distance at which they end. */
-static double weigh(const work *w, const double *heights, double *weights, double *sorted) {
-  for (size_t i = 0; i < w->points; i++)
-    sorted[i] = fabs(heights[i] - w->line[i]);
-  gsl_sort(sorted, 1, w->points);
-  double end = BISQUARE * gsl_stats_median_from_sorted_data(sorted, 1, w->points);
-  for (size_t i = 0; i < w->points; i++) {
-    double part = (heights[i] - w->line[i]) / end;
-    weights[i] = fabs(part) < 1 ? (1 - part * part) * (1 - part * part) : 0;
-  }
-  return end;
-}
-
-static void smooth_robustly(work *w, const double *heights, double *weights, double *sorted) {
-  smooth(w, heights, NULL);
-  double before = INFINITY;
-  for (int i = 0; i < ROBUST_TIMES; i++) {
-    double end = weigh(w, heights, weights, sorted);
-    if (!(end > 0) || fabs(end - before) <= ROBUST_ENOUGH * end)
-      return;
-    before = end;
-    smooth(w, heights, weights);
-  }
+    w->line[i] = w->sum[i] / w->weight[i];
 }
 
 /* Takes the waves beyond the cut-off out of the heights, or with `keep` leaves only those. */
-static asp_code filter(double *heights, size_t points, double spacing, double cutoff, bool robust,
-                       bool keep, asp_error *error) {
+static asp_code filter(double *heights, size_t points, double spacing, double cutoff, bool keep,
+                       asp_error *error) {
   size_t reach = (size_t)fmin(2 * cutoff / spacing + 2, 1e9);
   work w = {.points = points,
             .size = aspi_power_of_two(points + reach),
@@ -98,20 +65,14 @@ static asp_code filter(double *heights, size_t points, double spacing, double cu
   w.sum = aspi_allocate(w.size);
   w.weight = aspi_allocate(w.size);
   w.line = aspi_allocate(points);
-  double *weights = robust ? aspi_allocate(points) : NULL;
-  double *sorted = robust ? aspi_allocate(points) : NULL;
-  bool enough = w.sum && w.weight && w.line && (!robust || (weights && sorted));
-  if (enough && robust)
-    smooth_robustly(&w, heights, weights, sorted);
-  else if (enough)
-    smooth(&w, heights, NULL);
+  bool enough = w.sum && w.weight && w.line;
+  if (enough)
+    smooth(&w, heights);
   for (size_t i = 0; enough && i < points; i++)
     heights[i] = keep ? w.line[i] : heights[i] - w.line[i];
   free(w.sum);
   free(w.weight);
   free(w.line);
-  free(weights);
-  free(sorted);
   return enough
              ? ASP_OK
              : aspi_fail(error, ASP_ENOMEM, "out of memory for a filter over %zu points", points);
@@ -155,8 +116,8 @@ asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_
   if (filters->tip > 0)
     code = take_out_tip(heights, points, spacing, filters->tip, error);
   if (!code && filters->lambda_s > 0)
-    code = filter(heights, points, spacing, filters->lambda_s, false, true, error);
+    code = filter(heights, points, spacing, filters->lambda_s, true, error);
   if (!code && filters->cutoff > 0)
-    code = filter(heights, points, spacing, filters->cutoff, filters->robust, false, error);
+    code = filter(heights, points, spacing, filters->cutoff, false, error);
   return code;
 }

@@ -33,7 +33,7 @@ static const char *const known[] = {
         "pixel px angle temperature intensity force speed line quality valid",
 };
 
-/* Those of the heights that count downward. */
+/* Names of heights that count downward. */
 static const char depths[] = "depth depths tiefe";
 
 /* True if a name has a unit in brackets or behind a slash, of length or not. */

@@ -59,7 +59,7 @@ static asp_code keep_value(scanner *s, double value, asp_error *error) {
 
 /* Commas are decimal ones where they do not part the fields, or stand in quotes and are no marks
  * of groups. */
-static asp_code keep(scanner *s, const char *word, asp_error *error) {
+static asp_code keep_word(scanner *s, const char *word, asp_error *error) {
   double value = NAN;
   bool comma = s->separator != ',' && strchr(word, ',') != NULL;
   aspi_word kind = aspi_text_number(word, comma, &value);
@@ -97,7 +97,7 @@ static asp_code cut_line(scanner *s, asp_error *error) {
   s->open = s->decimals = false;
   while (!code && !s->open && (word = aspi_text_field(&next, s->separator)) != NULL) {
     s->open = !next && !*word && s->separator != ' '; /* the last separator ends a number */
-    code = s->open ? ASP_OK : keep(s, word, error);
+    code = s->open ? ASP_OK : keep_word(s, word, error);
   }
   s->numbers = s->numbers && s->count > 0;
   return code;

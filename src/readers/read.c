@@ -67,7 +67,7 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
   if (f->lambda_s > 0)
     append(r, ", lambda_s %g m", f->lambda_s);
   if (f->cutoff > 0)
-    append(r, ", cutoff %g m%s", f->cutoff, f->robust ? " (robust)" : "");
+    append(r, ", cutoff %g m", f->cutoff);
   if (options->form >= 0)
     append(r, ", polynomial of degree %d taken out", options->form);
   else
@@ -131,22 +131,6 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, a
   return aspi_read_columns(text, options, raw, error);
 }
 
-asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error) {
-  if (options->form < -1 || options->form > ASP_FORM_MAX)
-    return aspi_fail(error, ASP_EARG, "form is %d; it must be a degree of 0 to %d, or -1 for none",
-                     options->form, ASP_FORM_MAX);
-  if (options->row < 1 || options->column < 0 || options->x_number < 0)
-    return aspi_fail(error, ASP_EARG,
-                     "row is %d, column %d and x_column %d; rows and columns count from 1",
-                     options->row, options->column, options->x_number);
-  if (aspi_check_range(error, "spikes", "", options->spikes, 0, INFINITY) ||
-      aspi_check_range(error, "unit_x", "m", options->unit_x, 0, INFINITY) ||
-      aspi_check_range(error, "unit_z", "m", options->unit_z, 0, INFINITY) ||
-      aspi_check_range(error, "step", "m", options->step[0], 0, INFINITY))
-    return ASP_EARG;
-  return aspi_check_range(error, "metre", "", options->metre, 1e-12, 1e12);
-}
-
 /* Heights as they are to be, but for their unit, and the report of them. */
 static asp_code read_mended(FILE *stream, const char *path, const aspi_profile_options *options,
                             aspi_raw *raw, aspi_profile_report *report, asp_error *error) {
@@ -157,9 +141,7 @@ static asp_code read_mended(FILE *stream, const char *path, const aspi_profile_o
   if (!file)
     return error ? error->code : ASP_EFILE;
   aspi_text text = aspi_text_create(file, path);
-  asp_code code = aspi_profile_check_options(options, error);
-  if (!code)
-    code = read_raw(&text, options, raw, error);
+  asp_code code = read_raw(&text, options, raw, error);
   if (raw->is_map) {
     raw->read = raw->points;
     raw->bad = aspi_raw_count_bad(raw);

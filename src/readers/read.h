@@ -14,7 +14,6 @@ typedef struct aspi_filters {
   double tip;      /* radius of the stylus */
   double lambda_s; /* shorter waves are taken out, */
   double cutoff;   /* and longer ones (lambda_c of ISO 21920-3, not the correlation length) */
-  bool robust;     /* the cut-off is not drawn toward deep valleys and high peaks */
 } aspi_filters;
 
 /* Options of reading a measured profile or map. */
@@ -51,9 +50,6 @@ typedef struct aspi_profile_report {
   char text[700];     /* all of that, and how the file was read, as a sentence */
   char warnings[440]; /* what makes the heights doubtful, or "" */
 } aspi_profile_report;
-
-/* ASP_EARG and a message where one is out of its range. */
-asp_code aspi_profile_check_options(const aspi_profile_options *options, asp_error *error);
 
 /* Read a measured profile or map from a stream at its beginning, or where that is NULL from the
  * file `path`, level and repair it as the options ask; see asp_reader. `report` may be NULL, and of

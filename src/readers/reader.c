@@ -6,8 +6,8 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
-#include <string.h>
 
 struct asp_reader {
   aspi_profile_options options;
@@ -27,62 +27,59 @@ void asp_reader_free(asp_reader *reader) {
   free(reader);
 }
 
-/* An option; one of the pointers names its variable. */
-typedef struct option {
+typedef enum kind { NUMBER, WHOLE, FLAG } kind;
+
+/* The options by name: the type and place of a member, and its range. */
+#define AT(member) offsetof(aspi_profile_options, member)
+static const struct option {
   const char *name;
-  double *number;
-  int *whole;
-  bool *flag;
-} option;
+  kind kind;
+  size_t at;
+  double least, most;
+} options[] = {{"unit_x", NUMBER, AT(unit_x), 0, INFINITY},
+               {"unit_z", NUMBER, AT(unit_z), 0, INFINITY},
+               {"metre", NUMBER, AT(metre), 1e-12, 1e12},
+               {"form", WHOLE, AT(form), -1, ASP_FORM_MAX},
+               {"spikes", NUMBER, AT(spikes), 0, INFINITY},
+               {"fill", FLAG, AT(fill), 0, 1},
+               {"resample", FLAG, AT(resample), 0, 1},
+               {"row", WHOLE, AT(row), 1, INT_MAX},
+               {"column", WHOLE, AT(column), 0, INT_MAX},
+               {"x_column", WHOLE, AT(x_number), 0, INT_MAX},
+               {"step_x", NUMBER, AT(step[0]), 0, INFINITY},
+               {"step_y", NUMBER, AT(step[1]), 0, INFINITY},
+               {"missing", NUMBER, AT(missing), -INFINITY, INFINITY},
+               {"tip", NUMBER, AT(filters.tip), 0, INFINITY},
+               {"lambda_s", NUMBER, AT(filters.lambda_s), 0, INFINITY},
+               {"cutoff", NUMBER, AT(filters.cutoff), 0, INFINITY}};
+
+static const char *name_at(int index) {
+  return options[index].name;
+}
 
 asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error) {
-  aspi_profile_options o = reader->options;
-  const option all[] = {
-      {.name = "unit_x", .number = &o.unit_x},
-      {.name = "unit_z", .number = &o.unit_z},
-      {.name = "metre", .number = &o.metre},
-      {.name = "form", .whole = &o.form},
-      {.name = "spikes", .number = &o.spikes},
-      {.name = "fill", .flag = &o.fill},
-      {.name = "resample", .flag = &o.resample},
-      {.name = "row", .whole = &o.row},
-      {.name = "column", .whole = &o.column},
-      {.name = "step_x", .number = &o.step[0]},
-      {.name = "step_y", .number = &o.step[1]},
-      {.name = "tip", .number = &o.filters.tip},
-      {.name = "lambda_s", .number = &o.filters.lambda_s},
-      {.name = "cutoff", .number = &o.filters.cutoff},
-      {.name = "robust", .flag = &o.filters.robust},
-      {.name = "x_column", .whole = &o.x_number},
-      {.name = "missing", .number = &o.missing},
-  };
-  enum { COUNT = sizeof all / sizeof *all };
-  int i = 0;
-  name = aspi_word_or_empty(name);
-  while (i < COUNT && strcmp(all[i].name, name) != 0)
-    i++;
-  if (i == COUNT)
-    return aspi_fail(error, ASP_ENAME,
-                     "option '%s' is unknown to a reader of profiles; there are: unit_x unit_z "
-                     "metre form spikes fill resample row column step_x step_y tip lambda_s cutoff "
-                     "robust x_column missing",
-                     name);
-  if (!all[i].number && !(fabs(value) < INT_MAX && !(value > floor(value))))
-    return aspi_fail(error, ASP_EARG, "%s is %g; it must be a whole number", name, value);
-  if (all[i].number)
-    *all[i].number = value;
-  else if (all[i].whole)
-    *all[i].whole = (int)value;
+  int i = aspi_find_name("option of a reader", name, (int)(sizeof options / sizeof *options),
+                         name_at, error);
+  if (i < 0)
+    return ASP_ENAME;
+  const struct option *o = &options[i];
+  void *member = (char *)&reader->options + o->at;
+  bool is_missing = member == (void *)&reader->options.missing;
+  if (is_missing && isnan(value)) {
+    reader->options.has_missing = false;
+    return ASP_OK;
+  }
+  if (aspi_check_range(error, o->name, "", value, o->least, o->most))
+    return ASP_EARG;
+  if (o->kind != NUMBER && value > floor(value))
+    return aspi_fail(error, ASP_EARG, "%s is %g; it must be a whole number", o->name, value);
+  if (o->kind == NUMBER)
+    *(double *)member = value;
+  else if (o->kind == WHOLE)
+    *(int *)member = (int)value;
   else
-    *all[i].flag = value > 0;
-  asp_code code = aspi_profile_check_options(&o, error);
-  if (all[i].number == &o.missing)
-    o.has_missing = !isnan(value);
-  else if (!code && all[i].number)
-    code = aspi_check_range(error, name, "", value, 0, INFINITY);
-  if (code)
-    return code;
-  reader->options = o;
+    *(bool *)member = value > 0;
+  reader->options.has_missing = reader->options.has_missing || is_missing;
   return ASP_OK;
 }
 

@@ -92,13 +92,14 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
     double v_a = sqrt(6 * share * pair->surface_energy / (density * hit->d_p));
     n2 = n2 > v_a ? sqrt((n2 - v_a) * (n2 + v_a)) : 0;
   }
+  double along = t1 > 0 ? t1 / speed : 0, friction = pair->friction * along * along;
   double u1 = hit->u_t1, pressed = pair->friction * (n1 + n2), rub = 0;
   if (p[SPIN] > 0 && u1 > 0) {
     double share = u1 / sqrt(n1 * n1 + u1 * u1);
     rub = fmin(pressed * share * share, ASPI_ROLLING * u1);
+    friction = pair->friction * share * share;
   }
-  double along = t1 > 0 ? t1 / speed : 0;
-  return (aspi_bounce){n2, fmax(0, t1 - pressed * along * along), rub};
+  return (aspi_bounce){n2, fmax(0, t1 - pressed * along * along), rub, friction};
 }
 
 static bool spins(const double *p) {

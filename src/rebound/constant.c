@@ -13,7 +13,8 @@ static const asp_parameter parameters[N_PARAMETERS] = {
 };
 
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
-  return (aspi_bounce){p[COR_N] * hit->v_n1, p[COR_T] * hit->v_t1, 0};
+  double n2 = p[COR_N] * hit->v_n1, t2 = p[COR_T] * hit->v_t1;
+  return (aspi_bounce){n2, t2, 0, aspi_bounce_friction(hit, n2, t2)};
 }
 
 const asp_rebound_law aspi_rebound_constant = {

@@ -44,7 +44,14 @@ typedef struct aspi_bounce {
   double v_n2;
   double v_t2;
   double rub;
+  double friction; /* for bodies: impulse along the face over that normal to it while it slides */
 } aspi_bounce;
+
+/* The friction of a law that gives the speed v_t2 only; at most 1e9. */
+static inline double aspi_bounce_friction(const aspi_hit *hit, double v_n2, double v_t2) {
+  double along = fmax(0, hit->v_t1 - v_t2), normal = hit->v_n1 + v_n2;
+  return normal > 1e-9 * along ? along / normal : 1e9;
+}
 
 /* The impulse per mass at which the surface of a solid sphere stops, as a share of its speed: along
  * the face it moves as if it had 2/7 of its mass. */
@@ -62,12 +69,19 @@ struct asp_rebound_law {
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
   /* True if it draws a scatter of its own with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
+  /* True if its contact gives way along the face with these parameters, which is not worked out for
+   * bodies; NULL: never. */
+  bool (*gives_way)(const double *parameters);
   /* True if it turns the particle with these parameters; NULL: never. */
   bool (*spins)(const double *parameters);
 };
 
 /* Index of the law's parameter of that name, or a negative code. */
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error);
+
+/* ASP_EARG and a message where the law has no meaning for bodies with these parameters. */
+asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,
+                                   asp_error *error);
 
 #define ASP_REBOUND_LAWS(X)                                                                        \
   X(bons)                                                                                          \
@@ -83,9 +97,11 @@ static inline aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, 
   double n1 = hit->v_n1, t1 = hit->v_t1, n2 = cor_n * n1, t2 = cor_t * t1;
   double before = n1 * n1 + t1 * t1, after = n2 * n2 + t2 * t2;
   if (after <= before)
-    return (aspi_bounce){n2, t2, 0};
+    return (aspi_bounce){n2, t2, 0, aspi_bounce_friction(hit, n2, t2)};
   double scale = sqrt(before / after);
-  return (aspi_bounce){scale * n2, scale * t2, 0};
+  n2 *= scale;
+  t2 *= scale;
+  return (aspi_bounce){n2, t2, 0, aspi_bounce_friction(hit, n2, t2)};
 }
 
 #endif

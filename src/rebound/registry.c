@@ -68,3 +68,13 @@ int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, as
   snprintf(what, sizeof what, "of rebound law '%s', parameter", law->name);
   return aspi_fail_unknown(error, what, name, *list ? list : "none");
 }
+
+asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,
+                                   asp_error *error) {
+  if (!law->gives_way || !law->gives_way(parameters))
+    return ASP_OK;
+  return aspi_fail(error, ASP_EARG,
+                   "rebound law '%s' acts on bodies and eccentric grains with BETA0 0 and without "
+                   "'compliance' only: their contact is rigid along the face",
+                   law->name);
+}

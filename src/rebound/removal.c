@@ -4,7 +4,7 @@
  *   u_tau_c^2 = C_u W/(rho_g d) (W/(d K_c))^(1/3),  K_c = (4/3) E_c
  *   C_u = 1 + Kn (1.2 + 0.41 exp(-0.88/Kn)),        Kn = 2 l/d
  *
- * What would stick is taken away at once where the flow's friction velocity is more than that.
+ * A particle that would stick is taken away at once where the flow's friction velocity is more.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/removal.h"

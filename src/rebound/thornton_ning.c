@@ -61,7 +61,8 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
     double v_a = v_s * cbrt(dent * dent);
     n2 = n2 > v_a ? sqrt((n2 - v_a) * (n2 + v_a)) : 0;
   }
-  return (aspi_bounce){n2, 0, fmin(pair->friction * (n1 + n2), ASPI_ROLLING * hit->u_t1)};
+  double rub = fmin(pair->friction * (n1 + n2), ASPI_ROLLING * hit->u_t1);
+  return (aspi_bounce){n2, 0, rub, pair->friction};
 }
 
 static bool spins(const double *p) {

@@ -84,7 +84,11 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
     rub = fmin(n1 * rub_of_springs(p[E], p[MU], p[COMPLIANCE], u / n1), 2 * ASPI_ROLLING * u);
   else if (p[COMPLIANCE] > 0)
     rub = fmin(slides, ASPI_ROLLING * u);
-  return (aspi_bounce){p[E] * n1, 0, fmax(0, rub)};
+  return (aspi_bounce){p[E] * n1, 0, fmax(0, rub), p[MU]};
+}
+
+static bool gives_way(const double *p) {
+  return p[BETA0] > 0 || p[COMPLIANCE] > 0;
 }
 
 static bool spins(const double *p) {
@@ -100,4 +104,5 @@ const asp_rebound_law aspi_rebound_walton = {
     .parameters = parameters,
     .rebound = rebound,
     .spins = spins,
+    .gives_way = gives_way,
 };

@@ -52,8 +52,8 @@ static double tail(double alpha, double sigma, double x) {
   return sum;
 }
 
-/* The same between two points: a difference of tails on one side of the middle, and otherwise the
- * whole, exp(-sigma^2/2) sin(alpha), less both tails. */
+/* The integral between two points: a difference of tails on one side of the middle, and otherwise
+ * the whole, exp(-sigma^2/2) sin(alpha), less both tails. */
 static double between(const variate *w, double from, double to) {
   if (from >= 0)
     return tail(w->alpha, w->sigma, from) - tail(w->alpha, w->sigma, to);
@@ -90,32 +90,33 @@ static variate variate_at(const aspi_view *view) {
   return w;
 }
 
-static aspi_point at(const void *of, double x) {
+static aspi_point at(const void *of, double x, bool upper) {
   const variate *w = of;
-  double y = x - w->lo;
-  aspi_point p;
+  double y = x - w->lo, angle = w->sigma * y, sine = sin(angle), turn = w->sigma / sine,
+         cosine = cos(angle);
+  aspi_point p = {
+      .log_rise = {turn * cosine - x, -1 - turn * turn, 2 * turn * turn * turn * cosine}};
   if (w->alpha < 0) {
-    p.below = quadrature(w, w->lo, x) / w->mass;
-    p.above = quadrature(w, x, w->hi) / w->mass;
-    p.density = exp(-y * (w->lo + 0.5 * y)) * sin(w->sigma * y) / w->mass;
-    return p;
-  }
-  bool near = y * (1 - w->lo) < NEAR_END;
-  if (near || x < 0) {
-    p.below = near ? aspi_gauss_density(w->lo) * quadrature(w, w->lo, x) : between(w, w->lo, x);
-    p.above = 1 - (p.below /= w->mass);
+    p.share = upper ? quadrature(w, x, w->hi) : quadrature(w, w->lo, x);
+    p.density = exp(-y * (w->lo + 0.5 * y)) * sine;
   } else {
-    p.above = between(w, x, w->hi) / w->mass;
-    p.below = 1 - p.above;
+    bool near = y * (1 - w->lo) < NEAR_END, above = !near && x >= 0;
+    p.share = near    ? aspi_gauss_density(w->lo) * quadrature(w, w->lo, x)
+              : above ? between(w, x, w->hi)
+                      : between(w, w->lo, x);
+    if (above != upper)
+      p.share = w->mass - p.share;
+    p.density = aspi_gauss_density(x) * sine;
   }
-  p.density = aspi_gauss_density(x) * sin(w->sigma * y) / w->mass;
+  p.share /= w->mass;
+  p.density /= w->mass;
   return p;
 }
 
 double aspi_effective_density(const aspi_view *view, double delta) {
   variate w = variate_at(view);
   double x = delta / w.sigma;
-  return x > w.lo && x < w.hi ? at(&w, x).density / w.sigma : 0;
+  return x > w.lo && x < w.hi ? at(&w, x, false).density / w.sigma : 0;
 }
 
 double aspi_effective_distribution(const aspi_view *view, double delta) {
@@ -123,7 +124,7 @@ double aspi_effective_distribution(const aspi_view *view, double delta) {
   double x = delta / w.sigma;
   if (!(x > w.lo))
     return 0;
-  return x < w.hi ? at(&w, x).below : 1;
+  return x < w.hi ? at(&w, x, false).share : 1;
 }
 
 /* Starts from the quantile of `visible`, which is the limit for small sigma. */

@@ -1,5 +1,5 @@
-/* Quantiles by Newton's method on the logarithm of a tail; see invert.h. Where the support ends
- * above, the logarithm overshoots, and the step is in the tail itself.
+/* Quantiles by Newton's method; see invert.h. Where the support ends above, the logarithm
+ * overshoots, and the step is in the tail itself.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/invert.h"
@@ -8,49 +8,49 @@
 
 enum { STEPS = 24 };
 
-/* Smaller shares are taken for this one: their squares of a distance would underflow. */
-#define LEAST 1e-290
+/* Smaller shares are taken for this one: the derivatives of their density would overflow. */
+#define LEAST 1e-150
 
-/* After a step of this size, relative to the distance from the nearer end, the next one would be
- * below rounding: the error squares. */
-#define SMALL 1e-8
+/* Steps below these, in lengths over which the density changes, are of fifth order: the error goes
+ * with the fifth power of the step; it is below rounding after the second. */
+#define NEAR 0.05
+#define SMALL 6e-4
 
-/* Newton's step from x toward a share u below, in the logarithm of the tail that is the smaller
- * one at the root. Infinite where the tail or the density has run out: no quotient overflows. */
-static double step(aspi_point p, double u) {
-  double tail = u < 0.5 ? p.below : p.above, share = u < 0.5 ? u : 1 - u;
-  if (!(tail > 1e-300 * share && p.density > LEAST * tail))
+/* Newton's step from x in the logarithm of the lower tail, of which the root has `share`. Infinite
+ * where the tail or the density has run out: no quotient overflows. */
+static double log_step(const aspi_point *p, double share) {
+  if (!(p->share > 1e-300 * share && p->density > LEAST * p->share))
     return INFINITY;
-  double toward = tail / p.density * log(share / tail);
-  return u < 0.5 ? toward : -toward;
+  return p->share / p->density * log(share / p->share);
 }
 
-static double straight_step(aspi_point p, double u) {
-  double missing = p.above - (1 - u);
-  return p.density > LEAST * fabs(missing) ? missing / p.density : INFINITY;
+/* The series of the inverse distribution in the missing share over the density, to its fourth term
+ * (Lagrange). */
+static double series(double h, const double g[3]) {
+  double third = 1. / 6 * (2 * g[0] * g[0] - g[1]);
+  double fourth = 1. / 24 * (g[0] * (6 * g[0] * g[0] - 7 * g[1]) + g[2]);
+  return h * (1 - h * (0.5 * g[0] - h * (third - h * fourth)));
 }
 
-double aspi_invert(aspi_point (*at)(const void *parameters, double x), const void *parameters,
-                   double lo, double hi, double guess, double u) {
-  const double begin = lo, end = hi;
-  u = fmax(u, LEAST);
+double aspi_invert(aspi_point (*at)(const void *parameters, double x, bool upper),
+                   const void *parameters, double lo, double hi, double guess, double u) {
+  bool upper = u >= 0.5;
+  double share = upper ? 1 - u : fmax(u, LEAST), sign = upper ? -1 : 1;
   double x = guess < hi ? guess : 0.5 * (lo + hi);
   if (!(x > lo))
     return lo;
   for (int i = 0; i < STEPS; i++) {
-    aspi_point p = at(parameters, x);
-    double next = x + step(p, u);
-    if (fabs(next - x) <= SMALL * fmin(x - begin, end - x))
-      return fmin(fmax(next, lo), hi);
-    if (u < 0.5 ? p.below < u : p.above > 1 - u)
-      lo = x;
-    else
-      hi = x;
-    if (!(next > lo && next < hi) && u >= 0.5)
-      next = x + straight_step(p, u);
-    if (!(next > lo && next < hi))
-      next = 0.5 * (lo + hi);
-    x = next;
+    aspi_point p = at(parameters, x, upper);
+    double missing = sign * (share - p.share);
+    double h = p.density > LEAST * fabs(missing) ? missing / p.density : INFINITY;
+    double length = fabs(h) * (fabs(p.log_rise[0]) + sqrt(-p.log_rise[1]));
+    double next = x + (length < NEAR ? series(h, p.log_rise) : sign * log_step(&p, share));
+    if (length < SMALL)
+      return next < lo ? lo : next < hi ? next : hi;
+    *(missing > 0 ? &lo : &hi) = x;
+    if (!(next > lo && next < hi) && upper)
+      next = x + h;
+    x = next > lo && next < hi ? next : 0.5 * (lo + hi);
   }
   return x;
 }

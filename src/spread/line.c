@@ -118,8 +118,10 @@ double aspi_line_fall(const aspi_line *line, double alpha1) {
 /* The maximum of g over the period before the one that begins with face 0. */
 static double highest_before(const aspi_line *line, double fall) {
   double highest = -INFINITY, period = line->step * (double)line->n;
-  for (size_t i = 0; i < line->n; i++)
-    highest = fmax(highest, line->end_z[i] + fall * (line->end_x[i] - period));
+  for (size_t i = 0; i < line->n; i++) {
+    double g = line->end_z[i] + fall * (line->end_x[i] - period);
+    highest = g > highest ? g : highest;
+  }
   return highest;
 }
 
@@ -127,8 +129,8 @@ void aspi_line_first_hits(const aspi_line *line, double fall, double *weight) {
   double highest = highest_before(line, fall), rise = fall * line->step * (double)line->n;
   for (size_t i = 0; i < line->n; i++) {
     double g = line->end_z[i] + fall * line->end_x[i];
-    weight[i] = fmax(0, g - highest) / rise;
-    highest = fmax(highest, g);
+    weight[i] = g > highest ? (g - highest) / rise : 0;
+    highest = g > highest ? g : highest;
   }
 }
 

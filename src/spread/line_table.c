@@ -66,6 +66,8 @@ typedef struct builder {
   aspi_line_table *table;
   size_t n;
   double *q, *horizon[2], *weight, *start[INCOMING];
+  double *sorted[ORDERS]; /* slopes, cross slopes, horizons; `order` has their indices */
+  double total[BINS];     /* weight */
   size_t *order[ORDERS], *stack, *next;
   unsigned char *bin;
   double *numbers; /* memory of the arrays above */
@@ -81,8 +83,9 @@ static void builder_free(builder *m) {
 static bool builder_create(builder *m, const aspi_line *line, aspi_line_table *table) {
   size_t n = line->n;
   *m = (builder){.line = line, .table = table, .n = n};
-  double **const arrays[] = {&m->q,        &m->horizon[0], &m->horizon[1], &m->weight,
-                             &m->start[0], &m->start[1],   &m->start[2]};
+  double **const arrays[] = {&m->q,         &m->horizon[0], &m->horizon[1], &m->weight,
+                             &m->start[0],  &m->start[1],   &m->start[2],   &m->sorted[0],
+                             &m->sorted[1], &m->sorted[2],  &m->sorted[3]};
   enum { ARRAYS = sizeof arrays / sizeof *arrays };
   m->numbers = calloc(n, ARRAYS * sizeof *m->numbers);
   m->indices = calloc(n, (ORDERS + 3) * sizeof *m->indices);
@@ -98,13 +101,13 @@ static bool builder_create(builder *m, const aspi_line *line, aspi_line_table *t
   return true;
 }
 
-/* Positions over several periods: point k is the end of face k mod n. */
+/* Positions over two periods: point k is the end of face k mod n. */
 static double x_of(const aspi_line *line, size_t k) {
-  return line->end_x[k % line->n] + line->step * (double)(k - k % line->n);
+  return k < line->n ? line->end_x[k] : line->end_x[k - line->n] + line->step * (double)line->n;
 }
 
 static double z_of(const aspi_line *line, size_t k) {
-  return line->end_z[k % line->n];
+  return line->end_z[k < line->n ? k : k - line->n];
 }
 
 static double slope_between(const aspi_line *line, size_t a, size_t b) {
@@ -126,7 +129,7 @@ static void horizons_ahead(builder *m) {
   }
 }
 
-/* The same from the beginning of each face to any point behind. */
+/* The steepest slope from the beginning of each face to any point behind. */
 static void horizons_behind(builder *m) {
   size_t n = m->n, depth = 0;
   for (size_t k = 0; k < 2 * n; k++) {
@@ -166,22 +169,25 @@ static bool make_bins(builder *m) {
     sum += m->weight[at];
     m->bin[at] = (unsigned char)fmin(fmax(middle * BINS, 0), BINS - 1);
   }
+  memset(m->total, 0, sizeof m->total);
+  for (size_t i = 0; i < m->n; i++)
+    m->total[m->bin[i]] += m->weight[i];
   return total > 0;
 }
 
-static void fill(const builder *m, const aspi_shares *shares, const double *value, int order,
-                 const unsigned char *bin, float *table) {
-  const aspi_sample sample = {value, m->weight, m->order[order], bin, m->n};
+static void fill(const builder *m, const aspi_shares *shares, int order, const unsigned char *bin,
+                 float *table) {
+  const aspi_sample sample = {m->sorted[order], m->weight, m->order[order], bin, m->total, m->n};
   aspi_quantiles_fill(shares, &sample, bin ? BINS : 1, table);
 }
 
 /* Slopes along the flight, and by bin cross slopes and horizons. */
 static void fill_class(builder *m, const aspi_shares *shares, float *slopes, face_bins *bins) {
-  fill(m, shares, m->line->slope, BY_P, NULL, slopes);
+  fill(m, shares, BY_P, NULL, slopes);
   if (m->table->has_q)
-    fill(m, &of_side, m->q, BY_Q, m->bin, bins->q[0]);
-  fill(m, &of_horizon, m->horizon[0], BY_AHEAD, m->bin, bins->horizon[0][0]);
-  fill(m, &of_horizon, m->horizon[1], BY_BEHIND, m->bin, bins->horizon[1][0]);
+    fill(m, &of_side, BY_Q, m->bin, bins->q[0]);
+  fill(m, &of_horizon, BY_AHEAD, m->bin, bins->horizon[0][0]);
+  fill(m, &of_horizon, BY_BEHIND, m->bin, bins->horizon[1][0]);
 }
 
 static void fill_first(builder *m, int k) {
@@ -237,8 +243,11 @@ static void fill_all(builder *m) {
   const double *const by[ORDERS] = {m->line->slope, m->q, m->horizon[0], m->horizon[1]};
   horizons_ahead(m);
   horizons_behind(m);
-  for (int i = 0; i < ORDERS; i++)
+  for (int i = 0; i < ORDERS; i++) {
     gsl_sort_index(m->order[i], by[i], 1, m->n);
+    for (size_t k = 0; k < m->n; k++)
+      m->sorted[i][k] = by[i][m->order[i][k]];
+  }
   for (int k = 0; k < ANGLES; k++)
     fill_first(m, k);
   for (int c = 0; c < INCOMING; c++)

@@ -52,9 +52,9 @@ static asp_code fill_first(const aspi_line *line, float *delta, asp_error *error
   if (made) {
     gsl_sort_index(order, line->slope, 1, line->n);
     for (size_t i = 0; i < line->n; i++)
-      tilt[i] = atan(line->slope[i]);
+      tilt[i] = atan(line->slope[order[i]]);
   }
-  const aspi_sample sample = {tilt, weight, order, NULL, line->n};
+  const aspi_sample sample = {tilt, weight, order, NULL, NULL, line->n};
   for (int k = 0; made && k < ANGLES; k++) {
     aspi_line_first_hits(line, aspi_line_fall(line, aspi_angle_at(ANGLES, k)), weight);
     aspi_quantiles_fill(&shares, &sample, 1, delta + k * NODES);

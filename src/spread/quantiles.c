@@ -85,15 +85,15 @@ void aspi_quantiles_fill(const aspi_shares *shares, const aspi_sample *sample, i
                          float *table) {
   int nodes = shares->nodes;
   filling f[ASPI_SAMPLE_BINS] = {{0}};
-  f[0].total = !sample->bin;
-  for (size_t i = 0; sample->bin && i < sample->n; i++)
-    f[sample->bin[i]].total += sample->weight[i];
+  f[0].total = 1;
+  for (int b = 0; sample->bin && b < bins; b++)
+    f[b].total = sample->total[b];
   for (size_t i = 0; i < sample->n; i++) {
     size_t at = sample->order[i];
     if (!(sample->weight[at] > 0))
       continue;
     int b = sample->bin ? sample->bin[at] : 0;
-    take_value(shares, sample->value[at], sample->weight[at], &f[b], table + b * nodes);
+    take_value(shares, sample->value[i], sample->weight[at], &f[b], table + b * nodes);
   }
   for (int b = 0; b < bins; b++)
     for (; f[b].node < nodes; f[b].node++)

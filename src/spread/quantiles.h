@@ -33,12 +33,13 @@ double aspi_quantile(const aspi_shares *shares, const float *nodes, double u);
 /* The share of the distribution below a value. */
 double aspi_quantiles_below(const aspi_shares *shares, const float *nodes, double value);
 
-/* Values, and weights of sum 1; order[] has their indices from the least value to the largest, and
- * bin[] the bin of each (NULL: all are in bin 0). */
+/* Values from the least to the largest, and order[], their indices in the arrays of their weights,
+ * of sum 1, and bins; total[] is the weight of each bin (bin NULL: all are in bin 0). */
 typedef struct aspi_sample {
   const double *value, *weight;
   const size_t *order;
   const unsigned char *bin;
+  const double *total;
   size_t n;
 } aspi_sample;
 

@@ -187,7 +187,7 @@ typedef struct patch {
   double z, gx, gy, xx, xy, yy;
 } patch;
 
-static double at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
+static double height_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
   ptrdiff_t columns = (ptrdiff_t)map->columns, rows = (ptrdiff_t)map->rows;
   if (map->periodic) {
     i = wrapped(i, columns);
@@ -200,17 +200,18 @@ static double at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
 }
 
 static patch patch_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
-  double dx = map->step[0], dy = map->step[1], z = at(map, i, j);
-  double e = at(map, i + 1, j), w = at(map, i - 1, j), n = at(map, i, j + 1), s = at(map, i, j - 1);
-  double ee = at(map, i + 2, j), ww = at(map, i - 2, j), nn = at(map, i, j + 2),
-         ss = at(map, i, j - 2);
+  double dx = map->step[0], dy = map->step[1], z = height_at(map, i, j);
+  double e = height_at(map, i + 1, j), w = height_at(map, i - 1, j), n = height_at(map, i, j + 1),
+         s = height_at(map, i, j - 1);
+  double ee = height_at(map, i + 2, j), ww = height_at(map, i - 2, j),
+         nn = height_at(map, i, j + 2), ss = height_at(map, i, j - 2);
   patch f = {.z = z,
              .gx = (8 * (e - w) - (ee - ww)) / (12 * dx),
              .gy = (8 * (n - s) - (nn - ss)) / (12 * dy),
              .xx = (e - 2 * z + w) / (dx * dx),
              .yy = (n - 2 * z + s) / (dy * dy)};
-  f.xy = (at(map, i + 1, j + 1) - at(map, i - 1, j + 1) - at(map, i + 1, j - 1) +
-          at(map, i - 1, j - 1)) /
+  f.xy = (height_at(map, i + 1, j + 1) - height_at(map, i - 1, j + 1) -
+          height_at(map, i + 1, j - 1) + height_at(map, i - 1, j - 1)) /
          (4 * dx * dy);
   return f;
 }

@@ -65,7 +65,7 @@ void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay
 asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
                         asp_error *error);
 
-/* The same check of a wall of either kind: by its `which` correlation length and phi_r, the
+/* Checks a wall of either kind by its `which` correlation length and phi_r, the
  * `ratio`; `remedy` ends the message about noise. */
 asp_code aspi_roughness_check(const char *which, double lambda, double step, const char *remedy,
                               const char *ratio, double phi_r, double phi_r_most, asp_error *error);

@@ -85,7 +85,7 @@ static spectrum spectrum_of(const aspi_gauss *wall, const asp_map *map) {
 }
 
 /* Fills `data`, complex, with the noise, filtered; the sum of the squares of the amplitudes. */
-static double fill(const spectrum *s, const asp_map *map, uint32_t seed, double *data) {
+static double fill_waves(const spectrum *s, const asp_map *map, uint32_t seed, double *data) {
   double sum = 0;
   for (size_t j = 0; j < map->rows; j++) {
     aspi_stream stream =
@@ -142,7 +142,7 @@ asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t co
     return NULL;
   }
   spectrum s = spectrum_of(wall, &shape);
-  double sum = fill(&s, &shape, seed, data), scale = wall->r_q / sqrt(sum);
+  double sum = fill_waves(&s, &shape, seed, data), scale = wall->r_q / sqrt(sum);
   data[0] = 0;
   aspi_fft2(data, columns, rows, true, data + 2 * n);
   for (size_t i = 0; i < n; i++)

@@ -11,6 +11,7 @@
 
 #include <gsl/gsl_statistics_float.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -234,26 +235,28 @@ asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description
   return code;
 }
 
+/* The numbers of a description by name. */
+#define AT(member) offsetof(aspi_map_description, member)
+static const struct {
+  const char *name;
+  size_t at;
+} numbers[] = {{"s_q", AT(s_q)},   {"s_a", AT(s_a)},           {"s_sk", AT(s_sk)},
+               {"s_ku", AT(s_ku)}, {"s_p", AT(s_p)},           {"s_v", AT(s_v)},
+               {"s_z", AT(s_z)},   {"s_dq", AT(s_dq)},         {"s_al", AT(s_al)},
+               {"s_tr", AT(s_tr)}, {"lambda_1", AT(lambda_1)}, {"lambda_2", AT(lambda_2)},
+               {"lay", AT(lay)}};
+
+static const char *name_at(int index) {
+  return numbers[index].name;
+}
+
 double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
   aspi_map_description d;
-  if (aspi_map_describe(map, &d, error))
+  int i = aspi_find_name("number of a map", name, (int)(sizeof numbers / sizeof *numbers), name_at,
+                         error);
+  if (i < 0 || aspi_map_describe(map, &d, error))
     return NAN;
-  const struct {
-    const char *name;
-    double value;
-  } all[] = {{"s_q", d.s_q},          {"s_a", d.s_a},   {"s_sk", d.s_sk}, {"s_ku", d.s_ku},
-             {"s_p", d.s_p},          {"s_v", d.s_v},   {"s_z", d.s_z},   {"s_dq", d.s_dq},
-             {"s_al", d.s_al},        {"s_tr", d.s_tr}, {"lay", d.lay},   {"lambda_1", d.lambda_1},
-             {"lambda_2", d.lambda_2}};
-  name = aspi_word_or_empty(name);
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (strcmp(all[i].name, name) == 0)
-      return all[i].value;
-  aspi_fail(error, ASP_ENAME,
-            "number '%s' is unknown to a map; there are: s_q s_a s_sk s_ku s_p s_v s_z s_dq s_al "
-            "s_tr lambda_1 lambda_2 lay",
-            name);
-  return NAN;
+  return *(const double *)(const void *)((const char *)&d + numbers[i].at);
 }
 
 asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,

@@ -26,7 +26,7 @@ asp_profile *aspi_profile_adopt(double *heights, size_t points, double spacing, 
 asp_profile *aspi_profile_create_scaled(double r_q, double lambda_c, double spacing, size_t points,
                                         uint32_t seed, int sign, asp_error *error);
 
-/* The same wall for particles that fly the other way. */
+/* The wall as particles see it that fly the other way. */
 asp_profile *aspi_profile_mirrored(const asp_profile *profile, asp_error *error);
 
 /* The least power of two that is at least that. */

@@ -1,6 +1,5 @@
-/* Contact slopes in numbers: differences of a disc's path or a closed profile, their moments, a
- * kernel density of the angles, and the D_KL of a normal distribution from it (eq. 2, with the sign
- * inside the logarithm).
+/* Contact slopes in numbers: differences of a disc's path, their moments, and the D_KL of a normal
+ * distribution from the histogram of the angles (eq. 2, with the sign inside the logarithm).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/slopes.h"
@@ -8,17 +7,10 @@
 #include "surface/closing.h"
 #include "surface/profile.h"
 
-#include <gsl/gsl_statistics_double.h>
+#include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { GRID_MOST = 65536, GRID = 1024 };
-
-#define KERNEL_REACH 5.0 /* bandwidths */
-
-/* Interquartile range of a normal distribution of unit sd. */
-#define QUARTILES_TO_SD 1.3489795003921634
 
 aspi_moments aspi_moments_of(const double *values, size_t count) {
   double mean = 0, m2 = 0, m3 = 0, m4 = 0;
@@ -40,107 +32,26 @@ aspi_moments aspi_moments_of(const double *values, size_t count) {
   return m;
 }
 
-/* Splits each value between the two points next to it. Returns the number of values within. */
-static double share(const double *values, size_t count, const aspi_density *d, double *share) {
-  double within = 0, last = (double)(d->points - 1);
-  memset(share, 0, d->points * sizeof *share);
+void aspi_histogram(const double *values, size_t count, double mean, double sd,
+                    double share[ASPI_HISTOGRAM]) {
+  memset(share, 0, ASPI_HISTOGRAM * sizeof *share);
   for (size_t i = 0; i < count; i++) {
-    double at = (values[i] - d->lo) / d->step;
-    if (!(at >= 0 && at <= last))
-      continue;
-    size_t left = at < last ? (size_t)at : d->points - 2;
-    share[left] += (double)(left + 1) - at;
-    share[left + 1] += at - (double)left;
-    within++;
+    double bin = floor((values[i] - mean) / (ASPI_HISTOGRAM_BIN * sd)) + ASPI_HISTOGRAM / 2;
+    share[(int)fmin(fmax(bin, 0), ASPI_HISTOGRAM - 1)] += 1 / (double)count;
   }
-  return within;
 }
 
-/* value := share convolved with the kernel, then scaled to an integral of 1. */
-static void smooth(const double *share, aspi_density *d) {
-  ptrdiff_t n = (ptrdiff_t)d->points;
-  double reach = KERNEL_REACH * d->bandwidth / d->step, sum = 0;
-  ptrdiff_t far = reach < (double)n ? (ptrdiff_t)reach : n - 1;
-  memset(d->value, 0, d->points * sizeof *d->value);
-  for (ptrdiff_t k = -far; k <= far; k++) {
-    double x = (double)k * d->step / d->bandwidth, weight = exp(-0.5 * x * x);
-    for (ptrdiff_t i = k < 0 ? -k : 0; i < (k < 0 ? n : n - k); i++)
-      d->value[i + k] += weight * share[i];
+double aspi_kl_normal(const double *values, size_t count, double mean, double sd) {
+  double share[ASPI_HISTOGRAM], sum = 0, below = 0;
+  aspi_histogram(values, count, mean, sd, share);
+  for (int i = 0; i < ASPI_HISTOGRAM; i++) {
+    double end = (i + 1 - ASPI_HISTOGRAM / 2) * ASPI_HISTOGRAM_BIN;
+    double to = i + 1 < ASPI_HISTOGRAM ? gsl_cdf_ugaussian_P(end) : 1;
+    if (share[i] > 0)
+      sum += share[i] * log(share[i] / (to - below));
+    below = to;
   }
-  for (ptrdiff_t i = 0; i < n; i++)
-    sum += d->value[i];
-  for (ptrdiff_t i = 0; i < n; i++)
-    d->value[i] /= sum * d->step;
-}
-
-/* The value under which `part` of the shares lie, in points of the grid. */
-static double quantile(const double *share, size_t points, double part) {
-  double sum = 0, below = 0;
-  for (size_t i = 0; i < points; i++)
-    sum += share[i];
-  for (size_t i = 0; i < points; i++) {
-    if (below + share[i] >= part * sum)
-      return (double)i - 0.5 + (part * sum - below) / share[i];
-    below += share[i];
-  }
-  return (double)points;
-}
-
-/* The normal reference rule on the smaller of sd and interquartile range (Silverman 1986), which
- * keeps the peak of a distribution with long tails. */
-static double bandwidth_of(const double *share, const aspi_density *d, size_t count, double sd) {
-  double width = quantile(share, d->points, 0.75) - quantile(share, d->points, 0.25);
-  double robust = width * d->step / QUARTILES_TO_SD;
-  return (width > 1 ? fmin(sd, robust) : sd) * pow(4 / (3 * (double)count), 0.2);
-}
-
-static aspi_density *density_of(const double *values, size_t count, double sd, double lo, double hi,
-                                size_t points, asp_error *error) {
-  aspi_density *d = malloc(sizeof *d + points * sizeof *d->value);
-  double *buffer = aspi_allocate(points);
-  if (!d || !buffer) {
-    free(d);
-    free(buffer);
-    aspi_fail(error, ASP_ENOMEM, "out of memory for a density");
-    return NULL;
-  }
-  *d = (aspi_density){.lo = lo, .step = (hi - lo) / (double)(points - 1), .points = points};
-  double within = share(values, count, d, buffer);
-  d->bandwidth = bandwidth_of(buffer, d, count, sd);
-  smooth(buffer, d);
-  free(buffer);
-  if (within > 0)
-    return d;
-  free(d);
-  aspi_fail(error, ASP_EARG, "no value lies between %g and %g", lo, hi);
-  return NULL;
-}
-
-aspi_density *aspi_density_create(const double *values, size_t count, double lo, double hi,
-                                  size_t points, asp_error *error) {
-  if (points < 2 || points > GRID_MOST || !(lo < hi) || !isfinite(hi - lo)) {
-    aspi_fail(error, ASP_EARG,
-              "a density of %zu points from %g to %g; it must have 2 to %d points and lo < hi",
-              points, lo, hi, GRID_MOST);
-    return NULL;
-  }
-  aspi_moments moments = aspi_moments_of(values, count);
-  if (count < 2 || !(moments.sd > 0) || !isfinite(moments.sd)) {
-    aspi_fail(error, ASP_EARG, "a density needs at least two finite values that are not equal");
-    return NULL;
-  }
-  return density_of(values, count, moments.sd, lo, hi, points, error);
-}
-
-double aspi_density_kl_normal(const aspi_density *density, double mean, double sd) {
-  double sum = 0;
-  for (size_t i = 0; i < density->points; i++) {
-    double p = density->value[i];
-    double x = (density->lo + (double)i * density->step - mean) / sd;
-    if (p > 0)
-      sum += p * (log(p * sd * sqrt(2 * ASP_PI)) + 0.5 * x * x);
-  }
-  return sum * density->step;
+  return sum;
 }
 
 /* Points of a path, unless its profile has more. */
@@ -164,10 +75,9 @@ static asp_code rolled_slopes(const asp_profile *profile, double d_p, double *ou
   return ASP_OK;
 }
 
-static asp_code point_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
-                             double *out, asp_error *error) {
-  asp_code code = contact == ASP_CONTACT_DILATION ? aspi_profile_dilate(profile, d_p, out, error)
-                                                  : aspi_profile_close(profile, d_p, out, error);
+static asp_code point_slopes(const asp_profile *profile, double d_p, double *out,
+                             asp_error *error) {
+  asp_code code = aspi_profile_dilate(profile, d_p, out, error);
   if (code)
     return code;
   size_t points = asp_profile_points(profile);
@@ -183,23 +93,7 @@ asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contac
   size_t points = asp_profile_points(profile);
   *count = aspi_profile_periodic(profile) ? points : points - 1;
   return contact == ASP_CONTACT_ROLLED ? rolled_slopes(profile, d_p, out, error)
-                                       : point_slopes(profile, d_p, contact, out, error);
-}
-
-/* The density of the angles, over all of them and the kernel's reach. */
-static asp_code fit_normal(const double *angles, size_t count, aspi_slopes *slopes,
-                           asp_error *error) {
-  double lo, hi;
-  gsl_stats_minmax(&lo, &hi, angles, 1, count);
-  double reach = KERNEL_REACH * slopes->angle.sd * pow(4 / (3 * (double)count), 0.2);
-  asp_error wrong;
-  aspi_density *density = aspi_density_create(angles, count, lo - reach, hi + reach, GRID, &wrong);
-  if (!density)
-    return aspi_fail(error, wrong.code, "%s", wrong.text);
-  slopes->bandwidth = density->bandwidth;
-  slopes->kl_normal = aspi_density_kl_normal(density, slopes->angle.mean, slopes->angle.sd);
-  free(density);
-  return ASP_OK;
+                                       : point_slopes(profile, d_p, out, error);
 }
 
 asp_code aspi_profile_describe_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
@@ -215,7 +109,9 @@ asp_code aspi_profile_describe_slopes(const asp_profile *profile, double d_p, as
     for (size_t i = 0; i < count; i++)
       values[i] = atan(values[i]);
     slopes->angle = aspi_moments_of(values, count);
-    code = fit_normal(values, count, slopes, error);
+    slopes->kl_normal = aspi_kl_normal(values, count, slopes->angle.mean, slopes->angle.sd);
+    if (!(slopes->angle.sd > 0))
+      code = aspi_fail(error, ASP_EARG, "the slopes are all equal");
   }
   free(values);
   return code;

@@ -9,13 +9,11 @@
  * tangential CoR turns negative.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/error.h"
+#include "wall/hit.h"
+#include "wall/impact.h"
 #include "wall/roughness.h"
 
 #include <math.h>
-
-/* Limit of the ratios, for impact angles near zero. */
-#define RATIO_MOST 1e300
 
 /* Smith's Lambda is below 1e-13 above the first, and overflows below the second. */
 #define NU_FREE 5.2
@@ -63,10 +61,10 @@ static incidence incidence_at(const aspi_roughness *rough, aspi_heading heading,
   incidence out = {.slopes = aspi_roughness_along(rough, heading)};
   double slope = out.slopes.slope;
   if (first && wall->isotropic) {
-    double a = tan(alpha1) / slope;
+    double a = tan(alpha1) / slope, across = aspi_grazing(a, out.slopes.kappa_across);
+    out.slopes.sd *= across;
     if (!wall->spread->geometry)
-      slope *= aspi_grazing(a, out.slopes.kappa);
-    out.slopes.sd *= aspi_grazing(a, out.slopes.kappa_across);
+      slope *= fabs(rough->shrink - 1) > 0 ? aspi_grazing(a, out.slopes.kappa) : across;
   }
   out.view = (aspi_view){.slope = slope,
                          .sigma = atan(slope),
@@ -75,8 +73,9 @@ static incidence incidence_at(const aspi_roughness *rough, aspi_heading heading,
                          .data = wall->data,
                          .kappa = out.slopes.kappa,
                          .phi_r = out.slopes.phi_r,
-                         .has_azimuth = aspi_roughness_has_lay(rough),
-                         .azimuth = -atan2(heading.sine, heading.cosine)};
+                         .has_azimuth = aspi_roughness_has_lay(rough)};
+  if (out.view.has_azimuth)
+    out.view.azimuth = -atan2(heading.sine, heading.cosine);
   return out;
 }
 
@@ -98,68 +97,6 @@ static double tilt_out(const asp_wall *wall, const face *on) {
   return wall->isotropic ? atan(on->q) : 0;
 }
 
-/* Applies the rebound law to the speeds of approach, of the center along the face, and of the
- * surface along it; true if the particle deposits. */
-static bool sticks(const asp_wall *wall, const asp_particle *particle, const double speed[3],
-                   aspi_stream *stream, aspi_bounce *bounce) {
-  bool holding = wall->deposit && !aspi_flow_removes(&wall->flow, particle);
-  aspi_hit hit = {speed[0],       speed[1], speed[2],    particle->d_p, particle->density,
-                  particle->pair, holding,  wall->table, stream,        particle->temperature};
-  *bounce = wall->law->rebound(wall->parameters, &hit);
-  return holding && !(bounce->v_n2 > 0);
-}
-
-/* The rebound by a law that turns the particle, along a face of normal m: the particle's surface
- * moves there with v_t - r omega x m, and the law's impulse acts against that. `spin` in the lab
- * frame. */
-static bool rebound_spinning(const asp_wall *wall, const asp_particle *particle, const frame *f,
-                             vec m, double approach, aspi_stream *stream, vec *spin, vec *out) {
-  double r = particle->d_p / 2;
-  vec t = scaled(f->along, f->per_length),
-      turn = {dot(*spin, t), dot(*spin, cross(f->n, t)), dot(*spin, f->n)};
-  vec along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
-  vec surface = plus(along, -r, cross(turn, m));
-  double u = sqrt(dot(surface, surface));
-  aspi_bounce bounce;
-  if (sticks(wall, particle, (double[]){approach, sqrt(dot(along, along)), u}, stream, &bounce)) {
-    *spin = *out = (vec){0, 0, 0};
-    return true;
-  }
-  double share = u > 0 ? bounce.rub / u : 0;
-  *out = plus(plus(scaled(m, bounce.v_n2), 1, along), -share, surface);
-  *spin = to_lab(f, plus(turn, 2.5 * share / r, cross(m, surface)));
-  return false;
-}
-
-/* The rebound from one face, in (t, b, n). False where the particle cannot hit it. A face that is
- * tilted in the plane of incidence only keeps the particle in that plane. */
-static bool rebound(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m,
-                    bool in_plane, aspi_stream *stream, vec *spin, vec *out, bool *deposit) {
-  double approach = f->v_n * m.z - f->v_t * m.x, speed;
-  if (!(approach > 0))
-    return false;
-  if (wall->spins) {
-    *deposit = rebound_spinning(wall, particle, f, m, approach, stream, spin, out);
-    return true;
-  }
-  vec along; /* of unit length, or of `speed` */
-  if (in_plane) {
-    speed = f->v_t * m.z + f->v_n * m.x;
-    along = speed < 0 ? (vec){-m.z, 0, m.x} : (vec){m.z, 0, -m.x};
-    speed = fabs(speed);
-  } else {
-    along = plus((vec){f->v_t, 0, -f->v_n}, approach, m);
-    speed = sqrt(dot(along, along));
-  }
-  aspi_bounce bounce;
-  *deposit = sticks(wall, particle, (double[]){approach, speed, speed}, stream, &bounce);
-  if (*deposit)
-    *spin = (vec){0, 0, 0};
-  double kept = in_plane ? bounce.v_t2 : speed > 0 ? bounce.v_t2 / speed : 0;
-  *out = *deposit ? (vec){0, 0, 0} : plus(scaled(m, bounce.v_n2), kept, along);
-  return true;
-}
-
 /* Turns v off the wall by some last bits, taken from the speed along the wall, so that the kinetic
  * energy does not grow. */
 static vec turned_off(const frame *f, vec v) {
@@ -176,28 +113,20 @@ static vec leaving(const frame *f, vec v) {
   return clearly_leaves(v, f->n) ? v : turned_off(f, v);
 }
 
-/* Mass that a hit on a face of normal m wears off. */
-static double eroded(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m) {
-  double approach = f->v_n * m.z - f->v_t * m.x, v = hypot(f->v_t, f->v_n);
-  double sine = v > 0 ? fmin(1, fmax(0, approach / v)) : 0;
-  return aspi_erosion_ratio(&wall->erosion, particle->pair ? particle->pair->wall_density : 0, v,
-                            sine, sqrt((1 - sine) * (1 + sine)), particle->d_p);
-}
-
-/* The same where the faces count. */
+/* Mass that a hit wears off, where the faces count. */
 static double eroded_there(const asp_wall *wall, const asp_particle *particle, const frame *f,
                            vec m) {
-  return wall->erosion.tilted ? eroded(wall, particle, f, m) : 0;
+  return wall->erosion.tilted ? aspi_hit_erosion(wall, particle, f, m) : 0;
 }
 
 static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *particle,
                                  const frame *in, aspi_stream *stream, asp_impact *impact) {
   frame turned = *in, *f = &turned;
-  if (wall->spins && !has_direction(f))
+  if ((wall->spins || particle->body) && !has_direction(f))
     set_direction(f, 0);
   vec local, spin = load(particle->omega);
-  bool deposit,
-      hit = rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &spin, &local, &deposit);
+  bool deposit, hit = aspi_hit_rebound(wall, particle, f, (vec){0, 0, 1}, true, stream, &spin,
+                                       &local, &deposit);
   store(spin, impact->omega);
   impact->delta_alpha = impact->tilt_out = 0;
   impact->hits = 1;
@@ -224,7 +153,8 @@ static void bounce_once(const aspi_roughness *rough, const frame *f, aspi_stream
     face on = face_at(wall, &now.slopes, delta, NULL, stream);
     vec local, spin = load(particle->omega);
     bool deposit;
-    if (rebound(wall, particle, f, on.m, !wall->isotropic, stream, &spin, &local, &deposit) &&
+    if (aspi_hit_rebound(wall, particle, f, on.m, !wall->isotropic, stream, &spin, &local,
+                         &deposit) &&
         (deposit || local.z > 0)) {
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
@@ -271,12 +201,15 @@ static bool walk_escapes(flight *fly, double rise, double slope) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope));
   if (rise > 0 && !(lambda > 0))
     return true;
-  if (!fly->begun) {
-    double nu = tan(fly->now.view.alpha1) / (sqrt(2) * fly->now.slopes.slope);
-    fly->depth = exponential(fly->stream) / (1 + smith(nu));
-    fly->begun = true;
-  }
+  bool first = !fly->begun;
+  if (first)
+    fly->depth = exponential(fly->stream);
   double step = exponential(fly->stream);
+  if (rise > 0 && step / lambda > fly->depth)
+    return true;
+  if (first)
+    fly->depth /= 1 + smith(tan(fly->now.view.alpha1) / (sqrt(2) * fly->now.slopes.slope));
+  fly->begun = true;
   if (rise > 0)
     return (fly->depth -= step / lambda) < 0;
   fly->depth += step / (1 + lambda);
@@ -339,7 +272,8 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
       return;
     }
     face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
-    if (!rebound(wall, particle, now, on.m, !wall->isotropic, stream, &spin, &local, &deposit))
+    if (!aspi_hit_rebound(wall, particle, now, on.m, !wall->isotropic, stream, &spin, &local,
+                          &deposit))
       continue;
     if (impact->hits++ == 0) {
       impact->delta_alpha = delta;
@@ -383,60 +317,30 @@ static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *part
     bounce_once(&rough, f, stream, impact);
 }
 
-/* Without a pair that the law needs the particle keeps its velocity. */
-static asp_code fail_pair(const asp_particle *particle, const double v1[3], asp_impact *impact) {
-  *impact = (asp_impact){.outcome = ASP_REBOUND};
-  store(load(v1), impact->v2);
-  store(load(particle->omega), impact->omega);
-  return ASP_EARG;
+/* The velocity of the touching sphere. */
+static vec touching(const asp_particle *particle, vec v) {
+  return particle->body ? plus(v, 1, cross(load(particle->omega), load(particle->body->lever))) : v;
 }
 
-static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
-                          const double v1[3], const double n[3], const asp_key *key,
-                          asp_impact *impact) {
-  if (!particle->pair && wall->law->needs_pair) {
-    asp_particle own = *particle;
-    own.pair = wall->pair;
-    return own.pair ? impact_on(wall, rough, &own, v1, n, key, impact)
-                    : fail_pair(particle, v1, impact);
-  }
-  vec v = load(v1);
-  frame f = frame_of(v, load(n));
-  aspi_stream stream = aspi_stream_begin(key);
+/* Turns the velocity of the touching sphere into that of the center of mass. */
+static void to_center(const asp_particle *particle, asp_impact *impact) {
+  if (particle->body)
+    store(plus(load(impact->v2), -1, cross(load(impact->omega), load(particle->body->lever))),
+          impact->v2);
+}
+
+void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
+                    aspi_stream *stream, asp_impact *impact) {
+  vec u = touching(particle, v);
+  frame f = frame_of(u, n);
   impact->capped = false;
   impact->eroded = 0;
-  double on_mean =
-      wall->erosion.law && !wall->erosion.tilted ? eroded(wall, particle, &f, (vec){0, 0, 1}) : 0;
-  bounce(wall, rough, particle, v, &f, &stream, impact);
+  double on_mean = wall->erosion.law && !wall->erosion.tilted
+                       ? aspi_hit_erosion(wall, particle, &f, (vec){0, 0, 1})
+                       : 0;
+  bounce(wall, rough, particle, u, &f, stream, impact);
   impact->eroded += on_mean;
-  return ASP_OK;
-}
-
-asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                         const double n[3], const asp_key *key, asp_impact *impact) {
-  return impact_on(wall, wall->rough, particle, v1, n, key, impact);
-}
-
-asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
-                              const double v1[3], const double n[3], const asp_key *key,
-                              asp_impact *impact) {
-  return impact_on(wall, false, particle, v1, n, key, impact);
-}
-
-asp_code asp_wall_impacts(const asp_wall *wall, const asp_particle *particle, size_t n,
-                          const double *d_p, const double *v1, const double *normals,
-                          const asp_key *keys, asp_impact *impacts, asp_error *error) {
-  asp_particle own = *particle;
-  asp_code code = ASP_OK;
-  for (size_t i = 0; i < n && !code; i++) {
-    own.d_p = d_p ? d_p[i] : particle->d_p;
-    code = asp_wall_impact(wall, &own, v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
-  }
-  return code ? aspi_fail(error, code,
-                          "rebound law '%s' needs a pair of materials, and neither the particle "
-                          "nor the wall has one",
-                          wall->law->name)
-              : ASP_OK;
+  to_center(particle, impact);
 }
 
 /* The face has the slope s_eff x with the density x exp(-x^2/2), and a normal slope across. The
@@ -451,7 +355,7 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
     own.pair = wall->pair;
     particle = &own;
   }
-  frame f = frame_of(load(v1), load(n));
+  frame f = frame_of(touching(particle, load(v1)), load(n));
   if ((!particle->pair && wall->law->needs_pair) || !wall->rough || !has_direction(&f))
     return false;
   aspi_stream stream = aspi_stream_begin(key);
@@ -465,7 +369,8 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   face on = face_at(wall, &slopes, atan(p), NULL, &stream);
   vec local, spin = load(particle->omega);
   bool deposit;
-  if (!rebound(wall, particle, &f, on.m, !wall->isotropic, &stream, &spin, &local, &deposit) ||
+  if (!aspi_hit_rebound(wall, particle, &f, on.m, !wall->isotropic, &stream, &spin, &local,
+                        &deposit) ||
       !(deposit || local.z > 0))
     return false;
   *impact = (asp_impact){.delta_alpha = on.delta,
@@ -475,42 +380,6 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
                          .eroded = eroded_there(wall, particle, &f, on.m)};
   store(deposit ? local : leaving(&f, to_lab(&f, local)), impact->v2);
   store(spin, impact->omega);
+  to_center(particle, impact);
   return true;
-}
-
-/* a/b, limited to RATIO_MOST. */
-static double ratio(double a, double b) {
-  if (b > fabs(a) / RATIO_MOST)
-    return a / b;
-  return a > 0 ? RATIO_MOST : 0;
-}
-
-asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
-                                         const asp_impact *impact) {
-  vec before = load(v1), after = load(impact->v2);
-  frame f = frame_of(before, load(n));
-  double n2 = dot(after, f.n), along = dot(after, f.along) * f.per_length;
-  bool directed = has_direction(&f);
-  asp_coefficients c = {.v1 = sqrt(dot(before, before)),
-                        .alpha1 = atan2(fmax(f.v_n, 0), f.v_t),
-                        .v2 = sqrt(dot(after, after)),
-                        .cor_t_defined = directed};
-  if (impact->outcome == ASP_DEPOSIT)
-    return c;
-  if (!directed)
-    along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
-  c.alpha2 = atan2(n2, along);
-  c.cor_v = ratio(hypot(n2, along), c.v1);
-  c.cor_alpha = ratio(c.alpha2, c.alpha1);
-  c.cor_v_space = ratio(c.v2, c.v1);
-  c.cor_alpha_space = ratio(atan2(n2, sqrt(fmax(0, c.v2 * c.v2 - n2 * n2))), c.alpha1);
-  c.cor_n = ratio(n2, f.v_n);
-  c.cor_t = directed ? along / f.v_t : 0;
-  return c;
-}
-
-bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle) {
-  asp_particle own = *particle;
-  own.pair = own.pair ? own.pair : wall->pair;
-  return aspi_flow_removes(&wall->flow, &own);
 }

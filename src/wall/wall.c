@@ -62,6 +62,7 @@ static void take_law(asp_wall *wall, const aspi_wall_choice *choice) {
   wall->spins = choice->law->spins && choice->law->spins(choice->parameters);
   wall->flow = choice->flow;
   wall->erosion = choice->erosion;
+  wall->lever = choice->lever;
 }
 
 asp_code aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error) {

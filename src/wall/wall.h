@@ -10,7 +10,7 @@
 #include "rebound/removal.h"
 #include "spread/models.h"
 
-/* What a wall is made of; all of it stays the caller's. */
+/* The parts of a wall; all of it stays the caller's. */
 typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
   const asp_map *map;         /* goes before the profile */
@@ -27,6 +27,7 @@ typedef struct aspi_wall_choice {
   bool scatter_twice; /* allows a law with a scatter of its own on a rough wall */
   aspi_flow flow;     /* takes away what sticks */
   aspi_erosion erosion;
+  double lever; /* sd of the center of mass of grains per axis and diameter; 0: spheres */
 } aspi_wall_choice;
 
 struct asp_wall {
@@ -47,6 +48,7 @@ struct asp_wall {
   bool spins;     /* the law turns the particle */
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
+  double lever;
   char reason[400];
 };
 

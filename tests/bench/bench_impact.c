@@ -16,6 +16,7 @@ static asp_particle grain[ANGLES];
 typedef struct contact {
   const char *spread;
   double phi_r;
+  bool isotropic; /* with tilts in all directions and later hits, as walls have them by default */
   asp_surface *surface;
   asp_wall *wall;
   unsigned at; /* the next impact */
@@ -48,6 +49,7 @@ static void make_wall(contact *c) {
   aspi_wall_choice choice = aspi_wall_choice_smooth();
   choice.surface = c->surface;
   choice.spread = asp_spread_find(c->spread, NULL);
+  choice.isotropic = choice.multiple = c->isotropic;
   choice.sizes = (aspi_sizes){10e-6, 10e-6, 1};
   c->wall = c->surface ? aspi_wall_create(&choice, NULL) : NULL;
   if (!c->wall)
@@ -58,7 +60,7 @@ int main(void) {
   static contact all[] = {
       {.spread = "none", .phi_r = 0.04},    {.spread = "weibull", .phi_r = 0.04},
       {.spread = "weibull", .phi_r = 0.13}, {.spread = "visible", .phi_r = 0.13},
-      {.spread = "profile", .phi_r = 0.13},
+      {.spread = "profile", .phi_r = 0.13}, {.spread = "visible", .phi_r = 0.13, .isotropic = true},
   };
   enum { COUNT = sizeof all / sizeof *all };
   static bench_work works[COUNT];
@@ -70,8 +72,8 @@ int main(void) {
   bench_run(works, COUNT, BENCH_ROUNDS);
   for (int i = 0; i < COUNT; i++) {
     char what[80];
-    snprintf(what, sizeof what, "one contact, `%s` + bons, phi_r %g, over `none`", all[i].spread,
-             all[i].phi_r);
+    snprintf(what, sizeof what, "one contact, `%s%s` + bons, phi_r %g, over `none`", all[i].spread,
+             all[i].isotropic ? " isotropic" : "", all[i].phi_r);
     bench_ratio_row(what, &works[i], &works[0], NULL, 0);
     asp_wall_free(all[i].wall);
     asp_surface_free(all[i].surface);

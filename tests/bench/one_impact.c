@@ -1,5 +1,6 @@
-/* Contacts for an instruction counter: one_impact MODEL PHI_R CONTACTS, with impact angles from 0
- * to 90 degrees; see bench_instructions.sh.
+/* Contacts for an instruction counter: one_impact MODEL PHI_R CONTACTS [isotropic], with impact
+ * angles from 0 to 90 degrees; `isotropic`: with tilts in all directions and later hits, as walls
+ * have them by default. See bench_instructions.sh.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/wall.h"
@@ -9,8 +10,8 @@
 #include <stdlib.h>
 
 int main(int argc, char **argv) {
-  if (argc != 4) {
-    fprintf(stderr, "usage: one_impact MODEL PHI_R CONTACTS\n");
+  if (argc < 4) {
+    fprintf(stderr, "usage: one_impact MODEL PHI_R CONTACTS [isotropic]\n");
     return 2;
   }
   asp_error error;
@@ -21,6 +22,7 @@ int main(int argc, char **argv) {
   choice.surface = surface;
   choice.profile = profile;
   choice.spread = profile ? asp_spread_find(argv[1], &error) : NULL;
+  choice.isotropic = choice.multiple = argc > 4;
   choice.sizes = (aspi_sizes){10e-6, 10e-6, 1};
   asp_wall *wall = choice.spread ? aspi_wall_create(&choice, &error) : NULL;
   if (!wall) {
@@ -28,7 +30,7 @@ int main(int argc, char **argv) {
     return 1;
   }
   asp_pair pair = {54.8e9, 200e6, 0.8, 0.3, 7800};
-  asp_particle grain = {10e-6, 2650, &pair, {0, 0, 0}, NULL, 0, 0};
+  asp_particle grain = {10e-6, 2650, &pair, {0, 0, 0}, NULL, 0, 0, NULL};
   unsigned contacts = (unsigned)strtoul(argv[3], NULL, 10);
   double n[3] = {0, 0, 1}, sum = 0;
   for (unsigned i = 0; i < contacts; i++) {

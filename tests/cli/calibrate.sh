@@ -84,17 +84,16 @@ grep -qE '^# friction < 0\.00[0-9]+ at 95 %' fit && grep -q 'friction < 0.00.*wh
 rows fit | grep -qE '^friction,[0-9.e-]+,,,0\.00[0-9]+,$' || die "a bound's row: $(cat fit)"
 ! grep -qiE '(^|[^a-z])-?(inf|nan)' fit || die "inf or nan: $(cat fit)"
 
-# Few impacts: intervals by refits, and it is said.
-"$asperity" cor surface sigma 5 friction 0.2 yield_stress 350MPa seed 13 --angles 20,45,70 --samples 5 --speed 60 -o few
-"$asperity" calibrate few surface sigma fit friction 0.2 yield_stress 350MPa $ard --speed 60 --samples 100 > fit 2> err
-grep -q 'impacts are too few' err && grep -q 'interval of sigma by synthetic data' fit || die "few impacts: $(cat fit err)"
-rows fit | awk -F, '{ exit !($4 > 2 && $4 < 5 && $5 > 5 && $5 < 12) }' || die "interval of few impacts: $(cat fit)"
-
-# Outliers: 2 % of the rebounds are four times as fast. Huber's form is not taken in by them.
+# Outliers: 2 % of the rebounds are four times as fast. The model does not describe them, and weights of the data keep them down.
 awk -F, -v OFS=, '/^#|^dp/ { print; next } { if (++n % 50 == 0) { $8 *= 4; $9 = -1 } print }' data > outliers
-"$asperity" calibrate outliers surface sigma fit $ard $quick > plain 2> err
-"$asperity" calibrate outliers surface sigma fit $ard --huber 2 $quick > fit
-awk -v p="$(value sigma plain)" -v h="$(value sigma fit)" 'BEGIN { exit !(p > 9 && h > 7.6 && h < 8.5) }' || die "outliers: $(cat plain fit)"
+"$asperity" calibrate outliers surface sigma fit $ard $quick > fit 2> err
+grep -q "does not describe the data" err || die "no warning of outliers: $(cat err)"
+awk -v s="$(value sigma fit)" 'BEGIN { exit !(s > 7.3 && s < 8.8) }' || die "outliers: $(cat fit)"
+
+# Few impacts: a wider interval than 1.96 errors.
+"$asperity" cor surface sigma 5 friction 0.2 yield_stress 350MPa seed 13 --angles 20,45,70 --samples 3 --speed 60 -o few
+"$asperity" calibrate few surface sigma fit friction 0.2 yield_stress 350MPa $ard --speed 60 --samples 400 > fit 2> err
+rows fit | awk -F, '{ exit !($4 > 1.5 && $4 < 3 && $5 > 4.5 && $5 < 12 && ($5 - $4) / $3 > 4) }' || die "interval of few impacts: $(cat fit err)"
 
 # Rebounds that noise put below the wall; noise of the two angles given apart; and speeds and angles in the plane or in space.
 "$asperity" cor $law surface sigma 4 seed 9 --speed 1 --angles 4,30 --samples 200 | awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
@@ -102,11 +101,9 @@ awk -v p="$(value sigma plain)" -v h="$(value sigma fit)" 'BEGIN { exit !(p > 9 
 cut -d, -f1-4 shaken | sed '1i alpha1_deg,v1,alpha2_plane_deg,v2_plane' > below
 below=$(awk -F, '$3 < 0' below | wc -l)
 [ "$below" -gt 3 ] || die "no rebound below the wall"
-for way in fold drop; do
-  "$asperity" calibrate below $law surface sigma fit --speed 1 --noise 0,3 --below $way $quick > fit 2> err
-  near sigma 4 4 fit
-  grep -q "below: $below rebounds are below the wall" err || die "rebounds below: $(cat err)"
-done
+"$asperity" calibrate below $law surface sigma fit --speed 1 --noise 0,3 $quick > fit 2> err
+near sigma 4 4 fit
+grep -q "below: $below rebounds are below the wall" err || die "rebounds below: $(cat err)"
 for view in plane space; do
   awk -F, -v view=$view 'BEGIN { print "alpha1_deg,v1,alpha2_" view "_deg,v2_" view } NR > 200 { print $1 "," 1 "," (view == "plane" ? $3 "," $4 : $6 "," $5) }' shaken > seen
   "$asperity" calibrate seen rebound constant fit=0.6 fit=0.6 surface sigma fit --speed 1 --noise 0,$([ $view = plane ] && echo 3 || echo 0) $quick > fit 2> err
@@ -118,12 +115,11 @@ sed 1s/_space//g seen > unsaid
 "$asperity" cor surface sigma 7 friction 0.2 yield_stress 300MPa materials quartz hastelloy-x seed 4 --angles 20:80:20 --samples 200 --speed 80 -o wanted
 "$asperity" calibrate wanted surface sigma fit friction fit yield_stress fit rebound bons materials quartz hastelloy-x --speed 80 $quick > fit 2> err
 "$asperity" cor $(sed -n 's/^# description, in SI units: //p' fit) --angles 20:80:20 --samples 200 --speed 80 -o again
-"$asperity" compare again wanted | tail -n 1 | awk -F, '{ exit !($1 == "score" && $18 < 1 + 3 * $19) }' || die "the fitted scatter: $(cat fit err)"
+"$asperity" compare again wanted | tail -n 1 | awk -F, '{ exit !($1 == "score" && $17 < 1 + 3 * $18) }' || die "the fitted scatter: $(cat fit err)"
 
 # Bad usage.
 refuses 2 "unsaid" "v2_plane" "v2_space" "--view" -- calibrate unsaid $law surface sigma fit
 refuses 2 "--view is 'space'" "seen" -- calibrate seen $law surface sigma fit --view space
-refuses 2 "--huber" -- calibrate data surface sigma fit $ard --huber 0.1
 refuses 2 "no number of the description is 'fit'" "surface sigma fit" -- calibrate data $ard
 refuses 2 "'materials' is missing" "materials quartz" -- calibrate data surface sigma fit friction fit
 refuses 2 "'fricton'" "did you mean 'friction'" -- calibrate data surface sigma fit fricton fit $ard

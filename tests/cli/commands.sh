@@ -199,6 +199,6 @@ long='a long title of many short words that does not fit on one line of a small 
 "$asperity" cor surface sigma 5 --samples 3 --angles 45 --plot long.svg --title "$long" --size 400x300 -o measured_scatter.csv 2> err
 [ "$(grep -c 'a long title\|small picture' long.svg)" = 2 ] || die "a long title stays on one line"
 "$asperity" compare measured_scatter.csv --plot words.svg -o c 2> err
-grep -q 'measured scatter: 3 impacts' words.svg || die "compare: the title is no words"
+grep -q 'measured scatter (3 impacts' words.svg || die "compare: the title is no words"
 "$asperity" cor --samples 3 --angles 20:40:1 --plot smooth.svg -o c 2> err
 ! grep -q 'mean ± sd' smooth.svg && grep -q 'smooth wall' smooth.svg || die "cor: a band on a smooth wall, where impacts do not differ"

@@ -51,14 +51,14 @@ awk -F, '$1 == "profile" && $5 < 0.01 && $6 > 0 { good++ } $1 == "visible" && $5
 "$asperity" trade surface profile short --dp 5um --angles 2,20 --rays 20000 > rows 2> err
 grep -q 'warning: --angles: those under .* degrees are left out' err && ! grep -q '^[a-z]*,2,' rows || die "angles that a short profile cannot judge: $(cat err)"
 awk -F, '$1 == "profile" && $5 > 0.02 && $6 > 0.002 { good++ } END { exit good != 1 }' rows || die "trade by a short profile: $(cat rows)"
-"$asperity" trade surface sigma 10 --angles 20 --rays 20000 --profiles 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
+"$asperity" trade surface sigma 10 --angles 20 --rays 8000 --profiles 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
 
 # trade by a map: in three dimensions.
-"$asperity" trade surface map wide --dp 5um --angles 20 --rays 4000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
+"$asperity" trade surface map wide --dp 5um --angles 20 --rays 2000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
 awk -F, '$1 == "profile" && $5 < 0.05 && $10 < 0.05 && $14 > 5 && $14 / $15 > 0.85 && $14 / $15 < 1.15 { good++ } $1 == "none" && $5 > 1 { good++ } END { exit good != 2 }' rows || die "trade --map: $(cat rows)"
 grep -q '20°' map.svg || die "trade --map --plot"
 
-"$asperity" trade surface map uneven --dp 5um --angles 20 --rays 2000 2> err | awk -F, '$1 == "profile" { exit !($5 > 0.3) }' || die "a half of a map judges what it made"
+"$asperity" trade surface map uneven --dp 5um --angles 20 --rays 1000 2> err | awk -F, '$1 == "profile" { exit !($5 > 0.3) }' || die "a half of a map judges what it made"
 
 # calibrate finds the friction that cor had, on the same wall.
 for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map map"; do

@@ -20,7 +20,7 @@ region ball delete" "region ball sphere 0 0 0 1e-3 units box" "region 'ball' doe
 
 refuses "$wall stl" "" "the file of 'stl'" "missing"
 refuses "$wall stl nowhere.stl" "" "'nowhere.stl'" "No such file"
-refuses "$wall stl .." "" "'..' is a folder"
+refuses "$wall stl .." "" "'..' cannot be read: Is a directory"
 refuses "$wall stl plate.stl type 3" "" "the wall's type is 3" "1 to 2"
 refuses "$wall stl plate.stl type 2 scale 0" "" "scale is 0" "> 0"
 refuses "$wall stl plate.stl scale big" "" "scale is 'big'" "number"

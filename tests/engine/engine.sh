@@ -9,6 +9,7 @@ bin=$(cd "${ASPERITY_BIN:-$here/../../build/bin}" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
+source "$here/scenes.sh"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 # One process without mpirun starts no daemon, and ranks of one machine look for no network: twice as fast a start.
 export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
@@ -88,52 +89,6 @@ END
 }
 
 mul() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.15g", a * b }'; }
-
-# soft BOX [FRICTION RESTITUTION]: the beginning of a script with soft grains of 8 mm, of one type, as a granular
-# scene has them; their Rayleigh time is 4.9e-4 s.
-rayleigh=4.896e-4
-soft() {
-  cat << END
-units si
-atom_style granular
-atom_modify map array
-boundary ${boundary:-f f f}
-newton off
-communicate single vel yes
-region box block $1 units box
-create_box 1 box
-neighbor 0.002 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5e6
-fix m2 all property/global poissonsRatio peratomtype 0.3
-fix m3 all property/global coefficientRestitution peratomtypepair 1 ${3:-0.9}
-fix m4 all property/global coefficientFriction peratomtypepair 1 ${2:-0.3}
-pair_style gran model hertz tangential history
-pair_coeff * *
-END
-}
-
-# put ID X Y Z VX VY VZ, a line each: single grains, for a script.
-put() {
-  awk -v d="${1:-0.008}" '
-    { print "create_atoms 1 single", $2, $3, $4, "units box"; speeds = speeds sprintf("set atom %d vx %s vy %s vz %s\n", $1, $5, $6, $7) }
-    END { printf "set group all diameter %s density 2500\n%s", d, speeds }'
-}
-
-# stack NX NY NZ PITCH SPEED: grains on a lattice about the z axis, above z = 0, with speeds below SPEED, for put.
-stack() {
-  awk -v nx="$1" -v ny="$2" -v nz="$3" -v pitch="$4" -v speed="$5" -v state="$((4710 + ${6:-1}))" '
-    function speeds() { state = (16807 * state) % 2147483647; return (2 * state / 2147483647 - 1) * speed }
-    BEGIN { for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++)
-      printf "%d %.9g %.9g %.9g %.9g %.9g %.9g\n", ++id, (i - (nx - 1) / 2) * pitch, (j - (ny - 1) / 2) * pitch, (k + 0.55) * pitch, speeds(), speeds(), speeds() }'
-}
-
-# stl: a mesh of triangles and quadrangles, a line each with the coordinates of its corners.
-stl() {
-  awk 'function vertex(k) { print "vertex", $(3 * k + 1), $(3 * k + 2), $(3 * k + 3) }
-    function facet(a, b, c) { print "facet normal 0 0 0\nouter loop"; vertex(a); vertex(b); vertex(c); print "endloop\nendfacet" }
-    BEGIN { print "solid s" } { facet(0, 1, 2); if (NF > 9) facet(0, 2, 3) } END { print "endsolid s" }'
-}
 
 # head_of UNITS LENGTH: the beginning of a script; LENGTH is the unit's factor to metres.
 head_of() {

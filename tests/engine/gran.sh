@@ -85,20 +85,7 @@ timestep 4e-5
 $watch
 run 10000"
 }
-closed='function wall(R, r, h, z, n,   k, a, b) { for (k = 0; k < n; k++) { a = 8 * atan2(1, 1) * k / n; b = 8 * atan2(1, 1) * (k + 1) / n
-    print r * cos(a), r * sin(a), h, r * cos(b), r * sin(b), h, R * cos(b), R * sin(b), z, R * cos(a), R * sin(a), z } }'
-awk "$closed"'BEGIN { wall(0.04, 0.015, 0, 0.0091, 24); wall(0.04, 0.04, 0.0091, 0.15, 24) }' | stl > hopper.stl
-awk 'BEGIN { n = 32; R = 0.04; h = 0.015; for (k = 0; k < n; k++) { a = 8 * atan2(1, 1) * k / n; b = 8 * atan2(1, 1) * (k + 1) / n
-    x = R * cos(a); z = R * sin(a); u = R * cos(b); w = R * sin(b)
-    print x, -h, z, u, -h, w, u, h, w, x, h, z; print 0, -h, 0, x, -h, z, u, -h, w; print 0, h, 0, x, h, z, u, h, w
-    if (k % 8 == 0) print x, -h, z, 0.8 * x, -h, 0.8 * z, 0.8 * x, h, 0.8 * z, x, h, z } }' | stl > drum.stl
-stl > box.stl << END
--0.025 -0.025 0  0.025 -0.025 0  0.025 0.025 0  -0.025 0.025 0
--0.025 -0.025 0  -0.025 0.025 0  -0.025 0.025 0.2  -0.025 -0.025 0.2
-0.025 -0.025 0  0.025 0.025 0  0.025 0.025 0.2  0.025 -0.025 0.2
--0.025 -0.025 0  0.025 -0.025 0  0.025 -0.025 0.2  -0.025 -0.025 0.2
--0.025 0.025 0  0.025 0.025 0  0.025 0.025 0.2  -0.025 0.025 0.2
-END
+meshes
 lines() { grep -E '^[ 0-9.e+-]+$' "$1" | awk 'NF == 8'; }
 # Compared numbers of a scene: means over its last two thirds.
 mean='{ row[NR] = $0 } END { for (k = int(NR / 3) + 1; k <= NR; k++) { split(row[k], c, " "); n++; e += c[3] + c[4]; z += c[5]; x += c[6] }

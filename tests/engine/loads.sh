@@ -109,6 +109,26 @@ engine 1 slide.in
 numbers slide.in.screen | awk -v m="$mass" '{ e = $2 + $3 + m * 9.81 * $4; if (NR == 1) first = e; d = (first - e - $5) / first; if (d < 0) d = -d; if (d > worst) worst = d }
   END { printf "slid: lost %.6g, dissipated %.6g; to %.2g of the energy\n", first - e, $5, worst; exit !(NR == 17 && $5 > 0.3 * first && worst < 5e-4) }' || die "what grains lose that slide"
 
+# The force of each grain is its share of the wall's, and acts where the grain touches: two that roll, one that flies.
+for engine in liggghts lammps; do
+  use $engine
+  { sed '/^compute z/d; /^thermo/d; /^run/d' slide.in
+    printf 'region above block -1 1 -1 1 0.02 1 units box\ncreate_atoms 1 single 0 0.08 0.04 units box\nset region above diameter 0.008 density 2500\n'
+    echo "compute force all reduce sum f_rebound_wall[3] f_rebound_wall[4] f_rebound_wall[5]
+thermo_style custom step c_force[1] f_wall[7] c_force[2] f_wall[8] c_force[3] f_wall[9]
+thermo_modify format float %.17g
+thermo 1
+dump at all custom 800 at.txt id x y z f_rebound_wall[5] f_rebound_wall[6] f_rebound_wall[7] f_rebound_wall[8]
+dump_modify at sort id format \"%d %.12g %.12g %.12g %.12g %.12g %.12g %.12g\"
+run 800"; } | if [ $engine = lammps ]; then sed 's/f_rebound_wall/f_wall/g; s/format "/format line "/'; else cat; fi > shares.in
+  engine 2 shares.in
+  numbers shares.in.screen | awk 'NF == 7 { rows++; for (k = 2; k < 7; k += 2) { d = $k - $(k + 1); if (d * d > 1e-24 * $(k + 1) ^ 2) exit 1; any[k] += $k != 0 } } END { exit !(rows > 790 && any[2] > 100 && any[6] > 300) }' ||
+    die "$engine: the forces of grains are not the wall's"
+  awk -v m="$mass" '/^ITEM/ { on = /: ATOMS/; picture += on; next } on && picture == 2 { n++
+      if ($1 == 3 ? $5 || $6 || $8 : ($5 / m / -9.81 - 1) ^ 2 > 1e-12 || ($6 - $2) ^ 2 + ($7 - $3) ^ 2 > 1e-10 || $8 ^ 2 > 1e-16) { print; exit 1 } } END { exit n != 3 }' at.txt ||
+    die "$engine: the force or the place of a grain"
+done
+
 # A bed presses with its weight on all of its walls together.
 soft "-0.031 0.031 -0.031 0.031 -0.001 0.2" 0.3 0.5 > bed.in
 { stack 6 6 2 0.0095 0.3 | put

@@ -38,7 +38,7 @@ static void check_profile(const asp_profile *profile) {
   double *slopes = malloc(points * sizeof *slopes);
   double d_p = spacing * (1 + 0.25 * (double)points);
   if (slopes && d_p <= spacing * (double)points &&
-      (aspi_profile_slopes(profile, d_p, ASP_CONTACT_CLOSING, slopes, &count, &error) != ASP_OK ||
+      (aspi_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, slopes, &count, &error) != ASP_OK ||
        !isfinite(slopes[0])))
     fail("a profile that cannot be closed");
   if (slopes && d_p <= spacing * (double)points &&

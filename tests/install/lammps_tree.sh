@@ -12,10 +12,11 @@ build=$1; shift
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 die() { echo "FAILED: $*" >&2; exit 1; }
 tree=$work/lammps
-mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config,unittest/force-styles/tests}
+mkdir -p "$tree"/{src,cmake/Modules/Packages,doc/src,doc/utils/sphinx-config,unittest/force-styles/tests,examples/PACKAGES}
 if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
   sizes="SMALLBIG BIGBIG"
   mkdir "$tree/tools"
+  mkdir -p "$tree/examples/PACKAGES"
   for folder in src cmake doc unittest tools/coding_standard; do
     cp -r "$ASPERITY_LAMMPS_TREE/$folder" "$tree/$(dirname $folder)"
   done
@@ -25,6 +26,8 @@ else
   printf 'set(STANDARD_PACKAGES\n  ADIOS\n  ASPHERE\n  ATC)\nforeach(PKG_WITH_INCL KSPACE PYTHON)\nendforeach()\n' > "$tree/cmake/CMakeLists.txt"
   printf '   * :doc:`wall/piston <fix_wall_piston>`\n   * :doc:`wall/reflect (k) <fix_wall_reflect>`\n' > "$tree/doc/src/Commands_fix.rst"
   printf '* :doc:`wall/reflect <fix_wall_reflect>` - reflecting wall(s)\n' > "$tree/doc/src/fix.rst"
+  printf '   * :ref:`ADIOS <adios>`\n   * :ref:`ATC <atc>`\n   * :ref:`COLVARS <colvars>`\n' > "$tree/doc/src/Build_package.rst"
+  { cat "$tree/doc/src/Build_package.rst"; printf '\n----------\n\n.. _atc:\n\nATC package\n-----------\n'; } > "$tree/doc/src/Build_extras.rst"
   printf '   * :ref:`ASPHERE <PKG-ASPHERE>`\n\n----------\n\n.. _PKG-ASPHERE:\n\nASPHERE package\n' > "$tree/doc/src/Packages_details.rst"
   printf '   * - :ref:`ASPHERE <PKG-ASPHERE>`\n     - aspherical particle models\n     - x\n     - ellipse\n     - no\n' > "$tree/doc/src/Packages_list.rst"
   printf 'Aachen\nZyl\n' > "$tree/doc/utils/sphinx-config/false_positives.txt"
@@ -35,6 +38,7 @@ if [ -z "${ASPERITY_LAMMPS_TREE:-}" ]; then
   # The tree of 2026: another page has the table of packages, and the tester can leave r-RESPA out.
   cp -r "$tree" "$work/newest"
   mv "$work/newest/doc/src/Packages_list.rst" "$work/newest/doc/src/Packages.rst"
+  sed -i '/ATC/d; s/_atc:/_colvar:/; s/<colvars>/<colvar>/' "$work/newest"/doc/src/Build_{extras,package}.rst
   echo 'has_tag("no_respa")' > "$work/newest/unittest/force-styles/test_fix_timestep.cpp"
   cp -r "$work/newest" "$work/newest_before"
   "$script" install "$work/newest" > /dev/null
@@ -56,6 +60,11 @@ grep -q -- '-DPKG_ASPERITY=on -DCMAKE_PREFIX_PATH=' "$work/how" || die "how to b
 for page in Commands_fix fix $list; do
   [ "$(grep -c 'fix_wall_rebound' "$tree/doc/src/$page.rst")" = 1 ] || die "$page.rst does not name it once"
 done
+for page in Build_extras Build_package; do
+  [ "$(grep -c 'ref:`ASPERITY <asperity>`' "$tree/doc/src/$page.rst")" = 1 ] || die "$page.rst does not list it once"
+done
+[ "$(grep -c '_asperity:' "$tree/doc/src/Build_extras.rst")" = 1 ] || die "Build_extras.rst does not tell once how to build it"
+[ -f "$tree/examples/PACKAGES/asperity/in.dust" ] || die "its example is not there"
 [ "$(grep -c '_PKG-ASPERITY:' "$tree/doc/src/Packages_details.rst")" = 1 ] || die "Packages_details.rst does not describe it once"
 if [ -n "${ASPERITY_LAMMPS_TREE:-}" ]; then
   for check in "$tree"/doc/utils/check-*.py "$tree"/tools/coding_standard/*.py; do
@@ -83,10 +92,12 @@ done
 # ... and, as for BUILD_MPI=off, with LAMMPS's stubs in place of MPI, which have few of its names; the library, too.
 stubs=$home/tests/install/stubs
 [ -z "${ASPERITY_LAMMPS_TREE:-}" ] || stubs=$tree/src/STUBS
-for file in $(grep -l MPI_ "$home"/src/dem/*.cpp "$tree"/src/ASPERITY/*.cpp); do
+for file in $(grep -rl --include="*.cpp" MPI_ "$home"/src/dem "$tree"/src/ASPERITY); do
   g++ -std=$standard -fsyntax-only -I"$stubs" -I"$home/src" -I"$tree/src" -I"$tree/src/ASPERITY" "$file" 2> "$work/log" ||
     { head -n 20 "$work/log"; die "$file does not compile without MPI"; }
 done
+# The package's files need the C++ library and LAMMPS only, no POSIX.
+! grep -lE '#include <(unistd|strings|fcntl|dlfcn|sys/.*)\.h>' "$tree"/src/ASPERITY/* || die "a file of the package needs POSIX"
 # A style's header includes its base class only.
 [ "$(grep -h '#include' "$tree/src/ASPERITY/fix_wall_rebound.h")" = '#include "fix.h"' ] || die "the header of the style includes more than fix.h"
 "$script" remove "$tree" > /dev/null

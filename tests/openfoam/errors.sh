@@ -27,6 +27,7 @@ refuses "walls { \".*\" \"surface profile none.csv $smooth\"; } dMin 1e-5; dMax 
 refuses "walls { \".*\" \"surface rq 5um lambda_c 40um 80um lay axial $smooth\"; }" "lay" "vector"
 refuses "walls { \".*\" \"$smooth\"; } ledger often;" "ledger"
 refuses "walls { \".*\" \"$smooth\"; } ledger 1; fullLedger perhaps;" "fullLedger"
+refuses "walls { \".*\" \"$smooth\"; } ledger 1; ledgerFormat xls;" "ledgerFormat" "xls" "npy"
 
 # Two dimensions.
 box flat "walls { \".*\" \"surface rq 5um lambda_c 40um $smooth\"; }" "sides={ type empty; faces ((0 4 7 3) (2 6 5 1)); } ends { type wall; faces ((1 5 4 0) (3 7 6 2)); }" cells='1 4 4' speed='0 0.3 -0.7'

@@ -1,78 +1,120 @@
-/* Reads a ledger with `fullLedger yes` and makes each impact with the velocity that is given anew
- * by asp_wall_impact, of the words of its heading and of its key: the row must be the same. Ends
- * with status 1, and the row, where it is not. Usage: rows LEDGER KEY VX VY VZ DENSITY
+/* Reads a ledger of OpenFOAM's wall (.npy, with `fullLedger yes`) and makes each impact anew by
+ * asp_wall_impact, of the words of its heading and of its key: the row must be the same to the last
+ * bit. Prints the number of rows; ends with status 1, and the row's number, where one is not.
+ * Usage: rows LEDGER KEY D_P DENSITY
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Columns, from 0. */
-enum { TAG, IMPACT, D_P = 8, DELTA = 11, TILT_OUT, HITS, OUTCOME = 18, NX = 20, V1 = 23, V2 = 26 };
-enum { COLUMNS = 39 };
+#include "asperity.h"
+#include "base/ledger_columns.h"
 
-static const double degrees = 180 / ASP_PI;
+/* Bytes of the columns. */
+#define TYPE(ID, name, type, text) type,
+static const char *const types[] = {LEDGER_COLUMNS(TYPE) LEDGER_MORE_COLUMNS(TYPE)};
 
-/* As the ledger prints it. */
-static bool is_same(double value, double printed) {
-  char text[40];
-  snprintf(text, sizeof text, "%.10g", value);
-  return !(fabs(strtod(text, NULL) - printed) > 0);
+static double number_at(const char *at, const char *type) {
+  int8_t i1;
+  int16_t i2;
+  int32_t i4;
+  int64_t i8;
+  float f4;
+  double f8;
+#define TAKE(name) return memcpy(&name, at, sizeof name), (double)name
+  if (strcmp(type, "i1") == 0)
+    TAKE(i1);
+  if (strcmp(type, "i2") == 0)
+    TAKE(i2);
+  if (strcmp(type, "i4") == 0)
+    TAKE(i4);
+  if (strcmp(type, "i8") == 0)
+    TAKE(i8);
+  if (strcmp(type, "f4") == 0)
+    TAKE(f4);
+  TAKE(f8);
 }
 
-static bool is_row_of(const asp_wall *wall, uint32_t seed, const double *row, const char *key_name,
-                      double density) {
-  const asp_particle particle = {.d_p = row[D_P], .density = density};
-  const asp_key key = {seed, asp_key_wall(key_name), (uint64_t)row[TAG], (uint32_t)row[IMPACT]};
+static bool read_row(FILE *in, double row[LEDGER_N_FULL]) {
+  for (int i = 0; i < LEDGER_N_FULL; i++) {
+    char bytes[8];
+    const size_t size = (size_t)(types[i][1] - '0');
+    if (fread(bytes, 1, size, in) != size)
+      return false;
+    row[i] = number_at(bytes, types[i]);
+  }
+  return true;
+}
+
+static bool is_same(double a, double b) {
+  return !(a < b) && !(a > b);
+}
+
+static bool is_row_of(const asp_wall *wall, const asp_particle *particle, uint32_t seed,
+                      const char *name, const double *row) {
+  const double degrees = 180 / ASP_PI;
+  const asp_key key = {seed, asp_key_wall(name), (uint64_t)row[LEDGER_TAG],
+                       (uint32_t)row[LEDGER_IMPACT]};
   asp_impact impact;
-  asp_wall_impact(wall, &particle, row + V1, row + NX, &key, &impact);
-  bool same = is_same(impact.delta_alpha * degrees, row[DELTA]) &&
-              is_same(impact.tilt_out * degrees, row[TILT_OUT]) &&
-              is_same(impact.hits, row[HITS]) && is_same(impact.outcome, row[OUTCOME]);
+  asp_wall_impact(wall, particle, row + LEDGER_V1X, row + LEDGER_NX, &key, &impact);
+  bool same = is_same((float)(impact.delta_alpha * degrees), row[LEDGER_DELTA_ALPHA]) &&
+              is_same((float)(impact.tilt_out * degrees), row[LEDGER_TILT_OUT]) &&
+              is_same(impact.hits, row[LEDGER_HITS]) &&
+              is_same(impact.outcome != ASP_REBOUND, row[LEDGER_OUTCOME] > 0) &&
+              is_same(impact.eroded * row[LEDGER_MASS], row[LEDGER_ERODED_MASS]);
   for (int k = 0; k < 3; k++)
-    same = same && is_same(impact.v2[k], row[V2 + k]);
+    same = same && is_same(impact.v2[k], row[LEDGER_V2X + k]) &&
+           is_same(impact.omega[k], row[LEDGER_OMEGA2X + k]);
   return same;
 }
 
+/* The words of the array's header, up to a quotation mark, and what follows the header. */
+static bool read_heading(FILE *in, char words[4096]) {
+  unsigned char start[10];
+  if (fread(start, 1, sizeof start, in) != sizeof start)
+    return false;
+  const size_t length = start[8] + 256u * start[9];
+  if (length >= 4096 || fread(words, 1, length, in) != length)
+    return false;
+  words[length] = '\0';
+  char *begin = strstr(words, "((");
+  if (!begin)
+    return false;
+  memmove(words, begin + 3, strlen(begin + 3) + 1);
+  words[strcspn(words, "'")] = '\0';
+  return true;
+}
+
 int main(int argc, char **argv) {
-  char line[4000];
-  FILE *in = argc == 7 ? fopen(argv[1], "r") : NULL;
-  if (!in || !fgets(line, sizeof line, in))
+  char words[4096];
+  FILE *in = argc == 5 ? fopen(argv[1], "rb") : NULL;
+  if (!in || !read_heading(in, words))
     return 2;
-  line[strcspn(line, "\n")] = '\0';
   asp_error error;
-  asp_description *words = asp_description_parse(line + 2, NULL, &error);
-  asp_wall *wall = words ? asp_wall_create(words, 1e-5, 1e-5, &error) : NULL;
+  asp_description *description = asp_description_parse(words, NULL, &error);
+  asp_wall *wall = description ? asp_wall_create(description, 1e-6, 1e-4, &error) : NULL;
   if (!wall) {
-    fprintf(stderr, "%s\n", error.text);
+    fprintf(stderr, "%s: %s\n", words, error.text);
     return 2;
   }
-  const uint32_t seed = (uint32_t)asp_description_get(words, "seed");
+  const uint32_t seed = (uint32_t)asp_description_get(description, "seed");
+  const asp_lay lay = asp_description_lay(description);
+  const asp_particle particle = {.d_p = strtod(argv[3], NULL),
+                                 .density = strtod(argv[4], NULL),
+                                 .lay = lay.kind == ASP_LAY_NONE ? NULL : lay.vector};
   int count = 0;
-  while (fgets(line, sizeof line, in)) {
-    double row[COLUMNS];
-    char *at = line;
-    for (int i = 0; i < COLUMNS; i++) {
-      row[i] = strtod(at, &at);
-      at += *at == ',';
-    }
-    bool is_first = true; /* its velocity is known to all digits */
-    for (int k = 0; k < 3; k++)
-      is_first = is_first && !(fabs(row[V1 + k] - strtod(argv[3 + k], NULL)) > 0);
-    if (!is_first)
-      continue;
+  for (double row[LEDGER_N_FULL]; read_row(in, row);) {
     count++;
-    if (!is_row_of(wall, seed, row, argv[2], strtod(argv[6], NULL))) {
-      printf("differs: %s", line);
+    if (!is_row_of(wall, &particle, seed, argv[2], row)) {
+      printf("row %d differs\n", count);
       return 1;
     }
   }
   printf("%d\n", count);
   asp_wall_free(wall);
-  asp_description_free(words);
+  asp_description_free(description);
   fclose(in);
   return count > 0 ? 0 : 1;
 }

@@ -26,6 +26,7 @@ declare -A knows=(
   [liggghts]='base contact dem'
   [lammps]='base contact dem'
   [openfoam]='base dem'
+  [python]=''
   [cli]='base surface readers spread rebound erosion wall description analysis'
 )
 engines=' liggghts lammps openfoam '

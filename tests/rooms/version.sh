@@ -12,6 +12,7 @@ says() { # FILE VERSION
 }
 says .github/CHANGELOG.md "$(sed -n 's/^## //p' .github/CHANGELOG.md | head -n 1)"
 says CITATION.cff "$(sed -n 's/^version: //p' CITATION.cff)"
+says src/python "$(sed -n 's/^__version__ = "\(.*\)"$/\1/p' src/python/asperity/__init__.py)"
 says README.md "$(sed -n 's/^ *version *= {\(.*\)},$/\1/p' README.md)"
 released=$(sed -n 's/^date-released: //p' CITATION.cff)
 dated() { # FILE DATE FORMAT

@@ -174,7 +174,7 @@ static void choose_particle(aspi_stream *s, combination *c) {
   c->pair.surface_energy = or_zero(s, -12, 6);
   c->pair.friction = or_zero(s, -6, 1);
   c->particle = (asp_particle){
-      power_of_ten(s, -9, -1), power_of_ten(s, -3, 6), &c->pair, {0, 0, 0}, NULL, 0, 0};
+      power_of_ten(s, -9, -1), power_of_ten(s, -3, 6), &c->pair, {0, 0, 0}, NULL, 0, 0, NULL};
 }
 
 /* A third of the velocities lie along the axes, to be exact at grazing and normal incidence. */
@@ -283,7 +283,8 @@ static void meet(const combination *c, asp_impact *impact) {
                            {c->particle.omega[0], c->particle.omega[1], c->particle.omega[2]},
                            NULL,
                            0,
-                           0};
+                           0,
+                           NULL};
   asp_wall_impact(&c->wall, &particle, c->v1, c->n, &c->key, impact);
 }
 

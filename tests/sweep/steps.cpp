@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "contact/vector.h"
-#include "dem/mesh.h"
-#include "dem/primitive.h"
+#include "dem/shapes/mesh.h"
+#include "dem/shapes/primitive.h"
 #include "dem/wall.h"
 
 using namespace asperity;
@@ -179,11 +179,11 @@ bool run(Room &room, double diameters, double impacts) {
   const Box box = {{0, 0, 0}, {0, 0, 0}};
   wall.init(0, dt);
   wall.set_rows(state.data(), place.data());
-  wall.setup(s, 1, box);
+  wall.begin_run(s, 1, box);
   const std::vector<Wall *> walls(1, &wall);
   int lost = 0;
   double worst = 0;
-  for (s.step = 1; wall.counter(Wall::N_IMPACTS) < impacts && s.step < 1e8; s.step++) {
+  for (s.step = 1; wall.books.counter(Books::N_IMPACTS) < impacts && s.step < 1e8; s.step++) {
     if (room.mesh && (room.turn > 0 || room.swing > 0)) {
       const double phase = 0.3 * static_cast<double>(s.step);
       Twist twist;
@@ -215,8 +215,8 @@ bool run(Room &room, double diameters, double impacts) {
   const bool moves = room.turn > 0 || room.swing > 0;
   const bool good = lost == 0 && (moves || worst < 1e-9);
   printf("%-26s %5.1f diameters a step: %9.0f impacts, %.0f guarded, %d outside%s\n", room.name,
-         diameters, wall.counter(Wall::N_IMPACTS), wall.counter(Wall::N_GUARDED), lost,
-         good ? "" : "  FAILED");
+         diameters, wall.books.counter(Books::N_IMPACTS), wall.books.counter(Books::N_GUARDED),
+         lost, good ? "" : "  FAILED");
   if (!moves && !(worst < 1e-9))
     printf("  a speed is off by %g\n", worst);
   fflush(stdout);

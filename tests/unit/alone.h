@@ -125,7 +125,7 @@ struct Grains {
       rows[w].place.resize(tag.size() * Wall::N_PLACE);
       walls[w]->init(now, dt);
       walls[w]->set_rows(rows[w].state.data(), rows[w].place.data());
-      walls[w]->setup(spheres(), 1, Box());
+      walls[w]->begin_run(spheres(), 1, Box());
     }
   }
   void kick() {

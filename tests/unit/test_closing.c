@@ -140,10 +140,15 @@ static void dilation_and_closing_have_the_same_slopes(void **state) {
   (void)state;
   static const double cases[][2] = {{0.1, 1}, {0.2, 1}, {0.2, 4}};
   for (int i = 0; i < 3; i++) {
-    asp_profile *p = asp_profile_create(cases[i][0], 1, 1. / 128, 131072, 5, NULL);
+    enum { POINTS = 131072 };
+    static double heights[POINTS];
+    asp_profile *p = asp_profile_create(cases[i][0], 1, 1. / 128, POINTS, 5, NULL);
     aspi_slopes a, b;
     aspi_profile_describe_slopes(p, cases[i][1], ASP_CONTACT_DILATION, &a, NULL);
-    aspi_profile_describe_slopes(p, cases[i][1], ASP_CONTACT_CLOSING, &b, NULL);
+    aspi_profile_close(p, cases[i][1], heights, NULL);
+    asp_profile *closed = asp_profile_from_heights(heights, POINTS, 1. / 128, true, NULL);
+    aspi_profile_describe_slopes(closed, 1e-6, ASP_CONTACT_DILATION, &b, NULL);
+    asp_profile_free(closed);
     assert_near(a.slope.sd, b.slope.sd, 0.003 * a.slope.sd);
     assert_near(a.angle.sd, b.angle.sd, 0.003 * a.angle.sd);
     assert_near(a.slope.skewness, b.slope.skewness, 0.01);

@@ -40,7 +40,7 @@ static double dot(const double *a, const double *b) {
 }
 
 static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0};
-static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0};
+static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0, NULL};
 static const double up[3] = {0, 0, 1};
 
 static void smooth_wall_is_the_law(void **state) {
@@ -160,7 +160,7 @@ static void normal_impact_is_isotropic(void **state) {
 static void no_deposits_where_none_are_taken(void **state) {
   (void)state;
   setup s = setup_create("none", "bons", 0);
-  asp_particle small = {1e-7, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0};
+  asp_particle small = {1e-7, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0, NULL};
   double v1[3] = {1, 0, -1};
   asp_impact impact;
   asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
@@ -246,38 +246,38 @@ static void many_impacts_are_single_ones(void **state) {
   (void)state;
   enum { N = 500 };
   asp_error error;
-  static double d_p[N], v1[3 * N], n[3 * N];
+  static double v1[3 * N], n[3 * N];
+  static asp_particle particles[N];
+  static asp_coefficients coefficients[N];
   static asp_key keys[N];
   static asp_impact many[N];
   asp_wall *wall = asp_wall_from_text("surface rq 5um lambda_c 40um rebound bons spin on "
                                       "materials quartz hastelloy-x",
                                       0, 0, &error);
   assert_non_null(wall);
-  const asp_particle own = {.density = 2650, .d_p = 1e-5, .omega = {1e3, 0, 0}};
   for (int i = 0; i < N; i++) {
     double alpha = (i + 0.5) * M_PI / 2 / N;
-    d_p[i] = 1e-6 * (1 + i % 40);
+    particles[i] = (asp_particle){.density = 2650, .d_p = 1e-6 * (1 + i % 40), .omega = {1e3 * i}};
     v1[3 * i] = 100 * cos(alpha);
     v1[3 * i + 2] = -100 * sin(alpha);
     n[3 * i + 2] = 1;
     keys[i] = (asp_key){7, 1, (uint64_t)i, 1};
   }
-  for (int sizes = 0; sizes < 2; sizes++) {
-    assert_int_equal(asp_wall_impacts(wall, &own, N, sizes ? d_p : NULL, v1, n, keys, many, &error),
+  assert_int_equal(asp_wall_impacts(wall, N, particles, v1, n, keys, many, &error), ASP_OK);
+  asp_impacts_coefficients(N, v1, n, many, coefficients);
+  for (int i = 0; i < N; i++) {
+    asp_impact impact;
+    particles[i].pair = asp_wall_pair(wall);
+    assert_int_equal(asp_wall_impact(wall, &particles[i], &v1[3 * i], &n[3 * i], &keys[i], &impact),
                      ASP_OK);
-    for (int i = 0; i < N; i++) {
-      asp_particle one = own;
-      asp_impact impact;
-      one.pair = asp_wall_pair(wall);
-      one.d_p = sizes ? d_p[i] : own.d_p;
-      assert_int_equal(asp_wall_impact(wall, &one, &v1[3 * i], &n[3 * i], &keys[i], &impact),
-                       ASP_OK);
-      assert_memory_equal(impact.v2, many[i].v2, sizeof impact.v2);
-      assert_memory_equal(impact.omega, many[i].omega, sizeof impact.omega);
-      assert_int_equal(impact.hits, many[i].hits);
-      assert_int_equal(impact.outcome, many[i].outcome);
-      assert_near(impact.delta_alpha, many[i].delta_alpha, 0);
-    }
+    assert_memory_equal(impact.v2, many[i].v2, sizeof impact.v2);
+    assert_memory_equal(impact.omega, many[i].omega, sizeof impact.omega);
+    assert_int_equal(impact.hits, many[i].hits);
+    assert_int_equal(impact.outcome, many[i].outcome);
+    assert_near(impact.delta_alpha, many[i].delta_alpha, 0);
+    asp_coefficients cor = asp_impact_coefficients(&v1[3 * i], &n[3 * i], &impact);
+    assert_near(cor.cor_n, coefficients[i].cor_n, 0);
+    assert_near(cor.alpha2, coefficients[i].alpha2, 0);
   }
   asp_wall_free(wall);
 }
@@ -295,7 +295,7 @@ static void a_pair_is_needed(void **state) {
   assert_int_equal(asp_wall_impact(wall, &bare, v1, up, &key, &impact), ASP_EARG);
   assert_memory_equal(impact.v2, v1, sizeof v1);
   assert_memory_equal(impact.omega, bare.omega, sizeof bare.omega);
-  assert_int_equal(asp_wall_impacts(wall, &bare, 1, NULL, v1, up, &key, &impact, &error), ASP_EARG);
+  assert_int_equal(asp_wall_impacts(wall, 1, &bare, v1, up, &key, &impact, &error), ASP_EARG);
   assert_non_null(strstr(error.text, "'bons' needs a pair"));
   asp_wall_free(wall);
 }
@@ -334,8 +334,14 @@ static void properties(void **state) {
         v1[k] = v * (cos(alpha) * t[k] - sin(alpha) * n[k]);
       if (!(dot(v1, n) < 0))
         continue;
-      asp_particle p = {
-          pow(10, -9 + 8 * gsl_rng_uniform(rng)), 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0};
+      asp_particle p = {pow(10, -9 + 8 * gsl_rng_uniform(rng)),
+                        2650,
+                        &quartz_on_nickel,
+                        {0, 0, 0},
+                        NULL,
+                        0,
+                        0,
+                        NULL};
       asp_impact impact;
       asp_wall_impact(s.wall, &p, v1, n, &(asp_key){9, (uint32_t)i, tag, 1}, &impact);
       double before = dot(v1, v1), after = dot(impact.v2, impact.v2);

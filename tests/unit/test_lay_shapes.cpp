@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "dem/mesh.h"
-#include "dem/primitive.h"
+#include "dem/shapes/mesh.h"
+#include "dem/shapes/primitive.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* The file of a ledger: whole windows or nothing of them, whatever the disk does.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/ledger_file.h"
+#include "dem/books/ledger_file.h"
 
 #include <setjmp.h>
 #include <signal.h>
@@ -16,7 +16,7 @@
 #include <memory>
 
 #include "dem/error.h"
-#include "dem/ledger_format.h"
+#include "dem/books/ledger_format.h"
 extern "C" {
 #include <cmocka.h>
 }
@@ -47,7 +47,7 @@ static std::string add_rows(LedgerFile &file, const std::string &path, int step,
     else
       append_line(row, LedgerColumn::N_COLUMNS, bytes);
   }
-  file.add(bytes.data(), bytes.size());
+  file.append(bytes.data(), bytes.size());
   return file.commit(count);
 }
 

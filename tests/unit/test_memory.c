@@ -138,14 +138,7 @@ static asp_code close_profile(asp_error *error) {
 
 static asp_code slopes(asp_error *error) {
   size_t count;
-  return aspi_profile_slopes(profile, 20, ASP_CONTACT_CLOSING, room, &count, error);
-}
-
-static asp_code density(asp_error *error) {
-  aspi_density *made = aspi_density_create(asp_profile_heights(profile), 500, -4, 4, 100, error);
-  const asp_code code = code_of(made, error);
-  free(made);
-  return code;
+  return aspi_profile_slopes(profile, 20, ASP_CONTACT_DILATION, room, &count, error);
 }
 
 static asp_code track(asp_error *error) {
@@ -446,7 +439,6 @@ int main(void) {
       {"dilation", dilate, true},
       {"closing", close_profile, true},
       {"slopes", slopes, true},
-      {"density", density, true},
       {"track", track, true},
       {"map, generated", generated_map, true},
       {"map, SDF", read_sdf_map, true},

@@ -13,7 +13,7 @@ extern "C" {
 }
 
 #include "contact/vector.h"
-#include "dem/motion.h"
+#include "dem/shapes/motion.h"
 
 using namespace asperity;
 
@@ -70,7 +70,7 @@ void test_steady(void **) {
     for (int i = 0; i <= 10; i++) {
       const double s = i / 10.0;
       double is[3], should[3], v[3], v_should[3];
-      motion.at(s).to_world(BODY, is);
+      motion.frame_at(s).to_world(BODY, is);
       frame_at(0.2 + s * angle, 0.1 + 0.3 * s * angle).to_world(BODY, should);
       assert_true(distance(is, should) < 1e-14);
       motion.velocity(s, is, v);
@@ -94,7 +94,7 @@ void test_second_order(void **) {
       for (int i = 0; i <= 10; i++) {
         const double t = end - dt + dt * i / 10;
         double is[3], should[3], v[3], v_should[3];
-        motion.at(i / 10.0).to_world(BODY, is);
+        motion.frame_at(i / 10.0).to_world(BODY, is);
         frame_at(sin(t), sin(t)).to_world(BODY, should);
         worst[0] = fmax(worst[0], distance(is, should));
         motion.velocity(i / 10.0, should, v);
@@ -121,7 +121,7 @@ void test_follow(void **) {
   motion.advance(frame_at(sin(start + dt), sin(start + dt)),
                  twist_of(cos(start + dt), cos(start + dt)), dt);
   double a[3], height[3], body[3], along[3];
-  motion.follow(0, x, v, a);
+  motion.acceleration(0, x, v, a);
   const Frame now = frame_at(sin(start), sin(start));
   for (int i = 0; i < 3; i++)
     along[i] = aspi_dot(now.turn[i], n);
@@ -175,7 +175,7 @@ void test_rest(void **) {
   motion.velocity(0.5, BODY, v);
   assert_true(aspi_length(v) == 0 && !motion.moves() && !motion.in_world());
   double begin[3], end[3];
-  motion.at(0).to_world(BODY, begin);
+  motion.frame_at(0).to_world(BODY, begin);
   frame_at(0.1, 0).to_world(BODY, end);
   assert_true(distance(begin, end) < 1e-15);
 }

@@ -3,14 +3,14 @@
  * memory of just its length.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/record.h"
+#include "dem/books/record.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <string.h>
 #include <memory>
 
-#include "dem/checksum.h"
+#include "dem/books/checksum.h"
 #include "dem/error.h"
 extern "C" {
 #include <cmocka.h>

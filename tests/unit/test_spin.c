@@ -20,7 +20,7 @@ static asp_wall *smooth(const char *law) {
 
 static asp_impact hit(const asp_wall *wall, const asp_pair *pair, const double v1[3],
                       const double omega[3]) {
-  asp_particle particle = {5e-3, 3950, pair, {omega[0], omega[1], omega[2]}, NULL, 0, 0};
+  asp_particle particle = {5e-3, 3950, pair, {omega[0], omega[1], omega[2]}, NULL, 0, 0, NULL};
   asp_impact impact;
   asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   return impact;
@@ -121,7 +121,7 @@ static void energy_with_spin_never_grows(void **state) {
       w[d] = (2 * gsl_rng_uniform(rng) - 1) / r * (tag % 3 ? 1 : 5);
     }
     v[2] = -fabs(v[2]);
-    asp_particle particle = {2 * r, 2650, &pair, {w[0], w[1], w[2]}, NULL, 0, 0};
+    asp_particle particle = {2 * r, 2650, &pair, {w[0], w[1], w[2]}, NULL, 0, 0, NULL};
     asp_impact impact;
     asp_wall_impact(wall, &particle, v, up, &(asp_key){1, 1, tag, 1}, &impact);
     assert_true(energy(impact.v2, impact.omega, r) <= energy(v, w, r) * (1 + 1e-13));
@@ -139,7 +139,7 @@ static const double E = 50e9, RHO = 2500, R = 2.5e-3;
 static double restitution(double speed, double pressure, double gamma) {
   asp_pair pair = {E, pressure, gamma, 0, 0};
   asp_wall *wall = smooth("thornton_ning pressure_ratio 1");
-  asp_particle particle = {2 * R, RHO, &pair, {0, 0, 0}, NULL, 0, 0};
+  asp_particle particle = {2 * R, RHO, &pair, {0, 0, 0}, NULL, 0, 0, NULL};
   double v1[3] = {0, 0, -speed};
   asp_impact impact;
   asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
@@ -228,7 +228,7 @@ static void parting_costs_what_the_curve_says(void **state) {
 static void a_flow_takes_away(void **state) {
   (void)state;
   static const asp_pair pair = {50e9, 2e8, 0.8, 0.3, 0};
-  asp_particle particle = {10e-6, 2650, &pair, {0, 0, 0}, NULL, 0, 0};
+  asp_particle particle = {10e-6, 2650, &pair, {0, 0, 0}, NULL, 0, 0, NULL};
   double critical = sqrt(0.039 / (1.2 * 10e-6) * cbrt(0.039 / (10e-6 * 4. / 3 * 50e9)));
   double v1[3] = {0, 0, -1};
   double slip = sqrt(2.2 + 0.41 * exp(-0.88)); /* of Kn = 1: C_u = 1 + 1.2 + 0.41 exp(-0.88) */

@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "contact/vector.h"
-#include "dem/mesh.h"
-#include "dem/primitive.h"
+#include "dem/shapes/mesh.h"
+#include "dem/shapes/primitive.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -108,14 +108,15 @@ void walls_get_what_grains_lose(void **) {
     for (int step = 0; step < 30; step++) {
       grains.fly(1);
       for (int d = 0; d < 3; d++)
-        torque[d] += wall->counter(Wall::TORQUE + d) * grains.dt;
+        torque[d] += wall->books.counter(Books::TORQUE + d) * grains.dt;
     }
     add_momenta(grains, about, -1, lost);
-    assert_true(wall->counter(Wall::N_IMPACTS) > 100 && wall->counter(Wall::N_LATER_HITS) > 10);
+    assert_true(wall->books.counter(Books::N_IMPACTS) > 100 &&
+                wall->books.counter(Books::N_LATER_HITS) > 10);
     for (double of : lost)
       scale = std::max(scale, fabs(of));
     for (int k = 0; k < 6; k++)
-      assert_true(fabs(wall->counter(Wall::IMPULSE + k) - lost[k]) < 1e-12 * scale);
+      assert_true(fabs(wall->books.counter(Books::IMPULSE + k) - lost[k]) < 1e-12 * scale);
     for (int d = 0; d < 3; d++)
       assert_true(fabs(torque[d] - lost[3 + d]) < 1e-12 * scale && fabs(lost[3 + d]) > 0);
   }
@@ -173,11 +174,12 @@ void valleys_get_what_grains_lose(void **) {
   int lie = 0;
   for (int i = 0; i < n; i++)
     lie += aspi_length(&grains.v[3 * i]) < 1e-12;
-  assert_true(wall->counter(Wall::N_IMPACTS) > n && lie > n / 10 && lie < n);
+  assert_true(wall->books.counter(Books::N_IMPACTS) > n && lie > n / 10 && lie < n);
   for (int k = 0; k < 6; k++)
-    assert_true(fabs(wall->counter(Wall::IMPULSE + k) - lost[k]) < (k < 3 ? 1e-11 : 1e-7) * scale);
+    assert_true(fabs(wall->books.counter(Books::IMPULSE + k) - lost[k]) <
+                (k < 3 ? 1e-11 : 1e-7) * scale);
   work -= energy_of(grains);
-  assert_true(fabs(wall->counter(Wall::DISSIPATED) - work) < 0.1 * work);
+  assert_true(fabs(wall->books.counter(Books::DISSIPATED) - work) < 0.1 * work);
 }
 
 /* So does a wall at which one sticks, and later what others do to it. */
@@ -197,10 +199,11 @@ void stuck_grains_pass_their_spin_on(void **) {
   grains.fly(5);
   assert_true(wall->stuck() == 1);
   for (int k = 0; k < 6; k++)
-    assert_true(fabs(wall->counter(Wall::IMPULSE + k) - lost[k]) < 1e-14);
+    assert_true(fabs(wall->books.counter(Books::IMPULSE + k) - lost[k]) < 1e-14);
   grains.omega[2] = 3;
   grains.fly(1);
-  assert_true(fabs(wall->counter(Wall::ANGULAR_IMPULSE + 2) - lost[5] - 0.4 * 0.25 * 3) < 1e-14);
+  assert_true(fabs(wall->books.counter(Books::ANGULAR_IMPULSE + 2) - lost[5] - 0.4 * 0.25 * 3) <
+              1e-14);
   assert_true(!(fabs(grains.omega[2]) > 0));
 }
 
@@ -254,9 +257,9 @@ void the_last_contact_may_stick(void **) {
   grains.begin({wall.get()});
   grains.fly(1);
   assert_true(wall->stuck() == 1);
-  assert_true(wall->counter(Wall::N_DEPOSITS) == 1);
-  assert_true(wall->counter(Wall::N_IMPACTS) == struck + 1);
-  assert_true(wall->counter(Wall::N_GUARDED) == 0);
+  assert_true(wall->books.counter(Books::N_DEPOSITS) == 1);
+  assert_true(wall->books.counter(Books::N_IMPACTS) == struck + 1);
+  assert_true(wall->books.counter(Books::N_GUARDED) == 0);
 }
 
 /* All numbers of a wall take one reduction, and none until something has changed. */
@@ -269,21 +272,21 @@ void numbers_take_one_reduction(void **) {
   grains.v[0] = -1;
   grains.f[0] = -0.1;
   grains.begin({wall.get()});
-  assert_true(!(wall->counter(Wall::N_IMPACTS) > 0));
+  assert_true(!(wall->books.counter(Books::N_IMPACTS) > 0));
   grains.advance();
   reductions = 0;
   for (int times = 0; times < 2; times++) {
-    for (int k = 0; k < Wall::N_COUNTERS; k++)
-      wall->counter(k);
-    for (int k = 0; k < Wall::N_TOTALS; k++)
-      wall->total(0, k);
+    for (int k = 0; k < Books::N_COUNTERS; k++)
+      wall->books.counter(k);
+    for (int k = 0; k < Books::N_TOTALS; k++)
+      wall->books.total(0, k);
     assert_int_equal(reductions, 1);
   }
-  assert_true(wall->counter(Wall::N_IMPACTS) > 0);
-  const double force = wall->counter(Wall::FORCE);
+  assert_true(wall->books.counter(Books::N_IMPACTS) > 0);
+  const double force = wall->books.counter(Books::FORCE);
   grains.f[0] = -100; /* presses the grain back by the end of its step */
   grains.finish();
-  assert_true(fabs(wall->counter(Wall::FORCE) - force) > 0);
+  assert_true(fabs(wall->books.counter(Books::FORCE) - force) > 0);
   assert_int_equal(reductions, 2);
 }
 
@@ -302,8 +305,8 @@ void rounding_is_not_guarded(void **) {
     grains.v[0] = -1;
     grains.begin({wall.get()});
     grains.fly(1);
-    assert_true(wall->counter(Wall::N_IMPACTS) == 1);
-    assert_true(wall->counter(Wall::N_GUARDED) == (deep > 1e-4));
+    assert_true(wall->books.counter(Books::N_IMPACTS) == 1);
+    assert_true(wall->books.counter(Books::N_GUARDED) == (deep > 1e-4));
   }
 }
 
@@ -326,7 +329,8 @@ void straying_grains_are_met(void **) {
       grains.fly(1);
       assert_true(aspi_dot(grains.x.data(), n) > 0.5 - 1e-9);
     }
-    assert_true(wall->counter(Wall::N_IMPACTS) == 1 && wall->counter(Wall::N_GUARDED) < 1);
+    assert_true(wall->books.counter(Books::N_IMPACTS) == 1 &&
+                wall->books.counter(Books::N_GUARDED) < 1);
   }
 }
 
@@ -352,15 +356,16 @@ void bent_ways_are_met(void **) {
     grains.x[2] = 0.5;
     grains.f[2] = -0.2 * pull / dt;
     grains.begin({floor.get(), wall.get()});
-    for (int k = 0; k < 400 && wall->counter(Wall::N_IMPACTS) < 1; k++) {
+    for (int k = 0; k < 400 && wall->books.counter(Books::N_IMPACTS) < 1; k++) {
       if (k == 3)
         for (int d = 0; d < 2; d++)
           grains.v[d] += 0.57 * stray / dt;
       grains.fly(1);
       assert_true(aspi_dot(grains.x.data(), n) > 0.5 - 1e-9);
     }
-    assert_true(wall->counter(Wall::N_IMPACTS) == 1 && wall->counter(Wall::N_GUARDED) < 1);
-    assert_true(!(floor->counter(Wall::N_IMPACTS) > 0));
+    assert_true(wall->books.counter(Books::N_IMPACTS) == 1 &&
+                wall->books.counter(Books::N_GUARDED) < 1);
+    assert_true(!(floor->books.counter(Books::N_IMPACTS) > 0));
   }
 }
 
@@ -383,8 +388,8 @@ void grains_slide_inside_cylinders(void **) {
     assert_true(fabs(hypot(grains.x[0], grains.x[1]) - 4.5) < 1e-6);
     assert_true(fabs(aspi_length(grains.v.data()) - speed) < 1e-9);
   }
-  assert_true(grains.x[2] > 5.9 && wall->counter(Wall::N_IMPACTS) < 1 &&
-              wall->counter(Wall::N_GUARDED) < 1);
+  assert_true(grains.x[2] > 5.9 && wall->books.counter(Books::N_IMPACTS) < 1 &&
+              wall->books.counter(Books::N_GUARDED) < 1);
 }
 
 /* A belt that turns about z. */
@@ -480,7 +485,7 @@ void the_log_names_what_sticks(void **) {
   }
   grains.begin({wall.get()});
   grains.fly(1);
-  assert_true(wall->counter(Wall::N_IMPACTS) == 2 && wall->stuck() == 1);
+  assert_true(wall->books.counter(Books::N_IMPACTS) == 2 && wall->stuck() == 1);
   assert_true(grains.v[3] > 0);
 }
 
@@ -528,7 +533,7 @@ void restarts_keep_their_ledger(void **) {
   assert_int_equal(second.bytes, first.bytes);
   assert_int_equal(second.tail, first.tail);
   assert_string_equal(second.path.c_str(), file.c_str());
-  assert_true(next->counter(Wall::N_IMPACTS) == 1);
+  assert_true(next->books.counter(Books::N_IMPACTS) == 1);
   remove(file.c_str());
   remove(folder);
 }

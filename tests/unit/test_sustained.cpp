@@ -13,7 +13,7 @@ extern "C" {
 }
 
 #include "contact/vector.h"
-#include "dem/sustained.h"
+#include "dem/step/sustained.h"
 
 using namespace asperity;
 

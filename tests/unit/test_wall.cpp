@@ -8,8 +8,8 @@
 
 #include "contact/vector.h"
 #include "dem/error.h"
-#include "dem/mesh.h"
-#include "dem/primitive.h"
+#include "dem/shapes/mesh.h"
+#include "dem/shapes/primitive.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -68,7 +68,7 @@ void two_dimensions_stay_in_their_plane(void **) {
       wall_of(flat, "surface rq 0.2 lambda_c 1.6 rebound constant 1 1 deposit off");
   grains.begin({wall.get()});
   grains.fly(100);
-  assert_true(wall->counter(Wall::N_IMPACTS) > 5 * GRAINS);
+  assert_true(wall->books.counter(Books::N_IMPACTS) > 5 * GRAINS);
   int turned = 0;
   for (int i = 0; i < GRAINS; i++) {
     const double *v = &grains.v[3 * i], speed = hypot(1 + 0.01 * i, i % 2 ? 0.02 * i : 0);
@@ -103,7 +103,7 @@ void ledger_rows_are_one_block(void **) {
       Ledger::Row row;
       for (int k = 0; k < Ledger::N_FIELDS; k++)
         row[k] = 100. * i + k;
-      ledger.add(row);
+      ledger.add_row(row);
     }
     double **rows = ledger.rows();
     assert_int_equal(ledger.size(), n);
@@ -129,7 +129,7 @@ void periodic_directions_are_refused(void **) {
     for (Wall *each : {wall.get(), &tube}) {
       std::string wrong;
       try {
-        each->setup(none, 1, box);
+        each->begin_run(none, 1, box);
       } catch (const Error &error) {
         wrong = error.what();
       }

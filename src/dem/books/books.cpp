@@ -1,0 +1,366 @@
+/* Results of contacts at a wall; see books.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/books/books.h"
+
+#include <stdlib.h>
+#include <algorithm>
+#include <new>
+
+#include "contact/vector.h"
+#include "dem/books/ledger_row.h"
+#include "dem/error.h"
+#include "dem/text.h"
+
+using namespace asperity;
+
+const char *const Books::SUM_NAMES[] = {"impacts",        "deposited_mass",     "impact_energy",
+                                        "normal_impulse", "tangential_impulse", "dissipated_energy",
+                                        "eroded_mass"};
+
+/* Triangles per MPI_Allreduce. */
+static const size_t SHOWN = 32768;
+
+Books::Books(const Setup &setup) : setup_(setup), states_(NULL), counters_(), torque_about_() {}
+
+void Books::add_shape() {
+  const size_t size = setup_.shapes.back().pieces * N_SUMS;
+  ShapeSums shape = {
+      false, {}, size, {static_cast<double *>(calloc(size + 1, sizeof(double))), free}};
+  if (!shape.sums)
+    throw std::bad_alloc();
+  shapes_.push_back(std::move(shape));
+}
+
+/* ---- the command ------------------------------------------------------------------------------
+ */
+
+bool Books::parse(Words &words) {
+  if (words.take("ledger"))
+    parse_ledger(words);
+  else if (words.take("torque_about"))
+    for (int d = 0; d < 3; d++)
+      torque_about_[d] = words.number("a coordinate of 'torque_about'");
+  else if (words.take("columns"))
+    throw Error("'columns' belongs behind 'ledger': ledger N columns full");
+  else if (words.take("on_error"))
+    throw Error("'on_error' belongs behind 'ledger': ledger N file FILE on_error stop");
+  else
+    return false;
+  return true;
+}
+
+void Books::parse_ledger(Words &words) {
+  const int64_t every = static_cast<int64_t>(words.whole("ledger", 1, 2147483647.0));
+  std::string path, on_error, columns;
+  for (bool more = true; more;) {
+    if (words.take("file"))
+      path = words.word("the file of 'ledger'");
+    else if (words.take("on_error"))
+      on_error = words.word("the value of 'on_error'");
+    else if (words.take("columns"))
+      columns = words.word("the value of 'columns'");
+    else
+      more = false;
+  }
+  if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
+    throw Error("on_error is '" + on_error + "'; it must be stop or go_on");
+  if (!columns.empty() && columns != "full")
+    throw Error("columns is '" + columns + "'; it must be full");
+  if (!on_error.empty() && path.empty())
+    throw Error("on_error is of a ledger's file; 'ledger N file FILE' must come with it");
+  ledger_.reset(new Ledger(setup_.engine.world(), every, path,
+                           on_error == "go_on" ? Ledger::GO_ON : Ledger::STOP,
+                           columns.empty() ? Ledger::N_COLUMNS : Ledger::N_FULL));
+}
+
+std::string Books::torque_about() const {
+  const double *at = torque_about_;
+  return text("%.15g %.15g %.15g", at[0], at[1], at[2]);
+}
+
+/* ---- a run ------------------------------------------------------------------------------------
+ */
+
+void Books::init() {
+  if (!ledger_)
+    return;
+  const Engine &engine = setup_.engine;
+  const std::string heading = text("asperity %s; fix %s wall/rebound; units %s; ", asp_version(),
+                                   engine.id().c_str(), engine.units().c_str()) +
+                              setup_.model.heading() + "; angles in degrees";
+  const std::string report = ledger_->open(heading);
+  if (!report.empty())
+    engine.print(report);
+}
+
+void Books::begin_run() {
+  for (size_t m = 0; m < shapes_.size(); m++)
+    shapes_[m].measures = setup_.shapes[m].shape->measures();
+}
+
+void Books::reorder(int n) {
+  loaded_.clear();
+  for (int i = 0; i < n; i++)
+    if (aspi_dot(states_[i].force, states_[i].force) > 0)
+      loaded_.push_back(i);
+}
+
+void Books::begin_step(int64_t step) {
+  expire();
+  for (int i : loaded_)
+    for (int d = 0; d < 3; d++)
+      states_[i].force[d] = states_[i].point[d] = 0;
+  loaded_.clear();
+  std::fill(counters_ + FORCE, counters_ + TORQUE + 3, 0.0);
+  if (ledger_)
+    ledger_->begin_step(step);
+}
+
+void Books::end_step(int64_t step) {
+  if (ledger_)
+    check_written(ledger_->end_step(step));
+}
+
+void Books::end_run() {
+  if (ledger_)
+    check_written(ledger_->flush());
+}
+
+/* If rows cannot be written, ends the run or warns, as the script chooses. */
+void Books::check_written(const std::string &wrong) const {
+  if (wrong.empty())
+    return;
+  if (ledger_->on_error() == Ledger::STOP)
+    throw Error(wrong);
+  setup_.engine.warn(wrong);
+}
+
+/* ---- loads ------------------------------------------------------------------------------------
+ */
+
+ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3],
+                         const double normal[3], const double impulse_per_mass[3],
+                         const double v1[3])
+    : particle(i), piece(of), type(s.type[i]), mask(s.mask[i]), couple{0, 0, 0}, dissipated(0),
+      eroded(0) {
+  aspi_copy(normal, n);
+  aspi_add_scaled(center, -s.radius[i], normal, point);
+  aspi_copy(impulse_per_mass, impulse);
+  aspi_scale(-s.mass[i], impulse);
+  aspi_copy(v1, v_before);
+}
+
+/* The moment of inertia of a sphere. */
+static double inertia(const Spheres &s, int i) {
+  return 0.4 * s.mass[i] * s.radius[i] * s.radius[i];
+}
+
+void ContactLoad::set_couple(const Spheres &s, int i, const double center[3],
+                             const double turn[3]) {
+  double arm[3];
+  aspi_subtract(center, point, arm);
+  aspi_cross(arm, impulse, couple);
+  aspi_add_scaled(couple, -inertia(s, i), turn, couple);
+}
+
+/* Adds to `count` sums of a piece from `first` on. */
+void Books::ShapeSums::add_values(int piece, Sum first, int count, const double values[]) {
+  for (int k = 0; k < count; k++)
+    totals[first + k + (first + k > SUM_IMPACTS)] += values[k];
+  double *of = size > 0 ? &sums[static_cast<size_t>(piece) * N_SUMS + first] : NULL;
+  for (int k = 0; of && k < count; k++)
+    of[k] += values[k];
+}
+
+void Books::add_load(size_t shape, const ContactLoad &load) {
+  ShapeSums &sums = shapes_[shape];
+  double arm[3], torque[3], along[3];
+  aspi_subtract(load.point, torque_about_, arm);
+  aspi_cross(arm, load.impulse, torque);
+  aspi_add_scaled(torque, 1, load.couple, torque);
+  for (int d = 0; d < 3; d++) {
+    counters_[FORCE + d] += load.impulse[d];
+    counters_[TORQUE + d] += torque[d];
+    counters_[IMPULSE + d] += load.impulse[d];
+    counters_[ANGULAR_IMPULSE + d] += torque[d];
+  }
+  ParticleState &of = states_[load.particle];
+  if (!(aspi_dot(of.force, of.force) > 0))
+    loaded_.push_back(load.particle);
+  aspi_add_scaled(of.force, 1 / setup_.dt, load.impulse, of.force);
+  aspi_copy(load.point, of.point);
+  if (aspi_dot(load.n, load.n) > 0) {
+    const double normal = -aspi_dot(load.impulse, load.n);
+    aspi_add_scaled(load.impulse, normal, load.n, along);
+    const double values[] = {normal, aspi_length(along), load.dissipated, load.eroded};
+    sums.add_values(load.piece, SUM_NORMAL, 4, values);
+    counters_[DISSIPATED] += load.dissipated;
+    counters_[ERODED] += load.eroded;
+  }
+  if (sums.measures)
+    setup_.shapes[shape].shape->take(load);
+}
+
+/* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
+ * particle has lost. */
+static ContactLoad sphere_load(const Spheres &s, int i, const Impact &counted) {
+  const asp_impact &impact = counted.result;
+  const Contact &contact = counted.contact;
+  const double mass = s.mass[i];
+  double p[3], turn[3];
+  aspi_subtract(impact.v2, counted.v1, p);
+  ContactLoad load(s, i, contact.piece, contact.x, contact.n, p, counted.v1);
+  aspi_subtract(impact.omega, counted.omega1, turn);
+  load.set_couple(s, i, contact.x, turn);
+  load.dissipated =
+      0.5 * mass * aspi_dot(counted.v1, counted.v1) - 0.5 * mass * aspi_dot(impact.v2, impact.v2) +
+      0.5 * inertia(s, i) *
+          (aspi_dot(counted.omega1, counted.omega1) - aspi_dot(impact.omega, impact.omega));
+  load.eroded = mass * impact.eroded;
+  return load;
+}
+
+void Books::count(const Spheres &s, int i, const Impact &counted, const ContactLoad *made) {
+  const asp_impact &impact = counted.result;
+  const Contact &contact = counted.contact;
+  const bool stuck = impact.outcome == ASP_DEPOSIT;
+  const double mass = s.mass[i], stuck_mass = stuck ? mass : 0;
+  const double energy = 0.5 * mass * aspi_dot(counted.v1, counted.v1);
+  counters_[N_IMPACTS]++;
+  counters_[N_DEPOSITS] += stuck;
+  counters_[DEPOSITED_MASS] += stuck_mass;
+  counters_[N_LATER_HITS] += impact.hits - 1;
+  counters_[N_CAPPED] += impact.capped;
+  counters_[N_GUARDED] += contact.overlapped;
+  ShapeSums &sums = shapes_[counted.shape];
+  sums.totals[SHAPE_DEPOSITS] += stuck;
+  const double values[] = {1, stuck_mass, energy};
+  sums.add_values(contact.piece, SUM_IMPACTS, 3, values);
+  const ContactLoad load = made ? *made : sphere_load(s, i, counted);
+  add_load(counted.shape, load);
+  if (ledger_)
+    record(s, i, counted, load);
+}
+
+void Books::record(const Spheres &s, int i, const Impact &counted, const ContactLoad &load) {
+  typedef Ledger L;
+  const bool stuck = counted.result.outcome == ASP_DEPOSIT;
+  L::Row row = impact_row(counted.v1, load.n, counted.result);
+  row[L::TAG] = static_cast<double>(counted.key.tag);
+  row[L::IMPACT] = counted.key.impact;
+  row[L::TIME] = counted.time;
+  row[L::MESH] =
+      setup_.shapes[counted.shape].pieces > 0 ? static_cast<double>(counted.shape) + 1 : 0;
+  row[L::TRIANGLE] = counted.contact.piece;
+  aspi_copy(counted.contact.x, &row[L::X]);
+  row[L::D_P] = 2 * s.radius[i];
+  row[L::OUTCOME] = !stuck ? 0 : setup_.model.deposit() == Model::DELETE ? 2 : 1;
+  row[L::STEP] = static_cast<double>(s.step);
+  row[L::MASS] = s.mass[i];
+  aspi_copy(counted.omega1, &row[L::OMEGA1X]);
+  aspi_copy(load.impulse, &row[L::IMPULSE_X]);
+  row[L::ERODED_MASS] = load.eroded;
+  row[L::BODY] = static_cast<double>(counted.body);
+  aspi_copy(counted.lever, &row[L::LEVER_X]);
+  ledger_->add_row(row);
+}
+
+/* ---- output -----------------------------------------------------------------------------------
+ */
+
+/* The counters, and behind them the totals of each shape. */
+double Books::number(size_t k) const {
+  if (numbers_.empty()) {
+    std::vector<double> mine(counters_, counters_ + N_COUNTERS);
+    for (const ShapeSums &shape : shapes_)
+      mine.insert(mine.end(), shape.totals, shape.totals + N_TOTALS);
+    numbers_.resize(mine.size());
+    MPI_Allreduce(mine.data(), numbers_.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
+                  setup_.engine.world());
+  }
+  return numbers_[k];
+}
+
+double Books::counter(int k) const {
+  const double sum = number(static_cast<size_t>(k));
+  return k >= FORCE && k < TORQUE + 3 && setup_.dt > 0 ? sum / setup_.dt : sum;
+}
+
+double Books::total(size_t shape, int k) const {
+  return number(N_COUNTERS + shape * N_TOTALS + static_cast<size_t>(k));
+}
+
+std::vector<double> Books::sums(size_t shape) const {
+  std::vector<double> all;
+  show_sums(shape, [&all](size_t, const std::vector<double> &some) {
+    all.insert(all.end(), some.begin(), some.end());
+  });
+  return all;
+}
+
+void Books::show_sums(size_t shape,
+                      const std::function<void(size_t, const std::vector<double> &)> &show) const {
+  const ShapeSums &mine = shapes_[shape];
+  const size_t most = SHOWN * N_SUMS;
+  std::vector<double> some;
+  for (size_t first = 0; first < mine.size; first += most) {
+    some.resize(std::min(most, mine.size - first));
+    MPI_Allreduce(&mine.sums[first], some.data(), static_cast<int>(some.size()), MPI_DOUBLE,
+                  MPI_SUM, setup_.engine.world());
+    show(first / N_SUMS, some);
+  }
+}
+
+size_t Books::bytes() const {
+  size_t all = ledger_ ? ledger_->bytes() : 0;
+  for (const ShapeSums &shape : shapes_)
+    all += shape.size * sizeof(double);
+  return all;
+}
+
+/* ---- restart ----------------------------------------------------------------------------------
+ */
+
+void Books::save(WallState &state) {
+  if (ledger_)
+    check_written(ledger_->save(state.ledger));
+  for (int k = 0; k < N_COUNTERS; k++)
+    state.counters.push_back(number(static_cast<size_t>(k)));
+  for (size_t m = 0; m < shapes_.size(); m++) {
+    const Member &member = setup_.shapes[m];
+    std::vector<double> totals;
+    for (int k = 0; k < N_TOTALS; k++)
+      totals.push_back(total(m, k));
+    if (member.name.empty())
+      state.totals = totals;
+    else
+      state.meshes.push_back(MeshState{member.name, static_cast<int64_t>(member.pieces), totals,
+                                       sums(m), member.shape->motion_record()});
+  }
+}
+
+void Books::restore(const WallState &saved) {
+  if (saved.counters.size() != N_COUNTERS)
+    throw Error(text("the restart file's record of this wall has %d counters; there must be %d",
+                     static_cast<int>(saved.counters.size()), N_COUNTERS));
+  expire();
+  if (ledger_)
+    ledger_->restore(saved.ledger);
+  if (setup_.engine.rank() > 0)
+    return;
+  std::copy(saved.counters.begin(), saved.counters.end(), counters_);
+  for (size_t m = 0; m < shapes_.size(); m++)
+    if (setup_.shapes[m].name.empty() && saved.totals.size() == N_TOTALS)
+      std::copy(saved.totals.begin(), saved.totals.end(), shapes_[m].totals);
+}
+
+void Books::restore_mesh(size_t shape, const MeshState &mesh) {
+  ShapeSums &to = shapes_[shape];
+  if (setup_.engine.rank() > 0)
+    return;
+  if (mesh.totals.size() == N_TOTALS)
+    std::copy(mesh.totals.begin(), mesh.totals.end(), to.totals);
+  if (mesh.map.size() == to.size)
+    std::copy(mesh.map.begin(), mesh.map.end(), to.sums.get());
+}

@@ -1,0 +1,137 @@
+/* The ledger of a rough wall: one row an impact. Rows live from one multiple of N to the next, for
+ * `dump local`; with a file, the same rows go to it, gathered from all ranks and sorted by step,
+ * time, particle and impact, so that the file does not depend on the number of ranks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_LEDGER_H
+#define ASPERITY_DEM_LEDGER_H
+
+#include <mpi.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dem/books/ledger_file.h"
+#include "dem/books/ledger_format.h"
+
+namespace asperity {
+
+class Ledger : public LedgerColumn {
+public:
+  typedef LedgerRow Row;
+
+  /* Reaction of the engine if rows cannot be written. */
+  enum OnError { STOP, GO_ON };
+
+  /* Without a path there is no file. columns: N_COLUMNS or N_FULL. */
+  Ledger(MPI_Comm world, int64_t every, const std::string &path, OnError on_error, int columns);
+  ~Ledger();
+
+  /* Takes the file's state from a restart file; before open(). */
+  void restore(const LedgerState &saved);
+
+  /* Opens the file, on rank 0, with a heading; once, whenever a run begins. Collective. Throws an
+   * Error on all ranks where it cannot be written or continued. Returns a note for the user, or an
+   * empty string. */
+  std::string open(const std::string &heading);
+
+  void add_row(const Row &row);
+
+  /* At the beginning of a step: forgets the rows of the window that has ended. */
+  void begin_step(int64_t step);
+
+  /* At the end of a step, and of a run: rows to the file, at the end of a step when a window ends.
+   * Collective. Returns an empty string, or, on all ranks, why rows are lost, and how many. */
+  std::string end_step(int64_t step);
+  std::string flush();
+
+  /* Flushes before a restart file is written; rank 0 gets what the file must carry. */
+  std::string save(LedgerState &state);
+
+  OnError on_error() const {
+    return on_error_;
+  }
+  int64_t every() const {
+    return every_;
+  }
+  int columns() const {
+    return n_columns_;
+  }
+  int size() const {
+    return static_cast<int>(size_);
+  }
+  /* The columns of all rows, one block of memory as LAMMPS and its Python interface expect it.
+   * Valid until the next row is added. */
+  double **rows();
+  size_t bytes() const;
+
+private:
+  /* Sort key of a row. */
+  struct Key {
+    double step, time, tag, impact;
+    bool operator<(const Key &other) const;
+  };
+
+  /* A few rows of one rank, in order, as the file has them. */
+  struct Piece {
+    std::vector<Key> keys;
+    std::vector<int> lengths;
+    std::vector<char> bytes;
+  };
+
+  /* Rows of numbers in one block, which grows by realloc: a large block keeps its pages, where a
+   * copy would touch three times the memory. */
+  class Table {
+  public:
+    explicit Table(int columns) : columns_(columns), room_(0), numbers_(NULL, free) {}
+    double *row(size_t i) const {
+      return numbers_.get() + i * columns_;
+    }
+    void make_room(size_t rows);
+    size_t bytes() const {
+      return room_ * columns_ * sizeof(double);
+    }
+
+  private:
+    size_t columns_, room_;
+    std::unique_ptr<double, void (*)(void *)> numbers_;
+  };
+
+  double value(size_t i, int column) const {
+    return column < n_columns_ ? columns_.row(i)[column] : others_.row(i)[column - N_FULL];
+  }
+  Key key(size_t i) const {
+    return Key{value(i, STEP), value(i, TIME), value(i, TAG), value(i, IMPACT)};
+  }
+  Row row(size_t i) const;
+
+  class Source;
+
+  std::string share(std::string text) const;
+  std::vector<size_t> sorted() const;
+  void print(const std::vector<size_t> &order, size_t from, Piece &piece) const;
+  void send(const std::vector<size_t> &order) const;
+  void merge(const std::vector<size_t> &order, const std::vector<long long> &counts);
+  std::string commit(int64_t rows);
+
+  MPI_Comm world_;
+  int rank_, ranks_;
+  int64_t every_;
+  std::string path_;
+  OnError on_error_;
+  int n_columns_;
+  LedgerState saved_;
+  std::unique_ptr<LedgerFile> file_; /* on rank 0 */
+  bool is_open_;
+  double first_, last_;    /* steps of the rows that were merged last */
+  int64_t lost_;           /* rows, in all */
+  Table columns_, others_; /* of each row: what users see, and what goes with it */
+  std::vector<double *> pointers_;
+  size_t size_, written_; /* of the rows; how many of them are in the file */
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,276 @@
+/* The file of a ledger; see ledger_file.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/books/ledger_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <algorithm>
+
+#include "dem/books/checksum.h"
+#include "dem/error.h"
+#include "dem/books/ledger_format.h"
+
+using namespace asperity;
+
+/* Bytes at the end of a file that identify it; bytes per read or write; largest length of a
+ * heading. */
+static const int64_t TAIL = 4096;
+static const size_t BUFFER = 1 << 18, HEADING_MOST = 1 << 14;
+
+static std::string cannot_write(const std::string &path, const std::string &why) {
+  return "cannot write the ledger file '" + path + "': " + why;
+}
+
+static std::string rows_of(int64_t count) {
+  return std::to_string(count) + (count == 1 ? " row" : " rows");
+}
+
+LedgerFile::LedgerFile(const std::string &path, int columns)
+    : path_(path), columns_(columns), is_array_(is_ledger_array(path)), fd_(-1), rows_(0),
+      bytes_(0), pending_(0), torn_(false) {}
+
+LedgerFile::~LedgerFile() {
+  if (fd_ >= 0)
+    close(fd_);
+}
+
+/* ---- beginning and continuing ---------------------------------------------------------------- */
+
+std::string LedgerFile::open(const LedgerState &saved, const std::string &heading) {
+  try {
+    const bool is_new = open_or_create(saved);
+    lock();
+    return begin_or_continue(is_new, saved, heading);
+  } catch (const Error &) {
+    if (fd_ >= 0)
+      close(fd_);
+    fd_ = -1;
+    throw;
+  }
+}
+
+/* Returns true for a new file. A pipe or a device could not be cut back to whole windows. */
+bool LedgerFile::open_or_create(const LedgerState &saved) {
+  const int flags = O_RDWR | O_CLOEXEC;
+  struct stat is;
+  if (stat(path_.c_str(), &is) == 0 && !S_ISREG(is.st_mode))
+    throw Error(cannot_write(path_, "it is not a regular file"));
+  fd_ = ::open(path_.c_str(), flags);
+  const bool is_new = fd_ < 0 && errno == ENOENT;
+  if (is_new && saved.path == path_ && saved.rows > 0)
+    throw Error("the ledger file '" + path_ + "' is gone, and the restart file counts " +
+                rows_of(saved.rows) +
+                " in it; it must be there, or 'ledger' name another file, which begins anew");
+  if (is_new)
+    fd_ = ::open(path_.c_str(), flags | O_CREAT | O_EXCL, 0666);
+  if (fd_ < 0)
+    throw Error(cannot_write(path_, strerror(errno)));
+  return is_new;
+}
+
+/* Another wall of this process has a lock of its own, too. Some file systems have no locks. */
+void LedgerFile::lock() {
+  if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw Error("the ledger file '" + path_ +
+                "' is being written by another wall or run; each must have a file of its own");
+}
+
+std::string LedgerFile::begin_or_continue(bool is_new, const LedgerState &saved,
+                                          const std::string &heading) {
+  const bool same_name = saved.path == path_;
+  if (!is_new && !saved.path.empty() && (same_name || holds(saved)))
+    return continue_at(saved);
+  begin(heading);
+  if (saved.rows == 0 || same_name)
+    return "";
+  return "ledger file '" + path_ + "' begins here; the " + rows_of(saved.rows) + " of '" +
+         saved.path + "' that the restart file counts are not in it";
+}
+
+void LedgerFile::begin(const std::string &heading) {
+  std::string first = "# " + heading + "\n" + ledger_names(columns_) + "\n";
+  if (is_array_) {
+    begin_ = begin_array(heading, columns_);
+    first = array_header(begin_, 0);
+  }
+  if (ftruncate(fd_, 0) != 0)
+    throw Error(cannot_write(path_, strerror(errno)));
+  write(first.data(), first.size(), 0);
+  if (!why_.empty())
+    throw Error(cannot_write(path_, why_));
+  rows_ = 0;
+  bytes_ = static_cast<int64_t>(first.size());
+}
+
+std::string LedgerFile::continue_at(const LedgerState &state) {
+  const std::string advice = "; it must be the file itself, or 'ledger' name another file, which "
+                             "begins anew";
+  bool torn;
+  if (size() < state.bytes) {
+    const int64_t found = count_rows(0, torn);
+    throw Error("the ledger file '" + path_ + "' has " + rows_of(found) +
+                ", and the restart file counts " + std::to_string(state.rows) + ": " +
+                std::to_string(state.rows - found) + " are missing" + advice);
+  }
+  check_columns();
+  if (!holds(state))
+    throw Error("the ledger file '" + path_ +
+                "' is not that of the restart file: its rows before number " +
+                std::to_string(state.rows) + " differ" + advice);
+  const int64_t after = count_rows(state.bytes, torn);
+  rows_ = state.rows;
+  bytes_ = state.bytes;
+  take_back();
+  if (torn_)
+    throw Error(cannot_write(path_, why_));
+  std::string report = "ledger file '" + path_ + "' continues after the " + rows_of(rows_) +
+                       " that the restart file counts";
+  if (after > 0 || torn)
+    report += "; " + (after > 0 ? rows_of(after) : std::string()) +
+              (after > 0 && torn ? " and " : "") + (torn ? "a part of a row" : "") +
+              " after them cut off";
+  return report;
+}
+
+/* An array's heading stays what it is. */
+void LedgerFile::check_columns() {
+  std::string first(is_array_ ? static_cast<size_t>(LEDGER_HEADER) : HEADING_MOST, '\0');
+  first.resize(std::max<ssize_t>(0, pread(fd_, &first[0], first.size(), 0)));
+  bool good = first.compare(0, 1, "#") == 0;
+  if (is_array_) {
+    begin_ = find_begin(first, columns_);
+    good = !begin_.empty();
+  } else {
+    const std::string names = "\n" + ledger_names(columns_) + "\n";
+    good =
+        good && first.compare(std::min(first.find('\n'), first.size()), names.size(), names) == 0;
+  }
+  if (!good)
+    throw Error(
+        "the ledger file '" + path_ +
+        "' is not one to append to: its columns must be those of this version and of this ledger");
+}
+
+bool LedgerFile::holds(const LedgerState &state) const {
+  return is_ledger_array(state.path) == is_array_ && size() >= state.bytes &&
+         tail_at(state.bytes) == state.tail;
+}
+
+/* Checksum of the last bytes, without an array's header, which contains the number of rows. */
+uint32_t LedgerFile::tail_at(int64_t bytes) const {
+  const int64_t from = std::max(bytes - TAIL, is_array_ ? static_cast<int64_t>(LEDGER_HEADER) : 0);
+  std::vector<char> tail(static_cast<size_t>(std::max<int64_t>(0, bytes - from)));
+  const ssize_t length = pread(fd_, tail.data(), tail.size(), from);
+  return checksum(tail.data(), static_cast<size_t>(std::max<ssize_t>(0, length)));
+}
+
+int64_t LedgerFile::size() const {
+  struct stat is;
+  return fstat(fd_, &is) == 0 ? static_cast<int64_t>(is.st_size) : 0;
+}
+
+int64_t LedgerFile::count_lines(int64_t from, bool &torn) const {
+  std::vector<char> part(BUFFER);
+  int64_t lines = 0;
+  torn = false;
+  for (ssize_t length; (length = pread(fd_, part.data(), part.size(), from)) > 0; from += length) {
+    lines += std::count(part.begin(), part.begin() + length, '\n');
+    torn = part[length - 1] != '\n';
+  }
+  return lines;
+}
+
+/* From a place between two rows, or from the beginning of the file. */
+int64_t LedgerFile::count_rows(int64_t from, bool &torn) const {
+  if (!is_array_)
+    return std::max<int64_t>(0, count_lines(from, torn) - (from > 0 ? 0 : 2));
+  const int64_t bytes = size() - std::max(from, static_cast<int64_t>(LEDGER_HEADER));
+  torn = bytes > 0 && bytes % bytes_of_record(columns_) > 0;
+  return std::max<int64_t>(0, bytes / bytes_of_record(columns_));
+}
+
+LedgerState LedgerFile::state() const {
+  if (fd_ < 0)
+    return LedgerState();
+  return LedgerState{path_, rows_, bytes_, tail_at(bytes_)};
+}
+
+/* ---- writing --------------------------------------------------------------------------------- */
+
+void LedgerFile::append(const char *bytes, size_t length) {
+  buffer_.insert(buffer_.end(), bytes, bytes + length);
+  if (buffer_.size() >= BUFFER)
+    write_buffer();
+}
+
+void LedgerFile::write(const char *bytes, size_t length, int64_t at) {
+  while (why_.empty() && length > 0) {
+    const ssize_t done = pwrite(fd_, bytes, length, at);
+    if (done < 0 && errno == EINTR)
+      continue;
+    if (done <= 0) {
+      why_ = done < 0 ? strerror(errno) : "nothing more is taken";
+      return;
+    }
+    bytes += done;
+    at += done;
+    length -= static_cast<size_t>(done);
+  }
+}
+
+void LedgerFile::write_buffer() {
+  if (torn_)
+    take_back();
+  write(buffer_.data(), buffer_.size(), bytes_ + pending_);
+  pending_ += static_cast<int64_t>(buffer_.size());
+  buffer_.clear();
+}
+
+/* Back to the windows that have ended, and an array's header with them. */
+void LedgerFile::take_back() {
+  why_.clear();
+  if (ftruncate(fd_, bytes_) != 0)
+    why_ = strerror(errno);
+  if (is_array_) {
+    const std::string header = array_header(begin_, rows_);
+    write(header.data(), header.size(), 0);
+  }
+  torn_ = !why_.empty();
+}
+
+/* Rows that go to a file without a name are gone with it. */
+bool LedgerFile::is_deleted() const {
+  struct stat is;
+  return fstat(fd_, &is) == 0 && is.st_nlink == 0;
+}
+
+std::string LedgerFile::commit(int64_t rows) {
+  write_buffer();
+  if (is_array_) {
+    const std::string header = array_header(begin_, rows_ + rows);
+    write(header.data(), header.size(), 0);
+  }
+  if (why_.empty() && is_deleted())
+    why_ = "it has been deleted";
+  const std::string why = why_;
+  if (why.empty()) {
+    rows_ += rows;
+    bytes_ += pending_;
+  } else
+    take_back();
+  why_.clear();
+  pending_ = 0;
+  return why;
+}
+
+/* File systems that cannot sync say EINVAL or ENOTSUP. */
+std::string LedgerFile::sync() {
+  if (fsync(fd_) == 0 || errno == EINVAL || errno == ENOTSUP)
+    return "";
+  return strerror(errno);
+}

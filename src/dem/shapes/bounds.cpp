@@ -1,0 +1,71 @@
+/* A box around something; see bounds.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/shapes/bounds.h"
+
+#include <math.h>
+#include <algorithm>
+
+using namespace asperity;
+
+/* A flat box is taken as this share of its longest side high. */
+static const double FLATTEST = 1e-3;
+
+Bounds Bounds::none() {
+  return Bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+}
+
+Bounds Bounds::of_path(const double x[3], const double v[3], double from, double to,
+                       double radius) {
+  Bounds box;
+  for (int d = 0; d < 3; d++) {
+    const double a = x[d] + v[d] * from, b = x[d] + v[d] * to;
+    box.lo[d] = std::min(a, b) - radius;
+    box.hi[d] = std::max(a, b) + radius;
+  }
+  return box;
+}
+
+bool Bounds::has(const Bounds &inner) const {
+  bool all = true;
+  for (int d = 0; d < 3; d++)
+    all = all && lo[d] <= inner.lo[d] && inner.hi[d] <= hi[d];
+  return all;
+}
+
+bool Bounds::meets(const Bounds &other) const {
+  bool all = true;
+  for (int d = 0; d < 3; d++)
+    all = all && lo[d] <= other.hi[d] && other.lo[d] <= hi[d];
+  return all;
+}
+
+void Bounds::include(const Bounds &other) {
+  for (int d = 0; d < 3; d++) {
+    lo[d] = std::min(lo[d], other.lo[d]);
+    hi[d] = std::max(hi[d], other.hi[d]);
+  }
+}
+
+void Bounds::include(const double x[3]) {
+  for (int d = 0; d < 3; d++) {
+    lo[d] = std::min(lo[d], x[d]);
+    hi[d] = std::max(hi[d], x[d]);
+  }
+}
+
+void Bounds::widen(double by) {
+  for (int d = 0; d < 3; d++) {
+    lo[d] -= by;
+    hi[d] += by;
+  }
+}
+
+double Bounds::size() const {
+  double longest = 0, volume = 1;
+  for (int d = 0; d < 3; d++)
+    longest = std::max(longest, hi[d] - lo[d]);
+  for (int d = 0; d < 3; d++)
+    volume *= std::max(hi[d] - lo[d], FLATTEST * longest);
+  return volume;
+}

@@ -1,0 +1,429 @@
+/* A mesh as a wall: its contacts; see mesh.h. What it takes along is in mesh_carry.cpp.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/shapes/mesh.h"
+
+#include <math.h>
+#include <algorithm>
+#include <new>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+/* A long path is searched in pieces, the first one first: PIECE radii, and longer while a piece
+ * meets at most MANY triangles. */
+const double PIECE = 16;
+const size_t MANY = 64;
+
+/* In radii; see same_instant(). */
+const double GRAZING = 1e-7;
+
+/* Sine of the angle to the face from which on a contact is one with an edge or a corner. */
+const double EDGE = 1e-6;
+
+/* How much later than `touch` another contact may be to be at the same instant: as far as the
+ * instant is known, which is not well where the sphere grazes the wall, but no more than a small
+ * share of the time in which it moves by its radius. */
+double same_instant(const ContactTouch &touch, const ContactPath &path, double radius) {
+  const double by_gap = 2 * CONTACT_TOLERANCE * radius / -aspi_dot(path.v, touch.n);
+  return std::min(by_gap, GRAZING * radius / aspi_length(path.v));
+}
+
+} // namespace
+
+MeshShape::MeshShape() : tree_(NULL, aspi_tree_free), shifts_(1, Shift{{0, 0, 0}}), periodic_() {}
+
+void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
+                              const std::vector<int> &id) {
+  put_tree(aspi_tree_create(triangles.data(), id.data(), id.size()));
+}
+
+void MeshShape::put_tree(ContactTree *tree) const {
+  if (!tree)
+    throw std::bad_alloc();
+  tree_.reset(tree);
+  found_.is_set = false;
+}
+
+/* Along a periodic axis: the image whose middle is nearest to that of the box, and its two
+ * neighbors where they come within half a period of the box. */
+bool MeshShape::set_images(const Box &box) {
+  const Bounds mesh = swept();
+  std::vector<Shift> shifts(1, Shift{{0, 0, 0}});
+  for (int d = 0; d < 3; d++) {
+    const double period = box.period[d], lo = box.lo[d] - 0.5 * period;
+    const double hi = box.lo[d] + 1.5 * period;
+    periodic_[d] = period > 0;
+    if (!periodic_[d] || mesh.lo[d] > mesh.hi[d])
+      continue;
+    const double nearest = floor((lo + hi - mesh.lo[d] - mesh.hi[d]) / (2 * period) + 0.5);
+    std::vector<Shift> along;
+    for (double side : {0.0, -1.0, 1.0}) {
+      const double by = (nearest + side) * period;
+      if (mesh.hi[d] + by < lo || mesh.lo[d] + by > hi)
+        continue;
+      for (Shift shift : shifts) {
+        shift.by[d] = by;
+        along.push_back(shift);
+      }
+    }
+    shifts.swap(along);
+  }
+  const bool changed = shifts != shifts_;
+  shifts_.swap(shifts);
+  return changed;
+}
+
+/* The box around the mesh at both ends of the step. */
+Bounds MeshShape::swept() const {
+  const Bounds box = whole();
+  if (motion_.in_world() || box.lo[0] > box.hi[0])
+    return box;
+  Bounds swept = Bounds::none();
+  const Frame begin = motion_.frame_at(0);
+  for (int corner = 0; corner < 8; corner++) {
+    double x[3], at[3];
+    for (int d = 0; d < 3; d++)
+      x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
+    begin.to_world(x, at);
+    swept.include(at);
+    motion_.end().to_world(x, at);
+    swept.include(at);
+  }
+  return swept;
+}
+
+Bounds MeshShape::whole() const {
+  Bounds box;
+  aspi_tree_box(tree_.get(), box.lo, box.hi);
+  return box;
+}
+
+double MeshShape::travel(double dt) const {
+  double most = 0;
+  const Bounds box = whole();
+  if (!motion_.moves() || box.lo[0] > box.hi[0])
+    return 0;
+  for (int corner = 0; corner < 8; corner++) {
+    double x[3], begin[3], end[3], v[3], chord[3];
+    for (int d = 0; d < 3; d++)
+      x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
+    motion_.frame_at(0).to_world(x, begin);
+    motion_.end().to_world(x, end);
+    aspi_subtract(end, begin, chord);
+    motion_.velocity(1, end, v);
+    most = std::max(most, std::max(aspi_length(chord), aspi_length(v) * dt));
+  }
+  return 1.5 * most; /* a chord is shorter than its arc */
+}
+
+bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
+  for (const Shift &shift : shifts_) {
+    double low[3], high[3];
+    aspi_subtract(lo, shift.by, low);
+    aspi_subtract(hi, shift.by, high);
+    if (!motion_.in_world()) { /* the box around the box, in the mesh's frame */
+      double corner[3], body[3];
+      double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+      for (int k = 0; k < 8; k++) {
+        for (int d = 0; d < 3; d++)
+          corner[d] = k >> d & 1 ? high[d] : low[d];
+        motion_.end().to_body(corner, body);
+        for (int d = 0; d < 3; d++) {
+          box[0][d] = std::min(box[0][d], body[d]);
+          box[1][d] = std::max(box[1][d], body[d]);
+        }
+      }
+      aspi_copy(box[0], low);
+      aspi_copy(box[1], high);
+    }
+    Bounds box;
+    aspi_copy(low, box.lo);
+    aspi_copy(high, box.hi);
+    fetch_missing(box);
+    if (aspi_tree_meets(tree_.get(), low, high))
+      return true;
+  }
+  return false;
+}
+
+double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
+                        double most, const FaceList &stays) const {
+  double steps = most;
+  for (const Shift &shift : shifts_) {
+    double from[3], at[3], by[3];
+    aspi_subtract(x, shift.by, from);
+    aspi_copy(from, at);
+    aspi_copy(v, by);
+    if (!motion_.in_world()) {
+      const Frame &frame = motion_.end();
+      frame.to_body(from, at);
+      for (int j = 0; j < 3; j++)
+        by[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
+    }
+    /* No farther than the triangles are known, and one step at least. */
+    while (!has_all() && steps > 1 &&
+           !has(Bounds::of_path(at, by, 0, steps, reach + steps * widen)))
+      steps = std::max(1.0, steps / 4);
+    if (!has_all())
+      fetch_missing(Bounds::of_path(at, by, 0, steps, reach + steps * widen));
+    steps = std::min(
+        steps, aspi_tree_clear(tree_.get(), at, by, reach, widen, steps, stays.face, stays.count));
+  }
+  return steps;
+}
+
+bool MeshShape::repeats(int axis) const {
+  return periodic_[axis];
+}
+
+/* The path as the mesh sees it: straight between its two ends in the mesh's frame. */
+void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &body) const {
+  double begin[3], end[3], end_in_body[3];
+  body.left = path.left;
+  aspi_subtract(path.x, shift.by, begin);
+  if (motion_.in_world()) {
+    aspi_copy(begin, body.x);
+    aspi_copy(path.v, body.v);
+    return;
+  }
+  aspi_add_scaled(begin, path.left, path.v, end);
+  motion_.frame_at(path.share()).to_body(begin, body.x);
+  motion_.end().to_body(end, end_in_body);
+  aspi_subtract(end_in_body, body.x, body.v);
+  aspi_scale(1 / path.left, body.v);
+}
+
+void MeshShape::fetch_missing(const Bounds &box) const {
+  if (!has_all() && !has(box))
+    fetch(box);
+}
+
+/* The place in the tree of a triangle that a particle brings from an earlier step, perhaps from
+ * another rank or from a restart file; -1 if the mesh has none of this number near `at`. */
+int MeshShape::place_near(int piece, const double at[3], double reach) const {
+  const double still[3] = {0, 0, 0};
+  fetch_missing(Bounds::of_path(at, still, 0, 0, reach));
+  return aspi_tree_place(tree_.get(), piece);
+}
+
+/* All triangles that meet a box within `reach` of its middle, and some that only come near it:
+ * those of a region that is wider by a margin are kept, since a particle that has met one is looked
+ * at again from there. */
+const ContactList &MeshShape::meet(const Bounds &box, double reach, double margin) const {
+  if (found_.has(box, reach))
+    return found_.list;
+  Bounds wide = box;
+  for (int d = 0; d < 3; d++) {
+    wide.lo[d] -= margin;
+    wide.hi[d] += margin;
+  }
+  fetch_missing(wide);
+  const ContactTree *tree = tree_.get();
+  found_.is_set = false;
+  found_.box = wide;
+  found_.reach = reach + margin;
+  found_.list.count = 0;
+  if (!aspi_tree_meet(tree, wide.lo, wide.hi, found_.reach, &found_.list))
+    throw std::bad_alloc();
+  std::sort(found_.list.item, found_.list.item + found_.list.count,
+            [tree](int a, int b) { return aspi_tree_id(tree, a) < aspi_tree_id(tree, b); });
+  found_.is_set = true;
+  return found_.list;
+}
+
+/* True if all of a region is in that of the list. */
+bool MeshShape::Meeting::has(const Bounds &inner, double inner_reach) const {
+  double apart[3];
+  if (!is_set || !box.has(inner))
+    return false;
+  for (int d = 0; d < 3; d++)
+    apart[d] = 0.5 * (inner.lo[d] + inner.hi[d] - box.lo[d] - box.hi[d]);
+  return aspi_length(apart) + inner_reach <= reach;
+}
+
+/* Cuts the times from..to to those at which the sphere may meet the box of the triangles. */
+bool MeshShape::clip(const ContactPath &body, double radius, double &from, double &to) const {
+  const Bounds box = whole();
+  for (int d = 0; d < 3; d++) {
+    const double lo = box.lo[d] - 1.001 * radius - body.x[d];
+    const double hi = box.hi[d] + 1.001 * radius - body.x[d];
+    if (body.v[d] > 0 || body.v[d] < 0) {
+      from = std::max(from, std::min(lo / body.v[d], hi / body.v[d]));
+      to = std::min(to, std::max(lo / body.v[d], hi / body.v[d]));
+    } else if (lo > 0 || hi < 0)
+      return false;
+  }
+  return from <= to;
+}
+
+/* The first triangle on the path. An edge is met at one instant by all of its triangles: the
+ * contact is that of the one with the least number, but with the normal that is nearest to that of
+ * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
+bool MeshShape::find_image(const ContactPath &body, double radius, double latest,
+                           ContactTouch &touch, Places &place) const {
+  const double speed = aspi_length(body.v);
+  const double least = PIECE * radius / speed;
+  double from = 0, most = std::min(latest, body.left), piece = least;
+  if (!(speed > 0) || (piece < most && !clip(body, radius, from, most)))
+    return false;
+  for (;;) {
+    const double to = std::min(from + piece, most);
+    const double way = speed * (to - from);
+    const ContactList &list = meet(Bounds::of_path(body.x, body.v, from, to, 1.001 * radius),
+                                   1.001 * radius + 0.5 * way, std::min(way, radius));
+    if (list.count > MANY && piece > least) {
+      piece = std::max(least, piece / 4);
+      continue;
+    }
+    const ContactTree *tree = tree_.get();
+    bool found = false;
+    for (size_t i = 0; i < list.count; i++) {
+      ContactTouch other;
+      const double slack = found ? same_instant(touch, body, radius) : 0;
+      if (!aspi_triangle_find(aspi_tree_triangle(tree, list.item[i]), &body, radius,
+                              found ? touch.time + slack : to, &other))
+        continue;
+      const bool same = found && other.time >= touch.time - slack;
+      if (!same)
+        place.piece = list.item[i];
+      if (!same || other.edge_sine < touch.edge_sine) {
+        touch = other;
+        place.face = list.item[i];
+      }
+      found = true;
+    }
+    if (found)
+      return true;
+    if (to >= most || !(to > from))
+      return false;
+    piece *= 2;
+    from = to;
+  }
+}
+
+void MeshShape::set_contact(const Path &path, const ContactPath &body, const Shift &shift,
+                            double radius, const ContactTouch &touch, const Places &place,
+                            Contact &contact) const {
+  double center[3], foot[3], follow[3];
+  contact.time = touch.time;
+  contact.overlapped = touch.overlapped;
+  contact.curve = 0;
+  contact.closing = -aspi_dot(body.v, touch.n);
+  contact.piece = aspi_tree_id(tree_.get(), place.piece);
+  contact.face = aspi_tree_id(tree_.get(), place.face);
+  if (touch.edge_sine > EDGE)
+    contact.face = ~contact.face;
+  aspi_add_scaled(body.x, touch.time, body.v, center);
+  aspi_add_scaled(center, touch.overlap, touch.n, center);
+  aspi_add_scaled(center, -radius, touch.n, foot);
+  if (motion_.in_world()) {
+    aspi_copy(touch.n, contact.n);
+    aspi_add_scaled(path.x, touch.time, path.v, contact.x);
+    aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
+    contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.follow = 0;
+    if (runs())
+      surface_velocity(contact.piece, foot, contact.v_wall);
+    return;
+  }
+  const double share = path.share() + touch.time / path.dt;
+  const Frame frame = motion_.frame_at(share);
+  frame.to_world(center, contact.x);
+  motion_.acceleration(share, contact.x, path.v, follow);
+  aspi_add_scaled(contact.x, 1, shift.by, contact.x);
+  for (int i = 0; i < 3; i++)
+    contact.n[i] = aspi_dot(frame.turn[i], touch.n);
+  double world_foot[3];
+  frame.to_world(foot, world_foot);
+  motion_.velocity(share, world_foot, contact.v_wall);
+  contact.follow = aspi_dot(follow, contact.n);
+}
+
+/* A face counts as its whole plane, since the next triangle of a flat mesh lies in it, too. An edge
+ * or a corner, whose number is the complement of the triangle's, counts as itself. */
+bool MeshShape::under(int face, const double x[3], double reach, double n[3],
+                      double v_wall[3]) const {
+  const bool edge = face < 0;
+  const int piece = edge ? ~face : face;
+  for (const Shift &shift : shifts_) {
+    double at[3], foot[3], arm[3], normal[3];
+    aspi_subtract(x, shift.by, at);
+    motion_.end().to_body(at, at);
+    const int place = place_near(piece, at, reach);
+    if (place < 0)
+      continue;
+    const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), place);
+    if ((edge || shifts_.size() > 1) && !(aspi_triangle_nearest(triangle, at, foot) <= 2 * reach))
+      continue;
+    if (!edge) {
+      aspi_triangle_normal(triangle, normal);
+      aspi_subtract(at, triangle->node[0], arm);
+      aspi_add_scaled(at, -aspi_dot(arm, normal), normal, foot);
+    }
+    aspi_subtract(at, foot, arm);
+    const double distance = aspi_length(arm);
+    if (!(distance <= reach && distance > 0))
+      continue;
+    for (int i = 0; i < 3; i++)
+      n[i] = aspi_dot(motion_.end().turn[i], arm) / distance;
+    v_wall[0] = v_wall[1] = v_wall[2] = 0;
+    if (runs())
+      surface_velocity(piece, foot, v_wall);
+    else if (motion_.moves()) {
+      motion_.end().to_world(foot, foot);
+      motion_.velocity(1, foot, v_wall);
+    }
+    return true;
+  }
+  return false;
+}
+
+/* The first contact among all periodic images. Where two are met at one instant, as at a seam
+ * between them, the one whose normal is nearest to that of a face counts. */
+bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  bool found = false;
+  ContactTouch first;
+  if (!(path.left > 0))
+    return false;
+  for (const Shift &shift : shifts_) {
+    ContactPath body;
+    ContactTouch touch;
+    Places place;
+    body_path(path, shift, body);
+    const double slack = found ? same_instant(first, body, radius) : 0;
+    if (!find_image(body, radius, found ? std::min(latest, first.time + slack) : latest, touch,
+                    place))
+      continue;
+    if (found && touch.time >= first.time - slack && !(touch.edge_sine < first.edge_sine))
+      continue;
+    set_contact(path, body, shift, radius, touch, place, contact);
+    found = true;
+    first = touch;
+  }
+  return found;
+}
+
+/* A face is also met beyond its edges, as in under(). */
+bool MeshShape::find_known(int face, const Path &path, double radius, Contact &contact) const {
+  if (!(path.left > 0))
+    return false;
+  for (const Shift &shift : shifts_) {
+    ContactPath body;
+    ContactTouch touch;
+    body_path(path, shift, body);
+    const int place = place_near(face < 0 ? ~face : face, body.x, radius);
+    if (place < 0 || !aspi_triangle_find(aspi_tree_triangle(tree_.get(), place), &body, radius,
+                                         path.left, &touch))
+      continue;
+    set_contact(path, body, shift, radius, touch, Places{place, place}, contact);
+    return true;
+  }
+  return false;
+}
+
+size_t MeshShape::bytes() const {
+  return sizeof *this + (tree_ ? aspi_tree_bytes(tree_.get()) : 0);
+}

@@ -1,0 +1,136 @@
+/* A mesh of triangles as a wall: at rest, or moving as a rigid body, or with a surface that runs
+ * along itself (a belt). Contacts are found in the mesh's own frame, by its own tree of boxes,
+ * however long the step is.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_MESH_H
+#define ASPERITY_DEM_MESH_H
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "contact/tree.h"
+#include "dem/shapes/bounds.h"
+#include "dem/engine.h"
+#include "dem/shapes/motion.h"
+#include "dem/shapes/shape.h"
+
+namespace asperity {
+
+class MeshShape : public Shape {
+public:
+  MeshShape();
+
+  /* The triangles in the mesh's own frame, and their numbers. Throws std::bad_alloc. */
+  void set_triangles(const std::vector<ContactTriangle> &triangles, const std::vector<int> &id);
+
+  /* Call when the mesh has moved, or the box may have changed: finds the periodic images of the
+   * mesh that may meet particles of the box in this step. True if they are not those of the last
+   * call. */
+  bool set_images(const Box &box);
+
+  Motion &motion() {
+    return motion_;
+  }
+  const Motion &motion() const {
+    return motion_;
+  }
+  const ContactTree *triangles() const {
+    return tree_.get();
+  }
+
+  double travel(double dt) const override;
+  bool may_meet(const double lo[3], const double hi[3]) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen, double most,
+               const FaceList &stays) const override;
+  bool repeats(int axis) const override;
+  bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  bool find_known(int face, const Path &path, double radius, Contact &contact) const override;
+  bool under(int face, const double x[3], double reach, double n[3],
+             double v_wall[3]) const override;
+  bool is_still() const override;
+  void stick(const Path &path, const Contact &contact, Place &place) const override;
+  void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+  size_t bytes() const override;
+  void lay(const asp_lay &lay, const Path &path, const Contact &contact,
+           double direction[3]) const override;
+
+  /* The velocity and the frame at the end of the last step (HEAD numbers); then, of each triangle,
+   * its number and its nodes in the mesh's own frame: with these a continued run finds the same
+   * contacts, to the bit. */
+  std::vector<double> motion_record() const override;
+  void restore_motion(const std::vector<double> &record) override;
+
+protected:
+  enum { HEAD = 6 + 12 };
+
+  /* True if this rank has all triangles. Otherwise it has those in some boxes, and can fetch
+   * another box's at any time without the other ranks. */
+  virtual bool has_all() const {
+    return true;
+  }
+  virtual bool has(const Bounds &) const {
+    return true;
+  }
+  virtual void fetch(const Bounds &) const {}
+  virtual Bounds whole() const; /* around all triangles */
+
+  /* The triangles, as a tree that is now the shape's; also where a search has come to a place that
+   * is not known. */
+  void put_tree(ContactTree *tree) const;
+
+  /* A belt: a mesh at rest whose surface runs. v: at the point `foot` of a triangle. */
+  virtual bool runs() const {
+    return false;
+  }
+  virtual void surface_velocity(int, const double[3], double v[3]) const {
+    v[0] = v[1] = v[2] = 0;
+  }
+
+private:
+  struct Shift {
+    double by[3];
+    bool operator==(const Shift &other) const {
+      return std::equal(by, by + 3, other.by);
+    }
+  };
+  /* Places in the tree of the triangle that a contact counts for, and of that with its normal. */
+  struct Places {
+    int piece, face;
+  };
+  /* The triangles that meet a box within `reach` of its middle, in order of their numbers. */
+  struct Meeting {
+    ContactList list;
+    Bounds box;
+    double reach;
+    bool is_set;
+    Meeting() : list(), box(), reach(0), is_set(false) {}
+    bool has(const Bounds &inner, double inner_reach) const;
+    ~Meeting() {
+      aspi_places_free(&list);
+    }
+  };
+
+  Bounds swept() const;
+  void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
+  void fetch_missing(const Bounds &box) const;
+  int place_near(int piece, const double at[3], double reach) const;
+  const ContactList &meet(const Bounds &box, double reach, double margin) const;
+  bool clip(const ContactPath &body, double radius, double &from, double &to) const;
+  bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,
+                  Places &place) const;
+  void set_contact(const Path &path, const ContactPath &body, const Shift &shift, double radius,
+                   const ContactTouch &touch, const Places &place, Contact &contact) const;
+  bool walk(Place &place, double radius, double dt) const;
+
+  mutable std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_; /* of what is known */
+  Motion motion_;
+  std::vector<Shift> shifts_; /* of the periodic images, that nearest to the box first */
+  bool periodic_[3];
+  mutable Meeting found_;
+};
+
+} // namespace asperity
+
+#endif

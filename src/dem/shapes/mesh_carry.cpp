@@ -1,0 +1,149 @@
+/* Moves stuck particles and the lay with a mesh, also on a belt, and keeps the record of its
+ * motion. See mesh.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/shapes/mesh.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+/* How closely a particle that a belt takes along keeps its distance, in radii. */
+const double KEEPS = 1e-6;
+
+/* Two faces are one where the cosine between their normals differs from 1 by less. */
+const double FLAT = 1e-9;
+
+} // namespace
+
+bool MeshShape::is_still() const {
+  return motion_.in_world() && !motion_.moves() && !runs();
+}
+
+void MeshShape::stick(const Path &path, const Contact &contact, Place &place) const {
+  place.piece = contact.piece;
+  if (motion_.in_world())
+    aspi_copy(contact.x, place.at);
+  else
+    motion_.frame_at(path.share() + contact.time / path.dt).to_body(contact.x, place.at);
+}
+
+/* The vector is of the mesh's own frame, which is the world's when the wall is defined. */
+void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
+                    double direction[3]) const {
+  aspi_copy(lay.vector, direction);
+  if (motion_.in_world())
+    return;
+  const Frame frame = motion_.frame_at(path.share() + contact.time / path.dt);
+  for (int i = 0; i < 3; i++)
+    direction[i] = aspi_dot(frame.turn[i], lay.vector);
+}
+
+/* One step along a belt: false where it ends, or runs against something. */
+bool MeshShape::walk(Place &place, double radius, double dt) const {
+  const double still[3] = {0, 0, 0};
+  const int from = place_near(place.piece, place.at, 2 * radius);
+  if (from < 0)
+    return false;
+  const ContactTree *tree = tree_.get();
+  double v[3], foot[3], there[3], arm[3];
+  aspi_triangle_nearest(aspi_tree_triangle(tree, from), place.at, foot);
+  surface_velocity(place.piece, foot, v);
+  aspi_add_scaled(place.at, 0.5 * dt, v, there); /* the midpoint rule, for belts that turn */
+  aspi_triangle_nearest(aspi_tree_triangle(tree, from), there, foot);
+  surface_velocity(place.piece, foot, v);
+  aspi_add_scaled(place.at, dt, v, there);
+  int to;
+  const double reach = radius + aspi_length(v) * dt + KEEPS * radius;
+  const Bounds ahead = Bounds::of_path(there, still, 0, 0, 1.01 * reach);
+  fetch_missing(ahead);
+  tree = tree_.get();
+  const double distance = aspi_tree_distance(tree, there, reach, &to);
+  if (to < 0 || distance < (1 - KEEPS) * radius)
+    return false;
+  aspi_triangle_nearest(aspi_tree_triangle(tree, to), there, foot);
+  aspi_subtract(there, foot, arm);
+  double normal[3];
+  aspi_triangle_normal(aspi_tree_triangle(tree, to), normal);
+  if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) {
+    /* Beyond an edge the particle stays on the belt only if a neighbor triangle continues it. */
+    const ContactList &list =
+        meet(Bounds::of_path(foot, still, 0, 0, KEEPS * radius), 2 * KEEPS * radius, 0);
+    bool continues = false;
+    for (size_t i = 0; i < list.count; i++) {
+      double other[3], point[3], off[3];
+      const ContactTriangle *triangle = aspi_tree_triangle(tree, list.item[i]);
+      aspi_triangle_normal(triangle, other);
+      aspi_triangle_nearest(triangle, foot, point);
+      aspi_subtract(foot, point, off);
+      continues = continues ||
+                  (aspi_length(off) <= KEEPS * radius && fabs(aspi_dot(other, normal)) < 1 - FLAT);
+    }
+    if (!continues)
+      return false;
+  }
+  place.piece = aspi_tree_id(tree, to);
+  aspi_add_scaled(foot, radius / distance, arm, place.at);
+  return true;
+}
+
+void MeshShape::carry(Place &place, double radius, double dt, double x[3], double v[3]) const {
+  double before[3];
+  aspi_copy(place.at, before);
+  if (runs() && dt > 0 && walk(place, radius, dt)) {
+    aspi_copy(place.at, x);
+    aspi_subtract(x, before, v);
+    aspi_scale(1 / dt, v);
+    return;
+  }
+  if (motion_.in_world())
+    aspi_copy(place.at, x);
+  else
+    motion_.end().to_world(place.at, x);
+  motion_.velocity(1, x, v);
+}
+
+std::vector<double> MeshShape::motion_record() const {
+  std::vector<double> record;
+  if (!tree_ || motion_.in_world())
+    return record;
+  const Twist &last = motion_.last();
+  record.insert(record.end(), last.angular, last.angular + 3);
+  record.insert(record.end(), last.linear, last.linear + 3);
+  const Frame &end = motion_.end();
+  record.insert(record.end(), end.turn[0], end.turn[0] + 9);
+  record.insert(record.end(), end.shift, end.shift + 3);
+  for (size_t i = 0; i < aspi_tree_count(tree_.get()); i++) {
+    const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), static_cast<int>(i));
+    record.push_back(aspi_tree_id(tree_.get(), static_cast<int>(i)));
+    record.insert(record.end(), triangle->node[0], triangle->node[0] + 9);
+  }
+  return record;
+}
+
+void MeshShape::restore_motion(const std::vector<double> &record) {
+  const size_t row = 10;
+  if (record.size() < HEAD || (record.size() - HEAD) % row != 0)
+    return;
+  Twist last;
+  Frame end;
+  aspi_copy(&record[0], last.angular);
+  aspi_copy(&record[3], last.linear);
+  std::copy(&record[6], &record[15], end.turn[0]);
+  aspi_copy(&record[15], end.shift);
+  std::vector<ContactTriangle> triangles((record.size() - HEAD) / row);
+  std::vector<int> id(triangles.size());
+  for (size_t i = 0; i < id.size(); i++) {
+    const double *from = &record[HEAD + row * i];
+    id[i] = static_cast<int>(from[0]);
+    std::copy(from + 1, from + row, triangles[i].node[0]);
+  }
+  set_triangles(triangles, id);
+  motion_.set_last(last);
+  motion_.settle(end, true);
+}

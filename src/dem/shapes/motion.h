@@ -1,0 +1,85 @@
+/* The motion of a rigid body within a step: the screw from its frame at the beginning to its frame
+ * at the end. Positions are interpolated along the screw. Velocities change linearly by the
+ * difference of those at the two ends, and their mean is the screw's. This is exact for a steady
+ * turn and of second order in the step otherwise, even where an engine integrates positions from
+ * velocities to first order only.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_MOTION_H
+#define ASPERITY_DEM_MOTION_H
+
+namespace asperity {
+
+/* world = turn * body + shift */
+struct Frame {
+  double turn[3][3], shift[3];
+  Frame(); /* world and body are the same */
+  void to_world(const double body[3], double world[3]) const;
+  void to_body(const double world[3], double body[3]) const;
+  bool is_world() const; /* to the bit */
+};
+
+/* The velocity of a point x of the body is angular x x + linear. */
+struct Twist {
+  double angular[3], linear[3];
+  Twist();
+  void velocity(const double x[3], double v[3]) const;
+};
+
+class Motion {
+public:
+  Motion();
+
+  /* Puts the body to rest where it is. */
+  void rest();
+
+  /* Puts it to `frame`, as at the beginning of a run, before a step that moves it if `goes_on`. */
+  void settle(const Frame &frame, bool goes_on);
+
+  /* The next step, of length dt: from where the body is to `end`, where it has the velocity
+   * `twist`.
+   */
+  void advance(const Frame &end, const Twist &twist, double dt);
+
+  /* The velocity at the end of the step before, for a run that continues one. */
+  void set_last(const Twist &twist);
+  const Twist &last() const {
+    return end_velocity_;
+  }
+
+  bool moves() const {
+    return moves_;
+  }
+
+  /* True if the body's frame equals the world's, to the bit, throughout the step. */
+  bool in_world() const {
+    return in_world_;
+  }
+  const Frame &end() const {
+    return end_;
+  }
+
+  /* At the share s (0 to 1) of the step. */
+  Frame frame_at(double s) const;
+  void velocity(double s, const double x[3], double v[3]) const;
+
+  /* The acceleration of a point that moves through x with the velocity v and keeps its distance
+   * from a plane of the body, as far as it counts along the plane's normal: with V and omega the
+   * body's velocity at x and its angular velocity, dV/dt + omega x (2 v - V). */
+  void acceleration(double s, const double x[3], const double v[3], double a[3]) const;
+
+private:
+  Frame screwed(double s) const;
+
+  Frame begin_, end_;
+  Frame start_; /* frame_at(0), which most searches ask for */
+  Twist screw_; /* of the whole step, times its duration */
+  Twist begin_velocity_, end_velocity_;
+  Twist drift_; /* of the screw, from the mean of these velocities */
+  double dt_;
+  bool moves_, has_last_, in_world_;
+};
+
+} // namespace asperity
+
+#endif

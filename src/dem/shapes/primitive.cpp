@@ -1,0 +1,232 @@
+/* Planes and cylinders as walls; see primitive.h. A wall moves only along itself, so its surface
+ * stays in place and paths are searched without a moving frame.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/shapes/primitive.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+#include "dem/error.h"
+#include "dem/books/record.h"
+#include "dem/text.h"
+
+using namespace asperity;
+
+namespace {
+
+ContactPath contact_path(const Path &path) {
+  ContactPath p;
+  aspi_copy(path.x, p.x);
+  aspi_copy(path.v, p.v);
+  p.left = path.left;
+  return p;
+}
+
+void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
+  contact.time = touch.time;
+  contact.overlapped = touch.overlapped;
+  contact.piece = contact.face = 0;
+  contact.follow = contact.curve = 0;
+  contact.closing = -aspi_dot(path.v, touch.n);
+  aspi_copy(touch.n, contact.n);
+  aspi_add_scaled(path.x, touch.time, path.v, contact.x);
+  aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
+}
+
+} // namespace
+
+PlaneShape::PlaneShape(int axis, double at, const double velocity[3]) {
+  plane_.axis = axis;
+  plane_.at = at;
+  aspi_copy(velocity, v_);
+}
+
+double PlaneShape::travel(double dt) const {
+  return aspi_length(v_) * dt;
+}
+
+bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
+  return lo[plane_.axis] <= plane_.at && plane_.at <= hi[plane_.axis];
+}
+
+double PlaneShape::clear(const double x[3], const double v[3], double reach, double widen,
+                         double most, const FaceList &stays) const {
+  if (stays.count > 0)
+    return most;
+  const double off = x[plane_.axis] - plane_.at, gap = fabs(off) - reach;
+  const double closing = widen + (off > 0 ? -v[plane_.axis] : v[plane_.axis]);
+  return !(gap > 0) ? 0 : closing * most > gap ? gap / closing : most;
+}
+
+bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  ContactTouch touch;
+  const ContactPath p = contact_path(path);
+  if (!aspi_plane_find(&plane_, &p, radius, latest, &touch))
+    return false;
+  take_over(touch, path, contact);
+  aspi_copy(v_, contact.v_wall);
+  return true;
+}
+
+bool PlaneShape::under(int, const double x[3], double reach, double n[3], double v_wall[3]) const {
+  const double off = x[plane_.axis] - plane_.at;
+  for (int d = 0; d < 3; d++)
+    n[d] = d != plane_.axis ? 0 : off < 0 ? -1 : 1;
+  aspi_copy(v_, v_wall);
+  return fabs(off) <= reach;
+}
+
+void PlaneShape::stick(const Path &, const Contact &contact, Place &place) const {
+  place.piece = 0;
+  aspi_copy(contact.x, place.at);
+}
+
+void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
+  aspi_add_scaled(place.at, dt, v_, place.at);
+  aspi_copy(place.at, x);
+  aspi_copy(v_, v);
+}
+
+CylinderShape::CylinderShape(int axis, const double center[3], double radius, double along,
+                             double turn)
+    : along_(along), turn_(turn) {
+  cylinder_.axis = axis;
+  cylinder_.radius = radius;
+  aspi_copy(center, cylinder_.center);
+  cylinder_.center[axis] = 0;
+}
+
+double CylinderShape::travel(double dt) const {
+  return (fabs(along_) + fabs(turn_) * cylinder_.radius) * dt;
+}
+
+bool CylinderShape::may_meet(const double lo[3], const double hi[3]) const {
+  double nearest = 0, farthest = 0; /* squares of the distances of the box from the axis */
+  for (int d = 0; d < 3; d++) {
+    if (d == cylinder_.axis)
+      continue;
+    const double below = lo[d] - cylinder_.center[d], above = hi[d] - cylinder_.center[d];
+    const double near = std::max(0.0, std::max(below, -above)), far = std::max(-below, above);
+    nearest += near * near;
+    farthest += far * far;
+  }
+  const double square = cylinder_.radius * cylinder_.radius;
+  return nearest <= square && square <= farthest;
+}
+
+/* Velocity of the wall under x, for a wall that turns: that of a point which turns with it at x
+ * itself, so that particles of all sizes are carried at one angular speed. */
+void CylinderShape::velocity(const double x[3], double v[3]) const {
+  double axis[3] = {0, 0, 0}, arm[3];
+  axis[cylinder_.axis] = 1;
+  aspi_subtract(x, cylinder_.center, arm);
+  aspi_cross(axis, arm, v);
+  aspi_scale(turn_, v);
+  v[cylinder_.axis] = along_;
+}
+
+bool CylinderShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  ContactTouch touch;
+  const ContactPath p = contact_path(path);
+  if (!aspi_cylinder_find(&cylinder_, &p, radius, latest, &touch))
+    return false;
+  take_over(touch, path, contact);
+  velocity(contact.x, contact.v_wall);
+  /* Inside, the wall curves toward the center, outside away from it. */
+  double axis[3] = {0, 0, 0}, around[3];
+  axis[cylinder_.axis] = 1;
+  aspi_cross(axis, contact.n, around);
+  const double distance = axis_distance(contact.x), speed = aspi_dot(path.v, around);
+  const double side = distance < cylinder_.radius ? 1 : -1, left = path.left - touch.time;
+  if (distance > 0)
+    contact.curve = side * speed * speed / distance;
+  if (left > 0) { /* angle to the end of a chord between two points of the wall */
+    const double angle = std::min(1.0, fabs(speed) * left / distance);
+    contact.closing += side * distance * angle * angle / (1 + sqrt(1 - angle * angle)) / left;
+  }
+  return true;
+}
+
+double CylinderShape::axis_distance(const double x[3]) const {
+  double arm[3];
+  aspi_subtract(x, cylinder_.center, arm);
+  arm[cylinder_.axis] = 0;
+  return aspi_length(arm);
+}
+
+bool CylinderShape::under(int, const double x[3], double reach, double n[3],
+                          double v_wall[3]) const {
+  const double distance = axis_distance(x);
+  aspi_subtract(x, cylinder_.center, n);
+  n[cylinder_.axis] = 0;
+  aspi_scale((distance < cylinder_.radius ? -1 : 1) / distance, n);
+  velocity(x, v_wall);
+  return distance > 0 && fabs(distance - cylinder_.radius) <= reach;
+}
+
+void CylinderShape::stick(const Path &, const Contact &contact, Place &place) const {
+  place.piece = 0;
+  aspi_copy(contact.x, place.at);
+}
+
+void CylinderShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
+  const int a = (cylinder_.axis + 1) % 3, b = (cylinder_.axis + 2) % 3;
+  const double c = cos(turn_ * dt), s = sin(turn_ * dt);
+  const double p = place.at[a] - cylinder_.center[a], q = place.at[b] - cylinder_.center[b];
+  place.at[a] = cylinder_.center[a] + (c * p - s * q);
+  place.at[b] = cylinder_.center[b] + (s * p + c * q);
+  place.at[cylinder_.axis] += along_ * dt;
+  aspi_copy(place.at, x);
+  velocity(x, v);
+}
+
+/* On a cylinder the lay is a helix with a fixed angle to the axis, so a turning wall does not
+ * change it. */
+void CylinderShape::lay(const asp_lay &lay, const Path &, const Contact &contact,
+                        double direction[3]) const {
+  double axis[3] = {0, 0, 0}, around[3];
+  axis[cylinder_.axis] = 1;
+  aspi_cross(contact.n, axis, around);
+  for (int d = 0; d < 3; d++)
+    direction[d] = cos(lay.angle) * axis[d] + sin(lay.angle) * around[d];
+}
+
+std::unique_ptr<Shape> asperity::read_primitive(Words &words, std::string &geometry) {
+  const std::string axes = "xyz", style = words.word("the primitive wall");
+  const size_t axis = axes.find(style.empty() ? ' ' : style[0]);
+  const bool plane = axis != std::string::npos && style.substr(1) == "plane";
+  if (!plane && (axis == std::string::npos || style.substr(1) != "cylinder"))
+    throw Error(text("primitive wall '%s' is unknown; there are: xplane yplane zplane xcylinder "
+                     "ycylinder zcylinder",
+                     style.c_str()));
+  const int a = static_cast<int>(axis);
+  const double first = words.number(plane ? "the plane's place" : "the cylinder's radius");
+  double center[3] = {0, 0, 0}, velocity[3] = {0, 0, 0}, along = 0, turn = 0;
+  if (!plane) {
+    if (!(first > 0))
+      throw Error(text("the cylinder's radius is %g; it must be > 0", first));
+    center[(a + 1) % 3] = words.number("the cylinder's axis");
+    center[(a + 2) % 3] = words.number("the cylinder's axis");
+  }
+  geometry = style + " " + setting(first);
+  for (int k = 1; !plane && k < 3; k++)
+    geometry += " " + setting(center[(a + k) % 3]);
+  if (words.take("shear")) {
+    const std::string name = words.word("the axis of 'shear'");
+    const size_t d = name.size() == 1 ? axes.find(name) : std::string::npos;
+    const double speed = words.number("the speed of 'shear'");
+    if (d == std::string::npos || (plane && d == axis))
+      throw Error(text("shear is along '%s'; it must be an axis, x, y or z, that lies in the wall",
+                       name.c_str()));
+    geometry += " shear " + name + " " + setting(speed);
+    if (plane)
+      velocity[d] = speed;
+    else
+      (d == axis ? along : turn) = speed;
+  }
+  if (plane)
+    return std::unique_ptr<Shape>(new PlaneShape(a, first, velocity));
+  return std::unique_ptr<Shape>(new CylinderShape(a, center, first, along, turn));
+}

@@ -1,0 +1,88 @@
+/* Planes and cylinders as walls. Either may move along itself.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_PRIMITIVE_H
+#define ASPERITY_DEM_PRIMITIVE_H
+
+#include <math.h>
+#include <memory>
+#include <string>
+
+#include "contact/contact.h"
+#include "contact/vector.h"
+#include "dem/shapes/shape.h"
+#include "dem/command_words.h"
+
+namespace asperity {
+
+/* A plane that slides with a velocity along itself. */
+class PlaneShape : public Shape {
+public:
+  PlaneShape(int axis, double at, const double velocity[3]);
+  double travel(double dt) const override;
+  bool may_meet(const double lo[3], const double hi[3]) const override;
+  double clear(const double x[3], const double v[3], double reach, double widen, double most,
+               const FaceList &stays) const override;
+  bool repeats(int axis) const override {
+    return axis != plane_.axis;
+  }
+  bool bars(int axis) const override {
+    return !repeats(axis);
+  }
+  bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  bool under(int face, const double x[3], double reach, double n[3],
+             double v_wall[3]) const override;
+  bool is_still() const override {
+    return !(aspi_dot(v_, v_) > 0);
+  }
+  void stick(const Path &path, const Contact &contact, Place &place) const override;
+  void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+
+private:
+  ContactPlane plane_;
+  double v_[3];
+};
+
+/* A cylinder that slides along its axis with `along`, or turns about it with `turn` (rad/time). */
+class CylinderShape : public Shape {
+public:
+  CylinderShape(int axis, const double center[3], double radius, double along, double turn);
+  double travel(double dt) const override;
+  bool may_meet(const double lo[3], const double hi[3]) const override;
+  bool repeats(int axis) const override {
+    return axis == cylinder_.axis;
+  }
+  bool bars(int axis) const override {
+    return !repeats(axis);
+  }
+  bool find(const Path &path, double radius, double latest, Contact &contact) const override;
+  bool under(int face, const double x[3], double reach, double n[3],
+             double v_wall[3]) const override;
+  bool is_still() const override {
+    return !(fabs(along_) > 0) && !(fabs(turn_) > 0);
+  }
+  void stick(const Path &path, const Contact &contact, Place &place) const override;
+  void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+  asp_lay_kind lay_kind() const override {
+    return ASP_LAY_ANGLE;
+  }
+  void lay(const asp_lay &lay, const Path &path, const Contact &contact,
+           double direction[3]) const override;
+
+private:
+  void velocity(const double x[3], double v[3]) const;
+  double axis_distance(const double x[3]) const;
+
+  ContactCylinder cylinder_;
+  double along_, turn_;
+};
+
+/* Reads `xplane C`, `yplane C`, `zplane C`, or `xcylinder R Y Z` (`ycylinder R Z X`, `zcylinder R X
+ * Y`), and behind it, where it is there, `shear x|y|z V`: along the wall with the speed V, or, of a
+ * cylinder across its axis, about the axis with the angular velocity V. `geometry` becomes what was
+ * read, equal for equal walls. Throws an Error. */
+std::unique_ptr<Shape> read_primitive(Words &words, std::string &geometry);
+
+} // namespace asperity
+
+#endif

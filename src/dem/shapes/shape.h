@@ -1,0 +1,161 @@
+/* A part of a wall for the contact search: a plane, a cylinder, a mesh. An engine may add shapes of
+ * its own.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_SHAPE_H
+#define ASPERITY_DEM_SHAPE_H
+
+#include <stddef.h>
+#include <vector>
+
+#include "asperity.h"
+
+namespace asperity {
+
+/* Rest of a particle's step: from x, with v, for the time `left` of the step dt. */
+struct Path {
+  double x[3], v[3], left, dt;
+  double share() const { /* of the step that is over */
+    return 1 - left / dt;
+  }
+};
+
+/* The first contact of a path with a shape. */
+struct Contact {
+  double time;      /* since the beginning of the path */
+  double x[3];      /* of the center then, moved out of the wall where it overlapped */
+  double n[3];      /* outward unit normal, from the wall to the center */
+  double v_wall[3]; /* of the point that is touched */
+  double follow;    /* acceleration along n that keeps the center at the moving wall */
+  double curve;     /* the same due to the wall's curvature, as the center moves along it */
+  double closing;   /* mean speed along -n over the rest of the path as it was searched */
+  int piece;        /* number of the triangle; 0 for a shape of one piece */
+  int face;         /* the piece, or where a shape of one piece has several faces, which of them */
+  bool overlapped;  /* the particle was in the wall already */
+};
+
+/* Position of a stuck particle, as numbers for restart files from which the shape can find it
+ * again. `at` is the center in the frame of the shape. */
+struct Place {
+  int piece;
+  double at[3];
+};
+
+/* Faces of a shape. */
+struct FaceList {
+  int count, face[3];
+  bool has(int other) const {
+    for (int k = 0; k < count; k++)
+      if (face[k] == other)
+        return true;
+    return false;
+  }
+};
+
+struct Spheres;
+
+/* Impulse of one contact on one piece of a wall. */
+struct ContactLoad {
+  int particle;
+  int piece;
+  int type;           /* of the particle, from 1 */
+  int mask;           /* of its groups */
+  double n[3];        /* outward unit normal; 0 for what is stuck, which is held in any direction */
+  double point[3];    /* where it acts */
+  double impulse[3];  /* on the wall */
+  double couple[3];   /* angular momentum to the wall beyond that of the impulse at the point */
+  double v_before[3]; /* of the particle, relative to the wall */
+  double dissipated;  /* energy */
+  double eroded;      /* mass of the wall */
+
+  /* Load of particle i with its center at `center`, from an impulse per mass on the particle. */
+  ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
+              const double impulse_per_mass[3], const double v_before[3]);
+
+  /* Completes a load that has changed the particle's spin by `turn`: what the particle has lost of
+   * angular momentum is the wall's. */
+  void set_couple(const Spheres &s, int i, const double center[3], const double turn[3]);
+};
+
+class Shape {
+public:
+  virtual ~Shape() {}
+
+  /* Distance that the fastest point of the shape moves in this step. */
+  virtual double travel(double dt) const = 0;
+
+  /* False only if a box cannot meet the shape in its position at the end of the step. */
+  virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
+
+  /* Lower bound of the number of steps in which a sphere of radius `reach`, growing by `widen` a
+   * step, cannot meet the shape in its position at the end of this step, while its center moves
+   * from x by v a step; at most `most`. The faces at which it stays do not count. */
+  virtual double clear(const double x[3], const double v[3], double reach, double widen,
+                       double most, const FaceList &stays) const;
+
+  /* True if the shape looks the same to a particle before and after it crosses the periodic edge of
+   * the box along an axis. */
+  virtual bool repeats(int) const {
+    return false;
+  }
+
+  /* True if the shape cannot stand where the box is periodic along an axis: a particle that leaves
+   * on one side of the shape would come back on its other side. */
+  virtual bool bars(int) const {
+    return false;
+  }
+
+  /* The first contact of the path at or before `latest`. */
+  virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
+
+  /* The first contact with a face at which the particle has stayed; it may look at other faces,
+   * too. */
+  virtual bool find_known(int, const Path &path, double radius, Contact &contact) const {
+    return find(path, radius, path.left, contact);
+  }
+
+  /* The wall under a center that has stayed at a face, at the end of the step: the normal and the
+   * velocity of the wall's point. False if the center is farther away than `reach`. */
+  virtual bool under(int face, const double x[3], double reach, double n[3],
+                     double v_wall[3]) const = 0;
+
+  /* True if carry() leaves a particle in this step where the step before has left it, at rest. */
+  virtual bool is_still() const {
+    return false;
+  }
+
+  /* Stores the position of a particle that sticks at this contact of the path; and, after it has
+   * been carried for the time dt, gives its place and velocity at the end of the step. */
+  virtual void stick(const Path &path, const Contact &contact, Place &place) const = 0;
+  virtual void carry(Place &place, double radius, double dt, double x[3], double v[3]) const = 0;
+
+  /* The direction of a lay at a contact of the path; it turns with the shape. `lay_kind` is what
+   * the shape can have. */
+  virtual asp_lay_kind lay_kind() const {
+    return ASP_LAY_VECTOR;
+  }
+  virtual void lay(const asp_lay &lay, const Path &, const Contact &, double direction[3]) const {
+    for (int d = 0; d < 3; d++)
+      direction[d] = lay.vector[d];
+  }
+
+  /* take() is called for each contact where `measures`. */
+  virtual bool measures() const {
+    return false;
+  }
+  virtual void take(const ContactLoad &) {}
+
+  /* State that a continued run needs of a shape that has moved; empty if it has not. */
+  virtual std::vector<double> motion_record() const {
+    return std::vector<double>();
+  }
+  virtual void restore_motion(const std::vector<double> &) {}
+
+  virtual size_t bytes() const {
+    return sizeof *this;
+  }
+};
+
+} // namespace asperity
+
+#endif

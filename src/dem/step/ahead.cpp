@@ -1,0 +1,168 @@
+/* Predictions of the next contact; see ahead.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/step/ahead.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+/* Ahead::due_ of a particle that is stuck, or not of the group: never near. */
+const int NEVER = INT_MAX;
+
+/* A particle that stays at faces and is near others counts as near for this many steps. */
+const int STAYS_NEAR = 32;
+
+/* Particles are screened in blocks of this many. */
+const int BLOCK = 32;
+
+/* Longest prediction, in steps. */
+const double AHEAD_MOST = 512;
+
+/* The first predictions are of this many lengths, so that they do not all expire in one step. */
+const int LENGTHS = 8;
+
+/* Distance per step by which a particle may stray from its predicted path, in radii of the smallest
+ * particle. */
+const double STRAY = 2e-3;
+
+/* Largest bend of the path by sustained contacts within a step, as a share of that distance. */
+const double BEND = 0.25;
+
+/* Less than 1/sqrt(3): the length of a vector whose components are no larger is below 1. */
+const double COMPONENT = 0.577;
+
+} // namespace
+
+Ahead::Ahead(const Setup &setup, const ParticleRows &rows)
+    : setup_(setup), rows_(rows), now_(0), travel_(0), stray_(0), bend_(0) {}
+
+void Ahead::setup(double least) {
+  travel_ = 0;
+  stray_ = STRAY * 0.5 * least;
+  bend_ = BEND * stray_;
+}
+
+void Ahead::clear() {
+  now_ = 0;
+  std::fill(due_.begin(), due_.end(), 0);
+}
+
+void Ahead::reorder(const Spheres &s) {
+  const size_t n = static_cast<size_t>(s.n);
+  if (!setup_.repeats())
+    clear();
+  due_.resize(n);
+  v_.resize(3 * n);
+  tag_.resize(n, -1);
+  for (size_t i = 0; i < n; i++) {
+    const int64_t tag = s.tag_of(static_cast<int>(i));
+    if (tag_[i] == tag)
+      continue;
+    tag_[i] = tag;
+    due_[i] = 0;
+  }
+}
+
+size_t Ahead::bytes() const {
+  return due_.capacity() * sizeof(int) + v_.capacity() * sizeof(float) +
+         tag_.capacity() * sizeof(int64_t);
+}
+
+/* True if one of n components of a velocity differs by more than `most` from the predicted one. */
+static bool any_strays(const double *v, const float *along, int n, float most) {
+  int over = 0;
+  for (int k = 0; k < n; k++)
+    over += !(fabsf(static_cast<float>(v[k]) - along[k]) <= most);
+  return over > 0;
+}
+
+static bool any_due(const int *due, int n, int now) {
+  int over = 0;
+  for (int i = 0; i < n; i++)
+    over += due[i] <= now;
+  return over > 0;
+}
+
+/* Most particles have a valid prediction that they are too far away; it holds while their velocity
+ * stays near the predicted one. */
+void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
+  double travel = 0;
+  for (const Member &member : setup_.shapes)
+    travel = std::max(travel, member.shape->travel(s.dt));
+  if (travel > travel_) {
+    travel_ = 2 * travel;
+    clear();
+  }
+  if (now_ > INT_MAX / 2)
+    clear(); /* before the count of steps could overflow */
+  now_++;
+  const float most = static_cast<float>(COMPONENT * stray_ / s.dt);
+  for (int first = 0; first < s.n; first += BLOCK) {
+    const int count = std::min(BLOCK, s.n - first);
+    const double *v = s.v + 3 * static_cast<size_t>(first);
+    const float *along = v_.data() + 3 * static_cast<size_t>(first);
+    const int *due = due_.data() + first;
+    if (!any_strays(v, along, 3 * count, most) && !any_due(due, count, now_))
+      continue;
+    for (int i = 0; i < count; i++)
+      if ((due[i] <= now_ || any_strays(v + 3 * i, along + 3 * i, 3, most)) && look(s, first + i))
+        near.push_back(Near{first + i, number});
+  }
+}
+
+/* The faces of a shape at which a particle stayed in the step before. */
+FaceList Ahead::faces(int i, size_t shape) const {
+  FaceList faces = {0, {0, 0, 0}};
+  const RestingPlace &at = rows_.place[i].resting;
+  for (size_t k = 0; rows_.status(i) == Status::RESTED && k < at.FACES && at.shape[k] > 0; k++)
+    if (static_cast<size_t>(at.shape[k]) == shape + 1)
+      faces.face[faces.count++] = static_cast<int>(at.face[k]);
+  return faces;
+}
+
+/* Makes a new prediction when the old one has expired; true if the particle may touch in this step.
+ * (A prediction widens by the allowed stray distance in every step, so no particle may stray
+ * farther in any of them: another particle could throw it back to the wall earlier.) */
+bool Ahead::look(const Spheres &s, int i) {
+  const double *v = s.v + 3 * static_cast<size_t>(i);
+  float *along = &v_[3 * static_cast<size_t>(i)];
+  int *due = &due_[i];
+  if (*due < 0 && now_ < -*due)
+    return false;
+  const bool out = !(s.mask[i] & setup_.groupbit) || rows_.is_stuck(i);
+  for (int d = 0; d < 3; d++)
+    along[d] = static_cast<float>(v[d]);
+  *due = out ? NEVER : now_ + steps_clear(s, i);
+  if (*due > now_)
+    return false;
+  if (rows_.status(i) == Status::RESTED)
+    *due = -(now_ + STAYS_NEAR);
+  return true;
+}
+
+/* Number of steps, with this one, in which a particle cannot touch the wall if it keeps its
+ * velocity within the allowed stray distance; 0 if it may touch in this one. Straying is measured
+ * in single precision. */
+int Ahead::steps_clear(const Spheres &s, int i) const {
+  const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
+  double begin[3], by[3];
+  double steps = now_ > 1 ? AHEAD_MOST : AHEAD_MOST / LENGTHS * (1 + i % LENGTHS);
+  for (int d = 0; d < 3; d++) {
+    by[d] = v[d] * s.dt;
+    begin[d] = x[d] - by[d];
+  }
+  const double widen = stray_ + bend_ + FLT_EPSILON * aspi_length(by) + travel_;
+  const double reach = (1 + ROUNDING) * s.radius[i] + widen;
+  for (size_t m = 0; m < setup_.shapes.size(); m++)
+    steps =
+        std::min(steps, setup_.shapes[m].shape->clear(begin, by, reach, widen, steps, faces(i, m)));
+  return static_cast<int>((1 - ROUNDING) * steps);
+}

@@ -1,0 +1,73 @@
+/* Predicts the earliest step in which a particle can meet a wall. Most particles are too far away
+ * for many steps and are skipped until then.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_AHEAD_H
+#define ASPERITY_DEM_AHEAD_H
+
+#include <vector>
+
+#include "dem/setup.h"
+#include "dem/step/particle_state.h"
+
+namespace asperity {
+
+/* A particle that may touch a wall in this step, which has this number among those of the run. */
+struct Near {
+  int i, wall;
+  bool operator<(const Near &other) const {
+    return i < other.i || (i == other.i && wall < other.wall);
+  }
+};
+
+class Ahead {
+public:
+  Ahead(const Setup &setup, const ParticleRows &rows);
+
+  /* Before a run. least: the smallest diameter. */
+  void setup(double least);
+
+  /* Discards all predictions. */
+  void clear();
+
+  /* Discards those of particles that are new at their places, or in general of all that may have
+   * crossed a periodic edge. */
+  void reorder(const Spheres &spheres);
+
+  /* Lists the particles that may touch this wall in this step. */
+  void find_near(const Spheres &spheres, int number, std::vector<Near> &near);
+
+  bool is_near(int i) const {
+    return due_[i] <= now_;
+  }
+  void expire(int i) {
+    due_[i] = 0;
+  }
+
+  /* How far sustained contacts may bend a particle's way within a step. */
+  double bend() const {
+    return bend_;
+  }
+  size_t bytes() const;
+
+private:
+  bool look(const Spheres &spheres, int i);
+  FaceList faces(int i, size_t shape) const;
+  int steps_clear(const Spheres &spheres, int i) const;
+
+  const Setup &setup_;
+  const ParticleRows &rows_;
+  int now_; /* steps are counted from the beginning of the run */
+  /* For each particle, the first step in which it may touch if it keeps this velocity, not counting
+   * faces at which it stays. Negative: it stays, and is near others until that step. */
+  std::vector<int> due_;
+  std::vector<float> v_;     /* rows of three */
+  std::vector<int64_t> tag_; /* of whom this is */
+  double travel_;            /* of the wall's fastest point in a step, at most */
+  double stray_;             /* how far a particle may stray from its predicted path in a step */
+  double bend_;
+};
+
+} // namespace asperity
+
+#endif

@@ -1,0 +1,155 @@
+/* The bodies of fix multisphere; see bodies_liggghts.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bodies_liggghts.h"
+
+#include <algorithm>
+
+#include "atom.h"
+#include "domain.h"
+#include "math_extra.h"
+#include "modify.h"
+#include "multisphere.h"
+#include "update.h"
+#include "contact/vector.h"
+
+using namespace LAMMPS_NS;
+using asperity::Bodies;
+using asperity::Body;
+using asperity::BodyMemory;
+using asperity::BodySphere;
+
+namespace {
+
+const int MEMORY = sizeof(BodyMemory) / sizeof(double);
+typedef VectorContainer<double, 3> Vectors;
+typedef VectorContainer<double, 4> Quaternions;
+typedef VectorContainer<double, MEMORY> Memories;
+
+/* What the engine keeps to itself: it sets atoms by their bodies, and sends those of ghosts home.
+ */
+struct Inner : public FixMultisphere {
+  static void set_atoms(FixMultisphere *fix) {
+    void (FixMultisphere::*set)() = &Inner::set_xv;
+    int FixMultisphere::*flag = &Inner::rev_comm_flag_;
+    (fix->*set)();
+    fix->*flag = MS_COMM_REV_X_V_OMEGA;
+    fix->reverse_comm();
+  }
+};
+
+template <class Container> Container &property(FixMultisphere *fix, const char *name) {
+  return *fix->data().prop().getElementProperty<Container>(name);
+}
+
+} // namespace
+
+BodiesOfLiggghts::BodiesOfLiggghts(LAMMPS *engine)
+    : Pointers(engine),
+      fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))), bodies_() {}
+
+void BodiesOfLiggghts::add_memory(const std::string &name) {
+  if (!fix_ || fix_->data().prop().getElementProperty<Memories>(name.c_str()))
+    return;
+  const int n = fix_->n_body();
+  Memories *made = fix_->data().prop().addElementProperty<Memories>(
+      name.c_str(), "comm_exchange_borders", "frame_invariant", "restart_no");
+  while (made->size() < n)
+    made->addUninitialized(1);
+  made->setDefaultValue(0.);
+  made->setAll(0.);
+}
+
+Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
+  if (!fix_)
+    return NULL;
+  Multisphere &data = fix_->data();
+  bodies_.step = update->ntimestep;
+  bodies_.dt = update->dt;
+  bodies_.all.resize(static_cast<size_t>(data.n_body()));
+  bodies_.memory.resize(memories.size());
+  for (size_t w = 0; w < memories.size(); w++) {
+    double **rows = property<Memories>(fix_, memories[w].c_str()).begin();
+    bodies_.memory[w].resize(bodies_.all.size());
+    for (size_t b = 0; b < bodies_.all.size(); b++)
+      bodies_.memory[w][b] = reinterpret_cast<BodyMemory *>(rows[b]);
+  }
+  double **const inertia = property<Vectors>(fix_, "inertia").begin(),
+                 **const forces = property<Vectors>(fix_, "fcm").begin();
+  const char *const axes[] = {"ex_space", "ey_space", "ez_space"};
+  for (size_t b = 0; b < bodies_.all.size(); b++) {
+    Body &body = bodies_.all[b];
+    const int i = static_cast<int>(b);
+    body.tag = data.tag(i);
+    body.mass = data.mass(i);
+    data.xcm(body.x, i);
+    data.vcm(body.v, i);
+    data.angmom(body.angular_momentum, i);
+    aspi_copy(inertia[b], body.inertia);
+    aspi_copy(forces[b], body.acceleration);
+    aspi_scale(1 / body.mass, body.acceleration);
+    for (int k = 0; k < 3; k++)
+      aspi_copy(property<Vectors>(fix_, axes[k]).begin()[b], body.axes[k]);
+    body.count = 0;
+    body.is_changed = false;
+  }
+  take_spheres();
+  return &bodies_;
+}
+
+/* Each sphere once: an atom of this rank, or the first of its ghosts; in the order of their tags,
+ * for the same sums on any number of ranks. */
+void BodiesOfLiggghts::take_spheres() {
+  std::vector<std::pair<int, BodySphere>> found;
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
+    const int b = fix_->belongs_to(i) < 0 ? -1 : fix_->data().map(fix_->belongs_to(i));
+    if (b < 0 || !domain->is_owned_or_first_ghost(i))
+      continue;
+    const Body &body = bodies_.all[static_cast<size_t>(b)];
+    double arm[3];
+    aspi_subtract(atom->x[i], body.x, arm);
+    domain->minimum_image(arm[0], arm[1], arm[2]);
+    BodySphere sphere = {{0, 0, 0}, atom->radius[i], atom->type[i], atom->mask[i], atom->tag[i]};
+    for (int k = 0; k < 3; k++)
+      sphere.arm[k] = aspi_dot(arm, body.axes[k]);
+    found.push_back(std::make_pair(b, sphere));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const std::pair<int, BodySphere> &one, const std::pair<int, BodySphere> &other) {
+              return one.first != other.first ? one.first < other.first
+                                              : one.second.tag < other.second.tag;
+            });
+  bodies_.spheres.clear();
+  for (const std::pair<int, BodySphere> &one : found) {
+    Body &body = bodies_.all[static_cast<size_t>(one.first)];
+    if (body.count++ == 0)
+      body.first = bodies_.spheres.size();
+    bodies_.spheres.push_back(one.second);
+  }
+}
+
+void BodiesOfLiggghts::put() {
+  if (!fix_)
+    return;
+  int changed = 0, any;
+  const char *const axes[] = {"ex_space", "ey_space", "ez_space"};
+  for (size_t b = 0; b < bodies_.all.size(); b++) {
+    Body &body = bodies_.all[b];
+    if (!body.is_changed)
+      continue;
+    changed = 1;
+    double omega[3], quat[4];
+    asperity::spin_of(body, omega);
+    MathExtra::exyz_to_q(body.axes[0], body.axes[1], body.axes[2], quat);
+    aspi_copy(body.x, property<Vectors>(fix_, "xcm").begin()[b]);
+    aspi_copy(body.v, property<Vectors>(fix_, "vcm").begin()[b]);
+    aspi_copy(body.angular_momentum, property<Vectors>(fix_, "angmom").begin()[b]);
+    aspi_copy(omega, property<Vectors>(fix_, "omega").begin()[b]);
+    std::copy(quat, quat + 4, property<Quaternions>(fix_, "quat").begin()[b]);
+    for (int k = 0; k < 3; k++)
+      aspi_copy(body.axes[k], property<Vectors>(fix_, axes[k]).begin()[b]);
+  }
+  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any)
+    Inner::set_atoms(fix_);
+}

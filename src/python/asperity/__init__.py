@@ -1,0 +1,296 @@
+"""Rough walls for particle simulation, on NumPy arrays: the library asperity by ctypes.
+
+    wall = asperity.Wall("surface rq 5um lambda_c 40um materials quartz hastelloy-x")
+    v1 = asperity.velocities(100, np.radians(np.linspace(5, 85, 1000)))
+    hits = wall.impacts(v1, d_p=10e-6)
+    cor = asperity.coefficients(v1, hits)
+    cor["cor_n"].mean(), hits["outcome"].mean()
+
+Walls are described by the words of a script and of the command (`asperity help wall`). Numbers are
+in SI units, angles in radians, from the wall plane; words may have other units (5um, 30deg). Each
+column of a result is explained in asperity.h, under the struct of its name. Threads may share a
+wall, and run at the same time.
+
+SPDX-License-Identifier: GPL-3.0-or-later"""
+
+from __future__ import annotations
+
+import ctypes
+import warnings
+import weakref
+from ctypes import POINTER, byref, c_bool, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
+from typing import Any, Iterator
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _library
+from ._tables import heading, read
+
+__version__ = "1.0.0"
+__all__ = ["BODY", "Error", "Wall", "coefficients", "heading", "read", "velocities"]
+
+
+DENSITY = 2650.0  # kg/m3 of quartz, for walls without materials, as in the command
+
+
+class Error(ValueError):
+    """What the library refused, in its own words."""
+
+
+class _Failure(ctypes.Structure):
+    """asp_error"""
+
+    _fields_ = [("code", c_int), ("text", c_char * 480)]
+
+
+class _Lay(ctypes.Structure):
+    """asp_lay"""
+
+    _fields_ = [("kind", c_int), ("vector", c_double * 3), ("angle", c_double)]
+
+
+def _struct(columns: str) -> np.dtype:
+    """The type of a struct in C, as "name type, name type"."""
+    return np.dtype([tuple(column.split()) for column in columns.split(", ")], align=True)
+
+
+BODY = _struct("inverse_mass f8, inverse_inertia 6f8, lever 3f8")  # asp_body
+_PARTICLE = _struct("d_p f8, density f8, pair uintp, omega 3f8, lay uintp, temperature f8, "
+                    "u_tau f8, body uintp")
+_KEY = _struct("seed u4, wall u4, tag u8, impact u4")
+_IMPACT = _struct("v2 3f8, omega 3f8, delta_alpha f8, tilt_out f8, hits i4, capped ?, outcome i4, "
+                  "eroded f8")
+_COEFFICIENTS = _struct("v1 f8, alpha1 f8, v2 f8, alpha2 f8, cor_v f8, cor_alpha f8, cor_n f8, "
+                        "cor_v_space f8, cor_alpha_space f8, cor_t f8, cor_t_defined ?")
+
+_P, _S, _N, _D, _E = c_void_p, c_char_p, c_size_t, c_double, POINTER(_Failure)
+_SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
+    "version": (_S,), "key_wall": (ctypes.c_uint32, _S),
+    "description_parse": (_P, _S, _P, _E), "description_free": (None, _P),
+    "description_text": (_N, _P, _P, _N), "description_get": (_D, _P, _S),
+    "description_word": (_S, _P, _S), "description_lay": (_Lay, _P),
+    "description_material": (_P, _P, c_int), "material_get": (_D, _P, _S),
+    "description_doubt": (c_bool, _P, _P, _P, _P, c_int, _P, _N),
+    "description_check_sampling": (c_int, _P, _P, _D, _E),
+    "description_needs_sizes": (c_bool, _P),
+    "description_set_profile": (c_int, _P, _P, _E), "description_set_map": (c_int, _P, _P, _E),
+    "profile_from_heights": (_P, _P, _N, _D, c_bool, _E), "profile_free": (None, _P),
+    "map_from_heights": (_P, _P, _N, _N, _D, _D, c_bool, _E), "map_free": (None, _P),
+    "wall_create": (_P, _P, _D, _D, _E), "wall_free": (None, _P), "wall_pair": (_P, _P),
+    "wall_reason": (_S, _P), "wall_surface": (_P, _P), "surface_check": (c_int, _P, _D, _E),
+    "surface_r_q": (_D, _P), "surface_lambda_c": (_D, _P), "surface_lambda_along": (_D, _P),
+    "surface_phi_r": (_D, _P), "surface_slope_rms": (_D, _P), "surface_slope": (_D, _P, _D),
+    "wall_impacts": (c_int, _P, _N, _P, _P, _P, _P, _P, _E),
+    "impacts_coefficients": (None, _N, _P, _P, _P, _P)}
+
+
+def _load() -> ctypes.CDLL:
+    library = ctypes.CDLL(_library.find())
+    library.asp_version.restype = _S
+    if library.asp_version().decode() != __version__:
+        raise ImportError(f"{library._name} is asperity {library.asp_version().decode()}, and the "
+                          f"module {__version__}: build or install both anew")
+    for name, (result, *arguments) in _SIGNATURES.items():
+        function = getattr(library, "asp_" + name)
+        function.restype, function.argtypes = result, arguments
+    return library
+
+
+_asp = _load()
+
+
+def _call(name: str, *arguments: Any) -> Any:
+    """Calls a function that takes an asp_error; its object, or an Error."""
+    failure = _Failure()
+    function = getattr(_asp, "asp_" + name)
+    result = function(*arguments, byref(failure))
+    if result if function.restype is c_int else not result:
+        raise Error(failure.text.decode())
+    return result
+
+
+def _vectors(name: str, values: ArrayLike, n: int | None = None) -> NDArray[np.float64]:
+    """Vectors as the library reads them: (n, 3), one after the other."""
+    vectors = np.atleast_2d(np.asarray(values, dtype=np.float64))
+    n = len(vectors) if n is None else n
+    if vectors.shape not in ((1, 3), (n, 3)):
+        raise Error(f"{name} has the shape {np.shape(values)}; it must be (3,) or ({n}, 3)")
+    return np.ascontiguousarray(np.broadcast_to(vectors, (n, 3)))
+
+
+def _must(good: NDArray[np.bool_], name: str, values: NDArray[Any], what: str) -> None:
+    """Refuses the first value that is not good."""
+    bad = np.flatnonzero(~good)
+    if bad.size:
+        raise Error(f"{name} of impact {bad[0]} is {values[bad[0]]:g}; it must be {what}")
+
+
+class Wall:
+    """A wall that is ready for impacts.
+
+    words: what a script says of it, as "surface rq 5um lambda_c 40um rebound walton 0.9 0.3 0".
+    d_p: the diameters that it will meet, of which the least and the greatest count (m); measured
+        walls and `spread auto` need them.
+    heights, step, periodic: for `surface profile NAME` heights along a line and their spacing, for
+        `surface map NAME` heights in rows and their spacing (step_x, step_y), in place of the file.
+    name: walls of different names draw different numbers with the same seed.
+    """
+
+    def __init__(self, words: str, d_p: ArrayLike = 0, *, heights: ArrayLike | None = None,
+                 step: ArrayLike = 0, periodic: bool = False, name: str = "python") -> None:
+        self._words = self._own("description", _call("description_parse", words.encode(), None))
+        if heights is not None:
+            self._set_heights(np.asarray(heights), np.atleast_1d(step).astype(float), periodic)
+        self._least, self._most = float(np.min(d_p)), float(np.max(d_p))
+        self._wall = self._own("wall", _call("wall_create", self._words, self._least, self._most))
+        self._key = _asp.asp_key_wall(name.encode())
+        self._surface = _asp.asp_wall_surface(self._wall)
+        material = _asp.asp_description_material(self._words, 0)
+        self._density = _asp.asp_material_get(material, b"density") if material else DENSITY
+        if self._surface and self._most > 0:
+            _call("surface_check", self._surface, self._most)
+        for doubt in self._doubts():
+            warnings.warn(doubt, stacklevel=2)
+
+    def _own(self, kind: str, handle: int) -> int:
+        """Frees an object of the library with the wall."""
+        weakref.finalize(self, getattr(_asp, f"asp_{kind}_free"), handle)
+        return handle
+
+    def _set_heights(self, heights: NDArray[Any], step: NDArray[Any], periodic: bool) -> None:
+        if heights.ndim == 2:
+            z = np.ascontiguousarray(heights, dtype=np.float32)
+            made = _call("map_from_heights", z.ctypes.data, z.shape[1], z.shape[0], step[0],
+                         step[-1], periodic)
+            _call("description_set_map", self._words, self._own("map", made))
+        else:
+            z = np.ascontiguousarray(heights, dtype=np.float64).ravel()
+            made = _call("profile_from_heights", z.ctypes.data, z.size, step[0], periodic)
+            _call("description_set_profile", self._words, self._own("profile", made))
+
+    def _doubts(self) -> Iterator[str]:
+        """What looks like a mistake in the wall's words, its file, and its constants."""
+        doubt = _asp.asp_description_word(self._words, b"doubt")
+        if doubt:
+            yield doubt.decode()
+        if self._surface and self._least > 0:
+            try:
+                _call("description_check_sampling", self._words, self._wall, self._least)
+            except Error as few:
+                yield str(few)
+        pair, text = _asp.asp_wall_pair(self._wall), ctypes.create_string_buffer(500)
+        particle = np.zeros((), _PARTICLE)
+        particle["d_p"], particle["density"] = self._most, self._density
+        particle["pair"] = pair or 0
+        both = [_asp.asp_description_material(self._words, i) for i in range(2)]
+        for materials in [(None, None)] + [both] * bool(pair):
+            index = 0
+            while _asp.asp_description_doubt(self._words, particle.ctypes.data, *materials, index,
+                                             text, len(text)):
+                yield text.value.decode()
+                index += 1
+
+    @property
+    def text(self) -> str:
+        """The canonical words: another wall of them is the same wall."""
+        text = ctypes.create_string_buffer(_asp.asp_description_text(self._words, None, 0) + 1)
+        _asp.asp_description_text(self._words, text, len(text))
+        return text.value.decode()
+
+    @property
+    def reason(self) -> str:
+        """What `spread auto` took, and why; "" where the model was named."""
+        return _asp.asp_wall_reason(self._wall).decode()
+
+    def get(self, name: str) -> float | str:
+        """A number or a word of the description, as get("friction"), get("spread")."""
+        number = _asp.asp_description_get(self._words, name.encode())
+        word = _asp.asp_description_word(self._words, name.encode())
+        if word is None and np.isnan(number):
+            raise Error(f"the wall has no '{name}': {self.text}")
+        return number if word is None else word.decode()
+
+    def surface(self) -> dict[str, float]:
+        """r_q, lambda_c, lambda_along, phi_r and slope_rms; empty if the wall is smooth."""
+        names = ("r_q", "lambda_c", "lambda_along", "phi_r", "slope_rms") if self._surface else ()
+        return {name: getattr(_asp, "asp_surface_" + name)(self._surface) for name in names}
+
+    def slope(self, d_p: ArrayLike) -> NDArray[np.float64]:
+        """The rms slope s_eff that particles of these diameters meet; 0 if the wall is smooth."""
+        one = lambda d: _asp.asp_surface_slope(self._surface, d) if self._surface else 0.0
+        return np.vectorize(one, otypes=[float])(d_p)
+
+    def impacts(self, v1: ArrayLike, d_p: ArrayLike, normals: ArrayLike = (0, 0, 1), *,
+                density: ArrayLike | None = None, omega: ArrayLike = (0, 0, 0),
+                lay: ArrayLike | None = None, temperature: ArrayLike = 0, u_tau: ArrayLike = 0,
+                body: NDArray[np.void] | None = None, tag: ArrayLike | None = None,
+                impact: ArrayLike = 1, seed: int | None = None) -> NDArray[np.void]:
+        """One impact for each velocity v1 (n, 3); an array of asp_impact, by columns: v2, omega,
+        delta_alpha, tilt_out, hits, capped, outcome (0 rebound, 1 deposit), eroded.
+
+        All else is one value, or one for each impact, as in asp_particle and asp_key: d_p (m),
+        outward unit normals, density (that of the first material), angular velocity, direction of
+        the lay, temperature (K) and friction velocity (0: those of the words), bodies in place of
+        spheres (arrays of the type BODY), tag of the particle (1 to n) and number of its impact.
+        The same tag, impact and seed draw the same numbers.
+        """
+        v1 = _vectors("v1", v1)
+        n = len(v1)
+        normals, spin = _vectors("normals", normals, n), _vectors("omega", omega, n)
+        lay = self._lay() if lay is None else lay
+        lay = None if lay is None else _vectors("lay", lay, n)
+        particles, keys, made = np.zeros(n, _PARTICLE), np.zeros(n, _KEY), np.zeros(n, _IMPACT)
+        particles["d_p"], particles["omega"] = d_p, spin
+        particles["density"] = self._density if density is None else density
+        particles["temperature"], particles["u_tau"] = temperature, u_tau
+        if lay is not None:
+            particles["lay"] = lay.ctypes.data + np.arange(n) * lay.strides[0]
+        lever = np.zeros(3)
+        if body is not None:
+            body = np.ascontiguousarray(np.broadcast_to(np.asarray(body, BODY), n))
+            particles["body"] = body.ctypes.data + np.arange(n) * BODY.itemsize
+            lever = body["lever"]
+        keys["seed"], keys["wall"] = self.get("seed") if seed is None else seed, self._key
+        keys["tag"], keys["impact"] = np.arange(1, n + 1) if tag is None else tag, impact
+        self._check(v1 + np.cross(spin, lever), normals, particles)
+        _call("wall_impacts", self._wall, n, particles.ctypes.data, v1.ctypes.data,
+              normals.ctypes.data, keys.ctypes.data, made.ctypes.data)
+        return made
+
+    def _lay(self) -> tuple[float, ...] | None:
+        """The lay of the words; an angle is from x toward y, as in the command."""
+        lay = _asp.asp_description_lay(self._words)
+        return (None, tuple(lay.vector), (np.cos(lay.angle), np.sin(lay.angle), 0))[lay.kind]
+
+    def _check(self, v1: NDArray[Any], normals: NDArray[Any], particles: NDArray[Any]) -> None:
+        d_p, density = particles["d_p"], particles["density"]
+        length = np.linalg.norm(normals, axis=1)
+        if _asp.asp_description_needs_sizes(self._words):
+            _must((d_p >= self._least) & (d_p <= self._most), "d_p", d_p,
+                  f"{self._least:g} to {self._most:g} m, for which the wall was made")
+        _must((d_p > 0) & (d_p < np.inf), "d_p", d_p, "> 0 m")
+        _must((density > 0) & (density < np.inf), "density", density, "> 0 kg/m3")
+        _must(np.abs(length - 1) < 1e-6, "the length of the normal", length, "1")
+        toward = np.einsum("ij,ij->i", v1, normals)
+        _must(np.isfinite(v1).all(axis=1) & (toward < 0), "v1 . n", toward, "< 0, toward the wall")
+
+
+def velocities(speed: ArrayLike, alpha1: ArrayLike) -> NDArray[np.float64]:
+    """Velocities (n, 3) along x onto the wall z = 0, by speed and impact angle (rad)."""
+    v, alpha = np.broadcast_arrays(np.atleast_1d(speed).astype(float), alpha1)
+    return np.stack([v * np.cos(alpha), 0 * v, -v * np.sin(alpha)], axis=-1)
+
+
+def coefficients(v1: ArrayLike, impacts: NDArray[np.void],
+                 normals: ArrayLike = (0, 0, 1)) -> NDArray[np.void]:
+    """The coefficients of restitution of impacts about the mean wall; an array of
+    asp_coefficients, by columns: v1, alpha1, v2, alpha2, cor_v, cor_alpha, cor_n, cor_v_space,
+    cor_alpha_space, cor_t (nan where it is undefined), cor_t_defined."""
+    made, n = np.zeros(len(impacts), _COEFFICIENTS), len(impacts)
+    before, up = _vectors("v1", v1, n), _vectors("normals", normals, n)
+    after = np.ascontiguousarray(impacts, dtype=_IMPACT)
+    _asp.asp_impacts_coefficients(n, before.ctypes.data, up.ctypes.data, after.ctypes.data,
+                                  made.ctypes.data)
+    made["cor_t"][~made["cor_t_defined"]] = np.nan
+    return made

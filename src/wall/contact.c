@@ -1,0 +1,151 @@
+/* The contact of a particle: of a sphere or a body, or of an eccentric grain, whose lever is drawn
+ * here; and its coefficients of restitution.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
+#include "wall/impact.h"
+
+#include <string.h>
+
+/* Limit of the ratios, for impact angles near zero. */
+#define RATIO_MOST 1e300
+
+/* Without a pair that the law needs the particle keeps its velocity. */
+static asp_code fail_pair(const asp_particle *particle, const double v1[3], asp_impact *impact) {
+  *impact = (asp_impact){.outcome = ASP_REBOUND};
+  store(load(v1), impact->v2);
+  store(load(particle->omega), impact->omega);
+  return ASP_EARG;
+}
+
+/* Draws the lever of a sphere whose center of mass is off by N(0, sd) per axis, given that its
+ * center touches the wall with the approach speed v_n. Levers are met in proportion to the speed at
+ * which the sphere then approaches, v_n - (omega x r).n: along n x omega that is the law of visible
+ * slopes. */
+static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, vec n,
+                      aspi_stream *stream) {
+  vec turning = cross(n, omega), other[2];
+  double rate = sqrt(dot(turning, turning)), delta = 0;
+  turning = rate > 0 ? scaled(turning, 1 / rate) : unit(cross(n, (vec){n.y, n.z, -n.x}));
+  aspi_view view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
+  while (!aspi_spread_draw(wall->upward, &view, stream, &delta))
+    ;
+  other[0] = plus(scaled(n, aspi_stream_normal(stream)), -tan(delta), turning);
+  return scaled(plus(other[0], aspi_stream_normal(stream), cross(n, turning)), sd);
+}
+
+/* The impact of an eccentric grain. It turns, and as long as its center still approaches the wall
+ * it hits again, with another point; at last as a sphere. */
+static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particle *particle, vec v,
+                             vec n, aspi_stream *stream, asp_impact *impact) {
+  double d = particle->d_p, mass = ASP_PI / 6 * particle->density * d * d * d;
+  double turn = 10 / (mass * d * d);
+  asp_body body = {1 / mass, {turn, turn, turn, 0, 0, 0}, {0, 0, 0}};
+  asp_particle own = *particle;
+  own.body = &body;
+  asp_impact sum = {.hits = 0};
+  do {
+    if (sum.hits >= ASP_HITS_MAX)
+      own.body = NULL;
+    else
+      store(draw_lever(wall, wall->lever * d, load(own.omega), -dot(v, n), n, stream), body.lever);
+    aspi_impact_at(wall, rough, &own, v, n, stream, impact);
+    if (sum.hits == 0) {
+      sum.delta_alpha = impact->delta_alpha;
+      sum.tilt_out = impact->tilt_out;
+    }
+    sum.hits += impact->hits;
+    sum.eroded += impact->eroded;
+    v = load(impact->v2);
+    memcpy(own.omega, impact->omega, sizeof own.omega);
+  } while (impact->outcome != ASP_DEPOSIT && own.body && !clearly_leaves(v, n));
+  impact->delta_alpha = sum.delta_alpha;
+  impact->tilt_out = sum.tilt_out;
+  impact->capped |= !own.body;
+  impact->hits = sum.hits;
+  impact->eroded = sum.eroded;
+}
+
+static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
+                          const double v1[3], const double n[3], const asp_key *key,
+                          asp_impact *impact) {
+  if (!particle->pair && wall->law->needs_pair) {
+    asp_particle own = *particle;
+    own.pair = wall->pair;
+    return own.pair ? impact_on(wall, rough, &own, v1, n, key, impact)
+                    : fail_pair(particle, v1, impact);
+  }
+  aspi_stream stream = aspi_stream_begin(key);
+  if (wall->lever > 0 && !particle->body)
+    impact_eccentric(wall, rough, particle, load(v1), unit(load(n)), &stream, impact);
+  else
+    aspi_impact_at(wall, rough, particle, load(v1), load(n), &stream, impact);
+  return ASP_OK;
+}
+
+asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
+                         const double n[3], const asp_key *key, asp_impact *impact) {
+  return impact_on(wall, wall->rough, particle, v1, n, key, impact);
+}
+
+asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
+                              const double v1[3], const double n[3], const asp_key *key,
+                              asp_impact *impact) {
+  return impact_on(wall, false, particle, v1, n, key, impact);
+}
+
+asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *particles,
+                          const double *v1, const double *normals, const asp_key *keys,
+                          asp_impact *impacts, asp_error *error) {
+  asp_code code = ASP_OK;
+  for (size_t i = 0; i < n && !code; i++)
+    code = asp_wall_impact(wall, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
+  return code ? aspi_fail(error, code,
+                          "rebound law '%s' needs a pair of materials, and neither the particle "
+                          "nor the wall has one",
+                          wall->law->name)
+              : ASP_OK;
+}
+
+/* a/b, limited to RATIO_MOST. */
+static double ratio(double a, double b) {
+  if (b > fabs(a) / RATIO_MOST)
+    return a / b;
+  return a > 0 ? RATIO_MOST : 0;
+}
+
+asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
+                                         const asp_impact *impact) {
+  vec before = load(v1), after = load(impact->v2);
+  frame f = frame_of(before, load(n));
+  double n2 = dot(after, f.n), along = dot(after, f.along) * f.per_length;
+  bool directed = has_direction(&f);
+  asp_coefficients c = {.v1 = sqrt(dot(before, before)),
+                        .alpha1 = atan2(fmax(f.v_n, 0), f.v_t),
+                        .v2 = sqrt(dot(after, after)),
+                        .cor_t_defined = directed};
+  if (impact->outcome == ASP_DEPOSIT)
+    return c;
+  if (!directed)
+    along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
+  c.alpha2 = atan2(n2, along);
+  c.cor_v = ratio(hypot(n2, along), c.v1);
+  c.cor_alpha = ratio(c.alpha2, c.alpha1);
+  c.cor_v_space = ratio(c.v2, c.v1);
+  c.cor_alpha_space = ratio(atan2(n2, sqrt(fmax(0, c.v2 * c.v2 - n2 * n2))), c.alpha1);
+  c.cor_n = ratio(n2, f.v_n);
+  c.cor_t = directed ? along / f.v_t : 0;
+  return c;
+}
+
+void asp_impacts_coefficients(size_t n, const double *v1, const double *normals,
+                              const asp_impact *impacts, asp_coefficients *coefficients) {
+  for (size_t i = 0; i < n; i++)
+    coefficients[i] = asp_impact_coefficients(v1 + 3 * i, normals + 3 * i, &impacts[i]);
+}
+
+bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle) {
+  asp_particle own = *particle;
+  own.pair = own.pair ? own.pair : wall->pair;
+  return aspi_flow_removes(&wall->flow, &own);
+}

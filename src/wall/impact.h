@@ -1,0 +1,15 @@
+/* One contact, over all the faces that it hits.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_WALL_IMPACT_H
+#define ASP_WALL_IMPACT_H
+
+#include "wall/frame.h"
+#include "wall/wall.h"
+
+/* An impact as asp_wall_impact has it, of a sphere or a body that has its pair, on the wall's faces
+ * or, not `rough`, on the mean wall. */
+void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
+                    aspi_stream *stream, asp_impact *impact);
+
+#endif

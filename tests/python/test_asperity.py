@@ -1,0 +1,200 @@
+"""The module asperity against the command, against itself one by one, and with bad input. The
+command is $ASPERITY_BIN/asperity.
+
+SPDX-License-Identifier: GPL-3.0-or-later"""
+
+import os
+import subprocess
+import tempfile
+import threading
+import unittest
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+import asperity
+
+COMMAND = str(Path(os.environ["ASPERITY_BIN"]) / "asperity")
+PAIR = "materials quartz hastelloy-x"
+
+
+def ledger(folder, words, *options):
+    """The impacts of the command, as a ledger."""
+    path = Path(folder) / "impacts.csv"
+    subprocess.run([COMMAND, "cor", *words.split(), *options, "--columns", "ledger", "-o", str(path)],
+                   check=True, capture_output=True, env={})
+    return asperity.read(path)
+
+
+class Walls(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def refused(self, text, call, *arguments, **keywords):
+        with self.assertRaisesRegex(asperity.Error, text):
+            call(*arguments, **keywords)
+
+    def test_the_command_has_the_same_impacts(self):
+        """Each column of a ledger, to the ten digits that the command prints."""
+        for words in (f"surface rq 5um lambda_c 40um {PAIR}",
+                      "surface sigma 8 spread weibull plane collisions single rebound constant 0.9 0.8",
+                      "surface rq 5um lambda_c 40um 120um lay 1 1 0 rebound walton 0.9 0.3 0 seed 7",
+                      f"surface rq 15um lambda_c 120um spread profile deposit off friction 0.5 {PAIR}",
+                      "surface sigma 8 rebound walton 0.9 0.3 0 grain lever 0.1", f"surface smooth {PAIR}"):
+            rows = ledger(self.folder, words, "--dp", "2um,20um,50um", "--speed", "30,200", "--angles",
+                          "2,20,70,89", "--samples", "300")
+            wall = asperity.Wall(words, (2e-6, 50e-6), name="cor")
+            self.assertTrue(asperity.heading(rows).endswith("; " + wall.text))
+            v1 = asperity.velocities(rows["v1"], np.radians(rows["alpha1_deg"]))
+            hits = wall.impacts(v1, rows["d_p"], tag=rows["tag"] - 1)  # which the command draws by
+            cor = asperity.coefficients(v1, hits)
+            pairs = {"delta_alpha_deg": np.degrees(hits["delta_alpha"]), "hits": hits["hits"],
+                     "tilt_out_deg": np.degrees(hits["tilt_out"]), "outcome": hits["outcome"],
+                     "v2": np.linalg.norm(hits["v2"], axis=1), "cor_n": cor["cor_n"],
+                     "cor_t": cor["cor_t"], "alpha2_deg": np.degrees(cor["alpha2"])}
+            self.assertEqual(len(rows), 1200)
+            for name, values in pairs.items():
+                np.testing.assert_allclose(values, rows[name], rtol=1e-8, atol=1e-9, err_msg=words)
+            self.assertGreater(len(set(rows["cor_n"])), 3)
+
+    def test_arrays_are_single_impacts(self):
+        """Whatever differs from impact to impact is that of the impact."""
+        wall = asperity.Wall(f"surface rq 5um lambda_c 40um 80um lay 1 0 0 rebound bons spin on {PAIR}")
+        n = 50
+        random = np.random.default_rng(1)
+        tilted = random.normal(size=(n, 3)) + (0, 0, 4)
+        tilted /= np.linalg.norm(tilted, axis=1)[:, None]
+        v1 = random.normal(size=(n, 3)) * 20 - 90 * tilted
+        each = {"d_p": random.uniform(1e-6, 5e-5, n), "normals": tilted,
+                "density": random.uniform(1e3, 8e3, n), "omega": random.normal(size=(n, 3)) * 1e4,
+                "lay": random.normal(size=(n, 3)), "tag": random.integers(1, 1 << 40, n),
+                "impact": random.integers(1, 99, n)}
+        together = wall.impacts(v1, seed=3, **each)
+        self.assertGreater(np.ptp(together["omega"]), 0)
+        for i in range(n):
+            alone = wall.impacts(v1[i], seed=3, **{name: value[i] for name, value in each.items()})
+            self.assertEqual(alone[0], together[i])
+        body = np.zeros(n, asperity.BODY)
+        body["inverse_mass"], body["inverse_inertia"][:, :3], body["lever"] = 1e11, 1e22, each["d_p"][:, None] / 5
+        bodies = wall.impacts(v1, seed=3, body=body, **each)
+        alone = wall.impacts(v1[7], seed=3, body=body[7], **{name: value[7] for name, value in each.items()})
+        self.assertEqual(alone[0], bodies[7])
+        self.assertFalse(np.allclose(bodies["v2"], together["v2"]))
+        changed = wall.impacts(v1, seed=3, **{**each, "lay": (0, 1, 0)})
+        self.assertFalse(np.allclose(changed["delta_alpha"], together["delta_alpha"]))
+
+    def test_coefficients(self):
+        normals = np.array([[0, 0, 1], [0, 1, 0]])
+        v1 = np.array([[3, 0, -4], [3, -4, 0]])
+        wall = asperity.Wall("rebound constant 0.5 0.7")
+        cor = asperity.coefficients(v1, wall.impacts(v1, 1e-5, normals), normals)
+        np.testing.assert_allclose(cor["cor_n"], 0.5)
+        np.testing.assert_allclose(cor["cor_t"], 0.7)
+        np.testing.assert_allclose(cor["alpha2"], np.arctan2(2, 2.1))
+        straight = wall.impacts((0, 0, -1), 1e-5)
+        self.assertTrue(np.isnan(asperity.coefficients((0, 0, -1), straight)["cor_t"][0]))
+        self.assertEqual(len(wall.impacts(np.zeros((0, 3)), 1e-5)), 0)
+
+    def test_numbers_and_words(self):
+        wall = asperity.Wall(f"surface ra 4um rdq 0.2 friction 0.4 {PAIR}")
+        self.assertAlmostEqual(wall.surface()["r_q"], 4e-6 * np.sqrt(np.pi / 2), 15)
+        self.assertAlmostEqual(wall.surface()["slope_rms"], 0.2, 12)
+        self.assertEqual((wall.get("friction"), wall.get("spread"), wall.reason), (0.4, "visible", ""))
+        self.assertEqual(asperity.Wall(wall.text).text, wall.text)
+        np.testing.assert_allclose(wall.slope([0, 1e-3]), [0.2, 0.2 * (1 + 0.92 * (
+            np.sqrt(3) * 1e-3 * wall.get("rq") / wall.get("lambda_c") ** 2) ** 3) ** (-1 / 6)], rtol=0.3)
+        self.assertEqual((asperity.Wall("").surface(), asperity.Wall("").slope(1e-5)), ({}, 0))
+        auto = asperity.Wall(f"surface rq 5um lambda_c 40um spread auto tolerance 0.3 {PAIR}", 1e-5)
+        self.assertIn("D_KL", auto.reason)
+        self.refused("the wall has no 'frictoin'", wall.get, "frictoin")
+
+    def test_bad_input(self):
+        self.refused("'surfcae'.*'surface'", asperity.Wall, "surfcae smooth")
+        self.refused("behind 'surface rq'", asperity.Wall, "surface rq 5um")
+        self.refused("cannot open 'no.csv'", asperity.Wall, "surface profile no.csv", 1e-5)
+        wall = asperity.Wall("surface rq 5um lambda_c 40um")
+        self.refused("'bons' needs a pair of materials", wall.impacts, (1, 0, -1), 1e-5)
+        wall = asperity.Wall(f"surface rq 5um lambda_c 40um {PAIR}")
+        for text, v1, keywords in ((r"v1 \. n of impact 1 is 1; it must be < 0", [(0, 0, -1), (0, 0, 1)], {}),
+                                   (r"v1 \. n of impact 0 is nan", (0, 0, np.nan), {}),
+                                   (r"shape \(2,\); it must be \(3,\) or \(1, 3\)", (0, -1), {}),
+                                   (r"normals has the shape", (0, 0, -1), {"normals": np.eye(3)}),
+                                   (r"length of the normal of impact 0 is 2", (0, 0, -1), {"normals": (0, 0, 2)}),
+                                   (r"d_p of impact 0 is -1", (0, 0, -1), {"d_p": -1}),
+                                   (r"density of impact 0 is 0", (0, 0, -1), {"density": 0})):
+            self.refused(text, wall.impacts, v1, **{"d_p": 1e-5, **keywords})
+        measured = asperity.Wall(f"surface profile mine {PAIR}", (1e-5, 2e-5), **self.heights())
+        self.refused("d_p of impact 0 is 3e-05; it must be 1e-05 to 2e-05 m", measured.impacts, (0, 0, -1), 3e-5)
+        self.refused("surface", asperity.Wall, PAIR, **self.heights())
+
+    def test_doubts_are_warnings(self):
+        with self.assertWarnsRegex(UserWarning, "is it in another unit"):
+            asperity.Wall(f"surface rq 5 lambda_c 40 {PAIR}", 1e-5)
+        with self.assertWarnsRegex(UserWarning, "every impact .* sticks"):
+            asperity.Wall(f"surface_energy 1000 {PAIR}", 1e-6)
+        with self.assertWarnsRegex(UserWarning, "covers 2 points"):
+            asperity.Wall(f"surface profile mine {PAIR}", 2e-6, **self.heights())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            asperity.Wall(f"surface rq 5um lambda_c 40um {PAIR}", 1e-5)
+
+    @staticmethod
+    def heights(rows=1, columns=4096):
+        """Gaussian heights of 1 um, by a filter in Fourier space: lambda_c is 20 points."""
+        noise = np.random.default_rng(1).normal(size=(rows, columns))
+        along, across = (20 * np.pi * f for f in (np.fft.rfftfreq(columns), np.fft.fftfreq(rows)[:, None]))
+        smooth = np.fft.irfft2(np.fft.rfft2(noise) * np.exp(-(along**2 + across**2) / 2), s=noise.shape)
+        return {"heights": np.squeeze(smooth) / smooth.std() * 1e-6, "step": 1e-6, "periodic": True}
+
+    def test_heights_are_those_of_a_file(self):
+        """A profile and a map of an array, and the same of a file, which is read without its line."""
+        x = np.arange(4096) * 1e-6
+        z = self.heights()["heights"]
+        z -= np.polyval(np.polyfit(x, z, 1), x)
+        path = self.folder / "profile.csv"
+        np.savetxt(path, np.stack([x, z], 1), "%.17g", ",", header="x_m,z_m", comments="")
+        of_file = asperity.Wall(f"surface profile {path} {PAIR}", 1e-5)
+        of_array = asperity.Wall(f"surface profile x {PAIR}", 1e-5, heights=z, step=1e-6)
+        self.assertAlmostEqual(of_file.surface()["slope_rms"] / of_array.surface()["slope_rms"], 1, 9)
+        self.assertAlmostEqual(of_array.surface()["r_q"] / z.std(), 1, 9)
+        v1 = asperity.velocities(100, np.full(200, 0.2))
+        np.testing.assert_allclose(of_file.impacts(v1, 1e-5)["v2"], of_array.impacts(v1, 1e-5)["v2"], 1e-6)
+        given = {**self.heights(512, 1024), "step": (1e-6, 2e-6)}
+        lengths = asperity.Wall(f"surface map x lay 0 1 0 {PAIR}", 2e-5, **given).surface()
+        self.assertAlmostEqual(lengths["lambda_c"] / 20e-6, 1, delta=0.06)
+        self.assertAlmostEqual(lengths["lambda_along"] / 40e-6, 1, delta=0.06)
+
+    def test_tables(self):
+        rows = ledger(self.folder, f"surface sigma 5 {PAIR}", "--angles", "20,90", "--samples", "4")
+        self.assertEqual(list(np.isnan(rows["cor_t"])), [False] * 4 + [True] * 4)
+        self.assertEqual((rows["hits"].dtype, rows["tag"][-1]), (np.dtype(int), 8))
+        np.save(self.folder / "impacts.npy", rows)
+        again = asperity.read(self.folder / "impacts.npy")
+        self.assertEqual((again.dtype, again.tobytes()), (rows.dtype, rows.tobytes()))
+        self.assertEqual(asperity.heading(again), asperity.heading(rows))
+        subprocess.run([COMMAND, "cor", *PAIR.split(), "--angles", "20", "--samples", "1", "-o", "one.csv"],
+                       check=True, capture_output=True, cwd=self.folder, env={})
+        one = asperity.read(self.folder / "one.csv")
+        self.assertEqual((one.shape, one["outcome"][0], one["dp_um"][0]), ((1,), "rebound", 10))
+        (self.folder / "none.csv").write_text("# wall\ntag,d_p\n")
+        self.assertEqual(asperity.read(self.folder / "none.csv").shape, (0,))
+
+    def test_threads_share_a_wall(self):
+        wall = asperity.Wall(f"surface rq 5um lambda_c 40um {PAIR}")
+        v1 = asperity.velocities(100, np.full(4000, 0.3))
+        found = [None] * 4
+        threads = [threading.Thread(target=lambda k: found.__setitem__(k, wall.impacts(v1, 1e-5)), args=(k,))
+                   for k in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for each in found:
+            np.testing.assert_array_equal(each, wall.impacts(v1, 1e-5))
+
+
+if __name__ == "__main__":
+    unittest.main()
