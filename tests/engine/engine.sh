@@ -44,13 +44,16 @@ case ${1:-} in liggghts | lammps) use "$1"; shift ;; esac
 
 die() { echo "FAILED: $*" >&2; exit 1; }
 
-# engine RANKS SCRIPT [options]: runs a script; the screen goes to SCRIPT.screen.
+# engine RANKS SCRIPT [options]: runs a script; the screen goes to SCRIPT.screen, from the first rank itself: what passes
+# through mpirun may be cut in a line, or lost at the end. What is said beside it follows.
 engine() {
-  local ranks=$1 script=$2; shift 2
+  local ranks=$1 script=$2 ended=0; shift 2
   local launch=()
   [ "$ranks" = 1 ] || launch=(mpirun -np "$ranks")
-  timeout "${TIMEOUT:-300}" "${launch[@]}" "$program" -in "$script" -log none "$@" < /dev/null > "$script.screen" 2>&1 ||
-    { tail -n 15 "$script.screen" >&2; die "$script on $ranks ranks"; }
+  rm -f "$script.screen"
+  timeout "${TIMEOUT:-300}" "${launch[@]}" "$program" -in "$script" -log none -screen "$script.screen" "$@" < /dev/null > "$script.beside" 2>&1 || ended=$?
+  cat "$script.beside" >> "$script.screen"
+  [ $ended = 0 ] || { tail -n 15 "$script.screen" >&2; die "$script on $ranks ranks"; }
 }
 
 same() { cmp "$1" "$2" || die "$1 and $2 differ: $3"; }
