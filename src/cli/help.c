@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LEFT = 26 }; /* width of the column of options */
+enum { LEFT = 26, WIDTH = 100 }; /* of the column of options, and of a line */
 
 static const char conventions[] =
     "Results are CSV on standard output (-o FILE for a file); --plot FILE.png|svg|pdf draws them.\n"
@@ -22,6 +22,25 @@ static const char conventions[] =
     "Exit status: 0 done, 1 failed, 2 bad usage or bad input.\n";
 
 /* ---- text ---- */
+
+/* Prints what an option means, in lines of at most WIDTH characters that begin under the first one.
+ */
+static void print_meaning(const cli_option *option) {
+  char text[600];
+  bool standard = option->argument && option->value;
+  snprintf(text, sizeof text, "%s%s%s%s", option->help, standard ? " [" : "",
+           standard ? option->value : "", standard ? "]" : "");
+  const char *line = text;
+  while (strlen(line) > WIDTH - LEFT - 3) {
+    const char *end = line + WIDTH - LEFT - 3;
+    while (*end != ' ')
+      end--;
+    printf(" %.*s\n  %-*s", (int)(end - line), line, LEFT, "");
+    line = end + 1;
+  }
+  printf(" %s\n", line);
+}
+
 static void text_of_command(const cli_command *command, const cli_option *options) {
   printf("Usage: asperity %s%s%s [options]\n\n%c%s.\n\n%s\nOptions:\n", command->name,
          command->arguments ? " " : "", command->arguments ? command->arguments : "",
@@ -31,12 +50,10 @@ static void text_of_command(const cli_command *command, const cli_option *option
     snprintf(left, sizeof left, "--%s%s%s", o->name, o->argument ? " " : "",
              o->argument ? o->argument : "");
     if (strlen(left) > LEFT)
-      printf("  %s\n  %-*s %s", left, LEFT, "", o->help);
+      printf("  %s\n  %-*s", left, LEFT, "");
     else
-      printf("  %-*s %s", LEFT, left, o->help);
-    if (o->argument && o->value)
-      printf(" [%s]", o->value);
-    putchar('\n');
+      printf("  %-*s", LEFT, left);
+    print_meaning(o);
   }
   printf("  %-*s %s\n", LEFT, "--help", "this text");
   if (command->examples)

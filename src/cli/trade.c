@@ -254,7 +254,7 @@ static size_t whole_or(const cli_option *option, unsigned long least, unsigned l
 /* Exits if an option is given that does not apply to this judge. */
 static void check_options(const cli_call *call, const asp_description *words) {
   const char *kind = asp_description_word(words, "surface"), *points = cli_value(call, "points");
-  bool map = strcmp(kind, "map") == 0, three_d = cli_value(call, "three-d"), solid = map || three_d;
+  bool map = strcmp(kind, "map") == 0, three_d = cli_value(call, "three-d");
   if (strcmp(kind, "smooth") == 0)
     cli_bad_usage("'surface' is missing; models are judged on a rough wall");
   if (three_d && strcmp(kind, "profile") == 0)
@@ -262,18 +262,14 @@ static void check_options(const cli_call *call, const asp_description *words) {
                   "numbers");
   if (map && points)
     cli_bad_usage("--points is given with 'surface map', which has its own");
-  if (solid && cli_value(call, "profiles"))
-    cli_bad_usage("--profiles is given with %s, which takes --surfaces",
-                  map ? "'surface map'" : "--three-d");
-  if (!solid && (cli_value(call, "surfaces") || points))
-    cli_bad_usage("--%s is given without --three-d%s", points ? "points" : "surfaces",
-                  points ? "" : " or 'surface map'");
+  if (!three_d && points)
+    cli_bad_usage("--points is given without --three-d");
 }
 
 /* Sets the case in three dimensions. */
 static void set_case_3d(const cli_call *call, const cli_description *wall,
                         aspi_judge_case *subject) {
-  const cli_option *surfaces = cli_get(call, "surfaces");
+  const cli_option *ensemble = cli_get(call, "ensemble");
   double vector[3];
   const double *lay = cli_description_lay(wall, vector);
   subject->points = whole_or(cli_get(call, "points"), 256, 16384, POINTS_MANY);
@@ -282,20 +278,20 @@ static void set_case_3d(const cli_call *call, const cli_description *wall,
   subject->wall.lambda_2 = asp_surface_lambda_along(asp_wall_surface(wall->wall));
   subject->wall.axis = lay ? atan2(lay[1], lay[0]) - ASP_PI / 2 : 0;
   subject->map = wall->map;
-  subject->groups = wall->map ? pieces_of(surfaces, 0) : whole_or(surfaces, 3, 1000, SURFACES_MANY);
+  subject->groups = wall->map ? pieces_of(ensemble, 0) : whole_or(ensemble, 3, 1000, SURFACES_MANY);
 }
 
 /* The case in the plane of incidence. */
 static void set_case_2d(const cli_call *call, const cli_description *wall,
                         aspi_judge_case *subject) {
-  const cli_option *profiles = cli_get(call, "profiles");
+  const cli_option *ensemble = cli_get(call, "ensemble");
   const asp_profile *profile = subject->profile = wall->profile;
   if (asp_description_lay(wall->words).kind != ASP_LAY_NONE)
     cli_bad_usage("'lay' is given; a wall with a lay is judged with --three-d");
-  subject->groups = whole_or(profiles, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST, PROFILES_MANY);
+  subject->groups = whole_or(ensemble, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST, PROFILES_MANY);
   if (profile)
     subject->groups =
-        pieces_of(profiles, (double)asp_profile_points(profile) * asp_profile_spacing(profile) /
+        pieces_of(ensemble, (double)asp_profile_points(profile) * asp_profile_spacing(profile) /
                                 subject->wall.lambda_1 / PIECE_LENGTH);
 }
 
@@ -351,11 +347,12 @@ static const cli_option options[] = {
     {"dp", "LENGTH", "diameter of the particles", NULL},
     {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
     {"rays", "N", "impacts per model and angle", "200000"},
-    {"profiles", "N",
-     "profiles of 2048 lambda_c in the reference [16], or pieces of a measured one", NULL},
+    {"ensemble", "N",
+     "walls in the reference: profiles of 2048 lambda_c [16], with --three-d surfaces [8], pieces "
+     "of a measured wall [4]",
+     NULL},
     {"collisions", "single|multiple", "one hit, or as many as it takes to leave", "multiple"},
     {"three-d", NULL, "judge by surfaces in three dimensions; the models are isotropic", NULL},
-    {"surfaces", "N", "with --three-d: surfaces in the reference [8]; pieces of a map [4]", NULL},
     {"points", "N", "with --three-d: points along a side of a surface, 20 per lambda_c [2048]",
      NULL},
     {.name = NULL}};
@@ -366,7 +363,8 @@ static const char detail[] =
     "kl_first_hit and kl_rebound are D_KL of the first tilt and of the rebound angle, in\n"
     "bins of one degree. A bin that the model cannot fill counts as 1e-6, or half an\n"
     "impact. kl_rebound is free of the bias of histograms. kl_rebound_se is its standard\n"
-    "error, by the jackknife over the profiles; more --profiles and --rays make it smaller.\n"
+    "error, by the jackknife over the profiles; more --rays and a larger --ensemble make it\n"
+    "smaller.\n"
     "On a measured profile, pieces of one half judge the models made of the other half, and\n"
     "the other way round; no model is judged by heights it was made from.\n"
     "With --three-d the reference is a set of independent Gaussian surfaces on which a\n"

@@ -51,7 +51,7 @@ awk -F, '$1 == "profile" && $5 < 0.01 && $6 > 0 { good++ } $1 == "visible" && $5
 "$asperity" trade surface profile short --dp 5um --angles 2,20 --rays 20000 > rows 2> err
 grep -q 'warning: --angles: those under .* degrees are left out' err && ! grep -q '^[a-z]*,2,' rows || die "angles that a short profile cannot judge: $(cat err)"
 awk -F, '$1 == "profile" && $5 > 0.02 && $6 > 0.002 { good++ } END { exit good != 1 }' rows || die "trade by a short profile: $(cat rows)"
-"$asperity" trade surface sigma 10 --angles 20 --rays 8000 --profiles 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
+"$asperity" trade surface sigma 10 --angles 20 --rays 8000 --ensemble 4 | awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' || die "trade --sigma"
 
 # trade by a map: in three dimensions.
 "$asperity" trade surface map wide --dp 5um --angles 20 --rays 2000 --plot map.svg > rows 2> err || die "trade --map: $(cat err)"
@@ -80,10 +80,9 @@ refuses 2 "'surface' is missing" -- trade --dp 5um
 refuses 2 'has no density on a map' -- spread surface map uneven --dp 5um --pdf
 refuses 2 'judged with --three-d' -- trade surface rq 5um lambda_c 40um 80um lay 90 --dp 5um
 refuses 2 "--three-d is given with 'surface profile'" -- trade surface profile plateau --three-d --dp 5um
-refuses 2 "--profiles is given with 'surface map'" -- trade surface map map --dp 5um --profiles 8
 refuses 2 "--points is given with 'surface map'" -- trade surface map map --dp 5um --points 512
-refuses 2 '--surfaces is given without --three-d' -- trade surface rq 5um lambda_c 40um --dp 5um --surfaces 5
-refuses 2 'it must be even' -- trade surface profile short --dp 5um --profiles 5
+refuses 2 "--points is given without --three-d" -- trade surface rq 5um lambda_c 40um --dp 5um --points 512
+refuses 2 'it must be even' -- trade surface profile short --dp 5um --ensemble 5
 refuses 2 'the least that pieces of this wall can judge' -- trade surface profile short --dp 5um --angles 1,2
 refuses 2 '--pdf is given with --summary' -- spread surface sigma 3 --pdf --summary
 refuses 2 "--samples is '1.5'" -- spread surface sigma 3 --samples 1.5
