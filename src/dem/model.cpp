@@ -352,10 +352,6 @@ void Model::check_bodies() const {
   asp_error wrong;
   if (asp_description_check_bodies(description_.get(), &wrong))
     throw_error(wrong);
-  if (deposit_ != OFF)
-    throw Error("deposit is '" + word("deposit") +
-                "', and bodies (fix multisphere) do not stick in "
-                "a simulation; it must be off");
 }
 
 bool Model::sticks() const {

@@ -4,6 +4,7 @@
 #include "dem/wall.h"
 
 #include <math.h>
+#include <string.h>
 #include <algorithm>
 
 #include "contact/vector.h"
@@ -92,8 +93,10 @@ void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies
     step_bodies(steppers(walls), *bodies);
 }
 
-void Wall::hold(const std::vector<Wall *> &walls, const Spheres &spheres) {
+void Wall::hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *stuck) {
   hold_particles(steppers(walls), spheres);
+  if (stuck)
+    hold_bodies(steppers(walls), *stuck);
 }
 
 void Wall::reset_dt(int64_t step, double dt) {
@@ -172,8 +175,23 @@ double Wall::bytes() const {
 /* ---- restart ----------------------------------------------------------------------------------
  */
 
-std::vector<char> Wall::save() {
+/* Rows of all ranks, on rank 0. */
+static std::vector<double> gather(const std::vector<double> &mine, MPI_Comm world) {
+  int ranks, count = static_cast<int>(mine.size());
+  MPI_Comm_size(world, &ranks);
+  std::vector<int> counts(static_cast<size_t>(ranks)), begins(static_cast<size_t>(ranks));
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
+  for (size_t k = 1; k < counts.size(); k++)
+    begins[k] = begins[k - 1] + counts[k - 1];
+  std::vector<double> all(static_cast<size_t>(begins.back() + counts.back()));
+  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), begins.data(), MPI_DOUBLE,
+              0, world);
+  return all;
+}
+
+std::vector<char> Wall::save(const std::vector<double> &bodies) {
   WallState state = WallState();
+  state.bodies = gather(bodies, setup.engine.world());
   state.settings = settings();
   books.save(state);
   std::copy(setup.model.sizes(), setup.model.sizes() + 2, state.d_range);
@@ -205,6 +223,33 @@ void Wall::restore(const char *record) {
   setup.model.set_sizes(saved.d_range);
   setup.clock = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
   restore_meshes(saved);
+  restore_bodies(saved);
+}
+
+const BodyMemory *Wall::restored_memory(int64_t tag) const {
+  const double wanted = static_cast<double>(tag);
+  const auto at = std::lower_bound(body_rows_.begin(), body_rows_.end(), wanted,
+                                   [](const BodyRow &row, double of) { return row.tag < of; });
+  return at != body_rows_.end() && !(at->tag > wanted) ? &at->memory : NULL;
+}
+
+void Wall::restore_bodies(const WallState &saved) {
+  const size_t width = sizeof(BodyRow) / sizeof(double);
+  if (saved.bodies.size() % width != 0)
+    throw Error("the restart file's record of this wall has bodies of another form; give the wall "
+                "another ID to begin anew without it");
+  body_rows_.resize(saved.bodies.size() / width);
+  if (!body_rows_.empty())
+    memcpy(body_rows_.data(), saved.bodies.data(), saved.bodies.size() * sizeof(double));
+  for (BodyRow &row : body_rows_) {
+    StuckBody &at = row.memory.stuck;
+    const bool known = at.shape >= 1 && at.shape <= static_cast<double>(shape_now_.size());
+    at.shape = known ? shape_now_[static_cast<size_t>(at.shape) - 1] : 0;
+    if (!(at.shape >= 1))
+      at.at[0] = NAN;
+  }
+  std::sort(body_rows_.begin(), body_rows_.end(),
+            [](const BodyRow &one, const BodyRow &other) { return one.tag < other.tag; });
 }
 
 /* Totals and sums of each mesh that is the same as before. */

@@ -51,7 +51,7 @@ struct Wall {
   /* All contacts of a step of all walls of a run, and the end of the step, after its forces; their
    * rows must be set. */
   static void step(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
-  static void hold(const std::vector<Wall *> &walls, const Spheres &spheres);
+  static void hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *stuck = NULL);
 
   /* The ledger's windows, and warnings at output; collective. */
   void end_step(int64_t step, bool output);
@@ -64,9 +64,12 @@ struct Wall {
   double bytes() const;
 
   /* Saves and restores the wall's restart data, on rank 0; restore before init(). Collective. Both
-   * throw an Error if they fail. */
-  std::vector<char> save();
+   * throw an Error if they fail. bodies: a BodyRow of each body of this rank, as doubles. */
+  std::vector<char> save(const std::vector<double> &bodies = std::vector<double>());
   void restore(const char *record);
+
+  /* What a body remembered in the restart file; NULL: nothing. */
+  const BodyMemory *restored_memory(int64_t tag) const;
 
 private:
   /* The fastest particle of this rank in this run, by its radii per time. */
@@ -78,9 +81,11 @@ private:
   void warn_of_speeds();
   Settings settings() const;
   void restore_meshes(const WallState &saved);
+  void restore_bodies(const WallState &saved);
 
   Fastest fastest_;
-  bool warned_;                /* of speeds */
+  bool warned_;                    /* of speeds */
+  std::vector<BodyRow> body_rows_; /* of a restart, by their tags */
   std::vector<int> shape_now_; /* of a restart: the shape, from 1, that is each of the saved ones */
 };
 

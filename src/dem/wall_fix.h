@@ -93,6 +93,20 @@ public:
     return NULL;
   }
   virtual void put_bodies() {}
+  /* Those at the end of a step, if any is stuck on any rank, else NULL. */
+  virtual Bodies *stuck_bodies(const std::vector<WallFix *> &) {
+    return NULL;
+  }
+  virtual void put_stuck_bodies() {}
+  /* A BodyRow of each body of this rank, for a restart file. */
+  virtual std::vector<double> body_rows() const {
+    return std::vector<double>();
+  }
+  /* Lists the bodies that the wall deletes; collective. And true for an atom of one. */
+  virtual void list_deleted_bodies() {}
+  virtual bool is_of_deleted_body(int) const {
+    return false;
+  }
   /* Moves the wall to the end of the step. */
   virtual void begin_step() = 0;
 
@@ -199,9 +213,10 @@ public:
     if (!deletes())
       return 0;
     set_rows();
+    list_deleted_bodies();
     long long mine = 0, all;
     for (int i = 0; i < atom->nlocal;) {
-      if (wall.stepper.rows.status(i) == Status::TO_DELETE) {
+      if (wall.stepper.rows.status(i) == Status::TO_DELETE || is_of_deleted_body(i)) {
         atom->avec->copy(atom->nlocal - 1, i, 1);
         atom->nlocal--;
         mine++;
@@ -226,7 +241,10 @@ public:
       fix->set_rows();
       walls.push_back(&fix->wall);
     }
-    Wall::hold(walls, this->spheres());
+    Bodies *stuck = stuck_bodies(siblings_);
+    Wall::hold(walls, this->spheres(), stuck);
+    if (stuck)
+      put_stuck_bodies();
   }
 
   bool is_output() const {
@@ -247,7 +265,7 @@ public:
   /* The record that an engine gives back does not say how long it is: its first bytes do. */
   void write_record(FILE *file) {
     std::vector<char> record;
-    attempt([&] { record = wall.save(); });
+    attempt([&] { record = wall.save(body_rows()); });
     if (this->program_->comm->me != 0)
       return;
     const int size = static_cast<int>(record.size());

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bodies_liggghts.h"
 
+#include <string.h>
 #include <algorithm>
 
 #include "atom.h"
@@ -12,6 +13,7 @@
 #include "multisphere.h"
 #include "update.h"
 #include "contact/vector.h"
+#include "dem/step/body_motion.h"
 
 using namespace LAMMPS_NS;
 using asperity::Bodies;
@@ -46,9 +48,12 @@ template <class Container> Container &property(FixMultisphere *fix, const char *
 
 BodiesOfLiggghts::BodiesOfLiggghts(LAMMPS *engine)
     : Pointers(engine),
-      fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))), bodies_() {}
+      fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))), bodies_(),
+      is_any_stuck_(false) {
+  bodies_.begins = true;
+}
 
-void BodiesOfLiggghts::add_memory(const std::string &name) {
+void BodiesOfLiggghts::add_memory(const std::string &name, const asperity::Wall &wall) {
   if (!fix_ || fix_->data().prop().getElementProperty<Memories>(name.c_str()))
     return;
   const int n = fix_->n_body();
@@ -58,6 +63,24 @@ void BodiesOfLiggghts::add_memory(const std::string &name) {
     made->addUninitialized(1);
   made->setDefaultValue(0.);
   made->setAll(0.);
+  for (int b = 0; b < n; b++)
+    if (const BodyMemory *memory_of = wall.restored_memory(fix_->data().tag(b)))
+      memcpy(made->begin()[b], memory_of, sizeof *memory_of);
+}
+
+std::vector<double> BodiesOfLiggghts::rows(const std::string &name) const {
+  std::vector<double> all;
+  Memories *of = fix_ ? fix_->data().prop().getElementProperty<Memories>(name.c_str()) : NULL;
+  for (int b = 0; of && b < fix_->n_body(); b++) {
+    all.push_back(fix_->data().tag(b));
+    all.insert(all.end(), of->begin()[b], of->begin()[b] + MEMORY);
+  }
+  return all;
+}
+
+void BodiesOfLiggghts::remove_memory(const std::string &name) {
+  if (fix_ && fix_->data().prop().getElementProperty<Memories>(name.c_str()))
+    fix_->data().prop().removeElementProperty(name.c_str());
 }
 
 Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
@@ -128,28 +151,74 @@ void BodiesOfLiggghts::take_spheres() {
   }
 }
 
+bool BodiesOfLiggghts::any_stuck() const {
+  for (const std::vector<BodyMemory *> &wall : bodies_.memory)
+    for (const BodyMemory *of : wall)
+      if (of->is_stuck())
+        return true;
+  return false;
+}
+
 void BodiesOfLiggghts::put() {
   if (!fix_)
     return;
-  int changed = 0, any;
+  int mine[2] = {0, any_stuck()}, any[2];
   const char *const axes[] = {"ex_space", "ey_space", "ez_space"};
   for (size_t b = 0; b < bodies_.all.size(); b++) {
     Body &body = bodies_.all[b];
     if (!body.is_changed)
       continue;
-    changed = 1;
-    double omega[3], quat[4];
-    asperity::spin_of(body, omega);
+    mine[0] = 1;
+    double quat[4];
     MathExtra::exyz_to_q(body.axes[0], body.axes[1], body.axes[2], quat);
     aspi_copy(body.x, property<Vectors>(fix_, "xcm").begin()[b]);
-    aspi_copy(body.v, property<Vectors>(fix_, "vcm").begin()[b]);
-    aspi_copy(body.angular_momentum, property<Vectors>(fix_, "angmom").begin()[b]);
-    aspi_copy(omega, property<Vectors>(fix_, "omega").begin()[b]);
     std::copy(quat, quat + 4, property<Quaternions>(fix_, "quat").begin()[b]);
     for (int k = 0; k < 3; k++)
       aspi_copy(body.axes[k], property<Vectors>(fix_, axes[k]).begin()[b]);
+    put_velocity(b);
   }
-  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any)
+  MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, world);
+  is_any_stuck_ = any[1];
+  if (any[0])
     Inner::set_atoms(fix_);
+}
+
+void BodiesOfLiggghts::put_velocity(size_t b) {
+  const Body &body = bodies_.all[b];
+  double omega[3];
+  asperity::spin_of(body, omega);
+  aspi_copy(body.v, property<Vectors>(fix_, "vcm").begin()[b]);
+  aspi_copy(body.angular_momentum, property<Vectors>(fix_, "angmom").begin()[b]);
+  aspi_copy(omega, property<Vectors>(fix_, "omega").begin()[b]);
+}
+
+/* Between its first half and the end of the step the bodies may have changed ranks. */
+Bodies *BodiesOfLiggghts::take_stuck(const std::vector<std::string> &memories) {
+  return fix_ && is_any_stuck_ ? take(memories) : NULL;
+}
+
+void BodiesOfLiggghts::put_velocities() {
+  for (size_t b = 0; b < bodies_.all.size(); b++)
+    if (bodies_.all[b].is_changed)
+      put_velocity(b);
+  fix_->set_v_communicate();
+}
+
+void BodiesOfLiggghts::list_deleted(const std::string &name) {
+  std::vector<int> mine;
+  Memories *of = fix_ ? fix_->data().prop().getElementProperty<Memories>(name.c_str()) : NULL;
+  for (int b = 0; of && b < fix_->n_body(); b++)
+    if (reinterpret_cast<BodyMemory *>(of->begin()[b])->status ==
+        static_cast<double>(asperity::Status::TO_DELETE))
+      mine.push_back(fix_->data().tag(b));
+  int ranks, count = static_cast<int>(mine.size());
+  MPI_Comm_size(world, &ranks);
+  std::vector<int> counts(static_cast<size_t>(ranks)), begins(static_cast<size_t>(ranks));
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  for (size_t k = 1; k < counts.size(); k++)
+    begins[k] = begins[k - 1] + counts[k - 1];
+  deleted_.resize(static_cast<size_t>(begins.back() + counts.back()));
+  MPI_Allgatherv(mine.data(), count, MPI_INT, deleted_.data(), counts.data(), begins.data(),
+                 MPI_INT, world);
+  std::sort(deleted_.begin(), deleted_.end());
 }

@@ -5,11 +5,12 @@
 #ifndef ASPERITY_LIGGGHTS_BODIES_H
 #define ASPERITY_LIGGGHTS_BODIES_H
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "fix_multisphere.h"
-#include "dem/step/bodies.h"
+#include "dem/wall.h"
 
 namespace LAMMPS_NS {
 
@@ -21,12 +22,16 @@ public:
   bool any() const {
     return fix_ != NULL;
   }
+  /* True for atoms of bodies, and for those of a body that is being taken away. */
   bool has(int i) const {
-    return fix_ && fix_->belongs_to(i) >= 0;
+    return fix_ && (fix_->belongs_to(i) >= 0 || fix_->fix_delflag()->vector_atom[i] > 0);
   }
 
-  /* Makes room for the memory of a wall, by a name of its own. */
-  void add_memory(const std::string &name);
+  /* Makes room for the memory of a wall, by a name of its own, with what is restored of it; gives
+   * its rows to a restart file; takes it away. */
+  void add_memory(const std::string &name, const asperity::Wall &wall);
+  std::vector<double> rows(const std::string &name) const;
+  void remove_memory(const std::string &name);
 
   /* At the end of the step's first half, for walls with such memories. */
   asperity::Bodies *take(const std::vector<std::string> &memories);
@@ -34,12 +39,26 @@ public:
   /* Moves the bodies that have met walls, with their atoms; collective. */
   void put();
 
+  /* The same at the end of a step, if a body is stuck on any rank: else NULL. Then only velocities
+   * have changed. */
+  asperity::Bodies *take_stuck(const std::vector<std::string> &memories);
+  void put_velocities();
+
+  /* Lists the bodies of all ranks that a wall deletes; collective. True for an atom of one. */
+  void list_deleted(const std::string &name);
+  bool is_deleted(int i) const {
+    return fix_ && std::binary_search(deleted_.begin(), deleted_.end(), fix_->belongs_to(i));
+  }
+
 private:
   void take_spheres();
+  void put_velocity(size_t b);
+  bool any_stuck() const;
 
   FixMultisphere *fix_;
   asperity::Bodies bodies_;
-  std::vector<int> local_; /* number of each body in the engine */
+  bool is_any_stuck_; /* on any rank, in this step */
+  std::vector<int> deleted_;
 };
 
 } // namespace LAMMPS_NS

@@ -162,8 +162,10 @@ void FixWallRebound::post_create() {
 }
 
 void FixWallRebound::pre_delete(bool unfixflag) {
-  if (unfixflag)
+  if (unfixflag) {
     report_loss();
+    BodiesOfLiggghts(lmp).remove_memory(memory_id());
+  }
   for (const std::string &name : {state_id(), place_id()})
     if (unfixflag && modify->find_fix_id(name.c_str()))
       modify->delete_fix(name.c_str());
@@ -279,11 +281,7 @@ void FixWallRebound::check_bodies() {
       modify->n_fixes_style("multisphere/nointegration") > 0)
     fail("bodies must be those of one fix multisphere");
   attempt([this] { wall.setup.model.check_bodies(); });
-  bodies_->add_memory(memory_id());
-}
-
-std::string FixWallRebound::memory_id() const {
-  return std::string("met_") + Fix::id;
+  bodies_->add_memory(memory_id(), wall);
 }
 
 void FixWallRebound::check_box() const {
@@ -374,13 +372,6 @@ void FixWallRebound::begin_step() {
   }
 }
 
-asperity::Bodies *FixWallRebound::bodies(const std::vector<WallFix *> &siblings) {
-  std::vector<std::string> memories;
-  for (const WallFix *fix : siblings)
-    memories.push_back(static_cast<const FixWallRebound *>(fix)->memory_id());
-  return bodies_->take(memories);
-}
-
 asperity::Spheres FixWallRebound::spheres() const {
   asperity::Spheres s = EngineOf::spheres();
   if (!bodies_ || !bodies_->any())
@@ -391,10 +382,6 @@ asperity::Spheres FixWallRebound::spheres() const {
       masks_[static_cast<size_t>(i)] = 0;
   s.mask = masks_.data();
   return s;
-}
-
-void FixWallRebound::put_bodies() {
-  bodies_->put();
 }
 
 void FixWallRebound::post_integrate() {

@@ -70,12 +70,39 @@ private:
   void fail_alone(const std::string &what) const override;
   void set_rows() override;
   void begin_step() override;
-  asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override;
-  void put_bodies() override;
+  asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override {
+    return bodies_->take(memories(siblings));
+  }
+  asperity::Bodies *stuck_bodies(const std::vector<WallFix *> &siblings) override {
+    return bodies_->take_stuck(memories(siblings));
+  }
+  void put_bodies() override {
+    bodies_->put();
+  }
+  void put_stuck_bodies() override {
+    bodies_->put_velocities();
+  }
+  std::vector<double> body_rows() const override {
+    return bodies_ ? bodies_->rows(memory_id()) : std::vector<double>();
+  }
+  void list_deleted_bodies() override {
+    bodies_->list_deleted(memory_id());
+  }
+  bool is_of_deleted_body(int i) const override {
+    return bodies_->is_deleted(i);
+  }
   asperity::Spheres spheres() const override;
 
   void check_bodies();
-  std::string memory_id() const;
+  std::string memory_id() const {
+    return std::string("met_") + Fix::id;
+  }
+  static std::vector<std::string> memories(const std::vector<WallFix *> &siblings) {
+    std::vector<std::string> all;
+    for (const WallFix *fix : siblings)
+      all.push_back(static_cast<const FixWallRebound *>(fix)->memory_id());
+    return all;
+  }
   void read_geometry(asperity::Words &words, std::string &geometry);
   std::string read_meshes(asperity::Words &words);
   class FixPropertyAtom *add_property(const std::string &name, int columns);

@@ -185,11 +185,13 @@ void Books::add_load(size_t shape, const ContactLoad &load) {
     counters_[IMPULSE + d] += load.impulse[d];
     counters_[ANGULAR_IMPULSE + d] += torque[d];
   }
-  ParticleState &of = states_[load.particle];
-  if (!(aspi_dot(of.force, of.force) > 0))
-    loaded_.push_back(load.particle);
-  aspi_add_scaled(of.force, 1 / setup_.dt, load.impulse, of.force);
-  aspi_copy(load.point, of.point);
+  if (load.particle >= 0) {
+    ParticleState &of = states_[load.particle];
+    if (!(aspi_dot(of.force, of.force) > 0))
+      loaded_.push_back(load.particle);
+    aspi_add_scaled(of.force, 1 / setup_.dt, load.impulse, of.force);
+    aspi_copy(load.point, of.point);
+  }
   if (aspi_dot(load.n, load.n) > 0) {
     const double normal = -aspi_dot(load.impulse, load.n);
     aspi_add_scaled(load.impulse, normal, load.n, along);

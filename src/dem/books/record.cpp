@@ -290,6 +290,11 @@ std::vector<char> asperity::pack(const WallState &state) {
     to.numbers(mesh.motion);
     to.end();
   }
+  if (!state.bodies.empty()) {
+    to.begin("bodies");
+    to.numbers(state.bodies);
+    to.end();
+  }
   to.begin("ledger");
   to.text(state.ledger.path);
   to.number(state.ledger.rows);
@@ -309,6 +314,8 @@ WallState asperity::unpack(const char *bytes, size_t available) {
       state.settings = read_settings(part);
     else if (part.name() == "mesh")
       state.meshes.push_back(read_mesh(part));
+    else if (part.name() == "bodies")
+      state.bodies = part.numbers();
     else if (part.name() == "ledger")
       state.ledger = read_ledger(part);
     else if (part.name() == "numbers") {

@@ -52,6 +52,8 @@ public:
   bool is_still() const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+  void turn(const Place &place, double share, double dt, double axes[3][3],
+            double omega[3]) const override;
   size_t bytes() const override;
   void lay(const asp_lay &lay, const Path &path, const Contact &contact,
            double direction[3]) const override;

@@ -108,6 +108,28 @@ void MeshShape::carry(Place &place, double radius, double dt, double x[3], doubl
   motion_.velocity(1, x, v);
 }
 
+void MeshShape::turn(const Place &, double share, double, double axes[3][3],
+                     double omega[3]) const {
+  std::fill(omega, omega + 3, 0.0);
+  if (!motion_.moves())
+    return;
+  const Frame begin = motion_.frame_at(share), &end = motion_.end();
+  double still[3] = {0, 0, 0};
+  motion_.velocity(1, still, still);
+  for (int k = 0; k < 3; k++) {
+    double at[3], unit[3] = {0, 0, 0}, v[3], around[3];
+    aspi_add_scaled(begin.shift, 1, axes[k], at);
+    begin.to_body(at, at);
+    end.to_world(at, at);
+    aspi_subtract(at, end.shift, axes[k]);
+    unit[k] = 1; /* the curl of the velocity */
+    motion_.velocity(1, unit, v);
+    aspi_subtract(v, still, v);
+    aspi_cross(unit, v, around);
+    aspi_add_scaled(omega, 0.5, around, omega);
+  }
+}
+
 std::vector<double> MeshShape::motion_record() const {
   std::vector<double> record;
   if (!tree_ || motion_.in_world())

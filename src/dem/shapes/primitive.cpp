@@ -182,6 +182,19 @@ void CylinderShape::carry(Place &place, double, double dt, double x[3], double v
   velocity(x, v);
 }
 
+void CylinderShape::turn(const Place &, double share, double dt, double axes[3][3],
+                         double omega[3]) const {
+  const int a = (cylinder_.axis + 1) % 3, b = (cylinder_.axis + 2) % 3;
+  const double angle = turn_ * (1 - share) * dt, c = cos(angle), s = sin(angle);
+  for (int k = 0; k < 3; k++) {
+    const double p = axes[k][a], q = axes[k][b];
+    axes[k][a] = c * p - s * q;
+    axes[k][b] = s * p + c * q;
+  }
+  omega[a] = omega[b] = 0;
+  omega[cylinder_.axis] = turn_;
+}
+
 /* On a cylinder the lay is a helix with a fixed angle to the axis, so a turning wall does not
  * change it. */
 void CylinderShape::lay(const asp_lay &lay, const Path &, const Contact &contact,

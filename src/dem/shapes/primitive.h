@@ -63,6 +63,8 @@ public:
   }
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
+  void turn(const Place &place, double share, double dt, double axes[3][3],
+            double omega[3]) const override;
   asp_lay_kind lay_kind() const override {
     return ASP_LAY_ANGLE;
   }

@@ -25,3 +25,7 @@ double Shape::clear(const double x[3], const double v[3], double reach, double w
   }
   return 0;
 }
+
+void Shape::turn(const Place &, double, double, double[3][3], double omega[3]) const {
+  std::fill(omega, omega + 3, 0.0);
+}

@@ -56,7 +56,7 @@ struct Spheres;
 
 /* Impulse of one contact on one piece of a wall. */
 struct ContactLoad {
-  int particle;
+  int particle; /* -1: a body */
   int piece;
   int type;           /* of the particle, from 1 */
   int mask;           /* of its groups */
@@ -128,6 +128,11 @@ public:
    * been carried for the time dt, gives its place and velocity at the end of the step. */
   virtual void stick(const Path &path, const Contact &contact, Place &place) const = 0;
   virtual void carry(Place &place, double radius, double dt, double x[3], double v[3]) const = 0;
+
+  /* Turns the axes of what sticks at a place as the shape turns from a share of the step of length
+   * dt to its end, and gives the angular velocity then. */
+  virtual void turn(const Place &, double share, double dt, double axes[3][3],
+                    double omega[3]) const;
 
   /* The direction of a lay at a contact of the path; it turns with the shape. `lay_kind` is what
    * the shape can have. */

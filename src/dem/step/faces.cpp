@@ -29,10 +29,6 @@ using namespace asperity;
 
 namespace {
 
-/* Contacts are at one wall if the cosine between their normals is larger; at a corner they are not.
- */
-const double SAME_WALL = 0.7;
-
 /* Energy of a sphere, per mass; and that of its motion along the wall. */
 double energy(const double v[3], const double spin[3], double radius) {
   return 0.5 * aspi_dot(v, v) + 0.2 * radius * radius * aspi_dot(spin, spin);
@@ -50,25 +46,15 @@ FacePlace *face_of(FaceMemory &memory, const double n[3]) {
   return NULL;
 }
 
-/* True if a particle with this energy along the wall cannot leave the valley behind its face.
- * Another wall at which it stays takes what pushes the particle into it. */
+/* True if a particle with this energy along the wall lies in the valley behind its face. */
 bool lies(const FaceMemory &memory, const FacePlace &face, double energy, double push,
           const double a[3]) {
-  double along[3], m[3];
-  aspi_copy(a, along);
-  aspi_add_scaled(along, -aspi_dot(a, face.normal), face.normal, along);
-  for (const FacePlace &other : memory.face) {
-    if (&other == &face || !(other.start > 0) || other.time < face.time)
-      continue;
-    aspi_copy(other.normal, m);
-    aspi_add_scaled(m, -aspi_dot(m, face.normal), face.normal, m);
-    const double into = -aspi_dot(along, m), square = aspi_dot(m, m);
-    if (into > 0 && square > 0)
-      aspi_add_scaled(along, into / square, m, along);
-  }
-  const double steep = aspi_length(along) / (face.start * push);
-  return push > 0 && steep < 1 &&
-         energy < push * face.height * (sqrt(1 - steep * steep) - steep * acos(steep));
+  const FacePlace *others[FaceMemory::FACES];
+  size_t n = 0;
+  for (const FacePlace &other : memory.face)
+    if (&other != &face)
+      others[n++] = &other;
+  return lies_in_valley(face, others, n, energy, push, a);
 }
 
 /* The place of another wall's face: the one that was met longer ago, or none yet. */
@@ -82,6 +68,26 @@ FacePlace *oldest(FaceMemory &memory) {
 }
 
 } // namespace
+
+bool asperity::lies_in_valley(const FacePlace &face, const FacePlace *const others[], size_t count,
+                              double energy, double push, const double a[3]) {
+  double along[3], m[3];
+  aspi_copy(a, along);
+  aspi_add_scaled(along, -aspi_dot(a, face.normal), face.normal, along);
+  for (size_t k = 0; k < count; k++) {
+    const FacePlace &other = *others[k];
+    if (!(other.start > 0) || other.time < face.time)
+      continue;
+    aspi_copy(other.normal, m);
+    aspi_add_scaled(m, -aspi_dot(m, face.normal), face.normal, m);
+    const double into = -aspi_dot(along, m), square = aspi_dot(m, m);
+    if (into > 0 && square > 0)
+      aspi_add_scaled(along, into / square, m, along);
+  }
+  const double steep = aspi_length(along) / (face.start * push);
+  return push > 0 && steep < 1 &&
+         energy < push * face.height * (sqrt(1 - steep * steep) - steep * acos(steep));
+}
 
 void Site::find_face() {
   const asp_wall *law = wall.setup.model.wall();

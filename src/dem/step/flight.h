@@ -15,6 +15,10 @@ namespace asperity {
 /* Sine of the angle to the wall below which a particle slides. */
 const double GRAZING = 1e-6;
 
+/* Contacts are at one wall if the cosine between their normals is larger; at a corner they are not.
+ */
+const double SAME_WALL = 0.7;
+
 /* An impact on the way of a particle. */
 struct Event : Impact {
   Stepper *wall;
@@ -128,6 +132,12 @@ private:
 
 /* hold.cpp: notes the energy of the rebounds of a flight, for the end of the step. */
 void note_energy(const Flight &flight);
+
+/* faces.cpp: true if a particle with this energy along the wall, per mass, cannot leave the valley
+ * behind its face, where `push` presses it to the wall and `a` acts on it. The other walls at which
+ * it stays, with these faces, take what pushes it into them. */
+bool lies_in_valley(const FacePlace &face, const FacePlace *const others[], size_t count,
+                    double energy, double push, const double a[3]);
 
 /* faces.cpp: the slope that the valley withstands in which a particle lies at the end of a step;
  * 0: it lies in none. */

@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# Bodies that stick: one sphere does, and the body is held as a whole, moves and turns with its wall, weighs on it, or is
+# deleted with all its spheres; on any number of ranks, and over a restart.
+# SPDX-License-Identifier: GPL-3.0-or-later
+source "$(dirname "$0")/engine.sh"
+source "$here/body_scene.sh"
+
+show="compute out all reduce max vx
+thermo_style custom step atoms c_ke c_re f_floor[2] f_floor[3] f_floor[7] f_floor[9] c_out
+thermo 1000000"
+# Each body sticks once; at rest the floor carries their weight, rm of all spheres by their bodies.
+poured 200 made.bin
+fall() { # DEPOSIT RANKS
+  { from_restart made.bin
+    echo "fix floor all wall/rebound primitive type 1 zplane -0.02 rebound constant 0 0 deposit $1 ledger 1 file $1.csv columns full
+fix g all gravity 9.81 vector 0.2 0 -1
+$show
+timestep 2e-5
+run 2400"; } > "$1.in"
+  engine "$2" "$1.in"
+  rows "$1.csv" > "$1.$2"
+}
+for ranks in 1 2 4; do
+  fall freeze $ranks
+  read -r _ atoms ke re deposits mass fx fz v < <(last freeze.in.screen)
+  [ "$atoms" = 400 ] && [ "$deposits" = 200 ] && [ "$ke" = 0 ] && [ "$re" = 0 ] && [ "$v" = 0 ] || die "freeze on $ranks ranks: $(last freeze.in.screen)"
+  awk -v m="$mass" -v x="$fx" -v z="$fz" 'BEGIN { w = m * 9.81 / sqrt(1.04); x -= 0.2 * w; z += w; exit x ^ 2 > (1e-6 * w) ^ 2 || z ^ 2 > (1e-6 * w) ^ 2 }' || die "weight on $ranks ranks: $fx $fz of $mass"
+  [ -z "$(cut -d, -f 40 "freeze.$ranks" | sort | uniq -d)" ] || die "a body sticks twice on $ranks ranks"
+  fall delete $ranks
+  read -r _ atoms _ _ deposits other _ < <(last delete.in.screen)
+  [ "$atoms" = 0 ] && [ "$deposits" = 200 ] && [ "$other" = "$mass" ] || die "delete on $ranks ranks: $(last delete.in.screen)"
+done
+same freeze.1 freeze.2 "2 ranks"; same freeze.1 freeze.4 "4 ranks"
+cut -d, -f 1-18,20- freeze.1 > freeze.rows; cut -d, -f 1-18,20- delete.1 > delete.rows
+same freeze.rows delete.rows "held or deleted"
+
+# Over a restart: what is held stays so, in its place, and the rest sticks as without it; `deposit off` frees them.
+for part in whole again; do
+  { if [ $part = whole ]; then from_restart made.bin; else from_restart half.bin; fi
+    echo "fix floor all wall/rebound primitive type 1 zplane -0.02 rebound constant 0 0 deposit freeze ledger 1 file $part.csv columns full
+fix g all gravity 9.81 vector 0.2 0 -1
+$show
+timestep 2e-5"
+    [ $part = again ] || echo "run 700
+write_restart half.bin"
+    echo "run 1200
+write_dump all custom end.$part id x y z modify sort id format \"%d %.13g %.13g %.13g\""; } > $part.in
+  engine $([ $part = whole ] && echo 1 || echo 2) $part.in
+done
+held=$(rows whole.csv | awk -F, '$3 < 701 * 2e-5' | wc -l)
+[ "$held" -gt 20 ] && [ "$held" -lt 180 ] || die "restart: $held are held"
+[ "$(last whole.in.screen)" = "$(last again.in.screen)" ] || die "restart: $(last whole.in.screen) and $(last again.in.screen)"
+same end.whole end.again "over a restart"
+{ from_restart half.bin; echo "fix floor all wall/rebound primitive type 1 zplane -0.02 rebound constant 0 0 deposit off
+$show
+fix g all gravity 9.81 vector 1 0 1
+timestep 2e-5
+run 500"; } > off.in
+engine 1 off.in
+read -r _ _ ke _ < <(last off.in.screen)
+awk -v k="$ke" 'BEGIN { exit !(k > 0) }' || die "deposit off holds bodies: $(last off.in.screen)"
+
+# Held bodies move and turn with their walls: after a whole turn all spheres are where they were, after half of one on
+# the other side of the axis.
+cat > plate.stl << 'END'
+solid plate
+facet normal 0 0 1
+outer loop
+vertex -0.04 -0.04 -0.02
+vertex 0.04 -0.04 -0.02
+vertex 0.04 0.04 -0.02
+endloop
+endfacet
+facet normal 0 0 1
+outer loop
+vertex -0.04 -0.04 -0.02
+vertex 0.04 0.04 -0.02
+vertex -0.04 0.04 -0.02
+endloop
+endfacet
+endsolid plate
+END
+wide=0.012 heights="-0.011 0.012" poured 100 inner.bin
+turns() { # NAME GEOMETRY EXPRESSION of awk: the square of the distance between a sphere's places half a turn apart, as turned
+  { from_restart inner.bin
+    echo "fix plate all mesh/surface file plate.stl type 1
+fix turn all move/mesh mesh plate rotate origin 0 0 -0.02 axis 0 0 1 period 0.01
+fix floor all wall/rebound $2 rebound constant 0 0 deposit freeze
+timestep 2e-5
+run 2100
+thermo_style custom step atoms c_ke f_floor[2]
+write_dump all custom $1.begin id x y z modify sort id format \"%d %.14g %.14g %.14g\"
+run 250
+write_dump all custom $1.half id x y z modify sort id format \"%d %.14g %.14g %.14g\"
+run 250
+write_dump all custom $1.end id x y z modify sort id format \"%d %.14g %.14g %.14g\""; } > $1.in
+  engine 2 $1.in
+  [ "$(last $1.in.screen | awk '{ print $4 }')" = 100 ] || die "$1: $(last $1.in.screen)"
+  for at in begin half end; do sed '1,/^ITEM: ATOMS/d' $1.$at; done | awk -v n=200 "
+    { x[NR] = \$2; y[NR] = \$3; z[NR] = \$4 }
+    END { for (i = 1; i <= n; i++) { h = i + n; e = h + n
+        d = (x[e] - x[i]) ^ 2 + (y[e] - y[i]) ^ 2 + (z[e] - z[i]) ^ 2; if (d > most) most = d
+        d = $3; if (d > most) most = d }
+      exit !(NR == 3 * n && most < 1e-22) }" || die "$1: held bodies do not turn with the wall"
+}
+turns mesh "mesh n_meshes 1 meshes plate" "(x[h] + x[i]) ^ 2 + (y[h] + y[i]) ^ 2 + (z[h] - z[i]) ^ 2"
+turns drum "primitive type 1 ycylinder 0.0195 0 0 shear x 628.31853071795865" "(x[h] + x[i]) ^ 2 + (y[h] - y[i]) ^ 2 + (z[h] + z[i]) ^ 2"
