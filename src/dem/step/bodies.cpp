@@ -161,17 +161,35 @@ double Way::press(const Touch &touch) const {
   return touch.contact.follow - aspi_dot(body_.acceleration, touch.contact.n);
 }
 
-/* True for an impact, false for a contact that stays, by the criterion of step.cpp. */
+/* The acceleration of the center of a sphere by the free turning of the body. */
+static void turning(const Body &body, const asp_body &inverse, const double arm[3], double a[3]) {
+  double omega[3], gyro[3], alpha[3], side[3];
+  spin_of(body, omega);
+  aspi_cross(body.angular_momentum, omega, gyro);
+  multiply(inverse.inverse_inertia, gyro, alpha);
+  aspi_cross(alpha, arm, a);
+  aspi_cross(omega, arm, side);
+  aspi_cross(omega, side, gyro);
+  aspi_add_scaled(a, 1, gyro, a);
+}
+
+/* True for an impact, false for a contact that stays, by the criterion of step.cpp. A body that
+ * stayed in the step before has the speed that was added since the middle of that step. */
 bool Way::arrives(const Touch &touch, double &approach) const {
-  double u[3], arm[3];
-  const double none[3] = {0, 0, 0};
+  double u[3], arm[3], turns[3];
+  const double none[3] = {0, 0, 0}, *n = touch.contact.n;
+  const asp_body inverse = inverse_of(body_, none);
   relative_velocity(touch, u);
   arm_of(body_, sphere(touch), arm);
-  approach = -aspi_dot(u, touch.contact.n);
+  approach = -aspi_dot(u, n);
+  const double half = 0.5 * bodies_.dt, step = static_cast<double>(bodies_.step);
+  const bool stayed = fabs(memory(touch.wall).stayed - step) < 0.5;
+  const double added = stayed ? half + (bodies_.dt - left_) : half;
   /* A body that stands on another point of it falls that much faster here, at most. */
-  const double more = body_.mass * inverse_mass_at(inverse_of(body_, none), arm, touch.contact.n);
-  return approach > std::max((1 + ROUNDING) * 0.5 * bodies_.dt * more * press(touch),
-                             GRAZING * aspi_length(u));
+  const double more = body_.mass * inverse_mass_at(inverse, arm, n);
+  turning(body_, inverse, arm, turns);
+  const double falls = more * press(touch) + std::max(0.0, -aspi_dot(turns, n));
+  return approach > std::max((1 + ROUNDING) * added * falls, GRAZING * aspi_length(u));
 }
 
 /* The contacts of this instant: an impact, several at a smooth wall, or all of them stay. */

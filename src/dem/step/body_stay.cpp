@@ -1,7 +1,7 @@
 /* Bodies that stay at walls, and the faces and valleys of rough walls that their spheres meet; see
  * bodies.h and faces.cpp, whose rules hold for each touching sphere. A body lies in a valley by the
  * energy of its whole motion along the wall, per mass; the valley acts on the center of the sphere
- * that lies there, as friction. A body of one sphere does all that a particle does.
+ * that lies there, as friction. A sphere about the center of mass does all that a particle does.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
@@ -17,6 +17,10 @@ using namespace asperity;
 
 /* The speed away from a wall that contacts which stay get, over that of their approach. */
 static const double CLEAR = 1e-6;
+
+/* A sphere is about the center of mass if it is off by less than this share of its radius: engines
+ * find the center by random points. */
+static const double CENTRAL = 0.01;
 
 /* ---- faces ------------------------------------------------------------------------------------
  */
@@ -170,11 +174,16 @@ void Way::brake(const Touch &touch, const double change[3], const double turn[3]
   wall(touch).books.add_load(touch.shape, load);
 }
 
-/* A body of one sphere that bounces in its valley loses its motion along the wall. */
+/* True for a sphere about the center of mass. */
+bool Way::is_ball(const Touch &touch) const {
+  return aspi_length(sphere(touch).arm) < CENTRAL * sphere(touch).radius;
+}
+
+/* A sphere that bounces in its valley loses its motion along the wall. */
 void Way::stop_along(const Touch &touch) {
   const double *n = touch.contact.n, *turn = body_.angular_momentum;
   double change[3], still[3];
-  if (body_.count > 1 || !(hold_of(touch, -aspi_dot(body_.acceleration, n)) > 0))
+  if (!is_ball(touch) || !(hold_of(touch, -aspi_dot(body_.acceleration, n)) > 0))
     return;
   velocity(change);
   aspi_subtract(touch.contact.v_wall, change, change);
@@ -290,9 +299,9 @@ void Way::stay(bool in_valleys) {
     aspi_add_scaled(body_.angular_momentum, 1, couple, body_.angular_momentum);
   }
   count_stay(v1);
-  for (size_t k = 0; body_.count == 1 && k < touches_.size(); k++) {
+  for (size_t k = 0; k < touches_.size(); k++) {
     const double *n = touches_[k].contact.n, *turn = body_.angular_momentum;
-    if (!(touches_[k].hold > 0) || !(aspi_dot(points_[k].p, n) > 0))
+    if (!is_ball(touches_[k]) || !(touches_[k].hold > 0) || !(aspi_dot(points_[k].p, n) > 0))
       continue;
     double still[3];
     for (int d = 0; d < 3; d++)

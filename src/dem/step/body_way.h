@@ -77,6 +77,7 @@ private:
   double hold_of(const Touch &touch, double push);
   bool is_low(const Touch &touch, double approach);
   void brake(const Touch &touch, const double change[3], const double turn[3]);
+  bool is_ball(const Touch &touch) const;
   void stop_along(const Touch &touch);
   bool graze(const Touch &touch);
 
