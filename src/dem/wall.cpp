@@ -166,7 +166,8 @@ double Wall::worn_density(size_t shape) const {
 }
 
 double Wall::bytes() const {
-  size_t all = stepper.stuck.capacity() * sizeof(int) + stepper.ahead.bytes() + books.bytes();
+  size_t all =
+      stepper.stuck.capacity() * sizeof(StuckParticle) + stepper.ahead.bytes() + books.bytes();
   for (const Member &member : setup.shapes)
     all += member.shape->bytes();
   return static_cast<double>(all);

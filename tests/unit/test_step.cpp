@@ -207,6 +207,50 @@ void stuck_grains_pass_their_spin_on(void **) {
   assert_true(!(fabs(grains.omega[2]) > 0));
 }
 
+/* Whatever acts on a stuck grain goes to its wall, in the step in which it acts: as long as it
+ * stays the same, when it changes within a step, and where grains change places within one. */
+void stuck_grains_pass_their_forces_on(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> wall =
+      make_wall(engine, plane(0, 0), "rebound bons yield_rate 0 deposit freeze materials quartz");
+  Grains grains(2, 0.5, 0.1);
+  for (size_t i = 0; i < 2; i++) {
+    grains.x[3 * i] = 0.5001;
+    grains.x[3 * i + 1] = 2 * static_cast<double>(i);
+    grains.v[3 * i] = -2e-3;
+  }
+  grains.begin({wall.get()});
+  grains.fly(1);
+  assert_true(wall->stuck() == 2);
+  const double before = wall->books.counter(Books::ANGULAR_IMPULSE + 2);
+  double sum = 0, turn = 0, last[2] = {0, 0};
+  for (int step = 0; step < 40; step++) {
+    grains.advance();
+    const double acts = step % 20 < 12 ? 3 : step % 20 < 14 ? -2 : 0;
+    grains.mass[1] = step > 30 ? 2 : 1;
+    grains.f[1] = acts;
+    grains.f[4] = 0.5 * acts * grains.mass[1];
+    if (step % 8 == 5)
+      wall->reorder(grains.spheres());
+    grains.finish();
+    double all = 0;
+    for (size_t i = 0; i < 2; i++) {
+      const double force = 0.5 * (last[i] + grains.f[3 * i + 1]), y = 2 * static_cast<double>(i);
+      const double *state = &grains.rows[0].state[i * Wall::N_STATE];
+      assert_true(fabs(state[3] - force) < 1e-12 && !(fabs(state[2]) > 0));
+      assert_true(fabs(state[6] - (fabs(force) > 0 ? y : 0)) < 1e-12);
+      assert_true(!(fabs(grains.v[3 * i + 1]) > 0) && !(fabs(grains.x[3 * i + 1] - y) > 0));
+      last[i] = grains.f[3 * i + 1];
+      all += force;
+    }
+    sum += 0.1 * all;
+    turn += 0.1 * 0.5 * all;
+    assert_true(fabs(wall->books.counter(Books::FORCE + 1) - all) < 1e-12);
+    assert_true(fabs(wall->books.counter(Books::IMPULSE + 1) - sum) < 1e-12);
+    assert_true(fabs(wall->books.counter(Books::ANGULAR_IMPULSE + 2) - before - turn) < 1e-12);
+  }
+}
+
 /* Closes in along z at its own speed, wherever the grain is. */
 class Chaser : public Shape {
 public:
@@ -545,6 +589,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(walls_get_what_grains_lose),
       cmocka_unit_test(valleys_get_what_grains_lose),
       cmocka_unit_test(stuck_grains_pass_their_spin_on),
+      cmocka_unit_test(stuck_grains_pass_their_forces_on),
       cmocka_unit_test(the_last_contact_may_stick),
       cmocka_unit_test(numbers_take_one_reduction),
       cmocka_unit_test(rounding_is_not_guarded),

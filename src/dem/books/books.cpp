@@ -21,7 +21,8 @@ const char *const Books::SUM_NAMES[] = {"impacts",        "deposited_mass",     
 /* Triangles per MPI_Allreduce. */
 static const size_t SHOWN = 32768;
 
-Books::Books(const Setup &setup) : setup_(setup), states_(NULL), counters_(), torque_about_() {}
+Books::Books(const Setup &setup)
+    : setup_(setup), states_(NULL), counters_(), kept_(), torque_about_() {}
 
 void Books::add_shape() {
   const size_t size = setup_.shapes.back().pieces * N_SUMS;
@@ -101,6 +102,7 @@ void Books::begin_run() {
 
 void Books::reorder(int n) {
   loaded_.clear();
+  kept_ = Impulses();
   for (int i = 0; i < n; i++)
     if (aspi_dot(states_[i].force, states_[i].force) > 0)
       loaded_.push_back(i);
@@ -173,18 +175,54 @@ void Books::ShapeSums::add_values(int piece, Sum first, int count, const double 
     of[k] += values[k];
 }
 
+Books::Impulses Books::impulses_at(const double point[3], const double p[3]) const {
+  Impulses all;
+  double arm[3];
+  aspi_copy(p, all.p);
+  aspi_subtract(point, torque_about_, arm);
+  aspi_cross(arm, p, all.turn);
+  return all;
+}
+
+void Books::add_impulses(const Impulses &all) {
+  for (int d = 0; d < 3; d++) {
+    counters_[FORCE + d] += all.p[d];
+    counters_[TORQUE + d] += all.turn[d];
+    counters_[IMPULSE + d] += all.p[d];
+    counters_[ANGULAR_IMPULSE + d] += all.turn[d];
+  }
+}
+
+void Books::keep_load(int i, const double x[3], const double v[3], double mass) {
+  double p[3] = {mass * v[0], mass * v[1], mass * v[2]};
+  if (!(aspi_dot(v, v) > 0))
+    return;
+  const Impulses its = impulses_at(x, p);
+  aspi_add_scaled(kept_.p, 1, its.p, kept_.p);
+  aspi_add_scaled(kept_.turn, 1, its.turn, kept_.turn);
+  aspi_scale(2 / setup_.dt, p);
+  aspi_copy(p, states_[i].force);
+  aspi_copy(x, states_[i].point);
+}
+
+void Books::drop_load(int i, const double x[3], const double v[3], double mass, double share) {
+  const double p[3] = {mass * v[0], mass * v[1], mass * v[2]};
+  const Impulses its = impulses_at(x, p);
+  ParticleState &of = states_[i];
+  aspi_add_scaled(kept_.p, -1, its.p, kept_.p);
+  aspi_add_scaled(kept_.turn, -1, its.turn, kept_.turn);
+  aspi_scale(share, of.force);
+  aspi_scale(share > 0, of.point);
+  if (aspi_dot(of.force, of.force) > 0)
+    loaded_.push_back(i);
+}
+
 void Books::add_load(size_t shape, const ContactLoad &load) {
   ShapeSums &sums = shapes_[shape];
-  double arm[3], torque[3], along[3];
-  aspi_subtract(load.point, torque_about_, arm);
-  aspi_cross(arm, load.impulse, torque);
-  aspi_add_scaled(torque, 1, load.couple, torque);
-  for (int d = 0; d < 3; d++) {
-    counters_[FORCE + d] += load.impulse[d];
-    counters_[TORQUE + d] += torque[d];
-    counters_[IMPULSE + d] += load.impulse[d];
-    counters_[ANGULAR_IMPULSE + d] += torque[d];
-  }
+  double along[3];
+  Impulses all = impulses_at(load.point, load.impulse);
+  aspi_add_scaled(all.turn, 1, load.couple, all.turn);
+  add_impulses(all);
   if (load.particle >= 0) {
     ParticleState &of = states_[load.particle];
     if (!(aspi_dot(of.force, of.force) > 0))

@@ -87,6 +87,14 @@ public:
   /* made: the load of a body; NULL: that of a sphere, which is worked out. */
   void count(const Spheres &spheres, int i, const Impact &impact, const ContactLoad *made = NULL);
   void add_load(size_t shape, const ContactLoad &load);
+
+  /* Loads that stuck particles give in both halves of each step, until they end after a share of
+   * one: at x, from v, with this mass. And all of them, once in each half. */
+  void keep_load(int i, const double x[3], const double v[3], double mass);
+  void drop_load(int i, const double x[3], const double v[3], double mass, double share);
+  void add_kept_loads() {
+    add_impulses(kept_);
+  }
   void count_guarded() {
     counters_[N_GUARDED]++;
   }
@@ -134,12 +142,20 @@ private:
   void record(const Spheres &spheres, int i, const Impact &impact, const ContactLoad &load);
   double number(size_t k) const;
 
+  /* An impulse and its torque. */
+  struct Impulses {
+    double p[3], turn[3];
+  };
+  Impulses impulses_at(const double point[3], const double p[3]) const;
+  void add_impulses(const Impulses &all);
+
   const Setup &setup_;
   ParticleState *states_;
   std::vector<int> loaded_; /* particles with a force */
   std::vector<ShapeSums> shapes_;
   std::unique_ptr<Ledger> ledger_;
   double counters_[N_COUNTERS]; /* force and torque as impulses */
+  Impulses kept_;               /* of the loads that are kept */
   double torque_about_[3];
   mutable std::vector<double> numbers_; /* counters and totals of all ranks; empty: out of date */
 };

@@ -35,6 +35,7 @@ struct ParticleState {
 struct StuckPlace {
   double shape; /* from 1; 0: gone */
   double piece, at[3], velocity[3];
+  double is_kept; /* 1: the books keep its load, and its force is that of a whole step */
 };
 
 /* The faces at which a particle stays. Of a curved one also its normal as the contact began. */

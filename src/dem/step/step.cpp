@@ -338,8 +338,8 @@ static void fly(const std::vector<Stepper *> &walls, const std::vector<Stepper *
 }
 
 Stepper::Stepper(const Setup &of, Books &its)
-    : setup(of), books(its), rows(), ahead(of, rows), is_still(false), has_to_delete(false),
-      is_cut(false) {}
+    : setup(of), books(its), rows(), ahead(of, rows), is_in_step(false), is_still(false),
+      has_to_delete(false), is_cut(false) {}
 
 void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
   double least, most;
@@ -365,11 +365,14 @@ void Stepper::reorder(const Spheres &s) {
   touching.clear();
   has_to_delete = false;
   for (int i = 0; i < s.n; i++)
-    if (rows.is_stuck(i))
-      stuck.push_back(i);
-    else if (rows.status(i) != Status::FREE)
+    if (rows.is_stuck(i)) {
+      StuckPlace &at = rows.place[i].stuck;
+      if (at.is_kept > 0 && is_in_step)
+        aspi_scale(0.5, rows.state[i].force); /* the second half of the step is to come */
+      at.is_kept = 0;
+      stuck.push_back(StuckParticle{i, false, false, {}, {}, 0});
+    } else if (rows.status(i) != Status::FREE)
       touching.push_back(i);
-  held_at.assign(3 * stuck.size(), NAN);
   ahead.reorder(s);
 }
 

@@ -19,18 +19,27 @@ namespace asperity {
 
 struct Flight;
 
+/* A stuck particle. If a wall at rest stopped it here in the half of a step before: where, and the
+ * velocity and mass it had. */
+struct StuckParticle {
+  int i;
+  bool was_stopped;
+  bool is_kept; /* its load is among those that the books keep */
+  double x[3], v[3], mass;
+};
+
 struct Stepper {
   const Setup &setup;
   Books &books;
   ParticleRows rows;
   Ahead ahead;
-  std::vector<int> stuck;
-  std::vector<double> held_at; /* of each of them, where its wall left it, at rest; NAN: it moved */
-  bool is_still;               /* no shape moves what sticks to it in this step */
-  std::vector<int> touching;   /* those that stay or have rebounded in this step, in order */
-  std::vector<int> rested;     /* those of the step before */
-  bool has_to_delete;          /* particles of this rank are to be deleted */
-  bool is_cut;                 /* a particle had too many contacts in a step */
+  std::vector<StuckParticle> stuck;
+  bool is_in_step;           /* between carry_stuck() and hold_stuck() */
+  bool is_still;             /* no shape moves or measures what sticks to it in this step */
+  std::vector<int> touching; /* those that stay or have rebounded in this step, in order */
+  std::vector<int> rested;   /* those of the step before */
+  bool has_to_delete;        /* particles of this rank are to be deleted */
+  bool is_cut;               /* a particle had too many contacts in a step */
 
   Stepper(const Setup &setup, Books &books);
 
@@ -56,6 +65,7 @@ struct Stepper {
 private:
   void renumber(const Spheres &spheres, const std::vector<int> &shape_now);
   void carry_stuck(const Spheres &spheres);
+  void drop_load(StuckParticle &at, double share);
   void carry(const Spheres &spheres, int i, double dt);
 };
 

@@ -22,11 +22,11 @@ void Stepper::stick(Flight &flight, size_t shape, const Path &before, const Cont
   to.shape = static_cast<double>(shape) + 1;
   to.piece = at.piece;
   aspi_copy(at.at, to.at);
+  to.is_kept = 0;
   const bool deletes = setup.model.deposit() == Model::DELETE;
   rows.set_status(i, deletes ? Status::TO_DELETE : Status::STUCK);
   has_to_delete = has_to_delete || deletes;
-  stuck.push_back(i);
-  held_at.resize(3 * stuck.size(), NAN);
+  stuck.push_back(StuckParticle{i, false, false, {}, {}, 0});
   aspi_copy(contact.x, flight.spheres.x + 3 * static_cast<size_t>(i));
   carry(flight.spheres, i, flight.path.left);
 }
@@ -63,44 +63,67 @@ static inline uint64_t bits(const double *x) {
   return all;
 }
 
-/* True if a vector is 0, and no component is -0. */
-static inline bool is_zero(const double x[3]) {
-  return (bits(x) | bits(x + 1) | bits(x + 2)) == 0;
+/* 0 if two vectors are the same to the bit. */
+static inline uint64_t change(const double a[3], const double b[3]) {
+  return (bits(a) ^ bits(b)) | (bits(a + 1) ^ bits(b + 1)) | (bits(a + 2) ^ bits(b + 2));
 }
 
-/* True if a particle's wall left it at rest in this place, and it has neither velocity nor spin. */
-static inline bool is_held(const Spheres &s, int i, const double at[3]) {
-  const size_t row = 3 * static_cast<size_t>(i);
-  return at[0] <= HUGE_VAL && is_zero(s.v + row) && (!s.omega || is_zero(s.omega + row));
+/* True if a particle without spin comes again as its wall stopped it before. */
+static inline bool comes_again(const StuckParticle &at, const Spheres &s) {
+  const size_t row = 3 * static_cast<size_t>(at.i);
+  const uint64_t spin = s.omega ? change(s.omega + row, NONE) : 0;
+  return (change(s.v + row, at.v) | spin | (bits(&at.mass) ^ bits(s.mass + at.i))) == 0;
 }
 
-/* A particle that a wall at rest holds costs no more than the look at it. */
-void Stepper::carry_stuck(const Spheres &s) {
-  is_still = true;
-  for (const Member &member : setup.shapes)
-    is_still = is_still && member.shape->is_still();
-  double *at = held_at.data();
-  for (int i : stuck) {
-    const double *x = s.x + 3 * static_cast<size_t>(i);
-    const bool moved =
-        ((bits(x) ^ bits(at)) | (bits(x + 1) ^ bits(at + 1)) | (bits(x + 2) ^ bits(at + 2))) != 0;
-    if (!is_still || moved || !is_held(s, i, at)) {
-      hold_one(*this, s, i, [&] { carry(s, i, s.dt); });
-      at[0] = NAN;
-      if (is_still && is_zero(rows.place[i].stuck.velocity))
-        aspi_copy(x, at);
-    }
-    at += 3;
+/* Ends the load of a particle after this share of a step. */
+void Stepper::drop_load(StuckParticle &at, double share) {
+  if (at.is_kept) {
+    books.drop_load(at.i, at.x, at.v, at.mass, share);
+    rows.place[at.i].stuck.is_kept = 0;
   }
+  at.was_stopped = at.is_kept = false;
+}
+
+/* A particle that a wall at rest stops again and again, as against gravity, costs no more than its
+ * place and velocity: the books keep the load. */
+void Stepper::carry_stuck(const Spheres &s) {
+  is_in_step = is_still = true;
+  for (const Member &member : setup.shapes)
+    is_still = is_still && member.shape->is_still() && !member.shape->measures();
+  for (StuckParticle &at : stuck) {
+    if (is_still && at.was_stopped && comes_again(at, s)) {
+      if (!at.is_kept) {
+        books.keep_load(at.i, at.x, at.v, at.mass);
+        at.is_kept = true;
+        rows.place[at.i].stuck.is_kept = 1;
+      }
+      aspi_copy(at.x, s.x + 3 * static_cast<size_t>(at.i));
+      aspi_copy(NONE, s.v + 3 * static_cast<size_t>(at.i));
+    } else {
+      drop_load(at, 0);
+      hold_one(*this, s, at.i, [&] { carry(s, at.i, s.dt); });
+    }
+  }
+  books.add_kept_loads();
 }
 
 void Stepper::hold_stuck(const Spheres &s) {
-  const double *at = held_at.data();
-  for (int i : stuck) {
-    if (!is_still || !is_held(s, i, at))
-      hold_one(*this, s, i, [&] { set_velocity(rows.place[i].stuck, s, i); });
-    at += 3;
+  is_in_step = false;
+  for (StuckParticle &at : stuck) {
+    double *v = s.v + 3 * static_cast<size_t>(at.i);
+    if (at.is_kept && comes_again(at, s)) {
+      aspi_copy(NONE, v);
+      continue;
+    }
+    drop_load(at, 0.5);
+    const double *v_wall = rows.place[at.i].stuck.velocity;
+    at.was_stopped = is_still && change(v_wall, NONE) == 0;
+    aspi_copy(s.x + 3 * static_cast<size_t>(at.i), at.x);
+    aspi_copy(v, at.v);
+    at.mass = s.mass[at.i];
+    hold_one(*this, s, at.i, [&] { set_velocity(rows.place[at.i].stuck, s, at.i); });
   }
+  books.add_kept_loads();
 }
 
 /* Puts a stuck particle where its wall has it at the end of the step: the periodic image of that
