@@ -121,6 +121,16 @@ static Stepper *find_known(Flight &flight, size_t &shape, Contact &contact) {
   return NULL;
 }
 
+/* True if a contact is one of the known faces again: the path is straight, and the wall may move.
+ */
+static bool is_met_again(const Flight &flight, const Stepper *wall, size_t shape,
+                         const Contact &contact) {
+  for (const Flight::Known &known : flight.known)
+    if (known.met && known.wall == wall && known.shape == shape && known.face == contact.face)
+      return true;
+  return false;
+}
+
 /* From here on all walls are searched; what was known of the way ahead holds no more. */
 static void search_all(const std::vector<Stepper *> &walls, Flight &flight) {
   if (flight.searches_all)
@@ -317,7 +327,8 @@ static void fly(const std::vector<Stepper *> &walls, const std::vector<Stepper *
     all++;
     last = wall;
     stuck = touch(flight, *wall, shape, contact, series > SERIES);
-    if (!known || flight.sustained.empty() || flight.has_strayed(most))
+    if (!is_met_again(flight, wall, shape, contact) || flight.sustained.empty() ||
+        flight.has_strayed(most))
       search_all(walls, flight);
   }
   const bool trapped = flight.squeezed || (!stuck && series == 2 * SERIES &&
