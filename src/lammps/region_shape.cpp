@@ -18,6 +18,7 @@
 
 using namespace LAMMPS_NS;
 using asperity::Contact;
+using asperity::Course;
 using asperity::FaceList;
 using asperity::Path;
 using asperity::Place;
@@ -150,9 +151,8 @@ void RegionShape::setup() {
     part.settle();
 }
 
-/* A region's box may be endless; the box of the simulation is not. */
 void RegionShape::begin_step() {
-  const Domain *domain = lammps_->domain;
+  const double dt = lammps_->update->dt;
   speed_ = 0;
   bool any = false;
   for (const RegionPart &part : parts_)
@@ -161,14 +161,27 @@ void RegionShape::begin_step() {
     return;
   read_variables(lammps_, root_.region);
   for (RegionPart &part : parts_)
-    if (part.moves()) {
-      part.advance(lammps_->update->dt);
-      speed_ = std::max(speed_, part.speed(domain->boxlo, domain->boxhi));
-    }
+    if (part.moves())
+      part.advance(dt);
+  speed_ = drift(asperity::Twist(), dt) / dt;
 }
 
-double RegionShape::travel(double dt) const {
-  return 1.5 * speed_ * dt; /* it may be faster at an end of the step than in the mean */
+/* That of its parts which move, if they move together. */
+asperity::Twist RegionShape::screw(double) const {
+  for (const RegionPart &part : parts_)
+    if (part.moves())
+      return part.screw();
+  return asperity::Twist();
+}
+
+/* A region's box may be endless; the box of the simulation is not. */
+double RegionShape::drift(const asperity::Twist &from, double) const {
+  const Domain *domain = lammps_->domain;
+  double most = 0;
+  for (const RegionPart &part : parts_)
+    if (part.moves() || !from.is_rest())
+      most = std::max(most, part.drift(from, domain->boxlo, domain->boxhi));
+  return most;
 }
 
 /* Puts the region to where it is at a share of the step. */
@@ -247,20 +260,21 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
  */
 
 /* By the nearest point of each part's faces from either side; those that are hidden count, too. */
-double RegionShape::clear(const double x[3], const double v[3], double reach, double widen,
-                          double most, const FaceList &stays) const {
+double RegionShape::clear(const Course &course, const asperity::Twist &screw,
+                          const FaceList &stays) const {
   std::vector<Foot> &feet = buffers_.feet;
-  const double speed = aspi_length(v), wide = (1 + ASIDE_LENGTH) * reach;
-  double steps = most, aside[3];
-  aspi_add_scaled(x, reach, ASIDE, aside);
+  const Course seen = course.seen_from(screw);
+  const double speed = aspi_length(seen.v), wide = (1 + ASIDE_LENGTH) * seen.reach;
+  double steps = seen.most, aside[3];
+  aspi_add_scaled(seen.x, seen.reach, ASIDE, aside);
   for (const RegionPart &part : parts_) {
     feet.clear();
-    part.add_feet(aside, wide + steps * (speed + widen), feet);
+    part.add_feet(aside, wide + steps * (speed + seen.widen), feet);
     for (const Foot &foot : feet) {
       if (stays.has(foot.face))
         continue;
       const double gap = foot.distance - wide;
-      const double closing = widen + (foot.behind ? -aspi_dot(v, foot.n) : speed);
+      const double closing = seen.widen + (foot.behind ? -aspi_dot(seen.v, foot.n) : speed);
       if (!(gap > 0))
         return 0;
       if (closing * steps > gap)
@@ -271,13 +285,15 @@ double RegionShape::clear(const double x[3], const double v[3], double reach, do
 }
 
 bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
-  const double still[3] = {0, 0, 0};
-  double middle[3], half[3];
+  Course box = Course();
+  double half[3];
   for (int d = 0; d < 3; d++) {
     half[d] = 0.5 * (hi[d] - lo[d]);
-    middle[d] = lo[d] + half[d];
+    box.x[d] = lo[d] + half[d];
   }
-  return clear(middle, still, aspi_length(half), 0, 1, FaceList()) < 1;
+  box.reach = aspi_length(half);
+  box.most = 1;
+  return clear(box, asperity::Twist(), FaceList()) < 1;
 }
 
 bool RegionShape::under(int face, const double x[3], double reach, double n[3],

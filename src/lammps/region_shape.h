@@ -30,8 +30,9 @@ public:
   void setup();
   void begin_step();
 
-  double travel(double dt) const override;
-  double clear(const double x[3], const double v[3], double reach, double widen, double most,
+  asperity::Twist screw(double dt) const override;
+  double drift(const asperity::Twist &from, double dt) const override;
+  double clear(const asperity::Course &course, const asperity::Twist &screw,
                const asperity::FaceList &stays) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,

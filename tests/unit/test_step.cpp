@@ -255,9 +255,6 @@ void stuck_grains_pass_their_forces_on(void **) {
 class Chaser : public Shape {
 public:
   explicit Chaser(double speed) : speed_(speed) {}
-  double travel(double) const override {
-    return 0;
-  }
   bool may_meet(const double[3], const double[3]) const override {
     return true;
   }

@@ -102,20 +102,32 @@ Bounds MeshShape::whole() const {
   return box;
 }
 
-double MeshShape::travel(double dt) const {
+Twist MeshShape::screw(double) const {
+  return motion_.screw();
+}
+
+/* The box moves with the mesh. Within a step the velocity changes from one end to the other. */
+double MeshShape::drift(const Twist &from, double dt) const {
   double most = 0;
   const Bounds box = whole();
-  if (!motion_.moves() || box.lo[0] > box.hi[0])
+  if (box.lo[0] > box.hi[0] || (!motion_.moves() && from.is_rest()))
     return 0;
   for (int corner = 0; corner < 8; corner++) {
-    double x[3], begin[3], end[3], v[3], chord[3];
+    double x[3], begin[3], end[3], middle[3], v[3], w[3], chord[3];
     for (int d = 0; d < 3; d++)
       x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
     motion_.frame_at(0).to_world(x, begin);
     motion_.end().to_world(x, end);
     aspi_subtract(end, begin, chord);
+    aspi_copy(begin, middle);
+    aspi_add_scaled(middle, 0.5, chord, middle);
+    from.velocity(middle, w);
+    aspi_subtract(chord, w, chord);
     motion_.velocity(1, end, v);
-    most = std::max(most, std::max(aspi_length(chord), aspi_length(v) * dt));
+    from.velocity(end, w);
+    aspi_scale(dt, v);
+    aspi_subtract(v, w, v);
+    most = std::max(most, std::max(aspi_length(chord), aspi_length(v)));
   }
   return 1.5 * most; /* a chord is shorter than its arc */
 }
@@ -150,28 +162,28 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
   return false;
 }
 
-double MeshShape::clear(const double x[3], const double v[3], double reach, double widen,
-                        double most, const FaceList &stays) const {
-  double steps = most;
+double MeshShape::clear(const Course &course, const Twist &screw, const FaceList &stays) const {
+  double steps = course.most;
   for (const Shift &shift : shifts_) {
-    double from[3], at[3], by[3];
-    aspi_subtract(x, shift.by, from);
-    aspi_copy(from, at);
-    aspi_copy(v, by);
+    Course at = course;
+    aspi_subtract(course.x, shift.by, at.x);
     if (!motion_.in_world()) {
       const Frame &frame = motion_.end();
-      frame.to_body(from, at);
+      at = at.seen_from(screw);
+      const double v[3] = {at.v[0], at.v[1], at.v[2]};
+      frame.to_body(at.x, at.x);
       for (int j = 0; j < 3; j++)
-        by[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
+        at.v[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
+    steps = std::min(steps, at.most);
     /* No farther than the triangles are known, and one step at least. */
     while (!has_all() && steps > 1 &&
-           !has(Bounds::of_path(at, by, 0, steps, reach + steps * widen)))
+           !has(Bounds::of_path(at.x, at.v, 0, steps, at.reach + steps * at.widen)))
       steps = std::max(1.0, steps / 4);
     if (!has_all())
-      fetch_missing(Bounds::of_path(at, by, 0, steps, reach + steps * widen));
-    steps = std::min(
-        steps, aspi_tree_clear(tree_.get(), at, by, reach, widen, steps, stays.face, stays.count));
+      fetch_missing(Bounds::of_path(at.x, at.v, 0, steps, at.reach + steps * at.widen));
+    steps = std::min(steps, aspi_tree_clear(tree_.get(), at.x, at.v, at.reach, at.widen, steps,
+                                            stays.face, stays.count));
   }
   return steps;
 }

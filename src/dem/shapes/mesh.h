@@ -40,10 +40,10 @@ public:
     return tree_.get();
   }
 
-  double travel(double dt) const override;
+  Twist screw(double dt) const override;
+  double drift(const Twist &from, double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
-  double clear(const double x[3], const double v[3], double reach, double widen, double most,
-               const FaceList &stays) const override;
+  double clear(const Course &course, const Twist &screw, const FaceList &stays) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   bool find_known(int face, const Path &path, double radius, Contact &contact) const override;

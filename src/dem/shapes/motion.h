@@ -24,6 +24,7 @@ struct Twist {
   double angular[3], linear[3];
   Twist();
   void velocity(const double x[3], double v[3]) const;
+  bool is_rest() const;
 };
 
 class Motion {
@@ -57,6 +58,11 @@ public:
   }
   const Frame &end() const {
     return end_;
+  }
+
+  /* Of the whole step, times its duration. */
+  const Twist &screw() const {
+    return screw_;
   }
 
   /* At the share s (0 to 1) of the step. */

@@ -43,21 +43,16 @@ PlaneShape::PlaneShape(int axis, double at, const double velocity[3]) {
   aspi_copy(velocity, v_);
 }
 
-double PlaneShape::travel(double dt) const {
-  return aspi_length(v_) * dt;
-}
-
 bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
   return lo[plane_.axis] <= plane_.at && plane_.at <= hi[plane_.axis];
 }
 
-double PlaneShape::clear(const double x[3], const double v[3], double reach, double widen,
-                         double most, const FaceList &stays) const {
+double PlaneShape::clear(const Course &course, const Twist &, const FaceList &stays) const {
   if (stays.count > 0)
-    return most;
-  const double off = x[plane_.axis] - plane_.at, gap = fabs(off) - reach;
-  const double closing = widen + (off > 0 ? -v[plane_.axis] : v[plane_.axis]);
-  return !(gap > 0) ? 0 : closing * most > gap ? gap / closing : most;
+    return course.most;
+  const double off = course.x[plane_.axis] - plane_.at, gap = fabs(off) - course.reach;
+  const double closing = course.widen + (off > 0 ? -course.v[plane_.axis] : course.v[plane_.axis]);
+  return !(gap > 0) ? 0 : closing * course.most > gap ? gap / closing : course.most;
 }
 
 bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -96,10 +91,6 @@ CylinderShape::CylinderShape(int axis, const double center[3], double radius, do
   cylinder_.radius = radius;
   aspi_copy(center, cylinder_.center);
   cylinder_.center[axis] = 0;
-}
-
-double CylinderShape::travel(double dt) const {
-  return (fabs(along_) + fabs(turn_) * cylinder_.radius) * dt;
 }
 
 bool CylinderShape::may_meet(const double lo[3], const double hi[3]) const {

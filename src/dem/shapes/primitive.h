@@ -19,10 +19,8 @@ namespace asperity {
 class PlaneShape : public Shape {
 public:
   PlaneShape(int axis, double at, const double velocity[3]);
-  double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
-  double clear(const double x[3], const double v[3], double reach, double widen, double most,
-               const FaceList &stays) const override;
+  double clear(const Course &course, const Twist &screw, const FaceList &stays) const override;
   bool repeats(int axis) const override {
     return axis != plane_.axis;
   }
@@ -47,7 +45,6 @@ private:
 class CylinderShape : public Shape {
 public:
   CylinderShape(int axis, const double center[3], double radius, double along, double turn);
-  double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool repeats(int axis) const override {
     return axis == cylinder_.axis;

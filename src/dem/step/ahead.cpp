@@ -33,6 +33,10 @@ const int LENGTHS = 8;
  * particle. */
 const double STRAY = 2e-3;
 
+/* Distance per step by which a wall may drift from its predicted motion, as a share of that
+ * distance at first; twice as much each time that it has drifted farther. */
+const double DRIFT = 0.25;
+
 /* Largest bend of the path by sustained contacts within a step, as a share of that distance. */
 const double BEND = 0.25;
 
@@ -42,11 +46,12 @@ const double COMPONENT = 0.577;
 } // namespace
 
 Ahead::Ahead(const Setup &setup, const ParticleRows &rows)
-    : setup_(setup), rows_(rows), now_(0), travel_(0), stray_(0), bend_(0) {}
+    : setup_(setup), rows_(rows), now_(0), drift_(0), stray_(0), bend_(0) {}
 
 void Ahead::setup(double least) {
-  travel_ = 0;
   stray_ = STRAY * 0.5 * least;
+  screws_.assign(setup_.shapes.size(), Twist());
+  drift_ = DRIFT * stray_;
   bend_ = BEND * stray_;
 }
 
@@ -94,11 +99,13 @@ static bool any_due(const int *due, int n, int now) {
 /* Most particles have a valid prediction that they are too far away; it holds while their velocity
  * stays near the predicted one. */
 void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
-  double travel = 0;
-  for (const Member &member : setup_.shapes)
-    travel = std::max(travel, member.shape->travel(s.dt));
-  if (travel > travel_) {
-    travel_ = 2 * travel;
+  double drift = 0;
+  for (size_t m = 0; m < screws_.size(); m++)
+    drift = std::max(drift, setup_.shapes[m].shape->drift(screws_[m], s.dt));
+  if (drift > drift_) {
+    for (size_t m = 0; m < screws_.size(); m++)
+      screws_[m] = setup_.shapes[m].shape->screw(s.dt);
+    drift_ *= 2;
     clear();
   }
   if (now_ > INT_MAX / 2)
@@ -153,16 +160,15 @@ bool Ahead::look(const Spheres &s, int i) {
  * in single precision. */
 int Ahead::steps_clear(const Spheres &s, int i) const {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
-  double begin[3], by[3];
-  double steps = now_ > 1 ? AHEAD_MOST : AHEAD_MOST / LENGTHS * (1 + i % LENGTHS);
+  Course course;
+  course.most = now_ > 1 ? AHEAD_MOST : AHEAD_MOST / LENGTHS * (1 + i % LENGTHS);
   for (int d = 0; d < 3; d++) {
-    by[d] = v[d] * s.dt;
-    begin[d] = x[d] - by[d];
+    course.v[d] = v[d] * s.dt;
+    course.x[d] = x[d] - course.v[d];
   }
-  const double widen = stray_ + bend_ + FLT_EPSILON * aspi_length(by) + travel_;
-  const double reach = (1 + ROUNDING) * s.radius[i] + widen;
+  course.widen = stray_ + bend_ + FLT_EPSILON * aspi_length(course.v) + drift_;
+  course.reach = (1 + ROUNDING) * s.radius[i] + course.widen;
   for (size_t m = 0; m < setup_.shapes.size(); m++)
-    steps =
-        std::min(steps, setup_.shapes[m].shape->clear(begin, by, reach, widen, steps, faces(i, m)));
-  return static_cast<int>((1 - ROUNDING) * steps);
+    course.most = setup_.shapes[m].shape->clear(course, screws_[m], faces(i, m));
+  return static_cast<int>((1 - ROUNDING) * course.most);
 }
