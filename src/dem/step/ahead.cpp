@@ -17,7 +17,8 @@ namespace {
 /* Ahead::due_ of a particle that is stuck, or not of the group: never near. */
 const int NEVER = INT_MAX;
 
-/* A particle that stays at faces and is near others counts as near for this many steps. */
+/* A particle that is near, not counting faces at which it stays, counts as near for this many
+ * steps. */
 const int STAYS_NEAR = 32;
 
 /* Particles are screened in blocks of this many. */
@@ -143,15 +144,14 @@ bool Ahead::look(const Spheres &s, int i) {
   float *along = &v_[3 * static_cast<size_t>(i)];
   int *due = &due_[i];
   if (*due < 0 && now_ < -*due)
-    return false;
+    return true;
   const bool out = !(s.mask[i] & setup_.groupbit) || rows_.is_stuck(i);
   for (int d = 0; d < 3; d++)
     along[d] = static_cast<float>(v[d]);
   *due = out ? NEVER : now_ + steps_clear(s, i);
   if (*due > now_)
     return false;
-  if (rows_.status(i) == Status::RESTED)
-    *due = -(now_ + STAYS_NEAR);
+  *due = -(now_ + STAYS_NEAR);
   return true;
 }
 

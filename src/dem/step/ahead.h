@@ -59,7 +59,7 @@ private:
   const ParticleRows &rows_;
   int now_; /* steps are counted from the beginning of the run */
   /* For each particle, the first step in which it may touch if it keeps this velocity, not counting
-   * faces at which it stays. Negative: it stays, and is near others until that step. */
+   * faces at which it stays. Negative: it counts as near until that step. */
   std::vector<int> due_;
   std::vector<float> v_;      /* rows of three */
   std::vector<int64_t> tag_;  /* of whom this is */
