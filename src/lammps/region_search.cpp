@@ -246,6 +246,7 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   const double push_out = radius - foot.distance, left = path.left - l.time;
   contact.time = l.time;
   aspi_copy(foot.n, contact.n);
+  aspi_copy(foot.n, contact.n_end);
   relative(l, foot, contact.v_wall, v);
   contact.piece = 0;
   contact.face = foot.face;

@@ -261,7 +261,7 @@ public:
   bool find(const Path &path, double, double, Contact &contact) const override {
     contact = Contact();
     aspi_copy(path.x, contact.x);
-    contact.n[2] = 1;
+    contact.n[2] = contact.n_end[2] = 1;
     contact.v_wall[2] = speed_;
     contact.closing = speed_ - path.v[2];
     return contact.closing > 1e-6;

@@ -334,6 +334,7 @@ void MeshShape::set_contact(const Path &path, const ContactPath &body, const Shi
   aspi_add_scaled(center, -radius, touch.n, foot);
   if (motion_.in_world()) {
     aspi_copy(touch.n, contact.n);
+    aspi_copy(touch.n, contact.n_end);
     aspi_add_scaled(path.x, touch.time, path.v, contact.x);
     aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
     contact.v_wall[0] = contact.v_wall[1] = contact.v_wall[2] = contact.follow = 0;
@@ -346,8 +347,10 @@ void MeshShape::set_contact(const Path &path, const ContactPath &body, const Shi
   frame.to_world(center, contact.x);
   motion_.acceleration(share, contact.x, path.v, follow);
   aspi_add_scaled(contact.x, 1, shift.by, contact.x);
-  for (int i = 0; i < 3; i++)
+  for (int i = 0; i < 3; i++) {
     contact.n[i] = aspi_dot(frame.turn[i], touch.n);
+    contact.n_end[i] = aspi_dot(motion_.end().turn[i], touch.n);
+  }
   double world_foot[3];
   frame.to_world(foot, world_foot);
   motion_.velocity(share, world_foot, contact.v_wall);

@@ -31,6 +31,7 @@ void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
   contact.follow = contact.curve = 0;
   contact.closing = -aspi_dot(path.v, touch.n);
   aspi_copy(touch.n, contact.n);
+  aspi_copy(touch.n, contact.n_end);
   aspi_add_scaled(path.x, touch.time, path.v, contact.x);
   aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
 }

@@ -26,6 +26,7 @@ struct Contact {
   double time;      /* since the beginning of the path */
   double x[3];      /* of the center then, moved out of the wall where it overlapped */
   double n[3];      /* outward unit normal, from the wall to the center */
+  double n_end[3];  /* what it has become at the end of the path, as the wall turns */
   double v_wall[3]; /* of the point that is touched */
   double follow;    /* acceleration along n that keeps the center at the moving wall */
   double curve;     /* the same due to the wall's curvature, as the center moves along it */

@@ -99,11 +99,12 @@ Flight::Sustained *Flight::find_sustained(const Stepper *wall, size_t shape,
  * already is met again because the path is straight, and only the path changes. */
 void Flight::sustain(Stepper *wall, size_t shape, const Contact &contact, double hold) {
   const double speed = aspi_length(path.v) + aspi_length(contact.v_wall);
-  const double least_speed = aspi_dot(path.v, contact.n) +
+  const double least_speed = aspi_dot(path.v, contact.n_end) +
                              (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
   if (Sustained *one = find_sustained(wall, shape, contact)) {
     one->least_speed = least_speed;
     aspi_copy(contact.n, one->n);
+    aspi_copy(contact.n_end, one->n_end);
   } else
     add_sustained(wall, shape, contact, least_speed, hold);
   follow_walls();
@@ -117,8 +118,12 @@ void Flight::add_sustained(Stepper *wall, size_t shape, const Contact &contact, 
     aspi_copy(half, free_half);
     aspi_copy(spin, free_spin);
   }
-  sustained.push_back(
-      Sustained{wall, shape, contact, least_speed, {contact.n[0], contact.n[1], contact.n[2]}});
+  sustained.push_back(Sustained{wall,
+                                shape,
+                                contact,
+                                least_speed,
+                                {contact.n[0], contact.n[1], contact.n[2]},
+                                {contact.n_end[0], contact.n_end[1], contact.n_end[2]}});
   supports.push_back(Support());
   Support &s = supports.back();
   aspi_copy(contact.n, s.n);
@@ -146,15 +151,15 @@ void Flight::follow_walls() {
     aspi_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
   }
   if (sustained.size() == 1) {
-    const double *n = sustained[0].n, less = sustained[0].least_speed - aspi_dot(path.v, n);
+    const double *n = sustained[0].n_end, less = sustained[0].least_speed - aspi_dot(path.v, n);
     aspi_add_scaled(path.v, std::max(0.0, less), n, path.v);
   } else {
     double none[3] = {0, 0, 0};
     along.resize(sustained.size());
     for (size_t k = 0; k < sustained.size(); k++) {
       along[k].friction = along[k].hold = 0;
-      aspi_copy(sustained[k].n, along[k].n);
-      aspi_copy(sustained[k].n, along[k].w);
+      aspi_copy(sustained[k].n_end, along[k].n);
+      aspi_copy(sustained[k].n_end, along[k].w);
       aspi_scale(sustained[k].least_speed, along[k].w);
     }
     solve_supports(along, radius, path.v, none);

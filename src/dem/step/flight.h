@@ -35,13 +35,13 @@ struct Flight {
     bool met;
   };
 
-  /* A sustained contact as it began. The path needs the least speed along `n`, which is the normal
-   * where it met the wall last. */
+  /* A sustained contact as it began. Where it met the wall last, the normal was n, and the path
+   * needs the least speed along n_end. */
   struct Sustained {
     Stepper *wall;
     size_t shape;
     Contact contact;
-    double least_speed, n[3];
+    double least_speed, n[3], n_end[3];
     bool is_at(const Stepper *other, size_t other_shape, const Contact &now) const;
   };
 
