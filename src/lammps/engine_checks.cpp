@@ -11,6 +11,7 @@
 #include "modify.h"
 #include "update.h"
 
+#include "bodies_lammps.h"
 #include "dem/text.h"
 
 #include <algorithm>
@@ -61,11 +62,12 @@ static bool share_particles(const Fix *wall, const Fix *fix, LAMMPS *lmp) {
  * particles during a run, so each neighbor build looks; all ranks call. */
 std::string LAMMPS_NS::movers_error(const Fix *wall, int box_changes, LAMMPS *lmp) {
   Modify *modify = lmp->modify;
-  if (modify->check_rigid_group_overlap(wall->groupbit))
-    return "particles that are tied to bodies (fix rigid) cannot rebound one by one";
   for (int i = 0; i < modify->nfix; i++) {
     const Fix *fix = modify->fix[i];
     const std::string name = text("fix %s (id %s)", fix->style, fix->id);
+    const std::string wrong = fix->rigid_flag ? BodiesOfLammps::error_of(fix) : "";
+    if (!wrong.empty() && share_particles(wall, fix, lmp))
+      return wrong;
     if (strcmp(fix->style, "move") == 0 && share_particles(wall, fix, lmp))
       return name + " moves particles of this wall's group, which cannot rebound; the groups must "
                     "have no particle in common";

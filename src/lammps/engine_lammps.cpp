@@ -86,5 +86,5 @@ std::vector<asperity::Engine::Kind> EngineOfLammps::kinds() const {
   std::vector<double> present;
   for (int type = 1; type <= types(); type++)
     present.push_back(radius_to_come(type));
-  return asperity::kinds_of(spheres(), fix_->groupbit, present, program_->world);
+  return asperity::kinds_of(EngineOf::spheres(), fix_->groupbit, present, program_->world);
 }

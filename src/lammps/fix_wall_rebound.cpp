@@ -32,6 +32,7 @@
 #include "update.h"
 
 #include "atom_rows.h"
+#include "bodies_lammps.h"
 #include "driven_mesh.h"
 #include "engine_checks.h"
 #include "map_file.h"
@@ -77,15 +78,17 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   RegionShape *region;        /* the same */
   AtomRows rows;
   MeshImage image;
-  bigint last_step; /* that the wall knows of */
-  bool steps;       /* this run has steps, which a rerun has not */
+  BodiesOfLammps of_bodies;
+  mutable std::vector<int> masks; /* of the particles, 0 for those of bodies */
+  bigint last_step;               /* that the wall knows of */
+  bool steps;                     /* this run has steps, which a rerun has not */
   bool from_restart, restarted;
   double stuck; /* particles of all ranks, when a run began or ended */
   int type;     /* of the wall */
 
   Parts(LAMMPS *lammps, Fix *fix)
-      : WallFix(lammps, fix), mesh(NULL), region(NULL), last_step(0), steps(false),
-        from_restart(false), restarted(false), stuck(0), type(0) {}
+      : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix, wall), last_step(0),
+        steps(false), from_restart(false), restarted(false), stuck(0), type(0) {}
 
   void fail_at(const std::string &file, int line, const std::string &what) const {
     program_->error->all(file, line, "Fix wall/rebound (id " + id() + "): " + what);
@@ -102,6 +105,38 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   }
   void set_rows() override {
     wall.set_rows(rows.state(), rows.place());
+  }
+  asperity::Spheres spheres() const override;
+  asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override {
+    return of_bodies.take(bodies_of(siblings));
+  }
+  asperity::Bodies *stuck_bodies(const std::vector<WallFix *> &siblings) override {
+    return of_bodies.take_stuck(bodies_of(siblings));
+  }
+  void put_bodies() override {
+    try {
+      of_bodies.put();
+    } catch (const std::exception &wrong) {
+      fail_alone(asperity::message_of(wrong));
+    }
+  }
+  void put_stuck_bodies() override {
+    of_bodies.put_velocities();
+  }
+  std::vector<double> body_rows() const override {
+    return of_bodies.rows();
+  }
+  void list_deleted_bodies() override {
+    of_bodies.list_deleted();
+  }
+  bool is_of_deleted_body(int i) const override {
+    return of_bodies.is_deleted(i);
+  }
+  static BodiesOfLammps::Walls bodies_of(const std::vector<WallFix *> &siblings) {
+    BodiesOfLammps::Walls all;
+    for (WallFix *sibling : siblings)
+      all.push_back(&static_cast<Parts *>(sibling)->of_bodies);
+    return all;
   }
   void begin_step() override;
   void follow_step(bigint last);
@@ -154,7 +189,8 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
   p_->set_flags();
   restart_peratom = create_attribute = 1;
   wd_header = 1;
-  maxexchange = AtomRows::ALL;
+  maxexchange = AtomRows::ALL + BodiesOfLammps::MEMORY;
+  comm_forward = BodiesOfLammps::SENT;
   peratom_flag = peratom_freq = 1;
   size_peratom_cols = AtomRows::STATE;
   FixWallRebound::grow_arrays(atom->nmax);
@@ -246,8 +282,24 @@ void FixWallRebound::init() {
   p_->attempt([this] {
     if (p_->region)
       p_->region->init();
+    p_->of_bodies.init();
+    p_->of_bodies.number();
+    if (p_->of_bodies.any())
+      p_->wall.setup.model.check_bodies();
     p_->wall.init(update->ntimestep, update->dt);
   });
+}
+
+asperity::Spheres FixWallRebound::Parts::spheres() const {
+  asperity::Spheres s = WallFix::spheres();
+  if (!of_bodies.any())
+    return s;
+  masks.assign(s.mask, s.mask + s.n);
+  for (int i = 0; i < s.n; i++)
+    if (of_bodies.has(i))
+      masks[static_cast<size_t>(i)] = 0;
+  s.mask = masks.data();
+  return s;
 }
 
 /* The command reset_timestep tells no fix, and a `run pre no` may follow it. */
@@ -266,6 +318,8 @@ void FixWallRebound::setup(int) {
   p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
   p_->check(FLERR, discs_error(lmp));
   p_->set_rows();
+  p_->of_bodies.number();
+  p_->of_bodies.keep();
   p_->attempt([this] {
     if (p_->region)
       p_->region->setup();
@@ -303,6 +357,7 @@ void FixWallRebound::pre_exchange() {
 
 void FixWallRebound::pre_neighbor() {
   p_->set_rows();
+  p_->of_bodies.number();
   p_->wall.reorder(p_->spheres());
 }
 
@@ -314,7 +369,9 @@ void FixWallRebound::end_of_step() {
   if (!p_->steps)
     p_->fail_at(FLERR, "rerun is not supported: a rebound is an event in time; use run");
   p_->last_step = update->ntimestep;
+  p_->of_bodies.keep();
   p_->hold();
+  p_->of_bodies.keep();
   p_->end_step();
   if (p_->mesh && p_->map.is_due(update->ntimestep))
     p_->attempt([this] {
@@ -369,6 +426,14 @@ void FixWallRebound::write_data_header(FILE *, int) {
                   p_->stuck));
 }
 
+int FixWallRebound::pack_forward_comm(int n, int *list, double *buffer, int, int *) {
+  return p_->of_bodies.pack(n, list, buffer);
+}
+
+void FixWallRebound::unpack_forward_comm(int n, int first, double *buffer) {
+  p_->of_bodies.unpack(n, first, buffer);
+}
+
 /* `fix_modify ID move ...`: how many words it takes. */
 int FixWallRebound::modify_param(int narg, char **arg) {
   Words words(narg, arg);
@@ -399,6 +464,7 @@ void FixWallRebound::grow_arrays(int n) {
 
 void FixWallRebound::copy_arrays(int from, int to, int) {
   p_->rows.copy(from, to);
+  p_->of_bodies.copy(from, to);
 }
 
 void FixWallRebound::set_arrays(int i) {
@@ -406,11 +472,13 @@ void FixWallRebound::set_arrays(int i) {
 }
 
 int FixWallRebound::pack_exchange(int i, double *buffer) {
-  return p_->rows.pack(i, buffer);
+  const int n = p_->rows.pack(i, buffer);
+  return n + p_->of_bodies.pack_memory(i, buffer + n);
 }
 
 int FixWallRebound::unpack_exchange(int i, double *buffer) {
-  return p_->rows.unpack(i, buffer);
+  const int n = p_->rows.unpack(i, buffer);
+  return n + p_->of_bodies.unpack_memory(i, buffer + n);
 }
 
 int FixWallRebound::pack_restart(int i, double *buffer) {

@@ -71,6 +71,9 @@ public:
   int size_restart(int i) override;
   int maxsize_restart() override;
 
+  int pack_forward_comm(int n, int *list, double *buffer, int pbc_flag, int *pbc) override;
+  void unpack_forward_comm(int n, int first, double *buffer) override;
+
   int modify_param(int narg, char **arg) override;
   int image(int *&kinds, double **&rows) override;
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Commands of LAMMPS that move or grow particles: bodies that come while it runs, and particles
-# that come into the group of fix move, are refused at the step where they show up; a box that only remaps velocities
+# Commands of LAMMPS that move or grow particles: bodies that come while it runs rebound, wherever their fix stands, and
+# particles that come into the group of fix move are refused at the step where they show up; a box that only remaps velocities
 # runs; a grain that grows meets the wall in the step in which it reaches it.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
@@ -14,7 +14,7 @@ timestep 1e-6'
 box='region box block -1e-3 1e-3 -1e-3 1e-3 -1e-3 1e-3 units box
 create_box 1 box
 neighbor 5e-5 bin'
-wall='fix wall all wall/rebound zplane 0 rebound constant 0.5 1 deposit off ledger 1 file rows.csv'
+wall='fix wall all wall/rebound zplane 0 rebound constant 0.5 1 deposit off ledger 1 file rows.csv columns full'
 grain='create_atoms 1 single 0 0 3e-5 units box
 set group all diameter 1e-5 density 2650
 velocity all set 0 0 -0.1 units box'
@@ -38,10 +38,16 @@ region source block -8e-4 8e-4 -8e-4 8e-4 1e-4 8e-4 side in units box"
     [ $first = rigid ] && echo "$rigid" && echo "$wall" || { echo "$wall"; echo "$rigid"; }
     echo "fix weight all gravity 9.81 vector 0 0 -1
 fix in all pour 5 0 4711 region source mol pair rigid bodies
-thermo 1
-run 2000"; } > rigid.in
-  for ranks in 1 2; do stops $ranks rigid.in "tied to bodies (fix rigid)"; done
+thermo_style custom step atoms
+run 12000"; } > rigid.in
+  for ranks in 1 2; do
+    engine $ranks rigid.in
+    rows rows.csv > $first.$ranks; rm rows.csv
+  done
+  same $first.1 $first.2 "poured bodies on 2 ranks"
 done
+same rigid.1 wall.1 "poured bodies by the order of their fix and the wall"
+awk -F, '$40 > 0 && $17 > 0 { n++ } END { print "poured bodies: " n " impacts"; exit n < 3 }' rigid.1 || die "poured bodies"
 
 { echo "$head
 boundary f f f

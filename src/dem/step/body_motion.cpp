@@ -10,7 +10,7 @@
 
 using namespace asperity;
 
-static void turn_by(const double omega[3], double time, double axes[3][3]) {
+void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
   const double rate = aspi_length(omega), angle = rate * time;
   if (!(rate > 0))
     return;

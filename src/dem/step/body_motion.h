@@ -9,6 +9,9 @@
 
 namespace asperity {
 
+/* Turns axes by an angular velocity. */
+void turn_by(const double omega[3], double time, double axes[3][3]);
+
 /* Moves a body straight, and turns it by the midpoint rule. */
 void advance(Body &body, double time);
 
