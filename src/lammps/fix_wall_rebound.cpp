@@ -111,6 +111,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
     return of_bodies.take(bodies_of(siblings));
   }
   asperity::Bodies *stuck_bodies(const std::vector<WallFix *> &siblings) override {
+    of_bodies.keep();
     return of_bodies.take_stuck(bodies_of(siblings));
   }
   void put_bodies() override {
@@ -122,6 +123,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   }
   void put_stuck_bodies() override {
     of_bodies.put_velocities();
+    of_bodies.keep();
   }
   std::vector<double> body_rows() const override {
     return of_bodies.rows();
@@ -369,9 +371,7 @@ void FixWallRebound::end_of_step() {
   if (!p_->steps)
     p_->fail_at(FLERR, "rerun is not supported: a rebound is an event in time; use run");
   p_->last_step = update->ntimestep;
-  p_->of_bodies.keep();
   p_->hold();
-  p_->of_bodies.keep();
   p_->end_step();
   if (p_->mesh && p_->map.is_due(update->ntimestep))
     p_->attempt([this] {
