@@ -99,11 +99,14 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
   }
   double **const inertia = property<Vectors>(fix_, "inertia").begin(),
                  **const forces = property<Vectors>(fix_, "fcm").begin();
+  /* A body of an insert/stream is moved straight until it has left the face. */
+  const bool streams = modify->n_fixes_style("insert/stream") > 0;
+  const int *const starts = property<ScalarContainer<int>>(fix_, "start_step").begin();
   const char *const axes[] = {"ex_space", "ey_space", "ez_space"};
   for (size_t b = 0; b < bodies_.all.size(); b++) {
     Body &body = bodies_.all[b];
     const int i = static_cast<int>(b);
-    body.tag = data.tag(i);
+    body.tag = data.tag(i) - 1;
     body.mass = data.mass(i);
     data.xcm(body.x, i);
     data.vcm(body.v, i);
@@ -115,6 +118,7 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
       aspi_copy(property<Vectors>(fix_, axes[k]).begin()[b], body.axes[k]);
     body.count = 0;
     body.is_changed = false;
+    body.is_led = streams && update->ntimestep < starts[b];
   }
   take_spheres();
   return &bodies_;

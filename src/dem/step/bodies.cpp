@@ -11,6 +11,7 @@
 #include "dem/step/body_motion.h"
 #include "dem/step/body_way.h"
 #include "dem/step/flight.h"
+#include "dem/text.h"
 
 using namespace asperity;
 
@@ -25,6 +26,13 @@ const double SAME = 1e-6;
 /* Contacts of a body in a row at one instant, at most, before all are taken as sustained; and
  * twice, before its step ends. */
 const int SERIES = 8;
+
+/* Spheres that are this deep in a wall, in radii, on sides with a cosine of less than minus this.
+ */
+const double DEEP = 0.01, OTHER_SIDE = 0.99;
+
+/* Contacts of one body in one step, at most: then it goes with its wall. */
+const int CONTACTS_MOST = 1000;
 
 } // namespace
 
@@ -137,6 +145,27 @@ bool Way::find_next() {
   return false;
 }
 
+/* A body that two faces of one place push apart was made across the wall. */
+void Way::check_side() {
+  for (const Touch &touch : touches_) {
+    const Contact &contact = touch.contact;
+    double at[3], moved[3];
+    aspi_add_scaled(touch.before.x, contact.time, touch.before.v, at);
+    aspi_subtract(contact.x, at, moved);
+    if (!contact.overlapped || aspi_length(moved) < DEEP * sphere(touch).radius)
+      continue;
+    for (const Touch &other : overlaps_)
+      if (other.wall == touch.wall && other.shape == touch.shape && other.sphere != touch.sphere &&
+          other.contact.piece == contact.piece &&
+          aspi_dot(other.contact.n, contact.n) < -OTHER_SIDE)
+        throw Error(
+            text("body %lld reaches through the wall at %g %g %g: two of its spheres are on "
+                 "opposite sides; bodies must be made, or poured, on one side",
+                 static_cast<long long>(body_.tag + 1), contact.x[0], contact.x[1], contact.x[2]));
+    overlaps_.push_back(touch);
+  }
+}
+
 /* ---- one contact ------------------------------------------------------------------------------
  */
 
@@ -227,7 +256,7 @@ void Way::meet(bool all_stay) {
 }
 
 void Way::go() {
-  int series = 0;
+  int series = 0, all = 0;
   find_near();
   if (near_.empty())
     return;
@@ -235,10 +264,11 @@ void Way::go() {
   while (find_next()) {
     series = moved_ > 1e-6 * bodies_.dt ? 0 : series + 1;
     moved_ = 0;
-    if (series == 2 * SERIES) {
-      wall(touches_[0]).books.count_guarded();
+    if (series == 2 * SERIES || ++all > CONTACTS_MOST) {
+      trap(touches_[0]);
       return;
     }
+    check_side();
     meet(series > SERIES);
     if (is_stuck_)
       return;
@@ -250,6 +280,8 @@ void Way::go() {
 
 void asperity::step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies) {
   for (size_t b = 0; b < bodies.all.size(); b++) {
+    if (bodies.all[b].is_led)
+      continue;
     Way way(walls, bodies, b);
     if (!way.carry_stuck())
       way.go();

@@ -15,8 +15,9 @@
 
 using namespace asperity;
 
-/* The speed away from a wall that contacts which stay get, over that of their approach. */
-static const double CLEAR = 1e-6;
+/* How far from its wall a contact that stays is at the end of the step, in radii: beyond rounding.
+ */
+static const double CLEAR = 1e-9;
 
 /* A sphere is about the center of mass if it is off by less than this share of its radius: engines
  * find the center by random points. */
@@ -247,8 +248,10 @@ void Way::add_points() {
     aspi_add_scaled(u, 1, body_.v, u);
     aspi_subtract(u, touch.before.v, ahead); /* by what the turn bends the path to the wall */
     const double bend = std::max(0.0, aspi_dot(ahead, point.n));
-    aspi_subtract(touch.before.v, touch.contact.v_wall, u);
-    aspi_add_scaled(point.w, bend + CLEAR * fabs(aspi_dot(u, point.n)), point.n, point.w);
+    /* The wall's mean speed, and a little more. */
+    const double least = aspi_dot(touch.before.v, point.n) + std::max(0.0, touch.contact.closing) +
+                         CLEAR * sphere(touch).radius / bodies_.dt;
+    aspi_add_scaled(point.w, bend + least - aspi_dot(point.w, point.n), point.n, point.w);
   }
 }
 

@@ -20,38 +20,51 @@ static bool differs(const double *one, const double *other, int n) {
 }
 
 /* The sphere that holds the body. */
-const BodySphere &Way::anchor(size_t wall) const {
+const BodySphere &Way::anchor(const StuckBody &at) const {
   for (size_t k = body_.first; k < body_.first + body_.count; k++)
-    if (static_cast<double>(bodies_.spheres[k].tag) == memory(wall).stuck.sphere)
+    if (static_cast<double>(bodies_.spheres[k].tag) == at.sphere)
       return bodies_.spheres[k];
   return bodies_.spheres[body_.first];
 }
 
-/* Notes where the body has stuck, and takes it along with the wall for the rest of the step. */
+/* Where a contact holds the body. */
+StuckBody Way::held_by(const Touch &touch) const {
+  Place place;
+  StuckBody at = StuckBody();
+  shape(touch).shape->stick(touch.before, touch.contact, place);
+  at.sphere = static_cast<double>(sphere(touch).tag);
+  at.shape = static_cast<double>(touch.shape) + 1;
+  at.piece = place.piece;
+  aspi_copy(place.at, at.at);
+  for (int k = 0; k < 3; k++)
+    aspi_copy(body_.axes[k], at.axes[k]);
+  return at;
+}
+
+/* The body has stuck: its wall takes it along for the rest of the step. */
 void Way::stick(const Touch &touch) {
   Stepper &at = wall(touch);
   BodyMemory &of = memory(touch.wall);
-  Place place;
-  shape(touch).shape->stick(touch.before, touch.contact, place);
-  of.stuck.sphere = static_cast<double>(sphere(touch).tag);
-  of.stuck.shape = static_cast<double>(touch.shape) + 1;
-  of.stuck.piece = place.piece;
-  aspi_copy(place.at, of.stuck.at);
-  for (int k = 0; k < 3; k++)
-    aspi_copy(body_.axes[k], of.stuck.axes[k]);
+  of.stuck = held_by(touch);
   const bool deletes = at.setup.model.deposit() == Model::DELETE;
   of.status = static_cast<double>(deletes ? Status::TO_DELETE : Status::STUCK);
   at.has_to_delete = at.has_to_delete || deletes;
   is_stuck_ = true;
-  carry(touch.wall, 1 - left_ / bodies_.dt);
+  carry(touch.wall, of.stuck, 1 - left_ / bodies_.dt);
+}
+
+/* The walls leave no room: the body goes with the first of them for the rest of the step. */
+void Way::trap(const Touch &touch) {
+  StuckBody at = held_by(touch);
+  carry(touch.wall, at, 1 - left_ / bodies_.dt);
+  wall(touch).books.count_guarded();
 }
 
 /* Puts the body where its wall has it at the end of the step, from a share of the step on: the
  * periodic image which is nearest to where it is. */
-void Way::carry(size_t number, double share) {
+void Way::carry(size_t number, StuckBody &at, double share) {
   const Stepper &wall = *walls_[number];
-  const BodySphere &one = anchor(number);
-  StuckBody &at = memory(number).stuck;
+  const BodySphere &one = anchor(at);
   double now[3], arm[3], x[3], v[3], off[3];
   arm_of(body_, one, now);
   aspi_add_scaled(now, 1, body_.x, now);
@@ -82,13 +95,12 @@ void Way::carry(size_t number, double share) {
   aspi_copy(x, body_.x);
   aspi_cross(at.omega, arm, off);
   aspi_subtract(v, off, at.v);
-  give_velocity(number);
+  give_velocity(number, at);
 }
 
 /* Gives the body the velocity of its wall, and the wall the load that holds the body. */
-void Way::give_velocity(size_t number) {
-  const StuckBody &at = memory(number).stuck;
-  const BodySphere &one = anchor(number);
+void Way::give_velocity(size_t number, const StuckBody &at) {
+  const BodySphere &one = anchor(at);
   double change[3], turn[3], center[3], arm[3];
   momentum_of(body_, at.omega, turn);
   aspi_subtract(turn, body_.angular_momentum, turn);
@@ -125,11 +137,11 @@ bool Way::carry_stuck() {
     BodyMemory &of = memory(w);
     if (!of.is_stuck())
       continue;
-    if (lets_go(*walls_[w], of.stuck, anchor(w), bodies_.begins)) {
+    if (lets_go(*walls_[w], of.stuck, anchor(of.stuck), bodies_.begins)) {
       of.status = static_cast<double>(Status::FREE);
       continue;
     }
-    carry(w, 0);
+    carry(w, of.stuck, 0);
     return true;
   }
   return false;
@@ -138,7 +150,7 @@ bool Way::carry_stuck() {
 void Way::hold_stuck() {
   for (size_t w = 0; w < walls_.size(); w++)
     if (memory(w).is_stuck()) {
-      give_velocity(w);
+      give_velocity(w, memory(w).stuck);
       return;
     }
 }

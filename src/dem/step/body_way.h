@@ -45,6 +45,7 @@ private:
   void find_near();
   bool find_next();
   void search(const Body &end, double time);
+  void check_side();
   void meet(bool all_stay);
   void velocity(double v[3]) const;
   void relative_velocity(const Touch &touch, double u[3]) const;
@@ -83,9 +84,11 @@ private:
 
   /* body_stick.cpp */
   void stick(const Touch &touch);
-  const BodySphere &anchor(size_t wall) const;
-  void carry(size_t wall, double share);
-  void give_velocity(size_t wall);
+  const BodySphere &anchor(const StuckBody &at) const;
+  StuckBody held_by(const Touch &touch) const;
+  void trap(const Touch &touch);
+  void carry(size_t wall, StuckBody &at, double share);
+  void give_velocity(size_t wall, const StuckBody &at);
 
   BodyMemory &memory(size_t wall) const {
     return *bodies_.memory[wall][number_];
@@ -109,7 +112,7 @@ private:
   double left_, moved_; /* of the step; since the last contact */
   bool is_stuck_;       /* now */
   std::vector<std::pair<size_t, size_t>> near_;
-  std::vector<Touch> touches_;
+  std::vector<Touch> touches_, overlaps_;
   std::vector<BodyPoint> points_;
 };
 
