@@ -34,8 +34,8 @@ const int LENGTHS = 8;
  * particle. */
 const double STRAY = 2e-3;
 
-/* Distance per step by which a wall may drift from its predicted motion, as a share of that
- * distance at first; twice as much each time that it has drifted farther. */
+/* Distance per step by which a wall that moves may drift from its predicted motion, as a share of
+ * that distance; twice as much each time that it has drifted farther. */
 const double DRIFT = 0.25;
 
 /* Largest bend of the path by sustained contacts within a step, as a share of that distance. */
@@ -52,7 +52,7 @@ Ahead::Ahead(const Setup &setup, const ParticleRows &rows)
 void Ahead::setup(double least) {
   stray_ = STRAY * 0.5 * least;
   screws_.assign(setup_.shapes.size(), Twist());
-  drift_ = DRIFT * stray_;
+  drift_ = 0;
   bend_ = BEND * stray_;
 }
 
@@ -106,7 +106,7 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
   if (drift > drift_) {
     for (size_t m = 0; m < screws_.size(); m++)
       screws_[m] = setup_.shapes[m].shape->screw(s.dt);
-    drift_ *= 2;
+    drift_ = std::max(DRIFT * stray_, 2 * drift_);
     clear();
   }
   if (now_ > INT_MAX / 2)
