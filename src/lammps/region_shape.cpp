@@ -267,11 +267,11 @@ double RegionShape::clear(const Course &course, const asperity::Twist &screw,
   const double speed = aspi_length(seen.v), wide = (1 + ASIDE_LENGTH) * seen.reach;
   double steps = seen.most, aside[3];
   aspi_add_scaled(seen.x, seen.reach, ASIDE, aside);
-  for (const RegionPart &part : parts_) {
+  for (size_t part = 0; part < parts_.size(); part++) {
     feet.clear();
-    part.add_feet(aside, wide + steps * (speed + seen.widen), feet);
+    parts_[part].add_feet(aside, wide + steps * (speed + seen.widen), feet);
     for (const Foot &foot : feet) {
-      if (stays.has(foot.face))
+      if (stays.has(foot.face + FACES * static_cast<int>(part)))
         continue;
       const double gap = foot.distance - wide;
       const double closing = seen.widen + (foot.behind ? -aspi_dot(seen.v, foot.n) : speed);
