@@ -10,9 +10,10 @@
 
 using namespace asperity;
 
-/* Sweeps, at most, and the change of the impulses in one at which they end, over their sum. */
+/* Sweeps, at most, and the change of the impulses in one at which they end: over their sum, and
+ * over the momentum of the body, whose rounding it cannot pass. */
 static const int SWEEPS = 300;
-static const double CONVERGED = 1e-11;
+static const double CONVERGED = 1e-11, ROUNDED = 1e-14;
 
 void asperity::multiply(const double m[6], const double a[3], double out[3]) {
   const double x = a[0], y = a[1], z = a[2];
@@ -93,19 +94,23 @@ void asperity::solve_body(const asp_body &body, const double v[3], const double 
   double now[3], spin[3];
   aspi_copy(v, now);
   aspi_copy(omega, spin);
+  double speed = 0;
   std::vector<double> rows(9 * points.size());
   double(*const k)[3][3] = reinterpret_cast<double(*)[3][3]>(rows.data());
   for (size_t i = 0; i < points.size(); i++) {
     points[i].p[0] = points[i].p[1] = points[i].p[2] = 0;
     inverse_mass(body, points[i].arm, k[i]);
+    speed = std::max(speed, aspi_length(v) + aspi_length(points[i].w) +
+                                aspi_length(omega) * aspi_length(points[i].arm));
   }
+  const double least = ROUNDED * speed / body.inverse_mass;
   for (int i = 0; i < SWEEPS; i++) {
     double change = 0, sum = 0;
     for (size_t j = 0; j < points.size(); j++) {
       change = std::max(change, solve_one(body, k[j], points[j], now, spin));
       sum += aspi_length(points[j].p);
     }
-    if (!(change > CONVERGED * sum))
+    if (!(change > CONVERGED * sum + least))
       return;
   }
 }
