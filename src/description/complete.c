@@ -115,9 +115,7 @@ static asp_surface *make_from_lengths(const asp_description *d, asp_error *error
 }
 
 static asp_code check_lay(const asp_description *d, asp_error *error) {
-  asp_error wrong;
-  double across = asp_map_get(d->choice.map, "lambda_1", &wrong),
-         along = asp_map_get(d->choice.map, "lambda_2", &wrong);
+  const double across = d->measured.lambda_1, along = d->measured.lambda_2;
   if (d->lay != ASP_LAY_NONE || !(along > STRETCH_MOST * across))
     return ASP_OK;
   return aspi_fail(error, ASP_EARG,
@@ -131,12 +129,13 @@ static asp_code make_surface(asp_description *d, asp_error *error) {
   bool is_map = d->kind == ASPI_MAP;
   if (d->surface || d->kind == ASPI_SMOOTH || d->kind == ASPI_PROFILE || (is_map && !d->choice.map))
     return ASP_OK;
-  if (is_map && check_lay(d, error))
-    return ASP_EARG;
-  d->surface = d->kind == ASPI_SIGMA ? make_from_sigma(d, &wrong)
-               : d->kind == ASPI_GAUSSIAN
-                   ? make_from_lengths(d, &wrong)
-                   : asp_surface_create_map(d->choice.map, d->lay != ASP_LAY_NONE, &wrong);
+  if (is_map && !aspi_map_describe(d->choice.map, &d->measured, &wrong)) {
+    if (check_lay(d, error))
+      return ASP_EARG;
+    d->surface =
+        aspi_surface_create_map(d->choice.map, &d->measured, d->lay != ASP_LAY_NONE, &wrong);
+  } else if (!is_map)
+    d->surface = d->kind == ASPI_SIGMA ? make_from_sigma(d, &wrong) : make_from_lengths(d, &wrong);
   if (d->surface)
     return ASP_OK;
   return is_map ? aspi_fail(error, wrong.code, "surface map %s: %s", d->file, wrong.text)

@@ -4,6 +4,7 @@
 #ifndef ASP_DESCRIPTION_DESCRIPTION_H
 #define ASP_DESCRIPTION_DESCRIPTION_H
 
+#include "surface/describe.h"
 #include "wall/wall.h"
 
 typedef enum aspi_surface_kind {
@@ -57,7 +58,8 @@ struct asp_description {
   asp_surface *surface;    /* of the numbers or the map; NULL: to be made */
   asp_profile *profile;    /* read from the file; NULL: the caller's, or not read yet */
   asp_map *map;            /* alike */
-  asp_error doubt;         /* about the file that was read */
+  aspi_map_description measured; /* of the map whose surface was made */
+  asp_error doubt;               /* about the file that was read */
   aspi_cor_table *cor_table;
 };
 

@@ -134,7 +134,7 @@ asp_code asp_description_check_sampling(const asp_description *d, const asp_wall
     double x = asp_map_step_x(map), y = asp_map_step_y(map);
     aspi_sampling_check(d_p, fmax(x, y),
                         fmin((double)asp_map_columns(map) * x, (double)asp_map_rows(map) * y),
-                        asp_map_get(map, "lambda_2", NULL), &doubt);
+                        d->measured.lambda_2, &doubt);
   }
   return doubt.code ? aspi_fail(error, doubt.code, "surface %s %s: %s",
                                 asp_description_word(d, "surface"), d->file, doubt.text)

@@ -56,6 +56,10 @@ typedef struct aspi_map_description {
  * and s_tr is not a number. */
 asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description, asp_error *error);
 
+/* asp_surface_create_map() of a map that was described. */
+asp_surface *aspi_surface_create_map(const asp_map *map, const aspi_map_description *description,
+                                     bool lay, asp_error *error);
+
 /* The rms and the skewness of n gradients p, q to the right of the lay and along it; mixed: the
  * mean of the product of the slopes to the left of it and along it. */
 void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],

@@ -207,13 +207,18 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
   return surface;
 }
 
+asp_surface *aspi_surface_create_map(const asp_map *map, const aspi_map_description *d, bool lay,
+                                     asp_error *error) {
+  if (aspi_map_check(map, d, PHI_R_MOST, error))
+    return NULL;
+  if (lay && d->lambda_2 > STRETCH_LEAST * d->lambda_1)
+    return asp_surface_create_lay(d->s_q, d->lambda_1, d->lambda_2, error);
+  return asp_surface_create(d->s_q, d->lambda_1, error);
+}
+
 asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *error) {
   aspi_map_description d;
-  if (aspi_map_describe(map, &d, error) || aspi_map_check(map, &d, PHI_R_MOST, error))
-    return NULL;
-  if (lay && d.lambda_2 > STRETCH_LEAST * d.lambda_1)
-    return asp_surface_create_lay(d.s_q, d.lambda_1, d.lambda_2, error);
-  return asp_surface_create(d.s_q, d.lambda_1, error);
+  return aspi_map_describe(map, &d, error) ? NULL : aspi_surface_create_map(map, &d, lay, error);
 }
 
 asp_surface *aspi_surface_copy(const asp_surface *surface) {
