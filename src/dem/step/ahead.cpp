@@ -25,7 +25,7 @@ const int STAYS_NEAR = 32;
 const int BLOCK = 32;
 
 /* Longest prediction, in steps. */
-const double AHEAD_MOST = 512;
+const double AHEAD_MOST = 2048;
 
 /* The first predictions are of this many lengths, so that they do not all expire in one step. */
 const int LENGTHS = 8;
