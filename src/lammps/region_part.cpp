@@ -14,6 +14,9 @@ using namespace LAMMPS_NS;
 
 namespace {
 
+/* Faces of one part, at most. */
+const int FACES = 64;
+
 /* The axis of a region's turn is protected in it. */
 class AxisOf : public Region {
 public:
@@ -25,9 +28,10 @@ public:
 
 } // namespace
 
-RegionPart::RegionPart(Region *region)
-    : region_(region), moves_(region->moveflag || region->rotateflag), origin_(), axis_(),
-      before_(), now_(), rate_(), last_rate_(), dt_(0), has_rate_(false), has_last_(false) {
+RegionPart::RegionPart(Region *region, int number)
+    : region_(region), number_(number), moves_(region->moveflag || region->rotateflag), origin_(),
+      axis_(), before_(), now_(), rate_(), last_rate_(), dt_(0), has_rate_(false),
+      has_last_(false) {
   if (region->rotateflag)
     AxisOf::read(region, origin_, axis_);
 }
@@ -171,7 +175,8 @@ void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoo
       foot.hollow = -c.radius / (strcmp(region_->style, "sphere") == 0 ? 1 : 2);
     foot.inside = inside;
     foot.behind = !(foot.hollow > 0) && (inside || !region_->openflag);
-    foot.face = c.iwall;
+    foot.part = number_;
+    foot.face = FACES * number_ + c.iwall;
     feet.push_back(foot);
   }
 }

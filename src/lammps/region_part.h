@@ -31,7 +31,8 @@ struct RegionFoot {
 
 class RegionPart {
 public:
-  explicit RegionPart(class Region *region);
+  /* number: of the part in its region, from 0. */
+  RegionPart(class Region *region, int number);
 
   Region *region() const {
     return region_;
@@ -86,6 +87,7 @@ private:
   void velocity_by(const RegionPose &rate, double share, const double x[3], double v[3]) const;
 
   Region *region_;
+  int number_;
   bool moves_;
   double origin_[3], axis_[3]; /* of its turn: a point and a unit vector */
   RegionPose before_, now_, rate_, last_rate_;

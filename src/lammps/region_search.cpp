@@ -142,7 +142,7 @@ double RegionShape::Search::curve(const Look &l, const Foot &foot, const double 
   std::vector<Foot> &feet = shape.buffers_.feet;
   feet.clear();
   shape.set_share(share(l.time));
-  shape.find_feet(shape.root_, false, ahead, foot.distance + way, feet);
+  shape.parts_[foot.part].add_feet(ahead, foot.distance + way, feet);
   for (const Foot &other : feet)
     if (other.face == foot.face && other.inside == foot.inside &&
         aspi_dot(other.n, foot.n) > 1 - 4 * CURVE)

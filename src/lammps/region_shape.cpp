@@ -29,9 +29,6 @@ namespace {
 const char FLAT[] = " block plane prism ";
 const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
 
-/* Faces of one part, at most. */
-const int FACES = 64;
-
 /* How far beyond a face, in distances from it, one looks whether another part begins there. */
 const double BEYOND = 1e-7;
 
@@ -107,7 +104,7 @@ void RegionShape::add_region(Region *region, Node &node) {
   node.part = static_cast<int>(parts_.size());
   open_ = open_ || region->openflag;
   flat_ = flat_ && std::string(FLAT).find(" " + style + " ") != std::string::npos;
-  parts_.push_back(RegionPart(region));
+  parts_.push_back(RegionPart(region, node.part));
 }
 
 /* A region is known by its ID, its style, its box and its parts. */
@@ -234,11 +231,8 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
   if (node.part >= 0) {
     const size_t first = feet.size();
     parts_[node.part].add_feet(x, reach, feet);
-    for (size_t k = first; k < feet.size(); k++) {
-      feet[k].part = node.part;
-      feet[k].face += FACES * node.part;
+    for (size_t k = first; k < feet.size(); k++)
       feet[k].across = !node.region->openflag && feet[k].inside == outside;
-    }
     return;
   }
   for (size_t i = 0; i < node.of.size(); i++) {
@@ -267,11 +261,11 @@ double RegionShape::clear(const Course &course, const asperity::Twist &screw,
   const double speed = aspi_length(seen.v), wide = (1 + ASIDE_LENGTH) * seen.reach;
   double steps = seen.most, aside[3];
   aspi_add_scaled(seen.x, seen.reach, ASIDE, aside);
-  for (size_t part = 0; part < parts_.size(); part++) {
+  for (const RegionPart &part : parts_) {
     feet.clear();
-    parts_[part].add_feet(aside, wide + steps * (speed + seen.widen), feet);
+    part.add_feet(aside, wide + steps * (speed + seen.widen), feet);
     for (const Foot &foot : feet) {
-      if (stays.has(foot.face + FACES * static_cast<int>(part)))
+      if (stays.has(foot.face))
         continue;
       const double gap = foot.distance - wide;
       const double closing = seen.widen + (foot.behind ? -aspi_dot(seen.v, foot.n) : speed);
