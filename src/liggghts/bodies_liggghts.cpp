@@ -28,9 +28,13 @@ typedef VectorContainer<double, 3> Vectors;
 typedef VectorContainer<double, 4> Quaternions;
 typedef VectorContainer<double, MEMORY> Memories;
 
-/* What the engine keeps to itself: it sets atoms by their bodies, and sends those of ghosts home.
- */
+/* What the engine keeps to itself: it sets atoms by their bodies, and sends those of ghosts home;
+ * and the places of atoms along the axes of their bodies. */
 struct Inner : public FixMultisphere {
+  static double **places(FixMultisphere *fix) {
+    double **FixMultisphere::*of = &Inner::displace_;
+    return fix->*of;
+  }
   static void set_atoms(FixMultisphere *fix) {
     void (FixMultisphere::*set)() = &Inner::set_xv;
     int FixMultisphere::*flag = &Inner::rev_comm_flag_;
@@ -49,7 +53,7 @@ template <class Container> Container &property(FixMultisphere *fix, const char *
 BodiesOfLiggghts::BodiesOfLiggghts(LAMMPS *engine)
     : Pointers(engine),
       fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))), bodies_(),
-      is_any_stuck_(false) {
+      is_reordered_(true), is_any_stuck_(false) {
   bodies_.begins = true;
 }
 
@@ -102,7 +106,9 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
   /* A body of an insert/stream is moved straight until it has left the face. */
   const bool streams = modify->n_fixes_style("insert/stream") > 0;
   const int *const starts = property<ScalarContainer<int>>(fix_, "start_step").begin();
-  const char *const axes[] = {"ex_space", "ey_space", "ez_space"};
+  double **const axes[] = {property<Vectors>(fix_, "ex_space").begin(),
+                           property<Vectors>(fix_, "ey_space").begin(),
+                           property<Vectors>(fix_, "ez_space").begin()};
   for (size_t b = 0; b < bodies_.all.size(); b++) {
     Body &body = bodies_.all[b];
     const int i = static_cast<int>(b);
@@ -115,12 +121,13 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
     aspi_copy(forces[b], body.acceleration);
     aspi_scale(1 / body.mass, body.acceleration);
     for (int k = 0; k < 3; k++)
-      aspi_copy(property<Vectors>(fix_, axes[k]).begin()[b], body.axes[k]);
-    body.count = 0;
+      aspi_copy(axes[k][b], body.axes[k]);
     body.is_changed = false;
     body.is_led = streams && update->ntimestep < starts[b];
   }
-  take_spheres();
+  if (is_reordered_)
+    take_spheres();
+  is_reordered_ = false;
   return &bodies_;
 }
 
@@ -128,17 +135,13 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
  * for the same sums on any number of ranks. */
 void BodiesOfLiggghts::take_spheres() {
   std::vector<std::pair<int, BodySphere>> found;
+  double **const places = Inner::places(fix_);
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
     const int b = fix_->belongs_to(i) < 0 ? -1 : fix_->data().map(fix_->belongs_to(i));
     if (b < 0 || !domain->is_owned_or_first_ghost(i))
       continue;
-    const Body &body = bodies_.all[static_cast<size_t>(b)];
-    double arm[3];
-    aspi_subtract(atom->x[i], body.x, arm);
-    domain->minimum_image(arm[0], arm[1], arm[2]);
     BodySphere sphere = {{0, 0, 0}, atom->radius[i], atom->type[i], atom->mask[i], atom->tag[i]};
-    for (int k = 0; k < 3; k++)
-      sphere.arm[k] = aspi_dot(arm, body.axes[k]);
+    aspi_copy(places[i], sphere.arm);
     found.push_back(std::make_pair(b, sphere));
   }
   std::sort(found.begin(), found.end(),
@@ -147,6 +150,8 @@ void BodiesOfLiggghts::take_spheres() {
                                               : one.second.tag < other.second.tag;
             });
   bodies_.spheres.clear();
+  for (Body &body : bodies_.all)
+    body.count = 0;
   for (const std::pair<int, BodySphere> &one : found) {
     Body &body = bodies_.all[static_cast<size_t>(one.first)];
     if (body.count++ == 0)

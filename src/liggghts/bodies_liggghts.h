@@ -33,6 +33,11 @@ public:
   std::vector<double> rows(const std::string &name) const;
   void remove_memory(const std::string &name);
 
+  /* After particles have moved between ranks, or have been put into another order. */
+  void reorder() {
+    is_reordered_ = true;
+  }
+
   /* At the end of the step's first half, for walls with such memories. */
   asperity::Bodies *take(const std::vector<std::string> &memories);
 
@@ -57,6 +62,7 @@ private:
 
   FixMultisphere *fix_;
   asperity::Bodies bodies_;
+  bool is_reordered_; /* since the spheres were listed */
   bool is_any_stuck_; /* on any rank, in this step */
   std::vector<int> deleted_;
 };

@@ -396,6 +396,7 @@ void FixWallRebound::pre_exchange() {
 void FixWallRebound::pre_neighbor() {
   set_rows();
   wall.reorder(spheres());
+  bodies_->reorder();
 }
 
 /* Meshes that measure: LIGGGHTS has cleared their sums by now, and will use them after the forces.

@@ -279,11 +279,17 @@ void Way::go() {
 }
 
 void asperity::step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies) {
+  bodies.ahead.begin_step(walls, bodies.all.size(), bodies.dt);
   for (size_t b = 0; b < bodies.all.size(); b++) {
-    if (bodies.all[b].is_led)
+    bool is_stuck = false;
+    for (const std::vector<BodyMemory *> &of : bodies.memory)
+      is_stuck = is_stuck || of[b]->is_stuck();
+    if (bodies.all[b].is_led ||
+        (!is_stuck &&
+         !bodies.ahead.is_near(walls, b, bodies.all[b], bodies.spheres.data(), bodies.dt)))
       continue;
     Way way(walls, bodies, b);
-    if (!way.carry_stuck())
+    if (!is_stuck || !way.carry_stuck())
       way.go();
   }
   bodies.begins = false;
@@ -291,5 +297,9 @@ void asperity::step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies) 
 
 void asperity::hold_bodies(const std::vector<Stepper *> &walls, Bodies &bodies) {
   for (size_t b = 0; b < bodies.all.size(); b++)
-    Way(walls, bodies, b).hold_stuck();
+    for (size_t w = 0; w < walls.size(); w++)
+      if (bodies.memory[w][b]->is_stuck()) {
+        Way(walls, bodies, b).hold_stuck();
+        break;
+      }
 }

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "dem/step/body_ahead.h"
 #include "dem/step/stepper.h"
 
 namespace asperity {
@@ -76,6 +77,7 @@ struct Bodies {
   std::vector<Body> all;
   std::vector<BodySphere> spheres;
   std::vector<std::vector<BodyMemory *>> memory; /* of each wall of the run, for each body */
+  BodyAhead ahead;
 };
 
 /* All contacts of the bodies in a step, after step_walls(). */
