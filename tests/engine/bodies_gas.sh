@@ -4,11 +4,24 @@
 # STEPS=28000 gives 10^6 impacts of each.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
-source "$here/body_scene.sh"
-count=1000 step=4e-4 steps=${STEPS:-3000} # 37 impacts a step
-gas() { # NAME SPHERES
-  { velocity="0.5 -0.8 -1.2"; wide=0.02; bodies $count random -0.02 0.02 "$2" | sed 's/overlapcheck yes/overlapcheck no/'
+[ $simulator = lammps ] || source "$here/body_scene.sh"
+[ $simulator = liggghts ] || source "$here/rigid_scene.sh"
+count=1000 step=4e-4 steps=${STEPS:-1000} # 37 impacts a step
+begin() { # SPHERES
+  if [ $simulator = liggghts ]; then
+    velocity="0.5 -0.8 -1.2" wide=0.02
+    bodies $count random -0.02 0.02 "nspheres $(($(wc -w <<< "$1") / 4)) ntry 300000 spheres $1" | sed 's/overlapcheck yes/overlapcheck no/'
     closed surface sigma 10 rebound constant 1 1 deposit off
+  else
+    rigid_data $count "$1" > data
+    start | sed 's/ cutoff .*/ cutoff 0.03/'; go_on rigid/small; echo "velocity all set 0.5 -0.8 -1.2"
+    for plane in x y z; do for at in lo hi; do
+      echo "fix $plane$at all wall/rebound ${plane}plane $([ $at = lo ] && echo -)0.02 surface sigma 10 rebound constant 1 1 deposit off"
+    done; done
+  fi
+}
+gas() { # NAME SPHERES
+  { begin "$2"
     echo "variable all equal f_xlo+f_xhi+f_ylo+f_yhi+f_zlo+f_zhi
 thermo_style custom step c_ke c_re v_all
 timestep $step
@@ -21,7 +34,7 @@ run $steps"; } > $1.in
     $2 > 0 && $3 > 0 { if (!first) first = $2 + $3; drift = ($2 + $3) / first - 1; n = $4; if ($1 > all / 5) { k = int(($1 / all - 0.2) / 0.08); if (k > 9) k = 9; e[k] += $2; r[k] += $3 } }
     END { for (k = 0; k < 10; k++) { q = r[k] / e[k]; s += q / 10; t += q * q / 10 } printf "%.5f %.5f %d %.2g\n", s, sqrt((t - s * s) / 9), n, drift }'
 }
-read -r ratio error impacts drift < <(gas rods "nspheres 2 ntry 300000 spheres -8e-3 0 0 4e-3 8e-3 0 0 4e-3")
+read -r ratio error impacts drift < <(gas rods "-8e-3 0 0 4e-3 8e-3 0 0 4e-3")
 echo "rods: $impacts impacts, E_rot/E_trans $ratio +- $error (2/3), energy off by $drift"
 awk -v r="$ratio" -v e="$error" -v d="$drift" 'BEGIN { d *= d; r = r - 2 / 3; exit r * r > (4 * e + 0.002) ^ 2 || d > 1e-3 }' || die "rods"
 
@@ -41,6 +54,6 @@ awk -v half=0.016 -v a=0.008 '
       e = sqrt((y - x * x) / 7 + 1 / should[k]); printf "%s%.3f +- %.3f", k ? ", " : "density from the middle to the walls over that of a random draw: ", x, e; if ((x - 1) ^ 2 > (4 * e + 0.01) ^ 2) bad = 1 }
     print ""; exit bad }' rods.at || die "the density at the walls"
 
-read -r ratio error impacts drift < <(gas threes "nspheres 3 ntry 300000 spheres -6e-3 -4e-3 0 3e-3 8e-3 -4e-3 0 3e-3 0 8e-3 0 3e-3")
+read -r ratio error impacts drift < <(gas threes "-6e-3 -4e-3 0 3e-3 8e-3 -4e-3 0 3e-3 0 8e-3 0 3e-3")
 echo "bodies of three spheres: $impacts impacts, E_rot/E_trans $ratio +- $error (1), energy off by $drift"
 awk -v r="$ratio" -v e="$error" -v d="$drift" 'BEGIN { d *= d; r = r - 1; exit r * r > (4 * e + 0.003) ^ 2 || d > 1e-3 }' || die "bodies of three spheres"

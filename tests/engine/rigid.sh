@@ -3,8 +3,7 @@
 # restart, periodic edges, energy with each fix, deposits, long steps, and what is refused.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
-use lammps
-program=$bin/lammps-asperity # these scripts are in its language
+source "$here/rigid_scene.sh"
 
 # dumbbells N LOW [AXIS]: a data file of dumbbells of 1 mm spheres on a grid of 3.6 mm, in layers from a height on, in a
 # box of 42 mm; their axes at random, or the same.
@@ -19,27 +18,6 @@ dumbbells() {
           printf "%d 1 1e-3 2500 %.17g %.17g %.17g\n", 2 * i + s + 1, (i % 10 - 4.5) * 3.6e-3 + h * e[1], (int(i / 10) % 10 - 4.5) * 3.6e-3 + h * e[2], low + int(i / 100) * 2.5e-3 + h * e[3] } }
       printf "\nMols\n\n"
       for (i = 0; i < 2 * n; i++) print i + 1, int(i / 2) + 1 }'
-}
-start() { # [BOUNDARY]: the beginning of a script for the file `data`
-  echo "units si
-atom_style sphere
-atom_modify map array
-boundary ${1:-f f f}
-newton off
-comm_modify vel yes cutoff 3e-3
-fix mol all property/atom mol ghost yes
-read_data data fix mol NULL Mols"
-}
-go_on() { # FIX: the rest, but for walls
-  echo "neighbor 1e-3 bin
-neigh_modify delay 0 exclude group all all
-pair_style gran/hooke 1e4 NULL 100 NULL 0.3 0
-pair_coeff * *
-fix bodies all $1 molecule
-compute ke all ke/rigid bodies
-compute re all erotate/rigid bodies
-thermo_style custom step atoms c_ke c_re
-thermo_modify format float %.12g"
 }
 closed() { # WORDS: six walls
   for plane in x y z; do for at in lo hi; do
