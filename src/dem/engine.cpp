@@ -35,3 +35,31 @@ std::vector<Engine::Kind> asperity::kinds_of(const Spheres &spheres, int group,
   }
   return kinds;
 }
+
+/* Of the functions for this a LAMMPS without MPI has MPI_Gather only, so that rows are filled up.
+ */
+std::vector<double> asperity::gather(const std::vector<double> &mine, MPI_Comm world) {
+  int ranks, rank, count = static_cast<int>(mine.size()), most;
+  MPI_Comm_size(world, &ranks);
+  MPI_Comm_rank(world, &rank);
+  MPI_Allreduce(&count, &most, 1, MPI_INT, MPI_MAX, world);
+  const size_t width = static_cast<size_t>(most) + 1;
+  std::vector<double> row(width), rows(rank == 0 ? width * static_cast<size_t>(ranks) : 0), all;
+  row[0] = count;
+  std::copy(mine.begin(), mine.end(), row.begin() + 1);
+  MPI_Gather(row.data(), most + 1, MPI_DOUBLE, rows.data(), most + 1, MPI_DOUBLE, 0, world);
+  for (size_t at = 0; at < rows.size(); at += width) {
+    const double *from = &rows[at];
+    all.insert(all.end(), from + 1, from + 1 + static_cast<size_t>(*from));
+  }
+  return all;
+}
+
+std::vector<double> asperity::gather_for_all(const std::vector<double> &mine, MPI_Comm world) {
+  std::vector<double> all = gather(mine, world);
+  int count = static_cast<int>(all.size());
+  MPI_Bcast(&count, 1, MPI_INT, 0, world);
+  all.resize(static_cast<size_t>(count));
+  MPI_Bcast(all.data(), count, MPI_DOUBLE, 0, world);
+  return all;
+}

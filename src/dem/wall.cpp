@@ -176,20 +176,6 @@ double Wall::bytes() const {
 /* ---- restart ----------------------------------------------------------------------------------
  */
 
-/* Rows of all ranks, on rank 0. */
-static std::vector<double> gather(const std::vector<double> &mine, MPI_Comm world) {
-  int ranks, count = static_cast<int>(mine.size());
-  MPI_Comm_size(world, &ranks);
-  std::vector<int> counts(static_cast<size_t>(ranks)), begins(static_cast<size_t>(ranks));
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
-  for (size_t k = 1; k < counts.size(); k++)
-    begins[k] = begins[k - 1] + counts[k - 1];
-  std::vector<double> all(static_cast<size_t>(begins.back() + counts.back()));
-  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), begins.data(), MPI_DOUBLE,
-              0, world);
-  return all;
-}
-
 std::vector<char> Wall::save(const std::vector<double> &bodies) {
   WallState state = WallState();
   state.bodies = gather(bodies, setup.engine.world());

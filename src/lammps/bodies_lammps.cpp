@@ -54,13 +54,14 @@ std::string BodiesOfLammps::error_of(const Fix *fix) {
 
 void BodiesOfLammps::fail_together(std::string wrong) const {
   struct {
-    int size, rank;
-  } mine = {static_cast<int>(wrong.size()), lammps_->comm->me}, all;
-  MPI_Allreduce(&mine, &all, 1, MPI_2INT, MPI_MAXLOC, lammps_->world);
-  if (all.size == 0)
+    double size;
+    int rank;
+  } mine = {static_cast<double>(wrong.size()), lammps_->comm->me}, all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, lammps_->world);
+  if (!(all.size > 0))
     return;
   wrong.resize(static_cast<size_t>(all.size));
-  MPI_Bcast(&wrong[0], all.size, MPI_CHAR, all.rank, lammps_->world);
+  MPI_Bcast(&wrong[0], static_cast<int>(all.size), MPI_CHAR, all.rank, lammps_->world);
   throw asperity::Error(wrong);
 }
 
@@ -71,6 +72,7 @@ void BodiesOfLammps::init() {
     if (fix->rigid_flag && error_of(fix).empty())
       fixes_.push_back(fix);
   }
+  own_.assign(3 * fixes_.size(), 0);
   if (static_cast<int64_t>(fixes_.size()) >= FIXES)
     throw asperity::Error(text("there are %zu fixes of rigid bodies; there may be %d",
                                fixes_.size(), static_cast<int>(FIXES) - 1));

@@ -104,6 +104,7 @@ private:
   void read_bodies(const Walls &walls, bool forces);
   void add_body(size_t from, size_t to, const Walls &walls, double time);
   void set_axes(asperity::Body &body, const double inertia[6], const Walls &walls, double time);
+  void find_own();
   void set_momentum(asperity::Body &body, size_t from);
   int count_turns() const;
   void integrate(Kick &kick, std::vector<asperity::Body> &now, int number, int count);
@@ -118,6 +119,9 @@ private:
   Fix *fix_of(const Particle &particle) const {
     return fixes_[static_cast<size_t>(particle.body % FIXES)];
   }
+  const double *own_of(const Particle &particle) const {
+    return &own_[3 * static_cast<size_t>(particle.body % FIXES)];
+  }
   double *row(int i) {
     return &sent_[SENT * static_cast<size_t>(i)];
   }
@@ -126,12 +130,13 @@ private:
   Fix *fix_; /* the wall's */
   const asperity::Wall &wall_;
   std::vector<Fix *> fixes_;
+  std::vector<double> own_, added_;    /* accelerations that each fix, and of each body its, adds */
   bool is_new_;                        /* particles have moved between ranks since the last step */
   bool is_restored_;                   /* what was in a restart file has been taken */
   bool is_any_stuck_;                  /* on any rank, in this step */
   std::vector<int64_t> numbers_;       /* of the body of each particle of this rank; 0: none */
   std::map<int64_t, Memory> memories_; /* by the lowest tag of the body */
-  std::vector<int64_t> deleted_;       /* numbers of bodies */
+  std::vector<double> deleted_;        /* numbers of bodies */
   std::vector<double> kept_;           /* x, v, and omega of each particle */
   std::vector<double> sent_;           /* of each particle, with ghosts */
   std::vector<Particle> particles_;

@@ -60,7 +60,7 @@ public:
     const int i = bodies_.firsts_[b].i;
     double arm[3], couple[3];
     bodies_.arm_of(i, center, arm);
-    aspi_copy(a, atom_->f[i]);
+    aspi_subtract(a, bodies_.own_of(bodies_.firsts_[b]), atom_->f[i]);
     aspi_scale(bodies_.before_[b].mass, atom_->f[i]);
     aspi_cross(arm, atom_->f[i], couple);
     aspi_subtract(torque, couple, atom_->torque[i]);
@@ -180,11 +180,13 @@ std::string BodiesOfLammps::velocity_error(size_t b, const Body &way) const {
   aspi_subtract(off, to.v, off);
   const double speeds = aspi_length(from.v) + aspi_length(way.v) + aspi_length(to.v) +
                         aspi_length(atom->omega[first.i]) * aspi_length(arm);
-  if (aspi_length(off) > KEPT * speeds)
+  /* Bodies at rest have no speed to compare with. */
+  const double least = KEPT * atom->radius[first.i] / lammps_->update->dt;
+  if (aspi_length(off) > KEPT * (speeds + least))
     return name_of(fix_of(first)) +
            text(" gives the body of particle %lld a velocity that is %g off from what the wall "
-                "asked of it; leave out its keywords gravity, langevin, force and torque: "
-                "fix gravity acts on bodies, too",
+                "asked of it; leave out its keywords langevin, force and torque, and keep the "
+                "gravity of its keyword gravity as it is",
                 (long long)first.tag, aspi_length(off));
   return "";
 }

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "lammps.h"
 #include "update.h"
@@ -22,8 +23,8 @@ using asperity::BodyMemory;
 using asperity::BodySphere;
 using asperity::text;
 
-/* The largest error, relative, of a body's mass. */
-static const double NEAR = 1e-6;
+/* The largest error, relative, of a body's mass; and of the sum of its accelerations. */
+static const double NEAR = 1e-6, ROUNDED = 1e-12;
 
 /* The fix's masses of bodies must be those of the particles: so none is missed, and their inertia
  * is that of the bodies. After particles have moved between ranks; a fix lists all its masses at
@@ -40,8 +41,9 @@ std::string BodiesOfLammps::masses_error() const {
         return text("the mass of the body of particle %lld is %g by ", (long long)firsts_[b].tag,
                     theirs) +
                name_of(fixes_[k]) +
-               text(" and %g by its particles near this rank; they must be equal: leave out "
-                    "'infile', and raise 'comm_modify cutoff' to the length of the bodies",
+               text(" and %g by its particles near this rank; they must be equal: let its spheres "
+                    "not overlap, leave out 'infile', and raise 'comm_modify cutoff' to the length "
+                    "of the bodies",
                     here);
     }
   }
@@ -150,11 +152,13 @@ void BodiesOfLammps::set_axes(Body &body, const double inertia[6], const Walls &
   diagonalize(inertia, body);
 }
 
-/* The angular momentum at the end of the step before, and what the torque has added to it since. */
+/* The angular momentum at the end of the step before, and what the torque has added to it since;
+ * and the acceleration in between that is not from the forces, but for rounding. */
 void BodiesOfLammps::set_momentum(Body &body, size_t from) {
   const Atom *atom = lammps_->atom;
   const double half = 0.5 * lammps_->update->dt, *first = row(particles_[from].i);
-  double center[3] = {0, 0, 0}, *sum = body.angular_momentum;
+  double center[3] = {0, 0, 0}, own[3], *sum = body.angular_momentum;
+  aspi_copy(body.v, own);
   for (int round = 0; round < 2; round++)
     for (size_t k = from; k < from + body.count; k++) {
       const int i = particles_[k].i;
@@ -164,6 +168,7 @@ void BodiesOfLammps::set_momentum(Body &body, size_t from) {
       lammps_->domain->minimum_image(arm[0], arm[1], arm[2]);
       if (round == 0) {
         aspi_add_scaled(center, m / body.mass, arm, center);
+        aspi_add_scaled(own, -m / body.mass, at + 7, own);
         continue;
       }
       aspi_subtract(arm, center, arm);
@@ -175,6 +180,30 @@ void BodiesOfLammps::set_momentum(Body &body, size_t from) {
       aspi_add_scaled(sum, 0.4 * m * r * r, at + 10, sum);
       aspi_add_scaled(sum, half, at + 16, sum);
     }
+  aspi_scale(1 / half, own);
+  aspi_subtract(own, body.acceleration, own);
+  const double terms = aspi_length(body.v) / half + aspi_length(body.acceleration);
+  aspi_scale(aspi_length(own) > ROUNDED * terms ? 1 : 0, own);
+  added_.insert(added_.end(), own, own + 3);
+}
+
+/* The acceleration that each fix adds by itself, as by its keyword `gravity`: of the body with the
+ * least number of all ranks. */
+void BodiesOfLammps::find_own() {
+  for (size_t k = 0; k < fixes_.size(); k++) {
+    struct {
+      double number;
+      int rank;
+    } mine = {-HUGE_VAL, lammps_->comm->me}, all;
+    double *own = &own_[3 * k];
+    for (size_t b = 0; b < firsts_.size(); b++)
+      if (fix_of(firsts_[b]) == fixes_[k] && -static_cast<double>(firsts_[b].body) > mine.number) {
+        mine.number = -static_cast<double>(firsts_[b].body);
+        aspi_copy(&added_[3 * b], own);
+      }
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, lammps_->world);
+    MPI_Bcast(own, 3, MPI_DOUBLE, all.rank, lammps_->world);
+  }
 }
 
 /* At the end of a step (`forces` false) the places kept are those of now, and nothing moves a body
@@ -186,6 +215,7 @@ void BodiesOfLammps::read_bodies(const Walls &walls, bool forces) {
   bodies_.spheres.clear();
   bodies_.memory.assign(walls.size(), std::vector<BodyMemory *>());
   firsts_.clear();
+  added_.clear();
   read_particles(forces);
   for (size_t from = 0, to; from < particles_.size(); from = to) {
     for (to = from + 1; to < particles_.size() && particles_[to].body == particles_[from].body;)
@@ -199,6 +229,11 @@ void BodiesOfLammps::read_bodies(const Walls &walls, bool forces) {
       memory.body = static_cast<double>(first.body);
       bodies_.memory[w].push_back(&memory.of_wall);
     }
+  if (forces && is_new_)
+    find_own();
+  for (size_t b = 0; b < bodies_.all.size(); b++)
+    aspi_add_scaled(bodies_.all[b].acceleration, 1, own_of(firsts_[b]),
+                    bodies_.all[b].acceleration);
   before_ = bodies_.all;
 }
 
@@ -228,19 +263,10 @@ bool BodiesOfLammps::any_stuck() const {
 }
 
 void BodiesOfLammps::list_deleted() {
-  std::vector<long long> mine, all;
+  std::vector<double> mine;
   for (const auto &memory : memories_)
     if (memory.second.of_wall.status == static_cast<double>(asperity::Status::TO_DELETE))
-      mine.push_back(static_cast<long long>(memory.second.body));
-  int ranks, count = static_cast<int>(mine.size());
-  MPI_Comm_size(lammps_->world, &ranks);
-  std::vector<int> counts(static_cast<size_t>(ranks)), begins(static_cast<size_t>(ranks));
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, lammps_->world);
-  for (size_t k = 1; k < counts.size(); k++)
-    begins[k] = begins[k - 1] + counts[k - 1];
-  all.resize(static_cast<size_t>(begins.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), count, MPI_LONG_LONG, all.data(), counts.data(), begins.data(),
-                 MPI_LONG_LONG, lammps_->world);
-  deleted_.assign(all.begin(), all.end());
+      mine.push_back(memory.second.body);
+  deleted_ = asperity::gather_for_all(mine, lammps_->world);
   std::sort(deleted_.begin(), deleted_.end());
 }

@@ -214,20 +214,12 @@ void BodiesOfLiggghts::put_velocities() {
 }
 
 void BodiesOfLiggghts::list_deleted(const std::string &name) {
-  std::vector<int> mine;
+  std::vector<double> mine;
   Memories *of = fix_ ? fix_->data().prop().getElementProperty<Memories>(name.c_str()) : NULL;
   for (int b = 0; of && b < fix_->n_body(); b++)
     if (reinterpret_cast<BodyMemory *>(of->begin()[b])->status ==
         static_cast<double>(asperity::Status::TO_DELETE))
       mine.push_back(fix_->data().tag(b));
-  int ranks, count = static_cast<int>(mine.size());
-  MPI_Comm_size(world, &ranks);
-  std::vector<int> counts(static_cast<size_t>(ranks)), begins(static_cast<size_t>(ranks));
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  for (size_t k = 1; k < counts.size(); k++)
-    begins[k] = begins[k - 1] + counts[k - 1];
-  deleted_.resize(static_cast<size_t>(begins.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), count, MPI_INT, deleted_.data(), counts.data(), begins.data(),
-                 MPI_INT, world);
+  deleted_ = asperity::gather_for_all(mine, world);
   std::sort(deleted_.begin(), deleted_.end());
 }

@@ -62,9 +62,9 @@ private:
 
   FixMultisphere *fix_;
   asperity::Bodies bodies_;
-  bool is_reordered_; /* since the spheres were listed */
-  bool is_any_stuck_; /* on any rank, in this step */
-  std::vector<int> deleted_;
+  bool is_reordered_;           /* since the spheres were listed */
+  bool is_any_stuck_;           /* on any rank, in this step */
+  std::vector<double> deleted_; /* numbers of bodies */
 };
 
 } // namespace LAMMPS_NS

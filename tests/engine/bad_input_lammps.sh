@@ -57,7 +57,7 @@ units=real refuses "$plane rebound constant 1 1" "" "units are 'real'" "si, cgs,
 edit='/^set group/d; /^fix move/d; s/atom_style granular/atom_style  ellipsoid/' refuses "$plane" "" "atom style is 'ellipsoid'" "atom_style sphere"
 edit='s/^region box.*/region box prism -0.002 0.002 -0.002 0.002 -0.001 0.002 0.001 0 0 units box/; s/boundary.*/boundary p p f/' \
   refuses "$plane" "" "triclinic and periodic" "orthogonal"
-edit='s/^create_atoms.*/&\ncreate_atoms 1 single 0 0 1.1e-3 units box/; s/^fix move.*/fix move all rigid single/' refuses "$plane rebound constant 1 1" "" "fix rigid"
+edit='s/^create_atoms.*/&\ncreate_atoms 1 single 0 0 1.1e-3 units box/; s/^fix move.*/fix move all rigid\/nvt single temp 1 1 1/' refuses "$plane rebound constant 1 1" "" "fix rigid/nvt"
 refuses "$plane rebound constant 1 1
 fix back all recenter 0 0 0" "" "fix recenter (id back)" "past the wall"
 edit="s/^boundary.*/boundary f f p/; s/^units.*/&\ndimension 2/; s/^region box.*/region box block -0.002 0.002 -0.002 0.002 -0.001 0.001 units box/

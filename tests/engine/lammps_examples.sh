@@ -23,5 +23,5 @@ for script in granregion/in.granregion.funnel granregion/in.granregion.mixer gra
   ! grep -aq 'Lost atoms' "$name.screen" || die "$name: $(grep -a 'Lost atoms' "$name.screen")"
 done
 exchange rigid/in.rigid.gravity 1000
-if run in.rigid.gravity; then die "bodies of fix rigid rebound one by one"; fi
-grep -aq "id zwall.*tied to bodies (fix rigid)" in.rigid.gravity.screen || { tail -n 3 in.rigid.gravity.screen; die "rigid"; }
+if run in.rigid.gravity; then die "bodies of spheres that overlap rebound"; fi
+grep -aq "id zwall.*the mass of the body of particle" in.rigid.gravity.screen || { tail -n 3 in.rigid.gravity.screen; die "rigid"; }

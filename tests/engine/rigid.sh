@@ -132,6 +132,6 @@ run 100"; } > bad.in
 dumbbells 100 -0.012 > data
 refuses rigid/small "rebound walton 0.9 0.3 0.4" "" "BETA0 0"
 refuses rigid/nvt "rebound walton 0.9 0.3 0" " temp 1 1 1" "fix rigid/nvt (id bodies) ties particles to bodies"
-refuses rigid "rebound walton 0.9 0.3 0" " langevin 300 300 1 4711" "leave out its keywords gravity, langevin"
+refuses rigid "rebound walton 0.9 0.3 0" " langevin 300 300 1 4711" "leave out its keywords langevin"
 awk -F'[ ]' '/^Mols/ { mols = 1; print; next } mols && NF == 2 { print $1, 1; next } { print }' data > one; mv one data
 refuses rigid "rebound walton 0.9 0.3 0" "" "raise 'comm_modify cutoff'"
