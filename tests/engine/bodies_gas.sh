@@ -6,7 +6,7 @@
 source "$(dirname "$0")/engine.sh"
 [ $simulator = lammps ] || source "$here/body_scene.sh"
 [ $simulator = liggghts ] || source "$here/rigid_scene.sh"
-count=1000 step=4e-4 steps=${STEPS:-1000} # 37 impacts a step
+count=1000 step=4e-4 steps=${STEPS:-2000} # 37 impacts a step
 begin() { # SPHERES
   if [ $simulator = liggghts ]; then
     velocity="0.5 -0.8 -1.2" wide=0.02
@@ -38,18 +38,18 @@ read -r ratio error impacts drift < <(gas rods "-8e-3 0 0 4e-3 8e-3 0 0 4e-3")
 echo "rods: $impacts impacts, E_rot/E_trans $ratio +- $error (2/3), energy off by $drift"
 awk -v r="$ratio" -v e="$error" -v d="$drift" 'BEGIN { d *= d; r = r - 2 / 3; exit r * r > (4 * e + 0.002) ^ 2 || d > 1e-3 }' || die "rods"
 
-# Density of the rods' centers over the distance from the walls, against positions and axes drawn at random, of which those
+# In the second half of the run, the density of the rods' centers over the distance from the walls, against positions and axes drawn at random, of which those
 # stay that fit into the box.
 awk -v half=0.016 -v a=0.008 '
   function bin(x,   k) { x = x < 0 ? -x : x; k = int(8 * x / half); return k > 7 ? 7 : k }
   /^ITEM: TIMESTEP/ { getline; step = $1; frame++ } /^ITEM:/ { next }
-  NF == 4 && frame > 10 { seen[frame, $1] = 1; for (k = 2; k <= 4; k++) at[frame, $1, k] = $k; if ($1 > most) most = $1; last = frame }
+  NF == 4 && frame > 25 { seen[frame, $1] = 1; for (k = 2; k <= 4; k++) at[frame, $1, k] = $k; if ($1 > most) most = $1; last = frame }
   END {
     srand(7); pi = atan2(0, -1)
     while (m < 400000) { c = 2 * rand() - 1; s = sqrt(1 - c * c); f = 2 * pi * rand(); u[1] = s * cos(f); u[2] = s * sin(f); u[3] = c; ok = 1
       for (k = 1; k <= 3; k++) { p[k] = half * (2 * rand() - 1); d = a * (u[k] < 0 ? -u[k] : u[k]) + (p[k] < 0 ? -p[k] : p[k]); if (d > half) ok = 0 }
       if (ok) { m++; for (k = 1; k <= 3; k++) should[bin(p[k])]++ } }
-    for (f = 11; f <= last; f++) { b = int((f - 11) * 8 / (last - 10)); for (i = 1; i < most; i += 2) if (((f, i) in seen) && ((f, i + 1) in seen)) for (k = 2; k <= 4; k++) { n[b]++; of[b, bin(0.5 * (at[f, i, k] + at[f, i + 1, k]))]++ } }
+    for (f = 26; f <= last; f++) { b = int((f - 26) * 8 / (last - 25)); for (i = 1; i < most; i += 2) if (((f, i) in seen) && ((f, i + 1) in seen)) for (k = 2; k <= 4; k++) { n[b]++; of[b, bin(0.5 * (at[f, i, k] + at[f, i + 1, k]))]++ } }
     for (k = 0; k < 8; k++) { x = y = 0; for (b = 0; b < 8; b++) { q = of[b, k] / n[b] / (should[k] / (3 * m)); x += q / 8; y += q * q / 8 }
       e = sqrt((y - x * x) / 7 + 1 / should[k]); printf "%s%.3f +- %.3f", k ? ", " : "density from the middle to the walls over that of a random draw: ", x, e; if ((x - 1) ^ 2 > (4 * e + 0.01) ^ 2) bad = 1 }
     print ""; exit bad }' rods.at || die "the density at the walls"
