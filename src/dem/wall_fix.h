@@ -87,6 +87,26 @@ public:
   virtual void fail_alone(const std::string &what) const = 0;
   /* Gives the wall the rows of this rank's particles, which may have moved since the last step. */
   virtual void set_rows() = 0;
+  /* Whether there are bodies, and whether a particle is part of one: then it meets no wall alone.
+   */
+  virtual bool any_bodies() const {
+    return false;
+  }
+  virtual bool is_of_body(int) const {
+    return false;
+  }
+  Spheres spheres() const override {
+    Spheres s = Host::spheres();
+    if (!any_bodies())
+      return s;
+    masks_.assign(s.mask, s.mask + s.n);
+    for (int i = 0; i < s.n; i++)
+      if (is_of_body(i))
+        masks_[static_cast<size_t>(i)] = 0;
+    s.mask = masks_.data();
+    return s;
+  }
+
   /* The bodies of this rank, for these walls; NULL: there are none. put: takes them back;
    * collective. */
   virtual Bodies *bodies(const std::vector<WallFix *> &) {
@@ -282,6 +302,7 @@ private:
     return siblings_.front() == this;
   }
 
+  mutable std::vector<int> masks_;  /* of the particles, 0 for those of bodies */
   std::vector<WallFix *> siblings_; /* all walls of this style, the first one leads */
 };
 

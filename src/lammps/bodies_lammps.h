@@ -114,7 +114,6 @@ private:
   std::string masses_error() const;
   /* Throws the error of the first rank that has one: LAMMPS shows those of rank 0 only. */
   void fail_together(std::string wrong) const;
-  bool any_stuck() const;
   static std::string name_of(const Fix *fix);
   Fix *fix_of(const Particle &particle) const {
     return fixes_[static_cast<size_t>(particle.body % FIXES)];

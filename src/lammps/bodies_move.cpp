@@ -91,6 +91,8 @@ int BodiesOfLammps::count_turns() const {
   double most = 1;
   for (size_t b = 0; b < bodies_.all.size(); b++) {
     double turn[3];
+    if (!bodies_.all[b].is_changed)
+      continue;
     asperity::rotation(before_[b].axes, bodies_.all[b].axes, turn);
     most = std::max(most, ceil(aspi_length(turn) / TURN));
   }
@@ -140,7 +142,7 @@ void BodiesOfLammps::accelerate(Kick &kick, const std::vector<Body> &now) {
 void BodiesOfLammps::put() {
   if (!any())
     return;
-  int mine[3] = {0, any_stuck(), count_turns()}, all[3];
+  int mine[3] = {0, bodies_.any_stuck(), count_turns()}, all[3];
   for (size_t b = 0; b < bodies_.all.size(); b++) {
     const Body &body = bodies_.all[b];
     mine[0] = mine[0] || body.is_changed;

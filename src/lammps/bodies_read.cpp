@@ -254,14 +254,6 @@ asperity::Bodies *BodiesOfLammps::take_stuck(const Walls &walls) {
   return &bodies_;
 }
 
-bool BodiesOfLammps::any_stuck() const {
-  for (const std::vector<BodyMemory *> &of_wall : bodies_.memory)
-    for (const BodyMemory *of : of_wall)
-      if (of->is_stuck())
-        return true;
-  return false;
-}
-
 void BodiesOfLammps::list_deleted() {
   std::vector<double> mine;
   for (const auto &memory : memories_)

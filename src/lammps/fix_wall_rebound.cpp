@@ -79,9 +79,8 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   AtomRows rows;
   MeshImage image;
   BodiesOfLammps of_bodies;
-  mutable std::vector<int> masks; /* of the particles, 0 for those of bodies */
-  bigint last_step;               /* that the wall knows of */
-  bool steps;                     /* this run has steps, which a rerun has not */
+  bigint last_step; /* that the wall knows of */
+  bool steps;       /* this run has steps, which a rerun has not */
   bool from_restart, restarted;
   double stuck; /* particles of all ranks, when a run began or ended */
   int type;     /* of the wall */
@@ -106,7 +105,12 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   void set_rows() override {
     wall.set_rows(rows.state(), rows.place());
   }
-  asperity::Spheres spheres() const override;
+  bool any_bodies() const override {
+    return of_bodies.any();
+  }
+  bool is_of_body(int i) const override {
+    return of_bodies.has(i);
+  }
   asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override {
     return of_bodies.take(bodies_of(siblings));
   }
@@ -290,18 +294,6 @@ void FixWallRebound::init() {
       p_->wall.setup.model.check_bodies();
     p_->wall.init(update->ntimestep, update->dt);
   });
-}
-
-asperity::Spheres FixWallRebound::Parts::spheres() const {
-  asperity::Spheres s = WallFix::spheres();
-  if (!of_bodies.any())
-    return s;
-  masks.assign(s.mask, s.mask + s.n);
-  for (int i = 0; i < s.n; i++)
-    if (of_bodies.has(i))
-      masks[static_cast<size_t>(i)] = 0;
-  s.mask = masks.data();
-  return s;
 }
 
 /* The command reset_timestep tells no fix, and a `run pre no` may follow it. */

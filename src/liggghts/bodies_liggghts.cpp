@@ -160,18 +160,10 @@ void BodiesOfLiggghts::take_spheres() {
   }
 }
 
-bool BodiesOfLiggghts::any_stuck() const {
-  for (const std::vector<BodyMemory *> &wall : bodies_.memory)
-    for (const BodyMemory *of : wall)
-      if (of->is_stuck())
-        return true;
-  return false;
-}
-
 void BodiesOfLiggghts::put() {
   if (!fix_)
     return;
-  int mine[2] = {0, any_stuck()}, any[2];
+  int mine[2] = {0, bodies_.any_stuck()}, any[2];
   const char *const axes[] = {"ex_space", "ey_space", "ez_space"};
   for (size_t b = 0; b < bodies_.all.size(); b++) {
     Body &body = bodies_.all[b];

@@ -58,7 +58,6 @@ public:
 private:
   void take_spheres();
   void put_velocity(size_t b);
-  bool any_stuck() const;
 
   FixMultisphere *fix_;
   asperity::Bodies bodies_;

@@ -372,18 +372,6 @@ void FixWallRebound::begin_step() {
   }
 }
 
-asperity::Spheres FixWallRebound::spheres() const {
-  asperity::Spheres s = EngineOf::spheres();
-  if (!bodies_ || !bodies_->any())
-    return s;
-  masks_.assign(s.mask, s.mask + s.n);
-  for (int i = 0; i < s.n; i++)
-    if (bodies_->has(i))
-      masks_[static_cast<size_t>(i)] = 0;
-  s.mask = masks_.data();
-  return s;
-}
-
 void FixWallRebound::post_integrate() {
   step();
 }

@@ -91,7 +91,12 @@ private:
   bool is_of_deleted_body(int i) const override {
     return bodies_->is_deleted(i);
   }
-  asperity::Spheres spheres() const override;
+  bool any_bodies() const override {
+    return bodies_ && bodies_->any();
+  }
+  bool is_of_body(int i) const override {
+    return bodies_->has(i);
+  }
 
   void check_bodies();
   std::string memory_id() const {
@@ -121,7 +126,6 @@ private:
   class FixPropertyAtom *fix_state_, *fix_place_;
   bool restarted_;
   std::unique_ptr<BodiesOfLiggghts> bodies_; /* of the run */
-  mutable std::vector<int> masks_;           /* of the atoms: none for those of bodies */
 };
 
 } // namespace LAMMPS_NS

@@ -4,22 +4,9 @@
 # bodies COUNT ORIENTATION LOW HIGH [SPHERES]: the beginning of a script with dumbbells of 1 mm spheres in a cube of 40
 # mm, inserted between two heights; they do not meet each other.
 bodies() {
-  echo "units si
-atom_style granular
-atom_modify map array
-boundary ${boundary:-f f f}
-newton off
-communicate single vel yes
-region box block -0.021 0.021 -0.021 0.021 -0.021 0.021 units box
-create_box 1 box
-neighbor 1e-3 bin
-neigh_modify delay 0 exclude group all all
-fix m1 all property/global youngsModulus peratomtype 5e6
-fix m2 all property/global poissonsRatio peratomtype 0.3
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
-fix m4 all property/global coefficientFriction peratomtypepair 1 0
-pair_style gran model hertz tangential history
-pair_coeff * *
+  soft "-0.021 0.021 -0.021 0.021 -0.021 0.021" 0
+  echo "neighbor 1e-3 bin
+neigh_modify exclude group all all
 fix t1 all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 ${5:-nspheres 2 ntry 2000000 spheres 0 0 0 0.5e-3 1e-3 0 0 0.5e-3} type 1
 fix d1 all particledistribution/discrete 32452843 1 t1 1.0
 region in block -${wide:-0.018} ${right:-${wide:-0.018}} -${wide:-0.018} ${wide:-0.018} $3 $4 units box

@@ -49,7 +49,7 @@ run 500"; } > flat.in
 engine 1 flat.in
 check_rows flat.csv '$29 > 1.2 - 1e-8 && $29 < 1.2 + 1e-8 && $33^2 + $34^2 + $35^2 < 1e-6 && $28^2 < 1e-16' "a rod lands flat"
 
-# The same ledgers on 1 and 4 ranks, of rough walls with friction, with periodic edges, and where bodies stick; and
+# The same ledgers on 1, 2 and 4 ranks, of rough walls with friction, with periodic edges, and where bodies stick; and
 # near to them over a restart, where the fix computes its bodies anew.
 dumbbells 200 -0.017 > data
 scene() { # BOUNDARY STEPS WALLS
@@ -62,9 +62,9 @@ scene "p p f" 400 "$(echo "$rough" | grep "zplane")" > periodic.in
 sticky=$(echo "$rough" | sed '/zplane -/s/walton 0.9 0.3 0/constant 0 0/')
 scene "f f f" 400 "$sticky" > sticky.in
 for script in box periodic sticky; do
-  for ranks in 1 4; do engine $ranks $script.in; impacts > $script.$ranks; done
+  for ranks in 1 2 4; do engine $ranks $script.in; impacts > $script.$ranks; done
   [ "$(wc -l < $script.1)" -gt 150 ] || die "$script: $(wc -l < $script.1) impacts"
-  same $script.1 $script.4 "4 ranks"
+  same $script.1 $script.2 "2 ranks"; same $script.1 $script.4 "4 ranks"
 done
 
 # Stuck bodies are where they stuck: at the end and after a restart on another number of ranks, and the others meet the
@@ -102,11 +102,11 @@ same delete.1 delete.4 "deletes on 4 ranks"
 dumbbells 100 -0.017 > data
 for style in rigid rigid/small rigid/nve rigid/nve/small; do
   { start; go_on $style; echo "velocity all set 0.5 -0.8 -1.2"; closed surface sigma 10 rebound constant 1 1; echo "timestep 1e-4
-thermo 25
-run 250"; } > gas.in
+thermo 50
+run 500"; } > gas.in
   engine 2 gas.in
   energies gas.in.screen | awk -v style=$style '{ e = $3 + $4; if (NR == 1) first = e; d = e / first - 1; if (d < 0) d = -d; if (d > worst) worst = d }
-    END { print style ": energy off by " worst ", E_rot/E_trans " $4 / $3; exit NR < 11 || worst > (style ~ /nve/ ? 1e-2 : 1e-9) || $4 / $3 < 0.4 }' || die "the energy of a gas with $style"
+    END { print style ": energy off by " worst ", E_rot/E_trans " $4 / $3; exit NR < 11 || worst > (style ~ /nve/ ? 1e-2 : 1e-9) || $4 / $3 < 0.5 }' || die "the energy of a gas with $style"
 done
 
 # Nothing crosses a wall in steps of 100 diameters.

@@ -278,6 +278,14 @@ void Way::go() {
     body_ = arrival_;
 }
 
+bool Bodies::any_stuck() const {
+  for (const std::vector<BodyMemory *> &of_wall : memory)
+    for (const BodyMemory *of : of_wall)
+      if (of->is_stuck())
+        return true;
+  return false;
+}
+
 void asperity::step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies) {
   bodies.ahead.begin_step(walls, bodies.all.size(), bodies.dt);
   for (size_t b = 0; b < bodies.all.size(); b++) {

@@ -77,6 +77,8 @@ struct Bodies {
   std::vector<Body> all;
   std::vector<BodySphere> spheres;
   std::vector<std::vector<BodyMemory *>> memory; /* of each wall of the run, for each body */
+
+  bool any_stuck() const;
   BodyAhead ahead;
 };
 

@@ -47,6 +47,11 @@ Impact Way::impact_of(const Touch &touch) {
   Impact impact = Impact();
   impact.shape = touch.shape;
   impact.contact = touch.contact;
+  /* A body crosses a periodic edge when its rank finds it there: the row has the place in the box.
+   */
+  double middle[3];
+  aspi_add_scaled(setup.box.lo, 0.5, setup.box.period, middle);
+  setup.box.bring_near(middle, impact.contact.x);
   velocity(impact.v1);
   aspi_subtract(impact.v1, touch.contact.v_wall, impact.v1);
   spin_of(body_, impact.omega1);
