@@ -61,7 +61,7 @@ done
 for name in visible weibull bons thornton_ning yield_rate; do grep -qw "$name" wall || die "help wall: $name"; done
 [ "$("$asperity" --help=words | grep -xc wall)" = 0 ] || die "wall is no command"
 # At most fifteen options, besides --help.
-for command in surface spread cor rebound roll trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
+for command in surface spread cor rebound trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
 
 # Names.
 one() { "$asperity" cor materials "$@" --samples 1 --angles 30 | tail -n 1; }
