@@ -197,8 +197,9 @@ double asp_surface_slope(const asp_surface *surface, double d_p);
  * and normalized. */
 typedef struct asp_spread_model asp_spread_model;
 
-/* All models, in a fixed order: 0 <= index < asp_spread_count(). find: by name; NULL and a message
- * that lists the names if there is none. */
+/* All models, in a fixed order: 0 <= index < asp_spread_count(); the first is `none`, that of
+ * smooth walls, which is no word of a description. find: by name; NULL and a message that lists the
+ * names if there is none. */
 int asp_spread_count(void);
 const asp_spread_model *asp_spread_at(int index);
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error);

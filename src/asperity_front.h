@@ -27,6 +27,10 @@ asp_code asp_description_complete(asp_description *description, asp_error *error
 /* ASP_EARG and a message where the law with its parameters has no meaning for bodies. */
 asp_code asp_description_check_bodies(const asp_description *description, asp_error *error);
 
+/* ASP_EARG and a message where the law needs a pair, and the words have not the materials of one, a
+ * particle and a wall, or no yield stress. */
+asp_code asp_description_check_pair(const asp_description *description, asp_error *error);
+
 /* Makes `plane` the default tilt, for two dimensions; before a clause is read. */
 void asp_description_default_plane(asp_description *description);
 
@@ -40,16 +44,27 @@ bool asp_rebound_measured(const asp_rebound_law *law);
 /* The length of the first clause of a canonical text with the blank behind it; 0 at its end. */
 size_t asp_description_clause(const char *text);
 
-/* Doubtful constants of particles and a wall: writes the index-th warning, from 0, to `text`, at
- * most `size` characters; false if there are no more. Warns of a density more than 1 % off that of
- * the particle's material, a Young's modulus that looks like one in GPa, a yield stress above a
- * tenth of the composite modulus, and adhesion that holds every impact. `particle` has the density,
- * the pair, and the largest diameter. Without materials (NULL) it warns of what needs none: heights
- * over 1000 diameters, friction over 3, a hardness under 1 MPa, R_Sm without its sampling length.
- */
-bool asp_description_doubt(const asp_description *description, const asp_particle *particle,
-                           const asp_material *of_particle, const asp_material *of_wall, int index,
-                           char *text, size_t size);
+/* A wall and what flies at it. Unknown are: a wall that is not made yet, materials, and a pair that
+ * are NULL, diameters and a density that are 0. */
+typedef struct asp_question {
+  const asp_description *words;
+  const asp_wall *wall;
+  double d_least;                  /* diameter of the smallest particle */
+  const asp_particle *largest;     /* its diameter, density, and pair */
+  const asp_material *material[2]; /* of the particle and of the wall */
+} asp_question;
+
+/* Asks the index-th question about what is allowed and still looks like a mistake, from 0: the
+ * doubt to `text`, at most `size` characters, "" if there is none; false past the last question.
+ * Asked are heights over 1000 diameters, friction over 3, a hardness under 1 MPa, R_Sm without its
+ * sampling length; odd heights of a file that the library read, a file that tells little about the
+ * smallest particles; a law or a model that does not suit the wall; a density more than 1 % off
+ * that of the material, a Young's modulus in GPa, a yield stress above a tenth of the composite
+ * modulus, and adhesion that holds every impact. */
+bool asp_doubt(const asp_question *question, int index, char *text, size_t size);
+
+/* What a script can do about a message that names options of asp_reader: "" where it names none. */
+const char *asp_reader_advice(const char *message);
 
 /* The speed below which a normal impact of the particle sticks to the mean wall: 0 where the law
  * needs no pair, where nothing is held, or below 0.001 m/s; INFINITY where every impact up to 10
@@ -57,11 +72,6 @@ bool asp_description_doubt(const asp_description *description, const asp_particl
  * speed. */
 double asp_description_capture_speed(const asp_description *description,
                                      const asp_particle *particle);
-
-/* ASP_ERANGE and a message where the file of a wall tells little about spheres of diameter d_p:
- * where they cover under 10 points, or it is under 20 correlation lengths long. */
-asp_code asp_description_check_sampling(const asp_description *description, const asp_wall *wall,
-                                        double d_p, asp_error *error);
 
 /* ---- surface --------------------------------------------------------------------------------- */
 /* A Gaussian wall by its two numbers, both in one unit of length and both greater than zero: r_q,

@@ -41,12 +41,12 @@ static const aspi_unit units[] = {
     {"stress/speed", "Pa/(m/s)", 0, 1, 0, true},
     {"stress/speed", "kPa/(m/s)", 3, 1, 0, true},
     {"stress/speed", "MPa/(m/s)", 6, 1, 0, true},
-    {"degrees", "deg degrees grad \xC2\xB0 \xB0", 0, 1, 0, true},
+    {"degrees", "deg degrees \xC2\xB0 \xB0", 0, 1, 0, true},
     {"degrees", "rad radians", 0, 180 / ASP_PI, 0, true},
     {"K", "K", 0, 1, 0, true},
     {"K", "C", 0, 1, 273.15, true},
     {"1/K", "/K 1/K", 0, 1, 0, true},
-    {"unread", "% percent pct km/h kmh mph ft/s ft gon h s", 0, 0, 0, false},
+    {"unread", "% percent pct km/h kmh mph ft/s ft gon grad h s", 0, 0, 0, false},
 };
 
 const aspi_unit *aspi_unit_at(size_t index) {

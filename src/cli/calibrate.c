@@ -296,7 +296,7 @@ static void read_wall(aspi_calibration *c, const cli_call *call,
   c->sticks = asp_rebound_needs_pair(asp_description_rebound(words)) && words->choice.deposit;
   c->seed = (uint32_t)asp_description_get(words, "seed");
   c->d_p = cli_length(cli_get(call, "dp"));
-  c->speed = cli_number(cli_get(call, "speed"), 1e-9, 1e6);
+  c->speed = cli_quantity(cli_get(call, "speed"), "speed", 1e-9, 1e6);
   read_noise(c, cli_get(call, "noise"));
   read_unknowns(c);
 }

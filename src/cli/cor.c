@@ -319,7 +319,9 @@ static void plot_means(cli_plot *picture, int t, const view *v, const char *styl
   cli_plot_end(picture, found ? "mean ± sd" : "");
 }
 
-/* The smooth wall at the first of the speeds and sizes, or the median of their law. */
+enum { SMOOTH_DRAWS = 400 }; /* of a law or a grain that scatters, for the smooth wall's mean */
+
+/* The mean of the smooth wall at the first of the speeds and sizes, or the median of their law. */
 static void plot_smooth(cli_plot *picture, int t, const scene *s) {
   double speed = s->speeds.count ? s->speeds.values[0] : s->speeds.median,
          d_p = s->sizes.count ? s->sizes.values[0] : s->sizes.median;
@@ -330,9 +332,14 @@ static void plot_smooth(cli_plot *picture, int t, const scene *s) {
   size_t rebounds = 0;
   cli_plot_series(picture, CLI_LINE, "model_none");
   for (int i = 1; i < 180; i++) {
-    row r = impact_at(&one, 0.5 * i, 0, 1);
-    rebounds += r.of.impact.outcome == ASP_REBOUND;
-    cli_plot_row(picture, 0.5 * i, cli_impact_ratio(&r.of, t));
+    aspi_running ratio = {0, 0, 0};
+    for (uint64_t tag = 1; tag <= SMOOTH_DRAWS; tag++) {
+      row r = impact_at(&one, 0.5 * i, 0, tag);
+      rebounds += r.of.impact.outcome == ASP_REBOUND;
+      if (isfinite(cli_impact_ratio(&r.of, t)))
+        aspi_running_add(&ratio, cli_impact_ratio(&r.of, t));
+    }
+    cli_plot_row(picture, 0.5 * i, ratio.n > 0 ? ratio.mean : NAN);
   }
   cli_plot_end(picture, "smooth wall, %.3g µm, %.3g m/s%s", d_p * 1e6, speed,
                rebounds ? "" : " (sticks)");

@@ -59,21 +59,12 @@ static void read_materials(cli_description *d) {
   d->density = asp_material_get(aspi_materials_find(NULL, standard[1], NULL), "density");
   if (count == 0)
     return;
-  if (count != 2)
-    cli_bad_usage("materials has %d name%s; it must be two, that of the particles and that of the "
-                  "wall",
-                  count, count == 1 ? "" : "s");
+  cli_must(!asp_description_check_pair(d->words, &error), &error);
   d->particle = asp_description_material(d->words, 0);
   d->target = asp_description_material(d->words, 1);
   d->density = asp_material_get(d->particle, "density");
   d->pair = asp_description_pair(d->words, d->particle, d->target, &error);
   cli_must(d->pair, &error);
-  if (!(asp_description_get(d->words, "yield_rate") > 0) &&
-      !asp_description_is_given(d->words, "yield_stress") &&
-      !(asp_pair_get(d->pair, "yield_stress") > 0))
-    cli_bad_usage("material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
-                  "'rebound bons', or 'rebound walton E MU 0 deposit off', which needs none",
-                  asp_material_name(d->particle));
 }
 
 cli_description cli_description_read(int count, char **words, bool may_fit) {
@@ -86,10 +77,6 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
   check_units(count, words);
   read_words(d.words, count, words);
   check_removal(d.words);
-  const asp_particle none = {.d_p = 0};
-  char doubt[500];
-  for (int i = 0; asp_description_doubt(d.words, &none, NULL, NULL, i, doubt, sizeof doubt); i++)
-    cli_warn("%s", doubt);
   const char *clump = asp_description_word(d.words, "clump");
   d.clump = clump ? aspi_clump_read(clump, &error) : NULL;
   cli_must(!clump || d.clump, &error);
@@ -109,18 +96,16 @@ void cli_description_allow(cli_description *d, const char *allowed, const char *
   }
 }
 
-static void check_constants(const cli_description *d, double d_most) {
-  const asp_particle particle = {.d_p = d_most, .density = d->density, .pair = d->pair};
-  char text[500];
-  for (int i = 0; d->pair && asp_description_doubt(d->words, &particle, d->particle, d->target, i,
-                                                   text, sizeof text);
-       i++)
-    cli_warn("%s", text);
-  const asp_rebound_law *law = asp_wall_rebound(d->wall);
-  if (asp_rebound_measured(law) && asp_wall_surface(d->wall))
-    cli_warn("rebound law '%s' was measured, and holds the roughness of the measured wall already; "
-             "this rough wall counts it a second time",
-             asp_rebound_name(law));
+void cli_description_doubt(const cli_description *d, double d_least, double d_most) {
+  const bool hits = !d->has_no_impact;
+  const asp_particle largest = {
+      .d_p = d_most, .density = d->density, .pair = hits ? d->pair : NULL};
+  const asp_question question = {
+      d->words, d->wall, d_least, &largest, {hits ? d->particle : NULL, hits ? d->target : NULL}};
+  char doubt[500];
+  for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
+    if (*doubt)
+      cli_warn("%s", doubt);
 }
 
 /* Appends the choice of `spread auto` to the description, as in a ledger's heading, and prints its
@@ -143,17 +128,11 @@ void cli_description_make(cli_description *d, double d_least, double d_most) {
   cli_must(d->wall, &error);
   d->profile = d->words->choice.profile;
   d->map = d->words->choice.map;
-  if (*asp_description_word(d->words, "doubt"))
-    cli_warn("surface %s %s: %s", asp_description_word(d->words, "surface"),
-             asp_description_word(d->words, "file"), asp_description_word(d->words, "doubt"));
   tell_choice(d);
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);
-  if (asp_description_check_sampling(d->words, d->wall, d_least, &error))
-    cli_warn("%s", error.text);
-  if (!d->has_no_impact)
-    check_constants(d, d_most);
+  cli_description_doubt(d, d_least, d_most);
 }
 
 const double *cli_description_lay(const cli_description *d, double vector[3]) {

@@ -41,8 +41,12 @@ char *cli_description_text(const asp_description *words);
  * a sentence about the command. */
 void cli_description_allow(cli_description *description, const char *allowed, const char *why);
 
-/* Reads a measured wall and prepares for diameters from d_least to d_most, with warnings of what
- * looks like a mistake in the wall, its file, or its constants. */
+/* Warns of what looks like a mistake in the words, the wall if it is made, its file, and its
+ * constants; diameters that are not known are 0. */
+void cli_description_doubt(const cli_description *description, double d_least, double d_most);
+
+/* Reads a measured wall and prepares for diameters from d_least to d_most, and warns of
+ * doubts. */
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
 /* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is

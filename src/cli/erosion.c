@@ -147,6 +147,7 @@ static void take_law(wear *w, cli_description *d) {
   w->wall_density = asp_material_get(d->target, "density");
   if (isnan(w->density) && !d->has_standard_materials)
     w->density = d->density;
+  cli_description_doubt(d, 0, 0);
 }
 
 static void run(cli_call *call) {

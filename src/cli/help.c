@@ -115,7 +115,7 @@ void cli_help_wall(void) {
         stdout);
   put_words("", 0);
   fputs("\nMODEL, as 'asperity spread --list' lists them with their sources:\n", stdout);
-  for (int i = 0; i < asp_spread_count(); i++)
+  for (int i = 1; i < asp_spread_count(); i++) /* 0 is that of smooth walls */
     printf("  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
            asp_spread_summary(asp_spread_at(i)));
   fputs("\nLAW, as 'asperity rebound --list' lists them with their sources:\n", stdout);

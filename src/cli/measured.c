@@ -4,6 +4,7 @@
 #include "cli/measured.h"
 #include "base/csv.h"
 #include "base/error.h"
+#include "base/number.h"
 #include "cli/measured_columns.h"
 
 #include <math.h>
@@ -15,6 +16,9 @@
 
 /* More than half of the coefficients beyond this are per cent. */
 #define RATIO_MOST 5
+
+/* Two forms of a velocity that differ by more, as a share of v1, are of different impacts. */
+#define CONTRADICTION 0.05
 
 /* A rebound may seem a little faster than the impact, by noise. */
 #define FASTER_WARNED 1.2
@@ -74,8 +78,22 @@ static void of_components(double n1, double t1, double n2, double t2, aspi_measu
   row->cor[COR_T] = t > 1e-12 * n ? t2 / t1 : NAN;
 }
 
-static aspi_measured_row row_of(const cli_columns *l, const double *v, bool means) {
+/* False where there are no columns of the velocities. */
+static bool of_velocities(const cli_columns *l, const double *v, aspi_measured_row *row) {
   double a1 = cli_radians(v[ALPHA1]), a2 = cli_radians(v[ALPHA2]);
+  if (has_components(l))
+    of_components(v[V1_N], v[V1_T], fabs(v[V2_N]), v[V2_T], row);
+  else if (has(l, COR_V) && has(l, COR_ALPHA))
+    of_components(sin(a1), cos(a1), v[COR_V] * sin(v[COR_ALPHA] * a1),
+                  v[COR_V] * cos(v[COR_ALPHA] * a1), row);
+  else if (has(l, ALPHA2) && has(l, V2) && has(l, V1))
+    of_components(v[V1] * sin(a1), v[V1] * cos(a1), v[V2] * sin(a2), v[V2] * cos(a2), row);
+  else
+    return false;
+  return true;
+}
+
+static aspi_measured_row row_of(const cli_columns *l, const double *v, bool means) {
   aspi_measured_row row = {.degrees = fmin(90, v[ALPHA1]), .v1 = v[V1], .n = v[COUNT]};
   row.d_p = has(l, D_P) ? v[D_P] : 2 * v[RADIUS];
   for (int k = 0; k < COR_BOTH; k++) {
@@ -85,13 +103,7 @@ static aspi_measured_row row_of(const cli_columns *l, const double *v, bool mean
   }
   if (means || has(l, POINT) || has(l, POINT + COR_T))
     return row;
-  if (has_components(l))
-    of_components(v[V1_N], v[V1_T], fabs(v[V2_N]), v[V2_T], &row);
-  else if (has(l, COR_V) && has(l, COR_ALPHA))
-    of_components(sin(a1), cos(a1), v[COR_V] * sin(v[COR_ALPHA] * a1),
-                  v[COR_V] * cos(v[COR_ALPHA] * a1), &row);
-  else
-    of_components(v[V1] * sin(a1), v[V1] * cos(a1), v[V2] * sin(a2), v[V2] * cos(a2), &row);
+  of_velocities(l, v, &row);
   if (!has_components(l))
     row.v1 = v[V1];
   if (row.degrees >= 90 - 1e-9)
@@ -99,19 +111,17 @@ static aspi_measured_row row_of(const cli_columns *l, const double *v, bool mean
   return row;
 }
 
-/* Reads the outcome of a row: a word, or a ledger's number. */
-static asp_code read_outcome(const aspi_csv *csv, const cli_columns *l, aspi_measured_row *row,
-                             asp_error *error) {
-  static const char *const words[] = {"rebound rebounded 0",
-                                      "deposit deposited deleted stuck sticks 1 2"};
-  if (!has(l, OUTCOME)) {
-    row->deposit = !(fabs(row->cor[COR_N]) > 0) && !isnan(row->cor[COR_N]);
-    return ASP_OK;
-  }
-  const char *word = csv->fields[l->at[OUTCOME]];
-  for (int deposit = 0; deposit < 2; deposit++)
-    if (aspi_word_index(words[deposit], word, strlen(word), false) >= 0) {
-      row->deposit = deposit;
+asp_code cli_measured_outcome(const aspi_csv *csv, int column, bool *deposit, asp_error *error) {
+  static const char *const words[] = {"rebound rebounded",
+                                      "deposit deposited deleted stuck sticks"};
+  const char *word = csv->fields[column];
+  char *end;
+  double number = aspi_number(word, &end);
+  const bool is_number = end > word && !*end;
+  for (int i = 0; i < 2; i++)
+    if (is_number ? number >= i && number <= 2 * i
+                  : aspi_word_index(words[i], word, strlen(word), false) >= 0) {
+      *deposit = i;
       return ASP_OK;
     }
   return aspi_text_fail(&csv->text, csv->text.line, error,
@@ -156,13 +166,41 @@ static asp_code find_view(const aspi_csv *csv, const cli_columns *l, aspi_measur
   return ASP_OK;
 }
 
-/* Rows that need a warning: rebounds below the wall, and rows without coefficient and outcome. */
+/* Rows that need a warning: rebounds below the wall, rows without coefficient and outcome, and rows
+ * whose coefficients are not those of their velocities: the first of them has the degrees, and a
+ * coefficient as it is given and by velocities. */
 typedef struct odd_rows {
-  size_t below, empty;
+  size_t below, empty, contradict;
+  double degrees, given, other;
+  int which;
 } odd_rows;
+
+/* Notes a row whose two forms contradict each other. */
+static void compare_forms(const cli_columns *l, const double *v, const aspi_measured_row *row,
+                          odd_rows *odd) {
+  aspi_measured_row other = *row;
+  if (!of_velocities(l, v, &other))
+    return;
+  const double by[COR_BOTH] = {
+      [COR_N] = sin(cli_radians(row->degrees)), [COR_T] = cos(cli_radians(row->degrees))};
+  for (int k = 0; k < COR_BOTH; k++) {
+    double off = fabs(fabs(row->cor[k]) - fabs(other.cor[k])) * by[k];
+    if (!(off > CONTRADICTION) || (k == COR_T && l->view[V2] == ASPI_MEASURED_SPACE))
+      continue;
+    if (odd->contradict++ == 0) {
+      odd->degrees = row->degrees;
+      odd->which = k;
+      odd->given = row->cor[k];
+      odd->other = other.cor[k];
+    }
+    return;
+  }
+}
 
 static asp_code read_rows(aspi_csv *csv, const cli_columns *l, aspi_measured *data, odd_rows *odd,
                           asp_error *error) {
+  /* a ledger's v2 is in space, its alpha2 in the plane */
+  const bool is_ledger = aspi_csv_find(csv, "tilt_out_deg") >= 0;
   for (bool found;;) {
     double value[MEASURED_COLUMNS];
     asp_code code;
@@ -170,7 +208,9 @@ static asp_code read_rows(aspi_csv *csv, const cli_columns *l, aspi_measured *da
         (code = read_numbers(csv, l, value, error)))
       return code;
     aspi_measured_row row = row_of(l, value, data->means);
-    if (!data->means && (code = read_outcome(csv, l, &row, error)))
+    row.deposit = !data->means && !(fabs(row.cor[COR_N]) > 0) && !isnan(row.cor[COR_N]);
+    if (has(l, OUTCOME) && !data->means &&
+        (code = cli_measured_outcome(csv, l->at[OUTCOME], &row.deposit, error)))
       return code;
     if (row.deposit)
       row.cor[COR_N] = row.cor[COR_T] = NAN;
@@ -178,6 +218,8 @@ static asp_code read_rows(aspi_csv *csv, const cli_columns *l, aspi_measured *da
       return aspi_text_fail(&csv->text, csv->text.line, error,
                             "the impact angle is missing; v1_n and v1_t, or alpha1, must be there");
     bool empty = isnan(row.cor[COR_N]) && isnan(row.cor[COR_T]) && !has(l, OUTCOME);
+    if (!data->means && !is_ledger && (has(l, POINT) || has(l, POINT + COR_T)))
+      compare_forms(l, value, &row, odd);
     odd->empty += empty;
     odd->below += !data->means && row.cor[COR_N] < 0;
     row.cor[COR_N] = data->means ? row.cor[COR_N] : fabs(row.cor[COR_N]);
@@ -232,6 +274,11 @@ static void warn_of_odd(const char *path, const aspi_measured *data, const odd_r
   if (odd->below > 0)
     cli_warn("%s: %zu rebounds are below the wall, as by noise; they are mirrored at it", path,
              odd->below);
+  if (odd->contradict > 0)
+    cli_warn("%s: in %zu of %zu rows the coefficients, which are taken, contradict the velocities, "
+             "as cor_%c at %g degrees: %.3g, by velocities %.3g",
+             path, odd->contradict, data->count, odd->which == COR_N ? 'n' : 't', odd->degrees,
+             odd->given, odd->other);
   if (odd->empty > 0)
     cli_warn("%s: %zu of %zu rows have neither coefficient nor outcome and are left out", path,
              odd->empty, odd->empty + data->count);
@@ -240,7 +287,7 @@ static void warn_of_odd(const char *path, const aspi_measured *data, const odd_r
 aspi_measured cli_measured_read(const char *path, const cli_option *view) {
   aspi_measured data = {.count = 0};
   cli_columns l;
-  odd_rows odd = {0, 0};
+  odd_rows odd = {.below = 0};
   asp_error error;
   aspi_csv *csv = aspi_csv_open(path, &error);
   cli_must(csv, &error);

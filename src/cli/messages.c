@@ -11,16 +11,36 @@
 #include <time.h>
 #include <unistd.h>
 
-static void say(const char *format, va_list args) {
-  fputs("asperity: ", stderr);
-  vfprintf(stderr, format, args);
+/* Prints the options of `asperity surface` for those of the library's reader that a text names. */
+static void print_options(const char *text) {
+  static const char *const options[][2] = {{"x_column", "--read 'x_column 1 z_column 2'"},
+                                           {"step_x", "--read 'step 0.5um'"},
+                                           {"missing", "--read 'missing VALUE'"},
+                                           {"unit_", "--unit UNIT"},
+                                           {"spikes", "--spikes 12"},
+                                           {"fill", "--gaps fill"},
+                                           {"form", "--form 2"},
+                                           {"lambda_s", "--filter 'lambda_s LENGTH'"}};
+  const char *named = strstr(text, "reader: "), *before = ": asperity surface ";
+  for (size_t i = 0; named && i < sizeof options / sizeof *options; i++)
+    if (strstr(named, options[i][0])) {
+      fprintf(stderr, "%s%s", before, options[i][1]);
+      before = ", ";
+    }
+}
+
+static void say(const char *kind, const char *format, va_list args) {
+  char text[2000];
+  vsnprintf(text, sizeof text, format, args);
+  fprintf(stderr, "asperity: %s%s", kind, text);
+  print_options(text);
   fputc('\n', stderr);
 }
 
 void cli_bad_usage(const char *format, ...) {
   va_list args;
   va_start(args, format);
-  say(format, args);
+  say("", format, args);
   va_end(args);
   exit(2);
 }
@@ -28,7 +48,7 @@ void cli_bad_usage(const char *format, ...) {
 void cli_fail(const char *format, ...) {
   va_list args;
   va_start(args, format);
-  say(format, args);
+  say("", format, args);
   va_end(args);
   exit(1);
 }
@@ -47,23 +67,22 @@ char *cli_copy(const char *text) {
 void cli_must(bool good, const asp_error *error) {
   if (good)
     return;
-  fprintf(stderr, "asperity: %s\n", error->text);
-  exit(error->code == ASP_ENOMEM ? 1 : 2);
+  if (error->code == ASP_ENOMEM)
+    cli_fail("%s", error->text);
+  cli_bad_usage("%s", error->text);
 }
 
 void cli_say(const char *format, ...) {
   va_list args;
   va_start(args, format);
-  say(format, args);
+  say("", format, args);
   va_end(args);
 }
 
 void cli_warn(const char *format, ...) {
   va_list args;
   va_start(args, format);
-  fputs("asperity: warning: ", stderr);
-  vfprintf(stderr, format, args);
-  fputc('\n', stderr);
+  say("warning: ", format, args);
   va_end(args);
 }
 

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/ledger_columns.h"
 #include "cli/cli.h"
+#include "cli/measured.h"
 #include "analysis/npy.h"
 
 #include <limits.h>
@@ -41,29 +42,36 @@ static const char *const ledger_name[] = {LEDGER_COLUMNS(LEDGER_NAMED)
 /* The columns of an impact: where a ledger has them, their names in the output of `asperity cor`
  * where those differ, and their range. */
 enum { NUMBER, LENGTH, SPEED, MASS };
+#define IMPACTS "; impacts are a ledger or what 'asperity cor' writes, and data stand behind them"
 static const struct {
   int place;
   const char *other;
   int kind;
   double least, most;
+  const char *cure; /* where it is missing */
 } columns[IMPACT_COLUMNS] = {
-    [IMPACT_ALPHA1] = {LEDGER_ALPHA1, NULL, NUMBER, 0, 90},
+    [IMPACT_ALPHA1] = {LEDGER_ALPHA1, NULL, NUMBER, 0, 90, IMPACTS},
     [IMPACT_DELTA] = {LEDGER_DELTA_ALPHA, NULL, NUMBER, -90, 90},
     [IMPACT_V1] = {LEDGER_V1, "v1_m_s", SPEED, 0, 1e15},
     [IMPACT_D_P] = {LEDGER_D_P, "dp_um", LENGTH, 0, 1e15},
-    [IMPACT_COR_N] = {LEDGER_COR_N, NULL, NUMBER, -1e15, 1e15},
+    [IMPACT_COR_N] = {LEDGER_COR_N, NULL, NUMBER, -1e15, 1e15, IMPACTS},
     [IMPACT_COR_T] = {LEDGER_COR_T, NULL, NUMBER, -1e15, 1e15},
     [IMPACT_V2] = {LEDGER_V2, NULL, SPEED, 0, 1e15},
     [IMPACT_COR_V_SPACE] = {-1, "cor_v_space", NUMBER, 0, 1e15},
     [IMPACT_MESH] = {LEDGER_MESH, NULL, NUMBER, 0, INT_MAX},
     [IMPACT_TRIANGLE] = {LEDGER_TRIANGLE, NULL, NUMBER, 0, INT_MAX},
     [IMPACT_MASS] = {LEDGER_MASS, NULL, MASS, 0, INFINITY},
-    [IMPACT_ERODED] = {LEDGER_ERODED_MASS, NULL, MASS, 0, INFINITY},
+    [IMPACT_ERODED] = {LEDGER_ERODED_MASS, NULL, MASS, 0, INFINITY,
+                       "; a ledger has it with 'columns full', or state 'erosion LAW' behind it"},
     [IMPACT_OUTCOME] = {LEDGER_OUTCOME, NULL, NUMBER, 0, 2},
 };
 
 static const char *name_of(int column) {
   return columns[column].place < 0 ? columns[column].other : ledger_name[columns[column].place];
+}
+
+static const char *cure_of(int column) {
+  return columns[column].cure ? columns[column].cure : "";
 }
 
 /* A file as it is read. */
@@ -109,31 +117,45 @@ static asp_code read_row(file *f, const aspi_csv *csv, asp_error *error) {
     if (code)
       return code;
   }
-  int at = f->at[IMPACT_OUTCOME];
-  const char *outcome = at < 0 ? "" : csv->fields[at];
-  f->of[IMPACT_OUTCOME] = at < 0 ? !(f->of[IMPACT_COR_N] > 0)
-                                 : strcmp(outcome, "rebound") != 0 && strcmp(outcome, "0") != 0;
-  return ASP_OK;
+  bool deposit = !(f->of[IMPACT_COR_N] > 0);
+  asp_code code = f->at[IMPACT_OUTCOME] < 0
+                      ? ASP_OK
+                      : cli_measured_outcome(csv, f->at[IMPACT_OUTCOME], &deposit, error);
+  f->of[IMPACT_OUTCOME] = deposit;
+  return code;
 }
 
-/* The units of a ledger, from its comment; else SI. The command writes diameters in micrometres. */
-static void read_units(file *f, bool micrometres) {
+/* The units of a ledger, from its comment; else SI. The command writes diameters in micrometers. */
+static asp_code read_units(file *f, bool micrometers, asp_error *error) {
   static const struct {
-    const char *words;
+    const char *name;
     double unit[MASS + 1];
-  } units[] = {{"units cgs;", {1, 1e-2, 1e-2, 1e-3}},
-               {"units micro;", {1, 1e-6, 1, 1e-15}},
-               {"units nano;", {1, 1e-9, 1, 1e-21}}};
-  if (micrometres)
+  } units[] = {{"si", {1, 1, 1, 1}},
+               {"cgs", {1, 1e-2, 1e-2, 1e-3}},
+               {"micro", {1, 1e-6, 1, 1e-15}},
+               {"nano", {1, 1e-9, 1, 1e-21}}};
+  if (micrometers)
     f->unit[LENGTH] = 1e-6;
+  const char *named = strstr(f->to->comment, "; units ");
+  if (!named)
+    return ASP_OK;
+  named += strlen("; units ");
+  const int length = (int)strcspn(named, ";");
   for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (strstr(f->to->comment, units[i].words))
+    if (strlen(units[i].name) == (size_t)length && strncmp(units[i].name, named, length) == 0) {
       memcpy(f->unit, units[i].unit, sizeof f->unit);
+      return ASP_OK;
+    }
+  f->to->has_no_size = true;
+  for (int k = 0; k < IMPACT_COLUMNS; k++)
+    if (is_needed(f, k) && columns[k].kind != NUMBER)
+      return aspi_fail(error, ASP_EDATA, "%s: '%s' is in 'units %.*s', which have no size in SI",
+                       f->to->path, name_of(k), length, named);
+  return ASP_OK;
 }
 
 static asp_code read_csv_rows(file *f, aspi_csv *csv, asp_error *error) {
   snprintf(f->to->comment, sizeof f->to->comment, "%.1000s", csv->comment);
-  read_units(f, aspi_csv_find(csv, "dp_um") >= 0);
   for (int k = 0; k < IMPACT_COLUMNS; k++) {
     f->at[k] = aspi_csv_find(csv, name_of(k));
     if (f->at[k] < 0 && columns[k].other)
@@ -141,14 +163,16 @@ static asp_code read_csv_rows(file *f, aspi_csv *csv, asp_error *error) {
   }
   int missing = find_missing(f);
   if (missing >= 0) {
-    aspi_csv_need(csv, name_of(missing), error);
-    return ASP_EDATA;
+    asp_error why;
+    aspi_csv_need(csv, name_of(missing), &why);
+    return aspi_fail(error, ASP_EDATA, "%s%s", why.text, cure_of(missing));
   }
-  asp_code code;
-  for (bool found;;)
+  asp_code code = read_units(f, aspi_csv_find(csv, "dp_um") >= 0, error);
+  for (bool found; !code;)
     if ((code = aspi_csv_row(csv, &found, error)) || !found || (code = read_row(f, csv, error)) ||
         (code = take_row(f, error)))
       return code;
+  return code;
 }
 
 static asp_code read_array_row(file *f, const aspi_npy *array, asp_error *error) {
@@ -173,13 +197,15 @@ static asp_code read_array(file *f, FILE *stream, asp_error *error) {
     f->at[k] = aspi_npy_find(&array, name_of(k));
   int missing = find_missing(f);
   if (missing >= 0)
-    return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing", f->to->path, name_of(missing));
+    return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing%s", f->to->path,
+                     name_of(missing), cure_of(missing));
   snprintf(f->to->comment, sizeof f->to->comment, "%s", array.title);
-  read_units(f, false);
-  for (bool found;;)
+  code = read_units(f, false, error);
+  for (bool found; !code;)
     if ((code = aspi_npy_next(&array, &found, error)) || !found ||
         (code = read_array_row(f, &array, error)))
       return code;
+  return code;
 }
 
 static asp_code read_file(file *f, asp_error *error) {
@@ -247,8 +273,11 @@ aspi_scatter_impacts cli_scatter_read_impacts(const char *path) {
   cli_scatter_read_rows(&from);
   memcpy(impacts.comment, from.comment, sizeof impacts.comment);
   double most = 0;
-  for (size_t i = 0; i < impacts.count; i++)
+  for (size_t i = 0; i < impacts.count; i++) {
     most = fmax(most, impacts.points[i].degrees);
+    if (from.has_no_size)
+      impacts.points[i].v1 = impacts.points[i].d_p = NAN;
+  }
   if (impacts.count == impacts.deposits)
     cli_bad_usage("%s: no rebound in it (%zu deposits)", path, impacts.deposits);
   warn_radians(path, most, impacts.count);

@@ -32,6 +32,7 @@ typedef struct impact_file {
   asp_code (*take)(void *taker, const double of[], asp_error *error); /* a row */
   void *taker;
   char comment[1024]; /* the file's first one */
+  bool has_no_size;   /* its units, as lj, have no size in SI */
 } impact_file;
 
 /* Hands over the rows of a file one by one. Exits on a file that is not one of these. */

@@ -270,6 +270,7 @@ static cli_description wall_of(const walls *all, size_t index, const cli_call *c
   cli_description_allow(&wall, measured ? "surface" : "surface seed",
                         measured ? "a measured wall is read, not drawn"
                                  : "a surface makes no impact");
+  cli_description_doubt(&wall, 0, 0);
   return wall;
 }
 

@@ -27,7 +27,7 @@ std::string for_types(int n, const char *first, const char *other) {
 } // namespace
 
 Model::Model(const Engine &engine)
-    : engine_(engine), units_(), d_range_(), sampled_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
+    : engine_(engine), units_(), d_range_(), doubted_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
       lay_(), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
       description_(NULL, asp_description_free), wall_(NULL, asp_wall_free),
       default_friction_(ASP_FRICTION), dissipates_(true), is_new_(true) {}
@@ -181,7 +181,6 @@ void Model::fit_sizes() {
     const asp_surface *surface = asp_wall_surface(wall_.get());
     if (surface && asp_surface_check(surface, most, &wrong))
       throw_error(wrong);
-    check_sampling(least);
     return;
   }
   if (wall_ && least >= d_range_[0] && most <= d_range_[1])
@@ -190,17 +189,6 @@ void Model::fit_sizes() {
   d_range_[1] = std::max(d_range_[1], most);
   is_new_ = true;
   make();
-  check_sampling(least);
-}
-
-/* Warns once if the sampling of a measured wall is too coarse for the smallest particles. */
-void Model::check_sampling(double least) {
-  asp_error doubt;
-  if (!(least < sampled_for_) || !measured())
-    return;
-  sampled_for_ = least;
-  if (asp_description_check_sampling(description_.get(), wall_.get(), least, &doubt))
-    engine_.warn(doubt.text);
 }
 
 /* The values of a constant of the script; empty where there are none and none are needed. */

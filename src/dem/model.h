@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "asperity.h"
+#include "asperity_front.h"
 #include "dem/engine.h"
 #include "dem/surface_file.h"
 #include "dem/command_words.h"
@@ -106,7 +106,6 @@ private:
   void read_measured();
   void make();
   void fit_sizes();
-  void check_sampling(double least);
   void constants(const char *name, bool pairs, bool needed, const char *example,
                  std::vector<double> &values) const;
   void find_materials();
@@ -116,12 +115,10 @@ private:
   void check_kinds() const;
   void report_constant(const char *keyword, const char *name, bool of_script, double value);
   void report_yield();
-  void warn_of_doubts() const;
+  void ask(const asp_question &question, int type, int wall_type);
+  void warn_of_doubts();
   double density(int type, const Engine::Kind &kind) const;
   std::string describe_capture() const;
-  void warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
-                      std::set<std::string> &said) const;
-  bool draws_from_gaussian() const;
   std::string describe_surface() const;
 
   const Engine &engine_;
@@ -129,7 +126,8 @@ private:
   asp_units units_;
   std::string report_, materials_report_; /* what the reader of a file found; the constants */
   double d_range_[2];
-  double sampled_for_; /* the least diameter whose sampling was checked */
+  double doubted_for_; /* the least diameter for which doubts were looked for */
+  std::set<std::pair<int, std::string>> said_; /* doubts, with the type of the particles */
   Deposit deposit_;
   uint32_t seed_;
   asp_lay lay_;

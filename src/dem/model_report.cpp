@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-#include "asperity_front.h"
 #include "dem/text.h"
 
 using namespace asperity;
@@ -67,26 +66,37 @@ void Model::report_yield() {
     }
 }
 
-/* Constants that look like a mistake; collective. */
-void Model::warn_of_doubts() const {
+/* Warns of each doubt once: about the words (type 0), or about a type of particles. */
+void Model::ask(const asp_question &question, int type, int wall_type) {
+  char doubt[480];
+  for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
+    if (*doubt && !said_.count({0, doubt}) && said_.insert({type, doubt}).second)
+      engine_.warn(type > 0 ? text("type %d on a wall of type %d: %s", type, wall_type, doubt)
+                            : doubt);
+}
+
+/* What looks like a mistake; anew where there are smaller particles than before. Collective. */
+void Model::warn_of_doubts() {
   double least, most;
   engine_.diameters(least, most);
   const std::vector<Engine::Kind> kinds = engine_.kinds();
-  if (!is_new_ || !wall_)
+  if (!wall_ || !(is_new_ || (most > 0 && least < doubted_for_)))
     return;
-  const asp_particle largest = {most, 1, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
-  char doubt[480];
-  for (int i = 0;
-       asp_description_doubt(description_.get(), &largest, NULL, NULL, i, doubt, sizeof doubt); i++)
-    engine_.warn(doubt);
-  if (pairs_.empty())
-    return;
-  for (size_t t = 0; t < kinds.size(); t++) {
-    std::set<std::string> said;
-    for (int w : wall_types_)
-      if (kinds[t].present)
-        warn_of_doubts(static_cast<int>(t) + 1, w, kinds[t], most, said);
-  }
+  doubted_for_ = most > 0 ? least : doubted_for_;
+  asp_particle largest = {most, 0, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_question question = {description_.get(), wall_.get(), least, &largest, {NULL, NULL}};
+  ask(question, 0, 0);
+  for (size_t t = 0; t < kinds.size() && !pairs_.empty(); t++)
+    for (int w : wall_types_) {
+      const int type = static_cast<int>(t) + 1;
+      if (!kinds[t].present)
+        continue;
+      largest.density = density(type, kinds[t]);
+      largest.pair = pair(type, w);
+      question.material[0] = materials_[t];
+      question.material[1] = materials_[w - 1];
+      ask(question, type, w);
+    }
 }
 
 /* The density of particles of a type: of the two, the one that is farther from that of the
@@ -121,19 +131,6 @@ std::string Model::describe_capture() const {
         lines += text(", d_p %.4g ", d_p[1]) + below(speed[1]);
     }
   return lines;
-}
-
-void Model::warn_of_doubts(int type, int wall_type, const Engine::Kind &kind, double d_p,
-                           std::set<std::string> &said) const {
-  const asp_material *of_particle = materials_[type - 1], *of_wall = materials_[wall_type - 1];
-  const asp_particle particle = {
-      d_p, density(type, kind), pair(type, wall_type), {0, 0, 0}, NULL, 0, 0, NULL};
-  char doubt[480];
-  for (int i = 0; asp_description_doubt(description_.get(), &particle, of_particle, of_wall, i,
-                                        doubt, sizeof doubt);
-       i++)
-    if (said.insert(doubt).second)
-      engine_.warn(text("type %d on a wall of type %d: %s", type, wall_type, doubt));
 }
 
 std::string Model::describe_surface() const {
@@ -172,23 +169,9 @@ std::string Model::describe_surface() const {
 }
 
 /* True if the spread needs only s_eff. */
-bool Model::draws_from_gaussian() const {
-  const std::string model = asp_spread_name(asp_wall_spread(wall_.get()));
-  return model != "none" && model != "profile" && model != "traced";
-}
-
 std::string Model::take_report() {
   if (!is_new_ || !wall_)
     return "";
   is_new_ = false;
-  const asp_rebound_law *law = asp_wall_rebound(wall_.get());
-  if (measured() && draws_from_gaussian())
-    engine_.warn(std::string("'spread ") + asp_spread_name(asp_wall_spread(wall_.get())) +
-                 "' draws from a Gaussian wall with the slopes of '" + word("file") +
-                 "', whose own law is 'spread profile'");
-  if (asp_rebound_measured(law) && asp_wall_surface(wall_.get()))
-    engine_.warn(text("the coefficients of '%s' were measured on a wall with a roughness of its "
-                      "own; on a rough wall that counts twice",
-                      asp_rebound_name(law)));
   return description() + "\n  " + describe_surface() + materials_report_ + describe_capture();
 }

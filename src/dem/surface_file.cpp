@@ -34,8 +34,9 @@ static void read_first(MPI_Comm world, const std::string &path, double metre,
     if (owner) {
       reading.report = asp_reader_text(reader.get());
       reading.doubts = asp_reader_check(reader.get(), &error) ? error.text : "";
+      reading.doubts += asp_reader_advice(reading.doubts.c_str());
     } else
-      wrong = error.text;
+      wrong = std::string(error.text) + asp_reader_advice(error.text);
   }
   broadcast(world, wrong);
   if (!wrong.empty())

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "asperity.h"
+#include "asperity_front.h"
 
 namespace asperity {
 

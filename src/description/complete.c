@@ -49,11 +49,6 @@ static bool has_own_friction(const asp_description *d, against *with) {
   return asp_description_get(d, "mu") >= 0;
 }
 
-static bool has_no_tilt(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "spread none");
-  return d->kind != ASPI_SMOOTH && !d->chooses && strcmp(d->choice.spread->name, "none") == 0;
-}
-
 static bool is_smooth(const asp_description *d, against *with) {
   snprintf(with->text, sizeof with->text, "surface smooth");
   return d->kind == ASPI_SMOOTH;
@@ -68,7 +63,6 @@ static const struct {
   const char *name;
   bool (*idle)(const asp_description *d, against *with);
 } rules[] = {{"spread", is_smooth},
-             {"surface", has_no_tilt},
              {"dp_bins", has_no_bins},
              {"materials", without_pair},
              {"friction", has_own_friction},
@@ -154,6 +148,24 @@ static const char *standard_model(const asp_description *d) {
 
 asp_code asp_description_check_bodies(const asp_description *d, asp_error *error) {
   return aspi_rebound_check_bodies(d->choice.law, d->choice.parameters, error);
+}
+
+asp_code asp_description_check_pair(const asp_description *d, asp_error *error) {
+  if (!d->choice.law->needs_pair)
+    return ASP_OK;
+  if (d->n_materials != 2)
+    return aspi_fail(error, ASP_EARG,
+                     "materials has %d names; it must be two, of particle and wall, as 'materials "
+                     "quartz hastelloy-x', or 'rebound' a law without materials, as walton",
+                     d->n_materials);
+  const asp_material *m = d->materials[0];
+  if (asp_description_get(d, "yield_rate") > 0 || aspi_is_given(d, "yield_stress") ||
+      m->yield_stress > 0)
+    return ASP_OK;
+  return aspi_fail(error, ASP_EARG,
+                   "material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
+                   "'rebound bons', or 'rebound walton E MU 0 deposit off', which needs none",
+                   m->name);
 }
 
 asp_code asp_description_complete(asp_description *d, asp_error *error) {

@@ -84,6 +84,11 @@ void aspi_set_given(asp_description *d, const char *name);
 /* The place of a keyword's number; NULL for another name. */
 double *aspi_description_number(asp_description *d, const char *name);
 
+/* ASP_ERANGE and a message where the file of a wall tells little about spheres of diameter d_p:
+ * where they cover under 10 points, or it is under 20 correlation lengths long. */
+asp_code aspi_description_check_sampling(const asp_description *description, const asp_wall *wall,
+                                         double d_p, asp_error *error);
+
 /* True if a number is unknown. */
 bool aspi_is_fit(const asp_description *d, const char *name);
 

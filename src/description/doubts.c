@@ -1,8 +1,9 @@
-/* Constants that are allowed and still look like a mistake.
+/* What is allowed in a wall and still looks like a mistake.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/quantity.h"
 #include "description/description.h"
+#include "rebound/laws.h"
 #include "surface/instrument.h"
 
 #include <math.h>
@@ -22,8 +23,10 @@
 /* Pa: a hardness under this is one in GPa or MPa. */
 #define HARDNESS_LEAST 1e6
 
-/* Heights over this many diameters are probably in another unit; no pair has more friction. */
+/* Heights over this many diameters, or in meters where no diameter is known, are probably in
+ * another unit; no pair has more friction. */
 #define DIAMETERS_MOST 1e3
+#define HEIGHT_MOST 0.01
 #define FRICTION_MOST 3
 
 /* Speeds at which an impact is tried, in m/s; over the range of all that flies. */
@@ -34,58 +37,48 @@ enum { SPEEDS = 64 };
 /* Relative precision of a critical speed. */
 #define PRECISION 1e-4
 
-typedef struct question {
-  const asp_description *d;
-  const asp_particle *particle;
-  const asp_material *material[2]; /* of the particle and of the wall */
-  char *text;
-  size_t size;
-} question;
+/* Each writes its doubt, if there is one; else the text stays empty. */
+typedef void ask(const asp_question *q, char *text, size_t size);
 
-static bool yields_never(const question *q) {
-  const asp_pair *pair = q->particle->pair;
-  if (!pair || asp_description_get(q->d, "yield_rate") > 0 ||
-      !(pair->yield_stress > YIELD_MOST * pair->modulus))
-    return false;
-  snprintf(q->text, q->size,
-           "the yield stress, %g, is %.3g times the composite modulus, %g, so that nothing yields; "
-           "is the modulus one that was made soft for the pair style? 'materials' takes real ones",
-           pair->yield_stress, pair->yield_stress / pair->modulus, pair->modulus);
-  return true;
+/* ---- constants of the pair ---- */
+
+static void yields_never(const asp_question *q, char *text, size_t size) {
+  const asp_pair *pair = q->largest->pair;
+  if (pair && !(asp_description_get(q->words, "yield_rate") > 0) &&
+      pair->yield_stress > YIELD_MOST * pair->modulus)
+    snprintf(text, size,
+             "the yield stress, %g, is %.3g times the composite modulus, %g, so that nothing "
+             "yields; is the modulus one that was made soft for the pair style? 'materials' takes "
+             "real ones",
+             pair->yield_stress, pair->yield_stress / pair->modulus, pair->modulus);
 }
 
-static bool has_other_density(const question *q) {
-  double own = q->particle->density, density = q->material[0]->density;
-  if (!(own > 0 && density > 0))
-    return false;
-  double off = fabs(own / density - 1);
-  if (!(off > DENSITY_OFF))
-    return false;
-  snprintf(q->text, q->size,
-           "the density of particles is up to %.3g %% off that of material '%s', %g; theirs is "
-           "taken",
-           100 * off, q->material[0]->name, density);
-  return true;
+static void has_other_density(const asp_question *q, char *text, size_t size) {
+  const asp_material *m = q->material[0];
+  double off = m ? fabs(q->largest->density / m->density - 1) : 0;
+  if (q->largest->density > 0 && m && m->density > 0 && off > DENSITY_OFF)
+    snprintf(text, size,
+             "the density of particles is up to %.3g %% off that of material '%s', %g; theirs is "
+             "taken",
+             100 * off, m->name, m->density);
 }
 
-static bool is_in_gpa(const question *q, int which) {
-  double pascal = aspi_quantity_factor("stress", &q->d->units);
+static void is_in_gpa(const asp_question *q, int which, char *text, size_t size) {
+  double pascal = aspi_quantity_factor("stress", &q->words->units);
   const asp_material *m = q->material[which];
-  if (!(pascal > 0) || !(m->youngs_modulus < YOUNGS_LEAST * pascal))
-    return false;
-  snprintf(q->text, q->size,
-           "Young's modulus of %s is %g, which is %g Pa; is it one in GPa? It must be in the "
-           "script's unit of stress",
-           m->name, m->youngs_modulus, m->youngs_modulus / pascal);
-  return true;
+  if (m && pascal > 0 && m->youngs_modulus < YOUNGS_LEAST * pascal)
+    snprintf(text, size,
+             "Young's modulus of %s is %g, which is %g Pa; is it one in GPa? It must be in the "
+             "script's unit of stress",
+             m->name, m->youngs_modulus, m->youngs_modulus / pascal);
 }
 
-static bool particle_in_gpa(const question *q) {
-  return is_in_gpa(q, 0);
+static void particle_in_gpa(const asp_question *q, char *text, size_t size) {
+  is_in_gpa(q, 0, text, size);
 }
 
-static bool wall_in_gpa(const question *q) {
-  return is_in_gpa(q, 1);
+static void wall_in_gpa(const asp_question *q, char *text, size_t size) {
+  is_in_gpa(q, 1, text, size);
 }
 
 /* True if a normal impact at v sticks; oblique ones have less normal speed. */
@@ -121,69 +114,95 @@ double asp_description_capture_speed(const asp_description *d, const asp_particl
   return low;
 }
 
-static bool sticks_always(const question *q) {
-  if (!isinf(asp_description_capture_speed(q->d, q->particle)))
-    return false;
-  snprintf(q->text, q->size,
-           "every impact of particles of diameter %g and less sticks, whatever its speed: the "
-           "surface energy, %g, is too much for a yield stress of %g",
-           q->particle->d_p, q->particle->pair->surface_energy, q->particle->pair->yield_stress);
-  return true;
+static void sticks_always(const asp_question *q, char *text, size_t size) {
+  if (isinf(asp_description_capture_speed(q->words, q->largest)))
+    snprintf(text, size,
+             "every impact of particles of diameter %g and less sticks, whatever its speed: the "
+             "surface energy, %g, is too much for a yield stress of %g",
+             q->largest->d_p, q->largest->pair->surface_energy, q->largest->pair->yield_stress);
 }
 
-/* ---- the description alone ---- */
+/* ---- words ---- */
 
-static bool is_high(const question *q) {
-  if (!(q->d->r_q > DIAMETERS_MOST * q->particle->d_p && q->particle->d_p > 0))
-    return false;
-  snprintf(q->text, q->size,
-           "rq is %g, %.3g times the diameter of the largest particle, %g; is it in another unit?",
-           q->d->r_q, q->d->r_q / q->particle->d_p, q->particle->d_p);
-  return true;
+static void is_high(const asp_question *q, char *text, size_t size) {
+  double r_q = q->words->r_q, d_p = q->largest->d_p, metre = q->words->units.metre;
+  if (d_p > 0 && r_q > DIAMETERS_MOST * d_p)
+    snprintf(text, size,
+             "rq is %g, %.3g times the diameter of the largest particle, %g; is it in another "
+             "unit?",
+             r_q, r_q / d_p, d_p);
+  else if (!(d_p > 0) && metre > 0 && r_q > HEIGHT_MOST * metre)
+    snprintf(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / metre);
 }
 
-static bool rubs_much(const question *q) {
-  if (!(q->d->friction > FRICTION_MOST))
-    return false;
-  snprintf(q->text, q->size, "friction is %g; it is a coefficient, mostly under 1, no angle",
-           q->d->friction);
-  return true;
+static void rubs_much(const asp_question *q, char *text, size_t size) {
+  if (q->words->friction > FRICTION_MOST)
+    snprintf(text, size, "friction is %g; it is a coefficient, mostly under 1, no angle",
+             q->words->friction);
 }
 
-static bool is_soft(const question *q) {
-  const aspi_erosion *erosion = &q->d->choice.erosion;
+static void is_soft(const asp_question *q, char *text, size_t size) {
+  const aspi_erosion *erosion = &q->words->choice.erosion;
   const asp_parameter *p = erosion->law ? &erosion->law->parameters[0] : NULL;
-  if (!p || strcmp(p->unit, "stress") != 0 || !(erosion->si[0] < HARDNESS_LEAST))
-    return false;
-  snprintf(q->text, q->size, "%s is %g, which is %g Pa; is it one in GPa or MPa?", p->name,
-           erosion->given[0], erosion->si[0]);
-  return true;
+  if (p && strcmp(p->unit, "stress") == 0 && erosion->si[0] < HARDNESS_LEAST)
+    snprintf(text, size, "%s is %g, which is %g Pa; is it one in GPa or MPa?", p->name,
+             erosion->given[0], erosion->si[0]);
 }
 
-static bool has_no_sampling(const question *q) {
-  double length = q->d->r_sm;
-  if (!(length > 0))
-    return false;
-  snprintf(q->text, q->size,
-           "rsm depends on the sampling length: lambda_c is taken as %.3g and may be %.3g to %.3g; "
-           "say 'sampling LR', or rather rdq",
-           q->d->lambda_c, length / aspi_r_sm_factor(ASPI_RSM_MOST),
-           length / aspi_r_sm_factor(ASPI_RSM_LEAST));
-  return true;
+static void has_no_sampling(const asp_question *q, char *text, size_t size) {
+  double length = q->words->r_sm;
+  if (length > 0)
+    snprintf(text, size,
+             "rsm depends on the sampling length: lambda_c is taken as %.3g and may be %.3g to "
+             "%.3g; say 'sampling LR', or rather rdq",
+             q->words->lambda_c, length / aspi_r_sm_factor(ASPI_RSM_MOST),
+             length / aspi_r_sm_factor(ASPI_RSM_LEAST));
 }
 
-bool asp_description_doubt(const asp_description *d, const asp_particle *particle,
-                           const asp_material *of_particle, const asp_material *of_wall, int index,
-                           char *text, size_t size) {
-  enum { ALONE = 4 };
-  static bool (*const doubts[])(const question *q) = {
-      is_high,         rubs_much,   is_soft,      has_no_sampling, has_other_density,
-      particle_in_gpa, wall_in_gpa, yields_never, sticks_always};
-  const question q = {d, particle, {of_particle, of_wall}, text, size};
-  const bool alone = !of_particle || !of_wall;
-  const size_t end = alone ? ALONE : sizeof doubts / sizeof *doubts;
-  for (size_t i = alone ? 0 : ALONE; i < end; i++)
-    if (doubts[i](&q) && index-- == 0)
-      return true;
-  return false;
+/* ---- the wall that was made ---- */
+
+static void has_odd_heights(const asp_question *q, char *text, size_t size) {
+  if (q->words->doubt.code)
+    snprintf(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
+             q->words->file, q->words->doubt.text);
+}
+
+static void is_coarse(const asp_question *q, char *text, size_t size) {
+  asp_error doubt;
+  if (q->wall && q->d_least > 0 &&
+      aspi_description_check_sampling(q->words, q->wall, q->d_least, &doubt))
+    snprintf(text, size, "%s", doubt.text);
+}
+
+static void is_rough_twice(const asp_question *q, char *text, size_t size) {
+  const asp_rebound_law *law = q->words->choice.law;
+  if (q->wall && law->measured && asp_wall_surface(q->wall))
+    snprintf(text, size,
+             "the coefficients of '%s' were measured on a wall with a roughness of its own; on a "
+             "rough wall that counts twice",
+             law->name);
+}
+
+static void draws_from_gaussian(const asp_question *q, char *text, size_t size) {
+  const asp_spread_model *spread = q->wall ? asp_wall_spread(q->wall) : NULL;
+  if (spread && q->words->file && !spread->prepare && strcmp(spread->name, "none") != 0)
+    snprintf(text, size,
+             "'spread %s' draws from a Gaussian wall with the slopes of '%s', whose own law is "
+             "'spread profile'",
+             spread->name, q->words->file);
+}
+
+bool asp_doubt(const asp_question *question, int index, char *text, size_t size) {
+  static ask *const doubts[] = {is_high,         rubs_much,           is_soft,
+                                has_no_sampling, has_odd_heights,     is_coarse,
+                                is_rough_twice,  draws_from_gaussian, has_other_density,
+                                particle_in_gpa, wall_in_gpa,         yields_never,
+                                sticks_always};
+  *text = '\0';
+  if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
+    return false;
+  doubts[index](question, text, size);
+  size_t used = strlen(text);
+  snprintf(text + used, size - used, "%s", asp_reader_advice(text));
+  return true;
 }

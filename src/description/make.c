@@ -2,6 +2,7 @@
  * chooses the model of `spread auto`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "asperity_front.h"
 #include "base/error.h"
 #include "description/description.h"
 #include "readers/read.h"
@@ -33,7 +34,7 @@ static asp_code read_file(asp_description *d, asp_error *error) {
     asp_reader_check(reader, &d->doubt);
   asp_reader_free(reader);
   if (!d->profile && !d->map)
-    return aspi_fail(error, wrong.code, "%s", wrong.text);
+    return aspi_fail(error, wrong.code, "%s%s", wrong.text, asp_reader_advice(wrong.text));
   return is_map ? asp_description_set_map(d, d->map, error)
                 : asp_description_set_profile(d, d->profile, error);
 }
@@ -49,7 +50,7 @@ static asp_surface *make_from_profile(const asp_description *d, const aspi_sizes
   } else if (asp_surface_phi_r(made) > 1) {
     aspi_fail(error, ASP_EDATA,
               "surface profile %s: phi_r = R_q/lambda_c is %g; over 1 is no roughness: are the "
-              "units of positions and heights right (asperity surface --unit)?",
+              "units of positions and heights right (reader: unit_x, unit_z)?",
               d->file, asp_surface_phi_r(made));
     asp_surface_free(made);
     made = NULL;
@@ -120,8 +121,8 @@ asp_wall *asp_wall_from_text(const char *text, double d_least, double d_most, as
   return wall;
 }
 
-asp_code asp_description_check_sampling(const asp_description *d, const asp_wall *wall, double d_p,
-                                        asp_error *error) {
+asp_code aspi_description_check_sampling(const asp_description *d, const asp_wall *wall, double d_p,
+                                         asp_error *error) {
   const asp_profile *profile = d->choice.profile;
   const asp_map *map = d->choice.map;
   const asp_surface *surface = asp_wall_surface(wall);

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/number.h"
 #include "base/quantity.h"
 #include "description/words.h"
 
@@ -9,8 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A name that is no material may be a keyword with a slip. */
-static asp_code fail_material(aspi_words *r, const char *name) {
+static bool is_number(const char *word) {
+  char *end;
+  aspi_number(word, &end);
+  return end > word && !*end;
+}
+
+/* A name that is no material may be a keyword with a slip; `behind` is a number behind it, or "".
+ */
+static asp_code fail_material(aspi_words *r, const char *name, const char *behind) {
   char keywords[ASPI_LIST_MOST], all[2 * ASPI_LIST_MOST], meant[64];
   aspi_keyword_names("", keywords, sizeof keywords);
   size_t used = strlen(keywords);
@@ -24,8 +32,20 @@ static asp_code fail_material(aspi_words *r, const char *name) {
     return aspi_fail(r->error, ASP_ENAME,
                      "'%.100s' is neither a material nor a keyword; did you mean '%s'?", name,
                      meant);
+  if (*behind)
+    return aspi_fail(r->error, ASP_ENAME,
+                     "'%.100s %.40s' is neither materials nor a keyword of a wall", name, behind);
   aspi_materials_find(r->d->own, name, r->error);
   return ASP_ENAME;
+}
+
+/* A number ends no list of names: what is behind the last known one is no name either. */
+static asp_code fail_number(aspi_words *r) {
+  char **names = r->d->names;
+  int number = r->d->n_materials - 1, first = number;
+  while (first > 0 && !aspi_materials_find(NULL, names[first - 1], NULL))
+    first--;
+  return fail_material(r, names[first], first < number ? names[first + 1] : "");
 }
 
 /* A material with the numbers of another one, in the caller's units. */
@@ -55,6 +75,8 @@ static asp_code read_names(aspi_words *r) {
     if (!name)
       return aspi_fail(r->error, ASP_ENOMEM, "out of memory for a description");
     d->names[d->n_materials++] = name;
+    if (is_number(name))
+      return fail_number(r);
   }
   return ASP_OK;
 }
@@ -79,7 +101,7 @@ asp_code aspi_words_materials(aspi_words *r) {
   for (int i = 0; i < d->n_materials; i++) {
     const asp_material *m = aspi_materials_find(d->own, d->names[i], NULL);
     if (!m)
-      return fail_material(r, d->names[i]);
+      return fail_material(r, d->names[i], "");
     d->materials[i] = converted(m, &d->units, r->error);
     if (!d->materials[i])
       return ASP_ENOMEM;

@@ -19,12 +19,14 @@ static asp_code read_model(aspi_words *r) {
   if (r->d->chooses)
     return ASP_OK;
   char list[ASPI_LIST_MOST] = "auto";
-  for (int i = 0; i < asp_spread_count(); i++) {
+  for (int i = 1; i < asp_spread_count(); i++) { /* 0 is `none`, that of smooth walls */
     size_t used = strlen(list);
     snprintf(list + used, sizeof list - used, " %s", asp_spread_name(asp_spread_at(i)));
   }
   r->d->spread = asp_spread_find(name, NULL);
-  return r->d->spread ? ASP_OK : aspi_fail_unknown(r->error, "spread model", name, list);
+  return r->d->spread && r->d->spread != asp_spread_at(0)
+             ? ASP_OK
+             : aspi_fail_unknown(r->error, "spread model", name, list);
 }
 
 static asp_code take_collisions(aspi_words *r, const char *given) {
@@ -258,6 +260,15 @@ static asp_code read_clause(aspi_words *r, int clause) {
   return aspi_words_number(r, "", name, aspi_description_number(r->d, name));
 }
 
+/* The clause that a name of a law, a model or a material belongs to; NULL: it is none. */
+static const char *find_clause(const char *name) {
+  return asp_rebound_find(name, NULL)            ? "rebound"
+         : asp_spread_find(name, NULL)           ? "spread"
+         : aspi_erosion_find(name, NULL)         ? "erosion"
+         : aspi_materials_find(NULL, name, NULL) ? "materials"
+                                                 : NULL;
+}
+
 /* The keyword that a misplaced word belongs to; NULL: it is no word of a description. */
 static const asp_keyword *find_place(const aspi_words *r, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
@@ -277,6 +288,10 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
                      place->within, place->within,
                      strcmp(place->within, "spread") == 0 ? " MODEL" : "", name,
                      *place->values ? " " : "", place->values);
+  const char *clause = find_clause(name);
+  if (clause && !aspi_is_given(r->d, clause))
+    return aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s %s", name, clause, clause,
+                     name);
   char list[ASPI_LIST_MOST];
   aspi_keyword_names("", list, sizeof list);
   for (int i = 0; i < aspi_keyword_count(); i++) {

@@ -29,10 +29,6 @@ PatchWall::PatchWall(const std::string &name_, const std::string &key, const std
   const asp_surface *surface = wall_ ? asp_wall_surface(wall_.get()) : NULL;
   if (!wall_ || (surface && cloud.d_most > 0 && asp_surface_check(surface, cloud.d_most, &wrong)))
     throw Error(wrong.text);
-  const asp_pair *pair = asp_wall_pair(wall_.get());
-  if (pair && !(asp_description_get(words_.get(), "yield_rate") > 0) &&
-      !(asp_pair_get(pair, "yield_stress") > 0))
-    throw Error("the material of the parcels has no yield stress; say 'yield_stress Y'");
   if (asp_description_is_given(words_.get(), "erosion"))
     worn_density = asp_description_get(words_.get(), "density");
   if (asp_description_is_given(words_.get(), "erosion") && !(worn_density > 0))
@@ -44,9 +40,9 @@ PatchWall::PatchWall(const std::string &name_, const std::string &key, const std
 void PatchWall::check(const Cloud &cloud) const {
   const asp_description *words = words_.get();
   const std::string surface = asp_description_word(words, "surface");
-  const int names = asp_description_materials(words);
-  if (asp_rebound_needs_pair(asp_description_rebound(words)) && names != 2)
-    throw Error(text("materials has %d names; it must be two, of parcels and wall", names));
+  asp_error wrong;
+  if (asp_description_check_pair(words, &wrong))
+    throw Error(wrong.text);
   if (asp_description_needs_sizes(words) && !(cloud.d_least > 0 && cloud.d_most >= cloud.d_least))
     throw Error("a measured wall needs the diameters of the parcels: dMin, which must be more than "
                 "0, and dMax, which must be dMin or more");
@@ -103,22 +99,18 @@ std::string PatchWall::heading() const {
 }
 
 std::string PatchWall::notes(const Cloud &cloud) const {
-  const asp_description *words = words_.get();
-  asp_error doubt = {ASP_OK, ""};
-  const asp_particle largest = {cloud.d_most, cloud.density, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
-  std::vector<std::string> lines = {asp_wall_reason(wall_.get()),
-                                    asp_description_word(words, "doubt")};
-  if (asp_description_needs_sizes(words))
-    asp_description_check_sampling(words, wall_.get(), cloud.d_least, &doubt);
-  for (int i = 0; asp_wall_pair(wall_.get()) && cloud.density > 0 && cloud.d_most > 0; i++) {
-    lines.push_back(doubt.text);
-    if (!asp_description_doubt(words, &largest, asp_description_material(words, 0),
-                               asp_description_material(words, 1), i, doubt.text,
-                               sizeof doubt.text))
-      break;
-  }
-  std::string all;
-  for (const std::string &line : lines)
-    all += line.empty() ? "" : "\n    " + line;
+  const asp_particle largest = {
+      cloud.d_most, cloud.density, asp_wall_pair(wall_.get()), {0, 0, 0}, NULL, 0, 0, NULL};
+  const asp_question question = {
+      words_.get(),
+      wall_.get(),
+      cloud.d_least,
+      &largest,
+      {asp_description_material(words_.get(), 0), asp_description_material(words_.get(), 1)}};
+  const std::string reason = asp_wall_reason(wall_.get());
+  std::string all = reason.empty() ? "" : "\n    " + reason;
+  char doubt[480];
+  for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
+    all += *doubt ? std::string("\n    ") + doubt : "";
   return all;
 }

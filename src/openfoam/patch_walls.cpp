@@ -31,6 +31,11 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
       of_patch_(mesh_.boundaryMesh().size(), NULL),
       sums_(mesh_.boundaryMesh().nNonProcessor() * N_SUMS, Zero), sums_before_(sums_) {
   const dictionary &coeffs = model.coeffDict();
+  for (const word &name : coeffs.toc()) /* U is one of OpenFOAM's own */
+    if (!wordList({"walls", "dMin", "dMax", "ledger", "fullLedger", "ledgerFormat", "U"})
+             .found(name))
+      fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger, " +
+                       "fullLedger and ledgerFormat");
   const Cloud of = {coeffs.getOrDefault<scalar>("dMin", 0), coeffs.getOrDefault<scalar>("dMax", 0),
                     density, has_temperature, mesh_.nSolutionD() < 3};
   /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads

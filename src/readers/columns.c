@@ -107,7 +107,7 @@ static asp_code skip_header(aspi_text *text, const aspi_profile_options *options
       options->step[0] > 0
           ? "the file ends without a line that begins with a number, a height"
           : "the file ends without a line of two numbers, position and height (heights "
-            "alone need the step between them: asperity surface --read 'step 0.5um')");
+            "alone need the step between them, reader: step_x)");
 }
 
 /* Cuts a line that is not blank into its fields and reads the data in them. */

@@ -151,9 +151,8 @@ static bool are_known(const column *columns) {
 }
 
 #define ASK_COLUMNS                                                                                \
-  "say which columns are positions and heights (asperity surface --read 'x_column 1 z_column "     \
-  "2'), "                                                                                          \
-  "or the step of heights alone (--read 'z_column 1 step 0.5um')"
+  "say which columns are positions and heights (reader: x_column, column), "                       \
+  "or the step of heights alone (reader: column, step_x)"
 
 /* Facts about a file's columns, and a buffer for the reason of a failure. */
 typedef struct choice {
@@ -339,7 +338,7 @@ asp_code aspi_find_units(const aspi_text *text, const aspi_profile_options *opti
     return ASP_OK;
   return aspi_text_fail(text, text->line, error,
                         "%s before the first numbers; say which unit of length the columns are in "
-                        "(asperity surface --unit)",
+                        "(reader: unit_x, unit_z)",
                         count == 0   ? "no unit of length is stated"
                         : count == 1 ? "one unit is stated for two columns"
                                      : "more than two units are stated");

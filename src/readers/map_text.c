@@ -243,7 +243,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_profile_option
   if (!(unit > 0))
     return fail_at(s, error,
                    "no unit of the heights is stated before the first numbers; say which "
-                   "unit of length they are in (asperity surface --unit)");
+                   "unit of length they are in (reader: unit_z)");
   raw->columns = s->count;
   asp_code code = ASP_OK;
   for (; !s->ended && !code; code = code ? code : next_line(s, error)) {
@@ -268,7 +268,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_profile_option
   if (!(raw->step[0] > 0))
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: a matrix of heights does not say how far apart its points are; tell "
-                     "it (step_x, step_y; asperity surface --read 'step L')",
+                     "it (reader: step_x, step_y)",
                      s->source.path);
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
   return check_axes(s, raw, error);
@@ -285,7 +285,7 @@ static asp_code find_units(const scanner *s, const head *h, const aspi_profile_o
     if (!(*unit > 0))
       return fail_at(s, error,
                      "no unit of length is stated before the first numbers; say which unit "
-                     "of length the columns are in (asperity surface --unit)");
+                     "of length the columns are in (reader: unit_x, unit_z)");
   }
   return ASP_OK;
 }

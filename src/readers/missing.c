@@ -61,12 +61,11 @@ static bool is_off(const aspi_missing *m, const aspi_range_end *end, double far)
 
 static asp_code fail(const char *path, aspi_missing_value met, double value, double least,
                      double most, asp_error *error) {
-  return aspi_fail(
-      error, ASP_EDATA,
-      "%.200s:%zu: height %.10g, %zu times, beside heights of %g to %g: does it stand "
-      "for a missing one? Say so (asperity surface --read 'missing %.10g'), or mend the "
-      "file",
-      path, met.place, value, met.count, least, most, value);
+  return aspi_fail(error, ASP_EDATA,
+                   "%.200s:%zu: height %.10g, %zu times, beside heights of %g to %g: does it stand "
+                   "for a missing one? Say so (reader: missing %.10g), or mend the "
+                   "file",
+                   path, met.place, value, met.count, least, most, value);
 }
 
 asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *error) {

@@ -2,12 +2,14 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "asperity_front.h"
 #include "readers/read.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct asp_reader {
   aspi_profile_options options;
@@ -90,6 +92,12 @@ asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *er
 
 asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error) {
   return aspi_map_read(NULL, aspi_word_or_empty(path), &reader->options, &reader->report, error);
+}
+
+const char *asp_reader_advice(const char *message) {
+  return strstr(message, "reader: ")
+             ? "; the command 'asperity surface' does so, and saves the file"
+             : "";
 }
 
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error) {

@@ -97,8 +97,7 @@ void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_
   if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */
     used += (size_t)snprintf(text, size,
                              "%zu of %zu points lie over %g robust standard deviations off their "
-                             "neighbors, as dust does; 'asperity surface' with --spikes 12 --gaps "
-                             "fill --save FILE takes them out",
+                             "neighbors, as dust does; take them out (reader: spikes 12, fill 1)",
                              outliers, s->points, ASP_SPIKES_CLEAR);
   if (s->levels > 0 && used < size)
     used += (size_t)snprintf(text + used, size - used,
@@ -122,12 +121,10 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
         "rounding of heights pass for roughness",
         d_p, d_p / spacing, POINTS_PER_PARTICLE);
   if (!(length >= LENGTH_LEAST * lambda))
-    snprintf(
-        brief, sizeof brief,
-        "the measured wall is only %.3g correlation lengths long; under %g its numbers carry "
-        "a large sampling error; if it is bowed, 'asperity surface' with --form 2 takes the bow "
-        "out",
-        length / lambda, LENGTH_LEAST);
+    snprintf(brief, sizeof brief,
+             "the measured wall is only %.3g correlation lengths long; under %g its numbers carry "
+             "a large sampling error; if it is bowed, take the bow out (reader: form 2)",
+             length / lambda, LENGTH_LEAST);
   if (!*few && !*brief)
     return ASP_OK;
   return aspi_fail(error, ASP_ERANGE, "%s%s%s", few, *few && *brief ? "; " : "", brief);

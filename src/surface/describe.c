@@ -119,7 +119,7 @@ asp_code aspi_roughness_check(const char *which, double lambda, double step, con
   if (phi_r > phi_r_most)
     return aspi_fail(error, ASP_EDATA,
                      "phi_r = %s is %g; over %g is no roughness: are the units of positions and "
-                     "heights right (asperity surface --unit)?",
+                     "heights right (reader: unit_x, unit_z)?",
                      ratio, phi_r, phi_r_most);
   return ASP_OK;
 }
@@ -127,6 +127,6 @@ asp_code aspi_roughness_check(const char *which, double lambda, double step, con
 asp_code aspi_profile_check(const aspi_profile_description *d, double phi_r_most,
                             asp_error *error) {
   return aspi_roughness_check("", d->lambda_c, d->spacing,
-                              "; take short waves out (asperity surface --filter)", "R_q/lambda_c",
+                              "; take short waves out (reader: lambda_s)", "R_q/lambda_c",
                               d->phi_r, phi_r_most, error);
 }

@@ -35,7 +35,7 @@ grep -q 'scaled by its root' fit || die "means without errors: $(cat fit)"
 
 # Oblique impacts of 5 mm alumina on a smooth glass wall (Kharaz et al. 2001) up to 60 degrees: mu is Coulomb's, 0.092.
 printf 'alpha1_deg,cor_t_mean\n30.16,0.9019\n40.45,0.8469\n50.70,0.7719\n59.78,0.6883\n' > kharaz
-"$asperity" calibrate kharaz rebound walton 0.98 fit=0.2 0 --speed 3.9 --dp 5mm > fit
+"$asperity" calibrate kharaz rebound walton 0.98 fit=0.2 0 --speed 3.9m/s --dp 5mm > fit
 awk -v mu="$(value mu fit)" 'BEGIN { exit !(mu > 0.0895 && mu < 0.0945) }' || die "Kharaz: $(cat fit)"
 
 # Noise of the measured angles looks like roughness; stated, it is not taken for it.

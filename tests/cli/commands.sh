@@ -202,3 +202,8 @@ long='a long title of many short words that does not fit on one line of a small 
 grep -q 'measured scatter (3 impacts' words.svg || die "compare: the title is no words"
 "$asperity" cor --samples 3 --angles 20:40:1 --plot smooth.svg -o c 2> err
 ! grep -q 'mean ± sd' smooth.svg && grep -q 'smooth wall' smooth.svg || die "cor: a band on a smooth wall, where impacts do not differ"
+
+# The curve of a law that scatters is the mean of its impacts, and no draw: that of CoR_N at 30 degrees.
+mkdir fake; printf '#!/bin/sh\n[ "$1" = --version ] || cat > commands\n' > fake/gnuplot; chmod +x fake/gnuplot
+PATH=$PWD/fake:$PATH "$asperity" cor rebound grant_tabakoff scatter 1 --angles 30 --samples 4000 --plot none.svg -o c 2> err
+rows c | awk -F, 'FNR == NR { s += $8; n++; next } /EOD/ { curve++ } curve == 5 && $1 == 30 { off = $2 / (s / n) - 1; done = 1 } END { exit !(done && off ^ 2 < 4e-4) }' FS=, - FS=' ' commands || die "cor --plot: the curve of a law that scatters"

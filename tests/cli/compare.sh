@@ -85,6 +85,10 @@ grep -q "gaps: 2 of 4 rows have neither" err || die "compare: rows without numbe
 grep -q "gaps: there is no score, as no bin has 10 impacts" err || die "compare: no reason for a missing score: $(cat err)"
 printf 'alpha1_deg,cor_n_mean\n30,0.3\n' | "$asperity" compare model - > got 2> err
 grep -q "no score, as no mean has a standard error: columns cor_n_se" err || die "compare: no reason for a missing score: $(cat err)"
+{ echo alpha1_deg,v1_m_s,alpha2_plane_deg,v2_plane,cor_n,cor_t; echo 30,100,20,50,0.342,0.543; echo 30,100,20,50,0.7,0.543; } > both
+"$asperity" compare model both > got 2> err
+grep -q "both: in 1 of 2 rows the coefficients, which are taken, contradict .* cor_n at 30 degrees: 0.7, by velocities 0.342" err || die "compare: data that contradict themselves: $(cat err)"
+"$asperity" compare model model.ledger 2>&1 > got | grep contradict && die "compare: a ledger contradicts itself"
 printf 'alpha1_deg,cor_n\n30,0.3\n30,2.9\n' > fast
 "$asperity" compare model fast > got 2> err
 grep -q "in 1 of 2 rows the rebound is over 1.2 times as fast .* 1.45 times" err || die "compare: a fast rebound"
@@ -107,6 +111,17 @@ rows got | awk -F, '$1 == "deposits" { exit !($8 == 0.25 && $13 == 0.5 && $14 > 
 rows got | awk -F, '$1 == "cor_n" { exit !($7 == 150 && $12 == 100) }' || die "compare: deposits in means: $(cat got)"
 awk -F, '$1 == "score" { d = $17 - 0.25 ^ 2 / (0.375 * 0.625 / 100); exit !(d * d < 1e-6) }' got || die "compare: Pearson's chi-square: $(cat got)"
 "$asperity" compare quarter quarter | awk -F, '$1 == "score" { exit !($17 < 1e-20 && $18 > 0) }' || die "compare: the same deposits"
+
+# Outcomes as other programs write them, and ledgers in units without a size: coefficients and angles count, no speeds.
+ledger() { awk -F, -v units="$1" '!n++ { print "# asperity 1.0.0; fix w wall/rebound; units " units "; surface smooth"; print "alpha1_deg,cor_n,cor_t,outcome,v1,d_p"; next }
+  { print $1 "," $2 "," $3 "," ($4 == "deposit" ? "1.0" : "0.0") ",7,1" }' quarter > "$1"; }
+ledger si; ledger lj
+"$asperity" compare si | rows /dev/stdin | awk -F, '$1 == "deposits" { exit !($8 == 0.25 && $5 == 7 && $6 == 1e6) }' || die "compare: outcomes 0.0 and 1.0"
+"$asperity" compare lj | rows /dev/stdin | awk -F, '{ bad = bad || $5 $6 != "" } $1 == "deposits" { exit bad || $8 != 0.25 }' || die "compare: speeds and sizes of 'units lj'"
+"$asperity" compare lj half | awk -F, '$1 == "cor_n" { exit !($7 == 150 && $12 == 100) }' || die "compare: 'units lj' and data"
+sed 's/1.0,7,1$/maybe,7,1/' si > outcomes
+refuses 2 "outcome is 'maybe'" -- compare outcomes half
+refuses 2 "'cor_n' is missing" "and data stand behind them" -- compare truth.plane
 
 # Standard input in place of either, and of any file of any command.
 "$asperity" compare quarter half | grep -v '^#' > wanted

@@ -26,6 +26,8 @@ refuses "walls { \".*\" \"surface profile $here/../data/none.csv $smooth\"; }" "
 refuses "walls { \".*\" \"surface profile none.csv $smooth\"; } dMin 1e-5; dMax 1e-5;" "none.csv"
 refuses "walls { \".*\" \"surface rq 5um lambda_c 40um 80um lay axial $smooth\"; }" "lay" "vector"
 refuses "walls { \".*\" \"$smooth\"; } ledger often;" "ledger"
+refuses "walls { \".*\" \"$smooth\"; } ledgr 100;" "'ledgr'" "ledger"
+refuses "walls { \".*\" \"materials quartz hastelloy-x ledger 100 file x\"; }" "'ledger 100' is neither"
 refuses "walls { \".*\" \"$smooth\"; } ledger 1; fullLedger perhaps;" "fullLedger"
 refuses "walls { \".*\" \"$smooth\"; } ledger 1; ledgerFormat xls;" "ledgerFormat" "xls" "npy"
 
@@ -37,3 +39,11 @@ mesh flat
 grep -q "two dimensions" flat/log || die "no word of two dimensions"
 sed -i 's/lambda_c 40um/& spread visible plane/' flat/constant/kinematicCloudProperties
 run flat
+
+# What looks like a mistake is said, without the diameters of the parcels.
+box doubt 'walls { ".*" "surface rq 5 lambda_c 40 materials quartz hastelloy-x erosion oka 1.8"; }'
+mesh doubt
+run doubt
+for doubt in "rq is 5, which is 5 m" "hardness is 1.8, which is 1.8 Pa"; do
+  grep -qF "$doubt" doubt/log.icoUncoupledKinematicParcelFoam || die "no '$doubt'"
+done

@@ -106,7 +106,8 @@ class Walls(unittest.TestCase):
         self.assertEqual(asperity.Wall(wall.text).text, wall.text)
         np.testing.assert_allclose(wall.slope([0, 1e-3]), [0.2, 0.2 * (1 + 0.92 * (
             np.sqrt(3) * 1e-3 * wall.get("rq") / wall.get("lambda_c") ** 2) ** 3) ** (-1 / 6)], rtol=0.3)
-        self.assertEqual((asperity.Wall("").surface(), asperity.Wall("").slope(1e-5)), ({}, 0))
+        smooth = asperity.Wall("rebound walton 0.9 0.3 0")
+        self.assertEqual((smooth.surface(), smooth.slope(1e-5)), ({}, 0))
         auto = asperity.Wall(f"surface rq 5um lambda_c 40um spread auto tolerance 0.3 {PAIR}", 1e-5)
         self.assertIn("D_KL", auto.reason)
         self.refused("the wall has no 'frictoin'", wall.get, "frictoin")
@@ -114,9 +115,13 @@ class Walls(unittest.TestCase):
     def test_bad_input(self):
         self.refused("'surfcae'.*'surface'", asperity.Wall, "surfcae smooth")
         self.refused("behind 'surface rq'", asperity.Wall, "surface rq 5um")
-        self.refused("cannot open 'no.csv'", asperity.Wall, "surface profile no.csv", 1e-5)
-        wall = asperity.Wall("surface rq 5um lambda_c 40um")
-        self.refused("'bons' needs a pair of materials", wall.impacts, (1, 0, -1), 1e-5)
+        self.refused("cannot open 'no.csv'", asperity.Wall, f"surface profile no.csv {PAIR}", 1e-5)
+        self.refused("materials has 0 names.*'materials quartz", asperity.Wall, "surface rq 5um lambda_c 40um")
+        self.refused("has no yield stress; say", asperity.Wall, "materials hastelloy-x quartz")
+        self.refused("d_p is .*-1", asperity.Wall, PAIR, (-1, 1e-5))
+        self.refused("alpha1 of impact 1 is 45; it must be > 0 and <= pi/2", asperity.velocities, 100, (1, 45))
+        self.refused("alpha1 of impact 0 is nan", asperity.velocities, 100, np.nan)
+        self.refused("speed of impact 0 is -100; it must be > 0", asperity.velocities, -100, 1)
         wall = asperity.Wall(f"surface rq 5um lambda_c 40um {PAIR}")
         for text, v1, keywords in ((r"v1 \. n of impact 1 is 1; it must be < 0", [(0, 0, -1), (0, 0, 1)], {}),
                                    (r"v1 \. n of impact 0 is nan", (0, 0, np.nan), {}),
@@ -124,6 +129,10 @@ class Walls(unittest.TestCase):
                                    (r"normals has the shape", (0, 0, -1), {"normals": np.eye(3)}),
                                    (r"length of the normal of impact 0 is 2", (0, 0, -1), {"normals": (0, 0, 2)}),
                                    (r"d_p of impact 0 is -1", (0, 0, -1), {"d_p": -1}),
+                                   (r"tag of impact 0 is 1.5; it must be a whole", (0, 0, -1), {"tag": 1.5}),
+                                   (r"tag of impact 1 is -1", [(0, 0, -1), (0, 0, -2)], {"tag": (1, -1)}),
+                                   (r"impact of impact 0 is -1", (0, 0, -1), {"impact": -1}),
+                                   (r"seed of impact 0 is 4.*e\+09", (0, 0, -1), {"seed": 1 << 32}),
                                    (r"density of impact 0 is 0", (0, 0, -1), {"density": 0})):
             self.refused(text, wall.impacts, v1, **{"d_p": 1e-5, **keywords})
         measured = asperity.Wall(f"surface profile mine {PAIR}", (1e-5, 2e-5), **self.heights())
@@ -133,6 +142,8 @@ class Walls(unittest.TestCase):
     def test_doubts_are_warnings(self):
         with self.assertWarnsRegex(UserWarning, "is it in another unit"):
             asperity.Wall(f"surface rq 5 lambda_c 40 {PAIR}", 1e-5)
+        with self.assertWarnsRegex(UserWarning, "rq is 5, which is 5 m"):
+            asperity.Wall(f"surface rq 5 lambda_c 40 {PAIR}")
         with self.assertWarnsRegex(UserWarning, "every impact .* sticks"):
             asperity.Wall(f"surface_energy 1000 {PAIR}", 1e-6)
         with self.assertWarnsRegex(UserWarning, "covers 2 points"):

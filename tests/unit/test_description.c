@@ -270,6 +270,9 @@ static void slips_are_named(void **state) {
   refuses("materials quartz hasteloy-x", "'hasteloy-x'", "did you mean 'hastelloy-x'?");
   refuses("materials quartz 304-ss surfac rq 5e-6", "'surfac'", "did you mean 'surface'?");
   refuses("materials quartz 304-ss fil own.csv", "'fil'", "did you mean 'file'?");
+  refuses("materials quartz steel ledger 100 file x", "'ledger 100' is neither", "keyword");
+  refuses("materials quartz steel fricton 0.4", "'fricton'", "did you mean 'friction'?");
+  refuses("materials quartz 0.4", "'0.4' is unknown", "steel");
 }
 
 static void misplaced_words_are_sent_home(void **state) {
@@ -278,6 +281,8 @@ static void misplaced_words_are_sent_home(void **state) {
   refuses("surface sigma 5 collisions single", "'collisions' belongs behind 'spread'",
           "spread MODEL collisions");
   refuses("friction 0.3 u_tau 2", "'u_tau' belongs behind 'remove'", "");
+  refuses("oka 1.8GPa", "'oka' belongs behind 'erosion': erosion oka", "");
+  refuses("rebound bons walton", "'walton' is unknown", "friction");
 }
 
 static void words_are_given_once(void **state) {
@@ -358,7 +363,7 @@ static void what_has_no_effect_is_refused(void **state) {
   refuses("deposit off remove u_tau 1 gas_density 1", "'remove' has no effect", "deposit off");
   refuses("surface_energy 1 deposit off", "'surface_energy' has no effect", "deposit off");
   refuses("spread weibull", "'spread' has no effect", "surface smooth");
-  refuses("spread none surface sigma 8", "'surface' has no effect", "spread none");
+  refuses("spread none surface sigma 8", "'none' is unknown", "visible");
   refuses("surface rq 1 lambda_c 10 dp_bins 4", "'dp_bins' has no effect", "spread visible");
 }
 
@@ -448,10 +453,18 @@ static void pairs_have_defaults(void **state) {
   asp_description_free(wall);
 }
 
-/* All doubts of quartz on steel with these changes, in one text. */
+/* All doubts in one text, a line each. */
+static void ask(char text[1500], const asp_question *question) {
+  char one[480];
+  *text = '\0';
+  for (int i = 0; asp_doubt(question, i, one, sizeof one); i++)
+    if (*one)
+      add(text, "%s\n", one);
+}
+
+/* Those of quartz on steel with these changes. */
 static void doubts(char text[1500], const char *description, double d_p, double density,
                    double modulus) {
-  char one[480];
   asp_description *wall = parse(description, &si);
   asp_material *p = asp_material_create("sand", NULL), *w = asp_material_create("iron", NULL);
   asp_material_set(p, "youngs_modulus", modulus, NULL);
@@ -460,9 +473,7 @@ static void doubts(char text[1500], const char *description, double d_p, double 
   asp_material_set(p, "yield_stress", 200e6, NULL);
   asp_pair *pair = asp_description_pair(wall, p, w, NULL);
   asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
-  *text = '\0';
-  for (int i = 0; asp_description_doubt(wall, &particle, p, w, i, one, sizeof one); i++)
-    add(text, "%s\n", one);
+  ask(text, &(asp_question){wall, NULL, 0, &particle, {p, w}});
   asp_pair_free(pair);
   asp_material_free(p);
   asp_material_free(w);
@@ -488,30 +499,35 @@ static void odd_constants_are_doubted(void **state) {
   assert_string_equal(text, "");
   doubts(text, "deposit off", 1e-9, 2650, 70e9);
   assert_string_equal(text, "");
+  doubts(text, "surface rq 5 lambda_c 40 friction 30", 20e-6, 2650, 70e9);
+  assert_non_null(strstr(text, "rq is 5"));
+  assert_non_null(strstr(text, "friction is 30"));
 }
 
 /* What needs no material: numbers that are probably in another unit. */
 static void odd_numbers_are_doubted(void **state) {
   (void)state;
-  static const char *const all[][2] = {
-      {"surface rq 5 lambda_c 40", "rq is 5, 5e+05 times the diameter"},
-      {"friction 30", "friction is 30"},
-      {"erosion oka 1.8 density 7800", "hardness is 1.8, which is 1.8 Pa"},
-      {"erosion finnie 200 density 7800", "flow_stress is 200, which is 200 Pa"},
-      {"surface rq 5um rsm 264um", "may be 3.61e-05 to 5.16e-05"}};
-  const asp_particle particle = {.d_p = 10e-6};
-  char text[480];
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-    asp_description *d = parse(all[i][0], &si);
-    assert_true(asp_description_doubt(d, &particle, NULL, NULL, 0, text, sizeof text));
-    if (!strstr(text, all[i][1]))
-      fail_msg("%s: %s", all[i][0], text);
-    assert_false(asp_description_doubt(d, &particle, NULL, NULL, 1, text, sizeof text));
+  static const char *const all[][3] = {
+      /* the doubt without a diameter, and with one */
+      {"surface rq 5 lambda_c 40", "rq is 5, which is 5 m", "rq is 5, 5e+05 times the diameter"},
+      {"friction 30", "friction is 30", "friction is 30"},
+      {"erosion oka 1.8 density 7800", "hardness is 1.8, which is 1.8 Pa", "hardness is 1.8"},
+      {"erosion finnie 200 density 7800", "flow_stress is 200, which is 200 Pa", "flow_stress"},
+      {"surface rq 5um rsm 264um", "may be 3.61e-05 to 5.16e-05", "may be 3.61e-05"}};
+  char text[1500];
+  for (size_t i = 0; i < 2 * sizeof all / sizeof *all; i++) {
+    const asp_particle particle = {.d_p = i % 2 ? 10e-6 : 0};
+    asp_description *d = parse(all[i / 2][0], &si);
+    ask(text, &(asp_question){d, NULL, 0, &particle, {NULL, NULL}});
+    if (!strstr(text, all[i / 2][1 + i % 2]) || strchr(text, '\n') != strrchr(text, '\n'))
+      fail_msg("%s: %s", all[i / 2][0], text);
     asp_description_free(d);
   }
+  const asp_particle particle = {.d_p = 10e-6};
   asp_description *d =
       parse("surface rq 5um lambda_c 40um friction 0.5 erosion oka 1.8GPa density 7800", &si);
-  assert_false(asp_description_doubt(d, &particle, NULL, NULL, 0, text, sizeof text));
+  ask(text, &(asp_question){d, NULL, 0, &particle, {NULL, NULL}});
+  assert_string_equal(text, "");
   asp_description_free(d);
 }
 
@@ -613,9 +629,12 @@ static void coarse_files_are_doubted(void **state) {
   assert_int_equal(asp_description_set_map(d, NULL, &error), ASP_EARG);
   assert_int_equal(asp_description_set_profile(d, profile, NULL), ASP_OK);
   asp_wall *wall = asp_wall_create(d, 5e-6, 20e-6, NULL);
-  assert_int_equal(asp_description_check_sampling(d, wall, 20e-6, &error), ASP_OK);
-  assert_int_equal(asp_description_check_sampling(d, wall, 5e-6, &error), ASP_ERANGE);
-  assert_ptr_equal(strstr(error.text, "surface profile fine.csv: "), error.text);
+  const asp_particle largest = {.d_p = 20e-6};
+  char text[1500];
+  ask(text, &(asp_question){d, wall, 20e-6, &largest, {NULL, NULL}});
+  assert_string_equal(text, "");
+  ask(text, &(asp_question){d, wall, 5e-6, &largest, {NULL, NULL}});
+  assert_ptr_equal(strstr(text, "surface profile fine.csv: "), text);
   asp_wall_free(wall);
   asp_description_free(d);
   asp_profile_free(profile);

@@ -325,7 +325,7 @@ static void form_and_spikes_are_taken_out(void **state) {
   assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
   assert_non_null(strstr(doubt.text, "2 of 7680 points lie over 20"));
   asp_reader_set(reader, "spikes", 15, NULL);
-  refuse("map", "is the first of 2 spikes; fill the gaps (asperity surface --gaps fill)");
+  refuse("map", "is the first of 2 spikes; fill the gaps (reader: fill 1)");
   asp_reader_set(reader, "fill", 1, NULL);
   asp_map *mended = read_map("map");
   for (size_t i = 0; i < ROWS * COLUMNS; i++)

@@ -609,7 +609,7 @@ static void spikes_are_marked_where_asked(void **state) {
   asp_profile_free(p);
   o.spikes = 10;
   expect_error(text, &o, ASP_EDATA,
-               "point 78 is the first of 1 spikes; fill the gaps (asperity surface --gaps fill)");
+               "point 78 is the first of 1 spikes; fill the gaps (reader: fill 1)");
   o.fill = true;
   p = read_text(text, &o);
   assert_near(asp_profile_heights(p)[77], sin(77 * 0.2) * 1e-6, 0.2e-6);

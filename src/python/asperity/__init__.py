@@ -58,6 +58,7 @@ def _struct(columns: str) -> np.dtype:
 BODY = _struct("inverse_mass f8, inverse_inertia 6f8, lever 3f8")  # asp_body
 _PARTICLE = _struct("d_p f8, density f8, pair uintp, omega 3f8, lay uintp, temperature f8, "
                     "u_tau f8, body uintp")
+_QUESTION = _struct("words uintp, wall uintp, d_least f8, largest uintp, material 2uintp")
 _KEY = _struct("seed u4, wall u4, tag u8, impact u4")
 _IMPACT = _struct("v2 3f8, omega 3f8, delta_alpha f8, tilt_out f8, hits i4, capped ?, outcome i4, "
                   "eroded f8")
@@ -71,9 +72,8 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "description_text": (_N, _P, _P, _N), "description_get": (_D, _P, _S),
     "description_word": (_S, _P, _S), "description_lay": (_Lay, _P),
     "description_material": (_P, _P, c_int), "material_get": (_D, _P, _S),
-    "description_doubt": (c_bool, _P, _P, _P, _P, c_int, _P, _N),
-    "description_check_sampling": (c_int, _P, _P, _D, _E),
-    "description_needs_sizes": (c_bool, _P),
+    "doubt": (c_bool, _P, c_int, _P, _N),
+    "description_needs_sizes": (c_bool, _P), "description_check_pair": (c_int, _P, _E),
     "description_set_profile": (c_int, _P, _P, _E), "description_set_map": (c_int, _P, _P, _E),
     "profile_from_heights": (_P, _P, _N, _D, c_bool, _E), "profile_free": (None, _P),
     "map_from_heights": (_P, _P, _N, _N, _D, _D, c_bool, _E), "map_free": (None, _P),
@@ -126,6 +126,13 @@ def _must(good: NDArray[np.bool_], name: str, values: NDArray[Any], what: str) -
         raise Error(f"{name} of impact {bad[0]} is {values[bad[0]]:g}; it must be {what}")
 
 
+def _whole(name: str, values: ArrayLike, most: int) -> NDArray[np.uint64]:
+    given = np.atleast_1d(values)
+    _must((given >= 0) & (given <= most) & (given == np.floor(given)), name, given,
+          f"a whole number from 0 to {most}")
+    return given.astype(np.uint64)
+
+
 class Wall:
     """A wall that is ready for impacts.
 
@@ -140,9 +147,12 @@ class Wall:
     def __init__(self, words: str, d_p: ArrayLike = 0, *, heights: ArrayLike | None = None,
                  step: ArrayLike = 0, periodic: bool = False, name: str = "python") -> None:
         self._words = self._own("description", _call("description_parse", words.encode(), None))
+        _call("description_check_pair", self._words)
         if heights is not None:
             self._set_heights(np.asarray(heights), np.atleast_1d(step).astype(float), periodic)
         self._least, self._most = float(np.min(d_p)), float(np.max(d_p))
+        if not 0 <= self._least <= self._most < np.inf:
+            raise Error(f"d_p is {d_p}; it must be >= 0 m")
         self._wall = self._own("wall", _call("wall_create", self._words, self._least, self._most))
         self._key = _asp.asp_key_wall(name.encode())
         self._surface = _asp.asp_wall_surface(self._wall)
@@ -171,25 +181,18 @@ class Wall:
 
     def _doubts(self) -> Iterator[str]:
         """What looks like a mistake in the wall's words, its file, and its constants."""
-        doubt = _asp.asp_description_word(self._words, b"doubt")
-        if doubt:
-            yield doubt.decode()
-        if self._surface and self._least > 0:
-            try:
-                _call("description_check_sampling", self._words, self._wall, self._least)
-            except Error as few:
-                yield str(few)
-        pair, text = _asp.asp_wall_pair(self._wall), ctypes.create_string_buffer(500)
-        particle = np.zeros((), _PARTICLE)
-        particle["d_p"], particle["density"] = self._most, self._density
-        particle["pair"] = pair or 0
-        both = [_asp.asp_description_material(self._words, i) for i in range(2)]
-        for materials in [(None, None)] + [both] * bool(pair):
-            index = 0
-            while _asp.asp_description_doubt(self._words, particle.ctypes.data, *materials, index,
-                                             text, len(text)):
+        largest, question = np.zeros((), _PARTICLE), np.zeros((), _QUESTION)
+        largest["d_p"], largest["density"] = self._most, self._density
+        largest["pair"] = _asp.asp_wall_pair(self._wall) or 0
+        question["words"], question["wall"] = self._words, self._wall
+        question["d_least"], question["largest"] = self._least, largest.ctypes.data
+        question["material"] = [_asp.asp_description_material(self._words, i) or 0
+                                for i in range(2)]
+        text, index = ctypes.create_string_buffer(500), 0
+        while _asp.asp_doubt(question.ctypes.data, index, text, len(text)):
+            index += 1
+            if text.value:
                 yield text.value.decode()
-                index += 1
 
     @property
     def text(self) -> str:
@@ -251,8 +254,10 @@ class Wall:
             body = np.ascontiguousarray(np.broadcast_to(np.asarray(body, BODY), n))
             particles["body"] = body.ctypes.data + np.arange(n) * BODY.itemsize
             lever = body["lever"]
-        keys["seed"], keys["wall"] = self.get("seed") if seed is None else seed, self._key
-        keys["tag"], keys["impact"] = np.arange(1, n + 1) if tag is None else tag, impact
+        keys["seed"] = _whole("seed", self.get("seed") if seed is None else seed, (1 << 32) - 1)
+        keys["wall"] = self._key
+        keys["tag"] = np.arange(1, n + 1) if tag is None else _whole("tag", tag, (1 << 64) - 1)
+        keys["impact"] = _whole("impact", impact, (1 << 32) - 1)
         self._check(v1 + np.cross(spin, lever), normals, particles)
         _call("wall_impacts", self._wall, n, particles.ctypes.data, v1.ctypes.data,
               normals.ctypes.data, keys.ctypes.data, made.ctypes.data)
@@ -279,6 +284,8 @@ class Wall:
 def velocities(speed: ArrayLike, alpha1: ArrayLike) -> NDArray[np.float64]:
     """Velocities (n, 3) along x onto the wall z = 0, by speed and impact angle (rad)."""
     v, alpha = np.broadcast_arrays(np.atleast_1d(speed).astype(float), alpha1)
+    _must((v > 0) & (v < np.inf), "speed", v, "> 0 m/s")
+    _must((alpha > 0) & (alpha <= np.pi / 2 * (1 + 1e-9)), "alpha1", alpha, "> 0 and <= pi/2 rad")
     return np.stack([v * np.cos(alpha), 0 * v, -v * np.sin(alpha)], axis=-1)
 
 
