@@ -111,6 +111,6 @@ std::string PatchWall::notes(const Cloud &cloud) const {
   std::string all = reason.empty() ? "" : "\n    " + reason;
   char doubt[480];
   for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
-    all += *doubt ? std::string("\n    ") + doubt : "";
+    all += *doubt ? std::string("\n    warning: ") + doubt : "";
   return all;
 }

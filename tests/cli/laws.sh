@@ -83,7 +83,7 @@ sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound rebound tab
 
 # Scatter that is counted twice: the means warn, the scatter is refused unless asked for.
 "$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff --samples 2 -o x 2> err
-grep -q "warning.*second time" err || die "cor: no warning: $(cat err)"
+grep -q "warning.*counts twice" err || die "cor: no warning: $(cat err)"
 refuses 2 "twice" "scatter_twice" -- cor surface rq 5um lambda_c 40um rebound grant_tabakoff scatter 1
 "$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff scatter 1 scatter_twice --samples 2 -o x 2> err
 "$asperity" cor rebound grant_tabakoff scatter 1 --samples 2 -o x 2> err

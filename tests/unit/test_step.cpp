@@ -507,6 +507,22 @@ void grains_to_come_are_not_doubted(void **) {
   assert_int_equal(count(engine.printed, ", d_p 0.004 below"), 1);
 }
 
+/* A doubt that takes a diameter is said when there is one, and none is said twice. */
+void doubts_are_said_once(void **) {
+  Alone engine;
+  engine.least = engine.most = 0;
+  std::unique_ptr<Wall> wall =
+      make_wall(engine, plane(0, 0), "surface rq 0.005 lambda_c 0.1 materials quartz friction 30");
+  const double sizes[] = {0, 0, 1e-6, 1e-6, 5e-7};
+  for (int k = 0; k < 5; k++) {
+    engine.least = sizes[k];
+    engine.most = sizes[k] > 0 ? 1e-6 : 0;
+    wall->init(k, 0.1);
+    assert_int_equal(count(engine.warned, "friction is 30"), 1);
+    assert_int_equal(count(engine.warned, "rq is 0.005, 5e+03 times"), k > 1);
+  }
+}
+
 /* Grains stick below the speed that the log names, and not above it. */
 void the_log_names_what_sticks(void **) {
   Alone engine;
@@ -596,6 +612,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(belts_keep_their_radius),
       cmocka_unit_test(forces_do_their_own_work),
       cmocka_unit_test(grains_to_come_are_not_doubted),
+      cmocka_unit_test(doubts_are_said_once),
       cmocka_unit_test(the_log_names_what_sticks),
       cmocka_unit_test(new_sizes_need_new_tables),
       cmocka_unit_test(restarts_keep_their_ledger),
