@@ -1,5 +1,5 @@
-# Files of `cmake --install`: library, header, command, launchers, the library and headers of the
-# engines' side, the files by which CMake and pkg-config find the libraries, pages and examples.
+# Files of `cmake --install`: library, header, command, launchers, plugins, the files by which CMake
+# and pkg-config find the library, pages and examples.
 # SPDX-License-Identifier: GPL-3.0-or-later
 install(TARGETS asperity EXPORT asperityTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -21,12 +21,9 @@ if(TARGET asperityWall)
   install(TARGETS asperityWall LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
-if(TARGET asperity_dem)
-  install(TARGETS asperity_dem EXPORT asperityDemTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY src/contact src/dem DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity
-    FILES_MATCHING PATTERN "*.h")
-  install(FILES src/base/ledger_columns.h src/base/number.h
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asperity/base)
+# What LAMMPS loads, both in one folder.
+if(TARGET wallreboundplugin)
+  install(TARGETS wallreboundplugin wallreboundstyle LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
 install(DIRECTORY ${CMAKE_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
@@ -46,9 +43,6 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMIS
 
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/asperity)
 install(EXPORT asperityTargets NAMESPACE asperity:: DESTINATION ${_package})
-if(TARGET asperity_dem)
-  install(EXPORT asperityDemTargets NAMESPACE asperity:: DESTINATION ${_package})
-endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/asperityConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/asperityConfig.cmake INSTALL_DESTINATION ${_package})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/asperityConfigVersion.cmake

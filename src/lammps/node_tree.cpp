@@ -7,16 +7,6 @@
 
 using namespace asperity;
 
-#ifdef MPI_STUBS
-
-NodeTree::~NodeTree() {}
-
-ContactTree *NodeTree::spread(MPI_Comm, ContactTree *tree) {
-  return tree;
-}
-
-#else
-
 /* Bytes a message. */
 static const size_t MESSAGE = 1 << 24;
 
@@ -77,5 +67,3 @@ ContactTree *NodeTree::spread(MPI_Comm world, ContactTree *tree) {
   MPI_Comm_free(&node);
   return aspi_tree_over(block);
 }
-
-#endif

@@ -34,11 +34,9 @@ public:
   }
 
 private:
-#ifndef MPI_STUBS /* LAMMPS's own mpi.h for one rank, which has no windows */
   void *open_block(MPI_Comm world, MPI_Comm node, size_t bytes);
 
   MPI_Win window_ = MPI_WIN_NULL;
-#endif
   std::vector<double> own_; /* without a window */
   bool keeps_;
 };

@@ -15,6 +15,7 @@ namespace {
 /* Functions of LAMMPS's library interface. */
 typedef int (*Version)(void *lammps);
 typedef int (*Setting)(void *lammps, const char *name);
+typedef int (*HasMpi)();
 typedef void (*Report)(void *lammps, int kind, const char *text);
 const int ERROR_ON_ALL_RANKS = 2;
 
@@ -56,6 +57,9 @@ std::string check(void *lammps) {
     if (setting(lammps, integer.name) != integer.bytes)
       return mismatch(std::string("the size of ") + integer.name, setting(lammps, integer.name),
                       integer.bytes);
+  const HasMpi has_mpi = find<HasMpi>("lammps_config_has_mpi_support");
+  if (has_mpi && !has_mpi())
+    return "this LAMMPS was built without MPI; build it with -DBUILD_MPI=on";
   return "";
 }
 

@@ -1,15 +1,13 @@
 #!/usr/bin/env bash
-# The wall in another LAMMPS gives the ledger of lammps-asperity, after `clear` too: by the plugin that was built for it,
-# which ends with a message in another version; without PLUGIN, by its package ASPERITY. Skipped where there is no such
-# LAMMPS. Usage: plugin.sh [PLUGIN]
+# The wall as a plugin of another LAMMPS gives the ledger of lammps-asperity, after `clear` too; in a LAMMPS of another
+# version the plugin ends with a message. Skipped where there is no LAMMPS with the package PLUGIN. Usage: plugin.sh PLUGIN
 # SPDX-License-Identifier: GPL-3.0-or-later
-plugin=${1:-} package=ASPERITY
-[ -z "$plugin" ] || package=PLUGIN
+plugin=$1
 source "$(dirname "$0")/engine.sh"
 lmp=${ASPERITY_LMP:-$(command -v lmp || true)}
 [ -n "$lmp" ] || { echo "no lmp in the path"; exit 77; }
 "$lmp" -h 2> /dev/null < /dev/null > help.txt
-grep -qw "$package" help.txt || { echo "$lmp has no package $package"; exit 77; }
+grep -qw PLUGIN help.txt || { echo "$lmp has no package PLUGIN"; exit 77; }
 use lammps
 grains 300 > grains.data
 plate 4 1 3.9e-3 > plate.stl
@@ -25,11 +23,11 @@ run 300"
 }
 script here.csv > here.in
 engine 1 here.in
-{ [ -z "$plugin" ] || echo "plugin load $plugin"; script first.csv; echo clear; script second.csv; } > there.in
+{ echo "plugin load $plugin"; script first.csv; echo clear; script second.csv; } > there.in
 if ! timeout 120 mpirun -np 2 "$lmp" -in there.in -log none > there.screen 2>&1; then
   if grep -q "^ERROR: wallreboundplugin.so: the version of LAMMPS is .*, but it was built for " there.screen; then
     echo "another version of LAMMPS, refused as it must be"; exit 77
   fi
-  tail -n 5 there.screen; die "$package in $lmp"
+  tail -n 5 there.screen; die "the plugin in $lmp"
 fi
-for ledger in first second; do same here.csv $ledger.csv "launcher and $package"; done
+for ledger in first second; do same here.csv $ledger.csv "launcher and plugin"; done

@@ -37,18 +37,6 @@ cp "$program/scatter.c" "$work"
     END { exit k != 10000 || far(n, a, aa) || far(t, b, bb) }' "$work/found" - ||
   { echo "the program and the command differ: $(cat "$work/found")"; exit 1; }
 
-# The engines' side, where it is built, in C++ with MPI.
-if [ -n "$(find "$work/prefix" -name libasperity_dem.a)" ]; then
-  mkdir "$work/dem"
-  printf '%s\n' 'cmake_minimum_required(VERSION 3.16)' 'project(dem CXX)' 'find_package(asperity REQUIRED COMPONENTS dem)' \
-    'add_executable(dem dem.cpp)' 'target_link_libraries(dem asperity::asperity_dem)' > "$work/dem/CMakeLists.txt"
-  printf '%s\n' '#include "dem/wall.h"' '#include "contact/tree.h"' \
-    'int main() { ContactTree *tree = aspi_tree_begin(); aspi_tree_free(tree); return !asperity::Wall::KEYWORDS[0]; }' > "$work/dem/dem.cpp"
-  cmake -S "$work/dem" -B "$work/dem/build" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-  cmake --build "$work/dem/build" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-  "$work/dem/build/dem"
-fi
-
 # The manual's pages, one of the command and one of each of its eight, and the shell's completion.
 [ "$(find "$work/prefix" -path '*/man/man1/*.1' | wc -l)" -ge 9 ] || { echo "the manual's pages are not installed"; exit 1; }
 [ -n "$(find "$work/prefix" -path '*/bash-completion/completions/asperity')" ] || { echo "no completion is installed"; exit 1; }

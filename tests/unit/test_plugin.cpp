@@ -16,7 +16,7 @@ extern "C" {
 namespace {
 
 const char *plugin;
-int version, tag_bytes;
+int version, tag_bytes, has_mpi = 1;
 std::string message;
 
 /* Loads the plugin as LAMMPS does. */
@@ -48,6 +48,14 @@ void other_integers(void **) {
   says(load(), "the size of tagint is 8, but it was built for 4");
 }
 
+void no_mpi(void **) {
+  version = 20260704;
+  tag_bytes = 4;
+  has_mpi = 0;
+  says(load(), "wallreboundplugin.so: this LAMMPS was built without MPI; build it with");
+  has_mpi = 1;
+}
+
 /* Where all is well, the fix's own file comes next. */
 void no_style(void **) {
   version = 20260704;
@@ -60,6 +68,7 @@ void no_style(void **) {
 extern "C" {
 int lammps_version(void *lammps);
 int lammps_extract_setting(void *lammps, const char *name);
+int lammps_config_has_mpi_support();
 void lammps_error(void *lammps, int kind, const char *text);
 
 int lammps_version(void *lammps) {
@@ -68,6 +77,10 @@ int lammps_version(void *lammps) {
 
 int lammps_extract_setting(void *, const char *name) {
   return strcmp(name, "bigint") == 0 ? 8 : strcmp(name, "tagint") == 0 ? tag_bytes : 4;
+}
+
+int lammps_config_has_mpi_support() {
+  return has_mpi;
 }
 
 void lammps_error(void *, int kind, const char *text) {
@@ -79,6 +92,7 @@ void lammps_error(void *, int kind, const char *text) {
 int main(int, char **argv) {
   plugin = argv[1];
   const struct CMUnitTest tests[] = {cmocka_unit_test(another_version),
-                                     cmocka_unit_test(other_integers), cmocka_unit_test(no_style)};
+                                     cmocka_unit_test(other_integers), cmocka_unit_test(no_mpi),
+                                     cmocka_unit_test(no_style)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
