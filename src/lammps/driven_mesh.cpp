@@ -84,26 +84,12 @@ void Drive::move(double time, Frame &frame, Twist &twist) const {
   aspi_copy(speed, twist.linear);
 }
 
-void Drive::save(double numbers[NUMBERS]) const {
-  numbers[0] = kind_;
-  numbers[1] = period_;
-  aspi_copy(a_, numbers + 2);
-  aspi_copy(axis_, numbers + 5);
-}
-
-void Drive::restore(const double numbers[NUMBERS]) {
-  kind_ = static_cast<Kind>(static_cast<int>(numbers[0]));
-  period_ = numbers[1];
-  aspi_copy(numbers + 2, a_);
-  aspi_copy(numbers + 5, axis_);
-}
-
 /* ---- the mesh ---------------------------------------------------------------------------------
  */
 
 DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive)
     : drive_(drive), path_(path), scale_(scale), extent_(Bounds::none()), pieces_(0), origin_(0),
-      has_begun_(false), redirected_(false) {
+      has_begun_(false) {
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, aspi_tree_free);
   std::string wrong;
   int rank;
@@ -204,25 +190,6 @@ std::string DrivenMesh::misfit(const Bounds &box, const double period[3]) const 
                  : "; no scale between m, cm, mm, um and nm would bring it in");
 }
 
-void DrivenMesh::redirect(const Drive &drive) {
-  if (has_begun_)
-    base_ = motion().end();
-  drive_ = drive;
-  has_begun_ = false;
-  redirected_ = true;
-}
-
-void DrivenMesh::pose(double time, Frame &frame, Twist &twist) const {
-  Frame drive;
-  drive_.move(time - origin_, drive, twist);
-  drive.to_world(base_.shift, frame.shift);
-  for (int j = 0; j < 3; j++) {
-    const double column[3] = {base_.turn[0][j], base_.turn[1][j], base_.turn[2][j]};
-    for (int i = 0; i < 3; i++)
-      frame.turn[i][j] = aspi_dot(drive.turn[i], column);
-  }
-}
-
 void DrivenMesh::setup(double time) {
   if (!drive_.moves())
     return;
@@ -230,7 +197,7 @@ void DrivenMesh::setup(double time) {
     origin_ = time;
   Frame frame;
   Twist twist;
-  pose(time, frame, twist);
+  drive_.move(time - origin_, frame, twist);
   motion().settle(frame, false);
   motion().set_last(twist);
   has_begun_ = true;
@@ -239,24 +206,14 @@ void DrivenMesh::setup(double time) {
 void DrivenMesh::begin_step(double time, double dt) {
   if (!drive_.moves())
     return;
-  if (!has_begun_) /* redirected before a run without a set-up */
-    setup(time - dt);
   Frame frame;
   Twist twist;
-  pose(time, frame, twist);
+  drive_.move(time - origin_, frame, twist);
   motion().advance(frame, twist, dt);
 }
 
 std::vector<double> DrivenMesh::motion_record() const {
-  if (!redirected_)
-    return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
-  double drive[Drive::NUMBERS];
-  drive_.save(drive);
-  std::vector<double> record = {origin_, has_begun_ ? 1.0 : 0.0};
-  record.insert(record.end(), drive, drive + Drive::NUMBERS);
-  record.insert(record.end(), base_.turn[0], base_.turn[0] + 9);
-  record.insert(record.end(), base_.shift, base_.shift + 3);
-  return record;
+  return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
 }
 
 void DrivenMesh::restore_motion(const std::vector<double> &record) {
@@ -264,14 +221,6 @@ void DrivenMesh::restore_motion(const std::vector<double> &record) {
     return;
   origin_ = record[0];
   has_begun_ = true;
-  redirected_ = record.size() == 2 + Drive::NUMBERS + 12;
-  if (!redirected_)
-    return;
-  has_begun_ = record[1] > 0;
-  drive_.restore(&record[2]);
-  std::copy(&record[2 + Drive::NUMBERS], &record[2 + Drive::NUMBERS] + 9, base_.turn[0]);
-  aspi_copy(&record[2 + Drive::NUMBERS + 9], base_.shift);
-  motion().settle(base_, false);
 }
 
 std::unique_ptr<DrivenMesh> asperity::read_driven_mesh(MPI_Comm world, Words &words, int types,

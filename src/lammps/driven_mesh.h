@@ -29,11 +29,6 @@ public:
   }
   void move(double time, Frame &frame, Twist &twist) const;
 
-  /* The motion as numbers, for a restart file. */
-  enum { NUMBERS = 8 };
-  void save(double numbers[NUMBERS]) const;
-  void restore(const double numbers[NUMBERS]);
-
 private:
   enum Kind { REST, LINEAR, WIGGLE, ROTATE };
   Kind kind_;
@@ -58,22 +53,17 @@ public:
    * none), or over 100 times as large, with the scale that would bring it in; else empty. */
   std::string misfit(const Bounds &box, const double period[3]) const;
 
-  /* Another motion, from where the mesh is now; it begins with the next step. */
-  void redirect(const Drive &drive);
-
   /* At the beginning of a run, and of each step: the time of the wall's own clock. */
   void setup(double time);
   void begin_step(double time, double dt);
 
-  /* The time at which the motion began; where redirect() has set it, also the motion itself and
-   * where the mesh was then. */
+  /* The time at which the motion began. */
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
   size_t bytes() const override;
 
 private:
   ContactTree *read_tree();
-  void pose(double time, Frame &frame, Twist &twist) const;
 
   NodeTree shared_;
   Drive drive_;
@@ -82,8 +72,7 @@ private:
   Bounds extent_; /* where the motion begins */
   size_t pieces_;
   double origin_;
-  Frame base_; /* where it was then */
-  bool has_begun_, redirected_;
+  bool has_begun_;
 };
 
 /* Reads `FILE`, and behind it, in any order, `type T`, `scale S`, `move ...` and `map N FILE`.

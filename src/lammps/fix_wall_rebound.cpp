@@ -36,7 +36,6 @@
 #include "driven_mesh.h"
 #include "engine_checks.h"
 #include "map_file.h"
-#include "mesh_image.h"
 #include "region_shape.h"
 
 #include "dem/error.h"
@@ -77,7 +76,6 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   asperity::DrivenMesh *mesh; /* the wall's shape, or NULL */
   RegionShape *region;        /* the same */
   AtomRows rows;
-  MeshImage image;
   BodiesOfLammps of_bodies;
   bigint last_step; /* that the wall knows of */
   bool steps;       /* this run has steps, which a rerun has not */
@@ -367,8 +365,8 @@ void FixWallRebound::end_of_step() {
   p_->end_step();
   if (p_->mesh && p_->map.is_due(update->ntimestep))
     p_->attempt([this] {
-      p_->map.write(world, update->ntimestep, p_->mesh->triangles(), p_->mesh->motion().end(),
-                    p_->wall.books.sums(0), p_->wall.worn_density(0));
+      p_->map.write(world, update->ntimestep, p_->time(), p_->mesh->triangles(),
+                    p_->mesh->motion().end(), p_->wall.books.sums(0), p_->wall.worn_density(0));
     });
 }
 
@@ -424,26 +422,6 @@ int FixWallRebound::pack_forward_comm(int n, int *list, double *buffer, int, int
 
 void FixWallRebound::unpack_forward_comm(int n, int first, double *buffer) {
   p_->of_bodies.unpack(n, first, buffer);
-}
-
-/* `fix_modify ID move ...`: how many words it takes. */
-int FixWallRebound::modify_param(int narg, char **arg) {
-  Words words(narg, arg);
-  if (!words.take("move"))
-    return 0;
-  if (!p_->mesh)
-    p_->fail_at(FLERR,
-                "'fix_modify move' is for the wall 'stl'; a region moves by its own words, and a "
-                "plane or cylinder by 'shear'");
-  asperity::Drive drive;
-  std::string read;
-  p_->attempt([&] { drive.parse(words, read); });
-  p_->mesh->redirect(drive);
-  return narg - static_cast<int>(words.left());
-}
-
-int FixWallRebound::image(int *&kinds, double **&rows) {
-  return p_->mesh ? p_->image.draw(*p_->mesh, p_->type, comm->me, comm->nprocs, kinds, rows) : 0;
 }
 
 /* ---- numbers of each atom ---------------------------------------------------------------------

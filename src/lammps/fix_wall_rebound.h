@@ -74,9 +74,6 @@ public:
   int pack_forward_comm(int n, int *list, double *buffer, int pbc_flag, int *pbc) override;
   void unpack_forward_comm(int n, int first, double *buffer) override;
 
-  int modify_param(int narg, char **arg) override;
-  int image(int *&kinds, double **&rows) override;
-
 private:
   class Keywords;
   struct Parts;

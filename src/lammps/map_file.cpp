@@ -1,4 +1,4 @@
-/* A map as a file of VTK; see map_file.h. The formats are those of "VTK File Formats" (Kitware).
+/* A map as a file of VTK; see map_file.h. The format is that of "VTK File Formats" (Kitware).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "map_file.h"
@@ -19,7 +19,7 @@ bool ends_with(const std::string &path, const std::string &end) {
   return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
-/* The parts that both formats have: rows of numbers. */
+/* The rows of numbers. */
 class Rows {
 public:
   Rows(FILE *file, const ContactTree *triangles, const Frame &frame,
@@ -41,9 +41,9 @@ public:
         fprintf(file_, "%.9g %.9g %.9g\n", x[0], x[1], x[2]);
       }
   }
-  void corners(const char *head) const {
+  void corners() const {
     for (int i = 0; i < n_; i++)
-      fprintf(file_, "%s%d %d %d\n", head, 3 * i, 3 * i + 1, 3 * i + 2);
+      fprintf(file_, "%d %d %d\n", 3 * i, 3 * i + 1, 3 * i + 2);
   }
   void whole(int first, int step) const {
     for (int i = 0; i < n_; i++)
@@ -77,35 +77,22 @@ private:
   std::vector<int> place_; /* in the tree, of each number */
 };
 
-void write_legacy(FILE *file, int64_t step, const Rows &rows) {
-  const int n = rows.count();
-  fprintf(file,
-          "# vtk DataFile Version 3.0\nasperity map, step %lld\nASCII\nDATASET POLYDATA\n"
-          "POINTS %d double\n",
-          static_cast<long long>(step), 3 * n);
-  rows.points();
-  fprintf(file, "POLYGONS %d %lld\n", n, 4LL * n);
-  rows.corners("3 ");
-  fprintf(file, "CELL_DATA %d\nSCALARS id int 1\nLOOKUP_TABLE default\n", n);
-  rows.whole(0, 1);
-  for (int k = 0; k < rows.arrays(); k++) {
-    fprintf(file, "SCALARS %s double 1\nLOOKUP_TABLE default\n", rows.name(k));
-    rows.array(k);
-  }
-}
-
-void write_xml(FILE *file, const Rows &rows) {
+void write_map(FILE *file, double time, const Rows &rows) {
   const char array[] = "<DataArray type=\"%s\" Name=\"%s\" format=\"ascii\">\n",
              end[] = "</DataArray>\n";
   fprintf(file,
           "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
+          "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+          "format=\"ascii\">\n%.17g\n%s</FieldData>\n",
+          time, end);
+  fprintf(file,
           "<Piece NumberOfPoints=\"%d\" NumberOfPolys=\"%d\">\n<Points>\n"
           "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n",
           3 * rows.count(), rows.count());
   rows.points();
   fprintf(file, "%s</Points>\n<Polys>\n", end);
   fprintf(file, array, "Int32", "connectivity");
-  rows.corners("");
+  rows.corners();
   fprintf(file, "%s", end);
   fprintf(file, array, "Int32", "offsets");
   rows.whole(3, 3);
@@ -126,12 +113,13 @@ void write_xml(FILE *file, const Rows &rows) {
 void MapFile::parse(Words &words) {
   every_ = static_cast<int64_t>(words.whole("map", 1, 2147483647.0));
   path_ = words.word("the file of 'map'");
-  if (!ends_with(path_, ".vtk") && !ends_with(path_, ".vtp"))
-    throw Error("the file of 'map' is '" + path_ + "'; its name must end with .vtk or .vtp");
+  if (!ends_with(path_, ".vtp"))
+    throw Error("the file of 'map' is '" + path_ + "'; its name must end with .vtp");
 }
 
-void MapFile::write(MPI_Comm world, int64_t step, const ContactTree *triangles, const Frame &frame,
-                    const std::vector<double> &sums, double worn_density) const {
+void MapFile::write(MPI_Comm world, int64_t step, double time, const ContactTree *triangles,
+                    const Frame &frame, const std::vector<double> &sums,
+                    double worn_density) const {
   int rank, wrong = 0;
   std::string path = path_;
   const size_t star = path.find('*');
@@ -142,11 +130,7 @@ void MapFile::write(MPI_Comm world, int64_t step, const ContactTree *triangles, 
     errno = 0;
     FILE *file = fopen(path.c_str(), "w");
     if (file) {
-      const Rows rows(file, triangles, frame, sums, worn_density);
-      if (ends_with(path, ".vtk"))
-        write_legacy(file, step, rows);
-      else
-        write_xml(file, rows);
+      write_map(file, time, Rows(file, triangles, frame, sums, worn_density));
       const bool failed = ferror(file) != 0;
       if (fclose(file) != 0 || failed)
         wrong = errno ? errno : EIO;

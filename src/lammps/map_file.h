@@ -1,5 +1,5 @@
-/* The sums of a mesh's triangles as a file that ParaView and its like read: VTK's legacy text
- * format (.vtk) or its XML format (.vtp).
+/* The sums of a mesh's triangles as a file that ParaView and its like read: VTK's XML format
+ * (.vtp), with the time, so that the maps of a run are a time series.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_LAMMPS_MAP_FILE_H
@@ -32,8 +32,8 @@ public:
    * each, and the depth of erosion: eroded mass over worn_density, that of the wall, and the
    * triangle's area; with worn_density 0 the wall has no erosion, and the map no depth. Collective;
    * rank 0 writes, and all throw an Error where it cannot. */
-  void write(MPI_Comm world, int64_t step, const ContactTree *triangles, const Frame &frame,
-             const std::vector<double> &sums, double worn_density) const;
+  void write(MPI_Comm world, int64_t step, double time, const ContactTree *triangles,
+             const Frame &frame, const std::vector<double> &sums, double worn_density) const;
 
 private:
   int64_t every_;

@@ -8,7 +8,7 @@ refuses "$wall zplane" "" "the plane's place" "missing"
 refuses "$wall zplane low" "" "the plane's place is 'low'" "number"
 refuses "$wall zcylinder -1 0 0" "" "the cylinder's radius is -1" "> 0"
 refuses "$wall zplane 0 type 3" "" "the wall's type is 3" "1 to 2"
-refuses "$wall zplane 0 map 10 map.vtk" "" "'map'" "stl FILE"
+refuses "$wall zplane 0 map 10 map.vtp" "" "'map'" "stl FILE"
 
 refuses "$wall region" "" "the ID of a region" "missing"
 refuses "$wall region moon" "" "region 'moon' does not exist" "region moon STYLE"
@@ -30,9 +30,9 @@ refuses "$wall stl plate.stl move linear 1 2" "" "'move linear'" "missing"
 refuses "$wall stl plate.stl move linear 1 2 inf" "" "'move linear' is inf" "finite"
 refuses "$wall stl plate.stl move wiggle 0 0 1 0" "" "the period of 'move wiggle' is 0" "> 0"
 refuses "$wall stl plate.stl move rotate 0 0 0 0 0 0 1" "" "the axis of 'move rotate' is 0 0 0" "direction"
-refuses "$wall stl plate.stl map 0 map.vtk" "" "map is 0" "1 to"
-refuses "$wall stl plate.stl map 10 map.txt" "" "'map.txt'" ".vtk or .vtp"
-refuses "$wall stl plate.stl rebound constant 1 1 map 1 /nowhere/map.vtk" "" "/nowhere/map.vtk" "No such file"
+refuses "$wall stl plate.stl map 0 map.vtp" "" "map is 0" "1 to"
+refuses "$wall stl plate.stl map 10 map.vtk" "" "'map.vtk'" ".vtp"
+refuses "$wall stl plate.stl rebound constant 1 1 map 1 /nowhere/map.vtp" "" "/nowhere/map.vtp" "No such file"
 
 # Files that are no STL: a line that is none, one that is cut short, and binary ones.
 bad_stl() { # NAME WORD...

@@ -129,34 +129,33 @@ fix in all deposit 200 0 4 4711 mol grain region source near 1e-5 vx 20 20 vy 0 
 coming pour 'fix weight all gravity 9.81 vector 0 0 -1
 fix in all pour 200 1 4711 region source diam one 1e-5 dens 2650 2650 vol 0.1 50 vel -20 20 -20 20 -50'
 
-# Maps: every triangle with its sums, those of the wall; in both formats the same numbers.
+# Maps: the time, and every triangle with its sums, those of the wall.
 script maps '' '' 'run 400'
-sed -i 's/^fix wall.*/& columns full erosion dnv density 7800 face tilted map 200 map.*.vtk/' maps.in
-echo 'print "worn $(f_wall[14]:%.17g)"' >> maps.in
-sed 's/map\.\*\.vtk/map.*.vtp/' maps.in > maps_xml.in
+sed -i 's/^fix wall.*/& columns full erosion dnv density 7800 face tilted map 200 map.*.vtp/' maps.in
+echo 'print "worn $(f_wall[14]:%.17g) $(time:%.17g)"' >> maps.in
+column() { # NAME: of the map at step 400
+  awk -v name="Name=\"$1\"" '/^<\/DataArray/ { on = 0 } on; /^<DataArray/ { on = index($0, name) }' map.400.vtp
+}
 for ranks in 1 2; do
-  engine $ranks maps.in; engine $ranks maps_xml.in
-  for step in 200 400; do
-    [ -s map.$step.vtk ] && [ -s map.$step.vtp ] || die "no map of step $step"
-  done
-  awk 'function done(  k) { for (k in sum) printf "%s %.6g\n", k, sum[k] } /^SCALARS/ { name = $2; getline; next } name { sum[name] += $1 } END { done() }' map.400.vtk | sort > legacy
-  awk 'function done(  k) { for (k in sum) printf "%s %.6g\n", k, sum[k] } /<CellData>/ { on = 1 } /<DataArray/ && on { name = $0; sub(/.*Name="/, "", name); sub(/".*/, "", name); next } /^</ { next } on && name { sum[name] += $1 } END { done() }' map.400.vtp | sort > xml
-  same legacy xml "the two formats"
-  grep -q "^POLYGONS 72 288" map.400.vtk || die "the map has other triangles"
-  [ "$(awk '$1 == "impacts" { print $2 }' legacy)" = "$(counts maps | awk '{ print $2 }')" ] || die "impacts on the map: $(cat legacy), of the wall: $(counts maps)"
+  engine $ranks maps.in
+  [ -s map.200.vtp ] || die "no map of step 200"
+  grep -q 'NumberOfPoints="216" NumberOfPolys="72"' map.400.vtp || die "the map has other triangles"
+  [ "$(column TimeValue)" = "$(awk '$1 == "worn" { print $3 }' maps.in.screen)" ] || die "time of the map: $(column TimeValue)"
+  [ "$(column impacts | awk '{ n += $1 } END { print n }')" = "$(counts maps | awk '{ print $2 }')" ] ||
+    die "impacts on the map, of the wall: $(counts maps)"
   rows rows.csv | awk -F, '{ n[$5]++ } END { for (t = 0; t < 72; t++) print n[t] + 0 }' > of_rows
-  awk '/^SCALARS impacts/ { getline; on = 1; next } /^SCALARS/ { on = 0 } on' map.400.vtk > of_map
+  column impacts > of_map
   same of_rows of_map "impacts of each triangle"
   # What is worn off each triangle, and how deep: the command has the same by the rows, the fix in all.
   "$bin/asperity" erosion rows.csv | awk -F, '$2 ~ /^[0-9]+$/ { m[$2] = $4 } END { for (t = 0; t < 72; t++) printf "%.10g\n", m[t] }' > of_rows
-  awk '/^SCALARS/ { name = $2; getline; next } name == "eroded_mass" { m[++n] = $1 } name == "erosion_depth" { print m[++k], $1 }' map.400.vtk | paste -d' ' - of_rows |
+  paste -d' ' <(column eroded_mass) <(column erosion_depth) of_rows |
     awk -v all="$(awk '$1 == "worn" { print $2 }' maps.in.screen)" '{ sum += $1; if (($1 - $3) ^ 2 > 1e-14 * $3 ^ 2 || ($2 * 7800 * 0.5 * (5.8e-3 / 6) ^ 2 - $1) ^ 2 > 1e-14 * $1 ^ 2) { print; exit 1 } } END { exit !(NR == 72 && sum > 0 && (sum / all - 1) ^ 2 < 1e-10) }' ||
     die "eroded mass and depth of each triangle"
 done
 # One that cannot be written ends the run.
-sed 's/map\.\*\.vtk/folder\/map.vtk/' maps.in > nowhere.in
+sed 's/map\.\*\.vtp/folder\/map.vtp/' maps.in > nowhere.in
 if timeout 60 mpirun -np 2 "$program" -in nowhere.in -log none > nowhere.screen 2>&1; then die "a map in no folder"; fi
-grep -q "ERROR.*'folder/map.vtk' cannot be written: No such file" nowhere.screen || die "a map in no folder: $(tail -n 3 nowhere.screen)"
+grep -q "ERROR.*'folder/map.vtp' cannot be written: No such file" nowhere.screen || die "a map in no folder: $(tail -n 3 nowhere.screen)"
 
 # Binary STL: the same walls, to the float's precision of its places.
 awk '/vertex/ { for (k = 2; k <= 4; k++) v[n++] = $k } END { printf "%80s", ""; for (i = 0; i < n / 9; i++) ; print n / 9 > "count"; for (k = 0; k < n; k++) print v[k] > "places" }' plate.stl > /dev/null
