@@ -120,6 +120,10 @@ std::string FixWallRebound::read_meshes(Words &words) {
     meshes_.push_back(new MeshOfLiggghts(Fix::world, mesh));
     wall.add_shape(std::unique_ptr<asperity::Shape>(meshes_.back()), type, meshes_.back()->pieces(),
                    name);
+    if (meshes_.back()->wears())
+      throw asperity::Error("mesh '" + name +
+                            "' has 'wear finnie', which would stay 0; leave it "
+                            "out, and use this wall's 'erosion finnie FLOW_STRESS'");
     mesh_ids_.push_back(name);
     wall_type_[0] = m == 0 ? type : std::min(wall_type_[0], type);
     wall_type_[1] = std::max(wall_type_[1], type);
@@ -390,17 +394,9 @@ void FixWallRebound::pre_neighbor() {
 /* Meshes that measure: LIGGGHTS has cleared their sums by now, and will use them after the forces.
  */
 void FixWallRebound::pre_force(int) {
-  for (MeshOfLiggghts *mesh : meshes_) {
-    if (!mesh->measures())
-      continue;
-    const double *const *k_finnie = NULL;
-    if (mesh->wears())
-      k_finnie = static_cast<FixPropertyGlobal *>(
-                     modify->find_fix_property("k_finnie", "property/global", "peratomtypepair",
-                                               atom->ntypes, atom->ntypes, style))
-                     ->get_array();
-    mesh->hand_over(update->dt, k_finnie);
-  }
+  for (MeshOfLiggghts *mesh : meshes_)
+    if (mesh->measures())
+      mesh->hand_over(update->dt);
 }
 
 void FixWallRebound::end_of_step() {

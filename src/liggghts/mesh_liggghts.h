@@ -1,5 +1,5 @@
 /* A mesh of LIGGGHTS as a shape: its triangles, how it moves, belts, and what it measures (stress,
- * wear, servo).
+ * servo).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_MESH_LIGGGHTS_H
@@ -41,8 +41,8 @@ public:
   void begin_step(double dt);
 
   /* Hands over what the mesh has felt in this step, when LIGGGHTS has cleared its own sums;
-   * collective. k_finnie: of wear, mesh type x particle type, or NULL. */
-  void hand_over(double dt, const double *const *k_finnie);
+   * collective. */
+  void hand_over(double dt);
 
   /* worn_density: of a wall with erosion, else 0. Writes sums of pieces from `first` on
    * (asperity::Books::N_SUMS each) where `dump mesh/vtk` finds them. */
@@ -85,8 +85,7 @@ private:
   void read_belt();
   void add_sums();
   void give_away(const std::vector<double> &away);
-  double wear(const asperity::ContactLoad &load, const double *k) const;
-  void add_force(int local, const double force[3], double wear);
+  void add_force(int local, const double force[3]);
 
   MPI_Comm world_;
   FixMeshSurface *fix_;

@@ -1,5 +1,5 @@
-/* Sums of a mesh of LIGGGHTS over its triangles, and force, torque and wear for its stress module;
- * see mesh_liggghts.h.
+/* Sums of a mesh of LIGGGHTS over its triangles, and force and torque for its stress module; see
+ * mesh_liggghts.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh_liggghts.h"
@@ -63,7 +63,7 @@ MeshModuleStress *MeshOfLiggghts::stress() const {
 
 bool MeshOfLiggghts::measures() const {
   MeshModuleStress *module = stress();
-  return module && (module->trackStress() || module->trackWear());
+  return module && module->trackStress();
 }
 
 bool MeshOfLiggghts::wears() const {
@@ -76,41 +76,16 @@ void MeshOfLiggghts::take(const ContactLoad &load) {
     loads_.push_back(load);
 }
 
-/* Finnie's law as LIGGGHTS has it (MeshModuleStress), of one load: E k |v| |F| dt/area, with the
- * load's impulse for |F| dt. k: of particle types. A stuck particle makes no contact, and its
- * triangle may be unknown to this rank. */
-double MeshOfLiggghts::wear(const ContactLoad &load, const double *k) const {
-  const double speed = aspi_length(load.v_before);
-  if (!(speed > 0))
-    return 0;
-  const ContactTriangle *t =
-      aspi_tree_triangle(triangles(), aspi_tree_place(triangles(), load.piece));
-  double flat[3], normal[3], across[3];
-  aspi_triangle_normal(t, flat);
-  for (int i = 0; i < 3; i++)
-    normal[i] = aspi_dot(motion().end().turn[i], flat);
-  aspi_cross(load.v_before, normal, across);
-  const double sine = std::min(1.0, fabs(aspi_dot(load.v_before, normal)) / speed);
-  const double cosine = std::min(1.0, aspi_length(across) / speed);
-  const double share = cosine < 1e-4 || 3 * sine > cosine ? 0.33333 * cosine * cosine
-                                                          : 2 * sine * cosine - 3 * sine * sine;
-  return 2 * share * k[load.type - 1] * speed * aspi_length(load.impulse) / aspi_triangle_area(t);
-}
-
-void MeshOfLiggghts::add_force(int local, const double force[3], double wear) {
-  if (stress()->trackStress()) {
-    double *f = (*mesh()->prop().getElementProperty<VectorContainer<double, 3>>("f"))(local);
-    aspi_add_scaled(f, 1, force, f);
-  }
-  if (stress()->trackWear())
-    (*mesh()->prop().getElementProperty<ScalarContainer<double>>("wear_step"))(local) += wear;
+void MeshOfLiggghts::add_force(int local, const double force[3]) {
+  double *f = (*mesh()->prop().getElementProperty<VectorContainer<double, 3>>("f"))(local);
+  aspi_add_scaled(f, 1, force, f);
 }
 
 /* The total goes to this rank's part of the mesh's sums, which LIGGGHTS adds up; the force on a
  * triangle to the triangle, or to its owner where this rank has none. */
-void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
+void MeshOfLiggghts::hand_over(double dt) {
   const double spread = is_servo_ ? SPREAD : 1;
-  std::vector<double> away; /* number, force, wear of triangles that this rank does not have */
+  std::vector<double> away; /* number and force of triangles that this rank does not have */
   double reference[3] = {stress()->compute_vector(6), stress()->compute_vector(7),
                          stress()->compute_vector(8)};
   for (const ContactLoad &load : loads_) {
@@ -122,25 +97,22 @@ void MeshOfLiggghts::hand_over(double dt, const double *const *k_finnie) {
     aspi_add_scaled(torque, 1 / dt, load.couple, torque);
     aspi_add_scaled(force_, 1 / spread, force, force_);
     aspi_add_scaled(torque_, 1 / spread, torque, torque_);
-    const double worn = k_finnie ? wear(load, k_finnie[fix_->atomTypeWall() - 1]) : 0;
     const int local = mesh()->map_size(load.piece) > 0 ? mesh()->map(load.piece, 0) : -1;
     if (local >= 0)
-      add_force(local, force, worn);
+      add_force(local, force);
     else {
       away.push_back(load.piece);
       away.insert(away.end(), force, force + 3);
-      away.push_back(worn);
     }
   }
   loads_.clear();
-  if (stress()->trackStress())
-    stress()->add_global_external_contribution(force_, torque_);
+  stress()->add_global_external_contribution(force_, torque_);
   aspi_scale(1 - 1 / spread, force_);
   aspi_scale(1 - 1 / spread, torque_);
   give_away(away);
 }
 
-/* Rows of number, force and wear to the ranks that have these triangles. */
+/* Rows of number and force to the ranks that have these triangles. */
 void MeshOfLiggghts::give_away(const std::vector<double> &away) {
   int ranks, size = static_cast<int>(away.size()), all = 0;
   MPI_Comm_size(world_, &ranks);
@@ -154,10 +126,10 @@ void MeshOfLiggghts::give_away(const std::vector<double> &away) {
   std::vector<double> theirs(all);
   MPI_Allgatherv(away.data(), size, MPI_DOUBLE, theirs.data(), sizes.data(), starts.data(),
                  MPI_DOUBLE, world_);
-  for (int at = 0; at < all; at += 5) {
+  for (int at = 0; at < all; at += 4) {
     const int piece = static_cast<int>(theirs[at]);
     for (int k = 0; k < mesh()->map_size(piece); k++)
       if (mesh()->map(piece, k) < mesh()->sizeLocal())
-        add_force(mesh()->map(piece, k), &theirs[at + 1], theirs[at + 4]);
+        add_force(mesh()->map(piece, k), &theirs[at + 1]);
   }
 }

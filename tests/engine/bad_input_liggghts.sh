@@ -23,6 +23,7 @@ fix m2 all property/global poissonsRatio peratomtype 0.17 0.7" "poissonsRatio"
 refuses "all wall/rebound mesh n_meshes 2 meshes plate plate" "" "'plate' is named twice"
 refuses "$mesh" "fix other all wall/rebound mesh n_meshes 1 meshes plate" "'plate' is already used by fix 'other'" "one wall for each mesh"
 refuses "$mesh" "fix other all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate" "'plate' is already used by fix 'other'"
+refuses "all wall/rebound mesh n_meshes 1 meshes worn" "fix worn all mesh/surface/stress file plate.stl type 2 wear finnie" "mesh 'worn' has 'wear finnie'" "erosion finnie FLOW_STRESS"
 refuses "$plane" "fix wall $plane" "a wall with this ID exists" "'unfix'"
 # orders that come after the wall: behind a line break, where the deck goes on
 refuses "$mesh

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Meshes that measure get the momentum of each impact: force and torque of a jet, per triangle too, Finnie's wear by
-# its law, the weight of grains at rest, and a servo that reaches its force.
+# Meshes that measure get the momentum of each impact: force and torque of a jet, per triangle too, the weight of grains at rest, and a servo that reaches its force.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 stl << END > plate.stl
@@ -17,18 +16,17 @@ scene() { # lines
   soft "-0.06 0.06 -0.06 0.06 -0.01 0.06" | sed 's/^neighbor .*/neighbor 0.01 bin/'
   echo "fix m5 all property/global yieldStress peratomtype 1e5
 fix m6 all property/global surfaceEnergy peratomtypepair 1 10
-fix m7 all property/global k_finnie peratomtypepair 1 2.5
 neigh_modify exclude group all all"
   put 0.002 <<< "$jet"
   echo "$1"
 }
-scene "fix plate all mesh/surface/stress file plate.stl type 1 wear finnie reference_point 0.003 -0.002 0.001
+scene "fix plate all mesh/surface/stress file plate.stl type 1 reference_point 0.003 -0.002 0.001
 fix wall all wall/rebound mesh n_meshes 1 meshes plate surface rq 1e-4 lambda_c 1e-3 spread weibull rebound bons ledger 100 file jet.csv
 fix move all nve/sphere
 timestep 1e-5
 dump at all custom 200 at.txt id vx vy vz
 dump_modify at sort id format \"%d %.17g %.17g %.17g\"
-dump map all mesh/vtk 1 map.*.vtk output face plate stress stresscomponents wear id
+dump map all mesh/vtk 1 map.*.vtk output face plate stress stresscomponents id
 thermo_style custom step f_plate[1] f_plate[2] f_plate[3] f_plate[4] f_plate[5] f_plate[6]
 thermo_modify format float %.17g
 thermo 1
@@ -46,23 +44,17 @@ for ranks in 1 2; do
     END { printf "%.17g %.17g %.17g\n", p[2], p[3], p[4] }' at.txt > lost
   paste -d' ' got lost | awk '{ for (k = 1; k <= 3; k++) { d = $k - $(k + 6); if (!(d * d < 1e-24 * $3 * $3)) exit 1 } }' ||
     die "on $ranks ranks the mesh gets the momentum $(cat got), the grains lose $(cat lost)"
-  # the same by the ledger, with its ten digits; wear by Finnie's law, of each triangle
+  # the same by the ledger, with its ten digits
   awk -v m="$mass" 'FNR == NR { if (NF == 7 && $1 ~ /^[0-9]+$/) sense[$1] = $5 > 0 ? 1 : -1; next }
     FNR > 2 { split($0, c, ","); a1 = c[11] * atan2(0, -1) / 180; a2 = c[16] * atan2(0, -1) / 180
       px = m * (c[10] * cos(a1) - c[15] * cos(a2)) * sense[c[1]]; pz = -m * (c[10] * sin(a1) + c[15] * sin(a2))
       x = c[6] - 0.003; y = c[7] + 0.002; z = c[8] - 0.001 # grains that do not spin
       sum[1] += px; sum[3] += pz; sum[4] += y * pz; sum[5] += z * px - x * pz; sum[6] -= y * px
-      share = tan3(a1) ? 0.33333 * cos(a1) ^ 2 : 2 * sin(a1) * cos(a1) - 3 * sin(a1) ^ 2
-      pressed[c[5]] += pz
-      wear[c[5]] += 2 * 2.5 * share * c[10] * sqrt(px * px + pz * pz) }
-    function tan3(a) { return cos(a) < 1e-4 || 3 * sin(a) > cos(a) }
-    END { for (k = 1; k <= 6; k++) printf "%.17g ", sum[k]; print wear[0] / 3e-3, wear[1] / 3e-3, wear[2] / 2e-3, wear[3] / 2e-3
+      pressed[c[5]] += pz }
+    END { for (k = 1; k <= 6; k++) printf "%.17g ", sum[k]
       print pressed[0], pressed[1], pressed[2], pressed[3] > "pressed" }' <(put <<< "$jet" | awk '/^set atom/ { print $3, 0, 0, 0, $5, $7, $9 }') jet.csv > told
   paste -d' ' got told | awk '{ for (k = 1; k <= 6; k++) { d = $k - $(k + 6); of = k < 4 ? $3 : $5; if (!(d * d < 1e-18 * of * of)) exit 1 } }' ||
     die "on $ranks ranks the mesh gets $(cat got), the ledger tells of $(cat told)"
-  awk '/^meshid/ { getline; split($0, id) } /^wear/ { getline; for (k = 1; k <= 4; k++) wear[id[k]] = $k } END { print wear[0], wear[1], wear[2], wear[3] }' map.200.vtk > worn
-  cut -d' ' -f7-10 told | paste -d' ' worn - | awk '{ for (k = 1; k <= 4; k++) { d = $k / $(k + 4) - 1; if (!($k > 0 && d * d < 1e-10)) exit 1 } }' ||
-    die "on $ranks ranks the wear is $(cat worn), by the ledger $(cut -d' ' -f7-10 told)"
   # the force on each triangle, which is its stress times its area
   cat map.*.vtk | awk '/^stress/ { getline a; getline b; split(a " " b, s, " ") }
     /^meshid/ { getline; for (k = 1; k <= 4; k++) p[$k] += s[3 * k] * ($k < 2 ? 3e-3 : 2e-3) * 1e-5 } END { print p[0], p[1], p[2], p[3] }' > stress
@@ -91,7 +83,7 @@ done
 
 # A servo gets the same momentum as the plate above, later.
 jet_of_servo() {
-  sed -e 's/mesh\/surface\/stress file plate.stl type 1 wear finnie.*/mesh\/surface\/stress\/servo file plate.stl type 1 com 0. 0. 0. ctrlPV force axis 0. 0. -1. target_val 5. vel_max 1e-30 kp 1./' \
+  sed -e 's/mesh\/surface\/stress file plate.stl type 1 reference_point.*/mesh\/surface\/stress\/servo file plate.stl type 1 com 0. 0. 0. ctrlPV force axis 0. 0. -1. target_val 5. vel_max 1e-30 kp 1./' \
     -e '/mesh\/vtk/d; /^dump/d; s/^run 200$/run 3000/; s/jet.csv/servo.csv/' jet.in
 }
 jet_of_servo > jet_servo.in

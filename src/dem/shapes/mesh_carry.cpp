@@ -16,7 +16,7 @@ namespace {
 /* How closely a particle that a belt takes along keeps its distance, in radii. */
 const double KEEPS = 1e-6;
 
-/* Two faces are one where the cosine between their normals differs from 1 by less. */
+/* A center is over a face if the cosine to its normal differs from 1 by less. */
 const double FLAT = 1e-9;
 
 } // namespace
@@ -44,7 +44,7 @@ void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact
     direction[i] = aspi_dot(frame.turn[i], lay.vector);
 }
 
-/* One step along a belt: false where it ends, or runs against something. */
+/* One step along a belt: false where it ends or bends, or runs against something. */
 bool MeshShape::walk(Place &place, double radius, double dt) const {
   const double still[3] = {0, 0, 0};
   const int from = place_near(place.piece, place.at, 2 * radius);
@@ -70,23 +70,8 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   aspi_subtract(there, foot, arm);
   double normal[3];
   aspi_triangle_normal(aspi_tree_triangle(tree, to), normal);
-  if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) {
-    /* Beyond an edge the particle stays on the belt only if a neighbor triangle continues it. */
-    const ContactList &list =
-        meet(Bounds::of_path(foot, still, 0, 0, KEEPS * radius), 2 * KEEPS * radius, 0);
-    bool continues = false;
-    for (size_t i = 0; i < list.count; i++) {
-      double other[3], point[3], off[3];
-      const ContactTriangle *triangle = aspi_tree_triangle(tree, list.item[i]);
-      aspi_triangle_normal(triangle, other);
-      aspi_triangle_nearest(triangle, foot, point);
-      aspi_subtract(foot, point, off);
-      continues = continues ||
-                  (aspi_length(off) <= KEEPS * radius && fabs(aspi_dot(other, normal)) < 1 - FLAT);
-    }
-    if (!continues)
-      return false;
-  }
+  if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) /* beyond an edge */
+    return false;
   place.piece = aspi_tree_id(tree, to);
   aspi_add_scaled(foot, radius / distance, arm, place.at);
   return true;

@@ -69,7 +69,6 @@ struct Spheres;
 struct ContactLoad {
   int particle; /* -1: a body */
   int piece;
-  int type;           /* of the particle, from 1 */
   int mask;           /* of its groups */
   double n[3];        /* outward unit normal; 0 for what is stuck, which is held in any direction */
   double point[3];    /* where it acts */
