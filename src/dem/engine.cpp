@@ -36,24 +36,37 @@ std::vector<Engine::Kind> asperity::kinds_of(const Spheres &spheres, int group,
   return kinds;
 }
 
-/* Of the functions for this a LAMMPS without MPI has MPI_Gather only, so that rows are filled up.
- */
-std::vector<double> asperity::gather(const std::vector<double> &mine, MPI_Comm world) {
-  int ranks, rank, count = static_cast<int>(mine.size()), most;
+/* Bytes a message, and the tag of these messages. */
+static const size_t MESSAGE = 1 << 24;
+static const int TAG = 7301;
+
+template <class Item>
+std::vector<Item> asperity::gather(const std::vector<Item> &mine, MPI_Comm world) {
+  int ranks, rank;
   MPI_Comm_size(world, &ranks);
   MPI_Comm_rank(world, &rank);
-  MPI_Allreduce(&count, &most, 1, MPI_INT, MPI_MAX, world);
-  const size_t width = static_cast<size_t>(most) + 1;
-  std::vector<double> row(width), rows(rank == 0 ? width * static_cast<size_t>(ranks) : 0), all;
-  row[0] = count;
-  std::copy(mine.begin(), mine.end(), row.begin() + 1);
-  MPI_Gather(row.data(), most + 1, MPI_DOUBLE, rows.data(), most + 1, MPI_DOUBLE, 0, world);
-  for (size_t at = 0; at < rows.size(); at += width) {
-    const double *from = &rows[at];
-    all.insert(all.end(), from + 1, from + 1 + static_cast<size_t>(*from));
+  long long count = static_cast<long long>(mine.size());
+  std::vector<long long> counts(static_cast<size_t>(ranks));
+  MPI_Gather(&count, 1, MPI_LONG_LONG, counts.data(), 1, MPI_LONG_LONG, 0, world);
+  const auto bytes = [](size_t left) {
+    return static_cast<int>(std::min(left, MESSAGE / sizeof(Item)) * sizeof(Item));
+  };
+  if (rank > 0) {
+    for (size_t at = 0; at < mine.size(); at += MESSAGE / sizeof(Item))
+      MPI_Send(&mine[at], bytes(mine.size() - at), MPI_BYTE, 0, TAG, world);
+    return std::vector<Item>();
+  }
+  std::vector<Item> all(mine);
+  for (int from = 1; from < ranks; from++) {
+    size_t at = all.size();
+    all.resize(at + static_cast<size_t>(counts[static_cast<size_t>(from)]));
+    for (; at < all.size(); at += MESSAGE / sizeof(Item))
+      MPI_Recv(&all[at], bytes(all.size() - at), MPI_BYTE, from, TAG, world, MPI_STATUS_IGNORE);
   }
   return all;
 }
+template std::vector<double> asperity::gather(const std::vector<double> &, MPI_Comm);
+template std::vector<char> asperity::gather(const std::vector<char> &, MPI_Comm);
 
 std::vector<double> asperity::gather_for_all(const std::vector<double> &mine, MPI_Comm world) {
   std::vector<double> all = gather(mine, world);

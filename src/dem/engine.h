@@ -87,9 +87,9 @@ public:
 std::vector<Engine::Kind> kinds_of(const Spheres &spheres, int group,
                                    const std::vector<double> &present, MPI_Comm world);
 
-/* The numbers of all ranks, one rank's behind another's: on rank 0, and on all of them. Collective.
- */
-std::vector<double> gather(const std::vector<double> &mine, MPI_Comm world);
+/* The items (double or char) of all ranks, one rank's behind another's: on rank 0, and on all of
+ * them. Collective. */
+template <class Item> std::vector<Item> gather(const std::vector<Item> &mine, MPI_Comm world);
 std::vector<double> gather_for_all(const std::vector<double> &mine, MPI_Comm world);
 
 } // namespace asperity

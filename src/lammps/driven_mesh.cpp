@@ -108,7 +108,7 @@ DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, co
     throw Error(wrong);
   pieces_ = sizes[1];
   MPI_Bcast(&extent_, sizeof extent_, MPI_BYTE, 0, world);
-  put_tree(shared_.spread(world, tree.release()));
+  share(world, tree.release());
 }
 
 /* On rank 0. */
@@ -128,10 +128,6 @@ ContactTree *DrivenMesh::read_tree() {
   return tree.release();
 }
 
-size_t DrivenMesh::bytes() const {
-  return shared_.keeps() ? MeshShape::bytes() : sizeof *this;
-}
-
 static std::string text_of(const Bounds &b) {
   return text("x %.6g to %.6g, y %.6g to %.6g, z %.6g to %.6g", b.lo[0], b.hi[0], b.lo[1], b.hi[1],
               b.lo[2], b.hi[2]);
@@ -140,7 +136,7 @@ static std::string text_of(const Bounds &b) {
 std::string DrivenMesh::describe() const {
   return text("stl %s: %zu triangles, ", path_.c_str(), pieces_) + text_of(extent_) +
          text(" (scale %g)", scale_) +
-         (shared_.each_keeps() ? "; MPI shares no memory here, so each rank keeps a copy" : "");
+         (each_keeps() ? "; MPI shares no memory here, so each rank keeps a copy" : "");
 }
 
 static double longest_side(const Bounds &b) {

@@ -9,7 +9,6 @@
 #include <memory>
 #include <string>
 
-#include "node_tree.h"
 #include "dem/shapes/mesh.h"
 #include "dem/command_words.h"
 
@@ -39,7 +38,8 @@ private:
 
 class DrivenMesh : public MeshShape {
 public:
-  /* Rank 0 reads the triangles; see NodeTree for who keeps them. Collective. Throws an Error. */
+  /* Rank 0 reads the triangles; see MeshShape::share() for who keeps them. Collective. Throws an
+   * Error. */
   DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive);
 
   size_t pieces() const {
@@ -60,12 +60,10 @@ public:
   /* The time at which the motion began. */
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
-  size_t bytes() const override;
 
 private:
   ContactTree *read_tree();
 
-  NodeTree shared_;
   Drive drive_;
   std::string path_;
   double scale_;

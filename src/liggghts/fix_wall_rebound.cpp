@@ -18,7 +18,6 @@
 #include "fix_template_sphere.h"
 #include "fix_wall_gran.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "output.h"
 #include "update.h"
 #include "dem/error.h"
@@ -349,15 +348,9 @@ void FixWallRebound::setup_pre_exchange() {
 }
 
 void FixWallRebound::setup(int) {
-  asperity::Bounds here;
-  for (int d = 0; d < 3; d++) {
-    here.lo[d] = domain->triclinic ? domain->boxlo[d] : domain->sublo[d];
-    here.hi[d] = domain->triclinic ? domain->boxhi[d] : domain->subhi[d];
-  }
-  here.widen(neighbor->cutneighmax);
   attempt([&] {
     for (MeshOfLiggghts *mesh : meshes_) {
-      const std::string report = mesh->setup(here, box());
+      const std::string report = mesh->setup(box());
       mesh->set_images(box());
       if (!report.empty())
         print("fix " + id() + " wall/rebound: " + report);

@@ -15,23 +15,12 @@
 
 using namespace LAMMPS_NS;
 using asperity::Books;
-using asperity::Bounds;
 using asperity::Box;
 using asperity::ContactLoad;
 using asperity::Frame;
-using asperity::SharedTriangles;
 using asperity::text;
 using asperity::Twist;
 using asperity::Wall;
-
-/* A mesh of fewer triangles is kept whole by each rank. */
-static const size_t LARGE = 1000;
-
-/* A box of triangles that is fetched is widened on each side by this share of its longest side. */
-static const double WIDER = 0.5;
-
-/* Two boxes are merged if the union is at most this many times larger than both. */
-static const double UNITED = 2;
 
 /* By how much of its size a mesh may have changed its form, by rounding. */
 static const double FORM = 1e-6;
@@ -50,10 +39,11 @@ MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
 /* ---- where it is ------------------------------------------------------------------------------
  */
 
-std::string MeshOfLiggghts::setup(const Bounds &here, const Box &box) {
+std::string MeshOfLiggghts::setup(const Box &box) {
+  const bool first = !triangles();
   box_ = box;
-  if (!triangles())
-    gather(here);
+  if (first)
+    gather();
   else {
     Twist twist;
     const Frame frame = look(twist, 0);
@@ -66,16 +56,16 @@ std::string MeshOfLiggghts::setup(const Bounds &here, const Box &box) {
   }
   if (runs())
     read_belt();
-  std::string report;
-  report.swap(report_);
-  return report;
+  return first && each_keeps()
+             ? text("mesh '%s': MPI shares no memory here, so each rank keeps a copy", fix_->id)
+             : "";
 }
 
 /* The triangles as they are now: that is the mesh's own frame. */
-void MeshOfLiggghts::gather(const Bounds &here) {
+void MeshOfLiggghts::gather() {
   std::vector<double> mine;
   const int n = mesh()->sizeLocal();
-  mine.reserve(static_cast<size_t>(n) * SharedTriangles::ROW);
+  mine.reserve(static_cast<size_t>(n) * ROW);
   for (int t = 0; t < n; t++) {
     mine.push_back(mesh()->id(t));
     for (int k = 0; k < 3; k++) {
@@ -84,150 +74,83 @@ void MeshOfLiggghts::gather(const Bounds &here) {
       mine.insert(mine.end(), node, node + 3);
     }
   }
-  take(std::move(mine));
-  if (shared_)
-    add_fetched(here);
+  const std::vector<double> all = asperity::gather(mine, world_);
+  take(all.data(), all.size() / ROW);
 }
 
-/* Rows of triangles, of which each rank brings some. */
-void MeshOfLiggghts::take(std::vector<double> mine) {
-  int ranks;
-  MPI_Comm_size(world_, &ranks);
-  choose_nodes(mine);
-  fetched_.clear();
-  shared_.reset(new SharedTriangles(world_, std::move(mine)));
-  const bool large = ranks > 1 && pieces_ >= LARGE;
-  if (large && shared_->is_whole())
-    report_ = text("mesh '%s': this MPI has no one-sided communication, so each rank keeps all of "
-                   "its %d triangles",
-                   fix_->id, static_cast<int>(pieces_));
-  if (large && !shared_->is_whole())
-    set_triangles(std::vector<ContactTriangle>(), std::vector<int>());
-  else {
-    fetched_.push_back(shared_->whole());
-    put_fetched();
-    shared_.reset();
-  }
-}
-
-bool MeshOfLiggghts::has_all() const {
-  return !shared_;
-}
-
-Bounds MeshOfLiggghts::whole() const {
-  return shared_ ? shared_->whole() : MeshShape::whole();
-}
-
-bool MeshOfLiggghts::has(const Bounds &box) const {
-  if (!shared_ || !box.meets(shared_->whole()))
-    return true;
-  Bounds inner = box;
-  for (int d = 0; d < 3; d++) {
-    inner.lo[d] = std::max(inner.lo[d], shared_->whole().lo[d]);
-    inner.hi[d] = std::min(inner.hi[d], shared_->whole().hi[d]);
-  }
-  for (const Bounds &known : fetched_)
-    if (known.has(inner))
-      return true;
-  return false;
-}
-
-void MeshOfLiggghts::fetch(const Bounds &box) const {
-  Bounds wide = box;
-  double longest = 0;
-  for (int d = 0; d < 3; d++)
-    longest = std::max(longest, box.hi[d] - box.lo[d]);
-  wide.widen(WIDER * longest);
-  add_fetched(wide);
-}
-
-/* Adds a box to those with fetched triangles; they never shrink. */
-void MeshOfLiggghts::add_fetched(Bounds wide) const {
-  for (size_t k = 0; k < fetched_.size();) { /* one that is near becomes a part of it */
-    Bounds both = fetched_[k];
-    both.include(wide);
-    if (both.size() > UNITED * (fetched_[k].size() + wide.size())) {
-      k++;
-      continue;
+/* Rows of all triangles; those of rank 0 count. */
+void MeshOfLiggghts::take(const double *rows, size_t count) {
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, aspi_tree_free);
+  int rank;
+  MPI_Comm_rank(world_, &rank);
+  if (rank == 0) {
+    tree.reset(aspi_tree_begin());
+    bool good = tree != NULL;
+    for (const double *row = rows; good && row < rows + ROW * count; row += ROW) {
+      ContactTriangle triangle;
+      memcpy(triangle.node, row + 1, sizeof triangle.node);
+      good = aspi_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
     }
-    wide = both;
-    fetched_.erase(fetched_.begin() + k);
-    k = 0;
+    if (!good || !aspi_tree_finish(tree.get()))
+      throw std::bad_alloc();
   }
-  fetched_.push_back(wide);
-  put_fetched();
-}
-
-void MeshOfLiggghts::put_fetched() const {
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(aspi_tree_begin(), aspi_tree_free);
-  bool good = tree != NULL;
-  shared_->read(fetched_, [&](const double *row) {
-    ContactTriangle triangle;
-    memcpy(triangle.node, row + 1, sizeof triangle.node);
-    good = good && aspi_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
-  });
-  put_tree(good && aspi_tree_finish(tree.get()) ? tree.release() : NULL);
+  share(world_, tree.release());
+  choose_nodes();
 }
 
 std::vector<double> MeshOfLiggghts::motion_record() const {
-  std::vector<double> record = MeshShape::motion_record();
-  if (!shared_ || record.empty())
+  std::vector<double> record;
+  if (!triangles() || motion().in_world())
     return record;
-  record.resize(HEAD); /* then all triangles, of this rank or not */
-  shared_->read(std::vector<Bounds>(1, shared_->whole()), [&record](const double *row) {
-    record.insert(record.end(), row, row + SharedTriangles::ROW);
-  });
+  const Twist &last = motion().last();
+  const Frame &end = motion().end();
+  record.insert(record.end(), last.angular, last.angular + 3);
+  record.insert(record.end(), last.linear, last.linear + 3);
+  record.insert(record.end(), end.turn[0], end.turn[0] + 9);
+  record.insert(record.end(), end.shift, end.shift + 3);
+  for (int i = 0; i < static_cast<int>(aspi_tree_count(triangles())); i++) {
+    const ContactTriangle *triangle = aspi_tree_triangle(triangles(), i);
+    record.push_back(aspi_tree_id(triangles(), i));
+    record.insert(record.end(), triangle->node[0], triangle->node[0] + 9);
+  }
   return record;
 }
 
 void MeshOfLiggghts::restore_motion(const std::vector<double> &record) {
-  MeshShape::restore_motion(record);
-  if (!triangles() || record.size() < HEAD)
+  if (record.size() < HEAD || (record.size() - HEAD) % ROW != 0)
     return;
-  int rank, ranks;
-  MPI_Comm_rank(world_, &rank);
-  MPI_Comm_size(world_, &ranks);
-  const size_t rows = (record.size() - HEAD) / SharedTriangles::ROW;
-  const auto from = [&](int of) {
-    return record.begin() + HEAD + rows * of / ranks * SharedTriangles::ROW;
-  };
-  take(std::vector<double>(from(rank), from(rank + 1)));
+  Twist last;
+  Frame end;
+  aspi_copy(&record[0], last.angular);
+  aspi_copy(&record[3], last.linear);
+  std::copy(&record[6], &record[15], end.turn[0]);
+  aspi_copy(&record[15], end.shift);
+  take(record.data() + HEAD, (record.size() - HEAD) / ROW);
+  motion().set_last(last);
+  motion().settle(end, true);
 }
 
 /* The first node of the first triangle, the one farthest from it, and the one farthest from the
- * line through both; ties by number, so that it does not depend on whose the triangles are. */
-void MeshOfLiggghts::choose_nodes(const std::vector<double> &mine) {
-  struct Pick {
-    double far, id, node, x[3];
-    bool before(const Pick &other) const {
-      return far > other.far ||
-             (!(far < other.far) && (id < other.id || (!(id > other.id) && node < other.node)));
-    }
-  };
-  int ranks;
-  MPI_Comm_size(world_, &ranks);
-  std::vector<Pick> all(ranks);
+ * line through both; of equal ones that with the least number. */
+void MeshOfLiggghts::choose_nodes() {
   for (int pick = 0; pick < 3; pick++) {
-    Pick best = {-1, static_cast<double>(pieces_), 0, {0, 0, 0}};
-    for (size_t row = 0; row < mine.size(); row += SharedTriangles::ROW)
-      for (int k = 0; k < 3; k++) {
-        Pick other = {0, mine[row], static_cast<double>(k), {0, 0, 0}};
-        double arm[3], line[3], across[3];
-        aspi_copy(&mine[row + 1 + 3 * k], other.x);
-        aspi_subtract(other.x, reference_[0], arm);
+    double farthest = -1, best[3] = {0, 0, 0}, arm[3], line[3], across[3];
+    for (int id = 0; id < static_cast<int>(pieces_); id++) {
+      const int place = aspi_tree_place(triangles(), id);
+      for (int k = 0; k < 3 && place >= 0; k++) {
+        const double *x = aspi_tree_triangle(triangles(), place)->node[k];
+        aspi_subtract(x, reference_[0], arm);
         aspi_subtract(reference_[1], reference_[0], line);
         aspi_cross(line, arm, across);
-        if (pick > 0)
-          other.far = pick == 1 ? aspi_length(arm) : aspi_length(across);
-        if (other.before(best))
-          best = other;
+        const double far = pick == 0 ? 0 : aspi_length(pick == 1 ? arm : across);
+        if (!(far > farthest))
+          continue;
+        farthest = far;
+        nodes_[pick] = NodeName{id, k};
+        aspi_copy(x, best);
       }
-    MPI_Allgather(&best, sizeof best, MPI_BYTE, all.data(), sizeof best, MPI_BYTE, world_);
-    for (const Pick &other : all)
-      if (other.before(best))
-        best = other;
-    nodes_[pick] = NodeName{static_cast<int>(best.id), static_cast<int>(best.node)};
-    aspi_copy(best.x, reference_[pick]);
+    }
+    aspi_copy(best, reference_[pick]);
   }
 }
 

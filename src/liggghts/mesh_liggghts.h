@@ -15,7 +15,6 @@
 #include "mesh_module_stress.h"
 #include "dem/shapes/mesh.h"
 #include "dem/wall.h"
-#include "shared_triangles.h"
 
 namespace LAMMPS_NS {
 
@@ -31,10 +30,9 @@ public:
     return pieces_;
   }
 
-  /* At the beginning of a run, with the box around this rank's particles; collective. Throws an
-   * asperity::Error where the mesh has changed its form since the first run. Returns a note for
-   * the user, or an empty string. */
-  std::string setup(const asperity::Bounds &here, const asperity::Box &box);
+  /* At the beginning of a run; collective. Throws an asperity::Error where the mesh has changed its
+   * form since the first run. Returns a note for the user, or an empty string. */
+  std::string setup(const asperity::Box &box);
 
   /* In each step, when the mesh is where it is at the end of it; collective. Throws an
    * asperity::Error where LIGGGHTS tears a turning mesh at a periodic edge. */
@@ -49,6 +47,9 @@ public:
   void show(size_t first, const std::vector<double> &sums, double worn_density);
   void remove_sums();
 
+  /* The velocity and the frame at the end of the last step (HEAD numbers); then, of each triangle,
+   * its number and its nodes in the mesh's own frame (ROW numbers): with these a continued run
+   * finds the same contacts, to the bit. */
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
   bool measures() const override;
@@ -56,14 +57,11 @@ public:
   void take(const asperity::ContactLoad &load) override;
 
 protected:
-  bool has_all() const override;
-  bool has(const asperity::Bounds &box) const override;
-  asperity::Bounds whole() const override;
-  void fetch(const asperity::Bounds &box) const override;
   bool runs() const override;
   void surface_velocity(int piece, const double foot[3], double v[3]) const override;
 
 private:
+  enum { HEAD = 6 + 12, ROW = 10 };
   typedef MultiVectorContainer<double, 3, 3> Nodes;
   /* A node of a triangle, by its number. */
   struct NodeName {
@@ -74,11 +72,9 @@ private:
     return fix_->triMesh();
   }
   MeshModuleStress *stress() const;
-  void gather(const asperity::Bounds &here);
-  void take(std::vector<double> mine);
-  void add_fetched(asperity::Bounds box) const;
-  void put_fetched() const;
-  void choose_nodes(const std::vector<double> &mine);
+  void gather();
+  void take(const double *rows, size_t count);
+  void choose_nodes();
   void unwrap(double x[3][3], const double v[3][3], double dt) const;
   asperity::Frame look(asperity::Twist &twist, double dt) const;
   void check_form() const;
@@ -91,9 +87,6 @@ private:
   FixMeshSurface *fix_;
   bool is_servo_;
   size_t pieces_;
-  std::unique_ptr<asperity::SharedTriangles> shared_; /* of a large mesh on several ranks */
-  std::string report_;                                /* for the log */
-  mutable std::vector<asperity::Bounds> fetched_; /* of which this rank has the triangles then */
   asperity::Box box_;
   NodeName nodes_[3]; /* far from each other: they fix the position of the mesh */
   double reference_[3][3];

@@ -8,9 +8,6 @@
 
 using namespace asperity;
 
-/* A flat box is taken as this share of its longest side high. */
-static const double FLATTEST = 1e-3;
-
 Bounds Bounds::none() {
   return Bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
 }
@@ -40,13 +37,6 @@ bool Bounds::meets(const Bounds &other) const {
   return all;
 }
 
-void Bounds::include(const Bounds &other) {
-  for (int d = 0; d < 3; d++) {
-    lo[d] = std::min(lo[d], other.lo[d]);
-    hi[d] = std::max(hi[d], other.hi[d]);
-  }
-}
-
 void Bounds::include(const double x[3]) {
   for (int d = 0; d < 3; d++) {
     lo[d] = std::min(lo[d], x[d]);
@@ -59,13 +49,4 @@ void Bounds::widen(double by) {
     lo[d] -= by;
     hi[d] += by;
   }
-}
-
-double Bounds::size() const {
-  double longest = 0, volume = 1;
-  for (int d = 0; d < 3; d++)
-    longest = std::max(longest, hi[d] - lo[d]);
-  for (int d = 0; d < 3; d++)
-    volume *= std::max(hi[d] - lo[d], FLATTEST * longest);
-  return volume;
 }

@@ -10,10 +10,8 @@ struct Bounds {
   double lo[3], hi[3];
   bool has(const Bounds &inner) const;
   bool meets(const Bounds &other) const;
-  void include(const Bounds &other);
   void include(const double x[3]);
   void widen(double by);
-  double size() const; /* its volume, with each side at least a little long */
   static Bounds none();
   /* The box of a sphere that moves from x by v, between two times. */
   static Bounds of_path(const double x[3], const double v[3], double from, double to,

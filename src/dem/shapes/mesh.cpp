@@ -41,7 +41,11 @@ void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
   put_tree(aspi_tree_create(triangles.data(), id.data(), id.size()));
 }
 
-void MeshShape::put_tree(ContactTree *tree) const {
+void MeshShape::share(MPI_Comm world, ContactTree *tree) {
+  put_tree(shared_.spread(world, tree));
+}
+
+void MeshShape::put_tree(ContactTree *tree) {
   if (!tree)
     throw std::bad_alloc();
   tree_.reset(tree);
@@ -152,10 +156,6 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
       aspi_copy(box[0], low);
       aspi_copy(box[1], high);
     }
-    Bounds box;
-    aspi_copy(low, box.lo);
-    aspi_copy(high, box.hi);
-    fetch_missing(box);
     if (aspi_tree_meets(tree_.get(), low, high))
       return true;
   }
@@ -176,12 +176,6 @@ double MeshShape::clear(const Course &course, const Twist &screw, const FaceList
         at.v[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
     steps = std::min(steps, at.most);
-    /* No farther than the triangles are known, and one step at least. */
-    while (!has_all() && steps > 1 &&
-           !has(Bounds::of_path(at.x, at.v, 0, steps, at.reach + steps * at.widen)))
-      steps = std::max(1.0, steps / 4);
-    if (!has_all())
-      fetch_missing(Bounds::of_path(at.x, at.v, 0, steps, at.reach + steps * at.widen));
     steps = std::min(steps, aspi_tree_clear(tree_.get(), at.x, at.v, at.reach, at.widen, steps,
                                             stays.face, stays.count));
   }
@@ -209,19 +203,6 @@ void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &bod
   aspi_scale(1 / path.left, body.v);
 }
 
-void MeshShape::fetch_missing(const Bounds &box) const {
-  if (!has_all() && !has(box))
-    fetch(box);
-}
-
-/* The place in the tree of a triangle that a particle brings from an earlier step, perhaps from
- * another rank or from a restart file; -1 if the mesh has none of this number near `at`. */
-int MeshShape::place_near(int piece, const double at[3], double reach) const {
-  const double still[3] = {0, 0, 0};
-  fetch_missing(Bounds::of_path(at, still, 0, 0, reach));
-  return aspi_tree_place(tree_.get(), piece);
-}
-
 /* All triangles that meet a box within `reach` of its middle, and some that only come near it:
  * those of a region that is wider by a margin are kept, since a particle that has met one is looked
  * at again from there. */
@@ -233,7 +214,6 @@ const ContactList &MeshShape::meet(const Bounds &box, double reach, double margi
     wide.lo[d] -= margin;
     wide.hi[d] += margin;
   }
-  fetch_missing(wide);
   const ContactTree *tree = tree_.get();
   found_.is_set = false;
   found_.box = wide;
@@ -367,7 +347,7 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
     double at[3], foot[3], arm[3], normal[3];
     aspi_subtract(x, shift.by, at);
     motion_.end().to_body(at, at);
-    const int place = place_near(piece, at, reach);
+    const int place = aspi_tree_place(tree_.get(), piece);
     if (place < 0)
       continue;
     const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), place);
@@ -429,7 +409,7 @@ bool MeshShape::find_known(int face, const Path &path, double radius, Contact &c
     ContactPath body;
     ContactTouch touch;
     body_path(path, shift, body);
-    const int place = place_near(face < 0 ? ~face : face, body.x, radius);
+    const int place = aspi_tree_place(tree_.get(), face < 0 ? ~face : face);
     if (place < 0 || !aspi_triangle_find(aspi_tree_triangle(tree_.get(), place), &body, radius,
                                          path.left, &touch))
       continue;
@@ -440,5 +420,5 @@ bool MeshShape::find_known(int face, const Path &path, double radius, Contact &c
 }
 
 size_t MeshShape::bytes() const {
-  return sizeof *this + (tree_ ? aspi_tree_bytes(tree_.get()) : 0);
+  return sizeof *this + (tree_ && shared_.keeps() ? aspi_tree_bytes(tree_.get()) : 0);
 }

@@ -14,6 +14,7 @@
 #include "dem/shapes/bounds.h"
 #include "dem/engine.h"
 #include "dem/shapes/motion.h"
+#include "dem/shapes/node_tree.h"
 #include "dem/shapes/shape.h"
 
 namespace asperity {
@@ -58,29 +59,16 @@ public:
   void lay(const asp_lay &lay, const Path &path, const Contact &contact,
            double direction[3]) const override;
 
-  /* The velocity and the frame at the end of the last step (HEAD numbers); then, of each triangle,
-   * its number and its nodes in the mesh's own frame: with these a continued run finds the same
-   * contacts, to the bit. */
-  std::vector<double> motion_record() const override;
-  void restore_motion(const std::vector<double> &record) override;
-
 protected:
-  enum { HEAD = 6 + 12 };
+  /* The tree of rank 0, which is now the shape's, for all ranks; collective. Throws std::bad_alloc.
+   */
+  void share(MPI_Comm world, ContactTree *tree);
 
-  /* True if this rank has all triangles. Otherwise it has those in some boxes, and can fetch
-   * another box's at any time without the other ranks. */
-  virtual bool has_all() const {
-    return true;
+  /* True where MPI has no memory that the ranks of a node share. */
+  bool each_keeps() const {
+    return shared_.each_keeps();
   }
-  virtual bool has(const Bounds &) const {
-    return true;
-  }
-  virtual void fetch(const Bounds &) const {}
-  virtual Bounds whole() const; /* around all triangles */
-
-  /* The triangles, as a tree that is now the shape's; also where a search has come to a place that
-   * is not known. */
-  void put_tree(ContactTree *tree) const;
+  Bounds whole() const; /* around all triangles */
 
   /* A belt: a mesh at rest whose surface runs. v: at the point `foot` of a triangle. */
   virtual bool runs() const {
@@ -116,8 +104,7 @@ private:
 
   Bounds swept() const;
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
-  void fetch_missing(const Bounds &box) const;
-  int place_near(int piece, const double at[3], double reach) const;
+  void put_tree(ContactTree *tree);
   const ContactList &meet(const Bounds &box, double reach, double margin) const;
   bool clip(const ContactPath &body, double radius, double &from, double &to) const;
   bool find_image(const ContactPath &body, double radius, double latest, ContactTouch &touch,
@@ -126,7 +113,8 @@ private:
                    const ContactTouch &touch, const Places &place, Contact &contact) const;
   bool walk(Place &place, double radius, double dt) const;
 
-  mutable std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_; /* of what is known */
+  NodeTree shared_;
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_;
   Motion motion_;
   std::vector<Shift> shifts_; /* of the periodic images, that nearest to the box first */
   bool periodic_[3];

@@ -1,5 +1,4 @@
-/* Moves stuck particles and the lay with a mesh, also on a belt, and keeps the record of its
- * motion. See mesh.h.
+/* Moves stuck particles and the lay with a mesh, also on a belt; see mesh.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/shapes/mesh.h"
@@ -46,11 +45,10 @@ void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact
 
 /* One step along a belt: false where it ends or bends, or runs against something. */
 bool MeshShape::walk(Place &place, double radius, double dt) const {
-  const double still[3] = {0, 0, 0};
-  const int from = place_near(place.piece, place.at, 2 * radius);
+  const ContactTree *tree = tree_.get();
+  const int from = aspi_tree_place(tree, place.piece);
   if (from < 0)
     return false;
-  const ContactTree *tree = tree_.get();
   double v[3], foot[3], there[3], arm[3];
   aspi_triangle_nearest(aspi_tree_triangle(tree, from), place.at, foot);
   surface_velocity(place.piece, foot, v);
@@ -60,9 +58,6 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   aspi_add_scaled(place.at, dt, v, there);
   int to;
   const double reach = radius + aspi_length(v) * dt + KEEPS * radius;
-  const Bounds ahead = Bounds::of_path(there, still, 0, 0, 1.01 * reach);
-  fetch_missing(ahead);
-  tree = tree_.get();
   const double distance = aspi_tree_distance(tree, there, reach, &to);
   if (to < 0 || distance < (1 - KEEPS) * radius)
     return false;
@@ -113,44 +108,4 @@ void MeshShape::turn(const Place &, double share, double, double axes[3][3],
     aspi_cross(unit, v, around);
     aspi_add_scaled(omega, 0.5, around, omega);
   }
-}
-
-std::vector<double> MeshShape::motion_record() const {
-  std::vector<double> record;
-  if (!tree_ || motion_.in_world())
-    return record;
-  const Twist &last = motion_.last();
-  record.insert(record.end(), last.angular, last.angular + 3);
-  record.insert(record.end(), last.linear, last.linear + 3);
-  const Frame &end = motion_.end();
-  record.insert(record.end(), end.turn[0], end.turn[0] + 9);
-  record.insert(record.end(), end.shift, end.shift + 3);
-  for (size_t i = 0; i < aspi_tree_count(tree_.get()); i++) {
-    const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), static_cast<int>(i));
-    record.push_back(aspi_tree_id(tree_.get(), static_cast<int>(i)));
-    record.insert(record.end(), triangle->node[0], triangle->node[0] + 9);
-  }
-  return record;
-}
-
-void MeshShape::restore_motion(const std::vector<double> &record) {
-  const size_t row = 10;
-  if (record.size() < HEAD || (record.size() - HEAD) % row != 0)
-    return;
-  Twist last;
-  Frame end;
-  aspi_copy(&record[0], last.angular);
-  aspi_copy(&record[3], last.linear);
-  std::copy(&record[6], &record[15], end.turn[0]);
-  aspi_copy(&record[15], end.shift);
-  std::vector<ContactTriangle> triangles((record.size() - HEAD) / row);
-  std::vector<int> id(triangles.size());
-  for (size_t i = 0; i < id.size(); i++) {
-    const double *from = &record[HEAD + row * i];
-    id[i] = static_cast<int>(from[0]);
-    std::copy(from + 1, from + row, triangles[i].node[0]);
-  }
-  set_triangles(triangles, id);
-  motion_.set_last(last);
-  motion_.settle(end, true);
 }

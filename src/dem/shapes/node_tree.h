@@ -2,8 +2,8 @@
  * MPI-3. Where MPI has no such memory, each rank has a copy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_LAMMPS_NODE_TREE_H
-#define ASPERITY_LAMMPS_NODE_TREE_H
+#ifndef ASPERITY_DEM_NODE_TREE_H
+#define ASPERITY_DEM_NODE_TREE_H
 
 #include <mpi.h>
 #include <vector>

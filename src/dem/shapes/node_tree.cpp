@@ -1,7 +1,7 @@
 /* Triangles that the ranks of a node share; see node_tree.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "node_tree.h"
+#include "dem/shapes/node_tree.h"
 
 #include <algorithm>
 
@@ -11,9 +11,10 @@ using namespace asperity;
 static const size_t MESSAGE = 1 << 24;
 
 NodeTree::~NodeTree() {
-  int over;
-  MPI_Finalized(&over);
-  if (window_ != MPI_WIN_NULL && !over)
+  int over = 1;
+  if (window_ != MPI_WIN_NULL)
+    MPI_Finalized(&over);
+  if (!over)
     MPI_Win_free(&window_);
 }
 
