@@ -116,7 +116,7 @@ bool Model::measured() const {
   return asp_description_word(description_.get(), "file") != NULL;
 }
 
-/* The profile or the map for all ranks. */
+/* Each rank reads the file itself. An error is all ranks', also where only some can read it. */
 void Model::read_measured() {
   asp_error wrong;
   const std::string path = word("file");
@@ -124,15 +124,23 @@ void Model::read_measured() {
   if (!(units_.metre > 0))
     throw Error(std::string(is_map ? "a map" : "a profile") +
                 " is in SI units, which cannot be converted to " + units_name_);
-  Reading reading;
-  if (is_map)
-    map_ = read_map(engine_.world(), path, units_.metre, reading);
-  else
-    profile_ = read_profile(engine_.world(), path, units_.metre, reading);
-  report_ = reading.report;
-  if (!reading.doubts.empty())
+  std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&wrong),
+                                                             asp_reader_free);
+  if (reader && !asp_reader_set(reader.get(), "metre", units_.metre, &wrong)) {
+    if (is_map)
+      map_.reset(asp_reader_read_map(reader.get(), path.c_str(), &wrong));
+    else
+      profile_.reset(asp_reader_read(reader.get(), path.c_str(), &wrong));
+  }
+  int good = map_ || profile_, all;
+  MPI_Allreduce(&good, &all, 1, MPI_INT, MPI_MIN, engine_.world());
+  if (!all)
+    throw Error(good ? "the file '" + path + "' cannot be read by all ranks"
+                     : std::string(wrong.text) + asp_reader_advice(wrong.text));
+  report_ = asp_reader_text(reader.get());
+  if (asp_reader_check(reader.get(), &wrong))
     engine_.warn(std::string(is_map ? "surface map " : "surface profile ") + path + ": " +
-                 reading.doubts);
+                 wrong.text + asp_reader_advice(wrong.text));
   if (is_map ? asp_description_set_map(description_.get(), map_.get(), &wrong)
              : asp_description_set_profile(description_.get(), profile_.get(), &wrong))
     throw_error(wrong);

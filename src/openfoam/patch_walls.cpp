@@ -54,6 +54,7 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
   const word format = coeffs.getOrDefault<word>("ledgerFormat", "csv");
   if (format != "csv" && format != "npy")
     fail(coeffs, "ledgerFormat is '" + format + "'; it must be csv or npy");
+  is_array_ = format == "npy";
   for (const auto &wall : walls_) {
     if (wall->worn_density > 0 && !eroded_)
       eroded_ = field<scalar>(cloud + ":erodedDepth", dimLength);
@@ -159,25 +160,27 @@ Hit PatchWalls::hit(Parcel &parcel) {
   return hit;
 }
 
+/* The items of all ranks, one rank's behind another's, on the first one. */
+template <class Item> static std::vector<Item> gather(const std::vector<Item> &mine) {
+  List<List<Item>> lists(Pstream::nProcs());
+  List<Item> &own = lists[Pstream::myProcNo()];
+  own.setSize(static_cast<label>(mine.size()));
+  std::copy(mine.begin(), mine.end(), own.begin());
+  Pstream::gatherList(lists);
+  std::vector<Item> all;
+  for (const List<Item> &list : lists)
+    all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
 /* The rows of all ranks to the file, in an order that does not depend on the number of ranks. */
 void PatchWalls::flush(PatchWall &wall) const {
-  const int width = LedgerColumn::N_FIELDS;
-  List<List<scalar>> all(Pstream::nProcs());
-  List<scalar> &own = all[Pstream::myProcNo()];
-  own.setSize(static_cast<label>(wall.rows.size()) * width);
-  for (size_t i = 0; i < wall.rows.size(); i++)
-    std::copy_n(wall.rows[i].begin(), width, own.begin() + i * width);
-  Pstream::gatherList(all);
+  PrintedRows mine;
+  for (const LedgerRow &row : wall.rows)
+    mine.add(row, columns_, is_array_);
   wall.rows.clear();
-  if (!wall.file)
-    return;
-  std::vector<LedgerRow> rows;
-  for (const List<scalar> &of_rank : all)
-    for (label i = 0; i < of_rank.size(); i += width) {
-      rows.emplace_back();
-      std::copy_n(of_rank.begin() + i, width, rows.back().begin());
-    }
-  const std::string why = commit_rows(rows, columns_, *wall.file);
+  const PrintedRows all = {gather(mine.keys), gather(mine.bytes)};
+  const std::string why = wall.file ? all.commit(*wall.file) : "";
   if (!why.empty())
     FatalErrorInFunction << "writing the ledger of entry " << wall.name.c_str()
                          << " failed: " << why.c_str() << exit(FatalError);

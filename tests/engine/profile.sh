@@ -81,6 +81,11 @@ refused() { # surface, words
   for word in "$@"; do grep -a '^ERROR' bad.screen | grep -qF -- "$word" || { grep -a ERROR bad.screen; die "'$word' is not in the message: $surface"; }; done
 }
 refused 'profile nowhere.csv' nowhere.csv "No such file"
+mkdir elsewhere # where the second rank finds no file
+deck si 1 1 1 1 "$profile" 'run 1' > bad.in
+one=("$program" -in bad.in -log none -var out bad.csv)
+! timeout 60 mpirun -np 1 "${one[@]}" : -np 1 -wdir elsewhere "${one[@]}" > bad.screen 2>&1 || die "accepted: a file for one rank"
+grep -q "^ERROR.*the file 'wall.csv' cannot be read by all ranks" bad.screen || { tail bad.screen; die "a file for one rank"; }
 printf '0 0\n1 1\n2 0\n3 1\n' > nounit.txt
 refused 'profile nounit.txt' nounit.txt unit
 awk 'BEGIN { print "x_um,z_um"; for (i = 0; i < 2000; i++) print 10 * i "," sin(i / 7) + sin(i / 3.1) }' > coarse.csv

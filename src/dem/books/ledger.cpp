@@ -5,29 +5,18 @@
 
 #include <algorithm>
 #include <new>
-#include <numeric>
-#include <tuple>
 
+#include "dem/engine.h"
 #include "dem/error.h"
 
 using namespace asperity;
 
-/* Rows per message: the first rank holds this many of each rank. */
-static const size_t PIECE = 256;
-static const int TAG_OF_MESSAGES = 7301;
-
-bool Ledger::Key::operator<(const Key &other) const {
-  return std::tie(step, time, tag, impact) <
-         std::tie(other.step, other.time, other.tag, other.impact);
-}
-
 Ledger::Ledger(MPI_Comm world, int64_t every, const std::string &path, OnError on_error,
                int columns)
     : world_(world), every_(every), path_(path), on_error_(on_error), n_columns_(columns), saved_(),
-      is_open_(false), first_(0), last_(0), lost_(0), columns_(columns), others_(N_FIELDS - N_FULL),
-      size_(0), written_(0) {
+      is_open_(false), lost_(0), columns_(columns), others_(N_FIELDS - N_FULL), size_(0),
+      written_(0) {
   MPI_Comm_rank(world_, &rank_);
-  MPI_Comm_size(world_, &ranks_);
   if (rank_ == 0 && !path_.empty())
     file_.reset(new LedgerFile(path, columns));
 }
@@ -102,144 +91,33 @@ std::string Ledger::end_step(int64_t step) {
   return step % every_ == 0 ? flush() : "";
 }
 
-/* The rows that are not in the file yet. */
-std::vector<size_t> Ledger::sorted() const {
-  std::vector<size_t> order(size_ - written_);
-  for (size_t i = 0; i < order.size(); i++)
-    order[i] = written_ + i;
-  std::sort(order.begin(), order.end(), [this](size_t a, size_t b) { return key(a) < key(b); });
-  return order;
-}
-
-/* The next piece of a rank's rows, from one of them on; an empty one at their end. */
-void Ledger::print(const std::vector<size_t> &order, size_t from, Piece &piece) const {
-  piece.keys.clear();
-  piece.lengths.clear();
-  piece.bytes.clear();
-  for (size_t i = from; i < std::min(from + PIECE, order.size()); i++) {
-    const Row r = row(order[i]);
-    const size_t before = piece.bytes.size();
-    if (is_ledger_array(path_))
-      append_record(r, n_columns_, piece.bytes);
-    else
-      append_line(r, n_columns_, piece.bytes);
-    piece.keys.push_back(key(order[i]));
-    piece.lengths.push_back(static_cast<int>(piece.bytes.size() - before));
-  }
-}
-
-void Ledger::send(const std::vector<size_t> &order) const {
-  Piece piece;
-  for (size_t from = 0; from < order.size(); from += PIECE) {
-    print(order, from, piece);
-    const int rows = static_cast<int>(piece.keys.size());
-    MPI_Send(piece.keys.data(), rows * static_cast<int>(sizeof(Key)), MPI_BYTE, 0, TAG_OF_MESSAGES,
-             world_);
-    MPI_Send(piece.lengths.data(), rows, MPI_INT, 0, TAG_OF_MESSAGES, world_);
-    MPI_Send(piece.bytes.data(), static_cast<int>(piece.bytes.size()), MPI_CHAR, 0, TAG_OF_MESSAGES,
-             world_);
-  }
-}
-
-/* One rank's rows as the first rank takes them up, piece by piece. */
-class Ledger::Source {
-public:
-  Source(const Ledger &ledger, const std::vector<size_t> &order, int rank, long long count)
-      : ledger_(ledger), order_(order), rank_(rank), left_(count), taken_(0) {
-    next_piece();
-  }
-  const Key &key() const {
-    return piece_.keys[at_];
-  }
-  /* Writes the row; false when it was the last one. */
-  bool write(LedgerFile &file) {
-    file.append(piece_.bytes.data() + begin_, piece_.lengths[at_]);
-    begin_ += piece_.lengths[at_];
-    if (++at_ == piece_.keys.size() && left_ > 0)
-      next_piece();
-    return at_ < piece_.keys.size();
-  }
-
-private:
-  void next_piece() {
-    const int rows = static_cast<int>(std::min(left_, static_cast<long long>(PIECE)));
-    at_ = begin_ = 0;
-    if (rank_ == ledger_.rank_)
-      ledger_.print(order_, taken_, piece_);
-    else
-      receive(rows);
-    taken_ += rows;
-    left_ -= rows;
-  }
-  void receive(int rows) {
-    piece_.keys.resize(rows);
-    piece_.lengths.resize(rows);
-    MPI_Recv(piece_.keys.data(), rows * static_cast<int>(sizeof(Key)), MPI_BYTE, rank_,
-             TAG_OF_MESSAGES, ledger_.world_, MPI_STATUS_IGNORE);
-    MPI_Recv(piece_.lengths.data(), rows, MPI_INT, rank_, TAG_OF_MESSAGES, ledger_.world_,
-             MPI_STATUS_IGNORE);
-    piece_.bytes.resize(std::accumulate(piece_.lengths.begin(), piece_.lengths.end(), 0));
-    MPI_Recv(piece_.bytes.data(), static_cast<int>(piece_.bytes.size()), MPI_CHAR, rank_,
-             TAG_OF_MESSAGES, ledger_.world_, MPI_STATUS_IGNORE);
-  }
-
-  const Ledger &ledger_;
-  const std::vector<size_t> &order_; /* of this rank */
-  int rank_;
-  long long left_;
-  size_t taken_, at_, begin_;
-  Piece piece_;
-};
-
-/* Merges the sorted rows of all ranks into the file. */
-void Ledger::merge(const std::vector<size_t> &order, const std::vector<long long> &counts) {
-  std::vector<std::unique_ptr<Source>> sources;
-  for (int rank = 0; rank < ranks_; rank++)
-    if (counts[rank] > 0)
-      sources.push_back(std::unique_ptr<Source>(new Source(*this, order, rank, counts[rank])));
-  auto later = [](const std::unique_ptr<Source> &a, const std::unique_ptr<Source> &b) {
-    return b->key() < a->key();
-  };
-  std::make_heap(sources.begin(), sources.end(), later);
-  first_ = sources.empty() ? 0 : sources.front()->key().step;
-  while (!sources.empty()) {
-    std::pop_heap(sources.begin(), sources.end(), later);
-    last_ = sources.back()->key().step;
-    if (sources.back()->write(*file_))
-      std::push_heap(sources.begin(), sources.end(), later);
-    else
-      sources.pop_back();
-  }
-}
-
 /* On rank 0. */
-std::string Ledger::commit(int64_t rows) {
-  const std::string why = file_->commit(rows);
+std::string Ledger::commit(const PrintedRows &rows) {
+  const std::string why = rows.size() > 0 ? rows.commit(*file_) : "";
   if (why.empty())
     return "";
-  lost_ += rows;
-  const int64_t first = static_cast<int64_t>(first_), last = static_cast<int64_t>(last_);
-  return "writing the ledger file '" + path_ + "' failed: " + why + "; " + std::to_string(rows) +
-         " rows of the steps " + std::to_string(first) + " to " + std::to_string(last) +
-         " are lost, " + std::to_string(lost_) + " in all";
+  double first = rows.keys[0], last = first;
+  for (size_t i = 0; i < rows.size(); i++) {
+    first = std::min(first, rows.keys[i * PrintedRows::KEY]);
+    last = std::max(last, rows.keys[i * PrintedRows::KEY]);
+  }
+  lost_ += static_cast<int64_t>(rows.size());
+  return "writing the ledger file '" + path_ + "' failed: " + why + "; " +
+         std::to_string(rows.size()) + " rows of the steps " +
+         std::to_string(static_cast<int64_t>(first)) + " to " +
+         std::to_string(static_cast<int64_t>(last)) + " are lost, " + std::to_string(lost_) +
+         " in all";
 }
 
-/* Each rank prints its own rows, which is most of the work; the first one puts them in order. What
- * cannot be written is taken from the other ranks all the same, since they would wait. */
+/* Each rank prints its own rows, which is most of the work; the first one puts them in order. */
 std::string Ledger::flush() {
   if (!is_open_)
     return "";
-  const std::vector<size_t> order = sorted();
-  long long mine = static_cast<long long>(order.size());
-  std::vector<long long> counts(ranks_);
-  MPI_Gather(&mine, 1, MPI_LONG_LONG, counts.data(), 1, MPI_LONG_LONG, 0, world_);
-  if (rank_ == 0)
-    merge(order, counts);
-  else
-    send(order);
-  written_ = size_;
-  const int64_t rows = std::accumulate(counts.begin(), counts.end(), int64_t(0));
-  return share(rank_ == 0 && rows > 0 ? commit(rows) : "");
+  PrintedRows mine;
+  for (; written_ < size_; written_++)
+    mine.add(row(written_), n_columns_, is_ledger_array(path_));
+  const PrintedRows all = {gather(mine.keys, world_), gather(mine.bytes, world_)};
+  return share(rank_ == 0 ? commit(all) : "");
 }
 
 std::string Ledger::save(LedgerState &state) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "dem/books/ledger_file.h"
-#include "dem/books/ledger_format.h"
+#include "dem/books/ledger_row.h"
 
 namespace asperity {
 
@@ -68,19 +68,6 @@ public:
   size_t bytes() const;
 
 private:
-  /* Sort key of a row. */
-  struct Key {
-    double step, time, tag, impact;
-    bool operator<(const Key &other) const;
-  };
-
-  /* A few rows of one rank, in order, as the file has them. */
-  struct Piece {
-    std::vector<Key> keys;
-    std::vector<int> lengths;
-    std::vector<char> bytes;
-  };
-
   /* Rows of numbers in one block, which grows by realloc: a large block keeps its pages, where a
    * copy would touch three times the memory. */
   class Table {
@@ -99,25 +86,13 @@ private:
     std::unique_ptr<double, void (*)(void *)> numbers_;
   };
 
-  double value(size_t i, int column) const {
-    return column < n_columns_ ? columns_.row(i)[column] : others_.row(i)[column - N_FULL];
-  }
-  Key key(size_t i) const {
-    return Key{value(i, STEP), value(i, TIME), value(i, TAG), value(i, IMPACT)};
-  }
   Row row(size_t i) const;
 
-  class Source;
-
   std::string share(std::string text) const;
-  std::vector<size_t> sorted() const;
-  void print(const std::vector<size_t> &order, size_t from, Piece &piece) const;
-  void send(const std::vector<size_t> &order) const;
-  void merge(const std::vector<size_t> &order, const std::vector<long long> &counts);
-  std::string commit(int64_t rows);
+  std::string commit(const PrintedRows &rows);
 
   MPI_Comm world_;
-  int rank_, ranks_;
+  int rank_;
   int64_t every_;
   std::string path_;
   OnError on_error_;
@@ -125,7 +100,6 @@ private:
   LedgerState saved_;
   std::unique_ptr<LedgerFile> file_; /* on rank 0 */
   bool is_open_;
-  double first_, last_;    /* steps of the rows that were merged last */
   int64_t lost_;           /* rows, in all */
   Table columns_, others_; /* of each row: what users see, and what goes with it */
   std::vector<double *> pointers_;

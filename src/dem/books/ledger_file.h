@@ -38,9 +38,6 @@ public:
   bool is_open() const {
     return fd_ >= 0;
   }
-  bool is_array() const {
-    return is_array_;
-  }
 
   /* Rows as the file has them. */
   void append(const char *bytes, size_t length);

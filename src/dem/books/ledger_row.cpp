@@ -1,10 +1,9 @@
-/* The row of an impact in a ledger; see ledger_row.h.
+/* The rows of a ledger; see ledger_row.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/books/ledger_row.h"
 
 #include <algorithm>
-#include <tuple>
 
 using namespace asperity;
 
@@ -32,17 +31,32 @@ LedgerRow asperity::impact_row(const double v1[3], const double n[3], const asp_
   return row;
 }
 
-static bool is_before(const LedgerRow &a, const LedgerRow &b) {
+void PrintedRows::add(const LedgerRow &row, int columns, bool is_array) {
   typedef LedgerColumn L;
-  return std::tie(a[L::STEP], a[L::TIME], a[L::TAG], a[L::IMPACT]) <
-         std::tie(b[L::STEP], b[L::TIME], b[L::TAG], b[L::IMPACT]);
+  const size_t before = bytes.size();
+  (is_array ? append_record : append_line)(row, columns, bytes);
+  for (int column : {L::STEP, L::TIME, L::TAG, L::IMPACT})
+    keys.push_back(row[column]);
+  keys.push_back(static_cast<double>(bytes.size() - before));
 }
 
-std::string asperity::commit_rows(std::vector<LedgerRow> &rows, int columns, LedgerFile &file) {
-  std::vector<char> bytes;
-  std::sort(rows.begin(), rows.end(), is_before);
-  for (const LedgerRow &row : rows)
-    (file.is_array() ? append_record : append_line)(row, columns, bytes);
-  file.append(bytes.data(), bytes.size());
-  return file.commit(static_cast<int64_t>(rows.size()));
+std::string PrintedRows::commit(LedgerFile &file) const {
+  struct Place {
+    const double *key;
+    const char *row;
+    bool operator<(const Place &other) const {
+      return std::lexicographical_compare(key, key + KEY - 1, other.key, other.key + KEY - 1);
+    }
+  };
+  std::vector<Place> order;
+  order.reserve(size());
+  const char *row = bytes.data();
+  for (const double *key = keys.data(); order.size() < size(); key += KEY) {
+    order.push_back(Place{key, row});
+    row += static_cast<size_t>(key[KEY - 1]);
+  }
+  std::sort(order.begin(), order.end());
+  for (const Place &place : order)
+    file.append(place.row, static_cast<size_t>(place.key[KEY - 1]));
+  return file.commit(static_cast<int64_t>(order.size()));
 }

@@ -1,4 +1,4 @@
-/* The row of an impact in a ledger.
+/* The row of an impact in a ledger, and rows on their way to its file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_LEDGER_ROW_H
@@ -14,9 +14,21 @@ namespace asperity {
  * others are 0. */
 LedgerRow impact_row(const double v1[3], const double n[3], const asp_impact &impact);
 
-/* Sorts the rows as a ledger has them, and adds them to its file. Returns an empty string, or why
- * they are not there. */
-std::string commit_rows(std::vector<LedgerRow> &rows, int columns, LedgerFile &file);
+/* Rows as a file has them, of one rank or of all, in any order. */
+struct PrintedRows {
+  enum { KEY = 5 };
+  std::vector<double> keys; /* of each row: step, time, tag, impact, and its length in bytes */
+  std::vector<char> bytes;
+
+  size_t size() const {
+    return keys.size() / KEY;
+  }
+  void add(const LedgerRow &row, int columns, bool is_array);
+
+  /* Adds the rows to a file, in order of their keys. Returns an empty string, or why they are not
+   * there. */
+  std::string commit(LedgerFile &file) const;
+};
 
 } // namespace asperity
 
