@@ -31,6 +31,14 @@ asp_code asp_description_check_bodies(const asp_description *description, asp_er
  * particle and a wall, or no yield stress. */
 asp_code asp_description_check_pair(const asp_description *description, asp_error *error);
 
+/* ASP_EARG and a message where a word on heat has no effect on particles that have a temperature of
+ * their own, or have none. */
+asp_code asp_description_check_heat(const asp_description *description, bool have_own,
+                                    asp_error *error);
+
+/* The share of the yield stress that the temperature of the words leaves; 1: all of it. */
+double asp_description_softening(const asp_description *description);
+
 /* Makes `plane` the default tilt, for two dimensions; before a clause is read. */
 void asp_description_default_plane(asp_description *description);
 

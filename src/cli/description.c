@@ -77,6 +77,7 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
   check_units(count, words);
   read_words(d.words, count, words);
   check_removal(d.words);
+  cli_must(!asp_description_check_heat(d.words, false, &error), &error);
   const char *clump = asp_description_word(d.words, "clump");
   d.clump = clump ? aspi_clump_read(clump, &error) : NULL;
   cli_must(!clump || d.clump, &error);

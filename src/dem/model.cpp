@@ -71,6 +71,8 @@ void Model::finish() {
   begin();
   if (asp_description_complete(description_.get(), &wrong))
     throw_error(wrong);
+  if (asp_description_check_heat(description_.get(), false, &wrong))
+    throw_error(wrong);
   const int names = asp_description_materials(description_.get());
   if (is_given("materials") && names != engine_.types())
     throw Error(text("materials has %d names, and the script has %d atom types; there must be one "

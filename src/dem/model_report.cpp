@@ -52,6 +52,12 @@ void Model::report_yield() {
   const std::vector<Engine::Kind> kinds = engine_.kinds();
   if (is_given("yield_stress"))
     materials_report_ += text("\n  yield_stress %g, by the description", number("yield_stress"));
+  const double softening = asp_description_softening(description_.get());
+  if (is_given("temperature"))
+    materials_report_ += text(
+        "\n  at the particles' temperature of %g K the yield stress is %.4g of that when cold; "
+        "modulus and surface energy are the cold ones",
+        number("temperature"), softening);
   const double rate = number("yield_rate");
   if (!(rate >= 0) || rate > 0) /* a law of its own, or no constant */
     return;
@@ -60,9 +66,10 @@ void Model::report_yield() {
       const int type = static_cast<int>(t) + 1;
       const asp_pair *p = pair(type, w);
       if (kinds[t].present && kinds[t].most > 0)
-        materials_report_ += text(
-            "\n  type %d on a wall of type %d: yields above %.4g along the normal", type, w,
-            asp_pair_get(p, "yield_stress") / sqrt(kinds[t].most * asp_pair_get(p, "modulus")));
+        materials_report_ +=
+            text("\n  type %d on a wall of type %d: yields above %.4g along the normal", type, w,
+                 softening * asp_pair_get(p, "yield_stress") /
+                     sqrt(kinds[t].most * asp_pair_get(p, "modulus")));
     }
 }
 

@@ -44,6 +44,13 @@ static bool yields_by_rate(const asp_description *d, against *with) {
   return asp_description_get(d, "yield_rate") > 0;
 }
 
+static bool is_not_hot(const asp_description *d, against *with) {
+  double from = asp_description_get(d, "soften_from");
+  snprintf(with->text, sizeof with->text, "soften: the yield stress falls above %g K only", from);
+  return !aspi_is_fit(d, "temperature") && !aspi_is_fit(d, "soften_from") &&
+         !(asp_description_get(d, "temperature") > from);
+}
+
 static bool has_own_friction(const asp_description *d, against *with) {
   snprintf(with->text, sizeof with->text, "rebound %s, whose MU is one", d->choice.law->name);
   return asp_description_get(d, "mu") >= 0;
@@ -68,6 +75,7 @@ static const struct {
              {"friction", has_own_friction},
              {"surface_energy", without_pair},
              {"surface_energy", deposits_off},
+             {"temperature", is_not_hot},
              {"yield_stress", without_pair},
              {"yield_stress", yields_by_rate},
              {"remove", deposits_off},
@@ -166,6 +174,21 @@ asp_code asp_description_check_pair(const asp_description *d, asp_error *error) 
                    "material '%s' has no yield stress; say 'yield_stress Y', or 'yield_rate R' of "
                    "'rebound bons', or 'rebound walton E MU 0 deposit off', which needs none",
                    m->name);
+}
+
+asp_code asp_description_check_heat(const asp_description *d, bool have_own, asp_error *error) {
+  if (have_own && aspi_is_given(d, "temperature"))
+    return aspi_fail(error, ASP_EARG,
+                     "'temperature' has no effect: the particles have one of their own");
+  if (!have_own && aspi_is_given(d, "soften") && !aspi_is_given(d, "temperature"))
+    return aspi_fail(error, ASP_EARG,
+                     "'soften' has no effect without 'temperature T', that of the particles");
+  return ASP_OK;
+}
+
+double asp_description_softening(const asp_description *d) {
+  const asp_rebound_law *law = d->choice.law;
+  return law->softening ? law->softening(d->choice.parameters) : 1;
 }
 
 asp_code asp_description_complete(asp_description *d, asp_error *error) {

@@ -54,6 +54,10 @@ bool aspi_is_given(const asp_description *d, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
     if (strcmp(asp_keyword_at(i)->name, name) == 0 && d->given >> i & 1)
       return true;
+  const asp_rebound_law *law = d->choice.law;
+  for (int i = 0; i < law->n_parameters; i++)
+    if (d->of_law >> i & 1 && strcmp(aspi_parameter_keyword(&law->parameters[i]), name) == 0)
+      return true;
   return false;
 }
 

@@ -23,6 +23,7 @@ typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_de
 struct asp_description {
   asp_units units;
   uint64_t given;   /* a bit for each keyword of the table */
+  unsigned of_law;  /* a bit for each parameter of the law whose word is given */
   const char *last; /* the clause that was read last */
   asp_error broken; /* the error of a clause that could not be read; it stays */
   aspi_surface_kind kind;
@@ -77,7 +78,7 @@ asp_code aspi_keyword_check(const asp_keyword *keyword, double value, asp_error 
 /* An empty description: a smooth wall. */
 asp_description *aspi_description_create(const asp_units *units, asp_error *error);
 
-/* True if a word of a clause is given, by its name in the table. */
+/* True if a word of a clause is given, by its name in the table, or a word of the law. */
 bool aspi_is_given(const asp_description *d, const char *name);
 void aspi_set_given(asp_description *d, const char *name);
 

@@ -119,7 +119,8 @@ static void sticks_always(const asp_question *q, char *text, size_t size) {
     snprintf(text, size,
              "every impact of particles of diameter %g and less sticks, whatever its speed: the "
              "surface energy, %g, is too much for a yield stress of %g",
-             q->largest->d_p, q->largest->pair->surface_energy, q->largest->pair->yield_stress);
+             q->largest->d_p, q->largest->pair->surface_energy,
+             q->largest->pair->yield_stress * asp_description_softening(q->words));
 }
 
 /* ---- words ---- */

@@ -147,6 +147,7 @@ static asp_code read_rebound(aspi_words *r) {
     else
       code = read_more(r, &l, &more);
   }
+  r->d->of_law = l.given;
   return code;
 }
 

@@ -54,7 +54,8 @@ static const asp_parameter parameters[N_PARAMETERS] = {
     [AREA_B] = {"b", "", 1.0 / 7, 0, 1e3, "see a (recalled, original not seen)", "contact_area",
                 NULL},
     [AREA_C] = {"c", "", 0.5, 0, 10, "see a (recalled, original not seen)", "contact_area", NULL},
-    [TEMPERATURE] = {"temperature", "K", 0, 0, 1e5, "temperature of the particle; 0: cold",
+    [TEMPERATURE] = {"temperature", "K", 0, 0, 1e5,
+                     "temperature of the particle; the modulus and the surface energy stay cold",
                      "temperature", NULL},
     [SOFTEN_FROM] = {"soften_from", "K", 1000, 0, 1e5,
                      "temperature above which the yield stress falls (recalled, original not seen)",
@@ -102,6 +103,10 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   return (aspi_bounce){n2, fmax(0, t1 - pressed * along * along), rub, friction};
 }
 
+static double softening(const double *p) {
+  return softened(p, 0);
+}
+
 static bool spins(const double *p) {
   return p[SPIN] > 0;
 }
@@ -115,5 +120,6 @@ const asp_rebound_law aspi_rebound_bons = {
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rebound = rebound,
+    .softening = softening,
     .spins = spins,
 };

@@ -67,6 +67,9 @@ struct asp_rebound_law {
   int n_parameters;
   const asp_parameter *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
+  /* The share of the yield stress that the temperature of the parameters leaves; NULL: all of it.
+   */
+  double (*softening)(const double *parameters);
   /* True if it draws a scatter of its own with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
   /* True if its contact gives way along the face with these parameters, which is not worked out for

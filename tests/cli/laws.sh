@@ -22,6 +22,10 @@ column capture_speed_m_s c | awk 'NR == 2 { exit !($1 > 5.7 && $1 < 5.9) }' || d
 [ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: temperature"
 "$asperity" rebound --list > list
 for law in bons constant grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
+! "$asperity" rebound rebound bons soften 800 0.001 2> words || die "rebound: 'soften' without 'temperature'"
+grep -q "'soften' has no effect without 'temperature T'" words || { cat words; die "rebound: 'soften' alone"; }
+"$asperity" rebound rebound bons temperature 1800 --map capture --dp 10um > /dev/null 2> words
+grep -q "a yield stress of 2e+07" words || { cat words; die "rebound: the yield stress of hot particles"; }
 grep -q '^bons,temperature,K,0,' list || die "rebound --list: parameters"
 for map in regimes capture angles; do
   "$asperity" rebound --map $map --points 5 --plot $map.png -o $map.csv 2> err

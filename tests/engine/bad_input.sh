@@ -53,6 +53,7 @@ all_refused() {
 }
 number=0
 
+refuses "$plane rebound bons soften 800 0.001" "" soften temperature
 refuses "$plane surfaces smooth" "" "'surfaces'" "surface" "ledger"
 refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-3 lay axial" "" "lay is an angle" "X Y Z"
 refuses "all wall/rebound primitive type 2 zcylinder 1e-3 0 0 surface rq 1e-5 lambda_c 1e-4 1e-3 lay 1 0 0" "" "lay is a vector" "axial"

@@ -129,6 +129,10 @@ for name in hard soft named; do engine 1 $name.in; done
 [ "$(yields hard.in)" = "$(v_y 70e9 205e9 0.17 0.32 2e8)" ] || die "yields above '$(yields hard.in)', and it must be $(v_y 70e9 205e9 0.17 0.32 2e8)"
 [ "$(yields soft.in)" = "$(v_y 5e6 5e6 0.3 0.3 2e8)" ] || die "soft: yields above '$(yields soft.in)'"
 [ "$(yields named.in)" = "$(yields hard.in)" ] || die "named: yields above '$(yields named.in)'"
+one "70e9 205e9" "0.17 0.32" "2e8 3e8" "rebound bons temperature 1700" > hot.in
+engine 1 hot.in
+[ "$(yields hot.in)" = "$(v_y 70e9 205e9 0.17 0.32 0.425e8)" ] || die "hot: yields above '$(yields hot.in)'"
+grep -aq "1700 K the yield stress is 0.2125" hot.in.screen || die "hot: no softened yield stress in the log"
 warned() { grep -ac 'WARNING.*id wall.*nothing yields' "$1.screen" || true; }
 [ "$(warned soft.in)" = 1 ] || die "soft: $(warned soft.in) warnings that nothing yields"
 for word in "type 1 on a wall of type 2" "2e+08" "'materials'"; do

@@ -159,15 +159,17 @@ static const asp_rebound_law *add_law(char *text) {
     const asp_parameter *p = asp_rebound_parameter(law, i);
     const char *keyword = aspi_parameter_keyword(p);
     if (strcmp(keyword, last) != 0) {
-      on = whole(2);
+      on = strcmp(keyword, "soften") != 0 || strcmp(last, "temperature") != 0 ? whole(2) : on;
       if (on)
         add(text, " %s", keyword);
     }
     last = keyword;
     if (p->words && on)
       add(text, whole(2) ? " on" : " off");
-    else if (on)
-      add(text, " %.17g", within(p->least, p->most));
+    else if (on) /* hot enough to be soft */
+      add(text, " %.17g",
+          within(strcmp(p->name, "temperature") == 0 ? 2000 : p->least,
+                 strcmp(p->name, "soften_from") == 0 ? 2000 : p->most));
   }
   return law;
 }
@@ -360,6 +362,8 @@ static void what_has_no_effect_is_refused(void **state) {
   refuses("materials quartz steel rebound constant 1 1", "'materials' has no effect", "constant");
   refuses("yield_stress 1e8 rebound bons yield_rate 3e6", "'yield_stress' has no effect",
           "yield_rate");
+  refuses("rebound bons temperature 600", "'temperature' has no effect", "1000 K");
+  refuses("rebound bons soften 800 0.001 temperature 800", "'temperature' has no effect", "800 K");
   refuses("deposit off remove u_tau 1 gas_density 1", "'remove' has no effect", "deposit off");
   refuses("surface_energy 1 deposit off", "'surface_energy' has no effect", "deposit off");
   refuses("spread weibull", "'spread' has no effect", "surface smooth");
