@@ -433,12 +433,11 @@ typedef struct asp_coefficients {
   double v1, alpha1;
   double v2;                      /* in space */
   double alpha2;                  /* in the plane of incidence: atan2(v2.n, v2.t), 0 to pi; 0 for a
-                                     deposit */
+                                     deposit, whose coefficients are NAN */
   double cor_v, cor_alpha, cor_n; /* in the plane, cor_v too: up to 1e300, at an impact angle of
                                      nearly nothing */
   double cor_v_space, cor_alpha_space; /* v2/v1, and asin(v2.n/v2)/alpha1 */
-  double cor_t;                        /* signed; 0 where undefined */
-  bool cor_t_defined; /* false where v1 has no tangential part (below 1e-12 of v1) */
+  double cor_t; /* signed; NAN where v1 has no tangential part (below 1e-12 of v1) */
 } asp_coefficients;
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);

@@ -25,9 +25,9 @@
   COLUMN(HITS, "hits", "i1", "number of faces hit")                                                \
   COLUMN(V2, "v2", "f4", "speed after the impact, in space, relative to the wall")                 \
   COLUMN(ALPHA2, "alpha2_deg", "f4", "rebound angle in the plane of incidence, 0 to 180 degrees")  \
-  COLUMN(COR_N, "cor_n", "f4", "CoR_N about the mean wall")                                        \
+  COLUMN(COR_N, "cor_n", "f4", "CoR_N about the mean wall; nan for a deposit, in CSV empty")       \
   COLUMN(COR_T, "cor_t", "f4",                                                                     \
-         "CoR_T, signed; at normal impact empty in CSV, nan in `.npy`, 0 in the local array")      \
+         "CoR_T, signed; nan for a deposit and at normal impact, in CSV empty")                    \
   COLUMN(OUTCOME, "outcome", "i1", "0 rebound, 1 deposited, 2 deleted")
 
 /* Further columns of a ledger with `columns full`. */

@@ -266,9 +266,8 @@ static void add_to_view(view *v, const row *r, size_t number) {
       aspi_running_add(&of->ratio[t], cli_impact_ratio(&r->of, t));
       aspi_running_add(&of->angle[t], r->alpha1);
     }
-  v->varies = v->varies ||
-              (number > 0 && r->angle == v->last.angle && r->of.cor.cor_n != v->last.of.cor.cor_n &&
-               r->of.impact.outcome == v->last.of.impact.outcome);
+  v->varies = v->varies || (number > 0 && r->angle == v->last.angle &&
+                            fabs(r->of.cor.cor_n - v->last.of.cor.cor_n) > 0);
   v->last = *r;
 }
 

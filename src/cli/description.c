@@ -174,10 +174,9 @@ cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, dou
   cli_impact i;
   asp_wall_impact(d->wall, &particle, v1, n, key, &i.impact);
   i.cor = asp_impact_coefficients(v1, n, &i.impact);
-  i.cor.cor_t = i.cor.cor_t_defined ? i.cor.cor_t : NAN;
   return i;
 }
 
 double cli_impact_ratio(const cli_impact *i, int t) {
-  return i->impact.outcome == ASP_DEPOSIT ? NAN : t ? i->cor.cor_t : i->cor.cor_n;
+  return t ? i->cor.cor_t : i->cor.cor_n;
 }

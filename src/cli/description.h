@@ -60,7 +60,7 @@ typedef struct cli_impact {
 cli_impact cli_impact_at(const cli_description *description, double d_p, double speed,
                          double degrees, const asp_key *key);
 
-/* Its CoR_N (t 0) or CoR_T (t 1); NAN for a deposit, too. */
+/* Its CoR_N (t 0) or CoR_T (t 1). */
 double cli_impact_ratio(const cli_impact *impact, int t);
 
 /* The surface; NULL where it is smooth, or a profile's whose wall is not made yet. */

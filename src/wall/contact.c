@@ -123,9 +123,11 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
   asp_coefficients c = {.v1 = sqrt(dot(before, before)),
                         .alpha1 = atan2(fmax(f.v_n, 0), f.v_t),
                         .v2 = sqrt(dot(after, after)),
-                        .cor_t_defined = directed};
-  if (impact->outcome == ASP_DEPOSIT)
+                        .cor_t = NAN};
+  if (impact->outcome == ASP_DEPOSIT) {
+    c.cor_v = c.cor_alpha = c.cor_n = c.cor_v_space = c.cor_alpha_space = NAN;
     return c;
+  }
   if (!directed)
     along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
   c.alpha2 = atan2(n2, along);
@@ -134,7 +136,8 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
   c.cor_v_space = ratio(c.v2, c.v1);
   c.cor_alpha_space = ratio(atan2(n2, sqrt(fmax(0, c.v2 * c.v2 - n2 * n2))), c.alpha1);
   c.cor_n = ratio(n2, f.v_n);
-  c.cor_t = directed ? along / f.v_t : 0;
+  if (directed)
+    c.cor_t = along / f.v_t;
   return c;
 }
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/books/ledger_format.h"
 
-#include <math.h>
+#include <cmath>
 #include <string.h>
 #include <algorithm>
 
@@ -49,16 +49,12 @@ std::string asperity::ledger_names(int columns) {
   return names;
 }
 
-static bool is_missing(const LedgerRow &row, int column) {
-  return column == LedgerColumn::COR_T && !(row[LedgerColumn::COR_T_DEFINED] > 0);
-}
-
 void asperity::append_line(const LedgerRow &row, int columns, std::vector<char> &bytes) {
   char line[(ASPI_NUMBER_MOST + 1) * LedgerColumn::N_FULL], *end = line;
   for (int i = 0; i < columns; i++) {
     if (i > 0)
       *end++ = ',';
-    if (is_missing(row, i))
+    if (std::isnan(row[i])) /* a coefficient that there is not */
       continue;
     if (COLUMNS[i].type[0] != 'i')
       end = aspi_number_format(row[i], 10, end);
@@ -74,7 +70,7 @@ void asperity::append_line(const LedgerRow &row, int columns, std::vector<char> 
 void asperity::append_record(const LedgerRow &row, int columns, std::vector<char> &bytes) {
   char record[sizeof(int64_t) * LedgerColumn::N_FULL], *end = record;
   for (int i = 0; i < columns; i++) {
-    const double value = is_missing(row, i) ? NAN : row[i];
+    const double value = row[i];
     if (COLUMNS[i].type[0] == 'i') {
       const int64_t whole = static_cast<int64_t>(value); /* its first bytes: the same in fewer */
       memcpy(end, &whole, sizeof whole);

@@ -22,7 +22,6 @@ struct LedgerColumn {
     LAST = N_COLUMNS - 1,
     LEDGER_MORE_COLUMNS(LEDGER_PLACE) N_FULL,
     STEP = N_FULL,
-    COR_T_DEFINED,
     N_FIELDS
   };
 #undef LEDGER_PLACE

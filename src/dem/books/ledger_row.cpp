@@ -21,7 +21,6 @@ LedgerRow asperity::impact_row(const double v1[3], const double n[3], const asp_
   row[L::ALPHA2] = c.alpha2 * degrees;
   row[L::COR_N] = c.cor_n;
   row[L::COR_T] = c.cor_t;
-  row[L::COR_T_DEFINED] = c.cor_t_defined;
   for (int k = 0; k < 3; k++) {
     row[L::NX + k] = n[k];
     row[L::V1X + k] = v1[k];

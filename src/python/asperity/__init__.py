@@ -4,7 +4,7 @@
     v1 = asperity.velocities(100, np.radians(np.linspace(5, 85, 1000)))
     hits = wall.impacts(v1, d_p=10e-6)
     cor = asperity.coefficients(v1, hits)
-    cor["cor_n"].mean(), hits["outcome"].mean()
+    np.nanmean(cor["cor_n"]), hits["outcome"].mean()
 
 Walls are described by the words of a script and of the command (`asperity help wall`). Numbers are
 in SI units, angles in radians, from the wall plane; words may have other units (5um, 30deg). Each
@@ -63,7 +63,7 @@ _KEY = _struct("seed u4, wall u4, tag u8, impact u4")
 _IMPACT = _struct("v2 3f8, omega 3f8, delta_alpha f8, tilt_out f8, hits i4, capped ?, outcome i4, "
                   "eroded f8")
 _COEFFICIENTS = _struct("v1 f8, alpha1 f8, v2 f8, alpha2 f8, cor_v f8, cor_alpha f8, cor_n f8, "
-                        "cor_v_space f8, cor_alpha_space f8, cor_t f8, cor_t_defined ?")
+                        "cor_v_space f8, cor_alpha_space f8, cor_t f8")
 
 _P, _S, _N, _D, _E = c_void_p, c_char_p, c_size_t, c_double, POINTER(_Failure)
 _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
@@ -293,11 +293,10 @@ def coefficients(v1: ArrayLike, impacts: NDArray[np.void],
                  normals: ArrayLike = (0, 0, 1)) -> NDArray[np.void]:
     """The coefficients of restitution of impacts about the mean wall; an array of
     asp_coefficients, by columns: v1, alpha1, v2, alpha2, cor_v, cor_alpha, cor_n, cor_v_space,
-    cor_alpha_space, cor_t (nan where it is undefined), cor_t_defined."""
+    cor_alpha_space, cor_t. Coefficients are nan for deposits, and cor_t at normal impact."""
     made, n = np.zeros(len(impacts), _COEFFICIENTS), len(impacts)
     before, up = _vectors("v1", v1, n), _vectors("normals", normals, n)
     after = np.ascontiguousarray(impacts, dtype=_IMPACT)
     _asp.asp_impacts_coefficients(n, before.ctypes.data, up.ctypes.data, after.ctypes.data,
                                   made.ctypes.data)
-    made["cor_t"][~made["cor_t_defined"]] = np.nan
     return made
