@@ -364,6 +364,10 @@ const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
 const asp_pair *asp_wall_pair(const asp_wall *wall);
 const char *asp_wall_reason(const asp_wall *wall);
 
+/* The rms slope of the wall's tilt for spheres of diameter d_p, across its lay: with `isotropic` of
+ * the sphere, with `plane` of the disc (both: asp_surface_slope); 0 on a smooth wall. */
+double asp_wall_slope(const asp_wall *wall, double d_p);
+
 /* The draws of a contact depend on this key alone, so results do not depend on the number of MPI
  * ranks, the order of contacts, or a restart. */
 typedef struct asp_key {

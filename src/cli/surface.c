@@ -4,6 +4,7 @@
 #include "cli/surface.h"
 #include "base/units.h"
 #include "surface/describe.h"
+#include "surface/size_law.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -193,16 +194,24 @@ static void measure(const cli_wall *wall, const cli_list *sizes, cli_slopes *row
   cli_progress_end(&progress);
 }
 
-static void print_rows(FILE *out, const cli_slopes *rows, size_t count) {
+/* Sigma of the tilt of a wall of that profile, or of the numbers of a generated one. */
+static double tilt_of(const cli_slopes *r, bool measured) {
+  double kappa = cli_kappa(r),
+         of_numbers = sqrt(2) * r->r_q / r->lambda_c * aspi_closed_form(kappa);
+  double disc = measured ? r->slopes.slope_rms : of_numbers;
+  return cli_degrees(atan(disc * aspi_sphere_over_disc(kappa)));
+}
+
+static void print_rows(FILE *out, const cli_slopes *rows, size_t count, bool measured) {
   fputs("dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,sigma_deg,angle_mean_deg,angle_sd_deg,"
-        "angle_kurtosis,kl_normal\n",
+        "angle_kurtosis,kl_normal,tilt_sigma_deg\n",
         out);
   for (const cli_slopes *r = rows; r < rows + count; r++)
-    fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", r->d_p * 1e6,
+    fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", r->d_p * 1e6,
             r->r_q * 1e6, r->lambda_c * 1e6, r->r_q / r->lambda_c, cli_kappa(r),
             r->slopes.slope_rms, cli_degrees(atan(r->slopes.slope_rms)),
             cli_degrees(r->slopes.angle.mean), cli_degrees(r->slopes.angle.sd),
-            r->slopes.angle.kurtosis, r->slopes.kl_normal);
+            r->slopes.angle.kurtosis, r->slopes.kl_normal, tilt_of(r, measured));
 }
 
 /* ---- the command ---- */
@@ -301,7 +310,7 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
   else if (!measured)
     fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall.profile),
             asp_profile_spacing(wall.profile) * 1e6);
-  print_rows(out, rows, count);
+  print_rows(out, rows, count, measured);
   cli_file_close(out);
   if (cli_value(call, "save"))
     save(call, wall.profile);
@@ -347,6 +356,8 @@ static const char detail[] =
     "row has the slopes of the path of its center (dilation), at equal steps along the\n"
     "wall. kappa = sqrt(3) dp rq / lambda_c^2; angle_kurtosis is the excess (normal: 0);\n"
     "kl_normal is D_KL (natural logarithm) of the normal fit to the angles, in bins of sd/4.\n"
+    "sigma is that of a disc on this profile, tilt_sigma that of the tilt of a wall of these\n"
+    "words: of a sphere, and of rq and lambda_c.\n"
     "A generated profile is periodic, a measured\n"
     "one is mirrored at its ends. rq and lambda_c may be lists: 'surface rq 2um,5um\n"
     "lambda_c 40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"

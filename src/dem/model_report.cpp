@@ -169,9 +169,14 @@ std::string Model::describe_surface() const {
     line +=
         "\n  spread is the default; the choice of Altmeppen et al. 2020 is 'spread weibull plane "
         "collisions single'";
+  double d_p[2];
+  engine_.diameters(d_p[0], d_p[1]);
+  for (int k = 0; k < 2 && asp_surface_bins(s) == 0 && d_p[k] > (k > 0 ? d_p[0] : 0); k++)
+    line += text("\n  d_p %.4g: tilt of sigma %.4g deg", d_p[k],
+                 atan(asp_wall_slope(wall, d_p[k])) * DEGREES);
   for (int i = 0; i < asp_surface_bins(s); i++)
     line += text("\n  bin %d: d_p %.4g, sigma %.4g deg", i + 1, asp_surface_bin_d_p(s, i),
-                 atan(asp_surface_bin_slope(s, i)) * DEGREES);
+                 atan(asp_wall_slope(wall, asp_surface_bin_d_p(s, i))) * DEGREES);
   return line;
 }
 

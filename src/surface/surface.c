@@ -327,6 +327,12 @@ static double sphere_ratio(double kappa, double other) {
   return 1 / sqrt(cbrt(1 + kappa * kappa * (0.92 * kappa + 0.37 * other)));
 }
 
+/* Of both formulas, without overflow. */
+double aspi_sphere_over_disc(double kappa) {
+  return kappa >= KAPPA_NO_FILTER ? 1 / sqrt(cbrt(1 + 0.37 / (0.92 + 1 / (kappa * kappa * kappa))))
+                                  : 1;
+}
+
 void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double slope[2]) {
   double kappa = surface->curvature * d_p, short_way = surface->lambda_c / surface->lambda_along;
   double other = kappa * short_way * short_way;
@@ -336,8 +342,5 @@ void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double s
     slope[1] = surface->slope * short_way * (filters ? sphere_ratio(other, kappa) : 1);
     return;
   }
-  slope[0] = asp_surface_slope(surface, d_p);
-  if (kappa >= KAPPA_NO_FILTER) /* the ratio of both formulas, without overflow */
-    slope[0] /= sqrt(cbrt(1 + 0.37 / (0.92 + 1 / (kappa * kappa * kappa))));
-  slope[1] = slope[0];
+  slope[0] = slope[1] = asp_surface_slope(surface, d_p) * aspi_sphere_over_disc(kappa);
 }

@@ -30,6 +30,11 @@ aspi_roughness aspi_roughness_of(const asp_wall *wall, const asp_particle *parti
   return rough;
 }
 
+double asp_wall_slope(const asp_wall *wall, double d_p) {
+  const asp_particle particle = {.d_p = d_p};
+  return wall->surface ? aspi_roughness_of(wall, &particle, (vec){0, 0, 1}).slope[0] : 0;
+}
+
 aspi_heading aspi_heading_of(const aspi_roughness *rough, const frame *f) {
   if (!aspi_roughness_has_lay(rough))
     return (aspi_heading){1, 0};

@@ -2,14 +2,14 @@
 # The command surface: columns, measured profiles, seeds, threads, messages, files, pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
-columns=dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,sigma_deg,angle_mean_deg,angle_sd_deg,angle_kurtosis,kl_normal
+columns=dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,sigma_deg,angle_mean_deg,angle_sd_deg,angle_kurtosis,kl_normal,tilt_sigma_deg
 
 # A generated wall: its columns, its numbers, its seed.
 "$asperity" surface surface rq 5um lambda_c 40um --dp 10um,55um,400um -o a
 grep -v '^#' a | head -n 1 | grep -qx "$columns" || die "surface: columns"
 rows a | awk -F, 'function off(x, y) { d = x / y - 1; return d > 0.03 || d < -0.03 }
   off($6, $1 < 100 ? 0.1768 : 0.1290) || off($7, $1 < 100 ? 10.03 : 7.35) || off($9, $1 < 100 ? 9.835 : 7.29) || off($4, 0.125) { exit 1 }
-  $11 < 0 || $11 > 0.01 || $8 > 0.1 || $8 < -0.1 { exit 1 } END { exit NR != 3 }' || die "surface: numbers: $(cat a)"
+  off($12, $1 < 100 ? 10.02 : 6.49) || $11 < 0 || $11 > 0.01 || $8 > 0.1 || $8 < -0.1 { exit 1 } END { exit NR != 3 }' || die "surface: numbers: $(cat a)"
 made() { "$asperity" surface surface rq 5um lambda_c 40um "$@" --dp 10um,55um --points 131072; }
 made --save profile.csv > a; made > b; made seed 2 > c
 cmp <(rows a) <(rows b) || die "surface: the same seed, other numbers"
@@ -18,7 +18,7 @@ cmp -s <(rows a) <(rows c) && die "surface: another seed, the same numbers"
 # A saved wall reads back as the same wall.
 "$asperity" surface surface profile profile.csv --dp 10um,55um > m
 paste -d, <(rows m) <(rows a) | awk -F, 'function off(x, y, part) { d = x / y - 1; return d > part || d < -part }
-  off($2, 5, 0.05) || off($3, 40, 0.05) || off($6, $17, 1e-3) || off($9, $20, 1e-3) { exit 1 } END { exit NR != 2 }' || die "surface --profile: $(cat m a)"
+  off($2, 5, 0.05) || off($3, 40, 0.05) || off($6, $18, 1e-3) || off($9, $21, 1e-3) { exit 1 } END { exit NR != 2 }' || die "surface --profile: $(cat m a)"
 grep -q '^# profile profile.csv: 131072 points read, 0 bad' m || die "surface --profile: the file is not described"
 
 refuses 2 "'seed' has no effect" -- surface surface profile profile.csv seed 2

@@ -80,7 +80,7 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "wall_create": (_P, _P, _D, _D, _E), "wall_free": (None, _P), "wall_pair": (_P, _P),
     "wall_reason": (_S, _P), "wall_surface": (_P, _P), "surface_check": (c_int, _P, _D, _E),
     "surface_r_q": (_D, _P), "surface_lambda_c": (_D, _P), "surface_lambda_along": (_D, _P),
-    "surface_phi_r": (_D, _P), "surface_slope_rms": (_D, _P), "surface_slope": (_D, _P, _D),
+    "surface_phi_r": (_D, _P), "surface_slope_rms": (_D, _P), "wall_slope": (_D, _P, _D),
     "wall_impacts": (c_int, _P, _N, _P, _P, _P, _P, _P, _E),
     "impacts_coefficients": (None, _N, _P, _P, _P, _P)}
 
@@ -220,9 +220,8 @@ class Wall:
         return {name: getattr(_asp, "asp_surface_" + name)(self._surface) for name in names}
 
     def slope(self, d_p: ArrayLike) -> NDArray[np.float64]:
-        """The rms slope s_eff that particles of these diameters meet; 0 if the wall is smooth."""
-        one = lambda d: _asp.asp_surface_slope(self._surface, d) if self._surface else 0.0
-        return np.vectorize(one, otypes=[float])(d_p)
+        """The rms slope of the tilt for particles of these diameters; 0 if the wall is smooth."""
+        return np.vectorize(lambda d: _asp.asp_wall_slope(self._wall, d), otypes=[float])(d_p)
 
     def impacts(self, v1: ArrayLike, d_p: ArrayLike, normals: ArrayLike = (0, 0, 1), *,
                 density: ArrayLike | None = None, omega: ArrayLike = (0, 0, 0),
