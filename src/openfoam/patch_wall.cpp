@@ -41,14 +41,12 @@ void PatchWall::check(const Cloud &cloud) const {
   const asp_description *words = words_.get();
   const std::string surface = asp_description_word(words, "surface");
   asp_error wrong;
-  if (asp_description_check_pair(words, &wrong))
+  if (asp_description_check_pair(words, &wrong) ||
+      asp_description_check_heat(words, cloud.has_temperature, &wrong))
     throw Error(wrong.text);
   if (asp_description_needs_sizes(words) && !(cloud.d_least > 0 && cloud.d_most >= cloud.d_least))
     throw Error("a measured wall needs the diameters of the parcels: dMin, which must be more than "
                 "0, and dMax, which must be dMin or more");
-  asp_error wrong;
-  if (asp_description_check_heat(words, cloud.has_temperature, &wrong))
-    throw Error(wrong.text);
   if (lay_.kind == ASP_LAY_ANGLE)
     throw Error("the lay is an angle, which counts on cylinders only; it must be a vector");
   const bool in_plane = strcmp(asp_description_word(words, "tilt"), "plane") == 0;
