@@ -25,8 +25,8 @@ deck grains.data 'surface smooth' 1e-8 400 > run.in
 engine 2 run.in
 rows out.csv | while IFS=, read -r -a f; do
   "$bin/asperity" cor --dp "${f[8]}" --speed "${f[9]}" --angles "${f[10]}" --samples 1 | tail -n 1
-done | awk -F, '{ print $8 "," ($10 == "deposit" ? 0 : $9) "," ($10 == "deposit") }' > command.csv
-rows out.csv | awk -F, '{ print $17 "," $18 "," ($19 == 1) }' > ledger.csv
+done | awk -F, '{ print ($10 == "deposit") "," $8 "," $9 }' > command.csv
+rows out.csv | awk -F, '{ print ($19 == 1) "," $17 "," $18 }' > ledger.csv
 near ledger.csv command.csv "1 2 3" 2e-5
 
 # Steps far too large: every grain crosses the wall within one, some by many diameters; none is lost, and
