@@ -31,9 +31,9 @@ done
 "$asperity" cor surface rq 15.6um lambda_c 120um spread truncated materials ard hastelloy-x --dp lognormal:1um:100um:10um --speed 100 --angles 2,45,88,90 --samples 500 > c
 [ "$(header c)" = dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v_plane,cor_alpha_plane,cor_n,cor_t,outcome,cor_v_space,cor_alpha_space ] && [ "$(wc -l < c)" = 2002 ] || die "cor: columns or rows"
 awk -F, 'NR > 2 {
-    if ($1 < 1 || $1 > 100 || $6 > 1 || ($10 == "deposit" && $8 != 0)) bad = 1
+    if ($1 < 1 || $1 > 100 || $6 > 1 || ($10 == "deposit" && $8 $9 != "")) bad = 1
     if ($3 == 90 && $9 != "") bad = 1
-    over += $3 == 2 && $8 > 1; negative += $3 == 88 && $9 < 0; deposits += $10 == "deposit" }
+    over += $3 == 2 && $8 > 1; negative += $3 == 88 && $9 != "" && $9 < 0; deposits += $10 == "deposit" }
   END { exit bad || over < 100 || negative < 50 || deposits < 10 }' c || die "cor: the scatter is not as it should be"
 "$asperity" cor surface_energy 0 --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { d = $8 - 0.166; exit !(d < 1e-3 && d > -1e-3) }' || die "cor: CoR_N(90) is not v_y/v1"
 "$asperity" cor rebound bons yield_rate 3.3e6 surface_energy 0 --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { exit !($8 > 0.25 && $8 < 0.3) }' || die "cor yield_rate"
