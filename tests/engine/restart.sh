@@ -39,7 +39,7 @@ set -- $(grep -E '^ +1000 ' whole.screen | tail -n 1)
 [ "$(rows whole.csv | awk -F, '$3 > 200e-8' | wc -l)" -gt 50 ] || die "too few impacts after the restart for this test"
 
 # dump local, each row once; a second dump does not disturb it.
-cat rows.*.txt | awk 'NF == 6 && !/ITEM/ { sub("nan", ""); print $1 "," $2 "," $3 "," $4 "," $5 "," $6 }' | sort > dumped
+cat rows.*.txt | awk 'NF == 6 && !/ITEM/ { sub("nan", "", $5); print $1 "," $2 "," $3 "," $4 "," $5 "," $6 }' | sort > dumped
 rows whole.csv | awk -F, -v OFS=, '$3 <= 1920e-8 { print $1, $2, $3, $11, $17, $19 }' | sort > written
 same dumped written "dump local and file"
 
