@@ -141,8 +141,7 @@ static void stick(path *at) {
 
 /* Directions along the face in which K has no coupling between them. */
 static void principal(const asp_body *body, vec arm, vec m, vec *a, vec *b) {
-  vec axis = fabs(m.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0};
-  vec first = unit(cross(m, axis)), second = cross(m, first);
+  vec first = across(m), second = cross(m, first);
   vec k1 = aspi_body_kick(body, arm, first), k2 = aspi_body_kick(body, arm, second);
   double angle = 0.5 * atan2(2 * dot(second, k1), dot(first, k1) - dot(second, k2));
   *a = plus(scaled(first, cos(angle)), sin(angle), second);

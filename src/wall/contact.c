@@ -26,7 +26,7 @@ static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, ve
                       aspi_stream *stream) {
   vec turning = cross(n, omega), other[2];
   double rate = sqrt(dot(turning, turning)), delta = 0;
-  turning = rate > 0 ? scaled(turning, 1 / rate) : unit(cross(n, (vec){n.y, n.z, -n.x}));
+  turning = rate > 0 ? scaled(turning, 1 / rate) : across(n);
   aspi_view view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
   while (!aspi_spread_draw(wall->upward, &view, stream, &delta))
     ;

@@ -52,6 +52,11 @@ static inline vec unit(vec n) {
   return scaled(n, 1 / sqrt(dot(n, n)));
 }
 
+/* A unit vector across a unit vector. */
+static inline vec across(vec n) {
+  return unit(cross(n, fabs(n.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0}));
+}
+
 /* The frame of a velocity at a wall. What is left of the difference along the normal, of a velocity
  * nearly along it, is rounding; it is subtracted once more. */
 static inline frame frame_of(vec v, vec normal) {

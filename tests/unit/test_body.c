@@ -272,6 +272,26 @@ static void eccentric_grains(void **state) {
   assert_near(mean, expected, 1e-4);
 }
 
+/* A grain without spin leaves a wall of any direction, with no more energy. */
+static void eccentric_grains_of_all_walls(void **state) {
+  (void)state;
+  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05");
+  for (int of = 0; of < 27; of++) {
+    double n[3] = {of % 3 - 1, of / 3 % 3 - 1, of / 9 - 1}, v1[3];
+    asp_particle particle = {.d_p = D, .density = RHO};
+    asp_impact is;
+    if (of == 13)
+      continue;
+    for (int k = 0; k < 3; k++)
+      v1[k] = -n[k];
+    asp_wall_impact(wall, &particle, v1, n, &(asp_key){1, 1, (uint64_t)of, 1}, &is);
+    vec v = load(is.v2), spin = load(is.omega);
+    assert_true(dot(v, load(n)) > 0);
+    assert_true(dot(v, v) + D * D / 10 * dot(spin, spin) < dot(load(n), load(n)));
+  }
+  asp_wall_free(wall);
+}
+
 /* A file of two spheres that touch is the dumbbell; the union of a sphere with parts of itself is
  * the sphere. */
 static void clumps(void **state) {
@@ -323,6 +343,7 @@ int main(void) {
       cmocka_unit_test(energy_and_momentum),
       cmocka_unit_test(sticks_as_a_whole),
       cmocka_unit_test(eccentric_grains),
+      cmocka_unit_test(eccentric_grains_of_all_walls),
       cmocka_unit_test(clumps),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
