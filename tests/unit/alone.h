@@ -68,12 +68,12 @@ private:
 
 typedef std::vector<std::unique_ptr<Shape>> Shapes;
 
-/* The wall that a script would describe so. A mesh has one triangle. */
+/* The wall that a script would describe so. triangles: of each of its meshes. */
 inline std::unique_ptr<Wall> make_wall(const Engine &engine, Shapes shapes,
-                                       const std::string &description, bool mesh = false) {
+                                       const std::string &description, size_t triangles = 0) {
   std::unique_ptr<Wall> wall(new Wall(engine));
   for (std::unique_ptr<Shape> &shape : shapes)
-    wall->add_shape(std::move(shape), 1, mesh, mesh ? "mesh" : "");
+    wall->add_shape(std::move(shape), 1, triangles, triangles ? "mesh" : "");
   std::istringstream text(description);
   std::vector<std::string> words;
   for (std::string word; text >> word;)
@@ -87,10 +87,10 @@ inline std::unique_ptr<Wall> make_wall(const Engine &engine, Shapes shapes,
 }
 
 inline std::unique_ptr<Wall> make_wall(const Engine &engine, std::unique_ptr<Shape> shape,
-                                       const std::string &description, bool mesh = false) {
+                                       const std::string &description, size_t triangles = 0) {
   Shapes shapes;
   shapes.push_back(std::move(shape));
-  return make_wall(engine, std::move(shapes), description, mesh);
+  return make_wall(engine, std::move(shapes), description, triangles);
 }
 
 /* Spheres of one size and mass 1, in velocity Verlet steps. */

@@ -358,7 +358,7 @@ void straying_grains_are_met(void **) {
   for (double of : share) {
     const Alone engine;
     std::unique_ptr<Wall> wall =
-        make_wall(engine, triangle_across(n), "rebound constant 0.5 0.5 deposit off", true);
+        make_wall(engine, triangle_across(n), "rebound constant 0.5 0.5 deposit off", 1);
     Grains grains(1, 0.5, 0.1);
     for (int d = 0; d < 3; d++)
       grains.x[d] = 0.7 * n[d];
@@ -386,7 +386,7 @@ void bent_ways_are_met(void **) {
     std::unique_ptr<Wall> floor = make_wall(engine, plane(2, 0, fast),
                                             "rebound walton 0.5 10 0 deposit off"),
                           wall = make_wall(engine, triangle_across(n),
-                                           "rebound constant 0.5 0.5 deposit off", true);
+                                           "rebound constant 0.5 0.5 deposit off", 1);
     Grains grains(1, 0.5, dt);
     const double pull = bend * stray / dt, along = 0.5 * stray / dt;
     for (int d = 0; d < 2; d++) {

@@ -140,38 +140,101 @@ void periodic_directions_are_refused(void **) {
   }
 }
 
-/* A plate of one period, at rest anywhere or on its way: a grain that falls into the box meets it.
- */
+/* A plate of one period, of two triangles at z = 0. */
+void set_plate(MeshShape &mesh) {
+  const double corner[4][3] = {{-2, 5, 0}, {-1, 5, 0}, {-1, 6, 0}, {-2, 6, 0}};
+  std::vector<ContactTriangle> triangles(2);
+  for (int k = 0; k < 3; k++) {
+    aspi_copy(corner[k], triangles[0].node[k]);
+    aspi_copy(corner[(k + 2) % 4], triangles[1].node[k]);
+  }
+  mesh.set_triangles(triangles, {0, 1});
+}
+
+const Box BOX = {{-2, 5, -1}, {1, 1, 0}};
+
+/* At rest anywhere, or moved by part of a period or several in a step: a grain that falls meets it,
+ * even if it flies through many periods in the step. */
 void meshes_repeat_with_the_box(void **) {
-  const Box box = {{-2, 5, -1}, {1, 1, 0}};
   for (double moved : {0.0, 0.4, 1.0, 3.3, -7.6, 1e4}) {
-    MeshShape plate;
-    std::vector<ContactTriangle> triangles(2);
-    const double corner[4][3] = {{-2, 5, 0}, {-1, 5, 0}, {-1, 6, 0}, {-2, 6, 0}};
-    for (int k = 0; k < 3; k++) {
-      aspi_copy(corner[k], triangles[0].node[k]);
-      aspi_copy(corner[(k + 2) % 4], triangles[1].node[k]);
-    }
-    plate.set_triangles(triangles, {0, 1});
-    Frame frame;
-    for (double end : {moved, moved + 0.01}) {
-      frame.shift[0] = end;
-      frame.shift[1] = -end;
-      if (end > moved)
+    for (double by : {0.0, 0.01, 0.5, -3.7}) {
+      MeshShape plate;
+      set_plate(plate);
+      Frame frame;
+      frame.shift[0] = moved;
+      frame.shift[1] = -moved;
+      plate.motion().settle(frame, true);
+      frame.shift[0] += by;
+      frame.shift[1] -= by;
+      if (fabs(by) > 0)
         plate.motion().advance(frame, Twist(), 1);
-      else
-        plate.motion().settle(frame, true);
-      plate.set_images(box);
-      assert_false(plate.set_images(box));
+      assert_true(plate.set_images(BOX));
+      assert_false(plate.set_images(BOX));
       for (int k = 0; k < 100; k++) {
         Path path = {{-2.2 + 0.014 * k, 4.9 + 0.012 * k, 0.1}, {0, 0, -1}, 1, 1};
         Contact contact;
+        path.v[0] = k % 3 - 1;
+        path.v[1] = k % 7 * 2.3;
         assert_true(plate.find(path, 0.02, 1, contact));
         assert_float_equal(contact.time, 0.08, 1e-6);
-        assert_float_equal(contact.x[0], path.x[0], 1e-6);
+        assert_float_equal(contact.x[0], path.x[0] + 0.08 * path.v[0], 1e-6);
         assert_float_equal(contact.n[2], 1, 1e-6);
       }
     }
+  }
+}
+
+/* Grains that fly through many periods before they fall on the plate bounce from it. */
+void long_flights_meet_a_mesh(void **) {
+  const int n = 100;
+  for (double by : {0.0, 0.003, 0.5}) {
+    const Alone engine;
+    MeshShape *const plate = new MeshShape;
+    set_plate(*plate);
+    std::unique_ptr<Wall> wall =
+        make_wall(engine, std::unique_ptr<Shape>(plate), "rebound constant 1 1 deposit off", 2);
+    Grains grains(n, 0.005, 0.01);
+    for (int i = 0; i < n; i++) {
+      const double x[3] = {-2 + 0.01 * i, 5 + 0.37 * i - floor(0.37 * i), 0.02 + 0.004 * i};
+      aspi_copy(x, &grains.x[3 * i]);
+      grains.v[3 * i] = 0.1;
+      grains.v[3 * i + 2] = -0.01;
+    }
+    plate->set_images(BOX);
+    grains.begin({wall.get()});
+    Frame frame;
+    for (int step = 1; step <= 5000; step++) {
+      frame.shift[0] += by;
+      if (by > 0)
+        plate->motion().advance(frame, Twist(), grains.dt);
+      assert_false(plate->set_images(BOX));
+      grains.fly(1);
+      if (step % 100)
+        continue;
+      for (int i = 0; i < n; i++)
+        grains.x[3 * i] -= floor(grains.x[3 * i] + 2);
+      wall->reorder(grains.spheres());
+    }
+    for (int i = 0; i < n; i++)
+      assert_true(grains.x[3 * i + 2] > 0 && grains.v[3 * i + 2] > 0);
+    assert_int_equal(wall->books.counter(Books::N_IMPACTS), n);
+  }
+}
+
+void absurd_flights_are_refused(void **) {
+  MeshShape plate;
+  set_plate(plate);
+  plate.set_images(BOX);
+  for (double v : {1e6, HUGE_VAL}) {
+    const Path path = {{-2, 5, 0.1}, {v, 0, -1}, 1, 1};
+    std::string wrong;
+    try {
+      Contact contact;
+      plate.find(path, 0.02, 1, contact);
+    } catch (const Error &error) {
+      wrong = error.what();
+    }
+    assert_true(has(wrong, "shorten the time step"));
   }
 }
 
@@ -184,6 +247,8 @@ int main(int argc, char **argv) {
       cmocka_unit_test(ledger_rows_are_one_block),
       cmocka_unit_test(periodic_directions_are_refused),
       cmocka_unit_test(meshes_repeat_with_the_box),
+      cmocka_unit_test(long_flights_meet_a_mesh),
+      cmocka_unit_test(absurd_flights_are_refused),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);

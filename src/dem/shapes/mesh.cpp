@@ -1,4 +1,5 @@
-/* A mesh as a wall: its contacts; see mesh.h. What it takes along is in mesh_carry.cpp.
+/* A mesh as a wall: its contacts; see mesh.h. What it takes along is in mesh_carry.cpp, its
+ * periodic images in mesh_images.cpp.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/shapes/mesh.h"
@@ -34,7 +35,7 @@ double same_instant(const ContactTouch &touch, const ContactPath &path, double r
 
 } // namespace
 
-MeshShape::MeshShape() : tree_(NULL, aspi_tree_free), shifts_(1, Shift{{0, 0, 0}}), periodic_() {}
+MeshShape::MeshShape() : tree_(NULL, aspi_tree_free), period_(), swept_() {}
 
 void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
                               const std::vector<int> &id) {
@@ -50,54 +51,6 @@ void MeshShape::put_tree(ContactTree *tree) {
     throw std::bad_alloc();
   tree_.reset(tree);
   found_.is_set = false;
-}
-
-/* Along a periodic axis: the image whose middle is nearest to that of the box, and its two
- * neighbors where they come within half a period of the box. */
-bool MeshShape::set_images(const Box &box) {
-  const Bounds mesh = swept();
-  std::vector<Shift> shifts(1, Shift{{0, 0, 0}});
-  for (int d = 0; d < 3; d++) {
-    const double period = box.period[d], lo = box.lo[d] - 0.5 * period;
-    const double hi = box.lo[d] + 1.5 * period;
-    periodic_[d] = period > 0;
-    if (!periodic_[d] || mesh.lo[d] > mesh.hi[d])
-      continue;
-    const double nearest = floor((lo + hi - mesh.lo[d] - mesh.hi[d]) / (2 * period) + 0.5);
-    std::vector<Shift> along;
-    for (double side : {0.0, -1.0, 1.0}) {
-      const double by = (nearest + side) * period;
-      if (mesh.hi[d] + by < lo || mesh.lo[d] + by > hi)
-        continue;
-      for (Shift shift : shifts) {
-        shift.by[d] = by;
-        along.push_back(shift);
-      }
-    }
-    shifts.swap(along);
-  }
-  const bool changed = shifts != shifts_;
-  shifts_.swap(shifts);
-  return changed;
-}
-
-/* The box around the mesh at both ends of the step. */
-Bounds MeshShape::swept() const {
-  const Bounds box = whole();
-  if (motion_.in_world() || box.lo[0] > box.hi[0])
-    return box;
-  Bounds swept = Bounds::none();
-  const Frame begin = motion_.frame_at(0);
-  for (int corner = 0; corner < 8; corner++) {
-    double x[3], at[3];
-    for (int d = 0; d < 3; d++)
-      x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
-    begin.to_world(x, at);
-    swept.include(at);
-    motion_.end().to_world(x, at);
-    swept.include(at);
-  }
-  return swept;
 }
 
 Bounds MeshShape::whole() const {
@@ -137,7 +90,10 @@ double MeshShape::drift(const Twist &from, double dt) const {
 }
 
 bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
-  for (const Shift &shift : shifts_) {
+  Bounds region;
+  aspi_copy(lo, region.lo);
+  aspi_copy(hi, region.hi);
+  for (const Shift &shift : images(region)) {
     double low[3], high[3];
     aspi_subtract(lo, shift.by, low);
     aspi_subtract(hi, shift.by, high);
@@ -164,7 +120,7 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
 
 double MeshShape::clear(const Course &course, const Twist &screw, const FaceList &stays) const {
   double steps = course.most;
-  for (const Shift &shift : shifts_) {
+  for (const Shift &shift : images_ahead(course, screw, steps)) {
     Course at = course;
     aspi_subtract(course.x, shift.by, at.x);
     if (!motion_.in_world()) {
@@ -183,7 +139,7 @@ double MeshShape::clear(const Course &course, const Twist &screw, const FaceList
 }
 
 bool MeshShape::repeats(int axis) const {
-  return periodic_[axis];
+  return period_[axis] > 0;
 }
 
 /* The path as the mesh sees it: straight between its two ends in the mesh's frame. */
@@ -343,7 +299,8 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
                       double v_wall[3]) const {
   const bool edge = face < 0;
   const int piece = edge ? ~face : face;
-  for (const Shift &shift : shifts_) {
+  const double still[3] = {0, 0, 0};
+  for (const Shift &shift : images(Bounds::of_path(x, still, 0, 0, 2 * reach))) {
     double at[3], foot[3], arm[3], normal[3];
     aspi_subtract(x, shift.by, at);
     motion_.end().to_body(at, at);
@@ -383,7 +340,7 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
   ContactTouch first;
   if (!(path.left > 0))
     return false;
-  for (const Shift &shift : shifts_) {
+  for (const Shift &shift : images(around(path, radius))) {
     ContactPath body;
     ContactTouch touch;
     Places place;
@@ -405,7 +362,7 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
 bool MeshShape::find_known(int face, const Path &path, double radius, Contact &contact) const {
   if (!(path.left > 0))
     return false;
-  for (const Shift &shift : shifts_) {
+  for (const Shift &shift : images(around(path, radius))) {
     ContactPath body;
     ContactTouch touch;
     body_path(path, shift, body);

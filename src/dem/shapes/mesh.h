@@ -6,7 +6,6 @@
 #ifndef ASPERITY_DEM_MESH_H
 #define ASPERITY_DEM_MESH_H
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -26,9 +25,8 @@ public:
   /* The triangles in the mesh's own frame, and their numbers. Throws std::bad_alloc. */
   void set_triangles(const std::vector<ContactTriangle> &triangles, const std::vector<int> &id);
 
-  /* Call when the mesh has moved, or the box may have changed: finds the periodic images of the
-   * mesh that may meet particles of the box in this step. True if they are not those of the last
-   * call. */
+  /* Call when the mesh has moved, or the box may have changed. True if the box has other periods
+   * than before. */
   bool set_images(const Box &box);
 
   Motion &motion() {
@@ -81,9 +79,6 @@ protected:
 private:
   struct Shift {
     double by[3];
-    bool operator==(const Shift &other) const {
-      return std::equal(by, by + 3, other.by);
-    }
   };
   /* Places in the tree of the triangle that a contact counts for, and of that with its normal. */
   struct Places {
@@ -103,6 +98,10 @@ private:
   };
 
   Bounds swept() const;
+  Bounds around(const Path &path, double radius) const;
+  const std::vector<Shift> &images(const Bounds &region) const;
+  const std::vector<Shift> &images_ahead(const Course &course, const Twist &screw,
+                                         double &steps) const;
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
   void put_tree(ContactTree *tree);
   const ContactList &meet(const Bounds &box, double reach, double margin) const;
@@ -116,8 +115,9 @@ private:
   NodeTree shared_;
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree_;
   Motion motion_;
-  std::vector<Shift> shifts_; /* of the periodic images, that nearest to the box first */
-  bool periodic_[3];
+  double period_[3];                  /* 0 along an axis that is not periodic */
+  Bounds swept_;                      /* around the mesh in this step */
+  mutable std::vector<Shift> shifts_; /* what images() has found */
   mutable Meeting found_;
 };
 

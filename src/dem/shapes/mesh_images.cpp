@@ -1,0 +1,101 @@
+/* The images of a mesh in a periodic box; see mesh.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/shapes/mesh.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+#include "dem/error.h"
+
+using namespace asperity;
+
+namespace {
+
+/* No path may come near more images. */
+const double IMAGES_MOST = 10000;
+
+/* An arc of this angle (rad, up to a half turn) is off its chord by less than the product with both
+ * lengths. */
+const double SAGITTA = 0.25;
+
+} // namespace
+
+bool MeshShape::set_images(const Box &box) {
+  const bool changed = !std::equal(period_, period_ + 3, box.period);
+  aspi_copy(box.period, period_);
+  swept_ = swept();
+  return changed;
+}
+
+/* The box around the mesh throughout the step. */
+Bounds MeshShape::swept() const {
+  const Bounds box = whole();
+  if (motion_.in_world() || box.lo[0] > box.hi[0])
+    return box;
+  Bounds swept = Bounds::none();
+  double longest = 0;
+  const Frame begin = motion_.frame_at(0);
+  for (int corner = 0; corner < 8; corner++) {
+    double x[3], from[3], to[3], chord[3];
+    for (int d = 0; d < 3; d++)
+      x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
+    begin.to_world(x, from);
+    motion_.end().to_world(x, to);
+    swept.include(from);
+    swept.include(to);
+    aspi_subtract(to, from, chord);
+    longest = std::max(longest, aspi_length(chord));
+  }
+  swept.widen(SAGITTA * aspi_length(motion_.screw().angular) * longest);
+  return swept;
+}
+
+/* Where a sphere comes on its path. A turning mesh sees the straight path bent. */
+Bounds MeshShape::around(const Path &path, double radius) const {
+  const double bent = aspi_length(motion_.screw().angular) * aspi_length(path.v) * path.left;
+  return Bounds::of_path(path.x, path.v, 0, path.left, 1.001 * radius + SAGITTA * bent);
+}
+
+/* The images whose boxes meet a region. Valid up to the next call. */
+const std::vector<MeshShape::Shift> &MeshShape::images(const Bounds &region) const {
+  shifts_.assign(1, Shift{{0, 0, 0}});
+  for (int d = 0; d < 3; d++) {
+    if (!(period_[d] > 0))
+      continue;
+    const double first = ceil((region.lo[d] - swept_.hi[d]) / period_[d]);
+    const double number = floor((region.hi[d] - swept_.lo[d]) / period_[d]) - first + 1;
+    const size_t count = shifts_.size();
+    if (!(static_cast<double>(count) * number <= IMAGES_MOST))
+      throw Error("a particle or a mesh moves through thousands of periodic boxes in one step; "
+                  "shorten the time step");
+    shifts_.resize(count * static_cast<size_t>(std::max(0.0, number)));
+    for (size_t k = shifts_.size(); k-- > 0;) {
+      shifts_[k] = shifts_[k % count];
+      shifts_[k].by[d] = (first + static_cast<double>(k / count)) * period_[d];
+    }
+    if (shifts_.empty())
+      break;
+  }
+  return shifts_;
+}
+
+/* The images that a sphere may meet on its course in so many steps, which become fewer so that
+ * neither the sphere nor the mesh moves by more than a period, but one at least. */
+const std::vector<MeshShape::Shift> &
+MeshShape::images_ahead(const Course &course, const Twist &screw, double &steps) const {
+  double speed = 0;
+  for (int corner = 0; corner < 8 && !screw.is_rest(); corner++) {
+    double x[3], v[3];
+    for (int d = 0; d < 3; d++)
+      x[d] = corner >> d & 1 ? swept_.hi[d] : swept_.lo[d];
+    screw.velocity(x, v);
+    speed = std::max(speed, aspi_length(v));
+  }
+  for (int d = 0; d < 3; d++)
+    if (period_[d] > 0)
+      steps = std::max(1.0, std::min(steps, period_[d] / (fabs(course.v[d]) + speed)));
+  return images(
+      Bounds::of_path(course.x, course.v, 0, steps, course.reach + steps * (course.widen + speed)));
+}
