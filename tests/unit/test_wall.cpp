@@ -174,7 +174,7 @@ void meshes_repeat_with_the_box(void **) {
         Path path = {{-2.2 + 0.014 * k, 4.9 + 0.012 * k, 0.1}, {0, 0, -1}, 1, 1};
         Contact contact;
         path.v[0] = k % 3 - 1;
-        path.v[1] = k % 7 * 2.3;
+        path.v[1] = k % 7 * (k % 2 ? 2.3 : 2e4);
         assert_true(plate.find(path, 0.02, 1, contact));
         assert_float_equal(contact.time, 0.08, 1e-6);
         assert_float_equal(contact.x[0], path.x[0] + 0.08 * path.v[0], 1e-6);
@@ -225,7 +225,7 @@ void absurd_flights_are_refused(void **) {
   MeshShape plate;
   set_plate(plate);
   plate.set_images(BOX);
-  for (double v : {1e6, HUGE_VAL}) {
+  for (double v : {1e9, HUGE_VAL}) {
     const Path path = {{-2, 5, 0.1}, {v, 0, -1}, 1, 1};
     std::string wrong;
     try {

@@ -211,11 +211,11 @@ bool MeshShape::clip(const ContactPath &body, double radius, double &from, doubl
 /* The first triangle on the path. An edge is met at one instant by all of its triangles: the
  * contact is that of the one with the least number, but with the normal that is nearest to that of
  * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
-bool MeshShape::find_image(const ContactPath &body, double radius, double latest,
+bool MeshShape::find_image(const ContactPath &body, double radius, double from, double latest,
                            ContactTouch &touch, Places &place) const {
   const double speed = aspi_length(body.v);
   const double least = PIECE * radius / speed;
-  double from = 0, most = std::min(latest, body.left), piece = least;
+  double most = std::min(latest, body.left), piece = least;
   if (!(speed > 0) || (piece < most && !clip(body, radius, from, most)))
     return false;
   for (;;) {
@@ -333,21 +333,20 @@ bool MeshShape::under(int face, const double x[3], double reach, double n[3],
   return false;
 }
 
-/* The first contact among all periodic images. Where two are met at one instant, as at a seam
- * between them, the one whose normal is nearest to that of a face counts. */
-bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+/* The first contact between two times among all periodic images. Where two are met at one instant,
+ * as at a seam between them, the one whose normal is nearest to that of a face counts. */
+bool MeshShape::find_piece(const Path &path, double radius, double from, double latest,
+                           Contact &contact) const {
   bool found = false;
   ContactTouch first;
-  if (!(path.left > 0))
-    return false;
-  for (const Shift &shift : images(around(path, radius))) {
+  for (const Shift &shift : images(around(path, from, latest, radius))) {
     ContactPath body;
     ContactTouch touch;
     Places place;
     body_path(path, shift, body);
     const double slack = found ? same_instant(first, body, radius) : 0;
-    if (!find_image(body, radius, found ? std::min(latest, first.time + slack) : latest, touch,
-                    place))
+    if (!find_image(body, radius, from, found ? std::min(latest, first.time + slack) : latest,
+                    touch, place))
       continue;
     if (found && touch.time >= first.time - slack && !(touch.edge_sine < first.edge_sine))
       continue;
@@ -358,11 +357,24 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
   return found;
 }
 
+bool MeshShape::find(const Path &path, double radius, double latest, Contact &contact) const {
+  if (!(path.left > 0))
+    return false;
+  const double piece = period_of(path);
+  for (double from = 0;; from += piece) {
+    const double to = std::min(latest, from + piece);
+    if (find_piece(path, radius, from, to, contact))
+      return true;
+    if (to >= latest)
+      return false;
+  }
+}
+
 /* A face is also met beyond its edges, as in under(). */
 bool MeshShape::find_known(int face, const Path &path, double radius, Contact &contact) const {
   if (!(path.left > 0))
     return false;
-  for (const Shift &shift : images(around(path, radius))) {
+  for (const Shift &shift : images(around(path, 0, std::min(path.left, period_of(path)), radius))) {
     ContactPath body;
     ContactTouch touch;
     body_path(path, shift, body);

@@ -13,12 +13,17 @@ using namespace asperity;
 
 namespace {
 
-/* No path may come near more images. */
-const double IMAGES_MOST = 10000;
+/* A path may be this many periods long, and a piece of it may come near this many images. */
+const double PERIODS_MOST = 1e6, IMAGES_MOST = 1e4;
 
 /* An arc of this angle (rad, up to a half turn) is off its chord by less than the product with both
  * lengths. */
 const double SAGITTA = 0.25;
+
+[[noreturn]] void refuse() {
+  throw Error("a particle or a mesh moves through too many periodic boxes in one step; shorten the "
+              "time step");
+}
 
 } // namespace
 
@@ -52,10 +57,22 @@ Bounds MeshShape::swept() const {
   return swept;
 }
 
-/* Where a sphere comes on its path. A turning mesh sees the straight path bent. */
-Bounds MeshShape::around(const Path &path, double radius) const {
+/* The time in which a path is no longer than a period. */
+double MeshShape::period_of(const Path &path) const {
+  double time = HUGE_VAL;
+  for (int d = 0; d < 3; d++)
+    if (period_[d] > 0 && fabs(path.v[d]) > 0)
+      time = std::min(time, period_[d] / fabs(path.v[d]));
+  if (!(path.left < PERIODS_MOST * time))
+    refuse();
+  return time;
+}
+
+/* Where a sphere comes between two times of its path. A turning mesh sees the straight path bent.
+ */
+Bounds MeshShape::around(const Path &path, double from, double to, double radius) const {
   const double bent = aspi_length(motion_.screw().angular) * aspi_length(path.v) * path.left;
-  return Bounds::of_path(path.x, path.v, 0, path.left, 1.001 * radius + SAGITTA * bent);
+  return Bounds::of_path(path.x, path.v, from, to, 1.001 * radius + SAGITTA * bent);
 }
 
 /* The images whose boxes meet a region. Valid up to the next call. */
@@ -68,8 +85,7 @@ const std::vector<MeshShape::Shift> &MeshShape::images(const Bounds &region) con
     const double number = floor((region.hi[d] - swept_.lo[d]) / period_[d]) - first + 1;
     const size_t count = shifts_.size();
     if (!(static_cast<double>(count) * number <= IMAGES_MOST))
-      throw Error("a particle or a mesh moves through thousands of periodic boxes in one step; "
-                  "shorten the time step");
+      refuse();
     shifts_.resize(count * static_cast<size_t>(std::max(0.0, number)));
     for (size_t k = shifts_.size(); k-- > 0;) {
       shifts_[k] = shifts_[k % count];
