@@ -457,6 +457,53 @@ void belts_keep_their_radius(void **) {
   assert_true(fabs(hypot(x[0], x[1]) - 3) < 1e-3 && fabs(x[1]) < 0.02 && x[0] > 0);
 }
 
+/* A rough room at rest gives no energy to grains that gravity lets hop, slide and hit its corners,
+ * in steps of 10 and 100 diameters: a cube, of one wall or of one for each plane, and a tube. */
+void rough_rooms_give_no_energy(void **) {
+  const double half = 10, g = 1, speed = sqrt(6 * g * half);
+  for (int kind = 0; kind < 3; kind++) {
+    const Alone engine;
+    const char *const law = "surface sigma 10 rebound constant 1 1 deposit off";
+    std::vector<std::unique_ptr<Wall>> walls;
+    Shapes shapes;
+    if (kind == 2)
+      shapes.push_back(ShapePtr(new CylinderShape(1, STILL, half, 0, 0)));
+    for (int k = 0; k < 6 && kind < 2; k++) {
+      shapes.push_back(plane(k / 2, k % 2 ? half : -half));
+      if (kind == 1) {
+        walls.push_back(make_wall(engine, std::move(shapes), law));
+        shapes.clear();
+      }
+    }
+    if (kind != 1)
+      walls.push_back(make_wall(engine, std::move(shapes), law));
+    std::vector<Wall *> all;
+    for (const std::unique_ptr<Wall> &wall : walls)
+      all.push_back(wall.get());
+    const int n = 100;
+    Grains grains(n, 0.5, (kind == 1 ? 10 : 100) / speed);
+    grains.spins = true;
+    for (int i = 0; i < n; i++) {
+      const double v[3] = {sin(i * 1.7 + 1), cos(i * 2.3), sin(3.1 * i + 2)};
+      aspi_add_scaled(&grains.v[3 * i], speed / aspi_length(v), v, &grains.v[3 * i]);
+      for (int d = 0; d < 3; d++)
+        grains.x[3 * i + d] = 0.6 * half * sin(i * (d + 1.3));
+      grains.f[3 * i + 2] = -g;
+    }
+    double first = 0;
+    grains.begin(all);
+    for (int step = 0; step <= 100; step++) {
+      double energy = energy_of(grains);
+      for (int i = 0; i < n; i++)
+        energy += g * grains.x[3 * i + 2];
+      if (step == 0)
+        first = energy;
+      assert_true(energy < first + 1e-3 * n * g * half);
+      grains.fly(1);
+    }
+  }
+}
+
 /* A face that faces the flight may send a grain off faster along the normal of the mean wall than
  * it came; no force that changes within the step may do so many times its work. */
 void forces_do_their_own_work(void **) {
@@ -610,6 +657,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(bent_ways_are_met),
       cmocka_unit_test(grains_slide_inside_cylinders),
       cmocka_unit_test(belts_keep_their_radius),
+      cmocka_unit_test(rough_rooms_give_no_energy),
       cmocka_unit_test(forces_do_their_own_work),
       cmocka_unit_test(grains_to_come_are_not_doubted),
       cmocka_unit_test(doubts_are_said_once),

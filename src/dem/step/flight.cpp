@@ -56,17 +56,27 @@ void Flight::advance(const Contact &contact, double v[3]) {
   aspi_copy(v, begin);
 }
 
+/* Along a direction, the mean of what acts for the rest of the step. */
+void Flight::act_along(const double n[3], double ahead[3]) const {
+  aspi_add_scaled(ahead, 0.5 * path.left * aspi_dot(a0, n) - aspi_dot(ahead, n), n, ahead);
+}
+
 /* The path from where it has come to, by a contact that has changed the velocity there. Its mean
  * velocity differs from that at its beginning: along n by what acts for the rest of the step, and
  * across it by as much as before, so that a particle which loses nothing along the wall ends where
- * it would have without the wall. */
+ * it would have without the wall. The walls at which it stayed hold it no more. */
 void Flight::turn(const double before[3], const double after[3], const double n[3]) {
-  double ahead[3];
+  double ahead[3], held[3];
+  aspi_subtract(acceleration, a0, held);
+  const double by = aspi_length(held);
+  aspi_copy(a0, acceleration);
   aspi_subtract(path.v, before, ahead);
-  aspi_add_scaled(ahead, 0.5 * path.left * aspi_dot(acceleration, n) - aspi_dot(ahead, n), n,
-                  ahead);
-  for (int d = 0; d < 3; d++)
-    half[d] = after[d] + (half[d] - before[d]);
+  if (by > 0) {
+    aspi_scale(1 / by, held);
+    act_along(held, ahead);
+  }
+  act_along(n, ahead);
+  aspi_add_scaled(after, 0.5 * path.dt - elapsed(), a0, half);
   aspi_copy(after, begin);
   aspi_add_scaled(after, 1, ahead, path.v);
 }
@@ -142,7 +152,7 @@ void Flight::add_sustained(Stepper *wall, size_t shape, const Contact &contact, 
 
 /* Makes the path follow the walls as the search finds them, which differs slightly from the
  * velocities at one instant. The push against the walls must not speed the particle up along
- * them. */
+ * them, and at this instant it moves along them. */
 void Flight::follow_walls() {
   aspi_copy(a0, acceleration);
   for (const Sustained &one : sustained) {
@@ -165,6 +175,11 @@ void Flight::follow_walls() {
     solve_supports(along, radius, path.v, none);
   }
   aspi_add_scaled(half, elapsed() - 0.5 * spheres.dt, acceleration, begin);
+  for (const Sustained &one : sustained) {
+    const Contact &contact = one.contact;
+    aspi_add_scaled(begin, aspi_dot(contact.v_wall, contact.n) - aspi_dot(begin, contact.n),
+                    contact.n, begin);
+  }
 }
 
 /* Ends the contacts of this place: the walls take their impulses, and remember that the particle

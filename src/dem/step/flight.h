@@ -94,6 +94,7 @@ struct Flight {
   void trap();
 
 private:
+  void act_along(const double n[3], double ahead[3]) const;
   void add_sustained(Stepper *wall, size_t shape, const Contact &contact, double least_speed,
                      double hold);
   void follow_walls();

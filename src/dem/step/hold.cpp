@@ -14,6 +14,12 @@ using namespace asperity;
  * within this many radii. */
 static const double REACH = 1.01;
 
+/* Cosine of the largest angle between the normals of a curved wall at both ends of a step. */
+static const double CURVED = 0.98;
+
+/* Cosine below which two directions are at right angles. */
+static const double ACROSS = 1e-9;
+
 /* Of more faces than there is room for, the last ones are kept. */
 void Stepper::keep_resting(int i, size_t shape, const Contact &contact) {
   RestingPlace &at = rows.place[i].resting;
@@ -44,7 +50,7 @@ static void turn_along(const double from[3], const double n[3], const double v_w
                        double v[3]) {
   double across[3], u[3];
   const double cosine = aspi_dot(from, n);
-  if (!(cosine > 0)) /* not curved */
+  if (!(cosine > CURVED)) /* not curved, or an impact has turned it, too */
     return;
   aspi_add_scaled(from, -cosine, n, across);
   const double sine = aspi_length(across);
@@ -114,12 +120,18 @@ static void hold_resting(const std::vector<Stepper *> &walls, const Spheres &s, 
 /* ---- the energy of a rebound ------------------------------------------------------------------
  */
 
+/* True if a change of velocity is not across n, to rounding. */
+static bool changes_along(const double n[3], const double change[3]) {
+  return fabs(aspi_dot(change, n)) > ACROSS * aspi_length(change);
+}
+
 /* A force that changes within a step, as that of another particle, does its work before and after a
  * rebound on two legs of the path. What it is at the end of the step is not known yet; so the
  * energy of the normal motion is noted as a linear function of it: v_n^2 = v_n2^2 + e^2 (v_n0^2 + 2
  * W_1 - v_n1^2) + 2 W_2 = SQUARE + WORK a_n(end), with W_1 and W_2 the works by the trapezoidal
  * rule before and after the contact, for the acceleration linear in time, and e = v_n2/v_n1, not
- * above 1; 0 for a particle that was staying at the wall. Of a wall with one contact only. */
+ * above 1; 0 for a particle that was staying at the wall. Of a wall with one contact only, where
+ * the contacts with others leave the normal motion alone. */
 void asperity::note_energy(const Flight &flight) {
   const Spheres &s = flight.spheres;
   const double *x = s.x + 3 * static_cast<size_t>(flight.i);
@@ -127,12 +139,16 @@ void asperity::note_energy(const Flight &flight) {
     return; /* in free flight velocities stay what they are, to the bit */
   for (const Event &event : flight.events) {
     Stepper *wall = event.wall;
-    int contacts = 0;
-    for (const Event &other : flight.events)
-      contacts += other.wall == wall;
-    if (contacts > 1 || wall->rows.status(flight.i) == Status::RESTING)
-      continue;
     const double *n = event.contact.n;
+    bool others =
+        wall->rows.status(flight.i) == Status::RESTING || changes_along(n, flight.settled);
+    for (const Event &other : flight.events) {
+      double change[3];
+      aspi_subtract(other.result.v2, other.v1, change);
+      others = others || (&other != &event && (other.wall == wall || changes_along(n, change)));
+    }
+    if (others)
+      continue;
     double relative[3], leg1[3], leg2[3];
     aspi_subtract(flight.v0, event.contact.v_wall, relative);
     aspi_subtract(event.contact.x, flight.x0, leg1);
