@@ -57,6 +57,15 @@ flight "fix plates all mesh/surface file slot.stl type 2
 fix w all wall/rebound mesh n_meshes 1 meshes plates $mirror" "0 0 7e-5" "1 0 -50" 6e-6 2 > facets.in
 ends facets "$bounced"
 
+# A plate of two triangles in a periodic box, which is met after one and a half periods.
+stl > floor.stl << END
+-0.01 -0.01 0  0.01 -0.01 0  0.01 0.01 0  -0.01 0.01 0
+END
+flight "fix floor all mesh/surface file floor.stl type 2
+fix w all wall/rebound mesh n_meshes 1 meshes floor $mirror" "0 0 4.55e-3" "100 0 -15" 2e-7 2000 |
+  sed 's/^boundary.*/boundary p p f/' > periods.in
+ends periods "0 0 1.55e-3 100 15"
+
 # Inside a cylinder of radius 2 mm along x: a chord at 45 degrees to the wall, four contacts a turn. The
 # center moves on a square of half diagonal 1.95 mm.
 flight "fix w all wall/rebound primitive type 2 xcylinder 2e-3 0 0 $mirror" "0 0 -1.94e-3" "0 50 50" 1e-6 100 > tube.in

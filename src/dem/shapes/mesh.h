@@ -1,6 +1,6 @@
 /* A mesh of triangles as a wall: at rest, or moving as a rigid body, or with a surface that runs
  * along itself (a belt). Contacts are found in the mesh's own frame, by its own tree of boxes,
- * however long the step is.
+ * however long the step is, as long as the mesh turns by less than a quarter of a turn in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_MESH_H

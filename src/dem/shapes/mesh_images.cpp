@@ -98,7 +98,7 @@ const std::vector<MeshShape::Shift> &MeshShape::images(const Bounds &region) con
 }
 
 /* The images that a sphere may meet on its course in so many steps, which become fewer so that
- * neither the sphere nor the mesh moves by more than a period, but one at least. */
+ * sphere and mesh move by no more than a period: none if they do so in one. */
 const std::vector<MeshShape::Shift> &
 MeshShape::images_ahead(const Course &course, const Twist &screw, double &steps) const {
   double speed = 0;
@@ -111,7 +111,8 @@ MeshShape::images_ahead(const Course &course, const Twist &screw, double &steps)
   }
   for (int d = 0; d < 3; d++)
     if (period_[d] > 0)
-      steps = std::max(1.0, std::min(steps, period_[d] / (fabs(course.v[d]) + speed)));
+      steps = std::min(steps, period_[d] / (fabs(course.v[d]) + speed));
+  steps = steps < 1 ? 0 : steps;
   return images(
       Bounds::of_path(course.x, course.v, 0, steps, course.reach + steps * (course.widen + speed)));
 }
