@@ -195,15 +195,15 @@ void long_flights_meet_a_mesh(void **) {
         make_wall(engine, std::unique_ptr<Shape>(plate), "rebound constant 1 1 deposit off", 2);
     Grains grains(n, 0.005, 0.01);
     for (int i = 0; i < n; i++) {
-      const double x[3] = {-2 + 0.01 * i, 5 + 0.37 * i - floor(0.37 * i), 0.02 + 0.004 * i};
+      const double x[3] = {-2 + 0.01 * i, 5 + 0.37 * i - floor(0.37 * i), 0.02 + 0.001 * i};
       aspi_copy(x, &grains.x[3 * i]);
-      grains.v[3 * i] = 0.1;
+      grains.v[3 * i] = 0.4;
       grains.v[3 * i + 2] = -0.01;
     }
     plate->set_images(BOX);
     grains.begin({wall.get()});
     Frame frame;
-    for (int step = 1; step <= 5000; step++) {
+    for (int step = 1; step <= 1400; step++) {
       frame.shift[0] += by;
       if (by > 0)
         plate->motion().advance(frame, Twist(), grains.dt);
