@@ -70,6 +70,9 @@ struct Wall {
 
   /* What a body remembered in the restart file; NULL: nothing. */
   const BodyMemory *restored_memory(int64_t tag) const;
+  size_t restored_bodies() const {
+    return body_rows_.size();
+  }
 
 private:
   /* The fastest particle of this rank in this run, by its radii per time. */

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/body_checks.h"
 #include "dem/engine.h"
 #include "dem/error.h"
 #include "dem/text.h"
@@ -107,17 +108,16 @@ public:
     return s;
   }
 
-  /* The bodies of this rank, for these walls; NULL: there are none. put: takes them back;
-   * collective. */
+  /* The bodies of this rank, for these walls; NULL: there are none. put: takes them back, at the
+   * end of a step with other velocities and forces; collective. */
   virtual Bodies *bodies(const std::vector<WallFix *> &) {
     return NULL;
   }
-  virtual void put_bodies() {}
-  /* Those at the end of a step, if any is stuck on any rank, else NULL. */
-  virtual Bodies *stuck_bodies(const std::vector<WallFix *> &) {
-    return NULL;
+  virtual void put_bodies(bool) {}
+  /* What to use where bodies turn too far in a step for Richardson's rule; "": it is not used. */
+  virtual std::string remedy() const {
+    return "";
   }
-  virtual void put_stuck_bodies() {}
   /* A BodyRow of each body of this rank, for a restart file. */
   virtual std::vector<double> body_rows() const {
     return std::vector<double>();
@@ -211,11 +211,14 @@ public:
         fix->begin_step();
         walls.push_back(&fix->wall);
       }
-      Wall::step(walls, this->spheres(), bodies(siblings_));
+      Bodies *all = bodies(siblings_);
+      if (all && all->begins) /* the run */
+        warn_of_bodies(*all);
+      Wall::step(walls, this->spheres(), all);
     } catch (const std::exception &wrong) {
       fail_alone(message_of(wrong));
     }
-    put_bodies();
+    put_bodies(false);
     for (WallFix *fix : siblings_) {
       if (!fix->deletes())
         continue;
@@ -261,10 +264,8 @@ public:
       fix->set_rows();
       walls.push_back(&fix->wall);
     }
-    Bodies *stuck = stuck_bodies(siblings_);
-    Wall::hold(walls, this->spheres(), stuck);
-    if (stuck)
-      put_stuck_bodies();
+    Wall::hold(walls, this->spheres(), bodies(siblings_));
+    put_bodies(true);
   }
 
   bool is_output() const {
@@ -297,13 +298,26 @@ public:
     return wall.setup.model.deposit() == Model::DELETE;
   }
 
-private:
+protected:
+  void warn_of_bodies(const Bodies &bodies) {
+    const MPI_Comm world = this->program_->world;
+    const size_t saved = is_continued_ ? wall.restored_bodies() : 0;
+    is_continued_ = false;
+    for (const std::string &doubt :
+         {turn_doubt(bodies, remedy(), world), count_doubt(bodies, saved, world)})
+      if (!doubt.empty())
+        this->warn(doubt);
+  }
+
   bool leads() const {
     return siblings_.front() == this;
   }
 
-  mutable std::vector<int> masks_;  /* of the particles, 0 for those of bodies */
   std::vector<WallFix *> siblings_; /* all walls of this style, the first one leads */
+
+private:
+  bool is_continued_ = true;       /* no step yet since a restart */
+  mutable std::vector<int> masks_; /* of the particles, 0 for those of bodies */
 };
 
 } // namespace asperity

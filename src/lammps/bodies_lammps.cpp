@@ -1,4 +1,4 @@
-/* The bodies of fixes rigid and rigid/small; see bodies_lammps.h.
+/* The bodies of fixes rigid/small and rigid/nve/small; see bodies_lammps.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bodies_lammps.h"
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "RIGID/fix_rigid_small.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -14,19 +15,37 @@
 #include "modify.h"
 #include "update.h"
 
-#include "body_turn.h"
 #include "contact/vector.h"
 #include "dem/error.h"
+#include "dem/step/body_motion.h"
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;
+using asperity::Bodies;
 using asperity::Body;
 using asperity::BodyMemory;
-using asperity::BodyRow;
 using asperity::BodySphere;
-using asperity::text;
 
 namespace {
+
+/* What the fix keeps to itself. */
+struct Small : public FixRigidSmall {
+  using FixRigidSmall::atom2body;
+  using FixRigidSmall::Body;
+  using FixRigidSmall::body;
+  using FixRigidSmall::bodytag;
+  using FixRigidSmall::commflag;
+  using FixRigidSmall::displace;
+  using FixRigidSmall::nlocal_body;
+  using FixRigidSmall::xcmimage;
+};
+
+template <class T> T &of(const Fix *fix, T FixRigidSmall::*member) {
+  return const_cast<FixRigidSmall *>(static_cast<const FixRigidSmall *>(fix))->*member;
+}
+
+/* What it sends to the ghosts of bodies: values of its `commflag`. */
+const int MOTION = 1, VELOCITY = 2;
 
 /* In LAMMPS since 2022 the function has another name. */
 template <class C> auto send(C *comm, Fix *fix, int) -> decltype(comm->forward_comm_fix(fix)) {
@@ -36,33 +55,64 @@ template <class C> auto send(C *comm, Fix *fix, long) -> decltype(comm->forward_
   return comm->forward_comm(fix);
 }
 
+/* The quaternion of axes is any column of this matrix: the one with the largest component on the
+ * diagonal is exact (Shepperd 1978). */
+void quaternion_of(const double axes[3][3], double quat[4]) {
+  const double trace = axes[0][0] + axes[1][1] + axes[2][2];
+  double m[4][4] = {{1 + trace}};
+  int k = 0;
+  for (int a = 0; a < 3; a++) {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    m[0][1 + a] = m[1 + a][0] = axes[b][c] - axes[c][b];
+    for (int d = 0; d < 3; d++)
+      m[1 + a][1 + d] = axes[a][d] + axes[d][a] + (a == d ? 1 - trace : 0);
+    if (m[1 + a][1 + a] > m[k][k])
+      k = 1 + a;
+  }
+  const double length = sqrt(m[k][0] * m[k][0] + aspi_dot(m[k] + 1, m[k] + 1));
+  for (int d = 0; d < 4; d++)
+    quat[d] = m[k][d] / length;
+}
+
+/* The momentum of the quaternion, which rigid/nve/small keeps (Miller et al. 2002). */
+void set_conjugate(const Body &body, const double q[4], double conjugate[4]) {
+  double along[3], side[3];
+  for (int k = 0; k < 3; k++)
+    along[k] = 2 * aspi_dot(body.axes[k], body.angular_momentum);
+  aspi_cross(q + 1, along, side);
+  conjugate[0] = -aspi_dot(q + 1, along);
+  for (int d = 0; d < 3; d++)
+    conjugate[1 + d] = q[0] * along[d] + side[d];
+}
+
+void write(const Body &from, Small::Body &to, bool is_end) {
+  if (is_end) {
+    aspi_copy(from.acceleration, to.fcm);
+    aspi_scale(from.mass, to.fcm);
+    aspi_copy(from.torque, to.torque);
+  } else {
+    aspi_copy(from.x, to.xcm);
+    aspi_copy(from.axes[0], to.ex_space);
+    aspi_copy(from.axes[1], to.ey_space);
+    aspi_copy(from.axes[2], to.ez_space);
+    quaternion_of(from.axes, to.quat);
+  }
+  aspi_copy(from.v, to.vcm);
+  aspi_copy(from.angular_momentum, to.angmom);
+  asperity::spin_of(from, to.omega);
+  set_conjugate(from, to.quat, to.conjqm);
+}
+
 } // namespace
 
-std::string BodiesOfLammps::name_of(const Fix *fix) {
-  return text("fix %s (id %s)", fix->style, fix->id);
-}
-
 std::string BodiesOfLammps::error_of(const Fix *fix) {
-  static const char *const KNOWN[] = {"rigid", "rigid/small", "rigid/nve", "rigid/nve/small"};
-  for (const char *known : KNOWN)
-    if (strcmp(fix->style, known) == 0)
-      return "";
-  return name_of(fix) +
-         " ties particles to bodies, which cannot rebound; bodies that can are those "
-         "of rigid, rigid/small, rigid/nve and rigid/nve/small";
-}
-
-void BodiesOfLammps::fail_together(std::string wrong) const {
-  struct {
-    double size;
-    int rank;
-  } mine = {static_cast<double>(wrong.size()), lammps_->comm->me}, all;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, lammps_->world);
-  if (!(all.size > 0))
-    return;
-  wrong.resize(static_cast<size_t>(all.size));
-  MPI_Bcast(&wrong[0], static_cast<int>(all.size), MPI_CHAR, all.rank, lammps_->world);
-  throw asperity::Error(wrong);
+  const std::string style = fix->style;
+  if (style == "rigid/small" || style == "rigid/nve/small")
+    return "";
+  return "fix " + style + " (id " + fix->id + ") ties particles to bodies that cannot rebound; " +
+         (style == "rigid" || style == "rigid/nve"
+              ? "it must be " + style + "/small"
+              : "those of rigid/small and rigid/nve/small can");
 }
 
 void BodiesOfLammps::init() {
@@ -72,65 +122,130 @@ void BodiesOfLammps::init() {
     if (fix->rigid_flag && error_of(fix).empty())
       fixes_.push_back(fix);
   }
-  own_.assign(3 * fixes_.size(), 0);
-  if (static_cast<int64_t>(fixes_.size()) >= FIXES)
-    throw asperity::Error(text("there are %zu fixes of rigid bodies; there may be %d",
-                               fixes_.size(), static_cast<int>(FIXES) - 1));
 }
 
-/* The first number that a fix of bodies sends with a particle is its body's: from 0 of fix rigid
- * (-1: none), the tag of a particle of it of rigid/small (0: none). */
-void BodiesOfLammps::number() {
+bool BodiesOfLammps::has_richardson() const {
+  return std::any_of(fixes_.begin(), fixes_.end(),
+                     [](const Fix *fix) { return strcmp(fix->style, "rigid/small") == 0; });
+}
+
+Fix *BodiesOfLammps::fix_of(int i) const {
+  for (Fix *fix : fixes_)
+    if (of(fix, &Small::bodytag)[i] > 0)
+      return fix;
+  return NULL;
+}
+
+/* ---- listing ----------------------------------------------------------------------------------
+ */
+
+void BodiesOfLammps::list(const Walls &walls, bool begins) {
   if (!any())
     return;
-  const int n = lammps_->atom->nlocal;
-  is_new_ = true;
-  numbers_.assign(static_cast<size_t>(n), 0);
-  std::vector<double> buffer;
-  for (size_t k = 0; k < fixes_.size(); k++) {
-    Fix *fix = fixes_[k];
-    const int offset = strstr(fix->style, "small") ? 0 : 1;
-    buffer.resize(static_cast<size_t>(std::max(1000, fix->maxexchange)));
-    for (int i = 0; i < n; i++) {
-      fix->pack_exchange(i, buffer.data());
-      const int64_t body = static_cast<int64_t>(ubuf(buffer[0]).i) + offset;
-      if (body > 0)
-        numbers_[static_cast<size_t>(i)] = FIXES * body + static_cast<int64_t>(k);
+  std::map<double, size_t> numbers; /* by the tags of their owners */
+  owned_.clear();
+  bodies_.all.clear();
+  for (Fix *fix : fixes_)
+    for (int b = 0; b < of(fix, &Small::nlocal_body); b++) {
+      const Small::Body &from = of(fix, &Small::body)[b];
+      Body body = Body();
+      body.mass = from.mass;
+      aspi_copy(from.inertia, body.inertia);
+      numbers[static_cast<double>(lammps_->atom->tag[from.ilocal])] = owned_.size();
+      owned_.push_back(std::make_pair(fix, b));
+      bodies_.all.push_back(body);
     }
-  }
-  restore();
-  forget();
+  send_rows();
+  list_spheres(numbers);
+  bodies_.memory.resize(walls.size());
+  for (size_t w = 0; w < walls.size(); w++)
+    walls[w]->remember(numbers, bodies_, bodies_.memory[w]);
+  if (!begins)
+    return;
+  bodies_.begins = true;
+  bodies_.ahead = asperity::BodyAhead();
+  is_checked_ = false;
+  read(); /* the fix may have chosen other axes */
+  for (const std::vector<BodyMemory *> &of_wall : bodies_.memory)
+    for (size_t b = 0; b < of_wall.size(); b++)
+      memcpy(of_wall[b]->stuck.axes, bodies_.all[b].axes, sizeof bodies_.all[b].axes);
 }
 
-void BodiesOfLammps::copy(int from, int to) {
-  if (static_cast<size_t>(std::max(from, to)) < numbers_.size())
-    numbers_[static_cast<size_t>(to)] = numbers_[static_cast<size_t>(from)];
-}
-
-/* What a restart file has of the bodies of this rank. */
-void BodiesOfLammps::restore() {
+void BodiesOfLammps::send_rows() {
   const Atom *atom = lammps_->atom;
-  for (int i = 0; i < atom->nlocal && !is_restored_; i++)
-    if (const BodyMemory *of = has(i) ? wall_.restored_memory(atom->tag[i]) : NULL)
-      memories_[atom->tag[i]].of_wall = *of;
+  rows_.assign(static_cast<size_t>(atom->nlocal + atom->nghost) + 1, Row());
+  for (int i = 0; i < atom->nlocal; i++)
+    if (const Fix *fix = fix_of(i)) {
+      Row &row = rows_[static_cast<size_t>(i)];
+      row.owner = static_cast<double>(of(fix, &Small::bodytag)[i]);
+      aspi_copy(of(fix, &Small::displace)[i], row.arm);
+    }
+  send(lammps_->comm, fix_, 0);
+}
+
+/* Each sphere once, by a particle of this rank or any of its ghosts. */
+void BodiesOfLammps::list_spheres(const std::map<double, size_t> &numbers) {
+  const Atom *atom = lammps_->atom;
+  typedef std::pair<size_t, BodySphere> Found;
+  std::vector<Found> found;
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
+    const Row &row = rows_[static_cast<size_t>(i)];
+    const auto number = row.owner > 0 ? numbers.find(row.owner) : numbers.end();
+    if (number == numbers.end())
+      continue;
+    BodySphere sphere = {{0, 0, 0}, atom->radius[i], atom->type[i], atom->mask[i], atom->tag[i]};
+    aspi_copy(row.arm, sphere.arm);
+    found.push_back(Found(number->second, sphere));
+  }
+  std::sort(found.begin(), found.end(), [](const Found &a, const Found &b) {
+    return a.first != b.first ? a.first < b.first : a.second.tag < b.second.tag;
+  });
+  bodies_.spheres.clear();
+  for (const Found &one : found) {
+    Body &body = bodies_.all[one.first];
+    if (body.count > 0 && bodies_.spheres.back().tag == one.second.tag)
+      continue;
+    if (body.count++ == 0) {
+      body.first = bodies_.spheres.size();
+      body.tag = one.second.tag - 1;
+    }
+    bodies_.spheres.push_back(one.second);
+  }
+}
+
+/* The memories of these bodies; others are forgotten. After a restart another particle may own a
+ * body. */
+void BodiesOfLammps::remember(const std::map<double, size_t> &numbers, const Bodies &bodies,
+                              std::vector<BodyMemory *> &memory) {
+  std::map<double, BodyMemory> now;
+  memory.resize(numbers.size());
+  for (const auto &number : numbers) {
+    const Body &body = bodies.all[number.second];
+    const auto before = memories_.find(number.first);
+    BodyMemory &of_body = now[number.first];
+    if (before != memories_.end())
+      of_body = before->second;
+    for (size_t k = body.first; k < body.first + body.count && !is_restored_; k++)
+      if (const BodyMemory *restored = wall_.restored_memory(bodies.spheres[k].tag))
+        of_body = *restored;
+    memory[number.second] = &of_body;
+  }
+  memories_.swap(now);
   is_restored_ = true;
 }
 
-/* Forgets bodies that are no more. */
-void BodiesOfLammps::forget() {
-  const Atom *atom = lammps_->atom;
-  std::vector<int64_t> tags;
-  for (int i = 0; i < atom->nlocal && !memories_.empty(); i++)
-    if (has(i))
-      tags.push_back(atom->tag[i]);
-  std::sort(tags.begin(), tags.end());
-  for (auto at = memories_.begin(); at != memories_.end();)
-    at = std::binary_search(tags.begin(), tags.end(), at->first) ? std::next(at)
-                                                                 : memories_.erase(at);
+int BodiesOfLammps::pack(int n, const int *list, double *to) const {
+  for (int k = 0; k < n; k++)
+    memcpy(to + SENT * k, &rows_[static_cast<size_t>(list[k])], sizeof(Row));
+  return SENT * n;
+}
+
+void BodiesOfLammps::unpack(int n, int first, const double *from) {
+  memcpy(&rows_[static_cast<size_t>(first)], from, static_cast<size_t>(n) * sizeof(Row));
 }
 
 int BodiesOfLammps::pack_memory(int i, double *to) {
-  const auto at = memories_.find(lammps_->atom->tag[i]);
+  const auto at = memories_.find(static_cast<double>(lammps_->atom->tag[i]));
   to[0] = at == memories_.end() ? 1 : MEMORY;
   if (at != memories_.end())
     memcpy(to + 1, &at->second, sizeof at->second);
@@ -139,70 +254,139 @@ int BodiesOfLammps::pack_memory(int i, double *to) {
 
 int BodiesOfLammps::unpack_memory(int i, const double *from) {
   if (from[0] > 1)
-    memcpy(&memories_[lammps_->atom->tag[i]], from + 1, sizeof(Memory));
+    memcpy(&memories_[static_cast<double>(lammps_->atom->tag[i])], from + 1, sizeof(BodyMemory));
   return static_cast<int>(from[0]);
 }
 
 std::vector<double> BodiesOfLammps::rows() const {
   std::vector<double> all;
   for (const auto &memory : memories_) {
-    const BodyRow row = {static_cast<double>(memory.first), memory.second.of_wall};
+    const asperity::BodyRow row = {memory.first, memory.second};
     const double *from = reinterpret_cast<const double *>(&row);
     all.insert(all.end(), from, from + sizeof row / sizeof *from);
   }
   return all;
 }
 
-int BodiesOfLammps::pack(int n, const int *list, double *to) const {
-  for (int k = 0; k < n; k++)
-    std::copy_n(&sent_[SENT * static_cast<size_t>(list[k])], int{SENT}, to + SENT * k);
-  return SENT * n;
+void BodiesOfLammps::list_deleted() {
+  std::vector<double> mine;
+  for (const auto &memory : memories_)
+    if (memory.second.status == static_cast<double>(asperity::Status::TO_DELETE))
+      mine.push_back(memory.first);
+  deleted_ = asperity::gather_for_all(mine, lammps_->world);
+  std::sort(deleted_.begin(), deleted_.end());
 }
 
-void BodiesOfLammps::unpack(int n, int first, const double *from) {
-  std::copy_n(from, SENT * static_cast<size_t>(n), row(first));
+bool BodiesOfLammps::is_deleted(int i) const {
+  const Fix *fix = fix_of(i);
+  return fix && std::binary_search(deleted_.begin(), deleted_.end(),
+                                   static_cast<double>(of(fix, &Small::bodytag)[i]));
 }
 
-void BodiesOfLammps::keep() {
-  const Atom *atom = lammps_->atom;
+/* ---- a step -----------------------------------------------------------------------------------
+ */
+
+void BodiesOfLammps::read() {
+  bodies_.step = lammps_->update->ntimestep;
+  bodies_.dt = lammps_->update->dt;
+  for (size_t b = 0; b < bodies_.all.size(); b++) {
+    const Small::Body &from = of(owned_[b].first, &Small::body)[owned_[b].second];
+    Body &body = bodies_.all[b];
+    aspi_copy(from.xcm, body.x);
+    aspi_copy(from.vcm, body.v);
+    aspi_copy(from.angmom, body.angular_momentum);
+    aspi_copy(from.fcm, body.acceleration);
+    aspi_scale(1 / body.mass, body.acceleration);
+    aspi_copy(from.torque, body.torque);
+    aspi_copy(from.ex_space, body.axes[0]);
+    aspi_copy(from.ey_space, body.axes[1]);
+    aspi_copy(from.ez_space, body.axes[2]);
+    body.is_changed = false;
+  }
+}
+
+Bodies *BodiesOfLammps::take() {
+  if (!any())
+    return NULL;
+  read();
+  for (Fix *fix : fixes_)
+    if (!is_checked_ && !is_known(fix))
+      throw asperity::Error(std::string("fix ") + fix->style + " (id " + fix->id +
+                            ") does not keep its bodies as the LAMMPS does that asperity was built "
+                            "for; build asperity for this one's source tree");
+  is_checked_ = true;
+  return &bodies_;
+}
+
+void BodiesOfLammps::put(bool is_end) {
   if (!any())
     return;
-  kept_.resize(9 * static_cast<size_t>(atom->nlocal));
-  for (int i = 0; i < atom->nlocal; i++) {
-    double *to = &kept_[9 * static_cast<size_t>(i)];
-    aspi_copy(atom->x[i], to);
-    aspi_copy(atom->v[i], to + 3);
-    aspi_copy(atom->omega[i], to + 6);
+  int mine = 0, any_changed;
+  for (size_t b = 0; b < bodies_.all.size(); b++)
+    if (bodies_.all[b].is_changed) {
+      write(bodies_.all[b], of(owned_[b].first, &Small::body)[owned_[b].second], is_end);
+      mine = 1;
+    }
+  MPI_Allreduce(&mine, &any_changed, 1, MPI_INT, MPI_MAX, lammps_->world);
+  const Atom *atom = lammps_->atom;
+  for (Fix *fix : fixes_) {
+    if (!any_changed)
+      continue;
+    of(fix, &Small::commflag) = is_end ? VELOCITY : MOTION;
+    send(lammps_->comm, fix, 0);
+    for (int i = 0; i < atom->nlocal; i++)
+      set_particle(fix, i, is_end ? NULL : atom->x[i], atom->v[i], atom->omega[i]);
   }
 }
 
-/* All particles of bodies that this rank sees, ordered by body and tag; each once. */
-void BodiesOfLammps::read_particles(bool forces) {
-  const Atom *atom = lammps_->atom;
-  const int all = atom->nlocal + atom->nghost;
-  sent_.resize(SENT * static_cast<size_t>(std::max(all, 1)));
-  for (int i = 0; i < atom->nlocal; i++) {
-    double *to = row(i);
-    to[0] = static_cast<double>(numbers_[static_cast<size_t>(i)]);
-    aspi_copy(atom->x[i], to + 1);
-    std::copy_n(&kept_[9 * static_cast<size_t>(i)], 9, to + 4);
-    std::fill_n(to + 13, 6, 0.);
-    if (forces) {
-      aspi_copy(atom->f[i], to + 13);
-      aspi_copy(atom->torque[i], to + 16);
-    }
+/* As the fix does it, but for its virial, which has the forces of the step already. */
+void BodiesOfLammps::set_particle(const Fix *fix, int i, double *x, double v[3],
+                                  double omega[3]) const {
+  const int number = of(fix, &Small::atom2body)[i];
+  if (number < 0)
+    return;
+  const Small::Body &body = of(fix, &Small::body)[number];
+  const double *period = lammps_->domain->prd, *at = of(fix, &Small::displace)[i];
+  const imageint image = of(fix, &Small::xcmimage)[i];
+  const imageint boxes[] = {image & IMGMASK, image >> IMGBITS & IMGMASK, image >> IMG2BITS};
+  double arm[3], turned[3];
+  for (int d = 0; d < 3; d++)
+    arm[d] = body.ex_space[d] * at[0] + body.ey_space[d] * at[1] + body.ez_space[d] * at[2];
+  aspi_cross(body.omega, arm, turned);
+  aspi_copy(body.omega, omega);
+  for (int d = 0; d < 3; d++) {
+    v[d] = turned[d] + body.vcm[d];
+    if (x)
+      x[d] = arm[d] + (body.xcm[d] - static_cast<double>(boxes[d] - IMGMAX) * period[d]);
   }
-  send(lammps_->comm, fix_, 0);
-  particles_.clear();
-  for (int i = 0; i < all; i++)
-    if (row(i)[0] > 0)
-      particles_.push_back(Particle{static_cast<int64_t>(row(i)[0]), atom->tag[i], i});
-  std::sort(particles_.begin(), particles_.end(), [](const Particle &a, const Particle &b) {
-    return a.body != b.body ? a.body < b.body : a.tag != b.tag ? a.tag < b.tag : a.i < b.i;
-  });
-  particles_.erase(std::unique(particles_.begin(), particles_.end(),
-                               [](const Particle &a, const Particle &b) {
-                                 return a.body == b.body && a.tag == b.tag;
-                               }),
-                   particles_.end());
+}
+
+static bool is_near(const double one[3], const double other[3], double scale) {
+  double off[3];
+  aspi_subtract(one, other, off);
+  return aspi_length(off) <= 1e-6 * (scale + aspi_length(one));
+}
+
+/* True if a fix's bodies are where the declaration of its class has them: by what the fix tells,
+ * and by its particles, which it has moved in this step. */
+bool BodiesOfLammps::is_known(Fix *fix) const {
+  const Atom *atom = lammps_->atom;
+  const size_t sent = static_cast<size_t>(fix->comm_forward - 1) * sizeof(double);
+  int dimension;
+  bool is_as_declared = fix->extract("body", dimension) == of(fix, &Small::atom2body) &&
+                        sizeof(Small::Body) <= sent && sent < sizeof(Small::Body) + sizeof(double);
+  const double *masses = static_cast<double *>(fix->extract("masstotal", dimension));
+  for (size_t b = 0; b < owned_.size() && is_as_declared; b++)
+    is_as_declared =
+        owned_[b].first != fix || !(fabs(masses[owned_[b].second] - bodies_.all[b].mass) > 0);
+  for (int i = 0; i < atom->nlocal && is_as_declared; i++) {
+    double x[3], v[3], omega[3];
+    aspi_copy(atom->x[i], x);
+    aspi_copy(atom->v[i], v);
+    aspi_copy(atom->omega[i], omega);
+    set_particle(fix, i, x, v, omega);
+    is_as_declared = is_near(x, atom->x[i], atom->radius[i]) && is_near(v, atom->v[i], 0) &&
+                     is_near(omega, atom->omega[i], 0);
+  }
+  return is_as_declared;
 }

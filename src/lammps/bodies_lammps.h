@@ -1,13 +1,11 @@
-/* The bodies of LAMMPS's fixes rigid and rigid/small, for a wall, by public means only. A body is
- * read from its particles after the step has moved them, by the rank that has the one with the
- * lowest tag; the others must be among that rank's ghosts. It gets its new position and velocity by
- * its own fix, from forces for which that fix integrates a second time.
+/* The bodies of LAMMPS's fixes rigid/small and rigid/nve/small, for the walls: read and written
+ * where the fix keeps them. A body is that of the rank with the particle that owns it; its other
+ * particles are there, or among the ghosts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_BODIES_LAMMPS_H
 #define LMP_BODIES_LAMMPS_H
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,10 +18,7 @@ namespace LAMMPS_NS {
 class BodiesOfLammps {
 public:
   BodiesOfLammps(LAMMPS *lammps, Fix *fix, const asperity::Wall &wall)
-      : lammps_(lammps), fix_(fix), wall_(wall), is_new_(true), is_restored_(false),
-        is_any_stuck_(false) {
-    bodies_.begins = true;
-  }
+      : lammps_(lammps), fix_(fix), wall_(wall), bodies_() {}
 
   /* What walls cannot do with a fix that ties particles to bodies; empty: nothing. */
   static std::string error_of(const Fix *fix);
@@ -33,115 +28,72 @@ public:
   bool any() const {
     return !fixes_.empty();
   }
-
-  /* After particles have come, gone, or moved between ranks; and when one of them is moved. */
-  void number();
-  void copy(int from, int to);
+  /* True if bodies turn by Richardson's rule. */
+  bool has_richardson() const;
+  /* True for a particle of a body. */
   bool has(int i) const {
-    return static_cast<size_t>(i) < numbers_.size() && numbers_[static_cast<size_t>(i)] > 0;
+    return fix_of(i) != NULL;
   }
 
-  /* At the end of a step, and at the beginning of a run: keeps where the particles are. */
-  void keep();
-
-  /* The bodies of this rank, with the memories of the walls of a run, after the first half of a
-   * step; and moves those that have met a wall. Collective. Throw an asperity::Error. */
+  /* Lists the bodies of this rank, with the memories of the walls of a run: at its beginning, and
+   * after particles have moved between ranks. Collective. */
   typedef std::vector<BodiesOfLammps *> Walls;
-  asperity::Bodies *take(const Walls &walls);
-  void put();
+  void list(const Walls &walls, bool begins);
 
-  /* The same at the end of a step, after keep(), if a body is stuck on any rank, else NULL; then
-   * only velocities change. */
-  asperity::Bodies *take_stuck(const Walls &walls);
-  void put_velocities();
+  /* The bodies after the first half of a step, or at its end; NULL where there are none. put: gives
+   * those that have changed back to the fix and to their particles; at the end of a step only
+   * velocities and forces change. Collective. take throws an asperity::Error. */
+  asperity::Bodies *take();
+  void put(bool is_end);
 
   /* Lists the bodies of all ranks that this wall deletes; collective. True for a particle of one.
    */
   void list_deleted();
-  bool is_deleted(int i) const {
-    return has(i) &&
-           std::binary_search(deleted_.begin(), deleted_.end(), numbers_[static_cast<size_t>(i)]);
-  }
+  bool is_deleted(int i) const;
 
-  /* What is remembered of the body of which a particle has the lowest tag, as it moves to another
-   * rank: how many numbers there are; and all of it for a restart file. */
+  /* The memory of the body that a particle owns, as it moves to another rank: how many numbers
+   * there are; and those of all bodies, for a restart file. */
   int pack_memory(int i, double *to);
   int unpack_memory(int i, const double *from);
   std::vector<double> rows() const;
 
-  /* Of each particle to its ghosts: the number of its body, its place, and that of the end of the
-   * step before with velocity, spin, force and torque. */
-  enum { SENT = 19 };
+  /* A Row of each particle to its ghosts. */
   int pack(int n, const int *list, double *to) const;
   void unpack(int n, int first, const double *from);
 
 private:
-  struct Particle {
-    int64_t body, tag;
-    int i;
-  };
-
-  /* Forces for the fixes to integrate, in the place of the particles' own. */
-  class Kick;
-
-  /* Of a body: its number, its axes at the end of the last step, and what it remembers. */
-  struct Memory {
-    double body, has_axes, axes[3][3];
-    asperity::BodyMemory of_wall;
+  /* The particle that owns a particle's body, by its tag, 0: none; and the particle's place along
+   * the axes of the body. */
+  struct Row {
+    double owner, arm[3];
   };
 
 public:
-  enum { MEMORY = sizeof(Memory) / sizeof(double) + 1 };
+  enum {
+    SENT = sizeof(Row) / sizeof(double),
+    MEMORY = sizeof(asperity::BodyMemory) / sizeof(double) + 1
+  };
 
 private:
-  /* Fixes of bodies, at most: the number of a body is that in its fix, times this, and the fix's.
-   */
-  static const int64_t FIXES = 16;
-
-  void restore();
-  void forget();
-  void read_particles(bool forces);
-  void read_bodies(const Walls &walls, bool forces);
-  void add_body(size_t from, size_t to, const Walls &walls, double time);
-  void set_axes(asperity::Body &body, const double inertia[6], const Walls &walls, double time);
-  void find_own();
-  void set_momentum(asperity::Body &body, size_t from);
-  int count_turns() const;
-  void integrate(Kick &kick, std::vector<asperity::Body> &now, int number, int count);
-  void accelerate(Kick &kick, const std::vector<asperity::Body> &now);
-  void arm_of(int i, const double center[3], double arm[3]) const;
-  std::string velocity_error(size_t b, const asperity::Body &way) const;
-  std::string masses_error() const;
-  /* Throws the error of the first rank that has one: LAMMPS shows those of rank 0 only. */
-  void fail_together(std::string wrong) const;
-  static std::string name_of(const Fix *fix);
-  Fix *fix_of(const Particle &particle) const {
-    return fixes_[static_cast<size_t>(particle.body % FIXES)];
-  }
-  const double *own_of(const Particle &particle) const {
-    return &own_[3 * static_cast<size_t>(particle.body % FIXES)];
-  }
-  double *row(int i) {
-    return &sent_[SENT * static_cast<size_t>(i)];
-  }
+  Fix *fix_of(int i) const;
+  void send_rows();
+  void list_spheres(const std::map<double, size_t> &numbers);
+  void remember(const std::map<double, size_t> &numbers, const asperity::Bodies &bodies,
+                std::vector<asperity::BodyMemory *> &memory);
+  void read();
+  void set_particle(const Fix *fix, int i, double *x, double v[3], double omega[3]) const;
+  bool is_known(Fix *fix) const;
 
   LAMMPS *lammps_;
   Fix *fix_; /* the wall's */
   const asperity::Wall &wall_;
   std::vector<Fix *> fixes_;
-  std::vector<double> own_, added_;    /* accelerations that each fix, and of each body its, adds */
-  bool is_new_;                        /* particles have moved between ranks since the last step */
-  bool is_restored_;                   /* what was in a restart file has been taken */
-  bool is_any_stuck_;                  /* on any rank, in this step */
-  std::vector<int64_t> numbers_;       /* of the body of each particle of this rank; 0: none */
-  std::map<int64_t, Memory> memories_; /* by the lowest tag of the body */
-  std::vector<double> deleted_;        /* numbers of bodies */
-  std::vector<double> kept_;           /* x, v, and omega of each particle */
-  std::vector<double> sent_;           /* of each particle, with ghosts */
-  std::vector<Particle> particles_;
+  bool is_checked_ = false, is_restored_ = false;   /* the layout; what a restart file has */
+  std::vector<Row> rows_;                           /* of particles and ghosts */
+  std::vector<std::pair<Fix *, int>> owned_;        /* where each body is */
+  std::map<double, asperity::BodyMemory> memories_; /* by the tag of the body's owner */
+  std::vector<double> deleted_;                     /* owners of bodies */
   asperity::Bodies bodies_;
-  std::vector<asperity::Body> before_; /* the bodies as they were taken */
-  std::vector<Particle> firsts_;       /* the first particle of each */
 };
 
 } // namespace LAMMPS_NS

@@ -109,23 +109,14 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   bool is_of_body(int i) const override {
     return of_bodies.has(i);
   }
-  asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override {
-    return of_bodies.take(bodies_of(siblings));
+  asperity::Bodies *bodies(const std::vector<WallFix *> &) override {
+    return of_bodies.take();
   }
-  asperity::Bodies *stuck_bodies(const std::vector<WallFix *> &siblings) override {
-    of_bodies.keep();
-    return of_bodies.take_stuck(bodies_of(siblings));
+  void put_bodies(bool is_end) override {
+    of_bodies.put(is_end);
   }
-  void put_bodies() override {
-    try {
-      of_bodies.put();
-    } catch (const std::exception &wrong) {
-      fail_alone(asperity::message_of(wrong));
-    }
-  }
-  void put_stuck_bodies() override {
-    of_bodies.put_velocities();
-    of_bodies.keep();
+  std::string remedy() const override {
+    return of_bodies.has_richardson() ? "fix rigid/nve/small, or a time step that is shorter" : "";
   }
   std::vector<double> body_rows() const override {
     return of_bodies.rows();
@@ -136,11 +127,12 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   bool is_of_deleted_body(int i) const override {
     return of_bodies.is_deleted(i);
   }
-  static BodiesOfLammps::Walls bodies_of(const std::vector<WallFix *> &siblings) {
+  void list_bodies(bool begins) {
     BodiesOfLammps::Walls all;
-    for (WallFix *sibling : siblings)
+    for (WallFix *sibling : siblings_)
       all.push_back(&static_cast<Parts *>(sibling)->of_bodies);
-    return all;
+    if (leads())
+      of_bodies.list(all, begins);
   }
   void begin_step() override;
   void follow_step(bigint last);
@@ -287,7 +279,6 @@ void FixWallRebound::init() {
     if (p_->region)
       p_->region->init();
     p_->of_bodies.init();
-    p_->of_bodies.number();
     if (p_->of_bodies.any())
       p_->wall.setup.model.check_bodies();
     p_->wall.init(update->ntimestep, update->dt);
@@ -310,8 +301,7 @@ void FixWallRebound::setup(int) {
   p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
   p_->check(FLERR, discs_error(lmp));
   p_->set_rows();
-  p_->of_bodies.number();
-  p_->of_bodies.keep();
+  p_->list_bodies(true);
   p_->attempt([this] {
     if (p_->region)
       p_->region->setup();
@@ -349,7 +339,7 @@ void FixWallRebound::pre_exchange() {
 
 void FixWallRebound::pre_neighbor() {
   p_->set_rows();
-  p_->of_bodies.number();
+  p_->list_bodies(false);
   p_->wall.reorder(p_->spheres());
 }
 
@@ -434,7 +424,6 @@ void FixWallRebound::grow_arrays(int n) {
 
 void FixWallRebound::copy_arrays(int from, int to, int) {
   p_->rows.copy(from, to);
-  p_->of_bodies.copy(from, to);
 }
 
 void FixWallRebound::set_arrays(int i) {

@@ -139,6 +139,17 @@ void RegionPart::turn_vector(double share, double vector[3]) const {
   frame.to_world(vector, vector);
 }
 
+void RegionPart::turn(double share, double axes[3][3], double omega[3]) const {
+  for (int d = 0; d < 3; d++)
+    omega[d] = region_->rotateflag ? rate_at(1).angle * axis_[d] : 0;
+  asperity::Frame begin = frame_at(share);
+  begin.shift[0] = begin.shift[1] = begin.shift[2] = 0;
+  for (int k = 0; k < 3; k++) {
+    begin.to_body(axes[k], axes[k]);
+    turn_vector(1, axes[k]);
+  }
+}
+
 void RegionPart::to_body(double share, double x[3]) const {
   frame_at(share).to_body(x, x);
 }

@@ -66,8 +66,10 @@ public:
   void to_world(double share, double x[3]) const;
   void to_body(double share, double x[3]) const;
 
-  /* A vector that turns with the region. */
+  /* A vector that turns with the region; axes turned from a share of the step to its end, and the
+   * angular velocity there. */
   void turn_vector(double share, double vector[3]) const;
+  void turn(double share, double axes[3][3], double omega[3]) const;
 
   /* The velocity of a point of the region; and the acceleration that keeps a point which moves
    * through x with the velocity v at its face (see asperity::Motion). */

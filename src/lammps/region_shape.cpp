@@ -359,3 +359,11 @@ void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) 
   part.to_world(1, x);
   part.velocity(1, x, v);
 }
+
+void RegionShape::turn(const Place &place, double share, double, double axes[3][3],
+                       double omega[3]) const {
+  omega[0] = omega[1] = omega[2] = 0;
+  const size_t piece = static_cast<size_t>(place.piece);
+  if (piece < parts_.size() && parts_[piece].moves())
+    parts_[piece].turn(share, axes, omega);
+}

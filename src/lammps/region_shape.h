@@ -43,6 +43,8 @@ public:
              asperity::Place &place) const override;
   void carry(asperity::Place &place, double radius, double dt, double x[3],
              double v[3]) const override;
+  void turn(const asperity::Place &place, double share, double dt, double axes[3][3],
+            double omega[3]) const override;
   void lay(const asp_lay &lay, const asperity::Path &path, const asperity::Contact &contact,
            double direction[3]) const override;
   std::vector<double> motion_record() const override;

@@ -53,7 +53,7 @@ template <class Container> Container &property(FixMultisphere *fix, const char *
 BodiesOfLiggghts::BodiesOfLiggghts(LAMMPS *engine)
     : Pointers(engine),
       fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))), bodies_(),
-      is_reordered_(true), is_any_stuck_(false) {
+      is_reordered_(true) {
   bodies_.begins = true;
 }
 
@@ -102,7 +102,8 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
       bodies_.memory[w][b] = reinterpret_cast<BodyMemory *>(rows[b]);
   }
   double **const inertia = property<Vectors>(fix_, "inertia").begin(),
-                 **const forces = property<Vectors>(fix_, "fcm").begin();
+                 **const forces = property<Vectors>(fix_, "fcm").begin(),
+                 **const torques = property<Vectors>(fix_, "torque").begin();
   /* A body of an insert/stream is moved straight until it has left the face. */
   const bool streams = modify->n_fixes_style("insert/stream") > 0;
   const int *const starts = property<ScalarContainer<int>>(fix_, "start_step").begin();
@@ -120,6 +121,7 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
     aspi_copy(inertia[b], body.inertia);
     aspi_copy(forces[b], body.acceleration);
     aspi_scale(1 / body.mass, body.acceleration);
+    aspi_copy(torques[b], body.torque);
     for (int k = 0; k < 3; k++)
       aspi_copy(axes[k][b], body.axes[k]);
     body.is_changed = false;
@@ -160,49 +162,45 @@ void BodiesOfLiggghts::take_spheres() {
   }
 }
 
-void BodiesOfLiggghts::put() {
+void BodiesOfLiggghts::write(size_t b, bool is_end) {
+  Body &body = bodies_.all[b];
+  const auto put = [this, b](const double *from, const char *name) {
+    aspi_copy(from, property<Vectors>(fix_, name).begin()[b]);
+  };
+  double omega[3], pull[3];
+  if (is_end) {
+    aspi_copy(body.acceleration, pull);
+    aspi_scale(body.mass, pull);
+    put(pull, "fcm");
+    put(body.torque, "torque");
+  } else {
+    MathExtra::exyz_to_q(body.axes[0], body.axes[1], body.axes[2],
+                         property<Quaternions>(fix_, "quat").begin()[b]);
+    put(body.x, "xcm");
+    put(body.axes[0], "ex_space");
+    put(body.axes[1], "ey_space");
+    put(body.axes[2], "ez_space");
+  }
+  asperity::spin_of(body, omega);
+  put(body.v, "vcm");
+  put(body.angular_momentum, "angmom");
+  put(omega, "omega");
+}
+
+void BodiesOfLiggghts::put(bool is_end) {
   if (!fix_)
     return;
-  int mine[2] = {0, bodies_.any_stuck()}, any[2];
-  const char *const axes[] = {"ex_space", "ey_space", "ez_space"};
-  for (size_t b = 0; b < bodies_.all.size(); b++) {
-    Body &body = bodies_.all[b];
-    if (!body.is_changed)
-      continue;
-    mine[0] = 1;
-    double quat[4];
-    MathExtra::exyz_to_q(body.axes[0], body.axes[1], body.axes[2], quat);
-    aspi_copy(body.x, property<Vectors>(fix_, "xcm").begin()[b]);
-    std::copy(quat, quat + 4, property<Quaternions>(fix_, "quat").begin()[b]);
-    for (int k = 0; k < 3; k++)
-      aspi_copy(body.axes[k], property<Vectors>(fix_, axes[k]).begin()[b]);
-    put_velocity(b);
-  }
-  MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, world);
-  is_any_stuck_ = any[1];
-  if (any[0])
-    Inner::set_atoms(fix_);
-}
-
-void BodiesOfLiggghts::put_velocity(size_t b) {
-  const Body &body = bodies_.all[b];
-  double omega[3];
-  asperity::spin_of(body, omega);
-  aspi_copy(body.v, property<Vectors>(fix_, "vcm").begin()[b]);
-  aspi_copy(body.angular_momentum, property<Vectors>(fix_, "angmom").begin()[b]);
-  aspi_copy(omega, property<Vectors>(fix_, "omega").begin()[b]);
-}
-
-/* Between its first half and the end of the step the bodies may have changed ranks. */
-Bodies *BodiesOfLiggghts::take_stuck(const std::vector<std::string> &memories) {
-  return fix_ && is_any_stuck_ ? take(memories) : NULL;
-}
-
-void BodiesOfLiggghts::put_velocities() {
+  int mine = 0, any_changed;
   for (size_t b = 0; b < bodies_.all.size(); b++)
-    if (bodies_.all[b].is_changed)
-      put_velocity(b);
-  fix_->set_v_communicate();
+    if (bodies_.all[b].is_changed) {
+      write(b, is_end);
+      mine = 1;
+    }
+  MPI_Allreduce(&mine, &any_changed, 1, MPI_INT, MPI_MAX, world);
+  if (any_changed && is_end)
+    fix_->set_v_communicate();
+  else if (any_changed)
+    Inner::set_atoms(fix_);
 }
 
 void BodiesOfLiggghts::list_deleted(const std::string &name) {

@@ -38,16 +38,12 @@ public:
     is_reordered_ = true;
   }
 
-  /* At the end of the step's first half, for walls with such memories. */
+  /* After the first half of a step or at its end, for walls with such memories. */
   asperity::Bodies *take(const std::vector<std::string> &memories);
 
-  /* Moves the bodies that have met walls, with their atoms; collective. */
-  void put();
-
-  /* The same at the end of a step, if a body is stuck on any rank: else NULL. Then only velocities
-   * have changed. */
-  asperity::Bodies *take_stuck(const std::vector<std::string> &memories);
-  void put_velocities();
+  /* Gives the bodies that have changed back, with their atoms; at the end of a step only velocities
+   * and forces change. Collective. */
+  void put(bool is_end);
 
   /* Lists the bodies of all ranks that a wall deletes; collective. True for an atom of one. */
   void list_deleted(const std::string &name);
@@ -57,12 +53,11 @@ public:
 
 private:
   void take_spheres();
-  void put_velocity(size_t b);
+  void write(size_t b, bool is_end);
 
   FixMultisphere *fix_;
   asperity::Bodies bodies_;
   bool is_reordered_;           /* since the spheres were listed */
-  bool is_any_stuck_;           /* on any rank, in this step */
   std::vector<double> deleted_; /* numbers of bodies */
 };
 

@@ -73,14 +73,11 @@ private:
   asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override {
     return bodies_->take(memories(siblings));
   }
-  asperity::Bodies *stuck_bodies(const std::vector<WallFix *> &siblings) override {
-    return bodies_->take_stuck(memories(siblings));
+  void put_bodies(bool is_end) override {
+    bodies_->put(is_end);
   }
-  void put_bodies() override {
-    bodies_->put();
-  }
-  void put_stuck_bodies() override {
-    bodies_->put_velocities();
+  std::string remedy() const override {
+    return "a time step that is shorter";
   }
   std::vector<double> body_rows() const override {
     return bodies_ ? bodies_->rows(memory_id()) : std::vector<double>();

@@ -63,7 +63,7 @@ struct Body {
   int64_t tag; /* from 0 */
   double mass, inertia[3];
   double axes[3][3]; /* unit vectors of the principal axes */
-  double x[3], v[3], angular_momentum[3], acceleration[3];
+  double x[3], v[3], angular_momentum[3], acceleration[3], torque[3];
   size_t first, count; /* its spheres */
   bool is_led;         /* its engine moves it along a given way: it meets no wall */
   bool is_changed;     /* by contacts */
