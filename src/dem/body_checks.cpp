@@ -13,8 +13,8 @@
 using namespace asperity;
 
 /* A free body whose moments of inertia have the ratio r, and which turns by the angle a in a step,
- * gains about GAIN (r - 1) a^4 of its energy in that step: 0.4 to 2.6 of it for a triangle, a disc
- * and rods of 2 to 10 spheres. A gain of MOST in STEPS steps is too much. */
+ * gains about GAIN (r - 1) a^4 of its energy in that step: 0.4 to 2.6 times that for a triangle, a
+ * disc and rods of 2 to 10 spheres. A gain of MOST in STEPS steps is too much. */
 static const double GAIN = 0.01, MOST = 0.01, STEPS = 1e5;
 
 std::string asperity::turn_doubt(const Bodies &bodies, const std::string &remedy, MPI_Comm world) {
@@ -42,5 +42,8 @@ std::string asperity::count_doubt(const Bodies &bodies, size_t saved, MPI_Comm w
   MPI_Allreduce(&mine, &now, 1, MPI_LONG_LONG, MPI_SUM, world);
   if (now >= static_cast<long long>(saved))
     return "";
-  return text("there are %lld bodies, and the restart file has been written with %zu", now, saved);
+  return text(
+      "there are %lld bodies of the %zu in the restart file; the engine has lost the others "
+      "as it read them",
+      now, saved);
 }

@@ -170,6 +170,18 @@ run 600"; } > rods.in
 engine 2 rods.in
 energies rods.in.screen | awk '{ e = $3 + $4; if (NR == 1) first = e; if ((e / first - 1) ^ 2 > 1e-18) bad = 1; if ($4 > 1e-7) turns = 1 } END { exit bad || !turns }' || die "rods of more than half a period"
 
+# Rods that turn far in a step: a warning where their fix adds to their energy.
+rigid_data 5 "-2e-3 0 0 5e-4 -1e-3 0 0 5e-4 0 0 0 5e-4 1e-3 0 0 5e-4 2e-3 0 0 5e-4" > data
+for style in rigid/small rigid/nve/small; do
+  { start; go_on $style; echo "set group all omega 1000 2000 -1500
+fix floor all wall/rebound zplane -0.02 rebound constant 1 1
+timestep 2e-5
+run 1"; } > turn.in
+  engine 2 turn.in
+  warnings=$(grep -c "bodies turn so far in a step .* use fix rigid/nve/small, or a time step" turn.in.screen || true)
+  [ "$warnings" = "$([ $style = rigid/small ] && echo 1 || echo 0)" ] || die "$style: $warnings warnings of far turns"
+done
+
 # Nothing crosses a wall in steps of 100 diameters.
 dumbbells 40 -0.012 > data
 { start; go_on rigid/small; echo "velocity all set 0.5 -0.8 -1.2"; closed surface sigma 10 rebound walton 0.9 0.3 0; echo "timestep 0.06
