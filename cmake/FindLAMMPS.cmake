@@ -2,7 +2,7 @@
 # LAMMPS_FOUND, LAMMPS_VERSION (such as "29 Sep 2021", read from the library), LAMMPS_VERSION_NUMBER
 # (20210929) and the imported target LAMMPS::lammps. Hints: LAMMPS_ROOT.
 #
-# Debian's package lacks two headers that the others include or a fix needs; src/lammps/debian has
+# Debian's package lacks headers that the others include or a fix needs; src/lammps/debian has
 # what stands in for them.
 # SPDX-License-Identifier: GPL-3.0-or-later
 include(${CMAKE_CURRENT_LIST_DIR}/lammps_version.cmake)

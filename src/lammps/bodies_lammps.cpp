@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "RIGID/fix_rigid_small.h"
+#include "fix_rigid_small.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
