@@ -343,9 +343,8 @@ asp_pair *asp_description_pair(const asp_description *description, const asp_mat
 /* ---- wall and impact ------------------------------------------------------------------------- */
 /* A wall that is ready for contacts of particles with diameters from d_least to d_most, in the
  * description's units; both count only if asp_description_needs_sizes, else they may be 0. Reads
- * the file of a measured wall unless the caller has set its heights, makes the surface, chooses the
- * model of `spread auto`, and makes the tables of the model. The wall needs the description no
- * longer. */
+ * the file of a measured wall unless the caller has set its heights, and makes the surface and the
+ * tables of the model. The wall needs the description no longer. */
 typedef struct asp_wall asp_wall;
 asp_wall *asp_wall_create(asp_description *description, double d_least, double d_most,
                           asp_error *error);
@@ -357,12 +356,11 @@ void asp_wall_free(asp_wall *wall);
 
 /* The parts of a wall. The surface is NULL where it is smooth. The pair is that of the first two
  * materials of the description, the particle's and the wall's; NULL where there are fewer, or the
- * law takes none. reason: what `spread auto` took and why; "" where the model was named. */
+ * law takes none. */
 const asp_surface *asp_wall_surface(const asp_wall *wall);
 const asp_spread_model *asp_wall_spread(const asp_wall *wall);
 const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
 const asp_pair *asp_wall_pair(const asp_wall *wall);
-const char *asp_wall_reason(const asp_wall *wall);
 
 /* The rms slope of the wall's tilt for spheres of diameter d_p, across its lay: with `isotropic` of
  * the sphere, with `plane` of the disc (both: asp_surface_slope); 0 on a smooth wall. */

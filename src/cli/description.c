@@ -109,27 +109,12 @@ void cli_description_doubt(const cli_description *d, double d_least, double d_mo
       cli_warn("%s", doubt);
 }
 
-/* Appends the choice of `spread auto` to the description, as in a ledger's heading, and prints its
- * reason. */
-static void tell_choice(cli_description *d) {
-  const char *why = asp_wall_reason(d->wall), *name = asp_spread_name(asp_wall_spread(d->wall));
-  if (!*why)
-    return;
-  size_t size = strlen(d->text) + strlen("; auto chose ") + strlen(name) + 1;
-  char *text = cli_allocate(size, 1);
-  snprintf(text, size, "%s; auto chose %s", d->text, name);
-  free(d->text);
-  d->text = text;
-  cli_say("%s", why);
-}
-
 void cli_description_make(cli_description *d, double d_least, double d_most) {
   asp_error error;
   d->wall = asp_wall_create(d->words, d_least, d_most, &error);
   cli_must(d->wall, &error);
   d->profile = d->words->choice.profile;
   d->map = d->words->choice.map;
-  tell_choice(d);
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);

@@ -25,7 +25,7 @@ typedef struct cli_description {
   const asp_profile *profile; /* a measured wall, once it is made; else NULL */
   const asp_map *map;         /* alike */
   char *text;                 /* canonical; with the materials, also where they are the
-                                 default; once it is made, with what `spread auto` chose */
+                                 default */
 } cli_description;
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of

@@ -116,6 +116,59 @@ static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_c
   aspi_judge_walls_free(&walls);
 }
 
+/* ---- the models over all angles ---- */
+
+/* A model over all angles: its mean cost, and its worst divergence with the standard error. */
+typedef struct point {
+  const asp_spread_model *model;
+  double cost, worst, se; /* of the worst */
+} point;
+
+static int by_cost(const void *a, const void *b) {
+  const point *x = a, *y = b;
+  return (x->cost > y->cost) - (x->cost < y->cost);
+}
+
+static point *summarize(const judged *rows, size_t n) {
+  size_t models = (size_t)asp_spread_count();
+  point *points = cli_allocate(models, sizeof *points);
+  for (size_t m = 0; m < models; m++) {
+    points[m] = (point){.model = rows[m].model};
+    for (size_t i = m; i < n; i += models) {
+      points[m].cost += rows[i].cost * (double)models / (double)n;
+      if (i == m || rows[i].rebound.kl > points[m].worst) {
+        points[m].worst = rows[i].rebound.kl;
+        points[m].se = rows[i].rebound.se;
+      }
+    }
+  }
+  qsort(points, models, sizeof *points, by_cost);
+  return points;
+}
+
+/* Names the cheapest model whose worst divergence, with twice its standard error, is below the
+ * tolerance; NULL: none is. */
+static const asp_spread_model *mark(FILE *out, const point *points, double tolerance) {
+  const point *chosen = NULL, *nearest = points;
+  for (const point *p = points; p < points + asp_spread_count(); p++) {
+    if (!chosen && fmax(p->worst, 0) + 2 * p->se < tolerance)
+      chosen = p;
+    if (p->worst < nearest->worst)
+      nearest = p;
+  }
+  const point *of = chosen ? chosen : nearest;
+  char text[200];
+  snprintf(text, sizeof text,
+           "%s below D_KL %g%s: '%s', %.2g +- %.1g at the worst angle, %.3g ns per impact",
+           chosen ? "the cheapest model" : "no model is", tolerance, chosen ? "" : "; the closest",
+           asp_spread_name(of->model), of->worst, of->se, of->cost);
+  fprintf(out, "# %s\n", text);
+  cli_say("%s", text);
+  return chosen ? chosen->model : NULL;
+}
+
+/* ---- output ---- */
+
 static void print_row(FILE *out, const judged *r) {
   cli_row(out, "%s,%g,%.1f,%.5f,%.5f,%.5f,%.4f,%.4f", asp_spread_name(r->model), r->angle, r->cost,
           r->first_hit, r->rebound.kl, r->rebound.se, r->rebound.mean, r->rebound.reference_mean);
@@ -143,42 +196,14 @@ static void print(FILE *out, const judged *rows, size_t n) {
 
 /* ---- the picture ---- */
 
-/* A model over all angles: its mean cost, and its worst divergence with the standard error. */
-typedef struct point {
-  const asp_spread_model *model;
-  double cost, worst, se; /* of the worst */
-} point;
-
-static int by_cost(const void *a, const void *b) {
-  const point *x = a, *y = b;
-  return (x->cost > y->cost) - (x->cost < y->cost);
-}
-
-static void summarize(const judged *rows, size_t n, point *points) {
-  size_t models = (size_t)asp_spread_count();
-  for (size_t m = 0; m < models; m++) {
-    points[m] = (point){.model = rows[m].model};
-    for (size_t i = m; i < n; i += models) {
-      points[m].cost += rows[i].cost * (double)models / (double)n;
-      if (i == m || rows[i].rebound.kl > points[m].worst) {
-        points[m].worst = rows[i].rebound.kl;
-        points[m].se = rows[i].rebound.se;
-      }
-    }
-  }
-  qsort(points, models, sizeof *points, by_cost);
-}
-
 /* Divergences below this are drawn at this value: the rays resolve no less. */
 #define NOISE 1e-4
 
 /* The cost of every model against its worst divergence; of every angle all models, in their order.
  */
 static void plot(const cli_call *call, const cli_description *wall, double d_p, const judged *rows,
-                 size_t n) {
+                 size_t n, const point *points, const asp_spread_model *marked) {
   size_t models = (size_t)asp_spread_count();
-  point *points = cli_allocate(models, sizeof *points);
-  summarize(rows, n, points);
   char most[40] = "", size[40] = "";
   if (n > models)
     snprintf(most, sizeof most, " … %g", rows[n - 1].angle);
@@ -206,7 +231,8 @@ static void plot(const cli_call *call, const cli_description *wall, double d_p, 
     const char *name = asp_spread_name(points[i].model);
     cli_plot_series(picture, CLI_ERRORS, "model_%s", name);
     cli_plot_row(picture, points[i].cost, fmax(points[i].worst, NOISE), points[i].se);
-    cli_plot_end(picture, "%s", cli_plot_label(name).text);
+    cli_plot_end(picture, "%s%s", cli_plot_label(name).text,
+                 points[i].model == marked ? ", cheapest below D" : "");
   }
   cli_plot_close(picture);
 }
@@ -333,19 +359,24 @@ static void run(cli_call *call) {
   cli_list angles = cli_angles(cli_get(call, "angles"));
   cli_description wall = read_wall(call, &d_p);
   aspi_judge_case subject = case_of(call, &wall, d_p, &angles);
+  const cli_option *given = cli_get(call, "tolerance");
+  double tolerance = given->value ? cli_number(given, 1e-9, 100) : 0;
   size_t n = angles.count * (size_t)asp_spread_count();
   judged *rows = cli_allocate(n, sizeof *rows);
   judge_all(call, &angles, &subject, rows);
+  point *points = summarize(rows, n);
   FILE *out = cli_output_open(call, "output", wall.text);
+  const asp_spread_model *marked = tolerance > 0 ? mark(out, points, tolerance) : NULL;
   print(out, rows, n);
   cli_file_close(out);
   if (cli_value(call, "plot"))
-    plot(call, &wall, d_p, rows, n);
+    plot(call, &wall, d_p, rows, n, points, marked);
 }
 
 static const cli_option options[] = {
     {"dp", "LENGTH", "diameter of the particles", NULL},
     {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
+    {"tolerance", "D", "name the cheapest model whose D_KL of the rebound angle is below D", NULL},
     {"rays", "N", "impacts per model and angle", "200000"},
     {"ensemble", "N",
      "walls in the reference: profiles of 2048 lambda_c [16], with --three-d surfaces [8], pieces "
@@ -364,7 +395,7 @@ static const char detail[] =
     "bins of one degree. A bin that the model cannot fill counts as 1e-6, or half an\n"
     "impact. kl_rebound is free of the bias of histograms. kl_rebound_se is its standard\n"
     "error, by the jackknife over the profiles; more --rays and a larger --ensemble make it\n"
-    "smaller.\n"
+    "smaller. --tolerance takes the worst angle, with twice the standard error.\n"
     "On a measured profile, pieces of one half judge the models made of the other half, and\n"
     "the other way round; no model is judged by heights it was made from.\n"
     "With --three-d the reference is a set of independent Gaussian surfaces on which a\n"

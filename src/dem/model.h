@@ -85,9 +85,6 @@ public:
   /* The canonical text. */
   std::string description() const;
 
-  /* Description on one line, for the head of the ledger. */
-  std::string heading() const;
-
 private:
   typedef std::unique_ptr<asp_material, void (*)(asp_material *)> Material;
   typedef std::unique_ptr<asp_pair, void (*)(asp_pair *)> Pair;

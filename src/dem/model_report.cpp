@@ -29,13 +29,6 @@ std::string Model::description() const {
   return line;
 }
 
-std::string Model::heading() const {
-  const bool chosen = wall_ && *asp_wall_reason(wall_.get()) != '\0';
-  return description() +
-         (chosen ? std::string("; auto chose ") + asp_spread_name(asp_wall_spread(wall_.get()))
-                 : "");
-}
-
 /* Reports the source of a constant of the pairs. */
 void Model::report_constant(const char *keyword, const char *name, bool of_script, double value) {
   materials_report_ += std::string("\n  ") + keyword;
@@ -158,8 +151,6 @@ std::string Model::describe_surface() const {
   if (lay_.kind != ASP_LAY_NONE)
     line += text(", lambda_c along the lay %.4g", asp_surface_lambda_along(s));
   line += ", spread " + model + " " + word("tilt") + ", collisions " + word("collisions");
-  if (*asp_wall_reason(wall))
-    line += std::string("\n  ") + asp_wall_reason(wall);
   if (asp_surface_uncertainty(s) > 0)
     line += text("\n  one profile of this length leaves the mean tilt at 2 deg uncertain by about "
                  "%.2g %% of "

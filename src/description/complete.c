@@ -18,7 +18,7 @@
 bool asp_description_needs_sizes(const asp_description *d) {
   if (d->kind == ASPI_SMOOTH)
     return false;
-  return d->kind == ASPI_PROFILE || d->chooses || d->choice.spread->generate ||
+  return d->kind == ASPI_PROFILE || d->choice.spread->generate ||
          (d->kind == ASPI_MAP && d->choice.spread->prepare_map);
 }
 

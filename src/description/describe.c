@@ -127,9 +127,7 @@ static void add_spread(line *l, const asp_description *d) {
   if (d->kind == ASPI_SMOOTH && !aspi_is_given(d, "spread"))
     return;
   add_word(l, "spread");
-  add_word(l, d->chooses ? "auto" : d->choice.spread->name);
-  if (d->chooses)
-    add_pair(l, "tolerance", d->tolerance);
+  add_word(l, d->choice.spread->name);
   add_word(l, d->choice.isotropic ? "isotropic" : "plane");
   add_word(l, "collisions");
   add_word(l, d->choice.multiple ? "multiple" : "single");

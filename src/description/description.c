@@ -169,7 +169,7 @@ const char *asp_description_word(const asp_description *d, const char *name) {
     const char *name, *value;
   } words[] = {{"surface", kinds[d->kind]},
                {"file", d->file},
-               {"spread", d->chooses ? "auto" : d->choice.spread->name},
+               {"spread", d->choice.spread->name},
                {"tilt", d->choice.isotropic ? "isotropic" : "plane"},
                {"collisions", d->choice.multiple ? "multiple" : "single"},
                {"rebound", d->choice.law->name},

@@ -35,9 +35,7 @@ struct asp_description {
   const char *lay_word; /* axial or circumferential; else NULL */
   double lay_numbers[3];
   double bins;
-  const asp_spread_model *spread; /* NULL: auto, or none is given */
-  bool chooses;                   /* spread auto */
-  double tolerance;
+  const asp_spread_model *spread; /* NULL: none is given */
   char *table;
   char **names; /* of the materials */
   int n_materials;

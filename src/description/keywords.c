@@ -26,7 +26,7 @@ static const asp_keyword keywords[] = {
      .text = "the roughness of the wall"},
     {.name = "spread",
      .within = "",
-     .values = "MODEL | auto tolerance D",
+     .values = "MODEL",
      .standard = "visible; profile on a measured wall, none on a smooth one",
      .text = "the distribution of the tilt of the face that is hit"},
     {.name = "rebound",
@@ -226,17 +226,6 @@ static const asp_keyword keywords[] = {
      .values = "single | multiple",
      .standard = "multiple",
      .text = "single: a rebound into the wall is drawn again; multiple: it hits the next face"},
-    {.name = "tolerance",
-     .within = "spread",
-     .values = "D",
-     .unit = "",
-     .number = NUMBER(tolerance),
-     .most = INFINITY,
-     .above = true,
-     .standard = "",
-     .text =
-         "auto takes the cheapest model whose D_KL (Kullback-Leibler divergence) of the rebound "
-         "angle is below D"},
 
     {.name = "density",
      .within = "erosion",

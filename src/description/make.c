@@ -1,5 +1,4 @@
-/* A wall of a description: reads the file of a measured one, makes the surface of a profile, and
- * chooses the model of `spread auto`.
+/* A wall of a description: reads the file of a measured one, and makes the surface of a profile.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity_front.h"
@@ -58,25 +57,8 @@ static asp_surface *make_from_profile(const asp_description *d, const aspi_sizes
   return made;
 }
 
-static asp_code choose_model(aspi_wall_choice *choice, double tolerance, asp_error *error) {
-  asp_error wrong;
-  double divergence;
-  asp_code code = aspi_sizes_check(&choice->sizes, error);
-  if (code)
-    return code;
-  const asp_spread_model *model =
-      aspi_spread_auto(choice->surface, choice->sizes.least, choice->sizes.most, choice->multiple,
-                       tolerance, &divergence, choice->reason, sizeof choice->reason, &wrong);
-  if (!model)
-    return aspi_fail(error, wrong.code, "spread auto: %s", wrong.text);
-  choice->spread = model;
-  return ASP_OK;
-}
-
 /* The wall of a choice with the pair of its first two materials, where the law needs one. */
 static asp_wall *make(const asp_description *d, aspi_wall_choice *choice, asp_error *error) {
-  if (d->chooses && choice->surface && choose_model(choice, d->tolerance, error))
-    return NULL;
   asp_pair *pair = NULL;
   if (choice->law->needs_pair && d->n_materials > 1) {
     pair = asp_description_pair(d, d->materials[0], d->materials[1], error);

@@ -15,13 +15,11 @@ static asp_code read_model(aspi_words *r) {
   const char *name = aspi_words_word(r, "the spread model");
   if (!name)
     return ASP_EARG;
-  r->d->chooses = strcmp(name, "auto") == 0;
-  if (r->d->chooses)
-    return ASP_OK;
-  char list[ASPI_LIST_MOST] = "auto";
+  char list[ASPI_LIST_MOST] = "";
   for (int i = 1; i < asp_spread_count(); i++) { /* 0 is `none`, that of smooth walls */
     size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, " %s", asp_spread_name(asp_spread_at(i)));
+    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "",
+             asp_spread_name(asp_spread_at(i)));
   }
   r->d->spread = asp_spread_find(name, NULL);
   return r->d->spread && r->d->spread != asp_spread_at(0)
@@ -42,9 +40,7 @@ static asp_code read_spread(aspi_words *r) {
   asp_code code = read_model(r);
   for (const asp_keyword *k;
        !code && (k = aspi_words_take_keyword(r, "spread", &code)) != NULL && !code;) {
-    if (strcmp(k->name, "tolerance") == 0) {
-      code = aspi_words_number(r, "spread", "tolerance", &d->tolerance);
-    } else if (strcmp(k->name, "collisions") == 0) {
+    if (strcmp(k->name, "collisions") == 0) {
       const char *given = aspi_words_word(r, "the value of 'collisions'");
       code = given ? take_collisions(r, given) : ASP_EARG;
     } else {
@@ -53,9 +49,6 @@ static asp_code read_spread(aspi_words *r) {
   }
   if (!code && aspi_is_given(d, "plane") && aspi_is_given(d, "isotropic"))
     code = aspi_fail(r->error, ASP_EARG, "'plane' and 'isotropic' are given; it must be one");
-  if (!code && d->chooses != aspi_is_given(d, "tolerance"))
-    code = aspi_fail(r->error, ASP_EARG,
-                     "'spread auto' and 'tolerance D' go together, with no other model");
   return code;
 }
 

@@ -92,8 +92,6 @@ std::string PatchWall::heading() const {
   std::string line(asp_description_text(words_.get(), NULL, 0) + 1, '\0');
   asp_description_text(words_.get(), &line[0], line.size());
   line.pop_back();
-  if (*asp_wall_reason(wall_.get()))
-    line += std::string("; auto chose ") + asp_spread_name(asp_wall_spread(wall_.get()));
   return line;
 }
 
@@ -106,8 +104,7 @@ std::string PatchWall::notes(const Cloud &cloud) const {
       cloud.d_least,
       &largest,
       {asp_description_material(words_.get(), 0), asp_description_material(words_.get(), 1)}};
-  const std::string reason = asp_wall_reason(wall_.get());
-  std::string all = reason.empty() ? "" : "\n    " + reason;
+  std::string all;
   char doubt[480];
   for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
     all += *doubt ? std::string("\n    warning: ") + doubt : "";

@@ -46,7 +46,7 @@ public:
 
   /* Adds a row to `rows`, if it is asked for. */
   Hit hit(const Parcel &parcel, bool with_row);
-  std::string heading() const; /* the canonical text, with what `spread auto` chose */
+  std::string heading() const;                 /* the canonical text */
   std::string notes(const Cloud &cloud) const; /* reasons and doubts, a line each */
 
   const std::string name;

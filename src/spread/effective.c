@@ -141,7 +141,6 @@ const asp_spread_model aspi_spread_effective = {
     .name = "effective",
     .summary = "normal distribution, weighted by the width that a face shows to the particle",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 4",
-    .cost = 8,
     .upward = true,
     .density = aspi_effective_density,
     .distribution = aspi_effective_distribution,

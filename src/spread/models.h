@@ -37,7 +37,6 @@ struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
-  int cost;            /* place in the order of what a contact costs, from 0; each its own */
   bool geometry;       /* has the smaller slopes of summits at grazing incidence */
   bool upward;         /* covers particles that fly up, too: faces with delta > -alpha1; for other
                           models `visible` does */
@@ -105,16 +104,5 @@ double aspi_effective_quantile(const aspi_view *view, double u);
 
 double aspi_truncated_density(const aspi_view *view, double delta);
 double aspi_truncated_distribution(const aspi_view *view, double delta);
-
-/* The cheapest model whose D_KL (Kullback-Leibler divergence of the rebound angles from those of
- * the geometry; specular, bins of one degree, all impact angles) stays below the tolerance (> 0)
- * for the surface's phi_r and diameters from d_least to d_most. *divergence gets its worst D_KL,
- * `text` the reason as one line of at most `size` characters (NULL: none). The D_KL were measured
- * in the plane of incidence on Gaussian walls; of a measured profile only phi_r and kappa count.
- * NULL and a message if the wall is beyond what was measured, or no model stays below the
- * tolerance; then it names the closest. */
-const asp_spread_model *aspi_spread_auto(const asp_surface *surface, double d_least, double d_most,
-                                         bool multiple, double tolerance, double *divergence,
-                                         char *text, size_t size, asp_error *error);
 
 #endif

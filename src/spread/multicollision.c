@@ -17,7 +17,6 @@ const asp_spread_model aspi_spread_multicollision = {
     .name = "multicollision",
     .summary = "as effective, then further faces until the particle leaves",
     .source = "Konan, Kannengieser & Simonin 2009 (recalled, original not seen)",
-    .cost = 9,
     .upward = true,
     .escape = escape,
     .density = aspi_effective_density,

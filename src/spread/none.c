@@ -13,6 +13,5 @@ const asp_spread_model aspi_spread_none = {
     .name = "none",
     .summary = "no tilt: the smooth wall",
     .source = "definition",
-    .cost = 0,
     .quantile = quantile,
 };

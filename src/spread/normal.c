@@ -23,7 +23,6 @@ const asp_spread_model aspi_spread_normal = {
     .name = "normal",
     .summary = "normal distribution with sd sigma, without shadowing",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 3",
-    .cost = 6,
     .density = density,
     .distribution = distribution,
     .quantile = quantile,

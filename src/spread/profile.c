@@ -244,7 +244,6 @@ const asp_spread_model aspi_spread_profile = {
     .name = "profile",
     .summary = "first hits from a table: of the measured wall, or of generated Gaussian walls",
     .source = "geometry, derived for this project",
-    .cost = 1,
     .geometry = true,
     .upward = true,
     .density = density,

@@ -24,7 +24,6 @@ const asp_spread_model aspi_spread_rejection = {
     .name = "rejection",
     .summary = "normal distribution, drawn again until the rebound leaves the wall",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, routines 1 to 3",
-    .cost = 2,
     .density = aspi_truncated_density,
     .distribution = aspi_truncated_distribution,
     .loop = loop,

@@ -123,7 +123,6 @@ const asp_spread_model aspi_spread_traced = {
     .name = "traced",
     .summary = "the particle followed over a profile, hit by hit: the reference",
     .source = "geometry",
-    .cost = 7,
     .geometry = true,
     .upward = true,
     .loop = loop,

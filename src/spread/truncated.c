@@ -22,7 +22,6 @@ const asp_spread_model aspi_spread_truncated = {
     .name = "truncated",
     .summary = "normal distribution cut at -alpha1/2: rejection in one step",
     .source = "Altmeppen et al. 2020, eq. 5",
-    .cost = 4,
     .density = aspi_truncated_density,
     .distribution = aspi_truncated_distribution,
     .quantile = quantile,

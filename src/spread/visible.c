@@ -189,7 +189,6 @@ const asp_spread_model aspi_spread_visible = {
     .summary = "slopes of a Gaussian wall as the particle sees them: with shadow and flux",
     .source =
         "derived for this project; Heitz & d'Eon 2014 (visible normals), the same distribution",
-    .cost = 5,
     .upward = true,
     .density = density,
     .distribution = distribution,

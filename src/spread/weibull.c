@@ -67,7 +67,6 @@ const asp_spread_model aspi_spread_weibull = {
     .name = "weibull",
     .summary = "Weibull distribution fitted to truncated; no rebound slides along the wall",
     .source = "Altmeppen et al. 2020, eq. 8; ten coefficients refitted for this project",
-    .cost = 3,
     .density = density,
     .distribution = distribution,
     .quantile = quantile,

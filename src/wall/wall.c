@@ -116,7 +116,6 @@ asp_code aspi_wall_remake(asp_wall *wall, const aspi_wall_choice *choice, asp_er
   made.isotropic = choice->isotropic || made.draws_q;
   made.multiple = choice->multiple || choice->spread->escape || made.draws_q ||
                   (choice->spread->follow && !choice->spread->quantile);
-  memcpy(made.reason, choice->reason, sizeof made.reason);
   take_law(&made, choice);
   release(wall);
   *wall = made;
@@ -151,6 +150,3 @@ const asp_pair *asp_wall_pair(const asp_wall *wall) {
   return wall->pair;
 }
 
-const char *asp_wall_reason(const asp_wall *wall) {
-  return wall->reason;
-}

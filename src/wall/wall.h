@@ -18,7 +18,6 @@ typedef struct aspi_wall_choice {
   const asp_spread_model *spread;
   aspi_sizes sizes; /* of the particles, for models with tables; one bin where both are equal */
   bool isotropic, multiple;
-  char reason[400]; /* why this model was chosen; "": a user named it */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   const aspi_cor_table *table;
@@ -49,7 +48,6 @@ struct asp_wall {
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
   double lever;
-  char reason[400];
 };
 
 /* A smooth wall with `bons` and its defaults, in the plane. */

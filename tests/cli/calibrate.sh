@@ -127,7 +127,6 @@ refuses 2 "'friction' is given twice" -- calibrate data friction fit friction fi
 refuses 2 "'rq fit=VALUE'" "m cm mm um nm" -- calibrate data surface rq fit lambda_c 40um $ard
 refuses 2 "'friction' has no effect on impacts with rebound constant" -- calibrate data rebound constant 0.5 0.5 friction fit
 refuses 2 "spread is 'traced'" "visible" -- calibrate data surface sigma fit spread traced $ard
-refuses 2 "spread is 'auto'" -- calibrate data surface sigma fit spread auto tolerance 0.01 $ard
 refuses 2 "yield_rate is 'fit'" "fit=VALUE" "Pa/(m/s)" -- calibrate data rebound bons yield_rate fit $ard
 refuses 2 "DATA is expected" -- calibrate --dp 5um
 refuses 2 "not expected behind an option" -- calibrate data --dp 5um surface sigma fit

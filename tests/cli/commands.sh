@@ -102,7 +102,6 @@ refuses 2 "'20-40'" "from:to:step" -- cor surface sigma 5 --angles 20-40
 refuses 2 "--dp is -10um; it must" -- cor surface sigma 5 --dp -10um
 refuses 2 "--speed is 0; it must be 1e-09 to 1e+06 m/s" -- cor surface sigma 5 --speed 0
 refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
-refuses 2 "asperity: spread auto: phi_r 1" -- spread surface rq 20um lambda_c 20um spread auto tolerance 0.1 --dp 300um --angles 3
 refuses 2 "rq is '5ft'" "um" -- spread surface rq 5ft lambda_c 40um --dp 1um
 refuses 2 "rq is -5um" "> 0" -- cor surface rq -5um lambda_c 40um
 refuses 2 "surface is 'lambda_c'" "rq R lambda_c L" -- cor surface lambda_c 40um
@@ -135,16 +134,6 @@ refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere
 "$asperity" cor --samples 5000 -o /dev/full 2> err && die "a full disk went unnoticed"
 grep -q "cannot write" err || die "full disk: $(cat err)"
 ! ls ./*.partial > /dev/null 2>&1 || die "a partial file was left"
-
-# The heading has the choice of `spread auto`, after the description, as in a ledger; the reason is printed.
-for command in cor spread; do
-  for tolerance in 0.01 0.3; do
-    "$asperity" $command surface rq 5um lambda_c 40um spread auto tolerance $tolerance --dp 10um --angles 20 > auto 2> err || die "$command: $(cat err)"
-    model=$(sed -n "1s/.* tolerance $tolerance .*; auto chose \\([a-z]*\\)$/\\1/p" auto)
-    grep -q "^asperity: spread auto takes '${model:-none}': the cheapest .* below D_KL $tolerance " err || die "$command spread auto: $(head -n 1 auto; cat err)"
-    "$asperity" $command surface rq 5um lambda_c 40um spread "$model" --dp 10um --angles 20 2> /dev/null | grep -v '^#' | cmp - <(grep -v '^#' auto) || die "$command: auto is not $model"
-  done
-done
 
 # A wall in every way: sigma, its two numbers, a profile; not in two. Speeds as a list with a range, and log-normal.
 cor() { "$asperity" cor "$@" --samples 400 --angles 20 | grep -v '^#\|^dp'; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every spread model in the fix, by the registry's list: the ledger's mean and spread of delta_alpha are the
-# command's, the impacts are the same on 1 and 2 ranks; and `spread auto tolerance D` takes and tells.
+# command's, and the impacts are the same on 1 and 2 ranks.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 awk 'BEGIN { n = 1500; print "g\n\n" n " atoms\n2 atom types\n\n-0.002 0.006 xlo xhi\n-0.002 0.006 ylo yhi\n-0.0005 0.001 zlo zhi\n\nAtoms\n"
@@ -30,20 +30,3 @@ for model in $("$bin/asperity" spread --list | tail -n +3 | cut -d, -f1 | grep -
       if (d < 0) d = -d; if (e < 0) e = -e
       if (!(n == 1500 && d <= 5 * sd / sqrt(n) && e <= 5 * sd / sqrt(n))) { print n, m, v, "command:", mean, sd; exit 1 } }' || die "$model: the ledger's tilts are not the command's"
 done
-
-deck "auto tolerance 0.02 collisions multiple" > auto.in
-engine 2 auto.in -var out auto.csv
-grep -aq "spread auto takes '" auto.in.screen || die "auto does not say what it takes"
-deck "auto tolerance 10" > auto.in
-engine 1 auto.in -var out auto.csv
-refused() {
-  deck "$1" > bad.in
-  ! "$program" -in bad.in -log none -var out bad.csv > bad.screen 2>&1 || die "accepted: spread $1"
-  grep -a '^ERROR' bad.screen | grep -qF -- "$2" || { grep -a ERROR bad.screen; die "'$2' is not in the message for: spread $1"; }
-}
-refused "auto" "tolerance"
-refused "visible tolerance 0.1" "tolerance"
-refused "auto tolerance 0" "tolerance is 0;"
-refused "auto tolerance -1" "tolerance is -1"
-refused "auto tolerance nan" "tolerance is nan"
-refused "auto tolerance 1e-9" "comes closest"

@@ -158,7 +158,6 @@ static void walk_wall(const asp_wall *wall) {
   const double lay[3] = {1, 0, 0};
   bool lacks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && !asp_wall_pair(wall);
   assert_non_null(asp_spread_name(asp_wall_spread(wall)));
-  assert_non_null(asp_wall_reason(wall));
   walk_surface(asp_wall_surface(wall));
   for (int i = 0; i < ODD * ODD * ODD; i++) {
     double a = odd[i % ODD], b = odd[i / ODD % ODD], d_p = odd[i / ODD / ODD];
@@ -218,7 +217,6 @@ static void descriptions_and_walls(void **state) {
       "surface rq 5um lambda_c 40um 80um lay axial rebound constant 0.9 0.9 seed 3",
       "surface sigma 8 spread weibull plane collisions single erosion dnv density 7800 rebound "
       "constant 0.9 0.9",
-      "surface rq 5um lambda_c 40um spread auto tolerance 0.3 rebound constant 0.9 0.9",
       "surface profile no.csv dp_bins 2 rebound constant 0.9 0.9",
       "surface profile no.csv spread traced rebound constant 0.9 0.9",
       "surface map no.sdf dp_bins 1 rebound constant 0.9 0.9",

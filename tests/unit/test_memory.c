@@ -292,13 +292,6 @@ static asp_code rough_wall(asp_error *error) {
   return code_of(wall, error);
 }
 
-static asp_code choose(asp_error *error) {
-  double divergence;
-  char text[400];
-  return code_of(
-      aspi_spread_auto(surface, 2, 20, false, 0.5, &divergence, text, sizeof text, error), error);
-}
-
 static asp_code reader(asp_error *error) {
   asp_reader *made = asp_reader_create(error);
   asp_reader_free(made);
@@ -461,7 +454,6 @@ int main(void) {
       {"reader", reader, true},
       {"pair", pair, true},
       {"material", material, true},
-      {"choice of a model", choose, false},
   };
   char folder[] = "/tmp/test_memory.XXXXXX", name[64];
   if (!mkdtemp(folder) || chdir(folder) != 0)

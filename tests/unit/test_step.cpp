@@ -601,14 +601,14 @@ void new_sizes_need_new_tables(void **) {
   Alone engine;
   std::unique_ptr<Wall> wall = make_wall(
       engine, plane(2, 0),
-      "surface rq 0.05 lambda_c 1 spread auto tolerance 0.5 rebound constant 1 1 deposit off");
+      "surface rq 0.05 lambda_c 1 dp_bins 2 spread traced rebound constant 1 1 deposit off");
   const double sizes[][2] = {{1, 1}, {1, 4}, {2, 3}, {0.5, 4}, {0.5, 4}};
   const int reports[] = {1, 2, 2, 3, 3};
   for (int k = 0; k < 5; k++) {
     engine.least = sizes[k][0];
     engine.most = sizes[k][1];
     wall->init(k, 0.1);
-    assert_int_equal(count(engine.printed, "spread auto takes"), reports[k]);
+    assert_int_equal(count(engine.printed, ", spread traced"), reports[k]);
   }
 }
 

@@ -89,7 +89,7 @@ void Books::init() {
   const Engine &engine = setup_.engine;
   const std::string heading = text("asperity %s; fix %s wall/rebound; units %s; ", asp_version(),
                                    engine.id().c_str(), engine.units().c_str()) +
-                              setup_.model.heading() + "; angles in degrees";
+                              setup_.model.description() + "; angles in degrees";
   const std::string report = ledger_->open(heading);
   if (!report.empty())
     engine.print(report);

@@ -78,7 +78,7 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "profile_from_heights": (_P, _P, _N, _D, c_bool, _E), "profile_free": (None, _P),
     "map_from_heights": (_P, _P, _N, _N, _D, _D, c_bool, _E), "map_free": (None, _P),
     "wall_create": (_P, _P, _D, _D, _E), "wall_free": (None, _P), "wall_pair": (_P, _P),
-    "wall_reason": (_S, _P), "wall_surface": (_P, _P), "surface_check": (c_int, _P, _D, _E),
+    "wall_surface": (_P, _P), "surface_check": (c_int, _P, _D, _E),
     "surface_r_q": (_D, _P), "surface_lambda_c": (_D, _P), "surface_lambda_along": (_D, _P),
     "surface_phi_r": (_D, _P), "surface_slope_rms": (_D, _P), "wall_slope": (_D, _P, _D),
     "wall_impacts": (c_int, _P, _N, _P, _P, _P, _P, _P, _E),
@@ -138,7 +138,7 @@ class Wall:
 
     words: what a script says of it, as "surface rq 5um lambda_c 40um rebound walton 0.9 0.3 0".
     d_p: the diameters that it will meet, of which the least and the greatest count (m); measured
-        walls and `spread auto` need them.
+        walls need them.
     heights, step, periodic: for `surface profile NAME` heights along a line and their spacing, for
         `surface map NAME` heights in rows and their spacing (step_x, step_y), in place of the file.
     name: walls of different names draw different numbers with the same seed.
@@ -200,11 +200,6 @@ class Wall:
         text = ctypes.create_string_buffer(_asp.asp_description_text(self._words, None, 0) + 1)
         _asp.asp_description_text(self._words, text, len(text))
         return text.value.decode()
-
-    @property
-    def reason(self) -> str:
-        """What `spread auto` took, and why; "" where the model was named."""
-        return _asp.asp_wall_reason(self._wall).decode()
 
     def get(self, name: str) -> float | str:
         """A number or a word of the description, as get("friction"), get("spread")."""
