@@ -17,6 +17,11 @@
 #define SPEED_LEAST 1e-9
 #define SPEED_MOST 1e6
 
+/* The grid of --capture, in m and m/s. */
+enum { CAPTURE_POINTS = 61 };
+#define CAPTURE_SIZES 0.5e-6, 200e-6
+#define CAPTURE_SPEEDS 0.1, 1000
+
 typedef struct scene {
   cli_description wall;
   uint32_t seed;
@@ -140,6 +145,10 @@ static void add_to_sums(sums *to, const row *r) {
     aspi_running_add(&to->cor_t, r->of.cor.cor_t);
 }
 
+static double capture_share(const sums *of) {
+  return 1 - of->cor_n.n / (double)of->impacts;
+}
+
 /* Mean and sd, empty where there are none. */
 static void print_moments(FILE *out, const aspi_running *r) {
   cli_row(out, ",%.6g,%.6g", r->n > 0 ? r->mean : NAN, r->n > 1 ? aspi_running_sd(r) : NAN);
@@ -163,7 +172,7 @@ static void print_summary(FILE *out, const scene *s, const plan *p, const sums *
       continue;
     cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%.0f", value_of_group(&s->sizes, i % groups, 1e6),
             value_of_group(&s->speeds, i % groups / sizes, 1), p->angles->values[i / groups],
-            one->impacts, 1 - one->cor_n.n / (double)one->impacts, one->cor_n.n);
+            one->impacts, capture_share(one), one->cor_n.n);
     print_moments(out, &one->cor_n);
     print_moments(out, &one->cor_t);
     if (erodes)
@@ -271,21 +280,30 @@ static void add_to_view(view *v, const row *r, size_t number) {
   v->last = *r;
 }
 
-static cli_plot *open_picture(const cli_call *call, const scene *s, const view *v, size_t n) {
-  const cli_description *wall = &s->wall;
-  char pair[2 * sizeof(cli_label) + 10] = "";
+/* Materials, law and wall of a title. */
+typedef struct title {
+  char text[6 * sizeof(cli_label)];
+} title;
+
+static title title_of(const cli_description *wall) {
+  title all = {""};
+  int used = 0;
   if (wall->particle)
-    snprintf(pair, sizeof pair, "%s on %s; ",
-             cli_plot_label(asp_material_name(wall->particle)).text,
-             cli_plot_label(asp_material_name(wall->target)).text);
+    used = snprintf(all.text, sizeof all.text, "%s on %s; ",
+                    cli_plot_label(asp_material_name(wall->particle)).text,
+                    cli_plot_label(asp_material_name(wall->target)).text);
+  snprintf(all.text + used, sizeof all.text - (size_t)used, "%s; %s%s, %s",
+           cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text,
+           cli_plot_wall(wall->words, wall->wall).text, lay_of(wall).text,
+           cli_plot_label(asp_spread_name(asp_wall_spread(wall->wall))).text);
+  return all;
+}
+
+static cli_plot *open_picture(const cli_call *call, const scene *s, const view *v, size_t n) {
   return cli_plot_open(
-      call, 1200, 520, "1,2",
-      "%s%s; %s%s, %s; v_1 = %s; d_p = %s; %zu impacts, %.1f %% stick and are left out", pair,
-      cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text,
-      cli_plot_wall(wall->words, wall->wall).text, lay_of(wall).text,
-      cli_plot_label(asp_spread_name(asp_wall_spread(wall->wall))).text,
-      values_of(&s->speeds, 1, "m/s").text, values_of(&s->sizes, 1e6, "µm").text, n,
-      100 * (double)v->deposits / (double)n);
+      call, 1200, 520, "1,2", "%s; v_1 = %s; d_p = %s; %zu impacts, %.1f %% stick and are left out",
+      title_of(&s->wall).text, values_of(&s->speeds, 1, "m/s").text,
+      values_of(&s->sizes, 1e6, "µm").text, n, 100 * (double)v->deposits / (double)n);
 }
 
 static void plot_impacts(cli_plot *picture, int t, const view *v) {
@@ -369,6 +387,42 @@ static void plot(const cli_call *call, const scene *s, const view *v, size_t n) 
   cli_plot_close(picture);
 }
 
+/* Cells overlap the next ones by this factor, so that no seams show. */
+#define OVERLAP 1.01
+
+/* The lower edge of cell i around a point of a list of rising values, in equal ratios. */
+static double edge_of(const cli_list *list, size_t i) {
+  const double *x = list->values;
+  size_t n = list->count;
+  if (n < 2)
+    return x[0] * (i ? 1.1 : 1 / 1.1);
+  if (i == 0)
+    return x[0] * sqrt(x[0] / x[1]);
+  return i == n ? x[n - 1] * sqrt(x[n - 1] / x[n - 2]) : sqrt(x[i - 1] * x[i]);
+}
+
+/* The share that sticks over diameter and speed. */
+static void plot_capture(const cli_call *call, const scene *s, double degrees, const sums *of) {
+  const cli_list *sizes = &s->sizes, *speeds = &s->speeds;
+  cli_plot *picture =
+      cli_plot_open(call, 800, 600, "1,1", "%s; α_1 = %g°", title_of(&s->wall).text, degrees);
+  cli_plot_panel(picture, "diameter d_p / µm", "impact speed v_1 / (m/s)");
+  cli_plot_log(picture, "xy");
+  cli_plot_axis(picture, 'x', edge_of(sizes, 0) * 1e6, edge_of(sizes, sizes->count) * 1e6);
+  cli_plot_axis(picture, 'y', edge_of(speeds, 0), edge_of(speeds, speeds->count));
+  fputs("set palette defined (0 '#fcfdbf', 0.3 '#fb8861', 0.65 '#b63679', 1 '#3b0f70')\n"
+        "set cbrange [0:1]\nset cblabel 'share that sticks'\n",
+        cli_plot_stream(picture));
+  cli_plot_series(picture, CLI_CELLS, "palette");
+  for (size_t i = 0; i < sizes->count; i++)
+    for (size_t k = 0; k < speeds->count; k++)
+      cli_plot_row(picture, edge_of(sizes, i) * 1e6, edge_of(sizes, i + 1) * OVERLAP * 1e6,
+                   edge_of(speeds, k), edge_of(speeds, k + 1) * OVERLAP,
+                   capture_share(&of[k * sizes->count + i]));
+  cli_plot_end(picture, "%s", "");
+  cli_plot_close(picture);
+}
+
 /* ---- the command ---- */
 
 /* Destinations of an impact: rows, sums, the picture; NULL: not wanted. */
@@ -440,19 +494,80 @@ static void draw(const scene *s, const plan *p, const sink *to) {
   cli_progress_end(&progress);
 }
 
-static void run(cli_call *call) {
-  bool as_ledger = cli_choice(cli_get(call, "columns"));
-  bool summary = cli_value(call, "summary");
-  if (as_ledger && summary)
-    cli_bad_usage("--columns ledger is given with --summary, which has columns of its own");
-  scene s = {.wall = cli_description_read(call->n_words, call->words, false),
-             .sizes = cli_values(cli_get(call, "dp"), "length", 0, INFINITY),
-             .speeds = cli_values(cli_get(call, "speed"), "speed", SPEED_LEAST, SPEED_MOST)};
+static void print_laws(FILE *out) {
+  fputs("law,parameter,unit,default,least,most,text\n", out);
+  for (int i = 0; i < asp_rebound_count(); i++) {
+    const asp_rebound_law *law = asp_rebound_at(i);
+    fprintf(out, "%s,,,,,,\"%s; source: %s\"\n", law->name, law->summary, law->source);
+    for (int k = 0; k < law->n_parameters; k++) {
+      const asp_parameter *p = &law->parameters[k];
+      fprintf(out, "%s,%s,%s,%.10g,%g,%g,\"%s%s%s\"\n", law->name, p->name, p->unit, p->fallback,
+              p->least, p->most, p->words ? p->words : "", p->words ? " (0, 1 ...): " : "",
+              p->text);
+    }
+  }
+}
+
+/* Values between two ends, in equal ratios. */
+static cli_list ratios(double from, double to) {
+  cli_list list = {.values = cli_allocate(CAPTURE_POINTS, sizeof *list.values),
+                   .count = CAPTURE_POINTS,
+                   .least = from,
+                   .most = to};
+  for (int i = 0; i < CAPTURE_POINTS; i++)
+    list.values[i] = from * pow(to / from, i / (CAPTURE_POINTS - 1.));
+  return list;
+}
+
+/* Exits if the values of the grid of --capture are not those of a list, or do not rise. */
+static void check_grid(const char *option, const cli_list *list) {
+  if (list->count == 0)
+    cli_bad_usage("--%s is a log-normal law; --capture takes a list", option);
+  for (size_t i = 1; i < list->count; i++)
+    if (!(list->values[i] > list->values[i - 1]))
+      cli_bad_usage("--%s has %g behind %g (SI); for --capture its values must rise", option,
+                    list->values[i], list->values[i - 1]);
+}
+
+/* The sizes and speeds, or their defaults. */
+static scene read_scene(cli_call *call, bool capture) {
+  scene s = {.wall = cli_description_read(call->n_words, call->words, false)};
+  cli_default(call, "dp", capture ? NULL : "10um");
+  cli_default(call, "speed", capture ? NULL : "100");
+  cli_default(call, "angles", capture ? "90" : "1:90:1");
+  s.sizes = cli_value(call, "dp") ? cli_values(cli_get(call, "dp"), "length", 0, INFINITY)
+                                  : ratios(CAPTURE_SIZES);
+  s.speeds = cli_value(call, "speed")
+                 ? cli_values(cli_get(call, "speed"), "speed", SPEED_LEAST, SPEED_MOST)
+                 : ratios(CAPTURE_SPEEDS);
+  if (capture) {
+    check_grid("dp", &s.sizes);
+    check_grid("speed", &s.speeds);
+  }
   s.seed = (uint32_t)asp_description_get(s.wall.words, "seed");
+  return s;
+}
+
+static void run(cli_call *call) {
+  if (cli_value(call, "list")) {
+    FILE *out = cli_output_open(call, "output", NULL);
+    print_laws(out);
+    cli_file_close(out);
+    return;
+  }
+  bool as_ledger = cli_choice(cli_get(call, "columns")), capture = cli_value(call, "capture");
+  bool summary = cli_value(call, "summary") || capture;
+  if (as_ledger && summary)
+    cli_bad_usage("--columns ledger is given with --%s, which has columns of its own",
+                  capture ? "capture" : "summary");
+  scene s = read_scene(call, capture);
   cli_list angles = cli_impact_angles(call);
+  if (capture && angles.count != 1)
+    cli_bad_usage("--angles is '%s'; --capture takes one angle", cli_value(call, "angles"));
   size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
-  plan p = make_plan(&angles, samples, cli_value(call, "flux"));
+  plan p =
+      make_plan(&angles, capture ? samples * count_groups(&s) : samples, cli_value(call, "flux"));
   view v = {.every = 0};
   FILE *out = cli_output_open(call, "output", s.wall.text);
   sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
@@ -460,7 +575,7 @@ static void run(cli_call *call) {
     to.sums = cli_allocate(angles.count * count_groups(&s), sizeof *to.sums);
   else
     print_header(out, as_ledger);
-  if (cli_value(call, "plot")) {
+  if (cli_value(call, "plot") && !capture) {
     v = make_view(&p);
     to.view = &v;
   }
@@ -470,16 +585,20 @@ static void run(cli_call *call) {
   cli_file_close(out);
   if (to.view)
     plot(call, &s, &v, p.total);
+  else if (cli_value(call, "plot"))
+    plot_capture(call, &s, angles.values[0], to.sums);
 }
 
 static const cli_option options[] = {
-    {"dp", "SIZES", "diameters: a list, or lognormal:min:max:median", "10um"},
-    {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median", "100"},
-    {"angles", "DEGREES", "impact angles: a list", "1:90:1"},
+    {"dp", "SIZES", "diameters: a list, or lognormal:min:max:median [10um]", NULL},
+    {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median [100]", NULL},
+    {"angles", "DEGREES", "impact angles: a list [1:90:1]", NULL},
     {"samples", "N", "impacts per angle", "100"},
     {"flux", NULL, "impacts in proportion to sin alpha1, on average --samples per angle", NULL},
     {"summary", NULL, "mean, sd and capture share per angle, size and speed instead of impacts",
      NULL},
+    {"capture", NULL, "the share that sticks, over diameter and speed at one angle", NULL},
+    {"list", NULL, "the laws and their parameters: defaults, ranges, sources", NULL},
     {"columns", "own|ledger", "columns of the rows: the command's own, or those of a wall's ledger",
      "own"},
     {.name = NULL}};
@@ -493,7 +612,9 @@ static const char detail[] =
     "--summary has one row per angle, size and speed instead: the number of impacts, the\n"
     "share that sticks, and mean and sd of the coefficients of the n that rebound; with\n"
     "`erosion` also mean and sd of the mass worn off the wall per mass of particles, over\n"
-    "all impacts. --columns ledger writes the columns of a wall's ledger in `units si`\n"
+    "all impacts. --capture has these rows for --samples impacts of each diameter (0.5 to\n"
+    "200 um) and speed (0.1 to 1000 m/s) at one angle (90 degrees); its picture shows the\n"
+    "share that sticks. --columns ledger writes the columns of a wall's ledger in `units si`\n"
     "(outcome 0 or 1). lognormal:min:max:median is a log-normal distribution cut at min and\n"
     "max; its logarithm has the standard deviation ln(max/min)/5. `grain clump FILE` takes the\n"
     "spheres of a table with the columns x, y, z, d, scaled so that the clump has the volume\n"
@@ -507,8 +628,10 @@ const cli_command cli_cor = {
     .detail = detail,
     .examples = "  $ asperity cor surface rq 15.6um lambda_c 120um --dp lognormal:1um:100um:10um "
                 "--plot cor.png -o cor.csv\n"
-                "  $ asperity cor surface profile blade.csv --dp 20um --angles 5:85:5 --summary\n",
+                "  $ asperity cor surface profile blade.csv --dp 20um --angles 5:85:5 --summary\n"
+                "  $ asperity cor surface rq 5um lambda_c 40um materials ard ti-6al-4v --capture "
+                "--plot capture.png\n",
     .options = options,
-    .picture = "draw the scatter; .png, .svg or .pdf",
+    .picture = "draw the scatter, or the share that sticks; .png, .svg or .pdf",
     .run = run,
 };

@@ -118,7 +118,7 @@ void cli_help_wall(void) {
   for (int i = 1; i < asp_spread_count(); i++) /* 0 is that of smooth walls */
     printf("  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
            asp_spread_summary(asp_spread_at(i)));
-  fputs("\nLAW, as 'asperity rebound --list' lists them with their sources:\n", stdout);
+  fputs("\nLAW, as 'asperity cor --list' lists them with their sources:\n", stdout);
   for (int i = 0; i < asp_rebound_count(); i++) {
     const asp_rebound_law *law = asp_rebound_at(i);
     put_law(law->needs_table ? "table FILE" : law->name, law->parameters, law->n_parameters,

@@ -21,7 +21,7 @@ plot [-30:40] [0:0.075] \
 
 set output folder."laws.png"
 unset title
-law(words) = "< ".asperity."rebound rebound ".words." --map angles | grep -v -e '^#' -e deposit"
+law(words) = "< ".asperity."cor rebound ".words." --samples 1 --angles 0.5:90:0.5 | grep -v -e '^#' -e deposit"
 pair = " materials quartz 304-ss"
 set xlabel "impact angle {/Symbol a}_1 / degrees"
 set key noenhanced maxrows 3

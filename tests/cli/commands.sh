@@ -66,8 +66,6 @@ grep -q 'outside: .* of .* impacts' cor.svg && grep -q 'one of 3' cor.svg || die
 "$asperity" cor surface rq 5um lambda_c 40um 200um lay 30 --samples 50 --angles 45 --plot cor.svg -o c 2> err
 grep -q 'along the lay 200 µm, lay at 30° to the flight' cor.svg || die "cor --plot: no lay in the title"
 [ "$(grep -c 'fill-opacity *= *.0.25' cor.svg)" -ge 2 ] || die "cor --plot of one angle: no mean and sd"
-"$asperity" rebound rebound walton 0.9 0.3 0 vs rebound walton 0.7 0.3 0 --map angles --plot two.svg -o c 2> err
-grep -q 'walton 0.9' two.svg && grep -q 'walton 0.7' two.svg && [ "$(rows c | cut -d, -f1 | sort -u | wc -l)" = 2 ] || die "rebound: two laws of one name: $(cat c)"
 "$asperity" cor surface sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err
 grep -q 'm/s (sticks)' cor.svg && ! grep -q warning err || die "cor --plot where all stick: $(cat err)"
 "$asperity" spread surface sigma 10 --plot spread.svg -o s 2> err
@@ -112,7 +110,6 @@ refuses 2 "rq is '5s'" "unit must be one of: m cm mm um nm" -- cor surface rq 5s
 refuses 2 "--dp is '5,10um' without a unit" "'5' would be 5 m" -- cor --dp 5,10um
 refuses 2 "rq is '2um,5' without a unit" -- surface surface rq 2um,5 lambda_c 40um
 refuses 2 "'--pdf' takes no value" -- spread surface sigma 5 --pdf=3
-refuses 2 "--dp has" "must rise" -- rebound rebound bons --dp 50um,10um --speed 1,10 --plot map.png
 refuses 2 "'surfac'" "did you mean 'surface'" -- cor materials quartz 304-ss surfac rq 5um
 refuses 2 "materials has 1 name" "two" -- cor materials quartz
 refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 5
@@ -178,7 +175,7 @@ for bad in "--size 3x4" "--size 640" "--range 3:1" "--range 3"; do refuses 2 "${
 
 # One color for each model and for each law, and titles that fit, in words.
 look=$root/examples/look.gp
-for kind in "model spread" "law rebound"; do
+for kind in "model spread" "law cor"; do
   read -r kind command <<< "$kind"
   names=$("$asperity" $command --list | awk -F, 'NR > 2 { print $1 }' | sort -u)
   for name in $names; do grep -q "^${kind}_$name = " "$look" || die "$kind $name has no style"; done

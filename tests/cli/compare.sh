@@ -127,8 +127,8 @@ refuses 2 "'cor_n' is missing" "and data stand behind them" -- compare truth.pla
 "$asperity" compare quarter half | grep -v '^#' > wanted
 "$asperity" compare - half < quarter | grep -v '^#' | cmp wanted || die "compare - from a file"
 cat half | "$asperity" compare quarter - | grep -v '^#' | cmp wanted || die "compare - from a pipe"
-"$asperity" materials | "$asperity" rebound materials ard hastelloy-x file /dev/stdin --map angles --angles 45 > got || die "rebound --materials -"
-printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" rebound rebound table /dev/stdin --map angles --angles 10 | grep -q ',0.9,0.8,' || die "rebound --table -"
+"$asperity" materials | "$asperity" cor materials ard hastelloy-x file /dev/stdin --angles 45 > got || die "cor materials ... file /dev/stdin"
+printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' | "$asperity" cor rebound table /dev/stdin --samples 1 --angles 10 | grep -q ',0.9,0.8,' || die "cor rebound table /dev/stdin"
 printf 'x_um,z_um\n%s\n' "$(seq 0 400 | awk '{ print $1 "," sin($1 / 7) }')" | "$asperity" surface surface profile /dev/stdin --dp 10um > got || die "surface --profile -"
 
 # The measurements that ship are read, and a law that was made of one set is that set.

@@ -14,8 +14,8 @@ printf 'alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n' > table
 use() {
   case $1 in
     profile | uneven) "$asperity" surface surface profile "$2" --dp 10um ;;
-    materials) "$asperity" rebound materials ard hastelloy-x file "$2" --map angles --angles 45 ;;
-    table) "$asperity" rebound rebound table "$2" --map angles --angles 45 ;;
+    materials) "$asperity" cor materials ard hastelloy-x file "$2" --angles 45 ;;
+    table) "$asperity" cor rebound table "$2" --angles 45 ;;
     impacts) "$asperity" compare "$2" impacts ;;
     data) "$asperity" compare impacts "$2" ;;
   esac

@@ -1,89 +1,68 @@
 #!/usr/bin/env bash
-# The commands rebound and compare, and laws, tables and materials of the user's own in all commands.
+# Capture, the command compare, and laws, tables and materials of the user's own in all commands.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 data=$root/examples/data
 
-# rebound: the regimes of 10 um quartz on Hastelloy X, capture at 5.8 m/s, always under 1.6 um.
-"$asperity" rebound --dp 10um --speed 5.7,5.9,10,100 > r
-[ "$(header r)" = dp_um,v1_m_s,alpha1_deg,cor_n,cor_t,outcome ] || die "rebound: columns"
-[ "$(column outcome r | paste -sd' ')" = "deposit rebound rebound rebound" ] || die "rebound: outcomes: $(cat r)"
-"$asperity" rebound materials ard hastelloy-x vs materials ard ti-6al-4v --map capture --dp 1um,10um > c
-[ "$(column capture_speed_m_s c | head -n 1)" = "" ] || die "capture: 1 um is caught at any speed"
-column capture_speed_m_s c | awk 'NR == 2 { exit !($1 > 5.7 && $1 < 5.9) }' || die "capture: $(cat c)"
-"$asperity" rebound surface_energy 0 --map capture --dp 10um > c
-[ "$(column capture_speed_m_s c)" = 0 ] || die "capture without adhesion: $(cat c)"
-"$asperity" rebound --map capture --points 9 > c
-[ "$(rows c | wc -l)" = 9 ] && [ "$(column dp_um c | sed -n '1p;9p' | paste -sd' ')" = "0.5 200" ] || die "equal ratios: $(cat c)"
-"$asperity" rebound rebound grant_tabakoff --map angles --angles 30,90 > a
+# Capture of quartz on Hastelloy X: at 5.8 m/s for 10 um, always under 1.6 um, never without adhesion.
+capture() { "$asperity" cor "$@" --capture --samples 20 > c && column capture_share c | paste -sd' '; }
+[ "$(capture --dp 10um --speed 5.7,5.9,10,100)" = "1 0 0 0" ] || die "capture: $(cat c)"
+[ "$(capture --dp 1um --speed 10,1e5)" = "1 1" ] || die "capture: 1 um is caught at any speed: $(cat c)"
+[ "$(capture surface_energy 0 --dp 10um --speed 1e-9)" = 0 ] || die "capture without adhesion: $(cat c)"
+[ "$(capture deposit freeze remove u_tau 2 gas_density 1.2 --dp 10um,100um --speed 0.1)" = "1 0" ] || die "remove: $(cat c)"
+[ "$(capture rebound bons soften 500C 0.001/K temperature 1500 --dp 10um --speed 7)" != "$(capture --dp 10um --speed 7)" ] || die "capture on a hot wall: $(cat c)"
+read -r slow fast <<< "$(capture surface rq 5um lambda_c 40um --dp 10um --speed 6,12)"
+awk -v a="$slow" -v b="$fast" 'BEGIN { exit !(a > b && a > 0 && a <= 1 && b < 1) }' || die "capture on a rough wall: $(cat c)"
+"$asperity" cor --capture --samples 1 --plot capture.svg > c 2> err || die "capture --plot: $(cat err)"
+[ "$(rows c | wc -l)" = 3721 ] && [ "$(rows c | sed -n '1p;$p' | cut -d, -f 1,2 | paste -sd' ')" = "0.5,0.1 200,1000" ] || die "the grid of capture: $(head -n 3 c)"
+grep -q 'share that sticks' capture.svg || die "capture --plot"
+refuses 2 "'1um,5um:200um'" "from:to:step" -- cor --capture --dp 1um,5um:200um
+refuses 2 "--dp is a log-normal law" -- cor --capture --dp lognormal:1um:9um:3um
+refuses 2 "--dp has" "must rise" -- cor --capture --dp 50um,10um
+refuses 2 "one angle" -- cor --capture --angles 10,20
+refuses 2 "--columns ledger is given with --capture" -- cor --capture --columns ledger
+
+# Laws over the angle, with one impact at each.
+smooth() { "$asperity" cor "$@" --samples 1; }
+smooth rebound grant_tabakoff --angles 30,90 > a
 [ "$(column cor_n a | head -n 1)" = 0.428811 ] && [ "$(column cor_t a | tail -n 1)" = "" ] || die "angles: $(cat a)"
-"$asperity" rebound rebound bons temperature 1400 surface_energy 0 --map angles --angles 45 > a
-"$asperity" rebound surface_energy 0 yield_stress 110e6 --map angles --angles 45 > b
-[ "$(column cor_n a)" = "$(column cor_n b)" ] || die "rebound: temperature"
-"$asperity" rebound --list > list
-for law in bons constant grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "rebound --list: $law"; done
-! "$asperity" rebound rebound bons soften 800 0.001 2> words || die "rebound: 'soften' without 'temperature'"
-grep -q "'soften' has no effect without 'temperature T'" words || { cat words; die "rebound: 'soften' alone"; }
-"$asperity" rebound rebound bons temperature 1800 --map capture --dp 10um > /dev/null 2> words
-grep -q "a yield stress of 2e+07" words || { cat words; die "rebound: the yield stress of hot particles"; }
-grep -q '^bons,temperature,K,0,' list || die "rebound --list: parameters"
-for map in regimes capture angles; do
-  "$asperity" rebound --map $map --points 5 --plot $map.png -o $map.csv 2> err
-  head -c 4 $map.png | grep -q PNG || die "rebound --map $map --plot"
-done
-# spin on, friction of a law's own, and a flow that takes away what sticks
-"$asperity" rebound rebound walton 0.98 0.092 0 --map angles --angles 60.55 > a
+smooth rebound bons temperature 1400 surface_energy 0 --angles 45 > a
+smooth surface_energy 0 yield_stress 110e6 --angles 45 > b
+[ "$(column cor_n a)" = "$(column cor_n b)" ] || die "temperature: $(cat a b)"
+"$asperity" cor --list > list
+for law in bons constant grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "cor --list: $law"; done
+refuses 2 "'soften' has no effect without 'temperature T'" -- cor rebound bons soften 800 0.001
+smooth rebound bons temperature 1800 > /dev/null 2> words
+grep -q "a yield stress of 2e+07" words || die "the yield stress of hot particles: $(cat words)"
+grep -q '^bons,temperature,K,0,' list || die "cor --list: parameters"
+smooth rebound walton 0.98 0.092 0 --angles 60.55 > a
 column cor_t a | awk '{ exit !($1 > 0.714 && $1 < 0.7143) }' || die "walton: $(cat a)"
-"$asperity" rebound rebound bons spin on friction 5 surface_energy 0 --map angles --angles 20 > a
+smooth rebound bons spin on friction 5 surface_energy 0 --angles 20 > a
 column cor_t a | awk '{ exit !($1 > 0.7142 && $1 < 0.7143) }' || die "bons spin on: $(cat a)"
-"$asperity" rebound deposit freeze remove u_tau 2 gas_density 1.2 --map capture --dp 10um,100um > c
-[ "$(column capture_speed_m_s c | tail -n 1)" = 0 ] && [ "$(column capture_speed_m_s c | head -n 1)" != 0 ] || die "--remove: $(cat c)"
-# several laws: a law's own options go to the laws that have them; the picture names each
-"$asperity" rebound rebound bons yield_rate 3e6 vs rebound bons yield_rate 3e6 materials ard quartz vs rebound thornton_ning vs rebound thornton_ning materials ard quartz --map angles --angles 45 --plot laws.svg > a 2> err
-[ "$(column law a | paste -sd' ')" = "bons bons thornton_ning thornton_ning" ] || die "several laws: $(cat a)"
-"$asperity" rebound rebound bons yield_rate 3e6 --map angles --angles 45 > b
-[ "$(column cor_n a | head -n 1)" = "$(column cor_n b)" ] || die "several laws: --yield-rate"
-"$asperity" rebound rebound thornton_ning materials ard quartz --map angles --angles 45 > b
-[ "$(column cor_n a | tail -n 1)" = "$(column cor_n b)" ] || die "several laws: thornton_ning"
-grep -q 'bons on quartz' laws.svg && grep -q 'several laws' laws.svg || die "several laws: names in the picture"
-"$asperity" rebound rebound bons vs rebound thornton_ning --map capture --dp 10um > c
-[ "$(column law c | paste -sd' ')" = "bons thornton_ning" ] || die "capture by several laws: $(cat c)"
-refuses 2 "'vs' is given" "one description" -- rebound vs rebound walton 0.9 0.3 0
-refuses 2 "'compliance' is unknown" -- rebound rebound bons compliance 3
-refuses 2 "--speed is given" -- rebound --map capture --speed 5
-refuses 2 "--dp is '1um,5um:200um'" "from:to:step" -- rebound --map capture --dp 1um,5um:200um
-refuses 2 "a log-normal law" -- rebound --dp lognormal:1um:9um:3um
-refuses 2 "--speed is '1,5:200'" -- rebound --map regimes --speed 1,5:200
-"$asperity" rebound --map angles --dp 1um,10um --plot stick.svg > a 2> err
-grep -q '1 µm, 100 m/s (sticks)' stick.svg && ! grep -q warning err || die "a curve that sticks: $(cat err)"
-"$asperity" rebound --map angles --dp 1um --speed 1 --plot stick.svg > a 2> err || die "only curves that stick: $(cat err)"
 printf 'alpha1_deg,cor_n,cor_t\n10,1.5,-0.3\n90,0.4,0.5\n' > beyond.csv
-"$asperity" rebound rebound table beyond.csv --map angles --plot beyond.svg > a 2> err
+smooth rebound table beyond.csv --plot beyond.svg > a 2> err
 grep -q '> *1.4<' beyond.svg && grep -q '> *-0.2<' beyond.svg || die "the axes do not grow"
-refuses 2 "spin" "'maybe'" "off on" -- rebound rebound bons spin maybe
-refuses 2 "gas_density" -- rebound deposit freeze remove u_tau 2
-refuses 2 "'u_tau U' is expected" -- rebound deposit freeze remove gas_density 1.2
-refuses 2 "gas_density is 0" -- rebound deposit freeze remove u_tau 2 gas_density 0
-refuses 2 "c is missing" -- rebound rebound bons contact_area 0.2 0.1
-refuses 2 "c is 11" "0 to 10" -- rebound rebound bons contact_area 0.2 0.1 11
-refuses 2 "'scatter' is unknown" -- rebound rebound bons scatter 1
-refuses 2 "yield_rate is 'soft'" -- rebound rebound bons yield_rate soft
-refuses 2 "regimes, capture or angles" -- rebound --map all
-refuses 2 "from <= to" -- rebound --dp 2um:1um:0.1um
-refuses 2 "one angle" -- rebound --map capture --angles 10,20
-refuses 2 "'surface' has no effect" "smooth" -- rebound surface sigma 3
+refuses 2 "spin" "'maybe'" "off on" -- cor rebound bons spin maybe
+refuses 2 "gas_density" -- cor deposit freeze remove u_tau 2
+refuses 2 "'u_tau U' is expected" -- cor deposit freeze remove gas_density 1.2
+refuses 2 "gas_density is 0" -- cor deposit freeze remove u_tau 2 gas_density 0
+refuses 2 "c is missing" -- cor rebound bons contact_area 0.2 0.1
+refuses 2 "c is 11" "0 to 10" -- cor rebound bons contact_area 0.2 0.1 11
+refuses 2 "'scatter' is unknown" -- cor rebound bons scatter 1
+refuses 2 "yield_rate is 'soft'" -- cor rebound bons yield_rate soft
+refuses 2 "from <= to" -- cor --dp 2um:1um:0.1um
 
 # table: a user's coefficients
 printf 'alpha1_deg,v1_m_s,cor_n,cor_t\n10,50,0.9,0.8\n80,50,0.3,0.7\n10,150,0.7,0.6\n80,150,0.1,0.5\n' > law.csv
-"$asperity" rebound rebound table law.csv --map angles --angles 45 --speed 100 > a
+smooth rebound table law.csv --angles 45 > a
 [ "$(column cor_n a),$(column cor_t a)" = 0.5,0.65 ] || die "table: $(cat a)"
-refuses 2 "'rebound table' is missing" -- rebound rebound table
-refuses 2 "'law.csv' is unknown" -- rebound rebound bons law.csv
-refuses 2 "no.csv" "No such file" -- rebound rebound table no.csv
-refuses 2 "materials: " "no.csv" "No such file" -- rebound materials ard hastelloy-x file no.csv
+refuses 2 "'rebound table' is missing" -- cor rebound table
+refuses 2 "'law.csv' is unknown" -- cor rebound bons law.csv
+refuses 2 "no.csv" "No such file" -- cor rebound table no.csv
+refuses 2 "materials: " "no.csv" "No such file" -- cor materials ard hastelloy-x file no.csv
 refuses 2 "--materials: " "no.csv" "No such file" -- materials --materials no.csv
-sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- rebound rebound table gap.csv
-(cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- rebound rebound table twice.csv
+sed 4d law.csv > gap.csv; refuses 2 gap.csv "a gap" "150" -- cor rebound table gap.csv
+(cat law.csv; tail -n 1 law.csv) > twice.csv; refuses 2 "two rows" "80 degrees" -- cor rebound table twice.csv
 
 # Scatter that is counted twice: the means warn, the scatter is refused unless asked for.
 "$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff --samples 2 -o x 2> err
@@ -98,11 +77,11 @@ refuses 2 "twice" "scatter_twice" -- cor surface rq 5um lambda_c 40um rebound gr
 sed -i 's/^quartz,"quartz",7e+10/quartz,"my ""quartz""",5e+10/; s/^al-2024/alu/' mine.csv
 "$asperity" materials --materials mine.csv > all
 [ "$(rows all | grep -c '^quartz,')" = 1 ] && grep -q '^quartz,"my ""quartz""",5e+10' all && grep -q '^alu,' all && grep -q '^al-2024,' all || die "materials: $(cat all)"
-"$asperity" rebound materials quartz alu file mine.csv --map capture --dp 10um > a
-"$asperity" rebound materials quartz al-2024 --map capture --dp 10um > b
-[ "$(column capture_speed_m_s a)" != "$(column capture_speed_m_s b)" ] || die "materials: own quartz is not taken"
-refuses 2 "'alu'" -- rebound materials ard alu
-refuses 2 "yield stress" -- rebound materials al-2024 hastelloy-x
+smooth materials quartz alu file mine.csv --angles 45 > a
+smooth materials quartz al-2024 --angles 45 > b
+[ "$(column cor_n a)" != "$(column cor_n b)" ] || die "materials: own quartz is not taken"
+refuses 2 "'alu'" -- cor materials ard alu
+refuses 2 "yield stress" -- cor materials al-2024 hastelloy-x
 printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nchalk,soft,0.2,2000\n' > bad.csv
 refuses 2 "bad.csv:2" "'soft'" -- materials --materials bad.csv
 

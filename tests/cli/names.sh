@@ -54,14 +54,6 @@ for name in "it's" "e'.system('>pwned6').'" "e'.system(\">pwned7\").'" '`>pwned8
   own=(materials "$name" "$name" file own.csv)
   "$asperity" cor "${own[@]}" surface rq 5um lambda_c 40um --dp 10um --samples 3 --plot m.svg -o /dev/null 2> err || die "cor of '$name': $(cat err)"
   shown "$name on $name" m.svg || die "cor: '$name' is not in the picture's title"
-  for map in regimes capture angles; do
-    "$asperity" rebound "${own[@]}" --map $map --points 3 --plot m.svg -o table 2> err || die "rebound --map $map of '$name': $(cat err)"
-    shown "$name" m.svg || die "rebound --map $map: '$name' is not in the picture"
-  done
-  "$asperity" rebound "${own[@]}" --map capture --points 3 -o table
-  printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n' > again.csv
-  sed '/^#/d; /^wall,/d; s/,[^,]*,[^,]*,[^,]*$/,7e10,0.2,2000/; q' table >> again.csv
-  "$asperity" cor materials ard "$name" file again.csv --samples 1 > /dev/null || die "capture: '$name' does not read back: $(cat table)"
   "$asperity" materials --materials own.csv > own2.csv
   "$asperity" cor materials "$name" hastelloy-x file own2.csv --samples 1 > /dev/null || die "materials: '$name' does not read back"
 done

@@ -26,7 +26,7 @@ for page in $pages; do
       options=$((options + 1))
       grep -qxF -- "$option" words || die "$page: asperity $command has no $option"
     done
-  done < <(grep -ohP '\basperity \K(calibrate|compare|cor|erosion|materials|rebound|spread|surface|trade) [^`|]*' "$root/$page")
+  done < <(grep -ohP '\basperity \K(calibrate|compare|cor|erosion|materials|spread|surface|trade) [^`|]*' "$root/$page")
 done
 [ "$options" -ge 60 ] || die "only $options options were looked at"
 
