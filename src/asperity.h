@@ -306,10 +306,10 @@ double asp_description_get(const asp_description *description, const char *name)
 asp_code asp_description_set(asp_description *description, const char *name, double value,
                              asp_error *error);
 
-/* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread (auto,
- * or the model), tilt, collisions, rebound and deposit; `file` of the profile or the map; `clump`,
- * that of the grains; `doubt`, what is doubtful about the heights, once asp_wall_create has read
- * them. NULL for another name, and for a file that there is not. */
+/* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread,
+ * tilt, collisions, rebound and deposit; `file` of the profile or the map; `doubt`, what is
+ * doubtful about the heights, once asp_wall_create has read them. NULL for another name, and for a
+ * file that there is not. */
 const char *asp_description_word(const asp_description *description, const char *name);
 
 /* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle

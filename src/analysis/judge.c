@@ -7,16 +7,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-static bool is_in_space(const aspi_judge_case *subject) {
-  return subject->points > 0 || subject->map;
-}
-
 size_t aspi_judge_folds(const aspi_judge_case *subject) {
-  return subject->profile || subject->map ? 2 : 1;
+  return subject->profile ? 2 : 1;
 }
 
 asp_code aspi_judge_angle_least(const aspi_judge_case *subject, double *degrees, asp_error *error) {
-  *degrees = subject->map ? aspi_judge_map_angle_least(subject) : 0;
+  *degrees = 0;
   return subject->profile ? aspi_judge_profile_angle_least(subject, degrees, error) : ASP_OK;
 }
 
@@ -24,36 +20,25 @@ asp_code aspi_judge_angle_least(const aspi_judge_case *subject, double *degrees,
 
 static asp_code make_fold(aspi_judge_walls *w, const aspi_judge_case *subject, size_t fold,
                           asp_error *error) {
-  const aspi_gauss *g = &subject->wall;
   double d_p = subject->d_p;
-  if (subject->map) {
-    w->map[fold] = aspi_judge_map_half(subject->map, 1 - fold, error);
-    w->surface[fold] = w->map[fold] ? asp_surface_create_map(w->map[fold], false, error) : NULL;
-  } else if (subject->profile) {
+  if (subject->profile) {
     w->profile[fold] = aspi_judge_profile_half(subject->profile, 1 - fold, error);
     w->surface[fold] =
         w->profile[fold] ? asp_surface_create_profile(w->profile[fold], d_p, d_p, 1, error) : NULL;
   } else {
-    w->surface[fold] = w->in_space ? asp_surface_create_lay(g->r_q, g->lambda_1, g->lambda_2, error)
-                                   : asp_surface_create(g->r_q, g->lambda_1, error);
+    w->surface[fold] = asp_surface_create(subject->r_q, subject->lambda_c, error);
   }
   return w->surface[fold] ? ASP_OK : error->code;
 }
 
 asp_code aspi_judge_walls_create(aspi_judge_walls *w, const aspi_judge_case *subject,
                                  asp_error *error) {
-  double axis = subject->wall.axis;
   asp_error own;
-  *w = (aspi_judge_walls){.folds = aspi_judge_folds(subject),
-                          .lay = {-sin(axis), cos(axis), 0},
-                          .in_space = is_in_space(subject),
-                          .has_lay = is_in_space(subject) && !subject->map};
+  *w = (aspi_judge_walls){.folds = aspi_judge_folds(subject)};
   for (size_t fold = 0; fold < w->folds; fold++)
     if (make_fold(w, subject, fold, &own)) {
       aspi_judge_walls_free(w);
-      const char *of = subject->map       ? "surface map: half of it: "
-                       : subject->profile ? "surface profile: half of it: "
-                                          : "";
+      const char *of = subject->profile ? "surface profile: half of it: " : "";
       return aspi_fail(error, own.code, "%s%.400s", of, own.text);
     }
   return ASP_OK;
@@ -63,7 +48,6 @@ void aspi_judge_walls_free(aspi_judge_walls *w) {
   for (size_t fold = 0; fold < 2; fold++) {
     asp_surface_free(w->surface[fold]);
     asp_profile_free(w->profile[fold]);
-    asp_map_free(w->map[fold]);
   }
   *w = (aspi_judge_walls){.folds = 0};
 }
@@ -74,12 +58,11 @@ asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
                            const aspi_judge_walls *walls, const double *degrees, size_t count,
                            asp_error *error) {
   size_t groups = subject->groups, done = 0;
-  bool space = is_in_space(subject);
   *judge = (aspi_judge){.groups = groups, .count = count, .folds = aspi_judge_folds(subject)};
   judge->angles = calloc(groups * count, sizeof *judge->angles);
-  judge->first = space ? NULL : calloc(count, sizeof *judge->first);
+  judge->first = calloc(count, sizeof *judge->first);
   asp_error worst = {ASP_OK, ""};
-  if (!judge->angles || (!space && !judge->first))
+  if (!judge->angles || !judge->first)
     aspi_fail(&worst, ASP_ENOMEM, "out of memory for a judge of %zu groups", groups);
 #pragma omp parallel for schedule(dynamic)
   for (size_t g = 0; g < groups; g++) {
@@ -87,9 +70,7 @@ asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
     bool failed;
 #pragma omp critical
     failed = worst.code;
-    if (!failed && space)
-      aspi_judge_fly_surface(judge, subject, degrees, g, &own);
-    else if (!failed)
+    if (!failed)
       aspi_judge_fly_profile(judge, subject, walls, degrees, g, &own);
 #pragma omp critical
     {
@@ -136,21 +117,4 @@ aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const
     d.se = hypot(d.se, of.se / folds);
   }
   return d;
-}
-
-/* In the plane, one group per profile; in three dimensions, one per fold. */
-aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject,
-                                       const aspi_judge_model *model, double degrees,
-                                       size_t *groups) {
-  bool space = is_in_space(subject);
-  *groups = space ? model->folds : subject->groups;
-  size_t rays =
-      space ? subject->rays * subject->groups / model->folds : subject->rays / subject->groups + 1;
-  aspi_angles *angles = calloc(*groups, sizeof *angles);
-  for (size_t g = 0; angles && g < *groups; g++) {
-    uint32_t seed = space ? subject->seed + 1 : ~subject->seed - (uint32_t)g;
-    angles[g] = aspi_judge_rebounds(model->on[model->folds * g / *groups], subject->d_p, model->lay,
-                                    degrees, rays, seed);
-  }
-  return angles;
 }

@@ -1,7 +1,7 @@
-/* Distance of a spread model from the geometry. Reference: rebound angles of generated profiles or
- * surfaces, or of the pieces of a measured one, none of which made the model. Against it: the
- * model's rebound angles, their divergence, and the cost of an impact. Every rebound is specular,
- * nothing sticks.
+/* Distance of a spread model from the geometry, in the plane of incidence. Reference: rebound
+ * angles of generated profiles, or of the pieces of a measured one, none of which made the model.
+ * Against it: the model's rebound angles, their divergence, and the cost of an impact. Every
+ * rebound is specular, nothing sticks. The judge in three dimensions is in tests/sweep.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_JUDGE_H
@@ -9,28 +9,20 @@
 
 #include "analysis/angles.h"
 #include "asperity_front.h"
-#include "surface/map.h"
 
 enum { ASPI_JUDGES_LEAST = 4, ASPI_JUDGES_MOST = 1024 };
 
 /* The case that is judged: a wall and particles of one size. The pieces of one half of a measured
- * profile or map judge models made of the other half, and vice versa: two folds. */
-typedef struct aspi_judge_case aspi_judge_case;
-struct aspi_judge_case {
-  aspi_gauss wall; /* of a profile the first two numbers count */
-  double d_p;
-  size_t groups; /* profiles or surfaces of the ensemble, or pieces of a measured one */
-  size_t rays;   /* impacts at an angle: of all profiles, or of each surface */
+ * profile judge models made of the other half, and vice versa: two folds. */
+typedef struct aspi_judge_case {
+  double r_q, lambda_c, d_p;
+  size_t groups; /* profiles of the ensemble, or pieces of a measured one */
+  size_t rays;   /* impacts at an angle */
   uint32_t seed;
-  size_t points; /* along the sides of surfaces, a power of two; 0: in the plane of incidence */
-  const asp_profile *profile; /* measured; NULL: none */
-  const asp_map *map;         /* alike */
-  /* One of the surfaces, periodic; NULL: a Gaussian one. */
-  asp_map *(*make)(const aspi_judge_case *subject, const double step[2], size_t points,
-                   uint32_t seed);
+  const asp_profile *profile;                    /* measured; NULL: none */
   void (*progress)(void *context, double share); /* of the ensemble; may be NULL */
   void *context;
-};
+} aspi_judge_case;
 
 size_t aspi_judge_folds(const aspi_judge_case *subject);
 
@@ -43,9 +35,6 @@ typedef struct aspi_judge_walls {
   size_t folds;
   asp_surface *surface[2];
   asp_profile *profile[2];
-  asp_map *map[2];
-  double lay[3];
-  bool in_space, has_lay; /* tilts all around; the flight has a direction along the wall */
 } aspi_judge_walls;
 asp_code aspi_judge_walls_create(aspi_judge_walls *walls, const aspi_judge_case *subject,
                                  asp_error *error);
@@ -62,17 +51,12 @@ typedef struct aspi_first_hits {
 typedef struct aspi_judge {
   size_t groups, count, folds;
   aspi_angles *angles;
-  aspi_first_hits *first; /* at each angle; NULL in three dimensions */
+  aspi_first_hits *first; /* at each angle; may be NULL */
 } aspi_judge;
 
-/* In the plane: rebounds over profiles of 2048 lambda_c, each with its negative and in both
- * directions of flight, whose rms slope is that of the ensemble; no model has these seeds. Or over
- * the pieces of a measured profile, each continued by its mirror image.
- *
- * In three dimensions: surfaces with 20 points a correlation length along either side, over each of
- * which the sphere is rolled; the particles fly along x, half of them either way, until they leave.
- * Mirror images continue the pieces of a map, and the particles fly in all directions.
- * `walls` is needed in the plane only. */
+/* Rebounds over profiles of 2048 lambda_c, each with its negative and in both directions of flight,
+ * whose rms slope is that of the ensemble; no model has these seeds. Or over the pieces of a
+ * measured profile, each continued by its mirror image. */
 asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
                            const aspi_judge_walls *walls, const double *degrees, size_t count,
                            asp_error *error);
@@ -89,7 +73,6 @@ aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const
 /* One model on what it is made of, as a user has it; the walls must outlive it. */
 typedef struct aspi_judge_model {
   asp_wall *on[2];
-  const double *lay; /* NULL: none */
   size_t folds;
 } aspi_judge_model;
 asp_code aspi_judge_model_create(aspi_judge_model *model, const aspi_judge_walls *walls, double d_p,
@@ -100,15 +83,14 @@ void aspi_judge_model_free(aspi_judge_model *model);
 asp_wall *aspi_judge_wall(const aspi_judge_walls *walls, size_t fold, double d_p, const char *name,
                           bool multiple, asp_error *error);
 
-/* n rebounds at an impact angle (degrees), by all threads; lay may be NULL. */
-aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, const double *lay, double degrees,
-                                size_t n, uint32_t seed);
+/* n rebounds at an impact angle (degrees), by all threads. */
+aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, double degrees, size_t n,
+                                uint32_t seed);
 
-/* The model's rebounds at one angle, in groups to compare with the judge's: *groups of them, to be
- * freed; NULL: out of memory. */
+/* The model's rebounds at one angle, in as many groups as the judge has, to be freed; NULL: out of
+ * memory. */
 aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject,
-                                       const aspi_judge_model *model, double degrees,
-                                       size_t *groups);
+                                       const aspi_judge_model *model, double degrees);
 
 /* D_KL of a model's law of the first hit against the ensemble's, in bins of one degree; a bin that
  * the model cannot fill counts as 1e-6. NAN where the model has no distribution. */
@@ -118,7 +100,7 @@ double aspi_judge_first_hit(const aspi_first_hits *first, const aspi_judge_model
 /* Nanoseconds per impact, on one thread. */
 double aspi_judge_cost(const asp_wall *wall, double d_p, double degrees);
 
-/* ---- the flights of a judge over one of its profiles or surfaces ---- */
+/* ---- the flights of a judge over one of its profiles ---- */
 
 /* Adds the rebounds of group `number` at all angles, and its first hits to judge->first; called by
  * several threads. */
@@ -126,18 +108,11 @@ asp_code aspi_judge_fly_profile(aspi_judge *judge, const aspi_judge_case *subjec
                                 const aspi_judge_walls *walls, const double *degrees, size_t number,
                                 asp_error *error);
 
-/* Flies over one surface in three dimensions, without first hits. */
-asp_code aspi_judge_fly_surface(aspi_judge *judge, const aspi_judge_case *subject,
-                                const double *degrees, size_t number, asp_error *error);
-
-/* The half of a measured profile or map, cut across its longer side, that judges in fold 0 or 1;
- * NULL on error. */
+/* The half of a measured profile that judges in fold 0 or 1; NULL on error. */
 asp_profile *aspi_judge_profile_half(const asp_profile *profile, size_t half, asp_error *error);
-asp_map *aspi_judge_map_half(const asp_map *map, size_t half, asp_error *error);
 
 /* The least angle (degrees) at which pieces of a profile can judge. */
 asp_code aspi_judge_profile_angle_least(const aspi_judge_case *subject, double *degrees,
                                         asp_error *error);
-double aspi_judge_map_angle_least(const aspi_judge_case *subject);
 
 #endif

@@ -6,6 +6,7 @@
 #include "wall/wall.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <time.h>
 
 /* Probability of a bin that a model leaves empty, in a comparison without sampling. */
@@ -17,10 +18,8 @@ asp_wall *aspi_judge_wall(const aspi_judge_walls *walls, size_t fold, double d_p
   aspi_wall_choose_law(&choice, asp_rebound_find("constant", NULL));
   choice.surface = walls->surface[fold];
   choice.profile = walls->profile[fold];
-  choice.map = walls->map[fold];
   choice.spread = asp_spread_find(name, NULL);
   choice.sizes = (aspi_sizes){d_p, d_p, 1};
-  choice.isotropic = walls->in_space;
   choice.multiple = multiple;
   choice.deposit = false;
   return aspi_wall_create(&choice, error);
@@ -28,7 +27,7 @@ asp_wall *aspi_judge_wall(const aspi_judge_walls *walls, size_t fold, double d_p
 
 asp_code aspi_judge_model_create(aspi_judge_model *model, const aspi_judge_walls *walls, double d_p,
                                  const char *name, bool multiple, asp_error *error) {
-  *model = (aspi_judge_model){.lay = walls->has_lay ? walls->lay : NULL, .folds = walls->folds};
+  *model = (aspi_judge_model){.folds = walls->folds};
   for (size_t fold = 0; fold < walls->folds; fold++) {
     model->on[fold] = aspi_judge_wall(walls, fold, d_p, name, multiple, error);
     if (!model->on[fold]) {
@@ -46,14 +45,14 @@ void aspi_judge_model_free(aspi_judge_model *model) {
 
 static const double up[3] = {0, 0, 1};
 
-static void hit(const asp_wall *wall, double d_p, const double *lay, const double v1[3],
-                const asp_key *key, asp_impact *impact) {
-  asp_particle particle = {.d_p = d_p, .density = 1, .lay = lay};
+static void hit(const asp_wall *wall, double d_p, const double v1[3], const asp_key *key,
+                asp_impact *impact) {
+  asp_particle particle = {.d_p = d_p, .density = 1};
   asp_wall_impact(wall, &particle, v1, up, key, impact);
 }
 
-aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, const double *lay, double degrees,
-                                size_t n, uint32_t seed) {
+aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, double degrees, size_t n,
+                                uint32_t seed) {
   aspi_angles all = {0};
   double alpha1 = aspi_radians(degrees), v1[3] = {cos(alpha1), 0, -sin(alpha1)};
 #pragma omp parallel
@@ -62,13 +61,23 @@ aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, const double *
 #pragma omp for schedule(static)
     for (size_t i = 0; i < n; i++) {
       asp_impact impact;
-      hit(wall, d_p, lay, v1, &(asp_key){seed, 1, i, 1}, &impact);
+      hit(wall, d_p, v1, &(asp_key){seed, 1, i, 1}, &impact);
       aspi_angles_add(&mine, impact.v2, impact.delta_alpha, impact.hits);
     }
 #pragma omp critical
     aspi_angles_merge(&all, &mine);
   }
   return all;
+}
+
+aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject,
+                                       const aspi_judge_model *model, double degrees) {
+  size_t groups = subject->groups;
+  aspi_angles *angles = calloc(groups, sizeof *angles);
+  for (size_t g = 0; angles && g < groups; g++)
+    angles[g] = aspi_judge_rebounds(model->on[model->folds * g / groups], subject->d_p, degrees,
+                                    subject->rays / groups + 1, ~subject->seed - (uint32_t)g);
+  return angles;
 }
 
 /* The share of first hits between two tilts. */
@@ -115,7 +124,7 @@ double aspi_judge_cost(const asp_wall *wall, double d_p, double degrees) {
     double begun = seconds();
     asp_impact impact;
     for (uint64_t i = 0; i < IMPACTS; i++)
-      hit(wall, d_p, NULL, v1, &(asp_key){77, 1, i, 1}, &impact);
+      hit(wall, d_p, v1, &(asp_key){77, 1, i, 1}, &impact);
     least = fmin(least, seconds() - begun);
   }
   return 1e9 * least / IMPACTS;

@@ -45,7 +45,7 @@ static asp_profile *piece_of(const aspi_judge_case *subject, size_t number, asp_
 /* The path of the particle's center over a realization, as one of the flights meets it. */
 static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int flight,
                             asp_error *error) {
-  double r_q = subject->wall.r_q, lambda_c = subject->wall.lambda_1;
+  double r_q = subject->r_q, lambda_c = subject->lambda_c;
   uint32_t seed = SEED_FIRST + subject->seed % 1048576 * ASPI_JUDGES_MOST + (uint32_t)number;
   asp_profile *profile =
       aspi_profile_create_scaled(r_q, lambda_c, lambda_c / RESOLUTION, (size_t)RESOLUTION * LENGTH,
@@ -74,7 +74,7 @@ static asp_code course_create(course *made, const aspi_judge_case *subject, asp_
   asp_profile *profile =
       measured ? piece_of(subject, number, error) : path_of(subject, number, flight, error);
   aspi_judge_walls of = {.folds = 1, .surface = {surface}, .profile = {profile}};
-  *made = (course){.d_p = measured ? subject->d_p : 1e-6 * subject->wall.lambda_1};
+  *made = (course){.d_p = measured ? subject->d_p : 1e-6 * subject->lambda_c};
   asp_code code =
       profile ? aspi_line_over_profile(&made->line, profile, measured ? made->d_p : 0, error)
               : error->code;
@@ -141,7 +141,7 @@ asp_code aspi_judge_fly_profile(aspi_judge *judge, const aspi_judge_case *subjec
     code = course_create(&over, subject, walls->surface[0], number, flight, error);
     for (size_t k = 0; k < judge->count && !code; k++) {
       uint32_t seed = subject->seed + (uint32_t)number * (uint32_t)flights + (uint32_t)flight;
-      aspi_angles found = aspi_judge_rebounds(over.wall, over.d_p, NULL, degrees[k], rays, seed);
+      aspi_angles found = aspi_judge_rebounds(over.wall, over.d_p, degrees[k], rays, seed);
       aspi_angles_merge(&judge->angles[number * judge->count + k], &found);
       code =
           add_first_hits(&over.line, degrees[k], 1. / (double)all, fold, &judge->first[k], error);

@@ -616,10 +616,7 @@ static const char detail[] =
     "200 um) and speed (0.1 to 1000 m/s) at one angle (90 degrees); its picture shows the\n"
     "share that sticks. --columns ledger writes the columns of a wall's ledger in `units si`\n"
     "(outcome 0 or 1). lognormal:min:max:median is a log-normal distribution cut at min and\n"
-    "max; its logarithm has the standard deviation ln(max/min)/5. `grain clump FILE` takes the\n"
-    "spheres of a table with the columns x, y, z, d, scaled so that the clump has the volume\n"
-    "of a sphere of --dp, in a random position at each impact and without spin: a row is the\n"
-    "first hit, with the velocity of the center of mass, which may still move to the wall.\n";
+    "max; its logarithm has the standard deviation ln(max/min)/5.\n";
 
 const cli_command cli_cor = {
     .name = "cor",

@@ -73,14 +73,10 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
   d.words = asp_description_parse("", NULL, &error);
   cli_must(d.words, &error);
   d.words->may_fit = may_fit;
-  d.words->takes_clump = !may_fit;
   check_units(count, words);
   read_words(d.words, count, words);
   check_removal(d.words);
   cli_must(!asp_description_check_heat(d.words, false, &error), &error);
-  const char *clump = asp_description_word(d.words, "clump");
-  d.clump = clump ? aspi_clump_read(clump, &error) : NULL;
-  cli_must(!clump || d.clump, &error);
   read_materials(&d);
   d.text = cli_description_text(d.words);
   return d;
@@ -149,13 +145,6 @@ cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, dou
   double v1[3] = {degrees < 90 ? speed * cos(alpha) : 0, 0, -speed * sin(alpha)};
   asp_particle particle = {
       .d_p = d_p, .density = d->density, .pair = d->pair, .lay = cli_description_lay(d, lay)};
-  asp_key position = *key;
-  position.wall = asp_key_wall("clump");
-  asp_body body;
-  if (d->clump) {
-    body = aspi_clump_turned(d->clump, d_p, d->density, &position, &particle.d_p);
-    particle.body = &body;
-  }
   cli_impact i;
   asp_wall_impact(d->wall, &particle, v1, n, key, &i.impact);
   i.cor = asp_impact_coefficients(v1, n, &i.impact);

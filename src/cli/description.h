@@ -8,7 +8,6 @@
 #ifndef ASP_CLI_DESCRIPTION_H
 #define ASP_CLI_DESCRIPTION_H
 
-#include "analysis/clump.h"
 #include "asperity_front.h"
 #include "cli/cli.h"
 
@@ -21,7 +20,6 @@ typedef struct cli_description {
   bool has_standard_materials;           /* none are given */
   bool has_no_impact;         /* the command takes no rebound law, so constants do not count */
   double density;             /* of the particles */
-  aspi_clump *clump;          /* NULL: they are spheres, or eccentric */
   const asp_profile *profile; /* a measured wall, once it is made; else NULL */
   const asp_map *map;         /* alike */
   char *text;                 /* canonical; with the materials, also where they are the
@@ -50,9 +48,7 @@ void cli_description_doubt(const cli_description *description, double d_least, d
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
 /* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is
- * NAN where it is undefined. A clump has a random position, no spin, and the volume of a sphere of
- * d_p; this is the hit of the sphere that touches first, and the coefficients are those of its
- * center of mass. */
+ * NAN where it is undefined. */
 typedef struct cli_impact {
   asp_impact impact;
   asp_coefficients cor;

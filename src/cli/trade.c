@@ -11,55 +11,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Defaults. */
-enum { PROFILES_MANY = 16, SURFACES_MANY = 8, POINTS_MANY = 2048 };
+/* Default. */
+enum { PROFILES_MANY = 16 };
 
 /* Length of a piece of a measured profile in lambda_c, unless there would be too few pieces. */
 #define PIECE_LENGTH 25.0
 
-/* A number of the model and of the judge. */
-typedef struct pair {
-  double model, judge;
-} pair;
-
-/* A model at one impact angle; degrees. What stands below `space` is of three dimensions only. */
+/* A model at one impact angle; degrees. */
 typedef struct judged {
   const asp_spread_model *model;
   double angle, cost, first_hit;
   struct {
     double kl, se, mean, reference_mean;
   } rebound;
-  bool space;
-  double reference_se;
-  aspi_estimate lateral;
-  pair lateral_mean, lateral_sd, later;
 } judged;
-
-static double sd_of(double square, double mean) {
-  return sqrt(fmax(0, square - mean * mean));
-}
-
-/* Adds the columns of three dimensions to a row. */
-static void add_lateral(const aspi_judge *judge, size_t i, const aspi_angles *model, size_t groups,
-                        const aspi_angles *sum, judged *row) {
-  aspi_angle_groups all = aspi_judge_groups(judge, i);
-  double own = sum->lateral_sum / sum->n;
-  double side = aspi_angles_mean(all, offsetof(aspi_angles, lateral_sum)).value;
-  double square = aspi_angles_mean(all, offsetof(aspi_angles, lateral_square)).value;
-  row->first_hit =
-      aspi_judge_divergence(judge, i, model, groups, offsetof(aspi_angles, tilt)).value;
-  row->lateral = aspi_judge_divergence(judge, i, model, groups, offsetof(aspi_angles, lateral));
-  row->lateral_mean = (pair){own, side};
-  row->lateral_sd = (pair){sd_of(sum->lateral_square / sum->n, own), sd_of(square, side)};
-  row->later =
-      (pair){sum->later / sum->n, aspi_angles_mean(all, offsetof(aspi_angles, later)).value};
-}
 
 /* One row: a model at one angle. */
 static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
                        const aspi_judge_model *model, double angle, size_t i) {
-  size_t groups;
-  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle, &groups), sum = {0};
+  size_t groups = subject->groups;
+  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle), sum = {0};
   if (!angles)
     cli_fail("out of memory for %zu groups of rebounds", groups);
   for (size_t g = 0; g < groups; g++)
@@ -68,17 +39,11 @@ static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
       aspi_judge_divergence(judge, i, angles, groups, offsetof(aspi_angles, rebound));
   aspi_estimate mean =
       aspi_angles_mean(aspi_judge_groups(judge, i), offsetof(aspi_angles, rebound_sum));
-  judged row = {.angle = angle,
-                .cost = aspi_judge_cost(model->on[0], subject->d_p, angle),
-                .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value},
-                .space = !judge->first,
-                .reference_se = mean.se};
-  if (judge->first)
-    row.first_hit = aspi_judge_first_hit(&judge->first[i], model, subject->d_p, angle);
-  else
-    add_lateral(judge, i, angles, groups, &sum, &row);
   free(angles);
-  return row;
+  return (judged){.angle = angle,
+                  .cost = aspi_judge_cost(model->on[0], subject->d_p, angle),
+                  .first_hit = aspi_judge_first_hit(&judge->first[i], model, subject->d_p, angle),
+                  .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value}};
 }
 
 /* All rows, angle by angle. */
@@ -169,29 +134,14 @@ static const asp_spread_model *mark(FILE *out, const point *points, double toler
 
 /* ---- output ---- */
 
-static void print_row(FILE *out, const judged *r) {
-  cli_row(out, "%s,%g,%.1f,%.5f,%.5f,%.5f,%.4f,%.4f", asp_spread_name(r->model), r->angle, r->cost,
-          r->first_hit, r->rebound.kl, r->rebound.se, r->rebound.mean, r->rebound.reference_mean);
-  if (r->space)
-    fprintf(out, ",%.4f,%.5f,%.5f,%.4f,%.4f,%.4f,%.4f,%.5f,%.5f", r->reference_se, r->lateral.value,
-            r->lateral.se, r->lateral_mean.model, r->lateral_mean.judge, r->lateral_sd.model,
-            r->lateral_sd.judge, r->later.model, r->later.judge);
-  fputc('\n', out);
-}
-
-/* In three dimensions model by model, else angle by angle. */
 static void print(FILE *out, const judged *rows, size_t n) {
-  size_t models = (size_t)asp_spread_count(), angles = n / models;
-  bool space = rows->space;
-  fprintf(out,
-          "model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,kl_rebound_se,mean_rebound_deg,"
-          "mean_rebound_reference_deg%s\n",
-          space ? ",mean_rebound_reference_se_deg,kl_lateral,kl_lateral_se,mean_lateral_deg,"
-                  "mean_lateral_reference_deg,sd_lateral_deg,sd_lateral_reference_deg,later_share,"
-                  "later_share_reference"
-                : "");
-  for (size_t i = 0; i < n; i++)
-    print_row(out, &rows[space ? i % angles * models + i / angles : i]);
+  fputs("model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,kl_rebound_se,mean_rebound_deg,"
+        "mean_rebound_reference_deg\n",
+        out);
+  for (const judged *r = rows; r < rows + n; r++)
+    cli_row(out, "%s,%g,%.1f,%.5f,%.5f,%.5f,%.4f,%.4f\n", asp_spread_name(r->model), r->angle,
+            r->cost, r->first_hit, r->rebound.kl, r->rebound.se, r->rebound.mean,
+            r->rebound.reference_mean);
 }
 
 /* ---- the picture ---- */
@@ -271,68 +221,37 @@ static size_t pieces_of(const cli_option *option, double usual) {
   return pieces;
 }
 
-/* The value of an option; one for where it is not given. */
-static size_t whole_or(const cli_option *option, unsigned long least, unsigned long most,
-                       size_t standard) {
-  return option->value ? cli_whole(option, least, most) : standard;
-}
-
-/* Exits if an option is given that does not apply to this judge. */
-static void check_options(const cli_call *call, const asp_description *words) {
-  const char *kind = asp_description_word(words, "surface"), *points = cli_value(call, "points");
-  bool map = strcmp(kind, "map") == 0, three_d = cli_value(call, "three-d");
+/* Exits where no ensemble of profiles is such a wall. */
+static void check_wall(const asp_description *words) {
+  const char *kind = asp_description_word(words, "surface");
   if (strcmp(kind, "smooth") == 0)
     cli_bad_usage("'surface' is missing; models are judged on a rough wall");
-  if (three_d && strcmp(kind, "profile") == 0)
-    cli_bad_usage("--three-d is given with 'surface profile'; it goes with a map, or a wall's "
-                  "numbers");
-  if (map && points)
-    cli_bad_usage("--points is given with 'surface map', which has its own");
-  if (!three_d && points)
-    cli_bad_usage("--points is given without --three-d");
-}
-
-/* Sets the case in three dimensions. */
-static void set_case_3d(const cli_call *call, const cli_description *wall,
-                        aspi_judge_case *subject) {
-  const cli_option *ensemble = cli_get(call, "ensemble");
-  double vector[3];
-  const double *lay = cli_description_lay(wall, vector);
-  subject->points = whole_or(cli_get(call, "points"), 256, 16384, POINTS_MANY);
-  if (subject->points & (subject->points - 1))
-    cli_bad_usage("--points is %zu; it must be a power of two", subject->points);
-  subject->wall.lambda_2 = asp_surface_lambda_along(asp_wall_surface(wall->wall));
-  subject->wall.axis = lay ? atan2(lay[1], lay[0]) - ASP_PI / 2 : 0;
-  subject->map = wall->map;
-  subject->groups = wall->map ? pieces_of(ensemble, 0) : whole_or(ensemble, 3, 1000, SURFACES_MANY);
-}
-
-/* The case in the plane of incidence. */
-static void set_case_2d(const cli_call *call, const cli_description *wall,
-                        aspi_judge_case *subject) {
-  const cli_option *ensemble = cli_get(call, "ensemble");
-  const asp_profile *profile = subject->profile = wall->profile;
-  if (asp_description_lay(wall->words).kind != ASP_LAY_NONE)
-    cli_bad_usage("'lay' is given; a wall with a lay is judged with --three-d");
-  subject->groups = whole_or(ensemble, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST, PROFILES_MANY);
-  if (profile)
-    subject->groups =
-        pieces_of(ensemble, (double)asp_profile_points(profile) * asp_profile_spacing(profile) /
-                                subject->wall.lambda_1 / PIECE_LENGTH);
+  if (strcmp(kind, "map") == 0 || asp_description_lay(words).kind != ASP_LAY_NONE)
+    cli_bad_usage("'%s' is given; models are judged in the plane of incidence, on a profile or by "
+                  "a wall's numbers without a lay",
+                  strcmp(kind, "map") == 0 ? "surface map" : "lay");
 }
 
 /* Also takes out the angles at which the case cannot be judged. */
 static aspi_judge_case case_of(const cli_call *call, const cli_description *wall, double d_p,
                                cli_list *angles) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
-  aspi_judge_case subject = {
-      .wall = {.r_q = asp_surface_r_q(surface), .lambda_1 = asp_surface_lambda_c(surface)},
-      .d_p = d_p,
-      .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),
-      .seed = (uint32_t)asp_description_get(wall->words, "seed")};
-  (cli_value(call, "three-d") || wall->map ? set_case_3d : set_case_2d)(call, wall, &subject);
-  if (wall->map || wall->profile)
+  const asp_profile *profile = wall->profile;
+  const cli_option *ensemble = cli_get(call, "ensemble");
+  aspi_judge_case subject = {.r_q = asp_surface_r_q(surface),
+                             .lambda_c = asp_surface_lambda_c(surface),
+                             .d_p = d_p,
+                             .groups = PROFILES_MANY,
+                             .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),
+                             .seed = (uint32_t)asp_description_get(wall->words, "seed"),
+                             .profile = profile};
+  if (profile) {
+    double length = (double)asp_profile_points(profile) * asp_profile_spacing(profile);
+    subject.groups = pieces_of(ensemble, length / subject.lambda_c / PIECE_LENGTH);
     drop_grazing(&subject, cli_value(call, "angles"), angles);
+  } else if (ensemble->value) {
+    subject.groups = cli_whole(ensemble, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST);
+  }
   return subject;
 }
 
@@ -343,7 +262,7 @@ static aspi_judge_case case_of(const cli_call *call, const cli_description *wall
 static cli_description read_wall(const cli_call *call, double *d_p) {
   cli_description wall = cli_description_read(call->n_words, call->words, false);
   cli_description_allow(&wall, "surface seed", "every model is judged, by specular rebounds");
-  check_options(call, wall.words);
+  check_wall(wall.words);
   bool any =
       strcmp(asp_description_word(wall.words, "surface"), "sigma") == 0 && !cli_value(call, "dp");
   *d_p = any ? ANY_SIZE : cli_length(cli_get(call, "dp"));
@@ -379,13 +298,8 @@ static const cli_option options[] = {
     {"tolerance", "D", "name the cheapest model whose D_KL of the rebound angle is below D", NULL},
     {"rays", "N", "impacts per model and angle", "200000"},
     {"ensemble", "N",
-     "walls in the reference: profiles of 2048 lambda_c [16], with --three-d surfaces [8], pieces "
-     "of a measured wall [4]",
-     NULL},
+     "walls in the reference: profiles of 2048 lambda_c [16], or pieces of a measured one", NULL},
     {"collisions", "single|multiple", "one hit, or as many as it takes to leave", "multiple"},
-    {"three-d", NULL, "judge by surfaces in three dimensions; the models are isotropic", NULL},
-    {"points", "N", "with --three-d: points along a side of a surface, 20 per lambda_c [2048]",
-     NULL},
     {.name = NULL}};
 
 static const char detail[] =
@@ -397,11 +311,7 @@ static const char detail[] =
     "error, by the jackknife over the profiles; more --rays and a larger --ensemble make it\n"
     "smaller. --tolerance takes the worst angle, with twice the standard error.\n"
     "On a measured profile, pieces of one half judge the models made of the other half, and\n"
-    "the other way round; no model is judged by heights it was made from.\n"
-    "With --three-d the reference is a set of independent Gaussian surfaces on which a\n"
-    "sphere rolls; every model takes `isotropic`. --rays counts per surface. All D_KL are\n"
-    "then sampled, with the standard error over the surfaces (jackknife). On a map, pieces\n"
-    "of one half judge the models made of the other, in all directions of flight.\n";
+    "the other way round; no model is judged by heights it was made from.\n";
 
 const cli_command cli_trade = {
     .name = "trade",

@@ -198,7 +198,7 @@ asp_code asp_description_complete(asp_description *d, asp_error *error) {
   asp_code code = check_effects(d, error);
   if (!code)
     code = check_erosion(d, error);
-  if (!code && (d->clump || d->choice.lever > 0))
+  if (!code && d->choice.lever > 0)
     code = asp_description_check_bodies(d, error);
   if (!code)
     code = make_surface(d, error);

@@ -219,15 +219,10 @@ static void add_deposit(line *l, const asp_description *d) {
 }
 
 static void add_grain(line *l, const asp_description *d) {
-  if (!d->clump && !(d->choice.lever > 0))
+  if (!(d->choice.lever > 0))
     return;
   add_word(l, "grain");
-  if (d->clump) {
-    add_word(l, "clump");
-    add_name(l, d->clump);
-  } else {
-    add_known_or_fit(l, d, "lever");
-  }
+  add_known_or_fit(l, d, "lever");
 }
 
 static void add_erosion(line *l, const asp_description *d) {

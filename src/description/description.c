@@ -40,7 +40,6 @@ void asp_description_free(asp_description *d) {
   free(d->materials);
   free(d->file);
   free(d->table);
-  free(d->clump);
   free(d->materials_file);
   aspi_materials_free(d->own);
   asp_surface_free(d->surface);
@@ -174,7 +173,6 @@ const char *asp_description_word(const asp_description *d, const char *name) {
                {"collisions", d->choice.multiple ? "multiple" : "single"},
                {"rebound", d->choice.law->name},
                {"deposit", deposits[d->deposit]},
-               {"clump", d->clump},
                {"doubt", d->doubt.text}};
   for (size_t i = 0; name && i < sizeof words / sizeof *words; i++)
     if (strcmp(words[i].name, name) == 0)

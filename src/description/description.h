@@ -44,13 +44,11 @@ struct asp_description {
   asp_material **materials; /* in the units of the caller */
   double friction, surface_energy, yield_stress;
   aspi_deposit deposit;
-  char *clump; /* the file of `grain clump`; NULL: there is none */
   double seed;
   /* True lets numbers that may be unknown be `fit`, or `fit=START` in place of START: those of the
    * law, and of keywords with `may_fit`. Such a number has the value START, else that of its
    * default, else it is NaN: that of the materials. It is unknown until it is set. */
   bool may_fit;
-  bool takes_clump; /* the caller reads the file of `grain clump`, and makes bodies of it */
   const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
   int n_fits;
   aspi_wall_choice choice; /* the wall of these words; the surface of a profile is still to come */

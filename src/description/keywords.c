@@ -74,7 +74,7 @@ static const asp_keyword keywords[] = {
      .text = "what the wall does with particles that stick; off: nothing sticks"},
     {.name = "grain",
      .within = "",
-     .values = "sphere | lever S | clump FILE",
+     .values = "sphere | lever S",
      .standard = "sphere",
      .text = "the shape of the grains"},
     {.name = "erosion",
@@ -253,12 +253,6 @@ static const asp_keyword keywords[] = {
      .standard = "",
      .text = "an equivalent sphere whose center of mass is off by N(0, S d_p) per axis, drawn anew "
              "at each impact"},
-    {.name = "clump",
-     .within = "grain",
-     .values = "FILE",
-     .standard = "",
-     .text = "a clump of spheres, by their columns x, y, z, d; in the command: a simulation has "
-             "bodies of its own"},
 
     {.name = "scatter_twice",
      .within = "rebound",

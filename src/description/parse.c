@@ -218,16 +218,11 @@ static asp_code read_grain(aspi_words *r) {
   asp_code code = ASP_OK;
   if (aspi_words_take(r, "sphere"))
     return ASP_OK;
-  if (aspi_words_take_once(r, "clump", &code) && !r->d->takes_clump)
-    return aspi_fail(r->error, ASP_EARG,
-                     "'grain clump' is for the command cor; a simulation has bodies of its own");
-  if (aspi_is_given(r->d, "clump"))
-    return aspi_words_file(r, "the file of 'grain clump'", &r->d->clump);
   if (aspi_words_take_once(r, "lever", &code))
     return aspi_words_number(r, "grain", "lever", &r->d->choice.lever);
   const char *given = aspi_words_word(r, "the value of 'grain'");
-  return given ? aspi_fail(r->error, ASP_EARG,
-                           "grain is '%.100s'; it must be sphere, lever S or clump FILE", given)
+  return given ? aspi_fail(r->error, ASP_EARG, "grain is '%.100s'; it must be sphere or lever S",
+                           given)
                : ASP_EARG;
 }
 

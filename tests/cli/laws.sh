@@ -149,16 +149,10 @@ printf 'alpha1_deg,cor_n\n' > bad.csv; refuses 2 "no row of data" -- compare gt.
 printf 'alpha1_deg,cor_n,outcome\n30,0.5,rebound\n' > few.csv; printf 'alpha1_deg,cor_n\n60,0.5\n' > far.csv
 "$asperity" compare few.csv far.csv > s 2> err && die "compare: no overlap"
 grep -q "do not overlap" err || die "compare: $(cat err)"
-# Clumps and eccentric grains: a dumbbell in random positions, and the words.
-printf 'x,y,z,d\n0,0,0,1\n1,0,0,1\n' > dumbbell.csv
-"$asperity" cor rebound walton 0.9 0 0 deposit off grain clump dumbbell.csv --angles 90 --samples 100000 --summary > s
-column cor_n_mean s | awk '$1 < 0.3159 || $1 > 0.3199 { exit 1 }' || die "dumbbell: $(cat s)"
-column cor_n_sd s | awk '$1 < 0.2145 || $1 > 0.2165 { exit 1 }' || die "dumbbell: $(cat s)"
+# Eccentric grains.
 "$asperity" cor rebound walton 0.9 0.2 0 grain lever 0.03 --samples 1 > s
 grep -q 'grain lever 0.03 seed' s || die "grain: $(head -n 1 s)"
-refuses 2 "grain is 'cube'; it must be sphere, lever S or clump FILE" -- cor grain cube
+refuses 2 "grain is 'cube'; it must be sphere or lever S" -- cor grain cube
 refuses 2 "lever is 0; it must be 0 to 0.5" -- cor grain lever 0
 refuses 2 "BETA0 0" -- cor rebound walton 0.9 0.2 0.4 grain lever 0.03
-refuses 2 "absent.csv" -- cor grain clump absent.csv
-refuses 2 "is for the command cor" -- calibrate "$data/lamarche_2022.csv" grain clump dumbbell.csv
 exit 0

@@ -49,8 +49,8 @@ static void must(asp_code code) {
 static aspi_estimate compare(const aspi_judge_case *subject, const aspi_judge *judge,
                              const aspi_judge_model *model, double degrees, size_t k,
                              double mean[2]) {
-  size_t groups;
-  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, degrees, &groups);
+  size_t groups = subject->groups;
+  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, degrees);
   aspi_angle_groups own = {angles, groups, 1};
   size_t rebound = offsetof(aspi_angles, rebound), sum = offsetof(aspi_angles, rebound_sum);
   aspi_estimate d = aspi_judge_divergence(judge, k, angles, groups, rebound);
@@ -79,8 +79,8 @@ static void judge_wall(aspi_judge_case subject, const double *angles, size_t n,
       aspi_estimate d = compare(&subject, &judge, &model, angles[k], k, mean);
       snprintf(text, sizeof text,
                "%s on (%g, %g, %g), alpha1 %g: D_KL %.5f +- %.5f, alpha2 %.3f, ensemble %.3f",
-               names[m], subject.wall.r_q, subject.wall.lambda_1, subject.d_p, angles[k], d.value,
-               d.se, mean[0], mean[1]);
+               names[m], subject.r_q, subject.lambda_c, subject.d_p, angles[k], d.value, d.se,
+               mean[0], mean[1]);
       verdict(d.value < most[m] + 3 * d.se, text);
       if (m != 1)
         continue;
@@ -102,10 +102,10 @@ int main(int argc, char **argv) {
   static const double gentle[] = {0.0005, 0.001, 0.001}, steep[] = {0, 0.003, 0.004};
   aspi_judge_case subject = {.rays = whole ? 1000000 : 60000, .groups = whole ? 32 : 4, .seed = 9};
   for (int w = 0; w < (whole ? 4 : 1); w++) {
-    subject.wall.r_q = walls[w][0], subject.wall.lambda_1 = walls[w][1], subject.d_p = walls[w][2];
+    subject.r_q = walls[w][0], subject.lambda_c = walls[w][1], subject.d_p = walls[w][2];
     judge_wall(subject, angles, whole ? 6 : 2, gentle);
   }
-  subject.wall.r_q = 20, subject.wall.lambda_1 = 40, subject.d_p = 23; /* phi_r 0.5 */
+  subject.r_q = 20, subject.lambda_c = 40, subject.d_p = 23; /* phi_r 0.5 */
   judge_wall(subject, angles, whole ? 6 : 2, steep);
   return failures > 0;
 }

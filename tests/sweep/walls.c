@@ -7,7 +7,7 @@
  * Prints a row per wall and impact angle, and fails where a divergence is above its bound.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/judge.h"
+#include "judge_3d.h"
 #include "wall/wall.h"
 
 #include <math.h>
@@ -68,7 +68,7 @@ static void fail(const asp_error *error) {
   exit(2);
 }
 
-static asp_map *make_wall(const aspi_judge_case *subject, const double step[2], size_t points,
+static asp_map *make_wall(const surfaces *subject, const double step[2], size_t points,
                           uint32_t seed) {
   (void)subject;
   asp_error error;
@@ -155,17 +155,17 @@ enum { RAYS = 100000, FLOWN = 400000 };
 
 static const double angles[] = {2, 5, 20};
 
-static void judge_map(size_t points, size_t surfaces, double d_p) {
+static void judge_map(size_t points, size_t count, double d_p) {
   asp_error error;
-  aspi_judge_case subject = {.wall = {R_Q, 39, 39, 0},
-                             .d_p = d_p,
-                             .groups = surfaces,
-                             .rays = RAYS,
-                             .seed = 500,
-                             .points = points,
-                             .make = make_wall};
+  surfaces subject = {.wall = {R_Q, 39, 39, 0},
+                      .d_p = d_p,
+                      .groups = count,
+                      .rays = RAYS,
+                      .seed = 500,
+                      .points = points,
+                      .make = make_wall};
   aspi_judge all;
-  if (aspi_judge_create(&all, &subject, NULL, angles, 3, &error))
+  if (judge_in_space(&all, &subject, angles, 3, &error))
     fail(&error);
   const double step[2] = {39 / 20., 39 / 20.};
   asp_map *periodic = make_wall(&subject, step, points, 7);
@@ -205,12 +205,12 @@ static asp_profile *profile_of(size_t points, uint32_t seed) {
 }
 
 /* The profile's laws against `traced` on independent profiles, each a realization of its own. */
-static void judge_profile(size_t points, size_t surfaces, double d_p) {
-  aspi_judge all = {surfaces, 3, 1, calloc(3 * surfaces, sizeof(aspi_angles)), NULL};
+static void judge_profile(size_t points, size_t count, double d_p) {
+  aspi_judge all = {count, 3, 1, calloc(3 * count, sizeof(aspi_angles)), NULL};
   asp_profile *own = profile_of(points, 7);
   asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
   asp_wall *wall = wall_of(surface, own, NULL, "profile", d_p);
-  for (size_t k = 0; k < surfaces; k++) {
+  for (size_t k = 0; k < count; k++) {
     asp_profile *other = profile_of(points, 500 + (uint32_t)k);
     asp_wall *traced = wall_of(surface, other, NULL, "traced", d_p);
     for (size_t i = 0; i < 3; i++)
@@ -230,16 +230,16 @@ static void judge_profile(size_t points, size_t surfaces, double d_p) {
 
 int main(int argc, char **argv) {
   size_t points = argc > 1 ? strtoul(argv[1], NULL, 10) : 1024;
-  size_t surfaces = argc > 2 ? strtoul(argv[2], NULL, 10) : 3;
+  size_t count = argc > 2 ? strtoul(argv[2], NULL, 10) : 3;
   double d_p = argc > 3 ? strtod(argv[3], NULL) : 10;
   puts("wall,law,skewness,alpha1_deg,kl_first_hit,kl_rebound,kl_rebound_se,kl_lateral,"
        "mean_reference_deg,mean_reference_se_deg,mean_deg,later_reference,later");
   for (kind = 0; kind < WALLS; kind++) {
     if (argc == 1 && kind != PLATEAU)
       continue;
-    judge_map(points, surfaces, d_p);
+    judge_map(points, count, d_p);
     if (kind == GAUSS || kind == PLATEAU)
-      judge_profile(points, surfaces, d_p);
+      judge_profile(points, count, d_p);
   }
   if (failures)
     printf("%d rows are beyond their bounds\n", failures);

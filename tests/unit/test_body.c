@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "analysis/clump.h"
 #include "base/stream.h"
 #include "wall/body.h"
 
@@ -292,49 +291,6 @@ static void eccentric_grains_of_all_walls(void **state) {
   asp_wall_free(wall);
 }
 
-/* A file of two spheres that touch is the dumbbell; the union of a sphere with parts of itself is
- * the sphere. */
-static void clumps(void **state) {
-  (void)state;
-  static const char *const files[] = {"x,y,z,d\n0,0,3,2\n2,0,3,2\n",
-                                      "x y z d\n1 0 0 4\n1.5 0 0 2\n1 -0.5 0.2 1\n"};
-  char path[] = "clump.XXXXXX";
-  close(mkstemp(path));
-  for (int of = 0; of < 2; of++) {
-    FILE *file = fopen(path, "w");
-    fputs(files[of], file);
-    fclose(file);
-    asp_error error = {ASP_OK, ""};
-    aspi_clump *clump = aspi_clump_read(path, &error);
-    assert_string_equal(error.text, "");
-    double mean = 0, d;
-    enum { N = 2000 };
-    for (uint64_t i = 0; i < N; i++) {
-      asp_body is = aspi_clump_turned(clump, cbrt(2) * D, RHO, &(asp_key){1, 1, i, 0}, &d);
-      double theta = asin(-is.lever[2] / (D / 2)), along = atan2(is.lever[1], is.lever[0]);
-      asp_body should = dumbbell(theta);
-      mean += is.lever[2] / N;
-      assert_near(is.inverse_mass / should.inverse_mass, 1, 1e-12);
-      if (of == 1) {
-        assert_near(d, cbrt(2) * D, 1e-4 * D);
-        assert_near(is.inverse_inertia[0] / is.inverse_mass * D * D, 10 / cbrt(4), 3e-3);
-        assert_near(is.inverse_inertia[4] / is.inverse_mass * D * D, 0, 3e-3);
-        continue;
-      }
-      assert_near(d, D, 1e-12 * D);
-      double scale = should.inverse_inertia[1] * 1e-11, c = cos(along);
-      assert_near(is.inverse_inertia[2], should.inverse_inertia[2], scale);
-      assert_near(is.inverse_inertia[4], should.inverse_inertia[4] * c, scale);
-      assert_near(is.inverse_inertia[0] + is.inverse_inertia[1],
-                  should.inverse_inertia[0] + should.inverse_inertia[1], scale);
-    }
-    assert_near(mean, of == 0 ? -D / 4 : 0,
-                0.02 * D); /* random axes: |sin theta| has the mean 1/2 */
-    aspi_clump_free(clump);
-  }
-  remove(path);
-}
-
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(dumbbells),
@@ -344,7 +300,6 @@ int main(void) {
       cmocka_unit_test(sticks_as_a_whole),
       cmocka_unit_test(eccentric_grains),
       cmocka_unit_test(eccentric_grains_of_all_walls),
-      cmocka_unit_test(clumps),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,8 +2,8 @@
  * the model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/judge.h"
 #include "choice.h"
+#include "judge_3d.h"
 #include "surface/size_law.h"
 
 #include <stdlib.h>
@@ -166,14 +166,14 @@ static void walls_with_a_lay_are_surfaces(void **state) {
   setup s = setup_create(40, 200, "isotropic");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     double psi = cases[i][0] * DEGREE, d_p = cases[i][1], alpha1 = cases[i][2] * DEGREE;
-    aspi_judge_case subject = {.wall = {5, 40, 200, psi},
-                               .d_p = d_p,
-                               .groups = 3,
-                               .rays = 20000,
-                               .seed = 300,
-                               .points = 1024};
+    surfaces subject = {.wall = {5, 40, 200, psi},
+                        .d_p = d_p,
+                        .groups = 3,
+                        .rays = 20000,
+                        .seed = 300,
+                        .points = 1024};
     aspi_judge all;
-    assert_int_equal(aspi_judge_create(&all, &subject, NULL, &cases[i][2], 1, NULL), ASP_OK);
+    assert_int_equal(judge_in_space(&all, &subject, &cases[i][2], 1, NULL), ASP_OK);
     aspi_angles model = many(&s, d_p, alpha1, psi, N);
     aspi_estimate rebound =
         aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, rebound));

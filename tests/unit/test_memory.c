@@ -8,7 +8,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/map_table.h"
-#include "analysis/dilated_map.h"
 #include "spread/line.h"
 #include "wall/wall.h"
 #include "spread/trace.h"
@@ -198,14 +197,6 @@ static asp_code ball(asp_error *error) {
   aspi_ball *made = aspi_ball_create(gauss, 20, error);
   aspi_ball_free(made);
   return code_of(made, error);
-}
-
-static asp_code field(asp_error *error) {
-  aspi_dilated_map made;
-  asp_code code = aspi_dilated_map_create(&made, gauss, error);
-  if (!code)
-    aspi_dilated_map_free(&made);
-  return code;
 }
 
 /* Of a map, and all of it: lines over it and their laws. */
@@ -440,7 +431,6 @@ int main(void) {
       {"map, from heights", copied_map, true},
       {"map described", described_map, true},
       {"sphere on a map", ball, true},
-      {"dilated map", field, true},
       {"line", line, true},
       {"laws of a map", laws, true},
       {"surface of a map", map_surface, true},

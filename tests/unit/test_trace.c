@@ -159,7 +159,7 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   static const double angle[] = {2, 10, 30};
   static const double known[][2] = {{25.22, 0.021}, {27.33, 0.073}, {37.31, 0.045}};
   aspi_judge_case subject = {
-      .wall = {0.125, 1, 1, 0}, .d_p = 0.25, .rays = 200000, .groups = 8, .seed = 2};
+      .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 200000, .groups = 8, .seed = 2};
   aspi_judge_walls walls;
   aspi_judge judge;
   assert_int_equal(aspi_judge_walls_create(&walls, &subject, NULL), ASP_OK);
@@ -328,7 +328,8 @@ static void few_points_across_judge_as_many(void **state) {
   double share[2][2][ASPI_ANGLE_BINS], mean[2];
   for (int many = 0; many < 2; many++) {
     asp_profile *measured = plateau(2, many ? ACROSS_FINE : 16);
-    aspi_judge_case subject = {.wall = {0.25, 2, 2, 0},
+    aspi_judge_case subject = {.r_q = 0.25,
+                               .lambda_c = 2,
                                .d_p = 1,
                                .rays = 1000,
                                .groups = 4,

@@ -4,7 +4,7 @@
  * steps while nothing is in reach.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/dilated_map.h"
+#include "dilated_map.h"
 #include "base/error.h"
 
 #include <math.h>

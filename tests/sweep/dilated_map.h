@@ -2,8 +2,8 @@
  * face to the next.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_DILATED_MAP_H
-#define ASP_ANALYSIS_DILATED_MAP_H
+#ifndef ASP_SWEEP_DILATED_MAP_H
+#define ASP_SWEEP_DILATED_MAP_H
 
 #include "surface/map.h"
 

@@ -1,0 +1,138 @@
+/* The judge in three dimensions; see judge_3d.h. Exact dilation, exact first hits along the rows,
+ * later hits by following each particle over the surface. Nothing of a model is in it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "judge_3d.h"
+#include "base/error.h"
+#include "base/stream.h"
+#include "dilated_map.h"
+#include "spread/line.h"
+#include "surface/ball.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { PER_LAMBDA = 20, HITS_MOST = 64 };
+
+/* The specular rebound from a face with that gradient. */
+static void reflect(double v[3], const double gradient[2]) {
+  double m[3] = {-gradient[0], -gradient[1], 1};
+  double square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1];
+  double twice = 2 * (v[0] * m[0] + v[1] * m[1] + v[2]) / square;
+  for (int k = 0; k < 3; k++)
+    v[k] -= twice * m[k];
+}
+
+/* One particle from its first hit on. */
+static void fly_on(const aspi_dilated_map *field, size_t row, const aspi_spot *spot, double alpha1,
+                   aspi_angles *angles) {
+  size_t at = row * field->columns + spot->face;
+  double gradient[2] = {field->p[at], field->q[at]}, tilt = atan(gradient[0]);
+  aspi_flight flight = {{spot->x, (double)row * field->step[1], spot->z},
+                        {cos(alpha1), 0, -sin(alpha1)}};
+  int hits = 1;
+  reflect(flight.v, gradient);
+  while (hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient)) {
+    reflect(flight.v, gradient);
+    hits++;
+  }
+  aspi_angles_add(angles, flight.v, tilt, hits);
+}
+
+/* Places in the beam, one in each of `count` equal parts. */
+static void draw_places(aspi_stream *stream, double *share, size_t count) {
+  for (size_t k = 0; k < count; k++)
+    share[k] = ((double)k + aspi_stream_uniform(stream)) / (double)count;
+}
+
+/* All particles of one surface in the directions in which its rows lie. */
+static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t count, size_t rays,
+                    uint32_t seed, aspi_angles *angles, asp_error *error) {
+  aspi_line line;
+  size_t per_row = (rays + field->rows - 1) / field->rows;
+  asp_code code = aspi_line_create(&line, field->columns, field->step[0], error);
+  if (code)
+    return code;
+  double *share = calloc(per_row, sizeof *share);
+  aspi_spot *spots = calloc(per_row, sizeof *spots);
+  if (!share || !spots)
+    code = aspi_fail(error, ASP_ENOMEM, "out of memory for %zu flights a row", per_row);
+  for (size_t row = 0; row < field->rows && !code; row++) {
+    aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = seed, .wall = 1, .tag = row});
+    aspi_line_set(&line, field->z + row * field->columns, field->p + row * field->columns, 1);
+    for (size_t i = 0; i < count; i++) {
+      double alpha1 = aspi_radians(degrees[i]);
+      draw_places(&stream, share, per_row);
+      aspi_line_hits(&line, tan(alpha1), share, per_row, spots);
+      for (size_t k = 0; k < per_row; k++)
+        fly_on(field, row, &spots[k], alpha1, &angles[i]);
+    }
+  }
+  free(share);
+  free(spots);
+  aspi_line_free(&line);
+  return code;
+}
+
+static asp_map *generated(const surfaces *subject, uint32_t seed, asp_error *error) {
+  const aspi_gauss *wall = &subject->wall;
+  double c = cos(wall->axis), s = sin(wall->axis), a = 1 / (wall->lambda_1 * wall->lambda_1),
+         b = 1 / (wall->lambda_2 * wall->lambda_2);
+  double step[2] = {1 / (PER_LAMBDA * sqrt(c * c * a + s * s * b)),
+                    1 / (PER_LAMBDA * sqrt(s * s * a + c * c * b))};
+  return subject->make ? subject->make(subject, step, subject->points, seed)
+                       : aspi_map_create(wall, step, subject->points, subject->points, seed, error);
+}
+
+/* The path of the sphere's center over one of the surfaces. */
+static asp_code make_field(aspi_dilated_map *field, const surfaces *subject, uint32_t seed,
+                           asp_error *error) {
+  asp_map *map = generated(subject, seed, error);
+  aspi_ball *ball = map ? aspi_ball_create(map, subject->d_p, error) : NULL;
+  asp_code code = ball ? aspi_dilated_map_create(field, map, error) : error->code;
+  if (!code) {
+    field->crests = subject->crests;
+    aspi_ball_rows(ball, 0, map->rows, field->z, field->p, field->q);
+    aspi_dilated_map_finish(field);
+  }
+  aspi_ball_free(ball);
+  asp_map_free(map);
+  return code;
+}
+
+static asp_code fly_both_ways(const surfaces *subject, uint32_t seed, const double *degrees,
+                              size_t count, aspi_angles *angles, asp_error *error) {
+  aspi_dilated_map field;
+  asp_code code = make_field(&field, subject, seed, error);
+  if (code)
+    return code;
+  code = fly(&field, degrees, count, subject->rays / 2, seed, angles, error);
+  aspi_dilated_map_turn(&field);
+  if (!code)
+    code = fly(&field, degrees, count, subject->rays / 2, ~seed, angles, error);
+  aspi_dilated_map_free(&field);
+  return code;
+}
+
+asp_code judge_in_space(aspi_judge *judge, const surfaces *subject, const double *degrees,
+                        size_t count, asp_error *error) {
+  size_t groups = subject->groups;
+  asp_error worst = {ASP_OK, ""};
+  *judge = (aspi_judge){.groups = groups, .count = count, .folds = 1};
+  judge->angles = calloc(groups * count, sizeof *judge->angles);
+  if (!judge->angles)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a judge of %zu groups", groups);
+#pragma omp parallel for schedule(dynamic)
+  for (size_t g = 0; g < groups; g++) {
+    asp_error own = {ASP_OK, ""};
+    fly_both_ways(subject, subject->seed + (uint32_t)g, degrees, count, judge->angles + g * count,
+                  &own);
+#pragma omp critical
+    worst = own.code ? own : worst;
+  }
+  if (worst.code) {
+    aspi_judge_free(judge);
+    *error = worst;
+  }
+  return worst.code;
+}

@@ -1,0 +1,28 @@
+/* The judge in three dimensions: rebounds from independent surfaces, for the divergences of
+ * analysis/judge.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SWEEP_JUDGE_3D_H
+#define ASP_SWEEP_JUDGE_3D_H
+
+#include "analysis/judge.h"
+#include "surface/map.h"
+
+/* The surfaces, of `points` x `points` points, 20 a correlation length, and the rays over each. */
+typedef struct surfaces surfaces;
+struct surfaces {
+  aspi_gauss wall;
+  double d_p;
+  size_t groups, rays, points; /* points: a power of two */
+  uint32_t seed;
+  bool crests; /* they have sharp ones; see dilated_map.h */
+  /* Makes one, periodic; NULL: a Gaussian one. */
+  asp_map *(*make)(const surfaces *subject, const double step[2], size_t points, uint32_t seed);
+};
+
+/* A sphere is rolled over each surface; the particles fly along x, half of them either way, until
+ * they leave. The judge has no first hits. */
+asp_code judge_in_space(aspi_judge *judge, const surfaces *subject, const double *degrees,
+                        size_t count, asp_error *error);
+
+#endif
