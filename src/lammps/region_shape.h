@@ -63,8 +63,8 @@ private:
 
   /* Faces near a point of the path. */
   struct Look {
-    double time, x[3];
-    bool in_room;
+    double time = 0, x[3] = {};
+    bool in_room = false;
     std::vector<Foot> feet;
   };
 
