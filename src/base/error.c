@@ -50,29 +50,35 @@ asp_code aspi_check_length(asp_error *error, const char *name, double value) {
                    LENGTH_LEAST, LENGTH_MOST);
 }
 
-/* The number of characters to put in, take out or replace that make one name of the other, whatever
- * the case (Levenshtein 1966); NAME_MOST for names that are as long as that or longer. */
+/* The number of characters to put in, take out, replace or swap with the next one that make one
+ * name of the other, whatever the case (Damerau 1964); NAME_MOST for names that are as long as that
+ * or longer. */
 enum { NAME_MOST = 64 };
+
+static bool is_same(char a, char b) {
+  return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
 
 static int distance(const char *a, const char *b) {
   size_t across = strlen(b);
   if (strlen(a) >= NAME_MOST || across >= NAME_MOST)
     return NAME_MOST;
-  int row[NAME_MOST];
+  int rows[3][NAME_MOST], i = 0;
   for (int j = 0; j <= (int)across; j++)
-    row[j] = j;
-  for (int i = 1; a[i - 1]; i++) {
-    int diagonal = row[0];
+    rows[0][j] = j;
+  while (a[i++]) {
+    int *row = rows[i % 3], *last = rows[(i + 2) % 3], *before = rows[(i + 1) % 3];
     row[0] = i;
     for (int j = 1; j <= (int)across; j++) {
-      int replaced =
-          diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
-      diagonal = row[j];
-      int shifted = 1 + (row[j] < row[j - 1] ? row[j] : row[j - 1]);
-      row[j] = replaced < shifted ? replaced : shifted;
+      row[j] = 1 + (last[j] < row[j - 1] ? last[j] : row[j - 1]);
+      int replaced = last[j - 1] + !is_same(a[i - 1], b[j - 1]);
+      if (i > 1 && j > 1 && is_same(a[i - 1], b[j - 2]) && is_same(a[i - 2], b[j - 1]) &&
+          before[j - 2] < replaced)
+        replaced = before[j - 2] + 1;
+      row[j] = replaced < row[j] ? replaced : row[j];
     }
   }
-  return row[across];
+  return rows[(i - 1) % 3][across];
 }
 
 int aspi_word_index(const char *list, const char *word, size_t length, bool exact) {
@@ -87,18 +93,19 @@ int aspi_word_index(const char *list, const char *word, size_t length, bool exac
 }
 
 bool aspi_nearest_name(const char *name, const char *list, char meant[64]) {
-  int least = (int)strlen(name) / 3 + 2;
+  int length = (int)strlen(name), half = (length + 1) / 2, least = length / 3 + 2;
+  least = half < least ? half : least;
   *meant = '\0';
   for (const char *at = list + strspn(list, " "); *at; at += strspn(at, " ")) {
-    size_t length = strcspn(at, " ");
+    size_t own = strcspn(at, " ");
     char other[NAME_MOST];
-    snprintf(other, sizeof other, "%.*s", (int)length, at);
+    snprintf(other, sizeof other, "%.*s", (int)own, at);
     int away = distance(name, other);
     if (away < least) {
       strcpy(meant, other);
       least = away;
     }
-    at += length;
+    at += own;
   }
   return *meant != '\0';
 }

@@ -13,6 +13,9 @@ namespace asperity {
 /* The style of that name; one that cannot be converted to others has no name and all 0. */
 asp_units units_of(const std::string &name);
 
+/* A number in the units of a style, with its unit: of length, speed or time. */
+std::string quantity(double value, const std::string &kind, const std::string &style);
+
 } // namespace asperity
 
 #endif

@@ -126,6 +126,17 @@ static asp_code check_lay(const asp_description *d, asp_error *error) {
                    d->file, across, along);
 }
 
+/* What may be wrong where lambda_c is too short. */
+static const char *slip_of_lengths(const asp_description *d) {
+  if (!(d->r_q > d->lambda_c))
+    return "";
+  if (aspi_is_given(d, "rdq") || aspi_is_given(d, "sdq"))
+    return "; is the slope an angle? then it needs its unit, as in '10deg'";
+  return aspi_is_given(d, "rsm") || aspi_is_given(d, "sal")
+             ? "; are the height and the length swapped?"
+             : "; are rq and lambda_c swapped?";
+}
+
 static asp_code make_surface(asp_description *d, asp_error *error) {
   asp_error wrong = {ASP_OK, ""};
   bool is_map = d->kind == ASPI_MAP;
@@ -141,8 +152,7 @@ static asp_code make_surface(asp_description *d, asp_error *error) {
   if (d->surface)
     return ASP_OK;
   return is_map ? aspi_fail(error, wrong.code, "surface map %s: %s", d->file, wrong.text)
-                : aspi_fail(error, wrong.code, "surface: %s%s", wrong.text,
-                            d->r_q > d->lambda_c ? "; are rq and lambda_c swapped?" : "");
+                : aspi_fail(error, wrong.code, "surface: %s%s", wrong.text, slip_of_lengths(d));
 }
 
 /* ---- all together ---- */

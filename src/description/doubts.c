@@ -40,6 +40,22 @@ enum { SPEEDS = 64 };
 /* Each writes its doubt, if there is one; else the text stays empty. */
 typedef void ask(const asp_question *q, char *text, size_t size);
 
+/* A number of the caller's with its SI unit; as it is where the caller's units are unknown. */
+typedef struct si {
+  char text[40];
+} si;
+
+static si in_si(const asp_question *q, double value, const char *kind) {
+  si made;
+  char units[120];
+  double factor = aspi_quantity_factor(kind, &q->words->units);
+  aspi_quantity_units(kind, units, sizeof units);
+  units[strcspn(units, " ")] = '\0';
+  snprintf(made.text, sizeof made.text, "%.4g%s%.20s", value / (factor > 0 ? factor : 1),
+           factor > 0 ? " " : "", factor > 0 ? units : "");
+  return made;
+}
+
 /* ---- constants of the pair ---- */
 
 static void yields_never(const asp_question *q, char *text, size_t size) {
@@ -47,10 +63,11 @@ static void yields_never(const asp_question *q, char *text, size_t size) {
   if (pair && !(asp_description_get(q->words, "yield_rate") > 0) &&
       pair->yield_stress > YIELD_MOST * pair->modulus)
     snprintf(text, size,
-             "the yield stress, %g, is %.3g times the composite modulus, %g, so that nothing "
+             "the yield stress, %s, is %.3g times the composite modulus, %s, so that nothing "
              "yields; is the modulus one that was made soft for the pair style? 'materials' takes "
              "real ones",
-             pair->yield_stress, pair->yield_stress / pair->modulus, pair->modulus);
+             in_si(q, pair->yield_stress, "stress").text, pair->yield_stress / pair->modulus,
+             in_si(q, pair->modulus, "stress").text);
 }
 
 static void has_other_density(const asp_question *q, char *text, size_t size) {
@@ -58,9 +75,9 @@ static void has_other_density(const asp_question *q, char *text, size_t size) {
   double off = m ? fabs(q->largest->density / m->density - 1) : 0;
   if (q->largest->density > 0 && m && m->density > 0 && off > DENSITY_OFF)
     snprintf(text, size,
-             "the density of particles is up to %.3g %% off that of material '%s', %g; theirs is "
+             "the density of particles is up to %.3g %% off that of material '%s', %s; theirs is "
              "taken",
-             100 * off, m->name, m->density);
+             100 * off, m->name, in_si(q, m->density, "density").text);
 }
 
 static void is_in_gpa(const asp_question *q, int which, char *text, size_t size) {
@@ -116,11 +133,14 @@ double asp_description_capture_speed(const asp_description *d, const asp_particl
 
 static void sticks_always(const asp_question *q, char *text, size_t size) {
   if (isinf(asp_description_capture_speed(q->words, q->largest)))
-    snprintf(text, size,
-             "every impact of particles of diameter %g and less sticks, whatever its speed: the "
-             "surface energy, %g, is too much for a yield stress of %g",
-             q->largest->d_p, q->largest->pair->surface_energy,
-             q->largest->pair->yield_stress * asp_description_softening(q->words));
+    snprintf(
+        text, size,
+        "every impact of particles of diameter %s and less sticks, whatever its speed: the "
+        "surface energy, %s, is too much for a yield stress of %s",
+        in_si(q, q->largest->d_p, "length").text,
+        in_si(q, q->largest->pair->surface_energy, "energy/area").text,
+        in_si(q, q->largest->pair->yield_stress * asp_description_softening(q->words), "stress")
+            .text);
 }
 
 /* ---- words ---- */
@@ -129,9 +149,9 @@ static void is_high(const asp_question *q, char *text, size_t size) {
   double r_q = q->words->r_q, d_p = q->largest->d_p, metre = q->words->units.metre;
   if (d_p > 0 && r_q > DIAMETERS_MOST * d_p)
     snprintf(text, size,
-             "rq is %g, %.3g times the diameter of the largest particle, %g; is it in another "
+             "rq is %s, %.3g times the diameter of the largest particle, %s; is it in another "
              "unit?",
-             r_q, r_q / d_p, d_p);
+             in_si(q, r_q, "length").text, r_q / d_p, in_si(q, d_p, "length").text);
   else if (!(d_p > 0) && metre > 0 && r_q > HEIGHT_MOST * metre)
     snprintf(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / metre);
 }
@@ -154,10 +174,11 @@ static void has_no_sampling(const asp_question *q, char *text, size_t size) {
   double length = q->words->r_sm;
   if (length > 0)
     snprintf(text, size,
-             "rsm depends on the sampling length: lambda_c is taken as %.3g and may be %.3g to "
-             "%.3g; say 'sampling LR', or rather rdq",
-             q->words->lambda_c, length / aspi_r_sm_factor(ASPI_RSM_MOST),
-             length / aspi_r_sm_factor(ASPI_RSM_LEAST));
+             "rsm depends on the sampling length: lambda_c is taken as %s and may be %s to "
+             "%s; say 'sampling LR', or rather rdq",
+             in_si(q, q->words->lambda_c, "length").text,
+             in_si(q, length / aspi_r_sm_factor(ASPI_RSM_MOST), "length").text,
+             in_si(q, length / aspi_r_sm_factor(ASPI_RSM_LEAST), "length").text);
 }
 
 /* ---- the wall that was made ---- */

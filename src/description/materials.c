@@ -19,6 +19,8 @@ static bool is_number(const char *word) {
 /* A name that is no material may be a keyword with a slip; `behind` is a number behind it, or "".
  */
 static asp_code fail_material(aspi_words *r, const char *name, const char *behind) {
+  if (aspi_words_misplaced(r, name))
+    return ASP_ENAME;
   char keywords[ASPI_LIST_MOST], all[2 * ASPI_LIST_MOST], meant[64];
   aspi_keyword_names("", keywords, sizeof keywords);
   size_t used = strlen(keywords);

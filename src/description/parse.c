@@ -258,25 +258,11 @@ static const char *find_clause(const char *name) {
                                                  : NULL;
 }
 
-/* The keyword that a misplaced word belongs to; NULL: it is no word of a description. */
-static const asp_keyword *find_place(const aspi_words *r, const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
-    if (*k->within && strcmp(k->within, r->d->last) != 0 && strcmp(k->name, name) == 0)
-      return k;
-  }
-  return NULL;
-}
-
 /* Says where the word belongs, or lists those allowed at the start of a clause: those of all
  * clauses, of the last one, and the caller's. */
 static asp_code fail_keyword(const aspi_words *r, const char *name) {
-  const asp_keyword *place = find_place(r, name);
-  if (place)
-    return aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s%s %s%s%s", name,
-                     place->within, place->within,
-                     strcmp(place->within, "spread") == 0 ? " MODEL" : "", name,
-                     *place->values ? " " : "", place->values);
+  if (aspi_words_misplaced(r, name))
+    return ASP_ENAME;
   const char *clause = find_clause(name);
   if (clause && !aspi_is_given(r->d, clause))
     return aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s %s", name, clause, clause,

@@ -45,6 +45,21 @@ const char *aspi_words_word(aspi_words *r, const char *what) {
   return NULL;
 }
 
+bool aspi_words_misplaced(const aspi_words *r, const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const asp_keyword *k = asp_keyword_at(i);
+    if (!*k->within || strcmp(k->name, name) != 0)
+      continue;
+    bool here = strcmp(k->within, r->d->last) == 0;
+    aspi_fail(r->error, ASP_ENAME, "'%s' %s '%s': %s%s %s%s%s", name,
+              here ? "has no place here behind" : "belongs behind", k->within, k->within,
+              strcmp(k->within, "spread") == 0 ? " MODEL" : "", name, *k->values ? " " : "",
+              k->values);
+    return true;
+  }
+  return false;
+}
+
 bool aspi_words_number_next(const aspi_words *r) {
   if (r->next >= r->count)
     return false;

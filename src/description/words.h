@@ -31,6 +31,9 @@ bool aspi_words_take_once(aspi_words *words, const char *name, asp_code *code);
 /* Alike of the words within a keyword; NULL: it is none. */
 const asp_keyword *aspi_words_take_keyword(aspi_words *words, const char *within, asp_code *code);
 
+/* True, with a message where it belongs, if a word is a keyword within another one. */
+bool aspi_words_misplaced(const aspi_words *words, const char *name);
+
 /* Takes the next word; NULL and a message that names `what` where there is none. */
 const char *aspi_words_word(aspi_words *words, const char *what);
 

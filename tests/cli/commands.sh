@@ -140,7 +140,7 @@ awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || di
 "$asperity" surface surface rq 5um lambda_c 40um --dp 10um --save level.csv > /dev/null
 a=$(cor surface profile level.csv | mean 8) b=$(cor surface rq 5um lambda_c 40um spread profile plane | mean 8)
 awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.9 && a / b < 1.1) }' || die "profile: $a, by its numbers $b"
-refuses 2 "'rq' is unknown" -- cor surface sigma 10 rq 5um lambda_c 40um
+refuses 2 "'rq' has no place here" -- cor surface sigma 10 rq 5um lambda_c 40um
 refuses 2 nowhere.csv -- cor surface profile nowhere.csv
 [ "$(cor surface sigma 10 --dp 10um,20um --speed 50,100:120:10 | cut -d, -f1,2 | sort -u | wc -l)" = 8 ] || die "sizes x speeds"
 cor surface sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"

@@ -67,7 +67,7 @@ grep -q '# description, .* surface map map spread profile ' fit || die "calibrat
 
 echo 'alpha1_deg,cor_n,cor_t' > data; echo '30,0.5,0.6' >> data
 for both in "sigma 3 rq 1um" "profile plateau map map"; do
-  for command in cor spread trade; do refuses 2 'is unknown' -- $command surface $both --dp 5um; done
+  for command in cor spread trade; do refuses 2 'has no place here' -- $command surface $both --dp 5um; done
 done
 for command in cor spread trade; do
   refuses 2 "'nowhere'" 'No such file' -- $command surface profile nowhere --dp 5um

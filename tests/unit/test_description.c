@@ -271,6 +271,7 @@ static void slips_are_named(void **state) {
   refuses("materials quartz hasteloy-x", "'hasteloy-x'", "did you mean 'hastelloy-x'?");
   refuses("materials quartz 304-ss surfac rq 5e-6", "'surfac'", "did you mean 'surface'?");
   refuses("materials quartz 304-ss fil own.csv", "'fil'", "did you mean 'file'?");
+  refuses("materials sand steel", "material 'sand' is unknown; there are: ard", "");
   refuses("materials quartz steel ledger 100 file x", "'ledger 100' is neither", "keyword");
   refuses("materials quartz steel fricton 0.4", "'fricton'", "did you mean 'friction'?");
   refuses("materials quartz 0.4", "'0.4' is unknown", "steel");
@@ -282,6 +283,8 @@ static void misplaced_words_are_sent_home(void **state) {
   refuses("surface sigma 5 collisions single", "'collisions' belongs behind 'spread'",
           "spread MODEL collisions");
   refuses("friction 0.3 u_tau 2", "'u_tau' belongs behind 'remove'", "");
+  refuses("surface smooth map 100", "'map' has no place here behind 'surface'", "surface map FILE");
+  refuses("materials quartz steel collisions multiple", "'collisions' belongs behind 'spread'", "");
   refuses("oka 1.8GPa", "'oka' belongs behind 'erosion': erosion oka", "");
   refuses("rebound bons walton", "'walton' is unknown", "friction");
 }
@@ -301,6 +304,9 @@ static void words_are_given_once(void **state) {
 
 static void bad_values_are_named(void **state) {
   (void)state;
+  refuses("surface ra 3.2um rdq 10", "phi_r", "is the slope an angle?");
+  refuses("surface sq 5um sal 1um", "phi_r", "are the height and the length swapped?");
+  refuses("surface rq 40um lambda_c 5um", "phi_r", "are rq and lambda_c swapped?");
   refuses("surface rz 30um", "rz", "sampling length");
   refuses("surface rq 5um sdq 0.2", "rdq S, rsm L", "");
   refuses("surface sq 5um rsm 0.3mm", "sdq S, sal L", "");
@@ -487,7 +493,7 @@ static void odd_constants_are_doubted(void **state) {
   doubts(text, "", 20e-6, 2650, 70e9);
   assert_string_equal(text, "");
   doubts(text, "", 20e-6, 2750, 70e9);
-  assert_non_null(strstr(text, "3.77 % off that of material 'sand'"));
+  assert_non_null(strstr(text, "3.77 % off that of material 'sand', 2650 kg/m3"));
   assert_null(strchr(strchr(text, '\n') + 1, '\n'));
   doubts(text, "", 20e-6, 2650, 5e6);
   assert_non_null(strstr(text, "so that nothing yields"));
@@ -495,7 +501,7 @@ static void odd_constants_are_doubted(void **state) {
   assert_non_null(strstr(text, "Young's modulus of sand is 70"));
   assert_non_null(strstr(text, "Young's modulus of iron is 70"));
   doubts(text, "surface_energy 50", 20e-6, 2650, 70e9);
-  assert_non_null(strstr(text, "every impact of particles of diameter 2e-05 and less sticks"));
+  assert_non_null(strstr(text, "every impact of particles of diameter 2e-05 m and less sticks"));
   doubts(text, "surface_energy 50", 20e-3, 2650, 70e9);
   assert_string_equal(text, "");
   doubts(text, "deposit off", 1e-9, 2650, 70e9);
@@ -510,11 +516,11 @@ static void odd_numbers_are_doubted(void **state) {
   (void)state;
   static const char *const all[][3] = {
       /* the doubt without a diameter, and with one */
-      {"surface rq 5 lambda_c 40", "rq is 5, which is 5 m", "rq is 5, 5e+05 times the diameter"},
+      {"surface rq 5 lambda_c 40", "rq is 5, which is 5 m", "rq is 5 m, 5e+05 times the diameter"},
       {"friction 30", "friction is 30", "friction is 30"},
       {"erosion oka 1.8 density 7800", "hardness is 1.8, which is 1.8 Pa", "hardness is 1.8"},
       {"erosion finnie 200 density 7800", "flow_stress is 200, which is 200 Pa", "flow_stress"},
-      {"surface rq 5um rsm 264um", "may be 3.61e-05 to 5.16e-05", "may be 3.61e-05"}};
+      {"surface rq 5um rsm 264um", "may be 3.609e-05 m to 5.157e-05 m", "may be 3.609e-05 m"}};
   char text[1500];
   for (size_t i = 0; i < 2 * sizeof all / sizeof *all; i++) {
     const asp_particle particle = {.d_p = i % 2 ? 10e-6 : 0};
