@@ -10,6 +10,12 @@
 
 using namespace asperity;
 
+void Box::wrap(double x[3]) const {
+  for (int d = 0; d < 3; d++)
+    if (period[d] > 0)
+      x[d] -= period[d] * floor((x[d] - lo[d]) / period[d]);
+}
+
 std::vector<Engine::Kind> asperity::kinds_of(const Spheres &spheres, int group,
                                              const std::vector<double> &present, MPI_Comm world) {
   const size_t n = present.size();

@@ -18,6 +18,9 @@ struct Box {
 
   /* Moves x by whole periods to where it is nearest to `near`. */
   void bring_near(const double near[3], double x[3]) const;
+
+  /* Moves x by whole periods into the box. */
+  void wrap(double x[3]) const;
 };
 
 /* The spheres of this rank, at the end of a step without walls; valid for one call. Vectors are

@@ -10,13 +10,15 @@
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/text.h"
+#include "dem/units.h"
 
 using namespace asperity;
 
 const char Wall::KEYWORDS[] = "ledger torque_about interlock";
 
 Wall::Wall(const Engine &engine)
-    : setup(engine), books(setup), stepper(setup, books), fastest_(), warned_(false) {}
+    : setup(engine), books(setup), stepper(setup, books), fastest_(), warned_(false),
+      is_use_checked_(false) {}
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
@@ -30,6 +32,9 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
   while (!words.done()) {
     if ((own && own->parse(words)) || books.parse(words))
       continue;
+    if (words.is("map"))
+      throw Error("'map' is of the triangles of LAMMPS's 'stl FILE'; LIGGGHTS writes those of a "
+                  "mesh by 'dump mesh/vtk'");
     if (words.take("interlock")) {
       const std::string word = words.word("the value of 'interlock'");
       if (word != "on" && word != "off")
@@ -66,6 +71,35 @@ void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
   fastest_ = Fastest();
   check_speeds(spheres);
   warn_of_speeds();
+}
+
+void Wall::check_use(const Bounds *box, const char *empty_group) {
+  if (is_use_checked_)
+    return;
+  is_use_checked_ = true;
+  double least, most;
+  setup.engine.diameters(least, most);
+  for (const Member &member : setup.shapes) {
+    Bounds room = box ? *box : Bounds();
+    room.widen(0.5 * most);
+    if (box && member.pieces == 0 && !(member.shape->travel(setup.dt) > 0) &&
+        !member.shape->may_meet(room.lo, room.hi))
+      setup.engine.warn("the wall '" + setup.geometry + "' lies outside of the box, " +
+                        box->describe() +
+                        ", and nothing meets it; is it in another unit of length?");
+    const asp_lay lay = setup.model.lay();
+    int mine = lay.kind == ASP_LAY_VECTOR && member.shape->is_across(lay.vector), all;
+    MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, setup.engine.world());
+    if (all)
+      setup.engine.warn(text("the lay, %g %g %g, is along the normal of '%s', so that it has no "
+                             "direction on the wall: all flights count as across it",
+                             lay.vector[0], lay.vector[1], lay.vector[2],
+                             (member.name.empty() ? setup.geometry : member.name).c_str()));
+  }
+  if (empty_group)
+    setup.engine.warn(text("group '%s' has no particles: nothing meets this wall until some come "
+                           "into it",
+                           empty_group));
 }
 
 void Wall::set_rows(double *state, double *place) {
@@ -136,12 +170,17 @@ void Wall::warn_of_speeds() {
   double fastest[2] = {fastest_.d_p, fastest_.speed};
   MPI_Bcast(fastest, 2, MPI_DOUBLE, worst.rank, setup.engine.world());
   warned_ = true;
+  const auto with_unit = [this](double value, const char *kind) {
+    return quantity(value, kind, setup.engine.units());
+  };
   setup.engine.warn(
-      text("particles move far in a step: one of diameter %g moves at %g, which is %.3g "
-           "diameters in a step of %g. No contact is missed, but paths that forces bend, "
-           "and walls that turn, are taken as straight within a step; where that counts, "
-           "the largest safe step is %g",
-           fastest[0], fastest[1], 0.5 * worst.ratio * setup.dt, setup.dt, 1 / worst.ratio));
+      "particles move far in a step: one of diameter " + with_unit(fastest[0], "length") +
+      " moves at " + with_unit(fastest[1], "speed") +
+      text(", which is %.3g diameters in a step of ", 0.5 * worst.ratio * setup.dt) +
+      with_unit(setup.dt, "time") +
+      ". No contact is missed, but paths that forces bend, and walls that turn, are taken as "
+      "straight within a step; where that counts, the largest safe step is " +
+      with_unit(1 / worst.ratio, "time"));
 }
 
 void Wall::end_step(int64_t step, bool output) {

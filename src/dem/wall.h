@@ -12,6 +12,7 @@
 #include "dem/books/books.h"
 #include "dem/command_words.h"
 #include "dem/setup.h"
+#include "dem/shapes/bounds.h"
 #include "dem/step/bodies.h"
 #include "dem/step/stepper.h"
 
@@ -41,6 +42,10 @@ struct Wall {
   /* Before a run, and at its beginning, when all particles are where they belong; collective. */
   void init(int64_t step, double dt);
   void begin_run(const Spheres &spheres, int groupbit, const Box &box);
+
+  /* Warns once of what makes no sense. box: that of the particles, NULL where it grows with them;
+   * empty_group: the name of the wall's group if it has no particles, or NULL. Collective. */
+  void check_use(const Bounds *box, const char *empty_group);
 
   /* The rows of this rank's particles, N_STATE and N_PLACE each. */
   void set_rows(double *state, double *place);
@@ -87,7 +92,8 @@ private:
   void restore_bodies(const WallState &saved);
 
   Fastest fastest_;
-  bool warned_;                    /* of speeds */
+  bool warned_; /* of speeds */
+  bool is_use_checked_;
   std::vector<BodyRow> body_rows_; /* of a restart, by their tags */
   std::vector<int> shape_now_; /* of a restart: the shape, from 1, that is each of the saved ones */
 };

@@ -114,6 +114,8 @@ public:
     return NULL;
   }
   virtual void put_bodies(bool) {}
+  /* At the beginning of a run, and after particles have moved between ranks. Collective. */
+  virtual void list_bodies(bool) {}
   /* What to use where bodies turn too far in a step for Richardson's rule; "": it is not used. */
   virtual std::string remedy() const {
     return "";
@@ -182,6 +184,14 @@ public:
       fail("minimize is not supported: a rebound is an event in time; use run");
   }
 
+  /* For those who have written `fix wall/gran` so far. */
+  static void refuse_model(const Words &words) {
+    if (words.is_one_of("model granular hooke hooke/history hertz/history"))
+      throw Error("takes no model: '" + std::string(words.rest()[0]) +
+                  "' and what is behind it belong to 'fix wall/gran'; here 'rebound' states the "
+                  "law");
+  }
+
   void warn_of_no_restart() const {
     this->warn("the restart file has no data of this wall; its impact numbers begin at 1, and no "
                "particle is stuck to it");
@@ -200,14 +210,30 @@ public:
       this->print("fix " + this->id() + " wall/rebound: the wall is taken away; " + counts);
   }
 
+  /* At the set-up of a run; before the first step of one that has none (`run pre no`), since
+   * commands may have moved particles or changed their groups. */
+  void begin_run() {
+    set_rows();
+    list_bodies(true);
+    attempt([&] { wall.begin_run(spheres(), this->fix_->groupbit, this->box()); });
+    check_use();
+    has_begun_ = true;
+  }
+
   /* All contacts of a step; the first wall works them out for all of them. */
   void step() {
     if (!leads())
       return;
+    for (WallFix *fix : siblings_)
+      if (!fix->has_begun_)
+        fix->begin_run();
     try {
       std::vector<Wall *> walls;
+      const bool grow = particles_grow();
       for (WallFix *fix : siblings_) {
         fix->set_rows();
+        if (grow)
+          fix->wall.stepper.ahead.clear();
         fix->begin_step();
         walls.push_back(&fix->wall);
       }
@@ -268,6 +294,11 @@ public:
     put_bodies(true);
   }
 
+  void end_run() {
+    has_begun_ = false;
+    attempt([&] { wall.end_run(); });
+  }
+
   bool is_output() const {
     return this->program_->output->next == this->program_->update->ntimestep;
   }
@@ -316,6 +347,33 @@ protected:
   std::vector<WallFix *> siblings_; /* all walls of this style, the first one leads */
 
 private:
+  void check_use() {
+    const auto *domain = this->program_->domain;
+    auto *group = this->program_->group;
+    const bool fixed = domain->nonperiodic < 2;
+    Bounds box;
+    for (int d = 0; d < 3; d++) {
+      box.lo[d] = domain->triclinic ? domain->boxlo_bound[d] : domain->boxlo[d];
+      box.hi[d] = domain->triclinic ? domain->boxhi_bound[d] : domain->boxhi[d];
+    }
+    const int number = this->fix_->igroup;
+    const bool empty = number > 0 && this->program_->atom->natoms > 0 && group->count(number) < 1;
+    wall.check_use(fixed ? &box : NULL, empty ? group->names[number] : NULL);
+  }
+
+  /* True if a fix has changed the size of particles since the contacts of the step before. */
+  bool particles_grow() const {
+    const auto *modify = this->program_->modify;
+    for (int i = 0; i < modify->nfix; i++) {
+      const auto *fix = modify->fix[i];
+      if (strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0 &&
+          (this->program_->update->ntimestep - 1) % fix->nevery == 0)
+        return true;
+    }
+    return false;
+  }
+
+  bool has_begun_ = false;         /* begin_run() was called for this run */
   bool is_continued_ = true;       /* no step yet since a restart */
   mutable std::vector<int> masks_; /* of the particles, 0 for those of bodies */
 };

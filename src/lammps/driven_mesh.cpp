@@ -128,13 +128,8 @@ ContactTree *DrivenMesh::read_tree() {
   return tree.release();
 }
 
-static std::string text_of(const Bounds &b) {
-  return text("x %.6g to %.6g, y %.6g to %.6g, z %.6g to %.6g", b.lo[0], b.hi[0], b.lo[1], b.hi[1],
-              b.lo[2], b.hi[2]);
-}
-
 std::string DrivenMesh::describe() const {
-  return text("stl %s: %zu triangles, ", path_.c_str(), pieces_) + text_of(extent_) +
+  return text("stl %s: %zu triangles, ", path_.c_str(), pieces_) + extent_.describe() +
          text(" (scale %g)", scale_) +
          (each_keeps() ? "; MPI shares no memory here, so each rank keeps a copy" : "");
 }
@@ -181,7 +176,7 @@ std::string DrivenMesh::misfit(const Bounds &box, const double period[3]) const 
   return describe() +
          (outside ? ": it lies outside of the box, "
                   : text(": it is %.3g times as large as the box, ", times)) +
-         text_of(box) +
+         box.describe() +
          (by > 0 ? text("; 'scale %g' would bring it in", by * scale_)
                  : "; no scale between m, cm, mm, um and nm would bring it in");
 }

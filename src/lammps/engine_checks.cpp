@@ -124,15 +124,3 @@ std::string LAMMPS_NS::discs_error(LAMMPS *lmp) {
   }
   return "";
 }
-
-/* True if a fix has changed the size of particles since the contacts of the step before. */
-bool LAMMPS_NS::particles_grow(LAMMPS *lmp) {
-  const Modify *modify = lmp->modify;
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix *fix = modify->fix[i];
-    if (strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0 &&
-        (lmp->update->ntimestep - 1) % fix->nevery == 0)
-      return true;
-  }
-  return false;
-}

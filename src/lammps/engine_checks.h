@@ -22,9 +22,6 @@ std::string movers_error(const Fix *wall, int box_changes, LAMMPS *lmp);
 /* In two dimensions; when a run is set up. */
 std::string discs_error(LAMMPS *lmp);
 
-/* True if a fix has changed the size of particles since the contacts of the step before. */
-bool particles_grow(LAMMPS *lmp);
-
 } // namespace LAMMPS_NS
 
 #endif

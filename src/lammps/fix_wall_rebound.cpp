@@ -26,6 +26,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "group.h"
 #include "input.h"
 #include "modify.h"
 #include "output.h"
@@ -127,7 +128,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   bool is_of_deleted_body(int i) const override {
     return of_bodies.is_deleted(i);
   }
-  void list_bodies(bool begins) {
+  void list_bodies(bool begins) override {
     BodiesOfLammps::Walls all;
     for (WallFix *sibling : siblings_)
       all.push_back(&static_cast<Parts *>(sibling)->of_bodies);
@@ -143,14 +144,11 @@ class FixWallRebound::Keywords : public asperity::OwnKeywords {
 public:
   explicit Keywords(Parts *parts) : p_(parts) {}
   std::string keywords() const override {
-    return p_->mesh ? "map" : "";
+    return "map";
   }
   bool parse(Words &words) override {
-    if (!words.take("map"))
+    if (!p_->mesh || !words.take("map"))
       return false;
-    if (!p_->mesh)
-      throw asperity::Error(
-          "'map' is of the triangles of 'stl FILE'; planes and regions have none");
     p_->map.parse(words);
     return true;
   }
@@ -208,6 +206,7 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
   const std::string shapes = primitives + " region stl";
   if (words.done())
     throw asperity::Error("the wall is missing; it must be one of " + shapes);
+  p_->refuse_model(words);
   if (words.take("region")) {
     const std::string name = words.word("the ID of a region");
     p_->region = new RegionShape(lmp, name);
@@ -300,8 +299,6 @@ void FixWallRebound::setup(int) {
   p_->steps = false;
   p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
   p_->check(FLERR, discs_error(lmp));
-  p_->set_rows();
-  p_->list_bodies(true);
   p_->attempt([this] {
     if (p_->region)
       p_->region->setup();
@@ -309,8 +306,8 @@ void FixWallRebound::setup(int) {
       p_->mesh->setup(p_->wall.setup.time(static_cast<double>(update->ntimestep)));
       p_->mesh->set_images(p_->box());
     }
-    p_->wall.begin_run(p_->spheres(), groupbit, p_->box());
   });
+  p_->begin_run();
 }
 
 void FixWallRebound::Parts::begin_step() {
@@ -318,8 +315,6 @@ void FixWallRebound::Parts::begin_step() {
   steps = true;
   follow_step(update->ntimestep - 1);
   wall.setup.box = box();
-  if (particles_grow(program_))
-    wall.stepper.ahead.clear();
   if (region)
     region->begin_step();
   if (mesh) {
@@ -362,7 +357,7 @@ void FixWallRebound::end_of_step() {
 
 void FixWallRebound::post_run() {
   p_->stuck = p_->wall.stuck();
-  p_->attempt([this] { p_->wall.end_run(); });
+  p_->end_run();
 }
 
 void FixWallRebound::reset_dt() {

@@ -17,6 +17,7 @@
 #include "fix_property_global.h"
 #include "fix_template_sphere.h"
 #include "fix_wall_gran.h"
+#include "group.h"
 #include "modify.h"
 #include "output.h"
 #include "update.h"
@@ -64,10 +65,7 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
   if (words.done())
     throw asperity::Error("the wall is missing; it must be 'mesh n_meshes N meshes id1 ...' or "
                           "'primitive type T style args'");
-  if (words.take("model"))
-    throw asperity::Error(
-        "takes no model: 'model hertz' and the like belong to 'fix wall/gran'; here 'rebound' "
-        "states the law");
+  refuse_model(words);
   if (words.take("primitive")) {
     if (!words.take("type") || words.left() < 2)
       throw asperity::Error("behind 'primitive', 'type T style args' is expected");
@@ -81,10 +79,7 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
   else
     throw asperity::Error("the wall is '" + words.word("the wall") +
                           "'; it must be 'mesh' or 'primitive'");
-  if (words.is("model"))
-    throw asperity::Error(
-        "takes no model: 'model hertz' and the like belong to 'fix wall/gran'; here 'rebound' "
-        "states the law");
+  refuse_model(words);
 }
 
 std::string FixWallRebound::read_meshes(Words &words) {
@@ -143,7 +138,8 @@ std::string FixWallRebound::place_id() const {
   return std::string("stuck_") + Fix::id;
 }
 
-/* Zeros for each particle, which go with it and into restart files. */
+/* Zeros for each particle, which go with it and into restart files. LIGGGHTS would warn of more
+ * than 20 columns. */
 FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int columns) {
   std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes",
                                     "no", "no"};
@@ -151,7 +147,13 @@ FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int colum
   std::vector<char *> arg;
   for (std::string &word : words)
     arg.push_back(&word[0]);
-  return modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
+  FILE *const to[] = {screen, logfile};
+  screen = logfile = NULL;
+  FixPropertyAtom *made =
+      modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
+  screen = to[0];
+  logfile = to[1];
+  return made;
 }
 
 void FixWallRebound::post_create() {
@@ -355,9 +357,8 @@ void FixWallRebound::setup(int) {
       if (!report.empty())
         print("fix " + id() + " wall/rebound: " + report);
     }
-    set_rows();
-    wall.begin_run(spheres(), groupbit, box());
   });
+  begin_run();
   show_maps();
 }
 
@@ -381,7 +382,7 @@ void FixWallRebound::pre_exchange() {
 void FixWallRebound::pre_neighbor() {
   set_rows();
   wall.reorder(spheres());
-  bodies_->reorder();
+  list_bodies(false);
 }
 
 /* Meshes that measure: LIGGGHTS has cleared their sums by now, and will use them after the forces.
@@ -401,7 +402,7 @@ void FixWallRebound::end_of_step() {
 
 void FixWallRebound::post_run() {
   show_maps();
-  attempt([this] { wall.end_run(); });
+  end_run();
 }
 
 void FixWallRebound::show_maps() {

@@ -76,6 +76,9 @@ private:
   void put_bodies(bool is_end) override {
     bodies_->put(is_end);
   }
+  void list_bodies(bool) override {
+    bodies_->reorder();
+  }
   std::string remedy() const override {
     return "a time step that is shorter";
   }

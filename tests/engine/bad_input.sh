@@ -59,6 +59,7 @@ refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-3 lay axial" "" "lay is an angl
 refuses "all wall/rebound primitive type 2 zcylinder 1e-3 0 0 surface rq 1e-5 lambda_c 1e-4 1e-3 lay 1 0 0" "" "lay is a vector" "axial"
 refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-6 lay 1 0 0" "" "phi_r" "reaches to 0.25"
 refuses "$plane ledger 0" "" "ledger is 0" "1 to"
+refuses "$plane ledger 10 rows.csv" "" "behind 'ledger', 'file rows.csv' is expected"
 refuses "$plane ledger 10 file /nowhere/at/all.csv" "" "/nowhere/at/all.csv" "No such file"
 refuses "$mesh" "run_style respa 2 2" "respa"
 refuses "$plane

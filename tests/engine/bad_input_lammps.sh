@@ -4,6 +4,8 @@
 wall='all wall/rebound'
 refuses "$wall" "" "the wall is missing" "zplane" "region stl"
 refuses "$wall box" "" "'box'" "xplane yplane zplane" "region stl"
+refuses "$wall granular hertz/material 1e9 0.9 0.3 zplane 0 NULL" "" "takes no model" "'granular'" "wall/gran"
+refuses "$wall zplane 0 materials quartz hastelloy-x map 10 map.vtk" "" "'map'" "stl FILE"
 refuses "$wall zplane" "" "the plane's place" "missing"
 refuses "$wall zplane low" "" "the plane's place is 'low'" "number"
 refuses "$wall zcylinder -1 0 0" "" "the cylinder's radius is -1" "> 0"

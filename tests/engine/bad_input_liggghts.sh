@@ -6,6 +6,7 @@ refuses "all wall/rebound primitive type 2" "" "type T style args"
 refuses "all wall/rebound primitive type 2 wplane 0.0" "" "'wplane'" "zplane"
 refuses "all wall/rebound mesh n_meshes 2 meshes plate" "" "n_meshes is '2'"
 refuses "all wall/rebound mesh n_meshes 1 meshes moon" "" "'moon' does not exist" "mesh/surface"
+refuses "all wall/rebound primitive type 2 zplane 0.0 surface smooth map 10 map.vtk" "" "'map'" "dump mesh/vtk"
 refuses "all wall/rebound model hertz primitive type 2 zplane 0.0" "" "takes no model" "wall/gran"
 refuses "all wall/rebound primitive type 2 zplane 0.0 model hertz tangential history" "" "takes no model"
 for name in youngsModulus:m1 poissonsRatio:m2 yieldStress:m3 surfaceEnergy:m4; do

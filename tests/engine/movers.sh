@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Commands of LAMMPS that move or grow particles: bodies that come while it runs rebound, wherever their fix stands, and
+# Commands that move or grow particles. LAMMPS: bodies that come while it runs rebound, wherever their fix stands, and
 # particles that come into the group of fix move are refused at the step where they show up; a box that only remaps velocities
-# runs; a grain that grows meets the wall in the step in which it reaches it.
+# runs. Both engines: a grain that grows meets the wall in the step in which it reaches it, and one that was moved by a command.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 program=$bin/lammps-asperity
@@ -76,18 +76,50 @@ sed 's/remap v/remap x/' stretch.in > carry.in
 ! mpirun -np 2 "$program" -in carry.in -log none > carry.screen 2>&1 || die "fix deform remap x was not refused"
 grep '^ERROR' carry.screen | grep -qF "fix deform (id strain)" || { tail carry.screen; die "no fix deform in the message"; }
 
-# z = 3e-5 - 0.1 t meets the radius 5e-6 + 2.5e-2 t at t = 2e-4 s.
-for every in 1 10; do
-  { echo "variable d equal 1e-5+5e-8*step
-$head
-boundary f f f
-$box
-$grain
-$wall
+# Both engines, in the language of LIGGGHTS.
+scene() { # words of `create_atoms`, each a grain
+  head_of si
+  echo "region box block -1e-3 1e-3 -1e-3 1e-3 -1e-3 1e-3 units box
+create_box 2 box
+neighbor 1e-4 bin
+neigh_modify delay 0 exclude group all all"
+  for at in "$@"; do echo "create_atoms 1 single $at units box"; done
+  materials
+  echo "set group all diameter 1e-5 density 2650
+velocity all set 0 0 -0.1 units box
 fix move all nve/sphere
+timestep 1e-6
+group walled id 1 2"
+}
+wall='wall/rebound primitive type 2 zplane 0.0 rebound constant 0.5 1 deposit off ledger 1 file rows.csv columns full'
+for simulator in liggghts lammps; do
+  use $simulator
+  # z = 3e-5 - 0.1 t meets the radius 5e-6 + 2.5e-2 t at t = 2e-4 s.
+  for every in 1 10; do
+    { scene "0 0 3e-5"
+      echo "variable d equal 1e-5+5e-8*step
+fix wall all $wall
 fix grow all adapt $every atom diameter v_d
 run 300"; } > grow.in
-  rm -f rows.csv
-  engine 1 grow.in
-  check_rows rows.csv "NR > 1 || (\$3 >= 1.99e-4 && \$3 <= 1.99e-4 + $every * 1e-6 + 1e-6)" "a grain that grows, each $every steps: $(rows rows.csv | head -n 1)"
+    [ $simulator = liggghts ] || sed -i 's/^atom_style.*/atom_style sphere 1/' grow.in # radii that change
+    rm -f rows.csv
+    engine 1 grow.in
+    check_rows rows.csv "NR > 1 || (\$3 >= 1.99e-4 && \$3 <= 1.99e-4 + $every * 1e-6 + 1e-6)" "$simulator: a grain that grows, each $every steps: $(rows rows.csv | head -n 1)"
+  done
+
+  # What commands do to grains between two runs counts also where the second one has no set-up.
+  { scene "0 0 8e-4" "5e-4 0 8e-4" "-5e-4 0 2e-5"
+    echo "group moved id 1
+fix wall walled $wall
+run 10
+displace_atoms moved move 0 0 -7.8e-4 units box
+set atom 2 z 2e-5
+group walled id 3
+run 1000 pre no"; } > pre.in
+  for ranks in 1 2; do
+    rm -f rows.csv
+    engine $ranks pre.in
+    [ "$(rows rows.csv | cut -d, -f 1 | sort | xargs)" = "1 2 3" ] || die "$simulator on $ranks ranks: $(count_rows rows.csv) of 3 grains hit the wall after 'run pre no'"
+  done
+  ! grep -q 'property/atom larger than 20' pre.in.screen || die "$simulator warns of the wall's own rows"
 done

@@ -180,6 +180,16 @@ static void no_file(void **) {
   }
 }
 
+/* A link names its file before that is there. */
+static void links(void **) {
+  const std::string link = folder + "/symbolic.csv", path = folder + "/behind.csv";
+  assert_int_equal(symlink(path.c_str(), link.c_str()), 0);
+  LedgerFile file(link, LedgerColumn::N_COLUMNS);
+  file.open(LedgerState(), "heading");
+  assert_written(add_rows(file, link, 1, 3));
+  assert_says(contents(path), "# heading");
+}
+
 /* LAMMPS has tags of 64 bits where it is built for them. */
 static void long_tags(void **) {
   const int64_t tag = 3000000000;
@@ -205,7 +215,8 @@ int main() {
   folder = mkdtemp(name);
   const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk),    cmocka_unit_test(deleted),
                                      cmocka_unit_test(every_length), cmocka_unit_test(two_walls),
-                                     cmocka_unit_test(no_file),      cmocka_unit_test(long_tags)};
+                                     cmocka_unit_test(no_file),      cmocka_unit_test(long_tags),
+                                     cmocka_unit_test(links)};
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;

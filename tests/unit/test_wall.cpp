@@ -5,6 +5,7 @@
 #include "alone.h"
 
 #include <math.h>
+#include <algorithm>
 
 #include "contact/vector.h"
 #include "dem/error.h"
@@ -241,6 +242,49 @@ void absurd_flights_are_refused(void **) {
   }
 }
 
+std::unique_ptr<Wall> floor_of(const Engine &engine, const std::string &description) {
+  const double still[3] = {0, 0, 0};
+  return make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, still)), description);
+}
+
+/* A row has the place in the box, wherever the grain is followed. */
+void rows_are_in_the_box(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> wall =
+      floor_of(engine, "rebound constant 1 1 deposit off ledger 10 columns full");
+  Grains grains(2, 0.1, 1);
+  for (int i = 0; i < 2; i++) {
+    grains.x[3 * i] = i ? -0.4 : 1.3;
+    grains.x[3 * i + 2] = 0.5;
+    grains.v[3 * i + 2] = -1;
+  }
+  grains.begin({wall.get()});
+  wall->setup.box = Box{{0, 0, 0}, {1, 0, 0}};
+  grains.fly(1);
+  Ledger &ledger = *wall->books.ledger();
+  assert_int_equal(ledger.size(), 2);
+  assert_float_equal(ledger.rows()[0][Ledger::X], 0.3, 1e-12);
+  assert_float_equal(ledger.rows()[1][Ledger::X], 0.6, 1e-12);
+}
+
+/* A plane that is in another unit, a lay without a direction on it, and a group without particles.
+ */
+void idle_walls_are_doubted(void **) {
+  const char *const lay = "surface rq 0.1 lambda_c 1 2 lay 0 0 1 rebound constant 1 1 deposit off";
+  const Bounds here = {{-1, -1, 0.4}, {1, 1, 5}}, far = {{-1, -1, 0.6}, {1, 1, 5}};
+  Alone engine;
+  floor_of(engine, "rebound constant 1 1 deposit off")->check_use(&here, NULL);
+  floor_of(engine, "rebound constant 1 1 deposit off")->check_use(NULL, NULL);
+  assert_string_equal(engine.warned.c_str(), "");
+  std::unique_ptr<Wall> wall = floor_of(engine, lay);
+  for (int run = 0; run < 2; run++)
+    wall->check_use(&far, "dust");
+  assert_true(has(engine.warned, "lies outside of the box, x -1 to 1, y -1 to 1, z 0.6 to 5"));
+  assert_true(has(engine.warned, "the lay, 0 0 1, is along the normal"));
+  assert_true(has(engine.warned, "group 'dust' has no particles"));
+  assert_int_equal(std::count(engine.warned.begin(), engine.warned.end(), '\n'), 3);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -252,6 +296,8 @@ int main(int argc, char **argv) {
       cmocka_unit_test(meshes_repeat_with_the_box),
       cmocka_unit_test(long_flights_meet_a_mesh),
       cmocka_unit_test(absurd_flights_are_refused),
+      cmocka_unit_test(rows_are_in_the_box),
+      cmocka_unit_test(idle_walls_are_doubted),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,6 +4,7 @@
 #include "dem/books/books.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <algorithm>
 #include <new>
 
@@ -64,6 +65,8 @@ void Books::parse_ledger(Words &words) {
     else
       more = false;
   }
+  if (!words.done() && strpbrk(words.rest()[0], "./"))
+    throw Error("behind 'ledger', 'file " + words.word("") + "' is expected for a file");
   if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
     throw Error("on_error is '" + on_error + "'; it must be stop or go_on");
   if (!columns.empty() && columns != "full")
@@ -292,7 +295,8 @@ void Books::record(const Spheres &s, int i, const Impact &counted, const Contact
   row[L::MESH] =
       setup_.shapes[counted.shape].pieces > 0 ? static_cast<double>(counted.shape) + 1 : 0;
   row[L::TRIANGLE] = counted.contact.piece;
-  aspi_copy(counted.contact.x, &row[L::X]);
+  aspi_copy(counted.contact.x, &row[L::X]); /* it may be past a periodic edge */
+  setup_.box.wrap(&row[L::X]);
   row[L::D_P] = 2 * s.radius[i];
   row[L::OUTCOME] = !stuck ? 0 : setup_.model.deposit() == Model::DELETE ? 2 : 1;
   row[L::STEP] = static_cast<double>(s.step);

@@ -67,7 +67,7 @@ bool LedgerFile::open_or_create(const LedgerState &saved) {
                 rows_of(saved.rows) +
                 " in it; it must be there, or 'ledger' name another file, which begins anew");
   if (is_new)
-    fd_ = ::open(path_.c_str(), flags | O_CREAT | O_EXCL, 0666);
+    fd_ = ::open(path_.c_str(), flags | O_CREAT, 0666);
   if (fd_ < 0)
     throw Error(cannot_write(path_, strerror(errno)));
   return is_new;

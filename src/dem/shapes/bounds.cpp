@@ -6,6 +6,8 @@
 #include <math.h>
 #include <algorithm>
 
+#include "dem/text.h"
+
 using namespace asperity;
 
 Bounds Bounds::none() {
@@ -49,4 +51,9 @@ void Bounds::widen(double by) {
     lo[d] -= by;
     hi[d] += by;
   }
+}
+
+std::string Bounds::describe() const {
+  return text("x %.6g to %.6g, y %.6g to %.6g, z %.6g to %.6g", lo[0], hi[0], lo[1], hi[1], lo[2],
+              hi[2]);
 }

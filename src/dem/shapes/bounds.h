@@ -4,6 +4,8 @@
 #ifndef ASPERITY_DEM_BOUNDS_H
 #define ASPERITY_DEM_BOUNDS_H
 
+#include <string>
+
 namespace asperity {
 
 struct Bounds {
@@ -12,6 +14,7 @@ struct Bounds {
   bool meets(const Bounds &other) const;
   void include(const double x[3]);
   void widen(double by);
+  std::string describe() const;
   static Bounds none();
   /* The box of a sphere that moves from x by v, between two times. */
   static Bounds of_path(const double x[3], const double v[3], double from, double to,

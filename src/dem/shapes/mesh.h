@@ -56,6 +56,7 @@ public:
   size_t bytes() const override;
   void lay(const asp_lay &lay, const Path &path, const Contact &contact,
            double direction[3]) const override;
+  bool is_across(const double direction[3]) const override;
 
 protected:
   /* The tree of rank 0, which is now the shape's, for all ranks; collective. Throws std::bad_alloc.

@@ -43,6 +43,19 @@ void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact
     direction[i] = aspi_dot(frame.turn[i], lay.vector);
 }
 
+bool MeshShape::is_across(const double direction[3]) const {
+  bool all = true;
+  for (size_t place = 0; all && place < aspi_tree_count(tree_.get()); place++) {
+    const ContactTriangle &t = *aspi_tree_triangle(tree_.get(), static_cast<int>(place));
+    double a[3], b[3], n[3];
+    aspi_subtract(t.node[1], t.node[0], a);
+    aspi_subtract(t.node[2], t.node[0], b);
+    aspi_cross(a, b, n);
+    all = are_parallel(direction, n);
+  }
+  return all;
+}
+
 /* One step along a belt: false where it ends or bends, or runs against something. */
 bool MeshShape::walk(Place &place, double radius, double dt) const {
   const ContactTree *tree = tree_.get();

@@ -20,6 +20,11 @@ class PlaneShape : public Shape {
 public:
   PlaneShape(int axis, double at, const double velocity[3]);
   bool may_meet(const double lo[3], const double hi[3]) const override;
+  bool is_across(const double direction[3]) const override {
+    double n[3] = {0, 0, 0};
+    n[plane_.axis] = 1;
+    return are_parallel(direction, n);
+  }
   double clear(const Course &course, const Twist &screw, const FaceList &stays) const override;
   bool repeats(int axis) const override {
     return axis != plane_.axis;

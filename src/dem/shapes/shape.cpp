@@ -9,6 +9,9 @@
 
 using namespace asperity;
 
+/* Vectors are parallel within this angle, rad: nodes of an STL file may be in single precision. */
+static const double PARALLEL = 1e-6;
+
 /* Each try divides the number of steps by this. */
 static const double FEWER = 4;
 
@@ -52,4 +55,10 @@ double Shape::clear(const Course &course, const Twist &screw, const FaceList &) 
 
 void Shape::turn(const Place &, double, double, double[3][3], double omega[3]) const {
   std::fill(omega, omega + 3, 0.0);
+}
+
+bool Shape::are_parallel(const double a[3], const double b[3]) {
+  double across[3];
+  aspi_cross(a, b, across);
+  return aspi_length(across) <= PARALLEL * aspi_length(a) * aspi_length(b);
 }

@@ -157,6 +157,10 @@ public:
   virtual asp_lay_kind lay_kind() const {
     return ASP_LAY_VECTOR;
   }
+  /* True if the shape, as far as this rank has it, is flat and a direction is its normal. */
+  virtual bool is_across(const double[3]) const {
+    return false;
+  }
   virtual void lay(const asp_lay &lay, const Path &, const Contact &, double direction[3]) const {
     for (int d = 0; d < 3; d++)
       direction[d] = lay.vector[d];
@@ -177,6 +181,9 @@ public:
   virtual size_t bytes() const {
     return sizeof *this;
   }
+
+protected:
+  static bool are_parallel(const double a[3], const double b[3]);
 };
 
 } // namespace asperity
