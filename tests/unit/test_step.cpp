@@ -566,7 +566,7 @@ void doubts_are_said_once(void **) {
     engine.most = sizes[k] > 0 ? 1e-6 : 0;
     wall->init(k, 0.1);
     assert_int_equal(count(engine.warned, "friction is 30"), 1);
-    assert_int_equal(count(engine.warned, "rq is 0.005, 5e+03 times"), k > 1);
+    assert_int_equal(count(engine.warned, "rq is 0.005 m, 5e+03 times"), k > 1);
   }
 }
 
