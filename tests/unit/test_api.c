@@ -159,6 +159,9 @@ static void walk_wall(const asp_wall *wall) {
   bool lacks = asp_rebound_needs_pair(asp_wall_rebound(wall)) && !asp_wall_pair(wall);
   assert_non_null(asp_spread_name(asp_wall_spread(wall)));
   walk_surface(asp_wall_surface(wall));
+  for (int k = 0; k < ODD; k++)
+    assert_true(asp_wall_surface(wall) ? !(asp_wall_slope(wall, odd[k]) < 0)
+                                       : asp_wall_slope(wall, odd[k]) == 0);
   for (int i = 0; i < ODD * ODD * ODD; i++) {
     double a = odd[i % ODD], b = odd[i / ODD % ODD], d_p = odd[i / ODD / ODD];
     const asp_particle particle = {.d_p = d_p, .density = a, .lay = i % 2 ? lay : NULL};
