@@ -51,7 +51,7 @@ warns 'map map.txt' 'map map.txt: .* of 10000 points .* as dust does'
 warns 'map map.txt' 'map map.txt: a particle of d_p .* covers .* points'
 while read -r d_p sigma; do
   "$bin/asperity" surface surface profile wall.csv --dp "$d_p" | tail -n 1 |
-    awk -F, -v sigma="$sigma" '{ s = atan2($6, 1) * 180 / 3.14159265358979; d = s / sigma - 1; exit !(d < 2e-3 && d > -2e-3) }' ||
+    awk -F, -v sigma="$sigma" '{ d = $12 / sigma - 1; exit !(d < 2e-3 && d > -2e-3) }' ||
     die "sigma of d_p $d_p is $sigma in the log"
 done < <(awk 'NR % 3 == 1' bins)
 awk 'NR > 1 && $2 > before { bad = 1 } { before = $2 } END { exit bad }' bins || die "sigma grows with the size"
