@@ -57,7 +57,8 @@ int aspi_tree_place(const ContactTree *tree, int id);
 bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
 
 /* Lower bound of the time for which a sphere of radius `reach`, growing by `widen` per time, stays
- * clear of all triangles except the `skipped` ones listed in `skip`, while its center moves along x
+ * clear of all triangles except those in the planes of the `skipped` ones listed in `skip`, while
+ * its center moves along x
  * + v t; at most `most`. */
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
                        double widen, double most, const int *skip, int skipped);

@@ -9,6 +9,11 @@
 /* A flatter triangle, by height over longest edge, has no well-defined plane. */
 static const double SLIVER = 1e-3;
 
+/* Triangles in one plane but for this share of the sphere's radius. */
+static const double FLAT = 1e-7;
+
+enum { CONTACT_SKIPPED = 3 };
+
 /* The sphere, and the box around it. */
 typedef struct Sweep {
   double x[3], v[3], reach, widen;
@@ -127,16 +132,40 @@ static double sweep_meets_triangle(const Sweep *sweep, const ContactTriangle *t,
   return begin > end ? most : aspi_smaller(begin, most);
 }
 
-static bool has(const int *list, int count, int number) {
-  for (int k = 0; k < count; k++)
-    if (list[k] == number)
+/* The planes of some triangles. */
+typedef struct Planes {
+  int count;
+  double n[CONTACT_SKIPPED][3], at[CONTACT_SKIPPED], flat;
+} Planes;
+
+static Planes planes_of(const ContactTree *tree, const int *id, int count, double reach) {
+  Planes planes = {.count = 0, .flat = FLAT * reach};
+  for (int k = 0; k < count && k < CONTACT_SKIPPED; k++) {
+    const int place = aspi_tree_place(tree, id[k]);
+    if (place < 0)
+      continue;
+    double *n = planes.n[planes.count];
+    aspi_triangle_normal(&tree->triangles[place], n);
+    planes.at[planes.count++] = aspi_dot(n, tree->triangles[place].node[0]);
+  }
+  return planes;
+}
+
+static bool is_in_planes(const ContactTriangle *t, const Planes *planes) {
+  for (int k = 0; k < planes->count; k++) {
+    bool all = true;
+    for (int i = 0; all && i < 3; i++)
+      all = fabs(aspi_dot(planes->n[k], t->node[i]) - planes->at[k]) <= planes->flat;
+    if (all)
       return true;
+  }
   return false;
 }
 
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
                        double widen, double most, const int *skip, int skipped) {
   const Sweep sweep = sweep_of(x, v, reach, widen);
+  const Planes planes = planes_of(tree, skip, skipped, reach);
   struct {
     int at;
     double time;
@@ -166,7 +195,7 @@ double aspi_tree_clear(const ContactTree *tree, const double x[3], const double 
       }
     }
     for (int i = node->first; i < node->first + node->count; i++)
-      if (!has(skip, skipped, tree->id[i]))
+      if (!is_in_planes(&tree->triangles[i], &planes))
         first = aspi_smaller(first, sweep_meets_triangle(&sweep, &tree->triangles[i], first));
   }
   return first;

@@ -40,18 +40,6 @@ static bool face_normal(const ContactTriangle *triangle, double normal[3], doubl
   return *length > DEGENERATE * (longest > d ? longest : d);
 }
 
-void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
-  double length;
-  const bool flat = face_normal(triangle, normal, &length);
-  aspi_scale(flat ? 1 / length : 0, normal);
-}
-
-double aspi_triangle_area(const ContactTriangle *triangle) {
-  double normal[3], length;
-  face_normal(triangle, normal, &length);
-  return 0.5 * length;
-}
-
 /* True if the foot of x on the triangle's plane lies inside all three edges. */
 static bool above_face(const ContactTriangle *triangle, const double normal[3], const double x[3]) {
   for (int k = 0; k < 3; k++) {
@@ -63,6 +51,26 @@ static bool above_face(const ContactTriangle *triangle, const double normal[3], 
       return false;
   }
   return true;
+}
+
+void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
+  double length;
+  const bool flat = face_normal(triangle, normal, &length);
+  aspi_scale(flat ? 1 / length : 0, normal);
+}
+
+bool aspi_triangle_is_under(const ContactTriangle *triangle, const double x[3], double normal[3]) {
+  double length;
+  if (!face_normal(triangle, normal, &length) || !above_face(triangle, normal, x))
+    return false;
+  aspi_scale(1 / length, normal);
+  return true;
+}
+
+double aspi_triangle_area(const ContactTriangle *triangle) {
+  double normal[3], length;
+  face_normal(triangle, normal, &length);
+  return 0.5 * length;
 }
 
 /* The point of the triangle that is nearest to x, and its distance. normal: from face_normal(),

@@ -33,7 +33,7 @@ struct Spheres {
   const void *tag;        /* integers of tag_bytes (4 or 8) each */
   int tag_bytes;
   double *x, *v, *omega; /* omega may be NULL */
-  const double *f;       /* what acts on them, without walls */
+  double *f, *torque;    /* what acts on them; at the end of a step walls add to it */
   const double *radius, *mass;
 
   int64_t tag_of(int i) const {

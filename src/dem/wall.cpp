@@ -127,10 +127,10 @@ void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies
     step_bodies(steppers(walls), *bodies);
 }
 
-void Wall::hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *stuck) {
-  hold_particles(steppers(walls), spheres);
-  if (stuck)
-    hold_bodies(steppers(walls), *stuck);
+void Wall::hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies) {
+  end_walls(steppers(walls), spheres);
+  if (bodies)
+    end_bodies(steppers(walls), *bodies);
 }
 
 void Wall::reset_dt(int64_t step, double dt) {
@@ -269,6 +269,10 @@ void Wall::restore_bodies(const WallState &saved) {
     memcpy(body_rows_.data(), saved.bodies.data(), saved.bodies.size() * sizeof(double));
   for (BodyRow &row : body_rows_) {
     StuckBody &at = row.memory.stuck;
+    if (!row.memory.is_stuck()) {
+      row.memory.status = static_cast<double>(Status::FREE); /* its first flight finds its walls */
+      continue;
+    }
     const bool known = at.shape >= 1 && at.shape <= static_cast<double>(shape_now_.size());
     at.shape = known ? shape_now_[static_cast<size_t>(at.shape) - 1] : 0;
     if (!(at.shape >= 1))

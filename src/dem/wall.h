@@ -56,7 +56,7 @@ struct Wall {
   /* All contacts of a step of all walls of a run, and the end of the step, after its forces; their
    * rows must be set. */
   static void step(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
-  static void hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *stuck = NULL);
+  static void hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
 
   /* The ledger's windows, and warnings at output; collective. */
   void end_step(int64_t step, bool output);

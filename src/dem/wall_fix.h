@@ -55,6 +55,7 @@ public:
     s.v = atom->v ? atom->v[0] : NULL;
     s.omega = atom->omega_flag && atom->omega ? atom->omega[0] : NULL;
     s.f = atom->f ? atom->f[0] : NULL;
+    s.torque = s.omega && atom->torque ? atom->torque[0] : NULL;
     s.radius = atom->radius;
     s.mass = atom->rmass;
     return s;

@@ -168,7 +168,8 @@ void BodiesOfLammps::list(const Walls &walls, bool begins) {
   read(); /* the fix may have chosen other axes */
   for (const std::vector<BodyMemory *> &of_wall : bodies_.memory)
     for (size_t b = 0; b < of_wall.size(); b++)
-      memcpy(of_wall[b]->stuck.axes, bodies_.all[b].axes, sizeof bodies_.all[b].axes);
+      if (of_wall[b]->is_stuck())
+        memcpy(of_wall[b]->stuck.axes, bodies_.all[b].axes, sizeof bodies_.all[b].axes);
 }
 
 void BodiesOfLammps::send_rows() {

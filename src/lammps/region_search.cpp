@@ -24,9 +24,6 @@ namespace {
 /* How closely a sphere that a moving part takes along keeps its distance in a step, in radii. */
 const double KEEPS = 1e-6;
 
-/* A face's curve is measured over this share of the sphere's radius. */
-const double CURVE = 0.01;
-
 /* How well a curve and a motion are known, as shares of what they do to a path. */
 const double MEASURED = 1e-3;
 
@@ -64,7 +61,9 @@ struct RegionShape::Search {
   double approach(const Look &l, const Foot &foot, bool &counts) const;
   double near(const Look &l, const Foot &foot) const;
   double acceleration(const Look &l, const Foot &foot) const;
-  double curve(const Look &l, const Foot &foot, const double v[3]) const;
+  double curve(const Look &l, const Foot &foot, const double v[3]) const {
+    return shape.curve(share(l.time), foot, l.x, radius, v);
+  }
   const Foot *touched(const Look &l) const;
   double reached(const Look &l, const Foot &foot) const;
   double next(const Look &l) const;
@@ -128,26 +127,6 @@ double RegionShape::Search::acceleration(const Look &l, const Foot &foot) const 
     return 0;
   shape.parts_[foot.part].acceleration(share(l.time), l.x, path.v, a);
   return aspi_dot(a, foot.n);
-}
-
-/* The acceleration along n that keeps the center at a face, by the face's curve: from the distance
- * a little way ahead. */
-double RegionShape::Search::curve(const Look &l, const Foot &foot, const double v[3]) const {
-  double along[3], ahead[3];
-  aspi_add_scaled(v, -aspi_dot(v, foot.n), foot.n, along);
-  const double speed = aspi_length(along), way = CURVE * radius;
-  if (!(speed > 0))
-    return 0;
-  aspi_add_scaled(l.x, way / speed, along, ahead);
-  std::vector<Foot> &feet = shape.buffers_.feet;
-  feet.clear();
-  shape.set_share(share(l.time));
-  shape.parts_[foot.part].add_feet(ahead, foot.distance + way, feet);
-  for (const Foot &other : feet)
-    if (other.face == foot.face && other.inside == foot.inside &&
-        aspi_dot(other.n, foot.n) > 1 - 4 * CURVE)
-      return 2 * (foot.distance - other.distance) * speed * speed / (way * way);
-  return 0;
 }
 
 /* The face that is touched, or NULL: the deepest of those that the sphere approaches. */
@@ -254,7 +233,10 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   contact.overlapped = push_out > near(l, foot);
   contact.follow = acceleration(l, foot);
   contact.curve = foot.hollow > 0 ? curve(l, foot, v) : 0;
-  contact.closing = -aspi_dot(v, foot.n) + 0.5 * left * (contact.follow + contact.curve);
+  const double square = aspi_dot(v, v), off = aspi_dot(v, foot.n);
+  contact.chord =
+      asperity::chord_speed(contact.curve, sqrt(std::max(0.0, square - off * off)), left);
+  contact.closing = -off + 0.5 * left * contact.follow + contact.chord;
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {

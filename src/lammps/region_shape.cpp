@@ -32,6 +32,9 @@ const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
 /* How far beyond a face, in distances from it, one looks whether another part begins there. */
 const double BEYOND = 1e-7;
 
+/* A face's curve is measured over this share of the sphere's radius. */
+const double CURVE = 0.01;
+
 /* Two feet of one place. */
 const double SAME = 1e-6;
 
@@ -290,20 +293,52 @@ bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
   return clear(box, asperity::Twist(), FaceList()) < 1;
 }
 
-bool RegionShape::under(int face, const double x[3], double reach, double n[3],
-                        double v_wall[3]) const {
+/* The acceleration along n that keeps a center at a face, by the face's curve: from the distance
+ * a little way ahead. v: relative to the face. */
+double RegionShape::curve(double share, const Foot &at, const double x[3], double radius,
+                          const double v[3]) const {
+  const Foot foot = at;
+  double along[3], ahead[3];
+  aspi_add_scaled(v, -aspi_dot(v, foot.n), foot.n, along);
+  const double speed = aspi_length(along), way = CURVE * radius;
+  if (!(speed > 0))
+    return 0;
+  aspi_add_scaled(x, way / speed, along, ahead);
+  std::vector<Foot> &feet = buffers_.feet;
+  feet.clear();
+  set_share(share);
+  parts_[foot.part].add_feet(ahead, foot.distance + way, feet);
+  for (const Foot &other : feet)
+    if (other.face == foot.face && other.inside == foot.inside &&
+        aspi_dot(other.n, foot.n) > 1 - 4 * CURVE)
+      return 2 * (foot.distance - other.distance) * speed * speed / (way * way);
+  return 0;
+}
+
+bool RegionShape::under(int face, const double x[3], const double v[3], double reach,
+                        asperity::Ground &at) const {
   std::vector<Foot> &feet = buffers_.feet;
   feet.clear();
   find_feet(root_, false, x, reach, feet);
   for (const Foot &foot : feet) {
     if (foot.face != face || foot.hidden || foot.across)
       continue;
-    double point[3];
-    aspi_copy(foot.n, n);
-    aspi_add_scaled(x, -foot.distance, n, point);
-    v_wall[0] = v_wall[1] = v_wall[2] = 0;
-    if (parts_[foot.part].moves())
-      parts_[foot.part].velocity(1, point, v_wall);
+    double point[3], u[3];
+    const RegionPart &part = parts_[foot.part];
+    aspi_copy(foot.n, at.n);
+    aspi_add_scaled(x, -foot.distance, at.n, point);
+    at.v_wall[0] = at.v_wall[1] = at.v_wall[2] = at.follow = at.curve = 0;
+    at.distance = foot.distance;
+    at.face = face;
+    if (part.moves()) {
+      part.velocity(1, point, at.v_wall);
+      part.acceleration(1, x, v, u);
+      at.follow = aspi_dot(u, at.n);
+    }
+    aspi_subtract(v, at.v_wall, u);
+    const double square = aspi_dot(u, u), off = aspi_dot(u, at.n);
+    if (foot.hollow > 0 && square > off * off)
+      at.curve = curve(1, foot, x, at.distance, u) * square / (square - off * off);
     return true;
   }
   return false;

@@ -37,8 +37,8 @@ public:
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;
-  bool under(int face, const double x[3], double reach, double n[3],
-             double v_wall[3]) const override;
+  bool under(int face, const double x[3], const double v[3], double reach,
+             asperity::Ground &at) const override;
   void stick(const asperity::Path &path, const asperity::Contact &contact,
              asperity::Place &place) const override;
   void carry(asperity::Place &place, double radius, double dt, double x[3],
@@ -82,6 +82,9 @@ private:
   bool in_room(const Node &node, bool flip, const double x[3]) const;
   void find_feet(const Node &node, bool flip, const double x[3], double reach,
                  std::vector<Foot> &feet) const;
+
+  double curve(double share, const Foot &foot, const double x[3], double radius,
+               const double v[3]) const;
 
   LAMMPS *lammps_;
   std::string id_;

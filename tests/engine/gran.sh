@@ -59,7 +59,7 @@ $(wall $1 w1 "primitive type 1 zplane 0.0")
 fix move all nve/sphere
 timestep 4e-5
 $watch
-run 10000"
+run 4000" # from then on it may settle at any time
 }
 shake() {
   soft "-0.06 0.06 -0.06 0.06 -0.06 0.25" 0.5 0.5

@@ -128,7 +128,7 @@ room() { # NAME STEPS REGIONS: the last region is r; `stay` counts who is in it
     echo "region box block -1.1e-3 1.1e-3 -1.1e-3 1.1e-3 -1.1e-3 1.1e-3 units box
 create_box 2 box
 $3
-create_atoms 1 random 200 4711 r units box
+create_atoms 1 random 200 4712 r units box
 set group all diameter 2e-5 density 2650
 variable vx atom random(-60,60,11)
 variable vy atom random(-60,60,12)

@@ -174,8 +174,8 @@ bool run(Room &room, double diameters, double impacts) {
     aspi_scale(SPEED / aspi_length(at), at);
     tag[i] = i + 1;
   }
-  Spheres s = {0,        dt,       n,    mask.data(), type.data(),   tag.data(), 4,
-               x.data(), v.data(), NULL, f.data(),    radius.data(), mass.data()};
+  Spheres s = {0,        dt,       n,    mask.data(), type.data(), tag.data(),    4,
+               x.data(), v.data(), NULL, f.data(),    NULL,        radius.data(), mass.data()};
   const Box box = {{0, 0, 0}, {0, 0, 0}};
   wall.init(0, dt);
   wall.set_rows(state.data(), place.data());

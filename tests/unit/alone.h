@@ -102,23 +102,36 @@ struct Grains {
   int64_t now;
   bool spins;
   std::vector<double> x, v, omega, f, radius, mass;
+  std::vector<double> total, torque; /* f and what walls have added to it */
   std::vector<int> mask, type, tag;
   std::vector<Wall *> walls;
   std::vector<Rows> rows; /* of each wall */
 
   Grains(size_t n, double r, double step)
       : dt(step), now(0), spins(false), x(3 * n), v(3 * n), omega(3 * n), f(3 * n), radius(n, r),
-        mass(n, 1), mask(n, 1), type(n, 1), tag(n) {
+        mass(n, 1), total(3 * n), torque(3 * n), mask(n, 1), type(n, 1), tag(n) {
     for (size_t i = 0; i < n; i++)
       tag[i] = static_cast<int>(i) + 1;
   }
   Spheres spheres() {
-    return Spheres{
-        now,      dt,       static_cast<int>(tag.size()), mask.data(), type.data(),   tag.data(), 4,
-        x.data(), v.data(), spins ? omega.data() : NULL,  f.data(),    radius.data(), mass.data()};
+    return Spheres{now,
+                   dt,
+                   static_cast<int>(tag.size()),
+                   mask.data(),
+                   type.data(),
+                   tag.data(),
+                   4,
+                   x.data(),
+                   v.data(),
+                   spins ? omega.data() : NULL,
+                   total.data(),
+                   spins ? torque.data() : NULL,
+                   radius.data(),
+                   mass.data()};
   }
   void begin(const std::vector<Wall *> &all) {
     walls = all;
+    total = f;
     rows.resize(walls.size());
     for (size_t w = 0; w < walls.size(); w++) {
       rows[w].state.resize(tag.size() * Wall::N_STATE);
@@ -129,8 +142,11 @@ struct Grains {
     }
   }
   void kick() {
-    for (size_t k = 0; k < v.size(); k++)
-      v[k] += 0.5 * dt * f[k] / mass[k / 3];
+    for (size_t k = 0; k < v.size(); k++) {
+      v[k] += 0.5 * dt * total[k] / mass[k / 3];
+      if (spins)
+        omega[k] += 0.5 * dt * torque[k] / (0.4 * mass[k / 3] * radius[k / 3] * radius[k / 3]);
+    }
   }
   /* The first part of a step, up to the new forces, and the second one. */
   void advance() {
@@ -141,6 +157,8 @@ struct Grains {
     Wall::step(walls, spheres());
   }
   void finish() {
+    total = f;
+    torque.assign(torque.size(), 0.);
     kick();
     Wall::hold(walls, spheres());
   }

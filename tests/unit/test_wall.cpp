@@ -172,7 +172,7 @@ void meshes_repeat_with_the_box(void **) {
       assert_true(plate.set_images(BOX));
       assert_false(plate.set_images(BOX));
       for (int k = 0; k < 100; k++) {
-        Path path = {{-2.2 + 0.014 * k, 4.9 + 0.012 * k, 0.1}, {0, 0, -1}, 1, 1};
+        Path path = {{-2.2 + 0.014 * k, 4.9 + 0.012 * k, 0.1}, {0, 0, -1}, 1, 1, 0};
         Contact contact;
         path.v[0] = k % 3 - 1;
         path.v[1] = k % 7 * (k % 2 ? 2.3 : 2e4);
@@ -230,7 +230,7 @@ void absurd_flights_are_refused(void **) {
   const Course course = {{-2, 5, 0.1}, {1e5, 0, 0}, 0.02, 0, 100};
   assert_true(plate.clear(course, Twist(), FaceList{0, {0, 0, 0}}) < 1);
   for (double v : {1e9, HUGE_VAL}) {
-    const Path path = {{-2, 5, 0.1}, {v, 0, -1}, 1, 1};
+    const Path path = {{-2, 5, 0.1}, {v, 0, -1}, 1, 1, 0};
     std::string wrong;
     try {
       Contact contact;

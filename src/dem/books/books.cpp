@@ -155,19 +155,6 @@ ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3]
   aspi_copy(v1, v_before);
 }
 
-/* The moment of inertia of a sphere. */
-static double inertia(const Spheres &s, int i) {
-  return 0.4 * s.mass[i] * s.radius[i] * s.radius[i];
-}
-
-void ContactLoad::set_couple(const Spheres &s, int i, const double center[3],
-                             const double turn[3]) {
-  double arm[3];
-  aspi_subtract(center, point, arm);
-  aspi_cross(arm, impulse, couple);
-  aspi_add_scaled(couple, -inertia(s, i), turn, couple);
-}
-
 /* Adds to `count` sums of a piece from `first` on. */
 void Books::ShapeSums::add_values(int piece, Sum first, int count, const double values[]) {
   for (int k = 0; k < count; k++)
@@ -244,26 +231,7 @@ void Books::add_load(size_t shape, const ContactLoad &load) {
     setup_.shapes[shape].shape->take(load);
 }
 
-/* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
- * particle has lost. */
-static ContactLoad sphere_load(const Spheres &s, int i, const Impact &counted) {
-  const asp_impact &impact = counted.result;
-  const Contact &contact = counted.contact;
-  const double mass = s.mass[i];
-  double p[3], turn[3];
-  aspi_subtract(impact.v2, counted.v1, p);
-  ContactLoad load(s, i, contact.piece, contact.x, contact.n, p, counted.v1);
-  aspi_subtract(impact.omega, counted.omega1, turn);
-  load.set_couple(s, i, contact.x, turn);
-  load.dissipated =
-      0.5 * mass * aspi_dot(counted.v1, counted.v1) - 0.5 * mass * aspi_dot(impact.v2, impact.v2) +
-      0.5 * inertia(s, i) *
-          (aspi_dot(counted.omega1, counted.omega1) - aspi_dot(impact.omega, impact.omega));
-  load.eroded = mass * impact.eroded;
-  return load;
-}
-
-void Books::count(const Spheres &s, int i, const Impact &counted, const ContactLoad *made) {
+void Books::count(const Spheres &s, int i, const Impact &counted, const ContactLoad &load) {
   const asp_impact &impact = counted.result;
   const Contact &contact = counted.contact;
   const bool stuck = impact.outcome == ASP_DEPOSIT;
@@ -279,7 +247,6 @@ void Books::count(const Spheres &s, int i, const Impact &counted, const ContactL
   sums.totals[SHAPE_DEPOSITS] += stuck;
   const double values[] = {1, stuck_mass, energy};
   sums.add_values(contact.piece, SUM_IMPACTS, 3, values);
-  const ContactLoad load = made ? *made : sphere_load(s, i, counted);
   add_load(counted.shape, load);
   if (ledger_)
     record(s, i, counted, load);

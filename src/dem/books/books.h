@@ -84,8 +84,8 @@ public:
   void reorder(int n);
 
   void begin_step(int64_t step);
-  /* made: the load of a body; NULL: that of a sphere, which is worked out. */
-  void count(const Spheres &spheres, int i, const Impact &impact, const ContactLoad *made = NULL);
+  /* An impact of a sphere, and its load. */
+  void count(const Spheres &spheres, int i, const Impact &impact, const ContactLoad &load);
   void add_load(size_t shape, const ContactLoad &load);
 
   /* Loads that stuck particles give in both halves of each step, until they end after a share of

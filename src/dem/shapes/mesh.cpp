@@ -22,6 +22,9 @@ const size_t MANY = 64;
 /* In radii; see same_instant(). */
 const double GRAZING = 1e-7;
 
+/* Two faces are one where the cosine between their normals differs from 1 by less. */
+const double FLAT = 1e-9;
+
 /* Sine of the angle to the face from which on a contact is one with an edge or a corner. */
 const double EDGE = 1e-6;
 
@@ -154,7 +157,10 @@ void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &bod
   }
   aspi_add_scaled(begin, path.left, path.v, end);
   motion_.frame_at(path.share()).to_body(begin, body.x);
-  motion_.end().to_body(end, end_in_body);
+  if (path.rest > 0)
+    motion_.frame_at(1 - path.rest / path.dt).to_body(end, end_in_body);
+  else
+    motion_.end().to_body(end, end_in_body);
   aspi_subtract(end_in_body, body.x, body.v);
   aspi_scale(1 / path.left, body.v);
 }
@@ -259,7 +265,7 @@ void MeshShape::set_contact(const Path &path, const ContactPath &body, const Shi
   double center[3], foot[3], follow[3];
   contact.time = touch.time;
   contact.overlapped = touch.overlapped;
-  contact.curve = 0;
+  contact.curve = contact.chord = 0;
   contact.closing = -aspi_dot(body.v, touch.n);
   contact.piece = aspi_tree_id(tree_.get(), place.piece);
   contact.face = aspi_tree_id(tree_.get(), place.face);
@@ -293,40 +299,59 @@ void MeshShape::set_contact(const Path &path, const ContactPath &body, const Shi
   contact.follow = aspi_dot(follow, contact.n);
 }
 
-/* A face counts as its whole plane, since the next triangle of a flat mesh lies in it, too. An edge
- * or a corner, whose number is the complement of the triangle's, counts as itself. */
-bool MeshShape::under(int face, const double x[3], double reach, double n[3],
-                      double v_wall[3]) const {
-  const bool edge = face < 0;
-  const int piece = edge ? ~face : face;
+/* From a face the center may have come to another one in its plane. An edge or a corner, whose
+ * number is the complement of the triangle's, counts as itself. */
+bool MeshShape::under(int face, const double x[3], const double v[3], double reach,
+                      Ground &ground) const {
   const double still[3] = {0, 0, 0};
   for (const Shift &shift : images(Bounds::of_path(x, still, 0, 0, 2 * reach))) {
-    double at[3], foot[3], arm[3], normal[3];
+    double at[3], foot[3], arm[3], normal[3], other[3];
     aspi_subtract(x, shift.by, at);
-    motion_.end().to_body(at, at);
-    const int place = aspi_tree_place(tree_.get(), piece);
+    if (!motion_.in_world())
+      motion_.end().to_body(at, at);
+    int place = aspi_tree_place(tree_.get(), face < 0 ? ~face : face);
     if (place < 0)
       continue;
-    const ContactTriangle *triangle = aspi_tree_triangle(tree_.get(), place);
-    if ((edge || shifts_.size() > 1) && !(aspi_triangle_nearest(triangle, at, foot) <= 2 * reach))
-      continue;
-    if (!edge) {
-      aspi_triangle_normal(triangle, normal);
+    const ContactTree *tree = tree_.get();
+    ground.face = face;
+    if (face < 0) {
+      ground.distance = aspi_triangle_nearest(aspi_tree_triangle(tree, place), at, foot);
+      aspi_subtract(at, foot, normal);
+    } else {
+      const ContactTriangle *triangle = aspi_tree_triangle(tree, place);
+      if (!aspi_triangle_is_under(triangle, at, normal)) {
+        aspi_triangle_normal(triangle, other);
+        aspi_tree_distance(tree, at, reach, &place);
+        if (place < 0 || !aspi_triangle_is_under(aspi_tree_triangle(tree, place), at, normal) ||
+            fabs(aspi_dot(normal, other)) < 1 - FLAT)
+          continue;
+        triangle = aspi_tree_triangle(tree, place);
+        ground.face = aspi_tree_id(tree, place);
+      }
       aspi_subtract(at, triangle->node[0], arm);
-      aspi_add_scaled(at, -aspi_dot(arm, normal), normal, foot);
+      const double height = aspi_dot(arm, normal);
+      ground.distance = fabs(height);
+      aspi_add_scaled(at, -height, normal, foot);
+      aspi_scale(height, normal);
     }
-    aspi_subtract(at, foot, arm);
-    const double distance = aspi_length(arm);
-    if (!(distance <= reach && distance > 0))
+    if (!(ground.distance <= reach && ground.distance > 0))
       continue;
+    aspi_scale(1 / ground.distance, normal);
+    ground.v_wall[0] = ground.v_wall[1] = ground.v_wall[2] = ground.follow = ground.curve = 0;
+    if (motion_.in_world()) {
+      aspi_copy(normal, ground.n);
+      if (runs())
+        surface_velocity(ground.face < 0 ? ~ground.face : ground.face, foot, ground.v_wall);
+      return true;
+    }
     for (int i = 0; i < 3; i++)
-      n[i] = aspi_dot(motion_.end().turn[i], arm) / distance;
-    v_wall[0] = v_wall[1] = v_wall[2] = 0;
-    if (runs())
-      surface_velocity(piece, foot, v_wall);
-    else if (motion_.moves()) {
+      ground.n[i] = aspi_dot(motion_.end().turn[i], normal);
+    if (motion_.moves()) {
+      double a[3];
+      motion_.acceleration(1, x, v, a);
+      ground.follow = aspi_dot(a, ground.n);
       motion_.end().to_world(foot, foot);
-      motion_.velocity(1, foot, v_wall);
+      motion_.velocity(1, foot, ground.v_wall);
     }
     return true;
   }
@@ -368,24 +393,6 @@ bool MeshShape::find(const Path &path, double radius, double latest, Contact &co
     if (to >= latest)
       return false;
   }
-}
-
-/* A face is also met beyond its edges, as in under(). */
-bool MeshShape::find_known(int face, const Path &path, double radius, Contact &contact) const {
-  if (!(path.left > 0))
-    return false;
-  for (const Shift &shift : images(around(path, 0, std::min(path.left, period_of(path)), radius))) {
-    ContactPath body;
-    ContactTouch touch;
-    body_path(path, shift, body);
-    const int place = aspi_tree_place(tree_.get(), face < 0 ? ~face : face);
-    if (place < 0 || !aspi_triangle_find(aspi_tree_triangle(tree_.get(), place), &body, radius,
-                                         path.left, &touch))
-      continue;
-    set_contact(path, body, shift, radius, touch, Places{place, place}, contact);
-    return true;
-  }
-  return false;
 }
 
 size_t MeshShape::bytes() const {

@@ -45,9 +45,8 @@ public:
   double clear(const Course &course, const Twist &screw, const FaceList &stays) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
-  bool find_known(int face, const Path &path, double radius, Contact &contact) const override;
-  bool under(int face, const double x[3], double reach, double n[3],
-             double v_wall[3]) const override;
+  bool under(int face, const double x[3], const double v[3], double reach,
+             Ground &at) const override;
   bool is_still() const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;

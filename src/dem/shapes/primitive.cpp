@@ -28,7 +28,7 @@ void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
   contact.time = touch.time;
   contact.overlapped = touch.overlapped;
   contact.piece = contact.face = 0;
-  contact.follow = contact.curve = 0;
+  contact.follow = contact.curve = contact.chord = 0;
   contact.closing = -aspi_dot(path.v, touch.n);
   aspi_copy(touch.n, contact.n);
   aspi_copy(touch.n, contact.n_end);
@@ -66,12 +66,16 @@ bool PlaneShape::find(const Path &path, double radius, double latest, Contact &c
   return true;
 }
 
-bool PlaneShape::under(int, const double x[3], double reach, double n[3], double v_wall[3]) const {
+bool PlaneShape::under(int face, const double x[3], const double[3], double reach,
+                       Ground &at) const {
+  at.face = face;
   const double off = x[plane_.axis] - plane_.at;
   for (int d = 0; d < 3; d++)
-    n[d] = d != plane_.axis ? 0 : off < 0 ? -1 : 1;
-  aspi_copy(v_, v_wall);
-  return fabs(off) <= reach;
+    at.n[d] = d != plane_.axis ? 0 : off < 0 ? -1 : 1;
+  aspi_copy(v_, at.v_wall);
+  at.distance = fabs(off);
+  at.follow = at.curve = 0;
+  return at.distance <= reach;
 }
 
 void PlaneShape::stick(const Path &, const Contact &contact, Place &place) const {
@@ -134,10 +138,8 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
   const double side = distance < cylinder_.radius ? 1 : -1, left = path.left - touch.time;
   if (distance > 0)
     contact.curve = side * speed * speed / distance;
-  if (left > 0) { /* angle to the end of a chord between two points of the wall */
-    const double angle = std::min(1.0, fabs(speed) * left / distance);
-    contact.closing += side * distance * angle * angle / (1 + sqrt(1 - angle * angle)) / left;
-  }
+  contact.chord = chord_speed(contact.curve, fabs(speed), left);
+  contact.closing += contact.chord;
   return true;
 }
 
@@ -148,14 +150,19 @@ double CylinderShape::axis_distance(const double x[3]) const {
   return aspi_length(arm);
 }
 
-bool CylinderShape::under(int, const double x[3], double reach, double n[3],
-                          double v_wall[3]) const {
-  const double distance = axis_distance(x);
-  aspi_subtract(x, cylinder_.center, n);
-  n[cylinder_.axis] = 0;
-  aspi_scale((distance < cylinder_.radius ? -1 : 1) / distance, n);
-  velocity(x, v_wall);
-  return distance > 0 && fabs(distance - cylinder_.radius) <= reach;
+bool CylinderShape::under(int face, const double x[3], const double v[3], double reach,
+                          Ground &at) const {
+  at.face = face;
+  const double distance = axis_distance(x), side = distance < cylinder_.radius ? -1 : 1;
+  aspi_subtract(x, cylinder_.center, at.n);
+  at.n[cylinder_.axis] = 0;
+  aspi_scale(side / distance, at.n);
+  velocity(x, at.v_wall);
+  const double along = v[cylinder_.axis];
+  at.distance = fabs(distance - cylinder_.radius);
+  at.follow = 0;
+  at.curve = -side * (aspi_dot(v, v) - along * along) / distance;
+  return distance > 0 && at.distance <= reach;
 }
 
 void CylinderShape::stick(const Path &, const Contact &contact, Place &place) const {

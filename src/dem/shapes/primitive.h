@@ -33,8 +33,8 @@ public:
     return !repeats(axis);
   }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
-  bool under(int face, const double x[3], double reach, double n[3],
-             double v_wall[3]) const override;
+  bool under(int face, const double x[3], const double v[3], double reach,
+             Ground &at) const override;
   bool is_still() const override {
     return !(aspi_dot(v_, v_) > 0);
   }
@@ -58,8 +58,8 @@ public:
     return !repeats(axis);
   }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
-  bool under(int face, const double x[3], double reach, double n[3],
-             double v_wall[3]) const override;
+  bool under(int face, const double x[3], const double v[3], double reach,
+             Ground &at) const override;
   bool is_still() const override {
     return !(fabs(along_) > 0) && !(fabs(turn_) > 0);
   }

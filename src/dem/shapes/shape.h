@@ -5,7 +5,9 @@
 #ifndef ASPERITY_DEM_SHAPE_H
 #define ASPERITY_DEM_SHAPE_H
 
+#include <math.h>
 #include <stddef.h>
+#include <algorithm>
 #include <vector>
 
 #include "asperity.h"
@@ -13,11 +15,12 @@
 
 namespace asperity {
 
-/* Rest of a particle's step: from x, with v, for the time `left` of the step dt. */
+/* A straight piece of a particle's way in a step dt: from x, with v, for the time `left`; then a
+ * `rest` of the step is to come. */
 struct Path {
-  double x[3], v[3], left, dt;
+  double x[3], v[3], left, dt, rest;
   double share() const { /* of the step that is over */
-    return 1 - left / dt;
+    return 1 - (left + rest) / dt;
   }
 };
 
@@ -30,11 +33,21 @@ struct Contact {
   double v_wall[3]; /* of the point that is touched */
   double follow;    /* acceleration along n that keeps the center at the moving wall */
   double curve;     /* the same due to the wall's curvature, as the center moves along it */
+  double chord;     /* mean speed along n, by that, on a chord to the end of the path */
   double closing;   /* mean speed along -n over the rest of the path as it was searched */
   int piece;        /* number of the triangle; 0 for a shape of one piece */
   int face;         /* the piece, or where a shape of one piece has several faces, which of them */
   bool overlapped;  /* the particle was in the wall already */
 };
+
+/* The mean speed across a circle's tangent on a chord of it, from the acceleration v^2/rho of a
+ * motion along it, where the way along the tangent is that of a speed v in a time. */
+inline double chord_speed(double curve, double v, double time) {
+  const double rho = v * v / fabs(curve), way = std::min(v * time, rho);
+  return time > 0 && rho > 0 && fabs(curve) > 0
+             ? way * way / (rho + sqrt(rho * rho - way * way)) / (curve > 0 ? time : -time)
+             : 0;
+}
 
 /* Position of a stuck particle, as numbers for restart files from which the shape can find it
  * again. `at` is the center in the frame of the shape. */
@@ -50,6 +63,14 @@ struct Course {
 
   /* The same as a body sees it that moves with `body` a step. */
   Course seen_from(const Twist &body) const;
+};
+
+/* The wall under a center. */
+struct Ground {
+  double n[3], v_wall[3], distance;
+  double follow; /* acceleration along n that keeps the center at the moving wall */
+  double curve;  /* the same due to the wall's curvature, for steps that are chords of it */
+  int face;      /* the face, or where the center has left it, the next one in its plane */
 };
 
 /* Faces of a shape. */
@@ -81,10 +102,6 @@ struct ContactLoad {
   /* Load of particle i with its center at `center`, from an impulse per mass on the particle. */
   ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
               const double impulse_per_mass[3], const double v_before[3]);
-
-  /* Completes a load that has changed the particle's spin by `turn`: what the particle has lost of
-   * angular momentum is the wall's. */
-  void set_couple(const Spheres &s, int i, const double center[3], const double turn[3]);
 };
 
 class Shape {
@@ -126,16 +143,10 @@ public:
   /* The first contact of the path at or before `latest`. */
   virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
 
-  /* The first contact with a face at which the particle has stayed; it may look at other faces,
-   * too. */
-  virtual bool find_known(int, const Path &path, double radius, Contact &contact) const {
-    return find(path, radius, path.left, contact);
-  }
-
-  /* The wall under a center that has stayed at a face, at the end of the step: the normal and the
-   * velocity of the wall's point. False if the center is farther away than `reach`. */
-  virtual bool under(int face, const double x[3], double reach, double n[3],
-                     double v_wall[3]) const = 0;
+  /* The wall under a center that stays at a face and moves with v, at the end of the step. False if
+   * the center is farther away than `reach`. */
+  virtual bool under(int face, const double x[3], const double v[3], double reach,
+                     Ground &at) const = 0;
 
   /* True if carry() leaves a particle in this step where the step before has left it, at rest. */
   virtual bool is_still() const {

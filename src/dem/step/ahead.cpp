@@ -27,6 +27,9 @@ const int BLOCK = 32;
 /* Longest prediction, in steps. */
 const double AHEAD_MOST = 2048;
 
+/* A particle that rests looks this many radii ahead: many triangles are near. */
+const double RESTING_WAY = 0.25;
+
 /* The first predictions are of this many lengths, so that they do not all expire in one step. */
 const int LENGTHS = 8;
 
@@ -126,13 +129,16 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
   }
 }
 
-/* The faces of a shape at which a particle stayed in the step before. */
+/* The faces of a shape at which a particle rests: its way ends at them, but in the first step of a
+ * run, for which no wall has held it. */
 FaceList Ahead::faces(int i, size_t shape) const {
   FaceList faces = {0, {0, 0, 0}};
-  const RestingPlace &at = rows_.place[i].resting;
-  for (size_t k = 0; rows_.status(i) == Status::RESTED && k < at.FACES && at.shape[k] > 0; k++)
-    if (static_cast<size_t>(at.shape[k]) == shape + 1)
-      faces.face[faces.count++] = static_cast<int>(at.face[k]);
+  const Rest *rests = rows_.place[i].rests;
+  for (size_t k = 0; now_ > 1 && rows_.status(i) == Status::RESTING && k < ParticlePlace::RESTS &&
+                     rests[k].shape > 0;
+       k++)
+    if (static_cast<size_t>(rests[k].shape) == shape + 1)
+      faces.face[faces.count++] = static_cast<int>(rests[k].face);
   return faces;
 }
 
@@ -168,6 +174,9 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
   }
   course.widen = stray_ + bend_ + FLT_EPSILON * aspi_length(course.v) + drift_;
   course.reach = (1 + ROUNDING) * s.radius[i] + course.widen;
+  if (rows_.status(i) == Status::RESTING)
+    course.most =
+        std::min(course.most, RESTING_WAY * s.radius[i] / (course.widen + aspi_length(course.v)));
   for (size_t m = 0; m < setup_.shapes.size(); m++)
     course.most = setup_.shapes[m].shape->clear(course, screws_[m], faces(i, m));
   return static_cast<int>((1 - ROUNDING) * course.most);

@@ -1,9 +1,6 @@
-/* Rigid bodies of spheres in a step. A body moves straight and turns; the spheres of it take
- * straight stretches of path between which it turns by a tenth of a radian at most. At the first
- * contact the body rebounds as a whole, and goes on with its new velocity for the rest of the step,
- * through any number of contacts. An impact is that of asp_wall_impact for the sphere that touches;
- * spheres that touch a smooth wall at one instant, and those that stay at a wall, are solved
- * together (body_solve.h), on the mean wall. A body that sticks with one sphere is held as a whole.
+/* Rigid bodies of spheres in a step: what engines give, and what a body remembers. How a body
+ * moves and meets walls is what a grain does (mover.h, flight.h); its spheres take straight
+ * stretches of path between which it turns by a tenth of a radian at most.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_BODIES_H
@@ -23,12 +20,6 @@ struct BodySphere {
   int64_t tag;
 };
 
-/* A face that a sphere of a body has met last. */
-struct BodyFace {
-  double sphere; /* its tag */
-  FacePlace face;
-};
-
 /* Where a stuck body is held: the center of one of its spheres, in the frame of the shape, and the
  * body's axes; and the velocities that it has there. */
 struct StuckBody {
@@ -40,12 +31,16 @@ struct StuckBody {
 /* What a body remembers of a wall, all 0 at first: numbers that the engine stores, moves between
  * ranks, and writes into restart files. */
 struct BodyMemory {
-  static const size_t FACES = 6;
-  double impacts, draws; /* as of a particle */
-  double status;         /* a Status: FREE, STUCK or TO_DELETE */
-  double stayed;         /* one more than the last step in which it stayed at the wall */
-  BodyFace faces[FACES]; /* of spheres that met the wall last */
-  StuckBody stuck;
+  static const size_t FACES = 8, RESTS = 10;
+  double impacts, draws, status; /* as of a particle */
+  double turned, axes[3][3];     /* of the run's first wall: the body's axes at the end of the step
+                                    before that of this number, from 1; 0: not known */
+  FacePlace faces[FACES];
+  union { /* by the status */
+    Rest rests[RESTS];
+    ReboundPlace rebound;
+    StuckBody stuck;
+  };
 
   bool is_stuck() const {
     return status > 0;
@@ -77,16 +72,24 @@ struct Bodies {
   std::vector<Body> all;
   std::vector<BodySphere> spheres;
   std::vector<std::vector<BodyMemory *>> memory; /* of each wall of the run, for each body */
-
-  bool any_stuck() const;
   BodyAhead ahead;
 };
 
 /* All contacts of the bodies in a step, after step_walls(). */
 void step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
 
-/* The end of a step, after its forces: stuck bodies get their wall's velocity. */
-void hold_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
+/* The end of a step, after its forces: stuck bodies get their wall's velocity, and walls hold those
+ * that rest. */
+void end_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
+
+/* body_stick.cpp: what sticks with one of its spheres is held as a whole. Notes where a sphere has
+ * stuck, and takes the body along with the wall for the rest of the step; moves a stuck body with
+ * its wall for a whole step, false: it is not stuck; gives it the wall's velocity at the end. */
+void stick_body(const std::vector<Stepper *> &walls, Bodies &bodies, size_t number, Stepper &wall,
+                size_t shape, size_t sphere, const Path &before, const Contact &contact,
+                double left);
+bool carry_body(const std::vector<Stepper *> &walls, Bodies &bodies, size_t number);
+bool hold_body(const std::vector<Stepper *> &walls, Bodies &bodies, size_t number);
 
 } // namespace asperity
 

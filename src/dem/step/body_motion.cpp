@@ -4,11 +4,14 @@
 #include "dem/step/body_motion.h"
 
 #include <math.h>
+#include <algorithm>
 
 #include "contact/vector.h"
-#include "dem/step/body_solve.h"
 
 using namespace asperity;
+
+/* A turn is taken in parts of this angle at most, rad. */
+static const double PART = 0.01;
 
 void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
   const double rate = aspi_length(omega), angle = rate * time;
@@ -23,13 +26,26 @@ void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
   }
 }
 
+void asperity::turn_free(const double inertia[3], const double momentum[3], double time,
+                         double axes[3][3]) {
+  static const int order[5] = {2, 1, 0, 1, 2};
+  double rate = 0;
+  for (int k = 0; k < 3; k++)
+    if (inertia[k] > 0)
+      rate = std::max(rate, fabs(aspi_dot(momentum, axes[k])) / inertia[k]);
+  const double parts = 1 + floor(rate * fabs(time) / PART);
+  for (double part = 0; part < parts; part++)
+    for (int j = 0; j < 5; j++) {
+      const int k = order[j];
+      const double axis[3] = {axes[k][0], axes[k][1], axes[k][2]};
+      if (inertia[k] > 0)
+        turn_by(axis, (j == 2 ? 1 : 0.5) * time / parts * aspi_dot(momentum, axis) / inertia[k],
+                axes);
+    }
+}
+
 void asperity::advance(Body &body, double time) {
-  double omega[3];
-  Body half = body;
-  spin_of(body, omega);
-  turn_by(omega, 0.5 * time, half.axes);
-  spin_of(half, omega);
-  turn_by(omega, time, body.axes);
+  turn_free(body.inertia, body.angular_momentum, time, body.axes);
   aspi_add_scaled(body.x, time, body.v, body.x);
 }
 
@@ -60,20 +76,4 @@ double asperity::energy_of(const Body &body, const double v[3]) {
   double omega[3];
   spin_of(body, omega);
   return 0.5 * (body.mass * aspi_dot(v, v) + aspi_dot(omega, body.angular_momentum));
-}
-
-asp_body asperity::inverse_of(const Body &body, const double arm[3]) {
-  static const int of[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
-  asp_body made = {1 / body.mass, {0, 0, 0, 0, 0, 0}, {arm[0], arm[1], arm[2]}};
-  for (int k = 0; k < 3; k++)
-    for (int j = 0; j < 6 && body.inertia[k] > 0; j++)
-      made.inverse_inertia[j] += body.axes[k][of[j][0]] * body.axes[k][of[j][1]] / body.inertia[k];
-  return made;
-}
-
-double asperity::inverse_mass_at(const asp_body &inverse, const double arm[3], const double n[3]) {
-  double couple[3], turn[3];
-  aspi_cross(arm, n, couple);
-  multiply(inverse.inverse_inertia, couple, turn);
-  return inverse.inverse_mass + aspi_dot(couple, turn);
 }

@@ -1,5 +1,4 @@
-/* The path of a particle within a step, and its sustained contacts; see
- * flight.h and sustained.h.
+/* The path of a mover within a step, and its sustained contacts; see flight.h and supports.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/flight.h"
@@ -8,6 +7,7 @@
 #include <algorithm>
 
 #include "contact/vector.h"
+#include "dem/step/body_motion.h"
 
 using namespace asperity;
 
@@ -17,30 +17,101 @@ namespace {
  * which may be curved, by less than TURNED. */
 const double SAME = 1e-9, TURNED = 0.01;
 
-/* Relative rounding of sums. */
-const double EPSILON = 1e-12;
+/* The largest turn of a body's step, rad, by which the engine may differ from a free motion: from
+ * there on the engine's is none. */
+const double LIFT = 1e-3;
+
+/* The angular velocity that turns axes into others in a time, by less than half a turn. */
+void turn_between(const double from[3][3], const double to[3][3], double time, double omega[3]) {
+  double trace = 0, sine[3] = {0, 0, 0};
+  for (int k = 0; k < 3; k++) {
+    double side[3];
+    trace += aspi_dot(from[k], to[k]);
+    aspi_cross(from[k], to[k], side);
+    aspi_add_scaled(sine, 0.5, side, sine);
+  }
+  const double s = aspi_length(sine);
+  aspi_copy(sine, omega);
+  aspi_scale(s > 0 ? atan2(s, 0.5 * (trace - 1)) / (s * time) : 0, omega);
+}
+
+/* Turns a body for a time, which may be negative, in stretches. */
+void turn_on(Body &body, double time) {
+  for (double left = fabs(time); left > 0;) {
+    double omega[3];
+    spin_of(body, omega);
+    const double rate = aspi_length(omega);
+    const double stretch = rate * left > TURN ? TURN / rate : left;
+    advance(body, time < 0 ? -stretch : stretch);
+    left = stretch < left ? left - stretch : 0;
+  }
+}
 
 } // namespace
 
-Flight::Flight(const Spheres &s, int particle, Lists &lists)
-    : spheres(s), i(particle), radius(s.radius[i]), mass(s.mass[i]), events(lists.events),
-      sustained(lists.sustained), supports(lists.supports), along(lists.along), settled(),
-      squeezed(false), known(lists.known), searches_all(false), is_apart(false), series_begin(0) {
-  events.clear();
-  known.clear();
-  const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
-  path.left = path.dt = s.dt;
+/* ---- the path ---------------------------------------------------------------------------------
+ */
+
+void Flight::begin_with(const double x[3], const double v[3], const double a[3]) {
+  path.left = path.dt = dt;
+  path.rest = 0;
   aspi_copy(v, path.v);
   aspi_copy(v, half);
-  for (int d = 0; d < 3; d++)
-    spin[d] = s.omega ? s.omega[3 * static_cast<size_t>(i) + d] : 0;
-  aspi_add_scaled(x, -s.dt, v, path.x);
-  aspi_copy(s.f + 3 * static_cast<size_t>(i), acceleration);
-  aspi_scale(1 / mass, acceleration);
+  aspi_add_scaled(x, -dt, v, path.x);
+  aspi_copy(a, acceleration);
   aspi_copy(path.x, x0);
-  aspi_add_scaled(v, -0.5 * s.dt, acceleration, v0);
+  aspi_add_scaled(v, -0.5 * dt, acceleration, v0);
   aspi_copy(v0, begin);
   aspi_copy(acceleration, a0);
+  aspi_copy(acceleration, free);
+  stretch = dt;
+  for (int d = 0; d < 3; d++)
+    turning[d] = lift[d] = settled[d] = 0;
+}
+
+Flight::Flight(Mover &m, const Spheres &s)
+    : mover(m), dt(s.dt), step(s.step), is_led(true), squeezed(false), searches_all(false),
+      is_apart(false), way(0), series_begin(0) {
+  const size_t at = 3 * static_cast<size_t>(m.i);
+  double a[3];
+  aspi_copy(s.f + at, a);
+  aspi_scale(1 / m.mass, a);
+  begin_with(s.x + at, s.v + at, a);
+  aspi_copy(s.omega ? s.omega + at : NONE, spin);
+}
+
+Flight::Flight(Mover &m, const Bodies &bodies)
+    : mover(m), dt(bodies.dt), step(bodies.step), is_led(true), squeezed(false), searches_all(true),
+      is_apart(false), way(0), series_begin(0) {
+  const Body &body = *m.body;
+  const size_t number = static_cast<size_t>(&body - bodies.all.data());
+  Body start = body;
+  begin_with(body.x, body.v, body.acceleration);
+  aspi_copy(body.angular_momentum, momentum);
+  aspi_scale(1 / m.mass, momentum);
+  const BodyMemory &memory = *bodies.memory[0][number];
+  if (!bodies.begins && static_cast<int64_t>(memory.turned) == step)
+    for (int k = 0; k < 3; k++)
+      aspi_copy(memory.axes[k], start.axes[k]);
+  else
+    turn_on(start, -dt);
+  m.set_axes(start.axes);
+  m.spin_of(momentum, spin);
+  turn_on(start, dt);
+  turn_between(start.axes, body.axes, dt, lift); /* what the engine's step differs by */
+  if (aspi_length(lift) * dt > LIFT)
+    aspi_copy(NONE, lift);
+}
+
+void Flight::put_at_end(const double x[3]) {
+  aspi_copy(x, path.x);
+  path.left = 0;
+  aspi_copy(half, begin);
+  aspi_copy(half, path.v);
+  if (mover.body) {
+    mover.set_axes(mover.body->axes);
+    mover.spin_of(momentum, spin);
+  }
 }
 
 /* At a time since the beginning of the path. */
@@ -48,43 +119,118 @@ void Flight::velocity(double time, double v[3]) const {
   aspi_add_scaled(begin, time, acceleration, v);
 }
 
-/* Moves the particle on to a contact. v: its velocity there. */
-void Flight::advance(const Contact &contact, double v[3]) {
+Path Flight::path_of(size_t k) const {
+  if (mover.is_ball)
+    return path;
+  Path its = path;
+  double from[3], to[3], end[3][3];
+  mover.arm(k, from);
+  for (int j = 0; j < 3; j++)
+    aspi_copy(mover.axes[j], end[j]);
+  turn_by(turning, stretch, end);
+  for (int d = 0; d < 3; d++)
+    to[d] = mover.sphere[k].arm[0] * end[0][d] + mover.sphere[k].arm[1] * end[1][d] +
+            mover.sphere[k].arm[2] * end[2][d];
+  aspi_add_scaled(its.x, 1, from, its.x);
+  aspi_subtract(to, from, to);
+  aspi_add_scaled(its.v, 1 / stretch, to, its.v);
+  if (stretch < path.left) {
+    its.left = stretch;
+    its.rest = path.left - stretch;
+  }
+  return its;
+}
+
+void Flight::aim(double angle) {
+  if (mover.is_ball) {
+    stretch = path.left;
+    return;
+  }
+  double to[3][3], whole[3] = {0, 0, 0};
+  const double spins = aspi_length(spin);
+  const double time = spins * path.left > angle ? angle / spins : path.left;
+  for (int k = 0; k < 3; k++)
+    aspi_copy(mover.axes[k], to[k]);
+  aspi_add_scaled(whole, mover.mass, momentum, whole);
+  turn_free(mover.body->inertia, whole, time, to);
+  turn_between(mover.axes, to, time, turning);
+  aspi_add_scaled(turning, 1, lift, turning);
+  const double rate = aspi_length(turning);
+  stretch = rate * path.left > angle ? angle / rate : path.left;
+}
+
+double Flight::farthest() const {
+  double most = 0;
+  for (size_t k = 0; k < mover.count && !mover.is_ball; k++)
+    most = std::max(most, aspi_length(mover.sphere[k].arm));
+  return most;
+}
+
+void Flight::go_on(double time) {
+  aspi_add_scaled(path.x, time, path.v, path.x);
+  velocity(time, begin);
+  path.left = time < path.left ? path.left - time : 0;
+  if (mover.is_ball)
+    return;
+  mover.turn(turning, time);
+  mover.spin_of(momentum, spin);
+}
+
+/* Moves the mover on to a contact. v: its velocity there. */
+void Flight::advance(const Touch &touch, double v[3]) {
+  const Contact &contact = touch.contact;
   velocity(contact.time, v);
-  aspi_copy(contact.x, path.x);
-  path.left = std::max(0.0, path.left - contact.time);
+  if (mover.is_ball) {
+    aspi_copy(contact.x, path.x);
+    path.left = std::max(0.0, path.left - contact.time);
+  } else {
+    double arm[3];
+    go_on(contact.time);
+    mover.arm(touch.sphere, arm);
+    aspi_subtract(contact.x, arm, path.x);
+  }
   aspi_copy(v, begin);
 }
 
 /* Along a direction, the mean of what acts for the rest of the step. */
 void Flight::act_along(const double n[3], double ahead[3]) const {
-  aspi_add_scaled(ahead, 0.5 * path.left * aspi_dot(a0, n) - aspi_dot(ahead, n), n, ahead);
+  aspi_add_scaled(ahead, 0.5 * path.left * aspi_dot(free, n) - aspi_dot(ahead, n), n, ahead);
 }
 
 /* The path from where it has come to, by a contact that has changed the velocity there. Its mean
  * velocity differs from that at its beginning: along n by what acts for the rest of the step, and
- * across it by as much as before, so that a particle which loses nothing along the wall ends where
- * it would have without the wall. The walls at which it stayed hold it no more. */
+ * across it by as much as before, so that a mover which loses nothing along the wall ends where it
+ * would have without the wall. The walls at which it stayed hold it no more. */
 void Flight::turn(const double before[3], const double after[3], const double n[3]) {
   double ahead[3], held[3];
-  aspi_subtract(acceleration, a0, held);
+  aspi_subtract(acceleration, free, held);
   const double by = aspi_length(held);
-  aspi_copy(a0, acceleration);
+  aspi_copy(free, acceleration);
   aspi_subtract(path.v, before, ahead);
   if (by > 0) {
     aspi_scale(1 / by, held);
     act_along(held, ahead);
   }
   act_along(n, ahead);
-  aspi_add_scaled(after, 0.5 * path.dt - elapsed(), a0, half);
+  is_led = false;
+  aspi_add_scaled(after, 0.5 * dt - elapsed(), free, half);
   aspi_copy(after, begin);
   aspi_add_scaled(after, 1, ahead, path.v);
 }
 
+void Flight::set_spin(const double to[3]) {
+  aspi_copy(to, spin);
+  aspi_copy(to, turning);
+  aspi_copy(NONE, lift);
+  is_led = false;
+  if (mover.body)
+    mover.momentum_of(to, momentum);
+}
+
 /* True if the path differs from that at the beginning of the step by more than this velocity. */
-bool Flight::has_strayed(double most) const {
+bool Flight::has_strayed(const double v[3], double most) const {
   double change[3];
-  aspi_subtract(path.v, spheres.v + 3 * static_cast<size_t>(i), change);
+  aspi_subtract(path.v, v, change);
   return !(aspi_dot(change, change) <= most * most);
 }
 
@@ -92,145 +238,177 @@ bool Flight::has_strayed(double most) const {
  */
 
 /* Faces of a flat mesh count as one. */
-bool Flight::Sustained::is_at(const Stepper *other, size_t other_shape, const Contact &now) const {
-  return wall == other && shape == other_shape &&
-         aspi_dot(n, now.n) > 1 - (contact.face == now.face ? TURNED : SAME);
+bool Flight::Sustained::is_at(const Touch &now) const {
+  return touch.wall == now.wall && touch.shape == now.shape && touch.sphere == now.sphere &&
+         aspi_dot(n, now.contact.n) > 1 - (touch.contact.face == now.contact.face ? TURNED : SAME);
 }
 
-Flight::Sustained *Flight::find_sustained(const Stepper *wall, size_t shape,
-                                          const Contact &contact) {
+Flight::Sustained *Flight::find_sustained(const Touch &touch) {
   for (Sustained &one : sustained)
-    if (one.is_at(wall, shape, contact))
+    if (one.is_at(touch))
       return &one;
   return NULL;
 }
 
+/* The speed of a contact along n by the path, as the turn begins. */
+double Flight::along_path(const Touch &touch, const double n[3]) const {
+  double arm[3], across[3];
+  const double center = aspi_dot(path.v, n);
+  if (mover.is_ball)
+    return center;
+  mover.arm(touch.sphere, arm);
+  aspi_cross(turning, arm, across);
+  return center + aspi_dot(across, n);
+}
+
 /* Adds a sustained contact to those of this place, and solves all of them. One that is there
  * already is met again because the path is straight, and only the path changes. */
-void Flight::sustain(Stepper *wall, size_t shape, const Contact &contact, double hold) {
-  const double speed = aspi_length(path.v) + aspi_length(contact.v_wall);
-  const double least_speed = aspi_dot(path.v, contact.n_end) +
+void Flight::sustain(const Touch &touch, double hold) {
+  const Contact &contact = touch.contact;
+  const double speed = aspi_length(touch.before.v) + aspi_length(contact.v_wall);
+  const double least_speed = along_path(touch, contact.n_end) +
                              (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
-  if (Sustained *one = find_sustained(wall, shape, contact)) {
+  is_led = false;
+  if (Sustained *one = find_sustained(touch)) {
     one->least_speed = least_speed;
     aspi_copy(contact.n, one->n);
     aspi_copy(contact.n_end, one->n_end);
   } else
-    add_sustained(wall, shape, contact, least_speed, hold);
+    add_sustained(touch, least_speed, hold);
   follow_walls();
 }
 
-void Flight::add_sustained(Stepper *wall, size_t shape, const Contact &contact, double least_speed,
-                           double hold) {
+Support asperity::support_of(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
+                             const double n[3], const double v_wall[3], double hold) {
+  Support s = Support();
+  aspi_copy(n, s.n);
+  aspi_copy(v_wall, s.w);
+  mover.arm(sphere, s.arm);
+  if (!(hold > 0))
+    aspi_add_scaled(s.arm, -mover.sphere[sphere].radius, n, s.arm);
+  s.friction =
+      wall.setup.model.friction(mover.sphere[sphere].type, wall.setup.shapes[shape].wall_type);
+  s.hold = hold;
+  return s;
+}
+
+void Flight::add_sustained(const Touch &touch, double least_speed, double hold) {
+  const Contact &contact = touch.contact;
   if (is_apart)
     settle();
   if (sustained.empty()) {
     aspi_copy(half, free_half);
     aspi_copy(spin, free_spin);
   }
-  sustained.push_back(Sustained{wall,
-                                shape,
-                                contact,
-                                least_speed,
-                                {contact.n[0], contact.n[1], contact.n[2]},
-                                {contact.n_end[0], contact.n_end[1], contact.n_end[2]}});
-  supports.push_back(Support());
+  Sustained one = {touch, least_speed, {0, 0, 0}, {0, 0, 0}};
+  aspi_copy(contact.n, one.n);
+  aspi_copy(contact.n_end, one.n_end);
+  sustained.push_back(one);
+  supports.push_back(
+      support_of(mover, *touch.wall, touch.shape, touch.sphere, contact.n, contact.v_wall, hold));
   Support &s = supports.back();
-  aspi_copy(contact.n, s.n);
-  aspi_add_scaled(contact.v_wall, 0.5 * path.left * contact.follow, contact.n, s.w);
-  s.friction = wall->setup.model.friction(spheres.type[i], wall->setup.shapes[shape].wall_type);
-  s.hold = hold;
+  aspi_add_scaled(s.w, 0.5 * path.left * contact.follow + contact.chord, contact.n, s.w);
 
   double before[3];
   aspi_copy(half, before);
   aspi_copy(free_half, half);
   aspi_copy(free_spin, spin);
-  squeezed = !solve_supports(supports, radius, half, spin) || squeezed;
+  squeezed = !solve_supports(mover, supports, half, spin) || squeezed;
+  set_spin(spin);
   for (int d = 0; d < 3; d++)
     path.v[d] += half[d] - before[d];
 }
 
 /* Makes the path follow the walls as the search finds them, which differs slightly from the
- * velocities at one instant. The push against the walls must not speed the particle up along
- * them, and at this instant it moves along them. */
+ * velocities at one instant. The push against the walls must not speed the mover up along them, and
+ * at this instant a ball moves along them. */
 void Flight::follow_walls() {
   aspi_copy(a0, acceleration);
   for (const Sustained &one : sustained) {
-    const Contact &contact = one.contact;
+    const Contact &contact = one.touch.contact;
     const double push = contact.follow + contact.curve - aspi_dot(acceleration, contact.n);
     aspi_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
   }
-  if (sustained.size() == 1) {
+  if (sustained.size() == 1 && mover.is_ball) {
     const double *n = sustained[0].n_end, less = sustained[0].least_speed - aspi_dot(path.v, n);
     aspi_add_scaled(path.v, std::max(0.0, less), n, path.v);
   } else {
-    double none[3] = {0, 0, 0};
+    double w[3];
+    aspi_copy(turning, w);
     along.resize(sustained.size());
     for (size_t k = 0; k < sustained.size(); k++) {
-      along[k].friction = along[k].hold = 0;
-      aspi_copy(sustained[k].n_end, along[k].n);
-      aspi_copy(sustained[k].n_end, along[k].w);
-      aspi_scale(sustained[k].least_speed, along[k].w);
+      const Sustained &one = sustained[k];
+      along[k] = support_of(mover, *one.touch.wall, one.touch.shape, one.touch.sphere, one.n_end,
+                            one.n_end, 0);
+      along[k].friction = 0;
+      aspi_scale(one.least_speed, along[k].w);
     }
-    solve_supports(along, radius, path.v, none);
+    solve_supports(mover, along, path.v, w);
+    aspi_subtract(w, turning, w);
+    aspi_add_scaled(lift, mover.is_ball ? 0 : 1, w, lift);
   }
-  aspi_add_scaled(half, elapsed() - 0.5 * spheres.dt, acceleration, begin);
+  aspi_add_scaled(half, elapsed() - 0.5 * dt, acceleration, begin);
   for (const Sustained &one : sustained) {
-    const Contact &contact = one.contact;
-    aspi_add_scaled(begin, aspi_dot(contact.v_wall, contact.n) - aspi_dot(begin, contact.n),
-                    contact.n, begin);
+    const Contact &contact = one.touch.contact;
+    if (mover.is_ball)
+      aspi_add_scaled(begin, aspi_dot(contact.v_wall, contact.n) - aspi_dot(begin, contact.n),
+                      contact.n, begin);
   }
 }
 
-/* Ends the contacts of this place: the walls take their impulses, and remember that the particle
- * rests on them until the end of the step. */
+/* Ends the contacts of this place: the walls take their impulses, and remember that the mover rests
+ * at them. */
 void Flight::settle() {
   for (size_t k = 0; k < sustained.size(); k++) {
-    const Sustained &one = sustained[k];
+    const Touch &touch = sustained[k].touch;
     const Support &s = supports[k];
-    double u[3];
-    aspi_subtract(free_half, one.contact.v_wall, u);
-    ContactLoad load(spheres, i, one.contact.piece, one.contact.x, s.n, s.p, u);
-    load.dissipated = mass * slide_work(s, radius, half, spin);
-    if (s.hold > 0)
-      load.set_couple(spheres, i, one.contact.x, s.turn);
-    one.wall->books.add_load(one.shape, load);
+    double u[3], turned[3];
+    aspi_subtract(free_half, touch.contact.v_wall, u);
+    mover.twist(s.arm, s.p, turned);
+    ContactLoad load = mover.load(touch.sphere, touch.contact.piece, touch.contact.x, s.n, path.x,
+                                  s.p, s.hold > 0 ? (mover.is_ball ? s.turn : turned) : NULL, u);
+    load.dissipated = mover.mass * slide_work(mover, s, half, spin);
+    touch.wall->books.add_load(touch.shape, load);
     aspi_add_scaled(settled, 1, s.p, settled);
-    one.wall->keep_resting(i, one.shape, one.contact);
+    keep_resting(mover, *touch.wall, touch.shape, touch.sphere, touch.contact.face);
   }
   sustained.clear();
   supports.clear();
 }
 
-/* Load of a particle that has stuck or was trapped: its change of velocity over the step, less the
- * part of its other contacts. This is the load until it moves with its wall. */
-void Flight::give_rest(Stepper *wall, size_t shape, const Contact &contact,
-                       const double end[3]) const {
-  const double none[3] = {0, 0, 0};
+/* Load of a grain that has stuck, or of a mover that was trapped: its change of velocity over the
+ * step, less the part of its other contacts. This is the load until it moves with its wall. */
+void Flight::give_rest(const Touch &touch, const double end[3]) const {
   double rest[3];
   aspi_subtract(end, v0, rest);
-  aspi_add_scaled(rest, -0.5 * spheres.dt, a0, rest);
+  aspi_add_scaled(rest, -0.5 * dt, a0, rest);
   aspi_subtract(rest, settled, rest);
   for (const Event &event : events)
     for (int d = 0; d < 3; d++)
       rest[d] -= event.result.v2[d] - event.v1[d];
-  wall->books.add_load(shape, ContactLoad(spheres, i, contact.piece, contact.x, none, rest, none));
+  touch.wall->books.add_load(touch.shape,
+                             mover.load(touch.sphere, touch.contact.piece, touch.contact.x, NONE,
+                                        path.x, rest, NULL, NONE));
 }
 
-/* The walls leave no room: the particle goes with them, in their middle, and none of the impacts in
+/* The walls leave no room: the mover goes with them, in their middle, and none of the impacts in
  * this place has happened. */
 void Flight::trap() {
   const double share = 1.0 / static_cast<double>(sustained.size());
+  double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
   for (size_t k = series_begin; k < events.size(); k++)
-    events[k].wall->rows.state[i].impacts--;
-  events.resize(series_begin);
-  aspi_copy(series_spin, spin);
-  for (int d = 0; d < 3; d++) {
-    path.x[d] = path.v[d] = 0;
-    for (const Sustained &one : sustained) {
-      path.x[d] += share * one.contact.x[d];
-      path.v[d] += share * one.contact.v_wall[d];
-    }
-    half[d] = path.v[d];
+    --*mover.memory(*events[k].wall).impacts;
+  events.erase(events.begin() + static_cast<std::ptrdiff_t>(series_begin), events.end());
+  set_spin(series_spin);
+  for (const Sustained &one : sustained) {
+    double arm[3];
+    mover.arm(one.touch.sphere, arm);
+    aspi_add_scaled(x, share, one.touch.contact.x, x);
+    aspi_add_scaled(x, -share, arm, x);
+    aspi_add_scaled(v, share, one.touch.contact.v_wall, v);
   }
+  aspi_copy(x, path.x);
+  aspi_copy(v, path.v);
+  aspi_copy(v, half);
+  aspi_copy(NONE, lift);
 }

@@ -1,5 +1,6 @@
-/* One particle on its way through a step. Its path is straight; along it the velocity changes by
- * what acts on the particle, so that a contact finds the velocity of its own instant.
+/* One mover on its way through a step. Its path is straight; along it the velocity changes by what
+ * acts on it, so that a contact finds the velocity of its own instant. A body turns on its way: its
+ * spheres take straight stretches. See step.cpp for a drawing of a step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_FLIGHT_H
@@ -7,143 +8,172 @@
 
 #include <vector>
 
-#include "dem/step/stepper.h"
-#include "dem/step/sustained.h"
+#include "dem/step/mover.h"
+#include "dem/step/supports.h"
 
 namespace asperity {
 
 /* Sine of the angle to the wall below which a particle slides. */
 const double GRAZING = 1e-6;
 
-/* Contacts are at one wall if the cosine between their normals is larger; at a corner they are not.
- */
-const double SAME_WALL = 0.7;
+/* Relative rounding of sums. */
+const double EPSILON = 1e-12;
 
-/* An impact on the way of a particle. */
+/* The angle by which a wall's curve may turn a mover that rests at it in a step, rad. */
+const double CURVE = 0.1;
+
+/* The angle by which a body turns in a stretch of its path at most, rad. */
+const double TURN = 0.1;
+
+/* An impact on the way of a mover. */
 struct Event : Impact {
   Stepper *wall;
+  ContactLoad load;
+  size_t sphere;
   double elapsed; /* of the step */
-  bool grazes;    /* the particle was staying at the wall */
+  bool grazes;    /* the mover was resting at the wall */
+  Event(Stepper *at, const ContactLoad &its)
+      : Impact(), wall(at), load(its), sphere(0), elapsed(0), grazes(false) {}
+};
+
+/* A sphere of the mover at a wall. */
+struct Touch {
+  Stepper *wall;
+  size_t shape, sphere;
+  Path before; /* of the sphere */
+  Contact contact;
 };
 
 struct Flight {
-  /* A face at which the particle stayed in the step before. */
-  struct Known {
-    Stepper *wall;
-    size_t shape;
-    int face;
-    bool met;
-  };
-
   /* A sustained contact as it began. Where it met the wall last, the normal was n, and the path
    * needs the least speed along n_end. */
   struct Sustained {
-    Stepper *wall;
-    size_t shape;
-    Contact contact;
+    Touch touch;
     double least_speed, n[3], n_end[3];
-    bool is_at(const Stepper *other, size_t other_shape, const Contact &now) const;
+    bool is_at(const Touch &now) const;
   };
 
-  /* The lists of one flight at a time, kept for their memory. */
-  struct Lists {
-    std::vector<Event> events;
-    std::vector<Sustained> sustained;
-    std::vector<Support> supports, along;
-    std::vector<Known> known;
-  };
-
-  const Spheres &spheres;
-  const int i;
-  const double radius, mass;
-  Path path;
+  Mover &mover;
+  const double dt;
+  const int64_t step;
+  Path path;                        /* of the center of mass */
   double begin[3], acceleration[3]; /* the velocity at a time of the path is begin + time a */
   double half[3];                   /* what the engine's second half of the step begins with */
   double spin[3];
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
+  double free[3];             /* a0 without the walls at which it rests */
 
-  std::vector<Event> &events; /* the impacts of the step */
+  /* Of a body: the angular velocity of this stretch of its path, and how long that is; the angular
+   * momentum per mass; what turns the path alone: walls that it follows, and the engine's rounding.
+   */
+  double turning[3], stretch, momentum[3], lift[3];
+  bool is_led; /* no wall has changed its way */
 
-  /* The sustained contacts of one place, and what the particle had before them. */
-  std::vector<Sustained> &sustained;
-  std::vector<Support> &supports, &along;
+  std::vector<Event> events; /* the impacts of the step */
+
+  /* The sustained contacts of one place, and what the mover had before them. */
+  std::vector<Sustained> sustained;
+  std::vector<Support> supports, along;
   double free_half[3], free_spin[3];
   double settled[3]; /* impulses per mass of those that are over */
   bool squeezed;     /* no velocity satisfies all of them */
 
-  std::vector<Known> &known;
-  bool searches_all; /* false as long as the particle meets known faces only, on its known way */
+  bool searches_all; /* false as long as it meets known faces only, on its known way */
   bool is_apart;     /* from the last contact */
+  double way;        /* since the last contact, in radii */
 
   /* Contacts in a row: the first impact among them, and the spin before. */
   size_t series_begin;
   double series_spin[3];
 
-  Flight(const Spheres &spheres, int particle, Lists &lists);
+  /* A grain or a body as the engine has moved it; or at the end of the step. */
+  Flight(Mover &mover, const Spheres &spheres);
+  Flight(Mover &mover, const Bodies &bodies);
+  void put_at_end(const double x[3]);
+
   double elapsed() const {
-    return spheres.dt - path.left;
+    return dt - path.left;
   }
   void velocity(double time, double v[3]) const;
-  void advance(const Contact &contact, double v[3]);
+  void advance(const Touch &touch, double v[3]);
   void turn(const double before[3], const double after[3], const double n[3]);
-  bool has_strayed(double most) const;
-  Sustained *find_sustained(const Stepper *wall, size_t shape, const Contact &contact);
-  void sustain(Stepper *wall, size_t shape, const Contact &contact, double hold);
+  void set_spin(const double to[3]);
+  bool has_strayed(const double v[3], double most) const;
+
+  /* How a body turns in the next stretch, by an angle at most; and moves it on. */
+  void aim(double angle);
+  void go_on(double time);
+  /* Of the spheres of a body from its center of mass, at most. */
+  double farthest() const;
+  Path path_of(size_t sphere) const;
+
+  Sustained *find_sustained(const Touch &touch);
+  void sustain(const Touch &touch, double hold);
   void settle();
-  void give_rest(Stepper *wall, size_t shape, const Contact &contact, const double end[3]) const;
+  void give_rest(const Touch &touch, const double end[3]) const;
   void trap();
 
 private:
+  void begin_with(const double x[3], const double v[3], const double a[3]);
   void act_along(const double n[3], double ahead[3]) const;
-  void add_sustained(Stepper *wall, size_t shape, const Contact &contact, double least_speed,
-                     double hold);
+  void add_sustained(const Touch &touch, double least_speed, double hold);
   void follow_walls();
+  double along_path(const Touch &touch, const double n[3]) const;
 };
 
-/* A contact at the end of a path, and the face of the rough wall there. Making one moves the flight
- * on to the contact. */
+/* The support of a contact. */
+Support support_of(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
+                   const double n[3], const double v_wall[3], double hold);
+
+/* Notes a face at which a sphere of the mover rests. */
+void keep_resting(const Mover &mover, Stepper &wall, size_t shape, size_t sphere, int face);
+
+/* A contact, and the face of the rough wall there. */
 struct Site {
   Flight &flight;
+  const Mover &mover;
+  Touch &touch;
   Stepper &wall;
-  const size_t shape;
-  const Path before;
   Contact &contact;
-  double v[3], v1[3]; /* of the particle; relative to the wall, after what it has lost so far */
-  double press;       /* acceleration that presses the particle to the wall; may be negative */
-  FacePlace *face;    /* NULL: the wall is smooth */
-  bool is_new, moved; /* a face not met yet; the particle has come to it along the wall */
+  const BodySphere &one;
+  const Memory memory;
+  double arm[3], v1[3]; /* to the touching sphere; of the mover relative to the wall, after what it
+                           has lost so far */
+  double press;         /* acceleration that presses the sphere to the wall; may be negative */
+  FacePlace *face;      /* NULL: the wall is smooth */
+  bool is_new, moved;   /* a face not met yet; the sphere has come to it along the wall */
 
-  Site(Flight &flight, Stepper &wall, size_t shape, Contact &contact);
-  asp_particle particle(double lay[3]) const;
-  Event event() const;
+  /* v: of the mover, which is there. */
+  Site(Flight &flight, Touch &touch, const double v[3]);
+  const asp_wall *law() const;
+  /* Of the touching sphere's center. */
+  void sphere_velocity(double u[3]) const;
+  double approach() const;
+  asp_particle particle(double lay[3]);
+  Event event(double hits = 1) const;
+  void finish(Event &event) const;
 
-  /* faces.cpp: finds the particle's face here, or gives it a new one. */
+  /* faces.cpp: finds the sphere's face here, or gives it a new one. */
   void find_face();
-  bool is_low() const;
+  bool is_low();
   void lose_bounce() const;
-  double hold(bool is_sustained) const;
+  double hold(bool is_sustained);
   void stop_along();
   bool graze();
 
 private:
-  const FacePlace &valley() const;
+  const FacePlace &valley();
   asp_key next_key() const;
   void brake(const double to[3], const double spin[3]);
+  asp_body core_;
 };
 
-/* hold.cpp: notes the energy of the rebounds of a flight, for the end of the step. */
-void note_energy(const Flight &flight);
+/* Gives the mover, which had the velocity v, what the last event leaves it; true: it has stuck. */
+bool take_impact(const Site &site, const double v[3]);
 
-/* faces.cpp: true if a particle with this energy along the wall, per mass, cannot leave the valley
- * behind its face, where `push` presses it to the wall and `a` acts on it. The other walls at which
- * it stays, with these faces, take what pushes it into them. */
-bool lies_in_valley(const FacePlace &face, const FacePlace *const others[], size_t count,
-                    double energy, double push, const double a[3]);
-
-/* faces.cpp: the slope that the valley withstands in which a particle lies at the end of a step;
- * 0: it lies in none. */
-double hold_at_end(const Stepper &wall, const Spheres &s, int i, const Support &support,
-                   const double spin[3]);
+/* end_step.cpp: notes the energy of the rebounds of a ball, which has come to x, for the end of the
+ * step. */
+void note_energy(const Flight &flight, const double x[3]);
 
 } // namespace asperity
 

@@ -18,8 +18,7 @@ enum class Status {
   FREE = 0,
   STUCK = 1,
   TO_DELETE = 2,  /* stuck, and to be deleted */
-  RESTING = -1,   /* stays at the wall, in this step */
-  RESTED = -2,    /* stayed at it in the step before; not known yet of this one */
+  RESTING = -1,   /* at the wall, which holds it until the next step */
   REBOUNDED = -3, /* has rebounded in this step */
 };
 
@@ -38,12 +37,12 @@ struct StuckPlace {
   double is_kept; /* 1: the books keep its load, and its force is that of a whole step */
 };
 
-/* The faces at which a particle stays. Of a curved one also its normal as the contact began. */
-struct RestingPlace {
-  static const size_t FACES = 3;
-  double shape[FACES]; /* from 1; 0: none, and none behind it */
-  double face[FACES];
-  double normal[3];
+/* A face of a shape at which a sphere rests, and by what the wall accelerates it, or its body,
+ * there. */
+struct Rest {
+  double sphere; /* its tag */
+  double shape;  /* from 1; 0: none, and none behind it */
+  double face, push[3];
 };
 
 /* The energy of a rebound, at a piece of a shape (from 0): v_n^2 at the end of the step is square +
@@ -52,29 +51,26 @@ struct ReboundPlace {
   double square, work, normal[3], v_wall[3], shape, piece;
 };
 
-/* A face of a rough wall that the particle has met, and the valley behind it. */
+/* A face of a rough wall that a sphere has met, and the valley behind it. */
 struct FacePlace {
+  double sphere;        /* its tag */
   double at[3];         /* the contact point at that instant, moving with the wall */
   double normal[3];     /* of the mean wall, at the last contact; 0: there is no such face */
   double time;          /* of the last contact */
   double start, height; /* an asp_valley; 0: not drawn yet */
 };
 
-/* The faces that a particle remembers: those of the two walls of a corner. */
-struct FaceMemory {
-  static const size_t FACES = 2;
-  FacePlace face[FACES];
-  double draws; /* of valleys, and of faces that it met while it stayed */
-};
-
-/* One of the three by the status, and the faces. */
+/* One of the three by the status, and the faces that a particle remembers: those of the walls of a
+ * corner. */
 struct ParticlePlace {
+  static const size_t RESTS = 3, FACES = 3;
   union {
     StuckPlace stuck;
-    RestingPlace resting;
+    Rest rests[RESTS];
     ReboundPlace rebound;
   };
-  FaceMemory faces;
+  FacePlace faces[FACES];
+  double draws; /* of valleys, and of faces that it met while it rested */
 };
 
 /* The rows of this rank's particles at one wall. */

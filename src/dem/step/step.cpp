@@ -1,18 +1,33 @@
-/* The contacts of a particle in one step: impacts, by the wall's law, and sustained contacts, by
- * Moreau's rule (sustained.h).
+/* One step, and the contacts in it.
  *
- * One criterion separates them, for every kind of wall. A contact is sustained if a particle that
- * rebounds at the speed of its approach would be pushed back to the wall within one step. With the
- * acceleration a of the particle and f of the wall (Contact::follow), that is
+ *   t_n                      middle                     t_n+1
+ *   |------ half kick ------->|                           |
+ *   x_n ------------- drift, x += v dt -------------> x_n+1      the engine: initial_integrate
+ *   |<== step_walls, step_bodies: contacts on the way ==> |      post_integrate
+ *   |                         |                   forces f_n+1   the engine
+ *   |                         |------- half kick ------->|       the engine: final_integrate
+ *   |                         |                           |<==   end_walls, end_bodies: rests
+ *
+ * The engine has moved each mover straight, with the velocity of the middle of the step. A mover
+ * that can meet a wall is taken back to t_n and flies through the step: the first contact on its
+ * path is an impact, by the wall's law, or is sustained, by Moreau's rule (supports.h); then it
+ * goes on with its new velocity, through any number of contacts on any number of walls.
+ *
+ * One criterion separates impacts from sustained contacts, for every kind of wall and of mover. A
+ * contact is sustained if a mover that rebounds at the speed of its approach would be pushed back
+ * to the wall within one step. With the acceleration a of the mover and f of the wall
+ * (Contact::follow), that is
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
  *
- * f includes the curvature of the wall if the particle stayed there before and turns by less than
- * TURN in a step; a free particle meets a curved wall again on its straight path. A speed below
- * GRAZING is no approach.
+ * f includes the curvature of the wall if the mover rested there before and turns by less than
+ * CURVE in a step; a free one meets a curved wall again on its straight path. A speed below GRAZING
+ * is no approach.
  *
  * A sustained contact is no impact: it has no row and is not counted, but where it comes to the
- * next face of a rough wall (faces.cpp).
+ * next face of a rough wall (faces.cpp). At the end of the step it has become a rest: from then on
+ * the walls hold the mover from one middle of a step to the next, in one solve (end_step.cpp), and
+ * its path ends at them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/flight.h"
@@ -24,30 +39,31 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 #include "dem/error.h"
+#include "dem/step/body_motion.h"
 #include "dem/text.h"
 
 using namespace asperity;
 
 namespace {
 
-/* The angle by which a wall's curve may turn a particle that stays at it in a step, rad. */
-const double TURN = 0.1;
-
-/* Contacts are in a row if they are within this share of the radius. After SERIES of them, as
- * between closing walls, all are taken as sustained. After twice as many the search ends for this
- * step; the particle is trapped if there were impacts among them. */
+/* Contacts are in a row if they are within this share of the radius. After SERIES of them for each
+ * sphere, as between closing walls, all are taken as sustained. After twice as many the search ends
+ * for this step; the mover is trapped if there were impacts among them. */
 const int SERIES = 16;
 const double NEAR = 0.01;
-
-/* A face at which a particle stayed is met at the beginning of a step if it is within this many
- * radii. */
-const double KNOWN = 1e-6;
 
 /* An overlap of less than this many radii is rounding: particles in a settled bed have up to 1e-6.
  */
 const double ROUNDED = 1e-5;
 
-/* Contacts of one particle in one step, at most. */
+/* Contacts of several spheres are at one instant if the gap between them is less than this share of
+ * the radius. */
+const double AT_ONCE = 1e-6;
+
+/* The path of a sphere of a body is straight if it is off by less than this share of the radius. */
+const double STRAIGHT = 2e-6;
+
+/* Contacts of one mover in one step, at most. */
 const int CONTACTS_MOST = 10000;
 
 /* How far a contact has moved the center out of the wall. */
@@ -58,266 +74,430 @@ double overlap(const Path &path, const Contact &contact) {
   return aspi_dot(moved, contact.n);
 }
 
+typedef std::vector<Stepper *> Walls;
+
 } // namespace
 
 /* ---- the search -------------------------------------------------------------------------------
  */
 
-/* The first contact of what is left of a path. An edge is met at one instant by all that share it:
- * the contact is that of the first wall and shape. NULL: there is none. */
-static Stepper *find_first(const std::vector<Stepper *> &walls, const Flight &flight, size_t &shape,
-                           Contact &contact) {
-  Stepper *first = NULL;
-  const double same = 2 * CONTACT_TOLERANCE * flight.radius;
+/* The first contact of one sphere in this stretch, before that of other spheres. An edge is met at
+ * one instant by all that share it: the contact is that of the first wall and shape. wider: by how
+ * much the sphere may be off its path. */
+static bool find_first(const Walls &walls, const Flight &flight, size_t sphere, double wider,
+                       double latest, Touch &touch) {
+  const BodySphere &one = flight.mover.sphere[sphere];
+  const double same = 2 * CONTACT_TOLERANCE * one.radius;
+  touch.wall = NULL;
+  touch.sphere = sphere;
+  touch.before = flight.path_of(sphere);
   for (Stepper *wall : walls) {
-    if (!(flight.spheres.mask[flight.i] & wall->setup.groupbit) ||
-        (!flight.searches_all && !wall->ahead.is_near(flight.i)))
+    if (!(one.mask & wall->setup.groupbit) ||
+        (!flight.searches_all && !wall->ahead.is_near(flight.mover.i)))
       continue;
     for (size_t m = 0; m < wall->setup.shapes.size(); m++) {
       Contact other;
-      const double latest = first ? contact.time : flight.path.left;
-      if (!wall->setup.shapes[m].shape->find(flight.path, flight.radius, latest, other))
+      if (!wall->setup.shapes[m].shape->find(touch.before, one.radius + wider,
+                                             touch.wall ? touch.contact.time : latest, other))
         continue;
-      if (first && !((contact.time - other.time) * other.closing > same))
+      if (touch.wall && !((touch.contact.time - other.time) * other.closing > same))
         continue;
-      first = wall;
-      shape = m;
-      contact = other;
+      touch.wall = wall;
+      touch.shape = m;
+      touch.contact = other;
     }
   }
-  return first;
+  return touch.wall;
 }
 
-/* The faces at which the particle stayed in the step before. */
-static void list_known(const std::vector<Stepper *> &walls, Flight &flight) {
-  const int i = flight.i;
-  for (Stepper *wall : walls) {
-    if (wall->rows.status(i) != Status::RESTED || !(flight.spheres.mask[i] & wall->setup.groupbit))
+/* The first contacts in a stretch, one of each sphere and all at one instant. */
+static bool search(const Walls &walls, const Flight &flight, double wider,
+                   std::vector<Touch> &touches) {
+  const double speed = aspi_length(flight.path.v);
+  double first = flight.stretch;
+  touches.clear();
+  for (size_t k = 0; k < flight.mover.count; k++) {
+    Touch touch;
+    const double radius = flight.mover.sphere[k].radius;
+    const double slack = touches.empty() || !(speed > 0) ? 0 : AT_ONCE * radius / speed;
+    if (!find_first(walls, flight, k, wider, std::min(flight.stretch, first + slack), touch))
       continue;
-    const RestingPlace &at = wall->rows.place[i].resting;
-    for (size_t k = 0; k < RestingPlace::FACES && at.shape[k] > 0; k++)
-      flight.known.push_back(Flight::Known{wall, static_cast<size_t>(at.shape[k]) - 1,
-                                           static_cast<int>(at.face[k]), false});
+    const double time = touch.contact.time;
+    if (touches.empty() || time < first) {
+      const auto is_later = [&](const Touch &one) { return one.contact.time > time + slack; };
+      touches.erase(std::remove_if(touches.begin(), touches.end(), is_later), touches.end());
+      first = time;
+    }
+    touches.push_back(touch);
   }
+  std::stable_sort(touches.begin(), touches.end(), [](const Touch &one, const Touch &other) {
+    return one.contact.time < other.contact.time;
+  });
+  return !touches.empty();
 }
 
-/* Finds a known face where the particle still is: it is met at the beginning of the step, without a
- * search. */
-static Stepper *find_known(Flight &flight, size_t &shape, Contact &contact) {
-  for (Flight::Known &known : flight.known) {
-    if (flight.searches_all || known.met)
-      continue;
-    const Shape &at = *known.wall->setup.shapes[known.shape].shape;
-    if (!at.find_known(known.face, flight.path, flight.radius, contact))
-      continue;
-    if (contact.overlapped || contact.time * aspi_length(flight.path.v) > KNOWN * flight.radius) {
-      known.wall->ahead.expire(flight.i);
+/* The first contacts of the rest of the path. Where a body turns so far that its spheres may be off
+ * straight paths, they are searched by wider spheres, and where those meet a wall in shorter
+ * stretches. False: there are none, and the flight is in the last stretch of its path. */
+static bool find_next(const Walls &walls, Flight &flight, std::vector<Touch> &touches) {
+  const double radius = flight.mover.sphere->radius, farthest = flight.farthest();
+  double angle = TURN;
+  touches.clear();
+  while (flight.path.left > 0) {
+    flight.aim(angle);
+    const double turns = flight.stretch * aspi_length(flight.turning);
+    const double bulge = farthest * turns * turns / 8;
+    const bool is_straight = !(bulge > STRAIGHT * radius);
+    if (search(walls, flight, is_straight ? 0 : bulge, touches)) {
+      if (is_straight)
+        return true;
+      angle = std::min(angle, turns) / 4;
       continue;
     }
-    known.met = true;
-    shape = known.shape;
-    return known.wall;
+    if (!(flight.stretch < flight.path.left))
+      return false;
+    flight.way += (flight.stretch * aspi_length(flight.path.v) + farthest * turns) / radius;
+    flight.go_on(flight.stretch);
+    angle = std::min(TURN, 2 * angle);
   }
-  return NULL;
-}
-
-/* True if a contact is one of the known faces again: the path is straight, and the wall may move.
- */
-static bool is_met_again(const Flight &flight, const Stepper *wall, size_t shape,
-                         const Contact &contact) {
-  for (const Flight::Known &known : flight.known)
-    if (known.met && known.wall == wall && known.shape == shape && known.face == contact.face)
-      return true;
   return false;
 }
 
 /* From here on all walls are searched; what was known of the way ahead holds no more. */
-static void search_all(const std::vector<Stepper *> &walls, Flight &flight) {
+static void search_all(const Walls &walls, Flight &flight) {
   if (flight.searches_all)
     return;
   flight.searches_all = true;
   for (Stepper *wall : walls)
-    wall->ahead.expire(flight.i);
-}
-
-/* A prediction stays valid if the particle has met exactly the faces at which it stayed before. */
-static void look_next(const std::vector<Stepper *> &near, const Flight &flight) {
-  const int i = flight.i;
-  for (Stepper *wall : near) {
-    const RestingPlace &at = wall->rows.place[i].resting;
-    const bool rests = wall->rows.status(i) == Status::RESTING;
-    bool same = true;
-    size_t k = 0;
-    for (const Flight::Known &known : flight.known)
-      if (known.wall == wall) {
-        same = same && rests && k < RestingPlace::FACES &&
-               static_cast<size_t>(at.shape[k]) == known.shape + 1 &&
-               static_cast<int>(at.face[k]) == known.face;
-        k++;
-      }
-    if (!same || (rests && k < RestingPlace::FACES && at.shape[k] > 0))
-      wall->ahead.expire(i);
-  }
+    wall->ahead.expire(flight.mover.i);
 }
 
 /* ---- one contact ------------------------------------------------------------------------------
  */
 
-Site::Site(Flight &of, Stepper &at, size_t number, Contact &met)
-    : flight(of), wall(at), shape(number), before(of.path), contact(met), press(0), face(NULL),
-      is_new(true), moved(false) {
-  flight.advance(contact, v);
-  contact.overlapped = contact.overlapped && overlap(before, contact) > ROUNDED * flight.radius;
+Site::Site(Flight &of, Touch &at, const double v[3])
+    : flight(of), mover(of.mover), touch(at), wall(*at.wall), contact(at.contact),
+      one(mover.sphere[at.sphere]), memory(mover.memory(wall)), press(0), face(NULL), is_new(true),
+      moved(false) {
+  mover.arm(at.sphere, arm);
   aspi_subtract(v, contact.v_wall, v1);
 }
 
-/* The particle as it is here. lay: room for the wall's lay. */
-asp_particle Site::particle(double lay[3]) const {
+const asp_wall *Site::law() const {
+  const asp_wall *of = wall.setup.model.wall();
+  if (!of)
+    throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
+                     "diameters beforehand; make particles before 'run', or by a fix insert",
+                     static_cast<long long>(one.tag)));
+  return of;
+}
+
+void Site::sphere_velocity(double u[3]) const {
+  double across[3];
+  aspi_copy(v1, u);
+  if (mover.is_ball)
+    return;
+  aspi_cross(flight.spin, arm, across);
+  aspi_add_scaled(u, 1, across, u);
+}
+
+double Site::approach() const {
+  double u[3];
+  sphere_velocity(u);
+  return -aspi_dot(u, contact.n);
+}
+
+/* The sphere as it is here. lay: room for the wall's lay. */
+asp_particle Site::particle(double lay[3]) {
   const Setup &setup = wall.setup;
-  const Member &member = setup.shapes[shape];
+  const Member &member = setup.shapes[touch.shape];
   asp_particle particle = {};
-  particle.d_p = 2 * flight.radius;
-  particle.density = flight.mass / (ASP_PI / 6 * particle.d_p * particle.d_p * particle.d_p);
-  particle.pair = setup.model.pair(flight.spheres.type[flight.i], member.wall_type);
+  particle.d_p = 2 * one.radius;
+  particle.density = mover.mass / (ASP_PI / 6 * particle.d_p * particle.d_p * particle.d_p);
+  particle.pair = setup.model.pair(one.type, member.wall_type);
   aspi_copy(flight.spin, particle.omega);
+  if (!mover.is_ball) {
+    core_ = mover.core_body(arm);
+    particle.body = &core_;
+  }
   lay[0] = lay[1] = 0;
   lay[2] = 1;
   if (setup.engine.dimension() == 2) /* at normal impact, too, the tilt is in the plane */
     particle.lay = lay;
   else if (setup.model.lay().kind != ASP_LAY_NONE) {
-    member.shape->lay(setup.model.lay(), before, contact, lay);
+    member.shape->lay(setup.model.lay(), touch.before, contact, lay);
     particle.lay = lay;
   }
   return particle;
 }
 
 /* An impact here that is to be counted, without its result. */
-Event Site::event() const {
-  const Spheres &s = flight.spheres;
-  Event event = Event();
-  event.wall = &wall;
-  event.shape = shape;
+Event Site::event(double hits) const {
+  const double none[3] = {0, 0, 0};
+  Event event(&wall, mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x,
+                                none, NULL, v1));
+  event.shape = touch.shape;
   event.contact = contact;
   aspi_copy(v1, event.v1);
   aspi_copy(flight.spin, event.omega1);
   event.elapsed = flight.elapsed();
-  event.time = wall.setup.time(static_cast<double>(s.step)) - flight.path.left;
+  event.time = wall.setup.time(static_cast<double>(flight.step)) - flight.path.left;
   event.key.seed = wall.setup.model.seed();
   event.key.wall = wall.setup.key;
-  event.key.tag = static_cast<uint64_t>(s.tag_of(flight.i));
-  event.key.impact = static_cast<uint32_t>(wall.rows.state[flight.i].impacts) + 1;
+  event.key.tag = static_cast<uint64_t>(one.tag);
+  event.key.impact = static_cast<uint32_t>(*memory.impacts + hits);
+  event.sphere = touch.sphere;
+  event.body = mover.body ? mover.body->tag + 1 : 0;
+  aspi_copy(arm, event.lever);
   return event;
 }
 
-/* The criterion at the top of this file, f - a.n as `press`. arrives: the particle comes from
- * elsewhere. */
+/* The load of an impact with its result. */
+void Site::finish(Event &event) const {
+  const asp_impact &result = event.result;
+  double change[3], turned[3];
+  aspi_subtract(result.v2, event.v1, change);
+  aspi_subtract(result.omega, event.omega1, turned);
+  event.load = mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, change,
+                          turned, event.v1);
+  event.load.dissipated =
+      mover.mass * (mover.energy(event.v1, event.omega1) - mover.energy(result.v2, result.omega));
+  event.load.eroded = mover.mass * result.eroded;
+}
+
+/* The criterion at the top of this file, f - a.n as `press`; a point of a body falls faster to the
+ * wall where others hold it, as its ends do at most. arrives: the sphere comes from elsewhere. */
 static bool is_sustained(Site &site, bool &arrives) {
   Flight &flight = site.flight;
   Contact &contact = site.contact;
-  const double dt = flight.spheres.dt, approach = -aspi_dot(site.v1, contact.n);
-  const double speed = aspi_length(site.v1);
-  if (!(fabs(contact.curve) * dt < TURN * speed))
-    contact.curve = 0;
-  const bool again = flight.find_sustained(&site.wall, site.shape, contact);
-  const bool stayed = again || site.wall.rows.status(flight.i) != Status::FREE;
-  site.press = contact.follow - aspi_dot(flight.a0, contact.n) + (stayed ? contact.curve : 0);
+  double u[3];
+  site.sphere_velocity(u);
+  const double dt = flight.dt, approach = -aspi_dot(u, contact.n), speed = aspi_length(u);
+  if (!(fabs(contact.curve) * dt < CURVE * speed))
+    contact.curve = contact.chord = 0;
+  const bool again = flight.find_sustained(site.touch);
+  const bool stayed = again || site.memory.state() != Status::FREE;
+  site.press = contact.follow - aspi_dot(flight.free, contact.n) + (stayed ? contact.curve : 0);
+  double falls = site.press;
+  if (!site.mover.is_ball) {
+    double side[3], turns[3];
+    aspi_cross(flight.spin, site.arm, side);
+    aspi_cross(flight.spin, side, turns);
+    double arm[3], most = 1;
+    for (size_t k = 0; k < site.mover.count; k++) {
+      site.mover.arm(k, arm);
+      most = std::max(most, site.mover.response(arm, contact.n));
+    }
+    falls *= most;
+    if (aspi_length(flight.spin) * dt < CURVE)
+      falls += std::max(0.0, -aspi_dot(turns, contact.n));
+  }
   arrives = approach > 0 && !stayed;
-  return again || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * site.press, GRAZING * speed));
+  return again || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * falls, GRAZING * speed));
 }
 
-/* Applies the wall's law to a contact. */
-static Event hit(const Site &site) {
-  const asp_wall *wall = site.wall.setup.model.wall();
-  if (!wall)
-    throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
-                     "diameters beforehand; make particles before 'run', or by a fix insert",
-                     static_cast<long long>(site.flight.spheres.tag_of(site.flight.i))));
+/* Applies the wall's law to a contact; the event is the last one then. */
+static const asp_impact &hit(Site &site) {
   double lay[3];
+  const asp_wall *law = site.law();
   const asp_particle particle = site.particle(lay);
   Event event = site.event();
-  (site.is_new ? asp_wall_impact : asp_wall_impact_mean)(wall, &particle, site.v1, site.contact.n,
+  (site.is_new ? asp_wall_impact : asp_wall_impact_mean)(law, &particle, site.v1, site.contact.n,
                                                          &event.key, &event.result);
-  return event;
+  site.flight.events.push_back(event);
+  return site.flight.events.back().result;
 }
 
-/* Moves the flight on to a contact, and gives it the velocity after it. True where the particle has
- * stuck. trapped: the contact is taken as sustained. */
-static bool touch(Flight &flight, Stepper &wall, size_t shape, Contact &contact, bool trapped) {
-  Site site(flight, wall, shape, contact);
-  bool arrives;
-  const bool stays = is_sustained(site, arrives) || trapped;
-  site.find_face();
-  const bool low = !stays && site.is_low(), sustained = stays || low;
-  const double hold = trapped || (site.is_new && !sustained) ? 0 : site.hold(sustained);
-  if (!sustained && hold > 0)
-    site.stop_along();
-  std::vector<Event> &events = flight.events;
-  bool hits = !sustained;
-  if (hits || (arrives && wall.setup.model.sticks())) {
-    events.push_back(hit(site));
-    hits = hits || events.back().result.outcome == ASP_DEPOSIT;
-    if (!hits)
-      events.pop_back();
-  }
-  if (!hits && (trapped || hold > 0 || !site.moved || !site.graze())) {
-    if (low)
-      site.lose_bounce();
-    flight.sustain(&wall, shape, contact, hold);
-    return false;
-  }
-  const asp_impact &result = events.back().result;
-  wall.rows.state[flight.i].impacts++;
+/* The mover has this velocity before the last event, and what that leaves it afterwards. */
+bool asperity::take_impact(const Site &site, const double v[3]) {
+  Flight &flight = site.flight;
+  const asp_impact &result = flight.events.back().result;
+  site.finish(flight.events.back());
+  ++*site.memory.impacts;
   flight.settle();
-  if (result.outcome == ASP_DEPOSIT) {
-    wall.stick(flight, shape, site.before, contact);
+  if (result.outcome == ASP_DEPOSIT)
     return true;
-  }
   double after[3];
-  aspi_copy(result.omega, flight.spin);
-  aspi_add_scaled(contact.v_wall, 1, result.v2, after);
-  flight.turn(site.v, after, contact.n);
+  flight.set_spin(result.omega);
+  aspi_add_scaled(site.contact.v_wall, 1, result.v2, after);
+  flight.turn(v, after, site.contact.n);
   return false;
 }
 
-/* ---- one particle, and all of them ------------------------------------------------------------
+/* ---- the contacts of one instant --------------------------------------------------------------
  */
 
-/* The end of a flight. moved: contacts have changed the particle's path. */
-static void finish(const std::vector<Stepper *> &near, Flight &flight, bool moved) {
-  const Spheres &s = flight.spheres;
-  const size_t at = 3 * static_cast<size_t>(flight.i);
-  for (const Event &event : flight.events)
-    event.wall->books.count(s, flight.i, event);
-  if (!flight.searches_all)
-    look_next(near, flight);
-  if (!moved)
-    return;
-  aspi_copy(flight.half, s.v + at);
-  if (s.omega)
-    aspi_copy(flight.spin, s.omega + at);
-  aspi_add_scaled(flight.path.x, flight.path.left, flight.path.v, s.x + at);
-  note_energy(flight);
+/* The restitution of a sphere as if it hit alone, straight on. True if it sticks. */
+static bool hit_alone(Site &site, const Event &event, double &restitution) {
+  double lay[3], u[3], turned[3];
+  const double approach = site.approach();
+  asp_particle one = site.particle(lay);
+  asp_impact result;
+  std::fill(one.omega, one.omega + 3, 0.0);
+  aspi_copy(site.contact.n, u);
+  aspi_scale(-approach, u);
+  asp_wall_impact_mean(site.law(), &one, u, site.contact.n, &event.key, &result);
+  aspi_cross(result.omega, site.arm, turned);
+  restitution = (aspi_dot(result.v2, site.contact.n) + aspi_dot(turned, site.contact.n)) / approach;
+  return result.outcome == ASP_DEPOSIT;
 }
 
-/* All contacts of one particle in this step. near: the walls that it may touch on its known way. */
-static void fly(const std::vector<Stepper *> &walls, const std::vector<Stepper *> &near,
-                const Spheres &s, int i) {
-  static thread_local Flight::Lists lists;
-  Flight flight(s, i, lists);
-  Stepper *last = NULL;
-  size_t shape = 0;
-  Contact contact;
-  bool stuck = false;
-  int series = 0, all = 0;
-  const double most = near[0]->ahead.bend() / s.dt;
-  list_known(near, flight);
-  while (!stuck && !flight.squeezed && series < 2 * SERIES && all < CONTACTS_MOST) {
-    Stepper *const known = find_known(flight, shape, contact);
-    Stepper *const wall =
-        known ? known : find_first(flight.searches_all ? walls : near, flight, shape, contact);
-    if (!wall)
+/* Several spheres of a body hit smooth walls at one instant. Their restitution is that of the law
+ * for the approach of each alone, on average; if one of them sticks, the body does: its number,
+ * else -1. */
+static int hit_together(Flight &flight, std::vector<Touch> &touches, const double v[3]) {
+  std::vector<Event> events;
+  std::vector<Support> points;
+  double e = 0, after[3], spin[3];
+  for (size_t k = 0; k < touches.size(); k++) {
+    Site site(flight, touches[k], v);
+    double restitution, before = 1;
+    for (const Event &other : events)
+      before += other.wall == touches[k].wall;
+    events.push_back(site.event(before));
+    if (hit_alone(site, events[k], restitution)) {
+      Event event = site.event();
+      event.result.outcome = ASP_DEPOSIT;
+      event.result.hits = 1;
+      std::fill(event.result.omega, event.result.omega + 3, 0.0);
+      flight.events.push_back(event);
+      take_impact(site, v);
+      return static_cast<int>(k);
+    }
+    e += restitution;
+    points.push_back(support_of(flight.mover, *touches[k].wall, touches[k].shape, touches[k].sphere,
+                                touches[k].contact.n, touches[k].contact.v_wall, 0));
+  }
+  e = std::min(1.0, std::max(0.0, e / static_cast<double>(touches.size())));
+  aspi_copy(v, after);
+  aspi_copy(flight.spin, spin);
+  flight.settle();
+  solve_supports(flight.mover, points, after, spin);
+  const Mover &mover = flight.mover;
+  for (int d = 0; d < 3; d++) {
+    after[d] += e * (after[d] - v[d]);
+    spin[d] += e * (spin[d] - flight.spin[d]);
+  }
+  double n[3] = {0, 0, 0};
+  const double share = 1.0 / static_cast<double>(touches.size());
+  for (size_t k = 0; k < touches.size(); k++) {
+    Site site(flight, touches[k], v);
+    Event &event = events[k];
+    aspi_subtract(after, touches[k].contact.v_wall, event.result.v2);
+    aspi_copy(spin, event.result.omega);
+    event.result.hits = 1;
+    aspi_scale(1 + e, points[k].p);
+    event.load = mover.load(touches[k].sphere, touches[k].contact.piece, touches[k].contact.x,
+                            touches[k].contact.n, flight.path.x, points[k].p, NULL, event.v1);
+    event.load.dissipated =
+        share * mover.mass *
+        (mover.energy(event.v1, flight.spin) - mover.energy(event.result.v2, spin));
+    flight.events.push_back(event);
+    ++*site.memory.impacts;
+    aspi_add_scaled(n, share, touches[k].contact.n, n);
+  }
+  flight.set_spin(spin);
+  flight.turn(v, after, n);
+  return -1;
+}
+
+/* A sphere whose path ends at a face at which it rests, but for rounding, only slides along it:
+ * then the path changes, and nothing else. */
+static bool slides(Flight &flight, const Touch &touch) {
+  const Contact &contact = touch.contact;
+  const BodySphere &one = flight.mover.sphere[touch.sphere];
+  const double closing = std::max(0.0, contact.closing);
+  if (!flight.mover.memory(*touch.wall).rests_at(one.tag, touch.shape, contact.face) ||
+      !flight.is_led || closing * flight.path.left > ROUNDED * one.radius)
+    return false;
+  aspi_add_scaled(flight.path.v, (1 + ROUNDING) * closing + EPSILON * aspi_length(touch.before.v),
+                  contact.n_end, flight.path.v);
+  return true;
+}
+
+/* The contacts of one instant: an impact, several at smooth walls, or all of them are sustained.
+ * The number of the one by which the mover has stuck, else -1. all_stay: it is in a long series.
+ * slid: no contact has done more than to slide. */
+static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool &slid) {
+  double v[3];
+  flight.advance(touches[0], v);
+  slid = true;
+  for (const Touch &touch : touches)
+    slid = slides(flight, touch) && slid;
+  if (slid)
+    return -1;
+  std::vector<Touch> arriving;
+  std::vector<size_t> number;
+  bool smooth = true;
+  for (size_t k = 0; k < touches.size(); k++) {
+    Touch &touch = touches[k];
+    touch.contact.overlapped =
+        touch.contact.overlapped &&
+        overlap(touch.before, touch.contact) > ROUNDED * flight.mover.sphere[touch.sphere].radius;
+    if (touches.size() == 1)
       break;
-    flight.is_apart = contact.time * aspi_length(flight.path.v) > NEAR * flight.radius;
+    Site site(flight, touch, v);
+    bool arrives;
+    if (!all_stay && !is_sustained(site, arrives)) {
+      arriving.push_back(touch);
+      number.push_back(k);
+      smooth = smooth && !asp_wall_surface(site.law());
+    }
+  }
+  if (arriving.size() > 1 && smooth) {
+    const int stuck = hit_together(flight, arriving, v);
+    return stuck < 0 ? -1 : static_cast<int>(number[static_cast<size_t>(stuck)]);
+  }
+  std::vector<double> holds;
+  for (Touch &touch : touches) {
+    const int k = static_cast<int>(holds.size());
+    Site site(flight, touch, v);
+    bool arrives;
+    const bool stays = is_sustained(site, arrives) || all_stay;
+    site.find_face();
+    const bool low = !stays && site.is_low(), sustained = stays || low;
+    const double hold = all_stay || (site.is_new && !sustained) ? 0 : site.hold(sustained);
+    if (!sustained && hold > 0)
+      site.stop_along();
+    if (!sustained || (arrives && touch.wall->setup.model.sticks())) {
+      if (hit(site).outcome == ASP_DEPOSIT || !sustained)
+        return take_impact(site, v) ? k : -1;
+      flight.events.pop_back();
+    }
+    if (!all_stay && !(hold > 0) && site.moved && site.graze())
+      return take_impact(site, v) ? k : -1;
+    if (low)
+      site.lose_bounce();
+    holds.push_back(hold);
+  }
+  for (size_t k = 0; k < touches.size(); k++)
+    flight.sustain(touches[k], holds[k]);
+  return -1;
+}
+
+/* ---- one mover, and all of them ---------------------------------------------------------------
+ */
+
+/* All contacts of one mover in this step. near: the walls that it may touch on its known way. True
+ * where it has met any; stuck: where it has stuck. */
+static bool fly(const Walls &walls, const Walls &near, Flight &flight, double most, Touch &stuck) {
+  const Mover &mover = flight.mover;
+  const int series_most = SERIES * static_cast<int>(mover.count);
+  const double known_way[3] = {flight.path.v[0], flight.path.v[1], flight.path.v[2]};
+  std::vector<Touch> touches;
+  Touch last;
+  int series = 0, all = 0, by = -1;
+  stuck.wall = NULL;
+  for (const Stepper *wall : walls) {
+    const Memory of = mover.memory(*wall);
+    for (size_t k = 0, n = of.resting(); k < n; k++)
+      aspi_add_scaled(flight.free, -1, of.rests[k].push, flight.free);
+  }
+  while (by < 0 && !flight.squeezed && series < 2 * series_most && all < CONTACTS_MOST &&
+         find_next(flight.searches_all ? walls : near, flight, touches)) {
+    flight.way += touches[0].contact.time * aspi_length(touches[0].before.v) / mover.sphere->radius;
+    flight.is_apart = flight.way > NEAR;
+    flight.way = 0;
     if (all == 0 || flight.is_apart) {
       series = 0;
       flight.series_begin = flight.events.size();
@@ -325,27 +505,112 @@ static void fly(const std::vector<Stepper *> &walls, const std::vector<Stepper *
     }
     series++;
     all++;
-    last = wall;
-    stuck = touch(flight, *wall, shape, contact, series > SERIES);
-    if (!is_met_again(flight, wall, shape, contact) || flight.sustained.empty() ||
-        flight.has_strayed(most))
+    last = touches[0];
+    bool slid;
+    by = meet(flight, touches, series > series_most, slid);
+    if (!slid || flight.has_strayed(known_way, most))
       search_all(walls, flight);
   }
-  const bool trapped = flight.squeezed || (!stuck && series == 2 * SERIES &&
-                                           flight.events.size() > flight.series_begin);
-  if (trapped) {
-    last->books.count_guarded();
+  if (all == 0)
+    return false;
+  const bool endless = by < 0 && series == 2 * series_most;
+  if (flight.squeezed || (endless && mover.is_ball && flight.events.size() > flight.series_begin)) {
+    last.wall->books.count_guarded();
     search_all(walls, flight);
     flight.trap();
-  }
+    flight.settle();
+    flight.give_rest(last, flight.half);
+  } else if (endless && !mover.is_ball)
+    flight.path.left = 0; /* it waits here for the next step */
   if (all == CONTACTS_MOST) {
-    last->is_cut = true;
+    last.wall->is_cut = true;
     flight.path.left = 0;
   }
   flight.settle();
-  if (stuck || trapped)
-    flight.give_rest(last, shape, contact, stuck ? s.v + 3 * static_cast<size_t>(i) : flight.half);
-  finish(near, flight, all > 0 && !stuck);
+  if (by >= 0)
+    stuck = touches[static_cast<size_t>(by)];
+  return true;
+}
+
+/* All contacts of a grain. */
+static void fly_grain(const Walls &walls, const Walls &near, const Spheres &s, int i) {
+  Mover mover(s, i);
+  Flight flight(mover, s);
+  Touch stuck;
+  const size_t at = 3 * static_cast<size_t>(i);
+  if (!fly(walls, near, flight, near[0]->ahead.bend() / s.dt, stuck))
+    return;
+  if (stuck.wall) {
+    stuck.wall->stick(s, i, flight.path.left, stuck.shape, stuck.before, stuck.contact);
+    flight.give_rest(stuck, s.v + at);
+  }
+  for (const Event &event : flight.events)
+    event.wall->books.count(s, i, event, event.load);
+  if (stuck.wall)
+    return;
+  aspi_copy(flight.half, s.v + at);
+  if (s.omega)
+    aspi_copy(flight.spin, s.omega + at);
+  aspi_add_scaled(flight.path.x, flight.path.left, flight.path.v, s.x + at);
+  note_energy(flight, s.x + at);
+}
+
+/* Where the engine's turn of a body differs from the one that was searched, the body takes that. */
+static void take_turn(Flight &flight, Body &body) {
+  const Mover &mover = flight.mover;
+  const double radius = mover.sphere->radius;
+  double off = 0;
+  if (mover.is_ball)
+    return;
+  flight.go_on(flight.path.left);
+  for (size_t k = 0; k < mover.count; k++) {
+    double searched[3], arm[3];
+    mover.arm(k, searched);
+    arm_of(body, mover.sphere[k], arm);
+    aspi_subtract(searched, arm, arm);
+    off = std::max(off, aspi_length(arm));
+  }
+  if (!(off > ROUNDED * radius))
+    return;
+  for (int k = 0; k < 3; k++)
+    aspi_copy(mover.axes[k], body.axes[k]);
+  body.is_changed = true;
+}
+
+/* All contacts of a body. */
+static void fly_body(const Walls &walls, Bodies &bodies, size_t number) {
+  Mover mover(walls, bodies, number);
+  Flight flight(mover, bodies);
+  Body &body = bodies.all[number];
+  Touch stuck;
+  if (!fly(walls, walls, flight, 0, stuck)) {
+    take_turn(flight, body);
+    return;
+  }
+  body.is_changed = true;
+  for (const Event &event : flight.events)
+    event.wall->books.count(mover.view(event.sphere), 0, event, event.load);
+  while (!stuck.wall && flight.path.left > 0) {
+    flight.aim(TURN);
+    flight.go_on(flight.stretch);
+  }
+  aspi_copy(flight.path.x, body.x);
+  for (int k = 0; k < 3; k++)
+    aspi_copy(mover.axes[k], body.axes[k]);
+  aspi_copy(flight.half, body.v);
+  aspi_copy(flight.momentum, body.angular_momentum);
+  aspi_scale(mover.mass, body.angular_momentum);
+  if (!stuck.wall) {
+    note_energy(flight, body.x);
+    return;
+  }
+  const Event &last = flight.events.back();
+  for (int d = 0; d < 3; d++) /* what the impact has left it */
+    body.v[d] += stuck.contact.v_wall[d] - flight.begin[d];
+  mover.momentum_of(last.result.omega, body.angular_momentum);
+  aspi_scale(mover.mass, body.angular_momentum);
+  stick_body(walls, bodies, number, *stuck.wall, stuck.shape, stuck.sphere, stuck.before,
+             stuck.contact, flight.path.left);
 }
 
 Stepper::Stepper(const Setup &of, Books &its)
@@ -362,6 +627,9 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
   if (!shape_now.empty())
     renumber(s, shape_now);
   ahead.clear();
+  for (int i = 0; i < s.n; i++) /* the forces have been computed anew, without the walls' */
+    for (size_t k = 0; k < ParticlePlace::RESTS && rows.status(i) == Status::RESTING; k++)
+      std::fill(rows.place[i].rests[k].push, rows.place[i].rests[k].push + 3, 0.0);
   for (int i = 0; i < s.n; i++) {
     const size_t shape = static_cast<size_t>(rows.place[i].stuck.shape) - 1;
     if (rows.is_stuck(i) && shape < setup.shapes.size() &&
@@ -390,19 +658,16 @@ void Stepper::reorder(const Spheres &s) {
 void Stepper::begin_step(const Spheres &s, int number, std::vector<Near> &near) {
   books.begin_step(s.step);
   const auto first = static_cast<std::ptrdiff_t>(near.size());
+  size_t kept = 0;
   for (int i : touching) {
-    if (rows.status(i) == Status::RESTING) {
-      rows.set_status(i, Status::RESTED);
-      near.push_back(Near{i, number});
-    } else if (!rows.is_stuck(i))
+    if (rows.status(i) == Status::RESTING)
+      touching[kept++] = i;
+    else if (!rows.is_stuck(i))
       rows.set_status(i, Status::FREE);
   }
-  rested.swap(touching);
-  touching.clear();
-  const auto found = static_cast<std::ptrdiff_t>(near.size());
+  touching.resize(kept);
   carry_stuck(s);
   ahead.find_near(s, number, near);
-  std::inplace_merge(near.begin() + first, near.begin() + found, near.end());
   std::inplace_merge(near.begin(), near.begin() + first, near.end());
 }
 
@@ -426,10 +691,30 @@ void asperity::step_walls(const std::vector<Stepper *> &walls, const Spheres &s)
     for (size_t w = 0; any_stuck && w < walls.size(); w++)
       stuck = stuck || walls[w]->rows.is_stuck(i);
     if (!stuck)
-      fly(walls, near_walls, s, i);
+      fly_grain(walls, near_walls, s, i);
   }
-  for (Stepper *wall : walls)
-    for (int i : wall->rested)
-      if (wall->rows.status(i) == Status::RESTED)
-        wall->rows.set_status(i, Status::FREE);
+}
+
+void asperity::step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies) {
+  bodies.ahead.begin_step(walls, bodies.all.size(), bodies.dt);
+  for (size_t b = 0; b < bodies.all.size(); b++) {
+    Body &body = bodies.all[b];
+    for (const std::vector<BodyMemory *> &of_wall : bodies.memory) {
+      BodyMemory &of = *of_wall[b];
+      if (of.status <= static_cast<double>(Status::REBOUNDED)) /* in the step before */
+        of.status = static_cast<double>(Status::FREE);
+      for (Rest &rest : of.rests)
+        if (bodies.begins &&
+            of.status < 0) /* the forces have been computed anew, without the walls' */
+          std::fill(rest.push, rest.push + 3, 0.0);
+    }
+    if (!body.is_led && !carry_body(walls, bodies, b) &&
+        bodies.ahead.is_near(walls, b, body, bodies.spheres.data(), bodies.dt))
+      fly_body(walls, bodies, b);
+    BodyMemory &first = *bodies.memory[0][b];
+    first.turned = static_cast<double>(bodies.step) + 1;
+    for (int k = 0; k < 3; k++)
+      aspi_copy(body.axes[k], first.axes[k]);
+  }
+  bodies.begins = false;
 }

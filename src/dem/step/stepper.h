@@ -17,8 +17,6 @@
 
 namespace asperity {
 
-struct Flight;
-
 /* A stuck particle. If a wall at rest stopped it here in the half of a step before: where, and the
  * velocity and mass it had. */
 struct StuckParticle {
@@ -36,8 +34,7 @@ struct Stepper {
   std::vector<StuckParticle> stuck;
   bool is_in_step;           /* between carry_stuck() and hold_stuck() */
   bool is_still;             /* no shape moves or measures what sticks to it in this step */
-  std::vector<int> touching; /* those that stay or have rebounded in this step, in order */
-  std::vector<int> rested;   /* those of the step before */
+  std::vector<int> touching; /* grains that rest, or have rebounded in this step */
   bool has_to_delete;        /* particles of this rank are to be deleted */
   bool is_cut;               /* a particle had too many contacts in a step */
 
@@ -51,16 +48,14 @@ struct Stepper {
   void reorder(const Spheres &spheres);
 
   /* Resets the states of the last step, moves stuck particles, and lists the particles that may
-   * touch this wall, which has this number among those of the run; the list stays sorted. */
+   * meet this wall, which has this number among those of the run; the list stays sorted. */
   void begin_step(const Spheres &spheres, int number, std::vector<Near> &near);
 
   /* stick.cpp: notes where the particle has stuck, and takes it along with the wall for the rest of
    * the step; gives stuck particles their wall's velocity at the end of a step. */
-  void stick(Flight &flight, size_t shape, const Path &before, const Contact &contact);
+  void stick(const Spheres &spheres, int i, double left, size_t shape, const Path &before,
+             const Contact &contact);
   void hold_stuck(const Spheres &spheres);
-
-  /* hold.cpp: notes a face at which a particle stays. */
-  void keep_resting(int i, size_t shape, const Contact &contact);
 
 private:
   void renumber(const Spheres &spheres, const std::vector<int> &shape_now);
@@ -72,10 +67,9 @@ private:
 /* All contacts of a step of all walls of a run. */
 void step_walls(const std::vector<Stepper *> &walls, const Spheres &spheres);
 
-/* The end of a step, after its forces. A stuck particle gets its wall's velocity; a resting one
- * loses the velocity into its walls that the second half of the step has added; one that has
- * rebounded gets its energy. */
-void hold_particles(const std::vector<Stepper *> &walls, const Spheres &spheres);
+/* The end of a step, after its forces. A stuck particle gets its wall's velocity, walls hold those
+ * that rest (end_step.cpp), and one that has rebounded gets its energy. */
+void end_walls(const std::vector<Stepper *> &walls, const Spheres &spheres);
 
 } // namespace asperity
 

@@ -1,7 +1,7 @@
 /* Particles stuck to a wall, and how they move with it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/step/flight.h"
+#include "dem/step/mover.h"
 
 #include <math.h>
 #include <string.h>
@@ -11,11 +11,9 @@
 
 using namespace asperity;
 
-static const double NONE[3] = {0, 0, 0};
-
 /* Notes where the particle has stuck, and takes it along with the wall for the rest of the step. */
-void Stepper::stick(Flight &flight, size_t shape, const Path &before, const Contact &contact) {
-  const int i = flight.i;
+void Stepper::stick(const Spheres &s, int i, double left, size_t shape, const Path &before,
+                    const Contact &contact) {
   Place at;
   setup.shapes[shape].shape->stick(before, contact, at);
   StuckPlace &to = rows.place[i].stuck;
@@ -27,8 +25,8 @@ void Stepper::stick(Flight &flight, size_t shape, const Path &before, const Cont
   rows.set_status(i, deletes ? Status::TO_DELETE : Status::STUCK);
   has_to_delete = has_to_delete || deletes;
   stuck.push_back(StuckParticle{i, false, false, {}, {}, 0});
-  aspi_copy(contact.x, flight.spheres.x + 3 * static_cast<size_t>(i));
-  carry(flight.spheres, i, flight.path.left);
+  aspi_copy(contact.x, s.x + 3 * static_cast<size_t>(i));
+  carry(s, i, left);
 }
 
 /* Gives a stuck particle the velocity of its wall. */
@@ -52,9 +50,9 @@ static void hold_one(const Stepper &wall, const Spheres &s, int i, Change change
   aspi_subtract(s.v + row, v, p);
   if (!(aspi_dot(p, p) + aspi_dot(turn, turn) > 0) || !(at.shape >= 1))
     return;
-  ContactLoad load(s, i, static_cast<int>(at.piece), s.x + row, NONE, p, NONE);
-  load.set_couple(s, i, s.x + row, turn);
-  wall.books.add_load(static_cast<size_t>(at.shape) - 1, load);
+  wall.books.add_load(
+      static_cast<size_t>(at.shape) - 1,
+      Mover(s, i).load(0, static_cast<int>(at.piece), s.x + row, NONE, s.x + row, p, turn, NONE));
 }
 
 static inline uint64_t bits(const double *x) {
@@ -161,7 +159,6 @@ void Stepper::renumber(const Spheres &s, const std::vector<int> &shape_now) {
   };
   for (int i = 0; i < s.n; i++) {
     StuckPlace &at = rows.place[i].stuck;
-    RestingPlace &resting = rows.place[i].resting;
     if (rows.is_stuck(i)) {
       at.shape = now(at.shape);
       if (!(at.shape >= 1)) {
@@ -169,13 +166,14 @@ void Stepper::renumber(const Spheres &s, const std::vector<int> &shape_now) {
         std::fill(at.velocity, at.velocity + 3, 0.0);
       }
     } else if (rows.status(i) == Status::RESTING) {
+      Rest *const rests = rows.place[i].rests;
       size_t kept = 0;
-      for (size_t k = 0; k < resting.FACES && resting.shape[k] > 0; k++)
-        if (const int shape = now(resting.shape[k])) {
-          resting.face[kept] = resting.face[k];
-          resting.shape[kept++] = shape;
+      for (size_t k = 0; k < ParticlePlace::RESTS && rests[k].shape > 0; k++)
+        if (const int shape = now(rests[k].shape)) {
+          rests[kept] = rests[k];
+          rests[kept++].shape = shape;
         }
-      std::fill(resting.shape + kept, resting.shape + resting.FACES, 0.0);
+      std::fill(rests + kept, rests + ParticlePlace::RESTS, Rest());
       if (kept == 0)
         rows.set_status(i, Status::FREE);
     }

@@ -1,19 +1,20 @@
-/* Sustained contacts of a sphere: for any normals, walls' velocities and friction, what the solver
+/* Contacts that last, of a ball: for any normals, walls' velocities and friction, what the solver
  * finds is a solution, by the conditions of contact and of Coulomb's friction at each contact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/step/supports.h"
+
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 
-extern "C" {
+#include "contact/vector.h"
+
+extern "C" { /* behind the others: it has macros that are names of theirs */
 #include <cmocka.h>
 }
-
-#include "contact/vector.h"
-#include "dem/step/sustained.h"
 
 using namespace asperity;
 
@@ -52,7 +53,15 @@ double off_by(const Support &s, double friction, double radius, const double v[3
 }
 
 int run(int contacts, bool moving, double friction) {
-  const double radius = 0.3;
+  const double radius = 0.3, mass = 1;
+  const int one = 1;
+  Spheres spheres = Spheres();
+  spheres.n = spheres.tag_bytes = 4;
+  spheres.mask = spheres.type = &one;
+  spheres.tag = &one;
+  spheres.radius = &radius;
+  spheres.mass = &mass;
+  const Mover ball(spheres, 0);
   int solved = 0;
   for (int trial = 0; trial < 2000; trial++) {
     std::vector<Support> supports(static_cast<size_t>(contacts));
@@ -69,7 +78,7 @@ int run(int contacts, bool moving, double friction) {
     }
     aspi_copy(v, sum);
     aspi_copy(omega, turn);
-    const bool possible = solve_supports(supports, radius, v, omega);
+    const bool possible = solve_supports(ball, supports, v, omega);
     double worst = 0;
     for (const Support &s : supports) {
       double across[3];

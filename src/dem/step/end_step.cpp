@@ -1,0 +1,488 @@
+/* The end of a step, after its forces: the walls hold what rests at them, and what has rebounded
+ * gets its energy.
+ *
+ * A mover that rests is held by all of its walls in one solve (supports.h), for the whole of the
+ * kick from the middle of this step to that of the next, v_free = v + (dt/2) f/m: then its next
+ * path ends at the walls. Half of the impulses belongs to this step and goes into v; the other half
+ * is a force, which the engine adds with the others. They are where the next solve begins. A
+ * distance from the wall that is off by more than rounding is put right within the next step. A
+ * wall that would have to pull lets go.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/step/flight.h"
+
+#include <math.h>
+#include <algorithm>
+
+#include "asperity_front.h"
+#include "contact/vector.h"
+
+using namespace asperity;
+
+namespace {
+
+typedef std::vector<Stepper *> Walls;
+
+/* A sphere rests at a face while the gap between them is less than GAP radii, or it overlaps by
+ * less than OVERLAP; less than ROUNDED_OFF is rounding. It leaves a face that does not press it if
+ * it moves off by more than PARTS radii in a step. */
+const double GAP = 0.01, OVERLAP = 1e-5, ROUNDED_OFF = 1e-10, PARTS = 1e-9;
+
+/* Cosine below which two directions are at right angles. */
+const double ACROSS = 1e-9;
+
+/* Faces of all walls at which a mover rests, at most. */
+const size_t MOST = 48;
+
+struct Held {
+  Stepper *wall;
+  size_t shape, sphere;
+  int face;
+  double center[3];
+};
+
+/* The number of a sphere, or how many there are. */
+size_t number_of(const Mover &mover, double tag) {
+  size_t k = 0;
+  while (k < mover.count && static_cast<double>(mover.sphere[k].tag) != tag)
+    k++;
+  return k;
+}
+
+int piece_of(int face) {
+  return face < 0 ? ~face : face;
+}
+
+/* Takes a face out of those at which a mover rests; the last ones move up. */
+void drop_rest(const Memory &of, size_t k) {
+  const size_t n = of.resting();
+  std::copy(of.rests + k + 1, of.rests + n, of.rests + k);
+  of.rests[n - 1] = Rest();
+  if (n == 1)
+    *of.status = static_cast<double>(Status::FREE);
+}
+
+/* The wall under a sphere that rests at a face of it; false: it is there no more. */
+bool look_under(const Flight &flight, const Rest &rest, Stepper &wall, const double v[3],
+                const double spin[3], Held &held, Ground &ground) {
+  const Mover &mover = flight.mover;
+  double arm[3], u[3];
+  held.wall = &wall;
+  held.shape = static_cast<size_t>(rest.shape) - 1;
+  held.sphere = number_of(mover, rest.sphere);
+  if (held.sphere == mover.count || held.shape >= wall.setup.shapes.size())
+    return false;
+  mover.arm(held.sphere, arm);
+  aspi_add_scaled(flight.path.x, 1, arm, held.center);
+  aspi_copy(v, u);
+  if (!mover.is_ball) {
+    aspi_cross(spin, arm, u);
+    aspi_add_scaled(u, 1, v, u);
+  }
+  if (!wall.setup.shapes[held.shape].shape->under(static_cast<int>(rest.face), held.center, u,
+                                                  (1 + GAP) * mover.sphere[held.sphere].radius,
+                                                  ground))
+    return false;
+  held.face = ground.face;
+  aspi_subtract(u, ground.v_wall, u);
+  return fabs(ground.curve) * flight.dt < CURVE * aspi_length(u) || !(fabs(ground.curve) > 0);
+}
+
+/* The contact of a sphere that rests. */
+Touch touch_of(const Flight &flight, const Held &held, const Ground &ground) {
+  Touch touch = Touch();
+  touch.wall = held.wall;
+  touch.shape = held.shape;
+  touch.sphere = held.sphere;
+  touch.before = flight.path;
+  aspi_copy(held.center, touch.before.x);
+  Contact &contact = touch.contact;
+  aspi_copy(held.center, contact.x);
+  aspi_copy(ground.n, contact.n);
+  aspi_copy(ground.n, contact.n_end);
+  aspi_copy(ground.v_wall, contact.v_wall);
+  contact.follow = ground.follow;
+  contact.curve = ground.curve;
+  contact.face = held.face;
+  contact.piece = piece_of(held.face);
+  return touch;
+}
+
+/* The hold of the valley at a rough wall; where the sphere has come to the next face, it hits that.
+ * True where it has: then `touch` is the one. */
+bool meet_face(Flight &flight, const Held &held, const Ground &ground, Touch &touch, double &hold,
+               bool &sticks) {
+  touch = touch_of(flight, held, ground);
+  const double v[3] = {flight.begin[0], flight.begin[1], flight.begin[2]};
+  Site site(flight, touch, v);
+  site.press = ground.follow + ground.curve - aspi_dot(flight.free, ground.n);
+  site.find_face();
+  hold = site.hold(true);
+  if (hold > 0 || !site.moved || !site.graze())
+    return false;
+  sticks = take_impact(site, v);
+  return true;
+}
+
+struct Resting {
+  const Walls &walls;
+  Flight &flight;
+  Held held[MOST];
+  Support supports[MOST];
+  size_t count;
+  Touch stuck; /* wall NULL: it has not */
+
+  /* Finds what holds the mover; v, spin: what it would have without. */
+  void find(const double v[3], const double spin[3]);
+  bool find_once(const double v[3], const double spin[3]);
+  /* Notes and counts what has held it. */
+  void keep(const double before[3], const double v[3], const double spin[3]);
+};
+
+bool Resting::find_once(const double v[3], const double spin[3]) {
+  Mover &mover = flight.mover;
+  count = 0;
+  for (Stepper *wall : walls) {
+    const Memory of = mover.memory(*wall);
+    const bool rough =
+        of.is_resting() && wall->setup.model.wall() && asp_wall_surface(wall->setup.model.wall());
+    for (size_t k = 0; k < of.resting() && count < MOST; k++) {
+      Ground ground;
+      Held &at = held[count];
+      if (!look_under(flight, of.rests[k], *wall, v, spin, at, ground))
+        continue;
+      double hold = 0;
+      if (rough) {
+        Touch touch;
+        bool sticks;
+        if (meet_face(flight, at, ground, touch, hold, sticks)) {
+          drop_rest(of, k);
+          if (mover.i >= 0)
+            wall->ahead.expire(mover.i);
+          if (sticks)
+            stuck = touch;
+          return false;
+        }
+      }
+      const double radius = mover.sphere[at.sphere].radius, off = radius - ground.distance;
+      Support &support = supports[count++];
+      support = support_of(mover, *wall, at.shape, at.sphere, ground.n, ground.v_wall, hold);
+      aspi_copy(of.rests[k].push, support.p);
+      aspi_scale(flight.dt, support.p);
+      const bool counts = off < OVERLAP * radius && fabs(off) > ROUNDED_OFF * radius;
+      aspi_add_scaled(support.w,
+                      0.5 * flight.dt * (ground.follow + ground.curve) +
+                          (counts ? off / flight.dt : 0),
+                      ground.n, support.w);
+      if (!(off < OVERLAP * radius) && mover.i >= 0)
+        wall->ahead.expire(mover.i);
+    }
+  }
+  return true;
+}
+
+void Resting::find(const double a[3], const double alpha[3]) {
+  stuck.wall = NULL;
+  double v[3], spin[3];
+  do {
+    aspi_add_scaled(flight.begin, 0.5 * flight.dt, a, v);
+    aspi_add_scaled(flight.spin, 0.5 * flight.dt, alpha, spin);
+  } while (!find_once(v, spin) && !stuck.wall);
+}
+
+void Resting::keep(const double before[3], const double v[3], const double spin[3]) {
+  const Mover &mover = flight.mover;
+  for (Stepper *wall : walls) {
+    const Memory of = mover.memory(*wall);
+    const size_t were = of.resting();
+    size_t kept = 0;
+    if (were == 0)
+      continue;
+    for (size_t k = 0; k < count; k++) {
+      const Support &support = supports[k];
+      double u[3], turned[3];
+      if (held[k].wall != wall)
+        continue;
+      mover.twist(support.arm, support.p, turned);
+      aspi_cross(spin, support.arm, u);
+      aspi_add_scaled(u, 1, v, u);
+      aspi_subtract(u, support.w, u);
+      if (!(aspi_dot(support.p, support.n) > 0) &&
+          aspi_dot(u, support.n) * flight.dt > PARTS * mover.sphere[held[k].sphere].radius)
+        continue;
+      Rest &rest = of.rests[kept++];
+      rest.sphere = static_cast<double>(mover.sphere[held[k].sphere].tag);
+      rest.shape = static_cast<double>(held[k].shape) + 1;
+      rest.face = held[k].face;
+      aspi_copy(support.p, rest.push);
+      aspi_scale(1 / flight.dt, rest.push);
+      aspi_subtract(before, support.w, u);
+      ContactLoad load = mover.load(
+          held[k].sphere, piece_of(held[k].face), held[k].center, support.n, flight.path.x,
+          support.p, support.hold > 0 ? (mover.is_ball ? support.turn : turned) : NULL, u);
+      load.dissipated = mover.mass * slide_work(mover, support, v, spin);
+      wall->books.add_load(held[k].shape, load);
+    }
+    std::fill(of.rests + kept, of.rests + were, Rest());
+    if (kept == 0)
+      *of.status = static_cast<double>(Status::FREE);
+    if (kept < were && mover.i >= 0)
+      wall->ahead.expire(mover.i);
+  }
+}
+
+/* One mover. alpha: its angular acceleration. Changes the flight's velocity and spin to those of
+ * the end of the step, and gives the accelerations that the walls add until the middle of the next
+ * one. True: it has stuck. */
+bool hold_resting(const Walls &walls, Flight &flight, const double alpha[3], double push[3],
+                  double twist[3], Touch &stuck) {
+  Resting resting = {walls, flight, {}, {}, 0, Touch()};
+  double before[3], turning[3], v[3], spin[3];
+  const double a[3] = {flight.free[0], flight.free[1], flight.free[2]};
+  resting.find(a, alpha);
+  for (int d = 0; d < 3; d++)
+    push[d] = twist[d] = 0;
+  stuck = resting.stuck;
+  if (stuck.wall)
+    return true;
+  aspi_add_scaled(flight.begin, 0.5 * flight.dt, a, before);
+  aspi_add_scaled(flight.spin, 0.5 * flight.dt, alpha, turning);
+  aspi_copy(before, v);
+  aspi_copy(turning, spin);
+  bool holds = true;
+  if (resting.count > 0)
+    holds = solve_supports(flight.mover, Supports(resting.supports, resting.count), v, spin);
+  if (!holds) /* walls that close: the next flight finds out */
+    resting.count = 0;
+  resting.keep(before, v, spin);
+  if (!holds) {
+    aspi_copy(v, flight.begin);
+    return false;
+  }
+  aspi_subtract(v, before, v);
+  aspi_subtract(spin, turning, spin);
+  aspi_add_scaled(flight.begin, 0.5, v, flight.begin);
+  aspi_add_scaled(push, 1 / flight.dt, v, push);
+  aspi_add_scaled(twist, 1 / flight.dt, spin, twist);
+  aspi_add_scaled(flight.spin, 0.5, spin, flight.spin);
+  return false;
+}
+
+} // namespace
+
+/* Of more faces than there is room for, those are kept that press. */
+void asperity::keep_resting(const Mover &mover, Stepper &wall, size_t shape, size_t sphere,
+                            int face) {
+  const Memory of = mover.memory(wall);
+  const int64_t tag = mover.sphere[sphere].tag;
+  if (!of.is_resting()) {
+    std::fill(of.rests, of.rests + of.rest_count, Rest());
+    *of.status = static_cast<double>(Status::RESTING);
+    if (mover.i >= 0)
+      wall.touching.push_back(mover.i);
+  }
+  if (of.rests_at(tag, shape, face))
+    return;
+  size_t k = of.resting();
+  if (k == of.rest_count) {
+    for (k = 0; k < of.rest_count && aspi_dot(of.rests[k].push, of.rests[k].push) > 0;)
+      k++;
+    if (k == of.rest_count)
+      return;
+    of.rests[k] = Rest();
+  }
+  of.rests[k].sphere = static_cast<double>(tag);
+  of.rests[k].shape = static_cast<double>(shape) + 1;
+  of.rests[k].face = face;
+}
+
+/* ---- the energy of a rebound ------------------------------------------------------------------
+ */
+
+/* True if a change of velocity is not across n, to rounding. */
+static bool changes_along(const double n[3], const double change[3]) {
+  return fabs(aspi_dot(change, n)) > ACROSS * aspi_length(change);
+}
+
+/* A force that changes within a step, as that of another particle, does its work before and after a
+ * rebound on two legs of the path. What it is at the end of the step is not known yet; so the
+ * energy of the normal motion is noted as a linear function of it: v_n^2 = v_n2^2 + e^2 (v_n0^2 + 2
+ * W_1 - v_n1^2) + 2 W_2 = SQUARE + WORK a_n(end), with W_1 and W_2 the works by the trapezoidal
+ * rule before and after the contact, for the acceleration linear in time, and e = v_n2/v_n1, not
+ * above 1; 0 for a particle that was staying at the wall. Of a wall with one contact only, where
+ * the contacts with others leave the normal motion alone. */
+void asperity::note_energy(const Flight &flight, const double x[3]) {
+  const Mover &mover = flight.mover;
+  if (!mover.is_ball || !(aspi_dot(flight.a0, flight.a0) > 0))
+    return; /* in free flight velocities stay what they are, to the bit */
+  for (const Event &event : flight.events) {
+    Stepper *wall = event.wall;
+    const Memory of = mover.memory(*wall);
+    const double *n = event.contact.n;
+    bool others = of.is_resting() || changes_along(n, flight.settled);
+    for (const Event &other : flight.events) {
+      double change[3];
+      aspi_subtract(other.result.v2, other.v1, change);
+      others = others || (&other != &event && (other.wall == wall || changes_along(n, change)));
+    }
+    if (others)
+      continue;
+    double relative[3], leg1[3], leg2[3];
+    aspi_subtract(flight.v0, event.contact.v_wall, relative);
+    aspi_subtract(event.contact.x, flight.x0, leg1);
+    aspi_subtract(x, event.contact.x, leg2);
+    const double share = event.elapsed / flight.dt, a0 = aspi_dot(flight.a0, n);
+    const double d1 = aspi_dot(leg1, n) - aspi_dot(event.contact.v_wall, n) * event.elapsed;
+    const double d2 =
+        aspi_dot(leg2, n) - aspi_dot(event.contact.v_wall, n) * (flight.dt - event.elapsed);
+    const double v0 = aspi_dot(relative, n), v1 = -aspi_dot(event.v1, n),
+                 v2 = aspi_dot(event.result.v2, n);
+    const double e = event.grazes ? 0 : std::min(1.0, v2 / v1);
+    ReboundPlace &rebound = *of.rebound;
+    rebound.square =
+        v2 * v2 + e * e * (v0 * v0 + (2 - share) * a0 * d1 - v1 * v1) + (1 - share) * a0 * d2;
+    rebound.work = e * e * share * d1 + (1 + share) * d2;
+    aspi_copy(n, rebound.normal);
+    aspi_copy(event.contact.v_wall, rebound.v_wall);
+    rebound.shape = static_cast<double>(event.shape);
+    rebound.piece = event.contact.piece;
+    *of.status = static_cast<double>(Status::REBOUNDED);
+    if (mover.i >= 0)
+      wall->touching.push_back(mover.i);
+  }
+}
+
+/* The end of a step with a rebound: the normal velocity by its energy, where a acts. Without it,
+ * particles that touch each other at a wall would gain or lose energy at each rebound, in steps
+ * that resolve their contact well. */
+static void balance(const Stepper &wall, const Mover &mover, const double x[3], const double a[3],
+                    double v[3]) {
+  const ReboundPlace &rebound = *mover.memory(wall).rebound;
+  const double *n = rebound.normal;
+  double v1[3];
+  aspi_subtract(v, rebound.v_wall, v1);
+  const double now = aspi_dot(v1, n);
+  const double square = rebound.square + rebound.work * aspi_dot(a, n);
+  const double speed = sqrt(std::max(0.0, square));
+  const double change = (now < 0 ? -speed : speed) - now;
+  const double p[3] = {change * n[0], change * n[1], change * n[2]};
+  aspi_add_scaled(v, 1, p, v);
+  wall.books.add_load(static_cast<size_t>(rebound.shape),
+                      mover.load(0, static_cast<int>(rebound.piece), x, n, x, p, NULL, NONE));
+}
+
+/* ---- one mover ------------------------------------------------------------------------------
+ */
+
+/* A grain that rests at these walls. */
+static void end_grain(const Walls &walls, const Spheres &s, int i) {
+  Mover mover(s, i);
+  Flight flight(mover, s);
+  Touch stuck;
+  const size_t at = 3 * static_cast<size_t>(i);
+  const double inertia = 0.4 * s.mass[i] * s.radius[i] * s.radius[i];
+  double alpha[3] = {0, 0, 0}, push[3], twist[3];
+  flight.put_at_end(s.x + at);
+  if (s.torque)
+    aspi_add_scaled(alpha, 1 / inertia, s.torque + at, alpha);
+  if (hold_resting(walls, flight, alpha, push, twist, stuck)) {
+    stuck.wall->stick(s, i, 0, stuck.shape, stuck.before, stuck.contact);
+    flight.give_rest(stuck, s.v + at);
+  }
+  for (const Event &event : flight.events)
+    event.wall->books.count(s, i, event, event.load);
+  if (stuck.wall)
+    return;
+  aspi_copy(flight.begin, s.v + at);
+  aspi_add_scaled(s.f + at, s.mass[i], push, s.f + at);
+  if (s.omega)
+    aspi_copy(flight.spin, s.omega + at);
+  if (s.torque)
+    aspi_add_scaled(s.torque + at, inertia, twist, s.torque + at);
+}
+
+static void end_body(const Walls &walls, Bodies &bodies, size_t number) {
+  Body &body = bodies.all[number];
+  Mover mover(walls, bodies, number);
+  bool any = false;
+  for (const Stepper *wall : walls) {
+    const Status status = mover.memory(*wall).state();
+    any = any || status == Status::RESTING;
+    if (status == Status::REBOUNDED) {
+      balance(*wall, mover, body.x, body.acceleration, body.v);
+      body.is_changed = true;
+    }
+  }
+  if (!any)
+    return;
+  Flight flight(mover, bodies);
+  Touch stuck;
+  double torque[3], alpha[3], push[3], twist[3];
+  flight.put_at_end(body.x);
+  aspi_copy(body.torque, torque);
+  aspi_scale(1 / mover.mass, torque);
+  mover.spin_of(torque, alpha);
+  const bool sticks = hold_resting(walls, flight, alpha, push, twist, stuck);
+  body.is_changed = true;
+  for (const Event &event : flight.events)
+    event.wall->books.count(mover.view(event.sphere), 0, event, event.load);
+  aspi_copy(sticks ? stuck.contact.v_wall : flight.begin, body.v);
+  mover.momentum_of(sticks ? flight.events.back().result.omega : flight.spin,
+                    body.angular_momentum);
+  aspi_scale(mover.mass, body.angular_momentum);
+  if (sticks) {
+    stick_body(walls, bodies, number, *stuck.wall, stuck.shape, stuck.sphere, stuck.before,
+               stuck.contact, 0);
+    return;
+  }
+  aspi_add_scaled(body.acceleration, 1, push, body.acceleration);
+  mover.momentum_of(twist, torque);
+  aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
+}
+
+/* ---- all of them ------------------------------------------------------------------------------
+ */
+
+static bool is_stuck(const Walls &walls, int i) {
+  for (const Stepper *wall : walls)
+    if (!wall->stuck.empty() && wall->rows.is_stuck(i))
+      return true;
+  return false;
+}
+
+void asperity::end_walls(const Walls &walls, const Spheres &s) {
+  static thread_local std::vector<Near> resting;
+  static thread_local Walls held_by;
+  resting.clear();
+  for (size_t w = 0; w < walls.size(); w++) {
+    Stepper *wall = walls[w];
+    wall->books.expire();
+    wall->hold_stuck(s);
+    for (int i : wall->touching)
+      if (wall->rows.status(i) == Status::RESTING && !is_stuck(walls, i))
+        resting.push_back(Near{i, static_cast<int>(w)});
+      else if (wall->rows.status(i) == Status::REBOUNDED) {
+        const size_t at = 3 * static_cast<size_t>(i);
+        double a[3] = {0, 0, 0};
+        aspi_add_scaled(a, 1 / s.mass[i], s.f + at, a);
+        balance(*wall, Mover(s, i), s.x + at, a, s.v + at);
+      }
+  }
+  if (!std::is_sorted(resting.begin(), resting.end()))
+    std::sort(resting.begin(), resting.end());
+  for (size_t k = 0; k < resting.size();) {
+    const int i = resting[k].i;
+    held_by.clear();
+    for (; k < resting.size() && resting[k].i == i; k++)
+      held_by.push_back(walls[resting[k].wall]);
+    end_grain(held_by, s, i);
+  }
+}
+
+void asperity::end_bodies(const Walls &walls, Bodies &bodies) {
+  for (size_t b = 0; b < bodies.all.size(); b++) {
+    bodies.all[b].is_changed = false;
+    if (!hold_body(walls, bodies, b) && !bodies.all[b].is_led)
+      end_body(walls, bodies, b);
+  }
+}

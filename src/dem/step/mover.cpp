@@ -1,0 +1,228 @@
+/* A grain or a rigid body; see mover.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/step/mover.h"
+
+#include <math.h>
+
+#include "contact/vector.h"
+#include "dem/step/body_motion.h"
+
+using namespace asperity;
+
+namespace {
+
+/* A sphere is about the center of mass if it is off by less than this share of its radius: engines
+ * find the center by random points. */
+const double CENTRAL = 0.01;
+
+/* Inertia is that of a ball to within rounding. */
+const double ROUND = 1e-12;
+
+bool is_round(const Body &body, const BodySphere &one) {
+  const double of_ball = 0.4 * body.mass * one.radius * one.radius;
+  bool all = body.count == 1 && aspi_length(one.arm) <= ROUND * one.radius;
+  for (int k = 0; k < 3; k++)
+    all = all && fabs(body.inertia[k] - of_ball) <= ROUND * of_ball;
+  return all;
+}
+
+} // namespace
+
+/* ---- what it remembers ------------------------------------------------------------------------
+ */
+
+size_t Memory::resting() const {
+  size_t k = 0;
+  while (is_resting() && k < rest_count && rests[k].shape > 0)
+    k++;
+  return k;
+}
+
+bool Memory::rests_at(int64_t sphere, size_t shape, int face) const {
+  for (size_t k = 0, n = resting(); k < n; k++)
+    if (static_cast<int64_t>(rests[k].sphere) == sphere &&
+        static_cast<size_t>(rests[k].shape) == shape + 1 && static_cast<int>(rests[k].face) == face)
+      return true;
+  return false;
+}
+
+FacePlace *Memory::face_of(int64_t sphere, const double n[3]) const {
+  for (size_t k = 0; k < face_count; k++)
+    if (aspi_dot(faces[k].normal, n) > SAME_WALL && static_cast<int64_t>(faces[k].sphere) == sphere)
+      return &faces[k];
+  return NULL;
+}
+
+FacePlace &Memory::oldest() const {
+  FacePlace *first = faces;
+  for (size_t k = 0; k < face_count; k++)
+    if (!(aspi_dot(faces[k].normal, faces[k].normal) > 0) ||
+        (aspi_dot(first->normal, first->normal) > 0 && faces[k].time < first->time))
+      first = &faces[k];
+  return *first;
+}
+
+Memory Mover::memory(const Stepper &wall) const {
+  if (i >= 0) {
+    ParticleState &state = wall.rows.state[i];
+    ParticlePlace &place = wall.rows.place[i];
+    return Memory{&state.impacts, &place.draws,   &state.status,        place.faces,
+                  place.rests,    &place.rebound, ParticlePlace::FACES, ParticlePlace::RESTS};
+  }
+  size_t w = 0;
+  while ((*walls_)[w] != &wall)
+    w++;
+  BodyMemory &of = *bodies_->memory[w][static_cast<size_t>(body - bodies_->all.data())];
+  return Memory{&of.impacts, &of.draws,   &of.status,        of.faces,
+                of.rests,    &of.rebound, BodyMemory::FACES, BodyMemory::RESTS};
+}
+
+/* ---- what it is -------------------------------------------------------------------------------
+ */
+
+Mover::Mover(const Spheres &s, int which)
+    : i(which), body(NULL), mass(s.mass[i]), is_ball(true), sphere(&own_), count(1), spheres_(&s),
+      bodies_(NULL), walls_(NULL), radius_(s.radius[i]) {
+  own_ = BodySphere{{0, 0, 0}, s.radius[i], s.type[i], s.mask[i], s.tag_of(i)};
+}
+
+Mover::Mover(const std::vector<Stepper *> &walls, const Bodies &bodies, size_t number)
+    : i(-1), body(&bodies.all[number]), mass(body->mass), sphere(&bodies.spheres[body->first]),
+      count(body->count), spheres_(NULL), bodies_(&bodies), walls_(&walls), view_(),
+      radius_(sphere->radius) {
+  is_ball = is_round(*body, *sphere);
+  set_axes(body->axes);
+  view_.step = bodies.step;
+  view_.dt = bodies.dt;
+  view_.n = 1;
+  view_.tag_bytes = sizeof sphere->tag;
+  view_.mass = &mass;
+}
+
+const Spheres &Mover::view(size_t k) const {
+  if (!body)
+    return *spheres_;
+  view_.mask = &sphere[k].mask;
+  view_.type = &sphere[k].type;
+  view_.tag = &sphere[k].tag;
+  view_.radius = &sphere[k].radius;
+  return view_;
+}
+
+bool Mover::is_central(size_t k) const {
+  return is_ball || aspi_length(sphere[k].arm) < CENTRAL * sphere[k].radius;
+}
+
+/* ---- how it turns -----------------------------------------------------------------------------
+ */
+
+void Mover::arm(size_t k, double out[3]) const {
+  const double *at = sphere[k].arm;
+  for (int d = 0; d < 3; d++)
+    out[d] = is_ball ? 0 : at[0] * axes[0][d] + at[1] * axes[1][d] + at[2] * axes[2][d];
+}
+
+void Mover::set_axes(const double to[3][3]) {
+  static const int of[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+  for (int k = 0; k < 3; k++)
+    aspi_copy(to[k], axes[k]);
+  for (int j = 0; j < 6; j++) {
+    inverse[j] = 0;
+    for (int k = 0; k < 3; k++)
+      if (body->inertia[k] > 0)
+        inverse[j] += mass / body->inertia[k] * axes[k][of[j][0]] * axes[k][of[j][1]];
+  }
+}
+
+void Mover::turn(const double omega[3], double time) {
+  double to[3][3];
+  for (int k = 0; k < 3; k++)
+    aspi_copy(axes[k], to[k]);
+  turn_by(omega, time, to);
+  set_axes(to);
+}
+
+void Mover::spin_of(const double momentum[3], double spin[3]) const {
+  if (is_ball)
+    for (int d = 0; d < 3; d++)
+      spin[d] = momentum[d] / (0.4 * radius_ * radius_);
+  else
+    multiply(inverse, momentum, spin);
+}
+
+void Mover::momentum_of(const double spin[3], double momentum[3]) const {
+  aspi_copy(spin, momentum);
+  aspi_scale(is_ball ? 0.4 * radius_ * radius_ : 0, momentum);
+  for (int k = 0; k < 3 && !is_ball; k++)
+    aspi_add_scaled(momentum, body->inertia[k] / mass * aspi_dot(spin, axes[k]), axes[k], momentum);
+}
+
+double Mover::energy(const double v[3], const double spin[3]) const {
+  if (is_ball)
+    return 0.5 * aspi_dot(v, v) + 0.2 * radius_ * radius_ * aspi_dot(spin, spin);
+  double momentum[3];
+  momentum_of(spin, momentum);
+  return 0.5 * (aspi_dot(v, v) + aspi_dot(spin, momentum));
+}
+
+double Mover::energy_along(const double n[3], const double v[3], const double spin[3]) const {
+  double u[3], turning[3];
+  if (is_ball) {
+    const double v_n = aspi_dot(v, n), w_n = radius_ * aspi_dot(spin, n);
+    return energy(v, spin) - 0.5 * v_n * v_n - 0.2 * w_n * w_n;
+  }
+  aspi_add_scaled(v, -aspi_dot(v, n), n, u);
+  aspi_add_scaled(spin, -aspi_dot(spin, n), n, turning);
+  return energy(u, turning);
+}
+
+void Mover::twist(const double at[3], const double impulse[3], double spin[3]) const {
+  double couple[3];
+  aspi_cross(at, impulse, couple);
+  if (is_ball) {
+    aspi_copy(couple, spin);
+    aspi_scale(2.5 / (radius_ * radius_), spin);
+  } else
+    multiply(inverse, couple, spin);
+}
+
+double Mover::response(const double at[3], const double n[3]) const {
+  double couple[3], turned[3];
+  if (is_ball)
+    return 1;
+  aspi_cross(at, n, couple);
+  multiply(inverse, couple, turned);
+  return 1 + aspi_dot(couple, turned);
+}
+
+asp_body Mover::core_body(const double at[3]) const {
+  asp_body made = {1 / mass, {0, 0, 0, 0, 0, 0}, {at[0], at[1], at[2]}};
+  for (int j = 0; j < 6; j++)
+    made.inverse_inertia[j] = inverse[j] / mass;
+  return made;
+}
+
+/* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
+ * mover has lost. */
+ContactLoad Mover::load(size_t k, int piece, const double center[3], const double n[3],
+                        const double x[3], const double change[3], const double turned[3],
+                        const double v_before[3]) const {
+  double lever[3], momentum[3];
+  ContactLoad made(view(k), row(), piece, center, n, change, v_before);
+  made.particle = i;
+  if (!turned)
+    return made;
+  aspi_subtract(x, made.point, lever);
+  aspi_cross(lever, made.impulse, made.couple);
+  momentum_of(turned, momentum);
+  aspi_add_scaled(made.couple, -mass, momentum, made.couple);
+  return made;
+}
+
+void asperity::multiply(const double m[6], const double a[3], double out[3]) {
+  const double x = a[0], y = a[1], z = a[2];
+  out[0] = m[0] * x + m[3] * y + m[4] * z;
+  out[1] = m[3] * x + m[1] * y + m[5] * z;
+  out[2] = m[4] * x + m[5] * y + m[2] * z;
+}

@@ -1,0 +1,108 @@
+/* What moves and meets walls: a grain, or a rigid body of spheres. A grain is a body of one sphere
+ * about its center of mass; such a one is a ball, for which closed forms hold.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_MOVER_H
+#define ASPERITY_DEM_MOVER_H
+
+#include "dem/step/bodies.h"
+#include "dem/step/stepper.h"
+
+namespace asperity {
+
+/* Contacts are at one wall if the cosine between their normals is larger; at a corner they are not.
+ */
+const double SAME_WALL = 0.7;
+
+const double NONE[3] = {0, 0, 0};
+
+/* What a mover remembers of one wall. */
+struct Memory {
+  double *impacts, *draws, *status;
+  FacePlace *faces;
+  Rest *rests;
+  ReboundPlace *rebound;
+  size_t face_count, rest_count; /* the room that there is */
+
+  Status state() const {
+    return static_cast<Status>(static_cast<int>(*status));
+  }
+  bool is_resting() const {
+    return state() == Status::RESTING;
+  }
+  /* How many faces it rests at. */
+  size_t resting() const;
+  bool rests_at(int64_t sphere, size_t shape, int face) const;
+  FacePlace *face_of(int64_t sphere, const double n[3]) const;
+  /* The place of another face: one that is empty, or that was met longest ago. */
+  FacePlace &oldest() const;
+};
+
+class Mover {
+public:
+  Mover(const Spheres &spheres, int i);
+  Mover(const std::vector<Stepper *> &walls, const Bodies &bodies, size_t number);
+  Mover(const Mover &) = delete;
+
+  const int i;      /* of a grain; -1: a body */
+  const Body *body; /* NULL: a grain */
+  double mass;
+  bool is_ball; /* one sphere about the center of mass */
+  const BodySphere *sphere;
+  size_t count;      /* of spheres */
+  double axes[3][3]; /* now; unit vectors */
+  double inverse[6]; /* mass times inverse inertia, now, of a body: xx, yy, zz, xy, xz, yz */
+
+  /* The sphere as one of a list, for its load: which number it has there. */
+  const Spheres &view(size_t k) const;
+  int row() const {
+    return i < 0 ? 0 : i;
+  }
+
+  Memory memory(const Stepper &wall) const;
+
+  /* True if a sphere is about the center of mass, as far as engines find that. */
+  bool is_central(size_t k) const;
+
+  /* From the center of mass to the center of a sphere. */
+  void arm(size_t k, double out[3]) const;
+  void set_axes(const double to[3][3]);
+  void turn(const double omega[3], double time); /* its axes */
+
+  /* Angular velocity from the angular momentum, and back, per mass. */
+  void spin_of(const double momentum[3], double spin[3]) const;
+  void momentum_of(const double spin[3], double momentum[3]) const;
+
+  /* Energy per mass; and that of the motion along a wall. */
+  double energy(const double v[3], const double spin[3]) const;
+  double energy_along(const double n[3], const double v[3], const double spin[3]) const;
+
+  /* What an impulse at a point does to the spin: all per mass. And the inverse of the mass that it
+   * meets along n, times the mass: 1 at the center. */
+  void twist(const double arm[3], const double impulse[3], double spin[3]) const;
+  double response(const double arm[3], const double n[3]) const;
+
+  /* The body as the core has it, by one of its spheres. */
+  asp_body core_body(const double arm[3]) const;
+
+  /* The load of a sphere's contact, with its center at `center` and that of the mover at x, by the
+   * changes of the velocity and of the spin; NULL: the spin that the impulse at the point gives. */
+  ContactLoad load(size_t k, int piece, const double center[3], const double n[3],
+                   const double x[3], const double change[3], const double turned[3],
+                   const double v_before[3]) const;
+
+private:
+  BodySphere own_; /* of a grain */
+  const Spheres *spheres_;
+  const Bodies *bodies_;
+  const std::vector<Stepper *> *walls_;
+  mutable Spheres view_;
+  double radius_;
+};
+
+/* The product of a symmetric matrix xx, yy, zz, xy, xz, yz. */
+void multiply(const double m[6], const double a[3], double out[3]);
+
+} // namespace asperity
+
+#endif
