@@ -135,6 +135,8 @@ void Model::read_measured() {
       profile_.reset(asp_reader_read(reader.get(), path.c_str(), &wrong));
   }
   int good = map_ || profile_, all;
+  if (!good && wrong.code == ASP_ENOMEM)
+    throw_error(wrong); /* of this rank alone */
   MPI_Allreduce(&good, &all, 1, MPI_INT, MPI_MIN, engine_.world());
   if (!all)
     throw Error(good ? "the file '" + path + "' cannot be read by all ranks"

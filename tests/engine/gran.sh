@@ -119,7 +119,7 @@ if [ $simulator = liggghts ]; then
   for kind in gran rebound; do awk '{ sum[$1] += $2; n[$1]++ } END { print "grains/s", sum["grains/s"] / n["grains/s"] }' all.$kind > hoppers.$kind.mean; done
   cat hopper_*.rebound.lines > hoppers.rebound.lines
   compare_means hoppers 2.5 "grains/s=$([ $fillings -lt 12 ] && echo 0.15 || echo 0.05)"
-  long=${LONG:-2} compare drum "$mean" 1.4 "energy=0.1 height=0.05"
+  long=${LONG:-2} compare drum "$mean" 1.4 "energy=0.1 height=0.08" # two runs of 8 and 2 are off by 6 %, on either side
   compare shake "$mean" 1.5 "height=0.05"
   compare belt "$mean" 1.3 "energy=0.1 height=0.06 speed=0.05"
 fi
