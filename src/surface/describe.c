@@ -127,6 +127,6 @@ asp_code aspi_roughness_check(const char *which, double lambda, double step, con
 asp_code aspi_profile_check(const aspi_profile_description *d, double phi_r_most,
                             asp_error *error) {
   return aspi_roughness_check("", d->lambda_c, d->spacing,
-                              "; take short waves out (reader: lambda_s)", "R_q/lambda_c",
-                              d->phi_r, phi_r_most, error);
+                              "; take short waves out (reader: lambda_s)", "R_q/lambda_c", d->phi_r,
+                              phi_r_most, error);
 }

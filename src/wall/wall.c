@@ -149,4 +149,3 @@ const asp_rebound_law *asp_wall_rebound(const asp_wall *wall) {
 const asp_pair *asp_wall_pair(const asp_wall *wall) {
   return wall->pair;
 }
-
