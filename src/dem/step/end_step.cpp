@@ -385,13 +385,8 @@ static void end_grain(const Walls &walls, const Spheres &s, int i) {
   flight.put_at_end(s.x + at);
   if (s.torque)
     aspi_add_scaled(alpha, 1 / inertia, s.torque + at, alpha);
-  if (hold_resting(walls, flight, alpha, push, twist, stuck)) {
-    stuck.wall->stick(s, i, 0, stuck.shape, stuck.before, stuck.contact);
-    flight.give_rest(stuck, s.v + at);
-  }
-  for (const Event &event : flight.events)
-    event.wall->books.count(s, i, event, event.load);
-  if (stuck.wall)
+  hold_resting(walls, flight, alpha, push, twist, stuck);
+  if (count_events(flight, s, stuck))
     return;
   aspi_copy(flight.begin, s.v + at);
   aspi_add_scaled(s.f + at, s.mass[i], push, s.f + at);

@@ -171,6 +171,9 @@ private:
 /* Gives the mover, which had the velocity v, what the last event leaves it; true: it has stuck. */
 bool take_impact(const Site &site, const double v[3]);
 
+/* Counts the impacts of a grain, and leaves it where it has stuck, if it has: then true. */
+bool count_events(const Flight &flight, const Spheres &spheres, const Touch &stuck);
+
 /* end_step.cpp: notes the energy of the rebounds of a ball, which has come to x, for the end of the
  * step. */
 void note_energy(const Flight &flight, const double x[3]);

@@ -532,6 +532,17 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   return true;
 }
 
+bool asperity::count_events(const Flight &flight, const Spheres &s, const Touch &stuck) {
+  const int i = flight.mover.i;
+  if (stuck.wall) {
+    stuck.wall->stick(s, i, flight.path.left, stuck.shape, stuck.before, stuck.contact);
+    flight.give_rest(stuck, s.v + 3 * static_cast<size_t>(i));
+  }
+  for (const Event &event : flight.events)
+    event.wall->books.count(s, i, event, event.load);
+  return stuck.wall;
+}
+
 /* All contacts of a grain. */
 static void fly_grain(const Walls &walls, const Walls &near, const Spheres &s, int i) {
   Mover mover(s, i);
@@ -540,13 +551,7 @@ static void fly_grain(const Walls &walls, const Walls &near, const Spheres &s, i
   const size_t at = 3 * static_cast<size_t>(i);
   if (!fly(walls, near, flight, near[0]->ahead.bend() / s.dt, stuck))
     return;
-  if (stuck.wall) {
-    stuck.wall->stick(s, i, flight.path.left, stuck.shape, stuck.before, stuck.contact);
-    flight.give_rest(stuck, s.v + at);
-  }
-  for (const Event &event : flight.events)
-    event.wall->books.count(s, i, event, event.load);
-  if (stuck.wall)
+  if (count_events(flight, s, stuck))
     return;
   aspi_copy(flight.half, s.v + at);
   if (s.omega)
