@@ -92,8 +92,10 @@ static double leaves_with(double n1, double pressure, double pull, double stiffn
          work = (n1 / unit) * (n1 / unit);
   double root = cbrt(adhesion), scale = root * adhesion * adhesion * adhesion, slope;
   double to_yield = adhesion < 1 ? elastic_work(adhesion, 1, 1) - JUMP * scale : 0;
-  if (work <= to_yield)
-    return n1 * sqrt(fmax(0, 1 - (SNAP - JUMP) * scale / work));
+  if (work <= to_yield) {
+    double pull_off = (SNAP - JUMP) * scale;
+    return pull_off < work ? n1 * sqrt(1 - pull_off / work) : pull_off > 0 ? 0 : n1;
+  }
   double from = fmax(1, root);
   work += plastic_work(adhesion, give, from, &slope) - to_yield;
   double u = stops_at(adhesion, give, from, work), u3 = u * u * u;
