@@ -7,7 +7,6 @@
 #define ASP_ANALYSIS_CALIBRATE_H
 
 #include "analysis/impacts.h"
-#include "analysis/weights.h"
 #include "asperity.h"
 
 #include <stdint.h>
@@ -25,18 +24,30 @@ typedef struct aspi_unknown {
   double scaled_start, low, high, from, to;
 } aspi_unknown;
 
-/* Rows of the data at one place or at several close ones; the group of the same index has their
- * moments. */
+/* Means of rebounds, x = v_N2/v1 and y = v_T2/v1, which are bounded where CoR_N and CoR_T are not;
+ * their variances; and the share of deposits. */
+enum { MOMENT_X, MOMENT_Y, MOMENT_XX, MOMENT_YY, MOMENT_STUCK, MOMENTS };
+
+typedef struct aspi_bin_moments {
+  double rebounds, all; /* impacts */
+  double of[MOMENTS];   /* NAN without rebounds, but for the share of deposits */
+  /* Of one rebound's x, y, and their squares about the means. */
+  double covariance[MOMENT_STUCK][MOMENT_STUCK];
+} aspi_bin_moments;
+
+/* Rows of the data at one place or at several close ones, and their moments. */
 typedef struct aspi_calibration_bin {
   size_t first, end; /* rows of the data */
   double degrees;
+  aspi_bin_moments moments;
+  bool used[MOMENTS];
+  bool by_data; /* the errors of the means are given and taken as they are */
 } aspi_calibration_bin;
 
 typedef struct aspi_calibration {
   aspi_measured data;
   aspi_calibration_bin *bins;
-  aspi_group *groups; /* of each bin: x = v_N2/v1 and y = v_T2/v1 of rebounds, which are bounded */
-  size_t n_bins;      /* where CoR_N and CoR_T are not */
+  size_t n_bins;
   aspi_unknown unknown[FIT_UNKNOWNS_MOST];
   size_t n_unknown;
   asp_description *words;
@@ -57,10 +68,9 @@ typedef struct aspi_calibration {
 typedef struct aspi_fit {
   double at[FIT_UNKNOWNS_MOST], error[FIT_UNKNOWNS_MOST]; /* on the scale */
   double correlation[FIT_UNKNOWNS_MOST][FIT_UNKNOWNS_MOST];
-  double rise[FIT_UNKNOWNS_MOST]; /* of chi2 at one error from its minimum */
   double low[FIT_UNKNOWNS_MOST], high[FIT_UNKNOWNS_MOST]; /* -INFINITY, INFINITY: at the bound */
   double chi2, dof;
-  double first_chi2; /* before the weights were those of the data; chi2 if they need not be */
+  double model_chi2; /* by the weights of the model, where it does not describe the data */
   size_t starts, agreed;
   bool described, converged;
 } aspi_fit;
@@ -72,25 +82,23 @@ double aspi_unknown_slope(const aspi_unknown *u, double scaled);
 /* Makes the wall of some values of the unknowns; false: there is none. */
 bool aspi_calibration_set(const aspi_calibration *c, const double *scaled);
 
-/* Impacts of the model at the places of a bin; xy has room for them. Draws depend on the bin and
- * the number of the impact; the data's own are others. */
-void aspi_calibration_draw(const aspi_calibration *c, size_t bin, size_t samples, aspi_cloud *to);
+/* Moments of impacts of the model at the places of a bin; xy is scratch for `samples` of them.
+ * Draws depend on the bin and the number of the impact; the data's own are others. */
+aspi_bin_moments aspi_calibration_simulate(const aspi_calibration *c, size_t bin, size_t samples,
+                                           double (*xy)[COR_BOTH]);
 
-/* The impacts of a bin's rows, and which of their moments there are. False: out of memory. */
-bool aspi_calibration_take_impacts(const aspi_calibration *c, size_t bin);
+/* Moments of rebounds and deposits. */
+aspi_bin_moments aspi_calibration_moments(double (*xy)[COR_BOTH], size_t rebounds, size_t deposits);
 
-/* Puts the data into bins of that width (degrees), and those into groups of moments. ASP_EARG:
- * fewer moments than unknowns. */
+/* Puts the data into bins of that width (degrees) and finds their moments. ASP_EARG: fewer moments
+ * than unknowns. */
 asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error *error);
 
 /* Finds the unknowns and leaves the wall at them. ASP_ENOMEM, or ASP_EDATA: no values make a wall.
- * Simulated moments (McFadden 1989), weighed by the model's covariance where the errors of the data
- * are known and the model describes them. The minimum is looked for from the best points of a
- * design that does not depend on the caller's start, by the likelihood that the moments would have
- * if they were normal; the start is one more point, whose end counts only where it is better by
- * more than noise, so that all starts have the same result. From the best end, Gauss-Newton steps
- * with new weights at each go to the estimates (quasi-likelihood). With the last weights, the rise
- * of chi^2 makes the intervals. */
+ * Least squares of simulated moments (McFadden 1989), by GSL's nonlinear fit from the best points
+ * of a design and from the caller's start, with weights of the data. Where the number of impacts is
+ * known, the fit goes on with the model's covariance as weights, which few impacts cannot give
+ * (quasi-likelihood, Wedderburn 1974), if the model then describes the data. */
 asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *error);
 
 /* Means and standard deviations of the model's CoR_N and CoR_T at the mean angle of a bin. False:

@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/calibrate.h"
 #include "analysis/angles.h"
-#include "base/running.h"
 #include "base/stream.h"
 #include "description/description.h"
 
@@ -86,62 +85,55 @@ static const aspi_measured_row *row_of(const aspi_calibration *c, const aspi_cal
   return &c->data.rows[bin->first + (size_t)(share * (double)(bin->end - bin->first))];
 }
 
-void aspi_calibration_draw(const aspi_calibration *c, size_t b, size_t samples, aspi_cloud *to) {
-  const aspi_calibration_bin *bin = &c->bins[b];
-  for (size_t i = 0; i < samples; i++) {
-    const aspi_measured_row *row = row_of(c, bin, i, samples);
-    if (see_rebound(c, row, b * TAGS_OF_A_BIN + i, to->xy[to->rebounds]))
-      to->rebounds++;
-    else
-      to->deposits++;
-  }
+aspi_bin_moments aspi_calibration_simulate(const aspi_calibration *c, size_t b, size_t samples,
+                                           double (*xy)[COR_BOTH]) {
+  size_t rebounds = 0;
+  for (size_t i = 0; i < samples; i++)
+    rebounds +=
+        see_rebound(c, row_of(c, &c->bins[b], i, samples), b * TAGS_OF_A_BIN + i, xy[rebounds]);
+  return aspi_calibration_moments(xy, rebounds, samples - rebounds);
 }
 
-bool aspi_calibration_take_impacts(const aspi_calibration *c, size_t b) {
-  const aspi_calibration_bin *bin = &c->bins[b];
-  aspi_group *g = &c->groups[b];
-  bool has[COR_BOTH] = {true, true};
-  aspi_cloud *to = &g->impacts;
-  if (!(to->xy = calloc(bin->end - bin->first, sizeof *to->xy)))
-    return false;
-  aspi_running both[COR_BOTH] = {{0, 0, 0}, {0, 0, 0}};
-  for (size_t i = bin->first; i < bin->end; i++) {
-    const aspi_measured_row *row = &c->data.rows[i];
-    double alpha = aspi_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
-    to->deposits += row->deposit;
-    for (int k = 0; k < COR_BOTH && !row->deposit; k++) {
-      has[k] = has[k] && isfinite(row->cor[k]);
-      to->xy[to->rebounds][k] = isfinite(row->cor[k]) ? row->cor[k] * by[k] : 0;
-      aspi_running_add(&both[k], to->xy[to->rebounds][k]);
-    }
-    to->rebounds += !row->deposit;
+aspi_bin_moments aspi_calibration_moments(double (*xy)[COR_BOTH], size_t rebounds,
+                                          size_t deposits) {
+  double n = (double)rebounds, sum[COR_BOTH] = {0, 0};
+  aspi_bin_moments m = {.rebounds = n, .all = n + (double)deposits};
+  for (size_t i = 0; i < rebounds; i++)
+    for (int k = 0; k < COR_BOTH; k++)
+      sum[k] += xy[i][k];
+  double mean[MOMENT_STUCK] = {sum[COR_N] / n, sum[COR_T] / n};
+  double product[MOMENT_STUCK][MOMENT_STUCK] = {{0}};
+  for (size_t i = 0; i < rebounds; i++) {
+    double x = xy[i][COR_N] - mean[MOMENT_X], y = xy[i][COR_T] - mean[MOMENT_Y];
+    double term[MOMENT_STUCK] = {x, y, x * x, y * y};
+    for (int k = 0; k < MOMENT_STUCK; k++)
+      for (int l = 0; l <= k; l++)
+        product[k][l] += term[k] * term[l];
   }
-  bool any = to->rebounds > 0, spread = any && !c->smooth;
-  g->n = (double)(to->rebounds + to->deposits);
   for (int k = 0; k < COR_BOTH; k++) {
-    g->mean[k] = any && has[k] ? both[k].mean : NAN;
-    g->sd[k] = any && has[k] ? aspi_running_sd(&both[k]) : NAN;
-    g->used[MOMENT_X + k] = has[k] && any;
-    g->used[MOMENT_XX + k] = has[k] && spread;
+    m.of[MOMENT_X + k] = mean[k];
+    mean[MOMENT_XX + k] = product[k][k] / n;
+    m.of[MOMENT_XX + k] = product[k][k] / fmax(1, n - 1);
   }
-  g->used[MOMENT_XY] = has[COR_N] && has[COR_T] && spread;
-  g->used[MOMENT_STUCK] = c->data.has_outcome && c->sticks;
-  return true;
+  for (int k = 0; k < MOMENT_STUCK; k++)
+    for (int l = 0; l <= k; l++)
+      m.covariance[k][l] = m.covariance[l][k] =
+          (product[k][l] - (l >= MOMENT_XX ? n * mean[k] * mean[l] : 0)) / fmax(1, n - 1);
+  m.of[MOMENT_STUCK] = (double)deposits / m.all;
+  return m;
 }
 
 bool aspi_calibration_coefficients(const aspi_calibration *c, size_t b, double mean[COR_BOTH],
                                    double sd[COR_BOTH]) {
-  static const double center[COR_BOTH] = {0, 0};
   double alpha = aspi_radians(c->bins[b].degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
-  aspi_cloud cloud = {calloc(c->samples, sizeof *cloud.xy), 0, 0};
-  if (!cloud.xy)
+  double(*xy)[COR_BOTH] = calloc(c->samples, sizeof *xy);
+  if (!xy)
     return false;
-  aspi_calibration_draw(c, b, c->samples, &cloud);
-  aspi_cloud_moments m = aspi_cloud_moments_of(&cloud, center);
+  aspi_bin_moments m = aspi_calibration_simulate(c, b, c->samples, xy);
   for (int k = 0; k < COR_BOTH; k++) {
     mean[k] = m.of[MOMENT_X + k] / by[k];
-    sd[k] = sqrt(m.covariance[MOMENT_X + k][MOMENT_X + k]) / by[k];
+    sd[k] = sqrt(m.of[MOMENT_XX + k]) / by[k];
   }
-  free(cloud.xy);
+  free(xy);
   return true;
 }

@@ -1,49 +1,76 @@
-/* Starting points and results of a fit; see calibrate.h.
+/* The least squares of a calibration, by GSL's nonlinear fit (Levenberg-Marquardt); see
+ * calibrate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/search.h"
+#include "analysis/calibrate.h"
 #include "base/error.h"
 
+#include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_math.h>
+#include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_qrng.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Searches for the start: the points of the design, the least distance of two starts on the scale,
- * the number of searches, the number that must agree, and the simulated impacts per group. */
+/* Points of the design, searches from the best of them, and their simulated impacts per bin. */
+enum { PROBES = 256, STARTS = 4, SEARCH_SAMPLES = 200 };
+
+/* Least distance of two starts on the scale. */
 #define APART 1.0
-enum { PROBES = 256, STARTS = 10, AGREEING = 3, SEARCH_SAMPLES = 200 };
 
 /* Searches that end within this of the best sum of squares agree. */
 #define AGREED 1.0
 
-/* A value within this distance of a bound, on the scale, counts as at the bound. */
-#define AT_BOUND 0.01
-
 /* A model describes the data if chi^2 per degree of freedom is below DESCRIBED, or so large a chi^2
- * has a probability above 1e-4. */
+ * has a probability above CHANCE. */
 #define DESCRIBED 3.0
 #define CHANCE 1e-4
 
-/* An end of an interval: the places that are tried, and how many before wide steps out and halvings
- * take over; how near they come, as a share of the distance; the largest factor of a step out. */
-enum { CORRECTIONS = 10, PATIENCE = 2 };
-#define END_CLOSE 0.02
-#define FARTHER_MOST 4.0
+/* Step of the unknowns for a derivative, wide enough to pass over the jumps that single impacts
+ * make. */
+#define TURN 0.04
+
+/* Steps of a fit, at most, and their relative size at its end. */
+enum { STEPS = 20 };
+#define CLOSE 1e-4
+
+/* Rounds of weights and a fit, at most. Values have settled if a round moves them by less than this
+ * share of their errors, and are in doubt if the last one moves them by more than the second. */
+enum { ROUNDS = 12 };
+#define SETTLED 0.02
+#define WANDERING 0.25
+
+/* Halvings to an end of an interval next to a bound, and the steps of the fit in each. */
+enum { HALVINGS = 10, HALVING_STEPS = 2 };
+
+/* Residual of each moment if there is no model with the values of the unknowns. */
+#define NOT_A_MODEL 1e5
+
+/* Share of each variance that is added to it, as a simulation does not resolve combinations of
+ * moments that vary less; and the least variance. */
+#define RIDGE 1e-3
+#define FLOOR 1e-14
 
 /* The box in which the search looks for starts, and bounds of the search, of an unknown without
  * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
  * one with bounds. */
 #define LOG_AROUND 2.5
-#define LOG_DOWN 9.2
-#define LOG_UP 9.2
+#define LOG_FAR 9.2
 #define LOGISTIC_AROUND 3.5
-#define LOGISTIC 6.0
+#define LOGISTIC_FAR 6.0
 
-/* ---- the scales of the unknowns ---- */
+typedef struct search {
+  const aspi_calibration *problem;
+  double (*lower)[MOMENTS][MOMENTS]; /* Cholesky factor of the covariance of each bin's moments */
+  double (*xy)[COR_BOTH];            /* scratch of a bin */
+  size_t samples;                    /* simulated impacts of a bin */
+  size_t n_moments;
+  double low[FIT_UNKNOWNS_MOST], high[FIT_UNKNOWNS_MOST]; /* equal: the unknown is held */
+} search;
+
+/* ---- bounds -----------------------------------------------------------------------------------
+ */
 
 static double scale_of(const aspi_unknown *u, double value) {
   return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
@@ -55,11 +82,160 @@ static void bound_search(aspi_unknown *u) {
   double center = u->bounded ? 0 : log(u->standard);
   if (!(fabs(start - center) < around) && !u->bounded)
     center = start;
-  u->low = u->bounded ? -LOGISTIC : fmax(center - LOG_DOWN, log(u->least));
-  u->high = u->bounded ? LOGISTIC : fmin(center + LOG_UP, log(u->most));
+  u->low = u->bounded ? -LOGISTIC_FAR : fmax(center - LOG_FAR, log(u->least));
+  u->high = u->bounded ? LOGISTIC_FAR : fmin(center + LOG_FAR, log(u->most));
   u->from = fmax(center - around, u->low);
   u->to = fmin(center + around, u->high);
   u->scaled_start = fmin(fmax(start, u->low), u->high);
+}
+
+static void limit(const search *s, double *at) {
+  for (size_t j = 0; j < s->problem->n_unknown; j++)
+    at[j] = fmin(fmax(at[j], s->low[j]), s->high[j]);
+}
+
+/* ---- residuals --------------------------------------------------------------------------------
+ */
+
+/* Covariance of two moments, measured minus simulated; model NULL: by the data's scatter. The
+ * second term is that of variances of few impacts. */
+static double covariance(const aspi_calibration_bin *bin, const aspi_bin_moments *model, int k,
+                         int l) {
+  const aspi_bin_moments *data = &bin->moments, *scatter = model && !bin->by_data ? model : data;
+  double n = data->rebounds;
+  if (k == MOMENT_STUCK || l == MOMENT_STUCK) {
+    double share = (data->all * (model ? model : data)->of[MOMENT_STUCK] + 0.5) / (data->all + 1);
+    return k == l ? share * (1 - share) * (1 / data->all + (model ? 1 / model->all : 0)) : 0;
+  }
+  double sum = scatter->covariance[k][l] * (1 / n + (model ? 1 / model->rebounds : 0));
+  if (k >= MOMENT_XX && l >= MOMENT_XX)
+    sum += 2 * pow(scatter->covariance[k - MOMENT_XX][l - MOMENT_XX], 2) / (n * (n - 1));
+  return sum;
+}
+
+/* Cholesky factor of the covariance of the used moments and a ridge. */
+static void factor(const aspi_calibration_bin *bin, const aspi_bin_moments *model,
+                   double (*a)[MOMENTS]) {
+  for (int k = 0; k < MOMENTS; k++)
+    for (int l = 0; l <= k && bin->used[k]; l++) {
+      double sum = bin->used[l] ? covariance(bin, model, k, l) : 0;
+      double floor = k == l ? RIDGE * sum + FLOOR : 0;
+      for (int i = 0; i < l; i++)
+        sum -= a[k][i] * a[l][i];
+      a[k][l] = !bin->used[l] ? 0 : l < k ? sum / a[l][l] : sqrt(fmax(sum, 0) + floor);
+    }
+}
+
+/* The moments of a bin; false: the model has no rebounds where the data have some. */
+static bool simulate(const search *s, size_t b, aspi_bin_moments *m) {
+  const aspi_calibration_bin *bin = &s->problem->bins[b];
+  *m = aspi_calibration_simulate(s->problem, b, s->samples, s->xy);
+  return m->rebounds >= 2 || !(bin->moments.rebounds > 0);
+}
+
+static bool set_model(const search *s, const double *at) {
+  double within[FIT_UNKNOWNS_MOST];
+  memcpy(within, at, s->problem->n_unknown * sizeof *within);
+  limit(s, within);
+  return aspi_calibration_set(s->problem, within);
+}
+
+/* Takes the weights of the model at these values; NULL: of the data. False: no such model. */
+static bool weigh(search *s, const double *at) {
+  bool fine = !at || set_model(s, at);
+  for (size_t b = 0; b < s->problem->n_bins && fine; b++) {
+    aspi_bin_moments m;
+    fine = !at || simulate(s, b, &m);
+    if (fine)
+      factor(&s->problem->bins[b], at ? &m : NULL, s->lower[b]);
+  }
+  return fine;
+}
+
+/* Differences of all moments, independent and of variance 1. */
+static int residuals(const gsl_vector *x, void *data, gsl_vector *out) {
+  const search *s = data;
+  bool fine = set_model(s, x->data);
+  size_t place = 0;
+  for (size_t b = 0; b < s->problem->n_bins && fine; b++) {
+    const aspi_calibration_bin *bin = &s->problem->bins[b];
+    double off[MOMENTS];
+    aspi_bin_moments m;
+    fine = simulate(s, b, &m);
+    for (int k = 0; k < MOMENTS && fine; k++) {
+      off[k] = 0;
+      if (!bin->used[k])
+        continue;
+      off[k] = m.of[k] - bin->moments.of[k];
+      for (int i = 0; i < k; i++)
+        off[k] -= s->lower[b][k][i] * off[i];
+      off[k] /= s->lower[b][k][k];
+      gsl_vector_set(out, place++, off[k]);
+    }
+  }
+  if (!fine)
+    gsl_vector_set_all(out, NOT_A_MODEL);
+  return GSL_SUCCESS;
+}
+
+/* Derivatives by central differences. */
+static int slopes(const gsl_vector *x, void *data, gsl_matrix *out) {
+  double of_at[FIT_UNKNOWNS_MOST];
+  gsl_vector_view at = gsl_vector_view_array(of_at, x->size);
+  gsl_vector *down = gsl_vector_alloc(out->size1);
+  for (size_t j = 0; j < x->size && down; j++) {
+    gsl_vector_view up = gsl_matrix_column(out, j);
+    gsl_vector_memcpy(&at.vector, x);
+    of_at[j] += TURN;
+    residuals(&at.vector, data, &up.vector);
+    of_at[j] -= 2 * TURN;
+    residuals(&at.vector, data, down);
+    gsl_vector_sub(&up.vector, down);
+    gsl_vector_scale(&up.vector, 1 / (2 * TURN));
+  }
+  gsl_vector_free(down);
+  return down ? GSL_SUCCESS : GSL_ENOMEM;
+}
+
+/* ---- least squares ----------------------------------------------------------------------------
+ */
+
+/* Errors and correlations; an unknown without influence has an infinite error. */
+static void find_errors(gsl_multifit_nlinear_workspace *solver, size_t p, aspi_fit *fit) {
+  double of_all[FIT_UNKNOWNS_MOST * FIT_UNKNOWNS_MOST];
+  gsl_matrix_view all = gsl_matrix_view_array(of_all, p, p);
+  gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(solver), 1e-12, &all.matrix);
+  for (size_t j = 0; j < p; j++)
+    fit->error[j] = of_all[j * p + j] > 0 ? sqrt(of_all[j * p + j]) : INFINITY;
+  for (size_t j = 0; j < p; j++)
+    for (size_t k = 0; k < p; k++)
+      fit->correlation[j][k] = of_all[j * p + k] / (fit->error[j] * fit->error[k]);
+}
+
+/* Least squares from there on; returns the sum, INFINITY where there is no model. fit NULL: errors
+ * are not needed. */
+static double descend(search *s, double *at, int steps, double close, aspi_fit *fit) {
+  size_t p = s->problem->n_unknown;
+  gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
+  gsl_multifit_nlinear_fdf fdf = {
+      .f = residuals, .df = slopes, .n = s->n_moments, .p = p, .params = s};
+  gsl_multifit_nlinear_workspace *solver =
+      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, fdf.n, p);
+  gsl_vector_view x = gsl_vector_view_array(at, p);
+  double squares = INFINITY;
+  int info;
+  if (solver && !gsl_multifit_nlinear_init(&x.vector, &fdf, solver)) {
+    gsl_multifit_nlinear_driver((size_t)steps, close, 1e-8, 1e-10, NULL, NULL, &info, solver);
+    gsl_vector_memcpy(&x.vector, gsl_multifit_nlinear_position(solver));
+    const gsl_vector *r = gsl_multifit_nlinear_residual(solver);
+    gsl_blas_ddot(r, r, &squares);
+    if (fit)
+      find_errors(solver, p, fit);
+  }
+  if (solver)
+    gsl_multifit_nlinear_free(solver);
+  limit(s, at);
+  return squares < NOT_A_MODEL * NOT_A_MODEL ? squares : INFINITY;
 }
 
 /* ---- the best start ---- */
@@ -73,179 +249,192 @@ static int by_squares(const void *left, const void *right) {
   return (a->squares > b->squares) - (a->squares < b->squares);
 }
 
-static bool describes(double chi2, double dof) {
-  return dof <= 0 || chi2 < DESCRIBED * dof || gsl_cdf_chisq_Q(chi2, dof) > CHANCE;
+static void progress(const search *s, double share) {
+  if (s->problem->progress)
+    s->problem->progress(s->problem->progress_context, share);
 }
 
 /* Evaluates the points of a Sobol sequence and sorts them, the best first. */
-static bool design(aspi_search *s, probe *probes) {
+static bool design(search *s, probe *probes) {
   const aspi_calibration *p = s->problem;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknown);
-  if (!sequence)
-    return false;
-  for (int i = 0; i < PROBES; i++) {
+  gsl_vector *r = gsl_vector_alloc(s->n_moments);
+  for (int i = 0; i < PROBES && sequence && r; i++) {
     double share[FIT_UNKNOWNS_MOST];
     gsl_qrng_get(sequence, share);
     for (size_t j = 0; j < p->n_unknown; j++)
       probes[i].at[j] = p->unknown[j].from + share[j] * (p->unknown[j].to - p->unknown[j].from);
-    probes[i].squares = aspi_search_squares(s, probes[i].at);
-    if (p->progress)
-      p->progress(p->progress_context, 0.1 * i / PROBES);
+    gsl_vector_view at = gsl_vector_view_array(probes[i].at, p->n_unknown);
+    residuals(&at.vector, s, r);
+    gsl_blas_ddot(r, r, &probes[i].squares);
+    progress(s, 0.2 * i / PROBES);
   }
-  gsl_qrng_free(sequence);
-  qsort(probes, PROBES, sizeof *probes, by_squares);
-  return true;
+  bool fine = sequence && r;
+  if (sequence)
+    gsl_qrng_free(sequence);
+  gsl_vector_free(r);
+  if (fine)
+    qsort(probes, PROBES, sizeof *probes, by_squares);
+  return fine;
 }
 
 static bool is_apart(const aspi_calibration *p, const probe *point, const probe *from, size_t n) {
   for (size_t i = 0; i < n; i++) {
     double square = 0;
     for (size_t j = 0; j < p->n_unknown; j++)
-      square += gsl_pow_2(point->at[j] - from[i].at[j]);
+      square += pow(point->at[j] - from[i].at[j], 2);
     if (square < APART * APART)
       return false;
   }
   return true;
 }
 
-/* Chooses the best points that are not near each other. */
-static size_t choose_starts(const aspi_calibration *p, const probe *probes, probe *starts) {
-  size_t n = 0;
-  for (int i = 0; i < PROBES && n < STARTS; i++)
-    if (is_apart(p, &probes[i], starts, n))
-      starts[n++] = probes[i];
-  return n;
-}
-
-static void descend(aspi_search *s, probe *at) {
-  at->squares = aspi_search_descend(s, at->at, 20, 5e-3);
-}
-
-/* True if a search ended at a bound. It may be lost on a plateau, so its agreement does not count.
- */
-static bool is_at_bound(const aspi_calibration *p, const probe *end) {
-  for (size_t j = 0; j < p->n_unknown; j++)
-    if (end->at[j] < p->unknown[j].low + AT_BOUND || end->at[j] > p->unknown[j].high - AT_BOUND)
-      return true;
-  return false;
-}
-
-/* Finds the best end of many searches. The one from the caller's start comes last, and counts only
- * if it is better. */
-static asp_code look_around(aspi_search *s, aspi_fit *fit) {
+/* Finds the best end of a few searches, the last of which begins at the caller's start. */
+static asp_code look_around(search *s, aspi_fit *fit) {
   const aspi_calibration *p = s->problem;
   probe probes[PROBES], ends[STARTS + 1];
-  size_t best = 0;
-  s->samples = p->samples < SEARCH_SAMPLES ? p->samples : SEARCH_SAMPLES;
   if (!design(s, probes))
     return ASP_ENOMEM;
-  size_t most = choose_starts(p, probes, ends);
-  while (fit->starts < most && (fit->agreed < AGREEING || is_at_bound(p, &ends[best]))) {
-    size_t last = fit->starts++;
-    descend(s, &ends[last]);
-    best = ends[last].squares < ends[best].squares ? last : best;
-    fit->agreed = 0;
-    for (size_t i = 0; i <= last; i++)
-      fit->agreed += ends[i].squares <= ends[best].squares + AGREED;
-    if (p->progress)
-      p->progress(p->progress_context, 0.1 + 0.4 * (double)fit->starts / (double)most);
-  }
-  probe *start = &ends[fit->starts++];
+  for (int i = 0; i < PROBES && fit->starts < STARTS; i++)
+    if (is_apart(p, &probes[i], ends, fit->starts))
+      ends[fit->starts++] = probes[i];
   for (size_t j = 0; j < p->n_unknown; j++)
-    start->at[j] = p->unknown[j].scaled_start;
-  descend(s, start);
-  bool better = start->squares < ends[best].squares - AGREED;
-  fit->agreed = better ? 1 : fit->agreed + (start->squares <= ends[best].squares + AGREED);
-  start = better ? start : &ends[best];
-  memcpy(fit->at, start->at, sizeof fit->at);
-  s->samples = p->samples;
-  return isfinite(start->squares) ? ASP_OK : ASP_EDATA;
-}
-
-static double impacts_of(const aspi_calibration *p) {
-  double n = 0;
-  for (size_t g = 0; g < p->n_bins; g++)
-    n += p->groups[g].n;
-  return n;
-}
-
-/* The value of an unknown, on the side of a bound, at which chi^2 has risen as it would over so
- * many errors if moments were linear in the unknowns; the others are at their best. Infinite if it
- * rises less up to the bound. The root of the rise is nearly linear. */
-static double end_of(aspi_search *s, const aspi_fit *fit, double errors, size_t j, double bound) {
-  double least = aspi_search_squares(s, fit->at), rise = errors * errors * fit->rise[j];
-  double inner = 0, outer = INFINITY, room = fabs(bound - fit->at[j]);
-  double side = bound < fit->at[j] ? -1 : 1, off = fmin(room, errors * fit->error[j]);
-  for (int i = 0; i < CORRECTIONS; i++) {
-    double others[FIT_UNKNOWNS_MOST];
-    for (size_t k = 0; k < s->problem->n_unknown; k++) {
-      double by = side * off * fit->correlation[k][j] * fit->error[k] / fit->error[j];
-      others[k] = fit->at[k] + fmin(fmax(by, -APART), APART);
-    }
-    s->held = (int)j;
-    s->held_at = fit->at[j] + side * off;
-    double now = aspi_search_descend(s, others, 2, 1e-3) - least;
-    double factor = sqrt(rise / fmax(now, rise * 1e-6));
-    s->held = -1;
-    if (fabs(factor - 1) < END_CLOSE)
-      break;
-    if (now < rise && off >= room)
-      return side * INFINITY;
-    *(now < rise ? &inner : &outer) = off;
-    factor = i < PATIENCE ? factor : isinf(outer) ? FARTHER_MOST : 0;
-    off = fmin(room, off * fmin(factor, FARTHER_MOST));
-    if (off <= inner || off >= outer)
-      off = (inner + outer) / 2;
+    ends[fit->starts].at[j] = p->unknown[j].scaled_start;
+  fit->starts++;
+  for (size_t i = 0; i < fit->starts; i++) {
+    ends[i].squares = descend(s, ends[i].at, STEPS, 5e-3, NULL);
+    progress(s, 0.2 + 0.4 * (double)i / (double)fit->starts);
   }
-  return fit->at[j] + side * off;
+  qsort(ends, fit->starts, sizeof *ends, by_squares);
+  for (size_t i = 0; i < fit->starts; i++)
+    fit->agreed += ends[i].squares <= ends[0].squares + AGREED;
+  memcpy(fit->at, ends[0].at, sizeof fit->at);
+  return isfinite(ends[0].squares) ? ASP_OK : ASP_EDATA;
 }
 
-/* 95 % of an unknown: between two values, or on one side of one if the other side has none. */
-static void find_intervals(aspi_search *s, aspi_fit *fit) {
+/* ---- the result ---- */
+
+static bool describes(double chi2, double dof) {
+  return dof <= 0 || chi2 < DESCRIBED * dof || gsl_cdf_chisq_Q(chi2, dof) > CHANCE;
+}
+
+/* Fits with new weights of the model until the values stay; false: no such model. */
+static bool settle(search *s, aspi_fit *fit) {
+  double moved = INFINITY; /* in the last round, in errors */
+  for (int round = 0; round < ROUNDS && moved > SETTLED; round++) {
+    double before[FIT_UNKNOWNS_MOST];
+    memcpy(before, fit->at, sizeof before);
+    if (!weigh(s, fit->at))
+      return false;
+    fit->chi2 = descend(s, fit->at, STEPS, CLOSE, fit);
+    moved = 0;
+    for (size_t j = 0; j < s->problem->n_unknown; j++)
+      moved = fmax(moved, fabs(fit->at[j] - before[j]) / fit->error[j]);
+    progress(s, 0.6 + 0.3 * round / ROUNDS);
+  }
+  fit->converged = moved < WANDERING;
+  return isfinite(fit->chi2);
+}
+
+/* The fit with weights of the data, and that with weights of the model if it describes them: one
+ * that scatters too little would take its misfit for certain. */
+static asp_code fit_all(search *s, aspi_fit *fit, bool by_model) {
+  fit->chi2 = descend(s, fit->at, STEPS, CLOSE, fit);
+  fit->dof = (double)(s->n_moments - s->problem->n_unknown);
+  fit->described = describes(fit->chi2, fit->dof);
+  fit->model_chi2 = fit->chi2;
+  fit->converged = true;
+  aspi_fit better = *fit;
+  if (!by_model || !isfinite(fit->chi2))
+    return isfinite(fit->chi2) ? ASP_OK : ASP_EDATA;
+  bool fine = settle(s, &better);
+  fit->described = better.described = fine && describes(better.chi2, better.dof);
+  fit->model_chi2 = better.model_chi2 = better.chi2;
+  if (fit->described)
+    *fit = better;
+  else
+    weigh(s, NULL);
+  return ASP_OK;
+}
+
+/* True if chi^2 with an unknown held there, the others at their best, is higher by that rise. */
+static bool is_above(search *s, const aspi_fit *fit, double rise, size_t j, double held) {
+  double others[FIT_UNKNOWNS_MOST], low = s->low[j], high = s->high[j];
+  memcpy(others, fit->at, sizeof others);
+  others[j] = s->low[j] = s->high[j] = held;
+  bool above = descend(s, others, HALVING_STEPS, 1e-3, NULL) > fit->chi2 + rise;
+  s->low[j] = low;
+  s->high[j] = high;
+  return above;
+}
+
+/* The value of an unknown, on the side of a bound, where chi^2 is higher by that rise. */
+static double end_of(search *s, const aspi_fit *fit, double rise, size_t j, double bound) {
+  double inner = fit->at[j], outer = bound;
+  for (int i = 0; i < HALVINGS; i++) {
+    double middle = (inner + outer) / 2;
+    *(is_above(s, fit, rise, j, middle) ? &outer : &inner) = middle;
+  }
+  return (inner + outer) / 2;
+}
+
+/* 95 % of an unknown by its error; if the data do not exclude a bound, where chi^2 may be far from
+ * a parabola, by the rise of chi^2 on the other side alone. */
+static void find_intervals(search *s, aspi_fit *fit) {
   const aspi_calibration *p = s->problem;
-  double n = p->known ? impacts_of(p) : (double)s->n_moments;
-  double scale = (!p->known || !fit->described) && fit->dof > 0 ? fit->chi2 / fit->dof : 1;
-  double freedom = fmax(1, n - (double)p->n_unknown);
-  double wide = sqrt(scale), both = gsl_cdf_tdist_Pinv(0.975, freedom) * wide;
+  double n = 0;
+  for (size_t b = 0; b < p->n_bins; b++)
+    n += p->bins[b].moments.all;
+  bool scaled = (!p->known || !fit->described) && fit->dof > 0;
+  double wide = scaled ? sqrt(fit->chi2 / fit->dof) : 1;
+  double freedom = fmax(1, (p->known ? n : (double)s->n_moments) - (double)p->n_unknown);
+  double both = gsl_cdf_tdist_Pinv(0.975, freedom) * wide;
   double one = gsl_cdf_tdist_Pinv(0.95, freedom) * wide;
   for (size_t j = 0; j < p->n_unknown; j++) {
-    double low = p->unknown[j].low, high = p->unknown[j].high;
-    fit->low[j] = end_of(s, fit, both, j, low);
-    fit->high[j] = end_of(s, fit, both, j, high);
-    if (isinf(fit->low[j]) && isfinite(fit->high[j]))
-      fit->high[j] = end_of(s, fit, one, j, high);
-    else if (isinf(fit->high[j]) && isfinite(fit->low[j]))
-      fit->low[j] = end_of(s, fit, one, j, low);
+    double *low = &fit->low[j], *high = &fit->high[j];
+    *low = fit->at[j] - both * fit->error[j];
+    *high = fit->at[j] + both * fit->error[j];
+    bool has_low = is_above(s, fit, both * both, j, s->low[j]);
+    bool has_high = is_above(s, fit, both * both, j, s->high[j]);
+    if (!has_low || !has_high) {
+      *low = has_low ? end_of(s, fit, one * one, j, s->low[j]) : -INFINITY;
+      *high = has_high ? end_of(s, fit, one * one, j, s->high[j]) : INFINITY;
+    }
   }
   for (size_t j = 0; j < p->n_unknown; j++)
     fit->error[j] *= wide;
 }
 
-/* Settles with the weights that belong to the data; with those of the data themselves if the model
- * does not describe them, as a model that scatters too little would take its misfit for certain. */
-static bool settle(aspi_search *s, aspi_fit *fit) {
-  bool fine = aspi_search_settle(s, fit);
-  fit->described = fine && describes(fit->chi2, fit->dof);
-  fit->first_chi2 = fit->chi2;
-  if (fit->described || !s->by_model)
-    return fine;
-  aspi_search_weigh_by_data(s);
-  return aspi_search_settle(s, fit);
+static asp_code find(search *s, aspi_fit *fit) {
+  const aspi_calibration *p = s->problem;
+  bool noisy = p->noise[0] > 0 || p->noise[1] > 0 || p->noise_speed > 0;
+  for (size_t b = 0; b < p->n_bins; b++)
+    for (int k = 0; k < MOMENTS; k++)
+      s->n_moments += p->bins[b].used[k];
+  weigh(s, NULL);
+  s->samples = p->samples < SEARCH_SAMPLES ? p->samples : SEARCH_SAMPLES;
+  asp_code code = look_around(s, fit);
+  s->samples = p->samples;
+  if (!code)
+    code = fit_all(s, fit, p->known && (!p->smooth || noisy));
+  if (!code)
+    find_intervals(s, fit);
+  return !code && !set_model(s, fit->at) ? ASP_EDATA : code;
 }
 
 asp_code aspi_calibration_find(aspi_calibration *p, aspi_fit *fit, asp_error *error) {
-  aspi_search s;
+  search s = {.problem = p,
+              .lower = calloc(p->n_bins, sizeof *s.lower),
+              .xy = calloc(p->samples, sizeof *s.xy)};
   *fit = (aspi_fit){.starts = 0};
-  for (size_t j = 0; j < p->n_unknown; j++)
+  for (size_t j = 0; j < p->n_unknown; j++) {
     bound_search(&p->unknown[j]);
-  asp_code code = aspi_search_begin(&s, p) ? look_around(&s, fit) : ASP_ENOMEM;
-  if (!code && !settle(&s, fit))
-    code = ASP_EDATA;
-  if (!code)
-    find_intervals(&s, fit);
-  if (!code && !aspi_calibration_set(p, fit->at))
-    code = ASP_EDATA;
-  aspi_search_end(&s);
+    s.low[j] = p->unknown[j].low;
+    s.high[j] = p->unknown[j].high;
+  }
+  asp_code code = s.lower && s.xy ? find(&s, fit) : ASP_ENOMEM;
+  free(s.lower);
+  free(s.xy);
   if (code)
     aspi_fail(error, code,
               code == ASP_ENOMEM ? "out of memory for a fit"

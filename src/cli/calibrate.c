@@ -100,7 +100,7 @@ static void warn_left_out(const aspi_calibration *c, const char *path) {
     size_t left = 0;
     for (size_t b = 0; b < c->n_bins && !c->data.means; b++)
       for (size_t i = c->bins[b].first; i < c->bins[b].end; i++)
-        left += !c->groups[b].used[MOMENT_X + k] && isfinite(c->data.rows[i].cor[k]);
+        left += !c->bins[b].used[MOMENT_X + k] && isfinite(c->data.rows[i].cor[k]);
     if (left > 0)
       cli_warn("%s: %zu values of %s are left out, as other rebounds in their bins have none; a "
                "narrower --bin may part them",
@@ -180,15 +180,15 @@ static void warn_of_doubt(const aspi_calibration *c, const aspi_fit *f) {
     const aspi_unknown *u = &c->unknown[i];
     if (bound_of(c, f, i, text, sizeof text))
       cli_warn("%s: the data do not exclude %.3g, where the search ends", text,
-               aspi_unknown_value(u, f->at[i] - u->low < u->high - f->at[i] ? u->low : u->high));
+               aspi_unknown_value(u, isinf(f->low[i]) ? u->low : u->high));
     else if (!(error < VAGUE * value))
       cli_warn("the data say little of '%s': %g, from %g to %g at 95 %%", c->unknown[i].name, value,
                end_of(c, i, f->low[i]), end_of(c, i, f->high[i]));
   }
-  double p = f->dof > 0 ? gsl_cdf_chisq_Q(f->first_chi2, f->dof) : 1;
+  double p = f->dof > 0 ? gsl_cdf_chisq_Q(f->model_chi2, f->dof) : 1;
   if (c->known && f->dof > 0 && p < 1e-3)
     cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s",
-             f->first_chi2 / f->dof, p,
+             f->model_chi2 / f->dof, p,
              f->described ? ""
                           : "; the fit is by weights of the data, with standard errors scaled "
                             "by the root of its own chi^2/dof");
@@ -231,7 +231,7 @@ static void print_unknown(FILE *out, const aspi_calibration *c, const aspi_fit *
 static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
   double all = 0;
   for (size_t b = 0; b < c->n_bins; b++)
-    all += c->groups[b].n;
+    all += c->bins[b].moments.all;
   fputs("parameter,estimate,standard_error,low_95,high_95,unit\n", out);
   for (size_t i = 0; i < c->n_unknown; i++)
     print_unknown(out, c, f, i);
@@ -311,9 +311,11 @@ typedef struct point {
 
 static point measured_in(const aspi_calibration *c, size_t b, int k) {
   double alpha = cli_radians(c->bins[b].degrees), by = k == COR_N ? sin(alpha) : cos(alpha);
-  const aspi_group *g = &c->groups[b];
-  bool used = g->used[MOMENT_X + k];
-  return (point){c->bins[b].degrees, used ? g->mean[k] / by : NAN, used ? g->sd[k] / by : NAN};
+  const aspi_calibration_bin *bin = &c->bins[b];
+  const double *of = bin->moments.of;
+  bool used = bin->used[MOMENT_X + k];
+  return (point){bin->degrees, used ? of[MOMENT_X + k] / by : NAN,
+                 used ? sqrt(of[MOMENT_XX + k]) / by : NAN};
 }
 
 static point fitted_in(const aspi_calibration *c, size_t b, int k) {
