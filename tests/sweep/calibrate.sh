@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Coverage of the 95 % intervals of `asperity calibrate` over synthetic measurements with known constants, for three laws:
 # calibrate.sh [TRIALS [JOBS [IMPACTS_AT_AN_ANGLE...]]] (of seven angles). Of all intervals, 0.93 to 0.97 must hold the truth
-# in 100 trials and more; in the few of a test 0.75 of them, and no estimate may be farther off than 4.5 standard errors.
+# in 100 trials and more, with fewer than 50 impacts 0.90 and more; in the few of a test 0.75 of them, and no estimate may be farther off than 4.5 standard errors.
 # Prints a row for each constant.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/../cli/cli.sh"
@@ -43,5 +43,5 @@ awk -F, -v trials="$trials" '
     for (i = 1; i <= m; i++) { k = order[i]; mean = sum[k] / n[k]
       printf "%s,%g,%g,%g,%g,%g,%.2f,%.3g\n", k, truth[k], mean, error[k] / n[k], sqrt(square[k] / n[k] - (mean - truth[k]) ^ 2), hit[k] / n[k], far[k], chi[k] / n[k] }
     for (size in of) { share = within[size] / of[size]; printf "# %.3f of the %d intervals from %d impacts hold the truth\n", share, of[size], size
-      if (trials >= 100 ? share < 0.93 || share > 0.97 : share < 0.75) bad = 1 }
+      if (trials < 100 ? share < 0.75 : size < 50 ? share < 0.90 : share < 0.93 || share > 0.97) bad = 1 }
     if (bad) print "FAILED"; exit bad }' all
