@@ -28,6 +28,8 @@ endif()
 
 install(DIRECTORY ${CMAKE_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
   OPTIONAL FILES_MATCHING PATTERN "*.1")
+install(DIRECTORY src/cli/plot DESTINATION ${CMAKE_INSTALL_DATADIR}/asperity)
+install(FILES examples/look.gp DESTINATION ${CMAKE_INSTALL_DATADIR}/asperity/plot)
 install(FILES src/cli/asperity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME asperity)
 

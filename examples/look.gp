@@ -1,5 +1,5 @@
 # The look of every picture of this project, for the scripts of the examples (load '../look.gp') and
-# for the command asperity, which is built with it. A style has a name: `with lines ls model_visible`.
+# for those of the command asperity (share/asperity/plot). A style has a name: `with lines ls model_visible`.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set grid lt 1 lc rgb '#e0e0e0' lw 1
 set border lc rgb '#444444'

@@ -5,8 +5,9 @@
  * samples also judge every density (fig. 6, 8, 9).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "weibull_fit.h"
 #include "base/running.h"
+#include "cli/cli.h"
+#include "spread/models.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
@@ -14,7 +15,24 @@
 #include <math.h>
 #include <stdlib.h>
 
-aspi_view cli_fit_view(const angle_fit *f) {
+enum { FIT_BINS = 600, FIT_DEGREE = 4 };
+
+/* Bins reach from -alpha1/2 up over this many sigma. */
+#define FIT_REACH 12.0
+
+/* tau of the paper's boundary angle e. */
+#define FIT_TAU_END 6.48
+
+/* One wall at one angle. */
+typedef struct angle_fit {
+  double sigma, alpha1;   /* rad */
+  double count[FIT_BINS]; /* of all runs, by (delta + alpha1/2)/sigma */
+  double n;
+  double k, k_sd, lambda, lambda_sd; /* mean and sd over the runs; lambda over sigma */
+} angle_fit;
+
+/* The wall as a model looks at it. */
+static aspi_view view_of(const angle_fit *f) {
   return aspi_view_of(f->sigma, f->alpha1);
 }
 
@@ -59,7 +77,7 @@ static void fit_weibull(const double *count, double n, double *k, double *lambda
 
 static void sample(const angle_fit *f, size_t samples, asp_key key, double *count) {
   const asp_spread_model *baseline = asp_spread_find("rejection", NULL);
-  aspi_view view = cli_fit_view(f);
+  aspi_view view = view_of(f);
   aspi_stream stream = aspi_stream_begin(&key);
   for (int i = 0; i < FIT_BINS; i++)
     count[i] = 0;
@@ -90,12 +108,15 @@ static void fit_angle(angle_fit *f, int runs, size_t samples, uint32_t seed, uin
   f->lambda_sd = aspi_running_sd(&all_lambda);
 }
 
-bool cli_fit_judges(const asp_spread_model *model) {
+/* True if a model has its own density over delta, so that the baseline's samples can judge it. */
+static bool judges(const asp_spread_model *model) {
   return model->density && model->quantile && !model->prepare && !model->escape;
 }
 
-double cli_fit_divergence(const angle_fit *f, const asp_spread_model *model) {
-  aspi_view view = cli_fit_view(f);
+/* D_KL of the samples against a model's law, less the samples' bias. A bin that the model does not
+ * reach counts as 1e-9. */
+static double divergence(const angle_fit *f, const asp_spread_model *model) {
+  aspi_view view = view_of(f);
   double sum = 0, bins = 0, step = f->sigma * FIT_REACH / FIT_BINS, low = 0;
   for (int i = 0; i < FIT_BINS; i++) {
     double high = model->distribution(&view, -f->alpha1 / 2 + (i + 1) * step);
@@ -161,7 +182,7 @@ static void print(FILE *out, const angle_fit *fits, size_t n, const double *k,
         "lambda_polynomial",
         out);
   for (int m = 0; m < asp_spread_count(); m++)
-    if (cli_fit_judges(asp_spread_at(m)))
+    if (judges(asp_spread_at(m)))
       fprintf(out, ",kl_%s", asp_spread_at(m)->name);
   fputc('\n', out);
   for (size_t i = 0; i < n; i++) {
@@ -174,8 +195,8 @@ static void print(FILE *out, const angle_fit *fits, size_t n, const double *k,
     else
       fputc(',', out);
     for (int m = 0; m < asp_spread_count(); m++)
-      if (cli_fit_judges(asp_spread_at(m)))
-        fprintf(out, ",%.6f", cli_fit_divergence(f, asp_spread_at(m)));
+      if (judges(asp_spread_at(m)))
+        fprintf(out, ",%.6f", divergence(f, asp_spread_at(m)));
     fputc('\n', out);
   }
 }
@@ -198,7 +219,6 @@ static const cli_option options[] = {
     {"runs", "N", "samples per angle that are fitted one by one", "100"},
     {"samples", "N", "draws in each of them", "100000"},
     {"seed", "N", "seed of the draws", "1"},
-    {"figure", "6|7|8|9", "which of the paper's figures --plot draws", "7"},
     {.name = NULL}};
 
 static const cli_command command = {
@@ -207,18 +227,13 @@ static const cli_command command = {
     .detail =
         "Samples the rejection routines, fits k and lambda per angle, and polynomials of fourth\n"
         "degree in tau = alpha1/sigma up to tau = 6.48 (as comments). A row per wall and angle,\n"
-        "with D_KL of the samples against every density. Figures: 6 the effective law at small\n"
-        "angles, 7 k and lambda, 8 D_KL over the angle, 9 densities at three angles.\n",
+        "with D_KL of the samples against every density.\n",
     .options = options,
-    .picture = "draw the figure; .png, .svg or .pdf",
 };
 
 int main(int argc, char **argv) {
   gsl_set_error_handler_off();
   const cli_call call = cli_parse(&command, argc, argv);
-  cli_whole(cli_get(&call, "figure"), 6, 9);
-  if (cli_is_set(&call, "figure") && !cli_value(&call, "plot"))
-    cli_bad_usage("--figure is given without --plot");
   cli_list sigmas = cli_numbers(cli_get(&call, "sigma"), 0.01, 80),
            angles = cli_angles(cli_get(&call, "angles"));
   int runs = (int)cli_whole(cli_get(&call, "runs"), 1, 100000);
@@ -236,7 +251,5 @@ int main(int argc, char **argv) {
   FILE *out = cli_output_open(&call, "output", NULL);
   print(out, fits, n, k, lambda);
   cli_file_close(out);
-  if (cli_value(&call, "plot"))
-    cli_fit_plot(&call, fits, n, &sigmas, k, lambda);
   return 0;
 }

@@ -301,8 +301,8 @@ static void read_wall(aspi_calibration *c, const cli_call *call,
   read_unknowns(c);
 }
 
-/* ---- the picture: means and standard deviations of both coefficients over the impact angle. Marks
- * are measured; the line in a band is the fitted model. ---- */
+/* ---- the table of the picture: means and standard deviations of both coefficients, measured and
+ * fitted, in columns of `asperity compare` ---- */
 
 /* One coefficient of one bin; the mean is NAN if there is none. */
 typedef struct point {
@@ -325,43 +325,18 @@ static point fitted_in(const aspi_calibration *c, size_t b, int k) {
   return (point){c->bins[b].degrees, mean[k], sd[k]};
 }
 
-static void plot_panel(cli_plot *picture, const aspi_calibration *c, int k) {
-  const char *law = asp_rebound_name(asp_description_rebound(c->words));
-  cli_plot_coefficient(picture, k);
-  cli_plot_series(picture, CLI_BAND, "law_%s", law);
-  for (size_t b = 0; b < c->n_bins; b++) {
-    point p = fitted_in(c, b, k);
-    if (isfinite(measured_in(c, b, k).mean))
-      cli_plot_row(picture, p.degrees, p.mean, p.sd);
-  }
-  cli_plot_end(picture, "fitted model, mean ± sd");
-  cli_plot_series(picture, CLI_ERRORS, "data");
-  for (size_t b = 0; b < c->n_bins; b++) {
-    point p = measured_in(c, b, k);
-    cli_plot_row(picture, p.degrees, p.mean, p.sd);
-  }
-  cli_plot_end(picture, "measured, mean ± sd");
-}
-
-static void plot(const cli_call *call, const aspi_calibration *c, const aspi_fit *f) {
-  char title[FIT_UNKNOWNS_MOST * 130] = "", text[120];
-  for (size_t i = 0; i < c->n_unknown; i++) {
-    size_t used = strlen(title);
-    if (!bound_of(c, f, i, text, sizeof text))
-      snprintf(text, sizeof text, "%s %.4g ± %.2g %s", c->unknown[i].name, value_of(c, f, i),
-               error_of(c, f, i), c->unknown[i].unit);
-    snprintf(title + used, sizeof title - used, "%s%s", i ? ",  " : "", text);
-  }
-  cli_plot *picture = cli_plot_open(call, 1200, 520, "1,2", "%s and the fitted model: %s",
-                                    cli_plot_file(call->words[0]).text, cli_plot_label(title).text);
-  for (int k = 0; k < COR_BOTH; k++) {
-    bool any = false;
-    for (size_t b = 0; b < c->n_bins; b++)
-      any = any || isfinite(measured_in(c, b, k).mean);
-    if (any)
-      plot_panel(picture, c, k);
-  }
-  cli_plot_close(picture);
+static void plot(const cli_call *call, const aspi_calibration *c) {
+  FILE *out = cli_plot_open(call);
+  fputs("quantity,alpha1_deg,alpha_from_deg,alpha_to_deg,model_mean,model_sd,data_mean,data_sd\n",
+        out);
+  for (int k = 0; k < COR_BOTH; k++)
+    for (size_t b = 0; b < c->n_bins; b++) {
+      point m = measured_in(c, b, k), f = fitted_in(c, b, k);
+      if (isfinite(m.mean))
+        cli_row(out, "%s,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", k == COR_N ? "cor_n" : "cor_t",
+                m.degrees, m.degrees, m.degrees, f.mean, f.sd, m.mean, m.sd);
+    }
+  cli_plot_close(call, out, "compare");
 }
 
 static void run(cli_call *call) {
@@ -381,7 +356,7 @@ static void run(cli_call *call) {
   print_all(out, &c, &f);
   cli_file_close(out);
   if (cli_value(call, "plot"))
-    plot(call, &c, &f);
+    plot(call, &c);
 }
 
 static const cli_option options[] = {

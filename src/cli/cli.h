@@ -120,8 +120,9 @@ void cli_file_close(FILE *stream);
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
 
-/* Opens the file of an option for CSV. Writes the comment line: version, the command as given, and
- * the description of the wall where there is one. */
+/* Prints the comment line of a table: version, the command as given, and the description of the
+ * wall where there is one. cli_output_open opens the file of an option and begins with it. */
+void cli_print_heading(FILE *out, const cli_call *call, const char *description);
 FILE *cli_output_open(const cli_call *call, const char *option, const char *description);
 
 /* Prints fields of CSV by a format of printf with text, %s, %d, %zu or a double between its commas.

@@ -198,84 +198,6 @@ static void compare_with(aspi_comparison *c, cli_call *call) {
   warn_double(&c->impacts);
 }
 
-/* ---- the picture: the model as a box (mean ± sd) and a line at each place that was measured, the
- * measurements as marks. Between and beyond measured angles nothing is drawn. Of impacts alone, a
- * box for each place, and the impacts. ---- */
-
-/* Half the width of a box, in degrees. */
-#define HALF_MOST 1.5
-#define HALF_LEAST 0.3
-
-/* Marks of single impacts, at most. */
-enum { POINTS_MOST = 5000 };
-
-/* True if a bin is drawn: if it has both, or, of impacts alone, some. */
-static bool is_drawn(const aspi_comparison *c, const aspi_compare_bin *b, int which) {
-  return c->names[1] ? aspi_compare_has_both(b, which) : b->model.of[which].count > 0;
-}
-
-/* The angles of a bin's box: those of its impacts, or around its angle and not over a neighbor. */
-static void edges_of(const aspi_comparison *c, size_t i, double *left, double *right) {
-  const aspi_compare_bin *b = &c->bins[i];
-  double half = HALF_MOST;
-  for (size_t k = i ? i - 1 : i; k <= i + 1 && k < c->count; k++) {
-    double apart = fabs(c->bins[k].degrees - b->degrees);
-    if (apart > 0)
-      half = fmin(half, 0.45 * apart);
-  }
-  half = fmax(half, HALF_LEAST);
-  bool wide = b->end - b->first > 1 && !c->data.means && b->to - b->from > 2 * half;
-  *left = wide ? b->from : b->degrees - half;
-  *right = wide ? b->to : b->degrees + half;
-}
-
-static void plot_marks(cli_plot *picture, const aspi_comparison *c, int which) {
-  const char *what = c->names[1] ? "measured impacts" : "impacts";
-  size_t every = c->data.means ? c->data.count : 1 + c->data.count / POINTS_MOST;
-  cli_plot_series(picture, CLI_MARKS, c->names[1] ? "data_each" : "impacts");
-  for (size_t i = 0; i < c->data.count && !c->data.means; i += every)
-    cli_plot_row(picture, c->data.rows[i].degrees, c->data.rows[i].cor[which]);
-  if (every > 1 && !c->data.means)
-    cli_plot_end(picture, "%s, one of %zu", what, every);
-  else
-    cli_plot_end(picture, "%s", c->data.means ? "" : what);
-}
-
-static void plot_panel(cli_plot *picture, const aspi_comparison *c, int which) {
-  cli_plot_coefficient(picture, which);
-  plot_marks(picture, c, which);
-  cli_plot_series(picture, CLI_BOX, "simulated");
-  for (size_t i = 0; i < c->count; i++) {
-    const aspi_sample *m = &c->bins[i].model.of[which];
-    double left, right;
-    edges_of(c, i, &left, &right);
-    if (is_drawn(c, &c->bins[i], which))
-      cli_plot_row(picture, left, right, m->mean, m->sd);
-  }
-  cli_plot_end(picture, "%s, mean ± sd", c->names[1] ? "model" : "impacts");
-  cli_plot_series(picture, CLI_ERRORS, "data");
-  for (size_t i = 0; i < c->count; i++)
-    cli_plot_row(picture, c->bins[i].degrees, c->bins[i].data.of[which].mean,
-                 c->bins[i].data.of[which].sd);
-  cli_plot_end(picture, "%s", c->names[1] ? "measured, mean ± sd" : "");
-}
-
-static void plot(const cli_call *call, const aspi_comparison *c) {
-  const char *data = c->names[1];
-  cli_plot *picture = cli_plot_open(call, 1200, 520, "1,2", "%s%s%s%s (%zu impacts, %zu deposits)",
-                                    data ? "Measured: " : "", data ? cli_plot_file(data).text : "",
-                                    data ? "; model: " : "", cli_plot_file(c->names[0]).text,
-                                    c->impacts.count, c->impacts.deposits);
-  for (int which = 0; which < COR_BOTH; which++) {
-    bool any = false;
-    for (size_t i = 0; i < c->count; i++)
-      any = any || is_drawn(c, &c->bins[i], which);
-    if (any)
-      plot_panel(picture, c, which);
-  }
-  cli_plot_close(picture);
-}
-
 /* ---- the run ---- */
 
 static void run(cli_call *call) {
@@ -285,11 +207,9 @@ static void run(cli_call *call) {
                   "'asperity compare --help'");
   aspi_comparison c = {.names = {call->words[0], alone ? NULL : call->words[1]}};
   (alone ? table_impacts : compare_with)(&c, call);
-  FILE *out = cli_output_open(call, "output", NULL);
+  FILE *out = cli_table_open(call, NULL);
   print_all(out, &c);
-  cli_file_close(out);
-  if (cli_value(call, "plot"))
-    plot(call, &c);
+  cli_table_close(call, out, "compare");
 }
 
 static const cli_option options[] = {{"bin", "DEGREES",

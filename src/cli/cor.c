@@ -198,239 +198,13 @@ static plan make_plan(const cli_list *angles, size_t samples, bool by_flux) {
   return p;
 }
 
-/* ---- the picture ---- */
-
-/* An angle with fewer impacts than IMPACTS_LEAST is merged with its neighbors, over at most
- * CELL_MOST degrees. */
-#define IMPACTS_LEAST 30
-#define CELL_MOST 2.0
-
-enum { DOTS_MOST = 20000 };
-
-/* A list or a log-normal, times a factor, with its unit. */
-static cli_label values_of(const cli_list *v, double factor, const char *unit) {
-  cli_label label;
-  int used = snprintf(label.text, sizeof label.text, "%.3g", v->least * factor);
-  if (v->most > v->least)
-    used += snprintf(label.text + used, 99, " … %.3g", v->most * factor);
-  used += snprintf(label.text + used, 99, " %s", unit);
-  if (v->count == 0)
-    snprintf(label.text + used, 99, " (log-normal, median %.3g %s)", v->median * factor, unit);
-  return label;
-}
-
-/* The lay, "" where there is none. */
-static cli_label lay_of(const cli_description *wall) {
-  cli_label label = {""};
-  double vector[3];
-  const asp_surface *surface = asp_wall_surface(wall->wall);
-  const double *lay = surface ? cli_description_lay(wall, vector) : NULL;
-  if (lay)
-    snprintf(label.text, sizeof label.text,
-             ", λ_c along the lay %.3g µm, lay at %.3g° to the flight",
-             asp_surface_lambda_along(surface) * 1e6, cli_degrees(acos(fmin(1, fabs(lay[0])))));
-  return label;
-}
-
-/* Impacts that are merged for a mean and an sd; the mean angle, of each coefficient. */
-typedef struct cell {
-  aspi_running angle[2], ratio[2];
-} cell;
-
-/* Content of the picture. */
-typedef struct view {
-  size_t every, n_dots, n_cells, deposits;
-  row *dots; /* one of `every` */
-  cell *cells;
-  size_t *cell_of; /* each angle's */
-  bool varies;     /* impacts at one angle differ */
-  row last;
-} view;
-
-static view make_view(const plan *p) {
-  view v = {.every = p->total / DOTS_MOST + 1};
-  size_t begun = 0, merged = 0;
-  v.dots = cli_allocate(p->total / v.every + 1, sizeof *v.dots);
-  v.cells = cli_allocate(p->angles->count, sizeof *v.cells);
-  v.cell_of = cli_allocate(p->angles->count, sizeof *v.cell_of);
-  for (size_t a = 0; a < p->angles->count; merged += p->count[a++]) {
-    double apart = p->angles->values[a] - p->angles->values[begun];
-    if (a == 0 || (apart > 0 && (merged >= IMPACTS_LEAST || apart >= CELL_MOST))) {
-      begun = a;
-      merged = 0;
-      v.n_cells++;
-    }
-    v.cell_of[a] = v.n_cells - 1;
-  }
-  return v;
-}
-
-static void add_to_view(view *v, const row *r, size_t number) {
-  cell *of = &v->cells[v->cell_of[r->angle]];
-  v->deposits += r->of.impact.outcome == ASP_DEPOSIT;
-  if (number % v->every == 0)
-    v->dots[v->n_dots++] = *r;
-  for (int t = 0; t < 2; t++)
-    if (isfinite(cli_impact_ratio(&r->of, t))) {
-      aspi_running_add(&of->ratio[t], cli_impact_ratio(&r->of, t));
-      aspi_running_add(&of->angle[t], r->alpha1);
-    }
-  v->varies = v->varies || (number > 0 && r->angle == v->last.angle &&
-                            fabs(r->of.cor.cor_n - v->last.of.cor.cor_n) > 0);
-  v->last = *r;
-}
-
-/* Materials, law and wall of a title. */
-typedef struct title {
-  char text[6 * sizeof(cli_label)];
-} title;
-
-static title title_of(const cli_description *wall) {
-  title all = {""};
-  int used = 0;
-  if (wall->particle)
-    used = snprintf(all.text, sizeof all.text, "%s on %s; ",
-                    cli_plot_label(asp_material_name(wall->particle)).text,
-                    cli_plot_label(asp_material_name(wall->target)).text);
-  snprintf(all.text + used, sizeof all.text - (size_t)used, "%s; %s%s, %s",
-           cli_plot_label(asp_rebound_name(asp_wall_rebound(wall->wall))).text,
-           cli_plot_wall(wall->words, wall->wall).text, lay_of(wall).text,
-           cli_plot_label(asp_spread_name(asp_wall_spread(wall->wall))).text);
-  return all;
-}
-
-static cli_plot *open_picture(const cli_call *call, const scene *s, const view *v, size_t n) {
-  return cli_plot_open(
-      call, 1200, 520, "1,2", "%s; v_1 = %s; d_p = %s; %zu impacts, %.1f %% stick and are left out",
-      title_of(&s->wall).text, values_of(&s->speeds, 1, "m/s").text,
-      values_of(&s->sizes, 1e6, "µm").text, n, 100 * (double)v->deposits / (double)n);
-}
-
-static void plot_impacts(cli_plot *picture, int t, const view *v) {
-  cli_plot_series(picture, CLI_MARKS, "impacts");
-  for (size_t i = 0; i < v->n_dots; i++)
-    cli_plot_row(picture, v->dots[i].alpha1, cli_impact_ratio(&v->dots[i].of, t));
-  if (v->every > 1)
-    cli_plot_end(picture, "impacts, one of %zu", v->every);
-  else
-    cli_plot_end(picture, "impacts");
-}
-
-/* Half the width of the box of a single angle, in degrees. */
-#define BOX_HALF 1.5
-
-/* Mean and sd by angle: a line in a band, or a box where there is one angle. */
-static void plot_means(cli_plot *picture, int t, const view *v, const char *style) {
-  size_t found = 0;
-  for (size_t i = 0; i < v->n_cells; i++)
-    found += v->cells[i].ratio[t].n > 1;
-  cli_plot_series(picture, found == 1 ? CLI_BOX : CLI_BAND, "%s", style);
-  for (size_t i = 0; i < v->n_cells; i++) {
-    const aspi_running *y = &v->cells[i].ratio[t];
-    double angle = v->cells[i].angle[t].mean;
-    if (y->n > 1 && found == 1)
-      cli_plot_row(picture, angle - BOX_HALF, angle + BOX_HALF, y->mean, aspi_running_sd(y));
-    else if (y->n > 1)
-      cli_plot_row(picture, angle, y->mean, aspi_running_sd(y));
-  }
-  cli_plot_end(picture, found ? "mean ± sd" : "");
-}
-
-enum { SMOOTH_DRAWS = 400 }; /* of a law or a grain that scatters, for the smooth wall's mean */
-
-/* The mean of the smooth wall at the first of the speeds and sizes, or the median of their law. */
-static void plot_smooth(cli_plot *picture, int t, const scene *s) {
-  double speed = s->speeds.count ? s->speeds.values[0] : s->speeds.median,
-         d_p = s->sizes.count ? s->sizes.values[0] : s->sizes.median;
-  const scene one = {.wall = s->wall,
-                     .seed = s->seed,
-                     .speeds = {.values = &speed, .count = 1},
-                     .sizes = {.values = &d_p, .count = 1}};
-  size_t rebounds = 0;
-  cli_plot_series(picture, CLI_LINE, "model_none");
-  for (int i = 1; i < 180; i++) {
-    aspi_running ratio = {0, 0, 0};
-    for (uint64_t tag = 1; tag <= SMOOTH_DRAWS; tag++) {
-      row r = impact_at(&one, 0.5 * i, 0, tag);
-      rebounds += r.of.impact.outcome == ASP_REBOUND;
-      if (isfinite(cli_impact_ratio(&r.of, t)))
-        aspi_running_add(&ratio, cli_impact_ratio(&r.of, t));
-    }
-    cli_plot_row(picture, 0.5 * i, ratio.n > 0 ? ratio.mean : NAN);
-  }
-  cli_plot_end(picture, "smooth wall, %.3g µm, %.3g m/s%s", d_p * 1e6, speed,
-               rebounds ? "" : " (sticks)");
-}
-
-/* Impacts, their mean and sd over the impact angle, and the smooth wall. */
-static void plot(const cli_call *call, const scene *s, const view *v, size_t n) {
-  const asp_wall *wall = s->wall.wall;
-  asp_error error;
-  char style[80];
-  if (asp_wall_surface(wall))
-    snprintf(style, sizeof style, "model_%s", asp_spread_name(asp_wall_spread(wall)));
-  else
-    snprintf(style, sizeof style, "law_%s", asp_rebound_name(asp_wall_rebound(wall)));
-  cli_plot *picture = open_picture(call, s, v, n);
-  aspi_wall_choice choice = s->wall.words->choice;
-  choice.surface = NULL;
-  scene smooth = *s;
-  smooth.wall.wall = aspi_wall_create(&choice, &error);
-  cli_must(smooth.wall.wall, &error);
-  for (int t = 0; t < 2; t++) {
-    cli_plot_coefficient(picture, t);
-    plot_impacts(picture, t, v);
-    if (v->varies)
-      plot_means(picture, t, v, style);
-    plot_smooth(picture, t, &smooth);
-  }
-  cli_plot_close(picture);
-}
-
-/* Cells overlap the next ones by this factor, so that no seams show. */
-#define OVERLAP 1.01
-
-/* The lower edge of cell i around a point of a list of rising values, in equal ratios. */
-static double edge_of(const cli_list *list, size_t i) {
-  const double *x = list->values;
-  size_t n = list->count;
-  if (n < 2)
-    return x[0] * (i ? 1.1 : 1 / 1.1);
-  if (i == 0)
-    return x[0] * sqrt(x[0] / x[1]);
-  return i == n ? x[n - 1] * sqrt(x[n - 1] / x[n - 2]) : sqrt(x[i - 1] * x[i]);
-}
-
-/* The share that sticks over diameter and speed. */
-static void plot_capture(const cli_call *call, const scene *s, double degrees, const sums *of) {
-  const cli_list *sizes = &s->sizes, *speeds = &s->speeds;
-  cli_plot *picture =
-      cli_plot_open(call, 800, 600, "1,1", "%s; α_1 = %g°", title_of(&s->wall).text, degrees);
-  cli_plot_panel(picture, "diameter d_p / µm", "impact speed v_1 / (m/s)");
-  cli_plot_log(picture, "xy");
-  cli_plot_axis(picture, 'x', edge_of(sizes, 0) * 1e6, edge_of(sizes, sizes->count) * 1e6);
-  cli_plot_axis(picture, 'y', edge_of(speeds, 0), edge_of(speeds, speeds->count));
-  fputs("set palette defined (0 '#fcfdbf', 0.3 '#fb8861', 0.65 '#b63679', 1 '#3b0f70')\n"
-        "set cbrange [0:1]\nset cblabel 'share that sticks'\n",
-        cli_plot_stream(picture));
-  cli_plot_series(picture, CLI_CELLS, "palette");
-  for (size_t i = 0; i < sizes->count; i++)
-    for (size_t k = 0; k < speeds->count; k++)
-      cli_plot_row(picture, edge_of(sizes, i) * 1e6, edge_of(sizes, i + 1) * OVERLAP * 1e6,
-                   edge_of(speeds, k), edge_of(speeds, k + 1) * OVERLAP,
-                   capture_share(&of[k * sizes->count + i]));
-  cli_plot_end(picture, "%s", "");
-  cli_plot_close(picture);
-}
-
 /* ---- the command ---- */
 
-/* Destinations of an impact: rows, sums, the picture; NULL: not wanted. */
+/* Destinations of an impact: rows, sums; NULL: not wanted. */
 typedef struct sink {
   FILE *rows;
   bool as_ledger;
   sums *sums;
-  view *view;
 } sink;
 
 /* Draws the impacts from number `first` on, and prints them to a text, "" where none is wanted. */
@@ -456,13 +230,10 @@ static char *draw_piece(const scene *s, const plan *p, const sink *to, size_t fi
 }
 
 /* Hands over the rows of a piece, in their order. */
-static void take_piece(const scene *s, const sink *to, const row *rows, size_t first,
-                       size_t count) {
+static void take_piece(const scene *s, const sink *to, const row *rows, size_t count) {
   size_t groups = count_groups(s);
   for (size_t i = 0; i < count && to->sums; i++)
     add_to_sums(&to->sums[rows[i].angle * groups + rows[i].sample % groups], &rows[i]);
-  for (size_t i = 0; i < count && to->view; i++)
-    add_to_view(to->view, &rows[i], first + i);
 }
 
 /* Draws all impacts, on all cores: each has random numbers of its own. */
@@ -486,7 +257,7 @@ static void draw(const scene *s, const plan *p, const sink *to) {
       if (to->rows)
         fwrite(text[k], 1, length[k], to->rows);
       free(text[k]);
-      take_piece(s, to, rows + at, first + at, count);
+      take_piece(s, to, rows + at, count);
     }
     cli_progress_show(&progress, (double)first);
   }
@@ -568,25 +339,16 @@ static void run(cli_call *call) {
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
   plan p =
       make_plan(&angles, capture ? samples * count_groups(&s) : samples, cli_value(call, "flux"));
-  view v = {.every = 0};
-  FILE *out = cli_output_open(call, "output", s.wall.text);
+  FILE *out = cli_table_open(call, s.wall.text);
   sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
   if (summary)
     to.sums = cli_allocate(angles.count * count_groups(&s), sizeof *to.sums);
   else
     print_header(out, as_ledger);
-  if (cli_value(call, "plot") && !capture) {
-    v = make_view(&p);
-    to.view = &v;
-  }
   draw(&s, &p, &to);
   if (summary)
     print_summary(out, &s, &p, to.sums, asp_description_is_given(s.wall.words, "erosion"));
-  cli_file_close(out);
-  if (to.view)
-    plot(call, &s, &v, p.total);
-  else if (cli_value(call, "plot"))
-    plot_capture(call, &s, angles.values[0], to.sums);
+  cli_table_close(call, out, capture ? "capture" : summary ? "summary" : "cor");
 }
 
 static const cli_option options[] = {

@@ -114,26 +114,6 @@ static void print_all(FILE *out, const wear *w) {
   print_sum(out, &all);
 }
 
-/* ---- the picture: the mass worn off each triangle, a style for each mesh ---- */
-
-static void plot(const cli_call *call, const wear *w) {
-  enum { STYLES = 6 };
-  double all = 0;
-  for (size_t i = 0; i < w->count; i++)
-    all += w->cells[i].mass;
-  cli_plot *picture = cli_plot_open(call, 800, 560, "1,1", "%s: %.4g kg worn off %zu triangles",
-                                    cli_plot_file(w->path).text, all, w->count);
-  cli_plot_panel(picture, "triangle", "eroded mass / kg");
-  for (size_t i = 0, series = 0; i < w->count; series++) {
-    int mesh = w->cells[i].mesh;
-    cli_plot_series(picture, CLI_MARKS, "%zu", series % STYLES + 1);
-    for (; i < w->count && w->cells[i].mesh == mesh; i++)
-      cli_plot_row(picture, w->cells[i].triangle, w->cells[i].mass);
-    cli_plot_end(picture, "mesh %d", mesh);
-  }
-  cli_plot_close(picture);
-}
-
 /* The law, and what it needs besides the rows. */
 static void take_law(wear *w, cli_description *d) {
   cli_description_allow(d, "erosion materials", "the law of erosion is applied to a ledger's rows");
@@ -180,11 +160,9 @@ static void run(cli_call *call) {
   if (density->value && w.has_mass)
     cli_bad_usage("--density has no effect: %s has the particles' mass", w.path);
   merge(&w);
-  FILE *out = cli_output_open(call, "output", d.text);
+  FILE *out = cli_table_open(call, d.text);
   print_all(out, &w);
-  cli_file_close(out);
-  if (cli_value(call, "plot"))
-    plot(call, &w);
+  cli_table_close(call, out, "erosion");
 }
 
 static const cli_option options[] = {

@@ -136,8 +136,7 @@ void cli_print_quoted(FILE *out, const char *text) {
   fputc('"', out);
 }
 
-FILE *cli_output_open(const cli_call *call, const char *option, const char *description) {
-  FILE *out = cli_file_open(cli_value(call, option));
+void cli_print_heading(FILE *out, const cli_call *call, const char *description) {
   fprintf(out, "# asperity %s;", asp_version());
   for (int i = 0; i < call->argc; i++) {
     fputc(' ', out);
@@ -148,6 +147,11 @@ FILE *cli_output_open(const cli_call *call, const char *option, const char *desc
     cli_print_comment(out, description);
   }
   fputc('\n', out);
+}
+
+FILE *cli_output_open(const cli_call *call, const char *option, const char *description) {
+  FILE *out = cli_file_open(cli_value(call, option));
+  cli_print_heading(out, call, description);
   return out;
 }
 

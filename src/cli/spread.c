@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BARS = 181, SAMPLES_MOST = 100000000 };
+enum { SAMPLES_MOST = 100000000 };
 
 /* A wall as a model looks at it. */
 typedef struct scene {
@@ -117,55 +117,18 @@ static void draw_sample(double *sample, size_t n, const scene *s, const aspi_vie
   cli_progress_end(&progress);
 }
 
-/* A histogram of the samples, one bar a degree from the least one, and the density over it. */
-static void plot(const cli_call *call, const scene *s, const aspi_view *view, const double *sample,
-                 size_t n) {
-  const asp_spread_model *model = s->model;
-  double share[BARS] = {0}, from = 90, most = -90;
-  for (size_t i = 0; i < n; i++)
-    from = fmin(from, sample[i]);
-  for (size_t i = 0; i < n; i++) {
-    int bar = (int)fmax(0, floor(sample[i] - from));
-    share[bar < BARS ? bar : BARS - 1] += 1 / (double)n;
-    most = fmax(most, sample[i]);
-  }
-  char size[1700] = "";
-  if (s->by_size)
-    snprintf(size, sizeof size, "; %s, d_p = %.3g µm",
-             cli_plot_wall(s->wall.words, s->wall.wall).text, view->d_p * 1e6);
-  cli_plot *picture = cli_plot_open(call, 800, 500, "1,1", "%s: α_1 = %g°, σ = %.3g°%s",
-                                    cli_plot_label(model->name).text, cli_degrees(view->alpha1),
-                                    cli_degrees(view->sigma), size);
-  cli_plot_panel(picture, "tilt Δα / degrees", "density / (1/degree)");
-  cli_plot_axis(picture, 'y', 0, NAN);
-  fputs("set boxwidth 1\n", cli_plot_stream(picture));
-  cli_plot_series(picture, CLI_BARS, "model_%s", model->name);
-  for (int i = 0; i < BARS; i++)
-    if (share[i] > 0)
-      cli_plot_row(picture, from + i + 0.5, share[i]);
-  cli_plot_end(picture, "%zu samples", n);
-  cli_plot_series(picture, CLI_LINE, "model_%s", model->name);
-  for (double angle = from; s->shaped && angle <= most; angle += 0.1)
-    cli_plot_row(picture, angle, model->density(view, cli_radians(angle)) * ASP_PI / 180);
-  cli_plot_end(picture, "%s", s->shaped ? "density" : "");
-  cli_plot_close(picture);
-}
-
 static void one_angle(FILE *out, const cli_call *call, const scene *s, double angle, size_t n) {
   aspi_view view = s->view;
   view.alpha1 = cli_radians(angle);
-  bool pdf = cli_value(call, "pdf"), drawn = cli_value(call, "plot");
-  if (pdf)
+  if (cli_value(call, "pdf")) {
     print_density(out, s->model, &view);
-  if (pdf && !drawn)
     return;
+  }
   double *sample = cli_allocate(n, sizeof *sample);
   draw_sample(sample, n, s, &view);
-  if (drawn)
-    plot(call, s, &view, sample, n);
   if (cli_value(call, "summary"))
     print_summary(out, s->model, &view, sample, n);
-  for (size_t i = 0; i < n && !pdf && !cli_value(call, "summary"); i++)
+  for (size_t i = 0; i < n && !cli_value(call, "summary"); i++)
     fprintf(out, "%.8g\n", sample[i]);
   free(sample);
 }
@@ -179,9 +142,11 @@ static void run(cli_call *call) {
   }
   cli_list angles = cli_angles(cli_get(call, "angles"));
   bool pdf = cli_value(call, "pdf"), summary = cli_value(call, "summary");
-  if (angles.count > 1 && (!summary || cli_value(call, "plot")))
-    cli_bad_usage("--angles is '%s'; more than one angle goes with --summary, without --plot",
+  if (angles.count > 1 && !summary)
+    cli_bad_usage("--angles is '%s'; more than one angle goes with --summary",
                   cli_value(call, "angles"));
+  if (summary && cli_value(call, "plot"))
+    cli_bad_usage("--plot is given with --summary; it draws samples, or the density of --pdf");
   size_t n = cli_whole(cli_get(call, "samples"), 1, SAMPLES_MOST);
   if (pdf && summary)
     cli_bad_usage("--pdf is given with --summary; it must be one of them");
@@ -189,14 +154,14 @@ static void run(cli_call *call) {
   if (pdf && !s.shaped)
     cli_bad_usage("--pdf: model '%s' has no density%s", s.model->name,
                   s.model->density ? " on a map" : "");
-  out = cli_output_open(call, "output", s.wall.text);
+  out = cli_table_open(call, s.wall.text);
   if (summary)
     fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
   else if (!pdf)
     fputs("delta_alpha_deg\n", out);
   for (size_t i = 0; i < angles.count; i++)
     one_angle(out, call, &s, angles.values[i], n);
-  cli_file_close(out);
+  cli_table_close(call, out, "spread");
 }
 
 static const cli_option options[] = {
@@ -220,6 +185,6 @@ const cli_command cli_spread = {
     .examples = "  $ asperity spread surface sigma 10 --angles 20 --plot spread.png -o spread.csv\n"
                 "  $ asperity spread --list\n",
     .options = options,
-    .picture = "draw histogram and density; .png, .svg or .pdf",
+    .picture = "draw a histogram of the samples, or the density; .png, .svg or .pdf",
     .run = run,
 };

@@ -1,14 +1,29 @@
 /* asperity surface: what a particle of a given size finds on a wall, generated or measured.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/plot.h"
 #include "cli/surface.h"
 #include "base/units.h"
+#include "surface/closing.h"
 #include "surface/describe.h"
 #include "surface/size_law.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* One wall by its profile. */
+typedef struct wall_profile {
+  asp_profile *profile;
+  double r_q, lambda_c;
+  const char *name; /* of the measured file, or NULL */
+} wall_profile;
+
+/* The row of one particle size on one profile. */
+typedef struct slopes_row {
+  double d_p, r_q, lambda_c;
+  aspi_slopes slopes;
+} slopes_row;
 
 enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28 };
 
@@ -116,7 +131,7 @@ typedef struct source {
   aspi_profile_description description;
 } source;
 
-static void tell(FILE *out, const cli_wall *wall, const source *from) {
+static void tell(FILE *out, const wall_profile *wall, const source *from) {
   const aspi_profile_description *d = &from->description;
   fputs("# profile ", out);
   cli_print_comment(out, wall->name);
@@ -132,8 +147,8 @@ static void tell(FILE *out, const cli_wall *wall, const source *from) {
           d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
 }
 
-static cli_wall read_wall(const cli_call *call, const cli_description *wall, const cli_list *sizes,
-                          source *from) {
+static wall_profile read_wall(const cli_call *call, const cli_description *wall,
+                              const cli_list *sizes, source *from) {
   const char *file = asp_description_word(wall->words, "file");
   aspi_profile_options how = read_options(call);
   asp_error error;
@@ -144,11 +159,12 @@ static cli_wall read_wall(const cli_call *call, const cli_description *wall, con
     cli_bad_usage("%s: %s", file, error.text);
   const aspi_profile_description *d = &from->description;
   cli_surface_check(file, "profile", &from->report, d->spacing, d->length, d->lambda_c, sizes);
-  return (cli_wall){profile, d->r_q, d->lambda_c, file};
+  return (wall_profile){profile, d->r_q, d->lambda_c, file};
 }
 
 /* The profile along the flight; `more` is added to the seed. */
-static cli_wall generate_wall(const cli_call *call, const cli_description *wall, uint32_t more) {
+static wall_profile generate_wall(const cli_call *call, const cli_description *wall,
+                                  uint32_t more) {
   const asp_surface *surface = cli_description_surface(wall);
   double r_q = asp_surface_r_q(surface),
          lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall));
@@ -158,7 +174,7 @@ static cli_wall generate_wall(const cli_call *call, const cli_description *wall,
                          cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
                          (uint32_t)asp_description_get(wall->words, "seed") + more, &error);
   cli_must(profile, &error);
-  return (cli_wall){profile, r_q, lambda_c, NULL};
+  return (wall_profile){profile, r_q, lambda_c, NULL};
 }
 
 static void save(const cli_call *call, const asp_profile *profile) {
@@ -172,16 +188,25 @@ static void save(const cli_call *call, const asp_profile *profile) {
 
 /* ---- the slopes ---- */
 
+/* The curve on which discs roll: through the points if the profile is measured, else the points. */
+static aspi_contact contact_of(const wall_profile *wall) {
+  return wall->name ? ASP_CONTACT_ROLLED : ASP_CONTACT_DILATION;
+}
+
+static double kappa_of(const slopes_row *row) {
+  return sqrt(3) * row->d_p * row->r_q / (row->lambda_c * row->lambda_c);
+}
+
 /* The slopes that discs of every size meet on a profile, in order, on all cores. */
-static void measure(const cli_wall *wall, const cli_list *sizes, cli_slopes *rows) {
+static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row *rows) {
   asp_error error = {ASP_OK, ""};
   size_t finished = 0;
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
 #pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < sizes->count; i++) {
     asp_error own = {ASP_OK, ""};
-    rows[i] = (cli_slopes){.d_p = sizes->values[i], .r_q = wall->r_q, .lambda_c = wall->lambda_c};
-    aspi_profile_describe_slopes(wall->profile, rows[i].d_p, cli_contact(wall), &rows[i].slopes,
+    rows[i] = (slopes_row){.d_p = sizes->values[i], .r_q = wall->r_q, .lambda_c = wall->lambda_c};
+    aspi_profile_describe_slopes(wall->profile, rows[i].d_p, contact_of(wall), &rows[i].slopes,
                                  &own);
 #pragma omp critical
     {
@@ -195,23 +220,49 @@ static void measure(const cli_wall *wall, const cli_list *sizes, cli_slopes *row
 }
 
 /* Sigma of the tilt of a wall of that profile, or of the numbers of a generated one. */
-static double tilt_of(const cli_slopes *r, bool measured) {
-  double kappa = cli_kappa(r),
-         of_numbers = sqrt(2) * r->r_q / r->lambda_c * aspi_closed_form(kappa);
+static double tilt_of(const slopes_row *r, bool measured) {
+  double kappa = kappa_of(r), of_numbers = sqrt(2) * r->r_q / r->lambda_c * aspi_closed_form(kappa);
   double disc = measured ? r->slopes.slope_rms : of_numbers;
   return cli_degrees(atan(disc * aspi_sphere_over_disc(kappa)));
 }
 
-static void print_rows(FILE *out, const cli_slopes *rows, size_t count, bool measured) {
+static void print_rows(FILE *out, const slopes_row *rows, size_t count, bool measured) {
   fputs("dp_um,rq_um,lambda_c_um,phi_r,kappa,slope_rms,sigma_deg,angle_mean_deg,angle_sd_deg,"
         "angle_kurtosis,kl_normal,tilt_sigma_deg\n",
         out);
-  for (const cli_slopes *r = rows; r < rows + count; r++)
+  for (const slopes_row *r = rows; r < rows + count; r++)
     fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", r->d_p * 1e6,
-            r->r_q * 1e6, r->lambda_c * 1e6, r->r_q / r->lambda_c, cli_kappa(r),
-            r->slopes.slope_rms, cli_degrees(atan(r->slopes.slope_rms)),
-            cli_degrees(r->slopes.angle.mean), cli_degrees(r->slopes.angle.sd),
-            r->slopes.angle.kurtosis, r->slopes.kl_normal, tilt_of(r, measured));
+            r->r_q * 1e6, r->lambda_c * 1e6, r->r_q / r->lambda_c, kappa_of(r), r->slopes.slope_rms,
+            cli_degrees(atan(r->slopes.slope_rms)), cli_degrees(r->slopes.angle.mean),
+            cli_degrees(r->slopes.angle.sd), r->slopes.angle.kurtosis, r->slopes.kl_normal,
+            tilt_of(r, measured));
+}
+
+/* ---- the table of the picture: the profile, its closing, the path of the first particle's center,
+ * and the tilts that it meets (Altmeppen et al. 2020, figures 3 and 4) ---- */
+
+/* Of a longer profile the picture shows as many points. */
+enum { DRAWN_MOST = 1 << 16 };
+
+static void plot(const cli_call *call, const wall_profile *wall, double d_p) {
+  size_t n = asp_profile_points(wall->profile), tilts;
+  double *center = cli_allocate(n, sizeof *center), *closed = cli_allocate(n, sizeof *closed),
+         *slope = cli_allocate(n, sizeof *slope), dx = asp_profile_spacing(wall->profile);
+  asp_error error;
+  if (aspi_profile_dilate(wall->profile, d_p, center, &error) ||
+      aspi_profile_close(wall->profile, d_p, closed, &error) ||
+      aspi_profile_slopes(wall->profile, d_p, contact_of(wall), slope, &tilts, &error))
+    cli_fail("%s", error.text);
+  FILE *out = cli_plot_open(call);
+  fputs("x_um,z_um,closed_um,center_um,tilt_deg\n", out);
+  for (size_t i = 0; i < n && i < DRAWN_MOST; i++)
+    cli_row(out, "%.9g,%.6g,%.6g,%.6g,%.6g\n", (double)i * dx * 1e6,
+            asp_profile_heights(wall->profile)[i] * 1e6, closed[i] * 1e6, center[i] * 1e6,
+            i < tilts ? cli_degrees(atan(slope[i])) : NAN);
+  free(center);
+  free(closed);
+  free(slope);
+  cli_plot_close(call, out, "profile");
 }
 
 /* ---- the command ---- */
@@ -292,8 +343,8 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
   if (many && (cli_value(call, "save") || cli_value(call, "plot")))
     cli_bad_usage("--%s is given with a list of walls; it takes one",
                   cli_value(call, "save") ? "save" : "plot");
-  cli_slopes *rows = cli_allocate(count, sizeof *rows);
-  cli_wall wall = {.profile = NULL};
+  slopes_row *rows = cli_allocate(count, sizeof *rows);
+  wall_profile wall = {.profile = NULL};
   source from;
   for (size_t k = 0; k < all->count; k++) {
     cli_description of = k > 0 ? wall_of(all, k, call) : *first;
@@ -315,7 +366,7 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
   if (cli_value(call, "save"))
     save(call, wall.profile);
   if (cli_value(call, "plot"))
-    cli_surface_plot(call, &wall, &rows[0]);
+    plot(call, &wall, rows[0].d_p);
 }
 
 static void run(cli_call *call) {
@@ -375,6 +426,6 @@ const cli_command cli_surface = {
         "  $ asperity surface surface profile raw.csv --gaps fill --form 2 --dp 20um --save "
         "mended.csv\n",
     .options = options,
-    .picture = "draw the first --dp (of a map the first two) into a .png, .svg or .pdf",
+    .picture = "draw the wall and the first --dp on it; .png, .svg or .pdf",
     .run = run,
 };

@@ -120,127 +120,26 @@ static void save(const cli_call *call, const asp_map *map) {
   cli_file_close(out);
 }
 
-/* ---- the picture ---- */
-
-enum { PIXELS = 300, SECTION = 600 };
-
-/* ISO 25178-2 calls a surface with a greater texture aspect ratio S_tr isotropic. */
-#define S_TR_ISOTROPIC 0.5
-
-/* Along the lay as an arrow, and the ellipse three times as large, where there is a lay. */
-static void plot_lay(cli_plot *picture, const aspi_map_description *d, double width,
-                     double height) {
-  double cx = width / 2, cy = height / 2, reach = 0.3 * fmin(width, height);
-  double c = cos(d->lay), s = sin(d->lay), a = 3e6 * d->lambda_2, b = 3e6 * d->lambda_1;
-  for (int arrow = 0; arrow < 2; arrow++) {
-    cli_plot_series(picture, CLI_LINE, "reference lw 2");
-    if (arrow) {
-      cli_plot_row(picture, cx - reach * c, cy - reach * s);
-      cli_plot_row(picture, cx + reach * c, cy + reach * s);
-    } else {
-      for (int i = 0; i <= 100; i++) {
-        double u = a * cos(2 * ASP_PI * i / 100), v = b * sin(2 * ASP_PI * i / 100);
-        cli_plot_row(picture, cx + u * c - v * s, cy + u * s + v * c);
-      }
-    }
-    cli_plot_end(picture, "%s", "");
-  }
-}
-
-static void plot_heights(cli_plot *picture, const measured *map) {
-  const asp_map *m = map->map;
-  const aspi_map_description *d = &map->description;
-  size_t by_x = m->columns / PIXELS + 1, by_y = m->rows / PIXELS + 1;
-  double width = (double)m->columns * m->step[0] * 1e6, height = (double)m->rows * m->step[1] * 1e6;
-  bool has_lay = !(d->s_tr > S_TR_ISOTROPIC);
-  cli_plot_panel(picture, "x / µm", "y / µm");
-  cli_plot_place(picture, 0, 0.45, 0.55, 0.5);
-  cli_plot_scale(picture, true);
-  cli_plot_axis(picture, 'x', 0, width);
-  cli_plot_axis(picture, 'y', 0, height);
-  if (has_lay)
-    cli_plot_caption(picture, "heights, lay, and 1/e ellipse (× 3)");
-  else
-    cli_plot_caption(picture, "heights; no lay (S_{tr} %.2f)", d->s_tr);
-  fputs("set cblabel 'z / µm'\n"
-        "set palette defined (0 '#08306b', 0.5 '#f7f7f7', 1 '#7f2704')\n",
-        cli_plot_stream(picture));
-  cli_plot_series(picture, CLI_IMAGE, "palette");
-  for (size_t j = 0; j < m->rows; j += by_y)
-    for (size_t i = 0; i < m->columns; i += by_x)
-      cli_plot_row(picture, (double)i * m->step[0] * 1e6, (double)j * m->step[1] * 1e6,
-                   m->heights[j * m->columns + i] * 1e6);
-  cli_plot_end(picture, "%s", "");
-  if (has_lay)
-    plot_lay(picture, d, width, height);
-}
-
-/* Ten of the longer lengths of the middle row, and the lowest points of a sphere on it. */
-static void plot_section(cli_plot *picture, const measured *m, const double size[2]) {
-  const asp_map *map = m->map;
-  size_t row = map->rows / 2, count = (size_t)(10 * m->description.lambda_1 / map->step[0]);
-  count = count < map->columns ? count : map->columns;
-  size_t by = count / SECTION + 1;
-  cli_plot_panel(picture, "x / µm", "z / µm");
-  cli_plot_place(picture, 0, 0, 1, 0.42);
-  cli_plot_scale(picture, false);
-  cli_plot_caption(picture, "a section along x, and the lowest points of spheres on it");
-  cli_plot_series(picture, CLI_LINE, "reference");
-  for (size_t i = 0; i < count; i += by)
-    cli_plot_row(picture, (double)i * map->step[0] * 1e6,
-                 map->heights[row * map->columns + i] * 1e6);
-  cli_plot_end(picture, "wall");
-  for (int k = 0; k < 2; k++) {
-    asp_error error;
-    aspi_ball *ball = aspi_ball_create(map, size[k], &error);
-    if (!ball)
-      cli_fail("%s", error.text);
-    cli_plot_series(picture, CLI_LINE, "%d", k + 1);
-    for (size_t i = 0; i < count; i += by) {
-      aspi_touch touch = aspi_ball_touch(ball, i, row, false);
-      cli_plot_row(picture, (double)i * map->step[0] * 1e6, (touch.height - size[k] / 2) * 1e6);
-    }
-    cli_plot_end(picture, "d_p %g µm", size[k] * 1e6);
-    aspi_ball_free(ball);
-  }
-}
-
-/* The rms slope in each direction, as the distance from the center. */
-static void plot_directions(cli_plot *picture, const measured *m, const slopes *rows,
-                            size_t count) {
-  cli_plot_panel(picture, "toward x", "toward y");
-  cli_plot_place(picture, 0.6, 0.45, 0.4, 0.5);
-  cli_plot_scale(picture, true);
-  cli_plot_caption(picture, "rms contact slope by direction");
-  double most = fmax(rows[0].rms[0], rows[0].rms[1]), tick = pow(10, floor(log10(most)));
-  fprintf(cli_plot_stream(picture), "set xtics %g\n", most < 4 * tick ? tick : 2 * tick);
-  for (size_t i = 0; i < 2; i++) {
-    const slopes *r = &rows[i < count ? i : count - 1];
-    cli_plot_series(picture, CLI_LINE, "%zu", i + 1);
-    for (int k = 0; k <= 360; k += 3) {
-      double angle = k * ASP_PI / 180, c = cos(angle - m->description.lay),
-             s = sin(angle - m->description.lay);
-      double rms = sqrt(c * c * r->rms[1] * r->rms[1] + s * s * r->rms[0] * r->rms[0] +
-                        2 * c * s * r->mixed);
-      cli_plot_row(picture, rms * cos(angle), rms * sin(angle));
-    }
-    cli_plot_end(picture, "d_p %g µm", r->d_p * 1e6);
-  }
-}
-
-/* The picture of the first two sizes: heights with the lay and the 1/e ellipse of the
- * autocorrelation, rms contact slopes by direction, and a section with the way of two spheres over
- * it. */
-static void plot(const cli_call *call, const measured *m, const slopes *rows, size_t count) {
-  const aspi_map_description *d = &m->description;
-  double size[2] = {rows[0].d_p, rows[count > 1 ? 1 : 0].d_p};
-  cli_plot *picture = cli_plot_open(
-      call, 1300, 900, NULL, "%s: S_q %.3g µm, S_{sk} %.2g, λ_1 %.3g µm, λ_2 %.3g µm",
-      cli_plot_file(m->name).text, d->s_q * 1e6, d->s_sk, d->lambda_1 * 1e6, d->lambda_2 * 1e6);
-  plot_heights(picture, m);
-  plot_directions(picture, m, rows, count);
-  plot_section(picture, m, size);
-  cli_plot_close(picture);
+/* The table of the picture: the map, the lowest points of a sphere, and its contact slopes. */
+static void plot(const cli_call *call, const asp_map *map, double d_p) {
+  size_t n = map->columns, count = n * map->rows;
+  float *z = cli_allocate(count, sizeof *z), *p = cli_allocate(count, sizeof *p),
+        *q = cli_allocate(count, sizeof *q);
+  asp_error error;
+  aspi_ball *ball = aspi_ball_create(map, d_p, &error);
+  cli_must(ball, &error);
+  aspi_ball_rows(ball, 0, map->rows, z, p, q);
+  aspi_ball_free(ball);
+  FILE *out = cli_plot_open(call);
+  fputs("x_um,y_um,z_um,lowest_um,slope_x,slope_y\n", out);
+  for (size_t i = 0; i < count; i++)
+    fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.5g,%.5g\n", (double)(i % n) * map->step[0] * 1e6,
+            (double)(i / n) * map->step[1] * 1e6, (double)map->heights[i] * 1e6,
+            ((double)z[i] - d_p / 2) * 1e6, (double)p[i], (double)q[i]);
+  free(z);
+  free(p);
+  free(q);
+  cli_plot_close(call, out, "map");
 }
 
 void cli_surface_map(const cli_call *call, const cli_description *wall,
@@ -258,5 +157,5 @@ void cli_surface_map(const cli_call *call, const cli_description *wall,
   if (cli_value(call, "save"))
     save(call, m.map);
   if (cli_value(call, "plot"))
-    plot(call, &m, rows, sizes->count);
+    plot(call, m.map, sizes->values[0]);
 }

@@ -112,8 +112,8 @@ static point *summarize(const judged *rows, size_t n) {
 }
 
 /* Names the cheapest model whose worst divergence, with twice its standard error, is below the
- * tolerance; NULL: none is. */
-static const asp_spread_model *mark(FILE *out, const point *points, double tolerance) {
+ * tolerance. */
+static void mark(FILE *out, const point *points, double tolerance) {
   const point *chosen = NULL, *nearest = points;
   for (const point *p = points; p < points + asp_spread_count(); p++) {
     if (!chosen && fmax(p->worst, 0) + 2 * p->se < tolerance)
@@ -129,7 +129,6 @@ static const asp_spread_model *mark(FILE *out, const point *points, double toler
            asp_spread_name(of->model), of->worst, of->se, of->cost);
   fprintf(out, "# %s\n", text);
   cli_say("%s", text);
-  return chosen ? chosen->model : NULL;
 }
 
 /* ---- output ---- */
@@ -142,49 +141,6 @@ static void print(FILE *out, const judged *rows, size_t n) {
     cli_row(out, "%s,%g,%.1f,%.5f,%.5f,%.5f,%.4f,%.4f\n", asp_spread_name(r->model), r->angle,
             r->cost, r->first_hit, r->rebound.kl, r->rebound.se, r->rebound.mean,
             r->rebound.reference_mean);
-}
-
-/* ---- the picture ---- */
-
-/* Divergences below this are drawn at this value: the rays resolve no less. */
-#define NOISE 1e-4
-
-/* The cost of every model against its worst divergence; of every angle all models, in their order.
- */
-static void plot(const cli_call *call, const cli_description *wall, double d_p, const judged *rows,
-                 size_t n, const point *points, const asp_spread_model *marked) {
-  size_t models = (size_t)asp_spread_count();
-  char most[40] = "", size[40] = "";
-  if (n > models)
-    snprintf(most, sizeof most, " … %g", rows[n - 1].angle);
-  if (strcmp(asp_description_word(wall->words, "surface"), "sigma") != 0)
-    snprintf(size, sizeof size, "; d_p = %.3g µm", d_p * 1e6);
-  cli_plot *picture =
-      cli_plot_open(call, 900, 560, "1,1", "%s%s; α_1 = %g%s°",
-                    cli_plot_wall(wall->words, wall->wall).text, size, rows[0].angle, most);
-  cli_plot_panel(picture, "mean time per impact / ns", "worst D_{KL} of the rebound angle, ± s.e.");
-  cli_plot_log(picture, "xy");
-  double least = INFINITY, best = INFINITY;
-  for (size_t i = 0; i < models; i++)
-    least = fmin(least, fmax(points[i].worst, NOISE));
-  cli_plot_axis(picture, 'y', 0.5 * least, NAN);
-  fputs("set xtics (20,50,100,200,500,1000,2000,5000,10000,20000,50000,100000)\n",
-        cli_plot_stream(picture));
-  cli_plot_series(picture, CLI_STAIRS, "guide");
-  for (size_t i = 0; i < models; i++)
-    if (fmax(points[i].worst, NOISE) < best) {
-      best = fmax(points[i].worst, NOISE);
-      cli_plot_row(picture, points[i].cost, best);
-    }
-  cli_plot_end(picture, "Pareto front");
-  for (size_t i = 0; i < models; i++) {
-    const char *name = asp_spread_name(points[i].model);
-    cli_plot_series(picture, CLI_ERRORS, "model_%s", name);
-    cli_plot_row(picture, points[i].cost, fmax(points[i].worst, NOISE), points[i].se);
-    cli_plot_end(picture, "%s%s", cli_plot_label(name).text,
-                 points[i].model == marked ? ", cheapest below D" : "");
-  }
-  cli_plot_close(picture);
 }
 
 /* ---- the case ---- */
@@ -283,13 +239,11 @@ static void run(cli_call *call) {
   size_t n = angles.count * (size_t)asp_spread_count();
   judged *rows = cli_allocate(n, sizeof *rows);
   judge_all(call, &angles, &subject, rows);
-  point *points = summarize(rows, n);
-  FILE *out = cli_output_open(call, "output", wall.text);
-  const asp_spread_model *marked = tolerance > 0 ? mark(out, points, tolerance) : NULL;
+  FILE *out = cli_table_open(call, wall.text);
+  if (tolerance > 0)
+    mark(out, summarize(rows, n), tolerance);
   print(out, rows, n);
-  cli_file_close(out);
-  if (cli_value(call, "plot"))
-    plot(call, &wall, d_p, rows, n, points, marked);
+  cli_table_close(call, out, "trade");
 }
 
 static const cli_option options[] = {

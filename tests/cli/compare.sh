@@ -149,9 +149,9 @@ done
 "$asperity" compare quarter half --plot p.svg > got 2> err
 printf 'alpha1_deg,cor_n,cor_t\n5,9,1\n5,1,1\n5,1.2,1\n' > far_off.csv
 "$asperity" compare far_off.csv far_off.csv --plot off_axis.svg > got 2> err
-grep -q 'outside: 1 of 3 measured impacts' off_axis.svg && grep -q 'far off' off_axis.svg || die "compare --plot: what it leaves out"
+grep -q 'outside: 2 of ' off_axis.svg && grep -q 'far_off' off_axis.svg || die "compare --plot: what it leaves out"
 grep -q 'quarter' p.svg && grep -q 'half' p.svg || die "compare --plot: no names"
-key=$(grep -B 1 -m 1 '<tspan.*>measured' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
+key=$(grep -B 1 -m 1 'measured, mean' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
 frame=$(grep "stroke='rgb( 68,  68,  68)'" p.svg | grep -oE "d='M[0-9.]+,[0-9.]+" | cut -d, -f2 | sort -g | head -n 1)
 awk -v key="$key" -v frame="$frame" 'BEGIN { exit !(key > 0 && key < frame) }' || die "compare --plot: the key at $key is within the panel, from $frame on"
 

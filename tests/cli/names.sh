@@ -44,8 +44,8 @@ done
 no_more "data"
 
 # Names of materials: shown in the title, letter by letter, and CSV stays CSV.
-shown() { # NAME FILE: a text of the picture begins with the name
-  sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g' "$2" | NAME=$1 awk '{ sub(/^[ \t]+/, "") } index($0, ENVIRON["NAME"]) == 1 { found = 1 } END { exit !found }'
+shown() { # NAME FILE: a text of the picture has the name
+  sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g' "$2" | NAME=$1 awk '{ sub(/^[ \t]+/, "") } index($0, ENVIRON["NAME"]) { found = 1 } END { exit !found }'
 }
 for name in "it's" "e'.system('>pwned6').'" "e'.system(\">pwned7\").'" '`>pwned8`' 'a"b' \
     'back\slash' 'back\' 'a_b^c{d}@e~f' '<b>&lt&' '%s%n%d' '$HOME' 'ünï' "''"; do
@@ -53,7 +53,7 @@ for name in "it's" "e'.system('>pwned6').'" "e'.system(\">pwned7\").'" '`>pwned8
   printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa\n"%s",7e10,0.17,2650,2e8\n' "$quoted" > own.csv
   own=(materials "$name" "$name" file own.csv)
   "$asperity" cor "${own[@]}" surface rq 5um lambda_c 40um --dp 10um --samples 3 --plot m.svg -o /dev/null 2> err || die "cor of '$name': $(cat err)"
-  shown "$name on $name" m.svg || die "cor: '$name' is not in the picture's title"
+  shown "materials $name $name" m.svg || die "cor: '$name' is not in the picture's title"
   "$asperity" materials --materials own.csv > own2.csv
   "$asperity" cor materials "$name" hastelloy-x file own2.csv --samples 1 > /dev/null || die "materials: '$name' does not read back"
 done

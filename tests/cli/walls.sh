@@ -49,11 +49,11 @@ awk -F, '$1 == "profile" && $5 < 0.01 && $6 > 0 { good++ } $1 == "visible" && $5
 "$asperity" trade surface profile short --dp 5um --angles 2,20 --rays 20000 > rows 2> err
 grep -q 'warning: --angles: those under .* degrees are left out' err && ! grep -q '^[a-z]*,2,' rows || die "angles that a short profile cannot judge: $(cat err)"
 awk -F, '$1 == "profile" && $5 > 0.02 && $6 > 0.002 { good++ } END { exit good != 1 }' rows || die "trade by a short profile: $(cat rows)"
-"$asperity" trade surface sigma 10 --angles 20 --rays 8000 --ensemble 4 --tolerance 0.05 --plot marked.svg > rows 2> err || die "trade --sigma: $(cat err)"
+"$asperity" trade surface sigma 10 --angles 20 --rays 8000 --ensemble 4 --tolerance 0.05 --plot trade.svg > rows 2> err || die "trade --sigma: $(cat err)"
 awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' rows || die "trade --sigma: $(cat rows)"
 # The model that --tolerance names is the cheapest of those below it.
 named=$(sed -n "s/^# the cheapest model below D_KL 0.05: '\([a-z]*\)', .*/\1/p" rows)
-grep -q "^asperity: the cheapest model below D_KL 0.05: '${named:-none}', " err && grep -q 'cheapest below D' marked.svg || die "trade --tolerance: $(cat err)"
+grep -q "^asperity: the cheapest model below D_KL 0.05: '${named:-none}', " err && grep -q 'Pareto front' trade.svg || die "trade --tolerance: $(cat err)"
 awk -F, -v named="$named" '/^[a-z]*,20,/ && ($5 > 0 ? $5 : 0) + 2 * $6 < 0.05 && !(of && $3 > least) { least = $3; of = $1 } END { exit of != named }' rows || die "trade --tolerance: not '$named': $(cat rows)"
 "$asperity" trade surface sigma 10 --angles 20 --rays 1000 --ensemble 4 --tolerance 1e-8 2>&1 | grep -q "^# no model is below D_KL 1e-08; the closest: '" || die "trade --tolerance 1e-8"
 

@@ -40,6 +40,9 @@ cp "$program/scatter.c" "$work"
 # The manual's pages, one of the command and one of each of its eight, and the shell's completion.
 [ "$(find "$work/prefix" -path '*/man/man1/*.1' | wc -l)" -ge 9 ] || { echo "the manual's pages are not installed"; exit 1; }
 [ -n "$(find "$work/prefix" -path '*/bash-completion/completions/asperity')" ] || { echo "no completion is installed"; exit 1; }
+# A picture, by the scripts that are installed.
+"$work/prefix/bin/asperity" cor surface sigma 5 --samples 5 --plot "$work/cor.svg" -o /dev/null 2> "$work/log" && grep -q '<svg' "$work/cor.svg" || { cat "$work/log"; exit 1; }
+[ -e "$work/prefix/share/asperity/plot/look.gp" ] || { echo "no scripts are installed"; exit 1; }
 # Pages and examples, whose links lead to what is installed.
 doc=$work/prefix/share/doc/asperity
 [ -x "$doc/examples/flat_plate/run" ] && [ -e "$doc/examples/look.gp" ] || { echo "no examples are installed"; exit 1; }

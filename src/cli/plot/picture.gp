@@ -1,0 +1,56 @@
+# What all pictures share; each script loads this first. It reads the arguments, opens the picture, and writes the title.
+# The script sets width and height in pixels before.
+# SPDX-License-Identifier: GPL-3.0-or-later
+if (!strlen(given[2])) { print 'usage: gnuplot -c SCRIPT TABLE PICTURE [TITLE [WIDTHxHEIGHT [FROM:TO]]]'; exit status 1 }
+table = given[1]; picture = given[2]; title = given[3]; size = given[4]; range = given[5]
+load here.'look.gp'
+if (strlen(size)) { width = int(size[1:strstrt(size, 'x') - 1]); height = int(size[strstrt(size, 'x') + 1:*]) }
+ending = picture[strlen(picture) - 2:*]
+if (ending eq 'svg') { set term svg noenhanced size width,height font 'sans,14' background 'white' }
+if (ending eq 'pdf') { set term pdfcairo noenhanced size width / 96.,height / 96. font 'sans,11' }
+if (ending eq 'png') { set term pngcairo noenhanced size width,height font 'sans,11' }
+set output picture
+set datafile separator ','
+set datafile missing NaN # a line goes on over rows of others
+# The title in lines that fit; `top` is the upper edge of the panels, below the title, the legend and a caption.
+head = ''; line = ''; lines = 0; word = ''
+do for [i=1:strlen(title) + 1] {
+  if (i > strlen(title) || title[i:i] eq ' ') {
+    if (strlen(line) && strlen(line.word) > width / 8) { head = head.line."\n"; line = ''; lines = lines + 1 }
+    line = line.(strlen(line) ? ' ' : '').word; word = ''
+  } else { word = word.title[i:i] }
+}
+head = head.line
+if (strlen(line)) { lines = lines + 1 }
+legend = 1 - (20. * lines + 8) / height
+top = legend - 62. / height
+left = 95. / width; right = 1 - 25. / width; bottom = 60. / height
+set key at screen 0.5,screen legend center top horizontal maxrows 2
+set tmargin at screen top; set bmargin at screen bottom; set lmargin at screen left; set rmargin at screen right
+set multiplot title head noenhanced
+# The vertical axis: as the user wants it, or from and to.
+axis(from, to) = strlen(range) ? range : sprintf('%.10g:%.10g', from, to)
+low(r) = real(r[1:strstrt(r, ':') - 1]); high(r) = real(r[strstrt(r, ':') + 1:*])
+min(a, b) = a < b ? a : b
+max(a, b) = a > b ? a : b
+is(v) = v == v
+# Histograms: the middle of a bin, and what a row adds to it. Rows without a value must be somewhere, too.
+middle(v, wide) = is(v) ? (floor(v / wide) + 0.5) * wide : 0
+part(v, share) = is(v) ? share : 0
+# The axis of CoR_N (t = 0) or CoR_T: 0 to 1, and of what lies beyond at most 0 to 3, or -1 to 2.
+coefficient(t, from, to) = t ? axis(max(-1, min(0, from)), min(2, max(1, to))) : axis(0, min(3, max(1, to)))
+cor(t) = t ? 'CoR_T' : 'CoR_N'
+outside(n, of) = n ? sprintf('outside: %d of %d', n, of) : ''
+# One of two panels, left (t = 0) and right.
+panel = 'set lmargin at screen left + 0.5 * t; set rmargin at screen right - 0.5 * (1 - t)'
+set_y = "if (strlen(range)) { set yrange [low(range):high(range)] } else { set yrange [0:*] }"
+# The number and the ends of the values of a column: @survey; stats table using (take(VALUE)) nooutput. stats leaves out
+# what the axes do.
+survey = 'set xrange [*:*]; set yrange [*:*]; seen = 0; least = NaN; most = NaN'
+take(v) = is(v) ? (seen = seen + 1, least = seen > 1 ? min(least, v) : v, most = seen > 1 ? max(most, v) : v, 1) : 1
+# Sets the vertical axis of a coefficient from them, and counts the values beyond it: stats ... using (check(VALUE)).
+set_axis = "r = coefficient(t, least, most); y = low(r); y_to = high(r); set yrange [y:y_to]; set ylabel cor(t); beyond = 0"
+check(v) = (beyond = beyond + (v < y || v > y_to), 1)
+set_label = "set label 1 outside(beyond, seen) at graph 1,1 right offset 0,0.7 font ',9'"
+# Names, each once, of a list of words.
+add(list, w) = strstrt(' '.list, ' '.w.' ') ? list : list.w.' '
