@@ -102,10 +102,9 @@ void Wall::check_use(const Bounds *box, const char *empty_group) {
                            empty_group));
 }
 
-void Wall::set_rows(double *state, double *place) {
-  stepper.rows.state = reinterpret_cast<ParticleState *>(state);
+void Wall::set_rows(double *state) {
+  stepper.rows.state = reinterpret_cast<MoverState *>(state);
   books.set_states(stepper.rows.state);
-  stepper.rows.place = reinterpret_cast<ParticlePlace *>(place);
 }
 
 void Wall::reorder(const Spheres &spheres) {
@@ -135,7 +134,7 @@ void Wall::hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies
 
 void Wall::reset_dt(int64_t step, double dt) {
   setup.set_clock(step, dt);
-  stepper.ahead.clear(); /* it counts steps */
+  stepper.clear_ahead(); /* it counts steps */
 }
 
 /* Each rank checks its own particles at every neighbor build. The ranks exchange results only when
@@ -195,7 +194,7 @@ void Wall::end_run() {
 }
 
 double Wall::stuck() const {
-  double mine = static_cast<double>(stepper.stuck.size()), all;
+  double mine = static_cast<double>(stepper.grains.stuck.size() + stepper.bodies.stuck.size()), all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, setup.engine.world());
   return all;
 }
@@ -205,8 +204,7 @@ double Wall::worn_density(size_t shape) const {
 }
 
 double Wall::bytes() const {
-  size_t all =
-      stepper.stuck.capacity() * sizeof(StuckParticle) + stepper.ahead.bytes() + books.bytes();
+  size_t all = stepper.grains.bytes() + stepper.bodies.bytes() + books.bytes();
   for (const Member &member : setup.shapes)
     all += member.shape->bytes();
   return static_cast<double>(all);
@@ -215,9 +213,9 @@ double Wall::bytes() const {
 /* ---- restart ----------------------------------------------------------------------------------
  */
 
-std::vector<char> Wall::save(const std::vector<double> &bodies) {
+std::vector<char> Wall::save() {
   WallState state = WallState();
-  state.bodies = gather(bodies, setup.engine.world());
+  state.bodies = gather(stepper.body_rows.pack(), setup.engine.world());
   state.settings = settings();
   books.save(state);
   std::copy(setup.model.sizes(), setup.model.sizes() + 2, state.d_range);
@@ -249,37 +247,12 @@ void Wall::restore(const char *record) {
   setup.model.set_sizes(saved.d_range);
   setup.clock = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
   restore_meshes(saved);
-  restore_bodies(saved);
-}
-
-const BodyMemory *Wall::restored_memory(int64_t tag) const {
-  const double wanted = static_cast<double>(tag);
-  const auto at = std::lower_bound(body_rows_.begin(), body_rows_.end(), wanted,
-                                   [](const BodyRow &row, double of) { return row.tag < of; });
-  return at != body_rows_.end() && !(at->tag > wanted) ? &at->memory : NULL;
-}
-
-void Wall::restore_bodies(const WallState &saved) {
-  const size_t width = sizeof(BodyRow) / sizeof(double);
-  if (saved.bodies.size() % width != 0)
-    throw Error("the restart file's record of this wall has bodies of another form; give the wall "
-                "another ID to begin anew without it");
-  body_rows_.resize(saved.bodies.size() / width);
-  if (!body_rows_.empty())
-    memcpy(body_rows_.data(), saved.bodies.data(), saved.bodies.size() * sizeof(double));
-  for (BodyRow &row : body_rows_) {
-    StuckBody &at = row.memory.stuck;
-    if (!row.memory.is_stuck()) {
-      row.memory.status = static_cast<double>(Status::FREE); /* its first flight finds its walls */
-      continue;
-    }
-    const bool known = at.shape >= 1 && at.shape <= static_cast<double>(shape_now_.size());
-    at.shape = known ? shape_now_[static_cast<size_t>(at.shape) - 1] : 0;
-    if (!(at.shape >= 1))
-      at.at[0] = NAN;
-  }
-  std::sort(body_rows_.begin(), body_rows_.end(),
-            [](const BodyRow &one, const BodyRow &other) { return one.tag < other.tag; });
+  if (setup.engine.rank() == 0) /* from which they are claimed */
+    stepper.body_rows.restore(saved.bodies, [this](MoverState &state, Memory &memory) {
+      Stepper::renumber(shape_now_, state, memory);
+      memory.rests.clear(); /* its first flight finds its walls */
+      state.status = state.status < 0 ? 0 : state.status;
+    });
 }
 
 /* Totals and sums of each mesh that is the same as before. */

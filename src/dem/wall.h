@@ -19,9 +19,8 @@
 namespace asperity {
 
 struct Wall {
-  /* Numbers of each particle that the engine keeps: a ParticleState and a ParticlePlace. */
-  static const int N_STATE = sizeof(ParticleState) / sizeof(double);
-  static const int N_PLACE = sizeof(ParticlePlace) / sizeof(double);
+  /* Numbers of each particle that the engine keeps: a MoverState. */
+  static const int N_STATE = sizeof(MoverState) / sizeof(double);
   static const char KEYWORDS[];
 
   Setup setup;     /* what is set up and restored */
@@ -47,8 +46,8 @@ struct Wall {
    * empty_group: the name of the wall's group if it has no particles, or NULL. Collective. */
   void check_use(const Bounds *box, const char *empty_group);
 
-  /* The rows of this rank's particles, N_STATE and N_PLACE each. */
-  void set_rows(double *state, double *place);
+  /* The rows of this rank's particles, N_STATE each. */
+  void set_rows(double *state);
 
   /* After particles have moved between ranks, or have been put into another order. */
   void reorder(const Spheres &spheres);
@@ -69,15 +68,9 @@ struct Wall {
   double bytes() const;
 
   /* Saves and restores the wall's restart data, on rank 0; restore before init(). Collective. Both
-   * throw an Error if they fail. bodies: a BodyRow of each body of this rank, as doubles. */
-  std::vector<char> save(const std::vector<double> &bodies = std::vector<double>());
+   * throw an Error if they fail. */
+  std::vector<char> save();
   void restore(const char *record);
-
-  /* What a body remembered in the restart file; NULL: nothing. */
-  const BodyMemory *restored_memory(int64_t tag) const;
-  size_t restored_bodies() const {
-    return body_rows_.size();
-  }
 
 private:
   /* The fastest particle of this rank in this run, by its radii per time. */
@@ -89,12 +82,10 @@ private:
   void warn_of_speeds();
   Settings settings() const;
   void restore_meshes(const WallState &saved);
-  void restore_bodies(const WallState &saved);
 
   Fastest fastest_;
   bool warned_; /* of speeds */
   bool is_use_checked_;
-  std::vector<BodyRow> body_rows_; /* of a restart, by their tags */
   std::vector<int> shape_now_; /* of a restart: the shape, from 1, that is each of the saved ones */
 };
 

@@ -109,9 +109,9 @@ public:
     return s;
   }
 
-  /* The bodies of this rank, for these walls; NULL: there are none. put: takes them back, at the
-   * end of a step with other velocities and forces; collective. */
-  virtual Bodies *bodies(const std::vector<WallFix *> &) {
+  /* The bodies of this rank; NULL: there are none. put: takes them back, at the end of a step with
+   * other velocities and forces. Collective. */
+  virtual Bodies *bodies() {
     return NULL;
   }
   virtual void put_bodies(bool) {}
@@ -120,10 +120,6 @@ public:
   /* What to use where bodies turn too far in a step for Richardson's rule; "": it is not used. */
   virtual std::string remedy() const {
     return "";
-  }
-  /* A BodyRow of each body of this rank, for a restart file. */
-  virtual std::vector<double> body_rows() const {
-    return std::vector<double>();
   }
   /* Lists the bodies that the wall deletes; collective. And true for an atom of one. */
   virtual void list_deleted_bodies() {}
@@ -234,11 +230,11 @@ public:
       for (WallFix *fix : siblings_) {
         fix->set_rows();
         if (grow)
-          fix->wall.stepper.ahead.clear();
+          fix->wall.stepper.clear_ahead();
         fix->begin_step();
         walls.push_back(&fix->wall);
       }
-      Bodies *all = bodies(siblings_);
+      Bodies *all = bodies();
       if (all && all->begins) /* the run */
         warn_of_bodies(*all);
       Wall::step(walls, this->spheres(), all);
@@ -291,7 +287,7 @@ public:
       fix->set_rows();
       walls.push_back(&fix->wall);
     }
-    Wall::hold(walls, this->spheres(), bodies(siblings_));
+    Wall::hold(walls, this->spheres(), bodies());
     put_bodies(true);
   }
 
@@ -318,7 +314,7 @@ public:
   /* The record that an engine gives back does not say how long it is: its first bytes do. */
   void write_record(FILE *file) {
     std::vector<char> record;
-    attempt([&] { record = wall.save(body_rows()); });
+    attempt([&] { record = wall.save(); });
     if (this->program_->comm->me != 0)
       return;
     const int size = static_cast<int>(record.size());
@@ -333,12 +329,19 @@ public:
 protected:
   void warn_of_bodies(const Bodies &bodies) {
     const MPI_Comm world = this->program_->world;
-    const size_t saved = is_continued_ ? wall.restored_bodies() : 0;
+    const size_t saved = is_continued_ ? wall.stepper.body_rows.restored() : 0;
     is_continued_ = false;
     for (const std::string &doubt :
          {turn_doubt(bodies, remedy(), world), count_doubt(bodies, saved, world)})
       if (!doubt.empty())
         this->warn(doubt);
+  }
+
+  std::vector<Stepper *> steppers() {
+    std::vector<Stepper *> all;
+    for (WallFix *fix : siblings_)
+      all.push_back(&fix->wall.stepper);
+    return all;
   }
 
   bool leads() const {

@@ -8,56 +8,48 @@
 using namespace asperity;
 
 double AtomRows::bytes() const {
-  return (state_.capacity() + place_.capacity()) * sizeof(double) +
-         rows_.capacity() * sizeof(double *);
+  return static_cast<double>(state_.capacity() * sizeof(double) +
+                             pointers_.capacity() * sizeof(double *));
 }
 
 void AtomRows::grow(int atoms) {
   const size_t n = static_cast<size_t>(atoms);
   state_.reserve(n * STATE); /* no more than that */
-  place_.reserve(n * PLACE);
   state_.resize(n * STATE);
-  place_.resize(n * PLACE);
-  rows_.resize(n);
+  pointers_.resize(n);
   for (size_t i = 0; i < n; i++)
-    rows_[i] = &state_[i * STATE];
+    pointers_[i] = &state_[i * STATE];
+  rows_.grow(atoms);
+  set_rows();
 }
 
 void AtomRows::copy(int from, int to) {
-  const size_t a = static_cast<size_t>(from), b = static_cast<size_t>(to);
-  std::copy_n(&state_[a * STATE], int{STATE}, &state_[b * STATE]);
-  std::copy_n(&place_[a * PLACE], int{PLACE}, &place_[b * PLACE]);
+  std::copy_n(pointers_[from], int{STATE}, pointers_[to]);
+  rows_.copy(from, to);
 }
 
 void AtomRows::clear(int i) {
-  const double none[ALL] = {0};
-  unpack(i, none);
+  std::fill_n(pointers_[i], int{STATE}, 0.0);
+  rows_.clear(i);
 }
 
 int AtomRows::pack(int i, double *to) const {
-  const size_t n = static_cast<size_t>(i);
-  std::copy_n(&state_[n * STATE], int{STATE}, to);
-  std::copy_n(&place_[n * PLACE], int{PLACE}, to + STATE);
-  return ALL;
+  std::copy_n(pointers_[i], int{STATE}, to);
+  return STATE + rows_.pack(i, to + STATE);
 }
 
 int AtomRows::unpack(int i, const double *from) {
-  const size_t n = static_cast<size_t>(i);
-  std::copy(from, from + STATE, &state_[n * STATE]);
-  std::copy(from + STATE, from + ALL, &place_[n * PLACE]);
-  return ALL;
+  std::copy_n(from, int{STATE}, pointers_[i]);
+  return STATE + rows_.unpack(i, from + STATE);
 }
 
 int AtomRows::save(int i, double *to) const {
-  to[0] = SAVED;
-  return pack(i, to + 1) + 1;
+  to[0] = 1 + pack(i, to + 1);
+  return static_cast<int>(to[0]);
 }
 
 void AtomRows::restore(int i, const double *all, int nth) {
   for (int before = 0; before < nth; before++)
     all += static_cast<int>(*all);
-  if (static_cast<int>(*all) == SAVED)
-    unpack(i, all + 1);
-  else
-    clear(i);
+  unpack(i, all + 1);
 }

@@ -1,5 +1,5 @@
-/* The numbers of each atom that a wall keeps, in rows, which move with the atoms between ranks and
- * into restart files.
+/* The numbers of each atom that a wall keeps: in rows, which LAMMPS shows, and in memories. They
+ * move with the atoms between ranks and into restart files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_LAMMPS_ATOM_ROWS_H
@@ -13,17 +13,17 @@ namespace asperity {
 
 class AtomRows {
 public:
-  enum { STATE = Wall::N_STATE, PLACE = Wall::N_PLACE, ALL = STATE + PLACE, SAVED = ALL + 1 };
+  enum { STATE = Wall::N_STATE, MOST = STATE + PACKED_MOST, SAVED_MOST = MOST + 1 };
 
-  double *state() {
-    return state_.data();
-  }
-  double *place() {
-    return place_.data();
+  explicit AtomRows(Wall &wall) : wall_(wall), rows_(wall.stepper.rows) {}
+
+  /* After the vector has moved. */
+  void set_rows() {
+    wall_.set_rows(state_.data());
   }
   /* A pointer to the state of each atom, as LAMMPS has arrays. */
   double **states() {
-    return rows_.data();
+    return pointers_.data();
   }
   double bytes() const;
 
@@ -39,8 +39,10 @@ public:
   void restore(int i, const double *all, int nth);
 
 private:
-  std::vector<double> state_, place_;
-  std::vector<double *> rows_;
+  Wall &wall_;
+  Memories &rows_;
+  std::vector<double> state_;
+  std::vector<double *> pointers_;
 };
 
 } // namespace asperity

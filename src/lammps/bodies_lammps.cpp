@@ -23,7 +23,6 @@
 using namespace LAMMPS_NS;
 using asperity::Bodies;
 using asperity::Body;
-using asperity::BodyMemory;
 using asperity::BodySphere;
 
 namespace {
@@ -139,11 +138,12 @@ Fix *BodiesOfLammps::fix_of(int i) const {
 /* ---- listing ----------------------------------------------------------------------------------
  */
 
-void BodiesOfLammps::list(const Walls &walls, bool begins) {
+void BodiesOfLammps::list(const std::vector<asperity::Stepper *> &walls, bool begins) {
   if (!any())
     return;
   std::map<double, size_t> numbers; /* by the tags of their owners */
   owned_.clear();
+  owners_.clear();
   bodies_.all.clear();
   for (Fix *fix : fixes_)
     for (int b = 0; b < of(fix, &Small::nlocal_body); b++) {
@@ -151,25 +151,23 @@ void BodiesOfLammps::list(const Walls &walls, bool begins) {
       Body body = Body();
       body.mass = from.mass;
       aspi_copy(from.inertia, body.inertia);
-      numbers[static_cast<double>(lammps_->atom->tag[from.ilocal])] = owned_.size();
+      owners_.push_back(static_cast<double>(lammps_->atom->tag[from.ilocal]));
+      numbers[owners_.back()] = owned_.size();
       owned_.push_back(std::make_pair(fix, b));
       bodies_.all.push_back(body);
     }
   send_rows();
   list_spheres(numbers);
-  bodies_.memory.resize(walls.size());
-  for (size_t w = 0; w < walls.size(); w++)
-    walls[w]->remember(numbers, bodies_, bodies_.memory[w]);
+  bodies_.begins = begins || bodies_.begins;
+  asperity::claim_bodies(walls, bodies_, lammps_->world);
   if (!begins)
     return;
-  bodies_.begins = true;
-  bodies_.ahead = asperity::BodyAhead();
   is_checked_ = false;
   read(); /* the fix may have chosen other axes */
-  for (const std::vector<BodyMemory *> &of_wall : bodies_.memory)
-    for (size_t b = 0; b < of_wall.size(); b++)
-      if (of_wall[b]->is_stuck())
-        memcpy(of_wall[b]->stuck.axes, bodies_.all[b].axes, sizeof bodies_.all[b].axes);
+  for (asperity::Stepper *wall : walls)
+    for (const asperity::StuckOne &one : wall->bodies.stuck)
+      memcpy(wall->body_rows.stuck(one.i).axes, bodies_.all[static_cast<size_t>(one.i)].axes,
+             sizeof bodies_.all[0].axes);
 }
 
 void BodiesOfLammps::send_rows() {
@@ -214,27 +212,6 @@ void BodiesOfLammps::list_spheres(const std::map<double, size_t> &numbers) {
   }
 }
 
-/* The memories of these bodies; others are forgotten. After a restart another particle may own a
- * body. */
-void BodiesOfLammps::remember(const std::map<double, size_t> &numbers, const Bodies &bodies,
-                              std::vector<BodyMemory *> &memory) {
-  std::map<double, BodyMemory> now;
-  memory.resize(numbers.size());
-  for (const auto &number : numbers) {
-    const Body &body = bodies.all[number.second];
-    const auto before = memories_.find(number.first);
-    BodyMemory &of_body = now[number.first];
-    if (before != memories_.end())
-      of_body = before->second;
-    for (size_t k = body.first; k < body.first + body.count && !is_restored_; k++)
-      if (const BodyMemory *restored = wall_.restored_memory(bodies.spheres[k].tag))
-        of_body = *restored;
-    memory[number.second] = &of_body;
-  }
-  memories_.swap(now);
-  is_restored_ = true;
-}
-
 int BodiesOfLammps::pack(int n, const int *list, double *to) const {
   for (int k = 0; k < n; k++)
     memcpy(to + SENT * k, &rows_[static_cast<size_t>(list[k])], sizeof(Row));
@@ -245,35 +222,11 @@ void BodiesOfLammps::unpack(int n, int first, const double *from) {
   memcpy(&rows_[static_cast<size_t>(first)], from, static_cast<size_t>(n) * sizeof(Row));
 }
 
-int BodiesOfLammps::pack_memory(int i, double *to) {
-  const auto at = memories_.find(static_cast<double>(lammps_->atom->tag[i]));
-  to[0] = at == memories_.end() ? 1 : MEMORY;
-  if (at != memories_.end())
-    memcpy(to + 1, &at->second, sizeof at->second);
-  return static_cast<int>(to[0]);
-}
-
-int BodiesOfLammps::unpack_memory(int i, const double *from) {
-  if (from[0] > 1)
-    memcpy(&memories_[static_cast<double>(lammps_->atom->tag[i])], from + 1, sizeof(BodyMemory));
-  return static_cast<int>(from[0]);
-}
-
-std::vector<double> BodiesOfLammps::rows() const {
-  std::vector<double> all;
-  for (const auto &memory : memories_) {
-    const asperity::BodyRow row = {memory.first, memory.second};
-    const double *from = reinterpret_cast<const double *>(&row);
-    all.insert(all.end(), from, from + sizeof row / sizeof *from);
-  }
-  return all;
-}
-
-void BodiesOfLammps::list_deleted() {
+void BodiesOfLammps::list_deleted(const asperity::Memories &rows) {
   std::vector<double> mine;
-  for (const auto &memory : memories_)
-    if (memory.second.status == static_cast<double>(asperity::Status::TO_DELETE))
-      mine.push_back(memory.first);
+  for (size_t b = 0; b < owned_.size(); b++)
+    if (rows.status(static_cast<int>(b)) == asperity::Status::TO_DELETE)
+      mine.push_back(owners_[b]);
   deleted_ = asperity::gather_for_all(mine, lammps_->world);
   std::sort(deleted_.begin(), deleted_.end());
 }

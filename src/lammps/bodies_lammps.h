@@ -17,8 +17,7 @@ namespace LAMMPS_NS {
 
 class BodiesOfLammps {
 public:
-  BodiesOfLammps(LAMMPS *lammps, Fix *fix, const asperity::Wall &wall)
-      : lammps_(lammps), fix_(fix), wall_(wall), bodies_() {}
+  BodiesOfLammps(LAMMPS *lammps, Fix *fix) : lammps_(lammps), fix_(fix) {}
 
   /* What walls cannot do with a fix that ties particles to bodies; empty: nothing. */
   static std::string error_of(const Fix *fix);
@@ -37,8 +36,7 @@ public:
 
   /* Lists the bodies of this rank, with the memories of the walls of a run: at its beginning, and
    * after particles have moved between ranks. Collective. */
-  typedef std::vector<BodiesOfLammps *> Walls;
-  void list(const Walls &walls, bool begins);
+  void list(const std::vector<asperity::Stepper *> &walls, bool begins);
 
   /* The bodies after the first half of a step, or at its end; NULL where there are none. put: gives
    * those that have changed back to the fix and to their particles; at the end of a step only
@@ -48,14 +46,8 @@ public:
 
   /* Lists the bodies of all ranks that this wall deletes; collective. True for a particle of one.
    */
-  void list_deleted();
+  void list_deleted(const asperity::Memories &rows);
   bool is_deleted(int i) const;
-
-  /* The memory of the body that a particle owns, as it moves to another rank: how many numbers
-   * there are; and those of all bodies, for a restart file. */
-  int pack_memory(int i, double *to);
-  int unpack_memory(int i, const double *from);
-  std::vector<double> rows() const;
 
   /* A Row of each particle to its ghosts. */
   int pack(int n, const int *list, double *to) const;
@@ -69,30 +61,23 @@ private:
   };
 
 public:
-  enum {
-    SENT = sizeof(Row) / sizeof(double),
-    MEMORY = sizeof(asperity::BodyMemory) / sizeof(double) + 1
-  };
+  enum { SENT = sizeof(Row) / sizeof(double) };
 
 private:
   Fix *fix_of(int i) const;
   void send_rows();
   void list_spheres(const std::map<double, size_t> &numbers);
-  void remember(const std::map<double, size_t> &numbers, const asperity::Bodies &bodies,
-                std::vector<asperity::BodyMemory *> &memory);
   void read();
   void set_particle(const Fix *fix, int i, double *x, double v[3], double omega[3]) const;
   bool is_known(Fix *fix) const;
 
   LAMMPS *lammps_;
   Fix *fix_; /* the wall's */
-  const asperity::Wall &wall_;
   std::vector<Fix *> fixes_;
-  bool is_checked_ = false, is_restored_ = false;   /* the layout; what a restart file has */
-  std::vector<Row> rows_;                           /* of particles and ghosts */
-  std::vector<std::pair<Fix *, int>> owned_;        /* where each body is */
-  std::map<double, asperity::BodyMemory> memories_; /* by the tag of the body's owner */
-  std::vector<double> deleted_;                     /* owners of bodies */
+  bool is_checked_ = false;                  /* the layout */
+  std::vector<Row> rows_;                    /* of particles and ghosts */
+  std::vector<std::pair<Fix *, int>> owned_; /* where each body is */
+  std::vector<double> owners_, deleted_;     /* their owners' tags; of those to be deleted */
   asperity::Bodies bodies_;
 };
 

@@ -85,8 +85,8 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   int type;     /* of the wall */
 
   Parts(LAMMPS *lammps, Fix *fix)
-      : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix, wall), last_step(0),
-        steps(false), from_restart(false), restarted(false), stuck(0), type(0) {}
+      : WallFix(lammps, fix), mesh(NULL), region(NULL), rows(wall), of_bodies(lammps, fix),
+        last_step(0), steps(false), from_restart(false), restarted(false), stuck(0), type(0) {}
 
   void fail_at(const std::string &file, int line, const std::string &what) const {
     program_->error->all(file, line, "Fix wall/rebound (id " + id() + "): " + what);
@@ -102,7 +102,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
       fail_at(file, line, wrong);
   }
   void set_rows() override {
-    wall.set_rows(rows.state(), rows.place());
+    rows.set_rows();
   }
   bool any_bodies() const override {
     return of_bodies.any();
@@ -110,7 +110,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   bool is_of_body(int i) const override {
     return of_bodies.has(i);
   }
-  asperity::Bodies *bodies(const std::vector<WallFix *> &) override {
+  asperity::Bodies *bodies() override {
     return of_bodies.take();
   }
   void put_bodies(bool is_end) override {
@@ -119,24 +119,23 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   std::string remedy() const override {
     return of_bodies.has_richardson() ? "fix rigid/nve/small, or a time step that is shorter" : "";
   }
-  std::vector<double> body_rows() const override {
-    return of_bodies.rows();
-  }
   void list_deleted_bodies() override {
-    of_bodies.list_deleted();
+    listed().list_deleted(wall.stepper.body_rows);
   }
   bool is_of_deleted_body(int i) const override {
-    return of_bodies.is_deleted(i);
+    return listed().is_deleted(i);
   }
   void list_bodies(bool begins) override {
-    BodiesOfLammps::Walls all;
-    for (WallFix *sibling : siblings_)
-      all.push_back(&static_cast<Parts *>(sibling)->of_bodies);
     if (leads())
-      of_bodies.list(all, begins);
+      of_bodies.list(steppers(), begins);
   }
   void begin_step() override;
   void follow_step(bigint last);
+
+  /* Those of the first wall, which lists them for all. */
+  BodiesOfLammps &listed() const {
+    return static_cast<Parts *>(siblings_.front())->of_bodies;
+  }
 };
 
 /* The keywords that LIGGGHTS's wall does not have. */
@@ -183,7 +182,7 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
   p_->set_flags();
   restart_peratom = create_attribute = 1;
   wd_header = 1;
-  maxexchange = AtomRows::ALL + BodiesOfLammps::MEMORY;
+  maxexchange = AtomRows::MOST;
   comm_forward = BodiesOfLammps::SENT;
   peratom_flag = peratom_freq = 1;
   size_peratom_cols = AtomRows::STATE;
@@ -320,7 +319,7 @@ void FixWallRebound::Parts::begin_step() {
   if (mesh) {
     mesh->begin_step(wall.setup.time(static_cast<double>(update->ntimestep)), update->dt);
     if (mesh->set_images(box()))
-      wall.stepper.ahead.clear();
+      wall.stepper.clear_ahead();
   }
 }
 
@@ -426,13 +425,11 @@ void FixWallRebound::set_arrays(int i) {
 }
 
 int FixWallRebound::pack_exchange(int i, double *buffer) {
-  const int n = p_->rows.pack(i, buffer);
-  return n + p_->of_bodies.pack_memory(i, buffer + n);
+  return p_->rows.pack(i, buffer);
 }
 
 int FixWallRebound::unpack_exchange(int i, double *buffer) {
-  const int n = p_->rows.unpack(i, buffer);
-  return n + p_->of_bodies.unpack_memory(i, buffer + n);
+  return p_->rows.unpack(i, buffer);
 }
 
 int FixWallRebound::pack_restart(int i, double *buffer) {
@@ -443,10 +440,11 @@ void FixWallRebound::unpack_restart(int i, int nth) {
   p_->rows.restore(i, atom->extra[i], nth);
 }
 
-int FixWallRebound::size_restart(int) {
-  return AtomRows::SAVED;
+int FixWallRebound::size_restart(int i) {
+  double packed[AtomRows::SAVED_MOST];
+  return p_->rows.save(i, packed);
 }
 
 int FixWallRebound::maxsize_restart() {
-  return AtomRows::SAVED;
+  return AtomRows::SAVED_MOST;
 }

@@ -18,15 +18,12 @@
 using namespace LAMMPS_NS;
 using asperity::Bodies;
 using asperity::Body;
-using asperity::BodyMemory;
 using asperity::BodySphere;
 
 namespace {
 
-const int MEMORY = sizeof(BodyMemory) / sizeof(double);
 typedef VectorContainer<double, 3> Vectors;
 typedef VectorContainer<double, 4> Quaternions;
-typedef VectorContainer<double, MEMORY> Memories;
 
 /* What the engine keeps to itself: it sets atoms by their bodies, and sends those of ghosts home;
  * and the places of atoms along the axes of their bodies. */
@@ -57,50 +54,13 @@ BodiesOfLiggghts::BodiesOfLiggghts(LAMMPS *engine)
   bodies_.begins = true;
 }
 
-void BodiesOfLiggghts::add_memory(const std::string &name, const asperity::Wall &wall) {
-  if (!fix_ || fix_->data().prop().getElementProperty<Memories>(name.c_str()))
-    return;
-  const int n = fix_->n_body();
-  Memories *made = fix_->data().prop().addElementProperty<Memories>(
-      name.c_str(), "comm_exchange_borders", "frame_invariant", "restart_no");
-  while (made->size() < n)
-    made->addUninitialized(1);
-  made->setDefaultValue(0.);
-  made->setAll(0.);
-  for (int b = 0; b < n; b++)
-    if (const BodyMemory *memory_of = wall.restored_memory(fix_->data().tag(b)))
-      memcpy(made->begin()[b], memory_of, sizeof *memory_of);
-}
-
-std::vector<double> BodiesOfLiggghts::rows(const std::string &name) const {
-  std::vector<double> all;
-  Memories *of = fix_ ? fix_->data().prop().getElementProperty<Memories>(name.c_str()) : NULL;
-  for (int b = 0; of && b < fix_->n_body(); b++) {
-    all.push_back(fix_->data().tag(b));
-    all.insert(all.end(), of->begin()[b], of->begin()[b] + MEMORY);
-  }
-  return all;
-}
-
-void BodiesOfLiggghts::remove_memory(const std::string &name) {
-  if (fix_ && fix_->data().prop().getElementProperty<Memories>(name.c_str()))
-    fix_->data().prop().removeElementProperty(name.c_str());
-}
-
-Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
+Bodies *BodiesOfLiggghts::take(const std::vector<asperity::Stepper *> &walls) {
   if (!fix_)
     return NULL;
   Multisphere &data = fix_->data();
   bodies_.step = update->ntimestep;
   bodies_.dt = update->dt;
   bodies_.all.resize(static_cast<size_t>(data.n_body()));
-  bodies_.memory.resize(memories.size());
-  for (size_t w = 0; w < memories.size(); w++) {
-    double **rows = property<Memories>(fix_, memories[w].c_str()).begin();
-    bodies_.memory[w].resize(bodies_.all.size());
-    for (size_t b = 0; b < bodies_.all.size(); b++)
-      bodies_.memory[w][b] = reinterpret_cast<BodyMemory *>(rows[b]);
-  }
   double **const inertia = property<Vectors>(fix_, "inertia").begin(),
                  **const forces = property<Vectors>(fix_, "fcm").begin(),
                  **const torques = property<Vectors>(fix_, "torque").begin();
@@ -127,8 +87,10 @@ Bodies *BodiesOfLiggghts::take(const std::vector<std::string> &memories) {
     body.is_changed = false;
     body.is_led = streams && update->ntimestep < starts[b];
   }
-  if (is_reordered_)
+  if (is_reordered_) {
     take_spheres();
+    asperity::claim_bodies(walls, bodies_, world);
+  }
   is_reordered_ = false;
   return &bodies_;
 }
@@ -203,13 +165,11 @@ void BodiesOfLiggghts::put(bool is_end) {
     Inner::set_atoms(fix_);
 }
 
-void BodiesOfLiggghts::list_deleted(const std::string &name) {
+void BodiesOfLiggghts::list_deleted(const asperity::Memories &rows) {
   std::vector<double> mine;
-  Memories *of = fix_ ? fix_->data().prop().getElementProperty<Memories>(name.c_str()) : NULL;
-  for (int b = 0; of && b < fix_->n_body(); b++)
-    if (reinterpret_cast<BodyMemory *>(of->begin()[b])->status ==
-        static_cast<double>(asperity::Status::TO_DELETE))
-      mine.push_back(fix_->data().tag(b));
+  for (size_t b = 0; b < rows.memory.size(); b++)
+    if (rows.status(static_cast<int>(b)) == asperity::Status::TO_DELETE)
+      mine.push_back(static_cast<double>(bodies_.all[b].tag) + 1);
   deleted_ = asperity::gather_for_all(mine, world);
   std::sort(deleted_.begin(), deleted_.end());
 }

@@ -27,26 +27,20 @@ public:
     return fix_ && (fix_->belongs_to(i) >= 0 || fix_->fix_delflag()->vector_atom[i] > 0);
   }
 
-  /* Makes room for the memory of a wall, by a name of its own, with what is restored of it; gives
-   * its rows to a restart file; takes it away. */
-  void add_memory(const std::string &name, const asperity::Wall &wall);
-  std::vector<double> rows(const std::string &name) const;
-  void remove_memory(const std::string &name);
-
   /* After particles have moved between ranks, or have been put into another order. */
   void reorder() {
     is_reordered_ = true;
   }
 
-  /* After the first half of a step or at its end, for walls with such memories. */
-  asperity::Bodies *take(const std::vector<std::string> &memories);
+  /* After the first half of a step or at its end, for these walls. Collective. */
+  asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls);
 
   /* Gives the bodies that have changed back, with their atoms; at the end of a step only velocities
    * and forces change. Collective. */
   void put(bool is_end);
 
   /* Lists the bodies of all ranks that a wall deletes; collective. True for an atom of one. */
-  void list_deleted(const std::string &name);
+  void list_deleted(const asperity::Memories &rows);
   bool is_deleted(int i) const {
     return fix_ && std::binary_search(deleted_.begin(), deleted_.end(), fix_->belongs_to(i));
   }

@@ -37,7 +37,7 @@ using asperity::Words;
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : Fix(engine, narg, arg), WallFix(engine, this), wall_type_(), fix_state_(NULL),
-      fix_place_(NULL), restarted_(false) {
+      restarted_(false) {
   check_id();
   check_particles();
   check_box();
@@ -49,9 +49,16 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     wall.parse(words, geometry);
   });
   set_flags();
+  restart_peratom = create_attribute = 1;
+  FixWallRebound::grow_arrays(atom->nmax);
+  atom->add_callback(0); /* of arrays, and of restart files */
+  atom->add_callback(1);
 }
 
-FixWallRebound::~FixWallRebound() {}
+FixWallRebound::~FixWallRebound() {
+  atom->delete_callback(Fix::id, 0);
+  atom->delete_callback(Fix::id, 1);
+}
 
 void FixWallRebound::fail(const std::string &what) const {
   error->fix_error(FLERR, const_cast<FixWallRebound *>(this), what.c_str());
@@ -134,10 +141,6 @@ std::string FixWallRebound::state_id() const {
   return std::string("rebound_") + Fix::id;
 }
 
-std::string FixWallRebound::place_id() const {
-  return std::string("stuck_") + Fix::id;
-}
-
 /* Zeros for each particle, which go with it and into restart files. LIGGGHTS would warn of more
  * than 20 columns. */
 FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int columns) {
@@ -160,20 +163,16 @@ void FixWallRebound::post_create() {
   if (modify->fix_restart_in_progress() && !restarted_)
     warn_of_no_restart();
   fix_state_ = add_property(state_id(), Wall::N_STATE);
-  fix_place_ = add_property(place_id(), Wall::N_PLACE);
   for (MeshOfLiggghts *mesh : meshes_)
     if (strstr(mesh->fix()->style, "servo")) /* it counts what is near, by LIGGGHTS's own list */
       mesh->fix()->createWallNeighList(igroup);
 }
 
 void FixWallRebound::pre_delete(bool unfixflag) {
-  if (unfixflag) {
+  if (unfixflag)
     report_loss();
-    BodiesOfLiggghts(lmp).remove_memory(memory_id());
-  }
-  for (const std::string &name : {state_id(), place_id()})
-    if (unfixflag && modify->find_fix_id(name.c_str()))
-      modify->delete_fix(name.c_str());
+  if (unfixflag && modify->find_fix_id(state_id().c_str()))
+    modify->delete_fix(state_id().c_str());
   for (size_t m = 0; unfixflag && m < meshes_.size(); m++)
     if (modify->find_fix_id(mesh_ids_[m].c_str()) == meshes_[m]->fix()) {
       meshes_[m]->remove_sums();
@@ -286,7 +285,6 @@ void FixWallRebound::check_bodies() {
       modify->n_fixes_style("multisphere/nointegration") > 0)
     fail("bodies must be those of one fix multisphere");
   attempt([this] { wall.setup.model.check_bodies(); });
-  bodies_->add_memory(memory_id(), wall);
 }
 
 void FixWallRebound::check_box() const {
@@ -302,8 +300,6 @@ void FixWallRebound::check_meshes() const {
            "' has been deleted while this wall uses it; unfix the wall first");
   if (fix_state_ && modify->find_fix_id(state_id().c_str()) != fix_state_)
     fail("fix property/atom '" + state_id() + "' has been deleted while this wall uses it");
-  if (fix_place_ && modify->find_fix_id(place_id().c_str()) != fix_place_)
-    fail("fix property/atom '" + place_id() + "' has been deleted while this wall uses it");
   for (MeshOfLiggghts *mesh : meshes_)
     check_owner(mesh->fix());
 }
@@ -341,8 +337,8 @@ void FixWallRebound::init() {
 }
 
 void FixWallRebound::set_rows() {
-  double **state = fix_state_->array_atom, **place = fix_place_->array_atom;
-  wall.set_rows(state ? state[0] : NULL, place ? place[0] : NULL);
+  double **state = fix_state_->array_atom;
+  wall.set_rows(state ? state[0] : NULL);
 }
 
 void FixWallRebound::setup_pre_exchange() {
@@ -366,7 +362,7 @@ void FixWallRebound::begin_step() {
   for (MeshOfLiggghts *mesh : meshes_) {
     mesh->begin_step(update->dt);
     if (mesh->set_images(box()))
-      wall.stepper.ahead.clear();
+      wall.stepper.clear_ahead();
   }
 }
 
@@ -446,4 +442,47 @@ void FixWallRebound::write_restart(FILE *file) {
 void FixWallRebound::restart(char *buffer) {
   attempt([&] { wall.restore(buffer); });
   restarted_ = true;
+}
+
+/* ---- the memory of each particle --------------------------------------------------------------
+ */
+
+void FixWallRebound::grow_arrays(int n) {
+  wall.stepper.rows.grow(n);
+}
+
+void FixWallRebound::copy_arrays(int from, int to, int) {
+  wall.stepper.rows.copy(from, to);
+}
+
+void FixWallRebound::set_arrays(int i) {
+  wall.stepper.rows.clear(i);
+}
+
+int FixWallRebound::pack_exchange(int i, double *buffer) {
+  return wall.stepper.rows.pack(i, buffer);
+}
+
+int FixWallRebound::unpack_exchange(int i, double *buffer) {
+  return wall.stepper.rows.unpack(i, buffer);
+}
+
+int FixWallRebound::pack_restart(int i, double *buffer) {
+  return wall.stepper.rows.pack(i, buffer);
+}
+
+void FixWallRebound::unpack_restart(int i, int nth) {
+  const double *all = atom->extra[i];
+  for (int before = 0; before < nth; before++)
+    all += static_cast<int>(*all);
+  wall.stepper.rows.unpack(i, all);
+}
+
+int FixWallRebound::size_restart(int i) {
+  double packed[asperity::PACKED_MOST];
+  return wall.stepper.rows.pack(i, packed);
+}
+
+int FixWallRebound::maxsize_restart() {
+  return asperity::PACKED_MOST;
 }

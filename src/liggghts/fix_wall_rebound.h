@@ -55,6 +55,16 @@ public:
   void write_restart(FILE *file) override;
   void restart(char *buffer) override;
 
+  void grow_arrays(int n) override;
+  void copy_arrays(int from, int to, int delflag) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double *buffer) override;
+  int unpack_exchange(int i, double *buffer) override;
+  int pack_restart(int i, double *buffer) override;
+  void unpack_restart(int i, int nth) override;
+  int size_restart(int i) override;
+  int maxsize_restart() override;
+
 private:
   /* asperity::Engine, and asperity::WallFix */
   using EngineOf::id;
@@ -70,8 +80,8 @@ private:
   void fail_alone(const std::string &what) const override;
   void set_rows() override;
   void begin_step() override;
-  asperity::Bodies *bodies(const std::vector<WallFix *> &siblings) override {
-    return bodies_->take(memories(siblings));
+  asperity::Bodies *bodies() override {
+    return bodies_->take(steppers());
   }
   void put_bodies(bool is_end) override {
     bodies_->put(is_end);
@@ -82,14 +92,11 @@ private:
   std::string remedy() const override {
     return "a time step that is shorter";
   }
-  std::vector<double> body_rows() const override {
-    return bodies_ ? bodies_->rows(memory_id()) : std::vector<double>();
-  }
   void list_deleted_bodies() override {
-    bodies_->list_deleted(memory_id());
+    listed().list_deleted(wall.stepper.body_rows);
   }
   bool is_of_deleted_body(int i) const override {
-    return bodies_->is_deleted(i);
+    return listed().is_deleted(i);
   }
   bool any_bodies() const override {
     return bodies_ && bodies_->any();
@@ -99,20 +106,14 @@ private:
   }
 
   void check_bodies();
-  std::string memory_id() const {
-    return std::string("met_") + Fix::id;
-  }
-  static std::vector<std::string> memories(const std::vector<WallFix *> &siblings) {
-    std::vector<std::string> all;
-    for (const WallFix *fix : siblings)
-      all.push_back(static_cast<const FixWallRebound *>(fix)->memory_id());
-    return all;
+  /* Those of the first wall, which lists them for all. */
+  BodiesOfLiggghts &listed() const {
+    return *static_cast<FixWallRebound *>(siblings_.front())->bodies_;
   }
   void read_geometry(asperity::Words &words, std::string &geometry);
   std::string read_meshes(asperity::Words &words);
   class FixPropertyAtom *add_property(const std::string &name, int columns);
   std::string state_id() const;
-  std::string place_id() const;
   void check_id() const;
   void check_particles() const;
   void check_meshes() const;
@@ -123,7 +124,7 @@ private:
   std::vector<std::string> mesh_ids_;
   std::vector<MeshOfLiggghts *> meshes_; /* the wall's shapes; empty: a primitive wall */
   int wall_type_[2];                     /* least and largest */
-  class FixPropertyAtom *fix_state_, *fix_place_;
+  class FixPropertyAtom *fix_state_;
   bool restarted_;
   std::unique_ptr<BodiesOfLiggghts> bodies_; /* of the run */
 };

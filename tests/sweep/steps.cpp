@@ -163,7 +163,7 @@ bool run(Room &room, double diameters, double impacts) {
   const int n = 400;
   const double dt = diameters * DIAMETER / SPEED;
   std::vector<double> x(3 * n), v(3 * n), f(3 * n, 0.), radius(n, DIAMETER / 2), mass(n, 1.);
-  std::vector<double> state(n * Wall::N_STATE, 0.), place(n * Wall::N_PLACE, 0.);
+  std::vector<double> state(n * Wall::N_STATE, 0.);
   std::vector<int> mask(n, 1), type(n, 1), tag(n);
   for (int i = 0; i < n; i++) {
     double *at = &v[3 * i];
@@ -178,7 +178,8 @@ bool run(Room &room, double diameters, double impacts) {
                x.data(), v.data(), NULL, f.data(),    NULL,        radius.data(), mass.data()};
   const Box box = {{0, 0, 0}, {0, 0, 0}};
   wall.init(0, dt);
-  wall.set_rows(state.data(), place.data());
+  wall.set_rows(state.data());
+  wall.stepper.rows.grow(n);
   wall.begin_run(s, 1, box);
   const std::vector<Wall *> walls(1, &wall);
   int lost = 0;

@@ -95,9 +95,6 @@ inline std::unique_ptr<Wall> make_wall(const Engine &engine, std::unique_ptr<Sha
 
 /* Spheres of one size and mass 1, in velocity Verlet steps. */
 struct Grains {
-  struct Rows {
-    std::vector<double> state, place;
-  };
   double dt;
   int64_t now;
   bool spins;
@@ -105,7 +102,7 @@ struct Grains {
   std::vector<double> total, torque; /* f and what walls have added to it */
   std::vector<int> mask, type, tag;
   std::vector<Wall *> walls;
-  std::vector<Rows> rows; /* of each wall */
+  std::vector<std::vector<double>> states; /* of each wall */
 
   Grains(size_t n, double r, double step)
       : dt(step), now(0), spins(false), x(3 * n), v(3 * n), omega(3 * n), f(3 * n), radius(n, r),
@@ -132,12 +129,12 @@ struct Grains {
   void begin(const std::vector<Wall *> &all) {
     walls = all;
     total = f;
-    rows.resize(walls.size());
+    states.resize(walls.size());
     for (size_t w = 0; w < walls.size(); w++) {
-      rows[w].state.resize(tag.size() * Wall::N_STATE);
-      rows[w].place.resize(tag.size() * Wall::N_PLACE);
+      states[w].resize(tag.size() * Wall::N_STATE);
+      walls[w]->stepper.rows.grow(static_cast<int>(tag.size()));
       walls[w]->init(now, dt);
-      walls[w]->set_rows(rows[w].state.data(), rows[w].place.data());
+      walls[w]->set_rows(states[w].data());
       walls[w]->begin_run(spheres(), 1, Box());
     }
   }

@@ -211,12 +211,9 @@ public:
   }
 
   void begin() { /* when all are there */
-    memory_.assign(bodies_.all.size(), BodyMemory());
-    bodies_.memory.resize(1);
-    for (BodyMemory &of : memory_)
-      bodies_.memory[0].push_back(&of);
     set_forces();
     grains_.begin({wall_.get()});
+    claim_bodies({&wall_->stepper}, bodies_, MPI_COMM_WORLD);
   }
 
   void step() {
@@ -271,7 +268,8 @@ public:
   }
 
   double impacts(size_t i) const {
-    return kind_.is_body ? memory_[i].impacts : grains_.rows[0].state[i * Wall::N_STATE];
+    const Stepper &of = wall_->stepper;
+    return (kind_.is_body ? of.body_rows.state : of.rows.state)[i].impacts;
   }
 
   double guarded() const {
@@ -343,7 +341,6 @@ private:
   MeshShape *mesh_;
   Grains grains_;
   Bodies bodies_;
-  std::vector<BodyMemory> memory_;
 };
 
 /* ---- a run ------------------------------------------------------------------------------------
@@ -441,13 +438,6 @@ struct Case {
     failed++;
   }
 
-  /* True if a body has no more contacts than it remembers. */
-  bool fits() const {
-    const double sides = room.off[0] + room.off[1] + room.off[2];
-    const size_t touch = static_cast<size_t>(kind.nx * kind.ny * sides);
-    return touch <= (rough ? BodyMemory::FACES : BodyMemory::RESTS) || !kind.is_body;
-  }
-
   Result run_at(const Pace &pace) {
     const bool stands = room.move == STANDS;
     const bool settles = !rough && room.form != CYLINDER && room.move != TURNS;
@@ -471,7 +461,7 @@ struct Case {
             HEAT * pace.speed * pace.speed + 5 * kind.nx * kind.ny * kick * kick);
     if (stands && pace.e >= 1 && !(friction > 0))
       check(pace, "energy lost", r.loss, HEAT);
-    if (pace.e < 1 && fits())
+    if (pace.e < 1)
       check(pace, "at rest", r.resting, settles ? LAST : 0);
     return r;
   }
@@ -479,7 +469,7 @@ struct Case {
   /* A kick ends a series of bounces, of each sphere at each side; one series may start another. On
    * a single rough side the wall's own heights end it. */
   void check_impacts(const Result (&r)[ALL]) {
-    if (room.move == TURNS || !fits()) /* a drum lifts them again and again */
+    if (room.move == TURNS) /* a drum lifts them again and again */
       return;
     double mean[GENTLE] = {0}, square = 0;
     for (int p = 0; p < GENTLE; p++)

@@ -256,7 +256,7 @@ void stuck_grains_pass_their_forces_on(void **) {
     double all = 0;
     for (size_t i = 0; i < 2; i++) {
       const double force = 0.5 * (last[i] + grains.f[3 * i + 1]), y = 2 * static_cast<double>(i);
-      const double *state = &grains.rows[0].state[i * Wall::N_STATE];
+      const double *state = &grains.states[0][i * Wall::N_STATE];
       assert_true(fabs(state[3] - force) < 1e-12 && !(fabs(state[2]) > 0));
       assert_true(fabs(state[6] - (fabs(force) > 0 ? y : 0)) < 1e-12);
       assert_true(!(fabs(grains.v[3 * i + 1]) > 0) && !(fabs(grains.x[3 * i + 1] - y) > 0));

@@ -197,7 +197,7 @@ void Books::keep_load(int i, const double x[3], const double v[3], double mass) 
 void Books::drop_load(int i, const double x[3], const double v[3], double mass, double share) {
   const double p[3] = {mass * v[0], mass * v[1], mass * v[2]};
   const Impulses its = impulses_at(x, p);
-  ParticleState &of = states_[i];
+  MoverState &of = states_[i];
   aspi_add_scaled(kept_.p, -1, its.p, kept_.p);
   aspi_add_scaled(kept_.turn, -1, its.turn, kept_.turn);
   aspi_scale(share, of.force);
@@ -213,7 +213,7 @@ void Books::add_load(size_t shape, const ContactLoad &load) {
   aspi_add_scaled(all.turn, 1, load.couple, all.turn);
   add_impulses(all);
   if (load.particle >= 0) {
-    ParticleState &of = states_[load.particle];
+    MoverState &of = states_[load.particle];
     if (!(aspi_dot(of.force, of.force) > 0))
       loaded_.push_back(load.particle);
     aspi_add_scaled(of.force, 1 / setup_.dt, load.impulse, of.force);

@@ -14,7 +14,7 @@
 #include "dem/books/record.h"
 #include "dem/command_words.h"
 #include "dem/setup.h"
-#include "dem/step/particle_state.h"
+#include "dem/step/memory.h"
 
 namespace asperity {
 
@@ -78,7 +78,7 @@ public:
   void begin_run();
 
   /* The rows of this rank's particles; and after they have changed places, how many there are. */
-  void set_states(ParticleState *states) {
+  void set_states(MoverState *states) {
     states_ = states;
   }
   void reorder(int n);
@@ -150,7 +150,7 @@ private:
   void add_impulses(const Impulses &all);
 
   const Setup &setup_;
-  ParticleState *states_;
+  MoverState *states_;
   std::vector<int> loaded_; /* particles with a force */
   std::vector<ShapeSums> shapes_;
   std::unique_ptr<Ledger> ledger_;

@@ -41,7 +41,7 @@ struct WallState {
   std::vector<double> counters;
   std::vector<double> totals; /* of a primitive wall; empty for one of meshes */
   std::vector<MeshState> meshes;
-  std::vector<double> bodies; /* a row for each: its tag, and what it remembers of the wall */
+  std::vector<double> bodies; /* what they remember of the wall, packed */
   double d_range[2];          /* diameters that tables span */
   double clock[3]; /* time, step and length of a step from which the ledger's time counts */
   LedgerState ledger;

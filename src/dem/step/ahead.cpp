@@ -49,8 +49,9 @@ const double COMPONENT = 0.577;
 
 } // namespace
 
-Ahead::Ahead(const Setup &setup, const ParticleRows &rows)
-    : setup_(setup), rows_(rows), now_(0), drift_(0), stray_(0), bend_(0) {}
+Ahead::Ahead(const Setup &setup, const Memories &rows, bool are_bodies)
+    : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), drift_(0), stray_(0), bend_(0) {
+}
 
 void Ahead::setup(double least) {
   stray_ = STRAY * 0.5 * least;
@@ -133,12 +134,12 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
  * run, for which no wall has held it. */
 FaceList Ahead::faces(int i, size_t shape) const {
   FaceList faces = {0, {0, 0, 0}};
-  const Rest *rests = rows_.place[i].rests;
-  for (size_t k = 0; now_ > 1 && rows_.status(i) == Status::RESTING && k < ParticlePlace::RESTS &&
-                     rests[k].shape > 0;
-       k++)
-    if (static_cast<size_t>(rests[k].shape) == shape + 1)
-      faces.face[faces.count++] = static_cast<int>(rests[k].face);
+  const Memory *of = rows_.find(i);
+  if (are_bodies_ || !(now_ > 1) || rows_.status(i) != Status::RESTING || !of)
+    return faces;
+  for (const Rest &rest : of->rests)
+    if (static_cast<size_t>(rest.shape) == shape + 1)
+      faces.face[faces.count++] = static_cast<int>(rest.face);
   return faces;
 }
 
@@ -174,7 +175,7 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
   }
   course.widen = stray_ + bend_ + FLT_EPSILON * aspi_length(course.v) + drift_;
   course.reach = (1 + ROUNDING) * s.radius[i] + course.widen;
-  if (rows_.status(i) == Status::RESTING)
+  if (!are_bodies_ && rows_.status(i) == Status::RESTING)
     course.most =
         std::min(course.most, RESTING_WAY * s.radius[i] / (course.widen + aspi_length(course.v)));
   for (size_t m = 0; m < setup_.shapes.size(); m++)

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dem/setup.h"
-#include "dem/step/particle_state.h"
+#include "dem/step/memory.h"
 
 namespace asperity {
 
@@ -22,7 +22,8 @@ struct Near {
 
 class Ahead {
 public:
-  Ahead(const Setup &setup, const ParticleRows &rows);
+  /* Bodies are the spheres that have all of them. */
+  Ahead(const Setup &setup, const Memories &rows, bool are_bodies);
 
   /* Before a run. least: the smallest diameter. */
   void setup(double least);
@@ -56,7 +57,8 @@ private:
   int steps_clear(const Spheres &spheres, int i) const;
 
   const Setup &setup_;
-  const ParticleRows &rows_;
+  const Memories &rows_;
+  const bool are_bodies_;
   int now_; /* steps are counted from the beginning of the run */
   /* For each particle, the first step in which it may touch if it keeps this velocity, not counting
    * faces at which it stays. Negative: it counts as near until that step. */

@@ -8,7 +8,6 @@
 
 #include <vector>
 
-#include "dem/step/body_ahead.h"
 #include "dem/step/stepper.h"
 
 namespace asperity {
@@ -20,39 +19,6 @@ struct BodySphere {
   int64_t tag;
 };
 
-/* Where a stuck body is held: the center of one of its spheres, in the frame of the shape, and the
- * body's axes; and the velocities that it has there. */
-struct StuckBody {
-  double sphere; /* its tag */
-  double shape;  /* from 1; 0: gone, and the place is one of the world */
-  double piece, at[3], axes[3][3], v[3], omega[3];
-};
-
-/* What a body remembers of a wall, all 0 at first: numbers that the engine stores, moves between
- * ranks, and writes into restart files. */
-struct BodyMemory {
-  static const size_t FACES = 8, RESTS = 10;
-  double impacts, draws, status; /* as of a particle */
-  double turned, axes[3][3];     /* of the run's first wall: the body's axes at the end of the step
-                                    before that of this number, from 1; 0: not known */
-  FacePlace faces[FACES];
-  union { /* by the status */
-    Rest rests[RESTS];
-    ReboundPlace rebound;
-    StuckBody stuck;
-  };
-
-  bool is_stuck() const {
-    return status > 0;
-  }
-};
-
-/* Its row in a restart file. */
-struct BodyRow {
-  double tag;
-  BodyMemory memory;
-};
-
 /* A body at the end of a step without walls; the velocities are those of the middle of the step. */
 struct Body {
   int64_t tag; /* from 0 */
@@ -62,18 +28,33 @@ struct Body {
   size_t first, count; /* its spheres */
   bool is_led;         /* its engine moves it along a given way: it meets no wall */
   bool is_changed;     /* by contacts */
+  double reach;        /* radius of the sphere about its center of mass that has all of it */
+  int mask, type;      /* of its spheres: all groups, the last type */
 };
 
 /* The bodies of this rank. */
-struct Bodies {
+class Bodies {
+public:
   int64_t step;
   double dt;
   bool begins; /* the run, with this step */
   std::vector<Body> all;
   std::vector<BodySphere> spheres;
-  std::vector<std::vector<BodyMemory *>> memory; /* of each wall of the run, for each body */
-  BodyAhead ahead;
+
+  Bodies() : step(0), dt(0), begins(true) {}
+
+  /* Each as the sphere about its center of mass that has all of it; valid until the next call. */
+  Spheres bounds();
+
+private:
+  std::vector<double> x_, v_, reach_;
+  std::vector<int> mask_, type_;
+  std::vector<int64_t> tag_;
 };
+
+/* After bodies have moved between ranks, or have got other numbers, and at the beginning of a run:
+ * their memories of the walls come along. Collective. */
+void claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies, MPI_Comm world);
 
 /* All contacts of the bodies in a step, after step_walls(). */
 void step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
@@ -81,15 +62,6 @@ void step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
 /* The end of a step, after its forces: stuck bodies get their wall's velocity, and walls hold those
  * that rest. */
 void end_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
-
-/* body_stick.cpp: what sticks with one of its spheres is held as a whole. Notes where a sphere has
- * stuck, and takes the body along with the wall for the rest of the step; moves a stuck body with
- * its wall for a whole step, false: it is not stuck; gives it the wall's velocity at the end. */
-void stick_body(const std::vector<Stepper *> &walls, Bodies &bodies, size_t number, Stepper &wall,
-                size_t shape, size_t sphere, const Path &before, const Contact &contact,
-                double left);
-bool carry_body(const std::vector<Stepper *> &walls, Bodies &bodies, size_t number);
-bool hold_body(const std::vector<Stepper *> &walls, Bodies &bodies, size_t number);
 
 } // namespace asperity
 

@@ -53,15 +53,6 @@ int piece_of(int face) {
   return face < 0 ? ~face : face;
 }
 
-/* Takes a face out of those at which a mover rests; the last ones move up. */
-void drop_rest(const Memory &of, size_t k) {
-  const size_t n = of.resting();
-  std::copy(of.rests + k + 1, of.rests + n, of.rests + k);
-  of.rests[n - 1] = Rest();
-  if (n == 1)
-    *of.status = static_cast<double>(Status::FREE);
-}
-
 /* The wall under a sphere that rests at a face of it; false: it is there no more. */
 bool look_under(const Flight &flight, const Rest &rest, Stepper &wall, const double v[3],
                 const double spin[3], Held &held, Ground &ground) {
@@ -143,22 +134,22 @@ bool Resting::find_once(const double v[3], const double spin[3]) {
   Mover &mover = flight.mover;
   count = 0;
   for (Stepper *wall : walls) {
-    const Memory of = mover.memory(*wall);
+    const AtWall of = mover.at(*wall);
+    const std::vector<Rest> &rests = of.rests();
     const bool rough =
-        of.is_resting() && wall->setup.model.wall() && asp_wall_surface(wall->setup.model.wall());
-    for (size_t k = 0; k < of.resting() && count < MOST; k++) {
+        !rests.empty() && wall->setup.model.wall() && asp_wall_surface(wall->setup.model.wall());
+    for (size_t k = 0; k < rests.size() && count < MOST; k++) {
       Ground ground;
       Held &at = held[count];
-      if (!look_under(flight, of.rests[k], *wall, v, spin, at, ground))
+      if (!look_under(flight, rests[k], *wall, v, spin, at, ground))
         continue;
       double hold = 0;
       if (rough) {
         Touch touch;
         bool sticks;
         if (meet_face(flight, at, ground, touch, hold, sticks)) {
-          drop_rest(of, k);
-          if (mover.i >= 0)
-            wall->ahead.expire(mover.i);
+          of.drop_rest(k);
+          mover.members(*wall).ahead.expire(mover.i);
           if (sticks)
             stuck = touch;
           return false;
@@ -167,15 +158,15 @@ bool Resting::find_once(const double v[3], const double spin[3]) {
       const double radius = mover.sphere[at.sphere].radius, off = radius - ground.distance;
       Support &support = supports[count++];
       support = support_of(mover, *wall, at.shape, at.sphere, ground.n, ground.v_wall, hold);
-      aspi_copy(of.rests[k].push, support.p);
+      aspi_copy(rests[k].push, support.p);
       aspi_scale(flight.dt, support.p);
       const bool counts = off < OVERLAP * radius && fabs(off) > ROUNDED_OFF * radius;
       aspi_add_scaled(support.w,
                       0.5 * flight.dt * (ground.follow + ground.curve) +
                           (counts ? off / flight.dt : 0),
                       ground.n, support.w);
-      if (!(off < OVERLAP * radius) && mover.i >= 0)
-        wall->ahead.expire(mover.i);
+      if (!(off < OVERLAP * radius))
+        mover.members(*wall).ahead.expire(mover.i);
     }
   }
   return true;
@@ -193,11 +184,12 @@ void Resting::find(const double a[3], const double alpha[3]) {
 void Resting::keep(const double before[3], const double v[3], const double spin[3]) {
   const Mover &mover = flight.mover;
   for (Stepper *wall : walls) {
-    const Memory of = mover.memory(*wall);
-    const size_t were = of.resting();
-    size_t kept = 0;
+    const AtWall of = mover.at(*wall);
+    std::vector<Rest> &rests = of.rests();
+    const size_t were = rests.size();
     if (were == 0)
       continue;
+    rests.clear();
     for (size_t k = 0; k < count; k++) {
       const Support &support = supports[k];
       double u[3], turned[3];
@@ -210,7 +202,8 @@ void Resting::keep(const double before[3], const double v[3], const double spin[
       if (!(aspi_dot(support.p, support.n) > 0) &&
           aspi_dot(u, support.n) * flight.dt > PARTS * mover.sphere[held[k].sphere].radius)
         continue;
-      Rest &rest = of.rests[kept++];
+      rests.push_back(Rest());
+      Rest &rest = rests.back();
       rest.sphere = static_cast<double>(mover.sphere[held[k].sphere].tag);
       rest.shape = static_cast<double>(held[k].shape) + 1;
       rest.face = held[k].face;
@@ -223,11 +216,10 @@ void Resting::keep(const double before[3], const double v[3], const double spin[
       load.dissipated = mover.mass * slide_work(mover, support, v, spin);
       wall->books.add_load(held[k].shape, load);
     }
-    std::fill(of.rests + kept, of.rests + were, Rest());
-    if (kept == 0)
-      *of.status = static_cast<double>(Status::FREE);
-    if (kept < were && mover.i >= 0)
-      wall->ahead.expire(mover.i);
+    if (rests.size() < were)
+      mover.members(*wall).ahead.expire(mover.i);
+    if (rests.empty())
+      of.set_status(Status::FREE);
   }
 }
 
@@ -270,32 +262,6 @@ bool hold_resting(const Walls &walls, Flight &flight, const double alpha[3], dou
 
 } // namespace
 
-/* Of more faces than there is room for, those are kept that press. */
-void asperity::keep_resting(const Mover &mover, Stepper &wall, size_t shape, size_t sphere,
-                            int face) {
-  const Memory of = mover.memory(wall);
-  const int64_t tag = mover.sphere[sphere].tag;
-  if (!of.is_resting()) {
-    std::fill(of.rests, of.rests + of.rest_count, Rest());
-    *of.status = static_cast<double>(Status::RESTING);
-    if (mover.i >= 0)
-      wall.touching.push_back(mover.i);
-  }
-  if (of.rests_at(tag, shape, face))
-    return;
-  size_t k = of.resting();
-  if (k == of.rest_count) {
-    for (k = 0; k < of.rest_count && aspi_dot(of.rests[k].push, of.rests[k].push) > 0;)
-      k++;
-    if (k == of.rest_count)
-      return;
-    of.rests[k] = Rest();
-  }
-  of.rests[k].sphere = static_cast<double>(tag);
-  of.rests[k].shape = static_cast<double>(shape) + 1;
-  of.rests[k].face = face;
-}
-
 /* ---- the energy of a rebound ------------------------------------------------------------------
  */
 
@@ -317,9 +283,9 @@ void asperity::note_energy(const Flight &flight, const double x[3]) {
     return; /* in free flight velocities stay what they are, to the bit */
   for (const Event &event : flight.events) {
     Stepper *wall = event.wall;
-    const Memory of = mover.memory(*wall);
+    const AtWall of = mover.at(*wall);
     const double *n = event.contact.n;
-    bool others = of.is_resting() || changes_along(n, flight.settled);
+    bool others = of.status() == Status::RESTING || changes_along(n, flight.settled);
     for (const Event &other : flight.events) {
       double change[3];
       aspi_subtract(other.result.v2, other.v1, change);
@@ -338,7 +304,8 @@ void asperity::note_energy(const Flight &flight, const double x[3]) {
     const double v0 = aspi_dot(relative, n), v1 = -aspi_dot(event.v1, n),
                  v2 = aspi_dot(event.result.v2, n);
     const double e = event.grazes ? 0 : std::min(1.0, v2 / v1);
-    ReboundPlace &rebound = *of.rebound;
+    of.own().rebound.resize(1);
+    Rebound &rebound = of.own().rebound[0];
     rebound.square =
         v2 * v2 + e * e * (v0 * v0 + (2 - share) * a0 * d1 - v1 * v1) + (1 - share) * a0 * d2;
     rebound.work = e * e * share * d1 + (1 + share) * d2;
@@ -346,18 +313,17 @@ void asperity::note_energy(const Flight &flight, const double x[3]) {
     aspi_copy(event.contact.v_wall, rebound.v_wall);
     rebound.shape = static_cast<double>(event.shape);
     rebound.piece = event.contact.piece;
-    *of.status = static_cast<double>(Status::REBOUNDED);
-    if (mover.i >= 0)
-      wall->touching.push_back(mover.i);
+    of.set_status(Status::REBOUNDED);
+    mover.members(*wall).touching.push_back(mover.i);
   }
 }
 
 /* The end of a step with a rebound: the normal velocity by its energy, where a acts. Without it,
  * particles that touch each other at a wall would gain or lose energy at each rebound, in steps
  * that resolve their contact well. */
-static void balance(const Stepper &wall, const Mover &mover, const double x[3], const double a[3],
+static void balance(Stepper &wall, const Mover &mover, const double x[3], const double a[3],
                     double v[3]) {
-  const ReboundPlace &rebound = *mover.memory(wall).rebound;
+  const Rebound &rebound = mover.at(wall).own().rebound[0];
   const double *n = rebound.normal;
   double v1[3];
   aspi_subtract(v, rebound.v_wall, v1);
@@ -371,13 +337,26 @@ static void balance(const Stepper &wall, const Mover &mover, const double x[3], 
                       mover.load(0, static_cast<int>(rebound.piece), x, n, x, p, NULL, NONE));
 }
 
-/* ---- one mover ------------------------------------------------------------------------------
+/* ---- movers -----------------------------------------------------------------------------------
  */
 
+static void balance(Stepper &wall, const Spheres &s, int i) {
+  const size_t at = 3 * static_cast<size_t>(i);
+  double a[3] = {0, 0, 0};
+  aspi_add_scaled(a, 1 / s.mass[i], s.f + at, a);
+  balance(wall, Mover(s, i), s.x + at, a, s.v + at);
+}
+
+static void balance(Stepper &wall, Bodies &bodies, int i) {
+  Body &body = bodies.all[static_cast<size_t>(i)];
+  balance(wall, Mover(bodies, static_cast<size_t>(i)), body.x, body.acceleration, body.v);
+  body.is_changed = true;
+}
+
 /* A grain that rests at these walls. */
-static void end_grain(const Walls &walls, const Spheres &s, int i) {
+static void end_one(const Walls &walls, const Spheres &s, int i) {
   Mover mover(s, i);
-  Flight flight(mover, s);
+  Flight flight(mover, s, *walls[0]);
   Touch stuck;
   const size_t at = 3 * static_cast<size_t>(i);
   const double inertia = 0.4 * s.mass[i] * s.radius[i] * s.radius[i];
@@ -385,8 +364,10 @@ static void end_grain(const Walls &walls, const Spheres &s, int i) {
   flight.put_at_end(s.x + at);
   if (s.torque)
     aspi_add_scaled(alpha, 1 / inertia, s.torque + at, alpha);
-  hold_resting(walls, flight, alpha, push, twist, stuck);
-  if (count_events(flight, s, stuck))
+  if (hold_resting(walls, flight, alpha, push, twist, stuck))
+    leave_stuck(flight, stuck, s);
+  count_events(flight);
+  if (stuck.wall)
     return;
   aspi_copy(flight.begin, s.v + at);
   aspi_add_scaled(s.f + at, s.mass[i], push, s.f + at);
@@ -396,21 +377,10 @@ static void end_grain(const Walls &walls, const Spheres &s, int i) {
     aspi_add_scaled(s.torque + at, inertia, twist, s.torque + at);
 }
 
-static void end_body(const Walls &walls, Bodies &bodies, size_t number) {
-  Body &body = bodies.all[number];
-  Mover mover(walls, bodies, number);
-  bool any = false;
-  for (const Stepper *wall : walls) {
-    const Status status = mover.memory(*wall).state();
-    any = any || status == Status::RESTING;
-    if (status == Status::REBOUNDED) {
-      balance(*wall, mover, body.x, body.acceleration, body.v);
-      body.is_changed = true;
-    }
-  }
-  if (!any)
-    return;
-  Flight flight(mover, bodies);
+static void end_one(const Walls &walls, Bodies &bodies, int i) {
+  Body &body = bodies.all[static_cast<size_t>(i)];
+  Mover mover(bodies, static_cast<size_t>(i));
+  Flight flight(mover, bodies, *walls[0]);
   Touch stuck;
   double torque[3], alpha[3], push[3], twist[3];
   flight.put_at_end(body.x);
@@ -419,15 +389,12 @@ static void end_body(const Walls &walls, Bodies &bodies, size_t number) {
   mover.spin_of(torque, alpha);
   const bool sticks = hold_resting(walls, flight, alpha, push, twist, stuck);
   body.is_changed = true;
-  for (const Event &event : flight.events)
-    event.wall->books.count(mover.view(event.sphere), 0, event, event.load);
-  aspi_copy(sticks ? stuck.contact.v_wall : flight.begin, body.v);
-  mover.momentum_of(sticks ? flight.events.back().result.omega : flight.spin,
-                    body.angular_momentum);
+  count_events(flight);
+  aspi_copy(flight.begin, body.v);
+  mover.momentum_of(flight.spin, body.angular_momentum);
   aspi_scale(mover.mass, body.angular_momentum);
   if (sticks) {
-    stick_body(walls, bodies, number, *stuck.wall, stuck.shape, stuck.sphere, stuck.before,
-               stuck.contact, 0);
+    leave_stuck(flight, stuck, bodies);
     return;
   }
   aspi_add_scaled(body.acceleration, 1, push, body.acceleration);
@@ -435,33 +402,21 @@ static void end_body(const Walls &walls, Bodies &bodies, size_t number) {
   aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
 }
 
-/* ---- all of them ------------------------------------------------------------------------------
- */
-
-static bool is_stuck(const Walls &walls, int i) {
-  for (const Stepper *wall : walls)
-    if (!wall->stuck.empty() && wall->rows.is_stuck(i))
-      return true;
-  return false;
-}
-
-void asperity::end_walls(const Walls &walls, const Spheres &s) {
-  static thread_local std::vector<Near> resting;
-  static thread_local Walls held_by;
-  resting.clear();
+template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
+  std::vector<Near> resting;
+  Walls held_by;
   for (size_t w = 0; w < walls.size(); w++) {
-    Stepper *wall = walls[w];
-    wall->books.expire();
-    wall->hold_stuck(s);
-    for (int i : wall->touching)
-      if (wall->rows.status(i) == Status::RESTING && !is_stuck(walls, i))
-        resting.push_back(Near{i, static_cast<int>(w)});
-      else if (wall->rows.status(i) == Status::REBOUNDED) {
-        const size_t at = 3 * static_cast<size_t>(i);
-        double a[3] = {0, 0, 0};
-        aspi_add_scaled(a, 1 / s.mass[i], s.f + at, a);
-        balance(*wall, Mover(s, i), s.x + at, a, s.v + at);
-      }
+    Members &of = walls[w]->members(kind);
+    walls[w]->hold_stuck(kind);
+    for (int i : of.touching)
+      if (of.rows.status(i) == Status::RESTING) {
+        bool is_stuck = false;
+        for (Stepper *wall : walls)
+          is_stuck = is_stuck || wall->members(kind).rows.is_stuck(i);
+        if (!is_stuck)
+          resting.push_back(Near{i, static_cast<int>(w)});
+      } else if (of.rows.status(i) == Status::REBOUNDED)
+        balance(*walls[w], kind, i);
   }
   if (!std::is_sorted(resting.begin(), resting.end()))
     std::sort(resting.begin(), resting.end());
@@ -470,14 +425,18 @@ void asperity::end_walls(const Walls &walls, const Spheres &s) {
     held_by.clear();
     for (; k < resting.size() && resting[k].i == i; k++)
       held_by.push_back(walls[resting[k].wall]);
-    end_grain(held_by, s, i);
+    end_one(held_by, kind, i);
   }
 }
 
+void asperity::end_walls(const Walls &walls, const Spheres &s) {
+  for (Stepper *wall : walls)
+    wall->books.expire();
+  end_movers(walls, s);
+}
+
 void asperity::end_bodies(const Walls &walls, Bodies &bodies) {
-  for (size_t b = 0; b < bodies.all.size(); b++) {
-    bodies.all[b].is_changed = false;
-    if (!hold_body(walls, bodies, b) && !bodies.all[b].is_led)
-      end_body(walls, bodies, b);
-  }
+  for (Body &body : bodies.all)
+    body.is_changed = false;
+  end_movers(walls, bodies);
 }

@@ -30,13 +30,12 @@ using namespace asperity;
 /* True if a mover with this energy along the wall, per mass, cannot leave the valley behind its
  * face, where `push` presses it to the wall and `a` acts on it. The other walls at which it rests
  * take what pushes it into them. */
-static bool lies_in_valley(const Memory &memory, const FacePlace &face, double energy, double push,
-                           const double a[3]) {
+static bool lies_in_valley(const std::vector<FacePlace> &faces, const FacePlace &face,
+                           double energy, double push, const double a[3]) {
   double along[3], m[3];
   aspi_copy(a, along);
   aspi_add_scaled(along, -aspi_dot(a, face.normal), face.normal, along);
-  for (size_t k = 0; k < memory.face_count; k++) {
-    const FacePlace &other = memory.faces[k];
+  for (const FacePlace &other : faces) {
     if (!(other.start > 0) || other.time < face.time ||
         !(aspi_dot(other.normal, face.normal) <= SAME_WALL))
       continue;
@@ -74,7 +73,7 @@ void Site::find_face() {
       length = asp_wall_face_length(of, &here, along, contact.n);
     is_new = moved = aspi_dot(along, along) >= length * length;
   } else
-    face = &memory.oldest();
+    face = &memory.new_face();
   if (is_new) {
     face->sphere = static_cast<double>(one.tag);
     aspi_copy(point, face->at);
@@ -87,7 +86,7 @@ void Site::find_face() {
 /* The key of the next draw of a sphere that rests at the wall, or bounces on it. */
 asp_key Site::next_key() const {
   return asp_key{wall.setup.model.seed(), wall.setup.stay_key, static_cast<uint64_t>(one.tag),
-                 static_cast<uint32_t>(++*memory.draws)};
+                 static_cast<uint32_t>(++memory.own().draws)};
 }
 
 /* The valley behind the face of a contact, on its first use. */
@@ -130,7 +129,7 @@ double Site::hold(bool is_sustained) {
   const FacePlace &at = valley();
   const double along = mover.energy_along(contact.n, v1, flight.spin);
   const double push = is_sustained ? press : -aspi_dot(flight.free, contact.n);
-  return lies_in_valley(memory, at, along, push, flight.free) ? at.start : 0;
+  return lies_in_valley(memory.own().faces, at, along, push, flight.free) ? at.start : 0;
 }
 
 /* Changes v1 and the spin before an impact; the wall takes what is lost. */

@@ -4,6 +4,7 @@
 #include "dem/step/flight.h"
 
 #include <math.h>
+#include <string.h>
 #include <algorithm>
 
 #include "contact/vector.h"
@@ -69,7 +70,7 @@ void Flight::begin_with(const double x[3], const double v[3], const double a[3])
     turning[d] = lift[d] = settled[d] = 0;
 }
 
-Flight::Flight(Mover &m, const Spheres &s)
+Flight::Flight(Mover &m, const Spheres &s, Stepper &)
     : mover(m), dt(s.dt), step(s.step), is_led(true), squeezed(false), searches_all(false),
       is_apart(false), way(0), series_begin(0) {
   const size_t at = 3 * static_cast<size_t>(m.i);
@@ -80,19 +81,18 @@ Flight::Flight(Mover &m, const Spheres &s)
   aspi_copy(s.omega ? s.omega + at : NONE, spin);
 }
 
-Flight::Flight(Mover &m, const Bodies &bodies)
+Flight::Flight(Mover &m, const Bodies &bodies, Stepper &first)
     : mover(m), dt(bodies.dt), step(bodies.step), is_led(true), squeezed(false), searches_all(true),
       is_apart(false), way(0), series_begin(0) {
   const Body &body = *m.body;
-  const size_t number = static_cast<size_t>(&body - bodies.all.data());
   Body start = body;
   begin_with(body.x, body.v, body.acceleration);
   aspi_copy(body.angular_momentum, momentum);
   aspi_scale(1 / m.mass, momentum);
-  const BodyMemory &memory = *bodies.memory[0][number];
-  if (!bodies.begins && static_cast<int64_t>(memory.turned) == step)
-    for (int k = 0; k < 3; k++)
-      aspi_copy(memory.axes[k], start.axes[k]);
+  const Memory *memory = first.body_rows.find(m.i);
+  if (!bodies.begins && memory && !memory->attitude.empty() &&
+      static_cast<int64_t>(memory->attitude[0].step) == step)
+    memcpy(start.axes, memory->attitude[0].axes, sizeof start.axes);
   else
     turn_on(start, -dt);
   m.set_axes(start.axes);
@@ -370,7 +370,10 @@ void Flight::settle() {
     load.dissipated = mover.mass * slide_work(mover, s, half, spin);
     touch.wall->books.add_load(touch.shape, load);
     aspi_add_scaled(settled, 1, s.p, settled);
-    keep_resting(mover, *touch.wall, touch.shape, touch.sphere, touch.contact.face);
+    const AtWall at = mover.at(*touch.wall);
+    if (at.status() != Status::RESTING)
+      mover.members(*touch.wall).touching.push_back(mover.i);
+    at.rest_at(mover.sphere[touch.sphere].tag, touch.shape, touch.contact.face);
   }
   sustained.clear();
   supports.clear();
@@ -397,7 +400,7 @@ void Flight::trap() {
   const double share = 1.0 / static_cast<double>(sustained.size());
   double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
   for (size_t k = series_begin; k < events.size(); k++)
-    --*mover.memory(*events[k].wall).impacts;
+    --mover.at(*events[k].wall).impacts();
   events.erase(events.begin() + static_cast<std::ptrdiff_t>(series_begin), events.end());
   set_spin(series_spin);
   for (const Sustained &one : sustained) {

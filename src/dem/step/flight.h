@@ -86,9 +86,10 @@ struct Flight {
   size_t series_begin;
   double series_spin[3];
 
-  /* A grain or a body as the engine has moved it; or at the end of the step. */
-  Flight(Mover &mover, const Spheres &spheres);
-  Flight(Mover &mover, const Bodies &bodies);
+  /* A grain or a body as the engine has moved it; or at the end of the step. first: of the run's
+   * walls. */
+  Flight(Mover &mover, const Spheres &spheres, Stepper &first);
+  Flight(Mover &mover, const Bodies &bodies, Stepper &first);
   void put_at_end(const double x[3]);
 
   double elapsed() const {
@@ -125,9 +126,6 @@ private:
 Support support_of(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
                    const double n[3], const double v_wall[3], double hold);
 
-/* Notes a face at which a sphere of the mover rests. */
-void keep_resting(const Mover &mover, Stepper &wall, size_t shape, size_t sphere, int face);
-
 /* A contact, and the face of the rough wall there. */
 struct Site {
   Flight &flight;
@@ -136,7 +134,7 @@ struct Site {
   Stepper &wall;
   Contact &contact;
   const BodySphere &one;
-  const Memory memory;
+  const AtWall memory;
   double arm[3], v1[3]; /* to the touching sphere; of the mover relative to the wall, after what it
                            has lost so far */
   double press;         /* acceleration that presses the sphere to the wall; may be negative */
@@ -171,8 +169,15 @@ private:
 /* Gives the mover, which had the velocity v, what the last event leaves it; true: it has stuck. */
 bool take_impact(const Site &site, const double v[3]);
 
-/* Counts the impacts of a grain, and leaves it where it has stuck, if it has: then true. */
-bool count_events(const Flight &flight, const Spheres &spheres, const Touch &stuck);
+/* step.cpp: counts the impacts, and takes what has stuck along with the wall. */
+void count_events(const Flight &flight);
+void leave_stuck(const Flight &flight, const Touch &touch, const Spheres &spheres);
+void leave_stuck(const Flight &flight, const Touch &touch, Bodies &bodies);
+
+/* stick.cpp: notes where a mover has stuck, and takes it along with the wall for what is left of
+ * the step. */
+void stick(const Touch &touch, const Mover &mover, const Spheres &spheres, double left);
+void stick(const Touch &touch, const Mover &mover, Bodies &bodies, double left);
 
 /* end_step.cpp: notes the energy of the rebounds of a ball, which has come to x, for the end of the
  * step. */

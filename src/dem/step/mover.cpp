@@ -4,6 +4,7 @@
 #include "dem/step/mover.h"
 
 #include <math.h>
+#include <algorithm>
 
 #include "contact/vector.h"
 #include "dem/step/body_motion.h"
@@ -32,50 +33,56 @@ bool is_round(const Body &body, const BodySphere &one) {
 /* ---- what it remembers ------------------------------------------------------------------------
  */
 
-size_t Memory::resting() const {
-  size_t k = 0;
-  while (is_resting() && k < rest_count && rests[k].shape > 0)
-    k++;
-  return k;
-}
-
-bool Memory::rests_at(int64_t sphere, size_t shape, int face) const {
-  for (size_t k = 0, n = resting(); k < n; k++)
-    if (static_cast<int64_t>(rests[k].sphere) == sphere &&
-        static_cast<size_t>(rests[k].shape) == shape + 1 && static_cast<int>(rests[k].face) == face)
+bool AtWall::rests_at(int64_t sphere, size_t shape, int face) const {
+  for (const Rest &rest : rests())
+    if (static_cast<int64_t>(rest.sphere) == sphere &&
+        static_cast<size_t>(rest.shape) == shape + 1 && static_cast<int>(rest.face) == face)
       return true;
   return false;
 }
 
-FacePlace *Memory::face_of(int64_t sphere, const double n[3]) const {
-  for (size_t k = 0; k < face_count; k++)
-    if (aspi_dot(faces[k].normal, n) > SAME_WALL && static_cast<int64_t>(faces[k].sphere) == sphere)
-      return &faces[k];
+void AtWall::rest_at(int64_t sphere, size_t shape, int face) const {
+  const Rest made = {
+      static_cast<double>(sphere), static_cast<double>(shape) + 1, static_cast<double>(face), {}};
+  if (rests_at(sphere, shape, face))
+    return;
+  own();
+  set_status(Status::RESTING);
+  std::vector<Rest> &all = rests();
+  const auto idle = std::find_if(all.begin(), all.end(), [](const Rest &rest) {
+    return !(aspi_dot(rest.push, rest.push) > 0);
+  });
+  if (all.size() < RESTS_MOST * spheres_)
+    all.push_back(made);
+  else if (idle != all.end())
+    *idle = made;
+}
+
+void AtWall::drop_rest(size_t k) const {
+  std::vector<Rest> &all = rests();
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(k));
+  if (all.empty())
+    set_status(Status::FREE);
+}
+
+FacePlace *AtWall::face_of(int64_t sphere, const double n[3]) const {
+  Memory *of = rows_.find(i_);
+  for (size_t k = 0; of && k < of->faces.size(); k++)
+    if (aspi_dot(of->faces[k].normal, n) > SAME_WALL &&
+        static_cast<int64_t>(of->faces[k].sphere) == sphere)
+      return &of->faces[k];
   return NULL;
 }
 
-FacePlace &Memory::oldest() const {
-  FacePlace *first = faces;
-  for (size_t k = 0; k < face_count; k++)
-    if (!(aspi_dot(faces[k].normal, faces[k].normal) > 0) ||
-        (aspi_dot(first->normal, first->normal) > 0 && faces[k].time < first->time))
-      first = &faces[k];
-  return *first;
-}
-
-Memory Mover::memory(const Stepper &wall) const {
-  if (i >= 0) {
-    ParticleState &state = wall.rows.state[i];
-    ParticlePlace &place = wall.rows.place[i];
-    return Memory{&state.impacts, &place.draws,   &state.status,        place.faces,
-                  place.rests,    &place.rebound, ParticlePlace::FACES, ParticlePlace::RESTS};
+FacePlace &AtWall::new_face() const {
+  std::vector<FacePlace> &faces = own().faces;
+  if (faces.size() < FACES_MOST * spheres_) {
+    faces.push_back(FacePlace());
+    return faces.back();
   }
-  size_t w = 0;
-  while ((*walls_)[w] != &wall)
-    w++;
-  BodyMemory &of = *bodies_->memory[w][static_cast<size_t>(body - bodies_->all.data())];
-  return Memory{&of.impacts, &of.draws,   &of.status,        of.faces,
-                of.rests,    &of.rebound, BodyMemory::FACES, BodyMemory::RESTS};
+  return *std::min_element(
+      faces.begin(), faces.end(),
+      [](const FacePlace &one, const FacePlace &other) { return one.time < other.time; });
 }
 
 /* ---- what it is -------------------------------------------------------------------------------
@@ -83,13 +90,13 @@ Memory Mover::memory(const Stepper &wall) const {
 
 Mover::Mover(const Spheres &s, int which)
     : i(which), body(NULL), mass(s.mass[i]), is_ball(true), sphere(&own_), count(1), spheres_(&s),
-      bodies_(NULL), walls_(NULL), radius_(s.radius[i]) {
+      radius_(s.radius[i]) {
   own_ = BodySphere{{0, 0, 0}, s.radius[i], s.type[i], s.mask[i], s.tag_of(i)};
 }
 
-Mover::Mover(const std::vector<Stepper *> &walls, const Bodies &bodies, size_t number)
-    : i(-1), body(&bodies.all[number]), mass(body->mass), sphere(&bodies.spheres[body->first]),
-      count(body->count), spheres_(NULL), bodies_(&bodies), walls_(&walls), view_(),
+Mover::Mover(const Bodies &bodies, size_t number)
+    : i(static_cast<int>(number)), body(&bodies.all[number]), mass(body->mass),
+      sphere(&bodies.spheres[body->first]), count(body->count), spheres_(NULL), view_(),
       radius_(sphere->radius) {
   is_ball = is_round(*body, *sphere);
   set_axes(body->axes);
@@ -210,7 +217,7 @@ ContactLoad Mover::load(size_t k, int piece, const double center[3], const doubl
                         const double v_before[3]) const {
   double lever[3], momentum[3];
   ContactLoad made(view(k), row(), piece, center, n, change, v_before);
-  made.particle = i;
+  made.particle = body ? -1 : i;
   if (!turned)
     return made;
   aspi_subtract(x, made.point, lever);

@@ -17,34 +17,51 @@ const double SAME_WALL = 0.7;
 const double NONE[3] = {0, 0, 0};
 
 /* What a mover remembers of one wall. */
-struct Memory {
-  double *impacts, *draws, *status;
-  FacePlace *faces;
-  Rest *rests;
-  ReboundPlace *rebound;
-  size_t face_count, rest_count; /* the room that there is */
+class AtWall {
+public:
+  AtWall(Memories &rows, int i, size_t spheres) : rows_(rows), i_(i), spheres_(spheres) {}
 
-  Status state() const {
-    return static_cast<Status>(static_cast<int>(*status));
+  double &impacts() const {
+    return rows_.state[i_].impacts;
   }
-  bool is_resting() const {
-    return state() == Status::RESTING;
+  Memory &own() const {
+    return rows_.own(i_);
   }
-  /* How many faces it rests at. */
-  size_t resting() const;
+  Status status() const {
+    return rows_.status(i_);
+  }
+  void set_status(Status now) const {
+    rows_.set_status(i_, now);
+  }
+
+  /* The faces at which it rests. */
+  std::vector<Rest> &rests() const {
+    static std::vector<Rest> none;
+    Memory *of = status() == Status::RESTING ? rows_.find(i_) : NULL;
+    return of ? of->rests : none;
+  }
   bool rests_at(int64_t sphere, size_t shape, int face) const;
+  /* Of more faces than there is room for, those are kept that press. */
+  void rest_at(int64_t sphere, size_t shape, int face) const;
+  void drop_rest(size_t k) const;
+
   FacePlace *face_of(int64_t sphere, const double n[3]) const;
-  /* The place of another face: one that is empty, or that was met longest ago. */
-  FacePlace &oldest() const;
+  /* The place of another face: a new one, or that which was met longest ago. */
+  FacePlace &new_face() const;
+
+private:
+  Memories &rows_;
+  const int i_;
+  const size_t spheres_;
 };
 
 class Mover {
 public:
   Mover(const Spheres &spheres, int i);
-  Mover(const std::vector<Stepper *> &walls, const Bodies &bodies, size_t number);
+  Mover(const Bodies &bodies, size_t number);
   Mover(const Mover &) = delete;
 
-  const int i;      /* of a grain; -1: a body */
+  const int i;      /* of the grain, or of the body */
   const Body *body; /* NULL: a grain */
   double mass;
   bool is_ball; /* one sphere about the center of mass */
@@ -56,10 +73,15 @@ public:
   /* The sphere as one of a list, for its load: which number it has there. */
   const Spheres &view(size_t k) const;
   int row() const {
-    return i < 0 ? 0 : i;
+    return body ? 0 : i;
   }
 
-  Memory memory(const Stepper &wall) const;
+  Members &members(Stepper &wall) const {
+    return body ? wall.bodies : wall.grains;
+  }
+  AtWall at(Stepper &wall) const {
+    return AtWall(members(wall).rows, i, count);
+  }
 
   /* True if a sphere is about the center of mass, as far as engines find that. */
   bool is_central(size_t k) const;
@@ -94,8 +116,6 @@ public:
 private:
   BodySphere own_; /* of a grain */
   const Spheres *spheres_;
-  const Bodies *bodies_;
-  const std::vector<Stepper *> *walls_;
   mutable Spheres view_;
   double radius_;
 };

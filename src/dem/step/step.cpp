@@ -33,6 +33,7 @@
 #include "dem/step/flight.h"
 
 #include <math.h>
+#include <string.h>
 #include <algorithm>
 
 #include "asperity_front.h"
@@ -93,7 +94,7 @@ static bool find_first(const Walls &walls, const Flight &flight, size_t sphere, 
   touch.before = flight.path_of(sphere);
   for (Stepper *wall : walls) {
     if (!(one.mask & wall->setup.groupbit) ||
-        (!flight.searches_all && !wall->ahead.is_near(flight.mover.i)))
+        (!flight.searches_all && !wall->grains.ahead.is_near(flight.mover.i)))
       continue;
     for (size_t m = 0; m < wall->setup.shapes.size(); m++) {
       Contact other;
@@ -169,7 +170,7 @@ static void search_all(const Walls &walls, Flight &flight) {
     return;
   flight.searches_all = true;
   for (Stepper *wall : walls)
-    wall->ahead.expire(flight.mover.i);
+    flight.mover.members(*wall).ahead.expire(flight.mover.i);
 }
 
 /* ---- one contact ------------------------------------------------------------------------------
@@ -177,7 +178,7 @@ static void search_all(const Walls &walls, Flight &flight) {
 
 Site::Site(Flight &of, Touch &at, const double v[3])
     : flight(of), mover(of.mover), touch(at), wall(*at.wall), contact(at.contact),
-      one(mover.sphere[at.sphere]), memory(mover.memory(wall)), press(0), face(NULL), is_new(true),
+      one(mover.sphere[at.sphere]), memory(mover.at(wall)), press(0), face(NULL), is_new(true),
       moved(false) {
   mover.arm(at.sphere, arm);
   aspi_subtract(v, contact.v_wall, v1);
@@ -245,7 +246,7 @@ Event Site::event(double hits) const {
   event.key.seed = wall.setup.model.seed();
   event.key.wall = wall.setup.key;
   event.key.tag = static_cast<uint64_t>(one.tag);
-  event.key.impact = static_cast<uint32_t>(*memory.impacts + hits);
+  event.key.impact = static_cast<uint32_t>(memory.impacts() + hits);
   event.sphere = touch.sphere;
   event.body = mover.body ? mover.body->tag + 1 : 0;
   aspi_copy(arm, event.lever);
@@ -276,7 +277,7 @@ static bool is_sustained(Site &site, bool &arrives) {
   if (!(fabs(contact.curve) * dt < CURVE * speed))
     contact.curve = contact.chord = 0;
   const bool again = flight.find_sustained(site.touch);
-  const bool stayed = again || site.memory.state() != Status::FREE;
+  const bool stayed = again || site.memory.status() != Status::FREE;
   site.press = contact.follow - aspi_dot(flight.free, contact.n) + (stayed ? contact.curve : 0);
   double falls = site.press;
   if (!site.mover.is_ball) {
@@ -313,7 +314,7 @@ bool asperity::take_impact(const Site &site, const double v[3]) {
   Flight &flight = site.flight;
   const asp_impact &result = flight.events.back().result;
   site.finish(flight.events.back());
-  ++*site.memory.impacts;
+  ++site.memory.impacts();
   flight.settle();
   if (result.outcome == ASP_DEPOSIT)
     return true;
@@ -393,7 +394,7 @@ static int hit_together(Flight &flight, std::vector<Touch> &touches, const doubl
         share * mover.mass *
         (mover.energy(event.v1, flight.spin) - mover.energy(event.result.v2, spin));
     flight.events.push_back(event);
-    ++*site.memory.impacts;
+    ++site.memory.impacts();
     aspi_add_scaled(n, share, touches[k].contact.n, n);
   }
   flight.set_spin(spin);
@@ -407,7 +408,7 @@ static bool slides(Flight &flight, const Touch &touch) {
   const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
   const double closing = std::max(0.0, contact.closing);
-  if (!flight.mover.memory(*touch.wall).rests_at(one.tag, touch.shape, contact.face) ||
+  if (!flight.mover.at(*touch.wall).rests_at(one.tag, touch.shape, contact.face) ||
       !flight.is_led || closing * flight.path.left > ROUNDED * one.radius)
     return false;
   aspi_add_scaled(flight.path.v, (1 + ROUNDING) * closing + EPSILON * aspi_length(touch.before.v),
@@ -488,11 +489,9 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   Touch last;
   int series = 0, all = 0, by = -1;
   stuck.wall = NULL;
-  for (const Stepper *wall : walls) {
-    const Memory of = mover.memory(*wall);
-    for (size_t k = 0, n = of.resting(); k < n; k++)
-      aspi_add_scaled(flight.free, -1, of.rests[k].push, flight.free);
-  }
+  for (Stepper *wall : walls)
+    for (const Rest &rest : mover.at(*wall).rests())
+      aspi_add_scaled(flight.free, -1, rest.push, flight.free);
   while (by < 0 && !flight.squeezed && series < 2 * series_most && all < CONTACTS_MOST &&
          find_next(flight.searches_all ? walls : near, flight, touches)) {
     flight.way += touches[0].contact.time * aspi_length(touches[0].before.v) / mover.sphere->radius;
@@ -532,26 +531,39 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   return true;
 }
 
-bool asperity::count_events(const Flight &flight, const Spheres &s, const Touch &stuck) {
-  const int i = flight.mover.i;
-  if (stuck.wall) {
-    stuck.wall->stick(s, i, flight.path.left, stuck.shape, stuck.before, stuck.contact);
-    flight.give_rest(stuck, s.v + 3 * static_cast<size_t>(i));
-  }
+void asperity::count_events(const Flight &flight) {
+  const Mover &mover = flight.mover;
   for (const Event &event : flight.events)
-    event.wall->books.count(s, i, event, event.load);
-  return stuck.wall;
+    event.wall->books.count(mover.view(event.sphere), mover.row(), event, event.load);
+}
+
+void asperity::leave_stuck(const Flight &flight, const Touch &touch, const Spheres &s) {
+  stick(touch, flight.mover, s, flight.path.left);
+  flight.give_rest(touch, s.v + 3 * static_cast<size_t>(flight.mover.i));
+}
+
+void asperity::leave_stuck(const Flight &flight, const Touch &touch, Bodies &bodies) {
+  Body &body = bodies.all[static_cast<size_t>(flight.mover.i)];
+  const Event &last = flight.events.back();
+  for (int d = 0; d < 3; d++) /* what the impact has left it */
+    body.v[d] += touch.contact.v_wall[d] - flight.begin[d];
+  flight.mover.momentum_of(last.result.omega, body.angular_momentum);
+  aspi_scale(body.mass, body.angular_momentum);
+  stick(touch, flight.mover, bodies, flight.path.left);
 }
 
 /* All contacts of a grain. */
-static void fly_grain(const Walls &walls, const Walls &near, const Spheres &s, int i) {
+static void fly_one(const Walls &walls, const Walls &near, const Spheres &s, int i) {
   Mover mover(s, i);
-  Flight flight(mover, s);
+  Flight flight(mover, s, *walls[0]);
   Touch stuck;
   const size_t at = 3 * static_cast<size_t>(i);
-  if (!fly(walls, near, flight, near[0]->ahead.bend() / s.dt, stuck))
+  if (!fly(walls, near, flight, near[0]->grains.ahead.bend() / s.dt, stuck))
     return;
-  if (count_events(flight, s, stuck))
+  if (stuck.wall)
+    leave_stuck(flight, stuck, s);
+  count_events(flight);
+  if (stuck.wall)
     return;
   aspi_copy(flight.half, s.v + at);
   if (s.omega)
@@ -583,108 +595,55 @@ static void take_turn(Flight &flight, Body &body) {
 }
 
 /* All contacts of a body. */
-static void fly_body(const Walls &walls, Bodies &bodies, size_t number) {
-  Mover mover(walls, bodies, number);
-  Flight flight(mover, bodies);
-  Body &body = bodies.all[number];
+static void fly_one(const Walls &walls, const Walls &, Bodies &bodies, int i) {
+  Mover mover(bodies, static_cast<size_t>(i));
+  Flight flight(mover, bodies, *walls[0]);
+  Body &body = bodies.all[static_cast<size_t>(i)];
   Touch stuck;
+  if (body.is_led)
+    return;
   if (!fly(walls, walls, flight, 0, stuck)) {
     take_turn(flight, body);
     return;
   }
   body.is_changed = true;
-  for (const Event &event : flight.events)
-    event.wall->books.count(mover.view(event.sphere), 0, event, event.load);
+  count_events(flight);
   while (!stuck.wall && flight.path.left > 0) {
     flight.aim(TURN);
     flight.go_on(flight.stretch);
   }
   aspi_copy(flight.path.x, body.x);
-  for (int k = 0; k < 3; k++)
-    aspi_copy(mover.axes[k], body.axes[k]);
+  memcpy(body.axes, mover.axes, sizeof body.axes);
   aspi_copy(flight.half, body.v);
   aspi_copy(flight.momentum, body.angular_momentum);
   aspi_scale(mover.mass, body.angular_momentum);
-  if (!stuck.wall) {
+  if (stuck.wall)
+    leave_stuck(flight, stuck, bodies);
+  else
     note_energy(flight, body.x);
-    return;
-  }
-  const Event &last = flight.events.back();
-  for (int d = 0; d < 3; d++) /* what the impact has left it */
-    body.v[d] += stuck.contact.v_wall[d] - flight.begin[d];
-  mover.momentum_of(last.result.omega, body.angular_momentum);
-  aspi_scale(mover.mass, body.angular_momentum);
-  stick_body(walls, bodies, number, *stuck.wall, stuck.shape, stuck.sphere, stuck.before,
-             stuck.contact, flight.path.left);
 }
 
-Stepper::Stepper(const Setup &of, Books &its)
-    : setup(of), books(its), rows(), ahead(of, rows), is_in_step(false), is_still(false),
-      has_to_delete(false), is_cut(false) {}
-
-void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
-  double least, most;
-  setup.engine.diameters(least, most);
-  ahead.setup(least);
-  for (int i = 0; i < s.n; i++)
-    if (setup.model.deposit() == Model::OFF && rows.is_stuck(i))
-      rows.set_status(i, Status::FREE); /* an earlier part of the run had deposits */
-  if (!shape_now.empty())
-    renumber(s, shape_now);
-  ahead.clear();
-  for (int i = 0; i < s.n; i++) /* the forces have been computed anew, without the walls' */
-    for (size_t k = 0; k < ParticlePlace::RESTS && rows.status(i) == Status::RESTING; k++)
-      std::fill(rows.place[i].rests[k].push, rows.place[i].rests[k].push + 3, 0.0);
-  for (int i = 0; i < s.n; i++) {
-    const size_t shape = static_cast<size_t>(rows.place[i].stuck.shape) - 1;
-    if (rows.is_stuck(i) && shape < setup.shapes.size() &&
-        setup.model.removes(s.type[i], setup.shapes[shape].wall_type, 2 * s.radius[i]))
-      rows.set_status(i, Status::FREE); /* it had no such flow */
-  }
-  reorder(s);
+static const Spheres &bounds(const Spheres &s) {
+  return s;
 }
 
-void Stepper::reorder(const Spheres &s) {
-  stuck.clear();
-  touching.clear();
-  has_to_delete = false;
-  for (int i = 0; i < s.n; i++)
-    if (rows.is_stuck(i)) {
-      StuckPlace &at = rows.place[i].stuck;
-      if (at.is_kept > 0 && is_in_step)
-        aspi_scale(0.5, rows.state[i].force); /* the second half of the step is to come */
-      at.is_kept = 0;
-      stuck.push_back(StuckParticle{i, false, false, {}, {}, 0});
-    } else if (rows.status(i) != Status::FREE)
-      touching.push_back(i);
-  ahead.reorder(s);
+static Spheres bounds(Bodies &bodies) {
+  return bodies.bounds();
 }
 
-void Stepper::begin_step(const Spheres &s, int number, std::vector<Near> &near) {
-  books.begin_step(s.step);
-  const auto first = static_cast<std::ptrdiff_t>(near.size());
-  size_t kept = 0;
-  for (int i : touching) {
-    if (rows.status(i) == Status::RESTING)
-      touching[kept++] = i;
-    else if (!rows.is_stuck(i))
-      rows.set_status(i, Status::FREE);
-  }
-  touching.resize(kept);
-  carry_stuck(s);
-  ahead.find_near(s, number, near);
-  std::inplace_merge(near.begin(), near.begin() + first, near.end());
-}
-
-/* Stuck particles move with their wall, then the few others that may touch a wall are searched. */
-void asperity::step_walls(const std::vector<Stepper *> &walls, const Spheres &s) {
-  static thread_local std::vector<Near> near;
-  static thread_local std::vector<Stepper *> near_walls;
-  near.clear();
+/* Stuck movers go with their wall, then the few others that may touch a wall are searched. */
+template <class Kind> static void step_movers(const Walls &walls, Kind &kind) {
+  std::vector<Near> near;
+  Walls near_walls;
   bool any_stuck = false;
   for (size_t w = 0; w < walls.size(); w++) {
-    walls[w]->begin_step(s, static_cast<int>(w), near);
-    any_stuck = any_stuck || !walls[w]->stuck.empty();
+    Members &of = walls[w]->members(kind);
+    const auto first = static_cast<std::ptrdiff_t>(near.size());
+    of.begin_step();
+    walls[w]->carry_stuck(kind);
+    of.ahead.find_near(bounds(kind), static_cast<int>(w), near);
+    std::inplace_merge(near.begin(), near.begin() + first, near.end());
+    any_stuck = any_stuck || !of.stuck.empty();
   }
   for (size_t k = 0; k < near.size();) {
     const int i = near[k].i;
@@ -694,32 +653,144 @@ void asperity::step_walls(const std::vector<Stepper *> &walls, const Spheres &s)
         near_walls.push_back(walls[near[k].wall]);
     bool stuck = false;
     for (size_t w = 0; any_stuck && w < walls.size(); w++)
-      stuck = stuck || walls[w]->rows.is_stuck(i);
+      stuck = stuck || walls[w]->members(kind).rows.is_stuck(i);
     if (!stuck)
-      fly_grain(walls, near_walls, s, i);
+      fly_one(walls, near_walls, kind, i);
   }
 }
 
-void asperity::step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies) {
-  bodies.ahead.begin_step(walls, bodies.all.size(), bodies.dt);
+void asperity::step_walls(const Walls &walls, const Spheres &s) {
+  for (Stepper *wall : walls)
+    wall->books.begin_step(s.step);
+  step_movers(walls, s);
+}
+
+void asperity::step_bodies(const Walls &walls, Bodies &bodies) {
+  step_movers(walls, bodies);
   for (size_t b = 0; b < bodies.all.size(); b++) {
-    Body &body = bodies.all[b];
-    for (const std::vector<BodyMemory *> &of_wall : bodies.memory) {
-      BodyMemory &of = *of_wall[b];
-      if (of.status <= static_cast<double>(Status::REBOUNDED)) /* in the step before */
-        of.status = static_cast<double>(Status::FREE);
-      for (Rest &rest : of.rests)
-        if (bodies.begins &&
-            of.status < 0) /* the forces have been computed anew, without the walls' */
-          std::fill(rest.push, rest.push + 3, 0.0);
-    }
-    if (!body.is_led && !carry_body(walls, bodies, b) &&
-        bodies.ahead.is_near(walls, b, body, bodies.spheres.data(), bodies.dt))
-      fly_body(walls, bodies, b);
-    BodyMemory &first = *bodies.memory[0][b];
-    first.turned = static_cast<double>(bodies.step) + 1;
-    for (int k = 0; k < 3; k++)
-      aspi_copy(body.axes[k], first.axes[k]);
+    std::vector<Attitude> &now = walls[0]->body_rows.own(static_cast<int>(b)).attitude;
+    now.resize(1);
+    now[0].step = static_cast<double>(bodies.step) + 1;
+    memcpy(now[0].axes, bodies.all[b].axes, sizeof now[0].axes);
   }
   bodies.begins = false;
+}
+
+/* ---- which movers are at a wall ---------------------------------------------------------------
+ */
+
+Stepper::Stepper(const Setup &of, Books &its)
+    : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
+      is_in_step(false), is_still(false), has_to_delete(false), is_cut(false) {}
+
+void Members::list(const Spheres &s) {
+  stuck.clear();
+  touching.clear();
+  for (int i = 0; i < s.n; i++)
+    if (rows.is_stuck(i))
+      stuck.push_back(StuckOne{i, false, false, {}, {}, 0});
+    else if (rows.status(i) != Status::FREE)
+      touching.push_back(i);
+  ahead.reorder(s);
+}
+
+void Members::begin_step() {
+  size_t kept = 0;
+  for (int i : touching) {
+    if (rows.status(i) == Status::RESTING)
+      touching[kept++] = i;
+    else if (!rows.is_stuck(i))
+      rows.set_status(i, Status::FREE);
+  }
+  touching.resize(kept);
+}
+
+void Members::begin_run(const Setup &setup, const Spheres &s) {
+  double least, most;
+  setup.engine.diameters(least, most);
+  ahead.setup(least);
+  ahead.clear();
+  for (int i = 0; i < s.n; i++) {
+    Memory *of = rows.find(i);
+    for (size_t k = 0; of && k < of->rests.size(); k++)
+      aspi_copy(NONE, of->rests[k].push);
+    if (!rows.is_stuck(i))
+      continue;
+    const size_t shape = static_cast<size_t>(rows.stuck(i).shape) - 1;
+    if (setup.model.deposit() == Model::OFF || /* an earlier part of the run had deposits, or none
+                                                  of the flow that takes them away */
+        (shape < setup.shapes.size() &&
+         setup.model.removes(s.type[i], setup.shapes[shape].wall_type, 2 * s.radius[i])))
+      rows.set_status(i, Status::FREE);
+  }
+}
+
+void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
+  for (int i = 0; i < s.n; i++)
+    if (!shape_now.empty() && rows.find(i))
+      renumber(shape_now, rows.state[i], *rows.find(i));
+  grains.begin_run(setup, s);
+  reorder(s);
+}
+
+void Stepper::reorder(const Spheres &s) {
+  has_to_delete = false;
+  grains.list(s);
+  for (const StuckOne &one : grains.stuck) {
+    Stuck &at = rows.stuck(one.i);
+    if (at.is_kept > 0 && is_in_step)
+      aspi_scale(0.5, rows.state[one.i].force); /* the second half of the step is to come */
+    at.is_kept = 0;
+  }
+}
+
+Spheres Bodies::bounds() {
+  x_.clear();
+  v_.clear();
+  mask_.clear();
+  type_.clear();
+  tag_.clear();
+  reach_.clear();
+  for (const Body &body : all) {
+    x_.insert(x_.end(), body.x, body.x + 3);
+    v_.insert(v_.end(), body.v, body.v + 3);
+    mask_.push_back(body.mask);
+    type_.push_back(body.type);
+    tag_.push_back(body.tag);
+    reach_.push_back(body.reach);
+  }
+  return Spheres{step,
+                 dt,
+                 static_cast<int>(all.size()),
+                 mask_.data(),
+                 type_.data(),
+                 tag_.data(),
+                 8,
+                 x_.data(),
+                 v_.data(),
+                 NULL,
+                 NULL,
+                 NULL,
+                 reach_.data(),
+                 NULL};
+}
+
+void asperity::claim_bodies(const Walls &walls, Bodies &bodies, MPI_Comm world) {
+  std::vector<int64_t> tags;
+  for (Body &body : bodies.all) {
+    body.reach = body.mask = 0;
+    for (size_t k = body.first; k < body.first + body.count; k++) {
+      const BodySphere &one = bodies.spheres[k];
+      body.reach = std::max(body.reach, aspi_length(one.arm) + one.radius);
+      body.mask |= one.mask;
+      body.type = one.type;
+    }
+    tags.push_back(body.tag);
+  }
+  for (Stepper *wall : walls) {
+    wall->body_rows.claim(tags, world);
+    if (bodies.begins)
+      wall->bodies.begin_run(wall->setup, bodies.bounds());
+    wall->bodies.list(bodies.bounds());
+  }
 }

@@ -1,4 +1,4 @@
-/* One wall in a step: which particles of this rank are at it, and when others may come to it.
+/* One wall in a step: which movers of this rank are at it, and when others may come to it.
  *
  * A contact is an event on the straight path of a step, found before the forces of that step are
  * computed. The particle continues from there with its new velocity for the rest of the step,
@@ -13,55 +13,89 @@
 #include "dem/books/books.h"
 #include "dem/setup.h"
 #include "dem/step/ahead.h"
-#include "dem/step/particle_state.h"
+#include "dem/step/memory.h"
 
 namespace asperity {
 
-/* A stuck particle. If a wall at rest stopped it here in the half of a step before: where, and the
- * velocity and mass it had. */
-struct StuckParticle {
+class Bodies;
+
+/* A stuck mover. If a wall at rest stopped a particle here in the half of a step before: where, and
+ * the velocity and mass it had. */
+struct StuckOne {
   int i;
   bool was_stopped;
   bool is_kept; /* its load is among those that the books keep */
   double x[3], v[3], mass;
 };
 
+/* The particles, or the bodies, of this rank at a wall. */
+struct Members {
+  Memories &rows;
+  Ahead ahead;
+  std::vector<StuckOne> stuck;
+  std::vector<int> touching; /* those that rest, or have rebounded in this step */
+
+  Members(const Setup &setup, Memories &its, bool are_bodies)
+      : rows(its), ahead(setup, its, are_bodies) {}
+
+  /* Lists those that are at the wall, after they have got other indices. */
+  void list(const Spheres &spheres);
+  /* Resets the states of the last step. */
+  void begin_step();
+  /* A new run has begun: forces are without those of the walls, and it may have no deposits. */
+  void begin_run(const Setup &setup, const Spheres &spheres);
+
+  size_t bytes() const {
+    return rows.bytes() + ahead.bytes() + stuck.capacity() * sizeof(StuckOne);
+  }
+};
+
 struct Stepper {
   const Setup &setup;
   Books &books;
-  ParticleRows rows;
-  Ahead ahead;
-  std::vector<StuckParticle> stuck;
-  bool is_in_step;           /* between carry_stuck() and hold_stuck() */
-  bool is_still;             /* no shape moves or measures what sticks to it in this step */
-  std::vector<int> touching; /* grains that rest, or have rebounded in this step */
-  bool has_to_delete;        /* particles of this rank are to be deleted */
-  bool is_cut;               /* a particle had too many contacts in a step */
+  Memories rows;
+  BodyMemories body_rows;
+  Members grains, bodies;
+  bool is_in_step;    /* between carry_stuck() and hold_stuck() */
+  bool is_still;      /* no shape moves or measures what sticks to it in this step */
+  bool has_to_delete; /* movers of this rank are to be deleted */
+  bool is_cut;        /* a mover had too many contacts in a step */
 
   Stepper(const Setup &setup, Books &books);
+
+  Members &members(const Spheres &) {
+    return grains;
+  }
+  Members &members(const Bodies &) {
+    return bodies;
+  }
 
   /* Before a run. shape_now: of a restart, the shape, from 1, that is each of the saved ones, or 0;
    * empty otherwise. */
   void begin_run(const Spheres &spheres, const std::vector<int> &shape_now);
 
+  /* Discards what is known of the ways ahead. */
+  void clear_ahead() {
+    grains.ahead.clear();
+    bodies.ahead.clear();
+  }
+
   /* After particles have moved between ranks, or have been put into another order. */
   void reorder(const Spheres &spheres);
 
-  /* Resets the states of the last step, moves stuck particles, and lists the particles that may
-   * meet this wall, which has this number among those of the run; the list stays sorted. */
-  void begin_step(const Spheres &spheres, int number, std::vector<Near> &near);
-
-  /* stick.cpp: notes where the particle has stuck, and takes it along with the wall for the rest of
-   * the step; gives stuck particles their wall's velocity at the end of a step. */
-  void stick(const Spheres &spheres, int i, double left, size_t shape, const Path &before,
-             const Contact &contact);
+  /* stick.cpp: moves what is stuck with the wall, and gives it the wall's velocity at the end of a
+   * step. */
+  void carry_stuck(const Spheres &spheres);
+  void carry_stuck(Bodies &bodies);
   void hold_stuck(const Spheres &spheres);
+  void hold_stuck(Bodies &bodies);
+
+  /* Movers refer to shapes by numbers, which may differ in another script: from here on a memory
+   * names a shape of this wall, or none. */
+  static void renumber(const std::vector<int> &shape_now, MoverState &state, Memory &memory);
 
 private:
-  void renumber(const Spheres &spheres, const std::vector<int> &shape_now);
-  void carry_stuck(const Spheres &spheres);
-  void drop_load(StuckParticle &at, double share);
-  void carry(const Spheres &spheres, int i, double dt);
+  void drop_load(StuckOne &at, double share);
 };
 
 /* All contacts of a step of all walls of a run. */

@@ -1,58 +1,135 @@
-/* Particles stuck to a wall, and how they move with it.
+/* Movers stuck to a wall, and how they move with it. A body is held as a whole by the sphere that
+ * has stuck, and turns with the wall; a particle does not spin there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/step/mover.h"
+#include "dem/step/flight.h"
 
 #include <math.h>
 #include <string.h>
 #include <algorithm>
 
 #include "contact/vector.h"
+#include "dem/step/body_motion.h"
 
 using namespace asperity;
 
-/* Notes where the particle has stuck, and takes it along with the wall for the rest of the step. */
-void Stepper::stick(const Spheres &s, int i, double left, size_t shape, const Path &before,
-                    const Contact &contact) {
-  Place at;
-  setup.shapes[shape].shape->stick(before, contact, at);
-  StuckPlace &to = rows.place[i].stuck;
-  to.shape = static_cast<double>(shape) + 1;
-  to.piece = at.piece;
-  aspi_copy(at.at, to.at);
-  to.is_kept = 0;
-  const bool deletes = setup.model.deposit() == Model::DELETE;
-  rows.set_status(i, deletes ? Status::TO_DELETE : Status::STUCK);
-  has_to_delete = has_to_delete || deletes;
-  stuck.push_back(StuckParticle{i, false, false, {}, {}, 0});
-  aspi_copy(contact.x, s.x + 3 * static_cast<size_t>(i));
-  carry(s, i, left);
+/* ---- its place --------------------------------------------------------------------------------
+ */
+
+/* Where the wall has the center of the sphere that sticks, after what is left of the step: the
+ * periodic image that is nearest to `near`. */
+static void follow(const Stepper &wall, Stuck &at, const double near[3], double radius, double left,
+                   double dt, bool is_body, double x[3]) {
+  if (!(fabs(at.at[0]) <= HUGE_VAL)) /* its shape is gone: it stays here */
+    aspi_copy(near, at.at);
+  if (at.shape >= 1) {
+    const Shape &shape = *wall.setup.shapes[static_cast<size_t>(at.shape) - 1].shape;
+    Place place = {static_cast<int>(at.piece), {at.at[0], at.at[1], at.at[2]}};
+    if (is_body)
+      shape.turn(place, 1 - left / dt, dt, at.axes, at.omega);
+    shape.carry(place, radius, left, x, at.v);
+    at.piece = place.piece;
+    aspi_copy(place.at, at.at);
+  } else {
+    aspi_copy(at.at, x);
+    aspi_copy(NONE, at.v);
+    aspi_copy(NONE, at.omega);
+  }
+  wall.setup.box.bring_near(near, x);
+}
+
+/* Gives the wall the load that holds a mover, by what has changed. */
+static void add_load(const Stepper &wall, const Mover &mover, const Stuck &at, size_t sphere,
+                     const double x[3], const double change[3], const double turn[3]) {
+  double center[3];
+  if (!(at.shape >= 1) || !(aspi_dot(change, change) + aspi_dot(turn, turn) > 0))
+    return;
+  mover.arm(sphere, center);
+  aspi_add_scaled(center, 1, x, center);
+  wall.books.add_load(
+      static_cast<size_t>(at.shape) - 1,
+      mover.load(sphere, static_cast<int>(at.piece), center, NONE, x, change, turn, NONE));
+}
+
+static Stuck &note(const Touch &touch, const Mover &mover) {
+  Stepper &wall = *touch.wall;
+  Members &of = mover.members(wall);
+  Place place;
+  wall.setup.shapes[touch.shape].shape->stick(touch.before, touch.contact, place);
+  const bool deletes = wall.setup.model.deposit() == Model::DELETE;
+  of.rows.set_status(mover.i, deletes ? Status::TO_DELETE : Status::STUCK);
+  wall.has_to_delete = wall.has_to_delete || deletes;
+  of.stuck.push_back(StuckOne{mover.i, false, false, {}, {}, 0});
+  Stuck &to = of.rows.stuck(mover.i);
+  to = Stuck();
+  to.sphere = static_cast<double>(mover.sphere[touch.sphere].tag);
+  to.shape = static_cast<double>(touch.shape) + 1;
+  to.piece = place.piece;
+  aspi_copy(place.at, to.at);
+  return to;
+}
+
+void Stepper::renumber(const std::vector<int> &shape_now, MoverState &state, Memory &memory) {
+  const auto now = [&](double saved) {
+    return saved >= 1 && saved <= static_cast<double>(shape_now.size())
+               ? shape_now[static_cast<size_t>(saved) - 1]
+               : 0;
+  };
+  for (Stuck &at : memory.stuck) {
+    at.shape = now(at.shape);
+    if (!(at.shape >= 1))
+      at.at[0] = NAN;
+  }
+  for (Rest &rest : memory.rests)
+    rest.shape = now(rest.shape);
+  memory.rests.erase(std::remove_if(memory.rests.begin(), memory.rests.end(),
+                                    [](const Rest &rest) { return !(rest.shape >= 1); }),
+                     memory.rests.end());
+  if (memory.rests.empty() && state.status < 0)
+    state.status = static_cast<double>(Status::FREE);
+}
+
+void Box::bring_near(const double near[3], double x[3]) const {
+  for (int d = 0; d < 3; d++)
+    if (period[d] > 0)
+      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
+}
+
+/* ---- particles --------------------------------------------------------------------------------
+ */
+
+/* Puts a stuck particle where its wall has it at the end of the step. */
+static void carry(Stepper &wall, const Spheres &s, int i, double left) {
+  Stuck &at = wall.rows.stuck(i);
+  double *x = s.x + 3 * static_cast<size_t>(i), on_wall[3];
+  follow(wall, at, x, s.radius[i], left, s.dt, false, on_wall);
+  aspi_copy(on_wall, x);
 }
 
 /* Gives a stuck particle the velocity of its wall. */
-static void set_velocity(const StuckPlace &at, const Spheres &s, int i) {
+static void set_velocity(const Stuck &at, const Spheres &s, int i) {
   const size_t row = 3 * static_cast<size_t>(i);
-  aspi_copy(at.velocity, s.v + row);
-  for (int d = 0; s.omega && d < 3; d++)
-    s.omega[row + d] = 0;
+  aspi_copy(at.v, s.v + row);
+  if (s.omega)
+    aspi_copy(NONE, s.omega + row);
 }
 
-/* Changes a stuck particle, and gives its wall the load that holds the particle. */
-template <class Change>
-static void hold_one(const Stepper &wall, const Spheres &s, int i, Change change) {
-  const StuckPlace &at = wall.rows.place[i].stuck;
+void asperity::stick(const Touch &touch, const Mover &mover, const Spheres &s, double left) {
+  const Stuck &at = note(touch, mover);
+  aspi_copy(touch.contact.x, s.x + 3 * static_cast<size_t>(mover.i));
+  carry(*touch.wall, s, mover.i, left);
+  set_velocity(at, s, mover.i);
+}
+
+/* The same, with the load that holds the particle. */
+static void hold_one(const Stepper &wall, const Stuck &at, const Spheres &s, int i) {
   const size_t row = 3 * static_cast<size_t>(i);
-  double v[3], turn[3] = {0, 0, 0}, p[3];
-  aspi_copy(s.v + row, v);
+  double change[3], turn[3] = {0, 0, 0};
+  aspi_subtract(at.v, s.v + row, change);
   if (s.omega)
     aspi_add_scaled(turn, -1, s.omega + row, turn);
-  change();
-  aspi_subtract(s.v + row, v, p);
-  if (!(aspi_dot(p, p) + aspi_dot(turn, turn) > 0) || !(at.shape >= 1))
-    return;
-  wall.books.add_load(
-      static_cast<size_t>(at.shape) - 1,
-      Mover(s, i).load(0, static_cast<int>(at.piece), s.x + row, NONE, s.x + row, p, turn, NONE));
+  set_velocity(at, s, i);
+  add_load(wall, Mover(s, i), at, 0, s.x + row, change, turn);
 }
 
 static inline uint64_t bits(const double *x) {
@@ -67,17 +144,17 @@ static inline uint64_t change(const double a[3], const double b[3]) {
 }
 
 /* True if a particle without spin comes again as its wall stopped it before. */
-static inline bool comes_again(const StuckParticle &at, const Spheres &s) {
+static inline bool comes_again(const StuckOne &at, const Spheres &s) {
   const size_t row = 3 * static_cast<size_t>(at.i);
   const uint64_t spin = s.omega ? change(s.omega + row, NONE) : 0;
   return (change(s.v + row, at.v) | spin | (bits(&at.mass) ^ bits(s.mass + at.i))) == 0;
 }
 
 /* Ends the load of a particle after this share of a step. */
-void Stepper::drop_load(StuckParticle &at, double share) {
+void Stepper::drop_load(StuckOne &at, double share) {
   if (at.is_kept) {
     books.drop_load(at.i, at.x, at.v, at.mass, share);
-    rows.place[at.i].stuck.is_kept = 0;
+    rows.stuck(at.i).is_kept = 0;
   }
   at.was_stopped = at.is_kept = false;
 }
@@ -88,18 +165,19 @@ void Stepper::carry_stuck(const Spheres &s) {
   is_in_step = is_still = true;
   for (const Member &member : setup.shapes)
     is_still = is_still && member.shape->is_still() && !member.shape->measures();
-  for (StuckParticle &at : stuck) {
+  for (StuckOne &at : grains.stuck) {
     if (is_still && at.was_stopped && comes_again(at, s)) {
       if (!at.is_kept) {
         books.keep_load(at.i, at.x, at.v, at.mass);
         at.is_kept = true;
-        rows.place[at.i].stuck.is_kept = 1;
+        rows.stuck(at.i).is_kept = 1;
       }
       aspi_copy(at.x, s.x + 3 * static_cast<size_t>(at.i));
       aspi_copy(NONE, s.v + 3 * static_cast<size_t>(at.i));
     } else {
       drop_load(at, 0);
-      hold_one(*this, s, at.i, [&] { carry(s, at.i, s.dt); });
+      carry(*this, s, at.i, s.dt);
+      hold_one(*this, rows.stuck(at.i), s, at.i);
     }
   }
   books.add_kept_loads();
@@ -107,75 +185,84 @@ void Stepper::carry_stuck(const Spheres &s) {
 
 void Stepper::hold_stuck(const Spheres &s) {
   is_in_step = false;
-  for (StuckParticle &at : stuck) {
+  for (StuckOne &at : grains.stuck) {
     double *v = s.v + 3 * static_cast<size_t>(at.i);
     if (at.is_kept && comes_again(at, s)) {
       aspi_copy(NONE, v);
       continue;
     }
     drop_load(at, 0.5);
-    const double *v_wall = rows.place[at.i].stuck.velocity;
-    at.was_stopped = is_still && change(v_wall, NONE) == 0;
+    const Stuck &place = rows.stuck(at.i);
+    at.was_stopped = is_still && change(place.v, NONE) == 0;
     aspi_copy(s.x + 3 * static_cast<size_t>(at.i), at.x);
     aspi_copy(v, at.v);
     at.mass = s.mass[at.i];
-    hold_one(*this, s, at.i, [&] { set_velocity(rows.place[at.i].stuck, s, at.i); });
+    hold_one(*this, place, s, at.i);
   }
   books.add_kept_loads();
 }
 
-/* Puts a stuck particle where its wall has it at the end of the step: the periodic image of that
- * place which is nearest to where the particle is. */
-void Stepper::carry(const Spheres &s, int i, double dt) {
-  StuckPlace &at = rows.place[i].stuck;
-  double *x = s.x + 3 * static_cast<size_t>(i), on_wall[3];
-  if (at.shape >= 1) {
-    Place place = {static_cast<int>(at.piece), {at.at[0], at.at[1], at.at[2]}};
-    setup.shapes[static_cast<size_t>(at.shape) - 1].shape->carry(place, s.radius[i], dt, on_wall,
-                                                                 at.velocity);
-    at.piece = place.piece;
-    aspi_copy(place.at, at.at);
-  } else
-    aspi_copy(at.at, on_wall);
-  setup.box.bring_near(x, on_wall);
-  aspi_copy(on_wall, x);
-  set_velocity(at, s, i);
+/* ---- bodies -----------------------------------------------------------------------------------
+ */
+
+/* The sphere that holds the body. */
+static size_t anchor(const Mover &mover, const Stuck &at) {
+  for (size_t k = 0; k < mover.count; k++)
+    if (static_cast<double>(mover.sphere[k].tag) == at.sphere)
+      return k;
+  return 0;
 }
 
-void Box::bring_near(const double near[3], double x[3]) const {
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0)
-      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
+/* Gives a stuck body the velocity of its wall, with the load that holds it. */
+static void hold_one(const Stepper &wall, const Stuck &at, Bodies &bodies, int i) {
+  const Mover mover(bodies, static_cast<size_t>(i));
+  Body &body = bodies.all[static_cast<size_t>(i)];
+  double change[3], turn[3], spin[3];
+  aspi_subtract(at.v, body.v, change);
+  spin_of(body, spin);
+  aspi_subtract(at.omega, spin, turn);
+  if (!(aspi_dot(change, change) + aspi_dot(turn, turn) > 0))
+    return;
+  aspi_copy(at.v, body.v);
+  momentum_of(body, at.omega, body.angular_momentum);
+  body.is_changed = true;
+  add_load(wall, mover, at, anchor(mover, at), body.x, change, turn);
 }
 
-/* Particles refer to shapes by numbers, which may differ in another script. One that is stuck to a
- * removed mesh stays in place; one that rests on it is free. From here on each row names a shape of
- * this wall, or none. */
-void Stepper::renumber(const Spheres &s, const std::vector<int> &shape_now) {
-  const auto now = [&](double saved) {
-    return saved >= 1 && saved <= static_cast<double>(shape_now.size())
-               ? shape_now[static_cast<size_t>(saved) - 1]
-               : 0;
-  };
-  for (int i = 0; i < s.n; i++) {
-    StuckPlace &at = rows.place[i].stuck;
-    if (rows.is_stuck(i)) {
-      at.shape = now(at.shape);
-      if (!(at.shape >= 1)) {
-        aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
-        std::fill(at.velocity, at.velocity + 3, 0.0);
-      }
-    } else if (rows.status(i) == Status::RESTING) {
-      Rest *const rests = rows.place[i].rests;
-      size_t kept = 0;
-      for (size_t k = 0; k < ParticlePlace::RESTS && rests[k].shape > 0; k++)
-        if (const int shape = now(rests[k].shape)) {
-          rests[kept] = rests[k];
-          rests[kept++].shape = shape;
-        }
-      std::fill(rests + kept, rests + ParticlePlace::RESTS, Rest());
-      if (kept == 0)
-        rows.set_status(i, Status::FREE);
-    }
-  }
+static void carry(Stepper &wall, Bodies &bodies, int i, double left) {
+  Stuck &at = wall.body_rows.stuck(i);
+  Body &body = bodies.all[static_cast<size_t>(i)];
+  Mover mover(bodies, static_cast<size_t>(i));
+  const size_t k = anchor(mover, at);
+  double now[3], arm[3], x[3], off[3];
+  mover.arm(k, now);
+  aspi_add_scaled(now, 1, body.x, now);
+  if (!(fabs(at.at[0]) <= HUGE_VAL))
+    memcpy(at.axes, body.axes, sizeof at.axes);
+  follow(wall, at, now, mover.sphere[k].radius, left, bodies.dt, true, x);
+  body.is_changed = body.is_changed || memcmp(body.axes, at.axes, sizeof at.axes) != 0;
+  memcpy(body.axes, at.axes, sizeof at.axes);
+  arm_of(body, mover.sphere[k], arm);
+  aspi_subtract(x, arm, x);
+  body.is_changed = body.is_changed || change(body.x, x) != 0;
+  aspi_copy(x, body.x);
+  aspi_cross(at.omega, arm, off);
+  aspi_subtract(at.v, off, at.v); /* that of the center of mass */
+  hold_one(wall, at, bodies, i);
+}
+
+void asperity::stick(const Touch &touch, const Mover &mover, Bodies &bodies, double left) {
+  Stuck &at = note(touch, mover);
+  memcpy(at.axes, mover.body->axes, sizeof at.axes);
+  carry(*touch.wall, bodies, mover.i, left);
+}
+
+void Stepper::carry_stuck(Bodies &bodies_now) {
+  for (const StuckOne &at : bodies.stuck)
+    carry(*this, bodies_now, at.i, bodies_now.dt);
+}
+
+void Stepper::hold_stuck(Bodies &bodies_now) {
+  for (const StuckOne &at : bodies.stuck)
+    hold_one(*this, body_rows.stuck(at.i), bodies_now, at.i);
 }

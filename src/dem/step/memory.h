@@ -1,0 +1,189 @@
+/* What movers remember of a wall, and how that is packed for other ranks and for restart files.
+ * Most have not been at the wall and remember nothing, so that only a few numbers of each lie in
+ * rows: those that per-atom output shows. They are 0 at first.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASPERITY_DEM_MEMORY_H
+#define ASPERITY_DEM_MEMORY_H
+
+#include <mpi.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <memory>
+#include <vector>
+
+namespace asperity {
+
+/* Relative rounding of velocities, times and distances that are compared. */
+const double ROUNDING = 1e-9;
+
+/* The values are in restart files, and per-atom output shows them: 1 is stuck, less than 0 is at
+ * the wall in this step. */
+enum class Status {
+  FREE = 0,
+  STUCK = 1,
+  TO_DELETE = 2,  /* stuck, and to be deleted */
+  RESTING = -1,   /* at the wall, which holds it until the next step */
+  REBOUNDED = -3, /* has rebounded in this step */
+};
+
+/* What per-atom output shows. */
+struct MoverState {
+  double impacts;  /* on this wall */
+  double status;   /* a Status */
+  double force[3]; /* on the wall, in the last step */
+  double point[3]; /* where it acted last; of a stuck particle its center */
+};
+
+/* Where a stuck mover is held: the center of one of its spheres, in the frame of the shape (of the
+ * world, where that is gone), and the axes of a body; and the velocities that it has there. */
+struct Stuck {
+  double sphere; /* its tag */
+  double shape;  /* from 1; 0: gone */
+  double piece, at[3], axes[3][3], v[3], omega[3];
+  double is_kept; /* 1: the books keep its load, and its force is that of a whole step */
+};
+
+/* A face of a shape at which a sphere rests, and by what the wall accelerates it, or its body,
+ * there. */
+struct Rest {
+  double sphere; /* its tag */
+  double shape;  /* from 1 */
+  double face, push[3];
+};
+
+/* The energy of a rebound, at a piece of a shape (from 0): v_n^2 at the end of the step is square +
+ * work a_n. */
+struct Rebound {
+  double square, work, normal[3], v_wall[3], shape, piece;
+};
+
+/* A face of a rough wall that a sphere has met, and the valley behind it. */
+struct FacePlace {
+  double sphere;        /* its tag */
+  double at[3];         /* the contact point at that instant, moving with the wall */
+  double normal[3];     /* of the mean wall, at the last contact */
+  double time;          /* of the last contact */
+  double start, height; /* an asp_valley; 0: not drawn yet */
+};
+
+/* A body's axes at the end of a step, from 1. */
+struct Attitude {
+  double step, axes[3][3];
+};
+
+struct Memory {
+  double draws; /* of valleys, and of faces that it met while it rested */
+  std::vector<FacePlace> faces;
+  std::vector<Rest> rests;        /* those of status RESTING */
+  std::vector<Rebound> rebound;   /* one, of status REBOUNDED */
+  std::vector<Stuck> stuck;       /* one, of status STUCK or TO_DELETE */
+  std::vector<Attitude> attitude; /* one, of a body at the first wall of a run */
+
+  Memory() : draws(0) {}
+
+  /* Calls of() for each list: packing, sizes and restart files follow from this. */
+  template <class Of> void each(Of &of) {
+    of(faces);
+    of(rests);
+    of(rebound);
+    of(stuck);
+    of(attitude);
+  }
+};
+
+/* What the particles, or the bodies, of this rank remember of a wall, each by its index. */
+struct Memories {
+  MoverState *state;
+  std::vector<std::unique_ptr<Memory>> memory; /* NULL: nothing */
+
+  Status status(int i) const {
+    return static_cast<Status>(static_cast<int>(state[i].status));
+  }
+  bool is_stuck(int i) const {
+    return state[i].status > 0;
+  }
+  Memory *find(int i) const {
+    return memory[static_cast<size_t>(i)].get();
+  }
+  Memory &own(int i) {
+    std::unique_ptr<Memory> &of = memory[static_cast<size_t>(i)];
+    if (!of)
+      of.reset(new Memory());
+    return *of;
+  }
+  /* Where it is stuck, if it is. */
+  Stuck &stuck(int i) {
+    Memory &of = own(i);
+    of.stuck.resize(1);
+    return of.stuck[0];
+  }
+  /* Only the list of the present status has something in it. */
+  void set_status(int i, Status now);
+  size_t bytes() const;
+
+  /* As engines move their particles. A packed memory begins with how many numbers it has; pack and
+   * unpack return that. */
+  void grow(int n) {
+    memory.resize(static_cast<size_t>(n));
+  }
+  void copy(int from, int to);
+  void clear(int i) {
+    memory[static_cast<size_t>(i)].reset();
+  }
+  int pack(int i, double *to) const;
+  int unpack(int i, const double *from);
+};
+
+/* Those of the bodies that were claimed last, in their order. */
+class BodyMemories : public Memories {
+public:
+  BodyMemories() : Memories(), restored_(0) {}
+
+  /* The bodies of this rank are those with these tags. Their memories come from the rank that has
+   * them; those that nobody claims are forgotten. Collective. */
+  void claim(const std::vector<int64_t> &tags, MPI_Comm world);
+
+  /* All memories of this rank, for a restart file. */
+  std::vector<double> pack() const;
+
+  /* From a restart file, to be claimed, after change(state, memory). Throws an Error if the numbers
+   * are no memories. */
+  template <class Change> void restore(const std::vector<double> &all, Change change) {
+    for (size_t at = 0; at < all.size();) {
+      MoverState its;
+      Memories one;
+      one.grow(1);
+      const int64_t tag = read(all, at, its, one);
+      change(its, one.own(0));
+      write(tag, its, one, 0, waiting_);
+      restored_++;
+    }
+  }
+  size_t restored() const {
+    return restored_;
+  }
+
+private:
+  static void write(int64_t tag, const MoverState &its, const Memories &rows, size_t i,
+                    std::vector<double> &to);
+  static int64_t read(const std::vector<double> &all, size_t &at, MoverState &its, Memories &one);
+
+  std::vector<int64_t> tags_;
+  std::vector<MoverState> states_;
+  std::vector<double> waiting_; /* packed */
+  size_t restored_;
+};
+
+/* A particle remembers the faces of the walls of a corner; a body so many for each sphere. */
+const size_t FACES_MOST = 3, RESTS_MOST = 3;
+
+/* The most numbers that a particle's memory packs to: it has one list by its status. */
+const int PACKED_MOST =
+    7 + static_cast<int>((FACES_MOST * sizeof(FacePlace) + sizeof(Stuck)) / sizeof(double));
+static_assert(sizeof(Rebound) <= sizeof(Stuck) && RESTS_MOST * sizeof(Rest) <= sizeof(Stuck),
+              "the longest list is that of a stuck one");
+
+} // namespace asperity
+
+#endif
