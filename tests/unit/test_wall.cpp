@@ -287,6 +287,49 @@ void idle_walls_are_doubted(void **) {
 
 } // namespace
 
+/* A memory comes back as it was packed, its body finds it by its tag, and a wrong one is refused.
+ */
+static void memories_come_back(void **) {
+  MoverState shown[2] = {};
+  Memories all = {shown, {}};
+  double packed[PACKED_MOST], again[PACKED_MOST];
+  all.grow(2);
+  assert_true(all.pack(0, packed) == 1 && all.unpack(1, packed) == 1 && !all.find(1));
+  all.own(0).draws = 7;
+  all.own(0).faces.assign(FACES_MOST, FacePlace{4, {1, 2, 3}, {0, 0, 1}, 5, 0.1, 6});
+  all.set_status(0, Status::STUCK);
+  all.stuck(0).at[1] = 8;
+  const int n = all.pack(0, packed);
+  assert_true(n > 1 && n <= PACKED_MOST && all.unpack(1, packed) == n);
+  all.copy(1, 0);
+  assert_true(all.pack(0, again) == n && std::equal(packed, packed + n, again));
+  all.set_status(0, Status::FREE);
+  assert_true(all.find(0)->stuck.empty() && all.find(0)->faces.size() == FACES_MOST);
+
+  BodyMemories bodies;
+  bodies.claim({3, 8}, MPI_COMM_WORLD);
+  bodies.state[1].impacts = 2;
+  bodies.own(1).draws = 9;
+  const std::vector<double> saved = bodies.pack();
+  bodies.claim({5, 8}, MPI_COMM_WORLD);
+  assert_true(!bodies.find(0) && bodies.find(1)->draws > 8);
+  BodyMemories restored;
+  restored.restore(saved, [](MoverState &, Memory &memory) { memory.draws++; });
+  restored.claim({8}, MPI_COMM_WORLD);
+  assert_true(restored.restored() == 2 && restored.find(0)->draws > 9);
+  assert_true(restored.state[0].impacts > 1);
+  restored.claim({}, MPI_COMM_WORLD);
+  assert_true(restored.pack().empty());
+  std::string said;
+  try {
+    restored.restore(std::vector<double>(saved.begin(), saved.begin() + 9),
+                     [](MoverState &, Memory &) {});
+  } catch (const Error &wrong) {
+    said = wrong.what();
+  }
+  assert_true(said.find("bodies of another form") != std::string::npos);
+}
+
 int main(int argc, char **argv) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(two_dimensions_stay_in_their_plane),
@@ -298,6 +341,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(absurd_flights_are_refused),
       cmocka_unit_test(rows_are_in_the_box),
       cmocka_unit_test(idle_walls_are_doubted),
+      cmocka_unit_test(memories_come_back),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
