@@ -141,9 +141,10 @@ asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle
 
 /* The contact of a particle that stays at the wall with the next face on its way: v1 counts as it
  * is along the wall, and the face looks against it, with the law of visible faces at grazing
- * incidence whatever the spread model. False, and nothing is written, where the particle meets no
- * face: the wall is smooth, or `press`, the acceleration that presses the particle to the wall,
- * keeps it on its way over the face. Otherwise as asp_wall_impact. */
+ * incidence whatever the spread model; behind a trough that is sharper than the particle it comes
+ * down to the face. False, and nothing is written, where the particle meets no face: the wall is
+ * smooth, or `press`, the acceleration that presses the particle to the wall, keeps it on its way
+ * over the face. Otherwise as asp_wall_impact. */
 bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                              const double n[3], double press, const asp_key *key,
                              asp_impact *impact);

@@ -343,10 +343,44 @@ void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *partic
   to_center(particle, impact);
 }
 
-/* The face has the slope s_eff x with the density x exp(-x^2/2), and a normal slope across. The
- * first-hit law at grazing incidence has smaller slopes (aspi_grazing), for it is met by particles
- * that come from afar, over the highest summits. A wall of slopes p has the curvature p
- * sqrt(6)/lambda_c (Rice's ratio of both rms values for Gaussian heights). */
+/* A slope s_eff x with the density x exp(-x^2/2), the law of faces met along the wall. */
+static double rayleigh(const aspi_slopes_along *slopes, aspi_stream *stream) {
+  return slopes->slope * sqrt(-2 * log(aspi_stream_uniform(stream)));
+}
+
+/* The frame of a particle whose center of mass, with the velocity v along the wall, has turned down
+ * a slope p at the same speed. */
+static frame turned_down(const asp_particle *particle, const frame *f, vec v, double p) {
+  vec t = scaled(f->along, f->per_length);
+  double along = dot(v, t), up = dot(v, f->n), cosine = 1 / sqrt(1 + p * p), sine = p * cosine;
+  v = plus(v, along * (cosine - 1) + up * sine, t);
+  v = plus(v, up * (cosine - 1) - along * sine, f->n);
+  return frame_of(touching(particle, v), f->n);
+}
+
+/* True if the trough between two faces is sharper than the sphere: then the path of its center has
+ * a kink there. Curvatures in troughs have the density x exp(-x^2/2) over their rms value c, kappa
+ * = c d_p/2. On a surface the one across is a third of that on the average, with the variance (8/9)
+ * c^2, and the mixed one has c^2/3: moments of Gaussian heights whose autocovariance depends on the
+ * distance alone. */
+static bool has_kink(const asp_wall *wall, const aspi_slopes_along *slopes, aspi_stream *stream) {
+  double along = slopes->kappa * sqrt(-2 * log(aspi_stream_uniform(stream)));
+  if (along > 1 || !wall->isotropic)
+    return along > 1;
+  double across = along / 3 + slopes->kappa_across * sqrt(8) / 3 * aspi_stream_normal(stream);
+  double mixed2 = slopes->kappa * slopes->kappa_across / 3, draw = aspi_stream_normal(stream);
+  return (1 - along) * (1 - across) < mixed2 * draw * draw;
+}
+
+/* The first-hit law at grazing incidence has smaller slopes than these (aspi_grazing), for it is
+ * met by particles that come from afar, over the highest summits.
+ *
+ * In a kink the particle comes to the face down that behind it, and hits it with the sum of both
+ * slopes. Otherwise it hits a face only if it has left the wall on the crest before, a sine of
+ * steepest slope p and curvature p sqrt(6)/lambda_c (Rice's ratio of both rms values for Gaussian
+ * heights): if the press is a share b < 1 of what holds it there. It comes down on the parabola
+ * with p sqrt(12) (1 - b)^(3/2) against the wall, to the first order of 1 - b, which is p at b =
+ * 0.56; faster ones meet p. */
 bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                              const double n[3], double press, const asp_key *key,
                              asp_impact *impact) {
@@ -358,14 +392,21 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   frame f = frame_of(touching(particle, load(v1)), load(n));
   if ((!particle->pair && wall->law->needs_pair) || !wall->rough || !has_direction(&f))
     return false;
+  vec along = plus(load(v1), f.v_n, f.n);
   aspi_stream stream = aspi_stream_begin(key);
   aspi_roughness rough = aspi_roughness_of(wall, particle, f.n);
   aspi_slopes_along slopes = aspi_roughness_along(&rough, aspi_heading_of(&rough, &f));
-  double p = slopes.slope * sqrt(-2 * log(aspi_stream_uniform(&stream)));
+  double p = rayleigh(&slopes, &stream);
   double lambda_c = sqrt(2) / ASP_PI * asp_wall_face_length(wall, particle, v1, n);
-  if (f.v_t * f.v_t * p * sqrt(6) < press * lambda_c)
-    return false;
   f.v_n = 0;
+  if (has_kink(wall, &slopes, &stream))
+    f = turned_down(particle, &f, along, rayleigh(&slopes, &stream));
+  else {
+    double loose = 1 - press * lambda_c / (f.v_t * f.v_t * p * sqrt(6));
+    if (!(loose > 0))
+      return false;
+    p *= fmin(1, sqrt(12) * pow(loose, 1.5));
+  }
   face on = face_at(wall, &slopes, atan(p), NULL, &stream);
   vec local, spin = load(particle->omega);
   bool deposit;

@@ -49,9 +49,9 @@ run $((2 * half))" >> roll.in
 for spread in plane isotropic; do
   read -r fast error <<< "$(rolling $spread 0.1)"
   read -r slow other <<< "$(rolling $spread 0.02)"
-  # The truth, by geometry alone (tests/sweep/rolling.csv): 1.285 on profiles, 1.13 on surfaces. The model is too fast.
+  # The truth, by geometry alone (tests/sweep/rolling.csv): 1.285 on profiles, 1.13 on surfaces. Without kinks it is 1.5 on both.
   awk -v a="$fast" -v b="$slow" -v se="$error" -v so="$other" -v truth="$([ $spread = plane ] && echo 1.285 || echo 1.13)" '
-    BEGIN { exit !(b > 0.9 * truth && b < 1.45 * truth && (a - b) ^ 2 < (0.05 * b) ^ 2 + 9 * (se ^ 2 + so ^ 2)) }' ||
+    BEGIN { exit !((b - truth) ^ 2 < (0.12 * truth) ^ 2 && (a - b) ^ 2 < (0.05 * b) ^ 2 + 9 * (se ^ 2 + so ^ 2)) }' ||
     die "$spread: rolls at $fast +- $error and $slow +- $other"
 done
 

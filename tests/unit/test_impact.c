@@ -220,6 +220,28 @@ static void grazing_to_the_last_bit(void **state) {
   }
 }
 
+/* What a particle that stays loses per face. Small slopes p with E p = s sqrt(pi/2), E p^2 = 2 s^2:
+ * its approach is p alone, or where both sides of a trough touch, the sum of two. */
+static void kinks_turn_by_both_sides(void **state) {
+  (void)state;
+  enum { N = 40000 };
+  setup s = setup_create("visible", "constant", 0.02);
+  assert_true(set_parameter(&s.choice, "cor_n", 0.5) && set_parameter(&s.choice, "cor_t", 1));
+  remake(&s);
+  for (double kappa = 0.2; kappa < 20; kappa *= 2) {
+    asp_particle of_size = grain;
+    of_size.d_p = kappa / asp_surface_kappa(s.surface, 1);
+    double slope = asp_wall_slope(s.wall, of_size.d_p), loss = 0, v1[3] = {10, 0, 0};
+    for (uint64_t tag = 1; tag <= N; tag++) {
+      asp_impact impact;
+      if (asp_wall_impact_grazing(s.wall, &of_size, v1, up, 0, &(asp_key){1, 1, tag, 1}, &impact))
+        loss += (1 - dot(impact.v2, impact.v2) / 100) / (0.75 * slope * slope) / N;
+    }
+    assert_near(loss, 2 + exp(-0.5 / (kappa * kappa)) * (2 + ASP_PI), 0.15);
+  }
+  setup_free(&s);
+}
+
 /* Where a wall cannot be made anew it stays as it was. */
 static void a_wall_outlives_a_bad_choice(void **state) {
   (void)state;
@@ -380,6 +402,7 @@ int main(void) {
       cmocka_unit_test(sliding),
       cmocka_unit_test(nearly_normal_impacts_keep_energy),
       cmocka_unit_test(grazing_to_the_last_bit),
+      cmocka_unit_test(kinks_turn_by_both_sides),
       cmocka_unit_test(a_wall_outlives_a_bad_choice),
       cmocka_unit_test(many_impacts_are_single_ones),
       cmocka_unit_test(a_pair_is_needed),
