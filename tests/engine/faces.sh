@@ -79,7 +79,7 @@ awk '{ n[NR] = $3; v[NR] = $4; e[NR] = $5 } END { if (NR != 4) exit 1
   for (i = 1; i < NR; i += 2) if (n[i] - n[i + 1] > 12 || n[i + 1] - n[i] > 12) exit 1 }' skim.txt || { cat skim.txt; die "the speed on a slope depends on the step or on how grains came there"; }
 
 # Valleys hold what is laid at rest up to an angle of their own: tan(start)/s_eff of the Rayleigh distribution, of the
-# largest of three on a surface. 10 degrees of sigma: shares that have started at three slopes.
+# larger of two on a surface. 10 degrees of sigma: shares that have started at three slopes.
 for spread in plane isotropic; do
   slope 0.002 400 0 0 > start.in
   echo "fix wall all wall/rebound primitive type 1 zplane 0.0 surface sigma 10 spread visible $spread rebound walton 0.5 0.3 0 deposit off
@@ -100,7 +100,7 @@ run 50"
 run 0" >> start.in
   engine 1 start.in
   for angle in 8 13 20 end; do
-    awk -v angle=$angle -v power=$([ $spread = plane ] && echo 1 || echo 3) '/^ITEM/ { data = /: ATOMS/; next }
+    awk -v angle=$angle -v power=$([ $spread = plane ] && echo 1 || echo 2) '/^ITEM/ { data = /: ATOMS/; next }
       data { away = $2 - 0.01 * (($1 - 1) % 20); n++; out += away * away > 1e-24 }
       END { pi = atan2(0, -1); tan_a = sin((angle == "end" ? 20 : angle) * pi / 180) / cos((angle == "end" ? 20 : angle) * pi / 180); x = tan_a / (sin(pi / 18) / cos(pi / 18))
         share = (1 - exp(-x * x / 2)) ^ power; d = out / n - share; if (d * d > 12 * share * (1 - share) / n + 1e-4) { print angle, out / n, share; exit 1 } }' "at.$angle.txt" ||
